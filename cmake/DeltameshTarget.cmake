@@ -1,0 +1,12 @@
+# deltamesh_configure(TARGET): what every target of the project has in common.
+function(deltamesh_configure target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF CXX_VISIBILITY_PRESET hidden
+                        VISIBILITY_INLINES_HIDDEN ON POSITION_INDEPENDENT_CODE ON)
+  # The same floats from every compiler: no fused multiply-add that the source does not ask for.
+  target_compile_options(${target} PRIVATE -ffp-contract=off)
+  if(DELTAMESH_DEVELOPER_MODE)
+    target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+                                             -Werror)
+  endif()
+endfunction()

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Stream in, mesh out.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+
+#include "deltamesh/mesh.h"
+#include "deltamesh/result.h"
+
+namespace deltamesh {
+
+/// What the caller is willing to receive. A stream beyond a limit is refused before anything of its size is
+/// allocated.
+struct DecodeLimits {
+  std::uint64_t vertices = std::uint64_t{1} << 28;
+  std::uint64_t triangles = std::uint64_t{1} << 29;
+  std::uint32_t attributes = 64;
+  std::uint64_t attribute_bytes = std::uint64_t{1} << 32;  ///< all attribute values together
+};
+
+struct DecodeOptions {
+  DecodeLimits limits;
+  /// Called now and then with the share of the work done, 0 to 1; may be empty.
+  std::function<void(double)> progress;
+};
+
+/// Decodes a whole stream. On success every index is in range, sizes agree and positions are finite. Bytes
+/// are not trusted: memory is bounded by a constant times the stream's size plus the limits. Errors: 1xx
+/// codes, kLimitExceeded, kOutOfMemory.
+Result<Mesh> decode(std::span<const std::byte> stream, const DecodeOptions& options = {}) noexcept;
+
+/// Checks all that can be checked without the original: checksums, structure, and that it decodes. Errors: as
+/// decode().
+Result<void> verify(std::span<const std::byte> stream, const DecodeOptions& options = {}) noexcept;
+
+}  // namespace deltamesh

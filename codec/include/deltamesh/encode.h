@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Mesh in, stream out.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "deltamesh/mesh.h"
+#include "deltamesh/result.h"
+#include "deltamesh/stream_info.h"
+
+namespace deltamesh {
+
+/// Which codings a chunk may use.
+enum class Profile : std::uint8_t {
+  kZstd,  ///< raw and zstd only
+};
+
+/// How to encode. Plain values with defaults; validate() checks ranges and contradictions.
+struct EncodeOptions {
+  std::optional<int> bits;  ///< quantisation of delta coordinates: step = range / 2^bits; 3 to 16; default 8
+  std::optional<double>
+      step;  ///< quantisation step of delta coordinates, model units, above 0; instead of `bits`
+  std::optional<std::uint32_t>
+      anchors;  ///< how many anchors, over all components; at least one per component is made
+  std::optional<std::uint32_t>
+      anchor_density;  ///< instead: largest hop distance of a vertex to its anchor, 1 to 65535
+                       ///< default of the two: 0.5 % of the vertices are anchors
+  int anchor_bits =
+      12;  ///< bits per axis of an anchor position, over the longest side of the bounding box; 4 to 24
+  int normal_bits = 10;  ///< bits per octahedral axis of a normal; 2 to 15
+  int color_bits = 8;    ///< bits per colour component; 1 to 16 (never more than the type has)
+  int uv_bits = 12;      ///< bits per texture coordinate, over their range; 1 to 24
+  Profile profile = Profile::kZstd;
+  bool keep_order = false;         ///< store the input's vertex and face order and restore it
+  bool keep_unreferenced = false;  ///< keep vertices that no face uses
+  /// Called now and then with the share of the work done, 0 to 1; may be empty.
+  std::function<void(double)> progress;
+};
+
+/// What the encoder did and measured.
+struct EncodeReport {
+  std::uint64_t input_vertices = 0;
+  std::uint64_t unreferenced_vertices = 0;  ///< dropped, or kept where asked
+  StreamInfo stream;                        ///< counts, sizes, achieved errors: as inspect() reads them back
+};
+
+struct Encoded {
+  std::vector<std::byte> bytes;      ///< the .dmsh stream
+  std::vector<std::uint32_t> order;  ///< input vertex of every decoded vertex
+  EncodeReport report;
+};
+
+/// Checks every member against its range. Errors: kInvalidArgument.
+Result<void> validate(const EncodeOptions& options) noexcept;
+
+/// Encodes `mesh`. The same mesh and options give the same bytes. Takes any triangle soup; cost is dominated
+/// by the least-squares solve that measures the result. Errors: kInvalidArgument (options), kInvalidMesh (NaN
+/// or infinity, index out of range, sizes that disagree), kLimitExceeded (more than 2^31 - 1 vertices or
+/// triangles, or beyond what a stream can hold), kOutOfMemory.
+Result<Encoded> encode(const MeshView& mesh, const EncodeOptions& options = {}) noexcept;
+
+}  // namespace deltamesh

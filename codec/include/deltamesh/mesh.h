@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// The mesh as users hand it in and get it back.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace deltamesh {
+
+enum class AttributeKind : std::uint8_t {
+  kNormal = 0,   ///< unit vector, 3 x f32
+  kColor = 1,    ///< 3 or 4 components, u8 or u16 over the full range, or f32 in [0, 1]
+  kUv = 2,       ///< texture coordinates, 2 x f32
+  kGeneric = 3,  ///< anything else; kept exactly
+};
+
+enum class ComponentType : std::uint8_t { kI8 = 0, kU8, kI16, kU16, kI32, kU32, kF32, kF64 };
+
+/// Bytes of one component: 1, 2, 4 or 8.
+constexpr std::size_t component_size(ComponentType type) noexcept {
+  constexpr std::size_t kSizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
+  return kSizes[static_cast<std::size_t>(type)];
+}
+
+/// One value per vertex: `components` numbers of `type`, native byte order, tightly packed.
+struct Attribute {
+  AttributeKind kind = AttributeKind::kGeneric;
+  ComponentType type = ComponentType::kF32;
+  std::uint8_t components = 1;  ///< 1 to 16
+  bool normalized = false;      ///< integers stand for [0, 1] or [-1, 1], as in glTF
+  std::string name;  ///< the source's name ("nx", "TEXCOORD_0", "confidence"); UTF-8, at most 255 bytes
+  std::vector<std::byte> values;  ///< vertices x components x component_size(type) bytes
+};
+
+/// An owned triangle mesh. World position of vertex i = origin + positions[3i .. 3i+2].
+struct Mesh {
+  std::array<double, 3> origin{};        ///< model units; keeps georeferenced maps precise
+  std::vector<float> positions;          ///< n x 3, model units, relative to `origin`
+  std::vector<std::uint32_t> triangles;  ///< m x 3 vertex indices, each below n
+  std::vector<Attribute> attributes;
+
+  std::size_t vertex_count() const noexcept { return positions.size() / 3; }
+  std::size_t triangle_count() const noexcept { return triangles.size() / 3; }
+};
+
+/// As Attribute, without ownership.
+struct AttributeView {
+  AttributeKind kind = AttributeKind::kGeneric;
+  ComponentType type = ComponentType::kF32;
+  std::uint8_t components = 1;
+  bool normalized = false;
+  std::string_view name;
+  std::span<const std::byte> values;
+};
+
+/// As Mesh, without ownership of the arrays; they must outlive the view.
+struct MeshView {
+  MeshView() = default;
+  MeshView(const Mesh& mesh);  // NOLINT(google-explicit-constructor): a Mesh is a MeshView
+
+  std::array<double, 3> origin{};
+  std::span<const float> positions;
+  std::span<const std::uint32_t> triangles;
+  std::vector<AttributeView> attributes;
+
+  std::size_t vertex_count() const noexcept { return positions.size() / 3; }
+  std::size_t triangle_count() const noexcept { return triangles.size() / 3; }
+};
+
+}  // namespace deltamesh

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// The one result type of the library: a value, or an Error that says what is wrong, where, and which rule it
+// breaks.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+namespace deltamesh {
+
+/// What kind of thing went wrong. Numbers are grouped and, once released, never reused.
+enum class ErrorCode : std::uint16_t {
+  // 1xx: the stream is bad.
+  kTruncated = 100,           ///< bytes end before the structure does
+  kBadMagic = 101,            ///< not a deltamesh stream
+  kUnsupportedVersion = 102,  ///< a stream of another format version
+  kCorrupt = 103,             ///< a checksum does not match
+  kInvalidStream = 104,       ///< a rule of spec/format.md is broken
+  kUnsupportedFeature = 105,  ///< a chunk or codec that this build does not know and may not skip
+  // 2xx: the caller's argument or mesh is bad.
+  kInvalidArgument = 200,  ///< an option outside its range, or two that contradict each other
+  kInvalidMesh = 201,      ///< NaN, index out of range, mismatching sizes
+  kLimitExceeded = 202,    ///< larger than DecodeLimits or the format allows
+  kUnmetRequest = 203,     ///< a quality request that cannot be met
+  // 3xx: files.
+  kFileOpen = 300,
+  kFileRead = 301,
+  kFileWrite = 302,
+  kUnknownFormat = 303,  ///< file suffix or content that no importer or exporter knows
+  kInvalidFile = 304,    ///< a mesh file that breaks its own format
+  // 9xx: us.
+  kOutOfMemory = 900,
+  kInternal = 901,  ///< a bug of ours; please report
+};
+
+/// What `Error::where` counts.
+enum class WhereKind : std::uint8_t { kNone, kByte, kLine, kVertex, kTriangle, kAttribute, kElement };
+
+/// An error value. No allocation: `message` and `rule` point to static strings.
+struct Error {
+  ErrorCode code = ErrorCode::kInternal;
+  const char* message = "";  ///< one sentence without a final stop
+  const char* rule = "";     ///< tag of the spec rule that is broken, such as "DIR-4"; may be empty
+  WhereKind where_kind = WhereKind::kNone;
+  std::uint64_t where = 0;      ///< position, as `where_kind` counts it
+  std::uint32_t chunk_tag = 0;  ///< four-character tag of the chunk concerned, first letter lowest; 0 if none
+};
+
+/// One line for people: chunk, position, message, rule.
+std::string describe(const Error& error);
+
+/// A `T` or an `Error`; the shape of std::expected, which the supported compilers lack.
+template <class T>
+class [[nodiscard]] Result {
+ public:
+  using value_type = T;
+  Result(T value)
+      : state_(std::in_place_index<0>, std::move(value)) {}       // NOLINT(google-explicit-constructor)
+  Result(Error error) : state_(std::in_place_index<1>, error) {}  // NOLINT(google-explicit-constructor)
+
+  bool has_value() const noexcept { return state_.index() == 0; }
+  explicit operator bool() const noexcept { return has_value(); }
+  /// Precondition of the next five: has_value() (error(): not).
+  T& operator*() & noexcept { return *std::get_if<0>(&state_); }
+  const T& operator*() const& noexcept { return *std::get_if<0>(&state_); }
+  T&& operator*() && noexcept { return std::move(*std::get_if<0>(&state_)); }
+  T* operator->() noexcept { return std::get_if<0>(&state_); }
+  const T* operator->() const noexcept { return std::get_if<0>(&state_); }
+  const Error& error() const noexcept { return *std::get_if<1>(&state_); }
+
+ private:
+  std::variant<T, Error> state_;
+};
+
+template <>
+class [[nodiscard]] Result<void> {
+ public:
+  Result() = default;
+  Result(Error error) : error_(error), ok_(false) {}  // NOLINT(google-explicit-constructor)
+  bool has_value() const noexcept { return ok_; }
+  explicit operator bool() const noexcept { return ok_; }
+  const Error& error() const noexcept { return error_; }
+
+ private:
+  Error error_;
+  bool ok_ = true;
+};
+
+}  // namespace deltamesh

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// What a stream says of itself, without decoding it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "deltamesh/result.h"
+
+namespace deltamesh {
+
+/// Errors of the decoded mesh against the encoder's input, measured by the encoder on its own decoded stream.
+/// See spec/format.md, "Quality figures", for the definitions.
+struct Quality {
+  double vde_rms = 0;    ///< visual distortion error S_q (eq. 2) divided by sqrt(n); model units
+  double lfe_rms = 0;    ///< low-frequency error M_q (eq. 1) divided by sqrt(n); model units
+  double max_error = 0;  ///< largest distance of a vertex from its original; model units
+};
+
+struct ChunkInfo {
+  std::array<char, 5> tag{};  ///< zero-terminated
+  std::uint32_t part = 0;
+  const char* codec = "";    ///< "raw" or "zstd"
+  std::uint64_t offset = 0;  ///< first byte in the file
+  std::uint64_t coded_bytes = 0;
+  std::uint64_t decoded_bytes = 0;
+};
+
+struct StreamInfo {
+  std::uint8_t format_major = 0;
+  std::uint8_t format_minor = 0;
+  std::uint16_t format_draft = 0;
+  std::uint64_t vertices = 0;            ///< vertices of the decoded mesh
+  std::uint64_t geometric_vertices = 0;  ///< distinct positions (position-welded)
+  std::uint64_t triangles = 0;
+  std::uint64_t components = 0;  ///< connected components of the welded mesh, isolated vertices included
+  std::array<double, 3> origin{};
+  std::array<float, 3> box_min{};  ///< bounding box relative to `origin`
+  std::array<float, 3> box_max{};
+  double diagonal = 0;       ///< of the bounding box
+  bool keeps_order = false;  ///< the decoded mesh is in the input's vertex and face order
+  std::string geometry;      ///< geometry coder: "highpass"
+  int bits = 0;              ///< asked bits of the delta quantiser; 0 when a step was asked
+  double step = 0;           ///< quantisation step of delta coordinates, model units
+  std::uint64_t anchors = 0;
+  std::uint32_t anchor_density = 0;  ///< largest hop distance of a vertex to its nearest anchor
+  Quality quality;
+  std::vector<ChunkInfo> chunks;
+  std::uint64_t bytes = 0;
+  std::uint64_t connectivity_bytes = 0;  ///< coded CONN, SEAM and ORDR
+  std::uint64_t geometry_bytes = 0;      ///< coded DELT
+  std::uint64_t anchor_bytes = 0;        ///< coded ANCH
+  std::uint64_t attribute_bytes = 0;     ///< coded ATTR
+  std::uint64_t container_bytes = 0;     ///< everything else: header, directory, padding
+};
+
+/// Reads header and directory and checks both and every chunk's place, but decodes nothing. O(chunks).
+/// Errors: 1xx codes.
+Result<StreamInfo> inspect(std::span<const std::byte> stream) noexcept;
+
+/// The plain sums of the paper's equations 1 and 2, mesh scaled to unit bounding-box diagonal.
+struct PaperQuality {
+  double vde = 0;  ///< S_q
+  double lfe = 0;  ///< M_q
+};
+PaperQuality paper_form(const Quality& quality, std::uint64_t geometric_vertices, double diagonal) noexcept;
+
+}  // namespace deltamesh

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "deltamesh/mesh.h"
+
+namespace deltamesh {
+
+MeshView::MeshView(const Mesh& mesh)
+    : origin(mesh.origin), positions(mesh.positions), triangles(mesh.triangles) {
+  attributes.reserve(mesh.attributes.size());
+  for (const Attribute& a : mesh.attributes)
+    attributes.push_back({a.kind, a.type, a.components, a.normalized, a.name, a.values});
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "deltamesh/result.h"
+
+namespace deltamesh {
+namespace {
+
+const char* unit(WhereKind kind) noexcept {
+  switch (kind) {
+    case WhereKind::kByte:
+      return "byte ";
+    case WhereKind::kLine:
+      return "line ";
+    case WhereKind::kVertex:
+      return "vertex ";
+    case WhereKind::kTriangle:
+      return "triangle ";
+    case WhereKind::kAttribute:
+      return "attribute ";
+    case WhereKind::kElement:
+      return "element ";
+    case WhereKind::kNone:
+      break;
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string describe(const Error& error) {
+  std::string text;
+  if (error.chunk_tag != 0) {
+    for (unsigned i = 0; i < 4; ++i) text += static_cast<char>((error.chunk_tag >> (8 * i)) & 0x7f);
+    text += " chunk, ";
+  }
+  if (error.where_kind != WhereKind::kNone)
+    text += unit(error.where_kind) + std::to_string(error.where) + ": ";
+  text += error.message;
+  if (*error.rule != '\0') text += std::string(" [") + error.rule + "]";
+  return text;
+}
+
+}  // namespace deltamesh

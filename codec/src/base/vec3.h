@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Three doubles, and a box of them.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+namespace deltamesh {
+
+using Vec3 = std::array<double, 3>;
+
+constexpr Vec3 operator+(const Vec3& a, const Vec3& b) noexcept {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+constexpr Vec3 operator-(const Vec3& a, const Vec3& b) noexcept {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+constexpr Vec3 operator*(double s, const Vec3& a) noexcept { return {s * a[0], s * a[1], s * a[2]}; }
+constexpr double dot(const Vec3& a, const Vec3& b) noexcept {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+constexpr Vec3 cross(const Vec3& a, const Vec3& b) noexcept {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+inline double length(const Vec3& a) noexcept { return std::sqrt(dot(a, a)); }
+
+/// Axis-aligned, closed.
+struct Box {
+  Vec3 min{};
+  Vec3 max{};
+  double longest_side() const noexcept {
+    return std::fmax(max[0] - min[0], std::fmax(max[1] - min[1], max[2] - min[2]));
+  }
+  double diagonal() const noexcept { return length(max - min); }
+};
+
+}  // namespace deltamesh

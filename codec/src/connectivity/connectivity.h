@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// CONN: the faces of any triangle soup over its geometric vertices, lossless up to the order of vertices and
+// faces.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "deltamesh/result.h"
+
+namespace deltamesh {
+
+struct CodedConnectivity {
+  std::vector<std::byte> payload;
+  std::vector<std::uint32_t> triangles;  ///< m x 3: what read_connectivity will return
+  std::vector<std::uint32_t>
+      vertex_order;  ///< n: input vertex of every coded vertex; unreferenced ones last, ascending
+  std::vector<std::uint32_t> face_order;  ///< m: input face of every coded face
+  std::vector<std::uint8_t>
+      face_rotation;  ///< m: which corner (0 to 2) of the input face is the coded face's corner 0
+};
+
+/// `triangles`: m x 3 indices below `vertex_count`; anything goes: non-manifold, duplicate, degenerate,
+/// either orientation. O(n + m) expected, no recursion.
+CodedConnectivity write_connectivity(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count);
+
+/// Returns m x 3 indices, each below `vertex_count`. The caller has checked both counts against its limits;
+/// they are checked here against the bytes present before anything of their size is allocated. Errors:
+/// kTruncated, kInvalidStream [CONN-*].
+Result<std::vector<std::uint32_t>> read_connectivity(std::span<const std::byte> payload,
+                                                     std::uint32_t vertex_count,
+                                                     std::uint32_t triangle_count);
+
+}  // namespace deltamesh

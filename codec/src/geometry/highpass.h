@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// DELT and ANCH: quantised delta coordinates and anchors, reconstructed by least squares (Yang, Li et al.,
+// section 3).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/vec3.h"
+#include "deltamesh/result.h"
+#include "topology/adjacency.h"
+
+namespace deltamesh {
+
+/// What the header says of a highpass stream [GEO-*].
+struct HighpassParameters {
+  std::uint8_t bits = 0;          ///< asked bits, 3 to 16; 0 where a step was asked. For information
+  double step = 0;                ///< quantisation step of delta coordinates, model units, finite, above 0
+  std::uint8_t anchor_bits = 12;  ///< 4 to 24
+  std::uint32_t anchors = 0;      ///< their number
+  std::uint32_t anchor_density =
+      0;  ///< largest hop distance of a vertex to its nearest anchor. For information
+};
+
+/// What the encoder is asked for; exactly one of bits and step, at most one of anchors and density.
+struct HighpassRequest {
+  std::optional<int> bits;
+  std::optional<double> step;
+  std::optional<std::uint32_t> anchors;
+  std::optional<std::uint32_t> anchor_density;
+  int anchor_bits = 12;
+};
+
+struct CodedHighpass {
+  HighpassParameters parameters;
+  std::vector<std::byte> deltas;   ///< DELT payload
+  std::vector<std::byte> anchors;  ///< ANCH payload
+  std::vector<Vec3> positions;     ///< n: what read_highpass will return
+};
+
+/// `positions`: n, relative to the mesh's origin, in coding order; `graph`, `components`: of the decoded
+/// faces, same order; `box`: of `positions`. Errors: kInvalidArgument where the step is too small for 32-bit
+/// symbols.
+Result<CodedHighpass> write_highpass(const Adjacency& graph, const Components& components,
+                                     std::span<const Vec3> positions, const Box& box,
+                                     const HighpassRequest& request);
+
+/// Returns n finite positions. Errors: kTruncated, kInvalidStream [DELT-*, ANCH-*].
+Result<std::vector<Vec3>> read_highpass(std::span<const std::byte> deltas, std::span<const std::byte> anchors,
+                                        const Adjacency& graph, const Components& components, const Box& box,
+                                        const HighpassParameters& parameters);
+
+}  // namespace deltamesh

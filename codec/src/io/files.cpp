@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Whole files: read at once, written to a temporary beside the target and renamed, so that no half-written
+// file remains.
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <memory>
+#include <new>
+
+#include "base/try.h"
+#include "deltamesh/io.h"
+
+namespace deltamesh {
+namespace {
+
+constexpr Error kCannotOpen{.code = ErrorCode::kFileOpen, .message = "cannot open the file for reading"};
+constexpr Error kCannotRead{.code = ErrorCode::kFileRead, .message = "reading the file failed"};
+constexpr Error kCannotWrite{.code = ErrorCode::kFileWrite,
+                             .message = "writing the file failed; is the disk full?"};
+
+struct FileCloser {
+  void operator()(std::FILE* file) const noexcept { std::fclose(file); }
+};
+
+}  // namespace
+
+Result<std::vector<std::byte>> read_file(const std::string& path) noexcept try {
+  const std::unique_ptr<std::FILE, FileCloser> file(std::fopen(path.c_str(), "rb"));
+  if (!file) return kCannotOpen;
+  std::vector<std::byte> bytes;
+  struct stat status {};
+  if (fstat(fileno(file.get()), &status) == 0) {
+    if (S_ISDIR(status.st_mode))
+      return Error{.code = ErrorCode::kFileOpen, .message = "the path is a directory, not a file"};
+    if (S_ISREG(status.st_mode)) bytes.reserve(static_cast<std::size_t>(status.st_size));
+  }
+  std::byte block[1 << 16];
+  while (const std::size_t got = std::fread(block, 1, sizeof block, file.get()))
+    bytes.insert(bytes.end(), block, block + got);
+  if (std::ferror(file.get())) return kCannotRead;
+  return bytes;
+} catch (const std::bad_alloc&) {
+  return Error{.code = ErrorCode::kOutOfMemory, .message = "the file does not fit into memory"};
+}
+
+Result<void> write_file(const std::string& path, std::span<const std::byte> bytes) noexcept try {
+  struct stat status {};
+  // Devices and pipes ("/dev/stdout", "/dev/null") cannot be replaced by a rename: they are written in place.
+  const bool in_place = stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
+  std::string temporary = path;
+  int descriptor = -1;
+  if (in_place) {
+    descriptor = open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  } else {
+    temporary += ".XXXXXX";
+    descriptor = mkstemp(temporary.data());
+  }
+  if (descriptor < 0)
+    return Error{.code = ErrorCode::kFileWrite,
+                 .message = "cannot create the file; does its folder exist, may you write there?"};
+  bool written = true;
+  for (std::size_t done = 0; written && done < bytes.size();) {
+    const ssize_t count = write(descriptor, bytes.data() + done, bytes.size() - done);
+    if (count <= 0)
+      written = false;
+    else
+      done += static_cast<std::size_t>(count);
+  }
+  if (!in_place) {
+    const mode_t mask = umask(0);
+    umask(mask);
+    const bool kept_mode = fchmod(descriptor, static_cast<mode_t>(0666) & ~mask) == 0;
+    written = written && kept_mode && fsync(descriptor) == 0;
+  }
+  written = close(descriptor) == 0 && written;
+  if (in_place) {
+    if (!written) return kCannotWrite;
+    return {};
+  }
+  if (!written || std::rename(temporary.c_str(), path.c_str()) != 0) {
+    unlink(temporary.c_str());
+    return kCannotWrite;
+  }
+  return {};
+} catch (const std::bad_alloc&) {
+  return Error{.code = ErrorCode::kOutOfMemory, .message = "out of memory"};
+}
+
+}  // namespace deltamesh

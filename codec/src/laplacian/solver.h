@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// The highpass decoder's least-squares problem
+//   x = argmin ||L x - delta||^2 + w^2 sum_a ||x_a - c_a||^2,   L = I - D^-1 A,   w = 1,
+// one right-hand side per axis, behind an interface that a factorisation and an iteration can both serve.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "base/vec3.h"
+#include "deltamesh/result.h"
+#include "topology/adjacency.h"
+
+namespace deltamesh {
+
+/// Set up once for a graph and its anchors, then solved for any right-hand sides.
+class LeastSquaresSolver {
+ public:
+  LeastSquaresSolver() = default;
+  LeastSquaresSolver(const LeastSquaresSolver&) = delete;
+  LeastSquaresSolver& operator=(const LeastSquaresSolver&) = delete;
+  virtual ~LeastSquaresSolver() = default;
+
+  /// `deltas`: n; `anchor_positions`: one per anchor, in the order of setup; `x`: n, overwritten.
+  /// Errors: kInvalidStream where the system is numerically singular.
+  virtual Result<void> solve(std::span<const Vec3> deltas, std::span<const Vec3> anchor_positions,
+                             std::span<Vec3> x) = 0;
+};
+
+/// Sparse Cholesky of the normal equations: exact up to rounding; the reference. Time and memory grow faster
+/// than n. `graph` must outlive the solver; every component has an anchor; `anchors` distinct vertices.
+/// Errors: kInvalidStream where the factorisation fails.
+Result<std::unique_ptr<LeastSquaresSolver>> make_direct_solver(const Adjacency& graph,
+                                                               std::span<const std::uint32_t> anchors);
+
+}  // namespace deltamesh

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// The graph of a triangle soup: which vertices share an edge.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace deltamesh {
+
+/// Compressed rows: the neighbours of v are neighbors[offsets[v] .. offsets[v + 1]), ascending, each once,
+/// never v itself.
+struct Adjacency {
+  std::vector<std::uint32_t> offsets;    ///< n + 1
+  std::vector<std::uint32_t> neighbors;  ///< two entries per edge
+
+  std::size_t vertex_count() const noexcept { return offsets.size() - 1; }
+  std::uint32_t degree(std::uint32_t v) const noexcept { return offsets[v + 1] - offsets[v]; }
+  std::span<const std::uint32_t> of(std::uint32_t v) const noexcept {
+    return {neighbors.data() + offsets[v], neighbors.data() + offsets[v + 1]};
+  }
+};
+
+/// `triangles`: m x 3 indices below `vertex_count`; degenerate and duplicate faces are welcome. O(n + m).
+Adjacency build_adjacency(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count);
+
+/// Connected components of the graph, numbered by their smallest vertex; an isolated vertex is one.
+struct Components {
+  std::uint32_t count = 0;
+  std::vector<std::uint32_t> label;  ///< n
+  std::vector<std::uint32_t> size;   ///< count
+};
+Components find_components(const Adjacency& graph);
+
+}  // namespace deltamesh
