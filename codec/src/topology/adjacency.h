@@ -23,7 +23,8 @@ struct Adjacency {
   }
 };
 
-/// `triangles`: m x 3 indices below `vertex_count`; degenerate and duplicate faces are welcome. O(n + m).
+/// `triangles`: m x 3 indices below `vertex_count`, m at most 2^29; degenerate and duplicate faces are
+/// welcome. O(n + m).
 Adjacency build_adjacency(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count);
 
 /// Connected components of the graph, numbered by their smallest vertex; an isolated vertex is one.

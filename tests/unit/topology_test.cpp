@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <set>
+#include <vector>
+
+#include "topology/adjacency.h"
+#include "topology/weld.h"
+
+namespace deltamesh {
+namespace {
+
+using Indices = std::vector<std::uint32_t>;
+
+TEST(Weld, MergesEqualBitsInOrderOfAppearance) {
+  const std::vector<float> positions = {1, 2, 3, 4, 5, 6, 1, 2, 3, 4, 5, 6, 0, 0, 0, 1, 2, 3};
+  const Weld weld = weld_by_position(positions, std::vector<std::uint8_t>(6, 1));
+  EXPECT_EQ(weld.geometric, (Indices{0, 1, 0, 1, 2, 0}));
+  EXPECT_EQ(weld.representative, (Indices{0, 1, 4}));
+}
+
+TEST(Weld, ComparesBitsNotValues) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const std::vector<float> positions = {0.0F, 0, 0, -0.0F, 0, 0, nan, 0, 0, nan, 0, 0, 0, 0, 1, 0, 1, 0};
+  const Weld weld = weld_by_position(positions, std::vector<std::uint8_t>(6, 1));
+  EXPECT_EQ(weld.geometric, (Indices{0, 1, 2, 2, 3, 4}));
+}
+
+TEST(Weld, LeavesUnflaggedVerticesAlone) {
+  const std::vector<float> positions(5 * 3, 7.0F);
+  const Weld weld = weld_by_position(positions, std::vector<std::uint8_t>{0, 1, 0, 1, 0});
+  EXPECT_EQ(weld.geometric, (Indices{0, 1, 2, 1, 3}));
+  EXPECT_EQ(weld.representative, (Indices{0, 1, 2, 4}));
+}
+
+TEST(Weld, EmptyInput) {
+  const Weld weld = weld_by_position({}, {});
+  EXPECT_TRUE(weld.geometric.empty());
+  EXPECT_TRUE(weld.representative.empty());
+}
+
+TEST(Weld, RegularGridHasNoFalseMerges) {
+  std::vector<float> positions;
+  for (int x = 0; x < 30; ++x)
+    for (int y = 0; y < 30; ++y)
+      for (int z = 0; z < 30; ++z)
+        for (const int c : {x, y, z}) positions.push_back(static_cast<float>(c) * 0.05F);
+  const std::vector<float> once = positions;
+  positions.insert(positions.end(), once.begin(), once.end());
+  const Weld weld = weld_by_position(positions, std::vector<std::uint8_t>(54000, 1));
+  ASSERT_EQ(weld.representative.size(), 27000U);
+  for (std::uint32_t v = 0; v < 27000; ++v) {
+    EXPECT_EQ(weld.geometric[v], v);
+    EXPECT_EQ(weld.geometric[v + 27000], v);
+  }
+}
+
+TEST(Adjacency, DegenerateAndDuplicateFaces) {
+  const Adjacency graph = build_adjacency(Indices{0, 1, 2, 2, 1, 0, 3, 3, 1, 4, 4, 4}, 6);
+  ASSERT_EQ(graph.vertex_count(), 6U);
+  EXPECT_EQ(graph.offsets, (Indices{0, 2, 5, 7, 8, 8, 8}));
+  EXPECT_EQ(graph.neighbors, (Indices{1, 2, 0, 2, 3, 0, 1, 1}));
+}
+
+TEST(Adjacency, EmptyGraph) {
+  const Adjacency graph = build_adjacency({}, 0);
+  EXPECT_EQ(graph.vertex_count(), 0U);
+  EXPECT_EQ(find_components(graph).count, 0U);
+}
+
+TEST(Adjacency, MatchesSetsOnRandomSoups) {
+  std::mt19937 engine(7);
+  const auto below = [&](std::uint32_t bound) { return static_cast<std::uint32_t>(engine() % bound); };
+  for (std::uint32_t round = 0; round < 50; ++round) {
+    const std::uint32_t n = 1 + below(40);
+    Indices triangles(3 * std::size_t{below(60)});
+    for (std::uint32_t& v : triangles) v = below(n);
+    std::vector<std::set<std::uint32_t>> expected(n);
+    for (std::size_t f = 0; f < triangles.size(); f += 3) {
+      for (std::size_t i = 0; i < 9; ++i) {
+        const std::uint32_t a = triangles[f + i / 3];
+        const std::uint32_t b = triangles[f + i % 3];
+        if (a != b) expected[a].insert(b);
+      }
+    }
+    const Adjacency graph = build_adjacency(triangles, n);
+    for (std::uint32_t v = 0; v < n; ++v) {
+      EXPECT_EQ(Indices(graph.of(v).begin(), graph.of(v).end()),
+                Indices(expected[v].begin(), expected[v].end()));
+    }
+  }
+}
+
+TEST(Components, NumberedBySmallestVertex) {
+  const Components components = find_components(build_adjacency(Indices{5, 6, 2, 0, 4, 4, 6, 3, 5}, 8));
+  EXPECT_EQ(components.count, 4U);
+  EXPECT_EQ(components.label, (Indices{0, 1, 2, 2, 0, 2, 2, 3}));
+  EXPECT_EQ(components.size, (Indices{2, 1, 4, 1}));
+}
+
+}  // namespace
+}  // namespace deltamesh
