@@ -17,10 +17,10 @@ namespace deltamesh {
 /// What the caller is willing to receive. A stream beyond a limit is refused before anything of its size is
 /// allocated.
 struct DecodeLimits {
-  std::uint64_t vertices = std::uint64_t{1} << 28;
-  std::uint64_t triangles = std::uint64_t{1} << 29;
+  std::uint64_t vertices = std::uint64_t{1} << 26;
+  std::uint64_t triangles = std::uint64_t{1} << 27;
   std::uint32_t attributes = 64;
-  std::uint64_t attribute_bytes = std::uint64_t{1} << 32;  ///< all attribute values together
+  std::uint64_t attribute_bytes = std::uint64_t{1} << 31;  ///< all attribute values together
 };
 
 struct DecodeOptions {

@@ -60,7 +60,8 @@ struct StreamInfo {
   std::uint64_t container_bytes = 0;     ///< everything else: header, directory, padding
 };
 
-/// Reads header and directory and checks both and every chunk's place, but decodes nothing. O(chunks).
+/// Reads header and directory and checks them, every chunk's place and every checksum, but decodes nothing. No allocation but the
+/// result's; one pass over the bytes.
 /// Errors: 1xx codes.
 Result<StreamInfo> inspect(std::span<const std::byte> stream) noexcept;
 

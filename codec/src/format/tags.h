@@ -21,5 +21,6 @@ inline constexpr std::uint32_t kTagOrder = chunk_tag("ORDR");
 inline constexpr std::uint32_t kTagDeltas = chunk_tag("DELT");
 inline constexpr std::uint32_t kTagAnchors = chunk_tag("ANCH");
 inline constexpr std::uint32_t kTagAttribute = chunk_tag("ATTR");
+inline constexpr std::uint32_t kTagFiller = chunk_tag("FILl");
 
 }  // namespace deltamesh

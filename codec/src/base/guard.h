@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// The border between internals, whose containers may throw, and the public interface, which does not.
+#pragma once
+
+#include <new>
+#include <stdexcept>
+
+#include "deltamesh/result.h"
+
+namespace deltamesh {
+
+/// Calls `body` and turns a failed allocation into kOutOfMemory.
+template <class Body>
+auto guarded(Body&& body) noexcept -> decltype(body()) {
+  try {
+    return body();
+  } catch (const std::bad_alloc&) {
+    return Error{.code = ErrorCode::kOutOfMemory, .message = "out of memory"};
+  } catch (const std::length_error&) {
+    return Error{.code = ErrorCode::kOutOfMemory, .message = "out of memory"};
+  }
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "deltamesh/decode.h"
+
+#include <cmath>
+
+#include "attributes/attribute.h"
+#include "base/checked.h"
+#include "base/guard.h"
+#include "base/try.h"
+#include "connectivity/connectivity.h"
+#include "connectivity/seams.h"
+#include "decoder/restore_order.h"
+#include "entropy/chunk_codec.h"
+#include "format/container.h"
+#include "geometry/highpass.h"
+#include "geometry/vertex_positions.h"
+#include "topology/adjacency.h"
+
+namespace deltamesh {
+namespace {
+
+constexpr double kGeometryDone = 0.85;
+
+void report_progress(const DecodeOptions& options, double share) {
+  if (options.progress) options.progress(share);
+}
+
+Error limit_exceeded(const char* message) noexcept {
+  return {.code = ErrorCode::kLimitExceeded, .message = message};
+}
+
+Result<void> check_limits(const FileHeader& header, const DecodeLimits& limits) {
+  if (header.vertices > limits.vertices) return limit_exceeded("more vertices than the caller's limit");
+  if (header.triangles > limits.triangles) return limit_exceeded("more triangles than the caller's limit");
+  if (header.attributes > limits.attributes) return limit_exceeded("more attributes than the caller's limit");
+  return {};
+}
+
+/// The longest payload that any chunk may have, whatever its kind [DIR-5].
+std::uint64_t max_payload(const FileHeader& header) noexcept {
+  return 1024 + 160 * (std::uint64_t{header.vertices} + header.triangles);
+}
+
+/// Decodes one stream, stage by stage.
+class StreamDecoder {
+ public:
+  StreamDecoder(const Container& container, const DecodeOptions& options)
+      : container_(container), header_(container.header()), options_(options) {}
+
+  Result<Mesh> run() {
+    DELTAMESH_CHECK(check_limits(header_, options_.limits));
+    Mesh mesh;
+    mesh.origin = header_.origin;
+    DELTAMESH_TRY(auto split, read_faces());
+    DELTAMESH_TRY(const auto positions, read_positions());
+    report_progress(options_, kGeometryDone);
+    mesh.positions.reserve(3 * split.geometric.size());
+    for (const std::uint32_t g : split.geometric) {
+      for (const double x : positions[g]) mesh.positions.push_back(static_cast<float>(x));
+    }
+    mesh.triangles = std::move(split.triangles);
+    DELTAMESH_CHECK(read_attributes(mesh));
+    if (header_.keeps_order) {
+      DELTAMESH_TRY(const auto payload, expand_single(container_, kTagOrder, max_payload(header_)));
+      DELTAMESH_TRY(const auto order, read_order(payload, header_.vertices, header_.triangles));
+      mesh = restore_order(mesh, order);
+    }
+    report_progress(options_, 1);
+    return mesh;
+  }
+
+ private:
+  Result<SplitVertices> read_faces() {
+    DELTAMESH_TRY(const auto connectivity, expand_single(container_, kTagConnectivity, max_payload(header_)));
+    DELTAMESH_TRY(geometric_triangles_,
+                  read_connectivity(connectivity, header_.geometric_vertices, header_.triangles));
+    DELTAMESH_TRY(const auto seams, expand_single(container_, kTagSeams, max_payload(header_)));
+    return read_seams(seams, geometric_triangles_, header_.geometric_vertices, header_.vertices);
+  }
+
+  Result<std::vector<Vec3>> read_positions() {
+    const Adjacency graph = build_adjacency(geometric_triangles_, header_.geometric_vertices);
+    const Components components = find_components(graph);
+    if (components.count != header_.components)
+      return Error{.code = ErrorCode::kInvalidStream,
+                   .message = "the number of connected components differs from the header's",
+                   .rule = "HDR-7"};
+    DELTAMESH_TRY(const auto deltas, expand_single(container_, kTagDeltas, max_payload(header_)));
+    DELTAMESH_TRY(const auto anchors, expand_single(container_, kTagAnchors, max_payload(header_)));
+    DELTAMESH_TRY(const auto positions,
+                  read_highpass(deltas, anchors, graph, components, header_.box(), header_.highpass));
+    return to_float_positions(positions);
+  }
+
+  Result<void> read_attributes(Mesh& mesh) {
+    std::uint64_t left = options_.limits.attribute_bytes;
+    for (const ChunkEntry& entry : container_.entries()) {
+      if (entry.tag != kTagAttribute) continue;
+      DELTAMESH_TRY(const auto payload, expand_chunk(container_, entry, max_payload(header_)));
+      DELTAMESH_TRY(auto attribute, read_attribute(payload, header_.vertices, left));
+      left -= attribute.values.size();
+      mesh.attributes.push_back(std::move(attribute));
+      if (mesh.attributes.size() > header_.attributes) break;
+    }
+    if (mesh.attributes.size() != header_.attributes)
+      return Error{.code = ErrorCode::kInvalidStream,
+                   .message = "the number of ATTR chunks differs from the header's",
+                   .rule = "ATTR-1"};
+    return {};
+  }
+
+  const Container& container_;
+  const FileHeader& header_;
+  const DecodeOptions& options_;
+  std::vector<std::uint32_t> geometric_triangles_;
+};
+
+}  // namespace
+
+Result<Mesh> decode(std::span<const std::byte> stream, const DecodeOptions& options) noexcept {
+  return guarded([&]() -> Result<Mesh> {
+    DELTAMESH_TRY(const auto container, Container::open(stream));
+    return StreamDecoder(container, options).run();
+  });
+}
+
+Result<void> verify(std::span<const std::byte> stream, const DecodeOptions& options) noexcept {
+  DELTAMESH_TRY([[maybe_unused]] const auto info, inspect(stream));
+  DELTAMESH_TRY([[maybe_unused]] const auto mesh, decode(stream, options));
+  return {};
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "decoder/restore_order.h"
+
+#include <algorithm>
+
+namespace deltamesh {
+namespace {
+
+/// Moves row i of `values`, `row` numbers long, to row `places[i]`.
+template <class T>
+std::vector<T> scatter_rows(const std::vector<T>& values, const std::vector<std::uint32_t>& places,
+                            std::size_t row) {
+  std::vector<T> scattered(values.size());
+  for (std::size_t i = 0; i < places.size(); ++i)
+    std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(i * row), row,
+                scattered.begin() + static_cast<std::ptrdiff_t>(places[i] * row));
+  return scattered;
+}
+
+}  // namespace
+
+Mesh restore_order(const Mesh& mesh, const MeshOrder& order) {
+  Mesh restored;
+  restored.origin = mesh.origin;
+  restored.positions = scatter_rows(mesh.positions, order.vertices, 3);
+  restored.triangles.resize(mesh.triangles.size());
+  for (std::size_t f = 0; f < order.faces.size(); ++f) {
+    for (std::size_t corner = 0; corner < 3; ++corner)
+      restored.triangles[3 * std::size_t{order.faces[f]} + (order.rotation[f] + corner) % 3] =
+          order.vertices[mesh.triangles[3 * f + corner]];
+  }
+  for (const Attribute& attribute : mesh.attributes) {
+    Attribute moved = attribute;
+    moved.values =
+        scatter_rows(attribute.values, order.vertices, attribute.components * component_size(attribute.type));
+    restored.attributes.push_back(std::move(moved));
+  }
+  return restored;
+}
+
+}  // namespace deltamesh

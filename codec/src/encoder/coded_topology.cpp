@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "encoder/coded_topology.h"
+
+#include "topology/weld.h"
+
+namespace deltamesh {
+namespace {
+
+constexpr std::uint32_t kDropped = 0xffffffff;
+
+std::vector<std::uint8_t> find_referenced(const MeshView& mesh) {
+  std::vector<std::uint8_t> referenced(mesh.vertex_count());
+  for (const std::uint32_t v : mesh.triangles) referenced[v] = 1;
+  return referenced;
+}
+
+/// The input's faces over geometric vertices without the dropped ones.
+struct WeldedMesh {
+  std::vector<std::uint32_t> triangles;
+  std::vector<std::uint32_t> representative;  ///< input vertex of every geometric vertex
+};
+
+WeldedMesh weld_mesh(const MeshView& mesh, const std::vector<std::uint8_t>& referenced,
+                     bool keep_unreferenced) {
+  const Weld weld = weld_by_position(mesh.positions, referenced);
+  std::vector<std::uint32_t> renumbered(weld.representative.size(), kDropped);
+  WeldedMesh welded;
+  for (std::uint32_t g = 0; g < renumbered.size(); ++g) {
+    if (!keep_unreferenced && referenced[weld.representative[g]] == 0) continue;
+    renumbered[g] = static_cast<std::uint32_t>(welded.representative.size());
+    welded.representative.push_back(weld.representative[g]);
+  }
+  welded.triangles.reserve(mesh.triangles.size());
+  for (const std::uint32_t v : mesh.triangles) welded.triangles.push_back(renumbered[weld.geometric[v]]);
+  return welded;
+}
+
+/// The input vertex at every corner of the coded faces.
+std::vector<std::uint32_t> corner_vertices(const MeshView& mesh, const CodedConnectivity& coded) {
+  std::vector<std::uint32_t> corners(mesh.triangles.size());
+  for (std::size_t f = 0; f < coded.face_order.size(); ++f) {
+    const std::size_t face = 3 * std::size_t{coded.face_order[f]};
+    for (std::size_t c = 0; c < 3; ++c)
+      corners[3 * f + c] = mesh.triangles[face + (coded.face_rotation[f] + c) % 3];
+  }
+  return corners;
+}
+
+}  // namespace
+
+CodedTopology code_topology(const MeshView& mesh, bool keep_unreferenced) {
+  CodedTopology topology;
+  const std::vector<std::uint8_t> referenced = find_referenced(mesh);
+  for (const std::uint8_t flag : referenced) topology.unreferenced += flag == 0;
+
+  const WeldedMesh welded = weld_mesh(mesh, referenced, keep_unreferenced);
+  const auto geometric_count = static_cast<std::uint32_t>(welded.representative.size());
+  topology.connectivity = write_connectivity(welded.triangles, geometric_count);
+
+  topology.geometric_input.reserve(geometric_count);
+  std::vector<std::uint32_t> lone_vertices;
+  for (const std::uint32_t g : topology.connectivity.vertex_order) {
+    const std::uint32_t input = welded.representative[g];
+    topology.geometric_input.push_back(input);
+    if (referenced[input] == 0) lone_vertices.push_back(input);
+  }
+  topology.seams = write_seams(topology.connectivity.triangles, geometric_count,
+                               corner_vertices(mesh, topology.connectivity), lone_vertices);
+  return topology;
+}
+
+MeshOrder original_order(const CodedTopology& topology, std::size_t input_vertices) {
+  std::vector<std::uint32_t> kept(input_vertices, kDropped);
+  for (const std::uint32_t v : topology.seams.vertex_order) kept[v] = 0;
+  std::uint32_t next = 0;
+  for (std::uint32_t& place : kept) {
+    if (place != kDropped) place = next++;
+  }
+  MeshOrder order;
+  order.vertices.reserve(next);
+  for (const std::uint32_t v : topology.seams.vertex_order) order.vertices.push_back(kept[v]);
+  order.faces = topology.connectivity.face_order;
+  order.rotation = topology.connectivity.face_rotation;
+  return order;
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include <cmath>
+
+#include "base/try.h"
+#include "deltamesh/encode.h"
+
+namespace deltamesh {
+namespace {
+
+Error invalid(const char* message) noexcept {
+  return {.code = ErrorCode::kInvalidArgument, .message = message};
+}
+
+bool within(int value, int least, int most) noexcept { return value >= least && value <= most; }
+
+}  // namespace
+
+Result<void> validate(const EncodeOptions& o) noexcept {
+  if (o.bits && o.step) return invalid("bits and step exclude each other");
+  if (o.bits && !within(*o.bits, 3, 16)) return invalid("bits must be 3 to 16");
+  if (o.step && !(std::isfinite(*o.step) && *o.step > 0))
+    return invalid("step must be a finite number above 0");
+  if (o.anchors && o.anchor_density) return invalid("anchors and anchor density exclude each other");
+  if (o.anchors && *o.anchors == 0) return invalid("at least one anchor is needed");
+  if (o.anchor_density && (*o.anchor_density < 1 || *o.anchor_density > 65535))
+    return invalid("anchor density must be 1 to 65535 hops");
+  if (!within(o.anchor_bits, 4, 24)) return invalid("anchor bits must be 4 to 24");
+  if (!within(o.normal_bits, 2, 15)) return invalid("normal bits must be 2 to 15");
+  if (!within(o.color_bits, 1, 16)) return invalid("colour bits must be 1 to 16");
+  if (!within(o.uv_bits, 1, 24)) return invalid("texture coordinate bits must be 1 to 24");
+  return {};
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "entropy/chunk_codec.h"
+
+#include <zstd.h>
+
+#include "base/checked.h"
+#include "base/try.h"
+
+namespace deltamesh {
+namespace {
+
+constexpr int kZstdLevel = 19;
+
+}  // namespace
+
+Result<CodedChunk> code_chunk(std::uint32_t tag, std::vector<std::byte> payload) {
+  CodedChunk chunk{.tag = tag, .codec = ChunkCodec::kZstd, .decoded_bytes = payload.size()};
+  chunk.bytes.resize(ZSTD_compressBound(payload.size()));
+  const std::size_t size =
+      ZSTD_compress(chunk.bytes.data(), chunk.bytes.size(), payload.data(), payload.size(), kZstdLevel);
+  if (ZSTD_isError(size) != 0)
+    return Error{.code = ErrorCode::kOutOfMemory, .message = "zstd cannot compress"};
+  if (size >= payload.size() || payload.size() > saturating_mul(size, kMaxExpansion)) {
+    chunk.codec = ChunkCodec::kRaw;
+    chunk.bytes = std::move(payload);
+  } else {
+    chunk.bytes.resize(size);
+    chunk.bytes.shrink_to_fit();
+  }
+  return chunk;
+}
+
+Result<std::vector<std::byte>> expand_chunk(const Container& container, const ChunkEntry& entry,
+                                            std::uint64_t max_bytes) {
+  if (entry.decoded_bytes > max_bytes)
+    return chunk_error(ErrorCode::kInvalidStream, "the chunk is longer than the header's counts allow",
+                       "DIR-5", entry);
+  DELTAMESH_CHECK(container.check(entry));
+  const auto coded = container.coded(entry);
+  if (entry.codec == ChunkCodec::kRaw) return std::vector<std::byte>(coded.begin(), coded.end());
+  // The buffer is sized by our own checked directory, never by what the frame says of itself.
+  std::vector<std::byte> payload(static_cast<std::size_t>(entry.decoded_bytes));
+  const bool one_frame = ZSTD_findFrameCompressedSize(coded.data(), coded.size()) == coded.size();
+  if (!one_frame ||
+      ZSTD_decompress(payload.data(), payload.size(), coded.data(), coded.size()) != payload.size())
+    return chunk_error(ErrorCode::kInvalidStream, "not one zstd frame of the length in the directory",
+                       "ENT-1", entry);
+  return payload;
+}
+
+Result<std::vector<std::byte>> expand_single(const Container& container, std::uint32_t tag,
+                                             std::uint64_t max_bytes) {
+  DELTAMESH_TRY(const auto* entry, container.find(tag));
+  if (entry == nullptr) return std::vector<std::byte>{};
+  return expand_chunk(container, *entry, max_bytes);
+}
+
+}  // namespace deltamesh

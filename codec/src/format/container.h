@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// A whole stream as header, directory and chunks [CNT-*].
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "deltamesh/result.h"
+#include "format/directory.h"
+#include "format/header.h"
+
+namespace deltamesh {
+
+/// A chunk ready to be stored.
+struct CodedChunk {
+  std::uint32_t tag = 0;
+  ChunkCodec codec = ChunkCodec::kRaw;
+  std::vector<std::byte> bytes;  ///< coded
+  std::uint64_t decoded_bytes = 0;
+};
+
+/// Header, directory, checksum of both, then each chunk at the next multiple of 8, zero-padded. A mesh so
+/// regular that its stream would break [CNT-5] is given a filler chunk.
+std::vector<std::byte> write_container(const FileHeader& header, std::span<const CodedChunk> chunks);
+
+/// An error at a chunk's first byte.
+Error chunk_error(ErrorCode code, const char* message, const char* rule, const ChunkEntry& entry) noexcept;
+
+/// A stream opened for reading: header and directory checked, chunks located, nothing decoded.
+class Container {
+ public:
+  /// `stream` must outlive the container. Errors: 1xx codes.
+  static Result<Container> open(std::span<const std::byte> stream);
+
+  const FileHeader& header() const noexcept { return header_; }
+  std::span<const ChunkEntry> entries() const noexcept { return entries_; }
+  std::size_t size() const noexcept { return stream_.size(); }
+
+  std::span<const std::byte> coded(const ChunkEntry& entry) const noexcept;
+
+  /// Checks a chunk's checksum. Errors: kCorrupt [DIR-6].
+  Result<void> check(const ChunkEntry& entry) const noexcept;
+
+  /// The only entry with `tag`; null where there is none. Errors: kInvalidStream [DIR-8] for two of them.
+  Result<const ChunkEntry*> find(std::uint32_t tag) const;
+
+ private:
+  std::span<const std::byte> stream_;
+  FileHeader header_;
+  std::vector<ChunkEntry> entries_;
+};
+
+}  // namespace deltamesh

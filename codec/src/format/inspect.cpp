@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include <cmath>
+#include <cstring>
+
+#include "base/guard.h"
+#include "deltamesh/stream_info.h"
+#include "format/container.h"
+
+namespace deltamesh {
+namespace {
+
+const char* name_of(ChunkCodec codec) noexcept { return codec == ChunkCodec::kRaw ? "raw" : "zstd"; }
+
+ChunkInfo describe_chunk(const ChunkEntry& entry) {
+  ChunkInfo chunk{.part = entry.part,
+                  .codec = name_of(entry.codec),
+                  .offset = entry.offset,
+                  .coded_bytes = entry.coded_bytes,
+                  .decoded_bytes = entry.decoded_bytes};
+  for (unsigned i = 0; i < 4; ++i) chunk.tag[i] = static_cast<char>(entry.tag >> (8 * i) & 0xff);
+  return chunk;
+}
+
+void add_sizes(StreamInfo& info, const ChunkEntry& entry) {
+  switch (entry.tag) {
+    case kTagConnectivity:
+    case kTagSeams:
+    case kTagOrder:
+      info.connectivity_bytes += entry.coded_bytes;
+      break;
+    case kTagDeltas:
+      info.geometry_bytes += entry.coded_bytes;
+      break;
+    case kTagAnchors:
+      info.anchor_bytes += entry.coded_bytes;
+      break;
+    case kTagAttribute:
+      info.attribute_bytes += entry.coded_bytes;
+      break;
+    default:
+      break;
+  }
+}
+
+StreamInfo summarize(const Container& container) {
+  const FileHeader& h = container.header();
+  StreamInfo info;
+  info.format_major = h.format_major;
+  info.format_minor = h.format_minor;
+  info.format_draft = h.format_draft;
+  info.vertices = h.vertices;
+  info.geometric_vertices = h.geometric_vertices;
+  info.triangles = h.triangles;
+  info.components = h.components;
+  info.origin = h.origin;
+  info.box_min = h.box_min;
+  info.box_max = h.box_max;
+  info.diagonal = h.box().diagonal();
+  info.keeps_order = h.keeps_order;
+  info.geometry = "highpass";
+  info.bits = h.highpass.bits;
+  info.step = h.highpass.step;
+  info.anchors = h.highpass.anchors;
+  info.anchor_density = h.highpass.anchor_density;
+  info.quality = {h.vde_rms, h.lfe_rms, h.max_error};
+  for (const ChunkEntry& entry : container.entries()) {
+    info.chunks.push_back(describe_chunk(entry));
+    add_sizes(info, entry);
+  }
+  info.bytes = container.size();
+  info.container_bytes =
+      info.bytes - info.connectivity_bytes - info.geometry_bytes - info.anchor_bytes - info.attribute_bytes;
+  return info;
+}
+
+}  // namespace
+
+Result<StreamInfo> inspect(std::span<const std::byte> stream) noexcept {
+  return guarded([&]() -> Result<StreamInfo> {
+    DELTAMESH_TRY(const auto container, Container::open(stream));
+    for (const ChunkEntry& entry : container.entries()) DELTAMESH_CHECK(container.check(entry));
+    return summarize(container);
+  });
+}
+
+}  // namespace deltamesh
