@@ -24,9 +24,9 @@ struct DecodeLimits {
 };
 
 struct DecodeOptions {
-  DecodeLimits limits;
+  DecodeLimits limits{};
   /// Called now and then with the share of the work done, 0 to 1; may be empty.
-  std::function<void(double)> progress;
+  std::function<void(double)> progress{};
 };
 
 /// Decodes a whole stream. On success every index is in range, sizes agree and positions are finite. Bytes

@@ -23,7 +23,8 @@ enum class Profile : std::uint8_t {
 
 /// How to encode. Plain values with defaults; validate() checks ranges and contradictions.
 struct EncodeOptions {
-  std::optional<int> bits;  ///< quantisation of delta coordinates: step = range / 2^bits; 3 to 16; default 8
+  std::optional<int>
+      bits{};  ///< quantisation of delta coordinates: step = range / 2^bits; 3 to 16; default 8
   std::optional<double>
       step;  ///< quantisation step of delta coordinates, model units, above 0; instead of `bits`
   std::optional<std::uint32_t>
@@ -40,7 +41,7 @@ struct EncodeOptions {
   bool keep_order = false;         ///< store the input's vertex and face order and restore it
   bool keep_unreferenced = false;  ///< keep vertices that no face uses
   /// Called now and then with the share of the work done, 0 to 1; may be empty.
-  std::function<void(double)> progress;
+  std::function<void(double)> progress{};
 };
 
 /// What the encoder did and measured.

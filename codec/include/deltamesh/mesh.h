@@ -35,8 +35,8 @@ struct Attribute {
   ComponentType type = ComponentType::kF32;
   std::uint8_t components = 1;  ///< 1 to 16
   bool normalized = false;      ///< integers stand for [0, 1] or [-1, 1], as in glTF
-  std::string name;  ///< the source's name ("nx", "TEXCOORD_0", "confidence"); UTF-8, at most 255 bytes
-  std::vector<std::byte> values;  ///< vertices x components x component_size(type) bytes
+  std::string name{};  ///< the source's name ("nx", "TEXCOORD_0", "confidence"); UTF-8, at most 255 bytes
+  std::vector<std::byte> values{};  ///< vertices x components x component_size(type) bytes
 };
 
 /// An owned triangle mesh. World position of vertex i = origin + positions[3i .. 3i+2].
@@ -56,8 +56,8 @@ struct AttributeView {
   ComponentType type = ComponentType::kF32;
   std::uint8_t components = 1;
   bool normalized = false;
-  std::string_view name;
-  std::span<const std::byte> values;
+  std::string_view name{};
+  std::span<const std::byte> values{};
 };
 
 /// As Mesh, without ownership of the arrays; they must outlive the view.

@@ -60,9 +60,8 @@ struct StreamInfo {
   std::uint64_t container_bytes = 0;     ///< everything else: header, directory, padding
 };
 
-/// Reads header and directory and checks them, every chunk's place and every checksum, but decodes nothing. No allocation but the
-/// result's; one pass over the bytes.
-/// Errors: 1xx codes.
+/// Reads header and directory and checks them, every chunk's place and every checksum, but decodes nothing.
+/// No allocation but the result's; one pass over the bytes. Errors: 1xx codes.
 Result<StreamInfo> inspect(std::span<const std::byte> stream) noexcept;
 
 /// The plain sums of the paper's equations 1 and 2, mesh scaled to unit bounding-box diagonal.

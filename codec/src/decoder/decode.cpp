@@ -2,8 +2,6 @@
 // Copyright 2026 The deltamesh authors
 #include "deltamesh/decode.h"
 
-#include <cmath>
-
 #include "attributes/attribute.h"
 #include "base/checked.h"
 #include "base/guard.h"
@@ -11,6 +9,7 @@
 #include "connectivity/connectivity.h"
 #include "connectivity/seams.h"
 #include "decoder/restore_order.h"
+#include "deltamesh/stream_info.h"
 #include "entropy/chunk_codec.h"
 #include "format/container.h"
 #include "geometry/highpass.h"

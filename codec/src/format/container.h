@@ -19,7 +19,7 @@ namespace deltamesh {
 struct CodedChunk {
   std::uint32_t tag = 0;
   ChunkCodec codec = ChunkCodec::kRaw;
-  std::vector<std::byte> bytes;  ///< coded
+  std::vector<std::byte> bytes{};  ///< coded
   std::uint64_t decoded_bytes = 0;
 };
 

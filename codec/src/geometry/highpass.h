@@ -29,10 +29,10 @@ struct HighpassParameters {
 
 /// What the encoder is asked for; exactly one of bits and step, at most one of anchors and density.
 struct HighpassRequest {
-  std::optional<int> bits;
-  std::optional<double> step;
-  std::optional<std::uint32_t> anchors;
-  std::optional<std::uint32_t> anchor_density;
+  std::optional<int> bits{};
+  std::optional<double> step{};
+  std::optional<std::uint32_t> anchors{};
+  std::optional<std::uint32_t> anchor_density{};
   int anchor_bits = 12;
 };
 
