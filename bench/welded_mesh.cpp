@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "welded_mesh.h"
+
+#include <algorithm>
+
+#include "base/try.h"
+#include "deltamesh/io.h"
+#include "topology/weld.h"
+
+namespace deltamesh::bench {
+namespace {
+
+Vec3 position_of(const MeshView& mesh, std::uint32_t vertex) {
+  return {mesh.positions[3 * vertex], mesh.positions[3 * vertex + 1], mesh.positions[3 * vertex + 2]};
+}
+
+Box box_of(const std::vector<Vec3>& positions) {
+  if (positions.empty()) return {};
+  Box box{positions.front(), positions.front()};
+  for (const Vec3& position : positions) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      box.min[axis] = std::min(box.min[axis], position[axis]);
+      box.max[axis] = std::max(box.max[axis], position[axis]);
+    }
+  }
+  return box;
+}
+
+}  // namespace
+
+WeldedMesh weld(const MeshView& mesh) {
+  std::vector<std::uint8_t> used(mesh.vertex_count(), 0);
+  for (const std::uint32_t vertex : mesh.triangles) used[vertex] = 1;
+  const Weld welding = weld_by_position(mesh.positions, used);
+
+  // Geometric vertices that a face uses, renumbered in order.
+  std::vector<std::uint32_t> number(welding.representative.size(), 0);
+  WeldedMesh welded;
+  for (std::size_t g = 0; g < number.size(); ++g) {
+    if (used[welding.representative[g]] == 0) continue;
+    number[g] = static_cast<std::uint32_t>(welded.positions.size());
+    welded.positions.push_back(position_of(mesh, welding.representative[g]));
+  }
+  std::vector<std::uint32_t> triangles(mesh.triangles.size());
+  for (std::size_t corner = 0; corner < triangles.size(); ++corner)
+    triangles[corner] = number[welding.geometric[mesh.triangles[corner]]];
+  welded.graph = build_adjacency(triangles, static_cast<std::uint32_t>(welded.positions.size()));
+  welded.components = find_components(welded.graph);
+  welded.box = box_of(welded.positions);
+  return welded;
+}
+
+Result<WeldedMesh> load_welded(const std::string& path) {
+  DELTAMESH_TRY(const Imported imported, read_mesh_file(path));
+  return weld(imported.mesh);
+}
+
+}  // namespace deltamesh::bench

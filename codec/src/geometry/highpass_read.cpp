@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include <cmath>
+
+#include "base/try.h"
+#include "base/zigzag.h"
+#include "entropy/planes.h"
+#include "format/tags.h"
+#include "geometry/highpass.h"
+#include "geometry/highpass_symbols.h"
+#include "laplacian/anchors.h"
+
+namespace deltamesh {
+namespace {
+
+Error invalid(const char* message, const char* rule, std::uint32_t chunk) noexcept {
+  return {.code = ErrorCode::kInvalidStream, .message = message, .rule = rule, .chunk_tag = chunk};
+}
+
+/// Ranges of the parameters that the arithmetic below relies on.
+Result<void> check_parameters(const HighpassParameters& parameters, std::size_t vertex_count) {
+  if (!(parameters.step > 0 && std::isfinite(parameters.step)))
+    return invalid("the step is not a finite number above 0", "DELT-1", kTagDeltas);
+  if (parameters.anchor_bits < 4 || parameters.anchor_bits > 24)
+    return invalid("anchor bits outside 4 to 24", "ANCH-1", kTagAnchors);
+  if (parameters.anchors > vertex_count) return invalid("more anchors than vertices", "ANCH-1", kTagAnchors);
+  return {};
+}
+
+Result<std::vector<std::int32_t>> read_deltas(std::span<const std::byte> payload, std::size_t solved_count) {
+  ByteReader in(payload, kTagDeltas);
+  DELTAMESH_TRY(const auto codes, read_planes(in, 3 * std::uint64_t{solved_count}));
+  DELTAMESH_CHECK(in.finish());
+  std::vector<std::int32_t> deltas(codes.size());
+  for (std::size_t i = 0; i < codes.size(); ++i) deltas[i] = unzigzag(codes[i]);
+  return deltas;
+}
+
+Result<std::vector<std::uint32_t>> read_anchor_vertices(ByteReader& in, std::uint32_t count,
+                                                        std::size_t vertex_count) {
+  DELTAMESH_TRY(auto vertices, read_planes(in, count));
+  std::uint64_t expected = 0;
+  for (std::uint32_t& vertex : vertices) {  // holds the gap to the previous anchor
+    expected += vertex;
+    if (expected >= vertex_count)
+      return in.error(ErrorCode::kInvalidStream, "anchor beyond the last vertex", "ANCH-3");
+    vertex = static_cast<std::uint32_t>(expected++);
+  }
+  return vertices;
+}
+
+Result<std::vector<AnchorCell>> read_anchor_cells(ByteReader& in, std::uint32_t count, int bits) {
+  DELTAMESH_TRY(const auto steps, read_planes(in, 3 * std::uint64_t{count}));
+  std::vector<AnchorCell> cells(count);
+  AnchorCell cell{};
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      cell[axis] += static_cast<std::uint32_t>(unzigzag(steps[axis * count + i]));  // wraps; caught next
+      if (cell[axis] >> bits != 0)
+        return in.error(ErrorCode::kInvalidStream, "anchor outside its lattice", "ANCH-4");
+    }
+    cells[i] = cell;
+  }
+  return cells;
+}
+
+/// Every solved component has an anchor, and every vertex of the others is one [ANCH-2].
+Result<void> check_coverage(std::span<const std::uint32_t> anchors, const Components& components) {
+  std::vector<std::uint32_t> anchors_in(components.count, 0);
+  for (const std::uint32_t anchor : anchors) ++anchors_in[components.label[anchor]];
+  for (std::uint32_t c = 0; c < components.count; ++c) {
+    const bool small = components.size[c] < kSmallestSolvedComponent;
+    if (anchors_in[c] < (small ? components.size[c] : 1))
+      return invalid("a component with too few anchors", "ANCH-2", kTagAnchors);
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<std::vector<Vec3>> read_highpass(std::span<const std::byte> deltas, std::span<const std::byte> anchors,
+                                        const Adjacency& graph, const Components& components, const Box& box,
+                                        const HighpassParameters& parameters) {
+  DELTAMESH_CHECK(check_parameters(parameters, graph.vertex_count()));
+  const SolvedPart part = extract_solved_part(graph, components);
+  HighpassSymbols symbols;
+  ByteReader in(anchors, kTagAnchors);
+  DELTAMESH_TRY(symbols.anchors, read_anchor_vertices(in, parameters.anchors, graph.vertex_count()));
+  DELTAMESH_TRY(symbols.cells, read_anchor_cells(in, parameters.anchors, parameters.anchor_bits));
+  DELTAMESH_CHECK(in.finish());
+  DELTAMESH_CHECK(check_coverage(symbols.anchors, components));
+  DELTAMESH_TRY(symbols.deltas, read_deltas(deltas, part.vertices.size()));
+  return reconstruct_highpass(symbols, part, box, parameters);
+}
+
+}  // namespace deltamesh

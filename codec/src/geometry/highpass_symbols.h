@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// What a highpass stream says as integers, between bytes and positions; shared by writer and reader so that
+// both reconstruct bit-equal positions.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/vec3.h"
+#include "deltamesh/result.h"
+#include "geometry/highpass.h"
+#include "laplacian/solved_part.h"
+#include "topology/adjacency.h"
+
+namespace deltamesh {
+
+using AnchorCell = std::array<std::uint32_t, 3>;
+
+struct HighpassSymbols {
+  std::vector<std::int32_t> deltas;    ///< x of every solved vertex, then y, then z; units of the step
+  std::vector<std::uint32_t> anchors;  ///< ascending vertices
+  std::vector<AnchorCell> cells;       ///< position of every anchor on the anchor lattice
+};
+
+/// The lattice of anchor positions: cubic cells that divide the longest side of the box [ANCH-4].
+class AnchorLattice {
+ public:
+  AnchorLattice(const Box& box, int bits) noexcept;
+
+  AnchorCell cell_of(const Vec3& position) const noexcept;
+  Vec3 position_of(const AnchorCell& cell) const noexcept;
+
+ private:
+  Vec3 origin_;
+  std::uint32_t last_cell_;
+  double side_;
+};
+
+/// Solves for the vertices of `part`, takes the others from the lattice. `symbols` are checked against
+/// [DELT-*] and [ANCH-*] already, apart from floats. Returns one position per vertex of the whole graph.
+/// Errors: kInvalidStream [DELT-3] where a position is not finite as float32.
+Result<std::vector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, const SolvedPart& part,
+                                               const Box& box, const HighpassParameters& parameters);
+
+}  // namespace deltamesh
