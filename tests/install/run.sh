@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# run.sh BUILD SCRATCH CONSUMER COMPILER
+set -euo pipefail
+build=$1 scratch=$2 consumer=$3 compiler=$4
+rm -rf "$scratch"
+mkdir -p "$scratch"
+cmake --install "$build" --prefix "$scratch/prefix" >/dev/null
+
+# Only the public interface is installed, and the program.
+test -x "$scratch/prefix/bin/deltamesh"
+find "$scratch/prefix/include" -type f | sed "s|$scratch/prefix/include/||" | sort >"$scratch/headers"
+if grep -vE '^deltamesh/[a-z_]+\.h$' "$scratch/headers"; then
+  echo "a header outside deltamesh/ is installed"
+  exit 1
+fi
+# None of the libraries underneath shows in an installed header.
+if grep -rnE '#include [<"](Eigen|zstd|draco|tiny_gltf|nlohmann|xxhash)' "$scratch/prefix/include"; then
+  echo "an installed header includes a third-party one"
+  exit 1
+fi
+
+cmake -S "$consumer" -B "$scratch/consumer" -DCMAKE_PREFIX_PATH="$scratch/prefix" -DCMAKE_CXX_COMPILER="$compiler" \
+  -DCMAKE_BUILD_TYPE=Release >/dev/null
+cmake --build "$scratch/consumer"
+"$scratch/consumer/consumer"
+
+export PKG_CONFIG_PATH="$scratch/prefix/lib/pkgconfig:$(find "$scratch/prefix" -name pkgconfig -type d | head -n 1)"
+# shellcheck disable=SC2046
+"$compiler" -std=c++20 "$consumer/main.cpp" -o "$scratch/pkg_consumer" $(pkg-config --cflags --libs deltamesh)
+"$scratch/pkg_consumer"
