@@ -51,7 +51,7 @@ struct Error {
   std::uint32_t chunk_tag = 0;  ///< four-character tag of the chunk concerned, first letter lowest; 0 if none
 };
 
-/// One line for people: chunk, position, message, rule.
+/// One line for people: "what, where, chunk [rule]".
 std::string describe(const Error& error);
 
 /// A `T` or an `Error`; the shape of std::expected, which the supported compilers lack.

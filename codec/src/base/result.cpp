@@ -28,14 +28,13 @@ const char* unit(WhereKind kind) noexcept {
 }  // namespace
 
 std::string describe(const Error& error) {
-  std::string text;
-  if (error.chunk_tag != 0) {
-    for (unsigned i = 0; i < 4; ++i) text += static_cast<char>((error.chunk_tag >> (8 * i)) & 0x7f);
-    text += " chunk, ";
-  }
+  std::string text = error.message;
   if (error.where_kind != WhereKind::kNone)
-    text += unit(error.where_kind) + std::to_string(error.where) + ": ";
-  text += error.message;
+    text += std::string(", ") + unit(error.where_kind) + std::to_string(error.where);
+  if (error.chunk_tag != 0) {
+    text += ", chunk ";
+    for (unsigned i = 0; i < 4; ++i) text += static_cast<char>((error.chunk_tag >> (8 * i)) & 0x7f);
+  }
   if (*error.rule != '\0') text += std::string(" [") + error.rule + "]";
   return text;
 }

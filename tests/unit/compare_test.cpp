@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "deltamesh/compare.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <random>
+
+namespace deltamesh {
+namespace {
+
+/// An n x n grid of squares over [0, 1]^2 at height z; `flip` cuts the squares along the other diagonal.
+Mesh grid(std::uint32_t n, float z, bool flip = false) {
+  Mesh mesh;
+  for (std::uint32_t y = 0; y <= n; ++y)
+    for (std::uint32_t x = 0; x <= n; ++x)
+      mesh.positions.insert(mesh.positions.end(), {static_cast<float>(x) / static_cast<float>(n),
+                                                   static_cast<float>(y) / static_cast<float>(n), z});
+  for (std::uint32_t y = 0; y < n; ++y)
+    for (std::uint32_t x = 0; x < n; ++x) {
+      const std::uint32_t a = y * (n + 1) + x;
+      const std::uint32_t b = a + 1;
+      const std::uint32_t c = a + n + 1;
+      const std::uint32_t d = c + 1;
+      if (flip)
+        mesh.triangles.insert(mesh.triangles.end(), {a, b, c, b, d, c});
+      else
+        mesh.triangles.insert(mesh.triangles.end(), {a, b, d, a, d, c});
+    }
+  return mesh;
+}
+
+/// Closed, all normals outward.
+Mesh octahedron() {
+  Mesh mesh;
+  mesh.positions = {1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1};
+  mesh.triangles = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
+  return mesh;
+}
+
+/// Vertices in another order, triangles in another order and rotated; `order` gets the old vertex of each.
+Mesh shuffled(const Mesh& mesh, std::vector<std::uint32_t>& order) {
+  std::mt19937 random(5);
+  order.resize(mesh.vertex_count());
+  std::iota(order.begin(), order.end(), 0U);
+  std::shuffle(order.begin(), order.end(), random);
+  std::vector<std::uint32_t> inverse(order.size());
+  Mesh result;
+  result.origin = mesh.origin;
+  for (std::uint32_t v = 0; v < order.size(); ++v) {
+    inverse[order[v]] = v;
+    for (std::size_t k = 0; k < 3; ++k) result.positions.push_back(mesh.positions[3 * order[v] + k]);
+  }
+  for (std::size_t t = mesh.triangle_count(); t-- > 0;)
+    for (std::size_t corner = 0; corner < 3; ++corner)
+      result.triangles.push_back(inverse[mesh.triangles[3 * t + (corner + t) % 3]]);
+  return result;
+}
+
+TEST(Compare, FindsNoDifferenceToItself) {
+  const Mesh mesh = octahedron();
+  const auto result = compare(mesh, mesh);
+  ASSERT_TRUE(result);
+  EXPECT_TRUE(result->corresponding);
+  EXPECT_EQ(result->quality.vde_rms, 0);
+  EXPECT_EQ(result->quality.lfe_rms, 0);
+  EXPECT_EQ(result->quality.max_error, 0);
+  EXPECT_EQ(result->normal_angle_p95, 0);
+  EXPECT_EQ(result->measured_vertices, 6U);
+  EXPECT_DOUBLE_EQ(result->diagonal, std::sqrt(12.0));
+}
+
+TEST(Compare, MeasuresAShift) {
+  const Mesh a = grid(4, 0);
+  Mesh b = a;
+  for (std::size_t i = 0; i < b.positions.size(); i += 3) b.positions[i] += 0.25F;
+  const auto result = compare(a, b);
+  ASSERT_TRUE(result);
+  EXPECT_TRUE(result->corresponding);
+  EXPECT_DOUBLE_EQ(result->quality.lfe_rms, 0.25);
+  EXPECT_DOUBLE_EQ(result->quality.max_error, 0.25);
+  EXPECT_NEAR(result->quality.vde_rms, 0, 1e-15);
+  EXPECT_EQ(*std::max_element(result->signed_error.begin(), result->signed_error.end()), 0);
+}
+
+TEST(Compare, SignsErrorsOutwardPositive) {
+  const Mesh a = octahedron();
+  Mesh b = a;
+  b.positions[0] = 1.5F;
+  b.positions[1] = 0.5F;  // along the surface: no part of the signed error
+  b.positions[3] = -0.75F;
+  const auto result = compare(a, b);
+  ASSERT_TRUE(result);
+  EXPECT_FLOAT_EQ(result->signed_error[0], 0.5F);
+  EXPECT_FLOAT_EQ(result->signed_error[1], -0.25F);
+  EXPECT_FLOAT_EQ(result->signed_error[2], 0);
+  EXPECT_DOUBLE_EQ(result->quality.max_error, std::sqrt(0.5));
+  EXPECT_GT(result->normal_angle_mean, 0);
+  EXPECT_GE(result->normal_angle_p95, result->normal_angle_mean);
+}
+
+TEST(Compare, FollowsTheOrder) {
+  const Mesh a = grid(5, 0);
+  std::vector<std::uint32_t> order;
+  Mesh b = shuffled(a, order);
+  b.positions[2] += 0.125F;
+  const auto result = compare(a, b, order);
+  ASSERT_TRUE(result);
+  EXPECT_TRUE(result->corresponding);
+  EXPECT_DOUBLE_EQ(result->quality.max_error, 0.125);
+  EXPECT_FLOAT_EQ(result->signed_error[0], 0.125F);
+}
+
+TEST(Compare, MeasuresSurfacesWithoutTheOrder) {
+  const Mesh a = octahedron();
+  std::vector<std::uint32_t> order;
+  const auto result = compare(a, shuffled(a, order));
+  ASSERT_TRUE(result);
+  EXPECT_FALSE(result->corresponding);
+  EXPECT_EQ(result->surface_max, 0);
+  EXPECT_NEAR(result->normal_angle_p95, 0, 1e-9);
+}
+
+TEST(Compare, MeasuresSurfacesOfOtherTriangulations) {
+  const auto result = compare(grid(7, 0), grid(3, 0.125F, true));
+  ASSERT_TRUE(result);
+  EXPECT_FALSE(result->corresponding);
+  EXPECT_DOUBLE_EQ(result->surface_rms, 0.125);
+  EXPECT_DOUBLE_EQ(result->surface_max, 0.125);
+  EXPECT_NEAR(result->normal_angle_mean, 0, 1e-9);
+  for (const float error : result->signed_error) EXPECT_FLOAT_EQ(error, 0.125F);
+}
+
+TEST(Compare, CountsBothDirections) {
+  const Mesh small = grid(1, 0);
+  Mesh large = grid(2, 0);
+  for (float& x : large.positions) x *= 2;
+  const auto result = compare(small, large);
+  ASSERT_TRUE(result);
+  EXPECT_DOUBLE_EQ(result->surface_max, std::sqrt(2.0));  // corner (2, 2) to (1, 1)
+  const auto back = compare(large, small);
+  ASSERT_TRUE(back);
+  EXPECT_DOUBLE_EQ(back->surface_rms, result->surface_rms);
+}
+
+TEST(Compare, SeesOrientationAndMultiplicity) {
+  const Mesh a = octahedron();
+  Mesh flipped = a;
+  std::swap(flipped.triangles[0], flipped.triangles[1]);
+  EXPECT_FALSE(compare(a, flipped)->corresponding);
+  Mesh twice = a;
+  std::copy_n(a.triangles.begin(), 3, twice.triangles.begin() + 3);
+  EXPECT_FALSE(compare(a, twice)->corresponding);
+  EXPECT_TRUE(compare(twice, twice)->corresponding);
+}
+
+TEST(Compare, AcceptsDroppedVertices) {
+  Mesh a = octahedron();
+  a.positions.insert(a.positions.begin(), {100, 100, 100});  // no face uses it
+  for (std::uint32_t& v : a.triangles) ++v;
+  const Mesh b = octahedron();
+  const std::vector<std::uint32_t> order{1, 2, 3, 4, 5, 6};
+  const auto result = compare(a, b, order);
+  ASSERT_TRUE(result);
+  EXPECT_TRUE(result->corresponding);
+  EXPECT_EQ(result->quality.max_error, 0);
+  EXPECT_DOUBLE_EQ(result->diagonal, std::sqrt(12.0));
+  const auto surfaces = compare(a, b);
+  ASSERT_TRUE(surfaces);
+  EXPECT_FALSE(surfaces->corresponding);
+  EXPECT_EQ(surfaces->surface_max, 0);
+}
+
+TEST(Compare, WeldsSeamsButSeesCracks) {
+  Mesh a = grid(1, 0);
+  a.positions.insert(a.positions.end(), {a.positions[0], a.positions[1], a.positions[2]});
+  a.triangles[3] = 4;  // the second triangle starts at a copy of vertex 0
+  const auto same = compare(a, a);
+  ASSERT_TRUE(same);
+  EXPECT_EQ(same->measured_vertices, 4U);
+  Mesh cracked = a;
+  cracked.positions[14] = 0.5F;
+  const auto result = compare(a, cracked);
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->quality.lfe_rms, 0);
+  EXPECT_DOUBLE_EQ(result->quality.max_error, 0.5);
+}
+
+TEST(Compare, AddsTheOrigins) {
+  Mesh a = grid(3, 0);
+  a.origin = {500000, 5100000, 1000};
+  Mesh b = a;
+  b.origin = {499999, 5100000, 1000};
+  for (std::size_t i = 0; i < b.positions.size(); i += 3) b.positions[i] += 1.0F;
+  const auto result = compare(a, b);
+  ASSERT_TRUE(result);
+  EXPECT_LT(result->quality.max_error, 1e-7);
+}
+
+TEST(Compare, RejectsBadOrders) {
+  const Mesh a = octahedron();
+  const std::vector<std::uint32_t> outside{0, 1, 2, 3, 4, 6};
+  const auto result = compare(a, a, outside);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::kInvalidArgument);
+  EXPECT_EQ(result.error().where, 5U);
+  const std::vector<std::uint32_t> too_short{0, 1, 2};
+  EXPECT_EQ(compare(a, a, too_short).error().code, ErrorCode::kInvalidArgument);
+  const std::vector<std::uint32_t> repeated{0, 1, 2, 3, 4, 4};
+  const auto double_use = compare(a, a, repeated);
+  ASSERT_TRUE(double_use);
+  EXPECT_FALSE(double_use->corresponding);
+}
+
+TEST(Compare, RejectsBadMeshes) {
+  const Mesh good = octahedron();
+  Mesh bad = good;
+  bad.positions[7] = std::numeric_limits<float>::quiet_NaN();
+  const auto not_finite = compare(good, bad);
+  ASSERT_FALSE(not_finite);
+  EXPECT_EQ(not_finite.error().code, ErrorCode::kInvalidMesh);
+  EXPECT_EQ(not_finite.error().where, 2U);
+  bad = good;
+  bad.triangles[4] = 6;
+  EXPECT_EQ(compare(bad, good).error().where, 1U);
+  bad = good;
+  bad.positions.pop_back();
+  EXPECT_FALSE(compare(good, bad));
+  bad = good;
+  bad.origin[1] = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(compare(good, bad));
+}
+
+TEST(Compare, TakesEmptyAndDegenerateMeshes) {
+  const auto empty = compare(Mesh{}, Mesh{});
+  ASSERT_TRUE(empty);
+  EXPECT_TRUE(empty->corresponding);
+  EXPECT_EQ(empty->diagonal, 0);
+  EXPECT_EQ(compare(octahedron(), Mesh{}).error().code, ErrorCode::kInvalidArgument);
+
+  Mesh point;
+  point.positions = {3, 0, 0};
+  const auto to_point = compare(octahedron(), point);
+  ASSERT_TRUE(to_point);
+  EXPECT_DOUBLE_EQ(to_point->surface_max, 4);
+
+  Mesh line = octahedron();
+  line.triangles = {0, 1, 0, 2, 2, 2, 0, 1, 1};
+  ASSERT_TRUE(compare(line, line));
+  EXPECT_TRUE(compare(line, line)->corresponding);
+  const auto to_line = compare(octahedron(), line);
+  ASSERT_TRUE(to_line);
+  EXPECT_DOUBLE_EQ(to_line->surface_max, 1);
+  EXPECT_EQ(to_line->normal_angle_p95, 0);
+}
+
+}  // namespace
+}  // namespace deltamesh
