@@ -4,12 +4,16 @@
 // Whole files: read at once, written to a temporary beside the target and renamed, so that no half-written
 // file remains.
 #include <fcntl.h>
+#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
 #include <new>
+#include <optional>
 
 #include "base/try.h"
 #include "deltamesh/io.h"
@@ -24,6 +28,24 @@ constexpr Error kCannotWrite{.code = ErrorCode::kFileWrite,
 
 struct FileCloser {
   void operator()(std::FILE* file) const noexcept { std::fclose(file); }
+};
+
+/// Holds back the signals by which people stop a program, on this thread, while a temporary file exists: it
+/// shall not stay behind.
+class StopsHeldBack {
+ public:
+  StopsHeldBack() noexcept {
+    sigset_t stops;
+    sigemptyset(&stops);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&stops, signal);
+    pthread_sigmask(SIG_BLOCK, &stops, &before_);
+  }
+  ~StopsHeldBack() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  StopsHeldBack(const StopsHeldBack&) = delete;
+  StopsHeldBack& operator=(const StopsHeldBack&) = delete;
+
+ private:
+  sigset_t before_{};
 };
 
 }  // namespace
@@ -51,12 +73,17 @@ Result<void> write_file(const std::string& path, std::span<const std::byte> byte
   struct stat status {};
   // Devices and pipes ("/dev/stdout", "/dev/null") cannot be replaced by a rename: they are written in place.
   const bool in_place = stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
-  std::string temporary = path;
+  // A link stays a link: what it points to is replaced.
+  const std::unique_ptr<char, decltype(&std::free)> resolved(realpath(path.c_str(), nullptr), &std::free);
+  const std::string target = resolved && !in_place ? resolved.get() : path;
+  std::string temporary = target;
+  std::optional<StopsHeldBack> guard;
   int descriptor = -1;
   if (in_place) {
     descriptor = open(path.c_str(), O_WRONLY | O_CLOEXEC);
   } else {
     temporary += ".XXXXXX";
+    guard.emplace();
     descriptor = mkstemp(temporary.data());
   }
   if (descriptor < 0)
@@ -65,10 +92,10 @@ Result<void> write_file(const std::string& path, std::span<const std::byte> byte
   bool written = true;
   for (std::size_t done = 0; written && done < bytes.size();) {
     const ssize_t count = write(descriptor, bytes.data() + done, bytes.size() - done);
-    if (count <= 0)
-      written = false;
-    else
+    if (count > 0)
       done += static_cast<std::size_t>(count);
+    else if (count == 0 || errno != EINTR)
+      written = false;
   }
   if (!in_place) {
     const mode_t mask = umask(0);
@@ -81,7 +108,7 @@ Result<void> write_file(const std::string& path, std::span<const std::byte> byte
     if (!written) return kCannotWrite;
     return {};
   }
-  if (!written || std::rename(temporary.c_str(), path.c_str()) != 0) {
+  if (!written || std::rename(temporary.c_str(), target.c_str()) != 0) {
     unlink(temporary.c_str());
     return kCannotWrite;
   }
