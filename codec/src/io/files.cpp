@@ -23,6 +23,9 @@ namespace {
 
 constexpr Error kCannotOpen{.code = ErrorCode::kFileOpen, .message = "cannot open the file for reading"};
 constexpr Error kCannotRead{.code = ErrorCode::kFileRead, .message = "reading the file failed"};
+constexpr Error kCannotCreate{
+    .code = ErrorCode::kFileWrite,
+    .message = "cannot create the file; does its folder exist, may you write there?"};
 constexpr Error kCannotWrite{.code = ErrorCode::kFileWrite,
                              .message = "writing the file failed; is the disk full?"};
 
@@ -48,6 +51,43 @@ class StopsHeldBack {
   sigset_t before_{};
 };
 
+bool write_all(int descriptor, std::span<const std::byte> bytes) noexcept {
+  while (!bytes.empty()) {
+    const ssize_t count = write(descriptor, bytes.data(), bytes.size());
+    if (count > 0)
+      bytes = bytes.subspan(static_cast<std::size_t>(count));
+    else if (count == 0 || errno != EINTR)
+      return false;
+  }
+  return true;
+}
+
+/// As a newly created file would have it.
+bool set_default_mode(int descriptor) noexcept {
+  const mode_t mask = umask(0);
+  umask(mask);
+  return fchmod(descriptor, static_cast<mode_t>(0666) & ~mask) == 0;
+}
+
+Result<void> write_in_place(const std::string& path, std::span<const std::byte> bytes) {
+  const int descriptor = open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptor < 0) return kCannotCreate;
+  const bool written = write_all(descriptor, bytes);
+  if (close(descriptor) != 0 || !written) return kCannotWrite;
+  return {};
+}
+
+Result<void> replace_file(const std::string& target, std::span<const std::byte> bytes) {
+  std::string temporary = target + ".XXXXXX";
+  const StopsHeldBack guard;
+  const int descriptor = mkstemp(temporary.data());
+  if (descriptor < 0) return kCannotCreate;
+  const bool written = write_all(descriptor, bytes) && set_default_mode(descriptor) && fsync(descriptor) == 0;
+  if (close(descriptor) == 0 && written && std::rename(temporary.c_str(), target.c_str()) == 0) return {};
+  unlink(temporary.c_str());
+  return kCannotWrite;
+}
+
 }  // namespace
 
 Result<std::vector<std::byte>> read_file(const std::string& path) noexcept try {
@@ -72,47 +112,10 @@ Result<std::vector<std::byte>> read_file(const std::string& path) noexcept try {
 Result<void> write_file(const std::string& path, std::span<const std::byte> bytes) noexcept try {
   struct stat status {};
   // Devices and pipes ("/dev/stdout", "/dev/null") cannot be replaced by a rename: they are written in place.
-  const bool in_place = stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
+  if (stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) return write_in_place(path, bytes);
   // A link stays a link: what it points to is replaced.
   const std::unique_ptr<char, decltype(&std::free)> resolved(realpath(path.c_str(), nullptr), &std::free);
-  const std::string target = resolved && !in_place ? resolved.get() : path;
-  std::string temporary = target;
-  std::optional<StopsHeldBack> guard;
-  int descriptor = -1;
-  if (in_place) {
-    descriptor = open(path.c_str(), O_WRONLY | O_CLOEXEC);
-  } else {
-    temporary += ".XXXXXX";
-    guard.emplace();
-    descriptor = mkstemp(temporary.data());
-  }
-  if (descriptor < 0)
-    return Error{.code = ErrorCode::kFileWrite,
-                 .message = "cannot create the file; does its folder exist, may you write there?"};
-  bool written = true;
-  for (std::size_t done = 0; written && done < bytes.size();) {
-    const ssize_t count = write(descriptor, bytes.data() + done, bytes.size() - done);
-    if (count > 0)
-      done += static_cast<std::size_t>(count);
-    else if (count == 0 || errno != EINTR)
-      written = false;
-  }
-  if (!in_place) {
-    const mode_t mask = umask(0);
-    umask(mask);
-    const bool kept_mode = fchmod(descriptor, static_cast<mode_t>(0666) & ~mask) == 0;
-    written = written && kept_mode && fsync(descriptor) == 0;
-  }
-  written = close(descriptor) == 0 && written;
-  if (in_place) {
-    if (!written) return kCannotWrite;
-    return {};
-  }
-  if (!written || std::rename(temporary.c_str(), target.c_str()) != 0) {
-    unlink(temporary.c_str());
-    return kCannotWrite;
-  }
-  return {};
+  return replace_file(resolved ? resolved.get() : path, bytes);
 } catch (const std::bad_alloc&) {
   return Error{.code = ErrorCode::kOutOfMemory, .message = "out of memory"};
 }

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <string_view>
+
+#include "deltamesh/io.h"
+
+namespace deltamesh {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::span<const std::byte> bytes_of(std::string_view text) { return std::as_bytes(std::span(text)); }
+
+class Files : public testing::Test {
+ protected:
+  void SetUp() override { ASSERT_NE(mkdtemp(folder_.data()), nullptr); }
+  void TearDown() override { fs::remove_all(folder_); }
+  std::string in_folder(const char* name) const { return folder_ + '/' + name; }
+  std::size_t count() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), {}));
+  }
+  std::string text_of(const std::string& path) const {
+    const auto bytes = read_file(path);
+    return bytes ? std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size()) : "(no file)";
+  }
+
+ private:
+  std::string folder_ = testing::TempDir() + "deltamesh_files_XXXXXX";
+};
+
+TEST_F(Files, WritesAndReplaces) {
+  const std::string path = in_folder("a");
+  ASSERT_TRUE(write_file(path, bytes_of("first, longer")));
+  ASSERT_TRUE(write_file(path, bytes_of("second")));
+  EXPECT_EQ(text_of(path), "second");
+  ASSERT_TRUE(write_file(path, {}));
+  EXPECT_EQ(text_of(path), "");
+  EXPECT_EQ(count(), 1U);
+}
+
+TEST_F(Files, KeepsLinks) {
+  ASSERT_TRUE(write_file(in_folder("real"), bytes_of("old")));
+  fs::create_symlink("real", in_folder("link"));
+  ASSERT_TRUE(write_file(in_folder("link"), bytes_of("new")));
+  EXPECT_TRUE(fs::is_symlink(in_folder("link")));
+  EXPECT_EQ(text_of(in_folder("real")), "new");
+  EXPECT_EQ(count(), 2U);
+}
+
+TEST_F(Files, LeavesNothingBehindOnFailure) {
+  fs::create_directory(in_folder("folder"));
+  EXPECT_EQ(write_file(in_folder("folder"), bytes_of("x")).error().code, ErrorCode::kFileWrite);
+  EXPECT_EQ(write_file(in_folder("none/a"), bytes_of("x")).error().code, ErrorCode::kFileWrite);
+  EXPECT_EQ(write_file("/dev/full", bytes_of("x")).error().code, ErrorCode::kFileWrite);
+  EXPECT_EQ(count(), 1U);
+}
+
+TEST_F(Files, ReadsOnlyFiles) {
+  EXPECT_EQ(read_file(in_folder("none")).error().code, ErrorCode::kFileOpen);
+  EXPECT_EQ(read_file(in_folder("")).error().code, ErrorCode::kFileOpen);
+}
+
+}  // namespace
+}  // namespace deltamesh
