@@ -19,8 +19,8 @@ class HopDistances {
 
   std::uint32_t operator[](std::uint32_t vertex) const noexcept { return hops_[vertex]; }
 
-  /// Makes `vertex` an anchor. Returns the last vertex whose distance fell: one of the farthest of those.
-  std::uint32_t add_anchor(std::uint32_t vertex) {
+  /// Makes `vertex` an anchor.
+  void add_anchor(std::uint32_t vertex) {
     hops_[vertex] = 0;
     queue_.assign(1, vertex);
     for (std::size_t head = 0; head < queue_.size(); ++head) {
@@ -31,12 +31,16 @@ class HopDistances {
         queue_.push_back(neighbor);
       }
     }
-    return queue_.back();
   }
 
-  /// The first anchor of the component of `vertex`: a vertex at its rim, whatever the numbering.
+  /// Makes the vertex farthest from `vertex` the first anchor of their component, and returns it: a vertex at
+  /// the rim.
   std::uint32_t add_first_anchor(std::uint32_t vertex) {
-    const std::uint32_t farthest = add_anchor(vertex);
+    add_anchor(vertex);
+    const auto is_nearer = [this](std::uint32_t a, std::uint32_t b) {
+      return hops_[a] != hops_[b] ? hops_[a] < hops_[b] : a > b;
+    };
+    const std::uint32_t farthest = *std::max_element(queue_.begin(), queue_.end(), is_nearer);
     for (const std::uint32_t reached : queue_) hops_[reached] = kUnreached;
     add_anchor(farthest);
     return farthest;

@@ -26,10 +26,10 @@ struct Anchors {
   std::uint32_t density = 0;            ///< largest hop distance of a vertex to its nearest anchor
 };
 
-/// One anchor in every solved component, then always the vertex that is farthest (in edges) from all anchors,
-/// the lowest index among equals, until the request is met; and every vertex of the small components.
-/// Cost O(n + edges) times a small factor that grows with log(anchors): a new anchor's search visits only the
-/// vertices that it comes nearer to.
+/// One anchor in every solved component, farthest from its lowest vertex; then always the vertex that is
+/// farthest (in edges) from all anchors, the lowest index among equals, until the request is met; and every
+/// vertex of the small components. Cost O(n + edges) times a small factor that grows with log(anchors): a new
+/// anchor's search visits only the vertices that it comes nearer to.
 Anchors place_anchors(const Adjacency& graph, const Components& components, const AnchorRequest& request);
 
 }  // namespace deltamesh
