@@ -15,11 +15,11 @@
 namespace deltamesh::test {
 
 struct GraphMesh {
-  std::vector<Vec3> positions;
-  std::vector<std::uint32_t> triangles;
-  Adjacency graph;
-  Components components;
-  Box box;
+  std::vector<Vec3> positions{};
+  std::vector<std::uint32_t> triangles{};
+  Adjacency graph{};
+  Components components{};
+  Box box{};
 };
 
 /// Derives graph, components and box from positions and triangles.

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
+#include "geometry/highpass.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +13,6 @@
 
 #include "base/byte_writer.h"
 #include "entropy/planes.h"
-#include "geometry/highpass.h"
 #include "quality/measure.h"
 #include "support/graph_mesh.h"
 
@@ -84,7 +85,9 @@ TEST(Highpass, OneMoreBitHalvesTheVisualError) {
     const auto coded = write(mesh, {.bits = bits});
     ASSERT_TRUE(coded);
     const double vde = measure_quality(mesh.graph, mesh.positions, coded->positions).vde_rms;
-    if (previous > 0) EXPECT_NEAR(previous / vde, 2, 0.4);
+    if (previous > 0) {
+      EXPECT_NEAR(previous / vde, 2, 0.4);
+    }
     previous = vde;
   }
 }
@@ -110,9 +113,9 @@ TEST(Highpass, FarFromTheOriginLosesNothing) {
   const auto coded_near = write(near);
   const auto coded_far = write(far);
   ASSERT_TRUE(coded_near && coded_far);
-  const double difference = std::abs(
-      measure_quality(near.graph, near.positions, coded_near->positions).lfe_rms -
-      measure_quality(far.graph, far.positions, coded_far->positions).lfe_rms);
+  const double difference =
+      std::abs(measure_quality(near.graph, near.positions, coded_near->positions).lfe_rms -
+               measure_quality(far.graph, far.positions, coded_far->positions).lfe_rms);
   EXPECT_LT(difference, 1e-7);
 }
 
@@ -141,9 +144,10 @@ TEST(Highpass, EveryPrefixAndEveryExtraByteFails) {
     CodedHighpass bad = *coded;
     (bad.*payload).push_back(std::byte{0});
     expect_rule(read(mesh, bad), "CON-3");
-    for (std::size_t size = (coded.operator->()->*payload).size(); size-- > 0;) {
-      (bad.*payload).assign((coded.operator->()->*payload).begin(),
-                            (coded.operator->()->*payload).begin() + static_cast<std::ptrdiff_t>(size));
+    for (std::size_t size = ((*coded).*payload).size(); size-- > 0;) {
+      (bad.*payload)
+          .assign(((*coded).*payload).begin(),
+                  ((*coded).*payload).begin() + static_cast<std::ptrdiff_t>(size));
       EXPECT_FALSE(read(mesh, bad)) << size;
     }
   }

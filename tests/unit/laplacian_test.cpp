@@ -19,7 +19,8 @@ namespace {
 using test::GraphMesh;
 
 /// Hop distance to the nearest anchor by plain relaxation until nothing changes; 1000 where none is reached.
-std::vector<std::uint32_t> hops_by_relaxation(const Adjacency& graph, const std::vector<std::uint32_t>& anchors) {
+std::vector<std::uint32_t> hops_by_relaxation(const Adjacency& graph,
+                                              const std::vector<std::uint32_t>& anchors) {
   std::vector<std::uint32_t> hops(graph.vertex_count(), 1000);
   for (const std::uint32_t anchor : anchors) hops[anchor] = 0;
   for (bool changed = true; changed;) {
@@ -71,8 +72,8 @@ std::vector<Vec3> solve_dense(const Adjacency& graph, const std::vector<std::uin
 }
 
 TEST(Delta, IsTheOffsetFromTheMeanOfTheNeighbours) {
-  const GraphMesh mesh = test::finish({.positions = {{0, 0, 0}, {2, 0, 0}, {0, 4, 0}, {9, 9, 9}},
-                                       .triangles = {0, 1, 2}});
+  const GraphMesh mesh =
+      test::finish({.positions = {{0, 0, 0}, {2, 0, 0}, {0, 4, 0}, {9, 9, 9}}, .triangles = {0, 1, 2}});
   const std::vector<Vec3> deltas = delta_coordinates(mesh.graph, mesh.positions);
   EXPECT_EQ(deltas[0], (Vec3{-1, -2, 0}));
   EXPECT_EQ(deltas[1], (Vec3{2, -2, 0}));
@@ -171,7 +172,8 @@ TEST(DirectSolver, ReturnsThePositionsThatExactDeltasCameFrom) {
   const auto solver = make_direct_solver(mesh.graph, anchors);
   ASSERT_TRUE(solver);
   std::vector<Vec3> x(mesh.positions.size());
-  ASSERT_TRUE((*solver)->solve(delta_coordinates(mesh.graph, mesh.positions), positions_at(mesh, anchors), x));
+  ASSERT_TRUE(
+      (*solver)->solve(delta_coordinates(mesh.graph, mesh.positions), positions_at(mesh, anchors), x));
   EXPECT_LT(largest_difference(x, mesh.positions), 1e-9);
 }
 

@@ -33,7 +33,8 @@ TEST(Quality, ATranslationIsPositionalOnly) {
 
 TEST(Quality, FollowsEquationTwoOnATriangle) {
   // Edges 0-1: 3, 0-2: 4, 1-2: 5; vertex 0 moves to (0, 0, h), which changes the lengths of its edges.
-  const GraphMesh mesh = test::finish({.positions = {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}}, .triangles = {0, 1, 2}});
+  const GraphMesh mesh =
+      test::finish({.positions = {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}}, .triangles = {0, 1, 2}});
   std::vector<Vec3> decoded = mesh.positions;
   decoded[0][2] = 1;
   const double l01 = std::sqrt(10.0);
@@ -53,8 +54,8 @@ TEST(Quality, FollowsEquationTwoOnATriangle) {
 }
 
 TEST(Quality, VerticesWithoutNeighboursCountForTheMaximumAlone) {
-  const GraphMesh mesh = test::finish({.positions = {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}, {5, 5, 5}},
-                                       .triangles = {0, 1, 2}});
+  const GraphMesh mesh =
+      test::finish({.positions = {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}, {5, 5, 5}}, .triangles = {0, 1, 2}});
   std::vector<Vec3> decoded = mesh.positions;
   decoded[3] = {5, 5, 7};
   const Quality quality = measure_quality(mesh.graph, mesh.positions, decoded);

@@ -17,8 +17,8 @@ inline constexpr std::uint32_t kSmallestSolvedComponent = 8;
 
 /// At most one of the two; neither means one anchor for every 200 vertices of the solved components.
 struct AnchorRequest {
-  std::optional<std::uint32_t> count;    ///< over the solved components; at least one each is made
-  std::optional<std::uint32_t> density;  ///< largest hop distance of a vertex to its nearest anchor
+  std::optional<std::uint32_t> count{};    ///< over the solved components; at least one each is made
+  std::optional<std::uint32_t> density{};  ///< largest hop distance of a vertex to its nearest anchor
 };
 
 struct Anchors {

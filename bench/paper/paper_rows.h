@@ -9,7 +9,7 @@
 #include <string>
 
 #include "deltamesh/result.h"
-#include "welded_mesh.h"
+#include "support/welded_mesh.h"
 
 namespace deltamesh::bench {
 

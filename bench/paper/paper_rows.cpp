@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "paper_rows.h"
+#include "paper/paper_rows.h"
 
 #include "base/try.h"
 #include "geometry/highpass.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "paper_rows.h"
+#include "paper/paper_rows.h"
 
 namespace {
 
