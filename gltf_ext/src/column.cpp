@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "column.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace deltamesh::gltf {
+namespace {
+
+static_assert(std::endian::native == std::endian::little,
+              "glTF data is little-endian, and so are our arrays");
+
+constexpr std::array<const char*, 4> kTypeNames{"SCALAR", "VEC2", "VEC3", "VEC4"};
+constexpr int kArrayBuffer = 34962;
+constexpr int kElementArrayBuffer = 34963;
+
+template <class T>
+T load(std::span<const std::byte> bytes) noexcept {
+  T value;
+  std::memcpy(&value, bytes.data(), sizeof value);
+  return value;
+}
+
+/// Smallest and largest of one component over all rows; nothing is written where one of them is not finite.
+template <class T>
+void add_bounds_of(Json& low, Json& high, const Column& column, std::size_t component) {
+  T smallest = std::numeric_limits<T>::max();
+  T largest = std::numeric_limits<T>::lowest();
+  const std::size_t row_size = column.shape.row_size();
+  for (std::size_t i = 0; i < column.shape.count; ++i) {
+    const T value = load<T>(column.rows.subspan(i * row_size + component * sizeof(T), sizeof(T)));
+    if constexpr (std::is_floating_point_v<T>) {
+      if (!std::isfinite(value)) return;
+    }
+    smallest = std::min(smallest, value);
+    largest = std::max(largest, value);
+  }
+  low.push_back(smallest);
+  high.push_back(largest);
+}
+
+void add_bounds(Json& low, Json& high, const Column& column, std::size_t component) {
+  switch (column.shape.type) {
+    case ComponentType::kI8:
+      return add_bounds_of<std::int8_t>(low, high, column, component);
+    case ComponentType::kU8:
+      return add_bounds_of<std::uint8_t>(low, high, column, component);
+    case ComponentType::kI16:
+      return add_bounds_of<std::int16_t>(low, high, column, component);
+    case ComponentType::kU16:
+      return add_bounds_of<std::uint16_t>(low, high, column, component);
+    case ComponentType::kU32:
+      return add_bounds_of<std::uint32_t>(low, high, column, component);
+    case ComponentType::kF32:
+      return add_bounds_of<float>(low, high, column, component);
+    case ComponentType::kI32:
+    case ComponentType::kF64:
+      return;
+  }
+}
+
+}  // namespace
+
+Column position_column(const Mesh& mesh) noexcept {
+  return {.shape = {.type = ComponentType::kF32,
+                    .components = 3,
+                    .normalized = false,
+                    .count = mesh.vertex_count()},
+          .rows = std::as_bytes(std::span(mesh.positions)),
+          .is_indices = false};
+}
+
+Column attribute_column(const Mesh& mesh, const Attribute& attribute) noexcept {
+  return {.shape = {.type = attribute.type,
+                    .components = attribute.components,
+                    .normalized = attribute.normalized,
+                    .count = mesh.vertex_count()},
+          .rows = attribute.values,
+          .is_indices = false};
+}
+
+Column index_column(const Mesh& mesh, ComponentType type, std::span<const std::byte> bytes) noexcept {
+  return {.shape = {.type = type, .components = 1, .normalized = false, .count = mesh.triangles.size()},
+          .rows = bytes,
+          .is_indices = true};
+}
+
+ComponentType index_type(std::uint64_t vertices) noexcept {
+  return vertices <= std::numeric_limits<std::uint16_t>::max() ? ComponentType::kU16 : ComponentType::kU32;
+}
+
+std::vector<std::byte> index_bytes(const Mesh& mesh, ComponentType type) {
+  const std::size_t size = component_size(type);
+  std::vector<std::byte> bytes(mesh.triangles.size() * size);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    std::memcpy(bytes.data() + i * size, &mesh.triangles[i],
+                size);  // little-endian: the low bytes come first
+  return bytes;
+}
+
+void describe_column(Json& accessor, const Column& column, bool bounds) {
+  const bool had_bounds = accessor.contains("min") || accessor.contains("max");
+  for (const char* key : {"bufferView", "byteOffset", "sparse"}) accessor.erase(key);
+  accessor["componentType"] = gltf_component_type(column.shape.type);
+  accessor["count"] = column.shape.count;
+  accessor["type"] = kTypeNames[column.shape.components - 1U];
+  if (!bounds && !had_bounds) return;
+  Json low = Json::array();
+  Json high = Json::array();
+  for (std::size_t k = 0; k < column.shape.components; ++k) add_bounds(low, high, column, k);
+  if (low.size() == column.shape.components) {
+    accessor["min"] = std::move(low);
+    accessor["max"] = std::move(high);
+  } else {
+    accessor.erase("min");
+    accessor.erase("max");
+  }
+}
+
+std::size_t append_column(Document& document, const Column& column) {
+  const std::size_t row_size = column.shape.row_size();
+  const std::size_t stride = column.is_indices ? row_size : (row_size + 3) / 4 * 4;
+  std::vector<std::byte> bytes(static_cast<std::size_t>(column.shape.count) * stride);
+  for (std::size_t i = 0; i < column.shape.count; ++i)
+    std::memcpy(bytes.data() + i * stride, column.rows.data() + i * row_size, row_size);
+  const std::size_t view = append_view(document, std::move(bytes));
+  Json& json = document.json["bufferViews"][view];
+  if (!column.is_indices) json["byteStride"] = stride;
+  json["target"] = column.is_indices ? kElementArrayBuffer : kArrayBuffer;
+  return view;
+}
+
+}  // namespace deltamesh::gltf

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "document.h"
+
+#include <string>
+#include <utility>
+
+#include "base/try.h"
+#include "base64.h"
+#include "structure.h"
+#include "uri.h"
+
+namespace deltamesh::gltf {
+namespace {
+
+Result<std::vector<std::byte>> resolve_uri(const std::string& uri, const GltfIo& io, std::size_t number,
+                                           std::uint64_t& input_bytes) {
+  if (is_data_uri(uri)) {
+    auto bytes = decode_data_uri(uri);
+    if (!bytes) return element_error("the buffer's data URI is not proper base64", number);
+    return *std::move(bytes);
+  }
+  const auto path = path_of_uri(uri);
+  if (!path) return element_error("the buffer's URI is not a path inside the asset's folder", number);
+  if (!io.resolve)
+    return Error{.code = ErrorCode::kFileOpen,
+                 .message = "the asset has an external buffer, which cannot be reached from here",
+                 .where_kind = WhereKind::kElement,
+                 .where = number};
+  DELTAMESH_TRY(auto bytes, io.resolve(*path));
+  input_bytes += bytes.size();
+  return bytes;
+}
+
+Result<Buffer> load_buffer(const Json& json, std::size_t number,
+                           const std::optional<std::span<const std::byte>>& bin, const GltfIo& io,
+                           std::uint64_t& input_bytes) {
+  Buffer buffer;
+  const Error bad_length = element_error("the buffer's byteLength is missing or malformed", number);
+  if (!json.contains("byteLength")) return bad_length;
+  DELTAMESH_TRY(const auto length, unsigned_member(json, "byteLength", 0, ~std::uint64_t{0}, bad_length));
+  const Json* uri = find(json, "uri");
+  if (uri) {
+    if (!uri->is_string()) return element_error("the buffer's URI is not a string", number);
+    DELTAMESH_TRY(buffer.owned, resolve_uri(uri->get_ref<const std::string&>(), io, number, input_bytes));
+    buffer.bytes = buffer.owned;
+  } else if (number == 0 && bin) {
+    buffer.bytes = *bin;
+  } else {
+    buffer.opaque = true;
+    return buffer;
+  }
+  if (length > buffer.bytes.size()) return element_error("the buffer is shorter than its byteLength", number);
+  buffer.bytes = buffer.bytes.first(static_cast<std::size_t>(length));
+  return buffer;
+}
+
+std::string buffer_uri(std::span<const std::byte> bytes, const GltfIo& io) {
+  if (!io.buffer_uri.empty()) return io.buffer_uri;
+  return "data:application/octet-stream;base64," + encode_base64(bytes);
+}
+
+}  // namespace
+
+Result<Document> load_document(std::span<const std::byte> asset, const GltfIo& io) {
+  Document document;
+  document.input_bytes = asset.size();
+  std::span<const std::byte> text = asset;
+  std::optional<std::span<const std::byte>> bin;
+  if (is_glb(asset)) {
+    DELTAMESH_TRY(auto glb, parse_glb(asset));
+    text = glb.json;
+    bin = glb.bin;
+    document.glb_chunks = std::move(glb.others);
+  }
+  DELTAMESH_TRY(document.json, parse_json(text));
+  DELTAMESH_CHECK(check_structure(document.json));
+  if (const Json* buffers = find(document.json, "buffers")) {
+    for (std::size_t i = 0; i < buffers->size(); ++i) {
+      DELTAMESH_TRY(auto buffer, load_buffer((*buffers)[i], i, bin, io, document.input_bytes));
+      document.buffers.push_back(std::move(buffer));
+    }
+  }
+  return document;
+}
+
+std::size_t append_view(Document& document, std::vector<std::byte> bytes) {
+  Json& views = document.json["bufferViews"];
+  if (!views.is_array()) views = Json::array();
+  Json& buffers = document.json["buffers"];
+  if (!buffers.is_array()) buffers = Json::array();
+  views.push_back({{"buffer", document.buffers.size()}, {"byteLength", bytes.size()}});
+  buffers.push_back({{"byteLength", bytes.size()}});
+  Buffer& buffer = document.buffers.emplace_back();
+  buffer.owned = std::move(bytes);
+  buffer.bytes = buffer.owned;
+  return views.size() - 1;
+}
+
+Result<GltfOutput> save_document(Document document, const GltfIo& io) {
+  GltfOutput output;
+  std::span<const std::byte> data;
+  if (!document.buffers.empty() && !document.buffers[0].opaque) {
+    data = document.buffers[0].bytes;
+    if (io.container == GltfContainer::kGltf) document.json["buffers"][0]["uri"] = buffer_uri(data, io);
+  }
+  if (io.container == GltfContainer::kGlb) {
+    DELTAMESH_TRY(output.asset, write_glb(document.json.dump(), data, document.glb_chunks));
+  } else {
+    const std::string text = document.json.dump(2) + "\n";
+    const auto bytes = std::as_bytes(std::span(text));
+    output.asset.assign(bytes.begin(), bytes.end());
+    if (!io.buffer_uri.empty()) output.buffer.assign(data.begin(), data.end());
+  }
+  output.report.input_bytes = document.input_bytes;
+  output.report.output_bytes = output.asset.size() + output.buffer.size();
+  return output;
+}
+
+}  // namespace deltamesh::gltf

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// JSON text in and out, and checked access to it. Member order and unknown members survive.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "deltamesh/result.h"
+
+namespace deltamesh::gltf {
+
+using Json = nlohmann::ordered_json;
+
+/// Deepest nesting and most members of one object that parse_json() takes: bounds recursion in the JSON
+/// library, and the cost of its linear member search.
+inline constexpr std::size_t kMaxJsonDepth = 128;
+inline constexpr std::size_t kMaxJsonMembers = 10000;
+
+/// Errors: kInvalidFile (not JSON, `where`: byte), kLimitExceeded.
+Result<Json> parse_json(std::span<const std::byte> text);
+
+/// kInvalidFile at element number `element` of its kind.
+constexpr Error element_error(const char* message, std::uint64_t element) noexcept {
+  return {.code = ErrorCode::kInvalidFile,
+          .message = message,
+          .where_kind = WhereKind::kElement,
+          .where = element};
+}
+
+/// The member, or null where `object` is no object or has none of that name.
+const Json* find(const Json& object, const char* key) noexcept;
+Json* find(Json& object, const char* key) noexcept;
+
+/// Elements of the array `key` of `object`; 0 where it is absent.
+std::size_t array_size(const Json& object, const char* key) noexcept;
+
+/// A whole number from 0 to `max`. Errors: `otherwise`.
+Result<std::uint64_t> to_unsigned(const Json& value, std::uint64_t max, const Error& otherwise) noexcept;
+
+/// The same for a member, `fallback` where it is absent.
+Result<std::uint64_t> unsigned_member(const Json& object, const char* key, std::uint64_t fallback,
+                                      std::uint64_t max, const Error& otherwise) noexcept;
+
+/// Removes `object[key]`, and `key` counts as absent already where it is.
+void erase_member(Json& object, const char* key);
+
+/// Calls `visit(object)` for every object inside `root`, root included, but for those below a member
+/// "extras", which is the application's. No recursion; `visit` may change members, not add or remove objects
+/// below.
+template <class Visit>
+void for_each_object(Json& root, Visit&& visit) {
+  std::vector<Json*> pending{&root};
+  while (!pending.empty()) {
+    Json& value = *pending.back();
+    pending.pop_back();
+    if (value.is_object()) visit(value);
+    for (auto item = value.begin(); item != value.end(); ++item)
+      if (item->is_structured() && !(value.is_object() && item.key() == "extras")) pending.push_back(&*item);
+  }
+}
+
+}  // namespace deltamesh::gltf
