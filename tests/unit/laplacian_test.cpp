@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -164,6 +165,40 @@ TEST(DirectSolver, AgreesWithDenseLeastSquares) {
       EXPECT_LT(largest_difference(x, solve_dense(mesh.graph, anchors, deltas, targets)), 1e-8);
     }
   }
+}
+
+TEST(DirectSolver, AgreesWithDenseLeastSquaresAroundHubs) {
+  GraphMesh clique;  // every vertex is a hub
+  for (std::uint32_t i = 0; i < 90; ++i) {
+    clique.positions.push_back({std::sin(1.0 * i), std::cos(2.0 * i), 0.1 * i});
+    for (std::uint32_t j = 0; j < i; ++j) clique.triangles.insert(clique.triangles.end(), {i, j, j});
+  }
+  clique = test::finish(std::move(clique));
+  ASSERT_EQ(clique.graph.degree(0), 89U);
+  for (const GraphMesh& mesh : {test::fan(300), clique}) {
+    for (const std::uint32_t count : {1U, 4U}) {
+      const auto anchors = place_anchors(mesh.graph, mesh.components, {.count = count}).vertices;
+      std::vector<Vec3> deltas = delta_coordinates(mesh.graph, mesh.positions);
+      for (std::size_t i = 0; i < deltas.size(); ++i) deltas[i][i % 3] += 0.1 * static_cast<double>(i % 4);
+      const auto solver = make_direct_solver(mesh.graph, anchors);
+      ASSERT_TRUE(solver);
+      std::vector<Vec3> x(mesh.positions.size());
+      ASSERT_TRUE((*solver)->solve(deltas, positions_at(mesh, anchors), x));
+      const auto expected = solve_dense(mesh.graph, anchors, deltas, positions_at(mesh, anchors));
+      EXPECT_LT(largest_difference(x, expected), 1e-9);
+    }
+  }
+}
+
+TEST(DirectSolver, AHubOfManyNeighboursCostsNoMoreThanItsEdges) {
+  const GraphMesh mesh = test::fan(100000);
+  const std::vector<std::uint32_t> anchors{17};
+  const auto solver = make_direct_solver(mesh.graph, anchors);
+  ASSERT_TRUE(solver);
+  std::vector<Vec3> x(mesh.positions.size());
+  ASSERT_TRUE(
+      (*solver)->solve(delta_coordinates(mesh.graph, mesh.positions), positions_at(mesh, anchors), x));
+  EXPECT_LT(largest_difference(x, mesh.positions), 1e-6);
 }
 
 TEST(DirectSolver, ReturnsThePositionsThatExactDeltasCameFrom) {
