@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// The border of the region coded so far: the state that connectivity writer and reader share [CONN-3 .. 8].
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace deltamesh {
+
+/// What is found across a gate [CONN-6].
+enum class BorderOp : std::uint8_t {
+  kNewVertex = 0,  ///< C: a face whose apex is a new manifold vertex
+  kLeft = 1,       ///< L: a face that also takes the edge before the gate
+  kRight = 2,      ///< R: a face that also takes the edge after the gate
+  kEnd = 3,        ///< E: a face that takes both, and thereby the whole loop
+  kSplit = 4,      ///< S: a face whose apex is the origin of another border item
+  kBoundary = 5,   ///< B: no face
+};
+
+/// One directed edge of the border, with the coded region on its left. It also stands for the gap before it:
+/// the wedge at its origin between the previous item's edge and its own, where faces may still be missing.
+///
+/// ```
+///            apex                       next
+///           /    \            <-----v------------
+///        origin(g) ---gate g--->  origin(next(g))        faces yet to come are on the right of an item
+///           coded region (left of g)
+/// ```
+struct BorderItem {
+  std::uint32_t origin;    ///< manifold vertex
+  std::uint32_t previous;  ///< item that ends at `origin`
+  std::uint32_t next;      ///< item that begins where this one ends
+  bool closed = false;     ///< known to be a boundary edge of the mesh
+  bool alive = true;
+};
+
+/// Items, faces and the queue of gaps. An item's number and origin never change. Loops have two items or
+/// more, and no item ends where it begins.
+class Border {
+ public:
+  const BorderItem& item(std::uint32_t i) const noexcept { return items_[i]; }
+  std::uint32_t item_count() const noexcept { return static_cast<std::uint32_t>(items_.size()); }
+  std::uint32_t end_of(std::uint32_t i) const noexcept { return items_[items_[i].next].origin; }
+  std::uint32_t vertex_count() const noexcept { return static_cast<std::uint32_t>(degrees_.size()); }
+  std::uint32_t face_count() const noexcept { return static_cast<std::uint32_t>(faces_.size() / 3); }
+  /// Faces so far at a manifold vertex.
+  std::uint32_t degree(std::uint32_t vertex) const noexcept { return degrees_[vertex]; }
+  /// Manifold vertices of the faces so far, three each: gate's end, gate's origin, apex.
+  const std::vector<std::uint32_t>& faces() const noexcept { return faces_; }
+  std::vector<std::uint32_t> take_faces() noexcept { return std::move(faces_); }
+
+  /// A new component: a face of three new vertices, and its three edges as items, in the same order [CONN-4].
+  void start();
+
+  /// Whether the rules allow `op` at `gate`, an open item; `target` is S's item [CONN-7].
+  bool allows(BorderOp op, std::uint32_t gate, std::uint32_t target) const noexcept;
+
+  /// Carries `op` out. `at_origin`: the focus is the gate's origin, not its end [CONN-6]. Precondition:
+  /// allows().
+  void apply(BorderOp op, std::uint32_t gate, std::uint32_t target, bool at_origin);
+
+  /// Takes the next gap that is not finished off the queue, kNoIndex when there is none [CONN-5]. Amortised
+  /// O(1).
+  std::uint32_t pop_gap() noexcept;
+
+ private:
+  /// Gaps wait by the number of faces at their origin, capped; the fullest go first, and among them the
+  /// oldest.
+  static constexpr std::size_t kBuckets = 16;
+  struct Bucket {
+    std::vector<std::uint32_t> gaps;
+    std::size_t head = 0;
+  };
+
+  std::uint32_t add_item(std::uint32_t origin);
+  void link(std::uint32_t a, std::uint32_t b) noexcept;
+  void remove(std::uint32_t i) noexcept { items_[i].alive = false; }
+  void add_face(std::uint32_t a, std::uint32_t b, std::uint32_t c);
+  void push_gap(std::uint32_t i);
+
+  std::vector<BorderItem> items_;
+  std::vector<std::uint32_t> degrees_;
+  std::vector<std::uint32_t> faces_;
+  std::array<Bucket, kBuckets> buckets_;
+  std::size_t fullest_ = 0;  ///< no bucket above it holds a gap
+};
+
+}  // namespace deltamesh

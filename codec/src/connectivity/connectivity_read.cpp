@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "base/byte_reader.h"
+#include "base/checked.h"
+#include "base/zigzag.h"
+#include "connectivity/border.h"
+#include "connectivity/connectivity.h"
+#include "connectivity/op_tokens.h"
+#include "connectivity/split_reference.h"
+#include "connectivity/traversal.h"
+#include "entropy/planes.h"
+#include "format/tags.h"
+
+namespace deltamesh {
+namespace {
+
+/// The payload's parts, counts checked against the bytes present.
+struct Sections {
+  std::array<std::span<const std::byte>, kTokenStreams> tokens;
+  std::uint64_t token_count = 0;
+  std::span<const std::byte> references;
+  std::vector<std::uint32_t> far_targets;
+  std::uint64_t glue_count = 0;
+};
+
+Result<Sections> read_sections(ByteReader& in) {
+  Sections sections;
+  std::array<std::uint64_t, kTokenStreams> sizes{};
+  for (std::uint64_t& size : sizes) {
+    DELTAMESH_TRY(size, in.read_varint());
+  }
+  DELTAMESH_TRY(const std::uint64_t reference_count, in.read_varint());
+  DELTAMESH_TRY(const std::uint64_t far_count, in.read_varint(reference_count));
+  DELTAMESH_TRY(sections.glue_count, in.read_varint());
+  for (std::size_t i = 0; i < kTokenStreams; ++i) {
+    DELTAMESH_TRY(sections.tokens[i], in.read_bytes(sizes[i]));
+    sections.token_count += sizes[i];
+  }
+  DELTAMESH_TRY(sections.references, in.read_bytes(reference_count));
+  DELTAMESH_TRY(sections.far_targets, read_planes(in, far_count));
+  return sections;
+}
+
+/// Takes every op from the payload.
+class PayloadGuide {
+ public:
+  PayloadGuide(const Sections& sections, std::uint32_t face_count) noexcept
+      : tokens_(sections.tokens),
+        references_(sections.references),
+        far_targets_(sections.far_targets),
+        face_count_(face_count) {}
+
+  void start(const Border&) noexcept {}
+
+  std::optional<BorderStep> next(const Border& border, std::uint32_t gate, const GateContext& context) {
+    const std::optional<BorderOp> op = tokens_.get(context);
+    if (!op) return fail("no such op", "CONN-9");
+    BorderStep step{*op};
+    if (*op == BorderOp::kSplit) {
+      const std::optional<std::uint32_t> target = read_target(border, gate);
+      if (!target) return fail("split without a target", "CONN-10");
+      step.target = *target;
+    }
+    if (*op != BorderOp::kBoundary && border.face_count() == face_count_)
+      return fail("more faces than declared", "CONN-2");
+    if (!border.allows(step.op, gate, step.target)) return fail("op does not fit the border", "CONN-7");
+    return step;
+  }
+
+  bool finished() const noexcept { return tokens_.finished() && references_.empty() && far_targets_.empty(); }
+  const char* message() const noexcept { return message_; }
+  const char* rule() const noexcept { return rule_; }
+
+ private:
+  std::optional<std::uint32_t> read_target(const Border& border, std::uint32_t gate) {
+    if (references_.empty()) return std::nullopt;
+    const auto reference = std::to_integer<std::uint32_t>(references_.front());
+    references_ = references_.subspan(1);
+    if (reference != kFarReference) return follow_reference(border, gate, reference);
+    if (far_targets_.empty()) return std::nullopt;
+    const std::uint32_t target = far_targets_.front();
+    far_targets_ = far_targets_.subspan(1);
+    return target;
+  }
+
+  std::optional<BorderStep> fail(const char* message, const char* rule) noexcept {
+    message_ = message;
+    rule_ = rule;
+    return std::nullopt;
+  }
+
+  TokenReader tokens_;
+  std::span<const std::byte> references_;
+  std::span<const std::uint32_t> far_targets_;
+  std::uint32_t face_count_;
+  const char* message_ = "";
+  const char* rule_ = "";
+};
+
+/// Vertex of every manifold vertex. Errors: kTruncated, kInvalidStream [CONN-11].
+Result<std::vector<std::uint32_t>> read_gluing(ByteReader& in, std::uint64_t glue_count,
+                                               std::uint32_t manifold_count, std::uint32_t vertex_count) {
+  const auto invalid = [&](const char* message) {
+    return in.error(ErrorCode::kInvalidStream, message, "CONN-11");
+  };
+  if (glue_count > manifold_count) return invalid("more glued vertices than vertices");
+  if (manifold_count - glue_count > vertex_count) return invalid("more vertices than declared");
+  DELTAMESH_TRY(const std::vector<std::uint32_t> gaps, read_planes(in, glue_count));
+  DELTAMESH_TRY(const std::vector<std::uint32_t> targets, read_planes(in, glue_count));
+
+  std::vector<std::uint32_t> vertex;
+  vertex.reserve(manifold_count);
+  std::uint32_t fresh = 0;
+  std::uint32_t target = 0;
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    if (gaps[i] >= manifold_count - vertex.size()) return invalid("glued vertex beyond the last");
+    for (std::uint32_t k = 0; k < gaps[i]; ++k) vertex.push_back(fresh++);
+    target += static_cast<std::uint32_t>(unzigzag(targets[i]));
+    if (target >= fresh) return invalid("glued to a vertex yet to come");
+    vertex.push_back(target);
+  }
+  while (vertex.size() < manifold_count) vertex.push_back(fresh++);
+  return vertex;
+}
+
+}  // namespace
+
+Result<std::vector<std::uint32_t>> read_connectivity(std::span<const std::byte> payload,
+                                                     std::uint32_t vertex_count,
+                                                     std::uint32_t triangle_count) {
+  ByteReader in(payload, kTagConnectivity);
+  if (triangle_count == 0) {
+    DELTAMESH_CHECK(in.finish());
+    return std::vector<std::uint32_t>{};
+  }
+  DELTAMESH_TRY(const Sections sections, read_sections(in));
+  if (triangle_count > saturating_mul(sections.token_count, kFacesPerToken))
+    return in.error(ErrorCode::kInvalidStream, "more faces than the ops can hold", "CONN-2");
+
+  Border border;
+  PayloadGuide guide(sections, triangle_count);
+  if (!traverse(border, triangle_count, guide))
+    return in.error(ErrorCode::kInvalidStream, guide.message(), guide.rule());
+  if (!guide.finished()) return in.error(ErrorCode::kInvalidStream, "ops left over at the end", "CONN-2");
+
+  DELTAMESH_TRY(const std::vector<std::uint32_t> vertex,
+                read_gluing(in, sections.glue_count, border.vertex_count(), vertex_count));
+  DELTAMESH_CHECK(in.finish());
+  std::vector<std::uint32_t> triangles = border.take_faces();
+  for (std::uint32_t& v : triangles) v = vertex[v];
+  return triangles;
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// The walk over the faces that connectivity writer and reader have in common [CONN-3 .. 8]. The writer's
+// guide finds each op in the mesh, the reader's in the payload; later entropy stages are guides as well.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "connectivity/border.h"
+#include "connectivity/cut.h"
+
+namespace deltamesh {
+
+/// What both sides know at a gate when its op is about to be coded.
+struct GateContext {
+  std::uint32_t focus_degree;  ///< faces so far at the focus
+  bool other_side_closed;      ///< the focus' gap ends at a boundary edge on its other side
+};
+
+struct BorderStep {
+  BorderOp op;
+  std::uint32_t target = kNoIndex;  ///< S: the item whose origin is the apex
+};
+
+/// Fills the gap before item `gap` with faces, from its far side to the item itself [CONN-6].
+/// Returns false as soon as the guide has no step to give.
+template <class Guide>
+bool fill_gap(Border& border, std::uint32_t gap, Guide& guide) {
+  const std::uint32_t focus = border.item(gap).origin;
+  const auto step_at = [&](std::uint32_t gate, bool at_origin, bool other_side_closed) {
+    const GateContext context{.focus_degree = border.degree(focus), .other_side_closed = other_side_closed};
+    const std::optional<BorderStep> step = guide.next(border, gate, context);
+    if (step) border.apply(step->op, gate, step->target, at_origin);
+    return step;
+  };
+
+  while (!border.item(border.item(gap).previous).closed) {
+    const auto step = step_at(border.item(gap).previous, false, border.item(gap).closed);
+    if (!step) return false;
+    if (step->op == BorderOp::kRight || step->op == BorderOp::kEnd) return true;
+  }
+  while (!border.item(gap).closed) {
+    if (!step_at(gap, true, true)) return false;
+  }
+  return true;
+}
+
+/// Codes `face_count` faces. `guide.start(border)` hears of every new component before its first face;
+/// `guide.next(border, gate, context)` gives a step that the border allows, and no face beyond `face_count`,
+/// or nothing to stop. Returns whether the end was reached. O(faces + ops).
+template <class Guide>
+bool traverse(Border& border, std::uint32_t face_count, Guide& guide) {
+  while (border.face_count() < face_count) {
+    guide.start(border);
+    border.start();
+    for (std::uint32_t gap = border.pop_gap(); gap != kNoIndex; gap = border.pop_gap()) {
+      if (!fill_gap(border, gap, guide)) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace deltamesh
