@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Committed streams decode to committed vertices and faces, whatever this build's encoder writes.
+// `golden_test --update_golden` rewrites them: only on purpose, with a new draft number.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "deltamesh/decode.h"
+#include "deltamesh/encode.h"
+#include "deltamesh/io.h"
+#include "support/meshes.h"
+
+namespace deltamesh {
+namespace {
+
+bool update_golden = false;
+
+struct Golden {
+  const char* name;  ///< tests/golden/<name>.v1d1.dmsh and .off
+  Mesh mesh;
+  EncodeOptions options;
+};
+
+std::vector<Golden> golden_streams() {
+  std::vector<Golden> list;
+  list.push_back({"tetrahedron.default", testing::tetrahedron(), {}});
+  list.push_back({"grid.bits6", testing::bumpy_grid(12, 10), {.bits = 6, .anchors = 4}});
+  list.push_back({"attributes.ordered", testing::attributed_grid(6, 5), {.bits = 10, .keep_order = true}});
+  for (const auto& named : testing::awkward_meshes()) {
+    if (named.name == "seam") list.push_back({"seam.step", named.mesh, {.step = 0.01}});
+    if (named.name == "three faces on an edge") list.push_back({"nonmanifold.default", named.mesh, {}});
+    if (named.name == "isolated vertices")
+      list.push_back({"isolated.all", named.mesh, {.keep_unreferenced = true}});
+  }
+  return list;
+}
+
+std::string path_of(const Golden& golden, const char* suffix) {
+  return std::string(DELTAMESH_GOLDEN_DIR "/") + golden.name + ".v1d1." + suffix;
+}
+
+void rewrite(const Golden& golden) {
+  const auto encoded = encode(golden.mesh, golden.options);
+  ASSERT_TRUE(encoded);
+  ASSERT_TRUE(write_file(path_of(golden, "dmsh"), encoded->bytes));
+  Mesh decoded = *decode(encoded->bytes);
+  decoded.attributes.clear();
+  ASSERT_TRUE(write_mesh_file(path_of(golden, "off"), decoded));
+}
+
+TEST(Golden, DecodesToTheCommittedMesh) {
+  for (const Golden& golden : golden_streams()) {
+    SCOPED_TRACE(golden.name);
+    if (update_golden) rewrite(golden);
+    const auto bytes = read_file(path_of(golden, "dmsh"));
+    ASSERT_TRUE(bytes) << describe(bytes.error());
+    const auto decoded = decode(*bytes);
+    ASSERT_TRUE(decoded) << describe(decoded.error());
+    const auto expected = read_mesh_file(path_of(golden, "off"));
+    ASSERT_TRUE(expected) << describe(expected.error());
+    EXPECT_EQ(decoded->triangles, expected->mesh.triangles);
+    EXPECT_EQ(decoded->attributes.size(), golden.mesh.attributes.size());
+    ASSERT_EQ(decoded->positions.size(), expected->mesh.positions.size());
+    // The solve is exact only up to rounding, and the reference solver's rounding is the machine's.
+    const double tolerance = 1e-5 * inspect(*bytes)->diagonal;
+    for (std::size_t i = 0; i < decoded->positions.size(); ++i)
+      EXPECT_NEAR(decoded->positions[i], expected->mesh.positions[i], tolerance);
+  }
+}
+
+TEST(Golden, TodaysEncoderStaysWithinTheCommittedSize) {
+  for (const Golden& golden : golden_streams()) {
+    const auto bytes = read_file(path_of(golden, "dmsh"));
+    ASSERT_TRUE(bytes);
+    EXPECT_LE(encode(golden.mesh, golden.options)->bytes.size(), bytes->size() + bytes->size() / 50)
+        << golden.name;
+  }
+}
+
+}  // namespace
+}  // namespace deltamesh
+
+int main(int argc, char** argv) {
+  ::testing::InitGoogleTest(&argc, argv);
+  for (int i = 1; i < argc; ++i) deltamesh::update_golden |= std::strcmp(argv[i], "--update_golden") == 0;
+  return RUN_ALL_TESTS();
+}

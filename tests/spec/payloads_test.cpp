@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Streams put together by hand from an encoder's, with checksums that are right and payloads that are not.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "deltamesh/decode.h"
+#include "deltamesh/encode.h"
+#include "entropy/chunk_codec.h"
+#include "format/container.h"
+#include "support/meshes.h"
+
+namespace deltamesh {
+namespace {
+
+struct Payload {
+  std::uint32_t tag;
+  std::vector<std::byte> bytes;
+};
+
+/// A stream taken apart; assemble() makes it whole again, checksums included.
+struct Parts {
+  FileHeader header;
+  std::vector<Payload> payloads;
+
+  std::vector<std::byte> assemble() const {
+    std::vector<CodedChunk> chunks;
+    for (const Payload& p : payloads)
+      chunks.push_back(
+          {.tag = p.tag, .codec = ChunkCodec::kRaw, .bytes = p.bytes, .decoded_bytes = p.bytes.size()});
+    return write_container(header, chunks);
+  }
+};
+
+Parts take_apart(const Mesh& mesh, const EncodeOptions& options) {
+  const auto encoded = encode(mesh, options);
+  const auto container = Container::open(encoded->bytes);
+  Parts parts{.header = container->header(), .payloads = {}};
+  for (const ChunkEntry& entry : container->entries())
+    parts.payloads.push_back({entry.tag, *expand_chunk(*container, entry, 1U << 30)});
+  return parts;
+}
+
+/// On success the promises of decode() hold.
+void expect_error_or_valid(std::span<const std::byte> stream) {
+  const auto mesh = decode(stream);
+  if (!mesh) {
+    EXPECT_NE(mesh.error().code, ErrorCode::kInternal) << describe(mesh.error());
+    EXPECT_STRNE(mesh.error().message, "");
+    return;
+  }
+  for (const std::uint32_t v : mesh->triangles) ASSERT_LT(v, mesh->vertex_count());
+  for (const float x : mesh->positions) ASSERT_TRUE(std::isfinite(x));
+  for (const Attribute& a : mesh->attributes)
+    ASSERT_EQ(a.values.size(), mesh->vertex_count() * a.components * component_size(a.type));
+}
+
+class Payloads : public ::testing::TestWithParam<std::size_t> {
+ protected:
+  Parts parts_ =
+      take_apart(testing::awkward_meshes()[GetParam()].mesh, {.keep_order = true, .keep_unreferenced = true});
+};
+
+TEST_P(Payloads, AnyFlippedByteIsACleanErrorOrAValidMesh) {
+  for (Payload& payload : parts_.payloads) {
+    for (std::byte& byte : payload.bytes) {
+      const std::byte kept = byte;
+      for (const unsigned mask : {0x01U, 0x80U, 0xffU}) {
+        byte = kept ^ std::byte{static_cast<unsigned char>(mask)};
+        expect_error_or_valid(parts_.assemble());
+      }
+      byte = kept;
+    }
+  }
+}
+
+TEST_P(Payloads, AnyShorterOrLongerPayloadIsACleanError) {
+  for (Payload& payload : parts_.payloads) {
+    const std::vector<std::byte> whole = payload.bytes;
+    while (!payload.bytes.empty()) {
+      payload.bytes.pop_back();
+      EXPECT_FALSE(decode(parts_.assemble())) << payload.bytes.size() << " of " << whole.size();
+    }
+    payload.bytes = whole;
+    payload.bytes.push_back(std::byte{0});
+    EXPECT_FALSE(decode(parts_.assemble()));
+    payload.bytes = whole;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Awkward, Payloads,
+                         ::testing::Range(std::size_t{0}, testing::awkward_meshes().size()));
+
+std::string broken_rule(const Parts& parts) {
+  const auto mesh = decode(parts.assemble());
+  return mesh ? "none" : mesh.error().rule;
+}
+
+TEST(Stream, HDR7RejectsAnotherNumberOfComponents) {
+  Parts parts = take_apart(testing::bumpy_grid(9, 9), {});
+  ASSERT_EQ(broken_rule(parts), "none");
+  parts.header.components += 1;
+  EXPECT_EQ(broken_rule(parts), "HDR-7");
+}
+
+TEST(Stream, ATTR1RejectsAnotherNumberOfAttributes) {
+  Parts parts = take_apart(testing::attributed_grid(4, 4), {});
+  parts.header.attributes += 1;
+  EXPECT_EQ(broken_rule(parts), "ATTR-1");
+  parts.header.attributes -= 2;
+  EXPECT_EQ(broken_rule(parts), "ATTR-1");
+}
+
+TEST(Stream, GEO1RejectsPositionsBeyondFloat32) {
+  Parts parts = take_apart(testing::bumpy_grid(9, 9), {});
+  parts.header.highpass.step = 1e300;
+  const auto mesh = decode(parts.assemble());
+  ASSERT_FALSE(mesh);
+  EXPECT_EQ(mesh.error().code, ErrorCode::kInvalidStream);
+}
+
+TEST(Stream, LongestPayloadsOfTheEncoderKeepDIR5) {
+  for (const auto& named : testing::awkward_meshes()) {
+    const Parts parts = take_apart(named.mesh, {.bits = 16, .keep_order = true, .keep_unreferenced = true});
+    for (const Payload& p : parts.payloads)
+      EXPECT_LE(p.bytes.size(), 1024 + 160 * (parts.header.vertices + parts.header.triangles)) << named.name;
+  }
+}
+
+}  // namespace
+}  // namespace deltamesh
