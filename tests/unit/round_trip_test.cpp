@@ -108,12 +108,12 @@ TEST_P(AwkwardMesh, EveryPrefixAndEveryFlippedByteIsACleanError) {
 INSTANTIATE_TEST_SUITE_P(All, AwkwardMesh,
                          ::testing::Combine(::testing::Range(std::size_t{0}, awkward_meshes().size()),
                                             ::testing::Bool(), ::testing::Bool()),
-                         [](const auto& info) {
-                           std::string name = awkward_meshes()[std::get<0>(info.param)].name;
+                         [](const auto& test) {
+                           std::string name = awkward_meshes()[std::get<0>(test.param)].name;
                            for (char& c : name)
                              c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
-                           return name + (std::get<1>(info.param) ? "_ordered" : "") +
-                                  (std::get<2>(info.param) ? "_all" : "");
+                           return name + (std::get<1>(test.param) ? "_ordered" : "") +
+                                  (std::get<2>(test.param) ? "_all" : "");
                          });
 
 TEST(RoundTrip, GEO1CopiesOfAGeometricVertexStayTogether) {

@@ -23,19 +23,17 @@ enum class Profile : std::uint8_t {
 
 /// How to encode. Plain values with defaults; validate() checks ranges and contradictions.
 struct EncodeOptions {
-  std::optional<int>
-      bits{};  ///< quantisation of delta coordinates: step = range / 2^bits; 3 to 16; default 8
-  std::optional<double>
-      step;  ///< quantisation step of delta coordinates, model units, above 0; instead of `bits`
-  std::optional<std::uint32_t>
-      anchors;  ///< how many anchors, over all components; at least one per component is made
-  std::optional<std::uint32_t>
-      anchor_density;  ///< instead: largest hop distance of a vertex to its anchor, 1 to 65535
-                       ///< default of the two: 0.5 % of the vertices are anchors
-  int anchor_bits =
-      12;  ///< bits per axis of an anchor position, over the longest side of the bounding box; 4 to 24
+  /// Quantisation of delta coordinates: step = range / 2^bits; 3 to 16. Default 8, unless `step` is given.
+  std::optional<int> bits = std::nullopt;
+  /// Or the quantisation step of delta coordinates itself, model units, above 0.
+  std::optional<double> step = std::nullopt;
+  /// How many anchors over all components; each component gets at least one. Default 0.5 % of the vertices.
+  std::optional<std::uint32_t> anchors = std::nullopt;
+  /// Or the largest hop distance of a vertex to its nearest anchor, 1 to 65535.
+  std::optional<std::uint32_t> anchor_density = std::nullopt;
+  int anchor_bits = 12;  ///< bits per axis of an anchor, over the longest side of the bounding box; 4 to 24
   int normal_bits = 10;  ///< bits per octahedral axis of a normal; 2 to 15
-  int color_bits = 8;    ///< bits per colour component; 1 to 16 (never more than the type has)
+  int color_bits = 8;    ///< bits per colour component; 1 to 16, and never more than the type has
   int uv_bits = 12;      ///< bits per texture coordinate, over their range; 1 to 24
   Profile profile = Profile::kZstd;
   bool keep_order = false;         ///< store the input's vertex and face order and restore it
