@@ -100,7 +100,7 @@ std::string broken_rule(const Parts& parts) {
 }
 
 TEST(Stream, HDR7RejectsAnotherNumberOfComponents) {
-  Parts parts = take_apart(testing::bumpy_grid(9, 9), {});
+  Parts parts = take_apart(testing::bumpy_grid(9, 9), {.anchors = 5});
   ASSERT_EQ(broken_rule(parts), "none");
   parts.header.components += 1;
   EXPECT_EQ(broken_rule(parts), "HDR-7");

@@ -10,9 +10,10 @@
 #include <vector>
 
 #include "base/byte_reader.h"
+#include "base/vec3.h"
 #include "deltamesh/result.h"
+#include "format/highpass_parameters.h"
 #include "format/tags.h"
-#include "geometry/highpass.h"
 
 namespace deltamesh {
 

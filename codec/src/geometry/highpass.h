@@ -13,19 +13,10 @@
 
 #include "base/vec3.h"
 #include "deltamesh/result.h"
+#include "format/highpass_parameters.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {
-
-/// What the header says of a highpass stream [GEO-*].
-struct HighpassParameters {
-  std::uint8_t bits = 0;          ///< asked bits, 3 to 16; 0 where a step was asked. For information
-  double step = 0;                ///< quantisation step of delta coordinates, model units, finite, above 0
-  std::uint8_t anchor_bits = 12;  ///< 4 to 24
-  std::uint32_t anchors = 0;      ///< their number
-  std::uint32_t anchor_density =
-      0;  ///< largest hop distance of a vertex to its nearest anchor. For information
-};
 
 /// What the encoder is asked for; exactly one of bits and step, at most one of anchors and density.
 struct HighpassRequest {

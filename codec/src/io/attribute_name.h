@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// What may name an attribute.
+#pragma once
+
+#include <string_view>
+
+namespace deltamesh {
+
+constexpr std::size_t kMaxAttributeName = 255;  ///< bytes
+
+/// UTF-8 (RFC 3629: shortest form, no surrogates), 1 to 255 bytes.
+bool is_attribute_name(std::string_view name) noexcept;
+
+}  // namespace deltamesh

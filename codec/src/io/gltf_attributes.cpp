@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "io/gltf_attributes.h"
+
+#include <algorithm>
+#include <cstring>
+#include <string_view>
+#include <utility>
+
+#include "base/try.h"
+#include "io/attribute_name.h"
+#include "io/components.h"
+#include "io/io_error.h"
+
+namespace deltamesh {
+namespace {
+
+/// What an attribute looks like over all sets.
+struct Layout {
+  AttributeKind kind = AttributeKind::kGeneric;
+  ComponentType type = ComponentType::kF32;
+  std::uint8_t components = 1;
+  bool normalized = false;
+  bool differs = false;  ///< type or shape is not the same in all sets
+  std::size_t sets = 0;  ///< how many have it
+};
+
+AttributeKind kind_of(std::string_view semantic) noexcept {
+  if (semantic == "NORMAL") return AttributeKind::kNormal;
+  if (semantic.starts_with("COLOR_")) return AttributeKind::kColor;
+  if (semantic.starts_with("TEXCOORD_")) return AttributeKind::kUv;
+  return AttributeKind::kGeneric;
+}
+
+/// How one set has it, after the conversions that a kind always gets. Errors: kInvalidFile.
+Result<Layout> layout_of(std::string_view semantic, const GltfAccessor& accessor) {
+  Layout layout{.kind = kind_of(semantic),
+                .type = accessor.type,
+                .components = accessor.components,
+                .normalized = accessor.normalized,
+                .differs = false,
+                .sets = 1};
+  const bool color_type = (accessor.normalized &&
+                           (accessor.type == ComponentType::kU8 || accessor.type == ComponentType::kU16)) ||
+                          accessor.type == ComponentType::kF32;
+  bool valid = true;
+  if (layout.kind == AttributeKind::kNormal) valid = accessor.components == 3 && !accessor.matrix;
+  if (layout.kind == AttributeKind::kUv) valid = accessor.components == 2;
+  if (layout.kind == AttributeKind::kColor)
+    valid = color_type && !accessor.matrix && (accessor.components == 3 || accessor.components == 4);
+  if (!valid) return invalid_file("glTF: NORMAL, COLOR_n or TEXCOORD_n of a type that they cannot have");
+  if (layout.kind == AttributeKind::kNormal || layout.kind == AttributeKind::kUv) {
+    layout.type = ComponentType::kF32;
+    layout.normalized = false;
+  }
+  return layout;
+}
+
+void merge(const Layout& other, Layout& layout) noexcept {
+  ++layout.sets;
+  if (layout.type == other.type && layout.components == other.components &&
+      layout.normalized == other.normalized)
+    return;
+  layout.differs = true;
+  if (layout.kind != AttributeKind::kColor) return;
+  layout.components = std::max(layout.components, other.components);
+  if (layout.type != other.type) {
+    layout.type = ComponentType::kF32;
+    layout.normalized = false;
+  }
+}
+
+using Layouts = std::map<std::string, Layout>;
+
+Result<Layouts> find_layouts(const GltfDocument& document, const std::vector<GltfVertexSet>& sets) {
+  Layouts layouts;
+  for (const GltfVertexSet& set : sets) {
+    for (const auto& [semantic, index] : *set.semantics) {
+      if (semantic == "POSITION" || !is_attribute_name(semantic)) continue;
+      DELTAMESH_TRY(const GltfAccessor* accessor, find_accessor(document, index));
+      if (accessor->count != set.count)
+        return invalid_file("glTF: the attributes of a primitive differ in their number of values");
+      DELTAMESH_TRY(const Layout layout, layout_of(semantic, *accessor));
+      const auto [known, is_new] = layouts.emplace(semantic, layout);
+      if (!is_new) merge(layout, known->second);
+    }
+  }
+  return layouts;
+}
+
+bool is_kept(const Layout& layout, std::size_t sets) noexcept {
+  if (layout.kind == AttributeKind::kColor || layout.kind == AttributeKind::kUv) return true;
+  return layout.sets == sets && !layout.differs;
+}
+
+/// Value `c` of an element as `attribute` stores it.
+void store(Attribute& attribute, std::uint64_t vertex, std::size_t c, double real) {
+  const std::size_t size = component_size(attribute.type);
+  if (attribute.normalized) {
+    const double scale = attribute.type == ComponentType::kU8 ? 255 : 65535;
+    real = real * scale + 0.5;
+  }
+  store_component(attribute.type, real, attribute.values.data() + (vertex * attribute.components + c) * size);
+}
+
+/// Turns the first three components of float32 elements with the node.
+void turn(Attribute& attribute, const GltfVertexSet& set, bool tangent) {
+  const bool mirrored = set.transform->determinant() < 0;
+  for (std::uint64_t v = set.first; v < set.first + set.count; ++v) {
+    std::byte* const at = attribute.values.data() + v * attribute.components * sizeof(float);
+    float value[4] = {};
+    std::memcpy(value, at, attribute.components * sizeof(float));
+    Vec3 turned{value[0], value[1], value[2]};
+    if (tangent) {
+      const Vec3 direction = set.transform->direction(turned);
+      const double size = length(direction);
+      if (size > 0) turned = (1 / size) * direction;
+      if (mirrored) value[3] = -value[3];  // the bitangent's side
+    } else {
+      turned = set.transform->normal(turned);
+    }
+    for (std::size_t k = 0; k < 3; ++k) value[k] = to_float(turned[k]);
+    std::memcpy(at, value, attribute.components * sizeof(float));
+  }
+}
+
+/// The values of one set; `accessor` is null where the set has none.
+Result<void> fill(const GltfDocument& document, GltfBuffers buffers, const GltfVertexSet& set,
+                  const GltfAccessor* accessor, Attribute& attribute) {
+  const std::size_t size = attribute.components * component_size(attribute.type);
+  if (accessor == nullptr) {
+    const double missing = attribute.kind == AttributeKind::kColor ? 1 : 0;
+    for (std::uint64_t v = set.first; v < set.first + set.count; ++v)
+      for (std::size_t c = 0; c < attribute.components; ++c) store(attribute, v, c, missing);
+    return {};
+  }
+  DELTAMESH_TRY(const std::vector<std::byte> values, read_accessor(document, buffers, *accessor));
+  if (values.empty()) return {};
+  if (accessor->type == attribute.type && accessor->components == attribute.components) {
+    std::memcpy(attribute.values.data() + set.first * size, values.data(), values.size());
+  } else {
+    for (std::uint64_t v = 0; v < set.count; ++v)
+      for (std::size_t c = 0; c < attribute.components; ++c) {
+        // Three components widened to four: alpha is 1.
+        double real = 1;
+        if (c < accessor->components)
+          real = load_normalized(
+              accessor->type, accessor->normalized,
+              values.data() + (v * accessor->components + c) * component_size(accessor->type));
+        store(attribute, set.first + v, c, real);
+      }
+  }
+  const bool tangent =
+      attribute.name == "TANGENT" && attribute.components == 4 && attribute.type == ComponentType::kF32;
+  if ((attribute.kind == AttributeKind::kNormal || tangent) && !set.transform->is_identity())
+    turn(attribute, set, tangent);
+  return {};
+}
+
+}  // namespace
+
+Result<std::vector<Attribute>> merge_attributes(const GltfDocument& document, GltfBuffers buffers,
+                                                const std::vector<GltfVertexSet>& sets,
+                                                std::uint64_t vertices) {
+  DELTAMESH_TRY(const Layouts layouts, find_layouts(document, sets));
+  std::vector<Attribute> attributes;
+  for (const auto& [semantic, layout] : layouts) {
+    if (!is_kept(layout, sets.size())) continue;
+    Attribute attribute = make_attribute(layout.kind, layout.type, layout.components, semantic, vertices);
+    attribute.normalized = layout.normalized;
+    for (const GltfVertexSet& set : sets) {
+      const auto own = set.semantics->find(semantic);
+      const GltfAccessor* accessor = nullptr;
+      if (own != set.semantics->end()) {
+        DELTAMESH_TRY(accessor, find_accessor(document, own->second));
+      }
+      DELTAMESH_CHECK(fill(document, buffers, set, accessor, attribute));
+    }
+    attributes.push_back(std::move(attribute));
+  }
+  return attributes;
+}
+
+}  // namespace deltamesh

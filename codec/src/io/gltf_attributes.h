@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Which attributes the primitives of a glTF asset have in common, and their values in the merged mesh.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "io/gltf_accessor.h"
+#include "io/gltf_scene.h"
+
+namespace deltamesh {
+
+/// Vertices that one or more primitives of a placed mesh share.
+struct GltfVertexSet {
+  const std::map<std::string, int>* semantics = nullptr;  ///< of the primitives
+  const GltfTransform* transform = nullptr;
+  std::uint64_t first = 0;  ///< vertex in the merged mesh
+  std::uint64_t count = 0;
+};
+
+/// All attributes but the position, of `vertices` vertices. NORMAL and TEXCOORD_n become float32; TANGENT and
+/// normals are turned with their node; JOINTS_n, WEIGHTS_n, TANGENT and custom ones are generic. Where the
+/// sets differ: a colour that some lack is filled with opaque white, texture coordinates with 0; colours of
+/// several types become float32. Any other attribute that a set lacks, or has in another type, is left out.
+/// Errors: kInvalidFile: a semantic with a wrong type or count, accessors out of range.
+Result<std::vector<Attribute>> merge_attributes(const GltfDocument& document, GltfBuffers buffers,
+                                                const std::vector<GltfVertexSet>& sets,
+                                                std::uint64_t vertices);
+
+}  // namespace deltamesh

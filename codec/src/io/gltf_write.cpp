@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// glTF and GLB: one node, one mesh, one primitive. The origin becomes the node's translation.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "base/byte_writer.h"
+#include "base/vec3.h"
+#include "io/formats.h"
+#include "io/gltf_document.h"
+#include "io/vertex_text.h"
+
+namespace deltamesh {
+namespace {
+
+class GltfBuilder {
+ public:
+  explicit GltfBuilder(const MeshView& mesh) : mesh_(mesh) {}
+
+  GltfDocument build() {
+    if (mesh_.vertex_count() == 0) return std::move(document_);  // an accessor cannot be empty
+    add_positions();
+    for (const AttributeView& attribute : mesh_.attributes) add_attribute(attribute);
+    add_triangles();
+    document_.meshes.push_back({std::move(primitive_)});
+    GltfNode node;
+    node.mesh = 0;
+    std::copy(mesh_.origin.begin(), mesh_.origin.end(), node.matrix.begin() + 12);
+    document_.nodes.push_back(std::move(node));
+    document_.scenes.push_back({0});
+    document_.scene = 0;
+    return std::move(document_);
+  }
+
+  std::vector<unsigned char> buffer() {
+    std::vector<unsigned char> bytes(out_.size());
+    if (!bytes.empty()) std::memcpy(bytes.data(), out_.bytes().data(), bytes.size());
+    return bytes;
+  }
+
+ private:
+  /// Opens a view and an accessor at the end of the buffer; the values follow.
+  GltfAccessor begin(ComponentType type, std::uint8_t components, bool indices) {
+    const std::size_t size = components * component_size(type);
+    document_.views.push_back({.buffer = 0,
+                               .offset = out_.size(),
+                               .length = 0,
+                               // Vertex attributes begin at multiples of 4 (glTF 2.0, 3.6.2.4).
+                               .stride = indices || size % 4 == 0 ? 0 : (size + 3) / 4 * 4,
+                               .indices = indices});
+    GltfAccessor accessor;
+    accessor.view = static_cast<int>(document_.views.size()) - 1;
+    accessor.count = mesh_.vertex_count();
+    accessor.type = type;
+    accessor.components = components;
+    return accessor;
+  }
+
+  int end(GltfAccessor accessor) {
+    pad();
+    document_.views.back().length = out_.size() - document_.views.back().offset;
+    document_.accessors.push_back(std::move(accessor));
+    return static_cast<int>(document_.accessors.size()) - 1;
+  }
+
+  void pad() {
+    while (out_.size() % 4 != 0) out_.write(std::uint8_t{0});
+  }
+
+  void add_positions() {
+    GltfAccessor accessor = begin(ComponentType::kF32, 3, false);
+    accessor.min.assign(3, std::numeric_limits<double>::infinity());
+    accessor.max.assign(3, -std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < mesh_.positions.size(); ++i) {
+      out_.write(mesh_.positions[i]);
+      const auto value = static_cast<double>(mesh_.positions[i]);
+      accessor.min[i % 3] = std::fmin(accessor.min[i % 3], value);
+      accessor.max[i % 3] = std::fmax(accessor.max[i % 3], value);
+    }
+    primitive_.attributes["POSITION"] = end(std::move(accessor));
+  }
+
+  void add_attribute(const AttributeView& attribute) {
+    switch (attribute.kind) {
+      case AttributeKind::kNormal:
+        if (attribute.components == 3 && !primitive_.attributes.contains("NORMAL"))
+          return add_normals(attribute);
+        break;
+      case AttributeKind::kColor:
+        if (attribute.components == 3 || attribute.components == 4) return add_colors(attribute);
+        break;
+      case AttributeKind::kUv:
+        if (attribute.components == 2) return add_uvs(attribute);
+        break;
+      case AttributeKind::kGeneric:
+        break;
+    }
+    add_generic(attribute);
+  }
+
+  /// Unit length is the law in glTF (3.7.2.1): others are scaled to it, and zero or NaN become the z axis.
+  void add_normals(const AttributeView& attribute) {
+    constexpr double kTolerance = 1e-4;
+    GltfAccessor accessor = begin(ComponentType::kF32, 3, false);
+    for (std::size_t v = 0; v < mesh_.vertex_count(); ++v) {
+      Vec3 normal{};
+      for (std::size_t k = 0; k < 3; ++k) normal[k] = attribute_value(attribute, v, k);
+      const double size = length(normal);
+      if (!(size > 0) || !std::isfinite(size))
+        normal = {0, 0, 1};
+      else if (std::fabs(size - 1) > kTolerance)
+        normal = (1 / size) * normal;
+      for (const double value : normal) out_.write(to_float(value));
+    }
+    primitive_.attributes["NORMAL"] = end(std::move(accessor));
+  }
+
+  void add_colors(const AttributeView& attribute) {
+    const bool integer = attribute.type == ComponentType::kU8 || attribute.type == ComponentType::kU16;
+    add_values(attribute, integer ? attribute.type : ComponentType::kF32, integer,
+               "COLOR_" + std::to_string(colors_++));
+  }
+
+  void add_uvs(const AttributeView& attribute) {
+    add_values(attribute, ComponentType::kF32, false, "TEXCOORD_" + std::to_string(uvs_++));
+  }
+
+  /// glTF has no 64-bit components, and forbids 32-bit integers to custom attributes (3.7.2.1): those are
+  /// left out, as are shapes that no accessor has.
+  void add_generic(const AttributeView& attribute) {
+    const bool type_fits = component_size(attribute.type) <= 2 || attribute.type == ComponentType::kF32;
+    if (!type_fits || attribute.components > 4) return;
+    std::string name(attribute.name.empty() ? "ATTRIBUTE" : attribute.name);
+    if (!name.starts_with('_')) name.insert(0, 1, '_');
+    while (primitive_.attributes.contains(name)) name += '_';
+    const bool integer = attribute.type != ComponentType::kF32;
+    add_values(attribute, attribute.type, attribute.normalized && integer, name);
+  }
+
+  /// Values as they are where `type` is the attribute's own, else as real numbers.
+  void add_values(const AttributeView& attribute, ComponentType type, bool normalized,
+                  const std::string& name) {
+    GltfAccessor accessor = begin(type, attribute.components, false);
+    accessor.normalized = normalized;
+    const std::size_t size = component_size(attribute.type);
+    for (std::size_t v = 0; v < mesh_.vertex_count(); ++v) {
+      for (std::size_t c = 0; c < attribute.components; ++c) {
+        if (type == ComponentType::kF32 && type != attribute.type) {
+          out_.write(to_float(attribute_value(attribute, v, c)));
+          continue;
+        }
+        const std::byte* const from = attribute.values.data() + (v * attribute.components + c) * size;
+        with_component(type, [&](auto value) {
+          std::memcpy(&value, from, sizeof value);
+          out_.write(value);
+        });
+      }
+      pad();
+    }
+    primitive_.attributes[name] = end(std::move(accessor));
+  }
+
+  void add_triangles() {
+    if (mesh_.triangles.empty()) {
+      primitive_.mode = static_cast<int>(GltfMode::kPoints);
+      return;
+    }
+    // 65535 itself restarts a primitive on some devices, so that index may not occur (glTF 2.0, 3.7.2.1).
+    const bool small = mesh_.vertex_count() <= std::numeric_limits<std::uint16_t>::max();
+    GltfAccessor accessor = begin(small ? ComponentType::kU16 : ComponentType::kU32, 1, true);
+    accessor.count = mesh_.triangles.size();
+    for (const std::uint32_t index : mesh_.triangles) {
+      if (small)
+        out_.write(static_cast<std::uint16_t>(index));
+      else
+        out_.write(index);
+    }
+    primitive_.indices = end(std::move(accessor));
+  }
+
+  const MeshView& mesh_;
+  GltfDocument document_;
+  GltfPrimitive primitive_;
+  ByteWriter out_;
+  int colors_ = 0;
+  int uvs_ = 0;
+};
+
+}  // namespace
+
+Result<std::vector<std::byte>> write_gltf(const MeshView& mesh, bool binary) {
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+    if (!std::isfinite(mesh.positions[i]))
+      return Error{.code = ErrorCode::kInvalidMesh,
+                   .message = "glTF cannot hold a coordinate that is not finite",
+                   .where_kind = WhereKind::kVertex,
+                   .where = i / 3};
+  GltfBuilder builder(mesh);
+  const GltfDocument document = builder.build();
+  std::vector<unsigned char> buffer = builder.buffer();
+  constexpr std::size_t kDescription = std::size_t{1} << 20;  // more than the JSON of one primitive takes
+  if (binary && buffer.size() > std::numeric_limits<std::uint32_t>::max() - kDescription)
+    return Error{.code = ErrorCode::kLimitExceeded, .message = "a GLB file cannot be larger than 4 GiB"};
+  return serialize_gltf_document(document, std::move(buffer), binary);
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Dispatch by format, and the checks that are common to all formats.
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <new>
+#include <stdexcept>
+#include <utility>
+
+#include "base/try.h"
+#include "deltamesh/io.h"
+#include "io/formats.h"
+
+namespace deltamesh {
+namespace {
+
+constexpr Error kNoMemory{.code = ErrorCode::kOutOfMemory, .message = "the mesh does not fit into memory"};
+
+Result<Imported> read_as(std::span<const std::byte> bytes, FileFormat format, std::string_view folder) {
+  switch (format) {
+    case FileFormat::kPly:
+      return read_ply(bytes);
+    case FileFormat::kObj:
+      return read_obj(bytes);
+    case FileFormat::kStl:
+      return read_stl(bytes);
+    case FileFormat::kOff:
+      return read_off(bytes);
+    case FileFormat::kGltf:
+    case FileFormat::kGlb:
+      return read_gltf(bytes, folder);
+  }
+  return Error{.code = ErrorCode::kUnknownFormat, .message = "no importer for this format"};
+}
+
+Result<std::vector<std::byte>> write_as(const MeshView& mesh, FileFormat format) {
+  switch (format) {
+    case FileFormat::kPly:
+      return write_ply(mesh);
+    case FileFormat::kObj:
+      return write_obj(mesh);
+    case FileFormat::kStl:
+      return write_stl(mesh);
+    case FileFormat::kOff:
+      return write_off(mesh);
+    case FileFormat::kGltf:
+      return write_gltf(mesh, false);
+    case FileFormat::kGlb:
+      return write_gltf(mesh, true);
+  }
+  return Error{.code = ErrorCode::kUnknownFormat, .message = "no exporter for this format"};
+}
+
+/// What every writer relies on.
+Result<void> check(const MeshView& mesh) noexcept {
+  const std::size_t n = mesh.vertex_count();
+  if (mesh.positions.size() % 3 != 0 || mesh.triangles.size() % 3 != 0)
+    return Error{.code = ErrorCode::kInvalidMesh, .message = "positions or triangles are no whole triples"};
+  if (n > std::numeric_limits<std::uint32_t>::max())
+    return Error{.code = ErrorCode::kInvalidMesh, .message = "more vertices than a 32-bit index can name"};
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    if (mesh.triangles[i] >= n)
+      return Error{.code = ErrorCode::kInvalidMesh,
+                   .message = "a triangle names a vertex that does not exist",
+                   .where_kind = WhereKind::kTriangle,
+                   .where = i / 3};
+  for (std::size_t a = 0; a < mesh.attributes.size(); ++a) {
+    const AttributeView& attribute = mesh.attributes[a];
+    if (attribute.values.size() != n * attribute.components * component_size(attribute.type))
+      return Error{.code = ErrorCode::kInvalidMesh,
+                   .message = "an attribute has not one value per vertex",
+                   .where_kind = WhereKind::kAttribute,
+                   .where = a};
+  }
+  return {};
+}
+
+std::string folder_of(const std::string& path) {
+  const std::size_t slash = path.rfind('/');
+  if (slash == path.npos) return ".";
+  return path.substr(0, slash + 1);
+}
+
+}  // namespace
+
+Result<FileFormat> format_of_path(std::string_view path) noexcept {
+  constexpr std::array<std::pair<std::string_view, FileFormat>, 6> kSuffixes{{{".ply", FileFormat::kPly},
+                                                                              {".obj", FileFormat::kObj},
+                                                                              {".stl", FileFormat::kStl},
+                                                                              {".off", FileFormat::kOff},
+                                                                              {".gltf", FileFormat::kGltf},
+                                                                              {".glb", FileFormat::kGlb}}};
+  const auto same_letter = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; };
+  for (const auto& [suffix, format] : kSuffixes) {
+    if (path.size() < suffix.size()) continue;
+    const std::string_view end = path.substr(path.size() - suffix.size());
+    if (std::equal(end.begin(), end.end(), suffix.begin(), same_letter)) return format;
+  }
+  return Error{.code = ErrorCode::kUnknownFormat,
+               .message = "the file name must end in .ply, .obj, .stl, .off, .gltf or .glb"};
+}
+
+Result<Imported> read_mesh(std::span<const std::byte> bytes, FileFormat format,
+                           std::string_view folder) noexcept try {
+  return read_as(bytes, format, folder);
+} catch (const std::bad_alloc&) {
+  return kNoMemory;
+} catch (const std::length_error&) {
+  return kNoMemory;
+}
+
+Result<Imported> read_mesh_file(const std::string& path) noexcept try {
+  DELTAMESH_TRY(const FileFormat format, format_of_path(path));
+  DELTAMESH_TRY(const std::vector<std::byte> bytes, read_file(path));
+  return read_mesh(bytes, format, folder_of(path));
+} catch (const std::bad_alloc&) {
+  return kNoMemory;
+}
+
+Result<std::vector<std::byte>> write_mesh(const MeshView& mesh, FileFormat format) noexcept try {
+  DELTAMESH_CHECK(check(mesh));
+  return write_as(mesh, format);
+} catch (const std::bad_alloc&) {
+  return kNoMemory;
+} catch (const std::length_error&) {
+  return kNoMemory;
+}
+
+Result<void> write_mesh_file(const std::string& path, const MeshView& mesh) noexcept {
+  DELTAMESH_TRY(const FileFormat format, format_of_path(path));
+  DELTAMESH_TRY(const std::vector<std::byte> bytes, write_mesh(mesh, format));
+  return write_file(path, bytes);
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "io/origin.h"
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "base/vec3.h"
+#include "io/components.h"
+
+namespace deltamesh {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kFloatMax = std::numeric_limits<float>::max();
+
+Box finite_box(std::span<const double> coordinates) noexcept {
+  Box box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    if (!std::isfinite(coordinates[i])) continue;
+    box.min[i % 3] = std::fmin(box.min[i % 3], coordinates[i]);
+    box.max[i % 3] = std::fmax(box.max[i % 3], coordinates[i]);
+  }
+  return box;
+}
+
+}  // namespace
+
+// Why nothing is lost for float32 sources: on an axis that gets an origin o, every coordinate x lies within
+// half the longest side of the centre c, that is |x - c| < |c| / 8, and o is within a rounding step (or 0.5,
+// where the side exceeds 2 and so |c| exceeds 8) of c. Hence o/2 <= x <= 2o, x and o are both float32 numbers
+// (a whole number nearest to a float32 is one, too), and by Sterbenz's lemma x - o is a float32 number.
+PlacedPositions place_origin(std::span<const double> coordinates) {
+  PlacedPositions placed;
+  const Box box = finite_box(coordinates);
+  const double side = box.longest_side();
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (box.min[k] > box.max[k]) continue;
+    const double centre = box.min[k] / 2 + box.max[k] / 2;
+    if (!(std::fabs(centre) > 4 * side) || std::fabs(centre) > kFloatMax) continue;
+    const double rounded = static_cast<float>(centre);
+    placed.origin[k] = side > 2 ? std::round(rounded) : rounded;
+  }
+  placed.positions.resize(coordinates.size());
+  for (std::size_t i = 0; i < coordinates.size(); ++i)
+    placed.positions[i] = to_float(coordinates[i] - placed.origin[i % 3]);
+  return placed;
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "io/ply_header.h"
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "base/try.h"
+#include "io/text_scanner.h"
+
+namespace deltamesh {
+namespace {
+
+std::optional<ComponentType> component_type(std::string_view name) noexcept {
+  using enum ComponentType;
+  constexpr std::array<std::pair<std::string_view, ComponentType>, 16> kTypes{{{"char", kI8},
+                                                                               {"int8", kI8},
+                                                                               {"uchar", kU8},
+                                                                               {"uint8", kU8},
+                                                                               {"short", kI16},
+                                                                               {"int16", kI16},
+                                                                               {"ushort", kU16},
+                                                                               {"uint16", kU16},
+                                                                               {"int", kI32},
+                                                                               {"int32", kI32},
+                                                                               {"uint", kU32},
+                                                                               {"uint32", kU32},
+                                                                               {"float", kF32},
+                                                                               {"float32", kF32},
+                                                                               {"double", kF64},
+                                                                               {"float64", kF64}}};
+  for (const auto& [known, type] : kTypes)
+    if (known == name) return type;
+  return std::nullopt;
+}
+
+Result<PlyEncoding> parse_format(TextScanner& line) {
+  const std::string_view encoding = line.next_token_on_line();
+  if (line.next_token_on_line() != "1.0") return line.error("PLY: only format version 1.0 is known");
+  if (encoding == "ascii") return PlyEncoding::kAscii;
+  if (encoding == "binary_little_endian") return PlyEncoding::kLittleEndian;
+  if (encoding == "binary_big_endian") return PlyEncoding::kBigEndian;
+  return line.error("PLY: the format is none of ascii, binary_little_endian, binary_big_endian");
+}
+
+Result<PlyElement> parse_element(TextScanner& line) {
+  const std::string_view name = line.next_token_on_line();
+  if (name.empty()) return line.error("PLY: an element without a name");
+  DELTAMESH_TRY(const std::uint64_t count, line.read_count(~std::uint64_t{0}));
+  return PlyElement{.name = std::string(name), .count = count, .properties = {}};
+}
+
+Result<PlyProperty> parse_property(TextScanner& line) {
+  PlyProperty property;
+  std::string_view type_name = line.next_token_on_line();
+  if (type_name == "list") {
+    property.is_list = true;
+    const auto count_type = component_type(line.next_token_on_line());
+    if (!count_type || *count_type == ComponentType::kF32 || *count_type == ComponentType::kF64)
+      return line.error("PLY: the length of a list has an unknown type, or is not an integer");
+    property.count_type = *count_type;
+    type_name = line.next_token_on_line();
+  }
+  const auto type = component_type(type_name);
+  if (!type) return line.error("PLY: a property of unknown type");
+  property.type = *type;
+  property.name = line.next_token_on_line();
+  if (property.name.empty()) return line.error("PLY: a property without a name");
+  return property;
+}
+
+/// Header lines end in LF, CR LF or CR; as the first one does, so do all.
+std::string_view line_end_of(std::string_view text) noexcept {
+  const std::size_t end = text.find_first_of("\r\n");
+  if (end == text.npos || text[end] == '\n') return "\n";
+  return end + 1 < text.size() && text[end + 1] == '\n' ? "\r\n" : "\r";
+}
+
+}  // namespace
+
+Result<PlyHeader> read_ply_header(std::span<const std::byte> bytes) {
+  const std::string_view text = as_text(bytes);
+  const std::string_view line_end = line_end_of(text);
+  PlyHeader header;
+  bool has_format = false;
+  std::size_t position = 0;
+  for (std::uint64_t number = 1;; ++number) {
+    const std::size_t end = text.find(line_end, position);
+    if (end == text.npos) return invalid_line("PLY: the file ends inside its header", number);
+    TextScanner line(text.substr(position, end - position), false, number);
+    position = end + line_end.size();
+    const std::string_view keyword = line.next_token_on_line();
+    if (number == 1) {
+      if (keyword != "ply") return line.error("PLY: the file does not begin with 'ply'");
+    } else if (keyword == "format") {
+      DELTAMESH_TRY(header.encoding, parse_format(line));
+      has_format = true;
+    } else if (keyword == "element") {
+      DELTAMESH_TRY(PlyElement element, parse_element(line));
+      header.elements.push_back(std::move(element));
+    } else if (keyword == "property") {
+      if (header.elements.empty()) return line.error("PLY: a property before the first element");
+      DELTAMESH_TRY(PlyProperty property, parse_property(line));
+      header.elements.back().properties.push_back(std::move(property));
+    } else if (keyword == "end_header") {
+      if (!has_format) return line.error("PLY: the header states no format");
+      header.data_offset = position;
+      header.data_line = number + 1;
+      return header;
+    } else if (!keyword.empty() && keyword != "comment" && keyword != "obj_info") {
+      return line.error("PLY: an unknown word in the header");
+    }
+  }
+}
+
+}  // namespace deltamesh
