@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Any bytes into the importer of glTF and GLB files.
+#include "import_target.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  deltamesh::fuzz_import(data, size, deltamesh::FileFormat::kGltf);
+  return 0;
+}

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Any bytes into the importer of OBJ files.
+#include "import_target.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  deltamesh::fuzz_import(data, size, deltamesh::FileFormat::kObj);
+  return 0;
+}
