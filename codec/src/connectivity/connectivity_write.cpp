@@ -78,8 +78,7 @@ class MeshGuide {
     const std::uint32_t apex = cut_.manifold_vertex[right];
     BorderStep step{BorderOp::kNewVertex};
     if (vertex_done_[apex] != 0) {
-      const std::uint32_t target = find_target(border, left, right);
-      step = {target == border.third_after(gate) ? BorderOp::kNearSplit : BorderOp::kSplit, target};
+      step = {BorderOp::kSplit, find_target(border, left, right)};
     } else {
       take_vertex(apex);
     }
