@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "base/byte_reader.h"
 #include "base/byte_writer.h"
 #include "connectivity/cut.h"
 #include "connectivity/op_tokens.h"
@@ -206,6 +207,8 @@ TEST(Connectivity, CONN7RejectsOpsThatDoNotFitTheBorder) {
   expect_rule({.tokens = {{1, token(BorderOp::kEnd, 1)}}}, 9, 3, "CONN-7");
   // L in a loop of two would make a face with a repeated vertex.
   expect_rule({.tokens = {{1, token(BorderOp::kLeft)}, {2, token(BorderOp::kLeft)}}}, 9, 3, "CONN-7");
+  // N in a loop of three comes back to the gate.
+  expect_rule({.tokens = {{1, token(BorderOp::kNearSplit)}}}, 9, 2, "CONN-7");
   // S onto the gate's own end.
   expect_rule({.tokens = {{1, token(BorderOp::kSplit)}}, .references = {0}, .far_targets = {0}}, 9, 2,
               "CONN-7");
@@ -215,7 +218,7 @@ TEST(Connectivity, CONN7RejectsOpsThatDoNotFitTheBorder) {
 }
 
 TEST(Connectivity, CONN9RejectsTokensThatAreNone) {
-  for (const int bad : {0, 30, 6 * 32, 7 * 32 + 1, 255, 63})
+  for (const int bad : {0, 30, 7 * 32, 7 * 32 + 1, 255, 63})
     expect_rule({.tokens = {{1, static_cast<std::uint8_t>(bad)}, {1, kB}}}, 9, 2, "CONN-9");
   expect_rule({.tokens = {{2, kB}}}, 9, 1, "CONN-9");  // the stream that is asked for is empty
 }
@@ -244,7 +247,39 @@ TEST(Connectivity, CONN11RejectsGluingOutOfRange) {
   expect_rule(parts, 9, 1, "CONN-11");  // four of three
 }
 
-TEST(Connectivity, LongRunsAndFarTargetsRoundTrip) {
+TEST(Connectivity, CONN5And6TetrahedronByHand) {
+  // One new vertex, then the focus closes; the rest is a loop of three at a vertex of degree 2.
+  const Parts parts{.tokens = {{1, token(BorderOp::kRight, 1)}, {16, token(BorderOp::kEnd)}}};
+  const auto read = read_connectivity(parts.assemble(), 4, 4);
+  ASSERT_TRUE(read) << describe(read.error());
+  EXPECT_EQ(*read, (Indices{0, 1, 2, 0, 2, 3, 0, 3, 1, 2, 1, 3}));
+}
+
+TEST(Connectivity, CONN6NearSplitByHand) {
+  // Splits a loop of four into one of two, which stays open, and one of three, which ends.
+  const Parts parts{
+      .tokens = {
+          {1, token(BorderOp::kNearSplit, 1)}, {16, token(BorderOp::kEnd)}, {4, kB}, {kClosed + 4, kB}}};
+  const auto read = read_connectivity(parts.assemble(), 4, 4);
+  ASSERT_TRUE(read) << describe(read.error());
+  EXPECT_EQ(*read, (Indices{0, 1, 2, 0, 2, 3, 0, 3, 2, 0, 2, 1}));
+}
+
+TEST(Connectivity, CONN10FarTargetsRoundTrip) {
+  const Soup soup = test::grid(150, 150, true, true, 0, 1);
+  const CodedConnectivity coded = write_connectivity(soup.triangles, soup.vertex_count);
+  ByteReader in(coded.payload);
+  for (std::size_t i = 0; i < kTokenStreams + 1; ++i) ASSERT_TRUE(in.read_varint());
+  const auto far_targets = in.read_varint();
+  ASSERT_TRUE(far_targets);
+  EXPECT_GT(*far_targets, 0U);
+  expect_same_faces(soup, coded);
+  const auto read = read_back(coded.payload, soup);
+  ASSERT_TRUE(read) << describe(read.error());
+  EXPECT_EQ(*read, coded.triangles);
+}
+
+TEST(Connectivity, CONN9LongRunsRoundTrip) {
   // Closed fans of every length around the token limits: the hub's run of new vertices is one long run.
   for (std::uint32_t blades = 28; blades < 100; ++blades) {
     const Soup soup = test::fan(blades, true);

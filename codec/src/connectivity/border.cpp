@@ -50,39 +50,64 @@ bool Border::allows(BorderOp op, std::uint32_t gate, std::uint32_t target) const
     case BorderOp::kEnd:
       return !before.closed && !after.closed && g.previous != g.next && after.next == g.previous;
     case BorderOp::kSplit:
-      return target < items_.size() && items_[target].alive && items_[target].origin != g.origin &&
-             items_[target].origin != after.origin;
+      break;
+    case BorderOp::kNearSplit:
+      target = third_after(gate);
+      break;
   }
-  return false;
+  return target < items_.size() && items_[target].alive && items_[target].origin != g.origin &&
+         items_[target].origin != after.origin;
+}
+
+void Border::add_new_vertex(std::uint32_t gate, bool at_origin) {
+  const std::uint32_t after = items_[gate].next;
+  const std::uint32_t apex = vertex_count();
+  degrees_.push_back(0);
+  add_face(items_[after].origin, items_[gate].origin, apex);
+  const std::uint32_t fresh = add_item(apex);
+  link(gate, fresh);
+  link(fresh, after);
+  if (!at_origin) push_gap(gate);
+  push_gap(fresh);
+  if (at_origin) push_gap(after);
+}
+
+/// ```
+///   before target --> apex --> target ...          before target --> apex --> target ...
+///                                           ==>               fresh |    ^ gate
+///          ... u --gate--> v ...                                    v    |
+///                                                   ... after <---- v    u <---- before ...
+/// ```
+void Border::split(std::uint32_t gate, std::uint32_t target, bool at_origin) {
+  const std::uint32_t after = items_[gate].next;
+  const std::uint32_t before_target = items_[target].previous;
+  add_face(items_[after].origin, items_[gate].origin, items_[target].origin);
+  const std::uint32_t fresh = add_item(items_[target].origin);
+  link(gate, target);
+  link(before_target, fresh);
+  link(fresh, after);
+  if (!at_origin) push_gap(gate);
+  push_gap(fresh);
+  push_gap(target);
+  if (at_origin) push_gap(after);
 }
 
 void Border::apply(BorderOp op, std::uint32_t gate, std::uint32_t target, bool at_origin) {
   const std::uint32_t before = items_[gate].previous;
   const std::uint32_t after = items_[gate].next;
-  const std::uint32_t u = items_[gate].origin;
-  const std::uint32_t v = items_[after].origin;
   switch (op) {
-    case BorderOp::kNewVertex: {
-      const std::uint32_t apex = vertex_count();
-      degrees_.push_back(0);
-      add_face(v, u, apex);
-      const std::uint32_t fresh = add_item(apex);
-      link(gate, fresh);
-      link(fresh, after);
-      if (!at_origin) push_gap(gate);
-      push_gap(fresh);
-      if (at_origin) push_gap(after);
+    case BorderOp::kNewVertex:
+      add_new_vertex(gate, at_origin);
       return;
-    }
     case BorderOp::kLeft:
-      add_face(v, u, items_[before].origin);
+      add_face(items_[after].origin, items_[gate].origin, items_[before].origin);
       link(before, after);
       remove(gate);
       push_gap(before);
       return;
     case BorderOp::kRight: {
       const std::uint32_t beyond = items_[after].next;
-      add_face(v, u, items_[beyond].origin);
+      add_face(items_[after].origin, items_[gate].origin, items_[beyond].origin);
       link(gate, beyond);
       remove(after);
       if (!at_origin) push_gap(gate);
@@ -90,27 +115,19 @@ void Border::apply(BorderOp op, std::uint32_t gate, std::uint32_t target, bool a
       return;
     }
     case BorderOp::kEnd:
-      add_face(v, u, items_[before].origin);
+      add_face(items_[after].origin, items_[gate].origin, items_[before].origin);
       remove(before);
       remove(gate);
       remove(after);
       return;
-    case BorderOp::kSplit: {
-      const std::uint32_t apex = items_[target].origin;
-      const std::uint32_t before_target = items_[target].previous;
-      add_face(v, u, apex);
-      const std::uint32_t fresh = add_item(apex);
-      link(gate, target);
-      link(before_target, fresh);
-      link(fresh, after);
-      if (!at_origin) push_gap(gate);
-      push_gap(fresh);
-      push_gap(target);
-      if (at_origin) push_gap(after);
+    case BorderOp::kSplit:
+      split(gate, target, at_origin);
       return;
-    }
     case BorderOp::kBoundary:
       items_[gate].closed = true;
+      return;
+    case BorderOp::kNearSplit:
+      split(gate, third_after(gate), at_origin);
       return;
   }
 }

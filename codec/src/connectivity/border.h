@@ -20,6 +20,7 @@ enum class BorderOp : std::uint8_t {
   kEnd = 3,        ///< E: a face that takes both, and thereby the whole loop
   kSplit = 4,      ///< S: a face whose apex is the origin of another border item
   kBoundary = 5,   ///< B: no face
+  kNearSplit = 6,  ///< N: S whose target is the third item after the gate
 };
 
 /// One directed edge of the border, with the coded region on its left. It also stands for the gap before it:
@@ -48,6 +49,9 @@ class Border {
   std::uint32_t end_of(std::uint32_t i) const noexcept { return items_[items_[i].next].origin; }
   std::uint32_t vertex_count() const noexcept { return static_cast<std::uint32_t>(degrees_.size()); }
   std::uint32_t face_count() const noexcept { return static_cast<std::uint32_t>(faces_.size() / 3); }
+  std::uint32_t third_after(std::uint32_t i) const noexcept {
+    return items_[items_[items_[i].next].next].next;
+  }
   /// Faces so far at a manifold vertex.
   std::uint32_t degree(std::uint32_t vertex) const noexcept { return degrees_[vertex]; }
   /// Manifold vertices of the faces so far, three each: gate's end, gate's origin, apex.
@@ -80,6 +84,8 @@ class Border {
   std::uint32_t add_item(std::uint32_t origin);
   void link(std::uint32_t a, std::uint32_t b) noexcept;
   void remove(std::uint32_t i) noexcept { items_[i].alive = false; }
+  void add_new_vertex(std::uint32_t gate, bool at_origin);
+  void split(std::uint32_t gate, std::uint32_t target, bool at_origin);
   void add_face(std::uint32_t a, std::uint32_t b, std::uint32_t c);
   void push_gap(std::uint32_t i);
 

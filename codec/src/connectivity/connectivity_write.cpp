@@ -78,7 +78,8 @@ class MeshGuide {
     const std::uint32_t apex = cut_.manifold_vertex[right];
     BorderStep step{BorderOp::kNewVertex};
     if (vertex_done_[apex] != 0) {
-      step = {BorderOp::kSplit, find_target(border, left, right)};
+      const std::uint32_t target = find_target(border, left, right);
+      step = {target == border.third_after(gate) ? BorderOp::kNearSplit : BorderOp::kSplit, target};
     } else {
       take_vertex(apex);
     }

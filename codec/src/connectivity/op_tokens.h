@@ -22,9 +22,11 @@ inline constexpr std::uint32_t kLongestRun = 31;
 inline constexpr std::uint32_t kLongRun = kLongestRun;  ///< 31 new vertices, and the run goes on
 inline constexpr std::uint32_t kFacesPerToken = 32;     ///< no stream has more, starts included
 
-/// Tokens are kept apart by what is known where their run begins.
-inline constexpr std::size_t kTokenStreams = 16;
+/// Tokens are kept apart by what is known where their run begins; the last stream is for loops of three,
+/// which mostly end at once.
+inline constexpr std::size_t kTokenStreams = 17;
 constexpr std::size_t token_stream(const GateContext& context) noexcept {
+  if (context.loop_of_three && context.focus_degree > 1 && !context.other_side_closed) return 16;
   return std::min<std::uint32_t>(context.focus_degree, 7) + (context.other_side_closed ? 8 : 0);
 }
 
@@ -83,7 +85,7 @@ class TokenReader {
     run_ = token % 32;
     // A run of 31 is written as kLongRun, a shorter one with the op that closes it.
     if ((closing == 0) != (run_ == kLongestRun)) return false;
-    if (closing > static_cast<std::uint32_t>(BorderOp::kBoundary)) return false;
+    if (closing > static_cast<std::uint32_t>(BorderOp::kNearSplit)) return false;
     closing_ = static_cast<BorderOp>(closing);
     return true;
   }
