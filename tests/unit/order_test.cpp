@@ -13,7 +13,7 @@
 
 #include "base/byte_writer.h"
 #include "entropy/planes.h"
-#include "support/soups.h"
+#include "soups.h"
 
 namespace deltamesh {
 namespace {

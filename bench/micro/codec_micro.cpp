@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "deltamesh/decode.h"
+#include "deltamesh/encode.h"
+#include "entropy/chunk_codec.h"
+#include "format/tags.h"
+#include "micro/stage_input.h"
+
+namespace deltamesh::bench {
+namespace {
+
+void encode_mesh(benchmark::State& state) {
+  const StageInput& input = stage_input(state);
+  for (auto _ : state) benchmark::DoNotOptimize(value_or_exit(encode(input.mesh)));
+  count_vertices(state, input);
+}
+BENCHMARK(encode_mesh)->Apply(use_scenes);
+
+void decode_mesh(benchmark::State& state) {
+  const StageInput& input = stage_input(state);
+  const auto encoded = value_or_exit(encode(input.mesh));
+  for (auto _ : state) benchmark::DoNotOptimize(value_or_exit(decode(encoded.bytes)));
+  count_vertices(state, input);
+}
+BENCHMARK(decode_mesh)->Apply(use_scenes);
+
+/// The zstd stage on the delta payload of a default stream, both ways.
+void zstd_code(benchmark::State& state) {
+  const StageInput& input = stage_input(state);
+  const auto encoded = value_or_exit(encode(input.mesh));
+  const auto container = value_or_exit(Container::open(encoded.bytes));
+  const auto payload = value_or_exit(expand_single(container, kTagDeltas, ~std::uint64_t{0}));
+  for (auto _ : state) benchmark::DoNotOptimize(value_or_exit(code_chunk(kTagDeltas, payload)));
+  count_vertices(state, input);
+}
+BENCHMARK(zstd_code)->Apply(use_scenes);
+
+void zstd_expand(benchmark::State& state) {
+  const StageInput& input = stage_input(state);
+  const auto encoded = value_or_exit(encode(input.mesh));
+  const auto container = value_or_exit(Container::open(encoded.bytes));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(value_or_exit(expand_single(container, kTagDeltas, ~std::uint64_t{0})));
+  count_vertices(state, input);
+}
+BENCHMARK(zstd_expand)->Apply(use_scenes);
+
+}  // namespace
+}  // namespace deltamesh::bench

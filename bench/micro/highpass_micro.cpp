@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include <cmath>
+
+#include "geometry/highpass.h"
+#include "laplacian/anchors.h"
+#include "laplacian/delta.h"
+#include "laplacian/solved_part.h"
+#include "laplacian/solver.h"
+#include "micro/stage_input.h"
+#include "quality/measure.h"
+
+namespace deltamesh::bench {
+namespace {
+
+constexpr int kBits = 8;
+
+/// The solver's problem at the default share of anchors.
+struct SolverProblem {
+  SolvedPart part;
+  std::vector<Vec3> deltas;
+  std::vector<std::uint32_t> anchors;
+  std::vector<Vec3> anchor_positions;
+};
+
+SolverProblem make_problem(const StageInput& input) {
+  SolverProblem problem;
+  problem.part = extract_solved_part(input.graph, input.components);
+  std::vector<Vec3> positions;
+  for (const std::uint32_t v : problem.part.vertices) positions.push_back(input.positions[v]);
+  problem.deltas = delta_coordinates(problem.part.graph, positions);
+  const Components components = find_components(problem.part.graph);
+  const auto count = static_cast<std::uint32_t>(positions.size() / 200 + 1);
+  problem.anchors = place_anchors(problem.part.graph, components, {.count = count, .density = {}}).vertices;
+  for (const std::uint32_t row : problem.anchors) problem.anchor_positions.push_back(positions[row]);
+  return problem;
+}
+
+void delta_quantize(benchmark::State& state) {
+  const StageInput& input = stage_input(state);
+  const double step = delta_range(delta_coordinates(input.graph, input.positions)) / (1 << kBits);
+  std::vector<std::int32_t> symbols(3 * input.positions.size());
+  for (auto _ : state) {
+    const auto deltas = delta_coordinates(input.graph, input.positions);
+    for (std::size_t i = 0; i < symbols.size(); ++i)
+      symbols[i] = static_cast<std::int32_t>(std::round(deltas[i / 3][i % 3] / step));
+    benchmark::DoNotOptimize(symbols.data());
+    benchmark::ClobberMemory();
+  }
+  count_vertices(state, input);
+}
+BENCHMARK(delta_quantize)->Apply(use_scenes);
+
+void anchor_placement(benchmark::State& state) {
+  const StageInput& input = stage_input(state);
+  const AnchorRequest request{.count = input.vertex_count() / 200 + 1, .density = {}};
+  for (auto _ : state) benchmark::DoNotOptimize(place_anchors(input.graph, input.components, request));
+  count_vertices(state, input);
+}
+BENCHMARK(anchor_placement)->Apply(use_scenes);
+
+void solver_setup(benchmark::State& state) {
+  const StageInput& input = stage_input(state);
+  const SolverProblem problem = make_problem(input);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(value_or_exit(make_direct_solver(problem.part.graph, problem.anchors)));
+  count_vertices(state, input);
+}
+BENCHMARK(solver_setup)->Apply(use_scenes);
+
+void solver_solve(benchmark::State& state) {
+  const StageInput& input = stage_input(state);
+  const SolverProblem problem = make_problem(input);
+  const auto solver = value_or_exit(make_direct_solver(problem.part.graph, problem.anchors));
+  std::vector<Vec3> x(problem.deltas.size());
+  for (auto _ : state) {
+    if (!solver->solve(problem.deltas, problem.anchor_positions, x)) std::exit(EXIT_FAILURE);
+    benchmark::DoNotOptimize(x.data());
+    benchmark::ClobberMemory();
+  }
+  count_vertices(state, input);
+}
+BENCHMARK(solver_solve)->Apply(use_scenes);
+
+void highpass_write(benchmark::State& state) {
+  const StageInput& input = stage_input(state);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(value_or_exit(
+        write_highpass(input.graph, input.components, input.positions, input.box, {.bits = kBits})));
+  count_vertices(state, input);
+}
+BENCHMARK(highpass_write)->Apply(use_scenes);
+
+void highpass_read(benchmark::State& state) {
+  const StageInput& input = stage_input(state);
+  const auto coded = value_or_exit(
+      write_highpass(input.graph, input.components, input.positions, input.box, {.bits = kBits}));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(value_or_exit(read_highpass(coded.deltas, coded.anchors, input.graph,
+                                                         input.components, input.box, coded.parameters)));
+  count_vertices(state, input);
+}
+BENCHMARK(highpass_read)->Apply(use_scenes);
+
+void quality(benchmark::State& state) {
+  const StageInput& input = stage_input(state);
+  const auto coded = value_or_exit(
+      write_highpass(input.graph, input.components, input.positions, input.box, {.bits = kBits}));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(measure_quality(input.graph, input.positions, coded.positions));
+  count_vertices(state, input);
+}
+BENCHMARK(quality)->Apply(use_scenes);
+
+}  // namespace
+}  // namespace deltamesh::bench

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// What the stages of the codec get to chew on: generated scenes, taken to the form that inner stages take.
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <utility>
+#include <vector>
+
+#include "deltamesh/mesh.h"
+#include "support/welded_mesh.h"
+
+namespace deltamesh::bench {
+
+struct StageInput : WeldedMesh {
+  Mesh mesh;                             ///< as generated
+  std::vector<std::uint32_t> triangles;  ///< over the welded vertices
+
+  std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(positions.size()); }
+};
+
+/// The scene that `state`'s first argument names and the size its second asks for; made once per program.
+/// Ends the program where a scene cannot be generated.
+const StageInput& stage_input(benchmark::State& state);
+
+/// Registers rooms, sphere and cad at 5,000 and 50,000 vertices.
+void use_scenes(benchmark::internal::Benchmark* benchmark);
+
+/// Reports the speed as vertices per second.
+void count_vertices(benchmark::State& state, const StageInput& input);
+
+/// The value, or the end of the program where there is none: a benchmark of a failure says nothing.
+template <class R>
+auto value_or_exit(R result) {
+  if (!result) std::exit(EXIT_FAILURE);
+  return *std::move(result);
+}
+
+}  // namespace deltamesh::bench

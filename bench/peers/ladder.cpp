@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "peers/ladder.h"
+
+#include <span>
+
+namespace deltamesh::bench {
+namespace {
+
+struct Rung {
+  int bits;
+  double anchor_share;
+};
+
+/// 0.5 % throughout the range of VDE, 1 % where a small LFE is what counts, 0.2 % for the smallest files.
+constexpr Rung kQuickRungs[] = {{3, 0.002}, {3, 0.005}, {4, 0.005}, {5, 0.005}, {6, 0.005},
+                                {7, 0.005}, {8, 0.005}, {7, 0.01},  {9, 0.01},  {10, 0.01}};
+constexpr double kShares[] = {0.002, 0.005, 0.01};
+
+}  // namespace
+
+std::vector<std::unique_ptr<Peer>> make_ladder(bool quick) {
+  std::vector<std::unique_ptr<Peer>> ladder;
+  if (quick) {
+    for (const Rung& rung : kQuickRungs) ladder.push_back(make_deltamesh_peer(rung.bits, rung.anchor_share));
+  } else {
+    for (const double share : kShares)
+      for (int bits = 3; bits <= 10; ++bits) ladder.push_back(make_deltamesh_peer(bits, share));
+  }
+  for (const int level : {10, 7})
+    for (int bits = 8; bits <= 14; ++bits) ladder.push_back(make_draco_peer(level, bits));
+  for (int bits = 8; bits <= 14; bits += quick ? 3 : 1) ladder.push_back(make_zstd_peer(bits));
+  return ladder;
+}
+
+}  // namespace deltamesh::bench

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// One codec at one setting, as the benchmark sees it: every peer of the comparison is an adapter of this.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "deltamesh/mesh.h"
+#include "deltamesh/result.h"
+
+namespace deltamesh::bench {
+
+/// What came out of a peer, in the form deltamesh::compare() takes.
+struct DecodedMesh {
+  Mesh mesh;
+  std::vector<std::uint32_t> order;  ///< input vertex of every vertex of `mesh`; empty: same index
+};
+
+/// Calls come in the order of declaration, each at least once; encode() and decode() may come several times
+/// and are what is timed, so they do nothing that a user of the peer would not have to do.
+class Peer {
+ public:
+  Peer() = default;
+  Peer(const Peer&) = delete;
+  Peer& operator=(const Peer&) = delete;
+  virtual ~Peer() = default;
+
+  virtual std::string name() const = 0;     ///< peers of one name form one curve: "Draco cl 10"
+  virtual std::string setting() const = 0;  ///< the place on the curve: "qp 11"
+
+  /// Takes `mesh` over in the peer's own form. It has no attributes, no two vertices at one place, no
+  /// degenerate face and no unused vertex, and outlives the peer. Errors: kInternal, kOutOfMemory.
+  virtual Result<void> load(const Mesh& mesh) = 0;
+  /// Errors: kInternal where the peer refuses the mesh.
+  virtual Result<std::vector<std::byte>> encode() = 0;
+  /// Decodes into the peer's own form. Errors: kInternal.
+  virtual Result<void> decode(std::span<const std::byte> bytes) = 0;
+  /// What the last decode() gave. Errors: kInternal where it does not belong to the loaded mesh.
+  virtual Result<DecodedMesh> decoded() = 0;
+};
+
+/// Draco, positions quantised to `position_bits` over the longest side; speed = 10 - `compression_level`.
+std::unique_ptr<Peer> make_draco_peer(int compression_level, int position_bits);
+
+/// Ours: `bits` of the delta quantiser, anchors as a share of the vertices.
+std::unique_ptr<Peer> make_deltamesh_peer(int bits, double anchor_share);
+
+/// zstd level 19 on plain buffers: positions as 16-bit lattice indices of `position_bits` over the longest
+/// side, triangles as 32-bit indices. What a sender does who has no mesh codec.
+std::unique_ptr<Peer> make_zstd_peer(int position_bits);
+
+std::string draco_version();
+std::string zstd_version();
+
+}  // namespace deltamesh::bench

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "report/text.h"
+
+#include <cstdio>
+
+namespace deltamesh::bench {
+namespace {
+
+std::string format(const char* pattern, int digits, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, pattern, digits, value);
+  return text;
+}
+
+}  // namespace
+
+std::string join(std::initializer_list<std::string_view> pieces) {
+  std::string text;
+  for (const std::string_view piece : pieces) text += piece;
+  return text;
+}
+
+std::string fixed(double value, int digits) { return format("%.*f", digits, value); }
+
+std::string significant(double value, int digits) { return format("%.*g", digits, value); }
+
+}  // namespace deltamesh::bench

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Text from pieces and numbers.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+namespace deltamesh::bench {
+
+/// The pieces one after the other.
+std::string join(std::initializer_list<std::string_view> pieces);
+
+/// With `digits` places after the point.
+std::string fixed(double value, int digits);
+
+/// With `digits` significant digits, no trailing zeros, no exponent between 1e-4 and 1e6.
+std::string significant(double value, int digits);
+
+}  // namespace deltamesh::bench
