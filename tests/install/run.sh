@@ -1,9 +1,12 @@
 #!/usr/bin/env bash
-# run.sh BUILD SCRATCH CONSUMER COMPILER
+# run.sh BUILD SCRATCH SOURCE COMPILER: installs into SCRATCH, then builds and runs the README's example against what is installed.
 set -euo pipefail
-build=$1 scratch=$2 consumer=$3 compiler=$4
+build=$1 scratch=$2 source=$3 compiler=$4
+consumer=$source/tests/install/consumer
 rm -rf "$scratch"
 mkdir -p "$scratch"
+awk '/^```cpp$/ {inside = 1; next} /^```$/ {inside = 0} inside' "$source/README.md" >"$scratch/main.cpp"
+grep -q deltamesh::encode "$scratch/main.cpp"
 cmake --install "$build" --prefix "$scratch/prefix" >/dev/null
 
 # Only the public interface is installed, and the program.
@@ -20,11 +23,11 @@ if grep -rnE '#include [<"](Eigen|zstd|draco|tiny_gltf|nlohmann|xxhash)' "$scrat
 fi
 
 cmake -S "$consumer" -B "$scratch/consumer" -DCMAKE_PREFIX_PATH="$scratch/prefix" -DCMAKE_CXX_COMPILER="$compiler" \
-  -DCMAKE_BUILD_TYPE=Release >/dev/null
+  -DCMAKE_BUILD_TYPE=Release -DEXAMPLE="$scratch/main.cpp" >/dev/null
 cmake --build "$scratch/consumer"
 "$scratch/consumer/consumer"
 
 export PKG_CONFIG_PATH="$scratch/prefix/lib/pkgconfig:$(find "$scratch/prefix" -name pkgconfig -type d | head -n 1)"
 # shellcheck disable=SC2046
-"$compiler" -std=c++20 "$consumer/main.cpp" -o "$scratch/pkg_consumer" $(pkg-config --cflags --libs deltamesh)
+"$compiler" -std=c++20 "$scratch/main.cpp" -o "$scratch/pkg_consumer" $(pkg-config --cflags --libs deltamesh)
 "$scratch/pkg_consumer"
