@@ -16,6 +16,16 @@ std::uint64_t checksum_of(std::span<const std::byte> bytes) noexcept {
   return XXH3_64bits(bytes.data(), bytes.size());
 }
 
+bool matches(std::uint64_t stored, std::span<const std::byte> bytes) noexcept {
+#ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
+  (void)stored,
+      (void)bytes;  // a fuzzer cannot guess checksums, and what lies behind them must be safe on its own
+  return true;
+#else
+  return stored == checksum_of(bytes);
+#endif
+}
+
 void pad(ByteWriter& out) {
   while (out.size() % kAlignment != 0) out.write(std::uint8_t{0});
 }
@@ -89,9 +99,9 @@ Result<Container> Container::open(std::span<const std::byte> stream) {
     return in.error(ErrorCode::kInvalidStream,
                     "more vertices and triangles than a stream of this length may hold", "CNT-5");
   DELTAMESH_TRY(container.entries_, read_directory(in));
-  const std::uint64_t expected = checksum_of(stream.first(in.position()));
+  const auto covered = stream.first(in.position());
   DELTAMESH_TRY(const auto stored, in.read<std::uint64_t>());
-  if (stored != expected)
+  if (!matches(stored, covered))
     return in.error(ErrorCode::kCorrupt, "the checksum of header and directory does not match", "CNT-2");
   for (ChunkEntry& entry : container.entries_) {
     DELTAMESH_CHECK(skip_padding(in));
@@ -111,7 +121,7 @@ std::span<const std::byte> Container::coded(const ChunkEntry& entry) const noexc
 }
 
 Result<void> Container::check(const ChunkEntry& entry) const noexcept {
-  if (checksum_of(coded(entry)) != entry.checksum)
+  if (!matches(entry.checksum, coded(entry)))
     return chunk_error(ErrorCode::kCorrupt, "the chunk's checksum does not match", "DIR-6", entry);
   return {};
 }
