@@ -212,10 +212,8 @@ void drop_if_empty(Json& json, const char* key) {
 
 Result<void> compact_document(Document& document) {
   Json& json = document.json;
-  if (json.contains("bufferViews")) {
-    DELTAMESH_TRY(const auto used, used_views(json));
-    renumber_views(json, renumber(used, numbers_in_unknown_extensions(json)));
-  }
+  DELTAMESH_TRY(const auto used, used_views(json));
+  if (!used.empty()) renumber_views(json, renumber(used, numbers_in_unknown_extensions(json)));
   if (json.contains("buffers")) {
     DELTAMESH_TRY(auto runs, used_runs(document));
     auto merged = copy_runs(document, runs);

@@ -71,24 +71,40 @@ std::set<std::uint64_t> kept_accessors(Document& document, const Groups& groups)
 }
 
 /// Gives every decoded array an accessor of its own: the original's where nobody else has or needs it, else a
-/// copy at the end, so that no accessor changes its number.
-class AccessorAllocator {
+/// new one at the end, so that no accessor changes its number. Nothing is written before apply(): until then
+/// other groups may still read the originals.
+class AccessorEdits {
  public:
-  AccessorAllocator(Json& json, std::set<std::uint64_t> taken) : json_(&json), taken_(std::move(taken)) {}
+  AccessorEdits(Json& json, std::set<std::uint64_t> taken)
+      : json_(&json), taken_(std::move(taken)), next_(array_size(json, "accessors")) {}
 
-  std::size_t take(std::size_t original) {
-    if (taken_.insert(original).second) return original;
-    return append(Json((*json_)["accessors"][original]));
+  const Json& original(std::size_t accessor) const { return (*json_)["accessors"][accessor]; }
+  std::size_t replace(std::size_t accessor, Json described) {
+    if (!taken_.insert(accessor).second) return append(std::move(described));
+    edits_.emplace_back(accessor, std::move(described));
+    return accessor;
   }
-  std::size_t append(Json accessor) {
+  std::size_t append(Json described) {
+    edits_.emplace_back(next_, std::move(described));
+    return next_++;
+  }
+  void apply() {
+    if (edits_.empty()) return;
     Json& accessors = (*json_)["accessors"];
-    accessors.push_back(std::move(accessor));
-    return accessors.size() - 1;
+    for (auto& [number, described] : edits_) {
+      if (number < accessors.size())
+        accessors[number] = std::move(described);
+      else
+        accessors.push_back(std::move(described));
+    }
+    edits_.clear();
   }
 
  private:
   Json* json_;
   std::set<std::uint64_t> taken_;
+  std::size_t next_;
+  std::vector<std::pair<std::size_t, Json>> edits_;
 };
 
 /// What the primitives of a group refer to once it is packed.
@@ -125,6 +141,9 @@ class Packer {
     return packed;
   }
 
+  /// Writes the accessors of all packed groups.
+  void finish() { accessors_.apply(); }
+
  private:
   /// Mesh errors of the encoder count vertices of the stream, which say nothing to the asset's owner.
   static Error primitive_error(Error error, std::size_t number) noexcept {
@@ -136,32 +155,34 @@ class Packer {
 
   PackedGroup describe(const StreamSource& source, const Mesh& decoded) {
     PackedGroup packed;
-    packed.position = put(accessors_.take(source.position), position_column(decoded), true);
+    packed.position = replace(source.position, position_column(decoded), true);
     for (std::size_t i = 0; i < source.attributes.size(); ++i) {
-      const std::size_t accessor = accessors_.take(source.attributes[i].accessor);
-      put(accessor, attribute_column(decoded, decoded.attributes[i]), false);
-      packed.attributes.push_back({source.attributes[i].semantic, accessor});
+      const Column column = attribute_column(decoded, decoded.attributes[i]);
+      packed.attributes.push_back(
+          {source.attributes[i].semantic, replace(source.attributes[i].accessor, column, false)});
     }
     const ComponentType type = index_type(decoded.vertex_count());
     const auto bytes = index_bytes(decoded, type);
-    const std::size_t indices =
-        source.indices ? accessors_.take(*source.indices) : accessors_.append(Json::object());
-    packed.indices = put(indices, index_column(decoded, type, bytes), false);
+    const Column column = index_column(decoded, type, bytes);
+    packed.indices = source.indices ? replace(*source.indices, column, false)
+                                    : accessors_.append(described(Json::object(), column, false));
     return packed;
   }
 
-  std::size_t put(std::size_t accessor, const Column& column, bool bounds) {
-    describe_column(document_.json["accessors"][accessor], column, bounds);
-    if (options_.fallback) {
-      const std::size_t view = append_column(document_, column);
-      document_.json["accessors"][accessor]["bufferView"] = view;
-    }
+  std::size_t replace(std::size_t accessor, const Column& column, bool bounds) {
+    return accessors_.replace(accessor, described(accessors_.original(accessor), column, bounds));
+  }
+
+  /// The accessor's JSON, made to fit the column; with its data where there is a fallback.
+  Json described(Json accessor, const Column& column, bool bounds) {
+    describe_column(accessor, column, bounds);
+    if (options_.fallback) accessor["bufferView"] = append_column(document_, column);
     return accessor;
   }
 
   Document& document_;
   const GltfPackOptions& options_;
-  AccessorAllocator accessors_;
+  AccessorEdits accessors_;
 };
 
 void rewrite_primitive(Json& primitive, const PackedGroup& packed) {
@@ -203,6 +224,7 @@ Result<GltfOutput> pack(std::span<const std::byte> asset, const GltfPackOptions&
     DELTAMESH_TRY(auto result, packer.pack(group, encode_options, report));
     packed.push_back(std::move(result));
   }
+  packer.finish();
   for_each_primitive(document.json, [&](Json& primitive, std::size_t number) {
     if (groups.of_primitive[number] != kNotPacked)
       rewrite_primitive(primitive, packed[groups.of_primitive[number]]);

@@ -16,7 +16,7 @@
 #include "connectivity/cut.h"
 #include "connectivity/op_tokens.h"
 #include "entropy/planes.h"
-#include "soups.h"
+#include "support/soups.h"
 
 namespace deltamesh {
 namespace {
@@ -51,7 +51,7 @@ void expect_same_faces(const Soup& soup, const CodedConnectivity& coded) {
   }
 }
 
-TEST(Connectivity, RoundTripsEverySoup) {
+TEST(Connectivity, CONN8RoundTripsEverySoup) {
   for (const Soup& soup : test::awkward_soups()) {
     const CodedConnectivity coded = write_connectivity(soup.triangles, soup.vertex_count);
     expect_same_faces(soup, coded);

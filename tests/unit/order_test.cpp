@@ -13,7 +13,7 @@
 
 #include "base/byte_writer.h"
 #include "entropy/planes.h"
-#include "soups.h"
+#include "support/soups.h"
 
 namespace deltamesh {
 namespace {

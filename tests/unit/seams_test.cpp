@@ -13,7 +13,7 @@
 
 #include "base/byte_writer.h"
 #include "entropy/planes.h"
-#include "soups.h"
+#include "support/soups.h"
 
 namespace deltamesh {
 namespace {
@@ -76,7 +76,7 @@ Result<SplitVertices> read(std::span<const std::byte> payload, const Case& c, st
   return read_seams(copy, c.triangles, c.geometric_count, static_cast<std::uint32_t>(vertex_count));
 }
 
-TEST(Seams, RoundTrips) {
+TEST(Seams, SEAM5RoundTripsNumberedByGeometricVertex) {
   for (const Case& c : cases()) {
     const CodedSeams coded = write(c);
     ASSERT_EQ(coded.split.triangles.size(), c.triangles.size());

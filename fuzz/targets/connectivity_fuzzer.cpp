@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// CONN payloads from anywhere, and any triangle soup through writer and reader. The last three bytes are the
+// vertex count and the face count; the lowest bit of the face count chooses which of the two it is.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <span>
+#include <vector>
+
+#include "connectivity/connectivity.h"
+
+namespace {
+
+using namespace deltamesh;
+
+/// Whatever the faces are, they come back.
+void check_round_trip(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count) {
+  const CodedConnectivity coded = write_connectivity(triangles, vertex_count);
+  const auto face_count = static_cast<std::uint32_t>(triangles.size() / 3);
+  if (coded.vertex_order.size() != vertex_count || coded.face_order.size() != face_count) std::abort();
+  for (std::size_t f = 0; f < face_count; ++f) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t original =
+          triangles[std::size_t{3} * coded.face_order[f] + (k + coded.face_rotation[f]) % 3];
+      if (coded.vertex_order[coded.triangles[3 * f + k]] != original) std::abort();
+    }
+  }
+  const auto read = read_connectivity(coded.payload, vertex_count, face_count);
+  if (!read || *read != coded.triangles) std::abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size < 3) return 0;
+  const std::uint32_t vertex_count = data[size - 3];
+  const std::uint32_t face_choice = data[size - 2] + 256U * data[size - 1];
+  size -= 3;
+  if (face_choice % 2 == 0) {
+    const auto read = read_connectivity(std::as_bytes(std::span(data, size)), vertex_count, face_choice / 2);
+    if (!read) {
+      if (read.error().code == ErrorCode::kInternal) std::abort();
+      return 0;
+    }
+    if (read->size() != std::size_t{face_choice / 2} * 3) std::abort();
+    for (const std::uint32_t v : *read) {
+      if (v >= vertex_count) std::abort();
+    }
+    check_round_trip(*read, vertex_count);
+  } else if (vertex_count != 0) {
+    std::vector<std::uint32_t> triangles(size - size % 3);
+    for (std::size_t i = 0; i < triangles.size(); ++i) triangles[i] = data[i] % vertex_count;
+    check_round_trip(triangles, vertex_count);
+  }
+  return 0;
+}

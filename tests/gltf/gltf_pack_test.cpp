@@ -1,0 +1,633 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// What packing does to an asset, seen from outside: through the packed JSON, and through unpacking again.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string>
+
+#include "deltamesh/gltf.h"
+#include "support/gltf_asset.h"
+
+namespace deltamesh {
+namespace {
+
+using test::Bytes;
+using test::bytes_of;
+using test::GltfBuilder;
+using test::Json;
+using test::make_sheet;
+using test::OpenedGlb;
+using test::Sheet;
+
+constexpr const char* kName = "DELTAMESH_mesh_compression";
+
+GltfOutput pack_ok(const Bytes& asset, const GltfPackOptions& options = {}, const GltfIo& io = {}) {
+  auto packed = pack_gltf(asset, options, io);
+  EXPECT_TRUE(packed) << (packed ? "" : describe(packed.error()));
+  return packed ? *std::move(packed) : GltfOutput{};
+}
+
+GltfOutput unpack_ok(const Bytes& asset) {
+  auto unpacked = unpack_gltf(asset);
+  EXPECT_TRUE(unpacked) << (unpacked ? "" : describe(unpacked.error()));
+  return unpacked ? *std::move(unpacked) : GltfOutput{};
+}
+
+GltfPackOptions with_fallback() {
+  GltfPackOptions options;
+  options.fallback = true;
+  return options;
+}
+
+std::vector<float> positions_of(const OpenedGlb& glb, const Json& primitive) {
+  return glb.values<float>(primitive["attributes"]["POSITION"]);
+}
+
+/// Sum over triangles of twice the signed area seen from +z: the same for any order of vertices and
+/// triangles.
+double signed_area(const OpenedGlb& glb, const Json& primitive) {
+  const auto p = positions_of(glb, primitive);
+  const auto corners = glb.values<std::uint16_t>(primitive["indices"]);
+  double sum = 0;
+  for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
+    const float* a = &p[corners[i] * 3U];
+    const float* b = &p[corners[i + 1] * 3U];
+    const float* c = &p[corners[i + 2] * 3U];
+    sum += double(b[0] - a[0]) * double(c[1] - a[1]) - double(b[1] - a[1]) * double(c[0] - a[0]);
+  }
+  return sum;
+}
+
+TEST(GltfPack, CompressesASheetAndBringsItBack) {
+  GltfBuilder builder;
+  const Sheet sheet = make_sheet(40);
+  builder.sheet_mesh(sheet);
+  const Bytes asset = builder.glb();
+  const GltfOutput packed = pack_ok(asset);
+  EXPECT_EQ(packed.report.primitives, 1U);
+  EXPECT_EQ(packed.report.converted, 1U);
+  EXPECT_EQ(packed.report.streams, 1U);
+  EXPECT_EQ(packed.report.vertices, 1600U);
+  EXPECT_EQ(packed.report.triangles, 39U * 39 * 2);
+  EXPECT_EQ(packed.report.input_bytes, asset.size());
+  EXPECT_EQ(packed.report.output_bytes, packed.asset.size());
+  EXPECT_LT(packed.asset.size() * 4, asset.size());
+
+  const OpenedGlb small(packed.asset);
+  EXPECT_EQ(small.json["extensionsUsed"], Json::array({kName}));
+  EXPECT_EQ(small.json["extensionsRequired"], Json::array({kName}));
+  const Json& primitive = small.primitive();
+  const Json& extension = primitive["extensions"][kName];
+  EXPECT_EQ(extension["attributes"], (Json{{"NORMAL", 0}, {"TEXCOORD_0", 1}}));
+  EXPECT_EQ(small.json["bufferViews"].size(), 1U);
+  EXPECT_EQ(packed.report.stream_bytes, small.view(extension["bufferView"]).size());
+  for (const Json& accessor : small.json["accessors"]) EXPECT_FALSE(accessor.contains("bufferView"));
+
+  const GltfOutput unpacked = unpack_ok(packed.asset);
+  EXPECT_EQ(unpacked.report.converted, 1U);
+  const OpenedGlb plain(unpacked.asset);
+  EXPECT_FALSE(plain.json.contains("extensionsUsed"));
+  EXPECT_FALSE(plain.json.contains("extensionsRequired"));
+  EXPECT_FALSE(plain.primitive().contains("extensions"));
+  EXPECT_EQ(positions_of(plain, plain.primitive()).size(), sheet.positions.size());
+  EXPECT_NEAR(signed_area(plain, plain.primitive()), 2.0, 2e-2);
+}
+
+TEST(GltfPack, FallbackAccessorsHoldExactlyWhatTheStreamDecodesTo) {
+  GltfBuilder builder;
+  builder.sheet_mesh(make_sheet(20));
+  const GltfOutput packed = pack_ok(builder.glb(), with_fallback());
+  const OpenedGlb both(packed.asset);
+  EXPECT_EQ(both.json["extensionsUsed"], Json::array({kName}));
+  EXPECT_FALSE(both.json.contains("extensionsRequired"));
+  const Json& primitive = both.primitive();
+  const auto stream = both.view(primitive["extensions"][kName]["bufferView"]);
+  const auto mesh = decode(stream);
+  ASSERT_TRUE(mesh);
+  EXPECT_EQ(positions_of(both, primitive), mesh->positions);
+  EXPECT_EQ(bytes_of(both.values<float>(primitive["attributes"]["NORMAL"])), mesh->attributes[0].values);
+  EXPECT_EQ(bytes_of(both.values<float>(primitive["attributes"]["TEXCOORD_0"])), mesh->attributes[1].values);
+  const auto indices = both.values<std::uint16_t>(primitive["indices"]);
+  EXPECT_EQ(std::vector<std::uint32_t>(indices.begin(), indices.end()), mesh->triangles);
+
+  const Json& bounds = both.json["accessors"][primitive["attributes"]["POSITION"].get<std::size_t>()];
+  for (std::size_t k = 0; k < 3; ++k) {
+    float low = mesh->positions[k];
+    float high = low;
+    for (std::size_t i = k; i < mesh->positions.size(); i += 3) {
+      low = std::min(low, mesh->positions[i]);
+      high = std::max(high, mesh->positions[i]);
+    }
+    EXPECT_EQ(bounds["min"][k].get<float>(), low);
+    EXPECT_EQ(bounds["max"][k].get<float>(), high);
+  }
+  // Unpacking drops the stream and leaves the same data.
+  const OpenedGlb plain(unpack_ok(packed.asset).asset);
+  EXPECT_EQ(positions_of(plain, plain.primitive()), mesh->positions);
+  EXPECT_FALSE(plain.primitive().contains("extensions"));
+}
+
+TEST(GltfPack, SameInputSameBytes) {
+  GltfBuilder builder;
+  builder.sheet_mesh(make_sheet(15));
+  const Bytes asset = builder.glb();
+  EXPECT_EQ(pack_ok(asset).asset, pack_ok(asset).asset);
+}
+
+/// Everything that glTF has beside geometry, some of it with data of its own.
+GltfBuilder rich_asset() {
+  GltfBuilder builder;
+  builder.json["asset"]["generator"] = "by hand";
+  builder.json["asset"]["extras"] = {
+      {"pi", 3.141592653589793}, {"big", 9007199254740993}, {"deep", {1, {2.5, nullptr}}}};
+  const std::size_t mesh = builder.sheet_mesh(make_sheet(12));
+  const std::size_t vertices = 144;
+  Json& primitive = builder.json["meshes"][mesh]["primitives"][0];
+  std::vector<std::uint8_t> joints(vertices * 4);
+  std::vector<float> weights(vertices * 4);
+  for (std::size_t i = 0; i < vertices; ++i) {
+    joints[4 * i] = static_cast<std::uint8_t>(i % 2);
+    weights[4 * i] = 1;
+  }
+  const std::size_t joint_view = builder.view(bytes_of(joints), 34962);
+  primitive["attributes"]["JOINTS_0"] = builder.push(
+      "accessors",
+      {{"bufferView", joint_view}, {"componentType", 5121}, {"count", vertices}, {"type", "VEC4"}});
+  primitive["attributes"]["WEIGHTS_0"] = builder.floats(weights, 4);
+  primitive["attributes"]["_TEMPERATURE"] = builder.floats(std::vector<float>(vertices, 21.5F), 1);
+  primitive["material"] = 0;
+  primitive["extras"] = {{"kept", true}, {"bufferView", 99}};
+  builder.push("materials",
+               {{"name", "red"},
+                {"pbrMetallicRoughness", {{"baseColorFactor", {0.1, 0.2, 0.30000000000000004, 1}}}},
+                {"extensions", {{"KHR_materials_ior", {{"ior", 1.4}}}}}});
+  builder.json["extensionsUsed"] = {"KHR_materials_ior", "X_unknown"};
+
+  std::vector<float> matrices;
+  for (int i = 0; i < 2; ++i)
+    for (int k = 0; k < 16; ++k) matrices.push_back(k % 5 == 0 ? 1.0F : 0.0F);
+  const std::size_t matrix_view = builder.view(bytes_of(matrices));
+  const std::size_t inverse = builder.push(
+      "accessors", {{"bufferView", matrix_view}, {"componentType", 5126}, {"count", 2}, {"type", "MAT4"}});
+  builder.json["nodes"][0]["skin"] = 0;
+  builder.push("nodes", {{"name", "joint 1"}, {"translation", {0, 0.5, 0}}});
+  builder.push("nodes", {{"name", "joint 2"},
+                         {"extensions", {{"X_unknown", {{"text", "kept"}, {"data", {{"bufferView", 0}}}}}}}});
+  builder.push("skins", {{"inverseBindMatrices", inverse}, {"joints", {1, 2}}});
+
+  const std::size_t times = builder.floats({0, 1, 2}, 1, true, 0);
+  const std::size_t moves = builder.floats({0, 0, 0, 0, 1, 0, 0, 2, 0}, 3, false, 0);
+  builder.push("animations",
+               {{"name", "move"},
+                {"samplers", Json::array({Json{{"input", times}, {"output", moves}}})},
+                {"channels",
+                 Json::array({Json{{"sampler", 0}, {"target", {{"node", 1}, {"path", "translation"}}}}})}});
+  builder.push("images", {{"bufferView", builder.view(bytes_of(std::string("not really a picture")))},
+                          {"mimeType", "image/png"}});
+  builder.push("images", {{"uri", "textures/wood%20grain.png"}});
+  builder.json["extras"] = "the end";
+  return builder;
+}
+
+/// The asset without what packing may change.
+Json without_geometry(Json json) {
+  for (const char* key : {"buffers", "bufferViews", "accessors"}) json.erase(key);
+  for (Json& mesh : json["meshes"])
+    for (Json& primitive : mesh["primitives"])
+      for (const char* key : {"attributes", "indices"}) primitive.erase(key);
+  json["images"][0].erase("bufferView");
+  json["nodes"][2]["extensions"]["X_unknown"]["data"].erase("bufferView");
+  return json;
+}
+
+TEST(GltfPack, EverythingElseIsUnchangedDownToMemberOrder) {
+  const GltfBuilder builder = rich_asset();
+  const Bytes asset = builder.glb();
+  const OpenedGlb before(asset);
+  for (const bool fallback : {false, true}) {
+    GltfPackOptions options;
+    options.fallback = fallback;
+    const GltfOutput packed = pack_ok(asset, options);
+    const OpenedGlb after(unpack_ok(packed.asset).asset);
+    EXPECT_EQ(without_geometry(after.json).dump(), without_geometry(before.json).dump());
+    EXPECT_EQ(packed.report.streams, 1U);
+
+    const OpenedGlb middle(packed.asset);
+    for (const OpenedGlb* glb : {&middle, &after}) {
+      EXPECT_EQ(glb->view(glb->json["images"][0]["bufferView"]),
+                bytes_of(std::string("not really a picture")));
+      const Json& sampler = glb->json["animations"][0]["samplers"][0];
+      EXPECT_EQ(glb->values<float>(sampler["input"]), (std::vector<float>{0, 1, 2}));
+      EXPECT_EQ(glb->values<float>(sampler["output"]), (std::vector<float>{0, 0, 0, 0, 1, 0, 0, 2, 0}));
+      EXPECT_EQ(glb->json["skins"][0]["inverseBindMatrices"], before.json["skins"][0]["inverseBindMatrices"]);
+      const auto data =
+          glb->json["nodes"][2]["extensions"]["X_unknown"]["data"]["bufferView"].get<std::size_t>();
+      EXPECT_EQ(glb->view(data), before.view(0));
+    }
+    // Joints, weights and application data come back exactly, whatever the order.
+    const Json& attributes = after.primitive()["attributes"];
+    EXPECT_EQ(after.values<float>(attributes["_TEMPERATURE"]), std::vector<float>(144, 21.5F));
+    const auto joints = after.values<std::uint8_t>(attributes["JOINTS_0"]);
+    EXPECT_EQ(std::count(joints.begin(), joints.end(), 1), 72);
+    const auto weights = after.values<float>(attributes["WEIGHTS_0"]);
+    EXPECT_EQ(std::count(weights.begin(), weights.end(), 1.0F), 144);
+  }
+}
+
+TEST(GltfPack, NonIndexedTrianglesGetIndices) {
+  GltfBuilder builder;
+  const Sheet sheet = make_sheet(6);
+  std::vector<float> soup;
+  for (const std::uint32_t corner : sheet.triangles)
+    soup.insert(soup.end(), &sheet.positions[corner * 3], &sheet.positions[corner * 3] + 3);
+  const std::size_t position = builder.floats(soup, 3, true);
+  builder.push("meshes", {{"primitives", Json::array({Json{{"attributes", {{"POSITION", position}}}}})}});
+  const OpenedGlb plain(unpack_ok(pack_ok(builder.glb()).asset).asset);
+  EXPECT_EQ(plain.json["accessors"].size(), 2U);
+  EXPECT_NEAR(signed_area(plain, plain.primitive()), 2.0, 5e-2);
+}
+
+TEST(GltfPack, SharedAccessorsAreSplitIntoWhatEachPrimitiveUses) {
+  GltfBuilder builder;
+  const Sheet sheet = make_sheet(10);
+  builder.sheet_mesh(sheet);
+  const std::vector<std::uint32_t> half(sheet.triangles.begin(), sheet.triangles.begin() + 240);
+  const std::vector<std::uint32_t> rest(sheet.triangles.begin() + 240, sheet.triangles.end());
+  Json& primitives = builder.json["meshes"][0]["primitives"];
+  Json second = primitives[0];
+  primitives[0]["indices"] = builder.indices(half);
+  second["indices"] = builder.indices(rest);
+  primitives.push_back(second);
+
+  const GltfOutput packed = pack_ok(builder.glb());
+  EXPECT_EQ(packed.report.streams, 2U);
+  EXPECT_EQ(packed.report.converted, 2U);
+  EXPECT_GT(packed.report.unreferenced_vertices, 0U);
+  EXPECT_LT(packed.report.vertices, 2 * 100U);
+  const OpenedGlb plain(unpack_ok(packed.asset).asset);
+  EXPECT_NE(plain.primitive(0, 0)["attributes"]["POSITION"], plain.primitive(0, 1)["attributes"]["POSITION"]);
+  EXPECT_NEAR(signed_area(plain, plain.primitive(0, 0)) + signed_area(plain, plain.primitive(0, 1)), 2.0,
+              4e-2);
+}
+
+TEST(GltfPack, EqualPrimitivesShareAStream) {
+  GltfBuilder builder;
+  builder.sheet_mesh(make_sheet(8));
+  builder.json["meshes"].push_back(builder.json["meshes"][0]);
+  builder.push("nodes", {{"mesh", 1}});
+  const GltfOutput packed = pack_ok(builder.glb());
+  EXPECT_EQ(packed.report.converted, 2U);
+  EXPECT_EQ(packed.report.streams, 1U);
+  const OpenedGlb small(packed.asset);
+  EXPECT_EQ(small.primitive(0), small.primitive(1));
+  const OpenedGlb plain(unpack_ok(packed.asset).asset);
+  EXPECT_EQ(plain.primitive(0), plain.primitive(1));
+}
+
+TEST(GltfPack, AccessorsThatOthersUseKeepTheirData) {
+  GltfBuilder builder;
+  const Sheet sheet = make_sheet(8);
+  builder.sheet_mesh(sheet);
+  Json points = builder.json["meshes"][0]["primitives"][0];
+  points["mode"] = 0;
+  points.erase("indices");
+  builder.json["meshes"][0]["primitives"].push_back(points);
+  const GltfOutput packed = pack_ok(builder.glb());
+  EXPECT_EQ(packed.report.not_triangles, 1U);
+  const OpenedGlb small(packed.asset);
+  EXPECT_EQ(small.primitive(0, 1), points);
+  EXPECT_EQ(positions_of(small, small.primitive(0, 1)), sheet.positions);
+  EXPECT_NE(small.primitive(0, 0)["attributes"]["POSITION"], points["attributes"]["POSITION"]);
+}
+
+TEST(GltfPack, NumbersInUnknownExtensionsProtectAccessorsAndOrder) {
+  GltfBuilder builder;
+  const Sheet sheet = make_sheet(8);
+  builder.sheet_mesh(sheet);
+  Json& primitive = builder.json["meshes"][0]["primitives"][0];
+  primitive["extensions"]["X_outline"] = {{"indices", primitive["indices"]}};
+  const OpenedGlb small(pack_ok(builder.glb(), with_fallback()).asset);
+  EXPECT_EQ(small.values<std::uint32_t>(small.primitive()["extensions"]["X_outline"]["indices"]),
+            sheet.triangles);
+  const auto indices = small.values<std::uint16_t>(small.primitive()["indices"]);
+  EXPECT_EQ(std::vector<std::uint32_t>(indices.begin(), indices.end()), sheet.triangles);
+}
+
+TEST(GltfPack, MorphTargetsKeepVertexOrderAndData) {
+  GltfBuilder builder;
+  const Sheet sheet = make_sheet(8);
+  builder.sheet_mesh(sheet);
+  std::vector<float> moves(sheet.positions.size());
+  for (std::size_t i = 0; i < moves.size(); ++i) moves[i] = static_cast<float>(i) * 0.001F;
+  Json& primitive = builder.json["meshes"][0]["primitives"][0];
+  primitive["targets"] = Json::array({Json{{"POSITION", builder.floats(moves, 3, true)}}});
+  builder.json["meshes"][0]["weights"] = {0.5};
+  const OpenedGlb plain(unpack_ok(pack_ok(builder.glb()).asset).asset);
+  EXPECT_EQ(plain.values<float>(plain.primitive()["targets"][0]["POSITION"]), moves);
+  const auto positions = positions_of(plain, plain.primitive());
+  ASSERT_EQ(positions.size(), sheet.positions.size());
+  for (std::size_t i = 0; i < positions.size(); ++i) EXPECT_NEAR(positions[i], sheet.positions[i], 0.02) << i;
+  const auto indices = plain.values<std::uint16_t>(plain.primitive()["indices"]);
+  EXPECT_EQ(std::vector<std::uint32_t>(indices.begin(), indices.end()), sheet.triangles);
+}
+
+TEST(GltfPack, SparseAndInterleavedAccessorsAreResolved) {
+  GltfBuilder builder;
+  Sheet sheet = make_sheet(6);
+  std::vector<float> interleaved;
+  for (std::size_t i = 0; i < 36; ++i) {
+    interleaved.insert(interleaved.end(), &sheet.positions[3 * i], &sheet.positions[3 * i] + 3);
+    interleaved.insert(interleaved.end(), &sheet.uvs[2 * i], &sheet.uvs[2 * i] + 2);
+  }
+  const std::size_t view = builder.view(bytes_of(interleaved), 34962);
+  builder.json["bufferViews"][view]["byteStride"] = 20;
+  const std::size_t index_view = builder.view(bytes_of(std::vector<std::uint8_t>{0, 35}));
+  const std::size_t value_view = builder.view(bytes_of(std::vector<float>{-3, 0, 0, 1, 1, 5}));
+  const std::size_t position =
+      builder.push("accessors", {{"bufferView", view},
+                                 {"componentType", 5126},
+                                 {"count", 36},
+                                 {"type", "VEC3"},
+                                 {"min", {-3, 0, -1}},
+                                 {"max", {1, 1, 5}},
+                                 {"sparse",
+                                  {{"count", 2},
+                                   {"indices", {{"bufferView", index_view}, {"componentType", 5121}}},
+                                   {"values", {{"bufferView", value_view}}}}}});
+  const std::size_t uv = builder.push(
+      "accessors",
+      {{"bufferView", view}, {"byteOffset", 12}, {"componentType", 5126}, {"count", 36}, {"type", "VEC2"}});
+  builder.push("meshes",
+               {{"primitives", Json::array({Json{{"attributes", {{"POSITION", position}, {"TEXCOORD_0", uv}}},
+                                                 {"indices", builder.indices(sheet.triangles)}}})}});
+  GltfPackOptions options;
+  options.encode.bits = 14;
+  options.encode.uv_bits = 20;
+  options.encode.keep_order = true;
+  const OpenedGlb plain(unpack_ok(pack_ok(builder.glb(), options).asset).asset);
+  sheet.positions[0] = -3;
+  sheet.positions[1] = 0;
+  sheet.positions[2] = 0;
+  sheet.positions[35 * 3 + 2] = 5;
+  const auto positions = positions_of(plain, plain.primitive());
+  const auto uvs = plain.values<float>(plain.primitive()["attributes"]["TEXCOORD_0"]);
+  ASSERT_EQ(positions.size(), sheet.positions.size());
+  for (std::size_t i = 0; i < positions.size(); ++i) EXPECT_NEAR(positions[i], sheet.positions[i], 0.02) << i;
+  for (std::size_t i = 0; i < uvs.size(); ++i) EXPECT_NEAR(uvs[i], sheet.uvs[i], 1e-5) << i;
+  for (const Json& accessor : plain.json["accessors"]) EXPECT_FALSE(accessor.contains("sparse"));
+}
+
+TEST(GltfPack, ColoursOfEveryTypeStayWhatTheyAre) {
+  GltfBuilder builder;
+  builder.sheet_mesh(make_sheet(6));
+  Json& attributes = builder.json["meshes"][0]["primitives"][0]["attributes"];
+  std::vector<std::uint8_t> bytes(36 * 4);
+  std::vector<std::uint16_t> words(36 * 4);
+  std::vector<float> floats(36 * 3);
+  for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<std::uint8_t>(i * 7);
+  for (std::size_t i = 0; i < words.size(); ++i) words[i] = static_cast<std::uint16_t>(i * 451);
+  for (std::size_t i = 0; i < floats.size(); ++i) floats[i] = static_cast<float>(i) / 108.0F;
+  const std::size_t byte_view = builder.view(bytes_of(bytes), 34962);
+  const std::size_t word_view = builder.view(bytes_of(words), 34962);
+  builder.json["bufferViews"][byte_view]["byteStride"] = 4;
+  attributes["COLOR_0"] = builder.push("accessors", {{"bufferView", byte_view},
+                                                     {"componentType", 5121},
+                                                     {"normalized", true},
+                                                     {"count", 36},
+                                                     {"type", "VEC3"}});
+  attributes["COLOR_1"] = builder.push("accessors", {{"bufferView", word_view},
+                                                     {"componentType", 5123},
+                                                     {"normalized", true},
+                                                     {"count", 36},
+                                                     {"type", "VEC4"}});
+  attributes["COLOR_2"] = builder.floats(floats, 3);
+  GltfPackOptions options;
+  options.encode.keep_order = true;
+  const OpenedGlb plain(unpack_ok(pack_ok(builder.glb(), options).asset).asset);
+  const Json& after = plain.primitive()["attributes"];
+  const auto colours = plain.values<std::uint8_t>(after["COLOR_0"]);
+  for (std::size_t i = 0; i < 36; ++i)
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(colours[3 * i + k], bytes[4 * i + k]);
+  const auto deep = plain.values<std::uint16_t>(after["COLOR_1"]);
+  for (std::size_t i = 0; i < deep.size(); ++i) EXPECT_NEAR(deep[i], words[i], 130);
+  const auto real = plain.values<float>(after["COLOR_2"]);
+  for (std::size_t i = 0; i < real.size(); ++i) EXPECT_NEAR(real[i], floats[i], 1.0 / 500);
+  EXPECT_EQ(plain.json["accessors"][after["COLOR_0"].get<std::size_t>()]["normalized"], true);
+}
+
+TEST(GltfPack, AttributesThatNoStreamCanHoldStayPlainInOrder) {
+  GltfBuilder builder;
+  builder.sheet_mesh(make_sheet(6));
+  std::vector<float> frames(36 * 9);
+  for (std::size_t i = 0; i < frames.size(); ++i) frames[i] = static_cast<float>(i);
+  const std::size_t view = builder.view(bytes_of(frames), 34962);
+  const std::size_t accessor = builder.push(
+      "accessors", {{"bufferView", view}, {"componentType", 5126}, {"count", 36}, {"type", "MAT3"}});
+  builder.json["meshes"][0]["primitives"][0]["attributes"]["_FRAME"] = accessor;
+  const Sheet sheet = make_sheet(6);
+  const OpenedGlb small(pack_ok(builder.glb(), with_fallback()).asset);
+  EXPECT_FALSE(small.primitive()["extensions"][kName]["attributes"].contains("_FRAME"));
+  EXPECT_EQ(small.view(small.json["accessors"][accessor]["bufferView"]), bytes_of(frames));
+  const auto indices = small.values<std::uint16_t>(small.primitive()["indices"]);
+  EXPECT_EQ(std::vector<std::uint32_t>(indices.begin(), indices.end()), sheet.triangles);
+}
+
+TEST(GltfPack, LeavesWhatItCannotCompress) {
+  GltfBuilder builder;
+  const std::size_t quantised = builder.push("accessors", {{"bufferView", builder.view(Bytes(24), 34962)},
+                                                           {"componentType", 5122},
+                                                           {"count", 3},
+                                                           {"type", "VEC3"},
+                                                           {"min", {0, 0, 0}},
+                                                           {"max", {0, 0, 0}}});
+  builder.json["bufferViews"][0]["byteStride"] = 8;
+  const std::size_t empty = builder.push(
+      "accessors",
+      {{"componentType", 5126}, {"count", 3}, {"type", "VEC3"}, {"min", {0, 0, 0}}, {"max", {0, 0, 0}}});
+  const std::size_t triangle = builder.floats({0, 0, 0, 1, 0, 0, 0, 1, 0}, 3, true);
+  Json primitives = Json::array();
+  primitives.push_back({{"attributes", {{"POSITION", quantised}}}});
+  primitives.push_back({{"attributes", {{"POSITION", empty}}}});
+  primitives.push_back({{"attributes", {{"POSITION", triangle}}}, {"mode", 5}});
+  primitives.push_back({{"attributes", {{"_ID", triangle}}}});
+  primitives.push_back(
+      {{"attributes", {{"POSITION", triangle}}},
+       {"extensions",
+        {{"KHR_draco_mesh_compression", {{"bufferView", 0}, {"attributes", {{"POSITION", 0}}}}}}}});
+  builder.push("meshes", {{"primitives", primitives}});
+  const GltfOutput packed = pack_ok(builder.glb());
+  EXPECT_EQ(packed.report.primitives, 5U);
+  EXPECT_EQ(packed.report.converted, 0U);
+  EXPECT_EQ(packed.report.not_float_positions, 1U);
+  EXPECT_EQ(packed.report.otherwise_compressed, 2U);
+  EXPECT_EQ(packed.report.not_triangles, 2U);
+  const OpenedGlb same(packed.asset);
+  EXPECT_EQ(same.json["meshes"][0]["primitives"], primitives);
+  EXPECT_FALSE(same.json.contains("extensionsUsed"));
+  EXPECT_EQ(same.values<float>(triangle), (std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}));
+}
+
+TEST(GltfPack, PackingTwiceChangesNothingMore) {
+  GltfBuilder builder;
+  builder.sheet_mesh(make_sheet(8));
+  const GltfOutput once = pack_ok(builder.glb());
+  const GltfOutput twice = pack_ok(once.asset);
+  EXPECT_EQ(twice.report.otherwise_compressed, 1U);
+  EXPECT_EQ(twice.asset, once.asset);
+}
+
+TEST(GltfPack, TinyMeshesWork) {
+  GltfBuilder builder;
+  const std::size_t triangle = builder.floats({0, 0, 0, 1, 0, 0, 0, 1, 0}, 3, true);
+  const std::size_t point = builder.floats({2, 2, 2, 2, 2, 2, 2, 2, 2}, 3, true);  // a degenerate triangle
+  builder.push("meshes", {{"primitives", Json::array({Json{{"attributes", {{"POSITION", triangle}}}},
+                                                      Json{{"attributes", {{"POSITION", point}}}}})}});
+  const GltfOutput packed = pack_ok(builder.glb());
+  EXPECT_EQ(packed.report.converted, 2U);
+  const OpenedGlb plain(unpack_ok(packed.asset).asset);
+  EXPECT_NEAR(signed_area(plain, plain.primitive(0, 0)), 1.0, 1e-2);
+  for (const float x : positions_of(plain, plain.primitive(0, 1))) EXPECT_NEAR(x, 2, 1e-3);
+}
+
+TEST(GltfPack, UnreferencedVerticesAreDroppedUnlessAskedFor) {
+  GltfBuilder builder;
+  const std::size_t position = builder.floats({9, 9, 9, 0, 0, 0, 1, 0, 0, 0, 1, 0, 8, 8, 8}, 3, true);
+  builder.push("meshes", {{"primitives", Json::array({Json{{"attributes", {{"POSITION", position}}},
+                                                           {"indices", builder.indices({1, 2, 3})}}})}});
+  const GltfOutput packed = pack_ok(builder.glb());
+  EXPECT_EQ(packed.report.unreferenced_vertices, 2U);
+  EXPECT_EQ(packed.report.vertices, 3U);
+  EXPECT_EQ(OpenedGlb(packed.asset).json["accessors"][position]["count"], 3);
+  GltfPackOptions options;
+  options.encode.keep_unreferenced = true;
+  EXPECT_EQ(pack_ok(builder.glb(), options).report.vertices, 5U);
+}
+
+TEST(GltfPack, JsonWithItsBufferBesideItOrEmbeddedIsTheSameAsset) {
+  GltfBuilder builder;
+  builder.sheet_mesh(make_sheet(8));
+  const GltfOutput glb = pack_ok(builder.glb());
+  GltfIo io;
+  io.resolve = [&](std::string_view) -> Result<Bytes> { return builder.bin; };
+  io.container = GltfContainer::kGltf;
+  const GltfOutput embedded = pack_ok(builder.gltf("mesh.bin"), {}, io);
+  EXPECT_TRUE(embedded.buffer.empty());
+  io.buffer_uri = "packed.bin";
+  const GltfOutput beside = pack_ok(builder.gltf("mesh.bin"), {}, io);
+  EXPECT_EQ(beside.report.output_bytes, beside.asset.size() + beside.buffer.size());
+  EXPECT_EQ(beside.report.input_bytes, builder.gltf("mesh.bin").size() + builder.bin.size());
+
+  GltfIo packed_io;
+  packed_io.resolve = [&](std::string_view uri) -> Result<Bytes> {
+    EXPECT_EQ(uri, "packed.bin");
+    return beside.buffer;
+  };
+  const Bytes plain = unpack_ok(glb.asset).asset;
+  const auto from_embedded = unpack_gltf(embedded.asset);
+  const auto from_beside = unpack_gltf(beside.asset, {}, packed_io);
+  ASSERT_TRUE(from_embedded);
+  ASSERT_TRUE(from_beside);
+  EXPECT_EQ(from_embedded->asset, plain);
+  EXPECT_EQ(from_beside->asset, plain);
+}
+
+TEST(GltfPack, ReportsProgressOfTheWholeAsset) {
+  GltfBuilder builder;
+  builder.sheet_mesh(make_sheet(8));
+  builder.sheet_mesh(make_sheet(9));
+  double last = 0;
+  GltfPackOptions options;
+  options.encode.progress = [&](double share) {
+    EXPECT_GE(share, last);
+    EXPECT_LE(share, 1);
+    last = share;
+  };
+  pack_ok(builder.glb(), options);
+  EXPECT_GT(last, 0.5);
+}
+
+Error pack_error(const Bytes& asset, const GltfPackOptions& options = {}) {
+  const auto result = pack_gltf(asset, options);
+  return result ? Error{.message = "no error"} : result.error();
+}
+
+TEST(GltfPackErrors, OptionsAreChecked) {
+  GltfPackOptions options;
+  options.encode.bits = 99;
+  GltfBuilder builder;
+  builder.sheet_mesh(make_sheet(4));
+  EXPECT_EQ(pack_error(builder.glb(), options).code, ErrorCode::kInvalidArgument);
+}
+
+TEST(GltfPackErrors, NameThePrimitive) {
+  GltfBuilder good;
+  good.sheet_mesh(make_sheet(4));
+  good.sheet_mesh(make_sheet(4));
+  Sheet sheet = make_sheet(4);
+
+  GltfBuilder beyond = good;
+  sheet.triangles[5] = 16;
+  beyond.sheet_mesh(sheet);
+  Error error = pack_error(beyond.glb());
+  EXPECT_EQ(error.code, ErrorCode::kInvalidFile);
+  EXPECT_EQ(error.where_kind, WhereKind::kElement);
+  EXPECT_EQ(error.where, 2U);
+
+  GltfBuilder nan = good;
+  sheet = make_sheet(4);
+  sheet.positions[7] = std::numeric_limits<float>::quiet_NaN();
+  nan.sheet_mesh(sheet);
+  error = pack_error(nan.glb());
+  EXPECT_EQ(error.code, ErrorCode::kInvalidMesh);
+  EXPECT_EQ(error.where, 2U);
+}
+
+TEST(GltfPackErrors, RefuseAccessorsThatLie) {
+  GltfBuilder builder;
+  builder.sheet_mesh(make_sheet(4));
+  const Json original = builder.json;
+  const auto broken = [&](auto&& change) {
+    builder.json = original;
+    change(builder.json);
+    return pack_error(builder.glb()).code;
+  };
+  const auto kBad = ErrorCode::kInvalidFile;
+  EXPECT_EQ(broken([](Json& j) { j["accessors"][0]["count"] = 17; }), kBad);
+  EXPECT_EQ(broken([](Json& j) { j["accessors"][0]["count"] = 1ULL << 62; }), kBad);
+  EXPECT_EQ(broken([](Json& j) { j["accessors"][0]["count"] = 0; }), kBad);
+  EXPECT_EQ(broken([](Json& j) { j["accessors"][0]["count"] = -16; }), kBad);
+  EXPECT_EQ(broken([](Json& j) { j["accessors"][0].erase("count"); }), kBad);
+  EXPECT_EQ(broken([](Json& j) { j["accessors"][0]["type"] = 3; }), kBad);
+  EXPECT_EQ(broken([](Json& j) { j["accessors"][0]["byteOffset"] = 1; }), kBad);
+  EXPECT_EQ(broken([](Json& j) { j["accessors"][0]["byteOffset"] = ~0ULL; }), kBad);
+  EXPECT_EQ(broken([](Json& j) { j["accessors"][0]["bufferView"] = 99; }), kBad);
+  EXPECT_EQ(broken([](Json& j) { j["accessors"][0]["bufferView"] = "x"; }), kBad);
+  EXPECT_EQ(broken([](Json& j) { j["accessors"][1]["count"] = 15; }), kBad);
+  EXPECT_EQ(broken([](Json& j) { j["accessors"][3]["componentType"] = 5126; }), kBad);
+  EXPECT_EQ(broken([](Json& j) { j["bufferViews"][0]["byteStride"] = 8; }), kBad);
+  EXPECT_EQ(broken([](Json& j) { j["bufferViews"][0]["byteStride"] = 256; }), kBad);
+  EXPECT_EQ(broken([](Json& j) { j["bufferViews"][0]["byteLength"] = ~0ULL; }), kBad);
+  EXPECT_EQ(broken([](Json& j) { j["bufferViews"][0]["buffer"] = 4; }), kBad);
+  EXPECT_EQ(broken([](Json& j) { j["meshes"][0]["primitives"][0]["mode"] = 7; }), kBad);
+  EXPECT_EQ(broken([](Json& j) { j["accessors"][0]["sparse"] = {{"count", 99}}; }), kBad);
+  EXPECT_EQ(broken([](Json& j) {
+              j["accessors"][0]["sparse"] = {
+                  {"count", 1},
+                  {"indices", {{"bufferView", 3}, {"byteOffset", 20}, {"componentType", 5125}}},
+                  {"values", {{"bufferView", 0}, {"byteOffset", 999}}}};
+            }),
+            kBad);
+}
+
+TEST(GltfPackErrors, EmptyAndForeignInput) {
+  EXPECT_EQ(pack_error({}).code, ErrorCode::kInvalidFile);
+  EXPECT_EQ(pack_error(bytes_of(std::string("DMSH"))).code, ErrorCode::kInvalidFile);
+  EXPECT_EQ(pack_error(Bytes(1000)).code, ErrorCode::kInvalidFile);
+}
+
+}  // namespace
+}  // namespace deltamesh
