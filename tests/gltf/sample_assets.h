@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Assets that more than one test program makes.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "support/gltf_asset.h"
+
+namespace deltamesh::test {
+
+/// A unit cube: six faces of four vertices, with normals and texture coordinates, and a material.
+inline GltfBuilder cube_asset() {
+  Sheet cube;
+  for (std::uint32_t face = 0; face < 6; ++face) {
+    const std::size_t axis = face / 2;
+    const float side = face % 2 == 0 ? -1.0F : 1.0F;
+    for (std::uint32_t corner = 0; corner < 4; ++corner) {
+      const float u = corner % 2 == 0 ? -1.0F : 1.0F;
+      const float v = corner / 2 == 0 ? -1.0F : 1.0F;
+      std::array<float, 3> position{};
+      position[axis] = side / 2;
+      position[(axis + 1) % 3] = u / 2 * side;  // the side mirrors, so that every face looks outwards
+      position[(axis + 2) % 3] = v / 2;
+      std::array<float, 3> normal{};
+      normal[axis] = side;
+      cube.positions.insert(cube.positions.end(), position.begin(), position.end());
+      cube.normals.insert(cube.normals.end(), normal.begin(), normal.end());
+      cube.uvs.insert(cube.uvs.end(), {(u + 1) / 2, (1 - v) / 2});
+    }
+    const std::uint32_t a = face * 4;
+    cube.triangles.insert(cube.triangles.end(), {a, a + 1, a + 2, a + 1, a + 3, a + 2});
+  }
+  GltfBuilder builder;
+  builder.json["asset"]["generator"] = "deltamesh";
+  builder.sheet_mesh(cube);
+  builder.push("materials",
+               {{"name", "grey"}, {"pbrMetallicRoughness", {{"baseColorFactor", {0.5, 0.5, 0.5, 1}}}}});
+  builder.json["meshes"][0]["name"] = "cube";
+  builder.json["meshes"][0]["primitives"][0]["material"] = 0;
+  return builder;
+}
+
+}  // namespace deltamesh::test
