@@ -73,7 +73,6 @@ GltfBuilder morphing_sheet() {
   builder.sheet_mesh(sheet);
   Json& primitive = builder.json["meshes"][0]["primitives"][0];
   primitive["targets"] = Json::array({Json{{"POSITION", builder.floats(sheet.normals, 3, true)}}});
-  builder.json["meshes"][0]["weights"] = {0.25};
   std::vector<std::uint8_t> colours(81 * 4);
   for (std::size_t i = 0; i < colours.size(); ++i) colours[i] = static_cast<std::uint8_t>(i % 4 == 3 ? 0 : i);
   const std::size_t view = builder.view(bytes_of(colours), 34962);
@@ -82,6 +81,7 @@ GltfBuilder morphing_sheet() {
       "accessors",
       {{"bufferView", view}, {"componentType", 5121}, {"normalized", true}, {"count", 81}, {"type", "VEC3"}});
   primitive["attributes"]["_HEAT"] = builder.floats(std::vector<float>(81, 3.5F), 1);
+  builder.json["meshes"][0]["weights"] = {0.25};
   const std::size_t times = builder.floats({0, 1}, 1, true, 0);
   const std::size_t weights = builder.floats({0, 1}, 1, false, 0);
   builder.push(
