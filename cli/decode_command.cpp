@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "commands.h"
+#include "console.h"
+#include "deltamesh/decode.h"
+#include "deltamesh/io.h"
+#include "mesh_files.h"
+#include "progress.h"
+
+namespace deltamesh::cli {
+namespace {
+
+struct Arguments {
+  std::string in;
+  std::string out;
+};
+
+Result<Mesh> decode_showing_progress(std::span<const std::byte> bytes) {
+  Progress progress("decoding");
+  return decode(bytes, {.limits = {}, .progress = progress.callback()});
+}
+
+int run_decode(const Arguments& arguments) {
+  int status = kOk;
+  if (!check_mesh_suffix(arguments.out, status)) return status;
+  const Result<std::vector<std::byte>> bytes = read_file(arguments.in);
+  if (!bytes) return fail(arguments.in, bytes.error());
+  const Result<Mesh> mesh = decode_showing_progress(*bytes);
+  if (!mesh) return fail(arguments.in, mesh.error());
+  status = save_mesh(arguments.out, *mesh);
+  if (status == kOk)
+    std::cout << arguments.in << " -> " << arguments.out << ": "
+              << counted(mesh->vertex_count(), "vertex", "vertices") << ", "
+              << counted(mesh->triangle_count(), "triangle", "triangles") << '\n';
+  return status;
+}
+
+}  // namespace
+
+void add_decode_command(CLI::App& app, int& status) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("decode", "Turn a .dmsh stream back into a mesh file");
+  command->add_option("IN", arguments->in, "stream, .dmsh")->required();
+  command->add_option("OUT", arguments->out, std::string("mesh file to write: ") + kMeshSuffixes)->required();
+  command->footer(
+      "Examples:\n"
+      "  deltamesh decode bunny.dmsh bunny.ply\n"
+      "  deltamesh decode bunny.dmsh bunny.glb\n");
+  command->callback([arguments, &status] { status = run_decode(*arguments); });
+}
+
+}  // namespace deltamesh::cli

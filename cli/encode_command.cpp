@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <memory>
+#include <string>
+
+#include "commands.h"
+#include "console.h"
+#include "deltamesh/encode.h"
+#include "deltamesh/io.h"
+#include "mesh_files.h"
+#include "progress.h"
+#include "stream_report.h"
+
+namespace deltamesh::cli {
+namespace {
+
+struct Arguments {
+  std::string in;
+  std::string out;
+  std::string order_out;
+  std::string profile = "zstd";
+  bool json = false;
+  EncodeOptions options;
+};
+
+/// Little-endian uint32, one per decoded vertex.
+std::vector<std::byte> order_bytes(const std::vector<std::uint32_t>& order) {
+  std::vector<std::byte> bytes;
+  bytes.reserve(4 * order.size());
+  for (const std::uint32_t index : order)
+    for (unsigned shift = 0; shift < 32; shift += 8)
+      bytes.push_back(static_cast<std::byte>((index >> shift) & 0xff));
+  return bytes;
+}
+
+void print_summary(const Arguments& arguments, const ImportNotes& notes, const EncodeReport& report,
+                   double seconds) {
+  const StreamInfo& stream = report.stream;
+  Summary summary(arguments.in + " -> " + arguments.out);
+  std::string vertices = grouped(stream.vertices);
+  if (report.unreferenced_vertices > 0)
+    vertices += " (" +
+                counted(report.unreferenced_vertices, "vertex that no face uses was ",
+                        "vertices that no face uses were ") +
+                (arguments.options.keep_unreferenced ? "kept)" : "dropped)");
+  summary.add("vertices", vertices);
+  std::string triangles = grouped(stream.triangles);
+  if (notes.polygons > 0) triangles += " (" + counted(notes.polygons, "polygon", "polygons") + " split)";
+  if (notes.dropped_faces > 0)
+    triangles += " (" + counted(notes.dropped_faces, "face", "faces") + " of under three corners dropped)";
+  summary.add("triangles", triangles);
+  if (notes.other_primitives > 0)
+    summary.add("left out", counted(notes.other_primitives, "point or line", "points or lines"));
+  summary.add("components", grouped(stream.components));
+  add_sizes(summary, stream);
+  add_settings(summary, stream);
+  add_errors(summary, stream.quality, stream.diagonal);
+  summary.add("time", brief(seconds) + " s");
+  summary.print();
+}
+
+void print_object(const EncodeReport& report, double seconds) {
+  nlohmann::ordered_json object;
+  object["input_vertices"] = report.input_vertices;
+  object["unreferenced_vertices"] = report.unreferenced_vertices;
+  add_stream(object, report.stream);
+  object["encode_seconds"] = seconds;
+  print_json(object);
+}
+
+int run_encode(Arguments& arguments) {
+  if (const Result<void> valid = validate(arguments.options); !valid) return fail("encode", valid.error());
+  int status = kOk;
+  const std::optional<Imported> imported = load_mesh(arguments.in, status);
+  if (!imported) return status;
+
+  const auto start = std::chrono::steady_clock::now();
+  Progress progress("encoding");
+  arguments.options.progress = progress.callback();
+  const Result<Encoded> encoded = encode(imported->mesh, arguments.options);
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  if (!encoded) return fail(arguments.in, encoded.error());
+
+  if (const Result<void> written = write_file(arguments.out, encoded->bytes); !written)
+    return fail(arguments.out, written.error());
+  if (!arguments.order_out.empty())
+    if (const Result<void> written = write_file(arguments.order_out, order_bytes(encoded->order)); !written)
+      return fail(arguments.order_out, written.error());
+  if (arguments.json)
+    print_object(encoded->report, elapsed.count());
+  else
+    print_summary(arguments, imported->notes, encoded->report, elapsed.count());
+  return kOk;
+}
+
+}  // namespace
+
+void add_encode_command(CLI::App& app, int& status) {
+  const auto arguments = std::make_shared<Arguments>();
+  EncodeOptions& options = arguments->options;
+  CLI::App* command = app.add_subcommand("encode", "Compress a mesh file into a .dmsh stream");
+  command->add_option("IN", arguments->in, std::string("mesh file: ") + kMeshSuffixes)->required();
+  command->add_option("OUT", arguments->out, "stream to write, .dmsh")->required();
+  CLI::Option* bits = command->add_option(
+      "--bits", options.bits, "bits of the delta coordinates, 3 (coarse) to 16 (fine); default 8");
+  command->add_option("--step", options.step, "instead: their quantisation step, model units")
+      ->excludes(bits);
+  CLI::Option* anchors =
+      command->add_option("--anchors", options.anchors, "number of anchors; default 0.5 % of the vertices");
+  command
+      ->add_option("--anchor-density", options.anchor_density,
+                   "instead: most edges from a vertex to its nearest anchor, 1 to 65535")
+      ->excludes(anchors);
+  command->add_option("--anchor-bits", options.anchor_bits, "bits per axis of an anchor, 4 to 24")
+      ->capture_default_str();
+  command->add_option("--profile", arguments->profile, "which codings the stream may use")
+      ->check(CLI::IsMember({"zstd"}))
+      ->capture_default_str();
+  command->add_flag("--keep-order", options.keep_order, "restore the order of vertices and faces exactly");
+  command->add_flag("--keep-unreferenced", options.keep_unreferenced, "keep vertices that no face uses");
+  command->add_option("--order-out", arguments->order_out,
+                      "write the input vertex of every decoded vertex, as little-endian uint32");
+  command->add_flag("--json", arguments->json, "print one JSON object to standard output");
+  command->footer(
+      "Examples:\n"
+      "  deltamesh encode bunny.ply bunny.dmsh\n"
+      "  deltamesh encode map.ply map.dmsh --step 0.002 --anchor-density 20\n"
+      "  deltamesh encode bunny.ply bunny.dmsh --bits 6 --json > figures.json\n");
+  command->callback([arguments, &status] { status = run_encode(*arguments); });
+}
+
+}  // namespace deltamesh::cli

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Meshes in and out of files, with messages for people.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "deltamesh/io.h"
+#include "exit_codes.h"
+
+namespace deltamesh::cli {
+
+/// Known suffixes, for help and messages.
+inline constexpr const char* kMeshSuffixes = ".ply .obj .stl .off .gltf .glb";
+
+/// Reads a mesh; on failure prints why and leaves the exit code in `status`.
+std::optional<Imported> load_mesh(const std::string& path, int& status);
+
+/// The same, but a .dmsh stream is welcome too and is decoded.
+std::optional<Mesh> load_mesh_or_stream(const std::string& path, int& status);
+
+/// Whether a mesh can be written under this name; if not, says so and which names will do.
+bool check_mesh_suffix(const std::string& path, int& status);
+
+/// Writes a mesh, whole or not at all; returns the exit code.
+int save_mesh(const std::string& path, const MeshView& mesh);
+
+}  // namespace deltamesh::cli
