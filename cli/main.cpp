@@ -56,7 +56,8 @@ int run(int argc, char** argv) {
     return kUsage;
   }
   const std::string first = argv[1];
-  if (!first.starts_with('-') && app.get_subcommand_no_throw(first) == nullptr) {
+  const auto is_first = [&first](const CLI::App* command) { return command->get_name() == first; };
+  if (!first.starts_with('-') && app.get_subcommands(is_first).empty()) {
     print_error(first, "no such command; `deltamesh --help` lists them");
     return kUsage;
   }
