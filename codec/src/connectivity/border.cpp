@@ -73,10 +73,11 @@ void Border::add_new_vertex(std::uint32_t gate, bool at_origin) {
 }
 
 /// ```
-///   before target --> apex --> target ...          before target --> apex --> target ...
-///                                           ==>               fresh |    ^ gate
-///          ... u --gate--> v ...                                    v    |
-///                                                   ... after <---- v    u <---- before ...
+///   <---target--- apex <---before target---       <---target--- apex <---before target---
+///                                                               ^  |
+///                                            ==>           gate |  | fresh
+///                                                               |  v
+///   ---before---> u ---gate---> v ---after--->    ---before---> u  v ---after--->
 /// ```
 void Border::split(std::uint32_t gate, std::uint32_t target, bool at_origin) {
   const std::uint32_t after = items_[gate].next;

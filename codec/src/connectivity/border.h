@@ -27,10 +27,9 @@ enum class BorderOp : std::uint8_t {
 /// the wedge at its origin between the previous item's edge and its own, where faces may still be missing.
 ///
 /// ```
-///            apex                       next
-///           /    \            <-----v------------
-///        origin(g) ---gate g--->  origin(next(g))        faces yet to come are on the right of an item
-///           coded region (left of g)
+///               coded region
+///   ---previous---> u ---item---> v ---next--->      u: the item's origin
+///                     (missing)
 /// ```
 struct BorderItem {
   std::uint32_t origin;    ///< manifold vertex
@@ -46,7 +45,6 @@ class Border {
  public:
   const BorderItem& item(std::uint32_t i) const noexcept { return items_[i]; }
   std::uint32_t item_count() const noexcept { return static_cast<std::uint32_t>(items_.size()); }
-  std::uint32_t end_of(std::uint32_t i) const noexcept { return items_[items_[i].next].origin; }
   std::uint32_t vertex_count() const noexcept { return static_cast<std::uint32_t>(degrees_.size()); }
   std::uint32_t face_count() const noexcept { return static_cast<std::uint32_t>(faces_.size() / 3); }
   std::uint32_t third_after(std::uint32_t i) const noexcept {
@@ -54,8 +52,7 @@ class Border {
   }
   /// Faces so far at a manifold vertex.
   std::uint32_t degree(std::uint32_t vertex) const noexcept { return degrees_[vertex]; }
-  /// Manifold vertices of the faces so far, three each: gate's end, gate's origin, apex.
-  const std::vector<std::uint32_t>& faces() const noexcept { return faces_; }
+  /// Manifold vertices of the faces, three each: gate's end, gate's origin, apex [CONN-6].
   std::vector<std::uint32_t> take_faces() noexcept { return std::move(faces_); }
 
   /// A new component: a face of three new vertices, and its three edges as items, in the same order [CONN-4].

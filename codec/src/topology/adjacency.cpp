@@ -9,6 +9,8 @@
 namespace deltamesh {
 namespace {
 
+constexpr std::uint32_t kNone = 0xffffffff;
+
 /// The six directed edges of a face, without those from a vertex to itself.
 template <class Visit>
 void for_each_directed_edge(std::span<const std::uint32_t> triangles, Visit&& visit) {
@@ -73,7 +75,6 @@ Adjacency build_adjacency(std::span<const std::uint32_t> triangles, std::uint32_
 }
 
 Components find_components(const Adjacency& graph) {
-  constexpr std::uint32_t kNone = 0xffffffff;
   const std::size_t n = graph.vertex_count();
   Components components;
   components.label.assign(n, kNone);
