@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Any bytes into pack_gltf(), as GLB or JSON; an odd last byte asks for the fallback. What is packed must
+// unpack.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <span>
+
+#include "deltamesh/gltf.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace deltamesh;
+  if (size == 0) return 0;
+  GltfPackOptions options;
+  options.fallback = data[size - 1] % 2 != 0;
+  const auto packed = pack_gltf(std::as_bytes(std::span(data, size - 1)), options);
+  if (!packed) {
+    if (packed.error().code == ErrorCode::kInternal) std::abort();
+    return 0;
+  }
+  // A primitive that came with the extension may be wrong; one that we packed may not.
+  if (packed->report.otherwise_compressed != 0) return 0;
+  const auto plain = unpack_gltf(packed->asset);
+  if (!plain || plain->report.converted != packed->report.converted) std::abort();
+  return 0;
+}
