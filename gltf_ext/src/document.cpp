@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/try.h"
-#include "base64.h"
+#include "io/gltf_uri.h"
 #include "structure.h"
 #include "uri.h"
 
@@ -15,12 +15,12 @@ namespace {
 
 Result<std::vector<std::byte>> resolve_uri(const std::string& uri, const GltfIo& io, std::size_t number,
                                            std::uint64_t& input_bytes) {
-  if (is_data_uri(uri)) {
+  if (uri.starts_with("data:")) {
     auto bytes = decode_data_uri(uri);
     if (!bytes) return element_error("the buffer's data URI is not proper base64", number);
     return *std::move(bytes);
   }
-  const auto path = path_of_uri(uri);
+  const auto path = relative_path_of(uri);
   if (!path) return element_error("the buffer's URI is not a path inside the asset's folder", number);
   if (!io.resolve)
     return Error{.code = ErrorCode::kFileOpen,
@@ -57,7 +57,7 @@ Result<Buffer> load_buffer(const Json& json, std::size_t number,
 
 std::string buffer_uri(std::span<const std::byte> bytes, const GltfIo& io) {
   if (!io.buffer_uri.empty()) return io.buffer_uri;
-  return "data:application/octet-stream;base64," + encode_base64(bytes);
+  return data_uri_of(bytes);
 }
 
 }  // namespace

@@ -3,62 +3,22 @@
 #include "uri.h"
 
 #include <algorithm>
-
-#include "base64.h"
+#include <cstdint>
 
 namespace deltamesh::gltf {
-namespace {
 
-int hex_digit(char c) noexcept {
-  if (c >= '0' && c <= '9') return c - '0';
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-  return -1;
-}
-
-std::optional<std::string> percent_decode(std::string_view uri) {
-  std::string text;
-  for (std::size_t i = 0; i < uri.size(); ++i) {
-    if (uri[i] != '%') {
-      text += uri[i];
-      continue;
-    }
-    if (uri.size() - i < 3 || hex_digit(uri[i + 1]) < 0 || hex_digit(uri[i + 2]) < 0) return std::nullopt;
-    text += static_cast<char>(hex_digit(uri[i + 1]) * 16 + hex_digit(uri[i + 2]));
-    i += 2;
+std::string data_uri_of(std::span<const std::byte> bytes) {
+  constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text = "data:application/octet-stream;base64,";
+  text.reserve(text.size() + (bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+    std::uint32_t group = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      group = group << 8 | (k < count ? std::to_integer<std::uint32_t>(bytes[i + k]) : 0);
+    for (std::size_t k = 0; k < 4; ++k) text += k <= count ? kAlphabet[group >> (18 - 6 * k) & 63] : '=';
   }
   return text;
-}
-
-/// True where the path stays in the folder it starts from.
-bool stays_below(std::string_view path) noexcept {
-  if (path.empty() || path.front() == '/') return false;
-  if (path.find('\\') != path.npos || path.find('\0') != path.npos) return false;
-  for (std::size_t begin = 0; begin <= path.size();) {
-    const std::size_t end = std::min(path.find('/', begin), path.size());
-    if (path.substr(begin, end - begin) == "..") return false;
-    begin = end + 1;
-  }
-  return true;
-}
-
-}  // namespace
-
-bool is_data_uri(std::string_view uri) noexcept { return uri.starts_with("data:"); }
-
-std::optional<std::vector<std::byte>> decode_data_uri(std::string_view uri) {
-  constexpr std::string_view kMarker = ";base64,";
-  const std::size_t comma = uri.find(',');
-  if (!is_data_uri(uri) || comma == uri.npos) return std::nullopt;
-  if (!uri.substr(0, comma + 1).ends_with(kMarker)) return std::nullopt;
-  return decode_base64(uri.substr(comma + 1));
-}
-
-std::optional<std::string> path_of_uri(std::string_view uri) {
-  if (uri.substr(0, uri.find('/')).find(':') != uri.npos) return std::nullopt;
-  auto path = percent_decode(uri);
-  if (!path || !stays_below(*path)) return std::nullopt;
-  return path;
 }
 
 std::string uri_of_name(std::string_view name) {

@@ -65,10 +65,11 @@ std::optional<std::vector<std::byte>> decode_data_uri(std::string_view uri) {
 }
 
 std::optional<std::string> relative_path_of(std::string_view uri) {
+  if (uri.find(':') != uri.npos) return std::nullopt;  // a scheme; as part of a name it would be %3A
   std::optional<std::string> path = percent_decoded(uri);
   if (!path || path->empty() || path->front() == '/') return std::nullopt;
   for (const char c : *path)
-    if (c == '\\' || c == ':' || static_cast<unsigned char>(c) < ' ') return std::nullopt;
+    if (c == '\\' || static_cast<unsigned char>(c) < ' ') return std::nullopt;
   for (std::size_t begin = 0; begin <= path->size();) {
     std::size_t end = path->find('/', begin);
     if (end == path->npos) end = path->size();
