@@ -36,7 +36,7 @@ struct Imported {
 
 /// Reads a mesh from bytes; for kGltf external buffers are resolved against `folder` (never outside it).
 /// Coordinates that do not fit float32 keep their precision through Mesh::origin.
-/// Errors: kInvalidFile with line or byte, kOutOfMemory.
+/// Errors: kInvalidFile with line or byte, kFileOpen and kFileRead (external buffers), kOutOfMemory.
 Result<Imported> read_mesh(std::span<const std::byte> bytes, FileFormat format,
                            std::string_view folder = {}) noexcept;
 
@@ -45,7 +45,8 @@ Result<Imported> read_mesh_file(const std::string& path) noexcept;
 
 /// Writes a mesh to bytes (kGltf: one self-contained JSON with embedded buffers). A mesh with an origin is
 /// written with double coordinates where the format has them (PLY, OBJ, OFF), as a node translation in glTF;
-/// STL is float32 only. Errors: kOutOfMemory, kUnknownFormat.
+/// STL is float32 only. Errors: kInvalidMesh (sizes that disagree, index out of range; glTF: a coordinate
+/// that is not finite), kLimitExceeded (more than the format can hold), kOutOfMemory, kUnknownFormat.
 Result<std::vector<std::byte>> write_mesh(const MeshView& mesh, FileFormat format) noexcept;
 
 /// Writes to `path`, whole or not at all: to a temporary file beside it, then a rename. Format by suffix.
