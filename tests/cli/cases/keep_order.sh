@@ -1,0 +1,12 @@
+# --keep-order gives back the same faces over the same vertices; without it --order-out tells the way back.
+quiet generate fragments a.off --vertices 900
+quiet encode a.off a.dmsh --keep-order --keep-unreferenced --order-out a.order
+quiet decode a.dmsh b.off
+faces() { grep -E '^3 [0-9]+ [0-9]+ [0-9]+ *$' "$1"; }
+[ "$(faces a.off | wc -l)" -gt 100 ] && cmp <(faces a.off) <(faces b.off) && say "faces are equal"
+[ "$(stat -c %s a.order)" = $((4 * $(sed -n 2p b.off | cut -d' ' -f1))) ] && say "one index per vertex"
+od -An -v -tu4 -w4 a.order | awk '$1 != NR - 1 { different = 1 } END { print different ? "reordered" : "in order" }'
+quiet encode a.off a.dmsh --order-out a.order
+quiet decode a.dmsh b.off
+od -An -v -tu4 -w4 a.order | awk '$1 != NR - 1 { different = 1 } END { print different ? "reordered" : "in order" }'
+run compare a.off b.off --order a.order --json | grep corresponding

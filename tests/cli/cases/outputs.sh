@@ -1,0 +1,35 @@
+# Outputs that cannot be written end with exit code 4; what was there before stays, and no temporary file does.
+cube cube.obj
+quiet encode cube.obj cube.dmsh
+run encode cube.obj /dev/full
+run decode cube.dmsh none/cube.ply
+run encode cube.obj cube2.dmsh --order-out /dev/full
+mkdir folder folder.ply
+run encode cube.obj folder
+run decode cube.dmsh folder.ply
+"$program" info cube.dmsh >/dev/full 2>.err
+say "info to a full device: exit $?"
+cat .err
+say "a disk that is full after one block:"
+quiet generate sphere sphere.ply --vertices 5000
+printf 'before' >old.dmsh
+printf 'before' >old.ply
+(
+  trap '' XFSZ
+  ulimit -f 1
+  "$program" encode sphere.ply old.dmsh >/dev/null 2>&1
+  say "exit $?"
+  "$program" generate sphere old.ply --vertices 5000 >/dev/null 2>&1
+  say "exit $?"
+)
+cat old.dmsh old.ply
+say
+say "in and out may be one file:"
+cp cube.obj same.obj
+status encode same.obj same.obj
+cp same.obj same.dmsh
+status verify same.dmsh
+ln -s cube.dmsh link.dmsh
+status encode cube.obj link.dmsh
+[ -L link.dmsh ] && say "the link is still one"
+list
