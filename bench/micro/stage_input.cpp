@@ -36,7 +36,7 @@ const StageInput& stage_input(benchmark::State& state) {
 }
 
 void use_scenes(benchmark::internal::Benchmark* benchmark) {
-  for (const std::int64_t vertices : {5'000, 50'000})
+  for (const std::int64_t vertices : {4'000, 20'000})
     for (const Scene scene : {Scene::kRooms, Scene::kSphere, Scene::kCad})
       benchmark->Args({static_cast<std::int64_t>(scene), vertices});
   benchmark->ArgNames({"scene", "vertices"})->Unit(benchmark::kMillisecond);

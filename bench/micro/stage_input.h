@@ -27,7 +27,7 @@ struct StageInput : WeldedMesh {
 /// Ends the program where a scene cannot be generated.
 const StageInput& stage_input(benchmark::State& state);
 
-/// Registers rooms, sphere and cad at 5,000 and 50,000 vertices.
+/// Registers rooms, sphere and cad at 4,000 and 20,000 vertices.
 void use_scenes(benchmark::internal::Benchmark* benchmark);
 
 /// Reports the speed as vertices per second.

@@ -31,7 +31,7 @@ std::string explanation(const Run& run) {
   return join(
       {"Meshes: ", run.meshes,
        ". Every peer gets the same mesh: positions and triangles only, equal positions welded, degenerate "
-       "faces and unused vertices dropped. One thread. Times are medians of up to ",
+       "faces and unused vertices dropped. One thread. Times are processor times, medians of up to ",
        std::to_string(run.timing.repeats), " runs (fewer where they take more than ",
        significant(run.timing.seconds, 3),
        " s together). Our encoder also decodes and measures its own result. VDE and LFE are root mean "

@@ -3,7 +3,7 @@
 #include "run/measure.h"
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 #include <utility>
 #include <vector>
 
@@ -18,16 +18,16 @@ double median(std::vector<double>& values) {
   return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
-/// Runs `work` as often as `effort` says; median seconds. Errors: of the first failing run.
+/// Runs `work` as often as `effort` says; median processor seconds, which other programs on the machine
+/// disturb least. Errors: of the first failing run.
 template <class Work>
 Result<double> time_median(const TimingEffort& effort, Work work) {
-  using Clock = std::chrono::steady_clock;
   std::vector<double> seconds;
   double total = 0;
   do {
-    const auto start = Clock::now();
+    const std::clock_t start = std::clock();
     if (const Result<void> done = work(); !done) return done.error();
-    seconds.push_back(std::chrono::duration<double>(Clock::now() - start).count());
+    seconds.push_back(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
     total += seconds.back();
   } while (static_cast<int>(seconds.size()) < effort.repeats && total < effort.seconds);
   return median(seconds);

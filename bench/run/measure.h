@@ -23,8 +23,8 @@ struct Measurement {
   double diagonal = 0;  ///< of the bounding box, model units
   std::uint64_t bytes = 0;
   Quality quality;            ///< model units
-  double encode_seconds = 0;  ///< median
-  double decode_seconds = 0;  ///< median
+  double encode_seconds = 0;  ///< processor time, median
+  double decode_seconds = 0;  ///< processor time, median
 
   double bits_per_vertex() const { return 8 * static_cast<double>(bytes) / static_cast<double>(vertices); }
   double percent(double error) const { return 100 * error / diagonal; }
