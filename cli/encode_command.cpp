@@ -70,16 +70,20 @@ void print_object(const EncodeReport& report, double seconds) {
   print_json(object);
 }
 
-int run_encode(Arguments& arguments) {
+Result<Encoded> encode_showing_progress(const Mesh& mesh, EncodeOptions options) {
+  Progress progress("encoding");
+  options.progress = progress.callback();
+  return encode(mesh, options);
+}
+
+int run_encode(const Arguments& arguments) {
   if (const Result<void> valid = validate(arguments.options); !valid) return fail("encode", valid.error());
   int status = kOk;
   const std::optional<Imported> imported = load_mesh(arguments.in, status);
   if (!imported) return status;
 
   const auto start = std::chrono::steady_clock::now();
-  Progress progress("encoding");
-  arguments.options.progress = progress.callback();
-  const Result<Encoded> encoded = encode(imported->mesh, arguments.options);
+  const Result<Encoded> encoded = encode_showing_progress(imported->mesh, arguments.options);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   if (!encoded) return fail(arguments.in, encoded.error());
 
