@@ -27,7 +27,7 @@ bool has_unknown_extension(const Json& object) {
   const Json* extensions = find(object, "extensions");
   if (!extensions || !extensions->is_object()) return false;
   for (auto item = extensions->begin(); item != extensions->end(); ++item)
-    if (!is_harmless_extension(item.key()) && item.key() != "KHR_materials_variants") return true;
+    if (!is_harmless_extension(item.key())) return true;
   return false;
 }
 

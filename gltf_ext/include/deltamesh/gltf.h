@@ -67,11 +67,11 @@ struct GltfOutput {
 
 /// Compresses every triangle-list primitive of `asset` (GLB or JSON, recognised by content) whose positions
 /// are float32; everything else stays as it is, apart from numbers of buffer views and places in the buffer,
-/// and all buffers become one. Primitives with morph targets keep the order of their vertices. Triangles of
-/// converted primitives may change order, and without `fallback` only a reader that knows the extension can
-/// read the result. Errors: kInvalidFile (the element is named where there is one), kInvalidArgument,
-/// kInvalidMesh (`where`: the primitive, counted over all meshes), kFileOpen, kOutOfMemory, and what
-/// `io.resolve` returns.
+/// and all buffers become one; GLB chunks that glTF does not define are kept where the result is a GLB.
+/// Primitives with morph targets keep the order of their vertices. Triangles of converted primitives may
+/// change order, and without `fallback` only a reader that knows the extension can read the result. Errors:
+/// kInvalidFile (the element is named where there is one), kInvalidArgument, kInvalidMesh (`where`: the
+/// primitive, counted over all meshes), kFileOpen, kOutOfMemory, and what `io.resolve` returns.
 Result<GltfOutput> pack_gltf(std::span<const std::byte> asset, const GltfPackOptions& options,
                              const GltfIo& io = {}) noexcept;
 
