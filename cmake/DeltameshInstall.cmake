@@ -14,5 +14,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/deltameshConfigVersion.cm
 install(FILES ${PROJECT_BINARY_DIR}/deltameshConfig.cmake ${PROJECT_BINARY_DIR}/deltameshConfigVersion.cmake
         DESTINATION ${package_dir})
 
+# The installed tree may be moved: the .pc file finds its prefix from where it stands.
+file(RELATIVE_PATH prefix_from_pkgconfig /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
 configure_file(cmake/deltamesh.pc.in ${PROJECT_BINARY_DIR}/deltamesh.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/deltamesh.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

@@ -26,8 +26,10 @@ cmake -S "$consumer" -B "$scratch/consumer" -DCMAKE_PREFIX_PATH="$scratch/prefix
   -DCMAKE_BUILD_TYPE=Release -DEXAMPLE="$scratch/main.cpp" >/dev/null
 cmake --build "$scratch/consumer"
 "$scratch/consumer/consumer"
+"$scratch/consumer/all_libraries"
 
-export PKG_CONFIG_PATH="$scratch/prefix/lib/pkgconfig:$(find "$scratch/prefix" -name pkgconfig -type d | head -n 1)"
+PKG_CONFIG_PATH=$(find "$scratch/prefix" -name pkgconfig -type d | head -n 1)
+export PKG_CONFIG_PATH
 # shellcheck disable=SC2046
 "$compiler" -std=c++20 "$scratch/main.cpp" -o "$scratch/pkg_consumer" $(pkg-config --cflags --libs deltamesh)
 "$scratch/pkg_consumer"
