@@ -78,7 +78,7 @@ TEST(Header, HDR5RejectsReservedFlags) {
 
 TEST(Header, HDR6RejectsHugeCounts) {
   EXPECT_EQ(broken_rule([](FileHeader& h) { h.vertices = 0x80000000; }), "HDR-6");
-  EXPECT_EQ(broken_rule([](FileHeader& h) { h.triangles = 0x80000000; }), "HDR-6");
+  EXPECT_EQ(broken_rule([](FileHeader& h) { h.triangles = (1U << 29) + 1; }), "HDR-6");
 }
 
 TEST(Header, HDR7RejectsCountsThatCannotBe) {

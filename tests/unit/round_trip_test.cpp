@@ -200,6 +200,16 @@ TEST(Encode, RejectsMeshesThatDoNotAddUp) {
   EXPECT_EQ(encode(values).error().where, 2U) << "third attribute";
 }
 
+TEST(Encode, RefusesMoreThanTheFormatHoldsBeforeItReadsAny) {
+  const Mesh mesh = testing::tetrahedron();
+  MeshView many = mesh;
+  many.triangles = {mesh.triangles.data(), 3 * ((std::size_t{1} << 29) + 1)};
+  EXPECT_EQ(encode(many).error().code, ErrorCode::kLimitExceeded);
+  many = mesh;
+  many.positions = {mesh.positions.data(), 3 * (std::size_t{1} << 31)};
+  EXPECT_EQ(encode(many).error().code, ErrorCode::kLimitExceeded);
+}
+
 TEST(Encode, RejectsOptionsOutsideTheirRange) {
   const Mesh mesh = testing::tetrahedron();
   const double nan = std::numeric_limits<double>::quiet_NaN();

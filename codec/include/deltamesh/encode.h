@@ -61,7 +61,7 @@ Result<void> validate(const EncodeOptions& options) noexcept;
 /// Encodes `mesh`. The same mesh and options give the same bytes. Takes any triangle soup; cost is dominated
 /// by the least-squares solve that measures the result. Errors: kInvalidArgument (options), kInvalidMesh (NaN
 /// or infinity, index out of range, sizes that disagree), kLimitExceeded (more than 2^31 - 1 vertices or
-/// triangles, or beyond what a stream can hold), kOutOfMemory.
+/// 2^29 triangles, or beyond what a stream can hold), kOutOfMemory.
 Result<Encoded> encode(const MeshView& mesh, const EncodeOptions& options = {}) noexcept;
 
 }  // namespace deltamesh

@@ -34,9 +34,9 @@ Result<void> check_mesh(const MeshView& mesh) {
   if (mesh.positions.size() % 3 != 0) return invalid("positions are not three numbers per vertex");
   if (mesh.triangles.size() % 3 != 0) return invalid("triangles are not three indices each");
   const std::size_t vertices = mesh.vertex_count();
-  if (vertices > kMaxElements || mesh.triangle_count() > kMaxElements)
+  if (vertices > kMaxVertices || mesh.triangle_count() > kMaxTriangles)
     return Error{.code = ErrorCode::kLimitExceeded,
-                 .message = "more than 2^31 - 1 vertices or triangles",
+                 .message = "more than 2^31 - 1 vertices or 2^29 triangles",
                  .rule = "HDR-6"};
   for (const double x : mesh.origin) {
     if (!std::isfinite(x)) return invalid("the origin is not finite");

@@ -73,8 +73,8 @@ Result<void> check_counts(const FileHeader& h, const ByteReader& in) {
   const auto invalid = [&in](const char* message, const char* rule) {
     return in.error(ErrorCode::kInvalidStream, message, rule);
   };
-  if (h.vertices > kMaxElements || h.triangles > kMaxElements)
-    return invalid("more than 2^31 - 1 vertices or triangles", "HDR-6");
+  if (h.vertices > kMaxVertices || h.triangles > kMaxTriangles)
+    return invalid("more than 2^31 - 1 vertices or 2^29 triangles", "HDR-6");
   if (h.geometric_vertices > h.vertices || (h.geometric_vertices == 0) != (h.vertices == 0))
     return invalid("more geometric vertices than vertices, or none", "HDR-7");
   if (h.vertices == 0 && h.triangles != 0) return invalid("triangles without vertices", "HDR-7");

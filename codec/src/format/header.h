@@ -21,7 +21,8 @@ inline constexpr std::uint32_t kMagic = chunk_tag("DMSH");  // [HDR-1]
 inline constexpr std::uint16_t kFlagKeepsOrder = 1U << 0;   // [HDR-5]
 inline constexpr std::uint16_t kFlagHasOrigin = 1U << 1;    // [HDR-5]
 inline constexpr std::uint16_t kKnownFlags = kFlagKeepsOrder | kFlagHasOrigin;
-inline constexpr std::uint64_t kMaxElements = 0x7fffffff;  // [HDR-6]
+inline constexpr std::uint64_t kMaxVertices = 0x7fffffff;  // [HDR-6]
+inline constexpr std::uint64_t kMaxTriangles = 1U << 29;   // [HDR-6]
 inline constexpr std::uint8_t kGeometryHighpass = 1;       // [HDR-10]
 
 struct FileHeader {
