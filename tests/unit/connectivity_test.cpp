@@ -247,7 +247,7 @@ TEST(Connectivity, CONN11RejectsGluingOutOfRange) {
   expect_rule(parts, 9, 1, "CONN-11");  // four of three
 }
 
-TEST(Connectivity, CONN5And6TetrahedronByHand) {
+TEST(Connectivity, CONN3CONN5CONN6TetrahedronByHand) {
   // One new vertex, then the focus closes; the rest is a loop of three at a vertex of degree 2.
   const Parts parts{.tokens = {{1, token(BorderOp::kRight, 1)}, {16, token(BorderOp::kEnd)}}};
   const auto read = read_connectivity(parts.assemble(), 4, 4);

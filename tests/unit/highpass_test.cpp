@@ -44,7 +44,7 @@ GraphMesh flat_line_mesh() {  // every vertex at the same place
   return test::finish(std::move(mesh));
 }
 
-TEST(Highpass, DecoderReturnsTheEncodersPositions) {
+TEST(Highpass, DELT2DecoderReturnsTheEncodersPositions) {
   for (const GraphMesh& mesh : {test::sheet(25, 17), test::fragments(), test::fan(500), test::sheet(1, 1),
                                 flat_line_mesh(), test::finish({})}) {
     for (const int bits : {3, 8, 16}) {

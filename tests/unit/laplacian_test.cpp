@@ -148,7 +148,7 @@ TEST(SolvedPart, LeavesSmallComponentsOut) {
   }
 }
 
-TEST(DirectSolver, AgreesWithDenseLeastSquares) {
+TEST(DirectSolver, DELT4AgreesWithDenseLeastSquares) {
   for (const GraphMesh& mesh : {test::sheet(9, 8), test::fan(30), test::sheet(40, 2), test::sheet(5, 2)}) {
     for (const std::uint32_t count : {1U, 5U}) {
       const auto anchors = place_anchors(mesh.graph, mesh.components, {.count = count}).vertices;

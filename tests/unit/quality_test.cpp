@@ -21,7 +21,7 @@ TEST(Quality, EqualMeshesHaveNoError) {
   EXPECT_EQ(quality.max_error, 0);
 }
 
-TEST(Quality, ATranslationIsPositionalOnly) {
+TEST(Quality, QUAL2ATranslationIsPositionalOnly) {
   const GraphMesh mesh = test::sheet(20, 20);
   std::vector<Vec3> moved = mesh.positions;
   for (Vec3& position : moved) position = position + Vec3{2, -3, 6};
@@ -31,7 +31,7 @@ TEST(Quality, ATranslationIsPositionalOnly) {
   EXPECT_LT(quality.vde_rms, 1e-13);
 }
 
-TEST(Quality, FollowsEquationTwoOnATriangle) {
+TEST(Quality, QUAL1FollowsEquationTwoOnATriangle) {
   // Edges 0-1: 3, 0-2: 4, 1-2: 5; vertex 0 moves to (0, 0, h), which changes the lengths of its edges.
   const GraphMesh mesh =
       test::finish({.positions = {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}}, .triangles = {0, 1, 2}});
@@ -53,7 +53,7 @@ TEST(Quality, FollowsEquationTwoOnATriangle) {
   EXPECT_EQ(quality.max_error, 1);
 }
 
-TEST(Quality, VerticesWithoutNeighboursCountForTheMaximumAlone) {
+TEST(Quality, QUAL3VerticesWithoutNeighboursCountForTheMaximumAlone) {
   const GraphMesh mesh =
       test::finish({.positions = {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}, {5, 5, 5}}, .triangles = {0, 1, 2}});
   std::vector<Vec3> decoded = mesh.positions;
