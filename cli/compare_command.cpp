@@ -94,6 +94,11 @@ int fail_comparison(const Arguments& arguments, const Error& error) {
 int run_compare(const Arguments& arguments) {
   int status = kOk;
   if (!arguments.heatmap.empty() && !check_mesh_suffix(arguments.heatmap, status)) return status;
+  for (const std::string& mesh : {arguments.a, arguments.b}) {
+    if (!names_same_file(arguments.heatmap, mesh)) continue;
+    print_error(arguments.heatmap, "the heat map would replace a mesh that it compares");
+    return kUsage;
+  }
   const std::optional<Mesh> a = load_mesh_or_stream(arguments.a, status);
   if (!a) return status;
   const std::optional<Mesh> b = load_mesh_or_stream(arguments.b, status);

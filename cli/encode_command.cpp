@@ -76,9 +76,24 @@ Result<Encoded> encode_showing_progress(const Mesh& mesh, EncodeOptions options)
   return encode(mesh, options);
 }
 
+/// A stream or an order under a mesh's suffix is a slip: written, it would most often replace the mesh.
+bool check_outputs(const Arguments& arguments, int& status) {
+  for (const std::string& path : {arguments.out, arguments.order_out}) {
+    if (!format_of_path(path)) continue;
+    print_error(path, "this suffix is a mesh file's; `encode` writes a stream, .dmsh");
+    status = kUsage;
+    return false;
+  }
+  if (!names_same_file(arguments.out, arguments.order_out)) return true;
+  print_error(arguments.out, "OUT and --order-out are one file");
+  status = kUsage;
+  return false;
+}
+
 int run_encode(const Arguments& arguments) {
   if (const Result<void> valid = validate(arguments.options); !valid) return fail("encode", valid.error());
   int status = kOk;
+  if (!check_outputs(arguments, status)) return status;
   const std::optional<Imported> imported = load_mesh(arguments.in, status);
   if (!imported) return status;
 

@@ -2,6 +2,9 @@
 // Copyright 2026 The deltamesh authors
 #include "mesh_files.h"
 
+#include <filesystem>
+#include <system_error>
+
 #include "console.h"
 #include "deltamesh/decode.h"
 
@@ -50,6 +53,15 @@ bool check_mesh_suffix(const std::string& path, int& status) {
   print_error(path, std::string("cannot write a mesh under this suffix; known are ") + kMeshSuffixes);
   status = exit_code_of(format.error().code);
   return false;
+}
+
+bool names_same_file(const std::string& a, const std::string& b) {
+  namespace fs = std::filesystem;
+  if (a.empty() || b.empty()) return false;
+  std::error_code absent;
+  if (fs::exists(a, absent)) return fs::is_regular_file(a, absent) && fs::equivalent(a, b, absent);
+  return fs::weakly_canonical(fs::absolute(a, absent), absent) ==
+         fs::weakly_canonical(fs::absolute(b, absent), absent);
 }
 
 int save_mesh(const std::string& path, const MeshView& mesh) {

@@ -24,6 +24,10 @@ std::optional<Mesh> load_mesh_or_stream(const std::string& path, int& status);
 /// Whether a mesh can be written under this name; if not, says so and which names will do.
 bool check_mesh_suffix(const std::string& path, int& status);
 
+/// Whether both paths lead to one regular file, or to one that is yet to be made; an empty path leads
+/// nowhere.
+bool names_same_file(const std::string& a, const std::string& b);
+
 /// Writes a mesh, whole or not at all; returns the exit code.
 int save_mesh(const std::string& path, const MeshView& mesh);
 

@@ -24,11 +24,16 @@ printf 'before' >old.ply
 )
 cat old.dmsh old.ply
 say
-say "in and out may be one file:"
+say "a mesh is not replaced by what is made of it:"
 cp cube.obj same.obj
-status encode same.obj same.obj
-cp same.obj same.dmsh
-status verify same.dmsh
+run encode same.obj same.obj
+run encode same.obj same.dmsh --order-out cube.ply
+run encode same.obj same.dmsh --order-out ./same.dmsh
+ln -s cube.dmsh also_cube.dmsh
+run encode same.obj cube.dmsh --order-out also_cube.dmsh
+run compare cube.obj same.obj --heatmap ./same.obj
+cmp cube.obj same.obj
+rm also_cube.dmsh
 ln -s cube.dmsh link.dmsh
 status encode cube.obj link.dmsh
 [ -L link.dmsh ] && say "the link is still one"
