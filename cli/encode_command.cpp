@@ -53,6 +53,9 @@ void print_summary(const Arguments& arguments, const ImportNotes& notes, const E
   summary.add("triangles", triangles);
   if (notes.other_primitives > 0)
     summary.add("left out", counted(notes.other_primitives, "point or line", "points or lines"));
+  if (notes.dropped_attributes > 0)
+    summary.add("left out", counted(notes.dropped_attributes, "attribute", "attributes") +
+                                " (bad name, or not alike in all primitives)");
   summary.add("components", grouped(stream.components));
   add_sizes(summary, stream);
   add_settings(summary, stream);

@@ -292,9 +292,24 @@ TEST(GltfReader, ExtensionsThatHideTheGeometryAreErrors) {
 }
 
 TEST(GltfReader, ImagesAndMaterialsAreLeftAlone) {
-  read(asset(std::string(kMesh) +
-             R"(,"images":[{"uri":"../../etc/passwd"},{"bufferView":99}],"textures":[{"source":5}],
+  const Mesh plain = read(asset(kMesh));
+  const Mesh mesh =
+      read(asset(std::string(kMesh) +
+                 R"(,"images":[{"uri":"../../etc/passwd"},{"bufferView":99}],"textures":[{"source":5}],
       "materials":[{"pbrMetallicRoughness":7}],"animations":"none","skins":[{"joints":[99]}])"));
+  EXPECT_EQ(mesh.positions, plain.positions);
+  EXPECT_EQ(mesh.triangles, plain.triangles);
+}
+
+TEST(GltfReader, CountsAttributesThatItLeavesOut) {
+  const std::string long_name = "_" + std::string(255, 'n');
+  const auto imported =
+      read_text(asset(R"("meshes":[{"primitives":[{"attributes":{"POSITION":0,"_ONE":0,")" + long_name +
+                      R"(":0},"indices":1},{"attributes":{"POSITION":0},"indices":1}]}])"),
+                kGltf);
+  ASSERT_TRUE(imported) << describe(imported.error());
+  EXPECT_TRUE(imported->mesh.attributes.empty());
+  EXPECT_EQ(imported->notes.dropped_attributes, 2U);
 }
 
 TEST(GltfReader, BuffersInOtherFiles) {

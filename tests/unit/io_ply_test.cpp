@@ -56,6 +56,17 @@ TEST(PlyReader, SkipsWhatItDoesNotKnow) {
   EXPECT_EQ(imported->notes.other_primitives, 2U);
 }
 
+TEST(PlyReader, CountsAttributesWhoseNamesAStreamCannotHold) {
+  const std::string names =
+      "property float caf\xe9\nproperty int " + std::string(256, 'n') + "\nproperty uchar ok\n";
+  const auto imported =
+      read_text(with_vertices(kXyz + names, "0 0 0 1 2 3\n1 0 0 1 2 3\n0 1 0 1 2 3\n3 0 1 2\n"), kPly);
+  ASSERT_TRUE(imported) << describe(imported.error());
+  ASSERT_EQ(imported->mesh.attributes.size(), 1U);
+  EXPECT_EQ(imported->mesh.attributes[0].name, "ok");
+  EXPECT_EQ(imported->notes.dropped_attributes, 2U);
+}
+
 TEST(PlyReader, KnowsTheNamesOfColorsAndTextureCoordinates) {
   for (const std::string names : {"red green blue", "r g b", "diffuse_red diffuse_green diffuse_blue"}) {
     std::string properties = kXyz;

@@ -27,6 +27,8 @@ struct ImportNotes {
   std::uint64_t dropped_faces = 0;     ///< faces with fewer than three corners
   std::uint64_t welded_corners = 0;    ///< STL: corners merged by equal position
   std::uint64_t other_primitives = 0;  ///< glTF: points, lines; PLY, OBJ: edges and the like, left out
+  std::uint64_t dropped_attributes =
+      0;  ///< name not UTF-8 of 1 to 255 bytes, or glTF primitives differ in it
 };
 
 struct Imported {

@@ -76,7 +76,7 @@ Result<Layouts> find_layouts(const GltfDocument& document, const std::vector<Glt
   Layouts layouts;
   for (const GltfVertexSet& set : sets) {
     for (const auto& [semantic, index] : *set.semantics) {
-      if (semantic == "POSITION" || !is_attribute_name(semantic)) continue;
+      if (semantic == "POSITION") continue;
       DELTAMESH_TRY(const GltfAccessor* accessor, find_accessor(document, index));
       if (accessor->count != set.count)
         return invalid_file("glTF: the attributes of a primitive differ in their number of values");
@@ -88,7 +88,8 @@ Result<Layouts> find_layouts(const GltfDocument& document, const std::vector<Glt
   return layouts;
 }
 
-bool is_kept(const Layout& layout, std::size_t sets) noexcept {
+bool is_kept(const std::string& semantic, const Layout& layout, std::size_t sets) noexcept {
+  if (!is_attribute_name(semantic)) return false;
   if (layout.kind == AttributeKind::kColor || layout.kind == AttributeKind::kUv) return true;
   return layout.sets == sets && !layout.differs;
 }
@@ -161,11 +162,14 @@ Result<void> fill(const GltfDocument& document, GltfBuffers buffers, const GltfV
 
 Result<std::vector<Attribute>> merge_attributes(const GltfDocument& document, GltfBuffers buffers,
                                                 const std::vector<GltfVertexSet>& sets,
-                                                std::uint64_t vertices) {
+                                                std::uint64_t vertices, std::uint64_t& dropped) {
   DELTAMESH_TRY(const Layouts layouts, find_layouts(document, sets));
   std::vector<Attribute> attributes;
   for (const auto& [semantic, layout] : layouts) {
-    if (!is_kept(layout, sets.size())) continue;
+    if (!is_kept(semantic, layout, sets.size())) {
+      ++dropped;
+      continue;
+    }
     Attribute attribute = make_attribute(layout.kind, layout.type, layout.components, semantic, vertices);
     attribute.normalized = layout.normalized;
     for (const GltfVertexSet& set : sets) {

@@ -26,10 +26,11 @@ struct GltfVertexSet {
 /// All attributes but the position, of `vertices` vertices. NORMAL and TEXCOORD_n become float32; TANGENT and
 /// normals are turned with their node; JOINTS_n, WEIGHTS_n, TANGENT and custom ones are generic. Where the
 /// sets differ: a colour that some lack is filled with opaque white, texture coordinates with 0; colours of
-/// several types become float32. Any other attribute that a set lacks, or has in another type, is left out.
-/// Errors: kInvalidFile: a semantic with a wrong type or count, accessors out of range.
+/// several types become float32. Any other attribute that a set lacks, or has in another type, and one whose
+/// name is not UTF-8 of 1 to 255 bytes, is left out and counted in `dropped`. Errors: kInvalidFile: a
+/// semantic with a wrong type or count, accessors out of range.
 Result<std::vector<Attribute>> merge_attributes(const GltfDocument& document, GltfBuffers buffers,
                                                 const std::vector<GltfVertexSet>& sets,
-                                                std::uint64_t vertices);
+                                                std::uint64_t vertices, std::uint64_t& dropped);
 
 }  // namespace deltamesh

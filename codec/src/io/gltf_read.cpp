@@ -51,7 +51,8 @@ class Assembly {
   Result<Imported> build() {
     for (const GltfPlacement& placement : placements_) DELTAMESH_CHECK(collect(placement));
     DELTAMESH_CHECK(read_positions());
-    DELTAMESH_TRY(imported_.mesh.attributes, merge_attributes(document_, buffers_, sets_, vertices_));
+    DELTAMESH_TRY(imported_.mesh.attributes, merge_attributes(document_, buffers_, sets_, vertices_,
+                                                              imported_.notes.dropped_attributes));
     for (const Part& part : parts_) DELTAMESH_CHECK(read_triangles(part));
     return std::move(imported_);
   }

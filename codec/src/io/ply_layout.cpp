@@ -89,8 +89,11 @@ class LayoutBuilder {
 
   void add_generic(std::size_t i) {
     const PlyProperty& property = properties_[i];
-    if (claimed_[i] || property.is_list || !is_attribute_name(property.name) || find(property.name) != i)
+    if (claimed_[i] || property.is_list || find(property.name) != i) return;
+    if (!is_attribute_name(property.name)) {
+      ++layout_.unnamed;
       return;
+    }
     const std::string_view name = property.name;
     add(AttributeKind::kGeneric, property.type, Names(&name, 1));
   }

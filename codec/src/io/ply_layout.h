@@ -24,6 +24,7 @@ struct PlyVertexLayout {
   bool has_position = false;
   std::vector<PlyTarget> targets;     ///< one per property
   std::vector<Attribute> attributes;  ///< without values
+  std::size_t unnamed = 0;            ///< scalar properties that are skipped for their name
 };
 
 /// Finds x y z, normals (nx ny nz), colours (red green blue [alpha], also r g b [a] and diffuse_red ...;

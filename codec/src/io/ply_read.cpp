@@ -18,10 +18,12 @@ namespace {
 
 constexpr const char* kTooMany = "PLY: the file is too short for the number of elements it states";
 
-Result<void> read_vertices(PlyBody& body, const PlyElement& vertex, Mesh& mesh) {
+Result<void> read_vertices(PlyBody& body, const PlyElement& vertex, Imported& imported) {
   if (vertex.count > std::numeric_limits<std::uint32_t>::max()) return body.at("PLY: too many vertices");
   PlyVertexLayout layout = layout_ply_vertex(vertex);
   if (!layout.has_position) return body.at("PLY: the vertices have no x, y, z");
+  Mesh& mesh = imported.mesh;
+  imported.notes.dropped_attributes = layout.unnamed;
   for (Attribute& attribute : layout.attributes)
     attribute.values.resize(vertex.count * attribute.components * component_size(attribute.type));
   std::vector<double> coordinates(vertex.count * 3);
@@ -109,7 +111,7 @@ Result<Imported> read_ply(std::span<const std::byte> bytes) {
   for (const PlyElement& element : header.elements) {
     if (!body.may_hold(element)) return body.at(kTooMany);
     if (&element == vertex) {
-      DELTAMESH_CHECK(read_vertices(body, element, imported.mesh));
+      DELTAMESH_CHECK(read_vertices(body, element, imported));
     } else if (&element == face) {
       DELTAMESH_CHECK(read_faces(body, element, vertex->count, faces));
     } else if (!element.properties.empty()) {
