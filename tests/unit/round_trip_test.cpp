@@ -188,6 +188,17 @@ TEST(Encode, NamesTheFirstVertexThatIsNotFinite) {
   EXPECT_EQ(result.error().where, 7U);
 }
 
+TEST(Encode, RejectsCoordinatesWhoseDecodedOnesAreNoFloats) {
+  Mesh mesh = testing::bumpy_grid(9, 9);
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) mesh.positions[i] = i % 2 == 0 ? 3.4e38F : -3.4e38F;
+  for (std::size_t v = 0; v < 81; ++v) mesh.positions[3 * v] *= static_cast<float>(v) / 81;  // not all welded
+  for (const EncodeOptions& options : {EncodeOptions{.bits = 3}, EncodeOptions{.step = 1e300}}) {
+    const auto encoded = encode(mesh, options);
+    ASSERT_FALSE(encoded);
+    EXPECT_EQ(encoded.error().code, ErrorCode::kInvalidMesh) << describe(encoded.error());
+  }
+}
+
 TEST(Encode, RejectsMeshesThatDoNotAddUp) {
   Mesh index = testing::tetrahedron();
   index.triangles[4] = 4;

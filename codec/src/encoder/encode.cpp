@@ -56,10 +56,18 @@ float round_up(double value) {
   return rounded >= value ? rounded : std::nextafter(rounded, std::numeric_limits<float>::infinity());
 }
 
-void set_quality(FileHeader& header, const Quality& quality) {
+/// Coordinates near the largest float: what is decoded, or its error, would not be a float any more.
+constexpr Error kTooLarge{.code = ErrorCode::kInvalidMesh,
+                          .message = "the coordinates are too large: decoded ones would not fit float32"};
+
+Result<void> set_quality(FileHeader& header, const Quality& quality) {
+  for (const double figure : {quality.vde_rms, quality.lfe_rms, quality.max_error}) {
+    if (!(figure <= static_cast<double>(std::numeric_limits<float>::max()))) return kTooLarge;
+  }
   header.vde_rms = round_up(quality.vde_rms);
   header.lfe_rms = round_up(quality.lfe_rms);
   header.max_error = round_up(quality.max_error);
+  return {};
 }
 
 HighpassRequest highpass_request(const EncodeOptions& options) {
@@ -94,14 +102,15 @@ Result<void> add_geometry(const MeshView& mesh, const CodedTopology& topology, c
   const Adjacency graph = build_adjacency(topology.connectivity.triangles, topology.geometric_count());
   const Components components = find_components(graph);
   set_box(header, positions);
-  DELTAMESH_TRY(auto coded,
-                write_highpass(graph, components, positions, header.box(), highpass_request(options)));
+  auto coded = write_highpass(graph, components, positions, header.box(), highpass_request(options));
+  // The one rule of the stream that a finite mesh can break [DELT-3].
+  if (!coded) return coded.error().code == ErrorCode::kInvalidStream ? kTooLarge : coded.error();
   header.components = components.count;
-  header.highpass = coded.parameters;
-  DELTAMESH_TRY(const auto decoded, to_float_positions(coded.positions));
-  set_quality(header, measure_quality(graph, positions, decoded));
-  DELTAMESH_CHECK(chunks.add(kTagDeltas, std::move(coded.deltas)));
-  return chunks.add(kTagAnchors, std::move(coded.anchors));
+  header.highpass = coded->parameters;
+  DELTAMESH_TRY(const auto decoded, to_float_positions(coded->positions));
+  DELTAMESH_CHECK(set_quality(header, measure_quality(graph, positions, decoded)));
+  DELTAMESH_CHECK(chunks.add(kTagDeltas, std::move(coded->deltas)));
+  return chunks.add(kTagAnchors, std::move(coded->anchors));
 }
 
 Result<void> add_attributes(const MeshView& mesh, const CodedTopology& topology, const EncodeOptions& options,
