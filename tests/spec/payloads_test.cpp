@@ -106,12 +106,12 @@ TEST(Stream, HDR7RejectsAnotherNumberOfComponents) {
   EXPECT_EQ(broken_rule(parts), "HDR-7");
 }
 
-TEST(Stream, ATTR1RejectsAnotherNumberOfAttributes) {
+TEST(Stream, HDR13RejectsAnotherNumberOfAttributes) {
   Parts parts = take_apart(testing::attributed_grid(4, 4), {});
   parts.header.attributes += 1;
-  EXPECT_EQ(broken_rule(parts), "ATTR-1");
+  EXPECT_EQ(broken_rule(parts), "HDR-13");
   parts.header.attributes -= 2;
-  EXPECT_EQ(broken_rule(parts), "ATTR-1");
+  EXPECT_EQ(broken_rule(parts), "HDR-13");
 }
 
 TEST(Stream, GEO1RejectsPositionsBeyondFloat32) {

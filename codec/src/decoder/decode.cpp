@@ -105,7 +105,7 @@ class StreamDecoder {
     if (mesh.attributes.size() != header_.attributes)
       return Error{.code = ErrorCode::kInvalidStream,
                    .message = "the number of ATTR chunks differs from the header's",
-                   .rule = "ATTR-1"};
+                   .rule = "HDR-13"};
     return {};
   }
 

@@ -50,7 +50,7 @@ Result<void> check_mesh(const MeshView& mesh) {
       return invalid("an index is not below the number of vertices", WhereKind::kTriangle, i / 3);
   }
   if (mesh.attributes.size() > kMaxAttributes)
-    return Error{.code = ErrorCode::kLimitExceeded, .message = "more than 64 attributes", .rule = "ATTR-1"};
+    return Error{.code = ErrorCode::kLimitExceeded, .message = "more than 64 attributes"};
   for (std::size_t i = 0; i < mesh.attributes.size(); ++i)
     DELTAMESH_CHECK(check_attribute(mesh.attributes[i], vertices, i));
   return {};
