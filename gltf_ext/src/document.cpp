@@ -97,8 +97,9 @@ std::size_t append_view(Document& document, std::vector<std::byte> bytes) {
   return views.size() - 1;
 }
 
-Result<GltfOutput> save_document(Document document, const GltfIo& io) {
+Result<GltfOutput> save_document(Document document, const GltfIo& io, const GltfReport& report) {
   GltfOutput output;
+  output.report = report;
   std::span<const std::byte> data;
   if (!document.buffers.empty() && !document.buffers[0].opaque) {
     data = document.buffers[0].bytes;

@@ -44,7 +44,8 @@ Result<Document> load_document(std::span<const std::byte> asset, const GltfIo& i
 /// Appends a buffer view with its own new buffer; returns its number.
 std::size_t append_view(Document& document, std::vector<std::byte> bytes);
 
-/// Writes the asset; the report has its sizes only. Precondition: compact_document() ran.
-Result<GltfOutput> save_document(Document document, const GltfIo& io);
+/// Writes the asset and completes `report` with the sizes before and after. Precondition: compact_document()
+/// ran.
+Result<GltfOutput> save_document(Document document, const GltfIo& io, const GltfReport& report);
 
 }  // namespace deltamesh::gltf

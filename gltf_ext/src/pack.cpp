@@ -234,11 +234,7 @@ Result<GltfOutput> pack(std::span<const std::byte> asset, const GltfPackOptions&
     if (!options.fallback) add_extension_name(document.json, "extensionsRequired", kExtensionName);
   }
   DELTAMESH_CHECK(compact_document(document));
-  DELTAMESH_TRY(auto output, save_document(std::move(document), io));
-  report.input_bytes = output.report.input_bytes;
-  report.output_bytes = output.report.output_bytes;
-  output.report = report;
-  return output;
+  return save_document(std::move(document), io, report);
 }
 
 }  // namespace

@@ -207,11 +207,7 @@ Result<GltfOutput> unpack(std::span<const std::byte> asset, const DecodeOptions&
   }
   remove_extension(document.json);
   DELTAMESH_CHECK(compact_document(document));
-  DELTAMESH_TRY(auto output, save_document(std::move(document), io));
-  report.input_bytes = output.report.input_bytes;
-  report.output_bytes = output.report.output_bytes;
-  output.report = report;
-  return output;
+  return save_document(std::move(document), io, report);
 }
 
 }  // namespace
