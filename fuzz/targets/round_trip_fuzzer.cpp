@@ -4,6 +4,7 @@
 // Any small triangle soup through encode() and decode(): same faces, stated error. The first two bytes choose
 // options and the number of vertices; then come coordinates, then indices, as long as bytes last.
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 
@@ -24,6 +25,22 @@ deltamesh::Mesh mesh_of(const std::uint8_t* data, std::size_t size, std::size_t 
   return mesh;
 }
 
+/// Over the decoded vertices, whose input vertices are `order`.
+double largest_error(const deltamesh::Mesh& mesh, const deltamesh::Mesh& decoded,
+                     const std::vector<std::uint32_t>& order) {
+  double largest = 0;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    double square = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double d =
+          double{mesh.positions[3 * std::size_t{order[i]} + axis]} - decoded.positions[3 * i + axis];
+      square += d * d;
+    }
+    largest = std::max(largest, std::sqrt(square));
+  }
+  return largest;
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -37,6 +54,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!encoded) std::abort();
   const auto decoded = decode(encoded->bytes);
   if (!decoded || decoded->triangle_count() != mesh.triangle_count()) std::abort();
+  const double stated = encoded->report.stream.quality.max_error * (1 + 1e-12);  // another order of rounding
+  if (largest_error(mesh, *decoded, encoded->order) > stated) std::abort();
   std::vector<std::uint64_t> before;
   std::vector<std::uint64_t> after;
   const auto sums = [](std::span<const std::uint32_t> t, auto&& rename, std::vector<std::uint64_t>& out) {
