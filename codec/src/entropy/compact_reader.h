@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// The compact coder's reading side [CMP-1 .. CMP-8].
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "deltamesh/result.h"
+#include "entropy/compact_model.h"
+#include "entropy/number_model.h"
+
+namespace deltamesh {
+
+/// Between symbols the state is in [2^31, 2^63) [CMP-1].
+inline constexpr std::uint64_t kRansFloor = std::uint64_t{1} << 31;
+
+/// Reads what CompactWriter wrote. Past the end words are 0 and failed() stays set; finish() reports it and
+/// is mandatory. The first argument of symbol(), bit(), bits() and number() is ignored: it makes them
+/// callable like the writer's.
+class CompactReader {
+ public:
+  explicit CompactReader(std::span<const std::byte> bytes) noexcept;
+
+  template <std::size_t K>
+  unsigned symbol(unsigned, Mixture<K> mixture) noexcept {
+    const Lanes ends = mixture.ends();
+    const std::uint32_t slot = slot_of_state();
+    const unsigned symbol = std::min(count_up_to(ends, static_cast<std::int16_t>(slot)), kSymbols - 1);
+    const Interval interval = interval_of(ends, symbol);
+    take(interval);
+    mixture.learn(symbol, interval.size);
+    return symbol;
+  }
+
+  bool bit(bool, BitModel& model) noexcept {
+    const bool value = slot_of_state() < model.probability();
+    take(model.interval(value));
+    model.learn(value);
+    return value;
+  }
+
+  std::uint32_t bits(std::uint32_t, unsigned count) noexcept {
+    std::uint32_t value = 0;
+    for (unsigned left = count; left > 0;) {
+      const unsigned now = std::min(left, kProbabilityBits);
+      left -= now;
+      const unsigned shift = kProbabilityBits - now;
+      const std::uint32_t part = slot_of_state() >> shift;
+      take({part << shift, 1U << shift});
+      value = value << now | part;
+    }
+    return value;
+  }
+
+  std::uint32_t number(std::uint32_t, NumberModel& model) noexcept { return code_number(*this, 0, model); }
+
+  /// True as soon as a word was missing: what came since is made up. Loops over symbols ask every so often.
+  bool failed() const noexcept { return failed_; }
+
+  /// Every word is used and the state is back where the writer began. Errors: kTruncated, kInvalidStream
+  /// [CMP-3].
+  Result<void> finish(std::uint32_t chunk_tag) const noexcept;
+
+ private:
+  std::uint32_t slot_of_state() const noexcept {
+    return static_cast<std::uint32_t>(state_) & (kProbabilityOne - 1);
+  }
+
+  void take(Interval interval) noexcept {
+    state_ = interval.size * (state_ >> kProbabilityBits) + slot_of_state() - interval.start;
+    if (state_ < kRansFloor) state_ = state_ << 32 | next_word();
+  }
+
+  std::uint32_t next_word() noexcept {
+    if (bytes_.size() < position_ + 4) {
+      failed_ = true;
+      return 0;
+    }
+    std::uint32_t word = 0;
+    for (unsigned i = 0; i < 4; ++i) word |= std::to_integer<std::uint32_t>(bytes_[position_ + i]) << (8 * i);
+    position_ += 4;
+    return word;
+  }
+
+  std::span<const std::byte> bytes_;
+  std::size_t position_ = 0;
+  std::uint64_t state_ = kRansFloor;
+  bool failed_ = false;
+};
+
+}  // namespace deltamesh

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// The compact coder's writing side: adaptive symbols, bits and numbers to bytes [CMP-1 .. CMP-8].
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "entropy/compact_model.h"
+#include "entropy/number_model.h"
+
+namespace deltamesh {
+
+/// Collects intervals, which finish() turns into one rANS stream. The functions have the names and the
+/// results of CompactReader's, so that one template serves both directions; here each returns its first
+/// argument. Memory: 4 bytes per symbol until finish().
+class CompactWriter {
+ public:
+  /// `value` below 16.
+  template <std::size_t K>
+  unsigned symbol(unsigned value, Mixture<K> mixture) {
+    const Interval interval = interval_of(mixture.ends(), value);
+    put(interval);
+    mixture.learn(value, interval.size);
+    return value;
+  }
+
+  bool bit(bool value, BitModel& model) {
+    put(model.interval(value));
+    model.learn(value);
+    return value;
+  }
+
+  /// The lowest `count` (0 to 32) bits of `value`, the higher ones being 0.
+  std::uint32_t bits(std::uint32_t value, unsigned count) {
+    for (unsigned left = count; left > 0;) {
+      const unsigned now = std::min(left, kProbabilityBits);
+      left -= now;
+      const std::uint32_t part = (value >> left) & ((1U << now) - 1);
+      put({part << (kProbabilityBits - now), 1U << (kProbabilityBits - now)});
+    }
+    return value;
+  }
+
+  std::uint32_t number(std::uint32_t value, NumberModel& model) { return code_number(*this, value, model); }
+
+  /// The stream. The writer is empty afterwards. O(symbols).
+  std::vector<std::byte> finish();
+
+ private:
+  void put(Interval interval) { intervals_.push_back(interval.start << 16 | interval.size); }
+
+  std::vector<std::uint32_t> intervals_;
+};
+
+}  // namespace deltamesh
