@@ -11,11 +11,13 @@
 #include <vector>
 
 #include "deltamesh/result.h"
+#include "entropy/payload.h"
 
 namespace deltamesh {
 
 struct CodedConnectivity {
-  std::vector<std::byte> payload;
+  std::vector<std::byte> payload;        ///< plain
+  std::vector<std::byte> compact;        ///< the same in the compact form
   std::vector<std::uint32_t> triangles;  ///< m x 3: what read_connectivity will return
   std::vector<std::uint32_t>
       vertex_order;  ///< n: input vertex of every coded vertex; unreferenced ones last, ascending
@@ -31,8 +33,7 @@ CodedConnectivity write_connectivity(std::span<const std::uint32_t> triangles, s
 /// Returns m x 3 indices, each below `vertex_count`. The caller has checked both counts against its limits;
 /// they are checked here against the bytes present before anything of their size is allocated. Errors:
 /// kTruncated, kInvalidStream [CONN-*].
-Result<std::vector<std::uint32_t>> read_connectivity(std::span<const std::byte> payload,
-                                                     std::uint32_t vertex_count,
+Result<std::vector<std::uint32_t>> read_connectivity(Payload payload, std::uint32_t vertex_count,
                                                      std::uint32_t triangle_count);
 
 }  // namespace deltamesh

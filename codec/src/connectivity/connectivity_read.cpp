@@ -7,12 +7,14 @@
 
 #include "base/byte_reader.h"
 #include "base/checked.h"
-#include "base/zigzag.h"
 #include "connectivity/border.h"
 #include "connectivity/connectivity.h"
+#include "connectivity/gluing.h"
+#include "connectivity/op_coder.h"
 #include "connectivity/op_tokens.h"
 #include "connectivity/split_reference.h"
 #include "connectivity/traversal.h"
+#include "entropy/compact_reader.h"
 #include "entropy/planes.h"
 #include "format/tags.h"
 
@@ -102,42 +104,91 @@ class PayloadGuide {
   const char* rule_ = "";
 };
 
-/// Vertex of every manifold vertex. Errors: kTruncated, kInvalidStream [CONN-11].
-Result<std::vector<std::uint32_t>> read_gluing(ByteReader& in, std::uint64_t glue_count,
-                                               std::uint32_t manifold_count, std::uint32_t vertex_count) {
-  const auto invalid = [&](const char* message) {
-    return in.error(ErrorCode::kInvalidStream, message, "CONN-11");
-  };
-  if (glue_count > manifold_count) return invalid("more glued vertices than vertices");
-  if (manifold_count - glue_count > vertex_count) return invalid("more vertices than declared");
-  DELTAMESH_TRY(const std::vector<std::uint32_t> gaps, read_planes(in, glue_count));
-  DELTAMESH_TRY(const std::vector<std::uint32_t> targets, read_planes(in, glue_count));
+/// The glued vertices. Errors: kTruncated, kInvalidStream [CONN-11].
+Result<GlueList> read_gluing(ByteReader& in, std::uint64_t glue_count, std::uint32_t manifold_count,
+                             std::uint32_t vertex_count) {
+  DELTAMESH_CHECK(check_glue_count(glue_count, manifold_count, vertex_count));
+  GlueList list;
+  DELTAMESH_TRY(list.gaps, read_planes(in, glue_count));
+  DELTAMESH_TRY(list.targets, read_planes(in, glue_count));
+  return list;
+}
 
-  std::vector<std::uint32_t> vertex;
-  vertex.reserve(manifold_count);
-  std::uint32_t fresh = 0;
-  std::uint32_t target = 0;
-  for (std::size_t i = 0; i < gaps.size(); ++i) {
-    if (gaps[i] >= manifold_count - vertex.size()) return invalid("glued vertex beyond the last");
-    for (std::uint32_t k = 0; k < gaps[i]; ++k) vertex.push_back(fresh++);
-    target += static_cast<std::uint32_t>(unzigzag(targets[i]));
-    if (target >= fresh) return invalid("glued to a vertex yet to come");
-    vertex.push_back(target);
+std::vector<std::uint32_t> renumber(std::vector<std::uint32_t> triangles,
+                                    const std::vector<std::uint32_t>& vertex) {
+  for (std::uint32_t& v : triangles) v = vertex[v];
+  return triangles;
+}
+
+/// Takes every op from the compact coder.
+class CompactGuide {
+ public:
+  CompactGuide(CompactReader& reader, std::uint32_t face_count)
+      : reader_(reader), ops_(reader), face_count_(face_count) {}
+
+  void start(const Border&) noexcept {}
+
+  std::optional<BorderStep> next(const Border& border, std::uint32_t gate, const GateContext& context) {
+    const std::optional<BorderStep> step = ops_.code({}, border, gate, context);
+    if (reader_.failed()) return std::nullopt;
+    if (!step) return fail("no such op", "CONN-9");
+    if (step->op != BorderOp::kBoundary && border.face_count() == face_count_)
+      return fail("more faces than declared", "CONN-2");
+    if (!border.allows(step->op, gate, step->target)) return fail("op does not fit the border", "CONN-7");
+    return step;
   }
-  while (vertex.size() < manifold_count) vertex.push_back(fresh++);
-  return vertex;
+
+  /// Why there was no step; the reader's own failure says more where it failed.
+  Error error() const noexcept {
+    return {
+        .code = ErrorCode::kInvalidStream, .message = message_, .rule = rule_, .chunk_tag = kTagConnectivity};
+  }
+
+ private:
+  std::optional<BorderStep> fail(const char* message, const char* rule) noexcept {
+    message_ = message;
+    rule_ = rule;
+    return std::nullopt;
+  }
+
+  CompactReader& reader_;
+  OpCoder<CompactReader> ops_;
+  std::uint32_t face_count_;
+  const char* message_ = "";
+  const char* rule_ = "";
+};
+
+/// `triangle_count` above 0.
+Result<std::vector<std::uint32_t>> read_compact(std::span<const std::byte> bytes, std::uint32_t vertex_count,
+                                                std::uint32_t triangle_count) {
+  if (triangle_count > saturating_mul(bytes.size(), kFacesPerCompactByte))
+    return Error{.code = ErrorCode::kInvalidStream,
+                 .message = "more faces than the ops can hold",
+                 .rule = "CONN-2",
+                 .chunk_tag = kTagConnectivity};
+  CompactReader reader(bytes);
+  Border border;
+  CompactGuide guide(reader, triangle_count);
+  if (!traverse(border, triangle_count, guide)) {
+    if (reader.failed()) DELTAMESH_CHECK(reader.finish(kTagConnectivity));
+    return guide.error();
+  }
+  DELTAMESH_TRY(const GlueList list, read_compact_gluing(reader, border.vertex_count(), vertex_count));
+  DELTAMESH_CHECK(reader.finish(kTagConnectivity));
+  DELTAMESH_TRY(const auto vertex, glue_vertices(list, border.vertex_count(), vertex_count));
+  return renumber(border.take_faces(), vertex);
 }
 
 }  // namespace
 
-Result<std::vector<std::uint32_t>> read_connectivity(std::span<const std::byte> payload,
-                                                     std::uint32_t vertex_count,
+Result<std::vector<std::uint32_t>> read_connectivity(Payload payload, std::uint32_t vertex_count,
                                                      std::uint32_t triangle_count) {
-  ByteReader in(payload, kTagConnectivity);
+  ByteReader in(payload.bytes, kTagConnectivity);
   if (triangle_count == 0) {
     DELTAMESH_CHECK(in.finish());
     return std::vector<std::uint32_t>{};
   }
+  if (payload.is_compact) return read_compact(payload.bytes, vertex_count, triangle_count);
   DELTAMESH_TRY(const Sections sections, read_sections(in));
   if (triangle_count > saturating_mul(sections.token_count, kFacesPerToken))
     return in.error(ErrorCode::kInvalidStream, "more faces than the ops can hold", "CONN-2");
@@ -148,12 +199,11 @@ Result<std::vector<std::uint32_t>> read_connectivity(std::span<const std::byte> 
     return in.error(ErrorCode::kInvalidStream, guide.message(), guide.rule());
   if (!guide.finished()) return in.error(ErrorCode::kInvalidStream, "ops left over at the end", "CONN-2");
 
-  DELTAMESH_TRY(const std::vector<std::uint32_t> vertex,
+  DELTAMESH_TRY(const GlueList list,
                 read_gluing(in, sections.glue_count, border.vertex_count(), vertex_count));
   DELTAMESH_CHECK(in.finish());
-  std::vector<std::uint32_t> triangles = border.take_faces();
-  for (std::uint32_t& v : triangles) v = vertex[v];
-  return triangles;
+  DELTAMESH_TRY(const auto vertex, glue_vertices(list, border.vertex_count(), vertex_count));
+  return renumber(border.take_faces(), vertex);
 }
 
 }  // namespace deltamesh

@@ -9,9 +9,12 @@
 #include "connectivity/border.h"
 #include "connectivity/connectivity.h"
 #include "connectivity/cut.h"
+#include "connectivity/gluing.h"
+#include "connectivity/op_coder.h"
 #include "connectivity/op_tokens.h"
 #include "connectivity/split_reference.h"
 #include "connectivity/traversal.h"
+#include "entropy/compact_writer.h"
 #include "entropy/planes.h"
 
 namespace deltamesh {
@@ -20,8 +23,9 @@ namespace {
 /// Finds every op in the cut mesh and writes it down.
 class MeshGuide {
  public:
-  explicit MeshGuide(const ManifoldCut& cut)
+  MeshGuide(const ManifoldCut& cut, CompactWriter& writer)
       : cut_(cut),
+        ops_(writer),
         face_done_(cut.opposite.size() / 3, 0),
         vertex_done_(cut.vertex.size(), 0),
         item_at_(cut.opposite.size(), kNoIndex) {
@@ -42,6 +46,7 @@ class MeshGuide {
   std::optional<BorderStep> next(const Border& border, std::uint32_t gate, const GateContext& context) {
     const BorderStep step = find_step(border, gate);
     tokens_.put(step.op, context);
+    ops_.code(step, border, gate, context);
     if (step.op == BorderOp::kSplit) put_reference(border, gate, step.target);
     return step;
   }
@@ -127,6 +132,7 @@ class MeshGuide {
   }
 
   const ManifoldCut& cut_;
+  OpCoder<CompactWriter> ops_;
   std::vector<std::uint8_t> face_done_;
   std::vector<std::uint8_t> vertex_done_;
   std::vector<std::uint32_t> item_at_;  ///< item of every half-edge that ever was on the border
@@ -142,14 +148,13 @@ class MeshGuide {
 /// Vertices of the mesh as their manifold vertices appear; later manifold vertices of a vertex are glued
 /// [CONN-11].
 struct Gluing {
+  GlueList list;
   std::vector<std::uint32_t> coded_vertex;  ///< of every coded manifold vertex
   std::vector<std::uint32_t> vertex_order;
-  std::vector<std::uint32_t> gaps;
-  std::vector<std::uint32_t> targets;
 };
 
-Gluing glue_vertices(std::span<const std::uint32_t> manifold_order, const ManifoldCut& cut,
-                     std::uint32_t vertex_count) {
+Gluing find_gluing(std::span<const std::uint32_t> manifold_order, const ManifoldCut& cut,
+                   std::uint32_t vertex_count) {
   Gluing gluing;
   gluing.coded_vertex.reserve(manifold_order.size());
   gluing.vertex_order.reserve(vertex_count);
@@ -163,8 +168,8 @@ Gluing glue_vertices(std::span<const std::uint32_t> manifold_order, const Manifo
       gluing.vertex_order.push_back(v);
       ++gap;
     } else {
-      gluing.gaps.push_back(gap);
-      gluing.targets.push_back(zigzag(static_cast<std::int32_t>(number[v] - last_target)));
+      gluing.list.gaps.push_back(gap);
+      gluing.list.targets.push_back(zigzag(static_cast<std::int32_t>(number[v] - last_target)));
       gap = 0;
       last_target = number[v];
     }
@@ -181,12 +186,12 @@ std::vector<std::byte> write_payload(const MeshGuide& guide, const Gluing& gluin
   for (std::size_t i = 0; i < kTokenStreams; ++i) out.write_varint(guide.tokens().stream(i).size());
   out.write_varint(guide.references().size());
   out.write_varint(guide.far_targets().size());
-  out.write_varint(gluing.gaps.size());
+  out.write_varint(gluing.list.gaps.size());
   for (std::size_t i = 0; i < kTokenStreams; ++i) out.write_bytes(guide.tokens().stream(i));
   out.write_bytes(guide.references());
   write_planes(out, guide.far_targets());
-  write_planes(out, gluing.gaps);
-  write_planes(out, gluing.targets);
+  write_planes(out, gluing.list.gaps);
+  write_planes(out, gluing.list.targets);
   return out.take();
 }
 
@@ -195,12 +200,17 @@ std::vector<std::byte> write_payload(const MeshGuide& guide, const Gluing& gluin
 CodedConnectivity write_connectivity(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count) {
   const ManifoldCut cut = cut_to_manifold(triangles, vertex_count);
   Border border;
-  MeshGuide guide(cut);
+  CompactWriter writer;
+  MeshGuide guide(cut, writer);
   traverse(border, static_cast<std::uint32_t>(triangles.size() / 3), guide);
-  Gluing gluing = glue_vertices(guide.vertices(), cut, vertex_count);
+  Gluing gluing = find_gluing(guide.vertices(), cut, vertex_count);
 
   CodedConnectivity coded;
-  if (!triangles.empty()) coded.payload = write_payload(guide, gluing);
+  if (!triangles.empty()) {
+    coded.payload = write_payload(guide, gluing);
+    write_compact_gluing(writer, gluing.list);
+    coded.compact = writer.finish();
+  }
   coded.triangles = border.take_faces();
   for (std::uint32_t& v : coded.triangles) v = gluing.coded_vertex[v];
   coded.vertex_order = std::move(gluing.vertex_order);

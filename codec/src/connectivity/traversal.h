@@ -16,6 +16,7 @@ namespace deltamesh {
 /// What both sides know at a gate when its op is about to be coded.
 struct GateContext {
   std::uint32_t focus_degree;  ///< faces so far at the focus
+  bool at_origin;              ///< the focus is the gate's origin, not its end
   bool loop_of_three;          ///< the gate's loop has three items
   bool other_side_closed;      ///< the focus' gap ends at a boundary edge on its other side
 };
@@ -32,6 +33,7 @@ bool fill_gap(Border& border, std::uint32_t gap, Guide& guide) {
   const std::uint32_t focus = border.item(gap).origin;
   const auto step_at = [&](std::uint32_t gate, bool at_origin, bool other_side_closed) {
     const GateContext context{.focus_degree = border.degree(focus),
+                              .at_origin = at_origin,
                               .loop_of_three = border.third_after(gate) == gate,
                               .other_side_closed = other_side_closed};
     const std::optional<BorderStep> step = guide.next(border, gate, context);

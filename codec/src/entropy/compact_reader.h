@@ -22,6 +22,8 @@ inline constexpr std::uint64_t kRansFloor = std::uint64_t{1} << 31;
 /// callable like the writer's.
 class CompactReader {
  public:
+  static constexpr bool kWrites = false;
+
   explicit CompactReader(std::span<const std::byte> bytes) noexcept;
 
   template <std::size_t K>

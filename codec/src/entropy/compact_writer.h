@@ -18,6 +18,8 @@ namespace deltamesh {
 /// argument. Memory: 4 bytes per symbol until finish().
 class CompactWriter {
  public:
+  static constexpr bool kWrites = true;
+
   /// `value` below 16.
   template <std::size_t K>
   unsigned symbol(unsigned value, Mixture<K> mixture) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// The compact form of DELT: quantised deltas coded vertex by vertex, in contexts taken from neighbours that
-// are coded already [CMPD-*].
+// The compact form of DELT: quantised deltas as a field on the graph [DELT-5].
 #pragma once
 
 #include <cstddef>
@@ -15,12 +14,10 @@
 
 namespace deltamesh {
 
-inline constexpr std::int32_t kLargestDelta = 1 << 30;  ///< in steps, either sign [CMPD-1]
-
-/// `deltas`: x of all n vertices of `graph`, then y, then z, at most kLargestDelta in size. O(n + edges).
+/// `deltas`: x of all n vertices of `graph`, then y, then z, at most 2^30 in size. O(n + edges).
 std::vector<std::byte> write_compact_deltas(std::span<const std::int32_t> deltas, const Adjacency& graph);
 
-/// The same numbers back. Errors: kTruncated, kInvalidStream [CMP-3, CMPD-1].
+/// The same numbers back. Errors: kTruncated, kInvalidStream [CMP-3, FLD-1].
 Result<std::vector<std::int32_t>> read_compact_deltas(std::span<const std::byte> payload,
                                                       const Adjacency& graph);
 

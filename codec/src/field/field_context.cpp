@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "geometry/delta_context.h"
+#include "field/field_context.h"
 
 #include <algorithm>
 #include <bit>
@@ -56,8 +56,8 @@ std::uint32_t sureness(std::int32_t distance, std::int32_t scale) noexcept {
 
 }  // namespace
 
-DeltaNeighborhood DeltaHistory::around(std::uint32_t vertex) const noexcept {
-  DeltaNeighborhood around;
+FieldNeighborhood FieldHistory::around(std::uint32_t vertex) const noexcept {
+  FieldNeighborhood around;
   around.degree_class = std::clamp<std::uint32_t>(graph_.degree(vertex), 3, 10) - 3;
   std::array<std::int64_t, 12> sums{};
   std::size_t count = 0;
@@ -80,8 +80,8 @@ DeltaNeighborhood DeltaHistory::around(std::uint32_t vertex) const noexcept {
   return around;
 }
 
-void DeltaHistory::remember(std::uint32_t vertex, const std::array<std::int32_t, 3>& q,
-                            const DeltaNeighborhood& before) noexcept {
+void FieldHistory::remember(std::uint32_t vertex, const std::array<std::int32_t, 3>& q,
+                            const FieldNeighborhood& before) noexcept {
   Record& r = records_[vertex];
   for (std::size_t a = 0; a < 3; ++a) r.q[a] = clamp_remembered(q[a]);
   const auto blend = [&](std::int32_t now, std::int32_t old) {
@@ -96,7 +96,7 @@ void DeltaHistory::remember(std::uint32_t vertex, const std::array<std::int32_t,
   }
 }
 
-std::int32_t DeltaPredictor::regress(unsigned axis) noexcept {
+std::int32_t FieldPredictor::regress(unsigned axis) noexcept {
   constexpr std::int64_t kRidge = 5;
   const auto& m = around_.moments;
   if (axis == 0) return 0;
@@ -114,7 +114,7 @@ std::int32_t DeltaPredictor::regress(unsigned axis) noexcept {
          static_cast<std::int32_t>((std::int64_t{z_on_y} * y_residual_) >> kRatioBits);
 }
 
-std::int32_t DeltaPredictor::expected_scale(unsigned axis) const noexcept {
+std::int32_t FieldPredictor::expected_scale(unsigned axis) const noexcept {
   const std::int64_t all =
       (std::int64_t{around_.magnitude[0]} + around_.magnitude[1] + around_.magnitude[2]) / 3;
   const std::int64_t own = around_.magnitude[axis];
@@ -124,10 +124,10 @@ std::int32_t DeltaPredictor::expected_scale(unsigned axis) const noexcept {
   return static_cast<std::int32_t>((32 * own + 20 * all + 6 * coded) >> 6) + 1;
 }
 
-DeltaForecast DeltaPredictor::forecast(unsigned axis) noexcept {
+FieldForecast FieldPredictor::forecast(unsigned axis) noexcept {
   features_ = {regress(axis), around_.mean[axis]};
   const auto& weights = weights_[axis];
-  DeltaForecast f;
+  FieldForecast f;
   f.mean = static_cast<std::int32_t>(
       (std::int64_t{weights[0]} * features_[0] + std::int64_t{weights[1]} * features_[1]) >> 16);
   f.scale = expected_scale(axis);
@@ -158,9 +158,9 @@ DeltaForecast DeltaPredictor::forecast(unsigned axis) noexcept {
   return f;
 }
 
-void DeltaPredictor::learn(unsigned axis, std::int32_t q, const DeltaForecast& forecast) noexcept {
+void FieldPredictor::learn(unsigned axis, std::int32_t q, const FieldForecast& forecast) noexcept {
   q_[axis] = clamp_remembered(q);
-  // Sign-sign least mean squares, the step clipped at two scales [CMPD-4].
+  // Sign-sign least mean squares, the step clipped at two scales [FLD-4].
   constexpr std::int32_t kClip = 2 << kRatioBits;
   constexpr std::int32_t kStep = 65;
   const std::int32_t error =
