@@ -2,6 +2,7 @@
 // Copyright 2026 The deltamesh authors
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -20,7 +21,6 @@ struct Arguments {
   std::string in;
   std::string out;
   std::string order_out;
-  std::string profile = "zstd";
   bool json = false;
   EncodeOptions options;
 };
@@ -137,9 +137,12 @@ void add_encode_command(CLI::App& app, int& status) {
       ->excludes(anchors);
   command->add_option("--anchor-bits", options.anchor_bits, "bits per axis of an anchor, 4 to 24")
       ->capture_default_str();
-  command->add_option("--profile", arguments->profile, "which codings the stream may use")
-      ->check(CLI::IsMember({"zstd"}))
-      ->capture_default_str();
+  command
+      ->add_option("--profile", options.profile,
+                   "codings the stream may use: smallest (default) or zstd, which others read more easily")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Profile>{{"smallest", Profile::kSmallest}, {"zstd", Profile::kZstd}}))
+      ->type_name("NAME");
   command->add_flag("--keep-order", options.keep_order, "restore the order of vertices and faces exactly");
   command->add_flag("--keep-unreferenced", options.keep_unreferenced, "keep vertices that no face uses");
   command->add_option("--order-out", arguments->order_out,

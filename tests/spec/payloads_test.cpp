@@ -36,7 +36,9 @@ struct Parts {
 };
 
 Parts take_apart(const Mesh& mesh, const EncodeOptions& options) {
-  const auto encoded = encode(mesh, options);
+  EncodeOptions plain = options;  // payloads are taken apart in their plain form
+  plain.profile = Profile::kZstd;
+  const auto encoded = encode(mesh, plain);
   const auto container = Container::open(encoded->bytes);
   Parts parts{.header = container->header(), .payloads = {}};
   for (const ChunkEntry& entry : container->entries())

@@ -18,7 +18,8 @@ namespace deltamesh {
 
 /// Which codings a chunk may use.
 enum class Profile : std::uint8_t {
-  kZstd,  ///< raw and zstd only
+  kSmallest,  ///< raw, zstd or compact, whatever is smallest
+  kZstd,      ///< raw and zstd only: quick to support for other implementations
 };
 
 /// How to encode. Plain values with defaults; validate() checks ranges and contradictions.
@@ -35,7 +36,7 @@ struct EncodeOptions {
   int normal_bits = 10;  ///< bits per octahedral axis of a normal; 2 to 15
   int color_bits = 8;    ///< bits per colour component; 1 to 16, and never more than the type has
   int uv_bits = 12;      ///< bits per texture coordinate, over their range; 1 to 24
-  Profile profile = Profile::kZstd;
+  Profile profile = Profile::kSmallest;
   bool keep_order = false;         ///< store the input's vertex and face order and restore it
   bool keep_unreferenced = false;  ///< keep vertices that no face uses
   /// Called now and then with the share of the work done, 0 to 1; may be empty.

@@ -26,7 +26,7 @@ struct Quality {
 struct ChunkInfo {
   std::array<char, 5> tag{};  ///< zero-terminated
   std::uint32_t part = 0;
-  const char* codec = "";    ///< "raw" or "zstd"
+  const char* codec = "";    ///< "raw", "zstd" or "compact"
   std::uint64_t offset = 0;  ///< first byte in the file
   std::uint64_t coded_bytes = 0;
   std::uint64_t decoded_bytes = 0;

@@ -71,9 +71,10 @@ class StreamDecoder {
 
  private:
   Result<SplitVertices> read_faces() {
-    DELTAMESH_TRY(const auto connectivity, expand_single(container_, kTagConnectivity, max_payload(header_)));
+    DELTAMESH_TRY(const auto connectivity,
+                  expand_any_single(container_, kTagConnectivity, max_payload(header_)));
     DELTAMESH_TRY(geometric_triangles_,
-                  read_connectivity(connectivity, header_.geometric_vertices, header_.triangles));
+                  read_connectivity(connectivity.payload(), header_.geometric_vertices, header_.triangles));
     DELTAMESH_TRY(const auto seams, expand_single(container_, kTagSeams, max_payload(header_)));
     return read_seams(seams, geometric_triangles_, header_.geometric_vertices, header_.vertices);
   }
@@ -85,10 +86,10 @@ class StreamDecoder {
       return Error{.code = ErrorCode::kInvalidStream,
                    .message = "the number of connected components differs from the header's",
                    .rule = "HDR-7"};
-    DELTAMESH_TRY(const auto deltas, expand_single(container_, kTagDeltas, max_payload(header_)));
-    DELTAMESH_TRY(const auto anchors, expand_single(container_, kTagAnchors, max_payload(header_)));
-    DELTAMESH_TRY(const auto positions,
-                  read_highpass(deltas, anchors, graph, components, header_.box(), header_.highpass));
+    DELTAMESH_TRY(const auto deltas, expand_any_single(container_, kTagDeltas, max_payload(header_)));
+    DELTAMESH_TRY(const auto anchors, expand_any_single(container_, kTagAnchors, max_payload(header_)));
+    DELTAMESH_TRY(const auto positions, read_highpass(deltas.payload(), anchors.payload(), graph, components,
+                                                      header_.box(), header_.highpass));
     return to_float_positions(positions);
   }
 

@@ -83,15 +83,20 @@ HighpassRequest highpass_request(const EncodeOptions& options) {
 /// Collects the chunks of a stream; empty payloads are left out.
 class ChunkList {
  public:
-  Result<void> add(std::uint32_t tag, std::vector<std::byte> payload) {
+  explicit ChunkList(Profile profile) : profile_(profile) {}
+
+  /// `compact`: the same payload in the compact form, where it has one.
+  Result<void> add(std::uint32_t tag, std::vector<std::byte> payload, std::vector<std::byte> compact = {}) {
     if (payload.empty()) return {};
-    DELTAMESH_TRY(auto chunk, code_chunk(tag, std::move(payload)));
+    if (profile_ == Profile::kZstd) compact.clear();
+    DELTAMESH_TRY(auto chunk, code_chunk(tag, std::move(payload), std::move(compact)));
     chunks_.push_back(std::move(chunk));
     return {};
   }
   const std::vector<CodedChunk>& chunks() const noexcept { return chunks_; }
 
  private:
+  Profile profile_;
   std::vector<CodedChunk> chunks_;
 };
 
@@ -109,8 +114,8 @@ Result<void> add_geometry(const MeshView& mesh, const CodedTopology& topology, c
   header.highpass = coded->parameters;
   DELTAMESH_TRY(const auto decoded, to_float_positions(coded->positions));
   DELTAMESH_CHECK(set_quality(header, measure_quality(graph, positions, decoded)));
-  DELTAMESH_CHECK(chunks.add(kTagDeltas, std::move(coded->deltas)));
-  return chunks.add(kTagAnchors, std::move(coded->anchors));
+  DELTAMESH_CHECK(chunks.add(kTagDeltas, std::move(coded->deltas), std::move(coded->compact_deltas)));
+  return chunks.add(kTagAnchors, std::move(coded->anchors), std::move(coded->compact_anchors));
 }
 
 Result<void> add_attributes(const MeshView& mesh, const CodedTopology& topology, const EncodeOptions& options,
@@ -143,8 +148,9 @@ Result<Encoded> encode_checked(const MeshView& mesh, const EncodeOptions& option
   header.attributes = static_cast<std::uint32_t>(mesh.attributes.size());
   header.origin = mesh.origin;
 
-  ChunkList chunks;
-  DELTAMESH_CHECK(chunks.add(kTagConnectivity, std::move(topology.connectivity.payload)));
+  ChunkList chunks(options.profile);
+  DELTAMESH_CHECK(chunks.add(kTagConnectivity, std::move(topology.connectivity.payload),
+                             std::move(topology.connectivity.compact)));
   DELTAMESH_CHECK(chunks.add(kTagSeams, std::move(topology.seams.payload)));
   DELTAMESH_CHECK(add_geometry(mesh, topology, options, header, chunks));
   report_progress(options, kGeometryDone);

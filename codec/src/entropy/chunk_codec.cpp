@@ -12,9 +12,10 @@ namespace {
 
 constexpr int kZstdLevel = 19;
 
-}  // namespace
+/// Payloads of this size and up that have a compact form below raw are not tried with zstd.
+constexpr std::size_t kTryEverything = 1U << 16;
 
-Result<CodedChunk> code_chunk(std::uint32_t tag, std::vector<std::byte> payload) {
+Result<CodedChunk> code_plain(std::uint32_t tag, std::vector<std::byte> payload) {
   CodedChunk chunk{.tag = tag, .codec = ChunkCodec::kZstd, .decoded_bytes = payload.size()};
   chunk.bytes.resize(ZSTD_compressBound(payload.size()));
   const std::size_t size =
@@ -31,29 +32,66 @@ Result<CodedChunk> code_chunk(std::uint32_t tag, std::vector<std::byte> payload)
   return chunk;
 }
 
-Result<std::vector<std::byte>> expand_chunk(const Container& container, const ChunkEntry& entry,
-                                            std::uint64_t max_bytes) {
+Result<std::vector<std::byte>> only_plain(Result<ExpandedChunk> chunk, std::uint32_t tag) {
+  if (!chunk) return chunk.error();
+  if (chunk->is_compact)
+    return Error{.code = ErrorCode::kInvalidStream,
+                 .message = "a compact chunk of a kind that has no compact form",
+                 .rule = "ENT-2",
+                 .chunk_tag = tag};
+  return std::move(chunk->bytes);
+}
+
+}  // namespace
+
+Result<CodedChunk> code_chunk(std::uint32_t tag, std::vector<std::byte> payload,
+                              std::vector<std::byte> compact) {
+  CodedChunk chunk{.tag = tag, .codec = ChunkCodec::kCompact, .decoded_bytes = compact.size()};
+  if (!compact.empty() && payload.size() >= kTryEverything && compact.size() < payload.size()) {
+    chunk.bytes = std::move(compact);
+    return chunk;
+  }
+  DELTAMESH_TRY(CodedChunk plain, code_plain(tag, std::move(payload)));
+  if (compact.empty() || plain.bytes.size() <= compact.size()) return plain;
+  chunk.bytes = std::move(compact);
+  return chunk;
+}
+
+Result<ExpandedChunk> expand_any_chunk(const Container& container, const ChunkEntry& entry,
+                                       std::uint64_t max_bytes) {
   if (entry.decoded_bytes > max_bytes)
     return chunk_error(ErrorCode::kInvalidStream, "the chunk is longer than the header's counts allow",
                        "DIR-5", entry);
   DELTAMESH_CHECK(container.check(entry));
   const auto coded = container.coded(entry);
-  if (entry.codec == ChunkCodec::kRaw) return std::vector<std::byte>(coded.begin(), coded.end());
+  if (entry.codec != ChunkCodec::kZstd)
+    return ExpandedChunk{.bytes = std::vector<std::byte>(coded.begin(), coded.end()),
+                         .is_compact = entry.codec == ChunkCodec::kCompact};
   // The buffer is sized by our own checked directory, never by what the frame says of itself.
-  std::vector<std::byte> payload(static_cast<std::size_t>(entry.decoded_bytes));
+  ExpandedChunk chunk{.bytes = std::vector<std::byte>(static_cast<std::size_t>(entry.decoded_bytes))};
   const bool one_frame = ZSTD_findFrameCompressedSize(coded.data(), coded.size()) == coded.size();
-  if (!one_frame ||
-      ZSTD_decompress(payload.data(), payload.size(), coded.data(), coded.size()) != payload.size())
+  if (!one_frame || ZSTD_decompress(chunk.bytes.data(), chunk.bytes.size(), coded.data(), coded.size()) !=
+                        chunk.bytes.size())
     return chunk_error(ErrorCode::kInvalidStream, "not one zstd frame of the length in the directory",
                        "ENT-1", entry);
-  return payload;
+  return chunk;
+}
+
+Result<ExpandedChunk> expand_any_single(const Container& container, std::uint32_t tag,
+                                        std::uint64_t max_bytes) {
+  DELTAMESH_TRY(const auto* entry, container.find(tag));
+  if (entry == nullptr) return ExpandedChunk{};
+  return expand_any_chunk(container, *entry, max_bytes);
+}
+
+Result<std::vector<std::byte>> expand_chunk(const Container& container, const ChunkEntry& entry,
+                                            std::uint64_t max_bytes) {
+  return only_plain(expand_any_chunk(container, entry, max_bytes), entry.tag);
 }
 
 Result<std::vector<std::byte>> expand_single(const Container& container, std::uint32_t tag,
                                              std::uint64_t max_bytes) {
-  DELTAMESH_TRY(const auto* entry, container.find(tag));
-  if (entry == nullptr) return std::vector<std::byte>{};
-  return expand_chunk(container, *entry, max_bytes);
+  return only_plain(expand_any_single(container, tag, max_bytes), tag);
 }
 
 }  // namespace deltamesh

@@ -10,20 +10,39 @@
 #include <vector>
 
 #include "deltamesh/result.h"
+#include "entropy/payload.h"
 #include "format/container.h"
 
 namespace deltamesh {
 
-/// The smaller of raw and one zstd frame (level 19). The same payload gives the same bytes for one version of
-/// libzstd.
-Result<CodedChunk> code_chunk(std::uint32_t tag, std::vector<std::byte> payload);
+/// The smallest of raw, one zstd frame (level 19) and, where it is not empty, the payload's `compact` form.
+/// The same payload gives the same bytes for one version of libzstd. Payloads from 64 KiB on whose compact
+/// form is below raw are not given to zstd, which would take most of the time and next to never win.
+Result<CodedChunk> code_chunk(std::uint32_t tag, std::vector<std::byte> payload,
+                              std::vector<std::byte> compact = {});
+
+/// A payload with its bytes.
+struct ExpandedChunk {
+  std::vector<std::byte> bytes;
+  bool is_compact = false;
+
+  Payload payload() const noexcept { return is_compact ? Payload::compact(bytes) : Payload(bytes); }
+};
 
 /// Expands a chunk of `container` into a buffer of exactly entry.decoded_bytes, which may be at most
-/// `max_bytes`. Errors: kCorrupt [DIR-6], kInvalidStream [DIR-5, ENT-1].
+/// `max_bytes`; compact bytes stay as they are. Errors: kCorrupt [DIR-6], kInvalidStream [DIR-5, ENT-1].
+Result<ExpandedChunk> expand_any_chunk(const Container& container, const ChunkEntry& entry,
+                                       std::uint64_t max_bytes);
+
+/// The same for the only chunk with `tag`; empty where there is none [DIR-8].
+Result<ExpandedChunk> expand_any_single(const Container& container, std::uint32_t tag,
+                                        std::uint64_t max_bytes);
+
+/// As expand_any_chunk, for kinds without a compact form. Errors: kInvalidStream [ENT-2] where it has one.
 Result<std::vector<std::byte>> expand_chunk(const Container& container, const ChunkEntry& entry,
                                             std::uint64_t max_bytes);
 
-/// The same for the only chunk with `tag`; empty where there is none [DIR-8].
+/// As expand_any_single, for kinds without a compact form [ENT-2].
 Result<std::vector<std::byte>> expand_single(const Container& container, std::uint32_t tag,
                                              std::uint64_t max_bytes);
 

@@ -26,12 +26,12 @@ Result<ChunkEntry> read_entry(ByteReader& in) {
   DELTAMESH_TRY(const auto part, in.read_varint());
   if (part != 0) return in.error(ErrorCode::kUnsupportedFeature, "a part number other than 0", "DIR-3");
   DELTAMESH_TRY(const auto codec, in.read<std::uint8_t>());
-  if (codec > static_cast<std::uint8_t>(ChunkCodec::kZstd))
+  if (codec > static_cast<std::uint8_t>(ChunkCodec::kCompact))
     return in.error(ErrorCode::kUnsupportedFeature, "a chunk codec that this library does not know", "DIR-4");
   entry.codec = static_cast<ChunkCodec>(codec);
   DELTAMESH_TRY(entry.coded_bytes, in.read_varint());
   DELTAMESH_TRY(entry.decoded_bytes, in.read_varint());
-  const bool plausible = entry.codec == ChunkCodec::kRaw
+  const bool plausible = entry.codec != ChunkCodec::kZstd
                              ? entry.decoded_bytes == entry.coded_bytes
                              : entry.decoded_bytes <= saturating_mul(entry.coded_bytes, kMaxExpansion);
   if (!plausible) return in.error(ErrorCode::kInvalidStream, "a chunk's two lengths cannot both be", "DIR-5");

@@ -18,7 +18,7 @@
 namespace deltamesh {
 
 /// How a chunk's bytes are coded [DIR-4].
-enum class ChunkCodec : std::uint8_t { kRaw = 0, kZstd = 1 };
+enum class ChunkCodec : std::uint8_t { kRaw = 0, kZstd = 1, kCompact = 2 };
 
 inline constexpr std::uint64_t kMaxChunks = 1U << 16;                   // [DIR-1]
 inline constexpr std::uint64_t kMaxExpansion = std::uint64_t{1} << 16;  // [DIR-5]

@@ -10,7 +10,17 @@
 namespace deltamesh {
 namespace {
 
-const char* name_of(ChunkCodec codec) noexcept { return codec == ChunkCodec::kRaw ? "raw" : "zstd"; }
+const char* name_of(ChunkCodec codec) noexcept {
+  switch (codec) {
+    case ChunkCodec::kRaw:
+      return "raw";
+    case ChunkCodec::kZstd:
+      return "zstd";
+    case ChunkCodec::kCompact:
+      break;
+  }
+  return "compact";
+}
 
 ChunkInfo describe_chunk(const ChunkEntry& entry) {
   ChunkInfo chunk{.part = entry.part,

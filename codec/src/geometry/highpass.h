@@ -13,6 +13,7 @@
 
 #include "base/vec3.h"
 #include "deltamesh/result.h"
+#include "entropy/payload.h"
 #include "format/highpass_parameters.h"
 #include "topology/adjacency.h"
 
@@ -29,9 +30,11 @@ struct HighpassRequest {
 
 struct CodedHighpass {
   HighpassParameters parameters;
-  std::vector<std::byte> deltas;   ///< DELT payload
-  std::vector<std::byte> anchors;  ///< ANCH payload
-  std::vector<Vec3> positions;     ///< n: what read_highpass will return
+  std::vector<std::byte> deltas;           ///< DELT payload, plain
+  std::vector<std::byte> compact_deltas;   ///< the same in the compact form
+  std::vector<std::byte> anchors;          ///< ANCH payload, plain
+  std::vector<std::byte> compact_anchors;  ///< the same in the compact form
+  std::vector<Vec3> positions;             ///< n: what read_highpass will return
 };
 
 /// `positions`: n, relative to the mesh's origin, in coding order; `graph`, `components`: of the decoded
@@ -41,9 +44,9 @@ Result<CodedHighpass> write_highpass(const Adjacency& graph, const Components& c
                                      std::span<const Vec3> positions, const Box& box,
                                      const HighpassRequest& request);
 
-/// Returns n finite positions. Errors: kTruncated, kInvalidStream [DELT-*, ANCH-*].
-Result<std::vector<Vec3>> read_highpass(std::span<const std::byte> deltas, std::span<const std::byte> anchors,
-                                        const Adjacency& graph, const Components& components, const Box& box,
+/// Returns n finite positions. Errors: kTruncated, kInvalidStream [DELT-*, ANCH-*, CMP-3, FLD-1].
+Result<std::vector<Vec3>> read_highpass(Payload deltas, Payload anchors, const Adjacency& graph,
+                                        const Components& components, const Box& box,
                                         const HighpassParameters& parameters);
 
 }  // namespace deltamesh

@@ -6,6 +6,8 @@
 #include "base/zigzag.h"
 #include "entropy/planes.h"
 #include "format/tags.h"
+#include "geometry/anchor_list.h"
+#include "geometry/delta_symbols.h"
 #include "geometry/highpass.h"
 #include "geometry/highpass_symbols.h"
 #include "laplacian/anchors.h"
@@ -27,37 +29,37 @@ Result<void> check_parameters(const HighpassParameters& parameters, std::size_t 
   return {};
 }
 
-Result<std::vector<std::int32_t>> read_deltas(std::span<const std::byte> payload, std::size_t solved_count) {
-  ByteReader in(payload, kTagDeltas);
-  DELTAMESH_TRY(const auto codes, read_planes(in, 3 * std::uint64_t{solved_count}));
+Result<std::vector<std::int32_t>> read_deltas(Payload payload, const Adjacency& graph) {
+  if (payload.is_compact) return read_compact_deltas(payload.bytes, graph);
+  ByteReader in(payload.bytes, kTagDeltas);
+  DELTAMESH_TRY(const auto codes, read_planes(in, 3 * std::uint64_t{graph.vertex_count()}));
   DELTAMESH_CHECK(in.finish());
   std::vector<std::int32_t> deltas(codes.size());
   for (std::size_t i = 0; i < codes.size(); ++i) deltas[i] = unzigzag(codes[i]);
   return deltas;
 }
 
-Result<std::vector<std::uint32_t>> read_anchor_vertices(ByteReader& in, std::uint32_t count,
-                                                        std::size_t vertex_count) {
-  DELTAMESH_TRY(auto vertices, read_planes(in, count));
+/// Anchors from the gaps between them.
+Result<std::vector<std::uint32_t>> anchor_vertices(const AnchorList& list, std::size_t vertex_count) {
+  std::vector<std::uint32_t> vertices;
+  vertices.reserve(list.gaps.size());
   std::uint64_t expected = 0;
-  for (std::uint32_t& vertex : vertices) {  // holds the gap to the previous anchor
-    expected += vertex;
-    if (expected >= vertex_count)
-      return in.error(ErrorCode::kInvalidStream, "anchor beyond the last vertex", "ANCH-3");
-    vertex = static_cast<std::uint32_t>(expected++);
+  for (const std::uint32_t gap : list.gaps) {
+    expected += gap;
+    if (expected >= vertex_count) return invalid("anchor beyond the last vertex", "ANCH-3", kTagAnchors);
+    vertices.push_back(static_cast<std::uint32_t>(expected++));
   }
   return vertices;
 }
 
-Result<std::vector<AnchorCell>> read_anchor_cells(ByteReader& in, std::uint32_t count, int bits) {
-  DELTAMESH_TRY(const auto steps, read_planes(in, 3 * std::uint64_t{count}));
+Result<std::vector<AnchorCell>> anchor_cells(const AnchorList& list, int bits) {
+  const std::size_t count = list.gaps.size();
   std::vector<AnchorCell> cells(count);
   AnchorCell cell{};
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      cell[axis] += static_cast<std::uint32_t>(unzigzag(steps[axis * count + i]));  // wraps; caught next
-      if (cell[axis] >> bits != 0)
-        return in.error(ErrorCode::kInvalidStream, "anchor outside its lattice", "ANCH-4");
+      cell[axis] += static_cast<std::uint32_t>(unzigzag(list.steps[axis * count + i]));  // wraps; caught next
+      if (cell[axis] >> bits != 0) return invalid("anchor outside its lattice", "ANCH-4", kTagAnchors);
     }
     cells[i] = cell;
   }
@@ -78,18 +80,17 @@ Result<void> check_coverage(std::span<const std::uint32_t> anchors, const Compon
 
 }  // namespace
 
-Result<std::vector<Vec3>> read_highpass(std::span<const std::byte> deltas, std::span<const std::byte> anchors,
-                                        const Adjacency& graph, const Components& components, const Box& box,
+Result<std::vector<Vec3>> read_highpass(Payload deltas, Payload anchors, const Adjacency& graph,
+                                        const Components& components, const Box& box,
                                         const HighpassParameters& parameters) {
   DELTAMESH_CHECK(check_parameters(parameters, graph.vertex_count()));
   const SolvedPart part = extract_solved_part(graph, components);
   HighpassSymbols symbols;
-  ByteReader in(anchors, kTagAnchors);
-  DELTAMESH_TRY(symbols.anchors, read_anchor_vertices(in, parameters.anchors, graph.vertex_count()));
-  DELTAMESH_TRY(symbols.cells, read_anchor_cells(in, parameters.anchors, parameters.anchor_bits));
-  DELTAMESH_CHECK(in.finish());
+  DELTAMESH_TRY(const AnchorList list, read_anchors(anchors, parameters.anchors));
+  DELTAMESH_TRY(symbols.anchors, anchor_vertices(list, graph.vertex_count()));
+  DELTAMESH_TRY(symbols.cells, anchor_cells(list, parameters.anchor_bits));
   DELTAMESH_CHECK(check_coverage(symbols.anchors, components));
-  DELTAMESH_TRY(symbols.deltas, read_deltas(deltas, part.vertices.size()));
+  DELTAMESH_TRY(symbols.deltas, read_deltas(deltas, part.graph));
   return reconstruct_highpass(symbols, part, box, parameters);
 }
 

@@ -6,6 +6,8 @@
 #include "base/try.h"
 #include "base/zigzag.h"
 #include "entropy/planes.h"
+#include "geometry/anchor_list.h"
+#include "geometry/delta_symbols.h"
 #include "geometry/highpass.h"
 #include "geometry/highpass_symbols.h"
 #include "laplacian/anchors.h"
@@ -58,23 +60,20 @@ std::vector<std::byte> write_deltas(std::span<const std::int32_t> deltas) {
   return out.take();
 }
 
-std::vector<std::byte> write_anchors(const HighpassSymbols& symbols) {
+AnchorList list_anchors(const HighpassSymbols& symbols) {
   const std::size_t count = symbols.anchors.size();
-  std::vector<std::uint32_t> gaps(count);
-  std::vector<std::uint32_t> steps(3 * count);
+  AnchorList list{.gaps = std::vector<std::uint32_t>(count), .steps = std::vector<std::uint32_t>(3 * count)};
   std::uint32_t expected = 0;
   AnchorCell previous{};
   for (std::size_t i = 0; i < count; ++i) {
-    gaps[i] = symbols.anchors[i] - expected;
+    list.gaps[i] = symbols.anchors[i] - expected;
     expected = symbols.anchors[i] + 1;
     for (std::size_t axis = 0; axis < 3; ++axis)
-      steps[axis * count + i] = zigzag(static_cast<std::int32_t>(symbols.cells[i][axis] - previous[axis]));
+      list.steps[axis * count + i] =
+          zigzag(static_cast<std::int32_t>(symbols.cells[i][axis] - previous[axis]));
     previous = symbols.cells[i];
   }
-  ByteWriter out;
-  write_planes(out, gaps);
-  write_planes(out, steps);
-  return out.take();
+  return list;
 }
 
 }  // namespace
@@ -103,7 +102,10 @@ Result<CodedHighpass> write_highpass(const Adjacency& graph, const Components& c
     symbols.cells.push_back(lattice.cell_of(positions[anchor]));
 
   coded.deltas = write_deltas(symbols.deltas);
-  coded.anchors = write_anchors(symbols);
+  coded.compact_deltas = write_compact_deltas(symbols.deltas, part.graph);
+  const AnchorList list = list_anchors(symbols);
+  coded.anchors = write_plain_anchors(list);
+  coded.compact_anchors = write_compact_anchors(list);
   DELTAMESH_TRY(coded.positions, reconstruct_highpass(symbols, part, box, parameters));
   return coded;
 }

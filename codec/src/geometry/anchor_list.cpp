@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "geometry/anchor_list.h"
+
+#include <array>
+
+#include "base/byte_reader.h"
+#include "base/byte_writer.h"
+#include "base/try.h"
+#include "entropy/compact_reader.h"
+#include "entropy/compact_writer.h"
+#include "entropy/planes.h"
+#include "format/tags.h"
+
+namespace deltamesh {
+namespace {
+
+struct AnchorModels {
+  NumberModel gaps;
+  std::array<NumberModel, 3> steps;
+};
+
+Result<AnchorList> read_plain(std::span<const std::byte> bytes, std::uint32_t count) {
+  ByteReader in(bytes, kTagAnchors);
+  AnchorList list;
+  DELTAMESH_TRY(list.gaps, read_planes(in, count));
+  DELTAMESH_TRY(list.steps, read_planes(in, 3 * std::uint64_t{count}));
+  DELTAMESH_CHECK(in.finish());
+  return list;
+}
+
+Result<AnchorList> read_compact(std::span<const std::byte> bytes, std::uint32_t count) {
+  CompactReader reader(bytes);
+  AnchorModels models;
+  AnchorList list{.gaps = std::vector<std::uint32_t>(count),
+                  .steps = std::vector<std::uint32_t>(3 * std::size_t{count})};
+  for (std::size_t i = 0; i < count && !reader.failed(); ++i) {
+    list.gaps[i] = reader.number(0, models.gaps);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      list.steps[axis * count + i] = reader.number(0, models.steps[axis]);
+  }
+  DELTAMESH_CHECK(reader.finish(kTagAnchors));
+  return list;
+}
+
+}  // namespace
+
+std::vector<std::byte> write_plain_anchors(const AnchorList& list) {
+  ByteWriter out;
+  write_planes(out, list.gaps);
+  write_planes(out, list.steps);
+  return out.take();
+}
+
+std::vector<std::byte> write_compact_anchors(const AnchorList& list) {
+  CompactWriter writer;
+  AnchorModels models;
+  const std::size_t count = list.gaps.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    writer.number(list.gaps[i], models.gaps);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      writer.number(list.steps[axis * count + i], models.steps[axis]);
+  }
+  return writer.finish();
+}
+
+Result<AnchorList> read_anchors(Payload payload, std::uint32_t count) {
+  return payload.is_compact ? read_compact(payload.bytes, count) : read_plain(payload.bytes, count);
+}
+
+}  // namespace deltamesh
