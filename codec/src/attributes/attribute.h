@@ -12,6 +12,8 @@
 
 #include "deltamesh/mesh.h"
 #include "deltamesh/result.h"
+#include "entropy/payload.h"
+#include "topology/adjacency.h"
 
 namespace deltamesh {
 
@@ -28,9 +30,16 @@ Result<std::vector<std::byte>> write_attribute(const AttributeView& attribute,
                                                std::span<const std::uint32_t> order,
                                                const AttributeQuantization& quantization);
 
-/// Errors: kTruncated, kInvalidStream [ATTR-*], kLimitExceeded where the values would take more than
-/// `max_bytes`.
-Result<Attribute> read_attribute(std::span<const std::byte> payload, std::uint32_t vertex_count,
-                                 std::uint64_t max_bytes);
+/// The same payload in the compact form, empty where the attribute has none. `graph`: over the coded
+/// vertices.
+Result<std::vector<std::byte>> write_compact_attribute(const AttributeView& attribute,
+                                                       std::span<const std::uint32_t> order,
+                                                       const AttributeQuantization& quantization,
+                                                       const Adjacency& graph);
+
+/// `graph`: over the coded vertices; asked for only where the payload is compact. Errors: kTruncated,
+/// kInvalidStream [ATTR-*], kLimitExceeded where the values would take more than `max_bytes`.
+Result<Attribute> read_attribute(Payload payload, std::uint32_t vertex_count, std::uint64_t max_bytes,
+                                 const Adjacency* graph = nullptr);
 
 }  // namespace deltamesh

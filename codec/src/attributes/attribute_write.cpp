@@ -6,6 +6,7 @@
 
 #include "attributes/attribute.h"
 #include "attributes/attribute_payload.h"
+#include "attributes/field_columns.h"
 #include "attributes/levels.h"
 #include "attributes/octahedral.h"
 #include "attributes/symbols.h"
@@ -98,47 +99,65 @@ Symbols symbols_of(const Rows& rows, SymbolOfRow symbol_of_row) {
   return symbols;
 }
 
+/// Where the symbols go: the bytes after the fields, plain or, where there is a graph, compact.
+struct SymbolSink {
+  ByteWriter& out;
+  const Adjacency* graph;
+  bool is_color = false;
+  bool has_form = true;  ///< false once the attribute turned out to have no compact form
+};
+
 /// Writes all components; `make(c)` gives the symbols of component c.
 template <class MakeComponent>
-void write_components(ByteWriter& out, std::size_t components, unsigned width, MakeComponent make) {
-  Symbols before;
-  for (std::size_t c = 0; c < components; ++c) {
-    Symbols symbols = make(c);
-    write_symbols(out, symbols, before, width);
-    before = std::move(symbols);
+void write_components(SymbolSink& sink, std::size_t components, unsigned width, MakeComponent make) {
+  if (sink.graph == nullptr) {
+    Symbols before;
+    for (std::size_t c = 0; c < components; ++c) {
+      Symbols symbols = make(c);
+      write_symbols(sink.out, symbols, before, width);
+      before = std::move(symbols);
+    }
+    return;
   }
+  sink.has_form = width <= kWidestField;
+  if (!sink.has_form) return;
+  FieldColumns columns;
+  for (std::size_t c = 0; c < components; ++c) columns.push_back(make(c));
+  sink.out.write_bytes(write_field_columns(
+      columns, *sink.graph, {.components = components, .width = width, .is_color = sink.is_color}));
 }
 
 void write_coding(ByteWriter& out, AttributeCoding coding) { out.write(static_cast<std::uint8_t>(coding)); }
 
-void write_exact(ByteWriter& out, const AttributeView& attribute, const Rows& rows) {
-  write_coding(out, AttributeCoding::kExact);
+void write_exact(SymbolSink& sink, const AttributeView& attribute, const Rows& rows) {
+  write_coding(sink.out, AttributeCoding::kExact);
   const auto width = static_cast<unsigned>(8 * component_size(attribute.type));
-  write_components(out, attribute.components, width, [&](std::size_t c) {
+  write_components(sink, attribute.components, width, [&](std::size_t c) {
     return symbols_of(rows, [&](std::size_t i) { return rows.bits(i, c); });
   });
 }
 
-void write_normals(ByteWriter& out, const Rows& rows, int bits) {
-  write_coding(out, AttributeCoding::kOctahedral);
-  out.write(static_cast<std::uint8_t>(bits));
+void write_normals(SymbolSink& sink, const Rows& rows, int bits) {
+  write_coding(sink.out, AttributeCoding::kOctahedral);
+  sink.out.write(static_cast<std::uint8_t>(bits));
   std::array<Symbols, 2> codes;
   for (std::size_t i = 0; i < rows.count(); ++i) {
     const OctahedralCode code = encode_octahedral(rows.vector(i), bits);
     codes[0].push_back(code[0]);
     codes[1].push_back(code[1]);
   }
-  write_components(out, 2, static_cast<unsigned>(bits), [&](std::size_t c) { return std::move(codes[c]); });
+  write_components(sink, 2, static_cast<unsigned>(bits), [&](std::size_t c) { return std::move(codes[c]); });
 }
 
-void write_colors(ByteWriter& out, const AttributeView& attribute, const Rows& rows, int asked_bits) {
+void write_colors(SymbolSink& sink, const AttributeView& attribute, const Rows& rows, int asked_bits) {
   const int bits = std::min(asked_bits, max_color_bits(attribute.type));
-  write_coding(out, AttributeCoding::kColorLevels);
-  out.write(static_cast<std::uint8_t>(bits));
+  write_coding(sink.out, AttributeCoding::kColorLevels);
+  sink.out.write(static_cast<std::uint8_t>(bits));
   const std::uint32_t top = top_level(bits);
   const std::uint32_t full = top_level(max_color_bits(attribute.type));
   const bool is_float = attribute.type == ComponentType::kF32;
-  write_components(out, attribute.components, static_cast<unsigned>(bits), [&](std::size_t c) {
+  sink.is_color = true;
+  write_components(sink, attribute.components, static_cast<unsigned>(bits), [&](std::size_t c) {
     return symbols_of(rows, [&](std::size_t i) {
       return is_float ? level_of(rows.number(i, c), LevelRange{}, top)
                       : rescale_level(static_cast<std::uint32_t>(rows.bits(i, c)), full, top);
@@ -146,40 +165,39 @@ void write_colors(ByteWriter& out, const AttributeView& attribute, const Rows& r
   });
 }
 
-void write_uvs(ByteWriter& out, const Rows& rows, const std::array<LevelRange, 2>& ranges, int bits) {
-  write_coding(out, AttributeCoding::kUvLevels);
-  out.write(static_cast<std::uint8_t>(bits));
+void write_uvs(SymbolSink& sink, const Rows& rows, const std::array<LevelRange, 2>& ranges, int bits) {
+  write_coding(sink.out, AttributeCoding::kUvLevels);
+  sink.out.write(static_cast<std::uint8_t>(bits));
   for (const LevelRange& range : ranges) {
-    out.write(range.min);
-    out.write(range.max);
+    sink.out.write(range.min);
+    sink.out.write(range.max);
   }
-  write_components(out, 2, static_cast<unsigned>(bits), [&](std::size_t c) {
+  write_components(sink, 2, static_cast<unsigned>(bits), [&](std::size_t c) {
     return symbols_of(rows,
                       [&](std::size_t i) { return level_of(rows.number(i, c), ranges[c], top_level(bits)); });
   });
 }
 
-void write_values(ByteWriter& out, const AttributeView& attribute, const Rows& rows,
+void write_values(SymbolSink& sink, const AttributeView& attribute, const Rows& rows,
                   const AttributeQuantization& quantization) {
   const auto fits = [&](AttributeCoding coding) {
     return coding_fits(coding, attribute.kind, attribute.type, attribute.components);
   };
   if (fits(AttributeCoding::kOctahedral) && all_unit_or_zero(rows))
-    return write_normals(out, rows, quantization.normal_bits);
+    return write_normals(sink, rows, quantization.normal_bits);
   if (fits(AttributeCoding::kColorLevels) &&
       (attribute.type != ComponentType::kF32 || all_in_unit_range(rows, attribute.components)))
-    return write_colors(out, attribute, rows, quantization.color_bits);
+    return write_colors(sink, attribute, rows, quantization.color_bits);
   std::array<LevelRange, 2> ranges;
   if (fits(AttributeCoding::kUvLevels) && find_range(rows, 0, ranges[0]) && find_range(rows, 1, ranges[1]))
-    return write_uvs(out, rows, ranges, quantization.uv_bits);
-  write_exact(out, attribute, rows);
+    return write_uvs(sink, rows, ranges, quantization.uv_bits);
+  write_exact(sink, attribute, rows);
 }
 
-}  // namespace
-
-Result<std::vector<std::byte>> write_attribute(const AttributeView& attribute,
-                                               std::span<const std::uint32_t> order,
-                                               const AttributeQuantization& quantization) {
+/// Fields, then values; empty where `graph` is given and the attribute has no compact form.
+Result<std::vector<std::byte>> write_form(const AttributeView& attribute,
+                                          std::span<const std::uint32_t> order,
+                                          const AttributeQuantization& quantization, const Adjacency* graph) {
   DELTAMESH_CHECK(check_shape(attribute, order));
   ByteWriter out;
   out.write(static_cast<std::uint8_t>(attribute.kind));
@@ -188,8 +206,24 @@ Result<std::vector<std::byte>> write_attribute(const AttributeView& attribute,
   out.write(static_cast<std::uint8_t>(attribute.normalized ? 1 : 0));
   out.write(static_cast<std::uint8_t>(attribute.name.size()));
   out.write_bytes(std::as_bytes(std::span(attribute.name)));
-  write_values(out, attribute, Rows(attribute, order), quantization);
-  return out.take();
+  SymbolSink sink{.out = out, .graph = graph};
+  write_values(sink, attribute, Rows(attribute, order), quantization);
+  return sink.has_form ? out.take() : std::vector<std::byte>{};
+}
+
+}  // namespace
+
+Result<std::vector<std::byte>> write_attribute(const AttributeView& attribute,
+                                               std::span<const std::uint32_t> order,
+                                               const AttributeQuantization& quantization) {
+  return write_form(attribute, order, quantization, nullptr);
+}
+
+Result<std::vector<std::byte>> write_compact_attribute(const AttributeView& attribute,
+                                                       std::span<const std::uint32_t> order,
+                                                       const AttributeQuantization& quantization,
+                                                       const Adjacency& graph) {
+  return write_form(attribute, order, quantization, &graph);
 }
 
 }  // namespace deltamesh

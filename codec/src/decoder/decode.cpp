@@ -2,6 +2,8 @@
 // Copyright 2026 The deltamesh authors
 #include "deltamesh/decode.h"
 
+#include <optional>
+
 #include "attributes/attribute.h"
 #include "base/checked.h"
 #include "base/guard.h"
@@ -95,10 +97,13 @@ class StreamDecoder {
 
   Result<void> read_attributes(Mesh& mesh) {
     std::uint64_t left = options_.limits.attribute_bytes;
+    std::optional<Adjacency> graph;
     for (const ChunkEntry& entry : container_.entries()) {
       if (entry.tag != kTagAttribute) continue;
-      DELTAMESH_TRY(const auto payload, expand_chunk(container_, entry, max_payload(header_)));
-      DELTAMESH_TRY(auto attribute, read_attribute(payload, header_.vertices, left));
+      DELTAMESH_TRY(const auto chunk, expand_any_chunk(container_, entry, max_payload(header_)));
+      if (chunk.is_compact && !graph) graph = build_adjacency(mesh.triangles, header_.vertices);
+      DELTAMESH_TRY(auto attribute,
+                    read_attribute(chunk.payload(), header_.vertices, left, graph ? &*graph : nullptr));
       left -= attribute.values.size();
       mesh.attributes.push_back(std::move(attribute));
       if (mesh.attributes.size() > header_.attributes) break;

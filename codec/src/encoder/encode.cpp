@@ -120,11 +120,15 @@ Result<void> add_geometry(const MeshView& mesh, const CodedTopology& topology, c
 
 Result<void> add_attributes(const MeshView& mesh, const CodedTopology& topology, const EncodeOptions& options,
                             ChunkList& chunks) {
+  if (mesh.attributes.empty()) return {};
+  const Adjacency graph = build_adjacency(topology.seams.split.triangles, topology.vertex_count());
   const AttributeQuantization quantization{
       .normal_bits = options.normal_bits, .color_bits = options.color_bits, .uv_bits = options.uv_bits};
   for (const AttributeView& attribute : mesh.attributes) {
     DELTAMESH_TRY(auto payload, write_attribute(attribute, topology.seams.vertex_order, quantization));
-    DELTAMESH_CHECK(chunks.add(kTagAttribute, std::move(payload)));
+    DELTAMESH_TRY(auto compact,
+                  write_compact_attribute(attribute, topology.seams.vertex_order, quantization, graph));
+    DELTAMESH_CHECK(chunks.add(kTagAttribute, std::move(payload), std::move(compact)));
   }
   return {};
 }
