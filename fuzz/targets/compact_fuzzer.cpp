@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// The compact coder alone, and the compact forms of CONN, DELT, ANCH and ATTR, on bytes from anywhere. The
+// first byte chooses which; what a reader accepts is written and read again.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <span>
+#include <vector>
+
+#include "attributes/attribute.h"
+#include "connectivity/connectivity.h"
+#include "entropy/compact_reader.h"
+#include "entropy/compact_writer.h"
+#include "geometry/anchor_list.h"
+#include "geometry/delta_symbols.h"
+#include "support/graph_mesh.h"
+
+namespace {
+
+using namespace deltamesh;
+
+void require(bool condition) {
+  if (!condition) std::abort();
+}
+
+template <class T>
+void require_clean(const Result<T>& result) {
+  require(result || result.error().code != ErrorCode::kInternal);
+}
+
+/// Symbols of every kind, as many as the bytes last for; then the same symbols through a writer.
+void fuzz_coder(std::span<const std::byte> bytes) {
+  constexpr SymbolModel kFresh({1, 1, 1, 1, 1, 1, 1, 9, 1, 1, 1, 1, 1, 1, 1, 1});
+  constexpr std::size_t kMost = 4096;
+  const auto run = [&](auto& coder, std::vector<std::uint32_t>& values, const auto& go_on) {
+    std::array<SymbolModel, 2> models = {kFresh, kFresh};
+    MixWeights<2> weights;
+    BitModel bit;
+    NumberModel number;
+    for (std::size_t i = 0; go_on(i); ++i) {
+      if (i == values.size()) values.push_back(0);
+      std::uint32_t& value = values[i];
+      if (i % 4 == 0) value = coder.symbol(value, Mixture<2>{{&models[0], &models[1]}, &weights});
+      if (i % 4 == 1) value = coder.bit(value != 0, bit) ? 1 : 0;
+      if (i % 4 == 2) value = coder.bits(value, static_cast<unsigned>(i % 33));
+      if (i % 4 == 3) value = coder.number(value, number);
+    }
+  };
+  std::vector<std::uint32_t> values;
+  CompactReader reader(bytes);
+  run(reader, values, [&](std::size_t i) { return i < kMost && !reader.failed(); });
+  require_clean(reader.finish(0));
+  CompactWriter writer;
+  std::vector<std::uint32_t> copy = values;
+  run(writer, copy, [&](std::size_t i) { return i < values.size(); });
+  const auto written = writer.finish();
+  CompactReader again(written);
+  std::vector<std::uint32_t> back;
+  run(again, back, [&](std::size_t i) { return i < values.size(); });
+  require(back == values && again.finish(0).has_value());
+}
+
+void fuzz_connectivity(std::span<const std::byte> bytes, std::uint32_t faces) {
+  constexpr std::uint32_t kVertices = 60;
+  const auto read = read_connectivity(Payload::compact(bytes), kVertices, faces);
+  require_clean(read);
+  if (!read) return;
+  require(read->size() == std::size_t{3} * faces);
+  for (const std::uint32_t v : *read) require(v < kVertices);
+  const auto coded = write_connectivity(*read, kVertices);
+  const auto again = read_connectivity(Payload::compact(coded.compact), kVertices, faces);
+  require(faces == 0 || (again && *again == coded.triangles));
+}
+
+void fuzz_deltas(std::span<const std::byte> bytes) {
+  static const test::GraphMesh kMesh = test::sheet(6, 5);
+  const auto read = read_compact_deltas(bytes, kMesh.graph);
+  require_clean(read);
+  if (!read) return;
+  const auto again = read_compact_deltas(write_compact_deltas(*read, kMesh.graph), kMesh.graph);
+  require(again && *again == *read);
+}
+
+void fuzz_anchors(std::span<const std::byte> bytes, std::uint32_t count) {
+  const auto read = read_anchors(Payload::compact(bytes), count);
+  require_clean(read);
+  if (!read) return;
+  const auto again = read_anchors(Payload::compact(write_compact_anchors(*read)), count);
+  require(again && again->gaps == read->gaps && again->steps == read->steps);
+}
+
+void fuzz_attribute(std::span<const std::byte> bytes) {
+  static const test::GraphMesh kMesh = test::sheet(6, 5);
+  const auto rows = static_cast<std::uint32_t>(kMesh.graph.vertex_count());
+  const auto read = read_attribute(Payload::compact(bytes), rows, 1 << 16, &kMesh.graph);
+  require_clean(read);
+  if (read) require(read->values.size() == rows * read->components * component_size(read->type));
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size < 2) return 0;
+  const unsigned choice = data[0] % 5;
+  const std::uint32_t count = data[1];
+  const auto bytes = std::as_bytes(std::span(data, size)).subspan(2);
+  if (choice == 0) fuzz_coder(bytes);
+  if (choice == 1) fuzz_connectivity(bytes, count);
+  if (choice == 2) fuzz_deltas(bytes);
+  if (choice == 3) fuzz_anchors(bytes, count);
+  if (choice == 4) fuzz_attribute(bytes);
+  return 0;
+}

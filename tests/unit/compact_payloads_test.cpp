@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// The compact forms of CONN, DELT, ANCH and ATTR: what was written comes back, nothing else gets through.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <functional>
+#include <string>
+
+#include "attributes/attribute.h"
+#include "base/quick_ratio.h"
+#include "connectivity/connectivity.h"
+#include "entropy/compact_writer.h"
+#include "field/field_coder.h"
+#include "geometry/anchor_list.h"
+#include "geometry/delta_symbols.h"
+#include "support/graph_mesh.h"
+#include "support/random.h"
+#include "support/soups.h"
+
+namespace deltamesh {
+namespace {
+
+using Bytes = std::vector<std::byte>;
+
+/// Every prefix and extension fails; with any byte flipped `read` returns (and checks what it gets).
+void expect_guarded(const Bytes& bytes, const std::function<bool(const Bytes&)>& read,
+                    const std::string& name) {
+  ASSERT_TRUE(read(bytes)) << name;
+  for (std::size_t size = 0; size < bytes.size(); ++size)
+    EXPECT_FALSE(read(Bytes(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size))))
+        << name << size;
+  Bytes longer = bytes;
+  longer.push_back(std::byte{0});
+  EXPECT_FALSE(read(longer)) << name;
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    for (const std::byte flip : {std::byte{1}, std::byte{0x10}, std::byte{0xff}}) {
+      Bytes changed = bytes;
+      changed[i] ^= flip;
+      read(changed);
+    }
+  }
+}
+
+TEST(CompactConnectivity, CONN12ReadsEverySoup) {
+  for (const test::Soup& soup : test::awkward_soups()) {
+    const CodedConnectivity coded = write_connectivity(soup.triangles, soup.vertex_count);
+    if (soup.triangles.empty()) continue;
+    const auto faces = static_cast<std::uint32_t>(soup.triangles.size() / 3);
+    const auto read = read_connectivity(Payload::compact(coded.compact), soup.vertex_count, faces);
+    ASSERT_TRUE(read) << soup.name << " " << read.error().message;
+    EXPECT_EQ(*read, coded.triangles) << soup.name;
+    EXPECT_FALSE(read_connectivity(Payload::compact(coded.compact), soup.vertex_count, faces + 1));
+    EXPECT_FALSE(read_connectivity(Payload::compact(coded.compact), soup.vertex_count, faces - 1));
+  }
+}
+
+TEST(CompactConnectivity, CMP3PrefixesAndFlipsAreErrorsOrValidFaces) {
+  for (const test::Soup& soup : test::awkward_soups()) {
+    if (soup.triangles.empty() || soup.triangles.size() > 200) continue;
+    const CodedConnectivity coded = write_connectivity(soup.triangles, soup.vertex_count);
+    const auto read = [&](const Bytes& bytes) {
+      const auto faces = read_connectivity(Payload::compact(bytes), soup.vertex_count,
+                                           static_cast<std::uint32_t>(soup.triangles.size() / 3));
+      if (!faces) return false;
+      EXPECT_EQ(faces->size(), soup.triangles.size());
+      for (const std::uint32_t v : *faces) EXPECT_LT(v, soup.vertex_count);
+      return true;
+    };
+    expect_guarded(coded.compact, read, soup.name);
+  }
+}
+
+TEST(CompactConnectivity, CONN2FacesAreBoundedByTheBytes) {
+  const auto refused = read_connectivity(Payload::compact(Bytes(8)), 10, 8 * 8192 + 1);
+  ASSERT_FALSE(refused);
+  EXPECT_STREQ(refused.error().rule, "CONN-2");
+}
+
+std::vector<std::int32_t> random_deltas(std::size_t count, std::uint32_t seed, std::int32_t largest) {
+  test::RandomBits random(seed);
+  std::vector<std::int32_t> deltas(count);
+  for (auto& q : deltas) {
+    const auto range = static_cast<std::int64_t>(1) << (random() % 32);
+    q = static_cast<std::int32_t>(
+        std::min<std::int64_t>(static_cast<std::int64_t>(random()) % range, largest));
+    if (random() % 2 == 0) q = -q;
+  }
+  return deltas;
+}
+
+TEST(CompactDeltas, FLD1ReadsAnyNumbers) {
+  for (const auto& mesh : {test::sheet(1, 1), test::sheet(9, 7), test::fan(300), test::GraphMesh{}}) {
+    const Adjacency graph =
+        build_adjacency(mesh.triangles, static_cast<std::uint32_t>(mesh.positions.size()));
+    for (const std::int32_t largest : {0, 1, 100, 70000, 1 << 30}) {
+      auto deltas = random_deltas(3 * graph.vertex_count(), 17, largest);
+      if (!deltas.empty() && largest > 0) deltas.front() = -largest;
+      const Bytes bytes = write_compact_deltas(deltas, graph);
+      const auto read = read_compact_deltas(bytes, graph);
+      ASSERT_TRUE(read) << read.error().message;
+      EXPECT_EQ(*read, deltas);
+      EXPECT_EQ(write_compact_deltas(deltas, graph), bytes);
+    }
+  }
+}
+
+TEST(CompactDeltas, CMP3PrefixesAndFlipsAreErrorsOrNumbersInRange) {
+  const auto mesh = test::sheet(6, 5);
+  for (const std::int32_t largest : {3, 1 << 30}) {
+    const auto deltas = random_deltas(3 * mesh.graph.vertex_count(), 5, largest);
+    const auto read = [&](const Bytes& bytes) {
+      const auto back = read_compact_deltas(bytes, mesh.graph);
+      if (!back) return false;
+      EXPECT_EQ(back->size(), deltas.size());
+      for (const std::int32_t q : *back) EXPECT_LE(std::abs(std::int64_t{q}), kLargestFieldValue);
+      return true;
+    };
+    expect_guarded(write_compact_deltas(deltas, mesh.graph), read, "deltas");
+  }
+}
+
+TEST(CompactDeltas, FLD1RejectsNumbersBeyondTheirRange) {
+  const auto mesh = test::sheet(2, 2);
+  std::vector<std::int32_t> deltas(12);
+  deltas[0] = (1 << 30) + 1;
+  CompactWriter writer;
+  FieldCoder field(writer, mesh.graph);
+  std::array<std::int32_t, 3> q = {deltas[0], 0, 0};
+  EXPECT_FALSE(field.code_vertex(0, q, 3));
+  const auto read = read_compact_deltas(writer.finish(), mesh.graph);
+  ASSERT_FALSE(read);
+  EXPECT_STREQ(read.error().rule, "FLD-1");
+}
+
+TEST(CompactDeltas, SmoothNeighborhoodsPay) {
+  const auto mesh = test::sheet(60, 60);
+  const std::size_t n = mesh.graph.vertex_count();
+  std::vector<std::int32_t> deltas(3 * n);
+  test::RandomBits random(2);
+  for (std::size_t i = 0; i < n; ++i)
+    deltas[2 * n + i] = i < n / 2 ? 0 : static_cast<std::int32_t>(random() % 8);
+  EXPECT_LT(write_compact_deltas(deltas, mesh.graph).size() * 8, n * 2);  // 1.5 bits of entropy each
+}
+
+TEST(CompactAnchors, ANCH5ReadsWhatWasWritten) {
+  for (const std::size_t count : {0, 1, 40}) {
+    test::RandomBits random(static_cast<std::uint32_t>(count));
+    AnchorList list;
+    for (std::size_t i = 0; i < count; ++i) list.gaps.push_back(random() % 300);
+    for (std::size_t i = 0; i < 3 * count; ++i) list.steps.push_back(random() >> (random() % 32));
+    const auto read = [&](const Bytes& bytes) {
+      const auto back = read_anchors(Payload::compact(bytes), static_cast<std::uint32_t>(count));
+      if (!back) return false;
+      EXPECT_EQ(back->gaps.size(), count);
+      EXPECT_EQ(back->steps.size(), 3 * count);
+      return true;
+    };
+    const Bytes bytes = write_compact_anchors(list);
+    expect_guarded(bytes, read, "anchors");
+    EXPECT_EQ(read_anchors(Payload::compact(bytes), static_cast<std::uint32_t>(count))->gaps, list.gaps);
+    EXPECT_EQ(read_anchors(Payload::compact(bytes), static_cast<std::uint32_t>(count))->steps, list.steps);
+    EXPECT_EQ(read_anchors(write_plain_anchors(list), static_cast<std::uint32_t>(count))->steps, list.steps);
+  }
+}
+
+struct Shape {
+  AttributeKind kind;
+  ComponentType type;
+  std::uint8_t components;
+};
+
+/// Values that are near to their neighbours' in part, at the ends of their range in part.
+Attribute make_attribute(const Shape& shape, std::size_t rows) {
+  Attribute attribute{.kind = shape.kind, .type = shape.type, .components = shape.components, .name = "a"};
+  attribute.values.resize(rows * shape.components * component_size(shape.type));
+  test::RandomBits random(8);
+  for (std::size_t i = 0; i < attribute.values.size(); ++i) {
+    const std::uint32_t byte = random() % 4 == 0 ? random() % 256 : (i < 90 ? 100 : 250) + random() % 6;
+    attribute.values[i] = static_cast<std::byte>(byte);
+  }
+  if (shape.type != ComponentType::kF32) return attribute;
+  for (std::size_t i = 0; i < rows * shape.components; ++i) {
+    const float value = shape.kind == AttributeKind::kNormal ? (i % 3 == 2 ? 1.0F : 0.0F)
+                                                             : static_cast<float>(random() % 1000) / 999.0F;
+    std::memcpy(attribute.values.data() + 4 * i, &value, 4);
+  }
+  return attribute;
+}
+
+AttributeView view(const Attribute& a) {
+  return {.kind = a.kind,
+          .type = a.type,
+          .components = a.components,
+          .normalized = a.normalized,
+          .name = a.name,
+          .values = a.values};
+}
+
+TEST(CompactAttributes, ATTR9EqualsThePlainForm) {
+  const auto mesh = test::sheet(7, 6);
+  const auto rows = static_cast<std::uint32_t>(mesh.graph.vertex_count());
+  std::vector<std::uint32_t> order(rows);
+  for (std::uint32_t i = 0; i < rows; ++i) order[i] = rows - 1 - i;
+  using enum AttributeKind;
+  using enum ComponentType;
+  for (const Shape& shape :
+       {Shape{kColor, kU8, 3}, Shape{kColor, kU8, 4}, Shape{kColor, kU16, 3}, Shape{kColor, kF32, 4},
+        Shape{kNormal, kF32, 3}, Shape{kUv, kF32, 2}, Shape{kGeneric, kU8, 1}, Shape{kGeneric, kI16, 5}}) {
+    const Attribute attribute = make_attribute(shape, rows);
+    const auto plain = write_attribute(view(attribute), order, {});
+    const auto compact = write_compact_attribute(view(attribute), order, {}, mesh.graph);
+    ASSERT_TRUE(compact && !compact->empty());
+    const auto expected = read_attribute(*plain, rows, 1 << 20);
+    const auto read = [&](const Bytes& bytes) {
+      const auto back = read_attribute(Payload::compact(bytes), rows, 1 << 20, &mesh.graph);
+      if (!back) return false;
+      EXPECT_EQ(back->values.size(), rows * back->components * component_size(back->type));
+      return true;
+    };
+    EXPECT_EQ(read_attribute(Payload::compact(*compact), rows, 1 << 20, &mesh.graph)->values,
+              expected->values);
+    expect_guarded(*compact, read, "attribute");
+  }
+}
+
+TEST(CompactAttributes, ATTR9WideSymbolsHaveNone) {
+  const auto mesh = test::sheet(3, 3);
+  const Attribute attribute = make_attribute({AttributeKind::kGeneric, ComponentType::kF64, 1}, 9);
+  const std::vector<std::uint32_t> order = {0, 1, 2, 3, 4, 5, 6, 7, 8};
+  EXPECT_TRUE(write_compact_attribute(view(attribute), order, {}, mesh.graph)->empty());
+  const auto plain = write_attribute(view(attribute), order, {});
+  const auto read = read_attribute(Payload::compact(*plain), 9, 1 << 20, &mesh.graph);
+  ASSERT_FALSE(read);
+  EXPECT_STREQ(read.error().rule, "ATTR-9");
+}
+
+TEST(QuickRatio, CMP9IsNearTheQuotient) {
+  test::RandomBits random(1);
+  for (int i = 0; i < 10000; ++i) {
+    const std::int64_t b = 1 + (static_cast<std::int64_t>(random()) >> (random() % 32));
+    const std::int64_t a = static_cast<std::int64_t>(random() % 8000) * b / 1000 - 4 * b;
+    const double exact = static_cast<double>(a) / static_cast<double>(b) * 4096;
+    EXPECT_NEAR(quick_ratio(a, b), exact, 2 + std::abs(exact) / 400) << a << " / " << b;
+  }
+  EXPECT_EQ(quick_ratio(1'000'000, 1), 8 * 4096);
+  EXPECT_EQ(quick_ratio(-1'000'000, 1), -8 * 4096);
+  EXPECT_EQ(quick_ratio(0, 5), 0);
+}
+
+}  // namespace
+}  // namespace deltamesh

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "entropy/compact_reader.h"
+#include "entropy/compact_writer.h"
+#include "support/random.h"
+
+namespace deltamesh {
+namespace {
+
+constexpr std::uint32_t kTag = 0x54534554;
+
+/// Some of everything the coder offers, drawn from a seed; the same calls write and read.
+struct Script {
+  struct Step {
+    unsigned kind;
+    std::uint32_t value;
+    unsigned size;
+  };
+  std::vector<Step> steps;
+
+  Script(std::uint32_t seed, std::size_t count) {
+    test::RandomBits random(seed);
+    for (std::size_t i = 0; i < count; ++i) {
+      Step step{.kind = random() % 5, .value = random(), .size = random() % 33};
+      if (step.kind < 2) step.value = random() % 3 == 0 ? random() % 16 : 7;
+      if (step.kind == 2) step.value = random() % 10 == 0 ? 1 : 0;
+      if (step.kind > 2) step.value = step.size == 0 ? 0 : step.value >> (32 - step.size);
+      steps.push_back(step);
+    }
+  }
+
+  /// Runs the script; returns what the coder answered.
+  template <class Coder>
+  std::vector<std::uint32_t> run(Coder& coder) const {
+    constexpr SymbolModel kFresh({1, 1, 1, 1, 1, 1, 1, 9, 1, 1, 1, 1, 1, 1, 1, 1});
+    std::array<SymbolModel, 3> models = {kFresh, kFresh, kFresh};
+    MixWeights<1> alone;
+    MixWeights<2> pair;
+    BitModel bit;
+    NumberModel number;
+    std::vector<std::uint32_t> answers;
+    for (const Step& step : steps) {
+      switch (step.kind) {
+        case 0:
+          answers.push_back(coder.symbol(step.value, Mixture<1>{{&models[0]}, &alone}));
+          break;
+        case 1:
+          answers.push_back(coder.symbol(step.value, Mixture<2>{{&models[1], &models[2]}, &pair}));
+          break;
+        case 2:
+          answers.push_back(coder.bit(step.value != 0, bit) ? 1 : 0);
+          break;
+        case 3:
+          answers.push_back(coder.bits(step.value, step.size));
+          break;
+        default:
+          answers.push_back(coder.number(step.value, number));
+      }
+    }
+    return answers;
+  }
+};
+
+std::vector<std::byte> write(const Script& script) {
+  CompactWriter writer;
+  script.run(writer);
+  return writer.finish();
+}
+
+TEST(Compact, CMP1ReadsWhatWasWritten) {
+  for (std::uint32_t seed = 0; seed < 50; ++seed) {
+    const Script script(seed, seed * 20);
+    CompactWriter writer;
+    const auto written = script.run(writer);
+    const auto bytes = writer.finish();
+    CompactReader reader(bytes);
+    EXPECT_EQ(script.run(reader), written);
+    EXPECT_TRUE(reader.finish(kTag)) << seed;
+    EXPECT_EQ(write(script), bytes);
+  }
+}
+
+TEST(Compact, CMP1AnEmptyStreamIsItsState) {
+  CompactWriter writer;
+  const auto bytes = writer.finish();
+  ASSERT_EQ(bytes.size(), 8U);
+  EXPECT_TRUE(CompactReader(bytes).finish(kTag));
+}
+
+TEST(Compact, CMP3EveryPrefixAndExtensionFails) {
+  const Script script(7, 100);
+  const auto bytes = write(script);
+  for (std::size_t size = 0; size <= bytes.size() + 4; ++size) {
+    if (size == bytes.size()) continue;
+    std::vector<std::byte> changed = bytes;
+    changed.resize(size);
+    CompactReader reader(changed);
+    script.run(reader);
+    const auto result = reader.finish(kTag);
+    ASSERT_FALSE(result) << size;
+    EXPECT_STREQ(result.error().rule, "CMP-3");
+    EXPECT_EQ(result.error().chunk_tag, kTag);
+  }
+}
+
+TEST(Compact, CMP3FlippedBytesEndInAnErrorOrOtherSymbols) {
+  const Script script(9, 60);
+  const auto bytes = write(script);
+  std::size_t passed = 0;
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    for (unsigned bit = 0; bit < 8; ++bit) {
+      auto changed = bytes;
+      changed[i] ^= static_cast<std::byte>(1U << bit);
+      CompactReader reader(changed);
+      script.run(reader);
+      if (reader.finish(kTag)) ++passed;
+    }
+  }
+  EXPECT_LT(passed, 4 * bytes.size());  // raw bits may change unnoticed
+}
+
+TEST(Compact, CMP1RejectsAStateOutOfRange) {
+  for (const std::uint64_t state : {std::uint64_t{0}, kRansFloor - 1, kRansFloor << 32, ~std::uint64_t{0}}) {
+    std::vector<std::byte> bytes(8);
+    for (unsigned i = 0; i < 8; ++i) bytes[i] = static_cast<std::byte>(state >> (8 * i));
+    CompactReader reader(bytes);
+    EXPECT_TRUE(reader.failed());
+    EXPECT_FALSE(reader.finish(kTag));
+  }
+}
+
+TEST(Compact, CMP5LanesNeverFallAndEverySymbolStaysPossible) {
+  test::RandomBits random(3);
+  SymbolModel model({1, 1, 1, 1, 1, 1, 1, 9, 1, 1, 1, 1, 1, 1, 1, 1});
+  MixWeights<1> weights;
+  for (int i = 0; i < 5000; ++i) {
+    const Lanes ends = Mixture<1>{{&model}, &weights}.ends();
+    std::uint32_t sum = 0;
+    for (unsigned s = 0; s < kSymbols; ++s) {
+      const Interval interval = interval_of(ends, s);
+      ASSERT_GE(interval.size, 2U);
+      ASSERT_EQ(interval.start, sum);
+      sum += interval.size;
+    }
+    ASSERT_EQ(sum, kProbabilityOne);
+    model.learn(i < 1000 ? 0 : i < 2000 ? 15 : random() % 16);
+  }
+}
+
+TEST(Compact, CMP6WeightsKeepTheirSum) {
+  MixWeights<4> weights;
+  test::RandomBits random(5);
+  for (int i = 0; i < 5000; ++i) {
+    weights.learn(
+        {static_cast<std::int32_t>(random() % 32512), static_cast<std::int32_t>(random() % 100), 0, 32512},
+        2 + random() % 32000);
+    std::uint32_t sum = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      ASSERT_GE(weights[k], 512U);
+      sum += weights[k];
+    }
+    ASSERT_EQ(sum, 32994U);
+  }
+}
+
+TEST(Compact, CMP7BitsStayPossible) {
+  BitModel model;
+  for (const bool bit : {true, false}) {
+    for (int i = 0; i < 10000; ++i) model.learn(bit);
+    EXPECT_GE(model.interval(true).size, 32U);
+    EXPECT_GE(model.interval(false).size, 32U);
+    EXPECT_LE(model.interval(!bit).size, 40U);
+  }
+}
+
+TEST(Compact, VectorLoopsEqualThePlainOnes) {
+  test::RandomBits random(11);
+  for (int round = 0; round < 1000; ++round) {
+    Lanes lanes{};
+    for (auto& lane : lanes) lane = static_cast<std::int16_t>(random() % 32513);
+    std::sort(lanes.begin(), lanes.end());
+    const auto symbol = static_cast<unsigned>(random() % kSymbols);
+    const auto rate = static_cast<unsigned>(2 + random() % 6);
+    const auto goal = static_cast<std::int16_t>(32512 + (1 << rate) - 1);
+    Lanes fast = lanes;
+    Lanes slow = lanes;
+    pull_lanes(fast, symbol, goal, rate);
+    plain::pull_lanes(slow, symbol, goal, rate);
+    EXPECT_EQ(fast, slow);
+    const auto weight = static_cast<std::uint32_t>(random() % 32995);
+    Lanes fast_sum{};
+    Lanes slow_sum{};
+    add_weighted(fast_sum, lanes, weight);
+    plain::add_weighted(slow_sum, lanes, weight);
+    EXPECT_EQ(fast_sum, slow_sum);
+    const auto value = static_cast<std::int16_t>(random() % 32768);
+    EXPECT_EQ(count_up_to(lanes, value), plain::count_up_to(lanes, value));
+  }
+}
+
+TEST(Compact, SkewedSymbolsCostNextToNothing) {
+  CompactWriter writer;
+  SymbolModel model({1, 1, 1, 1, 1, 1, 1, 9, 1, 1, 1, 1, 1, 1, 1, 1});
+  MixWeights<1> weights;
+  for (int i = 0; i < 80000; ++i) writer.symbol(7, Mixture<1>{{&model}, &weights});
+  EXPECT_LT(writer.finish().size(), 60U);
+}
+
+}  // namespace
+}  // namespace deltamesh
