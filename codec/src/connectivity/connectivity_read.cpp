@@ -173,10 +173,10 @@ Result<std::vector<std::uint32_t>> read_compact(std::span<const std::byte> bytes
     if (reader.failed()) DELTAMESH_CHECK(reader.finish(kTagConnectivity));
     return guide.error();
   }
-  DELTAMESH_TRY(const GlueList list, read_compact_gluing(reader, border.vertex_count(), vertex_count));
+  std::vector<std::uint32_t> faces = border.take_faces();
+  DELTAMESH_TRY(const auto vertex, read_compact_gluing(reader, faces, border.vertex_count(), vertex_count));
   DELTAMESH_CHECK(reader.finish(kTagConnectivity));
-  DELTAMESH_TRY(const auto vertex, glue_vertices(list, border.vertex_count(), vertex_count));
-  return renumber(border.take_faces(), vertex);
+  return renumber(std::move(faces), vertex);
 }
 
 }  // namespace

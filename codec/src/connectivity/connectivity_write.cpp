@@ -208,10 +208,12 @@ CodedConnectivity write_connectivity(std::span<const std::uint32_t> triangles, s
   CodedConnectivity coded;
   if (!triangles.empty()) {
     coded.payload = write_payload(guide, gluing);
-    write_compact_gluing(writer, gluing.list);
-    coded.compact = writer.finish();
   }
   coded.triangles = border.take_faces();
+  if (!triangles.empty()) {
+    write_compact_gluing(writer, gluing.list, coded.triangles, gluing.coded_vertex);
+    coded.compact = writer.finish();
+  }
   for (std::uint32_t& v : coded.triangles) v = gluing.coded_vertex[v];
   coded.vertex_order = std::move(gluing.vertex_order);
   coded.face_order.reserve(guide.first_corner().size());

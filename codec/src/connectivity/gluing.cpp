@@ -4,6 +4,7 @@
 
 #include "base/try.h"
 #include "base/zigzag.h"
+#include "connectivity/glue_coder.h"
 #include "format/tags.h"
 
 namespace deltamesh {
@@ -14,6 +15,12 @@ Error invalid(const char* message) noexcept {
           .message = message,
           .rule = "CONN-11",
           .chunk_tag = kTagConnectivity};
+}
+
+/// From this share of glued vertices on they are coded one by one [CONN-14].
+constexpr std::uint64_t kDenseShare = 16;
+bool is_dense(std::uint64_t glued, std::uint64_t manifold_count) noexcept {
+  return glued * kDenseShare > manifold_count;
 }
 
 }  // namespace
@@ -42,9 +49,14 @@ Result<std::vector<std::uint32_t>> glue_vertices(const GlueList& list, std::uint
   return vertex;
 }
 
-void write_compact_gluing(CompactWriter& writer, const GlueList& list) {
+void write_compact_gluing(CompactWriter& writer, const GlueList& list, std::span<const std::uint32_t> faces,
+                          std::vector<std::uint32_t> vertex) {
   NumberModel counts;
   writer.number(static_cast<std::uint32_t>(list.gaps.size()), counts);
+  if (is_dense(list.gaps.size(), vertex.size())) {
+    GlueCoder(writer).code(faces, vertex, [] { return false; });
+    return;
+  }
   NumberModel gaps;
   NumberModel targets;
   for (std::size_t i = 0; i < list.gaps.size(); ++i) {
@@ -53,11 +65,21 @@ void write_compact_gluing(CompactWriter& writer, const GlueList& list) {
   }
 }
 
-Result<GlueList> read_compact_gluing(CompactReader& reader, std::uint32_t manifold_count,
-                                     std::uint32_t vertex_count) {
+Result<std::vector<std::uint32_t>> read_compact_gluing(CompactReader& reader,
+                                                       std::span<const std::uint32_t> faces,
+                                                       std::uint32_t manifold_count,
+                                                       std::uint32_t vertex_count) {
   NumberModel counts;
   const std::uint32_t count = reader.number(0, counts);
   DELTAMESH_CHECK(check_glue_count(count, manifold_count, vertex_count));
+  if (is_dense(count, manifold_count)) {
+    std::vector<std::uint32_t> vertex(manifold_count);
+    GlueCoder glue(reader);
+    if (!glue.code(faces, vertex, [&] { return reader.failed(); }) && !reader.failed())
+      return invalid("glued to a vertex yet to come");
+    if (glue.glued_count() != count && !reader.failed()) return invalid("another number of glued vertices");
+    return vertex;
+  }
   GlueList list;
   NumberModel gaps;
   NumberModel targets;
@@ -65,7 +87,8 @@ Result<GlueList> read_compact_gluing(CompactReader& reader, std::uint32_t manifo
     list.gaps.push_back(reader.number(0, gaps));
     list.targets.push_back(reader.number(0, targets));
   }
-  return list;
+  if (reader.failed()) return std::vector<std::uint32_t>(manifold_count);
+  return glue_vertices(list, manifold_count, vertex_count);
 }
 
 }  // namespace deltamesh

@@ -27,11 +27,15 @@ Result<std::vector<std::uint32_t>> glue_vertices(const GlueList& list, std::uint
 /// Checks a list's length before anything of its size is allocated. Errors: kInvalidStream [CONN-11].
 Result<void> check_glue_count(std::uint64_t count, std::uint32_t manifold_count, std::uint32_t vertex_count);
 
-/// The list by the compact coder: its length, then gap and target of each [CONN-13].
-void write_compact_gluing(CompactWriter& writer, const GlueList& list);
+/// The gluing by the compact coder: the list's length, then the list itself, or where it is long the vertices
+/// one by one [CONN-13, CONN-14]. `faces`: manifold vertices, three each; `vertex`: of every manifold vertex.
+void write_compact_gluing(CompactWriter& writer, const GlueList& list, std::span<const std::uint32_t> faces,
+                          std::vector<std::uint32_t> vertex);
 
-/// Errors: kInvalidStream [CONN-11]. Stops early where the reader failed.
-Result<GlueList> read_compact_gluing(CompactReader& reader, std::uint32_t manifold_count,
-                                     std::uint32_t vertex_count);
+/// Vertex of every manifold vertex; made up where the reader failed. Errors: kInvalidStream [CONN-11].
+Result<std::vector<std::uint32_t>> read_compact_gluing(CompactReader& reader,
+                                                       std::span<const std::uint32_t> faces,
+                                                       std::uint32_t manifold_count,
+                                                       std::uint32_t vertex_count);
 
 }  // namespace deltamesh

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Gluing of meshes with many glued vertices by the compact coder: guesses from faces that share the gate's
+// edge [CONN-14]. Two-sided sheets and doubled faces then cost next to nothing.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "base/zigzag.h"
+#include "connectivity/cut.h"
+#include "entropy/compact_model.h"
+#include "entropy/number_model.h"
+
+namespace deltamesh {
+
+/// The first face at every directed edge, over vertices of the mesh.
+class EdgeApexes {
+ public:
+  /// What the face across a gate may be the twin of.
+  struct Guesses {
+    std::uint32_t same = kNoIndex;      ///< apex of the first face with the edge in the same direction
+    std::uint32_t mirrored = kNoIndex;  ///< of the first of two or more with the opposite direction
+  };
+
+  Guesses guess(std::uint32_t from, std::uint32_t to) const {
+    Guesses guesses;
+    if (const auto it = first_.find(key(from, to)); it != first_.end()) guesses.same = it->second.apex;
+    if (const auto it = first_.find(key(to, from)); it != first_.end() && it->second.faces > 1)
+      guesses.mirrored = it->second.apex;
+    return guesses;
+  }
+
+  void add(const std::array<std::uint32_t, 3>& face) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      Entry& entry = first_[key(face[k], face[(k + 1) % 3])];
+      if (entry.faces++ == 0) entry.apex = face[(k + 2) % 3];
+    }
+  }
+
+ private:
+  struct Entry {
+    std::uint32_t apex = 0;
+    std::uint32_t faces = 0;
+  };
+  static std::uint64_t key(std::uint32_t from, std::uint32_t to) noexcept {
+    return std::uint64_t{from} << 32 | to;
+  }
+  std::unordered_map<std::uint64_t, Entry> first_;
+};
+
+/// `Coder` is CompactWriter or CompactReader.
+template <class Coder>
+class GlueCoder {
+ public:
+  explicit GlueCoder(Coder& coder) : coder_(coder) {}
+
+  /// Codes vertex of the mesh for every manifold vertex, where `faces` (three manifold vertices each) bring
+  /// them in. `vertex`: one per manifold vertex; read by a writer, filled in by a reader. False where a
+  /// target is not there yet, or `stop`. O(faces) expected.
+  template <class Stop>
+  bool code(std::span<const std::uint32_t> faces, std::vector<std::uint32_t>& vertex, Stop stop) {
+    for (std::size_t f = 0; f < faces.size(); f += 3) {
+      std::array<std::uint32_t, 3> face{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t manifold = faces[f + k];
+        if (manifold == glued_.size()) {
+          const auto guesses = k == 2 ? edges_.guess(face[0], face[1]) : EdgeApexes::Guesses{};
+          const unsigned glued_ends = k == 2 ? glued_[faces[f]] + glued_[faces[f + 1]] : 0U;
+          if (!code_vertex(vertex[manifold], guesses, glued_ends) || stop()) return false;
+        }
+        face[k] = vertex[manifold];
+      }
+      edges_.add(face);
+    }
+    return true;
+  }
+
+  std::uint32_t glued_count() const noexcept { return static_cast<std::uint32_t>(glued_.size()) - fresh_; }
+
+ private:
+  bool code_vertex(std::uint32_t& vertex, const EdgeApexes::Guesses& guesses, unsigned glued_ends) {
+    const unsigned known = (guesses.same != kNoIndex ? 1U : 0U) + (guesses.mirrored != kNoIndex ? 2U : 0U);
+    const bool glued = coder_.bit(vertex != fresh_, is_glued_[glued_ends * 4 + known]);
+    glued_.push_back(glued ? 1 : 0);
+    if (!glued) {
+      vertex = fresh_++;
+      return true;
+    }
+    const unsigned hint = vertex == guesses.same ? 0 : vertex == guesses.mirrored ? 1 : 2;
+    const unsigned choice = coder_.symbol(hint, Mixture<1>{{&hints_[known]}, &weights_});
+    if (choice == 0) vertex = guesses.same;
+    if (choice == 1) vertex = guesses.mirrored;
+    if (choice == 2) {
+      const std::uint32_t step =
+          coder_.number(zigzag(static_cast<std::int32_t>(vertex - last_target_)), steps_);
+      vertex = last_target_ + static_cast<std::uint32_t>(unzigzag(step));
+    }
+    last_target_ = vertex;
+    return choice <= 2 && vertex < fresh_;
+  }
+
+  static constexpr SymbolModel kFresh{{4, 4, 4, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
+
+  Coder& coder_;
+  EdgeApexes edges_;
+  std::vector<std::uint8_t> glued_;  ///< of every manifold vertex so far
+  std::uint32_t fresh_ = 0;
+  std::uint32_t last_target_ = 0;
+  std::array<BitModel, 12> is_glued_;
+  std::array<SymbolModel, 4> hints_ = {kFresh, kFresh, kFresh, kFresh};
+  MixWeights<1> weights_;
+  NumberModel steps_;
+};
+
+}  // namespace deltamesh
