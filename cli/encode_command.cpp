@@ -2,7 +2,6 @@
 // Copyright 2026 The deltamesh authors
 #include <CLI/CLI.hpp>
 #include <chrono>
-#include <map>
 #include <memory>
 #include <string>
 
@@ -21,6 +20,7 @@ struct Arguments {
   std::string in;
   std::string out;
   std::string order_out;
+  std::string profile = "smallest";
   bool json = false;
   EncodeOptions options;
 };
@@ -138,11 +138,10 @@ void add_encode_command(CLI::App& app, int& status) {
   command->add_option("--anchor-bits", options.anchor_bits, "bits per axis of an anchor, 4 to 24")
       ->capture_default_str();
   command
-      ->add_option("--profile", options.profile,
-                   "codings the stream may use: smallest (default) or zstd, which others read more easily")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Profile>{{"smallest", Profile::kSmallest}, {"zstd", Profile::kZstd}}))
-      ->type_name("NAME");
+      ->add_option("--profile", arguments->profile,
+                   "codings the stream may use: zstd is easier for others to read")
+      ->check(CLI::IsMember({"smallest", "zstd"}))
+      ->capture_default_str();
   command->add_flag("--keep-order", options.keep_order, "restore the order of vertices and faces exactly");
   command->add_flag("--keep-unreferenced", options.keep_unreferenced, "keep vertices that no face uses");
   command->add_option("--order-out", arguments->order_out,
@@ -153,7 +152,10 @@ void add_encode_command(CLI::App& app, int& status) {
       "  deltamesh encode bunny.ply bunny.dmsh\n"
       "  deltamesh encode map.ply map.dmsh --step 0.002 --anchor-density 20\n"
       "  deltamesh encode bunny.ply bunny.dmsh --bits 6 --json > figures.json\n");
-  command->callback([arguments, &status] { status = run_encode(*arguments); });
+  command->callback([arguments, &status] {
+    arguments->options.profile = arguments->profile == "zstd" ? Profile::kZstd : Profile::kSmallest;
+    status = run_encode(*arguments);
+  });
 }
 
 }  // namespace deltamesh::cli

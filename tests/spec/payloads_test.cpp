@@ -16,33 +16,34 @@
 namespace deltamesh {
 namespace {
 
-struct Payload {
+struct StoredPayload {
   std::uint32_t tag;
+  ChunkCodec codec;  ///< raw or compact
   std::vector<std::byte> bytes;
 };
 
 /// A stream taken apart; assemble() makes it whole again, checksums included.
 struct Parts {
   FileHeader header;
-  std::vector<Payload> payloads;
+  std::vector<StoredPayload> payloads;
 
   std::vector<std::byte> assemble() const {
     std::vector<CodedChunk> chunks;
-    for (const Payload& p : payloads)
-      chunks.push_back(
-          {.tag = p.tag, .codec = ChunkCodec::kRaw, .bytes = p.bytes, .decoded_bytes = p.bytes.size()});
+    for (const StoredPayload& p : payloads)
+      chunks.push_back({.tag = p.tag, .codec = p.codec, .bytes = p.bytes, .decoded_bytes = p.bytes.size()});
     return write_container(header, chunks);
   }
 };
 
 Parts take_apart(const Mesh& mesh, const EncodeOptions& options) {
-  EncodeOptions plain = options;  // payloads are taken apart in their plain form
-  plain.profile = Profile::kZstd;
-  const auto encoded = encode(mesh, plain);
+  const auto encoded = encode(mesh, options);
   const auto container = Container::open(encoded->bytes);
   Parts parts{.header = container->header(), .payloads = {}};
-  for (const ChunkEntry& entry : container->entries())
-    parts.payloads.push_back({entry.tag, *expand_chunk(*container, entry, 1U << 30)});
+  for (const ChunkEntry& entry : container->entries()) {
+    const auto chunk = expand_any_chunk(*container, entry, 1U << 30);
+    parts.payloads.push_back(
+        {entry.tag, chunk->is_compact ? ChunkCodec::kCompact : ChunkCodec::kRaw, chunk->bytes});
+  }
   return parts;
 }
 
@@ -60,14 +61,15 @@ void expect_error_or_valid(std::span<const std::byte> stream) {
     ASSERT_EQ(a.values.size(), mesh->vertex_count() * a.components * component_size(a.type));
 }
 
-class Payloads : public ::testing::TestWithParam<std::size_t> {
+class Payloads : public ::testing::TestWithParam<std::tuple<std::size_t, Profile>> {
  protected:
   Parts parts_ =
-      take_apart(testing::awkward_meshes()[GetParam()].mesh, {.keep_order = true, .keep_unreferenced = true});
+      take_apart(testing::awkward_meshes()[std::get<0>(GetParam())].mesh,
+                 {.profile = std::get<1>(GetParam()), .keep_order = true, .keep_unreferenced = true});
 };
 
 TEST_P(Payloads, AnyFlippedByteIsACleanErrorOrAValidMesh) {
-  for (Payload& payload : parts_.payloads) {
+  for (StoredPayload& payload : parts_.payloads) {
     for (std::byte& byte : payload.bytes) {
       const std::byte kept = byte;
       for (const unsigned mask : {0x01U, 0x80U, 0xffU}) {
@@ -80,7 +82,7 @@ TEST_P(Payloads, AnyFlippedByteIsACleanErrorOrAValidMesh) {
 }
 
 TEST_P(Payloads, AnyShorterOrLongerPayloadIsACleanError) {
-  for (Payload& payload : parts_.payloads) {
+  for (StoredPayload& payload : parts_.payloads) {
     const std::vector<std::byte> whole = payload.bytes;
     while (!payload.bytes.empty()) {
       payload.bytes.pop_back();
@@ -94,7 +96,9 @@ TEST_P(Payloads, AnyShorterOrLongerPayloadIsACleanError) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Awkward, Payloads,
-                         ::testing::Range(std::size_t{0}, testing::awkward_meshes().size()));
+                         ::testing::Combine(::testing::Range(std::size_t{0},
+                                                             testing::awkward_meshes().size()),
+                                            ::testing::Values(Profile::kSmallest, Profile::kZstd)));
 
 std::string broken_rule(const Parts& parts) {
   const auto mesh = decode(parts.assemble());
@@ -116,6 +120,14 @@ TEST(Stream, HDR13RejectsAnotherNumberOfAttributes) {
   EXPECT_EQ(broken_rule(parts), "HDR-13");
 }
 
+TEST(Stream, ENT2RejectsACompactFormOfKindsThatHaveNone) {
+  Parts parts = take_apart(testing::bumpy_grid(9, 9), {.keep_order = true});
+  for (StoredPayload& payload : parts.payloads) {
+    if (payload.tag == kTagOrder) payload.codec = ChunkCodec::kCompact;
+  }
+  EXPECT_EQ(broken_rule(parts), "ENT-2");
+}
+
 TEST(Stream, GEO1RejectsPositionsBeyondFloat32) {
   Parts parts = take_apart(testing::bumpy_grid(9, 9), {});
   parts.header.highpass.step = 1e300;
@@ -127,7 +139,7 @@ TEST(Stream, GEO1RejectsPositionsBeyondFloat32) {
 TEST(Stream, LongestPayloadsOfTheEncoderKeepDIR5) {
   for (const auto& named : testing::awkward_meshes()) {
     const Parts parts = take_apart(named.mesh, {.bits = 16, .keep_order = true, .keep_unreferenced = true});
-    for (const Payload& p : parts.payloads)
+    for (const StoredPayload& p : parts.payloads)
       EXPECT_LE(p.bytes.size(), 1024 + 160 * (parts.header.vertices + parts.header.triangles)) << named.name;
   }
 }

@@ -43,7 +43,7 @@ void expect_guarded(const Bytes& bytes, const std::function<bool(const Bytes&)>&
   }
 }
 
-TEST(CompactConnectivity, CONN12ReadsEverySoup) {
+TEST(CompactConnectivity, CONN12CONN13CONN14ReadsEverySoup) {
   for (const test::Soup& soup : test::awkward_soups()) {
     const CodedConnectivity coded = write_connectivity(soup.triangles, soup.vertex_count);
     if (soup.triangles.empty()) continue;
@@ -90,7 +90,7 @@ std::vector<std::int32_t> random_deltas(std::size_t count, std::uint32_t seed, s
   return deltas;
 }
 
-TEST(CompactDeltas, FLD1ReadsAnyNumbers) {
+TEST(CompactDeltas, DELT5FLD1ReadsAnyNumbers) {
   for (const auto& mesh : {test::sheet(1, 1), test::sheet(9, 7), test::fan(300), test::GraphMesh{}}) {
     const Adjacency graph =
         build_adjacency(mesh.triangles, static_cast<std::uint32_t>(mesh.positions.size()));
