@@ -42,10 +42,10 @@ WeldedMesh weld(const MeshView& mesh) {
     number[g] = static_cast<std::uint32_t>(welded.positions.size());
     welded.positions.push_back(position_of(mesh, welding.representative[g]));
   }
-  std::vector<std::uint32_t> triangles(mesh.triangles.size());
-  for (std::size_t corner = 0; corner < triangles.size(); ++corner)
-    triangles[corner] = number[welding.geometric[mesh.triangles[corner]]];
-  welded.graph = build_adjacency(triangles, static_cast<std::uint32_t>(welded.positions.size()));
+  welded.triangles.resize(mesh.triangles.size());
+  for (std::size_t corner = 0; corner < welded.triangles.size(); ++corner)
+    welded.triangles[corner] = number[welding.geometric[mesh.triangles[corner]]];
+  welded.graph = build_adjacency(welded.triangles, static_cast<std::uint32_t>(welded.positions.size()));
   welded.components = find_components(welded.graph);
   welded.box = box_of(welded.positions);
   return welded;

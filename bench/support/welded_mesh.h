@@ -15,7 +15,8 @@
 namespace deltamesh::bench {
 
 struct WeldedMesh {
-  std::vector<Vec3> positions;  ///< relative to the mesh's origin
+  std::vector<Vec3> positions;           ///< relative to the mesh's origin
+  std::vector<std::uint32_t> triangles;  ///< over `positions`
   Adjacency graph;
   Components components;
   Box box;

@@ -36,4 +36,10 @@ class LeastSquaresSolver {
 Result<std::unique_ptr<LeastSquaresSolver>> make_direct_solver(const Adjacency& graph,
                                                                std::span<const std::uint32_t> anchors);
 
+/// Multigrid: time and memory linear in n; the error that remains is a few percent of what quantisation
+/// leaves. Components that do not settle are factored. Same preconditions and errors as above; `graph` need
+/// not outlive the solver.
+Result<std::unique_ptr<LeastSquaresSolver>> make_multigrid_solver(const Adjacency& graph,
+                                                                  std::span<const std::uint32_t> anchors);
+
 }  // namespace deltamesh

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "laplacian/multigrid_cycle.h"
+
+#include <algorithm>
+
+#include "laplacian/multigrid_hierarchy.h"
+#include "laplacian/multigrid_smoother.h"
+#include "laplacian/multigrid_transfer.h"
+
+namespace deltamesh::multigrid {
+
+MultigridCycle::MultigridCycle(const Adjacency& graph, std::span<const std::uint32_t> anchors,
+                               std::uint32_t depth)
+    : levels_(build_hierarchy(graph, anchors, depth)),
+      vectors_(levels_.size()),
+      targets_(anchors.size()),
+      gaps_(anchors.size()),
+      forces_(anchors.size()),
+      coarsest_(levels_.back()) {
+  for (std::size_t level = 0; level < levels_.size(); ++level) {
+    vectors_[level].b.resize(levels_[level].node_count());
+    vectors_[level].u.resize(levels_[level].node_count());
+  }
+}
+
+void MultigridCycle::solve_coarsest() {
+  coarsest_.solve(vectors_.back().b, gaps_, vectors_.back().u, forces_);
+}
+
+void MultigridCycle::descend(std::size_t level) {
+  const std::vector<Row>& b = vectors_[level].b;
+  std::vector<Row>& u = vectors_[level].u;
+  smooth(levels_[level], b, u);
+  restrict_residual(levels_[level], b, u, vectors_[level + 1].b);
+  std::fill(vectors_[level + 1].u.begin(), vectors_[level + 1].u.end(), Row{});
+  for (std::size_t a = 0; a < gaps_.size(); ++a) gaps_[a] -= u[levels_[level].anchors[a]].x;
+}
+
+void MultigridCycle::ascend(std::size_t level) {
+  std::vector<Row>& b = vectors_[level].b;
+  add_prolonged_rows(levels_[level], vectors_[level + 1].u, vectors_[level].u);
+  for (std::size_t a = 0; a < forces_.size(); ++a) b[levels_[level].anchors[a]].s += forces_[a];
+  smooth(levels_[level], b, vectors_[level].u);
+}
+
+void MultigridCycle::v_cycle(std::size_t top) {
+  const Level& level = levels_[top];
+  for (std::size_t a = 0; a < gaps_.size(); ++a) gaps_[a] = targets_[a] + vectors_[top].b[level.anchors[a]].s;
+  for (std::size_t l = top; l + 1 < levels_.size(); ++l) descend(l);
+  solve_coarsest();
+  for (std::size_t l = levels_.size() - 1; l-- > top;) ascend(l);
+}
+
+void MultigridCycle::start() {
+  for (const std::uint32_t anchor : levels_.front().anchors) vectors_.front().b[anchor].s = Float4{};
+  for (std::size_t l = 0; l + 1 < levels_.size(); ++l)
+    restrict_rows(levels_[l], vectors_[l].b, vectors_[l + 1].b);
+  gaps_ = targets_;
+  solve_coarsest();
+  std::vector<Row>& coarsest = vectors_.back().b;
+  for (std::size_t a = 0; a < forces_.size(); ++a) coarsest[levels_.back().anchors[a]].s = forces_[a];
+  for (std::size_t l = levels_.size() - 1; l-- > 0;) {
+    // Forces are the same on every level; v_cycle() lets them grow from here.
+    for (std::size_t a = 0; a < forces_.size(); ++a)
+      vectors_[l].b[levels_[l].anchors[a]].s = vectors_[l + 1].b[levels_[l + 1].anchors[a]].s;
+    prolong_rows(levels_[l], vectors_[l + 1].u, vectors_[l].u);
+    if (l > 0) v_cycle(l);
+  }
+}
+
+void MultigridCycle::cycle() { v_cycle(0); }
+
+}  // namespace deltamesh::multigrid

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Nested iteration and V-cycles over a hierarchy, in floats.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "laplacian/multigrid_coarsest.h"
+#include "laplacian/multigrid_level.h"
+#include "topology/adjacency.h"
+
+namespace deltamesh::multigrid {
+
+/// Solves the mixed form of the least-squares problem
+///   K x + D^2 s = D delta,   K s = E f,   x_a - f_a = c_a
+/// where s = D^-1 (delta - L x) is the residual field and f_a the force with which anchor a pulls. Two
+/// second-order problems, coupled vertex by vertex, in place of one of fourth order. Memory is allocated at
+/// setup only.
+class MultigridCycle {
+ public:
+  /// The graph's components have about the same number of vertices per anchor; `depth` fits them. Cost O(n +
+  /// edges).
+  MultigridCycle(const Adjacency& graph, std::span<const std::uint32_t> anchors, std::uint32_t depth);
+  MultigridCycle(const MultigridCycle&) = delete;
+  MultigridCycle& operator=(const MultigridCycle&) = delete;
+
+  /// Right-hand sides, to be filled in by the caller: b_x = D delta per vertex (the s part is the forces'),
+  /// c_a.
+  Float4& delta(std::uint32_t vertex) noexcept { return vectors_.front().b[vertex].x; }
+  Float4& target(std::size_t anchor) noexcept { return targets_[anchor]; }
+
+  /// The solution so far: x and s per vertex, f per anchor.
+  std::span<Row> solution() noexcept { return vectors_.front().u; }
+  Float4& force(std::size_t anchor) noexcept { return vectors_.front().b[levels_.front().anchors[anchor]].s; }
+
+  /// A first solution from the coarsest level upward, whatever was there before.
+  void start();
+
+  /// One V-cycle: about two thirds of the error go.
+  void cycle();
+
+ private:
+  struct Vectors {
+    std::vector<Row> b;
+    std::vector<Row> u;
+  };
+
+  /// One V-cycle on `level` and below; `gaps_` hold x_a - f_a - c_a, negated, of that level.
+  void descend(std::size_t level);
+  void ascend(std::size_t level);
+  void v_cycle(std::size_t top);
+  void solve_coarsest();
+
+  std::vector<Level> levels_;
+  std::vector<Vectors> vectors_;
+  std::vector<Float4> targets_;
+  std::vector<Float4> gaps_;
+  std::vector<Float4> forces_;  ///< of the last solution on the coarsest level
+  CoarsestSolver coarsest_;
+};
+
+}  // namespace deltamesh::multigrid

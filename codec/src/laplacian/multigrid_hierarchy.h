@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Builds the levels from connectivity and anchors alone.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "laplacian/multigrid_level.h"
+#include "topology/adjacency.h"
+
+namespace deltamesh::multigrid {
+
+/// How many times a component of `vertices` with `anchors` is coarsened: at least once, then as long as some
+/// kFewestNodesPerAnchor nodes will be left for every anchor. Coarser levels could not tell the anchors
+/// apart.
+std::uint32_t coarsening_depth(std::uint32_t vertices, std::uint32_t anchors) noexcept;
+
+/// The finest level and `depth` coarser ones; fewer where coarsening no longer shrinks. Cost and memory O(n +
+/// edges).
+std::vector<Level> build_hierarchy(const Adjacency& graph, std::span<const std::uint32_t> anchors,
+                                   std::uint32_t depth);
+
+}  // namespace deltamesh::multigrid

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// One level of the multigrid hierarchy: a weighted graph, its mass, its anchors, and the way to the next
+// coarser level.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "laplacian/multigrid_row.h"
+
+namespace deltamesh::multigrid {
+
+/// How a node is interpolated from the next coarser level: up to three nodes, weights that add up to 1.
+struct Interpolation {
+  std::array<std::uint32_t, 3> node{};  ///< unused ones repeat the first
+  std::array<float, 3> weight{};        ///< unused ones are 0
+};
+
+/// The equations  K x + M s = b_x,  K s = b_s  on a graph, K = D - A with edge weights A.
+struct Level {
+  std::vector<std::uint32_t> offsets;        ///< n + 1
+  std::vector<std::uint32_t> neighbors;      ///< two entries per edge
+  std::vector<float> weights;                ///< beside `neighbors`; empty on the finest level: all 1
+  std::vector<float> degree;                 ///< n: D, the sum of a node's edge weights; 0 for a lone node
+  std::vector<float> inverse_degree;         ///< n: 1 / D; 0 for a lone node
+  std::vector<float> mass;                   ///< n: M, above 0 where D is; D^2 on the finest level
+  std::vector<std::uint32_t> anchors;        ///< node of every anchor; distinct
+  std::vector<Interpolation> interpolation;  ///< n; empty on the coarsest level
+
+  std::uint32_t node_count() const noexcept { return static_cast<std::uint32_t>(offsets.size() - 1); }
+  bool has_unit_weights() const noexcept { return weights.empty(); }
+  float weight(std::uint32_t edge) const noexcept { return weights.empty() ? 1.0F : weights[edge]; }
+};
+
+}  // namespace deltamesh::multigrid

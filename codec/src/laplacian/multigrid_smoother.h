@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Gauss-Seidel on both fields of a level at once, and the residual that it leaves.
+#pragma once
+
+#include <span>
+
+#include "laplacian/multigrid_level.h"
+
+namespace deltamesh::multigrid {
+
+/// One sweep in order: at every node first s from K s = b_s, then x from K x + M s = b_x, over-relaxed.
+/// `u`, `b`: n. O(n + edges).
+void smooth(const Level& level, std::span<const Row> b, std::span<Row> u);
+
+/// coarse = P^T (b - [K M; 0 K] u). O(n + edges).
+void restrict_residual(const Level& level, std::span<const Row> b, std::span<const Row> u,
+                       std::span<Row> coarse);
+
+}  // namespace deltamesh::multigrid

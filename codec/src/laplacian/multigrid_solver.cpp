@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Cycles in floats around a solution in doubles, with a watch on every component and a factorisation for
+// those that do not settle.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "base/try.h"
+#include "laplacian/multigrid_acceleration.h"
+#include "laplacian/multigrid_cycle.h"
+#include "laplacian/multigrid_groups.h"
+#include "laplacian/solver.h"
+
+namespace deltamesh {
+namespace {
+
+using multigrid::Change;
+using multigrid::Float4;
+using multigrid::Group;
+using multigrid::MultigridCycle;
+
+constexpr int kFirstCycles = 4;
+constexpr int kPlainCycles = 8;  ///< after the first; what changed is looked at after each, for an error that
+                                 ///< swings from side to side hides from any longer interval
+constexpr int kAcceleratedLooks = 12;
+constexpr int kCyclesPerLook = 2;
+
+/// Plain cycles go on while the change falls by this from one to the next.
+constexpr double kGoodProgress = 0.7;
+
+/// Settled: what the last cycle changed is small against the error that quantisation left (rms, largest). The
+/// next ones would change two thirds of that.
+constexpr double kSettledRms = 0.2;
+constexpr double kSettledLargest = 1;
+
+/// Where cycles had to be accelerated, a small change may also mean slow progress: ask for this share of the
+/// above.
+constexpr double kStrict = 0.25;
+constexpr double kSettledPerAnchor = 0.5;
+
+/// Low-frequency error over rms of the anchors' forces, times share of anchors: 0.23 within 15 % on scans,
+/// terrain and CAD, 4 to 8 bits, 0.1 to 2 % anchors.
+constexpr double kErrorPerForce = 0.23;
+
+/// Bounds of that estimate, over rms of the deltas: forces tell nothing where every component has one anchor,
+/// and lie while cycles diverge.
+constexpr double kErrorPerDelta = 1e-4;
+constexpr double kMaxErrorPerDelta = 2;
+
+Float4 to_float4(const Vec3& v) noexcept {
+  return Float4{static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]), 0.0F};
+}
+
+Vec3 to_vec3(Float4 v) noexcept { return {v[0], v[1], v[2]}; }
+
+/// One group's problem and its solution in the making.
+class GroupSolver {
+ public:
+  explicit GroupSolver(Group group)
+      : group_(std::move(group)),
+        cycles_(group_.graph, group_.anchors, group_.depth),
+        deltas_(group_.vertices.size()),
+        x_(group_.vertices.size()),
+        targets_(group_.anchors.size()),
+        change_(group_.components.count),
+        bad_(group_.components.count) {}
+
+  Result<void> solve(std::span<const Vec3> deltas, std::span<const Vec3> anchor_positions,
+                     std::span<Vec3> x) {
+    for (std::size_t i = 0; i < deltas_.size(); ++i) deltas_[i] = deltas[group_.vertices[i]];
+    for (std::size_t a = 0; a < targets_.size(); ++a) targets_[a] = anchor_positions[group_.anchor_of[a]];
+    std::fill(x_.begin(), x_.end(), Vec3{});
+    set_right_hand_sides();
+    cycles_.start();
+    for (int c = 0; c < kFirstCycles; ++c) cycles_.cycle();
+    absorb();
+    const bool settled = run_plain() || run_accelerated();
+    if (!settled) DELTAMESH_CHECK(solve_bad_components());
+    for (std::size_t i = 0; i < x_.size(); ++i) x[group_.vertices[i]] = x_[i];
+    return {};
+  }
+
+ private:
+  /// Cycles until settled (true), or until they make little progress.
+  bool run_plain() {
+    double change = std::numeric_limits<double>::infinity();
+    for (int c = 0; c < kPlainCycles; ++c) {
+      set_right_hand_sides();
+      cycles_.cycle();
+      absorb();
+      if (is_settled(1)) return true;
+      const double previous = std::exchange(change, worst_change());
+      if (!(change <= kGoodProgress * previous)) return false;
+    }
+    return false;
+  }
+
+  /// Cycles that never raise the functional. Settled when the change is small and the functional too has
+  /// stopped falling: at the solution it is about the noise of one delta coordinate for every anchor, and an
+  /// error that only a few vertices have left, slow to go, still shows.
+  bool run_accelerated() {
+    multigrid::Acceleration acceleration(group_);
+    double before = set_right_hand_sides();
+    for (int look = 0; look < kAcceleratedLooks; ++look) {
+      acceleration.restart(cycles_);
+      for (int c = 0; c < kCyclesPerLook; ++c) acceleration.cycle(cycles_);
+      absorb();
+      const auto proposed = acceleration.proposed();
+      std::copy(proposed.begin(), proposed.end(), change_.begin());
+      const bool is_small = is_settled(kStrict);
+      const double after = set_right_hand_sides();
+      const double per_anchor = after / static_cast<double>(targets_.size());
+      if (is_small && before - after <= kSettledPerAnchor * per_anchor) return true;
+      before = after;
+    }
+    std::fill(bad_.begin(), bad_.end(), std::uint8_t{1});
+    return false;
+  }
+
+  /// D (delta - L x) and c - x_a, in doubles, for a correction that starts from zero. Forces and s stay.
+  /// Returns the functional ||delta - L x||^2 + sum_a ||c_a - x_a||^2.
+  double set_right_hand_sides() {
+    double functional = 0;
+    for (std::uint32_t i = 0; i < x_.size(); ++i) {
+      Vec3 sum{};
+      for (const std::uint32_t j : group_.graph.of(i)) sum = sum + x_[j];
+      const double degree = group_.graph.degree(i);
+      const Vec3 charge = degree * (deltas_[i] - x_[i]) + sum;
+      functional += dot(charge, charge) / (degree * degree);
+      cycles_.delta(i) = to_float4(charge);
+      cycles_.solution()[i].x = Float4{};
+    }
+    for (std::size_t a = 0; a < targets_.size(); ++a) {
+      const Vec3 gap = targets_[a] - x_[group_.anchors[a]];
+      functional += dot(gap, gap);
+      cycles_.target(a) = to_float4(gap);
+    }
+    return functional;
+  }
+
+  /// Adds the correction to x and measures it.
+  void absorb() {
+    std::fill(change_.begin(), change_.end(), Change{});
+    for (std::uint32_t i = 0; i < x_.size(); ++i) {
+      const Vec3 correction = to_vec3(cycles_.solution()[i].x);
+      x_[i] = x_[i] + correction;
+      const double square = dot(correction, correction);
+      Change& change = change_[group_.components.label[i]];
+      change.squares += square;
+      change.largest = std::max(change.largest, square);
+    }
+  }
+
+  /// Largest rms change of a component.
+  double worst_change() const noexcept {
+    double worst = 0;
+    for (std::size_t c = 0; c < change_.size(); ++c)
+      worst = std::max(worst, std::sqrt(change_[c].squares / group_.components.size[c]));
+    return worst;
+  }
+
+  /// Estimate of the rms error that quantisation leaves in the whole group.
+  double expected_error() noexcept {
+    double deltas = 0;
+    for (const Vec3& delta : deltas_) deltas += dot(delta, delta);
+    deltas = std::sqrt(deltas / static_cast<double>(deltas_.size()));
+    const auto anchors = static_cast<double>(targets_.size());
+    if (targets_.size() == group_.components.count) return kErrorPerDelta * deltas;
+    double forces = 0;
+    for (std::size_t a = 0; a < targets_.size(); ++a) {
+      const Vec3 force = to_vec3(cycles_.force(a));
+      forces += dot(force, force);
+    }
+    const double error =
+        kErrorPerForce * std::sqrt(forces / anchors) * static_cast<double>(x_.size()) / anchors;
+    return std::clamp(error, 0.0, kMaxErrorPerDelta * deltas);
+  }
+
+  /// Against `share` of the usual bounds; marks the components that are not.
+  bool is_settled(double share) {
+    const double error = share * expected_error();
+    bool settled = true;
+    for (std::size_t c = 0; c < change_.size(); ++c) {
+      const bool good = std::sqrt(change_[c].squares / group_.components.size[c]) <= kSettledRms * error &&
+                        std::sqrt(change_[c].largest) <= kSettledLargest * error;
+      bad_[c] = good ? 0 : 1;  // NaN is bad
+      settled = settled && good;
+    }
+    return settled;
+  }
+
+  Result<void> solve_bad_components() {
+    const Group bad = extract_components(group_, bad_);
+    std::vector<Vec3> deltas, targets;
+    for (const std::uint32_t v : bad.vertices) deltas.push_back(deltas_[v]);
+    for (const std::uint32_t a : bad.anchor_of) targets.push_back(targets_[a]);
+    std::vector<Vec3> solution(bad.vertices.size());
+    DELTAMESH_TRY(const auto solver, make_direct_solver(bad.graph, bad.anchors));
+    DELTAMESH_CHECK(solver->solve(deltas, targets, solution));
+    for (std::size_t i = 0; i < solution.size(); ++i) x_[bad.vertices[i]] = solution[i];
+    return {};
+  }
+
+  Group group_;
+  MultigridCycle cycles_;
+  std::vector<Vec3> deltas_;
+  std::vector<Vec3> x_;
+  std::vector<Vec3> targets_;
+  std::vector<Change> change_;
+  std::vector<std::uint8_t> bad_;
+};
+
+/// Components so small that a factorisation is the quickest.
+class SmallSolver {
+ public:
+  static Result<std::unique_ptr<SmallSolver>> make(Group group) {
+    auto solver = std::make_unique<SmallSolver>();
+    solver->group_ = std::move(group);
+    DELTAMESH_TRY(solver->direct_, make_direct_solver(solver->group_.graph, solver->group_.anchors));
+    return solver;
+  }
+
+  Result<void> solve(std::span<const Vec3> deltas, std::span<const Vec3> anchor_positions,
+                     std::span<Vec3> x) {
+    std::vector<Vec3> own_deltas, targets;
+    for (const std::uint32_t v : group_.vertices) own_deltas.push_back(deltas[v]);
+    for (const std::uint32_t a : group_.anchor_of) targets.push_back(anchor_positions[a]);
+    std::vector<Vec3> solution(group_.vertices.size());
+    DELTAMESH_CHECK(direct_->solve(own_deltas, targets, solution));
+    for (std::size_t i = 0; i < solution.size(); ++i) x[group_.vertices[i]] = solution[i];
+    return {};
+  }
+
+ private:
+  Group group_;
+  std::unique_ptr<LeastSquaresSolver> direct_;
+};
+
+class MultigridSolver final : public LeastSquaresSolver {
+ public:
+  Result<void> add(Group group) {
+    if (group.depth > 0) {
+      iterated_.push_back(std::make_unique<GroupSolver>(std::move(group)));
+      return {};
+    }
+    DELTAMESH_TRY(small_, SmallSolver::make(std::move(group)));
+    return {};
+  }
+
+  Result<void> solve(std::span<const Vec3> deltas, std::span<const Vec3> anchor_positions,
+                     std::span<Vec3> x) override {
+    if (small_) DELTAMESH_CHECK(small_->solve(deltas, anchor_positions, x));
+    for (const auto& group : iterated_) DELTAMESH_CHECK(group->solve(deltas, anchor_positions, x));
+    return {};
+  }
+
+ private:
+  std::unique_ptr<SmallSolver> small_;
+  std::vector<std::unique_ptr<GroupSolver>> iterated_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<LeastSquaresSolver>> make_multigrid_solver(const Adjacency& graph,
+                                                                  std::span<const std::uint32_t> anchors) {
+  auto solver = std::make_unique<MultigridSolver>();
+  for (Group& group : multigrid::group_components(graph, anchors))
+    DELTAMESH_CHECK(solver->add(std::move(group)));
+  return std::unique_ptr<LeastSquaresSolver>(std::move(solver));
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "laplacian/anchors.h"
+#include "laplacian/delta.h"
+#include "laplacian/multigrid_aggregate.h"
+#include "laplacian/multigrid_groups.h"
+#include "laplacian/multigrid_hierarchy.h"
+#include "laplacian/solver.h"
+#include "support/graph_mesh.h"
+
+namespace deltamesh {
+namespace {
+
+using test::GraphMesh;
+
+struct Problem {
+  GraphMesh mesh;
+  std::vector<std::uint32_t> anchors;
+  std::vector<Vec3> deltas;
+  std::vector<Vec3> targets;
+};
+
+Vec3 round_to(const Vec3& v, double step) {
+  return {step * std::round(v[0] / step), step * std::round(v[1] / step), step * std::round(v[2] / step)};
+}
+
+/// Quantised as a stream of `bits` is.
+Problem quantized(GraphMesh mesh, std::uint32_t anchors, int bits) {
+  Problem problem{std::move(mesh), {}, {}, {}};
+  const GraphMesh& m = problem.mesh;
+  problem.anchors = place_anchors(m.graph, m.components, {.count = anchors}).vertices;
+  problem.deltas = delta_coordinates(m.graph, m.positions);
+  const double step = std::ldexp(delta_range(problem.deltas), -bits);
+  for (Vec3& delta : problem.deltas) delta = round_to(delta, step);
+  for (const std::uint32_t anchor : problem.anchors)
+    problem.targets.push_back(round_to(m.positions[anchor], m.box.longest_side() / 4095));
+  return problem;
+}
+
+std::vector<Vec3> solve(const Problem& problem, Result<std::unique_ptr<LeastSquaresSolver>> solver) {
+  std::vector<Vec3> x(problem.mesh.positions.size());
+  EXPECT_TRUE(solver);
+  if (solver) {
+    EXPECT_TRUE((*solver)->solve(problem.deltas, problem.targets, x));
+  }
+  return x;
+}
+
+std::vector<Vec3> solve_multigrid(const Problem& problem) {
+  return solve(problem, make_multigrid_solver(problem.mesh.graph, problem.anchors));
+}
+
+struct Errors {
+  double rms = 0;
+  double largest = 0;
+};
+
+Errors errors(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  Errors result;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Vec3 difference = a[i] - b[i];
+    result.rms += dot(difference, difference) / static_cast<double>(a.size());
+    result.largest = std::max(result.largest, length(difference));
+  }
+  result.rms = std::sqrt(result.rms);
+  return result;
+}
+
+void expect_as_good_as_direct(const Problem& problem) {
+  const std::vector<Vec3> x = solve_multigrid(problem);
+  const std::vector<Vec3> exact = solve(problem, make_direct_solver(problem.mesh.graph, problem.anchors));
+  const Errors ours = errors(x, problem.mesh.positions);
+  const Errors best = errors(exact, problem.mesh.positions);
+  EXPECT_LE(ours.rms, 1.02 * best.rms);
+  EXPECT_LE(ours.largest, 1.05 * best.largest);
+}
+
+GraphMesh many_sheets() {
+  GraphMesh mesh;
+  test::add_sheet(mesh, 90, 80, {});
+  for (std::uint32_t i = 0; i < 60; ++i)
+    test::add_sheet(mesh, 4 + i % 17, 2 + i / 4, {100.0 + 25 * (i % 8), 20.0 * (i / 8), 3});
+  return test::finish(std::move(mesh));
+}
+
+TEST(Multigrid, IsAsGoodAsTheDirectSolver) {
+  for (const int bits : {4, 8}) {
+    for (const std::uint32_t anchors : {24U, 60U, 120U}) {
+      SCOPED_TRACE(std::to_string(bits) + " bits, " + std::to_string(anchors) + " anchors");
+      expect_as_good_as_direct(quantized(test::sheet(120, 100), anchors, bits));
+    }
+  }
+}
+
+TEST(Multigrid, CopesWithManyComponents) { expect_as_good_as_direct(quantized(many_sheets(), 150, 8)); }
+
+TEST(Multigrid, CopesWithOneAnchorToAComponent) {
+  expect_as_good_as_direct(quantized(many_sheets(), 1, 8));
+  expect_as_good_as_direct(quantized(test::sheet(100, 100), 1, 8));
+}
+
+TEST(Multigrid, CopesWithStripsAndHubs) {
+  expect_as_good_as_direct(quantized(test::sheet(2000, 2), 20, 8));
+  expect_as_good_as_direct(quantized(test::fan(3000), 20, 8));
+}
+
+TEST(Multigrid, CopesWithAnchorsEverywhere) {
+  expect_as_good_as_direct(quantized(test::sheet(40, 40), 1600, 8));
+  expect_as_good_as_direct(quantized(test::sheet(40, 40), 700, 8));
+}
+
+TEST(Multigrid, ExactDeltasGiveThePositionsBack) {
+  Problem problem = quantized(test::sheet(80, 80), 32, 8);
+  problem.deltas = delta_coordinates(problem.mesh.graph, problem.mesh.positions);
+  for (std::size_t a = 0; a < problem.anchors.size(); ++a)
+    problem.targets[a] = problem.mesh.positions[problem.anchors[a]];
+  EXPECT_LT(errors(solve_multigrid(problem), problem.mesh.positions).largest, 1e-5);
+}
+
+TEST(Multigrid, EqualProblemsGiveEqualBits) {
+  const Problem problem = quantized(many_sheets(), 100, 8);
+  const std::vector<Vec3> x = solve_multigrid(problem);
+  auto solver = make_multigrid_solver(problem.mesh.graph, problem.anchors);
+  ASSERT_TRUE(solver);
+  std::vector<Vec3> again(x.size());
+  ASSERT_TRUE((*solver)->solve(std::vector<Vec3>(x.size(), Vec3{1, 2, 3}), problem.targets, again));
+  ASSERT_TRUE((*solver)->solve(problem.deltas, problem.targets, again));
+  EXPECT_EQ(x, again);
+}
+
+TEST(Multigrid, LevelsShrinkAndKeepTheirAnchorsApart) {
+  const GraphMesh mesh = test::sheet(60, 60);
+  const auto anchors = place_anchors(mesh.graph, mesh.components, {.count = 20}).vertices;
+  const auto levels = multigrid::build_hierarchy(mesh.graph, anchors, 3);
+  ASSERT_EQ(levels.size(), 4U);
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    const multigrid::Level& level = levels[l];
+    EXPECT_EQ(std::set<std::uint32_t>(level.anchors.begin(), level.anchors.end()).size(), anchors.size());
+    if (l + 1 == levels.size()) break;
+    EXPECT_LT(levels[l + 1].node_count() * 2, level.node_count());
+    for (const multigrid::Interpolation& p : level.interpolation) {
+      EXPECT_NEAR(p.weight[0] + p.weight[1] + p.weight[2], 1, 1e-6);
+      for (const std::uint32_t node : p.node) EXPECT_LT(node, levels[l + 1].node_count());
+    }
+    for (std::size_t a = 0; a < anchors.size(); ++a) {
+      EXPECT_EQ(level.interpolation[level.anchors[a]].node[0], levels[l + 1].anchors[a]);
+      EXPECT_EQ(level.interpolation[level.anchors[a]].weight[0], 1);
+    }
+  }
+}
+
+TEST(Multigrid, AggregatesAreASeedAndItsNeighbours) {
+  const GraphMesh mesh = test::sheet(30, 30);
+  const std::uint32_t anchors[] = {5, 6, 700};
+  const auto levels = multigrid::build_hierarchy(mesh.graph, anchors, 0);
+  ASSERT_EQ(levels.size(), 1U);
+  const multigrid::Aggregates aggregates = multigrid::aggregate(levels.front());
+  for (const std::uint32_t anchor : anchors) EXPECT_EQ(aggregates.seeds[aggregates.of[anchor]], anchor);
+  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+    const std::uint32_t seed = aggregates.seeds[aggregates.of[v]];
+    const auto neighbors = mesh.graph.of(v);
+    EXPECT_TRUE(seed == v || std::binary_search(neighbors.begin(), neighbors.end(), seed));
+  }
+}
+
+TEST(Multigrid, GroupsPartTheGraphByDepth) {
+  const GraphMesh mesh = many_sheets();
+  const auto anchors = place_anchors(mesh.graph, mesh.components, {.count = 150}).vertices;
+  const auto groups = multigrid::group_components(mesh.graph, anchors);
+  std::vector<int> seen(mesh.positions.size(), 0);
+  std::size_t anchors_seen = 0;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    if (g > 0) {
+      EXPECT_GT(groups[g].depth, groups[g - 1].depth);
+    }
+    for (const std::uint32_t v : groups[g].vertices) ++seen[v];
+    for (std::size_t a = 0; a < groups[g].anchors.size(); ++a)
+      EXPECT_EQ(groups[g].vertices[groups[g].anchors[a]], anchors[groups[g].anchor_of[a]]);
+    anchors_seen += groups[g].anchors.size();
+  }
+  EXPECT_EQ(seen, std::vector<int>(seen.size(), 1));
+  EXPECT_EQ(anchors_seen, anchors.size());
+}
+
+}  // namespace
+}  // namespace deltamesh
