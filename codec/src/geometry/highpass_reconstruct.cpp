@@ -27,7 +27,7 @@ Result<void> solve_part(const HighpassSymbols& symbols, const SolvedPart& part, 
     for (std::size_t axis = 0; axis < 3; ++axis) deltas[i][axis] = step * symbols.deltas[axis * count + i];
   }
   std::vector<Vec3> solution(count);
-  DELTAMESH_TRY(const auto solver, make_direct_solver(part.graph, anchor_rows));
+  DELTAMESH_TRY(const auto solver, make_multigrid_solver(part.graph, anchor_rows));
   DELTAMESH_CHECK(solver->solve(deltas, anchor_positions, solution));
   for (std::size_t i = 0; i < count; ++i) positions[part.vertices[i]] = center + solution[i];
   return {};
