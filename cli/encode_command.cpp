@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "commands.h"
@@ -11,6 +12,7 @@
 #include "deltamesh/io.h"
 #include "mesh_files.h"
 #include "progress.h"
+#include "quality_options.h"
 #include "stream_report.h"
 
 namespace deltamesh::cli {
@@ -137,6 +139,9 @@ void add_encode_command(CLI::App& app, int& status) {
       ->excludes(anchors);
   command->add_option("--anchor-bits", options.anchor_bits, "bits per axis of an anchor, 4 to 24")
       ->capture_default_str();
+  add_quality_options(*command, options.quality);
+  command->add_option("--effort", options.effort, "how hard to look for a smaller stream, 0 to 9")
+      ->capture_default_str();
   command
       ->add_option("--profile", arguments->profile,
                    "codings the stream may use: zstd is easier for others to read")
@@ -150,6 +155,8 @@ void add_encode_command(CLI::App& app, int& status) {
   command->footer(
       "Examples:\n"
       "  deltamesh encode bunny.ply bunny.dmsh\n"
+      "  deltamesh encode bunny.ply bunny.dmsh --vde 0.01% --lfe 0.1%\n"
+      "  deltamesh encode map.ply map.dmsh --max-error 0.02\n"
       "  deltamesh encode map.ply map.dmsh --step 0.002 --anchor-density 20\n"
       "  deltamesh encode bunny.ply bunny.dmsh --bits 6 --json > figures.json\n");
   command->callback([arguments, &status] {

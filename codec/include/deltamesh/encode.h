@@ -7,10 +7,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "deltamesh/anchor_containers.h"
 #include "deltamesh/mesh.h"
+#include "deltamesh/quality_request.h"
 #include "deltamesh/result.h"
 #include "deltamesh/stream_info.h"
 
@@ -24,7 +27,15 @@ enum class Profile : std::uint8_t {
 
 /// How to encode. Plain values with defaults; validate() checks ranges and contradictions.
 struct EncodeOptions {
-  /// Quantisation of delta coordinates: step = range / 2^bits; 3 to 16. Default 8, unless `step` is given.
+  /// The quality to keep, in place of bits and anchors: VDE, maximum error and bytes exclude `bits` and
+  /// `step`, LFE and maximum error exclude `anchors` and `anchor_density`.
+  QualityRequest quality{};
+  /// How hard to look for a smaller stream, 0 (as few passes as keep the request) to 9.
+  int effort = 5;
+  /// Anchors found by earlier calls for this mesh, and by this one; may be null.
+  std::shared_ptr<AnchorContainers> anchor_containers{};
+  /// Quantisation of delta coordinates: step = range / 2^bits; 3 to 16. Default 8, unless `step`
+  /// or a quality is given.
   std::optional<int> bits = std::nullopt;
   /// Or the quantisation step of delta coordinates itself, model units, above 0.
   std::optional<double> step = std::nullopt;
@@ -32,7 +43,9 @@ struct EncodeOptions {
   std::optional<std::uint32_t> anchors = std::nullopt;
   /// Or the largest hop distance of a vertex to its nearest anchor, 1 to 65535.
   std::optional<std::uint32_t> anchor_density = std::nullopt;
-  int anchor_bits = 12;  ///< bits per axis of an anchor, over the longest side of the bounding box; 4 to 24
+  /// Bits per axis of an anchor, over the longest side of the bounding box; 4 to 24. A quality request may
+  /// change it.
+  int anchor_bits = 12;
   int normal_bits = 10;  ///< bits per octahedral axis of a normal; 2 to 15
   int color_bits = 8;    ///< bits per colour component; 1 to 16, and never more than the type has
   int uv_bits = 12;      ///< bits per texture coordinate, over their range; 1 to 24
@@ -62,7 +75,8 @@ Result<void> validate(const EncodeOptions& options) noexcept;
 /// Encodes `mesh`. The same mesh and options give the same bytes. Takes any triangle soup; cost is dominated
 /// by the least-squares solve that measures the result. Errors: kInvalidArgument (options), kInvalidMesh (NaN
 /// or infinity, index out of range, sizes that disagree), kLimitExceeded (more than 2^31 - 1 vertices or
-/// 2^29 triangles, or beyond what a stream can hold), kOutOfMemory.
+/// 2^29 triangles, or beyond what a stream can hold), kUnmetRequest (with the best that can be had),
+/// kOutOfMemory.
 Result<Encoded> encode(const MeshView& mesh, const EncodeOptions& options = {}) noexcept;
 
 }  // namespace deltamesh

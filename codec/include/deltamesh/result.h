@@ -49,6 +49,8 @@ struct Error {
   WhereKind where_kind = WhereKind::kNone;
   std::uint64_t where = 0;      ///< position, as `where_kind` counts it
   std::uint32_t chunk_tag = 0;  ///< four-character tag of the chunk concerned, first letter lowest; 0 if none
+  double best_value = 0;        ///< kUnmetRequest: the best figure that can be had, model units; 0 if none
+  std::uint64_t best_bytes = 0;  ///< kUnmetRequest: the size of the stream that has it; 0 if none
 };
 
 /// One line for people: "what, where, chunk [rule]".

@@ -2,6 +2,8 @@
 // Copyright 2026 The deltamesh authors
 #include "deltamesh/result.h"
 
+#include <cstdio>
+
 namespace deltamesh {
 namespace {
 
@@ -25,6 +27,13 @@ const char* unit(WhereKind kind) noexcept {
   return "";
 }
 
+/// Four significant digits.
+std::string short_number(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", number);
+  return text;
+}
+
 }  // namespace
 
 std::string describe(const Error& error) {
@@ -35,6 +44,10 @@ std::string describe(const Error& error) {
     text += ", chunk ";
     for (unsigned i = 0; i < 4; ++i) text += static_cast<char>((error.chunk_tag >> (8 * i)) & 0x7f);
   }
+  if (error.best_value > 0) text += ", the best is " + short_number(error.best_value);
+  if (error.best_bytes > 0)
+    text += std::string(error.best_value > 0 ? " in " : ", the least is ") +
+            std::to_string(error.best_bytes) + " bytes";
   if (*error.rule != '\0') text += std::string(" [") + error.rule + "]";
   return text;
 }

@@ -10,12 +10,13 @@
 #include "base/guard.h"
 #include "base/try.h"
 #include "encoder/check_mesh.h"
+#include "encoder/chunk_list.h"
 #include "encoder/coded_topology.h"
-#include "entropy/chunk_codec.h"
+#include "encoder/geometry_trials.h"
 #include "format/container.h"
-#include "geometry/highpass.h"
-#include "geometry/vertex_positions.h"
-#include "quality/measure.h"
+#include "laplacian/anchor_sequence.h"
+#include "quality/bounds.h"
+#include "quality/rate_control.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {
@@ -23,7 +24,10 @@ namespace {
 
 /// Stage ends as shares of the whole time, for the progress callback.
 constexpr double kTopologyDone = 0.15;
-constexpr double kGeometryDone = 0.75;
+constexpr double kAttributesDone = 0.3;
+constexpr double kGeometryDone = 0.95;
+
+constexpr int kDefaultBits = 8;
 
 void report_progress(const EncodeOptions& options, double share) {
   if (options.progress) options.progress(share);
@@ -70,52 +74,71 @@ Result<void> set_quality(FileHeader& header, const Quality& quality) {
   return {};
 }
 
-HighpassRequest highpass_request(const EncodeOptions& options) {
-  HighpassRequest request{.bits = options.bits,
-                          .step = options.step,
-                          .anchors = options.anchors,
-                          .anchor_density = options.anchor_density,
-                          .anchor_bits = options.anchor_bits};
-  if (!request.bits && !request.step) request.bits = 8;
-  return request;
-}
-
-/// Collects the chunks of a stream; empty payloads are left out.
-class ChunkList {
- public:
-  explicit ChunkList(Profile profile) : profile_(profile) {}
-
-  /// `compact`: the same payload in the compact form, where it has one.
-  Result<void> add(std::uint32_t tag, std::vector<std::byte> payload, std::vector<std::byte> compact = {}) {
-    if (payload.empty()) return {};
-    if (profile_ == Profile::kZstd) compact.clear();
-    DELTAMESH_TRY(auto chunk, code_chunk(tag, std::move(payload), std::move(compact)));
-    chunks_.push_back(std::move(chunk));
-    return {};
-  }
-  const std::vector<CodedChunk>& chunks() const noexcept { return chunks_; }
-
- private:
-  Profile profile_;
-  std::vector<CodedChunk> chunks_;
+/// The chunks around the geometry's.
+struct OtherChunks {
+  ChunkList before;
+  ChunkList after;
 };
 
-/// Codes the positions, measures what a decoder will make of them, and sets the header's figures.
-Result<void> add_geometry(const MeshView& mesh, const CodedTopology& topology, const EncodeOptions& options,
-                          FileHeader& header, ChunkList& chunks) {
+RateGoal rate_goal(const EncodeOptions& options, const FileHeader& header, GeometryTrials& trials) {
+  RateGoal goal{
+      .bounds = bounds_in_model_units(options.quality, header.geometric_vertices, header.box().diagonal()),
+      .target_bytes = options.quality.target_bytes,
+      .step = options.step,
+      .anchors = options.anchors,
+      .anchor_bits = options.anchor_bits,
+      .effort = options.effort};
+  if (options.bits) goal.step = trials.step_for_bits(*options.bits);
+  if (options.anchor_density) goal.anchors = trials.anchors_for_density(*options.anchor_density);
+  return goal;
+}
+
+/// What bits, step, anchors and density say; 8 bits and one anchor for 200 vertices where they say nothing.
+CoderSettings plain_settings(const EncodeOptions& options, GeometryTrials& trials) {
+  CoderSettings settings{.centroids = false, .anchor_bits = options.anchor_bits};
+  settings.step = options.step ? *options.step : trials.step_for_bits(options.bits.value_or(kDefaultBits));
+  settings.anchors = default_anchor_count(trials.most_anchors());
+  if (options.anchors) settings.anchors = *options.anchors;
+  if (options.anchor_density) settings.anchors = trials.anchors_for_density(*options.anchor_density);
+  return settings;
+}
+
+/// Chooses settings and codes: trials.kept().
+Result<void> code_geometry(const EncodeOptions& options, const FileHeader& header, GeometryTrials& trials) {
+  if (!options.quality.empty()) return control_rate(rate_goal(options, header, trials), trials);
+  DELTAMESH_TRY([[maybe_unused]] const auto figures, trials.run(plain_settings(options, trials)));
+  trials.keep();
+  return {};
+}
+
+/// Codes the positions, measures what a decoder will make of them, sets the header's figures and returns the
+/// chunks of the stream.
+Result<ChunkList> add_geometry(const MeshView& mesh, const CodedTopology& topology, const OtherChunks& other,
+                               const EncodeOptions& options, FileHeader& header) {
   const std::vector<Vec3> positions = gather_positions(mesh, topology.geometric_input);
   const Adjacency graph = build_adjacency(topology.connectivity.triangles, topology.geometric_count());
   const Components components = find_components(graph);
   set_box(header, positions);
-  auto coded = write_highpass(graph, components, positions, header.box(), highpass_request(options));
-  // The one rule of the stream that a finite mesh can break [DELT-3].
-  if (!coded) return coded.error().code == ErrorCode::kInvalidStream ? kTooLarge : coded.error();
   header.components = components.count;
-  header.highpass = coded->parameters;
-  DELTAMESH_TRY(const auto decoded, to_float_positions(coded->positions));
-  DELTAMESH_CHECK(set_quality(header, measure_quality(graph, positions, decoded)));
-  DELTAMESH_CHECK(chunks.add(kTagDeltas, std::move(coded->deltas), std::move(coded->compact_deltas)));
-  return chunks.add(kTagAnchors, std::move(coded->anchors), std::move(coded->compact_anchors));
+
+  AnchorContainers own_containers;
+  AnchorContainers& containers = options.anchor_containers ? *options.anchor_containers : own_containers;
+  AnchorSequence& sequence = containers.impl().sequence(graph, components);
+  const GeometryInput input{graph, components, positions, header.box(), sequence};
+  GeometryTrials trials(input, header, other.before, other.after);
+  const Result<void> done = code_geometry(options, header, trials);
+  // The one rule of the stream that a finite mesh can break [DELT-3].
+  if (!done) return done.error().code == ErrorCode::kInvalidStream ? kTooLarge : done.error();
+
+  const CodedGeometry& coded = trials.kept();
+  header.highpass = coded.parameters;
+  if (options.bits || (!options.step && options.quality.empty()))
+    header.highpass.bits = static_cast<std::uint8_t>(options.bits.value_or(kDefaultBits));
+  DELTAMESH_CHECK(set_quality(header, coded.quality));
+  ChunkList chunks = other.before;
+  chunks.append(coded.chunks);
+  chunks.append(other.after);
+  return chunks;
 }
 
 Result<void> add_attributes(const MeshView& mesh, const CodedTopology& topology, const EncodeOptions& options,
@@ -152,15 +175,16 @@ Result<Encoded> encode_checked(const MeshView& mesh, const EncodeOptions& option
   header.attributes = static_cast<std::uint32_t>(mesh.attributes.size());
   header.origin = mesh.origin;
 
-  ChunkList chunks(options.profile);
-  DELTAMESH_CHECK(chunks.add(kTagConnectivity, std::move(topology.connectivity.payload),
-                             std::move(topology.connectivity.compact)));
-  DELTAMESH_CHECK(chunks.add(kTagSeams, std::move(topology.seams.payload)));
-  DELTAMESH_CHECK(add_geometry(mesh, topology, options, header, chunks));
-  report_progress(options, kGeometryDone);
-  DELTAMESH_CHECK(add_attributes(mesh, topology, options, chunks));
+  OtherChunks other{ChunkList(options.profile, options.effort), ChunkList(options.profile, options.effort)};
+  DELTAMESH_CHECK(other.before.add(kTagConnectivity, std::move(topology.connectivity.payload),
+                                   std::move(topology.connectivity.compact)));
+  DELTAMESH_CHECK(other.before.add(kTagSeams, std::move(topology.seams.payload)));
+  DELTAMESH_CHECK(add_attributes(mesh, topology, options, other.after));
   if (options.keep_order)
-    DELTAMESH_CHECK(chunks.add(kTagOrder, write_order(original_order(topology, mesh.vertex_count()))));
+    DELTAMESH_CHECK(other.after.add(kTagOrder, write_order(original_order(topology, mesh.vertex_count()))));
+  report_progress(options, kAttributesDone);
+  DELTAMESH_TRY(const ChunkList chunks, add_geometry(mesh, topology, other, options, header));
+  report_progress(options, kGeometryDone);
 
   Encoded encoded;
   encoded.bytes = write_container(header, chunks.chunks());

@@ -4,6 +4,7 @@
 
 #include "base/try.h"
 #include "deltamesh/encode.h"
+#include "quality/bounds.h"
 
 namespace deltamesh {
 namespace {
@@ -14,9 +15,22 @@ Error invalid(const char* message) noexcept {
 
 bool within(int value, int least, int most) noexcept { return value >= least && value <= most; }
 
+/// What the request would set is not set by hand.
+Result<void> check_quality(const EncodeOptions& o) noexcept {
+  const QualityRequest& q = o.quality;
+  DELTAMESH_CHECK(validate(q));
+  if ((q.vde || q.max_error || q.target_bytes) && (o.bits || o.step))
+    return invalid("VDE, maximum error and target bytes set the step: bits and step exclude them");
+  if ((q.lfe || q.max_error) && (o.anchors || o.anchor_density))
+    return invalid("LFE and maximum error set the anchors: anchors and anchor density exclude them");
+  return {};
+}
+
 }  // namespace
 
 Result<void> validate(const EncodeOptions& o) noexcept {
+  DELTAMESH_CHECK(check_quality(o));
+  if (!within(o.effort, 0, 9)) return invalid("effort must be 0 to 9");
   if (o.bits && o.step) return invalid("bits and step exclude each other");
   if (o.bits && !within(*o.bits, 3, 16)) return invalid("bits must be 3 to 16");
   if (o.step && !(std::isfinite(*o.step) && *o.step > 0))

@@ -63,6 +63,8 @@ Result<void> visit_fields(const Visitor& visit, Header& h, bool has_origin) {
   DELTAMESH_CHECK(visit.fixed(h.geometry));
   DELTAMESH_CHECK(visit.fixed(h.highpass.bits));
   DELTAMESH_CHECK(visit.fixed(h.highpass.step));
+  DELTAMESH_CHECK(visit.fixed(h.highpass.shift.one));
+  DELTAMESH_CHECK(visit.fixed(h.highpass.shift.more));
   DELTAMESH_CHECK(visit.fixed(h.highpass.anchor_bits));
   DELTAMESH_CHECK(visit.varint(h.highpass.anchors));
   DELTAMESH_CHECK(visit.varint(h.highpass.anchor_density));

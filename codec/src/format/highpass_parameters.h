@@ -8,10 +8,18 @@
 
 namespace deltamesh {
 
+/// How far towards zero symbols are reconstructed, in 256ths of the step [DELT-2].
+struct ReconstructionShift {
+  std::int8_t one = 0;   ///< for symbols of magnitude 1
+  std::int8_t more = 0;  ///< for larger ones
+  bool operator==(const ReconstructionShift&) const = default;
+};
+
 /// What the header says of a highpass stream [HDR-11].
 struct HighpassParameters {
-  std::uint8_t bits = 0;             ///< asked bits, 3 to 16; 0 where a step was asked. For information
-  double step = 0;                   ///< quantisation step of delta coordinates, model units, finite, above 0
+  std::uint8_t bits = 0;  ///< asked bits, 3 to 16; 0 where a step was asked. For information
+  double step = 0;        ///< quantisation step of delta coordinates, model units, finite, above 0
+  ReconstructionShift shift{};
   std::uint8_t anchor_bits = 12;     ///< 4 to 24
   std::uint32_t anchors = 0;         ///< their number
   std::uint32_t anchor_density = 0;  ///< largest hops of a vertex to its nearest anchor. For information

@@ -15,11 +15,28 @@
 #include "deltamesh/result.h"
 #include "entropy/payload.h"
 #include "format/highpass_parameters.h"
+#include "geometry/delta_quantizer.h"
+#include "laplacian/anchors.h"
+#include "laplacian/part_solver.h"
+#include "laplacian/solved_part.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {
 
-/// What the encoder is asked for; exactly one of bits and step, at most one of anchors and density.
+struct HighpassSymbols;
+
+/// Everything that decides on the bytes of a highpass stream.
+struct HighpassSettings {
+  double step = 1;         ///< model units, finite, above 0
+  double rounding = 0.5;   ///< DeltaQuantizer::rounding, 0 to 0.5
+  double diffusion = 0;    ///< strength, 0 to 1: geometry/diffusion.h
+  bool centroids = false;  ///< reconstruct at the centroids of the bins, not at their middles
+  Anchors anchors{};       ///< as [ANCH-2] asks
+  int anchor_bits = 12;    ///< 4 to 24
+};
+
+/// What the encoder is asked for in bits and counts; exactly one of bits and step, at most one of anchors and
+/// density.
 struct HighpassRequest {
   std::optional<int> bits{};
   std::optional<double> step{};
@@ -37,9 +54,52 @@ struct CodedHighpass {
   std::vector<Vec3> positions;             ///< n: what read_highpass will return
 };
 
-/// `positions`: n, relative to the mesh's origin, in coding order; `graph`, `components`: of the decoded
-/// faces, same order; `box`: of `positions`. Errors: kInvalidArgument where the step is too small for 32-bit
-/// symbols.
+/// Codes one mesh under any settings, one after the other.
+class HighpassCoder {
+ public:
+  /// `positions`: n, relative to the mesh's origin, in coding order; `graph`, `components`: of the decoded
+  /// faces, same order; `box`: of `positions`. All but `components` must outlive the coder. O(n + edges).
+  HighpassCoder(const Adjacency& graph, const Components& components, std::span<const Vec3> positions,
+                const Box& box);
+
+  /// Largest minus smallest delta over all axes.
+  double range() const noexcept { return range_; }
+  /// No delta exceeds this; a larger step than twice as much codes nothing but zeros.
+  double largest_delta() const noexcept { return largest_; }
+  std::size_t solved_count() const noexcept { return part_.vertices.size(); }
+
+  /// Model units, above 0: range / 2^bits. A flat graph, all deltas equal, gets a step that rounds nothing
+  /// but noise.
+  double step_for_bits(int bits) const noexcept;
+
+  /// Root mean square over the solved vertices of the distance between delta and its quantised form: what
+  /// decides on VDE, without a solve. Infinite where the step is too small. O(n + edges).
+  double delta_error(const HighpassSettings& settings) const;
+
+  /// Errors: kInvalidArgument where the step is too small for 32-bit symbols. Cost: a solve, whose set-up is
+  /// kept while the anchors stay.
+  Result<CodedHighpass> code(const HighpassSettings& settings);
+
+  /// The same without positions and without the solve.
+  Result<CodedHighpass> code_only(const HighpassSettings& settings) const;
+
+  HighpassCoder(const HighpassCoder&) = delete;
+  HighpassCoder& operator=(const HighpassCoder&) = delete;
+
+ private:
+  Result<CodedHighpass> write(const HighpassSettings& settings, HighpassSymbols& symbols) const;
+  DeltaQuantizer quantizer(const HighpassSettings& settings) const noexcept;
+
+  std::span<const Vec3> positions_;
+  Box box_;
+  SolvedPart part_;
+  std::vector<Vec3> deltas_;  ///< over the rows of part_
+  double range_ = 0;
+  double largest_ = 0;
+  PartSolver solver_;
+};
+
+/// One shot for a request in bits and counts. Arguments and errors as HighpassCoder.
 Result<CodedHighpass> write_highpass(const Adjacency& graph, const Components& components,
                                      std::span<const Vec3> positions, const Box& box,
                                      const HighpassRequest& request);

@@ -91,7 +91,8 @@ Result<std::vector<Vec3>> read_highpass(Payload deltas, Payload anchors, const A
   DELTAMESH_TRY(symbols.cells, anchor_cells(list, parameters.anchor_bits));
   DELTAMESH_CHECK(check_coverage(symbols.anchors, components));
   DELTAMESH_TRY(symbols.deltas, read_deltas(deltas, part.graph));
-  return reconstruct_highpass(symbols, part, box, parameters);
+  PartSolver solver(part);
+  return reconstruct_highpass(symbols, part, solver, box, parameters);
 }
 
 }  // namespace deltamesh

@@ -6,14 +6,14 @@
 
 #include "base/try.h"
 #include "format/tags.h"
+#include "geometry/delta_quantizer.h"
 #include "geometry/highpass_symbols.h"
-#include "laplacian/solver.h"
 
 namespace deltamesh {
 namespace {
 
-Result<void> solve_part(const HighpassSymbols& symbols, const SolvedPart& part, const Vec3& center,
-                        double step, std::vector<Vec3>& positions) {
+Result<void> solve_part(const HighpassSymbols& symbols, const SolvedPart& part, PartSolver& solver,
+                        const Vec3& center, const DeltaQuantizer& quantizer, std::vector<Vec3>& positions) {
   const std::size_t count = part.vertices.size();
   std::vector<std::uint32_t> anchor_rows;
   std::vector<Vec3> anchor_positions;
@@ -24,11 +24,11 @@ Result<void> solve_part(const HighpassSymbols& symbols, const SolvedPart& part, 
   }
   std::vector<Vec3> deltas(count);
   for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t axis = 0; axis < 3; ++axis) deltas[i][axis] = step * symbols.deltas[axis * count + i];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      deltas[i][axis] = quantizer.value(symbols.deltas[axis * count + i]);
   }
   std::vector<Vec3> solution(count);
-  DELTAMESH_TRY(const auto solver, make_multigrid_solver(part.graph, anchor_rows));
-  DELTAMESH_CHECK(solver->solve(deltas, anchor_positions, solution));
+  DELTAMESH_CHECK(solver.solve(anchor_rows, deltas, anchor_positions, solution));
   for (std::size_t i = 0; i < count; ++i) positions[part.vertices[i]] = center + solution[i];
   return {};
 }
@@ -61,7 +61,8 @@ Vec3 AnchorLattice::position_of(const AnchorCell& cell) const noexcept {
 }
 
 Result<std::vector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, const SolvedPart& part,
-                                               const Box& box, const HighpassParameters& parameters) {
+                                               PartSolver& solver, const Box& box,
+                                               const HighpassParameters& parameters) {
   std::vector<Vec3> positions(part.rows.size());
   const AnchorLattice lattice(box, parameters.anchor_bits);
   for (std::size_t i = 0; i < symbols.anchors.size(); ++i)
@@ -69,7 +70,8 @@ Result<std::vector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, c
   if (!part.vertices.empty()) {
     // Near the origin doubles are densest; and adding halves first cannot overflow.
     const Vec3 center = 0.5 * box.min + 0.5 * box.max;
-    DELTAMESH_CHECK(solve_part(symbols, part, center, parameters.step, positions));
+    const DeltaQuantizer quantizer{.step = parameters.step, .shift = parameters.shift};
+    DELTAMESH_CHECK(solve_part(symbols, part, solver, center, quantizer, positions));
   }
   for (const Vec3& position : positions) {
     if (!(fits_float(position[0]) && fits_float(position[1]) && fits_float(position[2])))

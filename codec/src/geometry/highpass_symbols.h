@@ -13,6 +13,7 @@
 #include "base/vec3.h"
 #include "deltamesh/result.h"
 #include "geometry/highpass.h"
+#include "laplacian/part_solver.h"
 #include "laplacian/solved_part.h"
 #include "topology/adjacency.h"
 
@@ -40,10 +41,11 @@ class AnchorLattice {
   double side_;
 };
 
-/// Solves for the vertices of `part`, takes the others from the lattice. `symbols` are checked against
-/// [DELT-*] and [ANCH-*] already, apart from floats. Returns one position per vertex of the whole graph.
-/// Errors: kInvalidStream [DELT-3] where a position is not finite as float32.
+/// Solves for the vertices of `part` by `solver`, which belongs to it, takes the others from the lattice.
+/// `symbols` are checked against [DELT-*] and [ANCH-*] already, apart from floats. Returns one position per
+/// vertex of the whole graph. Errors: kInvalidStream [DELT-3] where a position is not finite as float32.
 Result<std::vector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, const SolvedPart& part,
-                                               const Box& box, const HighpassParameters& parameters);
+                                               PartSolver& solver, const Box& box,
+                                               const HighpassParameters& parameters);
 
 }  // namespace deltamesh

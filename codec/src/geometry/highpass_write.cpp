@@ -2,12 +2,14 @@
 // Copyright 2026 The deltamesh authors
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/try.h"
 #include "base/zigzag.h"
 #include "entropy/planes.h"
 #include "geometry/anchor_list.h"
 #include "geometry/delta_symbols.h"
+#include "geometry/diffusion.h"
 #include "geometry/highpass.h"
 #include "geometry/highpass_symbols.h"
 #include "laplacian/anchors.h"
@@ -15,8 +17,6 @@
 
 namespace deltamesh {
 namespace {
-
-constexpr double kLargestSymbol = 1 << 30;
 
 /// Deltas of float32 positions carry no more than this many bits below the longest side.
 constexpr int kFinestBits = 40;
@@ -28,28 +28,11 @@ std::vector<Vec3> solved_deltas(const SolvedPart& part, std::span<const Vec3> po
   return delta_coordinates(part.graph, solved);
 }
 
-/// Model units, above 0: range / 2^bits, or what was asked. A flat graph, all deltas equal, gets a step that
-/// rounds nothing but noise.
-double choose_step(const HighpassRequest& request, std::span<const Vec3> deltas, const Box& box) {
-  if (request.step) return *request.step;
-  const double step = std::ldexp(delta_range(deltas), -*request.bits);
-  const double finest = std::ldexp(box.longest_side(), -kFinestBits);
-  const double chosen = std::max(step, finest);
-  return chosen > 0 ? chosen : 1.0;
-}
-
-Result<std::vector<std::int32_t>> quantize(std::span<const Vec3> deltas, double step) {
-  std::vector<std::int32_t> symbols(3 * deltas.size());
-  for (std::size_t i = 0; i < deltas.size(); ++i) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double rounded = std::round(deltas[i][axis] / step);
-      if (!(std::abs(rounded) <= kLargestSymbol))
-        return Error{.code = ErrorCode::kInvalidArgument,
-                     .message = "the step is too small for this mesh: deltas exceed 2^30 steps"};
-      symbols[axis * deltas.size() + i] = static_cast<std::int32_t>(rounded);
-    }
-  }
-  return symbols;
+double largest_component(std::span<const Vec3> deltas) noexcept {
+  double largest = 0;
+  for (const Vec3& delta : deltas)
+    for (const double x : delta) largest = std::max(largest, std::abs(x));
+  return largest;
 }
 
 std::vector<std::byte> write_deltas(std::span<const std::int32_t> deltas) {
@@ -78,35 +61,88 @@ AnchorList list_anchors(const HighpassSymbols& symbols) {
 
 }  // namespace
 
-Result<CodedHighpass> write_highpass(const Adjacency& graph, const Components& components,
-                                     std::span<const Vec3> positions, const Box& box,
-                                     const HighpassRequest& request) {
-  const SolvedPart part = extract_solved_part(graph, components);
-  const std::vector<Vec3> deltas = solved_deltas(part, positions);
-  CodedHighpass coded;
-  HighpassParameters& parameters = coded.parameters;
-  parameters.bits = static_cast<std::uint8_t>(request.bits.value_or(0));
-  parameters.step = choose_step(request, deltas, box);
-  parameters.anchor_bits = static_cast<std::uint8_t>(request.anchor_bits);
+HighpassCoder::HighpassCoder(const Adjacency& graph, const Components& components,
+                             std::span<const Vec3> positions, const Box& box)
+    : positions_(positions),
+      box_(box),
+      part_(extract_solved_part(graph, components)),
+      deltas_(solved_deltas(part_, positions)),
+      range_(delta_range(deltas_)),
+      largest_(largest_component(deltas_)),
+      solver_(part_) {}
 
-  HighpassSymbols symbols;
-  DELTAMESH_TRY(symbols.deltas, quantize(deltas, parameters.step));
-  Anchors anchors =
-      place_anchors(graph, components, {.count = request.anchors, .density = request.anchor_density});
-  parameters.anchors = static_cast<std::uint32_t>(anchors.vertices.size());
-  parameters.anchor_density = anchors.density;
-  symbols.anchors = std::move(anchors.vertices);
-  const AnchorLattice lattice(box, request.anchor_bits);
+double HighpassCoder::step_for_bits(int bits) const noexcept {
+  const double finest = std::ldexp(box_.longest_side(), -kFinestBits);
+  const double step = std::max(std::ldexp(range_, -bits), finest);
+  return step > 0 ? step : 1.0;
+}
+
+DeltaQuantizer HighpassCoder::quantizer(const HighpassSettings& settings) const noexcept {
+  DeltaQuantizer quantizer{.step = settings.step, .rounding = settings.rounding};
+  if (settings.centroids) quantizer.shift = centroid_shift(quantizer, deltas_);
+  return quantizer;
+}
+
+double HighpassCoder::delta_error(const HighpassSettings& settings) const {
+  const DeltaQuantizer quantizer = this->quantizer(settings);
+  const auto symbols = quantize_deltas(part_.graph, deltas_, quantizer, settings.diffusion);
+  if (!symbols) return std::numeric_limits<double>::infinity();
+  const std::size_t count = deltas_.size();
+  double sum = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double error = deltas_[i][axis] - quantizer.value((*symbols)[axis * count + i]);
+      sum += error * error;
+    }
+  }
+  return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(count, 1)));
+}
+
+Result<CodedHighpass> HighpassCoder::write(const HighpassSettings& settings, HighpassSymbols& symbols) const {
+  const DeltaQuantizer quantizer = this->quantizer(settings);
+  CodedHighpass coded;
+  coded.parameters = {.step = settings.step,
+                      .shift = quantizer.shift,
+                      .anchor_bits = static_cast<std::uint8_t>(settings.anchor_bits),
+                      .anchors = static_cast<std::uint32_t>(settings.anchors.vertices.size()),
+                      .anchor_density = settings.anchors.density};
+  DELTAMESH_TRY(symbols.deltas, quantize_deltas(part_.graph, deltas_, quantizer, settings.diffusion));
+  symbols.anchors = settings.anchors.vertices;
+  const AnchorLattice lattice(box_, settings.anchor_bits);
   symbols.cells.reserve(symbols.anchors.size());
   for (const std::uint32_t anchor : symbols.anchors)
-    symbols.cells.push_back(lattice.cell_of(positions[anchor]));
+    symbols.cells.push_back(lattice.cell_of(positions_[anchor]));
 
   coded.deltas = write_deltas(symbols.deltas);
-  coded.compact_deltas = write_compact_deltas(symbols.deltas, part.graph);
+  coded.compact_deltas = write_compact_deltas(symbols.deltas, part_.graph);
   const AnchorList list = list_anchors(symbols);
   coded.anchors = write_plain_anchors(list);
   coded.compact_anchors = write_compact_anchors(list);
-  DELTAMESH_TRY(coded.positions, reconstruct_highpass(symbols, part, box, parameters));
+  return coded;
+}
+
+Result<CodedHighpass> HighpassCoder::code(const HighpassSettings& settings) {
+  HighpassSymbols symbols;
+  DELTAMESH_TRY(auto coded, write(settings, symbols));
+  DELTAMESH_TRY(coded.positions, reconstruct_highpass(symbols, part_, solver_, box_, coded.parameters));
+  return coded;
+}
+
+Result<CodedHighpass> HighpassCoder::code_only(const HighpassSettings& settings) const {
+  HighpassSymbols symbols;
+  return write(settings, symbols);
+}
+
+Result<CodedHighpass> write_highpass(const Adjacency& graph, const Components& components,
+                                     std::span<const Vec3> positions, const Box& box,
+                                     const HighpassRequest& request) {
+  HighpassCoder coder(graph, components, positions, box);
+  HighpassSettings settings{.anchor_bits = request.anchor_bits};
+  settings.step = request.step ? *request.step : coder.step_for_bits(*request.bits);
+  settings.anchors =
+      place_anchors(graph, components, {.count = request.anchors, .density = request.anchor_density});
+  DELTAMESH_TRY(auto coded, coder.code(settings));
+  coded.parameters.bits = static_cast<std::uint8_t>(request.bits.value_or(0));
   return coded;
 }
 

@@ -4,6 +4,7 @@
 // Where the anchors go: breadth-first farthest points, so that no vertex is far from one.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -25,6 +26,9 @@ struct Anchors {
   std::vector<std::uint32_t> vertices;  ///< ascending
   std::uint32_t density = 0;            ///< largest hop distance of a vertex to its nearest anchor
 };
+
+/// One for every 200 vertices, rounded up.
+std::uint32_t default_anchor_count(std::size_t solved_vertices) noexcept;
 
 /// One anchor in every solved component, farthest from its lowest vertex; then always the vertex that is
 /// farthest (in edges) from all anchors, the lowest index among equals, until the request is met; and every

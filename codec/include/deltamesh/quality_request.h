@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// What the decoded mesh must be like: the caller asks for quality, the encoder finds the settings.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace deltamesh {
+
+/// What a bound on VDE or LFE is counted in.
+enum class QualityUnit : std::uint8_t {
+  kModel,     ///< root mean square, model units
+  kDiagonal,  ///< root mean square, percent of the bounding-box diagonal
+  kPaper,     ///< the paper's sum (eqs. 1, 2), mesh scaled to a diagonal of 1
+};
+
+/// An upper bound, finite and above 0.
+struct QualityBound {
+  double value = 0;
+  QualityUnit unit = QualityUnit::kModel;
+};
+
+/// Every member that is set must be kept; the encoder looks for the smallest stream that keeps them all. A
+/// figure may come out better than asked where nothing is left to be saved: all deltas are coded as zero, or
+/// one anchor per component is there already.
+struct QualityRequest {
+  std::optional<QualityBound> vde = std::nullopt;  ///< visual distortion error, eq. 2
+  std::optional<QualityBound> lfe = std::nullopt;  ///< low-frequency error, eq. 1
+  std::optional<double> max_error = std::nullopt;  ///< no vertex is farther off, model units
+  /// The whole stream has no more bytes. Alone: the lowest VDE that fits.
+  std::optional<std::uint64_t> target_bytes = std::nullopt;
+
+  bool empty() const noexcept { return !vde && !lfe && !max_error && !target_bytes; }
+};
+
+}  // namespace deltamesh

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "encoder/geometry_trials.h"
+
+#include <algorithm>
+
+#include "base/try.h"
+#include "format/container.h"
+#include "geometry/vertex_positions.h"
+#include "laplacian/hop_density.h"
+#include "quality/error_peaks.h"
+#include "quality/measure.h"
+
+namespace deltamesh {
+
+GeometryTrials::GeometryTrials(const GeometryInput& input, const FileHeader& header, const ChunkList& before,
+                               const ChunkList& after)
+    : input_(input),
+      header_(header),
+      before_(before),
+      after_(after),
+      coder_(input.graph, input.components, input.positions, input.box) {}
+
+HighpassSettings GeometryTrials::highpass_settings(const CoderSettings& settings) {
+  HighpassSettings result{.step = settings.step,
+                          .rounding = settings.rounding,
+                          .diffusion = settings.diffusion,
+                          .centroids = settings.centroids,
+                          .anchors = input_.anchors.first(input_.graph, settings.anchors),
+                          .anchor_bits = settings.anchor_bits};
+  if (settings.more_anchors.empty()) return result;
+  std::vector<std::uint32_t>& all = result.anchors.vertices;
+  all.insert(all.end(), settings.more_anchors.begin(), settings.more_anchors.end());
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  result.anchors.density = hop_density(input_.graph, all);
+  return result;
+}
+
+Result<ChunkList> GeometryTrials::code_chunks(CodedHighpass coded) const {
+  ChunkList chunks = before_.fresh();
+  DELTAMESH_CHECK(chunks.add(kTagDeltas, std::move(coded.deltas), std::move(coded.compact_deltas)));
+  DELTAMESH_CHECK(chunks.add(kTagAnchors, std::move(coded.anchors), std::move(coded.compact_anchors)));
+  return chunks;
+}
+
+std::uint64_t GeometryTrials::stream_bytes(const HighpassParameters& parameters,
+                                           const ChunkList& chunks) const {
+  FileHeader header = header_;
+  header.highpass = parameters;
+  ChunkList all = before_;
+  all.append(chunks);
+  all.append(after_);
+  return write_container(header, all.chunks()).size();
+}
+
+Result<TrialFigures> GeometryTrials::run(const CoderSettings& settings) {
+  const HighpassSettings highpass = highpass_settings(settings);
+  DELTAMESH_TRY(CodedHighpass coded, coder_.code(highpass));
+  DELTAMESH_TRY(const auto decoded, to_float_positions(coded.positions));
+  const Quality quality = measure_quality(input_.graph, input_.positions, decoded);
+  errors_.resize(decoded.size());
+  for (std::size_t v = 0; v < decoded.size(); ++v) errors_[v] = length(decoded[v] - input_.positions[v]);
+  anchors_of_run_ = highpass.anchors.vertices;
+  const HighpassParameters parameters = coded.parameters;
+  DELTAMESH_TRY(ChunkList chunks, code_chunks(std::move(coded)));
+  const std::uint64_t bytes = stream_bytes(parameters, chunks);
+  last_ = std::make_shared<const CodedGeometry>(CodedGeometry{parameters, std::move(chunks), quality});
+  return TrialFigures{.quality = quality, .bytes = bytes, .density = parameters.anchor_density};
+}
+
+Result<std::uint64_t> GeometryTrials::bytes(const CoderSettings& settings) {
+  DELTAMESH_TRY(CodedHighpass coded, coder_.code_only(highpass_settings(settings)));
+  const HighpassParameters parameters = coded.parameters;
+  DELTAMESH_TRY(const ChunkList chunks, code_chunks(std::move(coded)));
+  return stream_bytes(parameters, chunks);
+}
+
+double GeometryTrials::delta_error(const CoderSettings& settings) {
+  return coder_.delta_error({.step = settings.step,
+                             .rounding = settings.rounding,
+                             .diffusion = settings.diffusion,
+                             .centroids = settings.centroids});
+}
+
+std::vector<std::uint32_t> GeometryTrials::worst_vertices(double threshold, std::size_t count) {
+  std::vector<std::uint8_t> excluded(errors_.size(), 0);
+  for (const std::uint32_t anchor : anchors_of_run_) excluded[anchor] = 1;
+  return error_peaks(input_.graph, errors_, excluded, threshold, count);
+}
+
+std::uint32_t GeometryTrials::anchors_for_density(std::uint32_t density) {
+  return input_.anchors.count_for_density(input_.graph, density);
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Rate control's trials on a real mesh: coded, decoded, measured.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "encoder/chunk_list.h"
+#include "format/header.h"
+#include "geometry/highpass.h"
+#include "laplacian/anchor_sequence.h"
+#include "quality/trial.h"
+
+namespace deltamesh {
+
+/// The geometry of a mesh, ready to be coded. Everything must outlive the trials.
+struct GeometryInput {
+  const Adjacency& graph;
+  const Components& components;
+  std::span<const Vec3> positions;  ///< n, relative to the mesh's origin, in coding order
+  Box box;                          ///< of `positions`
+  AnchorSequence& anchors;          ///< of `graph`
+};
+
+/// A coded geometry and what a decoder makes of it.
+struct CodedGeometry {
+  HighpassParameters parameters;
+  ChunkList chunks;
+  Quality quality;
+};
+
+class GeometryTrials final : public TrialCoder {
+ public:
+  /// `header`, `before` and `after`: the rest of the stream, so that its size is known; the geometry is coded
+  /// like `before`.
+  GeometryTrials(const GeometryInput& input, const FileHeader& header, const ChunkList& before,
+                 const ChunkList& after);
+
+  Result<TrialFigures> run(const CoderSettings& settings) override;
+  Result<std::uint64_t> bytes(const CoderSettings& settings) override;
+  double delta_error(const CoderSettings& settings) override;
+  void keep() override { kept_ = last_; }
+  std::vector<std::uint32_t> worst_vertices(double threshold, std::size_t count) override;
+  std::uint32_t anchors_for_density(std::uint32_t density) override;
+  std::uint32_t fewest_anchors() override { return input_.anchors.fewest(); }
+  std::uint32_t most_anchors() override { return input_.anchors.most(); }
+  double largest_delta() override { return coder_.largest_delta(); }
+  double delta_range() override { return coder_.range(); }
+  double longest_side() override { return input_.box.longest_side(); }
+  bool has_small_components() override { return input_.anchors.most() < input_.positions.size(); }
+
+  double step_for_bits(int bits) const noexcept { return coder_.step_for_bits(bits); }
+
+  /// What keep() kept last. Precondition: it has been called.
+  const CodedGeometry& kept() const noexcept { return *kept_; }
+
+ private:
+  HighpassSettings highpass_settings(const CoderSettings& settings);
+  Result<ChunkList> code_chunks(CodedHighpass coded) const;
+  std::uint64_t stream_bytes(const HighpassParameters& parameters, const ChunkList& chunks) const;
+
+  GeometryInput input_;
+  FileHeader header_;
+  const ChunkList& before_;
+  const ChunkList& after_;
+  HighpassCoder coder_;
+  std::vector<double> errors_;                 ///< of the last run, per vertex, model units
+  std::vector<std::uint32_t> anchors_of_run_;  ///< of the last run, ascending
+  std::shared_ptr<const CodedGeometry> last_;
+  std::shared_ptr<const CodedGeometry> kept_;
+};
+
+}  // namespace deltamesh

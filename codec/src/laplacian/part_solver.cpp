@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "laplacian/part_solver.h"
+
+#include <algorithm>
+
+#include "base/try.h"
+
+namespace deltamesh {
+
+Result<void> PartSolver::solve(std::span<const std::uint32_t> anchors, std::span<const Vec3> deltas,
+                               std::span<const Vec3> anchor_positions, std::span<Vec3> x) {
+  if (!solver_ || !std::equal(anchors.begin(), anchors.end(), anchors_.begin(), anchors_.end())) {
+    solver_.reset();
+    anchors_.assign(anchors.begin(), anchors.end());
+    DELTAMESH_TRY(solver_, make_multigrid_solver(part_.graph, anchors_));
+  }
+  return solver_->solve(deltas, anchor_positions, x);
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// The one place where the highpass coder makes its solver; encoder and decoder alike.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "laplacian/solved_part.h"
+#include "laplacian/solver.h"
+
+namespace deltamesh {
+
+/// Solves for a part again and again; what was set up for a set of anchors is kept until they change.
+class PartSolver {
+ public:
+  explicit PartSolver(const SolvedPart& part) : part_(part) {}
+
+  /// As LeastSquaresSolver::solve; `anchors`: rows of the part, ascending.
+  Result<void> solve(std::span<const std::uint32_t> anchors, std::span<const Vec3> deltas,
+                     std::span<const Vec3> anchor_positions, std::span<Vec3> x);
+
+ private:
+  const SolvedPart& part_;
+  std::vector<std::uint32_t> anchors_;
+  std::unique_ptr<LeastSquaresSolver> solver_;
+};
+
+}  // namespace deltamesh

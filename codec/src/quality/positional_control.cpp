@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "quality/positional_control.h"
+
+#include <algorithm>
+
+#include "base/try.h"
+#include "quality/diffusion_search.h"
+#include "quality/greedy_refinement.h"
+#include "quality/thinning.h"
+#include "quality/visual_control.h"
+
+namespace deltamesh {
+namespace {
+
+constexpr int kSearchEffort = 5;
+constexpr int kOnePassEffort = 1;
+constexpr double kAnchorFactor = 3;
+/// Greedy refinement is tried for a maximum error from a step this much larger than without it.
+constexpr double kGreedyStep = 1.2;
+
+double positional_load(const Trials& trials, const Attempt& attempt) noexcept {
+  return trials.bounds().positional_load(attempt.figures.quality);
+}
+
+/// Tries more and fewer anchors from `start`, as long as the stream shrinks.
+Result<void> explore_anchor_counts(const RateGoal& goal, const Attempt& start, Trials& trials) {
+  const double most = trials.coder().most_anchors();
+  for (const double factor : {kAnchorFactor, 1 / kAnchorFactor}) {
+    Attempt from = start;
+    for (;;) {
+      CoderSettings settings = from.settings;
+      const auto count = static_cast<std::uint32_t>(std::min(settings.anchors * factor + 0.5, most));
+      settings.anchors = std::max(count, trials.coder().fewest_anchors());
+      if (settings.anchors == from.settings.anchors) break;
+      DELTAMESH_TRY(Attempt next, search_step(trials, settings, Watch::kAll, step_goal(goal.effort)));
+      if (trials.bounds().load(next.figures.quality) > 1 || next.figures.bytes >= from.figures.bytes) break;
+      from = std::move(next);
+    }
+  }
+  return {};
+}
+
+/// A larger step, and anchors at the few vertices that it leaves too far off.
+Result<void> try_greedy(const Attempt& landed, Trials& trials) {
+  CoderSettings settings = landed.settings;
+  settings.step *= kGreedyStep;
+  DELTAMESH_TRY(const Attempt coarser, trials.run(settings));
+  return refine_greedily(coarser, landed.figures.bytes, trials);
+}
+
+/// Where the best stream leaves room in the positional bounds: less diffusion at its anchors if VDE binds,
+/// else fewer anchors (all symbols are 0 then).
+Result<void> use_up_room(const RateGoal& goal, Trials& trials) {
+  const Attempt best = *trials.best();
+  if (positional_load(trials, best) >= Trials::kLandedLoad) return {};
+  if (!goal.bounds.vde) {
+    DELTAMESH_TRY([[maybe_unused]] const Attempt thinned, thin_anchors(best, trials));
+    return {};
+  }
+  CoderSettings settings = best.settings;
+  settings.diffusion = 0;
+  settings.step = step_from_vde(trials.coder(), settings, *goal.bounds.vde);
+  DELTAMESH_TRY(const Attempt plain, search_step(trials, settings, Watch::kVisual, step_goal(goal.effort)));
+  if (positional_load(trials, plain) <= 1) return {};
+  DELTAMESH_TRY([[maybe_unused]] const Attempt relaxed, raise_diffusion(plain, true, trials));
+  return {};
+}
+
+/// The step follows the positional bound, at the diffusion in `settings`.
+Result<void> follow_with_step(const RateGoal& goal, const CoderSettings& settings, Trials& trials) {
+  DELTAMESH_TRY(const Attempt landed, search_step(trials, settings, Watch::kAll, step_goal(goal.effort)));
+  if (trials.bounds().load(landed.figures.quality) > 1 || goal.effort < kSearchEffort || goal.anchors)
+    return {};
+  DELTAMESH_CHECK(explore_anchor_counts(goal, landed, trials));
+  DELTAMESH_CHECK(use_up_room(goal, trials));
+  if (!goal.bounds.max_error) return {};
+  const Attempt best = *trials.best();
+  return try_greedy(best, trials);
+}
+
+/// The first guess of a step for a positional bound alone: with diffusion LFE is some 3 VDE, and the largest
+/// error some 4 LFE.
+double guess_step(const Bounds& bounds, const CoderSettings& settings, TrialCoder& coder) {
+  double lfe = coder.longest_side();
+  if (bounds.lfe) lfe = std::min(lfe, *bounds.lfe);
+  if (bounds.max_error) lfe = std::min(lfe, *bounds.max_error / 4);
+  return step_from_vde(coder, settings, lfe / 3);
+}
+
+/// The step is what it is: more anchors, then anchors where the error is largest.
+Result<void> follow_with_anchors(const RateGoal& goal, CoderSettings settings, Trials& trials) {
+  const double most = trials.coder().most_anchors();
+  for (;;) {
+    DELTAMESH_TRY(const Attempt attempt, trials.run(settings));
+    const double load = positional_load(trials, attempt);
+    if (load <= 1 || goal.anchors) return {};
+    if (load < 1.5) {
+      DELTAMESH_CHECK(refine_greedily(attempt, 0, trials));
+      if (trials.best()) return {};
+    }
+    if (settings.anchors >= most) return {};
+    settings.anchors = static_cast<std::uint32_t>(std::min(settings.anchors * 2.0, most));
+  }
+}
+
+}  // namespace
+
+Result<void> control_positions(const RateGoal& goal, CoderSettings settings, Trials& trials) {
+  TrialCoder& coder = trials.coder();
+  const StepGoal near = step_goal(goal.effort);
+  if (!goal.step) settings.step = coder.longest_side() / 1024;
+  if (!goal.step && !goal.bounds.vde) {
+    settings.diffusion = 1;
+    settings.centroids = false;  // they lower VDE, but LFE rises by as much at low rates
+    settings.step = guess_step(goal.bounds, settings, coder);
+    return follow_with_step(goal, settings, trials);
+  }
+
+  if (!goal.step && goal.effort <= kOnePassEffort) {  // whichever binds, the step follows it
+    settings.diffusion = 1;
+    const double for_positions = guess_step(goal.bounds, settings, coder);
+    settings.step = std::min(for_positions, step_from_vde(coder, settings, near.aim * *goal.bounds.vde));
+    return follow_with_step(goal, settings, trials);
+  }
+
+  Attempt plain;  // without diffusion, at the step that is fixed or that VDE sets
+  if (goal.step) {
+    DELTAMESH_TRY(plain, trials.run(settings));
+  } else {
+    settings.step = step_from_vde(coder, settings, near.aim * *goal.bounds.vde);
+    DELTAMESH_TRY(plain, search_step(trials, settings, Watch::kVisual, near));
+    if (trials.bounds().visual_load(plain.figures.quality) > 1) return {};  // out of reach
+  }
+  double load = positional_load(trials, plain);
+  if (load < Trials::kLandedLoad && goal.effort > kOnePassEffort && !goal.anchors) {
+    DELTAMESH_TRY(plain, thin_anchors(plain, trials));
+    load = positional_load(trials, plain);
+  }
+  if (load <= 1) return {};
+  DELTAMESH_TRY(const Attempt diffused, raise_diffusion(plain, !goal.step.has_value(), trials));
+  if (trials.bounds().load(diffused.figures.quality) <= 1) return {};
+  return goal.step ? follow_with_anchors(goal, diffused.settings, trials)
+                   : follow_with_step(goal, diffused.settings, trials);
+}
+
+}  // namespace deltamesh

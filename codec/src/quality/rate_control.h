@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// From the quality that is asked for to the settings of the coder (Yang, Li et al., sections 3.3 and 4).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "quality/bounds.h"
+#include "quality/trial.h"
+
+namespace deltamesh {
+
+/// A request, in model units, with what else the caller has fixed.
+struct RateGoal {
+  Bounds bounds{};
+  std::optional<std::uint64_t> target_bytes = std::nullopt;
+  std::optional<double> step = std::nullopt;            ///< fixed: only anchors and diffusion may move
+  std::optional<std::uint32_t> anchors = std::nullopt;  ///< fixed number in the solved components
+  int anchor_bits = 12;                                 ///< at least
+  int effort = 5;                                       ///< 0 to 9
+};
+
+/// Drives `coder` until every bound is kept, and has it keep the smallest stream it found that does so
+/// (TrialCoder::keep). Deterministic. Runs: 1 to 3 for a VDE or at effort 0, some 10 to 20 for several bounds
+/// at effort 5.
+/// Errors: kUnmetRequest with the best figure that can be had and the size of that stream; those of `coder`.
+Result<void> control_rate(const RateGoal& goal, TrialCoder& coder);
+
+}  // namespace deltamesh

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "quality/step_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/try.h"
+
+namespace deltamesh {
+namespace {
+
+/// Steps below this share of the longest side are beyond float32 positions.
+constexpr int kFinestBits = 36;
+constexpr int kMostSymbolBits = 28;  // of the largest symbol
+constexpr int kMostAnchorBits = 24;
+constexpr int kMoreAnchorBits = 3;
+
+constexpr int kModelSteps = 12;
+constexpr double kModelTolerance = 2e-3;
+
+/// A load that falls less than this power of the delta error has reached a floor.
+constexpr double kFloorSlope = 0.35;
+constexpr double kSteepestSlope = 1.6;
+constexpr double kSameError = 0.02;  // of the logarithm: too near for a slope
+constexpr int kMostRuns = 24;
+
+/// One search; see search_step().
+class StepSearch {
+ public:
+  StepSearch(Trials& trials, const CoderSettings& settings, Watch watch, const StepGoal& goal)
+      : trials_(trials), coder_(trials.coder()), settings_(settings), watch_(watch), goal_(goal) {
+    coarsest_ = coarsest_step(coder_, settings_.rounding);
+    finest_ = std::min(coarsest_, std::max(std::ldexp(coder_.longest_side(), -kFinestBits),
+                                           std::ldexp(coder_.largest_delta(), -kMostSymbolBits)));
+    settings_.step = settings_.step > 0 ? std::clamp(settings_.step, finest_, coarsest_) : coarsest_;
+  }
+
+  Result<Attempt> run() {
+    for (int runs = 0; runs < kMostRuns; ++runs) {
+      const double error = coder_.delta_error(settings_);
+      DELTAMESH_TRY(const Attempt attempt, trials_.run(settings_));
+      const double load = load_of(attempt);
+      note(attempt, load);
+      const bool kept = kept_.has_value();
+      if (load <= 1 && (load >= goal_.tight || settings_.step >= coarsest_)) break;
+      if (kept && runs >= goal_.corrections) break;
+      if (!correct(error, load)) break;
+    }
+    return kept_ ? *kept_ : *broken_;
+  }
+
+ private:
+  double load_of(const Attempt& attempt) const noexcept {
+    const Quality& quality = attempt.figures.quality;
+    return watch_ == Watch::kAll ? trials_.bounds().load(quality) : trials_.bounds().visual_load(quality);
+  }
+
+  void note(const Attempt& attempt, double load) {
+    if (load <= 1) {
+      low_ = std::max(low_, attempt.settings.step);
+      if (!kept_ || load > kept_load_) {
+        kept_ = attempt;
+        kept_load_ = load;
+      }
+    } else {
+      high_ = std::min(high_, attempt.settings.step);
+      if (!broken_ || load < broken_load_) {
+        broken_ = attempt;
+        broken_load_ = load;
+      }
+    }
+  }
+
+  /// Sets the next step; false where there is nothing left to try.
+  bool correct(double error, double load) {
+    double slope = 1;
+    if (last_load_ > 0 && load > 0 && std::abs(std::log(error / last_error_)) > kSameError) {
+      const double measured = std::log(load / last_load_) / std::log(error / last_error_);
+      if (load > 1 && measured < kFloorSlope) return add_anchor_bits();
+      slope = std::clamp(measured, kFloorSlope, kSteepestSlope);
+    } else if (load > 1 && !(error > 0)) {
+      return add_anchor_bits();
+    }
+    last_error_ = error;
+    last_load_ = load;
+    const double factor = load > 0 ? std::pow(goal_.aim / load, 1 / slope) : 1e6;
+    double next = error > 0 ? step_for_delta_error(coder_, settings_, error * factor) : coarsest_;
+    if (next <= low_ || next >= high_) {
+      if (!(low_ > 0))
+        next = 0.5 * std::min(next, high_);
+      else
+        next = std::isinf(high_) ? coarsest_ : std::sqrt(low_ * high_);
+    }
+    if (low_ > 0 && high_ / low_ < 1 + kModelTolerance) return false;
+    if (next < finest_) {
+      if (settings_.step <= finest_) return add_anchor_bits();
+      next = finest_;
+    }
+    settings_.step = std::min(next, coarsest_);
+    return true;
+  }
+
+  bool add_anchor_bits() {
+    if (settings_.anchor_bits >= kMostAnchorBits) return false;
+    settings_.anchor_bits = std::min(settings_.anchor_bits + kMoreAnchorBits, kMostAnchorBits);
+    last_load_ = 0;
+    high_ = std::numeric_limits<double>::infinity();
+    return true;
+  }
+
+  Trials& trials_;
+  TrialCoder& coder_;
+  CoderSettings settings_;
+  Watch watch_;
+  StepGoal goal_;
+  double coarsest_ = 0;
+  double finest_ = 0;
+  double low_ = 0;                                         ///< largest step that keeps the bounds
+  double high_ = std::numeric_limits<double>::infinity();  ///< smallest that breaks them
+  double last_error_ = 0;
+  double last_load_ = 0;
+  std::optional<Attempt> kept_;
+  std::optional<Attempt> broken_;
+  double kept_load_ = 0;
+  double broken_load_ = 0;
+};
+
+}  // namespace
+
+Result<Attempt> Trials::run(const CoderSettings& settings) {
+  Attempt attempt{.settings = settings};
+  DELTAMESH_TRY(attempt.figures, coder_.run(settings));
+  const double load = bounds_.load(attempt.figures.quality);
+  const bool nearer = !nearest_ || load < bounds_.load(nearest_->figures.quality);
+  if (nearer) nearest_ = attempt;
+  if (load <= 1 && (!best_ || cost(attempt) < cost(*best_))) {
+    best_ = attempt;
+    coder_.keep();
+  }
+  return attempt;
+}
+
+double Trials::cost(const Attempt& attempt) const noexcept {
+  const Quality& quality = attempt.figures.quality;
+  const bool landed = bounds_.positional() ? bounds_.positional_load(quality) >= kLandedLoad
+                                           : bounds_.visual_load(quality) >= kLandedLoad;
+  return static_cast<double>(attempt.figures.bytes) * (landed ? 1 : kLandingWorth);
+}
+
+double coarsest_step(TrialCoder& coder, double rounding) {
+  const double largest = coder.largest_delta();
+  // Below 1 - rounding of a step a delta is coded as 0; diffusion may add as much again.
+  return largest > 0 ? 4 * largest / (1 - rounding) : 1;
+}
+
+double step_for_delta_error(TrialCoder& coder, CoderSettings settings, double wanted) {
+  const double coarsest = coarsest_step(coder, settings.rounding);
+  double low = 0;
+  double high = coarsest;
+  double step = settings.step > 0 ? std::min(settings.step, coarsest) : coarsest;
+  for (int i = 0; i < kModelSteps && high - low > kModelTolerance * high; ++i) {
+    settings.step = step;
+    const double error = coder.delta_error(settings);
+    if (std::abs(error - wanted) <= kModelTolerance * wanted) return step;
+    const bool too_fine = error < wanted || std::isinf(error);  // infinite: beyond what symbols can say
+    if (too_fine && step >= coarsest) return coarsest;
+    (too_fine ? low : high) = step;
+    double next = error > 0 && std::isfinite(error) ? step * wanted / error : step * 2;
+    if (too_fine && next >= high) next = high < coarsest ? 0.5 * (low + high) : coarsest;
+    if (!too_fine && next <= low) next = low > 0 ? std::sqrt(low * high) : 0.5 * high;
+    step = next;
+  }
+  return step;
+}
+
+Result<Attempt> search_step(Trials& trials, CoderSettings settings, Watch watch, const StepGoal& goal) {
+  return StepSearch(trials, settings, watch, goal).run();
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// What to tell a caller whose request cannot be kept.
+#pragma once
+
+#include "quality/rate_control.h"
+#include "quality/step_search.h"
+
+namespace deltamesh {
+
+/// Nothing where `trials` has a stream that keeps everything asked. Otherwise kUnmetRequest with the figure
+/// that the nearest stream has where it breaks a bound most, and its size.
+Result<void> check_met(const RateGoal& goal, const Trials& trials) noexcept;
+
+/// `bytes`: of the smallest stream there can be.
+Error too_few_bytes(std::uint64_t bytes) noexcept;
+
+}  // namespace deltamesh

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Quality requests on the corpus land where they should. Small meshes run always; the others with
+// DELTAMESH_SLOW_TESTS=1.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "deltamesh/encode.h"
+#include "deltamesh/io.h"
+
+namespace deltamesh {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Case {
+  const char* file;
+  bool slow;
+};
+
+constexpr Case kCases[] = {{"paper/horse_4243.ply", false},     {"paper/laurana_6301.ply", false},
+                           {"models/fandisk.ply", false},       {"models/rocker_arm.ply", true},
+                           {"paper/armadillo_18245.ply", true}, {"paper/bunny_34834.ply", true},
+                           {"models/laurana50k.ply", true},     {"models/armadillo_43k.ply", true},
+                           {"models/nefertiti_50k.ply", true},  {"paper/happy_buddha_49990.ply", true}};
+
+fs::path corpus() {
+  const char* named = std::getenv("DELTAMESH_CORPUS");
+  return named != nullptr ? named : DELTAMESH_DEFAULT_CORPUS;
+}
+
+/// Root mean square over the edges of all triangles.
+double edge_rms(const Mesh& mesh) {
+  double sum = 0;
+  for (std::size_t corner = 0; corner < mesh.triangles.size(); ++corner) {
+    const std::size_t next = corner % 3 == 2 ? corner - 2 : corner + 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double d = double{mesh.positions[3 * std::size_t{mesh.triangles[corner]} + axis]} -
+                       double{mesh.positions[3 * std::size_t{mesh.triangles[next]} + axis]};
+      sum += d * d;
+    }
+  }
+  return std::sqrt(sum / static_cast<double>(mesh.triangles.size()));
+}
+
+class QualityCorpus : public testing::TestWithParam<Case> {
+ protected:
+  void SetUp() override {
+    if (GetParam().slow && std::getenv("DELTAMESH_SLOW_TESTS") == nullptr)
+      GTEST_SKIP() << "skipped: slow; DELTAMESH_SLOW_TESTS is not set";
+    const fs::path path = corpus() / GetParam().file;
+    if (!fs::exists(path)) GTEST_SKIP() << "skipped: no corpus";
+    auto imported = read_mesh_file(path.string());
+    ASSERT_TRUE(imported) << describe(imported.error());
+    mesh_ = std::move(imported->mesh);
+    // With nothing but zeros VDE cannot be larger than this, whatever is asked.
+    const auto zeros = encode(mesh_, {.quality = {.vde = QualityBound{.value = 1e30}}, .effort = 2});
+    ASSERT_TRUE(zeros) << describe(zeros.error());
+    worst_vde_ = zeros->report.stream.quality.vde_rms;
+    diagonal_ = zeros->report.stream.diagonal;
+  }
+
+  StreamInfo encode_with(const QualityRequest& request) {
+    const auto encoded = encode(mesh_, {.quality = request, .anchor_containers = containers_});
+    EXPECT_TRUE(encoded) << describe(encoded.error());
+    return encoded ? encoded->report.stream : StreamInfo{};
+  }
+
+  Mesh mesh_;
+  std::shared_ptr<AnchorContainers> containers_ = std::make_shared<AnchorContainers>();
+  double worst_vde_ = 0;
+  double diagonal_ = 0;
+};
+
+TEST_P(QualityCorpus, VdeLands) {
+  const double edge = edge_rms(mesh_);
+  for (const double base : {edge, diagonal_}) {
+    for (const double percent : {0.2, 0.05, 0.01}) {
+      const double asked = base * percent / 100;
+      const double achieved = encode_with({.vde = QualityBound{.value = asked}}).quality.vde_rms;
+      EXPECT_LE(achieved, asked * (1 + 1e-6));
+      if (asked < 0.9 * worst_vde_) {
+        EXPECT_GE(achieved, 0.9 * asked) << percent;
+      }
+    }
+  }
+}
+
+TEST_P(QualityCorpus, LfeLandsAloneAndWithVde) {
+  for (const double percent : {0.5, 0.1, 0.02}) {
+    const double asked = diagonal_ * percent / 100;
+    const QualityBound lfe{.value = percent, .unit = QualityUnit::kDiagonal};
+    const double alone = encode_with({.lfe = lfe}).quality.lfe_rms;
+    EXPECT_LE(alone, asked * (1 + 1e-6));
+    EXPECT_GE(alone, 0.85 * asked) << percent;
+    const Quality both =
+        encode_with({.vde = QualityBound{.value = 0.02, .unit = QualityUnit::kDiagonal}, .lfe = lfe}).quality;
+    EXPECT_LE(both.lfe_rms, asked * (1 + 1e-6));
+    EXPECT_GE(both.lfe_rms, 0.85 * asked) << percent;
+    EXPECT_LE(both.vde_rms, 2e-4 * diagonal_ * (1 + 1e-6));
+  }
+}
+
+TEST_P(QualityCorpus, MaxErrorIsKept) {
+  for (const double percent : {0.5, 0.05}) {
+    const double asked = diagonal_ * percent / 100;
+    EXPECT_LE(encode_with({.max_error = asked}).quality.max_error, asked * (1 + 1e-6));
+  }
+}
+
+std::string case_name(const testing::TestParamInfo<Case>& tested) {
+  return fs::path(tested.param.file).stem().string();
+}
+
+INSTANTIATE_TEST_SUITE_P(Meshes, QualityCorpus, testing::ValuesIn(kCases), case_name);
+
+}  // namespace
+}  // namespace deltamesh

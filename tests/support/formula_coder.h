@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// A geometry coder made of formulas, for tests of rate control.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "base/try.h"
+#include "quality/trial.h"
+
+namespace deltamesh::test {
+
+/// 10000 vertices in a unit cube. VDE is proportional to the step until everything is zero, LFE to VDE and to
+/// the anchors' distance; diffusion takes four fifths of LFE and adds 15 % of VDE; anchors add their own
+/// rounding.
+class FormulaCoder : public TrialCoder {
+ public:
+  static constexpr double kVertices = 10000;
+  static constexpr double kLargestDelta = 0.01;
+
+  int runs = 0;
+  int codings = 0;
+  double float_noise = 1e-8;  ///< no error is smaller
+  std::optional<CoderSettings> kept;
+
+  Result<TrialFigures> run(const CoderSettings& settings) override {
+    ++runs;
+    last_ = settings;
+    const double vde = 0.76 * delta_error(settings);
+    const double anchors = settings.anchors + static_cast<double>(settings.more_anchors.size());
+    const double distance = std::sqrt(kVertices / anchors);
+    const double cell = std::ldexp(1.0, -settings.anchor_bits);
+    TrialFigures figures;
+    figures.quality.vde_rms = std::hypot(vde, 0.02 * cell, float_noise);
+    figures.quality.lfe_rms =
+        std::hypot(vde * distance * (1 - 0.8 * settings.diffusion), 0.2 * cell, float_noise);
+    figures.quality.max_error = 4 * figures.quality.lfe_rms;
+    figures.density = static_cast<std::uint32_t>(std::ceil(distance / 1.3));
+    DELTAMESH_TRY(figures.bytes, bytes(settings));
+    return figures;
+  }
+
+  Result<std::uint64_t> bytes(const CoderSettings& settings) override {
+    ++codings;
+    const double bits = std::log2(1 + (0.5 + settings.rounding) * kLargestDelta / settings.step);
+    const double anchors = settings.anchors + static_cast<double>(settings.more_anchors.size());
+    return static_cast<std::uint64_t>(200 + kVertices * 3 * bits / 8 +
+                                      anchors * (3 * settings.anchor_bits + 6) / 8);
+  }
+
+  double delta_error(const CoderSettings& settings) override {
+    if (settings.step < std::ldexp(kLargestDelta, -30)) return std::numeric_limits<double>::infinity();
+    const double uniform = settings.step * (0.5 + 0.3 * (0.5 - settings.rounding));
+    return std::min(uniform * (1 + 0.15 * settings.diffusion), 0.4 * kLargestDelta);
+  }
+
+  void keep() override { kept = last_; }
+  std::vector<std::uint32_t> worst_vertices(double, std::size_t count) override {
+    return std::vector<std::uint32_t>(count, 0);
+  }
+  std::uint32_t anchors_for_density(std::uint32_t density) override {
+    return std::max(2U, static_cast<std::uint32_t>(kVertices / (1.7 * density * density)));
+  }
+  std::uint32_t fewest_anchors() override { return 2; }
+  std::uint32_t most_anchors() override { return static_cast<std::uint32_t>(kVertices); }
+  double largest_delta() override { return kLargestDelta; }
+  double delta_range() override { return 2 * kLargestDelta; }
+  double longest_side() override { return 1; }
+  bool has_small_components() override { return false; }
+
+ private:
+  CoderSettings last_;
+};
+
+}  // namespace deltamesh::test

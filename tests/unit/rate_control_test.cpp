@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "quality/rate_control.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "quality/step_search.h"
+#include "quality/visual_control.h"
+#include "support/formula_coder.h"
+
+namespace deltamesh {
+namespace {
+
+using test::FormulaCoder;
+
+/// What the kept settings give.
+Quality kept_quality(FormulaCoder& coder) { return coder.run(*coder.kept)->quality; }
+
+void expect_landed(double achieved, double asked, double least) {
+  EXPECT_LE(achieved, asked);
+  EXPECT_GE(achieved, least * asked);
+}
+
+TEST(RateControl, VdeLandsWithinTwoCorrections) {
+  for (const double vde : {1e-3, 1e-4, 1e-5, 1e-6}) {
+    FormulaCoder coder;
+    ASSERT_TRUE(control_rate({.bounds = {.vde = vde}}, coder)) << vde;
+    EXPECT_LE(coder.runs, 3);
+    EXPECT_EQ(coder.kept->diffusion, 0);
+    expect_landed(kept_quality(coder).vde_rms, vde, 0.95);
+  }
+}
+
+TEST(RateControl, LfeAloneLandsUnderFullDiffusion) {
+  for (const double lfe : {1e-2, 1e-3, 1e-4}) {
+    FormulaCoder coder;
+    ASSERT_TRUE(control_rate({.bounds = {.lfe = lfe}}, coder)) << lfe;
+    EXPECT_EQ(coder.kept->diffusion, 1);
+    expect_landed(kept_quality(coder).lfe_rms, lfe, 0.88);
+  }
+}
+
+TEST(RateControl, BothLandTogetherWhicheverBinds) {
+  for (const double ratio : {1.0, 3.0, 8.0, 20.0, 40.0, 60.0}) {
+    FormulaCoder coder;
+    const double vde = 2e-5;
+    ASSERT_TRUE(control_rate({.bounds = {.vde = vde, .lfe = ratio * vde}}, coder)) << ratio;
+    const Quality quality = kept_quality(coder);
+    EXPECT_LE(quality.vde_rms, vde) << ratio;
+    expect_landed(quality.lfe_rms, ratio * vde, 0.85);
+    if (ratio > 4) {
+      EXPECT_GE(quality.vde_rms, 0.9 * vde) << ratio;
+    }
+  }
+}
+
+TEST(RateControl, MaxErrorIsNeverExceeded) {
+  for (const double max_error : {1e-1, 1e-2, 1e-3, 1e-4}) {
+    for (const int effort : {0, 5, 9}) {
+      FormulaCoder coder;
+      ASSERT_TRUE(control_rate({.bounds = {.max_error = max_error}, .effort = effort}, coder));
+      EXPECT_LE(kept_quality(coder).max_error, max_error);
+    }
+  }
+}
+
+TEST(RateControl, FixedStepIsKeptAndAnchorsMove) {
+  for (const double lfe : {1e-2, 2e-3, 3e-4, 1.1e-4}) {
+    FormulaCoder coder;
+    ASSERT_TRUE(control_rate({.bounds = {.lfe = lfe}, .step = 1e-4}, coder)) << lfe;
+    EXPECT_EQ(coder.kept->step, 1e-4);
+    EXPECT_LE(kept_quality(coder).lfe_rms, lfe);
+  }
+}
+
+TEST(RateControl, FixedAnchorsAreKept) {
+  FormulaCoder coder;
+  ASSERT_TRUE(control_rate({.bounds = {.vde = 1e-4}, .anchors = 77}, coder));
+  EXPECT_EQ(coder.kept->anchors, 77U);
+}
+
+TEST(RateControl, EffortZeroTakesFewRuns) {
+  FormulaCoder quick;
+  ASSERT_TRUE(control_rate({.bounds = {.vde = 2e-5, .lfe = 1e-4}, .effort = 0}, quick));
+  FormulaCoder usual;
+  ASSERT_TRUE(control_rate({.bounds = {.vde = 2e-5, .lfe = 1e-4}, .effort = 5}, usual));
+  EXPECT_LE(quick.runs, 3);
+  EXPECT_LT(quick.runs, usual.runs);
+}
+
+TEST(RateControl, NothingWorseThanAllZeros) {
+  FormulaCoder coder;  // 0.76 * 0.4 of the largest delta is the worst VDE there is
+  ASSERT_TRUE(control_rate({.bounds = {.vde = 1}}, coder));
+  EXPECT_EQ(coder.kept->anchors, coder.fewest_anchors());
+  EXPECT_NEAR(kept_quality(coder).vde_rms, 0.304 * FormulaCoder::kLargestDelta, 1e-4);
+}
+
+TEST(RateControl, BeyondFloatPrecisionSaysWhatCanBeHad) {
+  FormulaCoder coder;
+  const auto result = control_rate({.bounds = {.vde = 1e-9}}, coder);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::kUnmetRequest);
+  EXPECT_GT(result.error().best_value, 1e-9);
+  EXPECT_LT(result.error().best_value, 5e-8);
+  EXPECT_GT(result.error().best_bytes, 0U);
+}
+
+TEST(RateControl, ByteBudgetIsUsedUpAndKept) {
+  for (const std::uint64_t target : {2000U, 9000U, 30000U, 60000U}) {
+    FormulaCoder coder;
+    ASSERT_TRUE(control_rate({.target_bytes = target}, coder)) << target;
+    EXPECT_EQ(coder.runs, 1);
+    const std::uint64_t bytes = *coder.bytes(*coder.kept);
+    EXPECT_LE(bytes, target);
+    EXPECT_GE(static_cast<double>(bytes), 0.97 * static_cast<double>(target));
+  }
+}
+
+TEST(RateControl, TooSmallABudgetTellsTheLeast) {
+  FormulaCoder coder;
+  const auto result = control_rate({.target_bytes = 100}, coder);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::kUnmetRequest);
+  EXPECT_GT(result.error().best_bytes, 200U);
+}
+
+TEST(RateControl, QualityBeyondTheBudgetTellsTheSize) {
+  FormulaCoder coder;
+  const auto result = control_rate({.bounds = {.vde = 1e-6}, .target_bytes = 10000}, coder);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::kUnmetRequest);
+  EXPECT_GT(result.error().best_bytes, 10000U);
+}
+
+TEST(StepSearch, ModelInvertsTheDeltaError) {
+  FormulaCoder coder;
+  for (const double start : {1e-7, 1e-4, 0.02}) {
+    for (const double error : {1e-6, 1e-4, 2e-3}) {
+      const double step = step_for_delta_error(coder, {.step = start}, error);
+      EXPECT_NEAR(coder.delta_error({.step = step}), error, 0.005 * error);
+    }
+  }
+  // More than all zeros: the coarsest step.
+  EXPECT_GE(step_for_delta_error(coder, {.step = 1e-4}, 1), 0.99 * coarsest_step(coder, 0.5));
+}
+
+TEST(StepSearch, FloorOfTheAnchorsTakesMoreBits) {
+  FormulaCoder coder;
+  Trials trials(coder, {.lfe = 2e-6});
+  const auto attempt = search_step(trials, {.step = 1e-4, .anchors = 100, .anchor_bits = 8}, Watch::kAll, {});
+  ASSERT_TRUE(attempt);
+  EXPECT_GT(attempt->settings.anchor_bits, 8);
+  EXPECT_LE(attempt->figures.quality.lfe_rms, 2e-6);
+}
+
+TEST(VisualControl, LowRatesRoundTowardsZero) {
+  FormulaCoder coder;
+  const auto low = choose_rounding(coder, {.step = 1e-3}, 1.5e-3, 5);
+  const auto high = choose_rounding(coder, {.step = 1e-3}, 1e-6, 5);
+  ASSERT_TRUE(low && high);
+  EXPECT_LE(low->rounding, 0.5);
+  EXPECT_EQ(high->rounding, 0.5);
+}
+
+}  // namespace
+}  // namespace deltamesh
