@@ -168,7 +168,7 @@ TEST(QualityRequest, SmallFragmentedAndFlatMeshesSucceed) {
 
 TEST(QualityRequest, TargetBytesIsNearlyUsedUp) {
   const Mesh mesh = shaken_grid();
-  for (const std::uint64_t target : {4000U, 9000U, 16000U}) {
+  for (const std::uint64_t target : {6000U, 9000U, 16000U}) {
     const auto encoded = encode(mesh, {.quality = {.target_bytes = target}});
     ASSERT_TRUE(encoded) << describe(encoded.error());
     EXPECT_LE(encoded->bytes.size(), target);

@@ -16,7 +16,7 @@ constexpr int kMostRuns = 8;
 constexpr int kMostFits = 2;
 constexpr std::uint32_t kFirstDivisor = 4;
 constexpr int kFewestAnchorBits = 4;
-constexpr double kFirstCell = 0.5;  // side of the anchors' lattice over the error they may add
+constexpr double kFirstCell = 0.1;  // side of the anchors' lattice over the error they may add
 
 /// The search of thin_anchors().
 class Thinning {
