@@ -20,7 +20,7 @@ namespace {
 bool update_golden = false;
 
 struct Golden {
-  const char* name;  ///< tests/golden/<name>.v1d1.dmsh and .off
+  const char* name;  ///< tests/golden/<name>.v1d2.dmsh and .off
   Mesh mesh;
   EncodeOptions options;
 };
@@ -62,7 +62,7 @@ std::vector<Golden> golden_streams() {
 }
 
 std::string path_of(const Golden& golden, const char* suffix) {
-  return std::string(DELTAMESH_GOLDEN_DIR "/") + golden.name + ".v1d1." + suffix;
+  return std::string(DELTAMESH_GOLDEN_DIR "/") + golden.name + ".v1d2." + suffix;
 }
 
 void rewrite(const Golden& golden) {
@@ -106,7 +106,7 @@ TEST(Golden, DecodesToTheCommittedMesh) {
 
 TEST(Golden, CMP2CMP4CMP8FLD2FLD3FLD4FLD5FLD6CompactStreamsKeepTheirNumbers) {
   if (update_golden) GTEST_SKIP() << "being rewritten";
-  const auto bytes = read_file(DELTAMESH_GOLDEN_DIR "/attributes.compact.v1d1.dmsh");
+  const auto bytes = read_file(DELTAMESH_GOLDEN_DIR "/attributes.compact.v1d2.dmsh");
   ASSERT_TRUE(bytes);
   std::size_t compact = 0;
   const auto info = inspect(*bytes);
