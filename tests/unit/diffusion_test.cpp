@@ -67,7 +67,7 @@ TEST(Diffusion, TooSmallAStepIsAnError) {
   EXPECT_EQ(symbols.error().code, ErrorCode::kInvalidArgument);
 }
 
-TEST(DeltaQuantizer, RoundsAndReconstructsSymmetrically) {
+TEST(DeltaQuantizer, DELT2RoundsAndReconstructsSymmetrically) {
   const DeltaQuantizer nearest{.step = 2};
   EXPECT_EQ(nearest.symbol(0.99), 0);
   EXPECT_EQ(nearest.symbol(1.01), 1);
