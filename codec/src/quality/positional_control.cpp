@@ -16,6 +16,9 @@ namespace {
 constexpr int kSearchEffort = 5;
 constexpr int kOnePassEffort = 1;
 constexpr double kAnchorFactor = 3;
+/// The step that makes up for this load costs more than a third of the anchors, or three times them, can
+/// save.
+constexpr double kHopelessLoad = 1.5;
 /// Greedy refinement is tried for a maximum error from a step this much larger than without it.
 constexpr double kGreedyStep = 1.2;
 
@@ -33,6 +36,10 @@ Result<void> explore_anchor_counts(const RateGoal& goal, const Attempt& start, T
       const auto count = static_cast<std::uint32_t>(std::min(settings.anchors * factor + 0.5, most));
       settings.anchors = std::max(count, trials.coder().fewest_anchors());
       if (settings.anchors == from.settings.anchors) break;
+      DELTAMESH_TRY(const Attempt probe, trials.run(settings));
+      const double load = trials.bounds().load(probe.figures.quality);
+      if (load > kHopelessLoad) break;
+      settings.step *= step_goal(goal.effort).aim / load;
       DELTAMESH_TRY(Attempt next, search_step(trials, settings, Watch::kAll, step_goal(goal.effort)));
       if (trials.bounds().load(next.figures.quality) > 1 || next.figures.bytes >= from.figures.bytes) break;
       from = std::move(next);

@@ -12,7 +12,8 @@ namespace deltamesh {
 namespace {
 
 constexpr double kAim = 0.95;
-constexpr int kMostRuns = 8;
+constexpr double kVisualAim = 0.985;
+constexpr int kMostRuns = 9;
 constexpr int kMostFits = 2;
 constexpr std::uint32_t kFirstDivisor = 4;
 constexpr int kFewestAnchorBits = 4;
@@ -34,7 +35,13 @@ class Thinning {
       count = std::clamp(count, least, kept_.settings.anchors - 1);
       CoderSettings settings = kept_.settings;
       settings.anchors = count;
+      settings.step *= step_share_;
       DELTAMESH_TRY(const Attempt attempt, trials_.run(settings));
+      if (const double visual = visual_load_of(attempt); visual > 1) {  // fewer anchors cost VDE a little
+        step_share_ *= kVisualAim / visual;
+        continue;
+      }
+      step_share_ = 1;
       const double load = trials_.bounds().load(attempt.figures.quality);
       (load <= 1 ? kept_ : broken_.emplace()) = attempt;
       if (load <= 1 && load_of(attempt) >= Trials::kLandedLoad) return kept_;
@@ -68,6 +75,10 @@ class Thinning {
     return {};
   }
 
+  double visual_load_of(const Attempt& attempt) const noexcept {
+    return trials_.bounds().visual_load(attempt.figures.quality);
+  }
+
   double load_of(const Attempt& attempt) const noexcept {
     return trials_.bounds().positional_load(attempt.figures.quality);
   }
@@ -93,6 +104,7 @@ class Thinning {
   std::optional<Attempt> broken_;
   DensityPair pair_;
   double bits_ = 0;
+  double step_share_ = 1;  ///< of the kept attempt's step, for the next run
 };
 
 }  // namespace
