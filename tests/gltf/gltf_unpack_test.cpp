@@ -129,7 +129,6 @@ TEST_F(GltfUnpackRules, GLTF5ComparesAccessorsWithTheStream) {
 }
 
 TEST_F(GltfUnpackRules, GLTF6RefusesAccessorsWithTwoMeanings) {
-  Json& accessors = json_["accessors"];
   (*primitive_)["attributes"]["NORMAL"] = (*primitive_)["attributes"]["POSITION"];
   EXPECT_EQ(broken_rule(), "GLTF-6");
   // Two streams into the same accessors: a second view over the same bytes counts as another stream.
@@ -138,7 +137,6 @@ TEST_F(GltfUnpackRules, GLTF6RefusesAccessorsWithTwoMeanings) {
   second["extensions"][kName]["bufferView"] = 1;
   json_["meshes"][0]["primitives"].push_back(second);
   EXPECT_EQ(broken_rule(), "GLTF-6");
-  ASSERT_FALSE(accessors.empty());
 }
 
 TEST_F(GltfUnpackRules, GLTF7RefusesAnOrigin) {
