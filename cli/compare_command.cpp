@@ -10,6 +10,7 @@
 #include "deltamesh/io.h"
 #include "heatmap.h"
 #include "mesh_files.h"
+#include "progress.h"
 #include "stream_report.h"
 
 namespace deltamesh::cli {
@@ -91,6 +92,12 @@ int fail_comparison(const Arguments& arguments, const Error& error) {
   return kBadInput;
 }
 
+Result<Comparison> compare_showing_progress(const Mesh& a, const Mesh& b,
+                                            const std::vector<std::uint32_t>& order) {
+  const Progress progress("comparing");
+  return compare(a, b, order);
+}
+
 int run_compare(const Arguments& arguments) {
   int status = kOk;
   if (!arguments.heatmap.empty() && !check_mesh_suffix(arguments.heatmap, status)) return status;
@@ -107,7 +114,7 @@ int run_compare(const Arguments& arguments) {
   if (!arguments.order.empty()) order = load_order(arguments.order, status);
   if (status != kOk) return status;
 
-  const Result<Comparison> result = compare(*a, *b, order);
+  const Result<Comparison> result = compare_showing_progress(*a, *b, order);
   if (!result) return fail_comparison(arguments, result.error());
   const float scale = heatmap_scale(result->signed_error);
   if (!arguments.heatmap.empty()) {

@@ -3,14 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "commands.h"
 #include "console.h"
-#include "deltamesh/decode.h"
-#include "deltamesh/io.h"
 #include "mesh_files.h"
-#include "progress.h"
 
 namespace deltamesh::cli {
 namespace {
@@ -20,18 +18,11 @@ struct Arguments {
   std::string out;
 };
 
-Result<Mesh> decode_showing_progress(std::span<const std::byte> bytes) {
-  Progress progress("decoding");
-  return decode(bytes, {.limits = {}, .progress = progress.callback()});
-}
-
 int run_decode(const Arguments& arguments) {
   int status = kOk;
   if (!check_mesh_suffix(arguments.out, status)) return status;
-  const Result<std::vector<std::byte>> bytes = read_file(arguments.in);
-  if (!bytes) return fail(arguments.in, bytes.error());
-  const Result<Mesh> mesh = decode_showing_progress(*bytes);
-  if (!mesh) return fail(arguments.in, mesh.error());
+  const std::optional<Mesh> mesh = load_stream(arguments.in, status);
+  if (!mesh) return status;
   status = save_mesh(arguments.out, *mesh);
   if (status == kOk)
     std::cout << arguments.in << " -> " << arguments.out << ": "

@@ -10,6 +10,7 @@
 #include "commands.h"
 #include "console.h"
 #include "mesh_files.h"
+#include "progress.h"
 #include "scenes/scenes.h"
 
 namespace deltamesh::cli {
@@ -22,11 +23,15 @@ struct Arguments {
   std::uint64_t seed = 1;
 };
 
+Result<Mesh> generate_showing_progress(const Arguments& arguments) {
+  const Progress progress("generating");
+  return generate_scene(*scene_of_name(arguments.scene), arguments.vertices, arguments.seed);
+}
+
 int run_generate(const Arguments& arguments) {
   int status = kOk;
   if (!check_mesh_suffix(arguments.out, status)) return status;
-  const Result<Mesh> mesh =
-      generate_scene(*scene_of_name(arguments.scene), arguments.vertices, arguments.seed);
+  const Result<Mesh> mesh = generate_showing_progress(arguments);
   if (!mesh) return fail(arguments.scene, mesh.error());
   status = save_mesh(arguments.out, *mesh);
   if (status == kOk)

@@ -7,6 +7,7 @@
 
 #include "console.h"
 #include "deltamesh/decode.h"
+#include "progress.h"
 
 namespace deltamesh::cli {
 namespace {
@@ -21,30 +22,47 @@ int fail_with_suffixes(const std::string& path, const Error& error) {
   return kUsage;
 }
 
+Result<Imported> read_showing_progress(const std::string& path) {
+  const Progress progress("reading");
+  return read_mesh_file(path);
+}
+
+Result<Mesh> decode_showing_progress(const std::vector<std::byte>& bytes) {
+  Progress progress("decoding");
+  return decode(bytes, {.limits = {}, .progress = progress.callback()});
+}
+
+Result<void> write_showing_progress(const std::string& path, const MeshView& mesh) {
+  const Progress progress("writing");
+  return write_mesh_file(path, mesh);
+}
+
 }  // namespace
 
 std::optional<Imported> load_mesh(const std::string& path, int& status) {
-  Result<Imported> imported = read_mesh_file(path);
+  Result<Imported> imported = read_showing_progress(path);
   if (imported) return *std::move(imported);
   status = fail_with_suffixes(path, imported.error());
   return std::nullopt;
 }
 
-std::optional<Mesh> load_mesh_or_stream(const std::string& path, int& status) {
-  if (!is_stream(path)) {
-    std::optional<Imported> imported = load_mesh(path, status);
-    if (!imported) return std::nullopt;
-    return std::move(imported->mesh);
-  }
+std::optional<Mesh> load_stream(const std::string& path, int& status) {
   const Result<std::vector<std::byte>> bytes = read_file(path);
   if (!bytes) {
     status = fail(path, bytes.error());
     return std::nullopt;
   }
-  Result<Mesh> mesh = decode(*bytes);
+  Result<Mesh> mesh = decode_showing_progress(*bytes);
   if (mesh) return *std::move(mesh);
   status = fail(path, mesh.error());
   return std::nullopt;
+}
+
+std::optional<Mesh> load_mesh_or_stream(const std::string& path, int& status) {
+  if (is_stream(path)) return load_stream(path, status);
+  std::optional<Imported> imported = load_mesh(path, status);
+  if (!imported) return std::nullopt;
+  return std::move(imported->mesh);
 }
 
 bool check_mesh_suffix(const std::string& path, int& status) {
@@ -65,7 +83,8 @@ bool names_same_file(const std::string& a, const std::string& b) {
 }
 
 int save_mesh(const std::string& path, const MeshView& mesh) {
-  if (const Result<void> written = write_mesh_file(path, mesh); !written) return fail(path, written.error());
+  if (const Result<void> written = write_showing_progress(path, mesh); !written)
+    return fail(path, written.error());
   return kOk;
 }
 

@@ -18,7 +18,10 @@ inline constexpr const char* kMeshSuffixes = ".ply .obj .stl .off .gltf .glb";
 /// Reads a mesh; on failure prints why and leaves the exit code in `status`.
 std::optional<Imported> load_mesh(const std::string& path, int& status);
 
-/// The same, but a .dmsh stream is welcome too and is decoded.
+/// Reads and decodes a stream, likewise.
+std::optional<Mesh> load_stream(const std::string& path, int& status);
+
+/// Either of them, by the suffix.
 std::optional<Mesh> load_mesh_or_stream(const std::string& path, int& status);
 
 /// Whether a mesh can be written under this name; if not, says so and which names will do.

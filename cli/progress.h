@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// A progress bar for work that takes longer than a moment.
+// A sign of life for work that takes longer than a moment.
 #pragma once
 
-#include <chrono>
+#include <atomic>
 #include <functional>
 #include <string>
+#include <thread>
 
 namespace deltamesh::cli {
 
-/// Draws on stderr, and only where that is a terminal and the work has taken over a second. The bar is gone
-/// when the object is.
+/// Draws on stderr from the second second on, and only where that is a terminal: the seconds so far and, once
+/// the work has told its share, a bar. The line is gone when the object is.
 class Progress {
  public:
   explicit Progress(std::string label);
-  ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
@@ -23,14 +23,11 @@ class Progress {
   std::function<void(double)> callback();
 
  private:
-  using Clock = std::chrono::steady_clock;
-  void show(double share);
+  void draw_until(const std::stop_token& stop);
 
   std::string label_;
-  bool terminal_;
-  bool drawn_ = false;
-  Clock::time_point start_ = Clock::now();
-  Clock::time_point last_{};
+  std::atomic<double> share_{-1};  ///< 0 to 1; below 0: the work has not said
+  std::jthread painter_;           ///< last, so that it ends before what it reads
 };
 
 }  // namespace deltamesh::cli
