@@ -13,6 +13,7 @@
 
 #include "deltamesh/gltf.h"
 #include "deltamesh/io.h"
+#include "gltf_packing.h"
 #include "sample_assets.h"
 
 namespace deltamesh {
@@ -21,10 +22,10 @@ namespace {
 using test::Bytes;
 using test::bytes_of;
 using test::Json;
+using test::kExtension;
 using test::OpenedGlb;
 
 bool update_samples = false;
-constexpr const char* kName = "DELTAMESH_mesh_compression";
 const std::filesystem::path kFolder = DELTAMESH_SOURCE_DIR "/gltf_ext/DELTAMESH_mesh_compression/samples";
 
 struct InvalidSample {
@@ -35,13 +36,14 @@ struct InvalidSample {
 
 const std::vector<InvalidSample>& invalid_samples() {
   static const std::vector<InvalidSample> samples{
-      {"GLTF-1_view_missing", "GLTF-1", [](Json&, Json& p) { p["extensions"][kName].erase("bufferView"); }},
+      {"GLTF-1_view_missing", "GLTF-1",
+       [](Json&, Json& p) { p["extensions"][kExtension].erase("bufferView"); }},
       {"GLTF-2_points", "GLTF-2", [](Json&, Json& p) { p["mode"] = 0; }},
       {"GLTF-3_no_indices", "GLTF-3", [](Json&, Json& p) { p.erase("indices"); }},
       {"GLTF-4_position_listed", "GLTF-4",
-       [](Json&, Json& p) { p["extensions"][kName]["attributes"]["POSITION"] = 0; }},
+       [](Json&, Json& p) { p["extensions"][kExtension]["attributes"]["POSITION"] = 0; }},
       {"GLTF-4_number_too_large", "GLTF-4",
-       [](Json&, Json& p) { p["extensions"][kName]["attributes"]["NORMAL"] = 2; }},
+       [](Json&, Json& p) { p["extensions"][kExtension]["attributes"]["NORMAL"] = 2; }},
       {"GLTF-5_count_differs", "GLTF-5", [](Json& a, Json&) { a["accessors"][0]["count"] = 23; }},
       {"GLTF-6_accessor_twice", "GLTF-6",
        [](Json&, Json& p) { p["attributes"]["NORMAL"] = p["attributes"]["POSITION"]; }},

@@ -11,6 +11,7 @@
 
 #include "deltamesh/gltf.h"
 #include "deltamesh/io.h"
+#include "gltf_packing.h"
 #include "support/gltf_asset.h"
 
 namespace deltamesh {
@@ -19,10 +20,9 @@ namespace {
 using test::Bytes;
 using test::GltfBuilder;
 using test::Json;
+using test::kExtension;
 using test::make_sheet;
 using test::OpenedGlb;
-
-constexpr const char* kName = "DELTAMESH_mesh_compression";
 
 /// A packed sheet, taken apart so that a test can spoil it.
 class GltfUnpackRules : public testing::Test {
@@ -39,7 +39,7 @@ class GltfUnpackRules : public testing::Test {
   }
   void reset() {
     json_ = original_;
-    extension_ = &json_["meshes"][0]["primitives"][0]["extensions"][kName];
+    extension_ = &json_["meshes"][0]["primitives"][0]["extensions"][kExtension];
     primitive_ = &json_["meshes"][0]["primitives"][0];
   }
   Bytes asset() const { return GltfBuilder::glb_of(json_.dump(), bin_); }
@@ -71,7 +71,7 @@ TEST_F(GltfUnpackRules, GLTF1RefusesViewsThatHoldNoStream) {
   EXPECT_EQ(broken_rule(), "");
   json_["bufferViews"][0]["extensions"] = {{"EXT_meshopt_compression", Json::object()}};
   EXPECT_EQ(broken_rule(), "GLTF-1");
-  (*primitive_)["extensions"][kName] = 1;
+  (*primitive_)["extensions"][kExtension] = 1;
   EXPECT_EQ(broken_rule(), "GLTF-1");
 }
 
@@ -134,7 +134,7 @@ TEST_F(GltfUnpackRules, GLTF6RefusesAccessorsWithTwoMeanings) {
   // Two streams into the same accessors: a second view over the same bytes counts as another stream.
   json_["bufferViews"].push_back(json_["bufferViews"][0]);
   Json second = *primitive_;
-  second["extensions"][kName]["bufferView"] = 1;
+  second["extensions"][kExtension]["bufferView"] = 1;
   json_["meshes"][0]["primitives"].push_back(second);
   EXPECT_EQ(broken_rule(), "GLTF-6");
 }
@@ -188,7 +188,7 @@ TEST_F(GltfUnpackRules, LimitsHoldForTheSumOfAllStreams) {
   Json second = json_["meshes"][0]["primitives"][0];
   for (Json& accessor : second["attributes"]) accessor = accessor.get<std::size_t>() + first;
   second["indices"] = second["indices"].get<std::size_t>() + first;
-  second["extensions"][kName]["bufferView"] = 1;
+  second["extensions"][kExtension]["bufferView"] = 1;
   json_["meshes"][0]["primitives"].push_back(second);
   ASSERT_TRUE(unpack_gltf(asset()));
   const auto refused = unpack_gltf(asset(), options);
