@@ -86,10 +86,22 @@ TEST(DeltaQuantizer, DELT2RoundsAndReconstructsSymmetrically) {
 
 TEST(DeltaQuantizer, CentroidShiftIsTheMeanOfTheBin) {
   const std::vector<Vec3> deltas{{0.75, -0.75, 0.1}, {2.25, -2.25, 0}};
-  const ReconstructionShift shift = centroid_shift({.step = 1}, deltas);
+  const ReconstructionShift shift = BinErrors({.step = 1}, deltas).centroids();
   EXPECT_EQ(shift.one, 64);
   EXPECT_EQ(shift.more, -64);
-  EXPECT_EQ(centroid_shift({.step = 100}, deltas), ReconstructionShift{});
+  EXPECT_EQ(BinErrors({.step = 100}, deltas).centroids(), ReconstructionShift{});
+}
+
+TEST(DeltaQuantizer, BinErrorsAreThoseOfTheSymbols) {
+  const auto mesh = test::sheet(30, 30);
+  const auto deltas = delta_coordinates(mesh.graph, mesh.positions);
+  DeltaQuantizer quantizer{.step = 0.1, .rounding = 0.4};
+  const BinErrors errors(quantizer, deltas);
+  quantizer.shift = errors.centroids();
+  const double expected = quantization_error(mesh.graph, deltas, quantizer, 0);
+  const double count = static_cast<double>(deltas.size());
+  EXPECT_NEAR(std::sqrt(errors.squares(quantizer.shift) / count), expected, 1e-9);
+  EXPECT_LT(errors.squares(quantizer.shift), errors.squares({}));
 }
 
 }  // namespace

@@ -7,38 +7,43 @@
 namespace deltamesh {
 namespace {
 
-/// Mean distance of the deltas of one class from their symbols, towards zero.
-class MeanShift {
- public:
-  void add(double shift) noexcept {
-    sum_ += shift;
-    ++count_;
-  }
-  std::int8_t rounded() const noexcept {
-    if (count_ == 0) return 0;
-    const double units = std::round(256 * sum_ / static_cast<double>(count_));
-    return static_cast<std::int8_t>(std::clamp(units, -127.0, 127.0));
-  }
+/// 1/256 steps.
+constexpr double kMostShift = 127;
 
- private:
-  double sum_ = 0;
-  std::uint64_t count_ = 0;
-};
+std::int8_t mean_shift(double sum, double count) noexcept {
+  if (!(count > 0)) return 0;
+  return static_cast<std::int8_t>(std::clamp(std::round(256 * sum / count), -kMostShift, kMostShift));
+}
 
 }  // namespace
 
-ReconstructionShift centroid_shift(const DeltaQuantizer& quantizer, std::span<const Vec3> deltas) noexcept {
-  MeanShift one;
-  MeanShift more;
+BinErrors::BinErrors(const DeltaQuantizer& quantizer, std::span<const Vec3> deltas) noexcept
+    : step_(quantizer.step) {
+  const double inverse = 1 / quantizer.step;
   for (const Vec3& delta : deltas) {
     for (const double x : delta) {
-      const double steps = std::abs(x) / quantizer.step;
+      const double steps = std::abs(x) * inverse;
       const double symbol = std::abs(quantizer.symbol(x));
-      if (symbol == 1) one.add(symbol - steps);
-      if (symbol > 1) more.add(symbol - steps);
+      Bin& bin = bins_[static_cast<std::size_t>(std::min(symbol, 2.0))];
+      const double excess = symbol - steps;
+      bin.sum += excess;
+      bin.squares += excess * excess;
+      bin.count += 1;
+      largest_ = std::max(largest_, symbol);
     }
   }
-  return {.one = one.rounded(), .more = more.rounded()};
+}
+
+ReconstructionShift BinErrors::centroids() const noexcept {
+  return {.one = mean_shift(bins_[1].sum, bins_[1].count), .more = mean_shift(bins_[2].sum, bins_[2].count)};
+}
+
+double BinErrors::squares(const ReconstructionShift& shift) const noexcept {
+  const std::array<double, 3> shifts = {0, shift.one / 256.0, shift.more / 256.0};
+  double sum = 0;
+  for (std::size_t i = 0; i < bins_.size(); ++i)
+    sum += bins_[i].squares - 2 * shifts[i] * bins_[i].sum + shifts[i] * shifts[i] * bins_[i].count;
+  return std::max(sum, 0.0) * step_ * step_;
 }
 
 }  // namespace deltamesh

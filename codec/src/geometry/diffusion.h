@@ -26,4 +26,9 @@ namespace deltamesh {
 Result<std::vector<std::int32_t>> quantize_deltas(const Adjacency& graph, std::span<const Vec3> deltas,
                                                   const DeltaQuantizer& quantizer, double strength);
 
+/// Root mean square over the vertices of the distance between delta and its quantised form; infinite where a
+/// symbol exceeds 2^30. Arguments and cost as above.
+double quantization_error(const Adjacency& graph, std::span<const Vec3> deltas,
+                          const DeltaQuantizer& quantizer, double strength);
+
 }  // namespace deltamesh

@@ -79,23 +79,18 @@ double HighpassCoder::step_for_bits(int bits) const noexcept {
 
 DeltaQuantizer HighpassCoder::quantizer(const HighpassSettings& settings) const noexcept {
   DeltaQuantizer quantizer{.step = settings.step, .rounding = settings.rounding};
-  if (settings.centroids) quantizer.shift = centroid_shift(quantizer, deltas_);
+  if (settings.centroids) quantizer.shift = BinErrors(quantizer, deltas_).centroids();
   return quantizer;
 }
 
 double HighpassCoder::delta_error(const HighpassSettings& settings) const {
-  const DeltaQuantizer quantizer = this->quantizer(settings);
-  const auto symbols = quantize_deltas(part_.graph, deltas_, quantizer, settings.diffusion);
-  if (!symbols) return std::numeric_limits<double>::infinity();
-  const std::size_t count = deltas_.size();
-  double sum = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double error = deltas_[i][axis] - quantizer.value((*symbols)[axis * count + i]);
-      sum += error * error;
-    }
+  if (!(settings.diffusion > 0)) {
+    const BinErrors errors({.step = settings.step, .rounding = settings.rounding}, deltas_);
+    if (!(errors.largest_symbol() <= kLargestSymbol)) return std::numeric_limits<double>::infinity();
+    const double squares = errors.squares(settings.centroids ? errors.centroids() : ReconstructionShift{});
+    return std::sqrt(squares / static_cast<double>(std::max<std::size_t>(deltas_.size(), 1)));
   }
-  return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(count, 1)));
+  return quantization_error(part_.graph, deltas_, quantizer(settings), settings.diffusion);
 }
 
 Result<CodedHighpass> HighpassCoder::write(const HighpassSettings& settings, HighpassSymbols& symbols) const {
