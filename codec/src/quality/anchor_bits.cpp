@@ -10,7 +10,11 @@ namespace deltamesh {
 namespace {
 
 constexpr int kMostAnchorBits = 24;
-constexpr std::uint32_t kVerticesPerAnchor = 500;
+
+// One anchor for so many vertices.
+constexpr std::uint32_t kSparse = 500;
+constexpr std::uint32_t kForLfe = 200;
+constexpr std::uint32_t kForMaxError = 50;
 
 // Largest side of a lattice cell against each bound. A vertex that is coded as an anchor is off by half a
 // side in the root mean square and by 0.87 sides at most; solved vertices feel a small part of it.
@@ -32,8 +36,9 @@ int anchor_bits_for(const Bounds& bounds, int least, TrialCoder& coder) {
   return bits;
 }
 
-std::uint32_t usual_anchors(TrialCoder& coder) {
-  const std::uint32_t wanted = coder.most_anchors() / kVerticesPerAnchor + 1;
+std::uint32_t usual_anchors(const Bounds& bounds, TrialCoder& coder) {
+  const std::uint32_t vertices = bounds.max_error ? kForMaxError : bounds.lfe ? kForLfe : kSparse;
+  const std::uint32_t wanted = coder.most_anchors() / vertices + 1;
   return std::clamp(wanted, coder.fewest_anchors(), std::max(coder.fewest_anchors(), coder.most_anchors()));
 }
 

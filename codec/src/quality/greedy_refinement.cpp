@@ -10,20 +10,20 @@
 namespace deltamesh {
 namespace {
 
-constexpr int kMostRuns = 6;
+constexpr int kMostRuns = 8;
 constexpr double kBatchShare = 0.25;  // of the anchors there are
 /// For a maximum error, vertices above this share of it; for an LFE the largest come first in any case.
 constexpr double kThreshold = 0.9;
 
 }  // namespace
 
-Result<void> refine_greedily(const Attempt& start, std::uint64_t most_bytes, Trials& trials) {
+Result<Attempt> refine_greedily(const Attempt& start, std::uint64_t most_bytes, Trials& trials) {
   const Bounds& bounds = trials.bounds();
   Attempt attempt = start;
   for (int runs = 0; runs < kMostRuns; ++runs) {
     const Quality& quality = attempt.figures.quality;
-    if (bounds.load(quality) <= 1 || bounds.visual_load(quality) > 1) return {};
-    if (most_bytes > 0 && attempt.figures.bytes >= most_bytes) return {};
+    if (bounds.load(quality) <= 1 || bounds.visual_load(quality) > 1) return attempt;
+    if (most_bytes > 0 && attempt.figures.bytes >= most_bytes) return attempt;
     const double anchors =
         attempt.settings.anchors + static_cast<double>(attempt.settings.more_anchors.size());
     const auto batch = static_cast<std::size_t>(std::ceil(kBatchShare * anchors));
@@ -31,12 +31,12 @@ Result<void> refine_greedily(const Attempt& start, std::uint64_t most_bytes, Tri
     const double threshold =
         std::min(lfe_threshold, kThreshold * bounds.max_error.value_or(quality.max_error));
     const auto worst = trials.coder().worst_vertices(threshold, batch);
-    if (worst.empty()) return {};
+    if (worst.empty()) return attempt;
     CoderSettings settings = attempt.settings;
     settings.more_anchors.insert(settings.more_anchors.end(), worst.begin(), worst.end());
     DELTAMESH_TRY(attempt, trials.run(settings));
   }
-  return {};
+  return attempt;
 }
 
 }  // namespace deltamesh

@@ -7,6 +7,7 @@
 #include "base/try.h"
 #include "quality/diffusion_search.h"
 #include "quality/greedy_refinement.h"
+#include "quality/peak_control.h"
 #include "quality/thinning.h"
 #include "quality/visual_control.h"
 
@@ -19,8 +20,6 @@ constexpr double kAnchorFactor = 3;
 /// The step that makes up for this load costs more than a third of the anchors, or three times them, can
 /// save.
 constexpr double kHopelessLoad = 1.5;
-/// Greedy refinement is tried for a maximum error from a step this much larger than without it.
-constexpr double kGreedyStep = 1.2;
 
 double positional_load(const Trials& trials, const Attempt& attempt) noexcept {
   return trials.bounds().positional_load(attempt.figures.quality);
@@ -48,14 +47,6 @@ Result<void> explore_anchor_counts(const RateGoal& goal, const Attempt& start, T
   return {};
 }
 
-/// A larger step, and anchors at the few vertices that it leaves too far off.
-Result<void> try_greedy(const Attempt& landed, Trials& trials) {
-  CoderSettings settings = landed.settings;
-  settings.step *= kGreedyStep;
-  DELTAMESH_TRY(const Attempt coarser, trials.run(settings));
-  return refine_greedily(coarser, landed.figures.bytes, trials);
-}
-
 /// Where the best stream leaves room in the positional bounds: less diffusion at its anchors if VDE binds,
 /// else fewer anchors (all symbols are 0 then).
 Result<void> use_up_room(const RateGoal& goal, Trials& trials) {
@@ -76,14 +67,12 @@ Result<void> use_up_room(const RateGoal& goal, Trials& trials) {
 
 /// The step follows the positional bound, at the diffusion in `settings`.
 Result<void> follow_with_step(const RateGoal& goal, const CoderSettings& settings, Trials& trials) {
+  if (goal.bounds.max_error) return control_peaks(goal, settings, trials);
   DELTAMESH_TRY(const Attempt landed, search_step(trials, settings, Watch::kAll, step_goal(goal.effort)));
   if (trials.bounds().load(landed.figures.quality) > 1 || goal.effort < kSearchEffort || goal.anchors)
     return {};
   DELTAMESH_CHECK(explore_anchor_counts(goal, landed, trials));
-  DELTAMESH_CHECK(use_up_room(goal, trials));
-  if (!goal.bounds.max_error) return {};
-  const Attempt best = *trials.best();
-  return try_greedy(best, trials);
+  return use_up_room(goal, trials);
 }
 
 /// The first guess of a step for a positional bound alone: with diffusion LFE is some 3 VDE, and the largest
@@ -103,7 +92,7 @@ Result<void> follow_with_anchors(const RateGoal& goal, CoderSettings settings, T
     const double load = positional_load(trials, attempt);
     if (load <= 1 || goal.anchors) return {};
     if (load < 1.5) {
-      DELTAMESH_CHECK(refine_greedily(attempt, 0, trials));
+      DELTAMESH_TRY([[maybe_unused]] const Attempt refined, refine_greedily(attempt, 0, trials));
       if (trials.best()) return {};
     }
     if (settings.anchors >= most) return {};

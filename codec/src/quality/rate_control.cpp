@@ -18,7 +18,7 @@ Result<void> control_rate(const RateGoal& goal, TrialCoder& coder) {
   Trials trials(coder, goal.bounds);
   const bool bounded = goal.bounds.vde || goal.bounds.positional();
   CoderSettings settings;
-  settings.anchors = goal.anchors.value_or(usual_anchors(coder));
+  settings.anchors = goal.anchors.value_or(usual_anchors(goal.bounds, coder));
   settings.anchor_bits = anchor_bits_for(goal.bounds, goal.anchor_bits, coder);
   settings.step = goal.step.value_or(1);
   if (!bounded) return fit_bytes(*goal.target_bytes, goal.effort, settings, trials);

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "quality/peak_control.h"
+
+#include <algorithm>
+
+#include "base/try.h"
+#include "quality/greedy_refinement.h"
+
+namespace deltamesh {
+namespace {
+
+constexpr StepGoal kAnyStepThatKeeps{.aim = 0.8, .tight = 0, .corrections = 0};
+constexpr int kGreedyEffort = 3;
+constexpr int kThinningEffort = 5;
+constexpr double kFirstLoad = 1.6;  ///< of the first step that is mended
+constexpr double kLastLoad = 1;
+constexpr double kLoadBackoff = 0.8;
+constexpr double kHopelessLoad = 3.5;
+constexpr double kGrowth = 1.2;     ///< of the step from then on
+constexpr int kMostGrowths = 8;
+constexpr std::uint32_t kFewerAnchors = 3;
+
+/// Runs `settings` and mends them. Whether the stream is smaller than `best`, which it then replaces.
+Result<bool> mend(const CoderSettings& settings, Attempt& best, Trials& trials) {
+  DELTAMESH_TRY(const Attempt broken, trials.run(settings));
+  if (trials.bounds().load(broken.figures.quality) > kHopelessLoad) return false;
+  DELTAMESH_TRY(Attempt mended, refine_greedily(broken, best.figures.bytes, trials));
+  const bool better =
+      trials.bounds().load(mended.figures.quality) <= 1 && mended.figures.bytes < best.figures.bytes;
+  if (better) best = std::move(mended);
+  return better;
+}
+
+/// The step that keeps the bounds grows until they are broken by kFirstLoad or so, less where that cannot be
+/// mended, then on by kGrowth.
+Result<void> grow_step(Attempt& best, Trials& trials) {
+  const Attempt landed = best;
+  const double room = 1 / trials.bounds().load(landed.figures.quality);
+  bool better = false;
+  for (double load = kFirstLoad; !better && load > kLastLoad; load *= kLoadBackoff) {
+    CoderSettings settings = landed.settings;
+    settings.step *= load * room;
+    DELTAMESH_TRY(better, mend(settings, best, trials));
+  }
+  for (int growths = 0; better && growths < kMostGrowths; ++growths) {
+    CoderSettings settings = best.settings;
+    settings.step *= kGrowth;
+    DELTAMESH_TRY(better, mend(settings, best, trials));
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> control_peaks(const RateGoal& goal, const CoderSettings& settings, Trials& trials) {
+  DELTAMESH_TRY(Attempt best, search_step(trials, settings, Watch::kAll, kAnyStepThatKeeps));
+  if (trials.bounds().load(best.figures.quality) > 1 || goal.effort < kGreedyEffort) return {};
+  DELTAMESH_CHECK(grow_step(best, trials));
+  while (goal.effort >= kThinningEffort && best.settings.anchors > trials.coder().fewest_anchors()) {
+    CoderSettings fewer = best.settings;
+    fewer.anchors = std::max(fewer.anchors / kFewerAnchors, trials.coder().fewest_anchors());
+    DELTAMESH_TRY(const bool better, mend(fewer, best, trials));
+    if (!better) break;
+  }
+  return {};
+}
+
+}  // namespace deltamesh
