@@ -43,8 +43,8 @@ struct DeltaQuantizer {
   double value(std::int32_t q) const noexcept { return step * reconstruction_point(q, shift); }
 };
 
-/// What is lost by quantising deltas one by one, by the classes of symbols that reconstruction shifts know: 0,
-/// 1, larger.
+/// What is lost by quantising deltas one by one, by the classes of symbols that reconstruction shifts know:
+/// 0, 1, larger.
 class BinErrors {
  public:
   /// `quantizer`: its `shift` is ignored. O(n).

@@ -17,7 +17,7 @@ constexpr double kFirstLoad = 1.6;  ///< of the first step that is mended
 constexpr double kLastLoad = 1;
 constexpr double kLoadBackoff = 0.8;
 constexpr double kHopelessLoad = 3.5;
-constexpr double kGrowth = 1.2;     ///< of the step from then on
+constexpr double kGrowth = 1.2;  ///< of the step from then on
 constexpr int kMostGrowths = 8;
 constexpr std::uint32_t kFewerAnchors = 3;
 
@@ -36,11 +36,13 @@ Result<bool> mend(const CoderSettings& settings, Attempt& best, Trials& trials) 
 /// mended, then on by kGrowth.
 Result<void> grow_step(Attempt& best, Trials& trials) {
   const Attempt landed = best;
-  const double room = 1 / trials.bounds().load(landed.figures.quality);
+  const double load_at_landing = trials.bounds().load(landed.figures.quality);
+  const double coarsest = coarsest_step(trials.coder(), landed.settings.rounding);
+  if (landed.settings.step >= coarsest || !(load_at_landing > 0)) return {};
   bool better = false;
   for (double load = kFirstLoad; !better && load > kLastLoad; load *= kLoadBackoff) {
     CoderSettings settings = landed.settings;
-    settings.step *= load * room;
+    settings.step = std::min(settings.step * load / load_at_landing, coarsest);
     DELTAMESH_TRY(better, mend(settings, best, trials));
   }
   for (int growths = 0; better && growths < kMostGrowths; ++growths) {

@@ -11,6 +11,8 @@ namespace {
 
 /// VDE over the delta error.
 constexpr double kVdePerDeltaError = 0.76;
+/// What full diffusion adds to the delta error.
+constexpr double kDiffusionCost = 0.14;
 
 /// Above so many bits (of the range) rounding to the nearest is best.
 constexpr double kLowRateBits = 7;
@@ -20,7 +22,10 @@ constexpr int kRoundingEffort = 3;
 }  // namespace
 
 double step_from_vde(TrialCoder& coder, const CoderSettings& settings, double vde) {
-  return step_for_delta_error(coder, settings, vde / kVdePerDeltaError);
+  const double diffused = 1 + kDiffusionCost * settings.diffusion;
+  CoderSettings plain = settings;  // many times as quick to measure
+  plain.diffusion = 0;
+  return step_for_delta_error(coder, plain, vde / (kVdePerDeltaError * diffused));
 }
 
 StepGoal step_goal(int effort) noexcept {
