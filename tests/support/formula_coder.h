@@ -47,7 +47,7 @@ class FormulaCoder : public TrialCoder {
 
   Result<std::uint64_t> bytes(const CoderSettings& settings) override {
     ++codings;
-    const double bits = std::log2(1 + (0.5 + settings.rounding) * kLargestDelta / settings.step);
+    const double bits = std::log2(1 + (1 - settings.rate_weight) * kLargestDelta / settings.step);
     const double anchors = settings.anchors + static_cast<double>(settings.more_anchors.size());
     return static_cast<std::uint64_t>(200 + kVertices * 3 * bits / 8 +
                                       anchors * (3 * settings.anchor_bits + 6) / 8);
@@ -55,7 +55,7 @@ class FormulaCoder : public TrialCoder {
 
   double delta_error(const CoderSettings& settings) override {
     if (settings.step < std::ldexp(kLargestDelta, -30)) return std::numeric_limits<double>::infinity();
-    const double uniform = settings.step * (0.5 + 0.3 * (0.5 - settings.rounding));
+    const double uniform = settings.step * (0.5 + 0.3 * settings.rate_weight);
     return std::min(uniform * (1 + 0.15 * settings.diffusion), 0.4 * kLargestDelta);
   }
 

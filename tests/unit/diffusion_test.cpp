@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/delta_symbols.h"
 #include "laplacian/delta.h"
 #include "support/graph_mesh.h"
 
@@ -23,6 +24,19 @@ Vec3 charge(const Adjacency& graph, std::span<const Vec3> deltas, const std::vec
       sum[axis] += graph.degree(i) * (deltas[i][axis] - quantizer.value(symbols[axis * n + i]));
   }
   return sum;
+}
+
+/// Root mean square over the vertices.
+double rms_error(std::span<const Vec3> deltas, const std::vector<std::int32_t>& symbols,
+                 const DeltaQuantizer& quantizer) {
+  double sum = 0;
+  for (std::size_t i = 0; i < deltas.size(); ++i) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double error = deltas[i][axis] - quantizer.value(symbols[axis * deltas.size() + i]);
+      sum += error * error;
+    }
+  }
+  return std::sqrt(sum / static_cast<double>(deltas.size()));
 }
 
 TEST(Diffusion, OffQuantisesEveryDeltaAlone) {
@@ -52,7 +66,7 @@ TEST(Diffusion, ConservesChargeUpToWhatTheLastVertexKeeps) {
 TEST(Diffusion, ShiftedReconstructionIsWhatIsDiffused) {
   const auto mesh = test::sheet(30, 30);
   const auto deltas = delta_coordinates(mesh.graph, mesh.positions);
-  const DeltaQuantizer quantizer{.step = 0.3, .rounding = 0.4, .shift = {.one = 40, .more = -20}};
+  const DeltaQuantizer quantizer{.step = 0.3, .shift = {.one = 40, .more = -20}};
   const auto symbols = quantize_deltas(mesh.graph, deltas, quantizer, 1);
   ASSERT_TRUE(symbols);
   const double most = mesh.graph.degree(static_cast<std::uint32_t>(deltas.size() - 1)) * 0.3 * 0.7;
@@ -73,9 +87,6 @@ TEST(DeltaQuantizer, DELT2RoundsAndReconstructsSymmetrically) {
   EXPECT_EQ(nearest.symbol(1.01), 1);
   EXPECT_EQ(nearest.symbol(-2.9), -1);
   EXPECT_EQ(nearest.symbol(-3.1), -2);
-  const DeltaQuantizer lazy{.step = 2, .rounding = 0.25};
-  EXPECT_EQ(lazy.symbol(1.4), 0);
-  EXPECT_EQ(lazy.symbol(-1.6), -1);
   const DeltaQuantizer shifted{.step = 2, .shift = {.one = 64, .more = -128}};
   EXPECT_EQ(shifted.value(0), 0);
   EXPECT_EQ(shifted.value(1), 1.5);
@@ -86,22 +97,51 @@ TEST(DeltaQuantizer, DELT2RoundsAndReconstructsSymmetrically) {
 
 TEST(DeltaQuantizer, CentroidShiftIsTheMeanOfTheBin) {
   const std::vector<Vec3> deltas{{0.75, -0.75, 0.1}, {2.25, -2.25, 0}};
-  const ReconstructionShift shift = BinErrors({.step = 1}, deltas).centroids();
+  const ReconstructionShift shift = BinErrors(1, deltas).centroids();
   EXPECT_EQ(shift.one, 64);
   EXPECT_EQ(shift.more, -64);
-  EXPECT_EQ(BinErrors({.step = 100}, deltas).centroids(), ReconstructionShift{});
+  EXPECT_EQ(BinErrors(100, deltas).centroids(), ReconstructionShift{});
 }
 
 TEST(DeltaQuantizer, BinErrorsAreThoseOfTheSymbols) {
   const auto mesh = test::sheet(30, 30);
   const auto deltas = delta_coordinates(mesh.graph, mesh.positions);
-  DeltaQuantizer quantizer{.step = 0.1, .rounding = 0.4};
-  const BinErrors errors(quantizer, deltas);
-  quantizer.shift = errors.centroids();
-  const double expected = quantization_error(mesh.graph, deltas, quantizer, 0);
-  const double count = static_cast<double>(deltas.size());
-  EXPECT_NEAR(std::sqrt(errors.squares(quantizer.shift) / count), expected, 1e-9);
-  EXPECT_LT(errors.squares(quantizer.shift), errors.squares({}));
+  const auto symbols = quantize_deltas(mesh.graph, deltas, {.step = 0.1}, 0);
+  ASSERT_TRUE(symbols);
+  const BinErrors alone(0.1, deltas);
+  const BinErrors given(0.1, deltas, *symbols);
+  const ReconstructionShift shift = alone.centroids();
+  EXPECT_EQ(given.centroids(), shift);
+  EXPECT_NEAR(given.rms(shift), rms_error(deltas, *symbols, {.step = 0.1, .shift = shift}), 1e-12);
+  EXPECT_NEAR(alone.rms(shift), given.rms(shift), 1e-12);
+  EXPECT_LT(alone.rms(shift), alone.rms({}));
+}
+
+TEST(FrugalSymbols, AreCheaperAtTheSameError) {
+  const auto mesh = test::sheet(60, 60);
+  const auto deltas = delta_coordinates(mesh.graph, mesh.positions);
+  const double step = 0.3;
+  const auto frugal = quantize_deltas(mesh.graph, deltas, {.step = step}, 0, 0.12);
+  ASSERT_TRUE(frugal);
+  for (std::size_t i = 0; i < deltas.size(); ++i) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::int32_t q = (*frugal)[axis * deltas.size() + i];
+      EXPECT_LE(std::abs(deltas[i][axis] / step - q), 1.5);
+      EXPECT_LE(std::abs(q), std::abs(DeltaQuantizer{.step = step}.symbol(deltas[i][axis])));
+    }
+  }
+  // The step at which plain rounding has the same error.
+  const BinErrors errors(step, deltas, *frugal);
+  const double error = errors.rms(errors.centroids());
+  double plain_step = step;
+  for (int i = 0; i < 20; ++i) {
+    const BinErrors plain(plain_step, deltas);
+    plain_step *= error / plain.rms(plain.centroids());
+  }
+  const auto plain = quantize_deltas(mesh.graph, deltas, {.step = plain_step}, 0);
+  ASSERT_TRUE(plain);
+  EXPECT_LT(write_compact_deltas(*frugal, mesh.graph).size(),
+            write_compact_deltas(*plain, mesh.graph).size());
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ TEST(PartSolver, AnswersDoNotDependOnEarlierOnes) {
 TEST(HighpassCoder, SettingsDoNotDependOnEarlierOnes) {
   const auto mesh = test::sheet(80, 60);
   HighpassCoder coder(mesh.graph, mesh.components, mesh.positions, mesh.box);
-  HighpassSettings settings{.step = 0.1, .rounding = 0.4, .diffusion = 0.8, .centroids = true};
+  HighpassSettings settings{.step = 0.1, .rate_weight = 0.12, .diffusion = 0.8, .centroids = true};
   settings.anchors = place_anchors(mesh.graph, mesh.components, {.count = 20});
   ASSERT_TRUE(coder.code({.step = 0.01, .anchors = settings.anchors}));
   const auto coded = coder.code(settings);

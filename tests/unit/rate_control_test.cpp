@@ -143,7 +143,7 @@ TEST(StepSearch, ModelInvertsTheDeltaError) {
     }
   }
   // More than all zeros: the coarsest step.
-  EXPECT_GE(step_for_delta_error(coder, {.step = 1e-4}, 1), 0.99 * coarsest_step(coder, 0.5));
+  EXPECT_GE(step_for_delta_error(coder, {.step = 1e-4}, 1), 0.99 * coarsest_step(coder));
 }
 
 TEST(StepSearch, FloorOfTheAnchorsTakesMoreBits) {
@@ -155,13 +155,11 @@ TEST(StepSearch, FloorOfTheAnchorsTakesMoreBits) {
   EXPECT_LE(attempt->figures.quality.lfe_rms, 2e-6);
 }
 
-TEST(VisualControl, LowRatesRoundTowardsZero) {
+TEST(VisualControl, LowRatesWeighBytes) {
   FormulaCoder coder;
-  const auto low = choose_rounding(coder, {.step = 1e-3}, 1.5e-3, 5);
-  const auto high = choose_rounding(coder, {.step = 1e-3}, 1e-6, 5);
-  ASSERT_TRUE(low && high);
-  EXPECT_LE(low->rounding, 0.5);
-  EXPECT_EQ(high->rounding, 0.5);
+  EXPECT_EQ(settings_for_vde(coder, {.step = 1e-3}, 1.5e-3, 5).rate_weight, kRateWeight);
+  EXPECT_EQ(settings_for_vde(coder, {.step = 1e-3}, 1.5e-3, 0).rate_weight, 0);
+  EXPECT_EQ(settings_for_vde(coder, {.step = 1e-3}, 1e-6, 5).rate_weight, 0);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ GeometryTrials::GeometryTrials(const GeometryInput& input, const FileHeader& hea
 
 HighpassSettings GeometryTrials::highpass_settings(const CoderSettings& settings) {
   HighpassSettings result{.step = settings.step,
-                          .rounding = settings.rounding,
+                          .rate_weight = settings.rate_weight,
                           .diffusion = settings.diffusion,
                           .centroids = settings.centroids,
                           .anchors = input_.anchors.first(input_.graph, settings.anchors),
@@ -78,7 +78,7 @@ Result<std::uint64_t> GeometryTrials::bytes(const CoderSettings& settings) {
 
 double GeometryTrials::delta_error(const CoderSettings& settings) {
   return coder_.delta_error({.step = settings.step,
-                             .rounding = settings.rounding,
+                             .rate_weight = settings.rate_weight,
                              .diffusion = settings.diffusion,
                              .centroids = settings.centroids});
 }

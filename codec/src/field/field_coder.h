@@ -52,6 +52,27 @@ class FieldCoder {
     return true;
   }
 
+  /// The same for a coder that tells prices: every number is `choose(axis, price)`, where price(q) is what
+  /// coding q would cost in bits here and now.
+  template <class Choose>
+  std::array<std::int32_t, 3> choose_vertex(std::uint32_t vertex, Choose choose) {
+    const FieldNeighborhood around = history_.around(vertex);
+    predictor_.begin(around);
+    std::array<std::int32_t, 3> q{};
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      const FieldForecast forecast = predictor_.forecast(axis);
+      q[axis] = choose(axis, [&](std::int32_t candidate) {
+        const auto trial = coder_.trial();
+        code(candidate, forecast);
+        return trial.bits();
+      });
+      code(q[axis], forecast);
+      predictor_.learn(axis, q[axis], forecast);
+    }
+    history_.remember(vertex, q, around);
+    return q;
+  }
+
  private:
   /// Returns the number, of any size where the stream lies [FLD-5].
   std::int64_t code(std::int64_t q, const FieldForecast& f) {

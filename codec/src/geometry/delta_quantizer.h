@@ -4,6 +4,7 @@
 // From a delta coordinate to its symbol and back.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -28,14 +29,11 @@ inline constexpr double kLargestSymbol = 1 << 30;
 
 struct DeltaQuantizer {
   double step = 1;  ///< model units
-  /// Added to |delta| / step before the fraction is cut off: 0.5 takes the nearest symbol, less moves symbols
-  /// towards zero, where they are cheaper.
-  double rounding = 0.5;
   ReconstructionShift shift{};
 
-  /// A whole number, to be checked against kLargestSymbol.
+  /// The nearest symbol where shifts are 0: a whole number, to be checked against kLargestSymbol.
   double symbol(double delta) const noexcept {
-    const double steps = std::abs(delta) / step + rounding;
+    const double steps = std::abs(delta) / step + 0.5;
     // Through an integer, several times as fast as std::floor; what is too large for one is whole already.
     const double whole = steps < 0x1p53 ? static_cast<double>(static_cast<std::int64_t>(steps)) : steps;
     return std::copysign(whole, delta);
@@ -43,26 +41,37 @@ struct DeltaQuantizer {
   double value(std::int32_t q) const noexcept { return step * reconstruction_point(q, shift); }
 };
 
-/// What is lost by quantising deltas one by one, by the classes of symbols that reconstruction shifts know:
-/// 0, 1, larger.
+/// What symbols lose of the deltas, by the classes that reconstruction shifts know: 0, 1, larger.
 class BinErrors {
  public:
-  /// `quantizer`: its `shift` is ignored. O(n).
-  BinErrors(const DeltaQuantizer& quantizer, std::span<const Vec3> deltas) noexcept;
+  /// Of the nearest symbols. O(n).
+  BinErrors(double step, std::span<const Vec3> deltas) noexcept;
+  /// Of `symbols`: x of all vertices, then y, then z. O(n).
+  BinErrors(double step, std::span<const Vec3> deltas, std::span<const std::int32_t> symbols) noexcept;
 
   /// Brings the reconstruction points to the centroids of their bins.
   ReconstructionShift centroids() const noexcept;
-  /// Sum of the squared errors under `shift`, square model units.
-  double squares(const ReconstructionShift& shift) const noexcept;
+  /// Root mean square per vertex of the errors under `shift`, model units.
+  double rms(const ReconstructionShift& shift) const noexcept;
   double largest_symbol() const noexcept { return largest_; }
 
  private:
-  /// Symbol less delta, magnitudes, in steps.
+  /// Symbol less delta, both turned to where the symbol is positive, in steps.
   struct Bin {
     double sum = 0;
     double squares = 0;
     double count = 0;
   };
+
+  /// `symbol`: 0 or more.
+  void add(double symbol, double steps) noexcept {
+    Bin& bin = bins_[static_cast<std::size_t>(std::min(symbol, 2.0))];
+    const double excess = symbol - steps;
+    bin.sum += excess;
+    bin.squares += excess * excess;
+    bin.count += 1;
+    largest_ = std::max(largest_, symbol);
+  }
 
   std::array<Bin, 3> bins_{};
   double step_;

@@ -28,7 +28,7 @@ struct HighpassSymbols;
 /// Everything that decides on the bytes of a highpass stream.
 struct HighpassSettings {
   double step = 1;         ///< model units, finite, above 0
-  double rounding = 0.5;   ///< DeltaQuantizer::rounding, 0 to 0.5
+  double rate_weight = 0;  ///< 0 or more: FrugalSymbols
   double diffusion = 0;    ///< strength, 0 to 1: geometry/diffusion.h
   bool centroids = false;  ///< reconstruct at the centroids of the bins, not at their middles
   Anchors anchors{};       ///< as [ANCH-2] asks
@@ -88,7 +88,12 @@ class HighpassCoder {
 
  private:
   Result<CodedHighpass> write(const HighpassSettings& settings, HighpassSymbols& symbols) const;
-  DeltaQuantizer quantizer(const HighpassSettings& settings) const noexcept;
+  /// Symbols and the shift they are reconstructed with.
+  struct Quantized {
+    std::vector<std::int32_t> symbols;
+    ReconstructionShift shift;
+  };
+  Result<Quantized> quantize(const HighpassSettings& settings) const;
 
   std::span<const Vec3> positions_;
   Box box_;

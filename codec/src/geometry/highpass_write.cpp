@@ -77,31 +77,38 @@ double HighpassCoder::step_for_bits(int bits) const noexcept {
   return step > 0 ? step : 1.0;
 }
 
-DeltaQuantizer HighpassCoder::quantizer(const HighpassSettings& settings) const noexcept {
-  DeltaQuantizer quantizer{.step = settings.step, .rounding = settings.rounding};
-  if (settings.centroids) quantizer.shift = BinErrors(quantizer, deltas_).centroids();
-  return quantizer;
+/// The shift is that of the nearest symbols. Where symbols are chosen otherwise it is a guess, mended
+/// afterwards unless diffusion has reckoned with it.
+Result<HighpassCoder::Quantized> HighpassCoder::quantize(const HighpassSettings& settings) const {
+  DeltaQuantizer quantizer{.step = settings.step};
+  if (settings.centroids) quantizer.shift = BinErrors(settings.step, deltas_).centroids();
+  DELTAMESH_TRY(auto symbols,
+                quantize_deltas(part_.graph, deltas_, quantizer, settings.diffusion, settings.rate_weight));
+  if (settings.centroids && settings.rate_weight > 0 && !(settings.diffusion > 0))
+    quantizer.shift = BinErrors(settings.step, deltas_, symbols).centroids();
+  return Quantized{.symbols = std::move(symbols), .shift = quantizer.shift};
 }
 
 double HighpassCoder::delta_error(const HighpassSettings& settings) const {
-  if (!(settings.diffusion > 0)) {
-    const BinErrors errors({.step = settings.step, .rounding = settings.rounding}, deltas_);
+  if (!(settings.diffusion > 0) && !(settings.rate_weight > 0)) {
+    const BinErrors errors(settings.step, deltas_);
     if (!(errors.largest_symbol() <= kLargestSymbol)) return std::numeric_limits<double>::infinity();
-    const double squares = errors.squares(settings.centroids ? errors.centroids() : ReconstructionShift{});
-    return std::sqrt(squares / static_cast<double>(std::max<std::size_t>(deltas_.size(), 1)));
+    return errors.rms(settings.centroids ? errors.centroids() : ReconstructionShift{});
   }
-  return quantization_error(part_.graph, deltas_, quantizer(settings), settings.diffusion);
+  const auto quantized = quantize(settings);
+  if (!quantized) return std::numeric_limits<double>::infinity();
+  return BinErrors(settings.step, deltas_, quantized->symbols).rms(quantized->shift);
 }
 
 Result<CodedHighpass> HighpassCoder::write(const HighpassSettings& settings, HighpassSymbols& symbols) const {
-  const DeltaQuantizer quantizer = this->quantizer(settings);
+  DELTAMESH_TRY(Quantized quantized, quantize(settings));
+  symbols.deltas = std::move(quantized.symbols);
   CodedHighpass coded;
   coded.parameters = {.step = settings.step,
-                      .shift = quantizer.shift,
+                      .shift = quantized.shift,
                       .anchor_bits = static_cast<std::uint8_t>(settings.anchor_bits),
                       .anchors = static_cast<std::uint32_t>(settings.anchors.vertices.size()),
                       .anchor_density = settings.anchors.density};
-  DELTAMESH_TRY(symbols.deltas, quantize_deltas(part_.graph, deltas_, quantizer, settings.diffusion));
   symbols.anchors = settings.anchors.vertices;
   const AnchorLattice lattice(box_, settings.anchor_bits);
   symbols.cells.reserve(symbols.anchors.size());

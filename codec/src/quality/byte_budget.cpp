@@ -8,6 +8,7 @@
 
 #include "base/try.h"
 #include "quality/unmet.h"
+#include "quality/visual_control.h"
 
 namespace deltamesh {
 namespace {
@@ -17,8 +18,7 @@ constexpr double kTightShare = 0.995;  // of the target: near enough
 constexpr double kAim = 0.998;
 constexpr double kSameStep = 1.0001;
 constexpr int kFinestBits = 24;  // below the range of deltas: beyond float32 positions
-constexpr double kRoundings[] = {0.5, 0.4, 0.3};
-constexpr int kRoundingEffort = 3;
+constexpr double kRateWeights[] = {0, kRateWeight};
 
 /// The finest step whose stream fits, between a coarse one that does and a fine one that is taken not to.
 class FinestFit {
@@ -28,7 +28,7 @@ class FinestFit {
 
   /// Empty where the coarsest step does not fit; coarsest_bytes() is known afterwards.
   Result<std::optional<CoderSettings>> run() {
-    settings_.step = coarsest_step(coder_, settings_.rounding);
+    settings_.step = coarsest_step(coder_);
     DELTAMESH_TRY(coarsest_bytes_, coder_.bytes(settings_));
     Point fits{settings_.step, static_cast<double>(coarsest_bytes_)};
     if (fits.bytes > target_) return std::optional<CoderSettings>();
@@ -88,9 +88,9 @@ Result<void> fit_bytes(std::uint64_t target, int effort, const CoderSettings& se
   std::optional<CoderSettings> best;
   double least_error = 0;
   std::uint64_t coarsest_bytes = 0;
-  for (const double rounding : kRoundings) {
+  for (const double rate_weight : kRateWeights) {
     CoderSettings candidate = settings;
-    candidate.rounding = rounding;
+    candidate.rate_weight = rate_weight;
     FinestFit search(target, candidate, coder);
     DELTAMESH_TRY(const auto fit, search.run());
     coarsest_bytes = search.coarsest_bytes();
@@ -99,7 +99,7 @@ Result<void> fit_bytes(std::uint64_t target, int effort, const CoderSettings& se
     if (best && error >= least_error) break;
     best = fit;
     least_error = error;
-    if (effort < kRoundingEffort) break;
+    if (effort < kFrugalEffort) break;
   }
   if (!best && settings.anchors > coder.fewest_anchors()) {
     CoderSettings fewer = settings;

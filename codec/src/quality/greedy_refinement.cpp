@@ -10,7 +10,7 @@
 namespace deltamesh {
 namespace {
 
-constexpr int kMostRuns = 8;
+constexpr int kMostRuns = 12;
 constexpr double kBatchShare = 0.25;  // of the anchors there are
 /// For a maximum error, vertices above this share of it; for an LFE the largest come first in any case.
 constexpr double kThreshold = 0.9;

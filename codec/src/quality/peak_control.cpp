@@ -37,7 +37,7 @@ Result<bool> mend(const CoderSettings& settings, Attempt& best, Trials& trials) 
 Result<void> grow_step(Attempt& best, Trials& trials) {
   const Attempt landed = best;
   const double load_at_landing = trials.bounds().load(landed.figures.quality);
-  const double coarsest = coarsest_step(trials.coder(), landed.settings.rounding);
+  const double coarsest = coarsest_step(trials.coder());
   if (landed.settings.step >= coarsest || !(load_at_landing > 0)) return {};
   bool better = false;
   for (double load = kFirstLoad; !better && load > kLastLoad; load *= kLoadBackoff) {

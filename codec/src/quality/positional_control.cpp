@@ -108,6 +108,7 @@ Result<void> control_positions(const RateGoal& goal, CoderSettings settings, Tri
   if (!goal.step) settings.step = coder.longest_side() / 1024;
   if (!goal.step && !goal.bounds.vde) {
     settings.diffusion = 1;
+    if (goal.effort >= kFrugalEffort) settings.rate_weight = kDiffusedRateWeight;
     settings.centroids = false;  // they lower VDE, but LFE rises by as much at low rates
     settings.step = guess_step(goal.bounds, settings, coder);
     return follow_with_step(goal, settings, trials);
@@ -124,7 +125,7 @@ Result<void> control_positions(const RateGoal& goal, CoderSettings settings, Tri
   if (goal.step) {
     DELTAMESH_TRY(plain, trials.run(settings));
   } else {
-    settings.step = step_from_vde(coder, settings, near.aim * *goal.bounds.vde);
+    settings = settings_for_vde(coder, settings, near.aim * *goal.bounds.vde, goal.effort);
     DELTAMESH_TRY(plain, search_step(trials, settings, Watch::kVisual, near));
     if (trials.bounds().visual_load(plain.figures.quality) > 1) return {};  // out of reach
   }

@@ -31,7 +31,7 @@ class StepSearch {
  public:
   StepSearch(Trials& trials, const CoderSettings& settings, Watch watch, const StepGoal& goal)
       : trials_(trials), coder_(trials.coder()), settings_(settings), watch_(watch), goal_(goal) {
-    coarsest_ = coarsest_step(coder_, settings_.rounding);
+    coarsest_ = coarsest_step(coder_);
     finest_ = std::min(coarsest_, std::max(std::ldexp(coder_.longest_side(), -kFinestBits),
                                            std::ldexp(coder_.largest_delta(), -kMostSymbolBits)));
     settings_.step = settings_.step > 0 ? std::clamp(settings_.step, finest_, coarsest_) : coarsest_;
@@ -149,14 +149,14 @@ double Trials::cost(const Attempt& attempt) const noexcept {
   return static_cast<double>(attempt.figures.bytes) * (landed ? 1 : kLandingWorth);
 }
 
-double coarsest_step(TrialCoder& coder, double rounding) {
+double coarsest_step(TrialCoder& coder) {
   const double largest = coder.largest_delta();
-  // Below 1 - rounding of a step a delta is coded as 0; diffusion may add as much again.
-  return largest > 0 ? 4 * largest / (1 - rounding) : 1;
+  // Below half a step a delta is coded as 0; diffusion may add as much again.
+  return largest > 0 ? 8 * largest : 1;
 }
 
 double step_for_delta_error(TrialCoder& coder, CoderSettings settings, double wanted) {
-  const double coarsest = coarsest_step(coder, settings.rounding);
+  const double coarsest = coarsest_step(coder);
   double low = 0;
   double high = coarsest;
   double step = settings.step > 0 ? std::min(settings.step, coarsest) : coarsest;

@@ -72,6 +72,6 @@ Result<Attempt> search_step(Trials& trials, CoderSettings settings, Watch watch,
 double step_for_delta_error(TrialCoder& coder, CoderSettings settings, double wanted);
 
 /// At this step and above all symbols are 0.
-double coarsest_step(TrialCoder& coder, double rounding);
+double coarsest_step(TrialCoder& coder);
 
 }  // namespace deltamesh

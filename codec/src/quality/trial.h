@@ -17,7 +17,7 @@ namespace deltamesh {
 /// Settings of the highpass coder, as rate control chooses them.
 struct CoderSettings {
   double step = 1;                            ///< of delta coordinates, model units, above 0
-  double rounding = 0.5;                      ///< 0 to 0.5; less makes symbols cheaper and errors larger
+  double rate_weight = 0;                     ///< 0 or more; more makes symbols cheaper and errors larger
   bool centroids = true;                      ///< reconstruct at the centroids of bins: a lower VDE
   double diffusion = 0;                       ///< strength of error diffusion, 0 to 1
   std::uint32_t anchors = 0;                  ///< the first so many of the anchor sequence
