@@ -23,9 +23,15 @@ struct Arguments {
   std::string out;
   std::string order_out;
   std::string profile = "smallest";
+  std::string geometry = "auto";
   bool json = false;
   EncodeOptions options;
 };
+
+GeometryCoder geometry_coder(const std::string& name) {
+  if (name == "highpass") return GeometryCoder::kHighpass;
+  return name == "predictive" ? GeometryCoder::kPredictive : GeometryCoder::kAuto;
+}
 
 /// Little-endian uint32, one per decoded vertex.
 std::vector<std::byte> order_bytes(const std::vector<std::uint32_t>& order) {
@@ -127,10 +133,11 @@ void add_encode_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("encode", "Compress a mesh file into a .dmsh stream");
   command->add_option("IN", arguments->in, std::string("mesh file: ") + kMeshSuffixes)->required();
   command->add_option("OUT", arguments->out, "stream to write, .dmsh")->required();
-  CLI::Option* bits = command->add_option(
-      "--bits", options.bits, "bits of the delta coordinates, 3 (coarse) to 16 (fine); default 8");
-  command->add_option("--step", options.step, "instead: their quantisation step, model units")
-      ->excludes(bits);
+  CLI::Option* bits =
+      command->add_option("--bits", options.bits,
+                          "bits of the delta coordinates, 3 (coarse) to 16 (fine), default 8; "
+                          "predictive: of the longest side, 1 to 28, default 12");
+  command->add_option("--step", options.step, "instead: the quantisation step, model units")->excludes(bits);
   CLI::Option* anchors =
       command->add_option("--anchors", options.anchors, "number of anchors; default 0.5 % of the vertices");
   command
@@ -140,6 +147,12 @@ void add_encode_command(CLI::App& app, int& status) {
   command->add_option("--anchor-bits", options.anchor_bits, "bits per axis of an anchor, 4 to 24")
       ->capture_default_str();
   add_quality_options(*command, options.quality);
+  command
+      ->add_option("--geometry", arguments->geometry,
+                   "coder of the positions: highpass looks best, predictive bounds each vertex's error and "
+                   "decodes fastest; auto takes the smaller for the quality asked for, else highpass")
+      ->check(CLI::IsMember({"auto", "highpass", "predictive"}))
+      ->capture_default_str();
   command->add_option("--effort", options.effort, "how hard to look for a smaller stream, 0 to 9")
       ->capture_default_str();
   command
@@ -161,6 +174,7 @@ void add_encode_command(CLI::App& app, int& status) {
       "  deltamesh encode bunny.ply bunny.dmsh --bits 6 --json > figures.json\n");
   command->callback([arguments, &status] {
     arguments->options.profile = arguments->profile == "zstd" ? Profile::kZstd : Profile::kSmallest;
+    arguments->options.geometry = geometry_coder(arguments->geometry);
     status = run_encode(*arguments);
   });
 }

@@ -50,7 +50,7 @@ void add_sizes(Summary& summary, const StreamInfo& info) {
   summary.add("size", size_text(info.bytes, info));
   summary.add("  connectivity", size_text(info.connectivity_bytes, info));
   summary.add("  geometry", size_text(info.geometry_bytes, info));
-  summary.add("  anchors", size_text(info.anchor_bytes, info));
+  if (info.geometry == "highpass") summary.add("  anchors", size_text(info.anchor_bytes, info));
   if (info.attribute_bytes > 0) summary.add("  attributes", size_text(info.attribute_bytes, info));
   summary.add("  container", size_text(info.container_bytes, info));
 }
@@ -58,6 +58,7 @@ void add_sizes(Summary& summary, const StreamInfo& info) {
 void add_settings(Summary& summary, const StreamInfo& info) {
   summary.add("geometry", info.geometry + (info.bits > 0 ? ", " + std::to_string(info.bits) + " bits" : "") +
                               ", step " + brief(info.step));
+  if (info.geometry != "highpass") return;
   summary.add("anchors", grouped(info.anchors) + ", every vertex within " +
                              counted(info.anchor_density, "edge", "edges") + " of one");
 }

@@ -25,19 +25,28 @@ enum class Profile : std::uint8_t {
   kZstd,      ///< raw and zstd only: quick to support for other implementations
 };
 
+/// How positions are coded.
+enum class GeometryCoder : std::uint8_t {
+  kAuto,        ///< what gives the smaller stream for the quality asked for; highpass where none is asked for
+  kHighpass,    ///< delta coordinates and anchors: the least visual error
+  kPredictive,  ///< a lattice of positions: every vertex within half a step per axis, decoded without a solve
+};
+
 /// How to encode. Plain values with defaults; validate() checks ranges and contradictions.
 struct EncodeOptions {
   /// The quality to keep, in place of bits and anchors: VDE, maximum error and bytes exclude `bits` and
   /// `step`, LFE and maximum error exclude `anchors` and `anchor_density`.
   QualityRequest quality{};
+  GeometryCoder geometry = GeometryCoder::kAuto;
   /// How hard to look for a smaller stream, 0 (as few passes as keep the request) to 9.
   int effort = 5;
   /// Anchors found by earlier calls for this mesh, and by this one; may be null.
   std::shared_ptr<AnchorContainers> anchor_containers{};
   /// Quantisation of delta coordinates: step = range / 2^bits; 3 to 16. Default 8, unless `step`
-  /// or a quality is given.
+  /// or a quality is given. Predictive: of positions, step = longest side / (2^bits - 1); 1 to 28,
+  /// default 12.
   std::optional<int> bits = std::nullopt;
-  /// Or the quantisation step of delta coordinates itself, model units, above 0.
+  /// Or the quantisation step itself, model units, above 0.
   std::optional<double> step = std::nullopt;
   /// How many anchors over all components; each component gets at least one. Default 0.5 % of the vertices.
   std::optional<std::uint32_t> anchors = std::nullopt;

@@ -45,16 +45,16 @@ struct StreamInfo {
   std::array<float, 3> box_max{};
   double diagonal = 0;       ///< of the bounding box
   bool keeps_order = false;  ///< the decoded mesh is in the input's vertex and face order
-  std::string geometry;      ///< geometry coder: "highpass"
-  int bits = 0;              ///< asked bits of the delta quantiser; 0 when a step was asked
-  double step = 0;           ///< quantisation step of delta coordinates, model units
+  std::string geometry;      ///< geometry coder: "highpass" or "predictive"
+  int bits = 0;              ///< asked bits of deltas or positions; 0 when something else was asked
+  double step = 0;           ///< quantisation step of delta coordinates, or of positions, model units
   std::uint64_t anchors = 0;
   std::uint32_t anchor_density = 0;  ///< largest hop distance of a vertex to its nearest anchor
   Quality quality;
   std::vector<ChunkInfo> chunks;
   std::uint64_t bytes = 0;
   std::uint64_t connectivity_bytes = 0;  ///< coded CONN, SEAM and ORDR
-  std::uint64_t geometry_bytes = 0;      ///< coded DELT
+  std::uint64_t geometry_bytes = 0;      ///< coded DELT or POSN
   std::uint64_t anchor_bytes = 0;        ///< coded ANCH
   std::uint64_t attribute_bytes = 0;     ///< coded ATTR
   std::uint64_t container_bytes = 0;     ///< everything else: header, directory, padding

@@ -16,7 +16,9 @@
 #include "format/container.h"
 #include "geometry/highpass.h"
 #include "geometry/vertex_positions.h"
+#include "predictive/positions.h"
 #include "topology/adjacency.h"
+#include "topology/component_count.h"
 
 namespace deltamesh {
 namespace {
@@ -54,7 +56,7 @@ class StreamDecoder {
     Mesh mesh;
     mesh.origin = header_.origin;
     DELTAMESH_TRY(auto split, read_faces());
-    DELTAMESH_TRY(const auto positions, read_positions());
+    DELTAMESH_TRY(const auto positions, read_geometry());
     report_progress(options_, kGeometryDone);
     mesh.positions.reserve(3 * split.geometric.size());
     for (const std::uint32_t g : split.geometric) {
@@ -81,18 +83,34 @@ class StreamDecoder {
     return read_seams(seams, geometric_triangles_, header_.geometric_vertices, header_.vertices);
   }
 
-  Result<std::vector<Vec3>> read_positions() {
+  Result<std::vector<Vec3>> read_geometry() {
+    DELTAMESH_TRY(const auto positions,
+                  header_.geometry == kGeometryPredictive ? read_predicted() : read_solved());
+    return to_float_positions(positions);
+  }
+
+  Result<std::vector<Vec3>> read_predicted() {
+    DELTAMESH_CHECK(check_components(count_components(geometric_triangles_, header_.geometric_vertices)));
+    DELTAMESH_TRY(const auto payload, expand_any_single(container_, kTagPositions, max_payload(header_)));
+    const FaceStars stars(geometric_triangles_, header_.geometric_vertices);
+    return read_positions(payload.payload(), stars, header_.predictive);
+  }
+
+  Result<void> check_components(std::uint32_t count) const {
+    if (count == header_.components) return {};
+    return Error{.code = ErrorCode::kInvalidStream,
+                 .message = "the number of connected components differs from the header's",
+                 .rule = "HDR-7"};
+  }
+
+  Result<std::vector<Vec3>> read_solved() {
     const Adjacency graph = build_adjacency(geometric_triangles_, header_.geometric_vertices);
     const Components components = find_components(graph);
-    if (components.count != header_.components)
-      return Error{.code = ErrorCode::kInvalidStream,
-                   .message = "the number of connected components differs from the header's",
-                   .rule = "HDR-7"};
+    DELTAMESH_CHECK(check_components(components.count));
     DELTAMESH_TRY(const auto deltas, expand_any_single(container_, kTagDeltas, max_payload(header_)));
     DELTAMESH_TRY(const auto anchors, expand_any_single(container_, kTagAnchors, max_payload(header_)));
-    DELTAMESH_TRY(const auto positions, read_highpass(deltas.payload(), anchors.payload(), graph, components,
-                                                      header_.box(), header_.highpass));
-    return to_float_positions(positions);
+    return read_highpass(deltas.payload(), anchors.payload(), graph, components, header_.box(),
+                         header_.highpass);
   }
 
   Result<void> read_attributes(Mesh& mesh) {

@@ -29,6 +29,13 @@ class ChunkList {
     chunks_.push_back(std::move(chunk));
     return {};
   }
+  /// A payload that has a compact form only.
+  void add_compact(std::uint32_t tag, std::vector<std::byte> compact) {
+    if (compact.empty()) return;
+    const std::uint64_t size = compact.size();
+    chunks_.push_back(
+        {.tag = tag, .codec = ChunkCodec::kCompact, .bytes = std::move(compact), .decoded_bytes = size});
+  }
   /// An empty list that codes alike.
   ChunkList fresh() const {
     ChunkList list = *this;

@@ -11,8 +11,10 @@
 #include "base/try.h"
 #include "encoder/check_mesh.h"
 #include "encoder/chunk_list.h"
+#include "encoder/coded_geometry.h"
 #include "encoder/coded_topology.h"
 #include "encoder/geometry_trials.h"
+#include "encoder/predictive_trials.h"
 #include "format/container.h"
 #include "laplacian/anchor_sequence.h"
 #include "quality/bounds.h"
@@ -28,6 +30,7 @@ constexpr double kAttributesDone = 0.3;
 constexpr double kGeometryDone = 0.95;
 
 constexpr int kDefaultBits = 8;
+constexpr int kDefaultLatticeBits = 12;
 
 void report_progress(const EncodeOptions& options, double share) {
   if (options.progress) options.progress(share);
@@ -103,12 +106,83 @@ CoderSettings plain_settings(const EncodeOptions& options, GeometryTrials& trial
   return settings;
 }
 
-/// Chooses settings and codes: trials.kept().
-Result<void> code_geometry(const EncodeOptions& options, const FileHeader& header, GeometryTrials& trials) {
-  if (!options.quality.empty()) return control_rate(rate_goal(options, header, trials), trials);
-  DELTAMESH_TRY([[maybe_unused]] const auto figures, trials.run(plain_settings(options, trials)));
-  trials.keep();
-  return {};
+/// The welded mesh in coding order, and the stream around its geometry.
+struct GeometryTask {
+  const EncodeOptions& options;
+  std::span<const std::uint32_t> triangles;
+  const Adjacency& graph;
+  const Components& components;
+  const std::vector<Vec3>& positions;
+  const StreamFrame& frame;
+};
+
+Result<GeometryChoice> code_highpass(const GeometryTask& task) {
+  const EncodeOptions& options = task.options;
+  AnchorContainers own_containers;
+  AnchorContainers& containers = options.anchor_containers ? *options.anchor_containers : own_containers;
+  AnchorSequence& sequence = containers.impl().sequence(task.graph, task.components);
+  const FileHeader& header = task.frame.header;
+  const GeometryInput input{task.graph, task.components, task.positions, header.box(), sequence};
+  GeometryTrials trials(input, header, task.frame.before, task.frame.after);
+  if (options.quality.empty()) {
+    DELTAMESH_TRY([[maybe_unused]] const auto figures, trials.run(plain_settings(options, trials)));
+    trials.keep();
+  } else {
+    DELTAMESH_CHECK(control_rate(rate_goal(options, header, trials), trials));
+  }
+  const CodedGeometry& kept = trials.kept();
+  GeometryChoice choice{.highpass = kept.parameters, .chunks = kept.chunks, .quality = kept.quality};
+  if (options.bits || (!options.step && options.quality.empty()))
+    choice.highpass.bits = static_cast<std::uint8_t>(options.bits.value_or(kDefaultBits));
+  return choice;
+}
+
+Result<GeometryChoice> code_predictive(const GeometryTask& task) {
+  const EncodeOptions& options = task.options;
+  const FileHeader& header = task.frame.header;
+  const PredictiveTrials trials({task.triangles, task.graph, task.positions, header.box()}, task.frame);
+  if (options.step) return trials.code_step(*options.step);
+  if (options.quality.empty()) {
+    const int bits = options.bits.value_or(kDefaultLatticeBits);
+    DELTAMESH_TRY(auto choice, trials.code_step(trials.step_for_bits(bits)));
+    choice.predictive.bits = static_cast<std::uint8_t>(bits);
+    return choice;
+  }
+  const Bounds bounds =
+      bounds_in_model_units(options.quality, header.geometric_vertices, header.box().diagonal());
+  const auto& target = options.quality.target_bytes;
+  if (!bounds.vde && !bounds.positional()) return trials.fit_bytes(*target);
+  DELTAMESH_TRY(auto choice, trials.keep_bounds(bounds, options.effort));
+  const std::uint64_t bytes = task.frame.bytes_with(choice);
+  if (target && bytes > *target)
+    return Error{.code = ErrorCode::kUnmetRequest,
+                 .message = "the quality asked for needs more bytes than allowed",
+                 .best_bytes = bytes};
+  return choice;
+}
+
+/// Whether the request leaves the coder open.
+bool may_choose(const EncodeOptions& options) noexcept {
+  return options.geometry == GeometryCoder::kAuto && !options.quality.empty() && !options.bits &&
+         !options.step && !options.anchors && !options.anchor_density &&
+         options.profile == Profile::kSmallest;
+}
+
+Result<GeometryChoice> code_smaller(const GeometryTask& task) {
+  auto predictive = code_predictive(task);
+  auto highpass = code_highpass(task);
+  if (!highpass) return predictive;
+  if (!predictive) return highpass;
+  const QualityRequest& quality = task.options.quality;
+  const bool bytes_alone = !quality.vde && !quality.lfe && !quality.max_error;
+  const bool better = bytes_alone ? predictive->quality.vde_rms < highpass->quality.vde_rms
+                                  : task.frame.bytes_with(*predictive) < task.frame.bytes_with(*highpass);
+  return better ? predictive : highpass;
+}
+
+Result<GeometryChoice> code_geometry(const GeometryTask& task) {
+  if (task.options.geometry == GeometryCoder::kPredictive) return code_predictive(task);
+  return may_choose(task.options) ? code_smaller(task) : code_highpass(task);
 }
 
 /// Codes the positions, measures what a decoder will make of them, sets the header's figures and returns the
@@ -121,22 +195,18 @@ Result<ChunkList> add_geometry(const MeshView& mesh, const CodedTopology& topolo
   set_box(header, positions);
   header.components = components.count;
 
-  AnchorContainers own_containers;
-  AnchorContainers& containers = options.anchor_containers ? *options.anchor_containers : own_containers;
-  AnchorSequence& sequence = containers.impl().sequence(graph, components);
-  const GeometryInput input{graph, components, positions, header.box(), sequence};
-  GeometryTrials trials(input, header, other.before, other.after);
-  const Result<void> done = code_geometry(options, header, trials);
+  const StreamFrame frame{header, other.before, other.after};
+  const auto coded =
+      code_geometry({options, topology.connectivity.triangles, graph, components, positions, frame});
   // The one rule of the stream that a finite mesh can break [DELT-3].
-  if (!done) return done.error().code == ErrorCode::kInvalidStream ? kTooLarge : done.error();
+  if (!coded) return coded.error().code == ErrorCode::kInvalidStream ? kTooLarge : coded.error();
 
-  const CodedGeometry& coded = trials.kept();
-  header.highpass = coded.parameters;
-  if (options.bits || (!options.step && options.quality.empty()))
-    header.highpass.bits = static_cast<std::uint8_t>(options.bits.value_or(kDefaultBits));
-  DELTAMESH_CHECK(set_quality(header, coded.quality));
+  header.geometry = coded->geometry;
+  header.highpass = coded->highpass;
+  header.predictive = coded->predictive;
+  DELTAMESH_CHECK(set_quality(header, coded->quality));
   ChunkList chunks = other.before;
-  chunks.append(coded.chunks);
+  chunks.append(coded->chunks);
   chunks.append(other.after);
   return chunks;
 }

@@ -26,16 +26,27 @@ Result<void> check_quality(const EncodeOptions& o) noexcept {
   return {};
 }
 
+/// Bits, step and anchors by hand.
+Result<void> check_steps(const EncodeOptions& o) noexcept {
+  const bool predictive = o.geometry == GeometryCoder::kPredictive;
+  if (o.bits && o.step) return invalid("bits and step exclude each other");
+  if (o.bits && predictive && !within(*o.bits, 1, 28)) return invalid("bits must be 1 to 28");
+  if (o.bits && !predictive && !within(*o.bits, 3, 16)) return invalid("bits must be 3 to 16");
+  if (o.step && !(std::isfinite(*o.step) && *o.step > 0))
+    return invalid("step must be a finite number above 0");
+  if (o.anchors && o.anchor_density) return invalid("anchors and anchor density exclude each other");
+  if (predictive && (o.anchors || o.anchor_density)) return invalid("the predictive coder has no anchors");
+  if (predictive && o.profile == Profile::kZstd)
+    return invalid("the predictive coder has a compact form only, which the zstd profile excludes");
+  return {};
+}
+
 }  // namespace
 
 Result<void> validate(const EncodeOptions& o) noexcept {
   DELTAMESH_CHECK(check_quality(o));
   if (!within(o.effort, 0, 9)) return invalid("effort must be 0 to 9");
-  if (o.bits && o.step) return invalid("bits and step exclude each other");
-  if (o.bits && !within(*o.bits, 3, 16)) return invalid("bits must be 3 to 16");
-  if (o.step && !(std::isfinite(*o.step) && *o.step > 0))
-    return invalid("step must be a finite number above 0");
-  if (o.anchors && o.anchor_density) return invalid("anchors and anchor density exclude each other");
+  DELTAMESH_CHECK(check_steps(o));
   if (o.anchors && *o.anchors == 0) return invalid("at least one anchor is needed");
   if (o.anchor_density && (*o.anchor_density < 1 || *o.anchor_density > 65535))
     return invalid("anchor density must be 1 to 65535 hops");

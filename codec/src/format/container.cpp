@@ -40,7 +40,7 @@ Result<void> skip_padding(ByteReader& in) {
 
 bool is_known(std::uint32_t tag) noexcept {
   return tag == kTagConnectivity || tag == kTagSeams || tag == kTagOrder || tag == kTagDeltas ||
-         tag == kTagAnchors || tag == kTagAttribute;
+         tag == kTagAnchors || tag == kTagPositions || tag == kTagAttribute;
 }
 
 /// The stream length that [CNT-5] asks for.

@@ -13,12 +13,21 @@
 namespace deltamesh {
 namespace {
 
+// Bits of a predictive stream's layout byte [HDR-14].
+constexpr std::uint8_t kLayoutSteps = 1U << 0;   ///< three steps, not one
+constexpr std::uint8_t kLayoutOrigin = 1U << 1;  ///< an origin other than the box's lowest corner
+constexpr std::uint8_t kKnownLayout = kLayoutSteps | kLayoutOrigin;
+
 /// Writes each field it visits.
 struct FieldWriter {
   ByteWriter& out;
   template <class T>
   Result<void> fixed(const T& field) const {
-    out.write(field);
+    if constexpr (std::is_enum_v<T>) {
+      out.write(static_cast<std::underlying_type_t<T>>(field));
+    } else {
+      out.write(field);
+    }
     return {};
   }
   template <class T>
@@ -33,7 +42,12 @@ struct FieldReader {
   ByteReader& in;
   template <class T>
   Result<void> fixed(T& field) const {
-    DELTAMESH_TRY(field, in.read<T>());
+    if constexpr (std::is_enum_v<T>) {
+      DELTAMESH_TRY(const auto value, in.read<std::underlying_type_t<T>>());
+      field = static_cast<T>(value);
+    } else {
+      DELTAMESH_TRY(field, in.read<T>());
+    }
     return {};
   }
   template <class T>
@@ -43,6 +57,51 @@ struct FieldReader {
     return {};
   }
 };
+
+template <class Visitor, class Parameters>
+Result<void> visit_highpass(const Visitor& visit, Parameters& p) {
+  DELTAMESH_CHECK(visit.fixed(p.bits));
+  DELTAMESH_CHECK(visit.fixed(p.step));
+  DELTAMESH_CHECK(visit.fixed(p.shift.one));
+  DELTAMESH_CHECK(visit.fixed(p.shift.more));
+  DELTAMESH_CHECK(visit.fixed(p.anchor_bits));
+  DELTAMESH_CHECK(visit.varint(p.anchors));
+  DELTAMESH_CHECK(visit.varint(p.anchor_density));
+  return {};
+}
+
+/// What is left out of a lattice's fields [HDR-14].
+std::uint8_t lattice_layout(const FileHeader& h) noexcept {
+  const PositionLattice& lattice = h.predictive.lattice;
+  const bool one_step = lattice.step[0] == lattice.step[1] && lattice.step[1] == lattice.step[2];
+  return static_cast<std::uint8_t>((one_step ? 0 : kLayoutSteps) |
+                                   (lattice.origin == h.box().min ? 0 : kLayoutOrigin));
+}
+
+/// `layout` is the writer's; a reader's own takes its place.
+template <class Visitor, class Header>
+Result<void> visit_predictive(const Visitor& visit, Header& h) {
+  auto& p = h.predictive;
+  std::uint8_t layout = lattice_layout(h);
+  DELTAMESH_CHECK(visit.fixed(p.bits));
+  DELTAMESH_CHECK(visit.fixed(p.kind));
+  DELTAMESH_CHECK(visit.fixed(layout));
+  DELTAMESH_CHECK(visit.fixed(p.lattice.step[0]));
+  if ((layout & kLayoutSteps) != 0) {
+    DELTAMESH_CHECK(visit.fixed(p.lattice.step[1]));
+    DELTAMESH_CHECK(visit.fixed(p.lattice.step[2]));
+  }
+  if ((layout & kLayoutOrigin) != 0) {
+    for (auto& x : p.lattice.origin) DELTAMESH_CHECK(visit.fixed(x));
+  }
+  for (auto& count : p.lattice.cells) DELTAMESH_CHECK(visit.varint(count));
+  if constexpr (!std::is_const_v<Header>) {
+    if ((layout & ~kKnownLayout) != 0) p.lattice.step[0] = 0;  // out of range, like every field that is wrong
+    if ((layout & kLayoutSteps) == 0) p.lattice.step.fill(p.lattice.step[0]);
+    if ((layout & kLayoutOrigin) == 0) p.lattice.origin = h.box().min;
+  }
+  return {};
+}
 
 /// Every field after the flags, in stream order, for both directions, so that they cannot drift.
 template <class Visitor, class Header>
@@ -61,14 +120,7 @@ Result<void> visit_fields(const Visitor& visit, Header& h, bool has_origin) {
   DELTAMESH_CHECK(visit.fixed(h.lfe_rms));
   DELTAMESH_CHECK(visit.fixed(h.max_error));
   DELTAMESH_CHECK(visit.fixed(h.geometry));
-  DELTAMESH_CHECK(visit.fixed(h.highpass.bits));
-  DELTAMESH_CHECK(visit.fixed(h.highpass.step));
-  DELTAMESH_CHECK(visit.fixed(h.highpass.shift.one));
-  DELTAMESH_CHECK(visit.fixed(h.highpass.shift.more));
-  DELTAMESH_CHECK(visit.fixed(h.highpass.anchor_bits));
-  DELTAMESH_CHECK(visit.varint(h.highpass.anchors));
-  DELTAMESH_CHECK(visit.varint(h.highpass.anchor_density));
-  return {};
+  return h.geometry == kGeometryPredictive ? visit_predictive(visit, h) : visit_highpass(visit, h.highpass);
 }
 
 Result<void> check_counts(const FileHeader& h, const ByteReader& in) {
@@ -102,8 +154,23 @@ Result<void> check_numbers(const FileHeader& h, const ByteReader& in) {
   return {};
 }
 
+Result<void> check_predictive(const FileHeader& h, const ByteReader& in) {
+  const PredictiveParameters& p = h.predictive;
+  bool in_range = p.bits <= 28 && p.kind == PositionKind::kLattice;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double step = p.lattice.step[axis];
+    in_range = in_range && std::isfinite(step) && step > 0 && std::isfinite(p.lattice.origin[axis]) &&
+               p.lattice.cells[axis] <= kMostCells;
+  }
+  if (!in_range)
+    return in.error(ErrorCode::kInvalidStream, "a parameter of the predictive coder is out of range",
+                    "HDR-14");
+  return {};
+}
+
 Result<void> check_geometry(const FileHeader& h, const ByteReader& in) {
   const HighpassParameters& p = h.highpass;
+  if (h.geometry == kGeometryPredictive) return check_predictive(h, in);
   if (h.geometry != kGeometryHighpass)
     return in.error(ErrorCode::kUnsupportedFeature, "a geometry coder that this library does not know",
                     "HDR-10");

@@ -13,6 +13,7 @@
 #include "base/vec3.h"
 #include "deltamesh/result.h"
 #include "format/highpass_parameters.h"
+#include "format/predictive_parameters.h"
 #include "format/tags.h"
 
 namespace deltamesh {
@@ -24,6 +25,7 @@ inline constexpr std::uint16_t kKnownFlags = kFlagKeepsOrder | kFlagHasOrigin;
 inline constexpr std::uint64_t kMaxVertices = 0x7fffffff;  // [HDR-6]
 inline constexpr std::uint64_t kMaxTriangles = 1U << 29;   // [HDR-6]
 inline constexpr std::uint8_t kGeometryHighpass = 1;       // [HDR-10]
+inline constexpr std::uint8_t kGeometryPredictive = 2;     // [HDR-10]
 
 struct FileHeader {
   std::uint8_t format_major = 0;
@@ -42,7 +44,8 @@ struct FileHeader {
   float lfe_rms = 0;
   float max_error = 0;
   std::uint8_t geometry = kGeometryHighpass;
-  HighpassParameters highpass;
+  HighpassParameters highpass;      ///< where `geometry` says so
+  PredictiveParameters predictive;  ///< likewise
 
   Box box() const noexcept;
 };

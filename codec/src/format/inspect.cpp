@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -40,6 +41,7 @@ void add_sizes(StreamInfo& info, const ChunkEntry& entry) {
       info.connectivity_bytes += entry.coded_bytes;
       break;
     case kTagDeltas:
+    case kTagPositions:
       info.geometry_bytes += entry.coded_bytes;
       break;
     case kTagAnchors:
@@ -68,11 +70,17 @@ StreamInfo summarize(const Container& container) {
   info.box_max = h.box_max;
   info.diagonal = h.box().diagonal();
   info.keeps_order = h.keeps_order;
-  info.geometry = "highpass";
-  info.bits = h.highpass.bits;
-  info.step = h.highpass.step;
-  info.anchors = h.highpass.anchors;
-  info.anchor_density = h.highpass.anchor_density;
+  if (h.geometry == kGeometryPredictive) {
+    info.geometry = "predictive";
+    info.bits = h.predictive.bits;
+    info.step = *std::max_element(h.predictive.lattice.step.begin(), h.predictive.lattice.step.end());
+  } else {
+    info.geometry = "highpass";
+    info.bits = h.highpass.bits;
+    info.step = h.highpass.step;
+    info.anchors = h.highpass.anchors;
+    info.anchor_density = h.highpass.anchor_density;
+  }
   info.quality = {h.vde_rms, h.lfe_rms, h.max_error};
   for (const ChunkEntry& entry : container.entries()) {
     info.chunks.push_back(describe_chunk(entry));

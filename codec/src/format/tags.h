@@ -20,6 +20,7 @@ inline constexpr std::uint32_t kTagSeams = chunk_tag("SEAM");
 inline constexpr std::uint32_t kTagOrder = chunk_tag("ORDR");
 inline constexpr std::uint32_t kTagDeltas = chunk_tag("DELT");
 inline constexpr std::uint32_t kTagAnchors = chunk_tag("ANCH");
+inline constexpr std::uint32_t kTagPositions = chunk_tag("POSN");
 inline constexpr std::uint32_t kTagAttribute = chunk_tag("ATTR");
 inline constexpr std::uint32_t kTagFiller = chunk_tag("FILl");
 

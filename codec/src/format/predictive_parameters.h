@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// The part of the header that belongs to the predictive geometry coder.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "base/vec3.h"
+
+namespace deltamesh {
+
+inline constexpr std::uint32_t kMostCells = 1U << 28;  ///< largest lattice coordinate [HDR-14]
+
+/// The points origin + step * q, q whole and 0 to `cells` on each axis [POSN-2].
+struct PositionLattice {
+  Vec3 origin{};                         ///< model units, finite
+  Vec3 step{1, 1, 1};                    ///< model units, finite, above 0
+  std::array<std::uint32_t, 3> cells{};  ///< at most kMostCells
+
+  double at(std::size_t axis, std::int64_t q) const noexcept {
+    return origin[axis] + step[axis] * static_cast<double>(q);
+  }
+};
+
+/// What POSN holds [POSN-1].
+enum class PositionKind : std::uint8_t { kLattice = 0 };
+
+/// What the header says of a predictive stream [HDR-14].
+struct PredictiveParameters {
+  std::uint8_t bits = 0;  ///< asked bits, 1 to 28; 0 where something else was asked. For information
+  PositionKind kind = PositionKind::kLattice;
+  PositionLattice lattice;
+};
+
+}  // namespace deltamesh

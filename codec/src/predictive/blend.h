@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Where a vertex is expected: a blend of parallelograms, the edges they stand on, and coded neighbours, with
+// weights for each number of parallelograms and of faces [POSN-4]. Integers only.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "predictive/surroundings.h"
+
+namespace deltamesh {
+
+/// Lattice coordinates; the decoder's are within 0 to kMostCells.
+using Cell = std::array<std::int32_t, 3>;
+
+inline constexpr int kBlendUnit = 64;       ///< weights are in parts of this
+inline constexpr std::size_t kBlends = 30;  ///< 5 numbers of parallelograms x 6 of faces
+
+struct Blend {
+  std::int8_t parallelogram = kBlendUnit;  ///< of the mean parallelogram, from the neighbours' mean
+  std::int8_t edge = 0;                    ///< of the mean of the parallelograms' edges, likewise
+  bool operator==(const Blend&) const = default;
+};
+using BlendTable = std::array<Blend, kBlends>;
+
+/// What a stream has where it says nothing else: means over scans, CAD parts and maps.
+extern const BlendTable kUsualBlends;
+
+/// The table's row for a vertex with a parallelogram.
+std::size_t blend_row(const Surroundings& around) noexcept;
+
+/// Sums around a vertex, in 1/16 steps, from the first neighbour.
+struct LocalMeans {
+  std::array<std::int64_t, 3> neighbors{};
+  std::array<std::int64_t, 3> parallelograms{};
+  std::array<std::int64_t, 3> edges{};
+};
+
+/// Precondition: there is a parallelogram.
+LocalMeans local_means(const Surroundings& around, std::span<const Cell> cells) noexcept;
+
+/// An expected place, 1/16 steps, and how far its sources lie apart: mean distance from it, per axis.
+struct Expectation {
+  std::array<std::int64_t, 3> place{};
+  std::array<std::int64_t, 3> spread{};
+};
+
+/// Without parallelograms the neighbours' mean; without neighbours the vertex before, or 0.
+Expectation expect_place(const Surroundings& around, std::uint32_t vertex, std::span<const Cell> cells,
+                         const BlendTable& table) noexcept;
+
+}  // namespace deltamesh

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "predictive/lattice.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace deltamesh {
+
+PositionLattice cubic_lattice(const Box& box, double step) noexcept {
+  const double finest = box.longest_side() / kMostCells;
+  step = std::max(step, finest * (1 + 1e-9));
+  PositionLattice lattice{.origin = box.min, .step = {step, step, step}};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    lattice.cells[axis] = static_cast<std::uint32_t>(
+        std::min(std::round((box.max[axis] - box.min[axis]) / step), double{kMostCells}));
+  return lattice;
+}
+
+std::vector<Cell> to_cells(std::span<const Vec3> positions, const PositionLattice& lattice) {
+  std::vector<Cell> cells(positions.size());
+  for (std::size_t v = 0; v < cells.size(); ++v) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double q = std::round((positions[v][axis] - lattice.origin[axis]) / lattice.step[axis]);
+      cells[v][axis] =
+          static_cast<std::int32_t>(std::clamp(q, 0.0, static_cast<double>(lattice.cells[axis])));
+    }
+  }
+  return cells;
+}
+
+std::vector<Vec3> to_positions(std::span<const Cell> cells, const PositionLattice& lattice) {
+  std::vector<Vec3> positions(cells.size());
+  for (std::size_t v = 0; v < cells.size(); ++v)
+    for (std::size_t axis = 0; axis < 3; ++axis) positions[v][axis] = lattice.at(axis, cells[v][axis]);
+  return positions;
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Means without a division [POSN-4].
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "predictive/surroundings.h"
+
+namespace deltamesh {
+
+/// round(65536 / count)
+inline constexpr std::array<std::int64_t, Surroundings::kMostNeighbors + 1> kOneOver = [] {
+  std::array<std::int64_t, Surroundings::kMostNeighbors + 1> table{};
+  for (std::size_t n = 1; n < table.size(); ++n) {
+    const auto count = static_cast<std::int64_t>(n);
+    table[n] = (65536 + count / 2) / count;
+  }
+  return table;
+}();
+
+/// About sum / count, rounded down; `sum` below 2^46 in size, `count` 1 to 16.
+constexpr std::int64_t mean_of(std::int64_t sum, unsigned count) noexcept {
+  return (sum * kOneOver[count]) >> 16;
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "base/try.h"
+#include "entropy/compact_reader.h"
+#include "format/tags.h"
+#include "predictive/lattice.h"
+#include "predictive/lattice_coder.h"
+#include "predictive/positions.h"
+
+namespace deltamesh {
+namespace {
+
+Error invalid(const char* message, const char* rule) noexcept {
+  return {.code = ErrorCode::kInvalidStream, .message = message, .rule = rule, .chunk_tag = kTagPositions};
+}
+
+}  // namespace
+
+Result<std::vector<Vec3>> read_positions(Payload payload, const FaceStars& stars,
+                                         const PredictiveParameters& parameters) {
+  if (stars.vertex_count() == 0) {
+    if (!payload.bytes.empty()) return invalid("positions without vertices", "POSN-1");
+    return std::vector<Vec3>{};
+  }
+  if (!payload.is_compact) return invalid("positions that are not in the compact form", "POSN-1");
+  CompactReader reader(payload.bytes);
+  BlendTable blends{};
+  code_blends(reader, blends);
+  LatticeCoder coder(reader, stars, parameters.lattice.cells, blends);
+  std::vector<Cell> cells(stars.vertex_count());
+  for (std::uint32_t v = 0; v < cells.size() && !reader.failed(); ++v) {
+    if (!coder.code_vertex(v, cells)) {
+      if (reader.failed()) break;
+      return invalid("a coordinate beyond the lattice", "POSN-7");
+    }
+  }
+  DELTAMESH_CHECK(reader.finish(kTagPositions));
+  return to_positions(cells, parameters.lattice);
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// The predictive geometry coder: POSN, positions predicted in closed loop [POSN-*].
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "base/vec3.h"
+#include "deltamesh/result.h"
+#include "entropy/payload.h"
+#include "format/predictive_parameters.h"
+#include "predictive/blend.h"
+
+namespace deltamesh {
+
+/// The POSN payload, compact, of `cells`, one for every vertex of `stars`, within `lattice`; empty for no
+/// vertices. O(n + m).
+std::vector<std::byte> write_positions(const FaceStars& stars, std::span<const Cell> cells,
+                                       const PositionLattice& lattice);
+
+/// n positions. Errors: kTruncated, kInvalidStream [POSN-1, POSN-7, CMP-3].
+Result<std::vector<Vec3>> read_positions(Payload payload, const FaceStars& stars,
+                                         const PredictiveParameters& parameters);
+
+}  // namespace deltamesh
