@@ -20,7 +20,7 @@ namespace {
 bool update_golden = false;
 
 struct Golden {
-  const char* name;  ///< tests/golden/<name>.v1d2.dmsh and .off
+  const char* name;  ///< tests/golden/<name>.v1d3.dmsh and .off
   Mesh mesh;
   EncodeOptions options;
 };
@@ -52,6 +52,7 @@ std::vector<Golden> golden_streams() {
   list.push_back({"attributes.zstd",
                   testing::attributed_grid(6, 5),
                   {.bits = 10, .profile = Profile::kZstd, .keep_order = true}});
+  list.push_back({"grid.predictive", rough_grid(), {.geometry = GeometryCoder::kPredictive, .bits = 11}});
   for (const auto& named : testing::awkward_meshes()) {
     if (named.name == "seam") list.push_back({"seam.step", named.mesh, {.step = 0.01}});
     if (named.name == "three faces on an edge") list.push_back({"nonmanifold.default", named.mesh, {}});
@@ -62,7 +63,7 @@ std::vector<Golden> golden_streams() {
 }
 
 std::string path_of(const Golden& golden, const char* suffix) {
-  return std::string(DELTAMESH_GOLDEN_DIR "/") + golden.name + ".v1d2." + suffix;
+  return std::string(DELTAMESH_GOLDEN_DIR "/") + golden.name + ".v1d3." + suffix;
 }
 
 void rewrite(const Golden& golden) {
@@ -106,7 +107,7 @@ TEST(Golden, DecodesToTheCommittedMesh) {
 
 TEST(Golden, CMP2CMP4CMP8FLD2FLD3FLD4FLD5FLD6CompactStreamsKeepTheirNumbers) {
   if (update_golden) GTEST_SKIP() << "being rewritten";
-  const auto bytes = read_file(DELTAMESH_GOLDEN_DIR "/attributes.compact.v1d2.dmsh");
+  const auto bytes = read_file(DELTAMESH_GOLDEN_DIR "/attributes.compact.v1d3.dmsh");
   ASSERT_TRUE(bytes);
   std::size_t compact = 0;
   const auto info = inspect(*bytes);

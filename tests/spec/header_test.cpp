@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <span>
@@ -115,6 +116,47 @@ TEST(Header, HDR11RejectsHighpassParametersOutOfRange) {
   EXPECT_EQ(broken_rule([](FileHeader& h) { h.highpass.anchor_bits = 25; }), "HDR-11");
   EXPECT_EQ(broken_rule([](FileHeader& h) { h.highpass.anchors = 5; }), "HDR-11");
   EXPECT_EQ(broken_rule([](FileHeader& h) { h.highpass.anchors = 0; }), "HDR-11");
+}
+
+FileHeader predictive_header() {
+  FileHeader h = tetrahedron_header();
+  h.geometry = kGeometryPredictive;
+  h.predictive = {.bits = 10,
+                  .lattice = {.origin = h.box().min, .step = {0.5, 0.5, 0.5}, .cells = {3, 4, 5}}};
+  return h;
+}
+
+TEST(Header, HDR14RejectsPredictiveParametersOutOfRange) {
+  const auto rule_of = [](const std::function<void(PredictiveParameters&)>& change) {
+    FileHeader h = predictive_header();
+    change(h.predictive);
+    const auto bytes = write_header(h);
+    ByteReader in(bytes);
+    const auto read = read_header(in);
+    return std::string(read ? "" : read.error().rule);
+  };
+  EXPECT_EQ(rule_of([](PredictiveParameters&) {}), "");
+  EXPECT_EQ(rule_of([](PredictiveParameters& p) { p.bits = 29; }), "HDR-14");
+  EXPECT_EQ(rule_of([](PredictiveParameters& p) { p.kind = static_cast<PositionKind>(9); }), "HDR-14");
+  EXPECT_EQ(rule_of([](PredictiveParameters& p) { p.lattice.step[1] = 0; }), "HDR-14");
+  EXPECT_EQ(rule_of([](PredictiveParameters& p) { p.lattice.origin[2] = std::nan(""); }), "HDR-14");
+  EXPECT_EQ(rule_of([](PredictiveParameters& p) { p.lattice.cells[0] = kMostCells + 1; }), "HDR-14");
+}
+
+TEST(Header, HDR14LeavesOutWhatFollowsFromTheBox) {
+  FileHeader h = predictive_header();
+  const std::size_t shortest = write_header(h).size();
+  h.predictive.lattice.step[2] = 0.25;
+  EXPECT_EQ(write_header(h).size(), shortest + 16);
+  h.predictive.lattice.origin[0] -= 1;
+  const auto bytes = write_header(h);
+  EXPECT_EQ(bytes.size(), shortest + 40);
+  ByteReader in(bytes);
+  const auto back = read_header(in);
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->predictive.lattice.step, h.predictive.lattice.step);
+  EXPECT_EQ(back->predictive.lattice.origin, h.predictive.lattice.origin);
+  EXPECT_EQ(back->predictive.lattice.cells, h.predictive.lattice.cells);
 }
 
 TEST(Header, HDR12OmitsAZeroOriginAndKeepsAnother) {

@@ -38,6 +38,8 @@ struct EncodeOptions {
   /// `step`, LFE and maximum error exclude `anchors` and `anchor_density`.
   QualityRequest quality{};
   GeometryCoder geometry = GeometryCoder::kAuto;
+  /// Decoded positions and attributes have the input's bits. Excludes a quality, bits, step and anchors.
+  bool lossless = false;
   /// How hard to look for a smaller stream, 0 (as few passes as keep the request) to 9.
   int effort = 5;
   /// Anchors found by earlier calls for this mesh, and by this one; may be null.

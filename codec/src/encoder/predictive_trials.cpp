@@ -52,7 +52,7 @@ double PredictiveTrials::first_step(const Bounds& bounds) const noexcept {
   if (bounds.max_error) step = std::min(step, 2 / std::sqrt(3.0) * *bounds.max_error);
   if (bounds.lfe) step = std::min(step, 2 * *bounds.lfe);
   if (bounds.vde) step = std::min(step, 1.85 * *bounds.vde);
-  return step;
+  return step > 0 ? step : 1.0;  // a bound in percent of nothing
 }
 
 Result<PredictiveTrials::Trial> PredictiveTrials::try_step(double step) const {

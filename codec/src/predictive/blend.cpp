@@ -18,7 +18,12 @@ std::int64_t corner_of(const Parallelogram& p, std::span<const Cell> cells, std:
 
 }  // namespace
 
-const BlendTable kUsualBlends = {};
+constinit const BlendTable kUsualBlends = [] {
+  constexpr std::array<std::int8_t, 5> kParallelogram = {45, 55, 50, 45, 38};
+  BlendTable table{};
+  for (std::size_t row = 0; row < kBlends; ++row) table[row].parallelogram = kParallelogram[row / 6];
+  return table;
+}();
 
 std::size_t blend_row(const Surroundings& around) noexcept {
   const std::size_t count = std::min(around.parallelogram_count, 5U) - 1;

@@ -27,7 +27,7 @@ struct Blend {
 };
 using BlendTable = std::array<Blend, kBlends>;
 
-/// What a stream has where it says nothing else: means over scans, CAD parts and maps.
+/// What a stream has where it says nothing else: about the means over scans, CAD parts and maps [POSN-8].
 extern const BlendTable kUsualBlends;
 
 /// The table's row for a vertex with a parallelogram.

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// read_positions on arbitrary payloads over a small mesh. The last three bytes choose mesh, lattice and form.
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <span>
+
+#include "predictive/positions.h"
+#include "support/graph_mesh.h"
+
+namespace {
+
+using namespace deltamesh;
+
+test::GraphMesh choose_mesh(unsigned choice) {
+  switch (choice % 4) {
+    case 0:
+      return test::fragments();
+    case 1:
+      return test::sheet(6, 5);
+    case 2:
+      return test::fan(40);
+    default:
+      return test::finish({});
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size < 3) return 0;
+  const std::uint8_t* choice = data + size - 3;
+  const auto bytes = std::as_bytes(std::span(data, size - 3));
+  const test::GraphMesh mesh = choose_mesh(choice[0]);
+  const auto cells = static_cast<std::uint32_t>((std::uint64_t{1} << (choice[1] % 29)) - choice[1] / 128);
+  const PredictiveParameters parameters{.lattice = {.cells = {cells, cells, cells}}};
+  const FaceStars stars(mesh.triangles, static_cast<std::uint32_t>(mesh.positions.size()));
+  const Payload payload = choice[2] % 8 == 0 ? Payload(bytes) : Payload::compact(bytes);
+  const auto positions = read_positions(payload, stars, parameters);
+  if (!positions) {
+    if (positions.error().code == ErrorCode::kInternal) std::abort();
+    return 0;
+  }
+  if (positions->size() != mesh.positions.size()) std::abort();
+  for (const Vec3& position : *positions) {
+    for (const double x : position)
+      if (!(x >= 0 && x <= cells)) std::abort();
+  }
+  return 0;
+}

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// The predictive coder: what it writes comes back, within the bounds, and what it cannot read it refuses.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "deltamesh/compare.h"
+#include "deltamesh/decode.h"
+#include "deltamesh/encode.h"
+#include "entropy/compact_writer.h"
+#include "predictive/lattice.h"
+#include "predictive/lattice_coder.h"
+#include "predictive/positions.h"
+#include "support/graph_mesh.h"
+#include "support/meshes.h"
+#include "topology/component_count.h"
+
+namespace deltamesh {
+namespace {
+
+std::vector<test::GraphMesh> graph_meshes() {
+  return {test::sheet(14, 9), test::fragments(), test::fan(40), test::sheet(1, 1), test::finish({})};
+}
+
+FaceStars stars_of(const test::GraphMesh& mesh) {
+  return {mesh.triangles, static_cast<std::uint32_t>(mesh.positions.size())};
+}
+
+const char* rule_of(const Result<std::vector<Vec3>>& result) { return result ? "" : result.error().rule; }
+
+/// Largest distance of a decoded vertex from its original.
+double largest_error(const Mesh& mesh, const Encoded& encoded) {
+  const auto decoded = decode(encoded.bytes);
+  if (!decoded) return HUGE_VAL;
+  double largest = 0;
+  for (std::size_t v = 0; v < decoded->vertex_count(); ++v) {
+    double squares = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double off = double{decoded->positions[3 * v + axis]} -
+                         double{mesh.positions[std::size_t{3} * encoded.order[v] + axis]};
+      squares += off * off;
+    }
+    largest = std::max(largest, std::sqrt(squares));
+  }
+  return largest;
+}
+
+TEST(Predictive, POSN2POSN3POSN4POSN5POSN6POSN8CellsComeBack) {
+  for (const test::GraphMesh& mesh : graph_meshes()) {
+    const FaceStars stars = stars_of(mesh);
+    for (const double step : {2.0, 0.1, 1e-3, 1e-7, 1e-30}) {
+      const PositionLattice lattice = cubic_lattice(mesh.box, step);
+      const auto cells = to_cells(mesh.positions, lattice);
+      const auto bytes = write_positions(stars, cells, lattice);
+      const auto back = read_positions(Payload::compact(bytes), stars, {.lattice = lattice});
+      ASSERT_TRUE(back) << back.error().message;
+      EXPECT_EQ(*back, to_positions(cells, lattice));
+    }
+  }
+}
+
+TEST(Predictive, ParallelogramsPredictAPlaneExactly) {
+  test::GraphMesh mesh = test::sheet(60, 60);
+  for (Vec3& p : mesh.positions) p[2] = 3 * p[0] + p[1];
+  mesh = test::finish(mesh);
+  const PositionLattice lattice = cubic_lattice(mesh.box, 1);
+  const auto bytes = write_positions(stars_of(mesh), to_cells(mesh.positions, lattice), lattice);
+  EXPECT_LT(8 * bytes.size(), mesh.positions.size());
+}
+
+TEST(Predictive, POSN1RefusesOtherPayloads) {
+  const test::GraphMesh mesh = test::sheet(5, 5);
+  const PositionLattice lattice = cubic_lattice(mesh.box, 0.1);
+  const auto bytes = write_positions(stars_of(mesh), to_cells(mesh.positions, lattice), lattice);
+  EXPECT_STREQ(rule_of(read_positions(Payload(bytes), stars_of(mesh), {.lattice = lattice})), "POSN-1");
+  const FaceStars none({}, 0);
+  EXPECT_STREQ(rule_of(read_positions(Payload::compact(bytes), none, {.lattice = lattice})), "POSN-1");
+  EXPECT_TRUE(read_positions(Payload{}, none, {.lattice = lattice}));
+}
+
+TEST(Predictive, POSN7RefusesCoordinatesBeyondTheLattice) {
+  const test::GraphMesh mesh = test::sheet(5, 5);
+  PositionLattice lattice = cubic_lattice(mesh.box, 0.1);
+  const auto bytes = write_positions(stars_of(mesh), to_cells(mesh.positions, lattice), lattice);
+  lattice.cells[1] -= 1;
+  EXPECT_STREQ(rule_of(read_positions(Payload::compact(bytes), stars_of(mesh), {.lattice = lattice})),
+               "POSN-7");
+}
+
+TEST(Predictive, EveryPrefixIsTruncated) {
+  const test::GraphMesh mesh = test::sheet(6, 5);
+  const PositionLattice lattice = cubic_lattice(mesh.box, 0.01);
+  const auto bytes = write_positions(stars_of(mesh), to_cells(mesh.positions, lattice), lattice);
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    const std::vector<std::byte> prefix(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
+    EXPECT_FALSE(read_positions(Payload::compact(prefix), stars_of(mesh), {.lattice = lattice})) << size;
+  }
+}
+
+TEST(Predictive, TheAskedMaximumIsNeverExceeded) {
+  for (const auto& named : testing::awkward_meshes()) {
+    for (const double asked : {0.3, 0.01, 1e-4}) {
+      for (const int effort : {0, 5}) {
+        const auto encoded = encode(
+            named.mesh,
+            {.quality = {.max_error = asked}, .geometry = GeometryCoder::kPredictive, .effort = effort});
+        if (!encoded) {  // finer than the coordinates' floats
+          EXPECT_EQ(encoded.error().code, ErrorCode::kUnmetRequest) << named.name;
+          continue;
+        }
+        EXPECT_LE(largest_error(named.mesh, *encoded), asked) << named.name;
+        EXPECT_EQ(encoded->report.stream.geometry, "predictive");
+      }
+    }
+  }
+}
+
+TEST(Predictive, LfeAndVdeLandBelowWhatIsAsked) {
+  const Mesh mesh = testing::bumpy_grid(40, 30);
+  for (const double asked : {0.05, 0.002}) {
+    const auto lfe =
+        encode(mesh, {.quality = {.lfe = QualityBound{asked}}, .geometry = GeometryCoder::kPredictive});
+    const auto vde =
+        encode(mesh, {.quality = {.vde = QualityBound{asked}}, .geometry = GeometryCoder::kPredictive});
+    ASSERT_TRUE(lfe && vde);
+    EXPECT_LE(lfe->report.stream.quality.lfe_rms, asked * (1 + 1e-6));
+    EXPECT_GE(lfe->report.stream.quality.lfe_rms, 0.9 * asked);
+    EXPECT_LE(vde->report.stream.quality.vde_rms, asked * (1 + 1e-6));
+    EXPECT_GE(vde->report.stream.quality.vde_rms, 0.9 * asked);
+  }
+}
+
+TEST(Predictive, AutoIsTheSmallerOfTheTwo) {
+  const Mesh mesh = testing::bumpy_grid(50, 40);
+  for (const QualityRequest& request :
+       {QualityRequest{.vde = QualityBound{0.01}}, QualityRequest{.max_error = 0.01}}) {
+    std::uint64_t smallest = ~std::uint64_t{0};
+    for (const GeometryCoder coder : {GeometryCoder::kHighpass, GeometryCoder::kPredictive}) {
+      const auto encoded = encode(mesh, {.quality = request, .geometry = coder});
+      if (encoded) smallest = std::min<std::uint64_t>(smallest, encoded->bytes.size());
+    }
+    const auto chosen = encode(mesh, {.quality = request});
+    ASSERT_TRUE(chosen);
+    EXPECT_EQ(chosen->bytes.size(), smallest);
+  }
+}
+
+TEST(Predictive, OptionsThatDoNotFitAreRefused) {
+  const GeometryCoder predictive = GeometryCoder::kPredictive;
+  EXPECT_TRUE(validate({.geometry = predictive, .bits = 28}));
+  EXPECT_FALSE(validate({.geometry = predictive, .bits = 29}));
+  EXPECT_FALSE(validate({.geometry = predictive, .anchors = 3}));
+  EXPECT_FALSE(validate({.geometry = predictive, .anchor_density = 3}));
+  EXPECT_FALSE(validate({.geometry = predictive, .profile = Profile::kZstd}));
+}
+
+TEST(ComponentCount, AgreesWithTheGraph) {
+  for (const test::GraphMesh& mesh : graph_meshes())
+    EXPECT_EQ(count_components(mesh.triangles, static_cast<std::uint32_t>(mesh.positions.size())),
+              mesh.components.count);
+}
+
+}  // namespace
+}  // namespace deltamesh
