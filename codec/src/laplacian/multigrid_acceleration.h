@@ -41,7 +41,7 @@ class Acceleration {
   std::span<const Change> proposed() const noexcept { return proposed_; }
 
  private:
-  static constexpr std::size_t kDirections = 4;
+  static constexpr std::size_t kDirections = 2;
   using Sums = std::array<double, 3>;
 
   struct Direction {

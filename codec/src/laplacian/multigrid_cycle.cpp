@@ -17,7 +17,8 @@ MultigridCycle::MultigridCycle(const Adjacency& graph, std::span<const std::uint
       targets_(anchors.size()),
       gaps_(anchors.size()),
       forces_(anchors.size()),
-      coarsest_(levels_.back()) {
+      bottom_(levels_.size() - 1),
+      coarsest_(levels_.size()) {
   for (std::size_t level = 0; level < levels_.size(); ++level) {
     vectors_[level].b.resize(levels_[level].node_count());
     vectors_[level].u.resize(levels_[level].node_count());
@@ -25,7 +26,8 @@ MultigridCycle::MultigridCycle(const Adjacency& graph, std::span<const std::uint
 }
 
 void MultigridCycle::solve_coarsest() {
-  coarsest_.solve(vectors_.back().b, gaps_, vectors_.back().u, forces_);
+  if (!coarsest_[bottom_]) coarsest_[bottom_] = std::make_unique<CoarsestSolver>(levels_[bottom_]);
+  coarsest_[bottom_]->solve(vectors_[bottom_].b, gaps_, vectors_[bottom_].u, forces_);
 }
 
 void MultigridCycle::descend(std::size_t level) {
@@ -47,12 +49,13 @@ void MultigridCycle::ascend(std::size_t level) {
 void MultigridCycle::v_cycle(std::size_t top) {
   const Level& level = levels_[top];
   for (std::size_t a = 0; a < gaps_.size(); ++a) gaps_[a] = targets_[a] + vectors_[top].b[level.anchors[a]].s;
-  for (std::size_t l = top; l + 1 < levels_.size(); ++l) descend(l);
+  for (std::size_t l = top; l < bottom_; ++l) descend(l);
   solve_coarsest();
-  for (std::size_t l = levels_.size() - 1; l-- > top;) ascend(l);
+  for (std::size_t l = bottom_; l-- > top;) ascend(l);
 }
 
 void MultigridCycle::start() {
+  bottom_ = levels_.size() - 1;
   for (const std::uint32_t anchor : levels_.front().anchors) vectors_.front().b[anchor].s = Float4{};
   for (std::size_t l = 0; l + 1 < levels_.size(); ++l)
     restrict_rows(levels_[l], vectors_[l].b, vectors_[l + 1].b);
@@ -70,5 +73,11 @@ void MultigridCycle::start() {
 }
 
 void MultigridCycle::cycle() { v_cycle(0); }
+
+bool MultigridCycle::drop_coarsest() {
+  if (bottom_ < 2) return false;
+  --bottom_;
+  return true;
+}
 
 }  // namespace deltamesh::multigrid

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -42,6 +43,10 @@ class MultigridCycle {
   /// One V-cycle: about two thirds of the error go.
   void cycle();
 
+  /// Makes the second coarsest level the coarsest until start() is called: dearer cycles that converge
+  /// faster. The solution stays. False where only one level would be left.
+  bool drop_coarsest();
+
  private:
   struct Vectors {
     std::vector<Row> b;
@@ -58,8 +63,9 @@ class MultigridCycle {
   std::vector<Vectors> vectors_;
   std::vector<Float4> targets_;
   std::vector<Float4> gaps_;
-  std::vector<Float4> forces_;  ///< of the last solution on the coarsest level
-  CoarsestSolver coarsest_;
+  std::vector<Float4> forces_;                             ///< of the last solution on the coarsest level
+  std::size_t bottom_;                                     ///< level that is solved, not coarsened
+  std::vector<std::unique_ptr<CoarsestSolver>> coarsest_;  ///< per level; null where not needed so far
 };
 
 }  // namespace deltamesh::multigrid

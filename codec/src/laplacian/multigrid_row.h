@@ -10,7 +10,38 @@ namespace deltamesh::multigrid {
 
 /// Element-wise arithmetic only, so that every instruction set gives the same bits.
 using Float4 = float __attribute__((vector_size(16)));
-using Double4 = double __attribute__((vector_size(32)));
+
+/// The same in doubles, as two halves that every instruction set has registers for.
+struct Double4 {
+  using Half = double __attribute__((vector_size(16)));
+  Half xy{};
+  Half zw{};
+
+  Double4& operator+=(const Double4& other) noexcept {
+    xy += other.xy;
+    zw += other.zw;
+    return *this;
+  }
+  Double4& operator-=(const Double4& other) noexcept {
+    xy -= other.xy;
+    zw -= other.zw;
+    return *this;
+  }
+  friend Double4 operator+(Double4 a, const Double4& b) noexcept { return a += b; }
+  friend Double4 operator-(Double4 a, const Double4& b) noexcept { return a -= b; }
+  friend Double4 operator*(const Double4& a, const Double4& b) noexcept { return {a.xy * b.xy, a.zw * b.zw}; }
+  friend Double4 operator*(double factor, const Double4& a) noexcept {
+    return {factor * a.xy, factor * a.zw};
+  }
+};
+
+inline Double4 widen(Float4 v) noexcept {
+  return Double4{Double4::Half{v[0], v[1]}, Double4::Half{v[2], v[3]}};
+}
+inline Float4 narrow(const Double4& v) noexcept {
+  return Float4{static_cast<float>(v.xy[0]), static_cast<float>(v.xy[1]), static_cast<float>(v.zw[0]),
+                static_cast<float>(v.zw[1])};
+}
 
 /// Both fields of a vertex side by side: one 32-byte load per neighbour serves both and all axes.
 struct alignas(32) Row {

@@ -33,6 +33,10 @@ void smooth_all(const Level& level, std::span<const Row> b, std::span<Row> u) {
   for (std::uint32_t i = 0; i < u.size(); ++i) {
     const Row sum = sum_neighbors<kUnitWeights>(level, u, i);
     const float inverse = level.inverse_degree[i];
+    if (inverse == 0) {
+      u[i].s = (level.mass[i] > 0 ? 1 / level.mass[i] : 0.0F) * b[i].x;
+      continue;
+    }
     u[i].s += kOverRelaxation * (inverse * (sum.s + b[i].s) - u[i].s);
     u[i].x += kOverRelaxation * (inverse * (sum.x + b[i].x - level.mass[i] * u[i].s) - u[i].x);
   }

@@ -24,24 +24,27 @@ using multigrid::Float4;
 using multigrid::Group;
 using multigrid::MultigridCycle;
 
-constexpr int kFirstCycles = 4;
-constexpr int kPlainCycles = 8;  ///< after the first; what changed is looked at after each, for an error that
-                                 ///< swings from side to side hides from any longer interval
-constexpr int kAcceleratedLooks = 12;
-constexpr int kCyclesPerLook = 2;
-
 /// Plain cycles go on while the change falls by this from one to the next.
-constexpr double kGoodProgress = 0.7;
+constexpr int kPlainCycles = 12;
+constexpr double kGoodProgress = 0.5;
 
-/// Settled: what the last cycle changed is small against the error that quantisation left (rms, largest). The
-/// next ones would change two thirds of that.
+/// In hard cases, where strips or peninsulas that hang by few edges are wrong on coarse levels, the coarsest
+/// level is dropped, at most kMaxDrops times, when the change has not fallen to kPoorProgress in
+/// kCyclesPerDrop cycles.
+constexpr int kCyclesPerDrop = 3;
+constexpr double kPoorProgress = 0.2;
+constexpr int kMaxDrops = 2;
+
+/// Accelerated cycles: how many before the small components that still move are factored, and at the most.
+constexpr int kPatience = 10;
+constexpr int kAcceleratedCycles = 40;
+constexpr std::uint32_t kLargestRescue = 2000;  ///< vertices of such a component
+
+/// Settled: what the last cycle changed is small against the error that quantisation left (rms, largest).
+/// The next plain ones would change a half of that, accelerated ones about as much again.
 constexpr double kSettledRms = 0.2;
 constexpr double kSettledLargest = 1;
-
-/// Where cycles had to be accelerated, a small change may also mean slow progress: ask for this share of the
-/// above.
-constexpr double kStrict = 0.25;
-constexpr double kSettledPerAnchor = 0.5;
+constexpr double kAcceleratedShare = 0.5;
 
 /// Low-frequency error over rms of the anchors' forces, times share of anchors: 0.23 within 15 % on scans,
 /// terrain and CAD, 4 to 8 bits, 0.1 to 2 % anchors.
@@ -77,10 +80,7 @@ class GroupSolver {
     std::fill(x_.begin(), x_.end(), Vec3{});
     set_right_hand_sides();
     cycles_.start();
-    for (int c = 0; c < kFirstCycles; ++c) cycles_.cycle();
-    absorb();
-    const bool settled = run_plain() || run_accelerated();
-    if (!settled) DELTAMESH_CHECK(solve_bad_components());
+    if (!run_plain()) DELTAMESH_CHECK(run_accelerated());
     for (std::size_t i = 0; i < x_.size(); ++i) x[group_.vertices[i]] = x_[i];
     return {};
   }
@@ -88,6 +88,7 @@ class GroupSolver {
  private:
   /// Cycles until settled (true), or until they make little progress.
   bool run_plain() {
+    absorb();
     double change = std::numeric_limits<double>::infinity();
     for (int c = 0; c < kPlainCycles; ++c) {
       set_right_hand_sides();
@@ -100,47 +101,54 @@ class GroupSolver {
     return false;
   }
 
-  /// Cycles that never raise the functional. Settled when the change is small and the functional too has
-  /// stopped falling: at the solution it is about the noise of one delta coordinate for every anchor, and an
-  /// error that only a few vertices have left, slow to go, still shows.
-  bool run_accelerated() {
+  /// Cycles that never raise the functional. Components that do not settle are factored if they are small;
+  /// large ones are left as near to the solution as they are.
+  Result<void> run_accelerated() {
     multigrid::Acceleration acceleration(group_);
-    double before = set_right_hand_sides();
-    for (int look = 0; look < kAcceleratedLooks; ++look) {
+    double change = worst_change();
+    int drops = 0;
+    for (int c = 0; c < kAcceleratedCycles; ++c) {
+      set_right_hand_sides();
       acceleration.restart(cycles_);
-      for (int c = 0; c < kCyclesPerLook; ++c) acceleration.cycle(cycles_);
+      acceleration.cycle(cycles_);
       absorb();
       const auto proposed = acceleration.proposed();
       std::copy(proposed.begin(), proposed.end(), change_.begin());
-      const bool is_small = is_settled(kStrict);
-      const double after = set_right_hand_sides();
-      const double per_anchor = after / static_cast<double>(targets_.size());
-      if (is_small && before - after <= kSettledPerAnchor * per_anchor) return true;
-      before = after;
+      if (is_settled(kAcceleratedShare)) return {};
+      if (c % kCyclesPerDrop == kCyclesPerDrop - 1) {
+        const double previous = std::exchange(change, worst_change());
+        if (change > kPoorProgress * previous && drops < kMaxDrops && cycles_.drop_coarsest()) ++drops;
+      }
+      if (c + 1 >= kPatience && largest_bad_component() <= kLargestRescue) break;
     }
-    std::fill(bad_.begin(), bad_.end(), std::uint8_t{1});
-    return false;
+    for (std::size_t c = 0; c < bad_.size(); ++c) {
+      if (group_.components.size[c] > kLargestRescue) bad_[c] = 0;
+    }
+    return solve_bad_components();
+  }
+
+  std::uint32_t largest_bad_component() const noexcept {
+    std::uint32_t largest = 0;
+    for (std::size_t c = 0; c < bad_.size(); ++c) {
+      if (bad_[c] != 0) largest = std::max(largest, group_.components.size[c]);
+    }
+    return largest;
   }
 
   /// D (delta - L x) and c - x_a, in doubles, for a correction that starts from zero. Forces and s stay.
-  /// Returns the functional ||delta - L x||^2 + sum_a ||c_a - x_a||^2.
-  double set_right_hand_sides() {
-    double functional = 0;
+  void set_right_hand_sides() {
     for (std::uint32_t i = 0; i < x_.size(); ++i) {
       Vec3 sum{};
       for (const std::uint32_t j : group_.graph.of(i)) sum = sum + x_[j];
       const double degree = group_.graph.degree(i);
       const Vec3 charge = degree * (deltas_[i] - x_[i]) + sum;
-      functional += dot(charge, charge) / (degree * degree);
       cycles_.delta(i) = to_float4(charge);
       cycles_.solution()[i].x = Float4{};
     }
     for (std::size_t a = 0; a < targets_.size(); ++a) {
       const Vec3 gap = targets_[a] - x_[group_.anchors[a]];
-      functional += dot(gap, gap);
       cycles_.target(a) = to_float4(gap);
     }
-    return functional;
   }
 
   /// Adds the correction to x and measures it.
@@ -181,13 +189,14 @@ class GroupSolver {
     return std::clamp(error, 0.0, kMaxErrorPerDelta * deltas);
   }
 
-  /// Against `share` of the usual bounds; marks the components that are not.
+  /// The rms against `share` of the usual bound; marks the components that are not.
   bool is_settled(double share) {
-    const double error = share * expected_error();
+    const double error = expected_error();
     bool settled = true;
     for (std::size_t c = 0; c < change_.size(); ++c) {
-      const bool good = std::sqrt(change_[c].squares / group_.components.size[c]) <= kSettledRms * error &&
-                        std::sqrt(change_[c].largest) <= kSettledLargest * error;
+      const bool good =
+          std::sqrt(change_[c].squares / group_.components.size[c]) <= share * kSettledRms * error &&
+          std::sqrt(change_[c].largest) <= kSettledLargest * error;
       bad_[c] = good ? 0 : 1;  // NaN is bad
       settled = settled && good;
     }
@@ -195,6 +204,7 @@ class GroupSolver {
   }
 
   Result<void> solve_bad_components() {
+    if (std::find(bad_.begin(), bad_.end(), 1) == bad_.end()) return {};
     const Group bad = extract_components(group_, bad_);
     std::vector<Vec3> deltas, targets;
     for (const std::uint32_t v : bad.vertices) deltas.push_back(deltas_[v]);

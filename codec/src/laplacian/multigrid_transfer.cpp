@@ -7,6 +7,9 @@
 namespace deltamesh::multigrid {
 namespace {
 
+/// A neighbour that is a seed knows its aggregate's value better than one that is not.
+constexpr float kSeedWeight = 5;
+
 /// The three largest of the weights offered, the first offered among equals.
 class LargestThree {
  public:
@@ -61,7 +64,7 @@ std::vector<Interpolation> make_interpolation(const Level& fine, const Aggregate
         const std::uint32_t neighbor = fine.neighbors[e];
         const std::uint32_t other = aggregates.of[neighbor];
         if (sums[other] == 0) touched.push_back(other);
-        sums[other] += aggregates.seeds[other] == neighbor ? 2 * fine.weight(e) : fine.weight(e);
+        sums[other] += aggregates.seeds[other] == neighbor ? kSeedWeight * fine.weight(e) : fine.weight(e);
       }
       for (const std::uint32_t other : touched) {
         largest.offer(other, sums[other]);

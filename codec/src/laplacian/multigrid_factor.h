@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Sparse LDL^T for the coarsest level, solved for all axes at once.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "laplacian/multigrid_row.h"
+
+namespace deltamesh::multigrid {
+
+/// A symmetric matrix: its diagonal, and per row the entries beside it in ascending order of column.
+struct SymmetricMatrix {
+  std::vector<std::uint32_t> offsets;  ///< n + 1
+  std::vector<std::uint32_t> columns;
+  std::vector<double> values;
+  std::vector<double> diagonal;  ///< n
+
+  std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(diagonal.size()); }
+};
+
+class SparseFactor {
+ public:
+  /// Nothing where the matrix is not positive definite. Time and memory grow faster than n: for some ten
+  /// thousand rows.
+  static std::optional<SparseFactor> make(const SymmetricMatrix& matrix);
+
+  /// Overwrites `b` (n) with the solution.
+  void solve(std::span<Double4> b);
+
+ private:
+  std::vector<std::uint32_t> place_;    ///< n: where row i went
+  std::vector<std::uint32_t> offsets_;  ///< n + 1: columns of L below its diagonal of ones
+  std::vector<std::uint32_t> rows_;
+  std::vector<double> values_;
+  std::vector<double> inverse_diagonal_;  ///< n: 1 / D
+  std::vector<Double4> work_;             ///< n
+};
+
+}  // namespace deltamesh::multigrid
