@@ -25,8 +25,7 @@ inline constexpr std::array<std::uint32_t, 512> kReciprocals = [] {
 /// `a`: less than 2^40 in size; `b`: 1 to 2^40.
 constexpr std::int32_t quick_ratio(std::int64_t a, std::int64_t b) noexcept {
   const auto width = static_cast<unsigned>(std::bit_width(static_cast<std::uint64_t>(b)));
-  const std::uint64_t top = width > 10 ? static_cast<std::uint64_t>(b) >> (width - 10)
-                                       : static_cast<std::uint64_t>(b) << (10 - width);
+  const std::uint64_t top = (static_cast<std::uint64_t>(b) << 10) >> width;
   const std::int64_t ratio = (a * kReciprocals[top - 512]) >> (width + 3);
   return static_cast<std::int32_t>(std::clamp<std::int64_t>(ratio, -(8 << kRatioBits), 8 << kRatioBits));
 }

@@ -26,9 +26,10 @@ struct Interval {
 /// Full scale of a model's lanes: leaves room for the rounding term of the update below 2^15.
 inline constexpr std::int16_t kLaneOne = 32512;
 
-/// Distribution of one symbol in one context. Lane i holds the probability of a symbol of at most i.
+/// Distribution of one symbol in one context. Lane i holds the probability of a symbol below i.
 struct alignas(16) SymbolModel {
   Lanes lanes{};
+  std::int16_t all = kLaneOne;  ///< what would be the lane after the last
   std::uint16_t seen = 0;
 
   /// `weights`: 16 relative frequencies, sum above 0, below 2^16.
@@ -37,22 +38,22 @@ struct alignas(16) SymbolModel {
     for (const std::uint8_t w : weights) sum += w;
     std::uint32_t below = 0;
     for (unsigned i = 0; i < kSymbols; ++i) {
-      below += weights[i];
       lanes[i] = static_cast<std::int16_t>(below * static_cast<std::uint32_t>(kLaneOne) / sum);
+      below += weights[i];
     }
   }
 
   /// Probability of `symbol`, parts of kLaneOne.
   std::int32_t share(unsigned symbol) const noexcept {
-    return lanes[symbol] - (symbol == 0 ? 0 : lanes[symbol - 1]);
+    return (symbol + 1 == kSymbols ? all : lanes[symbol + 1]) - lanes[symbol];
   }
 
   /// Moves the lanes towards `symbol` by 2^-rate of the way, rounded away from where they are, at least
   /// to 1 / 128 of the way as more and more symbols were seen [CMP-5].
   void learn(unsigned symbol) noexcept {
     const unsigned rate = kRates[seen];
-    seen = static_cast<std::uint16_t>(std::min<unsigned>(seen + 1U, kRates.size() - 1));
-    pull_lanes(lanes, symbol, static_cast<std::int16_t>(kLaneOne + (1 << rate) - 1), rate);
+    seen = static_cast<std::uint16_t>(seen + (seen + 1U < kRates.size() ? 1 : 0));
+    pull_lanes(lanes, kPulls[rate][symbol], rate);
   }
 
  private:
@@ -61,6 +62,13 @@ struct alignas(16) SymbolModel {
     for (unsigned n = 0; n < rates.size(); ++n)
       rates[n] = n < 4 ? 2 : n < 12 ? 3 : n < 28 ? 4 : n < 60 ? 5 : n < 124 ? 6 : 7;
     return rates;
+  }();
+  /// By rate: the goal is as far beyond kLaneOne as rounding needs.
+  static constexpr std::array<Pulls, 8> kPulls = [] {
+    std::array<Pulls, 8> pulls{};
+    for (unsigned rate = 0; rate < pulls.size(); ++rate)
+      pulls[rate] = make_pulls(static_cast<std::int16_t>(kLaneOne + (1 << rate) - 1));
+    return pulls;
   }();
 };
 
@@ -73,7 +81,7 @@ class MixWeights {
     weights_.back() = static_cast<std::uint16_t>(kWeightOne - (K - 1) * (kWeightOne / K));
   }
 
-  std::uint32_t operator[](std::size_t k) const noexcept { return weights_[k]; }
+  const std::array<std::uint16_t, K>& values() const noexcept { return weights_; }
 
   /// `shares`: probability that each model gave the symbol; `size`: what the mixture gave it.
   void learn(const std::array<std::int32_t, K>& shares, std::uint32_t size) noexcept {
@@ -99,11 +107,16 @@ class MixWeights {
   std::array<std::uint16_t, K> weights_{};
 };
 
-/// The interval of `symbol` under the lanes of Mixture::ends().
-inline Interval interval_of(const Lanes& ends, unsigned symbol) noexcept {
-  const std::uint32_t start = symbol == 0 ? 0 : static_cast<std::uint32_t>(ends[symbol - 1]);
+/// The interval of `symbol` under Mixture::starts().
+inline Interval interval_of(const LaneSum& starts, unsigned symbol) noexcept {
+  struct {
+    Lanes lanes;
+    std::uint16_t all = kProbabilityOne;
+  } bounds;
+  starts.store(bounds.lanes);
+  const auto start = static_cast<std::uint32_t>(bounds.lanes[symbol]);
   const std::uint32_t end =
-      symbol + 1 == kSymbols ? kProbabilityOne : static_cast<std::uint32_t>(ends[symbol]);
+      symbol + 1 == kSymbols ? bounds.all : static_cast<std::uint32_t>(bounds.lanes[symbol + 1]);
   return {start, end - start};
 }
 
@@ -113,25 +126,25 @@ struct Mixture {
   std::array<SymbolModel*, K> models;
   MixWeights<K>* weights;
 
-  /// Lane i: parts of 2^15 of the symbols up to i; each symbol has 2 at least. The last lane is
-  /// meant to be 2^15 and holds one less [CMP-6].
-  Lanes ends() const noexcept {
-    Lanes sum = kFloor;
-    for (std::size_t k = 0; k < K; ++k) add_weighted(sum, models[k]->lanes, (*weights)[k]);
-    sum[kSymbols - 1] = kProbabilityOne - 1;
+  /// Lane i: parts of 2^15 of the symbols below i; each symbol has 2 at least [CMP-6].
+  LaneSum starts() const noexcept {
+    std::array<const Lanes*, K> lanes;
+    for (std::size_t k = 0; k < K; ++k) lanes[k] = &models[k]->lanes;
+    LaneSum sum(kFloor);
+    sum.add_weighted(lanes, weights->values());
     return sum;
   }
 
   void learn(unsigned symbol, std::uint32_t size) noexcept {
     std::array<std::int32_t, K> shares;
     for (std::size_t k = 0; k < K; ++k) {
-      shares[k] = models[k]->share(symbol);
+      if constexpr (K > 1) shares[k] = models[k]->share(symbol);
       models[k]->learn(symbol);
     }
     if constexpr (K > 1) weights->learn(shares, size);
   }
 
-  static constexpr Lanes kFloor = {2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30, 0};
+  static constexpr Lanes kFloor = {0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30};
 };
 
 /// Probability of a set bit: the mean of a fast and a slow estimate [CMP-7].
@@ -139,7 +152,8 @@ class BitModel {
  public:
   Interval interval(bool bit) const noexcept {
     const std::uint32_t one = probability();
-    return bit ? Interval{0, one} : Interval{one, kProbabilityOne - one};
+    const std::uint32_t if_clear = bit ? 0 : ~0U;  // selects without a branch, which would often go wrong
+    return {one & if_clear, (one ^ if_clear) + (if_clear & (kProbabilityOne + 1))};
   }
   std::uint32_t probability() const noexcept {
     return std::clamp<std::uint32_t>((std::uint32_t{fast_} + slow_) >> 2, 32, kProbabilityOne - 32);

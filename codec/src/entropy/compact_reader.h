@@ -28,10 +28,9 @@ class CompactReader {
 
   template <std::size_t K>
   unsigned symbol(unsigned, Mixture<K> mixture) noexcept {
-    const Lanes ends = mixture.ends();
-    const std::uint32_t slot = slot_of_state();
-    const unsigned symbol = std::min(count_up_to(ends, static_cast<std::int16_t>(slot)), kSymbols - 1);
-    const Interval interval = interval_of(ends, symbol);
+    const LaneSum starts = mixture.starts();
+    const unsigned symbol = starts.find(static_cast<std::int16_t>(slot_of_state()));
+    const Interval interval = interval_of(starts, symbol);
     take(interval);
     mixture.learn(symbol, interval.size);
     return symbol;

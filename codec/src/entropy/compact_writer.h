@@ -23,7 +23,7 @@ class CompactWriter {
   /// `value` below 16.
   template <std::size_t K>
   unsigned symbol(unsigned value, Mixture<K> mixture) {
-    const Interval interval = interval_of(mixture.ends(), value);
+    const Interval interval = interval_of(mixture.starts(), value);
     put(interval);
     mixture.learn(value, interval.size);
     return value;

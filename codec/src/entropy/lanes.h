@@ -20,36 +20,53 @@ inline constexpr unsigned kSymbols = 16;
 
 using Lanes = std::array<std::int16_t, kSymbols>;
 
-/// From lane s on all bits set.
-inline constexpr std::array<Lanes, kSymbols> kLaneMasks = [] {
-  std::array<Lanes, kSymbols> masks{};
+/// Where lanes are pulled to: those up to s to 0, the others to `goal`.
+using Pulls = std::array<Lanes, kSymbols>;
+constexpr Pulls make_pulls(std::int16_t goal) noexcept {
+  Pulls pulls{};
   for (unsigned s = 0; s < kSymbols; ++s)
-    for (unsigned i = s; i < kSymbols; ++i) masks[s][i] = -1;
-  return masks;
-}();
+    for (unsigned i = s + 1; i < kSymbols; ++i) pulls[s][i] = goal;
+  return pulls;
+}
 
 namespace plain {
 
-/// lane += ((mask of `symbol` & goal) - lane) >> rate
-constexpr void pull_lanes(Lanes& lanes, unsigned symbol, std::int16_t goal, unsigned rate) noexcept {
+/// lane += (pull - lane) >> rate
+constexpr void pull_lanes(Lanes& lanes, const Lanes& pull, unsigned rate) noexcept {
   for (unsigned i = 0; i < kSymbols; ++i)
-    lanes[i] = static_cast<std::int16_t>(lanes[i] + (((kLaneMasks[symbol][i] & goal) - lanes[i]) >> rate));
+    lanes[i] = static_cast<std::int16_t>(lanes[i] + ((pull[i] - lanes[i]) >> rate));
 }
 
-/// sum += lanes * weight / 2^15, rounded down; `weight` below 2^16, lanes not negative.
-constexpr void add_weighted(Lanes& sum, const Lanes& lanes, std::uint32_t weight) noexcept {
-  for (unsigned i = 0; i < kSymbols; ++i) {
-    const std::uint32_t twice = 2 * static_cast<std::uint32_t>(lanes[i]);
-    sum[i] = static_cast<std::int16_t>(sum[i] + static_cast<std::int32_t>((twice * weight) >> 16));
+/// Lanes that are summed up and searched.
+class LaneSum {
+ public:
+  explicit constexpr LaneSum(const Lanes& lanes) noexcept : lanes_(lanes) {}
+
+  /// Adds 2 * lanes * weights[k] / 2^16 for all k, rounded down each; lanes not negative.
+  template <std::size_t K>
+  constexpr void add_weighted(const std::array<const Lanes*, K>& lanes,
+                              const std::array<std::uint16_t, K>& weights) noexcept {
+    for (std::size_t k = 0; k < K; ++k) {
+      for (unsigned i = 0; i < kSymbols; ++i) {
+        const std::uint32_t twice = 2 * static_cast<std::uint32_t>((*lanes[k])[i]);
+        lanes_[i] =
+            static_cast<std::int16_t>(lanes_[i] + static_cast<std::int32_t>((twice * weights[k]) >> 16));
+      }
+    }
   }
-}
 
-/// The number of lanes that are at most `value`.
-constexpr unsigned count_up_to(const Lanes& lanes, std::int16_t value) noexcept {
-  unsigned count = 0;
-  for (const std::int16_t lane : lanes) count += lane <= value ? 1 : 0;
-  return count;
-}
+  /// The last lane that is at most `value`; the lanes rise, the first is 0.
+  constexpr unsigned find(std::int16_t value) const noexcept {
+    unsigned found = 0;
+    for (unsigned i = 1; i < kSymbols; ++i) found += lanes_[i] <= value ? 1 : 0;
+    return found;
+  }
+
+  constexpr void store(Lanes& lanes) const noexcept { lanes = lanes_; }
+
+ private:
+  Lanes lanes_;
+};
 
 }  // namespace plain
 
@@ -62,37 +79,51 @@ inline void store_lanes(Lanes& lanes, std::size_t half, __m128i value) noexcept 
   _mm_storeu_si128(reinterpret_cast<__m128i*>(lanes.data() + 8 * half), value);
 }
 
-inline void pull_lanes(Lanes& lanes, unsigned symbol, std::int16_t goal, unsigned rate) noexcept {
-  const __m128i goals = _mm_set1_epi16(goal);
+inline void pull_lanes(Lanes& lanes, const Lanes& pull, unsigned rate) noexcept {
   const __m128i shift = _mm_cvtsi32_si128(static_cast<int>(rate));
   for (std::size_t half = 0; half < 2; ++half) {
     const __m128i now = load_lanes(lanes, half);
-    const __m128i way = _mm_sub_epi16(_mm_and_si128(load_lanes(kLaneMasks[symbol], half), goals), now);
+    const __m128i way = _mm_sub_epi16(load_lanes(pull, half), now);
     store_lanes(lanes, half, _mm_add_epi16(now, _mm_sra_epi16(way, shift)));
   }
 }
 
-inline void add_weighted(Lanes& sum, const Lanes& lanes, std::uint32_t weight) noexcept {
-  const __m128i weights = _mm_set1_epi16(static_cast<std::int16_t>(weight));
-  for (std::size_t half = 0; half < 2; ++half) {
-    const __m128i twice = _mm_slli_epi16(load_lanes(lanes, half), 1);
-    store_lanes(sum, half, _mm_add_epi16(load_lanes(sum, half), _mm_mulhi_epu16(twice, weights)));
-  }
-}
+/// The same in registers.
+class LaneSum {
+ public:
+  explicit LaneSum(const Lanes& lanes) noexcept : low_(load_lanes(lanes, 0)), high_(load_lanes(lanes, 1)) {}
 
-inline unsigned count_up_to(const Lanes& lanes, std::int16_t value) noexcept {
-  const __m128i values = _mm_set1_epi16(value);
-  const __m128i low = _mm_cmpgt_epi16(load_lanes(lanes, 0), values);
-  const __m128i high = _mm_cmpgt_epi16(load_lanes(lanes, 1), values);
-  // One bit per lane that is larger; the lanes never fall, so the first of them tells.
-  const auto larger = static_cast<unsigned>(_mm_movemask_epi8(_mm_packs_epi16(low, high)));
-  return static_cast<unsigned>(std::countr_zero(larger | 1U << kSymbols));
-}
+  template <std::size_t K>
+  void add_weighted(const std::array<const Lanes*, K>& lanes,
+                    const std::array<std::uint16_t, K>& weights) noexcept {
+    for (std::size_t k = 0; k < K; ++k) {
+      const __m128i weight = _mm_set1_epi16(static_cast<std::int16_t>(weights[k]));
+      low_ = _mm_add_epi16(low_, _mm_mulhi_epu16(_mm_slli_epi16(load_lanes(*lanes[k], 0), 1), weight));
+      high_ = _mm_add_epi16(high_, _mm_mulhi_epu16(_mm_slli_epi16(load_lanes(*lanes[k], 1), 1), weight));
+    }
+  }
+
+  unsigned find(std::int16_t value) const noexcept {
+    const __m128i values = _mm_set1_epi16(value);
+    const __m128i larger = _mm_packs_epi16(_mm_cmpgt_epi16(low_, values), _mm_cmpgt_epi16(high_, values));
+    // One bit per lane that is larger; the one before the first of them is the last that is not.
+    const auto bits = static_cast<unsigned>(_mm_movemask_epi8(larger)) | 1U << kSymbols;
+    return static_cast<unsigned>(std::countr_zero(bits)) - 1;
+  }
+
+  void store(Lanes& lanes) const noexcept {
+    store_lanes(lanes, 0, low_);
+    store_lanes(lanes, 1, high_);
+  }
+
+ private:
+  __m128i low_;
+  __m128i high_;
+};
 
 #else
 
-using plain::add_weighted;
-using plain::count_up_to;
+using plain::LaneSum;
 using plain::pull_lanes;
 
 #endif

@@ -15,6 +15,7 @@
 #include "entropy/compact_model.h"
 #include "entropy/number_model.h"
 #include "field/field_context.h"
+#include "field/field_predictor.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {
@@ -41,13 +42,9 @@ class FieldCoder {
   bool code_vertex(std::uint32_t vertex, std::array<std::int32_t, 3>& q, unsigned axes) {
     const FieldNeighborhood around = history_.around(vertex);
     predictor_.begin(around);
-    for (unsigned axis = 0; axis < axes; ++axis) {
-      const FieldForecast forecast = predictor_.forecast(axis);
-      const std::int64_t coded = code(q[axis], forecast);
-      if (coded < -kLargestFieldValue || coded > kLargestFieldValue) return false;
-      q[axis] = static_cast<std::int32_t>(coded);
-      predictor_.learn(axis, q[axis], forecast);
-    }
+    if (!code_axis<0>(q[0])) return false;
+    if (axes > 1 && !code_axis<1>(q[1])) return false;
+    if (axes > 2 && !code_axis<2>(q[2])) return false;
     history_.remember(vertex, q, around);
     return true;
   }
@@ -74,9 +71,19 @@ class FieldCoder {
   }
 
  private:
+  template <unsigned kAxis>
+  bool code_axis(std::int32_t& q) {
+    const FieldForecast forecast = predictor_.template forecast<kAxis>();
+    const std::int64_t coded = code(q, forecast);
+    if (coded < -kLargestFieldValue || coded > kLargestFieldValue) return false;
+    q = static_cast<std::int32_t>(coded);
+    predictor_.template learn<kAxis>(q, forecast);
+    return true;
+  }
+
   /// Returns the number, of any size where the stream lies [FLD-5].
   std::int64_t code(std::int64_t q, const FieldForecast& f) {
-    const std::int64_t swapped = f.negative ? -q : q;
+    const std::int64_t swapped = (q ^ f.sign) - f.sign;
     std::int64_t high = (swapped >> f.shift) - f.center;
     const auto low = static_cast<std::uint32_t>(swapped & ((std::int64_t{1} << f.shift) - 1));
     const bool far = high < -kFieldReach || high > kFieldReach;
@@ -86,7 +93,7 @@ class FieldCoder {
                                                      &weights_[f.weight_set]});
     high = symbol == kFieldEscape ? code_tail(high, f) : static_cast<std::int64_t>(symbol) - kFieldReach;
     const std::int64_t result = ((high + f.center) << f.shift) | code_low(low, f.shift, symbol);
-    return f.negative ? -result : result;
+    return (result ^ f.sign) - f.sign;
   }
 
   /// Beyond the symbols: sign and bit length of the excess, then its bits [FLD-6].
@@ -110,8 +117,9 @@ class FieldCoder {
   std::int64_t code_low(std::uint32_t low, unsigned shift, unsigned symbol) {
     if (shift == 0) return 0;
     const bool top = coder_.bit((low >> (shift - 1)) != 0, low_models_[symbol]);
-    const std::uint32_t rest = coder_.bits(low & ((1U << (shift - 1)) - 1), shift - 1);
-    return static_cast<std::int64_t>(top ? 1U << (shift - 1) | rest : rest);
+    const std::uint32_t high = (top ? 1U : 0U) << (shift - 1);
+    if (shift == 1) return high;
+    return std::int64_t{high} | coder_.bits(low & ((1U << (shift - 1)) - 1), shift - 1);
   }
 
   Coder& coder_;
