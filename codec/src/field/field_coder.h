@@ -88,9 +88,7 @@ class FieldCoder {
     const auto low = static_cast<std::uint32_t>(swapped & ((std::int64_t{1} << f.shift) - 1));
     const bool far = high < -kFieldReach || high > kFieldReach;
     const unsigned symbol = coder_.symbol(far ? kFieldEscape : static_cast<unsigned>(high + kFieldReach),
-                                          Mixture<4>{{&models_[0][f.contexts[0]], &models_[1][f.contexts[1]],
-                                                      &models_[2][f.contexts[2]], &models_[3][f.contexts[3]]},
-                                                     &weights_[f.weight_set]});
+                                          Mixture<kFieldModels>{{&models_[0][f.contexts[0]], &models_[1][f.contexts[1]], &models_[2][f.contexts[2]]}, &weights_[f.weight_set]});
     high = symbol == kFieldEscape ? code_tail(high, f) : static_cast<std::int64_t>(symbol) - kFieldReach;
     const std::int64_t result = ((high + f.center) << f.shift) | code_low(low, f.shift, symbol);
     return (result ^ f.sign) - f.sign;
@@ -125,8 +123,8 @@ class FieldCoder {
   Coder& coder_;
   FieldHistory history_;
   FieldPredictor predictor_;
-  std::array<std::vector<SymbolModel>, 4> models_;
-  std::array<MixWeights<4>, kFieldWeightSets> weights_;
+  std::array<std::vector<SymbolModel>, kFieldModels> models_;
+  std::array<MixWeights<kFieldModels>, kFieldWeightSets> weights_;
   std::vector<SymbolModel> tails_;
   MixWeights<1> tail_weights_;
   std::array<BitModel, 33> tail_second_;

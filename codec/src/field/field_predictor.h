@@ -18,6 +18,10 @@
 
 namespace deltamesh {
 
+inline constexpr std::size_t kFieldModels = 3;
+inline constexpr std::array<std::uint32_t, kFieldModels> kFieldContexts = {24 * 6 * 5, 24 * 8 * 3 * 3,
+                                                                           24 * 12 * 2 * 3};
+
 /// The forecast for one axis of one vertex.
 struct FieldForecast {
   std::int32_t mean = 0;    ///< 1/16 steps
@@ -25,13 +29,11 @@ struct FieldForecast {
   unsigned shift = 0;       ///< low bits outside the symbol [FLD-5]
   std::int32_t sign = 0;    ///< -1 where the mean is below 0 and signs are swapped, else 0
   std::int32_t center = 0;  ///< symbol units taken off
-  std::array<std::uint32_t, 4> contexts{};
+  std::array<std::uint32_t, kFieldModels> contexts{};
   std::uint32_t weight_set = 0;
   std::uint32_t tail_context = 0;
 };
 
-inline constexpr std::array<std::uint32_t, 4> kFieldContexts = {24 * 6 * 5, 24 * 8 * 3 * 3, 24 * 12 * 2,
-                                                                12 * 8 * 3};
 inline constexpr std::uint32_t kFieldWeightSets = 18;
 inline constexpr std::uint32_t kTailContexts = 4 * 6;
 
@@ -144,8 +146,7 @@ class FieldPredictor {
     const std::uint32_t own_class = quarter_octave(around_->magnitude[kAxis] >> f.shift, 23);
     f.contexts = {(scale_class * 6 + sure) * 5 + degree5,
                   ((coded_class * 8 + degree_) * 3 + kAxis) * 3 + sure3,
-                  (own_class * 12 + quarter_octave(near, 23) / 2) * 2 + shifted,
-                  (quarter_octave(all_ >> f.shift, 23) / 2 * 8 + degree_) * 3 + kAxis};
+                  ((own_class * 12 + quarter_octave(near, 23) / 2) * 2 + shifted) * 3 + kAxis};
     f.weight_set = scale_class / 4 * 3 + kAxis;
     f.tail_context = std::min(f.shift, 3U) * 6 + sure;
   }
