@@ -18,11 +18,17 @@ void Border::link(std::uint32_t a, std::uint32_t b) noexcept {
   items_[b].previous = a;
 }
 
+void Border::reserve(std::size_t vertices, std::size_t faces) {
+  items_.reserve(vertices + vertices / 8);  // one per vertex and split
+  degrees_.reserve(vertices);
+  faces_.reserve(3 * faces);
+}
+
 void Border::add_face(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-  for (const std::uint32_t v : {a, b, c}) {
-    faces_.push_back(v);
-    ++degrees_[v];
-  }
+  faces_.insert(faces_.end(), {a, b, c});
+  ++degrees_[a];
+  ++degrees_[b];
+  ++degrees_[c];
 }
 
 void Border::start() {

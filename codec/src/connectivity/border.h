@@ -55,6 +55,9 @@ class Border {
   /// Manifold vertices of the faces, three each: gate's end, gate's origin, apex [CONN-6].
   std::vector<std::uint32_t> take_faces() noexcept { return std::move(faces_); }
 
+  /// Room for a mesh of this size, so that nothing moves while it grows.
+  void reserve(std::size_t vertices, std::size_t faces);
+
   /// A new component: a face of three new vertices, and its three edges as items, in the same order [CONN-4].
   void start();
 

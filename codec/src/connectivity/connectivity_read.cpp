@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -158,6 +159,9 @@ class CompactGuide {
   const char* rule_ = "";
 };
 
+/// Faces and vertices that room is made for at once; where a byte holds more the room grows.
+constexpr std::size_t kReservedPerByte = 32;
+
 /// `triangle_count` above 0.
 Result<std::vector<std::uint32_t>> read_compact(std::span<const std::byte> bytes, std::uint32_t vertex_count,
                                                 std::uint32_t triangle_count) {
@@ -168,6 +172,8 @@ Result<std::vector<std::uint32_t>> read_compact(std::span<const std::byte> bytes
                  .chunk_tag = kTagConnectivity};
   CompactReader reader(bytes);
   Border border;
+  border.reserve(std::min<std::size_t>(vertex_count, bytes.size() * kReservedPerByte),
+                 std::min<std::size_t>(triangle_count, bytes.size() * kReservedPerByte));
   CompactGuide guide(reader, triangle_count);
   if (!traverse(border, triangle_count, guide)) {
     if (reader.failed()) DELTAMESH_CHECK(reader.finish(kTagConnectivity));

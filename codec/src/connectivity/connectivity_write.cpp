@@ -31,6 +31,7 @@ class MeshGuide {
         item_at_(cut.opposite.size(), kNoIndex) {
     first_corner_.reserve(face_done_.size());
     vertices_.reserve(vertex_done_.size());
+    edge_of_.reserve(vertex_done_.size() + vertex_done_.size() / 8);
   }
 
   void start(const Border& border) {
@@ -200,6 +201,7 @@ std::vector<std::byte> write_payload(const MeshGuide& guide, const Gluing& gluin
 CodedConnectivity write_connectivity(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count) {
   const ManifoldCut cut = cut_to_manifold(triangles, vertex_count);
   Border border;
+  border.reserve(cut.vertex.size(), triangles.size() / 3);
   CompactWriter writer;
   MeshGuide guide(cut, writer);
   traverse(border, static_cast<std::uint32_t>(triangles.size() / 3), guide);
