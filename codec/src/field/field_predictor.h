@@ -68,12 +68,11 @@ class FieldPredictor {
   template <unsigned kAxis>
   void learn(std::int32_t q, const FieldForecast& forecast) noexcept {
     q_[kAxis] = std::clamp(q, -kLargestRemembered, kLargestRemembered);
-    // Sign-sign least mean squares, the step clipped at two scales [FLD-4].
-    constexpr std::int32_t kClip = 2 << kRatioBits;
-    constexpr std::int32_t kStep = 65;
-    const std::int32_t error =
-        std::clamp(quick_ratio(q_[kAxis] * kFieldUnit - forecast.mean, forecast.scale), -kClip, kClip);
-    const std::int32_t step = (error * kStep) >> kRatioBits;
+    // Sign-sign least mean squares with a dead zone [FLD-4].
+    constexpr std::int32_t kStep = 64;
+    const std::int32_t error = q_[kAxis] * kFieldUnit - forecast.mean;
+    const std::int32_t dead = forecast.scale / 2;
+    const std::int32_t step = (error > dead ? kStep : 0) - (error < -dead ? kStep : 0);
     for (std::size_t i = kAxis == 0 ? 1 : 0; i < 2; ++i) {
       const std::int32_t small = forecast.scale / 4;
       const std::int32_t direction = (features_[i] > small ? 1 : 0) - (features_[i] < -small ? 1 : 0);
