@@ -82,7 +82,7 @@ class FieldCoder {
   }
 
   /// Returns the number, of any size where the stream lies [FLD-5].
-  std::int64_t code(std::int64_t q, const FieldForecast& f) {
+  [[gnu::always_inline]] std::int64_t code(std::int64_t q, const FieldForecast& f) {
     const std::int64_t swapped = (q ^ f.sign) - f.sign;
     std::int64_t high = (swapped >> f.shift) - f.center;
     const auto low = static_cast<std::uint32_t>(swapped & ((std::int64_t{1} << f.shift) - 1));

@@ -48,7 +48,7 @@ class FieldPredictor {
   }
 
   template <unsigned kAxis>
-  FieldForecast forecast() noexcept {
+  [[gnu::always_inline]] FieldForecast forecast() noexcept {
     features_ = {regress<kAxis>(), around_->q[kAxis]};
     const auto& weights = weights_[kAxis];
     FieldForecast f;
