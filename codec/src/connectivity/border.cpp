@@ -60,6 +60,8 @@ bool Border::allows(BorderOp op, std::uint32_t gate, std::uint32_t target) const
     case BorderOp::kNearSplit:
       target = third_after(gate);
       break;
+    case BorderOp::kNone:
+      return false;
   }
   return target < items_.size() && items_[target].alive && items_[target].origin != g.origin &&
          items_[target].origin != after.origin;
@@ -135,6 +137,8 @@ void Border::apply(BorderOp op, std::uint32_t gate, std::uint32_t target, bool a
       return;
     case BorderOp::kNearSplit:
       split(gate, third_after(gate), at_origin);
+      return;
+    case BorderOp::kNone:
       return;
   }
 }

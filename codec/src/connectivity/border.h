@@ -13,7 +13,7 @@
 namespace deltamesh {
 
 /// What is found across a gate [CONN-6].
-enum class BorderOp : std::uint8_t {
+enum class BorderOp : std::uint32_t {
   kNewVertex = 0,  ///< C: a face whose apex is a new manifold vertex
   kLeft = 1,       ///< L: a face that also takes the edge before the gate
   kRight = 2,      ///< R: a face that also takes the edge after the gate
@@ -21,6 +21,7 @@ enum class BorderOp : std::uint8_t {
   kSplit = 4,      ///< S: a face whose apex is the origin of another border item
   kBoundary = 5,   ///< B: no face
   kNearSplit = 6,  ///< N: S whose target is the third item after the gate
+  kNone = 255,     ///< nothing; never coded
 };
 
 /// One directed edge of the border, with the coded region on its left. It also stands for the gap before it:

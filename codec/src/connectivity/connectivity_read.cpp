@@ -60,16 +60,15 @@ class PayloadGuide {
 
   void start(const Border&) noexcept {}
 
-  std::optional<BorderStep> next(const Border& border, std::uint32_t gate, const GateContext& context) {
-    const std::optional<BorderOp> op = tokens_.get(context);
-    if (!op) return fail("no such op", "CONN-9");
-    BorderStep step{*op};
-    if (*op == BorderOp::kSplit) {
+  BorderStep next(const Border& border, std::uint32_t gate, const GateContext& context) {
+    BorderStep step{tokens_.get(context)};
+    if (step.op == BorderOp::kNone) return fail("no such op", "CONN-9");
+    if (step.op == BorderOp::kSplit) {
       const std::optional<std::uint32_t> target = read_target(border, gate);
       if (!target) return fail("split without a target", "CONN-10");
       step.target = *target;
     }
-    if (*op != BorderOp::kBoundary && border.face_count() == face_count_)
+    if (step.op != BorderOp::kBoundary && border.face_count() == face_count_)
       return fail("more faces than declared", "CONN-2");
     if (!border.allows(step.op, gate, step.target)) return fail("op does not fit the border", "CONN-7");
     return step;
@@ -91,10 +90,10 @@ class PayloadGuide {
     return target;
   }
 
-  std::optional<BorderStep> fail(const char* message, const char* rule) noexcept {
+  BorderStep fail(const char* message, const char* rule) noexcept {
     message_ = message;
     rule_ = rule;
-    return std::nullopt;
+    return {};
   }
 
   TokenReader tokens_;
@@ -129,13 +128,13 @@ class CompactGuide {
 
   void start(const Border&) noexcept {}
 
-  std::optional<BorderStep> next(const Border& border, std::uint32_t gate, const GateContext& context) {
-    const std::optional<BorderStep> step = ops_.code({}, border, gate, context);
-    if (reader_.failed()) return std::nullopt;
-    if (!step) return fail("no such op", "CONN-9");
-    if (step->op != BorderOp::kBoundary && border.face_count() == face_count_)
+  BorderStep next(const Border& border, std::uint32_t gate, const GateContext& context) {
+    const BorderStep step = ops_.code({}, border, gate, context);
+    if (reader_.failed()) return {};
+    if (step.op == BorderOp::kNone) return fail("no such op", "CONN-9");
+    if (step.op != BorderOp::kBoundary && border.face_count() == face_count_)
       return fail("more faces than declared", "CONN-2");
-    if (!border.allows(step->op, gate, step->target)) return fail("op does not fit the border", "CONN-7");
+    if (!border.allows(step.op, gate, step.target)) return fail("op does not fit the border", "CONN-7");
     return step;
   }
 
@@ -146,10 +145,10 @@ class CompactGuide {
   }
 
  private:
-  std::optional<BorderStep> fail(const char* message, const char* rule) noexcept {
+  BorderStep fail(const char* message, const char* rule) noexcept {
     message_ = message;
     rule_ = rule;
-    return std::nullopt;
+    return {};
   }
 
   CompactReader& reader_;

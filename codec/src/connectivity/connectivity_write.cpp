@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 #include <cstddef>
-#include <optional>
 #include <utility>
 
 #include "base/byte_writer.h"
+#include "base/prefetch.h"
 #include "base/zigzag.h"
 #include "connectivity/border.h"
 #include "connectivity/connectivity.h"
@@ -44,7 +44,7 @@ class MeshGuide {
     }
   }
 
-  std::optional<BorderStep> next(const Border& border, std::uint32_t gate, const GateContext& context) {
+  BorderStep next(const Border& border, std::uint32_t gate, const GateContext& context) {
     const BorderStep step = find_step(border, gate);
     tokens_.put(step.op, context);
     ops_.code(step, border, gate, context);
@@ -130,6 +130,12 @@ class MeshGuide {
     if (item == edge_of_.size()) edge_of_.push_back(half_edge);
     edge_of_[item] = half_edge;
     item_at_[half_edge] = item;
+    // The face across is asked for soon, and lies anywhere.
+    const std::uint32_t across = cut_.opposite[half_edge];
+    if (across == kNoIndex) return;
+    prefetch(&cut_.opposite[across]);
+    prefetch(&cut_.manifold_vertex[across]);
+    prefetch(&item_at_[across]);
   }
 
   const ManifoldCut& cut_;

@@ -8,7 +8,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "connectivity/border.h"
@@ -32,8 +31,8 @@ class OpCoder {
     for (std::size_t i = 0; i < kOpModels; ++i) models_[i].assign(kOpContexts[i], kFreshOp);
   }
 
-  /// Writes `step`, or reads one; a reader's may not fit the border. Nothing where there is no such op.
-  std::optional<BorderStep> code(const BorderStep& step, const Border& border, std::uint32_t gate,
+  /// Writes `step`, or reads one; a reader's may not fit the border. None where there is no such op.
+  BorderStep code(const BorderStep& step, const Border& border, std::uint32_t gate,
                                  const GateContext& gate_context) {
     const OpContext context = history_.context_at(border, gate, gate_context);
     const unsigned symbol =
@@ -41,7 +40,7 @@ class OpCoder {
                       Mixture<kOpModels>{{&models_[0][context.models[0]], &models_[1][context.models[1]],
                                           &models_[2][context.models[2]]},
                                          &weights_[context.weight_set]});
-    if (symbol > static_cast<unsigned>(BorderOp::kNearSplit)) return std::nullopt;
+    if (symbol > static_cast<unsigned>(BorderOp::kNearSplit)) return {};
     history_.learn(symbol);
     BorderStep coded{static_cast<BorderOp>(symbol)};
     if (coded.op == BorderOp::kSplit) coded.target = code_target(step.target, border, gate);

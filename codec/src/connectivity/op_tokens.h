@@ -8,7 +8,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -60,10 +59,10 @@ class TokenReader {
   explicit TokenReader(const std::array<std::span<const std::byte>, kTokenStreams>& streams) noexcept
       : streams_(streams) {}
 
-  /// Nothing when the stream is at its end or the token is none.
-  std::optional<BorderOp> get(const GateContext& context) noexcept {
+  /// None when the stream is at its end or the token is none.
+  BorderOp get(const GateContext& context) noexcept {
     if (run_ == 0 && closing_ == BorderOp::kNewVertex && !get_token(streams_[token_stream(context)]))
-      return std::nullopt;
+      return BorderOp::kNone;
     if (run_ > 0) {
       --run_;
       return BorderOp::kNewVertex;

@@ -6,7 +6,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 
 #include "connectivity/border.h"
 #include "connectivity/cut.h"
@@ -22,7 +21,7 @@ struct GateContext {
 };
 
 struct BorderStep {
-  BorderOp op;
+  BorderOp op = BorderOp::kNone;    ///< kNone: there is no step
   std::uint32_t target = kNoIndex;  ///< S: the item whose origin is the apex
 };
 
@@ -36,25 +35,25 @@ bool fill_gap(Border& border, std::uint32_t gap, Guide& guide) {
                               .at_origin = at_origin,
                               .loop_of_three = border.third_after(gate) == gate,
                               .other_side_closed = other_side_closed};
-    const std::optional<BorderStep> step = guide.next(border, gate, context);
-    if (step) border.apply(step->op, gate, step->target, at_origin);
-    return step;
+    const BorderStep step = guide.next(border, gate, context);
+    if (step.op != BorderOp::kNone) border.apply(step.op, gate, step.target, at_origin);
+    return step.op;
   };
 
   while (!border.item(border.item(gap).previous).closed) {
-    const auto step = step_at(border.item(gap).previous, false, border.item(gap).closed);
-    if (!step) return false;
-    if (step->op == BorderOp::kRight || step->op == BorderOp::kEnd) return true;
+    const BorderOp op = step_at(border.item(gap).previous, false, border.item(gap).closed);
+    if (op == BorderOp::kNone) return false;
+    if (op == BorderOp::kRight || op == BorderOp::kEnd) return true;
   }
   while (!border.item(gap).closed) {
-    if (!step_at(gap, true, true)) return false;
+    if (step_at(gap, true, true) == BorderOp::kNone) return false;
   }
   return true;
 }
 
 /// Codes `face_count` faces. `guide.start(border)` hears of every new component before its first face;
 /// `guide.next(border, gate, context)` gives a step that the border allows, and no face beyond `face_count`,
-/// or nothing to stop. Returns whether the end was reached. O(faces + ops).
+/// or none to stop. Returns whether the end was reached. O(faces + ops).
 template <class Guide>
 bool traverse(Border& border, std::uint32_t face_count, Guide& guide) {
   while (border.face_count() < face_count) {
