@@ -8,27 +8,10 @@
 
 namespace deltamesh {
 
-std::uint32_t Border::add_item(std::uint32_t origin) {
-  items_.push_back({.origin = origin, .previous = kNoIndex, .next = kNoIndex});
-  return item_count() - 1;
-}
-
-void Border::link(std::uint32_t a, std::uint32_t b) noexcept {
-  items_[a].next = b;
-  items_[b].previous = a;
-}
-
 void Border::reserve(std::size_t vertices, std::size_t faces) {
   items_.reserve(vertices + vertices / 8);  // one per vertex and split
   degrees_.reserve(vertices);
   faces_.reserve(3 * faces);
-}
-
-void Border::add_face(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-  faces_.insert(faces_.end(), {a, b, c});
-  ++degrees_[a];
-  ++degrees_[b];
-  ++degrees_[c];
 }
 
 void Border::start() {
@@ -65,19 +48,6 @@ bool Border::allows(BorderOp op, std::uint32_t gate, std::uint32_t target) const
   }
   return target < items_.size() && items_[target].alive && items_[target].origin != g.origin &&
          items_[target].origin != after.origin;
-}
-
-void Border::add_new_vertex(std::uint32_t gate, bool at_origin) {
-  const std::uint32_t after = items_[gate].next;
-  const std::uint32_t apex = vertex_count();
-  degrees_.push_back(0);
-  add_face(items_[after].origin, items_[gate].origin, apex);
-  const std::uint32_t fresh = add_item(apex);
-  link(gate, fresh);
-  link(fresh, after);
-  if (!at_origin) push_gap(gate);
-  push_gap(fresh);
-  if (at_origin) push_gap(after);
 }
 
 /// ```
@@ -141,12 +111,6 @@ void Border::apply(BorderOp op, std::uint32_t gate, std::uint32_t target, bool a
     case BorderOp::kNone:
       return;
   }
-}
-
-void Border::push_gap(std::uint32_t i) {
-  const std::size_t bucket = std::min<std::size_t>(degrees_[items_[i].origin], kBuckets - 1);
-  buckets_[bucket].gaps.push_back(i);
-  fullest_ = std::max(fullest_, bucket);
 }
 
 std::uint32_t Border::pop_gap() noexcept {

@@ -4,11 +4,14 @@
 // The border of the region coded so far: the state that connectivity writer and reader share [CONN-3 .. 8].
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
+
+#include "connectivity/cut.h"
 
 namespace deltamesh {
 
@@ -96,5 +99,41 @@ class Border {
   std::array<Bucket, kBuckets> buckets_;
   std::size_t fullest_ = 0;  ///< no bucket above it holds a gap
 };
+
+inline std::uint32_t Border::add_item(std::uint32_t origin) {
+  items_.push_back({.origin = origin, .previous = kNoIndex, .next = kNoIndex});
+  return item_count() - 1;
+}
+
+inline void Border::link(std::uint32_t a, std::uint32_t b) noexcept {
+  items_[a].next = b;
+  items_[b].previous = a;
+}
+
+inline void Border::add_face(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  faces_.insert(faces_.end(), {a, b, c});
+  ++degrees_[a];
+  ++degrees_[b];
+  ++degrees_[c];
+}
+
+inline void Border::add_new_vertex(std::uint32_t gate, bool at_origin) {
+  const std::uint32_t after = items_[gate].next;
+  const std::uint32_t apex = vertex_count();
+  degrees_.push_back(0);
+  add_face(items_[after].origin, items_[gate].origin, apex);
+  const std::uint32_t fresh = add_item(apex);
+  link(gate, fresh);
+  link(fresh, after);
+  if (!at_origin) push_gap(gate);
+  push_gap(fresh);
+  if (at_origin) push_gap(after);
+}
+
+inline void Border::push_gap(std::uint32_t i) {
+  const std::size_t bucket = std::min<std::size_t>(degrees_[items_[i].origin], kBuckets - 1);
+  buckets_[bucket].gaps.push_back(i);
+  fullest_ = std::max(fullest_, bucket);
+}
 
 }  // namespace deltamesh

@@ -32,7 +32,7 @@ class OpCoder {
   }
 
   /// Writes `step`, or reads one; a reader's may not fit the border. None where there is no such op.
-  BorderStep code(const BorderStep& step, const Border& border, std::uint32_t gate,
+  [[gnu::always_inline]] BorderStep code(const BorderStep& step, const Border& border, std::uint32_t gate,
                                  const GateContext& gate_context) {
     const OpContext context = history_.context_at(border, gate, gate_context);
     const unsigned symbol =
