@@ -138,10 +138,10 @@ TEST(Compact, CMP5LanesNeverFallAndEverySymbolStaysPossible) {
   SymbolModel model({1, 1, 1, 1, 1, 1, 1, 9, 1, 1, 1, 1, 1, 1, 1, 1});
   MixWeights<1> weights;
   for (int i = 0; i < 5000; ++i) {
-    const Lanes ends = Mixture<1>{{&model}, &weights}.ends();
+    const LaneSum starts = Mixture<1>{{&model}, &weights}.starts();
     std::uint32_t sum = 0;
     for (unsigned s = 0; s < kSymbols; ++s) {
-      const Interval interval = interval_of(ends, s);
+      const Interval interval = interval_of(starts, s);
       ASSERT_GE(interval.size, 2U);
       ASSERT_EQ(interval.start, sum);
       sum += interval.size;
@@ -160,8 +160,8 @@ TEST(Compact, CMP6WeightsKeepTheirSum) {
         2 + random() % 32000);
     std::uint32_t sum = 0;
     for (std::size_t k = 0; k < 4; ++k) {
-      ASSERT_GE(weights[k], 512U);
-      sum += weights[k];
+      ASSERT_GE(weights.values()[k], 512U);
+      sum += weights.values()[k];
     }
     ASSERT_EQ(sum, 32994U);
   }
@@ -182,23 +182,30 @@ TEST(Compact, VectorLoopsEqualThePlainOnes) {
   for (int round = 0; round < 1000; ++round) {
     Lanes lanes{};
     for (auto& lane : lanes) lane = static_cast<std::int16_t>(random() % 32513);
+    lanes[0] = 0;
     std::sort(lanes.begin(), lanes.end());
     const auto symbol = static_cast<unsigned>(random() % kSymbols);
     const auto rate = static_cast<unsigned>(2 + random() % 6);
     const auto goal = static_cast<std::int16_t>(32512 + (1 << rate) - 1);
     Lanes fast = lanes;
     Lanes slow = lanes;
-    pull_lanes(fast, symbol, goal, rate);
-    plain::pull_lanes(slow, symbol, goal, rate);
+    const Pulls pulls = make_pulls(goal);
+    pull_lanes(fast, pulls[symbol], rate);
+    plain::pull_lanes(slow, pulls[symbol], rate);
     EXPECT_EQ(fast, slow);
-    const auto weight = static_cast<std::uint32_t>(random() % 32995);
-    Lanes fast_sum{};
-    Lanes slow_sum{};
-    add_weighted(fast_sum, lanes, weight);
-    plain::add_weighted(slow_sum, lanes, weight);
-    EXPECT_EQ(fast_sum, slow_sum);
+    const auto weight = static_cast<std::uint16_t>(random() % 32995);
+    LaneSum fast_sum(Mixture<2>::kFloor);
+    plain::LaneSum slow_sum(Mixture<2>::kFloor);
+    const std::array<std::uint16_t, 2> weights = {weight, static_cast<std::uint16_t>(32994 - weight)};
+    fast_sum.add_weighted<2>({&lanes, &fast}, weights);
+    slow_sum.add_weighted<2>({&lanes, &fast}, weights);
+    Lanes fast_stored;
+    Lanes slow_stored;
+    fast_sum.store(fast_stored);
+    slow_sum.store(slow_stored);
+    EXPECT_EQ(fast_stored, slow_stored);
     const auto value = static_cast<std::int16_t>(random() % 32768);
-    EXPECT_EQ(count_up_to(lanes, value), plain::count_up_to(lanes, value));
+    EXPECT_EQ(fast_sum.find(value), slow_sum.find(value));
   }
 }
 

@@ -33,13 +33,13 @@ class OpCoder {
 
   /// Writes `step`, or reads one; a reader's may not fit the border. None where there is no such op.
   [[gnu::always_inline]] BorderStep code(const BorderStep& step, const Border& border, std::uint32_t gate,
-                                 const GateContext& gate_context) {
+                                         const GateContext& gate_context) {
     const OpContext context = history_.context_at(border, gate, gate_context);
-    const unsigned symbol =
-        coder_.symbol(static_cast<unsigned>(step.op),
-                      Mixture<kOpModels>{{&models_[0][context.models[0]], &models_[1][context.models[1]],
-                                          &models_[2][context.models[2]]},
-                                         &weights_[context.weight_set]});
+    const unsigned symbol = coder_.symbol(
+        static_cast<unsigned>(step.op),
+        Mixture<kOpModels>{
+            {&models_[0][context.models[0]], &models_[1][context.models[1]], &models_[2][context.models[2]]},
+            &weights_[context.weight_set]});
     if (symbol > static_cast<unsigned>(BorderOp::kNearSplit)) return {};
     history_.learn(symbol);
     BorderStep coded{static_cast<BorderOp>(symbol)};

@@ -49,7 +49,7 @@ inline std::uint32_t loop_class(const Border& border, std::uint32_t gate) noexce
 }
 
 inline OpContext OpHistory::context_at(const Border& border, std::uint32_t gate,
-                                const GateContext& gate_context) noexcept {
+                                       const GateContext& gate_context) noexcept {
   const std::uint32_t before = border.item(gate).previous;
   const std::uint32_t after = border.item(gate).next;
   const std::uint32_t beyond = border.item(after).next;

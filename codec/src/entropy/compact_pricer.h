@@ -37,7 +37,7 @@ class CompactPricer {
 
   template <std::size_t K>
   unsigned symbol(unsigned value, Mixture<K> mixture) noexcept {
-    const Interval interval = interval_of(mixture.ends(), value);
+    const Interval interval = interval_of(mixture.starts(), value);
     if (!spend(interval)) mixture.learn(value, interval.size);
     return value;
   }

@@ -14,7 +14,6 @@
 
 #include "entropy/compact_model.h"
 #include "entropy/number_model.h"
-#include "field/field_context.h"
 #include "field/field_predictor.h"
 #include "topology/adjacency.h"
 
@@ -55,17 +54,8 @@ class FieldCoder {
   std::array<std::int32_t, 3> choose_vertex(std::uint32_t vertex, Choose choose) {
     const FieldNeighborhood around = history_.around(vertex);
     predictor_.begin(around);
-    std::array<std::int32_t, 3> q{};
-    for (unsigned axis = 0; axis < 3; ++axis) {
-      const FieldForecast forecast = predictor_.forecast(axis);
-      q[axis] = choose(axis, [&](std::int32_t candidate) {
-        const auto trial = coder_.trial();
-        code(candidate, forecast);
-        return trial.bits();
-      });
-      code(q[axis], forecast);
-      predictor_.learn(axis, q[axis], forecast);
-    }
+    const std::array<std::int32_t, 3> q = {choose_axis<0>(choose), choose_axis<1>(choose),
+                                           choose_axis<2>(choose)};
     history_.remember(vertex, q, around);
     return q;
   }
@@ -81,14 +71,30 @@ class FieldCoder {
     return true;
   }
 
+  template <unsigned kAxis, class Choose>
+  std::int32_t choose_axis(Choose& choose) {
+    const FieldForecast forecast = predictor_.template forecast<kAxis>();
+    const std::int32_t q = choose(kAxis, [&](std::int32_t candidate) {
+      const auto trial = coder_.trial();
+      code(candidate, forecast);
+      return trial.bits();
+    });
+    code(q, forecast);
+    predictor_.template learn<kAxis>(q, forecast);
+    return q;
+  }
+
   /// Returns the number, of any size where the stream lies [FLD-5].
   [[gnu::always_inline]] std::int64_t code(std::int64_t q, const FieldForecast& f) {
     const std::int64_t swapped = (q ^ f.sign) - f.sign;
     std::int64_t high = (swapped >> f.shift) - f.center;
     const auto low = static_cast<std::uint32_t>(swapped & ((std::int64_t{1} << f.shift) - 1));
     const bool far = high < -kFieldReach || high > kFieldReach;
-    const unsigned symbol = coder_.symbol(far ? kFieldEscape : static_cast<unsigned>(high + kFieldReach),
-                                          Mixture<kFieldModels>{{&models_[0][f.contexts[0]], &models_[1][f.contexts[1]], &models_[2][f.contexts[2]]}, &weights_[f.weight_set]});
+    const unsigned symbol = coder_.symbol(
+        far ? kFieldEscape : static_cast<unsigned>(high + kFieldReach),
+        Mixture<kFieldModels>{
+            {&models_[0][f.contexts[0]], &models_[1][f.contexts[1]], &models_[2][f.contexts[2]]},
+            &weights_[f.weight_set]});
     high = symbol == kFieldEscape ? code_tail(high, f) : static_cast<std::int64_t>(symbol) - kFieldReach;
     const std::int64_t result = ((high + f.center) << f.shift) | code_low(low, f.shift, symbol);
     return (result ^ f.sign) - f.sign;

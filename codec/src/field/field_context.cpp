@@ -26,9 +26,7 @@ void add(FieldMemory& sum, const FieldMemory& m) noexcept {
 }
 
 /// 0.6 new + 0.4 old, as 5/8 and 3/8.
-std::int32_t smooth(std::int32_t now, std::int32_t before) noexcept {
-  return (5 * now + 3 * before) >> 3;
-}
+std::int32_t smooth(std::int32_t now, std::int32_t before) noexcept { return (5 * now + 3 * before) >> 3; }
 
 }  // namespace
 

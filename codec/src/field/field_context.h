@@ -29,9 +29,9 @@ struct FieldNeighborhood {
 };
 
 /// What is remembered of every coded vertex [FLD-2].
-inline constexpr std::int32_t kFieldUnit = 16;              ///< fixed point: parts of a step
-inline constexpr std::int32_t kLargestRemembered = 8191;    ///< of a number
-inline constexpr std::int32_t kLargestMultiplied = 2047;    ///< of the factors of a moment
+inline constexpr std::int32_t kFieldUnit = 16;            ///< fixed point: parts of a step
+inline constexpr std::int32_t kLargestRemembered = 8191;  ///< of a number
+inline constexpr std::int32_t kLargestMultiplied = 2047;  ///< of the factors of a moment
 
 class FieldHistory {
  public:
