@@ -12,10 +12,10 @@
 namespace deltamesh::bench {
 namespace {
 
-constexpr int kWidth = 860;
+constexpr int kWidth = 1010;
 constexpr int kHeight = 580;
 constexpr int kLeft = 90;
-constexpr int kRight = kWidth - 25;
+constexpr int kRight = kWidth - 180;
 constexpr int kTop = 50;
 constexpr int kBottom = kHeight - 80;
 constexpr int kLegendWidth = 150;
@@ -156,13 +156,13 @@ class Canvas {
     return svg;
   }
 
-  /// Upper right: errors fall with size, so that corner is free.
+  /// Beside the frame, where it hides nothing.
   std::string legend() const {
-    const double left = kRight - kLegendWidth - 10;
+    const double left = kRight + 15;
     const double height = kLegendStep * static_cast<double>(plot_.series.size()) + 8;
-    std::string svg = rect_element(left, kTop + 10, kLegendWidth, height, "white", "#888888");
+    std::string svg = rect_element(left, kTop, kLegendWidth, height, "white", "#888888");
     for (std::size_t s = 0; s < plot_.series.size(); ++s) {
-      const double y = kTop + 25 + kLegendStep * static_cast<double>(s);
+      const double y = kTop + 15 + kLegendStep * static_cast<double>(s);
       svg += polyline_element(join({pixel(left + 8), ",", pixel(y), " ", pixel(left + 36), ",", pixel(y)}),
                               kStyles[s].color);
       svg += marker_element(left + 22, y, kStyles[s], plot_.series[s].name);
