@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "attributes/attribute.h"
 #include "base/guard.h"
@@ -30,6 +31,9 @@ constexpr double kAttributesDone = 0.3;
 constexpr double kGeometryDone = 0.95;
 
 constexpr int kDefaultBits = 8;
+
+/// Up to here a request is given to one coder only.
+constexpr int kOneCoderEffort = 1;
 constexpr int kDefaultLatticeBits = 12;
 
 void report_progress(const EncodeOptions& options, double share) {
@@ -83,14 +87,16 @@ struct OtherChunks {
   ChunkList after;
 };
 
-RateGoal rate_goal(const EncodeOptions& options, const FileHeader& header, GeometryTrials& trials) {
+RateGoal rate_goal(const EncodeOptions& options, const FileHeader& header,
+                   std::optional<std::uint64_t> rival_bytes, GeometryTrials& trials) {
   RateGoal goal{
       .bounds = bounds_in_model_units(options.quality, header.geometric_vertices, header.box().diagonal()),
       .target_bytes = options.quality.target_bytes,
       .step = options.step,
       .anchors = options.anchors,
       .anchor_bits = options.anchor_bits,
-      .effort = options.effort};
+      .effort = options.effort,
+      .rival_bytes = rival_bytes};
   if (options.bits) goal.step = trials.step_for_bits(*options.bits);
   if (options.anchor_density) goal.anchors = trials.anchors_for_density(*options.anchor_density);
   return goal;
@@ -116,7 +122,9 @@ struct GeometryTask {
   const StreamFrame& frame;
 };
 
-Result<GeometryChoice> code_highpass(const GeometryTask& task) {
+/// `rival_bytes`: RateGoal::rival_bytes.
+Result<GeometryChoice> code_highpass(const GeometryTask& task,
+                                     std::optional<std::uint64_t> rival_bytes = std::nullopt) {
   const EncodeOptions& options = task.options;
   AnchorContainers own_containers;
   AnchorContainers& containers = options.anchor_containers ? *options.anchor_containers : own_containers;
@@ -128,7 +136,7 @@ Result<GeometryChoice> code_highpass(const GeometryTask& task) {
     DELTAMESH_TRY([[maybe_unused]] const auto figures, trials.run(plain_settings(options, trials)));
     trials.keep();
   } else {
-    DELTAMESH_CHECK(control_rate(rate_goal(options, header, trials), trials));
+    DELTAMESH_CHECK(control_rate(rate_goal(options, header, rival_bytes, trials), trials));
   }
   const CodedGeometry& kept = trials.kept();
   GeometryChoice choice{.highpass = kept.parameters, .chunks = kept.chunks, .quality = kept.quality};
@@ -168,13 +176,24 @@ bool may_choose(const EncodeOptions& options) noexcept {
          options.profile == Profile::kSmallest;
 }
 
+/// By the coder that is mostly the smaller one for such a request; by the other where that cannot keep it.
+Result<GeometryChoice> code_likely(const GeometryTask& task) {
+  const QualityRequest& quality = task.options.quality;
+  const bool positional = (quality.lfe || quality.max_error) && !quality.vde;
+  auto likely = positional ? code_predictive(task) : code_highpass(task);
+  if (likely || likely.error().code != ErrorCode::kUnmetRequest) return likely;
+  auto other = positional ? code_highpass(task) : code_predictive(task);
+  return other ? other : likely;
+}
+
 Result<GeometryChoice> code_smaller(const GeometryTask& task) {
-  auto predictive = code_predictive(task);
-  auto highpass = code_highpass(task);
-  if (!highpass) return predictive;
-  if (!predictive) return highpass;
   const QualityRequest& quality = task.options.quality;
   const bool bytes_alone = !quality.vde && !quality.lfe && !quality.max_error;
+  auto predictive = code_predictive(task);
+  if (!predictive) return code_highpass(task);
+  const auto rival_bytes = bytes_alone ? std::optional<std::uint64_t>() : task.frame.bytes_with(*predictive);
+  auto highpass = code_highpass(task, rival_bytes);
+  if (!highpass) return predictive;
   const bool better = bytes_alone ? predictive->quality.vde_rms < highpass->quality.vde_rms
                                   : task.frame.bytes_with(*predictive) < task.frame.bytes_with(*highpass);
   return better ? predictive : highpass;
@@ -182,7 +201,8 @@ Result<GeometryChoice> code_smaller(const GeometryTask& task) {
 
 Result<GeometryChoice> code_geometry(const GeometryTask& task) {
   if (task.options.geometry == GeometryCoder::kPredictive) return code_predictive(task);
-  return may_choose(task.options) ? code_smaller(task) : code_highpass(task);
+  if (!may_choose(task.options)) return code_highpass(task);
+  return task.options.effort <= kOneCoderEffort ? code_likely(task) : code_smaller(task);
 }
 
 /// Codes the positions, measures what a decoder will make of them, sets the header's figures and returns the

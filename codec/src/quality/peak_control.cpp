@@ -13,6 +13,8 @@ namespace {
 constexpr StepGoal kAnyStepThatKeeps{.aim = 0.8, .tight = 0, .corrections = 0};
 constexpr int kGreedyEffort = 3;
 constexpr int kThinningEffort = 5;
+/// What mending saves at most, and a little more.
+constexpr double kRivalShare = 1.2;
 constexpr double kFirstLoad = 1.6;  ///< of the first step that is mended
 constexpr double kLastLoad = 1;
 constexpr double kLoadBackoff = 0.8;
@@ -58,6 +60,7 @@ Result<void> grow_step(Attempt& best, Trials& trials) {
 Result<void> control_peaks(const RateGoal& goal, const CoderSettings& settings, Trials& trials) {
   DELTAMESH_TRY(Attempt best, search_step(trials, settings, Watch::kAll, kAnyStepThatKeeps));
   if (trials.bounds().load(best.figures.quality) > 1 || goal.effort < kGreedyEffort) return {};
+  if (goal.loses(best.figures.bytes, kRivalShare)) return {};
   DELTAMESH_CHECK(grow_step(best, trials));
   while (goal.effort >= kThinningEffort && best.settings.anchors > trials.coder().fewest_anchors()) {
     CoderSettings fewer = best.settings;

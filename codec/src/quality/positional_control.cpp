@@ -17,6 +17,8 @@ namespace {
 constexpr int kSearchEffort = 5;
 constexpr int kOnePassEffort = 1;
 constexpr double kAnchorFactor = 3;
+/// What other anchor counts save at most, and a little more.
+constexpr double kRivalShare = 1.08;
 /// The step that makes up for this load costs more than a third of the anchors, or three times them, can
 /// save.
 constexpr double kHopelessLoad = 1.5;
@@ -71,6 +73,7 @@ Result<void> follow_with_step(const RateGoal& goal, const CoderSettings& setting
   DELTAMESH_TRY(const Attempt landed, search_step(trials, settings, Watch::kAll, step_goal(goal.effort)));
   if (trials.bounds().load(landed.figures.quality) > 1 || goal.effort < kSearchEffort || goal.anchors)
     return {};
+  if (goal.loses(landed.figures.bytes, kRivalShare)) return {};
   DELTAMESH_CHECK(explore_anchor_counts(goal, landed, trials));
   return use_up_room(goal, trials);
 }

@@ -20,6 +20,13 @@ struct RateGoal {
   std::optional<std::uint32_t> anchors = std::nullopt;  ///< fixed number in the solved components
   int anchor_bits = 12;                                 ///< at least
   int effort = 5;                                       ///< 0 to 9
+  /// Size of another coder's stream that keeps the request: what stays far above it is not refined further.
+  std::optional<std::uint64_t> rival_bytes = std::nullopt;
+
+  /// Whether `bytes` is more than `share` times the rival's.
+  bool loses(std::uint64_t bytes, double share) const noexcept {
+    return rival_bytes && static_cast<double>(bytes) > share * static_cast<double>(*rival_bytes);
+  }
 };
 
 /// Drives `coder` until every bound is kept, and has it keep the smallest stream it found that does so
