@@ -38,13 +38,14 @@ Result<Attempt> raise_diffusion(const Attempt& plain, bool step_moves, Trials& t
   const Bounds& bounds = trials.bounds();
   const double delta_error = coder.delta_error(plain.settings);
   CoderSettings settings = plain.settings;
-  settings.rate_weight = 0;  // what it saves costs more diffusion
   Point weak{settings.diffusion, bounds.positional_load(plain.figures.quality)};
   Point strong{1, kFullStrengthLoad * weak.load};
   settings.diffusion = strong.load < kAim ? strength_between(weak, strong) : 1;
   std::optional<Attempt> kept;
   double visual_share = 1;  // what the delta error may be, so that VDE comes near its bound
   for (int runs = 0; runs <= kMostRuns; ++runs) {
+    // Under diffusion what prices save costs more diffusion.
+    settings.rate_weight = plain.settings.rate_weight * (1 - settings.diffusion);
     if (step_moves) settings.step = step_for_delta_error(coder, settings, visual_share * delta_error);
     DELTAMESH_TRY(Attempt attempt, trials.run(settings));
     const double load = bounds.positional_load(attempt.figures.quality);

@@ -36,7 +36,7 @@ class Trials {
   const std::optional<Attempt>& nearest() const noexcept { return nearest_; }
 
   static constexpr double kLandedLoad = 0.87;
-  static constexpr double kLandingWorth = 1.01;
+  static constexpr double kLandingWorth = 1.02;
 
  private:
   /// Bytes, or a little more where bounds are far from used up.
