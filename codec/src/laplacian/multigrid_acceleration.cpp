@@ -30,13 +30,13 @@ Acceleration::Acceleration(const Group& group)
     : group_(group),
       directions_(kDirections),
       proposed_(group.components.count),
-      before_(group.vertices.size()),
+      before_(group.vertex_count()),
       forces_before_(group.anchors.size()),
-      residual_(group.vertices.size()),
+      residual_(group.vertex_count()),
       anchor_residual_(group.anchors.size()) {
   for (Direction& direction : directions_) {
-    direction.step.resize(group.vertices.size());
-    direction.image.resize(group.vertices.size());
+    direction.step.resize(group.vertex_count());
+    direction.image.resize(group.vertex_count());
     direction.forces.resize(group.anchors.size());
     direction.energy.resize(group.components.count);
     direction.overlap.resize(group.components.count);
@@ -46,7 +46,7 @@ Acceleration::Acceleration(const Group& group)
 
 void Acceleration::restart(MultigridCycle& cycles) {
   for (std::uint32_t i = 0; i < residual_.size(); ++i)
-    residual_[i] = 1.0F / static_cast<float>(group_.graph.degree(i)) * cycles.delta(i);
+    residual_[i] = 1.0F / static_cast<float>(group_.graph->degree(i)) * cycles.delta(i);
   for (std::size_t a = 0; a < anchor_residual_.size(); ++a) anchor_residual_[a] = cycles.target(a);
 }
 
@@ -72,8 +72,8 @@ void Acceleration::take_step(MultigridCycle& cycles, Direction& direction) {
 void Acceleration::apply_laplacian(Direction& direction) const {
   for (std::uint32_t i = 0; i < direction.image.size(); ++i) {
     Float4 sum{};
-    for (const std::uint32_t j : group_.graph.of(i)) sum += direction.step[j].x;
-    direction.image[i] = direction.step[i].x - 1.0F / static_cast<float>(group_.graph.degree(i)) * sum;
+    for (const std::uint32_t j : group_.graph->of(i)) sum += direction.step[j].x;
+    direction.image[i] = direction.step[i].x - 1.0F / static_cast<float>(group_.graph->degree(i)) * sum;
   }
 }
 

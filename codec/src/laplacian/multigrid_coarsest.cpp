@@ -7,7 +7,6 @@
 namespace deltamesh::multigrid {
 namespace {
 
-constexpr std::uint32_t kLargestFactored = 30000;
 constexpr double kReduction = 1e-5;
 constexpr int kMaxIterations = 200;
 
@@ -62,13 +61,18 @@ class RowBuilder {
 
 }  // namespace
 
-CoarsestSolver::CoarsestSolver(const Level& level)
-    : level_(level), inverse_mass_(level.node_count()), scaled_(level.node_count()), x_(level.node_count()) {
+CoarsestSolver::CoarsestSolver(const Level& level, std::span<const std::uint8_t> holds,
+                               std::uint32_t largest_factored)
+    : level_(level),
+      holds_(holds),
+      inverse_mass_(level.node_count()),
+      scaled_(level.node_count()),
+      x_(level.node_count()) {
   const std::uint32_t n = level.node_count();
   for (std::uint32_t i = 0; i < n; ++i)
     inverse_mass_[i] = level.mass[i] > 0 ? 1 / static_cast<double>(level.mass[i]) : 0.0;
   assemble();
-  if (n <= kLargestFactored) factor_ = SparseFactor::make(matrix_);
+  if (n <= largest_factored) factor_ = SparseFactor::make(matrix_);
   if (factor_) {
     matrix_ = {};
     return;
@@ -185,7 +189,8 @@ void CoarsestSolver::solve(std::span<const Row> b, std::span<const Float4> gaps,
     u[i].x = narrow(x_[i]);
     u[i].s = narrow(scaled_[i] - inverse_mass_[i] * apply_k(x_, i));
   }
-  for (std::size_t a = 0; a < gaps.size(); ++a) forces[a] = narrow(x_[level_.anchors[a]]) - gaps[a];
+  for (std::size_t a = 0; a < gaps.size(); ++a)
+    forces[a] = holds_[a] != 0 ? narrow(x_[level_.anchors[a]]) - gaps[a] : Float4{};
 }
 
 }  // namespace deltamesh::multigrid

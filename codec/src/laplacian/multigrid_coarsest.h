@@ -15,13 +15,14 @@
 namespace deltamesh::multigrid {
 
 /// Solves  K x + M s = b_x,  K s - E f = b_s,  x_a - f_a = g_a  (w = 1) for x, s and the anchor forces f, by
-/// way of (K M^-1 K + E E^T) x = K M^-1 b_x - b_s + E g: factored where there are at most kLargestFactored
+/// way of (K M^-1 K + E E^T) x = K M^-1 b_x - b_s + E g: factored where there are at most `largest_factored`
 /// nodes, else by conjugate gradients with symmetric Gauss-Seidel until the residual has fallen by
 /// kReduction on every axis. Memory is allocated at setup only.
 class CoarsestSolver {
  public:
-  /// `level` must outlive the solver.
-  explicit CoarsestSolver(const Level& level);
+  /// `level` and `holds` must outlive the solver. Anchor a with holds[a] = 0 is alone in its component: it
+  /// only says where that is, its force is 0.
+  CoarsestSolver(const Level& level, std::span<const std::uint8_t> holds, std::uint32_t largest_factored);
 
   /// `b`, `u`: n; `gaps`: g; `forces`: f, both one per anchor.
   void solve(std::span<const Row> b, std::span<const Float4> gaps, std::span<Row> u,
@@ -35,6 +36,7 @@ class CoarsestSolver {
   void run_conjugate_gradients() noexcept;
 
   const Level& level_;
+  std::span<const std::uint8_t> holds_;
   SymmetricMatrix matrix_;
   std::optional<SparseFactor> factor_;
   std::vector<double> inverse_mass_;

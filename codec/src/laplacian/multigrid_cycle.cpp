@@ -9,10 +9,31 @@
 #include "laplacian/multigrid_transfer.h"
 
 namespace deltamesh::multigrid {
+namespace {
 
-MultigridCycle::MultigridCycle(const Adjacency& graph, std::span<const std::uint32_t> anchors,
-                               std::uint32_t depth)
-    : levels_(build_hierarchy(graph, anchors, depth)),
+/// Nodes of a coarsest level that is factored; where cycles converge badly an exact solution is worth more.
+constexpr std::uint32_t kLargestFactored = 30000;
+constexpr std::uint32_t kLargestFactoredWhenHard = 100000;
+
+/// A larger coarsest level has no more nodes for every anchor: conjugate gradients would take too long.
+constexpr std::size_t kMostNodesPerAnchor = 24;
+
+/// Per anchor, whether its component has another.
+std::vector<std::uint8_t> shared_components(const Components& components,
+                                            std::span<const std::uint32_t> anchors) {
+  std::vector<std::uint32_t> count(components.count, 0);
+  for (const std::uint32_t anchor : anchors) ++count[components.label[anchor]];
+  std::vector<std::uint8_t> shared;
+  for (const std::uint32_t anchor : anchors) shared.push_back(count[components.label[anchor]] > 1 ? 1 : 0);
+  return shared;
+}
+
+}  // namespace
+
+MultigridCycle::MultigridCycle(const Adjacency& graph, const Components& components,
+                               std::span<const std::uint32_t> anchors, std::uint32_t depth)
+    : holds_(shared_components(components, anchors)),
+      levels_(build_hierarchy(graph, anchors, depth)),
       vectors_(levels_.size()),
       targets_(anchors.size()),
       gaps_(anchors.size()),
@@ -26,7 +47,11 @@ MultigridCycle::MultigridCycle(const Adjacency& graph, std::span<const std::uint
 }
 
 void MultigridCycle::solve_coarsest() {
-  if (!coarsest_[bottom_]) coarsest_[bottom_] = std::make_unique<CoarsestSolver>(levels_[bottom_]);
+  if (!coarsest_[bottom_]) {
+    const bool is_hard = bottom_ + 1 < levels_.size();
+    coarsest_[bottom_] = std::make_unique<CoarsestSolver>(
+        levels_[bottom_], holds_, is_hard ? kLargestFactoredWhenHard : kLargestFactored);
+  }
   coarsest_[bottom_]->solve(vectors_[bottom_].b, gaps_, vectors_[bottom_].u, forces_);
 }
 
@@ -76,6 +101,8 @@ void MultigridCycle::cycle() { v_cycle(0); }
 
 bool MultigridCycle::drop_coarsest() {
   if (bottom_ < 2) return false;
+  const std::uint32_t nodes = levels_[bottom_ - 1].node_count();
+  if (nodes > kLargestFactoredWhenHard && nodes > kMostNodesPerAnchor * targets_.size()) return false;
   --bottom_;
   return true;
 }

@@ -24,7 +24,8 @@ class MultigridCycle {
  public:
   /// The graph's components have about the same number of vertices per anchor; `depth` fits them. Cost O(n +
   /// edges).
-  MultigridCycle(const Adjacency& graph, std::span<const std::uint32_t> anchors, std::uint32_t depth);
+  MultigridCycle(const Adjacency& graph, const Components& components, std::span<const std::uint32_t> anchors,
+                 std::uint32_t depth);
   MultigridCycle(const MultigridCycle&) = delete;
   MultigridCycle& operator=(const MultigridCycle&) = delete;
 
@@ -59,6 +60,7 @@ class MultigridCycle {
   void v_cycle(std::size_t top);
   void solve_coarsest();
 
+  std::vector<std::uint8_t> holds_;  ///< per anchor: 0 where it is alone in its component
   std::vector<Level> levels_;
   std::vector<Vectors> vectors_;
   std::vector<Float4> targets_;

@@ -17,7 +17,7 @@ constexpr std::uint32_t kLargestDirect = 64;
 /// Around a vertex of higher degree an aggregate is no local average any more and cycles may settle on
 /// nothing; such a component is factored up to this size.
 constexpr std::uint32_t kLargestDegree = 64;
-constexpr std::uint32_t kLargestDirectWithHub = 100000;
+constexpr std::uint32_t kLargestDirectWithHub = 5000;
 
 /// The subgraph of the vertices whose component has `wanted` in `key`.
 Group extract(const Adjacency& graph, const Components& components, std::span<const std::uint32_t> anchors,
@@ -30,39 +30,41 @@ Group extract(const Adjacency& graph, const Components& components, std::span<co
     row[v] = static_cast<std::uint32_t>(group.vertices.size());
     group.vertices.push_back(v);
   }
-  group.graph.offsets.reserve(group.vertices.size() + 1);
-  group.graph.offsets.push_back(0);
+  group.storage = std::make_unique<Adjacency>();
+  group.graph = group.storage.get();
+  Adjacency& part = *group.storage;
+  part.offsets.reserve(group.vertices.size() + 1);
+  part.offsets.push_back(0);
   for (const std::uint32_t v : group.vertices) {
-    for (const std::uint32_t neighbor : graph.of(v)) group.graph.neighbors.push_back(row[neighbor]);
-    group.graph.offsets.push_back(static_cast<std::uint32_t>(group.graph.neighbors.size()));
+    for (const std::uint32_t neighbor : graph.of(v)) part.neighbors.push_back(row[neighbor]);
+    part.offsets.push_back(static_cast<std::uint32_t>(part.neighbors.size()));
   }
   for (std::uint32_t a = 0; a < anchors.size(); ++a) {
     if (key[components.label[anchors[a]]] != wanted) continue;
     group.anchors.push_back(row[anchors[a]]);
     group.anchor_of.push_back(a);
   }
-  group.components = find_components(group.graph);
+  group.components = find_components(part);
   return group;
 }
 
 /// The graph as it is.
-Group whole(const Adjacency& graph, const Components& components, std::span<const std::uint32_t> anchors,
+Group whole(const Adjacency& graph, Components components, std::span<const std::uint32_t> anchors,
             std::uint32_t depth) {
-  Group group{.depth = depth,
-              .vertices = std::vector<std::uint32_t>(graph.vertex_count()),
-              .anchors = {anchors.begin(), anchors.end()},
-              .anchor_of = std::vector<std::uint32_t>(anchors.size()),
-              .graph = graph,
-              .components = components};
-  std::iota(group.vertices.begin(), group.vertices.end(), 0U);
+  Group group;
+  group.depth = depth;
+  group.anchors.assign(anchors.begin(), anchors.end());
+  group.anchor_of.resize(anchors.size());
   std::iota(group.anchor_of.begin(), group.anchor_of.end(), 0U);
+  group.graph = &graph;
+  group.components = std::move(components);
   return group;
 }
 
 }  // namespace
 
 std::vector<Group> group_components(const Adjacency& graph, std::span<const std::uint32_t> anchors) {
-  const Components components = find_components(graph);
+  Components components = find_components(graph);
   std::vector<std::uint32_t> anchor_count(components.count, 0);
   for (const std::uint32_t anchor : anchors) ++anchor_count[components.label[anchor]];
   std::vector<std::uint32_t> direct_limit(components.count, kLargestDirect);
@@ -74,12 +76,15 @@ std::vector<Group> group_components(const Adjacency& graph, std::span<const std:
     if (components.size[c] > direct_limit[c])
       depth[c] = coarsening_depth(components.size[c], anchor_count[c]);
   }
-  if (std::adjacent_find(depth.begin(), depth.end(), std::not_equal_to<>()) == depth.end() && !depth.empty())
-    return {whole(graph, components, anchors, depth.front())};
+  std::vector<Group> groups;
+  if (std::adjacent_find(depth.begin(), depth.end(), std::not_equal_to<>()) == depth.end() &&
+      !depth.empty() && depth.front() > 0) {
+    groups.push_back(whole(graph, std::move(components), anchors, depth.front()));
+    return groups;
+  }
   std::vector<std::uint32_t> depths = depth;
   std::sort(depths.begin(), depths.end());
   depths.erase(std::unique(depths.begin(), depths.end()), depths.end());
-  std::vector<Group> groups;
   for (const std::uint32_t d : depths) groups.push_back(extract(graph, components, anchors, depth, d));
   return groups;
 }
@@ -87,7 +92,7 @@ std::vector<Group> group_components(const Adjacency& graph, std::span<const std:
 Group extract_components(const Group& group, std::span<const std::uint8_t> chosen) {
   std::vector<std::uint32_t> key(chosen.size());
   for (std::size_t c = 0; c < key.size(); ++c) key[c] = chosen[c] != 0 ? 0 : 1;
-  return extract(group.graph, group.components, group.anchors, key, 0);
+  return extract(*group.graph, group.components, group.anchors, key, 0);
 }
 
 }  // namespace deltamesh::multigrid

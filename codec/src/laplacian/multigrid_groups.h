@@ -4,7 +4,9 @@
 // Components sorted by how deep their hierarchies go, so that thousands of small ones share the work of few.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -15,14 +17,19 @@ namespace deltamesh::multigrid {
 /// Some components of a graph, with their vertices and anchors renumbered in the same order.
 struct Group {
   std::uint32_t depth = 0;               ///< coarsenings; 0: so small that it is solved directly
-  std::vector<std::uint32_t> vertices;   ///< vertex of the whole graph for every vertex here, ascending
+  std::vector<std::uint32_t> vertices;   ///< vertex of the whole graph for every vertex here, ascending;
+                                         ///< empty: all of them
   std::vector<std::uint32_t> anchors;    ///< vertices here
   std::vector<std::uint32_t> anchor_of;  ///< anchor of the whole problem for every anchor here
-  Adjacency graph;
+  std::unique_ptr<Adjacency> storage;    ///< null where `graph` is the whole graph
+  const Adjacency* graph = nullptr;
   Components components;
+
+  std::size_t vertex_count() const noexcept { return graph->vertex_count(); }
 };
 
-/// All components of `graph` by ascending depth. `anchors`: at least one in every component. O(n + edges).
+/// All components of `graph` by ascending depth. `anchors`: at least one in every component.
+/// `graph` must outlive the groups. O(n + edges).
 std::vector<Group> group_components(const Adjacency& graph, std::span<const std::uint32_t> anchors);
 
 /// The components of `group` that `chosen` (one flag for each) marks, as a group of depth 0 over vertices and

@@ -95,28 +95,32 @@ void build_coarse_graph(const Level& fine, const Aggregates& aggregates, Level& 
   const std::vector<float> scale = stiffness_scale(fine, aggregates);
   const Members members(aggregates);
   std::vector<float> sums(scale.size(), 0.0F);
-  coarse.offsets.assign(1, 0);
+  std::vector<std::uint32_t>& offsets = coarse.storage.offsets;
+  std::vector<std::uint32_t>& neighbors = coarse.storage.neighbors;
+  offsets.assign(1, 0);
   for (std::uint32_t c = 0; c < scale.size(); ++c) {
-    const std::size_t first = coarse.neighbors.size();
+    const std::size_t first = neighbors.size();
     for (std::uint32_t m = members.start[c]; m < members.start[c + 1]; ++m) {
       const std::uint32_t i = members.nodes[m];
       for (std::uint32_t e = fine.offsets[i]; e < fine.offsets[i + 1]; ++e) {
         const std::uint32_t other = aggregates.of[fine.neighbors[e]];
         if (other == c) continue;
-        if (sums[other] == 0) coarse.neighbors.push_back(other);
+        if (sums[other] == 0) neighbors.push_back(other);
         sums[other] += fine.weight(e);
       }
     }
     float degree = 0;
-    for (std::size_t e = first; e < coarse.neighbors.size(); ++e) {
-      const std::uint32_t other = coarse.neighbors[e];
+    for (std::size_t e = first; e < neighbors.size(); ++e) {
+      const std::uint32_t other = neighbors[e];
       coarse.weights.push_back(0.5F * (scale[c] + scale[other]) * std::exchange(sums[other], 0.0F));
       degree += coarse.weights.back();
     }
     coarse.degree.push_back(degree);
     coarse.inverse_degree.push_back(degree > 0 ? 1 / degree : 0);
-    coarse.offsets.push_back(static_cast<std::uint32_t>(coarse.neighbors.size()));
+    offsets.push_back(static_cast<std::uint32_t>(neighbors.size()));
   }
+  coarse.offsets = offsets;
+  coarse.neighbors = neighbors;
 }
 
 Level coarsen(const Level& fine, const Aggregates& aggregates) {

@@ -18,8 +18,8 @@ namespace deltamesh::multigrid {
 /// apart.
 std::uint32_t coarsening_depth(std::uint32_t vertices, std::uint32_t anchors) noexcept;
 
-/// The finest level and `depth` coarser ones; fewer where coarsening no longer shrinks. Cost and memory O(n +
-/// edges).
+/// The finest level and `depth` coarser ones; fewer where coarsening no longer shrinks. `graph` must outlive
+/// them. Cost and memory O(n + edges).
 std::vector<Level> build_hierarchy(const Adjacency& graph, std::span<const std::uint32_t> anchors,
                                    std::uint32_t depth);
 

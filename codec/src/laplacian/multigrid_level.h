@@ -7,9 +7,11 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "laplacian/multigrid_row.h"
+#include "topology/adjacency.h"
 
 namespace deltamesh::multigrid {
 
@@ -21,8 +23,9 @@ struct Interpolation {
 
 /// The equations  K x + M s = b_x,  K s = b_s  on a graph, K = D - A with edge weights A.
 struct Level {
-  std::vector<std::uint32_t> offsets;        ///< n + 1
-  std::vector<std::uint32_t> neighbors;      ///< two entries per edge
+  std::span<const std::uint32_t> offsets;    ///< n + 1
+  std::span<const std::uint32_t> neighbors;  ///< two entries per edge
+  Adjacency storage;                         ///< what they show, but on the finest level
   std::vector<float> weights;                ///< beside `neighbors`; empty on the finest level: all 1
   std::vector<float> degree;                 ///< n: D, the sum of a node's edge weights; 0 for a lone node
   std::vector<float> inverse_degree;         ///< n: 1 / D; 0 for a lone node

@@ -31,8 +31,8 @@ constexpr double kGoodProgress = 0.5;
 /// In hard cases, where strips or peninsulas that hang by few edges are wrong on coarse levels, the coarsest
 /// level is dropped, at most kMaxDrops times, when the change has not fallen to kPoorProgress in
 /// kCyclesPerDrop cycles.
-constexpr int kCyclesPerDrop = 3;
-constexpr double kPoorProgress = 0.2;
+constexpr int kCyclesPerDrop = 2;
+constexpr double kPoorProgress = 0.3;
 constexpr int kMaxDrops = 2;
 
 /// Accelerated cycles: how many before the small components that still move are factored, and at the most.
@@ -40,11 +40,13 @@ constexpr int kPatience = 10;
 constexpr int kAcceleratedCycles = 40;
 constexpr std::uint32_t kLargestRescue = 2000;  ///< vertices of such a component
 
-/// Settled: what the last cycle changed is small against the error that quantisation left (rms, largest).
-/// The next plain ones would change a half of that, accelerated ones about as much again.
-constexpr double kSettledRms = 0.2;
-constexpr double kSettledLargest = 1;
-constexpr double kAcceleratedShare = 0.5;
+/// Settled: what is still to come is small against the error that quantisation left (rms, largest). To come:
+/// the last change times rate / (1 - rate), where every cycle changes `rate` times as much as the one before.
+constexpr double kSettledRms = 0.1;
+constexpr double kSettledLargest = 1.5;
+constexpr double kLowestRate = 0.2;
+constexpr double kHighestRate = 0.7;
+constexpr double kUnknownRate = 0.5;
 
 /// Low-frequency error over rms of the anchors' forces, times share of anchors: 0.23 within 15 % on scans,
 /// terrain and CAD, 4 to 8 bits, 0.1 to 2 % anchors.
@@ -52,7 +54,7 @@ constexpr double kErrorPerForce = 0.23;
 
 /// Bounds of that estimate, over rms of the deltas: forces tell nothing where every component has one anchor,
 /// and lie while cycles diverge.
-constexpr double kErrorPerDelta = 1e-4;
+constexpr double kErrorPerDelta = 2e-3;
 constexpr double kMaxErrorPerDelta = 2;
 
 Float4 to_float4(const Vec3& v) noexcept {
@@ -66,37 +68,50 @@ class GroupSolver {
  public:
   explicit GroupSolver(Group group)
       : group_(std::move(group)),
-        cycles_(group_.graph, group_.anchors, group_.depth),
-        deltas_(group_.vertices.size()),
-        x_(group_.vertices.size()),
+        cycles_(*group_.graph, group_.components, group_.anchors, group_.depth),
         targets_(group_.anchors.size()),
         change_(group_.components.count),
         bad_(group_.components.count) {}
 
   Result<void> solve(std::span<const Vec3> deltas, std::span<const Vec3> anchor_positions,
                      std::span<Vec3> x) {
-    for (std::size_t i = 0; i < deltas_.size(); ++i) deltas_[i] = deltas[group_.vertices[i]];
+    if (group_.vertices.empty()) {
+      deltas_ = deltas;
+      x_ = x;
+    } else {
+      gather(deltas);
+    }
     for (std::size_t a = 0; a < targets_.size(); ++a) targets_[a] = anchor_positions[group_.anchor_of[a]];
     std::fill(x_.begin(), x_.end(), Vec3{});
     set_right_hand_sides();
     cycles_.start();
     if (!run_plain()) DELTAMESH_CHECK(run_accelerated());
-    for (std::size_t i = 0; i < x_.size(); ++i) x[group_.vertices[i]] = x_[i];
+    for (std::size_t i = 0; i < group_.vertices.size(); ++i) x[group_.vertices[i]] = x_[i];
     return {};
   }
 
  private:
+  /// Own copies for a group that is not the whole graph.
+  void gather(std::span<const Vec3> deltas) {
+    own_x_.resize(group_.vertices.size());
+    own_deltas_.clear();
+    for (const std::uint32_t v : group_.vertices) own_deltas_.push_back(deltas[v]);
+    deltas_ = own_deltas_;
+    x_ = own_x_;
+  }
+
   /// Cycles until settled (true), or until they make little progress.
   bool run_plain() {
     absorb();
-    double change = std::numeric_limits<double>::infinity();
+    double change = 0;
     for (int c = 0; c < kPlainCycles; ++c) {
       set_right_hand_sides();
       cycles_.cycle();
       absorb();
-      if (is_settled(1)) return true;
       const double previous = std::exchange(change, worst_change());
-      if (!(change <= kGoodProgress * previous)) return false;
+      const double rate = c == 0 ? kUnknownRate : change / previous;
+      if (is_settled(rate)) return true;
+      if (!(rate <= kGoodProgress)) return false;
     }
     return false;
   }
@@ -114,7 +129,7 @@ class GroupSolver {
       absorb();
       const auto proposed = acceleration.proposed();
       std::copy(proposed.begin(), proposed.end(), change_.begin());
-      if (is_settled(kAcceleratedShare)) return {};
+      if (is_settled(kUnknownRate)) return {};
       if (c % kCyclesPerDrop == kCyclesPerDrop - 1) {
         const double previous = std::exchange(change, worst_change());
         if (change > kPoorProgress * previous && drops < kMaxDrops && cycles_.drop_coarsest()) ++drops;
@@ -139,8 +154,8 @@ class GroupSolver {
   void set_right_hand_sides() {
     for (std::uint32_t i = 0; i < x_.size(); ++i) {
       Vec3 sum{};
-      for (const std::uint32_t j : group_.graph.of(i)) sum = sum + x_[j];
-      const double degree = group_.graph.degree(i);
+      for (const std::uint32_t j : group_.graph->of(i)) sum = sum + x_[j];
+      const double degree = group_.graph->degree(i);
       const Vec3 charge = degree * (deltas_[i] - x_[i]) + sum;
       cycles_.delta(i) = to_float4(charge);
       cycles_.solution()[i].x = Float4{};
@@ -189,14 +204,15 @@ class GroupSolver {
     return std::clamp(error, 0.0, kMaxErrorPerDelta * deltas);
   }
 
-  /// The rms against `share` of the usual bound; marks the components that are not.
-  bool is_settled(double share) {
-    const double error = expected_error();
+  /// Whether what is still to come is small; marks the components where it is not.
+  bool is_settled(double rate) {
+    const double bounded = std::clamp(rate, kLowestRate, kHighestRate);
+    const double change_allowed = (1 - bounded) / bounded * expected_error();
     bool settled = true;
     for (std::size_t c = 0; c < change_.size(); ++c) {
       const bool good =
-          std::sqrt(change_[c].squares / group_.components.size[c]) <= share * kSettledRms * error &&
-          std::sqrt(change_[c].largest) <= kSettledLargest * error;
+          std::sqrt(change_[c].squares / group_.components.size[c]) <= kSettledRms * change_allowed &&
+          std::sqrt(change_[c].largest) <= kSettledLargest * change_allowed;
       bad_[c] = good ? 0 : 1;  // NaN is bad
       settled = settled && good;
     }
@@ -210,7 +226,7 @@ class GroupSolver {
     for (const std::uint32_t v : bad.vertices) deltas.push_back(deltas_[v]);
     for (const std::uint32_t a : bad.anchor_of) targets.push_back(targets_[a]);
     std::vector<Vec3> solution(bad.vertices.size());
-    DELTAMESH_TRY(const auto solver, make_direct_solver(bad.graph, bad.anchors));
+    DELTAMESH_TRY(const auto solver, make_direct_solver(*bad.graph, bad.anchors));
     DELTAMESH_CHECK(solver->solve(deltas, targets, solution));
     for (std::size_t i = 0; i < solution.size(); ++i) x_[bad.vertices[i]] = solution[i];
     return {};
@@ -218,8 +234,10 @@ class GroupSolver {
 
   Group group_;
   MultigridCycle cycles_;
-  std::vector<Vec3> deltas_;
-  std::vector<Vec3> x_;
+  std::span<const Vec3> deltas_;
+  std::span<Vec3> x_;
+  std::vector<Vec3> own_deltas_;
+  std::vector<Vec3> own_x_;
   std::vector<Vec3> targets_;
   std::vector<Change> change_;
   std::vector<std::uint8_t> bad_;
@@ -231,7 +249,7 @@ class SmallSolver {
   static Result<std::unique_ptr<SmallSolver>> make(Group group) {
     auto solver = std::make_unique<SmallSolver>();
     solver->group_ = std::move(group);
-    DELTAMESH_TRY(solver->direct_, make_direct_solver(solver->group_.graph, solver->group_.anchors));
+    DELTAMESH_TRY(solver->direct_, make_direct_solver(*solver->group_.graph, solver->group_.anchors));
     return solver;
   }
 

@@ -37,8 +37,7 @@ Result<std::unique_ptr<LeastSquaresSolver>> make_direct_solver(const Adjacency& 
                                                                std::span<const std::uint32_t> anchors);
 
 /// Multigrid: time and memory linear in n; the error that remains is a few percent of what quantisation
-/// leaves. Components that do not settle are factored. Same preconditions and errors as above; `graph` need
-/// not outlive the solver.
+/// leaves. Small components that do not settle are factored. Same preconditions and errors as above.
 Result<std::unique_ptr<LeastSquaresSolver>> make_multigrid_solver(const Adjacency& graph,
                                                                   std::span<const std::uint32_t> anchors);
 
