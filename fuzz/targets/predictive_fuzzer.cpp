@@ -36,7 +36,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto bytes = std::as_bytes(std::span(data, size - 3));
   const test::GraphMesh mesh = choose_mesh(choice[0]);
   const auto cells = static_cast<std::uint32_t>((std::uint64_t{1} << (choice[1] % 29)) - choice[1] / 128);
-  const PredictiveParameters parameters{.lattice = {.cells = {cells, cells, cells}}};
+  const PredictiveParameters parameters{
+      .kind = choice[2] / 128 != 0 ? PositionKind::kVoxel : PositionKind::kLattice,
+      .lattice = {.cells = {cells, cells, cells}},
+      .levels = 1U << (choice[2] / 8 % 16)};
   const FaceStars stars(mesh.triangles, static_cast<std::uint32_t>(mesh.positions.size()));
   const Payload payload = choice[2] % 8 == 0 ? Payload(bytes) : Payload::compact(bytes);
   const auto positions = read_positions(payload, stars, parameters);

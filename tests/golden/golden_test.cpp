@@ -12,6 +12,7 @@
 #include "deltamesh/decode.h"
 #include "deltamesh/encode.h"
 #include "deltamesh/io.h"
+#include "scenes.h"
 #include "support/meshes.h"
 
 namespace deltamesh {
@@ -53,6 +54,9 @@ std::vector<Golden> golden_streams() {
                   testing::attributed_grid(6, 5),
                   {.bits = 10, .profile = Profile::kZstd, .keep_order = true}});
   list.push_back({"grid.predictive", rough_grid(), {.geometry = GeometryCoder::kPredictive, .bits = 11}});
+  list.push_back({"room.voxels",
+                  *generate_scene(Scene::kRooms, 600, 3),
+                  {.quality = {.max_error = 0.02}, .geometry = GeometryCoder::kPredictive}});
   for (const auto& named : testing::awkward_meshes()) {
     if (named.name == "seam") list.push_back({"seam.step", named.mesh, {.step = 0.01}});
     if (named.name == "three faces on an edge") list.push_back({"nonmanifold.default", named.mesh, {}});

@@ -10,10 +10,14 @@
 #include "deltamesh/compare.h"
 #include "deltamesh/decode.h"
 #include "deltamesh/encode.h"
+#include "entropy/compact_reader.h"
 #include "entropy/compact_writer.h"
+#include "format/container.h"
 #include "predictive/lattice.h"
 #include "predictive/lattice_coder.h"
 #include "predictive/positions.h"
+#include "predictive/voxel_fit.h"
+#include "scenes.h"
 #include "support/graph_mesh.h"
 #include "support/meshes.h"
 #include "topology/component_count.h"
@@ -54,7 +58,7 @@ TEST(Predictive, POSN2POSN3POSN4POSN5POSN6POSN8CellsComeBack) {
     for (const double step : {2.0, 0.1, 1e-3, 1e-7, 1e-30}) {
       const PositionLattice lattice = cubic_lattice(mesh.box, step);
       const auto cells = to_cells(mesh.positions, lattice);
-      const auto bytes = write_positions(stars, cells, lattice);
+      const auto bytes = write_positions(stars, cells, {.lattice = lattice});
       const auto back = read_positions(Payload::compact(bytes), stars, {.lattice = lattice});
       ASSERT_TRUE(back) << back.error().message;
       EXPECT_EQ(*back, to_positions(cells, lattice));
@@ -67,14 +71,14 @@ TEST(Predictive, ParallelogramsPredictAPlaneExactly) {
   for (Vec3& p : mesh.positions) p[2] = 3 * p[0] + p[1];
   mesh = test::finish(mesh);
   const PositionLattice lattice = cubic_lattice(mesh.box, 1);
-  const auto bytes = write_positions(stars_of(mesh), to_cells(mesh.positions, lattice), lattice);
+  const auto bytes = write_positions(stars_of(mesh), to_cells(mesh.positions, lattice), {.lattice = lattice});
   EXPECT_LT(8 * bytes.size(), mesh.positions.size());
 }
 
 TEST(Predictive, POSN1RefusesOtherPayloads) {
   const test::GraphMesh mesh = test::sheet(5, 5);
   const PositionLattice lattice = cubic_lattice(mesh.box, 0.1);
-  const auto bytes = write_positions(stars_of(mesh), to_cells(mesh.positions, lattice), lattice);
+  const auto bytes = write_positions(stars_of(mesh), to_cells(mesh.positions, lattice), {.lattice = lattice});
   EXPECT_STREQ(rule_of(read_positions(Payload(bytes), stars_of(mesh), {.lattice = lattice})), "POSN-1");
   const FaceStars none({}, 0);
   EXPECT_STREQ(rule_of(read_positions(Payload::compact(bytes), none, {.lattice = lattice})), "POSN-1");
@@ -84,7 +88,7 @@ TEST(Predictive, POSN1RefusesOtherPayloads) {
 TEST(Predictive, POSN7RefusesCoordinatesBeyondTheLattice) {
   const test::GraphMesh mesh = test::sheet(5, 5);
   PositionLattice lattice = cubic_lattice(mesh.box, 0.1);
-  const auto bytes = write_positions(stars_of(mesh), to_cells(mesh.positions, lattice), lattice);
+  const auto bytes = write_positions(stars_of(mesh), to_cells(mesh.positions, lattice), {.lattice = lattice});
   lattice.cells[1] -= 1;
   EXPECT_STREQ(rule_of(read_positions(Payload::compact(bytes), stars_of(mesh), {.lattice = lattice})),
                "POSN-7");
@@ -93,7 +97,7 @@ TEST(Predictive, POSN7RefusesCoordinatesBeyondTheLattice) {
 TEST(Predictive, EveryPrefixIsTruncated) {
   const test::GraphMesh mesh = test::sheet(6, 5);
   const PositionLattice lattice = cubic_lattice(mesh.box, 0.01);
-  const auto bytes = write_positions(stars_of(mesh), to_cells(mesh.positions, lattice), lattice);
+  const auto bytes = write_positions(stars_of(mesh), to_cells(mesh.positions, lattice), {.lattice = lattice});
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     const std::vector<std::byte> prefix(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
     EXPECT_FALSE(read_positions(Payload::compact(prefix), stars_of(mesh), {.lattice = lattice})) << size;
@@ -146,6 +150,82 @@ TEST(Predictive, AutoIsTheSmallerOfTheTwo) {
     ASSERT_TRUE(chosen);
     EXPECT_EQ(chosen->bytes.size(), smallest);
   }
+}
+
+/// The generated map of a scanned room: marching cubes on a voxel grid.
+Mesh room() { return *generate_scene(Scene::kRooms, 6000, 3); }
+
+TEST(Voxels, VOX1VOX2VOX3VOX5VOX6EdgesComeBack) {
+  const Mesh mesh = room();
+  for (const double asked : {0.03, 0.004, 0.0004}) {
+    const auto encoded =
+        encode(mesh, {.quality = {.max_error = asked}, .geometry = GeometryCoder::kPredictive});
+    ASSERT_TRUE(encoded);
+    const auto container = Container::open(encoded->bytes);
+    EXPECT_EQ(container->header().predictive.kind, PositionKind::kVoxel);
+    EXPECT_LE(largest_error(mesh, *encoded), asked);
+  }
+}
+
+TEST(Voxels, PartlyGriddedMeshesComeBack) {
+  Mesh mesh = room();
+  std::uint32_t state = 7;
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    state = state * 1664525 + 1013904223;
+    if ((state >> 28) > 6) continue;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      mesh.positions[3 * v + axis] += static_cast<float>(state >> 8) * 1e-9F;
+  }
+  const auto encoded =
+      encode(mesh, {.quality = {.max_error = 0.004}, .geometry = GeometryCoder::kPredictive});
+  ASSERT_TRUE(encoded);
+  EXPECT_LE(largest_error(mesh, *encoded), 0.004);
+}
+
+TEST(Voxels, TheGridIsFound) {
+  const Mesh mesh = room();
+  std::vector<Vec3> positions;
+  Box box{{1e9, 1e9, 1e9}, {-1e9, -1e9, -1e9}};
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    positions.push_back({mesh.positions[3 * v], mesh.positions[3 * v + 1], mesh.positions[3 * v + 2]});
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      box.min[axis] = std::min(box.min[axis], positions.back()[axis]);
+      box.max[axis] = std::max(box.max[axis], positions.back()[axis]);
+    }
+  }
+  const auto fit = fit_voxels(positions, box);
+  ASSERT_TRUE(fit);
+  EXPECT_GT(fit->share, 0.95);
+  EXPECT_FALSE(fit_voxels(test::sheet(20, 20).positions, test::sheet(20, 20).box));
+  EXPECT_FALSE(fit_voxels({}, {}));
+}
+
+TEST(Voxels, VOX4RefusesRanksThatAreNotThere) {
+  // Whatever the bytes, the reader answers with cells within the lattice or an error.
+  const test::GraphMesh mesh = test::sheet(8, 8);
+  const PredictiveParameters parameters{
+      .kind = PositionKind::kVoxel, .lattice = {.cells = {64, 64, 64}}, .levels = 4};
+  std::uint32_t state = 1;
+  std::size_t refused = 0;
+  for (int i = 0; i < 300; ++i) {
+    std::vector<std::byte> bytes(200);
+    for (std::byte& b : bytes) b = static_cast<std::byte>((state = state * 1664525 + 1013904223) >> 24);
+    bytes[7] = std::byte{0x3f};
+    const auto back = read_positions(Payload::compact(bytes), stars_of(mesh), parameters);
+    if (!back) refused += std::string(back.error().rule) == "POSN-7" ? 1 : 0;
+  }
+  EXPECT_GT(refused, 0U);
+}
+
+TEST(Compact, CMP10NumbersOfAnyRangeComeBack) {
+  CompactWriter writer;
+  for (std::uint32_t range = 1; range <= 32768; range = range * 5 / 3 + 1)
+    for (const std::uint32_t value : {0U, range / 3, range - 1}) writer.uniform(value, range);
+  const auto bytes = writer.finish();
+  CompactReader reader(bytes);
+  for (std::uint32_t range = 1; range <= 32768; range = range * 5 / 3 + 1)
+    for (const std::uint32_t value : {0U, range / 3, range - 1}) EXPECT_EQ(reader.uniform(0, range), value);
+  EXPECT_TRUE(reader.finish(0));
 }
 
 TEST(Predictive, OptionsThatDoNotFitAreRefused) {

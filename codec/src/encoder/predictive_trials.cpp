@@ -38,7 +38,8 @@ Error unmet_bound(const Bounds& bounds, const Quality& best, std::uint64_t bytes
 PredictiveTrials::PredictiveTrials(const PredictiveInput& input, const StreamFrame& frame)
     : input_(input),
       frame_(frame),
-      stars_(input.triangles, static_cast<std::uint32_t>(input.positions.size())) {}
+      stars_(input.triangles, static_cast<std::uint32_t>(input.positions.size())),
+      voxels_(fit_voxels(input.positions, input.box)) {}
 
 double PredictiveTrials::step_for_bits(int bits) const noexcept {
   const double step = input_.box.longest_side() / (std::ldexp(1.0, bits) - 1);
@@ -55,48 +56,117 @@ double PredictiveTrials::first_step(const Bounds& bounds) const noexcept {
   return step > 0 ? step : 1.0;  // a bound in percent of nothing
 }
 
-Result<PredictiveTrials::Trial> PredictiveTrials::try_step(double step) const {
-  Trial trial{.lattice = cubic_lattice(input_.box, step), .cells = {}, .quality = {}};
-  trial.cells = to_cells(input_.positions, trial.lattice);
-  DELTAMESH_TRY(const auto decoded, to_float_positions(to_positions(trial.cells, trial.lattice)));
-  trial.quality = measure_quality(input_.graph, input_.positions, decoded);
-  return trial;
+Result<PredictiveTrials::Trial> PredictiveTrials::measured(PredictiveParameters parameters,
+                                                           std::vector<Cell> cells) const {
+  DELTAMESH_TRY(const auto decoded, to_float_positions(to_positions(cells, parameters.lattice)));
+  return Trial{parameters, std::move(cells), measure_quality(input_.graph, input_.positions, decoded)};
 }
 
-Result<GeometryChoice> PredictiveTrials::code(Trial trial) const {
+Result<PredictiveTrials::Trial> PredictiveTrials::try_step(double step) const {
+  const PositionLattice lattice = cubic_lattice(input_.box, step);
+  return measured({.lattice = lattice}, to_cells(input_.positions, lattice));
+}
+
+Result<PredictiveTrials::Trial> PredictiveTrials::try_levels(std::uint32_t levels) const {
+  auto voxels = to_voxel_cells(input_.positions, input_.box, *voxels_, levels);
+  if (!voxels) return unmet("more levels than a voxel may have", 0, 0);
+  return measured({.kind = PositionKind::kVoxel, .lattice = voxels->lattice, .levels = levels},
+                  std::move(voxels->cells));
+}
+
+Result<GeometryChoice> PredictiveTrials::code(const Trial& trial) const {
   GeometryChoice choice{.geometry = kGeometryPredictive,
-                        .predictive = {.lattice = trial.lattice},
+                        .predictive = trial.parameters,
                         .chunks = frame_.before.fresh(),
                         .quality = trial.quality};
-  choice.chunks.add_compact(kTagPositions, write_positions(stars_, trial.cells, trial.lattice));
+  choice.chunks.add_compact(kTagPositions, write_positions(stars_, trial.cells, trial.parameters));
   return choice;
 }
 
 Result<GeometryChoice> PredictiveTrials::code_step(double step) const {
-  DELTAMESH_TRY(auto trial, try_step(step));
-  return code(std::move(trial));
+  DELTAMESH_TRY(const auto trial, try_step(step));
+  return code(trial);
 }
 
-Result<GeometryChoice> PredictiveTrials::keep_bounds(const Bounds& bounds, int effort) const {
+Result<PredictiveTrials::Trial> PredictiveTrials::keep_on_lattice(const Bounds& bounds, int effort) const {
   std::optional<Trial> best;
+  double best_step = 0;
   double step = first_step(bounds);
   for (int i = 0; i < kMostTrials; ++i) {
     DELTAMESH_TRY(auto trial, try_step(step));
     const double load = bounds.load(trial.quality);
     const bool kept = load <= 1;
-    if (kept && (!best || trial.lattice.step[0] > best->lattice.step[0])) best = std::move(trial);
-    if (kept && (load > kCloseEnough || load == 0 || effort == 0)) break;
     if (!kept && i + 1 == kMostTrials && !best) {
       DELTAMESH_TRY(const auto coded, code(trial));
       return unmet_bound(bounds, coded.quality, frame_.bytes_with(coded));
     }
+    if (kept && step > best_step) {
+      best = std::move(trial);
+      best_step = step;
+    }
+    if (kept && (load > kCloseEnough || load == 0 || effort == 0)) break;
     // A bound far off asks for bold steps, since coordinates rounded to floats add to the error.
     step *= std::clamp(0.9995 / std::max(load, 1e-9), 0.25, 4.0);
   }
-  return code(*std::move(best));
+  return *std::move(best);
+}
+
+Result<PredictiveTrials::Trial> PredictiveTrials::keep_on_voxels(const Bounds& bounds) const {
+  const double voxel = *std::max_element(voxels_->voxel.begin(), voxels_->voxel.end());
+  // A vertex is off along its edge only, which is 2 levels' halves; see first_step().
+  const double step = first_step(bounds) * std::sqrt(3.0);
+  std::uint32_t enough = kMostLevels + 1;
+  std::uint32_t too_few = 0;
+  std::optional<Trial> best;
+  double levels = std::ceil(voxel / step);
+  for (int i = 0; i < kMostTrials && enough - too_few > 1; ++i) {
+    const auto now = static_cast<std::uint32_t>(std::clamp(levels, too_few + 1.0, enough - 1.0));
+    DELTAMESH_TRY(auto trial, try_levels(now));
+    const double load = bounds.load(trial.quality);
+    if (load <= 1) {
+      best = std::move(trial);
+      enough = now;
+      levels = std::max(std::ceil(now * load), now / 4.0);
+    } else {
+      too_few = now;
+      levels = std::ceil(now * std::min(load, 4.0));
+    }
+    if (levels == now) levels = now + (load <= 1 ? -1.0 : 1.0);
+  }
+  if (!best) return unmet("not on voxels", 0, 0);
+  return *std::move(best);
+}
+
+Result<GeometryChoice> PredictiveTrials::keep_bounds(const Bounds& bounds, int effort) const {
+  constexpr double kMostly = 0.5;  // of the vertices on edges: the voxels win
+  std::optional<GeometryChoice> on_voxels;
+  if (voxels_) {
+    if (const auto trial = keep_on_voxels(bounds)) {
+      DELTAMESH_TRY(on_voxels, code(*trial));
+      if (effort == 0 && voxels_->share > kMostly) return *std::move(on_voxels);
+    }
+  }
+  const auto trial = keep_on_lattice(bounds, effort);
+  if (!trial) {
+    if (on_voxels) return *std::move(on_voxels);
+    return trial.error();
+  }
+  DELTAMESH_TRY(auto on_lattice, code(*trial));
+  if (on_voxels && frame_.bytes_with(*on_voxels) < frame_.bytes_with(on_lattice))
+    return *std::move(on_voxels);
+  return on_lattice;
 }
 
 Result<GeometryChoice> PredictiveTrials::fit_bytes(std::uint64_t bytes) const {
+  auto on_lattice = fit_lattice(bytes);
+  if (!voxels_) return on_lattice;
+  auto on_voxels = fit_voxel_levels(bytes);
+  if (!on_voxels) return on_lattice;
+  if (!on_lattice || on_voxels->quality.vde_rms < on_lattice->quality.vde_rms) return on_voxels;
+  return on_lattice;
+}
+
+Result<GeometryChoice> PredictiveTrials::fit_lattice(std::uint64_t bytes) const {
   const double count = static_cast<double>(std::max<std::size_t>(input_.positions.size(), 1));
   std::optional<GeometryChoice> best;
   double best_step = 0;
@@ -118,6 +188,31 @@ Result<GeometryChoice> PredictiveTrials::fit_bytes(std::uint64_t bytes) const {
     step = std::min(step, 2 * std::max(input_.box.longest_side(), 1e-30));
   }
   if (!best) return unmet("no stream of this mesh is so small", 0, fewest);
+  return *std::move(best);
+}
+
+Result<GeometryChoice> PredictiveTrials::fit_voxel_levels(std::uint64_t bytes) const {
+  const double count = static_cast<double>(std::max<std::size_t>(input_.positions.size(), 1));
+  std::optional<GeometryChoice> best;
+  std::uint32_t fit = 0;
+  std::uint32_t too_many = kMostLevels + 1;
+  double levels = 8;
+  for (int i = 0; i < kMostTrials && too_many - fit > 1; ++i) {
+    const auto now = static_cast<std::uint32_t>(std::clamp(std::round(levels), fit + 1.0, too_many - 1.0));
+    DELTAMESH_TRY(const auto trial, try_levels(now));
+    DELTAMESH_TRY(auto choice, code(trial));
+    const std::uint64_t size = frame_.bytes_with(choice);
+    if (size <= bytes) {
+      best = std::move(choice);
+      fit = now;
+    } else {
+      too_many = now;
+    }
+    // One coordinate costs a bit more where the levels double.
+    const double bits = 8 * (static_cast<double>(bytes) - static_cast<double>(size)) / count;
+    levels = now * std::exp2(std::clamp(bits, -6.0, 6.0));
+  }
+  if (!best) return unmet("no stream of this mesh is so small", 0, 0);
   return *std::move(best);
 }
 

@@ -10,6 +10,7 @@
 
 #include "encoder/coded_geometry.h"
 #include "predictive/blend.h"
+#include "predictive/voxel_fit.h"
 #include "quality/bounds.h"
 #include "topology/adjacency.h"
 
@@ -42,18 +43,26 @@ class PredictiveTrials {
 
  private:
   struct Trial {
-    PositionLattice lattice;
+    PredictiveParameters parameters;
     std::vector<Cell> cells;
     Quality quality;
   };
 
+  Result<Trial> measured(PredictiveParameters parameters, std::vector<Cell> cells) const;
   Result<Trial> try_step(double step) const;
-  Result<GeometryChoice> code(Trial trial) const;
+  Result<Trial> try_levels(std::uint32_t levels) const;
+  Result<GeometryChoice> code(const Trial& trial) const;
   double first_step(const Bounds& bounds) const noexcept;
+  /// On a cubic lattice, and on the voxels' own.
+  Result<Trial> keep_on_lattice(const Bounds& bounds, int effort) const;
+  Result<Trial> keep_on_voxels(const Bounds& bounds) const;
+  Result<GeometryChoice> fit_lattice(std::uint64_t bytes) const;
+  Result<GeometryChoice> fit_voxel_levels(std::uint64_t bytes) const;
 
   PredictiveInput input_;
   StreamFrame frame_;
   FaceStars stars_;
+  std::optional<VoxelFit> voxels_;
 };
 
 }  // namespace deltamesh

@@ -23,6 +23,12 @@ struct Interval {
   std::uint32_t size;  ///< at least 1
 };
 
+/// The share of `value` among `range` (1 to 2^15) values alike [CMP-10].
+constexpr Interval part_of(std::uint32_t value, std::uint32_t range) noexcept {
+  const std::uint32_t start = (value << kProbabilityBits) / range;
+  return {start, ((value + 1) << kProbabilityBits) / range - start};
+}
+
 /// Full scale of a model's lanes: leaves room for the rounding term of the update below 2^15.
 inline constexpr std::int16_t kLaneOne = 32512;
 

@@ -95,6 +95,7 @@ Result<void> visit_predictive(const Visitor& visit, Header& h) {
     for (auto& x : p.lattice.origin) DELTAMESH_CHECK(visit.fixed(x));
   }
   for (auto& count : p.lattice.cells) DELTAMESH_CHECK(visit.varint(count));
+  if (p.kind == PositionKind::kVoxel) DELTAMESH_CHECK(visit.varint(p.levels));
   if constexpr (!std::is_const_v<Header>) {
     if ((layout & ~kKnownLayout) != 0) p.lattice.step[0] = 0;  // out of range, like every field that is wrong
     if ((layout & kLayoutSteps) == 0) p.lattice.step.fill(p.lattice.step[0]);
@@ -156,7 +157,7 @@ Result<void> check_numbers(const FileHeader& h, const ByteReader& in) {
 
 Result<void> check_predictive(const FileHeader& h, const ByteReader& in) {
   const PredictiveParameters& p = h.predictive;
-  bool in_range = p.bits <= 28 && p.kind == PositionKind::kLattice;
+  bool in_range = p.bits <= 28 && p.kind <= PositionKind::kVoxel && p.levels >= 1 && p.levels <= kMostLevels;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double step = p.lattice.step[axis];
     in_range = in_range && std::isfinite(step) && step > 0 && std::isfinite(p.lattice.origin[axis]) &&

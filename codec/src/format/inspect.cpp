@@ -74,6 +74,8 @@ StreamInfo summarize(const Container& container) {
     info.geometry = "predictive";
     info.bits = h.predictive.bits;
     info.step = *std::max_element(h.predictive.lattice.step.begin(), h.predictive.lattice.step.end());
+    // Along the edges of voxels a level is two steps.
+    if (h.predictive.kind == PositionKind::kVoxel) info.step *= 2;
   } else {
     info.geometry = "highpass";
     info.bits = h.highpass.bits;

@@ -25,13 +25,16 @@ struct PositionLattice {
 };
 
 /// What POSN holds [POSN-1].
-enum class PositionKind : std::uint8_t { kLattice = 0 };
+enum class PositionKind : std::uint8_t { kLattice = 0, kVoxel = 1 };
+
+inline constexpr std::uint32_t kMostLevels = 1U << 19;  ///< along the edge of a voxel [HDR-14]
 
 /// What the header says of a predictive stream [HDR-14].
 struct PredictiveParameters {
   std::uint8_t bits = 0;  ///< asked bits, 1 to 28; 0 where something else was asked. For information
   PositionKind kind = PositionKind::kLattice;
   PositionLattice lattice;
+  std::uint32_t levels = 1;  ///< of kVoxel: parts of an edge; a voxel is 2 * levels steps
 };
 
 }  // namespace deltamesh

@@ -6,6 +6,7 @@
 #include "predictive/lattice.h"
 #include "predictive/lattice_coder.h"
 #include "predictive/positions.h"
+#include "predictive/voxel_coder.h"
 
 namespace deltamesh {
 namespace {
@@ -26,16 +27,19 @@ Result<std::vector<Vec3>> read_positions(Payload payload, const FaceStars& stars
   CompactReader reader(payload.bytes);
   BlendTable blends{};
   code_blends(reader, blends);
-  LatticeCoder coder(reader, stars, parameters.lattice.cells, blends);
   std::vector<Cell> cells(stars.vertex_count());
-  for (std::uint32_t v = 0; v < cells.size() && !reader.failed(); ++v) {
-    if (!coder.code_vertex(v, cells)) {
-      if (reader.failed()) break;
-      return invalid("a coordinate beyond the lattice", "POSN-7");
+  const auto read_with = [&](auto coder) -> Result<void> {
+    for (std::uint32_t v = 0; v < cells.size() && !reader.failed(); ++v) {
+      if (!coder.code_vertex(v, cells) && !reader.failed())
+        return invalid("a coordinate beyond the lattice, or an edge that is not there", "POSN-7");
     }
-  }
-  DELTAMESH_CHECK(reader.finish(kTagPositions));
-  return to_positions(cells, parameters.lattice);
+    return reader.finish(kTagPositions);
+  };
+  const PositionLattice& lattice = parameters.lattice;
+  DELTAMESH_CHECK(parameters.kind == PositionKind::kVoxel
+                      ? read_with(VoxelCoder(reader, stars, lattice.cells, parameters.levels, blends))
+                      : read_with(LatticeCoder(reader, stars, lattice.cells, blends)));
+  return to_positions(cells, lattice);
 }
 
 }  // namespace deltamesh

@@ -16,12 +16,12 @@
 
 namespace deltamesh {
 
-/// The POSN payload, compact, of `cells`, one for every vertex of `stars`, within `lattice`; empty for no
+/// The POSN payload, compact, of `cells`, one for every vertex of `stars`, within the lattice; empty for no
 /// vertices. O(n + m).
 std::vector<std::byte> write_positions(const FaceStars& stars, std::span<const Cell> cells,
-                                       const PositionLattice& lattice);
+                                       const PredictiveParameters& parameters);
 
-/// n positions. Errors: kTruncated, kInvalidStream [POSN-1, POSN-7, CMP-3].
+/// n positions. Errors: kTruncated, kInvalidStream [POSN-1, POSN-7, VOX-4, CMP-3].
 Result<std::vector<Vec3>> read_positions(Payload payload, const FaceStars& stars,
                                          const PredictiveParameters& parameters);
 

@@ -76,6 +76,14 @@ ResidualForecast ResidualHistory::forecast(std::size_t axis, std::uint32_t large
 void ResidualHistory::learn(std::size_t axis, std::int32_t coordinate,
                             const ResidualForecast& forecast) noexcept {
   coded_[axis] = 16 * std::llabs(coordinate - forecast.whole);
+  remember(axis, coordinate);
+}
+
+void ResidualHistory::settle(const Cell& cell) noexcept {
+  for (std::size_t axis = 0; axis < 3; ++axis) remember(axis, cell[axis]);
+}
+
+void ResidualHistory::remember(std::size_t axis, std::int32_t coordinate) noexcept {
   const std::int64_t residual = std::clamp(16 * std::int64_t{coordinate} - expected_.place[axis],
                                            -kLargestRemembered, kLargestRemembered);
   const std::int64_t size = std::llabs(residual);

@@ -30,7 +30,7 @@ struct ResidualForecast {
 };
 
 /// Distances between vertices and what was expected of them, vertex after vertex: begin(), then forecast()
-/// and learn() for each axis, then end().
+/// and learn() for each axis, or settle(), then end().
 class ResidualHistory {
  public:
   explicit ResidualHistory(std::uint32_t vertex_count) : records_(vertex_count) {}
@@ -39,6 +39,8 @@ class ResidualHistory {
   void begin(const Surroundings& around, const Expectation& expected) noexcept;
   ResidualForecast forecast(std::size_t axis, std::uint32_t largest) const noexcept;
   void learn(std::size_t axis, std::int32_t coordinate, const ResidualForecast& forecast) noexcept;
+  /// In place of forecast() and learn(): the vertex was coded otherwise.
+  void settle(const Cell& cell) noexcept;
   void end(std::uint32_t vertex) noexcept;
 
  private:
@@ -46,6 +48,8 @@ class ResidualHistory {
     std::array<std::int32_t, 3> residual{};   ///< 1/16 steps, clamped
     std::array<std::int32_t, 3> magnitude{};  ///< smoothed
   };
+
+  void remember(std::size_t axis, std::int32_t coordinate) noexcept;
 
   std::vector<Record> records_;
   Expectation expected_;

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Vertices on the edges of a voxel grid, as marching cubes makes them: which edges a vertex may be on, given
+// those of its neighbours [VOX-2 .. VOX-4].
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "predictive/blend.h"
+
+namespace deltamesh {
+
+/// The middle of a grid edge in half voxels: one coordinate is odd, the edge's axis.
+using EdgePlace = std::array<std::int32_t, 3>;
+
+/// Fine lattice coordinates of a voxel grid: a node is a multiple of 2 `levels`, and what an edge is cut into
+/// are its odd coordinates in between.
+class VoxelGrid {
+ public:
+  explicit VoxelGrid(std::uint32_t levels) noexcept : voxel_(2 * static_cast<std::int32_t>(levels)) {}
+
+  /// The edge that a cell is on, in the middle of a level; empty where it is not.
+  std::optional<EdgePlace> edge_of(const Cell& cell) const noexcept;
+
+  std::int32_t voxel() const noexcept { return voxel_; }
+  std::int32_t levels() const noexcept { return voxel_ / 2; }
+
+ private:
+  std::int32_t voxel_;
+};
+
+constexpr std::size_t axis_of(const EdgePlace& edge) noexcept {
+  return (edge[0] & 1) != 0 ? 0 : (edge[1] & 1) != 0 ? 1 : 2;
+}
+
+/// The edges of the cubes that a vertex's first face, or neighbour, allows, best first.
+class EdgeCandidates {
+ public:
+  static constexpr unsigned kMost = 48;
+
+  /// `edges`: of coded vertices, where they have one; `place`: where the vertex is expected, 1/16 fine steps.
+  EdgeCandidates(const FaceStars& stars, std::uint32_t vertex, const Surroundings& around,
+                 std::span<const std::optional<EdgePlace>> edges, const std::array<std::int64_t, 3>& place,
+                 const VoxelGrid& grid) noexcept;
+
+  unsigned size() const noexcept { return size_; }
+  /// The candidate of this rank, below size(). The ranks before it have been asked for.
+  const EdgePlace& ranked(unsigned rank) noexcept;
+  /// The rank of `edge` where it is below `limit`.
+  std::optional<unsigned> rank_of(const EdgePlace& edge, unsigned limit) noexcept;
+
+  unsigned faces() const noexcept { return face_count_; }  ///< known faces with both corners on edges, to 3
+  unsigned likely() const noexcept { return likely_; }     ///< candidates that all known faces allow
+  /// How near the best is compared with the next, 0 (much) to 5.
+  unsigned doubt() noexcept;
+
+ private:
+  /// Per axis, which odd cube centres are left: those of two neighbours' cubes, or fewer.
+  struct CubeRange {
+    EdgePlace low;
+    EdgePlace high;
+  };
+  struct Candidate {
+    EdgePlace edge;
+    std::int64_t score;
+  };
+
+  static CubeRange cubes_at(const EdgePlace& edge) noexcept;
+  static bool intersect(CubeRange& range, const CubeRange& other) noexcept;
+  void add_cube(const CubeRange& range, const EdgePlace& center) noexcept;
+  bool allowed(const CubeRange& range, const EdgePlace& edge) const noexcept;
+  std::int64_t distance(const EdgePlace& edge) const noexcept;
+
+  std::array<Candidate, kMost> candidates_;
+  unsigned size_ = 0;
+  unsigned sorted_ = 0;
+  std::array<CubeRange, 8> faces_;
+  unsigned face_count_ = 0;
+  unsigned all_faces_ = 0;
+  unsigned likely_ = 0;
+  std::array<EdgePlace, Surroundings::kMostNeighbors> taken_;
+  unsigned taken_count_ = 0;
+  std::array<std::int64_t, 3> place_;  ///< 1/16 fine steps
+  std::int64_t half_;                  ///< half a voxel, 1/16 fine steps
+};
+
+}  // namespace deltamesh
