@@ -39,15 +39,15 @@ bool write_text(const Arguments& arguments, const std::string& name, const std::
   return written ? true : fail(path, written.error());
 }
 
-/// Table 1: VDE, and how it falls with each bit.
-void print_bits(const Points& points) {
+/// Table 1: VDE, and how it falls with each bit; `zeros`: what it is without any.
+void print_bits(const Points& points, const PaperPoint& zeros) {
   std::printf("| %s |", points.front().model.c_str());
   for (std::size_t i = 0; i < points.size(); ++i) {
     std::printf(" %.4f", points[i].vde);
     if (i > 0) std::printf(" (1/%.2f)", points[i - 1].vde / points[i].vde);
     std::printf(" |");
   }
-  std::printf("\n");
+  std::printf(" %.4f |\n", zeros.vde);
 }
 
 bool print_ratio_row(const bench::WeldedMesh& mesh, const bench::PaperRow& row) {
@@ -122,7 +122,7 @@ bool load(const Arguments& arguments, const std::string& model, bench::WeldedMes
 
 bool run(const Arguments& arguments) {
   std::printf("Table 1: S_q by bits of delta, anchors at v = 10\n\n");
-  std::printf("| model | 3 | 4 | 5 | 6 | 7 | 8 |\n|---|---|---|---|---|---|---|\n");
+  std::printf("| model | 3 | 4 | 5 | 6 | 7 | 8 | all deltas 0 |\n|---|---|---|---|---|---|---|---|\n");
   bench::WeldedMesh mesh;
   Points all;
   for (const char* model :
@@ -130,7 +130,9 @@ bool run(const Arguments& arguments) {
     if (!load(arguments, model, mesh)) return false;
     const auto points = bench::study_bits(model, mesh);
     if (!points) return fail(model, points.error());
-    print_bits(*points);
+    const auto zeros = bench::study_zeros(model, mesh);
+    if (!zeros) return fail(model, zeros.error());
+    print_bits(*points, *zeros);
     all.insert(all.end(), points->begin(), points->end());
   }
   std::printf(

@@ -35,8 +35,14 @@ class Study {
     return static_cast<std::uint32_t>(share * static_cast<double>(mesh_.positions.size()) + 0.5);
   }
 
-  Result<void> add(int bits, std::uint32_t count) {
-    HighpassSettings settings{.step = coder_.step_for_bits(bits)};
+  Result<void> add(int bits, std::uint32_t count) { return add(bits, coder_.step_for_bits(bits), count); }
+  Result<void> add_zeros(std::uint32_t count) { return add(0, 4 * coder_.range(), count); }
+
+  std::vector<PaperPoint> take() { return std::move(points_); }
+
+ private:
+  Result<void> add(int bits, double step, std::uint32_t count) {
+    HighpassSettings settings{.step = step};
     settings.anchors = anchors_.first(mesh_.graph, count);
     DELTAMESH_TRY(const CodedHighpass coded, coder_.code(settings));
     DELTAMESH_TRY(const auto positions, to_float_positions(coded.positions));
@@ -54,9 +60,6 @@ class Study {
     return {};
   }
 
-  std::vector<PaperPoint> take() { return std::move(points_); }
-
- private:
   std::string model_;
   const WeldedMesh& mesh_;
   HighpassCoder coder_;
@@ -71,6 +74,12 @@ Result<std::vector<PaperPoint>> study_bits(const std::string& model, const Welde
   for (int bits = kFewestBits; bits <= kMostBits; ++bits)
     DELTAMESH_CHECK(study.add(bits, study.count_for_density(kTableDensity)));
   return study.take();
+}
+
+Result<PaperPoint> study_zeros(const std::string& model, const WeldedMesh& mesh) {
+  Study study(model, mesh);
+  DELTAMESH_CHECK(study.add_zeros(study.count_for_density(kTableDensity)));
+  return study.take().front();
 }
 
 Result<std::vector<PaperPoint>> study_anchors(const std::string& model, const WeldedMesh& mesh) {

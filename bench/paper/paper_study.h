@@ -27,6 +27,10 @@ struct PaperPoint {
 /// Table 1: 3 to 8 bits, anchors at v = 10.
 Result<std::vector<PaperPoint>> study_bits(const std::string& model, const WeldedMesh& mesh);
 
+/// The first of Table 1's figures, were all deltas coded as 0: S_q grows no further, however few the bits.
+/// Where the range is set by few large deltas this is near at 3 bits already. Its `bits` are 0.
+Result<PaperPoint> study_zeros(const std::string& model, const WeldedMesh& mesh);
+
 /// Figure 3: VDE against the number of anchors, 0.1 to 10 % of the vertices, at 4, 6 and 8 bits.
 Result<std::vector<PaperPoint>> study_anchors(const std::string& model, const WeldedMesh& mesh);
 
