@@ -77,14 +77,16 @@ double HighpassCoder::step_for_bits(int bits) const noexcept {
   return step > 0 ? step : 1.0;
 }
 
-/// The shift is that of the nearest symbols. Where symbols are chosen otherwise it is a guess, mended
-/// afterwards unless diffusion has reckoned with it.
+/// Symbols chosen by price have other centroids than the nearest ones: theirs are found afterwards. Diffusion
+/// must know the shift in advance, and takes that of the nearest.
 Result<HighpassCoder::Quantized> HighpassCoder::quantize(const HighpassSettings& settings) const {
+  const bool shifts_afterwards = settings.rate_weight > 0 && !(settings.diffusion > 0);
   DeltaQuantizer quantizer{.step = settings.step};
-  if (settings.centroids) quantizer.shift = BinErrors(settings.step, deltas_).centroids();
+  if (settings.centroids && !shifts_afterwards)
+    quantizer.shift = BinErrors(settings.step, deltas_).centroids();
   DELTAMESH_TRY(auto symbols,
                 quantize_deltas(part_.graph, deltas_, quantizer, settings.diffusion, settings.rate_weight));
-  if (settings.centroids && settings.rate_weight > 0 && !(settings.diffusion > 0))
+  if (settings.centroids && shifts_afterwards)
     quantizer.shift = BinErrors(settings.step, deltas_, symbols).centroids();
   return Quantized{.symbols = std::move(symbols), .shift = quantizer.shift};
 }
