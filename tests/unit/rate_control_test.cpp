@@ -90,6 +90,30 @@ TEST(RateControl, EffortZeroTakesFewRuns) {
   EXPECT_LT(quick.runs, usual.runs);
 }
 
+TEST(RateControl, ARivalFarAheadEndsTheSearchBeforeItStarts) {
+  for (const Bounds& bounds : {Bounds{.vde = 2e-5}, Bounds{.vde = 2e-5, .lfe = 1e-4}}) {
+    for (const int effort : {0, 5}) {
+      FormulaCoder coder;
+      const auto lost = control_rate({.bounds = bounds, .effort = effort, .rival_bytes = 5000}, coder);
+      ASSERT_FALSE(lost);
+      EXPECT_EQ(lost.error().code, ErrorCode::kUnmetRequest);
+      EXPECT_EQ(coder.runs, 0);
+      EXPECT_TRUE(control_rate({.bounds = bounds, .effort = effort, .rival_bytes = 90000}, coder));
+    }
+  }
+}
+
+TEST(RateControl, ARivalAheadSavesTrials) {
+  for (const Bounds& bounds : {Bounds{.lfe = 1e-3}, Bounds{.max_error = 4e-3}}) {
+    FormulaCoder alone;
+    ASSERT_TRUE(control_rate({.bounds = bounds}, alone));
+    FormulaCoder beaten;
+    ASSERT_TRUE(control_rate({.bounds = bounds, .rival_bytes = 2000}, beaten));
+    EXPECT_LT(beaten.runs, alone.runs);
+    EXPECT_LE(bounds.load(kept_quality(beaten)), 1);
+  }
+}
+
 TEST(RateControl, NothingWorseThanAllZeros) {
   FormulaCoder coder;  // 0.76 * 0.4 of the largest delta is the worst VDE there is
   ASSERT_TRUE(control_rate({.bounds = {.vde = 1}}, coder));

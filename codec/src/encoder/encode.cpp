@@ -31,9 +31,6 @@ constexpr double kAttributesDone = 0.3;
 constexpr double kGeometryDone = 0.95;
 
 constexpr int kDefaultBits = 8;
-
-/// Up to here a request is given to one coder only.
-constexpr int kOneCoderEffort = 1;
 constexpr int kDefaultLatticeBits = 12;
 
 void report_progress(const EncodeOptions& options, double share) {
@@ -176,21 +173,14 @@ bool may_choose(const EncodeOptions& options) noexcept {
          options.profile == Profile::kSmallest;
 }
 
-/// By the coder that is mostly the smaller one for such a request; by the other where that cannot keep it.
-Result<GeometryChoice> code_likely(const GeometryTask& task) {
-  const QualityRequest& quality = task.options.quality;
-  const bool positional = (quality.lfe || quality.max_error) && !quality.vde;
-  auto likely = positional ? code_predictive(task) : code_highpass(task);
-  if (likely || likely.error().code != ErrorCode::kUnmetRequest) return likely;
-  auto other = positional ? code_highpass(task) : code_predictive(task);
-  return other ? other : likely;
-}
-
+/// Predictive coding is quick; so it comes first, and highpass need not go on where it cannot win.
 Result<GeometryChoice> code_smaller(const GeometryTask& task) {
   const QualityRequest& quality = task.options.quality;
-  const bool bytes_alone = !quality.vde && !quality.lfe && !quality.max_error;
   auto predictive = code_predictive(task);
   if (!predictive) return code_highpass(task);
+  const bool positional = (quality.lfe || quality.max_error) && !quality.vde;
+  if (positional && task.options.effort <= kOnePassEffort) return predictive;  // mostly the smaller by far
+  const bool bytes_alone = !quality.vde && !quality.lfe && !quality.max_error;
   const auto rival_bytes = bytes_alone ? std::optional<std::uint64_t>() : task.frame.bytes_with(*predictive);
   auto highpass = code_highpass(task, rival_bytes);
   if (!highpass) return predictive;
@@ -201,8 +191,7 @@ Result<GeometryChoice> code_smaller(const GeometryTask& task) {
 
 Result<GeometryChoice> code_geometry(const GeometryTask& task) {
   if (task.options.geometry == GeometryCoder::kPredictive) return code_predictive(task);
-  if (!may_choose(task.options)) return code_highpass(task);
-  return task.options.effort <= kOneCoderEffort ? code_likely(task) : code_smaller(task);
+  return may_choose(task.options) ? code_smaller(task) : code_highpass(task);
 }
 
 /// Codes the positions, measures what a decoder will make of them, sets the header's figures and returns the

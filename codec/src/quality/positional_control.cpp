@@ -9,13 +9,13 @@
 #include "quality/greedy_refinement.h"
 #include "quality/peak_control.h"
 #include "quality/thinning.h"
+#include "quality/unmet.h"
 #include "quality/visual_control.h"
 
 namespace deltamesh {
 namespace {
 
 constexpr int kSearchEffort = 5;
-constexpr int kOnePassEffort = 1;
 constexpr double kAnchorFactor = 3;
 /// What other anchor counts save at most, and a little more.
 constexpr double kRivalShare = 1.08;
@@ -121,6 +121,7 @@ Result<void> control_positions(const RateGoal& goal, CoderSettings settings, Tri
     settings.diffusion = 1;
     const double for_positions = guess_step(goal.bounds, settings, coder);
     settings.step = std::min(for_positions, step_from_vde(coder, settings, near.aim * *goal.bounds.vde));
+    DELTAMESH_CHECK(check_rival(goal, settings, coder));
     return follow_with_step(goal, settings, trials);
   }
 
@@ -129,6 +130,7 @@ Result<void> control_positions(const RateGoal& goal, CoderSettings settings, Tri
     DELTAMESH_TRY(plain, trials.run(settings));
   } else {
     settings = settings_for_vde(coder, settings, near.aim * *goal.bounds.vde, goal.effort);
+    DELTAMESH_CHECK(check_rival(goal, settings, coder));
     DELTAMESH_TRY(plain, search_step(trials, settings, Watch::kVisual, near));
     if (trials.bounds().visual_load(plain.figures.quality) > 1) return {};  // out of reach
   }

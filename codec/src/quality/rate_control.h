@@ -12,6 +12,9 @@
 
 namespace deltamesh {
 
+/// Up to here one pass is made, and no search.
+inline constexpr int kOnePassEffort = 1;
+
 /// A request, in model units, with what else the caller has fixed.
 struct RateGoal {
   Bounds bounds{};
@@ -20,7 +23,8 @@ struct RateGoal {
   std::optional<std::uint32_t> anchors = std::nullopt;  ///< fixed number in the solved components
   int anchor_bits = 12;                                 ///< at least
   int effort = 5;                                       ///< 0 to 9
-  /// Size of another coder's stream that keeps the request: what stays far above it is not refined further.
+  /// Size of another coder's stream that keeps the request: what stays far above it is not refined further,
+  /// or not even tried.
   std::optional<std::uint64_t> rival_bytes = std::nullopt;
 
   /// Whether `bytes` is more than `share` times the rival's.
@@ -32,7 +36,8 @@ struct RateGoal {
 /// Drives `coder` until every bound is kept, and has it keep the smallest stream it found that does so
 /// (TrialCoder::keep). Deterministic. Runs: 1 to 3 for a VDE or at effort 0, some 10 to 20 for several bounds
 /// at effort 5.
-/// Errors: kUnmetRequest with the best figure that can be had and the size of that stream; those of `coder`.
+/// Errors: kUnmetRequest with the best figure that can be had and the size of that stream, or where the rival
+/// wins; those of `coder`.
 Result<void> control_rate(const RateGoal& goal, TrialCoder& coder);
 
 }  // namespace deltamesh

@@ -2,8 +2,12 @@
 // Copyright 2026 The deltamesh authors
 #include "quality/unmet.h"
 
+#include "base/try.h"
+
 namespace deltamesh {
 namespace {
+
+constexpr double kHopelessShare = 1.25;
 
 Error unmet(const char* message, double best_value, std::uint64_t best_bytes) noexcept {
   return {.code = ErrorCode::kUnmetRequest,
@@ -29,6 +33,13 @@ Result<void> check_met(const RateGoal& goal, const Trials& trials) noexcept {
   if (bounds.lfe && quality.lfe_rms / *bounds.lfe >= worst)
     return unmet("the LFE asked for cannot be had for this mesh", quality.lfe_rms, nearest.bytes);
   return unmet("the maximum error asked for cannot be had for this mesh", quality.max_error, nearest.bytes);
+}
+
+Result<void> check_rival(const RateGoal& goal, const CoderSettings& settings, TrialCoder& coder) {
+  if (!goal.rival_bytes) return {};
+  DELTAMESH_TRY(const std::uint64_t bytes, coder.bytes(settings));
+  if (!goal.loses(bytes, goal.effort <= kOnePassEffort ? 1 : kHopelessShare)) return {};
+  return unmet("another coder makes a smaller stream", 0, bytes);
 }
 
 Error too_few_bytes(std::uint64_t bytes) noexcept {

@@ -16,4 +16,8 @@ Result<void> check_met(const RateGoal& goal, const Trials& trials) noexcept;
 /// `bytes`: of the smallest stream there can be.
 Error too_few_bytes(std::uint64_t bytes) noexcept;
 
+/// Before anything is solved: kUnmetRequest where `settings`, a guess, would make a stream that loses to the
+/// rival's: at all at effort 0 and 1, by more than what a search may save from then on. A coding's cost.
+Result<void> check_rival(const RateGoal& goal, const CoderSettings& settings, TrialCoder& coder);
+
 }  // namespace deltamesh

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/try.h"
+#include "quality/unmet.h"
 
 namespace deltamesh {
 namespace {
@@ -46,6 +47,7 @@ Result<void> control_visual(const RateGoal& goal, CoderSettings settings, Trials
   settings.step = trials.coder().longest_side() / 1024;
   const CoderSettings chosen =
       settings_for_vde(trials.coder(), settings, near.aim * *goal.bounds.vde, goal.effort);
+  DELTAMESH_CHECK(check_rival(goal, chosen, trials.coder()));
   DELTAMESH_TRY(const Attempt landed, search_step(trials, chosen, Watch::kAll, near));
   const bool all_zero = landed.settings.step >= coarsest_step(trials.coder());
   if (!all_zero || goal.anchors || goal.effort <= 1) return {};
