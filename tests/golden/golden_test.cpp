@@ -54,6 +54,7 @@ std::vector<Golden> golden_streams() {
                   testing::attributed_grid(6, 5),
                   {.bits = 10, .profile = Profile::kZstd, .keep_order = true}});
   list.push_back({"grid.predictive", rough_grid(), {.geometry = GeometryCoder::kPredictive, .bits = 11}});
+  list.push_back({"grid.lossless", testing::bumpy_grid(12, 10), {.lossless = true}});
   list.push_back({"room.voxels",
                   *generate_scene(Scene::kRooms, 600, 3),
                   {.quality = {.max_error = 0.02}, .geometry = GeometryCoder::kPredictive}});

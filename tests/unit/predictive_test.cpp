@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "deltamesh/compare.h"
@@ -13,6 +14,7 @@
 #include "entropy/compact_reader.h"
 #include "entropy/compact_writer.h"
 #include "format/container.h"
+#include "predictive/float_order.h"
 #include "predictive/lattice.h"
 #include "predictive/lattice_coder.h"
 #include "predictive/positions.h"
@@ -59,7 +61,7 @@ TEST(Predictive, POSN2POSN3POSN4POSN5POSN6POSN8CellsComeBack) {
       const PositionLattice lattice = cubic_lattice(mesh.box, step);
       const auto cells = to_cells(mesh.positions, lattice);
       const auto bytes = write_positions(stars, cells, {.lattice = lattice});
-      const auto back = read_positions(Payload::compact(bytes), stars, {.lattice = lattice});
+      const auto back = read_positions(Payload::compact(bytes), stars, {.lattice = lattice}, mesh.box);
       ASSERT_TRUE(back) << back.error().message;
       EXPECT_EQ(*back, to_positions(cells, lattice));
     }
@@ -79,10 +81,12 @@ TEST(Predictive, POSN1RefusesOtherPayloads) {
   const test::GraphMesh mesh = test::sheet(5, 5);
   const PositionLattice lattice = cubic_lattice(mesh.box, 0.1);
   const auto bytes = write_positions(stars_of(mesh), to_cells(mesh.positions, lattice), {.lattice = lattice});
-  EXPECT_STREQ(rule_of(read_positions(Payload(bytes), stars_of(mesh), {.lattice = lattice})), "POSN-1");
+  EXPECT_STREQ(rule_of(read_positions(Payload(bytes), stars_of(mesh), {.lattice = lattice}, mesh.box)),
+               "POSN-1");
   const FaceStars none({}, 0);
-  EXPECT_STREQ(rule_of(read_positions(Payload::compact(bytes), none, {.lattice = lattice})), "POSN-1");
-  EXPECT_TRUE(read_positions(Payload{}, none, {.lattice = lattice}));
+  EXPECT_STREQ(rule_of(read_positions(Payload::compact(bytes), none, {.lattice = lattice}, mesh.box)),
+               "POSN-1");
+  EXPECT_TRUE(read_positions(Payload{}, none, {.lattice = lattice}, mesh.box));
 }
 
 TEST(Predictive, POSN7RefusesCoordinatesBeyondTheLattice) {
@@ -90,8 +94,9 @@ TEST(Predictive, POSN7RefusesCoordinatesBeyondTheLattice) {
   PositionLattice lattice = cubic_lattice(mesh.box, 0.1);
   const auto bytes = write_positions(stars_of(mesh), to_cells(mesh.positions, lattice), {.lattice = lattice});
   lattice.cells[1] -= 1;
-  EXPECT_STREQ(rule_of(read_positions(Payload::compact(bytes), stars_of(mesh), {.lattice = lattice})),
-               "POSN-7");
+  EXPECT_STREQ(
+      rule_of(read_positions(Payload::compact(bytes), stars_of(mesh), {.lattice = lattice}, mesh.box)),
+      "POSN-7");
 }
 
 TEST(Predictive, EveryPrefixIsTruncated) {
@@ -100,21 +105,19 @@ TEST(Predictive, EveryPrefixIsTruncated) {
   const auto bytes = write_positions(stars_of(mesh), to_cells(mesh.positions, lattice), {.lattice = lattice});
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     const std::vector<std::byte> prefix(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
-    EXPECT_FALSE(read_positions(Payload::compact(prefix), stars_of(mesh), {.lattice = lattice})) << size;
+    EXPECT_FALSE(read_positions(Payload::compact(prefix), stars_of(mesh), {.lattice = lattice}, mesh.box))
+        << size;
   }
 }
 
 TEST(Predictive, TheAskedMaximumIsNeverExceeded) {
   for (const auto& named : testing::awkward_meshes()) {
-    for (const double asked : {0.3, 0.01, 1e-4}) {
+    for (const double asked : {0.3, 0.01, 1e-4, 1e-12}) {
       for (const int effort : {0, 5}) {
         const auto encoded = encode(
             named.mesh,
             {.quality = {.max_error = asked}, .geometry = GeometryCoder::kPredictive, .effort = effort});
-        if (!encoded) {  // finer than the coordinates' floats
-          EXPECT_EQ(encoded.error().code, ErrorCode::kUnmetRequest) << named.name;
-          continue;
-        }
+        ASSERT_TRUE(encoded) << named.name;
         EXPECT_LE(largest_error(named.mesh, *encoded), asked) << named.name;
         EXPECT_EQ(encoded->report.stream.geometry, "predictive");
       }
@@ -154,6 +157,81 @@ TEST(Predictive, AutoIsTheSmallerOfTheTwo) {
 
 /// The generated map of a scanned room: marching cubes on a voxel grid.
 Mesh room() { return *generate_scene(Scene::kRooms, 6000, 3); }
+
+/// The bits of the decoded mesh are those of the input, vertex by vertex, whatever their order.
+void expect_lossless(const Mesh& mesh, bool keep_order) {
+  const auto encoded = encode(mesh, {.lossless = true, .keep_order = keep_order, .keep_unreferenced = true});
+  ASSERT_TRUE(encoded) << describe(encoded.error());
+  const auto decoded = decode(encoded->bytes);
+  ASSERT_TRUE(decoded) << describe(decoded.error());
+  ASSERT_EQ(decoded->vertex_count(), mesh.vertex_count());
+  for (std::size_t v = 0; v < decoded->vertex_count(); ++v)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      ASSERT_EQ(std::bit_cast<std::uint32_t>(decoded->positions[3 * v + axis]),
+                std::bit_cast<std::uint32_t>(mesh.positions[std::size_t{3} * encoded->order[v] + axis]));
+  for (std::size_t a = 0; a < mesh.attributes.size(); ++a) {
+    const std::size_t row = mesh.attributes[a].values.size() / mesh.vertex_count();
+    for (std::size_t v = 0; v < decoded->vertex_count(); ++v)
+      ASSERT_TRUE(std::equal(
+          decoded->attributes[a].values.begin() + static_cast<std::ptrdiff_t>(v * row),
+          decoded->attributes[a].values.begin() + static_cast<std::ptrdiff_t>((v + 1) * row),
+          mesh.attributes[a].values.begin() + static_cast<std::ptrdiff_t>(encoded->order[v] * row)));
+  }
+  if (keep_order) {
+    EXPECT_EQ(decoded->triangles, mesh.triangles);
+  }
+  EXPECT_EQ(encoded->report.stream.quality.max_error, 0);
+}
+
+TEST(Lossless, FLT1FLT2FLT3FLT4EveryBitComesBack) {
+  for (const auto& named : testing::awkward_meshes()) {
+    SCOPED_TRACE(named.name);
+    expect_lossless(named.mesh, false);
+    expect_lossless(named.mesh, true);
+  }
+  expect_lossless(testing::attributed_grid(9, 8), true);
+  expect_lossless(room(), false);
+}
+
+TEST(Lossless, FloatsOfEverySizeComeBack) {
+  std::uint32_t state = 1;
+  const auto random = [&state] { return state = state * 1664525 + 1013904223; };
+  Mesh mesh = testing::bumpy_grid(12, 12);
+  for (float& x : mesh.positions) {
+    do x = std::bit_cast<float>(random());
+    while (!std::isfinite(x));
+  }
+  expect_lossless(mesh, true);
+  for (float& x : mesh.positions) x = std::bit_cast<float>((random() >> 9 & 7) | (random() & 0x80000000U));
+  expect_lossless(mesh, true);  // the smallest of all, and both zeros
+}
+
+TEST(Lossless, OrdinalsFollowTheFloats) {
+  EXPECT_EQ(ordinal_of(0.0F), 0);
+  EXPECT_EQ(ordinal_of(-0.0F), -1);
+  for (const float x : {1.0F, 3.1e-42F, 1e-30F, 7.5F, 3.4e38F}) {
+    EXPECT_EQ(float_of(ordinal_of(x)), x);
+    EXPECT_EQ(float_of(ordinal_of(-x)), -x);
+    const int unit = unit_exponent(0, x);
+    EXPECT_EQ(float_of(ordinal_of_fixed(fixed_of(ordinal_of(x), unit), unit)), x);
+  }
+}
+
+TEST(Lossless, FLT1RefusesWhatIsNotFinite) {
+  const test::GraphMesh mesh = test::sheet(8, 8);
+  std::uint32_t state = 1;
+  std::size_t refused = 0;
+  for (int i = 0; i < 300; ++i) {
+    std::vector<std::byte> bytes(400);
+    for (std::byte& b : bytes) b = static_cast<std::byte>((state = state * 1664525 + 1013904223) >> 24);
+    bytes[7] = std::byte{0x3f};
+    const auto back =
+        read_positions(Payload::compact(bytes), stars_of(mesh),
+                       {.kind = PositionKind::kFloats, .lattice = {}}, {{0, 0, 0}, {3e38, 3e38, 3e38}});
+    if (!back) refused += std::string(back.error().rule) == "FLT-1" ? 1 : 0;
+  }
+  EXPECT_GT(refused, 0U);
+}
 
 TEST(Voxels, VOX1VOX2VOX3VOX5VOX6EdgesComeBack) {
   const Mesh mesh = room();
@@ -211,7 +289,7 @@ TEST(Voxels, VOX4RefusesRanksThatAreNotThere) {
     std::vector<std::byte> bytes(200);
     for (std::byte& b : bytes) b = static_cast<std::byte>((state = state * 1664525 + 1013904223) >> 24);
     bytes[7] = std::byte{0x3f};
-    const auto back = read_positions(Payload::compact(bytes), stars_of(mesh), parameters);
+    const auto back = read_positions(Payload::compact(bytes), stars_of(mesh), parameters, mesh.box);
     if (!back) refused += std::string(back.error().rule) == "POSN-7" ? 1 : 0;
   }
   EXPECT_GT(refused, 0U);
@@ -235,6 +313,10 @@ TEST(Predictive, OptionsThatDoNotFitAreRefused) {
   EXPECT_FALSE(validate({.geometry = predictive, .anchors = 3}));
   EXPECT_FALSE(validate({.geometry = predictive, .anchor_density = 3}));
   EXPECT_FALSE(validate({.geometry = predictive, .profile = Profile::kZstd}));
+  EXPECT_TRUE(validate({.geometry = predictive, .lossless = true}));
+  EXPECT_FALSE(validate({.geometry = GeometryCoder::kHighpass, .lossless = true}));
+  EXPECT_FALSE(validate({.quality = {.max_error = 1}, .lossless = true}));
+  EXPECT_FALSE(validate({.lossless = true, .bits = 8}));
 }
 
 TEST(ComponentCount, AgreesWithTheGraph) {

@@ -204,7 +204,7 @@ TEST(QualityRequest, WhatFloatsCannotHoldIsUnmet) {
   for (const QualityRequest& request :
        {QualityRequest{.vde = QualityBound{.value = 1e-12}},
         QualityRequest{.lfe = QualityBound{.value = 1e-12}}, QualityRequest{.max_error = 1e-12}}) {
-    const auto encoded = encode(mesh, {.quality = request});
+    const auto encoded = encode(mesh, {.quality = request, .geometry = GeometryCoder::kHighpass});
     ASSERT_FALSE(encoded);
     EXPECT_EQ(encoded.error().code, ErrorCode::kUnmetRequest);
     EXPECT_GT(encoded.error().best_value, 1e-12);

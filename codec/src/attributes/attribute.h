@@ -21,6 +21,7 @@ struct AttributeQuantization {
   int normal_bits = 10;
   int color_bits = 8;
   int uv_bits = 12;
+  bool exact = false;  ///< every attribute to the last bit
 };
 
 /// `order`: the row of `attribute` for every coded vertex. An attribute of a known kind whose shape does not

@@ -183,6 +183,7 @@ void write_values(SymbolSink& sink, const AttributeView& attribute, const Rows& 
   const auto fits = [&](AttributeCoding coding) {
     return coding_fits(coding, attribute.kind, attribute.type, attribute.components);
   };
+  if (quantization.exact) return write_exact(sink, attribute, rows);
   if (fits(AttributeCoding::kOctahedral) && all_unit_or_zero(rows))
     return write_normals(sink, rows, quantization.normal_bits);
   if (fits(AttributeCoding::kColorLevels) &&

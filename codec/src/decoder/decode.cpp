@@ -93,7 +93,7 @@ class StreamDecoder {
     DELTAMESH_CHECK(check_components(count_components(geometric_triangles_, header_.geometric_vertices)));
     DELTAMESH_TRY(const auto payload, expand_any_single(container_, kTagPositions, max_payload(header_)));
     const FaceStars stars(geometric_triangles_, header_.geometric_vertices);
-    return read_positions(payload.payload(), stars, header_.predictive);
+    return read_positions(payload.payload(), stars, header_.predictive, header_.box());
   }
 
   Result<void> check_components(std::uint32_t count) const {

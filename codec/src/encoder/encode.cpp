@@ -146,6 +146,7 @@ Result<GeometryChoice> code_predictive(const GeometryTask& task) {
   const EncodeOptions& options = task.options;
   const FileHeader& header = task.frame.header;
   const PredictiveTrials trials({task.triangles, task.graph, task.positions, header.box()}, task.frame);
+  if (options.lossless) return trials.code_exactly();
   if (options.step) return trials.code_step(*options.step);
   if (options.quality.empty()) {
     const int bits = options.bits.value_or(kDefaultLatticeBits);
@@ -190,7 +191,8 @@ Result<GeometryChoice> code_smaller(const GeometryTask& task) {
 }
 
 Result<GeometryChoice> code_geometry(const GeometryTask& task) {
-  if (task.options.geometry == GeometryCoder::kPredictive) return code_predictive(task);
+  if (task.options.geometry == GeometryCoder::kPredictive || task.options.lossless)
+    return code_predictive(task);
   return may_choose(task.options) ? code_smaller(task) : code_highpass(task);
 }
 
@@ -224,8 +226,10 @@ Result<void> add_attributes(const MeshView& mesh, const CodedTopology& topology,
                             ChunkList& chunks) {
   if (mesh.attributes.empty()) return {};
   const Adjacency graph = build_adjacency(topology.seams.split.triangles, topology.vertex_count());
-  const AttributeQuantization quantization{
-      .normal_bits = options.normal_bits, .color_bits = options.color_bits, .uv_bits = options.uv_bits};
+  const AttributeQuantization quantization{.normal_bits = options.normal_bits,
+                                           .color_bits = options.color_bits,
+                                           .uv_bits = options.uv_bits,
+                                           .exact = options.lossless};
   for (const AttributeView& attribute : mesh.attributes) {
     DELTAMESH_TRY(auto payload, write_attribute(attribute, topology.seams.vertex_order, quantization));
     DELTAMESH_TRY(auto compact,

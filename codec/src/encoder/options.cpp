@@ -35,6 +35,12 @@ Result<void> check_steps(const EncodeOptions& o) noexcept {
   if (o.step && !(std::isfinite(*o.step) && *o.step > 0))
     return invalid("step must be a finite number above 0");
   if (o.anchors && o.anchor_density) return invalid("anchors and anchor density exclude each other");
+  if (o.lossless && (!o.quality.empty() || o.bits || o.step || o.anchors || o.anchor_density))
+    return invalid("lossless excludes a quality, bits, step and anchors");
+  if (o.lossless && o.geometry == GeometryCoder::kHighpass)
+    return invalid("the highpass coder is never lossless");
+  if (o.lossless && o.profile == Profile::kZstd)
+    return invalid("lossless has a compact form only, which the zstd profile excludes");
   if (predictive && (o.anchors || o.anchor_density)) return invalid("the predictive coder has no anchors");
   if (predictive && o.profile == Profile::kZstd)
     return invalid("the predictive coder has a compact form only, which the zstd profile excludes");

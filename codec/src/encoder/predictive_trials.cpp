@@ -88,6 +88,14 @@ Result<GeometryChoice> PredictiveTrials::code_step(double step) const {
   return code(trial);
 }
 
+Result<GeometryChoice> PredictiveTrials::code_exactly() const {
+  GeometryChoice choice{.geometry = kGeometryPredictive,
+                        .predictive = {.kind = PositionKind::kFloats, .lattice = {}},
+                        .chunks = frame_.before.fresh()};
+  choice.chunks.add_compact(kTagPositions, write_floats(stars_, input_.positions, input_.box));
+  return choice;
+}
+
 Result<PredictiveTrials::Trial> PredictiveTrials::keep_on_lattice(const Bounds& bounds, int effort) const {
   std::optional<Trial> best;
   double best_step = 0;
@@ -147,10 +155,8 @@ Result<GeometryChoice> PredictiveTrials::keep_bounds(const Bounds& bounds, int e
     }
   }
   const auto trial = keep_on_lattice(bounds, effort);
-  if (!trial) {
-    if (on_voxels) return *std::move(on_voxels);
-    return trial.error();
-  }
+  // Lattices end where floats do.
+  if (!trial) return on_voxels ? *std::move(on_voxels) : code_exactly();
   DELTAMESH_TRY(auto on_lattice, code(*trial));
   if (on_voxels && frame_.bytes_with(*on_voxels) < frame_.bytes_with(on_lattice))
     return *std::move(on_voxels);

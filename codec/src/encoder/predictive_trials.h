@@ -35,6 +35,9 @@ class PredictiveTrials {
   /// The finest lattice found whose stream is not longer. Errors: kUnmetRequest.
   Result<GeometryChoice> fit_bytes(std::uint64_t bytes) const;
 
+  /// Every position to the last bit.
+  Result<GeometryChoice> code_exactly() const;
+
   /// The cubic lattice of this step, model units, above 0.
   Result<GeometryChoice> code_step(double step) const;
 

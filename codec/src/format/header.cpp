@@ -85,6 +85,7 @@ Result<void> visit_predictive(const Visitor& visit, Header& h) {
   std::uint8_t layout = lattice_layout(h);
   DELTAMESH_CHECK(visit.fixed(p.bits));
   DELTAMESH_CHECK(visit.fixed(p.kind));
+  if (p.kind == PositionKind::kFloats) return {};
   DELTAMESH_CHECK(visit.fixed(layout));
   DELTAMESH_CHECK(visit.fixed(p.lattice.step[0]));
   if ((layout & kLayoutSteps) != 0) {
@@ -157,7 +158,7 @@ Result<void> check_numbers(const FileHeader& h, const ByteReader& in) {
 
 Result<void> check_predictive(const FileHeader& h, const ByteReader& in) {
   const PredictiveParameters& p = h.predictive;
-  bool in_range = p.bits <= 28 && p.kind <= PositionKind::kVoxel && p.levels >= 1 && p.levels <= kMostLevels;
+  bool in_range = p.bits <= 28 && p.kind <= PositionKind::kFloats && p.levels >= 1 && p.levels <= kMostLevels;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double step = p.lattice.step[axis];
     in_range = in_range && std::isfinite(step) && step > 0 && std::isfinite(p.lattice.origin[axis]) &&

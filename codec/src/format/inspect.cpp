@@ -74,6 +74,7 @@ StreamInfo summarize(const Container& container) {
     info.geometry = "predictive";
     info.bits = h.predictive.bits;
     info.step = *std::max_element(h.predictive.lattice.step.begin(), h.predictive.lattice.step.end());
+    if (h.predictive.kind == PositionKind::kFloats) info.step = 0;
     // Along the edges of voxels a level is two steps.
     if (h.predictive.kind == PositionKind::kVoxel) info.step *= 2;
   } else {

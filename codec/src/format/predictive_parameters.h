@@ -25,7 +25,7 @@ struct PositionLattice {
 };
 
 /// What POSN holds [POSN-1].
-enum class PositionKind : std::uint8_t { kLattice = 0, kVoxel = 1 };
+enum class PositionKind : std::uint8_t { kLattice = 0, kVoxel = 1, kFloats = 2 };
 
 inline constexpr std::uint32_t kMostLevels = 1U << 19;  ///< along the edge of a voxel [HDR-14]
 

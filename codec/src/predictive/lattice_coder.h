@@ -47,7 +47,7 @@ class LatticeCoder {
     history_.begin(around, expect_place(around, vertex, cells, blends_));
     Cell& cell = cells[vertex];
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const ResidualForecast forecast = history_.forecast(axis, largest_[axis]);
+      const ResidualForecast forecast = history_.forecast(axis, 0, static_cast<std::int32_t>(largest_[axis]));
       const std::int64_t coordinate = forecast.whole + residuals_.code(cell[axis] - forecast.whole, forecast);
       if (coordinate < 0 || coordinate > largest_[axis]) return false;
       cell[axis] = static_cast<std::int32_t>(coordinate);

@@ -3,6 +3,7 @@
 #include "base/try.h"
 #include "entropy/compact_reader.h"
 #include "format/tags.h"
+#include "predictive/float_coder.h"
 #include "predictive/lattice.h"
 #include "predictive/lattice_coder.h"
 #include "predictive/positions.h"
@@ -15,10 +16,24 @@ Error invalid(const char* message, const char* rule) noexcept {
   return {.code = ErrorCode::kInvalidStream, .message = message, .rule = rule, .chunk_tag = kTagPositions};
 }
 
+Result<std::vector<Vec3>> read_floats(CompactReader& reader, const FaceStars& stars, const BlendTable& blends,
+                                      const Box& box) {
+  FloatCoder coder(reader, stars, float_units(box), blends);
+  std::vector<Ordinals> floats(stars.vertex_count());
+  for (std::uint32_t v = 0; v < floats.size() && !reader.failed(); ++v) {
+    if (!coder.code_vertex(v, floats) && !reader.failed()) return invalid("not a finite float32", "FLT-1");
+  }
+  DELTAMESH_CHECK(reader.finish(kTagPositions));
+  std::vector<Vec3> positions(floats.size());
+  for (std::size_t v = 0; v < floats.size(); ++v)
+    for (std::size_t axis = 0; axis < 3; ++axis) positions[v][axis] = float_of(floats[v][axis]);
+  return positions;
+}
+
 }  // namespace
 
 Result<std::vector<Vec3>> read_positions(Payload payload, const FaceStars& stars,
-                                         const PredictiveParameters& parameters) {
+                                         const PredictiveParameters& parameters, const Box& box) {
   if (stars.vertex_count() == 0) {
     if (!payload.bytes.empty()) return invalid("positions without vertices", "POSN-1");
     return std::vector<Vec3>{};
@@ -27,6 +42,7 @@ Result<std::vector<Vec3>> read_positions(Payload payload, const FaceStars& stars
   CompactReader reader(payload.bytes);
   BlendTable blends{};
   code_blends(reader, blends);
+  if (parameters.kind == PositionKind::kFloats) return read_floats(reader, stars, blends, box);
   std::vector<Cell> cells(stars.vertex_count());
   const auto read_with = [&](auto coder) -> Result<void> {
     for (std::uint32_t v = 0; v < cells.size() && !reader.failed(); ++v) {

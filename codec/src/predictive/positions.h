@@ -21,8 +21,12 @@ namespace deltamesh {
 std::vector<std::byte> write_positions(const FaceStars& stars, std::span<const Cell> cells,
                                        const PredictiveParameters& parameters);
 
-/// n positions. Errors: kTruncated, kInvalidStream [POSN-1, POSN-7, VOX-4, CMP-3].
+/// The same for positions to the last bit, PositionKind::kFloats. `box`: of `positions`, which are floats.
+std::vector<std::byte> write_floats(const FaceStars& stars, std::span<const Vec3> positions, const Box& box);
+
+/// n positions. `box`: the header's. Errors: kTruncated, kInvalidStream [POSN-1, POSN-7, VOX-4, FLT-1,
+/// CMP-3].
 Result<std::vector<Vec3>> read_positions(Payload payload, const FaceStars& stars,
-                                         const PredictiveParameters& parameters);
+                                         const PredictiveParameters& parameters, const Box& box);
 
 }  // namespace deltamesh

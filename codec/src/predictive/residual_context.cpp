@@ -43,7 +43,8 @@ void ResidualHistory::begin(const Surroundings& around, const Expectation& expec
   }
 }
 
-ResidualForecast ResidualHistory::forecast(std::size_t axis, std::uint32_t largest) const noexcept {
+ResidualForecast ResidualHistory::forecast(std::size_t axis, std::int32_t least,
+                                           std::int32_t most) const noexcept {
   const std::int64_t all = (magnitudes_[0] + magnitudes_[1] + magnitudes_[2]) / 3;
   const std::int64_t own = magnitudes_[axis];
   const std::int64_t spread = expected_.spread[axis];
@@ -55,11 +56,11 @@ ResidualForecast ResidualHistory::forecast(std::size_t axis, std::uint32_t large
 
   ResidualForecast f;
   const std::int64_t place = expected_.place[axis];
-  f.whole = std::clamp<std::int64_t>((place + 8) >> 4, 0, largest);
+  f.whole = std::clamp<std::int64_t>((place + 8) >> 4, least, most);
   const std::int64_t mean = place - 16 * ((place + 8) >> 4) - (residuals_[axis] >> 2);
   f.negative = mean < 0;
-  f.shift = static_cast<unsigned>(
-      std::max(static_cast<int>(std::bit_width(static_cast<std::uint64_t>(scale))) - 6, 0));
+  f.scale_bits = static_cast<int>(std::bit_width(static_cast<std::uint64_t>(scale)));
+  f.shift = static_cast<unsigned>(std::max(f.scale_bits - 6, 0));
   const std::uint32_t sure =
       f.shift > 0 ? 0 : static_cast<std::uint32_t>(std::min<std::int64_t>(std::llabs(mean), 8)) / 2;
   const std::uint32_t scale_class = quarter_octave(scale >> f.shift, 19) + (f.shift > 0 ? 4 : 0);

@@ -23,6 +23,7 @@ inline constexpr std::uint32_t kResidualTails = 20;
 struct ResidualForecast {
   std::int64_t whole = 0;  ///< the expected coordinate
   unsigned shift = 0;      ///< low bits outside the symbol
+  int scale_bits = 0;      ///< of the expected distance, 1/16 steps
   bool negative = false;   ///< signs are swapped
   std::array<std::uint32_t, 4> contexts{};
   std::uint32_t weight_set = 0;
@@ -35,9 +36,9 @@ class ResidualHistory {
  public:
   explicit ResidualHistory(std::uint32_t vertex_count) : records_(vertex_count) {}
 
-  /// `largest`: the most that a coordinate may be.
   void begin(const Surroundings& around, const Expectation& expected) noexcept;
-  ResidualForecast forecast(std::size_t axis, std::uint32_t largest) const noexcept;
+  /// `least` and `most`: what a coordinate may be.
+  ResidualForecast forecast(std::size_t axis, std::int32_t least, std::int32_t most) const noexcept;
   void learn(std::size_t axis, std::int32_t coordinate, const ResidualForecast& forecast) noexcept;
   /// In place of forecast() and learn(): the vertex was coded otherwise.
   void settle(const Cell& cell) noexcept;

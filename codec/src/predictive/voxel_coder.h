@@ -117,7 +117,7 @@ class VoxelCoder {
 
   bool code_free(Cell& cell) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const ResidualForecast forecast = history_.forecast(axis, largest_[axis]);
+      const ResidualForecast forecast = history_.forecast(axis, 0, static_cast<std::int32_t>(largest_[axis]));
       const std::int64_t q = forecast.whole + residuals_.code(cell[axis] - forecast.whole, forecast);
       if (q < 0 || q > largest_[axis]) return false;
       cell[axis] = static_cast<std::int32_t>(q);
