@@ -54,7 +54,7 @@ double largest_error(const Mesh& mesh, const Encoded& encoded) {
   return largest;
 }
 
-TEST(Predictive, POSN2POSN3POSN4POSN5POSN6POSN8CellsComeBack) {
+TEST(Predictive, POSN2POSN3POSN4POSN5POSN6POSN8POSN9CellsComeBack) {
   for (const test::GraphMesh& mesh : graph_meshes()) {
     const FaceStars stars = stars_of(mesh);
     for (const double step : {2.0, 0.1, 1e-3, 1e-7, 1e-30}) {
@@ -64,6 +64,8 @@ TEST(Predictive, POSN2POSN3POSN4POSN5POSN6POSN8CellsComeBack) {
       const auto back = read_positions(Payload::compact(bytes), stars, {.lattice = lattice}, mesh.box);
       ASSERT_TRUE(back) << back.error().message;
       EXPECT_EQ(*back, to_positions(cells, lattice));
+      const auto guessed = write_positions(stars, cells, {.lattice = lattice}, true);
+      EXPECT_EQ(*read_positions(Payload::compact(guessed), stars, {.lattice = lattice}, mesh.box), *back);
     }
   }
 }

@@ -145,7 +145,8 @@ Result<GeometryChoice> code_highpass(const GeometryTask& task,
 Result<GeometryChoice> code_predictive(const GeometryTask& task) {
   const EncodeOptions& options = task.options;
   const FileHeader& header = task.frame.header;
-  const PredictiveTrials trials({task.triangles, task.graph, task.positions, header.box()}, task.frame);
+  const PredictiveTrials trials({task.triangles, task.graph, task.positions, header.box()}, task.frame,
+                                options.effort);
   if (options.lossless) return trials.code_exactly();
   if (options.step) return trials.code_step(*options.step);
   if (options.quality.empty()) {
@@ -158,7 +159,7 @@ Result<GeometryChoice> code_predictive(const GeometryTask& task) {
       bounds_in_model_units(options.quality, header.geometric_vertices, header.box().diagonal());
   const auto& target = options.quality.target_bytes;
   if (!bounds.vde && !bounds.positional()) return trials.fit_bytes(*target);
-  DELTAMESH_TRY(auto choice, trials.keep_bounds(bounds, options.effort));
+  DELTAMESH_TRY(auto choice, trials.keep_bounds(bounds));
   const std::uint64_t bytes = task.frame.bytes_with(choice);
   if (target && bytes > *target)
     return Error{.code = ErrorCode::kUnmetRequest,

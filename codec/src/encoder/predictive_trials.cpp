@@ -35,9 +35,10 @@ Error unmet_bound(const Bounds& bounds, const Quality& best, std::uint64_t bytes
 
 }  // namespace
 
-PredictiveTrials::PredictiveTrials(const PredictiveInput& input, const StreamFrame& frame)
+PredictiveTrials::PredictiveTrials(const PredictiveInput& input, const StreamFrame& frame, int effort)
     : input_(input),
       frame_(frame),
+      effort_(effort),
       stars_(input.triangles, static_cast<std::uint32_t>(input.positions.size())),
       voxels_(fit_voxels(input.positions, input.box)) {}
 
@@ -79,7 +80,12 @@ Result<GeometryChoice> PredictiveTrials::code(const Trial& trial) const {
                         .predictive = trial.parameters,
                         .chunks = frame_.before.fresh(),
                         .quality = trial.quality};
-  choice.chunks.add_compact(kTagPositions, write_positions(stars_, trial.cells, trial.parameters));
+  auto bytes = write_positions(stars_, trial.cells, trial.parameters);
+  if (effort_ > 0 && trial.parameters.kind == PositionKind::kLattice) {
+    auto guessed = write_positions(stars_, trial.cells, trial.parameters, true);
+    if (guessed.size() < bytes.size()) bytes = std::move(guessed);
+  }
+  choice.chunks.add_compact(kTagPositions, std::move(bytes));
   return choice;
 }
 
@@ -96,7 +102,7 @@ Result<GeometryChoice> PredictiveTrials::code_exactly() const {
   return choice;
 }
 
-Result<PredictiveTrials::Trial> PredictiveTrials::keep_on_lattice(const Bounds& bounds, int effort) const {
+Result<PredictiveTrials::Trial> PredictiveTrials::keep_on_lattice(const Bounds& bounds) const {
   std::optional<Trial> best;
   double best_step = 0;
   double step = first_step(bounds);
@@ -112,7 +118,7 @@ Result<PredictiveTrials::Trial> PredictiveTrials::keep_on_lattice(const Bounds& 
       best = std::move(trial);
       best_step = step;
     }
-    if (kept && (load > kCloseEnough || load == 0 || effort == 0)) break;
+    if (kept && (load > kCloseEnough || load == 0 || effort_ == 0)) break;
     // A bound far off asks for bold steps, since coordinates rounded to floats add to the error.
     step *= std::clamp(0.9995 / std::max(load, 1e-9), 0.25, 4.0);
   }
@@ -145,16 +151,16 @@ Result<PredictiveTrials::Trial> PredictiveTrials::keep_on_voxels(const Bounds& b
   return *std::move(best);
 }
 
-Result<GeometryChoice> PredictiveTrials::keep_bounds(const Bounds& bounds, int effort) const {
+Result<GeometryChoice> PredictiveTrials::keep_bounds(const Bounds& bounds) const {
   constexpr double kMostly = 0.5;  // of the vertices on edges: the voxels win
   std::optional<GeometryChoice> on_voxels;
   if (voxels_) {
     if (const auto trial = keep_on_voxels(bounds)) {
       DELTAMESH_TRY(on_voxels, code(*trial));
-      if (effort == 0 && voxels_->share > kMostly) return *std::move(on_voxels);
+      if (effort_ == 0 && voxels_->share > kMostly) return *std::move(on_voxels);
     }
   }
-  const auto trial = keep_on_lattice(bounds, effort);
+  const auto trial = keep_on_lattice(bounds);
   // Lattices end where floats do.
   if (!trial) return on_voxels ? *std::move(on_voxels) : code_exactly();
   DELTAMESH_TRY(auto on_lattice, code(*trial));

@@ -26,11 +26,11 @@ struct PredictiveInput {
 
 class PredictiveTrials {
  public:
-  PredictiveTrials(const PredictiveInput& input, const StreamFrame& frame);
+  /// `effort`: 0 (one pass, the first lattice that does) to 9.
+  PredictiveTrials(const PredictiveInput& input, const StreamFrame& frame, int effort);
 
-  /// The smallest stream found that keeps `bounds`, at least one of which is set. Effort 0 takes the first
-  /// lattice that does. Errors: kUnmetRequest.
-  Result<GeometryChoice> keep_bounds(const Bounds& bounds, int effort) const;
+  /// The smallest stream found that keeps `bounds`, at least one of which is set.  Errors: kUnmetRequest.
+  Result<GeometryChoice> keep_bounds(const Bounds& bounds) const;
 
   /// The finest lattice found whose stream is not longer. Errors: kUnmetRequest.
   Result<GeometryChoice> fit_bytes(std::uint64_t bytes) const;
@@ -57,13 +57,14 @@ class PredictiveTrials {
   Result<GeometryChoice> code(const Trial& trial) const;
   double first_step(const Bounds& bounds) const noexcept;
   /// On a cubic lattice, and on the voxels' own.
-  Result<Trial> keep_on_lattice(const Bounds& bounds, int effort) const;
+  Result<Trial> keep_on_lattice(const Bounds& bounds) const;
   Result<Trial> keep_on_voxels(const Bounds& bounds) const;
   Result<GeometryChoice> fit_lattice(std::uint64_t bytes) const;
   Result<GeometryChoice> fit_voxel_levels(std::uint64_t bytes) const;
 
   PredictiveInput input_;
   StreamFrame frame_;
+  int effort_;
   FaceStars stars_;
   std::optional<VoxelFit> voxels_;
 };

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <span>
 
+#include "predictive/match_coder.h"
 #include "predictive/residual_coder.h"
 
 namespace deltamesh {
@@ -32,13 +33,16 @@ template <class Coder>
 class LatticeCoder {
  public:
   /// `largest`: the most that a coordinate may be, per axis.
+  /// `guesses`: coordinates are compared with guesses first [POSN-9].
   LatticeCoder(Coder& coder, const FaceStars& stars, const std::array<std::uint32_t, 3>& largest,
-               const BlendTable& blends)
+               const BlendTable& blends, bool guesses)
       : stars_(stars),
         largest_(largest),
         blends_(blends),
         history_(stars.vertex_count()),
-        residuals_(coder) {}
+        residuals_(coder),
+        matches_(coder),
+        guesses_(guesses) {}
 
   /// Codes cells[vertex]; those before it are coded. A reader fills it in. False where a coordinate is out of
   /// range [POSN-7].
@@ -46,11 +50,15 @@ class LatticeCoder {
     const Surroundings around = look_around(stars_, vertex);
     history_.begin(around, expect_place(around, vertex, cells, blends_));
     Cell& cell = cells[vertex];
+    matches_.begin();
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const ResidualForecast forecast = history_.forecast(axis, 0, static_cast<std::int32_t>(largest_[axis]));
-      const std::int64_t coordinate = forecast.whole + residuals_.code(cell[axis] - forecast.whole, forecast);
-      if (coordinate < 0 || coordinate > largest_[axis]) return false;
-      cell[axis] = static_cast<std::int32_t>(coordinate);
+      if (!guesses_ || !matches_.code(axis, around, guess(around, cells, axis, forecast.whole), cell[axis])) {
+        const std::int64_t coordinate =
+            forecast.whole + residuals_.code(cell[axis] - forecast.whole, forecast);
+        if (coordinate < 0 || coordinate > largest_[axis]) return false;
+        cell[axis] = static_cast<std::int32_t>(coordinate);
+      }
       history_.learn(axis, cell[axis], forecast);
     }
     history_.end(vertex);
@@ -58,11 +66,26 @@ class LatticeCoder {
   }
 
  private:
+  /// The corners of the parallelograms, then the neighbours [POSN-9].
+  Guesses guess(const Surroundings& around, std::span<const Cell> cells, std::size_t axis,
+                std::int64_t expected) const noexcept {
+    Guesses guesses(expected);
+    for (unsigned i = 0; i < around.parallelogram_count; ++i) {
+      const Parallelogram& p = around.parallelograms[i];
+      const std::int64_t corner = std::int64_t{cells[p.a][axis]} + cells[p.b][axis] - cells[p.opposite][axis];
+      if (corner >= 0 && corner <= largest_[axis]) guesses.add(static_cast<std::int32_t>(corner));
+    }
+    for (unsigned i = 0; i < around.neighbor_count; ++i) guesses.add(cells[around.neighbors[i]][axis]);
+    return guesses;
+  }
+
   const FaceStars& stars_;
   std::array<std::uint32_t, 3> largest_;
   BlendTable blends_;
   ResidualHistory history_;
   ResidualCoder<Coder> residuals_;
+  MatchCoder<Coder> matches_;
+  bool guesses_;
 };
 
 }  // namespace deltamesh

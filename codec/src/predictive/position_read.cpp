@@ -52,9 +52,10 @@ Result<std::vector<Vec3>> read_positions(Payload payload, const FaceStars& stars
     return reader.finish(kTagPositions);
   };
   const PositionLattice& lattice = parameters.lattice;
-  DELTAMESH_CHECK(parameters.kind == PositionKind::kVoxel
-                      ? read_with(VoxelCoder(reader, stars, lattice.cells, parameters.levels, blends))
-                      : read_with(LatticeCoder(reader, stars, lattice.cells, blends)));
+  DELTAMESH_CHECK(
+      parameters.kind == PositionKind::kVoxel
+          ? read_with(VoxelCoder(reader, stars, lattice.cells, parameters.levels, blends))
+          : read_with(LatticeCoder(reader, stars, lattice.cells, blends, reader.bits(0, 1) != 0)));
   return to_positions(cells, lattice);
 }
 

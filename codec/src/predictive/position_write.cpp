@@ -10,7 +10,7 @@
 namespace deltamesh {
 
 std::vector<std::byte> write_positions(const FaceStars& stars, std::span<const Cell> cells,
-                                       const PredictiveParameters& parameters) {
+                                       const PredictiveParameters& parameters, bool guesses) {
   if (cells.empty()) return {};
   CompactWriter writer;
   BlendTable blends = fit_blends(stars, cells);
@@ -23,7 +23,8 @@ std::vector<std::byte> write_positions(const FaceStars& stars, std::span<const C
   const PositionLattice& lattice = parameters.lattice;
   if (parameters.kind == PositionKind::kVoxel)
     return write_with(VoxelCoder(writer, stars, lattice.cells, parameters.levels, blends));
-  return write_with(LatticeCoder(writer, stars, lattice.cells, blends));
+  writer.bits(guesses ? 1 : 0, 1);
+  return write_with(LatticeCoder(writer, stars, lattice.cells, blends, guesses));
 }
 
 std::vector<std::byte> write_floats(const FaceStars& stars, std::span<const Vec3> positions, const Box& box) {

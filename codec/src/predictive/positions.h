@@ -17,9 +17,9 @@
 namespace deltamesh {
 
 /// The POSN payload, compact, of `cells`, one for every vertex of `stars`, within the lattice; empty for no
-/// vertices. O(n + m).
+/// vertices. `guesses`: of kLattice, a way that suits flat and swept surfaces. O(n + m).
 std::vector<std::byte> write_positions(const FaceStars& stars, std::span<const Cell> cells,
-                                       const PredictiveParameters& parameters);
+                                       const PredictiveParameters& parameters, bool guesses = false);
 
 /// The same for positions to the last bit, PositionKind::kFloats. `box`: of `positions`, which are floats.
 std::vector<std::byte> write_floats(const FaceStars& stars, std::span<const Vec3> positions, const Box& box);
