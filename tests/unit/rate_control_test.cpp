@@ -66,6 +66,30 @@ TEST(RateControl, MaxErrorIsNeverExceeded) {
   }
 }
 
+/// A mesh where a few vertices stick out until they are anchors themselves.
+class PeakyCoder final : public FormulaCoder {
+ public:
+  static constexpr std::size_t kPeaks = 20;
+
+  Result<TrialFigures> run(const CoderSettings& settings) override {
+    DELTAMESH_TRY(TrialFigures figures, FormulaCoder::run(settings));
+    if (settings.more_anchors.size() < kPeaks) figures.quality.max_error *= 4;
+    return figures;
+  }
+};
+
+TEST(RateControl, PeaksBecomeAnchorsBeforeTheStepShrinks) {
+  PeakyCoder steady;
+  ASSERT_TRUE(control_rate({.bounds = {.max_error = 1e-3}, .effort = 2}, steady));
+  EXPECT_TRUE(steady.kept->more_anchors.empty());
+  PeakyCoder mended;
+  ASSERT_TRUE(control_rate({.bounds = {.max_error = 1e-3}, .effort = 5}, mended));
+  EXPECT_GE(mended.kept->more_anchors.size(), PeakyCoder::kPeaks);
+  EXPECT_GT(mended.kept->step, 2 * steady.kept->step);
+  EXPECT_LT(*mended.bytes(*mended.kept), *steady.bytes(*steady.kept));
+  EXPECT_LE(mended.run(*mended.kept)->quality.max_error, 1e-3);
+}
+
 TEST(RateControl, FixedStepIsKeptAndAnchorsMove) {
   for (const double lfe : {1e-2, 2e-3, 3e-4, 1.1e-4}) {
     FormulaCoder coder;
