@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// What a request takes, what losing nothing takes, and how long decoding takes beside Draco.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "deltamesh/mesh.h"
+#include "deltamesh/quality_request.h"
+#include "deltamesh/result.h"
+
+namespace deltamesh::bench {
+
+struct RequestRow {
+  std::uint64_t bytes = 0;
+  std::string geometry;            ///< the coder that was chosen
+  bool agrees_at_effort_0 = true;  ///< effort 0 chooses the same
+  bool kept = true;                ///< the decoded mesh, measured anew, is within the request
+};
+
+/// `mesh`: from welded_geometry(). Errors: encode()'s, decode()'s.
+Result<RequestRow> compare_request(const Mesh& mesh, const QualityRequest& request, int effort);
+
+struct LosslessRow {
+  double ratio = 0;    ///< bytes over those of zstd -19 on positions and triangles as they lie in memory
+  bool exact = false;  ///< positions and faces came back to the last bit, in their order
+};
+Result<LosslessRow> compare_lossless(const Mesh& mesh);
+
+/// Nanoseconds of processor time per vertex, the least of five runs, at Draco's rms error with 12 bits.
+struct TimeRow {
+  double decode_ns = 0;
+  double draco_decode_ns = 0;  ///< level 7
+  double encode_ns = 0;        ///< effort 0
+  double draco_encode_ns = 0;
+};
+Result<TimeRow> compare_times(const Mesh& mesh);
+
+}  // namespace deltamesh::bench
