@@ -3,6 +3,7 @@
 #include "predictive/voxel_edges.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstdlib>
 
 namespace deltamesh {
@@ -21,6 +22,18 @@ constexpr std::array<EdgePlace, 12> kCubeEdges = [] {
   }
   return edges;
 }();
+
+/// By axis and offset + 1: the edges with that offset on that axis.
+constexpr std::array<std::array<std::uint16_t, 3>, 3> kEdgesAt = [] {
+  std::array<std::array<std::uint16_t, 3>, 3> sets{};
+  for (std::size_t i = 0; i < kCubeEdges.size(); ++i)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      sets[axis][static_cast<std::size_t>(kCubeEdges[i][axis] + 1)] |= static_cast<std::uint16_t>(1U << i);
+  return sets;
+}();
+
+constexpr std::uint16_t kAllEdges = 0xfff;
+constexpr std::int64_t kNumbers = 64;  ///< room for a candidate's number below its score
 
 constexpr std::int64_t kForbidden = std::int64_t{1} << 50;  ///< added for each face that a candidate breaks
 constexpr std::int64_t kFarthest = std::int64_t{1} << 22;   ///< distances per axis are cut here
@@ -61,40 +74,65 @@ bool EdgeCandidates::intersect(CubeRange& range, const CubeRange& other) noexcep
   return some;
 }
 
-bool EdgeCandidates::allowed(const CubeRange& range, const EdgePlace& edge) const noexcept {
-  bool inside = true;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    inside = inside && edge[axis] >= range.low[axis] - 1 && edge[axis] <= range.high[axis] + 1;
-  return inside;
+EdgeCandidates::EdgeSet EdgeCandidates::shared_edges(const CubeRange& range,
+                                                     const EdgePlace& center) noexcept {
+  unsigned shared = kAllEdges;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    unsigned within = 0;
+    for (std::int32_t offset = -1; offset <= 1; ++offset) {
+      const std::int32_t x = center[axis] + offset;
+      if (x >= range.low[axis] - 1 && x <= range.high[axis] + 1)
+        within |= kEdgesAt[axis][static_cast<std::size_t>(offset + 1)];
+    }
+    shared &= within;
+  }
+  return static_cast<EdgeSet>(shared);
 }
 
-std::int64_t EdgeCandidates::distance(const EdgePlace& edge) const noexcept {
-  std::int64_t sum = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    std::int64_t off = std::llabs(place_[axis] - half_ * edge[axis]);
-    if ((edge[axis] & 1) != 0) off = std::max<std::int64_t>(off - half_, 0);
-    off = std::min(off, kFarthest);
-    sum += off * off;
+EdgeCandidates::EdgeSet EdgeCandidates::edges_taken(const CubeRange& range,
+                                                    const EdgePlace& center) const noexcept {
+  unsigned taken = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (center[axis] > range.low[axis]) taken |= kEdgesAt[axis][0];
+  for (unsigned i = 0; i < taken_count_; ++i) {
+    unsigned edge = kAllEdges;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::int32_t offset = taken_[i][axis] - center[axis] + 1;
+      edge &= offset >= 0 && offset <= 2 ? kEdgesAt[axis][static_cast<std::size_t>(offset)] : 0U;
+    }
+    taken |= edge;
   }
-  return sum;
+  return static_cast<EdgeSet>(taken);
 }
 
 void EdgeCandidates::add_cube(const CubeRange& range, const EdgePlace& center) noexcept {
-  for (const EdgePlace& offset : kCubeEdges) {
-    const EdgePlace edge = {center[0] + offset[0], center[1] + offset[1], center[2] + offset[2]};
-    // An edge that an earlier cube of the range has too is there already.
-    bool met = false;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      met = met || (offset[axis] == -1 && center[axis] > range.low[axis]);
-    if (met) continue;
-    const auto taken_end = taken_.begin() + taken_count_;
-    if (std::find(taken_.begin(), taken_end, edge) != taken_end) continue;
-    std::int64_t score = distance(edge);
+  // Squared distances per axis, by offset; along an edge's own axis only what is beyond its ends counts.
+  std::array<std::array<std::int64_t, 3>, 3> squares;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::int32_t offset = -1; offset <= 1; ++offset) {
+      std::int64_t off = std::llabs(place_[axis] - half_ * (center[axis] + offset));
+      if (offset == 0) off = std::max<std::int64_t>(off - half_, 0);
+      off = std::min(off, kFarthest);
+      squares[axis][static_cast<std::size_t>(offset + 1)] = off * off;
+    }
+  }
+  std::array<EdgeSet, 8> shared;
+  for (unsigned f = 0; f < all_faces_; ++f) shared[f] = shared_edges(faces_[f], center);
+  const std::size_t cube = cube_count_++;
+  cubes_[cube] = center;
+  for (unsigned open = kAllEdges & ~edges_taken(range, center); open != 0; open &= open - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(open));
+    const EdgePlace& offset = kCubeEdges[i];
     unsigned broken = 0;
-    for (unsigned f = 0; f < all_faces_; ++f) broken += allowed(faces_[f], edge) ? 0 : 1;
+    for (unsigned f = 0; f < all_faces_; ++f) broken += (shared[f] >> i & 1) == 0 ? 1 : 0;
     likely_ += broken == 0 ? 1 : 0;
-    score += kForbidden * broken;
-    if (size_ < kMost) candidates_[size_++] = {edge, score};
+    if (size_ == kMost) continue;
+    std::int64_t score = kForbidden * broken;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      score += squares[axis][static_cast<std::size_t>(offset[axis] + 1)];
+    places_[size_] = static_cast<std::uint8_t>(12 * cube + i);
+    scores_[size_] = score * kNumbers + size_;
+    ++size_;
   }
 }
 
@@ -119,15 +157,15 @@ EdgeCandidates::EdgeCandidates(const FaceStars& stars, std::uint32_t vertex, con
       for (center[2] = range.low[2]; center[2] <= range.high[2]; center[2] += 2) add_cube(range, center);
 }
 
-const EdgePlace& EdgeCandidates::ranked(unsigned rank) noexcept {
+EdgePlace EdgeCandidates::ranked(unsigned rank) noexcept {
   for (; sorted_ <= rank; ++sorted_) {
-    unsigned best = sorted_;
-    for (unsigned i = sorted_ + 1; i < size_; ++i)
-      if (candidates_[i].score < candidates_[best].score) best = i;
-    // The others keep their order, so that ties are the same everywhere.
-    std::rotate(candidates_.begin() + sorted_, candidates_.begin() + best, candidates_.begin() + best + 1);
+    const auto first = scores_.begin() + sorted_;
+    std::iter_swap(first, std::min_element(first, scores_.begin() + size_));
   }
-  return candidates_[rank].edge;
+  const std::size_t place = places_[static_cast<std::size_t>(scores_[rank] % kNumbers)];
+  const EdgePlace& center = cubes_[place / 12];
+  const EdgePlace& offset = kCubeEdges[place % 12];
+  return {center[0] + offset[0], center[1] + offset[1], center[2] + offset[2]};
 }
 
 std::optional<unsigned> EdgeCandidates::rank_of(const EdgePlace& edge, unsigned limit) noexcept {
@@ -139,11 +177,10 @@ std::optional<unsigned> EdgeCandidates::rank_of(const EdgePlace& edge, unsigned 
 unsigned EdgeCandidates::doubt() noexcept {
   if (size_ < 2) return 0;
   ranked(1);
-  const std::int64_t best = candidates_[0].score;
-  const std::int64_t next = candidates_[1].score;
-  // Beyond the score's own scale: the width of a voxel, squared.
-  const std::int64_t gap = (next - best) / std::max<std::int64_t>(half_ * half_ / 16, 1);
-  return gap >= 32 ? 0 : gap >= 16 ? 1 : gap >= 8 ? 2 : gap >= 4 ? 3 : gap >= 1 ? 4 : 5;
+  const std::int64_t gap = scores_[1] / kNumbers - scores_[0] / kNumbers;
+  const std::int64_t unit = std::max<std::int64_t>(half_ * half_ / 16, 1);
+  if (gap >= 8 * unit) return gap >= 32 * unit ? 0 : gap >= 16 * unit ? 1 : 2;
+  return gap >= 4 * unit ? 3 : gap >= unit ? 4 : 5;
 }
 
 }  // namespace deltamesh

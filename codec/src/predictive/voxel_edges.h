@@ -49,8 +49,8 @@ class EdgeCandidates {
                  const VoxelGrid& grid) noexcept;
 
   unsigned size() const noexcept { return size_; }
-  /// The candidate of this rank, below size(). The ranks before it have been asked for.
-  const EdgePlace& ranked(unsigned rank) noexcept;
+  /// The candidate of this rank, below size().
+  EdgePlace ranked(unsigned rank) noexcept;
   /// The rank of `edge` where it is below `limit`.
   std::optional<unsigned> rank_of(const EdgePlace& edge, unsigned limit) noexcept;
 
@@ -65,23 +65,26 @@ class EdgeCandidates {
     EdgePlace low;
     EdgePlace high;
   };
-  struct Candidate {
-    EdgePlace edge;
-    std::int64_t score;
-  };
+  /// A set of a cube's twelve edges.
+  using EdgeSet = std::uint16_t;
 
   static CubeRange cubes_at(const EdgePlace& edge) noexcept;
   static bool intersect(CubeRange& range, const CubeRange& other) noexcept;
   void add_cube(const CubeRange& range, const EdgePlace& center) noexcept;
-  bool allowed(const CubeRange& range, const EdgePlace& edge) const noexcept;
-  std::int64_t distance(const EdgePlace& edge) const noexcept;
+  /// Those of the cube's edges that `range`'s cubes have too.
+  static EdgeSet shared_edges(const CubeRange& range, const EdgePlace& center) noexcept;
+  /// Those that an earlier cube of `range` has, or a neighbour is on.
+  EdgeSet edges_taken(const CubeRange& range, const EdgePlace& center) const noexcept;
 
-  std::array<Candidate, kMost> candidates_;
+  std::array<std::int64_t, kMost> scores_;  ///< times kMost and more, plus the candidate's number
   unsigned size_ = 0;
   unsigned sorted_ = 0;
+  std::array<EdgePlace, 8> cubes_;
+  unsigned cube_count_ = 0;
+  std::array<std::uint8_t, kMost> places_;  ///< of a candidate: 12 * cube + edge
   std::array<CubeRange, 8> faces_;
-  unsigned face_count_ = 0;
   unsigned all_faces_ = 0;
+  unsigned face_count_ = 0;
   unsigned likely_ = 0;
   std::array<EdgePlace, Surroundings::kMostNeighbors> taken_;
   unsigned taken_count_ = 0;
