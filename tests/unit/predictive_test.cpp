@@ -128,7 +128,10 @@ TEST(Predictive, TheAskedMaximumIsNeverExceeded) {
 }
 
 TEST(Predictive, LfeAndVdeLandBelowWhatIsAsked) {
-  const Mesh mesh = testing::bumpy_grid(40, 30);
+  Mesh mesh = testing::bumpy_grid(40, 30);
+  std::uint32_t state = 1;
+  for (float& x : mesh.positions)
+    x += static_cast<float>((state = state * 1664525 + 1013904223) >> 8) * 1e-8F;
   for (const double asked : {0.05, 0.002}) {
     const auto lfe =
         encode(mesh, {.quality = {.lfe = QualityBound{asked}}, .geometry = GeometryCoder::kPredictive});
@@ -140,6 +143,24 @@ TEST(Predictive, LfeAndVdeLandBelowWhatIsAsked) {
     EXPECT_LE(vde->report.stream.quality.vde_rms, asked * (1 + 1e-6));
     EXPECT_GE(vde->report.stream.quality.vde_rms, 0.9 * asked);
   }
+}
+
+TEST(Predictive, AxesThatAreGridsKeepTheirSteps) {
+  // A terrain of whole metres over a grid of 300 m, far from the origin.
+  Mesh mesh = testing::bumpy_grid(40, 30);
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    mesh.positions[3 * v] = 560000 + 30 * std::round(mesh.positions[3 * v] * 10);
+    mesh.positions[3 * v + 1] = 5100000 + 30 * std::round(mesh.positions[3 * v + 1] * 10);
+    mesh.positions[3 * v + 2] = static_cast<float>(v * v % 97);
+  }
+  const auto encoded = encode(mesh, {.quality = {.max_error = 0.25}, .geometry = GeometryCoder::kPredictive});
+  ASSERT_TRUE(encoded);
+  EXPECT_EQ(largest_error(mesh, *encoded), 0);
+  EXPECT_NEAR(encoded->report.stream.step, 300, 0.001);
+  const auto coarse = encode(mesh, {.quality = {.max_error = 20}, .geometry = GeometryCoder::kPredictive});
+  ASSERT_TRUE(coarse);
+  EXPECT_LE(largest_error(mesh, *coarse), 20);
+  EXPECT_LT(coarse->bytes.size(), encoded->bytes.size());
 }
 
 TEST(Predictive, AutoIsTheSmallerOfTheTwo) {

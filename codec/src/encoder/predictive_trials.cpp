@@ -40,7 +40,8 @@ PredictiveTrials::PredictiveTrials(const PredictiveInput& input, const StreamFra
       frame_(frame),
       effort_(effort),
       stars_(input.triangles, static_cast<std::uint32_t>(input.positions.size())),
-      voxels_(fit_voxels(input.positions, input.box)) {}
+      voxels_(fit_voxels(input.positions, input.box)),
+      axes_(voxels_ ? std::array<AxisGrid, 3>{} : fit_axes(input.positions, input.box)) {}
 
 double PredictiveTrials::step_for_bits(int bits) const noexcept {
   const double step = input_.box.longest_side() / (std::ldexp(1.0, bits) - 1);
@@ -63,8 +64,9 @@ Result<PredictiveTrials::Trial> PredictiveTrials::measured(PredictiveParameters 
   return Trial{parameters, std::move(cells), measure_quality(input_.graph, input_.positions, decoded)};
 }
 
-Result<PredictiveTrials::Trial> PredictiveTrials::try_step(double step) const {
-  const PositionLattice lattice = cubic_lattice(input_.box, step);
+Result<PredictiveTrials::Trial> PredictiveTrials::try_step(double step, bool on_grid) const {
+  const PositionLattice lattice =
+      on_grid ? grid_lattice(input_.box, axes_, step) : cubic_lattice(input_.box, step);
   return measured({.lattice = lattice}, to_cells(input_.positions, lattice));
 }
 
@@ -102,12 +104,12 @@ Result<GeometryChoice> PredictiveTrials::code_exactly() const {
   return choice;
 }
 
-Result<PredictiveTrials::Trial> PredictiveTrials::keep_on_lattice(const Bounds& bounds) const {
+Result<PredictiveTrials::Trial> PredictiveTrials::keep_on_lattice(const Bounds& bounds, bool on_grid) const {
   std::optional<Trial> best;
   double best_step = 0;
   double step = first_step(bounds);
   for (int i = 0; i < kMostTrials; ++i) {
-    DELTAMESH_TRY(auto trial, try_step(step));
+    DELTAMESH_TRY(auto trial, try_step(step, on_grid));
     const double load = bounds.load(trial.quality);
     const bool kept = load <= 1;
     if (!kept && i + 1 == kMostTrials && !best) {
@@ -160,13 +162,19 @@ Result<GeometryChoice> PredictiveTrials::keep_bounds(const Bounds& bounds) const
       if (effort_ == 0 && voxels_->share > kMostly) return *std::move(on_voxels);
     }
   }
-  const auto trial = keep_on_lattice(bounds);
+  // Axes of their own come first: effort 0 takes them, others compare.
+  std::optional<GeometryChoice> best = std::move(on_voxels);
+  const bool has_grid =
+      std::any_of(axes_.begin(), axes_.end(), [](const AxisGrid& axis) { return axis.step > 0; });
+  for (const bool on_grid : {true, false}) {
+    if ((on_grid && !has_grid) || (!on_grid && best && has_grid && effort_ == 0)) continue;
+    const auto trial = keep_on_lattice(bounds, on_grid);
+    if (!trial) continue;
+    DELTAMESH_TRY(auto choice, code(*trial));
+    if (!best || frame_.bytes_with(choice) < frame_.bytes_with(*best)) best = std::move(choice);
+  }
   // Lattices end where floats do.
-  if (!trial) return on_voxels ? *std::move(on_voxels) : code_exactly();
-  DELTAMESH_TRY(auto on_lattice, code(*trial));
-  if (on_voxels && frame_.bytes_with(*on_voxels) < frame_.bytes_with(on_lattice))
-    return *std::move(on_voxels);
-  return on_lattice;
+  return best ? *std::move(best) : code_exactly();
 }
 
 Result<GeometryChoice> PredictiveTrials::fit_bytes(std::uint64_t bytes) const {

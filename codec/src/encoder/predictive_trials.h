@@ -52,12 +52,12 @@ class PredictiveTrials {
   };
 
   Result<Trial> measured(PredictiveParameters parameters, std::vector<Cell> cells) const;
-  Result<Trial> try_step(double step) const;
+  Result<Trial> try_step(double step, bool on_grid = false) const;
   Result<Trial> try_levels(std::uint32_t levels) const;
   Result<GeometryChoice> code(const Trial& trial) const;
   double first_step(const Bounds& bounds) const noexcept;
-  /// On a cubic lattice, and on the voxels' own.
-  Result<Trial> keep_on_lattice(const Bounds& bounds) const;
+  /// On a cubic lattice, or one with the axes' own steps, and on the voxels' own.
+  Result<Trial> keep_on_lattice(const Bounds& bounds, bool on_grid) const;
   Result<Trial> keep_on_voxels(const Bounds& bounds) const;
   Result<GeometryChoice> fit_lattice(std::uint64_t bytes) const;
   Result<GeometryChoice> fit_voxel_levels(std::uint64_t bytes) const;
@@ -67,6 +67,7 @@ class PredictiveTrials {
   int effort_;
   FaceStars stars_;
   std::optional<VoxelFit> voxels_;
+  std::array<AxisGrid, 3> axes_;
 };
 
 }  // namespace deltamesh

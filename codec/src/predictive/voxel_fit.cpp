@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "predictive/lattice.h"
+
 namespace deltamesh {
 namespace {
 
@@ -46,13 +48,14 @@ std::vector<Plane> find_planes(std::span<const Vec3> positions, std::size_t axis
   return planes;
 }
 
-/// The usual distance of neighbouring planes, made sharper by the mean of those near it; 0 where there are
-/// too few planes.
-double usual_distance(std::span<const Plane> planes) {
+/// The distance of neighbouring planes that `share` of them are below, made sharper by the mean of those near
+/// it; 0 where there are too few planes.
+double usual_distance(std::span<const Plane> planes, double share = 0.5) {
   if (planes.size() < kFewestPlanes) return 0;
   std::vector<double> distances;
   for (std::size_t i = 1; i < planes.size(); ++i) distances.push_back(planes[i].place - planes[i - 1].place);
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  const auto middle =
+      distances.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(distances.size()));
   std::nth_element(distances.begin(), middle, distances.end());
   const double median = *middle;
   double sum = 0;
@@ -183,6 +186,43 @@ std::optional<VoxelFit> fit_voxels(std::span<const Vec3> positions, const Box& b
   const std::size_t largest = *std::max_element(along.begin(), along.end());
   if (static_cast<double>(largest) > kMostAlongOneAxis * static_cast<double>(inside)) return std::nullopt;
   return fit;
+}
+
+std::array<AxisGrid, 3> fit_axes(std::span<const Vec3> positions, const Box& box) {
+  constexpr double kFinestShare = 0.1;
+  constexpr double kOff = 0.05;  // sources are rounded, to decimals say
+  std::array<AxisGrid, 3> grids{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double noise = std::max(std::abs(box.min[axis]), std::abs(box.max[axis])) * 0x1p-22;
+    const std::vector<Plane> planes = find_planes(positions, axis, noise);
+    Comb comb{0, usual_distance(planes, kFinestShare)};
+    if (!(comb.distance > 8 * noise)) continue;
+    comb.origin = planes[0].place;
+    for (const double tolerance : {0.1, 0.05, 0.02}) comb = refine(planes, comb, tolerance);
+    const bool all = std::all_of(positions.begin(), positions.end(), [&](const Vec3& position) {
+      return off_comb(position[axis], comb.origin, comb.distance) <= 2 * noise + kOff * comb.distance;
+    });
+    if (!all) continue;
+    const double below = std::round((box.min[axis] - comb.origin) / comb.distance);
+    const double origin = comb.origin + comb.distance * below;
+    grids[axis] = {std::abs(origin - box.min[axis]) <= noise ? box.min[axis] : origin, comb.distance};
+  }
+  return grids;
+}
+
+PositionLattice grid_lattice(const Box& box, const std::array<AxisGrid, 3>& axes, double step) noexcept {
+  constexpr double kNotMuchFiner = 0.6;
+  PositionLattice lattice = cubic_lattice(box, step);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const AxisGrid& grid = axes[axis];
+    if (!(grid.step > kNotMuchFiner * lattice.step[axis])) continue;
+    const double cells = std::round((box.max[axis] - grid.origin) / grid.step);
+    if (!(cells <= kMostCells)) continue;
+    lattice.origin[axis] = grid.origin;
+    lattice.step[axis] = grid.step;
+    lattice.cells[axis] = static_cast<std::uint32_t>(cells);
+  }
+  return lattice;
 }
 
 std::optional<VoxelCells> to_voxel_cells(std::span<const Vec3> positions, const Box& box, const VoxelFit& fit,

@@ -4,6 +4,7 @@
 // Finds the voxel grid that a mesh was cut from, by the planes on which coordinates pile up. Encoder only.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -24,6 +25,17 @@ struct VoxelFit {
 
 /// Empty where fewer than a fifth of the vertices are on the edges of one grid. O(n log n).
 std::optional<VoxelFit> fit_voxels(std::span<const Vec3> positions, const Box& box);
+
+/// An axis whose coordinates are all whole steps from `origin`, but for rounding.
+struct AxisGrid {
+  double origin = 0;
+  double step = 0;  ///< 0 where there is none
+};
+/// What quantised sources and heights over a grid have. O(n log n).
+std::array<AxisGrid, 3> fit_axes(std::span<const Vec3> positions, const Box& box);
+
+/// cubic_lattice(), but with the own steps of axes that have a grid not much finer.
+PositionLattice grid_lattice(const Box& box, const std::array<AxisGrid, 3>& axes, double step) noexcept;
 
 /// The fine lattice of `fit` with this many levels per edge, and the vertices on it. Empty where it would
 /// exceed kMostCells.
