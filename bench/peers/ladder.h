@@ -16,8 +16,8 @@ namespace deltamesh::bench {
 inline constexpr std::string_view kOurName = "deltamesh";
 inline constexpr std::string_view kReferenceName = "Draco cl 10";
 
-/// Full: ours at 3 to 10 bits with 0.2, 0.5 and 1 % anchors, Draco cl 7 and cl 10 at qp 8 to 14, zstd at qp 8
-/// to 14. Quick: fewer of ours, of Draco and of zstd.
+/// Full: ours at 3 to 10 bits with 0.2, 0.5 and 1 % anchors and at asked bounds on VDE and LFE; Draco cl 7
+/// and cl 10, meshoptimizer, OpenCTM and zstd at qp 8 to 14. Quick: fewer of ours and of the last three.
 std::vector<std::unique_ptr<Peer>> make_ladder(bool quick);
 
 }  // namespace deltamesh::bench

@@ -7,11 +7,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "deltamesh/mesh.h"
+#include "deltamesh/quality_request.h"
 #include "deltamesh/result.h"
 
 namespace deltamesh::bench {
@@ -20,6 +22,15 @@ namespace deltamesh::bench {
 struct DecodedMesh {
   Mesh mesh;
   std::vector<std::uint32_t> order;  ///< input vertex of every vertex of `mesh`; empty: same index
+};
+
+/// Bytes of a stream by what they are spent on.
+struct ByteShares {
+  std::uint64_t connectivity = 0;
+  std::uint64_t geometry = 0;
+  std::uint64_t anchors = 0;
+  std::uint64_t attributes = 0;
+  std::uint64_t container = 0;
 };
 
 /// Calls come in the order of declaration, each at least once; encode() and decode() may come several times
@@ -43,6 +54,9 @@ class Peer {
   virtual Result<void> decode(std::span<const std::byte> bytes) = 0;
   /// What the last decode() gave. Errors: kInternal where it does not belong to the loaded mesh.
   virtual Result<DecodedMesh> decoded() = 0;
+
+  /// Where the bytes of an encoded mesh go; nothing where the peer does not say.
+  virtual std::optional<ByteShares> shares(std::span<const std::byte>) const { return std::nullopt; }
 };
 
 /// Draco, positions quantised to `position_bits` over the longest side; speed = 10 - `compression_level`.
@@ -51,9 +65,18 @@ std::unique_ptr<Peer> make_draco_peer(int compression_level, int position_bits);
 /// Ours: `bits` of the delta quantiser, anchors as a share of the vertices.
 std::unique_ptr<Peer> make_deltamesh_peer(int bits, double anchor_share);
 
+/// Ours, asked for a quality. `label`: the place on the curve.
+std::unique_ptr<Peer> make_deltamesh_peer(const QualityRequest& quality, std::string label);
+
 /// zstd level 19 on plain buffers: positions as 16-bit lattice indices of `position_bits` over the longest
 /// side, triangles as 32-bit indices. What a sender does who has no mesh codec.
 std::unique_ptr<Peer> make_zstd_peer(int position_bits);
+
+/// meshoptimizer's vertex and index codecs on the lattice of `position_bits`, then zstd level 19.
+std::unique_ptr<Peer> make_meshoptimizer_peer(int position_bits);
+
+/// OpenCTM, method MG2 at its best level, precision one cell of the lattice of `position_bits`.
+std::unique_ptr<Peer> make_openctm_peer(int position_bits);
 
 std::string draco_version();
 std::string zstd_version();

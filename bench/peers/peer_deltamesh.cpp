@@ -16,17 +16,22 @@ namespace {
 
 class DeltameshPeer final : public Peer {
  public:
-  DeltameshPeer(int bits, double anchor_share) : bits_(bits), anchor_share_(anchor_share) {}
+  DeltameshPeer(int bits, double anchor_share)
+      : setting_("p " + std::to_string(bits) + ", " + significant(100 * anchor_share, 3) + " %"),
+        anchor_share_(anchor_share) {
+    options_.bits = bits;
+  }
+  DeltameshPeer(const QualityRequest& quality, std::string label) : setting_(std::move(label)) {
+    options_.quality = quality;
+  }
 
   std::string name() const override { return "deltamesh"; }
-  std::string setting() const override {
-    return "p " + std::to_string(bits_) + ", " + significant(100 * anchor_share_, 3) + " %";
-  }
+  std::string setting() const override { return setting_; }
 
   Result<void> load(const Mesh& mesh) override {
     mesh_ = &mesh;
-    options_.bits = bits_;
-    const double anchors = std::round(anchor_share_ * static_cast<double>(mesh.vertex_count()));
+    if (!anchor_share_) return {};
+    const double anchors = std::round(*anchor_share_ * static_cast<double>(mesh.vertex_count()));
     options_.anchors = static_cast<std::uint32_t>(std::max(1.0, anchors));
     return {};
   }
@@ -47,9 +52,19 @@ class DeltameshPeer final : public Peer {
 
   Result<DecodedMesh> decoded() override { return DecodedMesh{.mesh = decoded_, .order = order_}; }
 
+  std::optional<ByteShares> shares(std::span<const std::byte> bytes) const override {
+    const auto info = inspect(bytes);
+    if (!info) return std::nullopt;
+    return ByteShares{.connectivity = info->connectivity_bytes,
+                      .geometry = info->geometry_bytes,
+                      .anchors = info->anchor_bytes,
+                      .attributes = info->attribute_bytes,
+                      .container = info->container_bytes};
+  }
+
  private:
-  int bits_;
-  double anchor_share_;
+  std::string setting_;
+  std::optional<double> anchor_share_{};
   const Mesh* mesh_ = nullptr;
   EncodeOptions options_;
   std::vector<std::uint32_t> order_;
@@ -60,6 +75,10 @@ class DeltameshPeer final : public Peer {
 
 std::unique_ptr<Peer> make_deltamesh_peer(int bits, double anchor_share) {
   return std::make_unique<DeltameshPeer>(bits, anchor_share);
+}
+
+std::unique_ptr<Peer> make_deltamesh_peer(const QualityRequest& quality, std::string label) {
+  return std::make_unique<DeltameshPeer>(quality, std::move(label));
 }
 
 }  // namespace deltamesh::bench

@@ -7,14 +7,14 @@
 
 namespace deltamesh::bench {
 
-std::vector<EqualQualityRow> equal_quality(const Run& run, const ErrorKind& kind) {
+std::vector<EqualQualityRow> equal_quality(const Run& run, const ErrorKind& kind, std::string_view peer) {
   std::vector<EqualQualityRow> rows;
   for (const std::string& mesh : mesh_names(run)) {
-    std::vector<CurvePoint> ours;
+    std::vector<CurvePoint> points;
     for (const Measurement& m : run.measurements)
-      if (m.mesh == mesh && m.peer == kOurName)
-        ours.push_back({.error = kind.percent(m), .bytes = static_cast<double>(m.bytes)});
-    const auto hull = lower_hull(ours);
+      if (m.mesh == mesh && m.peer == peer)
+        points.push_back({.error = kind.percent(m), .bytes = static_cast<double>(m.bytes)});
+    const auto hull = lower_hull(points);
     EqualQualityRow row{.mesh = mesh, .ratios = {}};
     for (const Measurement& m : run.measurements) {
       if (m.mesh != mesh || m.peer != kReferenceName) continue;

@@ -36,7 +36,8 @@ std::string explanation(const Run& run) {
        significant(run.timing.seconds, 3),
        " s together). Our encoder also decodes and measures its own result. VDE and LFE are root mean "
        "squares, all errors in percent of the bounding box's diagonal. Settings of deltamesh: bits of the "
-       "delta quantiser, anchors as a share of the vertices.\n\n"});
+       "delta quantiser and anchors as a share of the vertices, or the error that was asked for, in "
+       "percent.\n\n"});
 }
 
 std::string ratio_cell(const std::optional<SizeRatio>& ratio) {
@@ -44,28 +45,62 @@ std::string ratio_cell(const std::optional<SizeRatio>& ratio) {
   return join({ratio->is_upper_bound ? "≤ " : "", fixed(ratio->value, 2)});
 }
 
-std::string equal_quality_table(const Run& run, const ErrorKind& kind) {
-  std::string text = join({"### Equal ", kind.name, "\n\n| mesh |"});
+using Ratios = decltype(EqualQualityRow::ratios);
+using RatioMeans = std::array<GeometricMean, kReferenceSettings.size()>;
+
+std::string table_head(std::string_view first) {
+  std::string text = join({"| ", first, " |"});
   for (const char* setting : kReferenceSettings) text += join({" ", setting, " |"});
   text += "\n|---|";
   for (std::size_t i = 0; i < kReferenceSettings.size(); ++i) text += "---:|";
-  text += '\n';
-  std::array<GeometricMean, kReferenceSettings.size()> means;
-  for (const EqualQualityRow& row : equal_quality(run, kind)) {
-    text += join({"| ", row.mesh, " |"});
-    for (std::size_t i = 0; i < means.size(); ++i) {
-      text += join({" ", ratio_cell(row.ratios[i]), " |"});
-      if (row.ratios[i]) means[i].add(row.ratios[i]->value);
-    }
-    text += '\n';
-  }
-  text += "| **geometric mean** |";
+  return text + '\n';
+}
+
+void add(RatioMeans& means, const Ratios& ratios) {
+  for (std::size_t i = 0; i < means.size(); ++i)
+    if (ratios[i]) means[i].add(ratios[i]->value);
+}
+
+std::string mean_row(std::string_view title, const RatioMeans& means) {
+  std::string text = join({"| **", title, "** |"});
   for (const GeometricMean& mean : means) {
     const auto value = mean.value();
-    text += join({" **", value ? fixed(*value, 2) : kNone, "** |"});
+    text += join({" **", value ? fixed(*value, 3) : kNone, "** |"});
   }
-  text += "\n\n";
-  return text;
+  return text + '\n';
+}
+
+/// "robot" of "robot/kitchen".
+std::string group_of(const std::string& mesh) { return mesh.substr(0, mesh.find('/')); }
+
+std::string equal_quality_table(const Run& run, const ErrorKind& kind) {
+  std::string text = join({"### Equal ", kind.name, "\n\n"}) + table_head("mesh");
+  RatioMeans all;
+  std::vector<std::pair<std::string, RatioMeans>> groups;
+  for (const EqualQualityRow& row : equal_quality(run, kind, kOurName)) {
+    text += join({"| ", row.mesh, " |"});
+    for (const auto& ratio : row.ratios) text += join({" ", ratio_cell(ratio), " |"});
+    text += '\n';
+    add(all, row.ratios);
+    if (groups.empty() || groups.back().first != group_of(row.mesh))
+      groups.push_back({group_of(row.mesh), RatioMeans{}});
+    add(groups.back().second, row.ratios);
+  }
+  if (groups.size() > 1)
+    for (const auto& [name, means] : groups) text += mean_row("geometric mean, " + name, means);
+  return text + mean_row("geometric mean", all) + '\n';
+}
+
+/// Every peer's geometric means.
+std::string peers_table(const Run& run, const ErrorKind& kind) {
+  std::string text =
+      join({"### Every peer at equal ", kind.name, ", geometric means\n\n"}) + table_head("peer");
+  for (const std::string& peer : peer_names(run)) {
+    RatioMeans means;
+    for (const EqualQualityRow& row : equal_quality(run, kind, peer)) add(means, row.ratios);
+    text += mean_row(peer, means);
+  }
+  return text + '\n';
 }
 
 std::string equal_quality_section(const Run& run) {
@@ -76,7 +111,25 @@ std::string equal_quality_section(const Run& run) {
             "coarsest setting already has a smaller error; \"",
             kNone, "\": no setting of the ladder has so small an error; means leave those out.\n\n"});
   for (const ErrorKind& kind : kErrorKinds) text += equal_quality_table(run, kind);
+  for (const ErrorKind& kind : kErrorKinds) text += peers_table(run, kind);
   return text;
+}
+
+/// Where our bytes go, in percent.
+std::string shares_section(const Run& run) {
+  std::string text =
+      "## Where the bytes go\n\n| mesh | setting | bytes | connectivity % | geometry % | anchors % | "
+      "attributes % | "
+      "container % |\n|---|---|---:|---:|---:|---:|---:|---:|\n";
+  for (const Measurement& m : run.measurements) {
+    if (!m.shares) continue;
+    text += join({"| ", m.mesh, " | ", m.setting, " | ", std::to_string(m.bytes), " |"});
+    for (const std::uint64_t part : {m.shares->connectivity, m.shares->geometry, m.shares->anchors,
+                                     m.shares->attributes, m.shares->container})
+      text += join({" ", fixed(100 * static_cast<double>(part) / static_cast<double>(m.bytes), 1), " |"});
+    text += '\n';
+  }
+  return text + '\n';
 }
 
 /// The figures of one or, as geometric means, of several measurements.
@@ -148,7 +201,8 @@ std::string failure_section(const Run& run) {
 
 std::string render_markdown(const Run& run) {
   std::string text = "# deltamesh beside its peers\n\n" + heading() + explanation(run) +
-                     failure_section(run) + equal_quality_section(run) + means_section(run);
+                     failure_section(run) + equal_quality_section(run) + shares_section(run) +
+                     means_section(run);
   for (const std::string& mesh : mesh_names(run)) text += mesh_section(run, mesh);
   return text;
 }

@@ -64,7 +64,8 @@ Result<Measurement> measure(Peer& peer, const std::string& name, const Mesh& mes
                      .bytes = bytes.size(),
                      .quality = comparison->quality,
                      .encode_seconds = *encode_seconds,
-                     .decode_seconds = *decode_seconds};
+                     .decode_seconds = *decode_seconds,
+                     .shares = peer.shares(bytes)};
 }
 
 }  // namespace deltamesh::bench

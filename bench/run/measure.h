@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "deltamesh/mesh.h"
@@ -25,6 +26,7 @@ struct Measurement {
   Quality quality;            ///< model units
   double encode_seconds = 0;  ///< processor time, median
   double decode_seconds = 0;  ///< processor time, median
+  std::optional<ByteShares> shares{};
 
   double bits_per_vertex() const { return 8 * static_cast<double>(bytes) / static_cast<double>(vertices); }
   double percent(double error) const { return 100 * error / diagonal; }
