@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 
 #include "base/try.h"
 #include "entropy/compact_reader.h"
@@ -24,22 +25,40 @@ constexpr std::int64_t divide_down(std::int64_t a, std::int64_t b) noexcept {
   return a / b - (a % b < 0 ? 1 : 0);
 }
 
-/// The mean, rounded to the nearest, of the coded neighbours' numbers; of the vertex before where there are
-/// none.
-Numbers predict(const Adjacency& graph, std::uint32_t vertex, const std::vector<Numbers>& coded) noexcept {
-  std::array<std::int64_t, kGroup> sums{};
-  std::int64_t count = 0;
-  for (const std::uint32_t neighbor : graph.of(vertex)) {
-    if (neighbor >= vertex || count == static_cast<std::int64_t>(kMostAveraged)) break;
-    ++count;
-    for (std::size_t c = 0; c < kGroup; ++c) sums[c] += coded[neighbor][c];
-  }
-  if (count == 0) return vertex == 0 ? Numbers{} : coded[vertex - 1];
+struct Prediction {
   Numbers mean{};
+  FieldHint hint;
+};
+
+/// The coded neighbours of `vertex` that count.
+std::span<const std::uint32_t> coded_neighbors(const Adjacency& graph, std::uint32_t vertex) noexcept {
+  const auto row = graph.of(vertex);
+  std::size_t count = 0;
+  while (count < row.size() && count < kMostAveraged && row[count] < vertex) ++count;
+  return row.first(count);
+}
+
+/// The mean of the coded neighbours' numbers, rounded to the nearest, and how far they are from it; the
+/// numbers of the vertex before where there are none [ATTR-9].
+Prediction predict(const Adjacency& graph, std::uint32_t vertex, const std::vector<Numbers>& coded) noexcept {
+  constexpr std::int32_t kWidest = 8191;
+  constexpr std::int32_t kUnit = 16;
+  const auto neighbors = coded_neighbors(graph, vertex);
+  if (neighbors.empty()) return {.mean = vertex == 0 ? Numbers{} : coded[vertex - 1], .hint = {}};
+  const auto count = static_cast<std::int64_t>(neighbors.size());
+  Prediction prediction;
   for (std::size_t c = 0; c < kGroup; ++c) {
-    mean[c] = static_cast<std::int32_t>(divide_down(2 * sums[c] + count, 2 * count));
+    std::int64_t sum = 0;
+    for (const std::uint32_t neighbor : neighbors) sum += coded[neighbor][c];
+    const auto mean = static_cast<std::int32_t>(divide_down(2 * sum + count, 2 * count));
+    std::int32_t distance = 0;
+    for (const std::uint32_t neighbor : neighbors)
+      distance += std::min(std::abs(coded[neighbor][c] - mean), kWidest);
+    prediction.mean[c] = mean;
+    prediction.hint.spread[c] = distance * kUnit / static_cast<std::int32_t>(count);
+    prediction.hint.offset[c] = static_cast<std::int32_t>(divide_down(kUnit * sum, count) - kUnit * mean);
   }
-  return mean;
+  return prediction;
 }
 
 /// Codes `axes` numbers per vertex; `numbers` are read by a writer and filled in by a reader. False where a
@@ -49,11 +68,11 @@ bool code_group(Coder& coder, const Adjacency& graph, std::vector<Numbers>& numb
                 Check check) {
   FieldCoder<Coder> field(coder, graph);
   for (std::uint32_t v = 0; v < numbers.size(); ++v) {
-    const Numbers prediction = predict(graph, v, numbers);
+    const Prediction prediction = predict(graph, v, numbers);
     Numbers residual{};
-    for (std::size_t c = 0; c < axes; ++c) residual[c] = numbers[v][c] - prediction[c];
-    if (!field.code_vertex(v, residual, axes)) return false;
-    for (std::size_t c = 0; c < axes; ++c) numbers[v][c] = prediction[c] + residual[c];
+    for (std::size_t c = 0; c < axes; ++c) residual[c] = numbers[v][c] - prediction.mean[c];
+    if (!field.code_vertex(v, residual, axes, &prediction.hint)) return false;
+    for (std::size_t c = 0; c < axes; ++c) numbers[v][c] = prediction.mean[c] + residual[c];
     if (!check(numbers[v])) return false;
   }
   return true;

@@ -38,9 +38,10 @@ class FieldCoder {
 
   /// Codes the first `axes` (1 to 3) numbers of `q` for `vertex`, the others being 0; all vertices before it
   /// are done. A reader fills them in. False where one is beyond kLargestFieldValue [FLD-1].
-  bool code_vertex(std::uint32_t vertex, std::array<std::int32_t, 3>& q, unsigned axes) {
+  bool code_vertex(std::uint32_t vertex, std::array<std::int32_t, 3>& q, unsigned axes,
+                   const FieldHint* hint = nullptr) {
     const FieldNeighborhood around = history_.around(vertex);
-    predictor_.begin(around);
+    predictor_.begin(around, hint);
     if (!code_axis<0>(q[0])) return false;
     if (axes > 1 && !code_axis<1>(q[1])) return false;
     if (axes > 2 && !code_axis<2>(q[2])) return false;
@@ -53,7 +54,7 @@ class FieldCoder {
   template <class Choose>
   std::array<std::int32_t, 3> choose_vertex(std::uint32_t vertex, Choose choose) {
     const FieldNeighborhood around = history_.around(vertex);
-    predictor_.begin(around);
+    predictor_.begin(around, nullptr);
     const std::array<std::int32_t, 3> q = {choose_axis<0>(choose), choose_axis<1>(choose),
                                            choose_axis<2>(choose)};
     history_.remember(vertex, q, around);

@@ -28,6 +28,12 @@ struct FieldNeighborhood {
   bool empty = true;
 };
 
+/// What a caller that predicts the numbers knows of a vertex; 1/16 steps [FLD-7].
+struct FieldHint {
+  std::array<std::int32_t, 3> spread{};  ///< how far apart the neighbours' values are, 0 to 2^17
+  std::array<std::int32_t, 3> offset{};  ///< what rounding took off the prediction, -16 to 16
+};
+
 /// What is remembered of every coded vertex [FLD-2].
 inline constexpr std::int32_t kFieldUnit = 16;            ///< fixed point: parts of a step
 inline constexpr std::int32_t kLargestRemembered = 8191;  ///< of a number

@@ -40,11 +40,18 @@ inline constexpr std::uint32_t kTailContexts = 4 * 6;
 /// Forecasts the three axes of a vertex in turn: forecast<0>(), learn<0>(), forecast<1>() and so on.
 class FieldPredictor {
  public:
-  void begin(const FieldNeighborhood& around) noexcept {
+  /// `around` must outlive the vertex; `hint`: null where there is none.
+  void begin(const FieldNeighborhood& around, const FieldHint* hint) noexcept {
     around_ = &around.means;
     degree_ = around.degree_class;
-    const auto& g = around.means.magnitude;
-    all_ = (g[0] + g[1] + g[2]) / 3;
+    size_ = own_ = around.means.magnitude;
+    offset_ = {};
+    if (hint != nullptr) {
+      own_ = hint->spread;
+      offset_ = hint->offset;
+      for (std::size_t a = 0; a < 3; ++a) size_[a] = (4 * size_[a] + 5 * own_[a]) >> 3;
+    }
+    all_ = (size_[0] + size_[1] + size_[2]) / 3;
   }
 
   template <unsigned kAxis>
@@ -54,6 +61,7 @@ class FieldPredictor {
     FieldForecast f;
     f.mean = static_cast<std::int32_t>(
         (std::int64_t{weights[0]} * features_[0] + std::int64_t{weights[1]} * features_[1]) >> 16);
+    f.mean += offset_[kAxis];
     const std::int32_t coded = coded_magnitude<kAxis>();
     f.scale = expected_scale<kAxis>(coded);
     f.shift = static_cast<unsigned>(std::bit_width(static_cast<std::uint32_t>(f.scale) | 63)) - 6;
@@ -112,7 +120,7 @@ class FieldPredictor {
 
   template <unsigned kAxis>
   std::int32_t expected_scale(std::int32_t coded) const noexcept {
-    const std::int32_t own = around_->magnitude[kAxis];
+    const std::int32_t own = size_[kAxis];
     if constexpr (kAxis == 0) return ((39 * own + 22 * all_) >> 6) + 1;
     return ((32 * own + 20 * all_ + 6 * coded) >> 6) + 1;
   }
@@ -142,7 +150,7 @@ class FieldPredictor {
     const std::uint32_t scale_class = quarter_octave(f.scale >> f.shift, 19) + 4 * shifted;
     const std::uint32_t degree5 = std::clamp<std::uint32_t>(degree_, 1, 5) - 1;
     const std::uint32_t coded_class = quarter_octave(coded >> f.shift, 23);
-    const std::uint32_t own_class = quarter_octave(around_->magnitude[kAxis] >> f.shift, 23);
+    const std::uint32_t own_class = quarter_octave(own_[kAxis] >> f.shift, 23);
     f.contexts = {(scale_class * 6 + sure) * 5 + degree5,
                   ((coded_class * 8 + degree_) * 3 + kAxis) * 3 + sure3,
                   ((own_class * 12 + quarter_octave(near, 23) / 2) * 2 + shifted) * 3 + kAxis};
@@ -152,7 +160,10 @@ class FieldPredictor {
 
   const FieldMemory* around_ = nullptr;
   std::uint32_t degree_ = 0;
-  std::int32_t all_ = 0;                    ///< mean of the magnitudes
+  std::array<std::int32_t, 3> size_{};      ///< expected magnitudes
+  std::array<std::int32_t, 3> own_{};       ///< spreads, or the same
+  std::array<std::int32_t, 3> offset_{};    ///< of the hint
+  std::int32_t all_ = 0;                    ///< mean of size_
   std::array<std::int32_t, 3> q_{};         ///< clamped, axes coded so far
   std::array<std::int32_t, 2> features_{};  ///< of the current axis: regression, neighbours' mean
   std::int32_t y_on_x_ = 0;
