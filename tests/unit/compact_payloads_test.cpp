@@ -11,8 +11,10 @@
 #include "attributes/attribute.h"
 #include "base/quick_ratio.h"
 #include "connectivity/connectivity.h"
+#include "entropy/compact_reader.h"
 #include "entropy/compact_writer.h"
 #include "field/field_coder.h"
+#include "format/tags.h"
 #include "geometry/anchor_list.h"
 #include "geometry/delta_symbols.h"
 #include "support/graph_mesh.h"
@@ -223,6 +225,42 @@ TEST(CompactAttributes, ATTR9EqualsThePlainForm) {
               expected->values);
     expect_guarded(*compact, read, "attribute");
   }
+}
+
+/// Numbers of which the hints know the size; returns the bytes they take.
+std::size_t hinted_bytes(const Adjacency& graph, bool with_hints) {
+  const std::size_t n = graph.vertex_count();
+  test::RandomBits random(21);
+  std::vector<std::array<std::int32_t, 3>> numbers(n);
+  std::vector<FieldHint> hints(n);
+  for (std::size_t v = 0; v < n; ++v) {
+    const std::int32_t reach = random() % 2 == 0 ? 1 : 100;
+    for (std::size_t a = 0; a < 3; ++a) {
+      numbers[v][a] = static_cast<std::int32_t>(random() % (2 * reach + 1)) - reach;
+      hints[v].spread[a] = 8 * reach;
+      hints[v].offset[a] = static_cast<std::int32_t>(random() % 33) - 16;
+    }
+  }
+  const auto code = [&](auto& coder, auto& q) {
+    FieldCoder field(coder, graph);
+    for (std::uint32_t v = 0; v < n; ++v)
+      if (!field.code_vertex(v, q[v], 3, with_hints ? &hints[v] : nullptr)) return false;
+    return true;
+  };
+  CompactWriter writer;
+  EXPECT_TRUE(code(writer, numbers));
+  const Bytes bytes = writer.finish();
+  CompactReader reader(bytes);
+  std::vector<std::array<std::int32_t, 3>> back(n);
+  EXPECT_TRUE(code(reader, back));
+  EXPECT_TRUE(reader.finish(kTagAttribute));
+  EXPECT_EQ(back, numbers);
+  return bytes.size();
+}
+
+TEST(CompactAttributes, FLD7HintsOfTheSizeArePaidBack) {
+  const auto mesh = test::sheet(60, 60);
+  EXPECT_LT(10 * hinted_bytes(mesh.graph, true), 9 * hinted_bytes(mesh.graph, false));
 }
 
 TEST(CompactAttributes, ATTR9WideSymbolsHaveNone) {
