@@ -1,72 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// The two solvers of highpass streams side by side, as a Markdown table: time per vertex, what is left of the
-// exact solution, and what that does to the low-frequency error.
+// The solver of highpass streams, as Markdown tables: time per vertex, what is left of the exact solution and
+// what that does to the errors; and whole decodes beside Draco's.
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <filesystem>
+#include <ctime>
 #include <string>
 #include <vector>
 
-#include "connectivity/connectivity.h"
-#include "laplacian/anchors.h"
-#include "laplacian/delta.h"
-#include "laplacian/solved_part.h"
 #include "laplacian/solver.h"
-#include "support/welded_mesh.h"
+#include "run/bench_mesh.h"
+#include "scenes.h"
+#include "solver/decode_race.h"
+#include "solver/problem.h"
 
+namespace deltamesh::bench {
 namespace {
-
-using namespace deltamesh;
-
-/// Graph in coding order, and what the stream would say.
-struct Problem {
-  SolvedPart part;
-  std::vector<Vec3> positions;
-  std::vector<std::uint32_t> anchors;
-  std::vector<Vec3> deltas;
-  std::vector<Vec3> targets;
-};
 
 struct Settings {
   std::string corpus;
-  double anchor_percent = 0.5;
-  int bits = 8;
-  std::uint32_t largest = 1000000;
-  std::uint32_t largest_direct = 300000;
+  std::vector<std::uint64_t> sizes{10000, 50000, 250000, 1000000};
+  std::vector<std::string> scenes{"rooms", "terrain", "sphere", "cad", "fragments"};
+  std::vector<double> anchor_percents{0.2, 1};
+  std::vector<int> bits{4, 8};
+  std::vector<double> diffusions{0, 1};
+  std::uint64_t largest_direct = 300000;
+  bool race = false;
 };
 
-double seconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-Vec3 round_to(const Vec3& v, double step) {
-  return {step * std::round(v[0] / step), step * std::round(v[1] / step), step * std::round(v[2] / step)};
-}
-
-Problem make_problem(const std::vector<std::uint32_t>& triangles, const std::vector<Vec3>& positions,
-                     const Settings& settings) {
-  const auto vertex_count = static_cast<std::uint32_t>(positions.size());
-  const CodedConnectivity coded = write_connectivity(triangles, vertex_count);
-  const Adjacency graph = build_adjacency(coded.triangles, vertex_count);
-  Problem problem{extract_solved_part(graph, find_components(graph)), {}, {}, {}, {}};
-  for (const std::uint32_t vertex : problem.part.vertices)
-    problem.positions.push_back(positions[coded.vertex_order[vertex]]);
-  const Adjacency& solved = problem.part.graph;
-  const auto count =
-      static_cast<std::uint32_t>(0.01 * settings.anchor_percent * static_cast<double>(solved.vertex_count()));
-  problem.anchors = place_anchors(solved, find_components(solved), {.count = count}).vertices;
-  problem.deltas = delta_coordinates(solved, problem.positions);
-  const double step = std::ldexp(delta_range(problem.deltas), -settings.bits);
-  for (Vec3& delta : problem.deltas) delta = round_to(delta, step);
-  for (const std::uint32_t anchor : problem.anchors) problem.targets.push_back(problem.positions[anchor]);
-  return problem;
-}
+double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 struct Solved {
   double setup_ns = 0;  ///< per vertex
@@ -79,32 +43,22 @@ Solved run(const Problem& problem, const Make& make) {
   Solved solved;
   solved.x.resize(problem.positions.size());
   const double per_vertex = 1e9 / static_cast<double>(problem.positions.size());
-  const double start = seconds();
+  const double start = processor_seconds();
   const auto solver = make(problem.part.graph, problem.anchors);
-  const double made = seconds();
+  const double made = processor_seconds();
   if (solver && (*solver)->solve(problem.deltas, problem.targets, solved.x)) {
     solved.setup_ns = (made - start) * per_vertex;
-    solved.solve_ns = (seconds() - made) * per_vertex;
+    solved.solve_ns = (processor_seconds() - made) * per_vertex;
   }
   return solved;
 }
 
-double rms_difference(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += dot(a[i] - b[i], a[i] - b[i]);
-  return std::sqrt(sum / static_cast<double>(a.size()));
-}
-
-double largest_difference(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, length(a[i] - b[i]));
-  return largest;
-}
-
-void print_row(const std::string& name, const Problem& problem, const Settings& settings) {
+void print_row(const std::string& name, const Problem& problem, const ProblemSettings& how,
+               const Settings& settings) {
   const Solved ours = run(problem, make_multigrid_solver);
-  std::printf("| %s | %zu | %zu | %.0f | %.0f | %.0f ", name.c_str(), problem.positions.size(),
-              problem.anchors.size(), ours.setup_ns, ours.solve_ns, ours.setup_ns + ours.solve_ns);
+  std::printf("| %s | %zu | %d | %g | %g | %zu | %.0f | %.0f | %.0f ", name.c_str(), problem.positions.size(),
+              how.bits, how.anchor_percent, how.diffusion, problem.anchors.size(), ours.setup_ns,
+              ours.solve_ns, ours.setup_ns + ours.solve_ns);
   if (problem.positions.size() <= settings.largest_direct) {
     const Solved direct = run(problem, make_direct_solver);
     const double error = rms_difference(direct.x, problem.positions);
@@ -118,68 +72,67 @@ void print_row(const std::string& name, const Problem& problem, const Settings& 
   std::fflush(stdout);
 }
 
-/// About `n` vertices of rough terrain, diagonals of the squares either way.
-Problem terrain(std::uint32_t n, const Settings& settings) {
-  const auto side = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(n)));
-  std::uint32_t state = 1;
-  const auto random = [&state] { return (state = state * 1664525 + 1013904223) >> 8; };
-  std::vector<Vec3> positions;
-  std::vector<std::uint32_t> triangles;
-  for (std::uint32_t y = 0; y < side; ++y) {
-    for (std::uint32_t x = 0; x < side; ++x)
-      positions.push_back({static_cast<double>(x) - 0.5 * side, static_cast<double>(y) - 0.5 * side,
-                           10 * std::sin(0.02 * x) * std::cos(0.03 * y) + std::ldexp(random(), -24)});
-  }
-  for (std::uint32_t y = 0; y + 1 < side; ++y) {
-    for (std::uint32_t x = 0; x + 1 < side; ++x) {
-      const std::uint32_t a = y * side + x;
-      if (random() % 2 == 0) {
-        triangles.insert(triangles.end(), {a, a + 1, a + side, a + 1, a + side + 1, a + side});
-      } else {
-        triangles.insert(triangles.end(), {a, a + 1, a + side + 1, a, a + side + 1, a + side});
+void print_solves(const MeshSource& source, const Settings& settings) {
+  const auto mesh = source.load();
+  if (!mesh) return;
+  for (const int bits : settings.bits) {
+    for (const double anchor_percent : settings.anchor_percents) {
+      for (const double diffusion : settings.diffusions) {
+        const ProblemSettings how{.anchor_percent = anchor_percent, .bits = bits, .diffusion = diffusion};
+        const Problem problem = make_problem(*mesh, how);
+        if (!problem.positions.empty()) print_row(source.name, problem, how, settings);
       }
     }
   }
-  return make_problem(triangles, positions, settings);
 }
 
-void print_corpus(const Settings& settings) {
-  for (const char* folder : {"paper", "models", "robot"}) {
-    std::vector<std::filesystem::path> files;
-    for (const auto& entry :
-         std::filesystem::directory_iterator(std::filesystem::path(settings.corpus) / folder))
-      if (entry.path().extension() == ".ply") files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
-    for (const auto& file : files) {
-      auto mesh = bench::load_welded(file.string());
-      if (!mesh) {
-        std::fprintf(stderr, "%s: %s\n", file.c_str(), describe(mesh.error()).c_str());
-        continue;
-      }
-      const Vec3 center = 0.5 * (mesh->box.min + mesh->box.max);
-      for (Vec3& position : mesh->positions) position = position - center;
-      print_row(file.stem().string(), make_problem(mesh->triangles, mesh->positions, settings), settings);
+std::vector<MeshSource> choose_meshes(const Settings& settings) {
+  if (!settings.corpus.empty()) return corpus_meshes(settings.corpus);
+  std::vector<MeshSource> sources;
+  for (const std::uint64_t size : settings.sizes) {
+    for (const std::string& name : settings.scenes) {
+      const auto scene = scene_of_name(name);
+      if (!scene) continue;
+      sources.push_back({.name = name, .load = [scene, size] { return generate_scene(*scene, size, 1); }});
     }
   }
+  return sources;
+}
+
+void run_benchmark(const Settings& settings) {
+  const std::vector<MeshSource> sources = choose_meshes(settings);
+  if (settings.race) {
+    print_decode_race_header();
+    for (const MeshSource& source : sources) {
+      const auto mesh = source.load();
+      if (mesh) print_decode_race(source.name, welded_geometry(*mesh));
+    }
+    return;
+  }
+  std::printf(
+      "| mesh | vertices | bits | anchors %% | diffusion | anchors | setup ns/vertex | solve | total "
+      "| direct total | rms from exact / LFE | LFE over exact | largest error over exact |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+  for (const MeshSource& source : sources) print_solves(source, settings);
 }
 
 }  // namespace
+}  // namespace deltamesh::bench
 
 int main(int argc, char** argv) {
-  Settings settings;
-  CLI::App app("Compares the solvers of highpass streams.");
-  app.add_option("--corpus", settings.corpus, "folder of the mesh corpus; without it generated terrain only");
-  app.add_option("--anchors", settings.anchor_percent, "percent of the vertices that are anchors");
-  app.add_option("--bits", settings.bits, "bits of the delta quantiser")->check(CLI::Range(3, 16));
-  app.add_option("--largest", settings.largest, "vertices of the largest generated terrain");
-  app.add_option("--largest-direct", settings.largest_direct, "no factorisation above so many vertices");
+  deltamesh::bench::Settings settings;
+  CLI::App app("Times the solver of highpass streams and compares its solutions with a direct one.");
+  app.add_option("--corpus", settings.corpus, "folder of the mesh corpus; without it generated scenes");
+  app.add_option("--sizes", settings.sizes, "vertices of the generated scenes")->capture_default_str();
+  app.add_option("--scenes", settings.scenes, "which scenes")->capture_default_str();
+  app.add_option("--anchors", settings.anchor_percents, "percent of the vertices that are anchors")
+      ->capture_default_str();
+  app.add_option("--bits", settings.bits, "bits of the delta quantiser")->capture_default_str();
+  app.add_option("--diffusion", settings.diffusions, "strengths of the error diffusion")
+      ->capture_default_str();
+  app.add_option("--largest-direct", settings.largest_direct, "no factorisation above so many vertices")
+      ->capture_default_str();
+  app.add_flag("--race", settings.race, "instead: whole decodes (8 bits, 0.5 % anchors) beside Draco's");
   CLI11_PARSE(app, argc, argv);
-
-  std::printf(
-      "| mesh | vertices | anchors | setup ns/vertex | solve | total | direct total | rms from exact / LFE "
-      "| LFE over exact | largest error over exact |\n|---|---|---|---|---|---|---|---|---|---|\n");
-  for (const std::uint32_t n : {10000U, 50000U, 250000U, 1000000U, 4000000U}) {
-    if (n <= settings.largest) print_row("terrain", terrain(n, settings), settings);
-  }
-  if (!settings.corpus.empty()) print_corpus(settings);
+  deltamesh::bench::run_benchmark(settings);
 }

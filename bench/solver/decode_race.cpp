@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "solver/decode_race.h"
+
+#include <malloc.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <memory>
+
+#include "peers/peer.h"
+
+namespace deltamesh::bench {
+namespace {
+
+constexpr int kRuns = 3;
+constexpr int kBits = 8;
+constexpr double kAnchorShare = 0.005;
+constexpr int kDracoLevel = 7;
+constexpr int kDracoBits = 12;
+
+double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+struct Figures {
+  double nanoseconds = 0;  ///< per vertex
+  double megabytes = 0;
+};
+
+/// Resident memory of this process, now; 0 where the system does not say.
+double resident_megabytes() {
+  std::FILE* file = std::fopen("/proc/self/statm", "r");
+  if (file == nullptr) return 0;
+  long size = 0;
+  long resident = 0;
+  const bool read = std::fscanf(file, "%ld %ld", &size, &resident) == 2;
+  std::fclose(file);
+  return read ? 1e-6 * static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGESIZE)) : 0;
+}
+
+/// Peak memory of one decode in a child, above what the child began with.
+double peak_megabytes(Peer& peer, const std::vector<std::byte>& bytes) {
+  malloc_trim(0);  // else the child would start with what this process has freed
+  const double before = resident_megabytes();
+  const pid_t child = fork();
+  if (child == 0) _exit(peer.decode(bytes) ? 0 : 1);
+  rusage usage{};
+  int status = 0;
+  if (child < 0 || wait4(child, &status, 0, &usage) != child || status != 0) return 0;
+  return std::max(0.0, 1.024e-3 * static_cast<double>(usage.ru_maxrss) - before);
+}
+
+Figures run(Peer& peer, const Mesh& mesh) {
+  Figures figures;
+  if (!peer.load(mesh)) return figures;
+  const auto bytes = peer.encode();
+  if (!bytes) return figures;
+  figures.megabytes = peak_megabytes(peer, *bytes);
+  double best = 1e9;
+  for (int r = 0; r < kRuns; ++r) {
+    const double start = processor_seconds();
+    if (!peer.decode(*bytes)) return {};
+    best = std::min(best, processor_seconds() - start);
+  }
+  figures.nanoseconds = 1e9 * best / static_cast<double>(mesh.vertex_count());
+  return figures;
+}
+
+}  // namespace
+
+void print_decode_race_header() {
+  std::printf(
+      "| mesh | vertices | ours ns/vertex | Draco cl 7 qp 12 ns/vertex | ratio | ours MB | Draco MB | ratio "
+      "|\n"
+      "|---|---|---|---|---|---|---|---|\n");
+}
+
+void print_decode_race(const std::string& name, const Mesh& mesh) {
+  const Figures ours = run(*make_deltamesh_peer(kBits, kAnchorShare), mesh);
+  const Figures draco = run(*make_draco_peer(kDracoLevel, kDracoBits), mesh);
+  std::printf("| %s | %zu | %.0f | %.0f | %.2f | %.0f | %.0f | %.2f |\n", name.c_str(),
+              static_cast<std::size_t>(mesh.vertex_count()), ours.nanoseconds, draco.nanoseconds,
+              ours.nanoseconds / draco.nanoseconds, ours.megabytes, draco.megabytes,
+              ours.megabytes / draco.megabytes);
+  std::fflush(stdout);
+}
+
+}  // namespace deltamesh::bench
