@@ -33,12 +33,12 @@ std::optional<SparseFactor> SparseFactor::make(const SymmetricMatrix& matrix) {
   if (factors.info() != Eigen::Success) return std::nullopt;
   const std::uint32_t n = matrix.size();
   const SparseMatrix& lower = factors.matrixL().nestedExpression();
+  const Eigen::VectorXd pivots = factors.vectorD();  // a copy each time it is asked for
   SparseFactor result;
   result.offsets_.assign(1, 0);
   for (std::uint32_t column = 0; column < n; ++column) {
-    const double pivot = factors.vectorD()[column];
-    if (!(pivot > 0)) return std::nullopt;
-    result.inverse_diagonal_.push_back(1 / pivot);
+    if (!(pivots[column] > 0)) return std::nullopt;
+    result.inverse_diagonal_.push_back(1 / pivots[column]);
     for (SparseMatrix::InnerIterator entry(lower, column); entry; ++entry) {
       if (static_cast<std::uint32_t>(entry.row()) == column) continue;
       result.rows_.push_back(static_cast<std::uint32_t>(entry.row()));
