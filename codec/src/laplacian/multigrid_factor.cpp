@@ -4,32 +4,78 @@
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
+#include <cstddef>
+#include <numeric>
+#include <utility>
 
 namespace deltamesh::multigrid {
 namespace {
 
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
-using Factors = Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::AMDOrdering<int>>;
+using Permutation = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;
+using Factors = Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<int>>;
 
-SparseMatrix lower_half(const SymmetricMatrix& matrix) {
+/// Meshes stay below 150; graphs made to hurt would fill the whole matrix.
+constexpr std::size_t kMostEntriesPerColumn = 400;
+
+/// The lower half, column by column, of the matrix with row i at place[i].
+SparseMatrix lower_half(const SymmetricMatrix& matrix, std::span<const std::uint32_t> place) {
   const std::uint32_t n = matrix.size();
-  SparseMatrix lower(n, n);
-  lower.reserve(static_cast<Eigen::Index>(matrix.columns.size() / 2 + n));
+  std::vector<Eigen::Triplet<double, int>> entries;
+  entries.reserve(matrix.columns.size() / 2 + n);
   for (std::uint32_t i = 0; i < n; ++i) {
-    lower.startVec(i);
-    lower.insertBack(i, i) = matrix.diagonal[i];
+    const auto column = static_cast<int>(place[i]);
+    entries.emplace_back(column, column, matrix.diagonal[i]);
     for (std::uint32_t e = matrix.offsets[i]; e < matrix.offsets[i + 1]; ++e) {
-      if (matrix.columns[e] > i) lower.insertBack(matrix.columns[e], i) = matrix.values[e];
+      const auto row = static_cast<int>(place[matrix.columns[e]]);
+      if (row > column) entries.emplace_back(row, column, matrix.values[e]);
     }
   }
-  lower.finalize();
+  SparseMatrix lower(static_cast<int>(n), static_cast<int>(n));
+  lower.setFromTriplets(entries.begin(), entries.end());
   return lower;
+}
+
+/// Minimum degree.
+std::vector<std::uint32_t> choose_places(const SymmetricMatrix& matrix) {
+  std::vector<std::uint32_t> identity(matrix.size());
+  std::iota(identity.begin(), identity.end(), 0U);
+  Permutation order;
+  Eigen::AMDOrdering<int>()(lower_half(matrix, identity).selfadjointView<Eigen::Lower>(), order);
+  std::vector<std::uint32_t> place(matrix.size());
+  for (std::uint32_t k = 0; k < place.size(); ++k) place[static_cast<std::uint32_t>(order.indices()[k])] = k;
+  return place;
+}
+
+/// Counts the entries that L will have, by walking the elimination tree up from every entry of a row (Davis,
+/// Direct Methods for Sparse Linear Systems, 4.2), and gives up beyond the limit.
+bool stays_sparse(const SymmetricMatrix& matrix, std::span<const std::uint32_t> place) {
+  const std::uint32_t n = matrix.size();
+  const std::uint32_t none = n;
+  std::vector<std::uint32_t> row_at(n), parent(n, none), seen(n, none);
+  for (std::uint32_t i = 0; i < n; ++i) row_at[place[i]] = i;
+  std::size_t entries = 0;
+  for (std::uint32_t k = 0; k < n; ++k) {
+    seen[k] = k;
+    const std::uint32_t i = row_at[k];
+    for (std::uint32_t e = matrix.offsets[i]; e < matrix.offsets[i + 1]; ++e) {
+      for (std::uint32_t j = place[matrix.columns[e]]; j < k && seen[j] != k; j = parent[j]) {
+        if (parent[j] == none) parent[j] = k;
+        seen[j] = k;
+        ++entries;
+      }
+    }
+    if (entries > kMostEntriesPerColumn * n) return false;
+  }
+  return true;
 }
 
 }  // namespace
 
 std::optional<SparseFactor> SparseFactor::make(const SymmetricMatrix& matrix) {
-  const Factors factors(lower_half(matrix));
+  std::vector<std::uint32_t> place = choose_places(matrix);
+  if (!stays_sparse(matrix, place)) return std::nullopt;
+  const Factors factors(lower_half(matrix, place));
   if (factors.info() != Eigen::Success) return std::nullopt;
   const std::uint32_t n = matrix.size();
   const SparseMatrix& lower = factors.matrixL().nestedExpression();
@@ -46,9 +92,7 @@ std::optional<SparseFactor> SparseFactor::make(const SymmetricMatrix& matrix) {
     }
     result.offsets_.push_back(static_cast<std::uint32_t>(result.rows_.size()));
   }
-  result.place_.resize(n);
-  for (std::uint32_t i = 0; i < n; ++i)
-    result.place_[i] = static_cast<std::uint32_t>(factors.permutationP().indices()[i]);
+  result.place_ = std::move(place);
   result.work_.resize(n);
   return result;
 }

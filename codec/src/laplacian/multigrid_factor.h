@@ -25,8 +25,8 @@ struct SymmetricMatrix {
 
 class SparseFactor {
  public:
-  /// Nothing where the matrix is not positive definite. Time and memory grow faster than n: for some ten
-  /// thousand rows.
+  /// Nothing where the matrix is not positive definite, or its factor would be far from sparse. Time and
+  /// memory grow faster than n: for some ten thousand rows.
   static std::optional<SparseFactor> make(const SymmetricMatrix& matrix);
 
   /// Overwrites `b` (n) with the solution.

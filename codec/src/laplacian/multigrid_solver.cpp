@@ -42,8 +42,8 @@ constexpr std::uint32_t kLargestRescue = 2000;  ///< vertices of such a componen
 
 /// Settled: what is still to come is small against the error that quantisation left (rms, largest). To come:
 /// the last change times rate / (1 - rate), where every cycle changes `rate` times as much as the one before.
-constexpr double kSettledRms = 0.15;
-constexpr double kSettledLargest = 2.5;
+constexpr double kSettledRms = 0.1;
+constexpr double kSettledLargest = 0.8;
 constexpr double kLowestRate = 0.2;
 constexpr double kHighestRate = 0.7;
 constexpr double kUnknownRate = 0.5;
