@@ -21,7 +21,23 @@ struct Plane {
   std::size_t count;
 };
 
+/// Whether a sample of an axis' coordinates has equal ones: without them there are no planes, and no need to
+/// sort them all.
+bool has_repeats(std::span<const Vec3> positions, std::size_t axis) {
+  constexpr std::size_t kSample = 2048;
+  constexpr std::size_t kFewest = kSample / 25;
+  if (positions.size() <= kSample) return true;
+  std::vector<double> sample(kSample);
+  const std::size_t stride = positions.size() / kSample;
+  for (std::size_t i = 0; i < kSample; ++i) sample[i] = positions[i * stride][axis];
+  std::sort(sample.begin(), sample.end());
+  std::size_t repeats = 0;
+  for (std::size_t i = 1; i < kSample; ++i) repeats += sample[i] == sample[i - 1] ? 1 : 0;
+  return repeats >= kFewest;
+}
+
 std::vector<Plane> find_planes(std::span<const Vec3> positions, std::size_t axis, double noise) {
+  if (!has_repeats(positions, axis)) return {};
   std::vector<double> sorted(positions.size());
   for (std::size_t v = 0; v < sorted.size(); ++v) sorted[v] = positions[v][axis];
   std::sort(sorted.begin(), sorted.end());
