@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// deltamesh_bench: ours beside Draco and zstd on the same meshes, in one process, on one thread.
+// deltamesh_bench: ours beside its peers on the same meshes, in one process, on one thread.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstdlib>
@@ -105,7 +105,7 @@ int run_benchmark(const Options& options) {
 int main(int argc, char** argv) {
   deltamesh::bench::Options options;
   options.corpus = deltamesh::bench::default_corpus();
-  CLI::App app("Compares deltamesh with Draco and zstd: size, errors and times of the same welded meshes.");
+  CLI::App app("Compares deltamesh with its peers: size, errors and times of the same welded meshes.");
   app.add_option("--corpus", options.corpus,
                  "Folder with paper/, models/ and robot/ (default: $DELTAMESH_CORPUS)")
       ->capture_default_str();
