@@ -147,7 +147,8 @@ void add_encode_command(CLI::App& app, int& status) {
   command->add_option("--anchor-bits", options.anchor_bits, "bits per axis of an anchor, 4 to 24")
       ->capture_default_str();
   add_quality_options(*command, options.quality);
-  command->add_flag("--lossless", options.lossless, "positions and attributes to the last bit");
+  command->add_flag("--lossless", options.lossless,
+                    "every bit of the float32 coordinates and of the attributes");
   command
       ->add_option("--geometry", arguments->geometry,
                    "coder of the positions: highpass looks best, predictive bounds each vertex's error and "

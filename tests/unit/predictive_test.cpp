@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <map>
+#include <string>
 
 #include "deltamesh/compare.h"
 #include "deltamesh/decode.h"
@@ -301,21 +303,81 @@ TEST(Voxels, TheGridIsFound) {
   EXPECT_FALSE(fit_voxels({}, {}));
 }
 
-TEST(Voxels, VOX4RefusesRanksThatAreNotThere) {
-  // Whatever the bytes, the reader answers with cells within the lattice or an error.
+TEST(Voxels, VOX1VOX4VOX5POSN7RefuseWhatIsNotThere) {
+  // Whatever the bytes, the reader answers with positions within the lattice, or with the rule they break.
   const test::GraphMesh mesh = test::sheet(8, 8);
   const PredictiveParameters parameters{
-      .kind = PositionKind::kVoxel, .lattice = {.cells = {64, 64, 64}}, .levels = 4};
+      .kind = PositionKind::kVoxel, .lattice = {.step = {1, 1, 1}, .cells = {64, 64, 64}}, .levels = 4};
   std::uint32_t state = 1;
-  std::size_t refused = 0;
-  for (int i = 0; i < 300; ++i) {
-    std::vector<std::byte> bytes(200);
+  std::map<std::string, int> refused;
+  for (int i = 0; i < 3000; ++i) {
+    std::vector<std::byte> bytes(400);
     for (std::byte& b : bytes) b = static_cast<std::byte>((state = state * 1664525 + 1013904223) >> 24);
     bytes[7] = std::byte{0x3f};
     const auto back = read_positions(Payload::compact(bytes), stars_of(mesh), parameters, mesh.box);
-    if (!back) refused += std::string(back.error().rule) == "POSN-7" ? 1 : 0;
+    ++refused[rule_of(back)];
+    if (!back) continue;
+    for (const Vec3& position : *back)
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        EXPECT_GE(position[axis], 0);
+        EXPECT_LE(position[axis], 64);
+      }
   }
-  EXPECT_GT(refused, 0U);
+  for (const char* rule : {"VOX-1", "VOX-4", "VOX-5", "POSN-7"}) EXPECT_GT(refused[rule], 0) << rule;
+}
+
+TEST(Predictive, POSN3ManyFacesAtOneEdgeTakeLinearTime) {
+  // Pages of a book whose free corners come before the spine, and one triangle many times over: looked across
+  // without a limit, every page would visit every other.
+  constexpr std::uint32_t kPages = 200'000;
+  test::GraphMesh book;
+  book.positions.resize(kPages + 2);
+  for (std::uint32_t v = 0; v < kPages + 2; ++v) book.positions[v] = {double(v % 97), double(v % 89), 0};
+  for (std::uint32_t page = 0; page < kPages; ++page)
+    for (const std::uint32_t corner : {page, kPages, kPages + 1}) book.triangles.push_back(corner);
+  for (std::uint32_t copy = 0; copy < kPages; ++copy)
+    for (const std::uint32_t corner : {0U, 1U, 2U}) book.triangles.push_back(corner);
+  const FaceStars stars = stars_of(book);
+  for (const std::uint32_t v : {2U, kPages, kPages + 1}) {
+    const Surroundings around = look_around(stars, v);
+    EXPECT_LE(around.parallelogram_count, 8U);
+    EXPECT_GE(around.faces, kPages);
+  }
+}
+
+TEST(Predictive, AStepTooFineForTheLatticeIsRefused) {
+  const auto refused = encode(testing::bumpy_grid(4, 4), {.geometry = GeometryCoder::kPredictive, .step = 1e-12});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::kInvalidArgument);
+}
+
+TEST(Predictive, BytesToSpareBuyEveryBit) {
+  const Mesh mesh = *generate_scene(Scene::kRooms, 3000, 3);
+  const auto exact = encode(mesh, {.geometry = GeometryCoder::kPredictive, .lossless = true});
+  ASSERT_TRUE(exact);
+  EncodeOptions options{.geometry = GeometryCoder::kPredictive};
+  options.quality.target_bytes = exact->bytes.size() + 100;
+  const auto fitted = encode(mesh, options);
+  ASSERT_TRUE(fitted) << describe(fitted.error());
+  EXPECT_EQ(fitted->report.stream.quality.max_error, 0);
+}
+
+TEST(Predictive, EveryBudgetAboveTheLeastIsMet) {
+  const Mesh mesh = *generate_scene(Scene::kTerrain, 3000, 3);
+  EncodeOptions options{.geometry = GeometryCoder::kPredictive};
+  options.quality.target_bytes = 1;
+  const auto least = encode(mesh, options);
+  ASSERT_FALSE(least);
+  double last = HUGE_VAL;
+  for (const double times : {1.0, 1.02, 1.2, 2.0, 4.0}) {
+    options.quality.target_bytes =
+        static_cast<std::uint64_t>(times * static_cast<double>(least.error().best_bytes));
+    const auto fitted = encode(mesh, options);
+    ASSERT_TRUE(fitted) << times << ' ' << describe(fitted.error());
+    EXPECT_LE(fitted->bytes.size(), *options.quality.target_bytes);
+    EXPECT_LE(fitted->report.stream.quality.vde_rms, last);
+    last = fitted->report.stream.quality.vde_rms;
+  }
 }
 
 TEST(Compact, CMP10NumbersOfAnyRangeComeBack) {

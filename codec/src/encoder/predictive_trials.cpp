@@ -17,20 +17,14 @@ namespace {
 constexpr int kMostTrials = 10;
 constexpr double kCloseEnough = 0.997;  ///< share of a bound that needs no better trial
 
-Error unmet(const char* message, double best_value, std::uint64_t best_bytes) noexcept {
+Error too_small(std::uint64_t fewest_bytes) noexcept {
   return {.code = ErrorCode::kUnmetRequest,
-          .message = message,
-          .best_value = best_value,
-          .best_bytes = best_bytes};
+          .message = "no stream of this mesh is so small",
+          .best_bytes = fewest_bytes};
 }
 
-/// What to say where not even the finest lattice will do.
-Error unmet_bound(const Bounds& bounds, const Quality& best, std::uint64_t bytes) noexcept {
-  if (bounds.vde && bounds.visual_load(best) >= bounds.load(best))
-    return unmet("the VDE asked for cannot be had for this mesh", best.vde_rms, bytes);
-  if (bounds.lfe && best.lfe_rms / *bounds.lfe >= bounds.load(best))
-    return unmet("the LFE asked for cannot be had for this mesh", best.lfe_rms, bytes);
-  return unmet("the maximum error asked for cannot be had for this mesh", best.max_error, bytes);
+bool has_grid(const std::array<AxisGrid, 3>& axes) noexcept {
+  return std::any_of(axes.begin(), axes.end(), [](const AxisGrid& axis) { return axis.step > 0; });
 }
 
 }  // namespace
@@ -39,9 +33,7 @@ PredictiveTrials::PredictiveTrials(const PredictiveInput& input, const StreamFra
     : input_(input),
       frame_(frame),
       effort_(effort),
-      stars_(input.triangles, static_cast<std::uint32_t>(input.positions.size())),
-      voxels_(fit_voxels(input.positions, input.box)),
-      axes_(voxels_ ? std::array<AxisGrid, 3>{} : fit_axes(input.positions, input.box)) {}
+      stars_(input.triangles, static_cast<std::uint32_t>(input.positions.size())) {}
 
 double PredictiveTrials::step_for_bits(int bits) const noexcept {
   const double step = input_.box.longest_side() / (std::ldexp(1.0, bits) - 1);
@@ -64,20 +56,21 @@ Result<PredictiveTrials::Trial> PredictiveTrials::measured(PredictiveParameters 
   return Trial{parameters, std::move(cells), measure_quality(input_.graph, input_.positions, decoded)};
 }
 
-Result<PredictiveTrials::Trial> PredictiveTrials::try_step(double step, bool on_grid) const {
-  const PositionLattice lattice =
-      on_grid ? grid_lattice(input_.box, axes_, step) : cubic_lattice(input_.box, step);
+Result<PredictiveTrials::Trial> PredictiveTrials::try_lattice(const PositionLattice& lattice) const {
   return measured({.lattice = lattice}, to_cells(input_.positions, lattice));
 }
 
-Result<PredictiveTrials::Trial> PredictiveTrials::try_levels(std::uint32_t levels) const {
-  auto voxels = to_voxel_cells(input_.positions, input_.box, *voxels_, levels);
-  if (!voxels) return unmet("more levels than a voxel may have", 0, 0);
-  return measured({.kind = PositionKind::kVoxel, .lattice = voxels->lattice, .levels = levels},
-                  std::move(voxels->cells));
+std::optional<PredictiveTrials::Trial> PredictiveTrials::try_levels(const VoxelFit& fit,
+                                                                    std::uint32_t levels) const {
+  auto voxels = to_voxel_cells(input_.positions, input_.box, fit, levels);
+  if (!voxels) return std::nullopt;
+  auto trial = measured({.kind = PositionKind::kVoxel, .lattice = voxels->lattice, .levels = levels},
+                        std::move(voxels->cells));
+  if (!trial) return std::nullopt;
+  return *std::move(trial);
 }
 
-Result<GeometryChoice> PredictiveTrials::code(const Trial& trial) const {
+GeometryChoice PredictiveTrials::code(const Trial& trial) const {
   GeometryChoice choice{.geometry = kGeometryPredictive,
                         .predictive = trial.parameters,
                         .chunks = frame_.before.fresh(),
@@ -92,11 +85,14 @@ Result<GeometryChoice> PredictiveTrials::code(const Trial& trial) const {
 }
 
 Result<GeometryChoice> PredictiveTrials::code_step(double step) const {
-  DELTAMESH_TRY(const auto trial, try_step(step));
+  if (step < finest_step(input_.box))
+    return Error{.code = ErrorCode::kInvalidArgument,
+                 .message = "a step so fine takes over 2^28 points along a side; `lossless` keeps every bit"};
+  DELTAMESH_TRY(const auto trial, try_lattice(cubic_lattice(input_.box, step)));
   return code(trial);
 }
 
-Result<GeometryChoice> PredictiveTrials::code_exactly() const {
+GeometryChoice PredictiveTrials::code_exactly() const {
   GeometryChoice choice{.geometry = kGeometryPredictive,
                         .predictive = {.kind = PositionKind::kFloats, .lattice = {}},
                         .chunks = frame_.before.fresh()};
@@ -104,31 +100,34 @@ Result<GeometryChoice> PredictiveTrials::code_exactly() const {
   return choice;
 }
 
-Result<PredictiveTrials::Trial> PredictiveTrials::keep_on_lattice(const Bounds& bounds, bool on_grid) const {
+std::optional<PredictiveTrials::Trial> PredictiveTrials::keep_on_lattice(
+    const Bounds& bounds, const std::array<AxisGrid, 3>& axes) const {
   std::optional<Trial> best;
   double best_step = 0;
   double step = first_step(bounds);
+  std::array<double, 3> last_steps{};
   for (int i = 0; i < kMostTrials; ++i) {
-    DELTAMESH_TRY(auto trial, try_step(step, on_grid));
-    const double load = bounds.load(trial.quality);
+    const PositionLattice lattice = grid_lattice(input_.box, axes, step);
+    if (lattice.step == last_steps) break;
+    last_steps = lattice.step;
+    auto trial = try_lattice(lattice);
+    if (!trial) break;
+    const double load = bounds.load(trial->quality);
     const bool kept = load <= 1;
-    if (!kept && i + 1 == kMostTrials && !best) {
-      DELTAMESH_TRY(const auto coded, code(trial));
-      return unmet_bound(bounds, coded.quality, frame_.bytes_with(coded));
-    }
     if (kept && step > best_step) {
-      best = std::move(trial);
+      best = *std::move(trial);
       best_step = step;
     }
     if (kept && (load > kCloseEnough || load == 0 || effort_ == 0)) break;
     // A bound far off asks for bold steps, since coordinates rounded to floats add to the error.
     step *= std::clamp(0.9995 / std::max(load, 1e-9), 0.25, 4.0);
   }
-  return *std::move(best);
+  return best;
 }
 
-Result<PredictiveTrials::Trial> PredictiveTrials::keep_on_voxels(const Bounds& bounds) const {
-  const double voxel = *std::max_element(voxels_->voxel.begin(), voxels_->voxel.end());
+std::optional<PredictiveTrials::Trial> PredictiveTrials::keep_on_voxels(const Bounds& bounds,
+                                                                        const VoxelFit& fit) const {
+  const double voxel = *std::max_element(fit.voxel.begin(), fit.voxel.end());
   // A vertex is off along its edge only, which is 2 levels' halves; see first_step().
   const double step = first_step(bounds) * std::sqrt(3.0);
   std::uint32_t enough = kMostLevels + 1;
@@ -137,8 +136,13 @@ Result<PredictiveTrials::Trial> PredictiveTrials::keep_on_voxels(const Bounds& b
   double levels = std::ceil(voxel / step);
   for (int i = 0; i < kMostTrials && enough - too_few > 1; ++i) {
     const auto now = static_cast<std::uint32_t>(std::clamp(levels, too_few + 1.0, enough - 1.0));
-    DELTAMESH_TRY(auto trial, try_levels(now));
-    const double load = bounds.load(trial.quality);
+    auto trial = try_levels(fit, now);
+    if (!trial) {  // more than the grid has room for
+      enough = now;
+      levels = too_few + (now - too_few) / 2.0;
+      continue;
+    }
+    const double load = bounds.load(trial->quality);
     if (load <= 1) {
       best = std::move(trial);
       enough = now;
@@ -149,69 +153,75 @@ Result<PredictiveTrials::Trial> PredictiveTrials::keep_on_voxels(const Bounds& b
     }
     if (levels == now) levels = now + (load <= 1 ? -1.0 : 1.0);
   }
-  if (!best) return unmet("not on voxels", 0, 0);
-  return *std::move(best);
+  return best;
 }
 
 Result<GeometryChoice> PredictiveTrials::keep_bounds(const Bounds& bounds) const {
   constexpr double kMostly = 0.5;  // of the vertices on edges: the voxels win
-  std::optional<GeometryChoice> on_voxels;
-  if (voxels_) {
-    if (const auto trial = keep_on_voxels(bounds)) {
-      DELTAMESH_TRY(on_voxels, code(*trial));
-      if (effort_ == 0 && voxels_->share > kMostly) return *std::move(on_voxels);
-    }
-  }
-  // Axes of their own come first: effort 0 takes them, others compare.
-  std::optional<GeometryChoice> best = std::move(on_voxels);
-  const bool has_grid =
-      std::any_of(axes_.begin(), axes_.end(), [](const AxisGrid& axis) { return axis.step > 0; });
-  for (const bool on_grid : {true, false}) {
-    if ((on_grid && !has_grid) || (!on_grid && best && has_grid && effort_ == 0)) continue;
-    const auto trial = keep_on_lattice(bounds, on_grid);
-    if (!trial) continue;
-    DELTAMESH_TRY(auto choice, code(*trial));
+  std::optional<GeometryChoice> best;
+  const auto keep_smaller = [&](GeometryChoice choice) {
     if (!best || frame_.bytes_with(choice) < frame_.bytes_with(*best)) best = std::move(choice);
+  };
+  const auto voxels = fit_voxels(input_.positions, input_.box);
+  if (voxels) {
+    if (const auto trial = keep_on_voxels(bounds, *voxels)) keep_smaller(code(*trial));
+    if (best && effort_ == 0 && voxels->share > kMostly) return *std::move(best);
+  } else if (const auto axes = fit_axes(input_.positions, input_.box); has_grid(axes)) {
+    // Axes of their own come first: effort 0 takes them, others compare.
+    if (const auto trial = keep_on_lattice(bounds, axes)) keep_smaller(code(*trial));
+    if (best && effort_ == 0) return *std::move(best);
   }
+  if (const auto trial = keep_on_lattice(bounds, {})) keep_smaller(code(*trial));
   // Lattices end where floats do.
   return best ? *std::move(best) : code_exactly();
 }
 
 Result<GeometryChoice> PredictiveTrials::fit_bytes(std::uint64_t bytes) const {
+  if (auto exact = code_exactly(); frame_.bytes_with(exact) <= bytes) return exact;
   auto on_lattice = fit_lattice(bytes);
-  if (!voxels_) return on_lattice;
-  auto on_voxels = fit_voxel_levels(bytes);
+  const auto voxels = fit_voxels(input_.positions, input_.box);
+  if (!voxels) return on_lattice;
+  auto on_voxels = fit_voxel_levels(bytes, *voxels);
   if (!on_voxels) return on_lattice;
-  if (!on_lattice || on_voxels->quality.vde_rms < on_lattice->quality.vde_rms) return on_voxels;
+  if (!on_lattice || on_voxels->quality.vde_rms < on_lattice->quality.vde_rms) return *std::move(on_voxels);
   return on_lattice;
 }
 
 Result<GeometryChoice> PredictiveTrials::fit_lattice(std::uint64_t bytes) const {
   const double count = static_cast<double>(std::max<std::size_t>(input_.positions.size(), 1));
+  const double finest = std::max(finest_step(input_.box), 1e-30);
+  const double coarsest = 2 * std::max(input_.box.longest_side(), 1e-30);  // all coordinates are 0
   std::optional<GeometryChoice> best;
-  double best_step = 0;
+  double fit = coarsest * 2;
+  double too_fine = finest / 2;
   double step = step_for_bits(12);
   std::uint64_t fewest = ~std::uint64_t{0};
   for (int i = 0; i < kMostTrials; ++i) {
-    DELTAMESH_TRY(auto choice, code_step(step));
+    if (i + 1 == kMostTrials && !best) step = coarsest;
+    DELTAMESH_TRY(const auto trial, try_lattice(cubic_lattice(input_.box, step)));
+    auto choice = code(trial);
     const std::uint64_t size = frame_.bytes_with(choice);
     fewest = std::min(fewest, size);
     const bool fits = size <= bytes;
-    if (fits && (!best || step < best_step)) {
+    if (fits && step < fit) {
       best = std::move(choice);
-      best_step = step;
+      fit = step;
     }
+    if (!fits) too_fine = std::max(too_fine, step);
     // Three coordinates cost a bit less each where the step doubles.
     const double bits = 8 * (static_cast<double>(size) - static_cast<double>(bytes)) / (3 * count);
-    if (fits && bits > -0.003) break;
+    if ((fits && (bits > -0.003 || step <= finest)) || (!fits && step >= coarsest)) break;
     step *= std::exp2(std::clamp(bits + (fits ? 0 : 0.002), -6.0, 6.0));
-    step = std::min(step, 2 * std::max(input_.box.longest_side(), 1e-30));
+    // Never back to where it is known how it ends; where bits are few they say little.
+    if (step >= fit || step <= too_fine) step = std::sqrt(fit * too_fine);
+    step = std::clamp(step, finest, coarsest);
   }
-  if (!best) return unmet("no stream of this mesh is so small", 0, fewest);
+  if (!best) return too_small(fewest);
   return *std::move(best);
 }
 
-Result<GeometryChoice> PredictiveTrials::fit_voxel_levels(std::uint64_t bytes) const {
+std::optional<GeometryChoice> PredictiveTrials::fit_voxel_levels(std::uint64_t bytes,
+                                                                 const VoxelFit& voxels) const {
   const double count = static_cast<double>(std::max<std::size_t>(input_.positions.size(), 1));
   std::optional<GeometryChoice> best;
   std::uint32_t fit = 0;
@@ -219,8 +229,13 @@ Result<GeometryChoice> PredictiveTrials::fit_voxel_levels(std::uint64_t bytes) c
   double levels = 8;
   for (int i = 0; i < kMostTrials && too_many - fit > 1; ++i) {
     const auto now = static_cast<std::uint32_t>(std::clamp(std::round(levels), fit + 1.0, too_many - 1.0));
-    DELTAMESH_TRY(const auto trial, try_levels(now));
-    DELTAMESH_TRY(auto choice, code(trial));
+    const auto trial = try_levels(voxels, now);
+    if (!trial) {  // more than the grid has room for
+      too_many = now;
+      levels = fit + (now - fit) / 2.0;
+      continue;
+    }
+    auto choice = code(*trial);
     const std::uint64_t size = frame_.bytes_with(choice);
     if (size <= bytes) {
       best = std::move(choice);
@@ -232,8 +247,7 @@ Result<GeometryChoice> PredictiveTrials::fit_voxel_levels(std::uint64_t bytes) c
     const double bits = 8 * (static_cast<double>(bytes) - static_cast<double>(size)) / count;
     levels = now * std::exp2(std::clamp(bits, -6.0, 6.0));
   }
-  if (!best) return unmet("no stream of this mesh is so small", 0, 0);
-  return *std::move(best);
+  return best;
 }
 
 }  // namespace deltamesh

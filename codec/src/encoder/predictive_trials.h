@@ -29,16 +29,17 @@ class PredictiveTrials {
   /// `effort`: 0 (one pass, the first lattice that does) to 9.
   PredictiveTrials(const PredictiveInput& input, const StreamFrame& frame, int effort);
 
-  /// The smallest stream found that keeps `bounds`, at least one of which is set.  Errors: kUnmetRequest.
+  /// The smallest stream found that keeps `bounds`, at least one of which is set; there always is one.
   Result<GeometryChoice> keep_bounds(const Bounds& bounds) const;
 
   /// The finest lattice found whose stream is not longer. Errors: kUnmetRequest.
   Result<GeometryChoice> fit_bytes(std::uint64_t bytes) const;
 
   /// Every position to the last bit.
-  Result<GeometryChoice> code_exactly() const;
+  GeometryChoice code_exactly() const;
 
-  /// The cubic lattice of this step, model units, above 0.
+  /// The cubic lattice of this step, model units, above 0. Errors: kInvalidArgument where that takes more
+  /// than kMostCells.
   Result<GeometryChoice> code_step(double step) const;
 
   /// The step of 2^bits points along the longest side.
@@ -52,22 +53,21 @@ class PredictiveTrials {
   };
 
   Result<Trial> measured(PredictiveParameters parameters, std::vector<Cell> cells) const;
-  Result<Trial> try_step(double step, bool on_grid = false) const;
-  Result<Trial> try_levels(std::uint32_t levels) const;
-  Result<GeometryChoice> code(const Trial& trial) const;
+  Result<Trial> try_lattice(const PositionLattice& lattice) const;
+  /// Empty where the voxels have no room for so many.
+  std::optional<Trial> try_levels(const VoxelFit& fit, std::uint32_t levels) const;
+  GeometryChoice code(const Trial& trial) const;
   double first_step(const Bounds& bounds) const noexcept;
-  /// On a cubic lattice, or one with the axes' own steps, and on the voxels' own.
-  Result<Trial> keep_on_lattice(const Bounds& bounds, bool on_grid) const;
-  Result<Trial> keep_on_voxels(const Bounds& bounds) const;
+  /// On a cubic lattice but for `axes` with steps of their own; empty where none keeps the bounds.
+  std::optional<Trial> keep_on_lattice(const Bounds& bounds, const std::array<AxisGrid, 3>& axes) const;
+  std::optional<Trial> keep_on_voxels(const Bounds& bounds, const VoxelFit& fit) const;
   Result<GeometryChoice> fit_lattice(std::uint64_t bytes) const;
-  Result<GeometryChoice> fit_voxel_levels(std::uint64_t bytes) const;
+  std::optional<GeometryChoice> fit_voxel_levels(std::uint64_t bytes, const VoxelFit& voxels) const;
 
   PredictiveInput input_;
   StreamFrame frame_;
   int effort_;
   FaceStars stars_;
-  std::optional<VoxelFit> voxels_;
-  std::array<AxisGrid, 3> axes_;
 };
 
 }  // namespace deltamesh

@@ -33,9 +33,9 @@ class FloatCoder {
         matches_(coder),
         cells_(stars.vertex_count()) {}
 
-  /// Codes floats[vertex]; those before it are coded. A reader fills it in. False where one is not finite
-  /// [FLT-1].
-  bool code_vertex(std::uint32_t vertex, std::span<Ordinals> floats) {
+  /// Codes floats[vertex]; those before it are coded. A reader fills it in. The rule that a stream breaks
+  /// here, or null.
+  const char* code_vertex(std::uint32_t vertex, std::span<Ordinals> floats) {
     const Surroundings around = look_around(stars_, vertex);
     history_.begin(around, expect_place(around, vertex, cells_, blends_));
     Cell& cell = cells_[vertex];
@@ -47,14 +47,14 @@ class FloatCoder {
       if (!matches_.code(axis, around, guess(around, floats, axis, expected), value)) {
         const std::int64_t coded =
             expected + residuals_.code(std::int64_t{value} - expected, fit(forecast, expected, axis));
-        if (!is_finite_ordinal(coded)) return false;
+        if (!is_finite_ordinal(coded)) return "FLT-1";
         value = static_cast<std::int32_t>(coded);
       }
       cell[axis] = fixed_of(value, units_[axis]);
       history_.learn(axis, cell[axis], forecast);
     }
     history_.end(vertex);
-    return true;
+    return nullptr;
   }
 
  private:

@@ -7,9 +7,10 @@
 
 namespace deltamesh {
 
+double finest_step(const Box& box) noexcept { return box.longest_side() / kMostCells * (1 + 1e-9); }
+
 PositionLattice cubic_lattice(const Box& box, double step) noexcept {
-  const double finest = box.longest_side() / kMostCells;
-  step = std::max(step, finest * (1 + 1e-9));
+  step = std::max(step, finest_step(box));
   PositionLattice lattice{.origin = box.min, .step = {step, step, step}};
   for (std::size_t axis = 0; axis < 3; ++axis)
     lattice.cells[axis] = static_cast<std::uint32_t>(

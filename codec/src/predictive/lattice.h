@@ -13,6 +13,9 @@
 
 namespace deltamesh {
 
+/// The step of kMostCells along the longest side of `box`, model units.
+double finest_step(const Box& box) noexcept;
+
 /// The cubic lattice of `step` over `box`; the step is made larger where a side would take more than
 /// kMostCells. `step`: model units, above 0.
 PositionLattice cubic_lattice(const Box& box, double step) noexcept;

@@ -44,9 +44,9 @@ class LatticeCoder {
         matches_(coder),
         guesses_(guesses) {}
 
-  /// Codes cells[vertex]; those before it are coded. A reader fills it in. False where a coordinate is out of
-  /// range [POSN-7].
-  bool code_vertex(std::uint32_t vertex, std::span<Cell> cells) {
+  /// Codes cells[vertex]; those before it are coded. A reader fills it in. The rule that a stream breaks
+  /// here, or null.
+  const char* code_vertex(std::uint32_t vertex, std::span<Cell> cells) {
     const Surroundings around = look_around(stars_, vertex);
     history_.begin(around, expect_place(around, vertex, cells, blends_));
     Cell& cell = cells[vertex];
@@ -56,13 +56,13 @@ class LatticeCoder {
       if (!guesses_ || !matches_.code(axis, around, guess(around, cells, axis, forecast.whole), cell[axis])) {
         const std::int64_t coordinate =
             forecast.whole + residuals_.code(cell[axis] - forecast.whole, forecast);
-        if (coordinate < 0 || coordinate > largest_[axis]) return false;
+        if (coordinate < 0 || coordinate > largest_[axis]) return "POSN-7";
         cell[axis] = static_cast<std::int32_t>(coordinate);
       }
       history_.learn(axis, cell[axis], forecast);
     }
     history_.end(vertex);
-    return true;
+    return nullptr;
   }
 
  private:

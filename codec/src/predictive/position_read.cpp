@@ -21,7 +21,8 @@ Result<std::vector<Vec3>> read_floats(CompactReader& reader, const FaceStars& st
   FloatCoder coder(reader, stars, float_units(box), blends);
   std::vector<Ordinals> floats(stars.vertex_count());
   for (std::uint32_t v = 0; v < floats.size() && !reader.failed(); ++v) {
-    if (!coder.code_vertex(v, floats) && !reader.failed()) return invalid("not a finite float32", "FLT-1");
+    const char* broken = coder.code_vertex(v, floats);
+    if (broken != nullptr && !reader.failed()) return invalid("not a finite float32", broken);
   }
   DELTAMESH_CHECK(reader.finish(kTagPositions));
   std::vector<Vec3> positions(floats.size());
@@ -46,8 +47,9 @@ Result<std::vector<Vec3>> read_positions(Payload payload, const FaceStars& stars
   std::vector<Cell> cells(stars.vertex_count());
   const auto read_with = [&](auto coder) -> Result<void> {
     for (std::uint32_t v = 0; v < cells.size() && !reader.failed(); ++v) {
-      if (!coder.code_vertex(v, cells) && !reader.failed())
-        return invalid("a coordinate beyond the lattice, or an edge that is not there", "POSN-7");
+      const char* broken = coder.code_vertex(v, cells);
+      if (broken != nullptr && !reader.failed())
+        return invalid("a coordinate beyond the lattice, or an edge that is not there", broken);
     }
     return reader.finish(kTagPositions);
   };

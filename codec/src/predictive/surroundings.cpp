@@ -16,10 +16,13 @@ void add_neighbor(Surroundings& around, std::uint32_t vertex, std::uint32_t neig
   around.neighbors[around.neighbor_count++] = neighbor;
 }
 
-/// The third corner of the first face at `b` that has the edge a - b and comes before `vertex`.
+/// The third corner of the first face at `b` that has the edge a - b and comes before `vertex`, if it is
+/// among the first ones.
 std::uint32_t find_opposite(const FaceStars& stars, std::uint32_t a, std::uint32_t b,
                             std::uint32_t vertex) noexcept {
-  for (const FaceStars::Wing& wing : stars.of(b)) {
+  const auto wings = stars.of(b);
+  for (const FaceStars::Wing& wing :
+       wings.first(std::min<std::size_t>(wings.size(), Surroundings::kMostOpposites))) {
     if (wing.next != a && wing.previous != a) continue;
     const std::uint32_t third = wing.next == a ? wing.previous : wing.next;
     if (third < vertex && third != a && third != b) return third;
@@ -50,11 +53,14 @@ Surroundings look_around(const FaceStars& stars, std::uint32_t vertex) noexcept 
   Surroundings around;
   const auto wings = stars.of(vertex);
   around.faces = static_cast<std::uint32_t>(wings.size());
+  unsigned edges = 0;
   for (const auto& [a, b] : wings) {
     add_neighbor(around, vertex, a);
     add_neighbor(around, vertex, b);
     if (a >= vertex || b >= vertex || a == b) continue;
-    if (around.parallelogram_count == Surroundings::kMostParallelograms) continue;
+    if (around.parallelogram_count == Surroundings::kMostParallelograms || edges == Surroundings::kMostEdges)
+      continue;
+    ++edges;
     const auto [low, high] = std::minmax(a, b);
     const std::uint32_t opposite = find_opposite(stars, low, high, vertex);
     if (opposite != kNone) around.parallelograms[around.parallelogram_count++] = {a, b, opposite};

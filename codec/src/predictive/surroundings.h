@@ -42,6 +42,8 @@ struct Parallelogram {
 struct Surroundings {
   static constexpr unsigned kMostParallelograms = 8;
   static constexpr unsigned kMostNeighbors = 16;
+  static constexpr unsigned kMostEdges = 16;      ///< that are looked across
+  static constexpr unsigned kMostOpposites = 32;  ///< faces that are looked at there
 
   std::array<Parallelogram, kMostParallelograms> parallelograms;
   unsigned parallelogram_count = 0;
@@ -50,7 +52,7 @@ struct Surroundings {
   std::uint32_t faces = 0;  ///< at the vertex, whatever their other corners
 };
 
-/// Looks at the faces of `vertex` in their order. O(faces at it and at its neighbours).
+/// Looks at the faces of `vertex` in their order. O(faces at it).
 Surroundings look_around(const FaceStars& stars, std::uint32_t vertex) noexcept;
 
 }  // namespace deltamesh

@@ -37,25 +37,25 @@ class VoxelCoder {
     for (std::size_t i = 0; i < cuts_.size(); ++i) cuts_[i].assign(kCutContexts[i], kFreshCut);
   }
 
-  /// Codes cells[vertex]; those before it are coded. A reader fills it in. False where a coordinate is out of
-  /// range, or a rank [POSN-7, VOX-4].
-  bool code_vertex(std::uint32_t vertex, std::span<Cell> cells) {
+  /// Codes cells[vertex]; those before it are coded. A reader fills it in. The rule that a stream breaks
+  /// here, or null.
+  const char* code_vertex(std::uint32_t vertex, std::span<Cell> cells) {
     const Surroundings around = look_around(stars_, vertex);
     const Expectation expected = expect_place(around, vertex, cells, blends_);
     history_.begin(around, expected);
     Cell& cell = cells[vertex];
     std::optional<EdgePlace> edge;
     if constexpr (Coder::kWrites) edge = grid_.edge_of(cell);
-    if (!code_place(vertex, around, expected, cell, edge)) return false;
+    if (const char* broken = code_place(vertex, around, expected, cell, edge)) return broken;
     if (edge) {
       code_cut(around, expected, *edge, cell);
       history_.settle(cell);
     }
     for (std::size_t axis = 0; axis < 3; ++axis)
-      if (cell[axis] < 0 || static_cast<std::uint32_t>(cell[axis]) > largest_[axis]) return false;
+      if (cell[axis] < 0 || static_cast<std::uint32_t>(cell[axis]) > largest_[axis]) return "POSN-7";
     history_.end(vertex);
     edges_[vertex] = grid_.edge_of(cell);
-    return true;
+    return nullptr;
   }
 
  private:
@@ -68,23 +68,23 @@ class VoxelCoder {
   static constexpr SymbolModel kFreshStart{{8, 8, 8, 8, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
 
   /// The edge, or where the vertex is on none, its cell.
-  bool code_place(std::uint32_t vertex, const Surroundings& around, const Expectation& expected, Cell& cell,
-                  std::optional<EdgePlace>& edge) {
+  const char* code_place(std::uint32_t vertex, const Surroundings& around, const Expectation& expected,
+                         Cell& cell, std::optional<EdgePlace>& edge) {
     EdgeCandidates candidates(stars_, vertex, around, edges_, expected.place, grid_);
     if (candidates.size() > 0) {
       std::optional<unsigned> rank;
       if (edge) rank = candidates.rank_of(*edge, kNotRanked);
       const unsigned coded = code_rank(rank.value_or(kNotRanked), around, candidates);
       if (coded != kNotRanked) {
-        if (coded >= candidates.size()) return false;
+        if (coded >= candidates.size()) return "VOX-4";
         edge = candidates.ranked(coded);
-        return true;
+        return nullptr;
       }
     }
     const unsigned start = coder_.symbol(edge ? static_cast<unsigned>(axis_of(*edge)) : kFree,
                                          Mixture<1>{{&start_}, &start_weights_});
-    if (start < kFree) return code_start(start, expected, edge);
-    return start == kFree && code_free(cell);
+    if (start > kFree) return "VOX-1";
+    return start == kFree ? code_free(cell) : code_start(start, expected, edge);
   }
 
   unsigned code_rank(unsigned rank, const Surroundings& around, EdgeCandidates& candidates) {
@@ -101,36 +101,36 @@ class VoxelCoder {
   }
 
   /// An edge by its axis and its lower node, from the node below what is expected.
-  bool code_start(unsigned axis, const Expectation& expected, std::optional<EdgePlace>& edge) {
+  const char* code_start(unsigned axis, const Expectation& expected, std::optional<EdgePlace>& edge) {
     EdgePlace place{};
     for (std::size_t a = 0; a < 3; ++a) {
       const std::int64_t nodes = largest_[a] / static_cast<std::uint32_t>(grid_.voxel());
       const std::int64_t below = std::clamp<std::int64_t>((expected.place[a] >> 4) / grid_.voxel(), 0, nodes);
       const std::uint32_t code = edge ? zigzag(static_cast<std::int32_t>((*edge)[a] / 2 - below)) : 0;
       const std::int64_t node = below + unzigzag(coder_.number(code, nodes_[a]));
-      if (node < 0 || node > nodes) return false;
+      if (node < 0 || node > nodes) return "VOX-5";
       place[a] = static_cast<std::int32_t>(2 * node + (a == axis ? 1 : 0));
     }
     edge = place;
-    return true;
+    return nullptr;
   }
 
-  bool code_free(Cell& cell) {
+  const char* code_free(Cell& cell) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const ResidualForecast forecast = history_.forecast(axis, 0, static_cast<std::int32_t>(largest_[axis]));
       const std::int64_t q = forecast.whole + residuals_.code(cell[axis] - forecast.whole, forecast);
-      if (q < 0 || q > largest_[axis]) return false;
+      if (q < 0 || q > largest_[axis]) return "POSN-7";
       cell[axis] = static_cast<std::int32_t>(q);
       history_.learn(axis, cell[axis], forecast);
     }
-    return true;
+    return nullptr;
   }
 
   /// Which of the levels along its edge the vertex is at; sets the cell.
   void code_cut(const Surroundings& around, const Expectation& expected, const EdgePlace& edge, Cell& cell) {
     const std::size_t axis = axis_of(edge);
     const std::int32_t before = cell[axis];
-    for (std::size_t a = 0; a < 3; ++a) cell[a] = edge[a] / 2 * grid_.voxel();
+    for (std::size_t a = 0; a < 3; ++a) cell[a] = (edge[a] >> 1) * grid_.voxel();
     const std::int32_t levels = grid_.levels();
     std::int32_t level = 0;
     if constexpr (Coder::kWrites) level = (before - cell[axis]) / 2;

@@ -126,7 +126,6 @@ void EdgeCandidates::add_cube(const CubeRange& range, const EdgePlace& center) n
     unsigned broken = 0;
     for (unsigned f = 0; f < all_faces_; ++f) broken += (shared[f] >> i & 1) == 0 ? 1 : 0;
     likely_ += broken == 0 ? 1 : 0;
-    if (size_ == kMost) continue;
     std::int64_t score = kForbidden * broken;
     for (std::size_t axis = 0; axis < 3; ++axis)
       score += squares[axis][static_cast<std::size_t>(offset[axis] + 1)];

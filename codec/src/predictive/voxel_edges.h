@@ -41,7 +41,7 @@ constexpr std::size_t axis_of(const EdgePlace& edge) noexcept {
 /// The edges of the cubes that a vertex's first face, or neighbour, allows, best first.
 class EdgeCandidates {
  public:
-  static constexpr unsigned kMost = 48;
+  static constexpr unsigned kMost = 4 * 12;  ///< an edge's cubes, their edges
 
   /// `edges`: of coded vertices, where they have one; `place`: where the vertex is expected, 1/16 fine steps.
   EdgeCandidates(const FaceStars& stars, std::uint32_t vertex, const Surroundings& around,
@@ -79,7 +79,7 @@ class EdgeCandidates {
   std::array<std::int64_t, kMost> scores_;  ///< times kMost and more, plus the candidate's number
   unsigned size_ = 0;
   unsigned sorted_ = 0;
-  std::array<EdgePlace, 8> cubes_;
+  std::array<EdgePlace, 4> cubes_;
   unsigned cube_count_ = 0;
   std::array<std::uint8_t, kMost> places_;  ///< of a candidate: 12 * cube + edge
   std::array<CubeRange, 8> faces_;
