@@ -346,7 +346,8 @@ TEST(Predictive, POSN3ManyFacesAtOneEdgeTakeLinearTime) {
 }
 
 TEST(Predictive, AStepTooFineForTheLatticeIsRefused) {
-  const auto refused = encode(testing::bumpy_grid(4, 4), {.geometry = GeometryCoder::kPredictive, .step = 1e-12});
+  const auto refused =
+      encode(testing::bumpy_grid(4, 4), {.geometry = GeometryCoder::kPredictive, .step = 1e-12});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::kInvalidArgument);
 }
