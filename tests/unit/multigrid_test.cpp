@@ -114,6 +114,11 @@ TEST(Multigrid, CopesWithStripsAndHubs) {
   expect_as_good_as_direct(quantized(test::fan(3000), 20, 8));
 }
 
+/// The square of a hub's degree would be more entries than 32 bits can count.
+TEST(Multigrid, CopesWithHugeHubsAsAnchors) {
+  expect_as_good_as_direct(quantized(test::fan(70000), 70001, 8));
+}
+
 TEST(Multigrid, CopesWithAnchorsEverywhere) {
   expect_as_good_as_direct(quantized(test::sheet(40, 40), 1600, 8));
   expect_as_good_as_direct(quantized(test::sheet(40, 40), 700, 8));

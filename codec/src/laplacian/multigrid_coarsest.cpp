@@ -10,6 +10,11 @@ namespace {
 constexpr double kReduction = 1e-5;
 constexpr int kMaxIterations = 200;
 
+/// Bound of (degree + 1)^2 summed over the nodes, which is what forming K M^-1 K costs, and so of its
+/// entries: meshes stay below 100 per node, a hub alone could fill the matrix.
+constexpr std::uint64_t kMostProductsPerNode = 256;
+constexpr std::uint64_t kFewestProducts = std::uint64_t{1} << 20;
+
 /// In plain order.
 Double4 dot(std::span<const Double4> a, std::span<const Double4> b) noexcept {
   Double4 sum{};
@@ -71,25 +76,33 @@ CoarsestSolver::CoarsestSolver(const Level& level, std::span<const std::uint8_t>
   const std::uint32_t n = level.node_count();
   for (std::uint32_t i = 0; i < n; ++i)
     inverse_mass_[i] = level.mass[i] > 0 ? 1 / static_cast<double>(level.mass[i]) : 0.0;
-  assemble();
-  if (n <= largest_factored) factor_ = SparseFactor::make(matrix_);
-  if (factor_) {
-    matrix_ = {};
-    return;
-  }
+  is_anchor_.assign(n, 0);
+  for (const std::uint32_t anchor : level.anchors) is_anchor_[anchor] = 1;
+  if (n <= largest_factored && product_stays_sparse()) factor_ = SparseFactor::make(assemble());
+  if (factor_) return;
   for (std::uint32_t i = 0; i < n; ++i) {
-    inverse_diagonal_.push_back(matrix_.diagonal[i] > 0 ? 1 / matrix_.diagonal[i] : 0.0);
-    const auto first = matrix_.columns.begin() + matrix_.offsets[i];
-    const auto beyond = std::upper_bound(first, matrix_.columns.begin() + matrix_.offsets[i + 1], i);
-    split_.push_back(static_cast<std::uint32_t>(beyond - matrix_.columns.begin()));
+    const double diagonal = diagonal_entry(i);
+    inverse_diagonal_.push_back(diagonal > 0 ? 1 / diagonal : 0.0);
   }
-  for (auto* vector : {&residual_, &direction_, &product_, &preconditioned_}) vector->resize(n);
+  for (auto* vector : {&residual_, &direction_, &product_, &preconditioned_, &image_}) vector->resize(n);
 }
 
-void CoarsestSolver::assemble() {
+bool CoarsestSolver::product_stays_sparse() const noexcept {
+  const std::uint64_t n = level_.node_count();
+  const std::uint64_t most = std::max(kMostProductsPerNode * n, kFewestProducts);
+  std::uint64_t products = 0;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint64_t entries = std::uint64_t{level_.offsets[i + 1]} - level_.offsets[i] + 1;
+    if (entries > most) return false;
+    products += entries * entries;
+    if (products > most) return false;
+  }
+  return true;
+}
+
+SymmetricMatrix CoarsestSolver::assemble() const {
   const std::uint32_t n = level_.node_count();
-  std::vector<std::uint8_t> is_anchor(n, 0);
-  for (const std::uint32_t anchor : level_.anchors) is_anchor[anchor] = 1;
+  SymmetricMatrix matrix;
   RowBuilder row(n);
   const auto add_row_of_k = [&](std::uint32_t node, double factor) {
     factor *= inverse_mass_[node];
@@ -97,23 +110,34 @@ void CoarsestSolver::assemble() {
     for (std::uint32_t e = level_.offsets[node]; e < level_.offsets[node + 1]; ++e)
       row.add(level_.neighbors[e], -factor * static_cast<double>(level_.weight(e)));
   };
-  matrix_.offsets.assign(1, 0);
-  matrix_.diagonal.assign(n, 0.0);
+  matrix.offsets.assign(1, 0);
+  matrix.diagonal.assign(n, 0.0);
   for (std::uint32_t i = 0; i < n; ++i) {
     add_row_of_k(i, level_.degree[i]);
     for (std::uint32_t e = level_.offsets[i]; e < level_.offsets[i + 1]; ++e)
       add_row_of_k(level_.neighbors[e], -static_cast<double>(level_.weight(e)));
-    if (is_anchor[i] != 0) row.add(i, 1.0);
+    if (is_anchor_[i] != 0) row.add(i, 1.0);
     row.finish([&](std::uint32_t column, double value) {
       if (column == i) {
-        matrix_.diagonal[i] = value;
+        matrix.diagonal[i] = value;
         return;
       }
-      matrix_.columns.push_back(column);
-      matrix_.values.push_back(value);
+      matrix.columns.push_back(column);
+      matrix.values.push_back(value);
     });
-    matrix_.offsets.push_back(static_cast<std::uint32_t>(matrix_.columns.size()));
+    matrix.offsets.push_back(static_cast<std::uint32_t>(matrix.columns.size()));
   }
+  return matrix;
+}
+
+double CoarsestSolver::diagonal_entry(std::uint32_t node) const noexcept {
+  const double degree = level_.degree[node];
+  double sum = degree * degree * inverse_mass_[node] + is_anchor_[node];
+  for (std::uint32_t e = level_.offsets[node]; e < level_.offsets[node + 1]; ++e) {
+    const double weight = level_.weight(e);
+    sum += weight * weight * inverse_mass_[level_.neighbors[e]];
+  }
+  return sum;
 }
 
 Double4 CoarsestSolver::apply_k(std::span<const Double4> values, std::uint32_t node) const noexcept {
@@ -123,31 +147,37 @@ Double4 CoarsestSolver::apply_k(std::span<const Double4> values, std::uint32_t n
   return sum;
 }
 
-void CoarsestSolver::apply_matrix(std::span<const Double4> in, std::span<Double4> out) const noexcept {
+/// image_ serves as M^-1 K in.
+void CoarsestSolver::apply_matrix(std::span<const Double4> in, std::span<Double4> out) noexcept {
+  for (std::uint32_t i = 0; i < in.size(); ++i) image_[i] = inverse_mass_[i] * apply_k(in, i);
   for (std::uint32_t i = 0; i < in.size(); ++i) {
-    Double4 sum = matrix_.diagonal[i] * in[i];
-    for (std::uint32_t e = matrix_.offsets[i]; e < matrix_.offsets[i + 1]; ++e)
-      sum += matrix_.values[e] * in[matrix_.columns[e]];
-    out[i] = sum;
+    out[i] = apply_k(image_, i);
+    if (is_anchor_[i] != 0) out[i] += in[i];
+  }
+}
+
+/// image_ is M^-1 K z throughout, so that both the row of the matrix and the effect of a step need only the
+/// neighbours (Bjoerck, Elfving, Accelerated projection methods, 1979).
+void CoarsestSolver::relax(std::uint32_t node) noexcept {
+  Double4& z = preconditioned_[node];
+  Double4 sum = residual_[node] - apply_k(image_, node);
+  if (is_anchor_[node] != 0) sum -= z;
+  const Double4 step = inverse_diagonal_[node] * sum;
+  z += step;
+  image_[node] += inverse_mass_[node] * static_cast<double>(level_.degree[node]) * step;
+  for (std::uint32_t e = level_.offsets[node]; e < level_.offsets[node + 1]; ++e) {
+    const std::uint32_t other = level_.neighbors[e];
+    image_[other] -= inverse_mass_[other] * static_cast<double>(level_.weight(e)) * step;
   }
 }
 
 /// Symmetric Gauss-Seidel: a forward sweep from zero, then a backward one.
 void CoarsestSolver::precondition() noexcept {
   const std::uint32_t n = level_.node_count();
-  std::vector<Double4>& z = preconditioned_;
-  for (std::uint32_t i = 0; i < n; ++i) {
-    Double4 sum = residual_[i];
-    for (std::uint32_t e = matrix_.offsets[i]; e < split_[i]; ++e)
-      sum -= matrix_.values[e] * z[matrix_.columns[e]];
-    z[i] = inverse_diagonal_[i] * sum;
-  }
-  for (std::uint32_t i = n; i-- > 0;) {
-    Double4 sum{};
-    for (std::uint32_t e = split_[i]; e < matrix_.offsets[i + 1]; ++e)
-      sum += matrix_.values[e] * z[matrix_.columns[e]];
-    z[i] -= inverse_diagonal_[i] * sum;
-  }
+  std::fill(preconditioned_.begin(), preconditioned_.end(), Double4{});
+  std::fill(image_.begin(), image_.end(), Double4{});
+  for (std::uint32_t i = 0; i < n; ++i) relax(i);
+  for (std::uint32_t i = n; i-- > 0;) relax(i);
 }
 
 void CoarsestSolver::run_conjugate_gradients() noexcept {

@@ -16,8 +16,9 @@ namespace deltamesh::multigrid {
 
 /// Solves  K x + M s = b_x,  K s - E f = b_s,  x_a - f_a = g_a  (w = 1) for x, s and the anchor forces f, by
 /// way of (K M^-1 K + E E^T) x = K M^-1 b_x - b_s + E g: factored where there are at most `largest_factored`
-/// nodes, else by conjugate gradients with symmetric Gauss-Seidel until the residual has fallen by
-/// kReduction on every axis. Memory is allocated at setup only.
+/// nodes and no hubs, else by conjugate gradients with symmetric Gauss-Seidel, which never form the matrix,
+/// until the residual has fallen by kReduction on every axis. Memory is allocated at setup only. Memory and
+/// the time of an iteration: O(n + edges).
 class CoarsestSolver {
  public:
   /// `level` and `holds` must outlive the solver. Anchor a with holds[a] = 0 is alone in its component: it
@@ -29,23 +30,27 @@ class CoarsestSolver {
              std::span<Float4> forces);
 
  private:
-  void assemble();
+  /// Whether the matrix can be formed in time and memory linear in n.
+  bool product_stays_sparse() const noexcept;
+  SymmetricMatrix assemble() const;
+  double diagonal_entry(std::uint32_t node) const noexcept;
   Double4 apply_k(std::span<const Double4> values, std::uint32_t node) const noexcept;
-  void apply_matrix(std::span<const Double4> in, std::span<Double4> out) const noexcept;
+  void apply_matrix(std::span<const Double4> in, std::span<Double4> out) noexcept;
+  void relax(std::uint32_t node) noexcept;
   void precondition() noexcept;
   void run_conjugate_gradients() noexcept;
 
   const Level& level_;
   std::span<const std::uint8_t> holds_;
-  SymmetricMatrix matrix_;
   std::optional<SparseFactor> factor_;
   std::vector<double> inverse_mass_;
+  std::vector<std::uint8_t> is_anchor_;
   std::vector<Double4> scaled_;  ///< M^-1 b_x
   std::vector<Double4> x_, residual_;
 
   std::vector<double> inverse_diagonal_;  ///< this and the rest: for conjugate gradients only
-  std::vector<std::uint32_t> split_;      ///< first entry of a row beyond the diagonal
   std::vector<Double4> direction_, product_, preconditioned_;
+  std::vector<Double4> image_;  ///< M^-1 K of another vector
 };
 
 }  // namespace deltamesh::multigrid
