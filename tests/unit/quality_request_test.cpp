@@ -54,15 +54,14 @@ Mesh one_triangle() {
 }
 
 /// The stream's declared figures are those of its decoded mesh.
-Quality decoded_quality(const Mesh& mesh, const Encoded& encoded) {
+void expect_declared_quality(const Mesh& mesh, const Encoded& encoded) {
   const auto decoded = decode(encoded.bytes);
-  EXPECT_TRUE(decoded);
+  ASSERT_TRUE(decoded);
   const auto comparison = compare(mesh, *decoded, encoded.order);
-  EXPECT_TRUE(comparison && comparison->corresponding);
+  ASSERT_TRUE(comparison && comparison->corresponding);
   const Quality& told = encoded.report.stream.quality;
   EXPECT_NEAR(comparison->quality.vde_rms, told.vde_rms, 1e-3 * told.vde_rms + 1e-9);
   EXPECT_NEAR(comparison->quality.lfe_rms, told.lfe_rms, 1e-3 * told.lfe_rms + 1e-9);
-  return comparison->quality;
 }
 
 /// A grid whose vertices are shaken by a fixed pseudo-random sequence: no two deltas are alike.
@@ -82,11 +81,13 @@ TEST(QualityRequest, LandsOnAGrid) {
   for (const double share : {0.2, 0.05, 0.01}) {
     const auto visual = encode(mesh, {.quality = {.vde = percent(share)}});
     ASSERT_TRUE(visual) << describe(visual.error());
-    EXPECT_LE(decoded_quality(mesh, *visual).vde_rms, share / 100 * diagonal * (1 + 1e-6));
+    expect_declared_quality(mesh, *visual);
+    EXPECT_LE(visual->report.stream.quality.vde_rms, share / 100 * diagonal);
     EXPECT_GE(visual->report.stream.quality.vde_rms, 0.9 * share / 100 * diagonal);
     const auto positional = encode(mesh, {.quality = {.lfe = percent(share)}});
     ASSERT_TRUE(positional) << describe(positional.error());
-    EXPECT_LE(decoded_quality(mesh, *positional).lfe_rms, share / 100 * diagonal * (1 + 1e-6));
+    expect_declared_quality(mesh, *positional);
+    EXPECT_LE(positional->report.stream.quality.lfe_rms, share / 100 * diagonal);
     EXPECT_GE(positional->report.stream.quality.lfe_rms, 0.85 * share / 100 * diagonal);
   }
 }
@@ -136,7 +137,7 @@ TEST(QualityRequest, MaxErrorIsKeptOnAwkwardMeshes) {
       const double asked = 0.002 * diagonal;
       const auto encoded = encode(named.mesh, {.quality = {.max_error = asked}, .effort = effort});
       ASSERT_TRUE(encoded) << named.name << ": " << describe(encoded.error());
-      EXPECT_LE(encoded->report.stream.quality.max_error, asked * (1 + 1e-6)) << named.name;
+      EXPECT_LE(encoded->report.stream.quality.max_error, asked) << named.name;
     }
   }
 }
@@ -151,13 +152,13 @@ TEST(QualityRequest, SmallFragmentedAndFlatMeshesSucceed) {
       ASSERT_TRUE(encoded) << mesh.vertex_count() << ' ' << describe(encoded.error());
       const StreamInfo& stream = encoded->report.stream;
       if (request.vde) {
-        EXPECT_LE(stream.quality.vde_rms, 2e-4 * stream.diagonal * (1 + 1e-6));
+        EXPECT_LE(stream.quality.vde_rms, 0.02 / 100 * stream.diagonal);
       }
       if (request.lfe) {
-        EXPECT_LE(stream.quality.lfe_rms, 1e-3 * stream.diagonal * (1 + 1e-6));
+        EXPECT_LE(stream.quality.lfe_rms, 0.1 / 100 * stream.diagonal);
       }
       if (request.max_error) {
-        EXPECT_LE(stream.quality.max_error, 0.01 * (1 + 1e-6));
+        EXPECT_LE(stream.quality.max_error, 0.01);
       }
       if (request.target_bytes) {
         EXPECT_LE(stream.bytes, 40000U);
@@ -174,6 +175,39 @@ TEST(QualityRequest, TargetBytesIsNearlyUsedUp) {
     EXPECT_LE(encoded->bytes.size(), target);
     EXPECT_GE(static_cast<double>(encoded->bytes.size()), 0.95 * static_cast<double>(target));
   }
+}
+
+TEST(QualityRequest, ABudgetBelowBothCodersTellsTheSmallerSize) {
+  const Mesh mesh = shaken_grid();
+  for (const int effort : {0, 5}) {
+    const auto least_bytes = [&](GeometryCoder geometry, const QualityRequest& quality) {
+      const auto encoded = encode(mesh, {.quality = quality, .geometry = geometry, .effort = effort});
+      EXPECT_FALSE(encoded);
+      EXPECT_EQ(encoded.error().code, ErrorCode::kUnmetRequest);
+      return encoded.error().best_bytes;
+    };
+    for (const QualityRequest& quality :
+         {QualityRequest{.vde = percent(0.05), .target_bytes = 500},
+          QualityRequest{.lfe = percent(0.01), .target_bytes = 500}, QualityRequest{.target_bytes = 30}}) {
+      const auto highpass = least_bytes(GeometryCoder::kHighpass, quality);
+      const auto predictive = least_bytes(GeometryCoder::kPredictive, quality);
+      EXPECT_EQ(least_bytes(GeometryCoder::kAuto, quality), std::min(highpass, predictive)) << effort;
+    }
+  }
+}
+
+TEST(QualityRequest, ABudgetThatOneCoderKeepsIsKept) {
+  const Mesh mesh = shaken_grid();
+  const auto size = [&](GeometryCoder geometry, std::optional<std::uint64_t> target) {
+    const auto encoded =
+        encode(mesh, {.quality = {.vde = percent(0.2), .target_bytes = target}, .geometry = geometry});
+    EXPECT_TRUE(encoded) << describe(encoded.error());
+    return encoded ? encoded->bytes.size() : 0;
+  };
+  const auto highpass = size(GeometryCoder::kHighpass, std::nullopt);
+  const auto predictive = size(GeometryCoder::kPredictive, std::nullopt);
+  const auto target = std::min(highpass, predictive);
+  EXPECT_LE(size(GeometryCoder::kAuto, target), target);
 }
 
 TEST(QualityRequest, BadRequestsAreRefused) {

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "quality/round_up.h"
 #include "quality/step_search.h"
 #include "quality/visual_control.h"
 #include "support/formula_coder.h"
@@ -180,6 +181,99 @@ TEST(RateControl, QualityBeyondTheBudgetTellsTheSize) {
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, ErrorCode::kUnmetRequest);
   EXPECT_GT(result.error().best_bytes, 10000U);
+}
+
+/// Coordinates leave float32 where the step is too large for the anchors.
+class WildCoder final : public FormulaCoder {
+ public:
+  double largest_step = 0;
+  Error error{.code = ErrorCode::kInvalidStream, .rule = "DELT-3"};
+
+  Result<TrialFigures> run(const CoderSettings& settings) override {
+    const double anchors = settings.anchors;
+    if (settings.step * std::sqrt(kVertices / anchors) > largest_step) return error;
+    return FormulaCoder::run(settings);
+  }
+};
+
+TEST(RateControl, TrialsThatDoNotDecodeEndNoSearch) {
+  for (const Bounds& bounds :
+       {Bounds{.vde = 1e-3}, Bounds{.vde = 1}, Bounds{.lfe = 1e-3}, Bounds{.max_error = 4e-3},
+        Bounds{.vde = 1e-4, .lfe = 1e-4}, Bounds{.vde = 1e-4, .lfe = 1e-2}, Bounds{.vde = 1e-4, .lfe = 1}}) {
+    for (const double largest_step : {3e-2, 1e-2, 2e-3, 1e-4}) {
+      for (const int effort : {0, 5, 9}) {
+        WildCoder coder;
+        coder.largest_step = largest_step;
+        const auto kept = control_rate({.bounds = bounds, .effort = effort}, coder);
+        ASSERT_TRUE(kept) << largest_step << ' ' << effort << ' ' << describe(kept.error());
+        EXPECT_LE(bounds.load(kept_quality(coder)), 1);
+      }
+    }
+  }
+}
+
+TEST(RateControl, FixedStepThatDoesNotDecodeTakesMoreAnchors) {
+  WildCoder coder;
+  coder.largest_step = 3e-4;
+  ASSERT_TRUE(control_rate({.bounds = {.lfe = 1e-2}, .step = 1e-4}, coder));
+  EXPECT_EQ(coder.kept->step, 1e-4);
+}
+
+TEST(RateControl, NoTrialThatDecodesTellsTheRule) {
+  for (const RateGoal& goal : {RateGoal{.bounds = {.vde = 1e-3}}, RateGoal{.bounds = {.lfe = 1e-3}},
+                               RateGoal{.bounds = {.vde = 1e-4, .lfe = 1e-4}},
+                               RateGoal{.bounds = {.max_error = 1e-3}}, RateGoal{.target_bytes = 30000}}) {
+    WildCoder coder;
+    const auto result = control_rate(goal, coder);
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, ErrorCode::kInvalidStream);
+    EXPECT_STREQ(result.error().rule, "DELT-3");
+  }
+}
+
+TEST(RateControl, OtherErrorsEndTheSearch) {
+  WildCoder coder;
+  coder.error = {.code = ErrorCode::kOutOfMemory};
+  EXPECT_EQ(control_rate({.bounds = {.vde = 1e-3}}, coder).error().code, ErrorCode::kOutOfMemory);
+}
+
+/// Says what the next run will give.
+class ScriptedCoder final : public FormulaCoder {
+ public:
+  TrialFigures next{};
+  Result<TrialFigures> run(const CoderSettings&) override { return next; }
+};
+
+TEST(Trials, LandingIsWorthBytesOnlyWithinTheTarget) {
+  const TrialFigures fits{.quality = {.vde_rms = 0.5}, .bytes = 990};
+  const TrialFigures lands{.quality = {.vde_rms = 0.95}, .bytes = 1005};
+  const auto best_bytes = [&](std::optional<std::uint64_t> target, bool landed_first) {
+    ScriptedCoder coder;
+    Trials trials(coder, {.vde = 1}, target);
+    for (const bool landed : {landed_first, !landed_first}) {
+      coder.next = landed ? lands : fits;
+      EXPECT_TRUE(trials.run({}));
+    }
+    return trials.best()->figures.bytes;
+  };
+  for (const bool landed_first : {false, true}) {
+    EXPECT_EQ(best_bytes(std::nullopt, landed_first), 1005U);
+    EXPECT_EQ(best_bytes(1010, landed_first), 1005U);
+    EXPECT_EQ(best_bytes(1000, landed_first), 990U);
+    EXPECT_EQ(best_bytes(900, landed_first), 990U);  // the size that a refusal tells
+  }
+}
+
+TEST(Bounds, AreKeptByTheDeclaredFloatToo) {
+  const double bound = 0.1;  // the next float is larger
+  EXPECT_GT(static_cast<double>(round_up(bound)), bound);
+  EXPECT_GT((Bounds{.vde = bound}.load({.vde_rms = bound})), 1);
+  EXPECT_GT((Bounds{.lfe = bound}.load({.lfe_rms = bound * (1 - 1e-12)})), 1);
+  EXPECT_GT((Bounds{.max_error = bound}.load({.max_error = bound})), 1);
+  EXPECT_LE((Bounds{.max_error = bound}.load({.max_error = bound * (1 - 1e-7)})), 1);
+  EXPECT_EQ((Bounds{.max_error = 0.25}.load({.max_error = 0.25})), 1);
+  EXPECT_DOUBLE_EQ((Bounds{.max_error = 0.25}.load({.max_error = 0.125})), 0.5);
+  EXPECT_TRUE(std::isinf(round_up(1e39)));
 }
 
 TEST(StepSearch, ModelInvertsTheDeltaError) {

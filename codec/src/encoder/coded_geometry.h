@@ -8,6 +8,7 @@
 
 #include "deltamesh/stream_info.h"
 #include "encoder/chunk_list.h"
+#include "format/container.h"
 #include "format/header.h"
 
 namespace deltamesh {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
+#include <string_view>
 
 #include "attributes/attribute.h"
 #include "base/guard.h"
@@ -20,6 +20,7 @@
 #include "laplacian/anchor_sequence.h"
 #include "quality/bounds.h"
 #include "quality/rate_control.h"
+#include "quality/round_up.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {
@@ -58,23 +59,22 @@ void set_box(FileHeader& header, const std::vector<Vec3>& positions) {
   }
 }
 
-/// The smallest float that is not below `value`: a declared figure is never better than the measured one.
-float round_up(double value) {
-  const auto rounded = static_cast<float>(value);
-  return rounded >= value ? rounded : std::nextafter(rounded, std::numeric_limits<float>::infinity());
-}
-
 /// Coordinates near the largest float: what is decoded, or its error, would not be a float any more.
 constexpr Error kTooLarge{.code = ErrorCode::kInvalidMesh,
                           .message = "the coordinates are too large: decoded ones would not fit float32"};
 
+/// The rules of the stream that a finite mesh can break by its size.
+bool is_too_large(const Error& error) noexcept {
+  const std::string_view rule = error.rule;
+  return rule == "DELT-3" || rule == "GEO-1";
+}
+
 Result<void> set_quality(FileHeader& header, const Quality& quality) {
-  for (const double figure : {quality.vde_rms, quality.lfe_rms, quality.max_error}) {
-    if (!(figure <= static_cast<double>(std::numeric_limits<float>::max()))) return kTooLarge;
-  }
   header.vde_rms = round_up(quality.vde_rms);
   header.lfe_rms = round_up(quality.lfe_rms);
   header.max_error = round_up(quality.max_error);
+  for (const float figure : {header.vde_rms, header.lfe_rms, header.max_error})
+    if (!std::isfinite(figure)) return kTooLarge;
   return {};
 }
 
@@ -128,15 +128,14 @@ Result<GeometryChoice> code_highpass(const GeometryTask& task,
   AnchorSequence& sequence = containers.impl().sequence(task.graph, task.components);
   const FileHeader& header = task.frame.header;
   const GeometryInput input{task.graph, task.components, task.positions, header.box(), sequence};
-  GeometryTrials trials(input, header, task.frame.before, task.frame.after);
+  GeometryTrials trials(input, task.frame);
   if (options.quality.empty()) {
     DELTAMESH_TRY([[maybe_unused]] const auto figures, trials.run(plain_settings(options, trials)));
     trials.keep();
   } else {
     DELTAMESH_CHECK(control_rate(rate_goal(options, header, rival_bytes, trials), trials));
   }
-  const CodedGeometry& kept = trials.kept();
-  GeometryChoice choice{.highpass = kept.parameters, .chunks = kept.chunks, .quality = kept.quality};
+  GeometryChoice choice = trials.kept();
   if (options.bits || (!options.step && options.quality.empty()))
     choice.highpass.bits = static_cast<std::uint8_t>(options.bits.value_or(kDefaultBits));
   return choice;
@@ -175,14 +174,33 @@ bool may_choose(const EncodeOptions& options) noexcept {
          options.profile == Profile::kSmallest;
 }
 
+/// Error::best_bytes.
+std::optional<std::uint64_t> known_bytes(const Error& error) noexcept {
+  return error.best_bytes > 0 ? std::optional(error.best_bytes) : std::nullopt;
+}
+
+/// Of the errors of two coders, the one to tell: that which comes nearer to the request, in fewer bytes.
+Error nearer(const Error& a, const Error& b) noexcept {
+  if (a.code != ErrorCode::kUnmetRequest) return b;
+  if (b.code != ErrorCode::kUnmetRequest) return a;
+  constexpr std::uint64_t kUnknown = ~std::uint64_t{0};
+  return known_bytes(a).value_or(kUnknown) <= known_bytes(b).value_or(kUnknown) ? a : b;
+}
+
 /// Predictive coding is quick; so it comes first, and highpass need not go on where it cannot win.
 Result<GeometryChoice> code_smaller(const GeometryTask& task) {
   const QualityRequest& quality = task.options.quality;
+  const bool bytes_alone = !quality.vde && !quality.lfe && !quality.max_error;
   auto predictive = code_predictive(task);
-  if (!predictive) return code_highpass(task);
+  if (!predictive) {
+    const Error& error = predictive.error();
+    const bool too_many_bytes =
+        !bytes_alone && error.code == ErrorCode::kUnmetRequest && !(error.best_value > 0);
+    auto other = code_highpass(task, too_many_bytes ? known_bytes(error) : std::nullopt);
+    return other ? std::move(other) : nearer(error, other.error());
+  }
   const bool positional = (quality.lfe || quality.max_error) && !quality.vde;
   if (positional && task.options.effort <= kOnePassEffort) return predictive;  // mostly the smaller by far
-  const bool bytes_alone = !quality.vde && !quality.lfe && !quality.max_error;
   const auto rival_bytes = bytes_alone ? std::optional<std::uint64_t>() : task.frame.bytes_with(*predictive);
   auto highpass = code_highpass(task, rival_bytes);
   if (!highpass) return predictive;
@@ -210,8 +228,7 @@ Result<ChunkList> add_geometry(const MeshView& mesh, const CodedTopology& topolo
   const StreamFrame frame{header, other.before, other.after};
   const auto coded =
       code_geometry({options, topology.connectivity.triangles, graph, components, positions, frame});
-  // The one rule of the stream that a finite mesh can break [DELT-3].
-  if (!coded) return coded.error().code == ErrorCode::kInvalidStream ? kTooLarge : coded.error();
+  if (!coded) return is_too_large(coded.error()) ? kTooLarge : coded.error();
 
   header.geometry = coded->geometry;
   header.highpass = coded->highpass;

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "base/try.h"
-#include "format/container.h"
 #include "geometry/vertex_positions.h"
 #include "laplacian/hop_density.h"
 #include "quality/error_peaks.h"
@@ -13,13 +12,8 @@
 
 namespace deltamesh {
 
-GeometryTrials::GeometryTrials(const GeometryInput& input, const FileHeader& header, const ChunkList& before,
-                               const ChunkList& after)
-    : input_(input),
-      header_(header),
-      before_(before),
-      after_(after),
-      coder_(input.graph, input.components, input.positions, input.box) {}
+GeometryTrials::GeometryTrials(const GeometryInput& input, const StreamFrame& frame)
+    : input_(input), frame_(frame), coder_(input.graph, input.components, input.positions, input.box) {}
 
 HighpassSettings GeometryTrials::highpass_settings(const CoderSettings& settings) {
   HighpassSettings result{.step = settings.step,
@@ -37,21 +31,11 @@ HighpassSettings GeometryTrials::highpass_settings(const CoderSettings& settings
   return result;
 }
 
-Result<ChunkList> GeometryTrials::code_chunks(CodedHighpass coded) const {
-  ChunkList chunks = before_.fresh();
-  DELTAMESH_CHECK(chunks.add(kTagDeltas, std::move(coded.deltas), std::move(coded.compact_deltas)));
-  DELTAMESH_CHECK(chunks.add(kTagAnchors, std::move(coded.anchors), std::move(coded.compact_anchors)));
-  return chunks;
-}
-
-std::uint64_t GeometryTrials::stream_bytes(const HighpassParameters& parameters,
-                                           const ChunkList& chunks) const {
-  FileHeader header = header_;
-  header.highpass = parameters;
-  ChunkList all = before_;
-  all.append(chunks);
-  all.append(after_);
-  return write_container(header, all.chunks()).size();
+Result<GeometryChoice> GeometryTrials::to_choice(CodedHighpass coded) const {
+  GeometryChoice choice{.highpass = coded.parameters, .chunks = frame_.before.fresh()};
+  DELTAMESH_CHECK(choice.chunks.add(kTagDeltas, std::move(coded.deltas), std::move(coded.compact_deltas)));
+  DELTAMESH_CHECK(choice.chunks.add(kTagAnchors, std::move(coded.anchors), std::move(coded.compact_anchors)));
+  return choice;
 }
 
 Result<TrialFigures> GeometryTrials::run(const CoderSettings& settings) {
@@ -62,18 +46,18 @@ Result<TrialFigures> GeometryTrials::run(const CoderSettings& settings) {
   errors_.resize(decoded.size());
   for (std::size_t v = 0; v < decoded.size(); ++v) errors_[v] = length(decoded[v] - input_.positions[v]);
   anchors_of_run_ = highpass.anchors.vertices;
-  const HighpassParameters parameters = coded.parameters;
-  DELTAMESH_TRY(ChunkList chunks, code_chunks(std::move(coded)));
-  const std::uint64_t bytes = stream_bytes(parameters, chunks);
-  last_ = std::make_shared<const CodedGeometry>(CodedGeometry{parameters, std::move(chunks), quality});
-  return TrialFigures{.quality = quality, .bytes = bytes, .density = parameters.anchor_density};
+  DELTAMESH_TRY(GeometryChoice choice, to_choice(std::move(coded)));
+  choice.quality = quality;
+  const TrialFigures figures{
+      .quality = quality, .bytes = frame_.bytes_with(choice), .density = choice.highpass.anchor_density};
+  last_ = std::make_shared<const GeometryChoice>(std::move(choice));
+  return figures;
 }
 
 Result<std::uint64_t> GeometryTrials::bytes(const CoderSettings& settings) {
   DELTAMESH_TRY(CodedHighpass coded, coder_.code_only(highpass_settings(settings)));
-  const HighpassParameters parameters = coded.parameters;
-  DELTAMESH_TRY(const ChunkList chunks, code_chunks(std::move(coded)));
-  return stream_bytes(parameters, chunks);
+  DELTAMESH_TRY(const GeometryChoice choice, to_choice(std::move(coded)));
+  return frame_.bytes_with(choice);
 }
 
 double GeometryTrials::delta_error(const CoderSettings& settings) {

@@ -9,8 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "encoder/chunk_list.h"
-#include "format/header.h"
+#include "encoder/coded_geometry.h"
 #include "geometry/highpass.h"
 #include "laplacian/anchor_sequence.h"
 #include "quality/trial.h"
@@ -26,19 +25,9 @@ struct GeometryInput {
   AnchorSequence& anchors;          ///< of `graph`
 };
 
-/// A coded geometry and what a decoder makes of it.
-struct CodedGeometry {
-  HighpassParameters parameters;
-  ChunkList chunks;
-  Quality quality;
-};
-
 class GeometryTrials final : public TrialCoder {
  public:
-  /// `header`, `before` and `after`: the rest of the stream, so that its size is known; the geometry is coded
-  /// like `before`.
-  GeometryTrials(const GeometryInput& input, const FileHeader& header, const ChunkList& before,
-                 const ChunkList& after);
+  GeometryTrials(const GeometryInput& input, const StreamFrame& frame);
 
   Result<TrialFigures> run(const CoderSettings& settings) override;
   Result<std::uint64_t> bytes(const CoderSettings& settings) override;
@@ -56,22 +45,19 @@ class GeometryTrials final : public TrialCoder {
   double step_for_bits(int bits) const noexcept { return coder_.step_for_bits(bits); }
 
   /// What keep() kept last. Precondition: it has been called.
-  const CodedGeometry& kept() const noexcept { return *kept_; }
+  const GeometryChoice& kept() const noexcept { return *kept_; }
 
  private:
   HighpassSettings highpass_settings(const CoderSettings& settings);
-  Result<ChunkList> code_chunks(CodedHighpass coded) const;
-  std::uint64_t stream_bytes(const HighpassParameters& parameters, const ChunkList& chunks) const;
+  Result<GeometryChoice> to_choice(CodedHighpass coded) const;
 
   GeometryInput input_;
-  FileHeader header_;
-  const ChunkList& before_;
-  const ChunkList& after_;
+  StreamFrame frame_;
   HighpassCoder coder_;
   std::vector<double> errors_;                 ///< of the last run, per vertex, model units
   std::vector<std::uint32_t> anchors_of_run_;  ///< of the last run, ascending
-  std::shared_ptr<const CodedGeometry> last_;
-  std::shared_ptr<const CodedGeometry> kept_;
+  std::shared_ptr<const GeometryChoice> last_;
+  std::shared_ptr<const GeometryChoice> kept_;
 };
 
 }  // namespace deltamesh

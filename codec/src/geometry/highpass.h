@@ -66,7 +66,6 @@ class HighpassCoder {
   double range() const noexcept { return range_; }
   /// No delta exceeds this; a larger step than twice as much codes nothing but zeros.
   double largest_delta() const noexcept { return largest_; }
-  std::size_t solved_count() const noexcept { return part_.vertices.size(); }
 
   /// Model units, above 0: range / 2^bits. A flat graph, all deltas equal, gets a step that rounds nothing
   /// but noise.

@@ -5,11 +5,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "quality/round_up.h"
+
 namespace deltamesh {
 namespace {
 
+/// Above 1 too where only the declared figure breaks the bound, being rounded up.
 double load_of(double achieved, const std::optional<double>& bound) noexcept {
-  return bound && achieved > 0 ? achieved / *bound : 0;
+  if (!bound || !(achieved > 0)) return 0;
+  const double load = achieved / *bound;
+  const bool declared_above = static_cast<double>(round_up(achieved)) > *bound;
+  return declared_above ? std::max(load, std::nextafter(1.0, 2.0)) : load;
 }
 
 double in_model_units(const QualityBound& bound, std::uint64_t vertices, double diagonal) noexcept {

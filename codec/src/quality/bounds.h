@@ -20,7 +20,8 @@ struct Bounds {
   std::optional<double> max_error = std::nullopt;
 
   bool positional() const noexcept { return lfe || max_error; }
-  /// Achieved VDE over asked; 0 where none is asked. At most 1 where the bound is kept. So for the next two.
+  /// Achieved VDE over asked; 0 where none is asked. At most 1 where the bound is kept, also by the figure
+  /// that the header declares, a float. So for the next two.
   double visual_load(const Quality& quality) const noexcept;
   double positional_load(const Quality& quality) const noexcept;  ///< the worse of LFE and max error
   double load(const Quality& quality) const noexcept;             ///< the worst of all

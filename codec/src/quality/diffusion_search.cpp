@@ -34,6 +34,7 @@ double strength_between(const Point& weak, const Point& strong) noexcept {
 }  // namespace
 
 Result<Attempt> raise_diffusion(const Attempt& plain, bool step_moves, Trials& trials) {
+  if (!plain.decodes()) return plain;
   TrialCoder& coder = trials.coder();
   const Bounds& bounds = trials.bounds();
   const double delta_error = coder.delta_error(plain.settings);
@@ -48,6 +49,7 @@ Result<Attempt> raise_diffusion(const Attempt& plain, bool step_moves, Trials& t
     settings.rate_weight = plain.settings.rate_weight * (1 - settings.diffusion);
     if (step_moves) settings.step = step_for_delta_error(coder, settings, visual_share * delta_error);
     DELTAMESH_TRY(Attempt attempt, trials.run(settings));
+    if (!attempt.decodes()) break;
     const double load = bounds.positional_load(attempt.figures.quality);
     const double visual = bounds.visual_load(attempt.figures.quality);
     if (load > 1 && settings.diffusion >= 1) return attempt;  // diffusion alone does not do

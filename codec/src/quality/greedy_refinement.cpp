@@ -21,6 +21,7 @@ Result<Attempt> refine_greedily(const Attempt& start, std::uint64_t most_bytes, 
   const Bounds& bounds = trials.bounds();
   Attempt attempt = start;
   for (int runs = 0; runs < kMostRuns; ++runs) {
+    if (!attempt.decodes()) return attempt;
     const Quality& quality = attempt.figures.quality;
     if (bounds.load(quality) <= 1 || bounds.visual_load(quality) > 1) return attempt;
     if (most_bytes > 0 && attempt.figures.bytes >= most_bytes) return attempt;

@@ -15,15 +15,15 @@
 namespace deltamesh {
 
 Result<void> control_rate(const RateGoal& goal, TrialCoder& coder) {
-  Trials trials(coder, goal.bounds);
+  Trials trials(coder, goal.bounds, goal.target_bytes);
   const bool bounded = goal.bounds.vde || goal.bounds.positional();
   CoderSettings settings;
   settings.anchors = goal.anchors.value_or(usual_anchors(goal.bounds, coder));
   settings.anchor_bits = anchor_bits_for(goal.bounds, goal.anchor_bits, coder);
   settings.step = goal.step.value_or(1);
-  if (!bounded) return fit_bytes(*goal.target_bytes, goal.effort, settings, trials);
-
-  if (goal.bounds.positional()) {
+  if (!bounded) {
+    DELTAMESH_CHECK(fit_bytes(*goal.target_bytes, goal.effort, settings, trials));
+  } else if (goal.bounds.positional()) {
     DELTAMESH_CHECK(control_positions(goal, settings, trials));
   } else {
     DELTAMESH_CHECK(control_visual(goal, settings, trials));

@@ -21,8 +21,8 @@ struct RateGoal {
   std::optional<std::uint64_t> target_bytes = std::nullopt;
   std::optional<double> step = std::nullopt;            ///< fixed: only anchors and diffusion may move
   std::optional<std::uint32_t> anchors = std::nullopt;  ///< fixed number in the solved components
-  int anchor_bits = 12;                                 ///< at least
-  int effort = 5;                                       ///< 0 to 9
+  int anchor_bits = 12;  ///< at first: more for tight bounds, down to 4 where bounds leave room
+  int effort = 5;        ///< 0 to 9
   /// Size of another coder's stream that keeps the request: what stays far above it is not refined further,
   /// or not even tried.
   std::optional<std::uint64_t> rival_bytes = std::nullopt;
@@ -37,7 +37,7 @@ struct RateGoal {
 /// (TrialCoder::keep). Deterministic. Runs: 1 to 3 for a VDE or at effort 0, some 10 to 20 for several bounds
 /// at effort 5.
 /// Errors: kUnmetRequest with the best figure that can be had and the size of that stream, or where the rival
-/// wins; those of `coder`.
+/// wins; those of `coder`, where kInvalidStream only if no settings tried make a stream that decodes.
 Result<void> control_rate(const RateGoal& goal, TrialCoder& coder);
 
 }  // namespace deltamesh

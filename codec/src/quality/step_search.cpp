@@ -24,6 +24,7 @@ constexpr double kModelTolerance = 2e-3;
 constexpr double kFloorSlope = 0.35;
 constexpr double kSteepestSlope = 1.6;
 constexpr double kSameError = 0.02;  // of the logarithm: too near for a slope
+constexpr double kBackOff = 1.0 / 16;
 constexpr int kMostRuns = 24;
 
 /// One search; see search_step().
@@ -75,6 +76,7 @@ class StepSearch {
 
   /// Sets the next step; false where there is nothing left to try.
   bool correct(double error, double load) {
+    if (std::isinf(load)) return back_off();
     double slope = 1;
     if (last_load_ > 0 && load > 0 && std::abs(std::log(error / last_error_)) > kSameError) {
       const double measured = std::log(load / last_load_) / std::log(error / last_error_);
@@ -99,6 +101,16 @@ class StepSearch {
       next = finest_;
     }
     settings_.step = std::min(next, coarsest_);
+    return true;
+  }
+
+  /// From a step whose stream does not decode.
+  bool back_off() {
+    last_load_ = 0;
+    if (low_ > 0 && high_ / low_ < 1 + kModelTolerance) return false;
+    const double next = low_ > 0 ? std::sqrt(low_ * high_) : kBackOff * settings_.step;
+    if (next < finest_) return false;
+    settings_.step = next;
     return true;
   }
 
@@ -131,7 +143,16 @@ class StepSearch {
 
 Result<Attempt> Trials::run(const CoderSettings& settings) {
   Attempt attempt{.settings = settings};
-  DELTAMESH_TRY(attempt.figures, coder_.run(settings));
+  const auto figures = coder_.run(settings);
+  if (!figures) {
+    if (figures.error().code != ErrorCode::kInvalidStream) return figures.error();
+    failure_ = figures.error();
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    attempt.figures = {.quality = {kInfinity, kInfinity, kInfinity},
+                       .bytes = std::numeric_limits<std::uint64_t>::max()};
+    return attempt;
+  }
+  attempt.figures = *figures;
   const double load = bounds_.load(attempt.figures.quality);
   const bool nearer = !nearest_ || load < bounds_.load(nearest_->figures.quality);
   if (nearer) nearest_ = attempt;
@@ -146,7 +167,8 @@ double Trials::cost(const Attempt& attempt) const noexcept {
   const Quality& quality = attempt.figures.quality;
   const bool landed = bounds_.positional() ? bounds_.positional_load(quality) >= kLandedLoad
                                            : bounds_.visual_load(quality) >= kLandedLoad;
-  return static_cast<double>(attempt.figures.bytes) * (landed ? 1 : kLandingWorth);
+  const bool fits = !target_bytes_ || attempt.figures.bytes <= *target_bytes_;
+  return static_cast<double>(attempt.figures.bytes) * (landed && fits ? 1 : kLandingWorth);
 }
 
 double coarsest_step(TrialCoder& coder) {

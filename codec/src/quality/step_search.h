@@ -4,6 +4,7 @@
 // The step at which a bound is just kept.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 
@@ -16,24 +17,33 @@ namespace deltamesh {
 struct Attempt {
   CoderSettings settings{};
   TrialFigures figures{};
+
+  /// Otherwise the stream of these settings breaks a rule of the format [DELT-3, DELT-4, GEO-1], and the
+  /// figures are infinite.
+  bool decodes() const noexcept { return std::isfinite(figures.quality.max_error); }
 };
 
 /// Runs a coder under bounds, remembers the best stream so far.
 class Trials {
  public:
-  Trials(TrialCoder& coder, const Bounds& bounds) : coder_(coder), bounds_(bounds) {}
+  /// `target_bytes`: a stream should not have more.
+  Trials(TrialCoder& coder, const Bounds& bounds, std::optional<std::uint64_t> target_bytes = std::nullopt)
+      : coder_(coder), bounds_(bounds), target_bytes_(target_bytes) {}
 
   TrialCoder& coder() noexcept { return coder_; }
   const Bounds& bounds() const noexcept { return bounds_; }
 
-  /// Errors: those of TrialCoder::run.
+  /// Errors: those of TrialCoder::run but kInvalidStream, which gives an attempt that does not decode.
   Result<Attempt> run(const CoderSettings& settings);
 
   /// Of the attempts that keep all bounds, the one of fewest bytes; one that comes near a bound (a load of at
-  /// least kLandedLoad) may have kLandingWorth times as many. Empty where none keeps them.
+  /// least kLandedLoad) may have kLandingWorth times as many if the target allows. Empty where none keeps
+  /// them.
   const std::optional<Attempt>& best() const noexcept { return best_; }
-  /// The attempt of smallest load, whether it keeps the bounds or not.
+  /// The attempt of smallest load, whether it keeps the bounds or not. Empty where none decodes.
   const std::optional<Attempt>& nearest() const noexcept { return nearest_; }
+  /// What the last attempt that does not decode breaks.
+  const std::optional<Error>& failure() const noexcept { return failure_; }
 
   static constexpr double kLandedLoad = 0.87;
   static constexpr double kLandingWorth = 1.02;
@@ -44,8 +54,10 @@ class Trials {
 
   TrialCoder& coder_;
   Bounds bounds_;
+  std::optional<std::uint64_t> target_bytes_;
   std::optional<Attempt> best_;
   std::optional<Attempt> nearest_;
+  std::optional<Error> failure_;
 };
 
 /// Which bounds a search looks at.
@@ -59,12 +71,11 @@ struct StepGoal {
 };
 
 /// Starting at settings.step, corrects the step until the load of the watched bounds is between goal.tight
-/// and
-/// 1. Each correction takes the load to be a power of the delta error (of exponent 1 until two runs tell), so
-/// that one or two are enough wherever VDE is proportional to the step, and saturation at low rates is seen
-/// in advance. Where shrinking the step no longer helps, anchors get more bits. Ends at the coarsest step,
-/// where all symbols are 0, even if the load is below goal.tight. Returns the run with the largest load of at
-/// most 1, else that with the smallest.
+/// and 1. Each correction takes the load to be a power of the delta error (of exponent 1 until two runs
+/// tell), so that one or two are enough wherever VDE is proportional to the step, and saturation at low rates
+/// is seen in advance; a stream that does not decode has a step by far too large. Where shrinking the step no
+/// longer helps, anchors get more bits. Ends at the coarsest step, where all symbols are 0, even if the load
+/// is below goal.tight. Returns the run with the largest load of at most 1, else that with the smallest.
 Result<Attempt> search_step(Trials& trials, CoderSettings settings, Watch watch, const StepGoal& goal);
 
 /// The step at which the delta error is `wanted`, all else as in `settings`, from whose step the search

@@ -37,6 +37,7 @@ class Thinning {
       settings.anchors = count;
       settings.step *= step_share_;
       DELTAMESH_TRY(const Attempt attempt, trials_.run(settings));
+      if (!attempt.decodes()) break;
       if (const double visual = visual_load_of(attempt); visual > 1) {  // fewer anchors cost VDE a little
         step_share_ *= kVisualAim / visual;
         continue;

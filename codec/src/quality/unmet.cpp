@@ -24,13 +24,14 @@ Result<void> check_met(const RateGoal& goal, const Trials& trials) noexcept {
       return unmet("the quality asked for needs more bytes than allowed", 0, best->figures.bytes);
     return {};
   }
+  if (!trials.nearest()) return *trials.failure();
   const Bounds& bounds = goal.bounds;
   const TrialFigures& nearest = trials.nearest()->figures;
   const Quality& quality = nearest.quality;
   const double worst = bounds.load(quality);
   if (bounds.vde && bounds.visual_load(quality) >= worst)
     return unmet("the VDE asked for cannot be had for this mesh", quality.vde_rms, nearest.bytes);
-  if (bounds.lfe && quality.lfe_rms / *bounds.lfe >= worst)
+  if (bounds.lfe && Bounds{.lfe = bounds.lfe}.load(quality) >= worst)
     return unmet("the LFE asked for cannot be had for this mesh", quality.lfe_rms, nearest.bytes);
   return unmet("the maximum error asked for cannot be had for this mesh", quality.max_error, nearest.bytes);
 }

@@ -10,7 +10,8 @@
 namespace deltamesh {
 
 /// Nothing where `trials` has a stream that keeps everything asked. Otherwise kUnmetRequest with the figure
-/// that the nearest stream has where it breaks a bound most, and its size.
+/// that the nearest stream has where it breaks a bound most, and its size; or, where no stream decodes, why
+/// not. Precondition: something has been run.
 Result<void> check_met(const RateGoal& goal, const Trials& trials) noexcept;
 
 /// `bytes`: of the smallest stream there can be.
