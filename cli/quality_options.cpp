@@ -19,6 +19,13 @@ std::optional<QualityBound> parse_bound(const std::string& text) {
   return bound;
 }
 
+/// What is wrong with `text`; empty where nothing is.
+std::string in_model_units(const std::string& text) {
+  const auto bound = parse_bound(text);
+  if (bound && bound->unit == QualityUnit::kModel) return {};
+  return "must be a number of model units, without a %: " + text;
+}
+
 void add_bound(CLI::App& command, const std::string& name, const std::string& what,
                std::optional<QualityBound>& bound) {
   CLI::Option* plain = command.add_option_function<std::string>(
@@ -44,7 +51,8 @@ void add_bound(CLI::App& command, const std::string& name, const std::string& wh
 void add_quality_options(CLI::App& command, QualityRequest& request) {
   add_bound(command, "--vde", "visual distortion error", request.vde);
   add_bound(command, "--lfe", "low-frequency error", request.lfe);
-  command.add_option("--max-error", request.max_error, "no vertex is farther off, model units");
+  command.add_option("--max-error", request.max_error, "no vertex is farther off, model units")
+      ->check(CLI::Validator(in_model_units, "NUMBER", "model units"));
   command.add_option("--target-bytes", request.target_bytes,
                      "most bytes of the stream; alone: the best quality that fits");
 }

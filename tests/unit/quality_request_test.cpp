@@ -210,6 +210,23 @@ TEST(QualityRequest, ABudgetThatOneCoderKeepsIsKept) {
   EXPECT_LE(size(GeometryCoder::kAuto, target), target);
 }
 
+TEST(QualityRequest, CoordinatesNearTheLargestFloatAreKept) {
+  Mesh mesh = shaken_grid();
+  float largest = 0;
+  for (const float x : mesh.positions) largest = std::max(largest, std::abs(x));
+  // With all deltas 0 some figures would be beyond float32.
+  for (float& x : mesh.positions) x = 0.9F * x / largest * std::numeric_limits<float>::max();
+  for (const QualityRequest& quality :
+       {QualityRequest{.vde = percent(2)}, QualityRequest{.vde = percent(0.01)},
+        QualityRequest{.lfe = percent(0.1)}}) {
+    const auto encoded = encode(mesh, {.quality = quality});
+    ASSERT_TRUE(encoded) << describe(encoded.error());
+    EXPECT_TRUE(decode(encoded->bytes));
+    const auto highpass = encode(mesh, {.quality = quality, .geometry = GeometryCoder::kHighpass});
+    EXPECT_TRUE(highpass || highpass.error().code == ErrorCode::kInvalidMesh);
+  }
+}
+
 TEST(QualityRequest, BadRequestsAreRefused) {
   const auto refused = [](const EncodeOptions& options) {
     const auto valid = validate(options);

@@ -274,6 +274,7 @@ TEST(Bounds, AreKeptByTheDeclaredFloatToo) {
   EXPECT_EQ((Bounds{.max_error = 0.25}.load({.max_error = 0.25})), 1);
   EXPECT_DOUBLE_EQ((Bounds{.max_error = 0.25}.load({.max_error = 0.125})), 0.5);
   EXPECT_TRUE(std::isinf(round_up(1e39)));
+  EXPECT_TRUE(std::isinf(Bounds{.vde = bound}.load({.vde_rms = 0.01, .max_error = 1e39})));
 }
 
 TEST(StepSearch, ModelInvertsTheDeltaError) {

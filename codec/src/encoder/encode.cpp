@@ -3,7 +3,6 @@
 #include "deltamesh/encode.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <string_view>
 
@@ -66,15 +65,14 @@ constexpr Error kTooLarge{.code = ErrorCode::kInvalidMesh,
 /// The rules of the stream that a finite mesh can break by its size.
 bool is_too_large(const Error& error) noexcept {
   const std::string_view rule = error.rule;
-  return rule == "DELT-3" || rule == "GEO-1";
+  return rule == "DELT-3" || rule == "GEO-1" || rule == "HDR-9";
 }
 
 Result<void> set_quality(FileHeader& header, const Quality& quality) {
+  if (!is_declarable(quality)) return kTooLarge;
   header.vde_rms = round_up(quality.vde_rms);
   header.lfe_rms = round_up(quality.lfe_rms);
   header.max_error = round_up(quality.max_error);
-  for (const float figure : {header.vde_rms, header.lfe_rms, header.max_error})
-    if (!std::isfinite(figure)) return kTooLarge;
   return {};
 }
 

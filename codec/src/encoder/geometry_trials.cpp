@@ -7,6 +7,7 @@
 #include "base/try.h"
 #include "geometry/vertex_positions.h"
 #include "laplacian/hop_density.h"
+#include "quality/bounds.h"
 #include "quality/error_peaks.h"
 #include "quality/measure.h"
 
@@ -43,6 +44,10 @@ Result<TrialFigures> GeometryTrials::run(const CoderSettings& settings) {
   DELTAMESH_TRY(CodedHighpass coded, coder_.code(highpass));
   DELTAMESH_TRY(const auto decoded, to_float_positions(coded.positions));
   const Quality quality = measure_quality(input_.graph, input_.positions, decoded);
+  if (!is_declarable(quality))
+    return Error{.code = ErrorCode::kInvalidStream,
+                 .message = "an error of the decoded positions is not a finite float32",
+                 .rule = "HDR-9"};
   errors_.resize(decoded.size());
   for (std::size_t v = 0; v < decoded.size(); ++v) errors_[v] = length(decoded[v] - input_.positions[v]);
   anchors_of_run_ = highpass.anchors.vertices;

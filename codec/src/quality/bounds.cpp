@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "quality/round_up.h"
 
@@ -34,6 +35,10 @@ bool is_positive(double value) noexcept { return std::isfinite(value) && value >
 
 }  // namespace
 
+bool is_declarable(const Quality& quality) noexcept {
+  return std::isfinite(round_up(std::max({quality.vde_rms, quality.lfe_rms, quality.max_error})));
+}
+
 double Bounds::visual_load(const Quality& quality) const noexcept { return load_of(quality.vde_rms, vde); }
 
 double Bounds::positional_load(const Quality& quality) const noexcept {
@@ -41,6 +46,7 @@ double Bounds::positional_load(const Quality& quality) const noexcept {
 }
 
 double Bounds::load(const Quality& quality) const noexcept {
+  if (!is_declarable(quality)) return std::numeric_limits<double>::infinity();
   return std::max(visual_load(quality), positional_load(quality));
 }
 

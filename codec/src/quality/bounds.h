@@ -13,6 +13,9 @@
 
 namespace deltamesh {
 
+/// Whether every figure is a finite float, as the header wants [HDR-9].
+bool is_declarable(const Quality& quality) noexcept;
+
 /// Upper bounds, model units.
 struct Bounds {
   std::optional<double> vde = std::nullopt;
@@ -24,7 +27,7 @@ struct Bounds {
   /// that the header declares, a float. So for the next two.
   double visual_load(const Quality& quality) const noexcept;
   double positional_load(const Quality& quality) const noexcept;  ///< the worse of LFE and max error
-  double load(const Quality& quality) const noexcept;             ///< the worst of all
+  double load(const Quality& quality) const noexcept;  ///< the worst of all; infinite if not declarable
 };
 
 /// `vertices`: position-welded vertices, what the paper's sums run over; `diagonal`: of the bounding box.

@@ -18,8 +18,8 @@ struct Attempt {
   CoderSettings settings{};
   TrialFigures figures{};
 
-  /// Otherwise the stream of these settings breaks a rule of the format [DELT-3, DELT-4, GEO-1], and the
-  /// figures are infinite.
+  /// Otherwise the stream of these settings breaks a rule of the format [DELT-3, DELT-4, GEO-1, HDR-9], and
+  /// the figures are infinite.
   bool decodes() const noexcept { return std::isfinite(figures.quality.max_error); }
 };
 

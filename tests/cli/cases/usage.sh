@@ -16,6 +16,9 @@ run encode cube.obj cube.dmsh --anchors 3 --anchor-density 5
 run encode cube.obj cube.dmsh --bits eight
 run encode cube.obj cube.dmsh --bits 99
 run encode cube.obj cube.dmsh --step -1
+run encode cube.obj cube.dmsh --vde much
+run encode cube.obj cube.dmsh --max-error 0.001%
+run encode cube.obj cube.dmsh --max-error far
 run encode cube.obj cube.dmsh --anchor-density 0
 run encode cube.obj cube.dmsh --anchor-bits 30
 run encode cube.obj cube.dmsh --profile best
