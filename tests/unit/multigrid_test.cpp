@@ -111,12 +111,34 @@ TEST(Multigrid, CopesWithOneAnchorToAComponent) {
 
 TEST(Multigrid, CopesWithStripsAndHubs) {
   expect_as_good_as_direct(quantized(test::sheet(2000, 2), 20, 8));
-  expect_as_good_as_direct(quantized(test::fan(3000), 20, 8));
+  for (const std::uint32_t anchors : {20U, 200U, 3000U, 6001U}) {
+    SCOPED_TRACE(anchors);
+    expect_as_good_as_direct(quantized(test::fan(6000), anchors, 8));
+  }
+}
+
+/// Cycles converge slowly there; every component is larger than what is factored straight away.
+TEST(Multigrid, CopesWithLongStrips) { expect_as_good_as_direct(quantized(test::sheet(20000, 2), 3, 8)); }
+
+/// No error is to be expected, so only what floats can show ends the cycles.
+TEST(Multigrid, ZerosGiveTheAnchorsMean) {
+  for (const std::uint32_t anchors : {1U, 30U}) {
+    Problem problem = quantized(test::sheet(90, 80), anchors, 8);
+    problem.deltas.assign(problem.deltas.size(), Vec3{});
+    problem.targets.assign(problem.targets.size(), Vec3{3, -4, 5});
+    for (const Vec3& x : solve_multigrid(problem)) EXPECT_LT(length(x - Vec3{3, -4, 5}), 1e-5);
+    problem.targets.assign(problem.targets.size(), Vec3{});
+    for (const Vec3& x : solve_multigrid(problem)) EXPECT_EQ(length(x), 0);
+  }
 }
 
 /// The square of a hub's degree would be more entries than 32 bits can count.
 TEST(Multigrid, CopesWithHugeHubsAsAnchors) {
   expect_as_good_as_direct(quantized(test::fan(70000), 70001, 8));
+}
+
+TEST(Multigrid, CopesWithHugeHubsAndFewAnchors) {
+  expect_as_good_as_direct(quantized(test::fan(300000), 1500, 8));
 }
 
 TEST(Multigrid, CopesWithAnchorsEverywhere) {

@@ -3,6 +3,7 @@
 #include "laplacian/multigrid_cycle.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "laplacian/multigrid_hierarchy.h"
 #include "laplacian/multigrid_smoother.h"
@@ -76,6 +77,9 @@ void MultigridCycle::v_cycle(std::size_t top) {
   for (std::size_t a = 0; a < gaps_.size(); ++a) gaps_[a] = targets_[a] + vectors_[top].b[level.anchors[a]].s;
   for (std::size_t l = top; l < bottom_; ++l) descend(l);
   solve_coarsest();
+  if (top == bottom_) {
+    for (std::size_t a = 0; a < forces_.size(); ++a) vectors_[top].b[level.anchors[a]].s += forces_[a];
+  }
   for (std::size_t l = bottom_; l-- > top;) ascend(l);
 }
 
@@ -105,6 +109,11 @@ bool MultigridCycle::drop_coarsest() {
   if (nodes > kLargestFactoredWhenHard && nodes > kMostNodesPerAnchor * targets_.size()) return false;
   --bottom_;
   return true;
+}
+
+void MultigridCycle::factor_coarsest() {
+  coarsest_[bottom_] =
+      std::make_unique<CoarsestSolver>(levels_[bottom_], holds_, std::numeric_limits<std::uint32_t>::max());
 }
 
 }  // namespace deltamesh::multigrid

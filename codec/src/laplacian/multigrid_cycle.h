@@ -48,6 +48,9 @@ class MultigridCycle {
   /// faster. The solution stays. False where only one level would be left.
   bool drop_coarsest();
 
+  /// Factors the coarsest level, however large, if the factor stays sparse.
+  void factor_coarsest();
+
  private:
   struct Vectors {
     std::vector<Row> b;

@@ -38,7 +38,10 @@ constexpr int kMaxDrops = 2;
 /// Accelerated cycles: how many before the small components that still move are factored, and at the most.
 constexpr int kPatience = 10;
 constexpr int kAcceleratedCycles = 40;
-constexpr std::uint32_t kLargestRescue = 2000;  ///< vertices of such a component
+constexpr std::uint32_t kLargestRescue = 2000;  ///< vertices of a component that is factored then
+
+/// Solutions without coarser levels of the large ones, each of the residual of the last.
+constexpr int kRounds = 4;
 
 /// Settled: what is still to come is small against the error that quantisation left (rms, largest). To come:
 /// the last change times rate / (1 - rate), where every cycle changes `rate` times as much as the one before.
@@ -47,6 +50,12 @@ constexpr double kSettledLargest = 0.8;
 constexpr double kLowestRate = 0.2;
 constexpr double kHighestRate = 0.7;
 constexpr double kUnknownRate = 0.5;
+
+/// Rms that is small against the rounding of positions to floats, over their size.
+constexpr double kInvisible = 0x1p-26;
+
+/// What is still to come when nothing helped, over what is small: more is an error.
+constexpr double kRefused = 10;
 
 /// Low-frequency error over rms of the anchors' forces, times share of anchors: 0.23 within 15 % on scans,
 /// terrain and CAD, 4 to 8 bits, 0.1 to 2 % anchors.
@@ -62,6 +71,32 @@ Float4 to_float4(const Vec3& v) noexcept {
 }
 
 Vec3 to_vec3(Float4 v) noexcept { return {v[0], v[1], v[2]}; }
+
+/// Components so small that a factorisation is the quickest.
+class SmallSolver {
+ public:
+  static Result<std::unique_ptr<SmallSolver>> make(Group group) {
+    auto solver = std::make_unique<SmallSolver>();
+    solver->group_ = std::move(group);
+    DELTAMESH_TRY(solver->direct_, make_direct_solver(*solver->group_.graph, solver->group_.anchors));
+    return solver;
+  }
+
+  Result<void> solve(std::span<const Vec3> deltas, std::span<const Vec3> anchor_positions,
+                     std::span<Vec3> x) {
+    std::vector<Vec3> own_deltas, targets;
+    for (const std::uint32_t v : group_.vertices) own_deltas.push_back(deltas[v]);
+    for (const std::uint32_t a : group_.anchor_of) targets.push_back(anchor_positions[a]);
+    std::vector<Vec3> solution(group_.vertices.size());
+    DELTAMESH_CHECK(direct_->solve(own_deltas, targets, solution));
+    for (std::size_t i = 0; i < solution.size(); ++i) x[group_.vertices[i]] = solution[i];
+    return {};
+  }
+
+ private:
+  Group group_;
+  std::unique_ptr<LeastSquaresSolver> direct_;
+};
 
 /// One group's problem and its solution in the making.
 class GroupSolver {
@@ -85,7 +120,11 @@ class GroupSolver {
     std::fill(x_.begin(), x_.end(), Vec3{});
     set_right_hand_sides();
     cycles_.start();
-    if (!run_plain()) DELTAMESH_CHECK(run_accelerated());
+    if (group_.depth == 0) {
+      DELTAMESH_CHECK(run_without_levels());
+    } else if (!run_plain()) {
+      DELTAMESH_CHECK(run_accelerated());
+    }
     for (std::size_t i = 0; i < group_.vertices.size(); ++i) x[group_.vertices[i]] = x_[i];
     return {};
   }
@@ -116,8 +155,29 @@ class GroupSolver {
     return false;
   }
 
-  /// Cycles that never raise the functional. Components that do not settle are factored if they are small;
-  /// large ones are left as near to the solution as they are.
+  /// For a group of depth 0: conjugate gradients on the functional; a factorisation where they fail and it
+  /// stays sparse, as on long strips.
+  Result<void> run_without_levels() {
+    absorb();
+    if (run_rounds()) return {};
+    cycles_.factor_coarsest();
+    if (run_rounds() || is_settled(kUnknownRate, kRefused)) return {};
+    return Error{.code = ErrorCode::kInvalidStream,
+                 .message = "the least-squares solution is out of reach",
+                 .rule = "DELT-4"};
+  }
+
+  bool run_rounds() {
+    for (int round = 0; round < kRounds; ++round) {
+      set_right_hand_sides();
+      cycles_.cycle();
+      absorb();
+      if (is_settled(kUnknownRate)) return true;
+    }
+    return false;
+  }
+
+  /// Cycles that never raise the functional. Components that do not settle are solved without coarser levels.
   Result<void> run_accelerated() {
     multigrid::Acceleration acceleration(group_);
     double change = worst_change();
@@ -135,9 +195,6 @@ class GroupSolver {
         if (change > kPoorProgress * previous && drops < kMaxDrops && cycles_.drop_coarsest()) ++drops;
       }
       if (c + 1 >= kPatience && largest_bad_component() <= kLargestRescue) break;
-    }
-    for (std::size_t c = 0; c < bad_.size(); ++c) {
-      if (group_.components.size[c] > kLargestRescue) bad_[c] = 0;
     }
     return solve_bad_components();
   }
@@ -204,10 +261,20 @@ class GroupSolver {
     return std::clamp(error, 0.0, kMaxErrorPerDelta * deltas);
   }
 
-  /// Whether what is still to come is small; marks the components where it is not.
-  bool is_settled(double rate) {
+  /// Largest coordinate of an anchor, relative to the centre.
+  double extent() const noexcept {
+    double largest = 0;
+    for (const Vec3& target : targets_)
+      largest = std::max({largest, std::abs(target[0]), std::abs(target[1]), std::abs(target[2])});
+    return largest;
+  }
+
+  /// Whether what is still to come is small, or at most `slack` times as much; marks the components where it
+  /// is not.
+  bool is_settled(double rate, double slack = 1) {
     const double bounded = std::clamp(rate, kLowestRate, kHighestRate);
-    const double change_allowed = (1 - bounded) / bounded * expected_error();
+    const double error = std::max(expected_error(), kInvisible / kSettledRms * extent());
+    const double change_allowed = slack * (1 - bounded) / bounded * error;
     bool settled = true;
     for (std::size_t c = 0; c < change_.size(); ++c) {
       const bool good =
@@ -219,17 +286,17 @@ class GroupSolver {
     return settled;
   }
 
+  /// Factors the bad components if they are small; iterates on the large ones.
   Result<void> solve_bad_components() {
-    if (std::find(bad_.begin(), bad_.end(), 1) == bad_.end()) return {};
-    const Group bad = extract_components(group_, bad_);
-    std::vector<Vec3> deltas, targets;
-    for (const std::uint32_t v : bad.vertices) deltas.push_back(deltas_[v]);
-    for (const std::uint32_t a : bad.anchor_of) targets.push_back(targets_[a]);
-    std::vector<Vec3> solution(bad.vertices.size());
-    DELTAMESH_TRY(const auto solver, make_direct_solver(*bad.graph, bad.anchors));
-    DELTAMESH_CHECK(solver->solve(deltas, targets, solution));
-    for (std::size_t i = 0; i < solution.size(); ++i) x_[bad.vertices[i]] = solution[i];
-    return {};
+    std::vector<std::uint8_t> small(bad_.size(), 0), large(bad_.size(), 0);
+    for (std::size_t c = 0; c < bad_.size(); ++c)
+      (group_.components.size[c] <= kLargestRescue ? small : large)[c] = bad_[c];
+    if (std::find(small.begin(), small.end(), 1) != small.end()) {
+      DELTAMESH_TRY(const auto solver, SmallSolver::make(extract_components(group_, small)));
+      DELTAMESH_CHECK(solver->solve(deltas_, targets_, x_));
+    }
+    if (std::find(large.begin(), large.end(), 1) == large.end()) return {};
+    return GroupSolver(extract_components(group_, large)).solve(deltas_, targets_, x_);
   }
 
   Group group_;
@@ -241,32 +308,6 @@ class GroupSolver {
   std::vector<Vec3> targets_;
   std::vector<Change> change_;
   std::vector<std::uint8_t> bad_;
-};
-
-/// Components so small that a factorisation is the quickest.
-class SmallSolver {
- public:
-  static Result<std::unique_ptr<SmallSolver>> make(Group group) {
-    auto solver = std::make_unique<SmallSolver>();
-    solver->group_ = std::move(group);
-    DELTAMESH_TRY(solver->direct_, make_direct_solver(*solver->group_.graph, solver->group_.anchors));
-    return solver;
-  }
-
-  Result<void> solve(std::span<const Vec3> deltas, std::span<const Vec3> anchor_positions,
-                     std::span<Vec3> x) {
-    std::vector<Vec3> own_deltas, targets;
-    for (const std::uint32_t v : group_.vertices) own_deltas.push_back(deltas[v]);
-    for (const std::uint32_t a : group_.anchor_of) targets.push_back(anchor_positions[a]);
-    std::vector<Vec3> solution(group_.vertices.size());
-    DELTAMESH_CHECK(direct_->solve(own_deltas, targets, solution));
-    for (std::size_t i = 0; i < solution.size(); ++i) x[group_.vertices[i]] = solution[i];
-    return {};
-  }
-
- private:
-  Group group_;
-  std::unique_ptr<LeastSquaresSolver> direct_;
 };
 
 class MultigridSolver final : public LeastSquaresSolver {
