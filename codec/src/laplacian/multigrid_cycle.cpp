@@ -34,6 +34,7 @@ std::vector<std::uint8_t> shared_components(const Components& components,
 MultigridCycle::MultigridCycle(const Adjacency& graph, const Components& components,
                                std::span<const std::uint32_t> anchors, std::uint32_t depth)
     : holds_(shared_components(components, anchors)),
+      is_last_resort_(depth == 0),
       levels_(build_hierarchy(graph, anchors, depth)),
       vectors_(levels_.size()),
       targets_(anchors.size()),
@@ -47,12 +48,14 @@ MultigridCycle::MultigridCycle(const Adjacency& graph, const Components& compone
   }
 }
 
+std::uint32_t MultigridCycle::largest_factored() const noexcept {
+  if (is_last_resort_) return std::numeric_limits<std::uint32_t>::max();
+  return bottom_ + 1 < levels_.size() ? kLargestFactoredWhenHard : kLargestFactored;
+}
+
 void MultigridCycle::solve_coarsest() {
-  if (!coarsest_[bottom_]) {
-    const bool is_hard = bottom_ + 1 < levels_.size();
-    coarsest_[bottom_] = std::make_unique<CoarsestSolver>(
-        levels_[bottom_], holds_, is_hard ? kLargestFactoredWhenHard : kLargestFactored);
-  }
+  if (!coarsest_[bottom_])
+    coarsest_[bottom_] = std::make_unique<CoarsestSolver>(levels_[bottom_], holds_, largest_factored());
   coarsest_[bottom_]->solve(vectors_[bottom_].b, gaps_, vectors_[bottom_].u, forces_);
 }
 
@@ -109,11 +112,6 @@ bool MultigridCycle::drop_coarsest() {
   if (nodes > kLargestFactoredWhenHard && nodes > kMostNodesPerAnchor * targets_.size()) return false;
   --bottom_;
   return true;
-}
-
-void MultigridCycle::factor_coarsest() {
-  coarsest_[bottom_] =
-      std::make_unique<CoarsestSolver>(levels_[bottom_], holds_, std::numeric_limits<std::uint32_t>::max());
 }
 
 }  // namespace deltamesh::multigrid

@@ -48,9 +48,6 @@ class MultigridCycle {
   /// faster. The solution stays. False where only one level would be left.
   bool drop_coarsest();
 
-  /// Factors the coarsest level, however large, if the factor stays sparse.
-  void factor_coarsest();
-
  private:
   struct Vectors {
     std::vector<Row> b;
@@ -61,9 +58,11 @@ class MultigridCycle {
   void descend(std::size_t level);
   void ascend(std::size_t level);
   void v_cycle(std::size_t top);
+  std::uint32_t largest_factored() const noexcept;
   void solve_coarsest();
 
   std::vector<std::uint8_t> holds_;  ///< per anchor: 0 where it is alone in its component
+  bool is_last_resort_;              ///< no coarsening was asked for
   std::vector<Level> levels_;
   std::vector<Vectors> vectors_;
   std::vector<Float4> targets_;

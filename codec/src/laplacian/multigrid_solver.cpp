@@ -41,7 +41,7 @@ constexpr int kAcceleratedCycles = 40;
 constexpr std::uint32_t kLargestRescue = 2000;  ///< vertices of a component that is factored then
 
 /// Solutions without coarser levels of the large ones, each of the residual of the last.
-constexpr int kRounds = 4;
+constexpr int kRounds = 6;
 
 /// Settled: what is still to come is small against the error that quantisation left (rms, largest). To come:
 /// the last change times rate / (1 - rate), where every cycle changes `rate` times as much as the one before.
@@ -155,26 +155,20 @@ class GroupSolver {
     return false;
   }
 
-  /// For a group of depth 0: conjugate gradients on the functional; a factorisation where they fail and it
-  /// stays sparse, as on long strips.
+  /// For a group of depth 0: a factorisation where that stays sparse, else conjugate gradients on the
+  /// functional.
   Result<void> run_without_levels() {
     absorb();
-    if (run_rounds()) return {};
-    cycles_.factor_coarsest();
-    if (run_rounds() || is_settled(kUnknownRate, kRefused)) return {};
-    return Error{.code = ErrorCode::kInvalidStream,
-                 .message = "the least-squares solution is out of reach",
-                 .rule = "DELT-4"};
-  }
-
-  bool run_rounds() {
     for (int round = 0; round < kRounds; ++round) {
       set_right_hand_sides();
       cycles_.cycle();
       absorb();
-      if (is_settled(kUnknownRate)) return true;
+      if (is_settled(kUnknownRate)) return {};
     }
-    return false;
+    if (is_settled(kUnknownRate, kRefused)) return {};
+    return Error{.code = ErrorCode::kInvalidStream,
+                 .message = "the least-squares solution is out of reach",
+                 .rule = "DELT-4"};
   }
 
   /// Cycles that never raise the functional. Components that do not settle are solved without coarser levels.
