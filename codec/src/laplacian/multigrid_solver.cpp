@@ -108,16 +108,18 @@ class GroupSolver {
         change_(group_.components.count),
         bad_(group_.components.count) {}
 
+  /// `x`: where to start, overwritten with the solution.
   Result<void> solve(std::span<const Vec3> deltas, std::span<const Vec3> anchor_positions,
                      std::span<Vec3> x) {
     if (group_.vertices.empty()) {
       deltas_ = deltas;
       x_ = x;
     } else {
-      gather(deltas);
+      gather(deltas, x);
     }
+    const auto is_finite = [](const Vec3& v) { return std::isfinite(dot(v, v)); };
+    if (!std::all_of(x_.begin(), x_.end(), is_finite)) std::fill(x_.begin(), x_.end(), Vec3{});
     for (std::size_t a = 0; a < targets_.size(); ++a) targets_[a] = anchor_positions[group_.anchor_of[a]];
-    std::fill(x_.begin(), x_.end(), Vec3{});
     set_right_hand_sides();
     cycles_.start();
     if (group_.depth == 0) {
@@ -131,10 +133,13 @@ class GroupSolver {
 
  private:
   /// Own copies for a group that is not the whole graph.
-  void gather(std::span<const Vec3> deltas) {
-    own_x_.resize(group_.vertices.size());
+  void gather(std::span<const Vec3> deltas, std::span<const Vec3> x) {
+    own_x_.clear();
     own_deltas_.clear();
-    for (const std::uint32_t v : group_.vertices) own_deltas_.push_back(deltas[v]);
+    for (const std::uint32_t v : group_.vertices) {
+      own_x_.push_back(x[v]);
+      own_deltas_.push_back(deltas[v]);
+    }
     deltas_ = own_deltas_;
     x_ = own_x_;
   }
@@ -280,7 +285,7 @@ class GroupSolver {
     return settled;
   }
 
-  /// Factors the bad components if they are small; iterates on the large ones.
+  /// Factors the bad components if they are small; goes on without levels with the large ones.
   Result<void> solve_bad_components() {
     std::vector<std::uint8_t> small(bad_.size(), 0), large(bad_.size(), 0);
     for (std::size_t c = 0; c < bad_.size(); ++c)
@@ -317,6 +322,7 @@ class MultigridSolver final : public LeastSquaresSolver {
 
   Result<void> solve(std::span<const Vec3> deltas, std::span<const Vec3> anchor_positions,
                      std::span<Vec3> x) override {
+    std::fill(x.begin(), x.end(), Vec3{});
     if (small_) DELTAMESH_CHECK(small_->solve(deltas, anchor_positions, x));
     for (const auto& group : iterated_) DELTAMESH_CHECK(group->solve(deltas, anchor_positions, x));
     return {};
