@@ -132,6 +132,20 @@ TEST(Multigrid, ZerosGiveTheAnchorsMean) {
   }
 }
 
+/// Half of the sheet, or every other vertex of that half, and one far away.
+TEST(Multigrid, CopesWithAnchorsInOnePlace) {
+  for (const std::uint32_t stride : {1U, 2U}) {
+    Problem problem = quantized(test::sheet(100, 100), 1, 8);
+    problem.anchors.clear();
+    problem.targets.clear();
+    for (std::uint32_t v = 0; v < 5000; v += stride) problem.anchors.push_back(v);
+    problem.anchors.push_back(9999);
+    for (const std::uint32_t anchor : problem.anchors)
+      problem.targets.push_back(round_to(problem.mesh.positions[anchor], 0.01));
+    expect_as_good_as_direct(problem);
+  }
+}
+
 /// The square of a hub's degree would be more entries than 32 bits can count.
 TEST(Multigrid, CopesWithHugeHubsAsAnchors) {
   expect_as_good_as_direct(quantized(test::fan(70000), 70001, 8));

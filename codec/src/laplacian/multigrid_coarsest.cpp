@@ -8,7 +8,6 @@ namespace deltamesh::multigrid {
 namespace {
 
 constexpr double kReduction = 1e-5;
-constexpr int kMaxIterations = 200;
 
 /// Bound of (degree + 1)^2 summed over the nodes, which is what forming K M^-1 K costs, and so of its
 /// entries: meshes stay below 100 per node, a hub alone could fill the matrix.
@@ -180,14 +179,14 @@ void CoarsestSolver::precondition() noexcept {
   for (std::uint32_t i = n; i-- > 0;) relax(i);
 }
 
-void CoarsestSolver::run_conjugate_gradients() noexcept {
+std::uint32_t CoarsestSolver::run_conjugate_gradients(std::uint32_t most_iterations) noexcept {
   std::swap(residual_, x_);
   std::fill(x_.begin(), x_.end(), Double4{});
   precondition();
   direction_ = preconditioned_;
   Double4 energy = dot(residual_, preconditioned_);
   const Double4 small = kReduction * kReduction * energy;
-  for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
+  for (std::uint32_t iteration = 1; iteration <= most_iterations; ++iteration) {
     apply_matrix(direction_, product_);
     const Double4 step = ratio(energy, dot(direction_, product_));
     for (std::size_t i = 0; i < x_.size(); ++i) {
@@ -196,16 +195,18 @@ void CoarsestSolver::run_conjugate_gradients() noexcept {
     }
     precondition();
     const Double4 next = dot(residual_, preconditioned_);
-    if (all_at_most(next, small)) return;
+    if (all_at_most(next, small)) return iteration;
     const Double4 conjugate = ratio(next, energy);
     energy = next;
     for (std::size_t i = 0; i < x_.size(); ++i)
       direction_[i] = preconditioned_[i] + conjugate * direction_[i];
   }
+  return most_iterations;
 }
 
-void CoarsestSolver::solve(std::span<const Row> b, std::span<const Float4> gaps, std::span<Row> u,
-                           std::span<Float4> forces) {
+std::uint32_t CoarsestSolver::solve(std::span<const Row> b, std::span<const Float4> gaps, std::span<Row> u,
+                                    std::span<Float4> forces, std::uint32_t most_iterations) {
+  std::uint32_t iterations = 0;
   const std::uint32_t n = level_.node_count();
   for (std::uint32_t i = 0; i < n; ++i) scaled_[i] = inverse_mass_[i] * widen(b[i].x);
   for (std::uint32_t i = 0; i < n; ++i) x_[i] = apply_k(scaled_, i) - widen(b[i].s);
@@ -213,7 +214,7 @@ void CoarsestSolver::solve(std::span<const Row> b, std::span<const Float4> gaps,
   if (factor_) {
     factor_->solve(x_);
   } else {
-    run_conjugate_gradients();
+    iterations = run_conjugate_gradients(most_iterations);
   }
   for (std::uint32_t i = 0; i < n; ++i) {
     u[i].x = narrow(x_[i]);
@@ -221,6 +222,7 @@ void CoarsestSolver::solve(std::span<const Row> b, std::span<const Float4> gaps,
   }
   for (std::size_t a = 0; a < gaps.size(); ++a)
     forces[a] = holds_[a] != 0 ? narrow(x_[level_.anchors[a]]) - gaps[a] : Float4{};
+  return iterations;
 }
 
 }  // namespace deltamesh::multigrid

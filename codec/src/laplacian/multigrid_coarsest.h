@@ -26,8 +26,9 @@ class CoarsestSolver {
   CoarsestSolver(const Level& level, std::span<const std::uint8_t> holds, std::uint32_t largest_factored);
 
   /// `b`, `u`: n; `gaps`: g; `forces`: f, both one per anchor.
-  void solve(std::span<const Row> b, std::span<const Float4> gaps, std::span<Row> u,
-             std::span<Float4> forces);
+  /// Conjugate gradients end after `most_iterations` at the latest. Returns how many were made.
+  std::uint32_t solve(std::span<const Row> b, std::span<const Float4> gaps, std::span<Row> u,
+                      std::span<Float4> forces, std::uint32_t most_iterations);
 
  private:
   /// Whether the matrix can be formed in time and memory linear in n.
@@ -38,7 +39,7 @@ class CoarsestSolver {
   void apply_matrix(std::span<const Double4> in, std::span<Double4> out) noexcept;
   void relax(std::uint32_t node) noexcept;
   void precondition() noexcept;
-  void run_conjugate_gradients() noexcept;
+  std::uint32_t run_conjugate_gradients(std::uint32_t most_iterations) noexcept;
 
   const Level& level_;
   std::span<const std::uint8_t> holds_;

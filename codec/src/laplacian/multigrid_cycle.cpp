@@ -3,6 +3,7 @@
 #include "laplacian/multigrid_cycle.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 
 #include "laplacian/multigrid_hierarchy.h"
@@ -15,6 +16,12 @@ namespace {
 /// Nodes of a coarsest level that is factored; where cycles converge badly an exact solution is worth more.
 constexpr std::uint32_t kLargestFactored = 30000;
 constexpr std::uint32_t kLargestFactoredWhenHard = 100000;
+
+/// Conjugate gradients on a coarsest level: at a time, and, over nodes and cycles together, for every vertex.
+/// The time of a solution is linear so, however badly the anchors lie.
+constexpr std::uint64_t kFewestIterations = 4;
+constexpr std::uint64_t kMostIterations = 200;
+constexpr std::uint64_t kIterationsPerVertex = 600;
 
 /// A larger coarsest level has no more nodes for every anchor: conjugate gradients would take too long.
 constexpr std::size_t kMostNodesPerAnchor = 24;
@@ -56,7 +63,12 @@ std::uint32_t MultigridCycle::largest_factored() const noexcept {
 void MultigridCycle::solve_coarsest() {
   if (!coarsest_[bottom_])
     coarsest_[bottom_] = std::make_unique<CoarsestSolver>(levels_[bottom_], holds_, largest_factored());
-  coarsest_[bottom_]->solve(vectors_[bottom_].b, gaps_, vectors_[bottom_].u, forces_);
+  const std::uint64_t nodes = levels_[bottom_].node_count();
+  const std::uint64_t most = std::clamp(iterations_left_ / nodes, kFewestIterations, kMostIterations);
+  const std::uint64_t made =
+      nodes * coarsest_[bottom_]->solve(vectors_[bottom_].b, gaps_, vectors_[bottom_].u, forces_,
+                                        static_cast<std::uint32_t>(most));
+  iterations_left_ -= std::min(made, iterations_left_);
 }
 
 void MultigridCycle::descend(std::size_t level) {
@@ -88,6 +100,7 @@ void MultigridCycle::v_cycle(std::size_t top) {
 
 void MultigridCycle::start() {
   bottom_ = levels_.size() - 1;
+  iterations_left_ = kIterationsPerVertex * levels_.front().node_count();
   for (const std::uint32_t anchor : levels_.front().anchors) vectors_.front().b[anchor].s = Float4{};
   for (std::size_t l = 0; l + 1 < levels_.size(); ++l)
     restrict_rows(levels_[l], vectors_[l].b, vectors_[l + 1].b);

@@ -48,6 +48,9 @@ class MultigridCycle {
   /// faster. The solution stays. False where only one level would be left.
   bool drop_coarsest();
 
+  /// Whether so many iterations went into coarsest levels since start() that only few are made from now on.
+  bool is_exhausted() const noexcept { return iterations_left_ == 0; }
+
  private:
   struct Vectors {
     std::vector<Row> b;
@@ -69,6 +72,7 @@ class MultigridCycle {
   std::vector<Float4> gaps_;
   std::vector<Float4> forces_;                             ///< of the last solution on the coarsest level
   std::size_t bottom_;                                     ///< level that is solved, not coarsened
+  std::uint64_t iterations_left_ = 0;                      ///< of conjugate gradients, times nodes
   std::vector<std::unique_ptr<CoarsestSolver>> coarsest_;  ///< per level; null where not needed so far
 };
 

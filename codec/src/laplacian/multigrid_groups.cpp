@@ -48,6 +48,21 @@ Group extract(const Adjacency& graph, const Components& components, std::span<co
   return group;
 }
 
+/// Per component, the anchors with anchors only for neighbours. They need no coarse nodes around them.
+std::vector<std::uint32_t> count_inner_anchors(const Adjacency& graph, const Components& components,
+                                               std::span<const std::uint32_t> anchors) {
+  std::vector<std::uint8_t> is_anchor(graph.vertex_count(), 0);
+  for (const std::uint32_t anchor : anchors) is_anchor[anchor] = 1;
+  std::vector<std::uint32_t> count(components.count, 0);
+  for (const std::uint32_t anchor : anchors) {
+    const auto neighbors = graph.of(anchor);
+    const bool is_inner = std::all_of(neighbors.begin(), neighbors.end(),
+                                      [&](std::uint32_t neighbor) { return is_anchor[neighbor] != 0; });
+    count[components.label[anchor]] += is_inner ? 1 : 0;
+  }
+  return count;
+}
+
 /// The graph as it is.
 Group whole(const Adjacency& graph, Components components, std::span<const std::uint32_t> anchors,
             std::uint32_t depth) {
@@ -67,6 +82,7 @@ std::vector<Group> group_components(const Adjacency& graph, std::span<const std:
   Components components = find_components(graph);
   std::vector<std::uint32_t> anchor_count(components.count, 0);
   for (const std::uint32_t anchor : anchors) ++anchor_count[components.label[anchor]];
+  const std::vector<std::uint32_t> inner_count = count_inner_anchors(graph, components, anchors);
   std::vector<std::uint32_t> direct_limit(components.count, kLargestDirect);
   for (std::uint32_t v = 0; v < graph.vertex_count(); ++v) {
     if (graph.degree(v) > kLargestDegree) direct_limit[components.label[v]] = kLargestDirectWithHub;
@@ -74,7 +90,7 @@ std::vector<Group> group_components(const Adjacency& graph, std::span<const std:
   std::vector<std::uint32_t> depth(components.count, 0);
   for (std::uint32_t c = 0; c < components.count; ++c) {
     if (components.size[c] > direct_limit[c])
-      depth[c] = coarsening_depth(components.size[c], anchor_count[c]);
+      depth[c] = coarsening_depth(components.size[c] - inner_count[c], anchor_count[c] - inner_count[c]);
   }
   std::vector<Group> groups;
   if (std::adjacent_find(depth.begin(), depth.end(), std::not_equal_to<>()) == depth.end() &&

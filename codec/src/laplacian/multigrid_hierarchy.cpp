@@ -2,6 +2,7 @@
 // Copyright 2026 The deltamesh authors
 #include "laplacian/multigrid_hierarchy.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -140,8 +141,8 @@ Level coarsen(const Level& fine, const Aggregates& aggregates) {
 
 std::uint32_t coarsening_depth(std::uint32_t vertices, std::uint32_t anchors) noexcept {
   std::uint32_t depth = 1;
-  for (double nodes = vertices / (kShrinkage * kShrinkage); nodes >= kFewestNodesPerAnchor * anchors;
-       nodes /= kShrinkage)
+  for (double nodes = vertices / (kShrinkage * kShrinkage);
+       nodes >= kFewestNodesPerAnchor * std::max(anchors, 1U); nodes /= kShrinkage)
     ++depth;
   return depth;
 }
@@ -153,7 +154,8 @@ std::vector<Level> build_hierarchy(const Adjacency& graph, std::span<const std::
   while (levels.size() <= depth) {
     Level& fine = levels.back();
     const Aggregates aggregates = aggregate(fine);
-    if (aggregates.seeds.size() > fine.node_count() / 5 * 4) break;
+    const std::size_t held = fine.anchors.size();  // these stay
+    if (5 * (aggregates.seeds.size() - held) >= 4 * (fine.node_count() - held)) break;
     fine.interpolation = make_interpolation(fine, aggregates);
     levels.push_back(coarsen(fine, aggregates));
   }

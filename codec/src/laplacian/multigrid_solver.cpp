@@ -41,7 +41,7 @@ constexpr int kAcceleratedCycles = 40;
 constexpr std::uint32_t kLargestRescue = 2000;  ///< vertices of a component that is factored then
 
 /// Solutions without coarser levels of the large ones, each of the residual of the last.
-constexpr int kRounds = 6;
+constexpr int kRounds = 3;
 
 /// Settled: what is still to come is small against the error that quantisation left (rms, largest). To come:
 /// the last change times rate / (1 - rate), where every cycle changes `rate` times as much as the one before.
@@ -196,9 +196,10 @@ class GroupSolver {
         const double previous = std::exchange(change, worst_change());
         if (change > kPoorProgress * previous && drops < kMaxDrops && cycles_.drop_coarsest()) ++drops;
       }
+      if (cycles_.is_exhausted()) break;
       if (c + 1 >= kPatience && largest_bad_component() <= kLargestRescue) break;
     }
-    tolerate_large_components();
+    if (!cycles_.is_exhausted()) tolerate_large_components();
     return solve_bad_components();
   }
 
