@@ -25,7 +25,7 @@ class LeastSquaresSolver {
   virtual ~LeastSquaresSolver() = default;
 
   /// `deltas`: n; `anchor_positions`: one per anchor, in the order of setup; `x`: n, overwritten.
-  /// Errors: kInvalidStream where the system is numerically singular.
+  /// Errors: kInvalidStream where the system is numerically singular or its solution out of reach.
   virtual Result<void> solve(std::span<const Vec3> deltas, std::span<const Vec3> anchor_positions,
                              std::span<Vec3> x) = 0;
 };
@@ -37,7 +37,8 @@ Result<std::unique_ptr<LeastSquaresSolver>> make_direct_solver(const Adjacency& 
                                                                std::span<const std::uint32_t> anchors);
 
 /// Multigrid: time and memory linear in n; the error that remains is a few percent of what quantisation
-/// leaves. Small components that do not settle are factored. Same preconditions and errors as above.
+/// leaves. Components that do not settle are factored or iterated on, in bounded work per vertex. Same
+/// preconditions and errors as above.
 Result<std::unique_ptr<LeastSquaresSolver>> make_multigrid_solver(const Adjacency& graph,
                                                                   std::span<const std::uint32_t> anchors);
 
