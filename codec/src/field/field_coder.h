@@ -6,14 +6,11 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <vector>
 
-#include "entropy/compact_model.h"
-#include "entropy/number_model.h"
+#include "entropy/split_number.h"
 #include "field/field_predictor.h"
 #include "topology/adjacency.h"
 
@@ -21,19 +18,13 @@ namespace deltamesh {
 
 inline constexpr std::int32_t kLargestFieldValue = 1 << 30;  ///< either sign [FLD-1]
 
-inline constexpr unsigned kFieldEscape = 15;
-constexpr std::int64_t kFieldReach = 7;  ///< symbols 0 to 14 stand for -7 to 7
-constexpr unsigned kLongTail = 7;        ///< bit lengths from here on are written out
-inline constexpr SymbolModel kFreshField({1, 2, 3, 4, 8, 14, 24, 40, 24, 14, 8, 4, 3, 2, 1, 3});
-inline constexpr SymbolModel kFreshTail({12, 8, 10, 7, 8, 5, 6, 4, 4, 3, 3, 2, 2, 1, 1, 1});
-
 /// `Coder` is CompactWriter or CompactReader. `graph` must outlive the coder.
 template <class Coder>
 class FieldCoder {
  public:
-  FieldCoder(Coder& coder, const Adjacency& graph) : coder_(coder), history_(graph) {
-    for (std::size_t i = 0; i < models_.size(); ++i) models_[i].assign(kFieldContexts[i], kFreshField);
-    tails_.assign(kTailContexts, kFreshTail);
+  FieldCoder(Coder& coder, const Adjacency& graph)
+      : coder_(coder), history_(graph), numbers_(coder, kTailContexts) {
+    for (std::size_t i = 0; i < models_.size(); ++i) models_[i].assign(kFieldContexts[i], kFreshSplit);
   }
 
   /// Codes the first `axes` (1 to 3) numbers of `q` for `vertex`, the others being 0; all vertices before it
@@ -88,43 +79,11 @@ class FieldCoder {
   /// Returns the number, of any size where the stream lies [FLD-5].
   [[gnu::always_inline]] std::int64_t code(std::int64_t q, const FieldForecast& f) {
     const std::int64_t swapped = (q ^ f.sign) - f.sign;
-    std::int64_t high = (swapped >> f.shift) - f.center;
-    const auto low = static_cast<std::uint32_t>(swapped & ((std::int64_t{1} << f.shift) - 1));
-    const bool far = high < -kFieldReach || high > kFieldReach;
-    const unsigned symbol = coder_.symbol(
-        far ? kFieldEscape : static_cast<unsigned>(high + kFieldReach),
-        Mixture<kFieldModels>{
-            {&models_[0][f.contexts[0]], &models_[1][f.contexts[1]], &models_[2][f.contexts[2]]},
-            &weights_[f.weight_set]});
-    high = symbol == kFieldEscape ? code_tail(high, f) : static_cast<std::int64_t>(symbol) - kFieldReach;
-    const std::int64_t result = ((high + f.center) << f.shift) | code_low(low, f.shift, symbol);
+    const Mixture<kFieldModels> mixture{
+        {&models_[0][f.contexts[0]], &models_[1][f.contexts[1]], &models_[2][f.contexts[2]]},
+        &weights_[f.weight_set]};
+    const std::int64_t result = numbers_.code(swapped, f.shift, f.center, mixture, f.tail_context);
     return (result ^ f.sign) - f.sign;
-  }
-
-  /// Beyond the symbols: sign and bit length of the excess, then its bits [FLD-6].
-  std::int64_t code_tail(std::int64_t high, const FieldForecast& f) {
-    const auto excess = static_cast<std::uint32_t>(std::llabs(high) - (kFieldReach + 1));
-    auto length = static_cast<unsigned>(std::bit_width(excess));
-    const unsigned symbol = coder_.symbol(std::min(length, kLongTail) * 2 + (high < 0 ? 1 : 0),
-                                          Mixture<1>{{&tails_[f.tail_context]}, &tail_weights_});
-    const bool negative = symbol % 2 != 0;
-    length = symbol / 2;
-    if (length == kLongTail)
-      length += coder_.bits(static_cast<unsigned>(std::bit_width(excess)) - kLongTail, 5);
-    length = std::min(length, 32U);
-    const std::uint32_t coded =
-        length == 0 ? 0 : code_mantissa(coder_, excess, length, tail_second_[length], tail_third_[length]);
-    const std::int64_t size = std::int64_t{coded} + kFieldReach + 1;
-    return negative ? -size : size;
-  }
-
-  /// The highest of the low bits by a model, the others as they are [FLD-5].
-  std::int64_t code_low(std::uint32_t low, unsigned shift, unsigned symbol) {
-    if (shift == 0) return 0;
-    const bool top = coder_.bit((low >> (shift - 1)) != 0, low_models_[symbol]);
-    const std::uint32_t high = (top ? 1U : 0U) << (shift - 1);
-    if (shift == 1) return high;
-    return std::int64_t{high} | coder_.bits(low & ((1U << (shift - 1)) - 1), shift - 1);
   }
 
   Coder& coder_;
@@ -132,11 +91,7 @@ class FieldCoder {
   FieldPredictor predictor_;
   std::array<std::vector<SymbolModel>, kFieldModels> models_;
   std::array<MixWeights<kFieldModels>, kFieldWeightSets> weights_;
-  std::vector<SymbolModel> tails_;
-  MixWeights<1> tail_weights_;
-  std::array<BitModel, 33> tail_second_;
-  std::array<std::array<BitModel, 2>, 33> tail_third_;
-  std::array<BitModel, kSymbols> low_models_;
+  SplitNumberCoder<Coder> numbers_;
 };
 
 }  // namespace deltamesh

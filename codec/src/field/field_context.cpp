@@ -6,18 +6,13 @@
 #include <cstddef>
 #include <cstdlib>
 
+#include "base/mean.h"
+
 namespace deltamesh {
 namespace {
 
-constexpr std::size_t kMostNeighbors = 16;  ///< so that no sum leaves 32 bits
-
-/// round(65536 / count)
-constexpr std::array<std::int64_t, kMostNeighbors + 1> kOneOver = [] {
-  std::array<std::int64_t, kMostNeighbors + 1> table{};
-  for (std::int64_t n = 1; n <= static_cast<std::int64_t>(kMostNeighbors); ++n)
-    table[static_cast<std::size_t>(n)] = (65536 + n / 2) / n;
-  return table;
-}();
+constexpr unsigned kMostNeighbors = 16;  ///< so that no sum leaves 32 bits
+static_assert(kMostNeighbors <= kMostMeaned);
 
 void add(FieldMemory& sum, const FieldMemory& m) noexcept {
   for (std::size_t a = 0; a < 3; ++a) sum.q[a] += m.q[a];
@@ -33,7 +28,7 @@ std::int32_t smooth(std::int32_t now, std::int32_t before) noexcept { return (5 
 FieldNeighborhood FieldHistory::around(std::uint32_t vertex) const noexcept {
   FieldNeighborhood around;
   around.degree_class = std::clamp<std::uint32_t>(graph_.degree(vertex), 3, 10) - 3;
-  std::size_t count = 0;
+  unsigned count = 0;
   for (const std::uint32_t neighbor : graph_.of(vertex)) {
     if (neighbor >= vertex || count == kMostNeighbors) break;
     ++count;
@@ -41,8 +36,7 @@ FieldNeighborhood FieldHistory::around(std::uint32_t vertex) const noexcept {
   }
   if (count == 0) return around;
   around.empty = false;
-  const std::int64_t share = kOneOver[count];
-  const auto divide = [share](std::int32_t& x) { x = static_cast<std::int32_t>((x * share) >> 16); };
+  const auto divide = [count](std::int32_t& x) { x = static_cast<std::int32_t>(mean_of(x, count)); };
   for (std::int32_t& x : around.means.q) divide(x);
   for (std::int32_t& x : around.means.magnitude) divide(x);
   for (std::int32_t& x : around.means.moments) divide(x);

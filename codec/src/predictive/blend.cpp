@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "predictive/mean.h"
+#include "base/mean.h"
 
 namespace deltamesh {
 namespace {

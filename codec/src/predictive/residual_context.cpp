@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstdlib>
 
-#include "predictive/mean.h"
+#include "base/mean.h"
 
 namespace deltamesh {
 namespace {

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Means without a division [POSN-4].
+// Means of a few numbers without a division [FLD-2, POSN-4].
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 
-#include "predictive/surroundings.h"
-
 namespace deltamesh {
 
+inline constexpr std::size_t kMostMeaned = 16;
+
 /// round(65536 / count)
-inline constexpr std::array<std::int64_t, Surroundings::kMostNeighbors + 1> kOneOver = [] {
-  std::array<std::int64_t, Surroundings::kMostNeighbors + 1> table{};
+inline constexpr std::array<std::int64_t, kMostMeaned + 1> kOneOver = [] {
+  std::array<std::int64_t, kMostMeaned + 1> table{};
   for (std::size_t n = 1; n < table.size(); ++n) {
     const auto count = static_cast<std::int64_t>(n);
     table[n] = (65536 + count / 2) / count;

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Signed numbers that are mostly near a centre: a symbol in context, a tail for those that are not, and low
+// bits below the symbol [FLD-5, FLD-6].
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <vector>
+
+#include "entropy/compact_model.h"
+#include "entropy/number_model.h"
+
+namespace deltamesh {
+
+/// Of the symbols: 0 to 14 stand for -7 to 7, the last for all others.
+inline constexpr SymbolModel kFreshSplit({1, 2, 3, 4, 8, 14, 24, 40, 24, 14, 8, 4, 3, 2, 1, 3});
+
+/// `Coder` is CompactWriter, CompactReader or CompactPricer.
+template <class Coder>
+class SplitNumberCoder {
+ public:
+  SplitNumberCoder(Coder& coder, std::uint32_t tail_contexts)
+      : coder_(coder), tails_(tail_contexts, kFreshTail) {}
+
+  /// Codes `value` by `value >> shift` relative to `center`, in `mixture`, and its low `shift` bits. A
+  /// reader's argument is ignored; where the stream lies the result is anything below 2^62 in size.
+  template <std::size_t kModels>
+  [[gnu::always_inline]] std::int64_t code(std::int64_t value, unsigned shift, std::int64_t center,
+                                           const Mixture<kModels>& mixture, std::uint32_t tail_context) {
+    std::int64_t high = (value >> shift) - center;
+    const auto low = static_cast<std::uint32_t>(value & ((std::int64_t{1} << shift) - 1));
+    const bool far = high < -kReach || high > kReach;
+    const unsigned symbol = coder_.symbol(far ? kEscape : static_cast<unsigned>(high + kReach), mixture);
+    high = symbol == kEscape ? code_tail(high, tail_context) : static_cast<std::int64_t>(symbol) - kReach;
+    return ((high + center) << shift) | code_low(low, shift, symbol);
+  }
+
+ private:
+  static constexpr unsigned kEscape = 15;
+  static constexpr std::int64_t kReach = 7;
+  static constexpr unsigned kLongTail = 7;  ///< bit lengths from here on are written out
+  static constexpr SymbolModel kFreshTail{{12, 8, 10, 7, 8, 5, 6, 4, 4, 3, 3, 2, 2, 1, 1, 1}};
+
+  /// Beyond the symbols: sign and bit length of the excess, then its bits [FLD-6].
+  std::int64_t code_tail(std::int64_t high, std::uint32_t context) {
+    const auto excess = static_cast<std::uint32_t>(std::llabs(high) - (kReach + 1));
+    auto length = static_cast<unsigned>(std::bit_width(excess));
+    const unsigned symbol = coder_.symbol(std::min(length, kLongTail) * 2 + (high < 0 ? 1 : 0),
+                                          Mixture<1>{{&tails_[context]}, &tail_weights_});
+    length =
+        symbol / 2 == kLongTail ? std::min(kLongTail + coder_.bits(length - kLongTail, 5), 32U) : symbol / 2;
+    const std::uint32_t coded =
+        length == 0 ? 0 : code_mantissa(coder_, excess, length, second_[length], third_[length]);
+    const std::int64_t size = std::int64_t{coded} + kReach + 1;
+    return symbol % 2 != 0 ? -size : size;
+  }
+
+  /// The highest of the low bits by a model, the others as they are [FLD-5].
+  std::int64_t code_low(std::uint32_t low, unsigned shift, unsigned symbol) {
+    if (shift == 0) return 0;
+    const bool top = coder_.bit((low >> (shift - 1)) != 0, low_models_[symbol]);
+    const std::uint32_t high = (top ? 1U : 0U) << (shift - 1);
+    if (shift == 1) return high;
+    return std::int64_t{high} | coder_.bits(low & ((1U << (shift - 1)) - 1), shift - 1);
+  }
+
+  Coder& coder_;
+  std::vector<SymbolModel> tails_;
+  MixWeights<1> tail_weights_;
+  std::array<BitModel, 33> second_;
+  std::array<std::array<BitModel, 2>, 33> third_;
+  std::array<BitModel, kSymbols> low_models_;
+};
+
+}  // namespace deltamesh
