@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <set>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -25,12 +26,15 @@ constexpr Error kBadView{.code = ErrorCode::kInvalidFile,
 constexpr Error kBadBuffer{.code = ErrorCode::kInvalidFile,
                            .message = "a reference to bytes of a buffer that do not exist"};
 
+/// Whether the object under this key has members of names that its author chose: attributes, morph targets.
+bool is_dictionary(std::string_view key) noexcept { return key == "attributes" || key == "targets"; }
+
 /// Views that a member "bufferView" names.
 Result<std::vector<bool>> used_views(Json& json) {
   std::vector<bool> used(array_size(json, "bufferViews"));
   Result<void> result;
-  for_each_object(json, [&](Json& object) {
-    const Json* view = find(object, "bufferView");
+  for_each_object(json, [&](Json& object, std::string_view key) {
+    const Json* view = is_dictionary(key) ? nullptr : find(object, "bufferView");
     if (!view) return;
     const auto number = to_unsigned(*view, kNoLimit, kBadView);
     if (number && *number < used.size())
@@ -72,7 +76,8 @@ void renumber_views(Json& json, const std::vector<std::size_t>& old_of_new) {
     renumbered.push_back(views[old_of_new[i]]);
   }
   views = std::move(renumbered);
-  for_each_object(json, [&](Json& object) {
+  for_each_object(json, [&](Json& object, std::string_view key) {
+    if (is_dictionary(key)) return;
     if (Json* view = find(object, "bufferView")) *view = new_of_old[view->get<std::size_t>()];
   });
 }
@@ -126,8 +131,8 @@ Result<std::optional<BufferReference>> buffer_reference(const Document& document
 Result<std::vector<std::vector<Run>>> used_runs(Document& document) {
   std::vector<std::vector<Run>> runs(document.buffers.size());
   Result<void> result;
-  for_each_object(document.json, [&](Json& object) {
-    if (!result) return;
+  for_each_object(document.json, [&](Json& object, std::string_view key) {
+    if (!result || is_dictionary(key)) return;
     const auto reference = buffer_reference(document, object);
     if (!reference)
       result = reference.error();
@@ -163,9 +168,9 @@ std::uint64_t target_of(const std::vector<Run>& runs, std::uint64_t offset) {
 
 void rewrite_references(Document& document, const std::vector<std::vector<Run>>& runs,
                         const std::vector<std::size_t>& new_buffers) {
-  for_each_object(document.json, [&](Json& object) {
+  for_each_object(document.json, [&](Json& object, std::string_view key) {
     Json* buffer = find(object, "buffer");
-    if (!names_buffer(buffer)) return;
+    if (is_dictionary(key) || !names_buffer(buffer)) return;
     const auto old_buffer = buffer->get<std::size_t>();
     *buffer = new_buffers[old_buffer];
     if (document.buffers[old_buffer].opaque) return;

@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "deltamesh/result.h"
@@ -50,18 +52,20 @@ Result<std::uint64_t> unsigned_member(const Json& object, const char* key, std::
 /// Removes `object[key]`, and `key` counts as absent already where it is.
 void erase_member(Json& object, const char* key);
 
-/// Calls `visit(object)` for every object inside `root`, root included, but for those below a member
-/// "extras", which is the application's. No recursion; `visit` may change members, not add or remove objects
-/// below.
+/// Calls `visit(object, key)` for every object inside `root`, root included, but for those below a member
+/// "extras", which is the application's. `key` is the member that the object is, or is in the array of; empty
+/// for root. No recursion; `visit` may change members, not add or remove objects below.
 template <class Visit>
 void for_each_object(Json& root, Visit&& visit) {
-  std::vector<Json*> pending{&root};
+  std::vector<std::pair<Json*, std::string_view>> pending{{&root, {}}};
   while (!pending.empty()) {
-    Json& value = *pending.back();
+    const auto [value, key] = pending.back();
     pending.pop_back();
-    if (value.is_object()) visit(value);
-    for (auto item = value.begin(); item != value.end(); ++item)
-      if (item->is_structured() && !(value.is_object() && item.key() == "extras")) pending.push_back(&*item);
+    if (value->is_object()) visit(*value, key);
+    for (auto item = value->begin(); item != value->end(); ++item) {
+      const std::string_view own = value->is_object() ? std::string_view(item.key()) : key;
+      if (item->is_structured() && !(value->is_object() && own == "extras")) pending.push_back({&*item, own});
+    }
   }
 }
 

@@ -52,7 +52,7 @@ bool is_harmless_extension(std::string_view name) noexcept {
 
 std::set<std::uint64_t> numbers_in_unknown_extensions(Json& json) {
   std::set<std::uint64_t> numbers;
-  for_each_object(json, [&](Json& object) {
+  for_each_object(json, [&](Json& object, std::string_view) {
     const Json* extensions = find(object, "extensions");
     if (!extensions || !extensions->is_object()) return;
     for (auto item = extensions->begin(); item != extensions->end(); ++item)

@@ -24,6 +24,17 @@ using test::signed_area;
 using test::unpack_ok;
 using test::with_fallback;
 
+TEST(GltfPack, AttributesMayHaveTheNamesOfReferences) {
+  GltfBuilder builder;
+  const std::size_t mesh = builder.sheet_mesh(make_sheet(6));
+  Json& attributes = builder.json["meshes"][mesh]["primitives"][0]["attributes"];
+  for (const char* name : {"buffer", "bufferView"}) attributes[name] = attributes["POSITION"];
+  const GltfOutput packed = pack_ok(builder.glb(), with_fallback());
+  EXPECT_EQ(packed.report.converted, 1U);
+  EXPECT_EQ(unpack_ok(packed.asset).report.converted, 1U);
+  EXPECT_EQ(unpack_ok(pack_ok(builder.glb()).asset).report.converted, 1U);
+}
+
 TEST(GltfPack, NonIndexedTrianglesGetIndices) {
   GltfBuilder builder;
   const Sheet sheet = make_sheet(6);
