@@ -7,17 +7,18 @@
 #include <numeric>
 
 #include "laplacian/multigrid_hierarchy.h"
+#include "laplacian/small_components.h"
 
 namespace deltamesh::multigrid {
 namespace {
-
-/// Components up to this size are factored: cheaper than iterating, and nothing to go wrong.
-constexpr std::uint32_t kLargestDirect = 64;
 
 /// Around a vertex of higher degree an aggregate is no local average any more and cycles may settle on
 /// nothing; such a component is factored up to this size.
 constexpr std::uint32_t kLargestDegree = 64;
 constexpr std::uint32_t kLargestDirectWithHub = 5000;
+
+/// In place of a depth: the component is in no group.
+constexpr std::uint32_t kInNoGroup = ~std::uint32_t{0};
 
 /// The subgraph of the vertices whose component has `wanted` in `key`.
 Group extract(const Adjacency& graph, const Components& components, std::span<const std::uint32_t> anchors,
@@ -78,30 +79,34 @@ Group whole(const Adjacency& graph, Components components, std::span<const std::
 
 }  // namespace
 
-std::vector<Group> group_components(const Adjacency& graph, std::span<const std::uint32_t> anchors) {
-  Components components = find_components(graph);
+std::vector<Group> group_components(const Adjacency& graph, Components components,
+                                    std::span<const std::uint32_t> anchors) {
   std::vector<std::uint32_t> anchor_count(components.count, 0);
   for (const std::uint32_t anchor : anchors) ++anchor_count[components.label[anchor]];
   const std::vector<std::uint32_t> inner_count = count_inner_anchors(graph, components, anchors);
-  std::vector<std::uint32_t> direct_limit(components.count, kLargestDirect);
+  std::vector<std::uint32_t> direct_limit(components.count, 0);
   for (std::uint32_t v = 0; v < graph.vertex_count(); ++v) {
     if (graph.degree(v) > kLargestDegree) direct_limit[components.label[v]] = kLargestDirectWithHub;
   }
   std::vector<std::uint32_t> depth(components.count, 0);
   for (std::uint32_t c = 0; c < components.count; ++c) {
-    if (components.size[c] > direct_limit[c])
+    if (components.size[c] <= SmallComponents::kLargest)
+      depth[c] = kInNoGroup;
+    else if (components.size[c] > direct_limit[c])
       depth[c] = coarsening_depth(components.size[c] - inner_count[c], anchor_count[c] - inner_count[c]);
   }
   std::vector<Group> groups;
   if (std::adjacent_find(depth.begin(), depth.end(), std::not_equal_to<>()) == depth.end() &&
-      !depth.empty() && depth.front() > 0) {
+      !depth.empty() && depth.front() > 0 && depth.front() != kInNoGroup) {
     groups.push_back(whole(graph, std::move(components), anchors, depth.front()));
     return groups;
   }
   std::vector<std::uint32_t> depths = depth;
   std::sort(depths.begin(), depths.end());
   depths.erase(std::unique(depths.begin(), depths.end()), depths.end());
-  for (const std::uint32_t d : depths) groups.push_back(extract(graph, components, anchors, depth, d));
+  for (const std::uint32_t d : depths) {
+    if (d != kInNoGroup) groups.push_back(extract(graph, components, anchors, depth, d));
+  }
   return groups;
 }
 

@@ -16,7 +16,7 @@ namespace deltamesh::multigrid {
 
 /// Some components of a graph, with their vertices and anchors renumbered in the same order.
 struct Group {
-  std::uint32_t depth = 0;               ///< coarsenings; 0: so small that it is solved directly
+  std::uint32_t depth = 0;               ///< coarsenings; 0: factored
   std::vector<std::uint32_t> vertices;   ///< vertex of the whole graph for every vertex here, ascending;
                                          ///< empty: all of them
   std::vector<std::uint32_t> anchors;    ///< vertices here
@@ -28,9 +28,10 @@ struct Group {
   std::size_t vertex_count() const noexcept { return graph->vertex_count(); }
 };
 
-/// All components of `graph` by ascending depth. `anchors`: at least one in every component.
-/// `graph` must outlive the groups. O(n + edges).
-std::vector<Group> group_components(const Adjacency& graph, std::span<const std::uint32_t> anchors);
+/// All components of `graph` but those of SmallComponents by ascending depth. `anchors`: at least one in
+/// every component. `graph` must outlive the groups. O(n + edges).
+std::vector<Group> group_components(const Adjacency& graph, Components components,
+                                    std::span<const std::uint32_t> anchors);
 
 /// The components of `group` that `chosen` (one flag for each) marks, as a group of depth 0 over vertices and
 /// anchors of `group`.

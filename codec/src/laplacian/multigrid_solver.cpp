@@ -13,13 +13,16 @@
 #include "base/try.h"
 #include "laplacian/multigrid_acceleration.h"
 #include "laplacian/multigrid_cycle.h"
+#include "laplacian/multigrid_factored_group.h"
 #include "laplacian/multigrid_groups.h"
+#include "laplacian/small_components.h"
 #include "laplacian/solver.h"
 
 namespace deltamesh {
 namespace {
 
 using multigrid::Change;
+using multigrid::FactoredGroup;
 using multigrid::Float4;
 using multigrid::Group;
 using multigrid::MultigridCycle;
@@ -73,32 +76,6 @@ Float4 to_float4(const Vec3& v) noexcept {
 }
 
 Vec3 to_vec3(Float4 v) noexcept { return {v[0], v[1], v[2]}; }
-
-/// Components so small that a factorisation is the quickest.
-class SmallSolver {
- public:
-  static Result<std::unique_ptr<SmallSolver>> make(Group group) {
-    auto solver = std::make_unique<SmallSolver>();
-    solver->group_ = std::move(group);
-    DELTAMESH_TRY(solver->direct_, make_direct_solver(*solver->group_.graph, solver->group_.anchors));
-    return solver;
-  }
-
-  Result<void> solve(std::span<const Vec3> deltas, std::span<const Vec3> anchor_positions,
-                     std::span<Vec3> x) {
-    std::vector<Vec3> own_deltas, targets;
-    for (const std::uint32_t v : group_.vertices) own_deltas.push_back(deltas[v]);
-    for (const std::uint32_t a : group_.anchor_of) targets.push_back(anchor_positions[a]);
-    std::vector<Vec3> solution(group_.vertices.size());
-    DELTAMESH_CHECK(direct_->solve(own_deltas, targets, solution));
-    for (std::size_t i = 0; i < solution.size(); ++i) x[group_.vertices[i]] = solution[i];
-    return {};
-  }
-
- private:
-  Group group_;
-  std::unique_ptr<LeastSquaresSolver> direct_;
-};
 
 /// One group's problem and its solution in the making.
 class GroupSolver {
@@ -306,7 +283,7 @@ class GroupSolver {
     for (std::size_t c = 0; c < bad_.size(); ++c)
       (group_.components.size[c] <= kLargestRescue ? small : large)[c] = bad_[c];
     if (std::find(small.begin(), small.end(), 1) != small.end()) {
-      DELTAMESH_TRY(const auto solver, SmallSolver::make(extract_components(group_, small)));
+      DELTAMESH_TRY(const auto solver, FactoredGroup::make(extract_components(group_, small)));
       DELTAMESH_CHECK(solver->solve(deltas_, targets_, x_));
     }
     if (std::find(large.begin(), large.end(), 1) == large.end()) return {};
@@ -326,25 +303,29 @@ class GroupSolver {
 
 class MultigridSolver final : public LeastSquaresSolver {
  public:
+  explicit MultigridSolver(SmallComponents small) : small_(std::move(small)) {}
+
   Result<void> add(Group group) {
     if (group.depth > 0) {
       iterated_.push_back(std::make_unique<GroupSolver>(std::move(group)));
       return {};
     }
-    DELTAMESH_TRY(small_, SmallSolver::make(std::move(group)));
+    DELTAMESH_TRY(factored_, FactoredGroup::make(std::move(group)));
     return {};
   }
 
   Result<void> solve(std::span<const Vec3> deltas, std::span<const Vec3> anchor_positions,
                      std::span<Vec3> x) override {
     std::fill(x.begin(), x.end(), Vec3{});
-    if (small_) DELTAMESH_CHECK(small_->solve(deltas, anchor_positions, x));
+    DELTAMESH_CHECK(small_.solve(deltas, anchor_positions, x));
+    if (factored_) DELTAMESH_CHECK(factored_->solve(deltas, anchor_positions, x));
     for (const auto& group : iterated_) DELTAMESH_CHECK(group->solve(deltas, anchor_positions, x));
     return {};
   }
 
  private:
-  std::unique_ptr<SmallSolver> small_;
+  SmallComponents small_;
+  std::unique_ptr<FactoredGroup> factored_;  ///< null where there are no hubs
   std::vector<std::unique_ptr<GroupSolver>> iterated_;
 };
 
@@ -352,8 +333,9 @@ class MultigridSolver final : public LeastSquaresSolver {
 
 Result<std::unique_ptr<LeastSquaresSolver>> make_multigrid_solver(const Adjacency& graph,
                                                                   std::span<const std::uint32_t> anchors) {
-  auto solver = std::make_unique<MultigridSolver>();
-  for (Group& group : multigrid::group_components(graph, anchors))
+  Components components = find_components(graph);
+  auto solver = std::make_unique<MultigridSolver>(SmallComponents(graph, components, anchors));
+  for (Group& group : multigrid::group_components(graph, std::move(components), anchors))
     DELTAMESH_CHECK(solver->add(std::move(group)));
   return std::unique_ptr<LeastSquaresSolver>(std::move(solver));
 }
