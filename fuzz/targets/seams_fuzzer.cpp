@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// SEAM payloads from anywhere, over a small mesh. The last two bytes choose the mesh and the number of copies
-// beyond the first. What is read must come back unchanged when written.
+// SEAM payloads from anywhere, over a small mesh. The last two bytes choose the mesh and the form, and the
+// number of copies beyond the first. What is read must come back unchanged from both forms.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -37,8 +37,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const test::Soup soup = choose_mesh(data[size - 2]);
   const CodedConnectivity coded = write_connectivity(soup.triangles, soup.vertex_count);
   const std::uint32_t vertex_count = soup.vertex_count + data[size - 1];
-  const auto split =
-      read_seams(std::as_bytes(std::span(data, size - 2)), coded.triangles, soup.vertex_count, vertex_count);
+  Payload payload(std::as_bytes(std::span(data, size - 2)));
+  payload.is_compact = data[size - 2] >= 0x80;
+  const auto split = read_seams(payload, coded.triangles, soup.vertex_count, vertex_count);
   if (!split) {
     if (split.error().code == ErrorCode::kInternal) std::abort();
     return 0;
@@ -56,6 +57,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (used[v] == 0) lone.push_back(v);
   }
   const CodedSeams again = write_seams(coded.triangles, soup.vertex_count, split->triangles, lone);
-  if (again.split.triangles != split->triangles || again.split.geometric != split->geometric) std::abort();
+  for (const Payload& form : {Payload(again.payload), Payload::compact(again.compact)}) {
+    const auto copy = read_seams(form, coded.triangles, soup.vertex_count, vertex_count);
+    if (!copy || copy->triangles != split->triangles || copy->geometric != split->geometric) std::abort();
+  }
   return 0;
 }

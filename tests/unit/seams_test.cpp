@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "base/byte_writer.h"
+#include "connectivity/seam_coder.h"
+#include "entropy/compact_writer.h"
 #include "entropy/planes.h"
 #include "support/soups.h"
 
@@ -71,9 +73,27 @@ std::vector<Case> cases() {
 
 CodedSeams write(const Case& c) { return write_seams(c.triangles, c.geometric_count, c.corners, c.lone); }
 
-Result<SplitVertices> read(std::span<const std::byte> payload, const Case& c, std::size_t vertex_count) {
-  const std::vector<std::byte> copy(payload.begin(), payload.end());
-  return read_seams(copy, c.triangles, c.geometric_count, static_cast<std::uint32_t>(vertex_count));
+/// Reads from a copy, so that a sanitizer sees the bounds.
+Result<SplitVertices> read(Payload payload, const Case& c, std::size_t vertex_count) {
+  const std::vector<std::byte> copy(payload.bytes.begin(), payload.bytes.end());
+  payload.bytes = copy;
+  return read_seams(payload, c.triangles, c.geometric_count, static_cast<std::uint32_t>(vertex_count));
+}
+
+/// Both forms of what was written; none where nothing is split.
+struct Form {
+  std::vector<std::byte> bytes;
+  bool is_compact;
+
+  Payload payload(std::size_t size) const {
+    Payload payload(std::span<const std::byte>(bytes).first(size));
+    payload.is_compact = is_compact;
+    return payload;
+  }
+};
+std::vector<Form> forms(const CodedSeams& coded) {
+  if (coded.payload.empty()) return {};
+  return {{coded.payload, false}, {coded.compact, true}};
 }
 
 TEST(Seams, SEAM5RoundTripsNumberedByGeometricVertex) {
@@ -87,11 +107,27 @@ TEST(Seams, SEAM5RoundTripsNumberedByGeometricVertex) {
       EXPECT_EQ(coded.split.geometric[coded.split.triangles[k]], c.triangles[k]) << c.name;
     }
     EXPECT_TRUE(std::equal(c.lone.begin(), c.lone.end(), coded.vertex_order.end() - std::ssize(c.lone)));
-    const auto split = read(coded.payload, c, coded.vertex_order.size());
-    ASSERT_TRUE(split) << c.name << ": " << describe(split.error());
-    EXPECT_EQ(split->triangles, coded.split.triangles) << c.name;
-    EXPECT_EQ(split->geometric, coded.split.geometric) << c.name;
+    EXPECT_EQ(coded.payload.empty(), coded.compact.empty());
+    for (const Form& form : forms(coded)) {
+      const auto split = read(form.payload(form.bytes.size()), c, coded.vertex_order.size());
+      ASSERT_TRUE(split) << c.name << ": " << describe(split.error());
+      EXPECT_EQ(split->triangles, coded.split.triangles) << c.name;
+      EXPECT_EQ(split->geometric, coded.split.geometric) << c.name;
+    }
   }
+}
+
+TEST(Seams, SEAM7KnowsASeamFromOneEndOfAnEdge) {
+  // Two sheets sewn along a straight line: after its first corners every choice follows from the edges.
+  Case c{"two_sheets", test::grid(40, 40, false, false, 0, 1).triangles, 41 * 41, {}, {}};
+  for (std::size_t f = 0; f < c.triangles.size(); f += 3) {
+    const auto column = [&](std::size_t k) { return c.triangles[f + k] % 41; };
+    const bool right = std::max({column(0), column(1), column(2)}) > 20;
+    for (std::size_t k = 0; k < 3; ++k) c.corners.push_back(c.triangles[f + k] + (right ? 41 * 41 : 0));
+  }
+  const CodedSeams coded = write(c);
+  ASSERT_EQ(coded.split.geometric.size(), 41 * 41 + 41);
+  EXPECT_LT(coded.compact.size() * 4, coded.payload.size());
 }
 
 TEST(Seams, SEAM1NoBytesWhereNothingIsSplit) {
@@ -107,12 +143,20 @@ TEST(Seams, EveryPrefixAndExtensionFails) {
   for (const Case& c : cases()) {
     if (c.triangles.size() > 400) continue;
     const CodedSeams coded = write(c);
-    if (coded.payload.empty()) continue;
-    std::vector<std::byte> payload = coded.payload;
-    for (std::size_t size = 0; size < payload.size(); ++size)
-      EXPECT_FALSE(read(std::span(payload).first(size), c, coded.vertex_order.size()));
-    payload.push_back(std::byte{0});
-    EXPECT_FALSE(read(payload, c, coded.vertex_order.size()));
+    for (Form form : forms(coded)) {
+      for (std::size_t size = 0; size < form.bytes.size(); ++size)
+        EXPECT_FALSE(read(form.payload(size), c, coded.vertex_order.size()));
+      form.bytes.push_back(std::byte{0});
+      EXPECT_FALSE(read(form.payload(form.bytes.size()), c, coded.vertex_order.size()));
+    }
+  }
+}
+
+void expect_valid(const SplitVertices& split, const Case& c, std::size_t vertex_count) {
+  ASSERT_EQ(split.geometric.size(), vertex_count);
+  for (std::size_t k = 0; k < c.triangles.size(); ++k) {
+    ASSERT_LT(split.triangles[k], split.geometric.size());
+    ASSERT_EQ(split.geometric[split.triangles[k]], c.triangles[k]);
   }
 }
 
@@ -120,17 +164,13 @@ TEST(Seams, FlippedBytesGiveAnErrorOrValidFaces) {
   for (const Case& c : cases()) {
     if (c.triangles.size() > 400) continue;
     const CodedSeams coded = write(c);
-    std::vector<std::byte> payload = coded.payload;
-    for (std::size_t i = 0; i < payload.size(); ++i) {
-      for (const std::byte flip : {std::byte{1}, std::byte{2}, std::byte{0x80}, std::byte{0xff}}) {
-        payload[i] ^= flip;
-        const auto split = read(payload, c, coded.vertex_order.size());
-        payload[i] ^= flip;
-        if (!split) continue;
-        ASSERT_EQ(split->geometric.size(), coded.vertex_order.size());
-        for (std::size_t k = 0; k < c.triangles.size(); ++k) {
-          ASSERT_LT(split->triangles[k], split->geometric.size());
-          ASSERT_EQ(split->geometric[split->triangles[k]], c.triangles[k]);
+    for (Form form : forms(coded)) {
+      for (std::byte& byte : form.bytes) {
+        for (const std::byte flip : {std::byte{1}, std::byte{2}, std::byte{0x80}, std::byte{0xff}}) {
+          byte ^= flip;
+          const auto split = read(form.payload(form.bytes.size()), c, coded.vertex_order.size());
+          byte ^= flip;
+          if (split) expect_valid(*split, c, coded.vertex_order.size());
         }
       }
     }
@@ -179,6 +219,42 @@ TEST(Seams, SEAM4RejectsChoicesOfNoCopy) {
   expect_rule(1, {0}, {0}, {4, 1}, 6, "SEAM-4");  // copy 1 by name before its first use
   expect_rule(1, {0}, {0}, {1, 3}, 6, nullptr);   // copy 0 by name
   expect_rule(1, {0}, {0}, {1, 2}, 6, nullptr);   // copy 0 as the other one
+}
+
+/// The compact form that a writer makes of `counts` (per geometric vertex) and `copies` (per corner).
+std::vector<std::byte> compact_form(const Indices& counts, const Indices& copies,
+                                    std::uint32_t extra_copies) {
+  CompactWriter writer;
+  SeamCoder<CompactWriter> coder(writer, kGeometric, extra_copies);
+  CornerCopies all{counts, copies};
+  coder.code(kFan, all);
+  return writer.finish();
+}
+
+void expect_compact_rule(const Indices& counts, const Indices& copies, std::uint32_t vertex_count,
+                         const char* rule) {
+  const std::vector<std::byte> bytes = compact_form(counts, copies, 100);
+  const auto split = read_seams(Payload::compact(bytes), kFan, kGeometric, vertex_count);
+  if (rule == nullptr) {
+    EXPECT_TRUE(split) << describe(split.error());
+  } else {
+    ASSERT_FALSE(split);
+    EXPECT_STREQ(split.error().rule, rule) << describe(split.error());
+  }
+}
+
+TEST(Seams, SEAM6RejectsCountsThatDoNotAddUp) {
+  expect_compact_rule({2, 1, 1, 1, 1}, {0, 0, 0, 1, 0, 0, 1, 0, 0}, 6, nullptr);
+  expect_compact_rule({2, 1, 1, 1, 1}, {0, 0, 0, 1, 0, 0, 1, 0, 0}, 7, "SEAM-6");   // one too few
+  expect_compact_rule({3, 1, 1, 1, 1}, {0, 0, 0, 1, 0, 0, 2, 0, 0}, 6, "SEAM-6");   // one too many
+  expect_compact_rule({90, 1, 1, 1, 1}, {0, 0, 0, 1, 0, 0, 2, 0, 0}, 7, "SEAM-6");  // by a long number
+  expect_compact_rule({2, 1, 1, 1, 1}, {0, 0, 0, 1, 0, 0, 1, 0, 0}, 15, "SEAM-6");  // more than corners
+}
+
+TEST(Seams, SEAM8RejectsCopiesThatAreNotThere) {
+  expect_compact_rule({2, 1, 1, 1, 1}, {0, 0, 0, 0, 0, 0, 0, 0, 0}, 6, "SEAM-8");  // copy 1 never used
+  expect_compact_rule({2, 1, 1, 1, 1}, {0, 0, 0, 2, 0, 0, 1, 0, 0}, 6, "SEAM-8");  // before copy 1
+  expect_compact_rule({2, 1, 1, 1, 1}, {0, 0, 0, 40, 0, 0, 1, 0, 0}, 6, "SEAM-8");
 }
 
 }  // namespace

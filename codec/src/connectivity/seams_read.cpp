@@ -5,8 +5,11 @@
 #include <optional>
 
 #include "base/byte_reader.h"
+#include "connectivity/corner_copies.h"
+#include "connectivity/seam_coder.h"
 #include "connectivity/seam_vertex.h"
 #include "connectivity/seams.h"
+#include "entropy/compact_reader.h"
 #include "entropy/planes.h"
 #include "format/tags.h"
 
@@ -98,32 +101,51 @@ SplitVertices unsplit(std::span<const std::uint32_t> geometric_triangles, std::u
   return split;
 }
 
-}  // namespace
-
-Result<SplitVertices> read_seams(std::span<const std::byte> payload,
-                                 std::span<const std::uint32_t> geometric_triangles,
-                                 std::uint32_t geometric_count, std::uint32_t vertex_count) {
-  ByteReader in(payload, kTagSeams);
-  if (vertex_count < geometric_count || payload.empty() != (vertex_count == geometric_count))
-    return in.error(ErrorCode::kInvalidStream, "seams do not fit the vertex counts", "SEAM-1");
-  if (payload.empty()) return unsplit(geometric_triangles, geometric_count);
-
-  DELTAMESH_TRY(SeamList list, read_seam_list(in, geometric_count, vertex_count - geometric_count));
+/// Errors: kTruncated, kInvalidStream [SEAM-1 .. 4].
+Result<CornerCopies> read_plain(ByteReader& in, std::span<const std::uint32_t> geometric_triangles,
+                                std::uint32_t geometric_count, std::uint32_t extra_copies) {
+  DELTAMESH_TRY(SeamList list, read_seam_list(in, geometric_count, extra_copies));
   DELTAMESH_TRY(const std::vector<std::uint32_t> choices, read_choices(in, list, geometric_triangles));
   DELTAMESH_CHECK(in.finish());
-  SplitVertices split;
-  DELTAMESH_TRY(split.triangles, follow_choices(in, list, choices, geometric_triangles));
+  CornerCopies copies;
+  DELTAMESH_TRY(copies.of_corner, follow_choices(in, list, choices, geometric_triangles));
+  copies.of_vertex.reserve(geometric_count);
+  for (const std::uint32_t slot : list.slot)
+    copies.of_vertex.push_back(slot == kNone ? 1 : list.seam[slot].copies);
+  return copies;
+}
 
-  std::vector<std::uint32_t> first(geometric_count);
-  split.geometric.reserve(vertex_count);
-  for (std::uint32_t g = 0; g < geometric_count; ++g) {
-    first[g] = static_cast<std::uint32_t>(split.geometric.size());
-    const std::uint32_t copies = list.slot[g] == kNone ? 1 : list.seam[list.slot[g]].copies;
-    split.geometric.insert(split.geometric.end(), copies, g);
-  }
-  for (std::size_t c = 0; c < split.triangles.size(); ++c)
-    split.triangles[c] += first[geometric_triangles[c]];
-  return split;
+/// Errors: kTruncated, kInvalidStream [SEAM-6 .. 8, CMP-3].
+Result<CornerCopies> read_compact(const ByteReader& in, std::span<const std::byte> bytes,
+                                  std::span<const std::uint32_t> geometric_triangles,
+                                  std::uint32_t geometric_count, std::uint32_t extra_copies) {
+  if (extra_copies > geometric_triangles.size())
+    return in.error(ErrorCode::kInvalidStream, "more copies than corners", "SEAM-6");
+  CompactReader reader(bytes);
+  SeamCoder<CompactReader> coder(reader, geometric_count, extra_copies);
+  CornerCopies copies{std::vector<std::uint32_t>(geometric_count, 1),
+                      std::vector<std::uint32_t>(geometric_triangles.size(), 0)};
+  const char* const broken = coder.code(geometric_triangles, copies);
+  if (reader.failed() || broken == nullptr) DELTAMESH_CHECK(reader.finish(kTagSeams));
+  if (broken != nullptr)
+    return in.error(ErrorCode::kInvalidStream, "copies do not fit the vertices and corners", broken);
+  return copies;
+}
+
+}  // namespace
+
+Result<SplitVertices> read_seams(Payload payload, std::span<const std::uint32_t> geometric_triangles,
+                                 std::uint32_t geometric_count, std::uint32_t vertex_count) {
+  ByteReader in(payload.bytes, kTagSeams);
+  if (vertex_count < geometric_count || payload.bytes.empty() != (vertex_count == geometric_count))
+    return in.error(ErrorCode::kInvalidStream, "seams do not fit the vertex counts", "SEAM-1");
+  if (payload.bytes.empty()) return unsplit(geometric_triangles, geometric_count);
+  const std::uint32_t extra_copies = vertex_count - geometric_count;
+  DELTAMESH_TRY(const CornerCopies copies,
+                payload.is_compact
+                    ? read_compact(in, payload.bytes, geometric_triangles, geometric_count, extra_copies)
+                    : read_plain(in, geometric_triangles, geometric_count, extra_copies));
+  return split_vertices(geometric_triangles, copies);
 }
 
 }  // namespace deltamesh

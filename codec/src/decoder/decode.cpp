@@ -79,8 +79,8 @@ class StreamDecoder {
                   expand_any_single(container_, kTagConnectivity, max_payload(header_)));
     DELTAMESH_TRY(geometric_triangles_,
                   read_connectivity(connectivity.payload(), header_.geometric_vertices, header_.triangles));
-    DELTAMESH_TRY(const auto seams, expand_single(container_, kTagSeams, max_payload(header_)));
-    return read_seams(seams, geometric_triangles_, header_.geometric_vertices, header_.vertices);
+    DELTAMESH_TRY(const auto seams, expand_any_single(container_, kTagSeams, max_payload(header_)));
+    return read_seams(seams.payload(), geometric_triangles_, header_.geometric_vertices, header_.vertices);
   }
 
   Result<std::vector<Vec3>> read_geometry() {

@@ -277,7 +277,8 @@ Result<Encoded> encode_checked(const MeshView& mesh, const EncodeOptions& option
   OtherChunks other{ChunkList(options.profile, options.effort), ChunkList(options.profile, options.effort)};
   DELTAMESH_CHECK(other.before.add(kTagConnectivity, std::move(topology.connectivity.payload),
                                    std::move(topology.connectivity.compact)));
-  DELTAMESH_CHECK(other.before.add(kTagSeams, std::move(topology.seams.payload)));
+  DELTAMESH_CHECK(
+      other.before.add(kTagSeams, std::move(topology.seams.payload), std::move(topology.seams.compact)));
   DELTAMESH_CHECK(add_attributes(mesh, topology, options, other.after));
   if (options.keep_order)
     DELTAMESH_CHECK(other.after.add(kTagOrder, write_order(original_order(topology, mesh.vertex_count()))));

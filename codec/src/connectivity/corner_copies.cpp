@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "connectivity/corner_copies.h"
+
+#include <cstddef>
+
+namespace deltamesh {
+
+SplitVertices split_vertices(std::span<const std::uint32_t> geometric_triangles, const CornerCopies& copies) {
+  SplitVertices split;
+  std::vector<std::uint32_t> first(copies.of_vertex.size());
+  for (std::uint32_t g = 0; g < first.size(); ++g) {
+    first[g] = static_cast<std::uint32_t>(split.geometric.size());
+    split.geometric.insert(split.geometric.end(), copies.of_vertex[g], g);
+  }
+  split.triangles.resize(geometric_triangles.size());
+  for (std::size_t c = 0; c < split.triangles.size(); ++c)
+    split.triangles[c] = first[geometric_triangles[c]] + copies.of_corner[c];
+  return split;
+}
+
+}  // namespace deltamesh

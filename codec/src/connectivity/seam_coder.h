@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Seams by the compact coder: a corner mostly uses the copy that the face across one of its edges uses
+// [SEAM-6 .. 8].
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "connectivity/corner_copies.h"
+#include "connectivity/split_vertex.h"
+#include "entropy/compact_model.h"
+#include "entropy/number_model.h"
+
+namespace deltamesh {
+
+/// `Coder` is CompactWriter or CompactReader.
+template <class Coder>
+class SeamCoder {
+ public:
+  /// `extra_copies`: vertices of the mesh beyond the geometric ones.
+  SeamCoder(Coder& coder, std::uint32_t geometric_count, std::uint32_t extra_copies)
+      : coder_(coder), extra_left_(extra_copies), slot_(geometric_count, kUnseen) {}
+
+  /// Codes `copies`, which a writer reads and a reader fills in (its counts being 1 before). Returns nothing,
+  /// or the rule that a reader's copies break; the reader's own failure comes first. O(corners).
+  const char* code(std::span<const std::uint32_t> geometric_triangles, CornerCopies& copies) {
+    for (std::size_t f = 0; f < geometric_triangles.size(); f += 3) {
+      const Face face{{geometric_triangles[f], geometric_triangles[f + 1], geometric_triangles[f + 2]},
+                      &copies.of_corner[f]};
+      for (std::size_t k = 0; k < 3; ++k) {
+        std::uint32_t& count = copies.of_vertex[face.vertex[k]];
+        if (slot_[face.vertex[k]] == kUnseen && !code_count(face, k, count)) return "SEAM-6";
+        if (!code_corner(face, k)) return "SEAM-8";
+      }
+      join_edges(face);
+    }
+    if (extra_left_ != 0) return "SEAM-6";
+    const bool all_used = std::all_of(split_.begin(), split_.end(),
+                                      [](const SplitVertex& v) { return v.used() == v.copies(); });
+    return all_used ? nullptr : "SEAM-8";
+  }
+
+ private:
+  static constexpr std::uint32_t kUnseen = 0xffffffff;
+  static constexpr std::uint32_t kUnsplit = 0xfffffffe;
+  static constexpr std::uint32_t kNeighborClasses = 5;
+  static constexpr std::uint32_t kLast = kSymbols - 1;  ///< stands for itself and more, the rest as a number
+
+  struct Face {
+    std::array<std::uint32_t, 3> vertex;
+    std::uint32_t* copy;  ///< of its three corners
+  };
+
+  /// What is known across an edge at a corner: kinds of other end [SEAM-7].
+  enum Across : std::uint32_t { kNoFace, kUnsplitEnd, kLaterEnd, kSameEnd, kSplitEnd, kAcrossKinds };
+  enum Choice : std::uint32_t { kAhead, kBehind, kNew, kNamed };
+
+  SplitVertex* split_at(std::uint32_t vertex) noexcept {
+    return slot_[vertex] < kUnsplit ? &split_[slot_[vertex]] : nullptr;
+  }
+
+  /// `value` as a symbol, the rest of a large one as a number.
+  template <std::size_t kModels>
+  std::uint32_t code_value(std::uint32_t value, const Mixture<kModels>& mixture) {
+    const unsigned symbol = coder_.symbol(std::min(value, kLast), mixture);
+    return symbol < kLast ? symbol : kLast + coder_.number(value - kLast, large_);
+  }
+
+  std::uint32_t neighbor_class(std::uint32_t vertex) noexcept {
+    if (slot_[vertex] == kUnseen) return 0;
+    const SplitVertex* const split = split_at(vertex);
+    return split == nullptr ? 1 : 2 + std::min(split->split_neighbors(), 2U);
+  }
+
+  bool code_count(const Face& face, std::size_t k, std::uint32_t& count) {
+    const std::uint32_t context = neighbor_class(face.vertex[(k + 1) % 3]) * kNeighborClasses +
+                                  neighbor_class(face.vertex[(k + 2) % 3]);
+    const std::uint32_t extra = code_value(count - 1, Mixture<1>{{&counts_[context]}, &count_weights_});
+    if (extra > extra_left_) return false;
+    extra_left_ -= extra;
+    count = extra + 1;
+    slot_[face.vertex[k]] = extra == 0 ? kUnsplit : static_cast<std::uint32_t>(split_.size());
+    if (extra > 0) split_.emplace_back(count);
+    return true;
+  }
+
+  bool code_corner(const Face& face, std::size_t k) {
+    SplitVertex* const split = split_at(face.vertex[k]);
+    std::uint32_t& copy = face.copy[k];
+    if (split == nullptr || split->used() == 0) {
+      copy = 0;
+    } else {
+      copy = code_copy(face, k, *split);
+      if (copy > split->used() || copy >= split->copies()) return false;
+    }
+    if (split != nullptr) split->use(copy);
+    return true;
+  }
+
+  Across across(const Face& face, std::size_t k, std::size_t other, const SplitVertex::Edge* edge) const {
+    if (edge == nullptr) return kNoFace;
+    if (slot_[face.vertex[other]] == kUnsplit) return kUnsplitEnd;
+    if (other > k) return kLaterEnd;
+    return face.copy[other] == edge->other_copy ? kSameEnd : kSplitEnd;
+  }
+
+  std::uint32_t code_copy(const Face& face, std::size_t k, const SplitVertex& split) {
+    const SplitVertex::Edge* const ahead = split.find(face.vertex[(k + 1) % 3]);
+    const SplitVertex::Edge* const behind = split.find(face.vertex[(k + 2) % 3]);
+    const std::uint32_t second = behind != nullptr ? behind->copy : split.present();
+    const std::uint32_t first = ahead != nullptr ? ahead->copy : second;
+    const std::uint32_t known =
+        across(face, k, (k + 1) % 3, ahead) * kAcrossKinds + across(face, k, (k + 2) % 3, behind);
+    const std::uint32_t kind = (first != second ? 2U : 0U) + (split.used() < split.copies() ? 1U : 0U);
+    const std::uint32_t use = std::min(split.copies() - 2, 3U) * 4 + std::min(split.used() - 1, 3U);
+    const std::uint32_t copy = face.copy[k];
+    const std::uint32_t choice = code_value(
+        copy == first          ? kAhead
+        : copy == second       ? kBehind
+        : copy == split.used() ? kNew
+                               : kNamed + copy,
+        Mixture<2>{{&by_edges_[known * 4 + kind], &by_use_[use * 4 + kind]}, &copy_weights_[kind]});
+    switch (choice) {
+      case kAhead:
+        return first;
+      case kBehind:
+        return second;
+      case kNew:
+        return split.used();
+      default:
+        return choice - kNamed;
+    }
+  }
+
+  void join_edges(const Face& face) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      SplitVertex* const split = split_at(face.vertex[k]);
+      if (split == nullptr) continue;
+      for (const std::size_t other : {(k + 1) % 3, (k + 2) % 3})
+        split->join({face.vertex[other], face.copy[k], face.copy[other]},
+                    split_at(face.vertex[other]) != nullptr);
+    }
+  }
+
+  static constexpr SymbolModel kFreshCount{{60, 10, 3, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
+  static constexpr SymbolModel kFreshChoice{{60, 10, 10, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
+
+  Coder& coder_;
+  std::uint32_t extra_left_;
+  std::vector<std::uint32_t> slot_;  ///< place in split_ of every geometric vertex, kUnseen or kUnsplit
+  std::vector<SplitVertex> split_;
+  std::vector<SymbolModel> counts_ = std::vector(kNeighborClasses * kNeighborClasses, kFreshCount);
+  std::vector<SymbolModel> by_edges_ = std::vector(kAcrossKinds * kAcrossKinds * 4, kFreshChoice);
+  std::vector<SymbolModel> by_use_ = std::vector(4 * 4 * 4, kFreshChoice);
+  MixWeights<1> count_weights_;
+  std::array<MixWeights<2>, 4> copy_weights_;
+  NumberModel large_;
+};
+
+}  // namespace deltamesh
