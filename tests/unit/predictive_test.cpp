@@ -66,7 +66,7 @@ TEST(Predictive, POSN2POSN3POSN4POSN5POSN6POSN8POSN9CellsComeBack) {
       const auto back = read_positions(Payload::compact(bytes), stars, {.lattice = lattice}, mesh.box);
       ASSERT_TRUE(back) << back.error().message;
       EXPECT_EQ(*back, to_positions(cells, lattice));
-      const auto guessed = write_positions(stars, cells, {.lattice = lattice}, true);
+      const auto guessed = write_positions(stars, cells, {.lattice = lattice}, {.guesses = true});
       EXPECT_EQ(*read_positions(Payload::compact(guessed), stars, {.lattice = lattice}, mesh.box), *back);
     }
   }
@@ -310,7 +310,7 @@ TEST(Voxels, VOX1VOX4VOX5POSN7RefuseWhatIsNotThere) {
       .kind = PositionKind::kVoxel, .lattice = {.step = {1, 1, 1}, .cells = {64, 64, 64}}, .levels = 4};
   std::uint32_t state = 1;
   std::map<std::string, int> refused;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 15000; ++i) {
     std::vector<std::byte> bytes(400);
     for (std::byte& b : bytes) b = static_cast<std::byte>((state = state * 1664525 + 1013904223) >> 24);
     bytes[7] = std::byte{0x3f};

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/try.h"
+#include "encoder/position_forms.h"
 #include "geometry/vertex_positions.h"
 #include "predictive/lattice.h"
 #include "predictive/positions.h"
@@ -75,12 +76,11 @@ GeometryChoice PredictiveTrials::code(const Trial& trial) const {
                         .predictive = trial.parameters,
                         .chunks = frame_.before.fresh(),
                         .quality = trial.quality};
-  auto bytes = write_positions(stars_, trial.cells, trial.parameters);
-  if (effort_ > 0 && trial.parameters.kind == PositionKind::kLattice) {
-    auto guessed = write_positions(stars_, trial.cells, trial.parameters, true);
-    if (guessed.size() < bytes.size()) bytes = std::move(guessed);
-  }
-  choice.chunks.add_compact(kTagPositions, std::move(bytes));
+  const auto write = [&](const PositionForm& form) {
+    return write_positions(stars_, trial.cells, trial.parameters, form);
+  };
+  const bool may_guess = trial.parameters.kind == PositionKind::kLattice;
+  choice.chunks.add_compact(kTagPositions, write_smallest(write, may_guess, effort_));
   return choice;
 }
 
@@ -96,7 +96,10 @@ GeometryChoice PredictiveTrials::code_exactly() const {
   GeometryChoice choice{.geometry = kGeometryPredictive,
                         .predictive = {.kind = PositionKind::kFloats, .lattice = {}},
                         .chunks = frame_.before.fresh()};
-  choice.chunks.add_compact(kTagPositions, write_floats(stars_, input_.positions, input_.box));
+  const auto write = [&](const PositionForm& form) {
+    return write_floats(stars_, input_.positions, input_.box, form);
+  };
+  choice.chunks.add_compact(kTagPositions, write_smallest(write, false, effort_));
   return choice;
 }
 

@@ -5,12 +5,43 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 namespace deltamesh {
 namespace {
 
 /// A row's 17 bits pay from about this many vertices on.
-constexpr std::uint32_t kFewestVertices = 60;
+constexpr std::size_t kFewestVertices = 60;
+
+/// More say nothing new.
+constexpr std::size_t kMostSamples = 1U << 19;
+
+/// One step, squared, in the units of LocalMeans.
+constexpr double kStepSquared = 256;
+
+/// What a row's weights are of at one vertex: its sources and its place from the neighbours' mean, 1/16
+/// steps.
+struct Sample {
+  std::array<float, 3> parallelogram;
+  std::array<float, 3> edge;
+  std::array<float, 3> target;
+
+  double off(const Blend& blend, std::size_t axis) const noexcept {
+    return target[axis] -
+           (double{parallelogram[axis]} * blend.parallelogram + double{edge[axis]} * blend.edge) / kBlendUnit;
+  }
+};
+
+Sample sample_of(const LocalMeans& means, const Cell& base, const Cell& cell) noexcept {
+  Sample sample{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::int64_t center = means.neighbors[axis];
+    sample.parallelogram[axis] = static_cast<float>(means.parallelograms[axis] - center);
+    sample.edge[axis] = static_cast<float>(means.edges[axis] - center);
+    sample.target[axis] = static_cast<float>(16 * (std::int64_t{cell[axis]} - base[axis]) - center);
+  }
+  return sample;
+}
 
 /// Normal equations of one row for its two weights.
 struct RowFit {
@@ -19,9 +50,11 @@ struct RowFit {
   double ee = 0;
   double pt = 0;
   double et = 0;
-  std::uint32_t vertices = 0;
 
-  void add(double weight, double parallelogram, double edge, double target) noexcept {
+  void add(double weight, const Sample& sample, std::size_t axis) noexcept {
+    const double parallelogram = sample.parallelogram[axis];
+    const double edge = sample.edge[axis];
+    const double target = sample.target[axis];
     pp += weight * parallelogram * parallelogram;
     pe += weight * parallelogram * edge;
     ee += weight * edge * edge;
@@ -47,39 +80,84 @@ struct RowFit {
   }
 };
 
-void add_vertex(RowFit& fit, const LocalMeans& means, const Cell& base, const Cell& cell) noexcept {
-  std::array<double, 3> parallelogram{};
-  std::array<double, 3> edge{};
-  std::array<double, 3> target{};
-  double length = 256;  // one step, squared
-  double error = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto center = static_cast<double>(means.neighbors[axis]);
-    parallelogram[axis] = static_cast<double>(means.parallelograms[axis]) - center;
-    edge[axis] = static_cast<double>(means.edges[axis]) - center;
-    target[axis] = 16 * (static_cast<double>(cell[axis]) - base[axis]) - center;
-    length += parallelogram[axis] * parallelogram[axis];
-    const double off = target[axis] - parallelogram[axis];
-    error += off * off;
+Blend fit_squares(std::span<const Sample> samples, const Blend& usual) noexcept {
+  RowFit fit;
+  for (const Sample& sample : samples) {
+    double length = kStepSquared;
+    double error = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      length += double{sample.parallelogram[axis]} * sample.parallelogram[axis];
+      const double off = double{sample.target[axis]} - sample.parallelogram[axis];
+      error += off * off;
+    }
+    // Bits count, not squares: what is far off anyway weighs less.
+    const double weight = 1 / (0.05 * length + error);
+    for (std::size_t axis = 0; axis < 3; ++axis) fit.add(weight, sample, axis);
   }
-  // Bits count, not squares: what is far off anyway weighs less.
-  const double weight = 1 / (0.05 * length + error);
-  for (std::size_t axis = 0; axis < 3; ++axis) fit.add(weight, parallelogram[axis], edge[axis], target[axis]);
-  ++fit.vertices;
+  return fit.solve(usual);
+}
+
+/// About the bits of the residuals.
+double bits_of(std::span<const Sample> samples, const Blend& blend) noexcept {
+  double bits = 0;
+  for (const Sample& sample : samples) {
+    double product = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double off = sample.off(blend, axis);
+      product *= kStepSquared / 4 + off * off;
+    }
+    bits += std::log2(product) / 2;
+  }
+  return bits;
+}
+
+/// Least squares again and again, each residual weighted by its size in the last: a minimum of bits_of()
+/// near `blend`.
+Blend fit_bits(std::span<const Sample> samples, Blend blend) noexcept {
+  constexpr int kRounds = 4;
+  const Blend usual = blend;
+  for (int i = 0; i < kRounds; ++i) {
+    RowFit fit;
+    for (const Sample& sample : samples) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double off = sample.off(blend, axis);
+        fit.add(1 / (kStepSquared + off * off), sample, axis);
+      }
+    }
+    blend = fit.solve(usual);
+  }
+  return blend;
+}
+
+/// The better of the minima near least squares and near the plain parallelogram.
+Blend fit_row(std::span<const Sample> samples, const Blend& usual, BlendFit fit) noexcept {
+  Blend best = fit_squares(samples, usual);
+  if (fit == BlendFit::kSquares) return best;
+  double least = bits_of(samples, best);
+  for (const Blend& start : {best, Blend{}}) {
+    const Blend blend = fit_bits(samples, start);
+    const double bits = bits_of(samples, blend);
+    if (bits >= least) continue;
+    least = bits;
+    best = blend;
+  }
+  return best;
 }
 
 }  // namespace
 
-BlendTable fit_blends(const FaceStars& stars, std::span<const Cell> cells) {
-  std::array<RowFit, kBlends> fits{};
-  for (std::uint32_t v = 0; v < cells.size(); ++v) {
-    const Surroundings around = look_around(stars, v);
+BlendTable fit_blends(const FaceStars& stars, std::span<const Cell> cells, BlendFit fit) {
+  std::array<std::vector<Sample>, kBlends> samples;
+  const std::size_t stride = 1 + cells.size() / kMostSamples;
+  for (std::size_t v = 0; v < cells.size(); v += stride) {
+    const Surroundings around = look_around(stars, static_cast<std::uint32_t>(v));
     if (around.parallelogram_count == 0) continue;
-    add_vertex(fits[blend_row(around)], local_means(around, cells), cells[around.neighbors[0]], cells[v]);
+    const Cell& base = cells[around.neighbors[0]];
+    samples[blend_row(around)].push_back(sample_of(local_means(around, cells), base, cells[v]));
   }
   BlendTable table = kUsualBlends;
   for (std::size_t row = 0; row < kBlends; ++row) {
-    if (fits[row].vertices >= kFewestVertices) table[row] = fits[row].solve(kUsualBlends[row]);
+    if (samples[row].size() >= kFewestVertices) table[row] = fit_row(samples[row], kUsualBlends[row], fit);
   }
   return table;
 }

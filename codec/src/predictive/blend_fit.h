@@ -10,7 +10,14 @@
 
 namespace deltamesh {
 
-/// `cells`: all vertices of `stars`. Rows of few vertices keep the usual weights. O(n).
-BlendTable fit_blends(const FaceStars& stars, std::span<const Cell> cells);
+/// What the weights are to make small.
+enum class BlendFit {
+  kSquares,  ///< sums of squares, far vertices weighing less
+  kBits,     ///< sums of logarithms: suits scans, and surfaces that weights can hit exactly
+};
+
+/// `cells`: all vertices of `stars`, of which enough are looked at. Rows of few vertices keep the usual
+/// weights. O(n).
+BlendTable fit_blends(const FaceStars& stars, std::span<const Cell> cells, BlendFit fit);
 
 }  // namespace deltamesh

@@ -31,16 +31,9 @@ Result<std::vector<Vec3>> read_floats(CompactReader& reader, const FaceStars& st
   return positions;
 }
 
-}  // namespace
-
-Result<std::vector<Vec3>> read_positions(Payload payload, const FaceStars& stars,
-                                         const PredictiveParameters& parameters, const Box& box) {
-  if (stars.vertex_count() == 0) {
-    if (!payload.bytes.empty()) return invalid("positions without vertices", "POSN-1");
-    return std::vector<Vec3>{};
-  }
-  if (!payload.is_compact) return invalid("positions that are not in the compact form", "POSN-1");
-  CompactReader reader(payload.bytes);
+/// What follows the walk, of vertices numbered in its order.
+Result<std::vector<Vec3>> read_in_order(CompactReader& reader, const FaceStars& stars,
+                                        const PredictiveParameters& parameters, const Box& box) {
   BlendTable blends{};
   code_blends(reader, blends);
   if (parameters.kind == PositionKind::kFloats) return read_floats(reader, stars, blends, box);
@@ -59,6 +52,26 @@ Result<std::vector<Vec3>> read_positions(Payload payload, const FaceStars& stars
           ? read_with(VoxelCoder(reader, stars, lattice.cells, parameters.levels, blends))
           : read_with(LatticeCoder(reader, stars, lattice.cells, blends, reader.bits(0, 1) != 0)));
   return to_positions(cells, lattice);
+}
+
+}  // namespace
+
+Result<std::vector<Vec3>> read_positions(Payload payload, const FaceStars& stars,
+                                         const PredictiveParameters& parameters, const Box& box) {
+  if (stars.vertex_count() == 0) {
+    if (!payload.bytes.empty()) return invalid("positions without vertices", "POSN-1");
+    return std::vector<Vec3>{};
+  }
+  if (!payload.is_compact) return invalid("positions that are not in the compact form", "POSN-1");
+  CompactReader reader(payload.bytes);
+  Walk walk{};
+  if (!code_walk(reader, walk)) return invalid("an order of vertices that is not known", "POSN-10");
+  const auto order = walk_order(stars, walk);
+  if (order.empty()) return read_in_order(reader, stars, parameters, box);
+  DELTAMESH_TRY(const auto walked, read_in_order(reader, renumber(stars, order), parameters, box));
+  std::vector<Vec3> positions(walked.size());
+  for (std::size_t i = 0; i < order.size(); ++i) positions[order[i]] = walked[i];
+  return positions;
 }
 
 }  // namespace deltamesh

@@ -13,19 +13,29 @@
 #include "entropy/payload.h"
 #include "format/predictive_parameters.h"
 #include "predictive/blend.h"
+#include "predictive/blend_fit.h"
+#include "predictive/walk.h"
 
 namespace deltamesh {
 
+/// What a writer is free to choose.
+struct PositionForm {
+  Walk walk = Walk::kAsDecoded;
+  BlendFit fit = BlendFit::kSquares;
+  bool guesses = false;  ///< of kLattice: suits flat and swept surfaces [POSN-9]
+};
+
 /// The POSN payload, compact, of `cells`, one for every vertex of `stars`, within the lattice; empty for no
-/// vertices. `guesses`: of kLattice, a way that suits flat and swept surfaces. O(n + m).
+/// vertices. `stars`: as decoded, whatever the walk. O(n + m).
 std::vector<std::byte> write_positions(const FaceStars& stars, std::span<const Cell> cells,
-                                       const PredictiveParameters& parameters, bool guesses = false);
+                                       const PredictiveParameters& parameters, const PositionForm& form = {});
 
 /// The same for positions to the last bit, PositionKind::kFloats. `box`: of `positions`, which are floats.
-std::vector<std::byte> write_floats(const FaceStars& stars, std::span<const Vec3> positions, const Box& box);
+std::vector<std::byte> write_floats(const FaceStars& stars, std::span<const Vec3> positions, const Box& box,
+                                    const PositionForm& form = {});
 
-/// n positions. `box`: the header's. Errors: kTruncated, kInvalidStream [POSN-1, POSN-7, VOX-4, FLT-1,
-/// CMP-3].
+/// n positions. `box`: the header's. Errors: kTruncated, kInvalidStream [POSN-1, POSN-7, POSN-10, VOX-4,
+/// FLT-1, CMP-3].
 Result<std::vector<Vec3>> read_positions(Payload payload, const FaceStars& stars,
                                          const PredictiveParameters& parameters, const Box& box);
 

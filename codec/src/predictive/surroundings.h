@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace deltamesh {
@@ -21,6 +22,9 @@ class FaceStars {
 
   /// `triangles`: m x 3 indices below `vertex_count`. O(n + m).
   FaceStars(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count);
+  /// `offsets`: n + 1, where the wings of each vertex begin.
+  FaceStars(std::vector<Wing> wings, std::vector<std::uint32_t> offsets) noexcept
+      : offsets_(std::move(offsets)), wings_(std::move(wings)) {}
 
   std::span<const Wing> of(std::uint32_t vertex) const noexcept {
     return {wings_.data() + offsets_[vertex], wings_.data() + offsets_[vertex + 1]};

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Orders of the vertices in which more parallelograms end at each than in the order of the faces [POSN-10].
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "predictive/surroundings.h"
+
+namespace deltamesh {
+
+/// As it is in the stream: two bits.
+enum class Walk : std::uint8_t {
+  kAsDecoded = 0,
+  kBroad = 1,  ///< among equally surrounded vertices, the first in goes first
+  kDeep = 2,   ///< the last in goes first
+};
+
+/// `Coder` is CompactWriter or CompactReader. False where there is no such walk.
+template <class Coder>
+bool code_walk(Coder& coder, Walk& walk) {
+  const std::uint32_t coded = coder.bits(static_cast<std::uint32_t>(walk), 2);
+  walk = static_cast<Walk>(coded);
+  return coded <= static_cast<std::uint32_t>(Walk::kDeep);
+}
+
+/// The vertex at every place of the order; empty for kAsDecoded. O(n + m).
+std::vector<std::uint32_t> walk_order(const FaceStars& stars, Walk walk);
+
+/// The stars with the vertices numbered by their place in `order`, faces in the order they had.
+FaceStars renumber(const FaceStars& stars, const std::vector<std::uint32_t>& order);
+
+}  // namespace deltamesh

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "predictive/walk.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+
+#include "deltamesh/decode.h"
+#include "deltamesh/encode.h"
+#include "entropy/compact_writer.h"
+#include "predictive/float_coder.h"
+#include "predictive/lattice.h"
+#include "predictive/positions.h"
+#include "scenes.h"
+#include "support/graph_mesh.h"
+
+namespace deltamesh {
+namespace {
+
+constexpr Walk kWalks[] = {Walk::kAsDecoded, Walk::kBroad, Walk::kDeep};
+
+FaceStars stars_of(const test::GraphMesh& mesh) {
+  return {mesh.triangles, static_cast<std::uint32_t>(mesh.positions.size())};
+}
+
+std::vector<test::GraphMesh> graph_meshes() {
+  return {test::sheet(14, 9), test::fragments(), test::fan(40), test::sheet(1, 1)};
+}
+
+/// Parallelograms that end at the vertices of `stars`.
+std::size_t parallelograms(const FaceStars& stars) {
+  std::size_t count = 0;
+  for (std::uint32_t v = 0; v < stars.vertex_count(); ++v) count += look_around(stars, v).parallelogram_count;
+  return count;
+}
+
+/// [POSN-10] as it is written down.
+std::vector<std::uint32_t> walk_by_the_letter(const FaceStars& stars, bool from_front) {
+  std::vector<std::uint32_t> order;
+  std::vector<unsigned> known(stars.vertex_count());
+  std::vector<bool> placed(stars.vertex_count());
+  std::vector<std::uint32_t> lists[3];
+  while (order.size() < stars.vertex_count()) {
+    const auto list =
+        std::find_if(std::rbegin(lists), std::rend(lists), [](const auto& l) { return !l.empty(); });
+    std::uint32_t v = 0;
+    if (list == std::rend(lists)) {
+      while (placed[v]) ++v;
+    } else {
+      const auto place = from_front ? list->begin() : list->end() - 1;
+      v = *place;
+      list->erase(place);
+    }
+    if (placed[v]) continue;
+    placed[v] = true;
+    order.push_back(v);
+    for (const auto& [a, b] : stars.of(v)) {
+      if (placed[a] == placed[b]) continue;
+      const std::uint32_t other = placed[a] ? b : a;
+      if (++known[other] <= 3) lists[known[other] - 1].push_back(other);
+    }
+  }
+  return order;
+}
+
+TEST(Walk, POSN10PlacesAsItIsWritten) {
+  for (const test::GraphMesh& mesh : graph_meshes()) {
+    const FaceStars stars = stars_of(mesh);
+    EXPECT_TRUE(walk_order(stars, Walk::kAsDecoded).empty());
+    EXPECT_EQ(walk_order(stars, Walk::kBroad), walk_by_the_letter(stars, true));
+    EXPECT_EQ(walk_order(stars, Walk::kDeep), walk_by_the_letter(stars, false));
+  }
+}
+
+TEST(Walk, CornersThatRepeatAreWalkedOver) {
+  const std::vector<std::uint32_t> triangles = {0, 0, 1, 2, 2, 2, 1, 0, 1, 3, 1, 4};
+  const FaceStars stars(triangles, 6);
+  EXPECT_EQ(walk_order(stars, Walk::kBroad), walk_by_the_letter(stars, true));
+  EXPECT_EQ(walk_order(stars, Walk::kDeep), walk_by_the_letter(stars, false));
+}
+
+TEST(Walk, FindsMoreParallelograms) {
+  const test::GraphMesh sheet = test::sheet(40, 40);
+  // From the middle outwards the rows are no help.
+  std::vector<std::uint32_t> number(sheet.positions.size());
+  std::iota(number.begin(), number.end(), 0U);
+  std::uint32_t state = 1;
+  for (std::size_t i = number.size(); i > 1; --i)
+    std::swap(number[i - 1], number[(state = state * 1664525 + 1013904223) % i]);
+  std::vector<std::uint32_t> triangles = sheet.triangles;
+  for (std::uint32_t& v : triangles) v = number[v];
+  const FaceStars stars(triangles, static_cast<std::uint32_t>(number.size()));
+  for (const Walk walk : {Walk::kBroad, Walk::kDeep}) {
+    const FaceStars walked = renumber(stars, walk_order(stars, walk));
+    EXPECT_GT(parallelograms(walked), 3 * sheet.positions.size() / 2);
+    EXPECT_GT(parallelograms(walked), parallelograms(stars));
+  }
+}
+
+TEST(Walk, POSN10EveryFormComesBack) {
+  for (const test::GraphMesh& mesh : graph_meshes()) {
+    const FaceStars stars = stars_of(mesh);
+    const PredictiveParameters parameters{.lattice = cubic_lattice(mesh.box, 1e-3)};
+    const auto cells = to_cells(mesh.positions, parameters.lattice);
+    for (const Walk walk : kWalks) {
+      for (const BlendFit fit : {BlendFit::kSquares, BlendFit::kBits}) {
+        const PositionForm form{.walk = walk, .fit = fit};
+        const auto bytes = write_positions(stars, cells, parameters, form);
+        const auto back = read_positions(Payload::compact(bytes), stars, parameters, mesh.box);
+        ASSERT_TRUE(back) << back.error().message;
+        EXPECT_EQ(*back, to_positions(cells, parameters.lattice));
+        const auto exact = write_floats(stars, to_positions(cells, {}), {{0, 0, 0}, {1e6, 1e6, 1e6}}, form);
+        const auto floats =
+            read_positions(Payload::compact(exact), stars, {.kind = PositionKind::kFloats, .lattice = {}},
+                           {{0, 0, 0}, {1e6, 1e6, 1e6}});
+        ASSERT_TRUE(floats) << floats.error().message;
+        for (std::size_t v = 0; v < cells.size(); ++v)
+          for (std::size_t axis = 0; axis < 3; ++axis)
+            EXPECT_EQ((*floats)[v][axis], static_cast<float>(to_positions(cells, {})[v][axis]));
+      }
+    }
+  }
+}
+
+TEST(Walk, POSN10RefusesAnUnknownWalk) {
+  const test::GraphMesh mesh = test::sheet(5, 5);
+  const PredictiveParameters parameters{.lattice = cubic_lattice(mesh.box, 0.1)};
+  CompactWriter writer;
+  writer.bits(3, 2);
+  const auto bytes = writer.finish();
+  const auto refused = read_positions(Payload::compact(bytes), stars_of(mesh), parameters, mesh.box);
+  ASSERT_FALSE(refused);
+  EXPECT_STREQ(refused.error().rule, "POSN-10");
+}
+
+TEST(Walk, SearchNeverMakesAStreamLonger) {
+  for (const Scene scene : {Scene::kCad, Scene::kTerrain, Scene::kRooms}) {
+    const Mesh mesh = *generate_scene(scene, 4000, 2);
+    std::size_t least = ~std::size_t{0};
+    for (const int effort : {0, 5, 9}) {
+      EncodeOptions options{.geometry = GeometryCoder::kPredictive, .effort = effort};
+      options.bits = 12;
+      const auto encoded = encode(mesh, options);
+      ASSERT_TRUE(encoded);
+      EXPECT_TRUE(decode(encoded->bytes));
+      EXPECT_LE(encoded->bytes.size(), least);
+      least = encoded->bytes.size();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace deltamesh
