@@ -53,8 +53,9 @@ std::size_t zstd_bytes(const Mesh& mesh) {
 
 }  // namespace
 
-Result<RequestRow> compare_request(const Mesh& mesh, const QualityRequest& request, int effort) {
-  const auto encoded = encode(mesh, {.quality = request, .effort = effort});
+Result<RequestRow> compare_request(const Mesh& mesh, const QualityRequest& request, int effort,
+                                   const std::shared_ptr<AnchorContainers>& containers) {
+  const auto encoded = encode(mesh, {.quality = request, .effort = effort, .anchor_containers = containers});
   if (!encoded) return encoded.error();
   const auto decoded = decode(encoded->bytes);
   if (!decoded) return decoded.error();
@@ -64,6 +65,7 @@ Result<RequestRow> compare_request(const Mesh& mesh, const QualityRequest& reque
   if (!quick) return quick.error();
   const StreamInfo& stream = encoded->report.stream;
   return RequestRow{.bytes = stream.bytes,
+                    .quick_bytes = quick->report.stream.bytes,
                     .geometry = stream.geometry,
                     .agrees_at_effort_0 = quick->report.stream.geometry == stream.geometry,
                     .kept = is_kept(request, comparison->quality)};

@@ -5,8 +5,10 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 
+#include "deltamesh/anchor_containers.h"
 #include "deltamesh/mesh.h"
 #include "deltamesh/quality_request.h"
 #include "deltamesh/result.h"
@@ -15,13 +17,15 @@ namespace deltamesh::bench {
 
 struct RequestRow {
   std::uint64_t bytes = 0;
+  std::uint64_t quick_bytes = 0;   ///< at effort 0
   std::string geometry;            ///< the coder that was chosen
   bool agrees_at_effort_0 = true;  ///< effort 0 chooses the same
   bool kept = true;                ///< the decoded mesh, measured anew, is within the request
 };
 
-/// `mesh`: from welded_geometry(). Errors: encode()'s, decode()'s.
-Result<RequestRow> compare_request(const Mesh& mesh, const QualityRequest& request, int effort);
+/// `mesh`: from welded_geometry(). `containers`: of the mesh. Errors: encode()'s, decode()'s.
+Result<RequestRow> compare_request(const Mesh& mesh, const QualityRequest& request, int effort,
+                                   const std::shared_ptr<AnchorContainers>& containers);
 
 struct LosslessRow {
   double ratio = 0;    ///< bytes over those of zstd -19 on positions and triangles as they lie in memory
