@@ -27,7 +27,8 @@ SolverProblem make_problem(const StageInput& input) {
   SolverProblem problem;
   problem.part = extract_solved_part(input.graph, input.components);
   std::vector<Vec3> positions;
-  for (const std::uint32_t v : problem.part.vertices) positions.push_back(input.positions[v]);
+  for (std::size_t row = 0; row < problem.part.row_count; ++row)
+    positions.push_back(input.positions[problem.part.vertex(row)]);
   problem.deltas = delta_coordinates(problem.part.graph, positions);
   const Components components = find_components(problem.part.graph);
   const auto count = static_cast<std::uint32_t>(positions.size() / 200 + 1);

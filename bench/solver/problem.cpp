@@ -45,8 +45,8 @@ Problem make_problem(const MeshView& mesh, const ProblemSettings& settings) {
   const Adjacency graph = build_adjacency(coded.triangles, vertex_count);
   Problem problem{extract_solved_part(graph, find_components(graph)), {}, {}, {}, {}};
   const Vec3 center = 0.5 * (welded.box.min + welded.box.max);
-  for (const std::uint32_t vertex : problem.part.vertices)
-    problem.positions.push_back(welded.positions[coded.vertex_order[vertex]] - center);
+  for (std::size_t row = 0; row < problem.part.row_count; ++row)
+    problem.positions.push_back(welded.positions[coded.vertex_order[problem.part.vertex(row)]] - center);
   const Adjacency& solved = problem.part.graph;
   const auto count =
       static_cast<std::uint32_t>(0.01 * settings.anchor_percent * static_cast<double>(solved.vertex_count()));

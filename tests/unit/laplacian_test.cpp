@@ -139,13 +139,25 @@ TEST(SolvedPart, LeavesSmallComponentsOut) {
   const GraphMesh mesh = test::fragments();
   const SolvedPart part = extract_solved_part(mesh.graph, mesh.components);
   ASSERT_EQ(part.vertices.size(), 63U + 8U);
-  EXPECT_EQ(part.rows[63], SolvedPart::kNoRow);
+  ASSERT_EQ(part.row_count, 63U + 8U);
+  EXPECT_FALSE(part.is_whole());
+  EXPECT_FALSE(part.row_of(63));
   for (std::uint32_t row = 0; row < part.vertices.size(); ++row) {
-    EXPECT_EQ(part.rows[part.vertices[row]], row);
+    EXPECT_EQ(part.row_of(part.vertices[row]), row);
     ASSERT_EQ(part.graph.degree(row), mesh.graph.degree(part.vertices[row]));
     for (std::size_t k = 0; k < part.graph.of(row).size(); ++k)
       EXPECT_EQ(part.vertices[part.graph.of(row)[k]], mesh.graph.of(part.vertices[row])[k]);
   }
+}
+
+TEST(SolvedPart, IsTheWholeGraphWhereNothingIsSmall) {
+  const GraphMesh mesh = test::sheet(5, 4);
+  const SolvedPart part = extract_solved_part(mesh.graph, mesh.components);
+  EXPECT_TRUE(part.is_whole());
+  EXPECT_TRUE(part.vertices.empty());
+  EXPECT_EQ(part.vertex(7), 7U);
+  EXPECT_EQ(part.row_of(7), 7U);
+  EXPECT_EQ(part.graph.neighbors, mesh.graph.neighbors);
 }
 
 TEST(DirectSolver, DELT4AgreesWithDenseLeastSquares) {

@@ -7,10 +7,14 @@
 #include "geometry/highpass.h"
 #include "laplacian/anchors.h"
 #include "laplacian/delta.h"
+#include "laplacian/solve_once.h"
+#include "laplacian/solver.h"
 #include "support/graph_mesh.h"
 
 namespace deltamesh {
 namespace {
+
+using test::GraphMesh;
 
 /// A decoder solves once, an encoder many times with one set-up: the answers must be the same to the last
 /// bit.
@@ -19,9 +23,10 @@ TEST(PartSolver, AnswersDoNotDependOnEarlierOnes) {
     const SolvedPart part = extract_solved_part(mesh.graph, mesh.components);
     std::vector<std::uint32_t> anchors;
     for (const std::uint32_t vertex : place_anchors(mesh.graph, mesh.components, {.count = 12}).vertices)
-      if (part.rows[vertex] != SolvedPart::kNoRow) anchors.push_back(part.rows[vertex]);
+      if (const auto row = part.row_of(vertex)) anchors.push_back(*row);
     std::vector<Vec3> positions;
-    for (const std::uint32_t vertex : part.vertices) positions.push_back(mesh.positions[vertex]);
+    for (std::size_t row = 0; row < part.row_count; ++row)
+      positions.push_back(mesh.positions[part.vertex(row)]);
     std::vector<Vec3> targets;
     for (const std::uint32_t anchor : anchors) targets.push_back(positions[anchor]);
     const std::vector<Vec3> fine = delta_coordinates(part.graph, positions);
@@ -41,6 +46,39 @@ TEST(PartSolver, AnswersDoNotDependOnEarlierOnes) {
     PartSolver fresh(part);
     ASSERT_TRUE(fresh.solve(anchors, fine, targets, again));
     EXPECT_EQ(other, again);
+  }
+}
+
+/// Sheets of many depths, and strips; the largest set is neither the first nor the last.
+GraphMesh many_sizes() {
+  GraphMesh mesh;
+  for (std::uint32_t i = 0; i < 30; ++i)
+    test::add_sheet(mesh, 3 + 2 * (i % 7) + i, 2 + i % 5, {90.0 * (i % 8), 20.0 * (i / 8), 3});
+  test::add_sheet(mesh, 50, 40, {0, 200, 0});
+  const test::GraphMesh fan = test::fan(300);
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  mesh.positions.insert(mesh.positions.end(), fan.positions.begin(), fan.positions.end());
+  for (const std::uint32_t v : fan.triangles) mesh.triangles.push_back(first + v);
+  test::add_sheet(mesh, 100, 9, {100, 200, 0});
+  return test::finish(std::move(mesh));
+}
+
+/// A decoder takes the problem apart, an encoder keeps it: the answers must be the same to the last bit.
+TEST(SolveOnce, GivesTheSolversBits) {
+  for (const auto& mesh : {test::sheet(90, 70), many_sizes(), test::fan(300), test::sheet(8, 3)}) {
+    LeastSquaresProblem problem{.graph = mesh.graph};
+    problem.anchors = place_anchors(mesh.graph, mesh.components, {.count = 60}).vertices;
+    for (const std::uint32_t anchor : problem.anchors) problem.targets.push_back(mesh.positions[anchor]);
+    problem.deltas = delta_coordinates(mesh.graph, mesh.positions);
+    for (Vec3& delta : problem.deltas)
+      for (double& x : delta) x = std::round(64 * x) / 64;
+    const auto solver = make_multigrid_solver(problem.graph, problem.anchors);
+    ASSERT_TRUE(solver);
+    std::vector<Vec3> x(mesh.positions.size());
+    ASSERT_TRUE((*solver)->solve(problem.deltas, problem.targets, x));
+    const auto once = solve_once(problem);
+    ASSERT_TRUE(once);
+    EXPECT_EQ(*once, x);
   }
 }
 

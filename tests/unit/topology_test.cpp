@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "topology/adjacency.h"
+#include "topology/subgraph.h"
 #include "topology/weld.h"
 
 namespace deltamesh {
@@ -100,6 +101,24 @@ TEST(Components, NumberedBySmallestVertex) {
   EXPECT_EQ(components.count, 4U);
   EXPECT_EQ(components.label, (Indices{0, 1, 2, 2, 0, 2, 2, 3}));
   EXPECT_EQ(components.size, (Indices{2, 1, 4, 1}));
+}
+
+TEST(Subgraph, KeepsWholeComponents) {
+  const Adjacency graph = build_adjacency(Indices{5, 6, 2, 0, 4, 4, 6, 3, 5, 1, 7, 8}, 9);
+  const std::vector<std::uint32_t> kept = {1, 2, 3, 5, 6, 7, 8};
+  const Adjacency copy = copy_vertices(graph, kept);
+  ASSERT_EQ(copy.vertex_count(), kept.size());
+  for (std::uint32_t i = 0; i < kept.size(); ++i) {
+    ASSERT_EQ(copy.degree(i), graph.degree(kept[i]));
+    for (std::size_t k = 0; k < copy.of(i).size(); ++k) EXPECT_EQ(kept[copy.of(i)[k]], graph.of(kept[i])[k]);
+  }
+  Adjacency same = graph;
+  keep_vertices(same, kept);
+  EXPECT_EQ(same.offsets, copy.offsets);
+  EXPECT_EQ(same.neighbors, copy.neighbors);
+  keep_vertices(same, {});
+  EXPECT_EQ(same.vertex_count(), 0U);
+  EXPECT_TRUE(same.neighbors.empty());
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "deltamesh/decode.h"
 
 #include <optional>
+#include <utility>
 
 #include "attributes/attribute.h"
 #include "base/checked.h"
@@ -55,14 +56,9 @@ class StreamDecoder {
     DELTAMESH_CHECK(check_limits(header_, options_.limits));
     Mesh mesh;
     mesh.origin = header_.origin;
-    DELTAMESH_TRY(auto split, read_faces());
-    DELTAMESH_TRY(const auto positions, read_geometry());
+    DELTAMESH_CHECK(read_faces(mesh.triangles));
+    DELTAMESH_TRY(mesh.positions, read_geometry(mesh.triangles));
     report_progress(options_, kGeometryDone);
-    mesh.positions.reserve(3 * split.geometric.size());
-    for (const std::uint32_t g : split.geometric) {
-      for (const double x : positions[g]) mesh.positions.push_back(static_cast<float>(x));
-    }
-    mesh.triangles = std::move(split.triangles);
     DELTAMESH_CHECK(read_attributes(mesh));
     if (header_.keeps_order) {
       DELTAMESH_TRY(const auto payload, expand_single(container_, kTagOrder, max_payload(header_)));
@@ -74,25 +70,34 @@ class StreamDecoder {
   }
 
  private:
-  Result<SplitVertices> read_faces() {
+  /// Faces over the mesh's vertices; where seams split some, those over the geometric vertices as well.
+  Result<void> read_faces(std::vector<std::uint32_t>& triangles) {
     DELTAMESH_TRY(const auto connectivity,
                   expand_any_single(container_, kTagConnectivity, max_payload(header_)));
-    DELTAMESH_TRY(geometric_triangles_,
+    DELTAMESH_TRY(triangles,
                   read_connectivity(connectivity.payload(), header_.geometric_vertices, header_.triangles));
     DELTAMESH_TRY(const auto seams, expand_any_single(container_, kTagSeams, max_payload(header_)));
-    return read_seams(seams.payload(), geometric_triangles_, header_.geometric_vertices, header_.vertices);
+    if (seams.bytes.empty() && header_.vertices == header_.geometric_vertices) return {};
+    DELTAMESH_TRY(auto split,
+                  read_seams(seams.payload(), triangles, header_.geometric_vertices, header_.vertices));
+    geometric_triangles_ = std::exchange(triangles, std::move(split.triangles));
+    copies_ = std::move(split.geometric);
+    return {};
   }
 
-  Result<std::vector<Vec3>> read_geometry() {
-    DELTAMESH_TRY(const auto positions,
-                  header_.geometry == kGeometryPredictive ? read_predicted() : read_solved());
-    return to_float_positions(positions);
+  /// n x 3. Takes the geometric faces when they have served.
+  Result<std::vector<float>> read_geometry(const std::vector<std::uint32_t>& triangles) {
+    const bool is_split = !copies_.empty();
+    DELTAMESH_TRY(const auto positions, header_.geometry == kGeometryPredictive
+                                            ? read_predicted(is_split ? geometric_triangles_ : triangles)
+                                            : read_solved(is_split ? geometric_triangles_ : triangles));
+    return to_float_rows(positions, copies_);
   }
 
-  Result<std::vector<Vec3>> read_predicted() {
-    DELTAMESH_CHECK(check_components(count_components(geometric_triangles_, header_.geometric_vertices)));
+  Result<std::vector<Vec3>> read_predicted(std::span<const std::uint32_t> triangles) {
+    DELTAMESH_CHECK(check_components(count_components(triangles, header_.geometric_vertices)));
     DELTAMESH_TRY(const auto payload, expand_any_single(container_, kTagPositions, max_payload(header_)));
-    const FaceStars stars(geometric_triangles_, header_.geometric_vertices);
+    const FaceStars stars(triangles, header_.geometric_vertices);
     return read_positions(payload.payload(), stars, header_.predictive, header_.box());
   }
 
@@ -103,14 +108,15 @@ class StreamDecoder {
                  .rule = "HDR-7"};
   }
 
-  Result<std::vector<Vec3>> read_solved() {
-    const Adjacency graph = build_adjacency(geometric_triangles_, header_.geometric_vertices);
-    const Components components = find_components(graph);
+  Result<std::vector<Vec3>> read_solved(std::span<const std::uint32_t> triangles) {
+    Adjacency graph = build_adjacency(triangles, header_.geometric_vertices);
+    geometric_triangles_ = {};
+    Components components = find_components(graph);
     DELTAMESH_CHECK(check_components(components.count));
     DELTAMESH_TRY(const auto deltas, expand_any_single(container_, kTagDeltas, max_payload(header_)));
     DELTAMESH_TRY(const auto anchors, expand_any_single(container_, kTagAnchors, max_payload(header_)));
-    return read_highpass(deltas.payload(), anchors.payload(), graph, components, header_.box(),
-                         header_.highpass);
+    return read_highpass(deltas.payload(), anchors.payload(), std::move(graph), std::move(components),
+                         header_.box(), header_.highpass);
   }
 
   Result<void> read_attributes(Mesh& mesh) {
@@ -136,7 +142,8 @@ class StreamDecoder {
   const Container& container_;
   const FileHeader& header_;
   const DecodeOptions& options_;
-  std::vector<std::uint32_t> geometric_triangles_;
+  std::vector<std::uint32_t> geometric_triangles_;  ///< empty where no vertex is split
+  std::vector<std::uint32_t> copies_;               ///< geometric vertex of every vertex; likewise
 };
 
 }  // namespace

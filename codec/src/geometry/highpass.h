@@ -108,9 +108,10 @@ Result<CodedHighpass> write_highpass(const Adjacency& graph, const Components& c
                                      std::span<const Vec3> positions, const Box& box,
                                      const HighpassRequest& request);
 
-/// Returns n finite positions. Errors: kTruncated, kInvalidStream [DELT-*, ANCH-*, CMP-3, FLD-1].
-Result<std::vector<Vec3>> read_highpass(Payload deltas, Payload anchors, const Adjacency& graph,
-                                        const Components& components, const Box& box,
+/// Returns n finite positions. `graph`, `components`: of the decoded faces; given away, they are freed when
+/// they have served. Errors: kTruncated, kInvalidStream [DELT-*, ANCH-*, CMP-3, FLD-1].
+Result<std::vector<Vec3>> read_highpass(Payload deltas, Payload anchors, Adjacency graph,
+                                        Components components, const Box& box,
                                         const HighpassParameters& parameters);
 
 }  // namespace deltamesh

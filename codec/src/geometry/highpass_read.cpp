@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 #include <cmath>
+#include <utility>
 
 #include "base/try.h"
 #include "base/zigzag.h"
@@ -80,19 +81,20 @@ Result<void> check_coverage(std::span<const std::uint32_t> anchors, const Compon
 
 }  // namespace
 
-Result<std::vector<Vec3>> read_highpass(Payload deltas, Payload anchors, const Adjacency& graph,
-                                        const Components& components, const Box& box,
+Result<std::vector<Vec3>> read_highpass(Payload deltas, Payload anchors, Adjacency graph,
+                                        Components components, const Box& box,
                                         const HighpassParameters& parameters) {
-  DELTAMESH_CHECK(check_parameters(parameters, graph.vertex_count()));
-  const SolvedPart part = extract_solved_part(graph, components);
+  const std::size_t vertex_count = graph.vertex_count();
+  DELTAMESH_CHECK(check_parameters(parameters, vertex_count));
+  SolvedPart part = extract_solved_part(std::move(graph), components);
   HighpassSymbols symbols;
   DELTAMESH_TRY(const AnchorList list, read_anchors(anchors, parameters.anchors));
-  DELTAMESH_TRY(symbols.anchors, anchor_vertices(list, graph.vertex_count()));
+  DELTAMESH_TRY(symbols.anchors, anchor_vertices(list, vertex_count));
   DELTAMESH_TRY(symbols.cells, anchor_cells(list, parameters.anchor_bits));
   DELTAMESH_CHECK(check_coverage(symbols.anchors, components));
+  components = {};
   DELTAMESH_TRY(symbols.deltas, read_deltas(deltas, part.graph));
-  PartSolver solver(part);
-  return reconstruct_highpass(symbols, part, solver, box, parameters);
+  return reconstruct_highpass_once(std::move(symbols), std::move(part), box, parameters);
 }
 
 }  // namespace deltamesh

@@ -3,34 +3,49 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/try.h"
 #include "format/tags.h"
 #include "geometry/delta_quantizer.h"
 #include "geometry/highpass_symbols.h"
+#include "laplacian/solve_once.h"
 
 namespace deltamesh {
 namespace {
 
-Result<void> solve_part(const HighpassSymbols& symbols, const SolvedPart& part, PartSolver& solver,
-                        const Vec3& center, const DeltaQuantizer& quantizer, std::vector<Vec3>& positions) {
-  const std::size_t count = part.vertices.size();
-  std::vector<std::uint32_t> anchor_rows;
-  std::vector<Vec3> anchor_positions;
-  for (const std::uint32_t anchor : symbols.anchors) {
-    if (part.rows[anchor] == SolvedPart::kNoRow) continue;
-    anchor_rows.push_back(part.rows[anchor]);
-    anchor_positions.push_back(positions[anchor] - center);
+Vec3 middle(const Box& box) noexcept {
+  return 0.5 * box.min + 0.5 * box.max;  // halves first: that cannot overflow
+}
+
+std::vector<Vec3> dequantize(std::span<const std::int32_t> symbols, const HighpassParameters& parameters) {
+  const DeltaQuantizer quantizer{.step = parameters.step, .shift = parameters.shift};
+  std::vector<Vec3> deltas(symbols.size() / 3);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t i = 0; i < deltas.size(); ++i)
+      deltas[i][axis] = quantizer.value(symbols[axis * deltas.size() + i]);
   }
-  std::vector<Vec3> deltas(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      deltas[i][axis] = quantizer.value(symbols.deltas[axis * count + i]);
+  return deltas;
+}
+
+/// The anchors of the solved part.
+struct SolvedAnchors {
+  std::vector<std::uint32_t> rows;
+  std::vector<Vec3> targets;  ///< relative to the middle of the box: near the origin doubles are densest
+};
+
+SolvedAnchors pick_anchors(const HighpassSymbols& symbols, const SolvedPart& part, const Box& box,
+                           const HighpassParameters& parameters) {
+  const AnchorLattice lattice(box, parameters.anchor_bits);
+  const Vec3 center = middle(box);
+  SolvedAnchors anchors;
+  for (std::size_t i = 0; i < symbols.anchors.size(); ++i) {
+    const auto row = part.row_of(symbols.anchors[i]);
+    if (!row) continue;
+    anchors.rows.push_back(*row);
+    anchors.targets.push_back(lattice.position_of(symbols.cells[i]) - center);
   }
-  std::vector<Vec3> solution(count);
-  DELTAMESH_CHECK(solver.solve(anchor_rows, deltas, anchor_positions, solution));
-  for (std::size_t i = 0; i < count; ++i) positions[part.vertices[i]] = center + solution[i];
-  return {};
+  return anchors;
 }
 
 bool fits_float(double value) noexcept {
@@ -60,18 +75,24 @@ Vec3 AnchorLattice::position_of(const AnchorCell& cell) const noexcept {
   return position;
 }
 
-Result<std::vector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, const SolvedPart& part,
-                                               PartSolver& solver, const Box& box,
-                                               const HighpassParameters& parameters) {
-  std::vector<Vec3> positions(part.rows.size());
-  const AnchorLattice lattice(box, parameters.anchor_bits);
-  for (std::size_t i = 0; i < symbols.anchors.size(); ++i)
-    positions[symbols.anchors[i]] = lattice.position_of(symbols.cells[i]);
-  if (!part.vertices.empty()) {
-    // Near the origin doubles are densest; and adding halves first cannot overflow.
-    const Vec3 center = 0.5 * box.min + 0.5 * box.max;
-    const DeltaQuantizer quantizer{.step = parameters.step, .shift = parameters.shift};
-    DELTAMESH_CHECK(solve_part(symbols, part, solver, center, quantizer, positions));
+namespace {
+
+/// Positions of all vertices: the solution, and the lattice for what is not solved for. Errors:
+/// kInvalidStream [DELT-3].
+Result<std::vector<Vec3>> to_positions(std::vector<Vec3> solution, const HighpassSymbols& symbols,
+                                       const SolvedPart& part, const Box& box,
+                                       const HighpassParameters& parameters) {
+  const Vec3 center = middle(box);
+  for (Vec3& x : solution) x = center + x;
+  std::vector<Vec3> positions;
+  if (part.is_whole()) {
+    positions = std::move(solution);
+  } else {
+    positions.resize(part.whole_count);
+    const AnchorLattice lattice(box, parameters.anchor_bits);
+    for (std::size_t i = 0; i < symbols.anchors.size(); ++i)
+      positions[symbols.anchors[i]] = lattice.position_of(symbols.cells[i]);
+    for (std::size_t i = 0; i < solution.size(); ++i) positions[part.vertices[i]] = solution[i];
   }
   for (const Vec3& position : positions) {
     if (!(fits_float(position[0]) && fits_float(position[1]) && fits_float(position[2])))
@@ -81,6 +102,34 @@ Result<std::vector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, c
                    .chunk_tag = kTagDeltas};
   }
   return positions;
+}
+
+}  // namespace
+
+Result<std::vector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, const SolvedPart& part,
+                                               PartSolver& solver, const Box& box,
+                                               const HighpassParameters& parameters) {
+  std::vector<Vec3> solution(part.row_count);
+  if (!solution.empty()) {
+    const SolvedAnchors anchors = pick_anchors(symbols, part, box, parameters);
+    DELTAMESH_CHECK(
+        solver.solve(anchors.rows, dequantize(symbols.deltas, parameters), anchors.targets, solution));
+  }
+  return to_positions(std::move(solution), symbols, part, box, parameters);
+}
+
+Result<std::vector<Vec3>> reconstruct_highpass_once(HighpassSymbols symbols, SolvedPart part, const Box& box,
+                                                    const HighpassParameters& parameters) {
+  std::vector<Vec3> solution;
+  if (part.row_count > 0) {
+    SolvedAnchors anchors = pick_anchors(symbols, part, box, parameters);
+    std::vector<Vec3> deltas = dequantize(std::exchange(symbols.deltas, {}), parameters);
+    DELTAMESH_TRY(solution, solve_once({.graph = std::exchange(part.graph, {}),
+                                        .anchors = std::move(anchors.rows),
+                                        .deltas = std::move(deltas),
+                                        .targets = std::move(anchors.targets)}));
+  }
+  return to_positions(std::move(solution), symbols, part, box, parameters);
 }
 
 }  // namespace deltamesh

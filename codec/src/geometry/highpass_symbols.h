@@ -48,4 +48,8 @@ Result<std::vector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, c
                                                PartSolver& solver, const Box& box,
                                                const HighpassParameters& parameters);
 
+/// The same positions with less memory, for one who needs them once.
+Result<std::vector<Vec3>> reconstruct_highpass_once(HighpassSymbols symbols, SolvedPart part, const Box& box,
+                                                    const HighpassParameters& parameters);
+
 }  // namespace deltamesh

@@ -23,8 +23,9 @@ constexpr int kFinestBits = 40;
 
 /// Deltas over the rows of `part`.
 std::vector<Vec3> solved_deltas(const SolvedPart& part, std::span<const Vec3> positions) {
-  std::vector<Vec3> solved(part.vertices.size());
-  for (std::size_t i = 0; i < solved.size(); ++i) solved[i] = positions[part.vertices[i]];
+  if (part.is_whole()) return delta_coordinates(part.graph, positions);
+  std::vector<Vec3> solved(part.row_count);
+  for (std::size_t i = 0; i < solved.size(); ++i) solved[i] = positions[part.vertex(i)];
   return delta_coordinates(part.graph, solved);
 }
 

@@ -6,20 +6,42 @@
 
 namespace deltamesh {
 
+namespace {
+
+Error not_finite(std::size_t vertex) noexcept {
+  return {.code = ErrorCode::kInvalidStream,
+          .message = "a decoded coordinate is not a finite float32",
+          .rule = "GEO-1",
+          .where_kind = WhereKind::kVertex,
+          .where = vertex};
+}
+
+}  // namespace
+
 Result<std::vector<Vec3>> to_float_positions(std::span<const Vec3> positions) {
   std::vector<Vec3> rounded(positions.begin(), positions.end());
   for (std::size_t i = 0; i < rounded.size(); ++i) {
     for (double& x : rounded[i]) {
       x = static_cast<float>(x);
-      if (!std::isfinite(x))
-        return Error{.code = ErrorCode::kInvalidStream,
-                     .message = "a decoded coordinate is not a finite float32",
-                     .rule = "GEO-1",
-                     .where_kind = WhereKind::kVertex,
-                     .where = i};
+      if (!std::isfinite(x)) return not_finite(i);
     }
   }
   return rounded;
+}
+
+Result<std::vector<float>> to_float_rows(std::span<const Vec3> positions,
+                                         std::span<const std::uint32_t> copies) {
+  const std::size_t count = copies.empty() ? positions.size() : copies.size();
+  std::vector<float> rows(3 * count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t from = copies.empty() ? i : copies[i];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto x = static_cast<float>(positions[from][axis]);
+      if (!std::isfinite(x)) return not_finite(from);
+      rows[3 * i + axis] = x;
+    }
+  }
+  return rows;
 }
 
 }  // namespace deltamesh

@@ -17,9 +17,6 @@ namespace {
 constexpr std::uint32_t kLargestDegree = 64;
 constexpr std::uint32_t kLargestDirectWithHub = 5000;
 
-/// In place of a depth: the component is in no group.
-constexpr std::uint32_t kInNoGroup = ~std::uint32_t{0};
-
 /// The subgraph of the vertices whose component has `wanted` in `key`.
 Group extract(const Adjacency& graph, const Components& components, std::span<const std::uint32_t> anchors,
               std::span<const std::uint32_t> key, std::uint32_t wanted) {
@@ -79,8 +76,8 @@ Group whole(const Adjacency& graph, Components components, std::span<const std::
 
 }  // namespace
 
-std::vector<Group> group_components(const Adjacency& graph, Components components,
-                                    std::span<const std::uint32_t> anchors) {
+std::vector<std::uint32_t> component_depths(const Adjacency& graph, const Components& components,
+                                            std::span<const std::uint32_t> anchors) {
   std::vector<std::uint32_t> anchor_count(components.count, 0);
   for (const std::uint32_t anchor : anchors) ++anchor_count[components.label[anchor]];
   const std::vector<std::uint32_t> inner_count = count_inner_anchors(graph, components, anchors);
@@ -95,6 +92,12 @@ std::vector<Group> group_components(const Adjacency& graph, Components component
     else if (components.size[c] > direct_limit[c])
       depth[c] = coarsening_depth(components.size[c] - inner_count[c], anchor_count[c] - inner_count[c]);
   }
+  return depth;
+}
+
+std::vector<Group> group_components(const Adjacency& graph, Components components,
+                                    std::span<const std::uint32_t> anchors) {
+  const std::vector<std::uint32_t> depth = component_depths(graph, components, anchors);
   std::vector<Group> groups;
   if (std::adjacent_find(depth.begin(), depth.end(), std::not_equal_to<>()) == depth.end() &&
       !depth.empty() && depth.front() > 0 && depth.front() != kInNoGroup) {

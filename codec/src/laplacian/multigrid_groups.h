@@ -28,6 +28,13 @@ struct Group {
   std::size_t vertex_count() const noexcept { return graph->vertex_count(); }
 };
 
+/// In place of a depth: the component is one of SmallComponents.
+inline constexpr std::uint32_t kInNoGroup = ~std::uint32_t{0};
+
+/// Coarsenings of every component; 0: factored. Components of equal depth share a group. Spans as below.
+std::vector<std::uint32_t> component_depths(const Adjacency& graph, const Components& components,
+                                            std::span<const std::uint32_t> anchors);
+
 /// All components of `graph` but those of SmallComponents by ascending depth. `anchors`: at least one in
 /// every component. `graph` must outlive the groups. O(n + edges).
 std::vector<Group> group_components(const Adjacency& graph, Components components,

@@ -2,25 +2,34 @@
 // Copyright 2026 The deltamesh authors
 #include "laplacian/solved_part.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "laplacian/anchors.h"
+#include "topology/subgraph.h"
 
 namespace deltamesh {
 
-SolvedPart extract_solved_part(const Adjacency& graph, const Components& components) {
-  SolvedPart part;
-  part.rows.assign(graph.vertex_count(), SolvedPart::kNoRow);
-  for (std::uint32_t vertex = 0; vertex < graph.vertex_count(); ++vertex) {
-    if (components.size[components.label[vertex]] < kSmallestSolvedComponent) continue;
-    part.rows[vertex] = static_cast<std::uint32_t>(part.vertices.size());
-    part.vertices.push_back(vertex);
+std::optional<std::uint32_t> SolvedPart::row_of(std::uint32_t vertex) const noexcept {
+  if (is_whole()) return vertex;
+  const auto found = std::lower_bound(vertices.begin(), vertices.end(), vertex);
+  if (found == vertices.end() || *found != vertex) return std::nullopt;
+  return static_cast<std::uint32_t>(found - vertices.begin());
+}
+
+SolvedPart extract_solved_part(Adjacency graph, const Components& components) {
+  const std::size_t whole_count = graph.vertex_count();
+  SolvedPart part{.graph = std::move(graph), .row_count = whole_count, .whole_count = whole_count};
+  const bool all_are_solved =
+      std::all_of(components.size.begin(), components.size.end(),
+                  [](std::uint32_t size) { return size >= kSmallestSolvedComponent; });
+  if (all_are_solved) return part;
+  for (std::uint32_t vertex = 0; vertex < whole_count; ++vertex) {
+    if (components.size[components.label[vertex]] >= kSmallestSolvedComponent)
+      part.vertices.push_back(vertex);
   }
-  part.graph.offsets.reserve(part.vertices.size() + 1);
-  part.graph.offsets.push_back(0);
-  part.graph.neighbors.reserve(graph.neighbors.size());
-  for (const std::uint32_t vertex : part.vertices) {
-    for (const std::uint32_t neighbor : graph.of(vertex)) part.graph.neighbors.push_back(part.rows[neighbor]);
-    part.graph.offsets.push_back(static_cast<std::uint32_t>(part.graph.neighbors.size()));
-  }
+  part.row_count = part.vertices.size();
+  keep_vertices(part.graph, part.vertices);
   return part;
 }
 

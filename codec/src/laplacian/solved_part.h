@@ -4,7 +4,9 @@
 // The part of a graph that is solved for: its components of at least kSmallestSolvedComponent vertices.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "topology/adjacency.h"
@@ -13,14 +15,21 @@ namespace deltamesh {
 
 /// The solved components with vertices renumbered in the same order.
 struct SolvedPart {
-  std::vector<std::uint32_t> vertices;  ///< vertex of the whole graph for every row, ascending
-  std::vector<std::uint32_t> rows;  ///< the reverse, per vertex of the whole graph; kNoRow where not solved
-  Adjacency graph;                  ///< over rows
+  Adjacency graph{};                      ///< over rows
+  std::size_t row_count = 0;              ///< solved vertices
+  std::size_t whole_count = 0;            ///< vertices of the whole graph
+  std::vector<std::uint32_t> vertices{};  ///< of the whole graph, for every row, ascending; empty where all
+                                          ///< are solved
 
-  static constexpr std::uint32_t kNoRow = ~std::uint32_t{0};
+  bool is_whole() const noexcept { return row_count == whole_count; }
+  std::uint32_t vertex(std::size_t row) const noexcept {
+    return is_whole() ? static_cast<std::uint32_t>(row) : vertices[row];
+  }
+  /// Nothing where the vertex is not solved for. O(log n).
+  std::optional<std::uint32_t> row_of(std::uint32_t vertex) const noexcept;
 };
 
-/// O(n + edges).
-SolvedPart extract_solved_part(const Adjacency& graph, const Components& components);
+/// Takes the graph apart in place: no copy of it is made. O(n + edges).
+SolvedPart extract_solved_part(Adjacency graph, const Components& components);
 
 }  // namespace deltamesh

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "laplacian/solve_once.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <utility>
+
+#include "base/try.h"
+#include "laplacian/multigrid_groups.h"
+#include "laplacian/solver.h"
+#include "topology/subgraph.h"
+
+namespace deltamesh {
+namespace {
+
+/// Components that take the same hierarchy.
+struct Set {
+  std::uint32_t depth = 0;
+  std::vector<std::uint32_t> vertices{};  ///< ascending
+};
+
+std::vector<Set> collect_sets(const LeastSquaresProblem& problem) {
+  const Components components = find_components(problem.graph);
+  const std::vector<std::uint32_t> depth =
+      multigrid::component_depths(problem.graph, components, problem.anchors);
+  std::vector<std::uint32_t> depths = depth;
+  std::sort(depths.begin(), depths.end());
+  depths.erase(std::unique(depths.begin(), depths.end()), depths.end());
+  std::vector<Set> sets;
+  for (const std::uint32_t d : depths) sets.push_back({.depth = d});
+  if (sets.size() <= 1) return sets;
+  for (std::uint32_t v = 0; v < problem.graph.vertex_count(); ++v) {
+    const auto found = std::lower_bound(depths.begin(), depths.end(), depth[components.label[v]]);
+    sets[static_cast<std::size_t>(found - depths.begin())].vertices.push_back(v);
+  }
+  return sets;
+}
+
+/// Anchors and targets of `problem` on `vertices`, renumbered.
+void pick_anchors(const LeastSquaresProblem& problem, std::span<const std::uint32_t> vertices,
+                  LeastSquaresProblem& part) {
+  auto from = vertices.begin();
+  for (std::size_t a = 0; a < problem.anchors.size(); ++a) {
+    from = std::lower_bound(from, vertices.end(), problem.anchors[a]);
+    if (from == vertices.end()) break;
+    if (*from != problem.anchors[a]) continue;
+    part.anchors.push_back(static_cast<std::uint32_t>(from - vertices.begin()));
+    part.targets.push_back(problem.targets[a]);
+  }
+}
+
+LeastSquaresProblem copy_part(const LeastSquaresProblem& problem, std::span<const std::uint32_t> vertices) {
+  LeastSquaresProblem part{.graph = copy_vertices(problem.graph, vertices)};
+  pick_anchors(problem, vertices, part);
+  part.deltas.reserve(vertices.size());
+  for (const std::uint32_t v : vertices) part.deltas.push_back(problem.deltas[v]);
+  return part;
+}
+
+void keep_part(LeastSquaresProblem& problem, std::span<const std::uint32_t> vertices) {
+  LeastSquaresProblem part;
+  pick_anchors(problem, vertices, part);
+  problem.anchors = std::move(part.anchors);
+  problem.targets = std::move(part.targets);
+  for (std::size_t i = 0; i < vertices.size(); ++i) problem.deltas[i] = problem.deltas[vertices[i]];
+  problem.deltas.resize(vertices.size());
+  keep_vertices(problem.graph, vertices);
+}
+
+Result<void> solve(const LeastSquaresProblem& problem, std::span<Vec3> x) {
+  DELTAMESH_TRY(const auto solver, make_multigrid_solver(problem.graph, problem.anchors));
+  return solver->solve(problem.deltas, problem.targets, x);
+}
+
+}  // namespace
+
+Result<std::vector<Vec3>> solve_once(LeastSquaresProblem problem) {
+  std::vector<Set> sets = collect_sets(problem);
+  std::vector<Vec3> x(problem.graph.vertex_count());
+  if (sets.size() <= 1) {
+    DELTAMESH_CHECK(solve(problem, x));
+    return x;
+  }
+  // The largest set comes last in the list and is solved first, at the front of x and in place of the whole.
+  std::stable_sort(sets.begin(), sets.end(),
+                   [](const Set& a, const Set& b) { return a.vertices.size() < b.vertices.size(); });
+  const Set largest = std::move(sets.back());
+  sets.pop_back();
+  std::vector<LeastSquaresProblem> others;
+  others.reserve(sets.size());
+  for (const Set& set : sets) others.push_back(copy_part(problem, set.vertices));
+  keep_part(problem, largest.vertices);
+  DELTAMESH_CHECK(solve(problem, std::span(x).first(largest.vertices.size())));
+  problem = {};
+  for (std::size_t i = largest.vertices.size(); i-- > 0;) x[largest.vertices[i]] = x[i];
+  for (std::size_t s = 0; s < sets.size(); ++s) {
+    std::vector<Vec3> solution(sets[s].vertices.size());
+    DELTAMESH_CHECK(solve(others[s], solution));
+    for (std::size_t i = 0; i < solution.size(); ++i) x[sets[s].vertices[i]] = solution[i];
+  }
+  return x;
+}
+
+}  // namespace deltamesh

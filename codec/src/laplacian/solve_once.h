@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// One solution with as little memory as can be: what a decoder needs.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/vec3.h"
+#include "deltamesh/result.h"
+#include "topology/adjacency.h"
+
+namespace deltamesh {
+
+struct LeastSquaresProblem {
+  Adjacency graph{};
+  std::vector<std::uint32_t> anchors{};  ///< distinct vertices, ascending; at least one in every component
+  std::vector<Vec3> deltas{};            ///< n
+  std::vector<Vec3> targets{};           ///< of every anchor
+};
+
+/// What make_multigrid_solver's solver finds, to the last bit. Components that take different hierarchies are
+/// solved one set after the other, most of them in place. Errors: as LeastSquaresSolver::solve.
+Result<std::vector<Vec3>> solve_once(LeastSquaresProblem problem);
+
+}  // namespace deltamesh

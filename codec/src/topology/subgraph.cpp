@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "topology/subgraph.h"
+
+#include <vector>
+
+namespace deltamesh {
+namespace {
+
+/// New number of every kept vertex.
+std::vector<std::uint32_t> renumbering(std::size_t vertex_count, std::span<const std::uint32_t> kept) {
+  std::vector<std::uint32_t> row(vertex_count, 0);
+  for (std::uint32_t i = 0; i < kept.size(); ++i) row[kept[i]] = i;
+  return row;
+}
+
+}  // namespace
+
+Adjacency copy_vertices(const Adjacency& graph, std::span<const std::uint32_t> kept) {
+  const std::vector<std::uint32_t> row = renumbering(graph.vertex_count(), kept);
+  Adjacency part;
+  part.offsets.reserve(kept.size() + 1);
+  part.offsets.push_back(0);
+  std::uint32_t total = 0;
+  for (const std::uint32_t vertex : kept) part.offsets.push_back(total += graph.degree(vertex));
+  part.neighbors.reserve(total);
+  for (const std::uint32_t vertex : kept) {
+    for (const std::uint32_t neighbor : graph.of(vertex)) part.neighbors.push_back(row[neighbor]);
+  }
+  return part;
+}
+
+/// Rows only move to the front, and row i is written after kept[i] >= i was read.
+void keep_vertices(Adjacency& graph, std::span<const std::uint32_t> kept) {
+  const std::vector<std::uint32_t> row = renumbering(graph.vertex_count(), kept);
+  std::uint32_t written = 0;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    const std::uint32_t end = graph.offsets[kept[i] + 1];
+    std::uint32_t from = graph.offsets[kept[i]];
+    graph.offsets[i] = written;
+    for (; from < end; ++from) graph.neighbors[written++] = row[graph.neighbors[from]];
+  }
+  graph.offsets.resize(kept.size() + 1);
+  graph.offsets.back() = written;
+  graph.neighbors.resize(written);
+}
+
+}  // namespace deltamesh
