@@ -46,9 +46,9 @@ TEST(Container, CNT1HoldsHeaderDirectoryAndChunks) {
   ASSERT_EQ(container->entries().size(), 2U);
   EXPECT_EQ(container->entries()[0].codec, ChunkCodec::kRaw) << "random bytes do not shrink";
   EXPECT_EQ(container->entries()[1].codec, ChunkCodec::kZstd);
-  EXPECT_EQ(*expand_single(*container, kTagConnectivity, 1000), bytes_of(13, 1));
-  EXPECT_EQ(*expand_single(*container, kTagDeltas, 1000), std::vector<std::byte>(500));
-  EXPECT_TRUE(expand_single(*container, kTagAnchors, 1000)->empty());
+  EXPECT_EQ(expand_single(*container, kTagConnectivity, 1000)->bytes, bytes_of(13, 1));
+  EXPECT_EQ(expand_single(*container, kTagDeltas, 1000)->bytes, std::vector<std::byte>(500));
+  EXPECT_TRUE(expand_single(*container, kTagAnchors, 1000)->bytes.empty());
 }
 
 TEST(Container, CNT2ChecksumCoversHeaderAndDirectory) {

@@ -7,6 +7,9 @@
 #include "base/byte_reader.h"
 #include "base/byte_writer.h"
 #include "base/zigzag.h"
+#include "connectivity/order_coder.h"
+#include "entropy/compact_reader.h"
+#include "entropy/compact_writer.h"
 #include "entropy/planes.h"
 #include "format/tags.h"
 
@@ -40,9 +43,7 @@ Result<std::vector<std::uint32_t>> read_permutation(ByteReader& in, std::uint32_
   return places;
 }
 
-}  // namespace
-
-std::vector<std::byte> write_order(const MeshOrder& order) {
+std::vector<std::byte> write_plain(const MeshOrder& order) {
   ByteWriter out;
   write_permutation(out, order.vertices);
   write_permutation(out, order.faces);
@@ -50,9 +51,10 @@ std::vector<std::byte> write_order(const MeshOrder& order) {
   return out.take();
 }
 
-Result<MeshOrder> read_order(std::span<const std::byte> payload, std::uint32_t vertex_count,
+/// Errors: kTruncated, kInvalidStream [ORDR-1 .. 3].
+Result<MeshOrder> read_plain(std::span<const std::byte> bytes, std::uint32_t vertex_count,
                              std::uint32_t triangle_count) {
-  ByteReader in(payload, kTagOrder);
+  ByteReader in(bytes, kTagOrder);
   MeshOrder order;
   DELTAMESH_TRY(order.vertices, read_permutation(in, vertex_count));
   DELTAMESH_TRY(order.faces, read_permutation(in, triangle_count));
@@ -64,6 +66,40 @@ Result<MeshOrder> read_order(std::span<const std::byte> payload, std::uint32_t v
     order.rotation.push_back(static_cast<std::uint8_t>(rotation));
   }
   return order;
+}
+
+/// Errors: kTruncated, kInvalidStream [ORDR-2 .. 6, CMP-3].
+Result<MeshOrder> read_compact(std::span<const std::byte> bytes, std::span<const std::uint32_t> triangles,
+                               std::uint32_t vertex_count) {
+  const std::size_t face_count = triangles.size() / 3;
+  MeshOrder order{std::vector<std::uint32_t>(vertex_count), std::vector<std::uint32_t>(face_count),
+                  std::vector<std::uint8_t>(face_count)};
+  CompactReader reader(bytes);
+  const char* const broken = OrderCoder<CompactReader>(reader, triangles, vertex_count).code(order);
+  if (reader.failed() || broken == nullptr) DELTAMESH_CHECK(reader.finish(kTagOrder));
+  if (broken != nullptr)
+    return Error{.code = ErrorCode::kInvalidStream,
+                 .message = "not a permutation, or a rotation beyond 2",
+                 .rule = broken,
+                 .chunk_tag = kTagOrder};
+  return order;
+}
+
+}  // namespace
+
+CodedOrder write_order(MeshOrder order, std::span<const std::uint32_t> triangles) {
+  CodedOrder coded;
+  coded.payload = write_plain(order);
+  CompactWriter writer;
+  OrderCoder<CompactWriter>(writer, triangles, static_cast<std::uint32_t>(order.vertices.size())).code(order);
+  coded.compact = writer.finish();
+  return coded;
+}
+
+Result<MeshOrder> read_order(Payload payload, std::span<const std::uint32_t> triangles,
+                             std::uint32_t vertex_count) {
+  if (payload.is_compact) return read_compact(payload.bytes, triangles, vertex_count);
+  return read_plain(payload.bytes, vertex_count, static_cast<std::uint32_t>(triangles.size() / 3));
 }
 
 }  // namespace deltamesh

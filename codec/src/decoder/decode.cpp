@@ -61,8 +61,8 @@ class StreamDecoder {
     report_progress(options_, kGeometryDone);
     DELTAMESH_CHECK(read_attributes(mesh));
     if (header_.keeps_order) {
-      DELTAMESH_TRY(const auto payload, expand_single(container_, kTagOrder, max_payload(header_)));
-      DELTAMESH_TRY(const auto order, read_order(payload, header_.vertices, header_.triangles));
+      DELTAMESH_TRY(const auto chunk, expand_single(container_, kTagOrder, max_payload(header_)));
+      DELTAMESH_TRY(const auto order, read_order(chunk.payload(), mesh.triangles, header_.vertices));
       mesh = restore_order(mesh, order);
     }
     report_progress(options_, 1);
@@ -72,11 +72,10 @@ class StreamDecoder {
  private:
   /// Faces over the mesh's vertices; where seams split some, those over the geometric vertices as well.
   Result<void> read_faces(std::vector<std::uint32_t>& triangles) {
-    DELTAMESH_TRY(const auto connectivity,
-                  expand_any_single(container_, kTagConnectivity, max_payload(header_)));
+    DELTAMESH_TRY(const auto connectivity, expand_single(container_, kTagConnectivity, max_payload(header_)));
     DELTAMESH_TRY(triangles,
                   read_connectivity(connectivity.payload(), header_.geometric_vertices, header_.triangles));
-    DELTAMESH_TRY(const auto seams, expand_any_single(container_, kTagSeams, max_payload(header_)));
+    DELTAMESH_TRY(const auto seams, expand_single(container_, kTagSeams, max_payload(header_)));
     if (seams.bytes.empty() && header_.vertices == header_.geometric_vertices) return {};
     DELTAMESH_TRY(auto split,
                   read_seams(seams.payload(), triangles, header_.geometric_vertices, header_.vertices));
@@ -96,7 +95,7 @@ class StreamDecoder {
 
   Result<std::vector<Vec3>> read_predicted(std::span<const std::uint32_t> triangles) {
     DELTAMESH_CHECK(check_components(count_components(triangles, header_.geometric_vertices)));
-    DELTAMESH_TRY(const auto payload, expand_any_single(container_, kTagPositions, max_payload(header_)));
+    DELTAMESH_TRY(const auto payload, expand_single(container_, kTagPositions, max_payload(header_)));
     const FaceStars stars(triangles, header_.geometric_vertices);
     return read_positions(payload.payload(), stars, header_.predictive, header_.box());
   }
@@ -113,8 +112,8 @@ class StreamDecoder {
     geometric_triangles_ = {};
     Components components = find_components(graph);
     DELTAMESH_CHECK(check_components(components.count));
-    DELTAMESH_TRY(const auto deltas, expand_any_single(container_, kTagDeltas, max_payload(header_)));
-    DELTAMESH_TRY(const auto anchors, expand_any_single(container_, kTagAnchors, max_payload(header_)));
+    DELTAMESH_TRY(const auto deltas, expand_single(container_, kTagDeltas, max_payload(header_)));
+    DELTAMESH_TRY(const auto anchors, expand_single(container_, kTagAnchors, max_payload(header_)));
     return read_highpass(deltas.payload(), anchors.payload(), std::move(graph), std::move(components),
                          header_.box(), header_.highpass);
   }
@@ -124,7 +123,7 @@ class StreamDecoder {
     std::optional<Adjacency> graph;
     for (const ChunkEntry& entry : container_.entries()) {
       if (entry.tag != kTagAttribute) continue;
-      DELTAMESH_TRY(const auto chunk, expand_any_chunk(container_, entry, max_payload(header_)));
+      DELTAMESH_TRY(const auto chunk, expand_chunk(container_, entry, max_payload(header_)));
       if (chunk.is_compact && !graph) graph = build_adjacency(mesh.triangles, header_.vertices);
       DELTAMESH_TRY(auto attribute,
                     read_attribute(chunk.payload(), header_.vertices, left, graph ? &*graph : nullptr));

@@ -280,8 +280,11 @@ Result<Encoded> encode_checked(const MeshView& mesh, const EncodeOptions& option
   DELTAMESH_CHECK(
       other.before.add(kTagSeams, std::move(topology.seams.payload), std::move(topology.seams.compact)));
   DELTAMESH_CHECK(add_attributes(mesh, topology, options, other.after));
-  if (options.keep_order)
-    DELTAMESH_CHECK(other.after.add(kTagOrder, write_order(original_order(topology, mesh.vertex_count()))));
+  if (options.keep_order) {
+    CodedOrder order =
+        write_order(original_order(topology, mesh.vertex_count()), topology.seams.split.triangles);
+    DELTAMESH_CHECK(other.after.add(kTagOrder, std::move(order.payload), std::move(order.compact)));
+  }
   report_progress(options, kAttributesDone);
   DELTAMESH_TRY(const ChunkList chunks, add_geometry(mesh, topology, other, options, header));
   report_progress(options, kGeometryDone);

@@ -30,16 +30,6 @@ Result<CodedChunk> code_plain(std::uint32_t tag, std::vector<std::byte> payload,
   return chunk;
 }
 
-Result<std::vector<std::byte>> only_plain(Result<ExpandedChunk> chunk, std::uint32_t tag) {
-  if (!chunk) return chunk.error();
-  if (chunk->is_compact)
-    return Error{.code = ErrorCode::kInvalidStream,
-                 .message = "a compact chunk of a kind that has no compact form",
-                 .rule = "ENT-2",
-                 .chunk_tag = tag};
-  return std::move(chunk->bytes);
-}
-
 }  // namespace
 
 Result<CodedChunk> code_chunk(std::uint32_t tag, std::vector<std::byte> payload,
@@ -55,8 +45,8 @@ Result<CodedChunk> code_chunk(std::uint32_t tag, std::vector<std::byte> payload,
   return chunk;
 }
 
-Result<ExpandedChunk> expand_any_chunk(const Container& container, const ChunkEntry& entry,
-                                       std::uint64_t max_bytes) {
+Result<ExpandedChunk> expand_chunk(const Container& container, const ChunkEntry& entry,
+                                   std::uint64_t max_bytes) {
   if (entry.decoded_bytes > max_bytes)
     return chunk_error(ErrorCode::kInvalidStream, "the chunk is longer than the header's counts allow",
                        "DIR-5", entry);
@@ -75,21 +65,10 @@ Result<ExpandedChunk> expand_any_chunk(const Container& container, const ChunkEn
   return chunk;
 }
 
-Result<ExpandedChunk> expand_any_single(const Container& container, std::uint32_t tag,
-                                        std::uint64_t max_bytes) {
+Result<ExpandedChunk> expand_single(const Container& container, std::uint32_t tag, std::uint64_t max_bytes) {
   DELTAMESH_TRY(const auto* entry, container.find(tag));
   if (entry == nullptr) return ExpandedChunk{};
-  return expand_any_chunk(container, *entry, max_bytes);
-}
-
-Result<std::vector<std::byte>> expand_chunk(const Container& container, const ChunkEntry& entry,
-                                            std::uint64_t max_bytes) {
-  return only_plain(expand_any_chunk(container, entry, max_bytes), entry.tag);
-}
-
-Result<std::vector<std::byte>> expand_single(const Container& container, std::uint32_t tag,
-                                             std::uint64_t max_bytes) {
-  return only_plain(expand_any_single(container, tag, max_bytes), tag);
+  return expand_chunk(container, *entry, max_bytes);
 }
 
 }  // namespace deltamesh

@@ -33,19 +33,10 @@ struct ExpandedChunk {
 
 /// Expands a chunk of `container` into a buffer of exactly entry.decoded_bytes, which may be at most
 /// `max_bytes`; compact bytes stay as they are. Errors: kCorrupt [DIR-6], kInvalidStream [DIR-5, ENT-1].
-Result<ExpandedChunk> expand_any_chunk(const Container& container, const ChunkEntry& entry,
-                                       std::uint64_t max_bytes);
+Result<ExpandedChunk> expand_chunk(const Container& container, const ChunkEntry& entry,
+                                   std::uint64_t max_bytes);
 
 /// The same for the only chunk with `tag`; empty where there is none [DIR-8].
-Result<ExpandedChunk> expand_any_single(const Container& container, std::uint32_t tag,
-                                        std::uint64_t max_bytes);
-
-/// As expand_any_chunk, for kinds without a compact form. Errors: kInvalidStream [ENT-2] where it has one.
-Result<std::vector<std::byte>> expand_chunk(const Container& container, const ChunkEntry& entry,
-                                            std::uint64_t max_bytes);
-
-/// As expand_any_single, for kinds without a compact form [ENT-2].
-Result<std::vector<std::byte>> expand_single(const Container& container, std::uint32_t tag,
-                                             std::uint64_t max_bytes);
+Result<ExpandedChunk> expand_single(const Container& container, std::uint32_t tag, std::uint64_t max_bytes);
 
 }  // namespace deltamesh
