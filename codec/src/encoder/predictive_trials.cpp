@@ -8,6 +8,7 @@
 #include "base/try.h"
 #include "encoder/position_forms.h"
 #include "geometry/vertex_positions.h"
+#include "predictive/exact_lattice.h"
 #include "predictive/lattice.h"
 #include "predictive/positions.h"
 #include "quality/measure.h"
@@ -54,7 +55,9 @@ double PredictiveTrials::first_step(const Bounds& bounds) const noexcept {
 Result<PredictiveTrials::Trial> PredictiveTrials::measured(PredictiveParameters parameters,
                                                            std::vector<Cell> cells) const {
   DELTAMESH_TRY(const auto decoded, to_float_positions(to_positions(cells, parameters.lattice)));
-  return Trial{parameters, std::move(cells), measure_quality(input_.graph, input_.positions, decoded)};
+  return Trial{.parameters = parameters,
+               .cells = std::move(cells),
+               .quality = measure_quality(input_.graph, input_.positions, decoded)};
 }
 
 Result<PredictiveTrials::Trial> PredictiveTrials::try_lattice(const PositionLattice& lattice) const {
@@ -77,7 +80,7 @@ GeometryChoice PredictiveTrials::code(const Trial& trial) const {
                         .chunks = frame_.before.fresh(),
                         .quality = trial.quality};
   const auto write = [&](const PositionForm& form) {
-    return write_positions(stars_, trial.cells, trial.parameters, form);
+    return write_positions(stars_, trial.cells, trial.parameters, form, trial.patches);
   };
   const bool may_guess = trial.parameters.kind == PositionKind::kLattice;
   choice.chunks.add_compact(kTagPositions, write_smallest(write, may_guess, effort_));
@@ -92,7 +95,7 @@ Result<GeometryChoice> PredictiveTrials::code_step(double step) const {
   return code(trial);
 }
 
-GeometryChoice PredictiveTrials::code_exactly() const {
+GeometryChoice PredictiveTrials::code_floats() const {
   GeometryChoice choice{.geometry = kGeometryPredictive,
                         .predictive = {.kind = PositionKind::kFloats, .lattice = {}},
                         .chunks = frame_.before.fresh()};
@@ -101,6 +104,16 @@ GeometryChoice PredictiveTrials::code_exactly() const {
   };
   choice.chunks.add_compact(kTagPositions, write_smallest(write, false, effort_));
   return choice;
+}
+
+GeometryChoice PredictiveTrials::code_exactly() const {
+  GeometryChoice floats = code_floats();
+  const auto lattice = find_exact_lattice(input_.positions, input_.box);
+  if (!lattice) return floats;
+  Trial trial{.parameters = {.lattice = *lattice}, .cells = to_cells(input_.positions, *lattice)};
+  trial.patches = find_patches(input_.positions, to_positions(trial.cells, *lattice));
+  GeometryChoice choice = code(trial);
+  return frame_.bytes_with(choice) < frame_.bytes_with(floats) ? choice : floats;
 }
 
 std::optional<PredictiveTrials::Trial> PredictiveTrials::keep_on_lattice(

@@ -10,6 +10,7 @@
 
 #include "encoder/coded_geometry.h"
 #include "predictive/blend.h"
+#include "predictive/patches.h"
 #include "predictive/voxel_fit.h"
 #include "quality/bounds.h"
 #include "topology/adjacency.h"
@@ -49,7 +50,8 @@ class PredictiveTrials {
   struct Trial {
     PredictiveParameters parameters;
     std::vector<Cell> cells;
-    Quality quality;
+    Quality quality{};
+    std::vector<Patch> patches{};  ///< of an exact lattice
   };
 
   Result<Trial> measured(PredictiveParameters parameters, std::vector<Cell> cells) const;
@@ -57,6 +59,7 @@ class PredictiveTrials {
   /// Empty where the voxels have no room for so many.
   std::optional<Trial> try_levels(const VoxelFit& fit, std::uint32_t levels) const;
   GeometryChoice code(const Trial& trial) const;
+  GeometryChoice code_floats() const;
   double first_step(const Bounds& bounds) const noexcept;
   /// On a cubic lattice but for `axes` with steps of their own; empty where none keeps the bounds.
   std::optional<Trial> keep_on_lattice(const Bounds& bounds, const std::array<AxisGrid, 3>& axes) const;

@@ -31,27 +31,52 @@ Result<std::vector<Vec3>> read_floats(CompactReader& reader, const FaceStars& st
   return positions;
 }
 
+/// All cells by one of the coders. The reader is to be finished.
+template <class Coder>
+Result<std::vector<Cell>> read_cells(Coder coder, const CompactReader& reader, std::uint32_t vertices) {
+  std::vector<Cell> cells(vertices);
+  for (std::uint32_t v = 0; v < cells.size() && !reader.failed(); ++v) {
+    const char* broken = coder.code_vertex(v, cells);
+    if (broken != nullptr && !reader.failed())
+      return invalid("a coordinate beyond the lattice, or an edge that is not there", broken);
+  }
+  return cells;
+}
+
+Result<std::vector<Vec3>> read_voxels(CompactReader& reader, const FaceStars& stars,
+                                      const PredictiveParameters& parameters, const BlendTable& blends) {
+  const PositionLattice& lattice = parameters.lattice;
+  DELTAMESH_TRY(const auto cells,
+                read_cells(VoxelCoder(reader, stars, lattice.cells, parameters.levels, blends), reader,
+                           stars.vertex_count()));
+  DELTAMESH_CHECK(reader.finish(kTagPositions));
+  return to_positions(cells, lattice);
+}
+
+Result<std::vector<Vec3>> read_lattice(CompactReader& reader, const FaceStars& stars,
+                                       const PositionLattice& lattice, const BlendTable& blends) {
+  const bool guesses = reader.bits(0, 1) != 0;
+  const bool patched = reader.bits(0, 1) != 0;
+  DELTAMESH_TRY(const auto cells, read_cells(LatticeCoder(reader, stars, lattice.cells, blends, guesses),
+                                             reader, stars.vertex_count()));
+  std::vector<Patch> patches;
+  if (patched && !reader.failed() &&
+      !code_patches(reader, patches, 3 * std::uint64_t{stars.vertex_count()}) && !reader.failed())
+    return invalid("a coordinate to replace that is not there, or not finite", "POSN-11");
+  DELTAMESH_CHECK(reader.finish(kTagPositions));
+  auto positions = to_positions(cells, lattice);
+  apply(patches, positions);
+  return positions;
+}
+
 /// What follows the walk, of vertices numbered in its order.
 Result<std::vector<Vec3>> read_in_order(CompactReader& reader, const FaceStars& stars,
                                         const PredictiveParameters& parameters, const Box& box) {
   BlendTable blends{};
   code_blends(reader, blends);
   if (parameters.kind == PositionKind::kFloats) return read_floats(reader, stars, blends, box);
-  std::vector<Cell> cells(stars.vertex_count());
-  const auto read_with = [&](auto coder) -> Result<void> {
-    for (std::uint32_t v = 0; v < cells.size() && !reader.failed(); ++v) {
-      const char* broken = coder.code_vertex(v, cells);
-      if (broken != nullptr && !reader.failed())
-        return invalid("a coordinate beyond the lattice, or an edge that is not there", broken);
-    }
-    return reader.finish(kTagPositions);
-  };
-  const PositionLattice& lattice = parameters.lattice;
-  DELTAMESH_CHECK(
-      parameters.kind == PositionKind::kVoxel
-          ? read_with(VoxelCoder(reader, stars, lattice.cells, parameters.levels, blends))
-          : read_with(LatticeCoder(reader, stars, lattice.cells, blends, reader.bits(0, 1) != 0)));
-  return to_positions(cells, lattice);
+  if (parameters.kind == PositionKind::kVoxel) return read_voxels(reader, stars, parameters, blends);
+  return read_lattice(reader, stars, parameters.lattice, blends);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
+#include <algorithm>
+
 #include "entropy/compact_writer.h"
 #include "predictive/blend_fit.h"
 #include "predictive/float_coder.h"
@@ -20,8 +22,21 @@ std::vector<T> in_order(std::span<const T> values, const std::vector<std::uint32
   return result;
 }
 
+/// The patches with vertices numbered by their place in `order`.
+std::vector<Patch> in_order(std::span<const Patch> patches, const std::vector<std::uint32_t>& order) {
+  std::vector<Patch> result(patches.begin(), patches.end());
+  if (order.empty() || patches.empty()) return result;
+  std::vector<std::uint32_t> place(order.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
+  for (Patch& patch : result) patch.coordinate = 3 * place[patch.coordinate / 3] + patch.coordinate % 3;
+  std::sort(result.begin(), result.end(),
+            [](const Patch& a, const Patch& b) { return a.coordinate < b.coordinate; });
+  return result;
+}
+
 std::vector<std::byte> write_cells(const FaceStars& stars, std::vector<Cell> cells,
-                                   const PredictiveParameters& parameters, const PositionForm& form) {
+                                   const PredictiveParameters& parameters, const PositionForm& form,
+                                   std::vector<Patch> patches) {
   CompactWriter writer;
   Walk walk = form.walk;
   code_walk(writer, walk);
@@ -29,13 +44,17 @@ std::vector<std::byte> write_cells(const FaceStars& stars, std::vector<Cell> cel
   code_blends(writer, blends);
   const auto write_with = [&](auto coder) {
     for (std::uint32_t v = 0; v < cells.size(); ++v) coder.code_vertex(v, cells);
-    return writer.finish();
   };
   const PositionLattice& lattice = parameters.lattice;
-  if (parameters.kind == PositionKind::kVoxel)
-    return write_with(VoxelCoder(writer, stars, lattice.cells, parameters.levels, blends));
+  if (parameters.kind == PositionKind::kVoxel) {
+    write_with(VoxelCoder(writer, stars, lattice.cells, parameters.levels, blends));
+    return writer.finish();
+  }
   writer.bits(form.guesses ? 1 : 0, 1);
-  return write_with(LatticeCoder(writer, stars, lattice.cells, blends, form.guesses));
+  writer.bits(patches.empty() ? 0 : 1, 1);
+  write_with(LatticeCoder(writer, stars, lattice.cells, blends, form.guesses));
+  if (!patches.empty()) code_patches(writer, patches, 3 * cells.size());
+  return writer.finish();
 }
 
 std::vector<std::byte> write_ordinals(const FaceStars& stars, std::vector<Ordinals> floats,
@@ -56,11 +75,16 @@ std::vector<std::byte> write_ordinals(const FaceStars& stars, std::vector<Ordina
 }  // namespace
 
 std::vector<std::byte> write_positions(const FaceStars& stars, std::span<const Cell> cells,
-                                       const PredictiveParameters& parameters, const PositionForm& form) {
+                                       const PredictiveParameters& parameters, const PositionForm& form,
+                                       std::span<const Patch> patches) {
   if (cells.empty()) return {};
   const auto order = walk_order(stars, form.walk);
-  if (order.empty()) return write_cells(stars, in_order(cells, order), parameters, form);
-  return write_cells(renumber(stars, order), in_order(cells, order), parameters, form);
+  auto ordered = in_order(cells, order);
+  auto ordered_patches = in_order(patches, order);
+  if (order.empty())
+    return write_cells(stars, std::move(ordered), parameters, form, std::move(ordered_patches));
+  return write_cells(renumber(stars, order), std::move(ordered), parameters, form,
+                     std::move(ordered_patches));
 }
 
 std::vector<std::byte> write_floats(const FaceStars& stars, std::span<const Vec3> positions, const Box& box,

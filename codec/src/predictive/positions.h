@@ -14,6 +14,7 @@
 #include "format/predictive_parameters.h"
 #include "predictive/blend.h"
 #include "predictive/blend_fit.h"
+#include "predictive/patches.h"
 #include "predictive/walk.h"
 
 namespace deltamesh {
@@ -26,16 +27,17 @@ struct PositionForm {
 };
 
 /// The POSN payload, compact, of `cells`, one for every vertex of `stars`, within the lattice; empty for no
-/// vertices. `stars`: as decoded, whatever the walk. O(n + m).
+/// vertices. `stars`: as decoded, whatever the walk. `patches`: of kLattice, ascending. O(n + m).
 std::vector<std::byte> write_positions(const FaceStars& stars, std::span<const Cell> cells,
-                                       const PredictiveParameters& parameters, const PositionForm& form = {});
+                                       const PredictiveParameters& parameters, const PositionForm& form = {},
+                                       std::span<const Patch> patches = {});
 
 /// The same for positions to the last bit, PositionKind::kFloats. `box`: of `positions`, which are floats.
 std::vector<std::byte> write_floats(const FaceStars& stars, std::span<const Vec3> positions, const Box& box,
                                     const PositionForm& form = {});
 
-/// n positions. `box`: the header's. Errors: kTruncated, kInvalidStream [POSN-1, POSN-7, POSN-10, VOX-4,
-/// FLT-1, CMP-3].
+/// n positions. `box`: the header's. Errors: kTruncated, kInvalidStream [POSN-1, POSN-7, POSN-10, POSN-11,
+/// VOX-4, FLT-1, CMP-3].
 Result<std::vector<Vec3>> read_positions(Payload payload, const FaceStars& stars,
                                          const PredictiveParameters& parameters, const Box& box);
 
