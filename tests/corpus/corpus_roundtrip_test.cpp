@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Every mesh of the corpus through the whole pipeline, one test per file. The corpus is no part of the
-// project: DELTAMESH_CORPUS names its folder.
+// Every mesh of the corpus through the whole pipeline, one test per file.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "corpus_files.h"
 #include "deltamesh/compare.h"
 #include "deltamesh/decode.h"
 #include "deltamesh/encode.h"
@@ -20,36 +18,11 @@
 namespace deltamesh {
 namespace {
 
-namespace fs = std::filesystem;
+using testing_corpus::corpus;
+using testing_corpus::mesh_files;
+using testing_corpus::test_name;
 
 constexpr std::size_t kSmall = 20'000;  ///< vertices up to which the more expensive checks are made
-constexpr const char* kNoCorpus = "";
-
-fs::path corpus() {
-  const char* named = std::getenv("DELTAMESH_CORPUS");
-  return named != nullptr ? named : DELTAMESH_DEFAULT_CORPUS;
-}
-
-/// Paths relative to the corpus, sorted; one empty path where there is none.
-std::vector<std::string> mesh_files() {
-  std::vector<std::string> files;
-  for (const char* folder : {"paper", "models", "robot", "formats"}) {
-    std::error_code absent;
-    for (const auto& entry : fs::recursive_directory_iterator(corpus() / folder, absent))
-      if (entry.is_regular_file() && format_of_path(entry.path().string()))
-        files.push_back(fs::relative(entry.path(), corpus()).string());
-  }
-  std::sort(files.begin(), files.end());
-  if (files.empty()) files.emplace_back(kNoCorpus);
-  return files;
-}
-
-std::string test_name(const testing::TestParamInfo<std::string>& info) {
-  std::string name = info.param.empty() ? "none" : info.param;
-  for (char& c : name)
-    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
-  return name;
-}
 
 std::size_t referenced_vertices(const Mesh& mesh) {
   std::vector<bool> used(mesh.vertex_count());
