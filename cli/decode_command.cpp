@@ -16,12 +16,13 @@ namespace {
 struct Arguments {
   std::string in;
   std::string out;
+  unsigned threads = 1;
 };
 
 int run_decode(const Arguments& arguments) {
   int status = kOk;
   if (!check_mesh_suffix(arguments.out, status)) return status;
-  const std::optional<Mesh> mesh = load_stream(arguments.in, status);
+  const std::optional<Mesh> mesh = load_stream(arguments.in, status, arguments.threads);
   if (!mesh) return status;
   status = save_mesh(arguments.out, *mesh);
   if (status == kOk)
@@ -38,6 +39,11 @@ void add_decode_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("decode", "Turn a .dmsh stream back into a mesh file");
   command->add_option("IN", arguments->in, "stream, .dmsh")->required();
   command->add_option("OUT", arguments->out, std::string("mesh file to write: ") + kMeshSuffixes)->required();
+  command
+      ->add_option("--threads", arguments->threads,
+                   "threads to decode on; 0: as many as the machine runs at once; the mesh is the same")
+      ->check(CLI::Range(0U, 256U))
+      ->capture_default_str();
   command->footer(
       "Examples:\n"
       "  deltamesh decode bunny.dmsh bunny.ply\n"

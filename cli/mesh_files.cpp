@@ -27,9 +27,9 @@ Result<Imported> read_showing_progress(const std::string& path) {
   return read_mesh_file(path);
 }
 
-Result<Mesh> decode_showing_progress(const std::vector<std::byte>& bytes) {
+Result<Mesh> decode_showing_progress(const std::vector<std::byte>& bytes, unsigned threads) {
   Progress progress("decoding");
-  return decode(bytes, {.limits = {}, .progress = progress.callback()});
+  return decode(bytes, {.limits = {}, .threads = threads, .progress = progress.callback()});
 }
 
 Result<void> write_showing_progress(const std::string& path, const MeshView& mesh) {
@@ -46,13 +46,13 @@ std::optional<Imported> load_mesh(const std::string& path, int& status) {
   return std::nullopt;
 }
 
-std::optional<Mesh> load_stream(const std::string& path, int& status) {
+std::optional<Mesh> load_stream(const std::string& path, int& status, unsigned threads) {
   const Result<std::vector<std::byte>> bytes = read_file(path);
   if (!bytes) {
     status = fail(path, bytes.error());
     return std::nullopt;
   }
-  Result<Mesh> mesh = decode_showing_progress(*bytes);
+  Result<Mesh> mesh = decode_showing_progress(*bytes, threads);
   if (mesh) return *std::move(mesh);
   status = fail(path, mesh.error());
   return std::nullopt;

@@ -18,8 +18,8 @@ inline constexpr const char* kMeshSuffixes = ".ply .obj .stl .off .gltf .glb";
 /// Reads a mesh; on failure prints why and leaves the exit code in `status`.
 std::optional<Imported> load_mesh(const std::string& path, int& status);
 
-/// Reads and decodes a stream, likewise.
-std::optional<Mesh> load_stream(const std::string& path, int& status);
+/// Reads and decodes a stream, likewise. `threads`: as DecodeOptions.
+std::optional<Mesh> load_stream(const std::string& path, int& status, unsigned threads = 1);
 
 /// Either of them, by the suffix.
 std::optional<Mesh> load_mesh_or_stream(const std::string& path, int& status);

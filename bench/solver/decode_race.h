@@ -10,8 +10,9 @@
 
 namespace deltamesh::bench {
 
-/// Prints one row of a Markdown table: vertices, nanoseconds per vertex (processor time, the best of three)
-/// and peak memory above the idle process's of both decoders, and the ratios.
+/// Prints one row of a Markdown table: vertices, nanoseconds per vertex (the best of three; processor
+/// time, and with two threads the time that passes) and peak memory above the idle process's of both
+/// decoders, and the ratios.
 void print_decode_race(const std::string& name, const Mesh& mesh);
 
 void print_decode_race_header();

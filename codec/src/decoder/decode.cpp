@@ -2,12 +2,15 @@
 // Copyright 2026 The deltamesh authors
 #include "deltamesh/decode.h"
 
+#include <algorithm>
 #include <optional>
+#include <thread>
 #include <utility>
 
 #include "attributes/attribute.h"
 #include "base/checked.h"
 #include "base/guard.h"
+#include "base/task.h"
 #include "base/try.h"
 #include "connectivity/connectivity.h"
 #include "connectivity/seams.h"
@@ -50,16 +53,21 @@ std::uint64_t max_payload(const FileHeader& header) noexcept {
 class StreamDecoder {
  public:
   StreamDecoder(const Container& container, const DecodeOptions& options)
-      : container_(container), header_(container.header()), options_(options) {}
+      : container_(container),
+        header_(container.header()),
+        options_(options),
+        threads_(options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency())) {}
 
   Result<Mesh> run() {
     DELTAMESH_CHECK(check_limits(header_, options_.limits));
     Mesh mesh;
     mesh.origin = header_.origin;
     DELTAMESH_CHECK(read_faces(mesh.triangles));
+    Task<Result<std::vector<Attribute>>> attributes(decodes_attributes_aside(),
+                                                    [&] { return read_attributes(mesh.triangles); });
     DELTAMESH_TRY(mesh.positions, read_geometry(mesh.triangles));
     report_progress(options_, kGeometryDone);
-    DELTAMESH_CHECK(read_attributes(mesh));
+    DELTAMESH_TRY(mesh.attributes, attributes.get());
     if (header_.keeps_order) {
       DELTAMESH_TRY(const auto chunk, expand_single(container_, kTagOrder, max_payload(header_)));
       DELTAMESH_TRY(const auto order, read_order(chunk.payload(), mesh.triangles, header_.vertices));
@@ -115,32 +123,38 @@ class StreamDecoder {
     DELTAMESH_TRY(const auto deltas, expand_single(container_, kTagDeltas, max_payload(header_)));
     DELTAMESH_TRY(const auto anchors, expand_single(container_, kTagAnchors, max_payload(header_)));
     return read_highpass(deltas.payload(), anchors.payload(), std::move(graph), std::move(components),
-                         header_.box(), header_.highpass);
+                         header_.box(), header_.highpass, threads_for_geometry());
   }
 
-  Result<void> read_attributes(Mesh& mesh) {
+  /// Over vertices joined by `triangles`.
+  Result<std::vector<Attribute>> read_attributes(std::span<const std::uint32_t> triangles) const {
     std::uint64_t left = options_.limits.attribute_bytes;
     std::optional<Adjacency> graph;
+    std::vector<Attribute> attributes;
     for (const ChunkEntry& entry : container_.entries()) {
       if (entry.tag != kTagAttribute) continue;
       DELTAMESH_TRY(const auto chunk, expand_chunk(container_, entry, max_payload(header_)));
-      if (chunk.is_compact && !graph) graph = build_adjacency(mesh.triangles, header_.vertices);
+      if (chunk.is_compact && !graph) graph = build_adjacency(triangles, header_.vertices);
       DELTAMESH_TRY(auto attribute,
                     read_attribute(chunk.payload(), header_.vertices, left, graph ? &*graph : nullptr));
       left -= attribute.values.size();
-      mesh.attributes.push_back(std::move(attribute));
-      if (mesh.attributes.size() > header_.attributes) break;
+      attributes.push_back(std::move(attribute));
+      if (attributes.size() > header_.attributes) break;
     }
-    if (mesh.attributes.size() != header_.attributes)
+    if (attributes.size() != header_.attributes)
       return Error{.code = ErrorCode::kInvalidStream,
                    .message = "the number of ATTR chunks differs from the header's",
                    .rule = "HDR-13"};
-    return {};
+    return attributes;
   }
+
+  bool decodes_attributes_aside() const noexcept { return threads_ > 1 && header_.attributes > 0; }
+  unsigned threads_for_geometry() const noexcept { return threads_ - (decodes_attributes_aside() ? 1 : 0); }
 
   const Container& container_;
   const FileHeader& header_;
   const DecodeOptions& options_;
+  unsigned threads_;                                ///< 1 or more
   std::vector<std::uint32_t> geometric_triangles_;  ///< empty where no vertex is split
   std::vector<std::uint32_t> copies_;               ///< geometric vertex of every vertex; likewise
 };

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/task.h"
 #include "base/try.h"
 #include "base/zigzag.h"
 #include "entropy/planes.h"
@@ -79,20 +80,41 @@ Result<void> check_coverage(std::span<const std::uint32_t> anchors, const Compon
   return {};
 }
 
+/// Everything but the deltas. Errors: kTruncated, kInvalidStream [ANCH-*].
+Result<HighpassSymbols> read_anchor_symbols(Payload anchors, const Components& components,
+                                            const HighpassParameters& parameters) {
+  HighpassSymbols symbols;
+  DELTAMESH_TRY(const AnchorList list, read_anchors(anchors, parameters.anchors));
+  DELTAMESH_TRY(symbols.anchors, anchor_vertices(list, components.label.size()));
+  DELTAMESH_TRY(symbols.cells, anchor_cells(list, parameters.anchor_bits));
+  DELTAMESH_CHECK(check_coverage(symbols.anchors, components));
+  return symbols;
+}
+
+/// The deltas are read while another thread sets up the solver.
+Result<std::vector<Vec3>> read_and_solve(Payload deltas, HighpassSymbols symbols, const SolvedPart& part,
+                                         const Box& box, const HighpassParameters& parameters) {
+  PartSolver solver(part);
+  Task<Result<void>> set_up(part.row_count > 0, [&]() -> Result<void> {
+    if (part.row_count == 0) return {};
+    return solver.set_up(anchor_rows(symbols.anchors, part));
+  });
+  DELTAMESH_TRY(auto values, read_deltas(deltas, part.graph));
+  DELTAMESH_CHECK(set_up.get());
+  symbols.deltas = std::move(values);
+  return reconstruct_highpass(symbols, part, solver, box, parameters);
+}
+
 }  // namespace
 
 Result<std::vector<Vec3>> read_highpass(Payload deltas, Payload anchors, Adjacency graph,
                                         Components components, const Box& box,
-                                        const HighpassParameters& parameters) {
-  const std::size_t vertex_count = graph.vertex_count();
-  DELTAMESH_CHECK(check_parameters(parameters, vertex_count));
+                                        const HighpassParameters& parameters, unsigned threads) {
+  DELTAMESH_CHECK(check_parameters(parameters, graph.vertex_count()));
   SolvedPart part = extract_solved_part(std::move(graph), components);
-  HighpassSymbols symbols;
-  DELTAMESH_TRY(const AnchorList list, read_anchors(anchors, parameters.anchors));
-  DELTAMESH_TRY(symbols.anchors, anchor_vertices(list, vertex_count));
-  DELTAMESH_TRY(symbols.cells, anchor_cells(list, parameters.anchor_bits));
-  DELTAMESH_CHECK(check_coverage(symbols.anchors, components));
+  DELTAMESH_TRY(HighpassSymbols symbols, read_anchor_symbols(anchors, components, parameters));
   components = {};
+  if (threads > 1) return read_and_solve(deltas, std::move(symbols), part, box, parameters);
   DELTAMESH_TRY(symbols.deltas, read_deltas(deltas, part.graph));
   return reconstruct_highpass_once(std::move(symbols), std::move(part), box, parameters);
 }

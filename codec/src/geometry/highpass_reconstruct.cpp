@@ -28,24 +28,16 @@ std::vector<Vec3> dequantize(std::span<const std::int32_t> symbols, const Highpa
   return deltas;
 }
 
-/// The anchors of the solved part.
-struct SolvedAnchors {
-  std::vector<std::uint32_t> rows;
-  std::vector<Vec3> targets;  ///< relative to the middle of the box: near the origin doubles are densest
-};
-
-SolvedAnchors pick_anchors(const HighpassSymbols& symbols, const SolvedPart& part, const Box& box,
-                           const HighpassParameters& parameters) {
+/// Of the solved anchors, relative to the middle of the box: near the origin doubles are densest.
+std::vector<Vec3> anchor_targets(const HighpassSymbols& symbols, const SolvedPart& part, const Box& box,
+                                 const HighpassParameters& parameters) {
   const AnchorLattice lattice(box, parameters.anchor_bits);
   const Vec3 center = middle(box);
-  SolvedAnchors anchors;
+  std::vector<Vec3> targets;
   for (std::size_t i = 0; i < symbols.anchors.size(); ++i) {
-    const auto row = part.row_of(symbols.anchors[i]);
-    if (!row) continue;
-    anchors.rows.push_back(*row);
-    anchors.targets.push_back(lattice.position_of(symbols.cells[i]) - center);
+    if (part.row_of(symbols.anchors[i])) targets.push_back(lattice.position_of(symbols.cells[i]) - center);
   }
-  return anchors;
+  return targets;
 }
 
 bool fits_float(double value) noexcept {
@@ -73,6 +65,14 @@ Vec3 AnchorLattice::position_of(const AnchorCell& cell) const noexcept {
   Vec3 position{};
   for (std::size_t axis = 0; axis < 3; ++axis) position[axis] = origin_[axis] + side_ * cell[axis];
   return position;
+}
+
+std::vector<std::uint32_t> anchor_rows(std::span<const std::uint32_t> anchors, const SolvedPart& part) {
+  std::vector<std::uint32_t> rows;
+  for (const std::uint32_t anchor : anchors) {
+    if (const auto row = part.row_of(anchor)) rows.push_back(*row);
+  }
+  return rows;
 }
 
 namespace {
@@ -111,9 +111,8 @@ Result<std::vector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, c
                                                const HighpassParameters& parameters) {
   std::vector<Vec3> solution(part.row_count);
   if (!solution.empty()) {
-    const SolvedAnchors anchors = pick_anchors(symbols, part, box, parameters);
-    DELTAMESH_CHECK(
-        solver.solve(anchors.rows, dequantize(symbols.deltas, parameters), anchors.targets, solution));
+    DELTAMESH_CHECK(solver.solve(anchor_rows(symbols.anchors, part), dequantize(symbols.deltas, parameters),
+                                 anchor_targets(symbols, part, box, parameters), solution));
   }
   return to_positions(std::move(solution), symbols, part, box, parameters);
 }
@@ -122,12 +121,11 @@ Result<std::vector<Vec3>> reconstruct_highpass_once(HighpassSymbols symbols, Sol
                                                     const HighpassParameters& parameters) {
   std::vector<Vec3> solution;
   if (part.row_count > 0) {
-    SolvedAnchors anchors = pick_anchors(symbols, part, box, parameters);
-    std::vector<Vec3> deltas = dequantize(std::exchange(symbols.deltas, {}), parameters);
-    DELTAMESH_TRY(solution, solve_once({.graph = std::exchange(part.graph, {}),
-                                        .anchors = std::move(anchors.rows),
-                                        .deltas = std::move(deltas),
-                                        .targets = std::move(anchors.targets)}));
+    LeastSquaresProblem problem{.graph = std::exchange(part.graph, {}),
+                                .anchors = anchor_rows(symbols.anchors, part),
+                                .deltas = dequantize(std::exchange(symbols.deltas, {}), parameters),
+                                .targets = anchor_targets(symbols, part, box, parameters)};
+    DELTAMESH_TRY(solution, solve_once(std::move(problem)));
   }
   return to_positions(std::move(solution), symbols, part, box, parameters);
 }

@@ -41,6 +41,9 @@ class AnchorLattice {
   double side_;
 };
 
+/// Rows of the anchors of the solved part, ascending.
+std::vector<std::uint32_t> anchor_rows(std::span<const std::uint32_t> anchors, const SolvedPart& part);
+
 /// Solves for the vertices of `part` by `solver`, which belongs to it, takes the others from the lattice.
 /// `symbols` are checked against [DELT-*] and [ANCH-*] already, apart from floats. Returns one position per
 /// vertex of the whole graph. Errors: kInvalidStream [DELT-3] where a position is not finite as float32.

@@ -8,13 +8,17 @@
 
 namespace deltamesh {
 
+Result<void> PartSolver::set_up(std::span<const std::uint32_t> anchors) {
+  if (solver_ && std::equal(anchors.begin(), anchors.end(), anchors_.begin(), anchors_.end())) return {};
+  solver_.reset();
+  anchors_.assign(anchors.begin(), anchors.end());
+  DELTAMESH_TRY(solver_, make_multigrid_solver(part_.graph, anchors_));
+  return {};
+}
+
 Result<void> PartSolver::solve(std::span<const std::uint32_t> anchors, std::span<const Vec3> deltas,
                                std::span<const Vec3> anchor_positions, std::span<Vec3> x) {
-  if (!solver_ || !std::equal(anchors.begin(), anchors.end(), anchors_.begin(), anchors_.end())) {
-    solver_.reset();
-    anchors_.assign(anchors.begin(), anchors.end());
-    DELTAMESH_TRY(solver_, make_multigrid_solver(part_.graph, anchors_));
-  }
+  DELTAMESH_CHECK(set_up(anchors));
   return solver_->solve(deltas, anchor_positions, x);
 }
 

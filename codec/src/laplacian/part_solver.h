@@ -19,6 +19,9 @@ class PartSolver {
  public:
   explicit PartSolver(const SolvedPart& part) : part_(part) {}
 
+  /// What solve() would do first. Errors: as make_multigrid_solver.
+  Result<void> set_up(std::span<const std::uint32_t> anchors);
+
   /// As LeastSquaresSolver::solve; `anchors`: rows of the part, ascending.
   Result<void> solve(std::span<const std::uint32_t> anchors, std::span<const Vec3> deltas,
                      std::span<const Vec3> anchor_positions, std::span<Vec3> x);

@@ -10,3 +10,11 @@ quiet encode a.off a.dmsh --order-out a.order
 quiet decode a.dmsh b.off
 od -An -v -tu4 -w4 a.order | awk '$1 != NR - 1 { different = 1 } END { print different ? "reordered" : "in order" }'
 run compare a.off b.off --order a.order --json | grep corresponding
+say "any number of threads decodes the same bytes:"
+quiet generate rooms c.ply --vertices 3000
+quiet encode c.ply c.dmsh
+for threads in 1 2 4 0; do
+  quiet decode c.dmsh "c$threads.ply" --threads "$threads"
+  cmp c1.ply "c$threads.ply"
+done
+run decode c.dmsh c.ply --threads many

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// A stream decodes to the same mesh, or the same error, on any number of threads.
+#include <gtest/gtest.h>
+
+#include <new>
+#include <stdexcept>
+
+#include "base/task.h"
+#include "deltamesh/decode.h"
+#include "deltamesh/encode.h"
+#include "scenes.h"
+#include "support/meshes.h"
+
+namespace deltamesh {
+namespace {
+
+constexpr unsigned kCounts[] = {2, 3, 4, 0};
+
+void expect_same(const Mesh& a, const Mesh& b) {
+  EXPECT_EQ(a.origin, b.origin);
+  EXPECT_EQ(a.positions, b.positions);
+  EXPECT_EQ(a.triangles, b.triangles);
+  ASSERT_EQ(a.attributes.size(), b.attributes.size());
+  for (std::size_t i = 0; i < a.attributes.size(); ++i) {
+    EXPECT_EQ(a.attributes[i].name, b.attributes[i].name);
+    EXPECT_EQ(a.attributes[i].values, b.attributes[i].values);
+  }
+}
+
+void expect_same_for_all_counts(const Mesh& mesh, const EncodeOptions& options) {
+  const auto encoded = encode(mesh, options);
+  ASSERT_TRUE(encoded) << describe(encoded.error());
+  const auto alone = decode(encoded->bytes);
+  ASSERT_TRUE(alone) << describe(alone.error());
+  for (const unsigned threads : kCounts) {
+    SCOPED_TRACE(threads);
+    const auto decoded = decode(encoded->bytes, {.threads = threads});
+    ASSERT_TRUE(decoded) << describe(decoded.error());
+    expect_same(*decoded, *alone);
+  }
+}
+
+TEST(Threads, GiveTheSameBits) {
+  for (const char* name : {"rooms", "fragments", "terrain"}) {
+    SCOPED_TRACE(name);
+    const auto scene = scene_of_name(name);
+    ASSERT_TRUE(scene);
+    const auto mesh = generate_scene(*scene, 6000, 1);
+    ASSERT_TRUE(mesh);
+    expect_same_for_all_counts(*mesh, {});
+  }
+  for (const auto& named : testing::awkward_meshes()) {
+    SCOPED_TRACE(named.name);
+    expect_same_for_all_counts(named.mesh, {.keep_unreferenced = true});
+  }
+  expect_same_for_all_counts(testing::attributed_grid(30, 20), {.keep_order = true});
+  expect_same_for_all_counts(testing::attributed_grid(30, 20), {.geometry = GeometryCoder::kPredictive});
+}
+
+TEST(Threads, GiveTheSameErrors) {
+  const auto encoded = encode(testing::attributed_grid(12, 9), {.profile = Profile::kZstd});
+  ASSERT_TRUE(encoded);
+  for (std::size_t i = 0; i < encoded->bytes.size(); i += 7) {
+    std::vector<std::byte> broken = encoded->bytes;
+    broken[i] ^= std::byte{0x15};
+    const auto alone = decode(broken);
+    const auto together = decode(broken, {.threads = 2});
+    ASSERT_EQ(alone.has_value(), together.has_value()) << i;
+    if (alone) continue;
+    EXPECT_EQ(alone.error().code, together.error().code) << i;
+    EXPECT_STREQ(alone.error().message, together.error().message) << i;
+  }
+}
+
+TEST(Task, GivesTheResultWhereverItRuns) {
+  for (const bool on_own_thread : {false, true}) {
+    Task<int> task(on_own_thread, [] { return 7; });
+    EXPECT_EQ(task.get(), 7);
+  }
+}
+
+TEST(Task, RunsOnlyWhenAskedWhereItHasNoThread) {
+  bool ran = false;
+  const auto work = [&] {
+    ran = true;
+    return 1;
+  };
+  { const Task<int> task(false, work); }
+  EXPECT_FALSE(ran);
+  { const Task<int> task(true, work); }
+  EXPECT_TRUE(ran);
+}
+
+TEST(Task, HandsAFailedAllocationOn) {
+  for (const bool on_own_thread : {false, true}) {
+    Task<int> task(on_own_thread, []() -> int { throw std::bad_alloc(); });
+    EXPECT_THROW(task.get(), std::bad_alloc);
+  }
+}
+
+}  // namespace
+}  // namespace deltamesh
