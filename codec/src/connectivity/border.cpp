@@ -4,50 +4,81 @@
 
 #include <algorithm>
 
-#include "connectivity/cut.h"
-
 namespace deltamesh {
 
 void Border::reserve(std::size_t vertices, std::size_t faces) {
   items_.reserve(vertices + vertices / 8);  // one per vertex and split
-  degrees_.reserve(vertices);
   faces_.reserve(3 * faces);
 }
 
+/// Room is made ready bit by bit, so that its first touch is in the cache when the faces come.
+void Border::grow_faces() {
+  constexpr std::size_t kFacesAtOnce = 1024;
+  faces_.resize(std::min(faces_.size() + 3 * kFacesAtOnce, std::size_t{3} * most_faces_));
+}
+
+std::vector<std::uint32_t> Border::take_faces() noexcept {
+  faces_.resize(std::size_t{3} * face_count_);
+  return std::move(faces_);
+}
+
 void Border::start() {
-  const std::uint32_t v = vertex_count();
+  const std::uint32_t v = vertex_count_;
   const std::uint32_t i = item_count();
-  degrees_.resize(degrees_.size() + 3, 0);
+  vertex_count_ += 3;
   add_face(v, v + 1, v + 2);
-  for (std::uint32_t k = 0; k < 3; ++k) add_item(v + k);
-  for (std::uint32_t k = 0; k < 3; ++k) link(i + k, i + (k + 1) % 3);
+  for (std::uint32_t k = 0; k < 3; ++k)
+    items_.push_back({.origin = v + k, .previous = i + (k + 2) % 3, .next = i + (k + 1) % 3});
   for (std::uint32_t k = 0; k < 3; ++k) push_gap(i + k);
 }
 
-bool Border::allows(BorderOp op, std::uint32_t gate, std::uint32_t target) const noexcept {
-  const BorderItem& g = items_[gate];
-  const BorderItem& before = items_[g.previous];
-  const BorderItem& after = items_[g.next];
-  switch (op) {
-    case BorderOp::kNewVertex:
-    case BorderOp::kBoundary:
-      return true;
-    case BorderOp::kLeft:
-      return !before.closed && before.origin != after.origin;
-    case BorderOp::kRight:
-      return !after.closed && items_[after.next].origin != g.origin;
-    case BorderOp::kEnd:
-      return !before.closed && !after.closed && g.previous != g.next && after.next == g.previous;
-    case BorderOp::kSplit:
-      break;
-    case BorderOp::kNearSplit:
-      target = third_after(gate);
-      break;
-    case BorderOp::kNone:
-      return false;
-  }
-  return target < items_.size() && items_[target].alive && items_[target].origin != g.origin &&
-         items_[target].origin != after.origin;
+/// A new item's gap is not pushed: the gaps on both sides are, and it has more faces or is finished once
+/// these are filled.
+bool Border::add_vertex(const Gate& gate) {
+  const std::uint32_t apex = vertex_count_++;
+  const std::uint32_t fresh = item_count();
+  add_face(gate.end, gate.origin, apex);
+  items_.push_back({.origin = apex, .previous = gate.item, .next = gate.after});
+  items_[gate.item].next = fresh;
+  items_[gate.after].previous = fresh;
+  count_face(gate.item);
+  count_face(gate.after);
+  push_gap(gate.at_origin ? gate.after : gate.item);
+  return true;
+}
+
+bool Border::add_left(const Gate& gate) {
+  const std::uint32_t apex = items_[gate.before].origin;
+  if (gate.before_closed || apex == gate.end) return false;
+  add_face(gate.end, gate.origin, apex);
+  link(gate.before, gate.after);
+  remove(gate.item);
+  count_face(gate.before);
+  count_face(gate.after);
+  push_gap(gate.before);
+  return true;
+}
+
+bool Border::add_right(const Gate& gate) {
+  const std::uint32_t apex = items_[gate.beyond].origin;
+  if (gate.after_closed || apex == gate.origin) return false;
+  add_face(gate.end, gate.origin, apex);
+  link(gate.item, gate.beyond);
+  remove(gate.after);
+  count_face(gate.item);
+  count_face(gate.beyond);
+  if (!gate.at_origin) push_gap(gate.item);
+  push_gap(gate.beyond);
+  return true;
+}
+
+bool Border::add_end(const Gate& gate) {
+  if (gate.before_closed || gate.after_closed || gate.loop != 2) return false;
+  add_face(gate.end, gate.origin, items_[gate.before].origin);
+  remove(gate.before);
+  remove(gate.item);
+  remove(gate.after);
+  return true;
 }
 
 /// ```
@@ -57,73 +88,48 @@ bool Border::allows(BorderOp op, std::uint32_t gate, std::uint32_t target) const
 ///                                                               |  v
 ///   ---before---> u ---gate---> v ---after--->    ---before---> u  v ---after--->
 /// ```
-void Border::split(std::uint32_t gate, std::uint32_t target, bool at_origin) {
-  const std::uint32_t after = items_[gate].next;
+bool Border::split(std::uint32_t target, const Gate& gate) {
+  if (target >= items_.size() || !items_[target].alive) return false;
+  const std::uint32_t apex = items_[target].origin;
+  if (apex == gate.origin || apex == gate.end) return false;
   const std::uint32_t before_target = items_[target].previous;
-  add_face(items_[after].origin, items_[gate].origin, items_[target].origin);
-  const std::uint32_t fresh = add_item(items_[target].origin);
-  link(gate, target);
+  add_face(gate.end, gate.origin, apex);
+  count_face(gate.item);
+  count_face(gate.after);
+  count_face(target);
+  const std::uint32_t fresh = item_count();
+  items_.push_back({.origin = apex, .previous = kNoIndex, .next = kNoIndex, .faces = items_[target].faces});
+  link(gate.item, target);
   link(before_target, fresh);
-  link(fresh, after);
-  if (!at_origin) push_gap(gate);
+  link(fresh, gate.after);
+  if (!gate.at_origin) push_gap(gate.item);
   push_gap(fresh);
   push_gap(target);
-  if (at_origin) push_gap(after);
+  if (gate.at_origin) push_gap(gate.after);
+  return true;
 }
 
-void Border::apply(BorderOp op, std::uint32_t gate, std::uint32_t target, bool at_origin) {
-  const std::uint32_t before = items_[gate].previous;
-  const std::uint32_t after = items_[gate].next;
-  switch (op) {
-    case BorderOp::kNewVertex:
-      add_new_vertex(gate, at_origin);
-      return;
-    case BorderOp::kLeft:
-      add_face(items_[after].origin, items_[gate].origin, items_[before].origin);
-      link(before, after);
-      remove(gate);
-      push_gap(before);
-      return;
-    case BorderOp::kRight: {
-      const std::uint32_t beyond = items_[after].next;
-      add_face(items_[after].origin, items_[gate].origin, items_[beyond].origin);
-      link(gate, beyond);
-      remove(after);
-      if (!at_origin) push_gap(gate);
-      push_gap(beyond);
-      return;
-    }
-    case BorderOp::kEnd:
-      add_face(items_[after].origin, items_[gate].origin, items_[before].origin);
-      remove(before);
-      remove(gate);
-      remove(after);
-      return;
-    case BorderOp::kSplit:
-      split(gate, target, at_origin);
-      return;
-    case BorderOp::kBoundary:
-      items_[gate].closed = true;
-      return;
-    case BorderOp::kNearSplit:
-      split(gate, third_after(gate), at_origin);
-      return;
-    case BorderOp::kNone:
-      return;
+bool Border::apply(const BorderStep& step, const Gate& gate) {
+  if (step.op == BorderOp::kBoundary) {
+    items_[gate.item].closed = true;
+    return true;
   }
-}
-
-std::uint32_t Border::pop_gap() noexcept {
-  for (;;) {
-    Bucket& bucket = buckets_[fullest_];
-    while (bucket.head < bucket.gaps.size()) {
-      const std::uint32_t i = bucket.gaps[bucket.head++];
-      if (items_[i].alive && !(items_[i].closed && items_[items_[i].previous].closed)) return i;
-    }
-    bucket.gaps.clear();
-    bucket.head = 0;
-    if (fullest_ == 0) return kNoIndex;
-    --fullest_;
+  if (is_full()) return false;
+  switch (step.op) {
+    case BorderOp::kNewVertex:
+      return add_vertex(gate);
+    case BorderOp::kLeft:
+      return add_left(gate);
+    case BorderOp::kRight:
+      return add_right(gate);
+    case BorderOp::kEnd:
+      return add_end(gate);
+    case BorderOp::kSplit:
+      return split(step.target, gate);
+    case BorderOp::kNearSplit:
+      return split(gate.past, gate);
+    default:
+      return false;
   }
 }
 

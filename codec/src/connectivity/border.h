@@ -5,135 +5,143 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
-#include "connectivity/cut.h"
+#include "connectivity/border_item.h"
+#include "connectivity/gap_queue.h"
+#include "connectivity/gate.h"
 
 namespace deltamesh {
-
-/// What is found across a gate [CONN-6].
-enum class BorderOp : std::uint32_t {
-  kNewVertex = 0,  ///< C: a face whose apex is a new manifold vertex
-  kLeft = 1,       ///< L: a face that also takes the edge before the gate
-  kRight = 2,      ///< R: a face that also takes the edge after the gate
-  kEnd = 3,        ///< E: a face that takes both, and thereby the whole loop
-  kSplit = 4,      ///< S: a face whose apex is the origin of another border item
-  kBoundary = 5,   ///< B: no face
-  kNearSplit = 6,  ///< N: S whose target is the third item after the gate
-  kNone = 255,     ///< nothing; never coded
-};
-
-/// One directed edge of the border, with the coded region on its left. It also stands for the gap before it:
-/// the wedge at its origin between the previous item's edge and its own, where faces may still be missing.
-///
-/// ```
-///               coded region
-///   ---previous---> u ---item---> v ---next--->      u: the item's origin
-///                     (missing)
-/// ```
-struct BorderItem {
-  std::uint32_t origin;    ///< manifold vertex
-  std::uint32_t previous;  ///< item that ends at `origin`
-  std::uint32_t next;      ///< item that begins where this one ends
-  bool closed = false;     ///< known to be a boundary edge of the mesh
-  bool alive = true;
-};
 
 /// Items, faces and the queue of gaps. An item's number and origin never change. Loops have two items or
 /// more, and no item ends where it begins.
 class Border {
  public:
+  /// Never more than `most_faces` faces.
+  explicit Border(std::uint32_t most_faces) noexcept : most_faces_(most_faces) {}
+
   const BorderItem& item(std::uint32_t i) const noexcept { return items_[i]; }
   std::uint32_t item_count() const noexcept { return static_cast<std::uint32_t>(items_.size()); }
-  std::uint32_t vertex_count() const noexcept { return static_cast<std::uint32_t>(degrees_.size()); }
-  std::uint32_t face_count() const noexcept { return static_cast<std::uint32_t>(faces_.size() / 3); }
-  std::uint32_t third_after(std::uint32_t i) const noexcept {
-    return items_[items_[items_[i].next].next].next;
-  }
-  /// Faces so far at a manifold vertex.
-  std::uint32_t degree(std::uint32_t vertex) const noexcept { return degrees_[vertex]; }
+  std::uint32_t vertex_count() const noexcept { return vertex_count_; }
+  std::uint32_t face_count() const noexcept { return face_count_; }
+  bool is_full() const noexcept { return face_count_ == most_faces_; }
   /// Manifold vertices of the faces, three each: gate's end, gate's origin, apex [CONN-6].
-  std::vector<std::uint32_t> take_faces() noexcept { return std::move(faces_); }
+  std::vector<std::uint32_t> take_faces() noexcept;
 
   /// Room for a mesh of this size, so that nothing moves while it grows.
   void reserve(std::size_t vertices, std::size_t faces);
 
   /// A new component: a face of three new vertices, and its three edges as items, in the same order [CONN-4].
+  /// Precondition: not full.
   void start();
 
-  /// Whether the rules allow `op` at `gate`, an open item; `target` is S's item [CONN-7].
-  bool allows(BorderOp op, std::uint32_t gate, std::uint32_t target) const noexcept;
+  /// Item `i` and what lies around it. `at_origin`: the focus is its origin, not its end [CONN-6].
+  Gate gate_at(std::uint32_t i, bool at_origin) const noexcept;
 
-  /// Carries `op` out. `at_origin`: the focus is the gate's origin, not its end [CONN-6]. Precondition:
-  /// allows().
-  void apply(BorderOp op, std::uint32_t gate, std::uint32_t target, bool at_origin);
+  /// Op C at a gate that is not at the focus' own item and whose loop is long: the gate becomes the new item.
+  /// False where the border is full.
+  bool add_vertex_and_advance(Gate& gate);
+
+  /// Carries an op out. False where the rules do not allow it [CONN-7], or the border is full.
+  bool apply(const BorderStep& step, const Gate& gate);
 
   /// Takes the next gap that is not finished off the queue, kNoIndex when there is none [CONN-5]. Amortised
   /// O(1).
-  std::uint32_t pop_gap() noexcept;
+  std::uint32_t pop_gap() {
+    return gaps_.pop([this](std::uint32_t i) { return is_finished(i); });
+  }
+
+  /// Remembers how many faces a filled gap has in the end.
+  void leave_focus(std::uint32_t faces) noexcept { last_focus_faces_ = faces; }
 
  private:
-  /// Gaps wait by the number of faces at their origin, capped; the fullest go first, and among them the
-  /// oldest.
-  static constexpr std::size_t kBuckets = 16;
-  struct Bucket {
-    std::vector<std::uint32_t> gaps;
-    std::size_t head = 0;
-  };
-
-  std::uint32_t add_item(std::uint32_t origin);
-  void link(std::uint32_t a, std::uint32_t b) noexcept;
+  bool is_finished(std::uint32_t i) const noexcept {
+    const BorderItem& item = items_[i];
+    return !item.alive || (item.closed && items_[item.previous].closed);
+  }
+  void link(std::uint32_t a, std::uint32_t b) noexcept {
+    items_[a].next = b;
+    items_[b].previous = a;
+  }
   void remove(std::uint32_t i) noexcept { items_[i].alive = false; }
-  void add_new_vertex(std::uint32_t gate, bool at_origin);
-  void split(std::uint32_t gate, std::uint32_t target, bool at_origin);
+  void count_face(std::uint32_t i) noexcept {
+    items_[i].faces = static_cast<std::uint8_t>(one_more_face(items_[i].faces));
+  }
+  bool add_vertex(const Gate& gate);
+  bool add_left(const Gate& gate);
+  bool add_right(const Gate& gate);
+  bool add_end(const Gate& gate);
+  bool split(std::uint32_t target, const Gate& gate);
   void add_face(std::uint32_t a, std::uint32_t b, std::uint32_t c);
-  void push_gap(std::uint32_t i);
+  void grow_faces();
+  void push_gap(std::uint32_t i) { push_gap(i, items_[i].faces); }
+  void push_gap(std::uint32_t i, std::uint32_t faces) {
+    gaps_.push(faces, i, [this](std::uint32_t gap) { return is_finished(gap); });
+  }
 
+  std::uint32_t most_faces_;
+  std::uint32_t face_count_ = 0;
+  std::uint32_t vertex_count_ = 0;
+  std::uint32_t last_focus_faces_ = 6;
   std::vector<BorderItem> items_;
-  std::vector<std::uint32_t> degrees_;
-  std::vector<std::uint32_t> faces_;
-  std::array<Bucket, kBuckets> buckets_;
-  std::size_t fullest_ = 0;  ///< no bucket above it holds a gap
+  std::vector<std::uint32_t> faces_;  ///< three for each face, and room for some more
+  GapQueue gaps_;
 };
 
-inline std::uint32_t Border::add_item(std::uint32_t origin) {
-  items_.push_back({.origin = origin, .previous = kNoIndex, .next = kNoIndex});
-  return item_count() - 1;
-}
-
-inline void Border::link(std::uint32_t a, std::uint32_t b) noexcept {
-  items_[a].next = b;
-  items_[b].previous = a;
-}
-
 inline void Border::add_face(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-  faces_.insert(faces_.end(), {a, b, c});
-  ++degrees_[a];
-  ++degrees_[b];
-  ++degrees_[c];
+  const std::size_t first = std::size_t{3} * face_count_++;
+  if (first == faces_.size()) grow_faces();
+  faces_[first] = a;
+  faces_[first + 1] = b;
+  faces_[first + 2] = c;
 }
 
-inline void Border::add_new_vertex(std::uint32_t gate, bool at_origin) {
-  const std::uint32_t after = items_[gate].next;
-  const std::uint32_t apex = vertex_count();
-  degrees_.push_back(0);
-  add_face(items_[after].origin, items_[gate].origin, apex);
-  const std::uint32_t fresh = add_item(apex);
-  link(gate, fresh);
-  link(fresh, after);
-  if (!at_origin) push_gap(gate);
-  push_gap(fresh);
-  if (at_origin) push_gap(after);
+inline Gate Border::gate_at(std::uint32_t i, bool at_origin) const noexcept {
+  const BorderItem& item = items_[i];
+  const BorderItem& before = items_[item.previous];
+  const BorderItem& after = items_[item.next];
+  const BorderItem& beyond = items_[after.next];
+  Gate gate{
+      .item = i, .before = item.previous, .after = item.next, .beyond = after.next, .past = beyond.next};
+  gate.origin = item.origin;
+  gate.end = after.origin;
+  gate.at_origin = at_origin;
+  gate.before_closed = before.closed;
+  gate.after_closed = after.closed;
+  gate.other_side_closed = at_origin || after.closed;
+  gate.loop = loop_class(gate);
+  gate.focus_faces = at_origin ? item.faces : after.faces;
+  gate.other_faces = at_origin ? after.faces : item.faces;
+  gate.left_faces = before.faces;
+  gate.right_faces = beyond.faces;
+  gate.past_faces = items_[gate.past].faces;
+  gate.last_focus_faces = last_focus_faces_;
+  return gate;
 }
 
-inline void Border::push_gap(std::uint32_t i) {
-  const std::size_t bucket = std::min<std::size_t>(degrees_[items_[i].origin], kBuckets - 1);
-  buckets_[bucket].gaps.push_back(i);
-  fullest_ = std::max(fullest_, bucket);
+inline bool Border::add_vertex_and_advance(Gate& gate) {
+  if (is_full()) return false;
+  const std::uint32_t apex = vertex_count_++;
+  const std::uint32_t fresh = item_count();
+  add_face(gate.end, gate.origin, apex);
+  gate.other_faces = one_more_face(gate.other_faces);
+  gate.focus_faces = one_more_face(gate.focus_faces);
+  items_.push_back({.origin = apex, .previous = gate.item, .next = gate.after});
+  items_[gate.item].next = fresh;
+  items_[gate.item].faces = static_cast<std::uint8_t>(gate.other_faces);
+  items_[gate.after].previous = fresh;
+  items_[gate.after].faces = static_cast<std::uint8_t>(gate.focus_faces);
+  push_gap(gate.item, gate.other_faces);
+  gate.before = gate.item;
+  gate.before_closed = false;
+  gate.item = fresh;
+  gate.origin = apex;
+  gate.left_faces = gate.other_faces;
+  gate.other_faces = 1;
+  return true;
 }
 
 }  // namespace deltamesh

@@ -49,34 +49,41 @@ Result<Sections> read_sections(ByteReader& in) {
   return sections;
 }
 
+/// Why a walk came to no end, and the rule that was broken.
+struct Refusal {
+  const char* message;
+  const char* rule;
+};
+
+/// Where the guide had a step, and the border did not take it.
+Refusal refusal_of(const Border& border) noexcept {
+  if (border.is_full()) return {"more faces than declared", "CONN-2"};
+  return {"op does not fit the border", "CONN-7"};
+}
+
 /// Takes every op from the payload.
 class PayloadGuide {
  public:
-  PayloadGuide(const Sections& sections, std::uint32_t face_count) noexcept
-      : tokens_(sections.tokens),
-        references_(sections.references),
-        far_targets_(sections.far_targets),
-        face_count_(face_count) {}
+  explicit PayloadGuide(const Sections& sections) noexcept
+      : tokens_(sections.tokens), references_(sections.references), far_targets_(sections.far_targets) {}
 
   void start(const Border&) noexcept {}
+  bool failed() const noexcept { return refusal_.has_value(); }
 
-  BorderStep next(const Border& border, std::uint32_t gate, const GateContext& context) {
-    BorderStep step{tokens_.get(context)};
-    if (step.op == BorderOp::kNone) return fail("no such op", "CONN-9");
+  BorderStep next(const Border& border, const Gate& gate) {
+    BorderStep step{tokens_.get(gate)};
+    if (step.op == BorderOp::kNone) return fail({"no such op", "CONN-9"});
     if (step.op == BorderOp::kSplit) {
-      const std::optional<std::uint32_t> target = read_target(border, gate);
-      if (!target) return fail("split without a target", "CONN-10");
+      const std::optional<std::uint32_t> target = read_target(border, gate.item);
+      if (!target) return fail({"split without a target", "CONN-10"});
       step.target = *target;
     }
-    if (step.op != BorderOp::kBoundary && border.face_count() == face_count_)
-      return fail("more faces than declared", "CONN-2");
-    if (!border.allows(step.op, gate, step.target)) return fail("op does not fit the border", "CONN-7");
     return step;
   }
 
   bool finished() const noexcept { return tokens_.finished() && references_.empty() && far_targets_.empty(); }
-  const char* message() const noexcept { return message_; }
-  const char* rule() const noexcept { return rule_; }
+  /// Why there was no step; nothing where there was one.
+  const std::optional<Refusal>& refusal() const noexcept { return refusal_; }
 
  private:
   std::optional<std::uint32_t> read_target(const Border& border, std::uint32_t gate) {
@@ -90,18 +97,15 @@ class PayloadGuide {
     return target;
   }
 
-  BorderStep fail(const char* message, const char* rule) noexcept {
-    message_ = message;
-    rule_ = rule;
+  BorderStep fail(const Refusal& refusal) noexcept {
+    refusal_ = refusal;
     return {};
   }
 
   TokenReader tokens_;
   std::span<const std::byte> references_;
   std::span<const std::uint32_t> far_targets_;
-  std::uint32_t face_count_;
-  const char* message_ = "";
-  const char* rule_ = "";
+  std::optional<Refusal> refusal_;
 };
 
 /// The glued vertices. Errors: kTruncated, kInvalidStream [CONN-11].
@@ -114,8 +118,10 @@ Result<GlueList> read_gluing(ByteReader& in, std::uint64_t glue_count, std::uint
   return list;
 }
 
+/// `vertex`: of every manifold vertex, or nothing where each is its own.
 std::vector<std::uint32_t> renumber(std::vector<std::uint32_t> triangles,
                                     const std::vector<std::uint32_t>& vertex) {
+  if (vertex.empty()) return triangles;
   for (std::uint32_t& v : triangles) v = vertex[v];
   return triangles;
 }
@@ -123,39 +129,18 @@ std::vector<std::uint32_t> renumber(std::vector<std::uint32_t> triangles,
 /// Takes every op from the compact coder.
 class CompactGuide {
  public:
-  CompactGuide(CompactReader& reader, std::uint32_t face_count)
-      : reader_(reader), ops_(reader), face_count_(face_count) {}
+  explicit CompactGuide(CompactReader& reader) : reader_(reader), ops_(reader) {}
 
   void start(const Border&) noexcept {}
 
-  BorderStep next(const Border& border, std::uint32_t gate, const GateContext& context) {
-    const BorderStep step = ops_.code({}, border, gate, context);
-    if (reader_.failed()) return {};
-    if (step.op == BorderOp::kNone) return fail("no such op", "CONN-9");
-    if (step.op != BorderOp::kBoundary && border.face_count() == face_count_)
-      return fail("more faces than declared", "CONN-2");
-    if (!border.allows(step.op, gate, step.target)) return fail("op does not fit the border", "CONN-7");
-    return step;
+  [[gnu::always_inline]] BorderStep next(const Border& border, const Gate& gate) {
+    return ops_.code({}, border, gate);
   }
-
-  /// Why there was no step; the reader's own failure says more where it failed.
-  Error error() const noexcept {
-    return {
-        .code = ErrorCode::kInvalidStream, .message = message_, .rule = rule_, .chunk_tag = kTagConnectivity};
-  }
+  bool failed() const noexcept { return reader_.failed(); }
 
  private:
-  BorderStep fail(const char* message, const char* rule) noexcept {
-    message_ = message;
-    rule_ = rule;
-    return {};
-  }
-
   CompactReader& reader_;
   OpCoder<CompactReader> ops_;
-  std::uint32_t face_count_;
-  const char* message_ = "";
-  const char* rule_ = "";
 };
 
 /// Faces and vertices that room is made for at once; where a byte holds more the room grows.
@@ -170,13 +155,17 @@ Result<std::vector<std::uint32_t>> read_compact(std::span<const std::byte> bytes
                  .rule = "CONN-2",
                  .chunk_tag = kTagConnectivity};
   CompactReader reader(bytes);
-  Border border;
+  Border border(triangle_count);
   border.reserve(std::min<std::size_t>(vertex_count, bytes.size() * kReservedPerByte),
                  std::min<std::size_t>(triangle_count, bytes.size() * kReservedPerByte));
-  CompactGuide guide(reader, triangle_count);
-  if (!traverse(border, triangle_count, guide)) {
+  CompactGuide guide(reader);
+  if (!traverse(border, guide)) {
     if (reader.failed()) DELTAMESH_CHECK(reader.finish(kTagConnectivity));
-    return guide.error();
+    const Refusal refusal = refusal_of(border);
+    return Error{.code = ErrorCode::kInvalidStream,
+                 .message = refusal.message,
+                 .rule = refusal.rule,
+                 .chunk_tag = kTagConnectivity};
   }
   std::vector<std::uint32_t> faces = border.take_faces();
   DELTAMESH_TRY(const auto vertex, read_compact_gluing(reader, faces, border.vertex_count(), vertex_count));
@@ -198,10 +187,12 @@ Result<std::vector<std::uint32_t>> read_connectivity(Payload payload, std::uint3
   if (triangle_count > saturating_mul(sections.token_count, kFacesPerToken))
     return in.error(ErrorCode::kInvalidStream, "more faces than the ops can hold", "CONN-2");
 
-  Border border;
-  PayloadGuide guide(sections, triangle_count);
-  if (!traverse(border, triangle_count, guide))
-    return in.error(ErrorCode::kInvalidStream, guide.message(), guide.rule());
+  Border border(triangle_count);
+  PayloadGuide guide(sections);
+  if (!traverse(border, guide)) {
+    const Refusal refusal = guide.refusal().value_or(refusal_of(border));
+    return in.error(ErrorCode::kInvalidStream, refusal.message, refusal.rule);
+  }
   if (!guide.finished()) return in.error(ErrorCode::kInvalidStream, "ops left over at the end", "CONN-2");
 
   DELTAMESH_TRY(const GlueList list,

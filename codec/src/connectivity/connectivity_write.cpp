@@ -44,13 +44,15 @@ class MeshGuide {
     }
   }
 
-  BorderStep next(const Border& border, std::uint32_t gate, const GateContext& context) {
+  BorderStep next(const Border& border, const Gate& gate) {
     const BorderStep step = find_step(border, gate);
-    tokens_.put(step.op, context);
-    ops_.code(step, border, gate, context);
-    if (step.op == BorderOp::kSplit) put_reference(border, gate, step.target);
+    tokens_.put(step.op, gate);
+    ops_.code(step, border, gate);
+    if (step.op == BorderOp::kSplit) put_reference(border, gate.item, step.target);
     return step;
   }
+
+  static constexpr bool failed() noexcept { return false; }
 
   const TokenWriter& tokens() const noexcept { return tokens_; }
   const std::vector<std::byte>& references() const noexcept { return references_; }
@@ -61,35 +63,33 @@ class MeshGuide {
   const std::vector<std::uint32_t>& vertices() const noexcept { return vertices_; }
 
  private:
-  BorderStep find_step(const Border& border, std::uint32_t gate) {
-    const std::uint32_t across = cut_.opposite[edge_of_[gate]];
+  BorderStep find_step(const Border& border, const Gate& gate) {
+    const std::uint32_t across = cut_.opposite[edge_of_[gate.item]];
     if (across == kNoIndex) return {BorderOp::kBoundary};
     const std::uint32_t left = next_in_face(across);       // from the gate's origin to the apex
     const std::uint32_t right = previous_in_face(across);  // from the apex to the gate's end
-    const std::uint32_t before = border.item(gate).previous;
-    const std::uint32_t after = border.item(gate).next;
-    const bool takes_left = cut_.opposite[left] == edge_of_[before];
-    const bool takes_right = cut_.opposite[right] == edge_of_[after];
+    const bool takes_left = cut_.opposite[left] == edge_of_[gate.before];
+    const bool takes_right = cut_.opposite[right] == edge_of_[gate.after];
     take_face(across);
 
     if (takes_left && takes_right) return {BorderOp::kEnd};
     if (takes_left) {
-      put_edge(before, right);
+      put_edge(gate.before, right);
       return {BorderOp::kLeft};
     }
     if (takes_right) {
-      put_edge(gate, left);
+      put_edge(gate.item, left);
       return {BorderOp::kRight};
     }
     const std::uint32_t apex = cut_.manifold_vertex[right];
     BorderStep step{BorderOp::kNewVertex};
     if (vertex_done_[apex] != 0) {
       const std::uint32_t target = find_target(border, left, right);
-      step = {target == border.third_after(gate) ? BorderOp::kNearSplit : BorderOp::kSplit, target};
+      step = {target == gate.past ? BorderOp::kNearSplit : BorderOp::kSplit, target};
     } else {
       take_vertex(apex);
     }
-    put_edge(gate, left);
+    put_edge(gate.item, left);
     put_edge(border.item_count(), right);
     return step;
   }
@@ -206,11 +206,12 @@ std::vector<std::byte> write_payload(const MeshGuide& guide, const Gluing& gluin
 
 CodedConnectivity write_connectivity(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count) {
   const ManifoldCut cut = cut_to_manifold(triangles, vertex_count);
-  Border border;
+  const auto face_count = static_cast<std::uint32_t>(triangles.size() / 3);
+  Border border(face_count);
   border.reserve(cut.vertex.size(), triangles.size() / 3);
   CompactWriter writer;
   MeshGuide guide(cut, writer);
-  traverse(border, static_cast<std::uint32_t>(triangles.size() / 3), guide);
+  traverse(border, guide);
   Gluing gluing = find_gluing(guide.vertices(), cut, vertex_count);
 
   CodedConnectivity coded;

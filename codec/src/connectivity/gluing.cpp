@@ -35,6 +35,7 @@ Result<std::vector<std::uint32_t>> glue_vertices(const GlueList& list, std::uint
                                                  std::uint32_t vertex_count) {
   DELTAMESH_CHECK(check_glue_count(list.gaps.size(), manifold_count, vertex_count));
   std::vector<std::uint32_t> vertex;
+  if (list.gaps.empty()) return vertex;
   vertex.reserve(manifold_count);
   std::uint32_t fresh = 0;
   std::uint32_t target = 0;
@@ -87,7 +88,7 @@ Result<std::vector<std::uint32_t>> read_compact_gluing(CompactReader& reader,
     list.gaps.push_back(reader.number(0, gaps));
     list.targets.push_back(reader.number(0, targets));
   }
-  if (reader.failed()) return std::vector<std::uint32_t>(manifold_count);
+  if (reader.failed()) return std::vector<std::uint32_t>{};
   return glue_vertices(list, manifold_count, vertex_count);
 }
 

@@ -20,7 +20,8 @@ struct GlueList {
   std::vector<std::uint32_t> targets;  ///< zigzag of the difference to the target before
 };
 
-/// Vertex of every manifold vertex. Errors: kInvalidStream [CONN-11].
+/// Vertex of every manifold vertex, or nothing where none is glued, so that each is its own. Errors:
+/// kInvalidStream [CONN-11].
 Result<std::vector<std::uint32_t>> glue_vertices(const GlueList& list, std::uint32_t manifold_count,
                                                  std::uint32_t vertex_count);
 
@@ -32,7 +33,7 @@ Result<void> check_glue_count(std::uint64_t count, std::uint32_t manifold_count,
 void write_compact_gluing(CompactWriter& writer, const GlueList& list, std::span<const std::uint32_t> faces,
                           std::vector<std::uint32_t> vertex);
 
-/// Vertex of every manifold vertex; made up where the reader failed. Errors: kInvalidStream [CONN-11].
+/// As glue_vertices(); made up where the reader failed. Errors: kInvalidStream [CONN-11].
 Result<std::vector<std::uint32_t>> read_compact_gluing(CompactReader& reader,
                                                        std::span<const std::uint32_t> faces,
                                                        std::uint32_t manifold_count,

@@ -4,22 +4,20 @@
 // Border ops by the compact coder, in the context of what both sides know at the gate [CONN-12].
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "connectivity/border.h"
-#include "connectivity/op_history.h"
+#include "connectivity/decision.h"
 #include "connectivity/split_reference.h"
-#include "connectivity/traversal.h"
-#include "entropy/compact_model.h"
 #include "entropy/number_model.h"
 
 namespace deltamesh {
 
-/// No stream has more: an op's probability is at most 1 - 2^-10.1, so that a byte holds at most 6060
+/// No stream has more: a decision's probability is at most 1 - 24 / 2^15, so that a byte holds at most 7568
 /// [CONN-2].
 inline constexpr std::uint64_t kFacesPerCompactByte = 8192;
 
@@ -27,27 +25,60 @@ inline constexpr std::uint64_t kFacesPerCompactByte = 8192;
 template <class Coder>
 class OpCoder {
  public:
-  explicit OpCoder(Coder& coder) : coder_(coder) {
-    for (std::size_t i = 0; i < kOpModels; ++i) models_[i].assign(kOpContexts[i], kFreshOp);
-  }
+  explicit OpCoder(Coder& coder) : coder_(coder) {}
 
-  /// Writes `step`, or reads one; a reader's may not fit the border. None where there is no such op.
-  [[gnu::always_inline]] BorderStep code(const BorderStep& step, const Border& border, std::uint32_t gate,
-                                         const GateContext& gate_context) {
-    const OpContext context = history_.context_at(border, gate, gate_context);
-    const unsigned symbol = coder_.symbol(
-        static_cast<unsigned>(step.op),
-        Mixture<kOpModels>{
-            {&models_[0][context.models[0]], &models_[1][context.models[1]], &models_[2][context.models[2]]},
-            &weights_[context.weight_set]});
-    if (symbol > static_cast<unsigned>(BorderOp::kNearSplit)) return {};
-    history_.learn(symbol);
-    BorderStep coded{static_cast<BorderOp>(symbol)};
-    if (coded.op == BorderOp::kSplit) coded.target = code_target(step.target, border, gate);
-    return coded;
+  /// Writes `step`, or reads one; a reader's may not fit the border.
+  [[gnu::always_inline]] BorderStep code(const BorderStep& step, const Border& border, const Gate& gate) {
+    const std::uint32_t focus = at_most_eight(gate.focus_faces);
+    const std::uint32_t left = std::clamp<std::uint32_t>(gate.left_faces, 2, 7) - 2;
+    const std::uint32_t closed = (gate.after_closed ? 2 : 0) + (gate.other_side_closed ? 1 : 0);
+    const std::uint32_t last = std::clamp<std::uint32_t>(gate.last_focus_faces, 3, 9) - 3;
+    const std::uint32_t around = (left * 4 + closed) * 4 + gate.loop;
+    const std::uint32_t ahead =
+        (((focus * 8 + at_most_eight(gate.past_faces)) * 8 + at_most_eight(gate.right_faces)) * 4 + closed) *
+            4 +
+        std::min<std::uint32_t>(gate.other_faces, 4) - 1;
+    const std::uint32_t set = last_kind_ * 4 + gate.loop;
+    if (is_new_.code(coder_, step.op == BorderOp::kNewVertex,
+                     {(focus * 7 + last) * 96 + around, ahead, set})) {
+      last_kind_ = 0;
+      return {BorderOp::kNewVertex};
+    }
+    if (is_right_.code(coder_, step.op == BorderOp::kRight, {focus * 96 + around, ahead, set})) {
+      last_kind_ = 1;
+      return {BorderOp::kRight};
+    }
+    last_kind_ = 2;
+    return code_rare(step, border, gate);
   }
 
  private:
+  /// The ops other than C and R, most frequent first; E is what is left.
+  static constexpr std::array kRareOps = {BorderOp::kBoundary, BorderOp::kLeft, BorderOp::kSplit,
+                                          BorderOp::kNearSplit};
+
+  static std::uint32_t at_most_eight(std::uint32_t faces) noexcept {
+    return std::min<std::uint32_t>(faces, 8) - 1;
+  }
+
+  [[gnu::noinline]] BorderStep code_rare(const BorderStep& step, const Border& border, const Gate& gate) {
+    const std::uint32_t closed =
+        (gate.other_side_closed ? 4 : 0) + (gate.after_closed ? 2 : 0) + (gate.before_closed ? 1 : 0);
+    const std::uint32_t near = closed * 4 + gate.loop;
+    const DecisionContext context{
+        .first = (near * 8 + at_most_eight(gate.focus_faces)) * 4 +
+                 std::min<std::uint32_t>(gate.other_faces, 4) - 1,
+        .second = (near * 8 + at_most_eight(gate.left_faces)) * 8 + at_most_eight(gate.right_faces),
+        .set = 0};
+    for (std::size_t i = 0; i < kRareOps.size(); ++i) {
+      if (!is_rare_[i].code(coder_, step.op == kRareOps[i], context)) continue;
+      BorderStep coded{kRareOps[i]};
+      if (coded.op == BorderOp::kSplit) coded.target = code_target(step.target, border, gate.item);
+      return coded;
+    }
+    return {BorderOp::kEnd};
+  }
+
   std::uint32_t code_target(std::uint32_t target, const Border& border, std::uint32_t gate) {
     const std::uint32_t reference =
         coder_.number(Coder::kWrites ? find_reference(border, gate, target) : 0, references_);
@@ -56,12 +87,14 @@ class OpCoder {
     return coder_.bits(target, static_cast<unsigned>(std::bit_width(border.item_count())));
   }
 
-  static constexpr SymbolModel kFreshOp{{60, 20, 60, 6, 2, 10, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
+  static Decision rare_decision() { return Decision(8 * 4 * 8 * 4, 8 * 4 * 8 * 8, 1, 32768); }
 
   Coder& coder_;
-  OpHistory history_;
-  std::array<std::vector<SymbolModel>, kOpModels> models_;
-  std::array<MixWeights<kOpModels>, kOpWeightSets> weights_;
+  std::uint32_t last_kind_ = 0;  ///< of op: C, R, or another
+  Decision is_new_{8 * 7 * 96, 8 * 8 * 8 * 4 * 4, 12, 32768};
+  Decision is_right_{8 * 96, 8 * 8 * 8 * 4 * 4, 12, 58982};
+  std::array<Decision, kRareOps.size()> is_rare_ = {rare_decision(), rare_decision(), rare_decision(),
+                                                    rare_decision()};
   NumberModel references_;
 };
 

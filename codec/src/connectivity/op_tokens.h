@@ -12,7 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "connectivity/traversal.h"
+#include "connectivity/border_item.h"
+#include "connectivity/gate.h"
 
 namespace deltamesh {
 
@@ -24,16 +25,16 @@ inline constexpr std::uint32_t kFacesPerToken = 32;     ///< no stream has more,
 /// Tokens are kept apart by what is known where their run begins; the last stream is for loops of three,
 /// which mostly end at once.
 inline constexpr std::size_t kTokenStreams = 17;
-constexpr std::size_t token_stream(const GateContext& context) noexcept {
-  if (context.loop_of_three && context.focus_degree > 1 && !context.other_side_closed) return 16;
-  return std::min<std::uint32_t>(context.focus_degree, 7) + (context.other_side_closed ? 8 : 0);
+constexpr std::size_t token_stream(const Gate& gate) noexcept {
+  if (gate.loop == 2 && gate.focus_faces > 1 && !gate.other_side_closed) return 16;
+  return std::min<std::uint32_t>(gate.focus_faces, 7) + (gate.other_side_closed ? 8 : 0);
 }
 
 /// Sink of ops on the writer's side.
 class TokenWriter {
  public:
-  void put(BorderOp op, const GateContext& context) {
-    if (run_ == 0) stream_ = token_stream(context);
+  void put(BorderOp op, const Gate& gate) {
+    if (run_ == 0) stream_ = token_stream(gate);
     if (op != BorderOp::kNewVertex) {
       put_token(static_cast<std::uint32_t>(op) * 32 + run_);
     } else if (++run_ == kLongestRun) {
@@ -60,8 +61,8 @@ class TokenReader {
       : streams_(streams) {}
 
   /// None when the stream is at its end or the token is none.
-  BorderOp get(const GateContext& context) noexcept {
-    if (run_ == 0 && closing_ == BorderOp::kNewVertex && !get_token(streams_[token_stream(context)]))
+  BorderOp get(const Gate& gate) noexcept {
+    if (run_ == 0 && closing_ == BorderOp::kNewVertex && !get_token(streams_[token_stream(gate)]))
       return BorderOp::kNone;
     if (run_ > 0) {
       --run_;

@@ -43,6 +43,12 @@ class CompactReader {
     return value;
   }
 
+  bool decide(bool, std::uint32_t probability) noexcept {
+    const bool value = slot_of_state() < probability;
+    take(value ? Interval{0, probability} : Interval{probability, kProbabilityOne - probability});
+    return value;
+  }
+
   std::uint32_t bits(std::uint32_t, unsigned count) noexcept {
     std::uint32_t value = 0;
     for (unsigned left = count; left > 0;) {

@@ -35,6 +35,12 @@ class CompactWriter {
     return value;
   }
 
+  /// A bit that is set with `probability`, 1 to 2^15 - 1 parts of 2^15; for models of the caller's own.
+  bool decide(bool value, std::uint32_t probability) {
+    put(value ? Interval{0, probability} : Interval{probability, kProbabilityOne - probability});
+    return value;
+  }
+
   /// The lowest `count` (0 to 32) bits of `value`, the higher ones being 0.
   std::uint32_t bits(std::uint32_t value, unsigned count) {
     for (unsigned left = count; left > 0;) {
@@ -56,6 +62,9 @@ class CompactWriter {
 
   /// The stream. The writer is empty afterwards. O(symbols).
   std::vector<std::byte> finish();
+
+  /// Room for this many decisions, so that nothing moves while they come.
+  void reserve(std::size_t decisions) { intervals_.reserve(decisions); }
 
  private:
   void put(Interval interval) { intervals_.push_back(interval.start << 16 | interval.size); }

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Gaps in wait: the fullest go first, and among them the oldest [CONN-5].
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "connectivity/border_item.h"
+
+namespace deltamesh {
+
+/// One queue for every number of faces. A gap is pushed again when it has more faces, and the older entries
+/// are left behind; they are dropped once the gap is finished, so that memory follows the border's length.
+class GapQueue {
+ public:
+  /// `faces`: 1 to kMostFaces, at the gap. Amortised O(1).
+  template <class IsFinished>
+  void push(std::uint32_t faces, std::uint32_t gap, IsFinished is_finished) {
+    Bucket& bucket = buckets_[faces];
+    if (bucket.end == bucket.gaps.size()) make_room(bucket, is_finished);
+    bucket.gaps[bucket.end++] = gap;
+    fullest_ = std::max<std::size_t>(fullest_, faces);
+  }
+
+  /// The next gap that is not finished, or kNoIndex. Amortised O(1).
+  template <class IsFinished>
+  std::uint32_t pop(IsFinished is_finished) {
+    for (;; --fullest_) {
+      Bucket& bucket = buckets_[fullest_];
+      while (bucket.begin < bucket.end) {
+        const std::uint32_t gap = bucket.gaps[bucket.begin++];
+        if (!is_finished(gap)) return gap;
+      }
+      bucket.begin = bucket.end = 0;
+      if (fullest_ == 0) return kNoIndex;
+    }
+  }
+
+ private:
+  struct Bucket {
+    std::vector<std::uint32_t> gaps;  ///< those from `begin` to `end` wait
+    std::size_t begin = 0;
+    std::size_t end = 0;
+  };
+
+  /// Drops finished gaps; a bucket that stays more than half full doubles.
+  template <class IsFinished>
+  [[gnu::noinline]] static void make_room(Bucket& bucket, IsFinished is_finished) {
+    const auto gaps = bucket.gaps.begin();
+    const auto waiting =
+        std::remove_if(gaps + static_cast<std::ptrdiff_t>(bucket.begin), bucket.gaps.end(), is_finished);
+    bucket.end = static_cast<std::size_t>(
+        std::move(gaps + static_cast<std::ptrdiff_t>(bucket.begin), waiting, gaps) - gaps);
+    bucket.begin = 0;
+    if (2 * bucket.end >= bucket.gaps.size())
+      bucket.gaps.resize(std::max<std::size_t>(64, 2 * bucket.gaps.size()));
+  }
+
+  std::array<Bucket, kMostFaces + 1> buckets_;
+  std::size_t fullest_ = 0;  ///< no bucket above it holds a gap
+};
+
+}  // namespace deltamesh
