@@ -78,6 +78,7 @@ bool Border::add_end(const Gate& gate) {
   remove(gate.before);
   remove(gate.item);
   remove(gate.after);
+  leave_focus(one_more_face(gate.focus_faces));
   return true;
 }
 
@@ -109,7 +110,7 @@ bool Border::split(std::uint32_t target, const Gate& gate) {
   return true;
 }
 
-bool Border::apply(const BorderStep& step, const Gate& gate) {
+bool Border::apply(BorderStep step, Gate gate) {
   if (step.op == BorderOp::kBoundary) {
     items_[gate.item].closed = true;
     return true;

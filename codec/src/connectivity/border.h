@@ -38,15 +38,20 @@ class Border {
   /// Precondition: not full.
   void start();
 
-  /// Item `i` and what lies around it. `at_origin`: the focus is its origin, not its end [CONN-6].
-  Gate gate_at(std::uint32_t i, bool at_origin) const noexcept;
+  /// Item `i` and what lies around it. `AtOrigin`: the focus is its origin, not its end [CONN-6].
+  template <bool AtOrigin>
+  Gate gate_at(std::uint32_t i) const noexcept;
 
   /// Op C at a gate that is not at the focus' own item and whose loop is long: the gate becomes the new item.
   /// False where the border is full.
   bool add_vertex_and_advance(Gate& gate);
 
-  /// Carries an op out. False where the rules do not allow it [CONN-7], or the border is full.
-  bool apply(const BorderStep& step, const Gate& gate);
+  /// Op R at a gate that is not at the focus' own item: the gap is filled. False where the rules do not allow
+  /// it [CONN-7], or the border is full.
+  bool add_right_and_leave(const Gate& gate);
+
+  /// Carries any op out. False where the rules do not allow it [CONN-7], or the border is full.
+  bool apply(BorderStep step, Gate gate);
 
   /// Takes the next gap that is not finished off the queue, kNoIndex when there is none [CONN-5]. Amortised
   /// O(1).
@@ -79,7 +84,7 @@ class Border {
   void grow_faces();
   void push_gap(std::uint32_t i) { push_gap(i, items_[i].faces); }
   void push_gap(std::uint32_t i, std::uint32_t faces) {
-    gaps_.push(faces, i, [this](std::uint32_t gap) { return is_finished(gap); });
+    gaps_.push(faces, i, [this](std::uint32_t gap) { return !items_[gap].alive; });
   }
 
   std::uint32_t most_faces_;
@@ -99,7 +104,8 @@ inline void Border::add_face(std::uint32_t a, std::uint32_t b, std::uint32_t c) 
   faces_[first + 2] = c;
 }
 
-inline Gate Border::gate_at(std::uint32_t i, bool at_origin) const noexcept {
+template <bool AtOrigin>
+Gate Border::gate_at(std::uint32_t i) const noexcept {
   const BorderItem& item = items_[i];
   const BorderItem& before = items_[item.previous];
   const BorderItem& after = items_[item.next];
@@ -108,18 +114,36 @@ inline Gate Border::gate_at(std::uint32_t i, bool at_origin) const noexcept {
       .item = i, .before = item.previous, .after = item.next, .beyond = after.next, .past = beyond.next};
   gate.origin = item.origin;
   gate.end = after.origin;
-  gate.at_origin = at_origin;
+  gate.at_origin = AtOrigin;
   gate.before_closed = before.closed;
   gate.after_closed = after.closed;
-  gate.other_side_closed = at_origin || after.closed;
+  gate.other_side_closed = AtOrigin || after.closed;
   gate.loop = loop_class(gate);
-  gate.focus_faces = at_origin ? item.faces : after.faces;
-  gate.other_faces = at_origin ? after.faces : item.faces;
+  gate.focus_faces = AtOrigin ? item.faces : after.faces;
+  gate.other_faces = AtOrigin ? after.faces : item.faces;
   gate.left_faces = before.faces;
   gate.right_faces = beyond.faces;
   gate.past_faces = items_[gate.past].faces;
   gate.last_focus_faces = last_focus_faces_;
   return gate;
+}
+
+inline bool Border::add_right_and_leave(const Gate& gate) {
+  BorderItem& beyond = items_[gate.beyond];
+  if (is_full() || gate.after_closed || beyond.origin == gate.origin) return false;
+  add_face(gate.end, gate.origin, beyond.origin);
+  const std::uint32_t faces = one_more_face(gate.other_faces);
+  const std::uint32_t beyond_faces = one_more_face(gate.right_faces);
+  BorderItem& item = items_[gate.item];
+  item.next = gate.beyond;
+  item.faces = static_cast<std::uint8_t>(faces);
+  beyond.previous = gate.item;
+  beyond.faces = static_cast<std::uint8_t>(beyond_faces);
+  remove(gate.after);
+  push_gap(gate.item, faces);
+  push_gap(gate.beyond, beyond_faces);
+  leave_focus(one_more_face(gate.focus_faces));
+  return true;
 }
 
 inline bool Border::add_vertex_and_advance(Gate& gate) {

@@ -28,7 +28,7 @@ struct BorderStep {
 };
 
 /// Faces at an item's origin are counted up to here.
-inline constexpr std::uint32_t kMostFaces = 15;
+inline constexpr std::uint32_t kMostFaces = 8;
 constexpr std::uint32_t one_more_face(std::uint32_t faces) noexcept {
   return faces + (faces < kMostFaces ? 1 : 0);
 }

@@ -4,13 +4,10 @@
 // A yes or no seen in two contexts at once, and how far to trust these together [CONN-15].
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
-
-#include "entropy/compact_model.h"
 
 namespace deltamesh {
 
@@ -18,20 +15,27 @@ namespace deltamesh {
 class Estimate {
  public:
   /// `probability`: parts of 2^16; `seen`: as if learnt from so many.
-  explicit constexpr Estimate(std::uint16_t probability, std::uint16_t seen = 0) noexcept
-      : probability_(probability), seen_(seen) {}
+  explicit constexpr Estimate(std::uint32_t probability, std::uint32_t seen = 0) noexcept
+      : state_(probability << (kSeenBits + 8) | seen) {}
 
-  std::uint32_t probability() const noexcept { return probability_; }
+  /// Parts of 2^16.
+  std::uint32_t probability() const noexcept { return state_ >> (kSeenBits + 8); }
+  /// The highest 8 bits of it.
+  std::uint32_t coarse() const noexcept { return state_ >> (kSeenBits + 16); }
 
-  /// Moves by 2^-rate of the way, rounded away from where it is.
+  /// Moves by 2^-rate of the way to the answer's goal.
   void learn(bool yes) noexcept {
-    const unsigned rate = kRates[seen_];
-    const std::int32_t goal = yes ? 65534 + (1 << rate) : 0;
-    probability_ = static_cast<std::uint16_t>(probability_ + ((goal - probability_) >> rate));
-    seen_ = static_cast<std::uint16_t>(seen_ + (seen_ + 1U < kRates.size() ? 1 : 0));
+    const std::uint32_t seen = state_ & ((1U << kSeenBits) - 1);
+    const std::int32_t way = (yes ? kYes : kNo) - static_cast<std::int32_t>(state_ >> kSeenBits);
+    state_ += static_cast<std::uint32_t>(way >> kRates[seen]) << kSeenBits;
+    state_ += seen + 1 < kRates.size() ? 1 : 0;
   }
 
  private:
+  static constexpr unsigned kSeenBits = 7;
+  /// Goals short of certainty, so that no mean of estimates comes nearer to it than 24 parts of 2^15.
+  static constexpr std::int32_t kNo = 48 << 8;
+  static constexpr std::int32_t kYes = (65536 - 48) << 8;
   static constexpr std::array<std::uint8_t, 125> kRates = [] {
     std::array<std::uint8_t, 125> rates{};
     for (unsigned n = 0; n < rates.size(); ++n)
@@ -39,8 +43,7 @@ class Estimate {
     return rates;
   }();
 
-  std::uint16_t probability_;
-  std::uint16_t seen_;
+  std::uint32_t state_;  ///< parts of 2^24, and in the lowest bits how often it learnt, up to 124
 };
 
 /// Where a decision stands: an index into either table of estimates, and into the sets of the table that
@@ -56,13 +59,12 @@ struct DecisionContext {
 class Decision {
  public:
   /// Sizes of the tables; `probability`: what estimates start from, parts of 2^16.
-  Decision(std::size_t first, std::size_t second, std::size_t sets, std::uint16_t probability)
+  Decision(std::size_t first, std::size_t second, std::size_t sets, std::uint32_t probability)
       : first_(first, Estimate(probability)), second_(second, Estimate(probability)) {
     joint_.reserve(sets * kLevels.size() * kLevels.size());
     for (std::size_t set = 0; set < sets; ++set) {
       for (const std::uint32_t a : kLevels) {
-        for (const std::uint32_t b : kLevels)
-          joint_.push_back(Estimate(static_cast<std::uint16_t>((a + b) / 2), 4));
+        for (const std::uint32_t b : kLevels) joint_.push_back(Estimate((a + b) / 2, 4));
       }
     }
   }
@@ -72,19 +74,19 @@ class Decision {
   [[gnu::always_inline]] bool code(Coder& coder, bool yes, const DecisionContext& context) {
     Estimate& first = first_[context.first];
     Estimate& second = second_[context.second];
-    const std::uint32_t a = first.probability();
-    const std::uint32_t b = second.probability();
-    Estimate& joint = joint_[(context.set * 16 + kLevelOf[a >> 8]) * 16 + kLevelOf[b >> 8]];
-    const std::uint32_t probability = (a + b + 6 * joint.probability()) >> 4;
-    yes = coder.decide(yes, std::clamp<std::uint32_t>(probability, kLeast, kProbabilityOne - kLeast));
-    first.learn(yes);
-    second.learn(yes);
-    joint.learn(yes);
-    return yes;
+    Estimate& joint = joint_[(context.set * 16 + kLevelOf[first.coarse()]) * 16 + kLevelOf[second.coarse()]];
+    const auto learn = [&](bool answer) {
+      first.learn(answer);
+      second.learn(answer);
+      joint.learn(answer);
+      return answer;
+    };
+    const std::uint32_t probability =
+        (first.probability() + second.probability() + 6 * joint.probability()) >> 4;
+    return coder.decide(yes, probability) ? learn(true) : learn(false);
   }
 
  private:
-  static constexpr std::uint32_t kLeast = 24;
   /// Even steps of the logarithm of the odds.
   static constexpr std::array<std::uint16_t, 16> kLevels = {
       162, 360, 795, 1743, 3757, 7812, 15170, 26300, 39235, 50365, 57723, 61778, 63792, 64740, 65175, 65373};

@@ -15,14 +15,15 @@
 namespace deltamesh {
 
 /// One queue for every number of faces. A gap is pushed again when it has more faces, and the older entries
-/// are left behind; they are dropped once the gap is finished, so that memory follows the border's length.
+/// are left behind; they are dropped where room is wanted, once the gap's item is removed, so that memory
+/// follows the border's length.
 class GapQueue {
  public:
   /// `faces`: 1 to kMostFaces, at the gap. Amortised O(1).
-  template <class IsFinished>
-  void push(std::uint32_t faces, std::uint32_t gap, IsFinished is_finished) {
+  template <class IsGone>
+  void push(std::uint32_t faces, std::uint32_t gap, IsGone is_gone) {
     Bucket& bucket = buckets_[faces];
-    if (bucket.end == bucket.gaps.size()) make_room(bucket, is_finished);
+    if (bucket.end == bucket.gaps.size()) make_room(bucket, is_gone);
     bucket.gaps[bucket.end++] = gap;
     fullest_ = std::max<std::size_t>(fullest_, faces);
   }
@@ -48,17 +49,18 @@ class GapQueue {
     std::size_t end = 0;
   };
 
-  /// Drops finished gaps; a bucket that stays more than half full doubles.
-  template <class IsFinished>
-  [[gnu::noinline]] static void make_room(Bucket& bucket, IsFinished is_finished) {
-    const auto gaps = bucket.gaps.begin();
-    const auto waiting =
-        std::remove_if(gaps + static_cast<std::ptrdiff_t>(bucket.begin), bucket.gaps.end(), is_finished);
-    bucket.end = static_cast<std::size_t>(
-        std::move(gaps + static_cast<std::ptrdiff_t>(bucket.begin), waiting, gaps) - gaps);
+  /// Drops gaps that are no more; a bucket that stays more than half full doubles.
+  template <class IsGone>
+  [[gnu::noinline]] static void make_room(Bucket& bucket, IsGone is_gone) {
+    std::size_t end = 0;
+    for (std::size_t i = bucket.begin; i < bucket.end; ++i) {
+      const std::uint32_t gap = bucket.gaps[i];
+      bucket.gaps[end] = gap;
+      end += is_gone(gap) ? 0 : 1;
+    }
     bucket.begin = 0;
-    if (2 * bucket.end >= bucket.gaps.size())
-      bucket.gaps.resize(std::max<std::size_t>(64, 2 * bucket.gaps.size()));
+    bucket.end = end;
+    if (2 * end >= bucket.gaps.size()) bucket.gaps.resize(std::max<std::size_t>(64, 2 * end));
   }
 
   std::array<Bucket, kMostFaces + 1> buckets_;

@@ -29,22 +29,19 @@ class OpCoder {
 
   /// Writes `step`, or reads one; a reader's may not fit the border.
   [[gnu::always_inline]] BorderStep code(const BorderStep& step, const Border& border, const Gate& gate) {
-    const std::uint32_t focus = at_most_eight(gate.focus_faces);
-    const std::uint32_t left = std::clamp<std::uint32_t>(gate.left_faces, 2, 7) - 2;
+    const std::uint32_t focus = gate.focus_faces - 1;
     const std::uint32_t closed = (gate.after_closed ? 2 : 0) + (gate.other_side_closed ? 1 : 0);
-    const std::uint32_t last = std::clamp<std::uint32_t>(gate.last_focus_faces, 3, 9) - 3;
-    const std::uint32_t around = (left * 4 + closed) * 4 + gate.loop;
+    const std::uint32_t around = ((gate.left_faces - 1) * 4 + closed) * 4 + gate.loop;
     const std::uint32_t ahead =
-        (((focus * 8 + at_most_eight(gate.past_faces)) * 8 + at_most_eight(gate.right_faces)) * 4 + closed) *
-            4 +
-        std::min<std::uint32_t>(gate.other_faces, 4) - 1;
+        (((focus * 8 + gate.past_faces - 1) * 8 + gate.right_faces - 1) * 4 + closed) * 4 +
+        few(gate.other_faces);
     const std::uint32_t set = last_kind_ * 4 + gate.loop;
     if (is_new_.code(coder_, step.op == BorderOp::kNewVertex,
-                     {(focus * 7 + last) * 96 + around, ahead, set})) {
+                     {(focus * 8 + gate.last_focus_faces - 1) * 128 + around, ahead, set})) {
       last_kind_ = 0;
       return {BorderOp::kNewVertex};
     }
-    if (is_right_.code(coder_, step.op == BorderOp::kRight, {focus * 96 + around, ahead, set})) {
+    if (is_right_.code(coder_, step.op == BorderOp::kRight, {focus * 128 + around, ahead, set})) {
       last_kind_ = 1;
       return {BorderOp::kRight};
     }
@@ -57,19 +54,15 @@ class OpCoder {
   static constexpr std::array kRareOps = {BorderOp::kBoundary, BorderOp::kLeft, BorderOp::kSplit,
                                           BorderOp::kNearSplit};
 
-  static std::uint32_t at_most_eight(std::uint32_t faces) noexcept {
-    return std::min<std::uint32_t>(faces, 8) - 1;
-  }
+  static std::uint32_t few(std::uint32_t faces) noexcept { return std::min<std::uint32_t>(faces, 4) - 1; }
 
-  [[gnu::noinline]] BorderStep code_rare(const BorderStep& step, const Border& border, const Gate& gate) {
+  [[gnu::noinline]] BorderStep code_rare(BorderStep step, const Border& border, Gate gate) {
     const std::uint32_t closed =
         (gate.other_side_closed ? 4 : 0) + (gate.after_closed ? 2 : 0) + (gate.before_closed ? 1 : 0);
     const std::uint32_t near = closed * 4 + gate.loop;
-    const DecisionContext context{
-        .first = (near * 8 + at_most_eight(gate.focus_faces)) * 4 +
-                 std::min<std::uint32_t>(gate.other_faces, 4) - 1,
-        .second = (near * 8 + at_most_eight(gate.left_faces)) * 8 + at_most_eight(gate.right_faces),
-        .set = 0};
+    const DecisionContext context{.first = (near * 8 + gate.focus_faces - 1) * 4 + few(gate.other_faces),
+                                  .second = (near * 8 + gate.left_faces - 1) * 8 + gate.right_faces - 1,
+                                  .set = 0};
     for (std::size_t i = 0; i < kRareOps.size(); ++i) {
       if (!is_rare_[i].code(coder_, step.op == kRareOps[i], context)) continue;
       BorderStep coded{kRareOps[i]};
@@ -91,8 +84,8 @@ class OpCoder {
 
   Coder& coder_;
   std::uint32_t last_kind_ = 0;  ///< of op: C, R, or another
-  Decision is_new_{8 * 7 * 96, 8 * 8 * 8 * 4 * 4, 12, 32768};
-  Decision is_right_{8 * 96, 8 * 8 * 8 * 4 * 4, 12, 58982};
+  Decision is_new_{8 * 8 * 128, 8 * 8 * 8 * 4 * 4, 12, 32768};
+  Decision is_right_{8 * 128, 8 * 8 * 8 * 4 * 4, 12, 58982};
   std::array<Decision, kRareOps.size()> is_rare_ = {rare_decision(), rare_decision(), rare_decision(),
                                                     rare_decision()};
   NumberModel references_;

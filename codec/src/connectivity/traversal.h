@@ -16,20 +16,18 @@ namespace deltamesh {
 template <class Guide>
 bool fill_gap(Border& border, std::uint32_t gap, Guide& guide) {
   while (!border.item(border.item(gap).previous).closed) {
-    Gate gate = border.gate_at(border.item(gap).previous, false);
+    Gate gate = border.gate_at<false>(border.item(gap).previous);
     BorderStep step = guide.next(border, gate);
     while (step.op == BorderOp::kNewVertex && gate.loop == 0) {
       if (!border.add_vertex_and_advance(gate)) return false;
       step = guide.next(border, gate);
     }
+    if (step.op == BorderOp::kRight) return border.add_right_and_leave(gate);
     if (!border.apply(step, gate)) return false;
-    if (step.op == BorderOp::kRight || step.op == BorderOp::kEnd) {
-      border.leave_focus(one_more_face(gate.focus_faces));
-      return true;
-    }
+    if (step.op == BorderOp::kEnd) return true;
   }
   while (!border.item(gap).closed) {
-    const Gate gate = border.gate_at(gap, true);
+    const Gate gate = border.gate_at<true>(gap);
     if (!border.apply(guide.next(border, gate), gate)) return false;
   }
   border.leave_focus(border.item(gap).faces);

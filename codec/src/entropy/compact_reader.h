@@ -44,9 +44,13 @@ class CompactReader {
   }
 
   bool decide(bool, std::uint32_t probability) noexcept {
-    const bool value = slot_of_state() < probability;
-    take(value ? Interval{0, probability} : Interval{probability, kProbabilityOne - probability});
-    return value;
+    const std::uint32_t slot = slot_of_state();
+    if (slot < probability) {
+      advance(probability * (state_ >> kProbabilityBits) + slot);
+      return true;
+    }
+    advance((kProbabilityOne - probability) * (state_ >> kProbabilityBits) + slot - probability);
+    return false;
   }
 
   std::uint32_t bits(std::uint32_t, unsigned count) noexcept {
@@ -83,8 +87,11 @@ class CompactReader {
   }
 
   void take(Interval interval) noexcept {
-    state_ = interval.size * (state_ >> kProbabilityBits) + slot_of_state() - interval.start;
-    if (state_ < kRansFloor) state_ = state_ << 32 | next_word();
+    advance(interval.size * (state_ >> kProbabilityBits) + slot_of_state() - interval.start);
+  }
+
+  void advance(std::uint64_t state) noexcept {
+    state_ = state < kRansFloor ? state << 32 | next_word() : state;
   }
 
   std::uint32_t next_word() noexcept {
