@@ -69,24 +69,69 @@ TEST(Connectivity, UnreferencedVerticesComeLastAscending) {
   EXPECT_EQ(coded.triangles, (Indices{0, 1, 2}));
 }
 
+/// Fans of linked corners: the manifold vertices.
+std::size_t count_fans(const Soup& soup, const Indices& opposite) {
+  std::size_t linked_ends = 0;
+  std::size_t closed = 0;
+  std::vector<bool> seen(opposite.size());
+  for (std::uint32_t corner = 0; corner < opposite.size(); ++corner) {
+    if (opposite[corner] == kNoIndex) ++linked_ends;  // the one end of a fan that is open here
+    std::uint32_t c = corner;
+    bool fresh = true;
+    do {
+      fresh = fresh && !seen[c];
+      EXPECT_EQ(soup.triangles[c], soup.triangles[corner]);
+      c = opposite[c] == kNoIndex ? kNoIndex : next_in_face(opposite[c]);
+    } while (c != corner && c != kNoIndex);
+    if (c == kNoIndex || !fresh) continue;
+    ++closed;
+    do {
+      seen[c] = true;
+      c = next_in_face(opposite[c]);
+    } while (c != corner);
+  }
+  return linked_ends + closed;
+}
+
+TEST(Connectivity, HalfEdgesAreMatchedInPairsOfOppositeDirection) {
+  for (const Soup& soup : test::awkward_soups()) {
+    const Indices opposite = match_half_edges(soup.triangles, soup.vertex_count);
+    for (std::uint32_t h = 0; h < opposite.size(); ++h) {
+      if (opposite[h] == kNoIndex) continue;
+      EXPECT_EQ(opposite[opposite[h]], h) << soup.name;
+      EXPECT_EQ(soup.triangles[opposite[h]], soup.triangles[next_in_face(h)]) << soup.name;
+      EXPECT_EQ(soup.triangles[next_in_face(opposite[h])], soup.triangles[h]) << soup.name;
+    }
+  }
+}
+
 TEST(Connectivity, DecodedFacesAreManifoldWhereTheInputIs) {
   const Soup torus = test::grid(30, 20, true, true, 0, 1);
-  const ManifoldCut cut = cut_to_manifold(torus.triangles, torus.vertex_count);
-  EXPECT_EQ(cut.vertex.size(), torus.vertex_count);
-  EXPECT_EQ(std::count(cut.opposite.begin(), cut.opposite.end(), kNoIndex), 0);
+  const Indices opposite = match_half_edges(torus.triangles, torus.vertex_count);
+  EXPECT_EQ(count_fans(torus, opposite), torus.vertex_count);
+  EXPECT_EQ(std::count(opposite.begin(), opposite.end(), kNoIndex), 0);
 }
 
 TEST(Connectivity, CutSeparatesFansThatMeetInAPoint) {
-  const ManifoldCut cut = cut_to_manifold(Indices{0, 1, 2, 0, 3, 4}, 5);
-  EXPECT_EQ(cut.vertex.size(), 6U);
-  EXPECT_NE(cut.manifold_vertex[0], cut.manifold_vertex[3]);
+  const Soup soup{"bow tie", {0, 1, 2, 0, 3, 4}, 5};
+  EXPECT_EQ(count_fans(soup, match_half_edges(soup.triangles, soup.vertex_count)), 6U);
+}
+
+TEST(Connectivity, ConesThatMeetInAPointAreTwoFans) {
+  Soup soup = test::fan(5, true);
+  const Soup other = test::fan(7, true);
+  for (const std::uint32_t v : other.triangles)
+    soup.triangles.push_back(v == other.triangles.front() ? soup.triangles.front() : v + soup.vertex_count);
+  soup.vertex_count += other.vertex_count;
+  const Indices opposite = match_half_edges(soup.triangles, soup.vertex_count);
+  EXPECT_EQ(count_fans(soup, opposite), 14U);
+  expect_same_faces(soup, write_connectivity(soup.triangles, soup.vertex_count));
 }
 
 TEST(Connectivity, TwoSidedSheetsStayWhole) {
   const Soup soup = test::two_sided(test::grid(20, 20, false, false, 0, 3));
-  const ManifoldCut cut = cut_to_manifold(soup.triangles, soup.vertex_count);
   // Interior edges continue within their side; along the rim the two sides meet.
-  EXPECT_LT(cut.vertex.size(), 2 * soup.vertex_count + 1);
+  EXPECT_LT(count_fans(soup, match_half_edges(soup.triangles, soup.vertex_count)), 2 * soup.vertex_count + 1);
 }
 
 Result<Indices> read_back(std::span<const std::byte> payload, const Soup& soup) {
@@ -259,7 +304,7 @@ TEST(Connectivity, CONN6NearSplitByHand) {
   // Splits a loop of four into one of two, which stays open, and one of three, which ends.
   const Parts parts{
       .tokens = {
-          {1, token(BorderOp::kNearSplit, 1)}, {16, token(BorderOp::kEnd)}, {4, kB}, {kClosed + 4, kB}}};
+          {1, token(BorderOp::kNearSplit, 1)}, {16, token(BorderOp::kEnd)}, {3, kB}, {kClosed + 3, kB}}};
   const auto read = read_connectivity(parts.assemble(), 4, 4);
   ASSERT_TRUE(read) << describe(read.error());
   EXPECT_EQ(*read, (Indices{0, 1, 2, 0, 2, 3, 0, 3, 2, 0, 2, 1}));

@@ -118,14 +118,6 @@ Result<GlueList> read_gluing(ByteReader& in, std::uint64_t glue_count, std::uint
   return list;
 }
 
-/// `vertex`: of every manifold vertex, or nothing where each is its own.
-std::vector<std::uint32_t> renumber(std::vector<std::uint32_t> triangles,
-                                    const std::vector<std::uint32_t>& vertex) {
-  if (vertex.empty()) return triangles;
-  for (std::uint32_t& v : triangles) v = vertex[v];
-  return triangles;
-}
-
 /// Takes every op from the compact coder.
 class CompactGuide {
  public:
@@ -170,7 +162,8 @@ Result<std::vector<std::uint32_t>> read_compact(std::span<const std::byte> bytes
   std::vector<std::uint32_t> faces = border.take_faces();
   DELTAMESH_TRY(const auto vertex, read_compact_gluing(reader, faces, border.vertex_count(), vertex_count));
   DELTAMESH_CHECK(reader.finish(kTagConnectivity));
-  return renumber(std::move(faces), vertex);
+  renumber(faces, vertex);
+  return faces;
 }
 
 }  // namespace
@@ -199,7 +192,9 @@ Result<std::vector<std::uint32_t>> read_connectivity(Payload payload, std::uint3
                 read_gluing(in, sections.glue_count, border.vertex_count(), vertex_count));
   DELTAMESH_CHECK(in.finish());
   DELTAMESH_TRY(const auto vertex, glue_vertices(list, border.vertex_count(), vertex_count));
-  return renumber(border.take_faces(), vertex);
+  std::vector<std::uint32_t> faces = border.take_faces();
+  renumber(faces, vertex);
+  return faces;
 }
 
 }  // namespace deltamesh

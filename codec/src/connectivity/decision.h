@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// A yes or no seen in two contexts at once, and how far to trust these together [CONN-15].
+// A yes or no seen in two contexts at once, and how far to trust these together [CMP-11].
 #pragma once
 
 #include <array>

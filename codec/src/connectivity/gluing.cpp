@@ -50,6 +50,11 @@ Result<std::vector<std::uint32_t>> glue_vertices(const GlueList& list, std::uint
   return vertex;
 }
 
+void renumber(std::vector<std::uint32_t>& faces, std::span<const std::uint32_t> vertex) noexcept {
+  if (vertex.empty()) return;
+  for (std::uint32_t& v : faces) v = vertex[v];
+}
+
 void write_compact_gluing(CompactWriter& writer, const GlueList& list, std::span<const std::uint32_t> faces,
                           std::vector<std::uint32_t> vertex) {
   NumberModel counts;

@@ -25,11 +25,15 @@ struct GlueList {
 Result<std::vector<std::uint32_t>> glue_vertices(const GlueList& list, std::uint32_t manifold_count,
                                                  std::uint32_t vertex_count);
 
+/// Faces over manifold vertices become faces over vertices. `vertex`: as from glue_vertices().
+void renumber(std::vector<std::uint32_t>& faces, std::span<const std::uint32_t> vertex) noexcept;
+
 /// Checks a list's length before anything of its size is allocated. Errors: kInvalidStream [CONN-11].
 Result<void> check_glue_count(std::uint64_t count, std::uint32_t manifold_count, std::uint32_t vertex_count);
 
 /// The gluing by the compact coder: the list's length, then the list itself, or where it is long the vertices
-/// one by one [CONN-13, CONN-14]. `faces`: manifold vertices, three each; `vertex`: of every manifold vertex.
+/// one by one [CONN-13, CONN-14]. `faces`: manifold vertices, three each; `vertex`: as from
+/// glue_vertices().
 void write_compact_gluing(CompactWriter& writer, const GlueList& list, std::span<const std::uint32_t> faces,
                           std::vector<std::uint32_t> vertex);
 
