@@ -16,8 +16,9 @@ struct Aggregates {
   std::vector<std::uint32_t> seeds;  ///< the node that each aggregate grew from, ascending
 };
 
-/// Seeds are all anchors, then, in order, every node without a seed among its neighbours. Any other node
-/// joins the neighbouring seed whose aggregate is smallest so far, the first among equals. O(n + edges).
+/// Seeds are all anchors and hubs, then, in order, every node without a seed other than a hub among its
+/// neighbours. Any other node joins that of these seeds whose aggregate is smallest so far, the first among
+/// equals. Hubs stay alone. O(n + edges).
 Aggregates aggregate(const Level& fine);
 
 }  // namespace deltamesh::multigrid

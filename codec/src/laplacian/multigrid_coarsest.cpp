@@ -7,8 +7,6 @@
 namespace deltamesh::multigrid {
 namespace {
 
-constexpr double kReduction = 1e-5;
-
 /// Bound of (degree + 1)^2 summed over the nodes, which is what forming K M^-1 K costs, and so of its
 /// entries: meshes stay below 100 per node, a hub alone could fill the matrix.
 constexpr std::uint64_t kMostProductsPerNode = 256;
@@ -65,10 +63,10 @@ class RowBuilder {
 
 }  // namespace
 
-CoarsestSolver::CoarsestSolver(const Level& level, std::span<const std::uint8_t> holds,
-                               std::uint32_t largest_factored)
+CoarsestSolver::CoarsestSolver(const Level& level, std::span<const std::uint8_t> holds, CoarsestEffort effort)
     : level_(level),
       holds_(holds),
+      reduction_(effort.reduction),
       inverse_mass_(level.node_count()),
       scaled_(level.node_count()),
       x_(level.node_count()) {
@@ -77,7 +75,7 @@ CoarsestSolver::CoarsestSolver(const Level& level, std::span<const std::uint8_t>
     inverse_mass_[i] = level.mass[i] > 0 ? 1 / static_cast<double>(level.mass[i]) : 0.0;
   is_anchor_.assign(n, 0);
   for (const std::uint32_t anchor : level.anchors) is_anchor_[anchor] = 1;
-  if (n <= largest_factored && product_stays_sparse()) factor_ = SparseFactor::make(assemble());
+  if (n <= effort.largest_factored && product_stays_sparse()) factor_ = SparseFactor::make(assemble());
   if (factor_) return;
   for (std::uint32_t i = 0; i < n; ++i) {
     const double diagonal = diagonal_entry(i);
@@ -185,7 +183,7 @@ std::uint32_t CoarsestSolver::run_conjugate_gradients(std::uint32_t most_iterati
   precondition();
   direction_ = preconditioned_;
   Double4 energy = dot(residual_, preconditioned_);
-  const Double4 small = kReduction * kReduction * energy;
+  const Double4 small = reduction_ * reduction_ * energy;
   for (std::uint32_t iteration = 1; iteration <= most_iterations; ++iteration) {
     apply_matrix(direction_, product_);
     const Double4 step = ratio(energy, dot(direction_, product_));

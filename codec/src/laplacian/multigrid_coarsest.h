@@ -14,16 +14,21 @@
 
 namespace deltamesh::multigrid {
 
+struct CoarsestEffort {
+  std::uint32_t largest_factored = 0;  ///< nodes; larger levels are left to conjugate gradients
+  double reduction = 0;                ///< of the residual, on every axis, where those stop
+};
+
 /// Solves  K x + M s = b_x,  K s - E f = b_s,  x_a - f_a = g_a  (w = 1) for x, s and the anchor forces f, by
-/// way of (K M^-1 K + E E^T) x = K M^-1 b_x - b_s + E g: factored where there are at most `largest_factored`
-/// nodes and no hubs, else by conjugate gradients with symmetric Gauss-Seidel, which never form the matrix,
-/// until the residual has fallen by kReduction on every axis. Memory is allocated at setup only. Memory and
+/// way of (K M^-1 K + E E^T) x = K M^-1 b_x - b_s + E g: factored where there are few nodes
+/// and no hubs, else by conjugate gradients with symmetric Gauss-Seidel, which never form the matrix,
+/// until the residual has fallen enough. Memory is allocated at setup only. Memory and
 /// the time of an iteration: O(n + edges).
 class CoarsestSolver {
  public:
   /// `level` and `holds` must outlive the solver. Anchor a with holds[a] = 0 is alone in its component: it
   /// only says where that is, its force is 0.
-  CoarsestSolver(const Level& level, std::span<const std::uint8_t> holds, std::uint32_t largest_factored);
+  CoarsestSolver(const Level& level, std::span<const std::uint8_t> holds, CoarsestEffort effort);
 
   /// `b`, `u`: n; `gaps`: g; `forces`: f, both one per anchor.
   /// Conjugate gradients end after `most_iterations` at the latest. Returns how many were made.
@@ -43,6 +48,7 @@ class CoarsestSolver {
 
   const Level& level_;
   std::span<const std::uint8_t> holds_;
+  double reduction_;
   std::optional<SparseFactor> factor_;
   std::vector<double> inverse_mass_;
   std::vector<std::uint8_t> is_anchor_;

@@ -13,9 +13,12 @@
 namespace deltamesh::multigrid {
 namespace {
 
-/// Nodes of a coarsest level that is factored; where cycles converge badly an exact solution is worth more.
-constexpr std::uint32_t kLargestFactored = 30000;
-constexpr std::uint32_t kLargestFactoredWhenHard = 100000;
+/// A coarsest level has about as many nodes as anchors, which few iterations solve well enough. Where cycles
+/// converge badly a nearly exact solution of a larger one is worth more.
+constexpr CoarsestEffort kUsualEffort{.largest_factored = 200, .reduction = 1e-3};
+constexpr CoarsestEffort kEffortWhenHard{.largest_factored = 100000, .reduction = 1e-5};
+constexpr CoarsestEffort kLastEffort{.largest_factored = std::numeric_limits<std::uint32_t>::max(),
+                                     .reduction = 1e-5};
 
 /// Conjugate gradients on a coarsest level: at a time, and, over nodes and cycles together, for every vertex.
 /// The time of a solution is linear so, however badly the anchors lie.
@@ -45,84 +48,102 @@ MultigridCycle::MultigridCycle(const Adjacency& graph, const Components& compone
       levels_(build_hierarchy(graph, anchors, depth)),
       vectors_(levels_.size()),
       targets_(anchors.size()),
-      gaps_(anchors.size()),
-      forces_(anchors.size()),
+      two_steps_(levels_.size()),
       bottom_(levels_.size() - 1),
       coarsest_(levels_.size()) {
   for (std::size_t level = 0; level < levels_.size(); ++level) {
     vectors_[level].b.resize(levels_[level].node_count());
     vectors_[level].u.resize(levels_[level].node_count());
+    vectors_[level].gaps.resize(anchors.size());
+    vectors_[level].forces.resize(anchors.size());
+    if (level > 0) two_steps_[level] = std::make_unique<TwoSteps>(levels_[level]);
   }
 }
 
-std::uint32_t MultigridCycle::largest_factored() const noexcept {
-  if (is_last_resort_) return std::numeric_limits<std::uint32_t>::max();
-  return bottom_ + 1 < levels_.size() ? kLargestFactoredWhenHard : kLargestFactored;
+CoarsestEffort MultigridCycle::effort() const noexcept {
+  if (is_last_resort_) return kLastEffort;
+  return bottom_ + 1 < levels_.size() ? kEffortWhenHard : kUsualEffort;
 }
 
 void MultigridCycle::solve_coarsest() {
   if (!coarsest_[bottom_])
-    coarsest_[bottom_] = std::make_unique<CoarsestSolver>(levels_[bottom_], holds_, largest_factored());
+    coarsest_[bottom_] = std::make_unique<CoarsestSolver>(levels_[bottom_], holds_, effort());
+  Vectors& v = vectors_[bottom_];
   const std::uint64_t nodes = levels_[bottom_].node_count();
   const std::uint64_t most = std::clamp(iterations_left_ / nodes, kFewestIterations, kMostIterations);
   const std::uint64_t made =
-      nodes * coarsest_[bottom_]->solve(vectors_[bottom_].b, gaps_, vectors_[bottom_].u, forces_,
-                                        static_cast<std::uint32_t>(most));
+      nodes * coarsest_[bottom_]->solve(v.b, v.gaps, v.u, v.forces, static_cast<std::uint32_t>(most));
   iterations_left_ -= std::min(made, iterations_left_);
 }
 
-void MultigridCycle::descend(std::size_t level) {
-  const std::vector<Row>& b = vectors_[level].b;
-  std::vector<Row>& u = vectors_[level].u;
-  smooth(levels_[level], b, u);
-  restrict_residual(levels_[level], b, u, vectors_[level + 1].b);
-  std::fill(vectors_[level + 1].u.begin(), vectors_[level + 1].u.end(), Row{});
-  for (std::size_t a = 0; a < gaps_.size(); ++a) gaps_[a] -= u[levels_[level].anchors[a]].x;
+LevelProblem MultigridCycle::problem(std::size_t level) noexcept {
+  Vectors& v = vectors_[level];
+  return {levels_[level], v.b, v.u, v.gaps, v.forces};
 }
 
-void MultigridCycle::ascend(std::size_t level) {
-  std::vector<Row>& b = vectors_[level].b;
-  add_prolonged_rows(levels_[level], vectors_[level + 1].u, vectors_[level].u);
-  for (std::size_t a = 0; a < forces_.size(); ++a) b[levels_[level].anchors[a]].s += forces_[a];
-  smooth(levels_[level], b, vectors_[level].u);
-}
-
-void MultigridCycle::v_cycle(std::size_t top) {
-  const Level& level = levels_[top];
-  for (std::size_t a = 0; a < gaps_.size(); ++a) gaps_[a] = targets_[a] + vectors_[top].b[level.anchors[a]].s;
-  for (std::size_t l = top; l < bottom_; ++l) descend(l);
-  solve_coarsest();
-  if (top == bottom_) {
-    for (std::size_t a = 0; a < forces_.size(); ++a) vectors_[top].b[level.anchors[a]].s += forces_[a];
+void MultigridCycle::correct(std::size_t level) {
+  const Level& fine = levels_[level];
+  Vectors& v = vectors_[level];
+  Vectors& next = vectors_[level + 1];
+  smooth(fine, v.b, v.u);
+  restrict_residual(fine, v.b, v.u, next.b);
+  for (std::size_t a = 0; a < next.gaps.size(); ++a) next.gaps[a] = v.gaps[a] - v.u[fine.anchors[a]].x;
+  solve(level + 1);
+  add_prolonged_rows(fine, next.u, v.u);
+  for (std::size_t a = 0; a < v.forces.size(); ++a) {
+    v.forces[a] = next.forces[a];
+    v.b[fine.anchors[a]].s += next.forces[a];
   }
-  for (std::size_t l = bottom_; l-- > top;) ascend(l);
+  smooth(fine, v.b, v.u);
+}
+
+void MultigridCycle::solve(std::size_t level) {
+  if (level == bottom_) {
+    solve_coarsest();
+    return;
+  }
+  std::vector<Row>& u = vectors_[level].u;
+  std::fill(u.begin(), u.end(), Row{});
+  correct(level);
+  two_steps_[level]->take_first(problem(level));
+  std::fill(u.begin(), u.end(), Row{});
+  correct(level);
+  two_steps_[level]->combine(problem(level));
 }
 
 void MultigridCycle::start() {
   bottom_ = levels_.size() - 1;
   iterations_left_ = kIterationsPerVertex * levels_.front().node_count();
-  for (const std::uint32_t anchor : levels_.front().anchors) vectors_.front().b[anchor].s = Float4{};
-  for (std::size_t l = 0; l + 1 < levels_.size(); ++l)
-    restrict_rows(levels_[l], vectors_[l].b, vectors_[l + 1].b);
-  gaps_ = targets_;
-  solve_coarsest();
-  std::vector<Row>& coarsest = vectors_.back().b;
-  for (std::size_t a = 0; a < forces_.size(); ++a) coarsest[levels_.back().anchors[a]].s = forces_[a];
-  for (std::size_t l = levels_.size() - 1; l-- > 0;) {
-    // Forces are the same on every level; v_cycle() lets them grow from here.
-    for (std::size_t a = 0; a < forces_.size(); ++a)
-      vectors_[l].b[levels_[l].anchors[a]].s = vectors_[l + 1].b[levels_[l + 1].anchors[a]].s;
-    prolong_rows(levels_[l], vectors_[l + 1].u, vectors_[l].u);
-    if (l > 0) v_cycle(l);
+  Vectors& finest = vectors_.front();
+  for (const std::uint32_t anchor : levels_.front().anchors) finest.b[anchor].s = Float4{};
+  if (bottom_ > 0) {
+    restrict_rows(levels_.front(), finest.b, vectors_[1].b);
+    vectors_[1].gaps = targets_;
+    solve(1);
+    prolong_rows(levels_.front(), vectors_[1].u, finest.u);
+    finest.forces = vectors_[1].forces;
+  } else {
+    finest.gaps = targets_;
+    solve(0);
   }
+  for (std::size_t a = 0; a < finest.forces.size(); ++a) force(a) = finest.forces[a];
 }
 
-void MultigridCycle::cycle() { v_cycle(0); }
+void MultigridCycle::cycle() {
+  Vectors& finest = vectors_.front();
+  for (std::size_t a = 0; a < finest.gaps.size(); ++a) finest.gaps[a] = targets_[a] + force(a);
+  if (bottom_ > 0) {
+    correct(0);
+    return;
+  }
+  solve(0);
+  for (std::size_t a = 0; a < finest.forces.size(); ++a) force(a) += finest.forces[a];
+}
 
 bool MultigridCycle::drop_coarsest() {
   if (bottom_ < 2) return false;
   const std::uint32_t nodes = levels_[bottom_ - 1].node_count();
-  if (nodes > kLargestFactoredWhenHard && nodes > kMostNodesPerAnchor * targets_.size()) return false;
+  if (nodes > kEffortWhenHard.largest_factored && nodes > kMostNodesPerAnchor * targets_.size()) return false;
   --bottom_;
   return true;
 }

@@ -11,6 +11,7 @@
 
 #include "laplacian/multigrid_coarsest.h"
 #include "laplacian/multigrid_level.h"
+#include "laplacian/multigrid_two_steps.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh::multigrid {
@@ -38,10 +39,10 @@ class MultigridCycle {
   std::span<Row> solution() noexcept { return vectors_.front().u; }
   Float4& force(std::size_t anchor) noexcept { return vectors_.front().b[levels_.front().anchors[anchor]].s; }
 
-  /// A first solution from the coarsest level upward, whatever was there before.
+  /// A first solution from the second level, whatever was there before.
   void start();
 
-  /// One V-cycle: about two thirds of the error go.
+  /// One cycle: about nine tenths of the error go.
   void cycle();
 
   /// Makes the second coarsest level the coarsest until start() is called: dearer cycles that converge
@@ -55,13 +56,16 @@ class MultigridCycle {
   struct Vectors {
     std::vector<Row> b;
     std::vector<Row> u;
+    std::vector<Float4> gaps;
+    std::vector<Float4> forces;
   };
 
-  /// One V-cycle on `level` and below; `gaps_` hold x_a - f_a - c_a, negated, of that level.
-  void descend(std::size_t level);
-  void ascend(std::size_t level);
-  void v_cycle(std::size_t top);
-  std::uint32_t largest_factored() const noexcept;
+  LevelProblem problem(std::size_t level) noexcept;
+  /// u and forces of `level` for its b and gaps, from zero: two cycles, on the coarsest level a solution.
+  void solve(std::size_t level);
+  /// Smooths, corrects from the next level, smooths.
+  void correct(std::size_t level);
+  CoarsestEffort effort() const noexcept;
   void solve_coarsest();
 
   std::vector<std::uint8_t> holds_;  ///< per anchor: 0 where it is alone in its component
@@ -69,8 +73,7 @@ class MultigridCycle {
   std::vector<Level> levels_;
   std::vector<Vectors> vectors_;
   std::vector<Float4> targets_;
-  std::vector<Float4> gaps_;
-  std::vector<Float4> forces_;                             ///< of the last solution on the coarsest level
+  std::vector<std::unique_ptr<TwoSteps>> two_steps_;       ///< per level; null on the finest
   std::size_t bottom_;                                     ///< level that is solved, not coarsened
   std::uint64_t iterations_left_ = 0;                      ///< of conjugate gradients, times nodes
   std::vector<std::unique_ptr<CoarsestSolver>> coarsest_;  ///< per level; null where not needed so far

@@ -12,11 +12,6 @@
 namespace deltamesh::multigrid {
 namespace {
 
-/// Around a vertex of higher degree an aggregate is no local average any more and cycles may settle on
-/// nothing; such a component is factored up to this size.
-constexpr std::uint32_t kLargestDegree = 64;
-constexpr std::uint32_t kLargestDirectWithHub = 5000;
-
 /// The subgraph of the vertices whose component has `wanted` in `key`.
 Group extract(const Adjacency& graph, const Components& components, std::span<const std::uint32_t> anchors,
               std::span<const std::uint32_t> key, std::uint32_t wanted) {
@@ -81,16 +76,11 @@ std::vector<std::uint32_t> component_depths(const Adjacency& graph, const Compon
   std::vector<std::uint32_t> anchor_count(components.count, 0);
   for (const std::uint32_t anchor : anchors) ++anchor_count[components.label[anchor]];
   const std::vector<std::uint32_t> inner_count = count_inner_anchors(graph, components, anchors);
-  std::vector<std::uint32_t> direct_limit(components.count, 0);
-  for (std::uint32_t v = 0; v < graph.vertex_count(); ++v) {
-    if (graph.degree(v) > kLargestDegree) direct_limit[components.label[v]] = kLargestDirectWithHub;
-  }
   std::vector<std::uint32_t> depth(components.count, 0);
   for (std::uint32_t c = 0; c < components.count; ++c) {
-    if (components.size[c] <= SmallComponents::kLargest)
-      depth[c] = kInNoGroup;
-    else if (components.size[c] > direct_limit[c])
-      depth[c] = coarsening_depth(components.size[c] - inner_count[c], anchor_count[c] - inner_count[c]);
+    depth[c] = components.size[c] <= SmallComponents::kLargest
+                   ? kInNoGroup
+                   : coarsening_depth(components.size[c] - inner_count[c], anchor_count[c] - inner_count[c]);
   }
   return depth;
 }
@@ -100,7 +90,7 @@ std::vector<Group> group_components(const Adjacency& graph, Components component
   const std::vector<std::uint32_t> depth = component_depths(graph, components, anchors);
   std::vector<Group> groups;
   if (std::adjacent_find(depth.begin(), depth.end(), std::not_equal_to<>()) == depth.end() &&
-      !depth.empty() && depth.front() > 0 && depth.front() != kInNoGroup) {
+      !depth.empty() && depth.front() != kInNoGroup) {
     groups.push_back(whole(graph, std::move(components), anchors, depth.front()));
     return groups;
   }

@@ -16,7 +16,7 @@ namespace deltamesh::multigrid {
 
 /// Some components of a graph, with their vertices and anchors renumbered in the same order.
 struct Group {
-  std::uint32_t depth = 0;               ///< coarsenings; 0: factored
+  std::uint32_t depth = 0;               ///< coarsenings; 0: to be solved without
   std::vector<std::uint32_t> vertices;   ///< vertex of the whole graph for every vertex here, ascending;
                                          ///< empty: all of them
   std::vector<std::uint32_t> anchors;    ///< vertices here
@@ -31,7 +31,7 @@ struct Group {
 /// In place of a depth: the component is one of SmallComponents.
 inline constexpr std::uint32_t kInNoGroup = ~std::uint32_t{0};
 
-/// Coarsenings of every component; 0: factored. Components of equal depth share a group. Spans as below.
+/// Coarsenings of every component. Components of equal depth share a group. Spans as below.
 std::vector<std::uint32_t> component_depths(const Adjacency& graph, const Components& components,
                                             std::span<const std::uint32_t> anchors);
 

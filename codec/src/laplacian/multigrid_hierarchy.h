@@ -13,9 +13,8 @@
 
 namespace deltamesh::multigrid {
 
-/// How many times a component of `vertices` with `anchors` is coarsened: at least once, then as long as some
-/// kFewestNodesPerAnchor nodes will be left for every anchor. Coarser levels could not tell the anchors
-/// apart.
+/// How many times a component of `vertices` with `anchors` is coarsened: at least once, then as long as about
+/// as many nodes as anchors will be left.
 std::uint32_t coarsening_depth(std::uint32_t vertices, std::uint32_t anchors) noexcept;
 
 /// The finest level and `depth` coarser ones; fewer where coarsening no longer shrinks. `graph` must outlive

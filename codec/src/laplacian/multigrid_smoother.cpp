@@ -9,8 +9,6 @@
 namespace deltamesh::multigrid {
 namespace {
 
-constexpr float kOverRelaxation = 1.2F;
-
 /// Weighted sum of the neighbours' rows.
 template <bool kUnitWeights>
 Row sum_neighbors(const Level& level, std::span<const Row> u, std::uint32_t node) noexcept {
@@ -37,8 +35,8 @@ void smooth_all(const Level& level, std::span<const Row> b, std::span<Row> u) {
       u[i].s = (level.mass[i] > 0 ? 1 / level.mass[i] : 0.0F) * b[i].x;
       continue;
     }
-    u[i].s += kOverRelaxation * (inverse * (sum.s + b[i].s) - u[i].s);
-    u[i].x += kOverRelaxation * (inverse * (sum.x + b[i].x - level.mass[i] * u[i].s) - u[i].x);
+    u[i].s = inverse * (sum.s + b[i].s);
+    u[i].x = inverse * (sum.x + b[i].x - level.mass[i] * u[i].s);
   }
 }
 

@@ -10,7 +10,7 @@
 
 namespace deltamesh::multigrid {
 
-/// One sweep in order: at every node first s from K s = b_s, then x from K x + M s = b_x, over-relaxed.
+/// One sweep in order: at every node first s from K s = b_s, then x from K x + M s = b_x.
 /// `u`, `b`: n. O(n + edges).
 void smooth(const Level& level, std::span<const Row> b, std::span<Row> u);
 

@@ -48,9 +48,9 @@ constexpr int kRounds = 3;
 
 /// Settled: what is still to come is small against the error that quantisation left (rms, largest). To come:
 /// the last change times rate / (1 - rate), where every cycle changes `rate` times as much as the one before.
-constexpr double kSettledRms = 0.1;
+constexpr double kSettledRms = 0.2;
 constexpr double kSettledLargest = 0.8;
-constexpr double kLowestRate = 0.2;
+constexpr double kLowestRate = 0.05;
 constexpr double kHighestRate = 0.7;
 constexpr double kUnknownRate = 0.5;
 
@@ -66,9 +66,12 @@ constexpr double kTolerated = 0.02;
 /// terrain and CAD, 4 to 8 bits, 0.1 to 2 % anchors.
 constexpr double kErrorPerForce = 0.23;
 
-/// Bounds of that estimate, over rms of the deltas: forces tell nothing where every component has one anchor,
-/// and lie while cycles diverge.
-constexpr double kErrorPerDelta = 2e-3;
+/// The same where a vertex has more than kMostNeighbors: no vertex is far from an anchor there, and errors do
+/// not add up on the way to one.
+constexpr std::uint32_t kMostNeighbors = 64;
+constexpr double kErrorPerForceWithHub = 0.02 * kErrorPerForce;
+
+/// Bound of that estimate, over rms of the deltas: forces lie while cycles diverge.
 constexpr double kMaxErrorPerDelta = 2;
 
 Float4 to_float4(const Vec3& v) noexcept {
@@ -77,6 +80,13 @@ Float4 to_float4(const Vec3& v) noexcept {
 
 Vec3 to_vec3(Float4 v) noexcept { return {v[0], v[1], v[2]}; }
 
+bool has_hub(const Adjacency& graph) noexcept {
+  for (std::uint32_t v = 0; v < graph.vertex_count(); ++v) {
+    if (graph.degree(v) > kMostNeighbors) return true;
+  }
+  return false;
+}
+
 /// One group's problem and its solution in the making.
 class GroupSolver {
  public:
@@ -84,6 +94,7 @@ class GroupSolver {
       : group_(std::move(group)),
         cycles_(*group_.graph, group_.components, group_.anchors, group_.depth),
         targets_(group_.anchors.size()),
+        has_hub_(has_hub(*group_.graph)),
         change_(group_.components.count),
         bad_(group_.components.count) {}
 
@@ -230,16 +241,33 @@ class GroupSolver {
     double deltas = 0;
     for (const Vec3& delta : deltas_) deltas += dot(delta, delta);
     deltas = std::sqrt(deltas / static_cast<double>(deltas_.size()));
+    const double error =
+        targets_.size() == group_.components.count ? error_of_lone_anchors() : error_of_forces();
+    return std::clamp(error, 0.0, kMaxErrorPerDelta * deltas);
+  }
+
+  double error_of_forces() noexcept {
     const auto anchors = static_cast<double>(targets_.size());
-    if (targets_.size() == group_.components.count) return kErrorPerDelta * deltas;
     double forces = 0;
     for (std::size_t a = 0; a < targets_.size(); ++a) {
       const Vec3 force = to_vec3(cycles_.force(a));
       forces += dot(force, force);
     }
-    const double error =
-        kErrorPerForce * std::sqrt(forces / anchors) * static_cast<double>(x_.size()) / anchors;
-    return std::clamp(error, 0.0, kMaxErrorPerDelta * deltas);
+    return (has_hub_ ? kErrorPerForceWithHub : kErrorPerForce) * std::sqrt(forces / anchors) *
+           static_cast<double>(x_.size()) / anchors;
+  }
+
+  /// Forces tell nothing where every component has one anchor, but there s is constant: the mean of the
+  /// errors of its n deltas. Theirs is about sqrt(n) times as large, and the low-frequency error's as much
+  /// again, or more: 1.7 to 16 times the estimate, on scans, terrain and CAD.
+  double error_of_lone_anchors() noexcept {
+    double sum = 0;
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+      const Vec3 s = to_vec3(cycles_.solution()[i].s);
+      const double size = group_.components.size[group_.components.label[i]];
+      sum += size * size * dot(s, s);
+    }
+    return std::sqrt(sum / static_cast<double>(x_.size()));
   }
 
   /// Largest coordinate of an anchor, relative to the centre.
@@ -297,6 +325,7 @@ class GroupSolver {
   std::vector<Vec3> own_deltas_;
   std::vector<Vec3> own_x_;
   std::vector<Vec3> targets_;
+  bool has_hub_;
   std::vector<Change> change_;
   std::vector<std::uint8_t> bad_;
 };
@@ -305,28 +334,19 @@ class MultigridSolver final : public LeastSquaresSolver {
  public:
   explicit MultigridSolver(SmallComponents small) : small_(std::move(small)) {}
 
-  Result<void> add(Group group) {
-    if (group.depth > 0) {
-      iterated_.push_back(std::make_unique<GroupSolver>(std::move(group)));
-      return {};
-    }
-    DELTAMESH_TRY(factored_, FactoredGroup::make(std::move(group)));
-    return {};
-  }
+  void add(Group group) { groups_.push_back(std::make_unique<GroupSolver>(std::move(group))); }
 
   Result<void> solve(std::span<const Vec3> deltas, std::span<const Vec3> anchor_positions,
                      std::span<Vec3> x) override {
     std::fill(x.begin(), x.end(), Vec3{});
     DELTAMESH_CHECK(small_.solve(deltas, anchor_positions, x));
-    if (factored_) DELTAMESH_CHECK(factored_->solve(deltas, anchor_positions, x));
-    for (const auto& group : iterated_) DELTAMESH_CHECK(group->solve(deltas, anchor_positions, x));
+    for (const auto& group : groups_) DELTAMESH_CHECK(group->solve(deltas, anchor_positions, x));
     return {};
   }
 
  private:
   SmallComponents small_;
-  std::unique_ptr<FactoredGroup> factored_;  ///< null where there are no hubs
-  std::vector<std::unique_ptr<GroupSolver>> iterated_;
+  std::vector<std::unique_ptr<GroupSolver>> groups_;
 };
 
 }  // namespace
@@ -336,7 +356,7 @@ Result<std::unique_ptr<LeastSquaresSolver>> make_multigrid_solver(const Adjacenc
   Components components = find_components(graph);
   auto solver = std::make_unique<MultigridSolver>(SmallComponents(graph, components, anchors));
   for (Group& group : multigrid::group_components(graph, std::move(components), anchors))
-    DELTAMESH_CHECK(solver->add(std::move(group)));
+    solver->add(std::move(group));
   return std::unique_ptr<LeastSquaresSolver>(std::move(solver));
 }
 

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "laplacian/multigrid_galerkin.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace deltamesh::multigrid {
+namespace {
+
+struct Entry {
+  std::uint32_t node;
+  float weight;
+};
+
+/// Rows of P^T: the nodes interpolated from c are entries[start[c] .. start[c + 1]), ascending.
+struct Transpose {
+  Transpose(const Level& fine, std::uint32_t nodes) : start(nodes + 1, 0) {
+    for (const Interpolation& p : fine.interpolation) {
+      for (std::size_t k = 0; k < 3; ++k) start[p.node[k] + 1] += p.weight[k] > 0 ? 1 : 0;
+    }
+    for (std::size_t c = 0; c < nodes; ++c) start[c + 1] += start[c];
+    entries.resize(start[nodes]);
+    std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
+    for (std::uint32_t i = 0; i < fine.interpolation.size(); ++i) {
+      const Interpolation& p = fine.interpolation[i];
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (p.weight[k] > 0) entries[next[p.node[k]]++] = {i, p.weight[k]};
+      }
+    }
+  }
+  std::vector<std::uint32_t> start;
+  std::vector<Entry> entries;
+};
+
+/// One row of a sparse matrix at a time, sums over columns met in any order.
+class RowSums {
+ public:
+  explicit RowSums(std::uint32_t columns) : sums_(columns, 0.0F), row_of_(columns, ~std::uint32_t{0}) {}
+
+  void begin(std::uint32_t row) {
+    row_ = row;
+    row_of_[row] = row;  // the diagonal is not asked for
+    touched_.clear();
+  }
+  void add(const Interpolation& p, float factor) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t column = p.node[k];
+      if (row_of_[column] != row_) {
+        row_of_[column] = row_;
+        sums_[column] = 0;
+        touched_.push_back(column);
+      }
+      sums_[column] += factor * p.weight[k];
+    }
+  }
+  const std::vector<std::uint32_t>& touched() const noexcept { return touched_; }
+  float operator[](std::uint32_t column) const noexcept { return sums_[column]; }
+
+ private:
+  std::uint32_t row_ = 0;
+  std::vector<float> sums_;
+  std::vector<std::uint32_t> row_of_;
+  std::vector<std::uint32_t> touched_;
+};
+
+/// Row c of -P^T K P.
+void sum_row(const Level& fine, std::span<const Entry> members, RowSums& sums) {
+  for (const Entry& member : members) {
+    const std::uint32_t i = member.node;
+    for (std::uint32_t e = fine.offsets[i]; e < fine.offsets[i + 1]; ++e)
+      sums.add(fine.interpolation[fine.neighbors[e]], member.weight * fine.weight(e));
+    sums.add(fine.interpolation[i], -member.weight * fine.degree[i]);
+  }
+}
+
+/// Positive entries right of the diagonal, row by row, and the largest of every whole row.
+struct UpperHalf {
+  std::vector<std::uint32_t> start;
+  std::vector<Entry> entries;
+  std::vector<float> largest;
+};
+
+bool make_upper_half(const Level& fine, std::uint32_t nodes, UpperHalf& upper) {
+  const Transpose transpose(fine, nodes);
+  RowSums sums(nodes);
+  upper.start.reserve(nodes + 1);
+  upper.start.push_back(0);
+  upper.largest.reserve(nodes);
+  for (std::uint32_t c = 0; c < nodes; ++c) {
+    sums.begin(c);
+    sum_row(
+        fine,
+        std::span(transpose.entries).subspan(transpose.start[c], transpose.start[c + 1] - transpose.start[c]),
+        sums);
+    float largest = 0;
+    for (const std::uint32_t other : sums.touched()) {
+      largest = std::max(largest, sums[other]);
+      if (other > c && sums[other] > 0) upper.entries.push_back({other, sums[other]});
+    }
+    if (upper.entries.size() > fine.neighbors.size() / 2) return false;
+    upper.start.push_back(static_cast<std::uint32_t>(upper.entries.size()));
+    upper.largest.push_back(largest);
+  }
+  return true;
+}
+
+/// Keeps the entries that are not small.
+void drop_small(UpperHalf& upper, float smallest) {
+  std::uint32_t kept = 0;
+  std::uint32_t first = 0;
+  for (std::uint32_t c = 0; c < upper.largest.size(); ++c) {
+    const std::uint32_t end = upper.start[c + 1];
+    for (std::uint32_t e = first; e < end; ++e) {
+      const Entry entry = upper.entries[e];
+      if (entry.weight >= smallest * std::min(upper.largest[c], upper.largest[entry.node]))
+        upper.entries[kept++] = entry;
+    }
+    first = end;
+    upper.start[c + 1] = kept;
+  }
+  upper.entries.resize(kept);
+}
+
+/// Both halves, in every row first the edges to lower nodes.
+void mirror(const UpperHalf& upper, Level& coarse) {
+  const auto nodes = static_cast<std::uint32_t>(upper.largest.size());
+  std::vector<std::uint32_t>& offsets = coarse.storage.offsets;
+  offsets.assign(nodes + 1, 0);
+  for (std::uint32_t c = 0; c < nodes; ++c) offsets[c + 1] = upper.start[c + 1] - upper.start[c];
+  for (const Entry& entry : upper.entries) ++offsets[entry.node + 1];
+  for (std::uint32_t c = 0; c < nodes; ++c) offsets[c + 1] += offsets[c];
+  coarse.storage.neighbors.resize(offsets[nodes]);
+  coarse.weights.resize(offsets[nodes]);
+  std::vector<std::uint32_t> next(offsets.begin(), offsets.end() - 1);
+  const auto put = [&](std::uint32_t from, std::uint32_t to, float weight) {
+    coarse.storage.neighbors[next[from]] = to;
+    coarse.weights[next[from]++] = weight;
+  };
+  for (std::uint32_t c = 0; c < nodes; ++c) {
+    for (std::uint32_t e = upper.start[c]; e < upper.start[c + 1]; ++e) {
+      put(c, upper.entries[e].node, upper.entries[e].weight);
+      put(upper.entries[e].node, c, upper.entries[e].weight);
+    }
+  }
+  coarse.offsets = coarse.storage.offsets;
+  coarse.neighbors = coarse.storage.neighbors;
+}
+
+}  // namespace
+
+bool make_galerkin_graph(const Level& fine, std::uint32_t nodes, float smallest, Level& coarse) {
+  UpperHalf upper;
+  if (!make_upper_half(fine, nodes, upper)) return false;
+  drop_small(upper, smallest);
+  mirror(upper, coarse);
+  coarse.degree.resize(nodes);
+  coarse.inverse_degree.resize(nodes);
+  for (std::uint32_t c = 0; c < nodes; ++c) {
+    float degree = 0;
+    for (std::uint32_t e = coarse.offsets[c]; e < coarse.offsets[c + 1]; ++e) degree += coarse.weights[e];
+    coarse.degree[c] = degree;
+    coarse.inverse_degree[c] = degree > 0 ? 1 / degree : 0;
+  }
+  return true;
+}
+
+}  // namespace deltamesh::multigrid
