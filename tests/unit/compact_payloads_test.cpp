@@ -136,6 +136,29 @@ TEST(CompactDeltas, FLD1RejectsNumbersBeyondTheirRange) {
   EXPECT_STREQ(read.error().rule, "FLD-1");
 }
 
+TEST(CompactDeltas, FLD8TakesTwoWalksInTurns) {
+  for (const int side : {2, 5, 6}) {
+    const auto mesh = test::sheet(side, side);
+    const auto n = static_cast<std::uint32_t>(mesh.graph.vertex_count());
+    const auto deltas = random_deltas(3 * n, 9, 40);
+    const auto at = [&](std::uint32_t v) {
+      return FieldNumbers{deltas[v], deltas[n + v], deltas[2 * n + v]};
+    };
+    CompactWriter writer;
+    FieldCoder field(writer, mesh.graph, (n + 1) / 2);
+    for (std::uint32_t v = 0; v < n / 2; ++v) {
+      FieldNumbers q = at(v);
+      FieldNumbers p = at((n + 1) / 2 + v);
+      EXPECT_TRUE(field.code_pair(v, (n + 1) / 2 + v, q, p));
+    }
+    FieldNumbers last = at(n / 2);
+    if (n % 2 != 0) {
+      EXPECT_TRUE(field.code_vertex(n / 2, last, 3));
+    }
+    EXPECT_EQ(writer.finish(), write_compact_deltas(deltas, mesh.graph));
+  }
+}
+
 TEST(CompactDeltas, SmoothNeighborhoodsPay) {
   const auto mesh = test::sheet(60, 60);
   const std::size_t n = mesh.graph.vertex_count();

@@ -152,18 +152,26 @@ TEST(Compact, CMP5LanesNeverFallAndEverySymbolStaysPossible) {
 }
 
 TEST(Compact, CMP6WeightsKeepTheirSum) {
+  constexpr SymbolModel kFresh({1, 1, 1, 1, 1, 1, 1, 9, 1, 1, 1, 1, 1, 1, 1, 1});
+  std::array<SymbolModel, 4> models = {kFresh, kFresh, kFresh, kFresh};
   MixWeights<4> weights;
   test::RandomBits random(5);
-  for (int i = 0; i < 5000; ++i) {
-    weights.learn(
-        {static_cast<std::int32_t>(random() % 32512), static_cast<std::int32_t>(random() % 100), 0, 32512},
-        2 + random() % 32000);
+  // One model is right for long, then another; some symbols no model expects.
+  for (int i = 0; i < 40000; ++i) {
+    const unsigned right = (i / 3000) % 4;
+    const Mixture<4> mixture{{&models[0], &models[1], &models[2], &models[3]}, &weights};
+    for (unsigned k = 0; k < 4; ++k) models[k].learn(k == right ? 3 : 12);
+    const unsigned symbol = random() % 50 == 0 ? random() % 16 : 3;
+    mixture.learn(symbol, interval_of(mixture.starts(), symbol).size);
     std::uint32_t sum = 0;
     for (std::size_t k = 0; k < 4; ++k) {
       ASSERT_GE(weights.values()[k], 512U);
       sum += weights.values()[k];
     }
     ASSERT_EQ(sum, 32994U);
+    if (i % 3000 == 2999) {
+      EXPECT_GT(weights.values()[right], 27000U);
+    }
   }
 }
 
@@ -190,15 +198,24 @@ TEST(Compact, VectorLoopsEqualThePlainOnes) {
     Lanes fast = lanes;
     Lanes slow = lanes;
     const Pulls pulls = make_pulls(goal);
-    pull_lanes(fast, pulls[symbol], rate);
-    plain::pull_lanes(slow, pulls[symbol], rate);
+    pull_lanes(fast.data(), pulls[symbol], rate);
+    plain::pull_lanes(slow.data(), pulls[symbol], rate);
     EXPECT_EQ(fast, slow);
-    const auto weight = static_cast<std::uint16_t>(random() % 32995);
+    const auto weight = static_cast<std::uint16_t>(512 + random() % 31971);
     LaneSum fast_sum(Mixture<2>::kFloor);
     plain::LaneSum slow_sum(Mixture<2>::kFloor);
-    const std::array<std::uint16_t, 2> weights = {weight, static_cast<std::uint16_t>(32994 - weight)};
-    fast_sum.add_weighted<2>({&lanes, &fast}, weights);
-    slow_sum.add_weighted<2>({&lanes, &fast}, weights);
+    std::array<std::uint16_t, 4> weights = {weight, static_cast<std::uint16_t>(32994 - weight)};
+    fast_sum.add_weighted<2>({lanes.data(), fast.data()}, weights);
+    slow_sum.add_weighted<2>({lanes.data(), fast.data()}, weights);
+    LaneSum fast_one(Mixture<1>::kFloor);
+    plain::LaneSum slow_one(Mixture<1>::kFloor);
+    fast_one.add_weighted<1>({lanes.data()}, {32994});
+    slow_one.add_weighted<1>({lanes.data()}, {32994});
+    Lanes fast_alone;
+    Lanes slow_alone;
+    fast_one.store(fast_alone);
+    slow_one.store(slow_alone);
+    EXPECT_EQ(fast_alone, slow_alone);
     Lanes fast_stored;
     Lanes slow_stored;
     fast_sum.store(fast_stored);

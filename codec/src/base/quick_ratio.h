@@ -7,8 +7,9 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstdint>
+
+#include "base/floor_log2.h"
 
 namespace deltamesh {
 
@@ -24,7 +25,7 @@ inline constexpr std::array<std::uint32_t, 512> kReciprocals = [] {
 /// About a / b in parts of 2^12, at most 8 in size; exact up to the ten highest bits of b [CMP-9].
 /// `a`: less than 2^40 in size; `b`: 1 to 2^40.
 constexpr std::int32_t quick_ratio(std::int64_t a, std::int64_t b) noexcept {
-  const auto width = static_cast<unsigned>(std::bit_width(static_cast<std::uint64_t>(b)));
+  const auto width = floor_log2(static_cast<std::uint64_t>(b)) + 1;
   const std::uint64_t top = (static_cast<std::uint64_t>(b) << 10) >> width;
   const std::int64_t ratio = (a * kReciprocals[top - 512]) >> (width + 3);
   return static_cast<std::int32_t>(std::clamp<std::int64_t>(ratio, -(8 << kRatioBits), 8 << kRatioBits));

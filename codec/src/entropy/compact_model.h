@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -16,6 +17,12 @@ namespace deltamesh {
 /// Probabilities are parts of 2^15 [CMP-2].
 inline constexpr unsigned kProbabilityBits = 15;
 inline constexpr std::uint32_t kProbabilityOne = 1U << kProbabilityBits;
+
+/// Between symbols the state is in [2^31, 2^63) [CMP-1].
+inline constexpr std::uint64_t kRansFloor = std::uint64_t{1} << 31;
+
+/// More raw bits go in pieces [CMP-2].
+inline constexpr unsigned kMostBitsAtOnce = 16;
 
 /// A symbol's share of [0, 2^15).
 struct Interval {
@@ -33,49 +40,49 @@ constexpr Interval part_of(std::uint32_t value, std::uint32_t range) noexcept {
 inline constexpr std::int16_t kLaneOne = 32512;
 
 /// Distribution of one symbol in one context. Lane i holds the probability of a symbol below i.
-struct alignas(16) SymbolModel {
-  Lanes lanes{};
-  std::int16_t all = kLaneOne;  ///< what would be the lane after the last
-  std::uint16_t seen = 0;
-
+class alignas(16) SymbolModel {
+ public:
   /// `weights`: 16 relative frequencies, sum above 0, below 2^16.
   explicit constexpr SymbolModel(const std::array<std::uint8_t, kSymbols>& weights) noexcept {
     std::uint32_t sum = 0;
     for (const std::uint8_t w : weights) sum += w;
     std::uint32_t below = 0;
     for (unsigned i = 0; i < kSymbols; ++i) {
-      lanes[i] = static_cast<std::int16_t>(below * static_cast<std::uint32_t>(kLaneOne) / sum);
+      lanes_[i] = static_cast<std::int16_t>(below * static_cast<std::uint32_t>(kLaneOne) / sum);
       below += weights[i];
     }
+    lanes_[kSymbols] = kLaneOne;
   }
 
+  const std::int16_t* lanes() const noexcept { return lanes_.data(); }
+
   /// Probability of `symbol`, parts of kLaneOne.
-  std::int32_t share(unsigned symbol) const noexcept {
-    return (symbol + 1 == kSymbols ? all : lanes[symbol + 1]) - lanes[symbol];
-  }
+  std::int32_t share(unsigned symbol) const noexcept { return lanes_[symbol + 1] - lanes_[symbol]; }
 
   /// Moves the lanes towards `symbol` by 2^-rate of the way, rounded away from where they are, at least
   /// to 1 / 128 of the way as more and more symbols were seen [CMP-5].
-  void learn(unsigned symbol) noexcept {
-    const unsigned rate = kRates[seen];
-    seen = static_cast<std::uint16_t>(seen + (seen + 1U < kRates.size() ? 1 : 0));
-    pull_lanes(lanes, kPulls[rate][symbol], rate);
+  [[gnu::always_inline]] void learn(unsigned symbol) noexcept {
+    const unsigned rate = rate_;
+    if (--left_ == 0 && rate < kLastRate) {
+      ++rate_;
+      left_ = static_cast<std::uint8_t>(1U << rate_);
+    }
+    pull_lanes(lanes_.data(), kPulls[rate][symbol], rate);
   }
 
  private:
-  static constexpr std::array<std::uint8_t, 125> kRates = [] {
-    std::array<std::uint8_t, 125> rates{};
-    for (unsigned n = 0; n < rates.size(); ++n)
-      rates[n] = n < 4 ? 2 : n < 12 ? 3 : n < 28 ? 4 : n < 60 ? 5 : n < 124 ? 6 : 7;
-    return rates;
-  }();
+  static constexpr unsigned kLastRate = 7;
   /// By rate: the goal is as far beyond kLaneOne as rounding needs.
-  static constexpr std::array<Pulls, 8> kPulls = [] {
-    std::array<Pulls, 8> pulls{};
+  static constexpr std::array<Pulls, kLastRate + 1> kPulls = [] {
+    std::array<Pulls, kLastRate + 1> pulls{};
     for (unsigned rate = 0; rate < pulls.size(); ++rate)
       pulls[rate] = make_pulls(static_cast<std::int16_t>(kLaneOne + (1 << rate) - 1));
     return pulls;
   }();
+
+  std::array<std::int16_t, kSymbols + 1> lanes_{};  ///< the last is after all symbols and stays
+  std::uint8_t rate_ = 2;
+  std::uint8_t left_ = 2;  ///< symbols before the rate goes up, then around and around
 };
 
 /// Weights of `K` models, learnt [CMP-6].
@@ -83,24 +90,33 @@ template <std::size_t K>
 class MixWeights {
  public:
   constexpr MixWeights() noexcept {
-    weights_.fill(static_cast<std::uint16_t>(kWeightOne / K));
-    weights_.back() = static_cast<std::uint16_t>(kWeightOne - (K - 1) * (kWeightOne / K));
+    for (std::size_t k = 0; k < K; ++k) weights_[k] = static_cast<std::uint16_t>(kWeightOne / K);
+    weights_[K - 1] = static_cast<std::uint16_t>(kWeightOne - (K - 1) * (kWeightOne / K));
   }
 
-  const std::array<std::uint16_t, K>& values() const noexcept { return weights_; }
+  /// Four of them, the first K in use.
+  const std::array<std::uint16_t, 4>& values() const noexcept { return weights_; }
 
-  /// `shares`: probability that each model gave the symbol; `size`: what the mixture gave it.
-  void learn(const std::array<std::int32_t, K>& shares, std::uint32_t size) noexcept {
-    const auto inverse = static_cast<std::int64_t>((1U << 24) / size);
+  /// Moves each weight by 1 / 64 of the way to the model's share in what the mixture gave the symbol, but for
+  /// a part that it always has. `shares`: probability that each model gave the symbol; `size`: what the
+  /// mixture gave it.
+  [[gnu::always_inline]] void learn(const std::array<std::int32_t, K>& shares, std::uint32_t size) noexcept {
+    // The shares' mean may exceed the size by rounding, up to K - 2.
+    const std::uint64_t inverse = kLearnt / (size + K - 2);
+    std::uint64_t all = 0;  // stored at once, as they are soon read
     std::uint32_t rest = kWeightOne;
     for (std::size_t k = 0; k + 1 < K; ++k) {
-      const std::int64_t gain = (shares[k] - static_cast<std::int32_t>(size)) * inverse;  // of 2^24
-      const std::int64_t moved = weights_[k] + ((weights_[k] * gain) >> (24 + kSlowness));
-      const std::int64_t most = rest - kLeastWeight * (K - 1 - k);
-      weights_[k] = static_cast<std::uint16_t>(std::clamp<std::int64_t>(moved, kLeastWeight, most));
-      rest -= weights_[k];
+      const std::uint32_t before = weights_[k];
+      const auto goal = static_cast<std::int32_t>(
+          (before * static_cast<std::uint32_t>(shares[k]) * inverse) >> kLearntBits);
+      const std::int32_t way =
+          goal + static_cast<std::int32_t>(kLeastWeight) - static_cast<std::int32_t>(before);
+      const std::uint32_t weight = before + static_cast<std::uint32_t>(way >> kSlowness);
+      all |= std::uint64_t{weight} << (16 * k);
+      rest -= weight;
     }
-    weights_.back() = static_cast<std::uint16_t>(rest);
+    all |= std::uint64_t{rest} << (16 * (K - 1));
+    weights_ = std::bit_cast<std::array<std::uint16_t, 4>>(all);
   }
 
  private:
@@ -108,9 +124,14 @@ class MixWeights {
   /// all symbols alike.
   static constexpr std::uint32_t kWeightOne = 32994;
   static constexpr std::uint32_t kLeastWeight = 512;
-  static constexpr unsigned kSlowness = 6;
+  static constexpr unsigned kSlowness = 5;
+  static constexpr unsigned kLearntBits = 24;
+  /// 2^24, less what a model always has.
+  static constexpr std::uint32_t kLearnt =
+      (std::uint64_t{kWeightOne - K * kLeastWeight} << kLearntBits) / kWeightOne;
 
-  std::array<std::uint16_t, K> weights_{};
+  static_assert(K >= 1 && K <= 4);
+  std::array<std::uint16_t, 4> weights_{};
 };
 
 /// The interval of `symbol` under Mixture::starts().
@@ -134,14 +155,14 @@ struct Mixture {
 
   /// Lane i: parts of 2^15 of the symbols below i; each symbol has 2 at least [CMP-6].
   LaneSum starts() const noexcept {
-    std::array<const Lanes*, K> lanes;
-    for (std::size_t k = 0; k < K; ++k) lanes[k] = &models[k]->lanes;
+    std::array<const std::int16_t*, K> lanes;
+    for (std::size_t k = 0; k < K; ++k) lanes[k] = models[k]->lanes();
     LaneSum sum(kFloor);
-    sum.add_weighted(lanes, weights->values());
+    sum.template add_weighted<K>(lanes, weights->values());
     return sum;
   }
 
-  void learn(unsigned symbol, std::uint32_t size) noexcept {
+  [[gnu::always_inline]] void learn(unsigned symbol, std::uint32_t size) const noexcept {
     std::array<std::int32_t, K> shares;
     for (std::size_t k = 0; k < K; ++k) {
       if constexpr (K > 1) shares[k] = models[k]->share(symbol);

@@ -14,9 +14,6 @@
 
 namespace deltamesh {
 
-/// Between symbols the state is in [2^31, 2^63) [CMP-1].
-inline constexpr std::uint64_t kRansFloor = std::uint64_t{1} << 31;
-
 /// Reads what CompactWriter wrote. Past the end words are 0 and failed() stays set; finish() reports it and
 /// is mandatory. The first argument of symbol(), bit(), bits() and number() is ignored: it makes them
 /// callable like the writer's.
@@ -27,7 +24,7 @@ class CompactReader {
   explicit CompactReader(std::span<const std::byte> bytes) noexcept;
 
   template <std::size_t K>
-  unsigned symbol(unsigned, Mixture<K> mixture) noexcept {
+  [[gnu::always_inline]] unsigned symbol(unsigned, const Mixture<K>& mixture) noexcept {
     const LaneSum starts = mixture.starts();
     const unsigned symbol = starts.find(static_cast<std::int16_t>(slot_of_state()));
     const Interval interval = interval_of(starts, symbol);
@@ -54,16 +51,9 @@ class CompactReader {
   }
 
   std::uint32_t bits(std::uint32_t, unsigned count) noexcept {
-    std::uint32_t value = 0;
-    for (unsigned left = count; left > 0;) {
-      const unsigned now = std::min(left, kProbabilityBits);
-      left -= now;
-      const unsigned shift = kProbabilityBits - now;
-      const std::uint32_t part = slot_of_state() >> shift;
-      take({part << shift, 1U << shift});
-      value = value << now | part;
-    }
-    return value;
+    if (count <= kMostBitsAtOnce) return take_bits(count);
+    const std::uint32_t low = take_bits(kMostBitsAtOnce);
+    return low | take_bits(count - kMostBitsAtOnce) << kMostBitsAtOnce;
   }
 
   std::uint32_t uniform(std::uint32_t, std::uint32_t range) noexcept {
@@ -90,12 +80,18 @@ class CompactReader {
     advance(interval.size * (state_ >> kProbabilityBits) + slot_of_state() - interval.start);
   }
 
+  std::uint32_t take_bits(unsigned count) noexcept {
+    const auto value = static_cast<std::uint32_t>(state_) & ((1U << count) - 1);
+    advance(state_ >> count);
+    return value;
+  }
+
   void advance(std::uint64_t state) noexcept {
     state_ = state < kRansFloor ? state << 32 | next_word() : state;
   }
 
   std::uint32_t next_word() noexcept {
-    if (bytes_.size() < position_ + 4) {
+    if (bytes_.size() - position_ < 4) {
       failed_ = true;
       return 0;
     }

@@ -13,7 +13,7 @@
 
 namespace deltamesh {
 
-/// Collects intervals, which finish() turns into one rANS stream. The functions have the names and the
+/// Collects decisions, which finish() turns into one rANS stream. The functions have the names and the
 /// results of CompactReader's, so that one template serves both directions; here each returns its first
 /// argument. Memory: 4 bytes per symbol until finish().
 class CompactWriter {
@@ -22,7 +22,7 @@ class CompactWriter {
 
   /// `value` below 16.
   template <std::size_t K>
-  unsigned symbol(unsigned value, Mixture<K> mixture) {
+  [[gnu::always_inline]] unsigned symbol(unsigned value, const Mixture<K>& mixture) {
     const Interval interval = interval_of(mixture.starts(), value);
     put(interval);
     mixture.learn(value, interval.size);
@@ -43,11 +43,11 @@ class CompactWriter {
 
   /// The lowest `count` (0 to 32) bits of `value`, the higher ones being 0.
   std::uint32_t bits(std::uint32_t value, unsigned count) {
-    for (unsigned left = count; left > 0;) {
-      const unsigned now = std::min(left, kProbabilityBits);
-      left -= now;
-      const std::uint32_t part = (value >> left) & ((1U << now) - 1);
-      put({part << (kProbabilityBits - now), 1U << (kProbabilityBits - now)});
+    if (count > kMostBitsAtOnce) {
+      put_bits(value & ((1U << kMostBitsAtOnce) - 1), kMostBitsAtOnce);
+      put_bits(value >> kMostBitsAtOnce, count - kMostBitsAtOnce);
+    } else if (count > 0) {
+      put_bits(value, count);
     }
     return value;
   }
@@ -64,12 +64,18 @@ class CompactWriter {
   std::vector<std::byte> finish();
 
   /// Room for this many decisions, so that nothing moves while they come.
-  void reserve(std::size_t decisions) { intervals_.reserve(decisions); }
+  void reserve(std::size_t decisions) { decisions_.reserve(decisions); }
 
  private:
-  void put(Interval interval) { intervals_.push_back(interval.start << 16 | interval.size); }
+  /// Marks bits among intervals, whose sizes are smaller.
+  static constexpr std::uint32_t kBitsMark = 0x8000;
 
-  std::vector<std::uint32_t> intervals_;
+  void put(Interval interval) { decisions_.push_back(interval.start << 16 | interval.size); }
+  void put_bits(std::uint32_t value, unsigned count) {
+    decisions_.push_back(value << 16 | kBitsMark | count);
+  }
+
+  std::vector<std::uint32_t> decisions_;  ///< intervals and bits
 };
 
 }  // namespace deltamesh

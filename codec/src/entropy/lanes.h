@@ -18,7 +18,7 @@ namespace deltamesh {
 
 inline constexpr unsigned kSymbols = 16;
 
-using Lanes = std::array<std::int16_t, kSymbols>;
+struct alignas(16) Lanes : std::array<std::int16_t, kSymbols> {};
 
 /// Where lanes are pulled to: those up to s to 0, the others to `goal`.
 using Pulls = std::array<Lanes, kSymbols>;
@@ -32,7 +32,7 @@ constexpr Pulls make_pulls(std::int16_t goal) noexcept {
 namespace plain {
 
 /// lane += (pull - lane) >> rate
-constexpr void pull_lanes(Lanes& lanes, const Lanes& pull, unsigned rate) noexcept {
+constexpr void pull_lanes(std::int16_t* lanes, const Lanes& pull, unsigned rate) noexcept {
   for (unsigned i = 0; i < kSymbols; ++i)
     lanes[i] = static_cast<std::int16_t>(lanes[i] + ((pull[i] - lanes[i]) >> rate));
 }
@@ -42,13 +42,14 @@ class LaneSum {
  public:
   explicit constexpr LaneSum(const Lanes& lanes) noexcept : lanes_(lanes) {}
 
-  /// Adds 2 * lanes * weights[k] / 2^16 for all k, rounded down each; lanes not negative.
+  /// Adds 2 * lanes * weights[k] / 2^16 for all k, rounded down each; lanes not negative, 16 each, the
+  /// weights below 2^15, but for that of one alone.
   template <std::size_t K>
-  constexpr void add_weighted(const std::array<const Lanes*, K>& lanes,
-                              const std::array<std::uint16_t, K>& weights) noexcept {
+  constexpr void add_weighted(const std::array<const std::int16_t*, K>& lanes,
+                              const std::array<std::uint16_t, 4>& weights) noexcept {
     for (std::size_t k = 0; k < K; ++k) {
       for (unsigned i = 0; i < kSymbols; ++i) {
-        const std::uint32_t twice = 2 * static_cast<std::uint32_t>((*lanes[k])[i]);
+        const std::uint32_t twice = 2 * static_cast<std::uint32_t>(lanes[k][i]);
         lanes_[i] =
             static_cast<std::int16_t>(lanes_[i] + static_cast<std::int32_t>((twice * weights[k]) >> 16));
       }
@@ -72,18 +73,19 @@ class LaneSum {
 
 #if defined(__SSE2__)
 
-inline __m128i load_lanes(const Lanes& lanes, std::size_t half) noexcept {
-  return _mm_loadu_si128(reinterpret_cast<const __m128i*>(lanes.data() + 8 * half));
+/// Lanes are aligned to 16 bytes.
+inline __m128i load_lanes(const std::int16_t* lanes, std::size_t half) noexcept {
+  return _mm_load_si128(reinterpret_cast<const __m128i*>(lanes + 8 * half));
 }
-inline void store_lanes(Lanes& lanes, std::size_t half, __m128i value) noexcept {
-  _mm_storeu_si128(reinterpret_cast<__m128i*>(lanes.data() + 8 * half), value);
+inline void store_lanes(std::int16_t* lanes, std::size_t half, __m128i value) noexcept {
+  _mm_store_si128(reinterpret_cast<__m128i*>(lanes + 8 * half), value);
 }
 
-inline void pull_lanes(Lanes& lanes, const Lanes& pull, unsigned rate) noexcept {
+inline void pull_lanes(std::int16_t* lanes, const Lanes& pull, unsigned rate) noexcept {
   const __m128i shift = _mm_cvtsi32_si128(static_cast<int>(rate));
   for (std::size_t half = 0; half < 2; ++half) {
     const __m128i now = load_lanes(lanes, half);
-    const __m128i way = _mm_sub_epi16(load_lanes(pull, half), now);
+    const __m128i way = _mm_sub_epi16(load_lanes(pull.data(), half), now);
     store_lanes(lanes, half, _mm_add_epi16(now, _mm_sra_epi16(way, shift)));
   }
 }
@@ -91,16 +93,24 @@ inline void pull_lanes(Lanes& lanes, const Lanes& pull, unsigned rate) noexcept 
 /// The same in registers.
 class LaneSum {
  public:
-  explicit LaneSum(const Lanes& lanes) noexcept : low_(load_lanes(lanes, 0)), high_(load_lanes(lanes, 1)) {}
+  explicit LaneSum(const Lanes& lanes) noexcept
+      : low_(load_lanes(lanes.data(), 0)), high_(load_lanes(lanes.data(), 1)) {}
 
   template <std::size_t K>
-  void add_weighted(const std::array<const Lanes*, K>& lanes,
-                    const std::array<std::uint16_t, K>& weights) noexcept {
-    for (std::size_t k = 0; k < K; ++k) {
-      const __m128i weight = _mm_set1_epi16(static_cast<std::int16_t>(weights[k]));
-      low_ = _mm_add_epi16(low_, _mm_mulhi_epu16(_mm_slli_epi16(load_lanes(*lanes[k], 0), 1), weight));
-      high_ = _mm_add_epi16(high_, _mm_mulhi_epu16(_mm_slli_epi16(load_lanes(*lanes[k], 1), 1), weight));
+  void add_weighted(const std::array<const std::int16_t*, K>& lanes,
+                    const std::array<std::uint16_t, 4>& weights) noexcept {
+    // Twice the weights, as a lane's double may be too large; twice that of one alone is too, by 2^16.
+    __m128i twice = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(weights.data()));
+    twice = _mm_unpacklo_epi16(twice, twice);
+    twice = _mm_add_epi16(twice, twice);
+    if constexpr (K == 1) {
+      low_ = _mm_add_epi16(low_, load_lanes(lanes[0], 0));
+      high_ = _mm_add_epi16(high_, load_lanes(lanes[0], 1));
     }
+    add_one<0>(lanes[0], twice);
+    if constexpr (K > 1) add_one<1>(lanes[1], twice);
+    if constexpr (K > 2) add_one<2>(lanes[2], twice);
+    if constexpr (K > 3) add_one<3>(lanes[3], twice);
   }
 
   unsigned find(std::int16_t value) const noexcept {
@@ -112,11 +122,18 @@ class LaneSum {
   }
 
   void store(Lanes& lanes) const noexcept {
-    store_lanes(lanes, 0, low_);
-    store_lanes(lanes, 1, high_);
+    store_lanes(lanes.data(), 0, low_);
+    store_lanes(lanes.data(), 1, high_);
   }
 
  private:
+  template <int kPlace>
+  void add_one(const std::int16_t* lanes, __m128i twice) noexcept {
+    const __m128i weight = _mm_shuffle_epi32(twice, 0x55 * kPlace);
+    low_ = _mm_add_epi16(low_, _mm_mulhi_epu16(load_lanes(lanes, 0), weight));
+    high_ = _mm_add_epi16(high_, _mm_mulhi_epu16(load_lanes(lanes, 1), weight));
+  }
+
   __m128i low_;
   __m128i high_;
 };

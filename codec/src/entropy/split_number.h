@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Signed numbers that are mostly near a centre: a symbol in context, a tail for those that are not, and low
+// Signed numbers that are mostly near 0: a symbol in context, a tail for those that are not, and low
 // bits below the symbol [FLD-5, FLD-6].
 #pragma once
 
@@ -25,25 +25,29 @@ inline constexpr SymbolModel kFreshSplit({1, 2, 3, 4, 8, 14, 24, 40, 24, 14, 8, 
 template <class Coder>
 class SplitNumberCoder {
  public:
-  SplitNumberCoder(Coder& coder, std::uint32_t tail_contexts)
-      : coder_(coder), tails_(tail_contexts, kFreshTail) {}
+  /// `contexts`: of the tail, for each of kTailShifts.
+  SplitNumberCoder(Coder& coder, std::uint32_t contexts)
+      : coder_(coder), contexts_(contexts), tails_(kTailShifts * contexts, kFreshTail) {}
 
-  /// Codes `value` by `value >> shift` relative to `center`, in `mixture`, and its low `shift` bits. A
-  /// reader's argument is ignored; where the stream lies the result is anything below 2^62 in size.
+  /// Codes `value` by `value >> shift`, in `mixture`, and its low `shift` bits. A reader's argument is
+  /// ignored; where the stream lies the result is anything below 2^62 in size.
   template <std::size_t kModels>
-  [[gnu::always_inline]] std::int64_t code(std::int64_t value, unsigned shift, std::int64_t center,
-                                           const Mixture<kModels>& mixture, std::uint32_t tail_context) {
-    std::int64_t high = (value >> shift) - center;
+  [[gnu::always_inline]] std::int64_t code(std::int64_t value, unsigned shift,
+                                           const Mixture<kModels>& mixture, std::uint32_t context) {
+    std::int64_t high = value >> shift;
     const auto low = static_cast<std::uint32_t>(value & ((std::int64_t{1} << shift) - 1));
     const bool far = high < -kReach || high > kReach;
     const unsigned symbol = coder_.symbol(far ? kEscape : static_cast<unsigned>(high + kReach), mixture);
-    high = symbol == kEscape ? code_tail(high, tail_context) : static_cast<std::int64_t>(symbol) - kReach;
-    return ((high + center) << shift) | code_low(low, shift, symbol);
+    high = symbol == kEscape ? code_tail(high, std::min(shift, kTailShifts - 1) * contexts_ + context)
+                             : static_cast<std::int64_t>(symbol) - kReach;
+    if (shift == 0) return high;
+    return (high << shift) | code_low(low, shift, symbol);
   }
 
  private:
   static constexpr unsigned kEscape = 15;
   static constexpr std::int64_t kReach = 7;
+  static constexpr unsigned kTailShifts = 4;
   static constexpr unsigned kLongTail = 7;  ///< bit lengths from here on are written out
   static constexpr SymbolModel kFreshTail{{12, 8, 10, 7, 8, 5, 6, 4, 4, 3, 3, 2, 2, 1, 1, 1}};
 
@@ -61,16 +65,15 @@ class SplitNumberCoder {
     return symbol % 2 != 0 ? -size : size;
   }
 
-  /// The highest of the low bits by a model, the others as they are [FLD-5].
-  std::int64_t code_low(std::uint32_t low, unsigned shift, unsigned symbol) {
-    if (shift == 0) return 0;
+  /// The highest of the low bits, of which there are some, by a model, the others as they are [FLD-5].
+  [[gnu::always_inline]] std::int64_t code_low(std::uint32_t low, unsigned shift, unsigned symbol) {
     const bool top = coder_.bit((low >> (shift - 1)) != 0, low_models_[symbol]);
     const std::uint32_t high = (top ? 1U : 0U) << (shift - 1);
-    if (shift == 1) return high;
     return std::int64_t{high} | coder_.bits(low & ((1U << (shift - 1)) - 1), shift - 1);
   }
 
   Coder& coder_;
+  std::uint32_t contexts_;
   std::vector<SymbolModel> tails_;
   MixWeights<1> tail_weights_;
   std::array<BitModel, 33> second_;

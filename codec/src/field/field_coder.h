@@ -18,61 +18,94 @@ namespace deltamesh {
 
 inline constexpr std::int32_t kLargestFieldValue = 1 << 30;  ///< either sign [FLD-1]
 
-/// `Coder` is CompactWriter or CompactReader. `graph` must outlive the coder.
+using FieldNumbers = std::array<std::int32_t, 3>;
+
+/// Where the second of two walks begins that take turns [FLD-8].
+constexpr std::uint32_t middle_of(std::uint32_t vertices) noexcept { return vertices - vertices / 2; }
+
+/// `Coder` is CompactWriter, CompactReader or CompactPricer. `graph` must outlive the coder.
 template <class Coder>
 class FieldCoder {
  public:
+  /// One walk over all vertices.
   FieldCoder(Coder& coder, const Adjacency& graph)
-      : coder_(coder), history_(graph), numbers_(coder, kTailContexts) {
+      : FieldCoder(coder, graph, static_cast<std::uint32_t>(graph.vertex_count())) {}
+  /// Two walks, the second of which begins at `middle` [FLD-8].
+  FieldCoder(Coder& coder, const Adjacency& graph, std::uint32_t middle)
+      : coder_(coder), history_(graph, middle), numbers_(coder, kSurenesses) {
     for (std::size_t i = 0; i < models_.size(); ++i) models_[i].assign(kFieldContexts[i], kFreshSplit);
   }
 
   /// Codes the first `axes` (1 to 3) numbers of `q` for `vertex`, the others being 0; all vertices before it
   /// are done. A reader fills them in. False where one is beyond kLargestFieldValue [FLD-1].
-  bool code_vertex(std::uint32_t vertex, std::array<std::int32_t, 3>& q, unsigned axes,
-                   const FieldHint* hint = nullptr) {
-    const FieldNeighborhood around = history_.around(vertex);
-    predictor_.begin(around, hint);
-    if (!code_axis<0>(q[0])) return false;
-    if (axes > 1 && !code_axis<1>(q[1])) return false;
-    if (axes > 2 && !code_axis<2>(q[2])) return false;
-    history_.remember(vertex, q, around);
+  bool code_vertex(std::uint32_t vertex, FieldNumbers& q, unsigned axes, const FieldHint* hint = nullptr) {
+    FieldPredictor predictor(history_.around(vertex, vertex), hint);
+    if (!code_axis<0>(predictor, q)) return false;
+    if (axes > 1 && !code_axis<1>(predictor, q)) return false;
+    if (axes > 2 && !code_axis<2>(predictor, q)) return false;
+    predictor.teach(weights_);
+    history_.remember(vertex, predictor.numbers(), predictor.around());
+    return true;
+  }
+
+  /// The same for the next vertices of both walks, number by number in turns: what takes its time for one
+  /// vertex need not wait for the other.
+  bool code_pair(std::uint32_t first, std::uint32_t second, FieldNumbers& q, FieldNumbers& p) {
+    FieldPredictor a(history_.around(first, first), nullptr);
+    FieldPredictor b(history_.around(second, first), nullptr);
+    if (!code_axes<0>(a, b, q, p) || !code_axes<1>(a, b, q, p) || !code_axes<2>(a, b, q, p)) return false;
+    a.teach(weights_);
+    history_.remember(first, a.numbers(), a.around());
+    history_.remember(second, b.numbers(), b.around());
     return true;
   }
 
   /// The same for a coder that tells prices: every number is `choose(axis, price)`, where price(q) is what
   /// coding q would cost in bits here and now.
   template <class Choose>
-  std::array<std::int32_t, 3> choose_vertex(std::uint32_t vertex, Choose choose) {
-    const FieldNeighborhood around = history_.around(vertex);
-    predictor_.begin(around, nullptr);
-    const std::array<std::int32_t, 3> q = {choose_axis<0>(choose), choose_axis<1>(choose),
-                                           choose_axis<2>(choose)};
-    history_.remember(vertex, q, around);
+  FieldNumbers choose_vertex(std::uint32_t vertex, Choose choose) {
+    FieldPredictor predictor(history_.around(vertex, vertex), nullptr);
+    const FieldNumbers q = {choose_axis<0>(predictor, choose), choose_axis<1>(predictor, choose),
+                            choose_axis<2>(predictor, choose)};
+    predictor.teach(weights_);
+    history_.remember(vertex, predictor.numbers(), predictor.around());
     return q;
   }
 
  private:
   template <unsigned kAxis>
-  bool code_axis(std::int32_t& q) {
-    const FieldForecast forecast = predictor_.template forecast<kAxis>();
-    const std::int64_t coded = code(q, forecast);
+  [[gnu::always_inline]] bool code_axis(FieldPredictor& predictor, FieldNumbers& q) {
+    return settle<kAxis>(predictor, q, code(q[kAxis], predictor.template forecast<kAxis>(weights_)));
+  }
+
+  template <unsigned kAxis>
+  [[gnu::always_inline]] bool code_axes(FieldPredictor& a, FieldPredictor& b, FieldNumbers& q,
+                                        FieldNumbers& p) {
+    const FieldForecast of_a = a.template forecast<kAxis>(weights_);
+    const FieldForecast of_b = b.template forecast<kAxis>(weights_);
+    const std::int64_t coded_q = code(q[kAxis], of_a);
+    const std::int64_t coded_p = code(p[kAxis], of_b);
+    return settle<kAxis>(a, q, coded_q) && settle<kAxis>(b, p, coded_p);
+  }
+
+  template <unsigned kAxis>
+  [[gnu::always_inline]] static bool settle(FieldPredictor& predictor, FieldNumbers& q, std::int64_t coded) {
     if (coded < -kLargestFieldValue || coded > kLargestFieldValue) return false;
-    q = static_cast<std::int32_t>(coded);
-    predictor_.template learn<kAxis>(q, forecast);
+    q[kAxis] = static_cast<std::int32_t>(coded);
+    predictor.template settle<kAxis>(q[kAxis]);
     return true;
   }
 
   template <unsigned kAxis, class Choose>
-  std::int32_t choose_axis(Choose& choose) {
-    const FieldForecast forecast = predictor_.template forecast<kAxis>();
+  std::int32_t choose_axis(FieldPredictor& predictor, Choose& choose) {
+    const FieldForecast forecast = predictor.template forecast<kAxis>(weights_);
     const std::int32_t q = choose(kAxis, [&](std::int32_t candidate) {
       const auto trial = coder_.trial();
       code(candidate, forecast);
       return trial.bits();
     });
     code(q, forecast);
-    predictor_.template learn<kAxis>(q, forecast);
+    predictor.template settle<kAxis>(q);
     return q;
   }
 
@@ -81,16 +114,16 @@ class FieldCoder {
     const std::int64_t swapped = (q ^ f.sign) - f.sign;
     const Mixture<kFieldModels> mixture{
         {&models_[0][f.contexts[0]], &models_[1][f.contexts[1]], &models_[2][f.contexts[2]]},
-        &weights_[f.weight_set]};
-    const std::int64_t result = numbers_.code(swapped, f.shift, f.center, mixture, f.tail_context);
+        &mixes_[f.weight_set]};
+    const std::int64_t result = numbers_.code(swapped, f.shift, mixture, f.sure);
     return (result ^ f.sign) - f.sign;
   }
 
   Coder& coder_;
   FieldHistory history_;
-  FieldPredictor predictor_;
+  FieldWeights weights_;
   std::array<std::vector<SymbolModel>, kFieldModels> models_;
-  std::array<MixWeights<kFieldModels>, kFieldWeightSets> weights_;
+  std::array<MixWeights<kFieldModels>, kFieldWeightSets> mixes_;
   SplitNumberCoder<Coder> numbers_;
 };
 

@@ -13,162 +13,182 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "base/floor_log2.h"
 #include "base/quick_ratio.h"
-#include "field/field_context.h"
+#include "field/field_classes.h"
+#include "field/field_history.h"
 
 namespace deltamesh {
 
 inline constexpr std::size_t kFieldModels = 3;
 inline constexpr std::array<std::uint32_t, kFieldModels> kFieldContexts = {24 * 6 * 5, 24 * 8 * 3 * 3,
-                                                                           24 * 12 * 2 * 3};
+                                                                           24 * 3 * 5 * 3};
+inline constexpr std::uint32_t kFieldWeightSets = 18;
+inline constexpr std::uint32_t kSurenesses = 6;
+
+/// What a caller that predicts the numbers knows of a vertex; 1/16 steps [FLD-7].
+struct FieldHint {
+  std::array<std::int32_t, 3> spread{};  ///< how far apart the neighbours' values are, 0 to 2^17
+  std::array<std::int32_t, 3> offset{};  ///< what rounding took off the prediction, -16 to 16
+};
 
 /// The forecast for one axis of one vertex.
 struct FieldForecast {
-  std::int32_t mean = 0;    ///< 1/16 steps
-  std::int32_t scale = 1;   ///< expected distance from it, 1/16 steps, 1 or more
-  unsigned shift = 0;       ///< low bits outside the symbol [FLD-5]
-  std::int32_t sign = 0;    ///< -1 where the mean is below 0 and signs are swapped, else 0
-  std::int32_t center = 0;  ///< symbol units taken off
+  unsigned shift = 0;     ///< low bits outside the symbol [FLD-5]
+  std::int32_t sign = 0;  ///< -1 where the mean is below 0 and signs are swapped, else 0
   std::array<std::uint32_t, kFieldModels> contexts{};
   std::uint32_t weight_set = 0;
-  std::uint32_t tail_context = 0;
+  std::uint32_t sure = 0;  ///< of the mean: 0 to 5
 };
 
-inline constexpr std::uint32_t kFieldWeightSets = 18;
-inline constexpr std::uint32_t kTailContexts = 4 * 6;
+/// Weights of the two features of a forecast by axis, parts of 65536, learnt from vertex to vertex [FLD-4].
+struct FieldWeights {
+  FieldLanes regression = {0, 65536, 65536, 0};
+  FieldLanes mean = {0, 0, 0, 0};
+};
 
-/// Forecasts the three axes of a vertex in turn: forecast<0>(), learn<0>(), forecast<1>() and so on.
+/// Forecasts the three axes of a vertex in turn: forecast<0>(), settle<0>(), forecast<1>() and so on,
+/// teach().
 class FieldPredictor {
  public:
-  /// `around` must outlive the vertex; `hint`: null where there is none.
-  void begin(const FieldNeighborhood& around, const FieldHint* hint) noexcept {
-    around_ = &around.means;
-    degree_ = around.degree_class;
-    size_ = own_ = around.means.magnitude;
-    offset_ = {};
+  /// `hint`: null where there is none.
+  [[gnu::always_inline]] FieldPredictor(const FieldNeighborhood& around, const FieldHint* hint) noexcept
+      : around_(around) {
+    const FieldMemory& m = around.means;
+    for (std::size_t a = 0; a < 3; ++a) size_[a] = own_[a] = m.magnitudes[a];
     if (hint != nullptr) {
       own_ = hint->spread;
       offset_ = hint->offset;
       for (std::size_t a = 0; a < 3; ++a) size_[a] = (4 * size_[a] + 5 * own_[a]) >> 3;
     }
-    all_ = (size_[0] + size_[1] + size_[2]) / 3;
+    all_ = size_[0] + size_[1] + size_[2];
+    begin_regression();
   }
 
+  const FieldNeighborhood& around() const noexcept { return around_; }
+  /// The numbers settled, cut to kLargestRemembered.
+  const std::array<std::int32_t, 3>& numbers() const noexcept { return r_; }
+
   template <unsigned kAxis>
-  [[gnu::always_inline]] FieldForecast forecast() noexcept {
-    features_ = {regress<kAxis>(), around_->q[kAxis]};
-    const auto& weights = weights_[kAxis];
-    FieldForecast f;
-    f.mean = static_cast<std::int32_t>(
-        (std::int64_t{weights[0]} * features_[0] + std::int64_t{weights[1]} * features_[1]) >> 16);
-    f.mean += offset_[kAxis];
+  [[gnu::always_inline]] FieldForecast forecast(const FieldWeights& weights) noexcept {
+    regressions_[kAxis] = regress<kAxis>();
+    const std::int64_t mean = std::int64_t{weights.regression[kAxis]} * regressions_[kAxis] +
+                              std::int64_t{weights.mean[kAxis]} * around_.means.numbers[kAxis];
+    expected_[kAxis] = static_cast<std::int32_t>(mean >> 16) + offset_[kAxis];
     const std::int32_t coded = coded_magnitude<kAxis>();
-    f.scale = expected_scale<kAxis>(coded);
-    f.shift = static_cast<unsigned>(std::bit_width(static_cast<std::uint32_t>(f.scale) | 63)) - 6;
-    f.sign = f.mean >> 31;
-    const std::int32_t distance = (f.mean ^ f.sign) - f.sign;
-    const std::int32_t near = distance >> f.shift;  // symbol units, times kFieldUnit
-    f.center = near < 56 ? 0 : near / kFieldUnit;
-    set_contexts<kAxis>(f, coded, distance, near);
+    const std::int32_t scale = expected_scale<kAxis>(coded);
+    scales_[kAxis] = scale;
+    FieldForecast f;
+    f.shift = floor_log2(static_cast<std::uint32_t>(scale) | 63) - 5;
+    f.sign = expected_[kAxis] >> 31;
+    const std::int32_t distance = (expected_[kAxis] ^ f.sign) - f.sign;
+    const std::uint32_t shifted = f.shift > 0 ? 1 : 0;
+    const std::uint32_t near = cut(distance >> f.shift);
+    const auto short_scale = static_cast<std::uint32_t>(scale >> f.shift);
+    const std::uint32_t sure = sureness(near, short_scale);
+    const std::uint32_t coded_class = kOctaveClass[cut(coded >> f.shift)];
+    const std::uint32_t own_class = kOctaveClass[cut(own_[kAxis] >> f.shift)];
+    const std::uint32_t scale_class = kOctaveClass[short_scale] + 4 * shifted;
+    const std::uint32_t degree = around_.degree_class;
+    const std::uint32_t degree5 = std::clamp<std::uint32_t>(degree, 1, 5) - 1;
+    f.contexts = {(scale_class * 6 + sure) * 5 + degree5,
+                  ((coded_class * 8 + degree) * 3 + kAxis) * 3 + kCoarseSureness[sure],
+                  ((own_class * 3 + std::min(near / 16, 2U)) * 5 + degree5) * 3 + kAxis};
+    f.weight_set = scale_class / 4 * 3 + kAxis;
+    f.sure = sure;
     return f;
   }
 
   template <unsigned kAxis>
-  void learn(std::int32_t q, const FieldForecast& forecast) noexcept {
-    q_[kAxis] = std::clamp(q, -kLargestRemembered, kLargestRemembered);
-    // Sign-sign least mean squares with a dead zone [FLD-4].
-    constexpr std::int32_t kStep = 64;
-    const std::int32_t error = q_[kAxis] * kFieldUnit - forecast.mean;
-    const std::int32_t dead = forecast.scale / 2;
-    const std::int32_t step = (error > dead ? kStep : 0) - (error < -dead ? kStep : 0);
-    for (std::size_t i = kAxis == 0 ? 1 : 0; i < 2; ++i) {
-      const std::int32_t small = forecast.scale / 4;
-      const std::int32_t direction = (features_[i] > small ? 1 : 0) - (features_[i] < -small ? 1 : 0);
-      std::int32_t& w = weights_[kAxis][i];
-      w = std::clamp(w + direction * step, -4 * 65536, 4 * 65536);
-    }
+  [[gnu::always_inline]] void settle(std::int32_t q) noexcept {
+    r_[kAxis] = std::clamp(q, -kLargestRemembered, kLargestRemembered);
+    errors_[kAxis] = r_[kAxis] * kFieldUnit - expected_[kAxis];
+  }
+
+  /// Sign-sign least mean squares with a dead zone; the first walk's vertices teach [FLD-4].
+  [[gnu::always_inline]] void teach(FieldWeights& weights) const noexcept {
+    const FieldLanes scales = lanes(scales_);
+    const FieldLanes errors = lanes(errors_);
+    const FieldLanes dead = scales >> 1;
+    const FieldLanes small = scales >> 2;
+    const FieldLanes above = errors > dead;
+    const FieldLanes below = errors < -dead;
+    weights.regression = moved(weights.regression, lanes(regressions_), small, above, below);
+    weights.mean = moved(weights.mean, around_.means.numbers, small, above, below);
   }
 
  private:
-  /// Expected number given the axes before, by the neighbours' second moments; 1/16 steps [FLD-4].
-  template <unsigned kAxis>
-  std::int32_t regress() noexcept {
+  static FieldLanes lanes(const std::array<std::int32_t, 3>& x) noexcept {
+    return FieldLanes{x[0], x[1], x[2], 0};
+  }
+
+  /// `weight` a step up where its feature has the sign of the error, a step down where it has the other.
+  [[gnu::always_inline]] static FieldLanes moved(FieldLanes weight, FieldLanes feature, FieldLanes small,
+                                                 FieldLanes above, FieldLanes below) noexcept {
+    constexpr std::int32_t kStep = 128;
+    constexpr std::int32_t kMost = 4 * 65536;
+    const FieldLanes positive = feature > small;
+    const FieldLanes negative = feature < -small;
+    const FieldLanes up = ((above & positive) | (below & negative)) & (weight < kMost);
+    const FieldLanes down = ((above & negative) | (below & positive)) & (weight > -kMost);
+    return weight + (up & kStep) - (down & kStep);
+  }
+
+  static std::uint32_t cut(std::int32_t magnitude) noexcept {
+    return static_cast<std::uint32_t>(std::min(magnitude, 255));
+  }
+
+  /// From the neighbours' second moments: how y and z hang on x, and what x leaves unexplained of z on what
+  /// it leaves of y [FLD-4].
+  [[gnu::always_inline]] void begin_regression() noexcept {
     constexpr std::int64_t kRidge = 5;
-    const auto& m = around_->moments;
-    if constexpr (kAxis == 0) return 0;
-    if constexpr (kAxis == 1) {
-      y_on_x_ = quick_ratio(m[1], m[0] + kRidge);
-      z_on_x_ = quick_ratio(m[2], m[0] + kRidge);
-      return (y_on_x_ * q_[0]) >> 8;
-    }
-    // What x leaves unexplained of y, and of its product with z.
+    const FieldLanes& m = around_.means.products;
+    y_on_x_ = quick_ratio(m[1], m[0] + kRidge);
+    z_on_x_ = quick_ratio(m[2], m[0] + kRidge);
     const std::int64_t yy = std::max<std::int64_t>(m[3] - ((std::int64_t{y_on_x_} * m[1]) >> kRatioBits), 0);
-    const std::int64_t yz = m[4] - ((std::int64_t{y_on_x_} * m[2]) >> kRatioBits);
-    const std::int32_t z_on_y = quick_ratio(yz, yy + kRidge);
-    const std::int32_t y_residual = q_[1] * kFieldUnit - ((y_on_x_ * q_[0]) >> 8);
-    return ((z_on_x_ * q_[0]) >> 8) +
-           static_cast<std::int32_t>((std::int64_t{z_on_y} * y_residual) >> kRatioBits);
+    const std::int64_t yz = around_.means.magnitudes[3] - ((std::int64_t{y_on_x_} * m[2]) >> kRatioBits);
+    z_on_y_ = quick_ratio(yz, yy + kRidge);
+  }
+
+  /// Expected number given the axes before; 1/16 steps [FLD-4].
+  template <unsigned kAxis>
+  [[gnu::always_inline]] std::int32_t regress() const noexcept {
+    if constexpr (kAxis == 0) return 0;
+    if constexpr (kAxis == 1) return (y_on_x_ * r_[0]) >> 8;
+    const std::int32_t y_residual = r_[1] * kFieldUnit - regressions_[1];
+    return ((z_on_x_ * r_[0]) >> 8) +
+           static_cast<std::int32_t>((std::int64_t{z_on_y_} * y_residual) >> kRatioBits);
   }
 
   /// Mean size of the axes before, 1/16 steps.
   template <unsigned kAxis>
-  std::int32_t coded_magnitude() const noexcept {
+  [[gnu::always_inline]] std::int32_t coded_magnitude() const noexcept {
     if constexpr (kAxis == 0) return 0;
-    if constexpr (kAxis == 1) return std::abs(q_[0]) * kFieldUnit;
-    return (std::abs(q_[0]) + std::abs(q_[1])) * (kFieldUnit / 2);
+    if constexpr (kAxis == 1) return std::abs(r_[0]) * kFieldUnit;
+    return (std::abs(r_[0]) + std::abs(r_[1])) * (kFieldUnit / 2);
   }
 
   template <unsigned kAxis>
-  std::int32_t expected_scale(std::int32_t coded) const noexcept {
+  [[gnu::always_inline]] std::int32_t expected_scale(std::int32_t coded) const noexcept {
     const std::int32_t own = size_[kAxis];
-    if constexpr (kAxis == 0) return ((39 * own + 22 * all_) >> 6) + 1;
-    return ((32 * own + 20 * all_ + 6 * coded) >> 6) + 1;
+    if constexpr (kAxis == 0) return ((78 * own + 15 * all_) >> 7) + 1;
+    return ((64 * own + 13 * all_ + 12 * coded) >> 7) + 1;
   }
 
-  /// Four classes per octave of `value` + 4, from 0 on.
-  static std::uint32_t quarter_octave(std::int32_t value, std::uint32_t largest) noexcept {
-    const auto v = static_cast<std::uint32_t>(value) + 4;
-    const auto octave = static_cast<std::uint32_t>(std::bit_width(v | 4)) - 3;
-    return std::min(4 * octave + ((v >> octave) & 3), largest);
-  }
-
-  /// How far the mean is from 0 in terms of the scale: 0 to 5.
-  static std::uint32_t sureness(std::int32_t distance, std::int32_t scale) noexcept {
-    const std::int32_t ten = 10 * distance;
-    const std::int32_t s = scale + 2;
-    return (ten >= s ? 1U : 0U) + (ten >= 3 * s ? 1U : 0U) + (ten >= 6 * s ? 1U : 0U) +
-           (ten >= 10 * s ? 1U : 0U) + (ten >= 17 * s ? 1U : 0U);
-  }
-
-  template <unsigned kAxis>
-  void set_contexts(FieldForecast& f, std::int32_t coded, std::int32_t distance,
-                    std::int32_t near) const noexcept {
-    constexpr std::array<std::uint8_t, 6> kCoarse = {0, 1, 1, 2, 2, 2};
-    const std::uint32_t sure = sureness(distance, f.scale);
-    const std::uint32_t sure3 = kCoarse[sure];
-    const std::uint32_t shifted = f.shift > 0 ? 1 : 0;
-    const std::uint32_t scale_class = quarter_octave(f.scale >> f.shift, 19) + 4 * shifted;
-    const std::uint32_t degree5 = std::clamp<std::uint32_t>(degree_, 1, 5) - 1;
-    const std::uint32_t coded_class = quarter_octave(coded >> f.shift, 23);
-    const std::uint32_t own_class = quarter_octave(own_[kAxis] >> f.shift, 23);
-    f.contexts = {(scale_class * 6 + sure) * 5 + degree5,
-                  ((coded_class * 8 + degree_) * 3 + kAxis) * 3 + sure3,
-                  ((own_class * 12 + quarter_octave(near, 23) / 2) * 2 + shifted) * 3 + kAxis};
-    f.weight_set = scale_class / 4 * 3 + kAxis;
-    f.tail_context = std::min(f.shift, 3U) * 6 + sure;
-  }
-
-  const FieldMemory* around_ = nullptr;
-  std::uint32_t degree_ = 0;
-  std::array<std::int32_t, 3> size_{};      ///< expected magnitudes
-  std::array<std::int32_t, 3> own_{};       ///< spreads, or the same
-  std::array<std::int32_t, 3> offset_{};    ///< of the hint
-  std::int32_t all_ = 0;                    ///< mean of size_
-  std::array<std::int32_t, 3> q_{};         ///< clamped, axes coded so far
-  std::array<std::int32_t, 2> features_{};  ///< of the current axis: regression, neighbours' mean
+  FieldNeighborhood around_;
+  std::array<std::int32_t, 3> size_{};    ///< expected magnitudes
+  std::array<std::int32_t, 3> own_{};     ///< spreads, or the same
+  std::array<std::int32_t, 3> offset_{};  ///< of the hint
+  std::int32_t all_ = 0;                  ///< sum of size_
   std::int32_t y_on_x_ = 0;
   std::int32_t z_on_x_ = 0;
-  std::array<std::array<std::int32_t, 2>, 3> weights_{{{0, 0}, {65536, 0}, {65536, 0}}};
+  std::int32_t z_on_y_ = 0;
+  // By axis, 1/16 steps.
+  std::array<std::int32_t, 3> r_{};
+  std::array<std::int32_t, 3> regressions_{};
+  std::array<std::int32_t, 3> expected_{};
+  std::array<std::int32_t, 3> scales_{};
+  std::array<std::int32_t, 3> errors_{};  ///< 0 where an axis is not coded
 };
 
 }  // namespace deltamesh

@@ -12,11 +12,18 @@ namespace deltamesh {
 
 std::vector<std::byte> write_compact_deltas(std::span<const std::int32_t> deltas, const Adjacency& graph) {
   CompactWriter writer;
-  FieldCoder field(writer, graph);
-  const std::size_t n = graph.vertex_count();
-  for (std::uint32_t v = 0; v < n; ++v) {
-    std::array<std::int32_t, 3> q = {deltas[v], deltas[n + v], deltas[2 * n + v]};
-    field.code_vertex(v, q, 3);
+  const auto n = static_cast<std::uint32_t>(graph.vertex_count());
+  const std::uint32_t middle = middle_of(n);
+  FieldCoder field(writer, graph, middle);
+  const auto at = [&](std::uint32_t v) { return FieldNumbers{deltas[v], deltas[n + v], deltas[2 * n + v]}; };
+  for (std::uint32_t v = 0; v < middle; ++v) {
+    FieldNumbers q = at(v);
+    if (middle + v == n) {
+      field.code_vertex(v, q, 3);
+      break;
+    }
+    FieldNumbers p = at(middle + v);
+    field.code_pair(v, middle + v, q, p);
   }
   return writer.finish();
 }
@@ -24,17 +31,24 @@ std::vector<std::byte> write_compact_deltas(std::span<const std::int32_t> deltas
 Result<std::vector<std::int32_t>> read_compact_deltas(std::span<const std::byte> payload,
                                                       const Adjacency& graph) {
   CompactReader reader(payload);
-  FieldCoder field(reader, graph);
-  const std::size_t n = graph.vertex_count();
-  std::vector<std::int32_t> deltas(3 * n);
-  for (std::uint32_t v = 0; v < n && !reader.failed(); ++v) {
-    std::array<std::int32_t, 3> q{};
-    if (!field.code_vertex(v, q, 3))
+  const auto n = static_cast<std::uint32_t>(graph.vertex_count());
+  const std::uint32_t middle = middle_of(n);
+  FieldCoder field(reader, graph, middle);
+  std::vector<std::int32_t> deltas(3 * std::size_t{n});
+  const auto put = [&](std::uint32_t v, const FieldNumbers& q) {
+    for (std::size_t axis = 0; axis < 3; ++axis) deltas[axis * n + v] = q[axis];
+  };
+  for (std::uint32_t v = 0; v < middle && !reader.failed(); ++v) {
+    FieldNumbers q{};
+    FieldNumbers p{};
+    const bool is_last = middle + v == n;
+    if (!(is_last ? field.code_vertex(v, q, 3) : field.code_pair(v, middle + v, q, p)))
       return Error{.code = ErrorCode::kInvalidStream,
                    .message = "a delta beyond 2^30 steps",
                    .rule = "FLD-1",
                    .chunk_tag = kTagDeltas};
-    for (std::size_t axis = 0; axis < 3; ++axis) deltas[axis * n + v] = q[axis];
+    put(v, q);
+    if (!is_last) put(middle + v, p);
   }
   DELTAMESH_CHECK(reader.finish(kTagDeltas));
   return deltas;

@@ -28,7 +28,7 @@ class ResidualCoder {
                               &models_[2][f.contexts[2]], &models_[3][f.contexts[3]]},
                              &weights_[f.weight_set]};
     const std::int64_t result =
-        numbers_.code(f.negative ? -residual : residual, f.shift, 0, mixture, f.tail_context);
+        numbers_.code(f.negative ? -residual : residual, f.shift, mixture, f.tail_context);
     return f.negative ? -result : result;
   }
 

@@ -70,7 +70,7 @@ ResidualForecast ResidualHistory::forecast(std::size_t axis, std::int32_t least,
                 (quarter_octave(coded >> f.shift, 23) * 3 + a) * 5 + sources_,
                 (quarter_octave(own >> f.shift, 23) * 3 + (sure + 1) / 2) * 3 + a};
   f.weight_set = a * 5 + sources_;
-  f.tail_context = std::min(f.shift, 3U) * 5 + sources_;
+  f.tail_context = sources_;
   return f;
 }
 

@@ -17,7 +17,7 @@ namespace deltamesh {
 inline constexpr std::array<std::uint32_t, 4> kResidualContexts = {24 * 5 * 5, 24 * 5 * 3, 24 * 3 * 5,
                                                                    24 * 3 * 3};
 inline constexpr std::uint32_t kResidualWeightSets = 15;
-inline constexpr std::uint32_t kResidualTails = 20;
+inline constexpr std::uint32_t kResidualTails = 5;
 
 /// Forecast of one axis.
 struct ResidualForecast {

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Four 32-bit numbers handled at once, for what a field remembers of its vertices.
+#pragma once
+
+#include <cstdint>
+
+#include "base/mean.h"
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+namespace deltamesh {
+
+using FieldLanes = std::int32_t __attribute__((vector_size(16)));
+
+/// mean_of() every lane; lanes are below 2^30 in size.
+inline FieldLanes mean_lanes(FieldLanes sums, unsigned count) noexcept {
+  // With the bias added, products of unsigned numbers do.
+  constexpr std::int32_t kBias = 1 << 30;
+  const auto one_over = static_cast<std::int32_t>(kOneOver[count]);
+  sums += kBias;
+#if defined(__SSE2__)
+  const auto biased = reinterpret_cast<__m128i>(sums);
+  const __m128i factor = _mm_set1_epi32(one_over);
+  const __m128i even = _mm_srli_epi64(_mm_mul_epu32(biased, factor), 16);
+  const __m128i odd = _mm_slli_epi64(_mm_mul_epu32(_mm_srli_epi64(biased, 32), factor), 16);
+  const __m128i high_halves = _mm_set_epi32(-1, 0, -1, 0);
+  const auto means = reinterpret_cast<FieldLanes>(
+      _mm_or_si128(_mm_andnot_si128(high_halves, even), _mm_and_si128(high_halves, odd)));
+#else
+  FieldLanes means;
+  for (int i = 0; i < 4; ++i)
+    means[i] = static_cast<std::int32_t>(static_cast<std::uint64_t>(static_cast<std::uint32_t>(sums[i])) *
+                                             static_cast<std::uint32_t>(one_over) >>
+                                         16);
+#endif
+  return means - (kBias >> 16) * one_over;
+}
+
+/// (5 now + 3 before) >> 3: 0.6 of the one and 0.4 of the other, about.
+inline FieldLanes smooth_lanes(FieldLanes now, FieldLanes before) noexcept {
+  return ((now << 2) + now + (before << 1) + before) >> 3;
+}
+
+/// Absolute values.
+inline FieldLanes lane_sizes(FieldLanes lanes) noexcept {
+  const FieldLanes sign = lanes >> 31;
+  return (lanes ^ sign) - sign;
+}
+
+}  // namespace deltamesh
