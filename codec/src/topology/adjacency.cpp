@@ -2,9 +2,7 @@
 // Copyright 2026 The deltamesh authors
 #include "topology/adjacency.h"
 
-#include <array>
 #include <cstddef>
-#include <utility>
 
 namespace deltamesh {
 namespace {
@@ -30,31 +28,31 @@ void sum_up(std::vector<std::uint32_t>& offsets) {
   for (std::size_t v = 1; v < offsets.size(); ++v) offsets[v] += offsets[v - 1];
 }
 
-/// The same symmetric graph with ascending rows: row w receives every v in ascending order of v.
-std::vector<std::uint32_t> transpose(const std::vector<std::uint32_t>& offsets,
-                                     const std::vector<std::uint32_t>& neighbors) {
-  std::vector<std::uint32_t> cursor(offsets.begin(), offsets.end() - 1);
-  std::vector<std::uint32_t> sorted(neighbors.size());
-  for (std::uint32_t v = 0; v + 1 < offsets.size(); ++v) {
-    for (std::uint32_t i = offsets[v]; i < offsets[v + 1]; ++i) sorted[cursor[neighbors[i]]++] = v;
+/// The same symmetric graph with ascending rows, each neighbour once: row w receives every v in ascending
+/// order of v, so that what is repeated comes in a row.
+Adjacency tidy(const Adjacency& graph) {
+  const auto vertex_count = static_cast<std::uint32_t>(graph.vertex_count());
+  Adjacency sorted;
+  sorted.offsets.assign(graph.offsets.size(), 0);
+  std::vector<std::uint32_t> last(vertex_count, kNone);
+  for (std::uint32_t v = 0; v < vertex_count; ++v) {
+    for (const std::uint32_t w : graph.of(v)) {
+      sorted.offsets[w + 1] += last[w] != v ? 1 : 0;
+      last[w] = v;
+    }
+  }
+  sum_up(sorted.offsets);
+  sorted.neighbors.resize(sorted.offsets.back());
+  std::vector<std::uint32_t> end(sorted.offsets.begin(), sorted.offsets.end() - 1);
+  last.assign(vertex_count, kNone);
+  for (std::uint32_t v = 0; v < vertex_count; ++v) {
+    for (const std::uint32_t w : graph.of(v)) {
+      end[w] += last[w] != v ? 1 : 0;
+      sorted.neighbors[end[w] - 1] = v;  // once more where it was there
+      last[w] = v;
+    }
   }
   return sorted;
-}
-
-/// Drops repeated entries of ascending rows, in place.
-void drop_repeats(Adjacency& graph) {
-  std::uint32_t kept = 0;
-  std::uint32_t begin = 0;
-  for (std::size_t v = 0; v + 1 < graph.offsets.size(); ++v) {
-    const std::uint32_t end = graph.offsets[v + 1];
-    for (std::uint32_t i = begin; i < end; ++i) {
-      if (i == begin || graph.neighbors[i] != graph.neighbors[i - 1])
-        graph.neighbors[kept++] = graph.neighbors[i];
-    }
-    begin = end;
-    graph.offsets[v + 1] = kept;
-  }
-  graph.neighbors.resize(kept);
 }
 
 }  // namespace
@@ -69,9 +67,7 @@ Adjacency build_adjacency(std::span<const std::uint32_t> triangles, std::uint32_
   std::vector<std::uint32_t> cursor(graph.offsets.begin(), graph.offsets.end() - 1);
   for_each_directed_edge(triangles,
                          [&](std::uint32_t a, std::uint32_t b) { graph.neighbors[cursor[a]++] = b; });
-  graph.neighbors = transpose(graph.offsets, graph.neighbors);
-  drop_repeats(graph);
-  return graph;
+  return tidy(graph);
 }
 
 Components find_components(const Adjacency& graph) {
