@@ -12,13 +12,15 @@ void Border::reserve(std::size_t vertices, std::size_t faces) {
 }
 
 /// Room is made ready bit by bit, so that its first touch is in the cache when the faces come.
-void Border::grow_faces() {
+bool Border::grow_faces() {
   constexpr std::size_t kFacesAtOnce = 1024;
-  faces_.resize(std::min(faces_.size() + 3 * kFacesAtOnce, std::size_t{3} * most_faces_));
+  face_room_ = std::min(face_room_ + 3 * kFacesAtOnce, most_face_end_);
+  faces_.resize(face_room_);
+  return face_end_ < face_room_;
 }
 
 std::vector<std::uint32_t> Border::take_faces() noexcept {
-  faces_.resize(std::size_t{3} * face_count_);
+  faces_.resize(face_end_);
   return std::move(faces_);
 }
 

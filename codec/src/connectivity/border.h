@@ -21,13 +21,12 @@ namespace deltamesh {
 class Border {
  public:
   /// Never more than `most_faces` faces.
-  explicit Border(std::uint32_t most_faces) noexcept : most_faces_(most_faces) {}
+  explicit Border(std::uint32_t most_faces) noexcept : most_face_end_(std::size_t{3} * most_faces) {}
 
   const BorderItem& item(std::uint32_t i) const noexcept { return items_[i]; }
   std::uint32_t item_count() const noexcept { return static_cast<std::uint32_t>(items_.size()); }
   std::uint32_t vertex_count() const noexcept { return vertex_count_; }
-  std::uint32_t face_count() const noexcept { return face_count_; }
-  bool is_full() const noexcept { return face_count_ == most_faces_; }
+  bool is_full() const noexcept { return face_end_ == most_face_end_; }
   /// Manifold vertices of the faces, three each: gate's end, gate's origin, apex [CONN-6].
   std::vector<std::uint32_t> take_faces() noexcept;
 
@@ -80,15 +79,17 @@ class Border {
   bool add_right(const Gate& gate);
   bool add_end(const Gate& gate);
   bool split(std::uint32_t target, const Gate& gate);
-  void add_face(std::uint32_t a, std::uint32_t b, std::uint32_t c);
-  void grow_faces();
+  /// False where the border is full.
+  bool add_face(std::uint32_t a, std::uint32_t b, std::uint32_t c);
+  bool grow_faces();
   void push_gap(std::uint32_t i) { push_gap(i, items_[i].faces); }
   void push_gap(std::uint32_t i, std::uint32_t faces) {
     gaps_.push(faces, i, [this](std::uint32_t gap) { return !items_[gap].alive; });
   }
 
-  std::uint32_t most_faces_;
-  std::uint32_t face_count_ = 0;
+  std::size_t most_face_end_;
+  std::size_t face_end_ = 0;   ///< of the faces in `faces_`
+  std::size_t face_room_ = 0;  ///< size of `faces_`
   std::uint32_t vertex_count_ = 0;
   std::uint32_t last_focus_faces_ = 6;
   std::vector<BorderItem> items_;
@@ -96,16 +97,18 @@ class Border {
   GapQueue gaps_;
 };
 
-inline void Border::add_face(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-  const std::size_t first = std::size_t{3} * face_count_++;
-  if (first == faces_.size()) grow_faces();
-  faces_[first] = a;
-  faces_[first + 1] = b;
-  faces_[first + 2] = c;
+inline bool Border::add_face(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  if (face_end_ == face_room_ && !grow_faces()) return false;
+  std::uint32_t* const face = faces_.data() + face_end_;
+  face[0] = a;
+  face[1] = b;
+  face[2] = c;
+  face_end_ += 3;
+  return true;
 }
 
 template <bool AtOrigin>
-Gate Border::gate_at(std::uint32_t i) const noexcept {
+[[gnu::always_inline]] inline Gate Border::gate_at(std::uint32_t i) const noexcept {
   const BorderItem& item = items_[i];
   const BorderItem& before = items_[item.previous];
   const BorderItem& after = items_[item.next];
@@ -128,10 +131,10 @@ Gate Border::gate_at(std::uint32_t i) const noexcept {
   return gate;
 }
 
-inline bool Border::add_right_and_leave(const Gate& gate) {
+[[gnu::always_inline]] inline bool Border::add_right_and_leave(const Gate& gate) {
   BorderItem& beyond = items_[gate.beyond];
-  if (is_full() || gate.after_closed || beyond.origin == gate.origin) return false;
-  add_face(gate.end, gate.origin, beyond.origin);
+  if (gate.after_closed || beyond.origin == gate.origin) return false;
+  if (!add_face(gate.end, gate.origin, beyond.origin)) return false;
   const std::uint32_t faces = one_more_face(gate.other_faces);
   const std::uint32_t beyond_faces = one_more_face(gate.right_faces);
   BorderItem& item = items_[gate.item];
@@ -146,11 +149,11 @@ inline bool Border::add_right_and_leave(const Gate& gate) {
   return true;
 }
 
-inline bool Border::add_vertex_and_advance(Gate& gate) {
-  if (is_full()) return false;
-  const std::uint32_t apex = vertex_count_++;
+[[gnu::always_inline]] inline bool Border::add_vertex_and_advance(Gate& gate) {
+  const std::uint32_t apex = vertex_count_;
   const std::uint32_t fresh = item_count();
-  add_face(gate.end, gate.origin, apex);
+  if (!add_face(gate.end, gate.origin, apex)) return false;
+  ++vertex_count_;
   gate.other_faces = one_more_face(gate.other_faces);
   gate.focus_faces = one_more_face(gate.focus_faces);
   items_.push_back({.origin = apex, .previous = gate.item, .next = gate.after});

@@ -25,10 +25,9 @@ class Estimate {
 
   /// Moves by 2^-rate of the way to the answer's goal.
   void learn(bool yes) noexcept {
-    const std::uint32_t seen = state_ & ((1U << kSeenBits) - 1);
+    const unsigned pace = kPaces[state_ % (1U << kSeenBits)];
     const std::int32_t way = (yes ? kYes : kNo) - static_cast<std::int32_t>(state_ >> kSeenBits);
-    state_ += static_cast<std::uint32_t>(way >> kRates[seen]) << kSeenBits;
-    state_ += seen + 1 < kRates.size() ? 1 : 0;
+    state_ += (static_cast<std::uint32_t>(way >> (pace % 32)) << kSeenBits) + pace / 32;
   }
 
  private:
@@ -36,11 +35,21 @@ class Estimate {
   /// Goals short of certainty, so that no mean of estimates comes nearer to it than 24 parts of 2^15.
   static constexpr std::int32_t kNo = 48 << 8;
   static constexpr std::int32_t kYes = (65536 - 48) << 8;
-  static constexpr std::array<std::uint8_t, 125> kRates = [] {
-    std::array<std::uint8_t, 125> rates{};
-    for (unsigned n = 0; n < rates.size(); ++n)
-      rates[n] = n < 1 ? 1 : n < 3 ? 2 : n < 12 ? 3 : n < 28 ? 4 : n < 60 ? 5 : n < 124 ? 6 : 7;
-    return rates;
+  static constexpr unsigned kMostSeen = 124;
+  /// By how often it learnt: the rate, plus 32 as long as it counts on.
+  static constexpr std::array<std::uint8_t, 1 << kSeenBits> kPaces = [] {
+    std::array<std::uint8_t, 1 << kSeenBits> paces{};
+    for (unsigned n = 0; n <= kMostSeen; ++n) {
+      const unsigned rate = n < 1           ? 1
+                            : n < 3         ? 2
+                            : n < 12        ? 3
+                            : n < 28        ? 4
+                            : n < 60        ? 5
+                            : n < kMostSeen ? 6
+                                            : 7;
+      paces[n] = static_cast<std::uint8_t>(rate + (n < kMostSeen ? 32 : 0));
+    }
+    return paces;
   }();
 
   std::uint32_t state_;  ///< parts of 2^24, and in the lowest bits how often it learnt, up to 124

@@ -23,7 +23,7 @@ class GapQueue {
   template <class IsGone>
   void push(std::uint32_t faces, std::uint32_t gap, IsGone is_gone) {
     Bucket& bucket = buckets_[faces];
-    if (bucket.end == bucket.gaps.size()) make_room(bucket, is_gone);
+    if (bucket.end == bucket.room) make_room(bucket, is_gone);
     bucket.gaps[bucket.end++] = gap;
     fullest_ = std::max<std::size_t>(fullest_, faces);
   }
@@ -47,6 +47,7 @@ class GapQueue {
     std::vector<std::uint32_t> gaps;  ///< those from `begin` to `end` wait
     std::size_t begin = 0;
     std::size_t end = 0;
+    std::size_t room = 0;  ///< size of `gaps`
   };
 
   /// Drops gaps that are no more; a bucket that stays more than half full doubles.
@@ -60,7 +61,9 @@ class GapQueue {
     }
     bucket.begin = 0;
     bucket.end = end;
-    if (2 * end >= bucket.gaps.size()) bucket.gaps.resize(std::max<std::size_t>(64, 2 * end));
+    if (2 * end < bucket.room) return;
+    bucket.room = std::max<std::size_t>(64, 2 * end);
+    bucket.gaps.resize(bucket.room);
   }
 
   std::array<Bucket, kMostFaces + 1> buckets_;
