@@ -121,7 +121,7 @@ class MeshGuide {
   /// Marks a link across which the face is coded; the rest of it is the item of that edge.
   static constexpr std::uint32_t kItem = 0x80000000;
 
-  BorderStep find_step(const Border& border, const Gate& gate) {
+  [[gnu::always_inline]] BorderStep find_step(const Border& border, const Gate& gate) {
     const std::uint32_t across = across_[gate.item];
     if (across == kNoIndex) return {BorderOp::kBoundary};
     const std::uint32_t left = next_in_face(across);       // from the gate's origin to the apex

@@ -11,27 +11,35 @@
 
 namespace deltamesh {
 
-/// Fills the gap before item `gap` with faces, from its far side to the item itself [CONN-6].
-/// Returns false as soon as the guide has no step to give, or one that does not fit.
+/// Fills the gap from its item on, its other side being closed: step 2 of [CONN-6]. Returns false as soon as
+/// the guide has no step to give, or one that does not fit.
 template <class Guide>
-bool fill_gap(Border& border, std::uint32_t gap, Guide& guide) {
-  while (!border.item(border.item(gap).previous).closed) {
-    Gate gate = border.gate_at<false>(border.item(gap).previous);
-    BorderStep step = guide.next(border, gate);
-    while (step.op == BorderOp::kNewVertex && gate.loop == 0) {
-      if (!border.add_vertex_and_advance(gate)) return false;
-      step = guide.next(border, gate);
-    }
-    if (step.op == BorderOp::kRight) return border.add_right_and_leave(gate);
-    if (!border.apply(step, gate)) return false;
-    if (step.op == BorderOp::kEnd) return true;
-  }
+[[gnu::noinline]] bool fill_from_item(Border& border, std::uint32_t gap, Guide& guide) {
   while (!border.item(gap).closed) {
     const Gate gate = border.gate_at<true>(gap);
     if (!border.apply(guide.next(border, gate), gate)) return false;
   }
   border.leave_focus(border.item(gap).faces);
   return true;
+}
+
+/// Fills the gap before item `gap` with faces, from its far side to the item itself [CONN-6]. Returns false
+/// as fill_from_item() does.
+template <class Guide>
+bool fill_gap(Border& border, std::uint32_t gap, Guide& guide) {
+  while (!border.item(border.item(gap).previous).closed) {
+    Gate gate = border.gate_at<false>(border.item(gap).previous);
+    BorderStep step;
+    for (;;) {
+      step = guide.next(border, gate);
+      if (step.op != BorderOp::kNewVertex || gate.loop != 0) break;
+      if (!border.add_vertex_and_advance(gate)) return false;
+    }
+    if (step.op == BorderOp::kRight) return border.add_right_and_leave(gate);
+    if (!border.apply(step, gate)) return false;
+    if (step.op == BorderOp::kEnd) return true;
+  }
+  return fill_from_item(border, gap, guide);
 }
 
 /// Codes faces until the border is full. `guide.start(border)` hears of every new component before its first
