@@ -14,7 +14,7 @@ namespace {
 class Matcher {
  public:
   Matcher(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count)
-      : triangles_(triangles), heads_(vertex_count, kNoIndex), between_(vertex_count) {}
+      : triangles_(triangles), heads_(vertex_count, kNoIndex), edges_(vertex_count) {}
 
   std::vector<std::uint32_t> match() && {
     link_by_smaller_end();
@@ -27,12 +27,17 @@ class Matcher {
   struct Spoke {
     std::uint32_t end;
     std::uint32_t half_edge;
-    bool outward;  ///< from the smaller end to the larger one
   };
-  /// The half-edges between the vertex at work and another.
-  struct Between {
-    std::uint32_t sum = 0;                   ///< of all half-edges, bit by bit
-    std::array<std::uint8_t, 2> count = {};  ///< inward and outward, 2 standing for more
+  /// What half-edges there are of an edge, a bit each.
+  static constexpr std::uint32_t kInward = 1;  ///< to the smaller end; kMore times it: more than one
+  static constexpr std::uint32_t kOutward = 4;
+  static constexpr std::uint32_t kMore = 2;
+  static constexpr std::uint32_t kPair = kInward | kOutward;
+  /// The edge of which a vertex is the larger end.
+  struct Edge {
+    std::uint32_t smaller_end = kNoIndex;  ///< the last one that looked here; for others there is nothing yet
+    std::uint32_t sum = 0;                 ///< of all half-edges, bit by bit
+    std::uint32_t kinds = 0;
   };
 
   std::uint32_t from(std::uint32_t h) const noexcept { return triangles_[h]; }
@@ -63,23 +68,23 @@ class Matcher {
   void match_edges_of(std::uint32_t v) {
     spokes_.clear();
     for (std::uint32_t h = heads_[v]; h != kNoIndex; h = opposite_[h]) {
-      const bool outward = from(h) == v;
-      spokes_.push_back({outward ? to(h) : from(h), h, outward});
-    }
-    for (const Spoke& spoke : spokes_) {
-      Between& between = between_[spoke.end];
-      between.sum ^= spoke.half_edge;
-      between.count[spoke.outward] = static_cast<std::uint8_t>(between.count[spoke.outward] != 0 ? 2 : 1);
+      const std::uint32_t start = from(h);
+      const std::uint32_t end = start ^ to(h) ^ v;
+      Edge& edge = edges_[end];
+      const std::uint32_t kind = start == v ? kOutward : kInward;
+      const std::uint32_t known = edge.smaller_end == v ? ~0U : 0U;
+      const std::uint32_t kinds = edge.kinds & known;
+      edge = {
+          .smaller_end = v, .sum = (edge.sum & known) ^ h, .kinds = kinds | kind | (kinds & kind) * kMore};
+      spokes_.push_back({end, h});
     }
     bool crowded = false;
     for (const Spoke& spoke : spokes_) {
-      const Between& between = between_[spoke.end];
-      const bool pair = between.count[0] == 1 && between.count[1] == 1;
-      opposite_[spoke.half_edge] = pair ? between.sum ^ spoke.half_edge : kNoIndex;
-      crowded |= between.count[0] != 0 && between.count[1] != 0 && !pair;
+      const Edge& edge = edges_[spoke.end];
+      opposite_[spoke.half_edge] = edge.kinds == kPair ? edge.sum ^ spoke.half_edge : kNoIndex;
+      crowded |= (edge.kinds & kPair) == kPair && edge.kinds != kPair;
     }
     if (crowded) match_crowded_edges();
-    for (const Spoke& spoke : spokes_) between_[spoke.end] = {};
   }
 
   void match_crowded_edges() {
@@ -93,7 +98,7 @@ class Matcher {
         forward_.clear();
         backward_.clear();
         for (const Spoke& spoke : std::span(begin, end))
-          (spoke.outward ? forward_ : backward_).push_back(spoke.half_edge);
+          (from(spoke.half_edge) < spoke.end ? forward_ : backward_).push_back(spoke.half_edge);
         match_crowded_edge();
       }
       begin = end;
@@ -119,7 +124,7 @@ class Matcher {
 
   std::span<const std::uint32_t> triangles_;
   std::vector<std::uint32_t> heads_;  ///< first half-edge of every vertex' list
-  std::vector<Between> between_;      ///< by the other vertex
+  std::vector<Edge> edges_;           ///< by the larger end
   std::vector<std::uint32_t> opposite_;
   std::vector<Spoke> spokes_;
   std::vector<std::uint32_t> forward_;

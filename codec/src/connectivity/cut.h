@@ -13,9 +13,9 @@ namespace deltamesh {
 inline constexpr std::uint32_t kNoIndex = 0xffffffff;
 
 /// Half-edge h of face h / 3 runs from corner h to corner next_in_face(h); corners and half-edges share their
-/// numbers.
-constexpr std::uint32_t next_in_face(std::uint32_t h) noexcept { return h % 3 == 2 ? h - 2 : h + 1; }
-constexpr std::uint32_t previous_in_face(std::uint32_t h) noexcept { return h % 3 == 0 ? h + 2 : h - 1; }
+/// numbers. No branches: they would go wrong one time in three.
+constexpr std::uint32_t next_in_face(std::uint32_t h) noexcept { return h + 1 - 3U * (h % 3 == 2); }
+constexpr std::uint32_t previous_in_face(std::uint32_t h) noexcept { return h - 1 + 3U * (h % 3 == 0); }
 
 /// The half-edge matched to each of the 3m, in the other direction between the same vertices, or kNoIndex.
 /// `triangles`: m x 3 indices below `vertex_count`, m at most 2^29. A face with a repeated vertex stays
