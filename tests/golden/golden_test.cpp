@@ -54,6 +54,13 @@ std::vector<Golden> golden_streams() {
                   testing::attributed_grid(6, 5),
                   {.bits = 10, .profile = Profile::kZstd, .keep_order = true}});
   list.push_back({"grid.predictive", rough_grid(), {.geometry = GeometryCoder::kPredictive, .bits = 11}});
+  Mesh floats = testing::bumpy_grid(12, 10);  // of no lattice
+  for (std::size_t i = 0; i < floats.positions.size(); ++i)
+    floats.positions[i] = std::ldexp(floats.positions[i] + 1.1F, -static_cast<int>(i % 31));
+  list.push_back({"floats.lossless", floats, {.lossless = true}});
+  EncodeOptions walked{.geometry = GeometryCoder::kPredictive, .effort = 9};
+  walked.bits = 12;
+  list.push_back({"sphere.walked", *generate_scene(Scene::kSphere, 500, 1), walked});
   list.push_back({"grid.lossless", testing::bumpy_grid(12, 10), {.lossless = true}});
   list.push_back({"room.voxels",
                   *generate_scene(Scene::kRooms, 600, 3),

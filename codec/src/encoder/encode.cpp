@@ -139,11 +139,18 @@ Result<GeometryChoice> code_highpass(const GeometryTask& task,
   return choice;
 }
 
-Result<GeometryChoice> code_predictive(const GeometryTask& task) {
-  const EncodeOptions& options = task.options;
+PredictiveTrials predictive_trials(const GeometryTask& task) {
+  return {
+      {task.triangles, task.graph, task.positions, task.frame.header.box()}, task.frame, task.options.effort};
+}
+
+Bounds bounds_of(const GeometryTask& task) {
   const FileHeader& header = task.frame.header;
-  const PredictiveTrials trials({task.triangles, task.graph, task.positions, header.box()}, task.frame,
-                                options.effort);
+  return bounds_in_model_units(task.options.quality, header.geometric_vertices, header.box().diagonal());
+}
+
+Result<GeometryChoice> code_predictive(const GeometryTask& task, const PredictiveTrials& trials) {
+  const EncodeOptions& options = task.options;
   if (options.lossless) return trials.code_exactly();
   if (options.step) return trials.code_step(*options.step);
   if (options.quality.empty()) {
@@ -152,8 +159,7 @@ Result<GeometryChoice> code_predictive(const GeometryTask& task) {
     choice.predictive.bits = static_cast<std::uint8_t>(bits);
     return choice;
   }
-  const Bounds bounds =
-      bounds_in_model_units(options.quality, header.geometric_vertices, header.box().diagonal());
+  const Bounds bounds = bounds_of(task);
   const auto& target = options.quality.target_bytes;
   if (!bounds.vde && !bounds.positional()) return trials.fit_bytes(*target);
   DELTAMESH_TRY(auto choice, trials.keep_bounds(bounds));
@@ -185,11 +191,19 @@ Error nearer(const Error& a, const Error& b) noexcept {
   return known_bytes(a).value_or(kUnknown) <= known_bytes(b).value_or(kUnknown) ? a : b;
 }
 
-/// Predictive coding is quick; so it comes first, and highpass need not go on where it cannot win.
+/// Predictive coding is quick; so it comes first, and highpass need not go on where it cannot win. At effort
+/// 0 statistics of the mesh say which of the two is tried.
 Result<GeometryChoice> code_smaller(const GeometryTask& task) {
   const QualityRequest& quality = task.options.quality;
   const bool bytes_alone = !quality.vde && !quality.lfe && !quality.max_error;
-  auto predictive = code_predictive(task);
+  const PredictiveTrials trials = predictive_trials(task);
+  const bool is_forecast = task.options.effort == 0 && !quality.target_bytes;
+  if (is_forecast && !trials.suits(bounds_of(task))) {
+    auto highpass = code_highpass(task);
+    if (highpass) return highpass;
+  }
+  auto predictive = code_predictive(task, trials);
+  if (is_forecast && predictive) return predictive;
   if (!predictive) {
     const Error& error = predictive.error();
     const bool too_many_bytes =
@@ -209,7 +223,7 @@ Result<GeometryChoice> code_smaller(const GeometryTask& task) {
 
 Result<GeometryChoice> code_geometry(const GeometryTask& task) {
   if (task.options.geometry == GeometryCoder::kPredictive || task.options.lossless)
-    return code_predictive(task);
+    return code_predictive(task, predictive_trials(task));
   return may_choose(task.options) ? code_smaller(task) : code_highpass(task);
 }
 

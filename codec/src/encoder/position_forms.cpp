@@ -13,7 +13,8 @@ constexpr double kDeepHopeless = 0.985;  ///< of the bytes without one: walks ha
 
 class FormSearch {
  public:
-  explicit FormSearch(const WritePositions& write) : write_(write), bytes_(write(form_)) {}
+  FormSearch(const WritePositions& write, const PositionForm& first)
+      : write_(write), form_(first), bytes_(write(first)) {}
 
   const PositionForm& form() const noexcept { return form_; }
   std::size_t size() const noexcept { return bytes_.size(); }
@@ -54,7 +55,7 @@ PositionForm with_fit(PositionForm form, BlendFit fit) noexcept {
 }  // namespace
 
 std::vector<std::byte> write_smallest(const WritePositions& write, bool may_guess, int effort) {
-  FormSearch search(write);
+  FormSearch search(write, {.fit = effort == 0 ? BlendFit::kSample : BlendFit::kSquares});
   if (effort == 0 || search.size() == 0) return search.take();
   const auto any = static_cast<double>(search.size());
   if (may_guess) search.consider(with_guesses(search.form(), true), any);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/try.h"
+#include "encoder/coder_forecast.h"
 #include "encoder/position_forms.h"
 #include "geometry/vertex_positions.h"
 #include "predictive/exact_lattice.h"
@@ -172,16 +173,33 @@ std::optional<PredictiveTrials::Trial> PredictiveTrials::keep_on_voxels(const Bo
   return best;
 }
 
+const std::optional<VoxelFit>& PredictiveTrials::voxels() const {
+  if (!voxels_) voxels_ = fit_voxels(input_.positions, input_.box);
+  return *voxels_;
+}
+
+bool PredictiveTrials::are_voxels_enough(const Bounds& bounds) const {
+  constexpr double kMostly = 0.5;      // of the vertices on edges
+  constexpr double kMuchFiner = 0.25;  // than the lattice: then a plane of voxels means nothing
+  if (!voxels() || voxels()->share <= kMostly) return false;
+  const Vec3& voxel = voxels()->voxel;
+  return *std::max_element(voxel.begin(), voxel.end()) > kMuchFiner * first_step(bounds);
+}
+
+bool PredictiveTrials::suits(const Bounds& bounds) const {
+  if (!bounds.vde || first_step(bounds) < first_step({.vde = bounds.vde})) return true;
+  return are_voxels_enough(bounds) ||
+         forecast_coders(input_.graph, stars_, input_.positions, *bounds.vde).predictive_wins();
+}
+
 Result<GeometryChoice> PredictiveTrials::keep_bounds(const Bounds& bounds) const {
-  constexpr double kMostly = 0.5;  // of the vertices on edges: the voxels win
   std::optional<GeometryChoice> best;
   const auto keep_smaller = [&](GeometryChoice choice) {
     if (!best || frame_.bytes_with(choice) < frame_.bytes_with(*best)) best = std::move(choice);
   };
-  const auto voxels = fit_voxels(input_.positions, input_.box);
-  if (voxels) {
-    if (const auto trial = keep_on_voxels(bounds, *voxels)) keep_smaller(code(*trial));
-    if (best && effort_ == 0 && voxels->share > kMostly) return *std::move(best);
+  if (voxels() && (effort_ > 0 || are_voxels_enough(bounds))) {
+    if (const auto trial = keep_on_voxels(bounds, *voxels())) keep_smaller(code(*trial));
+    if (best && effort_ == 0) return *std::move(best);
   } else if (const auto axes = fit_axes(input_.positions, input_.box); has_grid(axes)) {
     // Axes of their own come first: effort 0 takes them, others compare.
     if (const auto trial = keep_on_lattice(bounds, axes)) keep_smaller(code(*trial));
@@ -195,9 +213,8 @@ Result<GeometryChoice> PredictiveTrials::keep_bounds(const Bounds& bounds) const
 Result<GeometryChoice> PredictiveTrials::fit_bytes(std::uint64_t bytes) const {
   if (auto exact = code_exactly(); frame_.bytes_with(exact) <= bytes) return exact;
   auto on_lattice = fit_lattice(bytes);
-  const auto voxels = fit_voxels(input_.positions, input_.box);
-  if (!voxels) return on_lattice;
-  auto on_voxels = fit_voxel_levels(bytes, *voxels);
+  if (!voxels()) return on_lattice;
+  auto on_voxels = fit_voxel_levels(bytes, *voxels());
   if (!on_voxels) return on_lattice;
   if (!on_lattice || on_voxels->quality.vde_rms < on_lattice->quality.vde_rms) return *std::move(on_voxels);
   return on_lattice;

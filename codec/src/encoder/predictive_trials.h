@@ -30,6 +30,10 @@ class PredictiveTrials {
   /// `effort`: 0 (one pass, the first lattice that does) to 9.
   PredictiveTrials(const PredictiveInput& input, const StreamFrame& frame, int effort);
 
+  /// Whether keep_bounds() is likely to find a smaller stream than highpass coding, from statistics of the
+  /// mesh.
+  bool suits(const Bounds& bounds) const;
+
   /// The smallest stream found that keeps `bounds`, at least one of which is set; there always is one.
   Result<GeometryChoice> keep_bounds(const Bounds& bounds) const;
 
@@ -61,6 +65,10 @@ class PredictiveTrials {
   GeometryChoice code(const Trial& trial) const;
   GeometryChoice code_floats() const;
   double first_step(const Bounds& bounds) const noexcept;
+  /// Looked for when first asked for.
+  const std::optional<VoxelFit>& voxels() const;
+  /// Whether most vertices are on edges of voxels that are not much finer than the bounds' lattice.
+  bool are_voxels_enough(const Bounds& bounds) const;
   /// On a cubic lattice but for `axes` with steps of their own; empty where none keeps the bounds.
   std::optional<Trial> keep_on_lattice(const Bounds& bounds, const std::array<AxisGrid, 3>& axes) const;
   std::optional<Trial> keep_on_voxels(const Bounds& bounds, const VoxelFit& fit) const;
@@ -71,6 +79,7 @@ class PredictiveTrials {
   StreamFrame frame_;
   int effort_;
   FaceStars stars_;
+  mutable std::optional<std::optional<VoxelFit>> voxels_;  ///< empty until looked for
 };
 
 }  // namespace deltamesh

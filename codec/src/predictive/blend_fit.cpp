@@ -13,8 +13,9 @@ namespace {
 /// A row's 17 bits pay from about this many vertices on.
 constexpr std::size_t kFewestVertices = 60;
 
-/// More say nothing new.
+/// More say nothing new, or not much.
 constexpr std::size_t kMostSamples = 1U << 19;
+constexpr std::size_t kQuickSamples = 1U << 16;
 
 /// One step, squared, in the units of LocalMeans.
 constexpr double kStepSquared = 256;
@@ -80,21 +81,17 @@ struct RowFit {
   }
 };
 
-Blend fit_squares(std::span<const Sample> samples, const Blend& usual) noexcept {
-  RowFit fit;
-  for (const Sample& sample : samples) {
-    double length = kStepSquared;
-    double error = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      length += double{sample.parallelogram[axis]} * sample.parallelogram[axis];
-      const double off = double{sample.target[axis]} - sample.parallelogram[axis];
-      error += off * off;
-    }
-    // Bits count, not squares: what is far off anyway weighs less.
-    const double weight = 1 / (0.05 * length + error);
-    for (std::size_t axis = 0; axis < 3; ++axis) fit.add(weight, sample, axis);
+void add_squares(RowFit& fit, const Sample& sample) noexcept {
+  double length = kStepSquared;
+  double error = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    length += double{sample.parallelogram[axis]} * sample.parallelogram[axis];
+    const double off = double{sample.target[axis]} - sample.parallelogram[axis];
+    error += off * off;
   }
-  return fit.solve(usual);
+  // Bits count, not squares: what is far off anyway weighs less.
+  const double weight = 1 / (0.05 * length + error);
+  for (std::size_t axis = 0; axis < 3; ++axis) fit.add(weight, sample, axis);
 }
 
 /// About the bits of the residuals.
@@ -129,12 +126,11 @@ Blend fit_bits(std::span<const Sample> samples, Blend blend) noexcept {
   return blend;
 }
 
-/// The better of the minima near least squares and near the plain parallelogram.
-Blend fit_row(std::span<const Sample> samples, const Blend& usual, BlendFit fit) noexcept {
-  Blend best = fit_squares(samples, usual);
-  if (fit == BlendFit::kSquares) return best;
+/// The better of the minima near `squares`, which least squares gave, and near the plain parallelogram.
+Blend fit_row(std::span<const Sample> samples, const Blend& squares) noexcept {
+  Blend best = squares;
   double least = bits_of(samples, best);
-  for (const Blend& start : {best, Blend{}}) {
+  for (const Blend& start : {squares, Blend{}}) {
     const Blend blend = fit_bits(samples, start);
     const double bits = bits_of(samples, blend);
     if (bits >= least) continue;
@@ -144,20 +140,33 @@ Blend fit_row(std::span<const Sample> samples, const Blend& usual, BlendFit fit)
   return best;
 }
 
+/// What a table is fitted to.
+struct RowSamples {
+  RowFit squares;
+  std::size_t count = 0;
+  std::vector<Sample> samples;  ///< of kBits
+};
+
 }  // namespace
 
 BlendTable fit_blends(const FaceStars& stars, std::span<const Cell> cells, BlendFit fit) {
-  std::array<std::vector<Sample>, kBlends> samples;
-  const std::size_t stride = 1 + cells.size() / kMostSamples;
+  std::array<RowSamples, kBlends> rows;
+  const std::size_t most = fit == BlendFit::kSample ? kQuickSamples : kMostSamples;
+  const std::size_t stride = 1 + cells.size() / most;
   for (std::size_t v = 0; v < cells.size(); v += stride) {
     const Surroundings around = look_around(stars, static_cast<std::uint32_t>(v));
     if (around.parallelogram_count == 0) continue;
-    const Cell& base = cells[around.neighbors[0]];
-    samples[blend_row(around)].push_back(sample_of(local_means(around, cells), base, cells[v]));
+    RowSamples& row = rows[blend_row(around)];
+    const Sample sample = sample_of(local_means(around, cells), cells[around.neighbors[0]], cells[v]);
+    add_squares(row.squares, sample);
+    ++row.count;
+    if (fit == BlendFit::kBits) row.samples.push_back(sample);
   }
   BlendTable table = kUsualBlends;
   for (std::size_t row = 0; row < kBlends; ++row) {
-    if (samples[row].size() >= kFewestVertices) table[row] = fit_row(samples[row], kUsualBlends[row], fit);
+    if (rows[row].count < kFewestVertices) continue;
+    table[row] = rows[row].squares.solve(kUsualBlends[row]);
+    if (fit == BlendFit::kBits) table[row] = fit_row(rows[row].samples, table[row]);
   }
   return table;
 }

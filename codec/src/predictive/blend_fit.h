@@ -13,6 +13,7 @@ namespace deltamesh {
 /// What the weights are to make small.
 enum class BlendFit {
   kSquares,  ///< sums of squares, far vertices weighing less
+  kSample,   ///< the same of a sample of the vertices
   kBits,     ///< sums of logarithms: suits scans, and surfaces that weights can hit exactly
 };
 
