@@ -13,6 +13,9 @@
 namespace deltamesh::multigrid {
 namespace {
 
+/// Nodes of a component on a coarsest level whose factor is quickly made, however many there are.
+constexpr std::uint32_t kSmallComponent = 24;
+
 /// A coarsest level has about as many nodes as anchors, which few iterations solve well enough. Where cycles
 /// converge badly a nearly exact solution of a larger one is worth more.
 constexpr CoarsestEffort kUsualEffort{.largest_factored = 200, .reduction = 1e-3};
@@ -45,6 +48,7 @@ MultigridCycle::MultigridCycle(const Adjacency& graph, const Components& compone
                                std::span<const std::uint32_t> anchors, std::uint32_t depth)
     : holds_(shared_components(components, anchors)),
       is_last_resort_(depth == 0),
+      component_count_(components.count),
       levels_(build_hierarchy(graph, anchors, depth)),
       vectors_(levels_.size()),
       targets_(anchors.size()),
@@ -62,7 +66,9 @@ MultigridCycle::MultigridCycle(const Adjacency& graph, const Components& compone
 
 CoarsestEffort MultigridCycle::effort() const noexcept {
   if (is_last_resort_) return kLastEffort;
-  return bottom_ + 1 < levels_.size() ? kEffortWhenHard : kUsualEffort;
+  if (bottom_ + 1 < levels_.size()) return kEffortWhenHard;
+  return {.largest_factored = std::max(kUsualEffort.largest_factored, kSmallComponent * component_count_),
+          .reduction = kUsualEffort.reduction};
 }
 
 void MultigridCycle::solve_coarsest() {

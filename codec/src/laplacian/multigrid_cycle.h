@@ -70,6 +70,7 @@ class MultigridCycle {
 
   std::vector<std::uint8_t> holds_;  ///< per anchor: 0 where it is alone in its component
   bool is_last_resort_;              ///< no coarsening was asked for
+  std::uint32_t component_count_;
   std::vector<Level> levels_;
   std::vector<Vectors> vectors_;
   std::vector<Float4> targets_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace deltamesh::multigrid {
@@ -35,44 +36,46 @@ struct Transpose {
 };
 
 /// One row of a sparse matrix at a time, sums over columns met in any order.
-class RowSums {
- public:
-  explicit RowSums(std::uint32_t columns) : sums_(columns, 0.0F), row_of_(columns, ~std::uint32_t{0}) {}
+struct RowSums {
+  struct Sum {
+    float value = 0;
+    std::uint32_t is_touched = 0;
+  };
+  explicit RowSums(std::uint32_t columns) : sums(columns), touched(columns + 1) {}
 
-  void begin(std::uint32_t row) {
-    row_ = row;
-    row_of_[row] = row;  // the diagonal is not asked for
-    touched_.clear();
-  }
-  void add(const Interpolation& p, float factor) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t column = p.node[k];
-      if (row_of_[column] != row_) {
-        row_of_[column] = row_;
-        sums_[column] = 0;
-        touched_.push_back(column);
-      }
-      sums_[column] += factor * p.weight[k];
-    }
-  }
-  const std::vector<std::uint32_t>& touched() const noexcept { return touched_; }
-  float operator[](std::uint32_t column) const noexcept { return sums_[column]; }
-
- private:
-  std::uint32_t row_ = 0;
-  std::vector<float> sums_;
-  std::vector<std::uint32_t> row_of_;
-  std::vector<std::uint32_t> touched_;
+  std::vector<Sum> sums;
+  std::vector<std::uint32_t> touched;
 };
 
-/// Row c of -P^T K P.
-void sum_row(const Level& fine, std::span<const Entry> members, RowSums& sums) {
+/// Adds row c of -P^T K P to zeros. Returns how many columns it has, which are the first `touched`.
+template <bool kUnitWeights>
+std::uint32_t sum_row(const Level& fine, std::span<const Entry> members, RowSums& row) {
+  const Interpolation* const interpolation = fine.interpolation.data();
+  const std::uint32_t* const neighbors = fine.neighbors.data();
+  const float* const weights = fine.weights.data();
+  RowSums::Sum* const sums = row.sums.data();
+  std::uint32_t* const touched = row.touched.data();
+  std::uint32_t count = 0;
+  const auto add = [&](const Interpolation& p, float factor) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      RowSums::Sum& sum = sums[p.node[k]];
+      const float term = factor * p.weight[k];
+      if (sum.is_touched == 0) [[unlikely]] {
+        sum = {term, 1};
+        touched[count++] = p.node[k];
+      } else {
+        sum.value += term;
+      }
+    }
+  };
   for (const Entry& member : members) {
     const std::uint32_t i = member.node;
-    for (std::uint32_t e = fine.offsets[i]; e < fine.offsets[i + 1]; ++e)
-      sums.add(fine.interpolation[fine.neighbors[e]], member.weight * fine.weight(e));
-    sums.add(fine.interpolation[i], -member.weight * fine.degree[i]);
+    const std::uint32_t end = fine.offsets[i + 1];
+    add(interpolation[i], -member.weight * fine.degree[i]);
+    for (std::uint32_t e = fine.offsets[i]; e < end; ++e)
+      add(interpolation[neighbors[e]], kUnitWeights ? member.weight : member.weight * weights[e]);
   }
+  return count;
 }
 
 /// Positive entries right of the diagonal, row by row, and the largest of every whole row.
@@ -84,20 +87,22 @@ struct UpperHalf {
 
 bool make_upper_half(const Level& fine, std::uint32_t nodes, UpperHalf& upper) {
   const Transpose transpose(fine, nodes);
-  RowSums sums(nodes);
+  RowSums row(nodes);
   upper.start.reserve(nodes + 1);
   upper.start.push_back(0);
   upper.largest.reserve(nodes);
+  upper.entries.reserve(fine.neighbors.size() / 2 + nodes);
   for (std::uint32_t c = 0; c < nodes; ++c) {
-    sums.begin(c);
-    sum_row(
-        fine,
-        std::span(transpose.entries).subspan(transpose.start[c], transpose.start[c + 1] - transpose.start[c]),
-        sums);
+    const auto members =
+        std::span(transpose.entries).subspan(transpose.start[c], transpose.start[c + 1] - transpose.start[c]);
+    const std::uint32_t count =
+        fine.has_unit_weights() ? sum_row<true>(fine, members, row) : sum_row<false>(fine, members, row);
     float largest = 0;
-    for (const std::uint32_t other : sums.touched()) {
-      largest = std::max(largest, sums[other]);
-      if (other > c && sums[other] > 0) upper.entries.push_back({other, sums[other]});
+    for (const std::uint32_t other : std::span(row.touched).first(count)) {
+      const float sum = std::exchange(row.sums[other], {}).value;
+      if (other == c) continue;
+      largest = std::max(largest, sum);
+      if (other > c && sum > 0) upper.entries.push_back({other, sum});
     }
     if (upper.entries.size() > fine.neighbors.size() / 2) return false;
     upper.start.push_back(static_cast<std::uint32_t>(upper.entries.size()));

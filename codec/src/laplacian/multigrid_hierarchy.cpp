@@ -19,7 +19,7 @@ constexpr double kShrinkage = 4.8;
 
 /// Coarser levels could not tell the anchors apart.
 constexpr double kFewestNodesPerAnchor = 1;
-constexpr double kFewestNodes = 6;
+constexpr double kFewestNodes = 1.5;
 
 Level finest_level(const Adjacency& graph, std::span<const std::uint32_t> anchors) {
   Level level;
