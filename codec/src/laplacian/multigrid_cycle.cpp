@@ -91,8 +91,13 @@ void MultigridCycle::correct(std::size_t level) {
   const Level& fine = levels_[level];
   Vectors& v = vectors_[level];
   Vectors& next = vectors_[level + 1];
-  smooth(fine, v.b, v.u);
-  restrict_residual(fine, v.b, v.u, next.b);
+  if (level == 0) {
+    smooth(fine, v.b, v.u);
+    restrict_residual(fine, v.b, v.u, next.b);
+  } else {
+    smooth_from_zero(fine, v.b, v.u);
+    restrict_residual_from_zero(fine, v.b, v.u, next.b);
+  }
   for (std::size_t a = 0; a < next.gaps.size(); ++a) next.gaps[a] = v.gaps[a] - v.u[fine.anchors[a]].x;
   solve(level + 1);
   add_prolonged_rows(fine, next.u, v.u);
@@ -108,11 +113,8 @@ void MultigridCycle::solve(std::size_t level) {
     solve_coarsest();
     return;
   }
-  std::vector<Row>& u = vectors_[level].u;
-  std::fill(u.begin(), u.end(), Row{});
   correct(level);
   two_steps_[level]->take_first(problem(level));
-  std::fill(u.begin(), u.end(), Row{});
   correct(level);
   two_steps_[level]->combine(problem(level));
 }

@@ -63,7 +63,7 @@ class MultigridCycle {
   LevelProblem problem(std::size_t level) noexcept;
   /// u and forces of `level` for its b and gaps, from zero: two cycles, on the coarsest level a solution.
   void solve(std::size_t level);
-  /// Smooths, corrects from the next level, smooths.
+  /// Smooths, on coarse levels from zero, corrects from the next level, smooths.
   void correct(std::size_t level);
   CoarsestEffort effort() const noexcept;
   void solve_coarsest();

@@ -138,12 +138,14 @@ void mirror(const UpperHalf& upper, Level& coarse) {
   for (std::uint32_t c = 0; c < nodes; ++c) offsets[c + 1] += offsets[c];
   coarse.storage.neighbors.resize(offsets[nodes]);
   coarse.weights.resize(offsets[nodes]);
+  coarse.middle.resize(nodes);
   std::vector<std::uint32_t> next(offsets.begin(), offsets.end() - 1);
   const auto put = [&](std::uint32_t from, std::uint32_t to, float weight) {
     coarse.storage.neighbors[next[from]] = to;
     coarse.weights[next[from]++] = weight;
   };
   for (std::uint32_t c = 0; c < nodes; ++c) {
+    coarse.middle[c] = next[c];
     for (std::uint32_t e = upper.start[c]; e < upper.start[c + 1]; ++e) {
       put(c, upper.entries[e].node, upper.entries[e].weight);
       put(upper.entries[e].node, c, upper.entries[e].weight);

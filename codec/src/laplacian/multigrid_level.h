@@ -26,10 +26,11 @@ struct Level {
   std::span<const std::uint32_t> offsets;    ///< n + 1
   std::span<const std::uint32_t> neighbors;  ///< two entries per edge
   Adjacency storage;                         ///< what they show, but on the finest level
-  std::vector<float> weights;                ///< beside `neighbors`; empty on the finest level: all 1
-  std::vector<float> degree;                 ///< n: D, the sum of a node's edge weights; 0 for a lone node
-  std::vector<float> inverse_degree;         ///< n: 1 / D; 0 for a lone node
-  std::vector<float> mass;                   ///< n: M, above 0 where D is; D^2 on the finest level
+  std::vector<std::uint32_t> middle;  ///< n: where the edges to higher nodes begin; empty on the finest level
+  std::vector<float> weights;         ///< beside `neighbors`; empty on the finest level: all 1
+  std::vector<float> degree;          ///< n: D, the sum of a node's edge weights; 0 for a lone node
+  std::vector<float> inverse_degree;  ///< n: 1 / D; 0 for a lone node
+  std::vector<float> mass;            ///< n: M, above 0 where D is; D^2 on the finest level
   std::vector<std::uint32_t> anchors;        ///< node of every anchor; distinct
   std::vector<Interpolation> interpolation;  ///< n; empty on the coarsest level
 

@@ -9,11 +9,11 @@
 namespace deltamesh::multigrid {
 namespace {
 
-/// Weighted sum of the neighbours' rows.
+/// Weighted sum of the rows at the other ends of edges.
 template <bool kUnitWeights>
-Row sum_neighbors(const Level& level, std::span<const Row> u, std::uint32_t node) noexcept {
+Row sum_rows(const Level& level, std::span<const Row> u, std::uint32_t begin, std::uint32_t end) noexcept {
   Row sum{};
-  for (std::uint32_t e = level.offsets[node]; e < level.offsets[node + 1]; ++e) {
+  for (std::uint32_t e = begin; e < end; ++e) {
     const Row& row = u[level.neighbors[e]];
     if constexpr (kUnitWeights) {
       sum.x += row.x;
@@ -26,25 +26,27 @@ Row sum_neighbors(const Level& level, std::span<const Row> u, std::uint32_t node
   return sum;
 }
 
+/// Solves the equations of a node, given what its neighbours add up to. `x`: kept by nodes without
+/// neighbours.
+Row relax(const Level& level, std::uint32_t i, const Row& b, const Row& sum, Float4 x) noexcept {
+  const float inverse = level.inverse_degree[i];
+  if (inverse == 0) return {x, (level.mass[i] > 0 ? 1 / level.mass[i] : 0.0F) * b.x};
+  const Float4 s = inverse * (sum.s + b.s);
+  return {inverse * (sum.x + b.x - level.mass[i] * s), s};
+}
+
 template <bool kUnitWeights>
 void smooth_all(const Level& level, std::span<const Row> b, std::span<Row> u) {
-  for (std::uint32_t i = 0; i < u.size(); ++i) {
-    const Row sum = sum_neighbors<kUnitWeights>(level, u, i);
-    const float inverse = level.inverse_degree[i];
-    if (inverse == 0) {
-      u[i].s = (level.mass[i] > 0 ? 1 / level.mass[i] : 0.0F) * b[i].x;
-      continue;
-    }
-    u[i].s = inverse * (sum.s + b[i].s);
-    u[i].x = inverse * (sum.x + b[i].x - level.mass[i] * u[i].s);
-  }
+  for (std::uint32_t i = 0; i < u.size(); ++i)
+    u[i] = relax(level, i, b[i], sum_rows<kUnitWeights>(level, u, level.offsets[i], level.offsets[i + 1]),
+                 u[i].x);
 }
 
 template <bool kUnitWeights>
 void restrict_all(const Level& level, std::span<const Row> b, std::span<const Row> u, std::span<Row> coarse) {
   std::fill(coarse.begin(), coarse.end(), Row{});
   for (std::uint32_t i = 0; i < u.size(); ++i) {
-    const Row sum = sum_neighbors<kUnitWeights>(level, u, i);
+    const Row sum = sum_rows<kUnitWeights>(level, u, level.offsets[i], level.offsets[i + 1]);
     const float degree = level.degree[i];
     const Row residual{b[i].x + sum.x - degree * u[i].x - level.mass[i] * u[i].s,
                        b[i].s + sum.s - degree * u[i].s};
@@ -56,6 +58,21 @@ void restrict_all(const Level& level, std::span<const Row> b, std::span<const Ro
 
 void smooth(const Level& level, std::span<const Row> b, std::span<Row> u) {
   level.has_unit_weights() ? smooth_all<true>(level, b, u) : smooth_all<false>(level, b, u);
+}
+
+void smooth_from_zero(const Level& level, std::span<const Row> b, std::span<Row> u) {
+  for (std::uint32_t i = 0; i < u.size(); ++i)
+    u[i] = relax(level, i, b[i], sum_rows<false>(level, u, level.offsets[i], level.middle[i]), Float4{});
+}
+
+void restrict_residual_from_zero(const Level& level, std::span<const Row> b, std::span<const Row> u,
+                                 std::span<Row> coarse) {
+  std::fill(coarse.begin(), coarse.end(), Row{});
+  for (std::uint32_t i = 0; i < u.size(); ++i) {
+    Row residual = sum_rows<false>(level, u, level.middle[i], level.offsets[i + 1]);
+    if (level.inverse_degree[i] == 0) residual.s = b[i].s;
+    restrict_row(level.interpolation[i], residual, coarse);
+  }
 }
 
 void restrict_residual(const Level& level, std::span<const Row> b, std::span<const Row> u,
