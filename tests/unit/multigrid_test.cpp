@@ -207,9 +207,9 @@ TEST(Multigrid, AggregatesAreASeedAndItsNeighbours) {
   const auto levels = multigrid::build_hierarchy(mesh.graph, anchors, 0);
   ASSERT_EQ(levels.size(), 1U);
   const multigrid::Aggregates aggregates = multigrid::aggregate(levels.front());
-  for (const std::uint32_t anchor : anchors) EXPECT_EQ(aggregates.seeds[aggregates.of[anchor]], anchor);
+  for (const std::uint32_t anchor : anchors) EXPECT_EQ(aggregates.seeds[aggregates.of(anchor)], anchor);
   for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
-    const std::uint32_t seed = aggregates.seeds[aggregates.of[v]];
+    const std::uint32_t seed = aggregates.seeds[aggregates.of(v)];
     const auto neighbors = mesh.graph.of(v);
     EXPECT_TRUE(seed == v || std::binary_search(neighbors.begin(), neighbors.end(), seed));
   }

@@ -17,52 +17,46 @@ std::uint32_t most_neighbors(const Level& level) noexcept {
                                     level.node_count());
 }
 
-enum class Role : std::uint8_t { kOpen, kSeed, kHub, kMember };
-
-std::vector<Role> choose_seeds(const Level& fine) {
-  std::vector<Role> role(fine.node_count(), Role::kOpen);
+/// For every node the seed that it belongs to.
+std::vector<std::uint32_t> choose_seeds(const Level& fine) {
+  std::vector<std::uint32_t> seed(fine.node_count(), kNone);
   const std::uint32_t most = most_neighbors(fine);
   const auto is_hub = [&](std::uint32_t node) { return fine.offsets[node + 1] - fine.offsets[node] > most; };
-  const auto make_seed = [&](std::uint32_t node) {
-    role[node] = is_hub(node) ? Role::kHub : Role::kSeed;
-    if (role[node] == Role::kHub) return;
+  for (std::uint32_t node = 0; node < seed.size(); ++node) {
+    if (is_hub(node)) seed[node] = node;
+  }
+  for (const std::uint32_t anchor : fine.anchors) seed[anchor] = anchor;
+  const auto claim_neighbors = [&](std::uint32_t node) {
     for (std::uint32_t e = fine.offsets[node]; e < fine.offsets[node + 1]; ++e) {
-      Role& neighbor = role[fine.neighbors[e]];
-      if (neighbor == Role::kOpen) neighbor = Role::kMember;
+      std::uint32_t& owner = seed[fine.neighbors[e]];
+      owner = owner == kNone ? node : owner;
     }
   };
-  for (const std::uint32_t anchor : fine.anchors) make_seed(anchor);
-  for (std::uint32_t node = 0; node < role.size(); ++node) {
-    if (is_hub(node)) role[node] = Role::kHub;
+  for (const std::uint32_t anchor : fine.anchors) {
+    if (!is_hub(anchor)) claim_neighbors(anchor);
   }
-  for (std::uint32_t node = 0; node < role.size(); ++node) {
-    if (role[node] == Role::kOpen) make_seed(node);
+  for (std::uint32_t node = 0; node < seed.size(); ++node) {
+    if (seed[node] != kNone) continue;
+    seed[node] = node;
+    claim_neighbors(node);
   }
-  return role;
+  return seed;
 }
 
 }  // namespace
 
 Aggregates aggregate(const Level& fine) {
-  const std::vector<Role> role = choose_seeds(fine);
   Aggregates aggregates;
-  aggregates.of.assign(role.size(), kNone);
-  for (std::uint32_t node = 0; node < role.size(); ++node) {
-    if (role[node] == Role::kMember) continue;
-    aggregates.of[node] = static_cast<std::uint32_t>(aggregates.seeds.size());
+  aggregates.codes = choose_seeds(fine);
+  std::vector<std::uint32_t> number(aggregates.codes.size());
+  for (std::uint32_t node = 0; node < number.size(); ++node) {
+    if (aggregates.codes[node] != node) continue;
+    number[node] = static_cast<std::uint32_t>(aggregates.seeds.size());
     aggregates.seeds.push_back(node);
   }
-  std::vector<std::uint32_t> size(aggregates.seeds.size(), 1);
-  for (std::uint32_t node = 0; node < role.size(); ++node) {
-    if (role[node] != Role::kMember) continue;
-    std::uint32_t smallest = kNone;
-    for (std::uint32_t e = fine.offsets[node]; e < fine.offsets[node + 1]; ++e) {
-      if (role[fine.neighbors[e]] != Role::kSeed) continue;
-      const std::uint32_t candidate = aggregates.of[fine.neighbors[e]];
-      if (smallest == kNone || size[candidate] < size[smallest]) smallest = candidate;
-    }
-    aggregates.of[node] = smallest;
-    ++size[smallest];
+  for (std::uint32_t node = 0; node < number.size(); ++node) {
+    const std::uint32_t seed = aggregates.codes[node];
+    aggregates.codes[node] = number[seed] + (seed == node ? Aggregates::kSeed : 0);
   }
   return aggregates;
 }

@@ -12,13 +12,17 @@
 namespace deltamesh::multigrid {
 
 struct Aggregates {
-  std::vector<std::uint32_t> of;     ///< n: aggregate of every node
-  std::vector<std::uint32_t> seeds;  ///< the node that each aggregate grew from, ascending
+  std::vector<std::uint32_t> codes;  ///< n: a node's aggregate, plus kSeed for the node that it grew from
+  std::vector<std::uint32_t> seeds;  ///< of every aggregate, ascending
+
+  static constexpr std::uint32_t kSeed = std::uint32_t{1} << 31;
+
+  std::uint32_t of(std::uint32_t node) const noexcept { return codes[node] & ~kSeed; }
+  bool is_seed(std::uint32_t node) const noexcept { return codes[node] >= kSeed; }
 };
 
 /// Seeds are all anchors and hubs, then, in order, every node without a seed other than a hub among its
-/// neighbours. Any other node joins that of these seeds whose aggregate is smallest so far, the first among
-/// equals. Hubs stay alone. O(n + edges).
+/// neighbours. Any other node belongs to the first of these seeds. Hubs stay alone. O(n + edges).
 Aggregates aggregate(const Level& fine);
 
 }  // namespace deltamesh::multigrid

@@ -49,7 +49,7 @@ bool coarsen(const Level& fine, const Aggregates& aggregates, float smallest, Le
     for (std::size_t k = 0; k < 3; ++k) coarse.mass[p.node[k]] += p.weight[k] * fine.mass[i];
   }
   coarse.anchors.reserve(fine.anchors.size());
-  for (const std::uint32_t anchor : fine.anchors) coarse.anchors.push_back(aggregates.of[anchor]);
+  for (const std::uint32_t anchor : fine.anchors) coarse.anchors.push_back(aggregates.of(anchor));
   return true;
 }
 

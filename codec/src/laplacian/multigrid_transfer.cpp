@@ -3,6 +3,9 @@
 #include "laplacian/multigrid_transfer.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <utility>
 
 namespace deltamesh::multigrid {
 namespace {
@@ -10,34 +13,36 @@ namespace {
 /// A neighbour that is a seed knows its aggregate's value better than one that is not.
 constexpr float kSeedWeight = 5;
 
-/// The three largest of the weights offered, the first offered among equals.
+/// The three largest of the weights offered, the first offered among equals. Without branches, which could
+/// not be predicted.
 class LargestThree {
  public:
-  void offer(std::uint32_t node, float weight) noexcept {
-    std::size_t place = 3;
-    while (place > 0 && weight > weight_[place - 1]) --place;
-    if (place == 3) return;
-    for (std::size_t k = 2; k > place; --k) {
-      node_[k] = node_[k - 1];
-      weight_[k] = weight_[k - 1];
+  /// `weight`: not below 0; `place`: rises from one offer to the next.
+  void offer(std::uint32_t place, float weight) noexcept {
+    std::uint64_t key = (std::uint64_t{std::bit_cast<std::uint32_t>(weight)} << 32) | ~place;
+    for (std::uint64_t& kept : keys_) {
+      const std::uint64_t larger = std::max(kept, key);
+      key = std::min(kept, key);
+      kept = larger;
     }
-    node_[place] = node;
-    weight_[place] = weight;
   }
 
-  Interpolation normalized() const noexcept {
-    const float scale = 1.0F / (weight_[0] + weight_[1] + weight_[2]);
+  /// `nodes`: by place.
+  Interpolation normalized(std::span<const std::uint32_t> nodes) const noexcept {
     Interpolation result;
+    float sum = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      result.node[k] = weight_[k] > 0 ? node_[k] : node_[0];
-      result.weight[k] = scale * weight_[k];
+      result.weight[k] = std::bit_cast<float>(static_cast<std::uint32_t>(keys_[k] >> 32));
+      result.node[k] = nodes[result.weight[k] > 0 ? ~static_cast<std::uint32_t>(keys_[k])
+                                                  : ~static_cast<std::uint32_t>(keys_[0])];
+      sum += result.weight[k];
     }
+    for (float& weight : result.weight) weight *= 1.0F / sum;
     return result;
   }
 
  private:
-  std::array<std::uint32_t, 3> node_{};
-  std::array<float, 3> weight_{};
+  std::array<std::uint64_t, 3> keys_{};
 };
 
 Row interpolate(const Interpolation& p, std::span<const Row> coarse) noexcept {
@@ -53,25 +58,24 @@ Row interpolate(const Interpolation& p, std::span<const Row> coarse) noexcept {
 std::vector<Interpolation> make_interpolation(const Level& fine, const Aggregates& aggregates) {
   std::vector<Interpolation> result(fine.node_count());
   std::vector<float> sums(aggregates.seeds.size(), 0.0F);
-  std::vector<std::uint32_t> touched;
+  std::vector<std::uint32_t> touched(aggregates.seeds.size() + 1);
   for (std::uint32_t node = 0; node < result.size(); ++node) {
-    LargestThree largest;
-    if (aggregates.seeds[aggregates.of[node]] == node) {
-      largest.offer(aggregates.of[node], 1.0F);
-    } else {
-      touched.clear();
-      for (std::uint32_t e = fine.offsets[node]; e < fine.offsets[node + 1]; ++e) {
-        const std::uint32_t neighbor = fine.neighbors[e];
-        const std::uint32_t other = aggregates.of[neighbor];
-        if (sums[other] == 0) touched.push_back(other);
-        sums[other] += aggregates.seeds[other] == neighbor ? kSeedWeight * fine.weight(e) : fine.weight(e);
-      }
-      for (const std::uint32_t other : touched) {
-        largest.offer(other, sums[other]);
-        sums[other] = 0;
-      }
+    if (aggregates.is_seed(node)) {
+      result[node].node.fill(aggregates.of(node));
+      result[node].weight = {1, 0, 0};
+      continue;
     }
-    result[node] = largest.normalized();
+    std::uint32_t count = 0;
+    for (std::uint32_t e = fine.offsets[node]; e < fine.offsets[node + 1]; ++e) {
+      const std::uint32_t neighbor = fine.neighbors[e];
+      float& sum = sums[aggregates.of(neighbor)];
+      touched[count] = aggregates.of(neighbor);
+      count += sum == 0 ? 1 : 0;
+      sum += aggregates.is_seed(neighbor) ? kSeedWeight * fine.weight(e) : fine.weight(e);
+    }
+    LargestThree largest;
+    for (std::uint32_t k = 0; k < count; ++k) largest.offer(k, std::exchange(sums[touched[k]], 0.0F));
+    result[node] = largest.normalized(touched);
   }
   return result;
 }
