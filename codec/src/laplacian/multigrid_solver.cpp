@@ -98,7 +98,7 @@ class GroupSolver {
         change_(group_.components.count),
         bad_(group_.components.count) {}
 
-  /// `x`: where to start, overwritten with the solution.
+  /// `x`: where to start without levels; overwritten with the solution.
   Result<void> solve(std::span<const Vec3> deltas, std::span<const Vec3> anchor_positions,
                      std::span<Vec3> x) {
     if (group_.vertices.empty()) {
@@ -107,11 +107,7 @@ class GroupSolver {
     } else {
       gather(deltas, x);
     }
-    const auto is_finite = [](const Vec3& v) { return std::isfinite(dot(v, v)); };
-    if (!std::all_of(x_.begin(), x_.end(), is_finite)) std::fill(x_.begin(), x_.end(), Vec3{});
     for (std::size_t a = 0; a < targets_.size(); ++a) targets_[a] = anchor_positions[group_.anchor_of[a]];
-    set_right_hand_sides();
-    cycles_.start();
     if (group_.depth == 0) {
       DELTAMESH_CHECK(run_without_levels());
     } else if (!run_plain()) {
@@ -134,16 +130,21 @@ class GroupSolver {
     x_ = own_x_;
   }
 
-  /// Cycles until settled (true), or until they make little progress.
+  /// Cycles until settled (true), or until they make little progress. The first one goes on from start(), in
+  /// floats throughout; further ones are corrections.
   bool run_plain() {
-    absorb();
-    double change = 0;
-    for (int c = 0; c < kPlainCycles; ++c) {
+    set_first_right_hand_sides();
+    cycles_.start();
+    for (std::size_t i = 0; i < x_.size(); ++i) x_[i] = to_vec3(cycles_.solution()[i].x);
+    cycles_.cycle();
+    replace();
+    double change = worst_change();
+    for (int c = 1; c < kPlainCycles; ++c) {
       set_right_hand_sides();
       cycles_.cycle();
       absorb();
       const double previous = std::exchange(change, worst_change());
-      const double rate = c == 0 ? kUnknownRate : change / previous;
+      const double rate = change / previous;
       if (is_settled(rate)) return true;
       if (!(rate <= kGoodProgress)) return false;
     }
@@ -153,6 +154,10 @@ class GroupSolver {
   /// For a group of depth 0: a factorisation where that stays sparse, else conjugate gradients on the
   /// functional.
   Result<void> run_without_levels() {
+    const auto is_finite = [](const Vec3& v) { return std::isfinite(dot(v, v)); };
+    if (!std::all_of(x_.begin(), x_.end(), is_finite)) std::fill(x_.begin(), x_.end(), Vec3{});
+    set_right_hand_sides();
+    cycles_.start();
     absorb();
     for (int round = 0; round < kRounds; ++round) {
       set_right_hand_sides();
@@ -199,6 +204,13 @@ class GroupSolver {
     return largest;
   }
 
+  /// D delta and c, for a solution from nothing.
+  void set_first_right_hand_sides() {
+    for (std::uint32_t i = 0; i < x_.size(); ++i)
+      cycles_.delta(i) = to_float4(static_cast<double>(group_.graph->degree(i)) * deltas_[i]);
+    for (std::size_t a = 0; a < targets_.size(); ++a) cycles_.target(a) = to_float4(targets_[a]);
+  }
+
   /// D (delta - L x) and c - x_a, in doubles, for a correction that starts from zero. Forces and s stay.
   void set_right_hand_sides() {
     for (std::uint32_t i = 0; i < x_.size(); ++i) {
@@ -221,11 +233,25 @@ class GroupSolver {
     for (std::uint32_t i = 0; i < x_.size(); ++i) {
       const Vec3 correction = to_vec3(cycles_.solution()[i].x);
       x_[i] = x_[i] + correction;
-      const double square = dot(correction, correction);
-      Change& change = change_[group_.components.label[i]];
-      change.squares += square;
-      change.largest = std::max(change.largest, square);
+      measure(i, correction);
     }
+  }
+
+  /// Takes the solution for x and measures how much that changes.
+  void replace() {
+    std::fill(change_.begin(), change_.end(), Change{});
+    for (std::uint32_t i = 0; i < x_.size(); ++i) {
+      const Vec3 solution = to_vec3(cycles_.solution()[i].x);
+      measure(i, solution - x_[i]);
+      x_[i] = solution;
+    }
+  }
+
+  void measure(std::uint32_t vertex, const Vec3& step) {
+    const double square = dot(step, step);
+    Change& change = change_[group_.components.label[vertex]];
+    change.squares += square;
+    change.largest = std::max(change.largest, square);
   }
 
   /// Largest rms change of a component.
