@@ -35,47 +35,76 @@ struct Transpose {
   std::vector<Entry> entries;
 };
 
-/// One row of a sparse matrix at a time, sums over columns met in any order.
-struct RowSums {
-  struct Sum {
-    float value = 0;
-    std::uint32_t is_touched = 0;
-  };
-  explicit RowSums(std::uint32_t columns) : sums(columns), touched(columns + 1) {}
+struct Sum {
+  float value = 0;
+  std::uint32_t is_touched = 0;
+};
+
+/// One row of a sparse matrix, sums over columns met in any order, in memory of a SumTable. To be held by
+/// value: its count then stays in a register.
+class RowSums {
+ public:
+  RowSums(Sum* sums, std::uint32_t* touched) : sums_(sums), touched_(touched) {}
+
+  void add(std::uint32_t column, float value) noexcept {
+    Sum& sum = sums_[column];
+    touched_[count_] = column;
+    count_ += 1 - sum.is_touched;  // no branch: it could not be predicted
+    sum.is_touched = 1;
+    sum.value += value;
+  }
+
+  /// The same where columns met for the first time are rare.
+  void add_known(std::uint32_t column, float value) noexcept {
+    if (sums_[column].is_touched == 0) [[unlikely]] {
+      sums_[column].is_touched = 1;
+      touched_[count_++] = column;
+    }
+    sums_[column].value += value;
+  }
+
+  /// Calls take(column, sum) for every column in the order of first mention, and clears the row.
+  template <class Take>
+  void finish(const Take& take) {
+    for (std::uint32_t k = 0; k < count_; ++k) take(touched_[k], std::exchange(sums_[touched_[k]], {}).value);
+    count_ = 0;
+  }
+
+ private:
+  Sum* sums_;
+  std::uint32_t* touched_;
+  std::uint32_t count_ = 0;
+};
+
+struct SumTable {
+  explicit SumTable(std::uint32_t columns) : sums(columns), touched(columns + 1) {}
+  RowSums row() noexcept { return {sums.data(), touched.data()}; }
 
   std::vector<Sum> sums;
   std::vector<std::uint32_t> touched;
 };
 
-/// Adds row c of -P^T K P to zeros. Returns how many columns it has, which are the first `touched`.
+/// Row c of -P^T K, over fine nodes.
 template <bool kUnitWeights>
-std::uint32_t sum_row(const Level& fine, std::span<const Entry> members, RowSums& row) {
-  const Interpolation* const interpolation = fine.interpolation.data();
+RowSums sum_neighborhoods(const Level& fine, std::span<const Entry> members, RowSums row) {
   const std::uint32_t* const neighbors = fine.neighbors.data();
   const float* const weights = fine.weights.data();
-  RowSums::Sum* const sums = row.sums.data();
-  std::uint32_t* const touched = row.touched.data();
-  std::uint32_t count = 0;
-  const auto add = [&](const Interpolation& p, float factor) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      RowSums::Sum& sum = sums[p.node[k]];
-      const float term = factor * p.weight[k];
-      if (sum.is_touched == 0) [[unlikely]] {
-        sum = {term, 1};
-        touched[count++] = p.node[k];
-      } else {
-        sum.value += term;
-      }
-    }
-  };
   for (const Entry& member : members) {
-    const std::uint32_t i = member.node;
-    const std::uint32_t end = fine.offsets[i + 1];
-    add(interpolation[i], -member.weight * fine.degree[i]);
-    for (std::uint32_t e = fine.offsets[i]; e < end; ++e)
-      add(interpolation[neighbors[e]], kUnitWeights ? member.weight : member.weight * weights[e]);
+    const std::uint32_t end = fine.offsets[member.node + 1];
+    row.add(member.node, -member.weight * fine.degree[member.node]);
+    for (std::uint32_t e = fine.offsets[member.node]; e < end; ++e)
+      row.add(neighbors[e], kUnitWeights ? member.weight : member.weight * weights[e]);
   }
-  return count;
+  return row;
+}
+
+/// Row c of -P^T K P from that of -P^T K.
+RowSums interpolate_row(const Level& fine, RowSums near, RowSums row) {
+  near.finish([&](std::uint32_t i, float factor) {
+    const Interpolation& p = fine.interpolation[i];
+    for (std::size_t k = 0; k < 3; ++k) row.add_known(p.node[k], factor * p.weight[k]);
+  });
+  return row;
 }
 
 /// Positive entries right of the diagonal, row by row, and the largest of every whole row.
@@ -87,7 +116,8 @@ struct UpperHalf {
 
 bool make_upper_half(const Level& fine, std::uint32_t nodes, UpperHalf& upper) {
   const Transpose transpose(fine, nodes);
-  RowSums row(nodes);
+  SumTable near_table(fine.node_count());
+  SumTable table(nodes);
   upper.start.reserve(nodes + 1);
   upper.start.push_back(0);
   upper.largest.reserve(nodes);
@@ -95,15 +125,15 @@ bool make_upper_half(const Level& fine, std::uint32_t nodes, UpperHalf& upper) {
   for (std::uint32_t c = 0; c < nodes; ++c) {
     const auto members =
         std::span(transpose.entries).subspan(transpose.start[c], transpose.start[c + 1] - transpose.start[c]);
-    const std::uint32_t count =
-        fine.has_unit_weights() ? sum_row<true>(fine, members, row) : sum_row<false>(fine, members, row);
+    const RowSums near = fine.has_unit_weights() ? sum_neighborhoods<true>(fine, members, near_table.row())
+                                                 : sum_neighborhoods<false>(fine, members, near_table.row());
+    RowSums row = interpolate_row(fine, near, table.row());
     float largest = 0;
-    for (const std::uint32_t other : std::span(row.touched).first(count)) {
-      const float sum = std::exchange(row.sums[other], {}).value;
-      if (other == c) continue;
+    row.finish([&](std::uint32_t other, float sum) {
+      if (other == c) return;
       largest = std::max(largest, sum);
       if (other > c && sum > 0) upper.entries.push_back({other, sum});
-    }
+    });
     if (upper.entries.size() > fine.neighbors.size() / 2) return false;
     upper.start.push_back(static_cast<std::uint32_t>(upper.entries.size()));
     upper.largest.push_back(largest);
