@@ -142,6 +142,10 @@ TEST(SolvedPart, LeavesSmallComponentsOut) {
   ASSERT_EQ(part.row_count, 63U + 8U);
   EXPECT_FALSE(part.is_whole());
   EXPECT_FALSE(part.row_of(63));
+  const Components components = find_components(part.graph);
+  EXPECT_EQ(part.components.count, components.count);
+  EXPECT_EQ(part.components.label, components.label);
+  EXPECT_EQ(part.components.size, components.size);
   for (std::uint32_t row = 0; row < part.vertices.size(); ++row) {
     EXPECT_EQ(part.row_of(part.vertices[row]), row);
     ASSERT_EQ(part.graph.degree(row), mesh.graph.degree(part.vertices[row]));

@@ -66,7 +66,7 @@ GraphMesh many_sizes() {
 /// A decoder takes the problem apart, an encoder keeps it: the answers must be the same to the last bit.
 TEST(SolveOnce, GivesTheSolversBits) {
   for (const auto& mesh : {test::sheet(90, 70), many_sizes(), test::fan(300), test::sheet(8, 3)}) {
-    LeastSquaresProblem problem{.graph = mesh.graph};
+    LeastSquaresProblem problem{.graph = mesh.graph, .components = mesh.components};
     problem.anchors = place_anchors(mesh.graph, mesh.components, {.count = 60}).vertices;
     for (const std::uint32_t anchor : problem.anchors) problem.targets.push_back(mesh.positions[anchor]);
     problem.deltas = delta_coordinates(mesh.graph, mesh.positions);

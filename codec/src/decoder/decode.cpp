@@ -83,6 +83,7 @@ class StreamDecoder {
     DELTAMESH_TRY(const auto connectivity, expand_single(container_, kTagConnectivity, max_payload(header_)));
     DELTAMESH_TRY(triangles,
                   read_connectivity(connectivity.payload(), header_.geometric_vertices, header_.triangles));
+    if (triangles.capacity() / 5 > triangles.size() / 4) triangles.shrink_to_fit();
     DELTAMESH_TRY(const auto seams, expand_single(container_, kTagSeams, max_payload(header_)));
     if (seams.bytes.empty() && header_.vertices == header_.geometric_vertices) return {};
     DELTAMESH_TRY(auto split,

@@ -111,9 +111,8 @@ Result<std::vector<Vec3>> read_highpass(Payload deltas, Payload anchors, Adjacen
                                         Components components, const Box& box,
                                         const HighpassParameters& parameters, unsigned threads) {
   DELTAMESH_CHECK(check_parameters(parameters, graph.vertex_count()));
-  SolvedPart part = extract_solved_part(std::move(graph), components);
   DELTAMESH_TRY(HighpassSymbols symbols, read_anchor_symbols(anchors, components, parameters));
-  components = {};
+  SolvedPart part = extract_solved_part(std::move(graph), std::move(components));
   if (threads > 1) return read_and_solve(deltas, std::move(symbols), part, box, parameters);
   DELTAMESH_TRY(symbols.deltas, read_deltas(deltas, part.graph));
   return reconstruct_highpass_once(std::move(symbols), std::move(part), box, parameters);

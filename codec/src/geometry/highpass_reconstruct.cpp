@@ -122,6 +122,7 @@ Result<std::vector<Vec3>> reconstruct_highpass_once(HighpassSymbols symbols, Sol
   std::vector<Vec3> solution;
   if (part.row_count > 0) {
     LeastSquaresProblem problem{.graph = std::exchange(part.graph, {}),
+                                .components = std::exchange(part.components, {}),
                                 .anchors = anchor_rows(symbols.anchors, part),
                                 .deltas = dequantize(std::exchange(symbols.deltas, {}), parameters),
                                 .targets = anchor_targets(symbols, part, box, parameters)};

@@ -379,7 +379,11 @@ class MultigridSolver final : public LeastSquaresSolver {
 
 Result<std::unique_ptr<LeastSquaresSolver>> make_multigrid_solver(const Adjacency& graph,
                                                                   std::span<const std::uint32_t> anchors) {
-  Components components = find_components(graph);
+  return make_solver_for_components(graph, find_components(graph), anchors);
+}
+
+Result<std::unique_ptr<LeastSquaresSolver>> make_solver_for_components(
+    const Adjacency& graph, Components components, std::span<const std::uint32_t> anchors) {
   auto solver = std::make_unique<MultigridSolver>(SmallComponents(graph, components, anchors));
   for (Group& group : multigrid::group_components(graph, std::move(components), anchors))
     solver->add(std::move(group));

@@ -12,7 +12,7 @@ Result<void> PartSolver::set_up(std::span<const std::uint32_t> anchors) {
   if (solver_ && std::equal(anchors.begin(), anchors.end(), anchors_.begin(), anchors_.end())) return {};
   solver_.reset();
   anchors_.assign(anchors.begin(), anchors.end());
-  DELTAMESH_TRY(solver_, make_multigrid_solver(part_.graph, anchors_));
+  DELTAMESH_TRY(solver_, make_solver_for_components(part_.graph, part_.components, anchors_));
   return {};
 }
 

@@ -22,9 +22,8 @@ struct Set {
 };
 
 std::vector<Set> collect_sets(const LeastSquaresProblem& problem) {
-  const Components components = find_components(problem.graph);
   const std::vector<std::uint32_t> depth =
-      multigrid::component_depths(problem.graph, components, problem.anchors);
+      multigrid::component_depths(problem.graph, problem.components, problem.anchors);
   std::vector<std::uint32_t> depths = depth;
   std::sort(depths.begin(), depths.end());
   depths.erase(std::unique(depths.begin(), depths.end()), depths.end());
@@ -32,7 +31,7 @@ std::vector<Set> collect_sets(const LeastSquaresProblem& problem) {
   for (const std::uint32_t d : depths) sets.push_back({.depth = d});
   if (sets.size() <= 1) return sets;
   for (std::uint32_t v = 0; v < problem.graph.vertex_count(); ++v) {
-    const auto found = std::lower_bound(depths.begin(), depths.end(), depth[components.label[v]]);
+    const auto found = std::lower_bound(depths.begin(), depths.end(), depth[problem.components.label[v]]);
     sets[static_cast<std::size_t>(found - depths.begin())].vertices.push_back(v);
   }
   return sets;
@@ -52,7 +51,8 @@ void pick_anchors(const LeastSquaresProblem& problem, std::span<const std::uint3
 }
 
 LeastSquaresProblem copy_part(const LeastSquaresProblem& problem, std::span<const std::uint32_t> vertices) {
-  LeastSquaresProblem part{.graph = copy_vertices(problem.graph, vertices)};
+  LeastSquaresProblem part{.graph = copy_vertices(problem.graph, vertices),
+                           .components = pick_components(problem.components, vertices)};
   pick_anchors(problem, vertices, part);
   part.deltas.reserve(vertices.size());
   for (const std::uint32_t v : vertices) part.deltas.push_back(problem.deltas[v]);
@@ -67,10 +67,13 @@ void keep_part(LeastSquaresProblem& problem, std::span<const std::uint32_t> vert
   for (std::size_t i = 0; i < vertices.size(); ++i) problem.deltas[i] = problem.deltas[vertices[i]];
   problem.deltas.resize(vertices.size());
   keep_vertices(problem.graph, vertices);
+  problem.components = pick_components(problem.components, vertices);
 }
 
-Result<void> solve(const LeastSquaresProblem& problem, std::span<Vec3> x) {
-  DELTAMESH_TRY(const auto solver, make_multigrid_solver(problem.graph, problem.anchors));
+/// Takes the components.
+Result<void> solve(LeastSquaresProblem& problem, std::span<Vec3> x) {
+  DELTAMESH_TRY(const auto solver,
+                make_solver_for_components(problem.graph, std::move(problem.components), problem.anchors));
   return solver->solve(problem.deltas, problem.targets, x);
 }
 

@@ -15,6 +15,7 @@ namespace deltamesh {
 
 struct LeastSquaresProblem {
   Adjacency graph{};
+  Components components{};               ///< of the graph
   std::vector<std::uint32_t> anchors{};  ///< distinct vertices, ascending; at least one in every component
   std::vector<Vec3> deltas{};            ///< n
   std::vector<Vec3> targets{};           ///< of every anchor

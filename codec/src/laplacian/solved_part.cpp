@@ -17,19 +17,21 @@ std::optional<std::uint32_t> SolvedPart::row_of(std::uint32_t vertex) const noex
   return static_cast<std::uint32_t>(found - vertices.begin());
 }
 
-SolvedPart extract_solved_part(Adjacency graph, const Components& components) {
+SolvedPart extract_solved_part(Adjacency graph, Components components) {
   const std::size_t whole_count = graph.vertex_count();
-  SolvedPart part{.graph = std::move(graph), .row_count = whole_count, .whole_count = whole_count};
-  const bool all_are_solved =
-      std::all_of(components.size.begin(), components.size.end(),
-                  [](std::uint32_t size) { return size >= kSmallestSolvedComponent; });
-  if (all_are_solved) return part;
+  SolvedPart part{.graph = std::move(graph),
+                  .components = std::move(components),
+                  .row_count = whole_count,
+                  .whole_count = whole_count};
+  const auto is_solved = [](std::uint32_t size) { return size >= kSmallestSolvedComponent; };
+  const Components& all = part.components;
+  if (std::all_of(all.size.begin(), all.size.end(), is_solved)) return part;
   for (std::uint32_t vertex = 0; vertex < whole_count; ++vertex) {
-    if (components.size[components.label[vertex]] >= kSmallestSolvedComponent)
-      part.vertices.push_back(vertex);
+    if (is_solved(all.size[all.label[vertex]])) part.vertices.push_back(vertex);
   }
   part.row_count = part.vertices.size();
   keep_vertices(part.graph, part.vertices);
+  part.components = pick_components(all, part.vertices);
   return part;
 }
 

@@ -16,6 +16,7 @@ namespace deltamesh {
 /// The solved components with vertices renumbered in the same order.
 struct SolvedPart {
   Adjacency graph{};                      ///< over rows
+  Components components{};                ///< of `graph`
   std::size_t row_count = 0;              ///< solved vertices
   std::size_t whole_count = 0;            ///< vertices of the whole graph
   std::vector<std::uint32_t> vertices{};  ///< of the whole graph, for every row, ascending; empty where all
@@ -30,6 +31,6 @@ struct SolvedPart {
 };
 
 /// Takes the graph apart in place: no copy of it is made. O(n + edges).
-SolvedPart extract_solved_part(Adjacency graph, const Components& components);
+SolvedPart extract_solved_part(Adjacency graph, Components components);
 
 }  // namespace deltamesh

@@ -42,4 +42,8 @@ Result<std::unique_ptr<LeastSquaresSolver>> make_direct_solver(const Adjacency& 
 Result<std::unique_ptr<LeastSquaresSolver>> make_multigrid_solver(const Adjacency& graph,
                                                                   std::span<const std::uint32_t> anchors);
 
+/// The same where the graph's components are known already.
+Result<std::unique_ptr<LeastSquaresSolver>> make_solver_for_components(
+    const Adjacency& graph, Components components, std::span<const std::uint32_t> anchors);
+
 }  // namespace deltamesh

@@ -45,4 +45,21 @@ void keep_vertices(Adjacency& graph, std::span<const std::uint32_t> kept) {
   graph.neighbors.resize(written);
 }
 
+/// Kept vertices ascend, so that components are met in the order of their smallest vertices.
+Components pick_components(const Components& components, std::span<const std::uint32_t> kept) {
+  constexpr std::uint32_t kUnmet = 0xffffffff;
+  std::vector<std::uint32_t> label(components.count, kUnmet);
+  Components part;
+  part.label.reserve(kept.size());
+  for (const std::uint32_t vertex : kept) {
+    const std::uint32_t c = components.label[vertex];
+    if (label[c] == kUnmet) {
+      label[c] = part.count++;
+      part.size.push_back(components.size[c]);
+    }
+    part.label.push_back(label[c]);
+  }
+  return part;
+}
+
 }  // namespace deltamesh

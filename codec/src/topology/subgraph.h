@@ -17,4 +17,7 @@ Adjacency copy_vertices(const Adjacency& graph, std::span<const std::uint32_t> k
 /// The same in place.
 void keep_vertices(Adjacency& graph, std::span<const std::uint32_t> kept);
 
+/// The components of such a graph, without a search; `components`: of the whole graph. O(n).
+Components pick_components(const Components& components, std::span<const std::uint32_t> kept);
+
 }  // namespace deltamesh
