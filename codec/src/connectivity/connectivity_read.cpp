@@ -135,8 +135,13 @@ class CompactGuide {
   OpCoder<CompactReader> ops_;
 };
 
-/// Faces and vertices that room is made for at once; where a byte holds more the room grows.
-constexpr std::size_t kReservedPerByte = 32;
+/// Faces and vertices that room is made for at once: untouched memory, so a little for nothing. Where the
+/// bytes hold more the room grows.
+std::size_t reserved_at_once(std::uint32_t declared, std::size_t bytes) noexcept {
+  constexpr std::size_t kPerByte = 32;
+  constexpr std::size_t kAnyway = std::size_t{1} << 20;
+  return std::min<std::size_t>(declared, std::max(kAnyway, bytes * kPerByte));
+}
 
 /// `triangle_count` above 0.
 Result<std::vector<std::uint32_t>> read_compact(std::span<const std::byte> bytes, std::uint32_t vertex_count,
@@ -148,8 +153,8 @@ Result<std::vector<std::uint32_t>> read_compact(std::span<const std::byte> bytes
                  .chunk_tag = kTagConnectivity};
   CompactReader reader(bytes);
   Border border(triangle_count);
-  border.reserve(std::min<std::size_t>(vertex_count, bytes.size() * kReservedPerByte),
-                 std::min<std::size_t>(triangle_count, bytes.size() * kReservedPerByte));
+  border.reserve(reserved_at_once(vertex_count, bytes.size()),
+                 reserved_at_once(triangle_count, bytes.size()));
   CompactGuide guide(reader);
   if (!traverse(border, guide)) {
     if (reader.failed()) DELTAMESH_CHECK(reader.finish(kTagConnectivity));
