@@ -165,6 +165,25 @@ TEST(Predictive, AxesThatAreGridsKeepTheirSteps) {
   EXPECT_LT(coarse->bytes.size(), encoded->bytes.size());
 }
 
+TEST(Predictive, QuantisedSourcesNeedNoPlanes) {
+  // A lattice of 7845 steps, written with six decimals: few coordinates are equal.
+  std::vector<Vec3> positions;
+  std::uint32_t state = 1;
+  const auto next = [&] {
+    const double q = (state = state * 1664525 + 1013904223) >> 19;
+    return static_cast<double>(static_cast<float>(std::round(1e6 * (q - 3922) / 7845) / 1e6));
+  };
+  for (int i = 0; i < 6000; ++i) positions.push_back({next(), next(), next()});
+  Box box{positions[0], positions[0]};
+  for (const Vec3& p : positions) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      box.min[axis] = std::min(box.min[axis], p[axis]);
+      box.max[axis] = std::max(box.max[axis], p[axis]);
+    }
+  }
+  for (const AxisGrid& grid : fit_axes(positions, box)) EXPECT_NEAR(grid.step, 1 / 7845.0, 1e-10);
+}
+
 TEST(Predictive, AutoIsTheSmallerOfTheTwo) {
   const Mesh mesh = testing::bumpy_grid(50, 40);
   for (const QualityRequest& request :

@@ -26,8 +26,9 @@ Error too_small(std::uint64_t fewest_bytes) noexcept {
           .best_bytes = fewest_bytes};
 }
 
-bool has_grid(const std::array<AxisGrid, 3>& axes) noexcept {
-  return std::any_of(axes.begin(), axes.end(), [](const AxisGrid& axis) { return axis.step > 0; });
+/// Whether an axis has a grid, and grid_lattice() at `step` or a little above would take it.
+bool has_grid(const std::array<AxisGrid, 3>& axes, double step) noexcept {
+  return std::any_of(axes.begin(), axes.end(), [step](const AxisGrid& axis) { return axis.step > step / 2; });
 }
 
 }  // namespace
@@ -200,7 +201,7 @@ Result<GeometryChoice> PredictiveTrials::keep_bounds(const Bounds& bounds) const
   if (voxels() && (effort_ > 0 || are_voxels_enough(bounds))) {
     if (const auto trial = keep_on_voxels(bounds, *voxels())) keep_smaller(code(*trial));
     if (best && effort_ == 0) return *std::move(best);
-  } else if (const auto axes = fit_axes(input_.positions, input_.box); has_grid(axes)) {
+  } else if (const auto axes = fit_axes(input_.positions, input_.box); has_grid(axes, first_step(bounds))) {
     // Axes of their own come first: effort 0 takes them, others compare.
     if (const auto trial = keep_on_lattice(bounds, axes)) keep_smaller(code(*trial));
     if (best && effort_ == 0) return *std::move(best);

@@ -13,7 +13,7 @@ namespace {
 constexpr double kFewestOnEdges = 0.2;
 constexpr double kMostAlongOneAxis = 0.9;
 constexpr std::size_t kFewestPlanes = 5;
-constexpr std::size_t kFewestEqual = 4;  ///< coordinates that make a plane
+constexpr std::size_t kFewestEqual = 4;  ///< coordinates that make a plane of voxels
 
 /// A value that many coordinates of an axis share but for rounding.
 struct Plane {
@@ -36,7 +36,9 @@ bool has_repeats(std::span<const Vec3> positions, std::size_t axis) {
   return repeats >= kFewest;
 }
 
-std::vector<Plane> find_planes(std::span<const Vec3> positions, std::size_t axis, double noise) {
+/// `fewest`: coordinates that make a plane.
+std::vector<Plane> find_planes(std::span<const Vec3> positions, std::size_t axis, double noise,
+                               std::size_t fewest) {
   if (!has_repeats(positions, axis)) return {};
   std::vector<double> sorted(positions.size());
   for (std::size_t v = 0; v < sorted.size(); ++v) sorted[v] = positions[v][axis];
@@ -46,10 +48,10 @@ std::vector<Plane> find_planes(std::span<const Vec3> positions, std::size_t axis
   std::size_t most = 0;
   for (std::size_t begin = 0, end = 0; begin < sorted.size(); begin = end) {
     while (end < sorted.size() && sorted[end] == sorted[begin]) ++end;
-    if (end - begin >= kFewestEqual) values.push_back({sorted[begin], end - begin});
+    if (end - begin >= fewest) values.push_back({sorted[begin], end - begin});
     most = std::max(most, end - begin);
   }
-  std::erase_if(values, [most](const Plane& value) { return value.count < most / 50; });
+  if (fewest > 1) std::erase_if(values, [most](const Plane& value) { return value.count < most / 50; });
   std::vector<Plane> planes;
   for (const Plane& value : values) {
     if (planes.empty() || value.place - planes.back().place > noise) {
@@ -168,7 +170,7 @@ std::optional<VoxelFit> fit_voxels(std::span<const Vec3> positions, const Box& b
   double distance = 0;
   std::size_t most = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    planes[axis] = find_planes(positions, axis, noise);
+    planes[axis] = find_planes(positions, axis, noise, kFewestEqual);
     const double found = usual_distance(planes[axis]);
     if (found > 0 && planes[axis].size() > most) {
       most = planes[axis].size();
@@ -210,7 +212,7 @@ std::array<AxisGrid, 3> fit_axes(std::span<const Vec3> positions, const Box& box
   std::array<AxisGrid, 3> grids{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double noise = std::max(std::abs(box.min[axis]), std::abs(box.max[axis])) * 0x1p-22;
-    const std::vector<Plane> planes = find_planes(positions, axis, noise);
+    const std::vector<Plane> planes = find_planes(positions, axis, noise, 1);
     Comb comb{0, usual_distance(planes, kFinestShare)};
     if (!(comb.distance > 8 * noise)) continue;
     comb.origin = planes[0].place;
