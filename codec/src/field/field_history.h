@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "field/field_lanes.h"
+#include "base/four_ints.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {
@@ -22,9 +22,9 @@ inline constexpr std::int32_t kLargestMultiplied = 2047;  ///< of the factors of
 
 /// Numbers about a vertex, in 1/16 steps and 1/16 squared steps [FLD-2].
 struct FieldMemory {
-  FieldLanes numbers;     ///< x, y, z, 0
-  FieldLanes magnitudes;  ///< smoothed absolute values; the last is the smoothed product yz
-  FieldLanes products;    ///< xx, xy, xz, yy, smoothed
+  FourInts numbers;     ///< x, y, z, 0
+  FourInts magnitudes;  ///< smoothed absolute values; the last is the smoothed product yz
+  FourInts products;    ///< xx, xy, xz, yy, smoothed
 };
 
 /// What is known of a vertex before it is coded [FLD-3].
@@ -73,10 +73,10 @@ class FieldHistory {
                                        const FieldNeighborhood& around) noexcept {
     std::array<std::int32_t, 3> f{};
     for (std::size_t a = 0; a < 3; ++a) f[a] = std::clamp(r[a], -kLargestMultiplied, kLargestMultiplied);
-    const FieldLanes numbers = FieldLanes{r[0], r[1], r[2], 0} * kFieldUnit;
-    FieldLanes magnitudes = lane_sizes(numbers);
+    const FourInts numbers = FourInts{r[0], r[1], r[2], 0} * kFieldUnit;
+    FourInts magnitudes = lane_sizes(numbers);
     magnitudes[3] = f[1] * f[2] * kFieldUnit;
-    const FieldLanes products = FieldLanes{f[0] * f[0], f[0] * f[1], f[0] * f[2], f[1] * f[1]} * kFieldUnit;
+    const FourInts products = FourInts{f[0] * f[0], f[0] * f[1], f[0] * f[2], f[1] * f[1]} * kFieldUnit;
     FieldMemory& memory = memories_[vertex];
     if (around.count == 0) {
       memory = FieldMemory{numbers, magnitudes, products};

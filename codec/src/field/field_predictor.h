@@ -43,8 +43,8 @@ struct FieldForecast {
 
 /// Weights of the two features of a forecast by axis, parts of 65536, learnt from vertex to vertex [FLD-4].
 struct FieldWeights {
-  FieldLanes regression = {0, 65536, 65536, 0};
-  FieldLanes mean = {0, 0, 0, 0};
+  FourInts regression = {0, 65536, 65536, 0};
+  FourInts mean = {0, 0, 0, 0};
 };
 
 /// Forecasts the three axes of a vertex in turn: forecast<0>(), settle<0>(), forecast<1>() and so on,
@@ -107,30 +107,30 @@ class FieldPredictor {
 
   /// Sign-sign least mean squares with a dead zone; the first walk's vertices teach [FLD-4].
   [[gnu::always_inline]] void teach(FieldWeights& weights) const noexcept {
-    const FieldLanes scales = lanes(scales_);
-    const FieldLanes errors = lanes(errors_);
-    const FieldLanes dead = scales >> 1;
-    const FieldLanes small = scales >> 2;
-    const FieldLanes above = errors > dead;
-    const FieldLanes below = errors < -dead;
+    const FourInts scales = lanes(scales_);
+    const FourInts errors = lanes(errors_);
+    const FourInts dead = scales >> 1;
+    const FourInts small = scales >> 2;
+    const FourInts above = errors > dead;
+    const FourInts below = errors < -dead;
     weights.regression = moved(weights.regression, lanes(regressions_), small, above, below);
     weights.mean = moved(weights.mean, around_.means.numbers, small, above, below);
   }
 
  private:
-  static FieldLanes lanes(const std::array<std::int32_t, 3>& x) noexcept {
-    return FieldLanes{x[0], x[1], x[2], 0};
+  static FourInts lanes(const std::array<std::int32_t, 3>& x) noexcept {
+    return FourInts{x[0], x[1], x[2], 0};
   }
 
   /// `weight` a step up where its feature has the sign of the error, a step down where it has the other.
-  [[gnu::always_inline]] static FieldLanes moved(FieldLanes weight, FieldLanes feature, FieldLanes small,
-                                                 FieldLanes above, FieldLanes below) noexcept {
+  [[gnu::always_inline]] static FourInts moved(FourInts weight, FourInts feature, FourInts small,
+                                               FourInts above, FourInts below) noexcept {
     constexpr std::int32_t kStep = 128;
     constexpr std::int32_t kMost = 4 * 65536;
-    const FieldLanes positive = feature > small;
-    const FieldLanes negative = feature < -small;
-    const FieldLanes up = ((above & positive) | (below & negative)) & (weight < kMost);
-    const FieldLanes down = ((above & negative) | (below & positive)) & (weight > -kMost);
+    const FourInts positive = feature > small;
+    const FourInts negative = feature < -small;
+    const FourInts up = ((above & positive) | (below & negative)) & (weight < kMost);
+    const FourInts down = ((above & negative) | (below & positive)) & (weight > -kMost);
     return weight + (up & kStep) - (down & kStep);
   }
 
@@ -142,7 +142,7 @@ class FieldPredictor {
   /// it leaves of y [FLD-4].
   [[gnu::always_inline]] void begin_regression() noexcept {
     constexpr std::int64_t kRidge = 5;
-    const FieldLanes& m = around_.means.products;
+    const FourInts& m = around_.means.products;
     y_on_x_ = quick_ratio(m[1], m[0] + kRidge);
     z_on_x_ = quick_ratio(m[2], m[0] + kRidge);
     const std::int64_t yy = std::max<std::int64_t>(m[3] - ((std::int64_t{y_on_x_} * m[1]) >> kRatioBits), 0);

@@ -40,24 +40,32 @@ class FloatCoder {
     history_.begin(around, expect_place(around, vertex, cells_, blends_));
     Cell& cell = cells_[vertex];
     matches_.begin();
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const ResidualForecast forecast = history_.forecast(axis, -kLargestFixed, kLargestFixed);
-      const std::int32_t expected = ordinal_of_fixed(static_cast<std::int32_t>(forecast.whole), units_[axis]);
-      std::int32_t& value = floats[vertex][axis];
-      if (!matches_.code(axis, around, guess(around, floats, axis, expected), value)) {
-        const std::int64_t coded =
-            expected + residuals_.code(std::int64_t{value} - expected, fit(forecast, expected, axis));
-        if (!is_finite_ordinal(coded)) return "FLT-1";
-        value = static_cast<std::int32_t>(coded);
-      }
-      cell[axis] = fixed_of(value, units_[axis]);
-      history_.learn(axis, cell[axis], forecast);
-    }
+    if (!code_axis<0>(around, floats[vertex], cell, floats) ||
+        !code_axis<1>(around, floats[vertex], cell, floats) ||
+        !code_axis<2>(around, floats[vertex], cell, floats))
+      return "FLT-1";
     history_.end(vertex);
     return nullptr;
   }
 
  private:
+  /// False where a float is not finite.
+  template <std::size_t kAxis>
+  bool code_axis(const Surroundings& around, Ordinals& values, Cell& cell, std::span<const Ordinals> floats) {
+    const ResidualForecast forecast = history_.template forecast<kAxis>(-kLargestFixed, kLargestFixed);
+    const std::int32_t expected = ordinal_of_fixed(static_cast<std::int32_t>(forecast.whole), units_[kAxis]);
+    std::int32_t& value = values[kAxis];
+    if (!matches_.code(kAxis, around, guess(around, floats, kAxis, expected), value)) {
+      const std::int64_t coded =
+          expected + residuals_.code(std::int64_t{value} - expected, fit(forecast, expected, kAxis));
+      if (!is_finite_ordinal(coded)) return false;
+      value = static_cast<std::int32_t>(coded);
+    }
+    cell[kAxis] = fixed_of(value, units_[kAxis]);
+    history_.template learn<kAxis>(cell[kAxis], forecast);
+    return true;
+  }
+
   /// The neighbours' floats [FLT-4].
   static Guesses guess(const Surroundings& around, std::span<const Ordinals> floats, std::size_t axis,
                        std::int32_t expected) noexcept {

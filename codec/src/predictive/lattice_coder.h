@@ -51,21 +51,29 @@ class LatticeCoder {
     history_.begin(around, expect_place(around, vertex, cells, blends_));
     Cell& cell = cells[vertex];
     matches_.begin();
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const ResidualForecast forecast = history_.forecast(axis, 0, static_cast<std::int32_t>(largest_[axis]));
-      if (!guesses_ || !matches_.code(axis, around, guess(around, cells, axis, forecast.whole), cell[axis])) {
-        const std::int64_t coordinate =
-            forecast.whole + residuals_.code(cell[axis] - forecast.whole, forecast);
-        if (coordinate < 0 || coordinate > largest_[axis]) return "POSN-7";
-        cell[axis] = static_cast<std::int32_t>(coordinate);
-      }
-      history_.learn(axis, cell[axis], forecast);
-    }
+    if (!code_axis<0>(around, cells, cell) || !code_axis<1>(around, cells, cell) ||
+        !code_axis<2>(around, cells, cell))
+      return "POSN-7";
     history_.end(vertex);
     return nullptr;
   }
 
  private:
+  /// False where a coordinate is beyond the lattice.
+  template <std::size_t kAxis>
+  [[gnu::always_inline]] bool code_axis(const Surroundings& around, std::span<const Cell> cells, Cell& cell) {
+    const ResidualForecast forecast = history_.template forecast<kAxis>(0, largest_[kAxis]);
+    if (!guesses_ ||
+        !matches_.code(kAxis, around, guess(around, cells, kAxis, forecast.whole), cell[kAxis])) {
+      const std::int64_t coordinate =
+          forecast.whole + residuals_.code(cell[kAxis] - forecast.whole, forecast);
+      if (coordinate < 0 || coordinate > largest_[kAxis]) return false;
+      cell[kAxis] = static_cast<std::int32_t>(coordinate);
+    }
+    history_.template learn<kAxis>(cell[kAxis], forecast);
+    return true;
+  }
+
   /// The corners of the parallelograms, then the neighbours [POSN-9].
   Guesses guess(const Surroundings& around, std::span<const Cell> cells, std::size_t axis,
                 std::int64_t expected) const noexcept {

@@ -65,7 +65,7 @@ Result<std::vector<Vec3>> read_lattice(CompactReader& reader, const FaceStars& s
     return invalid("a coordinate to replace that is not there, or not finite", "POSN-11");
   DELTAMESH_CHECK(reader.finish(kTagPositions));
   auto positions = to_positions(cells, lattice);
-  apply(patches, positions);
+  deltamesh::apply(patches, positions);
   return positions;
 }
 

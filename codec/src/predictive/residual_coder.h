@@ -23,19 +23,17 @@ class ResidualCoder {
   }
 
   /// A reader's argument is ignored. Where the stream lies the result is anything below 2^62 in size.
-  std::int64_t code(std::int64_t residual, const ResidualForecast& f) {
-    const Mixture<4> mixture{{&models_[0][f.contexts[0]], &models_[1][f.contexts[1]],
-                              &models_[2][f.contexts[2]], &models_[3][f.contexts[3]]},
-                             &weights_[f.weight_set]};
-    const std::int64_t result =
-        numbers_.code(f.negative ? -residual : residual, f.shift, mixture, f.tail_context);
-    return f.negative ? -result : result;
+  [[gnu::always_inline]] std::int64_t code(std::int64_t residual, const ResidualForecast& f) {
+    const Mixture<kResidualModels> mixture{{&models_[0][f.contexts[0]], &models_[1][f.contexts[1]]},
+                                           &weights_[f.weight_set]};
+    const std::int64_t result = numbers_.code((residual ^ f.sign) - f.sign, f.shift, mixture, f.tail_context);
+    return (result ^ f.sign) - f.sign;
   }
 
  private:
   SplitNumberCoder<Coder> numbers_;
-  std::array<std::vector<SymbolModel>, 4> models_;
-  std::array<MixWeights<4>, kResidualWeightSets> weights_;
+  std::array<std::vector<SymbolModel>, kResidualModels> models_;
+  std::array<MixWeights<kResidualModels>, kResidualWeightSets> weights_;
 };
 
 }  // namespace deltamesh

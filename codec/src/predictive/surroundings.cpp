@@ -9,11 +9,15 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xffffffff;
 
-void add_neighbor(Surroundings& around, std::uint32_t vertex, std::uint32_t neighbor) noexcept {
-  if (neighbor >= vertex || around.neighbor_count == Surroundings::kMostNeighbors) return;
-  const auto end = around.neighbors.begin() + around.neighbor_count;
-  if (std::find(around.neighbors.begin(), end, neighbor) != end) return;
-  around.neighbors[around.neighbor_count++] = neighbor;
+[[gnu::always_inline]] inline void add_neighbor(Surroundings& around, std::uint32_t vertex,
+                                                std::uint32_t neighbor) noexcept {
+  const unsigned count = around.neighbor_count;
+  if (neighbor >= vertex || count == Surroundings::kMostNeighbors) return;
+  // Without branches on what is known already, which would often go wrong.
+  unsigned known = 0;
+  for (unsigned i = 0; i < count; ++i) known |= around.neighbors[i] == neighbor ? 1U : 0U;
+  around.neighbors[count] = neighbor;
+  around.neighbor_count = count + (known ^ 1U);
 }
 
 /// The third corner of the first face at `b` that has the edge a - b and comes before `vertex`, if it is
@@ -53,14 +57,13 @@ Surroundings look_around(const FaceStars& stars, std::uint32_t vertex) noexcept 
   Surroundings around;
   const auto wings = stars.of(vertex);
   around.faces = static_cast<std::uint32_t>(wings.size());
-  unsigned edges = 0;
-  for (const auto& [a, b] : wings) {
+  for (const FaceStars::Wing& wing : wings) {
+    const auto& [a, b] = wing;
     add_neighbor(around, vertex, a);
     add_neighbor(around, vertex, b);
-    if (a >= vertex || b >= vertex || a == b) continue;
-    if (around.parallelogram_count == Surroundings::kMostParallelograms || edges == Surroundings::kMostEdges)
-      continue;
-    ++edges;
+    if (a >= vertex || b >= vertex || a == b || around.known_count == Surroundings::kMostEdges) continue;
+    around.known[around.known_count++] = wing;
+    if (around.parallelogram_count == Surroundings::kMostParallelograms) continue;
     const auto [low, high] = std::minmax(a, b);
     const std::uint32_t opposite = find_opposite(stars, low, high, vertex);
     if (opposite != kNone) around.parallelograms[around.parallelogram_count++] = {a, b, opposite};

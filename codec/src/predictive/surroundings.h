@@ -49,6 +49,8 @@ struct Surroundings {
   static constexpr unsigned kMostEdges = 16;      ///< that are looked across
   static constexpr unsigned kMostOpposites = 32;  ///< faces that are looked at there
 
+  std::array<FaceStars::Wing, kMostEdges> known;  ///< faces whose two other corners are before the vertex
+  unsigned known_count = 0;
   std::array<Parallelogram, kMostParallelograms> parallelograms;
   unsigned parallelogram_count = 0;
   std::array<std::uint32_t, kMostNeighbors> neighbors;  ///< vertices before this one, each once

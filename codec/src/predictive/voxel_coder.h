@@ -46,7 +46,7 @@ class VoxelCoder {
     Cell& cell = cells[vertex];
     std::optional<EdgePlace> edge;
     if constexpr (Coder::kWrites) edge = grid_.edge_of(cell);
-    if (const char* broken = code_place(vertex, around, expected, cell, edge)) return broken;
+    if (const char* broken = code_place(around, expected, cell, edge)) return broken;
     if (edge) {
       code_cut(around, expected, *edge, cell);
       history_.settle(cell);
@@ -54,7 +54,7 @@ class VoxelCoder {
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (cell[axis] < 0 || static_cast<std::uint32_t>(cell[axis]) > largest_[axis]) return "POSN-7";
     history_.end(vertex);
-    edges_[vertex] = grid_.edge_of(cell);
+    edges_[vertex] = edge ? edge : grid_.edge_of(cell);
     return nullptr;
   }
 
@@ -68,9 +68,9 @@ class VoxelCoder {
   static constexpr SymbolModel kFreshStart{{8, 8, 8, 8, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
 
   /// The edge, or where the vertex is on none, its cell.
-  const char* code_place(std::uint32_t vertex, const Surroundings& around, const Expectation& expected,
-                         Cell& cell, std::optional<EdgePlace>& edge) {
-    EdgeCandidates candidates(stars_, vertex, around, edges_, expected.place, grid_);
+  const char* code_place(const Surroundings& around, const Expectation& expected, Cell& cell,
+                         std::optional<EdgePlace>& edge) {
+    const EdgeCandidates candidates(around, edges_, expected.place, grid_);
     if (candidates.size() > 0) {
       std::optional<unsigned> rank;
       if (edge) rank = candidates.rank_of(*edge, kNotRanked);
@@ -87,7 +87,7 @@ class VoxelCoder {
     return start == kFree ? code_free(cell) : code_start(start, expected, edge);
   }
 
-  unsigned code_rank(unsigned rank, const Surroundings& around, EdgeCandidates& candidates) {
+  unsigned code_rank(unsigned rank, const Surroundings& around, const EdgeCandidates& candidates) {
     const unsigned doubt = candidates.doubt();
     const unsigned likely = std::min(candidates.likely(), 15U);
     const unsigned degree = std::min(around.faces, 9U);
@@ -115,15 +115,20 @@ class VoxelCoder {
     return nullptr;
   }
 
-  const char* code_free(Cell& cell) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const ResidualForecast forecast = history_.forecast(axis, 0, static_cast<std::int32_t>(largest_[axis]));
-      const std::int64_t q = forecast.whole + residuals_.code(cell[axis] - forecast.whole, forecast);
-      if (q < 0 || q > largest_[axis]) return "POSN-7";
-      cell[axis] = static_cast<std::int32_t>(q);
-      history_.learn(axis, cell[axis], forecast);
-    }
-    return nullptr;
+  /// Kept out of the way of the vertices on edges, which are most.
+  [[gnu::noinline]] const char* code_free(Cell& cell) {
+    return code_free<0>(cell) && code_free<1>(cell) && code_free<2>(cell) ? nullptr : "POSN-7";
+  }
+
+  /// False where a coordinate is beyond the lattice.
+  template <std::size_t kAxis>
+  bool code_free(Cell& cell) {
+    const ResidualForecast forecast = history_.template forecast<kAxis>(0, largest_[kAxis]);
+    const std::int64_t q = forecast.whole + residuals_.code(cell[kAxis] - forecast.whole, forecast);
+    if (q < 0 || q > largest_[kAxis]) return false;
+    cell[kAxis] = static_cast<std::int32_t>(q);
+    history_.template learn<kAxis>(cell[kAxis], forecast);
+    return true;
   }
 
   /// Which of the levels along its edge the vertex is at; sets the cell.
@@ -143,9 +148,9 @@ class VoxelCoder {
   std::int32_t code_level(std::int32_t level, std::int32_t levels, const Surroundings& around,
                           std::int64_t along) {
     const std::int64_t whole = 16 * std::int64_t{grid_.voxel()};
-    const auto sixteenth =
-        static_cast<std::size_t>(std::clamp<std::int64_t>(((16 * along) / whole) + 2, 0, 19));
-    const auto half = static_cast<std::size_t>(std::clamp<std::int64_t>(((32 * along) / whole) + 4, 0, 39));
+    const std::int64_t halves = (32 * along) / whole;  // of a sixteenth of the edge
+    const auto sixteenth = static_cast<std::size_t>(std::clamp<std::int64_t>(halves / 2 + 2, 0, 19));
+    const auto half = static_cast<std::size_t>(std::clamp<std::int64_t>(halves + 4, 0, 39));
     const std::int32_t group = (levels + 15) / 16;
     const unsigned symbol = coder_.symbol(
         static_cast<unsigned>(level / group),

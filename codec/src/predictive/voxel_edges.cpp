@@ -23,20 +23,51 @@ constexpr std::array<EdgePlace, 12> kCubeEdges = [] {
   return edges;
 }();
 
-/// By axis and offset + 1: the edges with that offset on that axis.
-constexpr std::array<std::array<std::uint16_t, 3>, 3> kEdgesAt = [] {
-  std::array<std::array<std::uint16_t, 3>, 3> sets{};
-  for (std::size_t i = 0; i < kCubeEdges.size(); ++i)
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      sets[axis][static_cast<std::size_t>(kCubeEdges[i][axis] + 1)] |= static_cast<std::uint16_t>(1U << i);
+/// By axis and a set of offsets (bit 0: -1, 1: 0, 2: 1): the edges with one of these offsets on that axis.
+constexpr std::array<std::array<std::uint16_t, 8>, 3> kEdgesAt = [] {
+  std::array<std::array<std::uint16_t, 8>, 3> sets{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (std::size_t offsets = 0; offsets < 8; ++offsets)
+      for (std::size_t i = 0; i < kCubeEdges.size(); ++i)
+        if ((offsets >> (kCubeEdges[i][axis] + 1) & 1) != 0)
+          sets[axis][offsets] |= static_cast<std::uint16_t>(1U << i);
+  return sets;
+}();
+
+/// By 9 x + 3 y + z of the offsets + 1: the edge as a set; none where there is no such edge.
+constexpr std::array<std::uint16_t, 27> kEdgeAt = [] {
+  std::array<std::uint16_t, 27> sets{};
+  for (std::size_t i = 0; i < kCubeEdges.size(); ++i) {
+    const auto& [x, y, z] = kCubeEdges[i];
+    sets[static_cast<std::size_t>(9 * (x + 1) + 3 * (y + 1) + z + 1)] = static_cast<std::uint16_t>(1U << i);
+  }
   return sets;
 }();
 
 constexpr std::uint16_t kAllEdges = 0xfff;
 constexpr std::int64_t kNumbers = 64;  ///< room for a candidate's number below its score
 
+/// By a set of four: `value` at those that are in it.
+using AddedTo4 = std::array<std::array<std::int64_t, 4>, 16>;
+constexpr AddedTo4 added(std::int64_t value) noexcept {
+  AddedTo4 table{};
+  for (std::size_t set = 0; set < table.size(); ++set)
+    for (std::size_t i = 0; i < 4; ++i) table[set][i] = (set >> i & 1) != 0 ? value : 0;
+  return table;
+}
+
+/// How many are in a set of twelve.
+constexpr unsigned count12(unsigned set) noexcept {
+  set = (set & 0x555) + (set >> 1 & 0x555);
+  set = (set & 0x333) + (set >> 2 & 0x333);
+  return (set & 0xf) + (set >> 4 & 0xf) + (set >> 8);
+}
+
 constexpr std::int64_t kForbidden = std::int64_t{1} << 50;  ///< added for each face that a candidate breaks
-constexpr std::int64_t kFarthest = std::int64_t{1} << 22;   ///< distances per axis are cut here
+constexpr std::int64_t kClosed = std::int64_t{1} << 55;     ///< of edges that are no candidates
+constexpr AddedTo4 kForbiddenAt = added(kForbidden);
+constexpr AddedTo4 kClosedAt = added(kClosed);
+constexpr std::int64_t kFarthest = std::int64_t{1} << 22;  ///< distances per axis are cut here
 
 }  // namespace
 
@@ -55,11 +86,11 @@ std::optional<EdgePlace> VoxelGrid::edge_of(const Cell& cell) const noexcept {
 }
 
 EdgeCandidates::CubeRange EdgeCandidates::cubes_at(const EdgePlace& edge) noexcept {
-  CubeRange range{edge, edge};
+  CubeRange range;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if ((edge[axis] & 1) != 0) continue;
-    range.low[axis] = edge[axis] - 1;
-    range.high[axis] = edge[axis] + 1;
+    const std::int32_t reach = ~edge[axis] & 1;
+    range.low[axis] = edge[axis] - reach;
+    range.high[axis] = edge[axis] + reach;
   }
   return range;
 }
@@ -69,7 +100,7 @@ bool EdgeCandidates::intersect(CubeRange& range, const CubeRange& other) noexcep
   for (std::size_t axis = 0; axis < 3; ++axis) {
     range.low[axis] = std::max(range.low[axis], other.low[axis]);
     range.high[axis] = std::min(range.high[axis], other.high[axis]);
-    some = some && range.low[axis] <= range.high[axis];
+    some &= range.low[axis] <= range.high[axis];
   }
   return some;
 }
@@ -78,13 +109,12 @@ EdgeCandidates::EdgeSet EdgeCandidates::shared_edges(const CubeRange& range,
                                                      const EdgePlace& center) noexcept {
   unsigned shared = kAllEdges;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    unsigned within = 0;
-    for (std::int32_t offset = -1; offset <= 1; ++offset) {
-      const std::int32_t x = center[axis] + offset;
-      if (x >= range.low[axis] - 1 && x <= range.high[axis] + 1)
-        within |= kEdgesAt[axis][static_cast<std::size_t>(offset + 1)];
-    }
-    shared &= within;
+    // All are odd: a centre is in the range, next to it, or too far off.
+    const std::int32_t below = range.low[axis] - center[axis];
+    const std::int32_t above = center[axis] - range.high[axis];
+    const unsigned offsets =
+        (below <= 0 && above <= 0 ? 7U : 0U) | (below == 2 ? 4U : 0U) | (above == 2 ? 1U : 0U);
+    shared &= kEdgesAt[axis][offsets];
   }
   return static_cast<EdgeSet>(shared);
 }
@@ -93,90 +123,113 @@ EdgeCandidates::EdgeSet EdgeCandidates::edges_taken(const CubeRange& range,
                                                     const EdgePlace& center) const noexcept {
   unsigned taken = 0;
   for (std::size_t axis = 0; axis < 3; ++axis)
-    if (center[axis] > range.low[axis]) taken |= kEdgesAt[axis][0];
+    taken |= kEdgesAt[axis][center[axis] > range.low[axis] ? 1 : 0];
   for (unsigned i = 0; i < taken_count_; ++i) {
-    unsigned edge = kAllEdges;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::int32_t offset = taken_[i][axis] - center[axis] + 1;
-      edge &= offset >= 0 && offset <= 2 ? kEdgesAt[axis][static_cast<std::size_t>(offset)] : 0U;
-    }
-    taken |= edge;
+    const auto x = static_cast<std::uint32_t>(taken_[i][0] - center[0] + 1);
+    const auto y = static_cast<std::uint32_t>(taken_[i][1] - center[1] + 1);
+    const auto z = static_cast<std::uint32_t>(taken_[i][2] - center[2] + 1);
+    const bool is_near = (x < 3) & (y < 3) & (z < 3);
+    taken |= kEdgeAt[is_near ? 9 * x + 3 * y + z : 0];
   }
   return static_cast<EdgeSet>(taken);
 }
 
-void EdgeCandidates::add_cube(const CubeRange& range, const EdgePlace& center) noexcept {
-  // Squared distances per axis, by offset; along an edge's own axis only what is beyond its ends counts.
-  std::array<std::array<std::int64_t, 3>, 3> squares;
+EdgeCandidates::Squares EdgeCandidates::squares_of(const CubeRange& range) const noexcept {
+  Squares squares;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (std::int32_t offset = -1; offset <= 1; ++offset) {
-      std::int64_t off = std::llabs(place_[axis] - half_ * (center[axis] + offset));
-      if (offset == 0) off = std::max<std::int64_t>(off - half_, 0);
-      off = std::min(off, kFarthest);
-      squares[axis][static_cast<std::size_t>(offset + 1)] = off * off;
+    const std::int64_t first = range.low[axis] - std::int64_t{1};
+    for (std::size_t i = 0; i < squares[axis].size(); ++i) {
+      // Ranges begin at odd places, so that these follow an even one.
+      const std::int64_t apart = std::llabs(place_[axis] - half_ * (first + static_cast<std::int64_t>(i)));
+      const std::int64_t off = std::clamp<std::int64_t>(apart - (i % 2 != 0 ? half_ : 0), 0, kFarthest);
+      squares[axis][i] = off * off;
     }
   }
-  std::array<EdgeSet, 8> shared;
-  for (unsigned f = 0; f < all_faces_; ++f) shared[f] = shared_edges(faces_[f], center);
-  const std::size_t cube = cube_count_++;
-  cubes_[cube] = center;
-  for (unsigned open = kAllEdges & ~edges_taken(range, center); open != 0; open &= open - 1) {
-    const auto i = static_cast<std::size_t>(std::countr_zero(open));
-    const EdgePlace& offset = kCubeEdges[i];
-    unsigned broken = 0;
-    for (unsigned f = 0; f < all_faces_; ++f) broken += (shared[f] >> i & 1) == 0 ? 1 : 0;
-    likely_ += broken == 0 ? 1 : 0;
-    std::int64_t score = kForbidden * broken;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      score += squares[axis][static_cast<std::size_t>(offset[axis] + 1)];
-    places_[size_] = static_cast<std::uint8_t>(12 * cube + i);
-    scores_[size_] = score * kNumbers + size_;
-    ++size_;
+  return squares;
+}
+
+void EdgeCandidates::add_cube(const CubeRange& range, const EdgePlace& center,
+                              const Squares& squares) noexcept {
+  std::array<const std::int64_t*, 3> at{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    at[axis] = &squares[axis][static_cast<std::size_t>(center[axis] - range.low[axis])];
+  std::array<std::int64_t, kCubeEdges.size()> scores;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::int64_t* next = at[(axis + 1) % 3];
+    const std::int64_t* last = at[(axis + 2) % 3];
+    for (std::size_t corner = 0; corner < 4; ++corner)
+      scores[4 * axis + corner] = at[axis][1] + next[2 * (corner % 2)] + last[2 * (corner / 2)];
+  }
+  const auto add = [&scores](const AddedTo4& table, unsigned set) {
+    for (std::size_t four = 0; four < 3; ++four)
+      for (std::size_t i = 0; i < 4; ++i) scores[4 * four + i] += table[set >> (4 * four) & 15][i];
+  };
+  const unsigned open = kAllEdges & ~edges_taken(range, center);
+  add(kClosedAt, kAllEdges & ~open);
+  unsigned allowed = open;
+  for (unsigned f = 1; f < all_faces_; ++f) {  // the first has them all
+    const unsigned shared = shared_edges(faces_[f], center);
+    allowed &= shared;
+    add(kForbiddenAt, kAllEdges & ~shared);
+  }
+  likely_ += count12(allowed);
+  size_ += count12(open);
+  const std::size_t first = kCubeEdges.size() * cube_count_;
+  cubes_[cube_count_++] = center;
+  for (std::size_t i = 0; i < kCubeEdges.size(); ++i) {
+    const std::int64_t score = scores[i] * kNumbers + static_cast<std::int64_t>(first + i);
+    scores_[first + i] = score;
+    second_ = std::min(second_, std::max(best_, score));
+    best_ = std::min(best_, score);
   }
 }
 
-EdgeCandidates::EdgeCandidates(const FaceStars& stars, std::uint32_t vertex, const Surroundings& around,
-                               std::span<const std::optional<EdgePlace>> edges,
+EdgeCandidates::EdgeCandidates(const Surroundings& around, std::span<const std::optional<EdgePlace>> edges,
                                const std::array<std::int64_t, 3>& place, const VoxelGrid& grid) noexcept
     : place_(place), half_(std::int64_t{8} * grid.voxel()) {
   for (unsigned i = 0; i < around.neighbor_count; ++i) {
     if (const auto& edge = edges[around.neighbors[i]]) taken_[taken_count_++] = *edge;
   }
   if (taken_count_ == 0) return;
-  for (const auto& [a, b] : stars.of(vertex)) {
-    if (a >= vertex || b >= vertex || all_faces_ == faces_.size() || !edges[a] || !edges[b]) continue;
+  for (unsigned i = 0; i < around.known_count && all_faces_ < faces_.size(); ++i) {
+    const auto& [a, b] = around.known[i];
+    if (!edges[a] || !edges[b]) continue;
     CubeRange range = cubes_at(*edges[a]);
     if (intersect(range, cubes_at(*edges[b]))) faces_[all_faces_++] = range;
   }
   face_count_ = std::min(all_faces_, 3U);
   const CubeRange range = all_faces_ > 0 ? faces_[0] : cubes_at(taken_[0]);
+  const Squares squares = squares_of(range);
   EdgePlace center{};
   for (center[0] = range.low[0]; center[0] <= range.high[0]; center[0] += 2)
     for (center[1] = range.low[1]; center[1] <= range.high[1]; center[1] += 2)
-      for (center[2] = range.low[2]; center[2] <= range.high[2]; center[2] += 2) add_cube(range, center);
+      for (center[2] = range.low[2]; center[2] <= range.high[2]; center[2] += 2)
+        add_cube(range, center, squares);
 }
 
-EdgePlace EdgeCandidates::ranked(unsigned rank) noexcept {
-  for (; sorted_ <= rank; ++sorted_) {
-    const auto first = scores_.begin() + sorted_;
-    std::iter_swap(first, std::min_element(first, scores_.begin() + size_));
+EdgePlace EdgeCandidates::ranked(unsigned rank) const noexcept {
+  std::int64_t score = rank == 0 ? best_ : second_;
+  for (; rank > 1; --rank) {
+    std::int64_t next = kNone;
+    for (std::size_t i = 0; i < kCubeEdges.size() * cube_count_; ++i)
+      next = std::min(next, scores_[i] > score ? scores_[i] : kNone);
+    score = next;
   }
-  const std::size_t place = places_[static_cast<std::size_t>(scores_[rank] % kNumbers)];
-  const EdgePlace& center = cubes_[place / 12];
-  const EdgePlace& offset = kCubeEdges[place % 12];
+  const auto number = static_cast<std::size_t>(score % kNumbers);
+  const EdgePlace& center = cubes_[number / kCubeEdges.size()];
+  const EdgePlace& offset = kCubeEdges[number % kCubeEdges.size()];
   return {center[0] + offset[0], center[1] + offset[1], center[2] + offset[2]};
 }
 
-std::optional<unsigned> EdgeCandidates::rank_of(const EdgePlace& edge, unsigned limit) noexcept {
+std::optional<unsigned> EdgeCandidates::rank_of(const EdgePlace& edge, unsigned limit) const noexcept {
   for (unsigned rank = 0; rank < std::min(limit, size_); ++rank)
     if (ranked(rank) == edge) return rank;
   return std::nullopt;
 }
 
-unsigned EdgeCandidates::doubt() noexcept {
+unsigned EdgeCandidates::doubt() const noexcept {
   if (size_ < 2) return 0;
-  ranked(1);
-  const std::int64_t gap = scores_[1] / kNumbers - scores_[0] / kNumbers;
+  const std::int64_t gap = second_ / kNumbers - best_ / kNumbers;
   const std::int64_t unit = std::max<std::int64_t>(half_ * half_ / 16, 1);
   if (gap >= 8 * unit) return gap >= 32 * unit ? 0 : gap >= 16 * unit ? 1 : 2;
   return gap >= 4 * unit ? 3 : gap >= unit ? 4 : 5;

@@ -44,20 +44,19 @@ class EdgeCandidates {
   static constexpr unsigned kMost = 4 * 12;  ///< an edge's cubes, their edges
 
   /// `edges`: of coded vertices, where they have one; `place`: where the vertex is expected, 1/16 fine steps.
-  EdgeCandidates(const FaceStars& stars, std::uint32_t vertex, const Surroundings& around,
-                 std::span<const std::optional<EdgePlace>> edges, const std::array<std::int64_t, 3>& place,
-                 const VoxelGrid& grid) noexcept;
+  EdgeCandidates(const Surroundings& around, std::span<const std::optional<EdgePlace>> edges,
+                 const std::array<std::int64_t, 3>& place, const VoxelGrid& grid) noexcept;
 
   unsigned size() const noexcept { return size_; }
   /// The candidate of this rank, below size().
-  EdgePlace ranked(unsigned rank) noexcept;
+  EdgePlace ranked(unsigned rank) const noexcept;
   /// The rank of `edge` where it is below `limit`.
-  std::optional<unsigned> rank_of(const EdgePlace& edge, unsigned limit) noexcept;
+  std::optional<unsigned> rank_of(const EdgePlace& edge, unsigned limit) const noexcept;
 
   unsigned faces() const noexcept { return face_count_; }  ///< known faces with both corners on edges, to 3
   unsigned likely() const noexcept { return likely_; }     ///< candidates that all known faces allow
   /// How near the best is compared with the next, 0 (much) to 5.
-  unsigned doubt() noexcept;
+  unsigned doubt() const noexcept;
 
  private:
   /// Per axis, which odd cube centres are left: those of two neighbours' cubes, or fewer.
@@ -70,18 +69,26 @@ class EdgeCandidates {
 
   static CubeRange cubes_at(const EdgePlace& edge) noexcept;
   static bool intersect(CubeRange& range, const CubeRange& other) noexcept;
-  void add_cube(const CubeRange& range, const EdgePlace& center) noexcept;
+  /// Squared distances from where the vertex is expected, per axis, of all places of a range's edges by
+  /// ascending place; along an edge's own axis only what is beyond its ends counts.
+  using Squares = std::array<std::array<std::int64_t, 5>, 3>;
+
+  Squares squares_of(const CubeRange& range) const noexcept;
+  void add_cube(const CubeRange& range, const EdgePlace& center, const Squares& squares) noexcept;
   /// Those of the cube's edges that `range`'s cubes have too.
   static EdgeSet shared_edges(const CubeRange& range, const EdgePlace& center) noexcept;
   /// Those that an earlier cube of `range` has, or a neighbour is on.
   EdgeSet edges_taken(const CubeRange& range, const EdgePlace& center) const noexcept;
 
-  std::array<std::int64_t, kMost> scores_;  ///< times kMost and more, plus the candidate's number
+  static constexpr std::int64_t kNone = INT64_MAX;
+
+  /// Times kMost and more, plus the edge's number, 12 * cube + edge; those of no candidates are larger.
+  std::array<std::int64_t, kMost> scores_;
+  std::int64_t best_ = kNone;
+  std::int64_t second_ = kNone;
   unsigned size_ = 0;
-  unsigned sorted_ = 0;
   std::array<EdgePlace, 4> cubes_;
   unsigned cube_count_ = 0;
-  std::array<std::uint8_t, kMost> places_;  ///< of a candidate: 12 * cube + edge
   std::array<CubeRange, 8> faces_;
   unsigned all_faces_ = 0;
   unsigned face_count_ = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Four 32-bit numbers handled at once, for what a field remembers of its vertices.
+// Four 32-bit numbers handled at once, for what is remembered of coded vertices.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +14,10 @@
 
 namespace deltamesh {
 
-using FieldLanes = std::int32_t __attribute__((vector_size(16)));
+using FourInts = std::int32_t __attribute__((vector_size(16)));
 
-/// mean_of() every lane; lanes are below 2^30 in size.
-inline FieldLanes mean_lanes(FieldLanes sums, unsigned count) noexcept {
+/// mean_of() every lane; these are at most 2^30 in size.
+inline FourInts mean_lanes(FourInts sums, unsigned count) noexcept {
   // With the bias added, products of unsigned numbers do.
   constexpr std::int32_t kBias = 1 << 30;
   const auto one_over = static_cast<std::int32_t>(kOneOver[count]);
@@ -28,10 +28,10 @@ inline FieldLanes mean_lanes(FieldLanes sums, unsigned count) noexcept {
   const __m128i even = _mm_srli_epi64(_mm_mul_epu32(biased, factor), 16);
   const __m128i odd = _mm_slli_epi64(_mm_mul_epu32(_mm_srli_epi64(biased, 32), factor), 16);
   const __m128i high_halves = _mm_set_epi32(-1, 0, -1, 0);
-  const auto means = reinterpret_cast<FieldLanes>(
+  const auto means = reinterpret_cast<FourInts>(
       _mm_or_si128(_mm_andnot_si128(high_halves, even), _mm_and_si128(high_halves, odd)));
 #else
-  FieldLanes means;
+  FourInts means;
   for (int i = 0; i < 4; ++i)
     means[i] = static_cast<std::int32_t>(static_cast<std::uint64_t>(static_cast<std::uint32_t>(sums[i])) *
                                              static_cast<std::uint32_t>(one_over) >>
@@ -41,13 +41,13 @@ inline FieldLanes mean_lanes(FieldLanes sums, unsigned count) noexcept {
 }
 
 /// (5 now + 3 before) >> 3: 0.6 of the one and 0.4 of the other, about.
-inline FieldLanes smooth_lanes(FieldLanes now, FieldLanes before) noexcept {
+inline FourInts smooth_lanes(FourInts now, FourInts before) noexcept {
   return ((now << 2) + now + (before << 1) + before) >> 3;
 }
 
 /// Absolute values.
-inline FieldLanes lane_sizes(FieldLanes lanes) noexcept {
-  const FieldLanes sign = lanes >> 31;
+inline FourInts lane_sizes(FourInts lanes) noexcept {
+  const FourInts sign = lanes >> 31;
   return (lanes ^ sign) - sign;
 }
 
