@@ -112,13 +112,13 @@ bool Border::split(std::uint32_t target, const Gate& gate) {
   return true;
 }
 
-bool Border::apply(BorderStep step, Gate gate) {
-  if (step.op == BorderOp::kBoundary) {
+bool Border::carry_out(BorderOp op, std::uint32_t target, const Gate& gate) {
+  if (op == BorderOp::kBoundary) {
     items_[gate.item].closed = true;
     return true;
   }
   if (is_full()) return false;
-  switch (step.op) {
+  switch (op) {
     case BorderOp::kNewVertex:
       return add_vertex(gate);
     case BorderOp::kLeft:
@@ -128,7 +128,7 @@ bool Border::apply(BorderStep step, Gate gate) {
     case BorderOp::kEnd:
       return add_end(gate);
     case BorderOp::kSplit:
-      return split(step.target, gate);
+      return split(target, gate);
     case BorderOp::kNearSplit:
       return split(gate.past, gate);
     default:

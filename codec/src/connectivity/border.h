@@ -49,8 +49,12 @@ class Border {
   /// it [CONN-7], or the border is full.
   bool add_right_and_leave(const Gate& gate);
 
-  /// Carries any op out. False where the rules do not allow it [CONN-7], or the border is full.
-  bool apply(BorderStep step, Gate gate);
+  /// Carries any op out at gate `i`, with the target of S. False where the rules do not allow it [CONN-7], or
+  /// the border is full.
+  template <bool AtOrigin>
+  [[gnu::noinline]] bool apply(std::uint32_t i, BorderOp op, std::uint32_t target) {
+    return carry_out(op, target, gate_at<AtOrigin>(i));
+  }
 
   /// Takes the next gap that is not finished off the queue, kNoIndex when there is none [CONN-5]. Amortised
   /// O(1).
@@ -62,6 +66,7 @@ class Border {
   void leave_focus(std::uint32_t faces) noexcept { last_focus_faces_ = faces; }
 
  private:
+  bool carry_out(BorderOp op, std::uint32_t target, const Gate& gate);
   bool is_finished(std::uint32_t i) const noexcept {
     const BorderItem& item = items_[i];
     return !item.alive || (item.closed && items_[item.previous].closed);

@@ -46,7 +46,8 @@ class OpCoder {
       return {BorderOp::kRight};
     }
     last_kind_ = 2;
-    return code_rare(step, border, gate);
+    return gate.at_origin ? code_rare<true>(step.op, step.target, border, gate.item)
+                          : code_rare<false>(step.op, step.target, border, gate.item);
   }
 
  private:
@@ -56,7 +57,10 @@ class OpCoder {
 
   static std::uint32_t few(std::uint32_t faces) noexcept { return std::min<std::uint32_t>(faces, 4) - 1; }
 
-  [[gnu::noinline]] BorderStep code_rare(BorderStep step, const Border& border, Gate gate) {
+  template <bool AtOrigin>
+  [[gnu::noinline]] BorderStep code_rare(BorderOp op, std::uint32_t target, const Border& border,
+                                         std::uint32_t item) {
+    const Gate gate = border.gate_at<AtOrigin>(item);
     const std::uint32_t closed =
         (gate.other_side_closed ? 4 : 0) + (gate.after_closed ? 2 : 0) + (gate.before_closed ? 1 : 0);
     const std::uint32_t near = closed * 4 + gate.loop;
@@ -64,9 +68,9 @@ class OpCoder {
                                   .second = (near * 8 + gate.left_faces - 1) * 8 + gate.right_faces - 1,
                                   .set = 0};
     for (std::size_t i = 0; i < kRareOps.size(); ++i) {
-      if (!is_rare_[i].code(coder_, step.op == kRareOps[i], context)) continue;
+      if (!is_rare_[i].code(coder_, op == kRareOps[i], context)) continue;
       BorderStep coded{kRareOps[i]};
-      if (coded.op == BorderOp::kSplit) coded.target = code_target(step.target, border, gate.item);
+      if (coded.op == BorderOp::kSplit) coded.target = code_target(target, border, item);
       return coded;
     }
     return {BorderOp::kEnd};

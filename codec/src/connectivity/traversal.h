@@ -16,8 +16,8 @@ namespace deltamesh {
 template <class Guide>
 [[gnu::noinline]] bool fill_from_item(Border& border, std::uint32_t gap, Guide& guide) {
   while (!border.item(gap).closed) {
-    const Gate gate = border.gate_at<true>(gap);
-    if (!border.apply(guide.next(border, gate), gate)) return false;
+    const BorderStep step = guide.next(border, border.gate_at<true>(gap));
+    if (!border.apply<true>(gap, step.op, step.target)) return false;
   }
   border.leave_focus(border.item(gap).faces);
   return true;
@@ -36,7 +36,7 @@ bool fill_gap(Border& border, std::uint32_t gap, Guide& guide) {
       if (!border.add_vertex_and_advance(gate)) return false;
     }
     if (step.op == BorderOp::kRight) return border.add_right_and_leave(gate);
-    if (!border.apply(step, gate)) return false;
+    if (!border.apply<false>(gate.item, step.op, step.target)) return false;
     if (step.op == BorderOp::kEnd) return true;
   }
   return fill_from_item(border, gap, guide);
