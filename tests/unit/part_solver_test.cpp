@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/delta_quantizer.h"
 #include "geometry/highpass.h"
 #include "laplacian/anchors.h"
 #include "laplacian/delta.h"
@@ -69,13 +70,21 @@ TEST(SolveOnce, GivesTheSolversBits) {
     LeastSquaresProblem problem{.graph = mesh.graph, .components = mesh.components};
     problem.anchors = place_anchors(mesh.graph, mesh.components, {.count = 60}).vertices;
     for (const std::uint32_t anchor : problem.anchors) problem.targets.push_back(mesh.positions[anchor]);
-    problem.deltas = delta_coordinates(mesh.graph, mesh.positions);
-    for (Vec3& delta : problem.deltas)
-      for (double& x : delta) x = std::round(64 * x) / 64;
+    problem.scale = {.step = 1.0 / 64, .one = 0.25, .more = 0.125};
+    std::vector<Vec3> deltas = delta_coordinates(mesh.graph, mesh.positions);
+    problem.symbols.resize(3 * deltas.size());
+    const DeltaQuantizer quantizer{.step = 1.0 / 64, .shift = {.one = 64, .more = 32}};
+    for (std::size_t i = 0; i < deltas.size(); ++i) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto symbol = static_cast<std::int32_t>(std::round(64 * deltas[i][axis]));
+        problem.symbols[axis * deltas.size() + i] = symbol;
+        deltas[i][axis] = quantizer.value(symbol);
+      }
+    }
     const auto solver = make_multigrid_solver(problem.graph, problem.anchors);
     ASSERT_TRUE(solver);
     std::vector<Vec3> x(mesh.positions.size());
-    ASSERT_TRUE((*solver)->solve(problem.deltas, problem.targets, x));
+    ASSERT_TRUE((*solver)->solve(deltas, problem.targets, x));
     const auto once = solve_once(problem);
     ASSERT_TRUE(once);
     EXPECT_EQ(*once, x);

@@ -7,7 +7,6 @@
 
 #include "base/try.h"
 #include "format/tags.h"
-#include "geometry/delta_quantizer.h"
 #include "geometry/highpass_symbols.h"
 #include "laplacian/solve_once.h"
 
@@ -18,14 +17,9 @@ Vec3 middle(const Box& box) noexcept {
   return 0.5 * box.min + 0.5 * box.max;  // halves first: that cannot overflow
 }
 
-std::vector<Vec3> dequantize(std::span<const std::int32_t> symbols, const HighpassParameters& parameters) {
-  const DeltaQuantizer quantizer{.step = parameters.step, .shift = parameters.shift};
-  std::vector<Vec3> deltas(symbols.size() / 3);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (std::size_t i = 0; i < deltas.size(); ++i)
-      deltas[i][axis] = quantizer.value(symbols[axis * deltas.size() + i]);
-  }
-  return deltas;
+DeltaScale scale_of(const HighpassParameters& parameters) noexcept {
+  return {
+      .step = parameters.step, .one = parameters.shift.one / 256.0, .more = parameters.shift.more / 256.0};
 }
 
 /// Of the solved anchors, relative to the middle of the box: near the origin doubles are densest.
@@ -111,7 +105,8 @@ Result<std::vector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, c
                                                const HighpassParameters& parameters) {
   std::vector<Vec3> solution(part.row_count);
   if (!solution.empty()) {
-    DELTAMESH_CHECK(solver.solve(anchor_rows(symbols.anchors, part), dequantize(symbols.deltas, parameters),
+    DELTAMESH_CHECK(solver.solve(anchor_rows(symbols.anchors, part),
+                                 DeltaView(symbols.deltas, scale_of(parameters)),
                                  anchor_targets(symbols, part, box, parameters), solution));
   }
   return to_positions(std::move(solution), symbols, part, box, parameters);
@@ -124,7 +119,8 @@ Result<std::vector<Vec3>> reconstruct_highpass_once(HighpassSymbols symbols, Sol
     LeastSquaresProblem problem{.graph = std::exchange(part.graph, {}),
                                 .components = std::exchange(part.components, {}),
                                 .anchors = anchor_rows(symbols.anchors, part),
-                                .deltas = dequantize(std::exchange(symbols.deltas, {}), parameters),
+                                .symbols = std::exchange(symbols.deltas, {}),
+                                .scale = scale_of(parameters),
                                 .targets = anchor_targets(symbols, part, box, parameters)};
     DELTAMESH_TRY(solution, solve_once(std::move(problem)));
   }

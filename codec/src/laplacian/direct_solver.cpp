@@ -118,7 +118,7 @@ class DirectSolver final : public LeastSquaresSolver {
 
   bool succeeded() const { return factors_.info() == Eigen::Success; }
 
-  Result<void> solve(std::span<const Vec3> deltas, std::span<const Vec3> anchor_positions,
+  Result<void> solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions,
                      std::span<Vec3> x) override {
     const auto n = static_cast<Index>(x.size());
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -137,7 +137,7 @@ class DirectSolver final : public LeastSquaresSolver {
  private:
   /// L^T (delta - L x) + w^2 sum_a (c_a - x_a) e_a, on one axis: zero at the solution. Zeros follow for
   /// the hubs.
-  Eigen::VectorXd gradient(std::span<const Vec3> deltas, std::span<const Vec3> anchor_positions,
+  Eigen::VectorXd gradient(const DeltaView& deltas, std::span<const Vec3> anchor_positions,
                            const Eigen::VectorXd& x, std::size_t axis) const {
     Eigen::VectorXd result = Eigen::VectorXd::Zero(factors_.rows());
     for (std::uint32_t i = 0; i < graph_.vertex_count(); ++i) {

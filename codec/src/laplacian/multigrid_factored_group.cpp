@@ -16,7 +16,7 @@ Result<std::unique_ptr<FactoredGroup>> FactoredGroup::make(Group group) {
   return factored;
 }
 
-Result<void> FactoredGroup::solve(std::span<const Vec3> deltas, std::span<const Vec3> anchor_positions,
+Result<void> FactoredGroup::solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions,
                                   std::span<Vec3> x) {
   std::vector<Vec3> own_deltas, targets;
   for (const std::uint32_t v : group_.vertices) own_deltas.push_back(deltas[v]);

@@ -9,6 +9,7 @@
 
 #include "base/vec3.h"
 #include "deltamesh/result.h"
+#include "laplacian/delta_view.h"
 #include "laplacian/multigrid_groups.h"
 #include "laplacian/solver.h"
 
@@ -20,7 +21,7 @@ class FactoredGroup {
   static Result<std::unique_ptr<FactoredGroup>> make(Group group);
 
   /// Spans as LeastSquaresSolver::solve, over what the group was taken from; other vertices' x stays.
-  Result<void> solve(std::span<const Vec3> deltas, std::span<const Vec3> anchor_positions, std::span<Vec3> x);
+  Result<void> solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions, std::span<Vec3> x);
 
  private:
   Group group_;

@@ -99,8 +99,7 @@ class GroupSolver {
         bad_(group_.components.count) {}
 
   /// `x`: where to start without levels; overwritten with the solution.
-  Result<void> solve(std::span<const Vec3> deltas, std::span<const Vec3> anchor_positions,
-                     std::span<Vec3> x) {
+  Result<void> solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions, std::span<Vec3> x) {
     if (group_.vertices.empty()) {
       deltas_ = deltas;
       x_ = x;
@@ -119,7 +118,7 @@ class GroupSolver {
 
  private:
   /// Own copies for a group that is not the whole graph.
-  void gather(std::span<const Vec3> deltas, std::span<const Vec3> x) {
+  void gather(const DeltaView& deltas, std::span<const Vec3> x) {
     own_x_.clear();
     own_deltas_.clear();
     for (const std::uint32_t v : group_.vertices) {
@@ -265,7 +264,7 @@ class GroupSolver {
   /// Estimate of the rms error that quantisation leaves in the whole group.
   double expected_error() noexcept {
     double deltas = 0;
-    for (const Vec3& delta : deltas_) deltas += dot(delta, delta);
+    for (std::size_t i = 0; i < deltas_.size(); ++i) deltas += dot(deltas_[i], deltas_[i]);
     deltas = std::sqrt(deltas / static_cast<double>(deltas_.size()));
     const double error =
         targets_.size() == group_.components.count ? error_of_lone_anchors() : error_of_forces();
@@ -346,7 +345,7 @@ class GroupSolver {
 
   Group group_;
   MultigridCycle cycles_;
-  std::span<const Vec3> deltas_;
+  DeltaView deltas_;
   std::span<Vec3> x_;
   std::vector<Vec3> own_deltas_;
   std::vector<Vec3> own_x_;
@@ -362,7 +361,7 @@ class MultigridSolver final : public LeastSquaresSolver {
 
   void add(Group group) { groups_.push_back(std::make_unique<GroupSolver>(std::move(group))); }
 
-  Result<void> solve(std::span<const Vec3> deltas, std::span<const Vec3> anchor_positions,
+  Result<void> solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions,
                      std::span<Vec3> x) override {
     std::fill(x.begin(), x.end(), Vec3{});
     DELTAMESH_CHECK(small_.solve(deltas, anchor_positions, x));

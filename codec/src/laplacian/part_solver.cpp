@@ -16,7 +16,7 @@ Result<void> PartSolver::set_up(std::span<const std::uint32_t> anchors) {
   return {};
 }
 
-Result<void> PartSolver::solve(std::span<const std::uint32_t> anchors, std::span<const Vec3> deltas,
+Result<void> PartSolver::solve(std::span<const std::uint32_t> anchors, const DeltaView& deltas,
                                std::span<const Vec3> anchor_positions, std::span<Vec3> x) {
   DELTAMESH_CHECK(set_up(anchors));
   return solver_->solve(deltas, anchor_positions, x);

@@ -23,7 +23,7 @@ class PartSolver {
   Result<void> set_up(std::span<const std::uint32_t> anchors);
 
   /// As LeastSquaresSolver::solve; `anchors`: rows of the part, ascending.
-  Result<void> solve(std::span<const std::uint32_t> anchors, std::span<const Vec3> deltas,
+  Result<void> solve(std::span<const std::uint32_t> anchors, const DeltaView& deltas,
                      std::span<const Vec3> anchor_positions, std::span<Vec3> x);
 
  private:

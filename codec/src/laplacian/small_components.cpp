@@ -82,7 +82,7 @@ SmallComponents::SmallComponents(const Adjacency& graph, const Components& compo
       [&](std::uint32_t a) { return place[components.label[anchors[a]]]; }, anchors_, first_anchor_);
 }
 
-Result<void> SmallComponents::solve(std::span<const Vec3> deltas, std::span<const Vec3> anchor_positions,
+Result<void> SmallComponents::solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions,
                                     std::span<Vec3> x) const {
   DenseComponent component;
   std::array<std::uint32_t, kLargest> columns;

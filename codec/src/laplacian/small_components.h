@@ -10,6 +10,7 @@
 
 #include "base/vec3.h"
 #include "deltamesh/result.h"
+#include "laplacian/delta_view.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {
@@ -28,7 +29,7 @@ class SmallComponents {
   /// Solves each as LeastSquaresSolver::solve would, exact up to the rounding of doubles; x of all other
   /// vertices stays. Cost per vertex at most the square of kLargest; no memory. Errors: kInvalidStream
   /// [DELT-4] where a component has no anchor.
-  Result<void> solve(std::span<const Vec3> deltas, std::span<const Vec3> anchor_positions,
+  Result<void> solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions,
                      std::span<Vec3> x) const;
 
  private:

@@ -50,12 +50,22 @@ void pick_anchors(const LeastSquaresProblem& problem, std::span<const std::uint3
   }
 }
 
+/// `to` may be `from`: what is read lies no farther to the front than what is written.
+void pick_symbols(std::span<const std::int32_t> from, std::span<const std::uint32_t> vertices,
+                  std::span<std::int32_t> to) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      to[axis * vertices.size() + i] = from[axis * (from.size() / 3) + vertices[i]];
+  }
+}
+
 LeastSquaresProblem copy_part(const LeastSquaresProblem& problem, std::span<const std::uint32_t> vertices) {
   LeastSquaresProblem part{.graph = copy_vertices(problem.graph, vertices),
                            .components = pick_components(problem.components, vertices)};
   pick_anchors(problem, vertices, part);
-  part.deltas.reserve(vertices.size());
-  for (const std::uint32_t v : vertices) part.deltas.push_back(problem.deltas[v]);
+  part.symbols.resize(3 * vertices.size());
+  part.scale = problem.scale;
+  pick_symbols(problem.symbols, vertices, part.symbols);
   return part;
 }
 
@@ -64,8 +74,8 @@ void keep_part(LeastSquaresProblem& problem, std::span<const std::uint32_t> vert
   pick_anchors(problem, vertices, part);
   problem.anchors = std::move(part.anchors);
   problem.targets = std::move(part.targets);
-  for (std::size_t i = 0; i < vertices.size(); ++i) problem.deltas[i] = problem.deltas[vertices[i]];
-  problem.deltas.resize(vertices.size());
+  pick_symbols(problem.symbols, vertices, problem.symbols);
+  problem.symbols.resize(3 * vertices.size());
   keep_vertices(problem.graph, vertices);
   problem.components = pick_components(problem.components, vertices);
 }
@@ -74,7 +84,7 @@ void keep_part(LeastSquaresProblem& problem, std::span<const std::uint32_t> vert
 Result<void> solve(LeastSquaresProblem& problem, std::span<Vec3> x) {
   DELTAMESH_TRY(const auto solver,
                 make_solver_for_components(problem.graph, std::move(problem.components), problem.anchors));
-  return solver->solve(problem.deltas, problem.targets, x);
+  return solver->solve(DeltaView(problem.symbols, problem.scale), problem.targets, x);
 }
 
 }  // namespace

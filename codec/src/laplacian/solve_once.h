@@ -9,6 +9,7 @@
 
 #include "base/vec3.h"
 #include "deltamesh/result.h"
+#include "laplacian/delta_view.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {
@@ -17,7 +18,8 @@ struct LeastSquaresProblem {
   Adjacency graph{};
   Components components{};               ///< of the graph
   std::vector<std::uint32_t> anchors{};  ///< distinct vertices, ascending; at least one in every component
-  std::vector<Vec3> deltas{};            ///< n
+  std::vector<std::int32_t> symbols{};   ///< of the deltas: x of all n vertices, then y, then z
+  DeltaScale scale{};                    ///< what they stand for
   std::vector<Vec3> targets{};           ///< of every anchor
 };
 

@@ -12,6 +12,7 @@
 
 #include "base/vec3.h"
 #include "deltamesh/result.h"
+#include "laplacian/delta_view.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {
@@ -26,7 +27,7 @@ class LeastSquaresSolver {
 
   /// `deltas`: n; `anchor_positions`: one per anchor, in the order of setup; `x`: n, overwritten.
   /// Errors: kInvalidStream where the system is numerically singular or its solution out of reach.
-  virtual Result<void> solve(std::span<const Vec3> deltas, std::span<const Vec3> anchor_positions,
+  virtual Result<void> solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions,
                              std::span<Vec3> x) = 0;
 };
 
