@@ -2,37 +2,66 @@
 // Copyright 2026 The deltamesh authors
 #include "entropy/compact_writer.h"
 
-#include "base/byte_writer.h"
-
 namespace deltamesh {
+namespace {
+
+/// x / `divisor`, x below 2^63, by the highest half of a product; what is slow, the reciprocal, need not wait
+/// for x.
+struct Quotient {
+  std::uint64_t quotient;
+  std::uint64_t rest;
+};
+inline Quotient divide(std::uint64_t x, std::uint32_t divisor) noexcept {
+#if defined(__SIZEOF_INT128__)
+  __extension__ using Wide = unsigned __int128;
+  const std::uint64_t reciprocal = ~std::uint64_t{0} / divisor;
+  std::uint64_t quotient = static_cast<std::uint64_t>((Wide{x} * reciprocal) >> 64);
+  std::uint64_t rest = x - quotient * divisor;
+  const std::uint64_t more = rest >= divisor ? 1 : 0;  // the estimate is at most 1 too small
+  quotient += more;
+  rest -= more * divisor;
+  return {quotient, rest};
+#else
+  return {x / divisor, x % divisor};
+#endif
+}
+
+}  // namespace
 
 std::vector<std::byte> CompactWriter::finish() {
-  // rANS gives symbols back in the opposite order, so the last goes first.
+  // rANS gives symbols back in the opposite order, so the last goes first. A decision makes a word at most,
+  // for which there is room behind those that are still to come.
   std::uint64_t state = kRansFloor;
-  std::vector<std::uint32_t> words;
-  const auto make_room = [&](std::uint64_t limit) {
-    if (state < limit) return;
-    words.push_back(static_cast<std::uint32_t>(state));
-    state >>= 32;
-  };
+  std::size_t first = decisions_.size();
   for (std::size_t i = decisions_.size(); i-- > 0;) {
     const std::uint32_t start = decisions_[i] >> 16;
     const std::uint32_t size = decisions_[i] & 0xffff;
-    if ((size & kBitsMark) != 0) {
-      const std::uint32_t count = size - kBitsMark;
-      make_room(kRansFloor << 32 >> count);
-      state = state << count | start;
+    const bool is_bits = (size & kBitsMark) != 0;
+    const std::uint64_t limit =
+        is_bits ? kRansFloor << 32 >> (size - kBitsMark) : (kRansFloor >> kProbabilityBits << 32) * size;
+    if (state >= limit) {
+      decisions_[--first] = static_cast<std::uint32_t>(state);
+      state >>= 32;
+    }
+    if (is_bits) {
+      state = state << (size - kBitsMark) | start;
     } else {
-      make_room((kRansFloor >> kProbabilityBits << 32) * size);
-      state = ((state / size) << kProbabilityBits) + state % size + start;
+      const auto [quotient, rest] = divide(state, size);
+      state = (quotient << kProbabilityBits) + rest + start;
     }
   }
-  decisions_.clear();
 
-  ByteWriter out;
-  out.write(state);
-  for (std::size_t i = words.size(); i-- > 0;) out.write(words[i]);
-  return out.take();
+  std::vector<std::byte> bytes(8 + 4 * (decisions_.size() - first));
+  std::size_t place = 0;
+  const auto put_word = [&](std::uint64_t word) {
+    for (unsigned b = 0; b < 4; ++b) bytes[place + b] = static_cast<std::byte>(word >> (8 * b));
+    place += 4;
+  };
+  put_word(state);
+  put_word(state >> 32);
+  for (std::size_t i = first; i < decisions_.size(); ++i) put_word(decisions_[i]);
+  decisions_.clear();
+  return bytes;
 }
 
 }  // namespace deltamesh

@@ -13,6 +13,7 @@ namespace deltamesh {
 std::vector<std::byte> write_compact_deltas(std::span<const std::int32_t> deltas, const Adjacency& graph) {
   CompactWriter writer;
   const auto n = static_cast<std::uint32_t>(graph.vertex_count());
+  writer.reserve(9 * std::size_t{n});
   const std::uint32_t middle = middle_of(n);
   FieldCoder field(writer, graph, middle);
   const auto at = [&](std::uint32_t v) { return FieldNumbers{deltas[v], deltas[n + v], deltas[2 * n + v]}; };

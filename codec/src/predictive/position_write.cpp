@@ -38,6 +38,7 @@ std::vector<std::byte> write_cells(const FaceStars& stars, std::vector<Cell> cel
                                    const PredictiveParameters& parameters, const PositionForm& form,
                                    std::vector<Patch> patches) {
   CompactWriter writer;
+  writer.reserve(9 * std::size_t{stars.vertex_count()});
   Walk walk = form.walk;
   code_walk(writer, walk);
   BlendTable blends = fit_blends(stars, cells, form.fit);
@@ -63,6 +64,7 @@ std::vector<std::byte> write_ordinals(const FaceStars& stars, std::vector<Ordina
   for (std::size_t v = 0; v < floats.size(); ++v)
     for (std::size_t axis = 0; axis < 3; ++axis) cells[v][axis] = fixed_of(floats[v][axis], units[axis]);
   CompactWriter writer;
+  writer.reserve(9 * std::size_t{stars.vertex_count()});
   Walk walk = form.walk;
   code_walk(writer, walk);
   BlendTable blends = fit_blends(stars, cells, form.fit);
