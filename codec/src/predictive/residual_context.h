@@ -97,7 +97,10 @@ class ResidualHistory {
     f.shift = static_cast<unsigned>(std::max(f.scale_bits - 6, 0));
     const std::uint32_t shifted = f.shift > 0 ? 1 : 0;
     const auto distance = static_cast<std::uint32_t>(std::min<std::int64_t>((mean ^ f.sign) - f.sign, 8)) / 2;
-    const std::uint32_t sure = distance & (shifted - 1);
+    // Where the place between two coordinates says nothing, how the axes before turned out does.
+    const std::uint32_t turned_out =
+        kAxis == 0 ? 0U : (4 * coded < scale ? 1U : 0U) + (coded >= 2 * scale ? 2U : 0U);
+    const std::uint32_t sure = shifted != 0 ? turned_out : distance;
     const std::uint32_t scale_class = quarter_octave(scale >> f.shift) + 4 * shifted;
     f.contexts = {(scale_class * 5 + sources_) * 5 + sure,
                   (quarter_octave(spread >> f.shift) * 5 + sources_) * 3 + kA};
