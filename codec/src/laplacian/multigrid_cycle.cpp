@@ -13,6 +13,10 @@
 namespace deltamesh::multigrid {
 namespace {
 
+/// Sweeps on the finest level before a correction: what interpolation leaves there must not reach coarser
+/// levels.
+constexpr int kFirstSweeps = 3;
+
 /// Nodes of a component on a coarsest level whose factor is quickly made, however many there are.
 constexpr std::uint32_t kSmallComponent = 24;
 
@@ -92,7 +96,7 @@ void MultigridCycle::correct(std::size_t level) {
   Vectors& v = vectors_[level];
   Vectors& next = vectors_[level + 1];
   if (level == 0) {
-    smooth(fine, v.b, v.u);
+    for (int sweep = 0; sweep < kFirstSweeps; ++sweep) smooth(fine, v.b, v.u);
     restrict_residual(fine, v.b, v.u, next.b);
   } else {
     smooth_from_zero(fine, v.b, v.u);

@@ -42,7 +42,7 @@ class MultigridCycle {
   /// A first solution from the second level, whatever was there before.
   void start();
 
-  /// One cycle: about nine tenths of the error go.
+  /// One cycle: more than nine tenths of the error go.
   void cycle();
 
   /// Makes the second coarsest level the coarsest until start() is called: dearer cycles that converge

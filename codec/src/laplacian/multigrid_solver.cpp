@@ -48,19 +48,24 @@ constexpr int kRounds = 3;
 
 /// Settled: what is still to come is small against the error that quantisation left (rms, largest). To come:
 /// the last change times rate / (1 - rate), where every cycle changes `rate` times as much as the one before.
-constexpr double kSettledRms = 0.2;
-constexpr double kSettledLargest = 0.8;
+constexpr double kSettledRms = 0.25;
+constexpr double kSettledLargest = 0.9;
 constexpr double kLowestRate = 0.05;
 constexpr double kHighestRate = 0.7;
-constexpr double kUnknownRate = 0.5;
+
+/// Where more than this share of the vertices are anchors, coarse levels are nearly as large as the finest,
+/// and slow errors may hide behind quick ones: no better rate is believed there.
+constexpr double kManyAnchors = 0.05;
+constexpr double kLowestRateOfMany = 0.5;
+
+constexpr double kUnknownRate = 0.7;
 
 /// Rms that is small against the rounding of positions to floats, over their size.
 constexpr double kInvisible = 0x1p-26;
 
-/// Rms of the last change over that of the solution, of a component that did not settle but can be left as it
-/// is: where one anchor holds 100,000 vertices, 0.004 is still a few percent of the error to expect; where a
-/// hub spoils the cycles it is above 0.2.
-constexpr double kTolerated = 0.02;
+/// Rms of the last change, over the error to expect, of a large component that is left as it is where
+/// accelerated cycles hardly move it any more.
+constexpr double kTolerated = 0.5;
 
 /// Low-frequency error over rms of the anchors' forces, times share of anchors: 0.23 within 15 % on scans,
 /// terrain and CAD, 4 to 8 bits, 0.1 to 2 % anchors.
@@ -191,7 +196,6 @@ class GroupSolver {
       if (cycles_.is_exhausted()) break;
       if (c + 1 >= kPatience && largest_bad_component() <= kLargestRescue) break;
     }
-    if (!cycles_.is_exhausted()) tolerate_large_components();
     return solve_bad_components();
   }
 
@@ -303,9 +307,14 @@ class GroupSolver {
     return largest;
   }
 
+  bool has_many_anchors() const noexcept {
+    return static_cast<double>(targets_.size()) > kManyAnchors * static_cast<double>(x_.size());
+  }
+
   /// Whether what is still to come is small; marks the components where it is not.
   bool is_settled(double rate) {
-    const double bounded = std::clamp(rate, kLowestRate, kHighestRate);
+    const double bounded =
+        std::clamp(rate, has_many_anchors() ? kLowestRateOfMany : kLowestRate, kHighestRate);
     const double error = std::max(expected_error(), kInvisible / kSettledRms * extent());
     const double change_allowed = (1 - bounded) / bounded * error;
     bool settled = true;
@@ -321,12 +330,10 @@ class GroupSolver {
 
   /// Takes the mark from large components that hardly move.
   void tolerate_large_components() {
-    std::vector<double> squares(bad_.size(), 0.0);
-    for (std::size_t i = 0; i < x_.size(); ++i) squares[group_.components.label[i]] += dot(x_[i], x_[i]);
+    const double allowed = kTolerated * expected_error();
     for (std::size_t c = 0; c < bad_.size(); ++c) {
-      if (group_.components.size[c] > kLargestRescue &&
-          change_[c].squares <= kTolerated * kTolerated * squares[c])
-        bad_[c] = 0;
+      const double size = group_.components.size[c];
+      if (size > kLargestRescue && change_[c].squares <= allowed * allowed * size) bad_[c] = 0;
     }
   }
 
