@@ -147,10 +147,12 @@ class VoxelCoder {
   /// `along`: where on the edge the vertex is expected, 1/16 fine steps.
   std::int32_t code_level(std::int32_t level, std::int32_t levels, const Surroundings& around,
                           std::int64_t along) {
-    const std::int64_t whole = 16 * std::int64_t{grid_.voxel()};
-    const std::int64_t halves = (32 * along) / whole;  // of a sixteenth of the edge
-    const auto sixteenth = static_cast<std::size_t>(std::clamp<std::int64_t>(halves / 2 + 2, 0, 19));
-    const auto half = static_cast<std::size_t>(std::clamp<std::int64_t>(halves + 4, 0, 39));
+    // Half sixteenths of the edge; what is far off is all one.
+    const std::int32_t near = static_cast<std::int32_t>(
+        std::clamp<std::int64_t>(along, -64 * std::int64_t{levels}, 64 * std::int64_t{levels}));
+    const std::int32_t halves = near / levels;
+    const auto sixteenth = static_cast<std::size_t>(std::clamp(halves / 2 + 2, 0, 19));
+    const auto half = static_cast<std::size_t>(std::clamp(halves + 4, 0, 39));
     const std::int32_t group = (levels + 15) / 16;
     const unsigned symbol = coder_.symbol(
         static_cast<unsigned>(level / group),
@@ -158,6 +160,7 @@ class VoxelCoder {
                    &cut_weights_});
     const auto first = static_cast<std::int32_t>(symbol) * group;
     if (first >= levels) return levels - 1;  // a symbol that no encoder writes
+    if (group == 1) return first;
     const auto range = static_cast<std::uint32_t>(std::min(group, levels - first));
     return first +
            static_cast<std::int32_t>(coder_.uniform(static_cast<std::uint32_t>(level - first), range));

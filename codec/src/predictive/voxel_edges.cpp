@@ -231,8 +231,9 @@ unsigned EdgeCandidates::doubt() const noexcept {
   if (size_ < 2) return 0;
   const std::int64_t gap = second_ / kNumbers - best_ / kNumbers;
   const std::int64_t unit = std::max<std::int64_t>(half_ * half_ / 16, 1);
-  if (gap >= 8 * unit) return gap >= 32 * unit ? 0 : gap >= 16 * unit ? 1 : 2;
-  return gap >= 4 * unit ? 3 : gap >= unit ? 4 : 5;
+  unsigned doubt = 5;
+  for (const std::int64_t units : {1, 4, 8, 16, 32}) doubt -= gap >= units * unit ? 1 : 0;
+  return doubt;
 }
 
 }  // namespace deltamesh
