@@ -48,9 +48,9 @@ constexpr int kRounds = 3;
 
 /// Settled: what is still to come is small against the error that quantisation left (rms, largest). To come:
 /// the last change times rate / (1 - rate), where every cycle changes `rate` times as much as the one before.
-constexpr double kSettledRms = 0.25;
-constexpr double kSettledLargest = 0.9;
-constexpr double kLowestRate = 0.05;
+constexpr double kSettledRms = 0.1;
+constexpr double kSettledLargest = 0.3;
+constexpr double kLowestRate = 0.12;
 constexpr double kHighestRate = 0.7;
 
 /// Where more than this share of the vertices are anchors, coarse levels are nearly as large as the finest,
