@@ -249,6 +249,18 @@ TEST(Seams, SEAM6RejectsCountsThatDoNotAddUp) {
   expect_compact_rule({3, 1, 1, 1, 1}, {0, 0, 0, 1, 0, 0, 2, 0, 0}, 6, "SEAM-6");   // one too many
   expect_compact_rule({90, 1, 1, 1, 1}, {0, 0, 0, 1, 0, 0, 2, 0, 0}, 7, "SEAM-6");  // by a long number
   expect_compact_rule({2, 1, 1, 1, 1}, {0, 0, 0, 1, 0, 0, 1, 0, 0}, 15, "SEAM-6");  // more than corners
+
+  // 2^32 + 1 more copies are not one more.
+  CompactWriter writer;
+  SymbolModel counts{{60, 10, 3, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
+  MixWeights<1> weights;
+  NumberModel large;
+  writer.symbol(15, Mixture<1>{{&counts}, &weights});
+  writer.number(0xfffffff2, large);
+  const std::vector<std::byte> bytes = writer.finish();
+  const auto split = read_seams(Payload::compact(bytes), kFan, kGeometric, 6);
+  ASSERT_FALSE(split);
+  EXPECT_STREQ(split.error().rule, "SEAM-6");
 }
 
 TEST(Seams, SEAM8RejectsCopiesThatAreNotThere) {

@@ -15,13 +15,14 @@
 namespace deltamesh {
 
 using FourInts = std::int32_t __attribute__((vector_size(16)));
+using FourUnsigned = std::uint32_t __attribute__((vector_size(16)));
 
-/// mean_of() every lane; these are at most 2^30 in size.
-inline FourInts mean_lanes(FourInts sums, unsigned count) noexcept {
+/// mean_of() every lane; these are below 2^30 + 2^28 in size.
+inline FourInts mean_lanes(FourInts lanes, unsigned count) noexcept {
   // With the bias added, products of unsigned numbers do.
-  constexpr std::int32_t kBias = 1 << 30;
+  constexpr std::uint32_t kBias = 5U << 28;
   const auto one_over = static_cast<std::int32_t>(kOneOver[count]);
-  sums += kBias;
+  const FourUnsigned sums = reinterpret_cast<FourUnsigned>(lanes) + kBias;
 #if defined(__SSE2__)
   const auto biased = reinterpret_cast<__m128i>(sums);
   const __m128i factor = _mm_set1_epi32(one_over);
@@ -33,11 +34,9 @@ inline FourInts mean_lanes(FourInts sums, unsigned count) noexcept {
 #else
   FourInts means;
   for (int i = 0; i < 4; ++i)
-    means[i] = static_cast<std::int32_t>(static_cast<std::uint64_t>(static_cast<std::uint32_t>(sums[i])) *
-                                             static_cast<std::uint32_t>(one_over) >>
-                                         16);
+    means[i] = static_cast<std::int32_t>(std::uint64_t{sums[i]} * static_cast<std::uint32_t>(one_over) >> 16);
 #endif
-  return means - (kBias >> 16) * one_over;
+  return means - static_cast<std::int32_t>(kBias >> 16) * one_over;
 }
 
 /// (5 now + 3 before) >> 3: 0.6 of the one and 0.4 of the other, about.

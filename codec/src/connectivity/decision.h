@@ -83,7 +83,8 @@ class Decision {
   [[gnu::always_inline]] bool code(Coder& coder, bool yes, const DecisionContext& context) {
     Estimate& first = first_[context.first];
     Estimate& second = second_[context.second];
-    Estimate& joint = joint_[(context.set * 16 + kLevelOf[first.coarse()]) * 16 + kLevelOf[second.coarse()]];
+    Estimate& joint = joint_[(context.set * kLevels.size() + kLevelOf[first.coarse()]) * kLevels.size() +
+                             kLevelOf[second.coarse()]];
     const auto learn = [&](bool answer) {
       first.learn(answer);
       second.learn(answer);

@@ -9,9 +9,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 #include "base/zigzag.h"
@@ -53,7 +53,7 @@ class EdgeApexes {
   static std::uint64_t key(std::uint32_t from, std::uint32_t to) noexcept {
     return std::uint64_t{from} << 32 | to;
   }
-  std::unordered_map<std::uint64_t, Entry> first_;
+  std::map<std::uint64_t, Entry> first_;  ///< a stream could make the edges of a hash table collide
 };
 
 /// `Coder` is CompactWriter or CompactReader.
@@ -64,7 +64,7 @@ class GlueCoder {
 
   /// Codes vertex of the mesh for every manifold vertex, where `faces` (three manifold vertices each) bring
   /// them in. `vertex`: one per manifold vertex; read by a writer, filled in by a reader. False where a
-  /// target is not there yet, or `stop`. O(faces) expected.
+  /// target is not there yet, or `stop`. O(faces log faces).
   template <class Stop>
   bool code(std::span<const std::uint32_t> faces, std::vector<std::uint32_t>& vertex, Stop stop) {
     for (std::size_t f = 0; f < faces.size(); f += 3) {

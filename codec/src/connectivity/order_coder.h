@@ -117,7 +117,7 @@ class OrderCoder {
       if (corner % 3 == 2 && gate) {
         const std::uint32_t first = places[triangles_[3 * face]];
         guesses[1] = first + 1;
-        guesses[2] = first + places[triangles_[3 * face + 1]] - places[triangles_[last_corner(*gate)]];
+        guesses[2] = first + places[triangles_[3 * face + 1]] - places[triangles_[previous_in_face(*gate)]];
       }
       if (!code_vertex(places[vertex], guesses)) return false;
     }

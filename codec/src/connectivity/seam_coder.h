@@ -67,9 +67,9 @@ class SeamCoder {
 
   /// `value` as a symbol, the rest of a large one as a number.
   template <std::size_t kModels>
-  std::uint32_t code_value(std::uint32_t value, const Mixture<kModels>& mixture) {
+  std::uint64_t code_value(std::uint32_t value, const Mixture<kModels>& mixture) {
     const unsigned symbol = coder_.symbol(std::min(value, kLast), mixture);
-    return symbol < kLast ? symbol : kLast + coder_.number(value - kLast, large_);
+    return symbol < kLast ? symbol : kLast + std::uint64_t{coder_.number(value - kLast, large_)};
   }
 
   std::uint32_t neighbor_class(std::uint32_t vertex) noexcept {
@@ -81,10 +81,10 @@ class SeamCoder {
   bool code_count(const Face& face, std::size_t k, std::uint32_t& count) {
     const std::uint32_t context = neighbor_class(face.vertex[(k + 1) % 3]) * kNeighborClasses +
                                   neighbor_class(face.vertex[(k + 2) % 3]);
-    const std::uint32_t extra = code_value(count - 1, Mixture<1>{{&counts_[context]}, &count_weights_});
+    const std::uint64_t extra = code_value(count - 1, Mixture<1>{{&counts_[context]}, &count_weights_});
     if (extra > extra_left_) return false;
-    extra_left_ -= extra;
-    count = extra + 1;
+    extra_left_ -= static_cast<std::uint32_t>(extra);
+    count = static_cast<std::uint32_t>(extra) + 1;
     slot_[face.vertex[k]] = extra == 0 ? kUnsplit : static_cast<std::uint32_t>(split_.size());
     if (extra > 0) split_.emplace_back(count);
     return true;
@@ -96,8 +96,9 @@ class SeamCoder {
     if (split == nullptr || split->used() == 0) {
       copy = 0;
     } else {
-      copy = code_copy(face, k, *split);
-      if (copy > split->used() || copy >= split->copies()) return false;
+      const std::uint64_t coded = code_copy(face, k, *split);
+      if (coded > split->used() || coded >= split->copies()) return false;
+      copy = static_cast<std::uint32_t>(coded);
     }
     if (split != nullptr) split->use(copy);
     return true;
@@ -110,7 +111,7 @@ class SeamCoder {
     return face.copy[other] == edge->other_copy ? kSameEnd : kSplitEnd;
   }
 
-  std::uint32_t code_copy(const Face& face, std::size_t k, const SplitVertex& split) {
+  std::uint64_t code_copy(const Face& face, std::size_t k, const SplitVertex& split) {
     const SplitVertex::Edge* const ahead = split.find(face.vertex[(k + 1) % 3]);
     const SplitVertex::Edge* const behind = split.find(face.vertex[(k + 2) % 3]);
     const std::uint32_t second = behind != nullptr ? behind->copy : split.present();
@@ -120,7 +121,7 @@ class SeamCoder {
     const std::uint32_t kind = (first != second ? 2U : 0U) + (split.used() < split.copies() ? 1U : 0U);
     const std::uint32_t use = std::min(split.copies() - 2, 3U) * 4 + std::min(split.used() - 1, 3U);
     const std::uint32_t copy = face.copy[k];
-    const std::uint32_t choice = code_value(
+    const std::uint64_t choice = code_value(
         copy == first          ? kAhead
         : copy == second       ? kBehind
         : copy == split.used() ? kNew

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// The compact coder's reading side [CMP-1 .. CMP-8].
+// The compact coder's reading side [CMP-*].
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// The compact coder's writing side: adaptive symbols, bits and numbers to bytes [CMP-1 .. CMP-8].
+// The compact coder's writing side: adaptive symbols, bits and numbers to bytes [CMP-*].
 #pragma once
 
 #include <cstddef>

@@ -16,7 +16,9 @@ std::vector<std::byte> write_compact_deltas(std::span<const std::int32_t> deltas
   writer.reserve(9 * std::size_t{n});
   const std::uint32_t middle = middle_of(n);
   FieldCoder field(writer, graph, middle);
-  const auto at = [&](std::uint32_t v) { return FieldNumbers{deltas[v], deltas[n + v], deltas[2 * n + v]}; };
+  const auto at = [&](std::uint32_t v) {
+    return FieldNumbers{deltas[v], deltas[std::size_t{n} + v], deltas[2 * std::size_t{n} + v]};
+  };
   for (std::uint32_t v = 0; v < middle; ++v) {
     FieldNumbers q = at(v);
     if (middle + v == n) {

@@ -104,8 +104,7 @@ std::vector<Patch> find_patches(std::span<const Vec3> positions, std::span<const
   for (std::size_t v = 0; v < positions.size(); ++v) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (is_same_float(decoded[v][axis], positions[v][axis])) continue;
-      patches.push_back({.coordinate = static_cast<std::uint32_t>(3 * v + axis),
-                         .value = static_cast<float>(positions[v][axis])});
+      patches.push_back({.coordinate = 3 * v + axis, .value = static_cast<float>(positions[v][axis])});
     }
   }
   return patches;

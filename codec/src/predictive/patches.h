@@ -18,7 +18,7 @@ namespace deltamesh {
 
 /// A coordinate in place of the lattice's.
 struct Patch {
-  std::uint32_t coordinate = 0;  ///< 3 times the vertex, plus the axis
+  std::uint64_t coordinate = 0;  ///< 3 times the vertex, plus the axis
   float value = 0;
   bool operator==(const Patch&) const = default;
 };
@@ -36,7 +36,7 @@ bool code_patches(Coder& coder, std::vector<Patch>& patches, std::uint64_t coord
     if constexpr (Coder::kWrites) patch = patches[i];
     next += coder.number(static_cast<std::uint32_t>(patch.coordinate - next), gaps);
     if (next >= coordinates) return false;
-    patch.coordinate = static_cast<std::uint32_t>(next++);
+    patch.coordinate = next++;
     patch.value = std::bit_cast<float>(coder.bits(std::bit_cast<std::uint32_t>(patch.value), 32));
     if (!std::isfinite(patch.value)) return false;
     if constexpr (!Coder::kWrites) {
