@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <set>
 #include <string>
 #include <vector>
@@ -199,6 +200,53 @@ TEST(Multigrid, LevelsShrinkAndKeepTheirAnchorsApart) {
       EXPECT_EQ(level.interpolation[level.anchors[a]].weight[0], 1);
     }
   }
+}
+
+/// Sweeps over all levels below the finest for one over that.
+double share_of_coarse_levels(const GraphMesh& mesh, const std::vector<std::uint32_t>& anchors) {
+  const auto depths = multigrid::component_depths(mesh.graph, mesh.components, anchors);
+  const auto levels = multigrid::build_hierarchy(mesh.graph, anchors, depths.front());
+  const std::vector<int> cycles = multigrid::plan_cycles(levels);
+  double visits = 1;
+  double work = 0;
+  for (std::size_t l = 1; l < levels.size(); ++l) {
+    visits *= cycles[l];
+    work += visits * static_cast<double>(multigrid::work_on(levels[l]));
+  }
+  return work / static_cast<double>(multigrid::work_on(levels.front()));
+}
+
+TEST(Multigrid, CyclesAreMadeTwiceWhereLevelsShrink) {
+  const GraphMesh mesh = test::sheet(100, 100);
+  const auto anchors = place_anchors(mesh.graph, mesh.components, {.count = 50}).vertices;
+  EXPECT_LT(share_of_coarse_levels(mesh, anchors), 2);
+  const auto levels = multigrid::build_hierarchy(mesh.graph, anchors, 3);
+  EXPECT_EQ(multigrid::plan_cycles(levels), (std::vector<int>{1, 2, 2, 2}));
+}
+
+TEST(Multigrid, WorkIsBoundedWhereLevelsHardlyShrink) {
+  // A sheet of anchors only that hangs by one face on a sheet without.
+  GraphMesh halves;
+  test::add_sheet(halves, 80, 80, {});
+  test::add_sheet(halves, 80, 80, {100, 0, 0});
+  halves.triangles.insert(halves.triangles.end(), {0, 6400, 6401});
+  halves = test::finish(std::move(halves));
+  std::vector<std::uint32_t> anchors(6400);
+  std::iota(anchors.begin(), anchors.end(), 0U);
+  EXPECT_LT(share_of_coarse_levels(halves, anchors), 10);
+
+  // A dense part at the end of a path.
+  GraphMesh dense;
+  constexpr std::uint32_t kDense = 90;
+  constexpr std::uint32_t kPath = 8000;
+  for (std::uint32_t v = 0; v < kDense + kPath; ++v) dense.positions.push_back({1.0 * v, 0, 0});
+  for (std::uint32_t a = 0; a < kDense; ++a)
+    for (std::uint32_t b = 0; b < a; ++b)
+      dense.triangles.insert(dense.triangles.end(), {a, b, (a + 1) % kDense});
+  for (std::uint32_t v = kDense; v + 1 < kDense + kPath; ++v)
+    dense.triangles.insert(dense.triangles.end(), {v - 1, v, v + 1});
+  dense = test::finish(std::move(dense));
+  EXPECT_LT(share_of_coarse_levels(dense, {kDense + kPath - 1}), 10);
 }
 
 TEST(Multigrid, AggregatesAreASeedAndItsNeighbours) {

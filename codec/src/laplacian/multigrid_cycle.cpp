@@ -54,6 +54,7 @@ MultigridCycle::MultigridCycle(const Adjacency& graph, const Components& compone
       is_last_resort_(depth == 0),
       component_count_(components.count),
       levels_(build_hierarchy(graph, anchors, depth)),
+      cycles_(plan_cycles(levels_)),
       vectors_(levels_.size()),
       targets_(anchors.size()),
       two_steps_(levels_.size()),
@@ -64,7 +65,7 @@ MultigridCycle::MultigridCycle(const Adjacency& graph, const Components& compone
     vectors_[level].u.resize(levels_[level].node_count());
     vectors_[level].gaps.resize(anchors.size());
     vectors_[level].forces.resize(anchors.size());
-    if (level > 0) two_steps_[level] = std::make_unique<TwoSteps>(levels_[level]);
+    if (cycles_[level] == 2) two_steps_[level] = std::make_unique<TwoSteps>(levels_[level]);
   }
 }
 
@@ -118,6 +119,7 @@ void MultigridCycle::solve(std::size_t level) {
     return;
   }
   correct(level);
+  if (cycles_[level] < 2) return;
   two_steps_[level]->take_first(problem(level));
   correct(level);
   two_steps_[level]->combine(problem(level));

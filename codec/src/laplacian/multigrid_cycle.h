@@ -61,7 +61,8 @@ class MultigridCycle {
   };
 
   LevelProblem problem(std::size_t level) noexcept;
-  /// u and forces of `level` for its b and gaps, from zero: two cycles, on the coarsest level a solution.
+  /// u and forces of `level` for its b and gaps, from zero: one or two cycles, on the coarsest level a
+  /// solution.
   void solve(std::size_t level);
   /// Smooths, on coarse levels from zero, corrects from the next level, smooths.
   void correct(std::size_t level);
@@ -72,9 +73,10 @@ class MultigridCycle {
   bool is_last_resort_;              ///< no coarsening was asked for
   std::uint32_t component_count_;
   std::vector<Level> levels_;
+  std::vector<int> cycles_;  ///< per level
   std::vector<Vectors> vectors_;
   std::vector<Float4> targets_;
-  std::vector<std::unique_ptr<TwoSteps>> two_steps_;       ///< per level; null on the finest
+  std::vector<std::unique_ptr<TwoSteps>> two_steps_;       ///< per level; null where there is but one cycle
   std::size_t bottom_;                                     ///< level that is solved, not coarsened
   std::uint64_t iterations_left_ = 0;                      ///< of conjugate gradients, times nodes
   std::vector<std::unique_ptr<CoarsestSolver>> coarsest_;  ///< per level; null where not needed so far

@@ -21,6 +21,10 @@ constexpr double kShrinkage = 4.8;
 constexpr double kFewestNodesPerAnchor = 1;
 constexpr double kFewestNodes = 1.5;
 
+/// Of all coarser levels and of all cycles on them, over the work on the finest level. Meshes need about 1;
+/// where many anchors lie together, or few edges lead out of dense parts, levels hardly shrink.
+constexpr std::uint64_t kMostWork = 4;
+
 Level finest_level(const Adjacency& graph, std::span<const std::uint32_t> anchors) {
   Level level;
   level.offsets = graph.offsets;
@@ -65,8 +69,11 @@ std::vector<Level> build_levels(const Adjacency& graph, std::span<const std::uin
                                 std::uint32_t depth, float smallest) {
   std::vector<Level> levels;
   levels.push_back(finest_level(graph, anchors));
-  while (levels.size() <= depth) {
+  const std::uint64_t most = kMostWork * work_on(levels.front());
+  std::uint64_t work = 0;
+  while (levels.size() <= depth && work < most) {
     Level& fine = levels.back();
+    work += work_on(fine);
     const Aggregates aggregates = aggregate(fine);
     const std::size_t held = fine.anchors.size();  // these stay
     if (5 * (aggregates.seeds.size() - held) >= 4 * (fine.node_count() - held)) break;
@@ -100,6 +107,25 @@ std::vector<Level> build_hierarchy(const Adjacency& graph, std::span<const std::
     levels.back().interpolation.clear();
   }
   return levels;
+}
+
+std::uint64_t work_on(const Level& level) noexcept {
+  return std::uint64_t{level.node_count()} + level.neighbors.size();
+}
+
+std::vector<int> plan_cycles(std::span<const Level> levels) {
+  std::vector<int> cycles(levels.size(), 1);
+  const std::uint64_t most = kMostWork * work_on(levels.front());
+  std::uint64_t visits = 1;
+  std::uint64_t work = 0;
+  for (std::size_t level = 1; level < levels.size(); ++level) {
+    if (work + 2 * visits * work_on(levels[level]) <= most) {
+      cycles[level] = 2;
+      visits *= 2;
+    }
+    work += visits * work_on(levels[level]);
+  }
+  return cycles;
 }
 
 }  // namespace deltamesh::multigrid

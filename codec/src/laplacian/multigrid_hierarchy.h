@@ -22,4 +22,12 @@ std::uint32_t coarsening_depth(std::uint32_t vertices, std::uint32_t anchors) no
 std::vector<Level> build_hierarchy(const Adjacency& graph, std::span<const std::uint32_t> anchors,
                                    std::uint32_t depth);
 
+/// Per level, how many cycles are made on it for one on the level before: two from the second level on, or
+/// one where levels shrink so slowly that all cycles together would take more than some times the work on the
+/// finest level.
+std::vector<int> plan_cycles(std::span<const Level> levels);
+
+/// Nodes and edges, each met from both ends: what a sweep over the level costs.
+std::uint64_t work_on(const Level& level) noexcept;
+
 }  // namespace deltamesh::multigrid

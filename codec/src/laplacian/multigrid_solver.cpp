@@ -83,6 +83,10 @@ Float4 to_float4(const Vec3& v) noexcept {
   return Float4{static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]), 0.0F};
 }
 
+double largest_coordinate(const Vec3& v) noexcept {
+  return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+}
+
 Vec3 to_vec3(Float4 v) noexcept { return {v[0], v[1], v[2]}; }
 
 bool has_hub(const Adjacency& graph) noexcept {
@@ -148,7 +152,7 @@ class GroupSolver {
       cycles_.cycle();
       absorb();
       const double previous = std::exchange(change, worst_change());
-      const double rate = change / previous;
+      const double rate = previous > 0 ? change / previous : kUnknownRate;
       if (is_settled(rate)) return true;
       if (!(rate <= kGoodProgress)) return false;
     }
@@ -299,11 +303,11 @@ class GroupSolver {
     return std::sqrt(sum / static_cast<double>(x_.size()));
   }
 
-  /// Largest coordinate of an anchor, relative to the centre.
+  /// Largest coordinate of an anchor or of the solution so far, relative to the centre.
   double extent() const noexcept {
     double largest = 0;
-    for (const Vec3& target : targets_)
-      largest = std::max({largest, std::abs(target[0]), std::abs(target[1]), std::abs(target[2])});
+    for (const Vec3& v : targets_) largest = std::max(largest, largest_coordinate(v));
+    for (const Vec3& v : x_) largest = std::max(largest, largest_coordinate(v));
     return largest;
   }
 
