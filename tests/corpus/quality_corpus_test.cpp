@@ -86,10 +86,12 @@ TEST_P(QualityCorpus, VdeLands) {
   for (const double base : {edge, diagonal_}) {
     for (const double percent : {0.2, 0.05, 0.01}) {
       const double asked = base * percent / 100;
-      const double achieved = encode_with({.vde = QualityBound{.value = asked}}).quality.vde_rms;
-      EXPECT_LE(achieved, asked);
-      if (asked < 0.9 * worst_vde_) {
-        EXPECT_GE(achieved, 0.9 * asked) << percent;
+      const Quality achieved = encode_with({.vde = QualityBound{.value = asked}}).quality;
+      EXPECT_LE(achieved.vde_rms, asked);
+      // The lattice that the source lies on may take the fewest bytes and leave no error.
+      const bool is_exact = achieved.max_error < 1e-6 * diagonal_;
+      if (asked < 0.9 * worst_vde_ && !is_exact) {
+        EXPECT_GE(achieved.vde_rms, 0.9 * asked) << percent;
       }
     }
   }
