@@ -15,21 +15,13 @@
 #include "entropy/compact_writer.h"
 #include "predictive/lattice.h"
 #include "predictive/positions.h"
+#include "support/graph_mesh.h"
 #include "support/meshes.h"
 
 namespace deltamesh {
 namespace {
 
-Box box_of(const std::vector<Vec3>& positions) {
-  Box box{positions.front(), positions.front()};
-  for (const Vec3& position : positions) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      box.min[axis] = std::min(box.min[axis], position[axis]);
-      box.max[axis] = std::max(box.max[axis], position[axis]);
-    }
-  }
-  return box;
-}
+Box box_of(const std::vector<Vec3>& positions) { return test::finish({.positions = positions}).box; }
 
 /// Floats of decimals.
 std::vector<Vec3> decimals(double unit, int multiple) {

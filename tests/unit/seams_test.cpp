@@ -181,6 +181,16 @@ TEST(Seams, FlippedBytesGiveAnErrorOrValidFaces) {
 constexpr std::uint32_t kGeometric = 5;
 const Indices kFan = {0, 1, 2, 0, 2, 3, 0, 3, 4};
 
+/// `rule`: that is broken; null for none.
+void expect_broken(const Result<SplitVertices>& split, const char* rule) {
+  if (rule == nullptr) {
+    EXPECT_TRUE(split) << describe(split.error());
+  } else {
+    ASSERT_FALSE(split);
+    EXPECT_STREQ(split.error().rule, rule) << describe(split.error());
+  }
+}
+
 void expect_rule(std::uint64_t count, const Indices& gaps, const Indices& extra, const Indices& choices,
                  std::uint32_t vertex_count, const char* rule) {
   ByteWriter out;
@@ -188,13 +198,7 @@ void expect_rule(std::uint64_t count, const Indices& gaps, const Indices& extra,
   write_planes(out, gaps);
   write_planes(out, extra);
   write_planes(out, choices);
-  const auto split = read_seams(out.bytes(), kFan, kGeometric, vertex_count);
-  if (rule == nullptr) {
-    EXPECT_TRUE(split) << describe(split.error());
-  } else {
-    ASSERT_FALSE(split);
-    EXPECT_STREQ(split.error().rule, rule) << describe(split.error());
-  }
+  expect_broken(read_seams(out.bytes(), kFan, kGeometric, vertex_count), rule);
 }
 
 TEST(Seams, SEAM2RejectsSplitVerticesOutOfRange) {
@@ -234,13 +238,7 @@ std::vector<std::byte> compact_form(const Indices& counts, const Indices& copies
 void expect_compact_rule(const Indices& counts, const Indices& copies, std::uint32_t vertex_count,
                          const char* rule) {
   const std::vector<std::byte> bytes = compact_form(counts, copies, 100);
-  const auto split = read_seams(Payload::compact(bytes), kFan, kGeometric, vertex_count);
-  if (rule == nullptr) {
-    EXPECT_TRUE(split) << describe(split.error());
-  } else {
-    ASSERT_FALSE(split);
-    EXPECT_STREQ(split.error().rule, rule) << describe(split.error());
-  }
+  expect_broken(read_seams(Payload::compact(bytes), kFan, kGeometric, vertex_count), rule);
 }
 
 TEST(Seams, SEAM6RejectsCountsThatDoNotAddUp) {
@@ -258,9 +256,7 @@ TEST(Seams, SEAM6RejectsCountsThatDoNotAddUp) {
   writer.symbol(15, Mixture<1>{{&counts}, &weights});
   writer.number(0xfffffff2, large);
   const std::vector<std::byte> bytes = writer.finish();
-  const auto split = read_seams(Payload::compact(bytes), kFan, kGeometric, 6);
-  ASSERT_FALSE(split);
-  EXPECT_STREQ(split.error().rule, "SEAM-6");
+  expect_broken(read_seams(Payload::compact(bytes), kFan, kGeometric, 6), "SEAM-6");
 }
 
 TEST(Seams, SEAM8RejectsCopiesThatAreNotThere) {

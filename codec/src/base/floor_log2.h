@@ -10,13 +10,6 @@
 namespace deltamesh {
 
 /// `x`: above 0.
-constexpr unsigned floor_log2(std::uint32_t x) noexcept {
-#if defined(__GNUC__)
-  return 31U ^ static_cast<unsigned>(__builtin_clz(x));
-#else
-  return static_cast<unsigned>(std::bit_width(x)) - 1;
-#endif
-}
 constexpr unsigned floor_log2(std::uint64_t x) noexcept {
 #if defined(__GNUC__)
   return 63U ^ static_cast<unsigned>(__builtin_clzll(x));
