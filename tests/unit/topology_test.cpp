@@ -63,8 +63,8 @@ TEST(Weld, RegularGridHasNoFalseMerges) {
 TEST(Adjacency, DegenerateAndDuplicateFaces) {
   const Adjacency graph = build_adjacency(Indices{0, 1, 2, 2, 1, 0, 3, 3, 1, 4, 4, 4}, 6);
   ASSERT_EQ(graph.vertex_count(), 6U);
-  EXPECT_EQ(graph.offsets, (Indices{0, 2, 5, 7, 8, 8, 8}));
-  EXPECT_EQ(graph.neighbors, (Indices{1, 2, 0, 2, 3, 0, 1, 1}));
+  EXPECT_EQ(graph.offsets, (LargeVector<std::uint32_t>{0, 2, 5, 7, 8, 8, 8}));
+  EXPECT_EQ(graph.neighbors, (LargeVector<std::uint32_t>{1, 2, 0, 2, 3, 0, 1, 1}));
 }
 
 TEST(Adjacency, EmptyGraph) {
@@ -99,7 +99,7 @@ TEST(Adjacency, MatchesSetsOnRandomSoups) {
 TEST(Components, NumberedBySmallestVertex) {
   const Components components = find_components(build_adjacency(Indices{5, 6, 2, 0, 4, 4, 6, 3, 5}, 8));
   EXPECT_EQ(components.count, 4U);
-  EXPECT_EQ(components.label, (Indices{0, 1, 2, 2, 0, 2, 2, 3}));
+  EXPECT_EQ(components.label, (LargeVector<std::uint32_t>{0, 1, 2, 2, 0, 2, 2, 3}));
   EXPECT_EQ(components.size, (Indices{2, 1, 4, 1}));
 }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "base/large_vector.h"
+
 namespace deltamesh {
 
 void Border::reserve(std::size_t vertices, std::size_t faces) {
@@ -14,6 +16,11 @@ void Border::reserve(std::size_t vertices, std::size_t faces) {
 /// Room is made ready bit by bit, so that its first touch is in the cache when the faces come.
 bool Border::grow_faces() {
   constexpr std::size_t kFacesAtOnce = 1024;
+  constexpr std::size_t kProof = 64 * kFacesAtOnce;  // that the rest will be filled as well
+  if (face_room_ == 3 * kProof) {
+    want_large_pages(faces_.data(), faces_.capacity() * sizeof(faces_[0]));
+    want_large_pages(items_.data(), items_.capacity() * sizeof(items_[0]));
+  }
   face_room_ = std::min(face_room_ + 3 * kFacesAtOnce, most_face_end_);
   faces_.resize(face_room_);
   return face_end_ < face_room_;

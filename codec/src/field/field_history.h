@@ -9,9 +9,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 
 #include "base/four_ints.h"
+#include "base/large_vector.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {
@@ -39,9 +39,7 @@ struct FieldNeighborhood {
 class FieldHistory {
  public:
   FieldHistory(const Adjacency& graph, std::uint32_t middle)
-      : graph_(graph),
-        middle_(middle),
-        memories_(std::make_unique_for_overwrite<FieldMemory[]>(graph.vertex_count() + 1)) {
+      : graph_(graph), middle_(middle), memories_(graph.vertex_count() + 1) {
     memories_[graph.vertex_count()] = FieldMemory{};
   }
 
@@ -92,7 +90,7 @@ class FieldHistory {
 
   const Adjacency& graph_;
   std::uint32_t middle_;
-  std::unique_ptr<FieldMemory[]> memories_;  ///< and one of 0
+  LargeVector<FieldMemory> memories_;  ///< and one of 0
 };
 
 }  // namespace deltamesh

@@ -2,6 +2,7 @@
 // Copyright 2026 The deltamesh authors
 #include "geometry/delta_symbols.h"
 
+#include "base/large_vector.h"
 #include "base/try.h"
 #include "entropy/compact_reader.h"
 #include "entropy/compact_writer.h"
@@ -37,7 +38,9 @@ Result<std::vector<std::int32_t>> read_compact_deltas(std::span<const std::byte>
   const auto n = static_cast<std::uint32_t>(graph.vertex_count());
   const std::uint32_t middle = middle_of(n);
   FieldCoder field(reader, graph, middle);
-  std::vector<std::int32_t> deltas(3 * std::size_t{n});
+  std::vector<std::int32_t> deltas;
+  reserve_large(deltas, 3 * std::size_t{n});
+  deltas.resize(3 * std::size_t{n});
   const auto put = [&](std::uint32_t v, const FieldNumbers& q) {
     for (std::size_t axis = 0; axis < 3; ++axis) deltas[axis * n + v] = q[axis];
   };

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "base/large_vector.h"
+
 namespace deltamesh {
 
 namespace {
@@ -32,7 +34,9 @@ Result<std::vector<Vec3>> to_float_positions(std::span<const Vec3> positions) {
 Result<std::vector<float>> to_float_rows(std::span<const Vec3> positions,
                                          std::span<const std::uint32_t> copies) {
   const std::size_t count = copies.empty() ? positions.size() : copies.size();
-  std::vector<float> rows(3 * count);
+  std::vector<float> rows;
+  reserve_large(rows, 3 * count);
+  rows.resize(3 * count);
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t from = copies.empty() ? i : copies[i];
     for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -78,7 +78,7 @@ void Acceleration::apply_laplacian(Direction& direction) const {
 }
 
 void Acceleration::orthogonalize(Direction& direction) {
-  const std::vector<std::uint32_t>& label = group_.components.label;
+  const auto& label = group_.components.label;
   const std::size_t kept = std::min(count_, kDirections - 1);
   for (std::size_t k = 0; k < kept; ++k) {
     Direction& other = directions_[(count_ - 1 - k) % kDirections];
@@ -100,7 +100,7 @@ void Acceleration::orthogonalize(Direction& direction) {
 }
 
 void Acceleration::move(MultigridCycle& cycles, Direction& direction) {
-  const std::vector<std::uint32_t>& label = group_.components.label;
+  const auto& label = group_.components.label;
   std::fill(direction.energy.begin(), direction.energy.end(), Sums{});
   std::fill(direction.overlap.begin(), direction.overlap.end(), Sums{});
   for (std::size_t i = 0; i < label.size(); ++i) {

@@ -161,7 +161,7 @@ void drop_small(UpperHalf& upper, float smallest) {
 /// Both halves, in every row first the edges to lower nodes.
 void mirror(const UpperHalf& upper, Level& coarse) {
   const auto nodes = static_cast<std::uint32_t>(upper.largest.size());
-  std::vector<std::uint32_t>& offsets = coarse.storage.offsets;
+  auto& offsets = coarse.storage.offsets;
   offsets.assign(nodes + 1, 0);
   for (std::uint32_t c = 0; c < nodes; ++c) offsets[c + 1] = upper.start[c + 1] - upper.start[c];
   for (const Entry& entry : upper.entries) ++offsets[entry.node + 1];

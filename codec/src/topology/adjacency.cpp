@@ -24,7 +24,7 @@ void for_each_directed_edge(std::span<const std::uint32_t> triangles, Visit&& vi
 }
 
 /// Counts in places 1 .. n become the offsets of rows 0 .. n.
-void sum_up(std::vector<std::uint32_t>& offsets) {
+void sum_up(LargeVector<std::uint32_t>& offsets) {
   for (std::size_t v = 1; v < offsets.size(); ++v) offsets[v] += offsets[v - 1];
 }
 
@@ -34,7 +34,7 @@ Adjacency tidy(const Adjacency& graph) {
   const auto vertex_count = static_cast<std::uint32_t>(graph.vertex_count());
   Adjacency sorted;
   sorted.offsets.assign(graph.offsets.size(), 0);
-  std::vector<std::uint32_t> last(vertex_count, kNone);
+  LargeVector<std::uint32_t> last(vertex_count, kNone);
   for (std::uint32_t v = 0; v < vertex_count; ++v) {
     for (const std::uint32_t w : graph.of(v)) {
       sorted.offsets[w + 1] += last[w] != v ? 1 : 0;
@@ -43,7 +43,7 @@ Adjacency tidy(const Adjacency& graph) {
   }
   sum_up(sorted.offsets);
   sorted.neighbors.resize(sorted.offsets.back());
-  std::vector<std::uint32_t> end(sorted.offsets.begin(), sorted.offsets.end() - 1);
+  LargeVector<std::uint32_t> end(sorted.offsets.begin(), sorted.offsets.end() - 1);
   last.assign(vertex_count, kNone);
   for (std::uint32_t v = 0; v < vertex_count; ++v) {
     for (const std::uint32_t w : graph.of(v)) {
@@ -64,7 +64,7 @@ Adjacency build_adjacency(std::span<const std::uint32_t> triangles, std::uint32_
   sum_up(graph.offsets);
 
   graph.neighbors.resize(graph.offsets.back());
-  std::vector<std::uint32_t> cursor(graph.offsets.begin(), graph.offsets.end() - 1);
+  LargeVector<std::uint32_t> cursor(graph.offsets.begin(), graph.offsets.end() - 1);
   for_each_directed_edge(triangles,
                          [&](std::uint32_t a, std::uint32_t b) { graph.neighbors[cursor[a]++] = b; });
   return tidy(graph);

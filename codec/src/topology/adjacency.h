@@ -8,13 +8,15 @@
 #include <span>
 #include <vector>
 
+#include "base/large_vector.h"
+
 namespace deltamesh {
 
 /// Compressed rows: the neighbours of v are neighbors[offsets[v] .. offsets[v + 1]), ascending, each once,
 /// never v itself.
 struct Adjacency {
-  std::vector<std::uint32_t> offsets;    ///< n + 1
-  std::vector<std::uint32_t> neighbors;  ///< two entries per edge
+  LargeVector<std::uint32_t> offsets;    ///< n + 1
+  LargeVector<std::uint32_t> neighbors;  ///< two entries per edge
 
   std::size_t vertex_count() const noexcept { return offsets.size() - 1; }
   std::uint32_t degree(std::uint32_t v) const noexcept { return offsets[v + 1] - offsets[v]; }
@@ -30,7 +32,7 @@ Adjacency build_adjacency(std::span<const std::uint32_t> triangles, std::uint32_
 /// Connected components of the graph, numbered by their smallest vertex; an isolated vertex is one.
 struct Components {
   std::uint32_t count = 0;
-  std::vector<std::uint32_t> label;  ///< n
+  LargeVector<std::uint32_t> label;  ///< n
   std::vector<std::uint32_t> size;   ///< count
 };
 Components find_components(const Adjacency& graph);

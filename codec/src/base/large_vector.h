@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Memory for arrays of a megabyte and more. Half of what a plain array costs is the system's handing it out
+// page by page and the clearing before it is overwritten: here pages are large, where the system has such,
+// and nothing is cleared that nobody asked to be.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <new>
+#include <utility>
+#include <vector>
+
+namespace deltamesh {
+
+/// Arrays from here on are given large pages; bytes.
+inline constexpr std::size_t kLargeArray = std::size_t{1} << 20;
+
+/// At least `bytes`, from kLargeArray on, not cleared; throws std::bad_alloc. For arrays that will be filled:
+/// as little as the first byte may take up a whole large page.
+void* allocate_large(std::size_t bytes);
+void free_large(void* memory) noexcept;
+
+/// Asks for large pages where `memory`, which some other allocator gave, fills them and is untouched so far.
+/// Only a hint, as that may be refused. Most of the bytes are to be written.
+void want_large_pages(void* memory, std::size_t bytes) noexcept;
+
+/// For containers, which ask for no more than can be addressed. An element without a value is
+/// default-initialised, which leaves numbers as they are.
+template <class T>
+class LargeAllocator {
+ public:
+  using value_type = T;
+
+  LargeAllocator() noexcept = default;
+  template <class U>
+  LargeAllocator(const LargeAllocator<U>&) noexcept {
+  }  // NOLINT(google-explicit-constructor): as the rules ask
+
+  T* allocate(std::size_t count) {
+    if (count < kLargeArray / sizeof(T)) return std::allocator<T>{}.allocate(count);
+    return static_cast<T*>(allocate_large(count * sizeof(T)));
+  }
+
+  void deallocate(T* memory, std::size_t count) noexcept {
+    if (count < kLargeArray / sizeof(T)) {
+      std::allocator<T>{}.deallocate(memory, count);
+    } else {
+      free_large(memory);
+    }
+  }
+
+  template <class U>
+  void construct(U* place) noexcept {
+    ::new (static_cast<void*>(place)) U;
+  }
+  template <class U, class... Arguments>
+  void construct(U* place, Arguments&&... arguments) {
+    std::construct_at(place, std::forward<Arguments>(arguments)...);
+  }
+
+  friend bool operator==(const LargeAllocator&, const LargeAllocator&) noexcept { return true; }
+};
+
+/// A vector with such memory. `LargeVector<int>(n)` and resize() leave the elements uninitialised: write each
+/// before it is read, or ask for zeros by a second argument.
+template <class T>
+using LargeVector = std::vector<T, LargeAllocator<T>>;
+
+/// As reserve(), for a vector that has none of the elements yet, and soon will have most of them.
+template <class T>
+void reserve_large(std::vector<T>& values, std::size_t count) {
+  values.reserve(count);
+  want_large_pages(values.data(), count * sizeof(T));
+}
+
+}  // namespace deltamesh
