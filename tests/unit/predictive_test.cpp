@@ -181,7 +181,7 @@ TEST(Predictive, QuantisedSourcesNeedNoPlanes) {
       box.max[axis] = std::max(box.max[axis], p[axis]);
     }
   }
-  for (const AxisGrid& grid : fit_axes(positions, box)) EXPECT_NEAR(grid.step, 1 / 7845.0, 1e-10);
+  for (const AxisGrid& grid : fit_axes(AxisValues(positions), box)) EXPECT_NEAR(grid.step, 1 / 7845.0, 1e-10);
 }
 
 TEST(Predictive, AutoIsTheSmallerOfTheTwo) {
@@ -315,11 +315,12 @@ TEST(Voxels, TheGridIsFound) {
       box.max[axis] = std::max(box.max[axis], positions.back()[axis]);
     }
   }
-  const auto fit = fit_voxels(positions, box);
+  const auto fit = fit_voxels(AxisValues(positions), box);
   ASSERT_TRUE(fit);
   EXPECT_GT(fit->share, 0.95);
-  EXPECT_FALSE(fit_voxels(test::sheet(20, 20).positions, test::sheet(20, 20).box));
-  EXPECT_FALSE(fit_voxels({}, {}));
+  const test::GraphMesh sheet = test::sheet(20, 20);
+  EXPECT_FALSE(fit_voxels(AxisValues(sheet.positions), sheet.box));
+  EXPECT_FALSE(fit_voxels(AxisValues({}), {}));
 }
 
 TEST(Voxels, VOX1VOX4VOX5POSN7RefuseWhatIsNotThere) {

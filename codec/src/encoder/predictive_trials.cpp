@@ -18,6 +18,7 @@ namespace deltamesh {
 namespace {
 
 constexpr int kMostTrials = 10;
+constexpr std::size_t kQuickSample = 1U << 15;  ///< vertices that effort 0 looks for grids in
 constexpr double kCloseEnough = 0.997;  ///< share of a bound that needs no better trial
 
 Error too_small(std::uint64_t fewest_bytes) noexcept {
@@ -37,7 +38,8 @@ PredictiveTrials::PredictiveTrials(const PredictiveInput& input, const StreamFra
     : input_(input),
       frame_(frame),
       effort_(effort),
-      stars_(input.triangles, static_cast<std::uint32_t>(input.positions.size())) {}
+      stars_(input.triangles, static_cast<std::uint32_t>(input.positions.size())),
+      values_(input.positions, effort == 0 ? kQuickSample : input.positions.size()) {}
 
 double PredictiveTrials::step_for_bits(int bits) const noexcept {
   const double step = input_.box.longest_side() / (std::ldexp(1.0, bits) - 1);
@@ -175,7 +177,7 @@ std::optional<PredictiveTrials::Trial> PredictiveTrials::keep_on_voxels(const Bo
 }
 
 const std::optional<VoxelFit>& PredictiveTrials::voxels() const {
-  if (!voxels_) voxels_ = fit_voxels(input_.positions, input_.box);
+  if (!voxels_) voxels_ = fit_voxels(values_, input_.box);
   return *voxels_;
 }
 
@@ -201,7 +203,7 @@ Result<GeometryChoice> PredictiveTrials::keep_bounds(const Bounds& bounds) const
   if (voxels() && (effort_ > 0 || are_voxels_enough(bounds))) {
     if (const auto trial = keep_on_voxels(bounds, *voxels())) keep_smaller(code(*trial));
     if (best && effort_ == 0) return *std::move(best);
-  } else if (const auto axes = fit_axes(input_.positions, input_.box); has_grid(axes, first_step(bounds))) {
+  } else if (const auto axes = fit_axes(values_, input_.box); has_grid(axes, first_step(bounds))) {
     // Axes of their own come first: effort 0 takes them, others compare.
     if (const auto trial = keep_on_lattice(bounds, axes)) keep_smaller(code(*trial));
     if (best && effort_ == 0) return *std::move(best);

@@ -79,6 +79,7 @@ class PredictiveTrials {
   StreamFrame frame_;
   int effort_;
   FaceStars stars_;
+  AxisValues values_;
   mutable std::optional<std::optional<VoxelFit>> voxels_;  ///< empty until looked for
 };
 

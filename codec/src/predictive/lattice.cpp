@@ -22,9 +22,9 @@ std::vector<Cell> to_cells(std::span<const Vec3> positions, const PositionLattic
   std::vector<Cell> cells(positions.size());
   for (std::size_t v = 0; v < cells.size(); ++v) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double q = std::round((positions[v][axis] - lattice.origin[axis]) / lattice.step[axis]);
+      const double q = (positions[v][axis] - lattice.origin[axis]) / lattice.step[axis];
       cells[v][axis] =
-          static_cast<std::int32_t>(std::clamp(q, 0.0, static_cast<double>(lattice.cells[axis])));
+          static_cast<std::int32_t>(std::clamp(q, 0.0, static_cast<double>(lattice.cells[axis])) + 0.5);
     }
   }
   return cells;

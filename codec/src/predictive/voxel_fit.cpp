@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "predictive/lattice.h"
+#include "predictive/rounding.h"
 
 namespace deltamesh {
 namespace {
@@ -21,28 +22,11 @@ struct Plane {
   std::size_t count;
 };
 
-/// Whether a sample of an axis' coordinates has equal ones: without them there are no planes, and no need to
-/// sort them all.
-bool has_repeats(std::span<const Vec3> positions, std::size_t axis) {
-  constexpr std::size_t kSample = 2048;
-  constexpr std::size_t kFewest = kSample / 25;
-  if (positions.size() <= kSample) return true;
-  std::vector<double> sample(kSample);
-  const std::size_t stride = positions.size() / kSample;
-  for (std::size_t i = 0; i < kSample; ++i) sample[i] = positions[i * stride][axis];
-  std::sort(sample.begin(), sample.end());
-  std::size_t repeats = 0;
-  for (std::size_t i = 1; i < kSample; ++i) repeats += sample[i] == sample[i - 1] ? 1 : 0;
-  return repeats >= kFewest;
-}
-
 /// `fewest`: coordinates that make a plane.
-std::vector<Plane> find_planes(std::span<const Vec3> positions, std::size_t axis, double noise,
+std::vector<Plane> find_planes(const AxisValues& coordinates, std::size_t axis, double noise,
                                std::size_t fewest) {
-  if (!has_repeats(positions, axis)) return {};
-  std::vector<double> sorted(positions.size());
-  for (std::size_t v = 0; v < sorted.size(); ++v) sorted[v] = positions[v][axis];
-  std::sort(sorted.begin(), sorted.end());
+  if (!coordinates.has_repeats(axis)) return {};
+  const std::span<const float> sorted = coordinates.sorted(axis);
   // Values that come up again and again to the last bit, and then those next to each other.
   std::vector<Plane> values;
   std::size_t most = 0;
@@ -134,12 +118,13 @@ Comb refine(std::span<const Plane> planes, const Comb& comb, double tolerance) {
 
 double off_comb(double x, double origin, double distance) noexcept {
   const double turns = (x - origin) / distance;
-  return std::abs(turns - std::round(turns)) * distance;
+  return std::abs(turns - nearest(turns)) * distance;
 }
 
 struct Placement {
   unsigned on_planes = 0;
   std::size_t free_axis = 0;
+  Vec3 turns{};  ///< place in voxels
 };
 
 /// The axis that is farthest from its planes is the free one.
@@ -147,20 +132,23 @@ Placement place_vertex(const Vec3& position, const VoxelFit& fit) noexcept {
   Placement placement;
   double farthest = -1;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double off = off_comb(position[axis], fit.origin[axis], fit.voxel[axis]);
+    const double turns = (position[axis] - fit.origin[axis]) / fit.voxel[axis];
+    const double off = std::abs(turns - nearest(turns)) * fit.voxel[axis];
+    placement.turns[axis] = turns;
     placement.on_planes += off <= fit.noise ? 1 : 0;
-    if (off > farthest) {
-      farthest = off;
-      placement.free_axis = axis;
-    }
+    placement.free_axis = off > farthest ? axis : placement.free_axis;
+    farthest = std::max(farthest, off);
   }
   return placement;
 }
 
 }  // namespace
 
-std::optional<VoxelFit> fit_voxels(std::span<const Vec3> positions, const Box& box) {
+std::optional<VoxelFit> fit_voxels(const AxisValues& values, const Box& box) {
+  const std::span<const Vec3> positions = values.positions();
   if (positions.size() < 64) return std::nullopt;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (!values.has_repeats(axis)) return std::nullopt;
   double reach = 0;
   for (std::size_t axis = 0; axis < 3; ++axis)
     reach = std::max({reach, std::abs(box.min[axis]), std::abs(box.max[axis])});
@@ -170,7 +158,7 @@ std::optional<VoxelFit> fit_voxels(std::span<const Vec3> positions, const Box& b
   double distance = 0;
   std::size_t most = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    planes[axis] = find_planes(positions, axis, noise, kFewestEqual);
+    planes[axis] = find_planes(values, axis, noise, kFewestEqual);
     const double found = usual_distance(planes[axis]);
     if (found > 0 && planes[axis].size() > most) {
       most = planes[axis].size();
@@ -193,12 +181,13 @@ std::optional<VoxelFit> fit_voxels(std::span<const Vec3> positions, const Box& b
         comb.origin + comb.distance * (std::floor((box.min[axis] - comb.origin) / comb.distance) - 1);
   }
   std::array<std::size_t, 3> along{};  // vertices inside an edge of each axis
-  for (const Vec3& position : positions) {
-    const Placement placement = place_vertex(position, fit);
+  std::size_t sampled = 0;
+  for (std::size_t v = 0; v < positions.size(); v += values.stride(), ++sampled) {
+    const Placement placement = place_vertex(positions[v], fit);
     if (placement.on_planes == 2) ++along[placement.free_axis];
   }
   const std::size_t inside = along[0] + along[1] + along[2];
-  fit.share = static_cast<double>(inside) / static_cast<double>(positions.size());
+  fit.share = static_cast<double>(inside) / static_cast<double>(sampled);
   if (fit.share < kFewestOnEdges) return std::nullopt;
   // Heights over a grid, say: a lattice of their own suits them better.
   const std::size_t largest = *std::max_element(along.begin(), along.end());
@@ -206,13 +195,14 @@ std::optional<VoxelFit> fit_voxels(std::span<const Vec3> positions, const Box& b
   return fit;
 }
 
-std::array<AxisGrid, 3> fit_axes(std::span<const Vec3> positions, const Box& box) {
+std::array<AxisGrid, 3> fit_axes(const AxisValues& values, const Box& box) {
+  const std::span<const Vec3> positions = values.positions();
   constexpr double kFinestShare = 0.1;
   constexpr double kOff = 0.05;  // sources are rounded, to decimals say
   std::array<AxisGrid, 3> grids{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double noise = std::max(std::abs(box.min[axis]), std::abs(box.max[axis])) * 0x1p-22;
-    const std::vector<Plane> planes = find_planes(positions, axis, noise, 1);
+    const std::vector<Plane> planes = find_planes(values, axis, noise, 1);
     Comb comb{0, usual_distance(planes, kFinestShare)};
     if (!(comb.distance > 8 * noise)) continue;
     comb.origin = planes[0].place;
@@ -256,10 +246,10 @@ std::optional<VoxelCells> to_voxel_cells(std::span<const Vec3> positions, const 
   for (std::size_t v = 0; v < positions.size(); ++v) {
     const Placement placement = place_vertex(positions[v], fit);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double turns = (positions[v][axis] - fit.origin[axis]) / fit.voxel[axis];
-      double q = std::round(turns * voxel);
+      const double turns = placement.turns[axis];
+      double q = nearest(turns * voxel);
       if (placement.on_planes >= 2)
-        q = axis == placement.free_axis ? 2 * std::floor(turns * levels) + 1 : voxel * std::round(turns);
+        q = axis == placement.free_axis ? 2 * floor_of(turns * levels) + 1 : voxel * nearest(turns);
       result.cells[v][axis] = static_cast<std::int32_t>(q);
     }
   }

@@ -12,6 +12,7 @@
 
 #include "base/vec3.h"
 #include "format/predictive_parameters.h"
+#include "predictive/axis_values.h"
 #include "predictive/blend.h"
 
 namespace deltamesh {
@@ -23,16 +24,16 @@ struct VoxelFit {
   double share = 0;  ///< of the vertices on an edge
 };
 
-/// Empty where fewer than a fifth of the vertices are on the edges of one grid. O(n log n).
-std::optional<VoxelFit> fit_voxels(std::span<const Vec3> positions, const Box& box);
+/// Empty where fewer than a fifth of the sampled vertices are on the edges of one grid. O(n).
+std::optional<VoxelFit> fit_voxels(const AxisValues& values, const Box& box);
 
 /// An axis whose coordinates are all whole steps from `origin`, but for rounding.
 struct AxisGrid {
   double origin = 0;
   double step = 0;  ///< 0 where there is none
 };
-/// What quantised sources and heights over a grid have. O(n log n).
-std::array<AxisGrid, 3> fit_axes(std::span<const Vec3> positions, const Box& box);
+/// What quantised sources and heights over a grid have: all vertices, not only those of the sample. O(n).
+std::array<AxisGrid, 3> fit_axes(const AxisValues& values, const Box& box);
 
 /// cubic_lattice(), but with the own steps of axes that have a grid not much finer.
 PositionLattice grid_lattice(const Box& box, const std::array<AxisGrid, 3>& axes, double step) noexcept;

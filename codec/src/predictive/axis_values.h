@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// The coordinates of a mesh's vertices, axis by axis and in order, for those who look for grids in them.
+// Encoder only.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/vec3.h"
+
+namespace deltamesh {
+
+/// Sorts an axis when first asked for it.
+class AxisValues {
+ public:
+  /// `positions`: floats; they must outlive this. `most_sampled`: of more vertices, one in so many is looked
+  /// at that at most this many are.
+  explicit AxisValues(std::span<const Vec3> positions,
+                      std::size_t most_sampled = ~std::size_t{0}) noexcept
+      : positions_(positions), stride_(positions.empty() ? 1 : 1 + (positions.size() - 1) / most_sampled) {}
+
+  std::span<const Vec3> positions() const noexcept { return positions_; }
+  /// One vertex in so many is in the sample, the first one among them.
+  std::size_t stride() const noexcept { return stride_; }
+
+  /// Whether some 2000 of an axis' values have equal ones. Without them there are no planes, and no need to
+  /// sort them all.
+  bool has_repeats(std::size_t axis) const;
+
+  /// The sample's values of an axis, ascending. O(n).
+  std::span<const float> sorted(std::size_t axis) const;
+
+ private:
+  std::span<const Vec3> positions_;
+  std::size_t stride_;
+  mutable std::array<std::optional<bool>, 3> repeats_;
+  mutable std::array<std::vector<float>, 3> sorted_;
+};
+
+/// Every `stride`th value of an axis, the first one among them, ascending. O(n): a radix sort.
+std::vector<float> sort_values(std::span<const Vec3> positions, std::size_t axis, std::size_t stride);
+
+}  // namespace deltamesh
