@@ -95,7 +95,7 @@ std::size_t count_fans(const Soup& soup, const Indices& opposite) {
 
 TEST(Connectivity, HalfEdgesAreMatchedInPairsOfOppositeDirection) {
   for (const Soup& soup : test::awkward_soups()) {
-    const Indices opposite = match_half_edges(soup.triangles, soup.vertex_count);
+    const Indices opposite = match_half_edges(soup.triangles, soup.vertex_count).opposite;
     for (std::uint32_t h = 0; h < opposite.size(); ++h) {
       if (opposite[h] == kNoIndex) continue;
       EXPECT_EQ(opposite[opposite[h]], h) << soup.name;
@@ -107,14 +107,14 @@ TEST(Connectivity, HalfEdgesAreMatchedInPairsOfOppositeDirection) {
 
 TEST(Connectivity, DecodedFacesAreManifoldWhereTheInputIs) {
   const Soup torus = test::grid(30, 20, true, true, 0, 1);
-  const Indices opposite = match_half_edges(torus.triangles, torus.vertex_count);
+  const Indices opposite = match_half_edges(torus.triangles, torus.vertex_count).opposite;
   EXPECT_EQ(count_fans(torus, opposite), torus.vertex_count);
   EXPECT_EQ(std::count(opposite.begin(), opposite.end(), kNoIndex), 0);
 }
 
 TEST(Connectivity, CutSeparatesFansThatMeetInAPoint) {
   const Soup soup{"bow tie", {0, 1, 2, 0, 3, 4}, 5};
-  EXPECT_EQ(count_fans(soup, match_half_edges(soup.triangles, soup.vertex_count)), 6U);
+  EXPECT_EQ(count_fans(soup, match_half_edges(soup.triangles, soup.vertex_count).opposite), 6U);
 }
 
 TEST(Connectivity, ConesThatMeetInAPointAreTwoFans) {
@@ -123,7 +123,7 @@ TEST(Connectivity, ConesThatMeetInAPointAreTwoFans) {
   for (const std::uint32_t v : other.triangles)
     soup.triangles.push_back(v == other.triangles.front() ? soup.triangles.front() : v + soup.vertex_count);
   soup.vertex_count += other.vertex_count;
-  const Indices opposite = match_half_edges(soup.triangles, soup.vertex_count);
+  const Indices opposite = match_half_edges(soup.triangles, soup.vertex_count).opposite;
   EXPECT_EQ(count_fans(soup, opposite), 14U);
   expect_same_faces(soup, write_connectivity(soup.triangles, soup.vertex_count));
 }
@@ -131,7 +131,8 @@ TEST(Connectivity, ConesThatMeetInAPointAreTwoFans) {
 TEST(Connectivity, TwoSidedSheetsStayWhole) {
   const Soup soup = test::two_sided(test::grid(20, 20, false, false, 0, 3));
   // Interior edges continue within their side; along the rim the two sides meet.
-  EXPECT_LT(count_fans(soup, match_half_edges(soup.triangles, soup.vertex_count)), 2 * soup.vertex_count + 1);
+  EXPECT_LT(count_fans(soup, match_half_edges(soup.triangles, soup.vertex_count).opposite),
+            2 * soup.vertex_count + 1);
 }
 
 Result<Indices> read_back(std::span<const std::byte> payload, const Soup& soup) {

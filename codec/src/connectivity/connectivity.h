@@ -15,8 +15,11 @@
 
 namespace deltamesh {
 
+/// Which forms of a payload to write.
+enum class PayloadForms : std::uint8_t { kBoth, kCompact };
+
 struct CodedConnectivity {
-  std::vector<std::byte> payload;        ///< plain
+  std::vector<std::byte> payload;        ///< plain; empty where not asked for
   std::vector<std::byte> compact;        ///< the same in the compact form
   std::vector<std::uint32_t> triangles;  ///< m x 3: what read_connectivity will return
   std::vector<std::uint32_t>
@@ -24,11 +27,17 @@ struct CodedConnectivity {
   std::vector<std::uint32_t> face_order;  ///< m: input face of every coded face
   std::vector<std::uint8_t>
       face_rotation;  ///< m: which corner (0 to 2) of the input face is the coded face's corner 0
+  /// Parts of the mesh that share no vertex; an unreferenced vertex is one.
+  std::uint32_t components = 0;
+  /// m: bit k is set where no face before has the edge from the coded face's corner k to its next. Empty
+  /// where the mesh is not simple [HalfEdges].
+  std::vector<std::uint8_t> new_edges;
 };
 
 /// `triangles`: m x 3 indices below `vertex_count`; anything goes: non-manifold, duplicate, degenerate,
 /// either orientation. O(n + m) expected, no recursion.
-CodedConnectivity write_connectivity(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count);
+CodedConnectivity write_connectivity(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count,
+                                     PayloadForms forms = PayloadForms::kBoth);
 
 /// Returns m x 3 indices, each below `vertex_count`. The caller has checked both counts against its limits;
 /// they are checked here against the bytes present before anything of their size is allocated. Errors:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
+#include <algorithm>
 #include <cstddef>
 #include <numeric>
 #include <utility>
@@ -17,6 +18,7 @@
 #include "connectivity/traversal.h"
 #include "entropy/compact_writer.h"
 #include "entropy/planes.h"
+#include "topology/component_count.h"
 
 namespace deltamesh {
 namespace {
@@ -30,6 +32,9 @@ class VertexNumbers {
   }
 
   bool has(std::uint32_t vertex) const noexcept { return number_[vertex] != kNoIndex; }
+
+  /// The vertices to come are of the next component of manifold vertices.
+  void start() { first_of_start_.push_back(static_cast<std::uint32_t>(order_.size())); }
 
   /// The next manifold vertex is one of `vertex`.
   void add(std::uint32_t vertex) {
@@ -45,6 +50,14 @@ class VertexNumbers {
   /// Number of every manifold vertex, or nothing where none is glued, so that each is its own.
   const std::vector<std::uint32_t>& coded() const noexcept { return coded_; }
   const GlueList& glued() const noexcept { return glued_; }
+
+  /// Components of the mesh: those of manifold vertices, of which glued ones are the same, and vertices that
+  /// were never added. Before take_order().
+  std::uint32_t count_components() const {
+    const auto starts = static_cast<std::uint32_t>(first_of_start_.size());
+    return deltamesh::count_components(joined_, starts) +
+           static_cast<std::uint32_t>(number_.size() - order_.size());
+  }
 
   /// Vertices by number; those that were never added come last, ascending.
   std::vector<std::uint32_t> take_order() {
@@ -67,6 +80,16 @@ class VertexNumbers {
     glued_.targets.push_back(zigzag(static_cast<std::int32_t>(target - last_target_)));
     fresh_before_ += fresh;
     last_target_ = target;
+    join_starts(target);
+  }
+
+  /// The component in the making and that which `number` came with are one.
+  void join_starts(std::uint32_t number) {
+    const auto now = static_cast<std::uint32_t>(first_of_start_.size() - 1);
+    if (number >= first_of_start_[now]) return;
+    const auto after = std::upper_bound(first_of_start_.begin(), first_of_start_.end(), number);
+    const auto then = static_cast<std::uint32_t>(after - first_of_start_.begin() - 1);
+    joined_.insert(joined_.end(), {then, now, now});
   }
 
   std::vector<std::uint32_t> number_;
@@ -75,26 +98,33 @@ class VertexNumbers {
   GlueList glued_;
   std::uint32_t fresh_before_ = 0;  ///< vertices that came before the last glued one
   std::uint32_t last_target_ = 0;
+  std::vector<std::uint32_t> first_of_start_;  ///< the vertex to come when a component began
+  std::vector<std::uint32_t> joined_;          ///< as triangles over components
 };
 
 /// Finds every op in the mesh and writes it down.
 class MeshGuide {
  public:
-  MeshGuide(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count, CompactWriter& writer)
+  MeshGuide(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count, CompactWriter& writer,
+            PayloadForms forms)
       : triangles_(triangles),
-        links_(match_half_edges(triangles, vertex_count)),
+        half_edges_(match_half_edges(triangles, vertex_count)),
+        links_(half_edges_.opposite),
         vertices_(vertex_count),
         ops_(writer),
+        has_plain_form_(forms == PayloadForms::kBoth),
         face_done_(triangles.size() / 3, 0) {
     across_.reserve(std::size_t{vertex_count} + vertex_count / 8);
     face_order_.reserve(face_done_.size());
     face_rotation_.reserve(face_done_.size());
+    new_edges_.reserve(face_done_.size());
   }
 
   void start(const Border& border) {
     while (face_done_[next_face_] != 0) ++next_face_;
     const std::uint32_t first = 3 * next_face_;
-    take_face(first);
+    vertices_.start();
+    take_face(first, kGateEdge | kLeftEdge | kRightEdge);
     for (std::uint32_t k = 0; k < 3; ++k) {
       vertices_.add(triangles_[first + k]);
       put_edge(border.item_count() + k, first + k);
@@ -103,9 +133,11 @@ class MeshGuide {
 
   [[gnu::always_inline]] BorderStep next(const Border& border, const Gate& gate) {
     const BorderStep step = find_step(border, gate);
-    tokens_.put(step.op, gate);
     ops_.code(step, border, gate);
-    if (step.op == BorderOp::kSplit) put_reference(border, gate.item, step.target);
+    if (has_plain_form_) {
+      tokens_.put(step.op, gate);
+      if (step.op == BorderOp::kSplit) put_reference(border, gate.item, step.target);
+    }
     return step;
   }
   static constexpr bool failed() noexcept { return false; }
@@ -116,8 +148,17 @@ class MeshGuide {
   VertexNumbers& vertices() noexcept { return vertices_; }
   std::vector<std::uint32_t> take_face_order() noexcept { return std::move(face_order_); }
   std::vector<std::uint8_t> take_face_rotation() noexcept { return std::move(face_rotation_); }
+  /// CodedConnectivity::new_edges.
+  std::vector<std::uint8_t> take_new_edges() noexcept {
+    return half_edges_.simple ? std::move(new_edges_) : std::vector<std::uint8_t>();
+  }
 
  private:
+  /// Bits of a coded face's edges, whose corners are the gate's end, its origin and the apex.
+  static constexpr unsigned kGateEdge = 1;
+  static constexpr unsigned kLeftEdge = 2;
+  static constexpr unsigned kRightEdge = 4;
+
   /// Marks a link across which the face is coded; the rest of it is the item of that edge.
   static constexpr std::uint32_t kItem = 0x80000000;
 
@@ -128,7 +169,7 @@ class MeshGuide {
     const std::uint32_t right = previous_in_face(across);  // from the apex to the gate's end
     const bool takes_left = links_[left] == (kItem | gate.before);
     const bool takes_right = links_[right] == (kItem | gate.after);
-    take_face(across);
+    take_face(across, (takes_left ? 0 : kLeftEdge) | (takes_right ? 0 : kRightEdge));
 
     if (takes_left && takes_right) return {BorderOp::kEnd};
     if (takes_right) {
@@ -182,11 +223,12 @@ class MeshGuide {
     if (reference == kFarReference) far_targets_.push_back(target);
   }
 
-  void take_face(std::uint32_t first_corner) {
+  void take_face(std::uint32_t first_corner, unsigned new_edges) {
     const std::uint32_t face = first_corner / 3;
     face_done_[face] = 1;
     face_order_.push_back(face);
     face_rotation_.push_back(static_cast<std::uint8_t>(first_corner - 3 * face));
+    new_edges_.push_back(static_cast<std::uint8_t>(new_edges));
   }
   void put_edge(std::uint32_t item, std::uint32_t half_edge) {
     const std::uint32_t across = links_[half_edge];
@@ -199,9 +241,11 @@ class MeshGuide {
   }
 
   std::span<const std::uint32_t> triangles_;
-  std::vector<std::uint32_t> links_;  ///< across every half-edge: a half-edge, an item, or nothing
+  HalfEdges half_edges_;
+  std::vector<std::uint32_t>& links_;  ///< across every half-edge: a half-edge, an item, or nothing
   VertexNumbers vertices_;
   OpCoder<CompactWriter> ops_;
+  bool has_plain_form_;
   std::vector<std::uint8_t> face_done_;
   std::vector<std::uint32_t> across_;  ///< the half-edge across every item's edge
   std::uint32_t next_face_ = 0;
@@ -210,6 +254,7 @@ class MeshGuide {
   std::vector<std::uint32_t> far_targets_;
   std::vector<std::uint32_t> face_order_;
   std::vector<std::uint8_t> face_rotation_;
+  std::vector<std::uint8_t> new_edges_;
 };
 
 std::vector<std::byte> write_payload(const MeshGuide& guide, const GlueList& glued) {
@@ -228,11 +273,12 @@ std::vector<std::byte> write_payload(const MeshGuide& guide, const GlueList& glu
 
 }  // namespace
 
-CodedConnectivity write_connectivity(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count) {
+CodedConnectivity write_connectivity(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count,
+                                     PayloadForms forms) {
   const auto face_count = static_cast<std::uint32_t>(triangles.size() / 3);
   CompactWriter writer;
   writer.reserve(2 * std::size_t{face_count});
-  MeshGuide guide(triangles, vertex_count, writer);
+  MeshGuide guide(triangles, vertex_count, writer, forms);
   Border border(face_count);
   border.reserve(vertex_count, face_count);
   traverse(border, guide);
@@ -241,14 +287,16 @@ CodedConnectivity write_connectivity(std::span<const std::uint32_t> triangles, s
   CodedConnectivity coded;
   coded.triangles = border.take_faces();
   if (face_count != 0) {
-    coded.payload = write_payload(guide, glued);
+    if (forms == PayloadForms::kBoth) coded.payload = write_payload(guide, glued);
     write_compact_gluing(writer, glued, coded.triangles, guide.vertices().coded());
     coded.compact = writer.finish();
   }
   renumber(coded.triangles, guide.vertices().coded());
+  coded.components = guide.vertices().count_components();
   coded.vertex_order = guide.vertices().take_order();
   coded.face_order = guide.take_face_order();
   coded.face_rotation = guide.take_face_rotation();
+  coded.new_edges = guide.take_new_edges();
   return coded;
 }
 

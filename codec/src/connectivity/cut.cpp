@@ -16,10 +16,10 @@ class Matcher {
   Matcher(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count)
       : triangles_(triangles), heads_(vertex_count, kNoIndex), edges_(vertex_count) {}
 
-  std::vector<std::uint32_t> match() && {
+  HalfEdges match() && {
     link_by_smaller_end();
     for (std::uint32_t v = 0; v < heads_.size(); ++v) match_edges_of(v);
-    return std::move(opposite_);
+    return {std::move(opposite_), simple_};
   }
 
  private:
@@ -55,6 +55,7 @@ class Matcher {
       const std::uint32_t b = triangles_[first + 1];
       const std::uint32_t c = triangles_[first + 2];
       if (a == b || b == c || c == a) {
+        simple_ = false;
         for (std::uint32_t k = 0; k < 3; ++k) opposite_[first + k] = kNoIndex;
         continue;
       }
@@ -78,13 +79,15 @@ class Matcher {
           .smaller_end = v, .sum = (edge.sum & known) ^ h, .kinds = kinds | kind | (kinds & kind) * kMore};
       spokes_.push_back({end, h});
     }
-    bool crowded = false;
+    std::uint32_t all_kinds = 0;
     for (const Spoke& spoke : spokes_) {
       const Edge& edge = edges_[spoke.end];
       opposite_[spoke.half_edge] = edge.kinds == kPair ? edge.sum ^ spoke.half_edge : kNoIndex;
-      crowded |= (edge.kinds & kPair) == kPair && edge.kinds != kPair;
+      all_kinds |= edge.kinds;
     }
-    if (crowded) match_crowded_edges();
+    if ((all_kinds & kPair * kMore) == 0) return;
+    simple_ = false;
+    match_crowded_edges();
   }
 
   void match_crowded_edges() {
@@ -129,12 +132,12 @@ class Matcher {
   std::vector<Spoke> spokes_;
   std::vector<std::uint32_t> forward_;
   std::vector<std::uint32_t> backward_;
+  bool simple_ = true;
 };
 
 }  // namespace
 
-std::vector<std::uint32_t> match_half_edges(std::span<const std::uint32_t> triangles,
-                                            std::uint32_t vertex_count) {
+HalfEdges match_half_edges(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count) {
   return Matcher(triangles, vertex_count).match();
 }
 

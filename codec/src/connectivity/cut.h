@@ -17,12 +17,17 @@ inline constexpr std::uint32_t kNoIndex = 0xffffffff;
 constexpr std::uint32_t next_in_face(std::uint32_t h) noexcept { return h + 1 - 3U * (h % 3 == 2); }
 constexpr std::uint32_t previous_in_face(std::uint32_t h) noexcept { return h - 1 + 3U * (h % 3 == 0); }
 
-/// The half-edge matched to each of the 3m, in the other direction between the same vertices, or kNoIndex.
+struct HalfEdges {
+  /// The half-edge matched to each of the 3m, in the other direction between the same vertices, or kNoIndex.
+  std::vector<std::uint32_t> opposite;
+  /// No face has a vertex twice, and no two half-edges run from the same vertex to the same vertex.
+  bool simple = true;
+};
+
 /// `triangles`: m x 3 indices below `vertex_count`, m at most 2^29. A face with a repeated vertex stays
 /// unmatched. The corners linked through matched half-edges at a vertex are a fan: one manifold vertex. The
 /// three corners of a face are always in different fans. O(n + m), times a logarithm for edges of more than
 /// two faces.
-std::vector<std::uint32_t> match_half_edges(std::span<const std::uint32_t> triangles,
-                                            std::uint32_t vertex_count);
+HalfEdges match_half_edges(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count);
 
 }  // namespace deltamesh

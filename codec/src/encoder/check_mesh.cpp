@@ -2,7 +2,11 @@
 // Copyright 2026 The deltamesh authors
 #include "encoder/check_mesh.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <span>
 
 #include "base/try.h"
 #include "format/header.h"
@@ -16,6 +20,35 @@ constexpr std::uint8_t kMaxComponents = 16;
 
 Error invalid(const char* message, WhereKind kind = WhereKind::kNone, std::size_t where = 0) noexcept {
   return {.code = ErrorCode::kInvalidMesh, .message = message, .where_kind = kind, .where = where};
+}
+
+// Blocks without branches; where one has a fault, it is looked for.
+constexpr std::size_t kBlock = 1024;
+
+std::size_t first_not_finite(std::span<const float> values) noexcept {
+  constexpr std::uint32_t kExponent = 0x7f800000;
+  for (std::size_t begin = 0; begin < values.size(); begin += kBlock) {
+    const std::size_t end = std::min(begin + kBlock, values.size());
+    bool all = true;
+    for (std::size_t i = begin; i < end; ++i)
+      all &= (std::bit_cast<std::uint32_t>(values[i]) & kExponent) != kExponent;
+    if (all) continue;
+    while (std::isfinite(values[begin])) ++begin;
+    return begin;
+  }
+  return values.size();
+}
+
+std::size_t first_not_below(std::span<const std::uint32_t> indices, std::size_t limit) noexcept {
+  for (std::size_t begin = 0; begin < indices.size(); begin += kBlock) {
+    const std::size_t end = std::min(begin + kBlock, indices.size());
+    std::uint32_t most = 0;
+    for (std::size_t i = begin; i < end; ++i) most = std::max(most, indices[i]);
+    if (most < limit) continue;
+    while (indices[begin] < limit) ++begin;
+    return begin;
+  }
+  return indices.size();
 }
 
 Result<void> check_attribute(const AttributeView& a, std::size_t vertices, std::size_t index) {
@@ -41,14 +74,10 @@ Result<void> check_mesh(const MeshView& mesh) {
   for (const double x : mesh.origin) {
     if (!std::isfinite(x)) return invalid("the origin is not finite");
   }
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    if (!std::isfinite(mesh.positions[i]))
-      return invalid("a coordinate is NaN or infinite", WhereKind::kVertex, i / 3);
-  }
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    if (mesh.triangles[i] >= vertices)
-      return invalid("an index is not below the number of vertices", WhereKind::kTriangle, i / 3);
-  }
+  if (const auto i = first_not_finite(mesh.positions); i < mesh.positions.size())
+    return invalid("a coordinate is NaN or infinite", WhereKind::kVertex, i / 3);
+  if (const auto i = first_not_below(mesh.triangles, vertices); i < mesh.triangles.size())
+    return invalid("an index is not below the number of vertices", WhereKind::kTriangle, i / 3);
   if (mesh.attributes.size() > kMaxAttributes)
     return Error{.code = ErrorCode::kLimitExceeded, .message = "more than 64 attributes"};
   for (std::size_t i = 0; i < mesh.attributes.size(); ++i)

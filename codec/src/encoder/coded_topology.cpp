@@ -2,6 +2,8 @@
 // Copyright 2026 The deltamesh authors
 #include "encoder/coded_topology.h"
 
+#include <utility>
+
 #include "topology/weld.h"
 
 namespace deltamesh {
@@ -17,22 +19,30 @@ std::vector<std::uint8_t> find_referenced(const MeshView& mesh) {
 
 /// The input's faces over geometric vertices without the dropped ones.
 struct WeldedMesh {
-  std::vector<std::uint32_t> triangles;
+  std::vector<std::uint32_t> renumbered;      ///< empty where all vertices are kept, each alone
+  std::span<const std::uint32_t> triangles;   ///< the input's, or those that are renumbered
   std::vector<std::uint32_t> representative;  ///< input vertex of every geometric vertex
+  bool has_seams = false;
 };
 
-WeldedMesh weld_mesh(const MeshView& mesh, const std::vector<std::uint8_t>& referenced,
-                     bool keep_unreferenced) {
-  const Weld weld = weld_by_position(mesh.positions, referenced);
-  std::vector<std::uint32_t> renumbered(weld.representative.size(), kDropped);
+WeldedMesh weld_mesh(const MeshView& mesh, const std::vector<std::uint8_t>& referenced, bool drops) {
+  Weld weld = weld_by_position(mesh.positions, referenced);
   WeldedMesh welded;
-  for (std::uint32_t g = 0; g < renumbered.size(); ++g) {
-    if (!keep_unreferenced && referenced[weld.representative[g]] == 0) continue;
-    renumbered[g] = static_cast<std::uint32_t>(welded.representative.size());
+  welded.has_seams = weld.representative.size() < referenced.size();
+  if (!welded.has_seams && !drops) {
+    welded.triangles = mesh.triangles;
+    welded.representative = std::move(weld.representative);
+    return welded;
+  }
+  std::vector<std::uint32_t> number(weld.representative.size(), kDropped);
+  for (std::uint32_t g = 0; g < number.size(); ++g) {
+    if (drops && referenced[weld.representative[g]] == 0) continue;
+    number[g] = static_cast<std::uint32_t>(welded.representative.size());
     welded.representative.push_back(weld.representative[g]);
   }
-  welded.triangles.reserve(mesh.triangles.size());
-  for (const std::uint32_t v : mesh.triangles) welded.triangles.push_back(renumbered[weld.geometric[v]]);
+  welded.renumbered.reserve(mesh.triangles.size());
+  for (const std::uint32_t v : mesh.triangles) welded.renumbered.push_back(number[weld.geometric[v]]);
+  welded.triangles = welded.renumbered;
   return welded;
 }
 
@@ -49,22 +59,26 @@ std::vector<std::uint32_t> corner_vertices(const MeshView& mesh, const CodedConn
 
 }  // namespace
 
-CodedTopology code_topology(const MeshView& mesh, bool keep_unreferenced) {
+CodedTopology code_topology(const MeshView& mesh, bool keep_unreferenced, PayloadForms forms) {
   CodedTopology topology;
   const std::vector<std::uint8_t> referenced = find_referenced(mesh);
   for (const std::uint8_t flag : referenced) topology.unreferenced += flag == 0;
 
-  const WeldedMesh welded = weld_mesh(mesh, referenced, keep_unreferenced);
+  topology.unreferenced_kept = keep_unreferenced ? topology.unreferenced : 0;
+
+  const WeldedMesh welded = weld_mesh(mesh, referenced, topology.unreferenced > topology.unreferenced_kept);
   const auto geometric_count = static_cast<std::uint32_t>(welded.representative.size());
-  topology.connectivity = write_connectivity(welded.triangles, geometric_count);
+  topology.connectivity = write_connectivity(welded.triangles, geometric_count, forms);
 
   topology.geometric_input.reserve(geometric_count);
+  for (const std::uint32_t g : topology.connectivity.vertex_order)
+    topology.geometric_input.push_back(welded.representative[g]);
+  topology.has_seams = welded.has_seams;
+  if (!welded.has_seams) return topology;
+
   std::vector<std::uint32_t> lone_vertices;
-  for (const std::uint32_t g : topology.connectivity.vertex_order) {
-    const std::uint32_t input = welded.representative[g];
-    topology.geometric_input.push_back(input);
+  for (const std::uint32_t input : topology.geometric_input)
     if (referenced[input] == 0) lone_vertices.push_back(input);
-  }
   topology.seams = write_seams(topology.connectivity.triangles, geometric_count,
                                corner_vertices(mesh, topology.connectivity), lone_vertices);
   return topology;
@@ -72,14 +86,14 @@ CodedTopology code_topology(const MeshView& mesh, bool keep_unreferenced) {
 
 MeshOrder original_order(const CodedTopology& topology, std::size_t input_vertices) {
   std::vector<std::uint32_t> kept(input_vertices, kDropped);
-  for (const std::uint32_t v : topology.seams.vertex_order) kept[v] = 0;
+  for (const std::uint32_t v : topology.vertex_order()) kept[v] = 0;
   std::uint32_t next = 0;
   for (std::uint32_t& place : kept) {
     if (place != kDropped) place = next++;
   }
   MeshOrder order;
   order.vertices.reserve(next);
-  for (const std::uint32_t v : topology.seams.vertex_order) order.vertices.push_back(kept[v]);
+  for (const std::uint32_t v : topology.vertex_order()) order.vertices.push_back(kept[v]);
   order.faces = topology.connectivity.face_order;
   order.rotation = topology.connectivity.face_rotation;
   return order;

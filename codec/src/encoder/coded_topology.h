@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "connectivity/connectivity.h"
@@ -18,20 +19,29 @@ namespace deltamesh {
 
 struct CodedTopology {
   std::uint64_t unreferenced = 0;              ///< input vertices that no face uses
+  std::uint64_t unreferenced_kept = 0;         ///< as many of them as are coded, last of all
   CodedConnectivity connectivity;              ///< over geometric vertices
-  CodedSeams seams;                            ///< over the vertices that are kept
+  bool has_seams = false;                      ///< some vertices were welded
+  CodedSeams seams;                            ///< over the vertices that are kept; empty without seams
   std::vector<std::uint32_t> geometric_input;  ///< an input vertex of every coded geometric vertex
 
+  /// m x 3, over the vertices of the decoded mesh.
+  std::span<const std::uint32_t> triangles() const noexcept {
+    return has_seams ? seams.split.triangles : connectivity.triangles;
+  }
+  /// Input vertex of every decoded vertex, in coding order.
+  const std::vector<std::uint32_t>& vertex_order() const noexcept {
+    return has_seams ? seams.vertex_order : geometric_input;
+  }
   std::uint32_t geometric_count() const noexcept {
     return static_cast<std::uint32_t>(geometric_input.size());
   }
-  std::uint32_t vertex_count() const noexcept {
-    return static_cast<std::uint32_t>(seams.vertex_order.size());
-  }
+  std::uint32_t vertex_count() const noexcept { return static_cast<std::uint32_t>(vertex_order().size()); }
 };
 
 /// `mesh` has passed check_mesh. O(n + m) expected.
-CodedTopology code_topology(const MeshView& mesh, bool keep_unreferenced);
+CodedTopology code_topology(const MeshView& mesh, bool keep_unreferenced,
+                            PayloadForms forms = PayloadForms::kBoth);
 
 /// The ORDR contents that restore the input's order (without dropped vertices). `input_vertices`: of the
 /// mesh.

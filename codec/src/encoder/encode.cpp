@@ -14,6 +14,7 @@
 #include "encoder/coded_geometry.h"
 #include "encoder/coded_topology.h"
 #include "encoder/geometry_trials.h"
+#include "encoder/lazy_graph.h"
 #include "encoder/predictive_trials.h"
 #include "format/container.h"
 #include "laplacian/anchor_sequence.h"
@@ -21,6 +22,7 @@
 #include "quality/rate_control.h"
 #include "quality/round_up.h"
 #include "topology/adjacency.h"
+#include "topology/mesh_edges.h"
 
 namespace deltamesh {
 namespace {
@@ -49,13 +51,29 @@ std::vector<Vec3> gather_positions(const MeshView& mesh, const std::vector<std::
 
 void set_box(FileHeader& header, const std::vector<Vec3>& positions) {
   if (positions.empty()) return;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto [least, most] =
-        std::minmax_element(positions.begin(), positions.end(),
-                            [axis](const Vec3& a, const Vec3& b) { return a[axis] < b[axis]; });
-    header.box_min[axis] = static_cast<float>((*least)[axis]);
-    header.box_max[axis] = static_cast<float>((*most)[axis]);
+  Vec3 least = positions.front();
+  Vec3 most = positions.front();
+  for (const Vec3& position : positions) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      least[axis] = position[axis] < least[axis] ? position[axis] : least[axis];
+      most[axis] = position[axis] < most[axis] ? most[axis] : position[axis];
+    }
   }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    header.box_min[axis] = static_cast<float>(least[axis]);
+    header.box_max[axis] = static_cast<float>(most[axis]);
+  }
+}
+
+/// All edges of the coded mesh, which the connectivity's writer has met already if the mesh is simple.
+MeshEdges edges_of(const CodedTopology& topology) {
+  const CodedConnectivity& coded = topology.connectivity;
+  const std::uint32_t count = topology.geometric_count();
+  if (coded.new_edges.empty()) return find_edges(coded.triangles, count);
+  MeshEdges edges{.triangles = coded.triangles, .visited = coded.new_edges};
+  for (auto v = static_cast<std::uint32_t>(count - topology.unreferenced_kept); v < count; ++v)
+    edges.lone_vertices.push_back(v);
+  return edges;
 }
 
 /// Coordinates near the largest float: what is decoded, or its error, would not be a float any more.
@@ -111,8 +129,8 @@ CoderSettings plain_settings(const EncodeOptions& options, GeometryTrials& trial
 struct GeometryTask {
   const EncodeOptions& options;
   std::span<const std::uint32_t> triangles;
-  const Adjacency& graph;
-  const Components& components;
+  const LazyGraph& graph;
+  const MeshEdges& edges;
   const std::vector<Vec3>& positions;
   const StreamFrame& frame;
 };
@@ -123,9 +141,11 @@ Result<GeometryChoice> code_highpass(const GeometryTask& task,
   const EncodeOptions& options = task.options;
   AnchorContainers own_containers;
   AnchorContainers& containers = options.anchor_containers ? *options.anchor_containers : own_containers;
-  AnchorSequence& sequence = containers.impl().sequence(task.graph, task.components);
+  const Adjacency& graph = task.graph.graph();
+  const Components& components = task.graph.components();
+  AnchorSequence& sequence = containers.impl().sequence(graph, components);
   const FileHeader& header = task.frame.header;
-  const GeometryInput input{task.graph, task.components, task.positions, header.box(), sequence};
+  const GeometryInput input{graph, components, task.positions, header.box(), sequence};
   GeometryTrials trials(input, task.frame);
   if (options.quality.empty()) {
     DELTAMESH_TRY([[maybe_unused]] const auto figures, trials.run(plain_settings(options, trials)));
@@ -140,8 +160,9 @@ Result<GeometryChoice> code_highpass(const GeometryTask& task,
 }
 
 PredictiveTrials predictive_trials(const GeometryTask& task) {
-  return {
-      {task.triangles, task.graph, task.positions, task.frame.header.box()}, task.frame, task.options.effort};
+  return {{task.triangles, task.graph, task.edges, task.positions, task.frame.header.box()},
+          task.frame,
+          task.options.effort};
 }
 
 Bounds bounds_of(const GeometryTask& task) {
@@ -232,14 +253,14 @@ Result<GeometryChoice> code_geometry(const GeometryTask& task) {
 Result<ChunkList> add_geometry(const MeshView& mesh, const CodedTopology& topology, const OtherChunks& other,
                                const EncodeOptions& options, FileHeader& header) {
   const std::vector<Vec3> positions = gather_positions(mesh, topology.geometric_input);
-  const Adjacency graph = build_adjacency(topology.connectivity.triangles, topology.geometric_count());
-  const Components components = find_components(graph);
+  const LazyGraph graph(topology.connectivity.triangles, topology.geometric_count());
+  const MeshEdges edges = edges_of(topology);
   set_box(header, positions);
-  header.components = components.count;
+  header.components = topology.connectivity.components;
 
   const StreamFrame frame{header, other.before, other.after};
   const auto coded =
-      code_geometry({options, topology.connectivity.triangles, graph, components, positions, frame});
+      code_geometry({options, topology.connectivity.triangles, graph, edges, positions, frame});
   if (!coded) return is_too_large(coded.error()) ? kTooLarge : coded.error();
 
   header.geometry = coded->geometry;
@@ -255,15 +276,15 @@ Result<ChunkList> add_geometry(const MeshView& mesh, const CodedTopology& topolo
 Result<void> add_attributes(const MeshView& mesh, const CodedTopology& topology, const EncodeOptions& options,
                             ChunkList& chunks) {
   if (mesh.attributes.empty()) return {};
-  const Adjacency graph = build_adjacency(topology.seams.split.triangles, topology.vertex_count());
+  const Adjacency graph = build_adjacency(topology.triangles(), topology.vertex_count());
   const AttributeQuantization quantization{.normal_bits = options.normal_bits,
                                            .color_bits = options.color_bits,
                                            .uv_bits = options.uv_bits,
                                            .exact = options.lossless};
   for (const AttributeView& attribute : mesh.attributes) {
-    DELTAMESH_TRY(auto payload, write_attribute(attribute, topology.seams.vertex_order, quantization));
+    DELTAMESH_TRY(auto payload, write_attribute(attribute, topology.vertex_order(), quantization));
     DELTAMESH_TRY(auto compact,
-                  write_compact_attribute(attribute, topology.seams.vertex_order, quantization, graph));
+                  write_compact_attribute(attribute, topology.vertex_order(), quantization, graph));
     DELTAMESH_CHECK(chunks.add(kTagAttribute, std::move(payload), std::move(compact)));
   }
   return {};
@@ -271,13 +292,16 @@ Result<void> add_attributes(const MeshView& mesh, const CodedTopology& topology,
 
 /// The input vertex of every decoded vertex; in the input's order where that is kept.
 std::vector<std::uint32_t> decoded_order(const CodedTopology& topology, bool keep_order) {
-  std::vector<std::uint32_t> order = topology.seams.vertex_order;
+  std::vector<std::uint32_t> order = topology.vertex_order();
   if (keep_order) std::sort(order.begin(), order.end());
   return order;
 }
 
 Result<Encoded> encode_checked(const MeshView& mesh, const EncodeOptions& options) {
-  CodedTopology topology = code_topology(mesh, options.keep_unreferenced);
+  // A quick encode does not look whether another form is smaller.
+  const bool compact_alone = options.effort == 0 && options.profile == Profile::kSmallest;
+  CodedTopology topology = code_topology(mesh, options.keep_unreferenced,
+                                         compact_alone ? PayloadForms::kCompact : PayloadForms::kBoth);
   report_progress(options, kTopologyDone);
 
   FileHeader header;
@@ -289,14 +313,17 @@ Result<Encoded> encode_checked(const MeshView& mesh, const EncodeOptions& option
   header.origin = mesh.origin;
 
   OtherChunks other{ChunkList(options.profile, options.effort), ChunkList(options.profile, options.effort)};
-  DELTAMESH_CHECK(other.before.add(kTagConnectivity, std::move(topology.connectivity.payload),
-                                   std::move(topology.connectivity.compact)));
+  if (compact_alone) {
+    other.before.add_compact(kTagConnectivity, std::move(topology.connectivity.compact));
+  } else {
+    DELTAMESH_CHECK(other.before.add(kTagConnectivity, std::move(topology.connectivity.payload),
+                                     std::move(topology.connectivity.compact)));
+  }
   DELTAMESH_CHECK(
       other.before.add(kTagSeams, std::move(topology.seams.payload), std::move(topology.seams.compact)));
   DELTAMESH_CHECK(add_attributes(mesh, topology, options, other.after));
   if (options.keep_order) {
-    CodedOrder order =
-        write_order(original_order(topology, mesh.vertex_count()), topology.seams.split.triangles);
+    CodedOrder order = write_order(original_order(topology, mesh.vertex_count()), topology.triangles());
     DELTAMESH_CHECK(other.after.add(kTagOrder, std::move(order.payload), std::move(order.compact)));
   }
   report_progress(options, kAttributesDone);

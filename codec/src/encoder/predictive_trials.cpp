@@ -8,7 +8,6 @@
 #include "base/try.h"
 #include "encoder/coder_forecast.h"
 #include "encoder/position_forms.h"
-#include "geometry/vertex_positions.h"
 #include "predictive/exact_lattice.h"
 #include "predictive/lattice.h"
 #include "predictive/positions.h"
@@ -19,7 +18,7 @@ namespace {
 
 constexpr int kMostTrials = 10;
 constexpr std::size_t kQuickSample = 1U << 15;  ///< vertices that effort 0 looks for grids in
-constexpr double kCloseEnough = 0.997;  ///< share of a bound that needs no better trial
+constexpr double kCloseEnough = 0.997;          ///< share of a bound that needs no better trial
 
 Error too_small(std::uint64_t fewest_bytes) noexcept {
   return {.code = ErrorCode::kUnmetRequest,
@@ -30,6 +29,43 @@ Error too_small(std::uint64_t fewest_bytes) noexcept {
 /// Whether an axis has a grid, and grid_lattice() at `step` or a little above would take it.
 bool has_grid(const std::array<AxisGrid, 3>& axes, double step) noexcept {
   return std::any_of(axes.begin(), axes.end(), [step](const AxisGrid& axis) { return axis.step > step / 2; });
+}
+
+/// A decoder's position.
+Vec3 decoded_position(const PositionLattice& lattice, const Cell& cell) noexcept {
+  Vec3 position;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    position[axis] = static_cast<float>(lattice.at(axis, cell[axis]));
+  return position;
+}
+
+/// LFE and the largest error; not finite where a decoder would not give floats.
+Quality positional_quality(std::span<const Vec3> positions, std::span<const Cell> cells,
+                           const PositionLattice& lattice, const MeshEdges& edges) noexcept {
+  double squares = 0;
+  double largest = 0;
+  const auto& lone = edges.lone_vertices;
+  std::size_t next_lone = 0;
+  for (std::size_t v = 0; v < cells.size(); ++v) {
+    const Vec3 error = positions[v] - decoded_position(lattice, cells[v]);
+    const double square = dot(error, error);
+    largest = std::max(largest, square);
+    if (next_lone < lone.size() && lone[next_lone] == v) {
+      ++next_lone;
+    } else {
+      squares += square;
+    }
+  }
+  const auto count = static_cast<double>(std::max<std::size_t>(cells.size() - lone.size(), 1));
+  return {.lfe_rms = std::sqrt(squares / count), .max_error = std::sqrt(largest)};
+}
+
+double visual_error(const PredictiveInput& input, std::span<const Cell> cells,
+                    const PositionLattice& lattice) {
+  std::vector<Vec3> decoded;
+  decoded.reserve(cells.size());
+  for (const Cell& cell : cells) decoded.push_back(decoded_position(lattice, cell));
+  return measure_vde(input.edges, input.positions, decoded);
 }
 
 }  // namespace
@@ -56,26 +92,26 @@ double PredictiveTrials::first_step(const Bounds& bounds) const noexcept {
   return step > 0 ? step : 1.0;  // a bound in percent of nothing
 }
 
-Result<PredictiveTrials::Trial> PredictiveTrials::measured(PredictiveParameters parameters,
-                                                           std::vector<Cell> cells) const {
-  DELTAMESH_TRY(const auto decoded, to_float_positions(to_positions(cells, parameters.lattice)));
-  return Trial{.parameters = parameters,
-               .cells = std::move(cells),
-               .quality = measure_quality(input_.graph, input_.positions, decoded)};
+PredictiveTrials::Trial PredictiveTrials::measured(PredictiveParameters parameters, std::vector<Cell> cells,
+                                                   const Bounds& bounds) const {
+  Trial trial{.parameters = parameters, .cells = std::move(cells)};
+  trial.quality = positional_quality(input_.positions, trial.cells, parameters.lattice, input_.edges);
+  if (bounds.vde && is_declarable(trial.quality))
+    trial.quality.vde_rms = visual_error(input_, trial.cells, parameters.lattice);
+  return trial;
 }
 
-Result<PredictiveTrials::Trial> PredictiveTrials::try_lattice(const PositionLattice& lattice) const {
-  return measured({.lattice = lattice}, to_cells(input_.positions, lattice));
+PredictiveTrials::Trial PredictiveTrials::try_lattice(const PositionLattice& lattice,
+                                                      const Bounds& bounds) const {
+  return measured({.lattice = lattice}, to_cells(input_.positions, lattice), bounds);
 }
 
-std::optional<PredictiveTrials::Trial> PredictiveTrials::try_levels(const VoxelFit& fit,
-                                                                    std::uint32_t levels) const {
+std::optional<PredictiveTrials::Trial> PredictiveTrials::try_levels(const VoxelFit& fit, std::uint32_t levels,
+                                                                    const Bounds& bounds) const {
   auto voxels = to_voxel_cells(input_.positions, input_.box, fit, levels);
   if (!voxels) return std::nullopt;
-  auto trial = measured({.kind = PositionKind::kVoxel, .lattice = voxels->lattice, .levels = levels},
-                        std::move(voxels->cells));
-  if (!trial) return std::nullopt;
-  return *std::move(trial);
+  return measured({.kind = PositionKind::kVoxel, .lattice = voxels->lattice, .levels = levels},
+                  std::move(voxels->cells), bounds);
 }
 
 GeometryChoice PredictiveTrials::code(const Trial& trial) const {
@@ -83,6 +119,8 @@ GeometryChoice PredictiveTrials::code(const Trial& trial) const {
                         .predictive = trial.parameters,
                         .chunks = frame_.before.fresh(),
                         .quality = trial.quality};
+  if (!(choice.quality.vde_rms > 0) && choice.quality.lfe_rms > 0 && is_declarable(choice.quality))
+    choice.quality.vde_rms = visual_error(input_, trial.cells, trial.parameters.lattice);
   const auto write = [&](const PositionForm& form) {
     return write_positions(stars_, trial.cells, trial.parameters, form, trial.patches);
   };
@@ -95,8 +133,7 @@ Result<GeometryChoice> PredictiveTrials::code_step(double step) const {
   if (step < finest_step(input_.box))
     return Error{.code = ErrorCode::kInvalidArgument,
                  .message = "a step so fine takes over 2^28 points along a side; `lossless` keeps every bit"};
-  DELTAMESH_TRY(const auto trial, try_lattice(cubic_lattice(input_.box, step)));
-  return code(trial);
+  return code(try_lattice(cubic_lattice(input_.box, step)));
 }
 
 GeometryChoice PredictiveTrials::code_floats() const {
@@ -130,12 +167,11 @@ std::optional<PredictiveTrials::Trial> PredictiveTrials::keep_on_lattice(
     const PositionLattice lattice = grid_lattice(input_.box, axes, step);
     if (lattice.step == last_steps) break;
     last_steps = lattice.step;
-    auto trial = try_lattice(lattice);
-    if (!trial) break;
-    const double load = bounds.load(trial->quality);
+    Trial trial = try_lattice(lattice, bounds);
+    const double load = bounds.load(trial.quality);
     const bool kept = load <= 1;
     if (kept && step > best_step) {
-      best = *std::move(trial);
+      best = std::move(trial);
       best_step = step;
     }
     if (kept && (load > kCloseEnough || load == 0 || effort_ == 0)) break;
@@ -156,7 +192,7 @@ std::optional<PredictiveTrials::Trial> PredictiveTrials::keep_on_voxels(const Bo
   double levels = std::ceil(voxel / step);
   for (int i = 0; i < kMostTrials && enough - too_few > 1; ++i) {
     const auto now = static_cast<std::uint32_t>(std::clamp(levels, too_few + 1.0, enough - 1.0));
-    auto trial = try_levels(fit, now);
+    auto trial = try_levels(fit, now, bounds);
     if (!trial) {  // more than the grid has room for
       enough = now;
       levels = too_few + (now - too_few) / 2.0;
@@ -192,7 +228,7 @@ bool PredictiveTrials::are_voxels_enough(const Bounds& bounds) const {
 bool PredictiveTrials::suits(const Bounds& bounds) const {
   if (!bounds.vde || first_step(bounds) < first_step({.vde = bounds.vde})) return true;
   return are_voxels_enough(bounds) ||
-         forecast_coders(input_.graph, stars_, input_.positions, *bounds.vde).predictive_wins();
+         forecast_coders(input_.graph.graph(), stars_, input_.positions, *bounds.vde).predictive_wins();
 }
 
 Result<GeometryChoice> PredictiveTrials::keep_bounds(const Bounds& bounds) const {
@@ -234,8 +270,7 @@ Result<GeometryChoice> PredictiveTrials::fit_lattice(std::uint64_t bytes) const 
   std::uint64_t fewest = ~std::uint64_t{0};
   for (int i = 0; i < kMostTrials; ++i) {
     if (i + 1 == kMostTrials && !best) step = coarsest;
-    DELTAMESH_TRY(const auto trial, try_lattice(cubic_lattice(input_.box, step)));
-    auto choice = code(trial);
+    auto choice = code(try_lattice(cubic_lattice(input_.box, step)));
     const std::uint64_t size = frame_.bytes_with(choice);
     fewest = std::min(fewest, size);
     const bool fits = size <= bytes;

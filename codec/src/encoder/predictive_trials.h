@@ -9,18 +9,20 @@
 #include <span>
 
 #include "encoder/coded_geometry.h"
+#include "encoder/lazy_graph.h"
 #include "predictive/blend.h"
 #include "predictive/patches.h"
 #include "predictive/voxel_fit.h"
 #include "quality/bounds.h"
-#include "topology/adjacency.h"
+#include "topology/mesh_edges.h"
 
 namespace deltamesh {
 
 /// A mesh for the predictive coder. All members must outlive the trials.
 struct PredictiveInput {
   std::span<const std::uint32_t> triangles;  ///< over geometric vertices, coding order
-  const Adjacency& graph;                    ///< of `triangles`
+  const LazyGraph& graph;                    ///< of `triangles`
+  const MeshEdges& edges;                    ///< of `triangles`
   std::span<const Vec3> positions;           ///< n, relative to the mesh's origin
   Box box;                                   ///< of `positions`
 };
@@ -54,14 +56,14 @@ class PredictiveTrials {
   struct Trial {
     PredictiveParameters parameters;
     std::vector<Cell> cells;
-    Quality quality{};
+    Quality quality{};             ///< with VDE only where that is bounded
     std::vector<Patch> patches{};  ///< of an exact lattice
   };
 
-  Result<Trial> measured(PredictiveParameters parameters, std::vector<Cell> cells) const;
-  Result<Trial> try_lattice(const PositionLattice& lattice) const;
+  Trial measured(PredictiveParameters parameters, std::vector<Cell> cells, const Bounds& bounds) const;
+  Trial try_lattice(const PositionLattice& lattice, const Bounds& bounds = {}) const;
   /// Empty where the voxels have no room for so many.
-  std::optional<Trial> try_levels(const VoxelFit& fit, std::uint32_t levels) const;
+  std::optional<Trial> try_levels(const VoxelFit& fit, std::uint32_t levels, const Bounds& bounds = {}) const;
   GeometryChoice code(const Trial& trial) const;
   GeometryChoice code_floats() const;
   double first_step(const Bounds& bounds) const noexcept;

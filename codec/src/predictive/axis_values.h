@@ -20,8 +20,7 @@ class AxisValues {
  public:
   /// `positions`: floats; they must outlive this. `most_sampled`: of more vertices, one in so many is looked
   /// at that at most this many are.
-  explicit AxisValues(std::span<const Vec3> positions,
-                      std::size_t most_sampled = ~std::size_t{0}) noexcept
+  explicit AxisValues(std::span<const Vec3> positions, std::size_t most_sampled = ~std::size_t{0}) noexcept
       : positions_(positions), stride_(positions.empty() ? 1 : 1 + (positions.size() - 1) / most_sampled) {}
 
   std::span<const Vec3> positions() const noexcept { return positions_; }

@@ -5,11 +5,11 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "base/vec3.h"
 #include "deltamesh/stream_info.h"
 #include "topology/adjacency.h"
+#include "topology/mesh_edges.h"
 
 namespace deltamesh {
 
@@ -19,9 +19,7 @@ namespace deltamesh {
 Quality measure_quality(const Adjacency& graph, std::span<const Vec3> original,
                         std::span<const Vec3> decoded);
 
-/// S(v) of equation 2 for every vertex: v_i - (sum_j v_j / l_ij) / (sum_j 1 / l_ij); zero where there are no
-/// neighbours.
-std::vector<Vec3> geometric_laplacian(const Adjacency& graph, std::span<const Vec3> positions,
-                                      double shortest);
+/// VDE alone, the edges being known.
+double measure_vde(const MeshEdges& edges, std::span<const Vec3> original, std::span<const Vec3> decoded);
 
 }  // namespace deltamesh
