@@ -39,9 +39,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const PredictiveParameters parameters{.kind = static_cast<PositionKind>(choice[0] / 64 % 3),
                                         .lattice = {.cells = {cells, cells, cells}},
                                         .levels = 1U << (choice[2] / 8 % 16)};
-  const FaceStars stars(mesh.triangles, static_cast<std::uint32_t>(mesh.positions.size()));
+  const FaceList faces{mesh.triangles, static_cast<std::uint32_t>(mesh.positions.size())};
   const Payload payload = choice[2] % 8 == 0 ? Payload(bytes) : Payload::compact(bytes);
-  const auto positions = read_positions(payload, stars, parameters, mesh.box);
+  const auto positions = read_positions(payload, faces, parameters, mesh.box);
   if (!positions) {
     if (positions.error().code == ErrorCode::kInternal) std::abort();
     return 0;

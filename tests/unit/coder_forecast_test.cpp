@@ -13,8 +13,8 @@ namespace deltamesh {
 namespace {
 
 CoderForecast forecast_of(const test::GraphMesh& mesh, double vde) {
-  const FaceStars stars(mesh.triangles, static_cast<std::uint32_t>(mesh.positions.size()));
-  return forecast_coders(mesh.graph, stars, mesh.positions, vde);
+  const FaceList faces{mesh.triangles, static_cast<std::uint32_t>(mesh.positions.size())};
+  return forecast_coders(mesh.graph, faces, mesh.positions, vde);
 }
 
 std::string coder_at(const Mesh& mesh, int effort, const QualityRequest& quality) {

@@ -78,11 +78,11 @@ TEST(ExactLattice, POSN11FewOthersArePatched) {
   std::vector<std::uint32_t> triangles;
   for (std::uint32_t v = 0; v + 2 < positions.size(); ++v)
     triangles.insert(triangles.end(), {v, v + 1, v + 2});
-  const FaceStars stars(triangles, 1000);
+  const FaceList faces{triangles, 1000};
   for (const Walk walk : {Walk::kAsDecoded, Walk::kBroad, Walk::kDeep}) {
     const PredictiveParameters parameters{.lattice = *lattice};
-    const auto bytes = write_positions(stars, cells, parameters, {.walk = walk}, patches);
-    const auto back = read_positions(Payload::compact(bytes), stars, parameters, box_of(positions));
+    const auto bytes = write_positions(faces, cells, parameters, {.walk = walk}, patches);
+    const auto back = read_positions(Payload::compact(bytes), faces, parameters, box_of(positions));
     ASSERT_TRUE(back) << back.error().message;
     EXPECT_TRUE(find_patches(positions, *back).empty());
   }

@@ -33,7 +33,7 @@ std::vector<test::GraphMesh> graph_meshes() {
   return {test::sheet(14, 9), test::fragments(), test::fan(40), test::sheet(1, 1), test::finish({})};
 }
 
-FaceStars stars_of(const test::GraphMesh& mesh) {
+FaceList faces_of(const test::GraphMesh& mesh) {
   return {mesh.triangles, static_cast<std::uint32_t>(mesh.positions.size())};
 }
 
@@ -58,16 +58,16 @@ double largest_error(const Mesh& mesh, const Encoded& encoded) {
 
 TEST(Predictive, POSN2POSN3POSN4POSN5POSN6POSN8POSN9CellsComeBack) {
   for (const test::GraphMesh& mesh : graph_meshes()) {
-    const FaceStars stars = stars_of(mesh);
+    const FaceList faces = faces_of(mesh);
     for (const double step : {2.0, 0.1, 1e-3, 1e-7, 1e-30}) {
       const PositionLattice lattice = cubic_lattice(mesh.box, step);
       const auto cells = to_cells(mesh.positions, lattice);
-      const auto bytes = write_positions(stars, cells, {.lattice = lattice});
-      const auto back = read_positions(Payload::compact(bytes), stars, {.lattice = lattice}, mesh.box);
+      const auto bytes = write_positions(faces, cells, {.lattice = lattice});
+      const auto back = read_positions(Payload::compact(bytes), faces, {.lattice = lattice}, mesh.box);
       ASSERT_TRUE(back) << back.error().message;
       EXPECT_EQ(*back, to_positions(cells, lattice));
-      const auto guessed = write_positions(stars, cells, {.lattice = lattice}, {.guesses = true});
-      EXPECT_EQ(*read_positions(Payload::compact(guessed), stars, {.lattice = lattice}, mesh.box), *back);
+      const auto guessed = write_positions(faces, cells, {.lattice = lattice}, {.guesses = true});
+      EXPECT_EQ(*read_positions(Payload::compact(guessed), faces, {.lattice = lattice}, mesh.box), *back);
     }
   }
 }
@@ -77,17 +77,17 @@ TEST(Predictive, ParallelogramsPredictAPlaneExactly) {
   for (Vec3& p : mesh.positions) p[2] = 3 * p[0] + p[1];
   mesh = test::finish(mesh);
   const PositionLattice lattice = cubic_lattice(mesh.box, 1);
-  const auto bytes = write_positions(stars_of(mesh), to_cells(mesh.positions, lattice), {.lattice = lattice});
+  const auto bytes = write_positions(faces_of(mesh), to_cells(mesh.positions, lattice), {.lattice = lattice});
   EXPECT_LT(8 * bytes.size(), mesh.positions.size());
 }
 
 TEST(Predictive, POSN1RefusesOtherPayloads) {
   const test::GraphMesh mesh = test::sheet(5, 5);
   const PositionLattice lattice = cubic_lattice(mesh.box, 0.1);
-  const auto bytes = write_positions(stars_of(mesh), to_cells(mesh.positions, lattice), {.lattice = lattice});
-  EXPECT_STREQ(rule_of(read_positions(Payload(bytes), stars_of(mesh), {.lattice = lattice}, mesh.box)),
+  const auto bytes = write_positions(faces_of(mesh), to_cells(mesh.positions, lattice), {.lattice = lattice});
+  EXPECT_STREQ(rule_of(read_positions(Payload(bytes), faces_of(mesh), {.lattice = lattice}, mesh.box)),
                "POSN-1");
-  const FaceStars none({}, 0);
+  const FaceList none;
   EXPECT_STREQ(rule_of(read_positions(Payload::compact(bytes), none, {.lattice = lattice}, mesh.box)),
                "POSN-1");
   EXPECT_TRUE(read_positions(Payload{}, none, {.lattice = lattice}, mesh.box));
@@ -96,20 +96,20 @@ TEST(Predictive, POSN1RefusesOtherPayloads) {
 TEST(Predictive, POSN7RefusesCoordinatesBeyondTheLattice) {
   const test::GraphMesh mesh = test::sheet(5, 5);
   PositionLattice lattice = cubic_lattice(mesh.box, 0.1);
-  const auto bytes = write_positions(stars_of(mesh), to_cells(mesh.positions, lattice), {.lattice = lattice});
+  const auto bytes = write_positions(faces_of(mesh), to_cells(mesh.positions, lattice), {.lattice = lattice});
   lattice.cells[1] -= 1;
   EXPECT_STREQ(
-      rule_of(read_positions(Payload::compact(bytes), stars_of(mesh), {.lattice = lattice}, mesh.box)),
+      rule_of(read_positions(Payload::compact(bytes), faces_of(mesh), {.lattice = lattice}, mesh.box)),
       "POSN-7");
 }
 
 TEST(Predictive, EveryPrefixIsTruncated) {
   const test::GraphMesh mesh = test::sheet(6, 5);
   const PositionLattice lattice = cubic_lattice(mesh.box, 0.01);
-  const auto bytes = write_positions(stars_of(mesh), to_cells(mesh.positions, lattice), {.lattice = lattice});
+  const auto bytes = write_positions(faces_of(mesh), to_cells(mesh.positions, lattice), {.lattice = lattice});
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     const std::vector<std::byte> prefix(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
-    EXPECT_FALSE(read_positions(Payload::compact(prefix), stars_of(mesh), {.lattice = lattice}, mesh.box))
+    EXPECT_FALSE(read_positions(Payload::compact(prefix), faces_of(mesh), {.lattice = lattice}, mesh.box))
         << size;
   }
 }
@@ -270,7 +270,7 @@ TEST(Lossless, FLT1RefusesWhatIsNotFinite) {
     for (std::byte& b : bytes) b = static_cast<std::byte>((state = state * 1664525 + 1013904223) >> 24);
     bytes[7] = std::byte{0x3f};
     const auto back =
-        read_positions(Payload::compact(bytes), stars_of(mesh),
+        read_positions(Payload::compact(bytes), faces_of(mesh),
                        {.kind = PositionKind::kFloats, .lattice = {}}, {{0, 0, 0}, {3e38, 3e38, 3e38}});
     if (!back) refused += std::string(back.error().rule) == "FLT-1" ? 1 : 0;
   }
@@ -334,7 +334,7 @@ TEST(Voxels, VOX1VOX4VOX5POSN7RefuseWhatIsNotThere) {
     std::vector<std::byte> bytes(400);
     for (std::byte& b : bytes) b = static_cast<std::byte>((state = state * 1664525 + 1013904223) >> 24);
     bytes[7] = std::byte{0x3f};
-    const auto back = read_positions(Payload::compact(bytes), stars_of(mesh), parameters, mesh.box);
+    const auto back = read_positions(Payload::compact(bytes), faces_of(mesh), parameters, mesh.box);
     ++refused[rule_of(back)];
     if (!back) continue;
     for (const Vec3& position : *back)
@@ -357,11 +357,11 @@ TEST(Predictive, POSN3ManyFacesAtOneEdgeTakeLinearTime) {
     for (const std::uint32_t corner : {page, kPages, kPages + 1}) book.triangles.push_back(corner);
   for (std::uint32_t copy = 0; copy < kPages; ++copy)
     for (const std::uint32_t corner : {0U, 1U, 2U}) book.triangles.push_back(corner);
-  const FaceStars stars = stars_of(book);
+  const KnownFaces faces(faces_of(book));
   for (const std::uint32_t v : {2U, kPages, kPages + 1}) {
-    const Surroundings around = look_around(stars, v);
-    EXPECT_LE(around.parallelogram_count, 8U);
-    EXPECT_GE(around.faces, kPages);
+    const Surroundings around = faces.around(v);
+    EXPECT_EQ(around.known_count, v == kPages ? 0 : Surroundings::kMostKnown);
+    EXPECT_EQ(around.faces, Surroundings::kMostFaces);
   }
 }
 

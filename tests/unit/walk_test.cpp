@@ -22,7 +22,7 @@ namespace {
 
 constexpr Walk kWalks[] = {Walk::kAsDecoded, Walk::kBroad, Walk::kDeep};
 
-FaceStars stars_of(const test::GraphMesh& mesh) {
+FaceList faces_of(const test::GraphMesh& mesh) {
   return {mesh.triangles, static_cast<std::uint32_t>(mesh.positions.size())};
 }
 
@@ -30,20 +30,20 @@ std::vector<test::GraphMesh> graph_meshes() {
   return {test::sheet(14, 9), test::fragments(), test::fan(40), test::sheet(1, 1)};
 }
 
-/// Parallelograms that end at the vertices of `stars`.
-std::size_t parallelograms(const FaceStars& stars) {
+/// Parallelograms that end at the vertices.
+std::size_t parallelograms(const KnownFaces& faces) {
   std::size_t count = 0;
-  for (std::uint32_t v = 0; v < stars.vertex_count(); ++v) count += look_around(stars, v).parallelogram_count;
+  for (std::uint32_t v = 0; v < faces.vertex_count(); ++v) count += faces.around(v).parallelogram_count;
   return count;
 }
 
 /// [POSN-10] as it is written down.
-std::vector<std::uint32_t> walk_by_the_letter(const FaceStars& stars, bool from_front) {
+std::vector<std::uint32_t> walk_by_the_letter(const FaceList& faces, bool from_front) {
   std::vector<std::uint32_t> order;
-  std::vector<unsigned> known(stars.vertex_count());
-  std::vector<bool> placed(stars.vertex_count());
+  std::vector<unsigned> known(faces.vertex_count);
+  std::vector<bool> placed(faces.vertex_count);
   std::vector<std::uint32_t> lists[3];
-  while (order.size() < stars.vertex_count()) {
+  while (order.size() < faces.vertex_count) {
     const auto list =
         std::find_if(std::rbegin(lists), std::rend(lists), [](const auto& l) { return !l.empty(); });
     std::uint32_t v = 0;
@@ -57,10 +57,15 @@ std::vector<std::uint32_t> walk_by_the_letter(const FaceStars& stars, bool from_
     if (placed[v]) continue;
     placed[v] = true;
     order.push_back(v);
-    for (const auto& [a, b] : stars.of(v)) {
-      if (placed[a] == placed[b]) continue;
-      const std::uint32_t other = placed[a] ? b : a;
-      if (++known[other] <= 3) lists[known[other] - 1].push_back(other);
+    for (std::size_t f = 0; f < faces.triangles.size(); f += 3) {
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        if (faces.triangles[f + corner] != v) continue;
+        const std::uint32_t a = faces.triangles[f + (corner + 1) % 3];
+        const std::uint32_t b = faces.triangles[f + (corner + 2) % 3];
+        if (placed[a] == placed[b]) continue;
+        const std::uint32_t other = placed[a] ? b : a;
+        if (++known[other] <= 3) lists[known[other] - 1].push_back(other);
+      }
     }
   }
   return order;
@@ -68,18 +73,18 @@ std::vector<std::uint32_t> walk_by_the_letter(const FaceStars& stars, bool from_
 
 TEST(Walk, POSN10PlacesAsItIsWritten) {
   for (const test::GraphMesh& mesh : graph_meshes()) {
-    const FaceStars stars = stars_of(mesh);
-    EXPECT_TRUE(walk_order(stars, Walk::kAsDecoded).empty());
-    EXPECT_EQ(walk_order(stars, Walk::kBroad), walk_by_the_letter(stars, true));
-    EXPECT_EQ(walk_order(stars, Walk::kDeep), walk_by_the_letter(stars, false));
+    const FaceList faces = faces_of(mesh);
+    EXPECT_TRUE(walk_order(faces, Walk::kAsDecoded).empty());
+    EXPECT_EQ(walk_order(faces, Walk::kBroad), walk_by_the_letter(faces, true));
+    EXPECT_EQ(walk_order(faces, Walk::kDeep), walk_by_the_letter(faces, false));
   }
 }
 
 TEST(Walk, CornersThatRepeatAreWalkedOver) {
   const std::vector<std::uint32_t> triangles = {0, 0, 1, 2, 2, 2, 1, 0, 1, 3, 1, 4};
-  const FaceStars stars(triangles, 6);
-  EXPECT_EQ(walk_order(stars, Walk::kBroad), walk_by_the_letter(stars, true));
-  EXPECT_EQ(walk_order(stars, Walk::kDeep), walk_by_the_letter(stars, false));
+  const FaceList faces{triangles, 6};
+  EXPECT_EQ(walk_order(faces, Walk::kBroad), walk_by_the_letter(faces, true));
+  EXPECT_EQ(walk_order(faces, Walk::kDeep), walk_by_the_letter(faces, false));
 }
 
 TEST(Walk, FindsMoreParallelograms) {
@@ -92,29 +97,29 @@ TEST(Walk, FindsMoreParallelograms) {
     std::swap(number[i - 1], number[(state = state * 1664525 + 1013904223) % i]);
   std::vector<std::uint32_t> triangles = sheet.triangles;
   for (std::uint32_t& v : triangles) v = number[v];
-  const FaceStars stars(triangles, static_cast<std::uint32_t>(number.size()));
+  const FaceList faces{triangles, static_cast<std::uint32_t>(number.size())};
   for (const Walk walk : {Walk::kBroad, Walk::kDeep}) {
-    const FaceStars walked = renumber(stars, walk_order(stars, walk));
+    const KnownFaces walked(faces, walk_order(faces, walk));
     EXPECT_GT(parallelograms(walked), 3 * sheet.positions.size() / 2);
-    EXPECT_GT(parallelograms(walked), parallelograms(stars));
+    EXPECT_GT(parallelograms(walked), parallelograms(KnownFaces(faces)));
   }
 }
 
 TEST(Walk, POSN10EveryFormComesBack) {
   for (const test::GraphMesh& mesh : graph_meshes()) {
-    const FaceStars stars = stars_of(mesh);
+    const FaceList faces = faces_of(mesh);
     const PredictiveParameters parameters{.lattice = cubic_lattice(mesh.box, 1e-3)};
     const auto cells = to_cells(mesh.positions, parameters.lattice);
     for (const Walk walk : kWalks) {
       for (const BlendFit fit : {BlendFit::kSquares, BlendFit::kBits}) {
         const PositionForm form{.walk = walk, .fit = fit};
-        const auto bytes = write_positions(stars, cells, parameters, form);
-        const auto back = read_positions(Payload::compact(bytes), stars, parameters, mesh.box);
+        const auto bytes = write_positions(faces, cells, parameters, form);
+        const auto back = read_positions(Payload::compact(bytes), faces, parameters, mesh.box);
         ASSERT_TRUE(back) << back.error().message;
         EXPECT_EQ(*back, to_positions(cells, parameters.lattice));
-        const auto exact = write_floats(stars, to_positions(cells, {}), {{0, 0, 0}, {1e6, 1e6, 1e6}}, form);
+        const auto exact = write_floats(faces, to_positions(cells, {}), {{0, 0, 0}, {1e6, 1e6, 1e6}}, form);
         const auto floats =
-            read_positions(Payload::compact(exact), stars, {.kind = PositionKind::kFloats, .lattice = {}},
+            read_positions(Payload::compact(exact), faces, {.kind = PositionKind::kFloats, .lattice = {}},
                            {{0, 0, 0}, {1e6, 1e6, 1e6}});
         ASSERT_TRUE(floats) << floats.error().message;
         for (std::size_t v = 0; v < cells.size(); ++v)
@@ -131,7 +136,7 @@ TEST(Walk, POSN10RefusesAnUnknownWalk) {
   CompactWriter writer;
   writer.bits(3, 2);
   const auto bytes = writer.finish();
-  const auto refused = read_positions(Payload::compact(bytes), stars_of(mesh), parameters, mesh.box);
+  const auto refused = read_positions(Payload::compact(bytes), faces_of(mesh), parameters, mesh.box);
   ASSERT_FALSE(refused);
   EXPECT_STREQ(refused.error().rule, "POSN-10");
 }

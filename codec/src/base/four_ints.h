@@ -4,6 +4,8 @@
 // Four 32-bit numbers handled at once, for what is remembered of coded vertices.
 #pragma once
 
+#include <array>
+#include <bit>
 #include <cstdint>
 
 #include "base/mean.h"
@@ -16,6 +18,31 @@ namespace deltamesh {
 
 using FourInts = std::int32_t __attribute__((vector_size(16)));
 using FourUnsigned = std::uint32_t __attribute__((vector_size(16)));
+
+inline FourInts four_ints(const std::array<std::uint32_t, 4>& numbers) noexcept {
+  return std::bit_cast<FourInts>(numbers);
+}
+
+/// Three numbers and a 0.
+inline FourInts four_ints(const std::array<std::int32_t, 3>& numbers) noexcept {
+#if defined(__SSE2__)
+  return reinterpret_cast<FourInts>(_mm_unpacklo_epi64(
+      _mm_loadl_epi64(reinterpret_cast<const __m128i*>(numbers.data())), _mm_cvtsi32_si128(numbers[2])));
+#else
+  return FourInts{numbers[0], numbers[1], numbers[2], 0};
+#endif
+}
+
+/// A bit for every lane that is below 0.
+inline unsigned set_lanes(FourInts lanes) noexcept {
+#if defined(__SSE2__)
+  return static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<__m128>(lanes)));
+#else
+  unsigned set = 0;
+  for (unsigned i = 0; i < 4; ++i) set |= lanes[i] < 0 ? 1U << i : 0U;
+  return set;
+#endif
+}
 
 /// mean_of() every lane; these are below 2^30 + 2^28 in size.
 inline FourInts mean_lanes(FourInts lanes, unsigned count) noexcept {
@@ -42,6 +69,13 @@ inline FourInts mean_lanes(FourInts lanes, unsigned count) noexcept {
 /// (5 now + 3 before) >> 3: 0.6 of the one and 0.4 of the other, about.
 inline FourInts smooth_lanes(FourInts now, FourInts before) noexcept {
   return ((now << 2) + now + (before << 1) + before) >> 3;
+}
+
+/// Every lane between -most and most.
+inline FourInts clamp_lanes(FourInts lanes, std::int32_t most) noexcept {
+  const FourInts above = lanes > most;
+  const FourInts below = lanes < -most;
+  return (lanes & ~(above | below)) | (above & most) | (below & -most);
 }
 
 /// Absolute values.

@@ -105,8 +105,8 @@ class StreamDecoder {
   Result<std::vector<Vec3>> read_predicted(std::span<const std::uint32_t> triangles) {
     DELTAMESH_CHECK(check_components(count_components(triangles, header_.geometric_vertices)));
     DELTAMESH_TRY(const auto payload, expand_single(container_, kTagPositions, max_payload(header_)));
-    const FaceStars stars(triangles, header_.geometric_vertices);
-    return read_positions(payload.payload(), stars, header_.predictive, header_.box());
+    return read_positions(payload.payload(), {triangles, header_.geometric_vertices}, header_.predictive,
+                          header_.box());
   }
 
   Result<void> check_components(std::uint32_t count) const {

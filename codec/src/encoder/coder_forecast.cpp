@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kSample = 16384;
 constexpr double kDeltaStep = 1 / 0.38;   ///< of deltas, in terms of the VDE they cause
 constexpr double kLatticeStep = 1.85;     ///< of positions, likewise
-constexpr double kParallelograms = 0.75;  ///< against the neighbours' mean
+constexpr double kParallelograms = 0.75;  ///< against the mean of their edges
 
 double bits_of(const Vec3& off, double step) noexcept {
   double product = 1;
@@ -28,18 +28,19 @@ Vec3 mean_of_positions(const Vertices& vertices, std::span<const Vec3> positions
 }
 
 /// Where the vertices before `v` point.
-Vec3 expect(const FaceStars& stars, std::uint32_t v, std::span<const Vec3> positions) noexcept {
-  const Surroundings around = look_around(stars, v);
-  if (around.neighbor_count == 0) return positions[v > 0 ? v - 1 : 0];
-  const Vec3 neighbors =
-      mean_of_positions(std::span(around.neighbors.data(), around.neighbor_count), positions);
-  if (around.parallelogram_count == 0) return neighbors;
+Vec3 expect(const KnownFaces& faces, std::uint32_t v, std::span<const Vec3> positions) noexcept {
+  const Surroundings around = faces.around(v);
+  if (around.known_count == 0) return positions[v > 0 ? v - 1 : 0];
+  Vec3 ends{};
   Vec3 corners{};
-  for (unsigned i = 0; i < around.parallelogram_count; ++i) {
-    const Parallelogram& p = around.parallelograms[i];
-    corners = corners + positions[p.a] + positions[p.b] - positions[p.opposite];
+  for (unsigned i = 0; i < around.known_count; ++i) {
+    const auto& [a, b, opposite] = around.known[i];
+    ends = ends + positions[a] + positions[b];
+    if (opposite != kNoVertex) corners = corners + positions[a] + positions[b] - positions[opposite];
   }
-  return (kParallelograms / around.parallelogram_count) * corners + (1 - kParallelograms) * neighbors;
+  const Vec3 mean = (0.5 / around.known_count) * ends;
+  if (around.parallelogram_count == 0) return mean;
+  return (kParallelograms / around.parallelogram_count) * corners + (1 - kParallelograms) * mean;
 }
 
 }  // namespace
@@ -48,8 +49,9 @@ bool CoderForecast::predictive_wins() const noexcept {
   return predictive < highpass + std::min(0.345 * highpass, 3.15);
 }
 
-CoderForecast forecast_coders(const Adjacency& graph, const FaceStars& stars, std::span<const Vec3> positions,
+CoderForecast forecast_coders(const Adjacency& graph, const FaceList& list, std::span<const Vec3> positions,
                               double vde) {
+  const KnownFaces faces(list);
   CoderForecast forecast;
   double count = 0;
   const std::size_t stride = 1 + positions.size() / kSample;
@@ -57,7 +59,7 @@ CoderForecast forecast_coders(const Adjacency& graph, const FaceStars& stars, st
     const auto v = static_cast<std::uint32_t>(i);
     if (graph.degree(v) == 0) continue;
     forecast.highpass += bits_of(positions[v] - mean_of_positions(graph.of(v), positions), kDeltaStep * vde);
-    forecast.predictive += bits_of(positions[v] - expect(stars, v, positions), kLatticeStep * vde);
+    forecast.predictive += bits_of(positions[v] - expect(faces, v, positions), kLatticeStep * vde);
     count += 1;
   }
   forecast.highpass /= std::max(count, 1.0);

@@ -25,7 +25,7 @@ struct CoderForecast {
 };
 
 /// `vde`: rms, model units, above 0. At most some 16000 vertices are looked at.
-CoderForecast forecast_coders(const Adjacency& graph, const FaceStars& stars, std::span<const Vec3> positions,
+CoderForecast forecast_coders(const Adjacency& graph, const FaceList& list, std::span<const Vec3> positions,
                               double vde);
 
 }  // namespace deltamesh

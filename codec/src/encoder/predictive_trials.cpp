@@ -74,7 +74,7 @@ PredictiveTrials::PredictiveTrials(const PredictiveInput& input, const StreamFra
     : input_(input),
       frame_(frame),
       effort_(effort),
-      stars_(input.triangles, static_cast<std::uint32_t>(input.positions.size())),
+      faces_{input.triangles, static_cast<std::uint32_t>(input.positions.size())},
       values_(input.positions, effort == 0 ? kQuickSample : input.positions.size()) {}
 
 double PredictiveTrials::step_for_bits(int bits) const noexcept {
@@ -122,7 +122,7 @@ GeometryChoice PredictiveTrials::code(const Trial& trial) const {
   if (!(choice.quality.vde_rms > 0) && choice.quality.lfe_rms > 0 && is_declarable(choice.quality))
     choice.quality.vde_rms = visual_error(input_, trial.cells, trial.parameters.lattice);
   const auto write = [&](const PositionForm& form) {
-    return write_positions(stars_, trial.cells, trial.parameters, form, trial.patches);
+    return write_positions(faces_, trial.cells, trial.parameters, form, trial.patches);
   };
   const bool may_guess = trial.parameters.kind == PositionKind::kLattice;
   choice.chunks.add_compact(kTagPositions, write_smallest(write, may_guess, effort_));
@@ -141,7 +141,7 @@ GeometryChoice PredictiveTrials::code_floats() const {
                         .predictive = {.kind = PositionKind::kFloats, .lattice = {}},
                         .chunks = frame_.before.fresh()};
   const auto write = [&](const PositionForm& form) {
-    return write_floats(stars_, input_.positions, input_.box, form);
+    return write_floats(faces_, input_.positions, input_.box, form);
   };
   choice.chunks.add_compact(kTagPositions, write_smallest(write, false, effort_));
   return choice;
@@ -228,7 +228,7 @@ bool PredictiveTrials::are_voxels_enough(const Bounds& bounds) const {
 bool PredictiveTrials::suits(const Bounds& bounds) const {
   if (!bounds.vde || first_step(bounds) < first_step({.vde = bounds.vde})) return true;
   return are_voxels_enough(bounds) ||
-         forecast_coders(input_.graph.graph(), stars_, input_.positions, *bounds.vde).predictive_wins();
+         forecast_coders(input_.graph.graph(), faces_, input_.positions, *bounds.vde).predictive_wins();
 }
 
 Result<GeometryChoice> PredictiveTrials::keep_bounds(const Bounds& bounds) const {

@@ -80,7 +80,7 @@ class PredictiveTrials {
   PredictiveInput input_;
   StreamFrame frame_;
   int effort_;
-  FaceStars stars_;
+  FaceList faces_;
   AxisValues values_;
   mutable std::optional<std::optional<VoxelFit>> voxels_;  ///< empty until looked for
 };

@@ -18,7 +18,7 @@ namespace deltamesh {
 using Cell = std::array<std::int32_t, 3>;
 
 inline constexpr int kBlendUnit = 64;       ///< weights are in parts of this
-inline constexpr std::size_t kBlends = 30;  ///< 5 numbers of parallelograms x 6 of faces
+inline constexpr std::size_t kBlends = 24;  ///< 4 numbers of parallelograms x 6 of faces
 
 struct Blend {
   std::int8_t parallelogram = kBlendUnit;  ///< of the mean parallelogram, from the neighbours' mean
@@ -33,7 +33,7 @@ extern const BlendTable kUsualBlends;
 /// The table's row for a vertex with a parallelogram.
 std::size_t blend_row(const Surroundings& around) noexcept;
 
-/// Sums around a vertex, in 1/16 steps, from the first neighbour.
+/// Means around a vertex, in 1/16 steps, from the first known face's corner a.
 struct LocalMeans {
   std::array<std::int64_t, 3> neighbors{};
   std::array<std::int64_t, 3> parallelograms{};
@@ -43,13 +43,20 @@ struct LocalMeans {
 /// Precondition: there is a parallelogram.
 LocalMeans local_means(const Surroundings& around, std::span<const Cell> cells) noexcept;
 
-/// An expected place, 1/16 steps, and how far its sources lie apart: mean distance from it, per axis.
+/// An expected place and how far its sources lie apart, per axis; the fourth lanes mean nothing.
 struct Expectation {
-  std::array<std::int64_t, 3> place{};
-  std::array<std::int64_t, 3> spread{};
+  FourInts whole{};   ///< a lattice point
+  FourInts offset{};  ///< from there to the place, 1/16 steps; less than 2^26 in size
+  FourInts spread{};  ///< mean distance of the sources from their mean, 1/16 steps; at most 2^30
+
+  /// 1/16 steps
+  std::array<std::int64_t, 3> place() const noexcept {
+    return {16 * std::int64_t{whole[0]} + offset[0], 16 * std::int64_t{whole[1]} + offset[1],
+            16 * std::int64_t{whole[2]} + offset[2]};
+  }
 };
 
-/// Without parallelograms the neighbours' mean; without neighbours the vertex before, or 0.
+/// Without known faces the vertex before, or 0.
 Expectation expect_place(const Surroundings& around, std::uint32_t vertex, std::span<const Cell> cells,
                          const BlendTable& table) noexcept;
 

@@ -149,15 +149,15 @@ struct RowSamples {
 
 }  // namespace
 
-BlendTable fit_blends(const FaceStars& stars, std::span<const Cell> cells, BlendFit fit) {
+BlendTable fit_blends(const KnownFaces& faces, std::span<const Cell> cells, BlendFit fit) {
   std::array<RowSamples, kBlends> rows;
   const std::size_t most = fit == BlendFit::kSample ? kQuickSamples : kMostSamples;
   const std::size_t stride = 1 + cells.size() / most;
   for (std::size_t v = 0; v < cells.size(); v += stride) {
-    const Surroundings around = look_around(stars, static_cast<std::uint32_t>(v));
+    const Surroundings around = faces.around(static_cast<std::uint32_t>(v));
     if (around.parallelogram_count == 0) continue;
     RowSamples& row = rows[blend_row(around)];
-    const Sample sample = sample_of(local_means(around, cells), cells[around.neighbors[0]], cells[v]);
+    const Sample sample = sample_of(local_means(around, cells), cells[around.known[0].a], cells[v]);
     add_squares(row.squares, sample);
     ++row.count;
     if (fit == BlendFit::kBits) row.samples.push_back(sample);

@@ -19,6 +19,6 @@ enum class BlendFit {
 
 /// `cells`: all vertices of `stars`, of which enough are looked at. Rows of few vertices keep the usual
 /// weights. O(n).
-BlendTable fit_blends(const FaceStars& stars, std::span<const Cell> cells, BlendFit fit);
+BlendTable fit_blends(const KnownFaces& faces, std::span<const Cell> cells, BlendFit fit);
 
 }  // namespace deltamesh

@@ -24,19 +24,19 @@ template <class Coder>
 class FloatCoder {
  public:
   /// `units`: unit_exponent() of every axis.
-  FloatCoder(Coder& coder, const FaceStars& stars, const std::array<int, 3>& units, const BlendTable& blends)
-      : stars_(stars),
+  FloatCoder(Coder& coder, const KnownFaces& faces, const std::array<int, 3>& units, const BlendTable& blends)
+      : faces_(faces),
         units_(units),
         blends_(blends),
-        history_(stars.vertex_count()),
+        history_(faces.vertex_count()),
         residuals_(coder),
         matches_(coder),
-        cells_(stars.vertex_count()) {}
+        cells_(faces.vertex_count()) {}
 
   /// Codes floats[vertex]; those before it are coded. A reader fills it in. The rule that a stream breaks
   /// here, or null.
   const char* code_vertex(std::uint32_t vertex, std::span<Ordinals> floats) {
-    const Surroundings around = look_around(stars_, vertex);
+    const Surroundings around = faces_.around(vertex);
     history_.begin(around, expect_place(around, vertex, cells_, blends_));
     Cell& cell = cells_[vertex];
     matches_.begin();
@@ -44,7 +44,7 @@ class FloatCoder {
         !code_axis<1>(around, floats[vertex], cell, floats) ||
         !code_axis<2>(around, floats[vertex], cell, floats))
       return "FLT-1";
-    history_.end(vertex);
+    history_.end(vertex, cell);
     return nullptr;
   }
 
@@ -66,11 +66,14 @@ class FloatCoder {
     return true;
   }
 
-  /// The neighbours' floats [FLT-4].
+  /// The floats of the known faces' corners [FLT-4].
   static Guesses guess(const Surroundings& around, std::span<const Ordinals> floats, std::size_t axis,
                        std::int32_t expected) noexcept {
     Guesses guesses(expected);
-    for (unsigned i = 0; i < around.neighbor_count; ++i) guesses.add(floats[around.neighbors[i]][axis]);
+    for (unsigned i = 0; i < around.known_count; ++i) {
+      guesses.add(floats[around.known[i].a][axis]);
+      guesses.add(floats[around.known[i].b][axis]);
+    }
     return guesses;
   }
 
@@ -82,7 +85,7 @@ class FloatCoder {
     return forecast;
   }
 
-  const FaceStars& stars_;
+  const KnownFaces& faces_;
   std::array<int, 3> units_;
   BlendTable blends_;
   ResidualHistory history_;

@@ -34,12 +34,12 @@ class LatticeCoder {
  public:
   /// `largest`: the most that a coordinate may be, per axis.
   /// `guesses`: coordinates are compared with guesses first [POSN-9].
-  LatticeCoder(Coder& coder, const FaceStars& stars, const std::array<std::uint32_t, 3>& largest,
+  LatticeCoder(Coder& coder, const KnownFaces& faces, const std::array<std::uint32_t, 3>& largest,
                const BlendTable& blends, bool guesses)
-      : stars_(stars),
+      : faces_(faces),
         largest_(largest),
         blends_(blends),
-        history_(stars.vertex_count()),
+        history_(faces.vertex_count()),
         residuals_(coder),
         matches_(coder),
         guesses_(guesses) {}
@@ -47,14 +47,14 @@ class LatticeCoder {
   /// Codes cells[vertex]; those before it are coded. A reader fills it in. The rule that a stream breaks
   /// here, or null.
   const char* code_vertex(std::uint32_t vertex, std::span<Cell> cells) {
-    const Surroundings around = look_around(stars_, vertex);
+    const Surroundings around = faces_.around(vertex);
     history_.begin(around, expect_place(around, vertex, cells, blends_));
     Cell& cell = cells[vertex];
     matches_.begin();
     if (!code_axis<0>(around, cells, cell) || !code_axis<1>(around, cells, cell) ||
         !code_axis<2>(around, cells, cell))
       return "POSN-7";
-    history_.end(vertex);
+    history_.end(vertex, cell);
     return nullptr;
   }
 
@@ -74,20 +74,24 @@ class LatticeCoder {
     return true;
   }
 
-  /// The corners of the parallelograms, then the neighbours [POSN-9].
+  /// The corners of the parallelograms, then those of the known faces [POSN-9].
   Guesses guess(const Surroundings& around, std::span<const Cell> cells, std::size_t axis,
                 std::int64_t expected) const noexcept {
     Guesses guesses(expected);
-    for (unsigned i = 0; i < around.parallelogram_count; ++i) {
-      const Parallelogram& p = around.parallelograms[i];
-      const std::int64_t corner = std::int64_t{cells[p.a][axis]} + cells[p.b][axis] - cells[p.opposite][axis];
+    for (unsigned i = 0; i < around.known_count; ++i) {
+      const auto& [a, b, opposite] = around.known[i];
+      if (opposite == kNoVertex) continue;
+      const std::int64_t corner = std::int64_t{cells[a][axis]} + cells[b][axis] - cells[opposite][axis];
       if (corner >= 0 && corner <= largest_[axis]) guesses.add(static_cast<std::int32_t>(corner));
     }
-    for (unsigned i = 0; i < around.neighbor_count; ++i) guesses.add(cells[around.neighbors[i]][axis]);
+    for (unsigned i = 0; i < around.known_count; ++i) {
+      guesses.add(cells[around.known[i].a][axis]);
+      guesses.add(cells[around.known[i].b][axis]);
+    }
     return guesses;
   }
 
-  const FaceStars& stars_;
+  const KnownFaces& faces_;
   std::array<std::uint32_t, 3> largest_;
   BlendTable blends_;
   ResidualHistory history_;

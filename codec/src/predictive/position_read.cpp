@@ -16,10 +16,10 @@ Error invalid(const char* message, const char* rule) noexcept {
   return {.code = ErrorCode::kInvalidStream, .message = message, .rule = rule, .chunk_tag = kTagPositions};
 }
 
-Result<std::vector<Vec3>> read_floats(CompactReader& reader, const FaceStars& stars, const BlendTable& blends,
-                                      const Box& box) {
-  FloatCoder coder(reader, stars, float_units(box), blends);
-  std::vector<Ordinals> floats(stars.vertex_count());
+Result<std::vector<Vec3>> read_floats(CompactReader& reader, const KnownFaces& faces,
+                                      const BlendTable& blends, const Box& box) {
+  FloatCoder coder(reader, faces, float_units(box), blends);
+  std::vector<Ordinals> floats(faces.vertex_count());
   for (std::uint32_t v = 0; v < floats.size() && !reader.failed(); ++v) {
     const char* broken = coder.code_vertex(v, floats);
     if (broken != nullptr && !reader.failed()) return invalid("not a finite float32", broken);
@@ -43,25 +43,25 @@ Result<std::vector<Cell>> read_cells(Coder coder, const CompactReader& reader, s
   return cells;
 }
 
-Result<std::vector<Vec3>> read_voxels(CompactReader& reader, const FaceStars& stars,
+Result<std::vector<Vec3>> read_voxels(CompactReader& reader, const KnownFaces& faces,
                                       const PredictiveParameters& parameters, const BlendTable& blends) {
   const PositionLattice& lattice = parameters.lattice;
   DELTAMESH_TRY(const auto cells,
-                read_cells(VoxelCoder(reader, stars, lattice.cells, parameters.levels, blends), reader,
-                           stars.vertex_count()));
+                read_cells(VoxelCoder(reader, faces, lattice.cells, parameters.levels, blends), reader,
+                           faces.vertex_count()));
   DELTAMESH_CHECK(reader.finish(kTagPositions));
   return to_positions(cells, lattice);
 }
 
-Result<std::vector<Vec3>> read_lattice(CompactReader& reader, const FaceStars& stars,
+Result<std::vector<Vec3>> read_lattice(CompactReader& reader, const KnownFaces& faces,
                                        const PositionLattice& lattice, const BlendTable& blends) {
   const bool guesses = reader.bits(0, 1) != 0;
   const bool patched = reader.bits(0, 1) != 0;
-  DELTAMESH_TRY(const auto cells, read_cells(LatticeCoder(reader, stars, lattice.cells, blends, guesses),
-                                             reader, stars.vertex_count()));
+  DELTAMESH_TRY(const auto cells, read_cells(LatticeCoder(reader, faces, lattice.cells, blends, guesses),
+                                             reader, faces.vertex_count()));
   std::vector<Patch> patches;
   if (patched && !reader.failed() &&
-      !code_patches(reader, patches, 3 * std::uint64_t{stars.vertex_count()}) && !reader.failed())
+      !code_patches(reader, patches, 3 * std::uint64_t{faces.vertex_count()}) && !reader.failed())
     return invalid("a coordinate to replace that is not there, or not finite", "POSN-11");
   DELTAMESH_CHECK(reader.finish(kTagPositions));
   auto positions = to_positions(cells, lattice);
@@ -70,20 +70,20 @@ Result<std::vector<Vec3>> read_lattice(CompactReader& reader, const FaceStars& s
 }
 
 /// What follows the walk, of vertices numbered in its order.
-Result<std::vector<Vec3>> read_in_order(CompactReader& reader, const FaceStars& stars,
+Result<std::vector<Vec3>> read_in_order(CompactReader& reader, const KnownFaces& faces,
                                         const PredictiveParameters& parameters, const Box& box) {
   BlendTable blends{};
   code_blends(reader, blends);
-  if (parameters.kind == PositionKind::kFloats) return read_floats(reader, stars, blends, box);
-  if (parameters.kind == PositionKind::kVoxel) return read_voxels(reader, stars, parameters, blends);
-  return read_lattice(reader, stars, parameters.lattice, blends);
+  if (parameters.kind == PositionKind::kFloats) return read_floats(reader, faces, blends, box);
+  if (parameters.kind == PositionKind::kVoxel) return read_voxels(reader, faces, parameters, blends);
+  return read_lattice(reader, faces, parameters.lattice, blends);
 }
 
 }  // namespace
 
-Result<std::vector<Vec3>> read_positions(Payload payload, const FaceStars& stars,
+Result<std::vector<Vec3>> read_positions(Payload payload, const FaceList& faces,
                                          const PredictiveParameters& parameters, const Box& box) {
-  if (stars.vertex_count() == 0) {
+  if (faces.vertex_count == 0) {
     if (!payload.bytes.empty()) return invalid("positions without vertices", "POSN-1");
     return std::vector<Vec3>{};
   }
@@ -91,9 +91,9 @@ Result<std::vector<Vec3>> read_positions(Payload payload, const FaceStars& stars
   CompactReader reader(payload.bytes);
   Walk walk{};
   if (!code_walk(reader, walk)) return invalid("an order of vertices that is not known", "POSN-10");
-  const auto order = walk_order(stars, walk);
-  if (order.empty()) return read_in_order(reader, stars, parameters, box);
-  DELTAMESH_TRY(const auto walked, read_in_order(reader, renumber(stars, order), parameters, box));
+  const auto order = walk_order(faces, walk);
+  DELTAMESH_TRY(auto walked, read_in_order(reader, KnownFaces(faces, order), parameters, box));
+  if (order.empty()) return walked;
   std::vector<Vec3> positions(walked.size());
   for (std::size_t i = 0; i < order.size(); ++i) positions[order[i]] = walked[i];
   return positions;

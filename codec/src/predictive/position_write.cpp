@@ -34,72 +34,67 @@ std::vector<Patch> in_order(std::span<const Patch> patches, const std::vector<st
   return result;
 }
 
-std::vector<std::byte> write_cells(const FaceStars& stars, std::vector<Cell> cells,
+std::vector<std::byte> write_cells(const KnownFaces& faces, std::vector<Cell> cells,
                                    const PredictiveParameters& parameters, const PositionForm& form,
                                    std::vector<Patch> patches) {
   CompactWriter writer;
-  writer.reserve(9 * std::size_t{stars.vertex_count()});
+  writer.reserve(9 * std::size_t{faces.vertex_count()});
   Walk walk = form.walk;
   code_walk(writer, walk);
-  BlendTable blends = fit_blends(stars, cells, form.fit);
+  BlendTable blends = fit_blends(faces, cells, form.fit);
   code_blends(writer, blends);
   const auto write_with = [&](auto coder) {
     for (std::uint32_t v = 0; v < cells.size(); ++v) coder.code_vertex(v, cells);
   };
   const PositionLattice& lattice = parameters.lattice;
   if (parameters.kind == PositionKind::kVoxel) {
-    write_with(VoxelCoder(writer, stars, lattice.cells, parameters.levels, blends));
+    write_with(VoxelCoder(writer, faces, lattice.cells, parameters.levels, blends));
     return writer.finish();
   }
   writer.bits(form.guesses ? 1 : 0, 1);
   writer.bits(patches.empty() ? 0 : 1, 1);
-  write_with(LatticeCoder(writer, stars, lattice.cells, blends, form.guesses));
+  write_with(LatticeCoder(writer, faces, lattice.cells, blends, form.guesses));
   if (!patches.empty()) code_patches(writer, patches, 3 * cells.size());
   return writer.finish();
 }
 
-std::vector<std::byte> write_ordinals(const FaceStars& stars, std::vector<Ordinals> floats,
+std::vector<std::byte> write_ordinals(const KnownFaces& faces, std::vector<Ordinals> floats,
                                       const std::array<int, 3>& units, const PositionForm& form) {
   std::vector<Cell> cells(floats.size());
   for (std::size_t v = 0; v < floats.size(); ++v)
     for (std::size_t axis = 0; axis < 3; ++axis) cells[v][axis] = fixed_of(floats[v][axis], units[axis]);
   CompactWriter writer;
-  writer.reserve(9 * std::size_t{stars.vertex_count()});
+  writer.reserve(9 * std::size_t{faces.vertex_count()});
   Walk walk = form.walk;
   code_walk(writer, walk);
-  BlendTable blends = fit_blends(stars, cells, form.fit);
+  BlendTable blends = fit_blends(faces, cells, form.fit);
   code_blends(writer, blends);
-  FloatCoder coder(writer, stars, units, blends);
+  FloatCoder coder(writer, faces, units, blends);
   for (std::uint32_t v = 0; v < floats.size(); ++v) coder.code_vertex(v, floats);
   return writer.finish();
 }
 
 }  // namespace
 
-std::vector<std::byte> write_positions(const FaceStars& stars, std::span<const Cell> cells,
+std::vector<std::byte> write_positions(const FaceList& faces, std::span<const Cell> cells,
                                        const PredictiveParameters& parameters, const PositionForm& form,
                                        std::span<const Patch> patches) {
   if (cells.empty()) return {};
-  const auto order = walk_order(stars, form.walk);
-  auto ordered = in_order(cells, order);
-  auto ordered_patches = in_order(patches, order);
-  if (order.empty())
-    return write_cells(stars, std::move(ordered), parameters, form, std::move(ordered_patches));
-  return write_cells(renumber(stars, order), std::move(ordered), parameters, form,
-                     std::move(ordered_patches));
+  const auto order = walk_order(faces, form.walk);
+  return write_cells(KnownFaces(faces, order), in_order(cells, order), parameters, form,
+                     in_order(patches, order));
 }
 
-std::vector<std::byte> write_floats(const FaceStars& stars, std::span<const Vec3> positions, const Box& box,
+std::vector<std::byte> write_floats(const FaceList& faces, std::span<const Vec3> positions, const Box& box,
                                     const PositionForm& form) {
   if (positions.empty()) return {};
   std::vector<Ordinals> floats(positions.size());
   for (std::size_t v = 0; v < floats.size(); ++v)
     for (std::size_t axis = 0; axis < 3; ++axis)
       floats[v][axis] = ordinal_of(static_cast<float>(positions[v][axis]));
-  const auto order = walk_order(stars, form.walk);
-  auto ordered = in_order(std::span<const Ordinals>(floats), order);
-  if (order.empty()) return write_ordinals(stars, std::move(ordered), float_units(box), form);
-  return write_ordinals(renumber(stars, order), std::move(ordered), float_units(box), form);
+  const auto order = walk_order(faces, form.walk);
+  return write_ordinals(KnownFaces(faces, order), in_order(std::span<const Ordinals>(floats), order),
+                        float_units(box), form);
 }
 
 }  // namespace deltamesh

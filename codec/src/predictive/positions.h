@@ -26,19 +26,19 @@ struct PositionForm {
   bool guesses = false;  ///< of kLattice: suits flat and swept surfaces [POSN-9]
 };
 
-/// The POSN payload, compact, of `cells`, one for every vertex of `stars`, within the lattice; empty for no
-/// vertices. `stars`: as decoded, whatever the walk. `patches`: of kLattice, ascending. O(n + m).
-std::vector<std::byte> write_positions(const FaceStars& stars, std::span<const Cell> cells,
+/// The POSN payload, compact, of `cells`, one for every vertex of `faces`, within the lattice; empty for no
+/// vertices. `faces`: as decoded, whatever the walk. `patches`: of kLattice, ascending. O(n + m).
+std::vector<std::byte> write_positions(const FaceList& faces, std::span<const Cell> cells,
                                        const PredictiveParameters& parameters, const PositionForm& form = {},
                                        std::span<const Patch> patches = {});
 
 /// The same for positions to the last bit, PositionKind::kFloats. `box`: of `positions`, which are floats.
-std::vector<std::byte> write_floats(const FaceStars& stars, std::span<const Vec3> positions, const Box& box,
+std::vector<std::byte> write_floats(const FaceList& faces, std::span<const Vec3> positions, const Box& box,
                                     const PositionForm& form = {});
 
 /// n positions. `box`: the header's. Errors: kTruncated, kInvalidStream [POSN-1, POSN-7, POSN-10, POSN-11,
 /// VOX-4, FLT-1, CMP-3].
-Result<std::vector<Vec3>> read_positions(Payload payload, const FaceStars& stars,
+Result<std::vector<Vec3>> read_positions(Payload payload, const FaceList& faces,
                                          const PredictiveParameters& parameters, const Box& box);
 
 }  // namespace deltamesh

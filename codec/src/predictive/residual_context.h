@@ -45,58 +45,62 @@ inline constexpr std::array<std::uint8_t, 128> kQuarterOctave = [] {
   }
   return classes;
 }();
-constexpr std::uint32_t quarter_octave(std::int64_t value) noexcept {
-  return kQuarterOctave[static_cast<std::size_t>(std::min<std::int64_t>(value, 127))];
+constexpr std::uint32_t quarter_octave(std::uint32_t value) noexcept {
+  return kQuarterOctave[std::min(value, 127U)];
 }
 
-/// Distances between vertices and what was expected of them, vertex after vertex: begin(), then forecast()
-/// and learn() for each axis, or settle(), then end().
+/// Distances between vertices and what was expected of them, vertex after vertex: begin(), forecast() and
+/// learn() for each axis where these are of use, end().
 class ResidualHistory {
  public:
   explicit ResidualHistory(std::uint32_t vertex_count)
       : records_(std::make_unique_for_overwrite<Record[]>(vertex_count)) {}
 
   [[gnu::always_inline]] void begin(const Surroundings& around, const Expectation& expected) noexcept {
-    expected_ = expected;
-    const unsigned count = around.neighbor_count;
-    sources_ =
-        around.parallelogram_count > 0 ? std::min(around.parallelogram_count, 3U) + 1 : std::min(count, 1U);
+    sources_ = around.parallelogram_count > 0 ? std::min(around.parallelogram_count, 3U) + 1
+                                              : std::min(around.known_count, 1U);
     means_ = Record{};
-    for (unsigned i = 0; i < count; ++i) {
-      const Record& record = records_[around.neighbors[i]];
-      means_.residual += record.residual;
-      means_.magnitude += record.magnitude;
+    for (unsigned i = 0; i < around.known_count; ++i) {
+      const Record& a = records_[around.known[i].a];
+      const Record& b = records_[around.known[i].b];
+      means_.residual += a.residual + b.residual;
+      means_.magnitude += a.magnitude + b.magnitude;
     }
-    means_.residual = mean_lanes(means_.residual, count);
-    means_.magnitude = mean_lanes(means_.magnitude, count);
-    all_ = static_cast<std::int64_t>((std::uint64_t{static_cast<std::uint32_t>(means_.magnitude[0])} +
-                                      static_cast<std::uint32_t>(means_.magnitude[1]) +
-                                      static_cast<std::uint32_t>(means_.magnitude[2])) /
-                                     3);
+    means_.residual = mean_lanes(means_.residual, 2 * around.known_count);
+    means_.magnitude = mean_lanes(means_.magnitude, 2 * around.known_count);
+    all_ =
+        (static_cast<std::uint32_t>(means_.magnitude[0]) + static_cast<std::uint32_t>(means_.magnitude[1]) +
+         static_cast<std::uint32_t>(means_.magnitude[2])) /
+        3;
+    whole_ = expected.whole;
+    offset_ = expected.offset;
+    spread_ = expected.spread;
+    rounded_ = (offset_ + 8) >> 4;
+    mean_ = offset_ - (rounded_ << 4) - (means_.residual >> 2);
+    rounded_ += whole_;
   }
 
   /// `least` and `most`: what a coordinate may be.
   template <std::size_t kAxis>
   [[gnu::always_inline]] ResidualForecast forecast(std::int64_t least, std::int64_t most) const noexcept {
     constexpr auto kA = static_cast<std::uint32_t>(kAxis);
-    const std::int64_t own = means_.magnitude[kAxis];
-    const std::int64_t spread = expected_.spread[kAxis];
-    const std::int64_t coded = kAxis == 0 ? 0 : kAxis == 1 ? coded_[0] : (coded_[0] + coded_[1]) >> 1;
-    std::int64_t scale = kAxis == 0 ? (39 * own + 22 * all_) >> 6 : (32 * own + 20 * all_ + 6 * coded) >> 6;
-    const std::int64_t blended = (scale + spread) >> 1;
+    const auto own = static_cast<std::uint32_t>(means_.magnitude[kAxis]);
+    const auto spread = static_cast<std::uint32_t>(spread_[kAxis]);
+    const std::uint32_t coded = kAxis == 0 ? 0 : kAxis == 1 ? coded_[0] : (coded_[0] + coded_[1]) >> 1;
+    // Below 2^32, as magnitudes are hardly above 2^26.
+    std::uint32_t scale = kAxis == 0 ? (39 * own + 22 * all_) >> 6 : (32 * own + 20 * all_ + 6 * coded) >> 6;
+    const std::uint32_t blended = (scale + spread) >> 1;
     scale = sources_ > 2 ? blended : sources_ < 2 ? std::max(scale, spread) : scale;
     ++scale;
 
     ResidualForecast f;
-    const std::int64_t place = expected_.place[kAxis];
-    const std::int64_t rounded = (place + 8) >> 4;
-    f.whole = std::clamp(rounded, least, most);
-    const std::int64_t mean = place - 16 * rounded - (means_.residual[kAxis] >> 2);
-    f.sign = mean >> 63;
-    f.scale_bits = static_cast<int>(floor_log2(static_cast<std::uint64_t>(scale))) + 1;
+    f.whole = std::clamp<std::int64_t>(rounded_[kAxis], least, most);
+    const std::int32_t mean = mean_[kAxis];
+    f.sign = mean >> 31;
+    f.scale_bits = static_cast<int>(floor_log2(scale)) + 1;
     f.shift = static_cast<unsigned>(std::max(f.scale_bits - 6, 0));
     const std::uint32_t shifted = f.shift > 0 ? 1 : 0;
-    const auto distance = static_cast<std::uint32_t>(std::min<std::int64_t>((mean ^ f.sign) - f.sign, 8)) / 2;
+    const auto distance = static_cast<std::uint32_t>(std::min((mean ^ (mean >> 31)) - (mean >> 31), 8)) / 2;
     // Where the place between two coordinates says nothing, how the axes before turned out does.
     const std::uint32_t turned_out =
         kAxis == 0 ? 0U : (4 * coded < scale ? 1U : 0U) + (coded >= 2 * scale ? 2U : 0U);
@@ -111,19 +115,15 @@ class ResidualHistory {
 
   template <std::size_t kAxis>
   [[gnu::always_inline]] void learn(std::int32_t coordinate, const ResidualForecast& forecast) noexcept {
-    coded_[kAxis] = 16 * std::abs(coordinate - forecast.whole);
-    remember<kAxis>(coordinate);
+    coded_[kAxis] = static_cast<std::uint32_t>(
+        std::min(16 * std::abs(coordinate - forecast.whole), std::int64_t{kLargestRemembered}));
   }
 
-  /// In place of forecast() and learn(): the vertex was coded otherwise.
-  [[gnu::always_inline]] void settle(const Cell& cell) noexcept {
-    remember<0>(cell[0]);
-    remember<1>(cell[1]);
-    remember<2>(cell[2]);
-  }
-
-  [[gnu::always_inline]] void end(std::uint32_t vertex) noexcept {
-    const FourInts residual = {now_[0], now_[1], now_[2], 0};
+  /// After learn() of all axes, or where the vertex was coded otherwise.
+  [[gnu::always_inline]] void end(std::uint32_t vertex, const Cell& cell) noexcept {
+    // Beyond 2^23 steps it is the clamped one anyway, as offsets are below 2^26.
+    const FourInts steps = clamp_lanes(four_ints(cell) - whole_, 1 << 23);
+    const FourInts residual = clamp_lanes((steps << 4) - offset_, kLargestRemembered);
     const FourInts size = lane_sizes(residual);
     records_[vertex] = Record{residual, sources_ == 0 ? size : smooth_lanes(size, means_.magnitude)};
   }
@@ -133,21 +133,18 @@ class ResidualHistory {
     FourInts residual;   ///< x, y, z in 1/16 steps, clamped; 0
     FourInts magnitude;  ///< smoothed
   };
-  static constexpr std::int64_t kLargestRemembered = 1 << 26;  ///< 1/16 steps
-
-  template <std::size_t kAxis>
-  [[gnu::always_inline]] void remember(std::int32_t coordinate) noexcept {
-    now_[kAxis] = static_cast<std::int32_t>(std::clamp(16 * std::int64_t{coordinate} - expected_.place[kAxis],
-                                                       -kLargestRemembered, kLargestRemembered));
-  }
+  static constexpr std::int32_t kLargestRemembered = 1 << 26;  ///< 1/16 steps
 
   std::unique_ptr<Record[]> records_;
-  Expectation expected_;
-  std::uint32_t sources_ = 0;            ///< 0 none, 1 neighbours, 2 .. 4 one to three parallelograms
-  Record means_;                         ///< over the neighbours
-  std::int64_t all_ = 0;                 ///< mean of the magnitudes of all axes
-  std::array<std::int64_t, 3> coded_{};  ///< |residual| of this vertex, 1/16 steps
-  std::array<std::int32_t, 3> now_{};
+  std::uint32_t sources_ = 0;  ///< 0 none, 1 neighbours, 2 .. 4 one to three parallelograms
+  Record means_;               ///< over the corners of known faces
+  std::uint32_t all_ = 0;      ///< mean of the magnitudes of all axes
+  FourInts whole_{};           ///< as in Expectation, and the two that follow
+  FourInts offset_{};
+  FourInts spread_{};
+  FourInts rounded_{};                    ///< the expected lattice point
+  FourInts mean_{};                       ///< from there to where the vertex is most likely, 1/16 steps
+  std::array<std::uint32_t, 3> coded_{};  ///< |residual| of this vertex, 1/16 steps
 };
 
 }  // namespace deltamesh

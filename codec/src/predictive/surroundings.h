@@ -4,61 +4,99 @@
 // What the faces around a vertex say of it when all vertices before it are known [POSN-3].
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
+
+#include "base/four_ints.h"
 
 namespace deltamesh {
 
-/// The faces at every vertex, in face order, each as its two other corners.
-class FaceStars {
- public:
-  struct Wing {
-    std::uint32_t next;      ///< the corner after the vertex
-    std::uint32_t previous;  ///< the corner before it
-  };
-
-  /// `triangles`: m x 3 indices below `vertex_count`. O(n + m).
-  FaceStars(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count);
-  /// `offsets`: n + 1, where the wings of each vertex begin.
-  FaceStars(std::vector<Wing> wings, std::vector<std::uint32_t> offsets) noexcept
-      : offsets_(std::move(offsets)), wings_(std::move(wings)) {}
-
-  std::span<const Wing> of(std::uint32_t vertex) const noexcept {
-    return {wings_.data() + offsets_[vertex], wings_.data() + offsets_[vertex + 1]};
-  }
-  std::uint32_t vertex_count() const noexcept { return static_cast<std::uint32_t>(offsets_.size() - 1); }
-
- private:
-  std::vector<std::uint32_t> offsets_;
-  std::vector<Wing> wings_;
+/// Faces over vertices. A view.
+struct FaceList {
+  std::span<const std::uint32_t> triangles;  ///< m x 3 indices below `vertex_count`
+  std::uint32_t vertex_count = 0;
 };
 
-/// Two faces across the edge a - b: one has the vertex to come, the other `opposite`.
-struct Parallelogram {
-  std::uint32_t a;
-  std::uint32_t b;
-  std::uint32_t opposite;
+inline constexpr std::uint32_t kNoVertex = 0xffffffff;
+
+/// A face whose two other corners come before a vertex, and what is across the edge between these.
+struct KnownFace {
+  std::uint32_t a;         ///< the corner after the vertex
+  std::uint32_t b;         ///< the corner before it
+  std::uint32_t opposite;  ///< of the parallelogram, or kNoVertex
 };
 
 struct Surroundings {
-  static constexpr unsigned kMostParallelograms = 8;
-  static constexpr unsigned kMostNeighbors = 16;
-  static constexpr unsigned kMostEdges = 16;      ///< that are looked across
-  static constexpr unsigned kMostOpposites = 32;  ///< faces that are looked at there
+  static constexpr unsigned kMostKnown = 4;
+  static constexpr unsigned kMostFaces = 255;
 
-  std::array<FaceStars::Wing, kMostEdges> known;  ///< faces whose two other corners are before the vertex
-  unsigned known_count = 0;
-  std::array<Parallelogram, kMostParallelograms> parallelograms;
-  unsigned parallelogram_count = 0;
-  std::array<std::uint32_t, kMostNeighbors> neighbors;  ///< vertices before this one, each once
-  unsigned neighbor_count = 0;
-  std::uint32_t faces = 0;  ///< at the vertex, whatever their other corners
+  std::array<KnownFace, kMostKnown> known;
+  FourInts repeated;                 ///< -1 where the corner a of a known face is the corner b of another
+  unsigned known_count = 0;          ///< 0: nothing around is known
+  unsigned parallelogram_count = 0;  ///< known faces with an opposite corner
+  unsigned neighbor_count = 0;       ///< corners of known faces, the repeated ones once
+  std::uint32_t faces = 0;           ///< at the vertex, whatever their other corners, to kMostFaces
 };
 
-/// Looks at the faces of `vertex` in their order. O(faces at it).
-Surroundings look_around(const FaceStars& stars, std::uint32_t vertex) noexcept;
+/// The first known faces of every vertex.
+class KnownFaces {
+ public:
+  /// `order`: the vertices in coding order, by which they are numbered here; empty where they are already.
+  /// O(n + m).
+  explicit KnownFaces(const FaceList& list, std::span<const std::uint32_t> order = {});
+
+  std::uint32_t vertex_count() const noexcept { return static_cast<std::uint32_t>(stars_.size()); }
+  Surroundings around(std::uint32_t vertex) const noexcept;
+
+ private:
+  static constexpr std::array<std::uint32_t, Surroundings::kMostKnown> kNone = {kNoVertex, kNoVertex,
+                                                                                kNoVertex, kNoVertex};
+  struct Star {
+    std::array<std::uint32_t, Surroundings::kMostKnown> a = kNone;
+    std::array<std::uint32_t, Surroundings::kMostKnown> b = kNone;
+    std::uint8_t known = 0;
+    std::uint8_t faces = 0;
+  };
+
+  void add(const std::array<std::uint32_t, 3>& corners) noexcept;
+  std::uint32_t across(std::uint32_t a, std::uint32_t b) const noexcept;
+
+  std::vector<Star> stars_;
+};
+
+/// The third corner of the first known face of the later one of `a` and `b` that has both.
+inline std::uint32_t KnownFaces::across(std::uint32_t a, std::uint32_t b) const noexcept {
+  const auto [earlier, later] = std::minmax(a, b);
+  const Star& star = stars_[later];
+  const auto same = static_cast<std::int32_t>(earlier);
+  const unsigned found = set_lanes((four_ints(star.a) == same) | (four_ints(star.b) == same));
+  if (found == 0) return kNoVertex;
+  const auto first = static_cast<std::size_t>(std::countr_zero(found));
+  return star.a[first] ^ star.b[first] ^ earlier;
+}
+
+[[gnu::always_inline]] inline Surroundings KnownFaces::around(std::uint32_t vertex) const noexcept {
+  const Star& star = stars_[vertex];
+  Surroundings around;
+  around.known_count = star.known;
+  around.faces = star.faces;
+  const FourInts a = four_ints(star.a);
+  const FourInts b = four_ints(star.b);
+  around.repeated = (a == __builtin_shufflevector(b, b, 1, 2, 3, 0)) |
+                    (a == __builtin_shufflevector(b, b, 2, 3, 0, 1)) |
+                    (a == __builtin_shufflevector(b, b, 3, 0, 1, 2));
+  const unsigned repeated = set_lanes(around.repeated) & ((1U << star.known) - 1);
+  around.neighbor_count = 2U * star.known - static_cast<unsigned>(std::popcount(repeated));
+  for (unsigned i = 0; i < star.known; ++i) {
+    const std::uint32_t opposite = across(star.a[i], star.b[i]);
+    around.known[i] = {star.a[i], star.b[i], opposite};
+    around.parallelogram_count += opposite != kNoVertex ? 1 : 0;
+  }
+  return around;
+}
 
 }  // namespace deltamesh

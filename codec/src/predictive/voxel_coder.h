@@ -23,16 +23,16 @@ template <class Coder>
 class VoxelCoder {
  public:
   /// `largest`: the most that a coordinate may be, per axis.
-  VoxelCoder(Coder& coder, const FaceStars& stars, const std::array<std::uint32_t, 3>& largest,
+  VoxelCoder(Coder& coder, const KnownFaces& faces, const std::array<std::uint32_t, 3>& largest,
              std::uint32_t levels, const BlendTable& blends)
       : coder_(coder),
-        stars_(stars),
+        faces_(faces),
         largest_(largest),
         grid_(levels),
         blends_(blends),
-        history_(stars.vertex_count()),
+        history_(faces.vertex_count()),
         residuals_(coder),
-        edges_(stars.vertex_count()) {
+        edges_(faces.vertex_count()) {
     for (std::size_t i = 0; i < ranks_.size(); ++i) ranks_[i].assign(kRankContexts[i], kFreshRank);
     for (std::size_t i = 0; i < cuts_.size(); ++i) cuts_[i].assign(kCutContexts[i], kFreshCut);
   }
@@ -40,25 +40,25 @@ class VoxelCoder {
   /// Codes cells[vertex]; those before it are coded. A reader fills it in. The rule that a stream breaks
   /// here, or null.
   const char* code_vertex(std::uint32_t vertex, std::span<Cell> cells) {
-    const Surroundings around = look_around(stars_, vertex);
+    const Surroundings around = faces_.around(vertex);
     const Expectation expected = expect_place(around, vertex, cells, blends_);
+    const Place place = expected.place();
     history_.begin(around, expected);
     Cell& cell = cells[vertex];
     std::optional<EdgePlace> edge;
     if constexpr (Coder::kWrites) edge = grid_.edge_of(cell);
-    if (const char* broken = code_place(around, expected, cell, edge)) return broken;
-    if (edge) {
-      code_cut(around, expected, *edge, cell);
-      history_.settle(cell);
-    }
+    if (const char* broken = code_place(around, place, cell, edge)) return broken;
+    if (edge) code_cut(around, place, *edge, cell);
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (cell[axis] < 0 || static_cast<std::uint32_t>(cell[axis]) > largest_[axis]) return "POSN-7";
-    history_.end(vertex);
+    history_.end(vertex, cell);
     edges_[vertex] = edge ? edge : grid_.edge_of(cell);
     return nullptr;
   }
 
  private:
+  using Place = std::array<std::int64_t, 3>;  ///< 1/16 fine steps
+
   static constexpr std::array<std::uint32_t, 4> kRankContexts = {4 * 16 * 6, 10 * 4, 6 * 4 * 8, 16 * 10};
   static constexpr std::array<std::uint32_t, 2> kCutContexts = {20, 40 * 4};
   static constexpr unsigned kNotRanked = 15;
@@ -68,9 +68,9 @@ class VoxelCoder {
   static constexpr SymbolModel kFreshStart{{8, 8, 8, 8, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
 
   /// The edge, or where the vertex is on none, its cell.
-  const char* code_place(const Surroundings& around, const Expectation& expected, Cell& cell,
+  const char* code_place(const Surroundings& around, const Place& expected, Cell& cell,
                          std::optional<EdgePlace>& edge) {
-    const EdgeCandidates candidates(around, edges_, expected.place, grid_);
+    const EdgeCandidates candidates(around, edges_, expected, grid_);
     if (candidates.size() > 0) {
       std::optional<unsigned> rank;
       if (edge) rank = candidates.rank_of(*edge, kNotRanked);
@@ -101,11 +101,11 @@ class VoxelCoder {
   }
 
   /// An edge by its axis and its lower node, from the node below what is expected.
-  const char* code_start(unsigned axis, const Expectation& expected, std::optional<EdgePlace>& edge) {
+  const char* code_start(unsigned axis, const Place& expected, std::optional<EdgePlace>& edge) {
     EdgePlace place{};
     for (std::size_t a = 0; a < 3; ++a) {
       const std::int64_t nodes = largest_[a] / static_cast<std::uint32_t>(grid_.voxel());
-      const std::int64_t below = std::clamp<std::int64_t>((expected.place[a] >> 4) / grid_.voxel(), 0, nodes);
+      const std::int64_t below = std::clamp<std::int64_t>((expected[a] >> 4) / grid_.voxel(), 0, nodes);
       const std::uint32_t code = edge ? zigzag(static_cast<std::int32_t>((*edge)[a] / 2 - below)) : 0;
       const std::int64_t node = below + unzigzag(coder_.number(code, nodes_[a]));
       if (node < 0 || node > nodes) return "VOX-5";
@@ -132,15 +132,14 @@ class VoxelCoder {
   }
 
   /// Which of the levels along its edge the vertex is at; sets the cell.
-  void code_cut(const Surroundings& around, const Expectation& expected, const EdgePlace& edge, Cell& cell) {
+  void code_cut(const Surroundings& around, const Place& expected, const EdgePlace& edge, Cell& cell) {
     const std::size_t axis = axis_of(edge);
     const std::int32_t before = cell[axis];
     for (std::size_t a = 0; a < 3; ++a) cell[a] = (edge[a] >> 1) * grid_.voxel();
     const std::int32_t levels = grid_.levels();
     std::int32_t level = 0;
     if constexpr (Coder::kWrites) level = (before - cell[axis]) / 2;
-    if (levels > 1)
-      level = code_level(level, levels, around, expected.place[axis] - 16 * std::int64_t{cell[axis]});
+    if (levels > 1) level = code_level(level, levels, around, expected[axis] - 16 * std::int64_t{cell[axis]});
     cell[axis] += 2 * level + 1;
   }
 
@@ -167,7 +166,7 @@ class VoxelCoder {
   }
 
   Coder& coder_;
-  const FaceStars& stars_;
+  const KnownFaces& faces_;
   std::array<std::uint32_t, 3> largest_;
   VoxelGrid grid_;
   BlendTable blends_;

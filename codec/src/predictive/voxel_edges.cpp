@@ -187,12 +187,14 @@ void EdgeCandidates::add_cube(const CubeRange& range, const EdgePlace& center,
 EdgeCandidates::EdgeCandidates(const Surroundings& around, std::span<const std::optional<EdgePlace>> edges,
                                const std::array<std::int64_t, 3>& place, const VoxelGrid& grid) noexcept
     : place_(place), half_(std::int64_t{8} * grid.voxel()) {
-  for (unsigned i = 0; i < around.neighbor_count; ++i) {
-    if (const auto& edge = edges[around.neighbors[i]]) taken_[taken_count_++] = *edge;
+  for (unsigned i = 0; i < around.known_count; ++i) {
+    if (const auto& edge = edges[around.known[i].a]) taken_[taken_count_++] = *edge;
+    if (const auto& edge = edges[around.known[i].b]) taken_[taken_count_++] = *edge;
   }
   if (taken_count_ == 0) return;
-  for (unsigned i = 0; i < around.known_count && all_faces_ < faces_.size(); ++i) {
-    const auto& [a, b] = around.known[i];
+  for (unsigned i = 0; i < around.known_count; ++i) {
+    const std::uint32_t a = around.known[i].a;
+    const std::uint32_t b = around.known[i].b;
     if (!edges[a] || !edges[b]) continue;
     CubeRange range = cubes_at(*edges[a]);
     if (intersect(range, cubes_at(*edges[b]))) faces_[all_faces_++] = range;

@@ -89,11 +89,11 @@ class EdgeCandidates {
   unsigned size_ = 0;
   std::array<EdgePlace, 4> cubes_;
   unsigned cube_count_ = 0;
-  std::array<CubeRange, 8> faces_;
+  std::array<CubeRange, Surroundings::kMostKnown> faces_;
   unsigned all_faces_ = 0;
   unsigned face_count_ = 0;
   unsigned likely_ = 0;
-  std::array<EdgePlace, Surroundings::kMostNeighbors> taken_;
+  std::array<EdgePlace, 2 * Surroundings::kMostKnown> taken_;
   unsigned taken_count_ = 0;
   std::array<std::int64_t, 3> place_;  ///< 1/16 fine steps
   std::int64_t half_;                  ///< half a voxel, 1/16 fine steps

@@ -6,9 +6,44 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 
 namespace deltamesh {
 namespace {
+
+/// The faces at every vertex, in face order, each as its two other corners.
+class FaceStars {
+ public:
+  struct Wing {
+    std::uint32_t next;      ///< the corner after the vertex
+    std::uint32_t previous;  ///< the corner before it
+  };
+
+  explicit FaceStars(const FaceList& list)
+      : offsets_(std::size_t{list.vertex_count} + 1), wings_(list.triangles.size()) {
+    for (const std::uint32_t v : list.triangles) ++offsets_[v];
+    std::uint32_t sum = 0;
+    for (std::uint32_t& offset : offsets_) {
+      sum += offset;
+      offset = sum;
+    }
+    // Filled from the last face to the first, so that every offset ends where its run begins.
+    for (std::size_t f = list.triangles.size(); f > 0; f -= 3) {
+      const std::uint32_t* corner = list.triangles.data() + f - 3;
+      wings_[--offsets_[corner[2]]] = {corner[0], corner[1]};
+      wings_[--offsets_[corner[1]]] = {corner[2], corner[0]};
+      wings_[--offsets_[corner[0]]] = {corner[1], corner[2]};
+    }
+  }
+
+  std::span<const Wing> of(std::uint32_t vertex) const noexcept {
+    return {wings_.data() + offsets_[vertex], wings_.data() + offsets_[vertex + 1]};
+  }
+
+ private:
+  std::vector<std::uint32_t> offsets_;
+  std::vector<Wing> wings_;
+};
 
 /// Vertices that wait, by how many faces have their two other corners placed: one, two, or more.
 class WaitingVertices {
@@ -44,12 +79,13 @@ class WaitingVertices {
 
 }  // namespace
 
-std::vector<std::uint32_t> walk_order(const FaceStars& stars, Walk walk) {
+std::vector<std::uint32_t> walk_order(const FaceList& list, Walk walk) {
   constexpr std::uint8_t kPlaced = 255;
   std::vector<std::uint32_t> order;
   if (walk == Walk::kAsDecoded) return order;
-  order.reserve(stars.vertex_count());
-  std::vector<std::uint8_t> faces(stars.vertex_count());  // with two placed corners, to kClasses; or kPlaced
+  const FaceStars stars(list);
+  order.reserve(list.vertex_count);
+  std::vector<std::uint8_t> faces(list.vertex_count);  // with two placed corners, to kClasses; or kPlaced
   WaitingVertices waiting(walk);
   const auto rise = [&](std::uint32_t v) {
     if (faces[v] < WaitingVertices::kClasses) waiting.add(v, ++faces[v]);
@@ -64,27 +100,13 @@ std::vector<std::uint32_t> walk_order(const FaceStars& stars, Walk walk) {
       if (has_previous && !has_next) rise(wing.next);
     }
   };
-  for (std::uint32_t start = 0; start < stars.vertex_count(); ++start) {
+  for (std::uint32_t start = 0; start < list.vertex_count; ++start) {
     if (faces[start] == kPlaced) continue;
     place(start);
     while (const auto next = waiting.take())
       if (faces[*next] != kPlaced) place(*next);
   }
   return order;
-}
-
-FaceStars renumber(const FaceStars& stars, const std::vector<std::uint32_t>& order) {
-  std::vector<std::uint32_t> place(order.size());
-  for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
-  std::vector<FaceStars::Wing> wings;
-  std::vector<std::uint32_t> offsets{0};
-  offsets.reserve(order.size() + 1);
-  for (const std::uint32_t vertex : order) {
-    for (const FaceStars::Wing& wing : stars.of(vertex))
-      wings.push_back({place[wing.next], place[wing.previous]});
-    offsets.push_back(static_cast<std::uint32_t>(wings.size()));
-  }
-  return {std::move(wings), std::move(offsets)};
 }
 
 }  // namespace deltamesh

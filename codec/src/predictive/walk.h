@@ -27,9 +27,6 @@ bool code_walk(Coder& coder, Walk& walk) {
 }
 
 /// The vertex at every place of the order; empty for kAsDecoded. O(n + m).
-std::vector<std::uint32_t> walk_order(const FaceStars& stars, Walk walk);
-
-/// The stars with the vertices numbered by their place in `order`, faces in the order they had.
-FaceStars renumber(const FaceStars& stars, const std::vector<std::uint32_t>& order);
+std::vector<std::uint32_t> walk_order(const FaceList& list, Walk walk);
 
 }  // namespace deltamesh
