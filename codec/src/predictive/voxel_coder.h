@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -15,7 +15,7 @@
 
 #include "base/zigzag.h"
 #include "predictive/residual_coder.h"
-#include "predictive/voxel_edges.h"
+#include "predictive/voxel_view.h"
 
 namespace deltamesh {
 
@@ -32,92 +32,118 @@ class VoxelCoder {
         blends_(blends),
         history_(faces.vertex_count()),
         residuals_(coder),
-        edges_(faces.vertex_count()) {
-    for (std::size_t i = 0; i < ranks_.size(); ++i) ranks_[i].assign(kRankContexts[i], kFreshRank);
-    for (std::size_t i = 0; i < cuts_.size(); ++i) cuts_[i].assign(kCutContexts[i], kFreshCut);
+        vertices_(faces.vertex_count()),
+        corner_models_(kCornerContexts, kFreshEdge) {
+    edge_models_.reserve(kEdgeContexts);
+    for (std::size_t i = 0; i < kEdgeContexts; ++i)
+      edge_models_.push_back(fresh_edges(i / kEdgeSlots / kMostLikely % voxel::kEdges, i % kEdgeSlots));
+    while ((levels - 1) >> low_bits_ >= kSymbols) ++low_bits_;
+    std::array<std::uint8_t, kSymbols> weights{};
+    for (std::uint32_t i = 0; i <= (levels - 1) >> low_bits_; ++i) weights[i] = 1;
+    for (std::size_t i = 0; i < cuts_.size(); ++i) cuts_[i].assign(kCutContexts[i], SymbolModel(weights));
   }
 
   /// Codes cells[vertex]; those before it are coded. A reader fills it in. The rule that a stream breaks
   /// here, or null.
   const char* code_vertex(std::uint32_t vertex, std::span<Cell> cells) {
     const Surroundings around = faces_.around(vertex);
-    const Expectation expected = expect_place(around, vertex, cells, blends_);
-    const Place place = expected.place();
-    history_.begin(around, expected);
-    Cell& cell = cells[vertex];
-    std::optional<EdgePlace> edge;
-    if constexpr (Coder::kWrites) edge = grid_.edge_of(cell);
-    if (const char* broken = code_place(around, place, cell, edge)) return broken;
-    if (edge) code_cut(around, place, *edge, cell);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if (cell[axis] < 0 || static_cast<std::uint32_t>(cell[axis]) > largest_[axis]) return "POSN-7";
-    history_.end(vertex, cell);
-    edges_[vertex] = edge ? edge : grid_.edge_of(cell);
-    return nullptr;
+    std::optional<VoxelGrid::Cut> cut;
+    if constexpr (Coder::kWrites) cut = grid_.cut_of(cells[vertex]);
+    VoxelVertex own;
+    VoxelView view;
+    if (view.find(around, vertices_)) {
+      if (view.is_open()) view.choose(coder_.bit(cut && view.higher_has(cut->vertex), higher_));
+      view.look(around, vertices_, blends_);
+      const unsigned number = code_edge(around, view, cut ? view.number_of(cut->vertex) : voxel::kNoEdge);
+      if (number < voxel::kEdges) {
+        const std::size_t axis = view.edge_of(number, own);
+        const std::int32_t level = code_level(cut ? cut->level : 0, view.mean_along(axis),
+                                              view.plane_along(axis, own), view.neighbors());
+        cells[vertex] = grid_.cut(own, axis, level);
+        vertices_[vertex] = own;
+        return within(cells[vertex]) ? nullptr : "POSN-7";
+      }
+      if (number != voxel::kNoEdge) return "VOX-4";
+    }
+    return code_elsewhere(around, vertex, cells, cut);
   }
 
  private:
-  using Place = std::array<std::int64_t, 3>;  ///< 1/16 fine steps
-
-  static constexpr std::array<std::uint32_t, 4> kRankContexts = {4 * 16 * 6, 10 * 4, 6 * 4 * 8, 16 * 10};
-  static constexpr std::array<std::uint32_t, 2> kCutContexts = {20, 40 * 4};
-  static constexpr unsigned kNotRanked = 15;
+  static constexpr std::size_t kMostLikely = 4;
+  static constexpr std::size_t kMostFaces = 9;
+  static constexpr std::size_t kEdgeSlots = voxel::kEdges + 1;  ///< with none
+  static constexpr std::size_t kEdgeContexts = voxel::kPairKinds * voxel::kEdges * kMostLikely * kEdgeSlots;
+  static constexpr std::size_t kCornerContexts = voxel::kPairKinds * kEdgeSlots * (kMostFaces + 1);
+  static constexpr std::size_t kCutBins = 20;
+  static constexpr std::array<std::size_t, 2> kCutContexts = {kCutBins * kCutBins, 2 * kCutBins * 6};
   static constexpr unsigned kFree = 3;
-  static constexpr SymbolModel kFreshRank{{100, 30, 20, 10, 8, 6, 4, 3, 3, 2, 2, 2, 1, 1, 1, 8}};
-  static constexpr SymbolModel kFreshCut{{1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
+  static constexpr SymbolModel kFreshEdge{{8, 8, 8, 8, 8, 8, 8, 8, 8, 8, 8, 8, 1, 0, 0, 0}};
   static constexpr SymbolModel kFreshStart{{8, 8, 8, 8, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
 
-  /// The edge, or where the vertex is on none, its cell.
-  const char* code_place(const Surroundings& around, const Place& expected, Cell& cell,
-                         std::optional<EdgePlace>& edge) {
-    const EdgeCandidates candidates(around, edges_, expected, grid_);
-    if (candidates.size() > 0) {
-      std::optional<unsigned> rank;
-      if (edge) rank = candidates.rank_of(*edge, kNotRanked);
-      const unsigned coded = code_rank(rank.value_or(kNotRanked), around, candidates);
-      if (coded != kNotRanked) {
-        if (coded >= candidates.size()) return "VOX-4";
-        edge = candidates.ranked(coded);
-        return nullptr;
-      }
-    }
-    const unsigned start = coder_.symbol(edge ? static_cast<unsigned>(axis_of(*edge)) : kFree,
+  bool within(const Cell& cell) const noexcept {
+    bool is_within = true;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      is_within &= static_cast<std::uint32_t>(cell[axis]) <= largest_[axis];
+    return is_within;
+  }
+
+  static SymbolModel fresh_edges(std::size_t nearest, std::size_t next) {
+    std::array<std::uint8_t, kSymbols> weights = {2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 1};
+    weights[nearest] = 100;
+    if (next != voxel::kNoEdge) weights[next] = 20;
+    return SymbolModel(weights);
+  }
+
+  unsigned code_edge(const Surroundings& around, const VoxelView& view, unsigned number) {
+    const std::size_t likely = std::min<std::size_t>(view.likely(), kMostLikely) - 1;
+    const std::size_t degree = std::min<std::size_t>(around.faces, kMostFaces);
+    const std::size_t edge =
+        ((view.kind() * voxel::kEdges + view.nearest()) * kMostLikely + likely) * kEdgeSlots + view.next();
+    const std::size_t corner = (view.kind() * kEdgeSlots + view.opposite()) * (kMostFaces + 1) + degree;
+    return coder_.symbol(number, Mixture<2>{{&edge_models_[edge], &corner_models_[corner]},
+                                            &edge_weights_[std::min(around.known_count, 3U) - 1]});
+  }
+
+  /// An edge by its axis and its lower node, from the node below what is expected; or a vertex on none.
+  /// Kept out of the way of the vertices on a cube's edges, which are most.
+  [[gnu::noinline]] const char* code_elsewhere(const Surroundings& around, std::uint32_t vertex,
+                                               std::span<Cell> cells,
+                                               const std::optional<VoxelGrid::Cut>& cut) {
+    const Expectation expected = expect_place(around, vertex, cells, blends_);
+    const std::array<std::int64_t, 3> place = expected.place();
+    const unsigned start = coder_.symbol(cut ? static_cast<unsigned>(cut->vertex.axis()) : kFree,
                                          Mixture<1>{{&start_}, &start_weights_});
     if (start > kFree) return "VOX-1";
-    return start == kFree ? code_free(cell) : code_start(start, expected, edge);
-  }
-
-  unsigned code_rank(unsigned rank, const Surroundings& around, const EdgeCandidates& candidates) {
-    const unsigned doubt = candidates.doubt();
-    const unsigned likely = std::min(candidates.likely(), 15U);
-    const unsigned degree = std::min(around.faces, 9U);
-    const unsigned faces = candidates.faces();
-    const std::array<unsigned, 4> contexts = {
-        (faces * 16 + likely) * 6 + doubt, degree * 4 + faces,
-        (doubt * 4 + faces) * 8 + std::min(around.parallelogram_count, 7U), likely * 10 + degree};
-    return coder_.symbol(rank, Mixture<4>{{&ranks_[0][contexts[0]], &ranks_[1][contexts[1]],
-                                           &ranks_[2][contexts[2]], &ranks_[3][contexts[3]]},
-                                          &rank_weights_[faces]});
-  }
-
-  /// An edge by its axis and its lower node, from the node below what is expected.
-  const char* code_start(unsigned axis, const Place& expected, std::optional<EdgePlace>& edge) {
-    EdgePlace place{};
+    if (start == kFree) return code_free(around, expected, vertex, cells[vertex]);
+    VoxelVertex& own = vertices_[vertex];
     for (std::size_t a = 0; a < 3; ++a) {
       const std::int64_t nodes = largest_[a] / static_cast<std::uint32_t>(grid_.voxel());
-      const std::int64_t below = std::clamp<std::int64_t>((expected[a] >> 4) / grid_.voxel(), 0, nodes);
-      const std::uint32_t code = edge ? zigzag(static_cast<std::int32_t>((*edge)[a] / 2 - below)) : 0;
+      const std::int64_t below = std::clamp<std::int64_t>((place[a] >> 4) / grid_.voxel(), 0, nodes);
+      const std::uint32_t code =
+          cut ? zigzag(static_cast<std::int32_t>(cut->vertex.place[a] / 2 - below)) : 0;
       const std::int64_t node = below + unzigzag(coder_.number(code, nodes_[a]));
       if (node < 0 || node > nodes) return "VOX-5";
-      place[a] = static_cast<std::int32_t>(2 * node + (a == axis ? 1 : 0));
+      own.place[a] = static_cast<std::int32_t>(2 * node + (a == start ? 1 : 0));
     }
-    edge = place;
-    return nullptr;
+    cells[vertex] = grid_.cut(own, start, code_level(cut ? cut->level : 0, kMiddle, kMiddle, 0));
+    return within(cells[vertex]) ? nullptr : "POSN-7";
   }
 
-  /// Kept out of the way of the vertices on edges, which are most.
-  [[gnu::noinline]] const char* code_free(Cell& cell) {
-    return code_free<0>(cell) && code_free<1>(cell) && code_free<2>(cell) ? nullptr : "POSN-7";
+  /// What is remembered is of such vertices only.
+  const char* code_free(Surroundings around, const Expectation& expected, std::uint32_t vertex, Cell& cell) {
+    const unsigned count = around.known_count;
+    around.known_count = 0;
+    for (unsigned i = 0; i < count; ++i) {
+      const KnownFace face = around.known[i];
+      const bool has_a = !vertices_[face.a].on_edge();
+      const bool has_b = !vertices_[face.b].on_edge();
+      if (!has_a && !has_b) continue;
+      around.known[around.known_count++] = {has_a ? face.a : face.b, has_b ? face.b : face.a, face.opposite};
+    }
+    history_.begin(around, expected);
+    if (!code_free<0>(cell) || !code_free<1>(cell) || !code_free<2>(cell)) return "POSN-7";
+    history_.end(vertex, cell);
+    return nullptr;
   }
 
   /// False where a coordinate is beyond the lattice.
@@ -131,38 +157,25 @@ class VoxelCoder {
     return true;
   }
 
-  /// Which of the levels along its edge the vertex is at; sets the cell.
-  void code_cut(const Surroundings& around, const Place& expected, const EdgePlace& edge, Cell& cell) {
-    const std::size_t axis = axis_of(edge);
-    const std::int32_t before = cell[axis];
-    for (std::size_t a = 0; a < 3; ++a) cell[a] = (edge[a] >> 1) * grid_.voxel();
-    const std::int32_t levels = grid_.levels();
-    std::int32_t level = 0;
-    if constexpr (Coder::kWrites) level = (before - cell[axis]) / 2;
-    if (levels > 1) level = code_level(level, levels, around, expected[axis] - 16 * std::int64_t{cell[axis]});
-    cell[axis] += 2 * level + 1;
-  }
+  static constexpr std::int32_t kMiddle = 64;  ///< of an edge, 64ths of half a voxel
 
-  /// `along`: where on the edge the vertex is expected, 1/16 fine steps.
-  std::int32_t code_level(std::int32_t level, std::int32_t levels, const Surroundings& around,
-                          std::int64_t along) {
-    // Half sixteenths of the edge; what is far off is all one.
-    const std::int32_t near = static_cast<std::int32_t>(
-        std::clamp<std::int64_t>(along, -64 * std::int64_t{levels}, 64 * std::int64_t{levels}));
-    const std::int32_t halves = near / levels;
-    const auto sixteenth = static_cast<std::size_t>(std::clamp(halves / 2 + 2, 0, 19));
-    const auto half = static_cast<std::size_t>(std::clamp(halves + 4, 0, 39));
-    const std::int32_t group = (levels + 15) / 16;
-    const unsigned symbol = coder_.symbol(
-        static_cast<unsigned>(level / group),
-        Mixture<2>{{&cuts_[0][sixteenth], &cuts_[1][half * 4 + std::min(around.parallelogram_count, 3U)]},
-                   &cut_weights_});
-    const auto first = static_cast<std::int32_t>(symbol) * group;
-    if (first >= levels) return levels - 1;  // a symbol that no encoder writes
-    if (group == 1) return first;
-    const auto range = static_cast<std::uint32_t>(std::min(group, levels - first));
-    return first +
-           static_cast<std::int32_t>(coder_.uniform(static_cast<std::uint32_t>(level - first), range));
+  /// Which of the levels along its edge a vertex is at. `mean` and `plane`: where it is expected, 64ths of
+  /// half a voxel.
+  std::int32_t code_level(std::int32_t level, std::int32_t mean, std::int32_t plane, unsigned neighbors) {
+    if (grid_.levels() == 1) return 0;
+    const auto bin = [](std::int32_t along, int shift, std::size_t bins) {
+      return static_cast<std::size_t>(
+          std::clamp((along + 16) >> shift, 0, static_cast<std::int32_t>(bins) - 1));
+    };
+    const std::size_t both = bin(mean, 3, kCutBins) * kCutBins + bin(plane, 3, kCutBins);
+    const std::size_t fine = bin(mean, 2, 2 * kCutBins) * 6 + std::min(neighbors, 5U);
+    const auto high = static_cast<std::int32_t>(
+        coder_.symbol(static_cast<unsigned>(level) >> low_bits_,
+                      Mixture<2>{{&cuts_[0][both], &cuts_[1][fine]}, &cut_weights_}));
+    if (low_bits_ == 0) return std::min(high, grid_.levels() - 1);
+    const std::uint32_t low = static_cast<std::uint32_t>(level) & ((1U << low_bits_) - 1);
+    return std::min(high << low_bits_ | static_cast<std::int32_t>(coder_.bits(low, low_bits_)),
+                    grid_.levels() - 1);
   }
 
   Coder& coder_;
@@ -172,9 +185,12 @@ class VoxelCoder {
   BlendTable blends_;
   ResidualHistory history_;
   ResidualCoder<Coder> residuals_;
-  std::vector<std::optional<EdgePlace>> edges_;
-  std::array<std::vector<SymbolModel>, 4> ranks_;
-  std::array<MixWeights<4>, 4> rank_weights_;
+  std::vector<VoxelVertex> vertices_;
+  unsigned low_bits_ = 0;  ///< of a level, outside its symbol
+  BitModel higher_;
+  std::vector<SymbolModel> edge_models_;
+  std::vector<SymbolModel> corner_models_;
+  std::array<MixWeights<2>, 3> edge_weights_;
   std::array<std::vector<SymbolModel>, 2> cuts_;
   MixWeights<2> cut_weights_;
   SymbolModel start_{kFreshStart};
