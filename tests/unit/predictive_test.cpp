@@ -277,7 +277,7 @@ TEST(Lossless, FLT1RefusesWhatIsNotFinite) {
   EXPECT_GT(refused, 0U);
 }
 
-TEST(Voxels, VOX1VOX2VOX3VOX5VOX6EdgesComeBack) {
+TEST(Voxels, VOX1VOX2VOX3VOX4VOX5VOX6EdgesComeBack) {
   const Mesh mesh = room();
   for (const double asked : {0.03, 0.004, 0.0004}) {
     const auto encoded =
