@@ -10,10 +10,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <initializer_list>
 #include <set>
+#include <utility>
 #include <vector>
 
-#include "predictive/voxel_edges.h"
+#include "predictive/voxel_coder.h"
 
 namespace deltamesh {
 namespace {
@@ -108,7 +110,7 @@ void for_edges_near(const std::array<int, 3>& middle, const Function& visit) {
       }
 }
 
-FourInts lanes_of(const std::array<int, 3>& place) { return {place[0], place[1], place[2], 0}; }
+FourInts lanes_of(const std::array<int, 3>& place) { return FourInts{place[0], place[1], place[2], 0}; }
 
 TEST(VoxelTables, VOX2PairsShareTheirCubes) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -179,12 +181,12 @@ TEST(VoxelGrid, VOX6LevelsComeBack) {
     }
     EXPECT_FALSE(grid.cut_of({voxel, voxel, voxel}));
     EXPECT_FALSE(grid.cut_of({1, 1, voxel}));
-    if (levels > 1) EXPECT_FALSE(grid.cut_of({2, 0, 0}));
+    EXPECT_FALSE(grid.cut_of({2, 0, 0}));
   }
 }
 
-/// The vertices of a plane x + y + z = 1/2 about a node, in three cubes around the edge to it.
-struct Corner {
+/// Some vertices of a grid with four levels.
+struct GridVertices {
   VoxelGrid grid{4};
   std::array<VoxelVertex, 8> vertices{};
   std::uint32_t count = 0;
@@ -197,11 +199,11 @@ struct Corner {
 
 TEST(VoxelView, VOX2VOX3TheFaceAcrossTellsTheCube) {
   // A plane of height 2.5 levels: vertices on upright edges of a row of cubes.
-  Corner corner;
-  const std::uint32_t a = corner.add({8, 8, 3});
-  const std::uint32_t b = corner.add({8, 16, 3});
-  const std::uint32_t across = corner.add({0, 8, 3});
-  const std::uint32_t beyond = corner.add({16, 16, 3});
+  GridVertices grid;
+  const std::uint32_t a = grid.add({8, 8, 3});
+  const std::uint32_t b = grid.add({8, 16, 3});
+  const std::uint32_t across = grid.add({0, 8, 3});
+  const std::uint32_t beyond = grid.add({16, 16, 3});
   for (const bool is_higher : {true, false}) {
     Surroundings around{};
     around.known[0] = {a, b, is_higher ? across : beyond};
@@ -210,10 +212,10 @@ TEST(VoxelView, VOX2VOX3TheFaceAcrossTellsTheCube) {
     around.neighbor_count = 2;
     around.faces = 6;
     VoxelView view;
-    ASSERT_TRUE(view.find(around, corner.vertices));
+    ASSERT_TRUE(view.find(around, grid.vertices));
     EXPECT_FALSE(view.is_open());
-    view.look(around, corner.vertices, kUsualBlends);
-    const VoxelVertex to_code = corner.grid.cut_of({is_higher ? 16 : 0, 16, 3})->vertex;
+    view.look(around, grid.vertices, kUsualBlends);
+    const VoxelVertex to_code = grid.grid.cut_of({is_higher ? 16 : 0, 16, 3})->vertex;
     const unsigned number = view.number_of(to_code);
     ASSERT_LT(number, kEdges);
     VoxelVertex back;
@@ -221,41 +223,98 @@ TEST(VoxelView, VOX2VOX3TheFaceAcrossTellsTheCube) {
     for (int i = 0; i < 3; ++i) EXPECT_EQ(back.place[i], to_code.place[i]);
     EXPECT_EQ(view.plane_along(2, back), to_code.along());
     EXPECT_EQ(view.mean_along(2), to_code.along());
-    EXPECT_EQ(view.number_of(corner.vertices[is_higher ? across : beyond]), voxel::kNoEdge);
+    EXPECT_EQ(view.number_of(grid.vertices[is_higher ? across : beyond]), voxel::kNoEdge);
     EXPECT_EQ(view.likely(), 10U);
   }
 }
 
+/// Reads what it is told.
+class Script {
+ public:
+  static constexpr bool kWrites = false;
+
+  explicit Script(std::vector<std::uint32_t> said) : said_(std::move(said)) {}
+
+  template <std::size_t K>
+  unsigned symbol(unsigned, const Mixture<K>&) {
+    return next();
+  }
+  bool bit(bool, BitModel&) { return next() != 0; }
+  bool decide(bool, std::uint32_t) { return next() != 0; }
+  std::uint32_t bits(std::uint32_t, unsigned) { return next(); }
+  std::uint32_t number(std::uint32_t, NumberModel&) { return next(); }
+
+ private:
+  std::uint32_t next() { return at_ < said_.size() ? said_[at_++] : 0; }
+
+  std::vector<std::uint32_t> said_;
+  std::size_t at_ = 0;
+};
+
+/// Edges of axis z one voxel apart at levels 1 and 2, then what is said of a vertex that makes a face of
+/// them.
+const char* rule_of_third(std::initializer_list<std::uint32_t> said, std::vector<Cell>& cells) {
+  const std::vector<std::uint32_t> triangle = {0, 1, 2};
+  const KnownFaces faces(FaceList{triangle, 3});
+  std::vector<std::uint32_t> script = {2, 2, 2, 0, 1, 2, 0, 2, 0, 2};
+  script.insert(script.end(), said.begin(), said.end());
+  Script coder(std::move(script));
+  VoxelCoder<Script> voxels(coder, faces, {24, 24, 24}, 4, kUsualBlends);
+  cells.assign(3, {});
+  EXPECT_EQ(voxels.code_vertex(0, cells), nullptr);
+  EXPECT_EQ(voxels.code_vertex(1, cells), nullptr);
+  EXPECT_EQ(cells[0], (Cell{8, 8, 3}));
+  EXPECT_EQ(cells[1], (Cell{8, 16, 5}));
+  const char* const rule = voxels.code_vertex(2, cells);
+  return rule != nullptr ? rule : "";
+}
+
+TEST(VoxelCoder, VOX1VOX4VOX5POSN7KnowWhatMayBe) {
+  std::vector<Cell> cells;
+  EXPECT_STREQ(rule_of_third({1, 13}, cells), "VOX-4");
+  EXPECT_STREQ(rule_of_third({1, 15}, cells), "VOX-4");
+  EXPECT_STREQ(rule_of_third({1, 12, 4}, cells), "VOX-1");
+  EXPECT_STREQ(rule_of_third({1, 12, 0, 100}, cells), "VOX-5");
+  for (std::uint32_t higher = 0; higher < 2; ++higher) {
+    for (std::uint32_t number = 0; number < kEdges; ++number) {
+      EXPECT_STREQ(rule_of_third({higher, number, 3}, cells), "");
+      // In the cube that was told, at the last level; or, of the face's own edges, in both.
+      EXPECT_GE(cells[2][0], higher == 1 ? 8 : 0);
+      EXPECT_LE(cells[2][0], higher == 1 ? 16 : 8);
+    }
+  }
+}
+
 TEST(VoxelView, VOX2WithoutAFaceAcrossABitTells) {
-  Corner corner;
+  GridVertices grid;
   Surroundings around{};
-  around.known[0] = {corner.add({8, 8, 3}), corner.add({8, 16, 3}), kNoVertex};
+  around.known[0] = {grid.add({8, 8, 3}), grid.add({8, 16, 3}), kNoVertex};
   around.known_count = 1;
   around.neighbor_count = 2;
-  const VoxelVertex to_code = corner.grid.cut_of({16, 16, 3})->vertex;
+  const VoxelVertex to_code = grid.grid.cut_of({16, 16, 3})->vertex;
   VoxelView view;
-  ASSERT_TRUE(view.find(around, corner.vertices));
+  ASSERT_TRUE(view.find(around, grid.vertices));
   ASSERT_TRUE(view.is_open());
   EXPECT_TRUE(view.higher_has(to_code));
-  EXPECT_FALSE(view.higher_has(corner.grid.cut_of({0, 16, 3})->vertex));
+  EXPECT_FALSE(view.higher_has(grid.grid.cut_of({0, 16, 3})->vertex));
   view.choose(true);
-  view.look(around, corner.vertices, kUsualBlends);
+  view.look(around, grid.vertices, kUsualBlends);
   EXPECT_LT(view.number_of(to_code), kEdges);
   EXPECT_EQ(view.opposite(), voxel::kNoEdge);
 }
 
 TEST(VoxelView, VOX2FacesWithoutACubeAreNone) {
-  Corner corner;
+  GridVertices grid;
   Surroundings around{};
   around.known_count = 1;
   around.neighbor_count = 2;
-  const std::uint32_t a = corner.add({8, 8, 3});
-  const std::uint32_t same = corner.add({8, 8, 5});
-  const std::uint32_t far = corner.add({8, 80, 3});
-  for (const std::uint32_t b : {same, far, corner.count}) {
+  const std::uint32_t a = grid.add({8, 8, 3});
+  const std::uint32_t same = grid.add({8, 8, 5});
+  const std::uint32_t far = grid.add({8, 80, 3});
+  for (const std::uint32_t b : {same, far, grid.count}) {
     around.known[0] = {a, b, kNoVertex};
     VoxelView view;
-    EXPECT_FALSE(view.find(around, corner.vertices));
+    EXPECT_FALSE(view.find(around, grid.vertices));
   }
 }
 
