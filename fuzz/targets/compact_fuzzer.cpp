@@ -67,11 +67,11 @@ void fuzz_connectivity(std::span<const std::byte> bytes, std::uint32_t faces) {
   const auto read = read_connectivity(Payload::compact(bytes), kVertices, faces);
   require_clean(read);
   if (!read) return;
-  require(read->size() == std::size_t{3} * faces);
-  for (const std::uint32_t v : *read) require(v < kVertices);
-  const auto coded = write_connectivity(*read, kVertices);
+  require(read->triangles.size() == std::size_t{3} * faces);
+  for (const std::uint32_t v : read->triangles) require(v < kVertices);
+  const auto coded = write_connectivity(read->triangles, kVertices);
   const auto again = read_connectivity(Payload::compact(coded.compact), kVertices, faces);
-  require(faces == 0 || (again && *again == coded.triangles));
+  require(faces == 0 || (again && again->triangles == coded.triangles));
 }
 
 void fuzz_deltas(std::span<const std::byte> bytes) {

@@ -15,6 +15,17 @@ namespace {
 
 using namespace deltamesh;
 
+/// What comes with the faces says the same as they do.
+void check_graph(const Connectivity& read, std::uint32_t vertex_count) {
+  const Adjacency graph = build_adjacency(read.triangles, vertex_count);
+  const Adjacency quick = build_adjacency(read.triangles, read.open_edges, vertex_count);
+  if (quick.offsets != graph.offsets || quick.neighbors != graph.neighbors) std::abort();
+  const Components components = find_components(graph);
+  const Components by_runs = read.runs.components(vertex_count);
+  if (read.runs.count(vertex_count) != components.count || by_runs.label != components.label) std::abort();
+  if (by_runs.count != components.count || by_runs.size != components.size) std::abort();
+}
+
 /// Whatever the faces are, they come back.
 void check_round_trip(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count) {
   const CodedConnectivity coded = write_connectivity(triangles, vertex_count);
@@ -28,7 +39,8 @@ void check_round_trip(std::span<const std::uint32_t> triangles, std::uint32_t ve
     }
   }
   const auto read = read_connectivity(coded.payload, vertex_count, face_count);
-  if (!read || *read != coded.triangles) std::abort();
+  if (!read || read->triangles != coded.triangles) std::abort();
+  check_graph(*read, vertex_count);
 }
 
 }  // namespace
@@ -44,11 +56,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       if (read.error().code == ErrorCode::kInternal) std::abort();
       return 0;
     }
-    if (read->size() != std::size_t{face_choice / 2} * 3) std::abort();
-    for (const std::uint32_t v : *read) {
+    if (read->triangles.size() != std::size_t{face_choice / 2} * 3) std::abort();
+    for (const std::uint32_t v : read->triangles) {
       if (v >= vertex_count) std::abort();
     }
-    check_round_trip(*read, vertex_count);
+    check_graph(*read, vertex_count);
+    check_round_trip(read->triangles, vertex_count);
   } else if (vertex_count != 0) {
     std::vector<std::uint32_t> triangles(size - size % 3);
     for (std::size_t i = 0; i < triangles.size(); ++i) triangles[i] = data[i] % vertex_count;

@@ -24,7 +24,6 @@
 #include "scenes.h"
 #include "support/graph_mesh.h"
 #include "support/meshes.h"
-#include "topology/component_count.h"
 
 namespace deltamesh {
 namespace {
@@ -423,12 +422,6 @@ TEST(Predictive, OptionsThatDoNotFitAreRefused) {
   EXPECT_FALSE(validate({.geometry = GeometryCoder::kHighpass, .lossless = true}));
   EXPECT_FALSE(validate({.quality = {.max_error = 1}, .lossless = true}));
   EXPECT_FALSE(validate({.lossless = true, .bits = 8}));
-}
-
-TEST(ComponentCount, AgreesWithTheGraph) {
-  for (const test::GraphMesh& mesh : graph_meshes())
-    EXPECT_EQ(count_components(mesh.triangles, static_cast<std::uint32_t>(mesh.positions.size())),
-              mesh.components.count);
 }
 
 }  // namespace

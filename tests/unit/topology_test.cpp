@@ -10,6 +10,7 @@
 
 #include "topology/adjacency.h"
 #include "topology/subgraph.h"
+#include "topology/vertex_runs.h"
 #include "topology/weld.h"
 
 namespace deltamesh {
@@ -101,6 +102,24 @@ TEST(Components, NumberedBySmallestVertex) {
   EXPECT_EQ(components.count, 4U);
   EXPECT_EQ(components.label, (LargeVector<std::uint32_t>{0, 1, 2, 2, 0, 2, 2, 3}));
   EXPECT_EQ(components.size, (Indices{2, 1, 4, 1}));
+}
+
+TEST(VertexRuns, JoinedRunsAreOneComponent) {
+  VertexRuns runs;
+  EXPECT_EQ(runs.count(0), 0U);
+  for (const std::uint32_t first : {0U, 3U, 4U}) runs.begin(first);
+  runs.join(2);
+  runs.begin(6);  // without vertices, it joins the others
+  runs.join(3);
+  runs.join(5);
+  runs.join(0);  // as it is already
+  runs.begin(6);
+  runs.end(8);
+  EXPECT_EQ(runs.count(10), 4U);
+  const Components components = runs.components(10);
+  EXPECT_EQ(components.count, 4U);
+  EXPECT_EQ(components.label, (LargeVector<std::uint32_t>{0, 0, 0, 0, 0, 0, 1, 1, 2, 3}));
+  EXPECT_EQ(components.size, (Indices{6, 2, 1, 1}));
 }
 
 TEST(Subgraph, KeepsWholeComponents) {

@@ -122,6 +122,7 @@ bool Border::split(std::uint32_t target, const Gate& gate) {
 bool Border::carry_out(BorderOp op, std::uint32_t target, const Gate& gate) {
   if (op == BorderOp::kBoundary) {
     items_[gate.item].closed = true;
+    open_edges_.push_back({gate.origin, gate.end});
     return true;
   }
   if (is_full()) return false;

@@ -7,12 +7,14 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "connectivity/border_item.h"
 #include "connectivity/gap_queue.h"
 #include "connectivity/gate.h"
+#include "topology/adjacency.h"
 
 namespace deltamesh {
 
@@ -28,7 +30,11 @@ class Border {
   std::uint32_t vertex_count() const noexcept { return vertex_count_; }
   bool is_full() const noexcept { return face_end_ == most_face_end_; }
   /// Manifold vertices of the faces, three each: gate's end, gate's origin, apex [CONN-6].
+  std::span<const std::uint32_t> faces() const noexcept { return std::span(faces_).first(face_end_); }
   std::vector<std::uint32_t> take_faces() noexcept;
+
+  /// Edges of one face, in its direction, over manifold vertices: closed loops once all gaps are finished.
+  std::vector<DirectedEdge> take_open_edges() noexcept { return std::move(open_edges_); }
 
   /// Room for a mesh of this size, so that nothing moves while it grows.
   void reserve(std::size_t vertices, std::size_t faces);
@@ -99,6 +105,7 @@ class Border {
   std::uint32_t last_focus_faces_ = 6;
   std::vector<BorderItem> items_;
   std::vector<std::uint32_t> faces_;  ///< three for each face, and room for some more
+  std::vector<DirectedEdge> open_edges_;
   GapQueue gaps_;
 };
 

@@ -12,6 +12,7 @@
 
 #include "deltamesh/result.h"
 #include "entropy/payload.h"
+#include "topology/vertex_runs.h"
 
 namespace deltamesh {
 
@@ -39,10 +40,17 @@ struct CodedConnectivity {
 CodedConnectivity write_connectivity(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count,
                                      PayloadForms forms = PayloadForms::kBoth);
 
-/// Returns m x 3 indices, each below `vertex_count`. The caller has checked both counts against its limits;
+struct Connectivity {
+  std::vector<std::uint32_t> triangles;  ///< m x 3 vertices
+  /// Edges of a face that have none in the other direction, but for what gluing brought together.
+  std::vector<DirectedEdge> open_edges;
+  VertexRuns runs;  ///< of connected vertices
+};
+
+/// Indices are below `vertex_count`. The caller has checked both counts against its limits;
 /// they are checked here against the bytes present before anything of their size is allocated. Errors:
 /// kTruncated, kInvalidStream [CONN-*].
-Result<std::vector<std::uint32_t>> read_connectivity(Payload payload, std::uint32_t vertex_count,
-                                                     std::uint32_t triangle_count);
+Result<Connectivity> read_connectivity(Payload payload, std::uint32_t vertex_count,
+                                       std::uint32_t triangle_count);
 
 }  // namespace deltamesh

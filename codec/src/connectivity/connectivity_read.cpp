@@ -67,7 +67,9 @@ class PayloadGuide {
   explicit PayloadGuide(const Sections& sections) noexcept
       : tokens_(sections.tokens), references_(sections.references), far_targets_(sections.far_targets) {}
 
-  void start(const Border&) noexcept {}
+  void start(const Border& border) { starts_.push_back(border.vertex_count()); }
+  /// First manifold vertex of every component.
+  std::span<const std::uint32_t> starts() const noexcept { return starts_; }
   bool failed() const noexcept { return refusal_.has_value(); }
 
   BorderStep next(const Border& border, const Gate& gate) {
@@ -105,6 +107,7 @@ class PayloadGuide {
   TokenReader tokens_;
   std::span<const std::byte> references_;
   std::span<const std::uint32_t> far_targets_;
+  std::vector<std::uint32_t> starts_;
   std::optional<Refusal> refusal_;
 };
 
@@ -123,7 +126,9 @@ class CompactGuide {
  public:
   explicit CompactGuide(CompactReader& reader) : reader_(reader), ops_(reader) {}
 
-  void start(const Border&) noexcept {}
+  void start(const Border& border) { starts_.push_back(border.vertex_count()); }
+  /// As PayloadGuide's.
+  std::span<const std::uint32_t> starts() const noexcept { return starts_; }
 
   [[gnu::always_inline]] BorderStep next(const Border& border, const Gate& gate) {
     return ops_.code({}, border, gate);
@@ -132,6 +137,7 @@ class CompactGuide {
 
  private:
   CompactReader& reader_;
+  std::vector<std::uint32_t> starts_;
   OpCoder<CompactReader> ops_;
 };
 
@@ -143,9 +149,20 @@ std::size_t reserved_at_once(std::uint32_t declared, std::size_t bytes) noexcept
   return std::min<std::size_t>(declared, std::max(kAnyway, bytes * kPerByte));
 }
 
+/// What the walk found, over vertices instead of manifold vertices. `vertex`: as from glue_vertices().
+Connectivity glued(Border& border, std::span<const std::uint32_t> starts,
+                   std::span<const std::uint32_t> vertex) {
+  Connectivity connectivity{.triangles = border.take_faces(),
+                            .open_edges = border.take_open_edges(),
+                            .runs = connected_runs(starts, vertex, border.vertex_count())};
+  renumber(connectivity.triangles, vertex);
+  for (DirectedEdge& edge : connectivity.open_edges) renumber(edge, vertex);
+  return connectivity;
+}
+
 /// `triangle_count` above 0.
-Result<std::vector<std::uint32_t>> read_compact(std::span<const std::byte> bytes, std::uint32_t vertex_count,
-                                                std::uint32_t triangle_count) {
+Result<Connectivity> read_compact(std::span<const std::byte> bytes, std::uint32_t vertex_count,
+                                  std::uint32_t triangle_count) {
   if (triangle_count > saturating_mul(bytes.size(), kFacesPerCompactByte))
     return Error{.code = ErrorCode::kInvalidStream,
                  .message = "more faces than the ops can hold",
@@ -164,21 +181,20 @@ Result<std::vector<std::uint32_t>> read_compact(std::span<const std::byte> bytes
                  .rule = refusal.rule,
                  .chunk_tag = kTagConnectivity};
   }
-  std::vector<std::uint32_t> faces = border.take_faces();
-  DELTAMESH_TRY(const auto vertex, read_compact_gluing(reader, faces, border.vertex_count(), vertex_count));
+  DELTAMESH_TRY(const auto vertex,
+                read_compact_gluing(reader, border.faces(), border.vertex_count(), vertex_count));
   DELTAMESH_CHECK(reader.finish(kTagConnectivity));
-  renumber(faces, vertex);
-  return faces;
+  return glued(border, guide.starts(), vertex);
 }
 
 }  // namespace
 
-Result<std::vector<std::uint32_t>> read_connectivity(Payload payload, std::uint32_t vertex_count,
-                                                     std::uint32_t triangle_count) {
+Result<Connectivity> read_connectivity(Payload payload, std::uint32_t vertex_count,
+                                       std::uint32_t triangle_count) {
   ByteReader in(payload.bytes, kTagConnectivity);
   if (triangle_count == 0) {
     DELTAMESH_CHECK(in.finish());
-    return std::vector<std::uint32_t>{};
+    return Connectivity{};
   }
   if (payload.is_compact) return read_compact(payload.bytes, vertex_count, triangle_count);
   DELTAMESH_TRY(const Sections sections, read_sections(in));
@@ -197,9 +213,7 @@ Result<std::vector<std::uint32_t>> read_connectivity(Payload payload, std::uint3
                 read_gluing(in, sections.glue_count, border.vertex_count(), vertex_count));
   DELTAMESH_CHECK(in.finish());
   DELTAMESH_TRY(const auto vertex, glue_vertices(list, border.vertex_count(), vertex_count));
-  std::vector<std::uint32_t> faces = border.take_faces();
-  renumber(faces, vertex);
-  return faces;
+  return glued(border, guide.starts(), vertex);
 }
 
 }  // namespace deltamesh

@@ -50,9 +50,33 @@ Result<std::vector<std::uint32_t>> glue_vertices(const GlueList& list, std::uint
   return vertex;
 }
 
-void renumber(std::vector<std::uint32_t>& faces, std::span<const std::uint32_t> vertex) noexcept {
+void renumber(std::span<std::uint32_t> manifold, std::span<const std::uint32_t> vertex) noexcept {
   if (vertex.empty()) return;
-  for (std::uint32_t& v : faces) v = vertex[v];
+  for (std::uint32_t& v : manifold) v = vertex[v];
+}
+
+VertexRuns connected_runs(std::span<const std::uint32_t> starts, std::span<const std::uint32_t> vertex,
+                          std::uint32_t manifold_count) {
+  VertexRuns runs;
+  if (vertex.empty()) {
+    for (const std::uint32_t start : starts) runs.begin(start);
+    runs.end(manifold_count);
+    return runs;
+  }
+  std::uint32_t fresh = 0;
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    runs.begin(fresh);
+    const std::uint32_t end = i + 1 < starts.size() ? starts[i + 1] : manifold_count;
+    for (std::uint32_t m = starts[i]; m < end; ++m) {
+      if (vertex[m] == fresh) {
+        ++fresh;
+      } else {
+        runs.join(vertex[m]);
+      }
+    }
+  }
+  runs.end(fresh);
+  return runs;
 }
 
 void write_compact_gluing(CompactWriter& writer, const GlueList& list, std::span<const std::uint32_t> faces,

@@ -11,6 +11,7 @@
 #include "deltamesh/result.h"
 #include "entropy/compact_reader.h"
 #include "entropy/compact_writer.h"
+#include "topology/vertex_runs.h"
 
 namespace deltamesh {
 
@@ -25,8 +26,13 @@ struct GlueList {
 Result<std::vector<std::uint32_t>> glue_vertices(const GlueList& list, std::uint32_t manifold_count,
                                                  std::uint32_t vertex_count);
 
-/// Faces over manifold vertices become faces over vertices. `vertex`: as from glue_vertices().
-void renumber(std::vector<std::uint32_t>& faces, std::span<const std::uint32_t> vertex) noexcept;
+/// Manifold vertices become vertices. `vertex`: as from glue_vertices().
+void renumber(std::span<std::uint32_t> manifold, std::span<const std::uint32_t> vertex) noexcept;
+
+/// Runs of connected vertices. `starts`: first manifold vertex of every component, ascending; `vertex`: as
+/// from glue_vertices().
+VertexRuns connected_runs(std::span<const std::uint32_t> starts, std::span<const std::uint32_t> vertex,
+                          std::uint32_t manifold_count);
 
 /// Checks a list's length before anything of its size is allocated. Errors: kInvalidStream [CONN-11].
 Result<void> check_glue_count(std::uint64_t count, std::uint32_t manifold_count, std::uint32_t vertex_count);

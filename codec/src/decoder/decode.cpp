@@ -22,7 +22,6 @@
 #include "geometry/vertex_positions.h"
 #include "predictive/positions.h"
 #include "topology/adjacency.h"
-#include "topology/component_count.h"
 
 namespace deltamesh {
 namespace {
@@ -81,8 +80,12 @@ class StreamDecoder {
   /// Faces over the mesh's vertices; where seams split some, those over the geometric vertices as well.
   Result<void> read_faces(std::vector<std::uint32_t>& triangles) {
     DELTAMESH_TRY(const auto connectivity, expand_single(container_, kTagConnectivity, max_payload(header_)));
-    DELTAMESH_TRY(triangles,
+    DELTAMESH_TRY(auto read,
                   read_connectivity(connectivity.payload(), header_.geometric_vertices, header_.triangles));
+    DELTAMESH_CHECK(check_components(read.runs.count(header_.geometric_vertices)));
+    triangles = std::move(read.triangles);
+    open_edges_ = std::move(read.open_edges);
+    runs_ = std::move(read.runs);
     if (triangles.capacity() / 5 > triangles.size() / 4) triangles.shrink_to_fit();
     DELTAMESH_TRY(const auto seams, expand_single(container_, kTagSeams, max_payload(header_)));
     if (seams.bytes.empty() && header_.vertices == header_.geometric_vertices) return {};
@@ -103,7 +106,6 @@ class StreamDecoder {
   }
 
   Result<std::vector<Vec3>> read_predicted(std::span<const std::uint32_t> triangles) {
-    DELTAMESH_CHECK(check_components(count_components(triangles, header_.geometric_vertices)));
     DELTAMESH_TRY(const auto payload, expand_single(container_, kTagPositions, max_payload(header_)));
     return read_positions(payload.payload(), {triangles, header_.geometric_vertices}, header_.predictive,
                           header_.box());
@@ -117,10 +119,9 @@ class StreamDecoder {
   }
 
   Result<std::vector<Vec3>> read_solved(std::span<const std::uint32_t> triangles) {
-    Adjacency graph = build_adjacency(triangles, header_.geometric_vertices);
+    Adjacency graph = build_adjacency(triangles, open_edges_, header_.geometric_vertices);
     geometric_triangles_ = {};
-    Components components = find_components(graph);
-    DELTAMESH_CHECK(check_components(components.count));
+    Components components = runs_.components(header_.geometric_vertices);
     DELTAMESH_TRY(const auto deltas, expand_single(container_, kTagDeltas, max_payload(header_)));
     DELTAMESH_TRY(const auto anchors, expand_single(container_, kTagAnchors, max_payload(header_)));
     return read_highpass(deltas.payload(), anchors.payload(), std::move(graph), std::move(components),
@@ -135,7 +136,9 @@ class StreamDecoder {
     for (const ChunkEntry& entry : container_.entries()) {
       if (entry.tag != kTagAttribute) continue;
       DELTAMESH_TRY(const auto chunk, expand_chunk(container_, entry, max_payload(header_)));
-      if (chunk.is_compact && !graph) graph = build_adjacency(triangles, header_.vertices);
+      if (chunk.is_compact && !graph)
+        graph = copies_.empty() ? build_adjacency(triangles, open_edges_, header_.vertices)
+                                : build_adjacency(triangles, header_.vertices);
       DELTAMESH_TRY(auto attribute,
                     read_attribute(chunk.payload(), header_.vertices, left, graph ? &*graph : nullptr));
       left -= attribute.values.size();
@@ -157,6 +160,8 @@ class StreamDecoder {
   const DecodeOptions& options_;
   unsigned threads_;                                ///< 1 or more
   std::vector<std::uint32_t> geometric_triangles_;  ///< empty where no vertex is split
+  std::vector<DirectedEdge> open_edges_;            ///< of the geometric faces
+  VertexRuns runs_;                                 ///< of the geometric vertices
   std::vector<std::uint32_t> copies_;               ///< geometric vertex of every vertex; likewise
 };
 

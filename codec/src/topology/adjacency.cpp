@@ -9,6 +9,21 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xffffffff;
 
+/// The three directed edges of a face, and open edges turned round, without those from a vertex to itself.
+template <class Visit>
+void for_each_half_edge(std::span<const std::uint32_t> triangles, std::span<const DirectedEdge> open_edges,
+                        Visit&& visit) {
+  const auto visit_edge = [&](std::uint32_t a, std::uint32_t b) {
+    if (a != b) visit(a, b);
+  };
+  for (std::size_t f = 0; f + 2 < triangles.size(); f += 3) {
+    visit_edge(triangles[f], triangles[f + 1]);
+    visit_edge(triangles[f + 1], triangles[f + 2]);
+    visit_edge(triangles[f + 2], triangles[f]);
+  }
+  for (const auto& [a, b] : open_edges) visit_edge(b, a);
+}
+
 /// The six directed edges of a face, without those from a vertex to itself.
 template <class Visit>
 void for_each_directed_edge(std::span<const std::uint32_t> triangles, Visit&& visit) {
@@ -55,6 +70,21 @@ Adjacency tidy(const Adjacency& graph) {
   return sorted;
 }
 
+/// Ascending rows where some neighbours come several times in a row.
+void drop_repeated(Adjacency& graph) {
+  std::uint32_t written = 0;
+  std::uint32_t from = 0;
+  for (std::uint32_t v = 0; v < graph.vertex_count(); ++v) {
+    const std::uint32_t begin = written;
+    for (const std::uint32_t end = graph.offsets[v + 1]; from < end; ++from) {
+      const std::uint32_t neighbor = graph.neighbors[from];
+      if (written == begin || graph.neighbors[written - 1] != neighbor) graph.neighbors[written++] = neighbor;
+    }
+    graph.offsets[v + 1] = written;
+  }
+  graph.neighbors.resize(written);
+}
+
 }  // namespace
 
 Adjacency build_adjacency(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count) {
@@ -68,6 +98,36 @@ Adjacency build_adjacency(std::span<const std::uint32_t> triangles, std::uint32_
   for_each_directed_edge(triangles,
                          [&](std::uint32_t a, std::uint32_t b) { graph.neighbors[cursor[a]++] = b; });
   return tidy(graph);
+}
+
+/// Every row w receives every v in ascending order of v, and as many of them as it has neighbours.
+Adjacency build_adjacency(std::span<const std::uint32_t> triangles, std::span<const DirectedEdge> open_edges,
+                          std::uint32_t vertex_count) {
+  Adjacency graph;
+  LargeVector<std::uint32_t>& offsets = graph.offsets;
+  offsets.assign(std::size_t{vertex_count} + 1, 0);
+  for_each_half_edge(triangles, open_edges, [&](std::uint32_t a, std::uint32_t) { ++offsets[a + 1]; });
+  sum_up(offsets);
+
+  LargeVector<std::uint32_t> cursor(offsets.begin(), offsets.end() - 1);
+  LargeVector<std::uint32_t> unsorted(offsets.back());
+  for_each_half_edge(triangles, open_edges,
+                     [&](std::uint32_t a, std::uint32_t b) { unsorted[cursor[a]++] = b; });
+
+  cursor.assign(offsets.begin(), offsets.end() - 1);
+  graph.neighbors.resize(offsets.back());
+  bool repeats = false;
+  for (std::uint32_t v = 0; v < vertex_count; ++v) {
+    for (std::uint32_t e = offsets[v]; e < offsets[v + 1]; ++e) {
+      const std::uint32_t w = unsorted[e];
+      const std::uint32_t place = cursor[w]++;
+      graph.neighbors[place] = v;
+      const std::uint32_t has_others = place > offsets[w] ? 1 : 0;
+      repeats |= (graph.neighbors[place - has_others] == v) & (has_others != 0);
+    }
+  }
+  if (repeats) drop_repeated(graph);
+  return graph;
 }
 
 Components find_components(const Adjacency& graph) {

@@ -4,6 +4,7 @@
 // The graph of a triangle soup: which vertices share an edge.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -28,6 +29,14 @@ struct Adjacency {
 /// `triangles`: m x 3 indices below `vertex_count`, m at most 2^29; degenerate and duplicate faces are
 /// welcome. O(n + m).
 Adjacency build_adjacency(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count);
+
+/// From one vertex to another.
+using DirectedEdge = std::array<std::uint32_t, 2>;
+
+/// The same, faster, for one who knows the open edges: with these turned round, every edge of a face comes as
+/// often in the one direction as in the other. Open edges make up closed loops.
+Adjacency build_adjacency(std::span<const std::uint32_t> triangles, std::span<const DirectedEdge> open_edges,
+                          std::uint32_t vertex_count);
 
 /// Connected components of the graph, numbered by their smallest vertex; an isolated vertex is one.
 struct Components {
