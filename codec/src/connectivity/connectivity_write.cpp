@@ -18,7 +18,7 @@
 #include "connectivity/traversal.h"
 #include "entropy/compact_writer.h"
 #include "entropy/planes.h"
-#include "topology/component_count.h"
+#include "topology/vertex_runs.h"
 
 namespace deltamesh {
 namespace {
@@ -34,7 +34,7 @@ class VertexNumbers {
   bool has(std::uint32_t vertex) const noexcept { return number_[vertex] != kNoIndex; }
 
   /// The vertices to come are of the next component of manifold vertices.
-  void start() { first_of_start_.push_back(static_cast<std::uint32_t>(order_.size())); }
+  void start() { runs_.begin(static_cast<std::uint32_t>(order_.size())); }
 
   /// The next manifold vertex is one of `vertex`.
   void add(std::uint32_t vertex) {
@@ -53,10 +53,9 @@ class VertexNumbers {
 
   /// Components of the mesh: those of manifold vertices, of which glued ones are the same, and vertices that
   /// were never added. Before take_order().
-  std::uint32_t count_components() const {
-    const auto starts = static_cast<std::uint32_t>(first_of_start_.size());
-    return deltamesh::count_components(joined_, starts) +
-           static_cast<std::uint32_t>(number_.size() - order_.size());
+  std::uint32_t count_components() {
+    runs_.end(static_cast<std::uint32_t>(order_.size()));
+    return runs_.count(static_cast<std::uint32_t>(number_.size()));
   }
 
   /// Vertices by number; those that were never added come last, ascending.
@@ -80,16 +79,7 @@ class VertexNumbers {
     glued_.targets.push_back(zigzag(static_cast<std::int32_t>(target - last_target_)));
     fresh_before_ += fresh;
     last_target_ = target;
-    join_starts(target);
-  }
-
-  /// The component in the making and that which `number` came with are one.
-  void join_starts(std::uint32_t number) {
-    const auto now = static_cast<std::uint32_t>(first_of_start_.size() - 1);
-    if (number >= first_of_start_[now]) return;
-    const auto after = std::upper_bound(first_of_start_.begin(), first_of_start_.end(), number);
-    const auto then = static_cast<std::uint32_t>(after - first_of_start_.begin() - 1);
-    joined_.insert(joined_.end(), {then, now, now});
+    runs_.join(target);
   }
 
   std::vector<std::uint32_t> number_;
@@ -98,8 +88,7 @@ class VertexNumbers {
   GlueList glued_;
   std::uint32_t fresh_before_ = 0;  ///< vertices that came before the last glued one
   std::uint32_t last_target_ = 0;
-  std::vector<std::uint32_t> first_of_start_;  ///< the vertex to come when a component began
-  std::vector<std::uint32_t> joined_;          ///< as triangles over components
+  VertexRuns runs_;  ///< of vertices whose manifold vertices hang together
 };
 
 /// Finds every op in the mesh and writes it down.

@@ -20,6 +20,7 @@ std::uint32_t VertexRuns::set_of(std::uint32_t run) noexcept {
 }
 
 void VertexRuns::join(std::uint32_t vertex) {
+  if (vertex >= first_.back()) return;
   const auto after = std::upper_bound(first_.begin(), first_.end(), vertex);
   std::uint32_t a = set_of(static_cast<std::uint32_t>(after - first_.begin()) - 1);
   std::uint32_t b = set_of(static_cast<std::uint32_t>(first_.size()) - 1);
