@@ -15,7 +15,7 @@ constexpr std::size_t kFewestVertices = 60;
 
 /// More say nothing new, or not much.
 constexpr std::size_t kMostSamples = 1U << 19;
-constexpr std::size_t kQuickSamples = 1U << 16;
+constexpr std::size_t kQuickSamples = 1U << 13;
 
 /// One step, squared, in the units of LocalMeans.
 constexpr double kStepSquared = 256;
