@@ -203,6 +203,7 @@ std::optional<PredictiveTrials::Trial> PredictiveTrials::keep_on_voxels(const Bo
       best = std::move(trial);
       enough = now;
       levels = std::max(std::ceil(now * load), now / 4.0);
+      if (effort_ == 0 && levels >= now) break;
     } else {
       too_few = now;
       levels = std::ceil(now * std::min(load, 4.0));
@@ -239,7 +240,8 @@ Result<GeometryChoice> PredictiveTrials::keep_bounds(const Bounds& bounds) const
   if (voxels() && (effort_ > 0 || are_voxels_enough(bounds))) {
     if (const auto trial = keep_on_voxels(bounds, *voxels())) keep_smaller(code(*trial));
     if (best && effort_ == 0) return *std::move(best);
-  } else if (const auto axes = fit_axes(values_, input_.box); has_grid(axes, first_step(bounds))) {
+  } else if (const auto axes = fit_axes(values_, input_.box, first_step(bounds) / 8);
+             has_grid(axes, first_step(bounds))) {
     // Axes of their own come first: effort 0 takes them, others compare.
     if (const auto trial = keep_on_lattice(bounds, axes)) keep_smaller(code(*trial));
     if (best && effort_ == 0) return *std::move(best);

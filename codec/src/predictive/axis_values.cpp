@@ -2,11 +2,15 @@
 // Copyright 2026 The deltamesh authors
 #include "predictive/axis_values.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 
 namespace deltamesh {
 namespace {
+
+constexpr std::size_t kFew = 2048;
+constexpr std::size_t kFewestRepeats = kFew / 25;
 
 constexpr unsigned kDigits = 3;
 constexpr unsigned kDigitBits = 11;
@@ -52,18 +56,30 @@ std::vector<float> sort_values(std::span<const Vec3> positions, std::size_t axis
   return values;
 }
 
-bool AxisValues::has_repeats(std::size_t axis) const {
-  constexpr std::size_t kSample = 2048;
-  constexpr std::size_t kFewest = kSample / 25;
-  if (positions_.size() <= kSample) return true;
-  if (!repeats_[axis]) {
-    const std::size_t stride = positions_.size() / kSample;
-    const std::vector<float> sample = sort_values(positions_.first(kSample * stride), axis, stride);
-    std::size_t repeats = 0;
-    for (std::size_t i = 1; i < sample.size(); ++i) repeats += sample[i] == sample[i - 1] ? 1 : 0;
-    repeats_[axis] = repeats >= kFewest;
+const std::vector<float>& AxisValues::few(std::size_t axis) const {
+  if (few_[axis].empty()) {
+    const std::size_t stride = std::max<std::size_t>(positions_.size() / kFew, 1);
+    few_[axis] = sort_values(positions_.first(std::min(positions_.size(), kFew * stride)), axis, stride);
   }
-  return *repeats_[axis];
+  return few_[axis];
+}
+
+bool AxisValues::has_repeats(std::size_t axis) const {
+  if (positions_.size() <= kFew) return true;
+  const std::vector<float>& values = few(axis);
+  std::size_t repeats = 0;
+  for (std::size_t i = 1; i < values.size(); ++i) repeats += values[i] == values[i - 1] ? 1 : 0;
+  return repeats >= kFewestRepeats;
+}
+
+std::size_t AxisValues::count_distances(std::size_t axis, double least, double most) const {
+  const std::vector<float>& values = few(axis);
+  std::size_t count = 0;
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    const double distance = double{values[i]} - values[i - 1];
+    count += distance > least && distance < most ? 1 : 0;
+  }
+  return count;
 }
 
 std::span<const float> AxisValues::sorted(std::size_t axis) const {

@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -31,13 +30,19 @@ class AxisValues {
   /// sort them all.
   bool has_repeats(std::size_t axis) const;
 
+  /// Of some 2000 values, how many neighbours are more than `least` and less than `most` apart.
+  std::size_t count_distances(std::size_t axis, double least, double most) const;
+
   /// The sample's values of an axis, ascending. O(n).
   std::span<const float> sorted(std::size_t axis) const;
 
  private:
+  /// Some 2000 values, ascending; all where there are no more.
+  const std::vector<float>& few(std::size_t axis) const;
+
   std::span<const Vec3> positions_;
   std::size_t stride_;
-  mutable std::array<std::optional<bool>, 3> repeats_;
+  mutable std::array<std::vector<float>, 3> few_;
   mutable std::array<std::vector<float>, 3> sorted_;
 };
 

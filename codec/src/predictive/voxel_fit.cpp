@@ -70,6 +70,21 @@ double usual_distance(std::span<const Plane> planes, double share = 0.5) {
   return sum / static_cast<double>(count);
 }
 
+/// Whether most planes that are a few distances apart are whole distances apart.
+bool makes_comb(std::span<const Plane> planes, double distance) noexcept {
+  constexpr double kFew = 6.5;
+  constexpr double kOff = 0.1;
+  std::size_t near = 0;
+  std::size_t whole = 0;
+  for (std::size_t i = 1; i < planes.size(); ++i) {
+    const double turns = (planes[i].place - planes[i - 1].place) / distance;
+    if (turns > kFew) continue;
+    ++near;
+    whole += std::abs(turns - nearest(turns)) < kOff && turns > 0.5 ? 1 : 0;
+  }
+  return 5 * whole > 2 * near;
+}
+
 struct Comb {
   double origin;
   double distance;
@@ -101,7 +116,7 @@ Comb refine(std::span<const Plane> planes, const Comb& comb, double tolerance) {
   double sum_ip = 0;
   for (const Plane& plane : planes) {
     const double turns = (plane.place - comb.origin) / comb.distance;
-    const double index = std::round(turns);
+    const double index = nearest(turns);
     if (std::abs(turns - index) > tolerance) continue;
     const double place = plane.place - comb.origin;
     count += 1;
@@ -160,7 +175,7 @@ std::optional<VoxelFit> fit_voxels(const AxisValues& values, const Box& box) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     planes[axis] = find_planes(values, axis, noise, kFewestEqual);
     const double found = usual_distance(planes[axis]);
-    if (found > 0 && planes[axis].size() > most) {
+    if (found > 0 && makes_comb(planes[axis], found) && planes[axis].size() > most) {
       most = planes[axis].size();
       distance = found;
     }
@@ -195,16 +210,18 @@ std::optional<VoxelFit> fit_voxels(const AxisValues& values, const Box& box) {
   return fit;
 }
 
-std::array<AxisGrid, 3> fit_axes(const AxisValues& values, const Box& box) {
+std::array<AxisGrid, 3> fit_axes(const AxisValues& values, const Box& box, double finest) {
   const std::span<const Vec3> positions = values.positions();
   constexpr double kFinestShare = 0.1;
   constexpr double kOff = 0.05;  // sources are rounded, to decimals say
+  constexpr std::size_t kMostBetween = 8;
   std::array<AxisGrid, 3> grids{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double noise = std::max(std::abs(box.min[axis]), std::abs(box.max[axis])) * 0x1p-22;
+    if (values.count_distances(axis, 2 * noise, finest / 2) > kMostBetween) continue;
     const std::vector<Plane> planes = find_planes(values, axis, noise, 1);
     Comb comb{0, usual_distance(planes, kFinestShare)};
-    if (!(comb.distance > 8 * noise)) continue;
+    if (!(comb.distance > std::max(8 * noise, finest))) continue;
     comb.origin = planes[0].place;
     for (const double tolerance : {0.1, 0.05, 0.02}) comb = refine(planes, comb, tolerance);
     const bool all = std::all_of(positions.begin(), positions.end(), [&](const Vec3& position) {

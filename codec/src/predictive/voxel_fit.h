@@ -32,8 +32,9 @@ struct AxisGrid {
   double origin = 0;
   double step = 0;  ///< 0 where there is none
 };
-/// What quantised sources and heights over a grid have: all vertices, not only those of the sample. O(n).
-std::array<AxisGrid, 3> fit_axes(const AxisValues& values, const Box& box);
+/// What quantised sources and heights over a grid have: all vertices, not only those of the sample. `finest`:
+/// a smaller step is not looked for. O(n).
+std::array<AxisGrid, 3> fit_axes(const AxisValues& values, const Box& box, double finest = 0);
 
 /// cubic_lattice(), but with the own steps of axes that have a grid not much finer.
 PositionLattice grid_lattice(const Box& box, const std::array<AxisGrid, 3>& axes, double step) noexcept;
