@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/byte_writer.h"
+#include "base/large_vector.h"
 #include "base/prefetch.h"
 #include "base/zigzag.h"
 #include "connectivity/border.h"
@@ -112,7 +113,7 @@ class MeshGuide {
         has_plain_form_(forms == PayloadForms::kBoth),
         face_done_(triangles.size() / 3, 0) {
     across_.reserve(std::size_t{vertex_count} + vertex_count / 8);
-    face_order_.reserve(face_done_.size());
+    reserve_large(face_order_, face_done_.size());
     face_rotation_.reserve(face_done_.size());
     new_edges_.reserve(face_done_.size());
   }

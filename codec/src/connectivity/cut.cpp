@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "base/large_vector.h"
 namespace deltamesh {
 namespace {
 
@@ -14,7 +15,11 @@ namespace {
 class Matcher {
  public:
   Matcher(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count)
-      : triangles_(triangles), heads_(vertex_count, kNoIndex), edges_(vertex_count) {}
+      : triangles_(triangles), heads_(vertex_count, kNoIndex) {
+    reserve_large(edges_, vertex_count);
+    edges_.resize(vertex_count);
+    reserve_large(opposite_, triangles.size());
+  }
 
   HalfEdges match() && {
     link_by_smaller_end();

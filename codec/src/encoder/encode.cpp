@@ -8,6 +8,7 @@
 
 #include "attributes/attribute.h"
 #include "base/guard.h"
+#include "base/large_vector.h"
 #include "base/try.h"
 #include "encoder/check_mesh.h"
 #include "encoder/chunk_list.h"
@@ -41,7 +42,7 @@ void report_progress(const EncodeOptions& options, double share) {
 
 std::vector<Vec3> gather_positions(const MeshView& mesh, const std::vector<std::uint32_t>& input_vertices) {
   std::vector<Vec3> positions;
-  positions.reserve(input_vertices.size());
+  reserve_large(positions, input_vertices.size());
   for (const std::uint32_t v : input_vertices) {
     const float* p = mesh.positions.data() + 3 * std::size_t{v};
     positions.push_back({p[0], p[1], p[2]});

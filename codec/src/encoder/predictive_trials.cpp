@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/large_vector.h"
 #include "base/try.h"
 #include "encoder/coder_forecast.h"
 #include "encoder/position_forms.h"
@@ -63,7 +64,7 @@ Quality positional_quality(std::span<const Vec3> positions, std::span<const Cell
 double visual_error(const PredictiveInput& input, std::span<const Cell> cells,
                     const PositionLattice& lattice) {
   std::vector<Vec3> decoded;
-  decoded.reserve(cells.size());
+  reserve_large(decoded, cells.size());
   for (const Cell& cell : cells) decoded.push_back(decoded_position(lattice, cell));
   return measure_vde(input.edges, input.positions, decoded);
 }

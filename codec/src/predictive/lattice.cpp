@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/large_vector.h"
 namespace deltamesh {
 
 double finest_step(const Box& box) noexcept { return box.longest_side() / kMostCells * (1 + 1e-9); }
@@ -19,7 +20,9 @@ PositionLattice cubic_lattice(const Box& box, double step) noexcept {
 }
 
 std::vector<Cell> to_cells(std::span<const Vec3> positions, const PositionLattice& lattice) {
-  std::vector<Cell> cells(positions.size());
+  std::vector<Cell> cells;
+  reserve_large(cells, positions.size());
+  cells.resize(positions.size());
   for (std::size_t v = 0; v < cells.size(); ++v) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double q = (positions[v][axis] - lattice.origin[axis]) / lattice.step[axis];

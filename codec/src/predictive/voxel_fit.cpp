@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/large_vector.h"
 #include "predictive/lattice.h"
 #include "predictive/rounding.h"
 
@@ -253,7 +254,9 @@ PositionLattice grid_lattice(const Box& box, const std::array<AxisGrid, 3>& axes
 std::optional<VoxelCells> to_voxel_cells(std::span<const Vec3> positions, const Box& box, const VoxelFit& fit,
                                          std::uint32_t levels) {
   const double voxel = 2.0 * levels;
-  VoxelCells result{.lattice = {.origin = fit.origin}, .cells = std::vector<Cell>(positions.size())};
+  VoxelCells result{.lattice = {.origin = fit.origin}, .cells = {}};
+  reserve_large(result.cells, positions.size());
+  result.cells.resize(positions.size());
   for (std::size_t axis = 0; axis < 3; ++axis) {
     result.lattice.step[axis] = fit.voxel[axis] / voxel;
     const double nodes = std::ceil((box.max[axis] - fit.origin[axis]) / fit.voxel[axis]) + 1;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/large_vector.h"
 #include "base/two_doubles.h"
 
 namespace deltamesh {
@@ -34,8 +35,10 @@ class LaplacianPair {
   LaplacianPair(std::span<const Vec3> original, std::span<const Vec3> decoded)
       : original_(original),
         decoded_(decoded),
-        shortest_(kShortestEdge * diagonal_of(original)),
-        sums_(original.size()) {}
+        shortest_(kShortestEdge * diagonal_of(original)) {
+    reserve_large(sums_, original.size());
+    sums_.resize(original.size());
+  }
 
   /// Every edge once, in either direction.
   void add_edge(std::uint32_t a, std::uint32_t b) noexcept {
