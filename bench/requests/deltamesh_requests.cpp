@@ -15,6 +15,7 @@
 #include "deltamesh/decode.h"
 #include "deltamesh/encode.h"
 #include "peers/peer.h"
+#include "report/geometric_mean.h"
 #include "requests/acceptance_table.h"
 #include "requests/request_rows.h"
 #include "run/bench_mesh.h"
@@ -101,17 +102,43 @@ void add_mesh(const Options& options, const MeshSource& source, const Mesh& mesh
   std::fprintf(stderr, " %.0f s\n", processor_seconds() - start);
 }
 
-void print_lossless_and_time(const MeshSource& source, const Mesh& mesh) {
+/// Our time over Draco's, over meshes.
+struct Race {
+  GeometricMean ratio;
+  int meshes = 0;
+  int at_least_as_fast = 0;
+
+  void add(double ours, double draco) {
+    ratio.add(ours / draco);
+    ++meshes;
+    at_least_as_fast += ours <= draco ? 1 : 0;
+  }
+  void print(const char* name) const {
+    if (const auto mean = ratio.value())
+      std::printf("%s: geometric mean %.2f of Draco's time; %d of %d meshes at least as fast.\n", name, *mean,
+                  at_least_as_fast, meshes);
+  }
+};
+
+struct Races {
+  Race decode;
+  Race encode;
+};
+
+void print_lossless_and_time(const MeshSource& source, const Mesh& mesh, Races& races) {
   const auto lossless = compare_lossless(mesh);
   const auto times = compare_times(mesh);
   if (!lossless || !times) {
     std::printf("| %s | failed |\n", source.name.c_str());
     return;
   }
-  std::printf("| %s | %.3f%s | %.0f | %.0f | %.0f | %.0f |\n", source.name.c_str(), lossless->ratio,
-              lossless->exact ? "" : " NOT EXACT", times->decode_ns, times->draco_decode_ns, times->encode_ns,
-              times->draco_encode_ns);
+  std::printf("| %s | %.3f%s | %.0f | %.0f | %.0f | %.0f | %d | %.3f | %.3f |\n", source.name.c_str(),
+              lossless->ratio, lossless->exact ? "" : " NOT EXACT", times->decode_ns, times->draco_decode_ns,
+              times->encode_ns, times->draco_encode_ns, times->effort, times->bytes_per_vertex,
+              times->draco_bytes_per_vertex);
   std::fflush(stdout);
+  races.decode.add(times->decode_ns, times->draco_decode_ns);
+  races.encode.add(times->encode_ns, times->draco_encode_ns);
 }
 
 void print_acceptance(const Options& options, const std::vector<MeshSource>& sources) {
@@ -131,11 +158,16 @@ int run(const Options& options) {
               options.effort);
   if (!options.times_alone) print_acceptance(options, sources);
   std::printf(
-      "\n| mesh | lossless over zstd -19 | decode ns per vertex | Draco cl 7 | encode, effort 0 | Draco cl 7 "
-      "|\n|---|---|---|---|---|---|\n");
+      "\n| mesh | lossless over zstd -19 | decode ns per vertex | Draco cl 7 | encode ns per vertex | Draco "
+      "cl 7 "
+      "| at effort | bytes per vertex | Draco cl 7 |\n|---|---|---|---|---|---|---|---|---|\n");
+  Races races;
   for (const MeshSource& source : sources) {
-    if (const auto loaded = source.load()) print_lossless_and_time(source, welded_geometry(*loaded));
+    if (const auto loaded = source.load()) print_lossless_and_time(source, welded_geometry(*loaded), races);
   }
+  std::printf("\n");
+  races.decode.print("Decode");
+  races.encode.print("Encode");
   return 0;
 }
 

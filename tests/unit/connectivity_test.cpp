@@ -17,6 +17,8 @@
 #include "connectivity/op_tokens.h"
 #include "entropy/planes.h"
 #include "support/soups.h"
+#include "topology/adjacency.h"
+#include "topology/mesh_edges.h"
 
 namespace deltamesh {
 namespace {
@@ -75,6 +77,37 @@ TEST(Connectivity, CONN8RoundTripsEverySoup) {
     EXPECT_EQ(read->triangles, coded.triangles) << soup.name;
     expect_same_graph(*read, soup);
     EXPECT_EQ(write_connectivity(soup.triangles, soup.vertex_count).payload, coded.payload) << soup.name;
+  }
+}
+
+TEST(Connectivity, TheWriterKnowsComponentsAndEdges) {
+  std::size_t simple = 0;
+  for (const Soup& soup : test::awkward_soups()) {
+    const CodedConnectivity coded = write_connectivity(soup.triangles, soup.vertex_count);
+    EXPECT_EQ(coded.components, find_components(build_adjacency(coded.triangles, soup.vertex_count)).count)
+        << soup.name;
+    if (coded.new_edges.empty()) continue;
+    ++simple;
+    EXPECT_EQ(coded.new_edges, find_edges(coded.triangles, soup.vertex_count).visited) << soup.name;
+  }
+  EXPECT_GT(simple, 4U);
+  EXPECT_EQ(write_connectivity(Indices{0, 1, 2, 3, 4, 5, 0, 6, 3}, 8).components, 2U);
+}
+
+TEST(Connectivity, ASimpleMeshHasNoEdgeTwiceInADirection) {
+  EXPECT_TRUE(match_half_edges(Indices{0, 1, 2, 2, 1, 3}, 4).simple);
+  EXPECT_FALSE(match_half_edges(Indices{0, 1, 2, 1, 2, 3}, 4).simple);
+  EXPECT_FALSE(match_half_edges(Indices{0, 1, 2, 2, 1, 3, 2, 1, 4}, 5).simple);
+  EXPECT_FALSE(match_half_edges(Indices{0, 1, 1}, 2).simple);
+}
+
+TEST(Connectivity, TheCompactFormAloneIsTheSame) {
+  for (const Soup& soup : test::awkward_soups()) {
+    const auto both = write_connectivity(soup.triangles, soup.vertex_count);
+    const auto compact = write_connectivity(soup.triangles, soup.vertex_count, PayloadForms::kCompact);
+    EXPECT_TRUE(compact.payload.empty());
+    EXPECT_EQ(compact.compact, both.compact) << soup.name;
+    EXPECT_EQ(compact.triangles, both.triangles) << soup.name;
   }
 }
 

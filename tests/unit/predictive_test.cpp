@@ -303,6 +303,31 @@ TEST(Voxels, PartlyGriddedMeshesComeBack) {
   EXPECT_LE(largest_error(mesh, *encoded), 0.004);
 }
 
+TEST(AxisValues, AscendAsNumbersDo) {
+  std::vector<Vec3> positions;
+  std::uint32_t state = 5;
+  for (int i = 0; i < 5000; ++i) {
+    state = state * 1664525 + 1013904223;
+    const double x = static_cast<float>(static_cast<std::int32_t>(state)) * (i % 3 == 0 ? 1e-30F : 1e-3F);
+    positions.push_back({x, i % 2 == 0 ? 0.0 : -0.0, static_cast<double>(i % 9)});
+  }
+  const AxisValues all(positions);
+  const AxisValues some(positions, 2000);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    EXPECT_EQ(all.sorted(axis).size(), 5000U);
+    EXPECT_TRUE(std::is_sorted(all.sorted(axis).begin(), all.sorted(axis).end()));
+    EXPECT_EQ(some.sorted(axis).size(), 1667U);
+    double sum = 0;
+    for (const float x : all.sorted(axis)) sum += x;
+    for (const Vec3& position : positions) sum -= position[axis];
+    EXPECT_NEAR(sum, 0, 1e-2);
+  }
+  EXPECT_FALSE(all.has_repeats(0));
+  EXPECT_TRUE(all.has_repeats(1));
+  EXPECT_TRUE(all.has_repeats(2));
+  EXPECT_EQ(all.count_distances(2, 0.5, 1.5), 8U);
+}
+
 TEST(Voxels, TheGridIsFound) {
   const Mesh mesh = room();
   std::vector<Vec3> positions;

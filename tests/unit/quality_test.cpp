@@ -76,6 +76,17 @@ TEST(Quality, ZeroLengthEdgesStayFinite) {
   EXPECT_EQ(quality.max_error, 0);
 }
 
+TEST(Quality, EdgesGiveTheSameVdeAsAGraph) {
+  const GraphMesh mesh = test::sheet(30, 20);
+  std::vector<Vec3> decoded = mesh.positions;
+  for (std::size_t v = 0; v < decoded.size(); v += 3) decoded[v][v % 2] += 0.01 * static_cast<double>(v % 7);
+  const double vde = measure_quality(mesh.graph, mesh.positions, decoded).vde_rms;
+  const auto count = static_cast<std::uint32_t>(mesh.positions.size());
+  const MeshEdges edges = find_edges(mesh.triangles, count);
+  EXPECT_NEAR(measure_vde(edges, mesh.positions, decoded), vde, 1e-12 * vde);
+  EXPECT_EQ(measure_vde(edges, mesh.positions, mesh.positions), 0);
+}
+
 TEST(Quality, AnEmptyMeshHasNoError) {
   const GraphMesh mesh = test::finish({});
   EXPECT_EQ(measure_quality(mesh.graph, {}, {}).lfe_rms, 0);

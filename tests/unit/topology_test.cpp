@@ -6,9 +6,11 @@
 #include <limits>
 #include <random>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "topology/adjacency.h"
+#include "topology/mesh_edges.h"
 #include "topology/subgraph.h"
 #include "topology/vertex_runs.h"
 #include "topology/weld.h"
@@ -66,6 +68,15 @@ TEST(Adjacency, DegenerateAndDuplicateFaces) {
   ASSERT_EQ(graph.vertex_count(), 6U);
   EXPECT_EQ(graph.offsets, (LargeVector<std::uint32_t>{0, 2, 5, 7, 8, 8, 8}));
   EXPECT_EQ(graph.neighbors, (LargeVector<std::uint32_t>{1, 2, 0, 2, 3, 0, 1, 1}));
+}
+
+TEST(MeshEdges, EveryEdgeOnce) {
+  const Indices triangles{0, 1, 2, 2, 1, 0, 3, 3, 1, 4, 4, 4};
+  const MeshEdges edges = find_edges(triangles, 6);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> visited;
+  edges.for_each([&](std::uint32_t a, std::uint32_t b) { visited.emplace_back(a, b); });
+  EXPECT_EQ(visited, (std::vector<std::pair<std::uint32_t, std::uint32_t>>{{0, 1}, {1, 2}, {2, 0}, {3, 1}}));
+  EXPECT_EQ(edges.lone_vertices, (std::vector<std::uint32_t>{4, 5}));
 }
 
 TEST(Adjacency, EmptyGraph) {
