@@ -31,7 +31,7 @@ struct CodedConnectivity {
   /// Parts of the mesh that share no vertex; an unreferenced vertex is one.
   std::uint32_t components = 0;
   /// m: bit k is set where no face before has the edge from the coded face's corner k to its next. Empty
-  /// where the mesh is not simple [HalfEdges].
+  /// where a face has a vertex twice.
   std::vector<std::uint8_t> new_edges;
 };
 

@@ -147,8 +147,10 @@ class MeshGuide {
   std::vector<std::uint32_t> take_face_order() noexcept { return std::move(face_order_); }
   std::vector<std::uint8_t> take_face_rotation() noexcept { return std::move(face_rotation_); }
   /// CodedConnectivity::new_edges.
-  std::vector<std::uint8_t> take_new_edges() noexcept {
-    return half_edges_.simple ? std::move(new_edges_) : std::vector<std::uint8_t>();
+  std::vector<std::uint8_t> take_new_edges() {
+    if (half_edges_.degenerate) return {};
+    drop_repeated_edges();
+    return std::move(new_edges_);
   }
 
  private:
@@ -219,6 +221,16 @@ class MeshGuide {
     const std::uint32_t reference = find_reference(border, gate, target);
     references_.push_back(static_cast<std::byte>(reference));
     if (reference == kFarReference) far_targets_.push_back(target);
+  }
+
+  /// Of the manifold edges between two vertices one stands for all.
+  void drop_repeated_edges() {
+    if (half_edges_.repeated.empty()) return;
+    std::vector<std::uint8_t> repeated(face_done_.size());
+    for (const std::uint32_t h : half_edges_.repeated)
+      repeated[h / 3] |= static_cast<std::uint8_t>(9U << h % 3);  // once more, so that it can be turned
+    for (std::size_t f = 0; f < new_edges_.size(); ++f)
+      new_edges_[f] &= static_cast<std::uint8_t>(~(repeated[face_order_[f]] >> face_rotation_[f]));
   }
 
   void take_face(std::uint32_t first_corner, unsigned new_edges) {
@@ -292,9 +304,9 @@ CodedConnectivity write_connectivity(std::span<const std::uint32_t> triangles, s
   renumber(coded.triangles, guide.vertices().coded());
   coded.components = guide.vertices().count_components();
   coded.vertex_order = guide.vertices().take_order();
+  coded.new_edges = guide.take_new_edges();
   coded.face_order = guide.take_face_order();
   coded.face_rotation = guide.take_face_rotation();
-  coded.new_edges = guide.take_new_edges();
   return coded;
 }
 

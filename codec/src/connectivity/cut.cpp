@@ -24,7 +24,7 @@ class Matcher {
   HalfEdges match() && {
     link_by_smaller_end();
     for (std::uint32_t v = 0; v < heads_.size(); ++v) match_edges_of(v);
-    return {std::move(opposite_), simple_};
+    return {std::move(opposite_), std::move(repeated_), degenerate_};
   }
 
  private:
@@ -60,7 +60,7 @@ class Matcher {
       const std::uint32_t b = triangles_[first + 1];
       const std::uint32_t c = triangles_[first + 2];
       if (a == b || b == c || c == a) {
-        simple_ = false;
+        degenerate_ = true;
         for (std::uint32_t k = 0; k < 3; ++k) opposite_[first + k] = kNoIndex;
         continue;
       }
@@ -91,7 +91,6 @@ class Matcher {
       all_kinds |= edge.kinds;
     }
     if ((all_kinds & kPair * kMore) == 0) return;
-    simple_ = false;
     match_crowded_edges();
   }
 
@@ -109,6 +108,8 @@ class Matcher {
           (from(spoke.half_edge) < spoke.end ? forward_ : backward_).push_back(spoke.half_edge);
         match_crowded_edge();
       }
+      for (const Spoke& spoke : std::span(begin + 1, end))
+        if (opposite_[begin->half_edge] != spoke.half_edge) repeated_.push_back(spoke.half_edge);
       begin = end;
     }
   }
@@ -137,7 +138,8 @@ class Matcher {
   std::vector<Spoke> spokes_;
   std::vector<std::uint32_t> forward_;
   std::vector<std::uint32_t> backward_;
-  bool simple_ = true;
+  std::vector<std::uint32_t> repeated_;
+  bool degenerate_ = false;
 };
 
 }  // namespace

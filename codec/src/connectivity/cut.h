@@ -20,8 +20,9 @@ constexpr std::uint32_t previous_in_face(std::uint32_t h) noexcept { return h - 
 struct HalfEdges {
   /// The half-edge matched to each of the 3m, in the other direction between the same vertices, or kNoIndex.
   std::vector<std::uint32_t> opposite;
-  /// No face has a vertex twice, and no two half-edges run from the same vertex to the same vertex.
-  bool simple = true;
+  /// Of the half-edges between two vertices all but one and its match, vertex after vertex.
+  std::vector<std::uint32_t> repeated;
+  bool degenerate = false;  ///< some face has a vertex twice
 };
 
 /// `triangles`: m x 3 indices below `vertex_count`, m at most 2^29. A face with a repeated vertex stays

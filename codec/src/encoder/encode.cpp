@@ -66,7 +66,7 @@ void set_box(FileHeader& header, const std::vector<Vec3>& positions) {
   }
 }
 
-/// All edges of the coded mesh, which the connectivity's writer has met already if the mesh is simple.
+/// All edges of the coded mesh, which the connectivity's writer has mostly met already.
 MeshEdges edges_of(const CodedTopology& topology) {
   const CodedConnectivity& coded = topology.connectivity;
   const std::uint32_t count = topology.geometric_count();
