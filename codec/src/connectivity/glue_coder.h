@@ -21,7 +21,8 @@
 
 namespace deltamesh {
 
-/// The first face at every directed edge, over vertices of the mesh.
+/// The first face at every directed edge, over vertices of the mesh. The first edges out of a vertex are a
+/// list; a stream can give a vertex any number, so that the others are in a tree, which costs more.
 class EdgeApexes {
  public:
   /// What the face across a gate may be the twin of.
@@ -32,28 +33,61 @@ class EdgeApexes {
 
   Guesses guess(std::uint32_t from, std::uint32_t to) const {
     Guesses guesses;
-    if (const auto it = first_.find(key(from, to)); it != first_.end()) guesses.same = it->second.apex;
-    if (const auto it = first_.find(key(to, from)); it != first_.end() && it->second.faces > 1)
-      guesses.mirrored = it->second.apex;
+    if (const Edge* edge = find(from, to)) guesses.same = edge->apex;
+    if (const Edge* edge = find(to, from); edge != nullptr && edge->faces > 1) guesses.mirrored = edge->apex;
     return guesses;
   }
 
   void add(const std::array<std::uint32_t, 3>& face) {
     for (std::size_t k = 0; k < 3; ++k) {
-      Entry& entry = first_[key(face[k], face[(k + 1) % 3])];
-      if (entry.faces++ == 0) entry.apex = face[(k + 2) % 3];
+      Edge& edge = find_or_add(face[k], face[(k + 1) % 3]);
+      if (edge.faces++ == 0) edge.apex = face[(k + 2) % 3];
     }
   }
 
  private:
-  struct Entry {
+  static constexpr unsigned kMostListed = 24;
+  struct Edge {
     std::uint32_t apex = 0;
     std::uint32_t faces = 0;
   };
+  struct Listed {
+    Edge edge;
+    std::uint32_t to;
+    std::uint32_t next;  ///< of the same vertex
+  };
+  struct Head {
+    std::uint32_t first = kNoIndex;
+    std::uint32_t count = 0;
+  };
+
   static std::uint64_t key(std::uint32_t from, std::uint32_t to) noexcept {
     return std::uint64_t{from} << 32 | to;
   }
-  std::map<std::uint64_t, Entry> first_;  ///< a stream could make the edges of a hash table collide
+
+  const Edge* find(std::uint32_t from, std::uint32_t to) const {
+    if (from >= heads_.size()) return nullptr;
+    for (std::uint32_t i = heads_[from].first; i != kNoIndex; i = listed_[i].next)
+      if (listed_[i].to == to) return &listed_[i].edge;
+    if (heads_[from].count < kMostListed) return nullptr;
+    const auto it = more_.find(key(from, to));
+    return it == more_.end() ? nullptr : &it->second;
+  }
+
+  Edge& find_or_add(std::uint32_t from, std::uint32_t to) {
+    if (const Edge* edge = find(from, to)) return const_cast<Edge&>(*edge);
+    if (from >= heads_.size()) heads_.resize(std::size_t{from} + 1);
+    Head& head = heads_[from];
+    if (head.count == kMostListed) return more_[key(from, to)];
+    ++head.count;
+    listed_.push_back({.edge = {}, .to = to, .next = head.first});
+    head.first = static_cast<std::uint32_t>(listed_.size() - 1);
+    return listed_.back().edge;
+  }
+
+  std::vector<Head> heads_;  ///< of every vertex up to the last that came
+  std::vector<Listed> listed_;
+  std::map<std::uint64_t, Edge> more_;  ///< a stream could make the edges of a hash table collide
 };
 
 /// `Coder` is CompactWriter or CompactReader.
