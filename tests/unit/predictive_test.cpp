@@ -17,6 +17,7 @@
 #include "entropy/compact_writer.h"
 #include "format/container.h"
 #include "predictive/float_order.h"
+#include "predictive/guess_forecast.h"
 #include "predictive/lattice.h"
 #include "predictive/lattice_coder.h"
 #include "predictive/positions.h"
@@ -65,7 +66,8 @@ TEST(Predictive, POSN2POSN3POSN4POSN5POSN6POSN8POSN9CellsComeBack) {
       const auto back = read_positions(Payload::compact(bytes), faces, {.lattice = lattice}, mesh.box);
       ASSERT_TRUE(back) << back.error().message;
       EXPECT_EQ(*back, to_positions(cells, lattice));
-      const auto guessed = write_positions(faces, cells, {.lattice = lattice}, {.guesses = true});
+      const auto guessed =
+          write_positions(faces, cells, {.lattice = lattice}, {.guesses = Guessing::kAlways});
       EXPECT_EQ(*read_positions(Payload::compact(guessed), faces, {.lattice = lattice}, mesh.box), *back);
     }
   }
@@ -301,6 +303,28 @@ TEST(Voxels, PartlyGriddedMeshesComeBack) {
       encode(mesh, {.quality = {.max_error = 0.004}, .geometry = GeometryCoder::kPredictive});
   ASSERT_TRUE(encoded);
   EXPECT_LE(largest_error(mesh, *encoded), 0.004);
+}
+
+TEST(Guesses, PayWhereCoordinatesComeAgainFarFromWhatIsExpected) {
+  // Columns of a prism at uneven places, and a surface without any equal coordinates.
+  std::vector<std::uint32_t> triangles;
+  std::vector<Cell> prism;
+  std::vector<Cell> rough;
+  std::uint32_t state = 3;
+  for (std::uint32_t v = 0; v < 4000; ++v) {
+    state = state * 1664525 + 1013904223;
+    if (v % 2 == 0)
+      prism.push_back({static_cast<int>(state >> 20), static_cast<int>((state >> 8) % 4096), 7});
+    if (v % 2 == 1) prism.push_back({prism.back()[0], prism.back()[1], 900});
+    rough.push_back({static_cast<int>(10 * v + (state >> 28)), static_cast<int>(3 * v + (state >> 8) % 999),
+                     static_cast<int>((state >> 12) % 4096)});
+    if (v >= 2) triangles.insert(triangles.end(), {v - 2, v - 1, v});
+  }
+  const KnownFaces faces({triangles, 4000});
+  const std::array<std::uint32_t, 3> largest = {1U << 20, 1U << 20, 1U << 20};
+  EXPECT_TRUE(guesses_pay(faces, prism, largest, kUsualBlends));
+  EXPECT_FALSE(guesses_pay(faces, rough, largest, kUsualBlends));
+  EXPECT_FALSE(guesses_pay(KnownFaces({{}, 0}), {}, largest, kUsualBlends));
 }
 
 TEST(AxisValues, AscendAsNumbersDo) {

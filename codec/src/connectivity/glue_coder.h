@@ -31,9 +31,9 @@ class EdgeApexes {
     std::uint32_t mirrored = kNoIndex;  ///< of the first of two or more with the opposite direction
   };
 
-  Guesses guess(std::uint32_t from, std::uint32_t to) const {
+  Guesses guess(std::uint32_t from, std::uint32_t to) {
     Guesses guesses;
-    if (const Edge* edge = find(from, to)) guesses.same = edge->apex;
+    if (const Edge* edge = find(from, to); edge != nullptr) guesses.same = edge->apex;
     if (const Edge* edge = find(to, from); edge != nullptr && edge->faces > 1) guesses.mirrored = edge->apex;
     return guesses;
   }
@@ -65,7 +65,7 @@ class EdgeApexes {
     return std::uint64_t{from} << 32 | to;
   }
 
-  const Edge* find(std::uint32_t from, std::uint32_t to) const {
+  Edge* find(std::uint32_t from, std::uint32_t to) {
     if (from >= heads_.size()) return nullptr;
     for (std::uint32_t i = heads_[from].first; i != kNoIndex; i = listed_[i].next)
       if (listed_[i].to == to) return &listed_[i].edge;
@@ -75,7 +75,7 @@ class EdgeApexes {
   }
 
   Edge& find_or_add(std::uint32_t from, std::uint32_t to) {
-    if (const Edge* edge = find(from, to)) return const_cast<Edge&>(*edge);
+    if (Edge* edge = find(from, to); edge != nullptr) return *edge;
     if (from >= heads_.size()) heads_.resize(std::size_t{from} + 1);
     Head& head = heads_[from];
     if (head.count == kMostListed) return more_[key(from, to)];

@@ -43,7 +43,7 @@ PositionForm with_walk(PositionForm form, Walk walk) noexcept {
 }
 
 PositionForm with_guesses(PositionForm form, bool guesses) noexcept {
-  form.guesses = guesses;
+  form.guesses = guesses ? Guessing::kAlways : Guessing::kNever;
   return form;
 }
 
@@ -55,8 +55,10 @@ PositionForm with_fit(PositionForm form, BlendFit fit) noexcept {
 }  // namespace
 
 std::vector<std::byte> write_smallest(const WritePositions& write, bool may_guess, int effort) {
-  FormSearch search(write, {.fit = effort == 0 ? BlendFit::kSample : BlendFit::kSquares});
-  if (effort == 0 || search.size() == 0) return search.take();
+  if (effort == 0)
+    return write({.fit = BlendFit::kSample, .guesses = may_guess ? Guessing::kForecast : Guessing::kNever});
+  FormSearch search(write, {});
+  if (search.size() == 0) return search.take();
   const auto any = static_cast<double>(search.size());
   if (may_guess) search.consider(with_guesses(search.form(), true), any);
   const auto still = static_cast<double>(search.size());
@@ -65,7 +67,7 @@ std::vector<std::byte> write_smallest(const WritePositions& write, bool may_gues
   if (static_cast<double>(broad) < kDeepHopeless * still)
     search.consider(with_walk(search.form(), Walk::kDeep), most);
   if (may_guess && search.form().walk != Walk::kAsDecoded)
-    search.consider(with_guesses(search.form(), !search.form().guesses), any);
+    search.consider(with_guesses(search.form(), search.form().guesses == Guessing::kNever), any);
   search.consider(with_fit(search.form(), BlendFit::kBits), any);
   return search.take();
 }

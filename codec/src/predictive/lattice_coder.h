@@ -64,7 +64,8 @@ class LatticeCoder {
   [[gnu::always_inline]] bool code_axis(const Surroundings& around, std::span<const Cell> cells, Cell& cell) {
     const ResidualForecast forecast = history_.template forecast<kAxis>(0, largest_[kAxis]);
     if (!guesses_ ||
-        !matches_.code(kAxis, around, guess(around, cells, kAxis, forecast.whole), cell[kAxis])) {
+        !matches_.code(kAxis, around, guesses_around(around, cells, kAxis, forecast.whole, largest_[kAxis]),
+                       cell[kAxis])) {
       const std::int64_t coordinate =
           forecast.whole + residuals_.code(cell[kAxis] - forecast.whole, forecast);
       if (coordinate < 0 || coordinate > largest_[kAxis]) return false;
@@ -72,23 +73,6 @@ class LatticeCoder {
     }
     history_.template learn<kAxis>(cell[kAxis], forecast);
     return true;
-  }
-
-  /// The corners of the parallelograms, then those of the known faces [POSN-9].
-  Guesses guess(const Surroundings& around, std::span<const Cell> cells, std::size_t axis,
-                std::int64_t expected) const noexcept {
-    Guesses guesses(expected);
-    for (unsigned i = 0; i < around.known_count; ++i) {
-      const auto& [a, b, opposite] = around.known[i];
-      if (opposite == kNoVertex) continue;
-      const std::int64_t corner = std::int64_t{cells[a][axis]} + cells[b][axis] - cells[opposite][axis];
-      if (corner >= 0 && corner <= largest_[axis]) guesses.add(static_cast<std::int32_t>(corner));
-    }
-    for (unsigned i = 0; i < around.known_count; ++i) {
-      guesses.add(cells[around.known[i].a][axis]);
-      guesses.add(cells[around.known[i].b][axis]);
-    }
-    return guesses;
   }
 
   const KnownFaces& faces_;

@@ -9,9 +9,11 @@
 #include <array>
 #include <cstdint>
 #include <cstdlib>
+#include <span>
 #include <vector>
 
 #include "entropy/compact_model.h"
+#include "predictive/blend.h"
 #include "predictive/surroundings.h"
 
 namespace deltamesh {
@@ -48,6 +50,24 @@ class Guesses {
   std::array<std::int32_t, kMost> values_{};
   unsigned count_ = 0;
 };
+
+/// The corners of the parallelograms, as far as they are 0 to `largest`, then those of the known faces
+/// [POSN-9].
+inline Guesses guesses_around(const Surroundings& around, std::span<const Cell> cells, std::size_t axis,
+                              std::int64_t expected, std::uint32_t largest) noexcept {
+  Guesses guesses(expected);
+  for (unsigned i = 0; i < around.known_count; ++i) {
+    const auto& [a, b, opposite] = around.known[i];
+    if (opposite == kNoVertex) continue;
+    const std::int64_t corner = std::int64_t{cells[a][axis]} + cells[b][axis] - cells[opposite][axis];
+    if (corner >= 0 && corner <= largest) guesses.add(static_cast<std::int32_t>(corner));
+  }
+  for (unsigned i = 0; i < around.known_count; ++i) {
+    guesses.add(cells[around.known[i].a][axis]);
+    guesses.add(cells[around.known[i].b][axis]);
+  }
+  return guesses;
+}
 
 template <class Coder>
 class MatchCoder {

@@ -5,6 +5,7 @@
 #include "entropy/compact_writer.h"
 #include "predictive/blend_fit.h"
 #include "predictive/float_coder.h"
+#include "predictive/guess_forecast.h"
 #include "predictive/lattice_coder.h"
 #include "predictive/positions.h"
 #include "predictive/voxel_coder.h"
@@ -51,9 +52,11 @@ std::vector<std::byte> write_cells(const KnownFaces& faces, std::vector<Cell> ce
     write_with(VoxelCoder(writer, faces, lattice.cells, parameters.levels, blends));
     return writer.finish();
   }
-  writer.bits(form.guesses ? 1 : 0, 1);
+  const bool guesses = form.guesses == Guessing::kForecast ? guesses_pay(faces, cells, lattice.cells, blends)
+                                                           : form.guesses == Guessing::kAlways;
+  writer.bits(guesses ? 1 : 0, 1);
   writer.bits(patches.empty() ? 0 : 1, 1);
-  write_with(LatticeCoder(writer, faces, lattice.cells, blends, form.guesses));
+  write_with(LatticeCoder(writer, faces, lattice.cells, blends, guesses));
   if (!patches.empty()) code_patches(writer, patches, 3 * cells.size());
   return writer.finish();
 }

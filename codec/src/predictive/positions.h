@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -19,11 +20,13 @@
 
 namespace deltamesh {
 
+enum class Guessing : std::uint8_t { kNever, kAlways, kForecast };  ///< kForecast: where a sample says so
+
 /// What a writer is free to choose.
 struct PositionForm {
   Walk walk = Walk::kAsDecoded;
   BlendFit fit = BlendFit::kSquares;
-  bool guesses = false;  ///< of kLattice: suits flat and swept surfaces [POSN-9]
+  Guessing guesses = Guessing::kNever;  ///< of kLattice: suits flat and swept surfaces [POSN-9]
 };
 
 /// The POSN payload, compact, of `cells`, one for every vertex of `faces`, within the lattice; empty for no
