@@ -107,7 +107,7 @@ Result<std::vector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, c
   if (!solution.empty()) {
     DELTAMESH_CHECK(solver.solve(anchor_rows(symbols.anchors, part),
                                  DeltaView(symbols.deltas, scale_of(parameters)),
-                                 anchor_targets(symbols, part, box, parameters), solution));
+                                 anchor_targets(symbols, part, box, parameters), parameters.cycles, solution));
   }
   return to_positions(std::move(solution), symbols, part, box, parameters);
 }
@@ -121,7 +121,8 @@ Result<std::vector<Vec3>> reconstruct_highpass_once(HighpassSymbols symbols, Sol
                                 .anchors = anchor_rows(symbols.anchors, part),
                                 .symbols = std::exchange(symbols.deltas, {}),
                                 .scale = scale_of(parameters),
-                                .targets = anchor_targets(symbols, part, box, parameters)};
+                                .targets = anchor_targets(symbols, part, box, parameters),
+                                .cycles = parameters.cycles};
     DELTAMESH_TRY(solution, solve_once(std::move(problem)));
   }
   return to_positions(std::move(solution), symbols, part, box, parameters);

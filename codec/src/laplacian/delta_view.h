@@ -4,6 +4,7 @@
 // Delta coordinates as the solvers read them: doubles, or the whole numbers that a stream codes them as.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -21,9 +22,9 @@ struct DeltaScale {
   double more = 0;
 
   double value(std::int32_t q) const noexcept {
-    if (q == 0) return 0;
-    const double size = q < 0 ? -static_cast<double>(q) : static_cast<double>(q);
-    const double magnitude = size - (size == 1 ? one : more);
+    const double size = std::abs(static_cast<double>(q));
+    const double shift = size > 1 ? more : (size == 1 ? one : 0);
+    const double magnitude = size - shift;
     return step * (q < 0 ? -magnitude : magnitude);
   }
 };

@@ -5,13 +5,11 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
-#include "laplacian/multigrid_coarsest.h"
 #include "laplacian/multigrid_level.h"
-#include "laplacian/multigrid_two_steps.h"
+#include "laplacian/multigrid_level_solver.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh::multigrid {
@@ -23,21 +21,20 @@ namespace deltamesh::multigrid {
 /// setup only.
 class MultigridCycle {
  public:
-  /// The graph's components have about the same number of vertices per anchor; `depth` fits them. Cost O(n +
-  /// edges).
-  MultigridCycle(const Adjacency& graph, const Components& components, std::span<const std::uint32_t> anchors,
-                 std::uint32_t depth);
+  /// `levels`, which must outlive this: those of a graph whose components have about the same number of
+  /// vertices per anchor; `is_last_resort`: there is but one, as asked.
+  MultigridCycle(std::span<const Level> levels, const Components& components, bool is_last_resort);
   MultigridCycle(const MultigridCycle&) = delete;
   MultigridCycle& operator=(const MultigridCycle&) = delete;
 
   /// Right-hand sides, to be filled in by the caller: b_x = D delta per vertex (the s part is the forces'),
   /// c_a.
-  Float4& delta(std::uint32_t vertex) noexcept { return vectors_.front().b[vertex].x; }
+  Float4& delta(std::uint32_t vertex) noexcept { return solver_.vectors(0).b[vertex].x; }
   Float4& target(std::size_t anchor) noexcept { return targets_[anchor]; }
 
   /// The solution so far: x and s per vertex, f per anchor.
-  std::span<Row> solution() noexcept { return vectors_.front().u; }
-  Float4& force(std::size_t anchor) noexcept { return vectors_.front().b[levels_.front().anchors[anchor]].s; }
+  std::span<Row> solution() noexcept { return solver_.vectors(0).u; }
+  Float4& force(std::size_t anchor) noexcept { return solver_.vectors(0).b[finest_.anchors[anchor]].s; }
 
   /// A first solution from the second level, whatever was there before.
   void start();
@@ -47,39 +44,15 @@ class MultigridCycle {
 
   /// Makes the second coarsest level the coarsest until start() is called: dearer cycles that converge
   /// faster. The solution stays. False where only one level would be left.
-  bool drop_coarsest();
+  bool drop_coarsest() { return solver_.drop_coarsest(); }
 
   /// Whether so many iterations went into coarsest levels since start() that only few are made from now on.
-  bool is_exhausted() const noexcept { return iterations_left_ == 0; }
+  bool is_exhausted() const noexcept { return solver_.is_exhausted(); }
 
  private:
-  struct Vectors {
-    std::vector<Row> b;
-    std::vector<Row> u;
-    std::vector<Float4> gaps;
-    std::vector<Float4> forces;
-  };
-
-  LevelProblem problem(std::size_t level) noexcept;
-  /// u and forces of `level` for its b and gaps, from zero: one or two cycles, on the coarsest level a
-  /// solution.
-  void solve(std::size_t level);
-  /// Smooths, on coarse levels from zero, corrects from the next level, smooths.
-  void correct(std::size_t level);
-  CoarsestEffort effort() const noexcept;
-  void solve_coarsest();
-
-  std::vector<std::uint8_t> holds_;  ///< per anchor: 0 where it is alone in its component
-  bool is_last_resort_;              ///< no coarsening was asked for
-  std::uint32_t component_count_;
-  std::vector<Level> levels_;
-  std::vector<int> cycles_;  ///< per level
-  std::vector<Vectors> vectors_;
+  const Level& finest_;
+  LevelSolver solver_;
   std::vector<Float4> targets_;
-  std::vector<std::unique_ptr<TwoSteps>> two_steps_;       ///< per level; null where there is but one cycle
-  std::size_t bottom_;                                     ///< level that is solved, not coarsened
-  std::uint64_t iterations_left_ = 0;                      ///< of conjugate gradients, times nodes
-  std::vector<std::unique_ptr<CoarsestSolver>> coarsest_;  ///< per level; null where not needed so far
 };
 
 }  // namespace deltamesh::multigrid

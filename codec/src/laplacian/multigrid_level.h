@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "base/large_vector.h"
 #include "laplacian/multigrid_row.h"
 #include "topology/adjacency.h"
 
@@ -17,8 +18,8 @@ namespace deltamesh::multigrid {
 
 /// How a node is interpolated from the next coarser level: up to three nodes, weights that add up to 1.
 struct Interpolation {
-  std::array<std::uint32_t, 3> node{};  ///< unused ones repeat the first
-  std::array<float, 3> weight{};        ///< unused ones are 0
+  std::array<std::uint32_t, 3> node;  ///< unused ones repeat the first
+  std::array<float, 3> weight;        ///< unused ones are 0
 };
 
 /// The equations  K x + M s = b_x,  K s = b_s  on a graph, K = D - A with edge weights A.
@@ -26,13 +27,13 @@ struct Level {
   std::span<const std::uint32_t> offsets;    ///< n + 1
   std::span<const std::uint32_t> neighbors;  ///< two entries per edge
   Adjacency storage;                         ///< what they show, but on the finest level
-  std::vector<std::uint32_t> middle;  ///< n: where the edges to higher nodes begin; empty on the finest level
-  std::vector<float> weights;         ///< beside `neighbors`; empty on the finest level: all 1
-  std::vector<float> degree;          ///< n: D, the sum of a node's edge weights; 0 for a lone node
-  std::vector<float> inverse_degree;  ///< n: 1 / D; 0 for a lone node
-  std::vector<float> mass;            ///< n: M, above 0 where D is; D^2 on the finest level
+  LargeVector<std::uint32_t> middle;  ///< n: where the edges to higher nodes begin; empty on the finest level
+  LargeVector<float> weights;         ///< beside `neighbors`; empty on the finest level: all 1
+  LargeVector<float> degree;          ///< n: D, the sum of a node's edge weights; 0 for a lone node
+  LargeVector<float> inverse_degree;  ///< n: 1 / D; 0 for a lone node
+  LargeVector<float> mass;            ///< n: M, above 0 where D is; D^2 on the finest level
   std::vector<std::uint32_t> anchors;        ///< node of every anchor; distinct
-  std::vector<Interpolation> interpolation;  ///< n; empty on the coarsest level
+  LargeVector<Interpolation> interpolation;  ///< n; empty on the coarsest level
 
   std::uint32_t node_count() const noexcept { return static_cast<std::uint32_t>(offsets.size() - 1); }
   bool has_unit_weights() const noexcept { return weights.empty(); }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Cycles in floats around a solution in doubles, with a watch on every component and a factorisation for
-// those that do not settle.
+// Cycles in floats around a solution in doubles: as many as planned, or with a watch on every component and a
+// factorisation for those that do not settle.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,6 +15,8 @@
 #include "laplacian/multigrid_cycle.h"
 #include "laplacian/multigrid_factored_group.h"
 #include "laplacian/multigrid_groups.h"
+#include "laplacian/multigrid_hierarchy.h"
+#include "laplacian/multigrid_planned.h"
 #include "laplacian/small_components.h"
 #include "laplacian/solver.h"
 
@@ -26,6 +28,7 @@ using multigrid::FactoredGroup;
 using multigrid::Float4;
 using multigrid::Group;
 using multigrid::MultigridCycle;
+using multigrid::PlannedCycles;
 
 /// Plain cycles go on while the change falls by this from one to the next.
 constexpr int kPlainCycles = 12;
@@ -101,14 +104,25 @@ class GroupSolver {
  public:
   explicit GroupSolver(Group group)
       : group_(std::move(group)),
-        cycles_(*group_.graph, group_.components, group_.anchors, group_.depth),
+        levels_(multigrid::build_hierarchy(*group_.graph, group_.anchors, group_.depth)),
         targets_(group_.anchors.size()),
         has_hub_(has_hub(*group_.graph)),
         change_(group_.components.count),
         bad_(group_.components.count) {}
 
-  /// `x`: where to start without levels; overwritten with the solution.
-  Result<void> solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions, std::span<Vec3> x) {
+  /// What solve() with so many cycles would allocate first.
+  void set_up(int cycles) {
+    if (is_planned(cycles)) {
+      if (!planned_) planned_ = std::make_unique<PlannedCycles>(levels_, group_.components);
+    } else if (!cycles_) {
+      cycles_ = std::make_unique<MultigridCycle>(levels_, group_.components, group_.depth == 0);
+    }
+  }
+
+  /// `x`: where to start without levels; overwritten with the solution. `cycles`: 0 for as many as it takes.
+  Result<void> solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions, int cycles,
+                     std::span<Vec3> x) {
+    set_up(cycles);
     if (group_.vertices.empty()) {
       deltas_ = deltas;
       x_ = x;
@@ -116,7 +130,9 @@ class GroupSolver {
       gather(deltas, x);
     }
     for (std::size_t a = 0; a < targets_.size(); ++a) targets_[a] = anchor_positions[group_.anchor_of[a]];
-    if (group_.depth == 0) {
+    if (is_planned(cycles)) {
+      planned_->solve(deltas_, targets_, cycles, x_);
+    } else if (group_.depth == 0) {
       DELTAMESH_CHECK(run_without_levels());
     } else if (!run_plain()) {
       DELTAMESH_CHECK(run_accelerated());
@@ -126,6 +142,9 @@ class GroupSolver {
   }
 
  private:
+  /// Without coarser levels there is nothing to plan.
+  bool is_planned(int cycles) const noexcept { return cycles > 0 && levels_.size() > 1; }
+
   /// Own copies for a group that is not the whole graph.
   void gather(const DeltaView& deltas, std::span<const Vec3> x) {
     own_x_.clear();
@@ -142,14 +161,14 @@ class GroupSolver {
   /// floats throughout; further ones are corrections.
   bool run_plain() {
     set_first_right_hand_sides();
-    cycles_.start();
-    for (std::size_t i = 0; i < x_.size(); ++i) x_[i] = to_vec3(cycles_.solution()[i].x);
-    cycles_.cycle();
+    cycles_->start();
+    for (std::size_t i = 0; i < x_.size(); ++i) x_[i] = to_vec3(cycles_->solution()[i].x);
+    cycles_->cycle();
     replace();
     double change = worst_change();
     for (int c = 1; c < kPlainCycles; ++c) {
       set_right_hand_sides();
-      cycles_.cycle();
+      cycles_->cycle();
       absorb();
       const double previous = std::exchange(change, worst_change());
       const double rate = previous > 0 ? change / previous : kUnknownRate;
@@ -165,11 +184,11 @@ class GroupSolver {
     const auto is_finite = [](const Vec3& v) { return std::isfinite(dot(v, v)); };
     if (!std::all_of(x_.begin(), x_.end(), is_finite)) std::fill(x_.begin(), x_.end(), Vec3{});
     set_right_hand_sides();
-    cycles_.start();
+    cycles_->start();
     absorb();
     for (int round = 0; round < kRounds; ++round) {
       set_right_hand_sides();
-      cycles_.cycle();
+      cycles_->cycle();
       absorb();
       if (is_settled(kUnknownRate)) return {};
     }
@@ -187,17 +206,17 @@ class GroupSolver {
     int drops = 0;
     for (int c = 0; c < kAcceleratedCycles; ++c) {
       set_right_hand_sides();
-      acceleration.restart(cycles_);
-      acceleration.cycle(cycles_);
+      acceleration.restart(*cycles_);
+      acceleration.cycle(*cycles_);
       absorb();
       const auto proposed = acceleration.proposed();
       std::copy(proposed.begin(), proposed.end(), change_.begin());
       if (is_settled(kUnknownRate)) return {};
       if (c % kCyclesPerDrop == kCyclesPerDrop - 1) {
         const double previous = std::exchange(change, worst_change());
-        if (change > kPoorProgress * previous && drops < kMaxDrops && cycles_.drop_coarsest()) ++drops;
+        if (change > kPoorProgress * previous && drops < kMaxDrops && cycles_->drop_coarsest()) ++drops;
       }
-      if (cycles_.is_exhausted()) break;
+      if (cycles_->is_exhausted()) break;
       if (c + 1 >= kPatience && largest_bad_component() <= kLargestRescue) break;
     }
     return solve_bad_components();
@@ -214,8 +233,8 @@ class GroupSolver {
   /// D delta and c, for a solution from nothing.
   void set_first_right_hand_sides() {
     for (std::uint32_t i = 0; i < x_.size(); ++i)
-      cycles_.delta(i) = to_float4(static_cast<double>(group_.graph->degree(i)) * deltas_[i]);
-    for (std::size_t a = 0; a < targets_.size(); ++a) cycles_.target(a) = to_float4(targets_[a]);
+      cycles_->delta(i) = to_float4(static_cast<double>(group_.graph->degree(i)) * deltas_[i]);
+    for (std::size_t a = 0; a < targets_.size(); ++a) cycles_->target(a) = to_float4(targets_[a]);
   }
 
   /// D (delta - L x) and c - x_a, in doubles, for a correction that starts from zero. Forces and s stay.
@@ -225,12 +244,12 @@ class GroupSolver {
       for (const std::uint32_t j : group_.graph->of(i)) sum = sum + x_[j];
       const double degree = group_.graph->degree(i);
       const Vec3 charge = degree * (deltas_[i] - x_[i]) + sum;
-      cycles_.delta(i) = to_float4(charge);
-      cycles_.solution()[i].x = Float4{};
+      cycles_->delta(i) = to_float4(charge);
+      cycles_->solution()[i].x = Float4{};
     }
     for (std::size_t a = 0; a < targets_.size(); ++a) {
       const Vec3 gap = targets_[a] - x_[group_.anchors[a]];
-      cycles_.target(a) = to_float4(gap);
+      cycles_->target(a) = to_float4(gap);
     }
   }
 
@@ -238,7 +257,7 @@ class GroupSolver {
   void absorb() {
     std::fill(change_.begin(), change_.end(), Change{});
     for (std::uint32_t i = 0; i < x_.size(); ++i) {
-      const Vec3 correction = to_vec3(cycles_.solution()[i].x);
+      const Vec3 correction = to_vec3(cycles_->solution()[i].x);
       x_[i] = x_[i] + correction;
       measure(i, correction);
     }
@@ -248,7 +267,7 @@ class GroupSolver {
   void replace() {
     std::fill(change_.begin(), change_.end(), Change{});
     for (std::uint32_t i = 0; i < x_.size(); ++i) {
-      const Vec3 solution = to_vec3(cycles_.solution()[i].x);
+      const Vec3 solution = to_vec3(cycles_->solution()[i].x);
       measure(i, solution - x_[i]);
       x_[i] = solution;
     }
@@ -283,7 +302,7 @@ class GroupSolver {
     const auto anchors = static_cast<double>(targets_.size());
     double forces = 0;
     for (std::size_t a = 0; a < targets_.size(); ++a) {
-      const Vec3 force = to_vec3(cycles_.force(a));
+      const Vec3 force = to_vec3(cycles_->force(a));
       forces += dot(force, force);
     }
     return (has_hub_ ? kErrorPerForceWithHub : kErrorPerForce) * std::sqrt(forces / anchors) *
@@ -296,7 +315,7 @@ class GroupSolver {
   double error_of_lone_anchors() noexcept {
     double sum = 0;
     for (std::size_t i = 0; i < x_.size(); ++i) {
-      const Vec3 s = to_vec3(cycles_.solution()[i].s);
+      const Vec3 s = to_vec3(cycles_->solution()[i].s);
       const double size = group_.components.size[group_.components.label[i]];
       sum += size * size * dot(s, s);
     }
@@ -351,11 +370,13 @@ class GroupSolver {
       DELTAMESH_CHECK(solver->solve(deltas_, targets_, x_));
     }
     if (std::find(large.begin(), large.end(), 1) == large.end()) return {};
-    return GroupSolver(extract_components(group_, large)).solve(deltas_, targets_, x_);
+    return GroupSolver(extract_components(group_, large)).solve(deltas_, targets_, 0, x_);
   }
 
   Group group_;
-  MultigridCycle cycles_;
+  std::vector<multigrid::Level> levels_;
+  std::unique_ptr<MultigridCycle> cycles_;  ///< for as many as it takes
+  std::unique_ptr<PlannedCycles> planned_;  ///< for a given number
   DeltaView deltas_;
   std::span<Vec3> x_;
   std::vector<Vec3> own_deltas_;
@@ -372,11 +393,15 @@ class MultigridSolver final : public LeastSquaresSolver {
 
   void add(Group group) { groups_.push_back(std::make_unique<GroupSolver>(std::move(group))); }
 
-  Result<void> solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions,
+  void set_up(int cycles) override {
+    for (const auto& group : groups_) group->set_up(cycles);
+  }
+
+  Result<void> solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions, int cycles,
                      std::span<Vec3> x) override {
     std::fill(x.begin(), x.end(), Vec3{});
     DELTAMESH_CHECK(small_.solve(deltas, anchor_positions, x));
-    for (const auto& group : groups_) DELTAMESH_CHECK(group->solve(deltas, anchor_positions, x));
+    for (const auto& group : groups_) DELTAMESH_CHECK(group->solve(deltas, anchor_positions, cycles, x));
     return {};
   }
 

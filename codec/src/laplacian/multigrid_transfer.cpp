@@ -45,18 +45,10 @@ class LargestThree {
   std::array<std::uint64_t, 3> keys_{};
 };
 
-Row interpolate(const Interpolation& p, std::span<const Row> coarse) noexcept {
-  const Row& a = coarse[p.node[0]];
-  const Row& b = coarse[p.node[1]];
-  const Row& c = coarse[p.node[2]];
-  return {p.weight[0] * a.x + p.weight[1] * b.x + p.weight[2] * c.x,
-          p.weight[0] * a.s + p.weight[1] * b.s + p.weight[2] * c.s};
-}
-
 }  // namespace
 
-std::vector<Interpolation> make_interpolation(const Level& fine, const Aggregates& aggregates) {
-  std::vector<Interpolation> result(fine.node_count());
+LargeVector<Interpolation> make_interpolation(const Level& fine, const Aggregates& aggregates) {
+  LargeVector<Interpolation> result(fine.node_count());
   std::vector<float> sums(aggregates.seeds.size(), 0.0F);
   std::vector<std::uint32_t> touched(aggregates.seeds.size() + 1);
   for (std::uint32_t node = 0; node < result.size(); ++node) {

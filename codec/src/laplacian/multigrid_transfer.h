@@ -5,8 +5,8 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
+#include "base/large_vector.h"
 #include "laplacian/multigrid_aggregate.h"
 #include "laplacian/multigrid_level.h"
 
@@ -14,7 +14,7 @@ namespace deltamesh::multigrid {
 
 /// Seeds keep their value. Another node's weights are its edge weights summed by the neighbours' aggregates,
 /// seeds counted five times; the three largest, scaled to add up to 1. O(n + edges).
-std::vector<Interpolation> make_interpolation(const Level& fine, const Aggregates& aggregates);
+LargeVector<Interpolation> make_interpolation(const Level& fine, const Aggregates& aggregates);
 
 /// coarse = P^T fine. O(n).
 void restrict_rows(const Level& level, std::span<const Row> fine, std::span<Row> coarse);
@@ -24,6 +24,15 @@ void prolong_rows(const Level& level, std::span<const Row> coarse, std::span<Row
 
 /// fine += P coarse. O(n).
 void add_prolonged_rows(const Level& level, std::span<const Row> coarse, std::span<Row> fine);
+
+/// One node's value.
+inline Row interpolate(const Interpolation& p, std::span<const Row> coarse) noexcept {
+  const Row& a = coarse[p.node[0]];
+  const Row& b = coarse[p.node[1]];
+  const Row& c = coarse[p.node[2]];
+  return {p.weight[0] * a.x + p.weight[1] * b.x + p.weight[2] * c.x,
+          p.weight[0] * a.s + p.weight[1] * b.s + p.weight[2] * c.s};
+}
 
 /// One node's share of P^T.
 inline void restrict_row(const Interpolation& p, const Row& fine, std::span<Row> coarse) noexcept {

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "base/large_vector.h"
 #include "laplacian/multigrid_level.h"
 
 namespace deltamesh::multigrid {
@@ -34,8 +35,8 @@ class TwoSteps {
   void combine(const LevelProblem& problem);
 
  private:
-  std::vector<Row> first_;  ///< first cycle's solution
-  std::vector<Row> image_;  ///< K x + M s and K s of it
+  LargeVector<Row> first_;  ///< first cycle's solution
+  LargeVector<Row> image_;  ///< K x + M s and K s of it
   std::vector<Float4> forces_;
   Double4 energy_;  ///< (first, first)
   Double4 length_;  ///< at which it is taken

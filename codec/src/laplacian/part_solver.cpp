@@ -8,7 +8,7 @@
 
 namespace deltamesh {
 
-Result<void> PartSolver::set_up(std::span<const std::uint32_t> anchors) {
+Result<void> PartSolver::make_solver(std::span<const std::uint32_t> anchors) {
   if (solver_ && std::equal(anchors.begin(), anchors.end(), anchors_.begin(), anchors_.end())) return {};
   solver_.reset();
   anchors_.assign(anchors.begin(), anchors.end());
@@ -16,10 +16,17 @@ Result<void> PartSolver::set_up(std::span<const std::uint32_t> anchors) {
   return {};
 }
 
+Result<void> PartSolver::set_up(std::span<const std::uint32_t> anchors, int cycles) {
+  DELTAMESH_CHECK(make_solver(anchors));
+  solver_->set_up(cycles);
+  return {};
+}
+
 Result<void> PartSolver::solve(std::span<const std::uint32_t> anchors, const DeltaView& deltas,
-                               std::span<const Vec3> anchor_positions, std::span<Vec3> x) {
-  DELTAMESH_CHECK(set_up(anchors));
-  return solver_->solve(deltas, anchor_positions, x);
+                               std::span<const Vec3> anchor_positions, int cycles,
+                               std::span<Vec3> x) {
+  DELTAMESH_CHECK(make_solver(anchors));
+  return solver_->solve(deltas, anchor_positions, cycles, x);
 }
 
 }  // namespace deltamesh

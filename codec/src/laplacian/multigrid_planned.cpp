@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "laplacian/multigrid_planned.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "laplacian/multigrid_smoother.h"
+#include "laplacian/multigrid_symmetric.h"
+#include "laplacian/multigrid_transfer.h"
+
+namespace deltamesh::multigrid {
+namespace {
+
+/// Level from which on there is an s of its own.
+constexpr std::size_t kCoupled = 2;
+
+Float4 to_float4(const Vec3& v) noexcept {
+  return Float4{static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]), 0.0F};
+}
+
+/// D (delta - L x) of a vertex, in doubles.
+Float4 charge(const Level& finest, const DeltaView& deltas, std::span<const Vec3> x, std::uint32_t i) noexcept {
+  const Vec3 own = x[i];
+  const std::uint32_t end = finest.offsets[i + 1];
+  Double4::Half sum{};
+  double sum_z = 0;
+  for (std::uint32_t e = finest.offsets[i]; e < end; ++e) {
+    const Vec3& other = x[finest.neighbors[e]];
+    sum += Double4::Half{other[0], other[1]};
+    sum_z += other[2];
+  }
+  const double degree = finest.degree[i];
+  const Vec3 delta = deltas[i];
+  return Float4{static_cast<float>(degree * (delta[0] - own[0]) + sum[0]),
+                static_cast<float>(degree * (delta[1] - own[1]) + sum[1]),
+                static_cast<float>(degree * (delta[2] - own[2]) + sum_z), 0.0F};
+}
+
+/// Rows of one field only.
+Float4 interpolate_field(const Interpolation& p, std::span<const Float4> coarse) noexcept {
+  return p.weight[0] * coarse[p.node[0]] + p.weight[1] * coarse[p.node[1]] + p.weight[2] * coarse[p.node[2]];
+}
+
+Float4 interpolate_x(const Interpolation& p, std::span<const Row> coarse) noexcept {
+  return p.weight[0] * coarse[p.node[0]].x + p.weight[1] * coarse[p.node[1]].x +
+         p.weight[2] * coarse[p.node[2]].x;
+}
+
+/// One node's share of P^T, for x alone. `x(node)`: of the coarse level.
+template <class X>
+void restrict_x(const Interpolation& p, Float4 fine, const X& x) noexcept {
+  for (std::size_t k = 0; k < 3; ++k) x(p.node[k]) += p.weight[k] * fine;
+}
+
+}  // namespace
+
+PlannedCycles::PlannedCycles(std::span<const Level> levels, const Components& components)
+    : levels_(levels),
+      coupled_(std::min(kCoupled, levels.size() - 1)),
+      solver_(levels, coupled_, shared_components(components, levels.front().anchors), components.count, false),
+      e_(levels[0].node_count()),
+      step_(levels[0].node_count()),
+      u_(levels[1].node_count()),
+      s_second_(levels[1].node_count()),
+      s_(levels[coupled_].node_count()),
+      forces_(levels[0].anchors.size()),
+      gaps_(levels[0].anchors.size()) {
+  if (!has_middle()) return;
+  b_.resize(levels[1].node_count());
+  e_second_.resize(levels[1].node_count());
+  step_second_.resize(levels[1].node_count());
+}
+
+template <class Each>
+void PlannedCycles::restrict_to_second(const Each& each) {
+  const std::span<const Interpolation> interpolation = levels_[0].interpolation;
+  if (has_middle()) {
+    std::fill(b_.begin(), b_.end(), Float4{});
+    each([&](std::uint32_t i, Float4 residual) {
+      restrict_x(interpolation[i], residual, [&](std::uint32_t node) -> Float4& { return b_[node]; });
+    });
+    return;
+  }
+  const std::span<Row> b = solver_.vectors(1).b;
+  for (Row& row : b) row.x = Float4{};
+  each([&](std::uint32_t i, Float4 residual) {
+    restrict_x(interpolation[i], residual, [&](std::uint32_t node) -> Float4& { return b[node].x; });
+  });
+}
+
+/// Level c: corrects s_ and forces_, and leaves the correction of x and s in its u. Its b.x and gaps are set.
+void PlannedCycles::solve_coupled() {
+  const Level& level = levels_[coupled_];
+  LevelSolver::Vectors& v = solver_.vectors(coupled_);
+  for (std::uint32_t i = 0; i < s_.size(); ++i) {
+    Float4 sum = -level.degree[i] * s_[i];
+    for (std::uint32_t e = level.offsets[i]; e < level.offsets[i + 1]; ++e)
+      sum += level.weights[e] * s_[level.neighbors[e]];
+    v.b[i].s = sum;
+  }
+  for (std::size_t a = 0; a < forces_.size(); ++a) {
+    v.b[level.anchors[a]].s += forces_[a];
+    v.gaps[a] += forces_[a];
+  }
+  solver_.solve(coupled_);
+  for (std::size_t i = 0; i < s_.size(); ++i) s_[i] += v.u[i].s;
+  for (std::size_t a = 0; a < forces_.size(); ++a) forces_[a] += v.forces[a];
+}
+
+/// Second level: e from two sweeps on the residual of u, its own correction, and u gets both.
+void PlannedCycles::correct_second(bool is_first) {
+  const Level& level = levels_[1];
+  LevelSolver::Vectors& next = solver_.vectors(2);
+  if (is_first) {
+    sweep_forward<false>(level, [&](std::uint32_t i) { return b_[i]; }, e_second_, step_second_);
+  } else {
+    const auto residual = [&](std::uint32_t i) {
+      Float4 sum = b_[i] - level.degree[i] * u_[i].x - level.mass[i] * u_[i].s;
+      for (std::uint32_t e = level.offsets[i]; e < level.offsets[i + 1]; ++e)
+        sum += level.weights[e] * u_[level.neighbors[e]].x;
+      return sum;
+    };
+    sweep_forward<false>(level, residual, e_second_, step_second_);
+  }
+  sweep_backward<false>(level, e_second_, step_second_);
+  for (Row& row : next.b) row.x = Float4{};
+  take_residuals<false>(level, step_second_, [&](std::uint32_t i, Float4 residual) {
+    restrict_x(level.interpolation[i], residual, [&](std::uint32_t node) -> Float4& { return next.b[node].x; });
+  });
+  for (std::size_t a = 0; a < gaps_.size(); ++a) {
+    const std::uint32_t node = level.anchors[a];
+    next.gaps[a] = gaps_[a] - e_second_[node] - (is_first ? Float4{} : u_[node].x);
+  }
+  solve_coupled();
+  for (std::uint32_t i = 0; i < u_.size(); ++i) {
+    const Row correction = interpolate(level.interpolation[i], next.u);
+    if (is_first) u_[i] = Row{};
+    u_[i].x += e_second_[i] + correction.x;
+    u_[i].s += correction.s;
+  }
+}
+
+/// u for b, where there is a level between the finest and c; else for that level's b.
+void PlannedCycles::correct_from_second() {
+  if (has_middle()) {
+    for (int c = 0; c < solver_.cycles(1); ++c) correct_second(c == 0);
+  } else {
+    LevelSolver::Vectors& second = solver_.vectors(1);
+    second.gaps = gaps_;
+    solve_coupled();
+    std::copy(second.u.begin(), second.u.end(), u_.begin());
+  }
+  for (std::size_t i = 0; i < u_.size(); ++i) s_second_[i] += u_[i].s;
+}
+
+/// The second level's solution.
+void PlannedCycles::start(const DeltaView& deltas, std::span<const Vec3> targets, std::span<Vec3> x) {
+  const Level& finest = levels_[0];
+  solver_.begin();
+  std::fill(s_.begin(), s_.end(), Float4{});
+  std::fill(s_second_.begin(), s_second_.end(), Float4{});
+  std::fill(forces_.begin(), forces_.end(), Float4{});
+  restrict_to_second([&](const auto& take) {
+    for (std::uint32_t i = 0; i < x.size(); ++i)
+      take(i, to_float4(static_cast<double>(finest.degree[i]) * deltas[i]));
+  });
+  for (std::size_t a = 0; a < targets.size(); ++a) gaps_[a] = to_float4(targets[a]);
+  correct_from_second();
+  for (std::uint32_t i = 0; i < x.size(); ++i) {
+    const Float4 first = interpolate_x(finest.interpolation[i], u_);
+    x[i] = {first[0], first[1], first[2]};
+  }
+}
+
+void PlannedCycles::cycle(const DeltaView& deltas, std::span<const Vec3> targets, std::span<Vec3> x) {
+  const Level& finest = levels_[0];
+  const auto residual = [&](std::uint32_t i) {
+    return charge(finest, deltas, x, i) -
+           finest.mass[i] * interpolate_field(finest.interpolation[i], s_second_);
+  };
+  sweep_forward<true>(finest, residual, e_, step_);
+  sweep_backward<true>(finest, e_, step_);
+  restrict_to_second([&](const auto& take) { take_residuals<true>(finest, step_, take); });
+  for (std::size_t a = 0; a < targets.size(); ++a) {
+    const std::uint32_t vertex = finest.anchors[a];
+    gaps_[a] = to_float4(targets[a] - x[vertex]) - e_[vertex];
+  }
+  correct_from_second();
+  for (std::uint32_t i = 0; i < x.size(); ++i) {
+    const Float4 correction = e_[i] + interpolate_x(finest.interpolation[i], u_);
+    x[i] = x[i] + Vec3{correction[0], correction[1], correction[2]};
+  }
+}
+
+void PlannedCycles::solve(const DeltaView& deltas, std::span<const Vec3> targets, int cycles,
+                          std::span<Vec3> x) {
+  start(deltas, targets, x);
+  for (int c = 0; c < cycles; ++c) cycle(deltas, targets, x);
+}
+
+}  // namespace deltamesh::multigrid

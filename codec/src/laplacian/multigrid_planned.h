@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// A number of cycles that somebody else has found to be enough, each as cheap as it can be: on the finest two
+// levels there are positions only, the residual field begins below.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/large_vector.h"
+#include "base/vec3.h"
+#include "laplacian/delta_view.h"
+#include "laplacian/multigrid_level.h"
+#include "laplacian/multigrid_level_solver.h"
+#include "topology/adjacency.h"
+
+namespace deltamesh::multigrid {
+
+/// The same mixed problem as MultigridCycle's, with s = P s_c interpolated from level c, the third (the
+/// second where there are but two). Away from the anchors s is harmonic, hence smooth, and the forces there
+/// are a few hundredths of the error that quantisation leaves, so that what this changes cannot be seen. x
+/// is kept in doubles; corrections are floats.
+class PlannedCycles {
+ public:
+  /// `levels`: at least two; must outlive this.
+  PlannedCycles(std::span<const Level> levels, const Components& components);
+
+  /// `targets`: c_a, one for each anchor; `cycles`: above 0; `x`: overwritten. The result is anything, also
+  /// not finite, where the number is not right. O(cycles (n + edges)).
+  void solve(const DeltaView& deltas, std::span<const Vec3> targets, int cycles, std::span<Vec3> x);
+
+ private:
+  void start(const DeltaView& deltas, std::span<const Vec3> targets, std::span<Vec3> x);
+  void cycle(const DeltaView& deltas, std::span<const Vec3> targets, std::span<Vec3> x);
+  void correct_from_second();
+  void correct_second(bool is_first);
+  /// `each(take)` calls take(vertex, residual) for every vertex.
+  template <class Each>
+  void restrict_to_second(const Each& each);
+  void solve_coupled();
+
+  bool has_middle() const noexcept { return coupled_ == 2; }
+
+  std::span<const Level> levels_;
+  std::size_t coupled_;  ///< c
+  LevelSolver solver_;
+  LargeVector<Float4> e_, step_;           ///< finest level: correction, and what the backward sweep added
+  LargeVector<Float4> b_;                  ///< second level: right-hand side; empty where c is that
+  LargeVector<Float4> e_second_, step_second_;  ///< likewise
+  LargeVector<Row> u_;                     ///< second level: correction of x and s
+  LargeVector<Float4> s_second_;           ///< second level: s
+  LargeVector<Float4> s_;                  ///< level c: s
+  std::vector<Float4> forces_;             ///< one for each anchor
+  std::vector<Float4> gaps_;               ///< c_a - x_a before the second level's correction
+};
+
+}  // namespace deltamesh::multigrid
