@@ -184,7 +184,7 @@ TEST(Multigrid, EqualProblemsGiveEqualBits) {
 TEST(Multigrid, LevelsShrinkAndKeepTheirAnchorsApart) {
   const GraphMesh mesh = test::sheet(60, 60);
   const auto anchors = place_anchors(mesh.graph, mesh.components, {.count = 20}).vertices;
-  const auto levels = multigrid::build_hierarchy(mesh.graph, anchors, 3);
+  const auto levels = multigrid::build_hierarchy(mesh.graph, anchors, 3, multigrid::Coarsening::kExact);
   ASSERT_EQ(levels.size(), 4U);
   for (std::size_t l = 0; l < levels.size(); ++l) {
     const multigrid::Level& level = levels[l];
@@ -205,7 +205,7 @@ TEST(Multigrid, LevelsShrinkAndKeepTheirAnchorsApart) {
 /// Sweeps over all levels below the finest for one over that.
 double share_of_coarse_levels(const GraphMesh& mesh, const std::vector<std::uint32_t>& anchors) {
   const auto depths = multigrid::component_depths(mesh.graph, mesh.components, anchors);
-  const auto levels = multigrid::build_hierarchy(mesh.graph, anchors, depths.front());
+  const auto levels = multigrid::build_hierarchy(mesh.graph, anchors, depths.front(), multigrid::Coarsening::kExact);
   const std::vector<int> cycles = multigrid::plan_cycles(levels);
   double visits = 1;
   double work = 0;
@@ -220,7 +220,7 @@ TEST(Multigrid, CyclesAreMadeTwiceWhereLevelsShrink) {
   const GraphMesh mesh = test::sheet(100, 100);
   const auto anchors = place_anchors(mesh.graph, mesh.components, {.count = 50}).vertices;
   EXPECT_LT(share_of_coarse_levels(mesh, anchors), 2);
-  const auto levels = multigrid::build_hierarchy(mesh.graph, anchors, 3);
+  const auto levels = multigrid::build_hierarchy(mesh.graph, anchors, 3, multigrid::Coarsening::kExact);
   EXPECT_EQ(multigrid::plan_cycles(levels), (std::vector<int>{1, 2, 2, 2}));
 }
 
@@ -252,7 +252,7 @@ TEST(Multigrid, WorkIsBoundedWhereLevelsHardlyShrink) {
 TEST(Multigrid, AggregatesAreASeedAndItsNeighbours) {
   const GraphMesh mesh = test::sheet(30, 30);
   const std::uint32_t anchors[] = {5, 6, 700};
-  const auto levels = multigrid::build_hierarchy(mesh.graph, anchors, 0);
+  const auto levels = multigrid::build_hierarchy(mesh.graph, anchors, 0, multigrid::Coarsening::kExact);
   ASSERT_EQ(levels.size(), 1U);
   const multigrid::Aggregates aggregates = multigrid::aggregate(levels.front());
   for (const std::uint32_t anchor : anchors) EXPECT_EQ(aggregates.seeds[aggregates.of(anchor)], anchor);

@@ -15,6 +15,7 @@
 #include "deltamesh/result.h"
 #include "entropy/payload.h"
 #include "format/highpass_parameters.h"
+#include "geometry/cycle_plan.h"
 #include "geometry/delta_quantizer.h"
 #include "laplacian/anchors.h"
 #include "laplacian/part_solver.h"
@@ -76,7 +77,7 @@ class HighpassCoder {
   double delta_error(const HighpassSettings& settings) const;
 
   /// Errors: kInvalidArgument where the step is too small for 32-bit symbols. Cost: a solve, whose set-up is
-  /// kept while the anchors stay.
+  /// kept while the anchors stay; some more where it is not known how many cycles such settings take.
   Result<CodedHighpass> code(const HighpassSettings& settings);
 
   /// The same without positions and without the solve.
@@ -86,6 +87,8 @@ class HighpassCoder {
   HighpassCoder& operator=(const HighpassCoder&) = delete;
 
  private:
+  /// Sets the number of cycles and the positions that they lead to.
+  Result<void> plan_and_solve(const HighpassSymbols& symbols, CodedHighpass& coded);
   Result<CodedHighpass> write(const HighpassSettings& settings, HighpassSymbols& symbols) const;
   /// Symbols and the shift they are reconstructed with.
   struct Quantized {
@@ -101,6 +104,7 @@ class HighpassCoder {
   double range_ = 0;
   double largest_ = 0;
   PartSolver solver_;
+  CyclePlan plan_;
 };
 
 /// One shot for a request in bits and counts. Arguments and errors as HighpassCoder.

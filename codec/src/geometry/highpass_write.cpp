@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/try.h"
 #include "base/zigzag.h"
@@ -20,6 +21,9 @@ namespace {
 
 /// Deltas of float32 positions carry no more than this many bits below the longest side.
 constexpr int kFinestBits = 40;
+
+/// Distance that is small against the rounding of positions to floats, over the longest side.
+constexpr double kInvisible = 0x1p-26;
 
 /// Deltas over the rows of `part`.
 std::vector<Vec3> solved_deltas(const SolvedPart& part, std::span<const Vec3> positions) {
@@ -126,10 +130,35 @@ Result<CodedHighpass> HighpassCoder::write(const HighpassSettings& settings, Hig
   return coded;
 }
 
+/// The fewest cycles that are as good as those of a decoder that decides itself.
+Result<void> HighpassCoder::plan_and_solve(const HighpassSymbols& symbols, CodedHighpass& coded) {
+  coded.parameters.cycles = 0;
+  DELTAMESH_TRY(coded.positions, reconstruct_highpass(symbols, part_, solver_, box_, coded.parameters));
+  HighpassParameters planned = coded.parameters;
+  for (planned.cycles = 1; planned.cycles <= kMostPlannedCycles; ++planned.cycles) {
+    auto positions = reconstruct_highpass(symbols, part_, solver_, box_, planned);
+    if (!positions) continue;
+    if (!is_as_good(part_, positions_, coded.positions, *positions, kInvisible * box_.longest_side())) continue;
+    coded.parameters.cycles = planned.cycles;
+    coded.positions = std::move(*positions);
+    break;
+  }
+  return {};
+}
+
 Result<CodedHighpass> HighpassCoder::code(const HighpassSettings& settings) {
   HighpassSymbols symbols;
   DELTAMESH_TRY(auto coded, write(settings, symbols));
-  DELTAMESH_TRY(coded.positions, reconstruct_highpass(symbols, part_, solver_, box_, coded.parameters));
+  const CycleCircumstances now{.step = settings.step,
+                               .diffusion = settings.diffusion,
+                               .anchors = settings.anchors.vertices.size()};
+  if (const auto cycles = plan_.cycles_for(now)) {
+    coded.parameters.cycles = *cycles;
+    DELTAMESH_TRY(coded.positions, reconstruct_highpass(symbols, part_, solver_, box_, coded.parameters));
+  } else {
+    DELTAMESH_CHECK(plan_and_solve(symbols, coded));
+    plan_.keep(now, coded.parameters.cycles);
+  }
   return coded;
 }
 

@@ -18,8 +18,8 @@ std::uint32_t most_neighbors(const Level& level) noexcept {
 }
 
 /// For every node the seed that it belongs to.
-std::vector<std::uint32_t> choose_seeds(const Level& fine) {
-  std::vector<std::uint32_t> seed(fine.node_count(), kNone);
+LargeVector<std::uint32_t> choose_seeds(const Level& fine) {
+  LargeVector<std::uint32_t> seed(fine.node_count(), kNone);
   const std::uint32_t most = most_neighbors(fine);
   const auto is_hub = [&](std::uint32_t node) { return fine.offsets[node + 1] - fine.offsets[node] > most; };
   for (std::uint32_t node = 0; node < seed.size(); ++node) {
@@ -48,7 +48,7 @@ std::vector<std::uint32_t> choose_seeds(const Level& fine) {
 Aggregates aggregate(const Level& fine) {
   Aggregates aggregates;
   aggregates.codes = choose_seeds(fine);
-  std::vector<std::uint32_t> number(aggregates.codes.size());
+  LargeVector<std::uint32_t> number(aggregates.codes.size());
   for (std::uint32_t node = 0; node < number.size(); ++node) {
     if (aggregates.codes[node] != node) continue;
     number[node] = static_cast<std::uint32_t>(aggregates.seeds.size());

@@ -7,12 +7,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/large_vector.h"
 #include "laplacian/multigrid_level.h"
 
 namespace deltamesh::multigrid {
 
 struct Aggregates {
-  std::vector<std::uint32_t> codes;  ///< n: a node's aggregate, plus kSeed for the node that it grew from
+  LargeVector<std::uint32_t> codes;  ///< n: a node's aggregate, plus kSeed for the node that it grew from
   std::vector<std::uint32_t> seeds;  ///< of every aggregate, ascending
 
   static constexpr std::uint32_t kSeed = std::uint32_t{1} << 31;

@@ -4,16 +4,15 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "laplacian/multigrid_row_sums.h"
+#include "laplacian/multigrid_upper_half.h"
+
 namespace deltamesh::multigrid {
 namespace {
-
-struct Entry {
-  std::uint32_t node;
-  float weight;
-};
 
 /// Rows of P^T: the nodes interpolated from c are entries[start[c] .. start[c + 1]), ascending.
 struct Transpose {
@@ -23,7 +22,7 @@ struct Transpose {
     }
     for (std::size_t c = 0; c < nodes; ++c) start[c + 1] += start[c];
     entries.resize(start[nodes]);
-    std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
+    LargeVector<std::uint32_t> next(start.begin(), start.end() - 1);
     for (std::uint32_t i = 0; i < fine.interpolation.size(); ++i) {
       const Interpolation& p = fine.interpolation[i];
       for (std::size_t k = 0; k < 3; ++k) {
@@ -31,57 +30,8 @@ struct Transpose {
       }
     }
   }
-  std::vector<std::uint32_t> start;
-  std::vector<Entry> entries;
-};
-
-struct Sum {
-  float value = 0;
-  std::uint32_t is_touched = 0;
-};
-
-/// One row of a sparse matrix, sums over columns met in any order, in memory of a SumTable. To be held by
-/// value: its count then stays in a register.
-class RowSums {
- public:
-  RowSums(Sum* sums, std::uint32_t* touched) : sums_(sums), touched_(touched) {}
-
-  void add(std::uint32_t column, float value) noexcept {
-    Sum& sum = sums_[column];
-    touched_[count_] = column;
-    count_ += 1 - sum.is_touched;  // no branch: it could not be predicted
-    sum.is_touched = 1;
-    sum.value += value;
-  }
-
-  /// The same where columns met for the first time are rare.
-  void add_known(std::uint32_t column, float value) noexcept {
-    if (sums_[column].is_touched == 0) [[unlikely]] {
-      sums_[column].is_touched = 1;
-      touched_[count_++] = column;
-    }
-    sums_[column].value += value;
-  }
-
-  /// Calls take(column, sum) for every column in the order of first mention, and clears the row.
-  template <class Take>
-  void finish(const Take& take) {
-    for (std::uint32_t k = 0; k < count_; ++k) take(touched_[k], std::exchange(sums_[touched_[k]], {}).value);
-    count_ = 0;
-  }
-
- private:
-  Sum* sums_;
-  std::uint32_t* touched_;
-  std::uint32_t count_ = 0;
-};
-
-struct SumTable {
-  explicit SumTable(std::uint32_t columns) : sums(columns), touched(columns + 1) {}
-  RowSums row() noexcept { return {sums.data(), touched.data()}; }
-
-  std::vector<Sum> sums;
-  std::vector<std::uint32_t> touched;
+  LargeVector<std::uint32_t> start;
+  LargeVector<Entry> entries;
 };
 
 /// Row c of -P^T K, over fine nodes.
@@ -106,13 +56,6 @@ RowSums interpolate_row(const Level& fine, RowSums near, RowSums row) {
   });
   return row;
 }
-
-/// Positive entries right of the diagonal, row by row, and the largest of every whole row.
-struct UpperHalf {
-  std::vector<std::uint32_t> start;
-  std::vector<Entry> entries;
-  std::vector<float> largest;
-};
 
 bool make_upper_half(const Level& fine, std::uint32_t nodes, UpperHalf& upper) {
   const Transpose transpose(fine, nodes);
@@ -141,65 +84,12 @@ bool make_upper_half(const Level& fine, std::uint32_t nodes, UpperHalf& upper) {
   return true;
 }
 
-/// Keeps the entries that are not small.
-void drop_small(UpperHalf& upper, float smallest) {
-  std::uint32_t kept = 0;
-  std::uint32_t first = 0;
-  for (std::uint32_t c = 0; c < upper.largest.size(); ++c) {
-    const std::uint32_t end = upper.start[c + 1];
-    for (std::uint32_t e = first; e < end; ++e) {
-      const Entry entry = upper.entries[e];
-      if (entry.weight >= smallest * std::min(upper.largest[c], upper.largest[entry.node]))
-        upper.entries[kept++] = entry;
-    }
-    first = end;
-    upper.start[c + 1] = kept;
-  }
-  upper.entries.resize(kept);
-}
-
-/// Both halves, in every row first the edges to lower nodes.
-void mirror(const UpperHalf& upper, Level& coarse) {
-  const auto nodes = static_cast<std::uint32_t>(upper.largest.size());
-  auto& offsets = coarse.storage.offsets;
-  offsets.assign(nodes + 1, 0);
-  for (std::uint32_t c = 0; c < nodes; ++c) offsets[c + 1] = upper.start[c + 1] - upper.start[c];
-  for (const Entry& entry : upper.entries) ++offsets[entry.node + 1];
-  for (std::uint32_t c = 0; c < nodes; ++c) offsets[c + 1] += offsets[c];
-  coarse.storage.neighbors.resize(offsets[nodes]);
-  coarse.weights.resize(offsets[nodes]);
-  coarse.middle.resize(nodes);
-  std::vector<std::uint32_t> next(offsets.begin(), offsets.end() - 1);
-  const auto put = [&](std::uint32_t from, std::uint32_t to, float weight) {
-    coarse.storage.neighbors[next[from]] = to;
-    coarse.weights[next[from]++] = weight;
-  };
-  for (std::uint32_t c = 0; c < nodes; ++c) {
-    coarse.middle[c] = next[c];
-    for (std::uint32_t e = upper.start[c]; e < upper.start[c + 1]; ++e) {
-      put(c, upper.entries[e].node, upper.entries[e].weight);
-      put(upper.entries[e].node, c, upper.entries[e].weight);
-    }
-  }
-  coarse.offsets = coarse.storage.offsets;
-  coarse.neighbors = coarse.storage.neighbors;
-}
-
 }  // namespace
 
 bool make_galerkin_graph(const Level& fine, std::uint32_t nodes, float smallest, Level& coarse) {
   UpperHalf upper;
   if (!make_upper_half(fine, nodes, upper)) return false;
-  drop_small(upper, smallest);
-  mirror(upper, coarse);
-  coarse.degree.resize(nodes);
-  coarse.inverse_degree.resize(nodes);
-  for (std::uint32_t c = 0; c < nodes; ++c) {
-    float degree = 0;
-    for (std::uint32_t e = coarse.offsets[c]; e < coarse.offsets[c + 1]; ++e) degree += coarse.weights[e];
-    coarse.degree[c] = degree;
-    coarse.inverse_degree[c] = degree > 0 ? 1 / degree : 0;
-  }
+  make_graph(std::move(upper), smallest, coarse);
   return true;
 }
 

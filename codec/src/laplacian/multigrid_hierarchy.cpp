@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "laplacian/multigrid_aggregate.h"
+#include "laplacian/multigrid_flux.h"
 #include "laplacian/multigrid_galerkin.h"
 #include "laplacian/multigrid_transfer.h"
 
@@ -44,9 +45,12 @@ Level finest_level(const Adjacency& graph, std::span<const std::uint32_t> anchor
 }
 
 /// The next level; false where it would have more edges than `fine`.
-bool coarsen(const Level& fine, const Aggregates& aggregates, float smallest, Level& coarse) {
-  if (!make_galerkin_graph(fine, static_cast<std::uint32_t>(aggregates.seeds.size()), smallest, coarse))
-    return false;
+bool coarsen(const Level& fine, const Aggregates& aggregates, Coarsening how, float smallest, Level& coarse) {
+  const bool is_made = how == Coarsening::kQuick && fine.has_unit_weights()
+                           ? make_flux_graph(fine, aggregates, smallest, coarse)
+                           : make_galerkin_graph(fine, static_cast<std::uint32_t>(aggregates.seeds.size()),
+                                                 smallest, coarse);
+  if (!is_made) return false;
   coarse.mass.assign(aggregates.seeds.size(), 0.0F);
   for (std::uint32_t i = 0; i < fine.node_count(); ++i) {
     const Interpolation& p = fine.interpolation[i];
@@ -66,7 +70,7 @@ bool is_cut(const Level& level) {
 }
 
 std::vector<Level> build_levels(const Adjacency& graph, std::span<const std::uint32_t> anchors,
-                                std::uint32_t depth, float smallest) {
+                                std::uint32_t depth, Coarsening how, float smallest) {
   std::vector<Level> levels;
   levels.push_back(finest_level(graph, anchors));
   const std::uint64_t most = kMostWork * work_on(levels.front());
@@ -79,7 +83,7 @@ std::vector<Level> build_levels(const Adjacency& graph, std::span<const std::uin
     if (5 * (aggregates.seeds.size() - held) >= 4 * (fine.node_count() - held)) break;
     fine.interpolation = make_interpolation(fine, aggregates);
     Level coarse;
-    if (!coarsen(fine, aggregates, smallest, coarse)) {
+    if (!coarsen(fine, aggregates, how, smallest, coarse)) {
       fine.interpolation.clear();
       break;
     }
@@ -99,9 +103,9 @@ std::uint32_t coarsening_depth(std::uint32_t vertices, std::uint32_t anchors) no
 }
 
 std::vector<Level> build_hierarchy(const Adjacency& graph, std::span<const std::uint32_t> anchors,
-                                   std::uint32_t depth) {
-  std::vector<Level> levels = build_levels(graph, anchors, depth, kSmallEntry);
-  if (levels.size() > 1 && is_cut(levels.back())) levels = build_levels(graph, anchors, depth, 0.0F);
+                                   std::uint32_t depth, Coarsening how) {
+  std::vector<Level> levels = build_levels(graph, anchors, depth, how, kSmallEntry);
+  if (levels.size() > 1 && is_cut(levels.back())) levels = build_levels(graph, anchors, depth, how, 0.0F);
   while (levels.size() > 1 && is_cut(levels.back())) {
     levels.pop_back();
     levels.back().interpolation.clear();

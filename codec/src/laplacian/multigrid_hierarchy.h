@@ -17,10 +17,15 @@ namespace deltamesh::multigrid {
 /// as many nodes as anchors will be left.
 std::uint32_t coarsening_depth(std::uint32_t vertices, std::uint32_t anchors) noexcept;
 
+enum class Coarsening {
+  kExact,  ///< P^T K P on every level
+  kQuick,  ///< make_flux_graph on the second one
+};
+
 /// The finest level and `depth` coarser ones; fewer where coarsening no longer shrinks. `graph` must outlive
 /// them. Cost and memory O(n + edges).
 std::vector<Level> build_hierarchy(const Adjacency& graph, std::span<const std::uint32_t> anchors,
-                                   std::uint32_t depth);
+                                   std::uint32_t depth, Coarsening how);
 
 /// Per level, how many cycles are made on it for one on the level before: two from the second level on, or
 /// one where levels shrink so slowly that all cycles together would take more than some times the work on the

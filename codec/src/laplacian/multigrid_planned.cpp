@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "laplacian/multigrid_smoother.h"
-#include "laplacian/multigrid_symmetric.h"
+#include "laplacian/multigrid_sweeps.h"
 #include "laplacian/multigrid_transfer.h"
 
 namespace deltamesh::multigrid {
@@ -14,6 +13,10 @@ namespace {
 
 /// Level from which on there is an s of its own.
 constexpr std::size_t kCoupled = 2;
+
+/// Sweeps in every cycle of the finest level and of the second one.
+constexpr int kFinestSweeps = 3;
+constexpr int kSecondSweeps = 2;
 
 Float4 to_float4(const Vec3& v) noexcept {
   return Float4{static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]), 0.0F};
@@ -113,7 +116,7 @@ void PlannedCycles::correct_second(bool is_first) {
   const Level& level = levels_[1];
   LevelSolver::Vectors& next = solver_.vectors(2);
   if (is_first) {
-    sweep_forward<false>(level, [&](std::uint32_t i) { return b_[i]; }, e_second_, step_second_);
+    sweep_first<false>(level, [&](std::uint32_t i) { return b_[i]; }, e_second_, step_second_);
   } else {
     const auto residual = [&](std::uint32_t i) {
       Float4 sum = b_[i] - level.degree[i] * u_[i].x - level.mass[i] * u_[i].s;
@@ -121,9 +124,9 @@ void PlannedCycles::correct_second(bool is_first) {
         sum += level.weights[e] * u_[level.neighbors[e]].x;
       return sum;
     };
-    sweep_forward<false>(level, residual, e_second_, step_second_);
+    sweep_first<false>(level, residual, e_second_, step_second_);
   }
-  sweep_backward<false>(level, e_second_, step_second_);
+  for (int s = 1; s < kSecondSweeps; ++s) sweep_again<false>(level, e_second_, step_second_);
   for (Row& row : next.b) row.x = Float4{};
   take_residuals<false>(level, step_second_, [&](std::uint32_t i, Float4 residual) {
     restrict_x(level.interpolation[i], residual, [&](std::uint32_t node) -> Float4& { return next.b[node].x; });
@@ -179,8 +182,8 @@ void PlannedCycles::cycle(const DeltaView& deltas, std::span<const Vec3> targets
     return charge(finest, deltas, x, i) -
            finest.mass[i] * interpolate_field(finest.interpolation[i], s_second_);
   };
-  sweep_forward<true>(finest, residual, e_, step_);
-  sweep_backward<true>(finest, e_, step_);
+  sweep_first<true>(finest, residual, e_, step_);
+  for (int s = 1; s < kFinestSweeps; ++s) sweep_again<true>(finest, e_, step_);
   restrict_to_second([&](const auto& take) { take_residuals<true>(finest, step_, take); });
   for (std::size_t a = 0; a < targets.size(); ++a) {
     const std::uint32_t vertex = finest.anchors[a];

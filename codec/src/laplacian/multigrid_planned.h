@@ -46,7 +46,7 @@ class PlannedCycles {
   std::span<const Level> levels_;
   std::size_t coupled_;  ///< c
   LevelSolver solver_;
-  LargeVector<Float4> e_, step_;           ///< finest level: correction, and what the backward sweep added
+  LargeVector<Float4> e_, step_;           ///< finest level: correction, and what the last sweep added
   LargeVector<Float4> b_;                  ///< second level: right-hand side; empty where c is that
   LargeVector<Float4> e_second_, step_second_;  ///< likewise
   LargeVector<Row> u_;                     ///< second level: correction of x and s

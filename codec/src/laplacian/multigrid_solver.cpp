@@ -104,19 +104,21 @@ class GroupSolver {
  public:
   explicit GroupSolver(Group group)
       : group_(std::move(group)),
-        levels_(multigrid::build_hierarchy(*group_.graph, group_.anchors, group_.depth)),
         targets_(group_.anchors.size()),
         has_hub_(has_hub(*group_.graph)),
         change_(group_.components.count),
         bad_(group_.components.count) {}
 
-  /// What solve() with so many cycles would allocate first.
+  /// What solve() with so many cycles would set up first.
   void set_up(int cycles) {
-    if (is_planned(cycles)) {
-      if (!planned_) planned_ = std::make_unique<PlannedCycles>(levels_, group_.components);
-    } else if (!cycles_) {
-      cycles_ = std::make_unique<MultigridCycle>(levels_, group_.components, group_.depth == 0);
+    if (cycles > 0 && group_.depth > 0 && quick_levels_.empty()) {
+      quick_levels_ = make_levels(multigrid::Coarsening::kQuick);
+      if (quick_levels_.size() > 1)
+        planned_ = std::make_unique<PlannedCycles>(quick_levels_, group_.components);
     }
+    if (is_planned(cycles) || cycles_) return;
+    levels_ = make_levels(multigrid::Coarsening::kExact);
+    cycles_ = std::make_unique<MultigridCycle>(levels_, group_.components, group_.depth == 0);
   }
 
   /// `x`: where to start without levels; overwritten with the solution. `cycles`: 0 for as many as it takes.
@@ -143,7 +145,11 @@ class GroupSolver {
 
  private:
   /// Without coarser levels there is nothing to plan.
-  bool is_planned(int cycles) const noexcept { return cycles > 0 && levels_.size() > 1; }
+  bool is_planned(int cycles) const noexcept { return cycles > 0 && planned_; }
+
+  std::vector<multigrid::Level> make_levels(multigrid::Coarsening how) const {
+    return multigrid::build_hierarchy(*group_.graph, group_.anchors, group_.depth, how);
+  }
 
   /// Own copies for a group that is not the whole graph.
   void gather(const DeltaView& deltas, std::span<const Vec3> x) {
@@ -376,6 +382,7 @@ class GroupSolver {
   Group group_;
   std::vector<multigrid::Level> levels_;
   std::unique_ptr<MultigridCycle> cycles_;  ///< for as many as it takes
+  std::vector<multigrid::Level> quick_levels_;
   std::unique_ptr<PlannedCycles> planned_;  ///< for a given number
   DeltaView deltas_;
   std::span<Vec3> x_;

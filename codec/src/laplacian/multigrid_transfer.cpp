@@ -49,8 +49,8 @@ class LargestThree {
 
 LargeVector<Interpolation> make_interpolation(const Level& fine, const Aggregates& aggregates) {
   LargeVector<Interpolation> result(fine.node_count());
-  std::vector<float> sums(aggregates.seeds.size(), 0.0F);
-  std::vector<std::uint32_t> touched(aggregates.seeds.size() + 1);
+  LargeVector<float> sums(aggregates.seeds.size(), 0.0F);
+  LargeVector<std::uint32_t> touched(aggregates.seeds.size() + 1);
   for (std::uint32_t node = 0; node < result.size(); ++node) {
     if (aggregates.is_seed(node)) {
       result[node].node.fill(aggregates.of(node));

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "laplacian/multigrid_upper_half.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace deltamesh::multigrid {
+namespace {
+
+/// Keeps the entries that are not small.
+void drop_small(UpperHalf& upper, float smallest) {
+  std::uint32_t kept = 0;
+  std::uint32_t first = 0;
+  for (std::uint32_t c = 0; c < upper.largest.size(); ++c) {
+    const std::uint32_t end = upper.start[c + 1];
+    for (std::uint32_t e = first; e < end; ++e) {
+      const Entry entry = upper.entries[e];
+      if (entry.weight >= smallest * std::min(upper.largest[c], upper.largest[entry.node]))
+        upper.entries[kept++] = entry;
+    }
+    first = end;
+    upper.start[c + 1] = kept;
+  }
+  upper.entries.resize(kept);
+}
+
+/// Both halves, in every row first the edges to lower nodes.
+void mirror(const UpperHalf& upper, Level& coarse) {
+  const auto nodes = static_cast<std::uint32_t>(upper.largest.size());
+  auto& offsets = coarse.storage.offsets;
+  offsets.assign(nodes + 1, 0);
+  for (std::uint32_t c = 0; c < nodes; ++c) offsets[c + 1] = upper.start[c + 1] - upper.start[c];
+  for (const Entry& entry : upper.entries) ++offsets[entry.node + 1];
+  for (std::uint32_t c = 0; c < nodes; ++c) offsets[c + 1] += offsets[c];
+  coarse.storage.neighbors.resize(offsets[nodes]);
+  coarse.weights.resize(offsets[nodes]);
+  coarse.middle.resize(nodes);
+  LargeVector<std::uint32_t> next(offsets.begin(), offsets.end() - 1);
+  const auto put = [&](std::uint32_t from, std::uint32_t to, float weight) {
+    coarse.storage.neighbors[next[from]] = to;
+    coarse.weights[next[from]++] = weight;
+  };
+  for (std::uint32_t c = 0; c < nodes; ++c) {
+    coarse.middle[c] = next[c];
+    for (std::uint32_t e = upper.start[c]; e < upper.start[c + 1]; ++e) {
+      put(c, upper.entries[e].node, upper.entries[e].weight);
+      put(upper.entries[e].node, c, upper.entries[e].weight);
+    }
+  }
+  coarse.offsets = coarse.storage.offsets;
+  coarse.neighbors = coarse.storage.neighbors;
+}
+
+}  // namespace
+
+void make_graph(UpperHalf upper, float smallest, Level& coarse) {
+  drop_small(upper, smallest);
+  mirror(upper, coarse);
+  const auto nodes = static_cast<std::uint32_t>(upper.largest.size());
+  coarse.degree.resize(nodes);
+  coarse.inverse_degree.resize(nodes);
+  for (std::uint32_t c = 0; c < nodes; ++c) {
+    float degree = 0;
+    for (std::uint32_t e = coarse.offsets[c]; e < coarse.offsets[c + 1]; ++e) degree += coarse.weights[e];
+    coarse.degree[c] = degree;
+    coarse.inverse_degree[c] = degree > 0 ? 1 / degree : 0;
+  }
+}
+
+}  // namespace deltamesh::multigrid
