@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// read_highpass on arbitrary payloads over a small graph. The last six bytes choose graph, anchor bits,
-// number of anchors, size of the step, and where the ANCH payload begins.
+// read_highpass on arbitrary payloads over a small graph. The last six bytes choose graph and cycles,
+// anchor bits, number of anchors, size of the step, and where the ANCH payload begins.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -42,7 +42,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                                       .step = std::ldexp(1.0, choice[3] * 4 - 512),
                                       .anchor_bits = static_cast<std::uint8_t>(choice[1] % 26),
                                       .anchors = choice[2] % 90U,
-                                      .anchor_density = 1};
+                                      .anchor_density = 1,
+                                      .cycles = static_cast<std::uint8_t>(choice[0] / 5)};
   const std::size_t split = payload.empty() ? 0 : (choice[4] + 256U * choice[5]) % (payload.size() + 1);
   const auto positions = read_highpass(payload.first(split), payload.subspan(split), mesh.graph,
                                        mesh.components, mesh.box, parameters);

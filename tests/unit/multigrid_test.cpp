@@ -8,6 +8,7 @@
 #include <numeric>
 #include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "laplacian/anchors.h"
@@ -181,6 +182,73 @@ TEST(Multigrid, EqualProblemsGiveEqualBits) {
   EXPECT_EQ(x, again);
 }
 
+/// Cycles that a plan takes for a solution that may stand for the exact one.
+void expect_few_cycles(const Problem& problem, int most) {
+  const std::vector<Vec3> exact = solve(problem, make_direct_solver(problem.mesh.graph, problem.anchors));
+  const auto solver = make_multigrid_solver(problem.mesh.graph, problem.anchors);
+  ASSERT_TRUE(solver);
+  std::vector<Vec3> x(exact.size());
+  const Errors of_exact = errors(exact, problem.mesh.positions);
+  for (const int cycles : {most, most + 2}) {
+    ASSERT_TRUE((*solver)->solve(problem.deltas, problem.targets, cycles, x));
+    EXPECT_LT(errors(x, exact).rms, 0.2 * of_exact.rms) << cycles;
+    EXPECT_LT(errors(x, problem.mesh.positions).rms, 1.02 * of_exact.rms) << cycles;
+    EXPECT_LT(errors(x, problem.mesh.positions).largest, 1.05 * of_exact.largest) << cycles;
+  }
+}
+
+TEST(Multigrid, PlannedCyclesAreFew) {
+  expect_few_cycles(quantized(test::sheet(120, 90), 50, 4), 2);
+  expect_few_cycles(quantized(test::sheet(120, 90), 50, 8), 4);
+  expect_few_cycles(quantized(test::sheet(120, 90), 5, 8), 8);
+  expect_few_cycles(quantized(many_sheets(), 100, 8), 5);
+}
+
+TEST(Multigrid, PlannedCyclesGiveExactDeltasBack) {
+  Problem problem = quantized(test::sheet(80, 80), 32, 8);
+  problem.deltas = delta_coordinates(problem.mesh.graph, problem.mesh.positions);
+  for (std::size_t a = 0; a < problem.anchors.size(); ++a)
+    problem.targets[a] = problem.mesh.positions[problem.anchors[a]];
+  const auto solver = make_multigrid_solver(problem.mesh.graph, problem.anchors);
+  ASSERT_TRUE(solver);
+  std::vector<Vec3> x(problem.deltas.size());
+  ASSERT_TRUE((*solver)->solve(problem.deltas, problem.targets, 16, x));
+  EXPECT_LT(errors(x, problem.mesh.positions).largest, 1e-7);
+}
+
+TEST(Multigrid, PlannedCyclesDoNotDependOnEarlierOnes) {
+  const Problem problem = quantized(many_sheets(), 100, 8);
+  const auto solver = make_multigrid_solver(problem.mesh.graph, problem.anchors);
+  ASSERT_TRUE(solver);
+  std::vector<Vec3> x(problem.deltas.size());
+  std::vector<Vec3> again(x.size());
+  ASSERT_TRUE((*solver)->solve(problem.deltas, problem.targets, 2, x));
+  ASSERT_TRUE((*solver)->solve(std::vector<Vec3>(x.size(), Vec3{1, 2, 3}), problem.targets, 5, again));
+  ASSERT_TRUE((*solver)->solve(problem.deltas, problem.targets, 0, again));
+  ASSERT_TRUE((*solver)->solve(problem.deltas, problem.targets, 2, again));
+  EXPECT_EQ(x, again);
+}
+
+TEST(Multigrid, FluxBetweenAggregatesKeepsConstantsAndSymmetry) {
+  const GraphMesh mesh = test::sheet(60, 60);
+  const auto anchors = place_anchors(mesh.graph, mesh.components, {.count = 20}).vertices;
+  const auto levels = multigrid::build_hierarchy(mesh.graph, anchors, 2, multigrid::Coarsening::kQuick);
+  ASSERT_EQ(levels.size(), 3U);
+  const multigrid::Level& level = levels[1];
+  std::set<std::tuple<std::uint32_t, std::uint32_t, float>> edges;
+  for (std::uint32_t c = 0; c < level.node_count(); ++c) {
+    float degree = 0;
+    for (std::uint32_t e = level.offsets[c]; e < level.offsets[c + 1]; ++e) {
+      EXPECT_GT(level.weights[e], 0);
+      EXPECT_EQ(level.neighbors[e] < c, e < level.middle[c]);
+      EXPECT_TRUE(edges.emplace(c, level.neighbors[e], level.weights[e]).second);
+      degree += level.weights[e];
+    }
+    EXPECT_EQ(degree, level.degree[c]);
+  }
+  for (const auto& [from, to, weight] : edges) EXPECT_TRUE(edges.contains({to, from, weight}));
+}
+
 TEST(Multigrid, LevelsShrinkAndKeepTheirAnchorsApart) {
   const GraphMesh mesh = test::sheet(60, 60);
   const auto anchors = place_anchors(mesh.graph, mesh.components, {.count = 20}).vertices;
@@ -205,7 +273,8 @@ TEST(Multigrid, LevelsShrinkAndKeepTheirAnchorsApart) {
 /// Sweeps over all levels below the finest for one over that.
 double share_of_coarse_levels(const GraphMesh& mesh, const std::vector<std::uint32_t>& anchors) {
   const auto depths = multigrid::component_depths(mesh.graph, mesh.components, anchors);
-  const auto levels = multigrid::build_hierarchy(mesh.graph, anchors, depths.front(), multigrid::Coarsening::kExact);
+  const auto levels =
+      multigrid::build_hierarchy(mesh.graph, anchors, depths.front(), multigrid::Coarsening::kExact);
   const std::vector<int> cycles = multigrid::plan_cycles(levels);
   double visits = 1;
   double work = 0;

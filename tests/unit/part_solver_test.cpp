@@ -38,15 +38,18 @@ TEST(PartSolver, AnswersDoNotDependOnEarlierOnes) {
     std::vector<Vec3> first(positions.size());
     std::vector<Vec3> other(positions.size());
     std::vector<Vec3> again(positions.size());
-    PartSolver solver(part);
-    ASSERT_TRUE(solver.solve(anchors, coarse, targets, first));
-    ASSERT_TRUE(solver.solve(anchors, fine, targets, other));
-    ASSERT_TRUE(solver.solve(anchors, coarse, targets, again));
-    EXPECT_EQ(first, again);
-    EXPECT_NE(first, other);
-    PartSolver fresh(part);
-    ASSERT_TRUE(fresh.solve(anchors, fine, targets, again));
-    EXPECT_EQ(other, again);
+    for (const int cycles : {0, 2}) {
+      PartSolver solver(part);
+      ASSERT_TRUE(solver.solve(anchors, coarse, targets, cycles, first));
+      ASSERT_TRUE(solver.solve(anchors, fine, targets, cycles, other));
+      ASSERT_TRUE(solver.solve(anchors, coarse, targets, cycles, again));
+      EXPECT_EQ(first, again);
+      EXPECT_NE(first, other);
+      PartSolver fresh(part);
+      ASSERT_TRUE(fresh.set_up(anchors, cycles));
+      ASSERT_TRUE(fresh.solve(anchors, fine, targets, cycles, again));
+      EXPECT_EQ(other, again);
+    }
   }
 }
 
@@ -84,10 +87,13 @@ TEST(SolveOnce, GivesTheSolversBits) {
     const auto solver = make_multigrid_solver(problem.graph, problem.anchors);
     ASSERT_TRUE(solver);
     std::vector<Vec3> x(mesh.positions.size());
-    ASSERT_TRUE((*solver)->solve(deltas, problem.targets, x));
-    const auto once = solve_once(problem);
-    ASSERT_TRUE(once);
-    EXPECT_EQ(*once, x);
+    for (const int cycles : {0, 1, 3}) {
+      ASSERT_TRUE((*solver)->solve(deltas, problem.targets, cycles, x));
+      problem.cycles = cycles;
+      const auto once = solve_once(problem);
+      ASSERT_TRUE(once);
+      EXPECT_EQ(*once, x);
+    }
   }
 }
 

@@ -38,7 +38,8 @@ Distances distances(const SolvedPart& part, std::span<const Vec3> a, std::span<c
 }  // namespace
 
 std::optional<std::uint8_t> CyclePlan::cycles_for(const CycleCircumstances& now) const noexcept {
-  const bool is_known = cycles_ && now.diffusion == found_for_.diffusion && is_near(now.step, found_for_.step) &&
+  const bool is_known = cycles_ && now.diffusion == found_for_.diffusion &&
+                        is_near(now.step, found_for_.step) &&
                         is_near(static_cast<double>(now.anchors), static_cast<double>(found_for_.anchors));
   return is_known ? cycles_ : std::nullopt;
 }

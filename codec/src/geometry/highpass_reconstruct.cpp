@@ -105,9 +105,9 @@ Result<std::vector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, c
                                                const HighpassParameters& parameters) {
   std::vector<Vec3> solution(part.row_count);
   if (!solution.empty()) {
-    DELTAMESH_CHECK(solver.solve(anchor_rows(symbols.anchors, part),
-                                 DeltaView(symbols.deltas, scale_of(parameters)),
-                                 anchor_targets(symbols, part, box, parameters), parameters.cycles, solution));
+    DELTAMESH_CHECK(
+        solver.solve(anchor_rows(symbols.anchors, part), DeltaView(symbols.deltas, scale_of(parameters)),
+                     anchor_targets(symbols, part, box, parameters), parameters.cycles, solution));
   }
   return to_positions(std::move(solution), symbols, part, box, parameters);
 }

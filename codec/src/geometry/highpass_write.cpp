@@ -138,7 +138,8 @@ Result<void> HighpassCoder::plan_and_solve(const HighpassSymbols& symbols, Coded
   for (planned.cycles = 1; planned.cycles <= kMostPlannedCycles; ++planned.cycles) {
     auto positions = reconstruct_highpass(symbols, part_, solver_, box_, planned);
     if (!positions) continue;
-    if (!is_as_good(part_, positions_, coded.positions, *positions, kInvisible * box_.longest_side())) continue;
+    if (!is_as_good(part_, positions_, coded.positions, *positions, kInvisible * box_.longest_side()))
+      continue;
     coded.parameters.cycles = planned.cycles;
     coded.positions = std::move(*positions);
     break;
@@ -149,9 +150,8 @@ Result<void> HighpassCoder::plan_and_solve(const HighpassSymbols& symbols, Coded
 Result<CodedHighpass> HighpassCoder::code(const HighpassSettings& settings) {
   HighpassSymbols symbols;
   DELTAMESH_TRY(auto coded, write(settings, symbols));
-  const CycleCircumstances now{.step = settings.step,
-                               .diffusion = settings.diffusion,
-                               .anchors = settings.anchors.vertices.size()};
+  const CycleCircumstances now{
+      .step = settings.step, .diffusion = settings.diffusion, .anchors = settings.anchors.vertices.size()};
   if (const auto cycles = plan_.cycles_for(now)) {
     coded.parameters.cycles = *cycles;
     DELTAMESH_TRY(coded.positions, reconstruct_highpass(symbols, part_, solver_, box_, coded.parameters));

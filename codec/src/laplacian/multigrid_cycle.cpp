@@ -16,7 +16,8 @@ constexpr int kFirstSweeps = 3;
 
 }  // namespace
 
-MultigridCycle::MultigridCycle(std::span<const Level> levels, const Components& components, bool is_last_resort)
+MultigridCycle::MultigridCycle(std::span<const Level> levels, const Components& components,
+                               bool is_last_resort)
     : finest_(levels.front()),
       solver_(levels, 0, shared_components(components, finest_.anchors), components.count, is_last_resort),
       targets_(finest_.anchors.size()) {}

@@ -46,10 +46,10 @@ Level finest_level(const Adjacency& graph, std::span<const std::uint32_t> anchor
 
 /// The next level; false where it would have more edges than `fine`.
 bool coarsen(const Level& fine, const Aggregates& aggregates, Coarsening how, float smallest, Level& coarse) {
-  const bool is_made = how == Coarsening::kQuick && fine.has_unit_weights()
-                           ? make_flux_graph(fine, aggregates, smallest, coarse)
-                           : make_galerkin_graph(fine, static_cast<std::uint32_t>(aggregates.seeds.size()),
-                                                 smallest, coarse);
+  const bool is_made =
+      how == Coarsening::kQuick && fine.has_unit_weights()
+          ? make_flux_graph(fine, aggregates, smallest, coarse)
+          : make_galerkin_graph(fine, static_cast<std::uint32_t>(aggregates.seeds.size()), smallest, coarse);
   if (!is_made) return false;
   coarse.mass.assign(aggregates.seeds.size(), 0.0F);
   for (std::uint32_t i = 0; i < fine.node_count(); ++i) {

@@ -78,7 +78,7 @@ class LevelSolver {
   bool is_last_resort_;
   std::vector<int> cycles_;  ///< per level
   std::vector<Vectors> vectors_;
-  std::vector<std::unique_ptr<TwoSteps>> two_steps_;       ///< per level; null where there is but one cycle
+  std::vector<std::unique_ptr<TwoSteps>> two_steps_;  ///< per level; null where there is but one cycle
   std::size_t bottom_;
   std::uint64_t iterations_left_ = 0;                      ///< of conjugate gradients, times nodes
   std::vector<std::unique_ptr<CoarsestSolver>> coarsest_;  ///< per level; null where not needed so far

@@ -23,7 +23,8 @@ Float4 to_float4(const Vec3& v) noexcept {
 }
 
 /// D (delta - L x) of a vertex, in doubles.
-Float4 charge(const Level& finest, const DeltaView& deltas, std::span<const Vec3> x, std::uint32_t i) noexcept {
+Float4 charge(const Level& finest, const DeltaView& deltas, std::span<const Vec3> x,
+              std::uint32_t i) noexcept {
   const Vec3 own = x[i];
   const std::uint32_t end = finest.offsets[i + 1];
   Double4::Half sum{};
@@ -61,7 +62,8 @@ void restrict_x(const Interpolation& p, Float4 fine, const X& x) noexcept {
 PlannedCycles::PlannedCycles(std::span<const Level> levels, const Components& components)
     : levels_(levels),
       coupled_(std::min(kCoupled, levels.size() - 1)),
-      solver_(levels, coupled_, shared_components(components, levels.front().anchors), components.count, false),
+      solver_(levels, coupled_, shared_components(components, levels.front().anchors), components.count,
+              false),
       e_(levels[0].node_count()),
       step_(levels[0].node_count()),
       u_(levels[1].node_count()),
@@ -116,7 +118,8 @@ void PlannedCycles::correct_second(bool is_first) {
   const Level& level = levels_[1];
   LevelSolver::Vectors& next = solver_.vectors(2);
   if (is_first) {
-    sweep_first<false>(level, [&](std::uint32_t i) { return b_[i]; }, e_second_, step_second_);
+    sweep_first<false>(
+        level, [&](std::uint32_t i) { return b_[i]; }, e_second_, step_second_);
   } else {
     const auto residual = [&](std::uint32_t i) {
       Float4 sum = b_[i] - level.degree[i] * u_[i].x - level.mass[i] * u_[i].s;
@@ -129,7 +132,8 @@ void PlannedCycles::correct_second(bool is_first) {
   for (int s = 1; s < kSecondSweeps; ++s) sweep_again<false>(level, e_second_, step_second_);
   for (Row& row : next.b) row.x = Float4{};
   take_residuals<false>(level, step_second_, [&](std::uint32_t i, Float4 residual) {
-    restrict_x(level.interpolation[i], residual, [&](std::uint32_t node) -> Float4& { return next.b[node].x; });
+    restrict_x(level.interpolation[i], residual,
+               [&](std::uint32_t node) -> Float4& { return next.b[node].x; });
   });
   for (std::size_t a = 0; a < gaps_.size(); ++a) {
     const std::uint32_t node = level.anchors[a];

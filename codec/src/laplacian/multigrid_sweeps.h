@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Over-relaxed Gauss-Seidel sweeps on K e = r from zero, and the residual that they leave. A sweep's step obeys
-// the equations that e does, with r = 0: neither r nor the first residual is needed again.
+// Over-relaxed Gauss-Seidel sweeps on K e = r from zero, and the residual that they leave. A sweep's step
+// obeys the equations that e does, with r = 0: neither r nor the first residual is needed again.
 #pragma once
 
 #include <cstddef>

@@ -23,8 +23,7 @@ Result<void> PartSolver::set_up(std::span<const std::uint32_t> anchors, int cycl
 }
 
 Result<void> PartSolver::solve(std::span<const std::uint32_t> anchors, const DeltaView& deltas,
-                               std::span<const Vec3> anchor_positions, int cycles,
-                               std::span<Vec3> x) {
+                               std::span<const Vec3> anchor_positions, int cycles, std::span<Vec3> x) {
   DELTAMESH_CHECK(make_solver(anchors));
   return solver_->solve(deltas, anchor_positions, cycles, x);
 }
