@@ -46,7 +46,7 @@ Vec3 expect(const KnownFaces& faces, std::uint32_t v, std::span<const Vec3> posi
 }  // namespace
 
 bool CoderForecast::predictive_wins() const noexcept {
-  return predictive < highpass + std::min(0.345 * highpass, 3.15);
+  return predictive < highpass + std::min(0.28 * highpass, 3.4);
 }
 
 CoderForecast forecast_coders(const Adjacency& graph, const FaceList& list, std::span<const Vec3> positions,

@@ -20,7 +20,7 @@ struct CoderForecast {
   double predictive = 0;  ///< of distances from where parallelograms and neighbours point
 
   /// Where distances are hardly larger than deltas, as on flat and swept surfaces. The line was drawn through
-  /// the choices that full searches made on the corpus.
+  /// what effort 0 takes with either coder on the corpus.
   bool predictive_wins() const noexcept;
 };
 

@@ -40,6 +40,25 @@ Vec3 decoded_position(const PositionLattice& lattice, const Cell& cell) noexcept
   return position;
 }
 
+/// Whether most faces, of a sample, are no larger than a voxel's cube: marching cubes leave such, a lattice
+/// of decimals under any mesh does not.
+bool faces_fit_cubes(const PredictiveInput& input, double voxel) noexcept {
+  constexpr std::size_t kSampled = 1024;
+  constexpr double kMostVoxels = 2;  // a cube's diagonal, and some room
+  std::size_t seen = 0;
+  std::size_t fit = 0;
+  const std::size_t faces = input.triangles.size() / 3;
+  for (std::size_t f = 0; f < faces; f += 1 + faces / kSampled) {
+    const std::uint32_t* const corner = input.triangles.data() + 3 * f;
+    double longest = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      longest = std::max(longest, length(input.positions[corner[k]] - input.positions[corner[(k + 1) % 3]]));
+    fit += longest <= kMostVoxels * voxel ? 1 : 0;
+    ++seen;
+  }
+  return 2 * fit > seen;
+}
+
 /// LFE and the largest error; not finite where a decoder would not give floats.
 Quality positional_quality(std::span<const Vec3> positions, std::span<const Cell> cells,
                            const PositionLattice& lattice, const MeshEdges& edges) noexcept {
@@ -223,8 +242,8 @@ bool PredictiveTrials::are_voxels_enough(const Bounds& bounds) const {
   constexpr double kMostly = 0.5;      // of the vertices on edges
   constexpr double kMuchFiner = 0.25;  // than the lattice: then a plane of voxels means nothing
   if (!voxels() || voxels()->share <= kMostly) return false;
-  const Vec3& voxel = voxels()->voxel;
-  return *std::max_element(voxel.begin(), voxel.end()) > kMuchFiner * first_step(bounds);
+  const double voxel = *std::max_element(voxels()->voxel.begin(), voxels()->voxel.end());
+  return voxel > kMuchFiner * first_step(bounds) && faces_fit_cubes(input_, voxel);
 }
 
 bool PredictiveTrials::suits(const Bounds& bounds) const {

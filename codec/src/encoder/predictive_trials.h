@@ -69,7 +69,8 @@ class PredictiveTrials {
   double first_step(const Bounds& bounds) const noexcept;
   /// Looked for when first asked for.
   const std::optional<VoxelFit>& voxels() const;
-  /// Whether most vertices are on edges of voxels that are not much finer than the bounds' lattice.
+  /// Whether most vertices are on edges of voxels that are not much finer than the bounds' lattice, and faces
+  /// no larger.
   bool are_voxels_enough(const Bounds& bounds) const;
   /// On a cubic lattice but for `axes` with steps of their own; empty where none keeps the bounds.
   std::optional<Trial> keep_on_lattice(const Bounds& bounds, const std::array<AxisGrid, 3>& axes) const;
