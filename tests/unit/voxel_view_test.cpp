@@ -15,14 +15,18 @@
 #include <utility>
 #include <vector>
 
+#include "predictive/lattice.h"
+#include "predictive/positions.h"
 #include "predictive/voxel_coder.h"
+#include "support/graph_mesh.h"
 
 namespace deltamesh {
 namespace {
 
+using voxel::kEdgeNodes;
 using voxel::kEdges;
-using voxel::kEdgeSteps;
 using voxel::kTurned;
+using voxel::Nodes;
 
 class Random {
  public:
@@ -35,35 +39,47 @@ class Random {
   std::uint32_t state_ = 1;
 };
 
-std::vector<std::int16_t> listed(EightShorts lanes) {
-  std::vector<std::int16_t> list;
-  for (int i = 0; i < 8; ++i) list.push_back(lanes[i]);
-  return list;
-}
-
 TEST(VoxelLanes, AreEqualToPlainNumbers) {
   Random random;
-  for (int round = 0; round < 2000; ++round) {
-    EightShorts a{};
-    EightShorts b{};
-    for (int i = 0; i < 8; ++i) {
+  for (int round = 0; round < 3000; ++round) {
+    FourShorts a{};
+    FourShorts b{};
+    for (std::size_t i = 0; i < a.size(); ++i) {
       a[i] = static_cast<std::int16_t>(random.below(65536) - 32768);
-      b[i] = static_cast<std::int16_t>(random.below(65536) - 32768);
+      b[i] = static_cast<std::int16_t>(random.below(512) - 256);
     }
-    EXPECT_EQ(listed(lane_min(a, b)), listed(plain::lane_min(a, b)));
-    EXPECT_EQ(listed(lane_max(a, b)), listed(plain::lane_max(a, b)));
-    EXPECT_EQ(listed(mul_high(a, b)), listed(plain::mul_high(a, b)));
-    EXPECT_EQ(least(a), plain::least(a));
-    const FourInts from = {random.below(20), random.below(1 << 29), random.below(9), 5};
-    const FourInts to = {random.below(20), random.below(1 << 29), random.below(9), -1};
-    const EightShorts steps = steps_between(from, to);
-    EXPECT_EQ(listed(steps), listed(plain::steps_between(from, to)));
-    EXPECT_EQ(index_of_steps(steps), plain::index_of_steps(steps));
-    EXPECT_LT(index_of_steps(steps), kStepIndices);
+    EXPECT_EQ(store(load(a)), a);
+    EXPECT_EQ(store(clamp(load(a), -320, 77)), plain::store(plain::clamp(plain::load(a), -320, 77)));
+    EXPECT_EQ(store(mul_high(load(a), load(b))),
+              plain::store(plain::mul_high(plain::load(a), plain::load(b))));
+    EXPECT_EQ(weigh(load(b), a), plain::weigh(plain::load(b), a));
+    const FourInts wide = widen(load(a));
+    const FourInts product = cross(load(b), load({b[2], b[0], b[1], 0}));
+    const FourInts plain_product = plain::cross(load(b), load({b[2], b[0], b[1], 0}));
+    for (int i = 0; i < 4; ++i) EXPECT_EQ(wide[i], a[static_cast<std::size_t>(i)]);
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(product[i], plain_product[i]);
+    FourShorts spot{};
+    FourShorts own{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      spot[i] = static_cast<std::int16_t>(random.below(round % 2 == 0 ? 128 : 5) - (round % 2 == 0 ? 64 : 2));
+      own[i] = static_cast<std::int16_t>(-random.below(round % 3 == 0 ? 65 : 2));
+    }
+    const auto set = static_cast<unsigned>(1 + random.below(4095));
+    const NearestEdges edges = nearest_edges(load(spot), load(own), set);
+    const NearestEdges plain_edges = plain::nearest_edges(plain::load(spot), plain::load(own), set);
+    EXPECT_EQ(edges.nearest, plain_edges.nearest);
+    EXPECT_EQ(edges.next, plain_edges.next);
   }
 }
 
-TEST(VoxelTables, TurnsAreThe24RotationsOfTheEdges) {
+/// The middle of an edge, of a cube's node.
+Nodes middle_of(std::size_t axis, const Nodes& node) {
+  Nodes middle = {2 * node[0], 2 * node[1], 2 * node[2]};
+  ++middle[axis];
+  return middle;
+}
+
+TEST(VoxelTables, VOX2TurnsAreThe24RotationsOfTheEdges) {
   std::set<std::vector<std::uint8_t>> different;
   for (std::size_t turn = 0; turn < voxel::kTurns; ++turn) {
     std::vector<std::uint8_t> numbers(kTurned[turn].begin(), kTurned[turn].begin() + kEdges);
@@ -72,14 +88,14 @@ TEST(VoxelTables, TurnsAreThe24RotationsOfTheEdges) {
       EXPECT_EQ(voxel::kBeforeTurn[turn][kTurned[turn][i]], i);
       // Distances between edges stay.
       for (std::size_t j = 0; j < kEdges; ++j) {
-        int before = 0;
-        int after = 0;
-        for (std::size_t a = 0; a < 3; ++a) {
-          before += (kEdgeSteps[i][a] - kEdgeSteps[j][a]) * (kEdgeSteps[i][a] - kEdgeSteps[j][a]);
-          const int apart = kEdgeSteps[numbers[i]][a] - kEdgeSteps[numbers[j]][a];
-          after += apart * apart;
-        }
-        EXPECT_EQ(before, after);
+        const auto apart = [](std::size_t first, std::size_t second) {
+          const Nodes one = middle_of(first / 4, kEdgeNodes[first]);
+          const Nodes other = middle_of(second / 4, kEdgeNodes[second]);
+          int sum = 0;
+          for (std::size_t a = 0; a < 3; ++a) sum += (one[a] - other[a]) * (one[a] - other[a]);
+          return sum;
+        };
+        EXPECT_EQ(apart(i, j), apart(numbers[i], numbers[j]));
       }
     }
     std::sort(numbers.begin(), numbers.end());
@@ -89,115 +105,121 @@ TEST(VoxelTables, TurnsAreThe24RotationsOfTheEdges) {
   EXPECT_EQ(different.size(), voxel::kTurns);
 }
 
-/// Centres of the cubes that have an edge.
-std::set<std::array<int, 3>> cubes_of(const std::array<int, 3>& edge) {
-  std::set<std::array<int, 3>> cubes;
-  for (const voxel::Steps& steps : kEdgeSteps) {
-    const std::array<int, 3> center = {edge[0] - steps[0], edge[1] - steps[1], edge[2] - steps[2]};
-    if (center[0] % 2 != 0 && center[1] % 2 != 0 && center[2] % 2 != 0) cubes.insert(center);
-  }
+/// Lowest nodes of the cubes that have an edge.
+std::set<Nodes> cubes_of(std::size_t axis, const Nodes& node) {
+  std::set<Nodes> cubes;
+  for (std::size_t i = 4 * axis; i < 4 * axis + 4; ++i)
+    cubes.insert({node[0] - kEdgeNodes[i][0], node[1] - kEdgeNodes[i][1], node[2] - kEdgeNodes[i][2]});
   return cubes;
 }
 
-/// Every edge near the middle of a grid, and how many of the three coordinates are odd is one.
-template <class Function>
-void for_edges_near(const std::array<int, 3>& middle, const Function& visit) {
-  for (int x = -3; x <= 3; ++x)
-    for (int y = -3; y <= 3; ++y)
-      for (int z = -3; z <= 3; ++z) {
-        const std::array<int, 3> edge = {middle[0] + x, middle[1] + y, middle[2] + z};
-        if (edge[0] % 2 + edge[1] % 2 + edge[2] % 2 == 1) visit(edge);
-      }
+std::vector<Nodes> nodes_within(int below, int above) {
+  std::vector<Nodes> nodes;
+  for (int x = below; x <= above; ++x)
+    for (int y = below; y <= above; ++y)
+      for (int z = below; z <= above; ++z) nodes.push_back({x, y, z});
+  return nodes;
 }
 
-FourInts lanes_of(const std::array<int, 3>& place) { return FourInts{place[0], place[1], place[2], 0}; }
-
 TEST(VoxelTables, VOX2PairsShareTheirCubes) {
+  std::size_t count = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    std::array<int, 3> first = {20, 20, 20};
-    first[axis] = 21;
-    const auto own = cubes_of(first);
-    ASSERT_EQ(own.size(), 4U);
-    for_edges_near(first, [&](const std::array<int, 3>& second) {
-      std::set<std::array<int, 3>> common;
-      for (const auto& cube : cubes_of(second))
-        if (own.count(cube) != 0) common.insert(cube);
-      if (common.size() > 2) common.clear();  // the same edge
-      const std::size_t place = index_of_steps(steps_between(lanes_of(first), lanes_of(second)));
-      const voxel::CubePair& pair = voxel::kPairTable.pairs[voxel::kPairTable.places[axis][place]];
-      ASSERT_EQ(pair.cubes, common.size());
-      for (std::size_t i = 0; i < pair.cubes; ++i) {
-        const auto& center = pair.centers[i];
-        EXPECT_EQ(common.count({first[0] + center[0], first[1] + center[1], first[2] + center[2]}), 1U);
-        const auto number = [&](const std::array<int, 3>& edge) {
-          const std::size_t at = step_index(edge[0] - first[0] - center[0], edge[1] - first[1] - center[1],
-                                            edge[2] - first[2] - center[2]);
-          return kTurned[pair.turns[i]][voxel::kEdgeAt[at]];
-        };
-        EXPECT_EQ(number(first), 0);
-        constexpr std::array<int, voxel::kPairKinds> kNumbers = {1, 3, 4, 5, 6, 7};
-        EXPECT_EQ(number(second), kNumbers[pair.kinds[i]]);
+    const auto own = cubes_of(axis, {});
+    for (std::size_t axis2 = 0; axis2 < 3; ++axis2) {
+      for (const Nodes& node : nodes_within(-voxel::kMostApart, voxel::kMostApart)) {
+        std::set<Nodes> common;
+        for (const Nodes& cube : cubes_of(axis2, node))
+          if (own.count(cube) != 0) common.insert(cube);
+        if (common.size() > 2) common.clear();  // the same edge
+        const auto place = static_cast<std::size_t>(125 * static_cast<int>(axis2) + 25 * node[0] +
+                                                    5 * node[1] + node[2] + voxel::kPairMiddle);
+        const voxel::CubePair& pair = voxel::kPairTable.pairs[voxel::kPairTable.places[axis][place]];
+        ASSERT_EQ(pair.count, common.size());
+        count += pair.count > 0 ? 1 : 0;
+        for (std::size_t i = 0; i < pair.count; ++i) {
+          const voxel::PairCube& cube = pair.cubes[i];
+          const Nodes lowest = {cube.lowest[0] / kVoxelParts, cube.lowest[1] / kVoxelParts,
+                                cube.lowest[2] / kVoxelParts};
+          EXPECT_EQ(common.count(lowest), 1U);
+          const unsigned first =
+              voxel::kEdgeAt[voxel::near_index(axis, {-lowest[0], -lowest[1], -lowest[2]})];
+          const unsigned second = voxel::kEdgeAt[voxel::near_index(
+              axis2, {node[0] - lowest[0], node[1] - lowest[1], node[2] - lowest[2]})];
+          EXPECT_EQ(kTurned[cube.turn][first], 0);
+          constexpr std::array<int, voxel::kPairKinds> kNumbers = {1, 3, 4, 5, 6, 7};
+          EXPECT_EQ(kTurned[cube.turn][second], kNumbers[cube.kind]);
+          EXPECT_EQ(cube.others, voxel::kAllEdges & ~(1U << first | 1U << second));
+        }
+        if (pair.count == 2) {
+          EXPECT_EQ(pair.cubes[0].lowest[pair.axis] + kVoxelParts, pair.cubes[1].lowest[pair.axis]);
+        }
       }
-      if (pair.cubes == 2) {
-        EXPECT_EQ(pair.centers[0][pair.axis] + 2, pair.centers[1][pair.axis]);
-      }
-    });
+    }
   }
+  EXPECT_EQ(count + 1, voxel::kPairs);
 }
 
 TEST(VoxelTables, VOX3LikelyEdgesShareACubeWithTheCorner) {
-  const std::array<int, 3> center = {21, 21, 21};
-  for_edges_near(center, [&](const std::array<int, 3>& corner) {
-    unsigned expected = 0;
-    const auto own = cubes_of(corner);
-    for (unsigned i = 0; i < kEdges; ++i) {
-      const std::array<int, 3> edge = {center[0] + kEdgeSteps[i][0], center[1] + kEdgeSteps[i][1],
-                                       center[2] + kEdgeSteps[i][2]};
-      for (const auto& cube : cubes_of(edge))
-        if (edge != corner && own.count(cube) != 0) expected |= 1U << i;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (const Nodes& node : nodes_within(-voxel::kBelow, voxel::kAbove)) {
+      unsigned expected = 0;
+      const auto own = cubes_of(axis, node);
+      for (unsigned i = 0; i < kEdges; ++i) {
+        const bool same = i / 4 == axis && kEdgeNodes[i] == node;
+        for (const Nodes& cube : cubes_of(i / 4, kEdgeNodes[i]))
+          if (!same && own.count(cube) != 0) expected |= 1U << i;
+      }
+      EXPECT_EQ(voxel::kEdgesNear[voxel::near_index(axis, node)],
+                expected != 0 ? expected : voxel::kAllEdges);
     }
-    const std::size_t at = index_of_steps(steps_between(lanes_of(center), lanes_of(corner)));
-    EXPECT_EQ(voxel::kEdgesNear[at], expected != 0 ? expected : voxel::kAllEdges);
-  });
-  EXPECT_EQ(voxel::kEdgesNear[step_index(4, 1, 1)], voxel::kAllEdges);
+  }
 }
 
 TEST(VoxelGrid, VOX6LevelsComeBack) {
   for (const std::uint32_t levels : {1U, 2U, 5U, 16U, 17U, 1000U, 1U << 19}) {
     const VoxelGrid grid(levels);
     const auto voxel = static_cast<std::int32_t>(2 * levels);
-    for (const std::int32_t level :
-         {0, static_cast<std::int32_t>(levels / 2), static_cast<std::int32_t>(levels - 1)}) {
-      const Cell cell = {3 * voxel, 5 * voxel + 2 * level + 1, 0};
+    for (const std::uint32_t level : {0U, levels / 2, levels - 1}) {
+      const auto signed_level = static_cast<std::int32_t>(level);
+      const Cell cell = {3 * voxel, 5 * voxel + 2 * signed_level + 1, 0};
       const auto cut = grid.cut_of(cell);
       ASSERT_TRUE(cut);
-      EXPECT_EQ(cut->level, level);
-      VoxelVertex vertex = cut->vertex;
-      EXPECT_EQ(grid.cut(vertex, 1, level), cell);
-      EXPECT_TRUE(vertex.on_edge());
-      EXPECT_EQ(vertex.axis(), 1U);
-      EXPECT_NEAR(vertex.along(), 128.0 * (level + 0.5) / levels, 1);
-      EXPECT_EQ(vertex.place[1], 11);
+      EXPECT_EQ(cut->level, signed_level);
+      EXPECT_EQ(cut->axis, 1U);
+      EXPECT_EQ(cut->node, (VoxelGrid::Node{3, 5, 0}));
+      EXPECT_EQ(grid.cell_of(cut->node, cut->axis, cut->level), cell);
+      const std::int16_t part = grid.part_of(cut->level);
+      EXPECT_NEAR(part, 128.0 * (level + 0.5) / levels, 1);
+      EXPECT_LT(part, kVoxelParts);
+      const VoxelSpot spot = spot_of(cut->node, cut->axis, part);
+      EXPECT_EQ(spot.at, (FourShorts{3 * 128, static_cast<std::int16_t>(5 * 128 + part), 0, 128}));
+      EXPECT_TRUE(spot.on_edge());
     }
     EXPECT_FALSE(grid.cut_of({voxel, voxel, voxel}));
     EXPECT_FALSE(grid.cut_of({1, 1, voxel}));
     EXPECT_FALSE(grid.cut_of({2, 0, 0}));
   }
+  EXPECT_FALSE(kOffEdges.on_edge());
 }
 
 /// Some vertices of a grid with four levels.
 struct GridVertices {
   VoxelGrid grid{4};
-  std::array<VoxelVertex, 8> vertices{};
+  std::array<VoxelSpot, 8> spots{kOffEdges, kOffEdges, kOffEdges, kOffEdges,
+                                 kOffEdges, kOffEdges, kOffEdges, kOffEdges};
   std::uint32_t count = 0;
 
+  VoxelSpot at(const Cell& cell) const {
+    const auto cut = grid.cut_of(cell);
+    return spot_of(cut->node, cut->axis, grid.part_of(cut->level));
+  }
   std::uint32_t add(const Cell& cell) {
-    vertices[count] = grid.cut_of(cell)->vertex;
+    spots[count] = at(cell);
     return count++;
   }
 };
 
-TEST(VoxelView, VOX2VOX3TheFaceAcrossTellsTheCube) {
+TEST(VoxelView, VOX2VOX3VOX6TheFaceAcrossTellsTheCube) {
   // A plane of height 2.5 levels: vertices on upright edges of a row of cubes.
   GridVertices grid;
   const std::uint32_t a = grid.add({8, 8, 3});
@@ -212,18 +234,21 @@ TEST(VoxelView, VOX2VOX3TheFaceAcrossTellsTheCube) {
     around.neighbor_count = 2;
     around.faces = 6;
     VoxelView view;
-    ASSERT_TRUE(view.find(around, grid.vertices));
+    ASSERT_TRUE(view.find(around, grid.spots));
     EXPECT_FALSE(view.is_open());
-    view.look(around, grid.vertices, kUsualBlends);
-    const VoxelVertex to_code = grid.grid.cut_of({is_higher ? 16 : 0, 16, 3})->vertex;
+    view.look(around, grid.spots, kUsualBlends);
+    const VoxelSpot to_code = grid.at({is_higher ? 16 : 0, 16, 3});
     const unsigned number = view.number_of(to_code);
     ASSERT_LT(number, kEdges);
-    VoxelVertex back;
-    EXPECT_EQ(view.edge_of(number, back), 2U);
-    for (int i = 0; i < 3; ++i) EXPECT_EQ(back.place[i], to_code.place[i]);
-    EXPECT_EQ(view.plane_along(2, back), to_code.along());
-    EXPECT_EQ(view.mean_along(2), to_code.along());
-    EXPECT_EQ(view.number_of(grid.vertices[is_higher ? across : beyond]), voxel::kNoEdge);
+    const unsigned edge = view.edge_of(number);
+    EXPECT_EQ(edge / 4, 2U);
+    EXPECT_EQ(view.spot_on(edge, to_code.at[2]).at, to_code.at);
+    EXPECT_EQ(view.corner(), a);
+    EXPECT_EQ(view.steps_to(edge)[0], is_higher ? 1 : -1);
+    EXPECT_EQ(view.steps_to(edge)[1], 1);
+    EXPECT_EQ(view.plane_on(edge), to_code.at[2]);
+    EXPECT_EQ(view.mean_on(edge), to_code.at[2]);
+    EXPECT_EQ(view.number_of(grid.spots[is_higher ? across : beyond]), voxel::kNoEdge);
     EXPECT_EQ(view.likely(), 10U);
   }
 }
@@ -261,12 +286,70 @@ const char* rule_of_third(std::initializer_list<std::uint32_t> said, std::vector
   Script coder(std::move(script));
   VoxelCoder<Script> voxels(coder, faces, {24, 24, 24}, 4, kUsualBlends);
   cells.assign(3, {});
-  EXPECT_EQ(voxels.code_vertex(0, cells), nullptr);
-  EXPECT_EQ(voxels.code_vertex(1, cells), nullptr);
+  EXPECT_EQ(voxels.code_turn(0, cells), nullptr);
+  EXPECT_EQ(voxels.code_turn(1, cells), nullptr);
   EXPECT_EQ(cells[0], (Cell{8, 8, 3}));
   EXPECT_EQ(cells[1], (Cell{8, 16, 5}));
-  const char* const rule = voxels.code_vertex(2, cells);
+  const char* const rule = voxels.code_turn(2, cells);
   return rule != nullptr ? rule : "";
+}
+
+TEST(VoxelCoder, POSN12WhatIsKnownHasAnEarlierTurn) {
+  const test::GraphMesh mesh = test::sheet(9, 7);
+  const auto count = static_cast<std::uint32_t>(mesh.positions.size());
+  const FaceList list{mesh.triangles, count};
+  const std::uint32_t second = second_walk(list, {.kind = PositionKind::kVoxel});
+  EXPECT_EQ(second, 32U);
+  EXPECT_EQ(second_walk(list, {.kind = PositionKind::kLattice}), kNoVertex);
+  const KnownFaces faces(list, {}, second);
+  EXPECT_EQ(faces.turns(), second);
+  const auto turn_of = [&](std::uint32_t v) { return v < second ? v : v - second; };
+  std::size_t known = 0;
+  for (std::uint32_t v = 0; v < count; ++v) {
+    std::size_t expected = 0;
+    for (std::size_t f = 0; f < mesh.triangles.size(); f += 3) {
+      bool has = false;
+      std::size_t earlier = 0;
+      for (std::size_t c = f; c < f + 3; ++c) {
+        has |= mesh.triangles[c] == v;
+        earlier += turn_of(mesh.triangles[c]) < turn_of(v) ? 1 : 0;
+      }
+      expected += has && earlier == 2 ? 1 : 0;
+    }
+    const Surroundings around = faces.around(v);
+    EXPECT_EQ(around.known_count, std::min<std::size_t>(expected, Surroundings::kMostKnown));
+    known += around.known_count;
+    for (unsigned i = 0; i < around.known_count; ++i) {
+      const KnownFace& face = around.known[i];
+      EXPECT_LT(turn_of(face.a), turn_of(v));
+      EXPECT_LT(turn_of(face.b), turn_of(v));
+      if (face.opposite != kNoVertex) {
+        EXPECT_LT(turn_of(face.opposite), std::max(turn_of(face.a), turn_of(face.b)));
+      }
+    }
+  }
+  EXPECT_GT(known, mesh.triangles.size() / 4);
+}
+
+TEST(VoxelCoder, POSN12AnyNumberOfVerticesComesBack) {
+  for (std::uint32_t height = 1; height < 6; ++height) {
+    const test::GraphMesh mesh = test::sheet(5, height);
+    const FaceList list{mesh.triangles, static_cast<std::uint32_t>(mesh.positions.size())};
+    const PredictiveParameters parameters{
+        .kind = PositionKind::kVoxel, .lattice = {.cells = {64, 64, 64}}, .levels = 4};
+    std::vector<Cell> cells;
+    Random random;
+    for (const Vec3& position : mesh.positions) {
+      const auto x = static_cast<std::int32_t>(8 * position[0]);
+      const auto y = static_cast<std::int32_t>(8 * position[1]);
+      cells.push_back({x, y, 8 * random.below(2) + 1 + 2 * random.below(4)});
+      if (random.below(5) == 0) ++cells.back()[0];
+    }
+    const auto bytes = write_positions(list, cells, parameters);
+    const auto back = read_positions(Payload::compact(bytes), list, parameters, mesh.box);
+    ASSERT_TRUE(back);
+    EXPECT_EQ(*back, to_positions(cells, parameters.lattice));
+  }
 }
 
 TEST(VoxelCoder, VOX1VOX4VOX5POSN7KnowWhatMayBe) {
@@ -291,14 +374,14 @@ TEST(VoxelView, VOX2WithoutAFaceAcrossABitTells) {
   around.known[0] = {grid.add({8, 8, 3}), grid.add({8, 16, 3}), kNoVertex};
   around.known_count = 1;
   around.neighbor_count = 2;
-  const VoxelVertex to_code = grid.grid.cut_of({16, 16, 3})->vertex;
+  const VoxelSpot to_code = grid.at({16, 16, 3});
   VoxelView view;
-  ASSERT_TRUE(view.find(around, grid.vertices));
+  ASSERT_TRUE(view.find(around, grid.spots));
   ASSERT_TRUE(view.is_open());
   EXPECT_TRUE(view.higher_has(to_code));
-  EXPECT_FALSE(view.higher_has(grid.grid.cut_of({0, 16, 3})->vertex));
+  EXPECT_FALSE(view.higher_has(grid.at({0, 16, 3})));
   view.choose(true);
-  view.look(around, grid.vertices, kUsualBlends);
+  view.look(around, grid.spots, kUsualBlends);
   EXPECT_LT(view.number_of(to_code), kEdges);
   EXPECT_EQ(view.opposite(), voxel::kNoEdge);
 }
@@ -314,7 +397,7 @@ TEST(VoxelView, VOX2FacesWithoutACubeAreNone) {
   for (const std::uint32_t b : {same, far, grid.count}) {
     around.known[0] = {a, b, kNoVertex};
     VoxelView view;
-    EXPECT_FALSE(view.find(around, grid.vertices));
+    EXPECT_FALSE(view.find(around, grid.spots));
   }
 }
 

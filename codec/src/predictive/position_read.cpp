@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
+#include "base/large_vector.h"
 #include "base/try.h"
 #include "entropy/compact_reader.h"
 #include "format/tags.h"
@@ -37,8 +38,7 @@ Result<std::vector<Cell>> read_cells(Coder coder, const CompactReader& reader, s
   std::vector<Cell> cells(vertices);
   for (std::uint32_t v = 0; v < cells.size() && !reader.failed(); ++v) {
     const char* broken = coder.code_vertex(v, cells);
-    if (broken != nullptr && !reader.failed())
-      return invalid("a coordinate beyond the lattice, or an edge that is not there", broken);
+    if (broken != nullptr && !reader.failed()) return invalid("a coordinate beyond the lattice", broken);
   }
   return cells;
 }
@@ -46,9 +46,12 @@ Result<std::vector<Cell>> read_cells(Coder coder, const CompactReader& reader, s
 Result<std::vector<Vec3>> read_voxels(CompactReader& reader, const KnownFaces& faces,
                                       const PredictiveParameters& parameters, const BlendTable& blends) {
   const PositionLattice& lattice = parameters.lattice;
-  DELTAMESH_TRY(const auto cells,
-                read_cells(VoxelCoder(reader, faces, lattice.cells, parameters.levels, blends), reader,
-                           faces.vertex_count()));
+  VoxelCoder coder(reader, faces, lattice.cells, parameters.levels, blends);
+  LargeVector<Cell> cells(faces.vertex_count());
+  for (std::uint32_t turn = 0; turn < faces.turns() && !reader.failed(); ++turn) {
+    const char* broken = coder.code_turn(turn, cells);
+    if (broken != nullptr && !reader.failed()) return invalid("not a vertex of the voxel grid", broken);
+  }
   DELTAMESH_CHECK(reader.finish(kTagPositions));
   return to_positions(cells, lattice);
 }
@@ -92,7 +95,8 @@ Result<std::vector<Vec3>> read_positions(Payload payload, const FaceList& faces,
   Walk walk{};
   if (!code_walk(reader, walk)) return invalid("an order of vertices that is not known", "POSN-10");
   const auto order = walk_order(faces, walk);
-  DELTAMESH_TRY(auto walked, read_in_order(reader, KnownFaces(faces, order), parameters, box));
+  DELTAMESH_TRY(auto walked, read_in_order(reader, KnownFaces(faces, order, second_walk(faces, parameters)),
+                                           parameters, box));
   if (order.empty()) return walked;
   std::vector<Vec3> positions(walked.size());
   for (std::size_t i = 0; i < order.size(); ++i) positions[order[i]] = walked[i];

@@ -44,19 +44,18 @@ std::vector<std::byte> write_cells(const KnownFaces& faces, std::vector<Cell> ce
   code_walk(writer, walk);
   BlendTable blends = fit_blends(faces, cells, form.fit);
   code_blends(writer, blends);
-  const auto write_with = [&](auto coder) {
-    for (std::uint32_t v = 0; v < cells.size(); ++v) coder.code_vertex(v, cells);
-  };
   const PositionLattice& lattice = parameters.lattice;
   if (parameters.kind == PositionKind::kVoxel) {
-    write_with(VoxelCoder(writer, faces, lattice.cells, parameters.levels, blends));
+    VoxelCoder coder(writer, faces, lattice.cells, parameters.levels, blends);
+    for (std::uint32_t turn = 0; turn < faces.turns(); ++turn) coder.code_turn(turn, cells);
     return writer.finish();
   }
   const bool guesses = form.guesses == Guessing::kForecast ? guesses_pay(faces, cells, lattice.cells, blends)
                                                            : form.guesses == Guessing::kAlways;
   writer.bits(guesses ? 1 : 0, 1);
   writer.bits(patches.empty() ? 0 : 1, 1);
-  write_with(LatticeCoder(writer, faces, lattice.cells, blends, guesses));
+  LatticeCoder coder(writer, faces, lattice.cells, blends, guesses);
+  for (std::uint32_t v = 0; v < cells.size(); ++v) coder.code_vertex(v, cells);
   if (!patches.empty()) code_patches(writer, patches, 3 * cells.size());
   return writer.finish();
 }
@@ -84,8 +83,8 @@ std::vector<std::byte> write_positions(const FaceList& faces, std::span<const Ce
                                        std::span<const Patch> patches) {
   if (cells.empty()) return {};
   const auto order = walk_order(faces, form.walk);
-  return write_cells(KnownFaces(faces, order), in_order(cells, order), parameters, form,
-                     in_order(patches, order));
+  return write_cells(KnownFaces(faces, order, second_walk(faces, parameters)), in_order(cells, order),
+                     parameters, form, in_order(patches, order));
 }
 
 std::vector<std::byte> write_floats(const FaceList& faces, std::span<const Vec3> positions, const Box& box,

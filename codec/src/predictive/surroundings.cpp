@@ -4,8 +4,8 @@
 
 namespace deltamesh {
 
-KnownFaces::KnownFaces(const FaceList& list, std::span<const std::uint32_t> order)
-    : stars_(list.vertex_count) {
+KnownFaces::KnownFaces(const FaceList& list, std::span<const std::uint32_t> order, std::uint32_t second_walk)
+    : stars_(list.vertex_count, Star{}), second_walk_(second_walk) {
   const std::uint32_t* const triangles = list.triangles.data();
   if (order.empty()) {
     for (std::size_t i = 0; i < list.triangles.size(); i += 3)
@@ -25,13 +25,15 @@ KnownFaces::KnownFaces(const FaceList& list, std::span<const std::uint32_t> orde
   }
   // Which corner is the last one is hard to guess: found without a branch.
   constexpr std::array<std::uint8_t, 3> kNext = {1, 2, 0};
-  std::size_t last = corners[1] > corners[0] ? 1 : 0;
-  last = corners[2] > corners[last] ? 2 : last;
+  const std::array<std::uint32_t, 3> turns = {turn_of(corners[0]), turn_of(corners[1]), turn_of(corners[2])};
+  std::size_t last = turns[1] > turns[0] ? 1 : 0;
+  last = turns[2] > turns[last] ? 2 : last;
   const std::size_t next = kNext[last];
+  const std::size_t previous = kNext[next];
   const std::uint32_t vertex = corners[last];
   const std::uint32_t a = corners[next];
-  const std::uint32_t b = corners[kNext[next]];
-  if (a == b || a == vertex || b == vertex) return;
+  const std::uint32_t b = corners[previous];
+  if (a == b || turns[next] == turns[last] || turns[previous] == turns[last]) return;
   Star& star = stars_[vertex];
   if (star.known == Surroundings::kMostKnown) return;
   star.a[star.known] = a;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/four_ints.h"
+#include "base/large_vector.h"
 
 namespace deltamesh {
 
@@ -46,10 +47,15 @@ struct Surroundings {
 class KnownFaces {
  public:
   /// `order`: the vertices in coding order, by which they are numbered here; empty where they are already.
-  /// O(n + m).
-  explicit KnownFaces(const FaceList& list, std::span<const std::uint32_t> order = {});
+  /// `second_walk`: those from there on are coded in turns with those from 0 on [POSN-12]; kNoVertex: after
+  /// them. O(n + m).
+  explicit KnownFaces(const FaceList& list, std::span<const std::uint32_t> order = {},
+                      std::uint32_t second_walk = kNoVertex);
 
   std::uint32_t vertex_count() const noexcept { return static_cast<std::uint32_t>(stars_.size()); }
+  std::uint32_t second_walk() const noexcept { return second_walk_; }
+  /// In each of which a vertex of every walk is coded.
+  std::uint32_t turns() const noexcept { return std::min(vertex_count(), second_walk_); }
   Surroundings around(std::uint32_t vertex) const noexcept;
 
  private:
@@ -62,15 +68,22 @@ class KnownFaces {
     std::uint8_t faces = 0;
   };
 
+  /// What has a lower one is coded before.
+  std::uint32_t turn_of(std::uint32_t vertex) const noexcept {
+    return vertex - (vertex >= second_walk_ ? second_walk_ : 0);
+  }
   void add(const std::array<std::uint32_t, 3>& corners) noexcept;
   std::uint32_t across(std::uint32_t a, std::uint32_t b) const noexcept;
 
-  std::vector<Star> stars_;
+  LargeVector<Star> stars_;
+  std::uint32_t second_walk_;
 };
 
 /// The third corner of the first known face of the later one of `a` and `b` that has both.
 inline std::uint32_t KnownFaces::across(std::uint32_t a, std::uint32_t b) const noexcept {
-  const auto [earlier, later] = std::minmax(a, b);
+  const bool is_b_later = turn_of(b) > turn_of(a);
+  const std::uint32_t earlier = is_b_later ? a : b;
+  const std::uint32_t later = is_b_later ? b : a;
   const Star& star = stars_[later];
   const auto same = static_cast<std::int32_t>(earlier);
   const unsigned found = set_lanes((four_ints(star.a) == same) | (four_ints(star.b) == same));

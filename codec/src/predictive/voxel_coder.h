@@ -13,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "base/large_vector.h"
 #include "base/zigzag.h"
 #include "predictive/residual_coder.h"
 #include "predictive/voxel_view.h"
@@ -32,59 +33,80 @@ class VoxelCoder {
         blends_(blends),
         history_(faces.vertex_count()),
         residuals_(coder),
-        vertices_(faces.vertex_count()),
+        spots_(faces.vertex_count()),
+        nodes_(faces.vertex_count()),
         corner_models_(kCornerContexts, kFreshEdge) {
     edge_models_.reserve(kEdgeContexts);
-    for (std::size_t i = 0; i < kEdgeContexts; ++i)
-      edge_models_.push_back(fresh_edges(i / kEdgeSlots / kMostLikely % voxel::kEdges, i % kEdgeSlots));
+    for (std::size_t i = 0; i < kEdgeContexts; ++i) {
+      // Those of the first kind again for the others.
+      constexpr std::size_t kOfKind = kEdgeContexts / voxel::kPairKinds;
+      const std::size_t nearest = i / (kEdgeSlots * kMostLikely);
+      edge_models_.push_back(i < kOfKind ? fresh_edges(nearest, i % kEdgeSlots) : edge_models_[i - kOfKind]);
+    }
     while ((levels - 1) >> low_bits_ >= kSymbols) ++low_bits_;
     std::array<std::uint8_t, kSymbols> weights{};
     for (std::uint32_t i = 0; i <= (levels - 1) >> low_bits_; ++i) weights[i] = 1;
-    for (std::size_t i = 0; i < cuts_.size(); ++i) cuts_[i].assign(kCutContexts[i], SymbolModel(weights));
+    level_models_.assign(kMeanBins * kPlaneBins, SymbolModel(weights));
   }
 
-  /// Codes cells[vertex]; those before it are coded. A reader fills it in. The rule that a stream breaks
-  /// here, or null.
-  const char* code_vertex(std::uint32_t vertex, std::span<Cell> cells) {
-    const Surroundings around = faces_.around(vertex);
-    std::optional<VoxelGrid::Cut> cut;
-    if constexpr (Coder::kWrites) cut = grid_.cut_of(cells[vertex]);
-    VoxelVertex own;
-    VoxelView view;
-    if (view.find(around, vertices_)) {
-      if (view.is_open()) view.choose(coder_.bit(cut && view.higher_has(cut->vertex), higher_));
-      view.look(around, vertices_, blends_);
-      const unsigned number = code_edge(around, view, cut ? view.number_of(cut->vertex) : voxel::kNoEdge);
-      if (number < voxel::kEdges) {
-        const std::size_t axis = view.edge_of(number, own);
-        const std::int32_t level = code_level(cut ? cut->level : 0, view.mean_along(axis),
-                                              view.plane_along(axis, own), view.neighbors());
-        cells[vertex] = grid_.cut(own, axis, level);
-        vertices_[vertex] = own;
-        return within(cells[vertex]) ? nullptr : "POSN-7";
-      }
-      if (number != voxel::kNoEdge) return "VOX-4";
+  /// The vertex of this turn in the first walk, from 0, and the one in the second; those of the turns before
+  /// are coded. A reader fills their cells in. The rule that a stream breaks here, or null.
+  const char* code_turn(std::uint32_t turn, std::span<Cell> cells) {
+    if (std::uint64_t{faces_.second_walk()} + turn >= cells.size()) return code_alone(turn, cells);
+    const std::uint32_t other = faces_.second_walk() + turn;
+    Vertex first(*this, turn, cells);
+    Vertex second(*this, other, cells);
+    if (!first.is_sure() || !second.is_sure()) {
+      const char* const broken = code_alone(turn, cells);
+      return broken != nullptr ? broken : code_alone(other, cells);
     }
-    return code_elsewhere(around, vertex, cells, cut);
+    first.view.look(first.around, spots_, blends_);
+    second.view.look(second.around, spots_, blends_);
+    const unsigned first_number = code_edge(first);
+    const unsigned second_number = code_edge(second);
+    const char* const broken = code_rest(first, first_number, cells);
+    return broken != nullptr ? broken : code_rest(second, second_number, cells);
   }
 
  private:
+  /// While it is coded.
+  struct Vertex {
+    [[gnu::always_inline]] Vertex(const VoxelCoder& coder, std::uint32_t vertex, std::span<const Cell> cells)
+        : number(vertex), around(coder.faces_.around(vertex)) {
+      has_cube = view.find(around, coder.spots_);
+      if constexpr (Coder::kWrites) {
+        cut = coder.grid_.cut_of(cells[vertex]);
+        if (cut) told = spot_of(cut->node, cut->axis, coder.grid_.part_of(cut->level));
+      }
+    }
+    bool is_sure() const noexcept { return has_cube && !view.is_open(); }
+
+    std::uint32_t number;
+    Surroundings around;
+    VoxelView view;
+    bool has_cube;
+    std::optional<VoxelGrid::Cut> cut;  ///< of a writer's, where the vertex is on an edge; and its spot
+    VoxelSpot told;
+  };
+
   static constexpr std::size_t kMostLikely = 4;
   static constexpr std::size_t kMostFaces = 9;
   static constexpr std::size_t kEdgeSlots = voxel::kEdges + 1;  ///< with none
   static constexpr std::size_t kEdgeContexts = voxel::kPairKinds * voxel::kEdges * kMostLikely * kEdgeSlots;
   static constexpr std::size_t kCornerContexts = voxel::kPairKinds * kEdgeSlots * (kMostFaces + 1);
-  static constexpr std::size_t kCutBins = 20;
-  static constexpr std::array<std::size_t, 2> kCutContexts = {kCutBins * kCutBins, 2 * kCutBins * 6};
+  static constexpr std::size_t kMeanBins = 40;
+  static constexpr std::size_t kPlaneBins = 20;
   static constexpr unsigned kFree = 3;
   static constexpr SymbolModel kFreshEdge{{8, 8, 8, 8, 8, 8, 8, 8, 8, 8, 8, 8, 1, 0, 0, 0}};
   static constexpr SymbolModel kFreshStart{{8, 8, 8, 8, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
 
-  bool within(const Cell& cell) const noexcept {
+  /// The rule that is broken where this is beyond the lattice, or null.
+  const char* settle(std::uint32_t vertex, std::size_t axis, std::int32_t level, Cell& cell) const noexcept {
+    const FourInts& node = nodes_[vertex];
+    cell = grid_.cell_of({node[0], node[1], node[2]}, axis, level);
     bool is_within = true;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      is_within &= static_cast<std::uint32_t>(cell[axis]) <= largest_[axis];
-    return is_within;
+    for (std::size_t a = 0; a < 3; ++a) is_within &= static_cast<std::uint32_t>(cell[a]) <= largest_[a];
+    return is_within ? nullptr : "POSN-7";
   }
 
   static SymbolModel fresh_edges(std::size_t nearest, std::size_t next) {
@@ -94,55 +116,85 @@ class VoxelCoder {
     return SymbolModel(weights);
   }
 
-  unsigned code_edge(const Surroundings& around, const VoxelView& view, unsigned number) {
+  const char* code_alone(std::uint32_t number, std::span<Cell> cells) {
+    Vertex vertex(*this, number, cells);
+    if (!vertex.has_cube) return code_elsewhere(vertex, cells);
+    if (vertex.view.is_open())
+      vertex.view.choose(coder_.bit(vertex.cut && vertex.view.higher_has(vertex.told), higher_));
+    vertex.view.look(vertex.around, spots_, blends_);
+    return code_rest(vertex, code_edge(vertex), cells);
+  }
+
+  [[gnu::always_inline]] unsigned code_edge(const Vertex& vertex) {
+    const VoxelView& view = vertex.view;
     const std::size_t likely = std::min<std::size_t>(view.likely(), kMostLikely) - 1;
-    const std::size_t degree = std::min<std::size_t>(around.faces, kMostFaces);
+    const std::size_t degree = std::min<std::size_t>(vertex.around.faces, kMostFaces);
     const std::size_t edge =
         ((view.kind() * voxel::kEdges + view.nearest()) * kMostLikely + likely) * kEdgeSlots + view.next();
     const std::size_t corner = (view.kind() * kEdgeSlots + view.opposite()) * (kMostFaces + 1) + degree;
+    unsigned number = voxel::kNoEdge;
+    if constexpr (Coder::kWrites)
+      if (vertex.cut) number = view.number_of(vertex.told);
     return coder_.symbol(number, Mixture<2>{{&edge_models_[edge], &corner_models_[corner]},
-                                            &edge_weights_[std::min(around.known_count, 3U) - 1]});
+                                            &edge_weights_[std::min(vertex.around.known_count, 3U) - 1]});
+  }
+
+  /// What follows the edge's number.
+  [[gnu::always_inline]] const char* code_rest(const Vertex& vertex, unsigned number, std::span<Cell> cells) {
+    if (number >= voxel::kEdges) return number == voxel::kNoEdge ? code_elsewhere(vertex, cells) : "VOX-4";
+    const VoxelView& view = vertex.view;
+    const unsigned edge = view.edge_of(number);
+    std::int32_t level = 0;
+    if constexpr (Coder::kWrites) level = vertex.cut->level;
+    level = code_level(level, view.mean_on(edge), view.plane_on(edge));
+    nodes_[vertex.number] = nodes_[view.corner()] + view.steps_to(edge);
+    spots_[vertex.number] = view.spot_on(edge, grid_.part_of(level));
+    return settle(vertex.number, edge / 4, level, cells[vertex.number]);
   }
 
   /// An edge by its axis and its lower node, from the node below what is expected; or a vertex on none.
   /// Kept out of the way of the vertices on a cube's edges, which are most.
-  [[gnu::noinline]] const char* code_elsewhere(const Surroundings& around, std::uint32_t vertex,
-                                               std::span<Cell> cells,
-                                               const std::optional<VoxelGrid::Cut>& cut) {
-    const Expectation expected = expect_place(around, vertex, cells, blends_);
+  [[gnu::noinline]] const char* code_elsewhere(const Vertex& vertex, std::span<Cell> cells) {
+    // Nothing comes before the first one of a walk.
+    const std::uint32_t after = vertex.number == faces_.second_walk() ? 0 : vertex.number;
+    const Expectation expected = expect_place(vertex.around, after, cells, blends_);
     const std::array<std::int64_t, 3> place = expected.place();
-    const unsigned start = coder_.symbol(cut ? static_cast<unsigned>(cut->vertex.axis()) : kFree,
-                                         Mixture<1>{{&start_}, &start_weights_});
+    const std::optional<VoxelGrid::Cut>& cut = vertex.cut;
+    const unsigned start =
+        coder_.symbol(cut ? static_cast<unsigned>(cut->axis) : kFree, Mixture<1>{{&start_}, &start_weights_});
     if (start > kFree) return "VOX-1";
-    if (start == kFree) return code_free(around, expected, vertex, cells[vertex]);
-    VoxelVertex& own = vertices_[vertex];
+    if (start == kFree) return code_free(vertex, expected, cells[vertex.number]);
+    VoxelGrid::Node node{};
     for (std::size_t a = 0; a < 3; ++a) {
       const std::int64_t nodes = largest_[a] / static_cast<std::uint32_t>(grid_.voxel());
       const std::int64_t below = std::clamp<std::int64_t>((place[a] >> 4) / grid_.voxel(), 0, nodes);
-      const std::uint32_t code =
-          cut ? zigzag(static_cast<std::int32_t>(cut->vertex.place[a] / 2 - below)) : 0;
-      const std::int64_t node = below + unzigzag(coder_.number(code, nodes_[a]));
-      if (node < 0 || node > nodes) return "VOX-5";
-      own.place[a] = static_cast<std::int32_t>(2 * node + (a == start ? 1 : 0));
+      const std::uint32_t code = cut ? zigzag(static_cast<std::int32_t>(cut->node[a] - below)) : 0;
+      const std::int64_t coded = below + unzigzag(coder_.number(code, start_nodes_[a]));
+      if (coded < 0 || coded > nodes) return "VOX-5";
+      node[a] = static_cast<std::int32_t>(coded);
     }
-    cells[vertex] = grid_.cut(own, start, code_level(cut ? cut->level : 0, kMiddle, kMiddle, 0));
-    return within(cells[vertex]) ? nullptr : "POSN-7";
+    const std::int32_t level = code_level(cut ? cut->level : 0, kMiddle, kMiddle);
+    nodes_[vertex.number] = FourInts{node[0], node[1], node[2], 0};
+    spots_[vertex.number] = spot_of(node, start, grid_.part_of(level));
+    return settle(vertex.number, start, level, cells[vertex.number]);
   }
 
   /// What is remembered is of such vertices only.
-  const char* code_free(Surroundings around, const Expectation& expected, std::uint32_t vertex, Cell& cell) {
+  const char* code_free(const Vertex& vertex, const Expectation& expected, Cell& cell) {
+    Surroundings around = vertex.around;
     const unsigned count = around.known_count;
     around.known_count = 0;
     for (unsigned i = 0; i < count; ++i) {
       const KnownFace face = around.known[i];
-      const bool has_a = !vertices_[face.a].on_edge();
-      const bool has_b = !vertices_[face.b].on_edge();
+      const bool has_a = !spots_[face.a].on_edge();
+      const bool has_b = !spots_[face.b].on_edge();
       if (!has_a && !has_b) continue;
       around.known[around.known_count++] = {has_a ? face.a : face.b, has_b ? face.b : face.a, face.opposite};
     }
+    spots_[vertex.number] = kOffEdges;
     history_.begin(around, expected);
     if (!code_free<0>(cell) || !code_free<1>(cell) || !code_free<2>(cell)) return "POSN-7";
-    history_.end(vertex, cell);
+    history_.end(vertex.number, cell);
     return nullptr;
   }
 
@@ -157,21 +209,19 @@ class VoxelCoder {
     return true;
   }
 
-  static constexpr std::int32_t kMiddle = 64;  ///< of an edge, 64ths of half a voxel
+  static constexpr std::int32_t kMiddle = kVoxelParts / 2;  ///< of an edge
 
-  /// Which of the levels along its edge a vertex is at. `mean` and `plane`: where it is expected, 64ths of
-  /// half a voxel.
-  std::int32_t code_level(std::int32_t level, std::int32_t mean, std::int32_t plane, unsigned neighbors) {
+  /// Which of the levels along its edge a vertex is at. `mean` and `plane`: where it is expected, parts of
+  /// a voxel.
+  std::int32_t code_level(std::int32_t level, std::int32_t mean, std::int32_t plane) {
     if (grid_.levels() == 1) return 0;
     const auto bin = [](std::int32_t along, int shift, std::size_t bins) {
-      return static_cast<std::size_t>(
-          std::clamp((along + 16) >> shift, 0, static_cast<std::int32_t>(bins) - 1));
+      const std::int32_t from_first = (along + kVoxelParts / 8) >> shift;
+      return static_cast<std::size_t>(std::clamp(from_first, 0, static_cast<std::int32_t>(bins) - 1));
     };
-    const std::size_t both = bin(mean, 3, kCutBins) * kCutBins + bin(plane, 3, kCutBins);
-    const std::size_t fine = bin(mean, 2, 2 * kCutBins) * 6 + std::min(neighbors, 5U);
+    SymbolModel& model = level_models_[bin(mean, 2, kMeanBins) * kPlaneBins + bin(plane, 3, kPlaneBins)];
     const auto high = static_cast<std::int32_t>(
-        coder_.symbol(static_cast<unsigned>(level) >> low_bits_,
-                      Mixture<2>{{&cuts_[0][both], &cuts_[1][fine]}, &cut_weights_}));
+        coder_.symbol(static_cast<unsigned>(level) >> low_bits_, Mixture<1>{{&model}, &level_weights_}));
     if (low_bits_ == 0) return std::min(high, grid_.levels() - 1);
     const std::uint32_t low = static_cast<std::uint32_t>(level) & ((1U << low_bits_) - 1);
     return std::min(high << low_bits_ | static_cast<std::int32_t>(coder_.bits(low, low_bits_)),
@@ -185,17 +235,18 @@ class VoxelCoder {
   BlendTable blends_;
   ResidualHistory history_;
   ResidualCoder<Coder> residuals_;
-  std::vector<VoxelVertex> vertices_;
-  unsigned low_bits_ = 0;  ///< of a level, outside its symbol
+  LargeVector<VoxelSpot> spots_;
+  LargeVector<FourInts> nodes_;  ///< of those on edges; the last lanes are 0
+  unsigned low_bits_ = 0;        ///< of a level, outside its symbol
   BitModel higher_;
   std::vector<SymbolModel> edge_models_;
   std::vector<SymbolModel> corner_models_;
   std::array<MixWeights<2>, 3> edge_weights_;
-  std::array<std::vector<SymbolModel>, 2> cuts_;
-  MixWeights<2> cut_weights_;
+  std::vector<SymbolModel> level_models_;
+  MixWeights<1> level_weights_;
   SymbolModel start_{kFreshStart};
   MixWeights<1> start_weights_;
-  std::array<NumberModel, 3> nodes_;
+  std::array<NumberModel, 3> start_nodes_;
 };
 
 }  // namespace deltamesh

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Edges of a voxel grid, on which marching cubes puts vertices, and levels on them [VOX-1, VOX-6].
+// Edges of a voxel grid, on which marching cubes puts vertices, and levels on them [VOX-1, VOX-3, VOX-6].
 #pragma once
 
 #include <array>
@@ -9,50 +9,52 @@
 #include <cstdint>
 #include <optional>
 
-#include "base/four_ints.h"
 #include "predictive/blend.h"
+#include "predictive/voxel_lanes.h"
 
 namespace deltamesh {
 
-/// A vertex on a grid edge, or not.
-struct VoxelVertex {
-  /// The middle of the edge in half voxels: one coordinate is odd, the edge's axis. In the last lane the axis
-  /// and where on the edge the vertex is, or kOff.
-  FourInts place{0, 0, 0, kOff};
+inline constexpr int kVoxelBits = 7;
+inline constexpr std::int16_t kVoxelParts = 1 << kVoxelBits;  ///< of a voxel's side, for spots
 
-  static constexpr std::int32_t kOff = -1;
-  static constexpr std::int32_t form_of(std::size_t axis, std::int32_t along) noexcept {
-    return static_cast<std::int32_t>(axis) << 8 | along;
-  }
-  bool on_edge() const noexcept { return place[3] >= 0; }
-  std::size_t axis() const noexcept { return static_cast<std::size_t>(place[3] >> 8); }
-  /// From the edge's lower end, 64ths of half a voxel: 0 to 127.
-  std::int16_t along() const noexcept { return static_cast<std::int16_t>(place[3] & 0xff); }
+/// Where a vertex is, in parts of a voxel, modulo 2^16; then kVoxelParts times the axis of its edge, or below
+/// 0 where it is on none. Small, as every vertex is looked at many times.
+struct alignas(8) VoxelSpot {
+  FourShorts at;
+
+  bool on_edge() const noexcept { return at[3] >= 0; }
 };
+inline constexpr VoxelSpot kOffEdges{{0, 0, 0, -1}};
 
 /// Fine lattice coordinates of a voxel grid: a node is a multiple of 2 `levels`, and what an edge is cut into
 /// are its odd coordinates in between.
 class VoxelGrid {
  public:
+  /// An edge is told by its lower node.
+  using Node = std::array<std::int32_t, 3>;
+
   /// `levels`: 1 to kMostLevels.
   explicit VoxelGrid(std::uint32_t levels) noexcept
       : voxel_(2 * static_cast<std::int32_t>(levels)), one_over_levels_((std::uint64_t{1} << 32) / levels) {}
 
-  /// Where a cell is in the middle of a level of an edge, and the level.
+  /// In the middle of a level of an edge.
   struct Cut {
-    VoxelVertex vertex;
+    Node node;
+    std::size_t axis;
     std::int32_t level;
   };
   std::optional<Cut> cut_of(const Cell& cell) const noexcept;
 
-  /// Sets the last lane of `vertex`, and gives the cell.
-  Cell cut(VoxelVertex& vertex, std::size_t axis, std::int32_t level) const noexcept {
-    const auto along = (2 * static_cast<std::uint64_t>(level) + 1) * one_over_levels_ >> 26;
-    vertex.place[3] = VoxelVertex::form_of(axis, static_cast<std::int32_t>(along));
-    Cell cell;
-    for (std::size_t a = 0; a < 3; ++a) cell[a] = (vertex.place[a] >> 1) * voxel_;
+  Cell cell_of(const Node& node, std::size_t axis, std::int32_t level) const noexcept {
+    Cell cell = {node[0] * voxel_, node[1] * voxel_, node[2] * voxel_};
     cell[axis] += 2 * level + 1;
     return cell;
+  }
+  /// From the lower end of an edge, parts of a voxel: below kVoxelParts.
+  std::int16_t part_of(std::int32_t level) const noexcept {
+    constexpr int kShift = 32 + 1 - kVoxelBits;
+    return static_cast<std::int16_t>((2 * static_cast<std::uint64_t>(level) + 1) * one_over_levels_ >>
+                                     kShift);
   }
 
   std::int32_t voxel() const noexcept { return voxel_; }
@@ -62,5 +64,15 @@ class VoxelGrid {
   std::int32_t voxel_;
   std::uint64_t one_over_levels_;  ///< 2^32 of it, rounded down
 };
+
+/// The spot at a node, modulo 2^16.
+inline VoxelSpot spot_of(const VoxelGrid::Node& node, std::size_t axis, std::int16_t part) noexcept {
+  VoxelSpot spot{};
+  for (std::size_t a = 0; a < 3; ++a)
+    spot.at[a] = static_cast<std::int16_t>(static_cast<std::uint32_t>(node[a]) << kVoxelBits);
+  spot.at[axis] = static_cast<std::int16_t>(spot.at[axis] + part);
+  spot.at[3] = static_cast<std::int16_t>(axis << kVoxelBits);
+  return spot;
+}
 
 }  // namespace deltamesh

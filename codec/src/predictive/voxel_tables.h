@@ -1,54 +1,105 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// The edges of a cube: their numbers, what turns make of them, and which have a cube in common [VOX-2].
+// The edges of a cube: their numbers, what turns make of them, and which have a cube in common [VOX-2]. All
+// is told by nodes: an edge by its lower one, a cube by its lowest.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 
-#include "predictive/voxel_lanes.h"
+#include "predictive/voxel_edges.h"
 
 namespace deltamesh::voxel {
 
-/// In half voxels, the last lane 0.
-using Steps = std::array<std::int32_t, 4>;
+/// x, y, z.
+using Nodes = std::array<int, 3>;
 
-inline constexpr unsigned kEdges = 12;
-inline constexpr unsigned kNoEdge = 12;
+inline constexpr unsigned kEdges = 12;  ///< numbered by 4 axis + corner
+inline constexpr unsigned kNoEdge = NearestEdges::kNone;
 inline constexpr unsigned kTurns = 24;
 inline constexpr std::uint16_t kAllEdges = (1U << kEdges) - 1;
 
-/// From the centre to every edge, numbered by 4 axis + corner.
-inline constexpr std::array<Steps, kEdges> kEdgeSteps = [] {
-  std::array<Steps, kEdges> edges{};
+/// From a cube's lowest node to that of every edge.
+inline constexpr std::array<Nodes, kEdges> kEdgeNodes = [] {
+  std::array<Nodes, kEdges> nodes{};
   for (unsigned i = 0; i < kEdges; ++i) {
-    const unsigned axis = i / 4;
-    edges[i][(axis + 1) % 3] = i % 2 != 0 ? 1 : -1;
-    edges[i][(axis + 2) % 3] = i % 4 >= 2 ? 1 : -1;
+    nodes[i][(i / 4 + 1) % 3] = i % 2 != 0 ? 1 : 0;
+    nodes[i][(i / 4 + 2) % 3] = i % 4 >= 2 ? 1 : 0;
   }
+  return nodes;
+}();
+
+/// The same as spots.
+inline constexpr std::array<FourShorts, kEdges> kEdgeSpots = [] {
+  std::array<FourShorts, kEdges> spots{};
+  for (std::size_t i = 0; i < kEdges; ++i) {
+    for (std::size_t a = 0; a < 3; ++a)
+      spots[i][a] = static_cast<std::int16_t>(kVoxelParts * kEdgeNodes[i][a]);
+    spots[i][3] = static_cast<std::int16_t>(kVoxelParts * (i / 4));
+  }
+  return spots;
+}();
+
+/// Edges by axis and node, from -kBelow to kAbove around a cube's lowest node. What is at the ends is too far
+/// off to have a cube in common with it.
+inline constexpr int kBelow = 2;
+inline constexpr int kAbove = 3;
+inline constexpr FourShorts kNearWeights = {36, 6, 1, 216};
+inline constexpr int kNearMiddle = kBelow * (36 + 6 + 1);
+inline constexpr std::size_t kNear = 3 * 216;
+constexpr std::size_t near_index(std::size_t axis, const Nodes& node) noexcept {
+  return 216 * axis + static_cast<std::size_t>(36 * node[0] + 6 * node[1] + node[2] + kNearMiddle);
+}
+
+/// By near_index(): the cube's edge there, or kNoEdge.
+inline constexpr std::array<std::uint8_t, kNear> kEdgeAt = [] {
+  std::array<std::uint8_t, kNear> edges{};
+  for (std::uint8_t& edge : edges) edge = kNoEdge;
+  for (std::size_t i = 0; i < kEdges; ++i)
+    edges[near_index(i / 4, kEdgeNodes[i])] = static_cast<std::uint8_t>(i);
   return edges;
 }();
 
-constexpr int size_of(int step) noexcept { return step < 0 ? -step : step; }
-
-constexpr std::size_t step_index_of(const Steps& steps) noexcept {
-  return step_index(steps[0], steps[1], steps[2]);
+/// Whether one cube has both edges, given by axis and node.
+constexpr bool share_cube(std::size_t axis, const Nodes& node, std::size_t axis2,
+                          const Nodes& node2) noexcept {
+  for (std::size_t a = 0; a < 3; ++a) {
+    // Across an edge its cubes reach one node back; the cubes' nodes must overlap.
+    const int back = a == axis ? 0 : 1;
+    const int back2 = a == axis2 ? 0 : 1;
+    if (node[a] < node2[a] - back2 || node2[a] < node[a] - back) return false;
+  }
+  return true;
 }
 
-/// By step_index(): the edge at these steps from a cube's centre, or kNoEdge.
-inline constexpr std::array<std::uint8_t, kStepIndices> kEdgeAt = [] {
-  std::array<std::uint8_t, kStepIndices> edges{};
-  for (std::uint8_t& edge : edges) edge = kNoEdge;
-  for (unsigned i = 0; i < kEdges; ++i) edges[step_index_of(kEdgeSteps[i])] = static_cast<std::uint8_t>(i);
-  return edges;
+/// By near_index(): the cube's edges that have a cube in common with the one there, but for itself; all where
+/// there is none.
+inline constexpr std::array<std::uint16_t, kNear> kEdgesNear = [] {
+  std::array<std::uint16_t, kNear> sets{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (int x = -kBelow; x <= kAbove; ++x) {
+      for (int y = -kBelow; y <= kAbove; ++y) {
+        for (int z = -kBelow; z <= kAbove; ++z) {
+          const Nodes node = {x, y, z};
+          std::uint16_t set = 0;
+          for (std::size_t i = 0; i < kEdges; ++i) {
+            const bool same = i / 4 == axis && kEdgeNodes[i] == node;
+            if (!same && share_cube(axis, node, i / 4, kEdgeNodes[i]))
+              set |= static_cast<std::uint16_t>(1U << i);
+          }
+          sets[near_index(axis, node)] = set != 0 ? set : kAllEdges;
+        }
+      }
+    }
+  }
+  return sets;
 }();
 
 /// Turn by turn the number that every edge gets; kNoEdge for itself and beyond.
 inline constexpr std::array<std::array<std::uint8_t, 16>, kTurns> kTurned = [] {
-  constexpr std::array<std::array<std::size_t, 3>, 6> kAxes = {
-      {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
+  constexpr std::array<Nodes, 6> kAxes = {{{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
   std::array<std::array<std::uint8_t, 16>, kTurns> turned{};
   std::size_t turn = 0;
   for (std::size_t axes = 0; axes < kAxes.size(); ++axes) {
@@ -58,10 +109,15 @@ inline constexpr std::array<std::array<std::uint8_t, 16>, kTurns> kTurned = [] {
       if (odd != (axes >= 3 ? 1U : 0U)) continue;
       turned[turn].fill(kNoEdge);
       for (std::size_t i = 0; i < kEdges; ++i) {
-        Steps to{};
-        for (std::size_t a = 0; a < 3; ++a)
-          to[a] = kEdgeSteps[i][kAxes[axes][a]] * ((signs >> a & 1) != 0 ? -1 : 1);
-        turned[turn][i] = kEdgeAt[step_index_of(to)];
+        Nodes to{};
+        std::size_t axis = 0;
+        for (std::size_t a = 0; a < 3; ++a) {
+          const auto from = static_cast<std::size_t>(kAxes[axes][a]);
+          if (from == i / 4) axis = a;
+          const bool swaps = (signs >> a & 1) != 0 && from != i / 4;
+          to[a] = swaps ? 1 - kEdgeNodes[i][from] : kEdgeNodes[i][from];
+        }
+        turned[turn][i] = kEdgeAt[near_index(axis, to)];
       }
       ++turn;
     }
@@ -77,48 +133,22 @@ inline constexpr std::array<std::array<std::uint8_t, kEdges>, kTurns> kBeforeTur
   return before;
 }();
 
-/// Whether two places of edges have a cube in common, `to` being given from the other, whose axis is `axis`.
-constexpr bool share_cube(std::size_t axis, const Steps& to) noexcept {
-  for (std::size_t a = 0; a < 3; ++a) {
-    // An even step leaves both edges along the axis, or both across it.
-    const bool both_along = a == axis && to[a] % 2 == 0;
-    if (size_of(to[a]) > (both_along ? 0 : to[a] % 2 == 0 ? 2 : 1)) return false;
-  }
-  return true;
-}
-
-/// By step_index(), from a cube's centre to an edge: the cube's edges that have a cube in common with it and
-/// are not it; all where that is too far off for any.
-inline constexpr std::array<std::uint16_t, kStepIndices> kEdgesNear = [] {
-  std::array<std::uint16_t, kStepIndices> sets{};
-  for (int x = -kMostSteps; x <= kMostSteps; ++x) {
-    for (int y = -kMostSteps; y <= kMostSteps; ++y) {
-      for (int z = -kMostSteps; z <= kMostSteps; ++z) {
-        std::uint16_t set = 0;
-        const bool is_far = size_of(x) == kMostSteps || size_of(y) == kMostSteps || size_of(z) == kMostSteps;
-        for (unsigned i = 0; i < kEdges && !is_far; ++i) {
-          const Steps& own = kEdgeSteps[i];
-          const Steps to{x - own[0], y - own[1], z - own[2], 0};
-          const bool same = to[0] == 0 && to[1] == 0 && to[2] == 0;
-          if (!same && share_cube(i / 4, to)) set |= static_cast<std::uint16_t>(1U << i);
-        }
-        sets[step_index(x, y, z)] = set != 0 ? set : kAllEdges;
-      }
-    }
-  }
-  return sets;
-}();
-
-/// The cubes that two edges have in common, and how each is turned so that the first edge gets number 0 and
-/// the second the least number that it can have.
-struct CubePair {
-  std::array<Steps, 2> centers{};  ///< from the first edge, the lower one first
-  std::array<std::uint8_t, 2> turns{};
-  std::array<std::uint8_t, 2> kinds{};  ///< which of the numbers that second edges have, ascending
-  std::uint8_t cubes = 0;               ///< 0: there is none, or more than two
-  std::uint8_t axis = 0;                ///< of two cubes: where they lie apart
+/// One of the cubes that two edges have in common, turned so that the first edge gets number 0 and the second
+/// the least number that it can have.
+struct alignas(16) PairCube {
+  FourShorts lowest{};     ///< as a spot, from the first edge's node
+  std::uint16_t others{};  ///< the cube's edges but for the two
+  std::uint8_t turn = 0;
+  std::uint8_t kind = 0;  ///< which of the numbers that second edges have, ascending
 };
 inline constexpr unsigned kPairKinds = 6;
+
+/// The cubes of two edges, the lower one first; where there is one only it is there twice.
+struct CubePair {
+  std::array<PairCube, 2> cubes{};
+  std::uint8_t count = 0;  ///< 0: there is none, or more than two
+  std::uint8_t axis = 0;   ///< of two cubes: where they lie apart
+};
 
 /// The turn that gives `first` the number 0 and `second` the least.
 constexpr unsigned turn_of_pair(unsigned first, unsigned second) noexcept {
@@ -132,60 +162,57 @@ constexpr unsigned turn_of_pair(unsigned first, unsigned second) noexcept {
   return best;
 }
 
-/// By a second edge's number: its kind.
-inline constexpr std::array<std::uint8_t, kEdges> kKindOf = [] {
-  std::array<std::uint8_t, kEdges> kinds{};
-  std::array<bool, kEdges> used{};
-  for (unsigned second = 1; second < kEdges; ++second) used[kTurned[turn_of_pair(0, second)][second]] = true;
-  std::uint8_t kind = 0;
-  for (std::size_t i = 0; i < kEdges; ++i)
-    if (used[i]) kinds[i] = kind++;
-  return kinds;
-}();
+/// Of a second edge's number, which is 1, 3, 4, 5, 6 or 7.
+constexpr std::uint8_t kind_of(unsigned number) noexcept {
+  return static_cast<std::uint8_t>(number == 1 ? 0 : number - 2);
+}
 
-constexpr CubePair make_pair(std::size_t axis, const Steps& to) noexcept {
+/// `node`: the second edge's, from the first one's.
+constexpr CubePair make_pair(std::size_t axis, std::size_t axis2, const Nodes& node) noexcept {
   CubePair pair;
-  if (to[0] == 0 && to[1] == 0 && to[2] == 0) return pair;
-  for (int x = -1; x <= 1; ++x) {
-    for (int y = -1; y <= 1; ++y) {
-      for (int z = -1; z <= 1; ++z) {
-        const unsigned first = kEdgeAt[step_index(-x, -y, -z)];
-        const Steps second_steps{to[0] - x, to[1] - y, to[2] - z, 0};
-        bool is_near = first != kNoEdge && first / 4 == axis;
-        for (const std::int32_t step : second_steps) is_near = is_near && size_of(step) <= 1;
-        const unsigned second = is_near ? kEdgeAt[step_index_of(second_steps)] : kNoEdge;
-        if (second == kNoEdge) continue;
-        const std::size_t i = pair.cubes++;
-        pair.centers[i] = {x, y, z, 0};
-        pair.turns[i] = static_cast<std::uint8_t>(turn_of_pair(first, second));
-        pair.kinds[i] = kKindOf[kTurned[pair.turns[i]][second]];
-      }
-    }
+  if (axis == axis2 && node == Nodes{}) return pair;
+  // The cubes of the first edge, x slowest.
+  for (int i = 0; i < 8; ++i) {
+    const Nodes lowest = {(i >> 2) - 1, (i >> 1 & 1) - 1, (i & 1) - 1};
+    if (lowest[axis] != 0) continue;
+    const Nodes to = {node[0] - lowest[0], node[1] - lowest[1], node[2] - lowest[2]};
+    const unsigned first = kEdgeAt[near_index(axis, {-lowest[0], -lowest[1], -lowest[2]})];
+    const unsigned second = kEdgeAt[near_index(axis2, to)];
+    if (second == kNoEdge) continue;
+    PairCube& cube = pair.cubes[pair.count++];
+    for (std::size_t a = 0; a < 3; ++a) cube.lowest[a] = static_cast<std::int16_t>(kVoxelParts * lowest[a]);
+    cube.others = static_cast<std::uint16_t>(kAllEdges & ~(1U << first | 1U << second));
+    cube.turn = static_cast<std::uint8_t>(turn_of_pair(first, second));
+    cube.kind = kind_of(kTurned[cube.turn][second]);
   }
-  for (std::uint8_t a = 0; a < 3 && pair.cubes == 2; ++a)
-    if (pair.centers[0][a] != pair.centers[1][a]) pair.axis = a;
+  if (pair.count == 1) pair.cubes[1] = pair.cubes[0];
+  for (std::uint8_t a = 0; a < 3; ++a)
+    if (pair.cubes[0].lowest[a] != pair.cubes[1].lowest[a]) pair.axis = a;
   return pair;
 }
 
-inline constexpr std::size_t kPairs = 1 + 3 * 32;  ///< and none; every edge shares cubes with 32 others
+/// By axes and steps between nodes, the ends of which are too far off for any common cube.
+inline constexpr int kMostApart = 2;
+inline constexpr FourShorts kPairWeights = {25, 5, 1, 125};
+inline constexpr int kPairMiddle = kMostApart * (25 + 5 + 1);
+inline constexpr std::size_t kPairs = 1 + 3 * 32;  ///< none, and what every edge shares cubes with
 
 struct PairTable {
-  /// By the first edge's axis and the steps to the second.
-  std::array<std::array<std::uint8_t, kStepIndices>, 3> places{};
+  std::array<std::array<std::uint8_t, 3 * 125>, 3> places{};  ///< by the first edge's axis
   std::array<CubePair, kPairs> pairs{};
 };
 inline constexpr PairTable kPairTable = [] {
   PairTable table;
   std::size_t count = 1;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (int x = -2; x <= 2; ++x) {
-      for (int y = -2; y <= 2; ++y) {
-        for (int z = -2; z <= 2; ++z) {
-          const CubePair pair = make_pair(axis, {x, y, z, 0});
-          if (pair.cubes == 0) continue;
-          table.places[axis][step_index(x, y, z)] = static_cast<std::uint8_t>(count);
-          table.pairs[count++] = pair;
-        }
+    for (std::size_t axis2 = 0; axis2 < 3; ++axis2) {
+      for (int i = 0; i < 27; ++i) {
+        const Nodes node = {i / 9 - 1, i / 3 % 3 - 1, i % 3 - 1};
+        const CubePair pair = make_pair(axis, axis2, node);
+        if (pair.count == 0) continue;
+        const int place = 25 * node[0] + 5 * node[1] + node[2] + kPairMiddle;
+        table.places[axis][125 * axis2 + static_cast<std::size_t>(place)] = static_cast<std::uint8_t>(count);
+        table.pairs[count++] = pair;
       }
     }
   }

@@ -3,21 +3,13 @@
 #include "predictive/voxel_view.h"
 
 #include <algorithm>
-#include <bit>
 
 namespace deltamesh {
 namespace {
 
 using voxel::CubePair;
-using voxel::kAllEdges;
-using voxel::kNoEdge;
 
-FourInts as_lanes(const voxel::Steps& steps) noexcept { return std::bit_cast<FourInts>(steps); }
-
-EightShorts all_lanes(std::int16_t value) noexcept { return EightShorts{} + value; }
-
-/// By the axis: a lane mask.
-constexpr std::array<std::array<std::int16_t, 8>, 3> kAxisLane = {{{-1}, {0, -1}, {0, 0, -1}}};
+constexpr EightShorts kNodes = {-kVoxelParts, -kVoxelParts, -kVoxelParts, 0};  ///< bits of a spot's node
 
 /// 2^14 over a number.
 constexpr std::array<std::int16_t, 2 * Surroundings::kMostKnown + 1> kPartOf = [] {
@@ -26,162 +18,170 @@ constexpr std::array<std::int16_t, 2 * Surroundings::kMostKnown + 1> kPartOf = [
   return parts;
 }();
 
-const CubePair& pair_of(const VoxelVertex& a, const VoxelVertex& b) noexcept {
-  const std::size_t place = index_of_steps(steps_between(a.place, b.place));
-  return voxel::kPairTable.pairs[voxel::kPairTable.places[a.axis()][place]];
+/// By near_index(): `spot` is from the cube's lowest node, and cut as from_lowest() cuts it.
+[[gnu::always_inline]] inline std::size_t place_near(EightShorts spot) noexcept {
+  return static_cast<std::size_t>(weigh(spot >> kVoxelBits, voxel::kNearWeights) + voxel::kNearMiddle);
+}
+
+[[gnu::always_inline]] inline EightShorts cut(EightShorts from_lowest) noexcept {
+  return clamp(from_lowest, -voxel::kBelow * kVoxelParts, voxel::kAbove * kVoxelParts);
+}
+
+/// `a_node`: of the edge `a`.
+[[gnu::always_inline]] inline const CubePair& pair_of(const VoxelSpot& a, EightShorts a_node,
+                                                      EightShorts b) noexcept {
+  const EightShorts apart = clamp((b - a_node) >> kVoxelBits, -voxel::kMostApart, voxel::kMostApart);
+  const auto place = static_cast<std::size_t>(weigh(apart, voxel::kPairWeights) + voxel::kPairMiddle);
+  const auto axis = static_cast<std::size_t>(a.at[3] >> kVoxelBits);
+  return voxel::kPairTable.pairs[voxel::kPairTable.places[axis][place]];
+}
+
+[[gnu::always_inline]] inline EightShorts size_of(EightShorts lanes) noexcept {
+  const EightShorts sign = lanes >> 15;
+  return (lanes ^ sign) - sign;
+}
+
+/// Of a set of twelve.
+unsigned count12(unsigned set) noexcept {
+  set = (set & 0x555) + (set >> 1 & 0x555);
+  set = (set & 0x333) + (set >> 2 & 0x333);
+  return (set & 0xf) + (set >> 4 & 0xf) + (set >> 8);
 }
 
 }  // namespace
 
-bool VoxelView::find(const Surroundings& around, std::span<const VoxelVertex> vertices) noexcept {
-  for (unsigned i = 0; i < around.known_count; ++i) {
-    const KnownFace& face = around.known[i];
-    a_ = &vertices[face.a];
-    b_ = &vertices[face.b];
-    if (!a_->on_edge() || !b_->on_edge()) continue;
-    pair_ = &pair_of(*a_, *b_);
-    if (pair_->cubes == 0) continue;
-    opposite_vertex_ = nullptr;
-    if (face.opposite != kNoVertex && vertices[face.opposite].on_edge())
-      opposite_vertex_ = &vertices[face.opposite];
-    if (pair_->cubes == 1) {
-      choose(false);
-      return true;
-    }
+/// What was summed up, from the cube's centre.
+struct VoxelView::Seen {
+  EightShorts corners;  ///< of neighbours
+  EightShorts ends;     ///< a + b of parallelograms
+  EightShorts meets;    ///< a + b - o
+  unsigned parallelograms;
+};
+
+bool VoxelView::find(const Surroundings& around, std::span<const VoxelSpot> spots) noexcept {
+  for (face_ = 0; face_ < around.known_count; ++face_) {
+    const KnownFace& face = around.known[face_];
+    const VoxelSpot& a = spots[face.a];
+    const VoxelSpot& b = spots[face.b];
+    if (!a.on_edge() || !b.on_edge()) continue;
+    corner_ = face.a;
+    node_ = load(a.at) & kNodes;
+    pair_ = &pair_of(a, node_, load(b.at));
+    if (pair_->count == 0) continue;
+    is_open_ = pair_->count == 2;
+    choose(false);
+    if (face.opposite == kNoVertex || !spots[face.opposite].on_edge()) return true;
     // The face across is in one of the cubes, so that this one is in the other.
+    const VoxelSpot& opposite = spots[face.opposite];
     const std::size_t axis = pair_->axis;
-    const std::int32_t between = a_->place[axis] + pair_->centers[0][axis] + 1;
-    const std::int32_t side = opposite_vertex_ != nullptr ? opposite_vertex_->place[axis] - between : 0;
-    is_open_ = side == 0;
-    if (is_open_) opposite_vertex_ = nullptr;
-    if (!is_open_) choose(side < 0);
+    const auto side = static_cast<std::int16_t>(opposite.at[axis] - (a.at[axis] & -kVoxelParts) -
+                                                pair_->cubes[0].lowest[axis] - kVoxelParts);
+    is_open_ = is_open_ && side == 0;
+    if (is_open_) return true;
+    choose(side < 0);
+    const voxel::PairCube& across = pair_->cubes[side < 0 ? 0 : 1];
+    const EightShorts from_lowest = cut(load(opposite.at) - node_ - load(across.lowest));
+    opposite_ = voxel::kTurned[cube_->turn][voxel::kEdgeAt[place_near(from_lowest)]];
     return true;
   }
   return false;
 }
 
-void VoxelView::choose(bool higher) noexcept {
-  const std::size_t own = higher ? 1 : 0;
-  const std::size_t other = pair_->cubes == 2 ? 1 - own : own;
-  center_ = a_->place + as_lanes(pair_->centers[own]);
-  turn_ = pair_->turns[own];
-  kind_ = pair_->kinds[own];
-  if (opposite_vertex_ == nullptr) return;
-  const FourInts across = a_->place + as_lanes(pair_->centers[other]);
-  opposite_ =
-      voxel::kTurned[turn_][voxel::kEdgeAt[index_of_steps(steps_between(across, opposite_vertex_->place))]];
+bool VoxelView::higher_has(const VoxelSpot& spot) const noexcept {
+  const EightShorts from_lowest = cut(load(spot.at) - node_ - load(pair_->cubes[1].lowest));
+  return voxel::kEdgeAt[place_near(from_lowest)] != voxel::kNoEdge;
 }
 
-bool VoxelView::higher_has(const VoxelVertex& vertex) const noexcept {
-  const FourInts center = a_->place + as_lanes(pair_->centers[1]);
-  return voxel::kEdgeAt[index_of_steps(steps_between(center, vertex.place))] != kNoEdge;
+[[gnu::always_inline]] inline EightShorts VoxelView::from_lowest(const VoxelSpot& spot) const noexcept {
+  return cut(load(spot.at) - lowest_);
 }
 
-EightShorts VoxelView::place_of(const VoxelVertex& vertex, EightShorts steps) const noexcept {
-  const auto lane = std::bit_cast<EightShorts>(kAxisLane[vertex.axis()]);
-  return (steps << 6) + (lane & all_lanes(static_cast<std::int16_t>(vertex.along() - kHalf)));
+/// A face with the corners `a` and `b`, of which a is not counted where `repeated` is -1.
+[[gnu::always_inline]] inline void VoxelView::add(EightShorts a, EightShorts b, std::int32_t repeated,
+                                                  const KnownFace& face, std::span<const VoxelSpot> spots,
+                                                  Seen& seen) noexcept {
+  const EightShorts both = a + b;
+  seen.corners += both - (a & all_lanes(static_cast<std::int16_t>(repeated)));
+  neighbors_ += static_cast<unsigned>(2 + repeated);
+  if (face.opposite == kNoVertex || !spots[face.opposite].on_edge()) return;
+  seen.ends += both;
+  seen.meets += both - (from_lowest(spots[face.opposite]) - kHalf);
+  ++seen.parallelograms;
 }
 
-void VoxelView::look(const Surroundings& around, std::span<const VoxelVertex> vertices,
+void VoxelView::look(const Surroundings& around, std::span<const VoxelSpot> spots,
                      const BlendTable& blends) noexcept {
-  unsigned allowed = kAllEdges;
-  unsigned parallelograms = 0;
-  EightShorts sum{};
-  EightShorts ends{};
-  EightShorts corners{};
-  const auto visit = [&](const VoxelVertex& vertex) {
-    const EightShorts steps = steps_between(center_, vertex.place);
-    const unsigned left = allowed & voxel::kEdgesNear[index_of_steps(steps)];
-    allowed = left != 0 ? left : allowed;
-    return place_of(vertex, steps);
-  };
-  for (unsigned i = 0; i < around.known_count; ++i) {
+  lowest_ = node_ + load(cube_->lowest);
+  unsigned likely = cube_->others;
+  const KnownFace& first = around.known[face_];
+  const EightShorts first_a = load(spots[first.a].at) - lowest_ - kHalf;
+  const EightShorts first_b = load(spots[first.b].at) - lowest_ - kHalf;
+  Seen seen{};
+  add(first_a, first_b, around.repeated[static_cast<int>(face_)], first, spots, seen);
+  for (unsigned i = face_ + 1; i < around.known_count; ++i) {
     const KnownFace& face = around.known[i];
-    const VoxelVertex& a = vertices[face.a];
-    const VoxelVertex& b = vertices[face.b];
-    if (!a.on_edge() || !b.on_edge()) continue;
-    const EightShorts place_a = visit(a);
-    const EightShorts both = place_a + visit(b);
-    const bool is_repeated = around.repeated[i] != 0;
-    sum += is_repeated ? both - place_a : both;
-    neighbors_ += is_repeated ? 1 : 2;
-    if (face.opposite == kNoVertex || !vertices[face.opposite].on_edge()) continue;
-    const VoxelVertex& opposite = vertices[face.opposite];
-    ends += both;
-    corners += both - place_of(opposite, steps_between(center_, opposite.place));
-    ++parallelograms;
+    if (!spots[face.a].on_edge() || !spots[face.b].on_edge()) continue;
+    const EightShorts a = from_lowest(spots[face.a]);
+    const EightShorts b = from_lowest(spots[face.b]);
+    const unsigned by_a = likely & voxel::kEdgesNear[place_near(a)];
+    likely = by_a != 0 ? by_a : likely;
+    const unsigned by_b = likely & voxel::kEdgesNear[place_near(b)];
+    likely = by_b != 0 ? by_b : likely;
+    add(a - kHalf, b - kHalf, around.repeated[static_cast<int>(i)], face, spots, seen);
   }
-  mean_ = mul_high(sum << 2, all_lanes(kPartOf[neighbors_]));
-  expected_ = mean_;
-  if (parallelograms > 0) {
-    const EightShorts part = all_lanes(kPartOf[parallelograms]);
+  const EightShorts expected = blend(seen, around, blends);
+  normal_ = cross(first_b - first_a, expected - first_a);
+  corner_spot_ = first_a;
+  likely_ = count12(likely);
+  // In half parts, which bytes hold.
+  const EightShorts spot = clamp(expected, -kVoxelParts + 1, kVoxelParts - 1);
+  const EightShorts size = size_of(spot);
+  const EightShorts inside = clamp(size, 0, kHalf);
+  const EightShorts own = inside - size - ((inside * inside) >> kVoxelBits);
+  const NearestEdges edges = nearest_edges(spot >> 1, own >> 1, likely);
+  nearest_ = voxel::kTurned[cube_->turn][edges.nearest];
+  next_ = voxel::kTurned[cube_->turn][edges.next];
+}
+
+/// Sums of up to eight spots times 4, and differences of means times 16, are within 16 bits.
+[[gnu::always_inline]] inline EightShorts VoxelView::blend(const Seen& seen, const Surroundings& around,
+                                                           const BlendTable& blends) noexcept {
+  mean_ = mul_high(seen.corners << 2, all_lanes(kPartOf[neighbors_]));
+  EightShorts expected = mean_;
+  if (seen.parallelograms > 0) {
+    const EightShorts part = all_lanes(kPartOf[seen.parallelograms]);
     const Blend& blend = blends[blend_row(around)];
-    const EightShorts corner = mul_high(corners << 2, part) - mean_;
-    const EightShorts edge = mul_high(ends << 1, part) - mean_;
-    expected_ += mul_high(corner << 4, all_lanes(static_cast<std::int16_t>(blend.parallelogram * 64))) +
-                 mul_high(edge << 4, all_lanes(static_cast<std::int16_t>(blend.edge * 64)));
+    const EightShorts meet = mul_high(seen.meets << 2, part) - mean_;
+    const EightShorts edge = mul_high(seen.ends << 1, part) - mean_;
+    expected += mul_high(meet << 4, all_lanes(static_cast<std::int16_t>(blend.parallelogram * 64))) +
+                mul_high(edge << 4, all_lanes(static_cast<std::int16_t>(blend.edge * 64)));
   }
-  expected_ = lane_max(lane_min(expected_, all_lanes(kFar)), all_lanes(-kFar));
-  place_a_ = place_of(*a_, steps_between(center_, a_->place));
-  place_b_ = place_of(*b_, steps_between(center_, b_->place));
-  likely_ = static_cast<unsigned>(std::popcount(allowed));
-  rank(expected_, allowed);
+  return clamp(expected, -kFar, kFar);
 }
 
-/// Half the squared distance of the expected place to every edge, less what all have: by the offsets s of an
-/// edge on its two other axes - s place, and on its own how far off its middle counts less than elsewhere.
-void VoxelView::rank(EightShorts expected, unsigned allowed) noexcept {
-  const EightShorts size = lane_max(expected, -expected);
-  const EightShorts inside = lane_min(size, all_lanes(kHalf));
-  const EightShorts own = inside - size - ((inside * inside) >> 7);
-  constexpr EightShorts kNext = {1, -1, 1, -1, 1, -1, 1, -1};
-  constexpr EightShorts kLast = {1, 1, -1, -1, 1, 1, -1, -1};
-  const EightShorts low = __builtin_shufflevector(own, own, 0, 0, 0, 0, 1, 1, 1, 1) +
-                          __builtin_shufflevector(expected, expected, 1, 1, 1, 1, 2, 2, 2, 2) * kNext +
-                          __builtin_shufflevector(expected, expected, 2, 2, 2, 2, 0, 0, 0, 0) * kLast;
-  const EightShorts high = __builtin_shufflevector(own, own, 2, 2, 2, 2, 2, 2, 2, 2) +
-                           __builtin_shufflevector(expected, expected, 0, 0, 0, 0, 0, 0, 0, 0) * kNext +
-                           __builtin_shufflevector(expected, expected, 1, 1, 1, 1, 1, 1, 1, 1) * kLast;
-  constexpr EightShorts kBits = {1, 2, 4, 8, 16, 32, 64, 128};
-  const auto score = [](EightShorts distance, unsigned set, EightShorts numbers) {
-    const EightShorts scores = (distance << 4) + numbers;
-    const EightShorts closed = (all_lanes(static_cast<std::int16_t>(set)) & kBits) == 0;
-    return (scores & ~closed) | (closed & kClosed);
-  };
-  const EightShorts scores = score(low, allowed & 0xff, EightShorts{0, 1, 2, 3, 4, 5, 6, 7});
-  const EightShorts more = score(high, allowed >> 8, EightShorts{8, 9, 10, 11, 12, 13, 14, 15});
-  const std::int16_t best = least(lane_min(scores, more));
-  const auto but_best = [best](EightShorts lanes) {
-    const EightShorts is_best = lanes == best;
-    return (lanes & ~is_best) | (is_best & kClosed);
-  };
-  const std::int16_t second = least(lane_min(but_best(scores), but_best(more)));
-  nearest_ = voxel::kTurned[turn_][best & 15];
-  next_ = voxel::kTurned[turn_][second & 15];
+unsigned VoxelView::number_of(const VoxelSpot& spot) const noexcept {
+  return voxel::kTurned[cube_->turn][voxel::kEdgeAt[place_near(from_lowest(spot))]];
 }
 
-unsigned VoxelView::number_of(const VoxelVertex& vertex) const noexcept {
-  return voxel::kTurned[turn_][voxel::kEdgeAt[index_of_steps(steps_between(center_, vertex.place))]];
+VoxelSpot VoxelView::spot_on(unsigned edge, std::int16_t part) const noexcept {
+  static constexpr std::array<FourShorts, 3> kAxes = {{{-1, 0, 0, 0}, {0, -1, 0, 0}, {0, 0, -1, 0}}};
+  const EightShorts along = all_lanes(part) & load(kAxes[edge / 4]);
+  return {store(lowest_ + load(voxel::kEdgeSpots[edge]) + along)};
 }
 
-std::size_t VoxelView::edge_of(unsigned number, VoxelVertex& vertex) const noexcept {
-  const unsigned edge = voxel::kBeforeTurn[turn_][number];
-  vertex.place = center_ + as_lanes(voxel::kEdgeSteps[edge]);
-  return edge / 4;
+FourInts VoxelView::steps_to(unsigned edge) const noexcept {
+  return widen(((load(cube_->lowest) + load(voxel::kEdgeSpots[edge])) & kNodes) >> kVoxelBits);
 }
 
-std::int32_t VoxelView::plane_along(std::size_t k, const VoxelVertex& vertex) const noexcept {
-  const std::size_t i = (k + 1) % 3;
-  const std::size_t j = (k + 2) % 3;
-  const EightShorts side = place_b_ - place_a_;
-  const EightShorts up = expected_ - place_a_;
-  const std::int32_t across = side[i] * up[j] - side[j] * up[i];
-  if (across == 0) return mean_along(k);
-  const std::int32_t at_i = kHalf * (vertex.place[i] - center_[i]) - place_a_[i];
-  const std::int32_t at_j = kHalf * (vertex.place[j] - center_[j]) - place_a_[j];
-  const std::int32_t rise =
-      (side[j] * up[k] - side[k] * up[j]) * at_i + (side[k] * up[i] - side[i] * up[k]) * at_j;
-  return place_a_[k] - rise / across + kHalf;
+std::int32_t VoxelView::plane_on(unsigned edge) const noexcept {
+  const std::size_t axis = edge / 4;
+  const std::int32_t steep = normal_[axis];
+  if (steep == 0) return mean_on(edge);
+  const FourShorts& node = voxel::kEdgeSpots[edge];
+  std::int32_t rise = 0;
+  for (std::size_t a = 0; a < 3; ++a)
+    rise += normal_[a] * ((a == axis ? 0 : node[a] - kHalf) - corner_spot_[a]);
+  return kHalf - rise / steep;
 }
 
 }  // namespace deltamesh

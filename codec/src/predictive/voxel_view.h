@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// The cube that a vertex's first known face puts it in, and what the vertices around say of where in it
+// The cube that a vertex's first usable face puts it in, and what the vertices around say of where in it
 // [VOX-2, VOX-3]. Integers only; shared by writer and reader.
 #pragma once
 
@@ -17,66 +17,68 @@
 
 namespace deltamesh {
 
-/// Edges are told by their numbers after the cube's turn. find(), then choose() where is_open(), then look().
+/// Edges are told by their numbers after the cube's turn. find(), then choose() where is_open(), then look();
+/// what the others tell is known after these.
 class VoxelView {
  public:
-  /// False where no known face has a cube. `vertices`: of them, those before the vertex are known.
-  bool find(const Surroundings& around, std::span<const VoxelVertex> vertices) noexcept;
+  /// False where no known face has a cube. `spots`: of the vertices before this one at least.
+  bool find(const Surroundings& around, std::span<const VoxelSpot> spots) noexcept;
 
   /// The vertex may be in two cubes.
   bool is_open() const noexcept { return is_open_; }
-  void choose(bool higher) noexcept;
-  /// Whether the higher one of two cubes has an edge.
-  bool higher_has(const VoxelVertex& vertex) const noexcept;
+  void choose(bool higher) noexcept { cube_ = &pair_->cubes[higher ? 1 : 0]; }
+  /// Whether the higher one of two cubes has the edge at a spot.
+  bool higher_has(const VoxelSpot& spot) const noexcept;
 
-  void look(const Surroundings& around, std::span<const VoxelVertex> vertices,
-            const BlendTable& blends) noexcept;
+  /// As given to find().
+  void look(const Surroundings& around, std::span<const VoxelSpot> spots, const BlendTable& blends) noexcept;
 
   /// voxel::kNoEdge where the cube does not have it.
-  unsigned number_of(const VoxelVertex& vertex) const noexcept;
-  /// The cube's edge of this number, below 12, but for where on it; its axis.
-  std::size_t edge_of(unsigned number, VoxelVertex& vertex) const noexcept;
+  unsigned number_of(const VoxelSpot& spot) const noexcept;
+  /// The edge of this number, below 12.
+  unsigned edge_of(unsigned number) const noexcept { return voxel::kBeforeTurn[cube_->turn][number]; }
+  /// A spot on it, at this part.
+  VoxelSpot spot_on(unsigned edge, std::int16_t part) const noexcept;
+  /// From the node of the face's corner a to the edge's, and 0.
+  FourInts steps_to(unsigned edge) const noexcept;
 
-  unsigned kind() const noexcept { return kind_; }          ///< how the face's corners lie, below 6
-  unsigned opposite() const noexcept { return opposite_; }  ///< where the face's opposite is in its cube
-  unsigned nearest() const noexcept { return nearest_; }    ///< to where the vertex is expected
-  unsigned next() const noexcept { return next_; }          ///< the next after it
-  unsigned likely() const noexcept { return likely_; }      ///< how many edges all neighbours allow
-  unsigned neighbors() const noexcept { return neighbors_; }
+  std::uint32_t corner() const noexcept { return corner_; }  ///< the face's corner a
+  unsigned kind() const noexcept { return cube_->kind; }     ///< how the face's corners lie, below 6
+  unsigned opposite() const noexcept { return opposite_; }   ///< where the face's opposite is in its cube
+  unsigned nearest() const noexcept { return nearest_; }     ///< to where the vertex is expected
+  unsigned next() const noexcept { return next_; }           ///< after it, or kNoEdge
+  unsigned likely() const noexcept { return likely_; }       ///< how many edges the vertices around allow
 
-  /// Where on an edge along `axis` the neighbours' mean is, from its lower end, 64ths of half a voxel.
-  std::int32_t mean_along(std::size_t axis) const noexcept { return mean_[axis] + kHalf; }
-  /// Where the plane through the face's corners and the expected place cuts the edge of `vertex`, likewise.
-  std::int32_t plane_along(std::size_t axis, const VoxelVertex& vertex) const noexcept;
+  /// Where on an edge the neighbours' mean is, from its lower end, parts of a voxel.
+  std::int32_t mean_on(unsigned edge) const noexcept { return mean_[edge / 4] + kHalf; }
+  /// Where the plane through the face's corners and the expected spot cuts it, likewise.
+  std::int32_t plane_on(unsigned edge) const noexcept;
 
  private:
-  static constexpr std::int16_t kHalf = 64;        ///< parts of half a voxel
-  static constexpr std::int16_t kFar = 3 * kHalf;  ///< from the centre: farther is not looked at
-  static constexpr std::int16_t kClosed = 0x7fff;  ///< score of an edge that is out of question
+  static constexpr std::int16_t kHalf = kVoxelParts / 2;
+  static constexpr std::int16_t kFar = 3 * kHalf;  ///< from the centre: nothing is expected farther off
 
-  EightShorts place_of(const VoxelVertex& vertex, EightShorts steps) const noexcept;
-  void settle(const voxel::CubePair& pair, bool higher) noexcept;
-  void rank(EightShorts expected, unsigned allowed) noexcept;
+  struct Seen;
+  EightShorts from_lowest(const VoxelSpot& spot) const noexcept;
+  void add(EightShorts a, EightShorts b, std::int32_t repeated, const KnownFace& face,
+           std::span<const VoxelSpot> spots, Seen& seen) noexcept;
+  EightShorts blend(const Seen& seen, const Surroundings& around, const BlendTable& blends) noexcept;
 
-  FourInts center_{};  ///< half voxels
-  FourInts first_{};   ///< the first corner of the face
   const voxel::CubePair* pair_ = nullptr;
-  const VoxelVertex* a_ = nullptr;
-  const VoxelVertex* b_ = nullptr;
-  const VoxelVertex* opposite_vertex_ = nullptr;
+  const voxel::PairCube* cube_ = nullptr;
+  std::uint32_t corner_ = 0;
+  std::uint32_t face_ = 0;  ///< of the known ones
   bool is_open_ = false;
-  unsigned turn_ = 0;
-  unsigned kind_ = 0;
   unsigned opposite_ = voxel::kNoEdge;
   unsigned nearest_ = 0;
   unsigned next_ = 0;
   unsigned likely_ = 0;
   unsigned neighbors_ = 0;
-  /// From the cube's centre, 64ths of half a voxel.
-  EightShorts mean_{};
-  EightShorts expected_{};
-  EightShorts place_a_{};
-  EightShorts place_b_{};
+  EightShorts node_{};    ///< of the face's corner a, as a spot
+  EightShorts lowest_{};  ///< the cube's lowest node, likewise
+  EightShorts mean_{};    ///< from the cube's centre, parts of a voxel
+  EightShorts corner_spot_{};
+  FourInts normal_{};
 };
 
 }  // namespace deltamesh
