@@ -298,9 +298,9 @@ TEST(VoxelCoder, POSN12WhatIsKnownHasAnEarlierTurn) {
   const test::GraphMesh mesh = test::sheet(9, 7);
   const auto count = static_cast<std::uint32_t>(mesh.positions.size());
   const FaceList list{mesh.triangles, count};
-  const std::uint32_t second = second_walk(list, {.kind = PositionKind::kVoxel});
+  const std::uint32_t second = second_walk(list, {.kind = PositionKind::kVoxel, .lattice = {}});
   EXPECT_EQ(second, 32U);
-  EXPECT_EQ(second_walk(list, {.kind = PositionKind::kLattice}), kNoVertex);
+  EXPECT_EQ(second_walk(list, {.kind = PositionKind::kLattice, .lattice = {}}), kNoVertex);
   const KnownFaces faces(list, {}, second);
   EXPECT_EQ(faces.turns(), second);
   const auto turn_of = [&](std::uint32_t v) { return v < second ? v : v - second; };

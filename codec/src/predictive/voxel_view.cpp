@@ -30,7 +30,8 @@ constexpr std::array<std::int16_t, 2 * Surroundings::kMostKnown + 1> kPartOf = [
 /// `a_node`: of the edge `a`.
 [[gnu::always_inline]] inline const CubePair& pair_of(const VoxelSpot& a, EightShorts a_node,
                                                       EightShorts b) noexcept {
-  const EightShorts apart = clamp((b - a_node) >> kVoxelBits, -voxel::kMostApart, voxel::kMostApart);
+  const EightShorts apart =
+      clamp(wrapped_difference(b, a_node) >> kVoxelBits, -voxel::kMostApart, voxel::kMostApart);
   const auto place = static_cast<std::size_t>(weigh(apart, voxel::kPairWeights) + voxel::kPairMiddle);
   const auto axis = static_cast<std::size_t>(a.at[3] >> kVoxelBits);
   return voxel::kPairTable.pairs[voxel::kPairTable.places[axis][place]];
@@ -80,7 +81,8 @@ bool VoxelView::find(const Surroundings& around, std::span<const VoxelSpot> spot
     if (is_open_) return true;
     choose(side < 0);
     const voxel::PairCube& across = pair_->cubes[side < 0 ? 0 : 1];
-    const EightShorts from_lowest = cut(load(opposite.at) - node_ - load(across.lowest));
+    const EightShorts from_lowest =
+        cut(wrapped_difference(load(opposite.at), wrapped_sum(node_, load(across.lowest))));
     opposite_ = voxel::kTurned[cube_->turn][voxel::kEdgeAt[place_near(from_lowest)]];
     return true;
   }
@@ -88,12 +90,13 @@ bool VoxelView::find(const Surroundings& around, std::span<const VoxelSpot> spot
 }
 
 bool VoxelView::higher_has(const VoxelSpot& spot) const noexcept {
-  const EightShorts from_lowest = cut(load(spot.at) - node_ - load(pair_->cubes[1].lowest));
+  const EightShorts from_lowest =
+      cut(wrapped_difference(load(spot.at), wrapped_sum(node_, load(pair_->cubes[1].lowest))));
   return voxel::kEdgeAt[place_near(from_lowest)] != voxel::kNoEdge;
 }
 
 [[gnu::always_inline]] inline EightShorts VoxelView::from_lowest(const VoxelSpot& spot) const noexcept {
-  return cut(load(spot.at) - lowest_);
+  return cut(wrapped_difference(load(spot.at), lowest_));
 }
 
 /// A face with the corners `a` and `b`, of which a is not counted where `repeated` is -1.
@@ -111,11 +114,11 @@ bool VoxelView::higher_has(const VoxelSpot& spot) const noexcept {
 
 void VoxelView::look(const Surroundings& around, std::span<const VoxelSpot> spots,
                      const BlendTable& blends) noexcept {
-  lowest_ = node_ + load(cube_->lowest);
+  lowest_ = wrapped_sum(node_, load(cube_->lowest));
   unsigned likely = cube_->others;
   const KnownFace& first = around.known[face_];
-  const EightShorts first_a = load(spots[first.a].at) - lowest_ - kHalf;
-  const EightShorts first_b = load(spots[first.b].at) - lowest_ - kHalf;
+  const EightShorts first_a = wrapped_difference(load(spots[first.a].at), lowest_) - kHalf;
+  const EightShorts first_b = wrapped_difference(load(spots[first.b].at), lowest_) - kHalf;
   Seen seen{};
   add(first_a, first_b, around.repeated[static_cast<int>(face_)], first, spots, seen);
   for (unsigned i = face_ + 1; i < around.known_count; ++i) {
@@ -166,7 +169,7 @@ unsigned VoxelView::number_of(const VoxelSpot& spot) const noexcept {
 VoxelSpot VoxelView::spot_on(unsigned edge, std::int16_t part) const noexcept {
   static constexpr std::array<FourShorts, 3> kAxes = {{{-1, 0, 0, 0}, {0, -1, 0, 0}, {0, 0, -1, 0}}};
   const EightShorts along = all_lanes(part) & load(kAxes[edge / 4]);
-  return {store(lowest_ + load(voxel::kEdgeSpots[edge]) + along)};
+  return {store(wrapped_sum(lowest_, load(voxel::kEdgeSpots[edge]) + along))};
 }
 
 FourInts VoxelView::steps_to(unsigned edge) const noexcept {
