@@ -64,7 +64,6 @@ PlannedCycles::PlannedCycles(std::span<const Level> levels, const Components& co
       coupled_(std::min(kCoupled, levels.size() - 1)),
       solver_(levels, coupled_, shared_components(components, levels.front().anchors), components.count,
               false),
-      e_(levels[0].node_count()),
       step_(levels[0].node_count()),
       u_(levels[1].node_count()),
       s_second_(levels[1].node_count()),
@@ -73,7 +72,6 @@ PlannedCycles::PlannedCycles(std::span<const Level> levels, const Components& co
       gaps_(levels[0].anchors.size()) {
   if (!has_middle()) return;
   b_.resize(levels[1].node_count());
-  e_second_.resize(levels[1].node_count());
   step_second_.resize(levels[1].node_count());
 }
 
@@ -113,39 +111,33 @@ void PlannedCycles::solve_coupled() {
   for (std::size_t a = 0; a < forces_.size(); ++a) forces_[a] += v.forces[a];
 }
 
-/// Second level: e from two sweeps on the residual of u, its own correction, and u gets both.
+/// Second level: u gets two sweeps and the correction from level c. The first time it is 0, whatever it
+/// holds.
 void PlannedCycles::correct_second(bool is_first) {
   const Level& level = levels_[1];
   LevelSolver::Vectors& next = solver_.vectors(2);
+  const Edges<false> edges(level);
   if (is_first) {
-    sweep_first<false>(
-        level, [&](std::uint32_t i) { return b_[i]; }, e_second_, step_second_);
+    const auto residual = [&](std::uint32_t i) { return edges.add_lower(i, step_second_.data(), b_[i]); };
+    sweep_first(level, residual, step_second_, [&](std::uint32_t i, Float4 step) {
+      u_[i] = {step, Float4{}};
+    });
   } else {
     const auto residual = [&](std::uint32_t i) {
-      Float4 sum = b_[i] - level.degree[i] * u_[i].x - level.mass[i] * u_[i].s;
-      for (std::uint32_t e = level.offsets[i]; e < level.offsets[i + 1]; ++e)
-        sum += level.weights[e] * u_[level.neighbors[e]].x;
-      return sum;
+      return edges.add_x(i, u_.data(), b_[i] - level.degree[i] * u_[i].x - level.mass[i] * u_[i].s);
     };
-    sweep_first<false>(level, residual, e_second_, step_second_);
+    sweep_first(level, residual, step_second_, [&](std::uint32_t i, Float4 step) { u_[i].x += step; });
   }
-  for (int s = 1; s < kSecondSweeps; ++s) sweep_again<false>(level, e_second_, step_second_);
+  for (int s = 1; s < kSecondSweeps; ++s)
+    sweep_again<false>(level, step_second_, [&](std::uint32_t i, Float4 step) { u_[i].x += step; });
   for (Row& row : next.b) row.x = Float4{};
   take_residuals<false>(level, step_second_, [&](std::uint32_t i, Float4 residual) {
     restrict_x(level.interpolation[i], residual,
                [&](std::uint32_t node) -> Float4& { return next.b[node].x; });
   });
-  for (std::size_t a = 0; a < gaps_.size(); ++a) {
-    const std::uint32_t node = level.anchors[a];
-    next.gaps[a] = gaps_[a] - e_second_[node] - (is_first ? Float4{} : u_[node].x);
-  }
+  for (std::size_t a = 0; a < gaps_.size(); ++a) next.gaps[a] = gaps_[a] - u_[level.anchors[a]].x;
   solve_coupled();
-  for (std::uint32_t i = 0; i < u_.size(); ++i) {
-    const Row correction = interpolate(level.interpolation[i], next.u);
-    if (is_first) u_[i] = Row{};
-    u_[i].x += e_second_[i] + correction.x;
-    u_[i].s += correction.s;
-  }
+  add_prolonged_rows(level, next.u, u_);
 }
 
 /// u for b, where there is a level between the finest and c; else for that level's b.
@@ -186,18 +178,13 @@ void PlannedCycles::cycle(const DeltaView& deltas, std::span<const Vec3> targets
     return charge(finest, deltas, x, i) -
            finest.mass[i] * interpolate_field(finest.interpolation[i], s_second_);
   };
-  sweep_first<true>(finest, residual, e_, step_);
-  for (int s = 1; s < kFinestSweeps; ++s) sweep_again<true>(finest, e_, step_);
+  const auto add = [&](std::uint32_t i, Float4 step) { x[i] = x[i] + Vec3{step[0], step[1], step[2]}; };
+  sweep_first(finest, residual, step_, add);
+  for (int s = 1; s < kFinestSweeps; ++s) sweep_again<true>(finest, step_, add);
   restrict_to_second([&](const auto& take) { take_residuals<true>(finest, step_, take); });
-  for (std::size_t a = 0; a < targets.size(); ++a) {
-    const std::uint32_t vertex = finest.anchors[a];
-    gaps_[a] = to_float4(targets[a] - x[vertex]) - e_[vertex];
-  }
+  for (std::size_t a = 0; a < targets.size(); ++a) gaps_[a] = to_float4(targets[a] - x[finest.anchors[a]]);
   correct_from_second();
-  for (std::uint32_t i = 0; i < x.size(); ++i) {
-    const Float4 correction = e_[i] + interpolate_x(finest.interpolation[i], u_);
-    x[i] = x[i] + Vec3{correction[0], correction[1], correction[2]};
-  }
+  for (std::uint32_t i = 0; i < x.size(); ++i) add(i, interpolate_x(finest.interpolation[i], u_));
 }
 
 void PlannedCycles::solve(const DeltaView& deltas, std::span<const Vec3> targets, int cycles,

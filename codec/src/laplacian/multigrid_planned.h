@@ -46,14 +46,14 @@ class PlannedCycles {
   std::span<const Level> levels_;
   std::size_t coupled_;  ///< c
   LevelSolver solver_;
-  LargeVector<Float4> e_, step_;                ///< finest level: correction, and what the last sweep added
-  LargeVector<Float4> b_;                       ///< second level: right-hand side; empty where c is that
-  LargeVector<Float4> e_second_, step_second_;  ///< likewise
-  LargeVector<Row> u_;                          ///< second level: correction of x and s
-  LargeVector<Float4> s_second_;                ///< second level: s
-  LargeVector<Float4> s_;                       ///< level c: s
-  std::vector<Float4> forces_;                  ///< one for each anchor
-  std::vector<Float4> gaps_;                    ///< c_a - x_a before the second level's correction
+  LargeVector<Float4> step_;         ///< finest level: what the last sweep added
+  LargeVector<Float4> b_;            ///< second level: right-hand side; empty where c is that
+  LargeVector<Float4> step_second_;  ///< likewise
+  LargeVector<Row> u_;               ///< second level: correction of x and s
+  LargeVector<Float4> s_second_;     ///< second level: s
+  LargeVector<Float4> s_;            ///< level c: s
+  std::vector<Float4> forces_;       ///< one for each anchor
+  std::vector<Float4> gaps_;         ///< c_a - x_a before the second level's correction
 };
 
 }  // namespace deltamesh::multigrid

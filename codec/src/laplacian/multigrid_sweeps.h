@@ -31,6 +31,13 @@ class Edges {
     return sum;
   }
 
+  /// `sum` and the x of all neighbours.
+  Float4 add_x(std::uint32_t node, const Row* rows, Float4 sum) const noexcept {
+    const std::uint32_t end = offsets_[node + 1];
+    for (std::uint32_t e = offsets_[node]; e < end; ++e) sum += weights_[e] * rows[neighbors_[e]].x;
+    return sum;
+  }
+
   /// What higher neighbours add up to, from the last on.
   Float4 upper(std::uint32_t node, const Float4* values) const noexcept {
     Float4 sum{};
@@ -58,31 +65,28 @@ class Edges {
   const float* weights_;
 };
 
-/// The first sweep, from `residual(node)`, asked for once for every node in order. `step` takes the residual
-/// of a node without edges, whose e is 0.
-template <bool kUnitWeights, class Residual>
-void sweep_first(const Level& level, const Residual& residual, std::span<Float4> e, std::span<Float4> step) {
-  const Edges<kUnitWeights> edges(level);
-  for (std::uint32_t i = 0; i < e.size(); ++i) {
-    const Float4 r = residual(i);
+/// The first sweep: `step` from `residual(node)`, asked for once for every node in order, which knows what
+/// keep(node, step) was told before. `step` of a node without edges, which has none, is its residual.
+template <class Residual, class Keep>
+void sweep_first(const Level& level, const Residual& residual, std::span<Float4> step, const Keep& keep) {
+  for (std::uint32_t i = 0; i < step.size(); ++i) {
     const float inverse = level.inverse_degree[i];
-    const Float4 first = kOverRelaxation * inverse * edges.add_lower(i, step.data(), r);
-    e[i] = first;
+    const Float4 r = residual(i);
+    const Float4 first = kOverRelaxation * inverse * r;
     step[i] = inverse > 0 ? first : r;
+    keep(i, first);
   }
 }
 
 /// A further sweep.
-template <bool kUnitWeights>
-void sweep_again(const Level& level, std::span<Float4> e, std::span<Float4> step) {
+template <bool kUnitWeights, class Keep>
+void sweep_again(const Level& level, std::span<Float4> step, const Keep& keep) {
   const Edges<kUnitWeights> edges(level);
-  for (std::uint32_t i = 0; i < e.size(); ++i) {
+  for (std::uint32_t i = 0; i < step.size(); ++i) {
     const float inverse = level.inverse_degree[i];
     if (inverse == 0) continue;
-    const Float4 next =
-        (1 - kOverRelaxation) * step[i] + kOverRelaxation * inverse * edges.all(i, step.data());
-    step[i] = next;
-    e[i] += next;
+    step[i] = (1 - kOverRelaxation) * step[i] + kOverRelaxation * inverse * edges.all(i, step.data());
+    keep(i, step[i]);
   }
 }
 
