@@ -205,9 +205,9 @@ TEST_F(HighpassRules, DELT3RejectsPositionsThatAreNotFinite) {
 }
 
 TEST_F(HighpassRules, DELT7RejectsTooManyCycles) {
-  coded_.parameters.cycles = kMostCycles;
+  coded_.parameters.half_cycles = kMostHalfCycles;
   EXPECT_TRUE(read(mesh_, coded_));
-  coded_.parameters.cycles = kMostCycles + 1;
+  coded_.parameters.half_cycles = kMostHalfCycles + 1;
   expect_rule(read(mesh_, coded_), "DELT-7");
 }
 
@@ -215,19 +215,19 @@ TEST(Highpass, DELT7StreamsTellTheFewestCyclesThatWillDo) {
   const GraphMesh mesh = test::sheet(90, 80);
   const auto coded = write(mesh, {.bits = 8, .anchors = 30});
   ASSERT_TRUE(coded);
-  EXPECT_GE(coded->parameters.cycles, 1);
-  EXPECT_LE(coded->parameters.cycles, 5);
+  EXPECT_GE(coded->parameters.half_cycles, 1);
+  EXPECT_LE(coded->parameters.half_cycles, 9);
   CodedHighpass other = *coded;
   const auto error_after = [&](int cycles) {
-    other.parameters.cycles = static_cast<std::uint8_t>(cycles);
+    other.parameters.half_cycles = static_cast<std::uint8_t>(cycles);
     const auto positions = read(mesh, other);
     return positions ? measure_quality(mesh.graph, mesh.positions, *positions).lfe_rms
                      : std::numeric_limits<double>::infinity();
   };
   const double settled = error_after(0);
-  EXPECT_LT(error_after(coded->parameters.cycles), 1.02 * settled);
-  if (coded->parameters.cycles > 1) {
-    EXPECT_GT(error_after(coded->parameters.cycles - 1), 1.01 * settled);
+  EXPECT_LT(error_after(coded->parameters.half_cycles), 1.02 * settled);
+  if (coded->parameters.half_cycles > 1) {
+    EXPECT_GT(error_after(coded->parameters.half_cycles - 1), 1.01 * settled);
   }
 }
 

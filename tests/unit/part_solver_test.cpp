@@ -89,7 +89,7 @@ TEST(SolveOnce, GivesTheSolversBits) {
     std::vector<Vec3> x(mesh.positions.size());
     for (const int cycles : {0, 1, 3}) {
       ASSERT_TRUE((*solver)->solve(deltas, problem.targets, cycles, x));
-      problem.cycles = cycles;
+      problem.half_cycles = cycles;
       const auto once = solve_once(problem);
       ASSERT_TRUE(once);
       EXPECT_EQ(*once, x);

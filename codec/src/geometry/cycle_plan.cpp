@@ -37,16 +37,16 @@ Distances distances(const SolvedPart& part, std::span<const Vec3> a, std::span<c
 
 }  // namespace
 
-std::optional<std::uint8_t> CyclePlan::cycles_for(const CycleCircumstances& now) const noexcept {
-  const bool is_known = cycles_ && now.diffusion == found_for_.diffusion &&
+std::optional<std::uint8_t> CyclePlan::half_cycles_for(const CycleCircumstances& now) const noexcept {
+  const bool is_known = half_cycles_ && now.diffusion == found_for_.diffusion &&
                         is_near(now.step, found_for_.step) &&
                         is_near(static_cast<double>(now.anchors), static_cast<double>(found_for_.anchors));
-  return is_known ? cycles_ : std::nullopt;
+  return is_known ? half_cycles_ : std::nullopt;
 }
 
-void CyclePlan::keep(const CycleCircumstances& now, std::uint8_t cycles) noexcept {
+void CyclePlan::keep(const CycleCircumstances& now, std::uint8_t half_cycles) noexcept {
   found_for_ = now;
-  cycles_ = cycles;
+  half_cycles_ = half_cycles;
 }
 
 bool is_as_good(const SolvedPart& part, std::span<const Vec3> positions, std::span<const Vec3> settled,

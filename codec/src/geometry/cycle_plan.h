@@ -14,9 +14,6 @@
 
 namespace deltamesh {
 
-/// Cycles tried before it is left to the decoder to decide.
-inline constexpr std::uint8_t kMostPlannedCycles = 8;
-
 /// What the number of cycles depends on, besides the graph.
 struct CycleCircumstances {
   double step = 0;
@@ -27,12 +24,12 @@ struct CycleCircumstances {
 /// The number found last, for as long as circumstances hardly change.
 class CyclePlan {
  public:
-  std::optional<std::uint8_t> cycles_for(const CycleCircumstances& now) const noexcept;
-  void keep(const CycleCircumstances& now, std::uint8_t cycles) noexcept;
+  std::optional<std::uint8_t> half_cycles_for(const CycleCircumstances& now) const noexcept;
+  void keep(const CycleCircumstances& now, std::uint8_t half_cycles) noexcept;
 
  private:
   CycleCircumstances found_for_;
-  std::optional<std::uint8_t> cycles_;
+  std::optional<std::uint8_t> half_cycles_;
 };
 
 /// Whether `solution` may stand for `settled`, where the solver decided itself when to stop: how far both are

@@ -27,7 +27,7 @@ Result<void> check_parameters(const HighpassParameters& parameters, std::size_t 
     return invalid("the step is not a finite number above 0", "DELT-1", kTagDeltas);
   if (parameters.anchor_bits < 4 || parameters.anchor_bits > 24)
     return invalid("anchor bits outside 4 to 24", "ANCH-1", kTagAnchors);
-  if (parameters.cycles > kMostCycles) return invalid("too many cycles", "DELT-7", kTagDeltas);
+  if (parameters.half_cycles > kMostHalfCycles) return invalid("too many cycles", "DELT-7", kTagDeltas);
   if (parameters.anchors > vertex_count) return invalid("more anchors than vertices", "ANCH-1", kTagAnchors);
   return {};
 }
@@ -98,7 +98,7 @@ Result<std::vector<Vec3>> read_and_solve(Payload deltas, HighpassSymbols symbols
   PartSolver solver(part);
   Task<Result<void>> set_up(part.row_count > 0, [&]() -> Result<void> {
     if (part.row_count == 0) return {};
-    return solver.set_up(anchor_rows(symbols.anchors, part), parameters.cycles);
+    return solver.set_up(anchor_rows(symbols.anchors, part), parameters.half_cycles);
   });
   DELTAMESH_TRY(auto values, read_deltas(deltas, part.graph));
   DELTAMESH_CHECK(set_up.get());

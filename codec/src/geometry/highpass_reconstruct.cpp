@@ -107,7 +107,7 @@ Result<std::vector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, c
   if (!solution.empty()) {
     DELTAMESH_CHECK(
         solver.solve(anchor_rows(symbols.anchors, part), DeltaView(symbols.deltas, scale_of(parameters)),
-                     anchor_targets(symbols, part, box, parameters), parameters.cycles, solution));
+                     anchor_targets(symbols, part, box, parameters), parameters.half_cycles, solution));
   }
   return to_positions(std::move(solution), symbols, part, box, parameters);
 }
@@ -122,7 +122,7 @@ Result<std::vector<Vec3>> reconstruct_highpass_once(HighpassSymbols symbols, Sol
                                 .symbols = std::exchange(symbols.deltas, {}),
                                 .scale = scale_of(parameters),
                                 .targets = anchor_targets(symbols, part, box, parameters),
-                                .cycles = parameters.cycles};
+                                .half_cycles = parameters.half_cycles};
     DELTAMESH_TRY(solution, solve_once(std::move(problem)));
   }
   return to_positions(std::move(solution), symbols, part, box, parameters);

@@ -22,6 +22,9 @@ namespace {
 /// Deltas of float32 positions carry no more than this many bits below the longest side.
 constexpr int kFinestBits = 40;
 
+/// Half cycles tried before it is left to the decoder to decide.
+constexpr int kMostPlanned = 16;
+
 /// Distance that is small against the rounding of positions to floats, over the longest side.
 constexpr double kInvisible = 0x1p-26;
 
@@ -130,18 +133,23 @@ Result<CodedHighpass> HighpassCoder::write(const HighpassSettings& settings, Hig
   return coded;
 }
 
-/// The fewest cycles that are as good as those of a decoder that decides itself.
+/// The fewest half cycles that are as good as the cycles of a decoder that decides itself.
 Result<void> HighpassCoder::plan_and_solve(const HighpassSymbols& symbols, CodedHighpass& coded) {
-  coded.parameters.cycles = 0;
-  DELTAMESH_TRY(coded.positions, reconstruct_highpass(symbols, part_, solver_, box_, coded.parameters));
-  HighpassParameters planned = coded.parameters;
-  for (planned.cycles = 1; planned.cycles <= kMostPlannedCycles; ++planned.cycles) {
+  DELTAMESH_TRY(const auto settled, reconstruct_highpass(symbols, part_, solver_, box_, coded.parameters));
+  coded.positions = settled;
+  const auto try_plan = [&](int half_cycles) {
+    HighpassParameters planned = coded.parameters;
+    planned.half_cycles = static_cast<std::uint8_t>(half_cycles);
     auto positions = reconstruct_highpass(symbols, part_, solver_, box_, planned);
-    if (!positions) continue;
-    if (!is_as_good(part_, positions_, coded.positions, *positions, kInvisible * box_.longest_side()))
-      continue;
-    coded.parameters.cycles = planned.cycles;
+    if (!positions || !is_as_good(part_, positions_, settled, *positions, kInvisible * box_.longest_side()))
+      return false;
+    coded.parameters = planned;
     coded.positions = std::move(*positions);
+    return true;
+  };
+  for (int half_cycles = 2; half_cycles <= kMostPlanned; half_cycles += 2) {
+    if (!try_plan(half_cycles)) continue;
+    try_plan(half_cycles - 1);
     break;
   }
   return {};
@@ -152,12 +160,12 @@ Result<CodedHighpass> HighpassCoder::code(const HighpassSettings& settings) {
   DELTAMESH_TRY(auto coded, write(settings, symbols));
   const CycleCircumstances now{
       .step = settings.step, .diffusion = settings.diffusion, .anchors = settings.anchors.vertices.size()};
-  if (const auto cycles = plan_.cycles_for(now)) {
-    coded.parameters.cycles = *cycles;
+  if (const auto half_cycles = plan_.half_cycles_for(now)) {
+    coded.parameters.half_cycles = *half_cycles;
     DELTAMESH_TRY(coded.positions, reconstruct_highpass(symbols, part_, solver_, box_, coded.parameters));
   } else {
     DELTAMESH_CHECK(plan_and_solve(symbols, coded));
-    plan_.keep(now, coded.parameters.cycles);
+    plan_.keep(now, coded.parameters.half_cycles);
   }
   return coded;
 }

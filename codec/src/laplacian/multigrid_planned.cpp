@@ -18,6 +18,9 @@ constexpr std::size_t kCoupled = 2;
 constexpr int kFinestSweeps = 3;
 constexpr int kSecondSweeps = 2;
 
+/// Corrections of the second level in a whole cycle.
+constexpr int kCorrections = 2;
+
 Float4 to_float4(const Vec3& v) noexcept {
   return Float4{static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]), 0.0F};
 }
@@ -140,10 +143,11 @@ void PlannedCycles::correct_second(bool is_first) {
   add_prolonged_rows(level, next.u, u_);
 }
 
-/// u for b, where there is a level between the finest and c; else for that level's b.
-void PlannedCycles::correct_from_second() {
+/// u for b, by at most so many corrections, where there is a level between the finest and c; else for that
+/// level's b.
+void PlannedCycles::correct_from_second(int corrections) {
   if (has_middle()) {
-    for (int c = 0; c < solver_.cycles(1); ++c) correct_second(c == 0);
+    for (int c = 0; c < std::min(corrections, solver_.cycles(1)); ++c) correct_second(c == 0);
   } else {
     LevelSolver::Vectors& second = solver_.vectors(1);
     second.gaps = gaps_;
@@ -165,14 +169,15 @@ void PlannedCycles::start(const DeltaView& deltas, std::span<const Vec3> targets
       take(i, to_float4(static_cast<double>(finest.degree[i]) * deltas[i]));
   });
   for (std::size_t a = 0; a < targets.size(); ++a) gaps_[a] = to_float4(targets[a]);
-  correct_from_second();
+  correct_from_second(kCorrections);
   for (std::uint32_t i = 0; i < x.size(); ++i) {
     const Float4 first = interpolate_x(finest.interpolation[i], u_);
     x[i] = {first[0], first[1], first[2]};
   }
 }
 
-void PlannedCycles::cycle(const DeltaView& deltas, std::span<const Vec3> targets, std::span<Vec3> x) {
+void PlannedCycles::cycle(const DeltaView& deltas, std::span<const Vec3> targets, int corrections,
+                          std::span<Vec3> x) {
   const Level& finest = levels_[0];
   const auto residual = [&](std::uint32_t i) {
     return charge(finest, deltas, x, i) -
@@ -183,14 +188,15 @@ void PlannedCycles::cycle(const DeltaView& deltas, std::span<const Vec3> targets
   for (int s = 1; s < kFinestSweeps; ++s) sweep_again<true>(finest, step_, add);
   restrict_to_second([&](const auto& take) { take_residuals<true>(finest, step_, take); });
   for (std::size_t a = 0; a < targets.size(); ++a) gaps_[a] = to_float4(targets[a] - x[finest.anchors[a]]);
-  correct_from_second();
+  correct_from_second(corrections);
   for (std::uint32_t i = 0; i < x.size(); ++i) add(i, interpolate_x(finest.interpolation[i], u_));
 }
 
-void PlannedCycles::solve(const DeltaView& deltas, std::span<const Vec3> targets, int cycles,
+void PlannedCycles::solve(const DeltaView& deltas, std::span<const Vec3> targets, int half_cycles,
                           std::span<Vec3> x) {
   start(deltas, targets, x);
-  for (int c = 0; c < cycles; ++c) cycle(deltas, targets, x);
+  for (int left = half_cycles; left > 0; left -= kCorrections)
+    cycle(deltas, targets, std::min(left, kCorrections), x);
 }
 
 }  // namespace deltamesh::multigrid

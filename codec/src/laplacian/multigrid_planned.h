@@ -27,14 +27,15 @@ class PlannedCycles {
   /// `levels`: at least two; must outlive this.
   PlannedCycles(std::span<const Level> levels, const Components& components);
 
-  /// `targets`: c_a, one for each anchor; `cycles`: above 0; `x`: overwritten. The result is anything, also
-  /// not finite, where the number is not right. O(cycles (n + edges)).
-  void solve(const DeltaView& deltas, std::span<const Vec3> targets, int cycles, std::span<Vec3> x);
+  /// `targets`: c_a, one for each anchor; `half_cycles`: above 0; `x`: overwritten. Where the number is odd
+  /// the last cycle makes one correction of the second level, not two. The result is anything, also not
+  /// finite, where the number is not right. O(half_cycles (n + edges)).
+  void solve(const DeltaView& deltas, std::span<const Vec3> targets, int half_cycles, std::span<Vec3> x);
 
  private:
   void start(const DeltaView& deltas, std::span<const Vec3> targets, std::span<Vec3> x);
-  void cycle(const DeltaView& deltas, std::span<const Vec3> targets, std::span<Vec3> x);
-  void correct_from_second();
+  void cycle(const DeltaView& deltas, std::span<const Vec3> targets, int corrections, std::span<Vec3> x);
+  void correct_from_second(int corrections);
   void correct_second(bool is_first);
   /// `each(take)` calls take(vertex, residual) for every vertex.
   template <class Each>

@@ -110,21 +110,22 @@ class GroupSolver {
         bad_(group_.components.count) {}
 
   /// What solve() with so many cycles would set up first.
-  void set_up(int cycles) {
-    if (cycles > 0 && group_.depth > 0 && quick_levels_.empty()) {
+  void set_up(int half_cycles) {
+    if (half_cycles > 0 && group_.depth > 0 && quick_levels_.empty()) {
       quick_levels_ = make_levels(multigrid::Coarsening::kQuick);
       if (quick_levels_.size() > 1)
         planned_ = std::make_unique<PlannedCycles>(quick_levels_, group_.components);
     }
-    if (is_planned(cycles) || cycles_) return;
+    if (is_planned(half_cycles) || cycles_) return;
     levels_ = make_levels(multigrid::Coarsening::kExact);
     cycles_ = std::make_unique<MultigridCycle>(levels_, group_.components, group_.depth == 0);
   }
 
-  /// `x`: where to start without levels; overwritten with the solution. `cycles`: 0 for as many as it takes.
-  Result<void> solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions, int cycles,
+  /// `x`: where to start without levels; overwritten with the solution. `half_cycles`: 0 for as many as it
+  /// takes.
+  Result<void> solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions, int half_cycles,
                      std::span<Vec3> x) {
-    set_up(cycles);
+    set_up(half_cycles);
     if (group_.vertices.empty()) {
       deltas_ = deltas;
       x_ = x;
@@ -132,8 +133,8 @@ class GroupSolver {
       gather(deltas, x);
     }
     for (std::size_t a = 0; a < targets_.size(); ++a) targets_[a] = anchor_positions[group_.anchor_of[a]];
-    if (is_planned(cycles)) {
-      planned_->solve(deltas_, targets_, cycles, x_);
+    if (is_planned(half_cycles)) {
+      planned_->solve(deltas_, targets_, half_cycles, x_);
     } else if (group_.depth == 0) {
       DELTAMESH_CHECK(run_without_levels());
     } else if (!run_plain()) {
@@ -145,7 +146,7 @@ class GroupSolver {
 
  private:
   /// Without coarser levels there is nothing to plan.
-  bool is_planned(int cycles) const noexcept { return cycles > 0 && planned_; }
+  bool is_planned(int half_cycles) const noexcept { return half_cycles > 0 && planned_; }
 
   std::vector<multigrid::Level> make_levels(multigrid::Coarsening how) const {
     return multigrid::build_hierarchy(*group_.graph, group_.anchors, group_.depth, how);
@@ -400,15 +401,15 @@ class MultigridSolver final : public LeastSquaresSolver {
 
   void add(Group group) { groups_.push_back(std::make_unique<GroupSolver>(std::move(group))); }
 
-  void set_up(int cycles) override {
-    for (const auto& group : groups_) group->set_up(cycles);
+  void set_up(int half_cycles) override {
+    for (const auto& group : groups_) group->set_up(half_cycles);
   }
 
-  Result<void> solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions, int cycles,
+  Result<void> solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions, int half_cycles,
                      std::span<Vec3> x) override {
     std::fill(x.begin(), x.end(), Vec3{});
     DELTAMESH_CHECK(small_.solve(deltas, anchor_positions, x));
-    for (const auto& group : groups_) DELTAMESH_CHECK(group->solve(deltas, anchor_positions, cycles, x));
+    for (const auto& group : groups_) DELTAMESH_CHECK(group->solve(deltas, anchor_positions, half_cycles, x));
     return {};
   }
 

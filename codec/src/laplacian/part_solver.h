@@ -20,11 +20,11 @@ class PartSolver {
   explicit PartSolver(const SolvedPart& part) : part_(part) {}
 
   /// What solve() would do first. Errors: as make_multigrid_solver.
-  Result<void> set_up(std::span<const std::uint32_t> anchors, int cycles);
+  Result<void> set_up(std::span<const std::uint32_t> anchors, int half_cycles);
 
   /// As LeastSquaresSolver::solve; `anchors`: rows of the part, ascending.
   Result<void> solve(std::span<const std::uint32_t> anchors, const DeltaView& deltas,
-                     std::span<const Vec3> anchor_positions, int cycles, std::span<Vec3> x);
+                     std::span<const Vec3> anchor_positions, int half_cycles, std::span<Vec3> x);
 
  private:
   Result<void> make_solver(std::span<const std::uint32_t> anchors);

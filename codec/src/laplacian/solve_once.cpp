@@ -65,7 +65,7 @@ LeastSquaresProblem copy_part(const LeastSquaresProblem& problem, std::span<cons
   pick_anchors(problem, vertices, part);
   part.symbols.resize(3 * vertices.size());
   part.scale = problem.scale;
-  part.cycles = problem.cycles;
+  part.half_cycles = problem.half_cycles;
   pick_symbols(problem.symbols, vertices, part.symbols);
   return part;
 }
@@ -85,7 +85,7 @@ void keep_part(LeastSquaresProblem& problem, std::span<const std::uint32_t> vert
 Result<void> solve(LeastSquaresProblem& problem, std::span<Vec3> x) {
   DELTAMESH_TRY(const auto solver,
                 make_solver_for_components(problem.graph, std::move(problem.components), problem.anchors));
-  return solver->solve(DeltaView(problem.symbols, problem.scale), problem.targets, problem.cycles, x);
+  return solver->solve(DeltaView(problem.symbols, problem.scale), problem.targets, problem.half_cycles, x);
 }
 
 }  // namespace

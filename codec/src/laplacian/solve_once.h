@@ -21,7 +21,7 @@ struct LeastSquaresProblem {
   std::vector<std::int32_t> symbols{};   ///< of the deltas: x of all n vertices, then y, then z
   DeltaScale scale{};                    ///< what they stand for
   std::vector<Vec3> targets{};           ///< of every anchor
-  int cycles = 0;                        ///< as LeastSquaresSolver::solve
+  int half_cycles = 0;                   ///< as LeastSquaresSolver::solve
 };
 
 /// What make_multigrid_solver's solver finds, to the last bit. Components that take different hierarchies are

@@ -27,9 +27,9 @@ class LeastSquaresSolver {
 
   /// `deltas`: n; `anchor_positions`: one per anchor, in the order of setup; `x`: n, overwritten.
   /// Errors: kInvalidStream where the system is numerically singular or its solution out of reach.
-  /// `cycles`: 0 for as many as the solution takes; else that many have been found to be enough [DELT-7], and
-  /// nothing watches what comes out. Solvers without cycles take no notice.
-  virtual Result<void> solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions, int cycles,
+  /// `half_cycles`: 0 for as many as the solution takes; else that many have been found to be enough
+  /// [DELT-7], and nothing watches what comes out. Solvers without cycles take no notice.
+  virtual Result<void> solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions, int half_cycles,
                              std::span<Vec3> x) = 0;
 
   Result<void> solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions, std::span<Vec3> x) {
@@ -37,7 +37,7 @@ class LeastSquaresSolver {
   }
 
   /// What solve() with so many cycles would set up first.
-  virtual void set_up(int cycles) { (void)cycles; }
+  virtual void set_up(int half_cycles) { (void)half_cycles; }
 };
 
 /// Sparse Cholesky of the normal equations: exact up to rounding; the reference. Time and memory grow faster
