@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Memory for arrays of a megabyte and more. Half of what a plain array costs is the system's handing it out
-// page by page and the clearing before it is overwritten: here pages are large, where the system has such,
-// and nothing is cleared that nobody asked to be.
+// Memory for large arrays. Half of what a plain one costs is the system's handing it out page by page and the
+// clearing before it is overwritten: here pages are large, or were in use before [MemoryPool], and nothing is
+// cleared that nobody asked to be.
 #pragma once
 
 #include <cstddef>
@@ -12,19 +12,17 @@
 #include <utility>
 #include <vector>
 
+#include "base/large_pages.h"
+
 namespace deltamesh {
 
-/// Arrays from here on are given large pages; bytes.
-inline constexpr std::size_t kLargeArray = std::size_t{1} << 20;
+/// Arrays are large from here on; bytes.
+inline constexpr std::size_t kLargeArray = std::size_t{1} << 16;
 
 /// At least `bytes`, from kLargeArray on, not cleared; throws std::bad_alloc. For arrays that will be filled:
 /// as little as the first byte may take up a whole large page.
 void* allocate_large(std::size_t bytes);
-void free_large(void* memory) noexcept;
-
-/// Asks for large pages where `memory`, which some other allocator gave, fills them and is untouched so far.
-/// Only a hint, as that may be refused. Most of the bytes are to be written.
-void want_large_pages(void* memory, std::size_t bytes) noexcept;
+void free_large(void* memory, std::size_t bytes) noexcept;
 
 /// For containers, which ask for no more than can be addressed. An element without a value is
 /// default-initialised, which leaves numbers as they are.
@@ -47,7 +45,7 @@ class LargeAllocator {
     if (count < kLargeArray / sizeof(T)) {
       std::allocator<T>{}.deallocate(memory, count);
     } else {
-      free_large(memory);
+      free_large(memory, count * sizeof(T));
     }
   }
 

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/large_vector.h"
 #include "connectivity/border_item.h"
 #include "connectivity/gap_queue.h"
 #include "connectivity/gate.h"
@@ -103,7 +104,7 @@ class Border {
   std::size_t face_room_ = 0;  ///< size of `faces_`
   std::uint32_t vertex_count_ = 0;
   std::uint32_t last_focus_faces_ = 6;
-  std::vector<BorderItem> items_;
+  LargeVector<BorderItem> items_;
   std::vector<std::uint32_t> faces_;  ///< three for each face, and room for some more
   std::vector<DirectedEdge> open_edges_;
   GapQueue gaps_;

@@ -10,6 +10,7 @@
 #include "attributes/attribute.h"
 #include "base/checked.h"
 #include "base/guard.h"
+#include "base/memory_pool.h"
 #include "base/task.h"
 #include "base/try.h"
 #include "connectivity/connectivity.h"
@@ -27,6 +28,9 @@ namespace deltamesh {
 namespace {
 
 constexpr double kGeometryDone = 0.85;
+
+/// Bytes of a stream from which on its decoding fills large pages.
+constexpr std::size_t kWorthAPool = std::size_t{1} << 14;
 
 void report_progress(const DecodeOptions& options, double share) {
   if (options.progress) options.progress(share);
@@ -170,6 +174,8 @@ class StreamDecoder {
 Result<Mesh> decode(std::span<const std::byte> stream, const DecodeOptions& options) noexcept {
   return guarded([&]() -> Result<Mesh> {
     DELTAMESH_TRY(const auto container, Container::open(stream));
+    std::optional<MemoryPool> pool;
+    if (options.threads == 1 && stream.size() >= kWorthAPool) pool.emplace();
     return StreamDecoder(container, options).run();
   });
 }

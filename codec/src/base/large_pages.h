@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Memory on large pages, where the system has such: far fewer of them are to be handed out.
+#pragma once
+
+#include <cstddef>
+
+namespace deltamesh {
+
+/// Smaller than some systems' large pages, which then are not used.
+inline constexpr std::size_t kLargePage = std::size_t{1} << 21;
+
+/// `bytes`, not cleared; throws std::bad_alloc. What is touched may take up whole large pages, but for an end
+/// of less than half a one.
+void* allocate_pages(std::size_t bytes);
+void free_pages(void* memory) noexcept;
+
+/// Asks for large pages where `memory`, which some other allocator gave, fills them and is untouched so far.
+/// Only a hint, as that may be refused. Most of the bytes are to be written.
+void want_large_pages(void* memory, std::size_t bytes) noexcept;
+
+}  // namespace deltamesh

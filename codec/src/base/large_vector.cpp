@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "base/large_vector.h"
+
+#include "base/memory_pool.h"
+
+namespace deltamesh {
+namespace {
+
+/// Without a pool, smaller arrays are like any others.
+constexpr bool has_own_pages(std::size_t bytes) noexcept { return bytes >= kLargePage / 2; }
+
+}  // namespace
+
+void* allocate_large(std::size_t bytes) {
+  if (MemoryPool* const pool = MemoryPool::current()) return pool->allocate(bytes);
+  return has_own_pages(bytes) ? allocate_pages(bytes) : ::operator new(bytes);
+}
+
+void free_large(void* memory, std::size_t bytes) noexcept {
+  if (MemoryPool* const pool = MemoryPool::current(); pool != nullptr && pool->free(memory)) return;
+  if (has_own_pages(bytes)) {
+    free_pages(memory);
+  } else {
+    ::operator delete(memory);
+  }
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "base/memory_pool.h"
+
+#include <algorithm>
+
+#include "base/large_pages.h"
+
+namespace deltamesh {
+
+thread_local MemoryPool* MemoryPool::current_ = nullptr;
+
+MemoryPool::~MemoryPool() {
+  current_ = outer_;
+  for (const Chunk& chunk : chunks_) free_pages(chunk.begin);
+}
+
+std::size_t MemoryPool::Chunk::size_of(std::size_t block) const noexcept {
+  const std::byte* const after = block + 1 < blocks.size() ? blocks[block + 1].begin : end;
+  return static_cast<std::size_t>(after - blocks[block].begin);
+}
+
+/// The smallest free block that is large enough; or new pages, once those that nobody uses are given back, so
+/// that no more memory is taken than without a pool.
+void* MemoryPool::allocate(std::size_t bytes) {
+  constexpr std::size_t kUnit = 64;  // a line of the cache
+  bytes = (bytes + kUnit - 1) / kUnit * kUnit;
+  Chunk* best = nullptr;
+  std::size_t best_block = 0;
+  for (Chunk& chunk : chunks_) {
+    for (std::size_t i = 0; i < chunk.blocks.size(); ++i) {
+      if (!chunk.blocks[i].is_free || chunk.size_of(i) < bytes) continue;
+      if (best != nullptr && best->size_of(best_block) <= chunk.size_of(i)) continue;
+      best = &chunk;
+      best_block = i;
+    }
+  }
+  if (best != nullptr) return take(*best, best_block, bytes);
+  release_free_chunks();
+  const std::size_t size = (bytes + kLargePage - 1) / kLargePage * kLargePage;
+  chunks_.reserve(chunks_.size() + 1);
+  Chunk chunk{.begin = nullptr, .end = nullptr, .blocks = {}};
+  chunk.blocks.reserve(8);
+  chunk.begin = static_cast<std::byte*>(allocate_pages(size));
+  chunk.end = chunk.begin + size;
+  chunk.blocks.push_back({chunk.begin, true});
+  chunks_.push_back(std::move(chunk));
+  return take(chunks_.back(), 0, bytes);
+}
+
+void* MemoryPool::take(Chunk& chunk, std::size_t block, std::size_t bytes) {
+  std::byte* const begin = chunk.blocks[block].begin;
+  if (chunk.size_of(block) > bytes)
+    chunk.blocks.insert(chunk.blocks.begin() + static_cast<std::ptrdiff_t>(block) + 1, {begin + bytes, true});
+  chunk.blocks[block].is_free = false;
+  return begin;
+}
+
+bool MemoryPool::free(void* memory) noexcept {
+  for (Chunk& chunk : chunks_) {
+    auto& blocks = chunk.blocks;
+    const auto block =
+        std::find_if(blocks.begin(), blocks.end(), [&](const Block& b) { return b.begin == memory; });
+    if (block == blocks.end()) continue;
+    block->is_free = true;
+    if (block + 1 != blocks.end() && (block + 1)->is_free) blocks.erase(block + 1);
+    if (block != blocks.begin() && (block - 1)->is_free) blocks.erase(block);
+    return true;
+  }
+  return false;
+}
+
+void MemoryPool::release_free_chunks() noexcept {
+  std::erase_if(chunks_, [](const Chunk& chunk) {
+    if (chunk.is_free()) free_pages(chunk.begin);
+    return chunk.is_free();
+  });
+}
+
+}  // namespace deltamesh
