@@ -21,7 +21,7 @@ TEST(MemoryPool, GivesWhatWasFreedBefore) {
   void* const second = pool.allocate(100000);
   EXPECT_TRUE(pool.free(first));
   EXPECT_FALSE(pool.free(nullptr));
-  EXPECT_EQ(pool.allocate(1000000), first);
+  EXPECT_EQ(pool.allocate(2000000), first);
   EXPECT_TRUE(pool.free(second));
 }
 
@@ -65,7 +65,7 @@ TEST(MemoryPool, VectorsTakeTheInnermost) {
       const MemoryPool inner;
       EXPECT_EQ(MemoryPool::current(), &inner);
       const LargeVector<std::uint32_t> copy = kept;
-      kept = LargeVector<std::uint32_t>(500000, 7);  // into what it has
+      kept.assign(500000, 7);  // in the room it has
       EXPECT_EQ(copy[999999], 6U);
     }
     EXPECT_EQ(MemoryPool::current(), &outer);

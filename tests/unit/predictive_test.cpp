@@ -37,7 +37,7 @@ FaceList faces_of(const test::GraphMesh& mesh) {
   return {mesh.triangles, static_cast<std::uint32_t>(mesh.positions.size())};
 }
 
-const char* rule_of(const Result<std::vector<Vec3>>& result) { return result ? "" : result.error().rule; }
+const char* rule_of(const Result<LargeVector<Vec3>>& result) { return result ? "" : result.error().rule; }
 
 /// Largest distance of a decoded vertex from its original.
 double largest_error(const Mesh& mesh, const Encoded& encoded) {

@@ -16,12 +16,12 @@ namespace deltamesh {
 
 void* allocate_pages(std::size_t bytes) {
   const std::size_t large = (bytes + kLargePage / 2) / kLargePage * kLargePage;
-  void* const memory = ::operator new(std::max(bytes, large), std::align_val_t{kLargePage});
+  void* const memory = ::operator new (std::max(bytes, large), std::align_val_t{kLargePage});
   if (large > 0) madvise(memory, large, MADV_HUGEPAGE);
   return memory;
 }
 
-void free_pages(void* memory) noexcept { ::operator delete(memory, std::align_val_t{kLargePage}); }
+void free_pages(void* memory) noexcept { ::operator delete (memory, std::align_val_t{kLargePage}); }
 
 void want_large_pages(void* memory, std::size_t bytes) noexcept {
   const std::size_t before = (~reinterpret_cast<std::uintptr_t>(memory) + 1) % kLargePage;

@@ -103,13 +103,16 @@ class StreamDecoder {
   /// n x 3. Takes the geometric faces when they have served.
   Result<std::vector<float>> read_geometry(const std::vector<std::uint32_t>& triangles) {
     const bool is_split = !copies_.empty();
-    DELTAMESH_TRY(const auto positions, header_.geometry == kGeometryPredictive
-                                            ? read_predicted(is_split ? geometric_triangles_ : triangles)
-                                            : read_solved(is_split ? geometric_triangles_ : triangles));
+    const std::span<const std::uint32_t> faces = is_split ? geometric_triangles_ : triangles;
+    if (header_.geometry == kGeometryPredictive) {
+      DELTAMESH_TRY(const auto positions, read_predicted(faces));
+      return to_float_rows(positions, copies_);
+    }
+    DELTAMESH_TRY(const auto positions, read_solved(faces));
     return to_float_rows(positions, copies_);
   }
 
-  Result<std::vector<Vec3>> read_predicted(std::span<const std::uint32_t> triangles) {
+  Result<LargeVector<Vec3>> read_predicted(std::span<const std::uint32_t> triangles) {
     DELTAMESH_TRY(const auto payload, expand_single(container_, kTagPositions, max_payload(header_)));
     return read_positions(payload.payload(), {triangles, header_.geometric_vertices}, header_.predictive,
                           header_.box());

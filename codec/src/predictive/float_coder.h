@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "base/large_vector.h"
 #include "predictive/float_order.h"
 #include "predictive/match_coder.h"
 #include "predictive/residual_coder.h"
@@ -31,7 +32,7 @@ class FloatCoder {
         history_(faces.vertex_count()),
         residuals_(coder),
         matches_(coder),
-        cells_(faces.vertex_count()) {}
+        cells_(faces.vertex_count(), Cell{}) {}
 
   /// Codes floats[vertex]; those before it are coded. A reader fills it in. The rule that a stream breaks
   /// here, or null.
@@ -91,7 +92,7 @@ class FloatCoder {
   ResidualHistory history_;
   ResidualCoder<Coder> residuals_;
   MatchCoder<Coder> matches_;
-  std::vector<Cell> cells_;  ///< in units
+  LargeVector<Cell> cells_;  ///< in units
 };
 
 }  // namespace deltamesh

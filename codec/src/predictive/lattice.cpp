@@ -33,8 +33,8 @@ std::vector<Cell> to_cells(std::span<const Vec3> positions, const PositionLattic
   return cells;
 }
 
-std::vector<Vec3> to_positions(std::span<const Cell> cells, const PositionLattice& lattice) {
-  std::vector<Vec3> positions(cells.size());
+LargeVector<Vec3> to_positions(std::span<const Cell> cells, const PositionLattice& lattice) {
+  LargeVector<Vec3> positions(cells.size());
   for (std::size_t v = 0; v < cells.size(); ++v)
     for (std::size_t axis = 0; axis < 3; ++axis) positions[v][axis] = lattice.at(axis, cells[v][axis]);
   return positions;

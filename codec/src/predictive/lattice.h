@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "base/large_vector.h"
 #include "base/vec3.h"
 #include "format/predictive_parameters.h"
 #include "predictive/blend.h"
@@ -23,6 +24,6 @@ PositionLattice cubic_lattice(const Box& box, double step) noexcept;
 /// The nearest point of `lattice` for every position.
 std::vector<Cell> to_cells(std::span<const Vec3> positions, const PositionLattice& lattice);
 
-std::vector<Vec3> to_positions(std::span<const Cell> cells, const PositionLattice& lattice);
+LargeVector<Vec3> to_positions(std::span<const Cell> cells, const PositionLattice& lattice);
 
 }  // namespace deltamesh

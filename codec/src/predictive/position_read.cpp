@@ -17,16 +17,16 @@ Error invalid(const char* message, const char* rule) noexcept {
   return {.code = ErrorCode::kInvalidStream, .message = message, .rule = rule, .chunk_tag = kTagPositions};
 }
 
-Result<std::vector<Vec3>> read_floats(CompactReader& reader, const KnownFaces& faces,
+Result<LargeVector<Vec3>> read_floats(CompactReader& reader, const KnownFaces& faces,
                                       const BlendTable& blends, const Box& box) {
   FloatCoder coder(reader, faces, float_units(box), blends);
-  std::vector<Ordinals> floats(faces.vertex_count());
+  LargeVector<Ordinals> floats(faces.vertex_count(), Ordinals{});
   for (std::uint32_t v = 0; v < floats.size() && !reader.failed(); ++v) {
     const char* broken = coder.code_vertex(v, floats);
     if (broken != nullptr && !reader.failed()) return invalid("not a finite float32", broken);
   }
   DELTAMESH_CHECK(reader.finish(kTagPositions));
-  std::vector<Vec3> positions(floats.size());
+  LargeVector<Vec3> positions(floats.size());
   for (std::size_t v = 0; v < floats.size(); ++v)
     for (std::size_t axis = 0; axis < 3; ++axis) positions[v][axis] = float_of(floats[v][axis]);
   return positions;
@@ -34,8 +34,8 @@ Result<std::vector<Vec3>> read_floats(CompactReader& reader, const KnownFaces& f
 
 /// All cells by one of the coders. The reader is to be finished.
 template <class Coder>
-Result<std::vector<Cell>> read_cells(Coder coder, const CompactReader& reader, std::uint32_t vertices) {
-  std::vector<Cell> cells(vertices);
+Result<LargeVector<Cell>> read_cells(Coder coder, const CompactReader& reader, std::uint32_t vertices) {
+  LargeVector<Cell> cells(vertices, Cell{});
   for (std::uint32_t v = 0; v < cells.size() && !reader.failed(); ++v) {
     const char* broken = coder.code_vertex(v, cells);
     if (broken != nullptr && !reader.failed()) return invalid("a coordinate beyond the lattice", broken);
@@ -43,7 +43,7 @@ Result<std::vector<Cell>> read_cells(Coder coder, const CompactReader& reader, s
   return cells;
 }
 
-Result<std::vector<Vec3>> read_voxels(CompactReader& reader, const KnownFaces& faces,
+Result<LargeVector<Vec3>> read_voxels(CompactReader& reader, const KnownFaces& faces,
                                       const PredictiveParameters& parameters, const BlendTable& blends) {
   const PositionLattice& lattice = parameters.lattice;
   VoxelCoder coder(reader, faces, lattice.cells, parameters.levels, blends);
@@ -56,7 +56,7 @@ Result<std::vector<Vec3>> read_voxels(CompactReader& reader, const KnownFaces& f
   return to_positions(cells, lattice);
 }
 
-Result<std::vector<Vec3>> read_lattice(CompactReader& reader, const KnownFaces& faces,
+Result<LargeVector<Vec3>> read_lattice(CompactReader& reader, const KnownFaces& faces,
                                        const PositionLattice& lattice, const BlendTable& blends) {
   const bool guesses = reader.bits(0, 1) != 0;
   const bool patched = reader.bits(0, 1) != 0;
@@ -73,7 +73,7 @@ Result<std::vector<Vec3>> read_lattice(CompactReader& reader, const KnownFaces& 
 }
 
 /// What follows the walk, of vertices numbered in its order.
-Result<std::vector<Vec3>> read_in_order(CompactReader& reader, const KnownFaces& faces,
+Result<LargeVector<Vec3>> read_in_order(CompactReader& reader, const KnownFaces& faces,
                                         const PredictiveParameters& parameters, const Box& box) {
   BlendTable blends{};
   code_blends(reader, blends);
@@ -84,11 +84,11 @@ Result<std::vector<Vec3>> read_in_order(CompactReader& reader, const KnownFaces&
 
 }  // namespace
 
-Result<std::vector<Vec3>> read_positions(Payload payload, const FaceList& faces,
+Result<LargeVector<Vec3>> read_positions(Payload payload, const FaceList& faces,
                                          const PredictiveParameters& parameters, const Box& box) {
   if (faces.vertex_count == 0) {
     if (!payload.bytes.empty()) return invalid("positions without vertices", "POSN-1");
-    return std::vector<Vec3>{};
+    return LargeVector<Vec3>{};
   }
   if (!payload.is_compact) return invalid("positions that are not in the compact form", "POSN-1");
   CompactReader reader(payload.bytes);
@@ -98,7 +98,7 @@ Result<std::vector<Vec3>> read_positions(Payload payload, const FaceList& faces,
   DELTAMESH_TRY(auto walked, read_in_order(reader, KnownFaces(faces, order, second_walk(faces, parameters)),
                                            parameters, box));
   if (order.empty()) return walked;
-  std::vector<Vec3> positions(walked.size());
+  LargeVector<Vec3> positions(walked.size());
   for (std::size_t i = 0; i < order.size(); ++i) positions[order[i]] = walked[i];
   return positions;
 }

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "base/large_vector.h"
 #include "base/vec3.h"
 #include "deltamesh/result.h"
 #include "entropy/payload.h"
@@ -46,7 +47,7 @@ std::vector<std::byte> write_floats(const FaceList& faces, std::span<const Vec3>
 
 /// n positions. `box`: the header's. Errors: kTruncated, kInvalidStream [POSN-1, POSN-7, POSN-10, POSN-11,
 /// VOX-4, FLT-1, CMP-3].
-Result<std::vector<Vec3>> read_positions(Payload payload, const FaceList& faces,
+Result<LargeVector<Vec3>> read_positions(Payload payload, const FaceList& faces,
                                          const PredictiveParameters& parameters, const Box& box);
 
 }  // namespace deltamesh

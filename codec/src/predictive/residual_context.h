@@ -11,10 +11,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <memory>
 
 #include "base/floor_log2.h"
 #include "base/four_ints.h"
+#include "base/large_vector.h"
 #include "predictive/blend.h"
 
 namespace deltamesh {
@@ -53,8 +53,7 @@ constexpr std::uint32_t quarter_octave(std::uint32_t value) noexcept {
 /// learn() for each axis where these are of use, end().
 class ResidualHistory {
  public:
-  explicit ResidualHistory(std::uint32_t vertex_count)
-      : records_(std::make_unique_for_overwrite<Record[]>(vertex_count)) {}
+  explicit ResidualHistory(std::uint32_t vertex_count) : records_(vertex_count) {}
 
   [[gnu::always_inline]] void begin(const Surroundings& around, const Expectation& expected) noexcept {
     sources_ = around.parallelogram_count > 0 ? std::min(around.parallelogram_count, 3U) + 1
@@ -135,7 +134,7 @@ class ResidualHistory {
   };
   static constexpr std::int32_t kLargestRemembered = 1 << 26;  ///< 1/16 steps
 
-  std::unique_ptr<Record[]> records_;
+  LargeVector<Record> records_;
   std::uint32_t sources_ = 0;  ///< 0 none, 1 neighbours, 2 .. 4 one to three parallelograms
   Record means_;               ///< over the corners of known faces
   std::uint32_t all_ = 0;      ///< mean of the magnitudes of all axes
