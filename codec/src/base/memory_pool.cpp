@@ -8,6 +8,16 @@
 
 namespace deltamesh {
 
+namespace {
+
+/// Whole large pages, but for an end of less than half a one.
+constexpr std::size_t chunk_size(std::size_t bytes) noexcept {
+  const std::size_t whole = (bytes + kLargePage / 2) / kLargePage * kLargePage;
+  return std::max({bytes, whole, kLargePage});
+}
+
+}  // namespace
+
 thread_local MemoryPool* MemoryPool::current_ = nullptr;
 
 MemoryPool::~MemoryPool() {
@@ -37,7 +47,7 @@ void* MemoryPool::allocate(std::size_t bytes) {
   }
   if (best != nullptr) return take(*best, best_block, bytes);
   release_free_chunks();
-  const std::size_t size = (bytes + kLargePage - 1) / kLargePage * kLargePage;
+  const std::size_t size = chunk_size(bytes);
   chunks_.reserve(chunks_.size() + 1);
   Chunk chunk{.begin = nullptr, .end = nullptr, .blocks = {}};
   chunk.blocks.reserve(8);
