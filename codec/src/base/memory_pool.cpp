@@ -46,7 +46,7 @@ void* MemoryPool::allocate(std::size_t bytes) {
     }
   }
   if (best != nullptr) return take(*best, best_block, bytes);
-  release_free_chunks();
+  release_idle();
   const std::size_t size = chunk_size(bytes);
   chunks_.reserve(chunks_.size() + 1);
   Chunk chunk{.begin = nullptr, .end = nullptr, .blocks = {}};
@@ -80,7 +80,7 @@ bool MemoryPool::free(void* memory) noexcept {
   return false;
 }
 
-void MemoryPool::release_free_chunks() noexcept {
+void MemoryPool::release_idle() noexcept {
   std::erase_if(chunks_, [](const Chunk& chunk) {
     if (chunk.is_free()) free_pages(chunk.begin);
     return chunk.is_free();

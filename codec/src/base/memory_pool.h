@@ -28,6 +28,9 @@ class MemoryPool {
   /// False where the memory is not from here. O(blocks).
   bool free(void* memory) noexcept;
 
+  /// Gives back what nobody uses.
+  void release_idle() noexcept;
+
  private:
   /// Part of a chunk, up to the next block.
   struct Block {
@@ -45,7 +48,6 @@ class MemoryPool {
   };
 
   void* take(Chunk& chunk, std::size_t block, std::size_t bytes);
-  void release_free_chunks() noexcept;
 
   static thread_local MemoryPool* current_;
 

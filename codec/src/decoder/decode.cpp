@@ -106,9 +106,14 @@ class StreamDecoder {
     const std::span<const std::uint32_t> faces = is_split ? geometric_triangles_ : triangles;
     if (header_.geometry == kGeometryPredictive) {
       DELTAMESH_TRY(const auto positions, read_predicted(faces));
-      return to_float_rows(positions, copies_);
+      return to_rows(positions);
     }
     DELTAMESH_TRY(const auto positions, read_solved(faces));
+    return to_rows(positions);
+  }
+
+  Result<std::vector<float>> to_rows(std::span<const Vec3> positions) const {
+    if (MemoryPool* const pool = MemoryPool::current()) pool->release_idle();
     return to_float_rows(positions, copies_);
   }
 

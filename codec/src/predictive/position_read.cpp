@@ -43,17 +43,23 @@ Result<LargeVector<Cell>> read_cells(Coder coder, const CompactReader& reader, s
   return cells;
 }
 
-Result<LargeVector<Vec3>> read_voxels(CompactReader& reader, const KnownFaces& faces,
-                                      const PredictiveParameters& parameters, const BlendTable& blends) {
-  const PositionLattice& lattice = parameters.lattice;
-  VoxelCoder coder(reader, faces, lattice.cells, parameters.levels, blends);
+/// The same, in two walks. What the coder remembers is gone when the cells are there.
+Result<LargeVector<Cell>> read_voxel_cells(CompactReader& reader, const KnownFaces& faces,
+                                           const PredictiveParameters& parameters, const BlendTable& blends) {
+  VoxelCoder coder(reader, faces, parameters.lattice.cells, parameters.levels, blends);
   LargeVector<Cell> cells(faces.vertex_count());
   for (std::uint32_t turn = 0; turn < faces.turns() && !reader.failed(); ++turn) {
     const char* broken = coder.code_turn(turn, cells);
     if (broken != nullptr && !reader.failed()) return invalid("not a vertex of the voxel grid", broken);
   }
+  return cells;
+}
+
+Result<LargeVector<Vec3>> read_voxels(CompactReader& reader, const KnownFaces& faces,
+                                      const PredictiveParameters& parameters, const BlendTable& blends) {
+  DELTAMESH_TRY(const auto cells, read_voxel_cells(reader, faces, parameters, blends));
   DELTAMESH_CHECK(reader.finish(kTagPositions));
-  return to_positions(cells, lattice);
+  return to_positions(cells, parameters.lattice);
 }
 
 Result<LargeVector<Vec3>> read_lattice(CompactReader& reader, const KnownFaces& faces,
