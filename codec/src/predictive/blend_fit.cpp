@@ -15,6 +15,8 @@ constexpr std::size_t kFewestVertices = 60;
 
 /// More say nothing new, or not much.
 constexpr std::size_t kMostSamples = 1U << 19;
+/// Of a quick fit: one vertex in three, within these bounds.
+constexpr std::size_t kFewestSamples = 1U << 12;
 constexpr std::size_t kQuickSamples = 1U << 13;
 
 /// One step, squared, in the units of LocalMeans.
@@ -151,7 +153,8 @@ struct RowSamples {
 
 BlendTable fit_blends(const KnownFaces& faces, std::span<const Cell> cells, BlendFit fit) {
   std::array<RowSamples, kBlends> rows;
-  const std::size_t most = fit == BlendFit::kSample ? kQuickSamples : kMostSamples;
+  const std::size_t most =
+      fit == BlendFit::kSample ? std::clamp(cells.size() / 3, kFewestSamples, kQuickSamples) : kMostSamples;
   const std::size_t stride = 1 + cells.size() / most;
   for (std::size_t v = 0; v < cells.size(); v += stride) {
     const Surroundings around = faces.around(static_cast<std::uint32_t>(v));
