@@ -305,6 +305,29 @@ TEST(Voxels, PartlyGriddedMeshesComeBack) {
   EXPECT_LE(largest_error(mesh, *encoded), 0.004);
 }
 
+TEST(Predictive, QuickStreamsDeclareWhatADecoderGets) {
+  std::size_t compared = 0;
+  for (const auto& [name, mesh] : testing::awkward_meshes()) {
+    for (const bool all : {false, true}) {
+      const auto encoded = encode(
+          mesh, {.geometry = GeometryCoder::kPredictive, .effort = 0, .bits = 7, .keep_unreferenced = all});
+      ASSERT_TRUE(encoded) << name;
+      const auto decoded = decode(encoded->bytes);
+      ASSERT_TRUE(decoded) << name;
+      const auto comparison = compare(mesh, *decoded, encoded->order);
+      ASSERT_TRUE(comparison) << name;
+      if (!comparison->corresponding) continue;
+      ++compared;
+      const Quality& declared = encoded->report.stream.quality;
+      const Quality& measured = comparison->quality;
+      EXPECT_NEAR(declared.vde_rms, measured.vde_rms, 1e-6 * measured.vde_rms) << name;
+      EXPECT_NEAR(declared.lfe_rms, measured.lfe_rms, 1e-6 * measured.lfe_rms) << name;
+      EXPECT_GE(declared.max_error, measured.max_error) << name;
+    }
+  }
+  EXPECT_GT(compared, 20U);
+}
+
 TEST(Guesses, PayWhereCoordinatesComeAgainFarFromWhatIsExpected) {
   // Columns of a prism at uneven places, and a surface without any equal coordinates.
   std::vector<std::uint32_t> triangles;
