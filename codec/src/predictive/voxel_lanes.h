@@ -140,17 +140,27 @@ inline __m128i least_byte(__m128i bytes) noexcept {
   return _mm_min_epu8(bytes, _mm_or_si128(_mm_srli_epi16(bytes, 8), _mm_slli_epi16(bytes, 8)));
 }
 
-/// Of the bytes in `set`, the first of the smallest.
-inline unsigned first_least(__m128i bytes, unsigned set) noexcept {
-  const __m128i bits = _mm_set_epi8(-128, 64, 32, 16, 8, 4, 2, 1, -128, 64, 32, 16, 8, 4, 2, 1);
-  __m128i sets = _mm_cvtsi32_si128(static_cast<int>((set & 0xff) * 0x101 | (set >> 8) * 0x1010000));
-  sets = _mm_unpacklo_epi16(sets, sets);
-  sets = _mm_unpacklo_epi32(sets, sets);
-  const __m128i closed = _mm_cmpeq_epi8(_mm_and_si128(sets, bits), _mm_setzero_si128());
-  const __m128i open = _mm_or_si128(bytes, closed);
-  const auto least = static_cast<unsigned>(_mm_movemask_epi8(_mm_cmpeq_epi8(open, least_byte(open))));
+/// Which of the bytes is the first of the smallest.
+inline unsigned first_least(__m128i bytes) noexcept {
+  const auto least = static_cast<unsigned>(_mm_movemask_epi8(_mm_cmpeq_epi8(bytes, least_byte(bytes))));
   return static_cast<unsigned>(std::countr_zero(least));
 }
+
+/// Ones in all bytes whose bit in `set`, of twelve, is clear.
+inline __m128i bytes_outside(unsigned set) noexcept {
+  const __m128i bits = _mm_set_epi8(-128, 64, 32, 16, 8, 4, 2, 1, -128, 64, 32, 16, 8, 4, 2, 1);
+  const __m128i twelve = _mm_cvtsi32_si128(static_cast<int>(set));
+  const __m128i twice = _mm_unpacklo_epi8(twelve, twelve);  // of the low eight bits, then of the others
+  const __m128i sets = _mm_shuffle_epi32(_mm_shufflelo_epi16(twice, 0x50), 0x50);
+  return _mm_cmpeq_epi8(_mm_and_si128(sets, bits), _mm_setzero_si128());
+}
+
+/// 16 of these from 15 - i on: ones in byte i.
+inline constexpr std::array<std::uint8_t, 31> kOneByte = [] {
+  std::array<std::uint8_t, 31> bytes{};
+  bytes[15] = 0xff;
+  return bytes;
+}();
 
 inline NearestEdges nearest_edges(EightShorts spot, EightShorts own, unsigned set) noexcept {
   // Four bytes for each axis, whose places are the numbers of the edges.
@@ -163,10 +173,12 @@ inline NearestEdges nearest_edges(EightShorts spot, EightShorts own, unsigned se
   const __m128i next = _mm_sub_epi8(_mm_xor_si128(_mm_shuffle_epi32(spots, 0xc9), odd), odd);
   const __m128i last = _mm_sub_epi8(_mm_xor_si128(_mm_shuffle_epi32(spots, 0xd2), upper), upper);
   const __m128i scores = _mm_adds_epi8(_mm_adds_epi8(owns, next), last);
-  const __m128i keys = _mm_xor_si128(scores, _mm_set1_epi8(-128));
-  const unsigned nearest = first_least(keys, set);
-  const unsigned others = set & ~(1U << nearest);
-  return {nearest, others != 0 ? first_least(keys, others) : NearestEdges::kNone};
+  // None is 255 but those outside of the set.
+  const __m128i keys = _mm_or_si128(_mm_xor_si128(scores, _mm_set1_epi8(-128)), bytes_outside(set));
+  const unsigned nearest = first_least(keys);
+  if ((set & (set - 1)) == 0) return {nearest, NearestEdges::kNone};
+  const __m128i taken = _mm_loadu_si128(reinterpret_cast<const __m128i*>(kOneByte.data() + (15 - nearest)));
+  return {nearest, first_least(_mm_or_si128(keys, taken))};
 }
 
 #else

@@ -3,6 +3,7 @@
 #include "predictive/voxel_view.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace deltamesh {
 namespace {
@@ -11,10 +12,11 @@ using voxel::CubePair;
 
 constexpr EightShorts kNodes = {-kVoxelParts, -kVoxelParts, -kVoxelParts, 0};  ///< bits of a spot's node
 
-/// 2^14 over a number.
-constexpr std::array<std::int16_t, 2 * Surroundings::kMostKnown + 1> kPartOf = [] {
-  std::array<std::int16_t, 2 * Surroundings::kMostKnown + 1> parts{};
-  for (std::size_t n = 1; n < parts.size(); ++n) parts[n] = static_cast<std::int16_t>((16384 + n / 2) / n);
+/// 2^14 over a number, in all lanes.
+constexpr auto kPartOf = [] {
+  std::array<std::array<std::int16_t, 8>, 2 * Surroundings::kMostKnown + 1> parts{};
+  for (std::size_t n = 1; n < parts.size(); ++n)
+    parts[n].fill(static_cast<std::int16_t>((16384 + n / 2) / n));
   return parts;
 }();
 
@@ -42,12 +44,13 @@ constexpr std::array<std::int16_t, 2 * Surroundings::kMostKnown + 1> kPartOf = [
   return (lanes ^ sign) - sign;
 }
 
-/// Of a set of twelve.
-unsigned count12(unsigned set) noexcept {
-  set = (set & 0x555) + (set >> 1 & 0x555);
-  set = (set & 0x333) + (set >> 2 & 0x333);
-  return (set & 0xf) + (set >> 4 & 0xf) + (set >> 8);
-}
+/// How many are in a set of twelve.
+constexpr std::array<std::uint8_t, voxel::kAllEdges + 1> kCounts = [] {
+  std::array<std::uint8_t, voxel::kAllEdges + 1> counts{};
+  for (unsigned set = 1; set < counts.size(); ++set)
+    counts[set] = static_cast<std::uint8_t>(counts[set / 2] + set % 2);
+  return counts;
+}();
 
 }  // namespace
 
@@ -135,7 +138,7 @@ void VoxelView::look(const Surroundings& around, std::span<const VoxelSpot> spot
   const EightShorts expected = blend(seen, around, blends);
   normal_ = cross(first_b - first_a, expected - first_a);
   corner_spot_ = first_a;
-  likely_ = count12(likely);
+  likely_ = kCounts[likely];
   // In half parts, which bytes hold.
   const EightShorts spot = clamp(expected, -kVoxelParts + 1, kVoxelParts - 1);
   const EightShorts size = size_of(spot);
@@ -149,10 +152,10 @@ void VoxelView::look(const Surroundings& around, std::span<const VoxelSpot> spot
 /// Sums of up to eight spots times 4, and differences of means times 16, are within 16 bits.
 [[gnu::always_inline]] inline EightShorts VoxelView::blend(const Seen& seen, const Surroundings& around,
                                                            const BlendTable& blends) noexcept {
-  mean_ = mul_high(seen.corners << 2, all_lanes(kPartOf[neighbors_]));
+  mean_ = mul_high(seen.corners << 2, std::bit_cast<EightShorts>(kPartOf[neighbors_]));
   EightShorts expected = mean_;
   if (seen.parallelograms > 0) {
-    const EightShorts part = all_lanes(kPartOf[seen.parallelograms]);
+    const EightShorts part = std::bit_cast<EightShorts>(kPartOf[seen.parallelograms]);
     const Blend& blend = blends[blend_row(around)];
     const EightShorts meet = mul_high(seen.meets << 2, part) - mean_;
     const EightShorts edge = mul_high(seen.ends << 1, part) - mean_;
