@@ -157,13 +157,14 @@ class VoxelCoder {
   [[gnu::noinline]] const char* code_elsewhere(const Vertex& vertex, std::span<Cell> cells) {
     // Nothing comes before the first one of a walk.
     const std::uint32_t after = vertex.number == faces_.second_walk() ? 0 : vertex.number;
-    const Expectation expected = expect_place(vertex.around, after, cells, blends_);
+    const Surroundings around = faces_.around(vertex.number);
+    const Expectation expected = expect_place(around, after, cells, blends_);
     const std::array<std::int64_t, 3> place = expected.place();
     const std::optional<VoxelGrid::Cut>& cut = vertex.cut;
     const unsigned start =
         coder_.symbol(cut ? static_cast<unsigned>(cut->axis) : kFree, Mixture<1>{{&start_}, &start_weights_});
     if (start > kFree) return "VOX-1";
-    if (start == kFree) return code_free(vertex, expected, cells[vertex.number]);
+    if (start == kFree) return code_free(vertex.number, around, expected, cells[vertex.number]);
     VoxelGrid::Node node{};
     for (std::size_t a = 0; a < 3; ++a) {
       const std::int64_t nodes = largest_[a] / static_cast<std::uint32_t>(grid_.voxel());
@@ -180,8 +181,7 @@ class VoxelCoder {
   }
 
   /// What is remembered is of such vertices only.
-  const char* code_free(const Vertex& vertex, const Expectation& expected, Cell& cell) {
-    Surroundings around = vertex.around;
+  const char* code_free(std::uint32_t vertex, Surroundings around, const Expectation& expected, Cell& cell) {
     const unsigned count = around.known_count;
     around.known_count = 0;
     for (unsigned i = 0; i < count; ++i) {
@@ -191,10 +191,10 @@ class VoxelCoder {
       if (!has_a && !has_b) continue;
       around.known[around.known_count++] = {has_a ? face.a : face.b, has_b ? face.b : face.a, face.opposite};
     }
-    spots_[vertex.number] = kOffEdges;
+    spots_[vertex] = kOffEdges;
     history_.begin(around, expected);
     if (!code_free<0>(cell) || !code_free<1>(cell) || !code_free<2>(cell)) return "POSN-7";
-    history_.end(vertex.number, cell);
+    history_.end(vertex, cell);
     return nullptr;
   }
 
