@@ -161,12 +161,16 @@ Result<CodedHighpass> HighpassCoder::code(const HighpassSettings& settings) {
   const CycleCircumstances now{
       .step = settings.step, .diffusion = settings.diffusion, .anchors = settings.anchors.vertices.size()};
   if (const auto half_cycles = plan_.half_cycles_for(now)) {
-    coded.parameters.half_cycles = *half_cycles;
-    DELTAMESH_TRY(coded.positions, reconstruct_highpass(symbols, part_, solver_, box_, coded.parameters));
-  } else {
-    DELTAMESH_CHECK(plan_and_solve(symbols, coded));
-    plan_.keep(now, coded.parameters.half_cycles);
+    HighpassParameters planned = coded.parameters;
+    planned.half_cycles = *half_cycles;
+    if (auto positions = reconstruct_highpass(symbols, part_, solver_, box_, planned)) {
+      coded.parameters = planned;
+      coded.positions = std::move(*positions);
+      return coded;
+    }
   }
+  DELTAMESH_CHECK(plan_and_solve(symbols, coded));
+  plan_.keep(now, coded.parameters.half_cycles);
   return coded;
 }
 
