@@ -231,6 +231,23 @@ TEST(Highpass, DELT7StreamsTellTheFewestCyclesThatWillDo) {
   }
 }
 
+TEST(Highpass, DELT7PlannedCyclesKeepTheVisualError) {
+  const GraphMesh mesh = test::sheet(90, 80);
+  for (const int bits : {6, 12}) {
+    const auto coded = write(mesh, {.bits = bits, .anchors = 40});
+    ASSERT_TRUE(coded);
+    EXPECT_GT(coded->parameters.half_cycles, 0);
+    CodedHighpass settled = *coded;
+    settled.parameters.half_cycles = 0;
+    const auto vde_of = [&](const CodedHighpass& stream) {
+      const auto positions = read(mesh, stream);
+      return positions ? measure_quality(mesh.graph, mesh.positions, *positions).vde_rms
+                       : std::numeric_limits<double>::infinity();
+    };
+    EXPECT_LT(vde_of(*coded), 1.02 * vde_of(settled)) << bits;
+  }
+}
+
 TEST_F(HighpassRules, ANCH1RejectsParametersOutOfRange) {
   coded_.parameters.anchor_bits = 3;
   expect_rule(read(mesh_, coded_), "ANCH-1");
