@@ -118,7 +118,7 @@ class VoxelCoder {
 
   const char* code_alone(std::uint32_t number, std::span<Cell> cells) {
     Vertex vertex(*this, number, cells);
-    if (!vertex.has_cube) return code_elsewhere(vertex, cells);
+    if (!vertex.has_cube) return code_elsewhere(vertex.number, cells);
     if (vertex.view.is_open())
       vertex.view.choose(coder_.bit(vertex.cut && vertex.view.higher_has(vertex.told), higher_));
     vertex.view.look(vertex.around, spots_, blends_);
@@ -141,7 +141,8 @@ class VoxelCoder {
 
   /// What follows the edge's number.
   [[gnu::always_inline]] const char* code_rest(const Vertex& vertex, unsigned number, std::span<Cell> cells) {
-    if (number >= voxel::kEdges) return number == voxel::kNoEdge ? code_elsewhere(vertex, cells) : "VOX-4";
+    if (number >= voxel::kEdges)
+      return number == voxel::kNoEdge ? code_elsewhere(vertex.number, cells) : "VOX-4";
     const VoxelView& view = vertex.view;
     const unsigned edge = view.edge_of(number);
     std::int32_t level = 0;
@@ -154,17 +155,18 @@ class VoxelCoder {
 
   /// An edge by its axis and its lower node, from the node below what is expected; or a vertex on none.
   /// Kept out of the way of the vertices on a cube's edges, which are most.
-  [[gnu::noinline]] const char* code_elsewhere(const Vertex& vertex, std::span<Cell> cells) {
+  [[gnu::noinline]] const char* code_elsewhere(std::uint32_t vertex, std::span<Cell> cells) {
     // Nothing comes before the first one of a walk.
-    const std::uint32_t after = vertex.number == faces_.second_walk() ? 0 : vertex.number;
-    const Surroundings around = faces_.around(vertex.number);
+    const std::uint32_t after = vertex == faces_.second_walk() ? 0 : vertex;
+    const Surroundings around = faces_.around(vertex);
     const Expectation expected = expect_place(around, after, cells, blends_);
     const std::array<std::int64_t, 3> place = expected.place();
-    const std::optional<VoxelGrid::Cut>& cut = vertex.cut;
+    std::optional<VoxelGrid::Cut> cut;
+    if constexpr (Coder::kWrites) cut = grid_.cut_of(cells[vertex]);
     const unsigned start =
         coder_.symbol(cut ? static_cast<unsigned>(cut->axis) : kFree, Mixture<1>{{&start_}, &start_weights_});
     if (start > kFree) return "VOX-1";
-    if (start == kFree) return code_free(vertex.number, around, expected, cells[vertex.number]);
+    if (start == kFree) return code_free(vertex, around, expected, cells[vertex]);
     VoxelGrid::Node node{};
     for (std::size_t a = 0; a < 3; ++a) {
       const std::int64_t nodes = largest_[a] / static_cast<std::uint32_t>(grid_.voxel());
@@ -175,9 +177,9 @@ class VoxelCoder {
       node[a] = static_cast<std::int32_t>(coded);
     }
     const std::int32_t level = code_level(cut ? cut->level : 0, kMiddle, kMiddle);
-    nodes_[vertex.number] = FourInts{node[0], node[1], node[2], 0};
-    spots_[vertex.number] = spot_of(node, start, grid_.part_of(level));
-    return settle(vertex.number, start, level, cells[vertex.number]);
+    nodes_[vertex] = FourInts{node[0], node[1], node[2], 0};
+    spots_[vertex] = spot_of(node, start, grid_.part_of(level));
+    return settle(vertex, start, level, cells[vertex]);
   }
 
   /// What is remembered is of such vertices only.
