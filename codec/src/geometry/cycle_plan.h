@@ -14,6 +14,9 @@
 
 namespace deltamesh {
 
+/// Half cycles tried before it is left to the decoder to decide.
+inline constexpr int kMostPlanned = 16;
+
 /// What the number of cycles depends on, besides the graph.
 struct CycleCircumstances {
   double step = 0;

@@ -22,9 +22,6 @@ namespace {
 /// Deltas of float32 positions carry no more than this many bits below the longest side.
 constexpr int kFinestBits = 40;
 
-/// Half cycles tried before it is left to the decoder to decide.
-constexpr int kMostPlanned = 16;
-
 /// Distance that is small against the rounding of positions to floats, over the longest side.
 constexpr double kInvisible = 0x1p-26;
 
