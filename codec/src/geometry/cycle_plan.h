@@ -36,8 +36,9 @@ class CyclePlan {
 };
 
 /// Whether `solution` may stand for `settled`, where the solver decided itself when to stop: how far both are
-/// from `positions` hardly differs, rms and at most, nor do their delta coordinates, nor are they far apart. Over the rows of `part`; all
-/// spans: one entry for each vertex of the whole graph. `invisible`: model units that nobody would see. O(n).
+/// from `positions` hardly differs, rms and at most, nor do their delta coordinates, nor are they far apart.
+/// Over the rows of `part`; all spans: one entry for each vertex of the whole graph. `invisible`: model units
+/// that nobody would see. O(n).
 bool is_as_good(const SolvedPart& part, std::span<const Vec3> positions, std::span<const Vec3> settled,
                 std::span<const Vec3> solution, double invisible);
 
