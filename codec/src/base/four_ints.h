@@ -33,6 +33,21 @@ inline FourInts four_ints(const std::array<std::int32_t, 3>& numbers) noexcept {
 #endif
 }
 
+/// All but the last, in pieces that four_ints() soon after finds as they were written.
+inline void store_three(FourInts lanes, std::array<std::int32_t, 3>& numbers) noexcept {
+#if defined(__SSE2__)
+  _mm_storel_epi64(reinterpret_cast<__m128i*>(numbers.data()), reinterpret_cast<__m128i>(lanes));
+#else
+  numbers[0] = lanes[0];
+  numbers[1] = lanes[1];
+#endif
+  numbers[2] = lanes[2];
+}
+
+inline std::array<std::int32_t, 4> numbers_of(FourInts lanes) noexcept {
+  return std::bit_cast<std::array<std::int32_t, 4>>(lanes);
+}
+
 /// A bit for every lane that is below 0.
 inline unsigned set_lanes(FourInts lanes) noexcept {
 #if defined(__SSE2__)

@@ -87,7 +87,9 @@ class CompactReader {
   }
 
   void advance(std::uint64_t state) noexcept {
-    state_ = state < kRansFloor ? state << 32 | next_word() : state;
+    if (state < kRansFloor) state = state << 32 | next_word();
+    state_ = next_state_;
+    next_state_ = state;
   }
 
   std::uint32_t next_word() noexcept {
@@ -103,7 +105,8 @@ class CompactReader {
 
   std::span<const std::byte> bytes_;
   std::size_t position_ = 0;
-  std::uint64_t state_ = kRansFloor;
+  std::uint64_t state_ = kRansFloor;       ///< the next decision's
+  std::uint64_t next_state_ = kRansFloor;  ///< that of the one after
   bool failed_ = false;
 };
 

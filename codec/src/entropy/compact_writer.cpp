@@ -2,6 +2,8 @@
 // Copyright 2026 The deltamesh authors
 #include "entropy/compact_writer.h"
 
+#include <array>
+
 namespace deltamesh {
 namespace {
 
@@ -31,9 +33,10 @@ inline Quotient divide(std::uint64_t x, std::uint32_t divisor) noexcept {
 std::vector<std::byte> CompactWriter::finish() {
   // rANS gives symbols back in the opposite order, so the last goes first. A decision makes a word at most,
   // for which there is room behind those that are still to come.
-  std::uint64_t state = kRansFloor;
+  std::array<std::uint64_t, 2> states = {kRansFloor, kRansFloor};
   std::size_t first = decisions_.size();
   for (std::size_t i = decisions_.size(); i-- > 0;) {
+    std::uint64_t& state = states[i % 2];
     const std::uint32_t start = decisions_[i] >> 16;
     const std::uint32_t size = decisions_[i] & 0xffff;
     const bool is_bits = (size & kBitsMark) != 0;
@@ -51,14 +54,16 @@ std::vector<std::byte> CompactWriter::finish() {
     }
   }
 
-  std::vector<std::byte> bytes(8 + 4 * (decisions_.size() - first));
+  std::vector<std::byte> bytes(16 + 4 * (decisions_.size() - first));
   std::size_t place = 0;
   const auto put_word = [&](std::uint64_t word) {
     for (unsigned b = 0; b < 4; ++b) bytes[place + b] = static_cast<std::byte>(word >> (8 * b));
     place += 4;
   };
-  put_word(state);
-  put_word(state >> 32);
+  for (const std::uint64_t state : states) {
+    put_word(state);
+    put_word(state >> 32);
+  }
   for (std::size_t i = first; i < decisions_.size(); ++i) put_word(decisions_[i]);
   decisions_.clear();
   return bytes;

@@ -46,7 +46,7 @@ class CompactWriter {
     if (count > kMostBitsAtOnce) {
       put_bits(value & ((1U << kMostBitsAtOnce) - 1), kMostBitsAtOnce);
       put_bits(value >> kMostBitsAtOnce, count - kMostBitsAtOnce);
-    } else if (count > 0) {
+    } else {
       put_bits(value, count);
     }
     return value;

@@ -21,45 +21,14 @@ std::size_t blend_row(const Surroundings& around) noexcept {
 
 namespace {
 
-constexpr unsigned kMost = Surroundings::kMostKnown;
-
 /// Lanes for differences that are too large for 32 bits, as in coarse meshes on fine lattices.
 using FourLongs = std::int64_t __attribute__((vector_size(32)));
-
-/// Known faces' corners, from the first one's corner a.
-struct KnownCells {
-  FourInts base;
-  std::array<FourInts, kMost> a;
-  std::array<FourInts, kMost> b;
-  std::array<FourInts, kMost> opposite;
-  bool are_near;  ///< all within kNear of the base: means and blends of them do with 32 bits
-};
 
 /// In 1/16 steps, sums of four a + b - o are below 12 * 2^21, means of them within 3 * 2^21 and a neighbour's
 /// within 2^21, so that a blend is below 128 * (4 + 2) * 2^21 < 2^31.
 constexpr std::int32_t kNear = 1 << 17;
 
-[[gnu::always_inline]] inline KnownCells known_cells(const Surroundings& around,
-                                                     std::span<const Cell> cells) noexcept {
-  KnownCells known;
-  known.base = four_ints(cells[around.known[0].a]);
-  FourInts beyond{};
-  const auto from_base = [&](std::uint32_t vertex) {
-    const FourInts difference = four_ints(cells[vertex]) - known.base;
-    beyond |= difference + kNear;
-    return difference;
-  };
-  for (unsigned i = 0; i < around.known_count; ++i) {
-    const KnownFace& face = around.known[i];
-    known.a[i] = from_base(face.a);
-    known.b[i] = from_base(face.b);
-    known.opposite[i] = face.opposite != kNoVertex ? from_base(face.opposite) : FourInts{};
-  }
-  known.are_near = set_lanes((beyond & ~(2 * kNear - 1)) != 0) == 0;
-  return known;
-}
-
-/// In 1/16 steps, from the base.
+/// In 1/16 steps, from the first known face's corner a.
 template <class Lanes>
 struct Means {
   Lanes neighbors{};
@@ -85,42 +54,59 @@ template <class Lanes>
   sum += (lanes ^ sign) - sign;
 }
 
-/// [POSN-4]
+/// [POSN-4]. False where a corner is not within kNear of the base, which matters to lanes of 32 bits.
 template <class Lanes>
-[[gnu::always_inline]] inline void take_means(const Surroundings& around, const KnownCells& known,
+[[gnu::always_inline]] inline bool take_means(const Surroundings& around, std::span<const Cell> cells,
                                               Means<Lanes>& means) noexcept {
-  std::array<Lanes, kMost> corners;  // a + b - o
-  std::array<Lanes, 2 * kMost> all;  // a and b
+  const FourInts base = four_ints(cells[around.known[0].a]);
+  FourInts beyond{};
+  const auto from_base = [&](std::uint32_t vertex, Lanes& result) {
+    const FourInts difference = four_ints(cells[vertex]) - base;
+    beyond |= difference + kNear;
+    widen(difference, result);
+  };
+  std::array<Lanes, Surroundings::kMostKnown> corners;  // a + b - o
   unsigned count = 0;
   for (unsigned i = 0; i < around.known_count; ++i) {
-    Lanes& a = all[std::size_t{2} * i];
-    Lanes& b = all[std::size_t{2} * i + 1];
-    widen(known.a[i], a);
-    widen(known.b[i], b);
-    const Lanes ends = a + b;
-    means.neighbors += ends;
-    if (around.repeated[static_cast<int>(i)] != 0) means.neighbors -= a;
-    if (around.known[i].opposite == kNoVertex) continue;
-    widen(known.opposite[i], corners[count]);
-    corners[count] = ends - corners[count];
-    means.edges += ends;
-    means.parallelograms += corners[count];
-    ++count;
+    const KnownFace& face = around.known[i];
+    Lanes a;
+    Lanes b;
+    from_base(face.a, a);
+    from_base(face.b, b);
+    b += a;
+    means.neighbors += b;
+    Lanes repeated;
+    widen(FourInts{} + around.repeated[static_cast<int>(i)], repeated);
+    means.neighbors -= a & repeated;
+    if (face.opposite == kNoVertex) continue;
+    from_base(face.opposite, a);
+    means.edges += b;
+    b -= a;
+    means.parallelograms += b;
+    corners[count++] = b;
   }
   means.neighbors <<= 4;
   divide(means.neighbors, around.neighbor_count);
   if (count == 0) {
-    for (unsigned i = 0; i < 2 * around.known_count; ++i)
-      add_size((all[i] << 4) - means.neighbors, means.spread);
+    for (unsigned i = 0; i < around.known_count; ++i) {
+      for (const std::uint32_t corner : {around.known[i].a, around.known[i].b}) {
+        Lanes from;
+        from_base(corner, from);
+        add_size((from << 4) - means.neighbors, means.spread);
+      }
+    }
     divide(means.spread, 2 * around.known_count);
-    return;
+  } else {
+    means.parallelograms <<= 4;
+    means.edges <<= 3;
+    if (count > 1) {
+      divide(means.parallelograms, count);
+      divide(means.edges, count);
+      for (unsigned i = 0; i < count; ++i) add_size((corners[i] << 4) - means.parallelograms, means.spread);
+      divide(means.spread, count);
+    }
   }
-  means.parallelograms <<= 4;
-  divide(means.parallelograms, count);
-  means.edges <<= 3;
-  divide(means.edges, count);
-  for (unsigned i = 0; i < count; ++i) add_size((corners[i] << 4) - means.parallelograms, means.spread);
-  divide(means.spread, count);
+  return set_lanes((beyond & ~(2 * kNear - 1)) != 0) == 0;
 }
 
 /// Where `means` lead, from the base.
@@ -137,16 +123,17 @@ template <class Lanes>
 
 constexpr std::int64_t kFarthest = std::int64_t{1} << 30;  ///< lattice points; a spread's 1/16 steps
 
-[[gnu::noinline]] Expectation expect_far(const Surroundings& around, const KnownCells& known,
+[[gnu::noinline]] Expectation expect_far(const Surroundings& around, std::span<const Cell> cells,
                                          const BlendTable& table) noexcept {
   Means<FourLongs> means;
-  take_means(around, known, means);
+  take_means(around, cells, means);
   FourLongs place;
   blend_means(means, around, table, place);
+  const Cell& base = cells[around.known[0].a];
   Expectation result;
   for (int axis = 0; axis < 3; ++axis) {
-    result.whole[axis] = static_cast<std::int32_t>(
-        std::clamp<std::int64_t>(known.base[axis] + (place[axis] >> 4), -kFarthest, kFarthest));
+    result.whole[axis] = static_cast<std::int32_t>(std::clamp<std::int64_t>(
+        base[static_cast<std::size_t>(axis)] + (place[axis] >> 4), -kFarthest, kFarthest));
     result.offset[axis] = static_cast<std::int32_t>(place[axis] & 15);
     result.spread[axis] = static_cast<std::int32_t>(std::min<std::int64_t>(means.spread[axis], kFarthest));
   }
@@ -154,9 +141,7 @@ constexpr std::int64_t kFarthest = std::int64_t{1} << 30;  ///< lattice points; 
 }
 
 template <class Lanes>
-LocalMeans local_means_of(const Surroundings& around, const KnownCells& known) noexcept {
-  Means<Lanes> means;
-  take_means(around, known, means);
+LocalMeans local_means_of(const Means<Lanes>& means) noexcept {
   LocalMeans result;
   for (int axis = 0; axis < 3; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
@@ -170,9 +155,11 @@ LocalMeans local_means_of(const Surroundings& around, const KnownCells& known) n
 }  // namespace
 
 LocalMeans local_means(const Surroundings& around, std::span<const Cell> cells) noexcept {
-  const KnownCells known = known_cells(around, cells);
-  if (known.are_near) return local_means_of<FourInts>(around, known);
-  return local_means_of<FourLongs>(around, known);
+  Means<FourInts> means;
+  if (take_means(around, cells, means)) return local_means_of(means);
+  Means<FourLongs> far;
+  take_means(around, cells, far);
+  return local_means_of(far);
 }
 
 Expectation expect_place(const Surroundings& around, std::uint32_t vertex, std::span<const Cell> cells,
@@ -182,11 +169,9 @@ Expectation expect_place(const Surroundings& around, std::uint32_t vertex, std::
     if (vertex > 0) result.whole = four_ints(cells[vertex - 1]);
     return result;
   }
-  const KnownCells known = known_cells(around, cells);
-  if (!known.are_near) return expect_far(around, known, table);
   Means<FourInts> means;
-  take_means(around, known, means);
-  result.whole = known.base;
+  if (!take_means(around, cells, means)) return expect_far(around, cells, table);
+  result.whole = four_ints(cells[around.known[0].a]);
   blend_means(means, around, table, result.offset);
   result.spread = means.spread;
   return result;

@@ -38,32 +38,29 @@ class FloatCoder {
   /// here, or null.
   const char* code_vertex(std::uint32_t vertex, std::span<Ordinals> floats) {
     const Surroundings around = faces_.around(vertex);
-    history_.begin(around, expect_place(around, vertex, cells_, blends_));
+    ResidualTurn turn = history_.begin(around, expect_place(around, vertex, cells_, blends_));
+    unsigned missed = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (!code_axis(axis, around, turn, missed, floats[vertex][axis], floats)) return "FLT-1";
     Cell& cell = cells_[vertex];
-    matches_.begin();
-    if (!code_axis<0>(around, floats[vertex], cell, floats) ||
-        !code_axis<1>(around, floats[vertex], cell, floats) ||
-        !code_axis<2>(around, floats[vertex], cell, floats))
-      return "FLT-1";
-    history_.end(vertex, cell);
+    for (std::size_t axis = 0; axis < 3; ++axis) cell[axis] = fixed_of(floats[vertex][axis], units_[axis]);
+    history_.end(vertex, turn, four_ints(cell));
     return nullptr;
   }
 
  private:
   /// False where a float is not finite.
-  template <std::size_t kAxis>
-  bool code_axis(const Surroundings& around, Ordinals& values, Cell& cell, std::span<const Ordinals> floats) {
-    const ResidualForecast forecast = history_.template forecast<kAxis>(-kLargestFixed, kLargestFixed);
-    const std::int32_t expected = ordinal_of_fixed(static_cast<std::int32_t>(forecast.whole), units_[kAxis]);
-    std::int32_t& value = values[kAxis];
-    if (!matches_.code(kAxis, around, guess(around, floats, kAxis, expected), value)) {
+  bool code_axis(std::size_t axis, const Surroundings& around, ResidualTurn& turn, unsigned& missed,
+                 std::int32_t& value, std::span<const Ordinals> floats) {
+    const ResidualForecast forecast = turn.forecast(axis, -kLargestFixed, kLargestFixed);
+    const std::int32_t expected = ordinal_of_fixed(static_cast<std::int32_t>(forecast.whole), units_[axis]);
+    if (!matches_.code(axis, around, guess(around, floats, axis, expected), value, missed)) {
       const std::int64_t coded =
-          expected + residuals_.code(std::int64_t{value} - expected, fit(forecast, expected, kAxis));
+          expected + residuals_.code(std::int64_t{value} - expected, fit(forecast, expected, axis));
       if (!is_finite_ordinal(coded)) return false;
       value = static_cast<std::int32_t>(coded);
     }
-    cell[kAxis] = fixed_of(value, units_[kAxis]);
-    history_.template learn<kAxis>(cell[kAxis], forecast);
+    turn.learn(axis, fixed_of(value, units_[axis]), forecast);
     return true;
   }
 

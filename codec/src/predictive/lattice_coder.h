@@ -44,34 +44,60 @@ class LatticeCoder {
         matches_(coder),
         guesses_(guesses) {}
 
-  /// Codes cells[vertex]; those before it are coded. A reader fills it in. The rule that a stream breaks
-  /// here, or null.
-  const char* code_vertex(std::uint32_t vertex, std::span<Cell> cells) {
-    const Surroundings around = faces_.around(vertex);
-    history_.begin(around, expect_place(around, vertex, cells, blends_));
-    Cell& cell = cells[vertex];
-    matches_.begin();
-    if (!code_axis<0>(around, cells, cell) || !code_axis<1>(around, cells, cell) ||
-        !code_axis<2>(around, cells, cell))
-      return "POSN-7";
-    history_.end(vertex, cell);
+  /// Codes cells[vertex], those before it being coded, and the next one's in turns with it where this can do
+  /// without it [POSN-13]; `vertex` becomes what is to be coded then. A reader fills the cells in. The rule
+  /// that a stream breaks here, or null.
+  const char* code_next(std::uint32_t& vertex, std::span<Cell> cells) {
+    Turn first(*this, vertex, cells);
+    if (vertex + 1 == cells.size() || faces_.needs_previous(vertex + 1)) {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        if (!code_axis(axis, first, cells)) return "POSN-7";
+    } else {
+      Turn second(*this, vertex + 1, cells);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        if (!code_axis(axis, first, cells) || !code_axis(axis, second, cells)) return "POSN-7";
+      end(++vertex, second, cells);
+      end(vertex - 1, first, cells);
+      ++vertex;
+      return nullptr;
+    }
+    end(vertex, first, cells);
+    ++vertex;
     return nullptr;
   }
 
  private:
-  /// False where a coordinate is beyond the lattice.
-  template <std::size_t kAxis>
-  [[gnu::always_inline]] bool code_axis(const Surroundings& around, std::span<const Cell> cells, Cell& cell) {
-    const ResidualForecast forecast = history_.template forecast<kAxis>(0, largest_[kAxis]);
-    if (!guesses_ ||
-        !matches_.code(kAxis, around, guesses_around(around, cells, kAxis, forecast.whole, largest_[kAxis]),
-                       cell[kAxis])) {
-      const std::int64_t coordinate =
-          forecast.whole + residuals_.code(cell[kAxis] - forecast.whole, forecast);
-      if (coordinate < 0 || coordinate > largest_[kAxis]) return false;
-      cell[kAxis] = static_cast<std::int32_t>(coordinate);
+  /// A vertex while it is coded.
+  struct Turn {
+    [[gnu::always_inline]] Turn(const LatticeCoder& coder, std::uint32_t vertex, std::span<const Cell> cells)
+        : around(coder.faces_.around(vertex)),
+          residual(coder.history_.begin(around, expect_place(around, vertex, cells, coder.blends_))) {
+      if constexpr (Coder::kWrites) cell = cells[vertex];
     }
-    history_.template learn<kAxis>(cell[kAxis], forecast);
+    Surroundings around;
+    ResidualTurn residual;
+    Cell cell;
+    unsigned missed = 0;  ///< as MatchCoder has it
+  };
+
+  [[gnu::always_inline]] void end(std::uint32_t vertex, const Turn& turn, std::span<Cell> cells) noexcept {
+    const FourInts cell = {turn.cell[0], turn.cell[1], turn.cell[2], 0};
+    store_three(cell, cells[vertex]);
+    history_.end(vertex, turn.residual, cell);
+  }
+
+  /// False where a coordinate is beyond the lattice.
+  [[gnu::always_inline]] bool code_axis(std::size_t axis, Turn& turn, std::span<const Cell> cells) {
+    std::int32_t& value = turn.cell[axis];
+    const ResidualForecast forecast = turn.residual.forecast(axis, 0, largest_[axis]);
+    if (!guesses_ || !matches_.code(axis, turn.around,
+                                    guesses_around(turn.around, cells, axis, forecast.whole, largest_[axis]),
+                                    value, turn.missed)) {
+      const std::int64_t coordinate = forecast.whole + residuals_.code(value - forecast.whole, forecast);
+      if (coordinate < 0 || coordinate > largest_[axis]) return false;
+      value = static_cast<std::int32_t>(coordinate);
+    }
+    turn.residual.learn(axis, value, forecast);
     return true;
   }
 

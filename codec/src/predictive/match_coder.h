@@ -76,12 +76,12 @@ class MatchCoder {
     for (std::size_t i = 0; i < models_.size(); ++i) models_[i].assign(kContexts[i], kFresh);
   }
 
-  void begin() noexcept { missed_ = 0; }
-
-  /// Whether `value`, which a reader gets, is one of `guesses`. Axes come in order.
-  bool code(std::size_t axis, const Surroundings& around, const Guesses& guesses, std::int32_t& value) {
-    const unsigned before = missed_;
-    missed_ |= 1U << axis;
+  /// Whether `value`, which a reader gets, is one of `guesses`. Axes come in order; `missed`: a bit for every
+  /// axis of the vertex that was none of its guesses, at first 0.
+  bool code(std::size_t axis, const Surroundings& around, const Guesses& guesses, std::int32_t& value,
+            unsigned& missed) {
+    const unsigned before = missed;
+    missed |= 1U << axis;
     if (guesses.count() == 0) return false;
     const auto a = static_cast<unsigned>(axis);
     const unsigned sources = std::min(around.parallelogram_count, 4U);
@@ -92,7 +92,7 @@ class MatchCoder {
                                   &models_[1][(sources * 7 + history) * 7 + std::min(around.faces, 6U)]},
                                  &weights_});
     if (symbol == 0 || symbol > guesses.count()) return false;
-    missed_ = before;
+    missed = before;
     value = guesses[symbol - 1];
     return true;
   }
@@ -104,7 +104,6 @@ class MatchCoder {
   Coder& coder_;
   std::array<std::vector<SymbolModel>, 2> models_;
   MixWeights<2> weights_;
-  unsigned missed_ = 0;  ///< a bit for every axis that was none of its guesses
 };
 
 }  // namespace deltamesh

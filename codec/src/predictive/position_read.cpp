@@ -32,18 +32,7 @@ Result<LargeVector<Vec3>> read_floats(CompactReader& reader, const KnownFaces& f
   return positions;
 }
 
-/// All cells by one of the coders. The reader is to be finished.
-template <class Coder>
-Result<LargeVector<Cell>> read_cells(Coder coder, const CompactReader& reader, std::uint32_t vertices) {
-  LargeVector<Cell> cells(vertices, Cell{});
-  for (std::uint32_t v = 0; v < cells.size() && !reader.failed(); ++v) {
-    const char* broken = coder.code_vertex(v, cells);
-    if (broken != nullptr && !reader.failed()) return invalid("a coordinate beyond the lattice", broken);
-  }
-  return cells;
-}
-
-/// The same, in two walks. What the coder remembers is gone when the cells are there.
+/// In two walks. What the coder remembers is gone when the cells are there.
 Result<LargeVector<Cell>> read_voxel_cells(CompactReader& reader, const KnownFaces& faces,
                                            const PredictiveParameters& parameters, const BlendTable& blends) {
   VoxelCoder coder(reader, faces, parameters.lattice.cells, parameters.levels, blends);
@@ -62,12 +51,25 @@ Result<LargeVector<Vec3>> read_voxels(CompactReader& reader, const KnownFaces& f
   return to_positions(cells, parameters.lattice);
 }
 
+Result<LargeVector<Cell>> read_lattice_cells(CompactReader& reader, const KnownFaces& faces,
+                                             const PositionLattice& lattice, const BlendTable& blends,
+                                             bool guesses) {
+  LatticeCoder coder(reader, faces, lattice.cells, blends, guesses);
+  LargeVector<Cell> cells(faces.vertex_count());
+  for (std::uint32_t v = 0; v < cells.size() && !reader.failed();) {
+    const char* broken = coder.code_next(v, cells);
+    if (broken == nullptr) continue;
+    if (!reader.failed()) return invalid("a coordinate beyond the lattice", broken);
+    break;
+  }
+  return cells;
+}
+
 Result<LargeVector<Vec3>> read_lattice(CompactReader& reader, const KnownFaces& faces,
                                        const PositionLattice& lattice, const BlendTable& blends) {
   const bool guesses = reader.bits(0, 1) != 0;
   const bool patched = reader.bits(0, 1) != 0;
-  DELTAMESH_TRY(const auto cells, read_cells(LatticeCoder(reader, faces, lattice.cells, blends, guesses),
-                                             reader, faces.vertex_count()));
+  DELTAMESH_TRY(const auto cells, read_lattice_cells(reader, faces, lattice, blends, guesses));
   std::vector<Patch> patches;
   if (patched && !reader.failed() &&
       !code_patches(reader, patches, 3 * std::uint64_t{faces.vertex_count()}) && !reader.failed())

@@ -55,7 +55,7 @@ std::vector<std::byte> write_cells(const KnownFaces& faces, std::vector<Cell> ce
   writer.bits(guesses ? 1 : 0, 1);
   writer.bits(patches.empty() ? 0 : 1, 1);
   LatticeCoder coder(writer, faces, lattice.cells, blends, guesses);
-  for (std::uint32_t v = 0; v < cells.size(); ++v) coder.code_vertex(v, cells);
+  for (std::uint32_t v = 0; v < cells.size();) coder.code_next(v, cells);
   if (!patches.empty()) code_patches(writer, patches, 3 * cells.size());
   return writer.finish();
 }

@@ -57,6 +57,13 @@ class KnownFaces {
   /// In each of which a vertex of every walk is coded.
   std::uint32_t turns() const noexcept { return std::min(vertex_count(), second_walk_); }
   Surroundings around(std::uint32_t vertex) const noexcept;
+  /// Whether nothing can be told of `vertex`, above 0, without the one before it.
+  bool needs_previous(std::uint32_t vertex) const noexcept {
+    const Star& star = stars_[vertex];
+    const auto previous = static_cast<std::int32_t>(vertex - 1);
+    return star.known == 0 ||
+           set_lanes((four_ints(star.a) == previous) | (four_ints(star.b) == previous)) != 0;
+  }
 
  private:
   static constexpr std::array<std::uint32_t, Surroundings::kMostKnown> kNone = {kNoVertex, kNoVertex,
@@ -102,8 +109,8 @@ inline std::uint32_t KnownFaces::across(std::uint32_t a, std::uint32_t b) const 
   around.repeated = (a == __builtin_shufflevector(b, b, 1, 2, 3, 0)) |
                     (a == __builtin_shufflevector(b, b, 2, 3, 0, 1)) |
                     (a == __builtin_shufflevector(b, b, 3, 0, 1, 2));
-  const unsigned repeated = set_lanes(around.repeated) & ((1U << star.known) - 1);
-  around.neighbor_count = 2U * star.known - static_cast<unsigned>(std::popcount(repeated));
+  constexpr std::array<std::uint8_t, 16> kCount = {0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4};
+  around.neighbor_count = 2U * star.known - kCount[set_lanes(around.repeated) & ((1U << star.known) - 1)];
   for (unsigned i = 0; i < star.known; ++i) {
     const std::uint32_t opposite = across(star.a[i], star.b[i]);
     around.known[i] = {star.a[i], star.b[i], opposite};

@@ -194,21 +194,16 @@ class VoxelCoder {
       around.known[around.known_count++] = {has_a ? face.a : face.b, has_b ? face.b : face.a, face.opposite};
     }
     spots_[vertex] = kOffEdges;
-    history_.begin(around, expected);
-    if (!code_free<0>(cell) || !code_free<1>(cell) || !code_free<2>(cell)) return "POSN-7";
-    history_.end(vertex, cell);
+    ResidualTurn turn = history_.begin(around, expected);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const ResidualForecast forecast = turn.forecast(axis, 0, largest_[axis]);
+      const std::int64_t q = forecast.whole + residuals_.code(cell[axis] - forecast.whole, forecast);
+      if (q < 0 || q > largest_[axis]) return "POSN-7";
+      cell[axis] = static_cast<std::int32_t>(q);
+      turn.learn(axis, cell[axis], forecast);
+    }
+    history_.end(vertex, turn, four_ints(cell));
     return nullptr;
-  }
-
-  /// False where a coordinate is beyond the lattice.
-  template <std::size_t kAxis>
-  bool code_free(Cell& cell) {
-    const ResidualForecast forecast = history_.template forecast<kAxis>(0, largest_[kAxis]);
-    const std::int64_t q = forecast.whole + residuals_.code(cell[kAxis] - forecast.whole, forecast);
-    if (q < 0 || q > largest_[kAxis]) return false;
-    cell[kAxis] = static_cast<std::int32_t>(q);
-    history_.template learn<kAxis>(cell[kAxis], forecast);
-    return true;
   }
 
   static constexpr std::int32_t kMiddle = kVoxelParts / 2;  ///< of an edge
