@@ -84,7 +84,7 @@ TEST(Compact, CMP1ReadsWhatWasWritten) {
   }
 }
 
-TEST(Compact, CMP1AnEmptyStreamIsItsState) {
+TEST(Compact, CMP1AnEmptyStreamIsItsStates) {
   CompactWriter writer;
   const auto bytes = writer.finish();
   ASSERT_EQ(bytes.size(), 8U);
@@ -125,11 +125,13 @@ TEST(Compact, CMP3FlippedBytesEndInAnErrorOrOtherSymbols) {
 
 TEST(Compact, CMP1RejectsAStateOutOfRange) {
   for (const std::uint64_t state : {std::uint64_t{0}, kRansFloor - 1, kRansFloor << 32, ~std::uint64_t{0}}) {
-    std::vector<std::byte> bytes(8);
-    for (unsigned i = 0; i < 8; ++i) bytes[i] = static_cast<std::byte>(state >> (8 * i));
-    CompactReader reader(bytes);
-    EXPECT_TRUE(reader.failed());
-    EXPECT_FALSE(reader.finish(kTag));
+    for (const unsigned broken : {0U, 8U}) {
+      auto bytes = CompactWriter().finish();
+      for (unsigned i = 0; i < 8; ++i) bytes[broken + i] = static_cast<std::byte>(state >> (8 * i));
+      CompactReader reader(bytes);
+      EXPECT_TRUE(reader.failed());
+      EXPECT_FALSE(reader.finish(kTag));
+    }
   }
 }
 

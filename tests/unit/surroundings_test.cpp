@@ -7,9 +7,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstdlib>
 
 #include "predictive/blend.h"
+#include "predictive/residual_context.h"
 #include "support/graph_mesh.h"
 
 namespace deltamesh {
@@ -193,6 +195,30 @@ TEST(Surroundings, POSN4PlacesAreAsWrittenNearAndFar) {
       }
     }
   }
+}
+
+TEST(Surroundings, POSN6QuarterOctavesAreThoseOfWholeNumbers) {
+  const auto by_the_letter = [](std::uint32_t x) {
+    const auto log = static_cast<std::uint32_t>(std::bit_width(x)) - 1;
+    return static_cast<std::int32_t>(4 * log + (log >= 2 ? x >> (log - 2) : x << (2 - log)) % 4);
+  };
+  for (std::uint32_t x = 1; x < 1U << 24; x += 1 + x / 97)
+    for (const std::uint32_t y : {x, (1U << 24) - x}) {
+      const auto lane = static_cast<std::int32_t>(y);
+      EXPECT_EQ(quarter_octaves(FourInts{lane, 1, 0, lane})[3], by_the_letter(y)) << y;
+    }
+  EXPECT_LT(quarter_octaves(FourInts{})[0], -100);
+}
+
+TEST(Surroundings, POSN13NeedsPreviousWhereNothingElseIsKnown) {
+  const std::vector<std::uint32_t> triangles = {0, 1, 2, 0, 2, 3, 1, 0, 4, 6, 7, 5};
+  const KnownFaces faces({triangles, 8});
+  EXPECT_TRUE(faces.needs_previous(1));   // no faces
+  EXPECT_TRUE(faces.needs_previous(2));   // of a face with 1
+  EXPECT_TRUE(faces.needs_previous(3));   // of a face with 2
+  EXPECT_FALSE(faces.needs_previous(4));  // of a face with 0 and 1
+  EXPECT_TRUE(faces.needs_previous(5));   // known to no face
+  EXPECT_TRUE(faces.needs_previous(7));   // of a face with 5 and 6
 }
 
 }  // namespace

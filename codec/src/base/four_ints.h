@@ -86,6 +86,12 @@ inline FourInts smooth_lanes(FourInts now, FourInts before) noexcept {
   return ((now << 2) + now + (before << 1) + before) >> 3;
 }
 
+/// Every lane, `most` at most.
+inline FourInts least_lanes(FourInts lanes, std::int32_t most) noexcept {
+  const FourInts above = lanes > most;
+  return (lanes & ~above) | (above & most);
+}
+
 /// Every lane between -most and most.
 inline FourInts clamp_lanes(FourInts lanes, std::int32_t most) noexcept {
   const FourInts above = lanes > most;

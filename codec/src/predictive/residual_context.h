@@ -34,18 +34,13 @@ struct ResidualForecast {
   std::uint32_t tail_context = 0;
 };
 
-/// Four classes per octave from 4 on, 23 at most, which are those from 112 on.
-inline constexpr std::array<std::uint8_t, 128> kQuarterOctave = [] {
-  std::array<std::uint8_t, 128> classes{};
-  for (unsigned v = 0; v < classes.size(); ++v) {
-    const auto width = static_cast<unsigned>(std::bit_width(v));
-    classes[v] =
-        static_cast<std::uint8_t>(v < 4 ? v : std::min(4 * (width - 2) + ((v >> (width - 3)) & 3), 23U));
-  }
-  return classes;
-}();
-constexpr std::uint32_t quarter_octave(std::uint32_t value) noexcept {
-  return kQuarterOctave[std::min(value, 127U)];
+/// 4 floor(log2 x) and the two bits of x below its leading one, of every lane x, 1 to 2^24 - 1; far below 0
+/// for 0.
+inline FourInts quarter_octaves(FourInts lanes) noexcept {
+  using FourFloats = float __attribute__((vector_size(16)));
+  // Such numbers are floats exactly, and these have it all in place.
+  const auto floats = __builtin_convertvector(lanes, FourFloats);
+  return (std::bit_cast<FourInts>(floats) >> 21) - 4 * 127;
 }
 
 /// What is kept of a coded vertex [POSN-5].
@@ -71,40 +66,57 @@ class ResidualTurn {
     const FourInts sign = mean >> 31;
     nearest_ = numbers_of(whole_ + rounded);
     sign_ = numbers_of(sign);
-    distance_ = numbers_of((mean ^ sign) - sign);
+    const FourInts distance = least_lanes((mean ^ sign) - sign, 8) >> 1;
+
     const std::array<std::int32_t, 4> own = numbers_of(magnitude_);
     const FourInts all = FourInts{} + (own[0] + own[1] + own[2]) / 3;  // below 2^28
     FourInts scale = smooth_lanes(magnitude_, all);
     // Chosen without branches, as sources change often.
-    const FourInts has_parallelograms = FourInts{} - (sources_ >= 3 ? 1 : 0);
-    const FourInts has_few = FourInts{} - (sources_ < 2 ? 1 : 0);
-    const FourInts larger = scale + ((expected.spread - scale) & ((expected.spread > scale) & has_few));
-    scale = larger + ((((scale + expected.spread) >> 1) - scale) & has_parallelograms) + 1;
+    const auto sources = static_cast<std::int32_t>(sources_);
+    const FourInts has_parallelograms = FourInts{} - (sources >= 3 ? 1 : 0);
+    const FourInts has_few = FourInts{} - (sources < 2 ? 1 : 0);
+    const FourInts larger = (expected.spread - scale) & ((expected.spread > scale) & has_few);
+    const FourInts between = (((scale + expected.spread) >> 1) - scale) & has_parallelograms;
+    scale = least_lanes(scale + larger + between + 1, kLargestScale);
     scale_ = numbers_of(scale);
-    spread_ = numbers_of(expected.spread);
+
+    const FourInts octaves = quarter_octaves(scale);
+    const FourInts bits = (octaves >> 2) + 1;
+    const FourInts shift = (bits - kSymbolBits) & (bits > kSymbolBits);
+    scale_bits_ = numbers_of(bits);
+    shift_ = numbers_of(shift);
+    const FourInts is_shifted = shift > 0;
+    const FourInts few = octaves >> 1;
+    const FourInts more = octaves - 4;
+    const FourInts whole_class = few + ((more - few) & (more > few));
+    const FourInts scale_class = whole_class + (((octaves - (shift << 2)) - whole_class) & is_shifted);
+    contexts_[0] = numbers_of(five_times(five_times(scale_class) + sources) + (distance & ~is_shifted));
+
+    const FourInts apart = quarter_octaves(least_lanes(expected.spread, kLargestScale)) - (shift << 2);
+    const FourInts near = (apart + 2) >> 1;
+    const FourInts far = apart - 3;
+    const FourInts any_class = least_lanes(near + ((far - near) & (far > near)), kSpreadClasses - 1);
+    const FourInts spread_class = any_class & ~(any_class >> 31);
+    const FourInts spread_sources = five_times(spread_class) + sources;
+    contexts_[1] = numbers_of((spread_sources << 1) + spread_sources + FourInts{0, 1, 2, 0});
   }
 
   /// `least` and `most`: what a coordinate may be.
   [[gnu::always_inline]] ResidualForecast forecast(std::size_t axis, std::int64_t least,
                                                    std::int64_t most) const noexcept {
-    const auto a = static_cast<std::uint32_t>(axis);
-    const auto scale = static_cast<std::uint32_t>(scale_[axis]);
-    const auto spread = static_cast<std::uint32_t>(spread_[axis]);
     ResidualForecast f;
     f.whole = std::clamp<std::int64_t>(nearest_[axis], least, most);
     f.sign = sign_[axis];
-    f.scale_bits = static_cast<int>(floor_log2(scale)) + 1;
-    f.shift = static_cast<unsigned>(std::max(f.scale_bits - 6, 0));
-    const std::uint32_t shifted = f.shift > 0 ? 1 : 0;
-    const auto distance = static_cast<std::uint32_t>(std::min(distance_[axis], 8)) / 2;
+    f.scale_bits = scale_bits_[axis];
+    f.shift = static_cast<unsigned>(shift_[axis]);
+    f.contexts = {static_cast<std::uint32_t>(contexts_[0][axis]),
+                  static_cast<std::uint32_t>(contexts_[1][axis])};
     // Where the place between two coordinates says nothing, how the axes before turned out does.
-    const std::uint32_t turned_out =
-        axis == 0 ? 0U : (4 * coded_ < scale ? 1U : 0U) + (coded_ >= 2 * scale ? 2U : 0U);
-    const std::uint32_t sure = shifted != 0 ? turned_out : distance;
-    const std::uint32_t scale_class = quarter_octave(scale >> f.shift) + 4 * shifted;
-    f.contexts = {(scale_class * 5 + sources_) * 5 + sure,
-                  (quarter_octave(spread >> f.shift) * 5 + sources_) * 3 + a};
-    f.weight_set = a * 5 + sources_;
+    if (f.shift > 0 && axis > 0) {
+      const auto scale = static_cast<std::uint32_t>(scale_[axis]);
+      f.contexts[0] += (4 * coded_ < scale ? 1U : 0U) + (coded_ >= 2 * scale ? 2U : 0U);
+    }
+    f.weight_set = static_cast<std::uint32_t>(axis) * 5 + sources_;
     f.tail_context = sources_;
     return f;
   }
@@ -118,22 +130,32 @@ class ResidualTurn {
 
   /// After learn() of all axes, or where the vertex was coded otherwise.
   [[gnu::always_inline]] ResidualRecord record(FourInts cell) const noexcept {
-    // Beyond 2^23 steps it is the clamped one anyway, as offsets are below 2^26.
-    const FourInts steps = clamp_lanes(cell - whole_, 1 << 23);
-    const FourInts residual = clamp_lanes((steps << 4) - offset_, kLargestResidual);
+    const FourInts steps = cell - whole_;
+    FourInts residual = (steps << 4) - offset_;
+    // With few steps nothing is out of range, as offsets are below 2^26; many are clamped.
+    constexpr std::int32_t kFew = 1 << 18;
+    if (set_lanes(((steps + kFew) & ~(2 * kFew - 1)) != 0) != 0) [[unlikely]]
+      residual = clamp_lanes((clamp_lanes(steps, 1 << 23) << 4) - offset_, kLargestResidual);
     const FourInts size = lane_sizes(residual);
     return {residual, sources_ == 0 ? size : smooth_lanes(size, magnitude_)};
   }
 
  private:
-  FourInts whole_;                        ///< as in Expectation
-  FourInts offset_;                       ///< likewise
-  FourInts magnitude_;                    ///< mean of corners of known faces
-  std::array<std::int32_t, 4> nearest_;   ///< the expected lattice point
-  std::array<std::int32_t, 4> sign_;      ///< -1 where the vertex is likely below, else 0
-  std::array<std::int32_t, 4> distance_;  ///< how far it is likely from there, 1/16 steps
-  std::array<std::int32_t, 4> scale_;     ///< what distance may be expected, 1/16 steps
-  std::array<std::int32_t, 4> spread_;
+  static constexpr std::int32_t kLargestScale = (1 << 24) - 1;
+  static constexpr std::int32_t kSymbolBits = 6;  ///< of a distance in 1/16 steps that a symbol tells
+  static constexpr std::int32_t kSpreadClasses = 24;
+
+  static FourInts five_times(FourInts lanes) noexcept { return (lanes << 2) + lanes; }
+
+  FourInts whole_;                       ///< as in Expectation
+  FourInts offset_;                      ///< likewise
+  FourInts magnitude_;                   ///< mean of corners of known faces
+  std::array<std::int32_t, 4> nearest_;  ///< the expected lattice point
+  std::array<std::int32_t, 4> sign_;     ///< -1 where the vertex is likely below, else 0
+  std::array<std::int32_t, 4> scale_;    ///< what distance may be expected, 1/16 steps, to kLargestScale
+  std::array<std::int32_t, 4> scale_bits_;
+  std::array<std::int32_t, 4> shift_;
+  std::array<std::array<std::int32_t, 4>, kResidualModels> contexts_;  ///< without how axes before turned out
   std::uint32_t sources_;    ///< 0 none, 1 neighbours, 2 .. 4 one to three parallelograms
   std::uint32_t coded_ = 0;  ///< |residual| of the axes so far, 1/16 steps
 };
