@@ -87,7 +87,7 @@ TEST(Compact, CMP1ReadsWhatWasWritten) {
 TEST(Compact, CMP1AnEmptyStreamIsItsStates) {
   CompactWriter writer;
   const auto bytes = writer.finish();
-  ASSERT_EQ(bytes.size(), 8U);
+  ASSERT_EQ(bytes.size(), 16U);
   EXPECT_TRUE(CompactReader(bytes).finish(kTag));
 }
 
