@@ -269,7 +269,7 @@ TEST(Lossless, FLT1RefusesWhatIsNotFinite) {
   for (int i = 0; i < 300; ++i) {
     std::vector<std::byte> bytes(400);
     for (std::byte& b : bytes) b = static_cast<std::byte>((state = state * 1664525 + 1013904223) >> 24);
-    bytes[7] = std::byte{0x3f};
+    bytes[7] = bytes[15] = std::byte{0x3f};
     const auto back =
         read_positions(Payload::compact(bytes), faces_of(mesh),
                        {.kind = PositionKind::kFloats, .lattice = {}}, {{0, 0, 0}, {3e38, 3e38, 3e38}});
@@ -404,7 +404,7 @@ TEST(Voxels, VOX1VOX5POSN7RefuseWhatIsNotThere) {
   for (int i = 0; i < 15000; ++i) {
     std::vector<std::byte> bytes(400);
     for (std::byte& b : bytes) b = static_cast<std::byte>((state = state * 1664525 + 1013904223) >> 24);
-    bytes[7] = std::byte{0x3f};
+    bytes[7] = bytes[15] = std::byte{0x3f};
     const auto back = read_positions(Payload::compact(bytes), faces_of(mesh), parameters, mesh.box);
     ++refused[rule_of(back)];
     if (!back) continue;
