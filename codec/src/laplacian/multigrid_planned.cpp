@@ -18,6 +18,9 @@ constexpr std::size_t kCoupled = 2;
 constexpr int kFinestSweeps = 3;
 constexpr int kSecondSweeps = 2;
 
+/// Sweeps after the last cycle: interpolation leaves it rough.
+constexpr int kLastSweeps = 1;
+
 /// Corrections of the second level in a whole cycle.
 constexpr int kCorrections = 2;
 
@@ -43,6 +46,8 @@ Float4 charge(const Level& finest, const DeltaView& deltas, std::span<const Vec3
                 static_cast<float>(degree * (delta[1] - own[1]) + sum[1]),
                 static_cast<float>(degree * (delta[2] - own[2]) + sum_z), 0.0F};
 }
+
+void add(Float4 step, Vec3& x) noexcept { x = x + Vec3{step[0], step[1], step[2]}; }
 
 /// Rows of one field only.
 Float4 interpolate_field(const Interpolation& p, std::span<const Float4> coarse) noexcept {
@@ -176,20 +181,25 @@ void PlannedCycles::start(const DeltaView& deltas, std::span<const Vec3> targets
   }
 }
 
-void PlannedCycles::cycle(const DeltaView& deltas, std::span<const Vec3> targets, int corrections,
-                          std::span<Vec3> x) {
+void PlannedCycles::sweep_finest(const DeltaView& deltas, int sweeps, std::span<Vec3> x) {
   const Level& finest = levels_[0];
   const auto residual = [&](std::uint32_t i) {
     return charge(finest, deltas, x, i) -
            finest.mass[i] * interpolate_field(finest.interpolation[i], s_second_);
   };
-  const auto add = [&](std::uint32_t i, Float4 step) { x[i] = x[i] + Vec3{step[0], step[1], step[2]}; };
-  sweep_first(finest, residual, step_, add);
-  for (int s = 1; s < kFinestSweeps; ++s) sweep_again<true>(finest, step_, add);
+  const auto keep = [&](std::uint32_t i, Float4 step) { add(step, x[i]); };
+  sweep_first(finest, residual, step_, keep);
+  for (int s = 1; s < sweeps; ++s) sweep_again<true>(finest, step_, keep);
+}
+
+void PlannedCycles::cycle(const DeltaView& deltas, std::span<const Vec3> targets, int corrections,
+                          std::span<Vec3> x) {
+  const Level& finest = levels_[0];
+  sweep_finest(deltas, kFinestSweeps, x);
   restrict_to_second([&](const auto& take) { take_residuals<true>(finest, step_, take); });
   for (std::size_t a = 0; a < targets.size(); ++a) gaps_[a] = to_float4(targets[a] - x[finest.anchors[a]]);
   correct_from_second(corrections);
-  for (std::uint32_t i = 0; i < x.size(); ++i) add(i, interpolate_x(finest.interpolation[i], u_));
+  for (std::uint32_t i = 0; i < x.size(); ++i) add(interpolate_x(finest.interpolation[i], u_), x[i]);
 }
 
 void PlannedCycles::solve(const DeltaView& deltas, std::span<const Vec3> targets, int half_cycles,
@@ -197,6 +207,7 @@ void PlannedCycles::solve(const DeltaView& deltas, std::span<const Vec3> targets
   start(deltas, targets, x);
   for (int left = half_cycles; left > 0; left -= kCorrections)
     cycle(deltas, targets, std::min(left, kCorrections), x);
+  sweep_finest(deltas, kLastSweeps, x);
 }
 
 }  // namespace deltamesh::multigrid

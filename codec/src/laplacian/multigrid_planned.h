@@ -34,6 +34,7 @@ class PlannedCycles {
 
  private:
   void start(const DeltaView& deltas, std::span<const Vec3> targets, std::span<Vec3> x);
+  void sweep_finest(const DeltaView& deltas, int sweeps, std::span<Vec3> x);
   void cycle(const DeltaView& deltas, std::span<const Vec3> targets, int corrections, std::span<Vec3> x);
   void correct_from_second(int corrections);
   void correct_second(bool is_first);
