@@ -32,8 +32,8 @@ void want_large_pages(void* memory, std::size_t bytes) noexcept {
 
 #else
 
-void* allocate_pages(std::size_t bytes) { return ::operator new(bytes); }
-void free_pages(void* memory) noexcept { ::operator delete(memory); }
+void* allocate_pages(std::size_t bytes) { return ::operator new(bytes, std::align_val_t{64}); }
+void free_pages(void* memory) noexcept { ::operator delete(memory, std::align_val_t{64}); }
 void want_large_pages(void*, std::size_t) noexcept {}
 
 #endif

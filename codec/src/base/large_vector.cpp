@@ -2,10 +2,15 @@
 // Copyright 2026 The deltamesh authors
 #include "base/large_vector.h"
 
+#include <new>
+
 #include "base/memory_pool.h"
 
 namespace deltamesh {
 namespace {
+
+/// Of what has no pages of its own: a line of the cache, and what elements of vectors ask for.
+constexpr std::align_val_t kAlignment{64};
 
 /// Without a pool, smaller arrays are like any others.
 constexpr bool has_own_pages(std::size_t bytes) noexcept { return bytes >= kLargePage / 2; }
@@ -14,7 +19,7 @@ constexpr bool has_own_pages(std::size_t bytes) noexcept { return bytes >= kLarg
 
 void* allocate_large(std::size_t bytes) {
   if (MemoryPool* const pool = MemoryPool::current()) return pool->allocate(bytes);
-  return has_own_pages(bytes) ? allocate_pages(bytes) : ::operator new(bytes);
+  return has_own_pages(bytes) ? allocate_pages(bytes) : ::operator new(bytes, kAlignment);
 }
 
 void free_large(void* memory, std::size_t bytes) noexcept {
@@ -22,7 +27,7 @@ void free_large(void* memory, std::size_t bytes) noexcept {
   if (has_own_pages(bytes)) {
     free_pages(memory);
   } else {
-    ::operator delete(memory);
+    ::operator delete(memory, kAlignment);
   }
 }
 
