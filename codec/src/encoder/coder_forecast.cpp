@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/portable_math.h"
+
 namespace deltamesh {
 namespace {
 
@@ -17,7 +19,7 @@ constexpr double kParallelograms = 0.75;  ///< against the mean of their edges
 double bits_of(const Vec3& off, double step) noexcept {
   double product = 1;
   for (std::size_t axis = 0; axis < 3; ++axis) product *= 1 + 2 * std::abs(off[axis]) / step;
-  return std::log2(product);
+  return portable_log2(product);
 }
 
 template <class Vertices>

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/large_vector.h"
+#include "base/portable_math.h"
 #include "base/try.h"
 #include "encoder/coder_forecast.h"
 #include "encoder/position_forms.h"
@@ -304,7 +305,7 @@ Result<GeometryChoice> PredictiveTrials::fit_lattice(std::uint64_t bytes) const 
     // Three coordinates cost a bit less each where the step doubles.
     const double bits = 8 * (static_cast<double>(size) - static_cast<double>(bytes)) / (3 * count);
     if ((fits && (bits > -0.003 || step <= finest)) || (!fits && step >= coarsest)) break;
-    step *= std::exp2(std::clamp(bits + (fits ? 0 : 0.002), -6.0, 6.0));
+    step *= portable_exp2(std::clamp(bits + (fits ? 0 : 0.002), -6.0, 6.0));
     // Never back to where it is known how it ends; where bits are few they say little.
     if (step >= fit || step <= too_fine) step = std::sqrt(fit * too_fine);
     step = std::clamp(step, finest, coarsest);
@@ -338,7 +339,7 @@ std::optional<GeometryChoice> PredictiveTrials::fit_voxel_levels(std::uint64_t b
     }
     // One coordinate costs a bit more where the levels double.
     const double bits = 8 * (static_cast<double>(bytes) - static_cast<double>(size)) / count;
-    levels = now * std::exp2(std::clamp(bits, -6.0, 6.0));
+    levels = now * portable_exp2(std::clamp(bits, -6.0, 6.0));
   }
   return best;
 }

@@ -5,10 +5,10 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
+#include "base/portable_math.h"
 #include "entropy/compact_model.h"
 
 namespace deltamesh {
@@ -53,7 +53,7 @@ class CompactPricer {
  private:
   /// Whether this is a trial.
   bool spend(Interval interval) noexcept {
-    if (in_trial_) bits_ += kProbabilityBits - std::log2(static_cast<float>(interval.size));
+    if (in_trial_) bits_ += static_cast<float>(kProbabilityBits - portable_log2(interval.size));
     return in_trial_;
   }
 

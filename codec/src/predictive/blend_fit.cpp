@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/portable_math.h"
+
 namespace deltamesh {
 namespace {
 
@@ -105,7 +107,7 @@ double bits_of(std::span<const Sample> samples, const Blend& blend) noexcept {
       const double off = sample.off(blend, axis);
       product *= kStepSquared / 4 + off * off;
     }
-    bits += std::log2(product) / 2;
+    bits += portable_log2(product) / 2;
   }
   return bits;
 }

@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "base/floor_log2.h"
+#include "base/portable_math.h"
 #include "predictive/match_coder.h"
 
 namespace deltamesh {
@@ -26,7 +27,7 @@ double about_log2(std::uint64_t x) noexcept {
 
 /// Bits of choosing between two things of which one has this share.
 double entropy(double share) noexcept {
-  return share > 0 && share < 1 ? -share * std::log2(share) - (1 - share) * std::log2(1 - share) : 0;
+  return share > 0 && share < 1 ? -share * portable_log2(share) - (1 - share) * portable_log2(1 - share) : 0;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/portable_math.h"
 #include "base/try.h"
 #include "quality/unmet.h"
 #include "quality/visual_control.h"
@@ -65,11 +66,12 @@ class FinestFit {
         return std::clamp(coder_.delta_range() / 64, fails.step, fits.step);
       const double spare =
           8 * (target_ - fits.bytes) / (3.0 * std::max<std::uint32_t>(coder_.most_anchors(), 1));
-      return std::max(fits.step * std::exp2(-spare - 0.1), fails.step);
+      return std::max(fits.step * portable_exp2(-spare - 0.1), fails.step);
     }
     // Bytes against the logarithm of the step are close to a line.
     const double share = (kAim * target_ - fits.bytes) / (fails.bytes - fits.bytes);
-    const double guess = fits.step * std::pow(fails.step / fits.step, std::clamp(share, 0.02, 0.98));
+    const double guess =
+        fits.step * portable_exp2(std::clamp(share, 0.02, 0.98) * portable_log2(fails.step / fits.step));
     return guess > fails.step && guess < fits.step ? guess : middle;
   }
 

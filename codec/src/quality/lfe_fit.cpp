@@ -3,7 +3,8 @@
 #include "quality/lfe_fit.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "base/portable_math.h"
 
 namespace deltamesh {
 namespace {
@@ -24,8 +25,8 @@ double density_for_lfe(const DensityPair& first, const DensityPair& second, doub
   const bool rises = (first.density - second.density) * (first.lfe - second.lfe) > 0;
   if (!rises) return std::clamp(first.density * lfe / first.lfe, 1.0, kLargestDensity);
   const double linear = line_at(first.density, first.lfe, second.density, second.lfe, lfe);
-  const double exponential =
-      line_at(first.density, std::log(first.lfe), second.density, std::log(second.lfe), std::log(lfe));
+  const double exponential = line_at(first.density, portable_log2(first.lfe), second.density,
+                                     portable_log2(second.lfe), portable_log2(lfe));
   const double alpha = std::clamp((kExponentialBits - bits) / (kExponentialBits - kLinearBits), 0.0, 1.0);
   return std::clamp(alpha * linear + (1 - alpha) * exponential, 1.0, kLargestDensity);
 }

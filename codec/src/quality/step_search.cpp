@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/portable_math.h"
 #include "base/try.h"
 
 namespace deltamesh {
@@ -23,7 +24,7 @@ constexpr double kModelTolerance = 2e-3;
 /// A load that falls less than this power of the delta error has reached a floor.
 constexpr double kFloorSlope = 0.35;
 constexpr double kSteepestSlope = 1.6;
-constexpr double kSameError = 0.02;  // of the logarithm: too near for a slope
+constexpr double kSameError = 0.03;  // of the binary logarithm: too near for a slope
 constexpr double kBackOff = 1.0 / 16;
 constexpr int kMostRuns = 24;
 
@@ -78,8 +79,8 @@ class StepSearch {
   bool correct(double error, double load) {
     if (std::isinf(load)) return back_off();
     double slope = 1;
-    if (last_load_ > 0 && load > 0 && std::abs(std::log(error / last_error_)) > kSameError) {
-      const double measured = std::log(load / last_load_) / std::log(error / last_error_);
+    if (last_load_ > 0 && load > 0 && std::abs(portable_log2(error / last_error_)) > kSameError) {
+      const double measured = portable_log2(load / last_load_) / portable_log2(error / last_error_);
       if (load > 1 && measured < kFloorSlope) return add_anchor_bits();
       slope = std::clamp(measured, kFloorSlope, kSteepestSlope);
     } else if (load > 1 && !(error > 0)) {
@@ -87,7 +88,7 @@ class StepSearch {
     }
     last_error_ = error;
     last_load_ = load;
-    const double factor = load > 0 ? std::pow(goal_.aim / load, 1 / slope) : 1e6;
+    const double factor = load > 0 ? portable_exp2(portable_log2(goal_.aim / load) / slope) : 1e6;
     double next = error > 0 ? step_for_delta_error(coder_, settings_, error * factor) : coarsest_;
     if (next <= low_ || next >= high_) {
       if (!(low_ > 0))

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/portable_math.h"
 #include "base/try.h"
 #include "quality/lfe_fit.h"
 
@@ -24,7 +25,7 @@ class Thinning {
  public:
   Thinning(const Attempt& start, Trials& trials)
       : trials_(trials), fewest_(trials.coder().fewest_anchors()), kept_(start), pair_(pair_of(start)) {
-    bits_ = std::log2(trials.coder().delta_range() / start.settings.step);
+    bits_ = portable_log2(trials.coder().delta_range() / start.settings.step);
   }
 
   Result<Attempt> run() {
@@ -66,7 +67,7 @@ class Thinning {
     const double cells = trials_.coder().longest_side() / (kFirstCell * room);
     CoderSettings settings = kept_.settings;
     settings.anchor_bits =
-        std::clamp(static_cast<int>(std::log2(cells + 1)), kFewestAnchorBits, settings.anchor_bits);
+        std::clamp(static_cast<int>(portable_log2(cells + 1)), kFewestAnchorBits, settings.anchor_bits);
     for (; settings.anchor_bits >= kFewestAnchorBits; --settings.anchor_bits) {
       DELTAMESH_TRY(const Attempt attempt, trials_.run(settings));
       if (bounds.load(attempt.figures.quality) > 1) break;

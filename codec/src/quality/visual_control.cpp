@@ -2,8 +2,7 @@
 // Copyright 2026 The deltamesh authors
 #include "quality/visual_control.h"
 
-#include <cmath>
-
+#include "base/portable_math.h"
 #include "base/try.h"
 #include "quality/unmet.h"
 
@@ -35,7 +34,7 @@ StepGoal step_goal(int effort) noexcept {
 
 CoderSettings settings_for_vde(TrialCoder& coder, CoderSettings settings, double vde, int effort) {
   settings.step = step_from_vde(coder, settings, vde);
-  const bool low_rate = std::log2(coder.delta_range() / settings.step) < kLowRateBits;
+  const bool low_rate = portable_log2(coder.delta_range() / settings.step) < kLowRateBits;
   if (effort < kFrugalEffort || !low_rate) return settings;
   settings.rate_weight = kRateWeight;
   settings.step = step_from_vde(coder, settings, vde);
