@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Vertices on no edge among vertices on edges: a stream read by the letter of the rules.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstdlib>
+#include <vector>
+
+#include "base/zigzag.h"
+#include "entropy/compact_reader.h"
+#include "format/tags.h"
+#include "predictive/lattice_coder.h"
+#include "predictive/positions.h"
+#include "predictive/residual_coder.h"
+
+namespace deltamesh {
+namespace {
+
+using Numbers = std::array<std::int64_t, 3>;
+
+/// What [POSN-5] keeps of a vertex, or the mean of some.
+struct Kept {
+  Numbers residual{};
+  Numbers magnitude{};
+};
+
+std::int64_t quarter_octaves_by_the_letter(std::int64_t y) {
+  const auto log = static_cast<int>(std::bit_width(static_cast<std::uint64_t>(y))) - 1;
+  return 4 * log + (log >= 2 ? y >> (log - 2) : y << (2 - log)) % 4;
+}
+
+/// [POSN-5, POSN-6], of axis `a`. `coded`: as there.
+ResidualForecast forecast_by_the_letter(std::int64_t place, std::int64_t spread, const Kept& mean,
+                                        std::uint32_t sources, std::size_t a, std::int64_t coded) {
+  const Numbers& g = mean.magnitude;
+  std::int64_t scale = (5 * g[a] + 3 * ((g[0] + g[1] + g[2]) / 3)) >> 3;
+  if (sources > 2) scale = (scale + spread) >> 1;
+  if (sources < 2) scale = std::max(scale, spread);
+  ++scale;
+  const auto bits = static_cast<int>(std::bit_width(static_cast<std::uint64_t>(scale)));
+  const int shift = std::max(bits - 6, 0);
+  const std::int64_t off = place - 16 * ((place + 8) >> 4) - (mean.residual[a] >> 2);
+  std::int64_t sure = 0;
+  if (shift == 0) sure = std::min(std::abs(off), std::int64_t{8}) / 2;
+  if (shift > 0 && a > 0) sure = (4 * coded < scale ? 1 : 0) + (coded >= 2 * scale ? 2 : 0);
+  const std::int64_t w = quarter_octaves_by_the_letter(scale);
+  const std::int64_t s = shift == 0 ? std::max(w >> 1, w - 4) : w - 4 * shift;
+  std::int64_t t = 0;
+  if (spread > 0) {
+    t = quarter_octaves_by_the_letter(spread) - 4 * shift;
+    t = std::clamp<std::int64_t>(std::max((t + 2) >> 1, t - 3), 0, 23);
+  }
+  ResidualForecast forecast;
+  forecast.whole = (place + 8) >> 4;
+  forecast.shift = static_cast<unsigned>(shift);
+  forecast.sign = off < 0 ? -1 : 0;
+  forecast.contexts = {static_cast<std::uint32_t>((s * 5 + sources) * 5 + sure),
+                       static_cast<std::uint32_t>((t * 5 + sources) * 3 + static_cast<std::int64_t>(a))};
+  forecast.weight_set = static_cast<std::uint32_t>(a) * 5 + sources;
+  forecast.tail_context = sources;
+  return forecast;
+}
+
+/// Voxels of two steps.
+bool is_on_edge(const Cell& cell) { return (cell[0] & 1) + (cell[1] & 1) + (cell[2] & 1) == 1; }
+
+/// [VOX-1, VOX-5] without cubes, and [POSN-12], with one level.
+class LetterReader {
+ public:
+  LetterReader(CompactReader& reader, const KnownFaces& faces, const BlendTable& blends)
+      : cells(faces.vertex_count()),
+        reader_(reader),
+        faces_(faces),
+        blends_(blends),
+        residuals_(reader),
+        kept_(cells.size()) {}
+
+  void read(std::uint32_t v) {
+    const Surroundings around = faces_.around(v);
+    const Expectation expected = expect_place(around, v == faces_.second_walk() ? 0 : v, cells, blends_);
+    const unsigned start = reader_.symbol(0, Mixture<1>{{&start_}, &start_weights_});
+    if (start == 3) return read_free(v, around, expected);
+    for (std::size_t a = 0; a < 3; ++a) {
+      const auto below = std::max<std::int64_t>((expected.place()[a] >> 4) / 2, 0);
+      cells[v][a] = 2 * static_cast<std::int32_t>(below + unzigzag(reader_.number(0, nodes_[a])));
+    }
+    ++cells[v][start];
+  }
+
+  std::vector<Cell> cells;
+  std::vector<std::uint32_t> sources;  ///< of the free vertices
+
+ private:
+  void read_free(std::uint32_t v, const Surroundings& around, const Expectation& expected) {
+    Kept mean;
+    std::int64_t known = 0;
+    for (unsigned i = 0; i < around.known_count && known < 2; ++i) {
+      std::uint32_t a = around.known[i].a;
+      std::uint32_t b = around.known[i].b;
+      if (is_on_edge(cells[a]) && is_on_edge(cells[b])) continue;
+      if (is_on_edge(cells[a])) a = b;
+      if (is_on_edge(cells[b])) b = a;
+      ++known;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        mean.residual[axis] += kept_[a].residual[axis] + kept_[b].residual[axis];
+        mean.magnitude[axis] += kept_[a].magnitude[axis] + kept_[b].magnitude[axis];
+      }
+    }
+    for (std::int64_t halves = 0; halves < known; ++halves)
+      for (Numbers* numbers : {&mean.residual, &mean.magnitude})
+        for (std::int64_t& number : *numbers) number >>= 1;
+    const std::uint32_t count = around.parallelogram_count;
+    sources.push_back(count > 0 ? std::min(count, 3U) + 1 : (known > 0 ? 1 : 0));
+    std::int64_t coded = 0;
+    for (std::size_t a = 0; a < 3; ++a) {
+      const std::int64_t place = expected.place()[a];
+      const ResidualForecast forecast =
+          forecast_by_the_letter(place, expected.spread[static_cast<int>(a)], mean, sources.back(), a, coded);
+      const std::int64_t x = residuals_.code(0, forecast);
+      cells[v][a] = static_cast<std::int32_t>(forecast.whole + x);
+      coded = a == 0 ? 16 * std::abs(x) : (coded + 16 * std::abs(x)) >> 1;
+      const std::int64_t e = 16 * cells[v][a] - place;
+      kept_[v].residual[a] = e;
+      kept_[v].magnitude[a] =
+          sources.back() == 0 ? std::abs(e) : (5 * std::abs(e) + 3 * mean.magnitude[a]) >> 3;
+    }
+  }
+
+  CompactReader& reader_;
+  const KnownFaces& faces_;
+  const BlendTable& blends_;
+  SymbolModel start_{{8, 8, 8, 8, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
+  MixWeights<1> start_weights_;
+  std::array<NumberModel, 3> nodes_;
+  ResidualCoder<CompactReader> residuals_;
+  std::vector<Kept> kept_;
+};
+
+TEST(Voxels, VOX1POSN5FreeVerticesAmongVerticesOnEdgesAreAsWritten) {
+  // 3, 4, 5 and 9 are free. All around 3 are on edges, with a parallelogram; around 5 without one.
+  const std::vector<std::uint32_t> triangles = {0, 1, 2, 2, 1, 3, 3, 2, 4, 0, 1, 5};
+  const FaceList list{triangles, 12};
+  std::vector<Cell> cells;
+  for (std::int32_t v = 0; v < 12; ++v) {
+    cells.push_back({20 * (v % 6) + 1, 2 * (v * v % 7), 100 + 2 * (3 * v % 5)});
+    if (v == 3 || v == 4 || v == 5 || v == 9) cells.back()[1] += 31;
+  }
+  const PredictiveParameters parameters{
+      .kind = PositionKind::kVoxel, .lattice = {.cells = {4096, 4096, 4096}}, .levels = 1};
+  const auto bytes = write_positions(list, cells, parameters);
+
+  CompactReader reader(bytes);
+  Walk walk{};
+  ASSERT_TRUE(code_walk(reader, walk));
+  BlendTable blends{};
+  code_blends(reader, blends);
+  const KnownFaces faces(list, {}, second_walk(list, parameters));
+  LetterReader letter(reader, faces, blends);
+  for (std::uint32_t turn = 0; turn < 6; ++turn) {
+    letter.read(turn);
+    letter.read(turn + 6);
+  }
+  EXPECT_TRUE(reader.finish(kTagPositions));
+  EXPECT_EQ(letter.cells, cells);
+  // In the order of turns; 9 has no faces.
+  EXPECT_EQ(letter.sources, (std::vector<std::uint32_t>{2, 0, 2, 0}));
+}
+
+}  // namespace
+}  // namespace deltamesh
