@@ -73,6 +73,33 @@ TEST(Predictive, POSN2POSN3POSN4POSN5POSN6POSN8POSN9CellsComeBack) {
   }
 }
 
+TEST(Predictive, VerticesWithoutFacesComeBack) {
+  for (const std::size_t lone : {std::size_t{1}, std::size_t{5}, std::size_t{300}}) {
+    test::GraphMesh mesh = test::sheet(7, 5);
+    for (std::size_t i = 0; i < lone; ++i) mesh.positions.push_back({0.5 * static_cast<double>(i), 3, -2});
+    mesh = test::finish(mesh);
+    const FaceList faces = faces_of(mesh);
+    for (const Walk walk : {Walk::kAsDecoded, Walk::kBroad, Walk::kDeep}) {
+      for (const PositionKind kind : {PositionKind::kLattice, PositionKind::kVoxel}) {
+        const PredictiveParameters parameters{
+            .kind = kind, .lattice = cubic_lattice(mesh.box, 0.5), .levels = 2};
+        const auto cells = to_cells(mesh.positions, parameters.lattice);
+        const auto bytes = write_positions(faces, cells, parameters, {.walk = walk});
+        const auto back = read_positions(Payload::compact(bytes), faces, parameters, mesh.box);
+        ASSERT_TRUE(back) << back.error().message;
+        EXPECT_EQ(*back, to_positions(cells, parameters.lattice));
+      }
+      std::vector<Vec3> floats = mesh.positions;
+      for (Vec3& p : floats) p[2] = static_cast<double>(static_cast<float>(p[2]));
+      const auto bytes = write_floats(faces, floats, mesh.box, {.walk = walk});
+      const auto back = read_positions(Payload::compact(bytes), faces,
+                                       {.kind = PositionKind::kFloats, .lattice = {}}, mesh.box);
+      ASSERT_TRUE(back) << back.error().message;
+      EXPECT_TRUE(std::equal(back->begin(), back->end(), floats.begin(), floats.end()));
+    }
+  }
+}
+
 TEST(Predictive, ParallelogramsPredictAPlaneExactly) {
   test::GraphMesh mesh = test::sheet(60, 60);
   for (Vec3& p : mesh.positions) p[2] = 3 * p[0] + p[1];

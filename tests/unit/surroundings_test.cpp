@@ -5,6 +5,7 @@
 #include "predictive/surroundings.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <bit>
@@ -194,6 +195,39 @@ TEST(Surroundings, POSN4PlacesAreAsWrittenNearAndFar) {
         }
       }
     }
+  }
+}
+
+TEST(Surroundings, TakeNoMemoryForVerticesWithoutFaces) {
+  // A header may declare many of them, for few bytes.
+  constexpr std::uint32_t kDeclared = 1U << 23;
+  const auto peak = [] {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss;  // kB
+  };
+  const std::vector<std::uint32_t> triangles = {0, 1, 2, 2, 1, 3};
+  const long before = peak();
+  const KnownFaces faces({triangles, kDeclared}, {}, kDeclared / 2);
+  EXPECT_LT(peak() - before, 4096);
+  EXPECT_EQ(faces.vertex_count(), kDeclared);
+  EXPECT_EQ(faces.around(3).known_count, 1U);
+  EXPECT_EQ(faces.around(3).parallelogram_count, 1U);
+  EXPECT_EQ(faces.around(4).known_count, 0U);
+  EXPECT_EQ(faces.around(kDeclared - 1).faces, 0U);
+  EXPECT_TRUE(faces.needs_previous(kDeclared - 1));
+}
+
+TEST(Surroundings, VerticesWithoutFacesMayBeAnywhere) {
+  const std::vector<std::uint32_t> triangles = {1, 3, 5, 5, 3, 7};
+  const std::vector<std::uint32_t> order = {0, 9, 1, 3, 8, 5, 2, 7, 4, 6};
+  const KnownFaces decoded({triangles, 10});
+  const KnownFaces walked({triangles, 10}, order);
+  for (std::uint32_t i = 0; i < 10; ++i) {
+    const Surroundings around = walked.around(i);
+    EXPECT_EQ(around.known_count, decoded.around(order[i]).known_count) << i;
+    EXPECT_EQ(around.faces, decoded.around(order[i]).faces) << i;
+    EXPECT_EQ(around.parallelogram_count, order[i] == 7 ? 1U : 0U) << i;
   }
 }
 

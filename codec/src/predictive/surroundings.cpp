@@ -2,18 +2,35 @@
 // Copyright 2026 The deltamesh authors
 #include "predictive/surroundings.h"
 
+#include <algorithm>
+
 namespace deltamesh {
+namespace {
+
+/// No vertex from there on has a face.
+std::size_t count_with_faces(std::span<const std::uint32_t> triangles) noexcept {
+  std::uint32_t last = 0;
+  for (const std::uint32_t v : triangles) last = std::max(last, v);
+  return triangles.empty() ? 0 : std::size_t{last} + 1;
+}
+
+}  // namespace
 
 KnownFaces::KnownFaces(const FaceList& list, std::span<const std::uint32_t> order, std::uint32_t second_walk)
-    : stars_(list.vertex_count, Star{}), second_walk_(second_walk) {
+    : vertex_count_(list.vertex_count), second_walk_(second_walk) {
   const std::uint32_t* const triangles = list.triangles.data();
   if (order.empty()) {
+    stars_.assign(count_with_faces(list.triangles), Star{});
     for (std::size_t i = 0; i < list.triangles.size(); i += 3)
       add({triangles[i], triangles[i + 1], triangles[i + 2]});
     return;
   }
   std::vector<std::uint32_t> place(order.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
+  const std::size_t with_faces = count_with_faces(list.triangles);
+  std::size_t count = order.size();
+  while (count > 0 && order[count - 1] >= with_faces) --count;
+  stars_.assign(count, Star{});
   for (std::size_t i = 0; i < list.triangles.size(); i += 3)
     add({place[triangles[i]], place[triangles[i + 1]], place[triangles[i + 2]]});
 }

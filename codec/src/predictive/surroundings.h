@@ -36,7 +36,7 @@ struct Surroundings {
   static constexpr unsigned kMostFaces = 255;
 
   std::array<KnownFace, kMostKnown> known;
-  FourInts repeated;                 ///< -1 where the corner a of a known face is the corner b of another
+  FourInts repeated{};               ///< -1 where the corner a of a known face is the corner b of another
   unsigned known_count = 0;          ///< 0: nothing around is known
   unsigned parallelogram_count = 0;  ///< known faces with an opposite corner
   unsigned neighbor_count = 0;       ///< corners of known faces, the repeated ones once
@@ -48,17 +48,18 @@ class KnownFaces {
  public:
   /// `order`: the vertices in coding order, by which they are numbered here; empty where they are already.
   /// `second_walk`: those from there on are coded in turns with those from 0 on [POSN-12]; kNoVertex: after
-  /// them. O(n + m).
+  /// them. O(n + m); memory for the vertices up to the last one with a face.
   explicit KnownFaces(const FaceList& list, std::span<const std::uint32_t> order = {},
                       std::uint32_t second_walk = kNoVertex);
 
-  std::uint32_t vertex_count() const noexcept { return static_cast<std::uint32_t>(stars_.size()); }
+  std::uint32_t vertex_count() const noexcept { return vertex_count_; }
   std::uint32_t second_walk() const noexcept { return second_walk_; }
   /// In each of which a vertex of every walk is coded.
   std::uint32_t turns() const noexcept { return std::min(vertex_count(), second_walk_); }
   Surroundings around(std::uint32_t vertex) const noexcept;
   /// Whether nothing can be told of `vertex`, above 0, without the one before it.
   bool needs_previous(std::uint32_t vertex) const noexcept {
+    if (vertex >= stars_.size()) return true;
     const Star& star = stars_[vertex];
     const auto previous = static_cast<std::int32_t>(vertex - 1);
     return star.known == 0 ||
@@ -82,7 +83,8 @@ class KnownFaces {
   void add(const std::array<std::uint32_t, 3>& corners) noexcept;
   std::uint32_t across(std::uint32_t a, std::uint32_t b) const noexcept;
 
-  LargeVector<Star> stars_;
+  LargeVector<Star> stars_;  ///< of vertices up to the last one with a face
+  std::uint32_t vertex_count_;
   std::uint32_t second_walk_;
 };
 
@@ -100,8 +102,10 @@ inline std::uint32_t KnownFaces::across(std::uint32_t a, std::uint32_t b) const 
 }
 
 [[gnu::always_inline]] inline Surroundings KnownFaces::around(std::uint32_t vertex) const noexcept {
-  const Star& star = stars_[vertex];
   Surroundings around;
+  if (vertex >= stars_.size()) [[unlikely]]
+    return around;
+  const Star& star = stars_[vertex];
   around.known_count = star.known;
   around.faces = star.faces;
   const FourInts a = four_ints(star.a);
