@@ -81,10 +81,15 @@ MeshEdges edges_of(const CodedTopology& topology) {
 constexpr Error kTooLarge{.code = ErrorCode::kInvalidMesh,
                           .message = "the coordinates are too large: decoded ones would not fit float32"};
 
-/// The rules of the stream that a finite mesh can break by its size.
-bool is_too_large(const Error& error) noexcept {
+/// Coordinates that differ by more than the solver's numbers hold.
+constexpr Error kTooUneven{.code = ErrorCode::kInvalidMesh,
+                           .message = "the coordinates differ too much in size for highpass coding"};
+
+/// What a finite mesh does wrong whose own stream breaks a rule.
+Error fault_of_mesh(const Error& error) noexcept {
   const std::string_view rule = error.rule;
-  return rule == "DELT-3" || rule == "GEO-1" || rule == "HDR-9";
+  if (rule == "DELT-3" || rule == "GEO-1" || rule == "HDR-9") return kTooLarge;
+  return rule == "DELT-4" ? kTooUneven : error;
 }
 
 Result<void> set_quality(FileHeader& header, const Quality& quality) {
@@ -262,7 +267,7 @@ Result<ChunkList> add_geometry(const MeshView& mesh, const CodedTopology& topolo
   const StreamFrame frame{header, other.before, other.after};
   const auto coded =
       code_geometry({options, topology.connectivity.triangles, graph, edges, positions, frame});
-  if (!coded) return is_too_large(coded.error()) ? kTooLarge : coded.error();
+  if (!coded) return fault_of_mesh(coded.error());
 
   header.geometry = coded->geometry;
   header.highpass = coded->highpass;
