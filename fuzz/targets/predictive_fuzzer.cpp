@@ -50,10 +50,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (positions.error().code == ErrorCode::kInternal) std::abort();
     return 0;
   }
-  if (positions->size() != mesh.positions.size()) std::abort();
-  for (const Vec3& position : *positions) {
-    for (const double x : position)
-      if (!std::isfinite(x)) std::abort();
-  }
+  if (positions->size() != 3 * mesh.positions.size()) std::abort();
+  for (const float x : *positions)
+    if (!std::isfinite(x)) std::abort();
   return 0;
 }

@@ -3,7 +3,9 @@
 #include "base/large_pages.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <new>
 
 #if defined(__linux__)
@@ -14,14 +16,23 @@ namespace deltamesh {
 
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
 
+/// Not by an aligning allocator: such ones are known to give back to the system at once what they would have
+/// kept for the next call. What is to be freed stands before the pages.
 void* allocate_pages(std::size_t bytes) {
   const std::size_t large = (bytes + kLargePage / 2) / kLargePage * kLargePage;
-  void* const memory = ::operator new (std::max(bytes, large), std::align_val_t{kLargePage});
-  if (large > 0) madvise(memory, large, MADV_HUGEPAGE);
-  return memory;
+  std::byte* const memory = static_cast<std::byte*>(::operator new(std::max(bytes, large) + kLargePage));
+  const std::size_t before = kLargePage - reinterpret_cast<std::uintptr_t>(memory) % kLargePage;
+  std::byte* const begin = memory + before;
+  std::memcpy(begin - sizeof(memory), &memory, sizeof(memory));
+  if (large > 0) madvise(begin, large, MADV_HUGEPAGE);
+  return begin;
 }
 
-void free_pages(void* memory) noexcept { ::operator delete (memory, std::align_val_t{kLargePage}); }
+void free_pages(void* begin) noexcept {
+  std::byte* memory = nullptr;
+  std::memcpy(&memory, static_cast<const std::byte*>(begin) - sizeof(memory), sizeof(memory));
+  ::operator delete(memory);
+}
 
 void want_large_pages(void* memory, std::size_t bytes) noexcept {
   const std::size_t before = (~reinterpret_cast<std::uintptr_t>(memory) + 1) % kLargePage;
@@ -32,8 +43,8 @@ void want_large_pages(void* memory, std::size_t bytes) noexcept {
 
 #else
 
-void* allocate_pages(std::size_t bytes) { return ::operator new(bytes, std::align_val_t{64}); }
-void free_pages(void* memory) noexcept { ::operator delete(memory, std::align_val_t{64}); }
+void* allocate_pages(std::size_t bytes) { return ::operator new (bytes, std::align_val_t{64}); }
+void free_pages(void* memory) noexcept { ::operator delete (memory, std::align_val_t{64}); }
 void want_large_pages(void*, std::size_t) noexcept {}
 
 #endif

@@ -20,6 +20,11 @@ constexpr std::size_t chunk_size(std::size_t bytes) noexcept {
 
 thread_local MemoryPool* MemoryPool::current_ = nullptr;
 
+MemoryPool::MemoryPool(std::size_t bytes) : outer_(current_) {
+  if (bytes > 0) add_chunk(bytes);
+  current_ = this;
+}
+
 MemoryPool::~MemoryPool() {
   current_ = outer_;
   for (const Chunk& chunk : chunks_) free_pages(chunk.begin);
@@ -47,6 +52,10 @@ void* MemoryPool::allocate(std::size_t bytes) {
   }
   if (best != nullptr) return take(*best, best_block, bytes);
   release_idle();
+  return take(add_chunk(bytes), 0, bytes);
+}
+
+MemoryPool::Chunk& MemoryPool::add_chunk(std::size_t bytes) {
   const std::size_t size = chunk_size(bytes);
   chunks_.reserve(chunks_.size() + 1);
   Chunk chunk{.begin = nullptr, .end = nullptr, .blocks = {}};
@@ -55,7 +64,7 @@ void* MemoryPool::allocate(std::size_t bytes) {
   chunk.end = chunk.begin + size;
   chunk.blocks.push_back({chunk.begin, true});
   chunks_.push_back(std::move(chunk));
-  return take(chunks_.back(), 0, bytes);
+  return chunks_.back();
 }
 
 void* MemoryPool::take(Chunk& chunk, std::size_t block, std::size_t bytes) {

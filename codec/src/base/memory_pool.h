@@ -14,7 +14,9 @@ namespace deltamesh {
 /// the last one made before the others. They must be freed by that thread, before it goes.
 class MemoryPool {
  public:
-  MemoryPool() noexcept : outer_(current_) { current_ = this; }
+  /// `bytes`: what the arrays are thought to take up at a time. At once it is more likely to be memory that
+  /// this process has had before than in pieces, each of which the system would clear.
+  explicit MemoryPool(std::size_t bytes = 0);
   ~MemoryPool();
   MemoryPool(const MemoryPool&) = delete;
   MemoryPool& operator=(const MemoryPool&) = delete;
@@ -47,6 +49,7 @@ class MemoryPool {
     bool is_free() const noexcept { return blocks.size() == 1 && blocks[0].is_free; }
   };
 
+  Chunk& add_chunk(std::size_t bytes);
   void* take(Chunk& chunk, std::size_t block, std::size_t bytes);
 
   static thread_local MemoryPool* current_;

@@ -32,6 +32,15 @@ constexpr double kGeometryDone = 0.85;
 /// Bytes of a stream from which on its decoding fills large pages.
 constexpr std::size_t kWorthAPool = std::size_t{1} << 14;
 
+/// What the predictive coder's arrays take up at a time, as far as `bytes` may hold that much: untouched, it
+/// costs nothing.
+std::size_t predictive_memory(const FileHeader& header, std::size_t bytes) noexcept {
+  constexpr std::size_t kPerVertex = 84;
+  constexpr std::size_t kVerticesPerByte = 32;
+  if (header.geometry != kGeometryPredictive) return 0;
+  return kPerVertex * std::min<std::size_t>(header.geometric_vertices, kVerticesPerByte * bytes);
+}
+
 void report_progress(const DecodeOptions& options, double share) {
   if (options.progress) options.progress(share);
 }
@@ -105,19 +114,16 @@ class StreamDecoder {
     const bool is_split = !copies_.empty();
     const std::span<const std::uint32_t> faces = is_split ? geometric_triangles_ : triangles;
     if (header_.geometry == kGeometryPredictive) {
-      DELTAMESH_TRY(const auto positions, read_predicted(faces));
-      return to_rows(positions);
+      DELTAMESH_TRY(auto rows, read_predicted(faces));
+      if (is_split) rows = copy_rows(rows, copies_);
+      return rows;
     }
     DELTAMESH_TRY(const auto positions, read_solved(faces));
-    return to_rows(positions);
-  }
-
-  Result<std::vector<float>> to_rows(std::span<const Vec3> positions) const {
     if (MemoryPool* const pool = MemoryPool::current()) pool->release_idle();
     return to_float_rows(positions, copies_);
   }
 
-  Result<LargeVector<Vec3>> read_predicted(std::span<const std::uint32_t> triangles) {
+  Result<std::vector<float>> read_predicted(std::span<const std::uint32_t> triangles) {
     DELTAMESH_TRY(const auto payload, expand_single(container_, kTagPositions, max_payload(header_)));
     return read_positions(payload.payload(), {triangles, header_.geometric_vertices}, header_.predictive,
                           header_.box());
@@ -183,7 +189,8 @@ Result<Mesh> decode(std::span<const std::byte> stream, const DecodeOptions& opti
   return guarded([&]() -> Result<Mesh> {
     DELTAMESH_TRY(const auto container, Container::open(stream));
     std::optional<MemoryPool> pool;
-    if (options.threads == 1 && stream.size() >= kWorthAPool) pool.emplace();
+    if (options.threads == 1 && stream.size() >= kWorthAPool)
+      pool.emplace(predictive_memory(container.header(), stream.size()));
     return StreamDecoder(container, options).run();
   });
 }

@@ -2,6 +2,8 @@
 // Copyright 2026 The deltamesh authors
 #include "geometry/vertex_positions.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "base/large_vector.h"
@@ -46,6 +48,25 @@ Result<std::vector<float>> to_float_rows(std::span<const Vec3> positions,
     }
   }
   return rows;
+}
+
+Result<void> check_finite(std::span<const float> rows) {
+  constexpr std::uint32_t kExponent = 0xff << 23;
+  bool are_finite = true;  // without a way out of the loop, for many at once
+  for (const float x : rows) are_finite &= (std::bit_cast<std::uint32_t>(x) & kExponent) != kExponent;
+  if (are_finite) return {};
+  const auto first = std::find_if_not(rows.begin(), rows.end(), [](float x) { return std::isfinite(x); });
+  return not_finite(static_cast<std::size_t>(first - rows.begin()) / 3);
+}
+
+std::vector<float> copy_rows(std::span<const float> rows, std::span<const std::uint32_t> copies) {
+  std::vector<float> copied;
+  reserve_large(copied, 3 * copies.size());
+  for (const std::uint32_t from : copies) {
+    const auto row = rows.subspan(3 * std::size_t{from}, 3);
+    copied.insert(copied.end(), row.begin(), row.end());
+  }
+  return copied;
 }
 
 }  // namespace deltamesh

@@ -21,4 +21,10 @@ Result<std::vector<Vec3>> to_float_positions(std::span<const Vec3> positions);
 Result<std::vector<float>> to_float_rows(std::span<const Vec3> positions,
                                          std::span<const std::uint32_t> copies);
 
+/// Errors: kInvalidStream where one of the coordinates, n x 3, is not finite [GEO-1].
+Result<void> check_finite(std::span<const float> rows);
+
+/// One row for each of `copies`, which are indices of `rows`, n x 3.
+std::vector<float> copy_rows(std::span<const float> rows, std::span<const std::uint32_t> copies);
+
 }  // namespace deltamesh

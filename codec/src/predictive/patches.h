@@ -47,9 +47,9 @@ bool code_patches(Coder& coder, std::vector<Patch>& patches, std::uint64_t coord
   return true;
 }
 
-/// Puts them in their places; `positions`: n.
-inline void apply(std::span<const Patch> patches, std::span<Vec3> positions) noexcept {
-  for (const Patch& patch : patches) positions[patch.coordinate / 3][patch.coordinate % 3] = patch.value;
+/// Puts them in their places; `rows`: n x 3.
+inline void apply(std::span<const Patch> patches, std::span<float> rows) noexcept {
+  for (const Patch& patch : patches) rows[patch.coordinate] = patch.value;
 }
 
 }  // namespace deltamesh

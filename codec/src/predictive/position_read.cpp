@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
+#include <algorithm>
+
 #include "base/large_vector.h"
+#include "base/memory_pool.h"
 #include "base/try.h"
 #include "entropy/compact_reader.h"
 #include "format/tags.h"
+#include "geometry/vertex_positions.h"
 #include "predictive/float_coder.h"
-#include "predictive/lattice.h"
 #include "predictive/lattice_coder.h"
 #include "predictive/positions.h"
 #include "predictive/voxel_coder.h"
@@ -17,8 +20,30 @@ Error invalid(const char* message, const char* rule) noexcept {
   return {.code = ErrorCode::kInvalidStream, .message = message, .rule = rule, .chunk_tag = kTagPositions};
 }
 
-Result<LargeVector<Vec3>> read_floats(CompactReader& reader, const KnownFaces& faces,
-                                      const BlendTable& blends, const Box& box) {
+/// n x 3, from `at(v, axis)`. Room is made ready bit by bit, so that it is in the cache when it is filled.
+template <class At>
+std::vector<float> to_rows(std::size_t count, const At& at) {
+  constexpr std::size_t kAtOnce = 1024;
+  if (MemoryPool* const pool = MemoryPool::current()) pool->release_idle();
+  std::vector<float> rows;
+  reserve_large(rows, 3 * count);
+  for (std::size_t v = 0; v < count;) {
+    const std::size_t end = std::min(count, v + kAtOnce);
+    rows.resize(3 * end);
+    for (float* row = rows.data() + 3 * v; v < end; ++v, row += 3)
+      for (std::size_t axis = 0; axis < 3; ++axis) row[axis] = at(v, axis);
+  }
+  return rows;
+}
+
+std::vector<float> to_rows(std::span<const Cell> cells, const PositionLattice& lattice) {
+  return to_rows(cells.size(), [&](std::size_t v, std::size_t axis) {
+    return static_cast<float>(lattice.at(axis, cells[v][axis]));
+  });
+}
+
+Result<std::vector<float>> read_floats(CompactReader& reader, const KnownFaces& faces,
+                                       const BlendTable& blends, const Box& box) {
   FloatCoder coder(reader, faces, float_units(box), blends);
   LargeVector<Ordinals> floats(faces.vertex_count(), Ordinals{});
   for (std::uint32_t v = 0; v < floats.size() && !reader.failed(); ++v) {
@@ -26,10 +51,7 @@ Result<LargeVector<Vec3>> read_floats(CompactReader& reader, const KnownFaces& f
     if (broken != nullptr && !reader.failed()) return invalid("not a finite float32", broken);
   }
   DELTAMESH_CHECK(reader.finish(kTagPositions));
-  LargeVector<Vec3> positions(floats.size());
-  for (std::size_t v = 0; v < floats.size(); ++v)
-    for (std::size_t axis = 0; axis < 3; ++axis) positions[v][axis] = float_of(floats[v][axis]);
-  return positions;
+  return to_rows(floats.size(), [&](std::size_t v, std::size_t axis) { return float_of(floats[v][axis]); });
 }
 
 /// In two walks. What the coder remembers is gone when the cells are there.
@@ -44,11 +66,11 @@ Result<LargeVector<Cell>> read_voxel_cells(CompactReader& reader, const KnownFac
   return cells;
 }
 
-Result<LargeVector<Vec3>> read_voxels(CompactReader& reader, const KnownFaces& faces,
-                                      const PredictiveParameters& parameters, const BlendTable& blends) {
+Result<std::vector<float>> read_voxels(CompactReader& reader, const KnownFaces& faces,
+                                       const PredictiveParameters& parameters, const BlendTable& blends) {
   DELTAMESH_TRY(const auto cells, read_voxel_cells(reader, faces, parameters, blends));
   DELTAMESH_CHECK(reader.finish(kTagPositions));
-  return to_positions(cells, parameters.lattice);
+  return to_rows(cells, parameters.lattice);
 }
 
 Result<LargeVector<Cell>> read_lattice_cells(CompactReader& reader, const KnownFaces& faces,
@@ -65,8 +87,8 @@ Result<LargeVector<Cell>> read_lattice_cells(CompactReader& reader, const KnownF
   return cells;
 }
 
-Result<LargeVector<Vec3>> read_lattice(CompactReader& reader, const KnownFaces& faces,
-                                       const PositionLattice& lattice, const BlendTable& blends) {
+Result<std::vector<float>> read_lattice(CompactReader& reader, const KnownFaces& faces,
+                                        const PositionLattice& lattice, const BlendTable& blends) {
   const bool guesses = reader.bits(0, 1) != 0;
   const bool patched = reader.bits(0, 1) != 0;
   DELTAMESH_TRY(const auto cells, read_lattice_cells(reader, faces, lattice, blends, guesses));
@@ -75,14 +97,14 @@ Result<LargeVector<Vec3>> read_lattice(CompactReader& reader, const KnownFaces& 
       !code_patches(reader, patches, 3 * std::uint64_t{faces.vertex_count()}) && !reader.failed())
     return invalid("a coordinate to replace that is not there, or not finite", "POSN-11");
   DELTAMESH_CHECK(reader.finish(kTagPositions));
-  auto positions = to_positions(cells, lattice);
-  deltamesh::apply(patches, positions);
-  return positions;
+  std::vector<float> rows = to_rows(cells, lattice);
+  deltamesh::apply(patches, rows);
+  return rows;
 }
 
 /// What follows the walk, of vertices numbered in its order.
-Result<LargeVector<Vec3>> read_in_order(CompactReader& reader, const KnownFaces& faces,
-                                        const PredictiveParameters& parameters, const Box& box) {
+Result<std::vector<float>> read_in_order(CompactReader& reader, const KnownFaces& faces,
+                                         const PredictiveParameters& parameters, const Box& box) {
   BlendTable blends{};
   code_blends(reader, blends);
   if (parameters.kind == PositionKind::kFloats) return read_floats(reader, faces, blends, box);
@@ -90,13 +112,21 @@ Result<LargeVector<Vec3>> read_in_order(CompactReader& reader, const KnownFaces&
   return read_lattice(reader, faces, parameters.lattice, blends);
 }
 
+std::vector<float> in_decoded_order(std::span<const float> walked, std::span<const std::uint32_t> order) {
+  std::vector<float> rows(walked.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      rows[3 * std::size_t{order[i]} + axis] = walked[3 * i + axis];
+  return rows;
+}
+
 }  // namespace
 
-Result<LargeVector<Vec3>> read_positions(Payload payload, const FaceList& faces,
-                                         const PredictiveParameters& parameters, const Box& box) {
+Result<std::vector<float>> read_positions(Payload payload, const FaceList& faces,
+                                          const PredictiveParameters& parameters, const Box& box) {
   if (faces.vertex_count == 0) {
     if (!payload.bytes.empty()) return invalid("positions without vertices", "POSN-1");
-    return LargeVector<Vec3>{};
+    return std::vector<float>{};
   }
   if (!payload.is_compact) return invalid("positions that are not in the compact form", "POSN-1");
   CompactReader reader(payload.bytes);
@@ -105,10 +135,9 @@ Result<LargeVector<Vec3>> read_positions(Payload payload, const FaceList& faces,
   const auto order = walk_order(faces, walk);
   DELTAMESH_TRY(auto walked, read_in_order(reader, KnownFaces(faces, order, second_walk(faces, parameters)),
                                            parameters, box));
-  if (order.empty()) return walked;
-  LargeVector<Vec3> positions(walked.size());
-  for (std::size_t i = 0; i < order.size(); ++i) positions[order[i]] = walked[i];
-  return positions;
+  if (!order.empty()) walked = in_decoded_order(walked, order);
+  DELTAMESH_CHECK(check_finite(walked));
+  return walked;
 }
 
 }  // namespace deltamesh

@@ -9,7 +9,6 @@
 #include <span>
 #include <vector>
 
-#include "base/large_vector.h"
 #include "base/vec3.h"
 #include "deltamesh/result.h"
 #include "entropy/payload.h"
@@ -45,9 +44,9 @@ std::vector<std::byte> write_positions(const FaceList& faces, std::span<const Ce
 std::vector<std::byte> write_floats(const FaceList& faces, std::span<const Vec3> positions, const Box& box,
                                     const PositionForm& form = {});
 
-/// n positions. `box`: the header's. Errors: kTruncated, kInvalidStream [POSN-1, POSN-7, POSN-10, POSN-11,
-/// VOX-4, FLT-1, CMP-3].
-Result<LargeVector<Vec3>> read_positions(Payload payload, const FaceList& faces,
-                                         const PredictiveParameters& parameters, const Box& box);
+/// n x 3. `box`: the header's. Errors: kTruncated, kInvalidStream [POSN-1, POSN-7, POSN-10, POSN-11, VOX-4,
+/// FLT-1, CMP-3, GEO-1].
+Result<std::vector<float>> read_positions(Payload payload, const FaceList& faces,
+                                          const PredictiveParameters& parameters, const Box& box);
 
 }  // namespace deltamesh
