@@ -33,7 +33,6 @@ struct LosslessRow {
 };
 Result<LosslessRow> compare_lossless(const Mesh& mesh);
 
-/// Nanoseconds of processor time per vertex, the least of five runs, at Draco's rms error with 12 bits.
 /// Least processor times of runs in turn, nanoseconds per vertex, of predictive streams with the rms error of
 /// Draco's level 7 at 12 bits, beside that stream.
 struct TimeRow {

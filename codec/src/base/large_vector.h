@@ -33,8 +33,8 @@ class LargeAllocator {
 
   LargeAllocator() noexcept = default;
   template <class U>
-  LargeAllocator(const LargeAllocator<U>&) noexcept {
-  }  // NOLINT(google-explicit-constructor): as the rules ask
+  // NOLINTNEXTLINE(google-explicit-constructor): as the rules ask
+  LargeAllocator(const LargeAllocator<U>&) noexcept {}
 
   T* allocate(std::size_t count) {
     if (count < kLargeArray / sizeof(T)) return std::allocator<T>{}.allocate(count);

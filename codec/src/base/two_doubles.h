@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Two doubles handled at once, for what is done to a mesh and to its decoded twin.
+// Two doubles handled at once, as of a mesh and of its decoded twin.
 #pragma once
 
 #include <cmath>

@@ -30,8 +30,8 @@ struct CodedConnectivity {
       face_rotation;  ///< m: which corner (0 to 2) of the input face is the coded face's corner 0
   /// Parts of the mesh that share no vertex; an unreferenced vertex is one.
   std::uint32_t components = 0;
-  /// m: bit k is set where no face before has the edge from the coded face's corner k to its next. Empty
-  /// where a face has a vertex twice.
+  /// m: bit k of a coded face stands for the edge from its corner k to its next; of all that stand for the
+  /// same edge, whichever its direction, one is set. Empty where a face has a vertex twice.
   std::vector<std::uint8_t> new_edges;
 };
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/large_vector.h"
+
 namespace deltamesh {
 namespace {
 

@@ -22,8 +22,8 @@ Double4 dot(std::span<const Double4> a, std::span<const Double4> b) noexcept {
 /// Axis by axis a / b; 0 where b is not above 0.
 Double4 ratio(const Double4& a, const Double4& b) noexcept {
   const auto divide = [](double p, double q) { return q > 0 ? p / q : 0.0; };
-  return {Double4::Half{divide(a.xy[0], b.xy[0]), divide(a.xy[1], b.xy[1])},
-          Double4::Half{divide(a.zw[0], b.zw[0]), 0.0}};
+  return {TwoDoubles{divide(a.xy[0], b.xy[0]), divide(a.xy[1], b.xy[1])},
+          TwoDoubles{divide(a.zw[0], b.zw[0]), 0.0}};
 }
 
 bool all_at_most(const Double4& a, const Double4& b) noexcept {

@@ -33,11 +33,11 @@ Float4 charge(const Level& finest, const DeltaView& deltas, std::span<const Vec3
               std::uint32_t i) noexcept {
   const Vec3 own = x[i];
   const std::uint32_t end = finest.offsets[i + 1];
-  Double4::Half sum{};
+  TwoDoubles sum{};
   double sum_z = 0;
   for (std::uint32_t e = finest.offsets[i]; e < end; ++e) {
     const Vec3& other = x[finest.neighbors[e]];
-    sum += Double4::Half{other[0], other[1]};
+    sum += TwoDoubles{other[0], other[1]};
     sum_z += other[2];
   }
   const double degree = finest.degree[i];

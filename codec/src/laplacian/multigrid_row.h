@@ -6,6 +6,8 @@
 
 #include <vector>
 
+#include "base/two_doubles.h"
+
 namespace deltamesh::multigrid {
 
 /// Element-wise arithmetic only, so that every instruction set gives the same bits.
@@ -13,9 +15,8 @@ using Float4 = float __attribute__((vector_size(16)));
 
 /// The same in doubles, as two halves that every instruction set has registers for.
 struct Double4 {
-  using Half = double __attribute__((vector_size(16)));
-  Half xy{};
-  Half zw{};
+  TwoDoubles xy{};
+  TwoDoubles zw{};
 
   Double4& operator+=(const Double4& other) noexcept {
     xy += other.xy;
@@ -35,9 +36,7 @@ struct Double4 {
   }
 };
 
-inline Double4 widen(Float4 v) noexcept {
-  return Double4{Double4::Half{v[0], v[1]}, Double4::Half{v[2], v[3]}};
-}
+inline Double4 widen(Float4 v) noexcept { return Double4{TwoDoubles{v[0], v[1]}, TwoDoubles{v[2], v[3]}}; }
 inline Float4 narrow(const Double4& v) noexcept {
   return Float4{static_cast<float>(v.xy[0]), static_cast<float>(v.xy[1]), static_cast<float>(v.zw[0]),
                 static_cast<float>(v.zw[1])};

@@ -13,8 +13,8 @@ constexpr double kFewestNews = 1e-6;
 /// Axis by axis a / b; 0 where b is not above `least`.
 Double4 ratio(const Double4& a, const Double4& b, const Double4& least) noexcept {
   const auto divide = [](double p, double q, double r) { return q > r ? p / q : 0.0; };
-  return {Double4::Half{divide(a.xy[0], b.xy[0], least.xy[0]), divide(a.xy[1], b.xy[1], least.xy[1])},
-          Double4::Half{divide(a.zw[0], b.zw[0], least.zw[0]), 0.0}};
+  return {TwoDoubles{divide(a.xy[0], b.xy[0], least.xy[0]), divide(a.xy[1], b.xy[1], least.xy[1])},
+          TwoDoubles{divide(a.zw[0], b.zw[0], least.zw[0]), 0.0}};
 }
 
 float inverse_mass(const Level& level, std::uint32_t i) noexcept {

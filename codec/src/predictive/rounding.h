@@ -10,7 +10,8 @@
 
 namespace deltamesh {
 
-/// The nearest whole number, of two the one farther from 0. |x| below 2^51.
+/// The nearest whole number, of two the one farther from 0; but 1 for 0.49999999999999994, as adding a half
+/// rounds. |x| below 2^51.
 inline double nearest(double x) noexcept {
   return static_cast<double>(static_cast<std::int64_t>(x + std::copysign(0.5, x)));
 }

@@ -176,7 +176,7 @@ class VoxelCoder {
       if (coded < 0 || coded > nodes) return "VOX-5";
       node[a] = static_cast<std::int32_t>(coded);
     }
-    const std::int32_t level = code_level(cut ? cut->level : 0, kMiddle, kMiddle);
+    const std::int32_t level = code_level(cut ? cut->level : 0, kVoxelMiddle, kVoxelMiddle);
     nodes_[vertex] = FourInts{node[0], node[1], node[2], 0};
     spots_[vertex] = spot_of(node, start, grid_.part_of(level));
     return settle(vertex, start, level, cells[vertex]);
@@ -205,8 +205,6 @@ class VoxelCoder {
     history_.end(vertex, turn, four_ints(cell));
     return nullptr;
   }
-
-  static constexpr std::int32_t kMiddle = kVoxelParts / 2;  ///< of an edge
 
   /// Which of the levels along its edge a vertex is at. `mean` and `plane`: where it is expected, parts of
   /// a voxel.

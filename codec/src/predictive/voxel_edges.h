@@ -16,6 +16,7 @@ namespace deltamesh {
 
 inline constexpr int kVoxelBits = 7;
 inline constexpr std::int16_t kVoxelParts = 1 << kVoxelBits;  ///< of a voxel's side, for spots
+inline constexpr std::int16_t kVoxelMiddle = kVoxelParts / 2;
 
 /// Where a vertex is, in parts of a voxel, modulo 2^16; then kVoxelParts times the axis of its edge, or below
 /// 0 where it is on none. Small, as every vertex is looked at many times.

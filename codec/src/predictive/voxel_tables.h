@@ -146,7 +146,7 @@ inline constexpr unsigned kPairKinds = 6;
 /// The cubes of two edges, the lower one first; where there is one only it is there twice.
 struct CubePair {
   std::array<PairCube, 2> cubes{};
-  std::uint8_t count = 0;  ///< 0: there is none, or more than two
+  std::uint8_t count = 0;  ///< 0: there is none
   std::uint8_t axis = 0;   ///< of two cubes: where they lie apart
 };
 

@@ -97,13 +97,13 @@ class VoxelView {
   unsigned likely() const noexcept { return likely_; }       ///< how many edges the vertices around allow
 
   /// Where on an edge the neighbours' mean is, from its lower end, parts of a voxel.
-  std::int32_t mean_on(unsigned edge) const noexcept { return mean_[edge / 4] + kHalf; }
+  std::int32_t mean_on(unsigned edge) const noexcept { return mean_[edge / 4] + kVoxelMiddle; }
   /// Where the plane through the face's corners and the expected spot cuts it, likewise.
   std::int32_t plane_on(unsigned edge) const noexcept;
 
  private:
-  static constexpr std::int16_t kHalf = kVoxelParts / 2;
-  static constexpr std::int16_t kFar = 3 * kHalf;  ///< from the centre: nothing is expected farther off
+  static constexpr std::int16_t kFar =
+      3 * kVoxelMiddle;  ///< from the centre: nothing is expected farther off
 
   struct Seen;
   EightShorts from_lowest(const VoxelSpot& spot) const noexcept;
@@ -186,7 +186,7 @@ inline bool VoxelView::higher_has(const VoxelSpot& spot) const noexcept {
   neighbors_ += static_cast<unsigned>(2 + repeated);
   if (face.opposite == kNoVertex || !spots[face.opposite].on_edge()) return;
   seen.ends += both;
-  seen.meets += both - (from_lowest(spots[face.opposite]) - kHalf);
+  seen.meets += both - (from_lowest(spots[face.opposite]) - kVoxelMiddle);
   ++seen.parallelograms;
 }
 
@@ -196,8 +196,8 @@ inline bool VoxelView::higher_has(const VoxelSpot& spot) const noexcept {
   lowest_ = wrapped_sum(node_, load(cube_->lowest));
   unsigned likely = cube_->others;
   const KnownFace& first = around.known[face_];
-  const EightShorts first_a = wrapped_difference(load(spots[first.a].at), lowest_) - kHalf;
-  const EightShorts first_b = wrapped_difference(load(spots[first.b].at), lowest_) - kHalf;
+  const EightShorts first_a = wrapped_difference(load(spots[first.a].at), lowest_) - kVoxelMiddle;
+  const EightShorts first_b = wrapped_difference(load(spots[first.b].at), lowest_) - kVoxelMiddle;
   Seen seen{};
   add(first_a, first_b, around.repeated[static_cast<int>(face_)], first, spots, seen);
   for (unsigned i = face_ + 1; i < around.known_count; ++i) {
@@ -209,7 +209,7 @@ inline bool VoxelView::higher_has(const VoxelSpot& spot) const noexcept {
     likely = by_a != 0 ? by_a : likely;
     const unsigned by_b = likely & voxel::kEdgesNear[voxel::place_near(b)];
     likely = by_b != 0 ? by_b : likely;
-    add(a - kHalf, b - kHalf, around.repeated[static_cast<int>(i)], face, spots, seen);
+    add(a - kVoxelMiddle, b - kVoxelMiddle, around.repeated[static_cast<int>(i)], face, spots, seen);
   }
   const EightShorts expected = blend(seen, around, blends);
   normal_ = cross(first_b - first_a, expected - first_a);
@@ -218,7 +218,7 @@ inline bool VoxelView::higher_has(const VoxelSpot& spot) const noexcept {
   // In half parts, which bytes hold.
   const EightShorts spot = clamp(expected, -kVoxelParts + 1, kVoxelParts - 1);
   const EightShorts size = voxel::size_of(spot);
-  const EightShorts inside = clamp(size, 0, kHalf);
+  const EightShorts inside = clamp(size, 0, kVoxelMiddle);
   const EightShorts own = inside - size - ((inside * inside) >> kVoxelBits);
   const NearestEdges edges = nearest_edges(spot >> 1, own >> 1, likely);
   nearest_ = voxel::kTurned[cube_->turn][edges.nearest];
@@ -235,8 +235,10 @@ inline bool VoxelView::higher_has(const VoxelSpot& spot) const noexcept {
     const Blend& blend = blends[blend_row(around)];
     const EightShorts meet = mul_high(seen.meets << 2, part) - mean_;
     const EightShorts edge = mul_high(seen.ends << 1, part) - mean_;
-    expected += mul_high(meet << 4, all_lanes(static_cast<std::int16_t>(blend.parallelogram * 64))) +
-                mul_high(edge << 4, all_lanes(static_cast<std::int16_t>(blend.edge * 64)));
+    // Weights count 1/64; the high half of 16 x 64 times as much is that.
+    constexpr std::int16_t kTimes = 64;
+    expected += mul_high(meet << 4, all_lanes(static_cast<std::int16_t>(blend.parallelogram * kTimes))) +
+                mul_high(edge << 4, all_lanes(static_cast<std::int16_t>(blend.edge * kTimes)));
   }
   return clamp(expected, -kFar, kFar);
 }
@@ -262,8 +264,8 @@ inline std::int32_t VoxelView::plane_on(unsigned edge) const noexcept {
   const FourShorts& node = voxel::kEdgeSpots[edge];
   std::int32_t rise = 0;
   for (std::size_t a = 0; a < 3; ++a)
-    rise += normal_[a] * ((a == axis ? 0 : node[a] - kHalf) - corner_spot_[a]);
-  return kHalf - rise / steep;
+    rise += normal_[a] * ((a == axis ? 0 : node[a] - kVoxelMiddle) - corner_spot_[a]);
+  return kVoxelMiddle - rise / steep;
 }
 
 }  // namespace deltamesh
