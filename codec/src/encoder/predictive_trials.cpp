@@ -5,15 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/large_vector.h"
 #include "base/portable_math.h"
 #include "base/try.h"
+#include "encoder/cell_quality.h"
 #include "encoder/coder_forecast.h"
 #include "encoder/position_forms.h"
 #include "predictive/exact_lattice.h"
 #include "predictive/lattice.h"
 #include "predictive/positions.h"
-#include "quality/measure.h"
 
 namespace deltamesh {
 namespace {
@@ -31,62 +30,6 @@ Error too_small(std::uint64_t fewest_bytes) noexcept {
 /// Whether an axis has a grid, and grid_lattice() at `step` or a little above would take it.
 bool has_grid(const std::array<AxisGrid, 3>& axes, double step) noexcept {
   return std::any_of(axes.begin(), axes.end(), [step](const AxisGrid& axis) { return axis.step > step / 2; });
-}
-
-/// A decoder's position.
-Vec3 decoded_position(const PositionLattice& lattice, const Cell& cell) noexcept {
-  Vec3 position;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    position[axis] = static_cast<float>(lattice.at(axis, cell[axis]));
-  return position;
-}
-
-/// Whether most faces, of a sample, are no larger than a voxel's cube: marching cubes leave such, a lattice
-/// of decimals under any mesh does not.
-bool faces_fit_cubes(const PredictiveInput& input, double voxel) noexcept {
-  constexpr std::size_t kSampled = 1024;
-  constexpr double kMostVoxels = 2;  // a cube's diagonal, and some room
-  std::size_t seen = 0;
-  std::size_t fit = 0;
-  const std::size_t faces = input.triangles.size() / 3;
-  for (std::size_t f = 0; f < faces; f += 1 + faces / kSampled) {
-    const std::uint32_t* const corner = input.triangles.data() + 3 * f;
-    double longest = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      longest = std::max(longest, length(input.positions[corner[k]] - input.positions[corner[(k + 1) % 3]]));
-    fit += longest <= kMostVoxels * voxel ? 1 : 0;
-    ++seen;
-  }
-  return 2 * fit > seen;
-}
-
-/// LFE and the largest error; not finite where a decoder would not give floats.
-Quality positional_quality(std::span<const Vec3> positions, std::span<const Cell> cells,
-                           const PositionLattice& lattice, const MeshEdges& edges) noexcept {
-  double squares = 0;
-  double largest = 0;
-  const auto& lone = edges.lone_vertices;
-  std::size_t next_lone = 0;
-  for (std::size_t v = 0; v < cells.size(); ++v) {
-    const Vec3 error = positions[v] - decoded_position(lattice, cells[v]);
-    const double square = dot(error, error);
-    largest = std::max(largest, square);
-    if (next_lone < lone.size() && lone[next_lone] == v) {
-      ++next_lone;
-    } else {
-      squares += square;
-    }
-  }
-  const auto count = static_cast<double>(std::max<std::size_t>(cells.size() - lone.size(), 1));
-  return {.lfe_rms = std::sqrt(squares / count), .max_error = std::sqrt(largest)};
-}
-
-double visual_error(const PredictiveInput& input, std::span<const Cell> cells,
-                    const PositionLattice& lattice) {
-  std::vector<Vec3> decoded;
-  reserve_large(decoded, cells.size());
-  for (const Cell& cell : cells) decoded.push_back(decoded_position(lattice, cell));
-  return measure_vde(input.edges, input.positions, decoded);
 }
 
 }  // namespace
@@ -118,7 +61,7 @@ PredictiveTrials::Trial PredictiveTrials::measured(PredictiveParameters paramete
   Trial trial{.parameters = parameters, .cells = std::move(cells)};
   trial.quality = positional_quality(input_.positions, trial.cells, parameters.lattice, input_.edges);
   if (bounds.vde && is_declarable(trial.quality))
-    trial.quality.vde_rms = visual_error(input_, trial.cells, parameters.lattice);
+    trial.quality.vde_rms = visual_error(input_.edges, input_.positions, trial.cells, parameters.lattice);
   return trial;
 }
 
@@ -141,7 +84,8 @@ GeometryChoice PredictiveTrials::code(const Trial& trial) const {
                         .chunks = frame_.before.fresh(),
                         .quality = trial.quality};
   if (!(choice.quality.vde_rms > 0) && choice.quality.lfe_rms > 0 && is_declarable(choice.quality))
-    choice.quality.vde_rms = visual_error(input_, trial.cells, trial.parameters.lattice);
+    choice.quality.vde_rms =
+        visual_error(input_.edges, input_.positions, trial.cells, trial.parameters.lattice);
   const auto write = [&](const PositionForm& form) {
     return write_positions(faces_, trial.cells, trial.parameters, form, trial.patches);
   };
@@ -244,7 +188,8 @@ bool PredictiveTrials::are_voxels_enough(const Bounds& bounds) const {
   constexpr double kMuchFiner = 0.25;  // than the lattice: then a plane of voxels means nothing
   if (!voxels() || voxels()->share <= kMostly) return false;
   const double voxel = *std::max_element(voxels()->voxel.begin(), voxels()->voxel.end());
-  return voxel > kMuchFiner * first_step(bounds) && faces_fit_cubes(input_, voxel);
+  return voxel > kMuchFiner * first_step(bounds) &&
+         faces_fit_cubes(input_.triangles, input_.positions, voxel);
 }
 
 bool PredictiveTrials::suits(const Bounds& bounds) const {
