@@ -30,7 +30,8 @@ Result<void> CompactReader::finish(std::uint32_t chunk_tag) const noexcept {
   };
   if (failed_) return error(ErrorCode::kTruncated, "compact bytes end too early");
   if (position_ != bytes_.size()) return error(ErrorCode::kInvalidStream, "compact bytes left over");
-  if (state_ != kRansFloor || next_state_ != kRansFloor) return error(ErrorCode::kInvalidStream, "compact bytes do not add up");
+  if (state_ != kRansFloor || next_state_ != kRansFloor)
+    return error(ErrorCode::kInvalidStream, "compact bytes do not add up");
   return {};
 }
 

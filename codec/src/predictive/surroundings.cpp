@@ -5,16 +5,20 @@
 #include <algorithm>
 
 namespace deltamesh {
-namespace {
 
-/// No vertex from there on has a face.
-std::size_t count_with_faces(std::span<const std::uint32_t> triangles) noexcept {
-  std::uint32_t last = 0;
-  for (const std::uint32_t v : triangles) last = std::max(last, v);
-  return triangles.empty() ? 0 : std::size_t{last} + 1;
+std::size_t KnownFaces::count_with_faces(std::span<const std::uint32_t> triangles) const noexcept {
+  // From the end, where the last vertex mostly is.
+  constexpr std::size_t kAtOnce = 1536;
+  std::size_t count = 0;
+  for (std::size_t end = triangles.size(); end > 0 && count < vertex_count_;) {
+    const std::size_t begin = end - std::min(end, kAtOnce);
+    std::uint32_t last = 0;
+    for (std::size_t i = begin; i < end; ++i) last = std::max(last, triangles[i]);
+    count = std::max(count, std::size_t{last} + 1);
+    end = begin;
+  }
+  return count;
 }
-
-}  // namespace
 
 KnownFaces::KnownFaces(const FaceList& list, std::span<const std::uint32_t> order, std::uint32_t second_walk)
     : vertex_count_(list.vertex_count), second_walk_(second_walk) {

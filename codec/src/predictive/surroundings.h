@@ -67,6 +67,9 @@ class KnownFaces {
   }
 
  private:
+  /// No vertex from there on has a face.
+  std::size_t count_with_faces(std::span<const std::uint32_t> triangles) const noexcept;
+
   static constexpr std::array<std::uint32_t, Surroundings::kMostKnown> kNone = {kNoVertex, kNoVertex,
                                                                                 kNoVertex, kNoVertex};
   struct Star {

@@ -33,9 +33,7 @@ double diagonal_of(std::span<const Vec3> positions) noexcept {
 class LaplacianPair {
  public:
   LaplacianPair(std::span<const Vec3> original, std::span<const Vec3> decoded)
-      : original_(original),
-        decoded_(decoded),
-        shortest_(kShortestEdge * diagonal_of(original)) {
+      : original_(original), decoded_(decoded), shortest_(kShortestEdge * diagonal_of(original)) {
     reserve_large(sums_, original.size());
     sums_.resize(original.size());
   }
