@@ -22,7 +22,8 @@ FileHeader tetrahedron_header() {
   h.components = 1;
   h.box_max = {1, 2, 3};
   h.vde_rms = 0.25F;
-  h.highpass = {.bits = 8, .step = 0.5, .anchor_bits = 12, .anchors = 1, .anchor_density = 2, .half_cycles = 3};
+  h.highpass = {
+      .bits = 8, .step = 0.5, .anchor_bits = 12, .anchors = 1, .anchor_density = 2, .half_cycles = 3};
   return h;
 }
 

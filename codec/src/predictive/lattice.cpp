@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/large_vector.h"
+
 namespace deltamesh {
 
 double finest_step(const Box& box) noexcept { return box.longest_side() / kMostCells * (1 + 1e-9); }
