@@ -37,7 +37,7 @@ class FloatCoder {
   /// Codes floats[vertex]; those before it are coded. A reader fills it in. The rule that a stream breaks
   /// here, or null.
   const char* code_vertex(std::uint32_t vertex, std::span<Ordinals> floats) {
-    const Surroundings around = faces_.around(vertex);
+    const Surroundings around = faces_.template around<false>(vertex);
     ResidualTurn turn = history_.begin(around, expect_place(around, vertex, cells_, blends_));
     unsigned missed = 0;
     for (std::size_t axis = 0; axis < 3; ++axis)

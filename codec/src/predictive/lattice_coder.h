@@ -70,7 +70,7 @@ class LatticeCoder {
   /// A vertex while it is coded.
   struct Turn {
     [[gnu::always_inline]] Turn(const LatticeCoder& coder, std::uint32_t vertex, std::span<const Cell> cells)
-        : around(coder.faces_.around(vertex)),
+        : around(coder.faces_.template around<false>(vertex)),
           residual(coder.history_.begin(around, expect_place(around, vertex, cells, coder.blends_))) {
       if constexpr (Coder::kWrites) cell = cells[vertex];
     }

@@ -56,6 +56,8 @@ class KnownFaces {
   std::uint32_t second_walk() const noexcept { return second_walk_; }
   /// In each of which a vertex of every walk is coded.
   std::uint32_t turns() const noexcept { return std::min(vertex_count(), second_walk_); }
+  /// `kTwoWalks`: there may be a second one.
+  template <bool kTwoWalks = true>
   Surroundings around(std::uint32_t vertex) const noexcept;
   /// Whether nothing can be told of `vertex`, above 0, without the one before it.
   bool needs_previous(std::uint32_t vertex) const noexcept {
@@ -80,10 +82,15 @@ class KnownFaces {
   };
 
   /// What has a lower one is coded before.
+  template <bool kTwoWalks>
   std::uint32_t turn_of(std::uint32_t vertex) const noexcept {
-    return vertex - (vertex >= second_walk_ ? second_walk_ : 0);
+    return kTwoWalks ? std::min(vertex, vertex - second_walk_) : vertex;
   }
+  template <bool kTwoWalks>
+  void add_all(const FaceList& list, std::span<const std::uint32_t> order);
+  template <bool kTwoWalks>
   void add(const std::array<std::uint32_t, 3>& corners) noexcept;
+  template <bool kTwoWalks>
   std::uint32_t across(std::uint32_t a, std::uint32_t b) const noexcept;
 
   LargeVector<Star> stars_;  ///< of vertices up to the last one with a face
@@ -92,8 +99,9 @@ class KnownFaces {
 };
 
 /// The third corner of the first known face of the later one of `a` and `b` that has both.
+template <bool kTwoWalks>
 inline std::uint32_t KnownFaces::across(std::uint32_t a, std::uint32_t b) const noexcept {
-  const bool is_b_later = turn_of(b) > turn_of(a);
+  const bool is_b_later = turn_of<kTwoWalks>(b) > turn_of<kTwoWalks>(a);
   const std::uint32_t earlier = is_b_later ? a : b;
   const std::uint32_t later = is_b_later ? b : a;
   const Star& star = stars_[later];
@@ -104,6 +112,7 @@ inline std::uint32_t KnownFaces::across(std::uint32_t a, std::uint32_t b) const 
   return star.a[first] ^ star.b[first] ^ earlier;
 }
 
+template <bool kTwoWalks>
 [[gnu::always_inline]] inline Surroundings KnownFaces::around(std::uint32_t vertex) const noexcept {
   Surroundings around;
   if (vertex >= stars_.size()) [[unlikely]]
@@ -119,7 +128,7 @@ inline std::uint32_t KnownFaces::across(std::uint32_t a, std::uint32_t b) const 
   constexpr std::array<std::uint8_t, 16> kCount = {0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4};
   around.neighbor_count = 2U * star.known - kCount[set_lanes(around.repeated) & ((1U << star.known) - 1)];
   for (unsigned i = 0; i < star.known; ++i) {
-    const std::uint32_t opposite = across(star.a[i], star.b[i]);
+    const std::uint32_t opposite = across<kTwoWalks>(star.a[i], star.b[i]);
     around.known[i] = {star.a[i], star.b[i], opposite};
     around.parallelogram_count += opposite != kNoVertex ? 1 : 0;
   }
