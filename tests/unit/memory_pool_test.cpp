@@ -25,6 +25,16 @@ TEST(MemoryPool, GivesWhatWasFreedBefore) {
   EXPECT_TRUE(pool.free(second));
 }
 
+TEST(MemoryPool, GivesPartsOfWhatItBeganWith) {
+  MemoryPool pool(std::size_t{3} << 20);
+  auto* const first = static_cast<std::byte*>(pool.allocate(std::size_t{1} << 20));
+  auto* const second = static_cast<std::byte*>(pool.allocate(std::size_t{2} << 20));
+  EXPECT_EQ(second - first, std::ptrdiff_t{1} << 20);
+  EXPECT_TRUE(pool.free(first));
+  EXPECT_TRUE(pool.free(second));
+  EXPECT_EQ(pool.allocate(std::size_t{3} << 20), first);
+}
+
 TEST(MemoryPool, BlocksDoNotOverlap) {
   struct Held {
     unsigned char* begin;
