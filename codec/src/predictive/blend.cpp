@@ -38,9 +38,14 @@ struct Means {
 };
 
 // By reference, as 32 bytes are passed by value in more than one way.
-template <class Lanes>
-[[gnu::always_inline]] inline void widen(FourInts lanes, Lanes& result) noexcept {
-  result = __builtin_convertvector(lanes, Lanes);
+[[gnu::always_inline]] inline void widen(FourInts lanes, FourLongs& result) noexcept {
+  result = __builtin_convertvector(lanes, FourLongs);
+}
+/// What is not within kNear loses its high bits: nothing comes of it, but it must not overflow on the way.
+[[gnu::always_inline]] inline void widen(FourInts lanes, FourInts& result) noexcept {
+  constexpr int kUnused = 14;
+  static_assert(kNear == 1 << (31 - kUnused));
+  result = (lanes << kUnused) >> kUnused;
 }
 [[gnu::always_inline]] inline void divide(FourInts& sum, unsigned count) noexcept {
   sum = mean_lanes(sum, count);
