@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "laplacian/multigrid_row.h"
 #include "laplacian/multigrid_sweeps.h"
 #include "laplacian/multigrid_transfer.h"
 
@@ -24,10 +25,6 @@ constexpr int kLastSweeps = 1;
 /// Corrections of the second level in a whole cycle.
 constexpr int kCorrections = 2;
 
-Float4 to_float4(const Vec3& v) noexcept {
-  return Float4{static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]), 0.0F};
-}
-
 /// D (delta - L x) of a vertex, in doubles.
 Float4 charge(const Level& finest, const DeltaView& deltas, std::span<const Vec3> x,
               std::uint32_t i) noexcept {
@@ -42,12 +39,11 @@ Float4 charge(const Level& finest, const DeltaView& deltas, std::span<const Vec3
   }
   const double degree = finest.degree[i];
   const Vec3 delta = deltas[i];
-  return Float4{static_cast<float>(degree * (delta[0] - own[0]) + sum[0]),
-                static_cast<float>(degree * (delta[1] - own[1]) + sum[1]),
-                static_cast<float>(degree * (delta[2] - own[2]) + sum_z), 0.0F};
+  return to_float4({degree * (delta[0] - own[0]) + sum[0], degree * (delta[1] - own[1]) + sum[1],
+                    degree * (delta[2] - own[2]) + sum_z});
 }
 
-void add(Float4 step, Vec3& x) noexcept { x = x + Vec3{step[0], step[1], step[2]}; }
+void add(Float4 step, Vec3& x) noexcept { x = x + to_vec3(step); }
 
 /// Rows of one field only.
 Float4 interpolate_field(const Interpolation& p, std::span<const Float4> coarse) noexcept {

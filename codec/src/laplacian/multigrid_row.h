@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/two_doubles.h"
+#include "base/vec3.h"
 
 namespace deltamesh::multigrid {
 
@@ -41,6 +42,11 @@ inline Float4 narrow(const Double4& v) noexcept {
   return Float4{static_cast<float>(v.xy[0]), static_cast<float>(v.xy[1]), static_cast<float>(v.zw[0]),
                 static_cast<float>(v.zw[1])};
 }
+
+inline Float4 to_float4(const Vec3& v) noexcept {
+  return Float4{static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]), 0.0F};
+}
+inline Vec3 to_vec3(Float4 v) noexcept { return {v[0], v[1], v[2]}; }
 
 /// Both fields of a vertex side by side: one 32-byte load per neighbour serves both and all axes.
 struct alignas(32) Row {

@@ -29,6 +29,8 @@ using multigrid::Float4;
 using multigrid::Group;
 using multigrid::MultigridCycle;
 using multigrid::PlannedCycles;
+using multigrid::to_float4;
+using multigrid::to_vec3;
 
 /// Plain cycles go on while the change falls by this from one to the next.
 constexpr int kPlainCycles = 12;
@@ -82,15 +84,9 @@ constexpr double kErrorPerForceWithHub = 0.02 * kErrorPerForce;
 /// Bound of that estimate, over rms of the deltas: forces lie while cycles diverge.
 constexpr double kMaxErrorPerDelta = 2;
 
-Float4 to_float4(const Vec3& v) noexcept {
-  return Float4{static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]), 0.0F};
-}
-
 double largest_coordinate(const Vec3& v) noexcept {
   return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
 }
-
-Vec3 to_vec3(Float4 v) noexcept { return {v[0], v[1], v[2]}; }
 
 bool has_hub(const Adjacency& graph) noexcept {
   for (std::uint32_t v = 0; v < graph.vertex_count(); ++v) {
