@@ -73,7 +73,7 @@ TEST(SolveOnce, GivesTheSolversBits) {
     LeastSquaresProblem problem{.graph = mesh.graph, .components = mesh.components};
     problem.anchors = place_anchors(mesh.graph, mesh.components, {.count = 60}).vertices;
     for (const std::uint32_t anchor : problem.anchors) problem.targets.push_back(mesh.positions[anchor]);
-    problem.scale = {.step = 1.0 / 64, .one = 0.25, .more = 0.125};
+    problem.scale = {.step = 1.0 / 64, .shifts = {0, 0.25, 0.125}};
     std::vector<Vec3> deltas = delta_coordinates(mesh.graph, mesh.positions);
     problem.symbols.resize(3 * deltas.size());
     const DeltaQuantizer quantizer{.step = 1.0 / 64, .shift = {.one = 64, .more = 32}};

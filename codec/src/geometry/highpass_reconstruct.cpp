@@ -18,8 +18,8 @@ Vec3 middle(const Box& box) noexcept {
 }
 
 DeltaScale scale_of(const HighpassParameters& parameters) noexcept {
-  return {
-      .step = parameters.step, .one = parameters.shift.one / 256.0, .more = parameters.shift.more / 256.0};
+  return {.step = parameters.step,
+          .shifts = {0, parameters.shift.one / 256.0, parameters.shift.more / 256.0}};
 }
 
 /// Of the solved anchors, relative to the middle of the box: near the origin doubles are densest.

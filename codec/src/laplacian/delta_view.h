@@ -4,6 +4,8 @@
 // Delta coordinates as the solvers read them: doubles, or the whole numbers that a stream codes them as.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -15,17 +17,17 @@
 namespace deltamesh {
 
 /// What a symbol q stands for: 0 where it is 0, else step (|q| - shift) with the sign of q, the shift being
-/// `one` where |q| = 1 and `more` where it is larger [DELT-2].
+/// shifts[1] where |q| = 1 and shifts[2] where it is larger [DELT-2].
 struct DeltaScale {
-  double step = 1;  ///< model units
-  double one = 0;   ///< in steps
-  double more = 0;
+  double step = 1;                 ///< model units
+  std::array<double, 3> shifts{};  ///< in steps, below 1; that of 0 is 0
 
+  /// Without branches, which could not be predicted.
   double value(std::int32_t q) const noexcept {
     const double size = std::abs(static_cast<double>(q));
-    const double shift = size > 1 ? more : (size == 1 ? one : 0);
-    const double magnitude = size - shift;
-    return step * (q < 0 ? -magnitude : magnitude);
+    const std::uint32_t bin =
+        std::min(q < 0 ? 0 - static_cast<std::uint32_t>(q) : static_cast<std::uint32_t>(q), 2U);
+    return step * std::copysign(size - shifts[bin], static_cast<double>(q));
   }
 };
 
