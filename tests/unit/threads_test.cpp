@@ -5,9 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <new>
-#include <stdexcept>
+#include <vector>
 
 #include "base/task.h"
+#include "base/thread_team.h"
 #include "deltamesh/decode.h"
 #include "deltamesh/encode.h"
 #include "scenes.h"
@@ -75,29 +76,67 @@ TEST(Threads, GiveTheSameErrors) {
 }
 
 TEST(Task, GivesTheResultWhereverItRuns) {
-  for (const bool on_own_thread : {false, true}) {
-    Task<int> task(on_own_thread, [] { return 7; });
+  for (const unsigned threads : {1U, 2U}) {
+    const ThreadTeam team(threads);
+    Task<int> task([] { return 7; });
     EXPECT_EQ(task.get(), 7);
   }
 }
 
-TEST(Task, RunsOnlyWhenAskedWhereItHasNoThread) {
+TEST(Task, RunsOnlyWhenAskedWithoutATeam) {
   bool ran = false;
   const auto work = [&] {
     ran = true;
     return 1;
   };
-  { const Task<int> task(false, work); }
+  { const Task<int> task(work); }
   EXPECT_FALSE(ran);
-  { const Task<int> task(true, work); }
+  Task<int> task(work);
+  EXPECT_EQ(task.get(), 1);
   EXPECT_TRUE(ran);
 }
 
 TEST(Task, HandsAFailedAllocationOn) {
-  for (const bool on_own_thread : {false, true}) {
-    Task<int> task(on_own_thread, []() -> int { throw std::bad_alloc(); });
+  for (const unsigned threads : {1U, 2U}) {
+    const ThreadTeam team(threads);
+    Task<int> task([]() -> int { throw std::bad_alloc(); });
     EXPECT_THROW(task.get(), std::bad_alloc);
   }
+}
+
+TEST(ThreadTeam, DoesEveryPieceOnce) {
+  for (const unsigned threads : {1U, 2U, 3U, 8U}) {
+    SCOPED_TRACE(threads);
+    const ThreadTeam team(threads);
+    for (int round = 0; round < 50; ++round) {
+      std::vector<int> times(37, 0);
+      share_work(37, [&](std::uint32_t piece) {
+        share_work(2, [&](std::uint32_t) { ++times[piece]; });  // a piece is on its own
+      });
+      EXPECT_EQ(times, std::vector<int>(37, 2));
+    }
+  }
+}
+
+TEST(ThreadTeam, HelpsNobodyButTheThreadThatMadeIt) {
+  EXPECT_EQ(ThreadTeam::current(), nullptr);
+  const ThreadTeam outer(2);
+  {
+    const ThreadTeam inner(2);
+    EXPECT_EQ(ThreadTeam::current(), &inner);
+  }
+  EXPECT_EQ(ThreadTeam::current(), &outer);
+  share_work(8, [](std::uint32_t) { EXPECT_EQ(ThreadTeam::current(), nullptr); });
+  EXPECT_EQ(ThreadTeam::current(), &outer);
+}
+
+TEST(ThreadTeam, HandsAFailedAllocationOn) {
+  const ThreadTeam team(3);
+  const auto fail = [](std::uint32_t piece) {
+    if (piece == 5) throw std::bad_alloc();
+  };
+  EXPECT_THROW(share_work(9, fail), std::bad_alloc);
+  EXPECT_NO_THROW(share_work(5, fail));
 }
 
 }  // namespace

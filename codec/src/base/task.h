@@ -4,33 +4,49 @@
 // A result that another thread may be working on.
 #pragma once
 
-#include <future>
-#include <system_error>
+#include <functional>
+#include <optional>
 #include <utility>
+
+#include "base/thread_team.h"
 
 namespace deltamesh {
 
-/// Calls `work` on a thread of its own, or, where that is not wanted or no thread can be had, when the result
-/// is asked for. Whatever `work` refers to must outlive this; the destructor waits for a thread that is at
-/// it.
+/// Calls `work` on a thread of the team, or, where none is free or there is no team, when the result is asked
+/// for. Whatever `work` refers to must outlive this; the destructor waits for a thread that is at it.
 template <class T>
 class Task {
  public:
   template <class Work>
-  Task(bool on_own_thread, const Work& work) {
-    try {
-      if (on_own_thread) future_ = std::async(std::launch::async, work);
-    } catch (const std::system_error&) {
-      // No thread to be had: later, then.
-    }
-    if (!future_.valid()) future_ = std::async(std::launch::deferred, work);
+  explicit Task(const Work& work) : work_(work), team_(ThreadTeam::current()), job_(1, &Task::run, this) {
+    if (team_ != nullptr) team_->offer(job_);
   }
+  ~Task() {
+    if (team_ != nullptr) team_->withdraw(job_);
+  }
+  Task(const Task&) = delete;
+  Task& operator=(const Task&) = delete;
 
   /// Once. Throws what `work` throws.
-  T get() { return future_.get(); }
+  T get() {
+    if (ThreadTeam* const team = std::exchange(team_, nullptr)) {
+      team->finish(job_);
+    } else {
+      result_.emplace(work_());
+    }
+    return *std::move(result_);
+  }
 
  private:
-  std::future<T> future_;
+  static void run(const void* task, std::uint32_t) {
+    const auto* const self = static_cast<const Task*>(task);
+    self->result_.emplace(self->work_());
+  }
+
+  std::function<T()> work_;
+  mutable std::optional<T> result_;
+  ThreadTeam* team_;
+  TeamJob job_;
 };
 
 }  // namespace deltamesh

@@ -12,6 +12,7 @@
 #include "base/guard.h"
 #include "base/memory_pool.h"
 #include "base/task.h"
+#include "base/thread_team.h"
 #include "base/try.h"
 #include "connectivity/connectivity.h"
 #include "connectivity/seams.h"
@@ -65,18 +66,14 @@ std::uint64_t max_payload(const FileHeader& header) noexcept {
 class StreamDecoder {
  public:
   StreamDecoder(const Container& container, const DecodeOptions& options)
-      : container_(container),
-        header_(container.header()),
-        options_(options),
-        threads_(options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency())) {}
+      : container_(container), header_(container.header()), options_(options) {}
 
   Result<Mesh> run() {
     DELTAMESH_CHECK(check_limits(header_, options_.limits));
     Mesh mesh;
     mesh.origin = header_.origin;
     DELTAMESH_CHECK(read_faces(mesh.triangles));
-    Task<Result<std::vector<Attribute>>> attributes(decodes_attributes_aside(),
-                                                    [&] { return read_attributes(mesh.triangles); });
+    Task<Result<std::vector<Attribute>>> attributes([&] { return read_attributes(mesh.triangles); });
     DELTAMESH_TRY(mesh.positions, read_geometry(mesh.triangles));
     report_progress(options_, kGeometryDone);
     DELTAMESH_TRY(mesh.attributes, attributes.get());
@@ -143,7 +140,7 @@ class StreamDecoder {
     DELTAMESH_TRY(const auto deltas, expand_single(container_, kTagDeltas, max_payload(header_)));
     DELTAMESH_TRY(const auto anchors, expand_single(container_, kTagAnchors, max_payload(header_)));
     return read_highpass(deltas.payload(), anchors.payload(), std::move(graph), std::move(components),
-                         header_.box(), header_.highpass, threads_for_geometry());
+                         header_.box(), header_.highpass);
   }
 
   /// Over vertices joined by `triangles`.
@@ -170,13 +167,9 @@ class StreamDecoder {
     return attributes;
   }
 
-  bool decodes_attributes_aside() const noexcept { return threads_ > 1 && header_.attributes > 0; }
-  unsigned threads_for_geometry() const noexcept { return threads_ - (decodes_attributes_aside() ? 1 : 0); }
-
   const Container& container_;
   const FileHeader& header_;
   const DecodeOptions& options_;
-  unsigned threads_;                                ///< 1 or more
   std::vector<std::uint32_t> geometric_triangles_;  ///< empty where no vertex is split
   std::vector<DirectedEdge> open_edges_;            ///< of the geometric faces
   VertexRuns runs_;                                 ///< of the geometric vertices
@@ -188,9 +181,14 @@ class StreamDecoder {
 Result<Mesh> decode(std::span<const std::byte> stream, const DecodeOptions& options) noexcept {
   return guarded([&]() -> Result<Mesh> {
     DELTAMESH_TRY(const auto container, Container::open(stream));
+    const unsigned threads = options.threads > 0 ? options.threads : std::thread::hardware_concurrency();
     std::optional<MemoryPool> pool;
-    if (options.threads == 1 && stream.size() >= kWorthAPool)
+    std::optional<ThreadTeam> team;
+    if (threads > 1) {
+      team.emplace(threads);
+    } else if (stream.size() >= kWorthAPool) {
       pool.emplace(predictive_memory(container.header(), stream.size()));
+    }
     return StreamDecoder(container, options).run();
   });
 }

@@ -113,10 +113,10 @@ Result<CodedHighpass> write_highpass(const Adjacency& graph, const Components& c
                                      const HighpassRequest& request);
 
 /// Returns n finite positions. `graph`, `components`: of the decoded faces; given away, they are freed when
-/// they have served. `threads`: 1 takes the least memory; more give the same positions. Errors: kTruncated,
-/// kInvalidStream [DELT-*, ANCH-*, CMP-3, FLD-1].
+/// they have served. Without a team of threads it takes the least memory. Errors: kTruncated, kInvalidStream
+/// [DELT-*, ANCH-*, CMP-3, FLD-1].
 Result<std::vector<Vec3>> read_highpass(Payload deltas, Payload anchors, Adjacency graph,
                                         Components components, const Box& box,
-                                        const HighpassParameters& parameters, unsigned threads = 1);
+                                        const HighpassParameters& parameters);
 
 }  // namespace deltamesh

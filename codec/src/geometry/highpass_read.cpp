@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/task.h"
+#include "base/thread_team.h"
 #include "base/try.h"
 #include "base/zigzag.h"
 #include "entropy/planes.h"
@@ -92,17 +93,16 @@ Result<HighpassSymbols> read_anchor_symbols(Payload anchors, const Components& c
   return symbols;
 }
 
-/// The deltas are read while another thread sets up the solver.
+/// One thread reads the deltas while the others set up the solver.
 Result<std::vector<Vec3>> read_and_solve(Payload deltas, HighpassSymbols symbols, const SolvedPart& part,
                                          const Box& box, const HighpassParameters& parameters) {
+  Task<Result<std::vector<std::int32_t>>> values([&] { return read_deltas(deltas, part.graph); });
   PartSolver solver(part);
-  Task<Result<void>> set_up(part.row_count > 0, [&]() -> Result<void> {
-    if (part.row_count == 0) return {};
-    return solver.set_up(anchor_rows(symbols.anchors, part), parameters.half_cycles);
-  });
-  DELTAMESH_TRY(auto values, read_deltas(deltas, part.graph));
-  DELTAMESH_CHECK(set_up.get());
-  symbols.deltas = std::move(values);
+  Result<void> is_set_up;
+  if (part.row_count > 0)
+    is_set_up = solver.set_up(anchor_rows(symbols.anchors, part), parameters.half_cycles);
+  DELTAMESH_TRY(symbols.deltas, values.get());
+  DELTAMESH_CHECK(is_set_up);
   return reconstruct_highpass(symbols, part, solver, box, parameters);
 }
 
@@ -110,11 +110,12 @@ Result<std::vector<Vec3>> read_and_solve(Payload deltas, HighpassSymbols symbols
 
 Result<std::vector<Vec3>> read_highpass(Payload deltas, Payload anchors, Adjacency graph,
                                         Components components, const Box& box,
-                                        const HighpassParameters& parameters, unsigned threads) {
+                                        const HighpassParameters& parameters) {
   DELTAMESH_CHECK(check_parameters(parameters, graph.vertex_count()));
   DELTAMESH_TRY(HighpassSymbols symbols, read_anchor_symbols(anchors, components, parameters));
   SolvedPart part = extract_solved_part(std::move(graph), std::move(components));
-  if (threads > 1) return read_and_solve(deltas, std::move(symbols), part, box, parameters);
+  if (ThreadTeam::current() != nullptr)
+    return read_and_solve(deltas, std::move(symbols), part, box, parameters);
   DELTAMESH_TRY(symbols.deltas, read_deltas(deltas, part.graph));
   return reconstruct_highpass_once(std::move(symbols), std::move(part), box, parameters);
 }

@@ -31,12 +31,6 @@ struct Members {
   LargeVector<std::uint32_t> nodes;
 };
 
-/// Rows of A, above 0 and beside the diagonal only, halved.
-struct Rows {
-  LargeVector<std::uint32_t> start;
-  LargeVector<Entry> entries;
-};
-
 void add_interpolated(const Interpolation& p, float factor, RowSums& row) noexcept {
   for (std::size_t k = 0; k < 3; ++k) row.add(p.node[k], factor * p.weight[k]);
 }
@@ -58,32 +52,31 @@ RowSums sum_flux(const Level& fine, const Aggregates& aggregates, std::span<cons
   return row;
 }
 
-Rows make_rows(const Level& fine, const Aggregates& aggregates) {
+/// Rows of A, above 0 and beside the diagonal only, halved.
+SparseRows make_flux_rows(const Level& fine, const Aggregates& aggregates) {
   const auto nodes = static_cast<std::uint32_t>(aggregates.seeds.size());
   const Members members(aggregates);
-  SumTable table(nodes);
-  Rows rows{.start = LargeVector<std::uint32_t>(nodes + 1), .entries = {}};
-  LargeVector<Entry>& entries = rows.entries;
-  rows.start[0] = 0;
-  entries.reserve(fine.neighbors.size() / 2);
-  for (std::uint32_t c = 0; c < nodes; ++c) {
-    RowSums row = sum_flux(fine, aggregates, members.of(c), c, table.row());
-    row.finish([&](std::uint32_t other, float sum) {
-      if (other != c && sum > 0) entries.push_back({other, 0.5F * sum});
-    });
-    rows.start[c + 1] = static_cast<std::uint32_t>(entries.size());
-  }
-  return rows;
+  return make_rows(nodes, fine.neighbors.size() / 2,
+                   [&](std::uint32_t begin, std::uint32_t end, SparseRows& rows) {
+                     SumTable table(nodes);
+                     for (std::uint32_t c = begin; c < end; ++c) {
+                       RowSums row = sum_flux(fine, aggregates, members.of(c), c, table.row());
+                       row.finish([&](std::uint32_t other, float sum) {
+                         if (other != c && sum > 0) rows.entries.push_back({other, 0.5F * sum});
+                       });
+                       rows.end_row();
+                     }
+                   });
 }
 
 /// Entries left of the diagonal as the rows that they would be in above it.
-Rows transpose_lower(const Rows& rows) {
-  const std::size_t nodes = rows.start.size() - 1;
-  Rows result{.start = LargeVector<std::uint32_t>(nodes + 1, 0), .entries = {}};
+SparseRows transpose_lower(const SparseRows& rows) {
+  const std::uint32_t nodes = rows.row_count();
+  SparseRows result{.start = LargeVector<std::uint32_t>(nodes + 1, 0), .entries = {}};
   const auto each_lower = [&](const auto& take) {
     for (std::uint32_t c = 0; c < nodes; ++c) {
-      for (std::uint32_t e = rows.start[c]; e < rows.start[c + 1]; ++e) {
-        if (rows.entries[e].node < c) take(c, rows.entries[e]);
+      for (const Entry& entry : rows.of(c)) {
+        if (entry.node < c) take(c, entry);
       }
     }
   };
@@ -98,30 +91,31 @@ Rows transpose_lower(const Rows& rows) {
 }
 
 /// The sum of `rows` and its transpose, above the diagonal.
-UpperHalf symmetrize(const Rows& rows) {
-  const auto nodes = static_cast<std::uint32_t>(rows.start.size() - 1);
-  const Rows others = transpose_lower(rows);
-  SumTable table(nodes);
+UpperHalf symmetrize(const SparseRows& rows) {
+  const std::uint32_t nodes = rows.row_count();
+  const SparseRows others = transpose_lower(rows);
   UpperHalf upper;
-  upper.start.assign(1, 0);
-  upper.start.reserve(nodes + 1);
+  upper.rows =
+      make_rows(nodes, rows.entries.size(), [&](std::uint32_t begin, std::uint32_t end, SparseRows& sums) {
+        SumTable table(nodes);
+        for (std::uint32_t c = begin; c < end; ++c) {
+          RowSums row = table.row();
+          for (const Entry& entry : rows.of(c)) {
+            if (entry.node > c) row.add(entry.node, entry.weight);
+          }
+          for (const Entry& entry : others.of(c)) row.add(entry.node, entry.weight);
+          row.finish([&](std::uint32_t other, float sum) { sums.entries.push_back({other, sum}); });
+          sums.end_row();
+        }
+      });
   upper.largest.assign(nodes, 0.0F);
-  upper.entries.reserve(rows.entries.size());
   for (std::uint32_t c = 0; c < nodes; ++c) {
-    RowSums row = table.row();
-    for (std::uint32_t e = rows.start[c]; e < rows.start[c + 1]; ++e) {
-      if (rows.entries[e].node > c) row.add(rows.entries[e].node, rows.entries[e].weight);
-    }
-    for (std::uint32_t e = others.start[c]; e < others.start[c + 1]; ++e)
-      row.add(others.entries[e].node, others.entries[e].weight);
     float largest = upper.largest[c];
-    row.finish([&](std::uint32_t other, float sum) {
-      largest = std::max(largest, sum);
-      upper.largest[other] = std::max(upper.largest[other], sum);
-      upper.entries.push_back({other, sum});
-    });
+    for (const Entry& entry : upper.rows.of(c)) {
+      largest = std::max(largest, entry.weight);
+      upper.largest[entry.node] = std::max(upper.largest[entry.node], entry.weight);
+    }
     upper.largest[c] = largest;
-    upper.start.push_back(static_cast<std::uint32_t>(upper.entries.size()));
   }
   return upper;
 }
@@ -129,8 +123,8 @@ UpperHalf symmetrize(const Rows& rows) {
 }  // namespace
 
 bool make_flux_graph(const Level& fine, const Aggregates& aggregates, float smallest, Level& coarse) {
-  UpperHalf upper = symmetrize(make_rows(fine, aggregates));
-  if (upper.entries.size() > fine.neighbors.size() / 2) return false;
+  UpperHalf upper = symmetrize(make_flux_rows(fine, aggregates));
+  if (upper.rows.entries.size() > fine.neighbors.size() / 2) return false;
   make_graph(std::move(upper), smallest, coarse);
   return true;
 }

@@ -14,25 +14,24 @@
 namespace deltamesh::multigrid {
 namespace {
 
-/// Rows of P^T: the nodes interpolated from c are entries[start[c] .. start[c + 1]), ascending.
-struct Transpose {
-  Transpose(const Level& fine, std::uint32_t nodes) : start(nodes + 1, 0) {
-    for (const Interpolation& p : fine.interpolation) {
-      for (std::size_t k = 0; k < 3; ++k) start[p.node[k] + 1] += p.weight[k] > 0 ? 1 : 0;
-    }
-    for (std::size_t c = 0; c < nodes; ++c) start[c + 1] += start[c];
-    entries.resize(start[nodes]);
-    LargeVector<std::uint32_t> next(start.begin(), start.end() - 1);
-    for (std::uint32_t i = 0; i < fine.interpolation.size(); ++i) {
-      const Interpolation& p = fine.interpolation[i];
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (p.weight[k] > 0) entries[next[p.node[k]]++] = {i, p.weight[k]};
-      }
+/// Rows of P^T: of each, the nodes interpolated from it, ascending.
+SparseRows transpose(const Level& fine, std::uint32_t nodes) {
+  SparseRows rows{.start = LargeVector<std::uint32_t>(nodes + 1, 0), .entries = {}};
+  LargeVector<std::uint32_t>& start = rows.start;
+  for (const Interpolation& p : fine.interpolation) {
+    for (std::size_t k = 0; k < 3; ++k) start[p.node[k] + 1] += p.weight[k] > 0 ? 1 : 0;
+  }
+  for (std::size_t c = 0; c < nodes; ++c) start[c + 1] += start[c];
+  rows.entries.resize(start[nodes]);
+  LargeVector<std::uint32_t> next(start.begin(), start.end() - 1);
+  for (std::uint32_t i = 0; i < fine.interpolation.size(); ++i) {
+    const Interpolation& p = fine.interpolation[i];
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (p.weight[k] > 0) rows.entries[next[p.node[k]]++] = {i, p.weight[k]};
     }
   }
-  LargeVector<std::uint32_t> start;
-  LargeVector<Entry> entries;
-};
+  return rows;
+}
 
 /// Row c of -P^T K, over fine nodes.
 template <bool kUnitWeights>
@@ -57,38 +56,38 @@ RowSums interpolate_row(const Level& fine, RowSums near, RowSums row) {
   return row;
 }
 
-bool make_upper_half(const Level& fine, std::uint32_t nodes, UpperHalf& upper) {
-  const Transpose transpose(fine, nodes);
-  SumTable near_table(fine.node_count());
-  SumTable table(nodes);
-  upper.start.reserve(nodes + 1);
-  upper.start.push_back(0);
-  upper.largest.reserve(nodes);
-  upper.entries.reserve(fine.neighbors.size() / 2 + nodes);
-  for (std::uint32_t c = 0; c < nodes; ++c) {
-    const auto members =
-        std::span(transpose.entries).subspan(transpose.start[c], transpose.start[c + 1] - transpose.start[c]);
-    const RowSums near = fine.has_unit_weights() ? sum_neighborhoods<true>(fine, members, near_table.row())
-                                                 : sum_neighborhoods<false>(fine, members, near_table.row());
-    RowSums row = interpolate_row(fine, near, table.row());
-    float largest = 0;
-    row.finish([&](std::uint32_t other, float sum) {
-      if (other == c) return;
-      largest = std::max(largest, sum);
-      if (other > c && sum > 0) upper.entries.push_back({other, sum});
-    });
-    if (upper.entries.size() > fine.neighbors.size() / 2) return false;
-    upper.start.push_back(static_cast<std::uint32_t>(upper.entries.size()));
-    upper.largest.push_back(largest);
-  }
-  return true;
+/// More entries than `most` in any piece are a sign to stop.
+UpperHalf make_upper_half(const Level& fine, std::uint32_t nodes, std::size_t most) {
+  const SparseRows members = transpose(fine, nodes);
+  UpperHalf upper;
+  upper.largest.resize(nodes);
+  upper.rows = make_rows(nodes, most + nodes, [&](std::uint32_t begin, std::uint32_t end, SparseRows& rows) {
+    SumTable near_table(fine.node_count());
+    SumTable table(nodes);
+    for (std::uint32_t c = begin; c < end && rows.entries.size() <= most; ++c) {
+      const RowSums near = fine.has_unit_weights()
+                               ? sum_neighborhoods<true>(fine, members.of(c), near_table.row())
+                               : sum_neighborhoods<false>(fine, members.of(c), near_table.row());
+      RowSums row = interpolate_row(fine, near, table.row());
+      float largest = 0;
+      row.finish([&](std::uint32_t other, float sum) {
+        if (other == c) return;
+        largest = std::max(largest, sum);
+        if (other > c && sum > 0) rows.entries.push_back({other, sum});
+      });
+      rows.end_row();
+      upper.largest[c] = largest;
+    }
+  });
+  return upper;
 }
 
 }  // namespace
 
 bool make_galerkin_graph(const Level& fine, std::uint32_t nodes, float smallest, Level& coarse) {
-  UpperHalf upper;
-  if (!make_upper_half(fine, nodes, upper)) return false;
+  const std::size_t most = fine.neighbors.size() / 2;
+  UpperHalf upper = make_upper_half(fine, nodes, most);
+  if (upper.rows.entries.size() > most) return false;
   make_graph(std::move(upper), smallest, coarse);
   return true;
 }

@@ -7,6 +7,8 @@
 #include <bit>
 #include <utility>
 
+#include "base/thread_team.h"
+
 namespace deltamesh::multigrid {
 namespace {
 
@@ -47,11 +49,13 @@ class LargestThree {
 
 }  // namespace
 
-LargeVector<Interpolation> make_interpolation(const Level& fine, const Aggregates& aggregates) {
-  LargeVector<Interpolation> result(fine.node_count());
+namespace {
+
+void interpolate_nodes(const Level& fine, const Aggregates& aggregates, std::uint32_t begin,
+                       std::uint32_t end, LargeVector<Interpolation>& result) {
   LargeVector<float> sums(aggregates.seeds.size(), 0.0F);
   LargeVector<std::uint32_t> touched(aggregates.seeds.size() + 1);
-  for (std::uint32_t node = 0; node < result.size(); ++node) {
+  for (std::uint32_t node = begin; node < end; ++node) {
     if (aggregates.is_seed(node)) {
       result[node].node.fill(aggregates.of(node));
       result[node].weight = {1, 0, 0};
@@ -69,6 +73,15 @@ LargeVector<Interpolation> make_interpolation(const Level& fine, const Aggregate
     for (std::uint32_t k = 0; k < count; ++k) largest.offer(k, std::exchange(sums[touched[k]], 0.0F));
     result[node] = largest.normalized(touched);
   }
+}
+
+}  // namespace
+
+LargeVector<Interpolation> make_interpolation(const Level& fine, const Aggregates& aggregates) {
+  LargeVector<Interpolation> result(fine.node_count());
+  share_rows(result.size(), [&](std::uint32_t begin, std::uint32_t end) {
+    interpolate_nodes(fine, aggregates, begin, end, result);
+  });
   return result;
 }
 

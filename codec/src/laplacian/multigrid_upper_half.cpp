@@ -13,16 +13,16 @@ void drop_small(UpperHalf& upper, float smallest) {
   std::uint32_t kept = 0;
   std::uint32_t first = 0;
   for (std::uint32_t c = 0; c < upper.largest.size(); ++c) {
-    const std::uint32_t end = upper.start[c + 1];
+    const std::uint32_t end = upper.rows.start[c + 1];
     for (std::uint32_t e = first; e < end; ++e) {
-      const Entry entry = upper.entries[e];
+      const Entry entry = upper.rows.entries[e];
       if (entry.weight >= smallest * std::min(upper.largest[c], upper.largest[entry.node]))
-        upper.entries[kept++] = entry;
+        upper.rows.entries[kept++] = entry;
     }
     first = end;
-    upper.start[c + 1] = kept;
+    upper.rows.start[c + 1] = kept;
   }
-  upper.entries.resize(kept);
+  upper.rows.entries.resize(kept);
 }
 
 /// Both halves, in every row first the edges to lower nodes.
@@ -30,8 +30,8 @@ void mirror(const UpperHalf& upper, Level& coarse) {
   const auto nodes = static_cast<std::uint32_t>(upper.largest.size());
   auto& offsets = coarse.storage.offsets;
   offsets.assign(nodes + 1, 0);
-  for (std::uint32_t c = 0; c < nodes; ++c) offsets[c + 1] = upper.start[c + 1] - upper.start[c];
-  for (const Entry& entry : upper.entries) ++offsets[entry.node + 1];
+  for (std::uint32_t c = 0; c < nodes; ++c) offsets[c + 1] = upper.rows.start[c + 1] - upper.rows.start[c];
+  for (const Entry& entry : upper.rows.entries) ++offsets[entry.node + 1];
   for (std::uint32_t c = 0; c < nodes; ++c) offsets[c + 1] += offsets[c];
   coarse.storage.neighbors.resize(offsets[nodes]);
   coarse.weights.resize(offsets[nodes]);
@@ -43,9 +43,9 @@ void mirror(const UpperHalf& upper, Level& coarse) {
   };
   for (std::uint32_t c = 0; c < nodes; ++c) {
     coarse.middle[c] = next[c];
-    for (std::uint32_t e = upper.start[c]; e < upper.start[c + 1]; ++e) {
-      put(c, upper.entries[e].node, upper.entries[e].weight);
-      put(upper.entries[e].node, c, upper.entries[e].weight);
+    for (std::uint32_t e = upper.rows.start[c]; e < upper.rows.start[c + 1]; ++e) {
+      put(c, upper.rows.entries[e].node, upper.rows.entries[e].weight);
+      put(upper.rows.entries[e].node, c, upper.rows.entries[e].weight);
     }
   }
   coarse.offsets = coarse.storage.offsets;

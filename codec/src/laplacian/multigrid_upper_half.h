@@ -4,23 +4,15 @@
 // The graph of a coarse level in the making: every edge once.
 #pragma once
 
-#include <cstdint>
-
 #include "base/large_vector.h"
 #include "laplacian/multigrid_level.h"
+#include "laplacian/multigrid_sparse_rows.h"
 
 namespace deltamesh::multigrid {
 
-/// An entry of a sparse matrix, in the row that it is listed for.
-struct Entry {
-  std::uint32_t node;
-  float weight;
-};
-
 /// Positive entries right of the diagonal, row by row, and the largest of every whole row.
 struct UpperHalf {
-  LargeVector<std::uint32_t> start;
-  LargeVector<Entry> entries;
+  SparseRows rows;
   LargeVector<float> largest;
 };
 

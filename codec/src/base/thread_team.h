@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// A few threads that share the work of one call. What is done does not depend on how many there are.
+#pragma once
+
+#include <algorithm>
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace deltamesh {
+
+/// Pieces of work that any thread may do, in any order. Must outlive finish() or withdraw().
+class TeamJob {
+ public:
+  using Call = void (*)(const void* work, std::uint32_t piece);
+
+  TeamJob(std::uint32_t pieces, Call call, const void* work) noexcept
+      : pieces_(pieces), call_(call), work_(work) {}
+
+ private:
+  friend class ThreadTeam;
+
+  std::uint32_t pieces_;
+  std::uint32_t next_ = 0;  ///< first that nobody has taken
+  std::uint32_t done_ = 0;
+  Call call_;
+  const void* work_;
+  std::exception_ptr error_;
+};
+
+/// As long as one lives, it helps the thread that made it. A piece of a job has no team to help it.
+class ThreadTeam {
+ public:
+  /// `threads`: with the one that makes this; fewer where there are no more to be had.
+  explicit ThreadTeam(unsigned threads);
+  ~ThreadTeam();
+  ThreadTeam(const ThreadTeam&) = delete;
+  ThreadTeam& operator=(const ThreadTeam&) = delete;
+
+  /// Of this thread; or null.
+  static ThreadTeam* current() noexcept { return current_; }
+
+  /// Threads, the one that made this among them.
+  std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(helpers_.size()) + 1; }
+
+  /// Whoever is free may begin, in the order of offers.
+  void offer(TeamJob& job);
+
+  /// Does what nobody has taken and waits for the rest. Throws what a piece has thrown, the others being
+  /// left out.
+  void finish(TeamJob& job);
+
+  /// Waits for the pieces that somebody is at; the others are left out.
+  void withdraw(TeamJob& job) noexcept;
+
+ private:
+  void help();
+  void run_next(TeamJob& job, std::unique_lock<std::mutex>& lock);
+  TeamJob* first_open() noexcept;
+  void remove(TeamJob& job) noexcept;
+
+  static thread_local ThreadTeam* current_;
+
+  ThreadTeam* outer_;
+  std::mutex mutex_;  ///< of all below and of the jobs
+  std::condition_variable offered_;
+  std::condition_variable progressed_;
+  std::vector<TeamJob*> jobs_;
+  bool is_over_ = false;
+  std::vector<std::thread> helpers_;
+};
+
+/// Calls work(piece) for every piece below `pieces`, each once, on this thread and those of its team. Throws
+/// what one of them throws.
+template <class Work>
+void share_work(std::uint32_t pieces, const Work& work) {
+  ThreadTeam* const team = pieces > 1 ? ThreadTeam::current() : nullptr;
+  if (team == nullptr) {
+    for (std::uint32_t piece = 0; piece < pieces; ++piece) work(piece);
+    return;
+  }
+  TeamJob job(
+      pieces, [](const void* any, std::uint32_t piece) { (*static_cast<const Work*>(any))(piece); }, &work);
+  team->offer(job);
+  team->finish(job);
+}
+
+/// How many pieces `rows` are best shared in; 1 without a team.
+inline std::uint32_t piece_count(std::size_t rows) noexcept {
+  constexpr std::size_t kFewestRows = 4096;  // done sooner than another thread has begun
+  constexpr std::uint32_t kPiecesPerThread = 4;
+  const ThreadTeam* const team = rows >= 2 * kFewestRows ? ThreadTeam::current() : nullptr;
+  return team == nullptr ? 1
+                         : static_cast<std::uint32_t>(
+                               std::min<std::size_t>(kPiecesPerThread * team->size(), rows / kFewestRows));
+}
+
+/// Where a piece of so many begins; the last one's end is that of the next.
+inline std::uint32_t piece_begin(std::size_t rows, std::uint32_t pieces, std::uint32_t piece) noexcept {
+  return static_cast<std::uint32_t>(std::uint64_t{rows} * piece / pieces);
+}
+
+/// work(begin, end) for ranges that make up all of `rows`.
+template <class Work>
+void share_rows(std::size_t rows, const Work& work) {
+  const std::uint32_t pieces = piece_count(rows);
+  share_work(pieces, [&](std::uint32_t piece) {
+    work(piece_begin(rows, pieces, piece), piece_begin(rows, pieces, piece + 1));
+  });
+}
+
+}  // namespace deltamesh
