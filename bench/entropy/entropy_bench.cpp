@@ -130,7 +130,7 @@ void run_mesh(const std::string& name, const Mesh& loaded, const Settings& setti
   const Components components = find_components(graph);
   std::vector<Vec3> positions;
   for (const std::uint32_t v : coded.vertex_order) positions.push_back(welded.positions[v]);
-  const HighpassCoder coder(graph, components, positions, welded.box);
+  HighpassCoder coder(graph, components, positions, welded.box);
   HighpassSettings highpass{.step = coder.step_for_bits(settings.bits)};
   highpass.anchors = place_anchors(
       graph, components,

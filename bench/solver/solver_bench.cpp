@@ -60,14 +60,10 @@ Solved run(const Problem& problem, const Make& make, int half_cycles = 0) {
 int plan_half_cycles(const Problem& problem, const std::vector<Vec3>& settled) {
   const std::size_t count = problem.positions.size();
   const SolvedPart rows{.graph = problem.part.graph, .row_count = count, .whole_count = count};
-  const auto is_good = [&](int half_cycles) {
+  return fewest_half_cycles([&](int half_cycles) {
     const Solved solved = run(problem, make_multigrid_solver, half_cycles);
     return is_as_good(rows, problem.positions, settled, solved.x, 0);
-  };
-  for (int half_cycles = 2; half_cycles <= kMostPlanned; half_cycles += 2) {
-    if (is_good(half_cycles)) return is_good(half_cycles - 1) ? half_cycles - 1 : half_cycles;
-  }
-  return 0;
+  });
 }
 
 void print_row(const std::string& name, const Problem& problem, const ProblemSettings& how,

@@ -13,6 +13,7 @@
 
 #include "base/byte_writer.h"
 #include "entropy/planes.h"
+#include "geometry/cycle_plan.h"
 #include "quality/measure.h"
 #include "support/graph_mesh.h"
 
@@ -209,6 +210,19 @@ TEST_F(HighpassRules, DELT7RejectsTooManyCycles) {
   EXPECT_TRUE(read(mesh_, coded_));
   coded_.parameters.half_cycles = kMostHalfCycles + 1;
   expect_rule(read(mesh_, coded_), "DELT-7");
+}
+
+TEST(CyclePlan, FindsTheFewestThatWillDo) {
+  for (int fewest = 1; fewest <= kMostPlanned; ++fewest) {
+    int last = 0;
+    const auto will_do = [&](int half_cycles) {
+      if (half_cycles >= fewest) last = half_cycles;
+      return half_cycles >= fewest;
+    };
+    EXPECT_EQ(fewest_half_cycles(will_do), fewest);
+    EXPECT_EQ(last, fewest);
+  }
+  EXPECT_EQ(fewest_half_cycles([](int) { return false; }), 0);
 }
 
 TEST(Highpass, DELT7StreamsTellTheFewestCyclesThatWillDo) {

@@ -204,6 +204,13 @@ TEST(Multigrid, PlannedCyclesAreFew) {
   expect_few_cycles(quantized(many_sheets(), 100, 8), 10);
 }
 
+/// Where anchors are a large share of the third level, the residual field is too rough for it.
+TEST(Multigrid, PlannedCyclesAreFewWithManyAnchors) {
+  expect_few_cycles(quantized(test::sheet(120, 90), 110, 8), 8);
+  expect_few_cycles(quantized(test::sheet(120, 90), 250, 8), 8);
+  expect_few_cycles(quantized(many_sheets(), 600, 8), 8);
+}
+
 TEST(Multigrid, PlannedCyclesGiveExactDeltasBack) {
   Problem problem = quantized(test::sheet(80, 80), 32, 8);
   problem.deltas = delta_coordinates(problem.mesh.graph, problem.mesh.positions);

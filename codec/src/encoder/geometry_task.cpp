@@ -17,16 +17,21 @@ namespace {
 constexpr int kDefaultBits = 8;
 constexpr int kDefaultLatticeBits = 12;
 
-RateGoal rate_goal(const EncodeOptions& options, const FileHeader& header,
-                   std::optional<std::uint64_t> rival_bytes, GeometryTrials& trials) {
-  RateGoal goal{
-      .bounds = bounds_in_model_units(options.quality, header.geometric_vertices, header.box().diagonal()),
-      .target_bytes = options.quality.target_bytes,
-      .step = options.step,
-      .anchors = options.anchors,
-      .anchor_bits = options.anchor_bits,
-      .effort = options.effort,
-      .rival_bytes = rival_bytes};
+Bounds bounds_of(const GeometryTask& task) {
+  const FileHeader& header = task.frame.header;
+  return bounds_in_model_units(task.options.quality, header.geometric_vertices, header.box().diagonal());
+}
+
+RateGoal rate_goal(const GeometryTask& task, std::optional<std::uint64_t> rival_bytes,
+                   GeometryTrials& trials) {
+  const EncodeOptions& options = task.options;
+  RateGoal goal{.bounds = bounds_of(task),
+                .target_bytes = options.quality.target_bytes,
+                .step = options.step,
+                .anchors = options.anchors,
+                .anchor_bits = options.anchor_bits,
+                .effort = options.effort,
+                .rival_bytes = rival_bytes};
   if (options.bits) goal.step = trials.step_for_bits(*options.bits);
   if (options.anchor_density) goal.anchors = trials.anchors_for_density(*options.anchor_density);
   return goal;
@@ -42,7 +47,7 @@ CoderSettings plain_settings(const EncodeOptions& options, GeometryTrials& trial
   return settings;
 }
 
-/// `rival_bytes`: RateGoal::rival_bytes.
+/// `rival_bytes`: RateGoal::rival_bytes. What is larger has no half cycles: it will not be written.
 Result<GeometryChoice> code_highpass(const GeometryTask& task,
                                      std::optional<std::uint64_t> rival_bytes = std::nullopt) {
   const EncodeOptions& options = task.options;
@@ -51,16 +56,19 @@ Result<GeometryChoice> code_highpass(const GeometryTask& task,
   const Adjacency& graph = task.graph.graph();
   const Components& components = task.graph.components();
   AnchorSequence& sequence = containers.impl().sequence(graph, components);
-  const FileHeader& header = task.frame.header;
-  const GeometryInput input{graph, components, task.positions, header.box(), sequence};
+  const GeometryInput input{graph, components, task.positions, task.frame.header.box(), sequence};
   GeometryTrials trials(input, task.frame);
   if (options.quality.empty()) {
     DELTAMESH_TRY([[maybe_unused]] const auto figures, trials.run(plain_settings(options, trials)));
     trials.keep();
   } else {
-    DELTAMESH_CHECK(control_rate(rate_goal(options, header, rival_bytes, trials), trials));
+    DELTAMESH_CHECK(control_rate(rate_goal(task, rival_bytes, trials), trials));
   }
   GeometryChoice choice = trials.kept();
+  const bool loses = rival_bytes && task.frame.bytes_with(choice) > *rival_bytes;
+  if (!loses) {
+    DELTAMESH_TRY(choice, trials.plan_kept(bounds_of(task)));
+  }
   if (options.bits || (!options.step && options.quality.empty()))
     choice.highpass.bits = static_cast<std::uint8_t>(options.bits.value_or(kDefaultBits));
   return choice;
@@ -70,11 +78,6 @@ PredictiveTrials predictive_trials(const GeometryTask& task) {
   return {{task.triangles, task.graph, task.edges, task.positions, task.frame.header.box()},
           task.frame,
           task.options.effort};
-}
-
-Bounds bounds_of(const GeometryTask& task) {
-  const FileHeader& header = task.frame.header;
-  return bounds_in_model_units(task.options.quality, header.geometric_vertices, header.box().diagonal());
 }
 
 Result<GeometryChoice> code_predictive(const GeometryTask& task, const PredictiveTrials& trials) {

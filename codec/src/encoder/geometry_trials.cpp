@@ -12,6 +12,18 @@
 #include "quality/measure.h"
 
 namespace deltamesh {
+namespace {
+
+/// What planned cycles may add to the errors of settled ones.
+constexpr double kPlanCost = 1.002;
+
+Quality after_planning(const Quality& settled) noexcept {
+  return {.vde_rms = kPlanCost * settled.vde_rms,
+          .lfe_rms = kPlanCost * settled.lfe_rms,
+          .max_error = kPlanCost * settled.max_error};
+}
+
+}  // namespace
 
 GeometryTrials::GeometryTrials(const GeometryInput& input, const StreamFrame& frame)
     : input_(input), frame_(frame), coder_(input.graph, input.components, input.positions, input.box) {}
@@ -40,9 +52,10 @@ Result<GeometryChoice> GeometryTrials::to_choice(CodedHighpass coded) const {
 }
 
 Result<TrialFigures> GeometryTrials::run(const CoderSettings& settings) {
-  const HighpassSettings highpass = highpass_settings(settings);
+  HighpassSettings highpass = highpass_settings(settings);
   DELTAMESH_TRY(CodedHighpass coded, coder_.code(highpass));
-  DELTAMESH_TRY(const auto decoded, to_float_positions(coded.positions));
+  std::vector<Vec3> settled = std::move(coded.positions);
+  DELTAMESH_TRY(const auto decoded, to_float_positions(settled));
   const Quality quality = measure_quality(input_.graph, input_.positions, decoded);
   if (!is_declarable(quality))
     return Error{.code = ErrorCode::kInvalidStream,
@@ -50,13 +63,29 @@ Result<TrialFigures> GeometryTrials::run(const CoderSettings& settings) {
                  .rule = "HDR-9"};
   errors_.resize(decoded.size());
   for (std::size_t v = 0; v < decoded.size(); ++v) errors_[v] = length(decoded[v] - input_.positions[v]);
-  anchors_of_run_ = highpass.anchors.vertices;
   DELTAMESH_TRY(GeometryChoice choice, to_choice(std::move(coded)));
   choice.quality = quality;
-  const TrialFigures figures{
-      .quality = quality, .bytes = frame_.bytes_with(choice), .density = choice.highpass.anchor_density};
-  last_ = std::make_shared<const GeometryChoice>(std::move(choice));
+  const TrialFigures figures{.quality = after_planning(quality),
+                             .bytes = frame_.bytes_with(choice),
+                             .density = choice.highpass.anchor_density};
+  last_ = std::make_shared<const Trial>(
+      Trial{.settings = std::move(highpass), .settled = std::move(settled), .choice = std::move(choice)});
   return figures;
+}
+
+Result<GeometryChoice> GeometryTrials::plan_kept(const Bounds& bounds) {
+  GeometryChoice choice = kept_->choice;
+  const auto keeps_bounds = [&](const std::vector<Vec3>& positions) {
+    const auto decoded = to_float_positions(positions);
+    if (!decoded) return false;
+    const Quality quality = measure_quality(input_.graph, input_.positions, *decoded);
+    if (!is_declarable(quality) || bounds.load(quality) > 1) return false;
+    choice.quality = quality;
+    return true;
+  };
+  DELTAMESH_TRY(const int half_cycles, coder_.plan(kept_->settings, kept_->settled, keeps_bounds));
+  choice.highpass.half_cycles = static_cast<std::uint8_t>(half_cycles);
+  return choice;
 }
 
 Result<std::uint64_t> GeometryTrials::bytes(const CoderSettings& settings) {
@@ -74,7 +103,7 @@ double GeometryTrials::delta_error(const CoderSettings& settings) {
 
 std::vector<std::uint32_t> GeometryTrials::worst_vertices(double threshold, std::size_t count) {
   std::vector<std::uint8_t> excluded(errors_.size(), 0);
-  for (const std::uint32_t anchor : anchors_of_run_) excluded[anchor] = 1;
+  for (const std::uint32_t anchor : last_->settings.anchors.vertices) excluded[anchor] = 1;
   return error_peaks(input_.graph, errors_, excluded, threshold, count);
 }
 

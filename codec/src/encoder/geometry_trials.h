@@ -12,6 +12,7 @@
 #include "encoder/coded_geometry.h"
 #include "geometry/highpass.h"
 #include "laplacian/anchor_sequence.h"
+#include "quality/bounds.h"
 #include "quality/trial.h"
 
 namespace deltamesh {
@@ -29,6 +30,7 @@ class GeometryTrials final : public TrialCoder {
  public:
   GeometryTrials(const GeometryInput& input, const StreamFrame& frame);
 
+  /// Settled positions, with room for what plan_kept() may cost in quality.
   Result<TrialFigures> run(const CoderSettings& settings) override;
   Result<std::uint64_t> bytes(const CoderSettings& settings) override;
   double delta_error(const CoderSettings& settings) override;
@@ -45,19 +47,26 @@ class GeometryTrials final : public TrialCoder {
   double step_for_bits(int bits) const noexcept { return coder_.step_for_bits(bits); }
 
   /// What keep() kept last. Precondition: it has been called.
-  const GeometryChoice& kept() const noexcept { return *kept_; }
+  const GeometryChoice& kept() const noexcept { return kept_->choice; }
+
+  /// The same with the fewest half cycles that keep `bounds`. Cost: some solves.
+  Result<GeometryChoice> plan_kept(const Bounds& bounds);
 
  private:
+  struct Trial {
+    HighpassSettings settings;
+    std::vector<Vec3> settled;  ///< n: without half cycles
+    GeometryChoice choice;
+  };
   HighpassSettings highpass_settings(const CoderSettings& settings);
   Result<GeometryChoice> to_choice(CodedHighpass coded) const;
 
   GeometryInput input_;
   StreamFrame frame_;
   HighpassCoder coder_;
-  std::vector<double> errors_;                 ///< of the last run, per vertex, model units
-  std::vector<std::uint32_t> anchors_of_run_;  ///< of the last run, ascending
-  std::shared_ptr<const GeometryChoice> last_;
-  std::shared_ptr<const GeometryChoice> kept_;
+  std::vector<double> errors_;  ///< of the last run, per vertex, model units
+  std::shared_ptr<const Trial> last_;
+  std::shared_ptr<const Trial> kept_;
 };
 
 }  // namespace deltamesh

@@ -8,9 +8,6 @@
 namespace deltamesh {
 namespace {
 
-/// Steps and anchors may grow or fall by this before cycles are counted anew.
-constexpr double kHardly = 1.25;
-
 /// What a plan may cost, over the rms and the largest distance to the true positions, and over the rms error
 /// of the delta coordinates, which is what the eye sees. [DELT-6] asks for less than a quarter of the first
 /// between plan and exact solution.
@@ -18,8 +15,6 @@ constexpr double kRms = 1.015;
 constexpr double kLargest = 1.04;
 constexpr double kRoughness = 1.01;
 constexpr double kApart = 0.18;
-
-bool is_near(double a, double b) noexcept { return a <= kHardly * b && b <= kHardly * a; }
 
 struct Distances {
   double rms = 0;
@@ -51,18 +46,6 @@ double roughness(const SolvedPart& part, std::span<const Vec3> a, std::span<cons
 }
 
 }  // namespace
-
-std::optional<std::uint8_t> CyclePlan::half_cycles_for(const CycleCircumstances& now) const noexcept {
-  const bool is_known = half_cycles_ && now.diffusion == found_for_.diffusion &&
-                        is_near(now.step, found_for_.step) &&
-                        is_near(static_cast<double>(now.anchors), static_cast<double>(found_for_.anchors));
-  return is_known ? half_cycles_ : std::nullopt;
-}
-
-void CyclePlan::keep(const CycleCircumstances& now, std::uint8_t half_cycles) noexcept {
-  found_for_ = now;
-  half_cycles_ = half_cycles;
-}
 
 bool is_as_good(const SolvedPart& part, std::span<const Vec3> positions, std::span<const Vec3> settled,
                 std::span<const Vec3> solution, double invisible) {

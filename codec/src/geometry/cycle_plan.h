@@ -4,9 +4,6 @@
 // How many of the solver's cycles a stream asks its decoders for [DELT-7].
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <optional>
 #include <span>
 
 #include "base/vec3.h"
@@ -14,26 +11,24 @@
 
 namespace deltamesh {
 
-/// Half cycles tried before it is left to the decoder to decide.
-inline constexpr int kMostPlanned = 16;
+/// Half cycles of most streams, tried first; and the most that are tried before it is left to the decoder to
+/// decide.
+inline constexpr int kUsualHalfCycles = 3;
+inline constexpr int kMostPlanned = 13;
 
-/// What the number of cycles depends on, besides the graph.
-struct CycleCircumstances {
-  double step = 0;
-  double diffusion = 0;
-  std::size_t anchors = 0;
-};
-
-/// The number found last, for as long as circumstances hardly change.
-class CyclePlan {
- public:
-  std::optional<std::uint8_t> half_cycles_for(const CycleCircumstances& now) const noexcept;
-  void keep(const CycleCircumstances& now, std::uint8_t half_cycles) noexcept;
-
- private:
-  CycleCircumstances found_for_;
-  std::optional<std::uint8_t> half_cycles_;
-};
+/// The fewest half cycles that `will_do(half_cycles)`, which is taken to hold for all larger numbers too; 0
+/// where it does for none up to kMostPlanned. The last number that did is the one returned.
+template <class WillDo>
+int fewest_half_cycles(const WillDo& will_do) {
+  int too_few = 0;
+  int enough = kUsualHalfCycles;
+  for (; !will_do(enough); enough += 2) {
+    too_few = enough;
+    if (enough >= kMostPlanned) return 0;
+  }
+  while (enough - 1 > too_few && will_do(enough - 1)) --enough;
+  return enough;
+}
 
 /// Whether `solution` may stand for `settled`, where the solver decided itself when to stop: how far both are
 /// from `positions` hardly differs, rms and at most, nor do their delta coordinates, nor are they far apart.

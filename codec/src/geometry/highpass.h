@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -15,7 +16,6 @@
 #include "deltamesh/result.h"
 #include "entropy/payload.h"
 #include "format/highpass_parameters.h"
-#include "geometry/cycle_plan.h"
 #include "geometry/delta_quantizer.h"
 #include "laplacian/anchors.h"
 #include "laplacian/part_solver.h"
@@ -52,7 +52,8 @@ struct CodedHighpass {
   std::vector<std::byte> compact_deltas;   ///< the same in the compact form
   std::vector<std::byte> anchors;          ///< ANCH payload, plain
   std::vector<std::byte> compact_anchors;  ///< the same in the compact form
-  std::vector<Vec3> positions;             ///< n: what read_highpass will return
+  /// n: what read_highpass will return where no half cycles are said.
+  std::vector<Vec3> positions{};
 };
 
 /// Codes one mesh under any settings, one after the other.
@@ -74,28 +75,43 @@ class HighpassCoder {
 
   /// Root mean square over the solved vertices of the distance between delta and its quantised form: what
   /// decides on VDE, without a solve. Infinite where the step is too small. O(n + edges).
-  double delta_error(const HighpassSettings& settings) const;
+  double delta_error(const HighpassSettings& settings);
 
   /// Errors: kInvalidArgument where the step is too small for 32-bit symbols. Cost: a solve, whose set-up is
-  /// kept while the anchors stay; some more where it is not known how many cycles such settings take.
+  /// kept while the anchors stay.
   Result<CodedHighpass> code(const HighpassSettings& settings);
 
   /// The same without positions and without the solve.
-  Result<CodedHighpass> code_only(const HighpassSettings& settings) const;
+  Result<CodedHighpass> code_only(const HighpassSettings& settings);
+
+  /// The fewest half cycles whose positions are as good as `settled`, those of code(settings), and that
+  /// `accepts`; 0 where that takes too many [DELT-7]. The positions accepted last are what read_highpass will
+  /// return. Errors as code(). Cost: some solves.
+  Result<int> plan(const HighpassSettings& settings, std::span<const Vec3> settled,
+                   const std::function<bool(const std::vector<Vec3>&)>& accepts);
 
   HighpassCoder(const HighpassCoder&) = delete;
   HighpassCoder& operator=(const HighpassCoder&) = delete;
 
  private:
-  /// Sets the number of cycles and the positions that they lead to.
-  Result<void> plan_and_solve(const HighpassSymbols& symbols, CodedHighpass& coded);
-  Result<CodedHighpass> write(const HighpassSettings& settings, HighpassSymbols& symbols) const;
-  /// Symbols and the shift they are reconstructed with.
+  /// Symbols of the deltas, and the shift that they are reconstructed with.
   struct Quantized {
-    std::vector<std::int32_t> symbols;
-    ReconstructionShift shift;
+    double step = 0;
+    double rate_weight = 0;
+    double diffusion = 0;
+    bool centroids = false;
+    std::vector<std::int32_t> symbols{};
+    ReconstructionShift shift{};
+
+    bool is_for(const HighpassSettings& s) const noexcept {
+      return step == s.step && rate_weight == s.rate_weight && diffusion == s.diffusion &&
+             centroids == s.centroids;
+    }
   };
-  Result<Quantized> quantize(const HighpassSettings& settings) const;
+  /// Sets quantized_.
+  Result<void> quantize(const HighpassSettings& settings);
+  HighpassParameters parameters_for(const HighpassSettings& settings) const;
+  HighpassSymbols symbols_for(const HighpassSettings& settings) const;
 
   std::span<const Vec3> positions_;
   Box box_;
@@ -104,10 +120,11 @@ class HighpassCoder {
   double range_ = 0;
   double largest_ = 0;
   PartSolver solver_;
-  CyclePlan plan_;
+  Quantized quantized_;
 };
 
-/// One shot for a request in bits and counts. Arguments and errors as HighpassCoder.
+/// One shot for a request in bits and counts, with half cycles and the positions they lead to. Arguments and
+/// errors as HighpassCoder.
 Result<CodedHighpass> write_highpass(const Adjacency& graph, const Components& components,
                                      std::span<const Vec3> positions, const Box& box,
                                      const HighpassRequest& request);

@@ -24,7 +24,7 @@ using AnchorCell = std::array<std::uint32_t, 3>;
 struct HighpassSymbols {
   std::vector<std::int32_t> deltas;    ///< x of every solved vertex, then y, then z; units of the step
   std::vector<std::uint32_t> anchors;  ///< ascending vertices
-  std::vector<AnchorCell> cells;       ///< position of every anchor on the anchor lattice
+  std::vector<AnchorCell> cells{};     ///< position of every anchor on the anchor lattice
 };
 
 /// The lattice of anchor positions: cubic cells that divide the longest side of the box [ANCH-4].

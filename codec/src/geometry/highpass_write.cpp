@@ -9,6 +9,7 @@
 #include "base/zigzag.h"
 #include "entropy/planes.h"
 #include "geometry/anchor_list.h"
+#include "geometry/cycle_plan.h"
 #include "geometry/delta_symbols.h"
 #include "geometry/diffusion.h"
 #include "geometry/highpass.h"
@@ -84,7 +85,9 @@ double HighpassCoder::step_for_bits(int bits) const noexcept {
 
 /// Symbols chosen by price have other centroids than the nearest ones: theirs are found afterwards. Diffusion
 /// must know the shift in advance, and takes that of the nearest.
-Result<HighpassCoder::Quantized> HighpassCoder::quantize(const HighpassSettings& settings) const {
+Result<void> HighpassCoder::quantize(const HighpassSettings& settings) {
+  if (quantized_.is_for(settings)) return {};
+  quantized_ = {};
   const bool shifts_afterwards = settings.rate_weight > 0 && !(settings.diffusion > 0);
   DeltaQuantizer quantizer{.step = settings.step};
   if (settings.centroids && !shifts_afterwards)
@@ -93,87 +96,73 @@ Result<HighpassCoder::Quantized> HighpassCoder::quantize(const HighpassSettings&
                 quantize_deltas(part_.graph, deltas_, quantizer, settings.diffusion, settings.rate_weight));
   if (settings.centroids && shifts_afterwards)
     quantizer.shift = BinErrors(settings.step, deltas_, symbols).centroids();
-  return Quantized{.symbols = std::move(symbols), .shift = quantizer.shift};
+  quantized_ = {.step = settings.step,
+                .rate_weight = settings.rate_weight,
+                .diffusion = settings.diffusion,
+                .centroids = settings.centroids,
+                .symbols = std::move(symbols),
+                .shift = quantizer.shift};
+  return {};
 }
 
-double HighpassCoder::delta_error(const HighpassSettings& settings) const {
+double HighpassCoder::delta_error(const HighpassSettings& settings) {
   if (!(settings.diffusion > 0) && !(settings.rate_weight > 0)) {
     const BinErrors errors(settings.step, deltas_);
     if (!(errors.largest_symbol() <= kLargestSymbol)) return std::numeric_limits<double>::infinity();
     return errors.rms(settings.centroids ? errors.centroids() : ReconstructionShift{});
   }
-  const auto quantized = quantize(settings);
-  if (!quantized) return std::numeric_limits<double>::infinity();
-  return BinErrors(settings.step, deltas_, quantized->symbols).rms(quantized->shift);
+  if (!quantize(settings)) return std::numeric_limits<double>::infinity();
+  return BinErrors(settings.step, deltas_, quantized_.symbols).rms(quantized_.shift);
 }
 
-Result<CodedHighpass> HighpassCoder::write(const HighpassSettings& settings, HighpassSymbols& symbols) const {
-  DELTAMESH_TRY(Quantized quantized, quantize(settings));
-  symbols.deltas = std::move(quantized.symbols);
-  CodedHighpass coded;
-  coded.parameters = {.step = settings.step,
-                      .shift = quantized.shift,
-                      .anchor_bits = static_cast<std::uint8_t>(settings.anchor_bits),
-                      .anchors = static_cast<std::uint32_t>(settings.anchors.vertices.size()),
-                      .anchor_density = settings.anchors.density};
-  symbols.anchors = settings.anchors.vertices;
+HighpassParameters HighpassCoder::parameters_for(const HighpassSettings& settings) const {
+  return {.step = settings.step,
+          .shift = quantized_.shift,
+          .anchor_bits = static_cast<std::uint8_t>(settings.anchor_bits),
+          .anchors = static_cast<std::uint32_t>(settings.anchors.vertices.size()),
+          .anchor_density = settings.anchors.density};
+}
+
+HighpassSymbols HighpassCoder::symbols_for(const HighpassSettings& settings) const {
+  HighpassSymbols symbols{.deltas = quantized_.symbols, .anchors = settings.anchors.vertices};
   const AnchorLattice lattice(box_, settings.anchor_bits);
   symbols.cells.reserve(symbols.anchors.size());
   for (const std::uint32_t anchor : symbols.anchors)
     symbols.cells.push_back(lattice.cell_of(positions_[anchor]));
-
-  coded.deltas = write_deltas(symbols.deltas);
-  coded.compact_deltas = write_compact_deltas(symbols.deltas, part_.graph);
-  const AnchorList list = list_anchors(symbols);
-  coded.anchors = write_plain_anchors(list);
-  coded.compact_anchors = write_compact_anchors(list);
-  return coded;
+  return symbols;
 }
 
-/// The fewest half cycles that are as good as the cycles of a decoder that decides itself.
-Result<void> HighpassCoder::plan_and_solve(const HighpassSymbols& symbols, CodedHighpass& coded) {
-  DELTAMESH_TRY(const auto settled, reconstruct_highpass(symbols, part_, solver_, box_, coded.parameters));
-  coded.positions = settled;
-  const auto try_plan = [&](int half_cycles) {
-    HighpassParameters planned = coded.parameters;
-    planned.half_cycles = static_cast<std::uint8_t>(half_cycles);
-    auto positions = reconstruct_highpass(symbols, part_, solver_, box_, planned);
-    if (!positions || !is_as_good(part_, positions_, settled, *positions, kInvisible * box_.longest_side()))
-      return false;
-    coded.parameters = planned;
-    coded.positions = std::move(*positions);
-    return true;
-  };
-  for (int half_cycles = 2; half_cycles <= kMostPlanned; half_cycles += 2) {
-    if (!try_plan(half_cycles)) continue;
-    try_plan(half_cycles - 1);
-    break;
-  }
-  return {};
+Result<CodedHighpass> HighpassCoder::code_only(const HighpassSettings& settings) {
+  DELTAMESH_CHECK(quantize(settings));
+  const HighpassSymbols symbols = symbols_for(settings);
+  const AnchorList list = list_anchors(symbols);
+  return CodedHighpass{.parameters = parameters_for(settings),
+                       .deltas = write_deltas(symbols.deltas),
+                       .compact_deltas = write_compact_deltas(symbols.deltas, part_.graph),
+                       .anchors = write_plain_anchors(list),
+                       .compact_anchors = write_compact_anchors(list)};
 }
 
 Result<CodedHighpass> HighpassCoder::code(const HighpassSettings& settings) {
-  HighpassSymbols symbols;
-  DELTAMESH_TRY(auto coded, write(settings, symbols));
-  const CycleCircumstances now{
-      .step = settings.step, .diffusion = settings.diffusion, .anchors = settings.anchors.vertices.size()};
-  if (const auto half_cycles = plan_.half_cycles_for(now)) {
-    HighpassParameters planned = coded.parameters;
-    planned.half_cycles = *half_cycles;
-    if (auto positions = reconstruct_highpass(symbols, part_, solver_, box_, planned)) {
-      coded.parameters = planned;
-      coded.positions = std::move(*positions);
-      return coded;
-    }
-  }
-  DELTAMESH_CHECK(plan_and_solve(symbols, coded));
-  plan_.keep(now, coded.parameters.half_cycles);
+  DELTAMESH_TRY(CodedHighpass coded, code_only(settings));
+  DELTAMESH_TRY(coded.positions,
+                reconstruct_highpass(symbols_for(settings), part_, solver_, box_, coded.parameters));
   return coded;
 }
 
-Result<CodedHighpass> HighpassCoder::code_only(const HighpassSettings& settings) const {
-  HighpassSymbols symbols;
-  return write(settings, symbols);
+Result<int> HighpassCoder::plan(const HighpassSettings& settings, std::span<const Vec3> settled,
+                                const std::function<bool(const std::vector<Vec3>&)>& accepts) {
+  solver_.forget();  // what settles takes other levels
+  DELTAMESH_CHECK(quantize(settings));
+  const HighpassSymbols symbols = symbols_for(settings);
+  HighpassParameters parameters = parameters_for(settings);
+  return fewest_half_cycles([&](int half_cycles) {
+    parameters.half_cycles = static_cast<std::uint8_t>(half_cycles);
+    const auto positions = reconstruct_highpass(symbols, part_, solver_, box_, parameters);
+    return positions &&
+           is_as_good(part_, positions_, settled, *positions, kInvisible * box_.longest_side()) &&
+           accepts(*positions);
+  });
 }
 
 Result<CodedHighpass> write_highpass(const Adjacency& graph, const Components& components,
@@ -185,6 +174,12 @@ Result<CodedHighpass> write_highpass(const Adjacency& graph, const Components& c
   settings.anchors =
       place_anchors(graph, components, {.count = request.anchors, .density = request.anchor_density});
   DELTAMESH_TRY(auto coded, coder.code(settings));
+  const std::vector<Vec3> settled = coded.positions;
+  DELTAMESH_TRY(const int half_cycles, coder.plan(settings, settled, [&](const std::vector<Vec3>& planned) {
+    coded.positions = planned;
+    return true;
+  }));
+  coded.parameters.half_cycles = static_cast<std::uint8_t>(half_cycles);
   coded.parameters.bits = static_cast<std::uint8_t>(request.bits.value_or(0));
   return coded;
 }

@@ -12,8 +12,9 @@
 namespace deltamesh::multigrid {
 namespace {
 
-/// Level from which on there is an s of its own.
-constexpr std::size_t kCoupled = 2;
+/// Nodes of the third level for each anchor, at the least, where s begins there: it is rough next to an
+/// anchor.
+constexpr std::size_t kNodesPerAnchor = 10;
 
 /// Sweeps in every cycle of the finest level and of the second one.
 constexpr int kFinestSweeps = 3;
@@ -24,6 +25,13 @@ constexpr int kLastSweeps = 1;
 
 /// Corrections of the second level in a whole cycle.
 constexpr int kCorrections = 2;
+
+/// Level from which on there is an s of its own.
+std::size_t coupled_level(std::span<const Level> levels) noexcept {
+  const bool third_will_do =
+      levels.size() > 2 && levels[2].node_count() >= kNodesPerAnchor * levels[2].anchors.size();
+  return third_will_do ? 2 : 1;
+}
 
 /// D (delta - L x) of a vertex, in doubles.
 Float4 charge(const Level& finest, const DeltaView& deltas, std::span<const Vec3> x,
@@ -65,7 +73,7 @@ void restrict_x(const Interpolation& p, Float4 fine, const X& x) noexcept {
 
 PlannedCycles::PlannedCycles(std::span<const Level> levels, const Components& components)
     : levels_(levels),
-      coupled_(std::min(kCoupled, levels.size() - 1)),
+      coupled_(coupled_level(levels)),
       solver_(levels, coupled_, shared_components(components, levels.front().anchors), components.count,
               false),
       step_(levels[0].node_count()),

@@ -26,6 +26,9 @@ class PartSolver {
   Result<void> solve(std::span<const std::uint32_t> anchors, const DeltaView& deltas,
                      std::span<const Vec3> anchor_positions, int half_cycles, std::span<Vec3> x);
 
+  /// Gives memory back: the next solve starts from nothing.
+  void forget() noexcept { solver_.reset(); }
+
  private:
   Result<void> make_solver(std::span<const std::uint32_t> anchors);
 

@@ -28,6 +28,32 @@ constexpr double kSameError = 0.03;  // of the binary logarithm: too near for a 
 constexpr double kBackOff = 1.0 / 16;
 constexpr int kMostRuns = 24;
 
+/// The delta error as a power of the step: of exponent 1 until two points tell.
+class PowerLaw {
+ public:
+  /// Where it leads from here. All above 0 and finite.
+  double step_for(double wanted, double step, double error) noexcept {
+    const double log_step = portable_log2(step);
+    const double log_error = portable_log2(error);
+    if (const double moved = log_step - log_step_; is_known_ && std::abs(moved) > kSmallestMove)
+      exponent_ = std::clamp((log_error - log_error_) / moved, kLeastExponent, kLargestExponent);
+    is_known_ = true;
+    log_step_ = log_step;
+    log_error_ = log_error;
+    return step * portable_exp2((portable_log2(wanted) - log_error) / exponent_);
+  }
+
+ private:
+  static constexpr double kSmallestMove = 1e-3;
+  static constexpr double kLeastExponent = 0.5;
+  static constexpr double kLargestExponent = 2;
+
+  bool is_known_ = false;
+  double log_step_ = 0;
+  double log_error_ = 0;
+  double exponent_ = 1;
+};
+
 /// One search; see search_step().
 class StepSearch {
  public:
@@ -183,6 +209,7 @@ double step_for_delta_error(TrialCoder& coder, CoderSettings settings, double wa
   double low = 0;
   double high = coarsest;
   double step = settings.step > 0 ? std::min(settings.step, coarsest) : coarsest;
+  PowerLaw law;
   for (int i = 0; i < kModelSteps && high - low > kModelTolerance * high; ++i) {
     settings.step = step;
     const double error = coder.delta_error(settings);
@@ -190,7 +217,7 @@ double step_for_delta_error(TrialCoder& coder, CoderSettings settings, double wa
     const bool too_fine = error < wanted || std::isinf(error);  // infinite: beyond what symbols can say
     if (too_fine && step >= coarsest) return coarsest;
     (too_fine ? low : high) = step;
-    double next = error > 0 && std::isfinite(error) ? step * wanted / error : step * 2;
+    double next = error > 0 && std::isfinite(error) ? law.step_for(wanted, step, error) : step * 2;
     if (too_fine && next >= high) next = high < coarsest ? 0.5 * (low + high) : coarsest;
     if (!too_fine && next <= low) next = low > 0 ? std::sqrt(low * high) : 0.5 * high;
     step = next;

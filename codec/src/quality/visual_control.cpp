@@ -21,9 +21,13 @@ constexpr double kLowRateBits = 7;
 
 double step_from_vde(TrialCoder& coder, const CoderSettings& settings, double vde) {
   const double diffused = 1 + kDiffusionCost * settings.diffusion;
+  const double delta_error = vde / (kVdePerDeltaError * diffused);
   CoderSettings plain = settings;  // many times as quick to measure
   plain.diffusion = 0;
-  return step_for_delta_error(coder, plain, vde / (kVdePerDeltaError * diffused));
+  plain.rate_weight = 0;
+  plain.step = step_for_delta_error(coder, plain, delta_error);
+  plain.rate_weight = settings.rate_weight;
+  return step_for_delta_error(coder, plain, delta_error);
 }
 
 StepGoal step_goal(int effort) noexcept {
