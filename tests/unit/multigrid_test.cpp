@@ -11,11 +11,15 @@
 #include <tuple>
 #include <vector>
 
+#include "base/thread_team.h"
 #include "laplacian/anchors.h"
 #include "laplacian/delta.h"
 #include "laplacian/multigrid_aggregate.h"
+#include "laplacian/multigrid_chunks.h"
 #include "laplacian/multigrid_groups.h"
 #include "laplacian/multigrid_hierarchy.h"
+#include "laplacian/multigrid_smoother.h"
+#include "laplacian/multigrid_sweeps.h"
 #include "laplacian/small_components.h"
 #include "laplacian/solver.h"
 #include "support/graph_mesh.h"
@@ -182,6 +186,105 @@ TEST(Multigrid, EqualProblemsGiveEqualBits) {
   EXPECT_EQ(x, again);
 }
 
+/// Of 65,536 vertices on there are several chunks.
+TEST(Multigrid, ThreadsMakeNoDifference) {
+  GraphMesh parts = many_sheets();
+  test::add_sheet(parts, 330, 200, {0, 500, 0});
+  for (const Problem& problem :
+       {quantized(test::sheet(310, 230), 360, 8), quantized(test::sheet(20, 3300), 70, 8),
+        quantized(test::finish(std::move(parts)), 900, 8), quantized(test::fan(70000), 350, 8)}) {
+    for (const int half_cycles : {3, 0}) {
+      SCOPED_TRACE(half_cycles);
+      std::vector<Vec3> alone;
+      for (const unsigned threads : {1U, 2U, 3U, 8U}) {
+        SCOPED_TRACE(threads);
+        const ThreadTeam team(threads);
+        const auto solver = make_multigrid_solver(problem.mesh.graph, problem.anchors);
+        ASSERT_TRUE(solver);
+        std::vector<Vec3> x(problem.deltas.size());
+        ASSERT_TRUE((*solver)->solve(problem.deltas, problem.targets, half_cycles, x));
+        if (alone.empty()) alone = x;
+        EXPECT_EQ(x, alone);
+      }
+    }
+  }
+}
+
+/// The second level of a sheet, with chunks that it is too small for.
+std::vector<multigrid::Level> levels_with_chunks() {
+  const GraphMesh mesh = test::sheet(60, 50);
+  const auto anchors = place_anchors(mesh.graph, mesh.components, {.count = 8}).vertices;
+  auto levels = multigrid::build_hierarchy(mesh.graph, anchors, 2, multigrid::Coarsening::kQuick);
+  multigrid::Level& level = levels.at(1);
+  const std::uint32_t n = level.node_count();
+  const std::uint32_t coarse = levels.at(2).node_count();
+  level.chunks = multigrid::make_chunks(level, {0, n / 4, n / 2, n}, {0, coarse / 4, coarse / 2, coarse});
+  levels.erase(levels.begin());
+  return levels;
+}
+
+TEST(Chunks, HaveNoNeighborsButOnTheRim) {
+  const auto levels = levels_with_chunks();
+  const multigrid::Level& level = levels[0];
+  const multigrid::Chunks& chunks = level.chunks;
+  EXPECT_GT(chunks.rim.size(), 0U);
+  EXPECT_LT(chunks.rim.size(), level.node_count() / 2);
+  const auto chunk_of = [&](std::uint32_t node) {
+    return std::upper_bound(chunks.bounds.begin(), chunks.bounds.end(), node) - chunks.bounds.begin();
+  };
+  std::vector<std::uint32_t> inner, outer;
+  chunks.visit([&](std::uint32_t i) { inner.push_back(i); }, [&](std::uint32_t i) { outer.push_back(i); });
+  EXPECT_EQ(outer, chunks.rim);
+  EXPECT_EQ(inner.size() + outer.size(), level.node_count());
+  EXPECT_TRUE(std::is_sorted(inner.begin(), inner.end()));
+  for (const std::uint32_t i : inner) {
+    EXPECT_FALSE(chunks.is_on_rim[i]);
+    for (std::uint32_t e = level.offsets[i]; e < level.offsets[i + 1]; ++e)
+      EXPECT_EQ(chunk_of(level.neighbors[e]), chunk_of(i));
+  }
+}
+
+multigrid::Float4 some_value(std::uint32_t i) {
+  const auto x = static_cast<float>(i % 17) - 8;
+  return multigrid::Float4{x, 1 - 0.5F * x, static_cast<float>(i % 5), 0};
+}
+
+void expect_near(multigrid::Float4 a, multigrid::Float4 b) {
+  for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(a[axis], b[axis], 2e-4);
+}
+
+TEST(Chunks, SweepsKnowWhatTheyLeave) {
+  const auto levels = levels_with_chunks();
+  const multigrid::Level& level = levels[0];
+  const multigrid::Edges<false> edges(level);
+  using Values = std::vector<multigrid::Float4>;
+  Values step(level.node_count()), total(step.size()), left(step.size());
+  const auto keep = [&](std::uint32_t i, multigrid::Float4 value) { total[i] += value; };
+  multigrid::sweep_first(
+      level, [&](std::uint32_t i) { return edges.add_lower(i, step.data(), some_value(i)); },
+      [&](std::uint32_t i) { return edges.add_all(i, step.data(), some_value(i)); }, step, keep);
+  multigrid::sweep_again<false>(level, step, keep);
+  multigrid::take_residuals<false>(level, step,
+                                   [&](std::uint32_t i, multigrid::Float4 value) { left[i] += value; });
+  for (std::uint32_t i = 0; i < step.size(); ++i)
+    expect_near(left[i], edges.add_all(i, total.data(), some_value(i)) - level.degree[i] * total[i]);
+}
+
+TEST(Chunks, BothFieldsKnowWhatASweepLeaves) {
+  const auto levels = levels_with_chunks();
+  const multigrid::Level& level = levels[0];
+  std::vector<multigrid::Row> b(level.node_count()), u(b.size());
+  for (std::uint32_t i = 0; i < b.size(); ++i) b[i] = {some_value(i), 0.01F * some_value(i + 3)};
+  std::vector<multigrid::Row> quick(levels[1].node_count()), plain(quick.size());
+  multigrid::smooth_from_zero(level, b, u);
+  multigrid::restrict_residual_from_zero(level, b, u, quick);
+  multigrid::restrict_residual(level, b, u, plain);
+  for (std::size_t c = 0; c < quick.size(); ++c) {
+    expect_near(quick[c].x, plain[c].x);
+    expect_near(quick[c].s, plain[c].s);
+  }
+}
+
 /// Half cycles that a plan takes for a solution that may stand for the exact one.
 void expect_few_cycles(const Problem& problem, int most) {
   const std::vector<Vec3> exact = solve(problem, make_direct_solver(problem.mesh.graph, problem.anchors));
@@ -195,6 +298,10 @@ void expect_few_cycles(const Problem& problem, int most) {
     EXPECT_LT(errors(x, problem.mesh.positions).rms, 1.02 * of_exact.rms) << half_cycles;
     EXPECT_LT(errors(x, problem.mesh.positions).largest, 1.05 * of_exact.largest) << half_cycles;
   }
+}
+
+TEST(Multigrid, ChunksMakeNoDifferenceToSpeakOf) {
+  expect_few_cycles(quantized(test::sheet(1310, 51), 360, 8), 6);
 }
 
 TEST(Multigrid, PlannedCyclesAreFew) {

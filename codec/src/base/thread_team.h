@@ -115,4 +115,12 @@ void share_rows(std::size_t rows, const Work& work) {
   });
 }
 
+/// each(row) for all rows below `rows`, which must not depend on each other.
+template <class Each>
+void share_each(std::size_t rows, const Each& each) {
+  share_rows(rows, [&](std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t row = begin; row < end; ++row) each(row);
+  });
+}
+
 }  // namespace deltamesh

@@ -26,6 +26,9 @@ constexpr double kFewestNodes = 1.5;
 /// where many anchors lie together, or few edges lead out of dense parts, levels hardly shrink.
 constexpr std::uint64_t kMostWork = 4;
 
+/// Of a coarse level; with less, threads would wait for each other.
+constexpr std::uint32_t kFewestNodesToShare = 8192;
+
 Level finest_level(const Adjacency& graph, std::span<const std::uint32_t> anchors) {
   Level level;
   level.offsets = graph.offsets;
@@ -61,6 +64,18 @@ bool coarsen(const Level& fine, const Aggregates& aggregates, Coarsening how, fl
   return true;
 }
 
+/// For every bound the first of the ascending `seeds` that is not below.
+std::vector<std::uint32_t> places_of(std::span<const std::uint32_t> bounds,
+                                     std::span<const std::uint32_t> seeds) {
+  std::vector<std::uint32_t> places;
+  for (const std::uint32_t bound : bounds)
+    places.push_back(
+        static_cast<std::uint32_t>(std::lower_bound(seeds.begin(), seeds.end(), bound) - seeds.begin()));
+  return places;
+}
+
+bool is_worth_sharing(const Level& level) noexcept { return level.node_count() >= kFewestNodesToShare; }
+
 /// Whether there is a component without an anchor: small entries were all that held it.
 bool is_cut(const Level& level) {
   const Components components = find_components(level.storage);
@@ -75,6 +90,7 @@ std::vector<Level> build_levels(const Adjacency& graph, std::span<const std::uin
   levels.push_back(finest_level(graph, anchors));
   const std::uint64_t most = kMostWork * work_on(levels.front());
   std::uint64_t work = 0;
+  std::vector<std::uint32_t> bounds = chunk_bounds(levels.front().node_count());
   while (levels.size() <= depth && work < most) {
     Level& fine = levels.back();
     work += work_on(fine);
@@ -87,8 +103,13 @@ std::vector<Level> build_levels(const Adjacency& graph, std::span<const std::uin
       fine.interpolation.clear();
       break;
     }
+    std::vector<std::uint32_t> coarse_bounds = places_of(bounds, aggregates.seeds);
+    fine.chunks = make_chunks(fine, std::move(bounds), coarse_bounds);
+    bounds = is_worth_sharing(coarse) ? std::move(coarse_bounds)
+                                      : std::vector<std::uint32_t>{0, coarse.node_count()};
     levels.push_back(std::move(coarse));
   }
+  levels.back().chunks = make_chunks(levels.back(), std::move(bounds), {});
   return levels;
 }
 

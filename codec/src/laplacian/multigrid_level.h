@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/large_vector.h"
+#include "laplacian/multigrid_chunks.h"
 #include "laplacian/multigrid_row.h"
 #include "topology/adjacency.h"
 
@@ -34,6 +35,7 @@ struct Level {
   LargeVector<float> mass;            ///< n: M, above 0 where D is; D^2 on the finest level
   std::vector<std::uint32_t> anchors;        ///< node of every anchor; distinct
   LargeVector<Interpolation> interpolation;  ///< n; empty on the coarsest level
+  Chunks chunks;                             ///< of all nodes
 
   std::uint32_t node_count() const noexcept { return static_cast<std::uint32_t>(offsets.size() - 1); }
   bool has_unit_weights() const noexcept { return weights.empty(); }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "base/thread_team.h"
 #include "laplacian/multigrid_row.h"
 #include "laplacian/multigrid_sweeps.h"
 #include "laplacian/multigrid_transfer.h"
@@ -91,14 +92,14 @@ template <class Each>
 void PlannedCycles::restrict_to_second(const Each& each) {
   const std::span<const Interpolation> interpolation = levels_[0].interpolation;
   if (has_middle()) {
-    std::fill(b_.begin(), b_.end(), Float4{});
+    share_each(b_.size(), [&](std::uint32_t i) { b_[i] = Float4{}; });
     each([&](std::uint32_t i, Float4 residual) {
       restrict_x(interpolation[i], residual, [&](std::uint32_t node) -> Float4& { return b_[node]; });
     });
     return;
   }
   const std::span<Row> b = solver_.vectors(1).b;
-  for (Row& row : b) row.x = Float4{};
+  share_each(b.size(), [&](std::uint32_t i) { b[i].x = Float4{}; });
   each([&](std::uint32_t i, Float4 residual) {
     restrict_x(interpolation[i], residual, [&](std::uint32_t node) -> Float4& { return b[node].x; });
   });
@@ -108,18 +109,15 @@ void PlannedCycles::restrict_to_second(const Each& each) {
 void PlannedCycles::solve_coupled() {
   const Level& level = levels_[coupled_];
   LevelSolver::Vectors& v = solver_.vectors(coupled_);
-  for (std::uint32_t i = 0; i < s_.size(); ++i) {
-    Float4 sum = -level.degree[i] * s_[i];
-    for (std::uint32_t e = level.offsets[i]; e < level.offsets[i + 1]; ++e)
-      sum += level.weights[e] * s_[level.neighbors[e]];
-    v.b[i].s = sum;
-  }
+  const Edges<false> edges(level);
+  share_each(s_.size(),
+             [&](std::uint32_t i) { v.b[i].s = edges.add_all(i, s_.data(), -level.degree[i] * s_[i]); });
   for (std::size_t a = 0; a < forces_.size(); ++a) {
     v.b[level.anchors[a]].s += forces_[a];
     v.gaps[a] += forces_[a];
   }
   solver_.solve(coupled_);
-  for (std::size_t i = 0; i < s_.size(); ++i) s_[i] += v.u[i].s;
+  share_each(s_.size(), [&](std::uint32_t i) { s_[i] += v.u[i].s; });
   for (std::size_t a = 0; a < forces_.size(); ++a) forces_[a] += v.forces[a];
 }
 
@@ -130,19 +128,23 @@ void PlannedCycles::correct_second(bool is_first) {
   LevelSolver::Vectors& next = solver_.vectors(2);
   const Edges<false> edges(level);
   if (is_first) {
-    const auto residual = [&](std::uint32_t i) { return edges.add_lower(i, step_second_.data(), b_[i]); };
-    sweep_first(level, residual, step_second_, [&](std::uint32_t i, Float4 step) {
-      u_[i] = {step, Float4{}};
-    });
+    for (const std::uint32_t i : level.chunks.rim) step_second_[i] = Float4{};  // these come last
+    sweep_first(
+        level, [&](std::uint32_t i) { return edges.add_lower(i, step_second_.data(), b_[i]); },
+        [&](std::uint32_t i) { return edges.add_all(i, step_second_.data(), b_[i]); }, step_second_,
+        [&](std::uint32_t i, Float4 step) {
+          u_[i] = {step, Float4{}};
+        });
   } else {
     const auto residual = [&](std::uint32_t i) {
       return edges.add_x(i, u_.data(), b_[i] - level.degree[i] * u_[i].x - level.mass[i] * u_[i].s);
     };
-    sweep_first(level, residual, step_second_, [&](std::uint32_t i, Float4 step) { u_[i].x += step; });
+    sweep_first(level, residual, residual, step_second_,
+                [&](std::uint32_t i, Float4 step) { u_[i].x += step; });
   }
   for (int s = 1; s < kSecondSweeps; ++s)
     sweep_again<false>(level, step_second_, [&](std::uint32_t i, Float4 step) { u_[i].x += step; });
-  for (Row& row : next.b) row.x = Float4{};
+  share_each(next.b.size(), [&](std::uint32_t i) { next.b[i].x = Float4{}; });
   take_residuals<false>(level, step_second_, [&](std::uint32_t i, Float4 residual) {
     restrict_x(level.interpolation[i], residual,
                [&](std::uint32_t node) -> Float4& { return next.b[node].x; });
@@ -161,9 +163,9 @@ void PlannedCycles::correct_from_second(int corrections) {
     LevelSolver::Vectors& second = solver_.vectors(1);
     second.gaps = gaps_;
     solve_coupled();
-    std::copy(second.u.begin(), second.u.end(), u_.begin());
+    share_each(u_.size(), [&](std::uint32_t i) { u_[i] = second.u[i]; });
   }
-  for (std::size_t i = 0; i < u_.size(); ++i) s_second_[i] += u_[i].s;
+  share_each(u_.size(), [&](std::uint32_t i) { s_second_[i] += u_[i].s; });
 }
 
 /// The second level's solution.
@@ -174,15 +176,12 @@ void PlannedCycles::start(const DeltaView& deltas, std::span<const Vec3> targets
   std::fill(s_second_.begin(), s_second_.end(), Float4{});
   std::fill(forces_.begin(), forces_.end(), Float4{});
   restrict_to_second([&](const auto& take) {
-    for (std::uint32_t i = 0; i < x.size(); ++i)
-      take(i, to_float4(static_cast<double>(finest.degree[i]) * deltas[i]));
+    finest.chunks.visit(
+        [&](std::uint32_t i) { take(i, to_float4(static_cast<double>(finest.degree[i]) * deltas[i])); });
   });
   for (std::size_t a = 0; a < targets.size(); ++a) gaps_[a] = to_float4(targets[a]);
   correct_from_second(kCorrections);
-  for (std::uint32_t i = 0; i < x.size(); ++i) {
-    const Float4 first = interpolate_x(finest.interpolation[i], u_);
-    x[i] = {first[0], first[1], first[2]};
-  }
+  share_each(x.size(), [&](std::uint32_t i) { x[i] = to_vec3(interpolate_x(finest.interpolation[i], u_)); });
 }
 
 void PlannedCycles::sweep_finest(const DeltaView& deltas, int sweeps, std::span<Vec3> x) {
@@ -192,7 +191,7 @@ void PlannedCycles::sweep_finest(const DeltaView& deltas, int sweeps, std::span<
            finest.mass[i] * interpolate_field(finest.interpolation[i], s_second_);
   };
   const auto keep = [&](std::uint32_t i, Float4 step) { add(step, x[i]); };
-  sweep_first(finest, residual, step_, keep);
+  sweep_first(finest, residual, residual, step_, keep);
   for (int s = 1; s < sweeps; ++s) sweep_again<true>(finest, step_, keep);
 }
 
@@ -203,7 +202,7 @@ void PlannedCycles::cycle(const DeltaView& deltas, std::span<const Vec3> targets
   restrict_to_second([&](const auto& take) { take_residuals<true>(finest, step_, take); });
   for (std::size_t a = 0; a < targets.size(); ++a) gaps_[a] = to_float4(targets[a] - x[finest.anchors[a]]);
   correct_from_second(corrections);
-  for (std::uint32_t i = 0; i < x.size(); ++i) add(interpolate_x(finest.interpolation[i], u_), x[i]);
+  share_each(x.size(), [&](std::uint32_t i) { add(interpolate_x(finest.interpolation[i], u_), x[i]); });
 }
 
 void PlannedCycles::solve(const DeltaView& deltas, std::span<const Vec3> targets, int half_cycles,

@@ -2,8 +2,7 @@
 // Copyright 2026 The deltamesh authors
 #include "laplacian/multigrid_smoother.h"
 
-#include <algorithm>
-
+#include "base/thread_team.h"
 #include "laplacian/multigrid_transfer.h"
 
 namespace deltamesh::multigrid {
@@ -37,21 +36,22 @@ Row relax(const Level& level, std::uint32_t i, const Row& b, const Row& sum, Flo
 
 template <bool kUnitWeights>
 void smooth_all(const Level& level, std::span<const Row> b, std::span<Row> u) {
-  for (std::uint32_t i = 0; i < u.size(); ++i)
+  level.chunks.visit([&](std::uint32_t i) {
     u[i] = relax(level, i, b[i], sum_rows<kUnitWeights>(level, u, level.offsets[i], level.offsets[i + 1]),
                  u[i].x);
+  });
 }
 
 template <bool kUnitWeights>
 void restrict_all(const Level& level, std::span<const Row> b, std::span<const Row> u, std::span<Row> coarse) {
-  std::fill(coarse.begin(), coarse.end(), Row{});
-  for (std::uint32_t i = 0; i < u.size(); ++i) {
+  share_each(coarse.size(), [&](std::uint32_t i) { coarse[i] = Row{}; });
+  level.chunks.visit([&](std::uint32_t i) {
     const Row sum = sum_rows<kUnitWeights>(level, u, level.offsets[i], level.offsets[i + 1]);
     const float degree = level.degree[i];
     const Row residual{b[i].x + sum.x - degree * u[i].x - level.mass[i] * u[i].s,
                        b[i].s + sum.s - degree * u[i].s};
     restrict_row(level.interpolation[i], residual, coarse);
-  }
+  });
 }
 
 }  // namespace
@@ -61,18 +61,38 @@ void smooth(const Level& level, std::span<const Row> b, std::span<Row> u) {
 }
 
 void smooth_from_zero(const Level& level, std::span<const Row> b, std::span<Row> u) {
-  for (std::uint32_t i = 0; i < u.size(); ++i)
-    u[i] = relax(level, i, b[i], sum_rows<false>(level, u, level.offsets[i], level.middle[i]), Float4{});
+  for (const std::uint32_t i : level.chunks.rim) u[i] = Row{};  // these come last
+  const auto relax_from_zero = [&](std::uint32_t i, std::uint32_t end) {
+    u[i] = relax(level, i, b[i], sum_rows<false>(level, u, level.offsets[i], end), Float4{});
+  };
+  level.chunks.visit([&](std::uint32_t i) { relax_from_zero(i, level.middle[i]); },
+                     [&](std::uint32_t i) { relax_from_zero(i, level.offsets[i + 1]); });
 }
 
 void restrict_residual_from_zero(const Level& level, std::span<const Row> b, std::span<const Row> u,
                                  std::span<Row> coarse) {
-  std::fill(coarse.begin(), coarse.end(), Row{});
-  for (std::uint32_t i = 0; i < u.size(); ++i) {
+  share_each(coarse.size(), [&](std::uint32_t i) { coarse[i] = Row{}; });
+  const auto inner = [&](std::uint32_t i) {
     Row residual = sum_rows<false>(level, u, level.middle[i], level.offsets[i + 1]);
     if (level.inverse_degree[i] == 0) residual.s = b[i].s;
     restrict_row(level.interpolation[i], residual, coarse);
-  }
+  };
+  // Those on the rim came after the others, which have heard of higher ones only.
+  const auto outer = [&](std::uint32_t i) {
+    Row residual{};
+    for (std::uint32_t e = level.middle[i]; e < level.offsets[i + 1]; ++e) {
+      const std::uint32_t neighbor = level.neighbors[e];
+      const float weight = level.weights[e];
+      if (level.chunks.is_on_rim[neighbor]) {
+        residual.x += weight * u[neighbor].x;
+        residual.s += weight * u[neighbor].s;
+      } else {
+        restrict_row(level.interpolation[neighbor], {weight * u[i].x, weight * u[i].s}, coarse);
+      }
+    }
+    restrict_row(level.interpolation[i], residual, coarse);
+  };
+  level.chunks.visit(inner, outer);
 }
 
 void restrict_residual(const Level& level, std::span<const Row> b, std::span<const Row> u,

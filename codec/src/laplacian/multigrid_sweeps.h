@@ -47,11 +47,19 @@ class Edges {
     return sum;
   }
 
-  Float4 all(std::uint32_t node, const Float4* values) const noexcept {
-    Float4 sum{};
+  /// `sum` and what all neighbours add.
+  Float4 add_all(std::uint32_t node, const Float4* values, Float4 sum) const noexcept {
     const std::uint32_t end = offsets_[node + 1];
     for (std::uint32_t e = offsets_[node]; e < end; ++e) sum += term(e, values);
     return sum;
+  }
+
+  /// Calls each(neighbour, weight) for all of them.
+  template <class Each>
+  void visit(std::uint32_t node, const Each& each) const {
+    const std::uint32_t end = offsets_[node + 1];
+    for (std::uint32_t e = offsets_[node]; e < end; ++e)
+      each(neighbors_[e], kUnitWeights ? 1.0F : weights_[e]);
   }
 
  private:
@@ -65,40 +73,58 @@ class Edges {
   const float* weights_;
 };
 
-/// The first sweep: `step` from `residual(node)`, asked for once for every node in order, which knows what
-/// keep(node, step) was told before. `step` of a node without edges, which has none, is its residual.
-template <class Residual, class Keep>
-void sweep_first(const Level& level, const Residual& residual, std::span<Float4> step, const Keep& keep) {
-  for (std::uint32_t i = 0; i < step.size(); ++i) {
+/// The first sweep: `step` from `residual(node)` and, on the rim, `outer_residual(node)`, asked for once for
+/// every node in the order of the level's chunks, which know what keep(node, step) was told before. `step` of
+/// a node without edges, which has none, is its residual.
+template <class Residual, class OuterResidual, class Keep>
+void sweep_first(const Level& level, const Residual& residual, const OuterResidual& outer_residual,
+                 std::span<Float4> step, const Keep& keep) {
+  const auto sweep = [&](std::uint32_t i, Float4 r) {
     const float inverse = level.inverse_degree[i];
-    const Float4 r = residual(i);
     const Float4 first = kOverRelaxation * inverse * r;
     step[i] = inverse > 0 ? first : r;
     keep(i, first);
-  }
+  };
+  level.chunks.visit([&](std::uint32_t i) { sweep(i, residual(i)); },
+                     [&](std::uint32_t i) { sweep(i, outer_residual(i)); });
 }
 
 /// A further sweep.
 template <bool kUnitWeights, class Keep>
 void sweep_again(const Level& level, std::span<Float4> step, const Keep& keep) {
   const Edges<kUnitWeights> edges(level);
-  for (std::uint32_t i = 0; i < step.size(); ++i) {
+  level.chunks.visit([&](std::uint32_t i) {
     const float inverse = level.inverse_degree[i];
-    if (inverse == 0) continue;
-    step[i] = (1 - kOverRelaxation) * step[i] + kOverRelaxation * inverse * edges.all(i, step.data());
+    if (inverse == 0) return;
+    step[i] =
+        (1 - kOverRelaxation) * step[i] + kOverRelaxation * inverse * edges.add_all(i, step.data(), Float4{});
     keep(i, step[i]);
-  }
+  });
 }
 
-/// Gives take(node, residual) what all sweeps leave.
+/// Gives take(node, residual) what all sweeps leave, in parts that add up.
 template <bool kUnitWeights, class Take>
 void take_residuals(const Level& level, std::span<const Float4> step, const Take& take) {
   constexpr float kOwn = 1 / kOverRelaxation - 1;
   const Edges<kUnitWeights> edges(level);
-  for (std::uint32_t i = 0; i < step.size(); ++i) {
+  const auto inner = [&](std::uint32_t i) {
     const float degree = level.degree[i];
     take(i, degree > 0 ? edges.upper(i, step.data()) + kOwn * degree * step[i] : step[i]);
-  }
+  };
+  // Those on the rim came after the others, which have heard of higher ones only.
+  const auto outer = [&](std::uint32_t i) {
+    Float4 sum = kOwn * level.degree[i] * step[i];
+    edges.visit(i, [&](std::uint32_t neighbor, float weight) {
+      if (neighbor < i) return;
+      if (level.chunks.is_on_rim[neighbor]) {
+        sum += weight * step[neighbor];
+      } else {
+        take(neighbor, weight * step[i]);
+      }
+    });
+    take(i, sum);
+  };
+  level.chunks.visit(inner, outer);
 }
 
 }  // namespace deltamesh::multigrid

@@ -86,20 +86,20 @@ LargeVector<Interpolation> make_interpolation(const Level& fine, const Aggregate
 }
 
 void restrict_rows(const Level& level, std::span<const Row> fine, std::span<Row> coarse) {
-  std::fill(coarse.begin(), coarse.end(), Row{});
-  for (std::size_t i = 0; i < fine.size(); ++i) restrict_row(level.interpolation[i], fine[i], coarse);
+  share_each(coarse.size(), [&](std::uint32_t i) { coarse[i] = Row{}; });
+  level.chunks.visit([&](std::uint32_t i) { restrict_row(level.interpolation[i], fine[i], coarse); });
 }
 
 void prolong_rows(const Level& level, std::span<const Row> coarse, std::span<Row> fine) {
-  for (std::size_t i = 0; i < fine.size(); ++i) fine[i] = interpolate(level.interpolation[i], coarse);
+  share_each(fine.size(), [&](std::uint32_t i) { fine[i] = interpolate(level.interpolation[i], coarse); });
 }
 
 void add_prolonged_rows(const Level& level, std::span<const Row> coarse, std::span<Row> fine) {
-  for (std::size_t i = 0; i < fine.size(); ++i) {
+  share_each(fine.size(), [&](std::uint32_t i) {
     const Row correction = interpolate(level.interpolation[i], coarse);
     fine[i].x += correction.x;
     fine[i].s += correction.s;
-  }
+  });
 }
 
 }  // namespace deltamesh::multigrid

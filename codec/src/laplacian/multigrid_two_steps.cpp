@@ -2,7 +2,10 @@
 // Copyright 2026 The deltamesh authors
 #include "laplacian/multigrid_two_steps.h"
 
-#include <algorithm>
+#include <array>
+#include <span>
+
+#include "base/thread_team.h"
 
 namespace deltamesh::multigrid {
 namespace {
@@ -17,6 +20,30 @@ Double4 ratio(const Double4& a, const Double4& b, const Double4& least) noexcept
           TwoDoubles{divide(a.zw[0], b.zw[0], least.zw[0]), 0.0}};
 }
 
+struct Sums {
+  Double4 energy{};
+  Double4 overlap{};
+  Double4 gain{};
+};
+
+/// What add(node, sums) adds for all nodes: chunk by chunk, so that threads make no difference.
+template <class Add>
+Sums sum_up(const Chunks& chunks, const Add& add) {
+  std::array<Sums, kMostChunks> parts{};
+  share_work(chunks.count(), [&](std::uint32_t chunk) {
+    Sums sums;
+    for (std::uint32_t i = chunks.bounds[chunk]; i < chunks.bounds[chunk + 1]; ++i) add(i, sums);
+    parts[chunk] = sums;
+  });
+  Sums total;
+  for (const Sums& part : std::span(parts).first(chunks.count())) {
+    total.energy += part.energy;
+    total.overlap += part.overlap;
+    total.gain += part.gain;
+  }
+  return total;
+}
+
 float inverse_mass(const Level& level, std::uint32_t i) noexcept {
   return level.mass[i] > 0 ? 1 / level.mass[i] : 0.0F;
 }
@@ -29,8 +56,7 @@ TwoSteps::TwoSteps(const Level& level)
 void TwoSteps::take_first(const LevelProblem& problem) {
   const Level& level = problem.level;
   const std::span<Row> u = problem.u;
-  Double4 energy, gain;
-  for (std::uint32_t i = 0; i < u.size(); ++i) {
+  Sums sums = sum_up(level.chunks, [&](std::uint32_t i, Sums& add) {
     Row k{level.degree[i] * u[i].x, level.degree[i] * u[i].s};
     for (std::uint32_t e = level.offsets[i]; e < level.offsets[i + 1]; ++e) {
       const Row& other = u[level.neighbors[e]];
@@ -38,23 +64,23 @@ void TwoSteps::take_first(const LevelProblem& problem) {
       k.s -= level.weight(e) * other.s;
     }
     const Float4 scaled = inverse_mass(level, i) * k.x;
-    energy += widen(scaled * k.x);
-    gain += widen(scaled * problem.b[i].x - u[i].x * problem.b[i].s);
+    add.energy += widen(scaled * k.x);
+    add.gain += widen(scaled * problem.b[i].x - u[i].x * problem.b[i].s);
     image_[i] = {k.x + level.mass[i] * u[i].s, k.s};
-  }
+  });
   for (std::size_t a = 0; a < forces_.size(); ++a) {
     const Float4 x = u[level.anchors[a]].x;
-    energy += widen(x * x);
-    gain += widen(x * (problem.gaps[a] + problem.forces[a]));  // b holds the forces already
+    sums.energy += widen(x * x);
+    sums.gain += widen(x * (problem.gaps[a] + problem.forces[a]));  // b holds the forces already
   }
-  energy_ = energy;
-  length_ = ratio(gain, energy, Double4{});
+  energy_ = sums.energy;
+  length_ = ratio(sums.gain, sums.energy, Double4{});
   const Float4 length = narrow(length_);
-  for (std::size_t i = 0; i < u.size(); ++i) {
+  share_each(u.size(), [&](std::uint32_t i) {
     problem.b[i].x -= length * image_[i].x;
     problem.b[i].s -= length * image_[i].s;
     first_[i] = u[i];
-  }
+  });
   for (std::size_t a = 0; a < forces_.size(); ++a) {
     const Float4 force = problem.forces[a];
     forces_[a] = force;
@@ -66,31 +92,30 @@ void TwoSteps::take_first(const LevelProblem& problem) {
 void TwoSteps::combine(const LevelProblem& problem) {
   const Level& level = problem.level;
   const std::span<Row> u = problem.u;
-  Double4 energy, overlap, gain;
-  for (std::uint32_t i = 0; i < u.size(); ++i) {
+  Sums sums = sum_up(level.chunks, [&](std::uint32_t i, Sums& add) {
     Float4 k = level.degree[i] * u[i].x;
     for (std::uint32_t e = level.offsets[i]; e < level.offsets[i + 1]; ++e)
       k -= level.weight(e) * u[level.neighbors[e]].x;
     const Float4 scaled = inverse_mass(level, i) * k;
-    energy += widen(scaled * k);
-    overlap += widen(scaled * (image_[i].x - level.mass[i] * first_[i].s));
-    gain += widen(scaled * problem.b[i].x - u[i].x * problem.b[i].s);
-  }
+    add.energy += widen(scaled * k);
+    add.overlap += widen(scaled * (image_[i].x - level.mass[i] * first_[i].s));
+    add.gain += widen(scaled * problem.b[i].x - u[i].x * problem.b[i].s);
+  });
   for (std::size_t a = 0; a < forces_.size(); ++a) {
     const Float4 x = u[level.anchors[a]].x;
-    energy += widen(x * x);
-    overlap += widen(x * first_[level.anchors[a]].x);
-    gain += widen(x * (problem.gaps[a] + problem.forces[a]));
+    sums.energy += widen(x * x);
+    sums.overlap += widen(x * first_[level.anchors[a]].x);
+    sums.gain += widen(x * (problem.gaps[a] + problem.forces[a]));
   }
-  const Double4 share = ratio(overlap, energy_, Double4{});
-  const Double4 news = energy - share * overlap;
-  const Double4 second = ratio(gain, news, kFewestNews * energy);
+  const Double4 share = ratio(sums.overlap, energy_, Double4{});
+  const Double4 news = sums.energy - share * sums.overlap;
+  const Double4 second = ratio(sums.gain, news, kFewestNews * sums.energy);
   const Float4 of_first = narrow(length_ - second * share);
   const Float4 of_second = narrow(second);
-  for (std::size_t i = 0; i < u.size(); ++i) {
+  share_each(u.size(), [&](std::uint32_t i) {
     u[i].x = of_first * first_[i].x + of_second * u[i].x;
     u[i].s = of_first * first_[i].s + of_second * u[i].s;
-  }
+  });
   for (std::size_t a = 0; a < forces_.size(); ++a)
     problem.forces[a] = of_first * forces_[a] + of_second * problem.forces[a];
 }
