@@ -15,7 +15,7 @@ namespace {
 
 /// Nodes of the third level for each anchor, at the least, where s begins there: it is rough next to an
 /// anchor.
-constexpr std::size_t kNodesPerAnchor = 10;
+constexpr std::size_t kNodesPerAnchor = 12;
 
 /// Sweeps in every cycle of the finest level and of the second one.
 constexpr int kFinestSweeps = 3;
