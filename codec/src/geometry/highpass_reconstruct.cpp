@@ -4,11 +4,13 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include "base/try.h"
 #include "format/tags.h"
 #include "geometry/highpass_symbols.h"
 #include "laplacian/solve_once.h"
+#include "topology/subgraph.h"
 
 namespace deltamesh {
 namespace {
@@ -71,22 +73,25 @@ std::vector<std::uint32_t> anchor_rows(std::span<const std::uint32_t> anchors, c
 
 namespace {
 
-/// Positions of all vertices: the solution, and the lattice for what is not solved for. Errors:
-/// kInvalidStream [DELT-3].
-Result<std::vector<Vec3>> to_positions(std::vector<Vec3> solution, const HighpassSymbols& symbols,
-                                       const SolvedPart& part, const Box& box,
-                                       const HighpassParameters& parameters) {
+/// Marks of the solved vertices; empty where that is all of them.
+std::vector<bool> solved_marks(const SolvedPart& part) {
+  return part.is_whole() ? std::vector<bool>() : mark_vertices(part.vertices, part.whole_count);
+}
+
+/// Positions of all vertices from the solution, which is in front: what is not solved for is on the lattice.
+/// Errors: kInvalidStream [DELT-3].
+Result<void> complete_positions(const HighpassSymbols& symbols, const std::vector<bool>& is_solved,
+                                const Box& box, const HighpassParameters& parameters,
+                                std::span<Vec3> positions) {
   const Vec3 center = middle(box);
-  for (Vec3& x : solution) x = center + x;
-  std::vector<Vec3> positions;
-  if (part.is_whole()) {
-    positions = std::move(solution);
-  } else {
-    positions.resize(part.whole_count);
+  for (Vec3& x : positions) x = center + x;
+  if (!is_solved.empty()) {
+    spread_to_marks(positions, is_solved);
     const AnchorLattice lattice(box, parameters.anchor_bits);
-    for (std::size_t i = 0; i < symbols.anchors.size(); ++i)
-      positions[symbols.anchors[i]] = lattice.position_of(symbols.cells[i]);
-    for (std::size_t i = 0; i < solution.size(); ++i) positions[part.vertices[i]] = solution[i];
+    for (std::size_t i = 0; i < symbols.anchors.size(); ++i) {
+      const std::uint32_t anchor = symbols.anchors[i];
+      if (!is_solved[anchor]) positions[anchor] = lattice.position_of(symbols.cells[i]);
+    }
   }
   for (const Vec3& position : positions) {
     if (!(fits_float(position[0]) && fits_float(position[1]) && fits_float(position[2])))
@@ -95,7 +100,7 @@ Result<std::vector<Vec3>> to_positions(std::vector<Vec3> solution, const Highpas
                    .rule = "DELT-3",
                    .chunk_tag = kTagDeltas};
   }
-  return positions;
+  return {};
 }
 
 }  // namespace
@@ -103,18 +108,21 @@ Result<std::vector<Vec3>> to_positions(std::vector<Vec3> solution, const Highpas
 Result<std::vector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, const SolvedPart& part,
                                                PartSolver& solver, const Box& box,
                                                const HighpassParameters& parameters) {
-  std::vector<Vec3> solution(part.row_count);
-  if (!solution.empty()) {
-    DELTAMESH_CHECK(
-        solver.solve(anchor_rows(symbols.anchors, part), DeltaView(symbols.deltas, scale_of(parameters)),
-                     anchor_targets(symbols, part, box, parameters), parameters.half_cycles, solution));
+  std::vector<Vec3> positions(part.whole_count);
+  if (part.row_count > 0) {
+    DELTAMESH_CHECK(solver.solve(anchor_rows(symbols.anchors, part),
+                                 DeltaView(symbols.deltas, scale_of(parameters)),
+                                 anchor_targets(symbols, part, box, parameters), parameters.half_cycles,
+                                 std::span(positions).first(part.row_count)));
   }
-  return to_positions(std::move(solution), symbols, part, box, parameters);
+  DELTAMESH_CHECK(complete_positions(symbols, solved_marks(part), box, parameters, positions));
+  return positions;
 }
 
 Result<std::vector<Vec3>> reconstruct_highpass_once(HighpassSymbols symbols, SolvedPart part, const Box& box,
                                                     const HighpassParameters& parameters) {
-  std::vector<Vec3> solution;
+  const std::vector<bool> is_solved = solved_marks(part);
+  std::vector<Vec3> positions(part.whole_count);
   if (part.row_count > 0) {
     LeastSquaresProblem problem{.graph = std::exchange(part.graph, {}),
                                 .components = std::exchange(part.components, {}),
@@ -123,9 +131,11 @@ Result<std::vector<Vec3>> reconstruct_highpass_once(HighpassSymbols symbols, Sol
                                 .scale = scale_of(parameters),
                                 .targets = anchor_targets(symbols, part, box, parameters),
                                 .half_cycles = parameters.half_cycles};
-    DELTAMESH_TRY(solution, solve_once(std::move(problem)));
+    part.vertices = {};
+    DELTAMESH_CHECK(solve_once(std::move(problem), std::span(positions).first(part.row_count)));
   }
-  return to_positions(std::move(solution), symbols, part, box, parameters);
+  DELTAMESH_CHECK(complete_positions(symbols, is_solved, box, parameters, positions));
+  return positions;
 }
 
 }  // namespace deltamesh

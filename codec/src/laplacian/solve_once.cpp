@@ -90,31 +90,28 @@ Result<void> solve(LeastSquaresProblem& problem, std::span<Vec3> x) {
 
 }  // namespace
 
-Result<std::vector<Vec3>> solve_once(LeastSquaresProblem problem) {
+Result<void> solve_once(LeastSquaresProblem problem, std::span<Vec3> x) {
   std::vector<Set> sets = collect_sets(problem);
-  std::vector<Vec3> x(problem.graph.vertex_count());
-  if (sets.size() <= 1) {
-    DELTAMESH_CHECK(solve(problem, x));
-    return x;
-  }
+  if (sets.size() <= 1) return solve(problem, x);
   // The largest set comes last in the list and is solved first, at the front of x and in place of the whole.
   std::stable_sort(sets.begin(), sets.end(),
                    [](const Set& a, const Set& b) { return a.vertices.size() < b.vertices.size(); });
-  const Set largest = std::move(sets.back());
+  std::vector<std::uint32_t> largest = std::move(sets.back().vertices);
   sets.pop_back();
   std::vector<LeastSquaresProblem> others;
   others.reserve(sets.size());
   for (const Set& set : sets) others.push_back(copy_part(problem, set.vertices));
-  keep_part(problem, largest.vertices);
-  DELTAMESH_CHECK(solve(problem, std::span(x).first(largest.vertices.size())));
+  keep_part(problem, largest);
+  const std::vector<bool> is_in_largest = mark_vertices(std::exchange(largest, {}), x.size());
+  DELTAMESH_CHECK(solve(problem, x.first(problem.graph.vertex_count())));
   problem = {};
-  for (std::size_t i = largest.vertices.size(); i-- > 0;) x[largest.vertices[i]] = x[i];
+  spread_to_marks(x, is_in_largest);
   for (std::size_t s = 0; s < sets.size(); ++s) {
     std::vector<Vec3> solution(sets[s].vertices.size());
     DELTAMESH_CHECK(solve(others[s], solution));
     for (std::size_t i = 0; i < solution.size(); ++i) x[sets[s].vertices[i]] = solution[i];
   }
-  return x;
+  return {};
 }
 
 }  // namespace deltamesh

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/vec3.h"
@@ -25,7 +26,7 @@ struct LeastSquaresProblem {
 };
 
 /// What make_multigrid_solver's solver finds, to the last bit. Components that take different hierarchies are
-/// solved one set after the other, most of them in place. Errors: as LeastSquaresSolver::solve.
-Result<std::vector<Vec3>> solve_once(LeastSquaresProblem problem);
+/// solved one set after the other, most of them in place. `x`: n. Errors: as LeastSquaresSolver::solve.
+Result<void> solve_once(LeastSquaresProblem problem, std::span<Vec3> x);
 
 }  // namespace deltamesh

@@ -2,8 +2,6 @@
 // Copyright 2026 The deltamesh authors
 #include "topology/subgraph.h"
 
-#include <vector>
-
 namespace deltamesh {
 namespace {
 
@@ -15,6 +13,12 @@ std::vector<std::uint32_t> renumbering(std::size_t vertex_count, std::span<const
 }
 
 }  // namespace
+
+std::vector<bool> mark_vertices(std::span<const std::uint32_t> kept, std::size_t count) {
+  std::vector<bool> marks(count, false);
+  for (const std::uint32_t vertex : kept) marks[vertex] = true;
+  return marks;
+}
 
 Adjacency copy_vertices(const Adjacency& graph, std::span<const std::uint32_t> kept) {
   const std::vector<std::uint32_t> row = renumbering(graph.vertex_count(), kept);
