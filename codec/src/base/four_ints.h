@@ -81,6 +81,20 @@ inline FourInts mean_lanes(FourInts lanes, unsigned count) noexcept {
   return means - static_cast<std::int32_t>(kBias >> 16) * one_over;
 }
 
+/// A third of the lanes' sum, rounded down, in every lane. No lane is below 0, the sum is below 2^31.
+inline FourInts third_of_sum(FourInts lanes) noexcept {
+  const FourInts halves = lanes + __builtin_shufflevector(lanes, lanes, 2, 3, 0, 1);
+  const FourInts sum = halves + __builtin_shufflevector(halves, halves, 1, 0, 3, 2);
+#if defined(__SSE2__)
+  // Exact below 2^31: the factor is 2^32 / 3 and 2 / 3 more.
+  const auto thirds = reinterpret_cast<FourInts>(
+      _mm_mul_epu32(reinterpret_cast<__m128i>(sum), _mm_set1_epi32(0x55555556)));
+  return __builtin_shufflevector(thirds, thirds, 1, 1, 3, 3);
+#else
+  return FourInts{} + sum[0] / 3;
+#endif
+}
+
 /// (5 now + 3 before) >> 3: 0.6 of the one and 0.4 of the other, about.
 inline FourInts smooth_lanes(FourInts now, FourInts before) noexcept {
   return ((now << 2) + now + (before << 1) + before) >> 3;

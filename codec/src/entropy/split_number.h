@@ -52,7 +52,7 @@ class SplitNumberCoder {
   static constexpr SymbolModel kFreshTail{{12, 8, 10, 7, 8, 5, 6, 4, 4, 3, 3, 2, 2, 1, 1, 1}};
 
   /// Beyond the symbols: sign and bit length of the excess, then its bits [FLD-6].
-  std::int64_t code_tail(std::int64_t high, std::uint32_t context) {
+  [[gnu::noinline]] std::int64_t code_tail(std::int64_t high, std::uint32_t context) {
     const auto excess = static_cast<std::uint32_t>(std::llabs(high) - (kReach + 1));
     auto length = static_cast<unsigned>(std::bit_width(excess));
     const unsigned symbol = coder_.symbol(std::min(length, kLongTail) * 2 + (high < 0 ? 1 : 0),

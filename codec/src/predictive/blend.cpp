@@ -15,18 +15,10 @@ constinit const BlendTable kUsualBlends = [] {
   return table;
 }();
 
-std::size_t blend_row(const Surroundings& around) noexcept {
-  return std::size_t{6} * (around.parallelogram_count - 1) + std::clamp(around.faces, 3U, 8U) - 3;
-}
-
 namespace {
 
 /// Lanes for differences that are too large for 32 bits, as in coarse meshes on fine lattices.
 using FourLongs = std::int64_t __attribute__((vector_size(32)));
-
-/// In 1/16 steps, sums of four a + b - o are below 12 * 2^21, means of them within 3 * 2^21 and a neighbour's
-/// within 2^21, so that a blend is below 128 * (4 + 2) * 2^21 < 2^31.
-constexpr std::int32_t kNear = 1 << 17;
 
 /// In 1/16 steps, from the first known face's corner a.
 template <class Lanes>

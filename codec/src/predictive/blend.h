@@ -5,6 +5,7 @@
 // weights for each number of parallelograms and of faces [POSN-4]. Integers only.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -30,8 +31,18 @@ using BlendTable = std::array<Blend, kBlends>;
 /// What a stream has where it says nothing else: about the means over scans, CAD parts and maps [POSN-8].
 extern const BlendTable kUsualBlends;
 
-/// The table's row for a vertex with a parallelogram.
-std::size_t blend_row(const Surroundings& around) noexcept;
+/// The table's row for a vertex with `parallelograms`, at least one, and `faces`.
+inline std::size_t blend_row(unsigned parallelograms, std::uint32_t faces) noexcept {
+  return std::size_t{6} * (parallelograms - 1) + std::clamp(faces, 3U, 8U) - 3;
+}
+inline std::size_t blend_row(const Surroundings& around) noexcept {
+  return blend_row(around.parallelogram_count, around.faces);
+}
+
+/// Corners as near to each other need no more than 32 bits: in 1/16 steps, sums of four a + b - o are below
+/// 12 * 2^21, means of them within 3 * 2^21 and a neighbour's within 2^21, so that a blend is below
+/// 128 * (4 + 2) * 2^21 < 2^31.
+inline constexpr std::int32_t kNear = 1 << 17;
 
 /// Means around a vertex, in 1/16 steps, from the first known face's corner a.
 struct LocalMeans {

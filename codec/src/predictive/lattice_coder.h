@@ -9,6 +9,7 @@
 #include <span>
 
 #include "predictive/match_coder.h"
+#include "predictive/pair_place.h"
 #include "predictive/residual_coder.h"
 
 namespace deltamesh {
@@ -48,57 +49,80 @@ class LatticeCoder {
   /// without it [POSN-13]; `vertex` becomes what is to be coded then. A reader fills the cells in. The rule
   /// that a stream breaks here, or null.
   const char* code_next(std::uint32_t& vertex, std::span<Cell> cells) {
-    Turn first(*this, vertex, cells);
+    const Outlook first_outlook = look_at(vertex, cells);
     if (vertex + 1 == cells.size() || faces_.needs_previous(vertex + 1)) {
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        if (!code_axis(axis, first, cells)) return "POSN-7";
-    } else {
-      Turn second(*this, vertex + 1, cells);
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        if (!code_axis(axis, first, cells) || !code_axis(axis, second, cells)) return "POSN-7";
-      end(++vertex, second, cells);
-      end(vertex - 1, first, cells);
+      Turn turn(first_outlook, vertex, cells);
+      if (!code_axis(0, turn, cells) || !code_axis(1, turn, cells) || !code_axis(2, turn, cells))
+        return "POSN-7";
+      end(turn, cells);
       ++vertex;
       return nullptr;
     }
-    end(vertex, first, cells);
-    ++vertex;
+    // What takes long to come to is begun for both at once.
+    const Outlook second_outlook = look_at(vertex + 1, cells);
+    Turn first(first_outlook, vertex, cells);
+    Turn second(second_outlook, vertex + 1, cells);
+    if (!code_axis(0, first, cells) || !code_axis(0, second, cells) || !code_axis(1, first, cells) ||
+        !code_axis(1, second, cells) || !code_axis(2, first, cells) || !code_axis(2, second, cells))
+      return "POSN-7";
+    end(first, cells);
+    end(second, cells);
+    vertex += 2;
     return nullptr;
   }
 
  private:
   /// A vertex while it is coded.
   struct Turn {
-    [[gnu::always_inline]] Turn(const LatticeCoder& coder, std::uint32_t vertex, std::span<const Cell> cells)
-        : around(coder.faces_.template around<false>(vertex)),
-          residual(coder.history_.begin(around, expect_place(around, vertex, cells, coder.blends_))) {
+    [[gnu::always_inline]] Turn(const Outlook& outlook, std::uint32_t number, std::span<const Cell> cells)
+        : vertex(number), residual(outlook) {
       if constexpr (Coder::kWrites) cell = cells[vertex];
     }
-    Surroundings around;
+    std::uint32_t vertex;
     ResidualTurn residual;
     Cell cell;
     unsigned missed = 0;  ///< as MatchCoder has it
   };
 
-  [[gnu::always_inline]] void end(std::uint32_t vertex, const Turn& turn, std::span<Cell> cells) noexcept {
+  [[gnu::always_inline]] Outlook look_at(std::uint32_t vertex, std::span<const Cell> cells) const noexcept {
+    FacePair pair;
+    Outlook outlook;
+    if (!faces_.pair_around(vertex, pair) || !expect_pair(pair, cells, blends_, outlook.expected)) [[unlikely]]
+      return look_around(vertex, cells);
+    outlook.means = history_.mean(pair.first, pair.second);
+    outlook.sources = pair.known_count + 1;
+    return outlook;
+  }
+
+  [[gnu::noinline]] Outlook look_around(std::uint32_t vertex, std::span<const Cell> cells) const noexcept {
+    const Surroundings around = faces_.template around<false>(vertex);
+    return history_.outlook(around, expect_place(around, vertex, cells, blends_));
+  }
+
+  [[gnu::always_inline]] void end(const Turn& turn, std::span<Cell> cells) noexcept {
     const FourInts cell = {turn.cell[0], turn.cell[1], turn.cell[2], 0};
-    store_three(cell, cells[vertex]);
-    history_.end(vertex, turn.residual, cell);
+    store_three(cell, cells[turn.vertex]);
+    history_.end(turn.vertex, turn.residual, cell);
   }
 
   /// False where a coordinate is beyond the lattice.
   [[gnu::always_inline]] bool code_axis(std::size_t axis, Turn& turn, std::span<const Cell> cells) {
     std::int32_t& value = turn.cell[axis];
     const ResidualForecast forecast = turn.residual.forecast(axis, 0, largest_[axis]);
-    if (!guesses_ || !matches_.code(axis, turn.around,
-                                    guesses_around(turn.around, cells, axis, forecast.whole, largest_[axis]),
-                                    value, turn.missed)) {
+    if (!guesses_ || !code_match(axis, turn, cells, forecast.whole)) {
       const std::int64_t coordinate = forecast.whole + residuals_.code(value - forecast.whole, forecast);
       if (coordinate < 0 || coordinate > largest_[axis]) return false;
       value = static_cast<std::int32_t>(coordinate);
     }
     turn.residual.learn(axis, value, forecast);
     return true;
+  }
+
+  [[gnu::noinline]] bool code_match(std::size_t axis, Turn& turn, std::span<const Cell> cells,
+                                    std::int64_t expected) {
+    const Surroundings around = faces_.template around<false>(turn.vertex);
+    return matches_.code(axis, around, guesses_around(around, cells, axis, expected, largest_[axis]),
+                         turn.cell[axis], turn.missed);
   }
 
   const KnownFaces& faces_;

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "base/eight_shorts.h"
 #include "base/four_ints.h"
 #include "base/large_vector.h"
 #include "predictive/blend.h"
@@ -34,8 +35,10 @@ struct ResidualForecast {
   std::uint32_t tail_context = 0;
 };
 
-/// 4 floor(log2 x) and the two bits of x below its leading one, of every lane x, 1 to 2^24 - 1; far below 0
-/// for 0.
+inline constexpr std::int32_t kLargestScale = (1 << 24) - 1;  ///< 1/16 steps
+
+/// 4 floor(log2 x) and the two bits of x below its leading one, of every lane x to kLargestScale; no less for
+/// larger ones, far below 0 for 0.
 inline FourInts quarter_octaves(FourInts lanes) noexcept {
   using FourFloats = float __attribute__((vector_size(16)));
   // Such numbers are floats exactly, and these have it all in place.
@@ -51,54 +54,50 @@ struct ResidualRecord {
 
 inline constexpr std::int32_t kLargestResidual = 1 << 26;  ///< 1/16 steps
 
+/// What is told of a vertex before it is coded.
+struct Outlook {
+  Expectation expected;
+  ResidualRecord means;    ///< of corners of known faces
+  std::uint32_t sources;   ///< 0 none, 1 neighbours, 2 .. 4 one to three parallelograms
+};
+
 /// A vertex while it is coded: forecast() and learn() of the axes in order, where these are of use, record().
 class ResidualTurn {
  public:
-  [[gnu::always_inline]] ResidualTurn(const Surroundings& around, const Expectation& expected,
-                                      const ResidualRecord& means) noexcept
-      : whole_(expected.whole),
-        offset_(expected.offset),
-        magnitude_(means.magnitude),
-        sources_(around.parallelogram_count > 0 ? std::min(around.parallelogram_count, 3U) + 1
-                                                : std::min(around.known_count, 1U)) {
+  [[gnu::always_inline]] explicit ResidualTurn(const Outlook& outlook) noexcept
+      : whole_(outlook.expected.whole),
+        offset_(outlook.expected.offset),
+        magnitude_(outlook.means.magnitude),
+        sources_(outlook.sources) {
     const FourInts rounded = (offset_ + 8) >> 4;
-    const FourInts mean = offset_ - (rounded << 4) - (means.residual >> 2);
-    const FourInts sign = mean >> 31;
-    nearest_ = numbers_of(whole_ + rounded);
-    sign_ = numbers_of(sign);
-    const FourInts distance = least_lanes((mean ^ sign) - sign, 8) >> 1;
+    nearest_ = whole_ + rounded;
+    const FourInts mean = offset_ - (rounded << 4) - (outlook.means.residual >> 2);
+    sign_ = mean >> 31;
 
-    const std::array<std::int32_t, 4> own = numbers_of(magnitude_);
-    const FourInts all = FourInts{} + (own[0] + own[1] + own[2]) / 3;  // below 2^28
-    FourInts scale = smooth_lanes(magnitude_, all);
-    // Chosen without branches, as sources change often.
-    const auto sources = static_cast<std::int32_t>(sources_);
-    const FourInts has_parallelograms = FourInts{} - (sources >= 3 ? 1 : 0);
-    const FourInts has_few = FourInts{} - (sources < 2 ? 1 : 0);
-    const FourInts larger = (expected.spread - scale) & ((expected.spread > scale) & has_few);
-    const FourInts between = (((scale + expected.spread) >> 1) - scale) & has_parallelograms;
-    scale = least_lanes(scale + larger + between + 1, kLargestScale);
-    scale_ = numbers_of(scale);
+    const Terms& terms = kTerms[sources_];
+    const FourInts& spread = outlook.expected.spread;
+    FourInts scale = smooth_lanes(magnitude_, third_of_sum(magnitude_));  // below 2^28
+    scale += (((scale + spread) >> 1) - scale) & terms.between;
+    if (sources_ < 2) [[unlikely]]
+      scale += (spread - scale) & (spread > scale);
+    scale_ = scale + 1;
 
-    const FourInts octaves = quarter_octaves(scale);
-    const FourInts bits = (octaves >> 2) + 1;
-    const FourInts shift = (bits - kSymbolBits) & (bits > kSymbolBits);
-    scale_bits_ = numbers_of(bits);
-    shift_ = numbers_of(shift);
-    const FourInts is_shifted = shift > 0;
-    const FourInts few = octaves >> 1;
-    const FourInts more = octaves - 4;
-    const FourInts whole_class = few + ((more - few) & (more > few));
-    const FourInts scale_class = whole_class + (((octaves - (shift << 2)) - whole_class) & is_shifted);
-    contexts_[0] = numbers_of(five_times(five_times(scale_class) + sources) + (distance & ~is_shifted));
-
-    const FourInts apart = quarter_octaves(least_lanes(expected.spread, kLargestScale)) - (shift << 2);
-    const FourInts near = (apart + 2) >> 1;
-    const FourInts far = apart - 3;
-    const FourInts any_class = least_lanes(near + ((far - near) & (far > near)), kSpreadClasses - 1);
-    const FourInts spread_class = any_class & ~(any_class >> 31);
-    const FourInts spread_sources = five_times(spread_class) + sources;
-    contexts_[1] = numbers_of((spread_sources << 1) + spread_sources + FourInts{0, 1, 2, 0});
+    // From here on four lanes for the one table's contexts, then four for the other's.
+    constexpr EightShorts kNone{};
+    const EightShorts octaves = smaller_lanes(
+        pack_lanes(quarter_octaves(scale_), quarter_octaves(spread)), kNone + kLargestOctaves);
+    scale_octaves_ = twice_low(octaves);
+    shift_ = larger_lanes((scale_octaves_ >> 2) - (kSymbolBits - 1), kNone);
+    const EightShorts within = octaves - (shift_ << 2);
+    const EightShorts coarse = (within + EightShorts{0, 0, 0, 0, 2, 2, 2, 2}) >> 1;
+    const EightShorts fine = within - EightShorts{4, 4, 4, 4, 3, 3, 3, 3};
+    const EightShorts is_shifted = shift_ > 0;
+    const EightShorts classes = smaller_lanes(larger_lanes(larger_lanes(coarse, fine), kNone),
+                                              kNone + (kClasses - 1)) +
+                                (is_shifted & EightShorts{4, 4, 4, 4, 0, 0, 0, 0});
+    const EightShorts near = pack_lanes((mean ^ sign_) - sign_, FourInts{});
+    const EightShorts sure = (smaller_lanes(near, kNone + 8) >> 1) & ~is_shifted;
+    contexts_ = classes * EightShorts{25, 25, 25, 25, 15, 15, 15, 15} + terms.contexts + sure;
   }
 
   /// `least` and `most`: what a coordinate may be.
@@ -107,13 +106,13 @@ class ResidualTurn {
     ResidualForecast f;
     f.whole = std::clamp<std::int64_t>(nearest_[axis], least, most);
     f.sign = sign_[axis];
-    f.scale_bits = scale_bits_[axis];
+    f.scale_bits = (scale_octaves_[axis] >> 2) + 1;
     f.shift = static_cast<unsigned>(shift_[axis]);
-    f.contexts = {static_cast<std::uint32_t>(contexts_[0][axis]),
-                  static_cast<std::uint32_t>(contexts_[1][axis])};
+    f.contexts = {static_cast<std::uint32_t>(contexts_[axis]),
+                  static_cast<std::uint32_t>(contexts_[axis + 4])};
     // Where the place between two coordinates says nothing, how the axes before turned out does.
     if (f.shift > 0 && axis > 0) {
-      const auto scale = static_cast<std::uint32_t>(scale_[axis]);
+      const auto scale = static_cast<std::uint32_t>(std::min(scale_[axis], kLargestScale));
       f.contexts[0] += (4 * coded_ < scale ? 1U : 0U) + (coded_ >= 2 * scale ? 2U : 0U);
     }
     f.weight_set = static_cast<std::uint32_t>(axis) * 5 + sources_;
@@ -141,23 +140,40 @@ class ResidualTurn {
   }
 
  private:
-  static constexpr std::int32_t kLargestScale = (1 << 24) - 1;
-  static constexpr std::int32_t kSymbolBits = 6;  ///< of a distance in 1/16 steps that a symbol tells
-  static constexpr std::int32_t kSpreadClasses = 24;
+  static constexpr std::int16_t kSymbolBits = 6;  ///< of a distance in 1/16 steps that a symbol tells
+  static constexpr std::int16_t kClasses = 24;
+  static constexpr std::int16_t kLargestOctaves = 4 * 23 + 3;  ///< of kLargestScale
 
-  static FourInts five_times(FourInts lanes) noexcept { return (lanes << 2) + lanes; }
+  /// What the sources, 0 to 4, have to do with it.
+  struct Terms {
+    FourInts between;      ///< -1 where the spread's part is a half, else 0
+    EightShorts contexts;  ///< and the axis
+  };
+  static constexpr std::array<Terms, 5> kTerms = [] {
+    std::array<Terms, 5> terms{};
+    for (std::int16_t sources = 0; sources < 5; ++sources) {
+      const std::int32_t between = sources > 2 ? -1 : 0;
+      const std::int16_t a = static_cast<std::int16_t>(5 * sources);
+      const std::int16_t x = static_cast<std::int16_t>(3 * sources);
+      const std::int16_t y = static_cast<std::int16_t>(x + 1);
+      const std::int16_t z = static_cast<std::int16_t>(x + 2);
+      terms[static_cast<std::size_t>(sources)] = Terms{.between = FourInts{between, between, between, between},
+                                                       .contexts = EightShorts{a, a, a, a, x, y, z, x}};
+    }
+    return terms;
+  }();
 
-  FourInts whole_;                       ///< as in Expectation
-  FourInts offset_;                      ///< likewise
-  FourInts magnitude_;                   ///< mean of corners of known faces
-  std::array<std::int32_t, 4> nearest_;  ///< the expected lattice point
-  std::array<std::int32_t, 4> sign_;     ///< -1 where the vertex is likely below, else 0
-  std::array<std::int32_t, 4> scale_;    ///< what distance may be expected, 1/16 steps, to kLargestScale
-  std::array<std::int32_t, 4> scale_bits_;
-  std::array<std::int32_t, 4> shift_;
-  std::array<std::array<std::int32_t, 4>, kResidualModels> contexts_;  ///< without how axes before turned out
-  std::uint32_t sources_;    ///< 0 none, 1 neighbours, 2 .. 4 one to three parallelograms
-  std::uint32_t coded_ = 0;  ///< |residual| of the axes so far, 1/16 steps
+  FourInts whole_;             ///< as in Expectation
+  FourInts offset_;            ///< likewise
+  FourInts magnitude_;         ///< mean of corners of known faces
+  FourInts nearest_;           ///< the expected lattice point
+  FourInts sign_;              ///< -1 where the vertex is likely below, else 0
+  FourInts scale_;             ///< what distance may be expected, 1/16 steps
+  EightShorts scale_octaves_;  ///< its quarter_octaves(), twice
+  EightShorts shift_;          ///< twice
+  EightShorts contexts_;       ///< without how axes before turned out
+  std::uint32_t sources_;      ///< as in Outlook
+  std::uint32_t coded_ = 0;    ///< |residual| of the axes so far, 1/16 steps
 };
 
 /// Distances between vertices and what was expected of them.
@@ -167,18 +183,23 @@ class ResidualHistory {
 
   [[gnu::always_inline]] ResidualTurn begin(const Surroundings& around,
                                             const Expectation& expected) const noexcept {
-    ResidualRecord means{};
-    if (around.known_count > 0) {
-      means = sum(around.known[0]);
-      if (around.known_count > 1) {
-        const ResidualRecord second = sum(around.known[1]);
-        means.residual = (means.residual + second.residual) >> 1;
-        means.magnitude = (means.magnitude + second.magnitude) >> 1;
-      }
-      means.residual >>= 1;
-      means.magnitude >>= 1;
-    }
-    return {around, expected, means};
+    return ResidualTurn(outlook(around, expected));
+  }
+
+  Outlook outlook(const Surroundings& around, const Expectation& expected) const noexcept {
+    Outlook result{.expected = expected,
+                   .means = {},
+                   .sources = around.parallelogram_count > 0 ? std::min(around.parallelogram_count, 3U) + 1
+                                                             : std::min(around.known_count, 1U)};
+    if (around.known_count > 0) result.means = mean(around.known[0], around.known[around.known_count > 1 ? 1 : 0]);
+    return result;
+  }
+
+  /// Of a vertex with these two first known faces, or twice the only one.
+  [[gnu::always_inline]] ResidualRecord mean(const KnownFace& first, const KnownFace& second) const noexcept {
+    const ResidualRecord a = sum(first);
+    const ResidualRecord b = sum(second);
+    return {(a.residual + b.residual) >> 2, (a.magnitude + b.magnitude) >> 2};
   }
 
   [[gnu::always_inline]] void end(std::uint32_t vertex, const ResidualTurn& turn, FourInts cell) noexcept {

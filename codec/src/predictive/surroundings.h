@@ -43,6 +43,14 @@ struct Surroundings {
   std::uint32_t faces = 0;           ///< at the vertex, whatever their other corners, to kMostFaces
 };
 
+/// What is around most vertices: one known face or two, each with a parallelogram.
+struct FacePair {
+  KnownFace first;
+  KnownFace second;           ///< the first where there is no other
+  unsigned known_count;       ///< 1 or 2
+  std::uint32_t faces;        ///< as in Surroundings
+};
+
 /// The first known faces of every vertex.
 class KnownFaces {
  public:
@@ -59,6 +67,8 @@ class KnownFaces {
   /// `kTwoWalks`: there may be a second one.
   template <bool kTwoWalks = true>
   Surroundings around(std::uint32_t vertex) const noexcept;
+  /// False where it is something else that is around `vertex`. In one walk.
+  bool pair_around(std::uint32_t vertex, FacePair& pair) const noexcept;
   /// Whether nothing can be told of `vertex`, above 0, without the one before it.
   bool needs_previous(std::uint32_t vertex) const noexcept {
     if (vertex >= stars_.size()) return true;
@@ -133,6 +143,21 @@ template <bool kTwoWalks>
     around.parallelogram_count += opposite != kNoVertex ? 1 : 0;
   }
   return around;
+}
+
+[[gnu::always_inline]] inline bool KnownFaces::pair_around(std::uint32_t vertex,
+                                                           FacePair& pair) const noexcept {
+  if (vertex >= stars_.size()) [[unlikely]]
+    return false;
+  const Star& star = stars_[vertex];
+  const std::size_t second = std::size_t{star.known} - 1;
+  if (second > 1) [[unlikely]]
+    return false;
+  pair.first = {star.a[0], star.b[0], across<false>(star.a[0], star.b[0])};
+  pair.second = {star.a[second], star.b[second], across<false>(star.a[second], star.b[second])};
+  pair.known_count = star.known;
+  pair.faces = star.faces;
+  return pair.first.opposite != kNoVertex && pair.second.opposite != kNoVertex;
 }
 
 }  // namespace deltamesh
