@@ -87,8 +87,8 @@ inline FourInts third_of_sum(FourInts lanes) noexcept {
   const FourInts sum = halves + __builtin_shufflevector(halves, halves, 1, 0, 3, 2);
 #if defined(__SSE2__)
   // Exact below 2^31: the factor is 2^32 / 3 and 2 / 3 more.
-  const auto thirds = reinterpret_cast<FourInts>(
-      _mm_mul_epu32(reinterpret_cast<__m128i>(sum), _mm_set1_epi32(0x55555556)));
+  const auto thirds =
+      reinterpret_cast<FourInts>(_mm_mul_epu32(reinterpret_cast<__m128i>(sum), _mm_set1_epi32(0x55555556)));
   return __builtin_shufflevector(thirds, thirds, 1, 1, 3, 3);
 #else
   return FourInts{} + sum[0] / 3;

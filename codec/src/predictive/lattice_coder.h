@@ -87,7 +87,8 @@ class LatticeCoder {
   [[gnu::always_inline]] Outlook look_at(std::uint32_t vertex, std::span<const Cell> cells) const noexcept {
     FacePair pair;
     Outlook outlook;
-    if (!faces_.pair_around(vertex, pair) || !expect_pair(pair, cells, blends_, outlook.expected)) [[unlikely]]
+    if (!faces_.pair_around(vertex, pair) || !expect_pair(pair, cells, blends_, outlook.expected))
+        [[unlikely]]
       return look_around(vertex, cells);
     outlook.means = history_.mean(pair.first, pair.second);
     outlook.sources = pair.known_count + 1;

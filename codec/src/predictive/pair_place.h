@@ -46,9 +46,9 @@ namespace deltamesh {
   const FourInts edges = sum << 2;
   const Blend& blend = table[blend_row(pair.known_count, pair.faces)];
   result.whole = base;
-  result.offset = neighbors + (((parallelograms - neighbors) * blend.parallelogram +
-                                (edges - neighbors) * blend.edge) >>
-                               6);
+  result.offset =
+      neighbors +
+      (((parallelograms - neighbors) * blend.parallelogram + (edges - neighbors) * blend.edge) >> 6);
   result.spread = lane_sizes(first_corner - second_corner) << 3;
   return true;
 }

@@ -57,8 +57,8 @@ inline constexpr std::int32_t kLargestResidual = 1 << 26;  ///< 1/16 steps
 /// What is told of a vertex before it is coded.
 struct Outlook {
   Expectation expected;
-  ResidualRecord means;    ///< of corners of known faces
-  std::uint32_t sources;   ///< 0 none, 1 neighbours, 2 .. 4 one to three parallelograms
+  ResidualRecord means;   ///< of corners of known faces
+  std::uint32_t sources;  ///< 0 none, 1 neighbours, 2 .. 4 one to three parallelograms
 };
 
 /// A vertex while it is coded: forecast() and learn() of the axes in order, where these are of use, record().
@@ -84,17 +84,17 @@ class ResidualTurn {
 
     // From here on four lanes for the one table's contexts, then four for the other's.
     constexpr EightShorts kNone{};
-    const EightShorts octaves = smaller_lanes(
-        pack_lanes(quarter_octaves(scale_), quarter_octaves(spread)), kNone + kLargestOctaves);
+    const EightShorts octaves =
+        smaller_lanes(pack_lanes(quarter_octaves(scale_), quarter_octaves(spread)), kNone + kLargestOctaves);
     scale_octaves_ = twice_low(octaves);
     shift_ = larger_lanes((scale_octaves_ >> 2) - (kSymbolBits - 1), kNone);
     const EightShorts within = octaves - (shift_ << 2);
     const EightShorts coarse = (within + EightShorts{0, 0, 0, 0, 2, 2, 2, 2}) >> 1;
     const EightShorts fine = within - EightShorts{4, 4, 4, 4, 3, 3, 3, 3};
     const EightShorts is_shifted = shift_ > 0;
-    const EightShorts classes = smaller_lanes(larger_lanes(larger_lanes(coarse, fine), kNone),
-                                              kNone + (kClasses - 1)) +
-                                (is_shifted & EightShorts{4, 4, 4, 4, 0, 0, 0, 0});
+    const EightShorts classes =
+        smaller_lanes(larger_lanes(larger_lanes(coarse, fine), kNone), kNone + (kClasses - 1)) +
+        (is_shifted & EightShorts{4, 4, 4, 4, 0, 0, 0, 0});
     const EightShorts near = pack_lanes((mean ^ sign_) - sign_, FourInts{});
     const EightShorts sure = (smaller_lanes(near, kNone + 8) >> 1) & ~is_shifted;
     contexts_ = classes * EightShorts{25, 25, 25, 25, 15, 15, 15, 15} + terms.contexts + sure;
@@ -157,8 +157,9 @@ class ResidualTurn {
       const std::int16_t x = static_cast<std::int16_t>(3 * sources);
       const std::int16_t y = static_cast<std::int16_t>(x + 1);
       const std::int16_t z = static_cast<std::int16_t>(x + 2);
-      terms[static_cast<std::size_t>(sources)] = Terms{.between = FourInts{between, between, between, between},
-                                                       .contexts = EightShorts{a, a, a, a, x, y, z, x}};
+      terms[static_cast<std::size_t>(sources)] =
+          Terms{.between = FourInts{between, between, between, between},
+                .contexts = EightShorts{a, a, a, a, x, y, z, x}};
     }
     return terms;
   }();
@@ -191,7 +192,8 @@ class ResidualHistory {
                    .means = {},
                    .sources = around.parallelogram_count > 0 ? std::min(around.parallelogram_count, 3U) + 1
                                                              : std::min(around.known_count, 1U)};
-    if (around.known_count > 0) result.means = mean(around.known[0], around.known[around.known_count > 1 ? 1 : 0]);
+    if (around.known_count > 0)
+      result.means = mean(around.known[0], around.known[around.known_count > 1 ? 1 : 0]);
     return result;
   }
 

@@ -46,9 +46,9 @@ struct Surroundings {
 /// What is around most vertices: one known face or two, each with a parallelogram.
 struct FacePair {
   KnownFace first;
-  KnownFace second;           ///< the first where there is no other
-  unsigned known_count;       ///< 1 or 2
-  std::uint32_t faces;        ///< as in Surroundings
+  KnownFace second;      ///< the first where there is no other
+  unsigned known_count;  ///< 1 or 2
+  std::uint32_t faces;   ///< as in Surroundings
 };
 
 /// The first known faces of every vertex.
