@@ -12,6 +12,7 @@
 #include <cstdlib>
 
 #include "predictive/blend.h"
+#include "predictive/pair_place.h"
 #include "predictive/residual_context.h"
 #include "support/graph_mesh.h"
 
@@ -192,6 +193,16 @@ TEST(Surroundings, POSN4PlacesAreAsWrittenNearAndFar) {
           EXPECT_EQ(expected.place()[axis], letter.place);
           EXPECT_EQ(expected.spread[static_cast<int>(axis)], letter.spread);
           EXPECT_LT(std::abs(expected.offset[static_cast<int>(axis)]), 1 << 26);
+        }
+        FacePair pair;
+        const bool is_pair = faces.pair_around(v, pair);
+        EXPECT_EQ(is_pair, (around.known_count == 1 || around.known_count == 2) &&
+                               around.parallelogram_count == around.known_count);
+        Expectation paired;
+        if (is_pair && expect_pair(pair, cells, table, paired)) {
+          EXPECT_EQ(pair.known_count, around.known_count);
+          EXPECT_EQ(paired.place(), expected.place());
+          for (int axis = 0; axis < 3; ++axis) EXPECT_EQ(paired.spread[axis], expected.spread[axis]);
         }
       }
     }
