@@ -9,71 +9,141 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "connectivity/border.h"
-#include "connectivity/decision.h"
 #include "connectivity/split_reference.h"
+#include "entropy/compact_model.h"
 #include "entropy/number_model.h"
 
 namespace deltamesh {
 
-/// No stream has more: a decision's probability is at most 1 - 24 / 2^15, so that a byte holds at most 7568
-/// [CONN-2].
-inline constexpr std::uint64_t kFacesPerCompactByte = 8192;
+/// No stream has more: a symbol's probability is at most 1 - 30 / 2^15 and it stands for at most 7 faces, so
+/// that a byte holds at most 42379 [CONN-2].
+inline constexpr std::uint64_t kFacesPerCompactByte = 42400;
 
 /// `Coder` is CompactWriter or CompactReader.
 template <class Coder>
 class OpCoder {
  public:
-  explicit OpCoder(Coder& coder) : coder_(coder) {}
+  explicit OpCoder(Coder& coder) : coder_(coder) {
+    for (std::uint32_t faces = 1; faces <= kMostFaces; ++faces) {
+      const SymbolModel fresh = fresh_run(faces);
+      for (auto* const models : {&first_runs_, &second_runs_})
+        models->insert(models->end(), kRunContexts / kMostFaces, fresh);
+    }
+  }
 
   /// Writes `step`, or reads one; a reader's may not fit the border.
   [[gnu::always_inline]] BorderStep code(const BorderStep& step, const Border& border, const Gate& gate) {
-    const std::uint32_t focus = gate.focus_faces - 1;
-    const std::uint32_t closed = (gate.after_closed ? 2 : 0) + (gate.other_side_closed ? 1 : 0);
-    const std::uint32_t around = ((gate.left_faces - 1) * 4 + closed) * 4 + gate.loop;
-    const std::uint32_t ahead =
-        (((focus * 8 + gate.past_faces - 1) * 8 + gate.right_faces - 1) * 4 + closed) * 4 +
-        few(gate.other_faces);
-    const std::uint32_t set = last_kind_ * 4 + gate.loop;
-    if (is_new_.code(coder_, step.op == BorderOp::kNewVertex,
-                     {(focus * 8 + gate.last_focus_faces - 1) * 128 + around, ahead, set})) {
-      last_kind_ = 0;
-      return {BorderOp::kNewVertex};
+    if (gate.at_origin) return code_rare<true>(step, border, gate.item);
+    if constexpr (Coder::kWrites) {
+      write(step, border, gate);
+      return step;
+    } else {
+      return read(border, gate);
     }
-    if (is_right_.code(coder_, step.op == BorderOp::kRight, {focus * 128 + around, ahead, set})) {
-      last_kind_ = 1;
-      return {BorderOp::kRight};
-    }
-    last_kind_ = 2;
-    return gate.at_origin ? code_rare<true>(step.op, step.target, border, gate.item)
-                          : code_rare<false>(step.op, step.target, border, gate.item);
   }
 
  private:
-  /// The ops other than C and R, most frequent first; E is what is left.
-  static constexpr std::array kRareOps = {BorderOp::kBoundary, BorderOp::kLeft, BorderOp::kSplit,
-                                          BorderOp::kNearSplit};
+  /// A run is up to 6 ops C and the op that closes it, or 7 ops C before another run. Its symbol is the
+  /// number of ops C where R closes it, 7 more where another op does, which follows, or 14.
+  static constexpr unsigned kLongestRun = 7;
+  static constexpr unsigned kClosedByRare = kLongestRun;
+  static constexpr unsigned kGoesOn = 2 * kLongestRun;
 
-  static std::uint32_t few(std::uint32_t faces) noexcept { return std::min<std::uint32_t>(faces, 4) - 1; }
+  static constexpr std::size_t kRunContexts = kMostFaces * 128;
+  static constexpr std::size_t kRareNears = 5 * 16;  ///< what both of a rare op's contexts have
+
+  struct RunContext {
+    std::size_t first;
+    std::size_t second;
+    std::size_t weights;
+  };
+
+  static std::uint32_t few(std::uint32_t faces, std::uint32_t most) noexcept {
+    return std::min(faces, most) - 1;
+  }
+
+  static RunContext context_of(const Gate& gate) noexcept {
+    const std::uint32_t focus = gate.focus_faces - 1;
+    const std::uint32_t last = std::max<std::uint32_t>(gate.last_focus_faces, 5) - 5;
+    return {
+        .first =
+            (((focus * 4 + last) * 4 + few(gate.left_faces, 3)) * 2 + (gate.other_side_closed ? 1 : 0)) * 4 +
+            gate.loop,
+        .second = (((focus * 4 + few(gate.past_faces, 4)) * 4 + few(gate.right_faces, 4)) * 2 +
+                   (gate.after_closed ? 1 : 0)) *
+                      4 +
+                  few(gate.other_faces, 4),
+        .weights = focus * 4 + gate.loop};
+  }
+
+  /// The fewer faces a vertex has, the more are still to come, up to six.
+  static SymbolModel fresh_run(std::uint32_t faces) noexcept {
+    std::array<std::uint8_t, kSymbols> weights{};
+    weights.fill(1);
+    const std::uint32_t likely = faces < 5 ? 5 - faces : 0;
+    for (std::uint32_t k = 0; k < kLongestRun; ++k) {
+      const std::uint32_t off = std::max(k, likely) - std::min(k, likely);
+      if (off <= 2) weights[k] = static_cast<std::uint8_t>(32 >> (2 * off));
+    }
+    weights[kClosedByRare] = 6;
+    weights[kClosedByRare + 1] = 2;
+    return SymbolModel(weights);
+  }
+
+  unsigned code_run(unsigned symbol, const RunContext& context) {
+    last_rare_ = 0;
+    return coder_.symbol(symbol, Mixture<2>{{&first_runs_[context.first], &second_runs_[context.second]},
+                                            &run_weights_[context.weights]});
+  }
+
+  /// A writer knows a run when it closes.
+  void write(const BorderStep& step, const Border& border, const Gate& gate) {
+    if (run_ == 0) run_context_ = context_of(gate);
+    if (step.op == BorderOp::kNewVertex) {
+      if (++run_ == kLongestRun) code_run(kGoesOn, run_context_), run_ = 0;
+      return;
+    }
+    const bool is_rare = step.op != BorderOp::kRight;
+    code_run(std::exchange(run_, 0) + (is_rare ? kClosedByRare : 0), run_context_);
+    if (is_rare) code_rare<false>(step, border, gate.item);
+  }
+
+  [[gnu::always_inline]] BorderStep read(const Border& border, const Gate& gate) {
+    if (run_ == 0 && closing_ == BorderOp::kNewVertex) {
+      const unsigned symbol = code_run(0, context_of(gate));
+      run_ = symbol < kLongestRun ? symbol : std::min(symbol - kLongestRun, kLongestRun);
+      closing_ = symbol < kClosedByRare ? BorderOp::kRight
+                 : symbol < kGoesOn     ? BorderOp::kNone
+                                        : BorderOp::kNewVertex;
+    }
+    if (run_ > 0) {
+      --run_;
+      return {BorderOp::kNewVertex};
+    }
+    if (std::exchange(closing_, BorderOp::kNewVertex) == BorderOp::kRight) return {BorderOp::kRight};
+    return code_rare<false>({}, border, gate.item);
+  }
 
   template <bool AtOrigin>
-  [[gnu::noinline]] BorderStep code_rare(BorderOp op, std::uint32_t target, const Border& border,
-                                         std::uint32_t item) {
+  [[gnu::noinline]] BorderStep code_rare(const BorderStep& step, const Border& border, std::uint32_t item) {
     const Gate gate = border.gate_at<AtOrigin>(item);
-    const std::uint32_t closed =
-        (gate.other_side_closed ? 4 : 0) + (gate.after_closed ? 2 : 0) + (gate.before_closed ? 1 : 0);
-    const std::uint32_t near = closed * 4 + gate.loop;
-    const DecisionContext context{.first = (near * 8 + gate.focus_faces - 1) * 4 + few(gate.other_faces),
-                                  .second = (near * 8 + gate.left_faces - 1) * 8 + gate.right_faces - 1,
-                                  .set = 0};
-    for (std::size_t i = 0; i < kRareOps.size(); ++i) {
-      if (!is_rare_[i].code(coder_, op == kRareOps[i], context)) continue;
-      BorderStep coded{kRareOps[i]};
-      if (coded.op == BorderOp::kSplit) coded.target = code_target(target, border, item);
-      return coded;
-    }
-    return {BorderOp::kEnd};
+    const std::uint32_t stage = AtOrigin ? 2 + last_rare_ : gate.other_side_closed ? 1 : 0;
+    const std::uint32_t near =
+        ((stage * 2 + (gate.after_closed ? 1 : 0)) * 2 + (gate.before_closed ? 1 : 0)) * 4 + gate.loop;
+    const std::uint32_t focus = std::clamp<std::uint32_t>(gate.focus_faces, 2, 5) - 2;
+    const std::size_t first = (near * 4 + focus) * 4 + few(gate.other_faces, 4);
+    const std::size_t second = (near * 2 + few(gate.left_faces, 2)) * 4 + few(gate.right_faces, 4);
+    const auto symbol =
+        coder_.symbol(static_cast<unsigned>(step.op),
+                      Mixture<2>{{&first_rares_[first], &second_rares_[second]}, &rare_weights_[near]});
+    BorderStep coded{static_cast<BorderOp>(symbol)};
+    if (AtOrigin) last_rare_ = coded.op == BorderOp::kNewVertex ? 1 : 2;
+    if (coded.op == BorderOp::kSplit) coded.target = code_target(step.target, border, item);
+    return coded;
   }
 
   std::uint32_t code_target(std::uint32_t target, const Border& border, std::uint32_t gate) {
@@ -84,14 +154,26 @@ class OpCoder {
     return coder_.bits(target, static_cast<unsigned>(std::bit_width(border.item_count())));
   }
 
-  static Decision rare_decision() { return Decision(8 * 4 * 8 * 4, 8 * 4 * 8 * 8, 1, 32768); }
+  /// By stage, of which the first two are of step 1 [CONN-6].
+  static std::vector<SymbolModel> fresh_rares(std::size_t contexts_of_near) {
+    constexpr SymbolModel kFirstStep{{0, 8, 0, 8, 1, 6, 5, 0, 0, 0, 0, 0, 0, 0, 0, 0}};
+    constexpr SymbolModel kSecondStep{{8, 1, 1, 0, 1, 8, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0}};
+    std::vector<SymbolModel> models(kRareNears * contexts_of_near, kSecondStep);
+    std::fill_n(models.begin(), 2 * 16 * contexts_of_near, kFirstStep);
+    return models;
+  }
 
   Coder& coder_;
-  std::uint32_t last_kind_ = 0;  ///< of op: C, R, or another
-  Decision is_new_{8 * 8 * 128, 8 * 8 * 8 * 4 * 4, 12, 32768};
-  Decision is_right_{8 * 128, 8 * 8 * 8 * 4 * 4, 12, 58982};
-  std::array<Decision, kRareOps.size()> is_rare_ = {rare_decision(), rare_decision(), rare_decision(),
-                                                    rare_decision()};
+  unsigned run_ = 0;  ///< ops C of the run: of a writer's so far, of a reader's to come
+  BorderOp closing_ = BorderOp::kNewVertex;  ///< of a reader's run: R, kNone for a rare op, or C for none
+  RunContext run_context_{};                 ///< where a writer's began
+  std::uint32_t last_rare_ = 0;              ///< the last op: 0 in step 1 [CONN-6], else 1 C, 2 another
+  std::vector<SymbolModel> first_runs_;
+  std::vector<SymbolModel> second_runs_;
+  std::array<MixWeights<2>, kMostFaces * 4> run_weights_;
+  std::vector<SymbolModel> first_rares_ = fresh_rares(16);
+  std::vector<SymbolModel> second_rares_ = fresh_rares(8);
+  std::array<MixWeights<2>, kRareNears> rare_weights_;
   NumberModel references_;
 };
 
