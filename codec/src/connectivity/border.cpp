@@ -8,14 +8,21 @@
 
 namespace deltamesh {
 
+namespace {
+
+/// Room is made ready bit by bit, so that its first touch is in the cache when the faces come.
+constexpr std::size_t kFacesAtOnce = 1024;
+/// A face comes with an item at most, the first one of a component with three.
+constexpr std::size_t kItemsAtOnce = 3 * kFacesAtOnce;
+
+}  // namespace
+
 void Border::reserve(std::size_t vertices, std::size_t faces) {
-  items_.reserve(vertices + vertices / 8);  // one per vertex and split
+  items_.reserve(vertices + vertices / 8 + kItemsAtOnce);  // one per vertex and split
   faces_.reserve(3 * faces);
 }
 
-/// Room is made ready bit by bit, so that its first touch is in the cache when the faces come.
-bool Border::grow_faces() {
-  constexpr std::size_t kFacesAtOnce = 1024;
+bool Border::make_room() {
   constexpr std::size_t kProof = 64 * kFacesAtOnce;  // that the rest will be filled as well
   if (face_room_ == 3 * kProof) {
     want_large_pages(faces_.data(), faces_.capacity() * sizeof(faces_[0]));
@@ -23,6 +30,7 @@ bool Border::grow_faces() {
   }
   face_room_ = std::min(face_room_ + 3 * kFacesAtOnce, most_face_end_);
   faces_.resize(face_room_);
+  items_.resize(item_count_ + kItemsAtOnce);
   return face_end_ < face_room_;
 }
 
@@ -36,8 +44,7 @@ void Border::start() {
   const std::uint32_t i = item_count();
   vertex_count_ += 3;
   add_face(v, v + 1, v + 2);
-  for (std::uint32_t k = 0; k < 3; ++k)
-    items_.push_back({.origin = v + k, .previous = i + (k + 2) % 3, .next = i + (k + 1) % 3});
+  for (std::uint32_t k = 0; k < 3; ++k) add_item(v + k, i + (k + 2) % 3, i + (k + 1) % 3);
   for (std::uint32_t k = 0; k < 3; ++k) push_gap(i + k);
 }
 
@@ -45,9 +52,8 @@ void Border::start() {
 /// these are filled.
 bool Border::add_vertex(const Gate& gate) {
   const std::uint32_t apex = vertex_count_++;
-  const std::uint32_t fresh = item_count();
   add_face(gate.end, gate.origin, apex);
-  items_.push_back({.origin = apex, .previous = gate.item, .next = gate.after});
+  const std::uint32_t fresh = add_item(apex, gate.item, gate.after);
   items_[gate.item].next = fresh;
   items_[gate.after].previous = fresh;
   count_face(gate.item);
@@ -99,7 +105,7 @@ bool Border::add_end(const Gate& gate) {
 ///   ---before---> u ---gate---> v ---after--->    ---before---> u  v ---after--->
 /// ```
 bool Border::split(std::uint32_t target, const Gate& gate) {
-  if (target >= items_.size() || !items_[target].alive) return false;
+  if (target >= item_count_ || !items_[target].alive) return false;
   const std::uint32_t apex = items_[target].origin;
   if (apex == gate.origin || apex == gate.end) return false;
   const std::uint32_t before_target = items_[target].previous;
@@ -107,8 +113,7 @@ bool Border::split(std::uint32_t target, const Gate& gate) {
   count_face(gate.item);
   count_face(gate.after);
   count_face(target);
-  const std::uint32_t fresh = item_count();
-  items_.push_back({.origin = apex, .previous = kNoIndex, .next = kNoIndex, .faces = items_[target].faces});
+  const std::uint32_t fresh = add_item(apex, kNoIndex, kNoIndex, items_[target].faces);
   link(gate.item, target);
   link(before_target, fresh);
   link(fresh, gate.after);

@@ -27,7 +27,7 @@ class Border {
   explicit Border(std::uint32_t most_faces) noexcept : most_face_end_(std::size_t{3} * most_faces) {}
 
   const BorderItem& item(std::uint32_t i) const noexcept { return items_[i]; }
-  std::uint32_t item_count() const noexcept { return static_cast<std::uint32_t>(items_.size()); }
+  std::uint32_t item_count() const noexcept { return item_count_; }
   std::uint32_t vertex_count() const noexcept { return vertex_count_; }
   bool is_full() const noexcept { return face_end_ == most_face_end_; }
   /// Manifold vertices of the faces, three each: gate's end, gate's origin, apex [CONN-6].
@@ -55,6 +55,16 @@ class Border {
   /// Op R at a gate that is not at the focus' own item: the gap is filled. False where the rules do not allow
   /// it [CONN-7], or the border is full.
   bool add_right_and_leave(const Gate& gate);
+
+  /// Whether there is room for so many ops that add a face. Where there is none, one by one they make some,
+  /// as far as the border is not full.
+  bool has_room_for(std::uint32_t ops) const noexcept {
+    return face_room_ - face_end_ >= std::size_t{3} * ops;
+  }
+
+  /// So many ops C and then R, for which there is room, at a gate that is not at the focus' own item and in a
+  /// loop of three items or more: the gap is filled. False where the rules do not allow it [CONN-7].
+  bool add_fan(const Gate& gate, std::uint32_t new_vertices);
 
   /// Carries any op out at gate `i`, with the target of S. False where the rules do not allow it [CONN-7], or
   /// the border is full.
@@ -93,7 +103,14 @@ class Border {
   bool split(std::uint32_t target, const Gate& gate);
   /// False where the border is full.
   bool add_face(std::uint32_t a, std::uint32_t b, std::uint32_t c);
-  bool grow_faces();
+  /// There is room, as a face came with it.
+  std::uint32_t add_item(std::uint32_t origin, std::uint32_t previous, std::uint32_t next,
+                         std::uint8_t faces = 1) noexcept {
+    items_[item_count_] = {
+        .origin = origin, .previous = previous, .next = next, .faces = faces, .closed = false, .alive = true};
+    return item_count_++;
+  }
+  bool make_room();
   void push_gap(std::uint32_t i) { push_gap(i, items_[i].faces); }
   void push_gap(std::uint32_t i, std::uint32_t faces) {
     gaps_.push(faces, i, [this](std::uint32_t gap) { return !items_[gap].alive; });
@@ -103,15 +120,16 @@ class Border {
   std::size_t face_end_ = 0;   ///< of the faces in `faces_`
   std::size_t face_room_ = 0;  ///< size of `faces_`
   std::uint32_t vertex_count_ = 0;
+  std::uint32_t item_count_ = 0;
   std::uint32_t last_focus_faces_ = 6;
-  LargeVector<BorderItem> items_;
+  LargeVector<BorderItem> items_;     ///< and room for three with each face that there is room for
   std::vector<std::uint32_t> faces_;  ///< three for each face, and room for some more
   std::vector<DirectedEdge> open_edges_;
   GapQueue gaps_;
 };
 
 inline bool Border::add_face(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-  if (face_end_ == face_room_ && !grow_faces()) return false;
+  if (face_end_ == face_room_ && !make_room()) return false;
   std::uint32_t* const face = faces_.data() + face_end_;
   face[0] = a;
   face[1] = b;
@@ -162,14 +180,48 @@ template <bool AtOrigin>
   return true;
 }
 
+[[gnu::always_inline]] inline bool Border::add_fan(const Gate& gate, std::uint32_t new_vertices) {
+  BorderItem& beyond = items_[gate.beyond];
+  if (gate.after_closed || (new_vertices == 0 && beyond.origin == gate.origin)) return false;
+  std::uint32_t* face = faces_.data() + face_end_;
+  std::uint32_t item = gate.item;
+  std::uint32_t origin = gate.origin;
+  std::uint32_t faces = one_more_face(gate.other_faces);
+  const auto add = [&](std::uint32_t apex, std::uint32_t next) {
+    face[0] = gate.end;
+    face[1] = origin;
+    face[2] = apex;
+    face += 3;
+    items_[item].next = next;
+    items_[item].faces = static_cast<std::uint8_t>(faces);
+    push_gap(item, faces);
+  };
+  for (std::uint32_t i = 0; i < new_vertices; ++i) {
+    const std::uint32_t apex = vertex_count_++;
+    const std::uint32_t fresh = add_item(apex, item, kNoIndex);
+    add(apex, fresh);
+    item = fresh;
+    origin = apex;
+    faces = 2;
+  }
+  add(beyond.origin, gate.beyond);
+  const std::uint32_t beyond_faces = one_more_face(gate.right_faces);
+  beyond.previous = item;
+  beyond.faces = static_cast<std::uint8_t>(beyond_faces);
+  push_gap(gate.beyond, beyond_faces);
+  remove(gate.after);
+  face_end_ += std::size_t{3} * (new_vertices + 1);
+  leave_focus(std::min(gate.focus_faces + new_vertices + 1, kMostFaces));
+  return true;
+}
+
 [[gnu::always_inline]] inline bool Border::add_vertex_and_advance(Gate& gate) {
   const std::uint32_t apex = vertex_count_;
-  const std::uint32_t fresh = item_count();
   if (!add_face(gate.end, gate.origin, apex)) return false;
   ++vertex_count_;
   gate.other_faces = one_more_face(gate.other_faces);
   gate.focus_faces = one_more_face(gate.focus_faces);
-  items_.push_back({.origin = apex, .previous = gate.item, .next = gate.after});
+  const std::uint32_t fresh = add_item(apex, gate.item, gate.after);
   items_[gate.item].next = fresh;
   items_[gate.item].faces = static_cast<std::uint8_t>(gate.other_faces);
   items_[gate.after].previous = fresh;

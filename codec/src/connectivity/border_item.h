@@ -45,9 +45,9 @@ struct BorderItem {
   std::uint32_t origin;    ///< manifold vertex
   std::uint32_t previous;  ///< item that ends at `origin`
   std::uint32_t next;      ///< item that begins where this one ends
-  std::uint8_t faces = 1;  ///< at `origin`, as far as this item saw them
-  bool closed = false;     ///< known to be a boundary edge of the mesh
-  bool alive = true;
+  std::uint8_t faces;      ///< at `origin`, as far as this item saw them
+  bool closed;             ///< known to be a boundary edge of the mesh
+  bool alive;
 };
 
 }  // namespace deltamesh

@@ -133,6 +133,8 @@ class CompactGuide {
   [[gnu::always_inline]] BorderStep next(const Border& border, const Gate& gate) {
     return ops_.code({}, border, gate);
   }
+  [[gnu::always_inline]] std::optional<std::uint32_t> fan(const Gate& gate) { return ops_.fan(gate); }
+  void take_fan() noexcept { ops_.take_fan(); }
   bool failed() const noexcept { return reader_.failed(); }
 
  private:

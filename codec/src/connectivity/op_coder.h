@@ -9,6 +9,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -44,6 +45,19 @@ class OpCoder {
     } else {
       return read(border, gate);
     }
+  }
+
+  /// Of a reader, in step 1 [CONN-6]: how many ops C are read next, before an op R; nothing where none
+  /// follows.
+  [[gnu::always_inline]] std::optional<std::uint32_t> fan(const Gate& gate) {
+    begin_run(gate);
+    if (closing_ != BorderOp::kRight) return std::nullopt;
+    return run_;
+  }
+  /// As if these were read.
+  void take_fan() noexcept {
+    run_ = 0;
+    closing_ = BorderOp::kNewVertex;
   }
 
  private:
@@ -112,14 +126,18 @@ class OpCoder {
     if (is_rare) code_rare<false>(step, border, gate.item);
   }
 
+  /// Reads the next run where none is under way.
+  [[gnu::always_inline]] void begin_run(const Gate& gate) {
+    if (run_ != 0 || closing_ != BorderOp::kNewVertex) return;
+    const unsigned symbol = code_run(0, context_of(gate));
+    run_ = symbol < kLongestRun ? symbol : std::min(symbol - kLongestRun, kLongestRun);
+    closing_ = symbol < kClosedByRare ? BorderOp::kRight
+               : symbol < kGoesOn     ? BorderOp::kNone
+                                      : BorderOp::kNewVertex;
+  }
+
   [[gnu::always_inline]] BorderStep read(const Border& border, const Gate& gate) {
-    if (run_ == 0 && closing_ == BorderOp::kNewVertex) {
-      const unsigned symbol = code_run(0, context_of(gate));
-      run_ = symbol < kLongestRun ? symbol : std::min(symbol - kLongestRun, kLongestRun);
-      closing_ = symbol < kClosedByRare ? BorderOp::kRight
-                 : symbol < kGoesOn     ? BorderOp::kNone
-                                        : BorderOp::kNewVertex;
-    }
+    begin_run(gate);
     if (run_ > 0) {
       --run_;
       return {BorderOp::kNewVertex};

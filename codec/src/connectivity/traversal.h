@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "connectivity/border.h"
 
@@ -24,11 +25,19 @@ template <class Guide>
 }
 
 /// Fills the gap before item `gap` with faces, from its far side to the item itself [CONN-6]. Returns false
-/// as fill_from_item() does.
+/// as fill_from_item() does. A guide may know that the next steps are a fan, so many ops C and then R, before
+/// they are taken, and has then given them all.
 template <class Guide>
 bool fill_gap(Border& border, std::uint32_t gap, Guide& guide) {
   while (!border.item(border.item(gap).previous).closed) {
     Gate gate = border.gate_at<false>(border.item(gap).previous);
+    if constexpr (requires { guide.fan(gate); }) {
+      const std::optional<std::uint32_t> fan = guide.fan(gate);
+      if (fan && gate.loop != 1 && border.has_room_for(*fan + 1)) {
+        guide.take_fan();
+        return border.add_fan(gate, *fan);
+      }
+    }
     BorderStep step;
     for (;;) {
       step = guide.next(border, gate);
