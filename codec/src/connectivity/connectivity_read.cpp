@@ -133,8 +133,8 @@ class CompactGuide {
   [[gnu::always_inline]] BorderStep next(const Border& border, const Gate& gate) {
     return ops_.code({}, border, gate);
   }
-  [[gnu::always_inline]] std::optional<std::uint32_t> fan(const Gate& gate) { return ops_.fan(gate); }
-  void take_fan() noexcept { ops_.take_fan(); }
+  [[gnu::always_inline]] auto run(const Gate& gate) { return ops_.run(gate); }
+  void begin(const OpCoder<CompactReader>::Run& run) { ops_.begin(run); }
   bool failed() const noexcept { return reader_.failed(); }
 
  private:

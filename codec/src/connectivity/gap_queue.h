@@ -21,11 +21,11 @@ class GapQueue {
  public:
   /// `faces`: 1 to kMostFaces, at the gap. Amortised O(1).
   template <class IsGone>
-  void push(std::uint32_t faces, std::uint32_t gap, IsGone is_gone) {
+  [[gnu::always_inline]] void push(std::uint32_t faces, std::uint32_t gap, IsGone is_gone) {
     Bucket& bucket = buckets_[faces];
-    if (bucket.end == bucket.room) make_room(bucket, is_gone);
-    bucket.gaps[bucket.end++] = gap;
-    fullest_ = std::max<std::size_t>(fullest_, faces);
+    if (bucket.end == bucket.limit) make_room(bucket, is_gone);
+    *bucket.end++ = gap;
+    fullest_ = std::max(fullest_, faces);
   }
 
   /// The next gap that is not finished, or kNoIndex. Amortised O(1).
@@ -34,40 +34,39 @@ class GapQueue {
     for (;; --fullest_) {
       Bucket& bucket = buckets_[fullest_];
       while (bucket.begin < bucket.end) {
-        const std::uint32_t gap = bucket.gaps[bucket.begin++];
+        const std::uint32_t gap = *bucket.begin++;
         if (!is_finished(gap)) return gap;
       }
-      bucket.begin = bucket.end = 0;
+      bucket.begin = bucket.end = bucket.gaps.data();
       if (fullest_ == 0) return kNoIndex;
     }
   }
 
  private:
   struct Bucket {
-    std::vector<std::uint32_t> gaps;  ///< those from `begin` to `end` wait
-    std::size_t begin = 0;
-    std::size_t end = 0;
-    std::size_t room = 0;  ///< size of `gaps`
+    std::uint32_t* begin = nullptr;  ///< those from here to `end` wait
+    std::uint32_t* end = nullptr;
+    std::uint32_t* limit = nullptr;  ///< end of `gaps`
+    std::vector<std::uint32_t> gaps;
   };
 
   /// Drops gaps that are no more; a bucket that stays more than half full doubles.
   template <class IsGone>
   [[gnu::noinline]] static void make_room(Bucket& bucket, IsGone is_gone) {
-    std::size_t end = 0;
-    for (std::size_t i = bucket.begin; i < bucket.end; ++i) {
-      const std::uint32_t gap = bucket.gaps[i];
-      bucket.gaps[end] = gap;
-      end += is_gone(gap) ? 0 : 1;
+    std::uint32_t* end = bucket.gaps.data();
+    for (const std::uint32_t* gap = bucket.begin; gap != bucket.end; ++gap) {
+      *end = *gap;
+      end += is_gone(*gap) ? 0 : 1;
     }
-    bucket.begin = 0;
-    bucket.end = end;
-    if (2 * end < bucket.room) return;
-    bucket.room = std::max<std::size_t>(64, 2 * end);
-    bucket.gaps.resize(bucket.room);
+    const auto count = static_cast<std::size_t>(end - bucket.gaps.data());
+    if (2 * count >= bucket.gaps.size()) bucket.gaps.resize(std::max<std::size_t>(64, 2 * count));
+    bucket.begin = bucket.gaps.data();
+    bucket.end = bucket.begin + count;
+    bucket.limit = bucket.begin + bucket.gaps.size();
   }
 
   std::array<Bucket, kMostFaces + 1> buckets_;
-  std::size_t fullest_ = 0;  ///< no bucket above it holds a gap
+  std::uint32_t fullest_ = 0;  ///< no bucket above it holds a gap
 };
 
 }  // namespace deltamesh

@@ -9,7 +9,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -47,18 +46,25 @@ class OpCoder {
     }
   }
 
-  /// Of a reader, in step 1 [CONN-6]: how many ops C are read next, before an op R; nothing where none
-  /// follows.
-  [[gnu::always_inline]] std::optional<std::uint32_t> fan(const Gate& gate) {
-    begin_run(gate);
-    if (closing_ != BorderOp::kRight) return std::nullopt;
-    return run_;
+  /// Ops that a reader knows of: so many C and the one that closes them.
+  struct Run {
+    std::uint32_t new_vertices = 0;
+    BorderOp closing = BorderOp::kNewVertex;  ///< R, kNone for a rare op, or C for none
+
+    bool is_empty() const noexcept { return new_vertices == 0 && closing == BorderOp::kNewVertex; }
+    bool is_fan() const noexcept { return closing == BorderOp::kRight; }
+  };
+
+  /// Reads the run that begins at a gate in step 1 [CONN-6], or what is left of one.
+  [[gnu::always_inline]] Run run(const Gate& gate) {
+    if (!run_.is_empty()) return std::exchange(run_, Run{});
+    const unsigned symbol = code_run(0, context_of(gate));
+    if (symbol < kClosedByRare) return {symbol, BorderOp::kRight};
+    if (symbol < kGoesOn) return {symbol - kClosedByRare, BorderOp::kNone};
+    return {kLongestRun, BorderOp::kNewVertex};
   }
-  /// As if these were read.
-  void take_fan() noexcept {
-    run_ = 0;
-    closing_ = BorderOp::kNewVertex;
-  }
+  /// The next ops to read are those of `run`.
+  void begin(const Run& run) { run_ = run; }
 
  private:
   /// A run is up to 6 ops C and the op that closes it, or 7 ops C before another run. Its symbol is the
@@ -116,33 +122,25 @@ class OpCoder {
 
   /// A writer knows a run when it closes.
   void write(const BorderStep& step, const Border& border, const Gate& gate) {
-    if (run_ == 0) run_context_ = context_of(gate);
+    if (run_.is_empty()) run_context_ = context_of(gate);
     if (step.op == BorderOp::kNewVertex) {
-      if (++run_ == kLongestRun) code_run(kGoesOn, run_context_), run_ = 0;
+      if (++run_.new_vertices < kLongestRun) return;
+      code_run(kGoesOn, run_context_);
+      run_ = {};
       return;
     }
     const bool is_rare = step.op != BorderOp::kRight;
-    code_run(std::exchange(run_, 0) + (is_rare ? kClosedByRare : 0), run_context_);
+    code_run(std::exchange(run_, Run{}).new_vertices + (is_rare ? kClosedByRare : 0), run_context_);
     if (is_rare) code_rare<false>(step, border, gate.item);
   }
 
-  /// Reads the next run where none is under way.
-  [[gnu::always_inline]] void begin_run(const Gate& gate) {
-    if (run_ != 0 || closing_ != BorderOp::kNewVertex) return;
-    const unsigned symbol = code_run(0, context_of(gate));
-    run_ = symbol < kLongestRun ? symbol : std::min(symbol - kLongestRun, kLongestRun);
-    closing_ = symbol < kClosedByRare ? BorderOp::kRight
-               : symbol < kGoesOn     ? BorderOp::kNone
-                                      : BorderOp::kNewVertex;
-  }
-
   [[gnu::always_inline]] BorderStep read(const Border& border, const Gate& gate) {
-    begin_run(gate);
-    if (run_ > 0) {
-      --run_;
+    if (run_.is_empty()) run_ = run(gate);
+    if (run_.new_vertices > 0) {
+      --run_.new_vertices;
       return {BorderOp::kNewVertex};
     }
-    if (std::exchange(closing_, BorderOp::kNewVertex) == BorderOp::kRight) return {BorderOp::kRight};
+    if (std::exchange(run_.closing, BorderOp::kNewVertex) == BorderOp::kRight) return {BorderOp::kRight};
     return code_rare<false>({}, border, gate.item);
   }
 
@@ -182,10 +180,9 @@ class OpCoder {
   }
 
   Coder& coder_;
-  unsigned run_ = 0;  ///< ops C of the run: of a writer's so far, of a reader's to come
-  BorderOp closing_ = BorderOp::kNewVertex;  ///< of a reader's run: R, kNone for a rare op, or C for none
-  RunContext run_context_{};                 ///< where a writer's began
-  std::uint32_t last_rare_ = 0;              ///< the last op: 0 in step 1 [CONN-6], else 1 C, 2 another
+  Run run_;                      ///< of a writer's the ops C so far, of a reader's what is to come
+  RunContext run_context_{};     ///< where a writer's began
+  std::uint32_t last_rare_ = 0;  ///< the last op: 0 in step 1 [CONN-6], else 1 C, 2 another
   std::vector<SymbolModel> first_runs_;
   std::vector<SymbolModel> second_runs_;
   std::array<MixWeights<2>, kMostFaces * 4> run_weights_;

@@ -6,7 +6,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 
 #include "connectivity/border.h"
 
@@ -25,18 +24,17 @@ template <class Guide>
 }
 
 /// Fills the gap before item `gap` with faces, from its far side to the item itself [CONN-6]. Returns false
-/// as fill_from_item() does. A guide may know that the next steps are a fan, so many ops C and then R, before
-/// they are taken, and has then given them all.
+/// as fill_from_item() does. A guide may know of a run of steps before they are taken, and need not be asked
+/// for those of a fan.
 template <class Guide>
 bool fill_gap(Border& border, std::uint32_t gap, Guide& guide) {
   while (!border.item(border.item(gap).previous).closed) {
     Gate gate = border.gate_at<false>(border.item(gap).previous);
-    if constexpr (requires { guide.fan(gate); }) {
-      const std::optional<std::uint32_t> fan = guide.fan(gate);
-      if (fan && gate.loop != 1 && border.has_room_for(*fan + 1)) {
-        guide.take_fan();
-        return border.add_fan(gate, *fan);
-      }
+    if constexpr (requires { guide.run(gate); }) {
+      const auto run = guide.run(gate);
+      if (run.is_fan() && gate.loop != 1 && border.has_room_for(run.new_vertices + 1))
+        return border.add_fan(gate, run.new_vertices);
+      guide.begin(run);
     }
     BorderStep step;
     for (;;) {
