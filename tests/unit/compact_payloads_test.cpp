@@ -10,7 +10,9 @@
 
 #include "attributes/attribute.h"
 #include "base/quick_ratio.h"
+#include "connectivity/border.h"
 #include "connectivity/connectivity.h"
+#include "connectivity/op_coder.h"
 #include "entropy/compact_reader.h"
 #include "entropy/compact_writer.h"
 #include "field/field_coder.h"
@@ -58,6 +60,32 @@ TEST(CompactConnectivity, CONN12CONN13CONN14ReadsEverySoup) {
   }
 }
 
+TEST(CompactConnectivity, CONN12ReadsRunsOfEveryLength) {
+  for (std::uint32_t blades = 3; blades < 40; ++blades) {
+    for (const bool is_closed : {false, true}) {
+      const test::Soup soup = test::fan(blades, is_closed);
+      const CodedConnectivity coded = write_connectivity(soup.triangles, soup.vertex_count);
+      const auto read = read_connectivity(Payload::compact(coded.compact), soup.vertex_count, blades);
+      ASSERT_TRUE(read) << blades << " " << read.error().message;
+      EXPECT_EQ(read->triangles, coded.triangles) << blades;
+    }
+  }
+}
+
+TEST(CompactConnectivity, CONN12RejectsCodesThatAreNoOps) {
+  for (const std::uint32_t code : {7U, 15U}) {
+    CompactWriter writer;
+    OpCoder<CompactWriter> ops(writer);
+    Border border(2);
+    border.start();
+    ops.code({static_cast<BorderOp>(code)}, border, border.gate_at<false>(2));
+    const auto bytes = writer.finish();
+    const auto read = read_connectivity(Payload::compact(bytes), 10, 2);
+    ASSERT_FALSE(read) << code;
+    EXPECT_STREQ(read.error().rule, "CONN-7") << code;
+  }
+}
+
 TEST(CompactConnectivity, CMP3PrefixesAndFlipsAreErrorsOrValidFaces) {
   for (const test::Soup& soup : test::awkward_soups()) {
     if (soup.triangles.empty() || soup.triangles.size() > 200) continue;
@@ -75,7 +103,7 @@ TEST(CompactConnectivity, CMP3PrefixesAndFlipsAreErrorsOrValidFaces) {
 }
 
 TEST(CompactConnectivity, CONN2FacesAreBoundedByTheBytes) {
-  const auto refused = read_connectivity(Payload::compact(Bytes(8)), 10, 8 * 8192 + 1);
+  const auto refused = read_connectivity(Payload::compact(Bytes(8)), 10, 8 * 42400 + 1);
   ASSERT_FALSE(refused);
   EXPECT_STREQ(refused.error().rule, "CONN-2");
 }

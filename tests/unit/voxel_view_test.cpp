@@ -266,7 +266,6 @@ class Script {
     return next();
   }
   bool bit(bool, BitModel&) { return next() != 0; }
-  bool decide(bool, std::uint32_t) { return next() != 0; }
   std::uint32_t bits(std::uint32_t, unsigned) { return next(); }
   std::uint32_t number(std::uint32_t, NumberModel&) { return next(); }
 

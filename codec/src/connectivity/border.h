@@ -101,7 +101,7 @@ class Border {
   bool add_right(const Gate& gate);
   bool add_end(const Gate& gate);
   bool split(std::uint32_t target, const Gate& gate);
-  /// False where the border is full.
+  /// False where the border is full. Items may move.
   bool add_face(std::uint32_t a, std::uint32_t b, std::uint32_t c);
   /// There is room, as a face came with it.
   std::uint32_t add_item(std::uint32_t origin, std::uint32_t previous, std::uint32_t next,
@@ -163,9 +163,10 @@ template <bool AtOrigin>
 }
 
 [[gnu::always_inline]] inline bool Border::add_right_and_leave(const Gate& gate) {
+  const std::uint32_t apex = items_[gate.beyond].origin;
+  if (gate.after_closed || apex == gate.origin) return false;
+  if (!add_face(gate.end, gate.origin, apex)) return false;
   BorderItem& beyond = items_[gate.beyond];
-  if (gate.after_closed || beyond.origin == gate.origin) return false;
-  if (!add_face(gate.end, gate.origin, beyond.origin)) return false;
   const std::uint32_t faces = one_more_face(gate.other_faces);
   const std::uint32_t beyond_faces = one_more_face(gate.right_faces);
   BorderItem& item = items_[gate.item];

@@ -20,7 +20,7 @@
 namespace deltamesh {
 
 /// No stream has more: a symbol's probability is at most 1 - 30 / 2^15 and it stands for at most 7 faces, so
-/// that a byte holds at most 42379 [CONN-2].
+/// that a byte holds at most 42380 [CONN-2].
 inline constexpr std::uint64_t kFacesPerCompactByte = 42400;
 
 /// `Coder` is CompactWriter or CompactReader.
@@ -74,7 +74,7 @@ class OpCoder {
   static constexpr unsigned kGoesOn = 2 * kLongestRun;
 
   static constexpr std::size_t kRunContexts = kMostFaces * 128;
-  static constexpr std::size_t kRareNears = 5 * 16;  ///< what both of a rare op's contexts have
+  static constexpr std::size_t kRareNears = 4 * 16;  ///< what both of a rare op's contexts have
 
   struct RunContext {
     std::size_t first;
@@ -89,15 +89,12 @@ class OpCoder {
   static RunContext context_of(const Gate& gate) noexcept {
     const std::uint32_t focus = gate.focus_faces - 1;
     const std::uint32_t last = std::max<std::uint32_t>(gate.last_focus_faces, 5) - 5;
-    return {
-        .first =
-            (((focus * 4 + last) * 4 + few(gate.left_faces, 3)) * 2 + (gate.other_side_closed ? 1 : 0)) * 4 +
-            gate.loop,
-        .second = (((focus * 4 + few(gate.past_faces, 4)) * 4 + few(gate.right_faces, 4)) * 2 +
-                   (gate.after_closed ? 1 : 0)) *
-                      4 +
-                  few(gate.other_faces, 4),
-        .weights = focus * 4 + gate.loop};
+    const std::uint32_t closed = gate.after_closed ? 1 : 0;
+    const std::uint32_t behind = (focus * 4 + last) * 4 + few(gate.left_faces, 3);
+    const std::uint32_t ahead = (focus * 4 + few(gate.past_faces, 4)) * 4 + few(gate.right_faces, 4);
+    return {.first = (behind * 2 + closed) * 4 + gate.loop,
+            .second = (ahead * 2 + closed) * 4 + few(gate.other_faces, 4),
+            .weights = focus * 4 + gate.loop};
   }
 
   /// The fewer faces a vertex has, the more are still to come, up to six.
@@ -115,7 +112,7 @@ class OpCoder {
   }
 
   unsigned code_run(unsigned symbol, const RunContext& context) {
-    last_rare_ = 0;
+    last_ = 0;
     return coder_.symbol(symbol, Mixture<2>{{&first_runs_[context.first], &second_runs_[context.second]},
                                             &run_weights_[context.weights]});
   }
@@ -147,9 +144,8 @@ class OpCoder {
   template <bool AtOrigin>
   [[gnu::noinline]] BorderStep code_rare(const BorderStep& step, const Border& border, std::uint32_t item) {
     const Gate gate = border.gate_at<AtOrigin>(item);
-    const std::uint32_t stage = AtOrigin ? 2 + last_rare_ : gate.other_side_closed ? 1 : 0;
-    const std::uint32_t near =
-        ((stage * 2 + (gate.after_closed ? 1 : 0)) * 2 + (gate.before_closed ? 1 : 0)) * 4 + gate.loop;
+    const std::uint32_t closed = (gate.after_closed ? 2 : 0) + (gate.before_closed ? 1 : 0);
+    const std::uint32_t near = ((AtOrigin ? 1 + last_ : 0) * 4 + closed) * 4 + gate.loop;
     const std::uint32_t focus = std::clamp<std::uint32_t>(gate.focus_faces, 2, 5) - 2;
     const std::size_t first = (near * 4 + focus) * 4 + few(gate.other_faces, 4);
     const std::size_t second = (near * 2 + few(gate.left_faces, 2)) * 4 + few(gate.right_faces, 4);
@@ -157,7 +153,7 @@ class OpCoder {
         coder_.symbol(static_cast<unsigned>(step.op),
                       Mixture<2>{{&first_rares_[first], &second_rares_[second]}, &rare_weights_[near]});
     BorderStep coded{static_cast<BorderOp>(symbol)};
-    if (AtOrigin) last_rare_ = coded.op == BorderOp::kNewVertex ? 1 : 2;
+    if (AtOrigin) last_ = coded.op == BorderOp::kNewVertex ? 1 : 2;
     if (coded.op == BorderOp::kSplit) coded.target = code_target(step.target, border, item);
     return coded;
   }
@@ -170,19 +166,19 @@ class OpCoder {
     return coder_.bits(target, static_cast<unsigned>(std::bit_width(border.item_count())));
   }
 
-  /// By stage, of which the first two are of step 1 [CONN-6].
+  /// The first quarter is of step 1 [CONN-6].
   static std::vector<SymbolModel> fresh_rares(std::size_t contexts_of_near) {
     constexpr SymbolModel kFirstStep{{0, 8, 0, 8, 1, 6, 5, 0, 0, 0, 0, 0, 0, 0, 0, 0}};
     constexpr SymbolModel kSecondStep{{8, 1, 1, 0, 1, 8, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0}};
     std::vector<SymbolModel> models(kRareNears * contexts_of_near, kSecondStep);
-    std::fill_n(models.begin(), 2 * 16 * contexts_of_near, kFirstStep);
+    std::fill_n(models.begin(), models.size() / 4, kFirstStep);
     return models;
   }
 
   Coder& coder_;
-  Run run_;                      ///< of a writer's the ops C so far, of a reader's what is to come
-  RunContext run_context_{};     ///< where a writer's began
-  std::uint32_t last_rare_ = 0;  ///< the last op: 0 in step 1 [CONN-6], else 1 C, 2 another
+  Run run_;                   ///< of a writer's the ops C so far, of a reader's what is to come
+  RunContext run_context_{};  ///< where a writer's began
+  std::uint32_t last_ = 0;    ///< the last op: 0 in step 1 [CONN-6], else 1 C, 2 another
   std::vector<SymbolModel> first_runs_;
   std::vector<SymbolModel> second_runs_;
   std::array<MixWeights<2>, kMostFaces * 4> run_weights_;

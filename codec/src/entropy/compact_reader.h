@@ -40,16 +40,6 @@ class CompactReader {
     return value;
   }
 
-  bool decide(bool, std::uint32_t probability) noexcept {
-    const std::uint32_t slot = slot_of_state();
-    if (slot < probability) {
-      advance(probability * (state_ >> kProbabilityBits) + slot);
-      return true;
-    }
-    advance((kProbabilityOne - probability) * (state_ >> kProbabilityBits) + slot - probability);
-    return false;
-  }
-
   std::uint32_t bits(std::uint32_t, unsigned count) noexcept {
     if (count <= kMostBitsAtOnce) return take_bits(count);
     const std::uint32_t low = take_bits(kMostBitsAtOnce);

@@ -35,12 +35,6 @@ class CompactWriter {
     return value;
   }
 
-  /// A bit that is set with `probability`, 1 to 2^15 - 1 parts of 2^15; for models of the caller's own.
-  bool decide(bool value, std::uint32_t probability) {
-    put(value ? Interval{0, probability} : Interval{probability, kProbabilityOne - probability});
-    return value;
-  }
-
   /// The lowest `count` (0 to 32) bits of `value`, the higher ones being 0.
   std::uint32_t bits(std::uint32_t value, unsigned count) {
     if (count > kMostBitsAtOnce) {
