@@ -23,6 +23,9 @@ constexpr double kRivalShare = 1.08;
 /// save.
 constexpr double kHopelessLoad = 1.5;
 
+/// Bytes at a step that is guessed, over what they may be where it is found.
+constexpr double kGuessShare = 1.01;
+
 double positional_load(const Trials& trials, const Attempt& attempt) noexcept {
   return trials.bounds().positional_load(attempt.figures.quality);
 }
@@ -41,6 +44,8 @@ Result<void> explore_anchor_counts(const RateGoal& goal, const Attempt& start, T
       const double load = trials.bounds().load(probe.figures.quality);
       if (load > kHopelessLoad) break;
       settings.step *= step_goal(goal.effort).aim / load;
+      DELTAMESH_TRY(const std::uint64_t bytes, trials.coder().bytes(settings));
+      if (static_cast<double>(bytes) > kGuessShare * static_cast<double>(from.figures.bytes)) break;
       DELTAMESH_TRY(Attempt next, search_step(trials, settings, Watch::kAll, step_goal(goal.effort)));
       if (trials.bounds().load(next.figures.quality) > 1 || next.figures.bytes >= from.figures.bytes) break;
       from = std::move(next);
