@@ -260,7 +260,7 @@ TEST(Chunks, SweepsKnowWhatTheyLeave) {
   using Values = std::vector<multigrid::Float4>;
   Values step(level.node_count()), total(step.size()), left(step.size());
   const auto keep = [&](std::uint32_t i, multigrid::Float4 value) { total[i] += value; };
-  multigrid::sweep_first(
+  multigrid::sweep_first<false>(
       level, [&](std::uint32_t i) { return edges.add_lower(i, step.data(), some_value(i)); },
       [&](std::uint32_t i) { return edges.add_all(i, step.data(), some_value(i)); }, step, keep);
   multigrid::sweep_again<false>(level, step, keep);

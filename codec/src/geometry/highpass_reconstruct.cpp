@@ -131,7 +131,7 @@ Result<std::vector<Vec3>> reconstruct_highpass_once(HighpassSymbols symbols, Sol
                                 .scale = scale_of(parameters),
                                 .targets = anchor_targets(symbols, part, box, parameters),
                                 .half_cycles = parameters.half_cycles};
-    part.vertices = {};
+    std::vector<std::uint32_t>().swap(part.vertices);
     DELTAMESH_CHECK(solve_once(std::move(problem), std::span(positions).first(part.row_count)));
   }
   DELTAMESH_CHECK(complete_positions(symbols, is_solved, box, parameters, positions));

@@ -64,6 +64,12 @@ bool coarsen(const Level& fine, const Aggregates& aggregates, Coarsening how, fl
   return true;
 }
 
+/// Where weights are 1, PlannedCycles takes them from the number of neighbours.
+void forget_diagonal(Level& level) {
+  for (LargeVector<float>* values : {&level.degree, &level.inverse_degree, &level.mass})
+    LargeVector<float>().swap(*values);
+}
+
 /// For every bound the first of the ascending `seeds` that is not below.
 std::vector<std::uint32_t> places_of(std::span<const std::uint32_t> bounds,
                                      std::span<const std::uint32_t> seeds) {
@@ -107,6 +113,7 @@ std::vector<Level> build_levels(const Adjacency& graph, std::span<const std::uin
     fine.chunks = make_chunks(fine, std::move(bounds), coarse_bounds);
     bounds = is_worth_sharing(coarse) ? std::move(coarse_bounds)
                                       : std::vector<std::uint32_t>{0, coarse.node_count()};
+    if (how == Coarsening::kQuick && fine.has_unit_weights()) forget_diagonal(fine);
     levels.push_back(std::move(coarse));
   }
   levels.back().chunks = make_chunks(levels.back(), std::move(bounds), {});

@@ -23,7 +23,8 @@ struct Interpolation {
   std::array<float, 3> weight;        ///< unused ones are 0
 };
 
-/// The equations  K x + M s = b_x,  K s = b_s  on a graph, K = D - A with edge weights A.
+/// The equations  K x + M s = b_x,  K s = b_s  on a graph, K = D - A with edge weights A. A finest level that
+/// was coarsened quickly has neither D nor M.
 struct Level {
   std::span<const std::uint32_t> offsets;    ///< n + 1
   std::span<const std::uint32_t> neighbors;  ///< two entries per edge

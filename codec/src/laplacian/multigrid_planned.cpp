@@ -38,15 +38,16 @@ std::size_t coupled_level(std::span<const Level> levels) noexcept {
 Float4 charge(const Level& finest, const DeltaView& deltas, std::span<const Vec3> x,
               std::uint32_t i) noexcept {
   const Vec3 own = x[i];
+  const std::uint32_t begin = finest.offsets[i];
   const std::uint32_t end = finest.offsets[i + 1];
   TwoDoubles sum{};
   double sum_z = 0;
-  for (std::uint32_t e = finest.offsets[i]; e < end; ++e) {
+  for (std::uint32_t e = begin; e < end; ++e) {
     const Vec3& other = x[finest.neighbors[e]];
     sum += TwoDoubles{other[0], other[1]};
     sum_z += other[2];
   }
-  const double degree = finest.degree[i];
+  const double degree = end - begin;
   const Vec3 delta = deltas[i];
   return to_float4({degree * (delta[0] - own[0]) + sum[0], degree * (delta[1] - own[1]) + sum[1],
                     degree * (delta[2] - own[2]) + sum_z});
@@ -129,7 +130,7 @@ void PlannedCycles::correct_second(bool is_first) {
   const Edges<false> edges(level);
   if (is_first) {
     for (const std::uint32_t i : level.chunks.rim) step_second_[i] = Float4{};  // these come last
-    sweep_first(
+    sweep_first<false>(
         level, [&](std::uint32_t i) { return edges.add_lower(i, step_second_.data(), b_[i]); },
         [&](std::uint32_t i) { return edges.add_all(i, step_second_.data(), b_[i]); }, step_second_,
         [&](std::uint32_t i, Float4 step) {
@@ -139,8 +140,8 @@ void PlannedCycles::correct_second(bool is_first) {
     const auto residual = [&](std::uint32_t i) {
       return edges.add_x(i, u_.data(), b_[i] - level.degree[i] * u_[i].x - level.mass[i] * u_[i].s);
     };
-    sweep_first(level, residual, residual, step_second_,
-                [&](std::uint32_t i, Float4 step) { u_[i].x += step; });
+    sweep_first<false>(level, residual, residual, step_second_,
+                       [&](std::uint32_t i, Float4 step) { u_[i].x += step; });
   }
   for (int s = 1; s < kSecondSweeps; ++s)
     sweep_again<false>(level, step_second_, [&](std::uint32_t i, Float4 step) { u_[i].x += step; });
@@ -175,9 +176,10 @@ void PlannedCycles::start(const DeltaView& deltas, std::span<const Vec3> targets
   std::fill(s_.begin(), s_.end(), Float4{});
   std::fill(s_second_.begin(), s_second_.end(), Float4{});
   std::fill(forces_.begin(), forces_.end(), Float4{});
+  const Edges<true> edges(finest);
   restrict_to_second([&](const auto& take) {
     finest.chunks.visit(
-        [&](std::uint32_t i) { take(i, to_float4(static_cast<double>(finest.degree[i]) * deltas[i])); });
+        [&](std::uint32_t i) { take(i, to_float4(static_cast<double>(edges.degree(i)) * deltas[i])); });
   });
   for (std::size_t a = 0; a < targets.size(); ++a) gaps_[a] = to_float4(targets[a]);
   correct_from_second(kCorrections);
@@ -186,12 +188,14 @@ void PlannedCycles::start(const DeltaView& deltas, std::span<const Vec3> targets
 
 void PlannedCycles::sweep_finest(const DeltaView& deltas, int sweeps, std::span<Vec3> x) {
   const Level& finest = levels_[0];
+  const Edges<true> edges(finest);
   const auto residual = [&](std::uint32_t i) {
+    const float degree = edges.degree(i);
     return charge(finest, deltas, x, i) -
-           finest.mass[i] * interpolate_field(finest.interpolation[i], s_second_);
+           degree * degree * interpolate_field(finest.interpolation[i], s_second_);
   };
   const auto keep = [&](std::uint32_t i, Float4 step) { add(step, x[i]); };
-  sweep_first(finest, residual, residual, step_, keep);
+  sweep_first<true>(finest, residual, residual, step_, keep);
   for (int s = 1; s < sweeps; ++s) sweep_again<true>(finest, step_, keep);
 }
 

@@ -22,7 +22,24 @@ template <bool kUnitWeights>
 class Edges {
  public:
   explicit Edges(const Level& level) noexcept
-      : offsets_(level.offsets.data()), neighbors_(level.neighbors.data()), weights_(level.weights.data()) {}
+      : offsets_(level.offsets.data()),
+        neighbors_(level.neighbors.data()),
+        weights_(level.weights.data()),
+        degree_(level.degree.data()),
+        inverse_degree_(level.inverse_degree.data()) {}
+
+  /// Level::degree, which need not be stored where weights are 1.
+  float degree(std::uint32_t node) const noexcept {
+    if constexpr (kUnitWeights) return static_cast<float>(offsets_[node + 1] - offsets_[node]);
+    return degree_[node];
+  }
+
+  /// Level::inverse_degree; likewise.
+  float inverse_degree(std::uint32_t node) const noexcept {
+    if constexpr (!kUnitWeights) return inverse_degree_[node];
+    const float d = degree(node);
+    return d > 0 ? 1 / d : 0;
+  }
 
   /// `sum` and what lower neighbours add.
   Float4 add_lower(std::uint32_t node, const Float4* values, Float4 sum) const noexcept {
@@ -71,16 +88,19 @@ class Edges {
   const std::uint32_t* offsets_;
   const std::uint32_t* neighbors_;
   const float* weights_;
+  const float* degree_;
+  const float* inverse_degree_;
 };
 
 /// The first sweep: `step` from `residual(node)` and, on the rim, `outer_residual(node)`, asked for once for
 /// every node in the order of the level's chunks, which know what keep(node, step) was told before. `step` of
 /// a node without edges, which has none, is its residual.
-template <class Residual, class OuterResidual, class Keep>
+template <bool kUnitWeights, class Residual, class OuterResidual, class Keep>
 void sweep_first(const Level& level, const Residual& residual, const OuterResidual& outer_residual,
                  std::span<Float4> step, const Keep& keep) {
+  const Edges<kUnitWeights> edges(level);
   const auto sweep = [&](std::uint32_t i, Float4 r) {
-    const float inverse = level.inverse_degree[i];
+    const float inverse = edges.inverse_degree(i);
     const Float4 first = kOverRelaxation * inverse * r;
     step[i] = inverse > 0 ? first : r;
     keep(i, first);
@@ -94,7 +114,7 @@ template <bool kUnitWeights, class Keep>
 void sweep_again(const Level& level, std::span<Float4> step, const Keep& keep) {
   const Edges<kUnitWeights> edges(level);
   level.chunks.visit([&](std::uint32_t i) {
-    const float inverse = level.inverse_degree[i];
+    const float inverse = edges.inverse_degree(i);
     if (inverse == 0) return;
     step[i] =
         (1 - kOverRelaxation) * step[i] + kOverRelaxation * inverse * edges.add_all(i, step.data(), Float4{});
@@ -108,12 +128,12 @@ void take_residuals(const Level& level, std::span<const Float4> step, const Take
   constexpr float kOwn = 1 / kOverRelaxation - 1;
   const Edges<kUnitWeights> edges(level);
   const auto inner = [&](std::uint32_t i) {
-    const float degree = level.degree[i];
+    const float degree = edges.degree(i);
     take(i, degree > 0 ? edges.upper(i, step.data()) + kOwn * degree * step[i] : step[i]);
   };
   // Those on the rim came after the others, which have heard of higher ones only.
   const auto outer = [&](std::uint32_t i) {
-    Float4 sum = kOwn * level.degree[i] * step[i];
+    Float4 sum = kOwn * edges.degree(i) * step[i];
     edges.visit(i, [&](std::uint32_t neighbor, float weight) {
       if (neighbor < i) return;
       if (level.chunks.is_on_rim[neighbor]) {
