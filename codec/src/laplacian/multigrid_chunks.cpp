@@ -24,13 +24,12 @@ struct Range {
 };
 
 bool is_between(const Level& level, std::uint32_t node, const Range& own, const Range& coarse) noexcept {
-  const auto neighbors =
-      level.neighbors.subspan(level.offsets[node], level.offsets[node + 1] - level.offsets[node]);
-  const auto is_own = [&](std::uint32_t neighbor) { return own.has(neighbor); };
-  if (!std::all_of(neighbors.begin(), neighbors.end(), is_own)) return true;
-  if (level.interpolation.empty()) return false;
+  bool is_inside = true;
+  for (std::uint32_t e = level.offsets[node]; e < level.offsets[node + 1]; ++e)
+    is_inside &= own.has(level.neighbors[e]);
+  if (level.interpolation.empty()) return !is_inside;
   const Interpolation& p = level.interpolation[node];
-  return !(coarse.has(p.node[0]) && coarse.has(p.node[1]) && coarse.has(p.node[2]));
+  return !(is_inside && coarse.has(p.node[0]) && coarse.has(p.node[1]) && coarse.has(p.node[2]));
 }
 
 }  // namespace

@@ -12,8 +12,8 @@
 namespace deltamesh::multigrid {
 namespace {
 
-/// A neighbour that is a seed knows its aggregate's value better than one that is not.
-constexpr float kSeedWeight = 5;
+/// Of a neighbour, and of one that is a seed: that knows its aggregate's value better.
+constexpr std::array<float, 2> kWeights = {1, 5};
 
 /// The three largest of the weights offered, the first offered among equals. Without branches, which could
 /// not be predicted.
@@ -23,9 +23,9 @@ class LargestThree {
   void offer(std::uint32_t place, float weight) noexcept {
     std::uint64_t key = (std::uint64_t{std::bit_cast<std::uint32_t>(weight)} << 32) | ~place;
     for (std::uint64_t& kept : keys_) {
-      const std::uint64_t larger = std::max(kept, key);
-      key = std::min(kept, key);
-      kept = larger;
+      const std::uint64_t changes = (kept ^ key) & (0 - std::uint64_t{key > kept ? 1U : 0U});
+      kept ^= changes;
+      key ^= changes;
     }
   }
 
@@ -67,7 +67,7 @@ void interpolate_nodes(const Level& fine, const Aggregates& aggregates, std::uin
       float& sum = sums[aggregates.of(neighbor)];
       touched[count] = aggregates.of(neighbor);
       count += sum == 0 ? 1 : 0;
-      sum += aggregates.is_seed(neighbor) ? kSeedWeight * fine.weight(e) : fine.weight(e);
+      sum += kWeights[aggregates.is_seed(neighbor) ? 1 : 0] * fine.weight(e);
     }
     LargestThree largest;
     for (std::uint32_t k = 0; k < count; ++k) largest.offer(k, std::exchange(sums[touched[k]], 0.0F));
