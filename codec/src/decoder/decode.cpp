@@ -184,11 +184,8 @@ Result<Mesh> decode(std::span<const std::byte> stream, const DecodeOptions& opti
     const unsigned threads = options.threads > 0 ? options.threads : std::thread::hardware_concurrency();
     std::optional<MemoryPool> pool;
     std::optional<ThreadTeam> team;
-    if (threads > 1) {
-      team.emplace(threads);
-    } else if (stream.size() >= kWorthAPool) {
-      pool.emplace(predictive_memory(container.header(), stream.size()));
-    }
+    if (stream.size() >= kWorthAPool) pool.emplace(predictive_memory(container.header(), stream.size()));
+    if (threads > 1) team.emplace(threads);
     return StreamDecoder(container, options).run();
   });
 }

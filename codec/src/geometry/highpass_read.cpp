@@ -93,10 +93,14 @@ Result<HighpassSymbols> read_anchor_symbols(Payload anchors, const Components& c
   return symbols;
 }
 
-/// One thread reads the deltas while the others set up the solver.
-Result<std::vector<Vec3>> read_and_solve(Payload deltas, HighpassSymbols symbols, const SolvedPart& part,
-                                         const Box& box, const HighpassParameters& parameters) {
+/// One thread reads the deltas while the others read the anchors and set up the solver.
+Result<std::vector<Vec3>> read_and_solve(Payload deltas, Payload anchors, Adjacency graph,
+                                         Components components, const Box& box,
+                                         const HighpassParameters& parameters) {
+  const SolvedPart part = extract_solved_part(std::move(graph), components);
   Task<Result<std::vector<std::int32_t>>> values([&] { return read_deltas(deltas, part.graph); });
+  DELTAMESH_TRY(HighpassSymbols symbols, read_anchor_symbols(anchors, components, parameters));
+  components = {};
   PartSolver solver(part);
   Result<void> is_set_up;
   if (part.row_count > 0)
@@ -112,10 +116,10 @@ Result<std::vector<Vec3>> read_highpass(Payload deltas, Payload anchors, Adjacen
                                         Components components, const Box& box,
                                         const HighpassParameters& parameters) {
   DELTAMESH_CHECK(check_parameters(parameters, graph.vertex_count()));
+  if (ThreadTeam::current() != nullptr)
+    return read_and_solve(deltas, anchors, std::move(graph), std::move(components), box, parameters);
   DELTAMESH_TRY(HighpassSymbols symbols, read_anchor_symbols(anchors, components, parameters));
   SolvedPart part = extract_solved_part(std::move(graph), std::move(components));
-  if (ThreadTeam::current() != nullptr)
-    return read_and_solve(deltas, std::move(symbols), part, box, parameters);
   DELTAMESH_TRY(symbols.deltas, read_deltas(deltas, part.graph));
   return reconstruct_highpass_once(std::move(symbols), std::move(part), box, parameters);
 }

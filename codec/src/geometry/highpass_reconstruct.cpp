@@ -30,8 +30,9 @@ std::vector<Vec3> anchor_targets(const HighpassSymbols& symbols, const SolvedPar
   const AnchorLattice lattice(box, parameters.anchor_bits);
   const Vec3 center = middle(box);
   std::vector<Vec3> targets;
+  RowWalk walk(part);
   for (std::size_t i = 0; i < symbols.anchors.size(); ++i) {
-    if (part.row_of(symbols.anchors[i])) targets.push_back(lattice.position_of(symbols.cells[i]) - center);
+    if (walk.row_of(symbols.anchors[i])) targets.push_back(lattice.position_of(symbols.cells[i]) - center);
   }
   return targets;
 }
@@ -65,8 +66,9 @@ Vec3 AnchorLattice::position_of(const AnchorCell& cell) const noexcept {
 
 std::vector<std::uint32_t> anchor_rows(std::span<const std::uint32_t> anchors, const SolvedPart& part) {
   std::vector<std::uint32_t> rows;
+  RowWalk walk(part);
   for (const std::uint32_t anchor : anchors) {
-    if (const auto row = part.row_of(anchor)) rows.push_back(*row);
+    if (const auto row = walk.row_of(anchor)) rows.push_back(*row);
   }
   return rows;
 }

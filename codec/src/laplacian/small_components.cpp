@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <memory>
+#include <atomic>
 
+#include "base/thread_team.h"
 #include "laplacian/dense_component.h"
 
 namespace deltamesh {
@@ -82,11 +83,11 @@ SmallComponents::SmallComponents(const Adjacency& graph, const Components& compo
       [&](std::uint32_t a) { return place[components.label[anchors[a]]]; }, anchors_, first_anchor_);
 }
 
-Result<void> SmallComponents::solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions,
-                                    std::span<Vec3> x) const {
+bool SmallComponents::solve_range(std::uint32_t begin, std::uint32_t end, const DeltaView& deltas,
+                                  std::span<const Vec3> anchor_positions, std::span<Vec3> x) const {
   DenseComponent component;
   std::array<std::uint32_t, kLargest> columns;
-  for (std::size_t c = 0; c + 1 < first_vertex_.size(); ++c) {
+  for (std::uint32_t c = begin; c < end; ++c) {
     const auto vertices = vertices_of(c);
     const LocalNumbers numbers(vertices);
     component.begin(static_cast<std::uint32_t>(vertices.size()));
@@ -97,13 +98,21 @@ Result<void> SmallComponents::solve(const DeltaView& deltas, std::span<const Vec
     }
     for (const std::uint32_t a : anchors_of(c))
       component.add_anchor(numbers.of(anchor_vertex_[a]), anchor_positions[a]);
-    if (!component.solve())
-      return Error{.code = ErrorCode::kInvalidStream,
-                   .message = "the least-squares system is singular",
-                   .rule = "DELT-4"};
+    if (!component.solve()) return false;
     for (std::uint32_t i = 0; i < vertices.size(); ++i) x[vertices[i]] = component.solution(i);
   }
-  return {};
+  return true;
+}
+
+Result<void> SmallComponents::solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions,
+                                    std::span<Vec3> x) const {
+  std::atomic<bool> is_solved = true;
+  share_rows(first_vertex_.size() - 1, [&](std::uint32_t begin, std::uint32_t end) {
+    if (!solve_range(begin, end, deltas, anchor_positions, x)) is_solved = false;
+  });
+  if (is_solved) return {};
+  return Error{
+      .code = ErrorCode::kInvalidStream, .message = "the least-squares system is singular", .rule = "DELT-4"};
 }
 
 }  // namespace deltamesh

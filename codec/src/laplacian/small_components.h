@@ -33,6 +33,9 @@ class SmallComponents {
                      std::span<Vec3> x) const;
 
  private:
+  /// False where a component has no anchor.
+  bool solve_range(std::uint32_t begin, std::uint32_t end, const DeltaView& deltas,
+                   std::span<const Vec3> anchor_positions, std::span<Vec3> x) const;
   std::span<const std::uint32_t> vertices_of(std::size_t c) const noexcept {
     return std::span(vertices_).subspan(first_vertex_[c], first_vertex_[c + 1] - first_vertex_[c]);
   }

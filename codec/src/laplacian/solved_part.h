@@ -30,6 +30,24 @@ struct SolvedPart {
   std::optional<std::uint32_t> row_of(std::uint32_t vertex) const noexcept;
 };
 
+/// Rows of vertices that are asked for in ascending order.
+class RowWalk {
+ public:
+  explicit RowWalk(const SolvedPart& part) noexcept : part_(part) {}
+
+  /// As SolvedPart::row_of. O(1), but for O(n) over all calls.
+  std::optional<std::uint32_t> row_of(std::uint32_t vertex) noexcept {
+    if (part_.is_whole()) return vertex;
+    while (row_ < part_.vertices.size() && part_.vertices[row_] < vertex) ++row_;
+    if (row_ == part_.vertices.size() || part_.vertices[row_] != vertex) return std::nullopt;
+    return row_;
+  }
+
+ private:
+  const SolvedPart& part_;
+  std::uint32_t row_ = 0;
+};
+
 /// Takes the graph apart in place: no copy of it is made. O(n + edges).
 SolvedPart extract_solved_part(Adjacency graph, Components components);
 
