@@ -55,9 +55,9 @@ Result<std::vector<float>> read_floats(CompactReader& reader, const KnownFaces& 
 }
 
 /// In two walks. What the coder remembers is gone when the cells are there.
-Result<LargeVector<Cell>> read_voxel_cells(CompactReader& reader, const KnownFaces& faces,
-                                           const PredictiveParameters& parameters, const BlendTable& blends) {
-  VoxelCoder coder(reader, faces, parameters.lattice.cells, parameters.levels, blends);
+Result<LargeVector<Cell>> read_voxel_cells(CompactReader& reader, const VoxelFaces& faces,
+                                           const PredictiveParameters& parameters) {
+  VoxelCoder coder(reader, faces, parameters.lattice.cells, parameters.levels);
   LargeVector<Cell> cells(faces.vertex_count());
   for (std::uint32_t turn = 0; turn < faces.turns() && !reader.failed(); ++turn) {
     const char* broken = coder.code_turn(turn, cells);
@@ -66,9 +66,9 @@ Result<LargeVector<Cell>> read_voxel_cells(CompactReader& reader, const KnownFac
   return cells;
 }
 
-Result<std::vector<float>> read_voxels(CompactReader& reader, const KnownFaces& faces,
-                                       const PredictiveParameters& parameters, const BlendTable& blends) {
-  DELTAMESH_TRY(const auto cells, read_voxel_cells(reader, faces, parameters, blends));
+Result<std::vector<float>> read_voxels(CompactReader& reader, const VoxelFaces& faces,
+                                       const PredictiveParameters& parameters) {
+  DELTAMESH_TRY(const auto cells, read_voxel_cells(reader, faces, parameters));
   DELTAMESH_CHECK(reader.finish(kTagPositions));
   return to_rows(cells, parameters.lattice);
 }
@@ -103,12 +103,15 @@ Result<std::vector<float>> read_lattice(CompactReader& reader, const KnownFaces&
 }
 
 /// What follows the walk, of vertices numbered in its order.
-Result<std::vector<float>> read_in_order(CompactReader& reader, const KnownFaces& faces,
+Result<std::vector<float>> read_in_order(CompactReader& reader, const FaceList& list,
+                                         std::span<const std::uint32_t> order,
                                          const PredictiveParameters& parameters, const Box& box) {
+  if (parameters.kind == PositionKind::kVoxel)
+    return read_voxels(reader, VoxelFaces(list, order), parameters);
+  const KnownFaces faces(list, order);
   BlendTable blends{};
   code_blends(reader, blends);
   if (parameters.kind == PositionKind::kFloats) return read_floats(reader, faces, blends, box);
-  if (parameters.kind == PositionKind::kVoxel) return read_voxels(reader, faces, parameters, blends);
   return read_lattice(reader, faces, parameters.lattice, blends);
 }
 
@@ -133,8 +136,7 @@ Result<std::vector<float>> read_positions(Payload payload, const FaceList& faces
   Walk walk{};
   if (!code_walk(reader, walk)) return invalid("an order of vertices that is not known", "POSN-10");
   const auto order = walk_order(faces, walk);
-  DELTAMESH_TRY(auto walked, read_in_order(reader, KnownFaces(faces, order, second_walk(faces, parameters)),
-                                           parameters, box));
+  DELTAMESH_TRY(auto walked, read_in_order(reader, faces, order, parameters, box));
   if (!order.empty()) walked = in_decoded_order(walked, order);
   DELTAMESH_CHECK(check_finite(walked));
   return walked;

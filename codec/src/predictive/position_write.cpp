@@ -35,6 +35,16 @@ std::vector<Patch> in_order(std::span<const Patch> patches, const std::vector<st
   return result;
 }
 
+std::vector<std::byte> write_voxels(const VoxelFaces& faces, std::vector<Cell> cells,
+                                    const PredictiveParameters& parameters, Walk walk) {
+  CompactWriter writer;
+  writer.reserve(9 * std::size_t{faces.vertex_count()});
+  code_walk(writer, walk);
+  VoxelCoder coder(writer, faces, parameters.lattice.cells, parameters.levels);
+  for (std::uint32_t turn = 0; turn < faces.turns(); ++turn) coder.code_turn(turn, cells);
+  return writer.finish();
+}
+
 std::vector<std::byte> write_cells(const KnownFaces& faces, std::vector<Cell> cells,
                                    const PredictiveParameters& parameters, const PositionForm& form,
                                    std::vector<Patch> patches) {
@@ -45,11 +55,6 @@ std::vector<std::byte> write_cells(const KnownFaces& faces, std::vector<Cell> ce
   BlendTable blends = fit_blends(faces, cells, form.fit);
   code_blends(writer, blends);
   const PositionLattice& lattice = parameters.lattice;
-  if (parameters.kind == PositionKind::kVoxel) {
-    VoxelCoder coder(writer, faces, lattice.cells, parameters.levels, blends);
-    for (std::uint32_t turn = 0; turn < faces.turns(); ++turn) coder.code_turn(turn, cells);
-    return writer.finish();
-  }
   const bool guesses = form.guesses == Guessing::kForecast ? guesses_pay(faces, cells, lattice.cells, blends)
                                                            : form.guesses == Guessing::kAlways;
   writer.bits(guesses ? 1 : 0, 1);
@@ -83,8 +88,10 @@ std::vector<std::byte> write_positions(const FaceList& faces, std::span<const Ce
                                        std::span<const Patch> patches) {
   if (cells.empty()) return {};
   const auto order = walk_order(faces, form.walk);
-  return write_cells(KnownFaces(faces, order, second_walk(faces, parameters)), in_order(cells, order),
-                     parameters, form, in_order(patches, order));
+  if (parameters.kind == PositionKind::kVoxel)
+    return write_voxels(VoxelFaces(faces, order), in_order(cells, order), parameters, form.walk);
+  return write_cells(KnownFaces(faces, order), in_order(cells, order), parameters, form,
+                     in_order(patches, order));
 }
 
 std::vector<std::byte> write_floats(const FaceList& faces, std::span<const Vec3> positions, const Box& box,

@@ -29,11 +29,6 @@ struct PositionForm {
   Guessing guesses = Guessing::kNever;  ///< of kLattice: suits flat and swept surfaces [POSN-9]
 };
 
-/// Where the second of two walks begins, if there is one [POSN-12].
-inline std::uint32_t second_walk(const FaceList& faces, const PredictiveParameters& parameters) noexcept {
-  return parameters.kind == PositionKind::kVoxel ? (faces.vertex_count + 1) / 2 : kNoVertex;
-}
-
 /// The POSN payload, compact, of `cells`, one for every vertex of `faces`, within the lattice; empty for no
 /// vertices. `faces`: as decoded, whatever the walk. `patches`: of kLattice, ascending. O(n + m).
 std::vector<std::byte> write_positions(const FaceList& faces, std::span<const Cell> cells,

@@ -15,7 +15,9 @@
 
 #include "base/large_vector.h"
 #include "base/zigzag.h"
+#include "predictive/blend.h"
 #include "predictive/residual_coder.h"
+#include "predictive/voxel_faces.h"
 #include "predictive/voxel_view.h"
 
 namespace deltamesh {
@@ -24,25 +26,19 @@ template <class Coder>
 class VoxelCoder {
  public:
   /// `largest`: the most that a coordinate may be, per axis.
-  VoxelCoder(Coder& coder, const KnownFaces& faces, const std::array<std::uint32_t, 3>& largest,
-             std::uint32_t levels, const BlendTable& blends)
+  VoxelCoder(Coder& coder, const VoxelFaces& faces, const std::array<std::uint32_t, 3>& largest,
+             std::uint32_t levels)
       : coder_(coder),
         faces_(faces),
         largest_(largest),
         grid_(levels),
-        blends_(blends),
         history_(faces.vertex_count()),
         residuals_(coder),
-        spots_(faces.vertex_count()),
+        spots_(std::size_t{faces.vertex_count()} + kNoCube.size() + 1),
         nodes_(faces.vertex_count()),
-        corner_models_(kCornerContexts, kFreshEdge) {
-    edge_models_.reserve(kEdgeContexts);
-    for (std::size_t i = 0; i < kEdgeContexts; ++i) {
-      // Those of the first kind again for the others.
-      constexpr std::size_t kOfKind = kEdgeContexts / voxel::kPairKinds;
-      const std::size_t nearest = i / (kEdgeSlots * kMostLikely);
-      edge_models_.push_back(i < kOfKind ? fresh_edges(nearest, i % kEdgeSlots) : edge_models_[i - kOfKind]);
-    }
+        set_places_(voxel::kPairKinds << voxel::kEdges) {
+    spots_[faces.none()] = kOffEdges;
+    std::copy(kNoCube.begin(), kNoCube.end(), spots_.end() - kNoCube.size());
     while ((levels - 1) >> low_bits_ >= kSymbols) ++low_bits_;
     std::array<std::uint8_t, kSymbols> weights{};
     for (std::uint32_t i = 0; i <= (levels - 1) >> low_bits_; ++i) weights[i] = 1;
@@ -52,105 +48,132 @@ class VoxelCoder {
   /// The vertex of this turn in the first walk, from 0, and the one in the second; those of the turns before
   /// are coded. A reader fills their cells in. The rule that a stream breaks here, or null.
   const char* code_turn(std::uint32_t turn, std::span<Cell> cells) {
-    if (std::uint64_t{faces_.second_walk()} + turn >= cells.size()) return code_alone(turn, cells);
     const std::uint32_t other = faces_.second_walk() + turn;
+    const bool is_alone = other >= faces_.vertex_count();
     Vertex first(*this, turn, cells);
-    Vertex second(*this, other, cells);
-    if (!first.is_sure() || !second.is_sure()) {
-      const char* const broken = code_alone(turn, cells);
-      return broken != nullptr ? broken : code_alone(other, cells);
+    Vertex second(*this, is_alone ? turn : other, cells);
+    Corners corners = {corners_of(first.number), corners_of(second.number)};
+    VoxelPair pair;
+    if (!pair.find(corners, spots_)) [[unlikely]] {
+      first.has_cube = find_cube(corners[0]);
+      second.has_cube = find_cube(corners[1]);
+      pair.find(corners, spots_);
     }
-    first.view.look(first.around, spots_, blends_);
-    second.view.look(second.around, spots_, blends_);
-    const unsigned first_number = code_edge(first);
-    const unsigned second_number = code_edge(second);
-    const char* const broken = code_rest(first, first_number, cells);
-    return broken != nullptr ? broken : code_rest(second, second_number, cells);
+    pair.look(corners, spots_);
+    const unsigned first_number = first.has_cube ? code_edge(0, pair, corners, first) : voxel::kNoEdge;
+    const unsigned second_number =
+        second.has_cube && !is_alone ? code_edge(1, pair, corners, second) : voxel::kNoEdge;
+    const char* const broken = code_rest(0, pair, corners, first, first_number, cells);
+    return broken != nullptr || is_alone ? broken
+                                         : code_rest(1, pair, corners, second, second_number, cells);
   }
 
  private:
+  using Corners = std::array<VoxelCorners, 2>;
+
   /// While it is coded.
   struct Vertex {
     [[gnu::always_inline]] Vertex(const VoxelCoder& coder, std::uint32_t vertex, std::span<const Cell> cells)
-        : number(vertex), around(coder.faces_.around(vertex)) {
-      has_cube = view.find(around, coder.spots_);
+        : number(vertex) {
       if constexpr (Coder::kWrites) {
         cut = coder.grid_.cut_of(cells[vertex]);
         if (cut) told = spot_of(cut->node, cut->axis, coder.grid_.part_of(cut->level));
       }
     }
-    bool is_sure() const noexcept { return has_cube && !view.is_open(); }
 
     std::uint32_t number;
-    Surroundings around;
-    VoxelView view;
-    bool has_cube;
+    bool has_cube = true;
     std::optional<VoxelGrid::Cut> cut;  ///< of a writer's, where the vertex is on an edge; and its spot
     VoxelSpot told;
   };
 
-  static constexpr std::size_t kMostLikely = 4;
-  static constexpr std::size_t kMostFaces = 9;
-  static constexpr std::size_t kEdgeSlots = voxel::kEdges + 1;  ///< with none
-  static constexpr std::size_t kEdgeContexts = voxel::kPairKinds * voxel::kEdges * kMostLikely * kEdgeSlots;
-  static constexpr std::size_t kCornerContexts = voxel::kPairKinds * kEdgeSlots * (kMostFaces + 1);
+  static constexpr std::size_t kOpposites = VoxelPair::kOpen + 1;
   static constexpr std::size_t kMeanBins = 40;
   static constexpr std::size_t kPlaneBins = 20;
   static constexpr unsigned kFree = 3;
-  static constexpr SymbolModel kFreshEdge{{8, 8, 8, 8, 8, 8, 8, 8, 8, 8, 8, 8, 1, 0, 0, 0}};
   static constexpr SymbolModel kFreshStart{{8, 8, 8, 8, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
+  /// Two edges of one cube, for faces of vertices without a cube.
+  static constexpr std::array<VoxelSpot, 2> kNoCube = {{{{0, 0, 0, 0}}, {{0, kVoxelParts, kVoxelParts, 0}}}};
 
-  /// The rule that is broken where this is beyond the lattice, or null.
-  const char* settle(std::uint32_t vertex, std::size_t axis, std::int32_t level, Cell& cell) const noexcept {
-    const FourInts& node = nodes_[vertex];
-    cell = grid_.cell_of({node[0], node[1], node[2]}, axis, level);
-    bool is_within = true;
-    for (std::size_t a = 0; a < 3; ++a) is_within &= static_cast<std::uint32_t>(cell[a]) <= largest_[a];
-    return is_within ? nullptr : "POSN-7";
+  [[gnu::always_inline]] VoxelCorners corners_of(std::uint32_t vertex) const noexcept {
+    const VoxelFaces::Star& star = faces_.star(vertex);
+    return {star, faces_.across(star[0], star[1])};
   }
 
-  static SymbolModel fresh_edges(std::size_t nearest, std::size_t next) {
-    std::array<std::uint8_t, kSymbols> weights = {2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 1};
-    weights[nearest] = 100;
-    if (next != voxel::kNoEdge) weights[next] = 20;
-    return SymbolModel(weights);
+  /// Leaves faces of which find() finds cubes; false where they are not the vertex'.
+  [[gnu::noinline]] bool find_cube(VoxelCorners& corners) const noexcept {
+    const auto [a, b, last_a, last_b] = static_cast<std::array<std::uint32_t, 4>>(corners.star);
+    const auto takes = [&](std::uint32_t first_a, std::uint32_t first_b, std::uint32_t other_a,
+                           std::uint32_t other_b) {
+      corners = {{{first_a, first_b, other_a, other_b}}, faces_.across(first_a, first_b)};
+      return VoxelPair().find({corners, corners}, spots_);
+    };
+    if (takes(a, b, last_a, last_b) || takes(a, b, a, b) || takes(last_a, last_b, last_a, last_b)) return true;
+    const std::uint32_t none = faces_.none();
+    corners = {{{none + 1, none + 2, none + 1, none + 2}}, none};
+    return false;
   }
 
-  const char* code_alone(std::uint32_t number, std::span<Cell> cells) {
-    Vertex vertex(*this, number, cells);
-    if (!vertex.has_cube) return code_elsewhere(vertex.number, cells);
-    if (vertex.view.is_open())
-      vertex.view.choose(coder_.bit(vertex.cut && vertex.view.higher_has(vertex.told), higher_));
-    vertex.view.look(vertex.around, spots_, blends_);
-    return code_rest(vertex, code_edge(vertex), cells);
+  [[gnu::always_inline]] unsigned code_edge(std::size_t i, VoxelPair& pair, const Corners& corners,
+                                            const Vertex& vertex) {
+    const unsigned number = code_number(i, pair, vertex);
+    return number == VoxelPair::kOpen ? code_in_higher(i, pair, corners, vertex) : number;
   }
 
-  [[gnu::always_inline]] unsigned code_edge(const Vertex& vertex) {
-    const VoxelView& view = vertex.view;
-    const std::size_t likely = std::min<std::size_t>(view.likely(), kMostLikely) - 1;
-    const std::size_t degree = std::min<std::size_t>(vertex.around.faces, kMostFaces);
-    const std::size_t edge =
-        ((view.kind() * voxel::kEdges + view.nearest()) * kMostLikely + likely) * kEdgeSlots + view.next();
-    const std::size_t corner = (view.kind() * kEdgeSlots + view.opposite()) * (kMostFaces + 1) + degree;
+  [[gnu::noinline]] unsigned code_in_higher(std::size_t i, VoxelPair& pair, const Corners& corners,
+                                            const Vertex& vertex) {
+    if (!pair.is_open(i)) return VoxelPair::kOpen;
+    pair.choose(i);
+    pair.look(corners, spots_);
+    return code_number(i, pair, vertex);
+  }
+
+  [[gnu::always_inline]] unsigned code_number(std::size_t i, const VoxelPair& pair, const Vertex& vertex) {
+    std::uint16_t& place = set_places_[pair.kind(i) << voxel::kEdges | pair.likely(i)];
+    if (place == 0) [[unlikely]]
+      place = add_models(pair.likely(i));
     unsigned number = voxel::kNoEdge;
-    if constexpr (Coder::kWrites)
-      if (vertex.cut) number = view.number_of(vertex.told);
-    return coder_.symbol(number, Mixture<2>{{&edge_models_[edge], &corner_models_[corner]},
-                                            &edge_weights_[std::min(vertex.around.known_count, 3U) - 1]});
+    if constexpr (Coder::kWrites) {
+      if (vertex.cut) number = pair.number_of(i, vertex.told);
+      if (vertex.cut && number == voxel::kNoEdge && pair.is_open(i) && pair.higher_has(i, vertex.told))
+        number = VoxelPair::kOpen;
+    }
+    SymbolModel& model = edge_models_[std::size_t{place} * kOpposites - kOpposites + pair.opposite(i)];
+    return coder_.symbol(number, Mixture<1>{{&model}, &edge_weights_});
+  }
+
+  /// For a set of likely edges that was not seen before: where they are, from 1.
+  [[gnu::noinline]] std::uint16_t add_models(unsigned likely) {
+    std::array<std::uint8_t, kSymbols> weights{};
+    for (unsigned i = 0; i < voxel::kEdges; ++i) weights[i] = (likely >> i & 1) != 0 ? 20 : 1;
+    weights[voxel::kNoEdge] = 1;
+    edge_models_.resize(edge_models_.size() + VoxelPair::kOpen, SymbolModel(weights));
+    weights[VoxelPair::kOpen] = 100;
+    edge_models_.push_back(SymbolModel(weights));
+    return static_cast<std::uint16_t>(edge_models_.size() / kOpposites);
   }
 
   /// What follows the edge's number.
-  [[gnu::always_inline]] const char* code_rest(const Vertex& vertex, unsigned number, std::span<Cell> cells) {
-    if (number >= voxel::kEdges)
+  [[gnu::always_inline]] const char* code_rest(std::size_t i, const VoxelPair& pair, const Corners& corners,
+                                               const Vertex& vertex, unsigned number, std::span<Cell> cells) {
+    if (number >= voxel::kEdges) [[unlikely]]
       return number == voxel::kNoEdge ? code_elsewhere(vertex.number, cells) : "VOX-4";
-    const VoxelView& view = vertex.view;
-    const unsigned edge = view.edge_of(number);
+    const unsigned edge = pair.edge_of(i, number);
     std::int32_t level = 0;
     if constexpr (Coder::kWrites) level = vertex.cut->level;
-    level = code_level(level, view.mean_on(edge), view.plane_on(edge));
-    nodes_[vertex.number] = nodes_[view.corner()] + view.steps_to(edge);
-    spots_[vertex.number] = view.spot_on(edge, grid_.part_of(level));
+    level = code_level(level, pair.mean_on(i, edge), pair.plane_on(i, edge));
+    nodes_[vertex.number] = nodes_[corners[i].star[0]] + times(pair.steps_to(i, edge), grid_.voxel());
+    spots_[vertex.number] = pair.spot_on(i, edge, grid_.part_of(level));
     return settle(vertex.number, edge / 4, level, cells[vertex.number]);
+  }
+
+  /// The rule that is broken where this is beyond the lattice, or null.
+  [[gnu::always_inline]] const char* settle(std::uint32_t vertex, std::size_t axis, std::int32_t level,
+                                            Cell& cell) const noexcept {
+    const FourInts lanes = grid_.cell_of(nodes_[vertex], axis, level);
+    store_three(lanes, cell);
+    const FourInts largest = four_ints(std::bit_cast<Cell>(largest_));
+    return set_lanes(lanes | (largest - lanes)) == 0 ? nullptr : "POSN-7";
   }
 
   /// An edge by its axis and its lower node, from the node below what is expected; or a vertex on none.
@@ -159,7 +182,7 @@ class VoxelCoder {
     // Nothing comes before the first one of a walk.
     const std::uint32_t after = vertex == faces_.second_walk() ? 0 : vertex;
     const Surroundings around = faces_.around(vertex);
-    const Expectation expected = expect_place(around, after, cells, blends_);
+    const Expectation expected = expect_place(around, after, cells, kUsualBlends);
     const std::array<std::int64_t, 3> place = expected.place();
     std::optional<VoxelGrid::Cut> cut;
     if constexpr (Coder::kWrites) cut = grid_.cut_of(cells[vertex]);
@@ -177,7 +200,7 @@ class VoxelCoder {
       node[a] = static_cast<std::int32_t>(coded);
     }
     const std::int32_t level = code_level(cut ? cut->level : 0, kVoxelMiddle, kVoxelMiddle);
-    nodes_[vertex] = FourInts{node[0], node[1], node[2], 0};
+    nodes_[vertex] = FourInts{node[0], node[1], node[2], 0} * grid_.voxel();
     spots_[vertex] = spot_of(node, start, grid_.part_of(level));
     return settle(vertex, start, level, cells[vertex]);
   }
@@ -224,19 +247,17 @@ class VoxelCoder {
   }
 
   Coder& coder_;
-  const KnownFaces& faces_;
+  const VoxelFaces& faces_;
   std::array<std::uint32_t, 3> largest_;
   VoxelGrid grid_;
-  BlendTable blends_;
   ResidualHistory history_;
   ResidualCoder<Coder> residuals_;
-  LargeVector<VoxelSpot> spots_;
-  LargeVector<FourInts> nodes_;  ///< of those on edges; the last lanes are 0
+  LargeVector<VoxelSpot> spots_;  ///< then kOffEdges and kNoCube
+  LargeVector<FourInts> nodes_;  ///< lattice coordinates, of those on edges; the last lanes are 0
   unsigned low_bits_ = 0;        ///< of a level, outside its symbol
-  BitModel higher_;
-  std::vector<SymbolModel> edge_models_;
-  std::vector<SymbolModel> corner_models_;
-  std::array<MixWeights<2>, 3> edge_weights_;
+  std::vector<std::uint16_t> set_places_;  ///< by kind and set of likely edges: of edge_models_, or 0
+  std::vector<SymbolModel> edge_models_;   ///< by place from 1, and opposite
+  MixWeights<1> edge_weights_;
   std::vector<SymbolModel> level_models_;
   MixWeights<1> level_weights_;
   SymbolModel start_{kFreshStart};

@@ -18,14 +18,16 @@ inline constexpr int kVoxelBits = 7;
 inline constexpr std::int16_t kVoxelParts = 1 << kVoxelBits;  ///< of a voxel's side, for spots
 inline constexpr std::int16_t kVoxelMiddle = kVoxelParts / 2;
 
-/// Where a vertex is, in parts of a voxel, modulo 2^16; then kVoxelParts times the axis of its edge, or below
-/// 0 where it is on none. Small, as every vertex is looked at many times.
+/// Where a vertex is, in parts of a voxel, modulo 2^16; then kVoxelParts times the axis of its edge, or
+/// kNoAxis where it is on none. Small, as every vertex is looked at many times.
 struct alignas(8) VoxelSpot {
+  static constexpr std::int16_t kNoAxis = 4 * kVoxelParts;  ///< a bit that no axis has
+
   FourShorts at;
 
-  bool on_edge() const noexcept { return at[3] >= 0; }
+  bool on_edge() const noexcept { return at[3] != kNoAxis; }
 };
-inline constexpr VoxelSpot kOffEdges{{0, 0, 0, -1}};
+inline constexpr VoxelSpot kOffEdges{{0, 0, 0, VoxelSpot::kNoAxis}};
 
 /// Fine lattice coordinates of a voxel grid: a node is a multiple of 2 `levels`, and what an edge is cut into
 /// are its odd coordinates in between.
@@ -46,10 +48,11 @@ class VoxelGrid {
   };
   std::optional<Cut> cut_of(const Cell& cell) const noexcept;
 
-  Cell cell_of(const Node& node, std::size_t axis, std::int32_t level) const noexcept {
-    Cell cell = {node[0] * voxel_, node[1] * voxel_, node[2] * voxel_};
-    cell[axis] += 2 * level + 1;
-    return cell;
+  /// Lanes 0 to 2 are used. `corner`: of the edge, its lower node.
+  FourInts cell_of(FourInts corner, std::size_t axis, std::int32_t level) const noexcept {
+    static constexpr std::array<std::array<std::int32_t, 4>, 3> kAxes = {
+        {{-1, 0, 0, 0}, {0, -1, 0, 0}, {0, 0, -1, 0}}};
+    return corner + ((FourInts{} + (2 * level + 1)) & std::bit_cast<FourInts>(kAxes[axis]));
   }
   /// From the lower end of an edge, parts of a voxel: below kVoxelParts.
   std::int16_t part_of(std::int32_t level) const noexcept {

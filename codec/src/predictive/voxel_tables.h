@@ -17,7 +17,7 @@ namespace deltamesh::voxel {
 using Nodes = std::array<int, 3>;
 
 inline constexpr unsigned kEdges = 12;  ///< numbered by 4 axis + corner
-inline constexpr unsigned kNoEdge = NearestEdges::kNone;
+inline constexpr unsigned kNoEdge = 12;
 inline constexpr unsigned kTurns = 24;
 inline constexpr std::uint16_t kAllEdges = (1U << kEdges) - 1;
 
@@ -43,12 +43,12 @@ inline constexpr std::array<FourShorts, kEdges> kEdgeSpots = [] {
 }();
 
 /// Edges by axis and node, from -kBelow to kAbove around a cube's lowest node. What is at the ends is too far
-/// off to have a cube in common with it.
+/// off to have a cube in common with it. What is on no edge is of a fourth axis.
 inline constexpr int kBelow = 2;
 inline constexpr int kAbove = 3;
-inline constexpr FourShorts kNearWeights = {36, 6, 1, 216};
+inline constexpr EightShorts kNearWeights = {36, 6, 1, 216, 36, 6, 1, 216};
 inline constexpr int kNearMiddle = kBelow * (36 + 6 + 1);
-inline constexpr std::size_t kNear = 3 * 216;
+inline constexpr std::size_t kNear = 4 * 216;
 constexpr std::size_t near_index(std::size_t axis, const Nodes& node) noexcept {
   return 216 * axis + static_cast<std::size_t>(36 * node[0] + 6 * node[1] + node[2] + kNearMiddle);
 }
@@ -78,6 +78,7 @@ constexpr bool share_cube(std::size_t axis, const Nodes& node, std::size_t axis2
 /// there is none.
 inline constexpr std::array<std::uint16_t, kNear> kEdgesNear = [] {
   std::array<std::uint16_t, kNear> sets{};
+  sets.fill(kAllEdges);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     for (int x = -kBelow; x <= kAbove; ++x) {
       for (int y = -kBelow; y <= kAbove; ++y) {
@@ -125,6 +126,18 @@ inline constexpr std::array<std::array<std::uint8_t, 16>, kTurns> kTurned = [] {
   return turned;
 }();
 
+/// Turn by turn what a set of six edges becomes: the lower half of them, then the upper half.
+inline constexpr std::array<std::array<std::array<std::uint16_t, 64>, 2>, kTurns> kTurnedSets = [] {
+  std::array<std::array<std::array<std::uint16_t, 64>, 2>, kTurns> turned{};
+  for (std::size_t turn = 0; turn < kTurns; ++turn)
+    for (std::size_t half = 0; half < 2; ++half)
+      for (std::size_t set = 0; set < 64; ++set)
+        for (std::size_t i = 0; i < 6; ++i)
+          if ((set >> i & 1) != 0)
+            turned[turn][half][set] |= static_cast<std::uint16_t>(1U << kTurned[turn][6 * half + i]);
+  return turned;
+}();
+
 /// Turn by turn the edge that gets a number.
 inline constexpr std::array<std::array<std::uint8_t, kEdges>, kTurns> kBeforeTurn = [] {
   std::array<std::array<std::uint8_t, kEdges>, kTurns> before{};
@@ -137,7 +150,7 @@ inline constexpr std::array<std::array<std::uint8_t, kEdges>, kTurns> kBeforeTur
 /// the least number that it can have.
 struct alignas(16) PairCube {
   FourShorts lowest{};     ///< as a spot, from the first edge's node
-  std::uint16_t others{};  ///< the cube's edges but for the two
+  std::uint16_t others{};  ///< the cube's edges but for the two, before the turn
   std::uint8_t turn = 0;
   std::uint8_t kind = 0;  ///< which of the numbers that second edges have, ascending
 };
@@ -146,8 +159,9 @@ inline constexpr unsigned kPairKinds = 6;
 /// The cubes of two edges, the lower one first; where there is one only it is there twice.
 struct CubePair {
   std::array<PairCube, 2> cubes{};
-  std::uint8_t count = 0;  ///< 0: there is none
-  std::uint8_t axis = 0;   ///< of two cubes: where they lie apart
+  std::uint8_t count = 0;    ///< 0: there is none
+  std::uint8_t axis = 0;     ///< of two cubes: where they lie apart
+  std::int16_t between = 0;  ///< the spot between them there, from the first edge's node
 };
 
 /// The turn that gives `first` the number 0 and `second` the least.
@@ -188,35 +202,43 @@ constexpr CubePair make_pair(std::size_t axis, std::size_t axis2, const Nodes& n
   if (pair.count == 1) pair.cubes[1] = pair.cubes[0];
   for (std::uint8_t a = 0; a < 3; ++a)
     if (pair.cubes[0].lowest[a] != pair.cubes[1].lowest[a]) pair.axis = a;
+  pair.between = pair.cubes[1].lowest[pair.axis];
   return pair;
 }
 
 /// By axes and steps between nodes, the ends of which are too far off for any common cube.
 inline constexpr int kMostApart = 2;
-inline constexpr FourShorts kPairWeights = {25, 5, 1, 125};
+inline constexpr EightShorts kPairWeights = {25, 5, 1, 125, 25, 5, 1, 125};  ///< 3 a + b of the axes a and b
 inline constexpr int kPairMiddle = kMostApart * (25 + 5 + 1);
 inline constexpr std::size_t kPairs = 1 + 3 * 32;  ///< none, and what every edge shares cubes with
 
 struct PairTable {
-  std::array<std::array<std::uint8_t, 3 * 125>, 3> places{};  ///< by the first edge's axis
+  std::array<std::uint8_t, 9 * 125> places{};
   std::array<CubePair, kPairs> pairs{};
 };
 inline constexpr PairTable kPairTable = [] {
   PairTable table;
   std::size_t count = 1;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (std::size_t axis2 = 0; axis2 < 3; ++axis2) {
-      for (int i = 0; i < 27; ++i) {
-        const Nodes node = {i / 9 - 1, i / 3 % 3 - 1, i % 3 - 1};
-        const CubePair pair = make_pair(axis, axis2, node);
-        if (pair.count == 0) continue;
-        const int place = 25 * node[0] + 5 * node[1] + node[2] + kPairMiddle;
-        table.places[axis][125 * axis2 + static_cast<std::size_t>(place)] = static_cast<std::uint8_t>(count);
-        table.pairs[count++] = pair;
-      }
+  for (std::size_t axes = 0; axes < 9; ++axes) {
+    for (int i = 0; i < 27; ++i) {
+      const Nodes node = {i / 9 - 1, i / 3 % 3 - 1, i % 3 - 1};
+      const CubePair pair = make_pair(axes / 3, axes % 3, node);
+      if (pair.count == 0) continue;
+      const int place = 25 * node[0] + 5 * node[1] + node[2] + kPairMiddle;
+      table.places[125 * axes + static_cast<std::size_t>(place)] = static_cast<std::uint8_t>(count);
+      table.pairs[count++] = pair;
     }
   }
   return table;
+}();
+
+/// From the middle of a cube to that of an edge, but for its own axis.
+inline constexpr std::array<FourShorts, kEdges> kEdgeMiddles = [] {
+  std::array<FourShorts, kEdges> middles{};
+  for (std::size_t i = 0; i < kEdges; ++i)
+    for (std::size_t a = 0; a < 3; ++a)
+      middles[i][a] = static_cast<std::int16_t>(a == i / 4 ? 0 : kVoxelParts * kEdgeNodes[i][a] - kVoxelMiddle);
+  return middles;
 }();
 
 }  // namespace deltamesh::voxel

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// The cube that a vertex's first usable face puts it in, and what the vertices around say of where in it
+// The cubes that two vertices' first faces put them in, and what the corners around say of where in these
 // [VOX-2, VOX-3]. Integers only; shared by writer and reader.
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
-#include "predictive/blend.h"
 #include "predictive/voxel_edges.h"
+#include "predictive/voxel_faces.h"
 #include "predictive/voxel_lanes.h"
 #include "predictive/voxel_tables.h"
 
@@ -20,252 +19,203 @@ namespace deltamesh {
 
 namespace voxel {
 
-inline constexpr EightShorts kNodes = {-kVoxelParts, -kVoxelParts, -kVoxelParts,
-                                       0};  ///< bits of a spot's node
+/// Bits of a spot's node.
+inline constexpr EightShorts kNodes = {-kVoxelParts, -kVoxelParts, -kVoxelParts, 0,
+                                       -kVoxelParts, -kVoxelParts, -kVoxelParts, 0};
+/// Those of its axis.
+inline constexpr EightShorts kAxes = {0, 0, 0, -1, 0, 0, 0, -1};
 
-/// 2^14 over a number, in all lanes.
-inline constexpr auto kPartOf = [] {
-  std::array<std::array<std::int16_t, 8>, 2 * Surroundings::kMostKnown + 1> parts{};
-  for (std::size_t n = 1; n < parts.size(); ++n)
-    parts[n].fill(static_cast<std::int16_t>((16384 + n / 2) / n));
-  return parts;
-}();
-
-/// By near_index(): `spot` is from the cube's lowest node, and cut as from_lowest() cuts it.
-[[gnu::always_inline]] inline std::size_t place_near(EightShorts spot) noexcept {
-  return static_cast<std::size_t>(weigh(spot >> kVoxelBits, kNearWeights) + kNearMiddle);
-}
-
+/// Spots from a cube's lowest node, as far off as tables go.
 [[gnu::always_inline]] inline EightShorts cut(EightShorts from_lowest) noexcept {
   return clamp(from_lowest, -kBelow * kVoxelParts, kAbove * kVoxelParts);
 }
 
-/// `a_node`: of the edge `a`.
-[[gnu::always_inline]] inline const CubePair& pair_of(const VoxelSpot& a, EightShorts a_node,
-                                                      EightShorts b) noexcept {
-  const EightShorts apart = clamp(wrapped_difference(b, a_node) >> kVoxelBits, -kMostApart, kMostApart);
-  const auto place = static_cast<std::size_t>(weigh(apart, kPairWeights) + kPairMiddle);
-  const auto axis = static_cast<std::size_t>(a.at[3] >> kVoxelBits);
-  return kPairTable.pairs[kPairTable.places[axis][place]];
+/// Of two cut spots: by near_index().
+[[gnu::always_inline]] inline std::array<std::size_t, 2> places_near(EightShorts spots) noexcept {
+  const auto sums = weigh(spots >> kVoxelBits, kNearWeights);
+  return {static_cast<std::size_t>(sums[0] + kNearMiddle), static_cast<std::size_t>(sums[1] + kNearMiddle)};
 }
 
-[[gnu::always_inline]] inline EightShorts size_of(EightShorts lanes) noexcept {
-  const EightShorts sign = lanes >> 15;
-  return (lanes ^ sign) - sign;
+/// The cubes of the edges of `a` and `b`, for both halves; `nodes`: of a.
+[[gnu::always_inline]] inline std::array<const CubePair*, 2> pairs_of(EightShorts a, EightShorts nodes,
+                                                                      EightShorts b) noexcept {
+  const EightShorts apart =
+      clamp(wrapped_difference(b, nodes), -kMostApart * kVoxelParts, kMostApart * kVoxelParts);
+  const auto sums = weigh((apart + (a & kAxes) * 3) >> kVoxelBits, kPairWeights);
+  std::array<const CubePair*, 2> pairs{};
+  for (std::size_t i = 0; i < 2; ++i)
+    pairs[i] = &kPairTable.pairs[kPairTable.places[static_cast<std::size_t>(sums[i] + kPairMiddle)]];
+  return pairs;
 }
-
-/// How many are in a set of twelve.
-inline constexpr std::array<std::uint8_t, kAllEdges + 1> kCounts = [] {
-  std::array<std::uint8_t, kAllEdges + 1> counts{};
-  for (unsigned set = 1; set < counts.size(); ++set)
-    counts[set] = static_cast<std::uint8_t>(counts[set / 2] + set % 2);
-  return counts;
-}();
 
 }  // namespace voxel
 
-/// Edges are told by their numbers after the cube's turn. find(), then choose() where is_open(), then look();
-/// what the others tell is known after these.
-class VoxelView {
+/// The faces that a vertex is seen by: a corner of the lower numbers is a vertex with a spot.
+struct VoxelCorners {
+  VoxelFaces::Star star;   ///< corners a and b of the face that tells the cube, then of another or the same one
+  std::uint32_t opposite;  ///< across the first one's a and b
+};
+
+/// Two vertices, told by 0 and 1. Edges are told by their numbers after the cube's turn. find(), then look();
+/// where is_open(), choose() and look() again.
+class VoxelPair {
  public:
-  /// False where no known face has a cube. `spots`: of the vertices before this one at least.
-  bool find(const Surroundings& around, std::span<const VoxelSpot> spots) noexcept;
+  static constexpr unsigned kOpen = 13;  ///< in place of where the opposite is
 
-  /// The vertex may be in two cubes.
-  bool is_open() const noexcept { return is_open_; }
-  void choose(bool higher) noexcept { cube_ = &pair_->cubes[higher ? 1 : 0]; }
-  /// Whether the higher one of two cubes has the edge at a spot.
-  bool higher_has(const VoxelSpot& spot) const noexcept;
-
+  /// False where a face has a corner on no edge, or a first face has no cube.
+  bool find(const std::array<VoxelCorners, 2>& corners, std::span<const VoxelSpot> spots) noexcept;
   /// As given to find().
-  void look(const Surroundings& around, std::span<const VoxelSpot> spots, const BlendTable& blends) noexcept;
+  void look(const std::array<VoxelCorners, 2>& corners, std::span<const VoxelSpot> spots) noexcept;
+
+  /// The vertex may be in two cubes, and is taken to be in the lower one.
+  bool is_open(std::size_t i) const noexcept { return is_open_[i]; }
+  /// The higher one of two.
+  void choose(std::size_t i) noexcept {
+    cubes_[i] = &pairs_[i]->cubes[1];
+    is_open_[i] = false;
+  }
+  /// Whether the higher one of two cubes has the edge at a spot.
+  bool higher_has(std::size_t i, const VoxelSpot& spot) const noexcept {
+    return edge_at(i, pairs_[i]->cubes[1], spot) != voxel::kNoEdge;
+  }
 
   /// voxel::kNoEdge where the cube does not have it.
-  unsigned number_of(const VoxelSpot& spot) const noexcept;
+  unsigned number_of(std::size_t i, const VoxelSpot& spot) const noexcept {
+    return voxel::kTurned[cubes_[i]->turn][edge_at(i, *cubes_[i], spot)];
+  }
   /// The edge of this number, below 12.
-  unsigned edge_of(unsigned number) const noexcept { return voxel::kBeforeTurn[cube_->turn][number]; }
+  unsigned edge_of(std::size_t i, unsigned number) const noexcept {
+    return voxel::kBeforeTurn[cubes_[i]->turn][number];
+  }
   /// A spot on it, at this part.
-  VoxelSpot spot_on(unsigned edge, std::int16_t part) const noexcept;
-  /// From the node of the face's corner a to the edge's, and 0.
-  FourInts steps_to(unsigned edge) const noexcept;
+  VoxelSpot spot_on(std::size_t i, unsigned edge, std::int16_t part) const noexcept;
+  /// From the node of the first face's corner a to the edge's, and 0.
+  EightShorts steps_to(std::size_t i, unsigned edge) const noexcept {
+    return (load_two(cubes_[i]->lowest, {}) + load_two(voxel::kEdgeSpots[edge], {}) & voxel::kNodes) >>
+           kVoxelBits;
+  }
 
-  std::uint32_t corner() const noexcept { return corner_; }  ///< the face's corner a
-  unsigned kind() const noexcept { return cube_->kind; }     ///< how the face's corners lie, below 6
-  unsigned opposite() const noexcept { return opposite_; }   ///< where the face's opposite is in its cube
-  unsigned nearest() const noexcept { return nearest_; }     ///< to where the vertex is expected
-  unsigned next() const noexcept { return next_; }           ///< after it, or kNoEdge
-  unsigned likely() const noexcept { return likely_; }       ///< how many edges the vertices around allow
+  unsigned kind(std::size_t i) const noexcept { return cubes_[i]->kind; }  ///< how a and b lie, below 6
+  /// The edges that the corners around allow, bit by bit.
+  unsigned likely(std::size_t i) const noexcept { return likely_[i]; }
+  /// Where the opposite is: an edge, voxel::kNoEdge or kOpen.
+  unsigned opposite(std::size_t i) const noexcept { return opposites_[i]; }
 
-  /// Where on an edge the neighbours' mean is, from its lower end, parts of a voxel.
-  std::int32_t mean_on(unsigned edge) const noexcept { return mean_[edge / 4] + kVoxelMiddle; }
-  /// Where the plane through the face's corners and the expected spot cuts it, likewise.
-  std::int32_t plane_on(unsigned edge) const noexcept;
+  /// Where on an edge the corners' mean is, from its lower end, parts of a voxel.
+  std::int32_t mean_on(std::size_t i, unsigned edge) const noexcept {
+    return means_[i][edge / 4] + kVoxelMiddle;
+  }
+  /// Where the plane through the first face's corners and the expected spot cuts it, likewise.
+  std::int32_t plane_on(std::size_t i, unsigned edge) const noexcept;
 
  private:
-  static constexpr std::int16_t kFar =
-      3 * kVoxelMiddle;  ///< from the centre: nothing is expected farther off
+  unsigned edge_at(std::size_t i, const voxel::PairCube& cube, const VoxelSpot& spot) const noexcept {
+    const EightShorts lowest = wrapped_sum(load_two(nodes_[i], {}), load_two(cube.lowest, {}));
+    return voxel::kEdgeAt[voxel::places_near(
+        voxel::cut(wrapped_difference(load_two(spot.at, {}), lowest)))[0]];
+  }
+  void choose_by(std::size_t i, const VoxelSpot& opposite) noexcept;
+  void expect(EightShorts a, EightShorts b, EightShorts last_a, EightShorts last_b,
+              EightShorts opposite) noexcept;
 
-  struct Seen;
-  EightShorts from_lowest(const VoxelSpot& spot) const noexcept;
-  void add(EightShorts a, EightShorts b, std::int32_t repeated, const KnownFace& face,
-           std::span<const VoxelSpot> spots, Seen& seen) noexcept;
-  EightShorts blend(const Seen& seen, const Surroundings& around, const BlendTable& blends) noexcept;
-
-  const voxel::CubePair* pair_ = nullptr;
-  const voxel::PairCube* cube_ = nullptr;
-  std::uint32_t corner_ = 0;
-  std::uint32_t face_ = 0;  ///< of the known ones
-  bool is_open_ = false;
-  unsigned opposite_ = voxel::kNoEdge;
-  unsigned nearest_ = 0;
-  unsigned next_ = 0;
-  unsigned likely_ = 0;
-  unsigned neighbors_ = 0;
-  EightShorts node_{};    ///< of the face's corner a, as a spot
-  EightShorts lowest_{};  ///< the cube's lowest node, likewise
-  EightShorts mean_{};    ///< from the cube's centre, parts of a voxel
-  EightShorts corner_spot_{};
-  FourInts normal_{};
+  std::array<const voxel::CubePair*, 2> pairs_{};
+  std::array<const voxel::PairCube*, 2> cubes_{};
+  std::array<bool, 2> is_open_{};
+  std::array<unsigned, 2> likely_{};
+  std::array<unsigned, 2> opposites_{};
+  std::array<FourShorts, 2> nodes_{};   ///< of the first faces' corners a, as spots
+  std::array<FourShorts, 2> lowest_{};  ///< the cubes' lowest nodes, likewise
+  std::array<FourShorts, 2> means_{};   ///< from the cubes' centres, parts of a voxel
+  std::array<FourShorts, 2> normals_{};
+  std::array<std::int32_t, 2> planes_{};  ///< where the normals are at the corners a
 };
 
-/// What was summed up, from the cube's centre.
-struct VoxelView::Seen {
-  EightShorts corners;  ///< of neighbours
-  EightShorts ends;     ///< a + b of parallelograms
-  EightShorts meets;    ///< a + b - o
-  unsigned parallelograms;
-};
-
-[[gnu::always_inline]] inline bool VoxelView::find(const Surroundings& around,
+[[gnu::always_inline]] inline bool VoxelPair::find(const std::array<VoxelCorners, 2>& corners,
                                                    std::span<const VoxelSpot> spots) noexcept {
-  for (face_ = 0; face_ < around.known_count; ++face_) {
-    const KnownFace& face = around.known[face_];
-    const VoxelSpot& a = spots[face.a];
-    const VoxelSpot& b = spots[face.b];
-    if (!a.on_edge() || !b.on_edge()) continue;
-    corner_ = face.a;
-    node_ = load(a.at) & voxel::kNodes;
-    pair_ = &voxel::pair_of(a, node_, load(b.at));
-    if (pair_->count == 0) continue;
-    is_open_ = pair_->count == 2;
-    choose(false);
-    if (face.opposite == kNoVertex || !spots[face.opposite].on_edge()) return true;
-    // The face across is in one of the cubes, so that this one is in the other.
-    const VoxelSpot& opposite = spots[face.opposite];
-    const std::size_t axis = pair_->axis;
-    const auto side = static_cast<std::int16_t>(opposite.at[axis] - (a.at[axis] & -kVoxelParts) -
-                                                pair_->cubes[0].lowest[axis] - kVoxelParts);
-    is_open_ = is_open_ && side == 0;
-    if (is_open_) return true;
-    choose(side < 0);
-    const voxel::PairCube& across = pair_->cubes[side < 0 ? 0 : 1];
-    const EightShorts from_lowest =
-        voxel::cut(wrapped_difference(load(opposite.at), wrapped_sum(node_, load(across.lowest))));
-    opposite_ = voxel::kTurned[cube_->turn][voxel::kEdgeAt[voxel::place_near(from_lowest)]];
-    return true;
+  const auto& [first, second] = corners;
+  const auto corner = [&](std::size_t k) { return load_two(spots[first.star[k]].at, spots[second.star[k]].at); };
+  const EightShorts a = corner(0);
+  const EightShorts b = corner(1);
+  const FourShorts off = {0, 0, 0, VoxelSpot::kNoAxis};
+  const auto any = halves_of((a | b | corner(2) | corner(3)) & load_two(off, off));
+  if ((any[0][3] | any[1][3]) != 0) return false;
+  const EightShorts nodes = a & voxel::kNodes;
+  nodes_ = halves_of(nodes);
+  pairs_ = voxel::pairs_of(a, nodes, b);
+  if (pairs_[0]->count == 0 || pairs_[1]->count == 0) return false;
+  for (std::size_t i = 0; i < 2; ++i) choose_by(i, spots[corners[i].opposite]);
+  return true;
+}
+
+/// Where the face across is in one of two cubes this one is in the other.
+[[gnu::always_inline]] inline void VoxelPair::choose_by(std::size_t i, const VoxelSpot& opposite) noexcept {
+  const voxel::CubePair& pair = *pairs_[i];
+  const auto side = static_cast<std::int16_t>(opposite.at[pair.axis] - nodes_[i][pair.axis] - pair.between);
+  const bool is_told = opposite.on_edge();
+  cubes_[i] = &pair.cubes[is_told && side < 0 ? 1 : 0];
+  is_open_[i] = pair.count == 2 && (!is_told || side == 0);
+}
+
+[[gnu::always_inline]] inline void VoxelPair::look(const std::array<VoxelCorners, 2>& corners,
+                                                   std::span<const VoxelSpot> spots) noexcept {
+  const auto& [first, second] = corners;
+  const auto corner = [&](std::size_t k) { return load_two(spots[first.star[k]].at, spots[second.star[k]].at); };
+  const EightShorts opposite = load_two(spots[first.opposite].at, spots[second.opposite].at);
+  const EightShorts nodes = load_two(nodes_[0], nodes_[1]);
+  const EightShorts lowest = wrapped_sum(nodes, load_two(cubes_[0]->lowest, cubes_[1]->lowest));
+  const auto cubes_across = [&](std::size_t i) -> const FourShorts& {
+    return pairs_[i]->cubes[cubes_[i] == &pairs_[i]->cubes[0] ? 1 : 0].lowest;
+  };
+  const EightShorts across = wrapped_sum(nodes, load_two(cubes_across(0), cubes_across(1)));
+  const EightShorts last_a = voxel::cut(wrapped_difference(corner(2), lowest));
+  const EightShorts last_b = voxel::cut(wrapped_difference(corner(3), lowest));
+  lowest_ = halves_of(lowest);
+  const auto places_a = voxel::places_near(last_a);
+  const auto places_b = voxel::places_near(last_b);
+  const auto places_across = voxel::places_near(voxel::cut(wrapped_difference(opposite, across)));
+  for (std::size_t i = 0; i < 2; ++i) {
+    const voxel::PairCube& cube = *cubes_[i];
+    const unsigned by_a = cube.others & voxel::kEdgesNear[places_a[i]];
+    const unsigned some = by_a != 0 ? by_a : cube.others;
+    const unsigned by_b = some & voxel::kEdgesNear[places_b[i]];
+    const unsigned set = by_b != 0 ? by_b : some;
+    likely_[i] = voxel::kTurnedSets[cube.turn][0][set & 63] | voxel::kTurnedSets[cube.turn][1][set >> 6];
+    const unsigned number = voxel::kTurned[cube.turn][voxel::kEdgeAt[places_across[i]]];
+    opposites_[i] = is_open_[i] ? kOpen : number;
   }
-  return false;
+  expect(wrapped_difference(corner(0), lowest) - kVoxelMiddle,
+         wrapped_difference(corner(1), lowest) - kVoxelMiddle, last_a - kVoxelMiddle, last_b - kVoxelMiddle,
+         opposite);
 }
 
-inline bool VoxelView::higher_has(const VoxelSpot& spot) const noexcept {
-  const EightShorts from_lowest =
-      voxel::cut(wrapped_difference(load(spot.at), wrapped_sum(node_, load(pair_->cubes[1].lowest))));
-  return voxel::kEdgeAt[voxel::place_near(from_lowest)] != voxel::kNoEdge;
+/// Corners from the cubes' centres; `opposite` as it is.
+[[gnu::always_inline]] inline void VoxelPair::expect(EightShorts a, EightShorts b, EightShorts last_a,
+                                                     EightShorts last_b, EightShorts opposite) noexcept {
+  const EightShorts lowest = load_two(lowest_[0], lowest_[1]);
+  const EightShorts mean = (a + b + last_a + last_b) >> 2;
+  const EightShorts across = voxel::cut(wrapped_difference(opposite, lowest)) - kVoxelMiddle;
+  const EightShorts beyond = (a + b - across - mean) & (last_of_half(opposite) < VoxelSpot::kNoAxis);
+  const EightShorts expected = clamp(mean + ((beyond * 5) >> 3), -kVoxelParts + 1, kVoxelParts - 1);
+  const EightShorts normal = half_cross(b - a, expected - a);
+  means_ = halves_of(mean);
+  normals_ = halves_of(normal);
+  planes_ = weigh(normal, a);
 }
 
-[[gnu::always_inline]] inline EightShorts VoxelView::from_lowest(const VoxelSpot& spot) const noexcept {
-  return voxel::cut(wrapped_difference(load(spot.at), lowest_));
+inline VoxelSpot VoxelPair::spot_on(std::size_t i, unsigned edge, std::int16_t part) const noexcept {
+  static constexpr std::array<FourShorts, 3> kAlong = {{{-1, 0, 0, 0}, {0, -1, 0, 0}, {0, 0, -1, 0}}};
+  const EightShorts along = (EightShorts{} + part) & load_two(kAlong[edge / 4], {});
+  const EightShorts spot =
+      wrapped_sum(load_two(lowest_[i], {}), load_two(voxel::kEdgeSpots[edge], {}) + along);
+  return {halves_of(spot)[0]};
 }
 
-/// A face with the corners `a` and `b`, of which a is not counted where `repeated` is -1.
-[[gnu::always_inline]] inline void VoxelView::add(EightShorts a, EightShorts b, std::int32_t repeated,
-                                                  const KnownFace& face, std::span<const VoxelSpot> spots,
-                                                  Seen& seen) noexcept {
-  const EightShorts both = a + b;
-  seen.corners += both - (a & all_lanes(static_cast<std::int16_t>(repeated)));
-  neighbors_ += static_cast<unsigned>(2 + repeated);
-  if (face.opposite == kNoVertex || !spots[face.opposite].on_edge()) return;
-  seen.ends += both;
-  seen.meets += both - (from_lowest(spots[face.opposite]) - kVoxelMiddle);
-  ++seen.parallelograms;
-}
-
-[[gnu::always_inline]] inline void VoxelView::look(const Surroundings& around,
-                                                   std::span<const VoxelSpot> spots,
-                                                   const BlendTable& blends) noexcept {
-  lowest_ = wrapped_sum(node_, load(cube_->lowest));
-  unsigned likely = cube_->others;
-  const KnownFace& first = around.known[face_];
-  const EightShorts first_a = wrapped_difference(load(spots[first.a].at), lowest_) - kVoxelMiddle;
-  const EightShorts first_b = wrapped_difference(load(spots[first.b].at), lowest_) - kVoxelMiddle;
-  Seen seen{};
-  add(first_a, first_b, around.repeated[static_cast<int>(face_)], first, spots, seen);
-  for (unsigned i = face_ + 1; i < around.known_count; ++i) {
-    const KnownFace& face = around.known[i];
-    if (!spots[face.a].on_edge() || !spots[face.b].on_edge()) continue;
-    const EightShorts a = from_lowest(spots[face.a]);
-    const EightShorts b = from_lowest(spots[face.b]);
-    const unsigned by_a = likely & voxel::kEdgesNear[voxel::place_near(a)];
-    likely = by_a != 0 ? by_a : likely;
-    const unsigned by_b = likely & voxel::kEdgesNear[voxel::place_near(b)];
-    likely = by_b != 0 ? by_b : likely;
-    add(a - kVoxelMiddle, b - kVoxelMiddle, around.repeated[static_cast<int>(i)], face, spots, seen);
-  }
-  const EightShorts expected = blend(seen, around, blends);
-  normal_ = cross(first_b - first_a, expected - first_a);
-  corner_spot_ = first_a;
-  likely_ = voxel::kCounts[likely];
-  // In half parts, which bytes hold.
-  const EightShorts spot = clamp(expected, -kVoxelParts + 1, kVoxelParts - 1);
-  const EightShorts size = voxel::size_of(spot);
-  const EightShorts inside = clamp(size, 0, kVoxelMiddle);
-  const EightShorts own = inside - size - ((inside * inside) >> kVoxelBits);
-  const NearestEdges edges = nearest_edges(spot >> 1, own >> 1, likely);
-  nearest_ = voxel::kTurned[cube_->turn][edges.nearest];
-  next_ = voxel::kTurned[cube_->turn][edges.next];
-}
-
-/// Sums of up to eight spots times 4, and differences of means times 16, are within 16 bits.
-[[gnu::always_inline]] inline EightShorts VoxelView::blend(const Seen& seen, const Surroundings& around,
-                                                           const BlendTable& blends) noexcept {
-  mean_ = mul_high(seen.corners << 2, std::bit_cast<EightShorts>(voxel::kPartOf[neighbors_]));
-  EightShorts expected = mean_;
-  if (seen.parallelograms > 0) {
-    const EightShorts part = std::bit_cast<EightShorts>(voxel::kPartOf[seen.parallelograms]);
-    const Blend& blend = blends[blend_row(around)];
-    const EightShorts meet = mul_high(seen.meets << 2, part) - mean_;
-    const EightShorts edge = mul_high(seen.ends << 1, part) - mean_;
-    // Weights count 1/64; the high half of 16 x 64 times as much is that.
-    constexpr std::int16_t kTimes = 64;
-    expected += mul_high(meet << 4, all_lanes(static_cast<std::int16_t>(blend.parallelogram * kTimes))) +
-                mul_high(edge << 4, all_lanes(static_cast<std::int16_t>(blend.edge * kTimes)));
-  }
-  return clamp(expected, -kFar, kFar);
-}
-
-inline unsigned VoxelView::number_of(const VoxelSpot& spot) const noexcept {
-  return voxel::kTurned[cube_->turn][voxel::kEdgeAt[voxel::place_near(from_lowest(spot))]];
-}
-
-inline VoxelSpot VoxelView::spot_on(unsigned edge, std::int16_t part) const noexcept {
-  static constexpr std::array<FourShorts, 3> kAxes = {{{-1, 0, 0, 0}, {0, -1, 0, 0}, {0, 0, -1, 0}}};
-  const EightShorts along = all_lanes(part) & load(kAxes[edge / 4]);
-  return {store(wrapped_sum(lowest_, load(voxel::kEdgeSpots[edge]) + along))};
-}
-
-inline FourInts VoxelView::steps_to(unsigned edge) const noexcept {
-  return widen(((load(cube_->lowest) + load(voxel::kEdgeSpots[edge])) & voxel::kNodes) >> kVoxelBits);
-}
-
-inline std::int32_t VoxelView::plane_on(unsigned edge) const noexcept {
-  const std::size_t axis = edge / 4;
-  const std::int32_t steep = normal_[axis];
-  if (steep == 0) return mean_on(edge);
-  const FourShorts& node = voxel::kEdgeSpots[edge];
-  std::int32_t rise = 0;
-  for (std::size_t a = 0; a < 3; ++a)
-    rise += normal_[a] * ((a == axis ? 0 : node[a] - kVoxelMiddle) - corner_spot_[a]);
-  return kVoxelMiddle - rise / steep;
+inline std::int32_t VoxelPair::plane_on(std::size_t i, unsigned edge) const noexcept {
+  const std::int32_t steep = normals_[i][edge / 4];
+  if (steep == 0) return mean_on(i, edge);
+  const std::int32_t at_middle =
+      weigh(load_two(normals_[i], {}), load_two(voxel::kEdgeMiddles[edge], {}))[0];
+  return kVoxelMiddle - (at_middle - planes_[i]) / steep;
 }
 
 }  // namespace deltamesh

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// The first and the last face of every vertex whose other corners are known before it, in two walks
+// [POSN-12].
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "base/four_ints.h"
+#include "base/large_vector.h"
+#include "predictive/surroundings.h"
+
+namespace deltamesh {
+
+class VoxelFaces {
+ public:
+  /// Corners a and b of the first face, then of the last one, which may be the same; none() where there is no
+  /// face.
+  struct alignas(16) Star : std::array<std::uint32_t, 4> {};
+
+  /// `order`: the vertices in coding order, by which they are numbered here; empty where they are already.
+  /// O(n + m).
+  explicit VoxelFaces(const FaceList& list, std::span<const std::uint32_t> order = {});
+
+  std::uint32_t vertex_count() const noexcept { return static_cast<std::uint32_t>(stars_.size() - 1); }
+  /// The first vertex of the second walk, which has as many as the first or one less.
+  std::uint32_t second_walk() const noexcept { return second_walk_; }
+  /// In each of which a vertex of every walk is coded; those of lower ones are known.
+  std::uint32_t turns() const noexcept { return second_walk_; }
+  /// In place of a vertex.
+  std::uint32_t none() const noexcept { return vertex_count(); }
+
+  const Star& star(std::uint32_t vertex) const noexcept { return stars_[vertex]; }
+  /// What is beyond the edge of `a` and `b`: the other corner of the first face of the later one of these
+  /// that has both; or none(), as for none().
+  std::uint32_t across(std::uint32_t a, std::uint32_t b) const noexcept;
+  /// The same for means of any vertices [POSN-4]; the faces that count are the known ones.
+  Surroundings around(std::uint32_t vertex) const noexcept;
+
+ private:
+  std::uint32_t turn_of(std::uint32_t vertex) const noexcept {
+    return std::min(vertex, vertex - second_walk_);
+  }
+  void add(const std::array<std::uint32_t, 3>& corners) noexcept;
+
+  LargeVector<Star> stars_;  ///< and one without faces
+  std::uint32_t second_walk_;
+};
+
+[[gnu::always_inline]] inline std::uint32_t VoxelFaces::across(std::uint32_t a,
+                                                               std::uint32_t b) const noexcept {
+  const bool is_b_later = turn_of(b) > turn_of(a);
+  const std::uint32_t earlier = is_b_later ? a : b;
+  const Star& star = stars_[is_b_later ? b : a];
+  const auto same = static_cast<std::int32_t>(earlier);
+  const unsigned found = set_lanes(four_ints(star) == same);
+  // Lanes 0 and 1 are a face, 2 and 3 are one.
+  const std::uint32_t other = star[static_cast<std::size_t>(std::countr_zero(found | 8)) ^ 1];
+  return found != 0 ? other : none();
+}
+
+}  // namespace deltamesh
