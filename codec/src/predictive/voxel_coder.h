@@ -231,7 +231,7 @@ class VoxelCoder {
 
   /// Which of the levels along its edge a vertex is at. `mean` and `plane`: where it is expected, parts of
   /// a voxel.
-  std::int32_t code_level(std::int32_t level, std::int32_t mean, std::int32_t plane) {
+  [[gnu::always_inline]] std::int32_t code_level(std::int32_t level, std::int32_t mean, std::int32_t plane) {
     if (grid_.levels() == 1) return 0;
     const auto bin = [](std::int32_t along, int shift, std::size_t bins) {
       const std::int32_t from_first = (along + kVoxelParts / 8) >> shift;

@@ -23,18 +23,25 @@ VoxelFaces::VoxelFaces(const FaceList& list, std::span<const std::uint32_t> orde
 
 [[gnu::always_inline]] inline void VoxelFaces::add(const std::array<std::uint32_t, 3>& corners) noexcept {
   // Which corner is the last one is hard to guess: found without a branch.
-  constexpr std::array<std::uint8_t, 3> kNext = {1, 2, 0};
+  constexpr std::array<std::uint8_t, 4> kLast = {0, 1, 2, 2};
+  constexpr std::array<std::uint8_t, 4> kNext = {1, 2, 0, 0};
+  constexpr std::array<std::uint8_t, 4> kPrevious = {2, 0, 1, 1};
   const std::array<std::uint32_t, 3> turns = {turn_of(corners[0]), turn_of(corners[1]), turn_of(corners[2])};
-  std::size_t last = turns[1] > turns[0] ? 1 : 0;
-  last = turns[2] > turns[last] ? 2 : last;
-  const std::size_t next = kNext[last];
-  const std::size_t previous = kNext[next];
-  const std::uint32_t a = corners[next];
-  const std::uint32_t b = corners[previous];
-  if (a == b || turns[next] == turns[last] || turns[previous] == turns[last]) return;
-  Star& star = stars_[corners[last]];
+  const std::uint32_t last_turn = std::max({turns[0], turns[1], turns[2]});
+  const std::size_t which =
+      (turns[1] > turns[0] ? 1U : 0U) + (turns[2] > std::max(turns[0], turns[1]) ? 2U : 0U);
+  const std::uint32_t a = corners[kNext[which]];
+  const std::uint32_t b = corners[kPrevious[which]];
+  const unsigned is_none = (turn_of(a) == last_turn ? 1U : 0U) | (turn_of(b) == last_turn ? 1U : 0U) |
+                           (a == b ? 1U : 0U);
+  if (is_none != 0) [[unlikely]]
+    return;
+  Star& star = stars_[corners[kLast[which]]];
   const bool is_first = star[0] == none();
-  star = {{is_first ? a : star[0], is_first ? b : star[1], a, b}};
+  star[0] = is_first ? a : star[0];
+  star[1] = is_first ? b : star[1];
+  star[2] = a;
+  star[3] = b;
 }
 
 Surroundings VoxelFaces::around(std::uint32_t vertex) const noexcept {

@@ -68,11 +68,11 @@ class VoxelPair {
   void look(const std::array<VoxelCorners, 2>& corners, std::span<const VoxelSpot> spots) noexcept;
 
   /// The vertex may be in two cubes, and is taken to be in the lower one.
-  bool is_open(std::size_t i) const noexcept { return is_open_[i]; }
+  bool is_open(std::size_t i) const noexcept { return is_open_[i] != 0; }
   /// The higher one of two.
   void choose(std::size_t i) noexcept {
     cubes_[i] = &pairs_[i]->cubes[1];
-    is_open_[i] = false;
+    is_open_[i] = 0;
   }
   /// Whether the higher one of two cubes has the edge at a spot.
   bool higher_has(std::size_t i, const VoxelSpot& spot) const noexcept {
@@ -118,15 +118,15 @@ class VoxelPair {
   void expect(EightShorts a, EightShorts b, EightShorts last_a, EightShorts last_b,
               EightShorts opposite) noexcept;
 
-  std::array<const voxel::CubePair*, 2> pairs_{};
-  std::array<const voxel::PairCube*, 2> cubes_{};
-  std::array<bool, 2> is_open_{};
-  std::array<unsigned, 2> likely_{};
-  std::array<unsigned, 2> opposites_{};
-  std::array<FourShorts, 2> nodes_{};   ///< of the first faces' corners a, as spots
-  std::array<FourShorts, 2> lowest_{};  ///< the cubes' lowest nodes, likewise
-  std::array<FourShorts, 2> means_{};   ///< from the cubes' centres, parts of a voxel
-  std::array<FourShorts, 2> normals_{};
+  std::array<const voxel::CubePair*, 2> pairs_;
+  std::array<const voxel::PairCube*, 2> cubes_;
+  std::array<unsigned, 2> is_open_;
+  std::array<unsigned, 2> likely_;
+  std::array<unsigned, 2> opposites_;
+  std::array<FourShorts, 2> nodes_;   ///< of the first faces' corners a, as spots
+  std::array<FourShorts, 2> lowest_;  ///< the cubes' lowest nodes, likewise
+  std::array<FourShorts, 2> means_;   ///< from the cubes' centres, parts of a voxel
+  std::array<FourShorts, 2> normals_;
   std::array<std::int32_t, 2> planes_{};  ///< where the normals are at the corners a
 };
 
@@ -151,9 +151,10 @@ class VoxelPair {
 [[gnu::always_inline]] inline void VoxelPair::choose_by(std::size_t i, const VoxelSpot& opposite) noexcept {
   const voxel::CubePair& pair = *pairs_[i];
   const auto side = static_cast<std::int16_t>(opposite.at[pair.axis] - nodes_[i][pair.axis] - pair.between);
-  const bool is_told = opposite.on_edge();
-  cubes_[i] = &pair.cubes[is_told && side < 0 ? 1 : 0];
-  is_open_[i] = pair.count == 2 && (!is_told || side == 0);
+  // Without branches, which would often go wrong.
+  const unsigned is_told = opposite.on_edge() ? 1 : 0;
+  cubes_[i] = &pair.cubes[is_told & (side < 0 ? 1U : 0U)];
+  is_open_[i] = ((is_told ^ 1U) | (side == 0 ? 1U : 0U)) & (pair.count >> 1);
 }
 
 [[gnu::always_inline]] inline void VoxelPair::look(const std::array<VoxelCorners, 2>& corners,
@@ -181,7 +182,7 @@ class VoxelPair {
     const unsigned set = by_b != 0 ? by_b : some;
     likely_[i] = voxel::kTurnedSets[cube.turn][0][set & 63] | voxel::kTurnedSets[cube.turn][1][set >> 6];
     const unsigned number = voxel::kTurned[cube.turn][voxel::kEdgeAt[places_across[i]]];
-    opposites_[i] = is_open_[i] ? kOpen : number;
+    opposites_[i] = is_open_[i] != 0 ? kOpen : number;
   }
   expect(wrapped_difference(corner(0), lowest) - kVoxelMiddle,
          wrapped_difference(corner(1), lowest) - kVoxelMiddle, last_a - kVoxelMiddle, last_b - kVoxelMiddle,
