@@ -52,6 +52,11 @@ inline EightShorts half_cross(EightShorts a, EightShorts b) noexcept {
 
 namespace plain {
 
+/// The other half is 0.
+inline EightShorts load_one(const FourShorts& numbers) noexcept {
+  return EightShorts{numbers[0], numbers[1], numbers[2], numbers[3]};
+}
+
 inline EightShorts load_two(const FourShorts& first, const FourShorts& second) noexcept {
   return EightShorts{first[0], first[1], first[2], first[3], second[0], second[1], second[2], second[3]};
 }
@@ -78,6 +83,10 @@ inline FourInts times(EightShorts lanes, std::int32_t factor) noexcept {
 #if defined(__SSE2__)
 
 inline __m128i as_register(EightShorts lanes) noexcept { return reinterpret_cast<__m128i>(lanes); }
+
+inline EightShorts load_one(const FourShorts& numbers) noexcept {
+  return reinterpret_cast<EightShorts>(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(numbers.data())));
+}
 
 inline EightShorts load_two(const FourShorts& first, const FourShorts& second) noexcept {
   const __m128i low = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(first.data()));
@@ -106,6 +115,7 @@ inline FourInts times(EightShorts lanes, std::int32_t factor) noexcept {
 #else
 
 using plain::clamp;
+using plain::load_one;
 using plain::load_two;
 using plain::times;
 using plain::weigh;

@@ -91,7 +91,7 @@ class VoxelPair {
   VoxelSpot spot_on(std::size_t i, unsigned edge, std::int16_t part) const noexcept;
   /// From the node of the first face's corner a to the edge's, and 0.
   EightShorts steps_to(std::size_t i, unsigned edge) const noexcept {
-    return (load_two(cubes_[i]->lowest, {}) + load_two(voxel::kEdgeSpots[edge], {}) & voxel::kNodes) >>
+    return (load_one(cubes_[i]->lowest) + load_one(voxel::kEdgeSpots[edge]) & voxel::kNodes) >>
            kVoxelBits;
   }
 
@@ -110,9 +110,9 @@ class VoxelPair {
 
  private:
   unsigned edge_at(std::size_t i, const voxel::PairCube& cube, const VoxelSpot& spot) const noexcept {
-    const EightShorts lowest = wrapped_sum(load_two(nodes_[i], {}), load_two(cube.lowest, {}));
+    const EightShorts lowest = wrapped_sum(load_one(nodes_[i]), load_one(cube.lowest));
     return voxel::kEdgeAt[voxel::places_near(
-        voxel::cut(wrapped_difference(load_two(spot.at, {}), lowest)))[0]];
+        voxel::cut(wrapped_difference(load_one(spot.at), lowest)))[0]];
   }
   void choose_by(std::size_t i, const VoxelSpot& opposite) noexcept;
   void expect(EightShorts a, EightShorts b, EightShorts last_a, EightShorts last_b,
@@ -205,9 +205,9 @@ class VoxelPair {
 
 inline VoxelSpot VoxelPair::spot_on(std::size_t i, unsigned edge, std::int16_t part) const noexcept {
   static constexpr std::array<FourShorts, 3> kAlong = {{{-1, 0, 0, 0}, {0, -1, 0, 0}, {0, 0, -1, 0}}};
-  const EightShorts along = (EightShorts{} + part) & load_two(kAlong[edge / 4], {});
+  const EightShorts along = (EightShorts{} + part) & load_one(kAlong[edge / 4]);
   const EightShorts spot =
-      wrapped_sum(load_two(lowest_[i], {}), load_two(voxel::kEdgeSpots[edge], {}) + along);
+      wrapped_sum(load_one(lowest_[i]), load_one(voxel::kEdgeSpots[edge]) + along);
   return {halves_of(spot)[0]};
 }
 
@@ -215,7 +215,7 @@ inline std::int32_t VoxelPair::plane_on(std::size_t i, unsigned edge) const noex
   const std::int32_t steep = normals_[i][edge / 4];
   if (steep == 0) return mean_on(i, edge);
   const std::int32_t at_middle =
-      weigh(load_two(normals_[i], {}), load_two(voxel::kEdgeMiddles[edge], {}))[0];
+      weigh(load_one(normals_[i]), load_one(voxel::kEdgeMiddles[edge]))[0];
   return kVoxelMiddle - (at_middle - planes_[i]) / steep;
 }
 
