@@ -17,6 +17,7 @@
 #include "predictive/lattice_coder.h"
 #include "predictive/positions.h"
 #include "predictive/residual_coder.h"
+#include "predictive/voxel_faces.h"
 
 namespace deltamesh {
 namespace {
@@ -72,17 +73,16 @@ bool is_on_edge(const Cell& cell) { return (cell[0] & 1) + (cell[1] & 1) + (cell
 /// [VOX-1, VOX-5] without cubes, and [POSN-12], with one level.
 class LetterReader {
  public:
-  LetterReader(CompactReader& reader, const KnownFaces& faces, const BlendTable& blends)
+  LetterReader(CompactReader& reader, const VoxelFaces& faces)
       : cells(faces.vertex_count()),
         reader_(reader),
         faces_(faces),
-        blends_(blends),
         residuals_(reader),
         kept_(cells.size()) {}
 
   void read(std::uint32_t v) {
     const Surroundings around = faces_.around(v);
-    const Expectation expected = expect_place(around, v == faces_.second_walk() ? 0 : v, cells, blends_);
+    const Expectation expected = expect_place(around, v == faces_.second_walk() ? 0 : v, cells, kUsualBlends);
     const unsigned start = reader_.symbol(0, Mixture<1>{{&start_}, &start_weights_});
     if (start == 3) return read_free(v, around, expected);
     for (std::size_t a = 0; a < 3; ++a) {
@@ -132,8 +132,7 @@ class LetterReader {
   }
 
   CompactReader& reader_;
-  const KnownFaces& faces_;
-  const BlendTable& blends_;
+  const VoxelFaces& faces_;
   SymbolModel start_{{8, 8, 8, 8, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
   MixWeights<1> start_weights_;
   std::array<NumberModel, 3> nodes_;
@@ -157,10 +156,8 @@ TEST(Voxels, VOX1POSN5FreeVerticesAmongVerticesOnEdgesAreAsWritten) {
   CompactReader reader(bytes);
   Walk walk{};
   ASSERT_TRUE(code_walk(reader, walk));
-  BlendTable blends{};
-  code_blends(reader, blends);
-  const KnownFaces faces(list, {}, second_walk(list, parameters));
-  LetterReader letter(reader, faces, blends);
+  const VoxelFaces faces(list);
+  LetterReader letter(reader, faces);
   for (std::uint32_t turn = 0; turn < 6; ++turn) {
     letter.read(turn);
     letter.read(turn + 6);

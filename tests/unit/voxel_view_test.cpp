@@ -19,6 +19,7 @@
 #include "predictive/lattice.h"
 #include "predictive/positions.h"
 #include "predictive/voxel_coder.h"
+#include "predictive/voxel_faces.h"
 #include "support/graph_mesh.h"
 
 namespace deltamesh {
@@ -49,27 +50,28 @@ TEST(VoxelLanes, AreEqualToPlainNumbers) {
       a[i] = static_cast<std::int16_t>(random.below(65536) - 32768);
       b[i] = static_cast<std::int16_t>(random.below(512) - 256);
     }
-    EXPECT_EQ(store(load(a)), a);
-    EXPECT_EQ(store(clamp(load(a), -320, 77)), plain::store(plain::clamp(plain::load(a), -320, 77)));
-    EXPECT_EQ(store(mul_high(load(a), load(b))),
-              plain::store(plain::mul_high(plain::load(a), plain::load(b))));
-    EXPECT_EQ(weigh(load(b), a), plain::weigh(plain::load(b), a));
-    const FourInts wide = widen(load(a));
-    const FourInts product = cross(load(b), load({b[2], b[0], b[1], 0}));
-    const FourInts plain_product = plain::cross(load(b), load({b[2], b[0], b[1], 0}));
-    for (int i = 0; i < 4; ++i) EXPECT_EQ(wide[i], a[static_cast<std::size_t>(i)]);
-    for (int i = 0; i < 3; ++i) EXPECT_EQ(product[i], plain_product[i]);
-    FourShorts spot{};
-    FourShorts own{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      spot[i] = static_cast<std::int16_t>(random.below(round % 2 == 0 ? 128 : 5) - (round % 2 == 0 ? 64 : 2));
-      own[i] = static_cast<std::int16_t>(-random.below(round % 3 == 0 ? 65 : 2));
+    const EightShorts both = load_two(a, b);
+    EXPECT_EQ(halves_of(both), (std::array<FourShorts, 2>{a, b}));
+    EXPECT_EQ(halves_of(load_one(a)), (std::array<FourShorts, 2>{a, FourShorts{}}));
+    EXPECT_EQ(halves_of(clamp(both, -320, 77)), halves_of(plain::clamp(plain::load_two(a, b), -320, 77)));
+    EXPECT_EQ(weigh(both, load_two(b, a)), plain::weigh(plain::load_two(a, b), plain::load_two(b, a)));
+    EXPECT_EQ(halves_of(rotate(both))[1], (FourShorts{b[1], b[2], b[0], b[3]}));
+    EXPECT_EQ(halves_of(last_of_half(both))[0], (FourShorts{a[3], a[3], a[3], a[3]}));
+    const auto step = [&](std::size_t i) { return static_cast<std::int16_t>(b[i] / 128); };
+    const EightShorts steps = load_one({step(0), step(1), step(2), 0});
+    const std::int32_t factor = random.below(1 << 21);
+    for (int i = 0; i < 4; ++i) {
+      EXPECT_EQ(times(steps, factor)[i], steps[i] * factor);
+      EXPECT_EQ(plain::times(steps, factor)[i], steps[i] * factor);
     }
-    const auto set = static_cast<unsigned>(1 + random.below(4095));
-    const NearestEdges edges = nearest_edges(load(spot), load(own), set);
-    const NearestEdges plain_edges = plain::nearest_edges(plain::load(spot), plain::load(own), set);
-    EXPECT_EQ(edges.nearest, plain_edges.nearest);
-    EXPECT_EQ(edges.next, plain_edges.next);
+    const FourShorts c = {static_cast<std::int16_t>(b[0] / 2), static_cast<std::int16_t>(b[2] / 2),
+                          static_cast<std::int16_t>(b[1] / 2), 0};
+    const FourShorts d = {static_cast<std::int16_t>(b[1] - (b[1] < 0 ? -1 : 1)), b[3], 255, 0};
+    const FourShorts cross = halves_of(half_cross(load_two(c, d), load_two(d, c)))[0];
+    const auto half = [&](std::size_t i, std::size_t j) { return (c[i] * d[j] >> 1) - (c[j] * d[i] >> 1); };
+    EXPECT_EQ(cross[0], half(1, 2));
+    EXPECT_EQ(cross[1], half(2, 0));
+    EXPECT_EQ(cross[2], half(0, 1));
   }
 }
 
@@ -106,6 +108,17 @@ TEST(VoxelTables, VOX2TurnsAreThe24RotationsOfTheEdges) {
   EXPECT_EQ(different.size(), voxel::kTurns);
 }
 
+TEST(VoxelTables, VOX3SetsTurnEdgeByEdge) {
+  for (std::size_t turn = 0; turn < voxel::kTurns; ++turn) {
+    for (unsigned set = 0; set < 1U << kEdges; set += 7) {
+      unsigned expected = 0;
+      for (unsigned i = 0; i < kEdges; ++i)
+        if ((set >> i & 1) != 0) expected |= 1U << kTurned[turn][i];
+      EXPECT_EQ(voxel::kTurnedSets[turn][0][set & 63] | voxel::kTurnedSets[turn][1][set >> 6], expected);
+    }
+  }
+}
+
 /// Lowest nodes of the cubes that have an edge.
 std::set<Nodes> cubes_of(std::size_t axis, const Nodes& node) {
   std::set<Nodes> cubes;
@@ -132,9 +145,10 @@ TEST(VoxelTables, VOX2PairsShareTheirCubes) {
         for (const Nodes& cube : cubes_of(axis2, node))
           if (own.count(cube) != 0) common.insert(cube);
         if (common.size() > 2) common.clear();  // the same edge
-        const auto place = static_cast<std::size_t>(125 * static_cast<int>(axis2) + 25 * node[0] +
-                                                    5 * node[1] + node[2] + voxel::kPairMiddle);
-        const voxel::CubePair& pair = voxel::kPairTable.pairs[voxel::kPairTable.places[axis][place]];
+        const auto place =
+            static_cast<std::size_t>(125 * static_cast<int>(3 * axis + axis2) + 25 * node[0] + 5 * node[1] +
+                                     node[2] + voxel::kPairMiddle);
+        const voxel::CubePair& pair = voxel::kPairTable.pairs[voxel::kPairTable.places[place]];
         ASSERT_EQ(pair.count, common.size());
         count += pair.count > 0 ? 1 : 0;
         for (std::size_t i = 0; i < pair.count; ++i) {
@@ -153,6 +167,7 @@ TEST(VoxelTables, VOX2PairsShareTheirCubes) {
         }
         if (pair.count == 2) {
           EXPECT_EQ(pair.cubes[0].lowest[pair.axis] + kVoxelParts, pair.cubes[1].lowest[pair.axis]);
+          EXPECT_EQ(pair.between, pair.cubes[1].lowest[pair.axis]);
         }
       }
     }
@@ -172,6 +187,8 @@ TEST(VoxelTables, VOX3LikelyEdgesShareACubeWithTheCorner) {
       }
       EXPECT_EQ(voxel::kEdgesNear[voxel::near_index(axis, node)],
                 expected != 0 ? expected : voxel::kAllEdges);
+      EXPECT_EQ(voxel::kEdgeAt[voxel::near_index(3, node)], voxel::kNoEdge);
+      EXPECT_EQ(voxel::kEdgesNear[voxel::near_index(3, node)], voxel::kAllEdges);
     }
   }
 }
@@ -188,7 +205,9 @@ TEST(VoxelGrid, VOX6LevelsComeBack) {
       EXPECT_EQ(cut->level, signed_level);
       EXPECT_EQ(cut->axis, 1U);
       EXPECT_EQ(cut->node, (VoxelGrid::Node{3, 5, 0}));
-      EXPECT_EQ(grid.cell_of(cut->node, cut->axis, cut->level), cell);
+      Cell back{};
+      store_three(grid.cell_of(FourInts{3, 5, 0, 0} * voxel, cut->axis, cut->level), back);
+      EXPECT_EQ(back, cell);
       const std::int16_t part = grid.part_of(cut->level);
       EXPECT_NEAR(part, 128.0 * (level + 0.5) / levels, 1);
       EXPECT_LT(part, kVoxelParts);
@@ -220,38 +239,58 @@ struct GridVertices {
   }
 };
 
-TEST(VoxelView, VOX2VOX3VOX6TheFaceAcrossTellsTheCube) {
+VoxelCorners one_face(std::uint32_t a, std::uint32_t b, std::uint32_t opposite) {
+  return {{{a, b, a, b}}, opposite};
+}
+
+TEST(VoxelPair, VOX2VOX3VOX6TheFaceAcrossTellsTheCube) {
   // A plane of height 2.5 levels: vertices on upright edges of a row of cubes.
   GridVertices grid;
   const std::uint32_t a = grid.add({8, 8, 3});
   const std::uint32_t b = grid.add({8, 16, 3});
   const std::uint32_t across = grid.add({0, 8, 3});
   const std::uint32_t beyond = grid.add({16, 16, 3});
-  for (const bool is_higher : {true, false}) {
-    Surroundings around{};
-    around.known[0] = {a, b, is_higher ? across : beyond};
-    around.known_count = 1;
-    around.parallelogram_count = 1;
-    around.neighbor_count = 2;
-    around.faces = 6;
-    VoxelView view;
-    ASSERT_TRUE(view.find(around, grid.spots));
-    EXPECT_FALSE(view.is_open());
-    view.look(around, grid.spots, kUsualBlends);
-    const VoxelSpot to_code = grid.at({is_higher ? 16 : 0, 16, 3});
-    const unsigned number = view.number_of(to_code);
+  // The first vertex is in the higher cube, the second in the lower one.
+  const std::array<VoxelCorners, 2> corners = {one_face(a, b, across), one_face(a, b, beyond)};
+  VoxelPair pair;
+  ASSERT_TRUE(pair.find(corners, grid.spots));
+  pair.look(corners, grid.spots);
+  for (const std::size_t i : {0, 1}) {
+    EXPECT_FALSE(pair.is_open(i));
+    const VoxelSpot to_code = grid.at({i == 0 ? 16 : 0, 16, 3});
+    const unsigned number = pair.number_of(i, to_code);
     ASSERT_LT(number, kEdges);
-    const unsigned edge = view.edge_of(number);
+    const unsigned edge = pair.edge_of(i, number);
     EXPECT_EQ(edge / 4, 2U);
-    EXPECT_EQ(view.spot_on(edge, to_code.at[2]).at, to_code.at);
-    EXPECT_EQ(view.corner(), a);
-    EXPECT_EQ(view.steps_to(edge)[0], is_higher ? 1 : -1);
-    EXPECT_EQ(view.steps_to(edge)[1], 1);
-    EXPECT_EQ(view.plane_on(edge), to_code.at[2]);
-    EXPECT_EQ(view.mean_on(edge), to_code.at[2]);
-    EXPECT_EQ(view.number_of(grid.spots[is_higher ? across : beyond]), voxel::kNoEdge);
-    EXPECT_EQ(view.likely(), 10U);
+    EXPECT_EQ(pair.spot_on(i, edge, to_code.at[2]).at, to_code.at);
+    EXPECT_EQ(pair.steps_to(i, edge)[0], i == 0 ? 1 : -1);
+    EXPECT_EQ(pair.steps_to(i, edge)[1], 1);
+    EXPECT_EQ(pair.plane_on(i, edge), to_code.at[2]);
+    EXPECT_EQ(pair.mean_on(i, edge), to_code.at[2]);
+    EXPECT_EQ(pair.number_of(i, grid.spots[i == 0 ? across : beyond]), voxel::kNoEdge);
+    // All but those of a and b, which are parallel; the opposite's is parallel to them in the other cube.
+    EXPECT_EQ(pair.kind(i), 0U);
+    EXPECT_EQ(pair.likely(i), voxel::kAllEdges & ~3U);
+    EXPECT_LT(pair.opposite(i), 4U);
   }
+}
+
+TEST(VoxelPair, VOX3TheOtherFacesCornersLeaveFewerEdges) {
+  GridVertices grid;
+  const std::uint32_t a = grid.add({8, 8, 3});
+  const std::uint32_t b = grid.add({8, 16, 3});
+  const std::uint32_t across = grid.add({0, 8, 3});
+  const std::uint32_t last = grid.add({24, 16, 3});
+  const VoxelCorners corners = {{{a, b, b, last}}, across};
+  VoxelPair pair;
+  ASSERT_TRUE(pair.find({corners, one_face(a, b, across)}, grid.spots));
+  pair.look({corners, one_face(a, b, across)}, grid.spots);
+  // Those of the side next to it.
+  unsigned expected = 0;
+  for (const Cell& cell : {Cell{16, 8, 3}, Cell{16, 16, 3}, Cell{16, 11, 0}, Cell{16, 11, 8}})
+    expected |= 1U << pair.number_of(0, grid.at(cell));
+  EXPECT_EQ(pair.likely(0), expected);
+  EXPECT_EQ(pair.likely(1), voxel::kAllEdges & ~3U);
 }
 
 /// Reads what it is told.
@@ -277,52 +316,54 @@ class Script {
 };
 
 /// Edges of axis z one voxel apart at levels 1 and 2, then what is said of a vertex that makes a face of
-/// them.
+/// them. The second walk is of vertices without faces, all alike.
 const char* rule_of_third(std::initializer_list<std::uint32_t> said, std::vector<Cell>& cells) {
   const std::vector<std::uint32_t> triangle = {0, 1, 2};
-  const KnownFaces faces(FaceList{triangle, 3});
-  std::vector<std::uint32_t> script = {2, 2, 2, 0, 1, 2, 0, 2, 0, 2};
+  const VoxelFaces faces(FaceList{triangle, 6});
+  // Axis, nodes and level, those of the second walk's after the first's.
+  std::vector<std::uint32_t> script = {2, 2, 2, 0, 1, 2, 2, 2, 0, 1, 2, 0, 2, 0, 2, 2, 0, 0, 0, 1};
   script.insert(script.end(), said.begin(), said.end());
   Script coder(std::move(script));
-  VoxelCoder<Script> voxels(coder, faces, {24, 24, 24}, 4, kUsualBlends);
-  cells.assign(3, {});
+  VoxelCoder<Script> voxels(coder, faces, {24, 24, 24}, 4);
+  cells.assign(6, {});
   EXPECT_EQ(voxels.code_turn(0, cells), nullptr);
   EXPECT_EQ(voxels.code_turn(1, cells), nullptr);
   EXPECT_EQ(cells[0], (Cell{8, 8, 3}));
   EXPECT_EQ(cells[1], (Cell{8, 16, 5}));
+  EXPECT_EQ(cells[3], (Cell{8, 8, 3}));
+  EXPECT_EQ(cells[4], (Cell{8, 8, 3}));
   const char* const rule = voxels.code_turn(2, cells);
   return rule != nullptr ? rule : "";
 }
 
-TEST(VoxelCoder, POSN12WhatIsKnownHasAnEarlierTurn) {
+TEST(VoxelFaces, POSN12TheFirstAndTheLastOfWhatIsKnownByEarlierTurns) {
   const test::GraphMesh mesh = test::sheet(9, 7);
   const auto count = static_cast<std::uint32_t>(mesh.positions.size());
-  const FaceList list{mesh.triangles, count};
-  const std::uint32_t second = second_walk(list, {.kind = PositionKind::kVoxel, .lattice = {}});
+  const VoxelFaces faces(FaceList{mesh.triangles, count});
+  const std::uint32_t second = faces.second_walk();
   EXPECT_EQ(second, 32U);
-  EXPECT_EQ(second_walk(list, {.kind = PositionKind::kLattice, .lattice = {}}), kNoVertex);
-  const KnownFaces faces(list, {}, second);
   EXPECT_EQ(faces.turns(), second);
   const auto turn_of = [&](std::uint32_t v) { return v < second ? v : v - second; };
   std::size_t known = 0;
   for (std::uint32_t v = 0; v < count; ++v) {
-    std::size_t expected = 0;
+    VoxelFaces::Star expected = {{count, count, count, count}};
     for (std::size_t f = 0; f < mesh.triangles.size(); f += 3) {
-      bool has = false;
-      std::size_t earlier = 0;
-      for (std::size_t c = f; c < f + 3; ++c) {
-        has |= mesh.triangles[c] == v;
-        earlier += turn_of(mesh.triangles[c]) < turn_of(v) ? 1 : 0;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const std::uint32_t a = mesh.triangles[f + (c + 1) % 3];
+        const std::uint32_t b = mesh.triangles[f + (c + 2) % 3];
+        if (mesh.triangles[f + c] != v || turn_of(a) >= turn_of(v) || turn_of(b) >= turn_of(v)) continue;
+        if (expected[0] == count) expected = {{a, b}};
+        expected[2] = a;
+        expected[3] = b;
+        ++known;
       }
-      expected += has && earlier == 2 ? 1 : 0;
     }
+    EXPECT_EQ(faces.star(v), expected);
     const Surroundings around = faces.around(v);
-    EXPECT_EQ(around.known_count, std::min<std::size_t>(expected, Surroundings::kMostKnown));
-    known += around.known_count;
+    EXPECT_LE(around.known_count, 2U);
+    EXPECT_EQ(around.known_count == 0, expected[0] == count);
     for (unsigned i = 0; i < around.known_count; ++i) {
       const KnownFace& face = around.known[i];
-      EXPECT_LT(turn_of(face.a), turn_of(v));
-      EXPECT_LT(turn_of(face.b), turn_of(v));
       if (face.opposite != kNoVertex) {
         EXPECT_LT(turn_of(face.opposite), std::max(turn_of(face.a), turn_of(face.b)));
       }
@@ -354,51 +395,59 @@ TEST(VoxelCoder, POSN12AnyNumberOfVerticesComesBack) {
 
 TEST(VoxelCoder, VOX1VOX4VOX5POSN7KnowWhatMayBe) {
   std::vector<Cell> cells;
-  EXPECT_STREQ(rule_of_third({1, 13}, cells), "VOX-4");
-  EXPECT_STREQ(rule_of_third({1, 15}, cells), "VOX-4");
-  EXPECT_STREQ(rule_of_third({1, 12, 4}, cells), "VOX-1");
-  EXPECT_STREQ(rule_of_third({1, 12, 0, 100}, cells), "VOX-5");
-  for (std::uint32_t higher = 0; higher < 2; ++higher) {
+  EXPECT_STREQ(rule_of_third({14}, cells), "VOX-4");
+  EXPECT_STREQ(rule_of_third({15}, cells), "VOX-4");
+  EXPECT_STREQ(rule_of_third({13, 13}, cells), "VOX-4");
+  EXPECT_STREQ(rule_of_third({12, 4}, cells), "VOX-1");
+  EXPECT_STREQ(rule_of_third({12, 0, 100}, cells), "VOX-5");
+  for (const bool is_higher : {false, true}) {
     for (std::uint32_t number = 0; number < kEdges; ++number) {
-      EXPECT_STREQ(rule_of_third({higher, number, 3}, cells), "");
+      const char* const rule =
+          is_higher ? rule_of_third({13, number, 3}, cells) : rule_of_third({number, 3}, cells);
+      EXPECT_STREQ(rule, "");
       // In the cube that was told, at the last level; or, of the face's own edges, in both.
-      EXPECT_GE(cells[2][0], higher == 1 ? 8 : 0);
-      EXPECT_LE(cells[2][0], higher == 1 ? 16 : 8);
+      EXPECT_GE(cells[2][0], is_higher ? 8 : 0);
+      EXPECT_LE(cells[2][0], is_higher ? 16 : 8);
     }
   }
 }
 
-TEST(VoxelView, VOX2WithoutAFaceAcrossABitTells) {
+TEST(VoxelPair, VOX2WithoutAFaceAcrossBothCubesMayBe) {
   GridVertices grid;
-  Surroundings around{};
-  around.known[0] = {grid.add({8, 8, 3}), grid.add({8, 16, 3}), kNoVertex};
-  around.known_count = 1;
-  around.neighbor_count = 2;
+  const std::uint32_t a = grid.add({8, 8, 3});
+  const std::uint32_t b = grid.add({8, 16, 3});
+  const std::array<VoxelCorners, 2> corners = {one_face(a, b, grid.count), one_face(b, a, grid.count)};
   const VoxelSpot to_code = grid.at({16, 16, 3});
-  VoxelView view;
-  ASSERT_TRUE(view.find(around, grid.spots));
-  ASSERT_TRUE(view.is_open());
-  EXPECT_TRUE(view.higher_has(to_code));
-  EXPECT_FALSE(view.higher_has(grid.at({0, 16, 3})));
-  view.choose(true);
-  view.look(around, grid.spots, kUsualBlends);
-  EXPECT_LT(view.number_of(to_code), kEdges);
-  EXPECT_EQ(view.opposite(), voxel::kNoEdge);
+  VoxelPair pair;
+  ASSERT_TRUE(pair.find(corners, grid.spots));
+  pair.look(corners, grid.spots);
+  for (const std::size_t i : {0, 1}) {
+    ASSERT_TRUE(pair.is_open(i));
+    EXPECT_EQ(pair.opposite(i), VoxelPair::kOpen);
+    EXPECT_TRUE(pair.higher_has(i, to_code));
+    EXPECT_FALSE(pair.higher_has(i, grid.at({0, 16, 3})));
+    EXPECT_EQ(pair.number_of(i, to_code), voxel::kNoEdge);
+  }
+  pair.choose(0);
+  pair.look(corners, grid.spots);
+  EXPECT_LT(pair.number_of(0, to_code), kEdges);
+  EXPECT_EQ(pair.opposite(0), voxel::kNoEdge);
+  EXPECT_TRUE(pair.is_open(1));
 }
 
-TEST(VoxelView, VOX2FacesWithoutACubeAreNone) {
+TEST(VoxelPair, VOX2FacesWithoutACubeAreNone) {
   GridVertices grid;
-  Surroundings around{};
-  around.known_count = 1;
-  around.neighbor_count = 2;
   const std::uint32_t a = grid.add({8, 8, 3});
+  const std::uint32_t good = grid.add({8, 16, 3});
   const std::uint32_t same = grid.add({8, 8, 5});
   const std::uint32_t far = grid.add({8, 80, 3});
+  const VoxelCorners found = one_face(a, good, grid.count);
   for (const std::uint32_t b : {same, far, grid.count}) {
-    around.known[0] = {a, b, kNoVertex};
-    VoxelView view;
-    EXPECT_FALSE(view.find(around, grid.spots));
+    const VoxelCorners none = one_face(a, b, grid.count);
+    EXPECT_FALSE(VoxelPair().find({none, found}, grid.spots));
+    EXPECT_FALSE(VoxelPair().find({found, none}, grid.spots));
   }
+  EXPECT_TRUE(VoxelPair().find({found, found}, grid.spots));
 }
 
 }  // namespace

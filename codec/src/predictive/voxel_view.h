@@ -91,8 +91,8 @@ class VoxelPair {
   VoxelSpot spot_on(std::size_t i, unsigned edge, std::int16_t part) const noexcept;
   /// From the node of the first face's corner a to the edge's, and 0.
   EightShorts steps_to(std::size_t i, unsigned edge) const noexcept {
-    return (load_one(cubes_[i]->lowest) + load_one(voxel::kEdgeSpots[edge]) & voxel::kNodes) >>
-           kVoxelBits;
+    const EightShorts spot = load_one(cubes_[i]->lowest) + load_one(voxel::kEdgeSpots[edge]);
+    return (spot & voxel::kNodes) >> kVoxelBits;
   }
 
   unsigned kind(std::size_t i) const noexcept { return cubes_[i]->kind; }  ///< how a and b lie, below 6
