@@ -145,9 +145,8 @@ TEST(VoxelTables, VOX2PairsShareTheirCubes) {
         for (const Nodes& cube : cubes_of(axis2, node))
           if (own.count(cube) != 0) common.insert(cube);
         if (common.size() > 2) common.clear();  // the same edge
-        const auto place =
-            static_cast<std::size_t>(125 * static_cast<int>(3 * axis + axis2) + 25 * node[0] + 5 * node[1] +
-                                     node[2] + voxel::kPairMiddle);
+        const auto place = static_cast<std::size_t>(125 * static_cast<int>(3 * axis + axis2) + 25 * node[0] +
+                                                    5 * node[1] + node[2] + voxel::kPairMiddle);
         const voxel::CubePair& pair = voxel::kPairTable.pairs[voxel::kPairTable.places[place]];
         ASSERT_EQ(pair.count, common.size());
         count += pair.count > 0 ? 1 : 0;

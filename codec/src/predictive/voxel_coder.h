@@ -64,8 +64,7 @@ class VoxelCoder {
     const unsigned second_number =
         second.has_cube && !is_alone ? code_edge(1, pair, corners, second) : voxel::kNoEdge;
     const char* const broken = code_rest(0, pair, corners, first, first_number, cells);
-    return broken != nullptr || is_alone ? broken
-                                         : code_rest(1, pair, corners, second, second_number, cells);
+    return broken != nullptr || is_alone ? broken : code_rest(1, pair, corners, second, second_number, cells);
   }
 
  private:
@@ -108,7 +107,8 @@ class VoxelCoder {
       corners = {{{first_a, first_b, other_a, other_b}}, faces_.across(first_a, first_b)};
       return VoxelPair().find({corners, corners}, spots_);
     };
-    if (takes(a, b, last_a, last_b) || takes(a, b, a, b) || takes(last_a, last_b, last_a, last_b)) return true;
+    if (takes(a, b, last_a, last_b) || takes(a, b, a, b) || takes(last_a, last_b, last_a, last_b))
+      return true;
     const std::uint32_t none = faces_.none();
     corners = {{{none + 1, none + 2, none + 1, none + 2}}, none};
     return false;
@@ -252,9 +252,9 @@ class VoxelCoder {
   VoxelGrid grid_;
   ResidualHistory history_;
   ResidualCoder<Coder> residuals_;
-  LargeVector<VoxelSpot> spots_;  ///< then kOffEdges and kNoCube
-  LargeVector<FourInts> nodes_;  ///< lattice coordinates, of those on edges; the last lanes are 0
-  unsigned low_bits_ = 0;        ///< of a level, outside its symbol
+  LargeVector<VoxelSpot> spots_;           ///< then kOffEdges and kNoCube
+  LargeVector<FourInts> nodes_;            ///< lattice coordinates, of those on edges; the last lanes are 0
+  unsigned low_bits_ = 0;                  ///< of a level, outside its symbol
   std::vector<std::uint16_t> set_places_;  ///< by kind and set of likely edges: of edge_models_, or 0
   std::vector<SymbolModel> edge_models_;   ///< by place from 1, and opposite
   MixWeights<1> edge_weights_;

@@ -32,8 +32,8 @@ VoxelFaces::VoxelFaces(const FaceList& list, std::span<const std::uint32_t> orde
       (turns[1] > turns[0] ? 1U : 0U) + (turns[2] > std::max(turns[0], turns[1]) ? 2U : 0U);
   const std::uint32_t a = corners[kNext[which]];
   const std::uint32_t b = corners[kPrevious[which]];
-  const unsigned is_none = (turn_of(a) == last_turn ? 1U : 0U) | (turn_of(b) == last_turn ? 1U : 0U) |
-                           (a == b ? 1U : 0U);
+  const unsigned is_none =
+      (turn_of(a) == last_turn ? 1U : 0U) | (turn_of(b) == last_turn ? 1U : 0U) | (a == b ? 1U : 0U);
   if (is_none != 0) [[unlikely]]
     return;
   Star& star = stars_[corners[kLast[which]]];

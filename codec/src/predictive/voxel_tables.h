@@ -237,7 +237,8 @@ inline constexpr std::array<FourShorts, kEdges> kEdgeMiddles = [] {
   std::array<FourShorts, kEdges> middles{};
   for (std::size_t i = 0; i < kEdges; ++i)
     for (std::size_t a = 0; a < 3; ++a)
-      middles[i][a] = static_cast<std::int16_t>(a == i / 4 ? 0 : kVoxelParts * kEdgeNodes[i][a] - kVoxelMiddle);
+      middles[i][a] =
+          static_cast<std::int16_t>(a == i / 4 ? 0 : kVoxelParts * kEdgeNodes[i][a] - kVoxelMiddle);
   return middles;
 }();
 

@@ -52,7 +52,8 @@ inline constexpr EightShorts kAxes = {0, 0, 0, -1, 0, 0, 0, -1};
 
 /// The faces that a vertex is seen by: a corner of the lower numbers is a vertex with a spot.
 struct VoxelCorners {
-  VoxelFaces::Star star;   ///< corners a and b of the face that tells the cube, then of another or the same one
+  VoxelFaces::Star
+      star;  ///< corners a and b of the face that tells the cube, then of another or the same one
   std::uint32_t opposite;  ///< across the first one's a and b
 };
 
@@ -111,8 +112,7 @@ class VoxelPair {
  private:
   unsigned edge_at(std::size_t i, const voxel::PairCube& cube, const VoxelSpot& spot) const noexcept {
     const EightShorts lowest = wrapped_sum(load_one(nodes_[i]), load_one(cube.lowest));
-    return voxel::kEdgeAt[voxel::places_near(
-        voxel::cut(wrapped_difference(load_one(spot.at), lowest)))[0]];
+    return voxel::kEdgeAt[voxel::places_near(voxel::cut(wrapped_difference(load_one(spot.at), lowest)))[0]];
   }
   void choose_by(std::size_t i, const VoxelSpot& opposite) noexcept;
   void expect(EightShorts a, EightShorts b, EightShorts last_a, EightShorts last_b,
@@ -133,7 +133,9 @@ class VoxelPair {
 [[gnu::always_inline]] inline bool VoxelPair::find(const std::array<VoxelCorners, 2>& corners,
                                                    std::span<const VoxelSpot> spots) noexcept {
   const auto& [first, second] = corners;
-  const auto corner = [&](std::size_t k) { return load_two(spots[first.star[k]].at, spots[second.star[k]].at); };
+  const auto corner = [&](std::size_t k) {
+    return load_two(spots[first.star[k]].at, spots[second.star[k]].at);
+  };
   const EightShorts a = corner(0);
   const EightShorts b = corner(1);
   const FourShorts off = {0, 0, 0, VoxelSpot::kNoAxis};
@@ -160,7 +162,9 @@ class VoxelPair {
 [[gnu::always_inline]] inline void VoxelPair::look(const std::array<VoxelCorners, 2>& corners,
                                                    std::span<const VoxelSpot> spots) noexcept {
   const auto& [first, second] = corners;
-  const auto corner = [&](std::size_t k) { return load_two(spots[first.star[k]].at, spots[second.star[k]].at); };
+  const auto corner = [&](std::size_t k) {
+    return load_two(spots[first.star[k]].at, spots[second.star[k]].at);
+  };
   const EightShorts opposite = load_two(spots[first.opposite].at, spots[second.opposite].at);
   const EightShorts nodes = load_two(nodes_[0], nodes_[1]);
   const EightShorts lowest = wrapped_sum(nodes, load_two(cubes_[0]->lowest, cubes_[1]->lowest));
@@ -206,16 +210,14 @@ class VoxelPair {
 inline VoxelSpot VoxelPair::spot_on(std::size_t i, unsigned edge, std::int16_t part) const noexcept {
   static constexpr std::array<FourShorts, 3> kAlong = {{{-1, 0, 0, 0}, {0, -1, 0, 0}, {0, 0, -1, 0}}};
   const EightShorts along = (EightShorts{} + part) & load_one(kAlong[edge / 4]);
-  const EightShorts spot =
-      wrapped_sum(load_one(lowest_[i]), load_one(voxel::kEdgeSpots[edge]) + along);
+  const EightShorts spot = wrapped_sum(load_one(lowest_[i]), load_one(voxel::kEdgeSpots[edge]) + along);
   return {halves_of(spot)[0]};
 }
 
 inline std::int32_t VoxelPair::plane_on(std::size_t i, unsigned edge) const noexcept {
   const std::int32_t steep = normals_[i][edge / 4];
   if (steep == 0) return mean_on(i, edge);
-  const std::int32_t at_middle =
-      weigh(load_one(normals_[i]), load_one(voxel::kEdgeMiddles[edge]))[0];
+  const std::int32_t at_middle = weigh(load_one(normals_[i]), load_one(voxel::kEdgeMiddles[edge]))[0];
   return kVoxelMiddle - (at_middle - planes_[i]) / steep;
 }
 
