@@ -100,11 +100,8 @@ inline FourInts smooth_lanes(FourInts now, FourInts before) noexcept {
   return ((now << 2) + now + (before << 1) + before) >> 3;
 }
 
-/// Every lane, `most` at most.
-inline FourInts least_lanes(FourInts lanes, std::int32_t most) noexcept {
-  const FourInts above = lanes > most;
-  return (lanes & ~above) | (above & most);
-}
+inline FourInts larger_lanes(FourInts a, FourInts b) noexcept { return a > b ? a : b; }
+inline FourInts smaller_lanes(FourInts a, FourInts b) noexcept { return a < b ? a : b; }
 
 /// Every lane between -most and most.
 inline FourInts clamp_lanes(FourInts lanes, std::int32_t most) noexcept {

@@ -62,16 +62,24 @@ class alignas(16) SymbolModel {
   /// Moves the lanes towards `symbol` by 2^-rate of the way, rounded away from where they are, at least
   /// to 1 / 128 of the way as more and more symbols were seen [CMP-5].
   [[gnu::always_inline]] void learn(unsigned symbol) noexcept {
-    const unsigned rate = rate_;
-    if (--left_ == 0 && rate < kLastRate) {
-      ++rate_;
-      left_ = static_cast<std::uint8_t>(1U << rate_);
-    }
+    const unsigned rate = kRates[count_];
+    count_ = static_cast<std::uint8_t>(count_ + (count_ < kMostCounted ? 1 : 0));
     pull_lanes(lanes_.data(), kPulls[rate][symbol], rate);
   }
 
  private:
   static constexpr unsigned kLastRate = 7;
+  static constexpr unsigned kMostCounted = 122;
+  /// By how many symbols were seen: 2 for 2 of them, 3 for 8, 4 for 16, twice as many for the next.
+  static constexpr std::array<std::uint8_t, kMostCounted + 1> kRates = [] {
+    std::array<std::uint8_t, kMostCounted + 1> rates{};
+    std::uint8_t rate = 2;
+    for (unsigned count = 0; count <= kMostCounted; ++count) {
+      if (count + 6 == 2U << rate) ++rate;
+      rates[count] = rate;
+    }
+    return rates;
+  }();
   /// By rate: the goal is as far beyond kLaneOne as rounding needs.
   static constexpr std::array<Pulls, kLastRate + 1> kPulls = [] {
     std::array<Pulls, kLastRate + 1> pulls{};
@@ -81,8 +89,7 @@ class alignas(16) SymbolModel {
   }();
 
   std::array<std::int16_t, kSymbols + 1> lanes_{};  ///< the last is after all symbols and stays
-  std::uint8_t rate_ = 2;
-  std::uint8_t left_ = 2;  ///< symbols before the rate goes up, then around and around
+  std::uint8_t count_ = 0;                          ///< symbols seen, to kMostCounted
 };
 
 /// Weights of `K` models, learnt [CMP-6].
@@ -136,15 +143,10 @@ class MixWeights {
 
 /// The interval of `symbol` under Mixture::starts().
 inline Interval interval_of(const LaneSum& starts, unsigned symbol) noexcept {
-  struct {
-    Lanes lanes;
-    std::uint16_t all = kProbabilityOne;
-  } bounds;
-  starts.store(bounds.lanes);
-  const auto start = static_cast<std::uint32_t>(bounds.lanes[symbol]);
-  const std::uint32_t end =
-      symbol + 1 == kSymbols ? bounds.all : static_cast<std::uint32_t>(bounds.lanes[symbol + 1]);
-  return {start, end - start};
+  alignas(16) std::array<std::uint16_t, kSymbols + 1> bounds;
+  starts.store(bounds.data());
+  bounds[kSymbols] = kProbabilityOne;
+  return {bounds[symbol], std::uint32_t{bounds[symbol + 1]} - bounds[symbol]};
 }
 
 /// `K` models of the same symbol in different contexts, and their weights.

@@ -63,7 +63,10 @@ class LaneSum {
     return found;
   }
 
-  constexpr void store(Lanes& lanes) const noexcept { lanes = lanes_; }
+  /// Into 16 numbers, aligned to 16 bytes.
+  constexpr void store(std::uint16_t* lanes) const noexcept {
+    for (unsigned i = 0; i < kSymbols; ++i) lanes[i] = static_cast<std::uint16_t>(lanes_[i]);
+  }
 
  private:
   Lanes lanes_;
@@ -121,9 +124,9 @@ class LaneSum {
     return static_cast<unsigned>(std::countr_zero(bits)) - 1;
   }
 
-  void store(Lanes& lanes) const noexcept {
-    store_lanes(lanes.data(), 0, low_);
-    store_lanes(lanes.data(), 1, high_);
+  void store(std::uint16_t* lanes) const noexcept {
+    _mm_store_si128(reinterpret_cast<__m128i*>(lanes), low_);
+    _mm_store_si128(reinterpret_cast<__m128i*>(lanes + 8), high_);
   }
 
  private:

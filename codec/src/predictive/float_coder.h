@@ -38,7 +38,8 @@ class FloatCoder {
   /// here, or null.
   const char* code_vertex(std::uint32_t vertex, std::span<Ordinals> floats) {
     const Surroundings around = faces_.template around<false>(vertex);
-    ResidualTurn turn = history_.begin(around, expect_place(around, vertex, cells_, blends_));
+    const FourInts most = FourInts{} + kLargestFixed;
+    ResidualTurn turn(history_.outlook(around, expect_place(around, vertex, cells_, blends_)), -most, most);
     unsigned missed = 0;
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (!code_axis(axis, around, turn, missed, floats[vertex][axis], floats)) return "FLT-1";
@@ -52,7 +53,7 @@ class FloatCoder {
   /// False where a float is not finite.
   bool code_axis(std::size_t axis, const Surroundings& around, ResidualTurn& turn, unsigned& missed,
                  std::int32_t& value, std::span<const Ordinals> floats) {
-    const ResidualForecast forecast = turn.forecast(axis, -kLargestFixed, kLargestFixed);
+    const ResidualForecast forecast = turn.forecast(axis);
     const std::int32_t expected = ordinal_of_fixed(static_cast<std::int32_t>(forecast.whole), units_[axis]);
     if (!matches_.code(axis, around, guess(around, floats, axis, expected), value, missed)) {
       const std::int64_t coded =

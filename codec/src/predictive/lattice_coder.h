@@ -38,7 +38,7 @@ class LatticeCoder {
   LatticeCoder(Coder& coder, const KnownFaces& faces, const std::array<std::uint32_t, 3>& largest,
                const BlendTable& blends, bool guesses)
       : faces_(faces),
-        largest_(largest),
+        most_(four_ints({largest[0], largest[1], largest[2], 0U})),
         blends_(blends),
         history_(faces.vertex_count()),
         residuals_(coder),
@@ -51,20 +51,26 @@ class LatticeCoder {
   const char* code_next(std::uint32_t& vertex, std::span<Cell> cells) {
     const Outlook first_outlook = look_at(vertex, cells);
     if (vertex + 1 == cells.size() || faces_.needs_previous(vertex + 1)) {
-      Turn turn(first_outlook, vertex, cells);
-      if (!code_axis(0, turn, cells) || !code_axis(1, turn, cells) || !code_axis(2, turn, cells))
-        return "POSN-7";
+      Turn turn(*this, vertex, first_outlook, cells);
+      code_axis(0, turn, cells);
+      code_axis(1, turn, cells);
+      code_axis(2, turn, cells);
+      if (turn.is_beyond()) return "POSN-7";
       end(turn, cells);
       ++vertex;
       return nullptr;
     }
     // What takes long to come to is begun for both at once.
     const Outlook second_outlook = look_at(vertex + 1, cells);
-    Turn first(first_outlook, vertex, cells);
-    Turn second(second_outlook, vertex + 1, cells);
-    if (!code_axis(0, first, cells) || !code_axis(0, second, cells) || !code_axis(1, first, cells) ||
-        !code_axis(1, second, cells) || !code_axis(2, first, cells) || !code_axis(2, second, cells))
-      return "POSN-7";
+    Turn first(*this, vertex, first_outlook, cells);
+    Turn second(*this, vertex + 1, second_outlook, cells);
+    code_axis(0, first, cells);
+    code_axis(0, second, cells);
+    code_axis(1, first, cells);
+    code_axis(1, second, cells);
+    code_axis(2, first, cells);
+    code_axis(2, second, cells);
+    if (first.is_beyond() || second.is_beyond()) return "POSN-7";
     end(first, cells);
     end(second, cells);
     vertex += 2;
@@ -74,14 +80,18 @@ class LatticeCoder {
  private:
   /// A vertex while it is coded.
   struct Turn {
-    [[gnu::always_inline]] Turn(const Outlook& outlook, std::uint32_t number, std::span<const Cell> cells)
-        : vertex(number), residual(outlook) {
+    [[gnu::always_inline]] Turn(const LatticeCoder& coder, std::uint32_t number, const Outlook& outlook,
+                                std::span<const Cell> cells)
+        : vertex(number), residual(outlook, FourInts{}, coder.most_) {
       if constexpr (Coder::kWrites) cell = cells[vertex];
     }
+    /// Whether a coordinate was beyond the lattice.
+    bool is_beyond() const noexcept { return beyond < 0; }
     std::uint32_t vertex;
     ResidualTurn residual;
     Cell cell;
-    unsigned missed = 0;  ///< as MatchCoder has it
+    std::int64_t beyond = 0;  ///< below 0 where something was that must not be
+    unsigned missed = 0;      ///< as MatchCoder has it
   };
 
   [[gnu::always_inline]] Outlook look_at(std::uint32_t vertex, std::span<const Cell> cells) const noexcept {
@@ -106,28 +116,28 @@ class LatticeCoder {
     history_.end(turn.vertex, turn.residual, cell);
   }
 
-  /// False where a coordinate is beyond the lattice.
-  [[gnu::always_inline]] bool code_axis(std::size_t axis, Turn& turn, std::span<const Cell> cells) {
+  [[gnu::always_inline]] void code_axis(std::size_t axis, Turn& turn, std::span<const Cell> cells) {
     std::int32_t& value = turn.cell[axis];
-    const ResidualForecast forecast = turn.residual.forecast(axis, 0, largest_[axis]);
+    const ResidualForecast forecast = turn.residual.forecast(axis);
     if (!guesses_ || !code_match(axis, turn, cells, forecast.whole)) {
       const std::int64_t coordinate = forecast.whole + residuals_.code(value - forecast.whole, forecast);
-      if (coordinate < 0 || coordinate > largest_[axis]) return false;
+      turn.beyond |= coordinate | (most_[static_cast<int>(axis)] - coordinate);
       value = static_cast<std::int32_t>(coordinate);
     }
     turn.residual.learn(axis, value, forecast);
-    return true;
   }
 
   [[gnu::noinline]] bool code_match(std::size_t axis, Turn& turn, std::span<const Cell> cells,
                                     std::int64_t expected) {
     const Surroundings around = faces_.template around<false>(turn.vertex);
-    return matches_.code(axis, around, guesses_around(around, cells, axis, expected, largest_[axis]),
+    return matches_.code(axis, around,
+                         guesses_around(around, cells, axis, expected,
+                                        static_cast<std::uint32_t>(most_[static_cast<int>(axis)])),
                          turn.cell[axis], turn.missed);
   }
 
   const KnownFaces& faces_;
-  std::array<std::uint32_t, 3> largest_;
+  FourInts most_;  ///< of a coordinate
   BlendTable blends_;
   ResidualHistory history_;
   ResidualCoder<Coder> residuals_;

@@ -64,13 +64,14 @@ struct Outlook {
 /// A vertex while it is coded: forecast() and learn() of the axes in order, where these are of use, record().
 class ResidualTurn {
  public:
-  [[gnu::always_inline]] explicit ResidualTurn(const Outlook& outlook) noexcept
+  /// `least` and `most`: what coordinates may be.
+  [[gnu::always_inline]] ResidualTurn(const Outlook& outlook, FourInts least, FourInts most) noexcept
       : whole_(outlook.expected.whole),
         offset_(outlook.expected.offset),
         magnitude_(outlook.means.magnitude),
         sources_(outlook.sources) {
     const FourInts rounded = (offset_ + 8) >> 4;
-    nearest_ = whole_ + rounded;
+    nearest_ = smaller_lanes(larger_lanes(whole_ + rounded, least), most);
     const FourInts mean = offset_ - (rounded << 4) - (outlook.means.residual >> 2);
     sign_ = mean >> 31;
 
@@ -100,11 +101,9 @@ class ResidualTurn {
     contexts_ = classes * EightShorts{25, 25, 25, 25, 15, 15, 15, 15} + terms.contexts + sure;
   }
 
-  /// `least` and `most`: what a coordinate may be.
-  [[gnu::always_inline]] ResidualForecast forecast(std::size_t axis, std::int64_t least,
-                                                   std::int64_t most) const noexcept {
+  [[gnu::always_inline]] ResidualForecast forecast(std::size_t axis) const noexcept {
     ResidualForecast f;
-    f.whole = std::clamp<std::int64_t>(nearest_[axis], least, most);
+    f.whole = nearest_[axis];
     f.sign = sign_[axis];
     f.scale_bits = (scale_octaves_[axis] >> 2) + 1;
     f.shift = static_cast<unsigned>(shift_[axis]);
@@ -112,8 +111,9 @@ class ResidualTurn {
                   static_cast<std::uint32_t>(contexts_[axis + 4])};
     // Where the place between two coordinates says nothing, how the axes before turned out does.
     if (f.shift > 0 && axis > 0) {
-      const auto scale = static_cast<std::uint32_t>(std::min(scale_[axis], kLargestScale));
-      f.contexts[0] += (4 * coded_ < scale ? 1U : 0U) + (coded_ >= 2 * scale ? 2U : 0U);
+      const std::int64_t scale = std::min(scale_[axis], kLargestScale);
+      const std::int64_t coded = axis == 1 ? off_[0] : (off_[0] + off_[1]) >> 1;
+      f.contexts[0] += (4 * coded < scale ? 1U : 0U) + (coded >= 2 * scale ? 2U : 0U);
     }
     f.weight_set = static_cast<std::uint32_t>(axis) * 5 + sources_;
     f.tail_context = sources_;
@@ -122,9 +122,8 @@ class ResidualTurn {
 
   [[gnu::always_inline]] void learn(std::size_t axis, std::int32_t coordinate,
                                     const ResidualForecast& forecast) noexcept {
-    const auto off = static_cast<std::uint32_t>(
-        std::min(16 * std::abs(coordinate - forecast.whole), std::int64_t{kLargestResidual}));
-    coded_ = axis == 0 ? off : (coded_ + off) >> 1;
+    if (axis < off_.size())
+      off_[axis] = std::min(16 * std::abs(coordinate - forecast.whole), std::int64_t{kLargestResidual});
   }
 
   /// After learn() of all axes, or where the vertex was coded otherwise.
@@ -164,28 +163,23 @@ class ResidualTurn {
     return terms;
   }();
 
-  FourInts whole_;             ///< as in Expectation
-  FourInts offset_;            ///< likewise
-  FourInts magnitude_;         ///< mean of corners of known faces
-  FourInts nearest_;           ///< the expected lattice point
-  FourInts sign_;              ///< -1 where the vertex is likely below, else 0
-  FourInts scale_;             ///< what distance may be expected, 1/16 steps
-  EightShorts scale_octaves_;  ///< its quarter_octaves(), twice
-  EightShorts shift_;          ///< twice
-  EightShorts contexts_;       ///< without how axes before turned out
-  std::uint32_t sources_;      ///< as in Outlook
-  std::uint32_t coded_ = 0;    ///< |residual| of the axes so far, 1/16 steps
+  FourInts whole_;                   ///< as in Expectation
+  FourInts offset_;                  ///< likewise
+  FourInts magnitude_;               ///< mean of corners of known faces
+  FourInts nearest_;                 ///< the expected lattice point, as coordinates may be
+  FourInts sign_;                    ///< -1 where the vertex is likely below, else 0
+  FourInts scale_;                   ///< what distance may be expected, 1/16 steps
+  EightShorts scale_octaves_;        ///< its quarter_octaves(), twice
+  EightShorts shift_;                ///< twice
+  EightShorts contexts_;             ///< without how axes before turned out
+  std::uint32_t sources_;            ///< as in Outlook
+  std::array<std::int64_t, 2> off_;  ///< how far from there x and y turned out, 1/16 steps
 };
 
 /// Distances between vertices and what was expected of them.
 class ResidualHistory {
  public:
   explicit ResidualHistory(std::uint32_t vertex_count) : records_(vertex_count) {}
-
-  [[gnu::always_inline]] ResidualTurn begin(const Surroundings& around,
-                                            const Expectation& expected) const noexcept {
-    return ResidualTurn(outlook(around, expected));
-  }
 
   Outlook outlook(const Surroundings& around, const Expectation& expected) const noexcept {
     Outlook result{.expected = expected,

@@ -217,9 +217,10 @@ class VoxelCoder {
       around.known[around.known_count++] = {has_a ? face.a : face.b, has_b ? face.b : face.a, face.opposite};
     }
     spots_[vertex] = kOffEdges;
-    ResidualTurn turn = history_.begin(around, expected);
+    ResidualTurn turn(history_.outlook(around, expected), FourInts{},
+                      four_ints({largest_[0], largest_[1], largest_[2], 0U}));
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const ResidualForecast forecast = turn.forecast(axis, 0, largest_[axis]);
+      const ResidualForecast forecast = turn.forecast(axis);
       const std::int64_t q = forecast.whole + residuals_.code(cell[axis] - forecast.whole, forecast);
       if (q < 0 || q > largest_[axis]) return "POSN-7";
       cell[axis] = static_cast<std::int32_t>(q);
