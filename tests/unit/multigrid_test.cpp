@@ -353,13 +353,20 @@ TEST(Multigrid, FluxBetweenAggregatesKeepsConstantsAndSymmetry) {
   for (std::uint32_t c = 0; c < level.node_count(); ++c) {
     float degree = 0;
     for (std::uint32_t e = level.offsets[c]; e < level.offsets[c + 1]; ++e) {
+      if (level.neighbors[e] == c) {  // padding
+        EXPECT_EQ(level.weights[e], 0);
+        continue;
+      }
       EXPECT_GT(level.weights[e], 0);
       EXPECT_EQ(level.neighbors[e] < c, e < level.middle[c]);
       EXPECT_TRUE(edges.emplace(c, level.neighbors[e], level.weights[e]).second);
       degree += level.weights[e];
     }
     EXPECT_EQ(degree, level.degree[c]);
+    EXPECT_EQ((level.middle[c] - level.offsets[c]) % multigrid::kEdgesAtOnce, 0U);
+    EXPECT_EQ(level.offsets[c] % multigrid::kEdgesAtOnce, 0U);
   }
+  EXPECT_EQ(edges.size(), level.edge_ends);
   for (const auto& [from, to, weight] : edges) EXPECT_TRUE(edges.contains({to, from, weight}));
 }
 

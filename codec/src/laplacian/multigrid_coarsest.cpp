@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "laplacian/multigrid_edges.h"
+
 namespace deltamesh::multigrid {
 namespace {
 
@@ -89,7 +91,9 @@ bool CoarsestSolver::product_stays_sparse() const noexcept {
   const std::uint64_t most = std::max(kMostProductsPerNode * n, kFewestProducts);
   std::uint64_t products = 0;
   for (std::uint32_t i = 0; i < n; ++i) {
-    const std::uint64_t entries = std::uint64_t{level_.offsets[i + 1]} - level_.offsets[i] + 1;
+    std::uint64_t entries = 1;
+    for (std::uint32_t e = level_.offsets[i]; e < level_.offsets[i + 1]; ++e)
+      entries += level_.weight(e) > 0 ? 1 : 0;
     if (entries > most) return false;
     products += entries * entries;
     if (products > most) return false;
@@ -138,10 +142,14 @@ double CoarsestSolver::diagonal_entry(std::uint32_t node) const noexcept {
 }
 
 Double4 CoarsestSolver::apply_k(std::span<const Double4> values, std::uint32_t node) const noexcept {
-  Double4 sum = static_cast<double>(level_.degree[node]) * values[node];
-  for (std::uint32_t e = level_.offsets[node]; e < level_.offsets[node + 1]; ++e)
-    sum -= static_cast<double>(level_.weight(e)) * values[level_.neighbors[e]];
-  return sum;
+  const Double4 own = static_cast<double>(level_.degree[node]) * values[node];
+  const std::uint32_t begin = level_.offsets[node];
+  const std::uint32_t end = level_.offsets[node + 1];
+  const auto value = [&](std::uint32_t other) { return values[other]; };
+  if (!level_.has_unit_weights()) return own - Edges<false>(level_).add_fours(begin, end, value, Double4{});
+  Double4 sum{};
+  for (std::uint32_t e = begin; e < end; ++e) sum += values[level_.neighbors[e]];
+  return own - sum;
 }
 
 /// image_ serves as M^-1 K in.

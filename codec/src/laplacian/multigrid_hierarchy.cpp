@@ -3,11 +3,13 @@
 #include "laplacian/multigrid_hierarchy.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "laplacian/multigrid_aggregate.h"
 #include "laplacian/multigrid_flux.h"
 #include "laplacian/multigrid_galerkin.h"
+#include "laplacian/multigrid_padding.h"
 #include "laplacian/multigrid_transfer.h"
 
 namespace deltamesh::multigrid {
@@ -26,6 +28,10 @@ constexpr double kFewestNodes = 1.5;
 /// where many anchors lie together, or few edges lead out of dense parts, levels hardly shrink.
 constexpr std::uint64_t kMostWork = 4;
 
+/// What 32 bits can count, and what pad_rows() may add to a node's.
+constexpr std::uint64_t kMostEdgeEnds = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint64_t kMostPadding = 2 * (kEdgesAtOnce - 1);
+
 /// Of a coarse level; with less, threads would wait for each other.
 constexpr std::uint32_t kFewestNodesToShare = 8192;
 
@@ -33,6 +39,7 @@ Level finest_level(const Adjacency& graph, std::span<const std::uint32_t> anchor
   Level level;
   level.offsets = graph.offsets;
   level.neighbors = graph.neighbors;
+  level.edge_ends = graph.neighbors.size();
   level.anchors.assign(anchors.begin(), anchors.end());
   const std::uint32_t n = level.node_count();
   level.degree.resize(n);
@@ -53,7 +60,7 @@ bool coarsen(const Level& fine, const Aggregates& aggregates, Coarsening how, fl
       how == Coarsening::kQuick && fine.has_unit_weights()
           ? make_flux_graph(fine, aggregates, smallest, coarse)
           : make_galerkin_graph(fine, static_cast<std::uint32_t>(aggregates.seeds.size()), smallest, coarse);
-  if (!is_made) return false;
+  if (!is_made || coarse.edge_ends + kMostPadding * aggregates.seeds.size() > kMostEdgeEnds) return false;
   coarse.mass.assign(aggregates.seeds.size(), 0.0F);
   for (std::uint32_t i = 0; i < fine.node_count(); ++i) {
     const Interpolation& p = fine.interpolation[i];
@@ -138,12 +145,11 @@ std::vector<Level> build_hierarchy(const Adjacency& graph, std::span<const std::
     levels.pop_back();
     levels.back().interpolation.clear();
   }
+  for (Level& level : std::span(levels).subspan(1)) pad_rows(level);
   return levels;
 }
 
-std::uint64_t work_on(const Level& level) noexcept {
-  return std::uint64_t{level.node_count()} + level.neighbors.size();
-}
+std::uint64_t work_on(const Level& level) noexcept { return level.node_count() + level.edge_ends; }
 
 std::vector<int> plan_cycles(std::span<const Level> levels) {
   std::vector<int> cycles(levels.size(), 1);

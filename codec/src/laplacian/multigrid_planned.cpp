@@ -86,7 +86,7 @@ PlannedCycles::PlannedCycles(std::span<const Level> levels, const Components& co
       gaps_(levels[0].anchors.size()) {
   if (!has_middle()) return;
   b_.resize(levels[1].node_count());
-  step_second_.resize(levels[1].node_count());
+  step_second_.resize(levels[1].node_count(), Float4{});
 }
 
 template <class Each>

@@ -52,6 +52,14 @@ inline Vec3 to_vec3(Float4 v) noexcept { return {v[0], v[1], v[2]}; }
 struct alignas(32) Row {
   Float4 x;  ///< position, or its equation's right-hand side
   Float4 s;  ///< residual field D^-1 (delta - L x), or its equation's right-hand side
+
+  Row& operator+=(const Row& other) noexcept {
+    x += other.x;
+    s += other.s;
+    return *this;
+  }
+  friend Row operator+(Row a, const Row& b) noexcept { return a += b; }
+  friend Row operator*(float factor, const Row& a) noexcept { return {factor * a.x, factor * a.s}; }
 };
 
 }  // namespace deltamesh::multigrid

@@ -3,25 +3,20 @@
 #include "laplacian/multigrid_smoother.h"
 
 #include "base/thread_team.h"
+#include "laplacian/multigrid_edges.h"
 #include "laplacian/multigrid_transfer.h"
 
 namespace deltamesh::multigrid {
 namespace {
 
-/// Weighted sum of the rows at the other ends of edges.
+/// Weighted sum of the rows at the other ends of edges: of one half of a node's or of all.
 template <bool kUnitWeights>
 Row sum_rows(const Level& level, std::span<const Row> u, std::uint32_t begin, std::uint32_t end) noexcept {
   Row sum{};
-  for (std::uint32_t e = begin; e < end; ++e) {
-    const Row& row = u[level.neighbors[e]];
-    if constexpr (kUnitWeights) {
-      sum.x += row.x;
-      sum.s += row.s;
-    } else {
-      sum.x += level.weights[e] * row.x;
-      sum.s += level.weights[e] * row.s;
-    }
-  }
+  if constexpr (!kUnitWeights)
+    return Edges<false>(level).add_fours(
+        begin, end, [&](std::uint32_t other) { return u[other]; }, sum);
+  for (std::uint32_t e = begin; e < end; ++e) sum += u[level.neighbors[e]];
   return sum;
 }
 
@@ -84,10 +79,9 @@ void restrict_residual_from_zero(const Level& level, std::span<const Row> b, std
       const std::uint32_t neighbor = level.neighbors[e];
       const float weight = level.weights[e];
       if (level.chunks.is_on_rim[neighbor]) {
-        residual.x += weight * u[neighbor].x;
-        residual.s += weight * u[neighbor].s;
+        residual += weight * u[neighbor];
       } else {
-        restrict_row(level.interpolation[neighbor], {weight * u[i].x, weight * u[i].s}, coarse);
+        restrict_row(level.interpolation[neighbor], weight * u[i], coarse);
       }
     }
     restrict_row(level.interpolation[i], residual, coarse);

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <span>
 
+#include "laplacian/multigrid_edges.h"
 #include "laplacian/multigrid_level.h"
 #include "laplacian/multigrid_row.h"
 
@@ -16,81 +17,6 @@ namespace deltamesh::multigrid {
 
 /// Measured: 1.1 to 1.3 do well, 1 and 1.4 do not.
 inline constexpr float kOverRelaxation = 1.2F;
-
-/// Weighted sums over the neighbours of a node, whose edges to lower ones come first.
-template <bool kUnitWeights>
-class Edges {
- public:
-  explicit Edges(const Level& level) noexcept
-      : offsets_(level.offsets.data()),
-        neighbors_(level.neighbors.data()),
-        weights_(level.weights.data()),
-        degree_(level.degree.data()),
-        inverse_degree_(level.inverse_degree.data()) {}
-
-  /// Level::degree, which need not be stored where weights are 1.
-  float degree(std::uint32_t node) const noexcept {
-    if constexpr (kUnitWeights) return static_cast<float>(offsets_[node + 1] - offsets_[node]);
-    return degree_[node];
-  }
-
-  /// Level::inverse_degree; likewise.
-  float inverse_degree(std::uint32_t node) const noexcept {
-    if constexpr (!kUnitWeights) return inverse_degree_[node];
-    const float d = degree(node);
-    return d > 0 ? 1 / d : 0;
-  }
-
-  /// `sum` and what lower neighbours add.
-  Float4 add_lower(std::uint32_t node, const Float4* values, Float4 sum) const noexcept {
-    const std::uint32_t end = offsets_[node + 1];
-    for (std::uint32_t e = offsets_[node]; e < end && neighbors_[e] < node; ++e) sum += term(e, values);
-    return sum;
-  }
-
-  /// `sum` and the x of all neighbours.
-  Float4 add_x(std::uint32_t node, const Row* rows, Float4 sum) const noexcept {
-    const std::uint32_t end = offsets_[node + 1];
-    for (std::uint32_t e = offsets_[node]; e < end; ++e) sum += weights_[e] * rows[neighbors_[e]].x;
-    return sum;
-  }
-
-  /// What higher neighbours add up to, from the last on.
-  Float4 upper(std::uint32_t node, const Float4* values) const noexcept {
-    Float4 sum{};
-    const std::uint32_t begin = offsets_[node];
-    for (std::uint32_t e = offsets_[node + 1]; e > begin && neighbors_[e - 1] > node; --e)
-      sum += term(e - 1, values);
-    return sum;
-  }
-
-  /// `sum` and what all neighbours add.
-  Float4 add_all(std::uint32_t node, const Float4* values, Float4 sum) const noexcept {
-    const std::uint32_t end = offsets_[node + 1];
-    for (std::uint32_t e = offsets_[node]; e < end; ++e) sum += term(e, values);
-    return sum;
-  }
-
-  /// Calls each(neighbour, weight) for all of them.
-  template <class Each>
-  void visit(std::uint32_t node, const Each& each) const {
-    const std::uint32_t end = offsets_[node + 1];
-    for (std::uint32_t e = offsets_[node]; e < end; ++e)
-      each(neighbors_[e], kUnitWeights ? 1.0F : weights_[e]);
-  }
-
- private:
-  Float4 term(std::uint32_t edge, const Float4* values) const noexcept {
-    if constexpr (kUnitWeights) return values[neighbors_[edge]];
-    return weights_[edge] * values[neighbors_[edge]];
-  }
-
-  const std::uint32_t* offsets_;
-  const std::uint32_t* neighbors_;
-  const float* weights_;
-  const float* degree_;
-  const float* inverse_degree_;
-};
 
 /// The first sweep: `step` from `residual(node)` and, on the rim, `outer_residual(node)`, asked for once for
 /// every node in the order of the level's chunks, which know what keep(node, step) was told before. `step` of

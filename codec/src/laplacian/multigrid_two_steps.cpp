@@ -6,6 +6,7 @@
 #include <span>
 
 #include "base/thread_team.h"
+#include "laplacian/multigrid_edges.h"
 
 namespace deltamesh::multigrid {
 namespace {
@@ -56,13 +57,11 @@ TwoSteps::TwoSteps(const Level& level)
 void TwoSteps::take_first(const LevelProblem& problem) {
   const Level& level = problem.level;
   const std::span<Row> u = problem.u;
+  const Edges<false> edges(level);
   Sums sums = sum_up(level.chunks, [&](std::uint32_t i, Sums& add) {
-    Row k{level.degree[i] * u[i].x, level.degree[i] * u[i].s};
-    for (std::uint32_t e = level.offsets[i]; e < level.offsets[i + 1]; ++e) {
-      const Row& other = u[level.neighbors[e]];
-      k.x -= level.weight(e) * other.x;
-      k.s -= level.weight(e) * other.s;
-    }
+    const Row around = edges.add_fours(
+        level.offsets[i], level.offsets[i + 1], [&](std::uint32_t other) { return u[other]; }, Row{});
+    const Row k{level.degree[i] * u[i].x - around.x, level.degree[i] * u[i].s - around.s};
     const Float4 scaled = inverse_mass(level, i) * k.x;
     add.energy += widen(scaled * k.x);
     add.gain += widen(scaled * problem.b[i].x - u[i].x * problem.b[i].s);
@@ -92,10 +91,9 @@ void TwoSteps::take_first(const LevelProblem& problem) {
 void TwoSteps::combine(const LevelProblem& problem) {
   const Level& level = problem.level;
   const std::span<Row> u = problem.u;
+  const Edges<false> edges(level);
   Sums sums = sum_up(level.chunks, [&](std::uint32_t i, Sums& add) {
-    Float4 k = level.degree[i] * u[i].x;
-    for (std::uint32_t e = level.offsets[i]; e < level.offsets[i + 1]; ++e)
-      k -= level.weight(e) * u[level.neighbors[e]].x;
+    const Float4 k = level.degree[i] * u[i].x - edges.add_x(i, u.data(), Float4{});
     const Float4 scaled = inverse_mass(level, i) * k;
     add.energy += widen(scaled * k);
     add.overlap += widen(scaled * (image_[i].x - level.mass[i] * first_[i].s));

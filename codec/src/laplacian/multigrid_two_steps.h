@@ -28,6 +28,7 @@ struct LevelProblem {
 /// however bad the cycles.
 class TwoSteps {
  public:
+  /// `level`: not the finest.
   explicit TwoSteps(const Level& level);
 
   /// O(n + edges).

@@ -50,6 +50,7 @@ void mirror(const UpperHalf& upper, Level& coarse) {
   }
   coarse.offsets = coarse.storage.offsets;
   coarse.neighbors = coarse.storage.neighbors;
+  coarse.edge_ends = coarse.neighbors.size();
 }
 
 }  // namespace

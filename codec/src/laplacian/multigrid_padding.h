@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Rows of a coarse level as cycles read them best: by fours.
+#pragma once
+
+#include "laplacian/multigrid_level.h"
+
+namespace deltamesh::multigrid {
+
+/// Fills both halves of every row, the edges to lower nodes and those to higher ones, with edges of weight 0
+/// to the node itself until their number is a multiple of kEdgesAtOnce: then hardly a branch in a sum over
+/// neighbours is not foreseen. Not for the finest level. O(n + edges).
+void pad_rows(Level& level);
+
+}  // namespace deltamesh::multigrid
