@@ -53,16 +53,11 @@ Float4 charge(const Level& finest, const DeltaView& deltas, std::span<const Vec3
                     degree * (delta[2] - own[2]) + sum_z});
 }
 
-void add(Float4 step, Vec3& x) noexcept { x = x + to_vec3(step); }
+void add_to(Vec3& x, Float4 step) noexcept { x = x + to_vec3(step); }
 
-/// Rows of one field only.
+/// Of one field only.
 Float4 interpolate_field(const Interpolation& p, std::span<const Float4> coarse) noexcept {
   return p.weight[0] * coarse[p.node[0]] + p.weight[1] * coarse[p.node[1]] + p.weight[2] * coarse[p.node[2]];
-}
-
-Float4 interpolate_x(const Interpolation& p, std::span<const Row> coarse) noexcept {
-  return p.weight[0] * coarse[p.node[0]].x + p.weight[1] * coarse[p.node[1]].x +
-         p.weight[2] * coarse[p.node[2]].x;
 }
 
 /// One node's share of P^T, for x alone. `x(node)`: of the coarse level.
@@ -122,41 +117,43 @@ void PlannedCycles::solve_coupled() {
   for (std::size_t a = 0; a < forces_.size(); ++a) forces_[a] += v.forces[a];
 }
 
-/// Second level: u gets two sweeps and the correction from level c. The first time it is 0, whatever it
-/// holds.
+/// Second level: u gets two sweeps and the correction from level c, s_second_ that of s. The first time u is
+/// 0, whatever it holds.
 void PlannedCycles::correct_second(bool is_first) {
   const Level& level = levels_[1];
   LevelSolver::Vectors& next = solver_.vectors(2);
   const Edges<false> edges(level);
+  const auto add = [&](std::uint32_t i, Float4 step) { u_[i] += step; };
   if (is_first) {
     for (const std::uint32_t i : level.chunks.rim) step_second_[i] = Float4{};  // these come last
     sweep_first<false>(
         level, [&](std::uint32_t i) { return edges.add_lower(i, step_second_.data(), b_[i]); },
         [&](std::uint32_t i) { return edges.add_all(i, step_second_.data(), b_[i]); }, step_second_,
-        [&](std::uint32_t i, Float4 step) {
-          u_[i] = {step, Float4{}};
-        });
+        [&](std::uint32_t i, Float4 step) { u_[i] = step; });
   } else {
     const auto residual = [&](std::uint32_t i) {
-      return edges.add_x(i, u_.data(), b_[i] - level.degree[i] * u_[i].x - level.mass[i] * u_[i].s);
+      const Float4 s = interpolate(level.interpolation[i], next.u).s;  // the first correction's
+      return edges.add_all(i, u_.data(), b_[i] - level.degree[i] * u_[i] - level.mass[i] * s);
     };
-    sweep_first<false>(level, residual, residual, step_second_,
-                       [&](std::uint32_t i, Float4 step) { u_[i].x += step; });
+    sweep_first<false>(level, residual, residual, step_second_, add);
   }
-  for (int s = 1; s < kSecondSweeps; ++s)
-    sweep_again<false>(level, step_second_, [&](std::uint32_t i, Float4 step) { u_[i].x += step; });
+  for (int s = 1; s < kSecondSweeps; ++s) sweep_again<false>(level, step_second_, add);
   share_each(next.b.size(), [&](std::uint32_t i) { next.b[i].x = Float4{}; });
   take_residuals<false>(level, step_second_, [&](std::uint32_t i, Float4 residual) {
     restrict_x(level.interpolation[i], residual,
                [&](std::uint32_t node) -> Float4& { return next.b[node].x; });
   });
-  for (std::size_t a = 0; a < gaps_.size(); ++a) next.gaps[a] = gaps_[a] - u_[level.anchors[a]].x;
+  for (std::size_t a = 0; a < gaps_.size(); ++a) next.gaps[a] = gaps_[a] - u_[level.anchors[a]];
   solve_coupled();
-  add_prolonged_rows(level, next.u, u_);
+  share_each(u_.size(), [&](std::uint32_t i) {
+    const Row correction = interpolate(level.interpolation[i], next.u);
+    u_[i] += correction.x;
+    s_second_[i] += correction.s;
+  });
 }
 
 /// u for b, by at most so many corrections, where there is a level between the finest and c; else for that
-/// level's b.
+/// level's b. s_second_ follows.
 void PlannedCycles::correct_from_second(int corrections) {
   if (has_middle()) {
     for (int c = 0; c < std::min(corrections, solver_.cycles(1)); ++c) correct_second(c == 0);
@@ -164,9 +161,11 @@ void PlannedCycles::correct_from_second(int corrections) {
     LevelSolver::Vectors& second = solver_.vectors(1);
     second.gaps = gaps_;
     solve_coupled();
-    share_each(u_.size(), [&](std::uint32_t i) { u_[i] = second.u[i]; });
+    share_each(u_.size(), [&](std::uint32_t i) {
+      u_[i] = second.u[i].x;
+      s_second_[i] += second.u[i].s;
+    });
   }
-  share_each(u_.size(), [&](std::uint32_t i) { s_second_[i] += u_[i].s; });
 }
 
 /// The second level's solution.
@@ -183,7 +182,8 @@ void PlannedCycles::start(const DeltaView& deltas, std::span<const Vec3> targets
   });
   for (std::size_t a = 0; a < targets.size(); ++a) gaps_[a] = to_float4(targets[a]);
   correct_from_second(kCorrections);
-  share_each(x.size(), [&](std::uint32_t i) { x[i] = to_vec3(interpolate_x(finest.interpolation[i], u_)); });
+  share_each(x.size(),
+             [&](std::uint32_t i) { x[i] = to_vec3(interpolate_field(finest.interpolation[i], u_)); });
 }
 
 void PlannedCycles::sweep_finest(const DeltaView& deltas, int sweeps, std::span<Vec3> x) {
@@ -194,7 +194,7 @@ void PlannedCycles::sweep_finest(const DeltaView& deltas, int sweeps, std::span<
     return charge(finest, deltas, x, i) -
            degree * degree * interpolate_field(finest.interpolation[i], s_second_);
   };
-  const auto keep = [&](std::uint32_t i, Float4 step) { add(step, x[i]); };
+  const auto keep = [&](std::uint32_t i, Float4 step) { add_to(x[i], step); };
   sweep_first<true>(finest, residual, residual, step_, keep);
   for (int s = 1; s < sweeps; ++s) sweep_again<true>(finest, step_, keep);
 }
@@ -206,7 +206,8 @@ void PlannedCycles::cycle(const DeltaView& deltas, std::span<const Vec3> targets
   restrict_to_second([&](const auto& take) { take_residuals<true>(finest, step_, take); });
   for (std::size_t a = 0; a < targets.size(); ++a) gaps_[a] = to_float4(targets[a] - x[finest.anchors[a]]);
   correct_from_second(corrections);
-  share_each(x.size(), [&](std::uint32_t i) { add(interpolate_x(finest.interpolation[i], u_), x[i]); });
+  share_each(x.size(),
+             [&](std::uint32_t i) { add_to(x[i], interpolate_field(finest.interpolation[i], u_)); });
 }
 
 void PlannedCycles::solve(const DeltaView& deltas, std::span<const Vec3> targets, int half_cycles,

@@ -51,7 +51,7 @@ class PlannedCycles {
   LargeVector<Float4> step_;         ///< finest level: what the last sweep added
   LargeVector<Float4> b_;            ///< second level: right-hand side; empty where c is that
   LargeVector<Float4> step_second_;  ///< likewise
-  LargeVector<Row> u_;               ///< second level: correction of x and s
+  LargeVector<Float4> u_;            ///< second level: correction of x
   LargeVector<Float4> s_second_;     ///< second level: s
   LargeVector<Float4> s_;            ///< level c: s
   std::vector<Float4> forces_;       ///< one for each anchor
