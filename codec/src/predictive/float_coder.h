@@ -40,9 +40,13 @@ class FloatCoder {
     const Surroundings around = faces_.template around<false>(vertex);
     const FourInts most = FourInts{} + kLargestFixed;
     ResidualTurn turn(history_.outlook(around, expect_place(around, vertex, cells_, blends_)), -most, most);
+    const FourInts expected = ordinals_of(turn.nearest());
+    const Guesses guesses = guess(around, floats, expected);
     unsigned missed = 0;
     for (std::size_t axis = 0; axis < 3; ++axis)
-      if (!code_axis(axis, around, turn, missed, floats[vertex][axis], floats)) return "FLT-1";
+      if (!code_axis(axis, expected[static_cast<int>(axis)], around, guesses, turn, missed,
+                     floats[vertex][axis]))
+        return "FLT-1";
     Cell& cell = cells_[vertex];
     for (std::size_t axis = 0; axis < 3; ++axis) cell[axis] = fixed_of(floats[vertex][axis], units_[axis]);
     history_.end(vertex, turn, four_ints(cell));
@@ -51,11 +55,10 @@ class FloatCoder {
 
  private:
   /// False where a float is not finite.
-  bool code_axis(std::size_t axis, const Surroundings& around, ResidualTurn& turn, unsigned& missed,
-                 std::int32_t& value, std::span<const Ordinals> floats) {
+  bool code_axis(std::size_t axis, std::int32_t expected, const Surroundings& around, const Guesses& guesses,
+                 ResidualTurn& turn, unsigned& missed, std::int32_t& value) {
     const ResidualForecast forecast = turn.forecast(axis);
-    const std::int32_t expected = ordinal_of_fixed(static_cast<std::int32_t>(forecast.whole), units_[axis]);
-    if (!matches_.code(axis, around, guess(around, floats, axis, expected), value, missed)) {
+    if (!matches_.code(axis, around, guesses, value, missed)) {
       const std::int64_t coded =
           expected + residuals_.code(std::int64_t{value} - expected, fit(forecast, expected, axis));
       if (!is_finite_ordinal(coded)) return false;
@@ -65,13 +68,21 @@ class FloatCoder {
     return true;
   }
 
+  FourInts ordinals_of(FourInts fixed) const noexcept {
+    FourInts result{};
+    for (int axis = 0; axis < 3; ++axis)
+      result[axis] = ordinal_of_fixed(fixed[axis], units_[static_cast<std::size_t>(axis)]);
+    return result;
+  }
+
   /// The floats of the known faces' corners [FLT-4].
-  static Guesses guess(const Surroundings& around, std::span<const Ordinals> floats, std::size_t axis,
-                       std::int32_t expected) noexcept {
+  static Guesses guess(const Surroundings& around, std::span<const Ordinals> floats,
+                       FourInts expected) noexcept {
     Guesses guesses(expected);
+    const FourInts always = ~FourInts{};
     for (unsigned i = 0; i < around.known_count; ++i) {
-      guesses.add(floats[around.known[i].a][axis]);
-      guesses.add(floats[around.known[i].b][axis]);
+      guesses.add(four_ints(floats[around.known[i].a]), always);
+      guesses.add(four_ints(floats[around.known[i].b]), always);
     }
     return guesses;
   }

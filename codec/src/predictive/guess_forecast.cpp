@@ -9,7 +9,7 @@
 
 #include "base/floor_log2.h"
 #include "base/portable_math.h"
-#include "predictive/match_coder.h"
+#include "predictive/guesses.h"
 
 namespace deltamesh {
 namespace {
@@ -37,18 +37,21 @@ bool guesses_pay(const KnownFaces& faces, std::span<const Cell> cells,
   double saved = 0;  // bits of residuals that need not be coded
   double hits = 0;
   double count = 0;
+  const FourInts most = four_ints({largest[0], largest[1], largest[2], 0U});
   const std::size_t stride = 1 + cells.size() / kSample;
   for (std::size_t i = 0; i < cells.size(); i += stride) {
     const auto vertex = static_cast<std::uint32_t>(i);
     const Surroundings around = faces.around(vertex);
     if (around.known_count == 0) continue;
-    const auto place = expect_place(around, vertex, cells, blends).place();
+    const Expectation place = expect_place(around, vertex, cells, blends);
+    const FourInts nearest = place.whole + ((place.offset + 8) >> 4);
+    const FourInts expected = smaller_lanes(larger_lanes(nearest, FourInts{}), most);
+    const Guesses guesses = guesses_around(around, cells, expected, most);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::int64_t expected =
-          std::clamp<std::int64_t>((place[axis] + 8) >> 4, 0, std::int64_t{largest[axis]});
       const std::int32_t value = cells[i][axis];
-      const double bits = about_log2(1 + 2 * static_cast<std::uint64_t>(std::llabs(value - expected)));
-      const bool hit = guesses_around(around, cells, axis, expected, largest[axis]).symbol_of(value) != 0;
+      const auto off = static_cast<std::uint64_t>(std::abs(value - expected[static_cast<int>(axis)]));
+      const double bits = about_log2(1 + 2 * off);
+      const bool hit = guesses.symbol_of(axis, value) != 0;
       count += 1;
       hits += hit ? 1 : 0;
       saved += hit ? bits : 0;

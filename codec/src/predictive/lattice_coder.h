@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "predictive/match_coder.h"
@@ -52,9 +53,10 @@ class LatticeCoder {
     const Outlook first_outlook = look_at(vertex, cells);
     if (vertex + 1 == cells.size() || faces_.needs_previous(vertex + 1)) {
       Turn turn(*this, vertex, first_outlook, cells);
-      code_axis(0, turn, cells);
-      code_axis(1, turn, cells);
-      code_axis(2, turn, cells);
+      if (guesses_) guess(turn, cells);
+      code_axis(0, turn);
+      code_axis(1, turn);
+      code_axis(2, turn);
       if (turn.is_beyond()) return "POSN-7";
       end(turn, cells);
       ++vertex;
@@ -64,12 +66,16 @@ class LatticeCoder {
     const Outlook second_outlook = look_at(vertex + 1, cells);
     Turn first(*this, vertex, first_outlook, cells);
     Turn second(*this, vertex + 1, second_outlook, cells);
-    code_axis(0, first, cells);
-    code_axis(0, second, cells);
-    code_axis(1, first, cells);
-    code_axis(1, second, cells);
-    code_axis(2, first, cells);
-    code_axis(2, second, cells);
+    if (guesses_) {
+      guess(first, cells);
+      guess(second, cells);
+    }
+    code_axis(0, first);
+    code_axis(0, second);
+    code_axis(1, first);
+    code_axis(1, second);
+    code_axis(2, first);
+    code_axis(2, second);
     if (first.is_beyond() || second.is_beyond()) return "POSN-7";
     end(first, cells);
     end(second, cells);
@@ -78,6 +84,15 @@ class LatticeCoder {
   }
 
  private:
+  /// What a vertex is compared with.
+  struct Matching {
+    Matching(const Surroundings& surroundings, std::span<const Cell> cells, FourInts expected, FourInts most)
+        : around(surroundings), guesses(guesses_around(surroundings, cells, expected, most)) {}
+    Surroundings around;
+    Guesses guesses;
+    unsigned missed = 0;  ///< as MatchCoder has it
+  };
+
   /// A vertex while it is coded.
   struct Turn {
     [[gnu::always_inline]] Turn(const LatticeCoder& coder, std::uint32_t number, const Outlook& outlook,
@@ -91,7 +106,7 @@ class LatticeCoder {
     ResidualTurn residual;
     Cell cell;
     std::int64_t beyond = 0;  ///< below 0 where something was that must not be
-    unsigned missed = 0;      ///< as MatchCoder has it
+    std::optional<Matching> matching;
   };
 
   [[gnu::always_inline]] Outlook look_at(std::uint32_t vertex, std::span<const Cell> cells) const noexcept {
@@ -116,10 +131,10 @@ class LatticeCoder {
     history_.end(turn.vertex, turn.residual, cell);
   }
 
-  [[gnu::always_inline]] void code_axis(std::size_t axis, Turn& turn, std::span<const Cell> cells) {
+  [[gnu::always_inline]] void code_axis(std::size_t axis, Turn& turn) {
     std::int32_t& value = turn.cell[axis];
     const ResidualForecast forecast = turn.residual.forecast(axis);
-    if (!guesses_ || !code_match(axis, turn, cells, forecast.whole)) {
+    if (!guesses_ || !code_match(axis, *turn.matching, value)) {
       const std::int64_t coordinate = forecast.whole + residuals_.code(value - forecast.whole, forecast);
       turn.beyond |= coordinate | (most_[static_cast<int>(axis)] - coordinate);
       value = static_cast<std::int32_t>(coordinate);
@@ -127,13 +142,12 @@ class LatticeCoder {
     turn.residual.learn(axis, value, forecast);
   }
 
-  [[gnu::noinline]] bool code_match(std::size_t axis, Turn& turn, std::span<const Cell> cells,
-                                    std::int64_t expected) {
-    const Surroundings around = faces_.template around<false>(turn.vertex);
-    return matches_.code(axis, around,
-                         guesses_around(around, cells, axis, expected,
-                                        static_cast<std::uint32_t>(most_[static_cast<int>(axis)])),
-                         turn.cell[axis], turn.missed);
+  [[gnu::noinline]] void guess(Turn& turn, std::span<const Cell> cells) const noexcept {
+    turn.matching.emplace(faces_.template around<false>(turn.vertex), cells, turn.residual.nearest(), most_);
+  }
+
+  [[gnu::noinline]] bool code_match(std::size_t axis, Matching& matching, std::int32_t& value) {
+    return matches_.code(axis, matching.around, matching.guesses, value, matching.missed);
   }
 
   const KnownFaces& faces_;

@@ -8,66 +8,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstdlib>
-#include <span>
 #include <vector>
 
 #include "entropy/compact_model.h"
-#include "predictive/blend.h"
+#include "predictive/guesses.h"
 #include "predictive/surroundings.h"
 
 namespace deltamesh {
-
-/// Different numbers, nearest to the expected one first.
-class Guesses {
- public:
-  static constexpr unsigned kMost = 6;
-
-  explicit Guesses(std::int64_t expected) noexcept : expected_(expected) {}
-
-  /// Keeps the order of adding among equally near ones; the seventh and later are dropped.
-  void add(std::int32_t value) noexcept {
-    const auto end = values_.begin() + count_;
-    if (count_ == kMost || std::find(values_.begin(), end, value) != end) return;
-    unsigned place = count_++;
-    for (; place > 0 && off(values_[place - 1]) > off(value); --place) values_[place] = values_[place - 1];
-    values_[place] = value;
-  }
-
-  unsigned count() const noexcept { return count_; }
-  std::int32_t operator[](unsigned i) const noexcept { return values_[i]; }
-  /// One more than the place of `value`, or 0.
-  unsigned symbol_of(std::int32_t value) const noexcept {
-    for (unsigned i = 0; i < count_; ++i)
-      if (values_[i] == value) return i + 1;
-    return 0;
-  }
-
- private:
-  std::int64_t off(std::int32_t value) const noexcept { return std::llabs(value - expected_); }
-
-  std::int64_t expected_;
-  std::array<std::int32_t, kMost> values_{};
-  unsigned count_ = 0;
-};
-
-/// The corners of the parallelograms, as far as they are 0 to `largest`, then those of the known faces
-/// [POSN-9].
-inline Guesses guesses_around(const Surroundings& around, std::span<const Cell> cells, std::size_t axis,
-                              std::int64_t expected, std::uint32_t largest) noexcept {
-  Guesses guesses(expected);
-  for (unsigned i = 0; i < around.known_count; ++i) {
-    const auto& [a, b, opposite] = around.known[i];
-    if (opposite == kNoVertex) continue;
-    const std::int64_t corner = std::int64_t{cells[a][axis]} + cells[b][axis] - cells[opposite][axis];
-    if (corner >= 0 && corner <= largest) guesses.add(static_cast<std::int32_t>(corner));
-  }
-  for (unsigned i = 0; i < around.known_count; ++i) {
-    guesses.add(cells[around.known[i].a][axis]);
-    guesses.add(cells[around.known[i].b][axis]);
-  }
-  return guesses;
-}
 
 template <class Coder>
 class MatchCoder {
@@ -81,19 +28,21 @@ class MatchCoder {
   bool code(std::size_t axis, const Surroundings& around, const Guesses& guesses, std::int32_t& value,
             unsigned& missed) {
     const unsigned before = missed;
+    const unsigned count = guesses.count(axis);
     missed |= 1U << axis;
-    if (guesses.count() == 0) return false;
+    if (count == 0) return false;
     const auto a = static_cast<unsigned>(axis);
     const unsigned sources = std::min(around.parallelogram_count, 4U);
     const unsigned history = a == 0 ? 0 : a == 1 ? 1 + (before & 1U) : 3 + (before & 3U);
-    const unsigned symbol =
-        coder_.symbol(guesses.symbol_of(value),
-                      Mixture<2>{{&models_[0][(a * 4 + (before & 3U)) * 7 + guesses.count()],
-                                  &models_[1][(sources * 7 + history) * 7 + std::min(around.faces, 6U)]},
-                                 &weights_});
-    if (symbol == 0 || symbol > guesses.count()) return false;
+    unsigned symbol = 0;
+    if constexpr (Coder::kWrites) symbol = guesses.symbol_of(axis, value);
+    symbol = coder_.symbol(symbol,
+                           Mixture<2>{{&models_[0][(a * 4 + (before & 3U)) * 7 + count],
+                                       &models_[1][(sources * 7 + history) * 7 + std::min(around.faces, 6U)]},
+                                      &weights_});
+    if (symbol == 0 || symbol > count) return false;
     missed = before;
-    value = guesses[symbol - 1];
+    value = guesses.at(axis, symbol - 1);
     return true;
   }
 

@@ -101,6 +101,9 @@ class ResidualTurn {
     contexts_ = classes * EightShorts{25, 25, 25, 25, 15, 15, 15, 15} + terms.contexts + sure;
   }
 
+  /// The expected lattice point, as coordinates may be.
+  FourInts nearest() const noexcept { return nearest_; }
+
   [[gnu::always_inline]] ResidualForecast forecast(std::size_t axis) const noexcept {
     ResidualForecast f;
     f.whole = nearest_[axis];
