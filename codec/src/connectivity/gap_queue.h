@@ -8,7 +8,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <memory>
+#include <utility>
 
 #include "connectivity/border_item.h"
 
@@ -37,7 +38,7 @@ class GapQueue {
         const std::uint32_t gap = *bucket.begin++;
         if (!is_finished(gap)) return gap;
       }
-      bucket.begin = bucket.end = bucket.gaps.data();
+      bucket.begin = bucket.end = bucket.room.get();
       if (fullest_ == 0) return kNoIndex;
     }
   }
@@ -46,23 +47,28 @@ class GapQueue {
   struct Bucket {
     std::uint32_t* begin = nullptr;  ///< those from here to `end` wait
     std::uint32_t* end = nullptr;
-    std::uint32_t* limit = nullptr;  ///< end of `gaps`
-    std::vector<std::uint32_t> gaps;
+    std::uint32_t* limit = nullptr;  ///< of the room
+    std::unique_ptr<std::uint32_t[]> room;
   };
 
-  /// Drops gaps that are no more; a bucket that stays more than half full doubles.
+  /// Drops gaps that are no more; where half of them or more stay there will be room for four times as many.
   template <class IsGone>
   [[gnu::noinline]] static void make_room(Bucket& bucket, IsGone is_gone) {
-    std::uint32_t* end = bucket.gaps.data();
+    std::uint32_t* end = bucket.room.get();
     for (const std::uint32_t* gap = bucket.begin; gap != bucket.end; ++gap) {
       *end = *gap;
       end += is_gone(*gap) ? 0 : 1;
     }
-    const auto count = static_cast<std::size_t>(end - bucket.gaps.data());
-    if (2 * count >= bucket.gaps.size()) bucket.gaps.resize(std::max<std::size_t>(64, 2 * count));
-    bucket.begin = bucket.gaps.data();
-    bucket.end = bucket.begin + count;
-    bucket.limit = bucket.begin + bucket.gaps.size();
+    bucket.begin = bucket.room.get();
+    bucket.end = end;
+    const std::ptrdiff_t count = end - bucket.begin;
+    if (2 * count < bucket.limit - bucket.begin) return;
+    const std::ptrdiff_t size = std::max<std::ptrdiff_t>(64, 4 * count);
+    std::unique_ptr<std::uint32_t[]> room(new std::uint32_t[static_cast<std::size_t>(size)]);
+    bucket.end = std::copy(bucket.begin, end, room.get());
+    bucket.begin = room.get();
+    bucket.limit = bucket.begin + size;
+    bucket.room = std::move(room);
   }
 
   std::array<Bucket, kMostFaces + 1> buckets_;

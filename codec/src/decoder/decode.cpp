@@ -37,9 +37,10 @@ constexpr std::size_t kWorthAPool = std::size_t{1} << 14;
 /// costs nothing.
 std::size_t predictive_memory(const FileHeader& header, std::size_t bytes) noexcept {
   constexpr std::size_t kPerVertex = 84;
+  constexpr std::size_t kRounding = 1024;  // of all arrays together
   constexpr std::size_t kVerticesPerByte = 32;
   if (header.geometry != kGeometryPredictive) return 0;
-  return kPerVertex * std::min<std::size_t>(header.geometric_vertices, kVerticesPerByte * bytes);
+  return kRounding + kPerVertex * std::min<std::size_t>(header.geometric_vertices, kVerticesPerByte * bytes);
 }
 
 void report_progress(const DecodeOptions& options, double share) {

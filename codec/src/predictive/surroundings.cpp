@@ -5,6 +5,14 @@
 #include <algorithm>
 
 namespace deltamesh {
+namespace {
+
+/// Without a branch, which often would go wrong.
+constexpr std::uint32_t choose(bool is_so, std::uint32_t then, std::uint32_t otherwise) noexcept {
+  return otherwise ^ ((then ^ otherwise) & (0U - static_cast<std::uint32_t>(is_so)));
+}
+
+}  // namespace
 
 std::size_t KnownFaces::count_with_faces(std::span<const std::uint32_t> triangles) const noexcept {
   // From the end, where the last vertex mostly is.
@@ -22,54 +30,48 @@ std::size_t KnownFaces::count_with_faces(std::span<const std::uint32_t> triangle
 
 KnownFaces::KnownFaces(const FaceList& list, std::span<const std::uint32_t> order, std::uint32_t second_walk)
     : vertex_count_(list.vertex_count), second_walk_(second_walk) {
-  if (second_walk == kNoVertex) {
-    add_all<false>(list, order);
-  } else {
-    add_all<true>(list, order);
-  }
-}
-
-template <bool kTwoWalks>
-void KnownFaces::add_all(const FaceList& list, std::span<const std::uint32_t> order) {
-  const std::uint32_t* const triangles = list.triangles.data();
   if (order.empty()) {
-    stars_.assign(count_with_faces(list.triangles), Star{});
-    for (std::size_t i = 0; i < list.triangles.size(); i += 3)
-      add<kTwoWalks>({triangles[i], triangles[i + 1], triangles[i + 2]});
+    add_all(list.triangles);
     return;
   }
   std::vector<std::uint32_t> place(order.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
-  const std::size_t with_faces = count_with_faces(list.triangles);
-  std::size_t count = order.size();
-  while (count > 0 && order[count - 1] >= with_faces) --count;
-  stars_.assign(count, Star{});
-  for (std::size_t i = 0; i < list.triangles.size(); i += 3)
-    add<kTwoWalks>({place[triangles[i]], place[triangles[i + 1]], place[triangles[i + 2]]});
+  std::vector<std::uint32_t> placed(list.triangles.begin(), list.triangles.end());
+  for (std::uint32_t& v : placed) v = place[v];
+  add_all(placed);
 }
 
-template <bool kTwoWalks>
-[[gnu::always_inline]] inline void KnownFaces::add(const std::array<std::uint32_t, 3>& corners) noexcept {
-  for (const std::uint32_t corner : corners) {
-    Star& star = stars_[corner];
-    star.faces = static_cast<std::uint8_t>(star.faces + (star.faces < Surroundings::kMostFaces ? 1 : 0));
+void KnownFaces::add_all(std::span<const std::uint32_t> triangles) {
+  stars_.assign(count_with_faces(triangles), Star{});
+  Star* const stars = stars_.data();
+  const std::uint32_t second_walk = second_walk_;
+  for (std::size_t i = 0; i < triangles.size(); i += 3) {
+    const std::uint32_t x = triangles[i];
+    const std::uint32_t y = triangles[i + 1];
+    const std::uint32_t z = triangles[i + 2];
+    for (const std::uint32_t corner : {x, y, z}) ++stars[corner].faces;
+    const bool is_y = y > x;
+    const std::uint32_t later = choose(is_y, y, x);
+    const bool is_z = z > later;
+    const std::uint32_t last = choose(is_z, z, later);
+    const std::uint32_t a = choose(is_z, x, choose(is_y, z, y));
+    const std::uint32_t b = x ^ y ^ z ^ a ^ last;
+    if (last >= second_walk && ((a < second_walk) | (b < second_walk))) [[unlikely]] {
+      add_across_walks({x, y, z});
+    } else if (a != b && a != last && b != last) [[likely]] {
+      stars[last].add(a, b);
+    }
   }
-  // Which corner is the last one is hard to guess: found without a branch.
-  constexpr std::array<std::uint8_t, 3> kNext = {1, 2, 0};
-  const std::array<std::uint32_t, 3> turns = {turn_of<kTwoWalks>(corners[0]), turn_of<kTwoWalks>(corners[1]),
-                                              turn_of<kTwoWalks>(corners[2])};
-  std::size_t last = turns[1] > turns[0] ? 1 : 0;
-  last = turns[2] > turns[last] ? 2 : last;
-  const std::size_t next = kNext[last];
-  const std::size_t previous = kNext[next];
-  const std::uint32_t a = corners[next];
-  const std::uint32_t b = corners[previous];
-  if (a == b || turns[next] == turns[last] || turns[previous] == turns[last]) return;
-  Star& star = stars_[corners[last]];
-  if (star.known == Surroundings::kMostKnown) return;
-  star.a[star.known] = a;
-  star.b[star.known] = b;
-  ++star.known;
+}
+
+/// A face with corners in both walks.
+void KnownFaces::add_across_walks(const std::array<std::uint32_t, 3>& corners) noexcept {
+  for (std::size_t last = 0; last < 3; ++last) {
+    const std::uint32_t a = corners[(last + 1) % 3];
+    const std::uint32_t b = corners[(last + 2) % 3];
+    const std::uint32_t turn = turn_of(corners[last]);
+    if (a != b && turn_of(a) < turn && turn_of(b) < turn) stars_[corners[last]].add(a, b);
+  }
 }
 
 }  // namespace deltamesh

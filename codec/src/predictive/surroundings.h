@@ -33,14 +33,13 @@ struct KnownFace {
 
 struct Surroundings {
   static constexpr unsigned kMostKnown = 4;
-  static constexpr unsigned kMostFaces = 255;
 
   std::array<KnownFace, kMostKnown> known;
   FourInts repeated{};               ///< -1 where the corner a of a known face is the corner b of another
   unsigned known_count = 0;          ///< 0: nothing around is known
   unsigned parallelogram_count = 0;  ///< known faces with an opposite corner
   unsigned neighbor_count = 0;       ///< corners of known faces, the repeated ones once
-  std::uint32_t faces = 0;           ///< at the vertex, whatever their other corners, to kMostFaces
+  std::uint32_t faces = 0;           ///< at the vertex, whatever their other corners
 };
 
 /// What is around most vertices: one known face or two, each with a parallelogram.
@@ -87,19 +86,25 @@ class KnownFaces {
   struct Star {
     std::array<std::uint32_t, Surroundings::kMostKnown> a = kNone;
     std::array<std::uint32_t, Surroundings::kMostKnown> b = kNone;
-    std::uint8_t known = 0;
-    std::uint8_t faces = 0;
+    std::uint32_t known = 0;
+    std::uint32_t faces = 0;
+
+    void add(std::uint32_t corner_after, std::uint32_t corner_before) noexcept {
+      const std::uint32_t i = known;
+      if (i == Surroundings::kMostKnown) return;
+      a[i] = corner_after;
+      b[i] = corner_before;
+      known = i + 1;
+    }
   };
 
   /// What has a lower one is coded before.
-  template <bool kTwoWalks>
+  template <bool kTwoWalks = true>
   std::uint32_t turn_of(std::uint32_t vertex) const noexcept {
     return kTwoWalks ? std::min(vertex, vertex - second_walk_) : vertex;
   }
-  template <bool kTwoWalks>
-  void add_all(const FaceList& list, std::span<const std::uint32_t> order);
-  template <bool kTwoWalks>
-  void add(const std::array<std::uint32_t, 3>& corners) noexcept;
+  void add_all(std::span<const std::uint32_t> triangles);
+  void add_across_walks(const std::array<std::uint32_t, 3>& corners) noexcept;
   template <bool kTwoWalks>
   std::uint32_t across(std::uint32_t a, std::uint32_t b) const noexcept;
 
@@ -136,7 +141,7 @@ template <bool kTwoWalks>
                     (a == __builtin_shufflevector(b, b, 2, 3, 0, 1)) |
                     (a == __builtin_shufflevector(b, b, 3, 0, 1, 2));
   constexpr std::array<std::uint8_t, 16> kCount = {0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4};
-  around.neighbor_count = 2U * star.known - kCount[set_lanes(around.repeated) & ((1U << star.known) - 1)];
+  around.neighbor_count = 2 * star.known - kCount[set_lanes(around.repeated) & ((1U << star.known) - 1)];
   for (unsigned i = 0; i < star.known; ++i) {
     const std::uint32_t opposite = across<kTwoWalks>(star.a[i], star.b[i]);
     around.known[i] = {star.a[i], star.b[i], opposite};
