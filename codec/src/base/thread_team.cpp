@@ -3,6 +3,7 @@
 #include "base/thread_team.h"
 
 #include <algorithm>
+#include <new>
 #include <system_error>
 #include <utility>
 
@@ -16,13 +17,17 @@ constexpr unsigned kMostThreads = 16;
 
 thread_local ThreadTeam* ThreadTeam::current_ = nullptr;
 
-ThreadTeam::ThreadTeam(unsigned threads) : outer_(std::exchange(current_, this)) {
+ThreadTeam::ThreadTeam(unsigned threads) : outer_(current_) {
+  const unsigned wanted = std::clamp(threads, 1U, kMostThreads) - 1;
   try {
-    for (unsigned helper = 1; helper < std::min(threads, kMostThreads); ++helper)
-      helpers_.emplace_back([this] { help(); });
+    helpers_.reserve(wanted);  // so that none that runs is ever lost
+    while (helpers_.size() < wanted) helpers_.emplace_back([this] { help(); });
   } catch (const std::system_error&) {
     // No more threads to be had: fewer, then.
+  } catch (const std::bad_alloc&) {
+    // No memory for them: the same.
   }
+  current_ = this;
 }
 
 ThreadTeam::~ThreadTeam() {

@@ -37,7 +37,8 @@ class TeamJob {
 /// As long as one lives, it helps the thread that made it. A piece of a job has no team to help it.
 class ThreadTeam {
  public:
-  /// `threads`: with the one that makes this; fewer where there are no more to be had.
+  /// `threads`: with the one that makes this; fewer where there are no more to be had, or no memory for them;
+  /// at most 16.
   explicit ThreadTeam(unsigned threads);
   ~ThreadTeam();
   ThreadTeam(const ThreadTeam&) = delete;
