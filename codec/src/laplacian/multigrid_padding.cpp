@@ -38,7 +38,7 @@ void pad_rows(Level& level) {
         level.weights[to] = old_weights[e];
       }
       for (; to < half_end; ++to) {
-        level.storage.neighbors[to] = i;
+        level.storage.neighbors[to] = old.neighbors[end - 1];
         level.weights[to] = 0;
       }
     };
