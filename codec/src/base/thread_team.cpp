@@ -13,6 +13,9 @@ namespace {
 /// More would wait for each other: no job has many more pieces that take long.
 constexpr unsigned kMostThreads = 16;
 
+/// Looks for news before a thread goes to sleep: most come sooner than it could be woken.
+constexpr int kMostLooks = 64;
+
 }  // namespace
 
 thread_local ThreadTeam* ThreadTeam::current_ = nullptr;
@@ -44,6 +47,7 @@ void ThreadTeam::offer(TeamJob& job) {
   {
     const std::lock_guard lock(mutex_);
     jobs_.push_back(&job);
+    ++news_;
   }
   offered_.notify_all();
 }
@@ -53,6 +57,7 @@ void ThreadTeam::finish(TeamJob& job) {
   ThreadTeam* const self = std::exchange(current_, nullptr);
   while (job.next_ < job.pieces_) run_next(job, lock);
   current_ = self;
+  if (job.done_ < job.pieces_) wait_briefly(lock);
   progressed_.wait(lock, [&] { return job.done_ == job.pieces_; });
   remove(job);
   if (job.error_) std::rethrow_exception(job.error_);
@@ -69,10 +74,18 @@ void ThreadTeam::help() {
   std::unique_lock lock(mutex_);
   while (true) {
     TeamJob* job = nullptr;
+    if (first_open() == nullptr) wait_briefly(lock);
     offered_.wait(lock, [&] { return (job = first_open()) != nullptr || is_over_; });
     if (job == nullptr) return;
     run_next(*job, lock);
   }
+}
+
+void ThreadTeam::wait_briefly(std::unique_lock<std::mutex>& lock) {
+  const std::uint32_t known = news_;
+  lock.unlock();
+  for (int look = 0; look < kMostLooks && news_ == known; ++look) std::this_thread::yield();
+  lock.lock();
 }
 
 void ThreadTeam::run_next(TeamJob& job, std::unique_lock<std::mutex>& lock) {
@@ -90,7 +103,9 @@ void ThreadTeam::run_next(TeamJob& job, std::unique_lock<std::mutex>& lock) {
     if (!job.error_) job.error_ = error;
     job.done_ += job.pieces_ - std::exchange(job.next_, job.pieces_);
   }
-  if (job.done_ == job.pieces_) progressed_.notify_all();
+  if (job.done_ < job.pieces_) return;
+  ++news_;
+  progressed_.notify_all();
 }
 
 TeamJob* ThreadTeam::first_open() noexcept {

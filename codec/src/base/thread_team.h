@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
@@ -62,6 +63,7 @@ class ThreadTeam {
 
  private:
   void help();
+  void wait_briefly(std::unique_lock<std::mutex>& lock);
   void run_next(TeamJob& job, std::unique_lock<std::mutex>& lock);
   TeamJob* first_open() noexcept;
   void remove(TeamJob& job) noexcept;
@@ -74,6 +76,7 @@ class ThreadTeam {
   std::condition_variable progressed_;
   std::vector<TeamJob*> jobs_;
   bool is_over_ = false;
+  std::atomic<std::uint32_t> news_ = 0;  ///< counts offers and finished jobs
   std::vector<std::thread> helpers_;
 };
 
@@ -94,7 +97,7 @@ void share_work(std::uint32_t pieces, const Work& work) {
 
 /// How many pieces `rows` are best shared in; 1 without a team.
 inline std::uint32_t piece_count(std::size_t rows) noexcept {
-  constexpr std::size_t kFewestRows = 4096;  // done sooner than another thread has begun
+  constexpr std::size_t kFewestRows = 8192;  // done sooner than another thread has begun
   constexpr std::uint32_t kPiecesPerThread = 4;
   const ThreadTeam* const team = rows >= 2 * kFewestRows ? ThreadTeam::current() : nullptr;
   return team == nullptr ? 1

@@ -68,9 +68,10 @@ class Edges {
     return sum;
   }
 
-  /// `sum` and value(neighbour), weighted, for the edges from `begin` to `end`, one half of a row or both.
+  /// `first` and value(neighbour), weighted, for the edges from `begin` to `end`, one half of a row or both.
   template <class Value, class Sum>
-  Sum add_fours(std::uint32_t begin, std::uint32_t end, const Value& value, Sum sum) const noexcept {
+  Sum add_fours(std::uint32_t begin, std::uint32_t end, const Value& value, const Sum& first) const noexcept {
+    Sum sum = first;
     for (std::uint32_t e = begin; e < end; e += kEdgesAtOnce)
       sum += (term(e, value) + term(e + 1, value)) + (term(e + 2, value) + term(e + 3, value));
     return sum;

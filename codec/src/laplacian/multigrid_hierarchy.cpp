@@ -33,7 +33,7 @@ constexpr std::uint64_t kMostEdgeEnds = std::numeric_limits<std::uint32_t>::max(
 constexpr std::uint64_t kMostPadding = 2 * (kEdgesAtOnce - 1);
 
 /// Of a coarse level; with less, threads would wait for each other.
-constexpr std::uint32_t kFewestNodesToShare = 8192;
+constexpr std::uint32_t kFewestNodesToShare = std::uint32_t{1} << 15;
 
 Level finest_level(const Adjacency& graph, std::span<const std::uint32_t> anchors) {
   Level level;

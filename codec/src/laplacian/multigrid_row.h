@@ -58,7 +58,7 @@ struct alignas(32) Row {
     s += other.s;
     return *this;
   }
-  friend Row operator+(Row a, const Row& b) noexcept { return a += b; }
+  friend Row operator+(const Row& a, const Row& b) noexcept { return {a.x + b.x, a.s + b.s}; }
   friend Row operator*(float factor, const Row& a) noexcept { return {factor * a.x, factor * a.s}; }
 };
 
