@@ -42,7 +42,7 @@ class VoxelCoder {
     while ((levels - 1) >> low_bits_ >= kSymbols) ++low_bits_;
     std::array<std::uint8_t, kSymbols> weights{};
     for (std::uint32_t i = 0; i <= (levels - 1) >> low_bits_; ++i) weights[i] = 1;
-    level_models_.assign(kMeanBins * kPlaneBins, SymbolModel(weights));
+    level_models_.assign(kLevelBins * kLevelBins, SymbolModel(weights));
   }
 
   /// The vertex of this turn in the first walk, from 0, and the one in the second; those of the turns before
@@ -87,8 +87,7 @@ class VoxelCoder {
   };
 
   static constexpr std::size_t kOpposites = VoxelPair::kOpen + 1;
-  static constexpr std::size_t kMeanBins = 40;
-  static constexpr std::size_t kPlaneBins = 20;
+  static constexpr std::int32_t kLevelBins = 20;
   static constexpr unsigned kFree = 3;
   static constexpr SymbolModel kFreshStart{{8, 8, 8, 8, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
   /// Two edges of one cube, for faces of vertices without a cube.
@@ -234,11 +233,10 @@ class VoxelCoder {
   /// a voxel.
   [[gnu::always_inline]] std::int32_t code_level(std::int32_t level, std::int32_t mean, std::int32_t plane) {
     if (grid_.levels() == 1) return 0;
-    const auto bin = [](std::int32_t along, int shift, std::size_t bins) {
-      const std::int32_t from_first = (along + kVoxelParts / 8) >> shift;
-      return static_cast<std::size_t>(std::clamp(from_first, 0, static_cast<std::int32_t>(bins) - 1));
+    const auto bin = [](std::int32_t along) {
+      return static_cast<std::size_t>(std::clamp((along + kVoxelParts / 8) >> 3, 0, kLevelBins - 1));
     };
-    SymbolModel& model = level_models_[bin(mean, 2, kMeanBins) * kPlaneBins + bin(plane, 3, kPlaneBins)];
+    SymbolModel& model = level_models_[bin(mean) * kLevelBins + bin(plane)];
     const auto high = static_cast<std::int32_t>(
         coder_.symbol(static_cast<unsigned>(level) >> low_bits_, Mixture<1>{{&model}, &level_weights_}));
     if (low_bits_ == 0) return std::min(high, grid_.levels() - 1);

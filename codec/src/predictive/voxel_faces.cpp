@@ -7,41 +7,41 @@
 namespace deltamesh {
 
 VoxelFaces::VoxelFaces(const FaceList& list, std::span<const std::uint32_t> order)
-    : second_walk_((list.vertex_count + 1) / 2) {
-  const std::uint32_t none = list.vertex_count;
-  stars_.assign(std::size_t{list.vertex_count} + 1, Star{{none, none, none, none}});
+    : vertex_count_(list.vertex_count), second_walk_((list.vertex_count + 1) / 2) {
+  stars_.assign(std::size_t{list.vertex_count} + 1, Star{{none(), none(), none(), none()}});
   const std::span<const std::uint32_t> corners = list.triangles;
   if (order.empty()) {
-    for (std::size_t i = 0; i < corners.size(); i += 3) add({corners[i], corners[i + 1], corners[i + 2]});
+    for (std::size_t i = 0; i < corners.size(); i += 3) add(corners.data() + i);
     return;
   }
   std::vector<std::uint32_t> place(order.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
-  for (std::size_t i = 0; i < corners.size(); i += 3)
-    add({place[corners[i]], place[corners[i + 1]], place[corners[i + 2]]});
+  for (std::size_t i = 0; i < corners.size(); i += 3) {
+    const std::array<std::uint32_t, 3> placed = {place[corners[i]], place[corners[i + 1]],
+                                                 place[corners[i + 2]]};
+    add(placed.data());
+  }
 }
 
-[[gnu::always_inline]] inline void VoxelFaces::add(const std::array<std::uint32_t, 3>& corners) noexcept {
-  // Which corner is the last one is hard to guess: found without a branch.
-  constexpr std::array<std::uint8_t, 4> kLast = {0, 1, 2, 2};
-  constexpr std::array<std::uint8_t, 4> kNext = {1, 2, 0, 0};
-  constexpr std::array<std::uint8_t, 4> kPrevious = {2, 0, 1, 1};
-  const std::array<std::uint32_t, 3> turns = {turn_of(corners[0]), turn_of(corners[1]), turn_of(corners[2])};
-  const std::uint32_t last_turn = std::max({turns[0], turns[1], turns[2]});
-  const std::size_t which =
-      (turns[1] > turns[0] ? 1U : 0U) + (turns[2] > std::max(turns[0], turns[1]) ? 2U : 0U);
+/// Three of them.
+[[gnu::always_inline]] inline void VoxelFaces::add(const std::uint32_t* corners) noexcept {
+  // Which corner is the last one, and whether the face is its first, is hard to guess: all without branches.
+  static constexpr std::array<std::uint8_t, 4> kLast = {0, 1, 2, 2};
+  static constexpr std::array<std::uint8_t, 4> kNext = {1, 2, 0, 0};
+  static constexpr std::array<std::uint8_t, 4> kPrevious = {2, 0, 1, 1};
+  const std::uint32_t turn = turn_of(corners[0]);
+  const std::uint32_t of_two = std::max(turn, turn_of(corners[1]));
+  const std::uint32_t of_all = std::max(of_two, turn_of(corners[2]));
+  const std::size_t which = (of_two != turn ? 1U : 0U) + (of_all != of_two ? 2U : 0U);
   const std::uint32_t a = corners[kNext[which]];
   const std::uint32_t b = corners[kPrevious[which]];
-  const unsigned is_none =
-      (turn_of(a) == last_turn ? 1U : 0U) | (turn_of(b) == last_turn ? 1U : 0U) | (a == b ? 1U : 0U);
-  if (is_none != 0) [[unlikely]]
+  if (a == b || turn_of(a) == of_all || turn_of(b) == of_all) [[unlikely]]
     return;
   Star& star = stars_[corners[kLast[which]]];
-  const bool is_first = star[0] == none();
-  star[0] = is_first ? a : star[0];
-  star[1] = is_first ? b : star[1];
-  star[2] = a;
-  star[3] = b;
+  const FourInts now = four_ints(star);
+  const FourInts face = four_ints(std::array<std::uint32_t, 4>{a, b, a, b});
+  const FourInts is_new = (now == static_cast<std::int32_t>(none())) | FourInts{0, 0, -1, -1};
+  star = std::bit_cast<Star>((face & is_new) | (now & ~is_new));
 }
 
 Surroundings VoxelFaces::around(std::uint32_t vertex) const noexcept {

@@ -28,7 +28,7 @@ class VoxelFaces {
   /// O(n + m).
   explicit VoxelFaces(const FaceList& list, std::span<const std::uint32_t> order = {});
 
-  std::uint32_t vertex_count() const noexcept { return static_cast<std::uint32_t>(stars_.size() - 1); }
+  std::uint32_t vertex_count() const noexcept { return vertex_count_; }
   /// The first vertex of the second walk, which has as many as the first or one less.
   std::uint32_t second_walk() const noexcept { return second_walk_; }
   /// In each of which a vertex of every walk is coded; those of lower ones are known.
@@ -47,9 +47,10 @@ class VoxelFaces {
   std::uint32_t turn_of(std::uint32_t vertex) const noexcept {
     return std::min(vertex, vertex - second_walk_);
   }
-  void add(const std::array<std::uint32_t, 3>& corners) noexcept;
+  void add(const std::uint32_t* corners) noexcept;
 
   LargeVector<Star> stars_;  ///< and one without faces
+  std::uint32_t vertex_count_;
   std::uint32_t second_walk_;
 };
 
