@@ -264,8 +264,9 @@ TEST(VoxelPair, VOX2VOX3VOX6TheFaceAcrossTellsTheCube) {
     EXPECT_EQ(pair.spot_on(i, edge, to_code.at[2]).at, to_code.at);
     EXPECT_EQ(pair.steps_to(i, edge)[0], i == 0 ? 1 : -1);
     EXPECT_EQ(pair.steps_to(i, edge)[1], 1);
-    EXPECT_EQ(pair.plane_on(i, edge), to_code.at[2]);
-    EXPECT_EQ(pair.mean_on(i, edge), to_code.at[2]);
+    // Level 1 of four: at 48 of 128.
+    EXPECT_EQ(pair.plane_on(i, edge), (48 + 16) / 8);
+    EXPECT_EQ(pair.mean_on(i, edge), (48 + 16) / 8);
     EXPECT_EQ(pair.number_of(i, grid.spots[i == 0 ? across : beyond]), voxel::kNoEdge);
     // All but those of a and b, which are parallel; the opposite's is parallel to them in the other cube.
     EXPECT_EQ(pair.kind(i), 0U);

@@ -42,7 +42,7 @@ class VoxelCoder {
     while ((levels - 1) >> low_bits_ >= kSymbols) ++low_bits_;
     std::array<std::uint8_t, kSymbols> weights{};
     for (std::uint32_t i = 0; i <= (levels - 1) >> low_bits_; ++i) weights[i] = 1;
-    level_models_.assign(kLevelBins * kLevelBins, SymbolModel(weights));
+    level_models_.assign(std::size_t{VoxelPair::kPlaces} * VoxelPair::kPlaces, SymbolModel(weights));
   }
 
   /// The vertex of this turn in the first walk, from 0, and the one in the second; those of the turns before
@@ -87,7 +87,6 @@ class VoxelCoder {
   };
 
   static constexpr std::size_t kOpposites = VoxelPair::kOpen + 1;
-  static constexpr std::int32_t kLevelBins = 20;
   static constexpr unsigned kFree = 3;
   static constexpr SymbolModel kFreshStart{{8, 8, 8, 8, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
   /// Two edges of one cube, for faces of vertices without a cube.
@@ -198,7 +197,8 @@ class VoxelCoder {
       if (coded < 0 || coded > nodes) return "VOX-5";
       node[a] = static_cast<std::int32_t>(coded);
     }
-    const std::int32_t level = code_level(cut ? cut->level : 0, kVoxelMiddle, kVoxelMiddle);
+    const std::int32_t level =
+        code_level(cut ? cut->level : 0, VoxelPair::kMiddlePlace, VoxelPair::kMiddlePlace);
     nodes_[vertex] = FourInts{node[0], node[1], node[2], 0} * grid_.voxel();
     spots_[vertex] = spot_of(node, start, grid_.part_of(level));
     return settle(vertex, start, level, cells[vertex]);
@@ -229,14 +229,11 @@ class VoxelCoder {
     return nullptr;
   }
 
-  /// Which of the levels along its edge a vertex is at. `mean` and `plane`: where it is expected, parts of
-  /// a voxel.
+  /// Which of the levels along its edge a vertex is at. `mean` and `plane`: places where it is
+  /// expected.
   [[gnu::always_inline]] std::int32_t code_level(std::int32_t level, std::int32_t mean, std::int32_t plane) {
     if (grid_.levels() == 1) return 0;
-    const auto bin = [](std::int32_t along) {
-      return static_cast<std::size_t>(std::clamp((along + kVoxelParts / 8) >> 3, 0, kLevelBins - 1));
-    };
-    SymbolModel& model = level_models_[bin(mean) * kLevelBins + bin(plane)];
+    SymbolModel& model = level_models_[static_cast<std::size_t>(mean * VoxelPair::kPlaces + plane)];
     const auto high = static_cast<std::int32_t>(
         coder_.symbol(static_cast<unsigned>(level) >> low_bits_, Mixture<1>{{&model}, &level_weights_}));
     if (low_bits_ == 0) return std::min(high, grid_.levels() - 1);

@@ -5,6 +5,7 @@
 // [VOX-2, VOX-3]. Integers only; shared by writer and reader.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -61,7 +62,9 @@ struct VoxelCorners {
 /// where is_open(), choose() and look() again.
 class VoxelPair {
  public:
-  static constexpr unsigned kOpen = 13;  ///< in place of where the opposite is
+  static constexpr unsigned kOpen = 13;        ///< in place of where the opposite is
+  static constexpr std::int16_t kPlaces = 20;  ///< along an edge, and a little before and after it
+  static constexpr std::int32_t kMiddlePlace = 10;
 
   /// False where a face has a corner on no edge, or a first face has no cube.
   bool find(const std::array<VoxelCorners, 2>& corners, std::span<const VoxelSpot> spots) noexcept;
@@ -102,14 +105,15 @@ class VoxelPair {
   /// Where the opposite is: an edge, voxel::kNoEdge or kOpen.
   unsigned opposite(std::size_t i) const noexcept { return opposites_[i]; }
 
-  /// Where on an edge the corners' mean is, from its lower end, parts of a voxel.
-  std::int32_t mean_on(std::size_t i, unsigned edge) const noexcept {
-    return means_[i][edge / 4] + kVoxelMiddle;
-  }
+  /// Where on an edge the corners' mean is, below kPlaces.
+  std::int32_t mean_on(std::size_t i, unsigned edge) const noexcept { return means_[i][edge / 4]; }
   /// Where the plane through the first face's corners and the expected spot cuts it, likewise.
   std::int32_t plane_on(std::size_t i, unsigned edge) const noexcept;
 
  private:
+  /// From an edge's middle down to where places begin, parts of a voxel.
+  static constexpr std::int16_t kFirstPlace = kVoxelMiddle + kVoxelParts / 8;
+
   unsigned edge_at(std::size_t i, const voxel::PairCube& cube, const VoxelSpot& spot) const noexcept {
     const EightShorts lowest = wrapped_sum(load_one(nodes_[i]), load_one(cube.lowest));
     return voxel::kEdgeAt[voxel::places_near(voxel::cut(wrapped_difference(load_one(spot.at), lowest)))[0]];
@@ -125,7 +129,7 @@ class VoxelPair {
   std::array<unsigned, 2> opposites_;
   std::array<FourShorts, 2> nodes_;   ///< of the first faces' corners a, as spots
   std::array<FourShorts, 2> lowest_;  ///< the cubes' lowest nodes, likewise
-  std::array<FourShorts, 2> means_;   ///< from the cubes' centres, parts of a voxel
+  std::array<FourShorts, 2> means_;   ///< places
   std::array<FourShorts, 2> normals_;
   std::array<std::int32_t, 2> planes_{};  ///< where the normals are at the corners a
 };
@@ -152,11 +156,10 @@ class VoxelPair {
 /// Where the face across is in one of two cubes this one is in the other.
 [[gnu::always_inline]] inline void VoxelPair::choose_by(std::size_t i, const VoxelSpot& opposite) noexcept {
   const voxel::CubePair& pair = *pairs_[i];
-  const auto side = static_cast<std::int16_t>(opposite.at[pair.axis] - nodes_[i][pair.axis] - pair.between);
-  // Without branches, which would often go wrong.
-  const unsigned is_told = opposite.on_edge() ? 1 : 0;
-  cubes_[i] = &pair.cubes[is_told & (side < 0 ? 1U : 0U)];
-  is_open_[i] = ((is_told ^ 1U) | (side == 0 ? 1U : 0U)) & (pair.count >> 1);
+  const std::int32_t off = opposite.at[pair.axis] - nodes_[i][pair.axis] - pair.between;
+  const std::int32_t side = opposite.on_edge() ? static_cast<std::int16_t>(off) : 0;
+  cubes_[i] = &pair.cubes[side < 0 ? 1 : 0];
+  is_open_[i] = (side == 0 ? 1U : 0U) & (pair.count >> 1);
 }
 
 [[gnu::always_inline]] inline void VoxelPair::look(const std::array<VoxelCorners, 2>& corners,
@@ -180,10 +183,8 @@ class VoxelPair {
   const auto places_across = voxel::places_near(voxel::cut(wrapped_difference(opposite, across)));
   for (std::size_t i = 0; i < 2; ++i) {
     const voxel::PairCube& cube = *cubes_[i];
-    const unsigned by_a = cube.others & voxel::kEdgesNear[places_a[i]];
-    const unsigned some = by_a != 0 ? by_a : cube.others;
-    const unsigned by_b = some & voxel::kEdgesNear[places_b[i]];
-    const unsigned set = by_b != 0 ? by_b : some;
+    const unsigned near = cube.others & voxel::kEdgesNear[places_a[i]] & voxel::kEdgesNear[places_b[i]];
+    const unsigned set = near != 0 ? near : cube.others;
     likely_[i] = voxel::kTurnedSets[cube.turn][0][set & 63] | voxel::kTurnedSets[cube.turn][1][set >> 6];
     const unsigned number = voxel::kTurned[cube.turn][voxel::kEdgeAt[places_across[i]]];
     opposites_[i] = is_open_[i] != 0 ? kOpen : number;
@@ -202,7 +203,7 @@ class VoxelPair {
   const EightShorts beyond = (a + b - across - mean) & (last_of_half(opposite) < VoxelSpot::kNoAxis);
   const EightShorts expected = clamp(mean + ((beyond * 5) >> 3), -kVoxelParts + 1, kVoxelParts - 1);
   const EightShorts normal = half_cross(b - a, expected - a);
-  means_ = halves_of(mean);
+  means_ = halves_of(clamp((mean + kFirstPlace) >> 3, 0, kPlaces - 1));
   normals_ = halves_of(normal);
   planes_ = weigh(normal, a);
 }
@@ -216,9 +217,9 @@ inline VoxelSpot VoxelPair::spot_on(std::size_t i, unsigned edge, std::int16_t p
 
 inline std::int32_t VoxelPair::plane_on(std::size_t i, unsigned edge) const noexcept {
   const std::int32_t steep = normals_[i][edge / 4];
-  if (steep == 0) return mean_on(i, edge);
   const std::int32_t at_middle = weigh(load_one(normals_[i]), load_one(voxel::kEdgeMiddles[edge]))[0];
-  return kVoxelMiddle - (at_middle - planes_[i]) / steep;
+  const std::int32_t below = (at_middle - planes_[i]) / (steep != 0 ? steep : 1);
+  return std::clamp((kFirstPlace - below) >> 3, 0, kPlaces - 1);
 }
 
 }  // namespace deltamesh
