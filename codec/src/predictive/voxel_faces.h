@@ -56,12 +56,12 @@ class VoxelFaces {
 
 [[gnu::always_inline]] inline std::uint32_t VoxelFaces::across(std::uint32_t a,
                                                                std::uint32_t b) const noexcept {
-  const bool is_b_later = turn_of(b) > turn_of(a);
-  const std::uint32_t later = is_b_later ? b : a;
-  const std::uint32_t earlier = a ^ b ^ later;
-  const Star& star = stars_[later];
+  // Selects without branches, which would often go wrong.
+  const std::uint32_t if_b_is_later = turn_of(b) > turn_of(a) ? ~0U : 0U;
+  const std::uint32_t earlier = b ^ ((a ^ b) & if_b_is_later);
+  const Star& star = stars_[a ^ b ^ earlier];
   const unsigned found = set_lanes(four_ints(star) == static_cast<std::int32_t>(earlier));
-  // Lanes 0 and 1 are a face, 2 and 3 are one. Selects without a branch, which would often go wrong.
+  // Lanes 0 and 1 are a face, 2 and 3 are one.
   const std::uint32_t other = star[static_cast<std::size_t>(std::countr_zero(found | 8)) ^ 1];
   const std::uint32_t if_found = found != 0 ? ~0U : 0U;
   return (other & if_found) | (none() & ~if_found);
