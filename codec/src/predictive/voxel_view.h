@@ -136,7 +136,8 @@ class VoxelPair {
 
 [[gnu::always_inline]] inline bool VoxelPair::find(const std::array<VoxelCorners, 2>& corners,
                                                    std::span<const VoxelSpot> spots) noexcept {
-  const auto& [first, second] = corners;
+  const VoxelCorners& first = corners[0];
+  const VoxelCorners& second = corners[1];
   const auto corner = [&](std::size_t k) {
     return load_two(spots[first.star[k]].at, spots[second.star[k]].at);
   };
@@ -164,7 +165,8 @@ class VoxelPair {
 
 [[gnu::always_inline]] inline void VoxelPair::look(const std::array<VoxelCorners, 2>& corners,
                                                    std::span<const VoxelSpot> spots) noexcept {
-  const auto& [first, second] = corners;
+  const VoxelCorners& first = corners[0];
+  const VoxelCorners& second = corners[1];
   const auto corner = [&](std::size_t k) {
     return load_two(spots[first.star[k]].at, spots[second.star[k]].at);
   };
