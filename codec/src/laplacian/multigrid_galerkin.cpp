@@ -3,6 +3,7 @@
 #include "laplacian/multigrid_galerkin.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <span>
 #include <utility>
@@ -56,19 +57,21 @@ RowSums interpolate_row(const Level& fine, RowSums near, RowSums row) {
   return row;
 }
 
-/// More entries than `most` in any piece are a sign to stop.
+/// More entries than `most` in all pieces together are a sign to stop.
 UpperHalf make_upper_half(const Level& fine, std::uint32_t nodes, std::size_t most) {
   const SparseRows members = transpose(fine, nodes);
   UpperHalf upper;
   upper.largest.resize(nodes);
+  std::atomic<std::size_t> made = 0;
   upper.rows = make_rows(nodes, most + nodes, [&](std::uint32_t begin, std::uint32_t end, SparseRows& rows) {
     SumTable near_table(fine.node_count());
     SumTable table(nodes);
-    for (std::uint32_t c = begin; c < end && rows.entries.size() <= most; ++c) {
+    for (std::uint32_t c = begin; c < end && made.load(std::memory_order_relaxed) <= most; ++c) {
       const RowSums near = fine.has_unit_weights()
                                ? sum_neighborhoods<true>(fine, members.of(c), near_table.row())
                                : sum_neighborhoods<false>(fine, members.of(c), near_table.row());
       RowSums row = interpolate_row(fine, near, table.row());
+      const std::size_t before = rows.entries.size();
       float largest = 0;
       row.finish([&](std::uint32_t other, float sum) {
         if (other == c) return;
@@ -76,6 +79,7 @@ UpperHalf make_upper_half(const Level& fine, std::uint32_t nodes, std::size_t mo
         if (other > c && sum > 0) rows.entries.push_back({other, sum});
       });
       rows.end_row();
+      made.fetch_add(rows.entries.size() - before, std::memory_order_relaxed);
       upper.largest[c] = largest;
     }
   });
