@@ -47,10 +47,6 @@ class LargestThree {
   std::array<std::uint64_t, 3> keys_{};
 };
 
-}  // namespace
-
-namespace {
-
 void interpolate_nodes(const Level& fine, const Aggregates& aggregates, std::uint32_t begin,
                        std::uint32_t end, LargeVector<Interpolation>& result) {
   LargeVector<float> sums(aggregates.seeds.size(), 0.0F);
