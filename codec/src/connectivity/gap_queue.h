@@ -20,6 +20,10 @@ namespace deltamesh {
 /// follows the border's length.
 class GapQueue {
  public:
+  GapQueue() = default;
+  GapQueue(const GapQueue&) = delete;  // buckets point into their own arrays
+  GapQueue& operator=(const GapQueue&) = delete;
+
   /// `faces`: 1 to kMostFaces, at the gap. Amortised O(1).
   template <class IsGone>
   [[gnu::always_inline]] void push(std::uint32_t faces, std::uint32_t gap, IsGone is_gone) {
