@@ -37,6 +37,7 @@ void expect_same_for_all_counts(const Mesh& mesh, const EncodeOptions& options) 
   ASSERT_TRUE(alone) << describe(alone.error());
   for (const unsigned threads : kCounts) {
     SCOPED_TRACE(threads);
+    const ThreadTeam team(threads);  // for short streams, which have none of their own
     const auto decoded = decode(encoded->bytes, {.threads = threads});
     ASSERT_TRUE(decoded) << describe(decoded.error());
     expect_same(*decoded, *alone);
@@ -60,6 +61,14 @@ TEST(Threads, GiveTheSameBits) {
   expect_same_for_all_counts(testing::attributed_grid(30, 20), {.geometry = GeometryCoder::kPredictive});
 }
 
+/// With rows to share, and chunks of the finest level.
+TEST(Threads, GiveTheSameBitsOfLargeMeshes) {
+  const auto mesh = generate_scene(*scene_of_name("terrain"), 80000, 1);
+  ASSERT_TRUE(mesh);
+  expect_same_for_all_counts(*mesh, {.geometry = GeometryCoder::kHighpass, .effort = 0});
+  expect_same_for_all_counts(*mesh, {.geometry = GeometryCoder::kPredictive, .effort = 0});
+}
+
 TEST(Threads, GiveTheSameErrors) {
   const auto encoded = encode(testing::attributed_grid(12, 9), {.profile = Profile::kZstd});
   ASSERT_TRUE(encoded);
@@ -67,7 +76,8 @@ TEST(Threads, GiveTheSameErrors) {
     std::vector<std::byte> broken = encoded->bytes;
     broken[i] ^= std::byte{0x15};
     const auto alone = decode(broken);
-    const auto together = decode(broken, {.threads = 2});
+    const ThreadTeam team(2);
+    const auto together = decode(broken);
     ASSERT_EQ(alone.has_value(), together.has_value()) << i;
     if (alone) continue;
     EXPECT_EQ(alone.error().code, together.error().code) << i;

@@ -25,8 +25,9 @@ struct DecodeLimits {
 
 struct DecodeOptions {
   DecodeLimits limits{};
-  /// Threads to work on, the caller's included; 0: as many as the machine runs at once. The mesh is the same
-  /// for any number, the memory is least for 1. No more than three are of use.
+  /// Threads to work on, the caller's included; 0: as many as the machine runs at once. No more than 16 are
+  /// started, none for streams of a few kilobytes, and fewer where the system has no more. The mesh is the
+  /// same for any number; each more than 1 may take 16 bytes of memory a vertex.
   unsigned threads = 1;
   /// Called now and then with the share of the work done, 0 to 1; may be empty.
   std::function<void(double)> progress{};

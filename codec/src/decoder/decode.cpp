@@ -30,8 +30,8 @@ namespace {
 
 constexpr double kGeometryDone = 0.85;
 
-/// Bytes of a stream from which on its decoding fills large pages.
-constexpr std::size_t kWorthAPool = std::size_t{1} << 14;
+/// Bytes of a stream from which on its decoding fills large pages and takes longer than to start threads.
+constexpr std::size_t kLargeStream = std::size_t{1} << 14;
 
 /// What the predictive coder's arrays take up at a time, as far as `bytes` may hold that much: untouched, it
 /// costs nothing.
@@ -185,8 +185,9 @@ Result<Mesh> decode(std::span<const std::byte> stream, const DecodeOptions& opti
     const unsigned threads = options.threads > 0 ? options.threads : std::thread::hardware_concurrency();
     std::optional<MemoryPool> pool;
     std::optional<ThreadTeam> team;
-    if (stream.size() >= kWorthAPool) pool.emplace(predictive_memory(container.header(), stream.size()));
-    if (threads > 1) team.emplace(threads);
+    const bool is_large = stream.size() >= kLargeStream;
+    if (is_large) pool.emplace(predictive_memory(container.header(), stream.size()));
+    if (is_large && threads > 1) team.emplace(threads);
     return StreamDecoder(container, options).run();
   });
 }
