@@ -62,23 +62,27 @@ class alignas(16) SymbolModel {
   /// Moves the lanes towards `symbol` by 2^-rate of the way, rounded away from where they are, at least
   /// to 1 / 128 of the way as more and more symbols were seen [CMP-5].
   [[gnu::always_inline]] void learn(unsigned symbol) noexcept {
-    const unsigned rate = kRates[count_];
-    count_ = static_cast<std::uint8_t>(count_ + (count_ < kMostCounted ? 1 : 0));
+    const auto [rate, next] = kSteps[count_];
+    count_ = next;
     pull_lanes(lanes_.data(), kPulls[rate][symbol], rate);
   }
 
  private:
   static constexpr unsigned kLastRate = 7;
   static constexpr unsigned kMostCounted = 122;
-  /// By how many symbols were seen: 2 for 2 of them, 3 for 8, 4 for 16, twice as many for the next.
-  static constexpr std::array<std::uint8_t, kMostCounted + 1> kRates = [] {
-    std::array<std::uint8_t, kMostCounted + 1> rates{};
+  struct Step {
+    std::uint8_t rate;
+    std::uint8_t next;  ///< how many symbols will have been seen
+  };
+  /// By how many symbols were seen: rate 2 for 2 of them, 3 for 8, 4 for 16, twice as many for the next.
+  static constexpr std::array<Step, kMostCounted + 1> kSteps = [] {
+    std::array<Step, kMostCounted + 1> steps{};
     std::uint8_t rate = 2;
     for (unsigned count = 0; count <= kMostCounted; ++count) {
       if (count + 6 == 2U << rate) ++rate;
-      rates[count] = rate;
+      steps[count] = {rate, static_cast<std::uint8_t>(std::min(count + 1, kMostCounted))};
     }
-    return rates;
+    return steps;
   }();
   /// By rate: the goal is as far beyond kLaneOne as rounding needs.
   static constexpr std::array<Pulls, kLastRate + 1> kPulls = [] {

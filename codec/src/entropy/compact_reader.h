@@ -33,14 +33,14 @@ class CompactReader {
     return symbol;
   }
 
-  bool bit(bool, BitModel& model) noexcept {
+  [[gnu::always_inline]] bool bit(bool, BitModel& model) noexcept {
     const bool value = slot_of_state() < model.probability();
     take(model.interval(value));
     model.learn(value);
     return value;
   }
 
-  std::uint32_t bits(std::uint32_t, unsigned count) noexcept {
+  [[gnu::always_inline]] std::uint32_t bits(std::uint32_t, unsigned count) noexcept {
     if (count <= kMostBitsAtOnce) return take_bits(count);
     const std::uint32_t low = take_bits(kMostBitsAtOnce);
     return low | take_bits(count - kMostBitsAtOnce) << kMostBitsAtOnce;

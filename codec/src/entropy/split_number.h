@@ -30,18 +30,22 @@ class SplitNumberCoder {
       : coder_(coder), contexts_(contexts), tails_(kTailShifts * contexts, kFreshTail) {}
 
   /// Codes `value` by `value >> shift`, in `mixture`, and its low `shift` bits. A reader's argument is
-  /// ignored; where the stream lies the result is anything below 2^62 in size.
+  /// ignored; where the stream lies the result is anything below 2^62 in size. `coder`: that of the making,
+  /// or a reader's copy that goes on in its place, and that a compiler can keep in registers.
   template <std::size_t kModels>
-  [[gnu::always_inline]] std::int64_t code(std::int64_t value, unsigned shift,
+  [[gnu::always_inline]] std::int64_t code(Coder& coder, std::int64_t value, unsigned shift,
                                            const Mixture<kModels>& mixture, std::uint32_t context) {
     std::int64_t high = value >> shift;
     const auto low = static_cast<std::uint32_t>(value & ((std::int64_t{1} << shift) - 1));
     const bool far = high < -kReach || high > kReach;
-    const unsigned symbol = coder_.symbol(far ? kEscape : static_cast<unsigned>(high + kReach), mixture);
-    high = symbol == kEscape ? code_tail(high, std::min(shift, kTailShifts - 1) * contexts_ + context)
-                             : static_cast<std::int64_t>(symbol) - kReach;
+    const unsigned symbol = coder.symbol(far ? kEscape : static_cast<unsigned>(high + kReach), mixture);
+    if (symbol == kEscape) [[unlikely]] {
+      high = code_tail(coder, high, std::min(shift, kTailShifts - 1) * contexts_ + context);
+    } else {
+      high = static_cast<std::int64_t>(symbol) - kReach;
+    }
     if (shift == 0) return high;
-    return (high << shift) | code_low(low, shift, symbol);
+    return (high << shift) | code_low(coder, low_models_[symbol], low, shift);
   }
 
  private:
@@ -65,11 +69,24 @@ class SplitNumberCoder {
     return symbol % 2 != 0 ? -size : size;
   }
 
+  /// The same with any coder. A reader's copy stays in registers, as nothing points to it.
+  [[gnu::always_inline]] std::int64_t code_tail(Coder& coder, std::int64_t high, std::uint32_t context) {
+    if constexpr (Coder::kWrites) {
+      return code_tail(high, context);
+    } else {
+      coder_ = coder;
+      const std::int64_t result = code_tail(high, context);
+      coder = coder_;
+      return result;
+    }
+  }
+
   /// The highest of the low bits, of which there are some, by a model, the others as they are [FLD-5].
-  [[gnu::always_inline]] std::int64_t code_low(std::uint32_t low, unsigned shift, unsigned symbol) {
-    const bool top = coder_.bit((low >> (shift - 1)) != 0, low_models_[symbol]);
+  [[gnu::always_inline]] static std::int64_t code_low(Coder& coder, BitModel& model, std::uint32_t low,
+                                                      unsigned shift) {
+    const bool top = coder.bit((low >> (shift - 1)) != 0, model);
     const std::uint32_t high = (top ? 1U : 0U) << (shift - 1);
-    return std::int64_t{high} | coder_.bits(low & ((1U << (shift - 1)) - 1), shift - 1);
+    return std::int64_t{high} | coder.bits(low & ((1U << (shift - 1)) - 1), shift - 1);
   }
 
   Coder& coder_;

@@ -115,7 +115,7 @@ class FieldCoder {
     const Mixture<kFieldModels> mixture{
         {&models_[0][f.contexts[0]], &models_[1][f.contexts[1]], &models_[2][f.contexts[2]]},
         &mixes_[f.weight_set]};
-    const std::int64_t result = numbers_.code(swapped, f.shift, mixture, f.sure);
+    const std::int64_t result = numbers_.code(coder_, swapped, f.shift, mixture, f.sure);
     return (result ^ f.sign) - f.sign;
   }
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <type_traits>
 
 #include "predictive/match_coder.h"
 #include "predictive/pair_place.h"
@@ -38,7 +39,8 @@ class LatticeCoder {
   /// `guesses`: coordinates are compared with guesses first [POSN-9].
   LatticeCoder(Coder& coder, const KnownFaces& faces, const std::array<std::uint32_t, 3>& largest,
                const BlendTable& blends, bool guesses)
-      : faces_(faces),
+      : coder_(coder),
+        faces_(faces),
         most_(four_ints({largest[0], largest[1], largest[2], 0U})),
         blends_(blends),
         history_(faces.vertex_count()),
@@ -50,14 +52,16 @@ class LatticeCoder {
   /// without it [POSN-13]; `vertex` becomes what is to be coded then. A reader fills the cells in. The rule
   /// that a stream breaks here, or null.
   const char* code_next(std::uint32_t& vertex, std::span<Cell> cells) {
+    Held coder = coder_;
     const Outlook first_outlook = look_at(vertex, cells);
     if (vertex + 1 == cells.size() || faces_.needs_previous(vertex + 1)) {
       Turn turn(*this, vertex, first_outlook, cells);
       if (guesses_) guess(turn, cells);
-      code_axis(0, turn);
-      code_axis(1, turn);
-      code_axis(2, turn);
-      if (turn.is_beyond()) return "POSN-7";
+      code_axis(coder, 0, turn);
+      code_axis(coder, 1, turn);
+      code_axis(coder, 2, turn);
+      give_back(coder);
+      if (is_beyond(turn)) return "POSN-7";
       end(turn, cells);
       ++vertex;
       return nullptr;
@@ -70,13 +74,14 @@ class LatticeCoder {
       guess(first, cells);
       guess(second, cells);
     }
-    code_axis(0, first);
-    code_axis(0, second);
-    code_axis(1, first);
-    code_axis(1, second);
-    code_axis(2, first);
-    code_axis(2, second);
-    if (first.is_beyond() || second.is_beyond()) return "POSN-7";
+    code_axis(coder, 0, first);
+    code_axis(coder, 0, second);
+    code_axis(coder, 1, first);
+    code_axis(coder, 1, second);
+    code_axis(coder, 2, first);
+    code_axis(coder, 2, second);
+    give_back(coder);
+    if (is_beyond(first) || is_beyond(second)) return "POSN-7";
     end(first, cells);
     end(second, cells);
     vertex += 2;
@@ -84,6 +89,9 @@ class LatticeCoder {
   }
 
  private:
+  /// What a vertex is coded with: a reader's copy, which a compiler can keep in registers, or a writer.
+  using Held = std::conditional_t<Coder::kWrites, Coder&, Coder>;
+
   /// What a vertex is compared with.
   struct Matching {
     Matching(const Surroundings& surroundings, std::span<const Cell> cells, FourInts expected, FourInts most)
@@ -100,12 +108,11 @@ class LatticeCoder {
         : vertex(number), residual(outlook, FourInts{}, coder.most_) {
       if constexpr (Coder::kWrites) cell = cells[vertex];
     }
-    /// Whether a coordinate was beyond the lattice.
-    bool is_beyond() const noexcept { return beyond < 0; }
+    FourInts lanes() const noexcept { return FourInts{cell[0], cell[1], cell[2], 0}; }
     std::uint32_t vertex;
     ResidualTurn residual;
     Cell cell;
-    std::int64_t beyond = 0;  ///< below 0 where something was that must not be
+    std::int64_t bits = 0;  ///< set in any coordinate, of a whole 64
     std::optional<Matching> matching;
   };
 
@@ -125,18 +132,24 @@ class LatticeCoder {
     return history_.outlook(around, expect_place(around, vertex, cells, blends_));
   }
 
+  /// Whether a coordinate is beyond the lattice.
+  [[gnu::always_inline]] bool is_beyond(const Turn& turn) const noexcept {
+    return (turn.bits >> 31) != 0 || set_lanes(turn.lanes() > most_) != 0;
+  }
+
   [[gnu::always_inline]] void end(const Turn& turn, std::span<Cell> cells) noexcept {
-    const FourInts cell = {turn.cell[0], turn.cell[1], turn.cell[2], 0};
+    const FourInts cell = turn.lanes();
     store_three(cell, cells[turn.vertex]);
     history_.end(turn.vertex, turn.residual, cell);
   }
 
-  [[gnu::always_inline]] void code_axis(std::size_t axis, Turn& turn) {
+  [[gnu::always_inline]] void code_axis(Coder& coder, std::size_t axis, Turn& turn) {
     std::int32_t& value = turn.cell[axis];
     const ResidualForecast forecast = turn.residual.forecast(axis);
-    if (!guesses_ || !code_match(axis, *turn.matching, value)) {
-      const std::int64_t coordinate = forecast.whole + residuals_.code(value - forecast.whole, forecast);
-      turn.beyond |= coordinate | (most_[static_cast<int>(axis)] - coordinate);
+    if (!guesses_ || !code_match(coder, axis, *turn.matching, value)) {
+      const std::int64_t coordinate =
+          forecast.whole + residuals_.code(coder, value - forecast.whole, forecast);
+      turn.bits |= coordinate;
       value = static_cast<std::int32_t>(coordinate);
     }
     turn.residual.learn(axis, value, forecast);
@@ -146,10 +159,22 @@ class LatticeCoder {
     turn.matching.emplace(faces_.template around<false>(turn.vertex), cells, turn.residual.nearest(), most_);
   }
 
+  [[gnu::always_inline]] bool code_match(Coder& coder, std::size_t axis, Matching& matching,
+                                         std::int32_t& value) {
+    give_back(coder);
+    const bool matches = code_match(axis, matching, value);
+    if constexpr (!Coder::kWrites) coder = coder_;
+    return matches;
+  }
   [[gnu::noinline]] bool code_match(std::size_t axis, Matching& matching, std::int32_t& value) {
     return matches_.code(axis, matching.around, matching.guesses, value, matching.missed);
   }
 
+  void give_back(const Coder& coder) noexcept {
+    if constexpr (!Coder::kWrites) coder_ = coder;
+  }
+
+  Coder& coder_;
   const KnownFaces& faces_;
   FourInts most_;  ///< of a coordinate
   BlendTable blends_;

@@ -18,19 +18,23 @@ namespace deltamesh {
 template <class Coder>
 class ResidualCoder {
  public:
-  explicit ResidualCoder(Coder& coder) : numbers_(coder, kResidualTails) {
+  explicit ResidualCoder(Coder& coder) : coder_(coder), numbers_(coder, kResidualTails) {
     for (std::size_t i = 0; i < models_.size(); ++i) models_[i].assign(kResidualContexts[i], kFreshSplit);
   }
 
   /// A reader's argument is ignored. Where the stream lies the result is anything below 2^62 in size.
-  [[gnu::always_inline]] std::int64_t code(std::int64_t residual, const ResidualForecast& f) {
+  std::int64_t code(std::int64_t residual, const ResidualForecast& f) { return code(coder_, residual, f); }
+  /// `coder`: as SplitNumberCoder has it.
+  [[gnu::always_inline]] std::int64_t code(Coder& coder, std::int64_t residual, const ResidualForecast& f) {
     const Mixture<kResidualModels> mixture{{&models_[0][f.contexts[0]], &models_[1][f.contexts[1]]},
                                            &weights_[f.weight_set]};
-    const std::int64_t result = numbers_.code((residual ^ f.sign) - f.sign, f.shift, mixture, f.tail_context);
+    const std::int64_t result =
+        numbers_.code(coder, (residual ^ f.sign) - f.sign, f.shift, mixture, f.tail_context);
     return (result ^ f.sign) - f.sign;
   }
 
  private:
+  Coder& coder_;
   SplitNumberCoder<Coder> numbers_;
   std::array<std::vector<SymbolModel>, kResidualModels> models_;
   std::array<MixWeights<kResidualModels>, kResidualWeightSets> weights_;
