@@ -219,7 +219,7 @@ TEST(Surroundings, TakeNoMemoryForVerticesWithoutFaces) {
   };
   const std::vector<std::uint32_t> triangles = {0, 1, 2, 2, 1, 3};
   const long before = peak();
-  const KnownFaces faces({triangles, kDeclared}, {}, kDeclared / 2);
+  const KnownFaces faces({triangles, kDeclared});
   EXPECT_LT(peak() - before, 4096);
   EXPECT_EQ(faces.vertex_count(), kDeclared);
   EXPECT_EQ(faces.around(3).known_count, 1U);

@@ -37,7 +37,7 @@ class FloatCoder {
   /// Codes floats[vertex]; those before it are coded. A reader fills it in. The rule that a stream breaks
   /// here, or null.
   const char* code_vertex(std::uint32_t vertex, std::span<Ordinals> floats) {
-    const Surroundings around = faces_.template around<false>(vertex);
+    const Surroundings around = faces_.around(vertex);
     const FourInts most = FourInts{} + kLargestFixed;
     ResidualTurn turn(history_.outlook(around, expect_place(around, vertex, cells_, blends_)), -most, most);
     const FourInts expected = ordinals_of(turn.nearest());

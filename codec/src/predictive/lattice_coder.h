@@ -128,7 +128,7 @@ class LatticeCoder {
   }
 
   [[gnu::noinline]] Outlook look_around(std::uint32_t vertex, std::span<const Cell> cells) const noexcept {
-    const Surroundings around = faces_.template around<false>(vertex);
+    const Surroundings around = faces_.around(vertex);
     return history_.outlook(around, expect_place(around, vertex, cells, blends_));
   }
 
@@ -156,7 +156,7 @@ class LatticeCoder {
   }
 
   [[gnu::noinline]] void guess(Turn& turn, std::span<const Cell> cells) const noexcept {
-    turn.matching.emplace(faces_.template around<false>(turn.vertex), cells, turn.residual.nearest(), most_);
+    turn.matching.emplace(faces_.around(turn.vertex), cells, turn.residual.nearest(), most_);
   }
 
   [[gnu::always_inline]] bool code_match(Coder& coder, std::size_t axis, Matching& matching,

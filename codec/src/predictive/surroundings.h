@@ -24,6 +24,10 @@ struct FaceList {
 
 inline constexpr std::uint32_t kNoVertex = 0xffffffff;
 
+/// The corners, numbered by their places in `order`.
+std::vector<std::uint32_t> placed_corners(std::span<const std::uint32_t> triangles,
+                                          std::span<const std::uint32_t> order);
+
 /// A face whose two other corners come before a vertex, and what is across the edge between these.
 struct KnownFace {
   std::uint32_t a;         ///< the corner after the vertex
@@ -54,19 +58,12 @@ struct FacePair {
 class KnownFaces {
  public:
   /// `order`: the vertices in coding order, by which they are numbered here; empty where they are already.
-  /// `second_walk`: those from there on are coded in turns with those from 0 on [POSN-12]; kNoVertex: after
-  /// them. O(n + m); memory for the vertices up to the last one with a face.
-  explicit KnownFaces(const FaceList& list, std::span<const std::uint32_t> order = {},
-                      std::uint32_t second_walk = kNoVertex);
+  /// O(n + m); memory for the vertices up to the last one with a face.
+  explicit KnownFaces(const FaceList& list, std::span<const std::uint32_t> order = {});
 
   std::uint32_t vertex_count() const noexcept { return vertex_count_; }
-  std::uint32_t second_walk() const noexcept { return second_walk_; }
-  /// In each of which a vertex of every walk is coded.
-  std::uint32_t turns() const noexcept { return std::min(vertex_count(), second_walk_); }
-  /// `kTwoWalks`: there may be a second one.
-  template <bool kTwoWalks = true>
   Surroundings around(std::uint32_t vertex) const noexcept;
-  /// False where it is something else that is around `vertex`. In one walk.
+  /// False where it is something else that is around `vertex`.
   bool pair_around(std::uint32_t vertex, FacePair& pair) const noexcept;
   /// Whether nothing can be told of `vertex`, above 0, without the one before it.
   bool needs_previous(std::uint32_t vertex) const noexcept {
@@ -98,27 +95,17 @@ class KnownFaces {
     }
   };
 
-  /// What has a lower one is coded before.
-  template <bool kTwoWalks = true>
-  std::uint32_t turn_of(std::uint32_t vertex) const noexcept {
-    return kTwoWalks ? std::min(vertex, vertex - second_walk_) : vertex;
-  }
   void add_all(std::span<const std::uint32_t> triangles);
-  void add_across_walks(const std::array<std::uint32_t, 3>& corners) noexcept;
-  template <bool kTwoWalks>
   std::uint32_t across(std::uint32_t a, std::uint32_t b) const noexcept;
 
   LargeVector<Star> stars_;  ///< of vertices up to the last one with a face
   std::uint32_t vertex_count_;
-  std::uint32_t second_walk_;
 };
 
 /// The third corner of the first known face of the later one of `a` and `b` that has both.
-template <bool kTwoWalks>
 inline std::uint32_t KnownFaces::across(std::uint32_t a, std::uint32_t b) const noexcept {
-  const bool is_b_later = turn_of<kTwoWalks>(b) > turn_of<kTwoWalks>(a);
-  const std::uint32_t earlier = is_b_later ? a : b;
-  const std::uint32_t later = is_b_later ? b : a;
+  const std::uint32_t earlier = std::min(a, b);
+  const std::uint32_t later = std::max(a, b);
   const Star& star = stars_[later];
   const auto same = static_cast<std::int32_t>(earlier);
   const unsigned found = set_lanes((four_ints(star.a) == same) | (four_ints(star.b) == same));
@@ -127,7 +114,6 @@ inline std::uint32_t KnownFaces::across(std::uint32_t a, std::uint32_t b) const 
   return star.a[first] ^ star.b[first] ^ earlier;
 }
 
-template <bool kTwoWalks>
 [[gnu::always_inline]] inline Surroundings KnownFaces::around(std::uint32_t vertex) const noexcept {
   Surroundings around;
   if (vertex >= stars_.size()) [[unlikely]]
@@ -143,7 +129,7 @@ template <bool kTwoWalks>
   constexpr std::array<std::uint8_t, 16> kCount = {0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4};
   around.neighbor_count = 2 * star.known - kCount[set_lanes(around.repeated) & ((1U << star.known) - 1)];
   for (unsigned i = 0; i < star.known; ++i) {
-    const std::uint32_t opposite = across<kTwoWalks>(star.a[i], star.b[i]);
+    const std::uint32_t opposite = across(star.a[i], star.b[i]);
     around.known[i] = {star.a[i], star.b[i], opposite};
     around.parallelogram_count += opposite != kNoVertex ? 1 : 0;
   }
@@ -158,8 +144,8 @@ template <bool kTwoWalks>
   const std::size_t second = std::size_t{star.known} - 1;
   if (second > 1) [[unlikely]]
     return false;
-  pair.first = {star.a[0], star.b[0], across<false>(star.a[0], star.b[0])};
-  pair.second = {star.a[second], star.b[second], across<false>(star.a[second], star.b[second])};
+  pair.first = {star.a[0], star.b[0], across(star.a[0], star.b[0])};
+  pair.second = {star.a[second], star.b[second], across(star.a[second], star.b[second])};
   pair.known_count = star.known;
   pair.faces = star.faces;
   return pair.first.opposite != kNoVertex && pair.second.opposite != kNoVertex;

@@ -2,46 +2,47 @@
 // Copyright 2026 The deltamesh authors
 #include "predictive/voxel_faces.h"
 
-#include <vector>
-
 namespace deltamesh {
 
 VoxelFaces::VoxelFaces(const FaceList& list, std::span<const std::uint32_t> order)
     : vertex_count_(list.vertex_count), second_walk_((list.vertex_count + 1) / 2) {
   stars_.assign(std::size_t{list.vertex_count} + 1, Star{{none(), none(), none(), none()}});
-  const std::span<const std::uint32_t> corners = list.triangles;
   if (order.empty()) {
-    for (std::size_t i = 0; i < corners.size(); i += 3) add(corners.data() + i);
+    add_all(list.triangles);
     return;
   }
-  std::vector<std::uint32_t> place(order.size());
-  for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
-  for (std::size_t i = 0; i < corners.size(); i += 3) {
-    const std::array<std::uint32_t, 3> placed = {place[corners[i]], place[corners[i + 1]],
-                                                 place[corners[i + 2]]};
-    add(placed.data());
+  add_all(placed_corners(list.triangles, order));
+}
+
+void VoxelFaces::add_all(std::span<const std::uint32_t> triangles) noexcept {
+  const std::uint32_t second_walk = second_walk_;
+  for (std::size_t i = 0; i < triangles.size(); i += 3) {
+    const std::uint32_t* const corners = triangles.data() + i;
+    const TurnedFace face = turned_face(corners[0], corners[1], corners[2]);
+    // Those of one walk have their turns in the order of their numbers.
+    if (face.last >= second_walk && (face.a < second_walk || face.b < second_walk)) [[unlikely]] {
+      add_across_walks({face.last, face.a, face.b});
+    } else if (face.is_whole()) {
+      add(face);
+    }
   }
 }
 
-/// Three of them.
-[[gnu::always_inline]] inline void VoxelFaces::add(const std::uint32_t* corners) noexcept {
-  // Which corner is the last one, and whether the face is its first, is hard to guess: all without branches.
-  static constexpr std::array<std::uint8_t, 4> kLast = {0, 1, 2, 2};
-  static constexpr std::array<std::uint8_t, 4> kNext = {1, 2, 0, 0};
-  static constexpr std::array<std::uint8_t, 4> kPrevious = {2, 0, 1, 1};
-  const std::uint32_t turn = turn_of(corners[0]);
-  const std::uint32_t of_two = std::max(turn, turn_of(corners[1]));
-  const std::uint32_t of_all = std::max(of_two, turn_of(corners[2]));
-  const std::size_t which = (of_two != turn ? 1U : 0U) + (of_all != of_two ? 2U : 0U);
-  const std::uint32_t a = corners[kNext[which]];
-  const std::uint32_t b = corners[kPrevious[which]];
-  if (a == b || turn_of(a) == of_all || turn_of(b) == of_all) [[unlikely]]
-    return;
-  Star& star = stars_[corners[kLast[which]]];
-  const FourInts now = four_ints(star);
-  const FourInts face = four_ints(std::array<std::uint32_t, 4>{a, b, a, b});
-  const FourInts is_new = (now == static_cast<std::int32_t>(none())) | FourInts{0, 0, -1, -1};
-  star = std::bit_cast<Star>((face & is_new) | (now & ~is_new));
+[[gnu::always_inline]] inline void VoxelFaces::add(const TurnedFace& face) noexcept {
+  Star& star = stars_[face.last];
+  const bool is_first = star[0] == none();
+  star[0] = choose(is_first, face.a, star[0]);
+  star[1] = choose(is_first, face.b, star[1]);
+  star[2] = face.a;
+  star[3] = face.b;
+}
+
+void VoxelFaces::add_across_walks(const std::array<std::uint32_t, 3>& corners) noexcept {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const TurnedFace face{corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3]};
+    const std::uint32_t turn = turn_of(face.last);
+    if (turn_of(face.a) < turn && turn_of(face.b) < turn && face.a != face.b) add(face);
+  }
 }
 
 Surroundings VoxelFaces::around(std::uint32_t vertex) const noexcept {

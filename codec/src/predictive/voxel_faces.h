@@ -15,6 +15,7 @@
 #include "base/four_ints.h"
 #include "base/large_vector.h"
 #include "predictive/surroundings.h"
+#include "predictive/turned_face.h"
 
 namespace deltamesh {
 
@@ -47,7 +48,10 @@ class VoxelFaces {
   std::uint32_t turn_of(std::uint32_t vertex) const noexcept {
     return std::min(vertex, vertex - second_walk_);
   }
-  void add(const std::uint32_t* corners) noexcept;
+  void add_all(std::span<const std::uint32_t> triangles) noexcept;
+  void add(const TurnedFace& face) noexcept;
+  /// Of a face with corners in both walks, at most one of which has a later turn than the others.
+  void add_across_walks(const std::array<std::uint32_t, 3>& corners) noexcept;
 
   LargeVector<Star> stars_;  ///< and one without faces
   std::uint32_t vertex_count_;
