@@ -204,7 +204,7 @@ class VoxelPair {
   const EightShorts across = voxel::cut(wrapped_difference(opposite, lowest)) - kVoxelMiddle;
   const EightShorts beyond = (a + b - across - mean) & (last_of_half(opposite) < VoxelSpot::kNoAxis);
   const EightShorts expected = clamp(mean + ((beyond * 5) >> 3), -kVoxelParts + 1, kVoxelParts - 1);
-  const EightShorts normal = half_cross(b - a, expected - a);
+  const EightShorts normal = half_cross((b - a) & ~voxel::kAxes, expected - a);
   means_ = halves_of(clamp((mean + kFirstPlace) >> 3, 0, kPlaces - 1));
   normals_ = halves_of(normal);
   planes_ = weigh(normal, a);
