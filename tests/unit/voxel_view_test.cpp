@@ -6,6 +6,7 @@
 #include "predictive/voxel_view.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <array>
@@ -370,6 +371,43 @@ TEST(VoxelFaces, POSN12TheFirstAndTheLastOfWhatIsKnownByEarlierTurns) {
     }
   }
   EXPECT_GT(known, mesh.triangles.size() / 4);
+}
+
+TEST(VoxelFaces, TakeNoMemoryForVerticesWithoutFaces) {
+  // A header may declare many of them, for few bytes.
+  constexpr std::uint32_t kDeclared = 1U << 23;
+  const auto peak = [] {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss;  // kB
+  };
+  const std::vector<std::uint32_t> triangles = {0, 1, 2, 2, 1, 3};
+  const long before = peak();
+  const VoxelFaces faces({triangles, kDeclared});
+  EXPECT_LT(peak() - before, 4096);
+  EXPECT_EQ(faces.vertex_count(), kDeclared);
+  EXPECT_EQ(faces.around(3).known_count, 1U);
+  EXPECT_EQ(faces.around(3).parallelogram_count, 1U);
+  for (const std::uint32_t v : {4U, kDeclared / 2, kDeclared - 1, kDeclared}) {
+    EXPECT_EQ(faces.star(v)[0], faces.none());
+    EXPECT_EQ(faces.around(v).known_count, 0U);
+  }
+  EXPECT_EQ(faces.across(faces.none(), faces.none()), faces.none());
+}
+
+TEST(VoxelFaces, VerticesWithoutFacesMayBeAnywhere) {
+  const std::vector<std::uint32_t> triangles = {1, 3, 5, 5, 3, 7};
+  const std::vector<std::uint32_t> order = {0, 9, 1, 3, 8, 5, 2, 7, 4, 6};
+  std::vector<std::uint32_t> placed(triangles);
+  for (std::uint32_t& v : placed)
+    v = static_cast<std::uint32_t>(std::find(order.begin(), order.end(), v) - order.begin());
+  const VoxelFaces walked({triangles, 10}, order);
+  const VoxelFaces numbered({placed, 10});
+  for (std::uint32_t i = 0; i < 10; ++i) {
+    EXPECT_EQ(walked.star(i), numbered.star(i)) << i;
+    EXPECT_EQ(walked.around(i).parallelogram_count, numbered.around(i).parallelogram_count) << i;
+  }
+  EXPECT_EQ(walked.star(3), (VoxelFaces::Star{{5, 2, 7, 5}}));  // by turns, in walks of five
 }
 
 TEST(VoxelCoder, POSN12AnyNumberOfVerticesComesBack) {

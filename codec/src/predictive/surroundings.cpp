@@ -8,15 +8,15 @@
 
 namespace deltamesh {
 
-std::size_t KnownFaces::count_with_faces(std::span<const std::uint32_t> triangles) const noexcept {
+std::uint32_t count_with_faces(const FaceList& list) noexcept {
   // From the end, where the last vertex mostly is.
   constexpr std::size_t kAtOnce = 1536;
-  std::size_t count = 0;
-  for (std::size_t end = triangles.size(); end > 0 && count < vertex_count_;) {
+  std::uint32_t count = 0;
+  for (std::size_t end = list.triangles.size(); end > 0 && count < list.vertex_count;) {
     const std::size_t begin = end - std::min(end, kAtOnce);
     std::uint32_t last = 0;
-    for (std::size_t i = begin; i < end; ++i) last = std::max(last, triangles[i]);
-    count = std::max(count, std::size_t{last} + 1);
+    for (std::size_t i = begin; i < end; ++i) last = std::max(last, list.triangles[i]);
+    count = std::max(count, last + 1);
     end = begin;
   }
   return count;
@@ -32,7 +32,7 @@ KnownFaces::KnownFaces(const FaceList& list, std::span<const std::uint32_t> orde
 }
 
 void KnownFaces::add_all(std::span<const std::uint32_t> triangles) {
-  stars_.assign(count_with_faces(triangles), Star{});
+  stars_.assign(count_with_faces({triangles, vertex_count_}), Star{});
   Star* const stars = stars_.data();
   for (std::size_t i = 0; i < triangles.size(); i += 3) {
     const std::uint32_t* const corners = triangles.data() + i;

@@ -22,6 +22,9 @@ struct FaceList {
   std::uint32_t vertex_count = 0;
 };
 
+/// No vertex from there on has a face. O(m), mostly far less.
+std::uint32_t count_with_faces(const FaceList& list) noexcept;
+
 inline constexpr std::uint32_t kNoVertex = 0xffffffff;
 
 /// The corners, numbered by their places in `order`.
@@ -75,9 +78,6 @@ class KnownFaces {
   }
 
  private:
-  /// No vertex from there on has a face.
-  std::size_t count_with_faces(std::span<const std::uint32_t> triangles) const noexcept;
-
   static constexpr std::array<std::uint32_t, Surroundings::kMostKnown> kNone = {kNoVertex, kNoVertex,
                                                                                 kNoVertex, kNoVertex};
   struct Star {

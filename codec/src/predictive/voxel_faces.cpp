@@ -6,7 +6,6 @@ namespace deltamesh {
 
 VoxelFaces::VoxelFaces(const FaceList& list, std::span<const std::uint32_t> order)
     : vertex_count_(list.vertex_count), second_walk_((list.vertex_count + 1) / 2) {
-  stars_.assign(std::size_t{list.vertex_count} + 1, Star{{none(), none(), none(), none()}});
   if (order.empty()) {
     add_all(list.triangles);
     return;
@@ -14,7 +13,9 @@ VoxelFaces::VoxelFaces(const FaceList& list, std::span<const std::uint32_t> orde
   add_all(placed_corners(list.triangles, order));
 }
 
-void VoxelFaces::add_all(std::span<const std::uint32_t> triangles) noexcept {
+void VoxelFaces::add_all(std::span<const std::uint32_t> triangles) {
+  with_faces_ = count_with_faces({triangles, vertex_count_});
+  stars_.assign(std::size_t{with_faces_} + 1, Star{{none(), none(), none(), none()}});
   const std::uint32_t second_walk = second_walk_;
   for (std::size_t i = 0; i < triangles.size(); i += 3) {
     const std::uint32_t* const corners = triangles.data() + i;
@@ -47,7 +48,7 @@ void VoxelFaces::add_across_walks(const std::array<std::uint32_t, 3>& corners) n
 
 Surroundings VoxelFaces::around(std::uint32_t vertex) const noexcept {
   Surroundings around;
-  const Star& star = stars_[vertex];
+  const Star& star = this->star(vertex);
   if (star[0] == none()) return around;
   const bool is_one = star[0] == star[2] && star[1] == star[3];
   around.known_count = is_one ? 1 : 2;

@@ -26,7 +26,7 @@ class VoxelFaces {
   struct alignas(16) Star : std::array<std::uint32_t, 4> {};
 
   /// `order`: the vertices in coding order, by which they are numbered here; empty where they are already.
-  /// O(n + m).
+  /// O(n + m); memory for the vertices up to the last one with a face.
   explicit VoxelFaces(const FaceList& list, std::span<const std::uint32_t> order = {});
 
   std::uint32_t vertex_count() const noexcept { return vertex_count_; }
@@ -37,7 +37,7 @@ class VoxelFaces {
   /// In place of a vertex.
   std::uint32_t none() const noexcept { return vertex_count(); }
 
-  const Star& star(std::uint32_t vertex) const noexcept { return stars_[vertex]; }
+  const Star& star(std::uint32_t vertex) const noexcept { return stars_[std::min(vertex, with_faces_)]; }
   /// What is beyond the edge of `a` and `b`: the other corner of the first face of the later one of these
   /// that has both; or none(), as for none().
   std::uint32_t across(std::uint32_t a, std::uint32_t b) const noexcept;
@@ -48,12 +48,13 @@ class VoxelFaces {
   std::uint32_t turn_of(std::uint32_t vertex) const noexcept {
     return std::min(vertex, vertex - second_walk_);
   }
-  void add_all(std::span<const std::uint32_t> triangles) noexcept;
+  void add_all(std::span<const std::uint32_t> triangles);
   void add(const TurnedFace& face) noexcept;
   /// Of a face with corners in both walks, at most one of which has a later turn than the others.
   void add_across_walks(const std::array<std::uint32_t, 3>& corners) noexcept;
 
-  LargeVector<Star> stars_;  ///< and one without faces
+  std::uint32_t with_faces_;  ///< no vertex from there on has a face
+  LargeVector<Star> stars_;   ///< of those below, and one without faces
   std::uint32_t vertex_count_;
   std::uint32_t second_walk_;
 };
@@ -63,7 +64,7 @@ class VoxelFaces {
   // Selects without branches, which would often go wrong.
   const std::uint32_t if_b_is_later = turn_of(b) > turn_of(a) ? ~0U : 0U;
   const std::uint32_t earlier = b ^ ((a ^ b) & if_b_is_later);
-  const Star& star = stars_[a ^ b ^ earlier];
+  const Star& star = this->star(a ^ b ^ earlier);
   const unsigned found = set_lanes(four_ints(star) == static_cast<std::int32_t>(earlier));
   // Lanes 0 and 1 are a face, 2 and 3 are one.
   const std::uint32_t other = star[static_cast<std::size_t>(std::countr_zero(found | 8)) ^ 1];
