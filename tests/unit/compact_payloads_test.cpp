@@ -106,6 +106,43 @@ TEST(CompactConnectivity, CONN2FacesAreBoundedByTheBytes) {
   const auto refused = read_connectivity(Payload::compact(Bytes(8)), 10, 8 * 42400 + 1);
   ASSERT_FALSE(refused);
   EXPECT_STREQ(refused.error().rule, "CONN-2");
+  const auto read = read_connectivity(Payload::compact(Bytes(8)), 10, 8 * 42400);
+  ASSERT_FALSE(read);
+  EXPECT_STRNE(read.error().message, refused.error().message);
+}
+
+/// Says what a reader is to read.
+class SaidOps {
+ public:
+  static constexpr bool kWrites = false;
+
+  explicit SaidOps(std::vector<unsigned> said) : said_(std::move(said)) {}
+
+  unsigned symbol(unsigned, const Mixture<2>&) { return said_.at(at_++); }
+  std::uint32_t bits(std::uint32_t, unsigned) { return 0; }
+  std::uint32_t number(std::uint32_t, NumberModel&) { return 0; }
+
+ private:
+  std::vector<unsigned> said_;
+  std::size_t at_ = 0;
+};
+
+TEST(CompactConnectivity, CONN12RunsThatNoWriterMakes) {
+  Border border(10);
+  border.start();
+  const Gate gate = border.gate_at<false>(0);
+  for (const unsigned goes_on : {14U, 15U}) {
+    SaidOps coder({goes_on});
+    const auto run = OpCoder<SaidOps>(coder).run(gate);
+    EXPECT_EQ(run.new_vertices, 7U);
+    EXPECT_EQ(run.closing, BorderOp::kNewVertex);
+  }
+  for (const BorderOp rare : {BorderOp::kNewVertex, BorderOp::kRight}) {
+    SaidOps coder({8, static_cast<unsigned>(rare)});  // after one op C
+    OpCoder<SaidOps> ops(coder);
+    EXPECT_EQ(ops.code({}, border, gate).op, BorderOp::kNewVertex);
+    EXPECT_EQ(ops.code({}, border, gate).op, rare);
+  }
 }
 
 std::vector<std::int32_t> random_deltas(std::size_t count, std::uint32_t seed, std::int32_t largest) {

@@ -194,6 +194,8 @@ TEST(Surroundings, POSN4PlacesAreAsWrittenNearAndFar) {
           EXPECT_EQ(expected.spread[static_cast<int>(axis)], letter.spread);
           EXPECT_LT(std::abs(expected.offset[static_cast<int>(axis)]), 1 << 26);
         }
+        EXPECT_EQ(expected.whole[3], 0);
+        EXPECT_EQ(expected.offset[3], 0);
         FacePair pair;
         const bool is_pair = faces.pair_around(v, pair);
         EXPECT_EQ(is_pair, (around.known_count == 1 || around.known_count == 2) &&
@@ -202,6 +204,8 @@ TEST(Surroundings, POSN4PlacesAreAsWrittenNearAndFar) {
         if (is_pair && expect_pair(pair, cells, table, paired)) {
           EXPECT_EQ(pair.known_count, around.known_count);
           EXPECT_EQ(paired.place(), expected.place());
+          EXPECT_EQ(paired.whole[3], 0);
+          EXPECT_EQ(paired.offset[3], 0);
           for (int axis = 0; axis < 3; ++axis) EXPECT_EQ(paired.spread[axis], expected.spread[axis]);
         }
       }
