@@ -93,7 +93,9 @@ Result<HighpassSymbols> read_anchor_symbols(Payload anchors, const Components& c
   return symbols;
 }
 
-/// One thread reads the deltas while the others read the anchors and set up the solver.
+/// With a team: one thread reads the deltas while the others read the anchors and set up the solver, which
+/// takes the memory of all at once. Alone one does better to give back what has served:
+/// reconstruct_highpass_once().
 Result<std::vector<Vec3>> read_and_solve(Payload deltas, Payload anchors, Adjacency graph,
                                          Components components, const Box& box,
                                          const HighpassParameters& parameters) {

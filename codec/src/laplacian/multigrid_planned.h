@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// A number of cycles that somebody else has found to be enough, each as cheap as it can be: on the finest two
-// levels there are positions only, the residual field begins below.
+// A number of cycles that somebody else has found to be enough, each as cheap as it can be: on the finest
+// level, and mostly on the second, there are positions only, the residual field begins below.
 #pragma once
 
 #include <cstdint>
@@ -19,9 +19,9 @@
 namespace deltamesh::multigrid {
 
 /// The same mixed problem as MultigridCycle's, with s = P s_c interpolated from level c, the third (the
-/// second where there are but two). Away from the anchors s is harmonic, hence smooth, and the forces there
-/// are a few hundredths of the error that quantisation leaves, so that what this changes cannot be seen. x
-/// is kept in doubles; corrections are floats.
+/// second where there are but two, or anchors are many). Away from the anchors s is harmonic, hence smooth,
+/// and the forces there are a few hundredths of the error that quantisation leaves, so that what this changes
+/// cannot be seen. x is kept in doubles; corrections are floats.
 class PlannedCycles {
  public:
   /// `levels`: at least two; must outlive this.

@@ -54,7 +54,8 @@ struct LocalMeans {
 /// Precondition: there is a parallelogram.
 LocalMeans local_means(const Surroundings& around, std::span<const Cell> cells) noexcept;
 
-/// An expected place and how far its sources lie apart, per axis; the fourth lanes mean nothing.
+/// An expected place and how far its sources lie apart, per axis; the fourth lanes of `whole` and
+/// `offset` are 0.
 struct Expectation {
   FourInts whole{};   ///< a lattice point
   FourInts offset{};  ///< from there to the place, 1/16 steps; less than 2^26 in size
