@@ -112,7 +112,7 @@ class LatticeCoder {
     std::uint32_t vertex;
     ResidualTurn residual;
     Cell cell;
-    std::int64_t bits = 0;  ///< set in any coordinate, of a whole 64
+    std::int64_t bits = 0;  ///< of all coordinates, as they were before they were cut to 32 bits
     std::optional<Matching> matching;
   };
 
