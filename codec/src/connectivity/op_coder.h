@@ -57,14 +57,14 @@ class OpCoder {
 
   /// Reads the run that begins at a gate in step 1 [CONN-6], or what is left of one.
   [[gnu::always_inline]] Run run(const Gate& gate) {
-    if (!run_.is_empty()) return std::exchange(run_, Run{});
+    if (!to_come_.is_empty()) return std::exchange(to_come_, Run{});
     const unsigned symbol = code_run(0, context_of(gate));
     if (symbol < kClosedByRare) return {symbol, BorderOp::kRight};
     if (symbol < kGoesOn) return {symbol - kClosedByRare, BorderOp::kNone};
     return {kLongestRun, BorderOp::kNewVertex};
   }
   /// The next ops to read are those of `run`.
-  void begin(const Run& run) { run_ = run; }
+  void begin(const Run& run) { to_come_ = run; }
 
  private:
   /// A run is up to 6 ops C and the op that closes it, or 7 ops C before another run. Its symbol is the
@@ -119,25 +119,25 @@ class OpCoder {
 
   /// A writer knows a run when it closes.
   void write(const BorderStep& step, const Border& border, const Gate& gate) {
-    if (run_.is_empty()) run_context_ = context_of(gate);
+    if (new_vertices_ == 0) run_context_ = context_of(gate);
     if (step.op == BorderOp::kNewVertex) {
-      if (++run_.new_vertices < kLongestRun) return;
+      if (++new_vertices_ < kLongestRun) return;
       code_run(kGoesOn, run_context_);
-      run_ = {};
+      new_vertices_ = 0;
       return;
     }
     const bool is_rare = step.op != BorderOp::kRight;
-    code_run(std::exchange(run_, Run{}).new_vertices + (is_rare ? kClosedByRare : 0), run_context_);
+    code_run(std::exchange(new_vertices_, 0) + (is_rare ? kClosedByRare : 0), run_context_);
     if (is_rare) code_rare<false>(step, border, gate.item);
   }
 
   [[gnu::always_inline]] BorderStep read(const Border& border, const Gate& gate) {
-    if (run_.is_empty()) run_ = run(gate);
-    if (run_.new_vertices > 0) {
-      --run_.new_vertices;
+    if (to_come_.is_empty()) to_come_ = run(gate);
+    if (to_come_.new_vertices > 0) {
+      --to_come_.new_vertices;
       return {BorderOp::kNewVertex};
     }
-    if (std::exchange(run_.closing, BorderOp::kNewVertex) == BorderOp::kRight) return {BorderOp::kRight};
+    if (std::exchange(to_come_.closing, BorderOp::kNewVertex) == BorderOp::kRight) return {BorderOp::kRight};
     return code_rare<false>({}, border, gate.item);
   }
 
@@ -176,9 +176,10 @@ class OpCoder {
   }
 
   Coder& coder_;
-  Run run_;                   ///< of a writer's the ops C so far, of a reader's what is to come
-  RunContext run_context_{};  ///< where a writer's began
-  std::uint32_t last_ = 0;    ///< the last op: 0 in step 1 [CONN-6], else 1 C, 2 another
+  Run to_come_;                     ///< a reader's
+  std::uint32_t new_vertices_ = 0;  ///< of a writer's run so far
+  RunContext run_context_{};        ///< where that began
+  std::uint32_t last_ = 0;          ///< the last op: 0 in step 1 [CONN-6], else 1 C, 2 another
   std::vector<SymbolModel> first_runs_;
   std::vector<SymbolModel> second_runs_;
   std::array<MixWeights<2>, kMostFaces * 4> run_weights_;
