@@ -54,7 +54,8 @@ PositionForm with_fit(PositionForm form, BlendFit fit) noexcept {
 
 }  // namespace
 
-std::vector<std::byte> write_smallest(const WritePositions& write, bool may_guess, int effort) {
+std::vector<std::byte> write_smallest(const WritePositions& write, PositionKind kind, int effort) {
+  const bool may_guess = kind == PositionKind::kLattice;
   if (effort == 0)
     return write({.fit = BlendFit::kSample, .guesses = may_guess ? Guessing::kForecast : Guessing::kNever});
   FormSearch search(write, {});
@@ -68,7 +69,8 @@ std::vector<std::byte> write_smallest(const WritePositions& write, bool may_gues
     search.consider(with_walk(search.form(), Walk::kDeep), most);
   if (may_guess && search.form().walk != Walk::kAsDecoded)
     search.consider(with_guesses(search.form(), search.form().guesses == Guessing::kNever), any);
-  search.consider(with_fit(search.form(), BlendFit::kBits), any);
+  const bool has_blends = kind != PositionKind::kVoxel;
+  if (has_blends) search.consider(with_fit(search.form(), BlendFit::kBits), any);
   return search.take();
 }
 

@@ -15,8 +15,8 @@ namespace deltamesh {
 /// The payload in a given form.
 using WritePositions = std::function<std::vector<std::byte>(const PositionForm&)>;
 
-/// Tries forms one after the other: five to seven calls of `write`, one at effort 0. A walk costs a decoder
-/// time, so up to effort 7 it has to earn it. `may_guess`: the kind of lattice has guesses.
-std::vector<std::byte> write_smallest(const WritePositions& write, bool may_guess, int effort);
+/// Tries the forms that `kind` has, one after the other: two to seven calls of `write`, one at effort 0. A
+/// walk costs a decoder time, so up to effort 7 it has to earn it.
+std::vector<std::byte> write_smallest(const WritePositions& write, PositionKind kind, int effort);
 
 }  // namespace deltamesh

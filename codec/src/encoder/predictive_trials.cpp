@@ -89,8 +89,7 @@ GeometryChoice PredictiveTrials::code(const Trial& trial) const {
   const auto write = [&](const PositionForm& form) {
     return write_positions(faces_, trial.cells, trial.parameters, form, trial.patches);
   };
-  const bool may_guess = trial.parameters.kind == PositionKind::kLattice;
-  choice.chunks.add_compact(kTagPositions, write_smallest(write, may_guess, effort_));
+  choice.chunks.add_compact(kTagPositions, write_smallest(write, trial.parameters.kind, effort_));
   return choice;
 }
 
@@ -108,7 +107,7 @@ GeometryChoice PredictiveTrials::code_floats() const {
   const auto write = [&](const PositionForm& form) {
     return write_floats(faces_, input_.positions, input_.box, form);
   };
-  choice.chunks.add_compact(kTagPositions, write_smallest(write, false, effort_));
+  choice.chunks.add_compact(kTagPositions, write_smallest(write, PositionKind::kFloats, effort_));
   return choice;
 }
 
