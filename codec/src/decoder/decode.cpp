@@ -183,11 +183,13 @@ Result<Mesh> decode(std::span<const std::byte> stream, const DecodeOptions& opti
   return guarded([&]() -> Result<Mesh> {
     DELTAMESH_TRY(const auto container, Container::open(stream));
     const unsigned threads = options.threads > 0 ? options.threads : std::thread::hardware_concurrency();
+    // A pool serves one thread only: beside it, what the others take would be new pages each time.
     std::optional<MemoryPool> pool;
     std::optional<ThreadTeam> team;
-    const bool is_large = stream.size() >= kLargeStream;
-    if (is_large) pool.emplace(predictive_memory(container.header(), stream.size()));
-    if (is_large && threads > 1) team.emplace(threads);
+    if (stream.size() >= kLargeStream) {
+      if (threads == 1) pool.emplace(predictive_memory(container.header(), stream.size()));
+      if (threads > 1) team.emplace(threads);
+    }
     return StreamDecoder(container, options).run();
   });
 }
