@@ -5,7 +5,6 @@
 // factorisation for those that do not settle.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -17,16 +16,17 @@
 #include "laplacian/multigrid_groups.h"
 #include "laplacian/multigrid_hierarchy.h"
 #include "laplacian/multigrid_planned.h"
+#include "laplacian/multigrid_settling.h"
 #include "laplacian/small_components.h"
 #include "laplacian/solver.h"
 
 namespace deltamesh {
 namespace {
 
-using multigrid::Change;
 using multigrid::FactoredGroup;
 using multigrid::Float4;
 using multigrid::Group;
+using multigrid::kLargestRescue;
 using multigrid::MultigridCycle;
 using multigrid::PlannedCycles;
 using multigrid::to_float4;
@@ -46,64 +46,23 @@ constexpr int kMaxDrops = 2;
 /// Accelerated cycles: how many before the small components that still move are factored, and at the most.
 constexpr int kPatience = 10;
 constexpr int kAcceleratedCycles = 40;
-constexpr std::uint32_t kLargestRescue = 2000;  ///< vertices of a component that is factored then
 
 /// Solutions without coarser levels of the large ones, each of the residual of the last.
 constexpr int kRounds = 3;
 
-/// Settled: what is still to come is small against the error that quantisation left (rms, largest). To come:
-/// the last change times rate / (1 - rate), where every cycle changes `rate` times as much as the one before.
-constexpr double kSettledRms = 0.1;
-constexpr double kSettledLargest = 0.3;
-constexpr double kLowestRate = 0.12;
-constexpr double kHighestRate = 0.7;
-
-/// Where more than this share of the vertices are anchors, coarse levels are nearly as large as the finest,
-/// and slow errors may hide behind quick ones: no better rate is believed there.
-constexpr double kManyAnchors = 0.05;
-constexpr double kLowestRateOfMany = 0.5;
-
 constexpr double kUnknownRate = 0.7;
 
-/// Rms that is small against the rounding of positions to floats, over their size.
-constexpr double kInvisible = 0x1p-26;
-
-/// Rms of the last change, over the error to expect, of a large component that is left as it is where
-/// accelerated cycles hardly move it any more.
-constexpr double kTolerated = 0.5;
-
-/// Low-frequency error over rms of the anchors' forces, times share of anchors: 0.23 within 15 % on scans,
-/// terrain and CAD, 4 to 8 bits, 0.1 to 2 % anchors.
-constexpr double kErrorPerForce = 0.23;
-
-/// The same where a vertex has more than kMostNeighbors: no vertex is far from an anchor there, and errors do
-/// not add up on the way to one.
-constexpr std::uint32_t kMostNeighbors = 64;
-constexpr double kErrorPerForceWithHub = 0.02 * kErrorPerForce;
-
-/// Bound of that estimate, over rms of the deltas: forces lie while cycles diverge.
-constexpr double kMaxErrorPerDelta = 2;
-
-double largest_coordinate(const Vec3& v) noexcept {
-  return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
-}
-
-bool has_hub(const Adjacency& graph) noexcept {
-  for (std::uint32_t v = 0; v < graph.vertex_count(); ++v) {
-    if (graph.degree(v) > kMostNeighbors) return true;
-  }
-  return false;
+bool has_mark(std::span<const std::uint8_t> marks) noexcept {
+  return std::find(marks.begin(), marks.end(), 1) != marks.end();
 }
 
 /// One group's problem and its solution in the making.
 class GroupSolver {
  public:
   explicit GroupSolver(Group group)
-      : group_(std::move(group)),
-        targets_(group_.anchors.size()),
-        has_hub_(has_hub(*group_.graph)),
-        change_(group_.components.count),
-        bad_(group_.components.count) {}
+      : group_(std::move(group)), targets_(group_.anchors.size()), settling_(group_) {}
+  GroupSolver(const GroupSolver&) = delete;
+  GroupSolver& operator=(const GroupSolver&) = delete;
 
   /// What solve() with so many cycles would set up first.
   void set_up(int half_cycles) {
@@ -168,12 +127,12 @@ class GroupSolver {
     for (std::size_t i = 0; i < x_.size(); ++i) x_[i] = to_vec3(cycles_->solution()[i].x);
     cycles_->cycle();
     replace();
-    double change = worst_change();
+    double change = settling_.worst_change();
     for (int c = 1; c < kPlainCycles; ++c) {
       set_right_hand_sides();
       cycles_->cycle();
       absorb();
-      const double previous = std::exchange(change, worst_change());
+      const double previous = std::exchange(change, settling_.worst_change());
       const double rate = previous > 0 ? change / previous : kUnknownRate;
       if (is_settled(rate)) return true;
       if (!(rate <= kGoodProgress)) return false;
@@ -195,8 +154,8 @@ class GroupSolver {
       absorb();
       if (is_settled(kUnknownRate)) return {};
     }
-    tolerate_large_components();
-    if (std::find(bad_.begin(), bad_.end(), 1) == bad_.end()) return {};
+    settling_.tolerate_large_components(progress());
+    if (!has_mark(settling_.unsettled())) return {};
     return Error{.code = ErrorCode::kInvalidStream,
                  .message = "the least-squares solution is out of reach",
                  .rule = "DELT-4"};
@@ -205,18 +164,17 @@ class GroupSolver {
   /// Cycles that never raise the functional. Components that do not settle are solved without coarser levels.
   Result<void> run_accelerated() {
     multigrid::Acceleration acceleration(group_);
-    double change = worst_change();
+    double change = settling_.worst_change();
     int drops = 0;
     for (int c = 0; c < kAcceleratedCycles; ++c) {
       set_right_hand_sides();
       acceleration.restart(*cycles_);
       acceleration.cycle(*cycles_);
       absorb();
-      const auto proposed = acceleration.proposed();
-      std::copy(proposed.begin(), proposed.end(), change_.begin());
+      settling_.take_step(acceleration.proposed());
       if (is_settled(kUnknownRate)) return {};
       if (c % kCyclesPerDrop == kCyclesPerDrop - 1) {
-        const double previous = std::exchange(change, worst_change());
+        const double previous = std::exchange(change, settling_.worst_change());
         if (change > kPoorProgress * previous && drops < kMaxDrops && cycles_->drop_coarsest()) ++drops;
       }
       if (cycles_->is_exhausted()) break;
@@ -227,8 +185,8 @@ class GroupSolver {
 
   std::uint32_t largest_bad_component() const noexcept {
     std::uint32_t largest = 0;
-    for (std::size_t c = 0; c < bad_.size(); ++c) {
-      if (bad_[c] != 0) largest = std::max(largest, group_.components.size[c]);
+    for (std::size_t c = 0; c < group_.components.count; ++c) {
+      if (settling_.unsettled()[c] != 0) largest = std::max(largest, group_.components.size[c]);
     }
     return largest;
   }
@@ -258,121 +216,39 @@ class GroupSolver {
 
   /// Adds the correction to x and measures it.
   void absorb() {
-    std::fill(change_.begin(), change_.end(), Change{});
+    settling_.start_step();
     for (std::uint32_t i = 0; i < x_.size(); ++i) {
       const Vec3 correction = to_vec3(cycles_->solution()[i].x);
       x_[i] = x_[i] + correction;
-      measure(i, correction);
+      settling_.measure(i, correction);
     }
   }
 
   /// Takes the solution for x and measures how much that changes.
   void replace() {
-    std::fill(change_.begin(), change_.end(), Change{});
+    settling_.start_step();
     for (std::uint32_t i = 0; i < x_.size(); ++i) {
       const Vec3 solution = to_vec3(cycles_->solution()[i].x);
-      measure(i, solution - x_[i]);
+      settling_.measure(i, solution - x_[i]);
       x_[i] = solution;
     }
   }
 
-  void measure(std::uint32_t vertex, const Vec3& step) {
-    const double square = dot(step, step);
-    Change& change = change_[group_.components.label[vertex]];
-    change.squares += square;
-    change.largest = std::max(change.largest, square);
-  }
+  bool is_settled(double rate) { return settling_.is_settled(rate, progress()); }
 
-  /// Largest rms change of a component.
-  double worst_change() const noexcept {
-    double worst = 0;
-    for (std::size_t c = 0; c < change_.size(); ++c)
-      worst = std::max(worst, std::sqrt(change_[c].squares / group_.components.size[c]));
-    return worst;
-  }
-
-  /// Estimate of the rms error that quantisation leaves in the whole group.
-  double expected_error() noexcept {
-    double deltas = 0;
-    for (std::size_t i = 0; i < deltas_.size(); ++i) deltas += dot(deltas_[i], deltas_[i]);
-    deltas = std::sqrt(deltas / static_cast<double>(deltas_.size()));
-    const double error =
-        targets_.size() == group_.components.count ? error_of_lone_anchors() : error_of_forces();
-    return std::clamp(error, 0.0, kMaxErrorPerDelta * deltas);
-  }
-
-  double error_of_forces() noexcept {
-    const auto anchors = static_cast<double>(targets_.size());
-    double forces = 0;
-    for (std::size_t a = 0; a < targets_.size(); ++a) {
-      const Vec3 force = to_vec3(cycles_->force(a));
-      forces += dot(force, force);
-    }
-    return (has_hub_ ? kErrorPerForceWithHub : kErrorPerForce) * std::sqrt(forces / anchors) *
-           static_cast<double>(x_.size()) / anchors;
-  }
-
-  /// Forces tell nothing where every component has one anchor, but there s is constant: the mean of the
-  /// errors of its n deltas. Theirs is about sqrt(n) times as large, and the low-frequency error's as much
-  /// again, or more: 1.7 to 16 times the estimate, on scans, terrain and CAD.
-  double error_of_lone_anchors() noexcept {
-    double sum = 0;
-    for (std::size_t i = 0; i < x_.size(); ++i) {
-      const Vec3 s = to_vec3(cycles_->solution()[i].s);
-      const double size = group_.components.size[group_.components.label[i]];
-      sum += size * size * dot(s, s);
-    }
-    return std::sqrt(sum / static_cast<double>(x_.size()));
-  }
-
-  /// Largest coordinate of an anchor or of the solution so far, relative to the centre.
-  double extent() const noexcept {
-    double largest = 0;
-    for (const Vec3& v : targets_) largest = std::max(largest, largest_coordinate(v));
-    for (const Vec3& v : x_) largest = std::max(largest, largest_coordinate(v));
-    return largest;
-  }
-
-  bool has_many_anchors() const noexcept {
-    return static_cast<double>(targets_.size()) > kManyAnchors * static_cast<double>(x_.size());
-  }
-
-  /// Whether what is still to come is small; marks the components where it is not.
-  bool is_settled(double rate) {
-    const double bounded =
-        std::clamp(rate, has_many_anchors() ? kLowestRateOfMany : kLowestRate, kHighestRate);
-    const double error = std::max(expected_error(), kInvisible / kSettledRms * extent());
-    const double change_allowed = (1 - bounded) / bounded * error;
-    bool settled = true;
-    for (std::size_t c = 0; c < change_.size(); ++c) {
-      const bool good =
-          std::sqrt(change_[c].squares / group_.components.size[c]) <= kSettledRms * change_allowed &&
-          std::sqrt(change_[c].largest) <= kSettledLargest * change_allowed;
-      bad_[c] = good ? 0 : 1;  // NaN is bad
-      settled = settled && good;
-    }
-    return settled;
-  }
-
-  /// Takes the mark from large components that hardly move.
-  void tolerate_large_components() {
-    const double allowed = kTolerated * expected_error();
-    for (std::size_t c = 0; c < bad_.size(); ++c) {
-      const double size = group_.components.size[c];
-      if (size > kLargestRescue && change_[c].squares <= allowed * allowed * size) bad_[c] = 0;
-    }
-  }
+  multigrid::Progress progress() noexcept { return {deltas_, targets_, x_, *cycles_}; }
 
   /// Factors the bad components if they are small; goes on without levels with the large ones.
   Result<void> solve_bad_components() {
-    std::vector<std::uint8_t> small(bad_.size(), 0), large(bad_.size(), 0);
-    for (std::size_t c = 0; c < bad_.size(); ++c)
-      (group_.components.size[c] <= kLargestRescue ? small : large)[c] = bad_[c];
-    if (std::find(small.begin(), small.end(), 1) != small.end()) {
+    const auto bad = settling_.unsettled();
+    std::vector<std::uint8_t> small(bad.size(), 0), large(bad.size(), 0);
+    for (std::size_t c = 0; c < bad.size(); ++c)
+      (group_.components.size[c] <= kLargestRescue ? small : large)[c] = bad[c];
+    if (has_mark(small)) {
       DELTAMESH_TRY(const auto solver, FactoredGroup::make(extract_components(group_, small)));
       DELTAMESH_CHECK(solver->solve(deltas_, targets_, x_));
     }
-    if (std::find(large.begin(), large.end(), 1) == large.end()) return {};
+    if (!has_mark(large)) return {};
     return GroupSolver(extract_components(group_, large)).solve(deltas_, targets_, 0, x_);
   }
 
@@ -386,9 +262,7 @@ class GroupSolver {
   std::vector<Vec3> own_deltas_;
   std::vector<Vec3> own_x_;
   std::vector<Vec3> targets_;
-  bool has_hub_;
-  std::vector<Change> change_;
-  std::vector<std::uint8_t> bad_;
+  multigrid::Settling settling_;
 };
 
 class MultigridSolver final : public LeastSquaresSolver {
