@@ -5,7 +5,6 @@
 #include "predictive/surroundings.h"
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <bit>
@@ -15,6 +14,7 @@
 #include "predictive/pair_place.h"
 #include "predictive/residual_context.h"
 #include "support/graph_mesh.h"
+#include "support/peak_memory.h"
 
 namespace deltamesh {
 namespace {
@@ -216,15 +216,10 @@ TEST(Surroundings, POSN4PlacesAreAsWrittenNearAndFar) {
 TEST(Surroundings, TakeNoMemoryForVerticesWithoutFaces) {
   // A header may declare many of them, for few bytes.
   constexpr std::uint32_t kDeclared = 1U << 23;
-  const auto peak = [] {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return usage.ru_maxrss;  // kB
-  };
   const std::vector<std::uint32_t> triangles = {0, 1, 2, 2, 1, 3};
-  const long before = peak();
+  const long before = test::peak_memory();
   const KnownFaces faces({triangles, kDeclared});
-  EXPECT_LT(peak() - before, 4096);
+  EXPECT_LT(test::peak_memory() - before, 4096);
   EXPECT_EQ(faces.vertex_count(), kDeclared);
   EXPECT_EQ(faces.around(3).known_count, 1U);
   EXPECT_EQ(faces.around(3).parallelogram_count, 1U);

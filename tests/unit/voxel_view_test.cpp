@@ -6,7 +6,6 @@
 #include "predictive/voxel_view.h"
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <array>
@@ -22,6 +21,7 @@
 #include "predictive/voxel_coder.h"
 #include "predictive/voxel_faces.h"
 #include "support/graph_mesh.h"
+#include "support/peak_memory.h"
 
 namespace deltamesh {
 namespace {
@@ -376,15 +376,10 @@ TEST(VoxelFaces, POSN12TheFirstAndTheLastOfWhatIsKnownByEarlierTurns) {
 TEST(VoxelFaces, TakeNoMemoryForVerticesWithoutFaces) {
   // A header may declare many of them, for few bytes.
   constexpr std::uint32_t kDeclared = 1U << 23;
-  const auto peak = [] {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return usage.ru_maxrss;  // kB
-  };
   const std::vector<std::uint32_t> triangles = {0, 1, 2, 2, 1, 3};
-  const long before = peak();
+  const long before = test::peak_memory();
   const VoxelFaces faces({triangles, kDeclared});
-  EXPECT_LT(peak() - before, 4096);
+  EXPECT_LT(test::peak_memory() - before, 4096);
   EXPECT_EQ(faces.vertex_count(), kDeclared);
   EXPECT_EQ(faces.around(3).known_count, 1U);
   EXPECT_EQ(faces.around(3).parallelogram_count, 1U);

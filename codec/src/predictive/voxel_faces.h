@@ -61,15 +61,13 @@ class VoxelFaces {
 
 [[gnu::always_inline]] inline std::uint32_t VoxelFaces::across(std::uint32_t a,
                                                                std::uint32_t b) const noexcept {
-  // Selects without branches, which would often go wrong.
-  const std::uint32_t if_b_is_later = turn_of(b) > turn_of(a) ? ~0U : 0U;
-  const std::uint32_t earlier = b ^ ((a ^ b) & if_b_is_later);
+  // Without branches, which would often go wrong.
+  const std::uint32_t earlier = choose(turn_of(b) > turn_of(a), a, b);
   const Star& star = this->star(a ^ b ^ earlier);
   const unsigned found = set_lanes(four_ints(star) == static_cast<std::int32_t>(earlier));
   // Lanes 0 and 1 are a face, 2 and 3 are one.
   const std::uint32_t other = star[static_cast<std::size_t>(std::countr_zero(found | 8)) ^ 1];
-  const std::uint32_t if_found = found != 0 ? ~0U : 0U;
-  return (other & if_found) | (none() & ~if_found);
+  return choose(found != 0, other, none());
 }
 
 }  // namespace deltamesh

@@ -134,13 +134,16 @@ class VoxelPair {
   std::array<std::int32_t, 2> planes_{};  ///< where the normals are at the corners a
 };
 
+/// Corner k of both vertices' stars, in a half each.
+[[gnu::always_inline]] inline EightShorts corner_spots(const std::array<VoxelCorners, 2>& corners,
+                                                       std::span<const VoxelSpot> spots,
+                                                       std::size_t k) noexcept {
+  return load_two(spots[corners[0].star[k]].at, spots[corners[1].star[k]].at);
+}
+
 [[gnu::always_inline]] inline bool VoxelPair::find(const std::array<VoxelCorners, 2>& corners,
                                                    std::span<const VoxelSpot> spots) noexcept {
-  const VoxelCorners& first = corners[0];
-  const VoxelCorners& second = corners[1];
-  const auto corner = [&](std::size_t k) {
-    return load_two(spots[first.star[k]].at, spots[second.star[k]].at);
-  };
+  const auto corner = [&](std::size_t k) { return corner_spots(corners, spots, k); };
   const EightShorts a = corner(0);
   const EightShorts b = corner(1);
   const FourShorts off = {0, 0, 0, VoxelSpot::kNoAxis};
@@ -165,12 +168,8 @@ class VoxelPair {
 
 [[gnu::always_inline]] inline void VoxelPair::look(const std::array<VoxelCorners, 2>& corners,
                                                    std::span<const VoxelSpot> spots) noexcept {
-  const VoxelCorners& first = corners[0];
-  const VoxelCorners& second = corners[1];
-  const auto corner = [&](std::size_t k) {
-    return load_two(spots[first.star[k]].at, spots[second.star[k]].at);
-  };
-  const EightShorts opposite = load_two(spots[first.opposite].at, spots[second.opposite].at);
+  const auto corner = [&](std::size_t k) { return corner_spots(corners, spots, k); };
+  const EightShorts opposite = load_two(spots[corners[0].opposite].at, spots[corners[1].opposite].at);
   const EightShorts nodes = load_two(nodes_[0], nodes_[1]);
   const EightShorts lowest = wrapped_sum(nodes, load_two(cubes_[0]->lowest, cubes_[1]->lowest));
   const auto cubes_across = [&](std::size_t i) -> const FourShorts& {
