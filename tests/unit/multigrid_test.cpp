@@ -366,7 +366,7 @@ TEST(Multigrid, ForgetsWhatIsNotFinite) {
   }
 }
 
-TEST(Multigrid, FluxBetweenAggregatesKeepsConstantsAndSymmetry) {
+TEST(Multigrid, BridgesKeepConstantsAndSymmetry) {
   const GraphMesh mesh = test::sheet(60, 60);
   const auto anchors = place_anchors(mesh.graph, mesh.components, {.count = 20}).vertices;
   const auto levels = multigrid::build_hierarchy(mesh.graph, anchors, 2, multigrid::Coarsening::kQuick);
@@ -470,12 +470,22 @@ TEST(Multigrid, AggregatesAreASeedAndItsNeighbours) {
   const auto levels = multigrid::build_hierarchy(mesh.graph, anchors, 0, multigrid::Coarsening::kExact);
   ASSERT_EQ(levels.size(), 1U);
   const multigrid::Aggregates aggregates = multigrid::aggregate(levels.front());
-  for (const std::uint32_t anchor : anchors) EXPECT_EQ(aggregates.seeds[aggregates.of(anchor)], anchor);
-  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
-    const std::uint32_t seed = aggregates.seeds[aggregates.of(v)];
-    const auto neighbors = mesh.graph.of(v);
-    EXPECT_TRUE(seed == v || std::binary_search(neighbors.begin(), neighbors.end(), seed));
+  for (const std::uint32_t anchor : anchors) EXPECT_TRUE(aggregates.is_seed(anchor));
+  std::uint32_t last_seed = 0;
+  std::size_t members = 0;
+  for (std::uint32_t c = 0; c < aggregates.count(); ++c) {
+    const std::uint32_t seed = aggregates.members_of(c).front();
+    EXPECT_TRUE(aggregates.is_seed(seed));
+    EXPECT_TRUE(c == 0 || seed > last_seed);
+    last_seed = seed;
+    members += aggregates.members_of(c).size();
+    for (const std::uint32_t v : aggregates.members_of(c)) {
+      EXPECT_EQ(aggregates.of(v), c);
+      const auto neighbors = mesh.graph.of(v);
+      EXPECT_TRUE(seed == v || std::binary_search(neighbors.begin(), neighbors.end(), seed));
+    }
   }
+  EXPECT_EQ(members, mesh.positions.size());
 }
 
 TEST(Multigrid, GroupsPartTheGraphByDepth) {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "laplacian/multigrid_aggregate.h"
-#include "laplacian/multigrid_flux.h"
+#include "laplacian/multigrid_bridges.h"
 #include "laplacian/multigrid_galerkin.h"
 #include "laplacian/multigrid_padding.h"
 #include "laplacian/multigrid_transfer.h"
@@ -23,6 +23,9 @@ constexpr double kShrinkage = 4.8;
 /// Coarser levels could not tell the anchors apart.
 constexpr double kFewestNodesPerAnchor = 1;
 constexpr double kFewestNodes = 1.5;
+
+/// Of the finest level, for make_bridge_graph: what of s is rough next to an anchor takes P^T K P.
+constexpr std::size_t kNodesPerAnchor = 160;
 
 /// Of all coarser levels and of all cycles on them, over the work on the finest level. Meshes need about 1;
 /// where many anchors lie together, or few edges lead out of dense parts, levels hardly shrink.
@@ -54,14 +57,19 @@ Level finest_level(const Adjacency& graph, std::span<const std::uint32_t> anchor
   return level;
 }
 
+bool has_few_anchors(const Level& finest) noexcept {
+  return finest.node_count() >= kNodesPerAnchor * finest.anchors.size();
+}
+
 /// The next level; false where it would have more edges than `fine`.
 bool coarsen(const Level& fine, const Aggregates& aggregates, Coarsening how, float smallest, Level& coarse) {
-  const bool is_made =
-      how == Coarsening::kQuick && fine.has_unit_weights()
-          ? make_flux_graph(fine, aggregates, smallest, coarse)
-          : make_galerkin_graph(fine, static_cast<std::uint32_t>(aggregates.seeds.size()), smallest, coarse);
-  if (!is_made || coarse.edge_ends + kMostPadding * aggregates.seeds.size() > kMostEdgeEnds) return false;
-  coarse.mass.assign(aggregates.seeds.size(), 0.0F);
+  if (how == Coarsening::kQuick && has_few_anchors(fine) && fine.has_unit_weights()) {
+    make_bridge_graph(fine, aggregates, coarse);
+  } else if (!make_galerkin_graph(fine, aggregates.count(), smallest, coarse)) {
+    return false;
+  }
+  if (coarse.edge_ends + kMostPadding * aggregates.count() > kMostEdgeEnds) return false;
+  coarse.mass.assign(aggregates.count(), 0.0F);
   for (std::uint32_t i = 0; i < fine.node_count(); ++i) {
     const Interpolation& p = fine.interpolation[i];
     for (std::size_t k = 0; k < 3; ++k) coarse.mass[p.node[k]] += p.weight[k] * fine.mass[i];
@@ -77,13 +85,15 @@ void forget_diagonal(Level& level) {
     LargeVector<float>().swap(*values);
 }
 
-/// For every bound the first of the ascending `seeds` that is not below.
-std::vector<std::uint32_t> places_of(std::span<const std::uint32_t> bounds,
-                                     std::span<const std::uint32_t> seeds) {
+/// For every bound the first aggregate whose seed is not below.
+std::vector<std::uint32_t> places_of(std::span<const std::uint32_t> bounds, const Aggregates& aggregates) {
   std::vector<std::uint32_t> places;
-  for (const std::uint32_t bound : bounds)
-    places.push_back(
-        static_cast<std::uint32_t>(std::lower_bound(seeds.begin(), seeds.end(), bound) - seeds.begin()));
+  for (const std::uint32_t bound : bounds) {
+    const auto place = std::lower_bound(
+        aggregates.start.begin(), aggregates.start.end() - 1, bound,
+        [&](std::uint32_t first, std::uint32_t value) { return aggregates.members[first] < value; });
+    places.push_back(static_cast<std::uint32_t>(place - aggregates.start.begin()));
+  }
   return places;
 }
 
@@ -109,14 +119,14 @@ std::vector<Level> build_levels(const Adjacency& graph, std::span<const std::uin
     work += work_on(fine);
     const Aggregates aggregates = aggregate(fine);
     const std::size_t held = fine.anchors.size();  // these stay
-    if (5 * (aggregates.seeds.size() - held) >= 4 * (fine.node_count() - held)) break;
+    if (5 * (aggregates.count() - held) >= 4 * (fine.node_count() - held)) break;
     fine.interpolation = make_interpolation(fine, aggregates);
     Level coarse;
     if (!coarsen(fine, aggregates, how, smallest, coarse)) {
       fine.interpolation.clear();
       break;
     }
-    std::vector<std::uint32_t> coarse_bounds = places_of(bounds, aggregates.seeds);
+    std::vector<std::uint32_t> coarse_bounds = places_of(bounds, aggregates);
     fine.chunks = make_chunks(fine, std::move(bounds), coarse_bounds);
     bounds = is_worth_sharing(coarse) ? std::move(coarse_bounds)
                                       : std::vector<std::uint32_t>{0, coarse.node_count()};

@@ -19,7 +19,7 @@ std::uint32_t coarsening_depth(std::uint32_t vertices, std::uint32_t anchors) no
 
 enum class Coarsening {
   kExact,  ///< P^T K P on every level
-  kQuick,  ///< make_flux_graph on the second one
+  kQuick,  ///< make_bridge_graph for the second one, where anchors are few
 };
 
 /// The finest level and `depth` coarser ones; fewer where coarsening no longer shrinks. `graph` must outlive

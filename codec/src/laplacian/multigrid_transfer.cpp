@@ -13,7 +13,7 @@ namespace deltamesh::multigrid {
 namespace {
 
 /// Of a neighbour, and of one that is a seed: that knows its aggregate's value better.
-constexpr std::array<float, 2> kWeights = {1, 5};
+constexpr std::array<float, 2> kWeights = {1, 4};
 
 /// The three largest of the weights offered, the first offered among equals. Without branches, which could
 /// not be predicted.
@@ -49,8 +49,8 @@ class LargestThree {
 
 void interpolate_nodes(const Level& fine, const Aggregates& aggregates, std::uint32_t begin,
                        std::uint32_t end, LargeVector<Interpolation>& result) {
-  LargeVector<float> sums(aggregates.seeds.size(), 0.0F);
-  LargeVector<std::uint32_t> touched(aggregates.seeds.size() + 1);
+  LargeVector<float> sums(aggregates.count(), 0.0F);
+  LargeVector<std::uint32_t> touched(aggregates.count() + 1);
   for (std::uint32_t node = begin; node < end; ++node) {
     if (aggregates.is_seed(node)) {
       result[node].node.fill(aggregates.of(node));

@@ -13,7 +13,7 @@
 namespace deltamesh::multigrid {
 
 /// Seeds keep their value. Another node's weights are its edge weights summed by the neighbours' aggregates,
-/// seeds counted five times; the three largest, scaled to add up to 1. O(n + edges).
+/// seeds counted four times; the three largest, scaled to add up to 1. O(n + edges).
 LargeVector<Interpolation> make_interpolation(const Level& fine, const Aggregates& aggregates);
 
 /// coarse = P^T fine. O(n).

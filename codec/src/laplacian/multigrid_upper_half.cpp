@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/thread_team.h"
+
 namespace deltamesh::multigrid {
 namespace {
 
@@ -58,15 +60,19 @@ void mirror(const UpperHalf& upper, Level& coarse) {
 void make_graph(UpperHalf upper, float smallest, Level& coarse) {
   drop_small(upper, smallest);
   mirror(upper, coarse);
-  const auto nodes = static_cast<std::uint32_t>(upper.largest.size());
-  coarse.degree.resize(nodes);
-  coarse.inverse_degree.resize(nodes);
-  for (std::uint32_t c = 0; c < nodes; ++c) {
+  set_degrees(coarse);
+}
+
+void set_degrees(Level& level) {
+  const std::uint32_t nodes = level.node_count();
+  level.degree.resize(nodes);
+  level.inverse_degree.resize(nodes);
+  share_each(nodes, [&](std::uint32_t i) {
     float degree = 0;
-    for (std::uint32_t e = coarse.offsets[c]; e < coarse.offsets[c + 1]; ++e) degree += coarse.weights[e];
-    coarse.degree[c] = degree;
-    coarse.inverse_degree[c] = degree > 0 ? 1 / degree : 0;
-  }
+    for (std::uint32_t e = level.offsets[i]; e < level.offsets[i + 1]; ++e) degree += level.weights[e];
+    level.degree[i] = degree;
+    level.inverse_degree[i] = degree > 0 ? 1 / degree : 0;
+  });
 }
 
 }  // namespace deltamesh::multigrid

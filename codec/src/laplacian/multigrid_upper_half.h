@@ -20,4 +20,7 @@ struct UpperHalf {
 /// largest entries of their two rows. O(nodes + entries).
 void make_graph(UpperHalf upper, float smallest, Level& coarse);
 
+/// `degree` and `inverse_degree` of a level whose edges have weights.
+void set_degrees(Level& level);
+
 }  // namespace deltamesh::multigrid
