@@ -17,6 +17,7 @@
 #include "laplacian/delta.h"
 #include "laplacian/multigrid_aggregate.h"
 #include "laplacian/multigrid_chunks.h"
+#include "laplacian/multigrid_edges.h"
 #include "laplacian/multigrid_groups.h"
 #include "laplacian/multigrid_hierarchy.h"
 #include "laplacian/multigrid_smoother.h"
@@ -257,16 +258,16 @@ void expect_near(multigrid::Float4 a, multigrid::Float4 b) {
 TEST(Chunks, SweepsKnowWhatTheyLeave) {
   const auto levels = levels_with_chunks();
   const multigrid::Level& level = levels[0];
-  const multigrid::Edges<false> edges(level);
+  const multigrid::Edges edges(level);
   using Values = std::vector<multigrid::Float4>;
   Values step(level.node_count()), total(step.size()), left(step.size());
   const auto keep = [&](std::uint32_t i, multigrid::Float4 value) { total[i] += value; };
-  multigrid::sweep_first<false>(
-      level, [&](std::uint32_t i) { return edges.add_lower(i, step.data(), some_value(i)); },
+  multigrid::sweep_first(
+      level, edges, [&](std::uint32_t i) { return edges.add_lower(i, step.data(), some_value(i)); },
       [&](std::uint32_t i) { return edges.add_all(i, step.data(), some_value(i)); }, step, keep);
-  multigrid::sweep_again<false>(level, step, keep);
-  multigrid::take_residuals<false>(level, step,
-                                   [&](std::uint32_t i, multigrid::Float4 value) { left[i] += value; });
+  multigrid::sweep_again(level, edges, step, keep);
+  multigrid::take_residuals(level, edges, step,
+                            [&](std::uint32_t i, multigrid::Float4 value) { left[i] += value; });
   for (std::uint32_t i = 0; i < step.size(); ++i)
     expect_near(left[i], edges.add_all(i, total.data(), some_value(i)) - level.degree[i] * total[i]);
 }
@@ -328,7 +329,7 @@ TEST(Multigrid, PlannedCyclesGiveExactDeltasBack) {
   ASSERT_TRUE(solver);
   std::vector<Vec3> x(problem.deltas.size());
   ASSERT_TRUE((*solver)->solve(problem.deltas, problem.targets, 32, x));
-  EXPECT_LT(errors(x, problem.mesh.positions).largest, 1e-7);
+  EXPECT_LT(errors(x, problem.mesh.positions).largest, 4e-6);  // half of what floats of 80 can tell
 }
 
 TEST(Multigrid, PlannedCyclesDoNotDependOnEarlierOnes) {

@@ -6,9 +6,12 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 
+#include "base/four_floats.h"
 #include "base/mean.h"
+#include "base/two_doubles.h"
 
 #if defined(__SSE2__)
 #include <emmintrin.h>
@@ -108,6 +111,43 @@ inline FourInts clamp_lanes(FourInts lanes, std::int32_t most) noexcept {
   const FourInts above = lanes > most;
   const FourInts below = lanes < -most;
   return (lanes & ~(above | below)) | (above & most) | (below & -most);
+}
+
+/// The nearest whole numbers, of two the even one; -2^31 for what has none of 32 bits.
+inline FourInts nearest_lanes(FourFloats lanes) noexcept {
+#if defined(__SSE2__)
+  return reinterpret_cast<FourInts>(_mm_cvtps_epi32(lanes));
+#else
+  FourInts nearest;
+  for (int i = 0; i < 4; ++i)
+    nearest[i] =
+        std::abs(lanes[i]) < 0x1p31F ? static_cast<std::int32_t>(std::nearbyint(lanes[i])) : INT32_MIN;
+  return nearest;
+#endif
+}
+
+inline FourInts nearest_lanes(TwoDoubles low, TwoDoubles high) noexcept {
+#if defined(__SSE2__)
+  return reinterpret_cast<FourInts>(_mm_unpacklo_epi64(_mm_cvtpd_epi32(low), _mm_cvtpd_epi32(high)));
+#else
+  const auto nearest = [](double v) {
+    const double whole = std::nearbyint(v);
+    return std::abs(whole) < 0x1p31 ? static_cast<std::int32_t>(whole) : INT32_MIN;
+  };
+  return FourInts{nearest(low[0]), nearest(low[1]), nearest(high[0]), nearest(high[1])};
+#endif
+}
+
+/// Lanes 0 and 1, and lanes 2 and 3, as doubles.
+inline TwoDoubles low_doubles(FourInts lanes) noexcept {
+#if defined(__SSE2__)
+  return _mm_cvtepi32_pd(reinterpret_cast<__m128i>(lanes));
+#else
+  return TwoDoubles{static_cast<double>(lanes[0]), static_cast<double>(lanes[1])};
+#endif
+}
+inline TwoDoubles high_doubles(FourInts lanes) noexcept {
+  return low_doubles(__builtin_shufflevector(lanes, lanes, 2, 3, 0, 1));
 }
 
 /// Absolute values.

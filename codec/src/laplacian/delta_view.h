@@ -12,6 +12,8 @@
 #include <span>
 #include <vector>
 
+#include "base/four_ints.h"
+#include "base/two_doubles.h"
 #include "base/vec3.h"
 
 namespace deltamesh {
@@ -29,7 +31,27 @@ struct DeltaScale {
         std::min(q < 0 ? 0 - static_cast<std::uint32_t>(q) : static_cast<std::uint32_t>(q), 2U);
     return step * std::copysign(size - shifts[bin], static_cast<double>(q));
   }
+
+  /// The same of two symbols, in other units: `steps` each.
+  TwoDoubles values(TwoDoubles q, double steps) const noexcept {
+    const TwoDoubles size = q < 0 ? -q : q;
+    const TwoDoubles shift =
+        size == 1 ? TwoDoubles{} + shifts[1] : (size > 1 ? TwoDoubles{} + shifts[2] : TwoDoubles{});
+    const TwoDoubles moved = size - shift;
+    return steps * (q < 0 ? -moved : moved);
+  }
 };
+
+/// x, y, z and 0 as the nearest whole numbers, and what these leave, at most a half.
+struct WholeAndRest {
+  FourInts whole;
+  FourFloats rest;
+};
+
+inline WholeAndRest split(TwoDoubles xy, TwoDoubles z0) noexcept {
+  const FourInts whole = nearest_lanes(xy, z0);
+  return {whole, narrow_lanes(xy - low_doubles(whole), z0 - high_doubles(whole))};
+}
 
 /// Owns nothing.
 class DeltaView {
@@ -49,6 +71,17 @@ class DeltaView {
     if (symbols_.empty()) return values_[i];
     return {scale_.value(symbols_[i]), scale_.value(symbols_[size_ + i]),
             scale_.value(symbols_[2 * size_ + i])};
+  }
+
+  /// In some unit of which there are `per_length`, a power of two, in a model unit.
+  WholeAndRest in_units(std::size_t i, double per_length) const noexcept {
+    if (symbols_.empty()) {
+      const Vec3& v = values_[i];
+      return split(per_length * TwoDoubles{v[0], v[1]}, per_length * TwoDoubles{v[2], 0.0});
+    }
+    const FourInts q{symbols_[i], symbols_[size_ + i], symbols_[2 * size_ + i], 0};
+    const double steps = per_length * scale_.step;
+    return split(scale_.values(low_doubles(q), steps), scale_.values(high_doubles(q), steps));
   }
 
  private:

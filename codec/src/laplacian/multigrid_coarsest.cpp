@@ -146,7 +146,7 @@ Double4 CoarsestSolver::apply_k(std::span<const Double4> values, std::uint32_t n
   const std::uint32_t begin = level_.offsets[node];
   const std::uint32_t end = level_.offsets[node + 1];
   const auto value = [&](std::uint32_t other) { return values[other]; };
-  if (!level_.has_unit_weights()) return own - Edges<false>(level_).add_fours(begin, end, value, Double4{});
+  if (!level_.has_unit_weights()) return own - Edges(level_).add_fours(begin, end, value, Double4{});
   Double4 sum{};
   for (std::uint32_t e = begin; e < end; ++e) sum += values[level_.neighbors[e]];
   return own - sum;

@@ -6,9 +6,11 @@
 #include <cstddef>
 
 #include "base/thread_team.h"
+#include "laplacian/multigrid_edges.h"
 #include "laplacian/multigrid_row.h"
 #include "laplacian/multigrid_sweeps.h"
 #include "laplacian/multigrid_transfer.h"
+#include "laplacian/multigrid_unit_edges.h"
 
 namespace deltamesh::multigrid {
 namespace {
@@ -22,7 +24,7 @@ constexpr int kFinestSweeps = 3;
 constexpr int kSecondSweeps = 2;
 
 /// Sweeps after the last cycle: interpolation leaves it rough.
-constexpr int kLastSweeps = 1;
+constexpr int kLastSweeps = 2;
 
 /// Corrections of the second level in a whole cycle.
 constexpr int kCorrections = 2;
@@ -34,26 +36,15 @@ std::size_t coupled_level(std::span<const Level> levels) noexcept {
   return third_will_do ? 2 : 1;
 }
 
-/// D (delta - L x) of a vertex, in doubles.
-Float4 charge(const Level& finest, const DeltaView& deltas, std::span<const Vec3> x,
-              std::uint32_t i) noexcept {
-  const Vec3 own = x[i];
-  const std::uint32_t begin = finest.offsets[i];
-  const std::uint32_t end = finest.offsets[i + 1];
-  TwoDoubles sum{};
-  double sum_z = 0;
-  for (std::uint32_t e = begin; e < end; ++e) {
-    const Vec3& other = x[finest.neighbors[e]];
-    sum += TwoDoubles{other[0], other[1]};
-    sum_z += other[2];
+/// Of all axes, in size; not a number where one is not.
+float largest_coordinate(std::span<const Float4> values) noexcept {
+  Float4 largest{};
+  for (const Float4 value : values) {
+    const Float4 size = value < 0 ? -value : value;
+    largest = size <= largest ? largest : size;
   }
-  const double degree = end - begin;
-  const Vec3 delta = deltas[i];
-  return to_float4({degree * (delta[0] - own[0]) + sum[0], degree * (delta[1] - own[1]) + sum[1],
-                    degree * (delta[2] - own[2]) + sum_z});
+  return std::max({largest[0], largest[1], largest[2]});
 }
-
-void add_to(Vec3& x, Float4 step) noexcept { x = x + to_vec3(step); }
 
 /// Of one field only.
 Float4 interpolate_field(const Interpolation& p, std::span<const Float4> coarse) noexcept {
@@ -73,12 +64,14 @@ PlannedCycles::PlannedCycles(std::span<const Level> levels, const Components& co
       coupled_(coupled_level(levels)),
       solver_(levels, coupled_, shared_components(components, levels.front().anchors), components.count,
               false),
-      step_(levels[0].node_count()),
+      x_(levels[0].node_count()),
+      step_(x_.size() + 1),
       u_(levels[1].node_count()),
       s_second_(levels[1].node_count()),
       s_(levels[coupled_].node_count()),
       forces_(levels[0].anchors.size()),
       gaps_(levels[0].anchors.size()) {
+  step_.back() = Float4{};  // what UnitEdges takes for neighbours that do not count
   if (!has_middle()) return;
   b_.resize(levels[1].node_count());
   step_second_.resize(levels[1].node_count(), Float4{});
@@ -105,7 +98,7 @@ void PlannedCycles::restrict_to_second(const Each& each) {
 void PlannedCycles::solve_coupled() {
   const Level& level = levels_[coupled_];
   LevelSolver::Vectors& v = solver_.vectors(coupled_);
-  const Edges<false> edges(level);
+  const Edges edges(level);
   share_each(s_.size(),
              [&](std::uint32_t i) { v.b[i].s = edges.add_all(i, s_.data(), -level.degree[i] * s_[i]); });
   for (std::size_t a = 0; a < forces_.size(); ++a) {
@@ -122,12 +115,12 @@ void PlannedCycles::solve_coupled() {
 void PlannedCycles::correct_second(bool is_first) {
   const Level& level = levels_[1];
   LevelSolver::Vectors& next = solver_.vectors(2);
-  const Edges<false> edges(level);
+  const Edges edges(level);
   const auto add = [&](std::uint32_t i, Float4 step) { u_[i] += step; };
   if (is_first) {
     for (const std::uint32_t i : level.chunks.rim) step_second_[i] = Float4{};  // these come last
-    sweep_first<false>(
-        level, [&](std::uint32_t i) { return edges.add_lower(i, step_second_.data(), b_[i]); },
+    sweep_first(
+        level, edges, [&](std::uint32_t i) { return edges.add_lower(i, step_second_.data(), b_[i]); },
         [&](std::uint32_t i) { return edges.add_all(i, step_second_.data(), b_[i]); }, step_second_,
         [&](std::uint32_t i, Float4 step) { u_[i] = step; });
   } else {
@@ -135,11 +128,11 @@ void PlannedCycles::correct_second(bool is_first) {
       const Float4 s = interpolate(level.interpolation[i], next.u).s;  // the first correction's
       return edges.add_all(i, u_.data(), b_[i] - level.degree[i] * u_[i] - level.mass[i] * s);
     };
-    sweep_first<false>(level, residual, residual, step_second_, add);
+    sweep_first(level, edges, residual, residual, step_second_, add);
   }
-  for (int s = 1; s < kSecondSweeps; ++s) sweep_again<false>(level, step_second_, add);
+  for (int s = 1; s < kSecondSweeps; ++s) sweep_again(level, edges, step_second_, add);
   share_each(next.b.size(), [&](std::uint32_t i) { next.b[i].x = Float4{}; });
-  take_residuals<false>(level, step_second_, [&](std::uint32_t i, Float4 residual) {
+  take_residuals(level, edges, step_second_, [&](std::uint32_t i, Float4 residual) {
     restrict_x(level.interpolation[i], residual,
                [&](std::uint32_t node) -> Float4& { return next.b[node].x; });
   });
@@ -169,53 +162,61 @@ void PlannedCycles::correct_from_second(int corrections) {
 }
 
 /// The second level's solution.
-void PlannedCycles::start(const DeltaView& deltas, std::span<const Vec3> targets, std::span<Vec3> x) {
+void PlannedCycles::start(const DeltaView& deltas, std::span<const Vec3> targets) {
   const Level& finest = levels_[0];
   solver_.begin();
   std::fill(s_.begin(), s_.end(), Float4{});
   std::fill(s_second_.begin(), s_second_.end(), Float4{});
   std::fill(forces_.begin(), forces_.end(), Float4{});
-  const Edges<true> edges(finest);
+  const UnitEdges edges(finest);
   restrict_to_second([&](const auto& take) {
-    finest.chunks.visit(
-        [&](std::uint32_t i) { take(i, to_float4(static_cast<double>(edges.degree(i)) * deltas[i])); });
+    finest.chunks.visit([&](std::uint32_t i) {
+      take(i, to_float4(static_cast<double>(edges.neighbor_count(i)) * deltas[i]));
+    });
   });
   for (std::size_t a = 0; a < targets.size(); ++a) gaps_[a] = to_float4(targets[a]);
   correct_from_second(kCorrections);
-  share_each(x.size(),
-             [&](std::uint32_t i) { x[i] = to_vec3(interpolate_field(finest.interpolation[i], u_)); });
+  units_ = Units(largest_coordinate(u_));
+  share_each(x_.size(),
+             [&](std::uint32_t i) { x_[i] = units_.count(interpolate_field(finest.interpolation[i], u_)); });
 }
 
-void PlannedCycles::sweep_finest(const DeltaView& deltas, int sweeps, std::span<Vec3> x) {
+void PlannedCycles::sweep_finest(const DeltaView& deltas, int sweeps) {
   const Level& finest = levels_[0];
-  const Edges<true> edges(finest);
+  const UnitEdges edges(finest);
+  const double per_length = units_.per_length();
+  // D (delta - L x) - D^2 s, of whole numbers as far as these go.
   const auto residual = [&](std::uint32_t i) {
+    const auto count = static_cast<std::int32_t>(edges.neighbor_count(i));
+    const WholeAndRest delta = deltas.in_units(i, per_length);
+    const FourInts charge = edges.sum(i, x_.data()) + count * (delta.whole - x_[i]);
     const float degree = edges.degree(i);
-    return charge(finest, deltas, x, i) -
+    return units_.length(charge, degree * delta.rest) -
            degree * degree * interpolate_field(finest.interpolation[i], s_second_);
   };
-  const auto keep = [&](std::uint32_t i, Float4 step) { add_to(x[i], step); };
-  sweep_first<true>(finest, residual, residual, step_, keep);
-  for (int s = 1; s < sweeps; ++s) sweep_again<true>(finest, step_, keep);
+  const auto keep = [&](std::uint32_t i, Float4 step) { x_[i] += units_.count(step); };
+  sweep_first(finest, edges, residual, residual, step_, keep);
+  for (int s = 1; s < sweeps; ++s) sweep_again(finest, edges, step_, keep);
 }
 
-void PlannedCycles::cycle(const DeltaView& deltas, std::span<const Vec3> targets, int corrections,
-                          std::span<Vec3> x) {
+void PlannedCycles::cycle(const DeltaView& deltas, std::span<const Vec3> targets, int corrections) {
   const Level& finest = levels_[0];
-  sweep_finest(deltas, kFinestSweeps, x);
-  restrict_to_second([&](const auto& take) { take_residuals<true>(finest, step_, take); });
-  for (std::size_t a = 0; a < targets.size(); ++a) gaps_[a] = to_float4(targets[a] - x[finest.anchors[a]]);
+  sweep_finest(deltas, kFinestSweeps);
+  restrict_to_second([&](const auto& take) { take_residuals(finest, UnitEdges(finest), step_, take); });
+  for (std::size_t a = 0; a < targets.size(); ++a)
+    gaps_[a] = to_float4(targets[a] - units_.position(x_[finest.anchors[a]]));
   correct_from_second(corrections);
-  share_each(x.size(),
-             [&](std::uint32_t i) { add_to(x[i], interpolate_field(finest.interpolation[i], u_)); });
+  share_each(x_.size(),
+             [&](std::uint32_t i) { x_[i] += units_.count(interpolate_field(finest.interpolation[i], u_)); });
 }
 
 void PlannedCycles::solve(const DeltaView& deltas, std::span<const Vec3> targets, int half_cycles,
                           std::span<Vec3> x) {
-  start(deltas, targets, x);
+  start(deltas, targets);
   for (int left = half_cycles; left > 0; left -= kCorrections)
-    cycle(deltas, targets, std::min(left, kCorrections), x);
-  sweep_finest(deltas, kLastSweeps, x);
+    cycle(deltas, targets, std::min(left, kCorrections));
+  sweep_finest(deltas, kLastSweeps);
+  share_each(x.size(), [&](std::uint32_t i) { x[i] = units_.position(x_[i]); });
 }
 
 }  // namespace deltamesh::multigrid

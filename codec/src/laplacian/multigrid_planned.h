@@ -14,6 +14,7 @@
 #include "laplacian/delta_view.h"
 #include "laplacian/multigrid_level.h"
 #include "laplacian/multigrid_level_solver.h"
+#include "laplacian/multigrid_units.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh::multigrid {
@@ -21,7 +22,7 @@ namespace deltamesh::multigrid {
 /// The same mixed problem as MultigridCycle's, with s = P s_c interpolated from level c, the third (the
 /// second where there are but two, or anchors are many). Away from the anchors s is harmonic, hence smooth,
 /// and the forces there are a few hundredths of the error that quantisation leaves, so that what this changes
-/// cannot be seen. x is kept in doubles; corrections are floats.
+/// cannot be seen. x is kept in whole numbers; corrections are floats.
 class PlannedCycles {
  public:
   /// `levels`: at least two; must outlive this.
@@ -33,9 +34,9 @@ class PlannedCycles {
   void solve(const DeltaView& deltas, std::span<const Vec3> targets, int half_cycles, std::span<Vec3> x);
 
  private:
-  void start(const DeltaView& deltas, std::span<const Vec3> targets, std::span<Vec3> x);
-  void sweep_finest(const DeltaView& deltas, int sweeps, std::span<Vec3> x);
-  void cycle(const DeltaView& deltas, std::span<const Vec3> targets, int corrections, std::span<Vec3> x);
+  void start(const DeltaView& deltas, std::span<const Vec3> targets);
+  void sweep_finest(const DeltaView& deltas, int sweeps);
+  void cycle(const DeltaView& deltas, std::span<const Vec3> targets, int corrections);
   void correct_from_second(int corrections);
   void correct_second(bool is_first);
   /// `each(take)` calls take(vertex, residual) for every vertex.
@@ -48,7 +49,9 @@ class PlannedCycles {
   std::span<const Level> levels_;
   std::size_t coupled_;  ///< c
   LevelSolver solver_;
-  LargeVector<Float4> step_;         ///< finest level: what the last sweep added
+  Units units_{1};
+  LargeVector<FourInts> x_;          ///< finest level
+  LargeVector<Float4> step_;         ///< likewise: what the last sweep added, and a 0
   LargeVector<Float4> b_;            ///< second level: right-hand side; empty where c is that
   LargeVector<Float4> step_second_;  ///< likewise
   LargeVector<Float4> u_;            ///< second level: correction of x

@@ -6,13 +6,13 @@
 
 #include <vector>
 
+#include "base/four_floats.h"
 #include "base/two_doubles.h"
 #include "base/vec3.h"
 
 namespace deltamesh::multigrid {
 
-/// Element-wise arithmetic only, so that every instruction set gives the same bits.
-using Float4 = float __attribute__((vector_size(16)));
+using Float4 = FourFloats;
 
 /// The same in doubles, as two halves that every instruction set has registers for.
 struct Double4 {
@@ -38,10 +38,7 @@ struct Double4 {
 };
 
 inline Double4 widen(Float4 v) noexcept { return Double4{TwoDoubles{v[0], v[1]}, TwoDoubles{v[2], v[3]}}; }
-inline Float4 narrow(const Double4& v) noexcept {
-  return Float4{static_cast<float>(v.xy[0]), static_cast<float>(v.xy[1]), static_cast<float>(v.zw[0]),
-                static_cast<float>(v.zw[1])};
-}
+inline Float4 narrow(const Double4& v) noexcept { return narrow_lanes(v.xy, v.zw); }
 
 inline Float4 to_float4(const Vec3& v) noexcept {
   return Float4{static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]), 0.0F};

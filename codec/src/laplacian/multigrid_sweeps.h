@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <span>
 
-#include "laplacian/multigrid_edges.h"
 #include "laplacian/multigrid_level.h"
 #include "laplacian/multigrid_row.h"
 
@@ -21,10 +20,9 @@ inline constexpr float kOverRelaxation = 1.2F;
 /// The first sweep: `step` from `residual(node)` and, on the rim, `outer_residual(node)`, asked for once for
 /// every node in the order of the level's chunks, which know what keep(node, step) was told before. `step` of
 /// a node without edges, which has none, is its residual.
-template <bool kUnitWeights, class Residual, class OuterResidual, class Keep>
-void sweep_first(const Level& level, const Residual& residual, const OuterResidual& outer_residual,
-                 std::span<Float4> step, const Keep& keep) {
-  const Edges<kUnitWeights> edges(level);
+template <class AnyEdges, class Residual, class OuterResidual, class Keep>
+void sweep_first(const Level& level, const AnyEdges& edges, const Residual& residual,
+                 const OuterResidual& outer_residual, std::span<Float4> step, const Keep& keep) {
   const auto sweep = [&](std::uint32_t i, Float4 r) {
     const float inverse = edges.inverse_degree(i);
     const Float4 first = kOverRelaxation * inverse * r;
@@ -36,23 +34,21 @@ void sweep_first(const Level& level, const Residual& residual, const OuterResidu
 }
 
 /// A further sweep.
-template <bool kUnitWeights, class Keep>
-void sweep_again(const Level& level, std::span<Float4> step, const Keep& keep) {
-  const Edges<kUnitWeights> edges(level);
+template <class AnyEdges, class Keep>
+void sweep_again(const Level& level, const AnyEdges& edges, std::span<Float4> step, const Keep& keep) {
   level.chunks.visit([&](std::uint32_t i) {
     const float inverse = edges.inverse_degree(i);
     if (inverse == 0) return;
-    step[i] =
-        (1 - kOverRelaxation) * step[i] + kOverRelaxation * inverse * edges.add_all(i, step.data(), Float4{});
+    step[i] = (1 - kOverRelaxation) * step[i] + kOverRelaxation * inverse * edges.sum(i, step.data());
     keep(i, step[i]);
   });
 }
 
 /// Gives take(node, residual) what all sweeps leave, in parts that add up.
-template <bool kUnitWeights, class Take>
-void take_residuals(const Level& level, std::span<const Float4> step, const Take& take) {
+template <class AnyEdges, class Take>
+void take_residuals(const Level& level, const AnyEdges& edges, std::span<const Float4> step,
+                    const Take& take) {
   constexpr float kOwn = 1 / kOverRelaxation - 1;
-  const Edges<kUnitWeights> edges(level);
   const auto inner = [&](std::uint32_t i) {
     const float degree = edges.degree(i);
     take(i, degree > 0 ? edges.upper(i, step.data()) + kOwn * degree * step[i] : step[i]);

@@ -57,7 +57,7 @@ TwoSteps::TwoSteps(const Level& level)
 void TwoSteps::take_first(const LevelProblem& problem) {
   const Level& level = problem.level;
   const std::span<Row> u = problem.u;
-  const Edges<false> edges(level);
+  const Edges edges(level);
   Sums sums = sum_up(level.chunks, [&](std::uint32_t i, Sums& add) {
     const Row around = edges.add_fours(
         level.offsets[i], level.offsets[i + 1], [&](std::uint32_t other) { return u[other]; }, Row{});
@@ -91,7 +91,7 @@ void TwoSteps::take_first(const LevelProblem& problem) {
 void TwoSteps::combine(const LevelProblem& problem) {
   const Level& level = problem.level;
   const std::span<Row> u = problem.u;
-  const Edges<false> edges(level);
+  const Edges edges(level);
   Sums sums = sum_up(level.chunks, [&](std::uint32_t i, Sums& add) {
     const Float4 k = level.degree[i] * u[i].x - edges.add_x(i, u.data(), Float4{});
     const Float4 scaled = inverse_mass(level, i) * k;

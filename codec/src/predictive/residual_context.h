@@ -13,6 +13,7 @@
 #include <cstdlib>
 
 #include "base/eight_shorts.h"
+#include "base/four_floats.h"
 #include "base/four_ints.h"
 #include "base/large_vector.h"
 #include "predictive/blend.h"
@@ -40,7 +41,6 @@ inline constexpr std::int32_t kLargestScale = (1 << 24) - 1;  ///< 1/16 steps
 /// 4 floor(log2 x) and the two bits of x below its leading one, of every lane x to kLargestScale; no less for
 /// larger ones, far below 0 for 0.
 inline FourInts quarter_octaves(FourInts lanes) noexcept {
-  using FourFloats = float __attribute__((vector_size(16)));
   // Such numbers are floats exactly, and these have it all in place.
   const auto floats = __builtin_convertvector(lanes, FourFloats);
   return (std::bit_cast<FourInts>(floats) >> 21) - 4 * 127;
