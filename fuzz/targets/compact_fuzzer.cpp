@@ -39,13 +39,20 @@ void fuzz_coder(std::span<const std::byte> bytes) {
     MixWeights<2> weights;
     BitModel bit;
     NumberModel number;
+    SymbolBits inner;
     for (std::size_t i = 0; go_on(i); ++i) {
       if (i == values.size()) values.push_back(0);
       std::uint32_t& value = values[i];
-      if (i % 4 == 0) value = coder.symbol(value, Mixture<2>{{&models[0], &models[1]}, &weights});
-      if (i % 4 == 1) value = coder.bit(value != 0, bit) ? 1 : 0;
-      if (i % 4 == 2) value = coder.bits(value, static_cast<unsigned>(i % 33));
-      if (i % 4 == 3) value = coder.number(value, number);
+      if (i % 5 == 0) value = coder.symbol(value, Mixture<2>{{&models[0], &models[1]}, &weights});
+      if (i % 5 == 1) value = coder.bit(value != 0, bit) ? 1 : 0;
+      if (i % 5 == 2) value = coder.bits(value, static_cast<unsigned>(i % 33));
+      if (i % 5 == 3) value = coder.number(value, number);
+      if (i % 5 == 4) {
+        LowBits low{.count = static_cast<unsigned>(i % (kMostBitsAtOnce + 2)), .value = value >> 4};
+        const Mixture<2> mixture{{&models[0], &models[1]}, &weights};
+        const unsigned symbol = coder.symbol_and_bits(value % 16, low, mixture, inner);
+        value = low.value << 4 | symbol;
+      }
     }
   };
   std::vector<std::uint32_t> values;

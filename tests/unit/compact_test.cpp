@@ -25,9 +25,10 @@ struct Script {
   Script(std::uint32_t seed, std::size_t count) {
     test::RandomBits random(seed);
     for (std::size_t i = 0; i < count; ++i) {
-      Step step{.kind = random() % 5, .value = random(), .size = random() % 33};
+      Step step{.kind = random() % 6, .value = random(), .size = random() % 33};
       if (step.kind < 2) step.value = random() % 3 == 0 ? random() % 16 : 7;
       if (step.kind == 2) step.value = random() % 10 == 0 ? 1 : 0;
+      if (step.kind == 5) step.size %= kMostBitsAtOnce + 2;
       if (step.kind > 2) step.value = step.size == 0 ? 0 : step.value >> (32 - step.size);
       steps.push_back(step);
     }
@@ -42,6 +43,8 @@ struct Script {
     MixWeights<2> pair;
     BitModel bit;
     NumberModel number;
+    SymbolBits inner;
+    LowBits low;
     std::vector<std::uint32_t> answers;
     for (const Step& step : steps) {
       switch (step.kind) {
@@ -57,8 +60,14 @@ struct Script {
         case 3:
           answers.push_back(coder.bits(step.value, step.size));
           break;
-        default:
+        case 4:
           answers.push_back(coder.number(step.value, number));
+          break;
+        default:
+          low = {.count = step.size, .value = step.value};
+          answers.push_back(
+              coder.symbol_and_bits(step.size % 16, low, Mixture<2>{{&models[1], &models[2]}, &pair}, inner));
+          answers.push_back(low.value);
       }
     }
     return answers;
@@ -69,6 +78,24 @@ std::vector<std::byte> write(const Script& script) {
   CompactWriter writer;
   script.run(writer);
   return writer.finish();
+}
+
+/// A symbol with its bits takes as many states as one without.
+TEST(Compact, CMP12IsOneDecision) {
+  constexpr SymbolModel kFresh({1, 1, 1, 1, 1, 1, 1, 9, 1, 1, 1, 1, 1, 1, 1, 1});
+  CompactWriter writer;
+  SymbolModel model = kFresh;
+  MixWeights<1> weights;
+  SymbolBits inner;
+  for (unsigned count = 0; count <= kMostBitsAtOnce + 1; ++count) {
+    LowBits low{.count = count, .value = 0x15555U >> (17 - count)};
+    writer.symbol_and_bits(7, low, Mixture<1>{{&model}, &weights}, inner);
+    writer.bits(0, 0);
+  }
+  // The second state takes part in nothing but the empty decisions.
+  const auto bytes = writer.finish();
+  EXPECT_EQ(bytes[8 + 3], std::byte{0x80});
+  for (const std::size_t b : {8, 9, 10, 12, 13, 14, 15}) EXPECT_EQ(bytes[b], std::byte{0});
 }
 
 TEST(Compact, CMP1ReadsWhatWasWritten) {
@@ -174,6 +201,26 @@ TEST(Compact, CMP6WeightsKeepTheirSum) {
     if (i % 3000 == 2999) {
       EXPECT_GT(weights.values()[right], 27000U);
     }
+  }
+}
+
+TEST(Compact, CMP12BothInnerBitsStayPossible) {
+  for (const bool bit : {false, true}) {
+    InnerBit model;
+    for (int i = 0; i < 3000; ++i) {
+      for (const std::uint32_t whole : {2U, 3U, 100U, kProbabilityOne}) {
+        const std::uint32_t set = model.size_of_set(whole);
+        ASSERT_GE(set, 1U);
+        ASSERT_LT(set, whole);
+        const Interval one = part_for_bit({.start = 7, .size = whole}, set, ~0U);
+        const Interval other = part_for_bit({.start = 7, .size = whole}, set, 0);
+        EXPECT_EQ(one.start, 7U);
+        EXPECT_EQ(one.start + one.size, other.start);
+        EXPECT_EQ(other.start + other.size, 7 + whole);
+      }
+      model.learn(bit ? ~0U : 0);
+    }
+    EXPECT_EQ(model.size_of_set(1000) > 900, bit);
   }
 }
 

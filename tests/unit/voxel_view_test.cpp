@@ -305,6 +305,12 @@ class Script {
   unsigned symbol(unsigned, const Mixture<K>&) {
     return next();
   }
+  template <std::size_t K>
+  unsigned symbol_and_bits(unsigned, LowBits& low, const Mixture<K>& mixture, SymbolBits&) {
+    const unsigned read = symbol(0, mixture);
+    if (low.count > 0) low.value = next();
+    return read;
+  }
   bool bit(bool, BitModel&) { return next() != 0; }
   std::uint32_t bits(std::uint32_t, unsigned) { return next(); }
   std::uint32_t number(std::uint32_t, NumberModel&) { return next(); }

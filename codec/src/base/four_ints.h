@@ -20,6 +20,7 @@
 namespace deltamesh {
 
 using FourInts = std::int32_t __attribute__((vector_size(16)));
+using FourFloats = float __attribute__((vector_size(16)));
 using FourUnsigned = std::uint32_t __attribute__((vector_size(16)));
 
 inline FourInts four_ints(const std::array<std::uint32_t, 4>& numbers) noexcept {
@@ -82,6 +83,21 @@ inline FourInts mean_lanes(FourInts lanes, unsigned count) noexcept {
     means[i] = static_cast<std::int32_t>(std::uint64_t{sums[i]} * static_cast<std::uint32_t>(one_over) >> 16);
 #endif
   return means - static_cast<std::int32_t>(kBias >> 16) * one_over;
+}
+
+/// As binary32, rounded to the nearest, ties to even.
+inline FourFloats to_floats(FourInts lanes) noexcept { return __builtin_convertvector(lanes, FourFloats); }
+/// Rounded towards 0; below 2^31 in size.
+inline FourInts to_ints(FourFloats lanes) noexcept { return __builtin_convertvector(lanes, FourInts); }
+
+/// Products of lanes that 16 bits hold.
+inline FourInts multiply_short_lanes(FourInts a, FourInts b) noexcept {
+#if defined(__SSE2__)
+  return reinterpret_cast<FourInts>(
+      _mm_madd_epi16(reinterpret_cast<__m128i>(a & 0xffff), reinterpret_cast<__m128i>(b)));
+#else
+  return a * b;
+#endif
 }
 
 /// A third of the lanes' sum, rounded down, in every lane. No lane is below 0, the sum is below 2^31.

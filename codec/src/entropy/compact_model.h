@@ -36,6 +36,36 @@ constexpr Interval part_of(std::uint32_t value, std::uint32_t range) noexcept {
   return {start, ((value + 1) << kProbabilityBits) / range - start};
 }
 
+/// Bits that follow a symbol, at most kMostBitsAtOnce + 1 [CMP-12].
+struct LowBits {
+  unsigned count = 0;
+  std::uint32_t value = 0;
+};
+
+/// Of the highest of the bits that follow a symbol: divides the symbol's interval [CMP-12].
+class InnerBit {
+ public:
+  /// The part of the whole, of size 2 or more, that a set bit has; that is where the whole starts.
+  std::uint32_t size_of_set(std::uint32_t whole) const noexcept {
+    return 1 + (((whole - 2) * estimate_) >> 16);
+  }
+  /// `if_set`: all ones for a set bit, else 0.
+  void learn(std::uint32_t if_set) noexcept {
+    const auto way = static_cast<std::int32_t>((if_set & 0xffff) - estimate_);
+    estimate_ = static_cast<std::uint16_t>(estimate_ + static_cast<std::uint32_t>(way >> kSlowness));
+  }
+
+ private:
+  static constexpr unsigned kSlowness = 6;
+  std::uint16_t estimate_ = 1U << 15;  ///< parts of 2^16
+};
+using SymbolBits = std::array<InnerBit, 16>;
+
+/// The part of `whole` that the bit has.
+constexpr Interval part_for_bit(Interval whole, std::uint32_t size_of_set, std::uint32_t if_set) noexcept {
+  return {whole.start + (size_of_set & ~if_set), size_of_set + ((whole.size - 2 * size_of_set) & ~if_set)};
+}
+
 /// Full scale of a model's lanes: leaves room for the rounding term of the update below 2^15.
 inline constexpr std::int16_t kLaneOne = 32512;
 
@@ -113,7 +143,7 @@ class MixWeights {
   /// mixture gave it.
   [[gnu::always_inline]] void learn(const std::array<std::int32_t, K>& shares, std::uint32_t size) noexcept {
     // The shares' mean may exceed the size by rounding, up to K - 2.
-    const std::uint64_t inverse = kLearnt / (size + K - 2);
+    const std::uint64_t inverse = kLearnt / (size + static_cast<std::uint32_t>(K) - 2);
     std::uint64_t all = 0;  // stored at once, as they are soon read
     std::uint32_t rest = kWeightOne;
     for (std::size_t k = 0; k + 1 < K; ++k) {
@@ -156,28 +186,38 @@ inline Interval interval_of(const LaneSum& starts, unsigned symbol) noexcept {
 /// `K` models of the same symbol in different contexts, and their weights.
 template <std::size_t K>
 struct Mixture {
-  std::array<SymbolModel*, K> models;
-  MixWeights<K>* weights;
+  [[gnu::always_inline]] Mixture(const std::array<SymbolModel*, K>& of, MixWeights<K>* weights) noexcept
+      : Mixture(of, *weights, weights) {}
+  /// `learning`: weights that learn; null where none do.
+  [[gnu::always_inline]] Mixture(const std::array<SymbolModel*, K>& of, const MixWeights<K>& weights,
+                                 MixWeights<K>* learning) noexcept
+      : models(of), used(weights), taught(learning) {}
 
   /// Lane i: parts of 2^15 of the symbols below i; each symbol has 2 at least [CMP-6].
-  LaneSum starts() const noexcept {
+  [[gnu::always_inline]] LaneSum starts() const noexcept {
     std::array<const std::int16_t*, K> lanes;
     for (std::size_t k = 0; k < K; ++k) lanes[k] = models[k]->lanes();
     LaneSum sum(kFloor);
-    sum.template add_weighted<K>(lanes, weights->values());
+    sum.template add_weighted<K>(lanes, used.values());
     return sum;
   }
 
   [[gnu::always_inline]] void learn(unsigned symbol, std::uint32_t size) const noexcept {
-    std::array<std::int32_t, K> shares;
-    for (std::size_t k = 0; k < K; ++k) {
-      if constexpr (K > 1) shares[k] = models[k]->share(symbol);
-      models[k]->learn(symbol);
+    if constexpr (K > 1) {
+      if (taught != nullptr) {
+        std::array<std::int32_t, K> shares;
+        for (std::size_t k = 0; k < K; ++k) shares[k] = models[k]->share(symbol);
+        taught->learn(shares, size);
+      }
     }
-    if constexpr (K > 1) weights->learn(shares, size);
+    for (std::size_t k = 0; k < K; ++k) models[k]->learn(symbol);
   }
 
   static constexpr Lanes kFloor = {0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30};
+
+  std::array<SymbolModel*, K> models;
+  MixWeights<K> used;
+  MixWeights<K>* taught;
 };
 
 /// Probability of a set bit: the mean of a fast and a slow estimate [CMP-7].

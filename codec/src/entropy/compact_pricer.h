@@ -36,9 +36,23 @@ class CompactPricer {
   Trial trial() noexcept { return Trial(*this); }
 
   template <std::size_t K>
-  unsigned symbol(unsigned value, Mixture<K> mixture) noexcept {
+  unsigned symbol(unsigned value, const Mixture<K>& mixture) noexcept {
     const Interval interval = interval_of(mixture.starts(), value);
     if (!spend(interval)) mixture.learn(value, interval.size);
+    return value;
+  }
+  template <std::size_t K>
+  unsigned symbol_and_bits(unsigned value, const LowBits& low, const Mixture<K>& mixture,
+                           SymbolBits& bit_models) noexcept {
+    if (low.count == 0) return symbol(value, mixture);
+    const Interval interval = interval_of(mixture.starts(), value);
+    InnerBit& model = bit_models[value];
+    const std::uint32_t if_set = 0 - (low.value >> (low.count - 1));
+    bits_ += static_cast<float>(low.count - 1);
+    if (!spend(part_for_bit(interval, model.size_of_set(interval.size), if_set))) {
+      model.learn(if_set);
+      mixture.learn(value, interval.size);
+    }
     return value;
   }
   bool bit(bool value, BitModel& model) noexcept {

@@ -33,6 +33,32 @@ class CompactReader {
     return symbol;
   }
 
+  /// A symbol and the bits that follow it, in one decision [CMP-12].
+  template <std::size_t K>
+  [[gnu::always_inline]] unsigned symbol_and_bits(unsigned, LowBits& low, const Mixture<K>& mixture,
+                                                  SymbolBits& bit_models) noexcept {
+    const unsigned raw = low.count - (low.count > 0 ? 1 : 0);
+    low.value = static_cast<std::uint32_t>(state_) & ((1U << raw) - 1);
+    state_ >>= raw;
+    const LaneSum starts = mixture.starts();
+    const unsigned symbol = starts.find(static_cast<std::int16_t>(slot_of_state()));
+    const Interval interval = interval_of(starts, symbol);
+    Interval taken = interval;
+    if (low.count > 0) {
+      InnerBit& model = bit_models[symbol];
+      const std::uint32_t set = model.size_of_set(interval.size);
+      // Without a branch, which would go wrong every other time.
+      const auto if_set =
+          static_cast<std::uint32_t>(static_cast<std::int32_t>(slot_of_state() - interval.start - set) >> 31);
+      taken = part_for_bit(interval, set, if_set);
+      low.value |= (if_set & 1) << raw;
+      model.learn(if_set);
+    }
+    take(taken);
+    mixture.learn(symbol, interval.size);
+    return symbol;
+  }
+
   [[gnu::always_inline]] bool bit(bool, BitModel& model) noexcept {
     const bool value = slot_of_state() < model.probability();
     take(model.interval(value));
@@ -62,27 +88,27 @@ class CompactReader {
   Result<void> finish(std::uint32_t chunk_tag) const noexcept;
 
  private:
-  std::uint32_t slot_of_state() const noexcept {
+  [[gnu::always_inline]] std::uint32_t slot_of_state() const noexcept {
     return static_cast<std::uint32_t>(state_) & (kProbabilityOne - 1);
   }
 
-  void take(Interval interval) noexcept {
+  [[gnu::always_inline]] void take(Interval interval) noexcept {
     advance(interval.size * (state_ >> kProbabilityBits) + slot_of_state() - interval.start);
   }
 
-  std::uint32_t take_bits(unsigned count) noexcept {
+  [[gnu::always_inline]] std::uint32_t take_bits(unsigned count) noexcept {
     const auto value = static_cast<std::uint32_t>(state_) & ((1U << count) - 1);
     advance(state_ >> count);
     return value;
   }
 
-  void advance(std::uint64_t state) noexcept {
+  [[gnu::always_inline]] void advance(std::uint64_t state) noexcept {
     if (state < kRansFloor) state = state << 32 | next_word();
     state_ = next_state_;
     next_state_ = state;
   }
 
-  std::uint32_t next_word() noexcept {
+  [[gnu::always_inline]] std::uint32_t next_word() noexcept {
     if (bytes_.size() - position_ < 4) {
       failed_ = true;
       return 0;

@@ -35,23 +35,30 @@ std::vector<std::byte> CompactWriter::finish() {
   // for which there is room behind those that are still to come.
   std::array<std::uint64_t, 2> states = {kRansFloor, kRansFloor};
   std::size_t first = decisions_.size();
+  std::size_t turn = decisions_.size() - joined_;
   for (std::size_t i = decisions_.size(); i-- > 0;) {
-    std::uint64_t& state = states[i % 2];
+    std::uint64_t& state = states[--turn % 2];
     const std::uint32_t start = decisions_[i] >> 16;
     const std::uint32_t size = decisions_[i] & 0xffff;
     const bool is_bits = (size & kBitsMark) != 0;
-    const std::uint64_t limit =
-        is_bits ? kRansFloor << 32 >> (size - kBitsMark) : (kRansFloor >> kProbabilityBits << 32) * size;
+    const std::uint32_t joined =
+        i > 0 && (decisions_[i - 1] & kJoinedMark & decisions_[i - 1] >> 1) != 0 ? decisions_[i - 1] : 0;
+    const unsigned joined_count = joined & 31;
+    const std::uint64_t limit = is_bits ? kRansFloor << 32 >> (size - kBitsMark)
+                                        : ((kRansFloor >> kProbabilityBits << 32) * size) >> joined_count;
     if (state >= limit) {
       decisions_[--first] = static_cast<std::uint32_t>(state);
       state >>= 32;
     }
     if (is_bits) {
       state = state << (size - kBitsMark) | start;
-    } else {
-      const auto [quotient, rest] = divide(state, size);
-      state = (quotient << kProbabilityBits) + rest + start;
+      continue;
     }
+    const auto [quotient, rest] = divide(state, size);
+    state = (quotient << kProbabilityBits) + rest + start;
+    if (joined == 0) continue;
+    state = state << joined_count | joined >> 16;
+    --i;
   }
 
   std::vector<std::byte> bytes(16 + 4 * (decisions_.size() - first));
@@ -66,6 +73,7 @@ std::vector<std::byte> CompactWriter::finish() {
   }
   for (std::size_t i = first; i < decisions_.size(); ++i) put_word(decisions_[i]);
   decisions_.clear();
+  joined_ = 0;
   return bytes;
 }
 

@@ -29,6 +29,22 @@ class CompactWriter {
     return value;
   }
 
+  /// `value` below 16; at most kMostBitsAtOnce + 1 bits.
+  template <std::size_t K>
+  [[gnu::always_inline]] unsigned symbol_and_bits(unsigned value, const LowBits& low,
+                                                  const Mixture<K>& mixture, SymbolBits& bit_models) {
+    if (low.count == 0) return symbol(value, mixture);
+    const Interval interval = interval_of(mixture.starts(), value);
+    InnerBit& model = bit_models[value];
+    const unsigned raw = low.count - 1;
+    const std::uint32_t if_set = 0 - (low.value >> raw);
+    put_joined(low.value & ((1U << raw) - 1), raw);
+    put(part_for_bit(interval, model.size_of_set(interval.size), if_set));
+    model.learn(if_set);
+    mixture.learn(value, interval.size);
+    return value;
+  }
+
   bool bit(bool value, BitModel& model) {
     put(model.interval(value));
     model.learn(value);
@@ -63,13 +79,20 @@ class CompactWriter {
  private:
   /// Marks bits among intervals, whose sizes are smaller.
   static constexpr std::uint32_t kBitsMark = 0x8000;
+  /// Of these, marks those that are read with the interval that follows.
+  static constexpr std::uint32_t kJoinedMark = 0x4000;
 
   void put(Interval interval) { decisions_.push_back(interval.start << 16 | interval.size); }
   void put_bits(std::uint32_t value, unsigned count) {
     decisions_.push_back(value << 16 | kBitsMark | count);
   }
+  void put_joined(std::uint32_t value, unsigned count) {
+    decisions_.push_back(value << 16 | kBitsMark | kJoinedMark | count);
+    ++joined_;
+  }
 
   std::vector<std::uint32_t> decisions_;  ///< intervals and bits
+  std::size_t joined_ = 0;                ///< how many of them go with the next
 };
 
 }  // namespace deltamesh

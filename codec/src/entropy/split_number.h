@@ -35,22 +35,27 @@ class SplitNumberCoder {
   template <std::size_t kModels>
   [[gnu::always_inline]] std::int64_t code(Coder& coder, std::int64_t value, unsigned shift,
                                            const Mixture<kModels>& mixture, std::uint32_t context) {
+    const unsigned rest = shift > kMostLowBits ? shift - kMostLowBits : 0;
     std::int64_t high = value >> shift;
-    const auto low = static_cast<std::uint32_t>(value & ((std::int64_t{1} << shift) - 1));
+    LowBits low{.count = shift - rest, .value = low_bits(value >> rest, shift - rest)};
     const bool far = high < -kReach || high > kReach;
-    const unsigned symbol = coder.symbol(far ? kEscape : static_cast<unsigned>(high + kReach), mixture);
+    const unsigned symbol = coder.symbol_and_bits(far ? kEscape : static_cast<unsigned>(high + kReach), low,
+                                                  mixture, low_models_);
     if (symbol == kEscape) [[unlikely]] {
       high = code_tail(coder, high, std::min(shift, kTailShifts - 1) * contexts_ + context);
     } else {
       high = static_cast<std::int64_t>(symbol) - kReach;
     }
-    if (shift == 0) return high;
-    return (high << shift) | code_low(coder, low_models_[symbol], low, shift);
+    const std::int64_t result = (high << low.count) | low.value;
+    if (rest == 0) [[likely]]
+      return result;
+    return (result << rest) | code_rest(coder, low_bits(value, rest), rest);
   }
 
  private:
   static constexpr unsigned kEscape = 15;
   static constexpr std::int64_t kReach = 7;
+  static constexpr unsigned kMostLowBits = kMostBitsAtOnce + 1;  ///< that come with the symbol
   static constexpr unsigned kTailShifts = 4;
   static constexpr unsigned kLongTail = 7;  ///< bit lengths from here on are written out
   static constexpr SymbolModel kFreshTail{{12, 8, 10, 7, 8, 5, 6, 4, 4, 3, 3, 2, 2, 1, 1, 1}};
@@ -69,24 +74,27 @@ class SplitNumberCoder {
     return symbol % 2 != 0 ? -size : size;
   }
 
-  /// The same with any coder. A reader's copy stays in registers, as nothing points to it.
-  [[gnu::always_inline]] std::int64_t code_tail(Coder& coder, std::int64_t high, std::uint32_t context) {
-    if constexpr (Coder::kWrites) {
-      return code_tail(high, context);
-    } else {
-      coder_ = coder;
-      const std::int64_t result = code_tail(high, context);
-      coder = coder_;
-      return result;
-    }
+  static std::uint32_t low_bits(std::int64_t value, unsigned count) noexcept {
+    return static_cast<std::uint32_t>(value & ((std::int64_t{1} << count) - 1));
   }
 
-  /// The highest of the low bits, of which there are some, by a model, the others as they are [FLD-5].
-  [[gnu::always_inline]] static std::int64_t code_low(Coder& coder, BitModel& model, std::uint32_t low,
-                                                      unsigned shift) {
-    const bool top = coder.bit((low >> (shift - 1)) != 0, model);
-    const std::uint32_t high = (top ? 1U : 0U) << (shift - 1);
-    return std::int64_t{high} | coder.bits(low & ((1U << (shift - 1)) - 1), shift - 1);
+  [[gnu::noinline]] std::uint32_t code_rest(std::uint32_t value, unsigned count) {
+    return coder_.bits(value, count);
+  }
+
+  /// The same with any coder. A reader's copy stays in registers, as nothing points to it.
+  [[gnu::always_inline]] std::int64_t code_tail(Coder& coder, std::int64_t high, std::uint32_t context) {
+    return with(coder, [&] { return code_tail(high, context); });
+  }
+  [[gnu::always_inline]] std::uint32_t code_rest(Coder& coder, std::uint32_t value, unsigned count) {
+    return with(coder, [&] { return code_rest(value, count); });
+  }
+  template <class Code>
+  [[gnu::always_inline]] auto with(Coder& coder, Code code) {
+    if constexpr (!Coder::kWrites) coder_ = coder;
+    const auto result = code();
+    if constexpr (!Coder::kWrites) coder = coder_;
+    return result;
   }
 
   Coder& coder_;
@@ -95,7 +103,7 @@ class SplitNumberCoder {
   MixWeights<1> tail_weights_;
   std::array<BitModel, 33> second_;
   std::array<std::array<BitModel, 2>, 33> third_;
-  std::array<BitModel, kSymbols> low_models_;
+  SymbolBits low_models_;
 };
 
 }  // namespace deltamesh

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include "entropy/split_number.h"
@@ -39,7 +40,7 @@ class FieldCoder {
   /// Codes the first `axes` (1 to 3) numbers of `q` for `vertex`, the others being 0; all vertices before it
   /// are done. A reader fills them in. False where one is beyond kLargestFieldValue [FLD-1].
   bool code_vertex(std::uint32_t vertex, FieldNumbers& q, unsigned axes, const FieldHint* hint = nullptr) {
-    FieldPredictor predictor(history_.around(vertex, vertex), hint);
+    FieldPredictor predictor(history_.around(vertex), hint);
     if (!code_axis<0>(predictor, q)) return false;
     if (axes > 1 && !code_axis<1>(predictor, q)) return false;
     if (axes > 2 && !code_axis<2>(predictor, q)) return false;
@@ -49,11 +50,15 @@ class FieldCoder {
   }
 
   /// The same for the next vertices of both walks, number by number in turns: what takes its time for one
-  /// vertex need not wait for the other.
+  /// vertex need not wait for the other, nor for weights that learn from it [FLD-8].
   bool code_pair(std::uint32_t first, std::uint32_t second, FieldNumbers& q, FieldNumbers& p) {
-    FieldPredictor a(history_.around(first, first), nullptr);
-    FieldPredictor b(history_.around(second, first), nullptr);
-    if (!code_axes<0>(a, b, q, p) || !code_axes<1>(a, b, q, p) || !code_axes<2>(a, b, q, p)) return false;
+    FieldPredictor a(history_.around(first), nullptr);
+    FieldPredictor b(history_.around(second), nullptr);
+    Held coder = coder_;
+    const bool is_valid =
+        code_axes<0>(coder, a, b, q, p) && code_axes<1>(coder, a, b, q, p) && code_axes<2>(coder, a, b, q, p);
+    give_back(coder);
+    if (!is_valid) return false;
     a.teach(weights_);
     history_.remember(first, a.numbers(), a.around());
     history_.remember(second, b.numbers(), b.around());
@@ -64,7 +69,7 @@ class FieldCoder {
   /// coding q would cost in bits here and now.
   template <class Choose>
   FieldNumbers choose_vertex(std::uint32_t vertex, Choose choose) {
-    FieldPredictor predictor(history_.around(vertex, vertex), nullptr);
+    FieldPredictor predictor(history_.around(vertex), nullptr);
     const FieldNumbers q = {choose_axis<0>(predictor, choose), choose_axis<1>(predictor, choose),
                             choose_axis<2>(predictor, choose)};
     predictor.teach(weights_);
@@ -73,18 +78,29 @@ class FieldCoder {
   }
 
  private:
-  template <unsigned kAxis>
-  [[gnu::always_inline]] bool code_axis(FieldPredictor& predictor, FieldNumbers& q) {
-    return settle<kAxis>(predictor, q, code(q[kAxis], predictor.template forecast<kAxis>(weights_)));
+  /// What a pair is coded with: a reader's copy, which a compiler can keep in registers, or a writer.
+  using Held = std::conditional_t<Coder::kWrites, Coder&, Coder>;
+  void give_back(const Coder& coder) noexcept {
+    if constexpr (!Coder::kWrites) coder_ = coder;
   }
 
   template <unsigned kAxis>
-  [[gnu::always_inline]] bool code_axes(FieldPredictor& a, FieldPredictor& b, FieldNumbers& q,
+  [[gnu::always_inline]] bool code_axis(FieldPredictor& predictor, FieldNumbers& q) {
+    const FieldForecast forecast = predictor.template forecast<kAxis>(weights_);
+    MixWeights<kFieldModels>& weights = mixes_[forecast.weight_set];
+    const std::int64_t coded = code(coder_, q[kAxis], forecast, weights, &weights);
+    return settle<kAxis>(predictor, q, coded);
+  }
+
+  template <unsigned kAxis>
+  [[gnu::always_inline]] bool code_axes(Coder& coder, FieldPredictor& a, FieldPredictor& b, FieldNumbers& q,
                                         FieldNumbers& p) {
     const FieldForecast of_a = a.template forecast<kAxis>(weights_);
     const FieldForecast of_b = b.template forecast<kAxis>(weights_);
-    const std::int64_t coded_q = code(q[kAxis], of_a);
-    const std::int64_t coded_p = code(p[kAxis], of_b);
+    MixWeights<kFieldModels>& weights_a = mixes_[of_a.weight_set];
+    const MixWeights<kFieldModels> weights_b = mixes_[of_b.weight_set];
+    const std::int64_t coded_q = code(coder, q[kAxis], of_a, weights_a, &weights_a);
+    const std::int64_t coded_p = code(coder, p[kAxis], of_b, weights_b, nullptr);
     return settle<kAxis>(a, q, coded_q) && settle<kAxis>(b, p, coded_p);
   }
 
@@ -99,23 +115,25 @@ class FieldCoder {
   template <unsigned kAxis, class Choose>
   std::int32_t choose_axis(FieldPredictor& predictor, Choose& choose) {
     const FieldForecast forecast = predictor.template forecast<kAxis>(weights_);
+    MixWeights<kFieldModels>& weights = mixes_[forecast.weight_set];
     const std::int32_t q = choose(kAxis, [&](std::int32_t candidate) {
       const auto trial = coder_.trial();
-      code(candidate, forecast);
+      code(coder_, candidate, forecast, weights, &weights);
       return trial.bits();
     });
-    code(q, forecast);
+    code(coder_, q, forecast, weights, &weights);
     predictor.template settle<kAxis>(q);
     return q;
   }
 
   /// Returns the number, of any size where the stream lies [FLD-5].
-  [[gnu::always_inline]] std::int64_t code(std::int64_t q, const FieldForecast& f) {
-    const std::int64_t swapped = (q ^ f.sign) - f.sign;
-    const Mixture<kFieldModels> mixture{
-        {&models_[0][f.contexts[0]], &models_[1][f.contexts[1]], &models_[2][f.contexts[2]]},
-        &mixes_[f.weight_set]};
-    const std::int64_t result = numbers_.code(coder_, swapped, f.shift, mixture, f.sure);
+  [[gnu::always_inline]] std::int64_t code(Coder& coder, std::int64_t q, const FieldForecast& f,
+                                           const MixWeights<kFieldModels>& weights,
+                                           MixWeights<kFieldModels>* learning) {
+    const Mixture<kFieldModels> mixture(
+        {&models_[0][f.contexts[0]], &models_[1][f.contexts[1]], &models_[2][f.contexts[2]]}, weights,
+        learning);
+    const std::int64_t result = numbers_.code(coder, (q ^ f.sign) - f.sign, f.shift, mixture, f.sure);
     return (result ^ f.sign) - f.sign;
   }
 

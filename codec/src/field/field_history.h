@@ -43,38 +43,52 @@ class FieldHistory {
     memories_[graph.vertex_count()] = FieldMemory{};
   }
 
-  /// `steps`: vertices that are coded of either walk.
-  [[gnu::always_inline]] FieldNeighborhood around(std::uint32_t vertex, std::uint32_t steps) const noexcept {
+  /// What is known before `vertex` is coded, those before it in its walk being done. Without branches on what
+  /// is coded, which would often go wrong.
+  [[gnu::always_inline]] FieldNeighborhood around(std::uint32_t vertex) const noexcept {
     FieldNeighborhood around;
-    const auto row = graph_.of(vertex);
-    const auto degree = static_cast<std::uint32_t>(row.size());
+    const std::uint32_t begin = graph_.offsets[vertex];
+    const std::uint32_t degree = graph_.offsets[vertex + 1] - begin;
     around.degree_class = std::clamp<std::uint32_t>(degree, 3, 10) - 3;
+    const std::uint32_t* const row = graph_.neighbors.data() + begin;
     const auto nothing = static_cast<std::uint32_t>(graph_.vertex_count());
+    const std::uint32_t walk = vertex < middle_ ? 0 : middle_;
     FieldMemory sums{};
-    for (const std::uint32_t neighbor : row.first(std::min<std::size_t>(degree, kMostNeighbors))) {
-      // Without branches on what is coded, which would often go wrong.
-      const bool counts = (neighbor < steps) | (neighbor - middle_ < steps);
+    const auto add = [&](std::uint32_t neighbor, bool exists) {
+      const bool counts = (neighbor - walk < vertex - walk) & exists;
       const FieldMemory& memory = memories_[counts ? neighbor : nothing];
       around.count += counts ? 1 : 0;
       sums.numbers += memory.numbers;
       sums.magnitudes += memory.magnitudes;
       sums.products += memory.products;
+    };
+    if (begin + std::size_t{kUsualNeighbors} <= graph_.neighbors.size()) [[likely]] {
+      for (std::uint32_t i = 0; i < kUsualNeighbors; ++i) add(row[i], i < degree);
+    } else {
+      for (std::uint32_t i = 0; i < std::min(degree, kUsualNeighbors); ++i) add(row[i], true);
     }
+    // Rows ascend.
+    for (std::uint32_t i = kUsualNeighbors; i < std::min(degree, kMostNeighbors) && row[i] < vertex; ++i)
+      add(row[i], true);
+    const float share = kOneOverCount[around.count];
     around.means =
-        FieldMemory{mean_lanes(sums.numbers, around.count), mean_lanes(sums.magnitudes, around.count),
-                    mean_lanes(sums.products, around.count)};
+        FieldMemory{to_ints(to_floats(sums.numbers) * share), to_ints(to_floats(sums.magnitudes) * share),
+                    to_ints(to_floats(sums.products) * share)};
     return around;
   }
 
   /// `r`: the vertex' numbers, cut to kLargestRemembered.
   [[gnu::always_inline]] void remember(std::uint32_t vertex, const std::array<std::int32_t, 3>& r,
                                        const FieldNeighborhood& around) noexcept {
-    std::array<std::int32_t, 3> f{};
-    for (std::size_t a = 0; a < 3; ++a) f[a] = std::clamp(r[a], -kLargestMultiplied, kLargestMultiplied);
-    const FourInts numbers = FourInts{r[0], r[1], r[2], 0} * kFieldUnit;
-    FourInts magnitudes = lane_sizes(numbers);
-    magnitudes[3] = f[1] * f[2] * kFieldUnit;
-    const FourInts products = FourInts{f[0] * f[0], f[0] * f[1], f[0] * f[2], f[1] * f[1]} * kFieldUnit;
+    const FourInts lanes = four_ints(r);
+    const FourInts f = clamp_lanes(lanes, kLargestMultiplied);
+    const FourInts numbers = lanes * kFieldUnit;
+    const FourInts yz = multiply_short_lanes(__builtin_shufflevector(f, f, 3, 3, 3, 1),
+                                             __builtin_shufflevector(f, f, 3, 3, 3, 2));
+    const FourInts magnitudes = lane_sizes(numbers) + yz * kFieldUnit;
+    const FourInts products = multiply_short_lanes(__builtin_shufflevector(f, f, 0, 0, 0, 1),
+                                                   __builtin_shufflevector(f, f, 0, 1, 2, 1)) *
+                              kFieldUnit;
     FieldMemory& memory = memories_[vertex];
     if (around.count == 0) {
       memory = FieldMemory{numbers, magnitudes, products};
@@ -85,8 +99,13 @@ class FieldHistory {
   }
 
  private:
-  static constexpr unsigned kMostNeighbors = 16;  ///< so that no sum leaves 30 bits
-  static_assert(kMostNeighbors <= kMostMeaned);
+  static constexpr std::uint32_t kUsualNeighbors = 4;  ///< coded ones; more are rare
+  static constexpr std::uint32_t kMostNeighbors = 16;  ///< so that no sum leaves 30 bits
+  static constexpr std::array<float, kMostNeighbors + 1> kOneOverCount = [] {
+    std::array<float, kMostNeighbors + 1> shares{};
+    for (std::uint32_t i = 1; i <= kMostNeighbors; ++i) shares[i] = 1 / static_cast<float>(i);
+    return shares;
+  }();
 
   const Adjacency& graph_;
   std::uint32_t middle_;

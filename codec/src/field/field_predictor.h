@@ -61,6 +61,7 @@ class FieldPredictor {
       offset_ = hint->offset;
       for (std::size_t a = 0; a < 3; ++a) size_[a] = (4 * size_[a] + 5 * own_[a]) >> 3;
     }
+    degree5_ = std::clamp<std::uint32_t>(around.degree_class, 1, 5) - 1;
     all_ = size_[0] + size_[1] + size_[2];
     begin_regression();
   }
@@ -72,8 +73,8 @@ class FieldPredictor {
   template <unsigned kAxis>
   [[gnu::always_inline]] FieldForecast forecast(const FieldWeights& weights) noexcept {
     regressions_[kAxis] = regress<kAxis>();
-    const std::int64_t mean = std::int64_t{weights.regression[kAxis]} * regressions_[kAxis] +
-                              std::int64_t{weights.mean[kAxis]} * around_.means.numbers[kAxis];
+    std::int64_t mean = std::int64_t{weights.mean[kAxis]} * around_.means.numbers[kAxis];
+    if constexpr (kAxis > 0) mean += std::int64_t{weights.regression[kAxis]} * regressions_[kAxis];
     expected_[kAxis] = static_cast<std::int32_t>(mean >> 16) + offset_[kAxis];
     const std::int32_t coded = coded_magnitude<kAxis>();
     const std::int32_t scale = expected_scale<kAxis>(coded);
@@ -82,18 +83,17 @@ class FieldPredictor {
     f.shift = floor_log2(static_cast<std::uint32_t>(scale) | 63) - 5;
     f.sign = expected_[kAxis] >> 31;
     const std::int32_t distance = (expected_[kAxis] ^ f.sign) - f.sign;
-    const std::uint32_t shifted = f.shift > 0 ? 1 : 0;
-    const std::uint32_t near = cut(distance >> f.shift);
-    const auto short_scale = static_cast<std::uint32_t>(scale >> f.shift);
-    const std::uint32_t sure = sureness(near, short_scale);
-    const std::uint32_t coded_class = kOctaveClass[cut(coded >> f.shift)];
-    const std::uint32_t own_class = kOctaveClass[cut(own_[kAxis] >> f.shift)];
-    const std::uint32_t scale_class = kOctaveClass[short_scale] + 4 * shifted;
+    const std::uint32_t near = std::min(static_cast<std::uint32_t>(distance) >> f.shift, kLargestNear);
+    const std::uint32_t short_scale = static_cast<std::uint32_t>(scale) >> f.shift;
+    const std::uint32_t sure = kSureness[(near * kSixteenthsOf[short_scale]) >> 16];
+    const std::uint32_t coded_class = kOctaveClass[static_cast<std::uint32_t>(coded) >> f.shift];
+    const std::uint32_t own_class = kOctaveClass[static_cast<std::uint32_t>(own_[kAxis]) >> f.shift];
+    const std::uint32_t scale_class = kScaleClass[short_scale + (f.shift > 0 ? 64 : 0)];
     const std::uint32_t degree = around_.degree_class;
-    const std::uint32_t degree5 = std::clamp<std::uint32_t>(degree, 1, 5) - 1;
+    const std::uint32_t degree5 = degree5_;
     f.contexts = {(scale_class * 6 + sure) * 5 + degree5,
                   ((coded_class * 8 + degree) * 3 + kAxis) * 3 + kCoarseSureness[sure],
-                  ((own_class * 3 + std::min(near / 16, 2U)) * 5 + degree5) * 3 + kAxis};
+                  ((own_class * 3 + kNearClass[near]) * 5 + degree5) * 3 + kAxis};
     f.weight_set = scale_class / 4 * 3 + kAxis;
     f.sure = sure;
     return f;
@@ -132,10 +132,6 @@ class FieldPredictor {
     const FourInts up = ((above & positive) | (below & negative)) & (weight < kMost);
     const FourInts down = ((above & negative) | (below & positive)) & (weight > -kMost);
     return weight + (up & kStep) - (down & kStep);
-  }
-
-  static std::uint32_t cut(std::int32_t magnitude) noexcept {
-    return static_cast<std::uint32_t>(std::min(magnitude, 255));
   }
 
   /// From the neighbours' second moments: how y and z hang on x, and what x leaves unexplained of z on what
@@ -180,6 +176,7 @@ class FieldPredictor {
   std::array<std::int32_t, 3> own_{};     ///< spreads, or the same
   std::array<std::int32_t, 3> offset_{};  ///< of the hint
   std::int32_t all_ = 0;                  ///< sum of size_
+  std::uint32_t degree5_ = 0;             ///< degree class in coarser steps
   std::int32_t y_on_x_ = 0;
   std::int32_t z_on_x_ = 0;
   std::int32_t z_on_y_ = 0;
