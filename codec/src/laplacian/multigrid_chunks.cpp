@@ -24,9 +24,14 @@ struct Range {
 };
 
 bool is_between(const Level& level, std::uint32_t node, const Range& own, const Range& coarse) noexcept {
+  const std::uint32_t begin = level.offsets[node];
+  const std::uint32_t end = level.offsets[node + 1];
   bool is_inside = true;
-  for (std::uint32_t e = level.offsets[node]; e < level.offsets[node + 1]; ++e)
-    is_inside &= own.has(level.neighbors[e]);
+  if (level.has_unit_weights()) {  // neighbours ascend
+    is_inside = begin == end || (own.has(level.neighbors[begin]) && own.has(level.neighbors[end - 1]));
+  } else {
+    for (std::uint32_t e = begin; e < end; ++e) is_inside &= own.has(level.neighbors[e]);
+  }
   if (level.interpolation.empty()) return !is_inside;
   const Interpolation& p = level.interpolation[node];
   return !(is_inside && coarse.has(p.node[0]) && coarse.has(p.node[1]) && coarse.has(p.node[2]));

@@ -52,7 +52,7 @@ RowSums sum_neighborhoods(const Level& fine, std::span<const Entry> members, Row
 RowSums interpolate_row(const Level& fine, RowSums near, RowSums row) {
   near.finish([&](std::uint32_t i, float factor) {
     const Interpolation& p = fine.interpolation[i];
-    for (std::size_t k = 0; k < 3; ++k) row.add_known(p.node[k], factor * p.weight[k]);
+    for (std::size_t k = 0; k < 3; ++k) row.add(p.node[k], factor * p.weight[k]);
   });
   return row;
 }
