@@ -21,10 +21,10 @@ constexpr std::array<float, 3> kShares = {6.0F / 16, 9.0F / 16, 18.0F / 16};
 
 /// Some rows of a graph.
 struct GraphRows {
-  LargeVector<std::uint32_t> neighbors;  ///< in every row first the lower ones
+  LargeVector<std::uint32_t> offsets;    ///< where each begins, and the end
+  LargeVector<std::uint32_t> middle;     ///< where its edges to higher nodes begin
+  LargeVector<std::uint32_t> neighbors;  ///< first the lower ones
   LargeVector<float> weights;
-  LargeVector<std::uint32_t> middle;  ///< of every row: where the higher ones begin
-  LargeVector<std::uint32_t> end;
 };
 
 /// Sums over columns met in any order.
@@ -75,7 +75,7 @@ void finish_row(std::uint32_t c, std::uint32_t count, Sums& sums, GraphRows& row
   }
   rows.neighbors.resize(higher);
   rows.weights.resize(higher);
-  rows.end.push_back(static_cast<std::uint32_t>(higher));
+  rows.offsets.push_back(static_cast<std::uint32_t>(higher));
 }
 
 GraphRows make_rows(const Level& fine, const Aggregates& aggregates, std::uint32_t begin, std::uint32_t end) {
@@ -85,36 +85,36 @@ GraphRows make_rows(const Level& fine, const Aggregates& aggregates, std::uint32
   rows.neighbors.reserve(edges);
   rows.weights.reserve(edges);
   rows.middle.reserve(end - begin);
-  rows.end.reserve(end - begin);
+  rows.offsets.reserve(end - begin + 1);
+  rows.offsets.push_back(0);
   for (std::uint32_t c = begin; c < end; ++c)
     finish_row(c, sum_bridges(fine, aggregates, aggregates.members_of(c), sums), sums, rows);
   return rows;
 }
 
-/// The graph of `nodes` rows, the parts' one after the other.
-void join(std::span<const GraphRows> parts, std::uint32_t nodes, Level& coarse) {
+/// The parts' rows one after the other.
+GraphRows join(std::span<const GraphRows> parts) {
+  GraphRows whole;
   std::vector<std::uint32_t> first_row(1, 0), first_edge(1, 0);
   for (const GraphRows& part : parts) {
-    first_row.push_back(first_row.back() + static_cast<std::uint32_t>(part.end.size()));
+    first_row.push_back(first_row.back() + static_cast<std::uint32_t>(part.middle.size()));
     first_edge.push_back(first_edge.back() + static_cast<std::uint32_t>(part.neighbors.size()));
   }
-  coarse.storage.offsets.resize(nodes + 1);
-  coarse.storage.offsets[0] = 0;
-  coarse.storage.neighbors.resize(first_edge.back());
-  coarse.weights.resize(first_edge.back());
-  coarse.middle.resize(nodes);
+  whole.neighbors.resize(first_edge.back());
+  whole.weights.resize(first_edge.back());
+  whole.middle.resize(first_row.back());
+  whole.offsets.resize(first_row.back() + 1);
   share_work(static_cast<std::uint32_t>(parts.size()), [&](std::uint32_t p) {
     const GraphRows& part = parts[p];
-    std::copy(part.neighbors.begin(), part.neighbors.end(), coarse.storage.neighbors.data() + first_edge[p]);
-    std::copy(part.weights.begin(), part.weights.end(), coarse.weights.data() + first_edge[p]);
-    for (std::size_t row = 0; row < part.end.size(); ++row) {
-      coarse.middle[first_row[p] + row] = first_edge[p] + part.middle[row];
-      coarse.storage.offsets[first_row[p] + row + 1] = first_edge[p] + part.end[row];
+    std::copy(part.neighbors.begin(), part.neighbors.end(), whole.neighbors.data() + first_edge[p]);
+    std::copy(part.weights.begin(), part.weights.end(), whole.weights.data() + first_edge[p]);
+    for (std::size_t row = 0; row < part.middle.size(); ++row) {
+      whole.offsets[first_row[p] + row] = first_edge[p] + part.offsets[row];
+      whole.middle[first_row[p] + row] = first_edge[p] + part.middle[row];
     }
   });
-  coarse.offsets = coarse.storage.offsets;
-  coarse.neighbors = coarse.storage.neighbors;
-  coarse.edge_ends = coarse.neighbors.size();
+  whole.offsets.back() = first_edge.back();
+  return whole;
 }
 
 }  // namespace
@@ -126,8 +126,14 @@ void make_bridge_graph(const Level& fine, const Aggregates& aggregates, Level& c
   share_work(pieces, [&](std::uint32_t p) {
     parts[p] = make_rows(fine, aggregates, piece_begin(nodes, pieces, p), piece_begin(nodes, pieces, p + 1));
   });
-  join(parts, nodes, coarse);
+  GraphRows rows = pieces == 1 ? std::move(parts.front()) : join(parts);
   parts.clear();
+  coarse.storage = {.offsets = std::move(rows.offsets), .neighbors = std::move(rows.neighbors)};
+  coarse.weights = std::move(rows.weights);
+  coarse.middle = std::move(rows.middle);
+  coarse.offsets = coarse.storage.offsets;
+  coarse.neighbors = coarse.storage.neighbors;
+  coarse.edge_ends = coarse.neighbors.size();
   set_degrees(coarse);
 }
 

@@ -38,51 +38,70 @@ constexpr std::uint64_t kMostPadding = 2 * (kEdgesAtOnce - 1);
 /// Of a coarse level; with less, threads would wait for each other.
 constexpr std::uint32_t kFewestNodesToShare = std::uint32_t{1} << 15;
 
+/// Without D and M.
 Level finest_level(const Adjacency& graph, std::span<const std::uint32_t> anchors) {
   Level level;
   level.offsets = graph.offsets;
   level.neighbors = graph.neighbors;
   level.edge_ends = graph.neighbors.size();
   level.anchors.assign(anchors.begin(), anchors.end());
-  const std::uint32_t n = level.node_count();
-  level.degree.resize(n);
-  level.inverse_degree.resize(n);
-  level.mass.resize(n);
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const auto degree = static_cast<float>(graph.degree(i));
-    level.degree[i] = degree;
-    level.inverse_degree[i] = degree > 0 ? 1 / degree : 0;
-    level.mass[i] = degree * degree;
-  }
   return level;
 }
 
-bool has_few_anchors(const Level& finest) noexcept {
-  return finest.node_count() >= kNodesPerAnchor * finest.anchors.size();
+float unit_degree(const Level& finest, std::uint32_t node) noexcept {
+  return static_cast<float>(finest.offsets[node + 1] - finest.offsets[node]);
 }
 
-/// The next level; false where it would have more edges than `fine`.
-bool coarsen(const Level& fine, const Aggregates& aggregates, Coarsening how, float smallest, Level& coarse) {
-  if (how == Coarsening::kQuick && has_few_anchors(fine) && fine.has_unit_weights()) {
-    make_bridge_graph(fine, aggregates, coarse);
-  } else if (!make_galerkin_graph(fine, aggregates.count(), smallest, coarse)) {
-    return false;
+void set_diagonal(Level& finest) {
+  const std::uint32_t n = finest.node_count();
+  finest.degree.resize(n);
+  finest.inverse_degree.resize(n);
+  finest.mass.resize(n);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const float degree = unit_degree(finest, i);
+    finest.degree[i] = degree;
+    finest.inverse_degree[i] = degree > 0 ? 1 / degree : 0;
+    finest.mass[i] = degree * degree;
   }
-  if (coarse.edge_ends + kMostPadding * aggregates.count() > kMostEdgeEnds) return false;
-  coarse.mass.assign(aggregates.count(), 0.0F);
-  for (std::uint32_t i = 0; i < fine.node_count(); ++i) {
-    const Interpolation& p = fine.interpolation[i];
-    for (std::size_t k = 0; k < 3; ++k) coarse.mass[p.node[k]] += p.weight[k] * fine.mass[i];
-  }
-  coarse.anchors.reserve(fine.anchors.size());
-  for (const std::uint32_t anchor : fine.anchors) coarse.anchors.push_back(aggregates.of(anchor));
-  return true;
 }
 
 /// Where weights are 1, PlannedCycles takes them from the number of neighbours.
 void forget_diagonal(Level& level) {
   for (LargeVector<float>* values : {&level.degree, &level.inverse_degree, &level.mass})
     LargeVector<float>().swap(*values);
+}
+
+/// Whether make_bridge_graph will do.
+bool is_bridged(const Level& fine, Coarsening how) noexcept {
+  return how == Coarsening::kQuick && fine.has_unit_weights() &&
+         fine.node_count() >= kNodesPerAnchor * fine.anchors.size();
+}
+
+/// P^T M, summed by rows, from M: mass(node).
+template <class Mass>
+void restrict_mass(const Level& fine, const Mass& mass, LargeVector<float>& coarse) {
+  for (std::uint32_t i = 0; i < fine.node_count(); ++i) {
+    const Interpolation& p = fine.interpolation[i];
+    for (std::size_t k = 0; k < 3; ++k) coarse[p.node[k]] += p.weight[k] * mass(i);
+  }
+}
+
+/// The next level; false where it would have more edges than `fine`.
+bool coarsen(const Level& fine, const Aggregates& aggregates, Coarsening how, float smallest, Level& coarse) {
+  coarse.mass.assign(aggregates.count(), 0.0F);
+  if (is_bridged(fine, how)) {
+    make_bridge_graph(fine, aggregates, coarse);
+    restrict_mass(
+        fine, [&](std::uint32_t i) { return unit_degree(fine, i) * unit_degree(fine, i); }, coarse.mass);
+  } else {
+    if (!make_galerkin_graph(fine, aggregates.count(), smallest, coarse)) return false;
+    restrict_mass(
+        fine, [&](std::uint32_t i) { return fine.mass[i]; }, coarse.mass);
+  }
+  if (coarse.edge_ends + kMostPadding * aggregates.count() > kMostEdgeEnds) return false;
+  coarse.anchors.reserve(fine.anchors.size());
+  for (const std::uint32_t anchor : fine.anchors) coarse.anchors.push_back(aggregates.of(anchor));
+  return true;
 }
 
 /// For every bound the first aggregate whose seed is not below.
@@ -111,6 +130,7 @@ std::vector<Level> build_levels(const Adjacency& graph, std::span<const std::uin
                                 std::uint32_t depth, Coarsening how, float smallest) {
   std::vector<Level> levels;
   levels.push_back(finest_level(graph, anchors));
+  if (!is_bridged(levels.front(), how)) set_diagonal(levels.front());
   const std::uint64_t most = kMostWork * work_on(levels.front());
   std::uint64_t work = 0;
   std::vector<std::uint32_t> bounds = chunk_bounds(levels.front().node_count());
