@@ -14,24 +14,6 @@ namespace {
 constexpr std::uint64_t kMostProductsPerNode = 256;
 constexpr std::uint64_t kFewestProducts = std::uint64_t{1} << 20;
 
-/// In plain order.
-Double4 dot(std::span<const Double4> a, std::span<const Double4> b) noexcept {
-  Double4 sum{};
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
-
-/// Axis by axis a / b; 0 where b is not above 0.
-Double4 ratio(const Double4& a, const Double4& b) noexcept {
-  const auto divide = [](double p, double q) { return q > 0 ? p / q : 0.0; };
-  return {TwoDoubles{divide(a.xy[0], b.xy[0]), divide(a.xy[1], b.xy[1])},
-          TwoDoubles{divide(a.zw[0], b.zw[0]), 0.0}};
-}
-
-bool all_at_most(const Double4& a, const Double4& b) noexcept {
-  return a.xy[0] <= b.xy[0] && a.xy[1] <= b.xy[1] && a.zw[0] <= b.zw[0];
-}
-
 /// Collects one row of a sparse matrix.
 class RowBuilder {
  public:
@@ -68,7 +50,6 @@ class RowBuilder {
 CoarsestSolver::CoarsestSolver(const Level& level, std::span<const std::uint8_t> holds, CoarsestEffort effort)
     : level_(level),
       holds_(holds),
-      reduction_(effort.reduction),
       inverse_mass_(level.node_count()),
       scaled_(level.node_count()),
       x_(level.node_count()) {
@@ -78,12 +59,8 @@ CoarsestSolver::CoarsestSolver(const Level& level, std::span<const std::uint8_t>
   is_anchor_.assign(n, 0);
   for (const std::uint32_t anchor : level.anchors) is_anchor_[anchor] = 1;
   if (n <= effort.largest_factored && product_stays_sparse()) factor_ = SparseFactor::make(assemble());
-  if (factor_) return;
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const double diagonal = diagonal_entry(i);
-    inverse_diagonal_.push_back(diagonal > 0 ? 1 / diagonal : 0.0);
-  }
-  for (auto* vector : {&residual_, &direction_, &product_, &preconditioned_, &image_}) vector->resize(n);
+  if (!factor_)
+    conjugate_gradients_ = make_conjugate_gradients({level_, inverse_mass_, is_anchor_}, effort.reduction);
 }
 
 bool CoarsestSolver::product_stays_sparse() const noexcept {
@@ -131,16 +108,6 @@ SymmetricMatrix CoarsestSolver::assemble() const {
   return matrix;
 }
 
-double CoarsestSolver::diagonal_entry(std::uint32_t node) const noexcept {
-  const double degree = level_.degree[node];
-  double sum = degree * degree * inverse_mass_[node] + is_anchor_[node];
-  for (std::uint32_t e = level_.offsets[node]; e < level_.offsets[node + 1]; ++e) {
-    const double weight = level_.weight(e);
-    sum += weight * weight * inverse_mass_[level_.neighbors[e]];
-  }
-  return sum;
-}
-
 Double4 CoarsestSolver::apply_k(std::span<const Double4> values, std::uint32_t node) const noexcept {
   const Double4 own = static_cast<double>(level_.degree[node]) * values[node];
   const std::uint32_t begin = level_.offsets[node];
@@ -150,64 +117,6 @@ Double4 CoarsestSolver::apply_k(std::span<const Double4> values, std::uint32_t n
   Double4 sum{};
   for (std::uint32_t e = begin; e < end; ++e) sum += values[level_.neighbors[e]];
   return own - sum;
-}
-
-/// image_ serves as M^-1 K in.
-void CoarsestSolver::apply_matrix(std::span<const Double4> in, std::span<Double4> out) noexcept {
-  for (std::uint32_t i = 0; i < in.size(); ++i) image_[i] = inverse_mass_[i] * apply_k(in, i);
-  for (std::uint32_t i = 0; i < in.size(); ++i) {
-    out[i] = apply_k(image_, i);
-    if (is_anchor_[i] != 0) out[i] += in[i];
-  }
-}
-
-/// image_ is M^-1 K z throughout, so that both the row of the matrix and the effect of a step need only the
-/// neighbours (Bjoerck, Elfving, Accelerated projection methods, 1979).
-void CoarsestSolver::relax(std::uint32_t node) noexcept {
-  Double4& z = preconditioned_[node];
-  Double4 sum = residual_[node] - apply_k(image_, node);
-  if (is_anchor_[node] != 0) sum -= z;
-  const Double4 step = inverse_diagonal_[node] * sum;
-  z += step;
-  image_[node] += inverse_mass_[node] * static_cast<double>(level_.degree[node]) * step;
-  for (std::uint32_t e = level_.offsets[node]; e < level_.offsets[node + 1]; ++e) {
-    const std::uint32_t other = level_.neighbors[e];
-    image_[other] -= inverse_mass_[other] * static_cast<double>(level_.weight(e)) * step;
-  }
-}
-
-/// Symmetric Gauss-Seidel: a forward sweep from zero, then a backward one.
-void CoarsestSolver::precondition() noexcept {
-  const std::uint32_t n = level_.node_count();
-  std::fill(preconditioned_.begin(), preconditioned_.end(), Double4{});
-  std::fill(image_.begin(), image_.end(), Double4{});
-  for (std::uint32_t i = 0; i < n; ++i) relax(i);
-  for (std::uint32_t i = n; i-- > 0;) relax(i);
-}
-
-std::uint32_t CoarsestSolver::run_conjugate_gradients(std::uint32_t most_iterations) noexcept {
-  std::swap(residual_, x_);
-  std::fill(x_.begin(), x_.end(), Double4{});
-  precondition();
-  direction_ = preconditioned_;
-  Double4 energy = dot(residual_, preconditioned_);
-  const Double4 small = reduction_ * reduction_ * energy;
-  for (std::uint32_t iteration = 1; iteration <= most_iterations; ++iteration) {
-    apply_matrix(direction_, product_);
-    const Double4 step = ratio(energy, dot(direction_, product_));
-    for (std::size_t i = 0; i < x_.size(); ++i) {
-      x_[i] += step * direction_[i];
-      residual_[i] -= step * product_[i];
-    }
-    precondition();
-    const Double4 next = dot(residual_, preconditioned_);
-    if (all_at_most(next, small)) return iteration;
-    const Double4 conjugate = ratio(next, energy);
-    energy = next;
-    for (std::size_t i = 0; i < x_.size(); ++i)
-      direction_[i] = preconditioned_[i] + conjugate * direction_[i];
-  }
-  return most_iterations;
 }
 
 std::uint32_t CoarsestSolver::solve(std::span<const Row> b, std::span<const Float4> gaps, std::span<Row> u,
@@ -220,7 +129,7 @@ std::uint32_t CoarsestSolver::solve(std::span<const Row> b, std::span<const Floa
   if (factor_) {
     factor_->solve(x_);
   } else {
-    iterations = run_conjugate_gradients(most_iterations);
+    iterations = conjugate_gradients_->solve(x_, most_iterations);
   }
   for (std::uint32_t i = 0; i < n; ++i) {
     u[i].x = narrow(x_[i]);

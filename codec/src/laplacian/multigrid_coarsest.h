@@ -5,10 +5,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "laplacian/multigrid_conjugate_gradients.h"
 #include "laplacian/multigrid_factor.h"
 #include "laplacian/multigrid_level.h"
 
@@ -39,25 +41,16 @@ class CoarsestSolver {
   /// Whether the matrix can be formed in time and memory linear in n.
   bool product_stays_sparse() const noexcept;
   SymmetricMatrix assemble() const;
-  double diagonal_entry(std::uint32_t node) const noexcept;
   Double4 apply_k(std::span<const Double4> values, std::uint32_t node) const noexcept;
-  void apply_matrix(std::span<const Double4> in, std::span<Double4> out) noexcept;
-  void relax(std::uint32_t node) noexcept;
-  void precondition() noexcept;
-  std::uint32_t run_conjugate_gradients(std::uint32_t most_iterations) noexcept;
 
   const Level& level_;
   std::span<const std::uint8_t> holds_;
-  double reduction_;
   std::optional<SparseFactor> factor_;
   std::vector<double> inverse_mass_;
   std::vector<std::uint8_t> is_anchor_;
   std::vector<Double4> scaled_;  ///< M^-1 b_x
-  std::vector<Double4> x_, residual_;
-
-  std::vector<double> inverse_diagonal_;  ///< this and the rest: for conjugate gradients only
-  std::vector<Double4> direction_, product_, preconditioned_;
-  std::vector<Double4> image_;  ///< M^-1 K of another vector
+  std::vector<Double4> x_;
+  std::unique_ptr<ConjugateGradients> conjugate_gradients_;  ///< where there is no factor
 };
 
 }  // namespace deltamesh::multigrid
