@@ -407,12 +407,12 @@ TEST(Multigrid, LevelsShrinkAndKeepTheirAnchorsApart) {
     if (l + 1 == levels.size()) break;
     EXPECT_LT(levels[l + 1].node_count() * 2, level.node_count());
     for (const multigrid::Interpolation& p : level.interpolation) {
-      EXPECT_NEAR(p.weight[0] + p.weight[1] + p.weight[2], 1, 1e-6);
-      for (const std::uint32_t node : p.node) EXPECT_LT(node, levels[l + 1].node_count());
+      EXPECT_EQ(p.weight(0) + p.weight(1) + p.weight(2), 1);
+      for (const std::uint32_t node : {p.node(0), p.node(1), p.node(2)}) EXPECT_LT(node, levels[l + 1].node_count());
     }
     for (std::size_t a = 0; a < anchors.size(); ++a) {
-      EXPECT_EQ(level.interpolation[level.anchors[a]].node[0], levels[l + 1].anchors[a]);
-      EXPECT_EQ(level.interpolation[level.anchors[a]].weight[0], 1);
+      EXPECT_EQ(level.interpolation[level.anchors[a]].node(0), levels[l + 1].anchors[a]);
+      EXPECT_EQ(level.interpolation[level.anchors[a]].weight(0), 1);
     }
   }
 }

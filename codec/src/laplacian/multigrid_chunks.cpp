@@ -34,7 +34,7 @@ bool is_between(const Level& level, std::uint32_t node, const Range& own, const 
   }
   if (level.interpolation.empty()) return !is_inside;
   const Interpolation& p = level.interpolation[node];
-  return !(is_inside && coarse.has(p.node[0]) && coarse.has(p.node[1]) && coarse.has(p.node[2]));
+  return !(is_inside && coarse.has(p.node(0)) && coarse.has(p.node(1)) && coarse.has(p.node(2)));
 }
 
 }  // namespace

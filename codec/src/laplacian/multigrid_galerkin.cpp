@@ -20,7 +20,7 @@ SparseRows transpose(const Level& fine, std::uint32_t nodes) {
   SparseRows rows{.start = LargeVector<std::uint32_t>(nodes + 1, 0), .entries = {}};
   LargeVector<std::uint32_t>& start = rows.start;
   for (const Interpolation& p : fine.interpolation) {
-    for (std::size_t k = 0; k < 3; ++k) start[p.node[k] + 1] += p.weight[k] > 0 ? 1 : 0;
+    for (std::size_t k = 0; k < 3; ++k) start[p.node(k) + 1] += p.weight(k) > 0 ? 1 : 0;
   }
   for (std::size_t c = 0; c < nodes; ++c) start[c + 1] += start[c];
   rows.entries.resize(start[nodes]);
@@ -28,7 +28,7 @@ SparseRows transpose(const Level& fine, std::uint32_t nodes) {
   for (std::uint32_t i = 0; i < fine.interpolation.size(); ++i) {
     const Interpolation& p = fine.interpolation[i];
     for (std::size_t k = 0; k < 3; ++k) {
-      if (p.weight[k] > 0) rows.entries[next[p.node[k]]++] = {i, p.weight[k]};
+      if (p.weight(k) > 0) rows.entries[next[p.node(k)]++] = {i, p.weight(k)};
     }
   }
   return rows;
@@ -52,7 +52,7 @@ RowSums sum_neighborhoods(const Level& fine, std::span<const Entry> members, Row
 RowSums interpolate_row(const Level& fine, RowSums near, RowSums row) {
   near.finish([&](std::uint32_t i, float factor) {
     const Interpolation& p = fine.interpolation[i];
-    for (std::size_t k = 0; k < 3; ++k) row.add(p.node[k], factor * p.weight[k]);
+    for (std::size_t k = 0; k < 3; ++k) row.add(p.node(k), factor * p.weight(k));
   });
   return row;
 }

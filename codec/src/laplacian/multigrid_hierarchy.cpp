@@ -81,8 +81,7 @@ bool is_bridged(const Level& fine, Coarsening how) noexcept {
 template <class Mass>
 void restrict_mass(const Level& fine, const Mass& mass, LargeVector<float>& coarse) {
   for (std::uint32_t i = 0; i < fine.node_count(); ++i) {
-    const Interpolation& p = fine.interpolation[i];
-    for (std::size_t k = 0; k < 3; ++k) coarse[p.node[k]] += p.weight[k] * mass(i);
+    fine.interpolation[i].spread(mass(i), [&](std::uint32_t node) -> float& { return coarse[node]; });
   }
 }
 
@@ -140,6 +139,7 @@ std::vector<Level> build_levels(const Adjacency& graph, std::span<const std::uin
     const Aggregates aggregates = aggregate(fine);
     const std::size_t held = fine.anchors.size();  // these stay
     if (5 * (aggregates.count() - held) >= 4 * (fine.node_count() - held)) break;
+    if (aggregates.count() > Interpolation::kMostNodes) break;
     fine.interpolation = make_interpolation(fine, aggregates);
     Level coarse;
     if (!coarsen(fine, aggregates, how, smallest, coarse)) {

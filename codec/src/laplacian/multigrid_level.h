@@ -5,23 +5,16 @@
 // coarser level.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "base/large_vector.h"
 #include "laplacian/multigrid_chunks.h"
-#include "laplacian/multigrid_row.h"
+#include "laplacian/multigrid_interpolation.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh::multigrid {
-
-/// How a node is interpolated from the next coarser level: up to three nodes, weights that add up to 1.
-struct Interpolation {
-  std::array<std::uint32_t, 3> node;  ///< unused ones repeat the first
-  std::array<float, 3> weight;        ///< unused ones are 0
-};
 
 /// Edges to lower nodes, and edges to higher ones, come in multiples of so many on coarse levels [pad_rows].
 inline constexpr std::uint32_t kEdgesAtOnce = 4;

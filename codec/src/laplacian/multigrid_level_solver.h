@@ -13,6 +13,7 @@
 #include "base/large_vector.h"
 #include "laplacian/multigrid_coarsest.h"
 #include "laplacian/multigrid_level.h"
+#include "laplacian/multigrid_row.h"
 #include "laplacian/multigrid_two_steps.h"
 #include "topology/adjacency.h"
 

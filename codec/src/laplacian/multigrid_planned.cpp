@@ -46,17 +46,6 @@ float largest_coordinate(std::span<const Float4> values) noexcept {
   return std::max({largest[0], largest[1], largest[2]});
 }
 
-/// Of one field only.
-Float4 interpolate_field(const Interpolation& p, std::span<const Float4> coarse) noexcept {
-  return p.weight[0] * coarse[p.node[0]] + p.weight[1] * coarse[p.node[1]] + p.weight[2] * coarse[p.node[2]];
-}
-
-/// One node's share of P^T, for x alone. `x(node)`: of the coarse level.
-template <class X>
-void restrict_x(const Interpolation& p, Float4 fine, const X& x) noexcept {
-  for (std::size_t k = 0; k < 3; ++k) x(p.node[k]) += p.weight[k] * fine;
-}
-
 }  // namespace
 
 PlannedCycles::PlannedCycles(std::span<const Level> levels, const Components& components)
@@ -83,14 +72,14 @@ void PlannedCycles::restrict_to_second(const Each& each) {
   if (has_middle()) {
     share_each(b_.size(), [&](std::uint32_t i) { b_[i] = Float4{}; });
     each([&](std::uint32_t i, Float4 residual) {
-      restrict_x(interpolation[i], residual, [&](std::uint32_t node) -> Float4& { return b_[node]; });
+      interpolation[i].spread(residual, [&](std::uint32_t node) -> Float4& { return b_[node]; });
     });
     return;
   }
   const std::span<Row> b = solver_.vectors(1).b;
   share_each(b.size(), [&](std::uint32_t i) { b[i].x = Float4{}; });
   each([&](std::uint32_t i, Float4 residual) {
-    restrict_x(interpolation[i], residual, [&](std::uint32_t node) -> Float4& { return b[node].x; });
+    interpolation[i].spread(residual, [&](std::uint32_t node) -> Float4& { return b[node].x; });
   });
 }
 
@@ -125,7 +114,7 @@ void PlannedCycles::correct_second(bool is_first) {
         [&](std::uint32_t i, Float4 step) { u_[i] = step; });
   } else {
     const auto residual = [&](std::uint32_t i) {
-      const Float4 s = interpolate(level.interpolation[i], next.u).s;  // the first correction's
+      const Float4 s = level.interpolation[i].of(next.u).s;  // the first correction's
       return edges.add_all(i, u_.data(), b_[i] - level.degree[i] * u_[i] - level.mass[i] * s);
     };
     sweep_first(level, edges, residual, residual, step_second_, add);
@@ -133,13 +122,12 @@ void PlannedCycles::correct_second(bool is_first) {
   for (int s = 1; s < kSecondSweeps; ++s) sweep_again(level, edges, step_second_, add);
   share_each(next.b.size(), [&](std::uint32_t i) { next.b[i].x = Float4{}; });
   take_residuals(level, edges, step_second_, [&](std::uint32_t i, Float4 residual) {
-    restrict_x(level.interpolation[i], residual,
-               [&](std::uint32_t node) -> Float4& { return next.b[node].x; });
+    level.interpolation[i].spread(residual, [&](std::uint32_t node) -> Float4& { return next.b[node].x; });
   });
   for (std::size_t a = 0; a < gaps_.size(); ++a) next.gaps[a] = gaps_[a] - u_[level.anchors[a]];
   solve_coupled();
   share_each(u_.size(), [&](std::uint32_t i) {
-    const Row correction = interpolate(level.interpolation[i], next.u);
+    const Row correction = level.interpolation[i].of(next.u);
     u_[i] += correction.x;
     s_second_[i] += correction.s;
   });
@@ -177,8 +165,7 @@ void PlannedCycles::start(const DeltaView& deltas, std::span<const Vec3> targets
   for (std::size_t a = 0; a < targets.size(); ++a) gaps_[a] = to_float4(targets[a]);
   correct_from_second(kCorrections);
   units_ = Units(largest_coordinate(u_));
-  share_each(x_.size(),
-             [&](std::uint32_t i) { x_[i] = units_.count(interpolate_field(finest.interpolation[i], u_)); });
+  share_each(x_.size(), [&](std::uint32_t i) { x_[i] = units_.count(finest.interpolation[i].of(u_)); });
 }
 
 void PlannedCycles::sweep_finest(const DeltaView& deltas, int sweeps) {
@@ -192,7 +179,7 @@ void PlannedCycles::sweep_finest(const DeltaView& deltas, int sweeps) {
     const FourInts charge = edges.sum(i, x_.data()) + count * (delta.whole - x_[i]);
     const float degree = edges.degree(i);
     return units_.length(charge, degree * delta.rest) -
-           degree * degree * interpolate_field(finest.interpolation[i], s_second_);
+           degree * degree * finest.interpolation[i].of(s_second_);
   };
   const auto keep = [&](std::uint32_t i, Float4 step) { x_[i] += units_.count(step); };
   sweep_first(finest, edges, residual, residual, step_, keep);
@@ -206,8 +193,7 @@ void PlannedCycles::cycle(const DeltaView& deltas, std::span<const Vec3> targets
   for (std::size_t a = 0; a < targets.size(); ++a)
     gaps_[a] = to_float4(targets[a] - units_.position(x_[finest.anchors[a]]));
   correct_from_second(corrections);
-  share_each(x_.size(),
-             [&](std::uint32_t i) { x_[i] += units_.count(interpolate_field(finest.interpolation[i], u_)); });
+  share_each(x_.size(), [&](std::uint32_t i) { x_[i] += units_.count(finest.interpolation[i].of(u_)); });
 }
 
 void PlannedCycles::solve(const DeltaView& deltas, std::span<const Vec3> targets, int half_cycles,

@@ -40,12 +40,13 @@ void smooth_all(const Level& level, std::span<const Row> b, std::span<Row> u) {
 template <bool kUnitWeights>
 void restrict_all(const Level& level, std::span<const Row> b, std::span<const Row> u, std::span<Row> coarse) {
   share_each(coarse.size(), [&](std::uint32_t i) { coarse[i] = Row{}; });
+  const auto at = [&](std::uint32_t node) -> Row& { return coarse[node]; };
   level.chunks.visit([&](std::uint32_t i) {
     const Row sum = sum_rows<kUnitWeights>(level, u, level.offsets[i], level.offsets[i + 1]);
     const float degree = level.degree[i];
     const Row residual{b[i].x + sum.x - degree * u[i].x - level.mass[i] * u[i].s,
                        b[i].s + sum.s - degree * u[i].s};
-    restrict_row(level.interpolation[i], residual, coarse);
+    level.interpolation[i].spread(residual, at);
   });
 }
 
@@ -67,10 +68,11 @@ void smooth_from_zero(const Level& level, std::span<const Row> b, std::span<Row>
 void restrict_residual_from_zero(const Level& level, std::span<const Row> b, std::span<const Row> u,
                                  std::span<Row> coarse) {
   share_each(coarse.size(), [&](std::uint32_t i) { coarse[i] = Row{}; });
+  const auto at = [&](std::uint32_t node) -> Row& { return coarse[node]; };
   const auto inner = [&](std::uint32_t i) {
     Row residual = sum_rows<false>(level, u, level.middle[i], level.offsets[i + 1]);
     if (level.inverse_degree[i] == 0) residual.s = b[i].s;
-    restrict_row(level.interpolation[i], residual, coarse);
+    level.interpolation[i].spread(residual, at);
   };
   // Those on the rim came after the others, which have heard of higher ones only.
   const auto outer = [&](std::uint32_t i) {
@@ -81,10 +83,10 @@ void restrict_residual_from_zero(const Level& level, std::span<const Row> b, std
       if (level.chunks.is_on_rim[neighbor]) {
         residual += weight * u[neighbor];
       } else {
-        restrict_row(level.interpolation[neighbor], weight * u[i], coarse);
+        level.interpolation[neighbor].spread(weight * u[i], at);
       }
     }
-    restrict_row(level.interpolation[i], residual, coarse);
+    level.interpolation[i].spread(residual, at);
   };
   level.chunks.visit(inner, outer);
 }

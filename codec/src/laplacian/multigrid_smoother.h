@@ -7,6 +7,7 @@
 #include <span>
 
 #include "laplacian/multigrid_level.h"
+#include "laplacian/multigrid_row.h"
 
 namespace deltamesh::multigrid {
 

@@ -30,17 +30,15 @@ class LargestThree {
   }
 
   /// `nodes`: by place.
-  Interpolation normalized(std::span<const std::uint32_t> nodes) const noexcept {
-    Interpolation result;
-    float sum = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      result.weight[k] = std::bit_cast<float>(static_cast<std::uint32_t>(keys_[k] >> 32));
-      result.node[k] = nodes[result.weight[k] > 0 ? ~static_cast<std::uint32_t>(keys_[k])
-                                                  : ~static_cast<std::uint32_t>(keys_[0])];
-      sum += result.weight[k];
-    }
-    for (float& weight : result.weight) weight *= 1.0F / sum;
-    return result;
+  Interpolation interpolation(std::span<const std::uint32_t> nodes) const noexcept {
+    std::array<float, 3> weights{};
+    for (std::size_t k = 0; k < 3; ++k)
+      weights[k] = std::bit_cast<float>(static_cast<std::uint32_t>(keys_[k] >> 32));
+    const float sixteenths = 16 / (weights[0] + weights[1] + weights[2]);
+    const auto second = static_cast<std::uint32_t>(sixteenths * weights[1] + 0.5F);
+    const auto third = static_cast<std::uint32_t>(sixteenths * weights[2] + 0.5F);
+    const auto node = [&](std::size_t k) { return nodes[~static_cast<std::uint32_t>(keys_[k])]; };
+    return {{node(0), node(second > 0 ? 1 : 0), node(third > 0 ? 2 : 0)}, second, third};
   }
 
  private:
@@ -53,8 +51,7 @@ void interpolate_nodes(const Level& fine, const Aggregates& aggregates, std::uin
   LargeVector<std::uint32_t> touched(aggregates.count() + 1);
   for (std::uint32_t node = begin; node < end; ++node) {
     if (aggregates.is_seed(node)) {
-      result[node].node.fill(aggregates.of(node));
-      result[node].weight = {1, 0, 0};
+      result[node] = Interpolation(aggregates.of(node));
       continue;
     }
     std::uint32_t count = 0;
@@ -67,7 +64,7 @@ void interpolate_nodes(const Level& fine, const Aggregates& aggregates, std::uin
     }
     LargestThree largest;
     for (std::uint32_t k = 0; k < count; ++k) largest.offer(k, std::exchange(sums[touched[k]], 0.0F));
-    result[node] = largest.normalized(touched);
+    result[node] = largest.interpolation(touched);
   }
 }
 
@@ -83,19 +80,17 @@ LargeVector<Interpolation> make_interpolation(const Level& fine, const Aggregate
 
 void restrict_rows(const Level& level, std::span<const Row> fine, std::span<Row> coarse) {
   share_each(coarse.size(), [&](std::uint32_t i) { coarse[i] = Row{}; });
-  level.chunks.visit([&](std::uint32_t i) { restrict_row(level.interpolation[i], fine[i], coarse); });
+  level.chunks.visit([&](std::uint32_t i) {
+    level.interpolation[i].spread(fine[i], [&](std::uint32_t node) -> Row& { return coarse[node]; });
+  });
 }
 
 void prolong_rows(const Level& level, std::span<const Row> coarse, std::span<Row> fine) {
-  share_each(fine.size(), [&](std::uint32_t i) { fine[i] = interpolate(level.interpolation[i], coarse); });
+  share_each(fine.size(), [&](std::uint32_t i) { fine[i] = level.interpolation[i].of(coarse); });
 }
 
 void add_prolonged_rows(const Level& level, std::span<const Row> coarse, std::span<Row> fine) {
-  share_each(fine.size(), [&](std::uint32_t i) {
-    const Row correction = interpolate(level.interpolation[i], coarse);
-    fine[i].x += correction.x;
-    fine[i].s += correction.s;
-  });
+  share_each(fine.size(), [&](std::uint32_t i) { fine[i] += level.interpolation[i].of(coarse); });
 }
 
 }  // namespace deltamesh::multigrid

@@ -9,6 +9,7 @@
 #include "base/large_vector.h"
 #include "laplacian/multigrid_aggregate.h"
 #include "laplacian/multigrid_level.h"
+#include "laplacian/multigrid_row.h"
 
 namespace deltamesh::multigrid {
 
@@ -24,23 +25,5 @@ void prolong_rows(const Level& level, std::span<const Row> coarse, std::span<Row
 
 /// fine += P coarse. O(n).
 void add_prolonged_rows(const Level& level, std::span<const Row> coarse, std::span<Row> fine);
-
-/// One node's value.
-inline Row interpolate(const Interpolation& p, std::span<const Row> coarse) noexcept {
-  const Row& a = coarse[p.node[0]];
-  const Row& b = coarse[p.node[1]];
-  const Row& c = coarse[p.node[2]];
-  return {p.weight[0] * a.x + p.weight[1] * b.x + p.weight[2] * c.x,
-          p.weight[0] * a.s + p.weight[1] * b.s + p.weight[2] * c.s};
-}
-
-/// One node's share of P^T.
-inline void restrict_row(const Interpolation& p, const Row& fine, std::span<Row> coarse) noexcept {
-  for (std::size_t k = 0; k < 3; ++k) {
-    Row& row = coarse[p.node[k]];
-    row.x += p.weight[k] * fine.x;
-    row.s += p.weight[k] * fine.s;
-  }
-}
 
 }  // namespace deltamesh::multigrid
