@@ -13,6 +13,7 @@
 #include "connectivity/connectivity.h"
 #include "entropy/compact_reader.h"
 #include "entropy/compact_writer.h"
+#include "field/field_coder.h"
 #include "geometry/anchor_list.h"
 #include "geometry/delta_symbols.h"
 #include "support/graph_mesh.h"
@@ -83,6 +84,11 @@ void fuzz_connectivity(std::span<const std::byte> bytes, std::uint32_t faces) {
 
 void fuzz_deltas(std::span<const std::byte> bytes) {
   static const test::GraphMesh kMesh = test::sheet(6, 5);
+  CompactReader reader(bytes);
+  FieldCoder<CompactReader, true> large(reader, kMesh.graph);
+  FieldNumbers numbers{};
+  for (std::uint32_t v = 0; v < kMesh.graph.vertex_count() && large.code_vertex(v, numbers, 3); ++v) {
+  }
   const auto read = read_compact_deltas(bytes, kMesh.graph);
   require_clean(read);
   if (!read) return;

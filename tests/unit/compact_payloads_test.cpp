@@ -224,6 +224,29 @@ TEST(CompactDeltas, FLD8TakesTwoWalksInTurns) {
   }
 }
 
+TEST(CompactDeltas, FLD9LargeFieldsHaveTwoModels) {
+  const auto mesh = test::sheet(363, 363);
+  const auto n = static_cast<std::uint32_t>(mesh.graph.vertex_count());
+  ASSERT_GE(n, kFewestOfLargeField);
+  ASSERT_LT(n, kFewestOfLargeField + 1000);
+  const auto deltas = random_deltas(3 * n, 9, 40);
+  const std::uint32_t middle = middle_of(n);
+  CompactWriter writer;
+  FieldCoder<CompactWriter, true> field(writer, mesh.graph, middle);
+  for (std::uint32_t v = 0; v < middle; ++v) {
+    FieldNumbers q = {deltas[v], deltas[n + v], deltas[2 * n + v]};
+    if (middle + v == n) {
+      EXPECT_TRUE(field.code_vertex(v, q, 3));
+      break;
+    }
+    FieldNumbers p = {deltas[middle + v], deltas[n + middle + v], deltas[2 * n + middle + v]};
+    EXPECT_TRUE(field.code_pair(v, middle + v, q, p));
+  }
+  const auto bytes = writer.finish();
+  EXPECT_EQ(bytes, write_compact_deltas(deltas, mesh.graph));
+  EXPECT_EQ(*read_compact_deltas(bytes, mesh.graph), deltas);
+}
+
 TEST(CompactDeltas, SmoothNeighborhoodsPay) {
   const auto mesh = test::sheet(60, 60);
   const std::size_t n = mesh.graph.vertex_count();

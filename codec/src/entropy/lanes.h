@@ -100,8 +100,8 @@ class LaneSum {
       : low_(load_lanes(lanes.data(), 0)), high_(load_lanes(lanes.data(), 1)) {}
 
   template <std::size_t K>
-  void add_weighted(const std::array<const std::int16_t*, K>& lanes,
-                    const std::array<std::uint16_t, 4>& weights) noexcept {
+  [[gnu::always_inline]] void add_weighted(const std::array<const std::int16_t*, K>& lanes,
+                                           const std::array<std::uint16_t, 4>& weights) noexcept {
     // Twice the weights, as a lane's double may be too large; twice that of one alone is too, by 2^16.
     __m128i twice = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(weights.data()));
     twice = _mm_unpacklo_epi16(twice, twice);
@@ -116,7 +116,7 @@ class LaneSum {
     if constexpr (K > 3) add_one<3>(lanes[3], twice);
   }
 
-  unsigned find(std::int16_t value) const noexcept {
+  [[gnu::always_inline]] unsigned find(std::int16_t value) const noexcept {
     const __m128i values = _mm_set1_epi16(value);
     const __m128i larger = _mm_packs_epi16(_mm_cmpgt_epi16(low_, values), _mm_cmpgt_epi16(high_, values));
     // One bit per lane that is larger; the one before the first of them is the last that is not.
@@ -124,14 +124,14 @@ class LaneSum {
     return static_cast<unsigned>(std::countr_zero(bits)) - 1;
   }
 
-  void store(std::uint16_t* lanes) const noexcept {
+  [[gnu::always_inline]] void store(std::uint16_t* lanes) const noexcept {
     _mm_store_si128(reinterpret_cast<__m128i*>(lanes), low_);
     _mm_store_si128(reinterpret_cast<__m128i*>(lanes + 8), high_);
   }
 
  private:
   template <int kPlace>
-  void add_one(const std::int16_t* lanes, __m128i twice) noexcept {
+  [[gnu::always_inline]] void add_one(const std::int16_t* lanes, __m128i twice) noexcept {
     const __m128i weight = _mm_shuffle_epi32(twice, 0x55 * kPlace);
     low_ = _mm_add_epi16(low_, _mm_mulhi_epu16(load_lanes(lanes, 0), weight));
     high_ = _mm_add_epi16(high_, _mm_mulhi_epu16(load_lanes(lanes, 1), weight));

@@ -24,8 +24,11 @@ using FieldNumbers = std::array<std::int32_t, 3>;
 /// Where the second of two walks begins that take turns [FLD-8].
 constexpr std::uint32_t middle_of(std::uint32_t vertices) noexcept { return vertices - vertices / 2; }
 
+/// Fields of so many vertices are large where their rule says so [FLD-9].
+inline constexpr std::uint32_t kFewestOfLargeField = 1U << 17;
+
 /// `Coder` is CompactWriter, CompactReader or CompactPricer. `graph` must outlive the coder.
-template <class Coder>
+template <class Coder, bool kLarge = false>
 class FieldCoder {
  public:
   /// One walk over all vertices.
@@ -34,7 +37,8 @@ class FieldCoder {
   /// Two walks, the second of which begins at `middle` [FLD-8].
   FieldCoder(Coder& coder, const Adjacency& graph, std::uint32_t middle)
       : coder_(coder), history_(graph, middle), numbers_(coder, kSurenesses) {
-    for (std::size_t i = 0; i < models_.size(); ++i) models_[i].assign(kFieldContexts[i], kFreshSplit);
+    for (std::size_t i = 0; i < models_.size(); ++i)
+      models_[i].assign(kFieldContexts<kLarge>[i], kFreshSplit);
   }
 
   /// Codes the first `axes` (1 to 3) numbers of `q` for `vertex`, the others being 0; all vertices before it
@@ -78,6 +82,10 @@ class FieldCoder {
   }
 
  private:
+  static constexpr std::size_t kModels = kFieldModels<kLarge>;
+  using Forecast = FieldForecast<kLarge>;
+  using Weights = MixWeights<kModels>;
+
   /// What a pair is coded with: a reader's copy, which a compiler can keep in registers, or a writer.
   using Held = std::conditional_t<Coder::kWrites, Coder&, Coder>;
   void give_back(const Coder& coder) noexcept {
@@ -86,8 +94,8 @@ class FieldCoder {
 
   template <unsigned kAxis>
   [[gnu::always_inline]] bool code_axis(FieldPredictor& predictor, FieldNumbers& q) {
-    const FieldForecast forecast = predictor.template forecast<kAxis>(weights_);
-    MixWeights<kFieldModels>& weights = mixes_[forecast.weight_set];
+    const Forecast forecast = predictor.template forecast<kLarge, kAxis>(weights_);
+    Weights& weights = mixes_[forecast.weight_set];
     const std::int64_t coded = code(coder_, q[kAxis], forecast, weights, &weights);
     return settle<kAxis>(predictor, q, coded);
   }
@@ -95,10 +103,10 @@ class FieldCoder {
   template <unsigned kAxis>
   [[gnu::always_inline]] bool code_axes(Coder& coder, FieldPredictor& a, FieldPredictor& b, FieldNumbers& q,
                                         FieldNumbers& p) {
-    const FieldForecast of_a = a.template forecast<kAxis>(weights_);
-    const FieldForecast of_b = b.template forecast<kAxis>(weights_);
-    MixWeights<kFieldModels>& weights_a = mixes_[of_a.weight_set];
-    const MixWeights<kFieldModels> weights_b = mixes_[of_b.weight_set];
+    const Forecast of_a = a.template forecast<kLarge, kAxis>(weights_);
+    const Forecast of_b = b.template forecast<kLarge, kAxis>(weights_);
+    Weights& weights_a = mixes_[of_a.weight_set];
+    const Weights weights_b = mixes_[of_b.weight_set];
     const std::int64_t coded_q = code(coder, q[kAxis], of_a, weights_a, &weights_a);
     const std::int64_t coded_p = code(coder, p[kAxis], of_b, weights_b, nullptr);
     return settle<kAxis>(a, q, coded_q) && settle<kAxis>(b, p, coded_p);
@@ -114,8 +122,8 @@ class FieldCoder {
 
   template <unsigned kAxis, class Choose>
   std::int32_t choose_axis(FieldPredictor& predictor, Choose& choose) {
-    const FieldForecast forecast = predictor.template forecast<kAxis>(weights_);
-    MixWeights<kFieldModels>& weights = mixes_[forecast.weight_set];
+    const Forecast forecast = predictor.template forecast<kLarge, kAxis>(weights_);
+    Weights& weights = mixes_[forecast.weight_set];
     const std::int32_t q = choose(kAxis, [&](std::int32_t candidate) {
       const auto trial = coder_.trial();
       code(coder_, candidate, forecast, weights, &weights);
@@ -127,12 +135,16 @@ class FieldCoder {
   }
 
   /// Returns the number, of any size where the stream lies [FLD-5].
-  [[gnu::always_inline]] std::int64_t code(Coder& coder, std::int64_t q, const FieldForecast& f,
-                                           const MixWeights<kFieldModels>& weights,
-                                           MixWeights<kFieldModels>* learning) {
-    const Mixture<kFieldModels> mixture(
-        {&models_[0][f.contexts[0]], &models_[1][f.contexts[1]], &models_[2][f.contexts[2]]}, weights,
-        learning);
+  [[gnu::always_inline]] std::int64_t code(Coder& coder, std::int64_t q, const Forecast& f,
+                                           const Weights& weights, Weights* learning) {
+    const auto model = [&](std::size_t k) { return &models_[k][f.contexts[k]]; };
+    std::array<SymbolModel*, kModels> models;
+    if constexpr (kLarge) {
+      models = {model(0), model(1)};
+    } else {
+      models = {model(0), model(1), model(2)};
+    }
+    const Mixture<kModels> mixture(models, weights, learning);
     const std::int64_t result = numbers_.code(coder, (q ^ f.sign) - f.sign, f.shift, mixture, f.sure);
     return (result ^ f.sign) - f.sign;
   }
@@ -140,8 +152,8 @@ class FieldCoder {
   Coder& coder_;
   FieldHistory history_;
   FieldWeights weights_;
-  std::array<std::vector<SymbolModel>, kFieldModels> models_;
-  std::array<MixWeights<kFieldModels>, kFieldWeightSets> mixes_;
+  std::array<std::vector<SymbolModel>, kModels> models_;
+  std::array<Weights, kFieldWeightSets> mixes_;
   SplitNumberCoder<Coder> numbers_;
 };
 

@@ -10,13 +10,15 @@
 #include "format/tags.h"
 
 namespace deltamesh {
+namespace {
 
-std::vector<std::byte> write_compact_deltas(std::span<const std::int32_t> deltas, const Adjacency& graph) {
+template <bool kLarge>
+std::vector<std::byte> write_field(std::span<const std::int32_t> deltas, const Adjacency& graph) {
   CompactWriter writer;
   const auto n = static_cast<std::uint32_t>(graph.vertex_count());
   writer.reserve(9 * std::size_t{n});
   const std::uint32_t middle = middle_of(n);
-  FieldCoder field(writer, graph, middle);
+  FieldCoder<CompactWriter, kLarge> field(writer, graph, middle);
   const auto at = [&](std::uint32_t v) {
     return FieldNumbers{deltas[v], deltas[std::size_t{n} + v], deltas[2 * std::size_t{n} + v]};
   };
@@ -32,12 +34,12 @@ std::vector<std::byte> write_compact_deltas(std::span<const std::int32_t> deltas
   return writer.finish();
 }
 
-Result<std::vector<std::int32_t>> read_compact_deltas(std::span<const std::byte> payload,
-                                                      const Adjacency& graph) {
+template <bool kLarge>
+Result<std::vector<std::int32_t>> read_field(std::span<const std::byte> payload, const Adjacency& graph) {
   CompactReader reader(payload);
   const auto n = static_cast<std::uint32_t>(graph.vertex_count());
   const std::uint32_t middle = middle_of(n);
-  FieldCoder field(reader, graph, middle);
+  FieldCoder<CompactReader, kLarge> field(reader, graph, middle);
   std::vector<std::int32_t> deltas;
   reserve_large(deltas, 3 * std::size_t{n});
   deltas.resize(3 * std::size_t{n});
@@ -58,6 +60,19 @@ Result<std::vector<std::int32_t>> read_compact_deltas(std::span<const std::byte>
   }
   DELTAMESH_CHECK(reader.finish(kTagDeltas));
   return deltas;
+}
+
+bool is_large(const Adjacency& graph) noexcept { return graph.vertex_count() >= kFewestOfLargeField; }
+
+}  // namespace
+
+std::vector<std::byte> write_compact_deltas(std::span<const std::int32_t> deltas, const Adjacency& graph) {
+  return is_large(graph) ? write_field<true>(deltas, graph) : write_field<false>(deltas, graph);
+}
+
+Result<std::vector<std::int32_t>> read_compact_deltas(std::span<const std::byte> payload,
+                                                      const Adjacency& graph) {
+  return is_large(graph) ? read_field<true>(payload, graph) : read_field<false>(payload, graph);
 }
 
 }  // namespace deltamesh
