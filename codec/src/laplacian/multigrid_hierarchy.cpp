@@ -9,8 +9,8 @@
 #include "laplacian/multigrid_aggregate.h"
 #include "laplacian/multigrid_bridges.h"
 #include "laplacian/multigrid_galerkin.h"
+#include "laplacian/multigrid_make_interpolation.h"
 #include "laplacian/multigrid_padding.h"
-#include "laplacian/multigrid_transfer.h"
 
 namespace deltamesh::multigrid {
 namespace {

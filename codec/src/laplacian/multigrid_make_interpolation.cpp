@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "laplacian/multigrid_make_interpolation.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "base/thread_team.h"
+#include "laplacian/multigrid_few_neighbors.h"
+
+namespace deltamesh::multigrid {
+namespace {
+
+/// What a neighbour that is a seed counts: it knows its aggregate's value better.
+constexpr float kSeedWeight = 4;
+
+/// Of the aggregates `touched`, the first ones among equals. Clears their sums.
+Favorites take_favorites(std::span<const std::uint32_t> touched, LargeVector<float>& sums) noexcept {
+  Favorites result{};
+  for (std::uint32_t aggregate : touched) {
+    float weight = std::exchange(sums[aggregate], 0.0F);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (weight <= result.weights[k]) continue;
+      std::swap(weight, result.weights[k]);
+      std::swap(aggregate, result.nodes[k]);
+    }
+  }
+  return result;
+}
+
+/// Their weights in sixteenths that add up to 1.
+Interpolation rounded(const Favorites& from) noexcept {
+  const float sixteenths = 16 / (from.weights[0] + from.weights[1] + from.weights[2]);
+  const auto second = static_cast<std::uint32_t>(sixteenths * from.weights[1] + 0.5F);
+  const auto third = static_cast<std::uint32_t>(sixteenths * from.weights[2] + 0.5F);
+  return {{from.nodes[0], from.nodes[second > 0 ? 1 : 0], from.nodes[third > 0 ? 2 : 0]}, second, third};
+}
+
+/// Of some nodes of a level.
+class Interpolator {
+ public:
+  Interpolator(const Level& fine, const Aggregates& aggregates)
+      : fine_(fine), aggregates_(aggregates), sums_(aggregates.count(), 0.0F) {}
+
+  Interpolation of(std::uint32_t node) {
+    if (aggregates_.is_seed(node)) return Interpolation(aggregates_.of(node));
+    const std::uint32_t begin = fine_.offsets[node];
+    const std::uint32_t degree = fine_.offsets[node + 1] - begin;
+    if (degree > FewNeighbors::kMost || begin + std::size_t{FewNeighbors::kMost} > fine_.neighbors.size())
+      return rounded(of_many(begin, begin + degree));
+    const FewNeighbors neighbors(fine_.neighbors.data() + begin,
+                                 fine_.has_unit_weights() ? nullptr : fine_.weights.data() + begin, degree,
+                                 aggregates_.codes.data(), kSeedWeight);
+    return rounded(neighbors.favorites());
+  }
+
+ private:
+  Favorites of_many(std::uint32_t begin, std::uint32_t end) {
+    touched_.clear();
+    for (std::uint32_t e = begin; e < end; ++e) {
+      const std::uint32_t neighbor = fine_.neighbors[e];
+      float& sum = sums_[aggregates_.of(neighbor)];
+      if (sum == 0) touched_.push_back(aggregates_.of(neighbor));
+      sum += (aggregates_.is_seed(neighbor) ? kSeedWeight : 1) * fine_.weight(e);
+    }
+    return take_favorites(touched_, sums_);
+  }
+
+  const Level& fine_;
+  const Aggregates& aggregates_;
+  LargeVector<float> sums_;             ///< by aggregates; 0 between nodes
+  std::vector<std::uint32_t> touched_;  ///< aggregates with a sum
+};
+
+}  // namespace
+
+LargeVector<Interpolation> make_interpolation(const Level& fine, const Aggregates& aggregates) {
+  LargeVector<Interpolation> result(fine.node_count());
+  share_rows(result.size(), [&](std::uint32_t begin, std::uint32_t end) {
+    Interpolator interpolator(fine, aggregates);
+    for (std::uint32_t node = begin; node < end; ++node) result[node] = interpolator.of(node);
+  });
+  return result;
+}
+
+}  // namespace deltamesh::multigrid
