@@ -31,26 +31,16 @@ struct DeltaScale {
         std::min(q < 0 ? 0 - static_cast<std::uint32_t>(q) : static_cast<std::uint32_t>(q), 2U);
     return step * std::copysign(size - shifts[bin], static_cast<double>(q));
   }
+};
 
-  /// The same of two symbols, in other units: `steps` each.
-  TwoDoubles values(TwoDoubles q, double steps) const noexcept {
-    const TwoDoubles size = q < 0 ? -q : q;
-    const TwoDoubles shift =
-        size == 1 ? TwoDoubles{} + shifts[1] : (size > 1 ? TwoDoubles{} + shifts[2] : TwoDoubles{});
-    const TwoDoubles moved = size - shift;
-    return steps * (q < 0 ? -moved : moved);
+/// Those of some vertices; x of all, then y, then z, as `from` has them. `to` may be `from`: what is read
+/// lies no farther to the front than what is written.
+inline void pick_symbols(std::span<const std::int32_t> from, std::span<const std::uint32_t> vertices,
+                         std::span<std::int32_t> to) noexcept {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      to[axis * vertices.size() + i] = from[axis * (from.size() / 3) + vertices[i]];
   }
-};
-
-/// x, y, z and 0 as the nearest whole numbers, and what these leave, at most a half.
-struct WholeAndRest {
-  FourInts whole;
-  FourFloats rest;
-};
-
-inline WholeAndRest split(TwoDoubles xy, TwoDoubles z0) noexcept {
-  const FourInts whole = nearest_lanes(xy, z0);
-  return {whole, narrow_lanes(xy - low_doubles(whole), z0 - high_doubles(whole))};
 }
 
 /// Owns nothing.
@@ -73,15 +63,11 @@ class DeltaView {
             scale_.value(symbols_[2 * size_ + i])};
   }
 
-  /// In some unit of which there are `per_length`, a power of two, in a model unit.
-  WholeAndRest in_units(std::size_t i, double per_length) const noexcept {
-    if (symbols_.empty()) {
-      const Vec3& v = values_[i];
-      return split(per_length * TwoDoubles{v[0], v[1]}, per_length * TwoDoubles{v[2], 0.0});
-    }
-    const FourInts q{symbols_[i], symbols_[size_ + i], symbols_[2 * size_ + i], 0};
-    const double steps = per_length * scale_.step;
-    return split(scale_.values(low_doubles(q), steps), scale_.values(high_doubles(q), steps));
+  bool has_symbols() const noexcept { return !symbols_.empty(); }
+  const DeltaScale& scale() const noexcept { return scale_; }
+  std::span<const std::int32_t> symbols() const noexcept { return symbols_; }
+  FourInts symbols_of(std::size_t i) const noexcept {
+    return FourInts{symbols_[i], symbols_[size_ + i], symbols_[2 * size_ + i], 0};
   }
 
  private:
@@ -89,6 +75,45 @@ class DeltaView {
   std::span<const std::int32_t> symbols_;
   DeltaScale scale_;
   std::size_t size_ = 0;
+};
+
+/// Deltas as whole numbers of a unit that is a step over 2^bits, the step of doubles being 1. Nothing is
+/// rounded where they are symbols and `bits` is 8 or more; what exceeds 32 bits turns around.
+class DeltaCounts {
+ public:
+  static constexpr int kMostBits = 30;
+
+  /// `bits`: of symbols 0 to kMostBits, of doubles -126 to 126.
+  DeltaCounts(const DeltaView& deltas, int bits) noexcept
+      : deltas_(deltas),
+        shift_of_ones_(static_cast<std::int32_t>(256 * deltas.scale().shifts[1])),
+        shift_of_others_(static_cast<std::int32_t>(256 * deltas.scale().shifts[2])),
+        left_(std::clamp(bits - 8, 0, 31)),
+        right_(std::clamp(8 - bits, 0, 31)),
+        half_(right_ > 0 ? 1 << (right_ - 1) : 0),
+        per_step_(std::ldexp(1.0, bits)) {}
+
+  FourInts operator[](std::size_t i) const noexcept {
+    if (!deltas_.has_symbols()) {
+      const Vec3 v = deltas_[i];
+      return nearest_lanes(per_step_ * TwoDoubles{v[0], v[1]}, per_step_ * TwoDoubles{v[2], 0.0});
+    }
+    const FourInts q = deltas_.symbols_of(i);
+    const FourInts sign = q >> 31;
+    const FourInts size = (q ^ sign) - sign;
+    const FourInts shift = ((size == 1) & shift_of_ones_) | ((size > 1) & shift_of_others_);
+    const FourInts moved = ((((size << 8) - shift) << left_) + half_) >> right_;
+    return (moved ^ sign) - sign;
+  }
+
+ private:
+  const DeltaView& deltas_;
+  std::int32_t shift_of_ones_;  ///< 1/256 steps
+  std::int32_t shift_of_others_;
+  int left_;
+  int right_;
+  std::int32_t half_;
+  double per_step_;
 };
 
 }  // namespace deltamesh

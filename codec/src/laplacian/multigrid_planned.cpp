@@ -157,29 +157,30 @@ void PlannedCycles::start(const DeltaView& deltas, std::span<const Vec3> targets
   std::fill(s_second_.begin(), s_second_.end(), Float4{});
   std::fill(forces_.begin(), forces_.end(), Float4{});
   const UnitEdges edges(finest);
+  const DeltaCounts parts(deltas, 8);  // exact, if deltas are symbols
+  const auto delta = [&](std::uint32_t i) {
+    return deltas.has_symbols() ? 0x1p-8F * __builtin_convertvector(parts[i], Float4) : to_float4(deltas[i]);
+  };
   restrict_to_second([&](const auto& take) {
-    finest.chunks.visit([&](std::uint32_t i) {
-      take(i, to_float4(static_cast<double>(edges.neighbor_count(i)) * deltas[i]));
-    });
+    finest.chunks.visit([&](std::uint32_t i) { take(i, edges.degree(i) * delta(i)); });
   });
-  for (std::size_t a = 0; a < targets.size(); ++a) gaps_[a] = to_float4(targets[a]);
+  for (std::size_t a = 0; a < targets.size(); ++a)
+    gaps_[a] = to_float4((1 / deltas.scale().step) * targets[a]);
   correct_from_second(kCorrections);
-  units_ = Units(largest_coordinate(u_));
+  units_ = Units(deltas, largest_coordinate(u_));
   share_each(x_.size(), [&](std::uint32_t i) { x_[i] = units_.count(finest.interpolation[i].of(u_)); });
 }
 
 void PlannedCycles::sweep_finest(const DeltaView& deltas, int sweeps) {
   const Level& finest = levels_[0];
   const UnitEdges edges(finest);
-  const double per_length = units_.per_length();
+  const DeltaCounts counts(deltas, units_.bits());
   // D (delta - L x) - D^2 s, of whole numbers as far as these go.
   const auto residual = [&](std::uint32_t i) {
     const auto count = static_cast<std::int32_t>(edges.neighbor_count(i));
-    const WholeAndRest delta = deltas.in_units(i, per_length);
-    const FourInts charge = edges.sum(i, x_.data()) + count * (delta.whole - x_[i]);
+    const FourInts charge = edges.sum(i, x_.data()) + count * (counts[i] - x_[i]);
     const float degree = edges.degree(i);
-    return units_.length(charge, degree * delta.rest) -
-           degree * degree * finest.interpolation[i].of(s_second_);
+    return units_.steps(charge) - degree * degree * finest.interpolation[i].of(s_second_);
   };
   const auto keep = [&](std::uint32_t i, Float4 step) { x_[i] += units_.count(step); };
   sweep_first(finest, edges, residual, residual, step_, keep);
@@ -190,8 +191,10 @@ void PlannedCycles::cycle(const DeltaView& deltas, std::span<const Vec3> targets
   const Level& finest = levels_[0];
   sweep_finest(deltas, kFinestSweeps);
   restrict_to_second([&](const auto& take) { take_residuals(finest, UnitEdges(finest), step_, take); });
-  for (std::size_t a = 0; a < targets.size(); ++a)
-    gaps_[a] = to_float4(targets[a] - units_.position(x_[finest.anchors[a]]));
+  for (std::size_t a = 0; a < targets.size(); ++a) {
+    const Vec3 gap = targets[a] - units_.position(x_[finest.anchors[a]]);
+    gaps_[a] = to_float4((1 / deltas.scale().step) * gap);
+  }
   correct_from_second(corrections);
   share_each(x_.size(), [&](std::uint32_t i) { x_[i] += units_.count(finest.interpolation[i].of(u_)); });
 }

@@ -22,7 +22,7 @@ namespace deltamesh::multigrid {
 /// The same mixed problem as MultigridCycle's, with s = P s_c interpolated from level c, the third (the
 /// second where there are but two, or anchors are many). Away from the anchors s is harmonic, hence smooth,
 /// and the forces there are a few hundredths of the error that quantisation leaves, so that what this changes
-/// cannot be seen. x is kept in whole numbers; corrections are floats.
+/// cannot be seen. x is kept in whole numbers; corrections are floats, in steps of the deltas.
 class PlannedCycles {
  public:
   /// `levels`: at least two; must outlive this.
@@ -49,7 +49,7 @@ class PlannedCycles {
   std::span<const Level> levels_;
   std::size_t coupled_;  ///< c
   LevelSolver solver_;
-  Units units_{1};
+  Units units_{DeltaView{}, 0};
   LargeVector<FourInts> x_;          ///< finest level
   LargeVector<Float4> step_;         ///< likewise: what the last sweep added, and a 0
   LargeVector<Float4> b_;            ///< second level: right-hand side; empty where c is that

@@ -110,13 +110,17 @@ class GroupSolver {
   /// Own copies for a group that is not the whole graph.
   void gather(const DeltaView& deltas, std::span<const Vec3> x) {
     own_x_.clear();
-    own_deltas_.clear();
-    for (const std::uint32_t v : group_.vertices) {
-      own_x_.push_back(x[v]);
-      own_deltas_.push_back(deltas[v]);
-    }
-    deltas_ = own_deltas_;
+    for (const std::uint32_t v : group_.vertices) own_x_.push_back(x[v]);
     x_ = own_x_;
+    if (deltas.has_symbols()) {
+      own_symbols_.resize(3 * group_.vertices.size());
+      pick_symbols(deltas.symbols(), group_.vertices, own_symbols_);
+      deltas_ = DeltaView(own_symbols_, deltas.scale());
+    } else {
+      own_deltas_.clear();
+      for (const std::uint32_t v : group_.vertices) own_deltas_.push_back(deltas[v]);
+      deltas_ = own_deltas_;
+    }
   }
 
   /// Cycles until settled (true), or until they make little progress. The first one goes on from start(), in
@@ -260,6 +264,7 @@ class GroupSolver {
   DeltaView deltas_;
   std::span<Vec3> x_;
   std::vector<Vec3> own_deltas_;
+  std::vector<std::int32_t> own_symbols_;
   std::vector<Vec3> own_x_;
   std::vector<Vec3> targets_;
   multigrid::Settling settling_;

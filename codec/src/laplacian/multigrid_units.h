@@ -10,44 +10,49 @@
 
 #include "base/four_ints.h"
 #include "base/vec3.h"
+#include "laplacian/delta_view.h"
 #include "laplacian/multigrid_row.h"
 
 namespace deltamesh::multigrid {
 
-/// Sums of positions are right modulo 2^32 units, so a residual is right where it is below 2^31 units itself.
+/// Units are 2^-bits steps of the deltas, which these are multiples of. Sums of positions are right modulo
+/// 2^32 units, so a residual is right where it is below 2^31 units itself.
 class Units {
  public:
-  /// `reach`: the largest coordinate at the start, about; what goes beyond 8 times as much turns around.
-  /// Where that is not finite, no position will be.
-  explicit Units(float reach) noexcept
-      : unit_(std::isfinite(reach) ? std::ldexp(1.0F, exponent_for(reach)) : reach), per_length_(1 / unit_) {}
+  /// `reach`: steps, the largest coordinate at the start, about; what goes beyond 8 times as much turns
+  /// around. Where it is not finite no position will be.
+  Units(const DeltaView& deltas, float reach) noexcept
+      : bits_(bits_for(deltas, reach)),
+        per_step_(std::ldexp(1.0F, bits_)),
+        step_(std::ldexp(1.0F, -bits_)),
+        unit_(std::isfinite(reach) ? std::ldexp(deltas.scale().step, -bits_) : static_cast<double>(reach)) {}
+
+  int bits() const noexcept { return bits_; }
 
   /// The nearest whole number, of two that of the even one; -2^31 where there is none.
-  FourInts count(Float4 lengths) const noexcept { return nearest_lanes(per_length_ * lengths); }
+  FourInts count(Float4 steps) const noexcept { return nearest_lanes(per_step_ * steps); }
 
-  float per_length() const noexcept { return per_length_; }
+  Float4 steps(FourInts counts) const noexcept { return step_ * __builtin_convertvector(counts, Float4); }
 
-  /// Of counts + rest units.
-  Float4 length(FourInts counts, Float4 rest) const noexcept {
-    return unit_ * (__builtin_convertvector(counts, Float4) + rest);
-  }
-
+  /// Model units.
   Vec3 position(FourInts counts) const noexcept {
-    const double unit = unit_;
-    return {unit * counts[0], unit * counts[1], unit * counts[2]};
+    return {unit_ * counts[0], unit_ * counts[1], unit_ * counts[2]};
   }
 
  private:
   /// Of the largest coordinate at the start.
   static constexpr int kBits = 27;
 
-  /// Neither the unit nor one over it is out of the range of floats.
-  static int exponent_for(float reach) noexcept {
-    return reach > 0 ? std::clamp(std::ilogb(reach) - kBits, -126, 126) : 0;
+  static int bits_for(const DeltaView& deltas, float reach) noexcept {
+    if (!(reach > 0 && std::isfinite(reach))) return 0;
+    const int bits = kBits - std::ilogb(reach);
+    return deltas.has_symbols() ? std::clamp(bits, 0, DeltaCounts::kMostBits) : std::clamp(bits, -126, 126);
   }
 
-  float unit_;        ///< a power of two
-  float per_length_;  ///< 1 / unit_
+  int bits_;
+  float per_step_;
+  float step_;   ///< a unit, in steps
+  double unit_;  ///< model units
 };
 
 }  // namespace deltamesh::multigrid

@@ -50,15 +50,6 @@ void pick_anchors(const LeastSquaresProblem& problem, std::span<const std::uint3
   }
 }
 
-/// `to` may be `from`: what is read lies no farther to the front than what is written.
-void pick_symbols(std::span<const std::int32_t> from, std::span<const std::uint32_t> vertices,
-                  std::span<std::int32_t> to) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-      to[axis * vertices.size() + i] = from[axis * (from.size() / 3) + vertices[i]];
-  }
-}
-
 LeastSquaresProblem copy_part(const LeastSquaresProblem& problem, std::span<const std::uint32_t> vertices) {
   LeastSquaresProblem part{.graph = copy_vertices(problem.graph, vertices),
                            .components = pick_components(problem.components, vertices)};
