@@ -147,7 +147,7 @@ class CompactGuide {
 /// bytes hold more the room grows.
 std::size_t reserved_at_once(std::uint32_t declared, std::size_t bytes) noexcept {
   constexpr std::size_t kPerByte = 32;
-  constexpr std::size_t kAnyway = std::size_t{1} << 20;
+  constexpr std::size_t kAnyway = std::size_t{1} << 22;
   return std::min<std::size_t>(declared, std::max(kAnyway, bytes * kPerByte));
 }
 

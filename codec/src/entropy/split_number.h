@@ -21,6 +21,8 @@ namespace deltamesh {
 /// Of the symbols: 0 to 14 stand for -7 to 7, the last for all others.
 inline constexpr SymbolModel kFreshSplit({1, 2, 3, 4, 8, 14, 24, 40, 24, 14, 8, 4, 3, 2, 1, 3});
 
+inline constexpr unsigned kMostLowBits = kMostBitsAtOnce + 1;  ///< that come with the symbol
+
 /// `Coder` is CompactWriter, CompactReader or CompactPricer.
 template <class Coder>
 class SplitNumberCoder {
@@ -55,7 +57,6 @@ class SplitNumberCoder {
  private:
   static constexpr unsigned kEscape = 15;
   static constexpr std::int64_t kReach = 7;
-  static constexpr unsigned kMostLowBits = kMostBitsAtOnce + 1;  ///< that come with the symbol
   static constexpr unsigned kTailShifts = 4;
   static constexpr unsigned kLongTail = 7;  ///< bit lengths from here on are written out
   static constexpr SymbolModel kFreshTail{{12, 8, 10, 7, 8, 5, 6, 4, 4, 3, 3, 2, 2, 1, 1, 1}};

@@ -137,6 +137,7 @@ class FieldCoder {
   /// Returns the number, of any size where the stream lies [FLD-5].
   [[gnu::always_inline]] std::int64_t code(Coder& coder, std::int64_t q, const Forecast& f,
                                            const Weights& weights, Weights* learning) {
+    if (f.shift > kMostLowBits) __builtin_unreachable();  // no magnitude is above 2^18 sixteenths
     const auto model = [&](std::size_t k) { return &models_[k][f.contexts[k]]; };
     std::array<SymbolModel*, kModels> models;
     if constexpr (kLarge) {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/large_vector.h"
 #include "base/try.h"
 #include "format/tags.h"
 #include "geometry/highpass_symbols.h"
@@ -110,7 +111,9 @@ Result<void> complete_positions(const HighpassSymbols& symbols, const std::vecto
 Result<std::vector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, const SolvedPart& part,
                                                PartSolver& solver, const Box& box,
                                                const HighpassParameters& parameters) {
-  std::vector<Vec3> positions(part.whole_count);
+  std::vector<Vec3> positions;
+  reserve_large(positions, part.whole_count);
+  positions.resize(part.whole_count);
   if (part.row_count > 0) {
     DELTAMESH_CHECK(solver.solve(anchor_rows(symbols.anchors, part),
                                  DeltaView(symbols.deltas, scale_of(parameters)),
@@ -124,7 +127,9 @@ Result<std::vector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, c
 Result<std::vector<Vec3>> reconstruct_highpass_once(HighpassSymbols symbols, SolvedPart part, const Box& box,
                                                     const HighpassParameters& parameters) {
   const std::vector<bool> is_solved = solved_marks(part);
-  std::vector<Vec3> positions(part.whole_count);
+  std::vector<Vec3> positions;
+  reserve_large(positions, part.whole_count);
+  positions.resize(part.whole_count);
   if (part.row_count > 0) {
     LeastSquaresProblem problem{.graph = std::exchange(part.graph, {}),
                                 .components = std::exchange(part.components, {}),

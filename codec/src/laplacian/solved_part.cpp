@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/large_vector.h"
 #include "laplacian/anchors.h"
 #include "topology/subgraph.h"
 
@@ -26,10 +27,12 @@ SolvedPart extract_solved_part(Adjacency graph, Components components) {
   const auto is_solved = [](std::uint32_t size) { return size >= kSmallestSolvedComponent; };
   const Components& all = part.components;
   if (std::all_of(all.size.begin(), all.size.end(), is_solved)) return part;
+  part.row_count = 0;
+  for (const std::uint32_t size : all.size) part.row_count += is_solved(size) ? size : 0;
+  reserve_large(part.vertices, part.row_count);
   for (std::uint32_t vertex = 0; vertex < whole_count; ++vertex) {
     if (is_solved(all.size[all.label[vertex]])) part.vertices.push_back(vertex);
   }
-  part.row_count = part.vertices.size();
   keep_vertices(part.graph, part.vertices);
   part.components = pick_components(all, part.vertices);
   return part;

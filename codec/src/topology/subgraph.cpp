@@ -2,12 +2,14 @@
 // Copyright 2026 The deltamesh authors
 #include "topology/subgraph.h"
 
+#include "base/large_vector.h"
+
 namespace deltamesh {
 namespace {
 
-/// New number of every kept vertex.
-std::vector<std::uint32_t> renumbering(std::size_t vertex_count, std::span<const std::uint32_t> kept) {
-  std::vector<std::uint32_t> row(vertex_count, 0);
+/// New number of every kept vertex; anything for the others, which are no neighbours of these.
+LargeVector<std::uint32_t> renumbering(std::size_t vertex_count, std::span<const std::uint32_t> kept) {
+  LargeVector<std::uint32_t> row(vertex_count);
   for (std::uint32_t i = 0; i < kept.size(); ++i) row[kept[i]] = i;
   return row;
 }
@@ -21,7 +23,7 @@ std::vector<bool> mark_vertices(std::span<const std::uint32_t> kept, std::size_t
 }
 
 Adjacency copy_vertices(const Adjacency& graph, std::span<const std::uint32_t> kept) {
-  const std::vector<std::uint32_t> row = renumbering(graph.vertex_count(), kept);
+  const LargeVector<std::uint32_t> row = renumbering(graph.vertex_count(), kept);
   Adjacency part;
   part.offsets.reserve(kept.size() + 1);
   part.offsets.push_back(0);
@@ -36,7 +38,7 @@ Adjacency copy_vertices(const Adjacency& graph, std::span<const std::uint32_t> k
 
 /// Rows only move to the front, and row i is written after kept[i] >= i was read.
 void keep_vertices(Adjacency& graph, std::span<const std::uint32_t> kept) {
-  const std::vector<std::uint32_t> row = renumbering(graph.vertex_count(), kept);
+  const LargeVector<std::uint32_t> row = renumbering(graph.vertex_count(), kept);
   std::uint32_t written = 0;
   for (std::size_t i = 0; i < kept.size(); ++i) {
     const std::uint32_t end = graph.offsets[kept[i] + 1];
