@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <set>
 #include <string>
@@ -20,6 +21,7 @@
 #include "laplacian/multigrid_edges.h"
 #include "laplacian/multigrid_groups.h"
 #include "laplacian/multigrid_hierarchy.h"
+#include "laplacian/multigrid_make_interpolation.h"
 #include "laplacian/multigrid_smoother.h"
 #include "laplacian/multigrid_sweeps.h"
 #include "laplacian/small_components.h"
@@ -408,7 +410,8 @@ TEST(Multigrid, LevelsShrinkAndKeepTheirAnchorsApart) {
     EXPECT_LT(levels[l + 1].node_count() * 2, level.node_count());
     for (const multigrid::Interpolation& p : level.interpolation) {
       EXPECT_EQ(p.weight(0) + p.weight(1) + p.weight(2), 1);
-      for (const std::uint32_t node : {p.node(0), p.node(1), p.node(2)}) EXPECT_LT(node, levels[l + 1].node_count());
+      for (const std::uint32_t node : {p.node(0), p.node(1), p.node(2)})
+        EXPECT_LT(node, levels[l + 1].node_count());
     }
     for (std::size_t a = 0; a < anchors.size(); ++a) {
       EXPECT_EQ(level.interpolation[level.anchors[a]].node(0), levels[l + 1].anchors[a]);
@@ -487,6 +490,36 @@ TEST(Multigrid, AggregatesAreASeedAndItsNeighbours) {
     }
   }
   EXPECT_EQ(members, mesh.positions.size());
+}
+
+/// Of nodes with few neighbours, and of one with ten.
+TEST(Multigrid, NodesAreInterpolatedFromTheAggregatesNextToThem) {
+  GraphMesh mesh = test::sheet(30, 30);
+  mesh.triangles.insert(mesh.triangles.end(), {435, 438, 439, 435, 440, 441});
+  mesh = test::finish(std::move(mesh));
+  ASSERT_EQ(mesh.graph.degree(435), 10U);
+  const std::uint32_t anchors[] = {5, 700};
+  const auto levels = multigrid::build_hierarchy(mesh.graph, anchors, 0, multigrid::Coarsening::kExact);
+  const multigrid::Aggregates aggregates = multigrid::aggregate(levels.front());
+  ASSERT_FALSE(aggregates.is_seed(435));
+  const auto interpolation = multigrid::make_interpolation(levels.front(), aggregates);
+  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+    std::map<std::uint32_t, int> weights;
+    for (const std::uint32_t other : mesh.graph.of(v))
+      weights[aggregates.of(other)] += aggregates.is_seed(other) ? 4 : 1;
+    if (aggregates.is_seed(v)) weights = {{aggregates.of(v), 1}};
+    std::vector<int> heaviest;
+    for (const auto& [aggregate, weight] : weights) heaviest.push_back(weight);
+    std::sort(heaviest.rbegin(), heaviest.rend());
+    heaviest.resize(3, 0);
+    const auto sum = static_cast<float>(heaviest[0] + heaviest[1] + heaviest[2]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_NEAR(interpolation[v].weight(k), static_cast<float>(heaviest[k]) / sum, 1.01F / 16) << v;
+      if (interpolation[v].weight(k) > 0) {
+        EXPECT_EQ(weights[interpolation[v].node(k)], heaviest[k]) << v;
+      }
+    }
+  }
 }
 
 TEST(Multigrid, GroupsPartTheGraphByDepth) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// A coarse graph at a tenth of the cost of P^T K P: the edges between aggregates, as the paths that they are
-// on.
+// A coarse graph at a quarter of the cost of P^T K P: the edges between aggregates, as the paths that they
+// are on.
 #pragma once
 
 #include "laplacian/multigrid_aggregate.h"

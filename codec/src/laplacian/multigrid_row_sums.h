@@ -30,15 +30,6 @@ class RowSums {
     sum.value += value;
   }
 
-  /// The same where columns met for the first time are rare.
-  void add_known(std::uint32_t column, float value) noexcept {
-    if (sums_[column].is_touched == 0) [[unlikely]] {
-      sums_[column].is_touched = 1;
-      touched_[count_++] = column;
-    }
-    sums_[column].value += value;
-  }
-
   /// Calls take(column, sum) for every column in the order of first mention, and clears the row.
   template <class Take>
   void finish(const Take& take) {
