@@ -27,14 +27,14 @@ Result<CodedHighpass> write(const GraphMesh& mesh, const HighpassRequest& reques
   return write_highpass(mesh.graph, mesh.components, mesh.positions, mesh.box, request);
 }
 
-Result<std::vector<Vec3>> read(const GraphMesh& mesh, const CodedHighpass& coded) {
+Result<LargeVector<Vec3>> read(const GraphMesh& mesh, const CodedHighpass& coded) {
   // Exact-size copies, so that a sanitizer sees any read past the end.
   const Bytes deltas(coded.deltas);
   const Bytes anchors(coded.anchors);
   return read_highpass(deltas, anchors, mesh.graph, mesh.components, mesh.box, coded.parameters);
 }
 
-void expect_rule(const Result<std::vector<Vec3>>& result, const char* rule) {
+void expect_rule(const Result<LargeVector<Vec3>>& result, const char* rule) {
   ASSERT_FALSE(result);
   EXPECT_STREQ(result.error().rule, rule);
 }

@@ -134,7 +134,7 @@ class StreamDecoder {
                  .rule = "HDR-7"};
   }
 
-  Result<std::vector<Vec3>> read_solved(std::span<const std::uint32_t> triangles) {
+  Result<LargeVector<Vec3>> read_solved(std::span<const std::uint32_t> triangles) {
     Adjacency graph = build_adjacency(triangles, open_edges_, header_.geometric_vertices);
     geometric_triangles_ = std::vector<std::uint32_t>();  // which {} would not free
     Components components = runs_.components(header_.geometric_vertices);

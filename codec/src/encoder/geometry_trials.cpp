@@ -54,7 +54,7 @@ Result<GeometryChoice> GeometryTrials::to_choice(CodedHighpass coded) const {
 Result<TrialFigures> GeometryTrials::run(const CoderSettings& settings) {
   HighpassSettings highpass = highpass_settings(settings);
   DELTAMESH_TRY(CodedHighpass coded, coder_.code(highpass));
-  std::vector<Vec3> settled = std::move(coded.positions);
+  LargeVector<Vec3> settled = std::move(coded.positions);
   DELTAMESH_TRY(const auto decoded, to_float_positions(settled));
   const Quality quality = measure_quality(input_.graph, input_.positions, decoded);
   if (!is_declarable(quality))
@@ -75,7 +75,7 @@ Result<TrialFigures> GeometryTrials::run(const CoderSettings& settings) {
 
 Result<GeometryChoice> GeometryTrials::plan_kept(const Bounds& bounds) {
   GeometryChoice choice = kept_->choice;
-  const auto keeps_bounds = [&](const std::vector<Vec3>& positions) {
+  const auto keeps_bounds = [&](std::span<const Vec3> positions) {
     const auto decoded = to_float_positions(positions);
     if (!decoded) return false;
     const Quality quality = measure_quality(input_.graph, input_.positions, *decoded);

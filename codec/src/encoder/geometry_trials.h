@@ -55,7 +55,7 @@ class GeometryTrials final : public TrialCoder {
  private:
   struct Trial {
     HighpassSettings settings;
-    std::vector<Vec3> settled;  ///< n: without half cycles
+    LargeVector<Vec3> settled;  ///< n: without half cycles
     GeometryChoice choice;
   };
   HighpassSettings highpass_settings(const CoderSettings& settings);

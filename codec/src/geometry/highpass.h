@@ -53,7 +53,7 @@ struct CodedHighpass {
   std::vector<std::byte> anchors;          ///< ANCH payload, plain
   std::vector<std::byte> compact_anchors;  ///< the same in the compact form
   /// n: what read_highpass will return where no half cycles are said.
-  std::vector<Vec3> positions{};
+  LargeVector<Vec3> positions{};
 };
 
 /// Codes one mesh under any settings, one after the other.
@@ -88,7 +88,7 @@ class HighpassCoder {
   /// `accepts`; 0 where that takes too many [DELT-7]. The positions accepted last are what read_highpass will
   /// return. Errors as code(). Cost: some solves.
   Result<int> plan(const HighpassSettings& settings, std::span<const Vec3> settled,
-                   const std::function<bool(const std::vector<Vec3>&)>& accepts);
+                   const std::function<bool(std::span<const Vec3>)>& accepts);
 
   HighpassCoder(const HighpassCoder&) = delete;
   HighpassCoder& operator=(const HighpassCoder&) = delete;
@@ -132,7 +132,7 @@ Result<CodedHighpass> write_highpass(const Adjacency& graph, const Components& c
 /// Returns n finite positions. `graph`, `components`: of the decoded faces; given away, they are freed when
 /// they have served. Without a team of threads it takes the least memory. Errors: kTruncated, kInvalidStream
 /// [DELT-*, ANCH-*, CMP-3, FLD-1].
-Result<std::vector<Vec3>> read_highpass(Payload deltas, Payload anchors, Adjacency graph,
+Result<LargeVector<Vec3>> read_highpass(Payload deltas, Payload anchors, Adjacency graph,
                                         Components components, const Box& box,
                                         const HighpassParameters& parameters);
 

@@ -96,7 +96,7 @@ Result<HighpassSymbols> read_anchor_symbols(Payload anchors, const Components& c
 /// With a team: one thread reads the deltas while the others read the anchors and set up the solver, which
 /// takes the memory of all at once. Alone one does better to give back what has served:
 /// reconstruct_highpass_once().
-Result<std::vector<Vec3>> read_and_solve(Payload deltas, Payload anchors, Adjacency graph,
+Result<LargeVector<Vec3>> read_and_solve(Payload deltas, Payload anchors, Adjacency graph,
                                          Components components, const Box& box,
                                          const HighpassParameters& parameters) {
   const SolvedPart part = extract_solved_part(std::move(graph), components);
@@ -114,7 +114,7 @@ Result<std::vector<Vec3>> read_and_solve(Payload deltas, Payload anchors, Adjace
 
 }  // namespace
 
-Result<std::vector<Vec3>> read_highpass(Payload deltas, Payload anchors, Adjacency graph,
+Result<LargeVector<Vec3>> read_highpass(Payload deltas, Payload anchors, Adjacency graph,
                                         Components components, const Box& box,
                                         const HighpassParameters& parameters) {
   DELTAMESH_CHECK(check_parameters(parameters, graph.vertex_count()));

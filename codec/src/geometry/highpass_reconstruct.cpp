@@ -81,13 +81,13 @@ std::vector<bool> solved_marks(const SolvedPart& part) {
   return part.is_whole() ? std::vector<bool>() : mark_vertices(part.vertices, part.whole_count);
 }
 
-/// Positions of all vertices from the solution, which is in front: what is not solved for is on the lattice.
-/// Errors: kInvalidStream [DELT-3].
-Result<void> complete_positions(const HighpassSymbols& symbols, const std::vector<bool>& is_solved,
-                                const Box& box, const HighpassParameters& parameters,
-                                std::span<Vec3> positions) {
+/// Positions of all vertices from the solution of `solved`, which are in front: the others are on the
+/// lattice [ANCH-2]. Errors: kInvalidStream [DELT-3].
+Result<void> complete_positions(const HighpassSymbols& symbols, std::size_t solved,
+                                const std::vector<bool>& is_solved, const Box& box,
+                                const HighpassParameters& parameters, std::span<Vec3> positions) {
   const Vec3 center = middle(box);
-  for (Vec3& x : positions) x = center + x;
+  for (Vec3& x : positions.first(solved)) x = center + x;
   if (!is_solved.empty()) {
     spread_to_marks(positions, is_solved);
     const AnchorLattice lattice(box, parameters.anchor_bits);
@@ -108,28 +108,25 @@ Result<void> complete_positions(const HighpassSymbols& symbols, const std::vecto
 
 }  // namespace
 
-Result<std::vector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, const SolvedPart& part,
+Result<LargeVector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, const SolvedPart& part,
                                                PartSolver& solver, const Box& box,
                                                const HighpassParameters& parameters) {
-  std::vector<Vec3> positions;
-  reserve_large(positions, part.whole_count);
-  positions.resize(part.whole_count);
+  LargeVector<Vec3> positions(part.whole_count);
   if (part.row_count > 0) {
     DELTAMESH_CHECK(solver.solve(anchor_rows(symbols.anchors, part),
                                  DeltaView(symbols.deltas, scale_of(parameters)),
                                  anchor_targets(symbols, part, box, parameters), parameters.half_cycles,
                                  std::span(positions).first(part.row_count)));
   }
-  DELTAMESH_CHECK(complete_positions(symbols, solved_marks(part), box, parameters, positions));
+  DELTAMESH_CHECK(
+      complete_positions(symbols, part.row_count, solved_marks(part), box, parameters, positions));
   return positions;
 }
 
-Result<std::vector<Vec3>> reconstruct_highpass_once(HighpassSymbols symbols, SolvedPart part, const Box& box,
+Result<LargeVector<Vec3>> reconstruct_highpass_once(HighpassSymbols symbols, SolvedPart part, const Box& box,
                                                     const HighpassParameters& parameters) {
   const std::vector<bool> is_solved = solved_marks(part);
-  std::vector<Vec3> positions;
-  reserve_large(positions, part.whole_count);
-  positions.resize(part.whole_count);
+  LargeVector<Vec3> positions;
   if (part.row_count > 0) {
     LeastSquaresProblem problem{.graph = std::exchange(part.graph, {}),
                                 .components = std::exchange(part.components, {}),
@@ -139,9 +136,10 @@ Result<std::vector<Vec3>> reconstruct_highpass_once(HighpassSymbols symbols, Sol
                                 .targets = anchor_targets(symbols, part, box, parameters),
                                 .half_cycles = parameters.half_cycles};
     std::vector<std::uint32_t>().swap(part.vertices);
-    DELTAMESH_CHECK(solve_once(std::move(problem), std::span(positions).first(part.row_count)));
+    DELTAMESH_TRY(positions, solve_once(std::move(problem), part.whole_count));
   }
-  DELTAMESH_CHECK(complete_positions(symbols, is_solved, box, parameters, positions));
+  positions.resize(part.whole_count);  // where there was nothing to solve
+  DELTAMESH_CHECK(complete_positions(symbols, part.row_count, is_solved, box, parameters, positions));
   return positions;
 }
 

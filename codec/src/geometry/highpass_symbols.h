@@ -47,12 +47,12 @@ std::vector<std::uint32_t> anchor_rows(std::span<const std::uint32_t> anchors, c
 /// Solves for the vertices of `part` by `solver`, which belongs to it, takes the others from the lattice.
 /// `symbols` are checked against [DELT-*] and [ANCH-*] already, apart from floats. Returns one position per
 /// vertex of the whole graph. Errors: kInvalidStream [DELT-3] where a position is not finite as float32.
-Result<std::vector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, const SolvedPart& part,
+Result<LargeVector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, const SolvedPart& part,
                                                PartSolver& solver, const Box& box,
                                                const HighpassParameters& parameters);
 
 /// The same positions with less memory, for one who needs them once.
-Result<std::vector<Vec3>> reconstruct_highpass_once(HighpassSymbols symbols, SolvedPart part, const Box& box,
+Result<LargeVector<Vec3>> reconstruct_highpass_once(HighpassSymbols symbols, SolvedPart part, const Box& box,
                                                     const HighpassParameters& parameters);
 
 }  // namespace deltamesh

@@ -151,7 +151,7 @@ Result<CodedHighpass> HighpassCoder::code(const HighpassSettings& settings) {
 }
 
 Result<int> HighpassCoder::plan(const HighpassSettings& settings, std::span<const Vec3> settled,
-                                const std::function<bool(const std::vector<Vec3>&)>& accepts) {
+                                const std::function<bool(std::span<const Vec3>)>& accepts) {
   solver_.forget();  // what settles takes other levels
   DELTAMESH_CHECK(quantize(settings));
   const HighpassSymbols symbols = symbols_for(settings);
@@ -174,9 +174,9 @@ Result<CodedHighpass> write_highpass(const Adjacency& graph, const Components& c
   settings.anchors =
       place_anchors(graph, components, {.count = request.anchors, .density = request.anchor_density});
   DELTAMESH_TRY(auto coded, coder.code(settings));
-  const std::vector<Vec3> settled = coded.positions;
-  DELTAMESH_TRY(const int half_cycles, coder.plan(settings, settled, [&](const std::vector<Vec3>& planned) {
-    coded.positions = planned;
+  const LargeVector<Vec3> settled = coded.positions;
+  DELTAMESH_TRY(const int half_cycles, coder.plan(settings, settled, [&](std::span<const Vec3> planned) {
+    coded.positions.assign(planned.begin(), planned.end());
     return true;
   }));
   coded.parameters.half_cycles = static_cast<std::uint8_t>(half_cycles);

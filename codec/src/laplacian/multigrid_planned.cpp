@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "base/thread_team.h"
 #include "laplacian/multigrid_edges.h"
@@ -53,8 +54,7 @@ PlannedCycles::PlannedCycles(std::span<const Level> levels, const Components& co
       coupled_(coupled_level(levels)),
       solver_(levels, coupled_, shared_components(components, levels.front().anchors), components.count,
               false),
-      x_(levels[0].node_count()),
-      step_(x_.size() + 1),
+      step_(levels[0].node_count() + 1),
       u_(levels[1].node_count()),
       s_second_(levels[1].node_count()),
       s_(levels[coupled_].node_count()),
@@ -199,13 +199,18 @@ void PlannedCycles::cycle(const DeltaView& deltas, std::span<const Vec3> targets
   share_each(x_.size(), [&](std::uint32_t i) { x_[i] += units_.count(finest.interpolation[i].of(u_)); });
 }
 
-void PlannedCycles::solve(const DeltaView& deltas, std::span<const Vec3> targets, int half_cycles,
-                          std::span<Vec3> x) {
+PlannedSolution PlannedCycles::solve(const DeltaView& deltas, std::span<const Vec3> targets,
+                                     int half_cycles) {
+  x_.resize(levels_[0].node_count());
   start(deltas, targets);
   for (int left = half_cycles; left > 0; left -= kCorrections)
     cycle(deltas, targets, std::min(left, kCorrections));
   sweep_finest(deltas, kLastSweeps);
-  share_each(x.size(), [&](std::uint32_t i) { x[i] = units_.position(x_[i]); });
+  return {units_, std::exchange(x_, {})};
+}
+
+void PlannedSolution::write(std::span<Vec3> x) const {
+  share_each(x.size(), [&](std::uint32_t i) { x[i] = units.position(counts[i]); });
 }
 
 }  // namespace deltamesh::multigrid

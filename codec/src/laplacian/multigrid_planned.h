@@ -19,6 +19,14 @@
 
 namespace deltamesh::multigrid {
 
+struct PlannedSolution {
+  Units units;
+  LargeVector<FourInts> counts;  ///< n
+
+  /// `x`: n, model units.
+  void write(std::span<Vec3> x) const;
+};
+
 /// The same mixed problem as MultigridCycle's, with s = P s_c interpolated from level c, the third (the
 /// second where there are but two, or anchors are many). Away from the anchors s is harmonic, hence smooth,
 /// and the forces there are a few hundredths of the error that quantisation leaves, so that what this changes
@@ -28,10 +36,10 @@ class PlannedCycles {
   /// `levels`: at least two; must outlive this.
   PlannedCycles(std::span<const Level> levels, const Components& components);
 
-  /// `targets`: c_a, one for each anchor; `half_cycles`: above 0; `x`: overwritten. Where the number is odd
-  /// the last cycle makes one correction of the second level, not two. The result is anything, also not
-  /// finite, where the number is not right. O(half_cycles (n + edges)).
-  void solve(const DeltaView& deltas, std::span<const Vec3> targets, int half_cycles, std::span<Vec3> x);
+  /// `targets`: c_a, one for each anchor; `half_cycles`: above 0. Where the number is odd the last cycle
+  /// makes one correction of the second level, not two. The result is anything, also not finite, where the
+  /// number is not right. O(half_cycles (n + edges)).
+  PlannedSolution solve(const DeltaView& deltas, std::span<const Vec3> targets, int half_cycles);
 
  private:
   void start(const DeltaView& deltas, std::span<const Vec3> targets);
@@ -50,7 +58,7 @@ class PlannedCycles {
   std::size_t coupled_;  ///< c
   LevelSolver solver_;
   Units units_{DeltaView{}, 0};
-  LargeVector<FourInts> x_;          ///< finest level
+  LargeVector<FourInts> x_;          ///< finest level; none between solutions
   LargeVector<Float4> step_;         ///< likewise: what the last sweep added, and a 0
   LargeVector<Float4> b_;            ///< second level: right-hand side; empty where c is that
   LargeVector<Float4> step_second_;  ///< likewise

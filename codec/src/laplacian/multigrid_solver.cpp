@@ -29,6 +29,7 @@ using multigrid::Group;
 using multigrid::kLargestRescue;
 using multigrid::MultigridCycle;
 using multigrid::PlannedCycles;
+using multigrid::PlannedSolution;
 using multigrid::to_float4;
 using multigrid::to_vec3;
 
@@ -76,20 +77,30 @@ class GroupSolver {
     cycles_ = std::make_unique<MultigridCycle>(levels_, group_.components, group_.depth == 0);
   }
 
+  /// Whether it is that of all vertices of the graph.
+  bool is_whole() const noexcept { return group_.vertices.empty(); }
+
+  /// For a group that is whole and planned.
+  PlannedSolution solve_planned(const DeltaView& deltas, std::span<const Vec3> anchor_positions,
+                                int half_cycles) {
+    set_targets(anchor_positions);
+    return planned_->solve(deltas, targets_, half_cycles);
+  }
+
   /// `x`: where to start without levels; overwritten with the solution. `half_cycles`: 0 for as many as it
   /// takes.
   Result<void> solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions, int half_cycles,
                      std::span<Vec3> x) {
     set_up(half_cycles);
-    if (group_.vertices.empty()) {
+    if (is_whole()) {
       deltas_ = deltas;
       x_ = x;
     } else {
-      gather(deltas, x);
+      gather(deltas, x, is_planned(half_cycles));
     }
-    for (std::size_t a = 0; a < targets_.size(); ++a) targets_[a] = anchor_positions[group_.anchor_of[a]];
+    set_targets(anchor_positions);
     if (is_planned(half_cycles)) {
-      planned_->solve(deltas_, targets_, half_cycles, x_);
+      planned_->solve(deltas_, targets_, half_cycles).write(x_);
     } else if (group_.depth == 0) {
       DELTAMESH_CHECK(run_without_levels());
     } else if (!run_plain()) {
@@ -99,19 +110,25 @@ class GroupSolver {
     return {};
   }
 
- private:
-  /// Without coarser levels there is nothing to plan.
+  /// Without coarser levels there is nothing to plan. After set_up().
   bool is_planned(int half_cycles) const noexcept { return half_cycles > 0 && planned_; }
+
+ private:
+  void set_targets(std::span<const Vec3> anchor_positions) {
+    for (std::size_t a = 0; a < targets_.size(); ++a) targets_[a] = anchor_positions[group_.anchor_of[a]];
+  }
 
   std::vector<multigrid::Level> make_levels(multigrid::Coarsening how) const {
     return multigrid::build_hierarchy(*group_.graph, group_.anchors, group_.depth, how);
   }
 
   /// Own copies for a group that is not the whole graph.
-  void gather(const DeltaView& deltas, std::span<const Vec3> x) {
-    own_x_.clear();
-    for (const std::uint32_t v : group_.vertices) own_x_.push_back(x[v]);
+  void gather(const DeltaView& deltas, std::span<const Vec3> x, bool is_planned) {
+    own_x_.resize(group_.vertices.size());
     x_ = own_x_;
+    if (!is_planned) {
+      for (std::size_t i = 0; i < own_x_.size(); ++i) own_x_[i] = x[group_.vertices[i]];
+    }
     if (deltas.has_symbols()) {
       own_symbols_.resize(3 * group_.vertices.size());
       pick_symbols(deltas.symbols(), group_.vertices, own_symbols_);
@@ -282,10 +299,24 @@ class MultigridSolver final : public LeastSquaresSolver {
 
   Result<void> solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions, int half_cycles,
                      std::span<Vec3> x) override {
-    std::fill(x.begin(), x.end(), Vec3{});
+    set_up(half_cycles);
+    const auto is_planned = [&](const auto& group) { return group->is_planned(half_cycles); };
+    if (!std::all_of(groups_.begin(), groups_.end(), is_planned)) std::fill(x.begin(), x.end(), Vec3{});
     DELTAMESH_CHECK(small_.solve(deltas, anchor_positions, x));
     for (const auto& group : groups_) DELTAMESH_CHECK(group->solve(deltas, anchor_positions, half_cycles, x));
     return {};
+  }
+
+  Result<LargeVector<Vec3>> solve_last(const DeltaView& deltas, std::span<const Vec3> anchor_positions,
+                                       int half_cycles, std::size_t size) override {
+    set_up(half_cycles);
+    if (groups_.size() != 1 || !groups_.front()->is_whole() || !groups_.front()->is_planned(half_cycles))
+      return LeastSquaresSolver::solve_last(deltas, anchor_positions, half_cycles, size);
+    const PlannedSolution solution = groups_.front()->solve_planned(deltas, anchor_positions, half_cycles);
+    groups_.clear();
+    LargeVector<Vec3> x(size);
+    solution.write(std::span(x).first(deltas.size()));
+    return x;
   }
 
  private:

@@ -73,36 +73,38 @@ void keep_part(LeastSquaresProblem& problem, std::span<const std::uint32_t> vert
 }
 
 /// Takes the components.
-Result<void> solve(LeastSquaresProblem& problem, std::span<Vec3> x) {
+Result<LargeVector<Vec3>> solve(LeastSquaresProblem& problem, std::size_t size) {
   DELTAMESH_TRY(const auto solver,
                 make_solver_for_components(problem.graph, std::move(problem.components), problem.anchors));
-  return solver->solve(DeltaView(problem.symbols, problem.scale), problem.targets, problem.half_cycles, x);
+  return solver->solve_last(DeltaView(problem.symbols, problem.scale), problem.targets, problem.half_cycles,
+                            size);
 }
 
 }  // namespace
 
-Result<void> solve_once(LeastSquaresProblem problem, std::span<Vec3> x) {
+Result<LargeVector<Vec3>> solve_once(LeastSquaresProblem problem, std::size_t size) {
   std::vector<Set> sets = collect_sets(problem);
-  if (sets.size() <= 1) return solve(problem, x);
-  // The largest set comes last in the list and is solved first, at the front of x and in place of the whole.
+  if (sets.size() <= 1) return solve(problem, size);
+  // The largest set comes last, in place of the whole.
   std::stable_sort(sets.begin(), sets.end(),
                    [](const Set& a, const Set& b) { return a.vertices.size() < b.vertices.size(); });
   std::vector<std::uint32_t> largest = std::move(sets.back().vertices);
   sets.pop_back();
-  std::vector<LeastSquaresProblem> others;
-  others.reserve(sets.size());
-  for (const Set& set : sets) others.push_back(copy_part(problem, set.vertices));
-  keep_part(problem, largest);
-  const std::vector<bool> is_in_largest = mark_vertices(std::exchange(largest, {}), x.size());
-  DELTAMESH_CHECK(solve(problem, x.first(problem.graph.vertex_count())));
-  problem = {};
-  spread_to_marks(x, is_in_largest);
+  std::vector<LargeVector<Vec3>> solutions(sets.size());
   for (std::size_t s = 0; s < sets.size(); ++s) {
-    std::vector<Vec3> solution(sets[s].vertices.size());
-    DELTAMESH_CHECK(solve(others[s], solution));
-    for (std::size_t i = 0; i < solution.size(); ++i) x[sets[s].vertices[i]] = solution[i];
+    LeastSquaresProblem part = copy_part(problem, sets[s].vertices);
+    DELTAMESH_TRY(solutions[s], solve(part, sets[s].vertices.size()));
   }
-  return {};
+  const std::size_t rows = problem.graph.vertex_count();
+  keep_part(problem, largest);
+  const std::vector<bool> is_in_largest = mark_vertices(std::exchange(largest, {}), rows);
+  DELTAMESH_TRY(LargeVector<Vec3> x, solve(problem, size));
+  problem = {};
+  spread_to_marks(std::span(x).first(rows), is_in_largest);
+  for (std::size_t s = 0; s < sets.size(); ++s) {
+    for (std::size_t i = 0; i < solutions[s].size(); ++i) x[sets[s].vertices[i]] = solutions[s][i];
+  }
+  return x;
 }
 
 }  // namespace deltamesh

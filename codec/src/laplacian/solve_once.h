@@ -4,10 +4,12 @@
 // One solution with as little memory as can be: what a decoder needs.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "base/large_vector.h"
 #include "base/vec3.h"
 #include "deltamesh/result.h"
 #include "laplacian/delta_view.h"
@@ -26,7 +28,8 @@ struct LeastSquaresProblem {
 };
 
 /// What make_multigrid_solver's solver finds, to the last bit. Components that take different hierarchies are
-/// solved one set after the other, most of them in place. `x`: n. Errors: as LeastSquaresSolver::solve.
-Result<void> solve_once(LeastSquaresProblem problem, std::span<Vec3> x);
+/// solved one set after the other, most of them in place. Returns n rows in memory of `size`, n or more.
+/// Errors: as LeastSquaresSolver::solve.
+Result<LargeVector<Vec3>> solve_once(LeastSquaresProblem problem, std::size_t size);
 
 }  // namespace deltamesh

@@ -6,10 +6,12 @@
 // one right-hand side per axis, behind an interface that a factorisation and an iteration can both serve.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
 
+#include "base/large_vector.h"
 #include "base/vec3.h"
 #include "deltamesh/result.h"
 #include "laplacian/delta_view.h"
@@ -35,6 +37,13 @@ class LeastSquaresSolver {
   Result<void> solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions, std::span<Vec3> x) {
     return solve(deltas, anchor_positions, 0, x);
   }
+
+  /// The same solution, n rows, in memory of `size` rows, n or more, the others left as they are. Where that
+  /// can be done, the memory is taken after what was set up has been given back: the solver is of no use any
+  /// more.
+  virtual Result<LargeVector<Vec3>> solve_last(const DeltaView& deltas,
+                                               std::span<const Vec3> anchor_positions, int half_cycles,
+                                               std::size_t size);
 
   /// What solve() with so many cycles would set up first.
   virtual void set_up(int half_cycles) { (void)half_cycles; }
