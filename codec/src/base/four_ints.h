@@ -154,18 +154,6 @@ inline FourInts nearest_lanes(TwoDoubles low, TwoDoubles high) noexcept {
 #endif
 }
 
-/// Lanes 0 and 1, and lanes 2 and 3, as doubles.
-inline TwoDoubles low_doubles(FourInts lanes) noexcept {
-#if defined(__SSE2__)
-  return _mm_cvtepi32_pd(reinterpret_cast<__m128i>(lanes));
-#else
-  return TwoDoubles{static_cast<double>(lanes[0]), static_cast<double>(lanes[1])};
-#endif
-}
-inline TwoDoubles high_doubles(FourInts lanes) noexcept {
-  return low_doubles(__builtin_shufflevector(lanes, lanes, 2, 3, 0, 1));
-}
-
 /// Absolute values.
 inline FourInts lane_sizes(FourInts lanes) noexcept {
   const FourInts sign = lanes >> 31;

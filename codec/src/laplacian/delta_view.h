@@ -86,33 +86,42 @@ class DeltaCounts {
   /// `bits`: of symbols 0 to kMostBits, of doubles -126 to 126.
   DeltaCounts(const DeltaView& deltas, int bits) noexcept
       : deltas_(deltas),
-        shift_of_ones_(static_cast<std::int32_t>(256 * deltas.scale().shifts[1])),
-        shift_of_others_(static_cast<std::int32_t>(256 * deltas.scale().shifts[2])),
+        shift_of_ones_(parts_of(deltas.scale().shifts[1])),
+        shift_of_others_(parts_of(deltas.scale().shifts[2])),
         left_(std::clamp(bits - 8, 0, 31)),
         right_(std::clamp(8 - bits, 0, 31)),
-        half_(right_ > 0 ? 1 << (right_ - 1) : 0),
+        half_(right_ > 0 ? std::uint32_t{1} << (right_ - 1) : 0),
         per_step_(std::ldexp(1.0, bits)) {}
 
-  FourInts operator[](std::size_t i) const noexcept {
+  FourUnsigned operator[](std::size_t i) const noexcept {
     if (!deltas_.has_symbols()) {
       const Vec3 v = deltas_[i];
-      return nearest_lanes(per_step_ * TwoDoubles{v[0], v[1]}, per_step_ * TwoDoubles{v[2], 0.0});
+      return reinterpret_cast<FourUnsigned>(
+          nearest_lanes(per_step_ * TwoDoubles{v[0], v[1]}, per_step_ * TwoDoubles{v[2], 0.0}));
     }
     const FourInts q = deltas_.symbols_of(i);
-    const FourInts sign = q >> 31;
-    const FourInts size = (q ^ sign) - sign;
-    const FourInts shift = ((size == 1) & shift_of_ones_) | ((size > 1) & shift_of_others_);
-    const FourInts moved = ((((size << 8) - shift) << left_) + half_) >> right_;
+    const auto sign = reinterpret_cast<FourUnsigned>(q >> 31);
+    const FourUnsigned size = (reinterpret_cast<FourUnsigned>(q) ^ sign) - sign;
+    const auto ones = reinterpret_cast<FourUnsigned>(size == 1);
+    const auto others = reinterpret_cast<FourUnsigned>(reinterpret_cast<FourInts>(size) > 1);
+    const FourUnsigned parts = (size << 8) - ((ones & shift_of_ones_) | (others & shift_of_others_));
+    // One of the two shifts is by 0.
+    const auto moved =
+        reinterpret_cast<FourUnsigned>(reinterpret_cast<FourInts>((parts << left_) + half_) >> right_);
     return (moved ^ sign) - sign;
   }
 
  private:
+  static std::uint32_t parts_of(double steps) noexcept {
+    return static_cast<std::uint32_t>(static_cast<std::int32_t>(256 * steps));
+  }
+
   const DeltaView& deltas_;
-  std::int32_t shift_of_ones_;  ///< 1/256 steps
-  std::int32_t shift_of_others_;
+  std::uint32_t shift_of_ones_;  ///< 1/256 steps
+  std::uint32_t shift_of_others_;
   int left_;
   int right_;
-  std::int32_t half_;
+  std::uint32_t half_;
   double per_step_;
 };
 

@@ -159,7 +159,8 @@ void PlannedCycles::start(const DeltaView& deltas, std::span<const Vec3> targets
   const UnitEdges edges(finest);
   const DeltaCounts parts(deltas, 8);  // exact, if deltas are symbols
   const auto delta = [&](std::uint32_t i) {
-    return deltas.has_symbols() ? 0x1p-8F * __builtin_convertvector(parts[i], Float4) : to_float4(deltas[i]);
+    return deltas.has_symbols() ? 0x1p-8F * to_floats(reinterpret_cast<FourInts>(parts[i]))
+                                : to_float4(deltas[i]);
   };
   restrict_to_second([&](const auto& take) {
     finest.chunks.visit([&](std::uint32_t i) { take(i, edges.degree(i) * delta(i)); });
@@ -177,8 +178,7 @@ void PlannedCycles::sweep_finest(const DeltaView& deltas, int sweeps) {
   const DeltaCounts counts(deltas, units_.bits());
   // D (delta - L x) - D^2 s, of whole numbers as far as these go.
   const auto residual = [&](std::uint32_t i) {
-    const auto count = static_cast<std::int32_t>(edges.neighbor_count(i));
-    const FourInts charge = edges.sum(i, x_.data()) + count * (counts[i] - x_[i]);
+    const Counts charge = edges.sum(i, x_.data()) + edges.neighbor_count(i) * (counts[i] - x_[i]);
     const float degree = edges.degree(i);
     return units_.steps(charge) - degree * degree * finest.interpolation[i].of(s_second_);
   };

@@ -21,7 +21,7 @@ namespace deltamesh::multigrid {
 
 struct PlannedSolution {
   Units units;
-  LargeVector<FourInts> counts;  ///< n
+  LargeVector<Counts> counts;  ///< n
 
   /// `x`: n, model units.
   void write(std::span<Vec3> x) const;
@@ -58,7 +58,7 @@ class PlannedCycles {
   std::size_t coupled_;  ///< c
   LevelSolver solver_;
   Units units_{DeltaView{}, 0};
-  LargeVector<FourInts> x_;          ///< finest level; none between solutions
+  LargeVector<Counts> x_;            ///< finest level; none between solutions
   LargeVector<Float4> step_;         ///< likewise: what the last sweep added, and a 0
   LargeVector<Float4> b_;            ///< second level: right-hand side; empty where c is that
   LargeVector<Float4> step_second_;  ///< likewise

@@ -15,6 +15,9 @@
 
 namespace deltamesh::multigrid {
 
+/// Below 0 are those from 2^31 on: they may turn around.
+using Counts = FourUnsigned;
+
 /// Units are 2^-bits steps of the deltas, which these are multiples of. Sums of positions are right modulo
 /// 2^32 units, so a residual is right where it is below 2^31 units itself.
 class Units {
@@ -30,13 +33,16 @@ class Units {
   int bits() const noexcept { return bits_; }
 
   /// The nearest whole number, of two that of the even one; -2^31 where there is none.
-  FourInts count(Float4 steps) const noexcept { return nearest_lanes(per_step_ * steps); }
+  Counts count(Float4 steps) const noexcept {
+    return reinterpret_cast<Counts>(nearest_lanes(per_step_ * steps));
+  }
 
-  Float4 steps(FourInts counts) const noexcept { return step_ * __builtin_convertvector(counts, Float4); }
+  Float4 steps(Counts counts) const noexcept { return step_ * to_floats(reinterpret_cast<FourInts>(counts)); }
 
   /// Model units.
-  Vec3 position(FourInts counts) const noexcept {
-    return {unit_ * counts[0], unit_ * counts[1], unit_ * counts[2]};
+  Vec3 position(Counts counts) const noexcept {
+    const auto signed_counts = reinterpret_cast<FourInts>(counts);
+    return {unit_ * signed_counts[0], unit_ * signed_counts[1], unit_ * signed_counts[2]};
   }
 
  private:
