@@ -369,6 +369,16 @@ TEST(Multigrid, ForgetsWhatIsNotFinite) {
   }
 }
 
+TEST(Multigrid, DELT3PlannedCyclesDoNotHideWhatIsNotFinite) {
+  Problem problem = quantized(many_sheets(), 100, 8);
+  const auto solver = make_multigrid_solver(problem.mesh.graph, problem.anchors);
+  ASSERT_TRUE(solver);
+  problem.targets.front() = {1e300, 0, 0};  // of the first component, finite ones follow
+  std::vector<Vec3> x(problem.deltas.size());
+  ASSERT_TRUE((*solver)->solve(problem.deltas, problem.targets, 3, x));
+  EXPECT_FALSE(std::all_of(x.begin(), x.end(), [](const Vec3& v) { return std::isfinite(dot(v, v)); }));
+}
+
 TEST(Multigrid, BridgesKeepConstantsAndSymmetry) {
   const GraphMesh mesh = test::sheet(60, 60);
   const auto anchors = place_anchors(mesh.graph, mesh.components, {.count = 20}).vertices;

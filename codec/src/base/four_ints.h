@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Four 32-bit numbers handled at once, for what is remembered of coded vertices.
+// Four 32-bit numbers handled at once.
 #pragma once
 
 #include <array>
@@ -20,7 +20,6 @@
 namespace deltamesh {
 
 using FourInts = std::int32_t __attribute__((vector_size(16)));
-using FourFloats = float __attribute__((vector_size(16)));
 using FourUnsigned = std::uint32_t __attribute__((vector_size(16)));
 
 inline FourInts four_ints(const std::array<std::uint32_t, 4>& numbers) noexcept {
@@ -48,10 +47,6 @@ inline void store_three(FourInts lanes, std::array<std::int32_t, 3>& numbers) no
   numbers[2] = lanes[2];
 }
 
-inline std::array<std::int32_t, 4> numbers_of(FourInts lanes) noexcept {
-  return std::bit_cast<std::array<std::int32_t, 4>>(lanes);
-}
-
 /// A bit for every lane that is below 0.
 inline unsigned set_lanes(FourInts lanes) noexcept {
 #if defined(__SSE2__)
@@ -63,7 +58,8 @@ inline unsigned set_lanes(FourInts lanes) noexcept {
 #endif
 }
 
-/// mean_of() every lane; these are below 2^30 + 2^28 in size.
+/// About every lane / count, rounded down: (lane * kOneOver[count]) >> 16. Lanes are below 2^30 + 2^28 in
+/// size.
 inline FourInts mean_lanes(FourInts lanes, unsigned count) noexcept {
   // With the bias added, products of unsigned numbers do.
   constexpr std::uint32_t kBias = 5U << 28;
@@ -85,10 +81,8 @@ inline FourInts mean_lanes(FourInts lanes, unsigned count) noexcept {
   return means - static_cast<std::int32_t>(kBias >> 16) * one_over;
 }
 
-/// As binary32, rounded to the nearest, ties to even.
+/// Rounded to the nearest, ties to even.
 inline FourFloats to_floats(FourInts lanes) noexcept { return __builtin_convertvector(lanes, FourFloats); }
-/// Rounded towards 0; below 2^31 in size.
-inline FourInts to_ints(FourFloats lanes) noexcept { return __builtin_convertvector(lanes, FourInts); }
 
 /// Products of lanes that 16 bits hold.
 inline FourInts multiply_short_lanes(FourInts a, FourInts b) noexcept {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Means of a few numbers without a division [FLD-2, POSN-4].
+// Means of a few numbers without a division [FLD-3, POSN-4].
 #pragma once
 
 #include <array>
@@ -21,10 +21,5 @@ inline constexpr std::array<std::int64_t, kMostMeaned + 1> kOneOver = [] {
   }
   return table;
 }();
-
-/// About sum / count, rounded down; `sum` below 2^46 in size, `count` 1 to 16.
-constexpr std::int64_t mean_of(std::int64_t sum, unsigned count) noexcept {
-  return (sum * kOneOver[count]) >> 16;
-}
 
 }  // namespace deltamesh

@@ -70,10 +70,9 @@ class FieldHistory {
     // Rows ascend.
     for (std::uint32_t i = kUsualNeighbors; i < std::min(degree, kMostNeighbors) && row[i] < vertex; ++i)
       add(row[i], true);
-    const float share = kOneOverCount[around.count];
     around.means =
-        FieldMemory{to_ints(to_floats(sums.numbers) * share), to_ints(to_floats(sums.magnitudes) * share),
-                    to_ints(to_floats(sums.products) * share)};
+        FieldMemory{mean_lanes(sums.numbers, around.count), mean_lanes(sums.magnitudes, around.count),
+                    mean_lanes(sums.products, around.count)};
     return around;
   }
 
@@ -101,11 +100,6 @@ class FieldHistory {
  private:
   static constexpr std::uint32_t kUsualNeighbors = 4;  ///< coded ones; more are rare
   static constexpr std::uint32_t kMostNeighbors = 16;  ///< so that no sum leaves 30 bits
-  static constexpr std::array<float, kMostNeighbors + 1> kOneOverCount = [] {
-    std::array<float, kMostNeighbors + 1> shares{};
-    for (std::uint32_t i = 1; i <= kMostNeighbors; ++i) shares[i] = 1 / static_cast<float>(i);
-    return shares;
-  }();
 
   const Adjacency& graph_;
   std::uint32_t middle_;

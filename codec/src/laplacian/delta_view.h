@@ -78,7 +78,8 @@ class DeltaView {
 };
 
 /// Deltas as whole numbers of a unit that is a step over 2^bits, the step of doubles being 1. Nothing is
-/// rounded where they are symbols and `bits` is 8 or more; what exceeds 32 bits turns around.
+/// rounded where they are symbols and `bits` is 8 or more. What exceeds 32 bits turns around, as do symbols
+/// of 2^23 or more.
 class DeltaCounts {
  public:
   static constexpr int kMostBits = 30;
@@ -116,7 +117,7 @@ class DeltaCounts {
     return static_cast<std::uint32_t>(static_cast<std::int32_t>(256 * steps));
   }
 
-  const DeltaView& deltas_;
+  DeltaView deltas_;
   std::uint32_t shift_of_ones_;  ///< 1/256 steps
   std::uint32_t shift_of_others_;
   int left_;

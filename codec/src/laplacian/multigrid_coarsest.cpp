@@ -108,23 +108,12 @@ SymmetricMatrix CoarsestSolver::assemble() const {
   return matrix;
 }
 
-Double4 CoarsestSolver::apply_k(std::span<const Double4> values, std::uint32_t node) const noexcept {
-  const Double4 own = static_cast<double>(level_.degree[node]) * values[node];
-  const std::uint32_t begin = level_.offsets[node];
-  const std::uint32_t end = level_.offsets[node + 1];
-  const auto value = [&](std::uint32_t other) { return values[other]; };
-  if (!level_.has_unit_weights()) return own - Edges(level_).add_fours(begin, end, value, Double4{});
-  Double4 sum{};
-  for (std::uint32_t e = begin; e < end; ++e) sum += values[level_.neighbors[e]];
-  return own - sum;
-}
-
 std::uint32_t CoarsestSolver::solve(std::span<const Row> b, std::span<const Float4> gaps, std::span<Row> u,
                                     std::span<Float4> forces, std::uint32_t most_iterations) {
   std::uint32_t iterations = 0;
   const std::uint32_t n = level_.node_count();
   for (std::uint32_t i = 0; i < n; ++i) scaled_[i] = inverse_mass_[i] * widen(b[i].x);
-  for (std::uint32_t i = 0; i < n; ++i) x_[i] = apply_k(scaled_, i) - widen(b[i].s);
+  for (std::uint32_t i = 0; i < n; ++i) x_[i] = apply_k(level_, scaled_, i) - widen(b[i].s);
   for (std::size_t a = 0; a < gaps.size(); ++a) x_[level_.anchors[a]] += widen(gaps[a]);
   if (factor_) {
     factor_->solve(x_);
@@ -133,7 +122,7 @@ std::uint32_t CoarsestSolver::solve(std::span<const Row> b, std::span<const Floa
   }
   for (std::uint32_t i = 0; i < n; ++i) {
     u[i].x = narrow(x_[i]);
-    u[i].s = narrow(scaled_[i] - inverse_mass_[i] * apply_k(x_, i));
+    u[i].s = narrow(scaled_[i] - inverse_mass_[i] * apply_k(level_, x_, i));
   }
   for (std::size_t a = 0; a < gaps.size(); ++a)
     forces[a] = holds_[a] != 0 ? narrow(x_[level_.anchors[a]]) - gaps[a] : Float4{};

@@ -41,7 +41,6 @@ class CoarsestSolver {
   /// Whether the matrix can be formed in time and memory linear in n.
   bool product_stays_sparse() const noexcept;
   SymmetricMatrix assemble() const;
-  Double4 apply_k(std::span<const Double4> values, std::uint32_t node) const noexcept;
 
   const Level& level_;
   std::span<const std::uint8_t> holds_;

@@ -89,23 +89,11 @@ class Iterations final : public ConjugateGradients {
     return sum;
   }
 
-  /// A node's row of K.
-  Four apply_k(const std::vector<Four>& values, std::uint32_t node) const noexcept {
-    const Four own = static_cast<Number>(level_.degree[node]) * values[node];
-    const std::uint32_t begin = level_.offsets[node];
-    const std::uint32_t end = level_.offsets[node + 1];
-    const auto value = [&](std::uint32_t other) { return values[other]; };
-    if (!level_.has_unit_weights()) return own - Edges(level_).add_fours(begin, end, value, Four{});
-    Four sum{};
-    for (std::uint32_t e = begin; e < end; ++e) sum += values[level_.neighbors[e]];
-    return own - sum;
-  }
-
   /// image_ serves as M^-1 K in.
   void apply_matrix(const std::vector<Four>& in, std::vector<Four>& out) noexcept {
-    for (std::uint32_t i = 0; i < in.size(); ++i) image_[i] = inverse_mass_[i] * apply_k(in, i);
+    for (std::uint32_t i = 0; i < in.size(); ++i) image_[i] = inverse_mass_[i] * apply_k(level_, in, i);
     for (std::uint32_t i = 0; i < in.size(); ++i) {
-      out[i] = apply_k(image_, i);
+      out[i] = apply_k(level_, image_, i);
       if (is_anchor_[i] != 0) out[i] += in[i];
     }
   }
@@ -114,7 +102,7 @@ class Iterations final : public ConjugateGradients {
   /// neighbours (Bjoerck, Elfving, Accelerated projection methods, 1979).
   void relax(std::uint32_t node) noexcept {
     Four& z = preconditioned_[node];
-    Four sum = residual_[node] - apply_k(image_, node);
+    Four sum = residual_[node] - apply_k(level_, image_, node);
     if (is_anchor_[node] != 0) sum -= z;
     const Four step = inverse_diagonal_[node] * sum;
     z += step;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "laplacian/multigrid_level.h"
 #include "laplacian/multigrid_row.h"
@@ -89,5 +90,18 @@ class Edges {
   const float* degree_;
   const float* inverse_degree_;
 };
+
+/// A node's row of K times `values`, floats or doubles; on the finest level too.
+template <class Four>
+Four apply_k(const Level& level, const std::vector<Four>& values, std::uint32_t node) noexcept {
+  const Four own = level.degree[node] * values[node];
+  const std::uint32_t begin = level.offsets[node];
+  const std::uint32_t end = level.offsets[node + 1];
+  const auto value = [&](std::uint32_t other) { return values[other]; };
+  if (!level.has_unit_weights()) return own - Edges(level).add_fours(begin, end, value, Four{});
+  Four sum{};
+  for (std::uint32_t e = begin; e < end; ++e) sum += values[level.neighbors[e]];
+  return own - sum;
+}
 
 }  // namespace deltamesh::multigrid

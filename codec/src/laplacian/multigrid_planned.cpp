@@ -10,7 +10,6 @@
 #include "laplacian/multigrid_edges.h"
 #include "laplacian/multigrid_row.h"
 #include "laplacian/multigrid_sweeps.h"
-#include "laplacian/multigrid_transfer.h"
 #include "laplacian/multigrid_unit_edges.h"
 
 namespace deltamesh::multigrid {
@@ -37,14 +36,22 @@ std::size_t coupled_level(std::span<const Level> levels) noexcept {
   return third_will_do ? 2 : 1;
 }
 
-/// Of all axes, in size; not a number where one is not.
+/// Of `deltas`.
+Float4 in_steps(const Vec3& v, const DeltaView& deltas) noexcept {
+  const double step = deltas.scale().step;
+  return to_float4({v[0] / step, v[1] / step, v[2] / step});
+}
+
+/// Of all axes, in size; not finite where one is not.
 float largest_coordinate(std::span<const Float4> values) noexcept {
   Float4 largest{};
+  Float4 nothing{};  // the sum of what is 0 where values are finite, else not a number
   for (const Float4 value : values) {
     const Float4 size = value < 0 ? -value : value;
-    largest = size <= largest ? largest : size;
+    largest = size > largest ? size : largest;
+    nothing += 0 * value;
   }
-  return std::max({largest[0], largest[1], largest[2]});
+  return std::max({largest[0], largest[1], largest[2]}) + (nothing[0] + nothing[1] + nothing[2]);
 }
 
 }  // namespace
@@ -165,8 +172,7 @@ void PlannedCycles::start(const DeltaView& deltas, std::span<const Vec3> targets
   restrict_to_second([&](const auto& take) {
     finest.chunks.visit([&](std::uint32_t i) { take(i, edges.degree(i) * delta(i)); });
   });
-  for (std::size_t a = 0; a < targets.size(); ++a)
-    gaps_[a] = to_float4((1 / deltas.scale().step) * targets[a]);
+  for (std::size_t a = 0; a < targets.size(); ++a) gaps_[a] = in_steps(targets[a], deltas);
   correct_from_second(kCorrections);
   units_ = Units(deltas, largest_coordinate(u_));
   share_each(x_.size(), [&](std::uint32_t i) { x_[i] = units_.count(finest.interpolation[i].of(u_)); });
@@ -192,8 +198,7 @@ void PlannedCycles::cycle(const DeltaView& deltas, std::span<const Vec3> targets
   sweep_finest(deltas, kFinestSweeps);
   restrict_to_second([&](const auto& take) { take_residuals(finest, UnitEdges(finest), step_, take); });
   for (std::size_t a = 0; a < targets.size(); ++a) {
-    const Vec3 gap = targets[a] - units_.position(x_[finest.anchors[a]]);
-    gaps_[a] = to_float4((1 / deltas.scale().step) * gap);
+    gaps_[a] = in_steps(targets[a] - units_.position(x_[finest.anchors[a]]), deltas);
   }
   correct_from_second(corrections);
   share_each(x_.size(), [&](std::uint32_t i) { x_[i] += units_.count(finest.interpolation[i].of(u_)); });

@@ -4,7 +4,6 @@
 
 #include "base/thread_team.h"
 #include "laplacian/multigrid_edges.h"
-#include "laplacian/multigrid_transfer.h"
 
 namespace deltamesh::multigrid {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Cycles in floats around a solution in doubles: as many as planned, or with a watch on every component and a
+// Cycles in floats, as many as planned, or around a solution in doubles with a watch on every component and a
 // factorisation for those that do not settle.
 #include <algorithm>
 #include <cmath>

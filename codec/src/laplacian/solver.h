@@ -38,7 +38,7 @@ class LeastSquaresSolver {
     return solve(deltas, anchor_positions, 0, x);
   }
 
-  /// The same solution, n rows, in memory of `size` rows, n or more, the others left as they are. Where that
+  /// The same solution, n rows, in memory of `size` rows, n or more, the others not initialised. Where that
   /// can be done, the memory is taken after what was set up has been given back: the solver is of no use any
   /// more.
   virtual Result<LargeVector<Vec3>> solve_last(const DeltaView& deltas,
