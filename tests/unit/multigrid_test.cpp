@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -264,11 +265,11 @@ TEST(Chunks, SweepsKnowWhatTheyLeave) {
   using Values = std::vector<multigrid::Float4>;
   Values step(level.node_count()), total(step.size()), left(step.size());
   const auto keep = [&](std::uint32_t i, multigrid::Float4 value) { total[i] += value; };
-  multigrid::sweep_first(
-      level, edges, [&](std::uint32_t i) { return edges.add_lower(i, step.data(), some_value(i)); },
+  constexpr std::array kSweeps = {1.5F, 1.0F, 1.2F};
+  multigrid::sweep(
+      level, edges, kSweeps, [&](std::uint32_t i) { return edges.add_lower(i, step.data(), some_value(i)); },
       [&](std::uint32_t i) { return edges.add_all(i, step.data(), some_value(i)); }, step, keep);
-  multigrid::sweep_again(level, edges, step, keep);
-  multigrid::take_residuals(level, edges, step,
+  multigrid::take_residuals(level, edges, kSweeps.back(), step,
                             [&](std::uint32_t i, multigrid::Float4 value) { left[i] += value; });
   for (std::uint32_t i = 0; i < step.size(); ++i)
     expect_near(left[i], edges.add_all(i, total.data(), some_value(i)) - level.degree[i] * total[i]);

@@ -6,8 +6,6 @@
 #include <type_traits>
 #include <vector>
 
-#include "laplacian/multigrid_edges.h"
-
 namespace deltamesh::multigrid {
 namespace {
 
@@ -24,20 +22,14 @@ bool all_at_most(const Double4& a, const Double4& b) noexcept {
   return a.xy[0] <= b.xy[0] && a.xy[1] <= b.xy[1] && a.zw[0] <= b.zw[0];
 }
 
-/// Four: Float4 or Double4; sums over all nodes are doubles.
+/// Four: Float4 or Double4; sums over all nodes are doubles. A K M^-1 K z needs y = K z and its neighbours
+/// only, which is kept up with z [Bjoerck, Elfving, Accelerated projection methods, 1979].
 template <class Four>
 class Iterations final : public ConjugateGradients {
  public:
-  Iterations(const CoarsestNodes& nodes, double reduction)
-      : level_(nodes.level),
-        is_anchor_(nodes.is_anchor),
-        reduction_(reduction),
-        inverse_mass_(nodes.inverse_mass.begin(), nodes.inverse_mass.end()) {
-    const std::uint32_t n = level_.node_count();
-    for (std::uint32_t i = 0; i < n; ++i) {
-      const double diagonal = diagonal_entry(nodes, i);
-      inverse_diagonal_.push_back(diagonal > 0 ? static_cast<Number>(1 / diagonal) : 0);
-    }
+  Iterations(const CoarsestNodes& nodes, double reduction) : reduction_(reduction) {
+    const std::uint32_t n = nodes.level.node_count();
+    for (std::uint32_t i = 0; i < n; ++i) add_node(nodes, i);
     for (auto* vector : {&solution_, &residual_, &direction_, &product_, &preconditioned_, &image_})
       vector->resize(n);
   }
@@ -55,6 +47,19 @@ class Iterations final : public ConjugateGradients {
  private:
   using Number = std::conditional_t<std::is_same_v<Four, Float4>, float, double>;
 
+  struct Node {
+    std::uint32_t first_edge;  ///< the last is the one before the next node's first
+    Number degree;
+    Number scaled_degree;     ///< over the mass
+    Number inverse_diagonal;  ///< of the matrix
+    Number anchor;            ///< 1, or 0 where it is none
+  };
+  struct Edge {
+    std::uint32_t neighbor;
+    Number weight;
+    Number scaled_weight;  ///< over the neighbour's mass
+  };
+
   static Four as_four(const Double4& v) noexcept {
     if constexpr (std::is_same_v<Four, Float4>) {
       return narrow(v);
@@ -71,87 +76,108 @@ class Iterations final : public ConjugateGradients {
     }
   }
 
-  static double diagonal_entry(const CoarsestNodes& nodes, std::uint32_t node) noexcept {
+  void add_node(const CoarsestNodes& nodes, std::uint32_t node) {
     const Level& level = nodes.level;
     const double degree = level.degree[node];
-    double sum = degree * degree * nodes.inverse_mass[node] + nodes.is_anchor[node];
+    const double anchor = nodes.is_anchor[node];
+    const auto first_edge = static_cast<std::uint32_t>(edges_.size());
+    double diagonal = degree * degree * nodes.inverse_mass[node] + anchor;
     for (std::uint32_t e = level.offsets[node]; e < level.offsets[node + 1]; ++e) {
       const double weight = level.weight(e);
-      sum += weight * weight * nodes.inverse_mass[level.neighbors[e]];
+      if (weight == 0) continue;  // that of pad_rows()
+      const std::uint32_t neighbor = level.neighbors[e];
+      const double scaled = weight * nodes.inverse_mass[neighbor];
+      diagonal += weight * scaled;
+      edges_.push_back({neighbor, static_cast<Number>(weight), static_cast<Number>(scaled)});
     }
+    if (nodes_.empty()) nodes_.emplace_back();
+    nodes_.back() = {first_edge, static_cast<Number>(degree),
+                     static_cast<Number>(degree * nodes.inverse_mass[node]),
+                     static_cast<Number>(diagonal > 0 ? 1 / diagonal : 0), static_cast<Number>(anchor)};
+    nodes_.push_back({static_cast<std::uint32_t>(edges_.size()), 0, 0, 0, 0});
+  }
+
+  /// Of A z, with image_ = K z.
+  Four matrix_row(std::uint32_t i, const Four& z) const noexcept {
+    const Node& node = nodes_[i];
+    Four sum = node.scaled_degree * image_[i] + node.anchor * z;
+    for (std::uint32_t e = node.first_edge; e < nodes_[i + 1].first_edge; ++e)
+      sum -= edges_[e].scaled_weight * image_[edges_[e].neighbor];
     return sum;
   }
 
-  /// In plain order.
-  static Double4 dot(std::span<const Four> a, std::span<const Four> b) noexcept {
-    Double4 sum{};
-    for (std::size_t i = 0; i < a.size(); ++i) sum += as_doubles(a[i]) * as_doubles(b[i]);
-    return sum;
-  }
-
-  /// image_ serves as M^-1 K in.
-  void apply_matrix(const std::vector<Four>& in, std::vector<Four>& out) noexcept {
-    for (std::uint32_t i = 0; i < in.size(); ++i) image_[i] = inverse_mass_[i] * apply_k(level_, in, i);
-    for (std::uint32_t i = 0; i < in.size(); ++i) {
-      out[i] = apply_k(level_, image_, i);
-      if (is_anchor_[i] != 0) out[i] += in[i];
-    }
-  }
-
-  /// image_ is M^-1 K z throughout, so that both the row of the matrix and the effect of a step need only the
-  /// neighbours (Bjoerck, Elfving, Accelerated projection methods, 1979).
-  void relax(std::uint32_t node) noexcept {
-    Four& z = preconditioned_[node];
-    Four sum = residual_[node] - apply_k(level_, image_, node);
-    if (is_anchor_[node] != 0) sum -= z;
-    const Four step = inverse_diagonal_[node] * sum;
+  void relax(std::uint32_t i) noexcept {
+    const Node& node = nodes_[i];
+    Four& z = preconditioned_[i];
+    const Four step = node.inverse_diagonal * (residual_[i] - matrix_row(i, z));
     z += step;
-    image_[node] += inverse_mass_[node] * static_cast<Number>(level_.degree[node]) * step;
-    for (std::uint32_t e = level_.offsets[node]; e < level_.offsets[node + 1]; ++e) {
-      const std::uint32_t other = level_.neighbors[e];
-      image_[other] -= inverse_mass_[other] * static_cast<Number>(level_.weight(e)) * step;
-    }
+    image_[i] += node.degree * step;
+    for (std::uint32_t e = node.first_edge; e < nodes_[i + 1].first_edge; ++e)
+      image_[edges_[e].neighbor] -= edges_[e].weight * step;
   }
 
   /// Symmetric Gauss-Seidel: a forward sweep from zero, then a backward one.
   void precondition() noexcept {
-    const std::uint32_t n = level_.node_count();
+    const auto n = static_cast<std::uint32_t>(solution_.size());
     std::fill(preconditioned_.begin(), preconditioned_.end(), Four{});
     std::fill(image_.begin(), image_.end(), Four{});
     for (std::uint32_t i = 0; i < n; ++i) relax(i);
     for (std::uint32_t i = n; i-- > 0;) relax(i);
   }
 
+  /// Sum, in plain order, of residual times what Gauss-Seidel makes of it.
+  Double4 residual_energy() const noexcept {
+    Double4 sum{};
+    for (std::size_t i = 0; i < residual_.size(); ++i)
+      sum += as_doubles(residual_[i]) * as_doubles(preconditioned_[i]);
+    return sum;
+  }
+
+  /// The direction becomes the preconditioned residual and `share` of what it was; its energy.
+  Double4 turn(const Four& share) noexcept {
+    Double4 energy{};
+    for (std::uint32_t i = 0; i < direction_.size(); ++i) {
+      direction_[i] = preconditioned_[i] + share * direction_[i];
+      product_[i] = matrix_row(i, preconditioned_[i]) + share * product_[i];
+      energy += as_doubles(direction_[i]) * as_doubles(product_[i]);
+    }
+    return energy;
+  }
+
+  /// Sum of the squares of the residual, each over the diagonal's entry.
+  Double4 residual_squares() const noexcept {
+    Double4 sum{};
+    for (std::size_t i = 0; i < residual_.size(); ++i)
+      sum += as_doubles(nodes_[i].inverse_diagonal * residual_[i]) * as_doubles(residual_[i]);
+    return sum;
+  }
+
   std::uint32_t iterate(std::uint32_t most_iterations) noexcept {
-    precondition();
-    direction_ = preconditioned_;
-    Double4 energy = dot(residual_, preconditioned_);
-    const Double4 small = reduction_ * reduction_ * energy;
-    for (std::uint32_t iteration = 1; iteration <= most_iterations; ++iteration) {
-      apply_matrix(direction_, product_);
-      const Four step = as_four(ratio(energy, dot(direction_, product_)));
+    std::fill(direction_.begin(), direction_.end(), Four{});
+    std::fill(product_.begin(), product_.end(), Four{});
+    const Double4 small = reduction_ * reduction_ * residual_squares();
+    Double4 energy{};
+    for (std::uint32_t iteration = 1;; ++iteration) {
+      precondition();
+      const Double4 next = residual_energy();
+      const Four share = as_four(ratio(next, energy));
+      energy = next;
+      const Four step = as_four(ratio(energy, turn(share)));
       for (std::size_t i = 0; i < solution_.size(); ++i) {
         solution_[i] += step * direction_[i];
         residual_[i] -= step * product_[i];
       }
-      precondition();
-      const Double4 next = dot(residual_, preconditioned_);
-      if (all_at_most(next, small)) return iteration;
-      const Four conjugate = as_four(ratio(next, energy));
-      energy = next;
-      for (std::size_t i = 0; i < solution_.size(); ++i)
-        direction_[i] = preconditioned_[i] + conjugate * direction_[i];
+      const Double4 left = residual_squares();
+      if (all_at_most(left, small) || iteration >= most_iterations) return iteration;
     }
-    return most_iterations;
   }
 
-  const Level& level_;
-  std::span<const std::uint8_t> is_anchor_;
   double reduction_;
-  std::vector<Number> inverse_mass_;
-  std::vector<Number> inverse_diagonal_;
-  std::vector<Four> solution_, residual_, direction_, product_, preconditioned_;
-  std::vector<Four> image_;  ///< M^-1 K of another vector
+  std::vector<Node> nodes_;  ///< and one for the end
+  std::vector<Edge> edges_;
+  std::vector<Four> solution_, residual_;
+  std::vector<Four> direction_, product_;     ///< d and A d
+  std::vector<Four> preconditioned_, image_;  ///< z and K z
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "laplacian/multigrid_planned.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <utility>
 
@@ -19,15 +20,12 @@ namespace {
 /// anchor.
 constexpr std::size_t kNodesPerAnchor = 12;
 
-/// Sweeps in every cycle of the finest level and of the second one.
-constexpr int kFinestSweeps = 3;
-constexpr int kSecondSweeps = 2;
-
-/// Sweeps after the last cycle: interpolation leaves it rough.
-constexpr int kLastSweeps = 2;
-
-/// Corrections of the second level in a whole cycle.
-constexpr int kCorrections = 2;
+/// Over-relaxation of the sweeps in every cycle, of the finest level and of the second one, and of those
+/// after the last cycle, as interpolation leaves it rough. Measured: more than 1 at first is for the slow
+/// errors, less at the end for the rough ones.
+constexpr std::array kFinestSweeps = {1.5F, 1.2F, 1.1F};
+constexpr std::array kSecondSweeps = {1.4F, 1.2F};
+constexpr std::array kLastSweeps = {1.0F, 1.2F};
 
 /// Level from which on there is an s of its own.
 std::size_t coupled_level(std::span<const Level> levels) noexcept {
@@ -114,21 +112,21 @@ void PlannedCycles::correct_second(bool is_first) {
   const Edges edges(level);
   const auto add = [&](std::uint32_t i, Float4 step) { u_[i] += step; };
   if (is_first) {
+    share_each(u_.size(), [&](std::uint32_t i) { u_[i] = Float4{}; });
     for (const std::uint32_t i : level.chunks.rim) step_second_[i] = Float4{};  // these come last
-    sweep_first(
-        level, edges, [&](std::uint32_t i) { return edges.add_lower(i, step_second_.data(), b_[i]); },
-        [&](std::uint32_t i) { return edges.add_all(i, step_second_.data(), b_[i]); }, step_second_,
-        [&](std::uint32_t i, Float4 step) { u_[i] = step; });
+    sweep(
+        level, edges, kSecondSweeps,
+        [&](std::uint32_t i) { return edges.add_lower(i, step_second_.data(), b_[i]); },
+        [&](std::uint32_t i) { return edges.add_all(i, step_second_.data(), b_[i]); }, step_second_, add);
   } else {
     const auto residual = [&](std::uint32_t i) {
       const Float4 s = level.interpolation[i].of(next.u).s;  // the first correction's
       return edges.add_all(i, u_.data(), b_[i] - level.degree[i] * u_[i] - level.mass[i] * s);
     };
-    sweep_first(level, edges, residual, residual, step_second_, add);
+    sweep(level, edges, kSecondSweeps, residual, residual, step_second_, add);
   }
-  for (int s = 1; s < kSecondSweeps; ++s) sweep_again(level, edges, step_second_, add);
   share_each(next.b.size(), [&](std::uint32_t i) { next.b[i].x = Float4{}; });
-  take_residuals(level, edges, step_second_, [&](std::uint32_t i, Float4 residual) {
+  take_residuals(level, edges, kSecondSweeps.back(), step_second_, [&](std::uint32_t i, Float4 residual) {
     level.interpolation[i].spread(residual, [&](std::uint32_t node) -> Float4& { return next.b[node].x; });
   });
   for (std::size_t a = 0; a < gaps_.size(); ++a) next.gaps[a] = gaps_[a] - u_[level.anchors[a]];
@@ -173,12 +171,12 @@ void PlannedCycles::start(const DeltaView& deltas, std::span<const Vec3> targets
     finest.chunks.visit([&](std::uint32_t i) { take(i, edges.degree(i) * delta(i)); });
   });
   for (std::size_t a = 0; a < targets.size(); ++a) gaps_[a] = in_steps(targets[a], deltas);
-  correct_from_second(kCorrections);
+  correct_from_second(1);
   units_ = Units(deltas, largest_coordinate(u_));
   share_each(x_.size(), [&](std::uint32_t i) { x_[i] = units_.count(finest.interpolation[i].of(u_)); });
 }
 
-void PlannedCycles::sweep_finest(const DeltaView& deltas, int sweeps) {
+void PlannedCycles::sweep_finest(const DeltaView& deltas, std::span<const float> relaxation) {
   const Level& finest = levels_[0];
   const UnitEdges edges(finest);
   const DeltaCounts counts(deltas, units_.bits());
@@ -189,14 +187,15 @@ void PlannedCycles::sweep_finest(const DeltaView& deltas, int sweeps) {
     return units_.steps(charge) - degree * degree * finest.interpolation[i].of(s_second_);
   };
   const auto keep = [&](std::uint32_t i, Float4 step) { x_[i] += units_.count(step); };
-  sweep_first(finest, edges, residual, residual, step_, keep);
-  for (int s = 1; s < sweeps; ++s) sweep_again(finest, edges, step_, keep);
+  sweep(finest, edges, relaxation, residual, residual, step_, keep);
 }
 
 void PlannedCycles::cycle(const DeltaView& deltas, std::span<const Vec3> targets, int corrections) {
   const Level& finest = levels_[0];
   sweep_finest(deltas, kFinestSweeps);
-  restrict_to_second([&](const auto& take) { take_residuals(finest, UnitEdges(finest), step_, take); });
+  restrict_to_second([&](const auto& take) {
+    take_residuals(finest, UnitEdges(finest), kFinestSweeps.back(), step_, take);
+  });
   for (std::size_t a = 0; a < targets.size(); ++a) {
     gaps_[a] = in_steps(targets[a] - units_.position(x_[finest.anchors[a]]), deltas);
   }
@@ -208,8 +207,8 @@ PlannedSolution PlannedCycles::solve(const DeltaView& deltas, std::span<const Ve
                                      int half_cycles) {
   x_.resize(levels_[0].node_count());
   start(deltas, targets);
-  for (int left = half_cycles; left > 0; left -= kCorrections)
-    cycle(deltas, targets, std::min(left, kCorrections));
+  if (half_cycles % 2 != 0) cycle(deltas, targets, 1);
+  for (int c = 0; c < half_cycles / 2; ++c) cycle(deltas, targets, 2);
   sweep_finest(deltas, kLastSweeps);
   return {units_, std::exchange(x_, {})};
 }

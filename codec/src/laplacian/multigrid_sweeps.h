@@ -14,48 +14,46 @@
 
 namespace deltamesh::multigrid {
 
-/// Measured: 1.1 to 1.3 do well, 1 and 1.4 do not.
-inline constexpr float kOverRelaxation = 1.2F;
-
-/// The first sweep: `step` from `residual(node)` and, on the rim, `outer_residual(node)`, asked for once for
-/// every node in the order of the level's chunks, which know what keep(node, step) was told before. `step` of
-/// a node without edges, which has none, is its residual.
+/// So many sweeps, each over-relaxed as `relaxation` says: `step` of the first from `residual(node)` and, on
+/// the rim, `outer_residual(node)`, asked for once for every node in the order of the level's chunks, which
+/// know what keep(node, step) was told before. `step` of a node without edges, which has none, is its
+/// residual.
 template <class AnyEdges, class Residual, class OuterResidual, class Keep>
-void sweep_first(const Level& level, const AnyEdges& edges, const Residual& residual,
-                 const OuterResidual& outer_residual, std::span<Float4> step, const Keep& keep) {
-  const auto sweep = [&](std::uint32_t i, Float4 r) {
+void sweep(const Level& level, const AnyEdges& edges, std::span<const float> relaxation,
+           const Residual& residual, const OuterResidual& outer_residual, std::span<Float4> step,
+           const Keep& keep) {
+  const auto first = [&, by = relaxation[0]](std::uint32_t i, Float4 r) {
     const float inverse = edges.inverse_degree(i);
-    const Float4 first = kOverRelaxation * inverse * r;
-    step[i] = inverse > 0 ? first : r;
-    keep(i, first);
+    const Float4 move = by * inverse * r;
+    step[i] = inverse > 0 ? move : r;
+    keep(i, move);
   };
-  level.chunks.visit([&](std::uint32_t i) { sweep(i, residual(i)); },
-                     [&](std::uint32_t i) { sweep(i, outer_residual(i)); });
+  level.chunks.visit([&](std::uint32_t i) { first(i, residual(i)); },
+                     [&](std::uint32_t i) { first(i, outer_residual(i)); });
+  for (std::size_t s = 1; s < relaxation.size(); ++s) {
+    const float by = relaxation[s];
+    const float own = (1 / relaxation[s - 1] - 1) * by;
+    level.chunks.visit([&](std::uint32_t i) {
+      const float inverse = edges.inverse_degree(i);
+      if (inverse == 0) return;
+      step[i] = own * step[i] + by * inverse * edges.sum(i, step.data());
+      keep(i, step[i]);
+    });
+  }
 }
 
-/// A further sweep.
-template <class AnyEdges, class Keep>
-void sweep_again(const Level& level, const AnyEdges& edges, std::span<Float4> step, const Keep& keep) {
-  level.chunks.visit([&](std::uint32_t i) {
-    const float inverse = edges.inverse_degree(i);
-    if (inverse == 0) return;
-    step[i] = (1 - kOverRelaxation) * step[i] + kOverRelaxation * inverse * edges.sum(i, step.data());
-    keep(i, step[i]);
-  });
-}
-
-/// Gives take(node, residual) what all sweeps leave, in parts that add up.
+/// Gives take(node, residual) what all sweeps leave, in parts that add up; `relaxation`: of the last.
 template <class AnyEdges, class Take>
-void take_residuals(const Level& level, const AnyEdges& edges, std::span<const Float4> step,
+void take_residuals(const Level& level, const AnyEdges& edges, float relaxation, std::span<const Float4> step,
                     const Take& take) {
-  constexpr float kOwn = 1 / kOverRelaxation - 1;
+  const float own = 1 / relaxation - 1;
   const auto inner = [&](std::uint32_t i) {
     const float degree = edges.degree(i);
-    take(i, degree > 0 ? edges.upper(i, step.data()) + kOwn * degree * step[i] : step[i]);
+    take(i, degree > 0 ? edges.upper(i, step.data()) + own * degree * step[i] : step[i]);
   };
   // Those on the rim came after the others, which have heard of higher ones only.
   const auto outer = [&](std::uint32_t i) {
-    Float4 sum = kOwn * edges.degree(i) * step[i];
+    Float4 sum = own * edges.degree(i) * step[i];
     edges.visit(i, [&](std::uint32_t neighbor, float weight) {
       if (neighbor < i) return;
       if (level.chunks.is_on_rim[neighbor]) {
