@@ -34,17 +34,25 @@ void free_pages(void* begin) noexcept {
   ::operator delete(memory);
 }
 
-void want_large_pages(void* memory, std::size_t bytes) noexcept {
+namespace {
+
+/// For the large pages that `memory` fills.
+void advise(void* memory, std::size_t bytes, int advice) noexcept {
   const std::size_t before = (~reinterpret_cast<std::uintptr_t>(memory) + 1) % kLargePage;
   if (bytes < before + kLargePage) return;
-  madvise(static_cast<std::byte*>(memory) + before, (bytes - before) / kLargePage * kLargePage,
-          MADV_HUGEPAGE);
+  madvise(static_cast<std::byte*>(memory) + before, (bytes - before) / kLargePage * kLargePage, advice);
 }
+
+}  // namespace
+
+void forget_pages(void* memory, std::size_t bytes) noexcept { advise(memory, bytes, MADV_DONTNEED); }
+void want_large_pages(void* memory, std::size_t bytes) noexcept { advise(memory, bytes, MADV_HUGEPAGE); }
 
 #else
 
 void* allocate_pages(std::size_t bytes) { return ::operator new (bytes, std::align_val_t{64}); }
 void free_pages(void* memory) noexcept { ::operator delete (memory, std::align_val_t{64}); }
+void forget_pages(void*, std::size_t) noexcept {}
 void want_large_pages(void*, std::size_t) noexcept {}
 
 #endif

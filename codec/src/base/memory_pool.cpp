@@ -40,6 +40,7 @@ std::size_t MemoryPool::Chunk::size_of(std::size_t block) const noexcept {
 void* MemoryPool::allocate(std::size_t bytes) {
   constexpr std::size_t kUnit = 64;  // a line of the cache
   bytes = (bytes + kUnit - 1) / kUnit * kUnit;
+  const std::lock_guard lock(mutex_);
   Chunk* best = nullptr;
   std::size_t best_block = 0;
   for (Chunk& chunk : chunks_) {
@@ -51,7 +52,7 @@ void* MemoryPool::allocate(std::size_t bytes) {
     }
   }
   if (best != nullptr) return take(*best, best_block, bytes);
-  release_idle();
+  release_idle_chunks();
   return take(add_chunk(bytes), 0, bytes);
 }
 
@@ -76,6 +77,7 @@ void* MemoryPool::take(Chunk& chunk, std::size_t block, std::size_t bytes) {
 }
 
 bool MemoryPool::free(void* memory) noexcept {
+  const std::lock_guard lock(mutex_);
   for (Chunk& chunk : chunks_) {
     auto& blocks = chunk.blocks;
     const auto block =
@@ -90,6 +92,21 @@ bool MemoryPool::free(void* memory) noexcept {
 }
 
 void MemoryPool::release_idle() noexcept {
+  const std::lock_guard lock(mutex_);
+  release_idle_chunks();
+}
+
+void MemoryPool::release_pages() noexcept {
+  const std::lock_guard lock(mutex_);
+  release_idle_chunks();
+  for (const Chunk& chunk : chunks_) {
+    for (std::size_t i = 0; i < chunk.blocks.size(); ++i) {
+      if (chunk.blocks[i].is_free) forget_pages(chunk.blocks[i].begin, chunk.size_of(i));
+    }
+  }
+}
+
+void MemoryPool::release_idle_chunks() noexcept {
   std::erase_if(chunks_, [](const Chunk& chunk) {
     if (chunk.is_free()) free_pages(chunk.begin);
     return chunk.is_free();

@@ -6,12 +6,14 @@
 #pragma once
 
 #include <cstddef>
+#include <mutex>
 #include <vector>
 
 namespace deltamesh {
 
 /// As long as one lives, it gives the large arrays [LargeAllocator] of the thread that made it their memory,
-/// the last one made before the others. They must be freed by that thread, before it goes.
+/// the last one made before the others, and those of threads that a ThreadTeam made meanwhile. They must be
+/// freed by these threads, before it goes.
 class MemoryPool {
  public:
   /// `bytes`: what the arrays are thought to take up at a time. At once it is more likely to be memory that
@@ -24,14 +26,20 @@ class MemoryPool {
   /// Of this thread; or null.
   static MemoryPool* current() noexcept { return current_; }
 
+  /// This thread, which has none of its own, shares `pool` until it ends; null for none.
+  static void share(MemoryPool* pool) noexcept { current_ = pool; }
+
   /// At least `bytes`, not cleared; throws std::bad_alloc. O(blocks).
   void* allocate(std::size_t bytes);
 
   /// False where the memory is not from here. O(blocks).
   bool free(void* memory) noexcept;
 
-  /// Gives back what nobody uses.
+  /// Gives back what came from the system at once and nobody uses.
   void release_idle() noexcept;
+
+  /// The same for every large page that nobody uses: the pool is to grow no more.
+  void release_pages() noexcept;
 
  private:
   /// Part of a chunk, up to the next block.
@@ -51,10 +59,12 @@ class MemoryPool {
 
   Chunk& add_chunk(std::size_t bytes);
   void* take(Chunk& chunk, std::size_t block, std::size_t bytes);
+  void release_idle_chunks() noexcept;
 
   static thread_local MemoryPool* current_;
 
   MemoryPool* outer_;
+  std::mutex mutex_;  ///< of the chunks
   std::vector<Chunk> chunks_;
 };
 

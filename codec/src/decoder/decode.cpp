@@ -33,14 +33,16 @@ constexpr double kGeometryDone = 0.85;
 /// Bytes of a stream from which on its decoding fills large pages and takes longer than to start threads.
 constexpr std::size_t kLargeStream = std::size_t{1} << 14;
 
-/// What the predictive coder's arrays take up at a time, as far as `bytes` may hold that much: untouched, it
-/// costs nothing.
-std::size_t predictive_memory(const FileHeader& header, std::size_t bytes) noexcept {
-  constexpr std::size_t kPerVertex = 84;
+/// What the decoder's arrays take up at a time, as far as `bytes` may hold that much: untouched, it costs
+/// nothing.
+std::size_t memory_at_a_time(const FileHeader& header, std::size_t bytes) noexcept {
+  constexpr std::size_t kPerPredictedVertex = 84;
+  constexpr std::size_t kPerSolvedVertex = 160;
   constexpr std::size_t kRounding = 1024;  // of all arrays together
   constexpr std::size_t kVerticesPerByte = 32;
-  if (header.geometry != kGeometryPredictive) return 0;
-  return kRounding + kPerVertex * std::min<std::size_t>(header.geometric_vertices, kVerticesPerByte * bytes);
+  const std::size_t per_vertex =
+      header.geometry == kGeometryPredictive ? kPerPredictedVertex : kPerSolvedVertex;
+  return kRounding + per_vertex * std::min<std::size_t>(header.geometric_vertices, kVerticesPerByte * bytes);
 }
 
 void report_progress(const DecodeOptions& options, double share) {
@@ -117,7 +119,7 @@ class StreamDecoder {
       return rows;
     }
     DELTAMESH_TRY(const auto positions, read_solved(faces));
-    if (MemoryPool* const pool = MemoryPool::current()) pool->release_idle();
+    if (MemoryPool* const pool = MemoryPool::current()) pool->release_pages();
     return to_float_rows(positions, copies_);
   }
 
@@ -183,11 +185,10 @@ Result<Mesh> decode(std::span<const std::byte> stream, const DecodeOptions& opti
   return guarded([&]() -> Result<Mesh> {
     DELTAMESH_TRY(const auto container, Container::open(stream));
     const unsigned threads = options.threads > 0 ? options.threads : std::thread::hardware_concurrency();
-    // A pool serves one thread only: beside it, what the others take would be new pages each time.
     std::optional<MemoryPool> pool;
     std::optional<ThreadTeam> team;
     if (stream.size() >= kLargeStream) {
-      if (threads == 1) pool.emplace(predictive_memory(container.header(), stream.size()));
+      pool.emplace(memory_at_a_time(container.header(), stream.size()));
       if (threads > 1) team.emplace(threads);
     }
     return StreamDecoder(container, options).run();
