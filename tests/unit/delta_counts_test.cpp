@@ -57,11 +57,12 @@ TEST(FourInts, MultiplyShortLanes) {
 /// Exact from 8 bits on, the nearest below.
 TEST(DeltaCounts, AreWhatSymbolsStandFor) {
   const std::vector<std::int32_t> symbols = {0, 1, -1, 2, -2, 255, -70000, 100, -3};
+  const SymbolRows rows(symbols);
   for (const std::array<double, 3>& shifts :
        {std::array{0.0, 0.0, 0.0}, std::array{0.0, 31 / 256.0, 5 / 256.0},
         std::array{0.0, -127 / 256.0, 0.25}}) {
     const DeltaScale scale{.step = 0.003, .shifts = shifts};
-    const DeltaView view(symbols, scale);
+    const DeltaView view(rows.view(), scale);
     for (const int bits : {0, 3, 7, 8, 9, 14}) {
       const DeltaCounts counts(view, bits);
       for (std::size_t i = 0; i < view.size(); ++i) {
@@ -76,11 +77,37 @@ TEST(DeltaCounts, AreWhatSymbolsStandFor) {
   }
 }
 
+TEST(SymbolRows, AreTheSymbolsInAnyWidth) {
+  for (const std::int32_t far :
+       {0, 32767, -32768, 32768, -32769, kLeast, std::numeric_limits<std::int32_t>::max()}) {
+    const std::vector<std::int32_t> planar = {1, -2, far, 3, 4, -5, 6, far, -7};
+    const SymbolRows rows(planar);
+    ASSERT_EQ(rows.size(), 3U);
+    EXPECT_EQ(rows.view().short_rows().empty(), far > 32767 || far < -32768);
+    VertexSubset others;
+    others.append(1, 3);
+    const SymbolRows kept = rows.pick(others);
+    const SymbolRows listed(rows.view(), std::vector<std::uint32_t>{1, 2});
+    ASSERT_EQ(kept.size(), 2U);
+    ASSERT_EQ(listed.size(), 2U);
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto lane = static_cast<int>(axis);
+        EXPECT_EQ(rows.view()[i][lane], planar[3 * axis + i]);
+        if (i == 0) continue;
+        EXPECT_EQ(kept.view()[i - 1][lane], planar[3 * axis + i]);
+        EXPECT_EQ(listed.view()[i - 1][lane], planar[3 * axis + i]);
+      }
+      EXPECT_EQ(rows.view()[i][3], 0);
+    }
+  }
+}
+
 TEST(DeltaCounts, TurnAroundBeyond32Bits) {
-  const std::vector<std::int32_t> symbols = {3, kLeast, 0};
+  const SymbolRows symbols(std::vector<std::int32_t>{3, kLeast, 0});
   const DeltaScale scale;
   const auto lanes =
-      reinterpret_cast<FourInts>(DeltaCounts(DeltaView(symbols, scale), DeltaCounts::kMostBits)[0]);
+      reinterpret_cast<FourInts>(DeltaCounts(DeltaView(symbols.view(), scale), DeltaCounts::kMostBits)[0]);
   EXPECT_EQ(lanes[0], -(1 << 30));  // 3 * 2^30 - 2^32
   EXPECT_EQ(lanes[1], 0);
 }
@@ -94,9 +121,9 @@ TEST(DeltaCounts, OfDoublesAreTheNearest) {
 }
 
 TEST(Units, KeepPositionsToTheirLastBit) {
-  const std::vector<std::int32_t> symbols = {1, 2, 3};
+  const SymbolRows symbols(std::vector<std::int32_t>{1, 2, 3});
   const DeltaScale scale{.step = 0.25};
-  const multigrid::Units units(DeltaView(symbols, scale), 1000);
+  const multigrid::Units units(DeltaView(symbols.view(), scale), 1000);
   EXPECT_EQ(units.bits(), 27 - 9);
   const multigrid::Counts counts = units.count(multigrid::Float4{999.5F, -0.125F, 0, 0});
   const Vec3 position = units.position(counts);
@@ -108,10 +135,10 @@ TEST(Units, KeepPositionsToTheirLastBit) {
 }
 
 TEST(Units, GiveNoPositionWhereTheStartIsNotFinite) {
-  const std::vector<std::int32_t> symbols = {1, 2, 3};
+  const SymbolRows symbols(std::vector<std::int32_t>{1, 2, 3});
   const DeltaScale scale;
   for (const float reach : {kNan, std::numeric_limits<float>::infinity()}) {
-    const multigrid::Units units(DeltaView(symbols, scale), reach);
+    const multigrid::Units units(DeltaView(symbols.view(), scale), reach);
     for (const multigrid::Float4 steps : {multigrid::Float4{}, multigrid::Float4{1, 2, 3, 0}})
       EXPECT_FALSE(std::isfinite(units.position(units.count(steps))[0]));
   }

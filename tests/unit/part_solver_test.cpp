@@ -75,15 +75,16 @@ TEST(SolveOnce, GivesTheSolversBits) {
     for (const std::uint32_t anchor : problem.anchors) problem.targets.push_back(mesh.positions[anchor]);
     problem.scale = {.step = 1.0 / 64, .shifts = {0, 0.25, 0.125}};
     std::vector<Vec3> deltas = delta_coordinates(mesh.graph, mesh.positions);
-    problem.symbols.resize(3 * deltas.size());
+    std::vector<std::int32_t> symbols(3 * deltas.size());
     const DeltaQuantizer quantizer{.step = 1.0 / 64, .shift = {.one = 64, .more = 32}};
     for (std::size_t i = 0; i < deltas.size(); ++i) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto symbol = static_cast<std::int32_t>(std::round(64 * deltas[i][axis]));
-        problem.symbols[axis * deltas.size() + i] = symbol;
+        symbols[axis * deltas.size() + i] = symbol;
         deltas[i][axis] = quantizer.value(symbol);
       }
     }
+    problem.symbols = SymbolRows(symbols);
     const auto solver = make_multigrid_solver(problem.graph, problem.anchors);
     ASSERT_TRUE(solver);
     std::vector<Vec3> x(mesh.positions.size());

@@ -2,10 +2,12 @@
 // Copyright 2026 The deltamesh authors
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <random>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -13,6 +15,7 @@
 #include "topology/mesh_edges.h"
 #include "topology/subgraph.h"
 #include "topology/vertex_runs.h"
+#include "topology/vertex_subset.h"
 #include "topology/weld.h"
 
 namespace deltamesh {
@@ -133,19 +136,66 @@ TEST(VertexRuns, JoinedRunsAreOneComponent) {
   EXPECT_EQ(components.size, (Indices{6, 2, 1, 1}));
 }
 
+VertexSubset subset_of(const std::vector<std::uint32_t>& vertices) {
+  VertexSubset subset;
+  for (const std::uint32_t vertex : vertices) subset.append(vertex, vertex + 1);
+  return subset;
+}
+
+TEST(VertexSubset, FindsRowsAndVertices) {
+  const std::vector<std::uint32_t> vertices = {1, 2, 3, 7, 9, 10};
+  const VertexSubset subset = subset_of(vertices);
+  EXPECT_EQ(subset.runs().size(), 3U);
+  ASSERT_EQ(subset.size(), vertices.size());
+  SubsetWalk walk(subset);
+  for (std::uint32_t vertex = 0; vertex < 12; ++vertex) {
+    const auto found = std::find(vertices.begin(), vertices.end(), vertex);
+    const auto row = subset.row_of(vertex);
+    EXPECT_EQ(walk.row_of(vertex), row);
+    EXPECT_EQ(walk.row_of(vertex), row);
+    ASSERT_EQ(row.has_value(), found != vertices.end()) << vertex;
+    if (!row) continue;
+    EXPECT_EQ(*row, found - vertices.begin());
+    EXPECT_EQ(subset.vertex(*row), vertex);
+  }
+  EXPECT_FALSE(VertexSubset().row_of(0));
+  EXPECT_EQ(VertexSubset().size(), 0U);
+}
+
+TEST(VertexSubset, MovesRows) {
+  const VertexSubset subset = subset_of({0, 1, 4, 5, 7});
+  Indices values = {10, 11, 12, 13, 14, 15, 16, 17};
+  Indices rows(subset.size());
+  gather_rows(std::span<const std::uint32_t>(values), subset, std::span(rows));
+  EXPECT_EQ(rows, (Indices{10, 11, 14, 15, 17}));
+  Indices scattered(8, 0);
+  scatter_rows(std::span<const std::uint32_t>(rows), subset, std::span(scattered));
+  EXPECT_EQ(scattered, (Indices{10, 11, 0, 0, 14, 15, 0, 17}));
+  gather_rows(std::span<const std::uint32_t>(values), subset, std::span(values));
+  values.resize(subset.size());
+  EXPECT_EQ(values, rows);
+  values.resize(8);
+  spread_rows(subset, std::span(values));
+  for (const std::uint32_t vertex : {0U, 1U, 4U, 5U, 7U}) EXPECT_EQ(values[vertex], 10 + vertex);
+}
+
 TEST(Subgraph, KeepsWholeComponents) {
   const Adjacency graph = build_adjacency(Indices{5, 6, 2, 0, 4, 4, 6, 3, 5, 1, 7, 8}, 9);
   const std::vector<std::uint32_t> kept = {1, 2, 3, 5, 6, 7, 8};
-  const Adjacency copy = copy_vertices(graph, kept);
+  const Adjacency copy = copy_vertices(graph, subset_of(kept));
   ASSERT_EQ(copy.vertex_count(), kept.size());
   for (std::uint32_t i = 0; i < kept.size(); ++i) {
     ASSERT_EQ(copy.degree(i), graph.degree(kept[i]));
     for (std::size_t k = 0; k < copy.of(i).size(); ++k) EXPECT_EQ(kept[copy.of(i)[k]], graph.of(kept[i])[k]);
   }
   Adjacency same = graph;
-  keep_vertices(same, kept);
+  keep_vertices(same, subset_of(kept));
   EXPECT_EQ(same.offsets, copy.offsets);
   EXPECT_EQ(same.neighbors, copy.neighbors);
+  const Components components = pick_components(find_components(graph), subset_of(kept));
+  EXPECT_EQ(components.label, find_components(copy).label);
+  EXPECT_EQ(components.size, find_components(copy).size);
+  EXPECT_EQ(components.count, 2U);
   keep_vertices(same, {});
   EXPECT_EQ(same.vertex_count(), 0U);
   EXPECT_TRUE(same.neighbors.empty());

@@ -24,11 +24,14 @@ void Border::reserve(std::size_t vertices, std::size_t faces) {
 
 bool Border::make_room() {
   constexpr std::size_t kProof = 64 * kFacesAtOnce;  // that the rest will be filled as well
-  if (face_room_ == 3 * kProof) {
-    want_large_pages(faces_.data(), faces_.capacity() * sizeof(faces_[0]));
-    want_large_pages(items_.data(), items_.capacity() * sizeof(items_[0]));
-  }
-  face_room_ = std::min(face_room_ + 3 * kFacesAtOnce, most_face_end_);
+  constexpr std::size_t kGrowth = 4;
+  const bool is_proved = face_room_ == 3 * kProof;
+  const std::size_t had_room =
+      std::exchange(face_room_, std::min(face_room_ + 3 * kFacesAtOnce, most_face_end_));
+  const bool has_to_grow = had_room >= 3 * kProof && face_room_ > faces_.capacity();
+  if (has_to_grow) faces_.reserve(std::min(kGrowth * had_room, most_face_end_));
+  if (is_proved || has_to_grow) want_large_pages(faces_.data(), faces_.capacity() * sizeof(faces_[0]));
+  if (is_proved) want_large_pages(items_.data(), items_.capacity() * sizeof(items_[0]));
   faces_.resize(face_room_);
   items_.resize(item_count_ + kItemsAtOnce);
   return face_end_ < face_room_;

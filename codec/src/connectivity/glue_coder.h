@@ -14,6 +14,7 @@
 #include <span>
 #include <vector>
 
+#include "base/large_vector.h"
 #include "base/zigzag.h"
 #include "connectivity/cut.h"
 #include "entropy/compact_model.h"
@@ -25,6 +26,12 @@ namespace deltamesh {
 /// list; a stream can give a vertex any number, so that the others are in a tree, which costs more.
 class EdgeApexes {
  public:
+  /// Never more than so many vertices and edges.
+  EdgeApexes(std::size_t vertices, std::size_t edges) {
+    heads_.reserve(vertices);
+    listed_.reserve(edges);
+  }
+
   /// What the face across a gate may be the twin of.
   struct Guesses {
     std::uint32_t same = kNoIndex;      ///< apex of the first face with the edge in the same direction
@@ -76,7 +83,7 @@ class EdgeApexes {
 
   Edge& find_or_add(std::uint32_t from, std::uint32_t to) {
     if (Edge* edge = find(from, to); edge != nullptr) return *edge;
-    if (from >= heads_.size()) heads_.resize(std::size_t{from} + 1);
+    if (from >= heads_.size()) heads_.resize(std::size_t{from} + 1, Head{});
     Head& head = heads_[from];
     if (head.count == kMostListed) return more_[key(from, to)];
     ++head.count;
@@ -85,8 +92,8 @@ class EdgeApexes {
     return listed_.back().edge;
   }
 
-  std::vector<Head> heads_;  ///< of every vertex up to the last that came
-  std::vector<Listed> listed_;
+  LargeVector<Head> heads_;  ///< of every vertex up to the last that came
+  LargeVector<Listed> listed_;
   std::map<std::uint64_t, Edge> more_;  ///< a stream could make the edges of a hash table collide
 };
 
@@ -94,13 +101,18 @@ class EdgeApexes {
 template <class Coder>
 class GlueCoder {
  public:
-  explicit GlueCoder(Coder& coder) : coder_(coder) {}
+  /// For `faces`, three of `manifold_count` manifold vertices each.
+  GlueCoder(Coder& coder, std::span<const std::uint32_t> faces, std::size_t manifold_count)
+      : coder_(coder), faces_(faces), edges_(manifold_count, faces.size()) {
+    glued_.reserve(manifold_count);
+  }
 
-  /// Codes vertex of the mesh for every manifold vertex, where `faces` (three manifold vertices each) bring
-  /// them in. `vertex`: one per manifold vertex; read by a writer, filled in by a reader. False where a
-  /// target is not there yet, or `stop`. O(faces log faces).
+  /// Codes vertex of the mesh for every manifold vertex, where the faces bring them in. `vertex`: one per
+  /// manifold vertex; read by a writer, filled in by a reader. False where a target is not there yet, or
+  /// `stop`. Once. O(faces log faces).
   template <class Stop>
-  bool code(std::span<const std::uint32_t> faces, std::vector<std::uint32_t>& vertex, Stop stop) {
+  bool code(std::vector<std::uint32_t>& vertex, Stop stop) {
+    const std::span<const std::uint32_t> faces = faces_;
     for (std::size_t f = 0; f < faces.size(); f += 3) {
       std::array<std::uint32_t, 3> face{};
       for (std::size_t k = 0; k < 3; ++k) {
@@ -144,6 +156,7 @@ class GlueCoder {
   static constexpr SymbolModel kFresh{{4, 4, 4, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
 
   Coder& coder_;
+  std::span<const std::uint32_t> faces_;
   EdgeApexes edges_;
   std::vector<std::uint8_t> glued_;  ///< of every manifold vertex so far
   std::uint32_t fresh_ = 0;

@@ -84,7 +84,7 @@ void write_compact_gluing(CompactWriter& writer, const GlueList& list, std::span
   NumberModel counts;
   writer.number(static_cast<std::uint32_t>(list.gaps.size()), counts);
   if (is_dense(list.gaps.size(), vertex.size())) {
-    GlueCoder(writer).code(faces, vertex, [] { return false; });
+    GlueCoder(writer, faces, vertex.size()).code(vertex, [] { return false; });
     return;
   }
   NumberModel gaps;
@@ -104,8 +104,8 @@ Result<std::vector<std::uint32_t>> read_compact_gluing(CompactReader& reader,
   DELTAMESH_CHECK(check_glue_count(count, manifold_count, vertex_count));
   if (is_dense(count, manifold_count)) {
     std::vector<std::uint32_t> vertex(manifold_count);
-    GlueCoder glue(reader);
-    if (!glue.code(faces, vertex, [&] { return reader.failed(); }) && !reader.failed())
+    GlueCoder glue(reader, faces, manifold_count);
+    if (!glue.code(vertex, [&] { return reader.failed(); }) && !reader.failed())
       return invalid("glued to a vertex yet to come");
     if (glue.glued_count() != count && !reader.failed()) return invalid("another number of glued vertices");
     return vertex;

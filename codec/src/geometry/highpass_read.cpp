@@ -107,7 +107,8 @@ Result<LargeVector<Vec3>> read_and_solve(Payload deltas, Payload anchors, Adjace
   Result<void> is_set_up;
   if (part.row_count > 0)
     is_set_up = solver.set_up(anchor_rows(symbols.anchors, part), parameters.half_cycles);
-  DELTAMESH_TRY(symbols.deltas, values.get());
+  DELTAMESH_TRY(const auto planar, values.get());
+  symbols.deltas = SymbolRows(planar);
   DELTAMESH_CHECK(is_set_up);
   return reconstruct_highpass(symbols, part, solver, box, parameters);
 }
@@ -122,7 +123,10 @@ Result<LargeVector<Vec3>> read_highpass(Payload deltas, Payload anchors, Adjacen
     return read_and_solve(deltas, anchors, std::move(graph), std::move(components), box, parameters);
   DELTAMESH_TRY(HighpassSymbols symbols, read_anchor_symbols(anchors, components, parameters));
   SolvedPart part = extract_solved_part(std::move(graph), std::move(components));
-  DELTAMESH_TRY(symbols.deltas, read_deltas(deltas, part.graph));
+  {
+    DELTAMESH_TRY(const auto planar, read_deltas(deltas, part.graph));
+    symbols.deltas = SymbolRows(planar);
+  }
   return reconstruct_highpass_once(std::move(symbols), std::move(part), box, parameters);
 }
 

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
 
 #include "base/large_vector.h"
+#include "base/thread_team.h"
 #include "base/try.h"
 #include "format/tags.h"
 #include "geometry/highpass_symbols.h"
 #include "laplacian/solve_once.h"
-#include "topology/subgraph.h"
+#include "topology/vertex_subset.h"
 
 namespace deltamesh {
 namespace {
@@ -31,15 +33,11 @@ std::vector<Vec3> anchor_targets(const HighpassSymbols& symbols, const SolvedPar
   const AnchorLattice lattice(box, parameters.anchor_bits);
   const Vec3 center = middle(box);
   std::vector<Vec3> targets;
-  RowWalk walk(part);
+  SubsetWalk walk(part.vertices);
   for (std::size_t i = 0; i < symbols.anchors.size(); ++i) {
     if (walk.row_of(symbols.anchors[i])) targets.push_back(lattice.position_of(symbols.cells[i]) - center);
   }
   return targets;
-}
-
-bool fits_float(double value) noexcept {
-  return std::abs(value) <= static_cast<double>(std::numeric_limits<float>::max());
 }
 
 }  // namespace
@@ -67,7 +65,7 @@ Vec3 AnchorLattice::position_of(const AnchorCell& cell) const noexcept {
 
 std::vector<std::uint32_t> anchor_rows(std::span<const std::uint32_t> anchors, const SolvedPart& part) {
   std::vector<std::uint32_t> rows;
-  RowWalk walk(part);
+  SubsetWalk walk(part.vertices);
   for (const std::uint32_t anchor : anchors) {
     if (const auto row = walk.row_of(anchor)) rows.push_back(*row);
   }
@@ -76,34 +74,41 @@ std::vector<std::uint32_t> anchor_rows(std::span<const std::uint32_t> anchors, c
 
 namespace {
 
-/// Marks of the solved vertices; empty where that is all of them.
-std::vector<bool> solved_marks(const SolvedPart& part) {
-  return part.is_whole() ? std::vector<bool>() : mark_vertices(part.vertices, part.whole_count);
+bool fits_float(const Vec3& position) noexcept {
+  constexpr auto kLargest = static_cast<double>(std::numeric_limits<float>::max());
+  bool fits = true;
+  for (const double x : position) fits &= std::abs(x) <= kLargest;
+  return fits;
 }
 
-/// Positions of all vertices from the solution of `solved`, which are in front: the others are on the
-/// lattice [ANCH-2]. Errors: kInvalidStream [DELT-3].
-Result<void> complete_positions(const HighpassSymbols& symbols, std::size_t solved,
-                                const std::vector<bool>& is_solved, const Box& box,
+/// Positions of all vertices from the solution, whose rows are in front: the vertices that are not among
+/// `solved` are on the lattice [ANCH-2]. Errors: kInvalidStream [DELT-3].
+Result<void> complete_positions(const HighpassSymbols& symbols, const VertexSubset& solved, const Box& box,
                                 const HighpassParameters& parameters, std::span<Vec3> positions) {
   const Vec3 center = middle(box);
-  for (Vec3& x : positions.first(solved)) x = center + x;
-  if (!is_solved.empty()) {
-    spread_to_marks(positions, is_solved);
-    const AnchorLattice lattice(box, parameters.anchor_bits);
-    for (std::size_t i = 0; i < symbols.anchors.size(); ++i) {
-      const std::uint32_t anchor = symbols.anchors[i];
-      if (!is_solved[anchor]) positions[anchor] = lattice.position_of(symbols.cells[i]);
+  std::atomic<bool> fits = true;
+  share_rows(solved.size(), [&](std::uint32_t begin, std::uint32_t end) {
+    bool all_fit = true;
+    for (Vec3& x : positions.subspan(begin, end - begin)) {
+      x = center + x;
+      all_fit &= fits_float(x);
     }
+    if (!all_fit) fits = false;
+  });
+  spread_rows(solved, positions);
+  const AnchorLattice lattice(box, parameters.anchor_bits);
+  SubsetWalk walk(solved);
+  for (std::size_t i = 0; i < symbols.anchors.size(); ++i) {
+    const std::uint32_t anchor = symbols.anchors[i];
+    if (walk.row_of(anchor)) continue;
+    positions[anchor] = lattice.position_of(symbols.cells[i]);
+    if (!fits_float(positions[anchor])) fits = false;
   }
-  for (const Vec3& position : positions) {
-    if (!(fits_float(position[0]) && fits_float(position[1]) && fits_float(position[2])))
-      return Error{.code = ErrorCode::kInvalidStream,
-                   .message = "a decoded position is not finite",
-                   .rule = "DELT-3",
-                   .chunk_tag = kTagDeltas};
-  }
-  return {};
+  if (fits) return {};
+  return Error{.code = ErrorCode::kInvalidStream,
+               .message = "a decoded position is not finite",
+               .rule = "DELT-3",
+               .chunk_tag = kTagDeltas};
 }
 
 }  // namespace
@@ -114,18 +119,16 @@ Result<LargeVector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, c
   LargeVector<Vec3> positions(part.whole_count);
   if (part.row_count > 0) {
     DELTAMESH_CHECK(solver.solve(anchor_rows(symbols.anchors, part),
-                                 DeltaView(symbols.deltas, scale_of(parameters)),
+                                 DeltaView(symbols.deltas.view(), scale_of(parameters)),
                                  anchor_targets(symbols, part, box, parameters), parameters.half_cycles,
                                  std::span(positions).first(part.row_count)));
   }
-  DELTAMESH_CHECK(
-      complete_positions(symbols, part.row_count, solved_marks(part), box, parameters, positions));
+  DELTAMESH_CHECK(complete_positions(symbols, part.vertices, box, parameters, positions));
   return positions;
 }
 
 Result<LargeVector<Vec3>> reconstruct_highpass_once(HighpassSymbols symbols, SolvedPart part, const Box& box,
                                                     const HighpassParameters& parameters) {
-  const std::vector<bool> is_solved = solved_marks(part);
   LargeVector<Vec3> positions;
   if (part.row_count > 0) {
     LeastSquaresProblem problem{.graph = std::exchange(part.graph, {}),
@@ -135,11 +138,10 @@ Result<LargeVector<Vec3>> reconstruct_highpass_once(HighpassSymbols symbols, Sol
                                 .scale = scale_of(parameters),
                                 .targets = anchor_targets(symbols, part, box, parameters),
                                 .half_cycles = parameters.half_cycles};
-    std::vector<std::uint32_t>().swap(part.vertices);
     DELTAMESH_TRY(positions, solve_once(std::move(problem), part.whole_count));
   }
   positions.resize(part.whole_count);  // where there was nothing to solve
-  DELTAMESH_CHECK(complete_positions(symbols, part.row_count, is_solved, box, parameters, positions));
+  DELTAMESH_CHECK(complete_positions(symbols, part.vertices, box, parameters, positions));
   return positions;
 }
 

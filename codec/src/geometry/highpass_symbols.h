@@ -15,6 +15,7 @@
 #include "geometry/highpass.h"
 #include "laplacian/part_solver.h"
 #include "laplacian/solved_part.h"
+#include "laplacian/symbol_rows.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {
@@ -22,7 +23,7 @@ namespace deltamesh {
 using AnchorCell = std::array<std::uint32_t, 3>;
 
 struct HighpassSymbols {
-  std::vector<std::int32_t> deltas;    ///< x of every solved vertex, then y, then z; units of the step
+  SymbolRows deltas;                   ///< of every solved vertex; units of the step
   std::vector<std::uint32_t> anchors;  ///< ascending vertices
   std::vector<AnchorCell> cells{};     ///< position of every anchor on the anchor lattice
 };

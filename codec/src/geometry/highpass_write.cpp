@@ -124,7 +124,7 @@ HighpassParameters HighpassCoder::parameters_for(const HighpassSettings& setting
 }
 
 HighpassSymbols HighpassCoder::symbols_for(const HighpassSettings& settings) const {
-  HighpassSymbols symbols{.deltas = quantized_.symbols, .anchors = settings.anchors.vertices};
+  HighpassSymbols symbols{.deltas = SymbolRows(quantized_.symbols), .anchors = settings.anchors.vertices};
   const AnchorLattice lattice(box_, settings.anchor_bits);
   symbols.cells.reserve(symbols.anchors.size());
   for (const std::uint32_t anchor : symbols.anchors)
@@ -137,8 +137,8 @@ Result<CodedHighpass> HighpassCoder::code_only(const HighpassSettings& settings)
   const HighpassSymbols symbols = symbols_for(settings);
   const AnchorList list = list_anchors(symbols);
   return CodedHighpass{.parameters = parameters_for(settings),
-                       .deltas = write_deltas(symbols.deltas),
-                       .compact_deltas = write_compact_deltas(symbols.deltas, part_.graph),
+                       .deltas = write_deltas(quantized_.symbols),
+                       .compact_deltas = write_compact_deltas(quantized_.symbols, part_.graph),
                        .anchors = write_plain_anchors(list),
                        .compact_anchors = write_compact_anchors(list)};
 }

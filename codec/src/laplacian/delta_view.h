@@ -15,6 +15,7 @@
 #include "base/four_ints.h"
 #include "base/two_doubles.h"
 #include "base/vec3.h"
+#include "laplacian/symbol_rows.h"
 
 namespace deltamesh {
 
@@ -33,16 +34,6 @@ struct DeltaScale {
   }
 };
 
-/// Those of some vertices; x of all, then y, then z, as `from` has them. `to` may be `from`: what is read
-/// lies no farther to the front than what is written.
-inline void pick_symbols(std::span<const std::int32_t> from, std::span<const std::uint32_t> vertices,
-                         std::span<std::int32_t> to) noexcept {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-      to[axis * vertices.size() + i] = from[axis * (from.size() / 3) + vertices[i]];
-  }
-}
-
 /// Owns nothing.
 class DeltaView {
  public:
@@ -51,28 +42,24 @@ class DeltaView {
       : values_(values), size_(values.size()) {}
   DeltaView(const std::vector<Vec3>& values)  // NOLINT(google-explicit-constructor)
       : values_(values), size_(values.size()) {}
-  /// `symbols`: x of all rows, then y, then z.
-  DeltaView(std::span<const std::int32_t> symbols, const DeltaScale& scale)
-      : symbols_(symbols), scale_(scale), size_(symbols.size() / 3) {}
+  DeltaView(const SymbolView& symbols, const DeltaScale& scale)
+      : symbols_(symbols), scale_(scale), size_(symbols.size()) {}
 
   std::size_t size() const noexcept { return size_; }
 
   Vec3 operator[](std::size_t i) const noexcept {
-    if (symbols_.empty()) return values_[i];
-    return {scale_.value(symbols_[i]), scale_.value(symbols_[size_ + i]),
-            scale_.value(symbols_[2 * size_ + i])};
+    if (!has_symbols()) return values_[i];
+    const FourInts q = symbols_[i];
+    return {scale_.value(q[0]), scale_.value(q[1]), scale_.value(q[2])};
   }
 
-  bool has_symbols() const noexcept { return !symbols_.empty(); }
+  bool has_symbols() const noexcept { return symbols_.size() > 0; }
   const DeltaScale& scale() const noexcept { return scale_; }
-  std::span<const std::int32_t> symbols() const noexcept { return symbols_; }
-  FourInts symbols_of(std::size_t i) const noexcept {
-    return FourInts{symbols_[i], symbols_[size_ + i], symbols_[2 * size_ + i], 0};
-  }
+  const SymbolView& symbols() const noexcept { return symbols_; }
 
  private:
   std::span<const Vec3> values_;
-  std::span<const std::int32_t> symbols_;
+  SymbolView symbols_;
   DeltaScale scale_;
   std::size_t size_ = 0;
 };
@@ -100,7 +87,7 @@ class DeltaCounts {
       return reinterpret_cast<FourUnsigned>(
           nearest_lanes(per_step_ * TwoDoubles{v[0], v[1]}, per_step_ * TwoDoubles{v[2], 0.0}));
     }
-    const FourInts q = deltas_.symbols_of(i);
+    const FourInts q = deltas_.symbols()[i];
     const auto sign = reinterpret_cast<FourUnsigned>(q >> 31);
     const FourUnsigned size = (reinterpret_cast<FourUnsigned>(q) ^ sign) - sign;
     const auto ones = reinterpret_cast<FourUnsigned>(size == 1);

@@ -80,10 +80,11 @@ class GroupSolver {
   /// Whether it is that of all vertices of the graph.
   bool is_whole() const noexcept { return group_.vertices.empty(); }
 
-  /// For a group that is whole and planned.
+  /// For a group that is whole and planned; the last solution.
   PlannedSolution solve_planned(const DeltaView& deltas, std::span<const Vec3> anchor_positions,
                                 int half_cycles) {
     set_targets(anchor_positions);
+    group_.components = {};
     return planned_->solve(deltas, targets_, half_cycles);
   }
 
@@ -130,9 +131,8 @@ class GroupSolver {
       for (std::size_t i = 0; i < own_x_.size(); ++i) own_x_[i] = x[group_.vertices[i]];
     }
     if (deltas.has_symbols()) {
-      own_symbols_.resize(3 * group_.vertices.size());
-      pick_symbols(deltas.symbols(), group_.vertices, own_symbols_);
-      deltas_ = DeltaView(own_symbols_, deltas.scale());
+      own_symbols_ = SymbolRows(deltas.symbols(), group_.vertices);
+      deltas_ = DeltaView(own_symbols_.view(), deltas.scale());
     } else {
       own_deltas_.clear();
       for (const std::uint32_t v : group_.vertices) own_deltas_.push_back(deltas[v]);
@@ -281,7 +281,7 @@ class GroupSolver {
   DeltaView deltas_;
   std::span<Vec3> x_;
   std::vector<Vec3> own_deltas_;
-  std::vector<std::int32_t> own_symbols_;
+  SymbolRows own_symbols_;
   std::vector<Vec3> own_x_;
   std::vector<Vec3> targets_;
   multigrid::Settling settling_;

@@ -75,6 +75,8 @@ SmallComponents::SmallComponents(const Adjacency& graph, const Components& compo
   std::vector<std::uint32_t> place(components.count);
   for (std::uint32_t c = 0; c < components.count; ++c)
     place[c] = components.size[c] <= kLargest ? count++ : components.count;
+  first_vertex_.assign(1, 0);
+  if (count == 0) return;
   sort_by_component(
       static_cast<std::uint32_t>(graph.vertex_count()), count,
       [&](std::uint32_t v) { return place[components.label[v]]; }, vertices_, first_vertex_);

@@ -21,7 +21,7 @@ struct LeastSquaresProblem {
   Adjacency graph{};
   Components components{};               ///< of the graph
   std::vector<std::uint32_t> anchors{};  ///< distinct vertices, ascending; at least one in every component
-  std::vector<std::int32_t> symbols{};   ///< of the deltas: x of all n vertices, then y, then z
+  SymbolRows symbols{};                  ///< of the deltas
   DeltaScale scale{};                    ///< what they stand for
   std::vector<Vec3> targets{};           ///< of every anchor
   int half_cycles = 0;                   ///< as LeastSquaresSolver::solve

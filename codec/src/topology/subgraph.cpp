@@ -2,69 +2,85 @@
 // Copyright 2026 The deltamesh authors
 #include "topology/subgraph.h"
 
-#include "base/large_vector.h"
+#include <algorithm>
+#include <span>
+#include <vector>
 
 namespace deltamesh {
 namespace {
 
-/// New number of every kept vertex; anything for the others, which are no neighbours of these.
-LargeVector<std::uint32_t> renumbering(std::size_t vertex_count, std::span<const std::uint32_t> kept) {
-  LargeVector<std::uint32_t> row(vertex_count);
-  for (std::uint32_t i = 0; i < kept.size(); ++i) row[kept[i]] = i;
-  return row;
+/// Vertices become rows; most of them are in `run`.
+void renumber(std::span<std::uint32_t> vertices, const VertexSubset::Run& run, const VertexSubset& kept) {
+  const std::uint32_t size = run.size();
+  std::uint32_t outside = 0;
+  for (std::uint32_t& v : vertices) {
+    v -= run.begin;
+    outside |= v >= size ? 1 : 0;
+    v += run.row;
+  }
+  if (outside == 0) return;
+  for (std::uint32_t& v : vertices) {
+    if (v - run.row >= size) v = *kept.row_of(v - run.row + run.begin);
+  }
+}
+
+/// `part` has room and may be `graph`: rows only move to the front. Returns how many neighbours there are.
+std::uint32_t take_rows(const Adjacency& graph, const VertexSubset& kept, Adjacency& part) {
+  std::uint32_t written = 0;
+  for (const auto& run : kept.runs()) {
+    const std::uint32_t from = graph.offsets[run.begin];
+    const std::uint32_t count = graph.offsets[run.end] - from;
+    for (std::uint32_t i = 0; i < run.size(); ++i)
+      part.offsets[run.row + i] = graph.offsets[run.begin + i] - from + written;
+    std::uint32_t* const neighbors = part.neighbors.data() + written;
+    if (neighbors != graph.neighbors.data() + from)
+      std::copy_n(graph.neighbors.data() + from, count, neighbors);
+    renumber({neighbors, count}, run, kept);
+    written += count;
+  }
+  return written;
+}
+
+/// Gives back what is not needed, where that is much.
+template <class T>
+void shrink(LargeVector<T>& values, std::size_t size) {
+  values.resize(size);
+  if (values.capacity() - size > size / 8) values.shrink_to_fit();
 }
 
 }  // namespace
 
-std::vector<bool> mark_vertices(std::span<const std::uint32_t> kept, std::size_t count) {
-  std::vector<bool> marks(count, false);
-  for (const std::uint32_t vertex : kept) marks[vertex] = true;
-  return marks;
-}
-
-Adjacency copy_vertices(const Adjacency& graph, std::span<const std::uint32_t> kept) {
-  const LargeVector<std::uint32_t> row = renumbering(graph.vertex_count(), kept);
+Adjacency copy_vertices(const Adjacency& graph, const VertexSubset& kept) {
   Adjacency part;
-  part.offsets.reserve(kept.size() + 1);
-  part.offsets.push_back(0);
-  std::uint32_t total = 0;
-  for (const std::uint32_t vertex : kept) part.offsets.push_back(total += graph.degree(vertex));
-  part.neighbors.reserve(total);
-  for (const std::uint32_t vertex : kept) {
-    for (const std::uint32_t neighbor : graph.of(vertex)) part.neighbors.push_back(row[neighbor]);
-  }
+  std::size_t neighbors = 0;
+  for (const auto& run : kept.runs()) neighbors += graph.offsets[run.end] - graph.offsets[run.begin];
+  part.offsets.resize(kept.size() + 1);
+  part.neighbors.resize(neighbors);
+  part.offsets.back() = take_rows(graph, kept, part);
   return part;
 }
 
-/// Rows only move to the front, and row i is written after kept[i] >= i was read.
-void keep_vertices(Adjacency& graph, std::span<const std::uint32_t> kept) {
-  const LargeVector<std::uint32_t> row = renumbering(graph.vertex_count(), kept);
-  std::uint32_t written = 0;
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    const std::uint32_t end = graph.offsets[kept[i] + 1];
-    std::uint32_t from = graph.offsets[kept[i]];
-    graph.offsets[i] = written;
-    for (; from < end; ++from) graph.neighbors[written++] = row[graph.neighbors[from]];
-  }
-  graph.offsets.resize(kept.size() + 1);
-  graph.offsets.back() = written;
-  graph.neighbors.resize(written);
+void keep_vertices(Adjacency& graph, const VertexSubset& kept) {
+  const std::uint32_t neighbors = take_rows(graph, kept, graph);
+  shrink(graph.offsets, kept.size() + 1);
+  graph.offsets.back() = neighbors;
+  shrink(graph.neighbors, neighbors);
 }
 
 /// Kept vertices ascend, so that components are met in the order of their smallest vertices.
-Components pick_components(const Components& components, std::span<const std::uint32_t> kept) {
+Components pick_components(const Components& components, const VertexSubset& kept) {
   constexpr std::uint32_t kUnmet = 0xffffffff;
   std::vector<std::uint32_t> label(components.count, kUnmet);
   Components part;
-  part.label.reserve(kept.size());
-  for (const std::uint32_t vertex : kept) {
-    const std::uint32_t c = components.label[vertex];
+  part.label.resize(kept.size());
+  gather_rows(std::span<const std::uint32_t>(components.label), kept, std::span(part.label));
+  for_each_run(part, [&](std::uint32_t begin, std::uint32_t end, std::uint32_t c) {
     if (label[c] == kUnmet) {
       label[c] = part.count++;
       part.size.push_back(components.size[c]);
     }
-    part.label.push_back(label[c]);
-  }
+    std::fill(part.label.begin() + begin, part.label.begin() + end, label[c]);
+  });
   return part;
 }
 

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Symbols of deltas, the three of a vertex together.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "base/four_ints.h"
+#include "base/large_vector.h"
+#include "topology/vertex_subset.h"
+
+namespace deltamesh {
+
+/// Four at once, the last one 0: in 16 bits each, as mostly all of a mesh fit in, or in 32.
+using ShortSymbols = std::array<std::int16_t, 4>;
+using LongSymbols = std::array<std::int32_t, 4>;
+
+/// One row per vertex. Owns nothing.
+class SymbolView {
+ public:
+  SymbolView() = default;
+  explicit SymbolView(std::span<const ShortSymbols> rows) noexcept
+      : short_(rows.data()), size_(rows.size()) {}
+  explicit SymbolView(std::span<const LongSymbols> rows) noexcept : long_(rows.data()), size_(rows.size()) {}
+
+  std::size_t size() const noexcept { return size_; }
+  std::span<const ShortSymbols> short_rows() const noexcept { return {short_, is_short() ? size_ : 0}; }
+  std::span<const LongSymbols> long_rows() const noexcept { return {long_, is_short() ? 0 : size_}; }
+
+  FourInts operator[](std::size_t i) const noexcept {
+    return is_short() ? widened(short_[i]) : std::bit_cast<FourInts>(long_[i]);
+  }
+
+ private:
+  bool is_short() const noexcept { return short_ != nullptr; }
+  static FourInts widened(const ShortSymbols& row) noexcept {
+#if defined(__SSE2__)
+    const __m128i lanes = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(row.data()));
+    return reinterpret_cast<FourInts>(_mm_srai_epi32(_mm_unpacklo_epi16(lanes, lanes), 16));
+#else
+    return FourInts{row[0], row[1], row[2], row[3]};
+#endif
+  }
+
+  const ShortSymbols* short_ = nullptr;
+  const LongSymbols* long_ = nullptr;
+  std::size_t size_ = 0;
+};
+
+class SymbolRows {
+ public:
+  SymbolRows() = default;
+  /// `planar`: x of all vertices, then y, then z. O(n), shared by the team.
+  explicit SymbolRows(std::span<const std::int32_t> planar);
+  /// Those of some vertices.
+  SymbolRows(const SymbolView& all, std::span<const std::uint32_t> vertices);
+
+  std::size_t size() const noexcept { return short_.size() + long_.size(); }
+  SymbolView view() const noexcept { return short_.empty() ? SymbolView(long_) : SymbolView(short_); }
+
+  SymbolRows pick(const VertexSubset& vertices) const;
+
+ private:
+  LargeVector<ShortSymbols> short_;  ///< one of these is empty
+  LargeVector<LongSymbols> long_;
+};
+
+}  // namespace deltamesh
