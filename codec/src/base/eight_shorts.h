@@ -13,6 +13,11 @@ namespace deltamesh {
 
 using EightShorts = std::int16_t __attribute__((vector_size(16)));
 
+inline EightShorts all_lanes(std::int32_t number) noexcept {
+  const auto lane = static_cast<std::int16_t>(number);
+  return EightShorts{lane, lane, lane, lane, lane, lane, lane, lane};
+}
+
 /// Lanes of `low`, then of `high`, each at least -2^15 and at most 2^15 - 1.
 inline EightShorts pack_lanes(FourInts low, FourInts high) noexcept {
 #if defined(__SSE2__)
@@ -29,6 +34,54 @@ inline EightShorts pack_lanes(FourInts low, FourInts high) noexcept {
 /// The first four lanes, twice.
 inline EightShorts twice_low(EightShorts lanes) noexcept {
   return __builtin_shufflevector(lanes, lanes, 0, 1, 2, 3, 0, 1, 2, 3);
+}
+
+/// The upper four lanes of `high` after the first four of `low`.
+inline EightShorts join_halves(EightShorts low, EightShorts high) noexcept {
+  return __builtin_shufflevector(low, high, 0, 1, 2, 3, 12, 13, 14, 15);
+}
+
+/// (lane * factor) >> 16, lanes and factor from -2^15 to 2^15 - 1.
+inline EightShorts multiply_high(EightShorts lanes, std::int32_t factor) noexcept {
+#if defined(__SSE2__)
+  return reinterpret_cast<EightShorts>(
+      _mm_mulhi_epi16(reinterpret_cast<__m128i>(lanes), _mm_set1_epi16(static_cast<std::int16_t>(factor))));
+#else
+  EightShorts result;
+  for (int i = 0; i < 8; ++i) result[i] = static_cast<std::int16_t>((lanes[i] * factor) >> 16);
+  return result;
+#endif
+}
+
+/// The same of lanes that stand for 0 to 65535, and such a factor.
+inline EightShorts multiply_high_unsigned(EightShorts lanes, std::uint32_t factor) noexcept {
+#if defined(__SSE2__)
+  return reinterpret_cast<EightShorts>(
+      _mm_mulhi_epu16(reinterpret_cast<__m128i>(lanes), _mm_set1_epi16(static_cast<std::int16_t>(factor))));
+#else
+  EightShorts result;
+  for (int i = 0; i < 8; ++i)
+    result[i] = static_cast<std::int16_t>((static_cast<std::uint16_t>(lanes[i]) * factor) >> 16);
+  return result;
+#endif
+}
+
+/// (a + b + 1) >> 1, no lane below 0.
+inline EightShorts rounded_means(EightShorts a, EightShorts b) noexcept {
+#if defined(__SSE2__)
+  return reinterpret_cast<EightShorts>(
+      _mm_avg_epu16(reinterpret_cast<__m128i>(a), reinterpret_cast<__m128i>(b)));
+#else
+  EightShorts result;
+  for (int i = 0; i < 8; ++i) result[i] = static_cast<std::int16_t>((a[i] + b[i] + 1) >> 1);
+  return result;
+#endif
+}
+
+/// Absolute values, of lanes above -2^15.
+inline EightShorts lane_sizes(EightShorts lanes) noexcept {
+  const EightShorts opposite = -lanes;
+  return lanes > opposite ? lanes : opposite;
 }
 
 inline EightShorts larger_lanes(EightShorts a, EightShorts b) noexcept { return a > b ? a : b; }

@@ -29,6 +29,13 @@ class CompactWriter {
     return value;
   }
 
+  /// What models of another kind made of a symbol, after at most kMostBitsAtOnce raw bits that are read with
+  /// it [CMP-13].
+  void decide(Interval interval, const LowBits& low) {
+    if (low.count > 0) put_joined(low.value, low.count);
+    put(interval);
+  }
+
   /// `value` below 16; at most kMostBitsAtOnce + 1 bits.
   template <std::size_t K>
   [[gnu::always_inline]] unsigned symbol_and_bits(unsigned value, const LowBits& low,

@@ -24,11 +24,8 @@ using FieldNumbers = std::array<std::int32_t, 3>;
 /// Where the second of two walks begins that take turns [FLD-8].
 constexpr std::uint32_t middle_of(std::uint32_t vertices) noexcept { return vertices - vertices / 2; }
 
-/// Fields of so many vertices are large where their rule says so [FLD-9].
-inline constexpr std::uint32_t kFewestOfLargeField = 1U << 17;
-
 /// `Coder` is CompactWriter, CompactReader or CompactPricer. `graph` must outlive the coder.
-template <class Coder, bool kLarge = false>
+template <class Coder>
 class FieldCoder {
  public:
   /// One walk over all vertices.
@@ -38,7 +35,7 @@ class FieldCoder {
   FieldCoder(Coder& coder, const Adjacency& graph, std::uint32_t middle)
       : coder_(coder), history_(graph, middle), numbers_(coder, kSurenesses) {
     for (std::size_t i = 0; i < models_.size(); ++i)
-      models_[i].assign(kFieldContexts<kLarge>[i], kFreshSplit);
+      models_[i].assign(kFieldContexts[i], kFreshSplit);
   }
 
   /// Codes the first `axes` (1 to 3) numbers of `q` for `vertex`, the others being 0; all vertices before it
@@ -82,9 +79,7 @@ class FieldCoder {
   }
 
  private:
-  static constexpr std::size_t kModels = kFieldModels<kLarge>;
-  using Forecast = FieldForecast<kLarge>;
-  using Weights = MixWeights<kModels>;
+  using Weights = MixWeights<kFieldModels>;
 
   /// What a pair is coded with: a reader's copy, which a compiler can keep in registers, or a writer.
   using Held = std::conditional_t<Coder::kWrites, Coder&, Coder>;
@@ -94,7 +89,7 @@ class FieldCoder {
 
   template <unsigned kAxis>
   [[gnu::always_inline]] bool code_axis(FieldPredictor& predictor, FieldNumbers& q) {
-    const Forecast forecast = predictor.template forecast<kLarge, kAxis>(weights_);
+    const FieldForecast forecast = predictor.template forecast<kAxis>(weights_);
     Weights& weights = mixes_[forecast.weight_set];
     const std::int64_t coded = code(coder_, q[kAxis], forecast, weights, &weights);
     return settle<kAxis>(predictor, q, coded);
@@ -103,8 +98,8 @@ class FieldCoder {
   template <unsigned kAxis>
   [[gnu::always_inline]] bool code_axes(Coder& coder, FieldPredictor& a, FieldPredictor& b, FieldNumbers& q,
                                         FieldNumbers& p) {
-    const Forecast of_a = a.template forecast<kLarge, kAxis>(weights_);
-    const Forecast of_b = b.template forecast<kLarge, kAxis>(weights_);
+    const FieldForecast of_a = a.template forecast<kAxis>(weights_);
+    const FieldForecast of_b = b.template forecast<kAxis>(weights_);
     Weights& weights_a = mixes_[of_a.weight_set];
     const Weights weights_b = mixes_[of_b.weight_set];
     const std::int64_t coded_q = code(coder, q[kAxis], of_a, weights_a, &weights_a);
@@ -122,7 +117,7 @@ class FieldCoder {
 
   template <unsigned kAxis, class Choose>
   std::int32_t choose_axis(FieldPredictor& predictor, Choose& choose) {
-    const Forecast forecast = predictor.template forecast<kLarge, kAxis>(weights_);
+    const FieldForecast forecast = predictor.template forecast<kAxis>(weights_);
     Weights& weights = mixes_[forecast.weight_set];
     const std::int32_t q = choose(kAxis, [&](std::int32_t candidate) {
       const auto trial = coder_.trial();
@@ -135,17 +130,11 @@ class FieldCoder {
   }
 
   /// Returns the number, of any size where the stream lies [FLD-5].
-  [[gnu::always_inline]] std::int64_t code(Coder& coder, std::int64_t q, const Forecast& f,
+  [[gnu::always_inline]] std::int64_t code(Coder& coder, std::int64_t q, const FieldForecast& f,
                                            const Weights& weights, Weights* learning) {
     if (f.shift > kMostLowBits) __builtin_unreachable();  // no magnitude is above 2^18 sixteenths
     const auto model = [&](std::size_t k) { return &models_[k][f.contexts[k]]; };
-    std::array<SymbolModel*, kModels> models;
-    if constexpr (kLarge) {
-      models = {model(0), model(1)};
-    } else {
-      models = {model(0), model(1), model(2)};
-    }
-    const Mixture<kModels> mixture(models, weights, learning);
+    const Mixture<kFieldModels> mixture({model(0), model(1), model(2)}, weights, learning);
     const std::int64_t result = numbers_.code(coder, (q ^ f.sign) - f.sign, f.shift, mixture, f.sure);
     return (result ^ f.sign) - f.sign;
   }
@@ -153,7 +142,7 @@ class FieldCoder {
   Coder& coder_;
   FieldHistory history_;
   FieldWeights weights_;
-  std::array<std::vector<SymbolModel>, kModels> models_;
+  std::array<std::vector<SymbolModel>, kFieldModels> models_;
   std::array<Weights, kFieldWeightSets> mixes_;
   SplitNumberCoder<Coder> numbers_;
 };

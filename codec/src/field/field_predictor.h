@@ -20,15 +20,10 @@
 
 namespace deltamesh {
 
-/// How many models a number has, and contexts each of them: in large fields two with many contexts, in others
-/// three with fewer [FLD-5, FLD-9].
-template <bool kLarge>
-inline constexpr std::size_t kFieldModels = kLarge ? 2 : 3;
-template <bool kLarge>
-inline constexpr std::array<std::uint32_t, kFieldModels<kLarge>> kFieldContexts = {24 * 6 * 5, 24 * 8 * 3 * 3,
-                                                                                   24 * 3 * 5 * 3};
-template <>
-inline constexpr std::array<std::uint32_t, 2> kFieldContexts<true> = {24 * 5 * 3 * 6, 24 * 6 * 8 * 3};
+/// How many models a number has, and contexts each of them [FLD-5].
+inline constexpr std::size_t kFieldModels = 3;
+inline constexpr std::array<std::uint32_t, kFieldModels> kFieldContexts = {24 * 6 * 5, 24 * 8 * 3 * 3,
+                                                                           24 * 3 * 5 * 3};
 inline constexpr std::uint32_t kFieldWeightSets = 18;
 inline constexpr std::uint32_t kSurenesses = 6;
 
@@ -39,11 +34,10 @@ struct FieldHint {
 };
 
 /// The forecast for one axis of one vertex.
-template <bool kLarge>
 struct FieldForecast {
   unsigned shift = 0;     ///< low bits outside the symbol [FLD-5]
   std::int32_t sign = 0;  ///< -1 where the mean is below 0 and signs are swapped, else 0
-  std::array<std::uint32_t, kFieldModels<kLarge>> contexts{};
+  std::array<std::uint32_t, kFieldModels> contexts{};
   std::uint32_t weight_set = 0;
   std::uint32_t sure = 0;  ///< of the mean: 0 to 5
 };
@@ -77,8 +71,8 @@ class FieldPredictor {
   /// The numbers settled, cut to kLargestRemembered.
   const std::array<std::int32_t, 3>& numbers() const noexcept { return r_; }
 
-  template <bool kLarge, unsigned kAxis>
-  [[gnu::always_inline]] FieldForecast<kLarge> forecast(const FieldWeights& weights) noexcept {
+  template <unsigned kAxis>
+  [[gnu::always_inline]] FieldForecast forecast(const FieldWeights& weights) noexcept {
     regressions_[kAxis] = regress<kAxis>();
     std::int64_t mean = std::int64_t{weights.mean[kAxis]} * around_.means.numbers[kAxis];
     if constexpr (kAxis > 0) mean += std::int64_t{weights.regression[kAxis]} * regressions_[kAxis];
@@ -86,7 +80,7 @@ class FieldPredictor {
     const std::int32_t coded = coded_magnitude<kAxis>();
     const std::int32_t scale = expected_scale<kAxis>(coded);
     scales_[kAxis] = scale;
-    FieldForecast<kLarge> f;
+    FieldForecast f;
     f.shift = floor_log2(static_cast<std::uint32_t>(scale) | 63) - 5;
     f.sign = expected_[kAxis] >> 31;
     const std::int32_t distance = (expected_[kAxis] ^ f.sign) - f.sign;
@@ -98,14 +92,9 @@ class FieldPredictor {
     const std::uint32_t scale_class = kScaleClass[short_scale + (f.shift > 0 ? 64 : 0)];
     const std::uint32_t degree = around_.degree_class;
     const std::uint32_t degree5 = degree5_;
-    if constexpr (kLarge) {
-      f.contexts = {((coded_class * 5 + degree5) * 3 + kAxis) * 6 + sure,
-                    ((own_class * 6 + sure) * 8 + degree) * 3 + kAxis};
-    } else {
-      f.contexts = {(scale_class * 6 + sure) * 5 + degree5,
-                    ((coded_class * 8 + degree) * 3 + kAxis) * 3 + kCoarseSureness[sure],
-                    ((own_class * 3 + kNearClass[near]) * 5 + degree5) * 3 + kAxis};
-    }
+    f.contexts = {(scale_class * 6 + sure) * 5 + degree5,
+                  ((coded_class * 8 + degree) * 3 + kAxis) * 3 + kCoarseSureness[sure],
+                  ((own_class * 3 + kNearClass[near]) * 5 + degree5) * 3 + kAxis};
     f.weight_set = scale_class / 4 * 3 + kAxis;
     f.sure = sure;
     return f;
