@@ -41,6 +41,23 @@ inline EightShorts join_halves(EightShorts low, EightShorts high) noexcept {
   return __builtin_shufflevector(low, high, 0, 1, 2, 3, 12, 13, 14, 15);
 }
 
+/// Where a lane of `mask` is -1 that of `if_set`, where it is 0 that of `if_clear`.
+inline EightShorts choose_lanes(EightShorts mask, EightShorts if_set, EightShorts if_clear) noexcept {
+  return (if_set & mask) | (if_clear & ~mask);
+}
+
+/// Modulo 2^16.
+inline EightShorts wrapped_sum(EightShorts a, EightShorts b) noexcept {
+  using EightUnsigned = std::uint16_t __attribute__((vector_size(16)));
+  return reinterpret_cast<EightShorts>(reinterpret_cast<EightUnsigned>(a) +
+                                       reinterpret_cast<EightUnsigned>(b));
+}
+inline EightShorts wrapped_difference(EightShorts a, EightShorts b) noexcept {
+  using EightUnsigned = std::uint16_t __attribute__((vector_size(16)));
+  return reinterpret_cast<EightShorts>(reinterpret_cast<EightUnsigned>(a) -
+                                       reinterpret_cast<EightUnsigned>(b));
+}
+
 /// (lane * factor) >> 16, lanes and factor from -2^15 to 2^15 - 1.
 inline EightShorts multiply_high(EightShorts lanes, std::int32_t factor) noexcept {
 #if defined(__SSE2__)

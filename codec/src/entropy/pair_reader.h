@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 
 #include "deltamesh/result.h"
@@ -57,15 +59,20 @@ class PairReader {
  private:
   template <unsigned kState>
   [[gnu::always_inline]] void advance(std::uint64_t state) noexcept {
-    const std::uint64_t word = word_at(std::min(position_, last_word_));
-    const bool is_due = state < kRansFloor;
-    states_[kState] = is_due ? state << 32 | word : state;
-    position_ += is_due ? 4 : 0;
+    const std::uint64_t longer = state << 32 | word_at(std::min(position_, last_word_));
+    const std::uint64_t if_due = state < kRansFloor ? ~std::uint64_t{0} : 0;
+    states_[kState] = state ^ ((state ^ longer) & if_due);
+    position_ += if_due & 4;
   }
 
   [[gnu::always_inline]] std::uint32_t word_at(std::size_t position) const noexcept {
     std::uint32_t word = 0;
-    for (unsigned i = 0; i < 4; ++i) word |= std::to_integer<std::uint32_t>(bytes_[position + i]) << (8 * i);
+    if constexpr (std::endian::native == std::endian::little) {
+      std::memcpy(&word, bytes_.data() + position, sizeof(word));
+    } else {
+      for (unsigned i = 0; i < 4; ++i)
+        word |= std::to_integer<std::uint32_t>(bytes_[position + i]) << (8 * i);
+    }
     return word;
   }
 

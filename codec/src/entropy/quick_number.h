@@ -29,19 +29,17 @@ class QuickNumberCoder {
   /// its place, and that a compiler can keep in registers.
   template <unsigned kState>
   [[gnu::always_inline]] std::int64_t code(Coder& coder, std::int64_t value, unsigned shift,
-                                           std::size_t model, std::size_t context) {
+                                           std::size_t model, std::size_t context, bool& is_far) {
     std::int64_t high = value >> shift;
     LowBits low{.count = shift, .value = static_cast<std::uint32_t>(value) & ((1U << shift) - 1)};
     const bool far = high < -kReach || high > kReach;
     const unsigned symbol = coder.template symbol<kState>(
         far ? kEscape : static_cast<unsigned>(high - 1) % kSymbols, low, models_, model);
     models_.learn(model, symbol);
-    if (symbol == kEscape) [[unlikely]] {
-      high = code_tail<kState>(coder, high, context);
-    } else {
-      high = static_cast<std::int32_t>((symbol + 1) << 28) >> 28;
-    }
-    return (high << shift) | low.value;
+    is_far = symbol == kEscape;
+    if (is_far) [[unlikely]]
+      return (code_tail<kState>(coder, high, context) << shift) | low.value;
+    return (static_cast<std::int32_t>((symbol + 1) << 28) >> 28 << shift) | static_cast<std::int32_t>(low.value);
   }
 
  private:

@@ -63,10 +63,11 @@ class LargeFieldCoder {
   [[gnu::always_inline]] bool code_axis(Coder& coder, LargeFieldVertex& vertex, FieldNumbers& numbers) {
     const LargeFieldForecast f = vertex.template forecast<kAxis>();
     const std::int64_t swapped = (std::int64_t{numbers[kAxis]} - f.base) ^ f.sign;
+    bool is_far = false;
     const std::int64_t coded =
-        numbers_.template code<kState>(coder, swapped - f.sign, f.shift, f.model, f.tail);
+        numbers_.template code<kState>(coder, swapped - f.sign, f.shift, f.model, f.tail, is_far);
     const std::int64_t number = ((coded ^ f.sign) - f.sign) + f.base;
-    if (number < -kLargestFieldValue || number > kLargestFieldValue) return false;
+    if (is_far && (number < -kLargestFieldValue || number > kLargestFieldValue)) return false;
     numbers[kAxis] = static_cast<std::int32_t>(number);
     vertex.template settle<kAxis>(numbers[kAxis]);
     return true;

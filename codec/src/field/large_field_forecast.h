@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -36,74 +37,94 @@ class LargeFieldVertex {
       : around_(walk.around(vertex)) {
     const EightShorts& sizes = around_.means.numbers_and_sizes;
     const EightShorts& errors = around_.means.ties_and_errors;
-    const std::int32_t size = sizes[4] + sizes[5] + sizes[6];
-    const std::int32_t error = errors[4] + errors[5] + errors[6];
-    is_close_ = 8 * error < 5 * size;
-    all_ = is_close_ ? error : size;
-    const EightShorts if_close = all_lanes(is_close_ ? -1 : 0);
-    scales_ = (errors & if_close) | (sizes & ~if_close);
-    bases_ = around_.reference & if_close;
-    first_model_ = (around_.degree_class * 2 + around_.has_peers) * 3;
+    const std::uint32_t size = sum_of_sizes(sizes);
+    const std::uint32_t error = sum_of_sizes(errors);
+    if_close_ = static_cast<std::int32_t>(8 * error - 5 * size) >> 31;
+    const EightShorts if_close = all_lanes(if_close_);
+    scales_ = to_array(choose_lanes(if_close, errors, sizes));
+    bases_ = to_array(around_.reference & if_close);
+    ties_ = to_array(errors);
+    all_ = if_close_ != 0 ? error : size;
+    first_model_ = ((std::clamp<std::uint32_t>(around_.degree, 3, 10) - 3) * 2 + around_.has_peers) * 3;
   }
 
   const LargeFieldSurroundings& around() const noexcept { return around_; }
-  /// The numbers settled, cut to kLargeFieldCut.
-  const std::array<std::int32_t, 3>& numbers() const noexcept { return r_; }
+  /// The numbers settled.
+  const std::array<std::int32_t, 3>& numbers() const noexcept { return q_; }
 
   template <unsigned kAxis>
   [[gnu::always_inline]] LargeFieldForecast forecast() const noexcept {
-    const std::int32_t own = scales_[4 + kAxis];
-    const std::int32_t scale = ((5 * own + all_) >> 3) + 1;
+    const std::uint32_t own = scale_of(scales_, kAxis);
+    const std::uint32_t scale = ((5 * own + all_) >> 3) + 1;
     LargeFieldForecast f;
     f.base = bases_[kAxis];
-    f.shift = floor_log2(static_cast<std::uint32_t>(scale) | 63) - 5;
+    f.shift = floor_log2(scale | 63) - 5;
     const std::int32_t expected = expected_tie<kAxis>();
-    f.sign = is_close_ ? 0 : expected >> 31;
-    const std::int32_t distance = 16 * std::abs(expected);
-    const std::size_t sure = is_close_ ? 3 : (distance > scale ? 1 : 0) + (2 * distance > 5 * scale ? 1 : 0);
-    const std::int32_t coded = coded_size<kAxis>() >> f.shift;
-    const std::size_t coded_class = (coded >= 8 ? 1 : 0) + (coded >= 28 ? 1 : 0) + (coded >= 92 ? 1 : 0);
-    const std::size_t own_class = kOctaveClass[static_cast<std::uint32_t>(own) >> f.shift];
-    f.model = (((first_model_ + kAxis) * 20 + own_class) * 4 + sure) * 4 + coded_class;
+    f.sign = (expected >> 31) & ~if_close_;
+    const auto distance = 16 * static_cast<std::uint32_t>(std::abs(expected));
+    const std::uint32_t sure = ((distance > scale ? 1U : 0U) + (2 * distance > 5 * scale ? 1U : 0U)) |
+                               (static_cast<std::uint32_t>(if_close_) & 3);
+    const std::uint64_t coded = coded_size<kAxis>() >> f.shift;
+    const std::uint32_t coded_class = kCodedClass[std::min<std::uint64_t>(coded, kCodedClass.size() - 1)];
+    const std::uint32_t own_class = kOctaveClass[own >> f.shift];
+    f.model = ((first_model_ + kAxis) * 20 + own_class) * 16 + sure * 4 + coded_class;
     f.tail = std::min(f.shift, 3U) * 4 + sure;
     return f;
   }
 
   template <unsigned kAxis>
   [[gnu::always_inline]] void settle(std::int32_t q) noexcept {
-    r_[kAxis] = std::clamp(q, -kLargeFieldCut, kLargeFieldCut);
+    q_[kAxis] = q;
   }
 
  private:
-  static std::int32_t with_sign_of(std::int32_t r, std::int32_t tie) noexcept {
-    return r > 0 ? tie : r < 0 ? -tie : 0;
+  static std::array<std::int16_t, 8> to_array(EightShorts lanes) noexcept {
+    return std::bit_cast<std::array<std::int16_t, 8>>(lanes);
+  }
+
+  /// By size of what was coded of the axes before.
+  static constexpr auto kCodedClass = tabulate<std::uint8_t, 93>(
+      [](std::uint32_t i) { return (i >= 8 ? 1 : 0) + (i >= 28 ? 1 : 0) + (i >= 92 ? 1 : 0); });
+
+  template <class Lanes>
+  static std::uint32_t scale_of(const Lanes& scales, unsigned axis) noexcept {
+    return static_cast<std::uint16_t>(scales[4 + axis]);
+  }
+  static std::uint32_t sum_of_sizes(const EightShorts& scales) noexcept {
+    return scale_of(scales, 0) + scale_of(scales, 1) + scale_of(scales, 2);
+  }
+  static std::int32_t with_sign_of(std::int32_t q, std::int32_t tie) noexcept {
+    const std::int32_t sign = q >> 31;
+    return ((tie ^ sign) - sign) & -static_cast<std::int32_t>(q != 0);
   }
 
   /// From the axes before; 1/4 steps.
   template <unsigned kAxis>
   [[gnu::always_inline]] std::int32_t expected_tie() const noexcept {
-    const EightShorts& ties = around_.means.ties_and_errors;
     if constexpr (kAxis == 0) return 0;
-    if constexpr (kAxis == 1) return with_sign_of(r_[0], ties[0]);
-    return with_sign_of(r_[0], ties[1]) + with_sign_of(r_[1], ties[2]);
+    if constexpr (kAxis == 1) return with_sign_of(q_[0], ties_[0]);
+    return with_sign_of(q_[0], ties_[1]) + with_sign_of(q_[1], ties_[2]);
   }
 
   /// Mean size of what was coded of the axes before, 1/16 steps.
   template <unsigned kAxis>
-  [[gnu::always_inline]] std::int32_t coded_size() const noexcept {
-    const auto size = [&](std::size_t axis) { return std::abs(r_[axis] - bases_[static_cast<int>(axis)]); };
+  [[gnu::always_inline]] std::uint64_t coded_size() const noexcept {
+    const auto size = [&](std::size_t axis) {
+      return std::uint64_t{static_cast<std::uint32_t>(std::abs(q_[axis] - bases_[axis]))};
+    };
     if constexpr (kAxis == 0) return 0;
     if constexpr (kAxis == 1) return 16 * size(0);
     return 8 * (size(0) + size(1));
   }
 
   LargeFieldSurroundings around_;
-  EightShorts scales_;  ///< from lane 4 on: expected sizes of what is coded, 1/16 steps
-  EightShorts bases_;
-  std::int32_t all_ = 0;  ///< sum of these sizes
-  bool is_close_ = false;
-  std::size_t first_model_ = 0;
-  std::array<std::int32_t, 3> r_{};
+  std::array<std::int16_t, 8> scales_;  ///< from lane 4 on: expected sizes of what is coded, 1/16 steps
+  std::array<std::int16_t, 8> bases_;
+  std::array<std::int16_t, 8> ties_;
+  std::uint32_t all_ = 0;  ///< sum of these sizes
+  std::int32_t if_close_ = 0;  ///< -1 where numbers are coded as differences to the reference
+  std::uint32_t first_model_ = 0;
+  std::array<std::int32_t, 3> q_{};
 };
 
 }  // namespace deltamesh

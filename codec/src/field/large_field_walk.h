@@ -20,15 +20,15 @@ inline constexpr std::int32_t kLargeFieldCut = 1023;  ///< most of a number that
 
 /// Of a coded vertex [FLD-10]; two vectors, as these are read and written.
 struct LargeFieldMemory {
-  EightShorts numbers_and_sizes;  ///< x, y, z, 0; smoothed absolute values in 1/16 steps, 0
+  EightShorts numbers_and_sizes;  ///< x, y, z, degree; smoothed absolute values in 1/16 steps, 1
   EightShorts ties_and_errors;    ///< how much xy, xz, yz go together; smoothed distances to references
 };
 
 /// What is known of a vertex before it is coded [FLD-10].
 struct LargeFieldSurroundings {
   LargeFieldMemory means;      ///< over its peers; of the ties half of that
-  EightShorts reference;       ///< numbers of the last peer
-  std::uint32_t degree_class;  ///< 0 to 7
+  EightShorts reference;       ///< numbers of the last peer of the same degree
+  std::uint32_t degree;        ///< cut to kLargeFieldCut
   std::uint32_t has_peers;     ///< 1 where peers have its degree, 0 where they are any neighbours
 };
 
@@ -37,86 +37,88 @@ class LargeFieldWalk {
  public:
   /// `graph` must outlive this.
   LargeFieldWalk(const Adjacency& graph, std::uint32_t begin, std::uint32_t count)
-      : graph_(graph), begin_(begin), nothing_(count), memories_(std::size_t{count} + 1) {
-    memories_[count] = LargeFieldMemory{};
+      : graph_(graph), begin_(begin), memories_(std::size_t{count} + 1) {
+    memories_[0] = LargeFieldMemory{.numbers_and_sizes = {0, 0, 0, -1, 0, 0, 0, 0}, .ties_and_errors = {}};
   }
 
   /// What is known before `vertex` is coded, all before it being done. Without branches on what is coded,
   /// which would often go wrong.
   [[gnu::always_inline]] LargeFieldSurroundings around(std::uint32_t vertex) const noexcept {
-    const std::uint32_t* const offsets = graph_.offsets.data();
-    const std::uint32_t row = offsets[vertex];
-    const std::uint32_t degree = offsets[vertex + 1] - row;
-    std::array<std::uint32_t, kNeighbors> places;
-    std::array<std::uint32_t, kNeighbors> are_peers;
-    const auto look_at = [&](std::size_t i, std::uint32_t neighbor, bool exists) {
-      const std::uint32_t counts = (neighbor - begin_ < vertex - begin_) & exists ? ~0U : 0;
-      const bool is_peer = offsets[neighbor + 1] - offsets[neighbor] == degree;
-      places[i] = ((neighbor - begin_) & counts) | (nothing_ & ~counts);
-      are_peers[i] = is_peer ? counts : 0;
-    };
-    if (row + std::size_t{kNeighbors} <= graph_.neighbors.size()) [[likely]] {
-      for (std::uint32_t i = 0; i < kNeighbors; ++i) look_at(i, graph_.neighbors[row + i], i < degree);
-    } else {
-      for (std::uint32_t i = 0; i < kNeighbors; ++i)
-        look_at(i, i < degree ? graph_.neighbors[row + i] : vertex, true);
+    const std::uint32_t row = graph_.offsets[vertex];
+    const std::uint32_t degree = graph_.offsets[vertex + 1] - row;
+    const std::uint32_t* neighbors = graph_.neighbors.data() + row;
+    std::array<std::uint32_t, kNeighbors> few;
+    if (row + std::size_t{kNeighbors} > graph_.neighbors.size()) [[unlikely]] {
+      for (std::uint32_t i = 0; i < kNeighbors; ++i) few[i] = i < degree ? neighbors[i] : vertex;
+      neighbors = few.data();
     }
-    return summed_up(places, are_peers, degree);
+    const std::uint32_t known = vertex - begin_;
+    const std::uint32_t cut_degree = std::min<std::uint32_t>(degree, kLargeFieldCut);
+    const EightShorts degrees = all_lanes(static_cast<std::int32_t>(cut_degree));
+    LargeFieldMemory all{};
+    LargeFieldMemory peers{};
+    EightShorts reference{};
+    const auto add = [&](std::uint32_t i) {
+      const std::uint32_t place = neighbors[i] - begin_;
+      const std::uint32_t if_known = place < (i < degree ? known : 0) ? ~0U : 0;
+      const LargeFieldMemory& memory = memories_[(place + 1) & if_known];
+      const EightShorts equal = memory.numbers_and_sizes == degrees;
+      const EightShorts if_peer = __builtin_shufflevector(equal, equal, 3, 3, 3, 3, 3, 3, 3, 3);
+      all.numbers_and_sizes = wrapped_sum(all.numbers_and_sizes, memory.numbers_and_sizes);
+      all.ties_and_errors = wrapped_sum(all.ties_and_errors, memory.ties_and_errors);
+      peers.numbers_and_sizes = wrapped_sum(peers.numbers_and_sizes, memory.numbers_and_sizes & if_peer);
+      peers.ties_and_errors = wrapped_sum(peers.ties_and_errors, memory.ties_and_errors & if_peer);
+      reference = choose_lanes(if_peer, memory.numbers_and_sizes, reference);
+    };
+    add(0);
+    add(1);
+    add(2);
+    add(3);
+    const EightShorts have_peers = peers.numbers_and_sizes > 0;
+    const EightShorts if_peers = __builtin_shufflevector(have_peers, have_peers, 7, 7, 7, 7, 7, 7, 7, 7);
+    const EightShorts numbers_and_sizes =
+        choose_lanes(if_peers, peers.numbers_and_sizes, all.numbers_and_sizes);
+    const EightShorts ties_and_errors = choose_lanes(if_peers, peers.ties_and_errors, all.ties_and_errors);
+    const std::uint32_t factor = kFactors[static_cast<std::uint16_t>(numbers_and_sizes[7])];
+    return {.means = {.numbers_and_sizes = multiply_high_unsigned(numbers_and_sizes, factor),
+                      .ties_and_errors =
+                          join_halves(multiply_high(ties_and_errors, static_cast<std::int32_t>(factor / 2)),
+                                      multiply_high_unsigned(ties_and_errors, factor))},
+            .reference = reference,
+            .degree = cut_degree,
+            .has_peers = static_cast<std::uint32_t>(if_peers[0]) & 1};
   }
 
-  /// `r`: the vertex' numbers, cut to kLargeFieldCut.
-  [[gnu::always_inline]] void remember(std::uint32_t vertex, const std::array<std::int32_t, 3>& r,
+  /// `q`: the vertex' numbers.
+  [[gnu::always_inline]] void remember(std::uint32_t vertex, const std::array<std::int32_t, 3>& q,
                                        const LargeFieldSurroundings& around) noexcept {
-    const auto x = static_cast<std::int16_t>(r[0]);
-    const auto y = static_cast<std::int16_t>(r[1]);
-    const auto z = static_cast<std::int16_t>(r[2]);
-    const EightShorts numbers = {x, y, z, 0, x, y, z, 0};
-    const EightShorts sizes = lane_sizes(numbers);
-    const EightShorts errors =
-        smaller_lanes(lane_sizes(numbers - twice_low(around.reference)), EightShorts{} + kLargeFieldCut);
+    const FourInts lanes = {q[0], q[1], q[2], static_cast<std::int32_t>(around.degree)};
+    const EightShorts most = all_lanes(kLargeFieldCut);
+    const EightShorts numbers = smaller_lanes(larger_lanes(pack_lanes(lanes, lanes), -most), most);
+    const EightShorts errors = smaller_lanes(lane_sizes(numbers - twice_low(around.reference)), most);
     const EightShorts first = __builtin_shufflevector(numbers, numbers, 0, 0, 1, 3, 0, 0, 1, 3);
     const EightShorts second = __builtin_shufflevector(numbers, numbers, 1, 2, 2, 3, 1, 2, 2, 3);
     const EightShorts opposed = (first ^ second) >> 15;
     const EightShorts least = smaller_lanes(lane_sizes(first), lane_sizes(second)) << 2;
     const EightShorts ties = ((least ^ opposed) - opposed) + around.means.ties_and_errors;
-    memories_[vertex - begin_] = LargeFieldMemory{
-        .numbers_and_sizes = join_halves(numbers, rounded_means(sizes << 4, around.means.numbers_and_sizes)),
-        .ties_and_errors = join_halves(ties, rounded_means(errors << 4, around.means.ties_and_errors))};
+    const EightShorts sizes = rounded_means(lane_sizes(numbers) << 4, around.means.numbers_and_sizes);
+    memories_[vertex - begin_ + 1] = LargeFieldMemory{
+        .numbers_and_sizes = (join_halves(numbers, sizes) & kAllButLast) | kOneInLast,
+        .ties_and_errors =
+            join_halves(ties, rounded_means(errors << 4, around.means.ties_and_errors)) & kAllButDegree};
   }
 
  private:
   static constexpr std::uint32_t kNeighbors = 4;
-
-  [[gnu::always_inline]] LargeFieldSurroundings summed_up(
-      const std::array<std::uint32_t, kNeighbors>& places,
-      const std::array<std::uint32_t, kNeighbors>& are_peers, std::uint32_t degree) const noexcept {
-    const std::uint32_t any = are_peers[0] | are_peers[1] | are_peers[2] | are_peers[3];
-    LargeFieldMemory sums{};
-    std::uint32_t count = 0;
-    std::uint32_t last = nothing_;
-    for (std::size_t i = 0; i < kNeighbors; ++i) {
-      const std::uint32_t place = (any & ~are_peers[i]) != 0 ? nothing_ : places[i];
-      const bool counts = place != nothing_;
-      count += counts ? 1 : 0;
-      last = counts ? place : last;
-      sums.numbers_and_sizes += memories_[place].numbers_and_sizes;
-      sums.ties_and_errors += memories_[place].ties_and_errors;
-    }
-    constexpr std::array<std::uint16_t, kNeighbors + 1> kFactors = {0, 65535, 32767, 21845, 16383};
-    const std::uint32_t factor = kFactors[count];
-    return {.means = {.numbers_and_sizes = multiply_high_unsigned(sums.numbers_and_sizes, factor),
-                      .ties_and_errors = join_halves(
-                          multiply_high(sums.ties_and_errors, static_cast<std::int32_t>(factor / 2)),
-                          multiply_high_unsigned(sums.ties_and_errors, factor))},
-            .reference = memories_[last].numbers_and_sizes,
-            .degree_class = std::clamp<std::uint32_t>(degree, 3, 10) - 3,
-            .has_peers = any & 1};
-  }
+  static constexpr EightShorts kAllButDegree = {-1, -1, -1, 0, -1, -1, -1, 0};
+  static constexpr EightShorts kAllButLast = {-1, -1, -1, -1, -1, -1, -1, 0};
+  static constexpr EightShorts kOneInLast = {0, 0, 0, 0, 0, 0, 0, 1};
+  /// By how many are summed up.
+  static constexpr std::array<std::uint32_t, kNeighbors + 1> kFactors = {0, 65535, 32767, 21845, 16383};
 
   const Adjacency& graph_;
   std::uint32_t begin_;
-  std::uint32_t nothing_;  ///< place of what is not there
-  LargeVector<LargeFieldMemory> memories_;
+  LargeVector<LargeFieldMemory> memories_;  ///< behind one of 0, which is nobody's
 };
 
 }  // namespace deltamesh

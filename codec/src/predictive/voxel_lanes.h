@@ -11,24 +11,11 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "base/four_ints.h"
+#include "base/eight_shorts.h"
 
 namespace deltamesh {
 
-using EightShorts = std::int16_t __attribute__((vector_size(16)));
 using FourShorts = std::array<std::int16_t, 4>;
-
-/// Modulo 2^16.
-inline EightShorts wrapped_sum(EightShorts a, EightShorts b) noexcept {
-  using EightUnsigned = std::uint16_t __attribute__((vector_size(16)));
-  return reinterpret_cast<EightShorts>(reinterpret_cast<EightUnsigned>(a) +
-                                       reinterpret_cast<EightUnsigned>(b));
-}
-inline EightShorts wrapped_difference(EightShorts a, EightShorts b) noexcept {
-  using EightUnsigned = std::uint16_t __attribute__((vector_size(16)));
-  return reinterpret_cast<EightShorts>(reinterpret_cast<EightUnsigned>(a) -
-                                       reinterpret_cast<EightUnsigned>(b));
-}
 
 /// Both in memory.
 inline std::array<FourShorts, 2> halves_of(EightShorts lanes) noexcept {
