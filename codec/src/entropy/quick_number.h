@@ -39,7 +39,8 @@ class QuickNumberCoder {
     is_far = symbol == kEscape;
     if (is_far) [[unlikely]]
       return (code_tail<kState>(coder, high, context) << shift) | low.value;
-    return (static_cast<std::int32_t>((symbol + 1) << 28) >> 28 << shift) | static_cast<std::int32_t>(low.value);
+    return (static_cast<std::int32_t>((symbol + 1) << 28) >> 28 << shift) |
+           static_cast<std::int32_t>(low.value);
   }
 
  private:
@@ -47,7 +48,7 @@ class QuickNumberCoder {
   static constexpr unsigned kEscape = 7;    ///< in the place of -8; 0 is the last
   static constexpr unsigned kLongTail = 7;  ///< bit lengths from here on are written out
   static constexpr unsigned kLengthBits = 5;
-  static constexpr std::array<std::uint8_t, kSymbols> kFresh = {24, 14, 8, 4, 3, 2, 1,  3,
+  static constexpr std::array<std::uint8_t, kSymbols> kFresh = {24, 14, 8, 4, 3, 2,  1,  3,
                                                                 1,  2,  3, 4, 8, 14, 24, 40};
   static constexpr std::array<std::uint8_t, kSymbols> kFreshTail = {12, 8, 10, 7, 8, 5, 6, 4,
                                                                     4,  3, 3,  2, 2, 1, 1, 1};
@@ -62,8 +63,8 @@ class QuickNumberCoder {
     const unsigned symbol = coder_.template symbol<kOther>(
         std::min(length, kLongTail) * 2 + (high < 0 ? 1 : 0), none, tails_, context);
     tails_.learn(context, symbol);
-    const std::uint32_t coded = symbol / 2 < kLongTail ? code_short<kState>(excess, symbol / 2)
-                                                       : code_long<kState>(excess, length);
+    const std::uint32_t coded =
+        symbol / 2 < kLongTail ? code_short<kState>(excess, symbol / 2) : code_long<kState>(excess, length);
     const std::int64_t size = std::int64_t{coded} + kReach + 1;
     return symbol % 2 != 0 ? -size : size;
   }

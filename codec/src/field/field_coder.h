@@ -34,8 +34,7 @@ class FieldCoder {
   /// Two walks, the second of which begins at `middle` [FLD-8].
   FieldCoder(Coder& coder, const Adjacency& graph, std::uint32_t middle)
       : coder_(coder), history_(graph, middle), numbers_(coder, kSurenesses) {
-    for (std::size_t i = 0; i < models_.size(); ++i)
-      models_[i].assign(kFieldContexts[i], kFreshSplit);
+    for (std::size_t i = 0; i < models_.size(); ++i) models_[i].assign(kFieldContexts[i], kFreshSplit);
   }
 
   /// Codes the first `axes` (1 to 3) numbers of `q` for `vertex`, the others being 0; all vertices before it

@@ -43,7 +43,7 @@ class LargeFieldVertex {
     const EightShorts if_close = all_lanes(if_close_);
     scales_ = to_array(choose_lanes(if_close, errors, sizes));
     bases_ = to_array(around_.reference & if_close);
-    ties_ = to_array(errors);
+    ties_ = to_array(errors & ~if_close);
     all_ = if_close_ != 0 ? error : size;
     first_model_ = ((std::clamp<std::uint32_t>(around_.degree, 3, 10) - 3) * 2 + around_.has_peers) * 3;
   }
@@ -55,17 +55,17 @@ class LargeFieldVertex {
   template <unsigned kAxis>
   [[gnu::always_inline]] LargeFieldForecast forecast() const noexcept {
     const std::uint32_t own = scale_of(scales_, kAxis);
-    const std::uint32_t scale = ((5 * own + all_) >> 3) + 1;
+    const std::uint32_t scale = (5 * own + all_) >> 3;
     LargeFieldForecast f;
     f.base = bases_[kAxis];
     f.shift = floor_log2(scale | 63) - 5;
     const std::int32_t expected = expected_tie<kAxis>();
-    f.sign = (expected >> 31) & ~if_close_;
+    f.sign = expected >> 31;
     const auto distance = 16 * static_cast<std::uint32_t>(std::abs(expected));
     const std::uint32_t sure = ((distance > scale ? 1U : 0U) + (2 * distance > 5 * scale ? 1U : 0U)) |
                                (static_cast<std::uint32_t>(if_close_) & 3);
-    const std::uint64_t coded = coded_size<kAxis>() >> f.shift;
-    const std::uint32_t coded_class = kCodedClass[std::min<std::uint64_t>(coded, kCodedClass.size() - 1)];
+    const std::uint32_t coded = coded_size<kAxis>() >> f.shift;
+    const std::uint32_t coded_class = kCodedClass[std::min<std::uint32_t>(coded, kCodedClass.size() - 1)];
     const std::uint32_t own_class = kOctaveClass[own >> f.shift];
     f.model = ((first_model_ + kAxis) * 20 + own_class) * 16 + sure * 4 + coded_class;
     f.tail = std::min(f.shift, 3U) * 4 + sure;
@@ -93,24 +93,21 @@ class LargeFieldVertex {
   static std::uint32_t sum_of_sizes(const EightShorts& scales) noexcept {
     return scale_of(scales, 0) + scale_of(scales, 1) + scale_of(scales, 2);
   }
-  static std::int32_t with_sign_of(std::int32_t q, std::int32_t tie) noexcept {
-    const std::int32_t sign = q >> 31;
-    return ((tie ^ sign) - sign) & -static_cast<std::int32_t>(q != 0);
-  }
+  static std::int32_t sign_of(std::int32_t q) noexcept { return (q > 0 ? 1 : 0) - (q < 0 ? 1 : 0); }
 
   /// From the axes before; 1/4 steps.
   template <unsigned kAxis>
   [[gnu::always_inline]] std::int32_t expected_tie() const noexcept {
     if constexpr (kAxis == 0) return 0;
-    if constexpr (kAxis == 1) return with_sign_of(q_[0], ties_[0]);
-    return with_sign_of(q_[0], ties_[1]) + with_sign_of(q_[1], ties_[2]);
+    if constexpr (kAxis == 1) return sign_of(q_[0]) * ties_[0];
+    return sign_of(q_[0]) * ties_[1] + sign_of(q_[1]) * ties_[2];
   }
 
-  /// Mean size of what was coded of the axes before, 1/16 steps.
+  /// Mean size of what was coded of the axes before, 1/16 steps, modulo 2^32.
   template <unsigned kAxis>
-  [[gnu::always_inline]] std::uint64_t coded_size() const noexcept {
+  [[gnu::always_inline]] std::uint32_t coded_size() const noexcept {
     const auto size = [&](std::size_t axis) {
-      return std::uint64_t{static_cast<std::uint32_t>(std::abs(q_[axis] - bases_[axis]))};
+      return static_cast<std::uint32_t>(std::abs(q_[axis] - bases_[axis]));
     };
     if constexpr (kAxis == 0) return 0;
     if constexpr (kAxis == 1) return 16 * size(0);
@@ -121,7 +118,7 @@ class LargeFieldVertex {
   std::array<std::int16_t, 8> scales_;  ///< from lane 4 on: expected sizes of what is coded, 1/16 steps
   std::array<std::int16_t, 8> bases_;
   std::array<std::int16_t, 8> ties_;
-  std::uint32_t all_ = 0;  ///< sum of these sizes
+  std::uint32_t all_ = 0;      ///< sum of these sizes
   std::int32_t if_close_ = 0;  ///< -1 where numbers are coded as differences to the reference
   std::uint32_t first_model_ = 0;
   std::array<std::int32_t, 3> q_{};

@@ -26,10 +26,10 @@ struct LargeFieldMemory {
 
 /// What is known of a vertex before it is coded [FLD-10].
 struct LargeFieldSurroundings {
-  LargeFieldMemory means;      ///< over its peers; of the ties half of that
-  EightShorts reference;       ///< numbers of the last peer of the same degree
-  std::uint32_t degree;        ///< cut to kLargeFieldCut
-  std::uint32_t has_peers;     ///< 1 where peers have its degree, 0 where they are any neighbours
+  LargeFieldMemory means;   ///< over its peers; of the ties half of that
+  EightShorts reference;    ///< numbers of the last peer of the same degree
+  std::uint32_t degree;     ///< cut to kLargeFieldCut
+  std::uint32_t has_peers;  ///< 1 where peers have its degree, 0 where they are any neighbours
 };
 
 /// Vertices from `begin` on are coded one after the other, and know of none before.
