@@ -13,15 +13,19 @@
 
 #include "attributes/attribute.h"
 #include "base/quick_ratio.h"
+#include "base/thread_team.h"
+#include "base/try.h"
 #include "connectivity/border.h"
 #include "connectivity/connectivity.h"
 #include "connectivity/op_coder.h"
 #include "entropy/compact_reader.h"
 #include "entropy/compact_writer.h"
 #include "field/field_coder.h"
+#include "field/large_field_coder.h"
 #include "format/tags.h"
 #include "geometry/anchor_list.h"
 #include "geometry/delta_symbols.h"
+#include "geometry/large_deltas.h"
 #include "support/graph_mesh.h"
 #include "support/random.h"
 #include "support/soups.h"
@@ -234,24 +238,71 @@ std::uint64_t hash_of(std::span<const std::byte> bytes) {
   return hash;
 }
 
-/// No golden stream is as large: a hash keeps the tables of the models.
-TEST(CompactDeltas, FLD9LargeFieldsHaveTwoModels) {
+/// No golden stream is as large: a hash keeps the rules.
+TEST(CompactDeltas, FLD9FLD11FLD12LargeFieldsKeepTheirBytes) {
   const auto mesh = test::sheet(512, 256);
   const auto n = static_cast<std::uint32_t>(mesh.graph.vertex_count());
   ASSERT_EQ(n, kFewestOfLargeField);
-  const auto deltas = random_deltas(3 * n, 9, 40);
-  const std::uint32_t middle = middle_of(n);
-  CompactWriter writer;
-  FieldCoder<CompactWriter, true> field(writer, mesh.graph, middle);
-  for (std::uint32_t v = 0; v < middle; ++v) {
-    FieldNumbers q = {deltas[v], deltas[n + v], deltas[2 * n + v]};
-    FieldNumbers p = {deltas[middle + v], deltas[n + middle + v], deltas[2 * n + middle + v]};
-    EXPECT_TRUE(field.code_pair(v, middle + v, q, p));
+  auto deltas = random_deltas(3 * n, 9, 40);
+  for (std::uint32_t v = 0; v < n; ++v) {  // part of them alike, part large, part a multiple of x
+    if (v / 5000 % 3 == 0) deltas[v] = 70;
+    if (v / 5000 % 4 == 0) deltas[n + v] = 900 + static_cast<std::int32_t>(v % 3);
+    if (v / 7000 % 3 == 0) deltas[2 * n + v] = -2 * deltas[v];
   }
-  const auto bytes = writer.finish();
-  EXPECT_EQ(hash_of(bytes), 11557311835686868940U);
-  EXPECT_EQ(bytes, write_compact_deltas(deltas, mesh.graph));
+  const auto bytes = write_compact_deltas(deltas, mesh.graph);
+  EXPECT_EQ(hash_of(bytes), 8795021164237689893U);
+  EXPECT_EQ(bytes, write_large_deltas({deltas.data(), n}, mesh.graph));
   EXPECT_EQ(*read_compact_deltas(bytes, mesh.graph), deltas);
+  const ThreadTeam team(2);
+  EXPECT_EQ(*read_compact_deltas(bytes, mesh.graph), deltas);
+}
+
+Result<std::vector<std::int32_t>> read_as_large(const Bytes& bytes, const Adjacency& graph) {
+  std::vector<std::int32_t> deltas(3 * graph.vertex_count());
+  DELTAMESH_CHECK(read_large_deltas(bytes, graph, {deltas.data(), graph.vertex_count()}));
+  return deltas;
+}
+
+TEST(CompactDeltas, FLD9FLD10PartsOfAnyGraph) {
+  for (const auto& mesh : {test::sheet(1, 1), test::sheet(2, 1), test::sheet(9, 7), test::sheet(30, 31),
+                           test::fan(1500), test::fragments(), test::GraphMesh{}}) {
+    const Adjacency graph =
+        build_adjacency(mesh.triangles, static_cast<std::uint32_t>(mesh.positions.size()));
+    for (const std::int32_t largest : {0, 1, 100, 3000, 70000, 1 << 30}) {
+      auto deltas = random_deltas(3 * graph.vertex_count(), 17, largest);
+      if (!deltas.empty() && largest > 0) deltas.front() = -largest;
+      const Bytes bytes = write_large_deltas({deltas.data(), graph.vertex_count()}, graph);
+      const auto read = read_as_large(bytes, graph);
+      ASSERT_TRUE(read) << read.error().message;
+      EXPECT_EQ(*read, deltas);
+    }
+  }
+}
+
+TEST(CompactDeltas, FLD9DamagedPartsAreErrorsOrNumbersInRange) {
+  const auto mesh = test::sheet(6, 5);
+  const ThreadTeam team(2);
+  for (const std::int32_t largest : {3, 1 << 30}) {
+    const auto deltas = random_deltas(90, 5, largest);
+    const auto read = [&](const Bytes& bytes) {
+      const auto back = read_as_large(bytes, mesh.graph);
+      if (!back) return false;
+      for (const std::int32_t q : *back) EXPECT_LE(std::abs(std::int64_t{q}), kLargestFieldValue);
+      return true;
+    };
+    expect_guarded(write_large_deltas({deltas.data(), 30}, mesh.graph), read, "large deltas");
+  }
+}
+
+TEST(CompactDeltas, FLD1RejectsLargeNumbersBeyondTheirRange) {
+  const auto mesh = test::sheet(2, 2);
+  for (const std::size_t place : {0, 7}) {
+    std::vector<std::int32_t> deltas(12);
+    deltas[place] = -(1 << 30) - 1;
+    const auto read = read_as_large(write_large_deltas({deltas.data(), 4}, mesh.graph), mesh.graph);
+    ASSERT_FALSE(read);
+    EXPECT_STREQ(read.error().rule, "FLD-1");
+  }
 }
 
 TEST(CompactDeltas, SmoothNeighborhoodsPay) {
