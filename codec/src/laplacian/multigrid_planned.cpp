@@ -27,6 +27,10 @@ constexpr std::array kFinestSweeps = {1.5F, 1.2F, 1.1F};
 constexpr std::array kSecondSweeps = {1.4F, 1.2F};
 constexpr std::array kLastSweeps = {1.0F, 1.2F};
 
+/// Half cycles from which on one of them is the start's: where three of them are too few, narrow necks of the
+/// mesh mostly are what asks for more, and a good start serves these best.
+constexpr int kTwiceAtStart = 4;
+
 /// Level from which on there is an s of its own.
 std::size_t coupled_level(std::span<const Level> levels) noexcept {
   const bool third_will_do =
@@ -155,7 +159,7 @@ void PlannedCycles::correct_from_second(int corrections) {
 }
 
 /// The second level's solution.
-void PlannedCycles::start(const DeltaView& deltas, std::span<const Vec3> targets) {
+void PlannedCycles::start(const DeltaView& deltas, std::span<const Vec3> targets, int corrections) {
   const Level& finest = levels_[0];
   solver_.begin();
   std::fill(s_.begin(), s_.end(), Float4{});
@@ -171,7 +175,7 @@ void PlannedCycles::start(const DeltaView& deltas, std::span<const Vec3> targets
     finest.chunks.visit([&](std::uint32_t i) { take(i, edges.degree(i) * delta(i)); });
   });
   for (std::size_t a = 0; a < targets.size(); ++a) gaps_[a] = in_steps(targets[a], deltas);
-  correct_from_second(1);
+  correct_from_second(corrections);
   units_ = Units(deltas, largest_coordinate(u_));
   share_each(x_.size(), [&](std::uint32_t i) { x_[i] = units_.count(finest.interpolation[i].of(u_)); });
 }
@@ -206,9 +210,11 @@ void PlannedCycles::cycle(const DeltaView& deltas, std::span<const Vec3> targets
 PlannedSolution PlannedCycles::solve(const DeltaView& deltas, std::span<const Vec3> targets,
                                      int half_cycles) {
   x_.resize(levels_[0].node_count());
-  start(deltas, targets);
-  if (half_cycles % 2 != 0) cycle(deltas, targets, 1);
-  for (int c = 0; c < half_cycles / 2; ++c) cycle(deltas, targets, 2);
+  const int at_start = half_cycles < kTwiceAtStart ? 1 : 2;
+  start(deltas, targets, at_start);
+  const int left = half_cycles + 1 - at_start;
+  if (left % 2 != 0) cycle(deltas, targets, 1);
+  for (int c = 0; c < left / 2; ++c) cycle(deltas, targets, 2);
   sweep_finest(deltas, kLastSweeps);
   return {units_, std::exchange(x_, {})};
 }

@@ -36,13 +36,14 @@ class PlannedCycles {
   /// `levels`: at least two; must outlive this.
   PlannedCycles(std::span<const Level> levels, const Components& components);
 
-  /// `targets`: c_a, one for each anchor; `half_cycles`: above 0. Where the number is odd the first cycle
-  /// makes one correction of the second level, not two. The result is anything, also not finite, where the
-  /// number is not right. O(half_cycles (n + edges)).
+  /// `targets`: c_a, one for each anchor; `half_cycles`: above 0. Each is a correction of the second level;
+  /// from four on the first is made at the start, besides the one that is always made there. A cycle on the
+  /// finest level makes two, but the first of an odd number one. The result is anything, also not finite,
+  /// where the number is not right. O(half_cycles (n + edges)).
   PlannedSolution solve(const DeltaView& deltas, std::span<const Vec3> targets, int half_cycles);
 
  private:
-  void start(const DeltaView& deltas, std::span<const Vec3> targets);
+  void start(const DeltaView& deltas, std::span<const Vec3> targets, int corrections);
   void sweep_finest(const DeltaView& deltas, std::span<const float> relaxation);
   void cycle(const DeltaView& deltas, std::span<const Vec3> targets, int corrections);
   void correct_from_second(int corrections);
