@@ -120,9 +120,11 @@ TEST(EightShorts, LanesAreAsByHand) {
       a[k] = static_cast<std::int16_t>(random());
       b[k] = static_cast<std::int16_t>(random());
     }
-    const auto factor = static_cast<std::int32_t>(random() % 32768);
-    const EightShorts high = multiply_high(a, factor);
-    const EightShorts unsigned_high = multiply_high_unsigned(a, 2U * static_cast<std::uint32_t>(factor));
+    const EightShorts high = multiply_high(a, b);
+    const EightShorts unsigned_high = multiply_high_unsigned(a, b);
+    const FourInts sum = sum_of_upper(a, 8, b, -5);
+    EXPECT_EQ(sum[1], 8 * (a[4] + a[5] + a[6] + a[7]) - 5 * (b[4] + b[5] + b[6] + b[7]));
+    EXPECT_EQ(set_lanes(sum - sum[1] - 1), 15U);
     const EightShorts positive_a = a & 0x7fff;
     const EightShorts positive_b = b & 0x7fff;
     const EightShorts means = rounded_means(positive_a, positive_b);
@@ -131,9 +133,9 @@ TEST(EightShorts, LanesAreAsByHand) {
     const EightShorts joined = join_halves(a, b);
     const EightShorts chosen = choose_lanes(a > b, a, b);
     for (int k = 0; k < 8; ++k) {
-      EXPECT_EQ(high[k], (a[k] * factor) >> 16);
+      EXPECT_EQ(high[k], (a[k] * b[k]) >> 16);
       EXPECT_EQ(static_cast<std::uint16_t>(unsigned_high[k]),
-                (static_cast<std::uint16_t>(a[k]) * 2U * static_cast<std::uint32_t>(factor)) >> 16);
+                (std::uint32_t{static_cast<std::uint16_t>(a[k])} * static_cast<std::uint16_t>(b[k])) >> 16);
       EXPECT_EQ(means[k], (positive_a[k] + positive_b[k] + 1) >> 1);
       EXPECT_EQ(sums[k], static_cast<std::int16_t>(a[k] + b[k]));
       EXPECT_EQ(sizes[k], std::min(std::abs(int{a[k]}), 32767));

@@ -13,7 +13,7 @@ namespace deltamesh {
 
 using EightShorts = std::int16_t __attribute__((vector_size(16)));
 
-inline EightShorts all_lanes(std::int32_t number) noexcept {
+constexpr EightShorts all_lanes(std::int32_t number) noexcept {
   const auto lane = static_cast<std::int16_t>(number);
   return EightShorts{lane, lane, lane, lane, lane, lane, lane, lane};
 }
@@ -58,28 +58,45 @@ inline EightShorts wrapped_difference(EightShorts a, EightShorts b) noexcept {
                                        reinterpret_cast<EightUnsigned>(b));
 }
 
-/// (lane * factor) >> 16, lanes and factor from -2^15 to 2^15 - 1.
-inline EightShorts multiply_high(EightShorts lanes, std::int32_t factor) noexcept {
+/// (a * b) >> 16.
+inline EightShorts multiply_high(EightShorts a, EightShorts b) noexcept {
 #if defined(__SSE2__)
   return reinterpret_cast<EightShorts>(
-      _mm_mulhi_epi16(reinterpret_cast<__m128i>(lanes), _mm_set1_epi16(static_cast<std::int16_t>(factor))));
+      _mm_mulhi_epi16(reinterpret_cast<__m128i>(a), reinterpret_cast<__m128i>(b)));
 #else
   EightShorts result;
-  for (int i = 0; i < 8; ++i) result[i] = static_cast<std::int16_t>((lanes[i] * factor) >> 16);
+  for (int i = 0; i < 8; ++i) result[i] = static_cast<std::int16_t>((a[i] * b[i]) >> 16);
   return result;
 #endif
 }
 
-/// The same of lanes that stand for 0 to 65535, and such a factor.
-inline EightShorts multiply_high_unsigned(EightShorts lanes, std::uint32_t factor) noexcept {
+/// The same of lanes that stand for 0 to 65535.
+inline EightShorts multiply_high_unsigned(EightShorts a, EightShorts b) noexcept {
 #if defined(__SSE2__)
   return reinterpret_cast<EightShorts>(
-      _mm_mulhi_epu16(reinterpret_cast<__m128i>(lanes), _mm_set1_epi16(static_cast<std::int16_t>(factor))));
+      _mm_mulhi_epu16(reinterpret_cast<__m128i>(a), reinterpret_cast<__m128i>(b)));
 #else
+  const auto number = [](std::int16_t lane) { return std::uint32_t{static_cast<std::uint16_t>(lane)}; };
   EightShorts result;
-  for (int i = 0; i < 8; ++i)
-    result[i] = static_cast<std::int16_t>((static_cast<std::uint16_t>(lanes[i]) * factor) >> 16);
+  for (int i = 0; i < 8; ++i) result[i] = static_cast<std::int16_t>((number(a[i]) * number(b[i])) >> 16);
   return result;
+#endif
+}
+
+/// What the last four lanes of `a`, each times `a_weight`, and of `b`, each times `b_weight`, add up to, in
+/// every lane.
+inline FourInts sum_of_upper(EightShorts a, std::int32_t a_weight, EightShorts b,
+                             std::int32_t b_weight) noexcept {
+#if defined(__SSE2__)
+  const __m128i pairs = _mm_unpackhi_epi16(reinterpret_cast<__m128i>(a), reinterpret_cast<__m128i>(b));
+  const auto weights = _mm_set1_epi32((a_weight & 0xffff) | b_weight * 0x10000);
+  const auto products = reinterpret_cast<FourInts>(_mm_madd_epi16(pairs, weights));
+  const FourInts halves = products + __builtin_shufflevector(products, products, 2, 3, 0, 1);
+  return halves + __builtin_shufflevector(halves, halves, 1, 0, 3, 2);
+#else
+  std::int32_t sum = 0;
+  for (int i = 4; i < 8; ++i) sum += a[i] * a_weight + b[i] * b_weight;
+  return FourInts{sum, sum, sum, sum};
 #endif
 }
 

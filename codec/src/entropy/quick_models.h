@@ -31,7 +31,7 @@ class QuickModels {
   /// At least 2 and less than 2^15 parts.
   [[gnu::always_inline]] Interval interval(std::size_t model, unsigned symbol) const noexcept {
     // The last symbol's interval ends at 2^15, in place of which the next model has a 0.
-    const std::int16_t* const starts = lanes_.data()->data() + kSymbols * model + symbol;
+    const std::int16_t* const starts = lanes_[model].data() + symbol;
     const std::uint32_t start = static_cast<std::uint16_t>(starts[0]);
     return {start, (static_cast<std::uint16_t>(starts[1]) - start) & (kProbabilityOne - 1)};
   }

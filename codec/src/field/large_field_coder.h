@@ -62,10 +62,10 @@ class LargeFieldCoder {
   template <unsigned kAxis, unsigned kState>
   [[gnu::always_inline]] bool code_axis(Coder& coder, LargeFieldVertex& vertex, FieldNumbers& numbers) {
     const LargeFieldForecast f = vertex.template forecast<kAxis>();
-    const std::int64_t swapped = (std::int64_t{numbers[kAxis]} - f.base) ^ f.sign;
+    std::int64_t coded = 0;
+    if constexpr (Coder::kWrites) coded = ((std::int64_t{numbers[kAxis]} - f.base) ^ f.sign) - f.sign;
     bool is_far = false;
-    const std::int64_t coded =
-        numbers_.template code<kState>(coder, swapped - f.sign, f.shift, f.model, f.tail, is_far);
+    coded = numbers_.template code<kState>(coder, coded, f.shift, f.model, f.tail, is_far);
     const std::int64_t number = ((coded ^ f.sign) - f.sign) + f.base;
     if (is_far && (number < -kLargestFieldValue || number > kLargestFieldValue)) return false;
     numbers[kAxis] = static_cast<std::int32_t>(number);

@@ -37,14 +37,13 @@ class LargeFieldVertex {
       : around_(walk.around(vertex)) {
     const EightShorts& sizes = around_.means.numbers_and_sizes;
     const EightShorts& errors = around_.means.ties_and_errors;
-    const std::uint32_t size = sum_of_sizes(sizes);
-    const std::uint32_t error = sum_of_sizes(errors);
-    if_close_ = static_cast<std::int32_t>(8 * error - 5 * size) >> 31;
-    const EightShorts if_close = all_lanes(if_close_);
+    const FourInts is_close = sum_of_upper(errors, 8, sizes, -5) < 0;
+    const auto if_close = reinterpret_cast<EightShorts>(is_close);
     scales_ = to_array(choose_lanes(if_close, errors, sizes));
     bases_ = to_array(around_.reference & if_close);
     ties_ = to_array(errors & ~if_close);
-    all_ = if_close_ != 0 ? error : size;
+    all_ = scale_of(0) + scale_of(1) + scale_of(2);
+    sure_ = static_cast<std::uint32_t>(is_close[0]) & 3;
     first_model_ = ((std::clamp<std::uint32_t>(around_.degree, 3, 10) - 3) * 2 + around_.has_peers) * 3;
   }
 
@@ -54,7 +53,7 @@ class LargeFieldVertex {
 
   template <unsigned kAxis>
   [[gnu::always_inline]] LargeFieldForecast forecast() const noexcept {
-    const std::uint32_t own = scale_of(scales_, kAxis);
+    const std::uint32_t own = scale_of(kAxis);
     const std::uint32_t scale = (5 * own + all_) >> 3;
     LargeFieldForecast f;
     f.base = bases_[kAxis];
@@ -62,8 +61,7 @@ class LargeFieldVertex {
     const std::int32_t expected = expected_tie<kAxis>();
     f.sign = expected >> 31;
     const auto distance = 16 * static_cast<std::uint32_t>(std::abs(expected));
-    const std::uint32_t sure = ((distance > scale ? 1U : 0U) + (2 * distance > 5 * scale ? 1U : 0U)) |
-                               (static_cast<std::uint32_t>(if_close_) & 3);
+    const std::uint32_t sure = sure_ | ((distance > scale ? 1U : 0U) + (2 * distance > 5 * scale ? 1U : 0U));
     const std::uint32_t coded = coded_size<kAxis>() >> f.shift;
     const std::uint32_t coded_class = kCodedClass[std::min<std::uint32_t>(coded, kCodedClass.size() - 1)];
     const std::uint32_t own_class = kOctaveClass[own >> f.shift];
@@ -86,12 +84,8 @@ class LargeFieldVertex {
   static constexpr auto kCodedClass = tabulate<std::uint8_t, 93>(
       [](std::uint32_t i) { return (i >= 8 ? 1 : 0) + (i >= 28 ? 1 : 0) + (i >= 92 ? 1 : 0); });
 
-  template <class Lanes>
-  static std::uint32_t scale_of(const Lanes& scales, unsigned axis) noexcept {
-    return static_cast<std::uint16_t>(scales[4 + axis]);
-  }
-  static std::uint32_t sum_of_sizes(const EightShorts& scales) noexcept {
-    return scale_of(scales, 0) + scale_of(scales, 1) + scale_of(scales, 2);
+  std::uint32_t scale_of(unsigned axis) const noexcept {
+    return static_cast<std::uint16_t>(scales_[4 + axis]);
   }
   static std::int32_t sign_of(std::int32_t q) noexcept { return (q > 0 ? 1 : 0) - (q < 0 ? 1 : 0); }
 
@@ -118,8 +112,8 @@ class LargeFieldVertex {
   std::array<std::int16_t, 8> scales_;  ///< from lane 4 on: expected sizes of what is coded, 1/16 steps
   std::array<std::int16_t, 8> bases_;
   std::array<std::int16_t, 8> ties_;
-  std::uint32_t all_ = 0;      ///< sum of these sizes
-  std::int32_t if_close_ = 0;  ///< -1 where numbers are coded as differences to the reference
+  std::uint32_t all_ = 0;   ///< sum of these sizes
+  std::uint32_t sure_ = 0;  ///< 3 where numbers are coded as differences to the reference
   std::uint32_t first_model_ = 0;
   std::array<std::int32_t, 3> q_{};
 };

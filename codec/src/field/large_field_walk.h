@@ -48,8 +48,8 @@ class LargeFieldWalk {
     const std::uint32_t degree = graph_.offsets[vertex + 1] - row;
     const std::uint32_t* neighbors = graph_.neighbors.data() + row;
     std::array<std::uint32_t, kNeighbors> few;
-    if (row + std::size_t{kNeighbors} > graph_.neighbors.size()) [[unlikely]] {
-      for (std::uint32_t i = 0; i < kNeighbors; ++i) few[i] = i < degree ? neighbors[i] : vertex;
+    if (degree < kNeighbors) [[unlikely]] {
+      std::fill(std::copy_n(neighbors, degree, few.begin()), few.end(), vertex);
       neighbors = few.data();
     }
     const std::uint32_t known = vertex - begin_;
@@ -58,9 +58,9 @@ class LargeFieldWalk {
     LargeFieldMemory all{};
     LargeFieldMemory peers{};
     EightShorts reference{};
-    const auto add = [&](std::uint32_t i) {
-      const std::uint32_t place = neighbors[i] - begin_;
-      const std::uint32_t if_known = place < (i < degree ? known : 0) ? ~0U : 0;
+    const auto add = [&](std::uint32_t neighbor) {
+      const std::uint32_t place = neighbor - begin_;
+      const std::uint32_t if_known = place < known ? ~0U : 0;
       const LargeFieldMemory& memory = memories_[(place + 1) & if_known];
       const EightShorts equal = memory.numbers_and_sizes == degrees;
       const EightShorts if_peer = __builtin_shufflevector(equal, equal, 3, 3, 3, 3, 3, 3, 3, 3);
@@ -70,23 +70,23 @@ class LargeFieldWalk {
       peers.ties_and_errors = wrapped_sum(peers.ties_and_errors, memory.ties_and_errors & if_peer);
       reference = choose_lanes(if_peer, memory.numbers_and_sizes, reference);
     };
-    add(0);
-    add(1);
-    add(2);
-    add(3);
+    add(neighbors[0]);
+    add(neighbors[1]);
+    add(neighbors[2]);
+    add(neighbors[3]);
     const EightShorts have_peers = peers.numbers_and_sizes > 0;
     const EightShorts if_peers = __builtin_shufflevector(have_peers, have_peers, 7, 7, 7, 7, 7, 7, 7, 7);
     const EightShorts numbers_and_sizes =
         choose_lanes(if_peers, peers.numbers_and_sizes, all.numbers_and_sizes);
     const EightShorts ties_and_errors = choose_lanes(if_peers, peers.ties_and_errors, all.ties_and_errors);
-    const std::uint32_t factor = kFactors[static_cast<std::uint16_t>(numbers_and_sizes[7])];
-    return {.means = {.numbers_and_sizes = multiply_high_unsigned(numbers_and_sizes, factor),
-                      .ties_and_errors =
-                          join_halves(multiply_high(ties_and_errors, static_cast<std::int32_t>(factor / 2)),
-                                      multiply_high_unsigned(ties_and_errors, factor))},
-            .reference = reference,
-            .degree = cut_degree,
-            .has_peers = static_cast<std::uint32_t>(if_peers[0]) & 1};
+    const auto count = static_cast<std::uint16_t>(numbers_and_sizes[7]);
+    return {
+        .means = {.numbers_and_sizes = multiply_high_unsigned(numbers_and_sizes, kFactors[count]),
+                  .ties_and_errors = join_halves(multiply_high(ties_and_errors, kHalfFactors[count]),
+                                                 multiply_high_unsigned(ties_and_errors, kFactors[count]))},
+        .reference = reference,
+        .degree = cut_degree,
+        .has_peers = static_cast<std::uint32_t>(if_peers[0]) & 1};
   }
 
   /// `q`: the vertex' numbers.
@@ -113,8 +113,12 @@ class LargeFieldWalk {
   static constexpr EightShorts kAllButDegree = {-1, -1, -1, 0, -1, -1, -1, 0};
   static constexpr EightShorts kAllButLast = {-1, -1, -1, -1, -1, -1, -1, 0};
   static constexpr EightShorts kOneInLast = {0, 0, 0, 0, 0, 0, 0, 1};
-  /// By how many are summed up.
-  static constexpr std::array<std::uint32_t, kNeighbors + 1> kFactors = {0, 65535, 32767, 21845, 16383};
+  using Factors = std::array<EightShorts, kNeighbors + 1>;
+  /// By how many are summed up: what makes means of sums, and halves of means.
+  static constexpr Factors kFactors = {all_lanes(0), all_lanes(65535), all_lanes(32767), all_lanes(21845),
+                                       all_lanes(16383)};
+  static constexpr Factors kHalfFactors = {all_lanes(0), all_lanes(32767), all_lanes(16383), all_lanes(10922),
+                                           all_lanes(8191)};
 
   const Adjacency& graph_;
   std::uint32_t begin_;
