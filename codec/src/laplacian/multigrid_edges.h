@@ -12,7 +12,7 @@
 
 namespace deltamesh::multigrid {
 
-static_assert(kEdgesAtOnce == 4);
+static_assert(kEdgesAtOnce == 2);
 
 /// Weighted sums over the neighbours of a node of a coarse level. Adding up is in an order that lets
 /// processors do much at once.
@@ -37,12 +37,12 @@ class Edges {
 
   /// `sum` and what lower neighbours add.
   Float4 add_lower(std::uint32_t node, const Float4* values, Float4 sum) const noexcept {
-    return add_fours(offsets_[node], middle_[node], At{values}, sum);
+    return add_pairs(offsets_[node], middle_[node], At{values}, sum);
   }
 
   /// `sum` and the x of all neighbours.
   Float4 add_x(std::uint32_t node, const Row* rows, Float4 sum) const noexcept {
-    return add_fours(
+    return add_pairs(
         offsets_[node], offsets_[node + 1], [=](std::uint32_t other) { return rows[other].x; }, sum);
   }
 
@@ -53,20 +53,19 @@ class Edges {
 
   /// What higher neighbours add up to.
   Float4 upper(std::uint32_t node, const Float4* values) const noexcept {
-    return add_fours(middle_[node], offsets_[node + 1], At{values}, Float4{});
+    return add_pairs(middle_[node], offsets_[node + 1], At{values}, Float4{});
   }
 
   /// `sum` and what all neighbours add.
   Float4 add_all(std::uint32_t node, const Float4* values, Float4 sum) const noexcept {
-    return add_fours(offsets_[node], offsets_[node + 1], At{values}, sum);
+    return add_pairs(offsets_[node], offsets_[node + 1], At{values}, sum);
   }
 
   /// `first` and value(neighbour), weighted, for the edges from `begin` to `end`, one half of a row or both.
   template <class Value, class Sum>
-  Sum add_fours(std::uint32_t begin, std::uint32_t end, const Value& value, const Sum& first) const noexcept {
+  Sum add_pairs(std::uint32_t begin, std::uint32_t end, const Value& value, const Sum& first) const noexcept {
     Sum sum = first;
-    for (std::uint32_t e = begin; e < end; e += kEdgesAtOnce)
-      sum += (term(e, value) + term(e + 1, value)) + (term(e + 2, value) + term(e + 3, value));
+    for (std::uint32_t e = begin; e < end; e += kEdgesAtOnce) sum += term(e, value) + term(e + 1, value);
     return sum;
   }
 
@@ -98,7 +97,7 @@ Four apply_k(const Level& level, const std::vector<Four>& values, std::uint32_t 
   const std::uint32_t begin = level.offsets[node];
   const std::uint32_t end = level.offsets[node + 1];
   const auto value = [&](std::uint32_t other) { return values[other]; };
-  if (!level.has_unit_weights()) return own - Edges(level).add_fours(begin, end, value, Four{});
+  if (!level.has_unit_weights()) return own - Edges(level).add_pairs(begin, end, value, Four{});
   Four sum{};
   for (std::uint32_t e = begin; e < end; ++e) sum += values[level.neighbors[e]];
   return own - sum;

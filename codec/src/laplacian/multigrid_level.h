@@ -17,7 +17,7 @@
 namespace deltamesh::multigrid {
 
 /// Edges to lower nodes, and edges to higher ones, come in multiples of so many on coarse levels [pad_rows].
-inline constexpr std::uint32_t kEdgesAtOnce = 4;
+inline constexpr std::uint32_t kEdgesAtOnce = 2;
 
 /// The equations  K x + M s = b_x,  K s = b_s  on a graph, K = D - A with edge weights A. A finest level that
 /// was coarsened quickly has neither D nor M.

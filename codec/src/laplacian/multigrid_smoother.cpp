@@ -13,7 +13,7 @@ template <bool kUnitWeights>
 Row sum_rows(const Level& level, std::span<const Row> u, std::uint32_t begin, std::uint32_t end) noexcept {
   Row sum{};
   if constexpr (!kUnitWeights)
-    return Edges(level).add_fours(
+    return Edges(level).add_pairs(
         begin, end, [&](std::uint32_t other) { return u[other]; }, sum);
   for (std::uint32_t e = begin; e < end; ++e) sum += u[level.neighbors[e]];
   return sum;

@@ -59,7 +59,7 @@ void TwoSteps::take_first(const LevelProblem& problem) {
   const std::span<Row> u = problem.u;
   const Edges edges(level);
   Sums sums = sum_up(level.chunks, [&](std::uint32_t i, Sums& add) {
-    const Row around = edges.add_fours(
+    const Row around = edges.add_pairs(
         level.offsets[i], level.offsets[i + 1], [&](std::uint32_t other) { return u[other]; }, Row{});
     const Row k{level.degree[i] * u[i].x - around.x, level.degree[i] * u[i].s - around.s};
     const Float4 scaled = inverse_mass(level, i) * k.x;
