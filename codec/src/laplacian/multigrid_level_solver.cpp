@@ -54,6 +54,7 @@ LevelSolver::LevelSolver(std::span<const Level> levels, std::size_t first, std::
       two_steps_(levels.size()),
       bottom_(levels.size() - 1),
       coarsest_(levels.size()) {
+  make_coarsest();  // takes much memory for a while, so before the others
   for (std::size_t level = first; level < levels_.size(); ++level) {
     vectors_[level].b.resize(levels_[level].node_count(), Row{});
     vectors_[level].u.resize(levels_[level].node_count(), Row{});
@@ -75,9 +76,13 @@ void LevelSolver::begin() noexcept {
   iterations_left_ = kIterationsPerVertex * levels_.front().node_count();
 }
 
-void LevelSolver::solve_coarsest() {
+void LevelSolver::make_coarsest() {
   if (!coarsest_[bottom_])
     coarsest_[bottom_] = std::make_unique<CoarsestSolver>(levels_[bottom_], holds_, effort());
+}
+
+void LevelSolver::solve_coarsest() {
+  make_coarsest();
   Vectors& v = vectors_[bottom_];
   const std::uint64_t nodes = levels_[bottom_].node_count();
   const std::uint64_t most = std::clamp(iterations_left_ / nodes, kFewestIterations, kMostIterations);

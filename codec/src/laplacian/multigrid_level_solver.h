@@ -23,7 +23,7 @@ namespace deltamesh::multigrid {
 std::vector<std::uint8_t> shared_components(const Components& components,
                                             std::span<const std::uint32_t> anchors);
 
-/// Memory is allocated at setup, but for what a coarsest level needs when it first is one.
+/// Memory is allocated at setup, but for what another level needs when it first is the coarsest.
 class LevelSolver {
  public:
   /// Right-hand sides and solution of a level.
@@ -71,6 +71,7 @@ class LevelSolver {
   LevelProblem problem(std::size_t level) noexcept;
   void correct(std::size_t level);
   CoarsestEffort effort() const noexcept;
+  void make_coarsest();
   void solve_coarsest();
 
   std::span<const Level> levels_;
