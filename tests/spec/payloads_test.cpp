@@ -41,8 +41,9 @@ Parts take_apart(const Mesh& mesh, const EncodeOptions& options) {
   Parts parts{.header = container->header(), .payloads = {}};
   for (const ChunkEntry& entry : container->entries()) {
     const auto chunk = expand_chunk(*container, entry, 1U << 30);
-    parts.payloads.push_back(
-        {entry.tag, chunk->is_compact ? ChunkCodec::kCompact : ChunkCodec::kRaw, chunk->bytes});
+    parts.payloads.push_back({entry.tag,
+                              chunk->is_compact ? ChunkCodec::kCompact : ChunkCodec::kRaw,
+                              {chunk->bytes.begin(), chunk->bytes.end()}});
   }
   return parts;
 }

@@ -139,6 +139,7 @@ class StreamDecoder {
   Result<LargeVector<Vec3>> read_solved(std::span<const std::uint32_t> triangles) {
     Adjacency graph = build_adjacency(triangles, open_edges_, header_.geometric_vertices);
     geometric_triangles_ = std::vector<std::uint32_t>();  // which {} would not free
+    if (header_.attributes == 0) open_edges_ = std::vector<DirectedEdge>();
     Components components = runs_.components(header_.geometric_vertices);
     DELTAMESH_TRY(const auto deltas, expand_single(container_, kTagDeltas, max_payload(header_)));
     DELTAMESH_TRY(const auto anchors, expand_single(container_, kTagAnchors, max_payload(header_)));

@@ -23,16 +23,18 @@ inline constexpr int kBestZstdLevel = 19;
 Result<CodedChunk> code_chunk(std::uint32_t tag, std::vector<std::byte> payload,
                               std::vector<std::byte> compact = {}, int zstd_level = kBestZstdLevel);
 
-/// A payload with its bytes.
+/// A payload with its bytes, as far as these are not the container's.
 struct ExpandedChunk {
-  std::vector<std::byte> bytes;
+  std::vector<std::byte> storage{};  ///< what had to be expanded
+  std::span<const std::byte> bytes{};
   bool is_compact = false;
 
   Payload payload() const noexcept { return is_compact ? Payload::compact(bytes) : Payload(bytes); }
 };
 
-/// Expands a chunk of `container` into a buffer of exactly entry.decoded_bytes, which may be at most
-/// `max_bytes`; compact bytes stay as they are. Errors: kCorrupt [DIR-6], kInvalidStream [DIR-5, ENT-1].
+/// Expands a chunk of `container`, which must outlive it, into a buffer of exactly entry.decoded_bytes, which
+/// may be at most `max_bytes`; raw and compact bytes stay where they are. Errors: kCorrupt [DIR-6],
+/// kInvalidStream [DIR-5, ENT-1].
 Result<ExpandedChunk> expand_chunk(const Container& container, const ChunkEntry& entry,
                                    std::uint64_t max_bytes);
 

@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "base/large_vector.h"
+#include "base/thread_team.h"
+#include "base/try.h"
 
 namespace deltamesh {
 
@@ -39,14 +41,11 @@ Result<std::vector<float>> to_float_rows(std::span<const Vec3> positions,
   std::vector<float> rows;
   reserve_large(rows, 3 * count);
   rows.resize(3 * count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t from = copies.empty() ? i : copies[i];
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto x = static_cast<float>(positions[from][axis]);
-      if (!std::isfinite(x)) return not_finite(from);
-      rows[3 * i + axis] = x;
-    }
-  }
+  share_each(count, [&](std::size_t i) {
+    const Vec3& position = positions[copies.empty() ? i : copies[i]];
+    for (std::size_t axis = 0; axis < 3; ++axis) rows[3 * i + axis] = static_cast<float>(position[axis]);
+  });
+  DELTAMESH_CHECK(check_finite(rows));
   return rows;
 }
 

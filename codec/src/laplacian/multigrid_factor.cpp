@@ -27,7 +27,7 @@ constexpr std::uint64_t kMostWorkPerColumn = 400000;
 /// The lower half, column by column, of the matrix with row i at place[i].
 SparseMatrix lower_half(const SymmetricMatrix& matrix, std::span<const std::uint32_t> place) {
   const std::uint32_t n = matrix.size();
-  std::vector<Eigen::Triplet<double, int>> entries;
+  LargeVector<Eigen::Triplet<double, int>> entries;
   entries.reserve(matrix.columns.size() / 2 + n);
   for (std::uint32_t i = 0; i < n; ++i) {
     const auto column = static_cast<int>(place[i]);

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "base/large_vector.h"
 #include "laplacian/multigrid_row.h"
 
 namespace deltamesh::multigrid {
@@ -16,8 +17,8 @@ namespace deltamesh::multigrid {
 /// A symmetric matrix: its diagonal, and per row the entries beside it in ascending order of column.
 struct SymmetricMatrix {
   std::vector<std::uint32_t> offsets;  ///< n + 1
-  std::vector<std::uint32_t> columns;
-  std::vector<double> values;
+  LargeVector<std::uint32_t> columns;
+  LargeVector<double> values;
   std::vector<double> diagonal;  ///< n
 
   std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(diagonal.size()); }
@@ -35,8 +36,8 @@ class SparseFactor {
  private:
   std::vector<std::uint32_t> place_;    ///< n: where row i went
   std::vector<std::uint32_t> offsets_;  ///< n + 1: columns of L below its diagonal of ones
-  std::vector<std::uint32_t> rows_;
-  std::vector<double> values_;
+  LargeVector<std::uint32_t> rows_;
+  LargeVector<double> values_;
   std::vector<double> inverse_diagonal_;  ///< n: 1 / D
   std::vector<Double4> work_;             ///< n
 };
