@@ -49,10 +49,10 @@ TEST(Container, CNT1HoldsHeaderDirectoryAndChunks) {
   EXPECT_EQ(container->entries()[0].codec, ChunkCodec::kRaw) << "random bytes do not shrink";
   EXPECT_EQ(container->entries()[1].codec, ChunkCodec::kZstd);
   const auto raw = expand_single(*container, kTagConnectivity, 1000);
-  EXPECT_TRUE(std::ranges::equal(raw->bytes, bytes_of(13, 1)));
+  EXPECT_TRUE(std::ranges::equal(raw->bytes(), bytes_of(13, 1)));
   const auto expanded = expand_single(*container, kTagDeltas, 1000);
-  EXPECT_TRUE(std::ranges::equal(expanded->bytes, std::vector<std::byte>(500)));
-  EXPECT_TRUE(expand_single(*container, kTagAnchors, 1000)->bytes.empty());
+  EXPECT_TRUE(std::ranges::equal(expanded->bytes(), std::vector<std::byte>(500)));
+  EXPECT_TRUE(expand_single(*container, kTagAnchors, 1000)->bytes().empty());
 }
 
 TEST(Container, CNT2ChecksumCoversHeaderAndDirectory) {

@@ -43,7 +43,7 @@ Parts take_apart(const Mesh& mesh, const EncodeOptions& options) {
     const auto chunk = expand_chunk(*container, entry, 1U << 30);
     parts.payloads.push_back({entry.tag,
                               chunk->is_compact ? ChunkCodec::kCompact : ChunkCodec::kRaw,
-                              {chunk->bytes.begin(), chunk->bytes.end()}});
+                              {chunk->bytes().begin(), chunk->bytes().end()}});
   }
   return parts;
 }

@@ -101,7 +101,7 @@ class StreamDecoder {
     runs_ = std::move(read.runs);
     if (triangles.capacity() / 5 > triangles.size() / 4) triangles.shrink_to_fit();
     DELTAMESH_TRY(const auto seams, expand_single(container_, kTagSeams, max_payload(header_)));
-    if (seams.bytes.empty() && header_.vertices == header_.geometric_vertices) return {};
+    if (seams.bytes().empty() && header_.vertices == header_.geometric_vertices) return {};
     DELTAMESH_TRY(auto split,
                   read_seams(seams.payload(), triangles, header_.geometric_vertices, header_.vertices));
     geometric_triangles_ = std::exchange(triangles, std::move(split.triangles));

@@ -55,16 +55,14 @@ Result<ExpandedChunk> expand_chunk(const Container& container, const ChunkEntry&
   DELTAMESH_CHECK(container.check(entry));
   const auto coded = container.coded(entry);
   if (entry.codec != ChunkCodec::kZstd)
-    return ExpandedChunk{.bytes = coded, .is_compact = entry.codec == ChunkCodec::kCompact};
+    return ExpandedChunk{.stored = coded, .is_compact = entry.codec == ChunkCodec::kCompact};
   // The buffer is sized by our own checked directory, never by what the frame says of itself.
   std::vector<std::byte> bytes(static_cast<std::size_t>(entry.decoded_bytes));
   const bool one_frame = ZSTD_findFrameCompressedSize(coded.data(), coded.size()) == coded.size();
   if (!one_frame || ZSTD_decompress(bytes.data(), bytes.size(), coded.data(), coded.size()) != bytes.size())
     return chunk_error(ErrorCode::kInvalidStream, "not one zstd frame of the length in the directory",
                        "ENT-1", entry);
-  ExpandedChunk chunk{.storage = std::move(bytes)};
-  chunk.bytes = chunk.storage;
-  return chunk;
+  return ExpandedChunk{.expanded = std::move(bytes)};
 }
 
 Result<ExpandedChunk> expand_single(const Container& container, std::uint32_t tag, std::uint64_t max_bytes) {

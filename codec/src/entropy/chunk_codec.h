@@ -25,11 +25,12 @@ Result<CodedChunk> code_chunk(std::uint32_t tag, std::vector<std::byte> payload,
 
 /// A payload with its bytes, as far as these are not the container's.
 struct ExpandedChunk {
-  std::vector<std::byte> storage{};  ///< what had to be expanded
-  std::span<const std::byte> bytes{};
+  std::vector<std::byte> expanded{};
+  std::span<const std::byte> stored{};  ///< where nothing had to be expanded
   bool is_compact = false;
 
-  Payload payload() const noexcept { return is_compact ? Payload::compact(bytes) : Payload(bytes); }
+  std::span<const std::byte> bytes() const noexcept { return expanded.empty() ? stored : expanded; }
+  Payload payload() const noexcept { return is_compact ? Payload::compact(bytes()) : Payload(bytes()); }
 };
 
 /// Expands a chunk of `container`, which must outlive it, into a buffer of exactly entry.decoded_bytes, which

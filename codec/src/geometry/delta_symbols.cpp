@@ -60,11 +60,9 @@ std::vector<std::byte> write_compact_deltas(std::span<const std::int32_t> deltas
   return is_large(graph) ? write_large_deltas(columns, graph) : write_small(columns, graph);
 }
 
-Result<std::vector<std::int32_t>> read_compact_deltas(std::span<const std::byte> payload,
+Result<LargeVector<std::int32_t>> read_compact_deltas(std::span<const std::byte> payload,
                                                       const Adjacency& graph) {
-  std::vector<std::int32_t> deltas;
-  reserve_large(deltas, 3 * graph.vertex_count());
-  deltas.resize(3 * graph.vertex_count());
+  LargeVector<std::int32_t> deltas(3 * graph.vertex_count());
   const DeltaColumns<std::int32_t> columns{deltas.data(), graph.vertex_count()};
   DELTAMESH_CHECK(is_large(graph) ? read_large_deltas(payload, graph, columns)
                                   : read_small(payload, graph, columns));

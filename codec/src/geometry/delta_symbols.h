@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "base/large_vector.h"
 #include "deltamesh/result.h"
 #include "topology/adjacency.h"
 
@@ -18,7 +19,7 @@ namespace deltamesh {
 std::vector<std::byte> write_compact_deltas(std::span<const std::int32_t> deltas, const Adjacency& graph);
 
 /// The same numbers back. Errors: kTruncated, kInvalidStream [CMP-3, FLD-1].
-Result<std::vector<std::int32_t>> read_compact_deltas(std::span<const std::byte> payload,
+Result<LargeVector<std::int32_t>> read_compact_deltas(std::span<const std::byte> payload,
                                                       const Adjacency& graph);
 
 }  // namespace deltamesh

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/large_vector.h"
 #include "base/task.h"
 #include "base/thread_team.h"
 #include "base/try.h"
@@ -33,12 +34,12 @@ Result<void> check_parameters(const HighpassParameters& parameters, std::size_t 
   return {};
 }
 
-Result<std::vector<std::int32_t>> read_deltas(Payload payload, const Adjacency& graph) {
+Result<LargeVector<std::int32_t>> read_deltas(Payload payload, const Adjacency& graph) {
   if (payload.is_compact) return read_compact_deltas(payload.bytes, graph);
   ByteReader in(payload.bytes, kTagDeltas);
   DELTAMESH_TRY(const auto codes, read_planes(in, 3 * std::uint64_t{graph.vertex_count()}));
   DELTAMESH_CHECK(in.finish());
-  std::vector<std::int32_t> deltas(codes.size());
+  LargeVector<std::int32_t> deltas(codes.size());
   for (std::size_t i = 0; i < codes.size(); ++i) deltas[i] = unzigzag(codes[i]);
   return deltas;
 }
@@ -100,7 +101,7 @@ Result<LargeVector<Vec3>> read_and_solve(Payload deltas, Payload anchors, Adjace
                                          Components components, const Box& box,
                                          const HighpassParameters& parameters) {
   const SolvedPart part = extract_solved_part(std::move(graph), components);
-  Task<Result<std::vector<std::int32_t>>> values([&] { return read_deltas(deltas, part.graph); });
+  Task<Result<LargeVector<std::int32_t>>> values([&] { return read_deltas(deltas, part.graph); });
   DELTAMESH_TRY(HighpassSymbols symbols, read_anchor_symbols(anchors, components, parameters));
   components = {};
   PartSolver solver(part);
