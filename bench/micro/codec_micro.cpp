@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
+#include <cstddef>
+#include <vector>
+
 #include "deltamesh/decode.h"
 #include "deltamesh/encode.h"
 #include "entropy/chunk_codec.h"
