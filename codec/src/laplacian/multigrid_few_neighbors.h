@@ -26,12 +26,11 @@ class FewNeighbors {
   /// How many there may be, and how many are read, whichever these are.
   static constexpr std::uint32_t kMost = 8;
 
-  /// `weights`: beside `neighbors`, or null where all are 1. `codes`: as in Aggregates. Seeds count `seed`
-  /// times.
+  /// `weights`: beside `neighbors`. `codes`: as in Aggregates. Seeds count `seed` times.
   FewNeighbors(const std::uint32_t* neighbors, const float* weights, std::uint32_t degree,
                const std::uint32_t* codes, float seed) noexcept
       : low_(half(neighbors, weights, codes, seed - 1)),
-        high_(half(neighbors + 4, weights == nullptr ? nullptr : weights + 4, codes, seed - 1)) {
+        high_(half(neighbors + 4, weights + 4, codes, seed - 1)) {
     const auto count = static_cast<std::int32_t>(degree);
     low_.weight = masked(low_.weight, Lanes{0, 1, 2, 3} < count);
     high_.weight = masked(high_.weight, Lanes{4, 5, 6, 7} < count);
@@ -70,7 +69,6 @@ class FewNeighbors {
     const auto code = [&](int lane) { return static_cast<std::int32_t>(codes[neighbors[lane]]); };
     const Lanes all{code(0), code(1), code(2), code(3)};
     const Float4 factor = 1.0F + masked(Float4{more, more, more, more}, all < 0);
-    if (weights == nullptr) return {all & static_cast<std::int32_t>(~Aggregates::kSeed), factor};
     Float4 weight;
     std::memcpy(&weight, weights, sizeof(weight));
     return {all & static_cast<std::int32_t>(~Aggregates::kSeed), weight * factor};

@@ -10,20 +10,22 @@
 
 #include "base/thread_team.h"
 #include "laplacian/multigrid_few_neighbors.h"
+#include "laplacian/multigrid_few_unit_neighbors.h"
 
 namespace deltamesh::multigrid {
 namespace {
 
 /// What a neighbour that is a seed counts: it knows its aggregate's value better.
-constexpr float kSeedWeight = 4;
+constexpr float kSeedWeight = FewUnitNeighbors::kSeedWeight;
 
-/// Of the aggregates `touched`, the first ones among equals. Clears their sums.
+/// Of the aggregates `touched`, the lower ones among equals. Clears their sums.
 Favorites take_favorites(std::span<const std::uint32_t> touched, LargeVector<float>& sums) noexcept {
   Favorites result{};
   for (std::uint32_t aggregate : touched) {
     float weight = std::exchange(sums[aggregate], 0.0F);
     for (std::size_t k = 0; k < 3; ++k) {
-      if (weight <= result.weights[k]) continue;
+      const bool is_equal = weight == result.weights[k];
+      if (weight < result.weights[k] || (is_equal && aggregate > result.nodes[k])) continue;
       std::swap(weight, result.weights[k]);
       std::swap(aggregate, result.nodes[k]);
     }
@@ -39,6 +41,33 @@ Interpolation rounded(const Favorites& from) noexcept {
   return {{from.nodes[0], from.nodes[second > 0 ? 1 : 0], from.nodes[third > 0 ? 2 : 0]}, second, third};
 }
 
+/// rounded(), for all that FewUnitNeighbors can find: `weight` of a sum in sixteenths.
+class Sixteenths {
+ public:
+  constexpr Sixteenths() {
+    for (std::uint32_t sum = 1; sum < kSums; ++sum) {
+      for (std::uint32_t weight = 0; weight < kWeights; ++weight)
+        of_[sum][weight] = static_cast<std::uint8_t>((32 * weight + sum) / (2 * sum));
+    }
+  }
+  constexpr std::uint32_t operator()(std::uint32_t weight, std::uint32_t sum) const noexcept {
+    return of_[sum][weight];
+  }
+
+ private:
+  static constexpr std::uint32_t kWeights = FewUnitNeighbors::kMostWeight + 1;
+  static constexpr std::uint32_t kSums = FewUnitNeighbors::kMost + 3 * FewUnitNeighbors::kSeedWeight + 1;
+  std::array<std::array<std::uint8_t, kWeights>, kSums> of_{};
+};
+constexpr Sixteenths kSixteenths;
+
+Interpolation rounded(const UnitFavorites& from) noexcept {
+  const std::uint32_t sum = from.weights[0] + from.weights[1] + from.weights[2];
+  const std::uint32_t second = kSixteenths(from.weights[1], sum);
+  const std::uint32_t third = kSixteenths(from.weights[2], sum);
+  return {{from.nodes[0], from.nodes[second > 0 ? 1 : 0], from.nodes[third > 0 ? 2 : 0]}, second, third};
+}
+
 /// Of some nodes of a level.
 class Interpolator {
  public:
@@ -51,10 +80,11 @@ class Interpolator {
     const std::uint32_t degree = fine_.offsets[node + 1] - begin;
     if (degree > FewNeighbors::kMost || begin + std::size_t{FewNeighbors::kMost} > fine_.neighbors.size())
       return rounded(of_many(begin, begin + degree));
-    const FewNeighbors neighbors(fine_.neighbors.data() + begin,
-                                 fine_.has_unit_weights() ? nullptr : fine_.weights.data() + begin, degree,
-                                 aggregates_.codes.data(), kSeedWeight);
-    return rounded(neighbors.favorites());
+    const std::uint32_t* const neighbors = fine_.neighbors.data() + begin;
+    const std::uint32_t* const codes = aggregates_.codes.data();
+    if (fine_.has_unit_weights()) return rounded(FewUnitNeighbors(neighbors, degree, codes).favorites());
+    return rounded(
+        FewNeighbors(neighbors, fine_.weights.data() + begin, degree, codes, kSeedWeight).favorites());
   }
 
  private:

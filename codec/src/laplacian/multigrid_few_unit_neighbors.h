@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// FewNeighbors where all edges weigh 1: sums are small numbers, which share a lane with their aggregate.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include "laplacian/multigrid_aggregate.h"
+#include "laplacian/multigrid_row.h"
+
+namespace deltamesh::multigrid {
+
+/// The three aggregates that weigh most, in falling order; where there are fewer, any with weight 0.
+struct UnitFavorites {
+  std::array<std::uint32_t, 3> nodes;
+  std::array<std::uint32_t, 3> weights;
+};
+
+class FewUnitNeighbors {
+ public:
+  /// How many there may be, and how many are read, whichever these are.
+  static constexpr std::uint32_t kMost = 8;
+
+  /// Aggregates must be below this.
+  static constexpr std::uint32_t kMostNodes = std::uint32_t{1} << 27;
+
+  /// What a seed counts. An aggregate has but one.
+  static constexpr std::uint32_t kSeedWeight = 4;
+
+  /// No aggregate weighs more.
+  static constexpr std::uint32_t kMostWeight = kMost - 1 + kSeedWeight;
+
+  /// `codes`: as in Aggregates.
+  FewUnitNeighbors(const std::uint32_t* neighbors, std::uint32_t degree,
+                   const std::uint32_t* codes) noexcept {
+    const auto count = static_cast<std::int32_t>(degree);
+    const Lanes none_low = Lanes{0, 1, 2, 3} >= count;
+    const Lanes none_high = Lanes{4, 5, 6, 7} >= count;
+    const Lanes codes_low = gather(neighbors, codes);
+    const Lanes codes_high = gather(neighbors + 4, codes);
+    low_.node = (codes_low & ~kSeed) | none_low;
+    high_.node = (codes_high & ~kSeed) | none_high;
+    Lanes sum_low = (codes_low < 0) & kMoreOfSeed;
+    Lanes sum_high = (codes_high < 0) & kMoreOfSeed;
+    count_equal<0, 1, 2, 3>(low_.node, sum_low, sum_high);
+    count_equal<0, 1, 2, 3>(high_.node, sum_low, sum_high);
+    low_.key = make_key(sum_low, low_.node) & ~none_low;
+    high_.key = make_key(sum_high, high_.node) & ~none_high;
+  }
+
+  /// The lower ones among equals.
+  UnitFavorites favorites() noexcept {
+    const std::array<std::uint32_t, 3> keys{take_heaviest(), take_heaviest(), take_heaviest()};
+    UnitFavorites result;
+    for (std::size_t k = 0; k < 3; ++k) {
+      result.nodes[k] = ~keys[k] % kMostNodes;
+      result.weights[k] = keys[k] / kMostNodes;
+    }
+    return result;
+  }
+
+ private:
+  using Lanes = std::int32_t __attribute__((vector_size(16)));
+  struct Half {
+    Lanes node;
+    Lanes key;  ///< the sum, above what lacks the node of the highest; only that of a seed's lane is whole
+  };
+  static constexpr auto kSeed = static_cast<std::int32_t>(Aggregates::kSeed);
+  static constexpr std::int32_t kMoreOfSeed = kSeedWeight - 1;
+  static constexpr int kNodeBits = std::countr_zero(kMostNodes);
+  static constexpr std::int32_t kNodeMask = kMostNodes - 1;
+
+  static Lanes gather(const std::uint32_t* neighbors, const std::uint32_t* codes) noexcept {
+    const auto code = [&](int lane) { return static_cast<std::int32_t>(codes[neighbors[lane]]); };
+    return Lanes{code(0), code(1), code(2), code(3)};
+  }
+
+  static Lanes make_key(Lanes sum, Lanes node) noexcept { return sum << kNodeBits | (~node & kNodeMask); }
+
+  /// Counts every lane of `from` in all that belong to the same aggregate.
+  template <int... kLanes>
+  void count_equal(Lanes from, Lanes& sum_low, Lanes& sum_high) const noexcept {
+    const auto add = [&](Lanes node) {
+      sum_low -= low_.node == node;  // true is -1
+      sum_high -= high_.node == node;
+    };
+    (add(__builtin_shufflevector(from, from, kLanes, kLanes, kLanes, kLanes)), ...);
+  }
+
+  /// Of keys, which as floats are in the same order; older processors have no instruction for integers.
+  static Lanes greater(Lanes a, Lanes b) noexcept {
+    const auto x = std::bit_cast<Float4>(a);
+    const auto y = std::bit_cast<Float4>(b);
+    return std::bit_cast<Lanes>(x > y ? x : y);
+  }
+
+  /// The greatest key; leaves none of that aggregate.
+  std::uint32_t take_heaviest() noexcept {
+    Lanes key = greater(low_.key, high_.key);
+    key = greater(key, __builtin_shufflevector(key, key, 2, 3, 0, 1));
+    key = greater(key, __builtin_shufflevector(key, key, 1, 0, 3, 2));
+    const Lanes node = ~key & kNodeMask;
+    low_.key &= low_.node != node;
+    high_.key &= high_.node != node;
+    return static_cast<std::uint32_t>(key[0]);
+  }
+
+  Half low_;
+  Half high_;
+};
+
+}  // namespace deltamesh::multigrid
