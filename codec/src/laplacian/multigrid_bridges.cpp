@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "base/thread_team.h"
+#include "laplacian/multigrid_few_codes.h"
 
 namespace deltamesh::multigrid {
 namespace {
@@ -19,34 +21,6 @@ namespace {
 /// both ends.
 constexpr std::array<std::uint32_t, 3> kShares = {6, 9, 18};
 constexpr float kUnit = 1.0F / 16;
-
-/// Sums over columns met in any order.
-struct Sums {
-  explicit Sums(std::uint32_t columns) : values(columns, 0), touched(columns + 1) {}
-
-  LargeVector<std::uint32_t> values;   ///< 0 but for those touched
-  LargeVector<std::uint32_t> touched;  ///< one after the other
-};
-
-/// Adds up what leads to each aggregate from a member of one, on top of `count` aggregates touched before,
-/// and returns how many these are now. No branch: it could not be predicted.
-std::uint32_t add_bridges(const Level& fine, const std::uint32_t* codes, std::uint32_t node, bool is_seed,
-                          std::uint32_t count, Sums& sums) noexcept {
-  std::uint32_t* const values = sums.values.data();
-  std::uint32_t* const touched = sums.touched.data();
-  const std::uint32_t to_member = kShares[is_seed ? 1 : 0];
-  const std::uint32_t more_to_seed = kShares[is_seed ? 2 : 1] - to_member;
-  const std::uint32_t* const end = fine.neighbors.data() + fine.offsets[node + 1];
-  for (const std::uint32_t* e = fine.neighbors.data() + fine.offsets[node]; e != end; ++e) {
-    const std::uint32_t code = codes[*e];
-    const std::uint32_t other = code & ~Aggregates::kSeed;
-    const std::uint32_t value = values[other];
-    touched[count] = other;
-    count += value == 0 ? 1 : 0;
-    values[other] = value + to_member + more_to_seed * (code >> 31);
-  }
-  return count;
-}
 
 /// The edges of some rows.
 struct Edges {
@@ -61,61 +35,111 @@ struct Edges {
   }
 };
 
-/// Makes rows of the coarse graph, whose offsets count from the first of these.
+/// Makes rows of the coarse graph, whose offsets count from the first of these. Without branches that could
+/// not be predicted.
 class RowMaker {
  public:
   RowMaker(const Level& fine, const Aggregates& aggregates, Level& coarse)
-      : fine_(fine), aggregates_(aggregates), coarse_(coarse), sums_(aggregates.count()) {}
+      : fine_(fine),
+        codes_(aggregates.codes.data()),
+        nowhere_(aggregates.count()),
+        coarse_(coarse),
+        sums_(nowhere_ + 1, 0),
+        touched_(nowhere_ + 1),
+        higher_sums_(nowhere_ + 1) {
+    sums_[nowhere_] = 1;
+  }
 
   /// That of aggregate `c`, after the others.
-  void add(std::uint32_t c, Edges& edges) {
-    std::uint32_t count = 0;
-    for (const std::uint32_t node : aggregates_.members_of(c))
-      count = add_bridges(fine_, aggregates_.codes.data(), node, aggregates_.is_seed(node), count, sums_);
-    const std::span<const std::uint32_t> touched(sums_.touched.data(), count);
-    sums_.values[c] = 0;
+  void add(std::uint32_t c, std::span<const std::uint32_t> members, Edges& edges) {
+    sums_[c] = 1;  // no bridge leads there
+    std::uint32_t count = add_node<true>(members.front(), 0);
+    for (const std::uint32_t node : members.subspan(1)) count = add_node<false>(node, count);
+    sums_[c] = 0;
     edges.make_room(count + 1);
-    append(touched, edges, [c](std::uint32_t other) { return other < c; });
-    coarse_.middle[c] = edges.count;
-    append(touched, edges, [c](std::uint32_t other) { return other > c; });
+    const Split split = split_bridges(c, count, edges);
+    coarse_.middle[c] = edges.count + split.lower;
+    edges.count += count;
     coarse_.storage.offsets[c + 1] = edges.count;
-    coarse_.degree[c] = kUnit * to_float(clear(touched));
-    coarse_.inverse_degree[c] = coarse_.degree[c] > 0 ? 1 / coarse_.degree[c] : 0;
+    coarse_.degree[c] = to_weight(split.sum);
+    coarse_.inverse_degree[c] = split.sum > 0 ? 1 / to_weight(split.sum) : 0;
   }
 
  private:
-  /// Those wanted. No branch: it could not be predicted.
-  template <class IsWanted>
-  void append(std::span<const std::uint32_t> touched, Edges& edges,
-              const IsWanted& is_wanted) const noexcept {
-    std::uint32_t* neighbor = edges.neighbors.data() + edges.count;
-    float* weight = edges.weights.data() + edges.count;
-    for (const std::uint32_t other : touched) {
-      *neighbor = other;
-      *weight = kUnit * to_float(sums_.values[other]);
-      const std::ptrdiff_t step = is_wanted(other) ? 1 : 0;
-      neighbor += step;
-      weight += step;
-    }
-    edges.count = static_cast<std::uint32_t>(neighbor - edges.neighbors.data());
-  }
-
-  /// Returns what it was in all.
-  std::uint32_t clear(std::span<const std::uint32_t> touched) noexcept {
-    std::uint32_t sum = 0;
-    for (const std::uint32_t other : touched) sum += std::exchange(sums_.values[other], 0);
-    return sum;
-  }
+  /// Of the aggregates that bridges lead to, how many are lower, and what all weigh.
+  struct Split {
+    std::uint32_t lower;
+    std::uint32_t sum;
+  };
 
   /// Older processors have no instruction for unsigned integers.
-  static float to_float(std::uint32_t sum) noexcept {
-    return static_cast<float>(static_cast<std::int32_t>(sum));
+  static float to_weight(std::uint32_t sum) noexcept {
+    return kUnit * static_cast<float>(static_cast<std::int32_t>(sum));
+  }
+
+  /// Adds the edges of a node, on top of `count` aggregates touched before; returns how many these are now.
+  template <bool kIsSeed>
+  std::uint32_t add_node(std::uint32_t node, std::uint32_t count) noexcept {
+    constexpr auto kToMember = static_cast<std::int32_t>(kShares[kIsSeed ? 1 : 0]);
+    constexpr std::int32_t kMoreToSeed = static_cast<std::int32_t>(kShares[kIsSeed ? 2 : 1]) - kToMember;
+    if (FewCodes::can_read(fine_, node)) {
+      const FewCodes neighbors(fine_, node, codes_);
+      for (const FewCodes::Half& half : {neighbors.low, neighbors.high}) {
+        const auto nowhere = static_cast<std::int32_t>(nowhere_);
+        const auto others = to_array((half.node & ~half.is_none) | (half.is_none & nowhere));
+        const auto shares = to_array((half.is_seed & kMoreToSeed) + kToMember);
+        for (std::size_t k = 0; k < 4; ++k) count = add_edge(others[k], shares[k], count);
+      }
+      return count;
+    }
+    for (std::uint32_t e = fine_.offsets[node]; e < fine_.offsets[node + 1]; ++e) {
+      const std::uint32_t code = codes_[fine_.neighbors[e]];
+      count = add_edge(code & ~Aggregates::kSeed, kToMember + kMoreToSeed * (code >> 31), count);
+    }
+    return count;
+  }
+
+  static std::array<std::uint32_t, 4> to_array(FourNodes values) noexcept {
+    return std::bit_cast<std::array<std::uint32_t, 4>>(values);
+  }
+
+  std::uint32_t add_edge(std::uint32_t other, std::uint32_t share, std::uint32_t count) noexcept {
+    const std::uint32_t sum = sums_[other];
+    touched_[count] = other;
+    sums_[other] = sum + share;
+    return count + (sum == 0 ? 1 : 0);
+  }
+
+  /// Lists the aggregates touched from the end of `edges` on, first those below `c`, and clears the sums.
+  Split split_bridges(std::uint32_t c, std::uint32_t count, Edges& edges) noexcept {
+    std::uint32_t* const neighbors = edges.neighbors.data() + edges.count;
+    float* const weights = edges.weights.data() + edges.count;
+    std::uint32_t lower = 0;
+    std::uint32_t all = 0;
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const std::uint32_t other = touched_[k];
+      const std::uint32_t sum = std::exchange(sums_[other], 0);
+      neighbors[lower] = other;
+      weights[lower] = to_weight(sum);
+      touched_[k - lower] = other;
+      higher_sums_[k - lower] = sum;
+      lower += other < c ? 1 : 0;
+      all += sum;
+    }
+    for (std::uint32_t k = lower; k < count; ++k) {
+      neighbors[k] = touched_[k - lower];
+      weights[k] = to_weight(higher_sums_[k - lower]);
+    }
+    return {lower, all};
   }
 
   const Level& fine_;
-  const Aggregates& aggregates_;
+  const std::uint32_t* codes_;
+  std::uint32_t nowhere_;  ///< where a lane without a neighbour leads
   Level& coarse_;
-  Sums sums_;
+  LargeVector<std::uint32_t> sums_;         ///< by aggregates; 0 but for those touched
+  LargeVector<std::uint32_t> touched_;      ///< one after the other, then those that are higher
+  LargeVector<std::uint32_t> higher_sums_;  ///< of these
 };
 
 /// Numbers the edges of the rows from `begin` to `end` from `first` on, and puts them there.
@@ -161,7 +185,7 @@ void make_bridge_graph(const Level& fine, const Aggregates& aggregates, Level& c
     RowMaker maker(fine, aggregates, coarse);
     parts[p].make_room(fine.neighbors.size() / pieces / 2);
     for (std::uint32_t c = piece_begin(nodes, pieces, p); c < piece_begin(nodes, pieces, p + 1); ++c)
-      maker.add(c, parts[p]);
+      maker.add(c, aggregates.members_of(c), parts[p]);
   });
   join(parts, coarse);
   coarse.offsets = coarse.storage.offsets;

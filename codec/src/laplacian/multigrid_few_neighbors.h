@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "laplacian/multigrid_aggregate.h"
+#include "laplacian/multigrid_few_codes.h"
 #include "laplacian/multigrid_row.h"
 
 namespace deltamesh::multigrid {
@@ -23,18 +23,9 @@ struct Favorites {
 
 class FewNeighbors {
  public:
-  /// How many there may be, and how many are read, whichever these are.
-  static constexpr std::uint32_t kMost = 8;
-
-  /// `weights`: beside `neighbors`. `codes`: as in Aggregates. Seeds count `seed` times.
-  FewNeighbors(const std::uint32_t* neighbors, const float* weights, std::uint32_t degree,
-               const std::uint32_t* codes, float seed) noexcept
-      : low_(half(neighbors, weights, codes, seed - 1)),
-        high_(half(neighbors + 4, weights + 4, codes, seed - 1)) {
-    const auto count = static_cast<std::int32_t>(degree);
-    low_.weight = masked(low_.weight, Lanes{0, 1, 2, 3} < count);
-    high_.weight = masked(high_.weight, Lanes{4, 5, 6, 7} < count);
-  }
+  /// `weights`: of the edges, and as many more as FewCodes reads. Seeds count `seed` times.
+  FewNeighbors(const FewCodes& codes, const float* weights, float seed) noexcept
+      : low_(half(codes.low, weights, seed - 1)), high_(half(codes.high, weights + 4, seed - 1)) {}
 
   /// The first ones among equals.
   Favorites favorites() const noexcept {
@@ -42,8 +33,8 @@ class FewNeighbors {
     Half high{high_.node, Float4{}};
     add_equal<0, 1, 2, 3>(low_, low, high);
     add_equal<0, 1, 2, 3>(high_, low, high);
-    low.weight = with_lanes(low.weight, Lanes{7, 6, 5, 4});
-    high.weight = with_lanes(high.weight, Lanes{3, 2, 1, 0});
+    low.weight = with_lanes(low.weight, FourNodes{7, 6, 5, 4});
+    high.weight = with_lanes(high.weight, FourNodes{3, 2, 1, 0});
     const Found a = take_heaviest(low, high);
     const Found b = take_heaviest(low, high);
     const Found c = take_heaviest(low, high);
@@ -53,9 +44,8 @@ class FewNeighbors {
   }
 
  private:
-  using Lanes = std::int32_t __attribute__((vector_size(16)));
   struct Half {
-    Lanes node;
+    FourNodes node;
     Float4 weight;
   };
   struct Found {
@@ -64,27 +54,24 @@ class FewNeighbors {
   };
   static constexpr std::int32_t kLane = 7;  ///< the lowest bits of a weight, which tell where it is from
 
-  static Half half(const std::uint32_t* neighbors, const float* weights, const std::uint32_t* codes,
-                   float more) noexcept {
-    const auto code = [&](int lane) { return static_cast<std::int32_t>(codes[neighbors[lane]]); };
-    const Lanes all{code(0), code(1), code(2), code(3)};
-    const Float4 factor = 1.0F + masked(Float4{more, more, more, more}, all < 0);
+  static Half half(const FewCodes::Half& codes, const float* weights, float more) noexcept {
     Float4 weight;
     std::memcpy(&weight, weights, sizeof(weight));
-    return {all & static_cast<std::int32_t>(~Aggregates::kSeed), weight * factor};
+    const Float4 factor = 1.0F + masked(Float4{more, more, more, more}, codes.is_seed);
+    return {codes.node, masked(weight * factor, ~codes.is_none)};
   }
 
-  static Float4 masked(Float4 values, Lanes mask) noexcept {
-    return std::bit_cast<Float4>(std::bit_cast<Lanes>(values) & mask);
+  static Float4 masked(Float4 values, FourNodes mask) noexcept {
+    return std::bit_cast<Float4>(std::bit_cast<FourNodes>(values) & mask);
   }
-  static Float4 with_lanes(Float4 values, Lanes lanes) noexcept {
-    return std::bit_cast<Float4>((std::bit_cast<Lanes>(values) & ~kLane) | lanes);
+  static Float4 with_lanes(Float4 values, FourNodes lanes) noexcept {
+    return std::bit_cast<Float4>((std::bit_cast<FourNodes>(values) & ~kLane) | lanes);
   }
 
   /// Adds the weights of `from`, each to all that belong to the same aggregate.
   template <int... kLanes>
   static void add_equal(const Half& from, Half& low, Half& high) noexcept {
-    const auto add = [&](Lanes node, Float4 weight) {
+    const auto add = [&](FourNodes node, Float4 weight) {
       low.weight += masked(weight, low.node == node);
       high.weight += masked(weight, high.node == node);
     };
@@ -104,7 +91,7 @@ class FewNeighbors {
   /// Leaves nothing of it.
   static Found take_heaviest(Half& low, Half& high) noexcept {
     const auto key = std::bit_cast<std::int32_t>(greatest(low.weight, high.weight));
-    std::int32_t nodes[kMost];
+    std::int32_t nodes[FewCodes::kMost];
     std::memcpy(nodes, &low.node, sizeof(low.node));
     std::memcpy(nodes + 4, &high.node, sizeof(high.node));
     const std::int32_t node = nodes[kLane - (key & kLane)];

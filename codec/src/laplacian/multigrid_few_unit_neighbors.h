@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "laplacian/multigrid_aggregate.h"
+#include "laplacian/multigrid_few_codes.h"
 #include "laplacian/multigrid_row.h"
 
 namespace deltamesh::multigrid {
@@ -22,9 +22,6 @@ struct UnitFavorites {
 
 class FewUnitNeighbors {
  public:
-  /// How many there may be, and how many are read, whichever these are.
-  static constexpr std::uint32_t kMost = 8;
-
   /// Aggregates must be below this.
   static constexpr std::uint32_t kMostNodes = std::uint32_t{1} << 27;
 
@@ -32,24 +29,17 @@ class FewUnitNeighbors {
   static constexpr std::uint32_t kSeedWeight = 4;
 
   /// No aggregate weighs more.
-  static constexpr std::uint32_t kMostWeight = kMost - 1 + kSeedWeight;
+  static constexpr std::uint32_t kMostWeight = FewCodes::kMost - 1 + kSeedWeight;
 
-  /// `codes`: as in Aggregates.
-  FewUnitNeighbors(const std::uint32_t* neighbors, std::uint32_t degree,
-                   const std::uint32_t* codes) noexcept {
-    const auto count = static_cast<std::int32_t>(degree);
-    const Lanes none_low = Lanes{0, 1, 2, 3} >= count;
-    const Lanes none_high = Lanes{4, 5, 6, 7} >= count;
-    const Lanes codes_low = gather(neighbors, codes);
-    const Lanes codes_high = gather(neighbors + 4, codes);
-    low_.node = (codes_low & ~kSeed) | none_low;
-    high_.node = (codes_high & ~kSeed) | none_high;
-    Lanes sum_low = (codes_low < 0) & kMoreOfSeed;
-    Lanes sum_high = (codes_high < 0) & kMoreOfSeed;
+  explicit FewUnitNeighbors(const FewCodes& codes) noexcept
+      : low_{.node = codes.low.node | codes.low.is_none},
+        high_{.node = codes.high.node | codes.high.is_none} {
+    FourNodes sum_low = codes.low.is_seed & kMoreOfSeed;
+    FourNodes sum_high = codes.high.is_seed & kMoreOfSeed;
     count_equal<0, 1, 2, 3>(low_.node, sum_low, sum_high);
     count_equal<0, 1, 2, 3>(high_.node, sum_low, sum_high);
-    low_.key = make_key(sum_low, low_.node) & ~none_low;
-    high_.key = make_key(sum_high, high_.node) & ~none_high;
+    low_.key = make_key(sum_low, low_.node) & ~codes.low.is_none;
+    high_.key = make_key(sum_high, high_.node) & ~codes.high.is_none;
   }
 
   /// The lower ones among equals.
@@ -64,27 +54,23 @@ class FewUnitNeighbors {
   }
 
  private:
-  using Lanes = std::int32_t __attribute__((vector_size(16)));
   struct Half {
-    Lanes node;
-    Lanes key;  ///< the sum, above what lacks the node of the highest; only that of a seed's lane is whole
+    FourNodes node;  ///< -1 where there is no neighbour
+    FourNodes
+        key{};  ///< the sum, above what lacks the node of the highest; only that of a seed's lane is whole
   };
-  static constexpr auto kSeed = static_cast<std::int32_t>(Aggregates::kSeed);
   static constexpr std::int32_t kMoreOfSeed = kSeedWeight - 1;
   static constexpr int kNodeBits = std::countr_zero(kMostNodes);
   static constexpr std::int32_t kNodeMask = kMostNodes - 1;
 
-  static Lanes gather(const std::uint32_t* neighbors, const std::uint32_t* codes) noexcept {
-    const auto code = [&](int lane) { return static_cast<std::int32_t>(codes[neighbors[lane]]); };
-    return Lanes{code(0), code(1), code(2), code(3)};
+  static FourNodes make_key(FourNodes sum, FourNodes node) noexcept {
+    return sum << kNodeBits | (~node & kNodeMask);
   }
-
-  static Lanes make_key(Lanes sum, Lanes node) noexcept { return sum << kNodeBits | (~node & kNodeMask); }
 
   /// Counts every lane of `from` in all that belong to the same aggregate.
   template <int... kLanes>
-  void count_equal(Lanes from, Lanes& sum_low, Lanes& sum_high) const noexcept {
-    const auto add = [&](Lanes node) {
+  void count_equal(FourNodes from, FourNodes& sum_low, FourNodes& sum_high) const noexcept {
+    const auto add = [&](FourNodes node) {
       sum_low -= low_.node == node;  // true is -1
       sum_high -= high_.node == node;
     };
@@ -92,18 +78,18 @@ class FewUnitNeighbors {
   }
 
   /// Of keys, which as floats are in the same order; older processors have no instruction for integers.
-  static Lanes greater(Lanes a, Lanes b) noexcept {
+  static FourNodes greater(FourNodes a, FourNodes b) noexcept {
     const auto x = std::bit_cast<Float4>(a);
     const auto y = std::bit_cast<Float4>(b);
-    return std::bit_cast<Lanes>(x > y ? x : y);
+    return std::bit_cast<FourNodes>(x > y ? x : y);
   }
 
   /// The greatest key; leaves none of that aggregate.
   std::uint32_t take_heaviest() noexcept {
-    Lanes key = greater(low_.key, high_.key);
+    FourNodes key = greater(low_.key, high_.key);
     key = greater(key, __builtin_shufflevector(key, key, 2, 3, 0, 1));
     key = greater(key, __builtin_shufflevector(key, key, 1, 0, 3, 2));
-    const Lanes node = ~key & kNodeMask;
+    const FourNodes node = ~key & kNodeMask;
     low_.key &= low_.node != node;
     high_.key &= high_.node != node;
     return static_cast<std::uint32_t>(key[0]);

@@ -56,7 +56,7 @@ class Sixteenths {
 
  private:
   static constexpr std::uint32_t kWeights = FewUnitNeighbors::kMostWeight + 1;
-  static constexpr std::uint32_t kSums = FewUnitNeighbors::kMost + 3 * FewUnitNeighbors::kSeedWeight + 1;
+  static constexpr std::uint32_t kSums = FewCodes::kMost + 3 * FewUnitNeighbors::kSeedWeight + 1;
   std::array<std::array<std::uint8_t, kWeights>, kSums> of_{};
 };
 constexpr Sixteenths kSixteenths;
@@ -76,15 +76,12 @@ class Interpolator {
 
   Interpolation of(std::uint32_t node) {
     if (aggregates_.is_seed(node)) return Interpolation(aggregates_.of(node));
-    const std::uint32_t begin = fine_.offsets[node];
-    const std::uint32_t degree = fine_.offsets[node + 1] - begin;
-    if (degree > FewNeighbors::kMost || begin + std::size_t{FewNeighbors::kMost} > fine_.neighbors.size())
-      return rounded(of_many(begin, begin + degree));
-    const std::uint32_t* const neighbors = fine_.neighbors.data() + begin;
-    const std::uint32_t* const codes = aggregates_.codes.data();
-    if (fine_.has_unit_weights()) return rounded(FewUnitNeighbors(neighbors, degree, codes).favorites());
-    return rounded(
-        FewNeighbors(neighbors, fine_.weights.data() + begin, degree, codes, kSeedWeight).favorites());
+    if (!FewCodes::can_read(fine_, node))
+      return rounded(of_many(fine_.offsets[node], fine_.offsets[node + 1]));
+    const FewCodes codes(fine_, node, aggregates_.codes.data());
+    if (fine_.has_unit_weights()) return rounded(FewUnitNeighbors(codes).favorites());
+    const float* const weights = fine_.weights.data() + fine_.offsets[node];
+    return rounded(FewNeighbors(codes, weights, kSeedWeight).favorites());
   }
 
  private:
