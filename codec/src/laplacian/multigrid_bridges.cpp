@@ -4,15 +4,14 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "base/prefetch.h"
 #include "base/thread_team.h"
-#include "laplacian/multigrid_few_codes.h"
 
 namespace deltamesh::multigrid {
 namespace {
@@ -42,19 +41,17 @@ class RowMaker {
   RowMaker(const Level& fine, const Aggregates& aggregates, Level& coarse)
       : fine_(fine),
         codes_(aggregates.codes.data()),
-        nowhere_(aggregates.count()),
+        last_(aggregates.members.data() + aggregates.members.size()),
         coarse_(coarse),
-        sums_(nowhere_ + 1, 0),
-        touched_(nowhere_ + 1),
-        higher_sums_(nowhere_ + 1) {
-    sums_[nowhere_] = 1;
-  }
+        sums_(aggregates.count(), 0),
+        touched_(aggregates.count() + 1),
+        higher_sums_(aggregates.count() + 1) {}
 
   /// That of aggregate `c`, after the others.
   void add(std::uint32_t c, std::span<const std::uint32_t> members, Edges& edges) {
     sums_[c] = 1;  // no bridge leads there
-    std::uint32_t count = add_node<true>(members.front(), 0);
-    for (const std::uint32_t node : members.subspan(1)) count = add_node<false>(node, count);
+    std::uint32_t count = add_node<true>(members.data(), 0);
+    for (const std::uint32_t& member : members.subspan(1)) count = add_node<false>(&member, count);
     sums_[c] = 0;
     edges.make_room(count + 1);
     const Split split = split_bridges(c, count, edges);
@@ -77,37 +74,29 @@ class RowMaker {
     return kUnit * static_cast<float>(static_cast<std::int32_t>(sum));
   }
 
-  /// Adds the edges of a node, on top of `count` aggregates touched before; returns how many these are now.
+  /// Their neighbours are wanted so many members later.
+  static constexpr std::ptrdiff_t kAhead = 32;
+
+  /// Adds the edges of a member, on top of `count` aggregates touched before; returns how many these are now.
   template <bool kIsSeed>
-  std::uint32_t add_node(std::uint32_t node, std::uint32_t count) noexcept {
-    constexpr auto kToMember = static_cast<std::int32_t>(kShares[kIsSeed ? 1 : 0]);
-    constexpr std::int32_t kMoreToSeed = static_cast<std::int32_t>(kShares[kIsSeed ? 2 : 1]) - kToMember;
-    if (FewCodes::can_read(fine_, node)) {
-      const FewCodes neighbors(fine_, node, codes_);
-      for (const FewCodes::Half& half : {neighbors.low, neighbors.high}) {
-        const auto nowhere = static_cast<std::int32_t>(nowhere_);
-        const auto others = to_array((half.node & ~half.is_none) | (half.is_none & nowhere));
-        const auto shares = to_array((half.is_seed & kMoreToSeed) + kToMember);
-        for (std::size_t k = 0; k < 4; ++k) count = add_edge(others[k], shares[k], count);
-      }
-      return count;
-    }
-    for (std::uint32_t e = fine_.offsets[node]; e < fine_.offsets[node + 1]; ++e) {
-      const std::uint32_t code = codes_[fine_.neighbors[e]];
-      count = add_edge(code & ~Aggregates::kSeed, kToMember + kMoreToSeed * (code >> 31), count);
+  std::uint32_t add_node(const std::uint32_t* member, std::uint32_t count) noexcept {
+    const std::uint32_t node = *member;
+    if (last_ - member > kAhead) prefetch(&fine_.neighbors[fine_.offsets[member[kAhead]]]);
+    constexpr std::uint32_t kToMember = kShares[kIsSeed ? 1 : 0];
+    constexpr std::uint32_t kToSeed = kShares[kIsSeed ? 2 : 1];
+    std::uint32_t* const sums = sums_.data();
+    std::uint32_t* const touched = touched_.data();
+    const std::uint32_t* const codes = codes_;
+    const std::uint32_t* const end = fine_.neighbors.data() + fine_.offsets[node + 1];
+    for (const std::uint32_t* e = fine_.neighbors.data() + fine_.offsets[node]; e != end; ++e) {
+      const std::uint32_t code = codes[*e];
+      const std::uint32_t other = code & ~Aggregates::kSeed;
+      const std::uint32_t sum = sums[other];
+      touched[count] = other;
+      count += sum == 0 ? 1 : 0;
+      sums[other] = sum + (code >= Aggregates::kSeed ? kToSeed : kToMember);
     }
     return count;
-  }
-
-  static std::array<std::uint32_t, 4> to_array(FourNodes values) noexcept {
-    return std::bit_cast<std::array<std::uint32_t, 4>>(values);
-  }
-
-  std::uint32_t add_edge(std::uint32_t other, std::uint32_t share, std::uint32_t count) noexcept {
-    const std::uint32_t sum = sums_[other];
-    touched_[count] = other;
-    sums_[other] = sum + share;
-    return count + (sum == 0 ? 1 : 0);
   }
 
   /// Lists the aggregates touched from the end of `edges` on, first those below `c`, and clears the sums.
@@ -135,7 +124,8 @@ class RowMaker {
 
   const Level& fine_;
   const std::uint32_t* codes_;
-  std::uint32_t nowhere_;  ///< where a lane without a neighbour leads
+  const std::uint32_t* last_;  ///< end of all members
+  std::uint32_t nowhere_;      ///< where a lane without a neighbour leads
   Level& coarse_;
   LargeVector<std::uint32_t> sums_;         ///< by aggregates; 0 but for those touched
   LargeVector<std::uint32_t> touched_;      ///< one after the other, then those that are higher

@@ -34,9 +34,17 @@ SparseRows transpose(const Level& fine, std::uint32_t nodes) {
   return rows;
 }
 
+/// Nodes and edges.
+std::size_t count_terms(const Level& fine, std::span<const Entry> members) noexcept {
+  std::size_t count = members.size();
+  for (const Entry& member : members) count += fine.offsets[member.node + 1] - fine.offsets[member.node];
+  return count;
+}
+
 /// Row c of -P^T K, over fine nodes.
 template <bool kUnitWeights>
-RowSums sum_neighborhoods(const Level& fine, std::span<const Entry> members, RowSums row) {
+RowSums sum_neighborhoods(const Level& fine, std::span<const Entry> members, SumTable& table) {
+  RowSums row = table.row(count_terms(fine, members));
   const std::uint32_t* const neighbors = fine.neighbors.data();
   const float* const weights = fine.weights.data();
   for (const Entry& member : members) {
@@ -49,7 +57,8 @@ RowSums sum_neighborhoods(const Level& fine, std::span<const Entry> members, Row
 }
 
 /// Row c of -P^T K P from that of -P^T K.
-RowSums interpolate_row(const Level& fine, RowSums near, RowSums row) {
+RowSums interpolate_row(const Level& fine, RowSums near, SumTable& table) {
+  RowSums row = table.row(3 * std::size_t{near.count()});
   near.finish([&](std::uint32_t i, float factor) {
     const Interpolation& p = fine.interpolation[i];
     for (std::size_t k = 0; k < 3; ++k) row.add(p.node(k), factor * p.weight(k));
@@ -68,9 +77,9 @@ UpperHalf make_upper_half(const Level& fine, std::uint32_t nodes, std::size_t mo
     SumTable table(nodes);
     for (std::uint32_t c = begin; c < end && made.load(std::memory_order_relaxed) <= most; ++c) {
       const RowSums near = fine.has_unit_weights()
-                               ? sum_neighborhoods<true>(fine, members.of(c), near_table.row())
-                               : sum_neighborhoods<false>(fine, members.of(c), near_table.row());
-      RowSums row = interpolate_row(fine, near, table.row());
+                               ? sum_neighborhoods<true>(fine, members.of(c), near_table)
+                               : sum_neighborhoods<false>(fine, members.of(c), near_table);
+      RowSums row = interpolate_row(fine, near, table);
       const std::size_t before = rows.entries.size();
       float largest = 0;
       row.finish([&](std::uint32_t other, float sum) {

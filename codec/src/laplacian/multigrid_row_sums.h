@@ -4,6 +4,8 @@
 // One row of a sparse matrix at a time, from sums over columns met in any order.
 #pragma once
 
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 
@@ -11,43 +13,46 @@
 
 namespace deltamesh::multigrid {
 
-struct Sum {
-  float value = 0;
-  std::uint32_t is_touched = 0;
-};
-
 /// One row of a sparse matrix, sums over columns met in any order, in memory of a SumTable. To be held by
 /// value: its count then stays in a register.
 class RowSums {
  public:
-  RowSums(Sum* sums, std::uint32_t* touched) : sums_(sums), touched_(touched) {}
+  RowSums(float* sums, std::uint32_t* touched) : sums_(sums), touched_(touched) {}
 
   void add(std::uint32_t column, float value) noexcept {
-    Sum& sum = sums_[column];
+    float& sum = sums_[column];
     touched_[count_] = column;
-    count_ += 1 - sum.is_touched;  // no branch: it could not be predicted
-    sum.is_touched = 1;
-    sum.value += value;
+    count_ += std::bit_cast<std::uint32_t>(sum) == 0 ? 1 : 0;  // no branch: it could not be predicted
+    sum += value;
   }
 
-  /// Calls take(column, sum) for every column in the order of first mention, and clears the row.
+  /// Calls take(column, sum) for every column in the order of first mention, and clears the row. A sum that
+  /// was 0 in between comes again, as 0.
   template <class Take>
   void finish(const Take& take) {
-    for (std::uint32_t k = 0; k < count_; ++k) take(touched_[k], std::exchange(sums_[touched_[k]], {}).value);
+    for (std::uint32_t k = 0; k < count_; ++k) take(touched_[k], std::exchange(sums_[touched_[k]], 0.0F));
     count_ = 0;
   }
 
+  /// As many as finish() will call for.
+  std::uint32_t count() const noexcept { return count_; }
+
  private:
-  Sum* sums_;
+  float* sums_;
   std::uint32_t* touched_;
   std::uint32_t count_ = 0;
 };
 
 struct SumTable {
-  explicit SumTable(std::uint32_t columns) : sums(columns, Sum{}), touched(columns + 1) {}
-  RowSums row() noexcept { return {sums.data(), touched.data()}; }
+  explicit SumTable(std::uint32_t columns) : sums(columns, 0.0F) {}
 
-  LargeVector<Sum> sums;
+  /// `most`: what will be added.
+  RowSums row(std::size_t most) {
+    if (touched.size() <= most) touched.resize(2 * most + 1);
+    return {sums.data(), touched.data()};
+  }
+
+  LargeVector<float> sums;
   LargeVector<std::uint32_t> touched;
 };
 
