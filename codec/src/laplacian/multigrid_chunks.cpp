@@ -18,23 +18,41 @@ constexpr std::uint32_t kNodesPerChunk = std::uint32_t{1} << 18;
 constexpr std::uint32_t kFewestChunks = 4;
 
 struct Range {
-  std::uint32_t begin;
-  std::uint32_t end;
-  bool has(std::uint32_t node) const noexcept { return node - begin < end - begin; }
+  std::uint32_t begin = 0;
+  std::uint32_t size = 0;
+  bool has(std::uint32_t node) const noexcept { return node - begin < size; }
 };
 
-bool is_between(const Level& level, std::uint32_t node, const Range& own, const Range& coarse) noexcept {
-  const std::uint32_t begin = level.offsets[node];
-  const std::uint32_t end = level.offsets[node + 1];
-  bool is_inside = true;
-  if (level.has_unit_weights()) {  // neighbours ascend
-    is_inside = begin == end || (own.has(level.neighbors[begin]) && own.has(level.neighbors[end - 1]));
+/// Whether all neighbours of `node` are in its chunk.
+template <bool kHasUnitWeights>
+bool is_among_own(const Level& level, std::uint32_t node, Range own) noexcept {
+  const std::uint32_t* const begin = level.neighbors.data() + level.offsets[node];
+  const std::uint32_t* const end = level.neighbors.data() + level.offsets[node + 1];
+  if constexpr (kHasUnitWeights) {  // neighbours ascend
+    return begin == end || (own.has(*begin) && own.has(end[-1]));
   } else {
-    for (std::uint32_t e = begin; e < end; ++e) is_inside &= own.has(level.neighbors[e]);
+    return std::all_of(begin, end, [&](std::uint32_t neighbor) { return own.has(neighbor); });
   }
-  if (level.interpolation.empty()) return !is_inside;
-  const Interpolation& p = level.interpolation[node];
-  return !(is_inside && coarse.has(p.node(0)) && coarse.has(p.node(1)) && coarse.has(p.node(2)));
+}
+
+Range range_of(const std::vector<std::uint32_t>& bounds, std::uint32_t chunk) noexcept {
+  return {bounds[chunk], bounds[chunk + 1] - bounds[chunk]};
+}
+
+bool is_from(Range coarse, const Interpolation& p) noexcept {
+  return coarse.has(p.node(0)) && coarse.has(p.node(1)) && coarse.has(p.node(2));
+}
+
+template <bool kHasUnitWeights>
+std::vector<std::uint32_t> find_rim(const Level& level, Range own, Range coarse) {
+  std::vector<std::uint32_t> rim;
+  const std::span<const Interpolation> interpolation = level.interpolation;
+  for (std::uint32_t node = own.begin; own.has(node); ++node) {
+    if (!is_among_own<kHasUnitWeights>(level, node, own) ||
+        (!interpolation.empty() && !is_from(coarse, interpolation[node])))
+      rim.push_back(node);
+  }
+  return rim;
 }
 
 }  // namespace
@@ -47,11 +65,10 @@ Chunks make_chunks(const Level& level, std::vector<std::uint32_t> bounds,
   if (chunks.count() == 1) return chunks;
   std::vector<std::vector<std::uint32_t>> rims(chunks.count());
   share_work(chunks.count(), [&](std::uint32_t k) {
-    const Range own{chunks.bounds[k], chunks.bounds[k + 1]};
-    const Range coarse = coarse_bounds.empty() ? Range{} : Range{coarse_bounds[k], coarse_bounds[k + 1]};
-    for (std::uint32_t node = own.begin; node < own.end; ++node) {
-      if (is_between(level, node, own, coarse)) rims[k].push_back(node);
-    }
+    const Range own = range_of(chunks.bounds, k);
+    const Range coarse = coarse_bounds.empty() ? Range{} : range_of(coarse_bounds, k);
+    rims[k] =
+        level.has_unit_weights() ? find_rim<true>(level, own, coarse) : find_rim<false>(level, own, coarse);
   });
   chunks.is_on_rim.resize(level.node_count());
   for (std::uint32_t k = 0; k < chunks.count(); ++k) {

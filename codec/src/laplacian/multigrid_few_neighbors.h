@@ -33,8 +33,8 @@ class FewNeighbors {
     Half high{high_.node, Float4{}};
     add_equal<0, 1, 2, 3>(low_, low, high);
     add_equal<0, 1, 2, 3>(high_, low, high);
-    low.weight = with_lanes(low.weight, FourNodes{7, 6, 5, 4});
-    high.weight = with_lanes(high.weight, FourNodes{3, 2, 1, 0});
+    low.weight = with_lanes(low.weight, FourInts{7, 6, 5, 4});
+    high.weight = with_lanes(high.weight, FourInts{3, 2, 1, 0});
     const Found a = take_heaviest(low, high);
     const Found b = take_heaviest(low, high);
     const Found c = take_heaviest(low, high);
@@ -45,7 +45,7 @@ class FewNeighbors {
 
  private:
   struct Half {
-    FourNodes node;
+    FourInts node;
     Float4 weight;
   };
   struct Found {
@@ -61,17 +61,17 @@ class FewNeighbors {
     return {codes.node, masked(weight * factor, ~codes.is_none)};
   }
 
-  static Float4 masked(Float4 values, FourNodes mask) noexcept {
-    return std::bit_cast<Float4>(std::bit_cast<FourNodes>(values) & mask);
+  static Float4 masked(Float4 values, FourInts mask) noexcept {
+    return std::bit_cast<Float4>(std::bit_cast<FourInts>(values) & mask);
   }
-  static Float4 with_lanes(Float4 values, FourNodes lanes) noexcept {
-    return std::bit_cast<Float4>((std::bit_cast<FourNodes>(values) & ~kLane) | lanes);
+  static Float4 with_lanes(Float4 values, FourInts lanes) noexcept {
+    return std::bit_cast<Float4>((std::bit_cast<FourInts>(values) & ~kLane) | lanes);
   }
 
   /// Adds the weights of `from`, each to all that belong to the same aggregate.
   template <int... kLanes>
   static void add_equal(const Half& from, Half& low, Half& high) noexcept {
-    const auto add = [&](FourNodes node, Float4 weight) {
+    const auto add = [&](FourInts node, Float4 weight) {
       low.weight += masked(weight, low.node == node);
       high.weight += masked(weight, high.node == node);
     };

@@ -34,8 +34,8 @@ class FewUnitNeighbors {
   explicit FewUnitNeighbors(const FewCodes& codes) noexcept
       : low_{.node = codes.low.node | codes.low.is_none},
         high_{.node = codes.high.node | codes.high.is_none} {
-    FourNodes sum_low = codes.low.is_seed & kMoreOfSeed;
-    FourNodes sum_high = codes.high.is_seed & kMoreOfSeed;
+    FourInts sum_low = codes.low.is_seed & kMoreOfSeed;
+    FourInts sum_high = codes.high.is_seed & kMoreOfSeed;
     count_equal<0, 1, 2, 3>(low_.node, sum_low, sum_high);
     count_equal<0, 1, 2, 3>(high_.node, sum_low, sum_high);
     low_.key = make_key(sum_low, low_.node) & ~codes.low.is_none;
@@ -55,22 +55,22 @@ class FewUnitNeighbors {
 
  private:
   struct Half {
-    FourNodes node;  ///< -1 where there is no neighbour
-    FourNodes
+    FourInts node;  ///< -1 where there is no neighbour
+    FourInts
         key{};  ///< the sum, above what lacks the node of the highest; only that of a seed's lane is whole
   };
   static constexpr std::int32_t kMoreOfSeed = kSeedWeight - 1;
   static constexpr int kNodeBits = std::countr_zero(kMostNodes);
   static constexpr std::int32_t kNodeMask = kMostNodes - 1;
 
-  static FourNodes make_key(FourNodes sum, FourNodes node) noexcept {
+  static FourInts make_key(FourInts sum, FourInts node) noexcept {
     return sum << kNodeBits | (~node & kNodeMask);
   }
 
   /// Counts every lane of `from` in all that belong to the same aggregate.
   template <int... kLanes>
-  void count_equal(FourNodes from, FourNodes& sum_low, FourNodes& sum_high) const noexcept {
-    const auto add = [&](FourNodes node) {
+  void count_equal(FourInts from, FourInts& sum_low, FourInts& sum_high) const noexcept {
+    const auto add = [&](FourInts node) {
       sum_low -= low_.node == node;  // true is -1
       sum_high -= high_.node == node;
     };
@@ -78,18 +78,18 @@ class FewUnitNeighbors {
   }
 
   /// Of keys, which as floats are in the same order; older processors have no instruction for integers.
-  static FourNodes greater(FourNodes a, FourNodes b) noexcept {
+  static FourInts greater(FourInts a, FourInts b) noexcept {
     const auto x = std::bit_cast<Float4>(a);
     const auto y = std::bit_cast<Float4>(b);
-    return std::bit_cast<FourNodes>(x > y ? x : y);
+    return std::bit_cast<FourInts>(x > y ? x : y);
   }
 
   /// The greatest key; leaves none of that aggregate.
   std::uint32_t take_heaviest() noexcept {
-    FourNodes key = greater(low_.key, high_.key);
+    FourInts key = greater(low_.key, high_.key);
     key = greater(key, __builtin_shufflevector(key, key, 2, 3, 0, 1));
     key = greater(key, __builtin_shufflevector(key, key, 1, 0, 3, 2));
-    const FourNodes node = ~key & kNodeMask;
+    const FourInts node = ~key & kNodeMask;
     low_.key &= low_.node != node;
     high_.key &= high_.node != node;
     return static_cast<std::uint32_t>(key[0]);
