@@ -76,7 +76,7 @@ class Interpolator {
 
   Interpolation of(std::uint32_t node) {
     if (aggregates_.is_seed(node)) return Interpolation(aggregates_.of(node));
-    if (!FewCodes::can_read(fine_, node))
+    if (!FewCodes::can_read(fine_, node) || aggregates_.count() > FewUnitNeighbors::kMostNodes)
       return rounded(of_many(fine_.offsets[node], fine_.offsets[node + 1]));
     const FewCodes codes(fine_, node, aggregates_.codes.data());
     if (fine_.has_unit_weights()) return rounded(FewUnitNeighbors(codes).favorites());
