@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/prefetch.h"
 #include "laplacian/multigrid_row_sums.h"
 #include "laplacian/multigrid_upper_half.h"
 
@@ -34,17 +35,22 @@ SparseRows transpose(const Level& fine, std::uint32_t nodes) {
   return rows;
 }
 
-/// Nodes and edges.
-std::size_t count_terms(const Level& fine, std::span<const Entry> members) noexcept {
+/// Has the rows of `members` fetched; returns how many nodes and edges these are.
+std::size_t fetch_rows(const Level& fine, std::span<const Entry> members) noexcept {
   std::size_t count = members.size();
-  for (const Entry& member : members) count += fine.offsets[member.node + 1] - fine.offsets[member.node];
+  for (const Entry& member : members) {
+    const std::uint32_t begin = fine.offsets[member.node];
+    count += fine.offsets[member.node + 1] - begin;
+    prefetch(fine.neighbors.data() + begin);
+    if (!fine.has_unit_weights()) prefetch(fine.weights.data() + begin);
+  }
   return count;
 }
 
 /// Row c of -P^T K, over fine nodes.
 template <bool kUnitWeights>
 RowSums sum_neighborhoods(const Level& fine, std::span<const Entry> members, SumTable& table) {
-  RowSums row = table.row(count_terms(fine, members));
+  RowSums row = table.row(fetch_rows(fine, members));
   const std::uint32_t* const neighbors = fine.neighbors.data();
   const float* const weights = fine.weights.data();
   for (const Entry& member : members) {
