@@ -59,7 +59,8 @@ Solved run(const Problem& problem, const Make& make, int half_cycles = 0) {
 /// What an encoder would tell its decoders; 0 where it leaves it to them.
 int plan_half_cycles(const Problem& problem, const std::vector<Vec3>& settled) {
   const std::size_t count = problem.positions.size();
-  const SolvedPart rows{.graph = problem.part.graph, .row_count = count, .whole_count = count};
+  SolvedPart rows{.graph = problem.part.graph, .row_count = count, .whole_count = count};
+  rows.vertices.append(0, static_cast<std::uint32_t>(count));
   return fewest_half_cycles([&](int half_cycles) {
     const Solved solved = run(problem, make_multigrid_solver, half_cycles);
     return is_as_good(rows, problem.positions, settled, solved.x, 0);
