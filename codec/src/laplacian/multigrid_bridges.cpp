@@ -81,7 +81,7 @@ class RowMaker {
   template <bool kIsSeed>
   std::uint32_t add_node(const std::uint32_t* member, std::uint32_t count) noexcept {
     const std::uint32_t node = *member;
-    if (last_ - member > kAhead) prefetch(&fine_.neighbors[fine_.offsets[member[kAhead]]]);
+    if (last_ - member > kAhead) prefetch(fine_.neighbors.data() + fine_.offsets[member[kAhead]]);
     constexpr std::uint32_t kToMember = kShares[kIsSeed ? 1 : 0];
     constexpr std::uint32_t kToSeed = kShares[kIsSeed ? 2 : 1];
     std::uint32_t* const sums = sums_.data();
@@ -125,7 +125,6 @@ class RowMaker {
   const Level& fine_;
   const std::uint32_t* codes_;
   const std::uint32_t* last_;  ///< end of all members
-  std::uint32_t nowhere_;      ///< where a lane without a neighbour leads
   Level& coarse_;
   LargeVector<std::uint32_t> sums_;         ///< by aggregates; 0 but for those touched
   LargeVector<std::uint32_t> touched_;      ///< one after the other, then those that are higher

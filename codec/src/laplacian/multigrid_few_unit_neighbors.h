@@ -56,13 +56,14 @@ class FewUnitNeighbors {
  private:
   struct Half {
     FourInts node;  ///< -1 where there is no neighbour
-    FourInts
-        key{};  ///< the sum, above what lacks the node of the highest; only that of a seed's lane is whole
+    FourInts key{};
   };
   static constexpr std::int32_t kMoreOfSeed = kSeedWeight - 1;
   static constexpr int kNodeBits = std::countr_zero(kMostNodes);
   static constexpr std::int32_t kNodeMask = kMostNodes - 1;
 
+  /// The sum, above what the node is short of the highest. Where one of an aggregate's lanes is the seed's,
+  /// only the sum of that is whole, and the greatest.
   static FourInts make_key(FourInts sum, FourInts node) noexcept {
     return sum << kNodeBits | (~node & kNodeMask);
   }

@@ -41,7 +41,7 @@ Interpolation rounded(const Favorites& from) noexcept {
   return {{from.nodes[0], from.nodes[second > 0 ? 1 : 0], from.nodes[third > 0 ? 2 : 0]}, second, third};
 }
 
-/// rounded(), for all that FewUnitNeighbors can find: `weight` of a sum in sixteenths.
+/// `weight` of a sum in sixteenths, for all that FewUnitNeighbors can find.
 class Sixteenths {
  public:
   constexpr Sixteenths() {
@@ -72,11 +72,14 @@ Interpolation rounded(const UnitFavorites& from) noexcept {
 class Interpolator {
  public:
   Interpolator(const Level& fine, const Aggregates& aggregates)
-      : fine_(fine), aggregates_(aggregates), sums_(aggregates.count(), 0.0F) {}
+      : fine_(fine),
+        aggregates_(aggregates),
+        are_too_many_(aggregates.count() > FewUnitNeighbors::kMostNodes),
+        sums_(aggregates.count(), 0.0F) {}
 
   Interpolation of(std::uint32_t node) {
     if (aggregates_.is_seed(node)) return Interpolation(aggregates_.of(node));
-    if (!FewCodes::can_read(fine_, node) || aggregates_.count() > FewUnitNeighbors::kMostNodes)
+    if (!FewCodes::can_read(fine_, node) || are_too_many_)
       return rounded(of_many(fine_.offsets[node], fine_.offsets[node + 1]));
     const FewCodes codes(fine_, node, aggregates_.codes.data());
     if (fine_.has_unit_weights()) return rounded(FewUnitNeighbors(codes).favorites());
@@ -98,6 +101,7 @@ class Interpolator {
 
   const Level& fine_;
   const Aggregates& aggregates_;
+  bool are_too_many_;
   LargeVector<float> sums_;             ///< by aggregates; 0 between nodes
   std::vector<std::uint32_t> touched_;  ///< aggregates with a sum
 };
