@@ -57,7 +57,7 @@ Result<void> read_part(std::span<const std::byte> bytes, const Adjacency& graph,
     deltas.put(part.begin + v, q);
     deltas.put(middle + v, p);
   }
-  if ((part.end - part.begin) % 2 != 0) {
+  if ((part.end - part.begin) % 2 != 0 && !reader.failed()) {
     FieldNumbers q{};
     if (!field.code_last(middle - 1, q)) return delta_beyond_range();
     deltas.put(middle - 1, q);
