@@ -129,7 +129,7 @@ TEST(Units, KeepPositionsToTheirLastBit) {
   const Vec3 position = units.position(counts);
   EXPECT_EQ(position[0], 0.25 * 999.5);
   EXPECT_EQ(position[1], 0.25 * -0.125);
-  const multigrid::Float4 steps = units.steps(counts);
+  const multigrid::Float4 steps = units.steps(multigrid::Units::floats(counts));
   EXPECT_EQ(steps[0], 999.5F);
   EXPECT_EQ(steps[1], -0.125F);
 }

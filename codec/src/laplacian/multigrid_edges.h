@@ -51,6 +51,11 @@ class Edges {
     return add_all(node, values, Float4{});
   }
 
+  /// `first` and `factor` times what all neighbours add up to.
+  Float4 add_scaled(std::uint32_t node, const Float4* values, Float4 first, float factor) const noexcept {
+    return first + factor * sum(node, values);
+  }
+
   /// What higher neighbours add up to.
   Float4 upper(std::uint32_t node, const Float4* values) const noexcept {
     return add_pairs(middle_[node], offsets_[node + 1], At{values}, Float4{});

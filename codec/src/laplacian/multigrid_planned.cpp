@@ -184,13 +184,14 @@ void PlannedCycles::sweep_finest(const DeltaView& deltas, std::span<const float>
   const Level& finest = levels_[0];
   const UnitEdges edges(finest);
   const DeltaCounts counts(deltas, units_.bits());
-  // D (delta - L x) - D^2 s, of whole numbers as far as these go.
+  // D (delta - L x) - D^2 s in units, of whole numbers as far as these go.
   const auto residual = [&](std::uint32_t i) {
     const Counts charge = edges.sum(i, x_.data()) + edges.neighbor_count(i) * (counts[i] - x_[i]);
     const float degree = edges.degree(i);
-    return units_.steps(charge) - degree * degree * finest.interpolation[i].of(s_second_);
+    return Units::floats(charge) -
+           units_.per_step() * degree * degree * finest.interpolation[i].of(s_second_);
   };
-  const auto keep = [&](std::uint32_t i, Float4 step) { x_[i] += units_.count(step); };
+  const auto keep = [&](std::uint32_t i, Float4 step) { x_[i] += Units::nearest(step); };
   sweep(finest, edges, relaxation, residual, residual, step_, keep);
 }
 
@@ -198,7 +199,8 @@ void PlannedCycles::cycle(const DeltaView& deltas, std::span<const Vec3> targets
   const Level& finest = levels_[0];
   sweep_finest(deltas, kFinestSweeps);
   restrict_to_second([&](const auto& take) {
-    take_residuals(finest, UnitEdges(finest), kFinestSweeps.back(), step_, take);
+    take_residuals(finest, UnitEdges(finest), kFinestSweeps.back(), step_,
+                   [&](std::uint32_t i, Float4 residual) { take(i, units_.steps(residual)); });
   });
   for (std::size_t a = 0; a < targets.size(); ++a) {
     gaps_[a] = in_steps(targets[a] - units_.position(x_[finest.anchors[a]]), deltas);

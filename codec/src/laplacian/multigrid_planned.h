@@ -60,7 +60,7 @@ class PlannedCycles {
   LevelSolver solver_;
   Units units_{DeltaView{}, 0};
   LargeVector<Counts> x_;            ///< finest level; none between solutions
-  LargeVector<Float4> step_;         ///< finest level: what the last sweep added, and a 0
+  LargeVector<Float4> step_;         ///< finest level: what the last sweep added, in units, and a 0
   LargeVector<Float4> b_;            ///< second level: right-hand side; empty where c is that
   LargeVector<Float4> step_second_;  ///< likewise
   LargeVector<Float4> u_;            ///< second level: correction of x

@@ -36,7 +36,7 @@ void sweep(const Level& level, const AnyEdges& edges, std::span<const float> rel
     level.chunks.visit([&](std::uint32_t i) {
       const float inverse = edges.inverse_degree(i);
       if (inverse == 0) return;
-      step[i] = own * step[i] + by * inverse * edges.sum(i, step.data());
+      step[i] = edges.add_scaled(i, step.data(), own * step[i], by * inverse);
       keep(i, step[i]);
     });
   }

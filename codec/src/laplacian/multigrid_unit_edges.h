@@ -33,6 +33,14 @@ class UnitEdges {
     return sum_of<Four>(node, [=](std::uint32_t other) { return values[other]; });
   }
 
+  /// `first` and `factor` times what all neighbours add up to.
+  Float4 add_scaled(std::uint32_t node, const Float4* values, Float4 first, float factor) const noexcept {
+    const std::uint32_t* const n = neighbors_ + offsets_[node];
+    const auto value = [=](std::uint32_t other) { return values[other]; };
+    if (neighbor_count(node) != 6) return first + factor * sum(node, values);
+    return (first + factor * all_but_third<Float4>(n, value)) + factor * value(n[2]);
+  }
+
   /// What higher neighbours add up to. `values`: one more than there are nodes, the last being 0.
   Float4 upper(std::uint32_t node, const Float4* values) const noexcept {
     const std::uint32_t none = node_count_;
@@ -46,12 +54,18 @@ class UnitEdges {
   }
 
  private:
+  /// Of six neighbours in ascending order, half of which are mostly lower ones: then the third is the one
+  /// that was done last, and nothing but its own term waits for it.
+  template <class Four, class Value>
+  static Four all_but_third(const std::uint32_t* n, const Value& value) noexcept {
+    return (value(n[0]) + value(n[1])) + (value(n[3]) + value(n[4])) + value(n[5]);
+  }
+
   template <class Four, class Value>
   Four sum_of(std::uint32_t node, const Value& value) const noexcept {
     const std::uint32_t* const n = neighbors_ + offsets_[node];
     const std::uint32_t count = neighbor_count(node);
-    if (count == 6)
-      return (value(n[0]) + value(n[1])) + (value(n[2]) + value(n[3])) + (value(n[4]) + value(n[5]));
+    if (count == 6) return all_but_third<Four>(n, value) + value(n[2]);
     Four sum{};
     for (std::uint32_t k = 0; k < count; ++k) sum += value(n[k]);
     return sum;

@@ -32,12 +32,14 @@ class Units {
 
   int bits() const noexcept { return bits_; }
 
-  /// The nearest whole number, of two that of the even one; -2^31 where there is none.
-  Counts count(Float4 steps) const noexcept {
-    return reinterpret_cast<Counts>(nearest_lanes(per_step_ * steps));
-  }
+  float per_step() const noexcept { return per_step_; }
 
-  Float4 steps(Counts counts) const noexcept { return step_ * to_floats(reinterpret_cast<FourInts>(counts)); }
+  /// Of units to whole ones: the nearest, of two the even one; -2^31 where there is none.
+  static Counts nearest(Float4 units) noexcept { return reinterpret_cast<Counts>(nearest_lanes(units)); }
+  Counts count(Float4 steps) const noexcept { return nearest(per_step_ * steps); }
+
+  static Float4 floats(Counts counts) noexcept { return to_floats(reinterpret_cast<FourInts>(counts)); }
+  Float4 steps(Float4 units) const noexcept { return step_ * units; }
 
   /// Model units.
   Vec3 position(Counts counts) const noexcept {
