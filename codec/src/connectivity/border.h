@@ -35,7 +35,7 @@ class Border {
   std::vector<std::uint32_t> take_faces() noexcept;
 
   /// Edges of one face, in its direction, over manifold vertices: closed loops once all gaps are finished.
-  std::vector<DirectedEdge> take_open_edges() noexcept { return std::move(open_edges_); }
+  LargeVector<DirectedEdge> take_open_edges() noexcept { return std::move(open_edges_); }
 
   /// Room for a mesh of this size, so that nothing moves while it grows.
   void reserve(std::size_t vertices, std::size_t faces);
@@ -124,7 +124,7 @@ class Border {
   std::uint32_t last_focus_faces_ = 6;
   LargeVector<BorderItem> items_;     ///< and room for three with each face that there is room for
   std::vector<std::uint32_t> faces_;  ///< three for each face, and room for some more
-  std::vector<DirectedEdge> open_edges_;
+  LargeVector<DirectedEdge> open_edges_;
   GapQueue gaps_;
 };
 

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "base/large_vector.h"
 #include "deltamesh/result.h"
 #include "entropy/payload.h"
 #include "topology/vertex_runs.h"
@@ -43,7 +44,7 @@ CodedConnectivity write_connectivity(std::span<const std::uint32_t> triangles, s
 struct Connectivity {
   std::vector<std::uint32_t> triangles;  ///< m x 3 vertices
   /// Edges of a face that have none in the other direction, but for what gluing brought together.
-  std::vector<DirectedEdge> open_edges;
+  LargeVector<DirectedEdge> open_edges;
   VertexRuns runs;  ///< of connected vertices
 };
 

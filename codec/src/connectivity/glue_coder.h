@@ -111,7 +111,7 @@ class GlueCoder {
   /// manifold vertex; read by a writer, filled in by a reader. False where a target is not there yet, or
   /// `stop`. Once. O(faces log faces).
   template <class Stop>
-  bool code(std::vector<std::uint32_t>& vertex, Stop stop) {
+  bool code(std::span<std::uint32_t> vertex, Stop stop) {
     const std::span<const std::uint32_t> faces = faces_;
     for (std::size_t f = 0; f < faces.size(); f += 3) {
       std::array<std::uint32_t, 3> face{};

@@ -31,10 +31,10 @@ Result<void> check_glue_count(std::uint64_t count, std::uint32_t manifold_count,
   return {};
 }
 
-Result<std::vector<std::uint32_t>> glue_vertices(const GlueList& list, std::uint32_t manifold_count,
+Result<LargeVector<std::uint32_t>> glue_vertices(const GlueList& list, std::uint32_t manifold_count,
                                                  std::uint32_t vertex_count) {
   DELTAMESH_CHECK(check_glue_count(list.gaps.size(), manifold_count, vertex_count));
-  std::vector<std::uint32_t> vertex;
+  LargeVector<std::uint32_t> vertex;
   if (list.gaps.empty()) return vertex;
   vertex.reserve(manifold_count);
   std::uint32_t fresh = 0;
@@ -95,7 +95,7 @@ void write_compact_gluing(CompactWriter& writer, const GlueList& list, std::span
   }
 }
 
-Result<std::vector<std::uint32_t>> read_compact_gluing(CompactReader& reader,
+Result<LargeVector<std::uint32_t>> read_compact_gluing(CompactReader& reader,
                                                        std::span<const std::uint32_t> faces,
                                                        std::uint32_t manifold_count,
                                                        std::uint32_t vertex_count) {
@@ -103,7 +103,7 @@ Result<std::vector<std::uint32_t>> read_compact_gluing(CompactReader& reader,
   const std::uint32_t count = reader.number(0, counts);
   DELTAMESH_CHECK(check_glue_count(count, manifold_count, vertex_count));
   if (is_dense(count, manifold_count)) {
-    std::vector<std::uint32_t> vertex(manifold_count);
+    LargeVector<std::uint32_t> vertex(manifold_count, 0);
     GlueCoder glue(reader, faces, manifold_count);
     if (!glue.code(vertex, [&] { return reader.failed(); }) && !reader.failed())
       return invalid("glued to a vertex yet to come");
@@ -117,7 +117,7 @@ Result<std::vector<std::uint32_t>> read_compact_gluing(CompactReader& reader,
     list.gaps.push_back(reader.number(0, gaps));
     list.targets.push_back(reader.number(0, targets));
   }
-  if (reader.failed()) return std::vector<std::uint32_t>{};
+  if (reader.failed()) return LargeVector<std::uint32_t>{};
   return glue_vertices(list, manifold_count, vertex_count);
 }
 

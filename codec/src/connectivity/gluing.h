@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "base/large_vector.h"
 #include "deltamesh/result.h"
 #include "entropy/compact_reader.h"
 #include "entropy/compact_writer.h"
@@ -23,7 +24,7 @@ struct GlueList {
 
 /// Vertex of every manifold vertex, or nothing where none is glued, so that each is its own. Errors:
 /// kInvalidStream [CONN-11].
-Result<std::vector<std::uint32_t>> glue_vertices(const GlueList& list, std::uint32_t manifold_count,
+Result<LargeVector<std::uint32_t>> glue_vertices(const GlueList& list, std::uint32_t manifold_count,
                                                  std::uint32_t vertex_count);
 
 /// Manifold vertices become vertices. `vertex`: as from glue_vertices().
@@ -44,7 +45,7 @@ void write_compact_gluing(CompactWriter& writer, const GlueList& list, std::span
                           std::vector<std::uint32_t> vertex);
 
 /// As glue_vertices(); made up where the reader failed. Errors: kInvalidStream [CONN-11].
-Result<std::vector<std::uint32_t>> read_compact_gluing(CompactReader& reader,
+Result<LargeVector<std::uint32_t>> read_compact_gluing(CompactReader& reader,
                                                        std::span<const std::uint32_t> faces,
                                                        std::uint32_t manifold_count,
                                                        std::uint32_t vertex_count);

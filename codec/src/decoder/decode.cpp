@@ -10,6 +10,7 @@
 #include "attributes/attribute.h"
 #include "base/checked.h"
 #include "base/guard.h"
+#include "base/large_vector.h"
 #include "base/memory_pool.h"
 #include "base/task.h"
 #include "base/thread_team.h"
@@ -139,7 +140,7 @@ class StreamDecoder {
   Result<LargeVector<Vec3>> read_solved(std::span<const std::uint32_t> triangles) {
     Adjacency graph = build_adjacency(triangles, open_edges_, header_.geometric_vertices);
     geometric_triangles_ = std::vector<std::uint32_t>();  // which {} would not free
-    if (header_.attributes == 0) open_edges_ = std::vector<DirectedEdge>();
+    if (header_.attributes == 0) open_edges_ = LargeVector<DirectedEdge>();
     Components components = runs_.components(header_.geometric_vertices);
     DELTAMESH_TRY(const auto deltas, expand_single(container_, kTagDeltas, max_payload(header_)));
     DELTAMESH_TRY(const auto anchors, expand_single(container_, kTagAnchors, max_payload(header_)));
@@ -175,7 +176,7 @@ class StreamDecoder {
   const FileHeader& header_;
   const DecodeOptions& options_;
   std::vector<std::uint32_t> geometric_triangles_;  ///< empty where no vertex is split
-  std::vector<DirectedEdge> open_edges_;            ///< of the geometric faces
+  LargeVector<DirectedEdge> open_edges_;            ///< of the geometric faces
   VertexRuns runs_;                                 ///< of the geometric vertices
   std::vector<std::uint32_t> copies_;               ///< geometric vertex of every vertex; likewise
 };
