@@ -9,6 +9,9 @@
 namespace deltamesh {
 namespace {
 
+/// Neighbours that are renumbered at once: if one of them is not in their run, they are gone through again.
+constexpr std::uint32_t kAtOnce = 256;
+
 /// Vertices become rows; most of them are in `run`.
 void renumber(std::span<std::uint32_t> vertices, const VertexSubset::Run& run, const VertexSubset& kept) {
   const std::uint32_t size = run.size();
@@ -35,7 +38,8 @@ std::uint32_t take_rows(const Adjacency& graph, const VertexSubset& kept, Adjace
     std::uint32_t* const neighbors = part.neighbors.data() + written;
     if (neighbors != graph.neighbors.data() + from)
       std::copy_n(graph.neighbors.data() + from, count, neighbors);
-    renumber({neighbors, count}, run, kept);
+    for (std::uint32_t i = 0; i < count; i += kAtOnce)
+      renumber({neighbors + i, std::min(kAtOnce, count - i)}, run, kept);
     written += count;
   }
   return written;
