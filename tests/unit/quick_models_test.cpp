@@ -92,7 +92,7 @@ TEST(QuickNumbers, CMP14ReadsAnyNumber) {
   PairReader reader(bytes);
   std::vector<std::int64_t> back(numbers.size());
   code(reader, back);
-  EXPECT_TRUE(reader.finish(0));
+  EXPECT_TRUE(reader.finish(0, 0));
   EXPECT_EQ(back, numbers);
 }
 
@@ -101,12 +101,12 @@ TEST(PairReader, CMP3RefusesStatesOutOfRange) {
     const std::vector<std::byte> few(size);
     const PairReader reader(few);
     EXPECT_TRUE(reader.failed());
-    EXPECT_FALSE(reader.finish(0));
+    EXPECT_FALSE(reader.finish(0, 0));
   }
   std::vector<std::byte> bytes(16);
   EXPECT_TRUE(PairReader(bytes).failed());
   bytes[3] = bytes[11] = std::byte{0x80};  // both 2^31: a stream without decisions
-  EXPECT_TRUE(PairReader(bytes).finish(0));
+  EXPECT_TRUE(PairReader(bytes).finish(0, 0));
   bytes[15] = std::byte{0x80};
   EXPECT_TRUE(PairReader(bytes).failed());
 }

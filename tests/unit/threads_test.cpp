@@ -69,6 +69,30 @@ TEST(Threads, GiveTheSameBitsOfLargeMeshes) {
   expect_same_for_all_counts(*mesh, {.geometry = GeometryCoder::kPredictive, .effort = 0});
 }
 
+/// From its callback, on the thread that has the team.
+TEST(Threads, ADecodeMayBeMadeWithinAnother) {
+  const auto mesh = generate_scene(*scene_of_name("sphere"), 80000, 1);
+  ASSERT_TRUE(mesh);
+  const auto encoded = encode(*mesh, {.geometry = GeometryCoder::kHighpass, .effort = 0});
+  ASSERT_TRUE(encoded) << describe(encoded.error());
+  const auto alone = decode(encoded->bytes);
+  ASSERT_TRUE(alone);
+  for (const unsigned inner_threads : {1U, 2U}) {
+    SCOPED_TRACE(inner_threads);
+    int calls = 0;
+    const auto decode_again = [&](double) {
+      const auto inner = decode(encoded->bytes, {.threads = inner_threads});
+      ASSERT_TRUE(inner) << describe(inner.error());
+      expect_same(*inner, *alone);
+      ++calls;
+    };
+    const auto outer = decode(encoded->bytes, {.threads = 2, .progress = decode_again});
+    ASSERT_TRUE(outer) << describe(outer.error());
+    expect_same(*outer, *alone);
+    EXPECT_GT(calls, 0);
+  }
+}
+
 TEST(Threads, GiveTheSameErrors) {
   const auto encoded = encode(testing::attributed_grid(12, 9), {.profile = Profile::kZstd});
   ASSERT_TRUE(encoded);

@@ -13,7 +13,7 @@ namespace deltamesh {
 
 /// As long as one lives, it gives the large arrays [LargeAllocator] of the thread that made it their memory,
 /// the last one made before the others, and those of threads that a ThreadTeam made meanwhile. They must be
-/// freed by these threads, before it goes.
+/// freed by these threads, before it goes; a team that is older must not be given work meanwhile.
 class MemoryPool {
  public:
   /// `bytes`: what the arrays are thought to take up at a time. At once it is more likely to be memory that

@@ -66,14 +66,13 @@ std::uint64_t max_payload(const FileHeader& header) noexcept {
   return 1024 + 160 * (std::uint64_t{header.vertices} + header.triangles);
 }
 
-/// Decodes one stream, stage by stage.
+/// Decodes one stream, which keeps to the caller's limits, stage by stage.
 class StreamDecoder {
  public:
   StreamDecoder(const Container& container, const DecodeOptions& options)
       : container_(container), header_(container.header()), options_(options) {}
 
   Result<Mesh> run() {
-    DELTAMESH_CHECK(check_limits(header_, options_.limits));
     Mesh mesh;
     mesh.origin = header_.origin;
     DELTAMESH_CHECK(read_faces(mesh.triangles));
@@ -186,10 +185,13 @@ class StreamDecoder {
 Result<Mesh> decode(std::span<const std::byte> stream, const DecodeOptions& options) noexcept {
   return guarded([&]() -> Result<Mesh> {
     DELTAMESH_TRY(const auto container, Container::open(stream));
+    DELTAMESH_CHECK(check_limits(container.header(), options.limits));
     const unsigned threads = options.threads > 0 ? options.threads : std::thread::hardware_concurrency();
     std::optional<MemoryPool> pool;
     std::optional<ThreadTeam> team;
-    if (stream.size() >= kLargeStream) {
+    // Called while another decode goes on (from its `progress`), with one thread, this one shares its team,
+    // and so its pool: all threads of a team have the same.
+    if (stream.size() >= kLargeStream && (threads > 1 || ThreadTeam::current() == nullptr)) {
       pool.emplace(memory_at_a_time(container.header(), stream.size()));
       if (threads > 1) team.emplace(threads);
     }

@@ -41,6 +41,10 @@ constexpr void pull_lanes(std::int16_t* lanes, const Lanes& pull, unsigned rate)
 class LaneSum {
  public:
   explicit constexpr LaneSum(const Lanes& lanes) noexcept : lanes_(lanes) {}
+  /// `lanes`: as many as there are symbols.
+  explicit constexpr LaneSum(const std::int16_t* lanes) noexcept : lanes_() {
+    for (unsigned i = 0; i < kSymbols; ++i) lanes_[i] = lanes[i];
+  }
 
   /// Adds 2 * lanes * weights[k] / 2^16 for all k, rounded down each; lanes not negative, 16 each, the
   /// weights below 2^15, but for that of one alone.
@@ -96,8 +100,10 @@ inline void pull_lanes(std::int16_t* lanes, const Lanes& pull, unsigned rate) no
 /// The same in registers.
 class LaneSum {
  public:
-  explicit LaneSum(const Lanes& lanes) noexcept
-      : low_(load_lanes(lanes.data(), 0)), high_(load_lanes(lanes.data(), 1)) {}
+  explicit LaneSum(const Lanes& lanes) noexcept : LaneSum(lanes.data()) {}
+  /// `lanes`: as many as there are symbols.
+  explicit LaneSum(const std::int16_t* lanes) noexcept
+      : low_(load_lanes(lanes, 0)), high_(load_lanes(lanes, 1)) {}
 
   template <std::size_t K>
   [[gnu::always_inline]] void add_weighted(const std::array<const std::int16_t*, K>& lanes,

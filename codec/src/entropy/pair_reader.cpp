@@ -26,13 +26,13 @@ PairReader::PairReader(std::span<const std::byte> bytes) noexcept
   if (!are_states) position_ = bytes_.size() + 1;
 }
 
-Result<void> PairReader::finish(std::uint32_t chunk_tag) const noexcept {
+Result<void> PairReader::finish(std::uint32_t chunk_tag, std::size_t begin) const noexcept {
   const auto error = [&](ErrorCode code, const char* message) {
     return Error{.code = code,
                  .message = message,
                  .rule = "CMP-3",
                  .where_kind = WhereKind::kByte,
-                 .where = std::min(position_, bytes_.size()),
+                 .where = begin + std::min(position_, bytes_.size()),
                  .chunk_tag = chunk_tag};
   };
   if (failed()) return error(ErrorCode::kTruncated, "compact bytes end too early");

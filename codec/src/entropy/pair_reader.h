@@ -52,9 +52,9 @@ class PairReader {
   /// True as soon as a word was missing: what came since is made up. Loops over symbols ask every so often.
   bool failed() const noexcept { return position_ > bytes_.size(); }
 
-  /// Every word is used and the states are back where the writer began. Errors: kTruncated, kInvalidStream
-  /// [CMP-3].
-  Result<void> finish(std::uint32_t chunk_tag) const noexcept;
+  /// Every word is used and the states are back where the writer began. `begin`: where in the chunk the bytes
+  /// do. Errors: kTruncated, kInvalidStream [CMP-3].
+  Result<void> finish(std::uint32_t chunk_tag, std::size_t begin) const noexcept;
 
  private:
   template <unsigned kState>

@@ -21,17 +21,20 @@ class QuickModels {
  public:
   /// `weights`: 16 relative frequencies, sum above 0.
   QuickModels(std::size_t count, const std::array<std::uint8_t, kSymbols>& weights)
-      : lanes_(count + 1, fresh_lanes(weights)), counts_(count) {}
+      : starts_(kSymbols * count + 1), counts_(count) {
+    const Lanes fresh = fresh_lanes(weights);
+    for (std::size_t model = 0; model < count; ++model) std::copy(fresh.begin(), fresh.end(), lanes(model));
+  }
 
   /// The symbol whose interval holds `slot`, below 2^15.
   [[gnu::always_inline]] unsigned find(std::size_t model, std::uint32_t slot) const noexcept {
-    return LaneSum(lanes_[model]).find(static_cast<std::int16_t>(slot));
+    return LaneSum(lanes(model)).find(static_cast<std::int16_t>(slot));
   }
 
   /// At least 2 and less than 2^15 parts.
   [[gnu::always_inline]] Interval interval(std::size_t model, unsigned symbol) const noexcept {
     // The last symbol's interval ends at 2^15, in place of which the next model has a 0.
-    const std::int16_t* const starts = lanes_[model].data() + symbol;
+    const std::int16_t* const starts = lanes(model) + symbol;
     const std::uint32_t start = static_cast<std::uint16_t>(starts[0]);
     return {start, (static_cast<std::uint16_t>(starts[1]) - start) & (kProbabilityOne - 1)};
   }
@@ -39,10 +42,13 @@ class QuickModels {
   [[gnu::always_inline]] void learn(std::size_t model, unsigned symbol) noexcept {
     const auto [rate, next] = kSteps[counts_[model]];
     counts_[model] = next;
-    pull_lanes(lanes_[model].data(), kPulls[rate - kFirstRate][symbol], rate);
+    pull_lanes(lanes(model), kPulls[rate - kFirstRate][symbol], rate);
   }
 
  private:
+  const std::int16_t* lanes(std::size_t model) const noexcept { return starts_.data() + kSymbols * model; }
+  std::int16_t* lanes(std::size_t model) noexcept { return starts_.data() + kSymbols * model; }
+
   static constexpr unsigned kFirstRate = 3;
   static constexpr unsigned kLastRate = 8;
   static constexpr unsigned kMostCounted = 250;
@@ -89,7 +95,7 @@ class QuickModels {
     return lanes;
   }
 
-  std::vector<Lanes> lanes_;  ///< and one model more, for its 0
+  std::vector<std::int16_t> starts_;  ///< kSymbols of every model, and a 0
   std::vector<std::uint8_t> counts_;
 };
 

@@ -45,9 +45,10 @@ std::vector<std::byte> write_part(const DeltaColumns<const std::int32_t>& deltas
   return writer.finish();
 }
 
-Result<void> read_part(std::span<const std::byte> bytes, const Adjacency& graph, const Part& part,
-                       const DeltaColumns<std::int32_t>& deltas) {
-  PairReader reader(bytes);
+/// From `payload`, from `begin` on `size` bytes.
+Result<void> read_part(std::span<const std::byte> payload, std::size_t begin, std::size_t size,
+                       const Adjacency& graph, const Part& part, const DeltaColumns<std::int32_t>& deltas) {
+  PairReader reader(payload.subspan(begin, size));
   LargeFieldCoder field(reader, graph, part.begin, part.end);
   const std::uint32_t middle = part.middle();
   for (std::uint32_t v = 0; middle + v < part.end && !reader.failed(); ++v) {
@@ -62,7 +63,7 @@ Result<void> read_part(std::span<const std::byte> bytes, const Adjacency& graph,
     if (!field.code_last(middle - 1, q)) return delta_beyond_range();
     deltas.put(middle - 1, q);
   }
-  return reader.finish(kTagDeltas);
+  return reader.finish(kTagDeltas, begin);
 }
 
 }  // namespace
@@ -83,11 +84,14 @@ Result<void> read_large_deltas(std::span<const std::byte> payload, const Adjacen
                                const DeltaColumns<std::int32_t>& deltas) {
   ByteReader in(payload, kTagDeltas);
   DELTAMESH_TRY(const std::uint64_t first_size, in.read<std::uint64_t>());
+  const std::size_t begin = in.position();
   DELTAMESH_TRY(const auto first, in.read_bytes(first_size));
-  const std::array<std::span<const std::byte>, 2> streams = {first, payload.subspan(in.position())};
+  const std::array<std::size_t, 3> begins = {begin, begin + first.size(), payload.size()};
   const auto parts = parts_of(deltas.rows);
   std::array<Result<void>, 2> are_read;
-  share_work(2, [&](std::uint32_t i) { are_read[i] = read_part(streams[i], graph, parts[i], deltas); });
+  share_work(2, [&](std::uint32_t i) {
+    are_read[i] = read_part(payload, begins[i], begins[i + 1] - begins[i], graph, parts[i], deltas);
+  });
   for (const Result<void>& is_read : are_read) DELTAMESH_CHECK(is_read);
   return {};
 }

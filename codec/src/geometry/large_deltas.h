@@ -19,8 +19,8 @@ namespace deltamesh {
 std::vector<std::byte> write_large_deltas(const DeltaColumns<const std::int32_t>& deltas,
                                           const Adjacency& graph);
 
-/// The same numbers back, by two threads where there are. Errors: kTruncated, kInvalidStream [CMP-3, FLD-1,
-/// CON-1].
+/// The same numbers back, the parts side by side where the calling thread has a team. Errors: kTruncated,
+/// kInvalidStream [CMP-3, FLD-1, CON-1].
 Result<void> read_large_deltas(std::span<const std::byte> payload, const Adjacency& graph,
                                const DeltaColumns<std::int32_t>& deltas);
 

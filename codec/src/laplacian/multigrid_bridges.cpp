@@ -29,8 +29,9 @@ struct Edges {
 
   void make_room(std::size_t more) {
     if (count + more <= neighbors.size()) return;
-    neighbors.resize(2 * count + more);
-    weights.resize(2 * count + more);
+    const std::size_t room = 2 * std::size_t{count} + more;
+    neighbors.resize(room);
+    weights.resize(room);
   }
 };
 

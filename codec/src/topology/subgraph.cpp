@@ -38,8 +38,8 @@ std::uint32_t take_rows(const Adjacency& graph, const VertexSubset& kept, Adjace
     std::uint32_t* const neighbors = part.neighbors.data() + written;
     if (neighbors != graph.neighbors.data() + from)
       std::copy_n(graph.neighbors.data() + from, count, neighbors);
-    for (std::uint32_t i = 0; i < count; i += kAtOnce)
-      renumber({neighbors + i, std::min(kAtOnce, count - i)}, run, kept);
+    for (std::size_t i = 0; i < count; i += kAtOnce)
+      renumber({neighbors + i, std::min<std::size_t>(kAtOnce, count - i)}, run, kept);
     written += count;
   }
   return written;
