@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/thread_team.h"
 #include "geometry/delta_quantizer.h"
 #include "geometry/highpass.h"
 #include "laplacian/anchors.h"
@@ -46,7 +47,6 @@ TEST(PartSolver, AnswersDoNotDependOnEarlierOnes) {
       EXPECT_EQ(first, again);
       EXPECT_NE(first, other);
       PartSolver fresh(part);
-      ASSERT_TRUE(fresh.set_up(anchors, cycles));
       ASSERT_TRUE(fresh.solve(anchors, fine, targets, cycles, again));
       EXPECT_EQ(other, again);
     }
@@ -67,7 +67,8 @@ GraphMesh many_sizes() {
   return test::finish(std::move(mesh));
 }
 
-/// A decoder takes the problem apart, an encoder keeps it: the answers must be the same to the last bit.
+/// A decoder takes the problem apart, alone or with a team, an encoder keeps it: the answers must be the same
+/// to the last bit.
 TEST(SolveOnce, GivesTheSolversBits) {
   for (const auto& mesh : {test::sheet(90, 70), many_sizes(), test::fan(300), test::sheet(8, 3)}) {
     LeastSquaresProblem problem{.graph = mesh.graph, .components = mesh.components};
@@ -84,19 +85,26 @@ TEST(SolveOnce, GivesTheSolversBits) {
         deltas[i][axis] = quantizer.value(symbol);
       }
     }
-    problem.symbols = SymbolRows(symbols);
+    const auto read_symbols = [&](const Adjacency& graph) -> Result<SymbolRows> {
+      EXPECT_EQ(graph.neighbors, mesh.graph.neighbors);
+      return SymbolRows(symbols);
+    };
     const auto solver = make_multigrid_solver(problem.graph, problem.anchors);
     ASSERT_TRUE(solver);
     std::vector<Vec3> x(mesh.positions.size());
     for (const int cycles : {0, 1, 3}) {
       ASSERT_TRUE((*solver)->solve(deltas, problem.targets, cycles, x));
       problem.half_cycles = cycles;
-      for (const std::size_t more : {0, 7}) {
-        const auto once = solve_once(problem, x.size() + more);
+      const std::size_t size = x.size() + static_cast<std::size_t>(7 * cycles);
+      const auto expect_same = [&] {
+        const auto once = solve_once(problem, read_symbols, size);
         ASSERT_TRUE(once);
-        ASSERT_EQ(once->size(), x.size() + more);
+        ASSERT_EQ(once->size(), size);
         EXPECT_TRUE(std::equal(x.begin(), x.end(), once->begin()));
-      }
+      };
+      expect_same();
+      const ThreadTeam team(2);
+      expect_same();
     }
   }
 }

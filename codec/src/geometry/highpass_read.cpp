@@ -4,8 +4,6 @@
 #include <utility>
 
 #include "base/large_vector.h"
-#include "base/task.h"
-#include "base/thread_team.h"
 #include "base/try.h"
 #include "base/zigzag.h"
 #include "entropy/planes.h"
@@ -34,7 +32,7 @@ Result<void> check_parameters(const HighpassParameters& parameters, std::size_t 
   return {};
 }
 
-Result<LargeVector<std::int32_t>> read_deltas(Payload payload, const Adjacency& graph) {
+Result<LargeVector<std::int32_t>> read_planar(Payload payload, const Adjacency& graph) {
   if (payload.is_compact) return read_compact_deltas(payload.bytes, graph);
   ByteReader in(payload.bytes, kTagDeltas);
   DELTAMESH_TRY(const auto codes, read_planes(in, 3 * std::uint64_t{graph.vertex_count()}));
@@ -42,6 +40,11 @@ Result<LargeVector<std::int32_t>> read_deltas(Payload payload, const Adjacency& 
   LargeVector<std::int32_t> deltas(codes.size());
   for (std::size_t i = 0; i < codes.size(); ++i) deltas[i] = unzigzag(codes[i]);
   return deltas;
+}
+
+Result<SymbolRows> read_deltas(Payload payload, const Adjacency& graph) {
+  DELTAMESH_TRY(const auto planar, read_planar(payload, graph));
+  return SymbolRows(planar);
 }
 
 /// Anchors from the gaps between them.
@@ -94,41 +97,16 @@ Result<HighpassSymbols> read_anchor_symbols(Payload anchors, const Components& c
   return symbols;
 }
 
-/// With a team: one thread reads the deltas while the others read the anchors and set up the solver, which
-/// takes the memory of all at once. Alone one does better to give back what has served:
-/// reconstruct_highpass_once().
-Result<LargeVector<Vec3>> read_and_solve(Payload deltas, Payload anchors, Adjacency graph,
-                                         Components components, const Box& box,
-                                         const HighpassParameters& parameters) {
-  const SolvedPart part = extract_solved_part(std::move(graph), components);
-  Task<Result<LargeVector<std::int32_t>>> values([&] { return read_deltas(deltas, part.graph); });
-  DELTAMESH_TRY(HighpassSymbols symbols, read_anchor_symbols(anchors, components, parameters));
-  components = {};
-  PartSolver solver(part);
-  Result<void> is_set_up;
-  if (part.row_count > 0)
-    is_set_up = solver.set_up(anchor_rows(symbols.anchors, part), parameters.half_cycles);
-  DELTAMESH_TRY(const auto planar, values.get());
-  symbols.deltas = SymbolRows(planar);
-  DELTAMESH_CHECK(is_set_up);
-  return reconstruct_highpass(symbols, part, solver, box, parameters);
-}
-
 }  // namespace
 
 Result<LargeVector<Vec3>> read_highpass(Payload deltas, Payload anchors, Adjacency graph,
                                         Components components, const Box& box,
                                         const HighpassParameters& parameters) {
   DELTAMESH_CHECK(check_parameters(parameters, graph.vertex_count()));
-  if (ThreadTeam::current() != nullptr)
-    return read_and_solve(deltas, anchors, std::move(graph), std::move(components), box, parameters);
-  DELTAMESH_TRY(HighpassSymbols symbols, read_anchor_symbols(anchors, components, parameters));
+  DELTAMESH_TRY(const HighpassSymbols symbols, read_anchor_symbols(anchors, components, parameters));
   SolvedPart part = extract_solved_part(std::move(graph), std::move(components));
-  {
-    DELTAMESH_TRY(const auto planar, read_deltas(deltas, part.graph));
-    symbols.deltas = SymbolRows(planar);
-  }
-  return reconstruct_highpass_once(std::move(symbols), std::move(part), box, parameters);
+  const auto read = [&](const Adjacency& solved) { return read_deltas(deltas, solved); };
+  return reconstruct_highpass_once(read, symbols, std::move(part), box, parameters);
 }
 
 }  // namespace deltamesh

@@ -12,7 +12,6 @@
 #include "base/try.h"
 #include "format/tags.h"
 #include "geometry/highpass_symbols.h"
-#include "laplacian/solve_once.h"
 #include "topology/vertex_subset.h"
 
 namespace deltamesh {
@@ -127,21 +126,23 @@ Result<LargeVector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, c
   return positions;
 }
 
-Result<LargeVector<Vec3>> reconstruct_highpass_once(HighpassSymbols symbols, SolvedPart part, const Box& box,
-                                                    const HighpassParameters& parameters) {
+Result<LargeVector<Vec3>> reconstruct_highpass_once(const ReadSymbols& read_deltas,
+                                                    const HighpassSymbols& anchors, SolvedPart part,
+                                                    const Box& box, const HighpassParameters& parameters) {
   LargeVector<Vec3> positions;
   if (part.row_count > 0) {
     LeastSquaresProblem problem{.graph = std::exchange(part.graph, {}),
                                 .components = std::exchange(part.components, {}),
-                                .anchors = anchor_rows(symbols.anchors, part),
-                                .symbols = std::exchange(symbols.deltas, {}),
+                                .anchors = anchor_rows(anchors.anchors, part),
+                                .targets = anchor_targets(anchors, part, box, parameters),
                                 .scale = scale_of(parameters),
-                                .targets = anchor_targets(symbols, part, box, parameters),
                                 .half_cycles = parameters.half_cycles};
-    DELTAMESH_TRY(positions, solve_once(std::move(problem), part.whole_count));
+    DELTAMESH_TRY(positions, solve_once(std::move(problem), read_deltas, part.whole_count));
+  } else {
+    DELTAMESH_TRY([[maybe_unused]] const auto none, read_deltas(part.graph));
+    positions.resize(part.whole_count);
   }
-  positions.resize(part.whole_count);  // where there was nothing to solve
-  DELTAMESH_CHECK(complete_positions(symbols, part.vertices, box, parameters, positions));
+  DELTAMESH_CHECK(complete_positions(anchors, part.vertices, box, parameters, positions));
   return positions;
 }
 

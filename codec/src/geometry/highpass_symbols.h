@@ -14,6 +14,7 @@
 #include "deltamesh/result.h"
 #include "geometry/highpass.h"
 #include "laplacian/part_solver.h"
+#include "laplacian/solve_once.h"
 #include "laplacian/solved_part.h"
 #include "laplacian/symbol_rows.h"
 #include "topology/adjacency.h"
@@ -52,8 +53,9 @@ Result<LargeVector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, c
                                                PartSolver& solver, const Box& box,
                                                const HighpassParameters& parameters);
 
-/// The same positions with less memory, for one who needs them once.
-Result<LargeVector<Vec3>> reconstruct_highpass_once(HighpassSymbols symbols, SolvedPart part, const Box& box,
-                                                    const HighpassParameters& parameters);
+/// The same positions for one who needs them once, by solve_once(): the symbols of the deltas are read.
+Result<LargeVector<Vec3>> reconstruct_highpass_once(const ReadSymbols& read_deltas,
+                                                    const HighpassSymbols& anchors, SolvedPart part,
+                                                    const Box& box, const HighpassParameters& parameters);
 
 }  // namespace deltamesh

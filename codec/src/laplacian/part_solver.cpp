@@ -16,12 +16,6 @@ Result<void> PartSolver::make_solver(std::span<const std::uint32_t> anchors) {
   return {};
 }
 
-Result<void> PartSolver::set_up(std::span<const std::uint32_t> anchors, int half_cycles) {
-  DELTAMESH_CHECK(make_solver(anchors));
-  solver_->set_up(half_cycles);
-  return {};
-}
-
 Result<void> PartSolver::solve(std::span<const std::uint32_t> anchors, const DeltaView& deltas,
                                std::span<const Vec3> anchor_positions, int half_cycles, std::span<Vec3> x) {
   DELTAMESH_CHECK(make_solver(anchors));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// The one place where the highpass coder makes its solver; encoder and decoder alike.
+// A solver for one who solves many times: the highpass encoder. What it finds solve_once() finds.
 #pragma once
 
 #include <cstdint>
@@ -18,9 +18,6 @@ namespace deltamesh {
 class PartSolver {
  public:
   explicit PartSolver(const SolvedPart& part) : part_(part) {}
-
-  /// What solve() would do first. Errors: as make_multigrid_solver.
-  Result<void> set_up(std::span<const std::uint32_t> anchors, int half_cycles);
 
   /// As LeastSquaresSolver::solve; `anchors`: rows of the part, ascending.
   Result<void> solve(std::span<const std::uint32_t> anchors, const DeltaView& deltas,

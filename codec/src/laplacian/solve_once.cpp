@@ -7,6 +7,8 @@
 #include <span>
 #include <utility>
 
+#include "base/task.h"
+#include "base/thread_team.h"
 #include "base/try.h"
 #include "laplacian/multigrid_groups.h"
 #include "laplacian/solver.h"
@@ -15,32 +17,35 @@
 namespace deltamesh {
 namespace {
 
-/// Components that take the same hierarchy.
-struct Set {
-  std::uint32_t depth = 0;
-  VertexSubset vertices{};
+/// Some components that take the same hierarchy.
+struct Part {
+  VertexSubset vertices{};        ///< of the whole problem
+  LeastSquaresProblem problem{};  ///< theirs, renumbered
 };
 
-std::vector<Set> collect_sets(const LeastSquaresProblem& problem) {
+using Solutions = std::vector<LargeVector<Vec3>>;
+
+/// Vertices by the hierarchy they take, the largest set last; nothing where that is one for all.
+std::vector<VertexSubset> collect_sets(const LeastSquaresProblem& problem) {
   const std::vector<std::uint32_t> depth =
       multigrid::component_depths(problem.graph, problem.components, problem.anchors);
   std::vector<std::uint32_t> depths = depth;
   std::sort(depths.begin(), depths.end());
   depths.erase(std::unique(depths.begin(), depths.end()), depths.end());
-  std::vector<Set> sets;
-  for (const std::uint32_t d : depths) sets.push_back({.depth = d});
-  if (sets.size() <= 1) return sets;
+  if (depths.size() <= 1) return {};
+  std::vector<VertexSubset> sets(depths.size());
   for_each_run(problem.components, [&](std::uint32_t begin, std::uint32_t end, std::uint32_t component) {
     const auto found = std::lower_bound(depths.begin(), depths.end(), depth[component]);
-    sets[static_cast<std::size_t>(found - depths.begin())].vertices.append(begin, end);
+    sets[static_cast<std::size_t>(found - depths.begin())].append(begin, end);
   });
+  std::stable_sort(sets.begin(), sets.end(),
+                   [](const VertexSubset& a, const VertexSubset& b) { return a.size() < b.size(); });
   return sets;
 }
 
 /// The problem on `vertices`, renumbered, without a graph.
 LeastSquaresProblem pick_but_graph(const LeastSquaresProblem& problem, const VertexSubset& vertices) {
   LeastSquaresProblem part{.components = pick_components(problem.components, vertices),
-                           .symbols = problem.symbols.pick(vertices),
                            .scale = problem.scale,
                            .half_cycles = problem.half_cycles};
   SubsetWalk walk(vertices);
@@ -59,42 +64,104 @@ LeastSquaresProblem copy_part(const LeastSquaresProblem& problem, const VertexSu
   return part;
 }
 
-void keep_part(LeastSquaresProblem& problem, const VertexSubset& vertices) {
-  Adjacency graph = std::move(problem.graph);
-  keep_vertices(graph, vertices);
-  problem = pick_but_graph(problem, vertices);
-  problem.graph = std::move(graph);
+/// In the order of the sets; the last one takes the graph. Leaves nothing of the problem, or all.
+std::vector<Part> take_apart(LeastSquaresProblem& problem) {
+  std::vector<Part> parts;
+  for (VertexSubset& set : collect_sets(problem)) parts.push_back({.vertices = std::move(set)});
+  if (parts.empty()) return parts;
+  Part& largest = parts.back();
+  for (Part& part : std::span(parts).first(parts.size() - 1))
+    part.problem = copy_part(problem, part.vertices);
+  largest.problem = pick_but_graph(problem, largest.vertices);
+  keep_vertices(problem.graph, largest.vertices);
+  largest.problem.graph = std::move(problem.graph);
+  problem = {};
+  return parts;
+}
+
+/// The same, but leaves the problem as it is.
+std::vector<Part> copy_parts(const LeastSquaresProblem& problem) {
+  std::vector<Part> parts;
+  for (VertexSubset& set : collect_sets(problem)) {
+    LeastSquaresProblem part = copy_part(problem, set);
+    parts.push_back({.vertices = std::move(set), .problem = std::move(part)});
+  }
+  return parts;
+}
+
+std::span<Part> all_but_last(std::vector<Part>& parts) noexcept {
+  return std::span(parts).first(parts.empty() ? 0 : parts.size() - 1);
 }
 
 /// Takes the components.
-Result<LargeVector<Vec3>> solve(LeastSquaresProblem& problem, std::size_t size) {
-  DELTAMESH_TRY(const auto solver,
-                make_solver_for_components(problem.graph, std::move(problem.components), problem.anchors));
-  return solver->solve_last(DeltaView(problem.symbols.view(), problem.scale), problem.targets,
-                            problem.half_cycles, size);
+auto make_solver(LeastSquaresProblem& problem) {
+  return make_solver_for_components(problem.graph, std::move(problem.components), problem.anchors);
+}
+
+Result<LargeVector<Vec3>> solve(const LeastSquaresProblem& problem, LeastSquaresSolver& solver,
+                                const SymbolRows& symbols, std::size_t size) {
+  return solver.solve_last(DeltaView(symbols.view(), problem.scale), problem.targets, problem.half_cycles,
+                           size);
+}
+
+/// One after the other. `symbols`: of the whole problem. Leaves nothing of the parts but their vertices.
+Result<Solutions> solve_each(std::span<Part> parts, const SymbolRows& symbols) {
+  Solutions solutions;
+  for (Part& part : parts) {
+    LeastSquaresProblem problem = std::exchange(part.problem, {});
+    DELTAMESH_TRY(const auto solver, make_solver(problem));
+    DELTAMESH_TRY(auto x, solve(problem, *solver, symbols.pick(part.vertices), part.vertices.size()));
+    solutions.push_back(std::move(x));
+  }
+  return solutions;
+}
+
+/// `x`: in front the solution of the last part.
+void put_together(std::span<const Part> parts, const Solutions& others, std::span<Vec3> x) {
+  if (parts.empty()) return;
+  spread_rows(parts.back().vertices, x);
+  for (std::size_t s = 0; s < others.size(); ++s)
+    scatter_rows(std::span<const Vec3>(others[s]), parts[s].vertices, x);
+}
+
+/// Without a team.
+Result<LargeVector<Vec3>> solve_alone(LeastSquaresProblem problem, const ReadSymbols& read_symbols,
+                                      std::size_t size) {
+  DELTAMESH_TRY(SymbolRows symbols, read_symbols(problem.graph));
+  std::vector<Part> parts = take_apart(problem);
+  DELTAMESH_TRY(const Solutions others, solve_each(all_but_last(parts), symbols));
+  if (!parts.empty()) symbols = symbols.pick(parts.back().vertices);
+  LeastSquaresProblem& largest = parts.empty() ? problem : parts.back().problem;
+  DELTAMESH_TRY(const auto solver, make_solver(largest));
+  DELTAMESH_TRY(auto x, solve(largest, *solver, symbols, size));
+  put_together(parts, others, x);
+  return x;
+}
+
+/// Whoever is free reads the symbols, then solves all but the largest part, beside this thread.
+Result<LargeVector<Vec3>> solve_together(LeastSquaresProblem problem, const ReadSymbols& read_symbols,
+                                         std::size_t size) {
+  Task<Result<SymbolRows>> reading([&] { return read_symbols(problem.graph); });
+  std::vector<Part> parts = copy_parts(problem);
+  LeastSquaresProblem& largest = parts.empty() ? problem : parts.back().problem;
+  DELTAMESH_TRY(const auto solver, make_solver(largest));
+  solver->set_up(largest.half_cycles);
+  DELTAMESH_TRY(const SymbolRows symbols, reading.get());
+  if (!parts.empty()) problem = {};
+  Task<Result<Solutions>> others([&] { return solve_each(all_but_last(parts), symbols); });
+  const SymbolRows picked = parts.empty() ? SymbolRows() : symbols.pick(parts.back().vertices);
+  DELTAMESH_TRY(auto x, solve(largest, *solver, parts.empty() ? symbols : picked, size));
+  DELTAMESH_TRY(const Solutions solutions, others.get());
+  put_together(parts, solutions, x);
+  return x;
 }
 
 }  // namespace
 
-Result<LargeVector<Vec3>> solve_once(LeastSquaresProblem problem, std::size_t size) {
-  std::vector<Set> sets = collect_sets(problem);
-  if (sets.size() <= 1) return solve(problem, size);
-  // The largest set comes last, in place of the whole.
-  std::stable_sort(sets.begin(), sets.end(),
-                   [](const Set& a, const Set& b) { return a.vertices.size() < b.vertices.size(); });
-  const VertexSubset largest = std::move(sets.back().vertices);
-  sets.pop_back();
-  std::vector<LargeVector<Vec3>> solutions(sets.size());
-  for (std::size_t s = 0; s < sets.size(); ++s) {
-    LeastSquaresProblem part = copy_part(problem, sets[s].vertices);
-    DELTAMESH_TRY(solutions[s], solve(part, sets[s].vertices.size()));
-  }
-  keep_part(problem, largest);
-  DELTAMESH_TRY(LargeVector<Vec3> x, solve(problem, size));
-  spread_rows(largest, std::span(x));
-  for (std::size_t s = 0; s < sets.size(); ++s)
-    scatter_rows(std::span<const Vec3>(solutions[s]), sets[s].vertices, std::span(x));
-  return x;
+Result<LargeVector<Vec3>> solve_once(LeastSquaresProblem problem, const ReadSymbols& read_symbols,
+                                     std::size_t size) {
+  const auto how = ThreadTeam::current() == nullptr ? solve_alone : solve_together;
+  return how(std::move(problem), read_symbols, size);
 }
 
 }  // namespace deltamesh

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// One solution with as little memory as can be: what a decoder needs.
+// One solution with as little memory as can be, or as soon as can be: what a decoder needs.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
+#include <functional>
 #include <vector>
 
 #include "base/large_vector.h"
@@ -17,19 +17,25 @@
 
 namespace deltamesh {
 
+/// All but the deltas.
 struct LeastSquaresProblem {
   Adjacency graph{};
   Components components{};               ///< of the graph
   std::vector<std::uint32_t> anchors{};  ///< distinct vertices, ascending; at least one in every component
-  SymbolRows symbols{};                  ///< of the deltas
-  DeltaScale scale{};                    ///< what they stand for
   std::vector<Vec3> targets{};           ///< of every anchor
+  DeltaScale scale{};                    ///< what the deltas' symbols stand for
   int half_cycles = 0;                   ///< as LeastSquaresSolver::solve
 };
 
+/// The deltas' symbols, once; may use the graph.
+using ReadSymbols = std::function<Result<SymbolRows>(const Adjacency&)>;
+
 /// What make_multigrid_solver's solver finds, to the last bit. Components that take different hierarchies are
-/// solved one set after the other, most of them in place. Returns n rows in memory of `size`, n or more.
-/// Errors: as LeastSquaresSolver::solve.
-Result<LargeVector<Vec3>> solve_once(LeastSquaresProblem problem, std::size_t size);
+/// problems of their own. One thread takes the graph apart in place when it has read the symbols, and solves
+/// them one after the other. Of a team, one thread reads the symbols while the others set up what takes
+/// longest, and then solves the rest. Returns n rows in memory of `size`, n or more. Errors: those of
+/// `read_symbols`, and as LeastSquaresSolver::solve.
+Result<LargeVector<Vec3>> solve_once(LeastSquaresProblem problem, const ReadSymbols& read_symbols,
+                                     std::size_t size);
 
 }  // namespace deltamesh
