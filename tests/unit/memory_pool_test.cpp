@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -26,7 +27,10 @@ TEST(MemoryPool, GivesWhatWasFreedBefore) {
 }
 
 TEST(MemoryPool, GivesPartsOfWhatItBeganWith) {
-  MemoryPool pool(std::size_t{3} << 20);
+  MemoryPool pool;
+  EXPECT_TRUE(pool.is_empty());
+  pool.prepare(std::size_t{3} << 20);
+  EXPECT_FALSE(pool.is_empty());
   auto* const first = static_cast<std::byte*>(pool.allocate(std::size_t{1} << 20));
   auto* const second = static_cast<std::byte*>(pool.allocate(std::size_t{2} << 20));
   EXPECT_EQ(second - first, std::ptrdiff_t{1} << 20);
@@ -34,6 +38,45 @@ TEST(MemoryPool, GivesPartsOfWhatItBeganWith) {
   EXPECT_TRUE(pool.free(second));
   EXPECT_EQ(pool.allocate(std::size_t{3} << 20), first);
 }
+
+TEST(MemoryPool, KeepsItsMemoryUntilMoreIsNeeded) {
+  constexpr std::size_t kSize = std::size_t{6} << 20;
+  MemoryPool pool;
+  pool.prepare(kSize);
+  void* const first = pool.allocate(kSize);
+  EXPECT_TRUE(pool.free(first));
+  for (const std::size_t size : {kSize, kSize / 8, kSize}) {
+    pool.prepare(size);
+    EXPECT_EQ(pool.allocate(size), first);
+    EXPECT_TRUE(pool.free(first));
+  }
+  pool.prepare(4 * kSize);
+  auto* const larger = static_cast<std::byte*>(pool.allocate(3 * kSize));
+  auto* const after = static_cast<std::byte*>(pool.allocate(kSize));
+  EXPECT_EQ(after - larger, std::ptrdiff_t{3 * kSize});
+}
+
+#if defined(__linux__)
+/// Pages that the system had back are cleared.
+TEST(MemoryPool, GivesBackAsMuchAsIsAskedFor) {
+  constexpr std::size_t kPage = std::size_t{1} << 21;
+  constexpr std::size_t kSize = 8 * kPage;
+  MemoryPool pool;
+  pool.prepare(kSize);
+  void* const memory = pool.allocate(kSize);
+  std::memset(memory, 1, kSize);
+  pool.give_back(2 * kPage);  // but all is in use
+  const auto* const begin = static_cast<const unsigned char*>(memory);
+  EXPECT_EQ(std::count(begin, begin + kSize, 1), kSize);
+  pool.prepare(kSize);
+  for (const std::size_t pages : {2, 5}) {
+    EXPECT_TRUE(pool.free(memory));
+    pool.give_back(pages == 2 ? 2 * kPage : 3 * kPage);
+    ASSERT_EQ(pool.allocate(kSize), memory);
+    EXPECT_EQ(std::count(begin, begin + kSize, 0), pages * kPage);
+  }
+}
+#endif
 
 TEST(MemoryPool, BlocksDoNotOverlap) {
   struct Held {
@@ -70,9 +113,11 @@ TEST(MemoryPool, VectorsTakeTheInnermost) {
   const LargeVector<std::uint32_t> before(1000000, 5);
   {
     MemoryPool outer;
+    const PoolScope outer_scope(outer);
     LargeVector<std::uint32_t> kept(1000000, 6);
     {
-      const MemoryPool inner;
+      MemoryPool inner;
+      const PoolScope inner_scope(inner);
       EXPECT_EQ(MemoryPool::current(), &inner);
       const LargeVector<std::uint32_t> copy = kept;
       kept.assign(500000, 7);  // in the room it has

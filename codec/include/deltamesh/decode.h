@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 
 #include "deltamesh/mesh.h"
@@ -37,6 +38,28 @@ struct DecodeOptions {
 /// are not trusted: memory is bounded by a constant times the stream's size plus the limits. Errors: 1xx
 /// codes, kLimitExceeded, kOutOfMemory.
 Result<Mesh> decode(std::span<const std::byte> stream, const DecodeOptions& options = {}) noexcept;
+
+class MemoryPool;
+
+/// Decodes one stream after another, each as the function decode() does, in memory that is kept for the next:
+/// to have the system hand it out and clear it anew may take as long as the decoding. Kept is what the
+/// largest stream so far took, up to 160 bytes a vertex, until the decoder goes (`decoder = {}`), and nothing
+/// of a stream's contents that a later mesh could show. One decoder for each thread that decodes. Memory of
+/// streams below 16 KiB alone is not kept, which the heap does as well.
+class Decoder {
+ public:
+  Decoder() noexcept;
+  ~Decoder();
+  Decoder(Decoder&& other) noexcept;  ///< `other` may go on, with new memory
+  Decoder& operator=(Decoder&& other) noexcept;
+
+  /// As the function decode(); the mesh is the same, whatever was decoded before. May be called from
+  /// `options.progress` of a decode that goes on: then in memory of its own, which is not kept.
+  Result<Mesh> decode(std::span<const std::byte> stream, const DecodeOptions& options = {}) noexcept;
+
+ private:
+  std::unique_ptr<MemoryPool> memory_;
+};
 
 /// Checks all that can be checked without the original: checksums, structure, and that it decodes. Errors: as
 /// decode().

@@ -11,6 +11,7 @@
 #include "attributes/symbols.h"
 #include "base/byte_reader.h"
 #include "base/checked.h"
+#include "base/large_vector.h"
 #include "format/tags.h"
 
 namespace deltamesh {
@@ -53,6 +54,7 @@ class Values {
  public:
   Values(Attribute& attribute, std::uint32_t rows)
       : values_(attribute.values), size_(component_size(attribute.type)), components_(attribute.components) {
+    reserve_large(values_, rows * components_ * size_);
     values_.resize(rows * components_ * size_);
   }
   void set(std::size_t row, std::size_t component, std::uint64_t bits) noexcept {

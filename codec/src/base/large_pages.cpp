@@ -36,23 +36,30 @@ void free_pages(void* begin) noexcept {
 
 namespace {
 
-/// For the large pages that `memory` fills.
-void advise(void* memory, std::size_t bytes, int advice) noexcept {
+/// For the first large pages that `memory` fills, `most` at most. Returns how many.
+std::size_t advise(void* memory, std::size_t bytes, std::size_t most, int advice) noexcept {
   const std::size_t before = (~reinterpret_cast<std::uintptr_t>(memory) + 1) % kLargePage;
-  if (bytes < before + kLargePage) return;
-  madvise(static_cast<std::byte*>(memory) + before, (bytes - before) / kLargePage * kLargePage, advice);
+  if (bytes < before + kLargePage) return 0;
+  const std::size_t pages = std::min((bytes - before) / kLargePage, most);
+  if (pages > 0) madvise(static_cast<std::byte*>(memory) + before, pages * kLargePage, advice);
+  return pages;
 }
 
 }  // namespace
 
-void forget_pages(void* memory, std::size_t bytes) noexcept { advise(memory, bytes, MADV_DONTNEED); }
-void want_large_pages(void* memory, std::size_t bytes) noexcept { advise(memory, bytes, MADV_HUGEPAGE); }
+std::size_t forget_pages(void* memory, std::size_t bytes, std::size_t most) noexcept {
+  return advise(memory, bytes, most, MADV_DONTNEED);
+}
+
+void want_large_pages(void* memory, std::size_t bytes) noexcept {
+  advise(memory, bytes, bytes, MADV_HUGEPAGE);
+}
 
 #else
 
 void* allocate_pages(std::size_t bytes) { return ::operator new (bytes, std::align_val_t{64}); }
 void free_pages(void* memory) noexcept { ::operator delete (memory, std::align_val_t{64}); }
-void forget_pages(void*, std::size_t) noexcept {}
+std::size_t forget_pages(void*, std::size_t, std::size_t) noexcept { return 0; }
 void want_large_pages(void*, std::size_t) noexcept {}
 
 #endif

@@ -31,4 +31,8 @@ void free_large(void* memory, std::size_t bytes) noexcept {
   }
 }
 
+void make_room(std::size_t bytes) noexcept {
+  if (MemoryPool* const pool = MemoryPool::current()) pool->give_back(bytes);
+}
+
 }  // namespace deltamesh

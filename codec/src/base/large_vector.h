@@ -24,6 +24,10 @@ inline constexpr std::size_t kLargeArray = std::size_t{1} << 16;
 void* allocate_large(std::size_t bytes);
 void free_large(void* memory, std::size_t bytes) noexcept;
 
+/// So many bytes are about to be filled beside this thread's MemoryPool, which gives back as many that its
+/// arrays do not need any more: together they take no more memory than before.
+void make_room(std::size_t bytes) noexcept;
+
 /// For containers, which ask for no more than can be addressed. An element without a value is
 /// default-initialised, which leaves numbers as they are.
 template <class T>
@@ -66,9 +70,10 @@ class LargeAllocator {
 template <class T>
 using LargeVector = std::vector<T, LargeAllocator<T>>;
 
-/// As reserve(), for a vector that has none of the elements yet, and soon will have most of them.
+/// As reserve(), for a vector that has none of the elements yet, and soon will have most of them; makes room.
 template <class T>
 void reserve_large(std::vector<T>& values, std::size_t count) {
+  make_room(count * sizeof(T));
   values.reserve(count);
   want_large_pages(values.data(), count * sizeof(T));
 }

@@ -20,14 +20,17 @@ constexpr std::size_t chunk_size(std::size_t bytes) noexcept {
 
 thread_local MemoryPool* MemoryPool::current_ = nullptr;
 
-MemoryPool::MemoryPool(std::size_t bytes) : outer_(current_) {
-  if (bytes > 0) add_chunk(bytes);
-  current_ = this;
+MemoryPool::~MemoryPool() {
+  for (const Chunk& chunk : chunks_) free_pages(chunk.begin);
 }
 
-MemoryPool::~MemoryPool() {
-  current_ = outer_;
-  for (const Chunk& chunk : chunks_) free_pages(chunk.begin);
+void MemoryPool::prepare(std::size_t bytes) {
+  const std::lock_guard lock(mutex_);
+  given_back_ = 0;
+  const auto is_large = [&](const Chunk& chunk) { return chunk.size() >= bytes; };
+  if (std::any_of(chunks_.begin(), chunks_.end(), is_large)) return;
+  release_idle_chunks();
+  add_chunk(bytes);
 }
 
 std::size_t MemoryPool::Chunk::size_of(std::size_t block) const noexcept {
@@ -91,17 +94,14 @@ bool MemoryPool::free(void* memory) noexcept {
   return false;
 }
 
-void MemoryPool::release_idle() noexcept {
+/// Blocks are taken from the begin of what is free, which so is likely to have been in use.
+void MemoryPool::give_back(std::size_t bytes) noexcept {
   const std::lock_guard lock(mutex_);
-  release_idle_chunks();
-}
-
-void MemoryPool::release_pages() noexcept {
-  const std::lock_guard lock(mutex_);
-  release_idle_chunks();
+  given_back_ += bytes;
+  std::size_t pages = (given_back_ + kLargePage / 2) / kLargePage;
   for (const Chunk& chunk : chunks_) {
-    for (std::size_t i = 0; i < chunk.blocks.size(); ++i) {
-      if (chunk.blocks[i].is_free) forget_pages(chunk.blocks[i].begin, chunk.size_of(i));
+    for (std::size_t i = 0; i < chunk.blocks.size() && pages > 0; ++i) {
+      if (chunk.blocks[i].is_free) pages -= forget_pages(chunk.blocks[i].begin, chunk.size_of(i), pages);
     }
   }
 }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "base/large_vector.h"
+
 namespace deltamesh {
 namespace {
 
@@ -11,7 +13,9 @@ namespace {
 template <class T>
 std::vector<T> scatter_rows(const std::vector<T>& values, const std::vector<std::uint32_t>& places,
                             std::size_t row) {
-  std::vector<T> scattered(values.size());
+  std::vector<T> scattered;
+  reserve_large(scattered, values.size());
+  scattered.resize(values.size());
   for (std::size_t i = 0; i < places.size(); ++i)
     std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(i * row), row,
                 scattered.begin() + static_cast<std::ptrdiff_t>(places[i] * row));
@@ -24,6 +28,7 @@ Mesh restore_order(const Mesh& mesh, const MeshOrder& order) {
   Mesh restored;
   restored.origin = mesh.origin;
   restored.positions = scatter_rows(mesh.positions, order.vertices, 3);
+  reserve_large(restored.triangles, mesh.triangles.size());
   restored.triangles.resize(mesh.triangles.size());
   for (std::size_t f = 0; f < order.faces.size(); ++f) {
     for (std::size_t corner = 0; corner < 3; ++corner)

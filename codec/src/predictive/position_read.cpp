@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "base/large_vector.h"
-#include "base/memory_pool.h"
 #include "base/try.h"
 #include "entropy/compact_reader.h"
 #include "format/tags.h"
@@ -24,7 +23,6 @@ Error invalid(const char* message, const char* rule) noexcept {
 template <class At>
 std::vector<float> to_rows(std::size_t count, const At& at) {
   constexpr std::size_t kAtOnce = 1024;
-  if (MemoryPool* const pool = MemoryPool::current()) pool->release_idle();
   std::vector<float> rows;
   reserve_large(rows, 3 * count);
   for (std::size_t v = 0; v < count;) {

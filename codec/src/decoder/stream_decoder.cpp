@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "decoder/stream_decoder.h"
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "attributes/attribute.h"
+#include "base/large_vector.h"
+#include "base/task.h"
+#include "base/try.h"
+#include "connectivity/connectivity.h"
+#include "connectivity/seams.h"
+#include "decoder/restore_order.h"
+#include "entropy/chunk_codec.h"
+#include "geometry/highpass.h"
+#include "geometry/vertex_positions.h"
+#include "predictive/positions.h"
+#include "topology/adjacency.h"
+
+namespace deltamesh {
+namespace {
+
+constexpr double kGeometryDone = 0.85;
+
+void report_progress(const DecodeOptions& options, double share) {
+  if (options.progress) options.progress(share);
+}
+
+/// The longest payload that any chunk may have, whatever its kind [DIR-5].
+std::uint64_t max_payload(const FileHeader& header) noexcept {
+  return 1024 + 160 * (std::uint64_t{header.vertices} + header.triangles);
+}
+
+class StreamDecoder {
+ public:
+  StreamDecoder(const Container& container, const DecodeOptions& options)
+      : container_(container), header_(container.header()), options_(options) {}
+
+  Result<Mesh> run() {
+    Mesh mesh;
+    mesh.origin = header_.origin;
+    DELTAMESH_CHECK(read_faces(mesh.triangles));
+    Task<Result<std::vector<Attribute>>> attributes([&] { return read_attributes(mesh.triangles); });
+    DELTAMESH_TRY(mesh.positions, read_geometry(mesh.triangles));
+    report_progress(options_, kGeometryDone);
+    DELTAMESH_TRY(mesh.attributes, attributes.get());
+    if (header_.keeps_order) {
+      DELTAMESH_TRY(const auto chunk, expand_single(container_, kTagOrder, max_payload(header_)));
+      DELTAMESH_TRY(const auto order, read_order(chunk.payload(), mesh.triangles, header_.vertices));
+      mesh = restore_order(mesh, order);
+    }
+    report_progress(options_, 1);
+    return mesh;
+  }
+
+ private:
+  /// Faces over the mesh's vertices; where seams split some, those over the geometric vertices as well.
+  Result<void> read_faces(std::vector<std::uint32_t>& triangles) {
+    DELTAMESH_TRY(const auto connectivity, expand_single(container_, kTagConnectivity, max_payload(header_)));
+    DELTAMESH_TRY(auto read,
+                  read_connectivity(connectivity.payload(), header_.geometric_vertices, header_.triangles));
+    DELTAMESH_CHECK(check_components(read.runs.count(header_.geometric_vertices)));
+    triangles = std::move(read.triangles);
+    open_edges_ = std::move(read.open_edges);
+    runs_ = std::move(read.runs);
+    if (triangles.capacity() / 5 > triangles.size() / 4) triangles.shrink_to_fit();
+    DELTAMESH_TRY(const auto seams, expand_single(container_, kTagSeams, max_payload(header_)));
+    if (seams.bytes().empty() && header_.vertices == header_.geometric_vertices) return {};
+    DELTAMESH_TRY(auto split,
+                  read_seams(seams.payload(), triangles, header_.geometric_vertices, header_.vertices));
+    geometric_triangles_ = std::exchange(triangles, std::move(split.triangles));
+    copies_ = std::move(split.geometric);
+    return {};
+  }
+
+  /// n x 3. Takes the geometric faces when they have served.
+  Result<std::vector<float>> read_geometry(const std::vector<std::uint32_t>& triangles) {
+    const bool is_split = !copies_.empty();
+    const std::span<const std::uint32_t> faces = is_split ? geometric_triangles_ : triangles;
+    if (header_.geometry == kGeometryPredictive) {
+      DELTAMESH_TRY(auto rows, read_predicted(faces));
+      if (is_split) rows = copy_rows(rows, copies_);
+      return rows;
+    }
+    DELTAMESH_TRY(const auto positions, read_solved(faces));
+    return to_float_rows(positions, copies_);
+  }
+
+  Result<std::vector<float>> read_predicted(std::span<const std::uint32_t> triangles) {
+    DELTAMESH_TRY(const auto payload, expand_single(container_, kTagPositions, max_payload(header_)));
+    return read_positions(payload.payload(), {triangles, header_.geometric_vertices}, header_.predictive,
+                          header_.box());
+  }
+
+  Result<void> check_components(std::uint32_t count) const {
+    if (count == header_.components) return {};
+    return Error{.code = ErrorCode::kInvalidStream,
+                 .message = "the number of connected components differs from the header's",
+                 .rule = "HDR-7"};
+  }
+
+  Result<LargeVector<Vec3>> read_solved(std::span<const std::uint32_t> triangles) {
+    Adjacency graph = build_adjacency(triangles, open_edges_, header_.geometric_vertices);
+    geometric_triangles_ = std::vector<std::uint32_t>();  // which {} would not free
+    if (header_.attributes == 0) open_edges_ = LargeVector<DirectedEdge>();
+    Components components = runs_.components(header_.geometric_vertices);
+    DELTAMESH_TRY(const auto deltas, expand_single(container_, kTagDeltas, max_payload(header_)));
+    DELTAMESH_TRY(const auto anchors, expand_single(container_, kTagAnchors, max_payload(header_)));
+    return read_highpass(deltas.payload(), anchors.payload(), std::move(graph), std::move(components),
+                         header_.box(), header_.highpass);
+  }
+
+  /// Over vertices joined by `triangles`.
+  Result<std::vector<Attribute>> read_attributes(std::span<const std::uint32_t> triangles) const {
+    std::uint64_t left = options_.limits.attribute_bytes;
+    std::optional<Adjacency> graph;
+    std::vector<Attribute> attributes;
+    for (const ChunkEntry& entry : container_.entries()) {
+      if (entry.tag != kTagAttribute) continue;
+      DELTAMESH_TRY(const auto chunk, expand_chunk(container_, entry, max_payload(header_)));
+      if (chunk.is_compact && !graph)
+        graph = copies_.empty() ? build_adjacency(triangles, open_edges_, header_.vertices)
+                                : build_adjacency(triangles, header_.vertices);
+      DELTAMESH_TRY(auto attribute,
+                    read_attribute(chunk.payload(), header_.vertices, left, graph ? &*graph : nullptr));
+      left -= attribute.values.size();
+      attributes.push_back(std::move(attribute));
+      if (attributes.size() > header_.attributes) break;
+    }
+    if (attributes.size() != header_.attributes)
+      return Error{.code = ErrorCode::kInvalidStream,
+                   .message = "the number of ATTR chunks differs from the header's",
+                   .rule = "HDR-13"};
+    return attributes;
+  }
+
+  const Container& container_;
+  const FileHeader& header_;
+  const DecodeOptions& options_;
+  std::vector<std::uint32_t> geometric_triangles_;  ///< empty where no vertex is split
+  LargeVector<DirectedEdge> open_edges_;            ///< of the geometric faces
+  VertexRuns runs_;                                 ///< of the geometric vertices
+  std::vector<std::uint32_t> copies_;               ///< geometric vertex of every vertex; likewise
+};
+
+}  // namespace
+
+Result<Mesh> decode_container(const Container& container, const DecodeOptions& options) {
+  return StreamDecoder(container, options).run();
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// The stages of decoding, one after the other.
+#pragma once
+
+#include "deltamesh/decode.h"
+#include "deltamesh/mesh.h"
+#include "deltamesh/result.h"
+#include "format/container.h"
+
+namespace deltamesh {
+
+/// The mesh in `container`, which keeps to the limits of vertices, triangles and attributes. On the threads
+/// and in the memory that the caller's thread has. Errors: as decode(); throws std::bad_alloc.
+Result<Mesh> decode_container(const Container& container, const DecodeOptions& options);
+
+}  // namespace deltamesh
