@@ -25,11 +25,13 @@ std::uint32_t most_neighbors(const Level& level) noexcept {
 /// Gives the free neighbours of `node` a code, and lists them from `place` on, whose end it returns; what
 /// comes next there may be overwritten. No branch: it could not be predicted.
 std::uint32_t* claim_neighbors(const Level& fine, std::uint32_t node, std::uint32_t code,
-                               LargeVector<std::uint32_t>& codes, std::uint32_t* place) noexcept {
-  for (std::uint32_t e = fine.offsets[node]; e < fine.offsets[node + 1]; ++e) {
-    const std::uint32_t neighbor = fine.neighbors[e];
-    const bool is_free = codes[neighbor] == kFree;
-    codes[neighbor] = is_free ? code : codes[neighbor];
+                               std::uint32_t* codes, std::uint32_t* place) noexcept {
+  const std::uint32_t* const end = fine.neighbors.data() + fine.offsets[node + 1];
+  for (const std::uint32_t* e = fine.neighbors.data() + fine.offsets[node]; e != end; ++e) {
+    const std::uint32_t neighbor = *e;
+    const std::uint32_t old = codes[neighbor];
+    const bool is_free = old == kFree;
+    codes[neighbor] = is_free ? code : old;
     *place = neighbor;
     place += is_free ? 1 : 0;
   }
@@ -47,10 +49,13 @@ struct AnchorNodes {
 };
 
 /// Hubs, and anchors with what belongs to them.
-AnchorNodes begin_codes(const Level& fine, LargeVector<std::uint32_t>& codes) {
+AnchorNodes begin_codes(const Level& fine, std::uint32_t* codes) {
   const std::uint32_t most = most_neighbors(fine);
-  const auto degree = [&](std::uint32_t node) { return fine.offsets[node + 1] - fine.offsets[node]; };
-  for (std::uint32_t node = 0; node < codes.size(); ++node) codes[node] = degree(node) > most ? kHub : kFree;
+  const auto degree = [offsets = fine.offsets.data()](std::uint32_t node) {
+    return offsets[node + 1] - offsets[node];
+  };
+  const std::uint32_t n = fine.node_count();
+  for (std::uint32_t node = 0; node < n; ++node) codes[node] = degree(node) > most ? kHub : kFree;
   for (std::uint32_t a = 0; a < fine.anchors.size(); ++a) codes[fine.anchors[a]] = Aggregates::kSeed + a;
   AnchorNodes owned;
   for (const std::uint32_t anchor : fine.anchors) {
@@ -72,21 +77,22 @@ Aggregates aggregate(const Level& fine) {
   Aggregates result;
   result.codes.resize(n);
   result.members.resize(n + 1);
-  const AnchorNodes owned = begin_codes(fine, result.codes);
-  std::uint32_t* member = result.members.data();
-  const auto place = [&] { return static_cast<std::uint32_t>(member - result.members.data()); };
+  std::uint32_t* const codes = result.codes.data();
+  const AnchorNodes owned = begin_codes(fine, codes);
+  std::uint32_t* const members = result.members.data();
+  std::uint32_t* member = members;
   for (std::uint32_t node = 0; node < n; ++node) {
-    const std::uint32_t code = result.codes[node];
+    const std::uint32_t code = codes[node];
     if (code < Aggregates::kSeed || code == kAnchors) continue;
     const auto number = static_cast<std::uint32_t>(result.start.size());
-    result.start.push_back(place());
-    result.codes[node] = Aggregates::kSeed + number;
+    result.start.push_back(static_cast<std::uint32_t>(member - members));
+    codes[node] = Aggregates::kSeed + number;
     *member++ = node;
     if (code == kFree) {
-      member = claim_neighbors(fine, node, number, result.codes, member);
+      member = claim_neighbors(fine, node, number, codes, member);
     } else if (code != kHub) {
       for (const std::uint32_t other : owned.of(code - Aggregates::kSeed)) {
-        result.codes[other] = number;
+        codes[other] = number;
         *member++ = other;
       }
     }

@@ -23,34 +23,43 @@ struct Range {
   bool has(std::uint32_t node) const noexcept { return node - begin < size; }
 };
 
-/// Whether all neighbours of `node` are in its chunk.
-template <bool kHasUnitWeights>
-bool is_among_own(const Level& level, std::uint32_t node, Range own) noexcept {
-  const std::uint32_t* const begin = level.neighbors.data() + level.offsets[node];
-  const std::uint32_t* const end = level.neighbors.data() + level.offsets[node + 1];
-  if constexpr (kHasUnitWeights) {  // neighbours ascend
-    return begin == end || (own.has(*begin) && own.has(end[-1]));
-  } else {
-    return std::all_of(begin, end, [&](std::uint32_t neighbor) { return own.has(neighbor); });
-  }
-}
-
 Range range_of(const std::vector<std::uint32_t>& bounds, std::uint32_t chunk) noexcept {
   return {bounds[chunk], bounds[chunk + 1] - bounds[chunk]};
 }
 
-bool is_from(Range coarse, const Interpolation& p) noexcept {
-  return coarse.has(p.node(0)) && coarse.has(p.node(1)) && coarse.has(p.node(2));
+/// Whether one of `nodes` is not in `range`. No branch: that lets processors compare many at once.
+bool leave(Range range, std::span<const std::uint32_t> nodes) noexcept {
+  std::uint32_t left = 0;
+  for (const std::uint32_t node : nodes) left += range.has(node) ? 0 : 1;
+  return left != 0;
 }
 
-template <bool kHasUnitWeights>
-std::vector<std::uint32_t> find_rim(const Level& level, Range own, Range coarse) {
-  std::vector<std::uint32_t> rim;
+bool leave(Range range, std::span<const Interpolation> rows) noexcept {
+  std::uint32_t left = 0;
+  for (const Interpolation& p : rows) {
+    for (std::size_t k = 0; k < 3; ++k) left += range.has(p.node(k)) ? 0 : 1;
+  }
+  return left != 0;
+}
+
+/// Whether one of the nodes from `begin` to `end` is on the rim.
+bool has_rim(const Level& level, std::uint32_t begin, std::uint32_t end, Range own, Range coarse) noexcept {
+  const std::uint32_t first = level.offsets[begin];
+  if (leave(own, level.neighbors.subspan(first, level.offsets[end] - first))) return true;
   const std::span<const Interpolation> interpolation = level.interpolation;
-  for (std::uint32_t node = own.begin; own.has(node); ++node) {
-    if (!is_among_own<kHasUnitWeights>(level, node, own) ||
-        (!interpolation.empty() && !is_from(coarse, interpolation[node])))
-      rim.push_back(node);
+  return !interpolation.empty() && leave(coarse, interpolation.subspan(begin, end - begin));
+}
+
+std::vector<std::uint32_t> find_rim(const Level& level, Range own, Range coarse) {
+  constexpr std::uint32_t kAtOnce = 32;
+  std::vector<std::uint32_t> rim;
+  const std::uint32_t last = own.begin + own.size;
+  for (std::uint32_t begin = own.begin; begin < last; begin += kAtOnce) {
+    const std::uint32_t end = std::min(begin + kAtOnce, last);
+    if (!has_rim(level, begin, end, own, coarse)) continue;
+    for (std::uint32_t node = begin; node < end; ++node) {
+      if (has_rim(level, node, node + 1, own, coarse)) rim.push_back(node);
+    }
   }
   return rim;
 }
@@ -67,8 +76,7 @@ Chunks make_chunks(const Level& level, std::vector<std::uint32_t> bounds,
   share_work(chunks.count(), [&](std::uint32_t k) {
     const Range own = range_of(chunks.bounds, k);
     const Range coarse = coarse_bounds.empty() ? Range{} : range_of(coarse_bounds, k);
-    rims[k] =
-        level.has_unit_weights() ? find_rim<true>(level, own, coarse) : find_rim<false>(level, own, coarse);
+    rims[k] = find_rim(level, own, coarse);
   });
   chunks.is_on_rim.resize(level.node_count());
   for (std::uint32_t k = 0; k < chunks.count(); ++k) {

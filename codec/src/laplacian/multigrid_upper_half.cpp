@@ -12,16 +12,16 @@ namespace {
 
 /// Keeps the entries that are not small.
 void drop_small(UpperHalf& upper, float smallest) {
+  Entry* const entries = upper.rows.entries.data();
+  const float* const largest = upper.largest.data();
   std::uint32_t kept = 0;
-  std::uint32_t first = 0;
+  std::uint32_t e = 0;
   for (std::uint32_t c = 0; c < upper.largest.size(); ++c) {
-    const std::uint32_t end = upper.rows.start[c + 1];
-    for (std::uint32_t e = first; e < end; ++e) {
-      const Entry entry = upper.rows.entries[e];
-      if (entry.weight >= smallest * std::min(upper.largest[c], upper.largest[entry.node]))
-        upper.rows.entries[kept++] = entry;
+    for (const std::uint32_t end = upper.rows.start[c + 1]; e < end; ++e) {
+      const Entry entry = entries[e];
+      entries[kept] = entry;  // no branch: it could not be predicted
+      kept += entry.weight >= smallest * std::min(largest[c], largest[entry.node]) ? 1 : 0;
     }
-    first = end;
     upper.rows.start[c + 1] = kept;
   }
   upper.rows.entries.resize(kept);
