@@ -18,7 +18,7 @@ namespace deltamesh::multigrid {
 
 struct CoarsestEffort {
   std::uint32_t largest_factored = 0;  ///< nodes; larger levels are left to conjugate gradients
-  double reduction = 0;                ///< of the residual, on every axis, where those stop
+  double reduction = 0;                ///< of the residual where those stop
 };
 
 /// Solves  K x + M s = b_x,  K s - E f = b_s,  x_a - f_a = g_a  (w = 1) for x, s and the anchor forces f, by

@@ -3,8 +3,12 @@
 #include "laplacian/multigrid_conjugate_gradients.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <type_traits>
 #include <vector>
+
+#include "base/large_vector.h"
 
 namespace deltamesh::multigrid {
 namespace {
@@ -22,25 +26,27 @@ bool all_at_most(const Double4& a, const Double4& b) noexcept {
   return a.xy[0] <= b.xy[0] && a.xy[1] <= b.xy[1] && a.zw[0] <= b.zw[0];
 }
 
-/// Four: Float4 or Double4; sums over all nodes are doubles. A K M^-1 K z needs y = K z and its neighbours
-/// only, which is kept up with z [Bjoerck, Elfving, Accelerated projection methods, 1979].
+/// Four: Float4 or Double4; sums over all nodes are doubles. The matrix, scaled by the roots of its diagonal
+/// S so that this becomes 1, is B^T B + S^-2 sum_a e_a e_a^T = L + I + L^T with B = M^-1/2 K S^-1. Solutions
+/// with I + L and I + L^T need B and an image under B only [Bjoerck, Elfving, Accelerated projection methods,
+/// 1979]; of symmetric Gauss-Seidel two of them make an iteration, for y = (I + L)^-1 r in place of the
+/// residual r and (I + L^T) d beside the direction d [Eisenstat, Efficient implementation of a class of
+/// preconditioned conjugate gradient methods, 1981].
 template <class Four>
 class Iterations final : public ConjugateGradients {
  public:
   Iterations(const CoarsestNodes& nodes, double reduction) : reduction_(reduction) {
     const std::uint32_t n = nodes.level.node_count();
     for (std::uint32_t i = 0; i < n; ++i) add_node(nodes, i);
-    for (auto* vector : {&solution_, &residual_, &direction_, &product_, &preconditioned_, &image_})
+    nodes_.push_back({static_cast<std::uint32_t>(pairs_.size()), 0, 0});
+    for (auto* vector : {&solution_, &residual_, &direction_, &turned_, &product_, &image_})
       vector->resize(n);
   }
 
   std::uint32_t solve(std::span<Double4> x, std::uint32_t most_iterations) override {
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      residual_[i] = as_four(x[i]);
-      solution_[i] = Four{};
-    }
+    for (std::size_t i = 0; i < x.size(); ++i) solution_[i] = as_four(nodes_[i].scale * x[i]);
     const std::uint32_t iterations = iterate(most_iterations);
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] = as_doubles(solution_[i]);
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] = nodes_[i].scale * as_doubles(solution_[i]);
     return iterations;
   }
 
@@ -48,16 +54,14 @@ class Iterations final : public ConjugateGradients {
   using Number = std::conditional_t<std::is_same_v<Four, Float4>, float, double>;
 
   struct Node {
-    std::uint32_t first_edge;  ///< the last is the one before the next node's first
-    Number degree;
-    Number scaled_degree;     ///< over the mass
-    Number inverse_diagonal;  ///< of the matrix
-    Number anchor;            ///< 1, or 0 where it is none
+    std::uint32_t first_pair;  ///< the last is the one before the next node's first
+    Number anchor;             ///< 1 over the diagonal, or 0 where it is none
+    double scale;              ///< 1 over the root of the diagonal
   };
-  struct Edge {
-    std::uint32_t neighbor;
-    Number weight;
-    Number scaled_weight;  ///< over the neighbour's mass
+  /// Two entries of a column of B.
+  struct Pair {
+    std::array<std::uint32_t, 2> rows;
+    std::array<Number, 2> values;
   };
 
   static Four as_four(const Double4& v) noexcept {
@@ -78,106 +82,118 @@ class Iterations final : public ConjugateGradients {
 
   void add_node(const CoarsestNodes& nodes, std::uint32_t node) {
     const Level& level = nodes.level;
-    const double degree = level.degree[node];
-    const double anchor = nodes.is_anchor[node];
-    const auto first_edge = static_cast<std::uint32_t>(edges_.size());
-    double diagonal = degree * degree * nodes.inverse_mass[node] + anchor;
-    for (std::uint32_t e = level.offsets[node]; e < level.offsets[node + 1]; ++e) {
-      const double weight = level.weight(e);
-      if (weight == 0) continue;  // that of pad_rows()
-      const std::uint32_t neighbor = level.neighbors[e];
-      const double scaled = weight * nodes.inverse_mass[neighbor];
-      diagonal += weight * scaled;
-      edges_.push_back({neighbor, static_cast<Number>(weight), static_cast<Number>(scaled)});
+    const auto visit_k = [&](const auto& each) {
+      each(node, static_cast<double>(level.degree[node]));
+      for (std::uint32_t e = level.offsets[node]; e < level.offsets[node + 1]; ++e)
+        each(level.neighbors[e], -static_cast<double>(level.weight(e)));
+    };
+    double diagonal = nodes.is_anchor[node];
+    visit_k([&](std::uint32_t row, double k) { diagonal += k * k * nodes.inverse_mass[row]; });
+    const double scale = diagonal > 0 ? 1 / std::sqrt(diagonal) : 0;
+    nodes_.push_back({static_cast<std::uint32_t>(pairs_.size()),
+                      static_cast<Number>(nodes.is_anchor[node] * scale * scale), scale});
+    bool is_half = false;
+    visit_k([&](std::uint32_t row, double k) {
+      const auto value = static_cast<Number>(k * scale * std::sqrt(nodes.inverse_mass[row]));
+      if (value == 0) return;  // also that of pad_rows()
+      if (is_half) {
+        pairs_.back().rows[1] = row;
+        pairs_.back().values[1] = value;
+      } else {
+        pairs_.push_back({{row, row}, {value, 0}});
+      }
+      is_half = !is_half;
+    });
+  }
+
+  std::span<const Pair> column(std::uint32_t i) const noexcept {
+    return {pairs_.data() + nodes_[i].first_pair, pairs_.data() + nodes_[i + 1].first_pair};
+  }
+
+  /// Of B^T times the image.
+  Four row_of_image(std::uint32_t i) const noexcept {
+    Four first{}, second{};
+    for (const auto& [rows, values] : column(i)) {
+      first += values[0] * image_[rows[0]];
+      second += values[1] * image_[rows[1]];
     }
-    if (nodes_.empty()) nodes_.emplace_back();
-    nodes_.back() = {first_edge, static_cast<Number>(degree),
-                     static_cast<Number>(degree * nodes.inverse_mass[node]),
-                     static_cast<Number>(diagonal > 0 ? 1 / diagonal : 0), static_cast<Number>(anchor)};
-    nodes_.push_back({static_cast<std::uint32_t>(edges_.size()), 0, 0, 0, 0});
+    return first + second;
   }
 
-  /// Of A z, with image_ = K z.
-  Four matrix_row(std::uint32_t i, const Four& z) const noexcept {
-    const Node& node = nodes_[i];
-    Four sum = node.scaled_degree * image_[i] + node.anchor * z;
-    for (std::uint32_t e = node.first_edge; e < nodes_[i + 1].first_edge; ++e)
-      sum -= edges_[e].scaled_weight * image_[edges_[e].neighbor];
-    return sum;
+  /// What z at a node adds to the image.
+  void add_to_image(std::uint32_t i, Four z) noexcept {
+    for (const auto& [rows, values] : column(i)) {
+      image_[rows[0]] += values[0] * z;
+      image_[rows[1]] += values[1] * z;
+    }
   }
 
-  void relax(std::uint32_t i) noexcept {
-    const Node& node = nodes_[i];
-    Four& z = preconditioned_[i];
-    const Four step = node.inverse_diagonal * (residual_[i] - matrix_row(i, z));
-    z += step;
-    image_[i] += node.degree * step;
-    for (std::uint32_t e = node.first_edge; e < nodes_[i + 1].first_edge; ++e)
-      image_[edges_[e].neighbor] -= edges_[e].weight * step;
-  }
-
-  /// Symmetric Gauss-Seidel: a forward sweep from zero, then a backward one.
-  void precondition() noexcept {
-    const auto n = static_cast<std::uint32_t>(solution_.size());
-    std::fill(preconditioned_.begin(), preconditioned_.end(), Four{});
+  /// y for a right-hand side that the solution, which becomes 0, holds; its square.
+  Double4 begin() noexcept {
     std::fill(image_.begin(), image_.end(), Four{});
-    for (std::uint32_t i = 0; i < n; ++i) relax(i);
-    for (std::uint32_t i = n; i-- > 0;) relax(i);
+    Double4 energy{};
+    for (std::uint32_t i = 0; i < residual_.size(); ++i) {
+      residual_[i] = solution_[i] - row_of_image(i);
+      add_to_image(i, residual_[i]);
+      energy += as_doubles(residual_[i]) * as_doubles(residual_[i]);
+    }
+    std::fill(solution_.begin(), solution_.end(), Four{});
+    std::fill(turned_.begin(), turned_.end(), Four{});
+    return energy;
   }
 
-  /// Sum, in plain order, of residual times what Gauss-Seidel makes of it.
-  Double4 residual_energy() const noexcept {
-    Double4 sum{};
-    for (std::size_t i = 0; i < residual_.size(); ++i)
-      sum += as_doubles(residual_[i]) * as_doubles(preconditioned_[i]);
-    return sum;
+  /// The direction becomes the preconditioned residual and `share` of what it was, the image its own.
+  void turn(const Four& share) noexcept {
+    std::fill(image_.begin(), image_.end(), Four{});
+    for (auto i = static_cast<std::uint32_t>(direction_.size()); i-- > 0;) {
+      turned_[i] = residual_[i] + share * turned_[i];
+      direction_[i] = turned_[i] - row_of_image(i);
+      add_to_image(i, direction_[i]);
+    }
   }
 
-  /// The direction becomes the preconditioned residual and `share` of what it was; its energy.
-  Double4 turn(const Four& share) noexcept {
+  /// (I + L)^-1 A d from the direction's image, which is used up. Returns d A d.
+  Double4 multiply() noexcept {
     Double4 energy{};
     for (std::uint32_t i = 0; i < direction_.size(); ++i) {
-      direction_[i] = preconditioned_[i] + share * direction_[i];
-      product_[i] = matrix_row(i, preconditioned_[i]) + share * product_[i];
-      energy += as_doubles(direction_[i]) * as_doubles(product_[i]);
+      product_[i] = row_of_image(i) + nodes_[i].anchor * direction_[i];
+      add_to_image(i, Four{} - product_[i]);
+      energy += as_doubles(turned_[i]) * as_doubles(product_[i]);
     }
     return energy;
   }
 
-  /// Sum of the squares of the residual, each over the diagonal's entry.
-  Double4 residual_squares() const noexcept {
-    Double4 sum{};
-    for (std::size_t i = 0; i < residual_.size(); ++i)
-      sum += as_doubles(nodes_[i].inverse_diagonal * residual_[i]) * as_doubles(residual_[i]);
-    return sum;
+  /// The square of what y becomes.
+  Double4 step(const Four& length) noexcept {
+    Double4 energy{};
+    for (std::size_t i = 0; i < solution_.size(); ++i) {
+      solution_[i] += length * direction_[i];
+      residual_[i] -= length * product_[i];
+      energy += as_doubles(residual_[i]) * as_doubles(residual_[i]);
+    }
+    return energy;
   }
 
   std::uint32_t iterate(std::uint32_t most_iterations) noexcept {
-    std::fill(direction_.begin(), direction_.end(), Four{});
-    std::fill(product_.begin(), product_.end(), Four{});
-    const Double4 small = reduction_ * reduction_ * residual_squares();
-    Double4 energy{};
+    Double4 energy = begin();
+    const Double4 small = reduction_ * reduction_ * energy;
+    Four share{};
     for (std::uint32_t iteration = 1;; ++iteration) {
-      precondition();
-      const Double4 next = residual_energy();
-      const Four share = as_four(ratio(next, energy));
-      energy = next;
-      const Four step = as_four(ratio(energy, turn(share)));
-      for (std::size_t i = 0; i < solution_.size(); ++i) {
-        solution_[i] += step * direction_[i];
-        residual_[i] -= step * product_[i];
-      }
-      const Double4 left = residual_squares();
+      turn(share);
+      const Double4 left = step(as_four(ratio(energy, multiply())));
       if (all_at_most(left, small) || iteration >= most_iterations) return iteration;
+      share = as_four(ratio(left, energy));
+      energy = left;
     }
   }
 
   double reduction_;
   std::vector<Node> nodes_;  ///< and one for the end
-  std::vector<Edge> edges_;
-  std::vector<Four> solution_, residual_;
-  std::vector<Four> direction_, product_;     ///< d and A d
-  std::vector<Four> preconditioned_, image_;  ///< z and K z
+  LargeVector<Pair> pairs_;
+  std::vector<Four> solution_, residual_;  ///< scaled x; y
+  std::vector<Four> direction_, turned_;   ///< d and (I + L^T) d
+  std::vector<Four> product_;              ///< (I + L)^-1 A d
+  std::vector<Four> image_;                ///< B times what the nodes come to so far have
 };
 
 }  // namespace

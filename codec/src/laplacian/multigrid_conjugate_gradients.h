@@ -32,8 +32,9 @@ class ConjugateGradients {
   virtual std::uint32_t solve(std::span<Double4> x, std::uint32_t most_iterations) = 0;
 };
 
-/// `nodes`: what they show must outlive the result. `reduction` of the residual, on every axis, ends the
-/// iterations. Where it is 1e-3 or more floats are enough, and half the work.
+/// `nodes` have served when this returns. `reduction` of the residual, on every axis and as the
+/// preconditioner measures it, ends the iterations. Where it is 1e-3 or more floats are enough, and half the
+/// work.
 std::unique_ptr<ConjugateGradients> make_conjugate_gradients(const CoarsestNodes& nodes, double reduction);
 
 }  // namespace deltamesh::multigrid
