@@ -3,6 +3,8 @@
 #include "base/memory_pool.h"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 #include "base/large_pages.h"
 
@@ -38,7 +40,8 @@ std::size_t MemoryPool::Chunk::size_of(std::size_t block) const noexcept {
   return static_cast<std::size_t>(after - blocks[block].begin);
 }
 
-/// The smallest free block that is large enough; or new pages, once those that nobody uses are given back, so
+/// The smallest free block that is large enough, but the end of a chunk, which may be untouched, only where
+/// there is no other; or new pages, once those that nobody uses are given back, so
 /// that no more memory is taken than without a pool.
 void* MemoryPool::allocate(std::size_t bytes) {
   constexpr std::size_t kUnit = 64;  // a line of the cache
@@ -46,12 +49,14 @@ void* MemoryPool::allocate(std::size_t bytes) {
   const std::lock_guard lock(mutex_);
   Chunk* best = nullptr;
   std::size_t best_block = 0;
+  std::pair<bool, std::size_t> least{true, std::numeric_limits<std::size_t>::max()};
   for (Chunk& chunk : chunks_) {
     for (std::size_t i = 0; i < chunk.blocks.size(); ++i) {
-      if (!chunk.blocks[i].is_free || chunk.size_of(i) < bytes) continue;
-      if (best != nullptr && best->size_of(best_block) <= chunk.size_of(i)) continue;
+      const std::pair cost(i + 1 == chunk.blocks.size(), chunk.size_of(i));
+      if (!chunk.blocks[i].is_free || cost.second < bytes || least <= cost) continue;
       best = &chunk;
       best_block = i;
+      least = cost;
     }
   }
   if (best != nullptr) return take(*best, best_block, bytes);

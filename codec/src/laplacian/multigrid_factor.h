@@ -34,6 +34,9 @@ class SparseFactor {
   void solve(std::span<Double4> b);
 
  private:
+  /// Fills the columns, whose places and offsets are known. False where a pivot is not positive.
+  bool factor(const SymmetricMatrix& matrix, std::span<const std::uint32_t> parent);
+
   std::vector<std::uint32_t> place_;    ///< n: where row i went
   std::vector<std::uint32_t> offsets_;  ///< n + 1: columns of L below its diagonal of ones
   LargeVector<std::uint32_t> rows_;
