@@ -40,32 +40,36 @@ struct Edges {
 class RowMaker {
  public:
   RowMaker(const Level& fine, const Aggregates& aggregates, Level& coarse)
-      : fine_(fine),
+      : offsets_(fine.offsets.data()),
+        neighbors_(fine.neighbors.data()),
         codes_(aggregates.codes.data()),
         last_(aggregates.members.data() + aggregates.members.size()),
-        coarse_(coarse),
+        coarse_offsets_(coarse.storage.offsets.data()),
+        middle_(coarse.middle.data()),
+        degree_(coarse.degree.data()),
+        inverse_degree_(coarse.inverse_degree.data()),
         sums_(aggregates.count(), 0),
-        touched_(aggregates.count() + 1),
-        higher_sums_(aggregates.count() + 1) {}
+        touched_(aggregates.count() + 1) {}
 
   /// That of aggregate `c`, after the others.
   void add(std::uint32_t c, std::span<const std::uint32_t> members, Edges& edges) {
     sums_[c] = 1;  // no bridge leads there
-    std::uint32_t count = add_node<true>(members.data(), 0);
+    std::size_t count = add_node<true>(members.data(), 0);
     for (const std::uint32_t& member : members.subspan(1)) count = add_node<false>(&member, count);
     sums_[c] = 0;
-    edges.make_room(count + 1);
-    const Split split = split_bridges(c, count, edges);
-    coarse_.middle[c] = edges.count + split.lower;
-    edges.count += count;
-    coarse_.storage.offsets[c + 1] = edges.count;
-    coarse_.degree[c] = to_weight(split.sum);
-    coarse_.inverse_degree[c] = split.sum > 0 ? 1 / to_weight(split.sum) : 0;
+    edges.make_room(count);
+    const Taken taken = take_sums(c, count, edges);
+    middle_[c] = edges.count + taken.lower;
+    edges.count += static_cast<std::uint32_t>(count);
+    coarse_offsets_[c + 1] = edges.count;
+    const float degree = to_weight(taken.sum);
+    degree_[c] = degree;
+    inverse_degree_[c] = degree > 0 ? 1 / degree : 0;
   }
 
  private:
   /// Of the aggregates that bridges lead to, how many are lower, and what all weigh.
-  struct Split {
+  struct Taken {
     std::uint32_t lower;
     std::uint32_t sum;
   };
@@ -80,56 +84,57 @@ class RowMaker {
 
   /// Adds the edges of a member, on top of `count` aggregates touched before; returns how many these are now.
   template <bool kIsSeed>
-  std::uint32_t add_node(const std::uint32_t* member, std::uint32_t count) noexcept {
-    const std::uint32_t node = *member;
-    if (last_ - member > kAhead) prefetch(fine_.neighbors.data() + fine_.offsets[member[kAhead]]);
+  std::size_t add_node(const std::uint32_t* member, std::size_t count) noexcept {
     constexpr std::uint32_t kToMember = kShares[kIsSeed ? 1 : 0];
-    constexpr std::uint32_t kToSeed = kShares[kIsSeed ? 2 : 1];
+    constexpr std::uint32_t kMoreToSeed = kShares[kIsSeed ? 2 : 1] - kToMember;
+    if (last_ - member > kAhead) prefetch(neighbors_ + offsets_[member[kAhead]]);
     std::uint32_t* const sums = sums_.data();
     std::uint32_t* const touched = touched_.data();
     const std::uint32_t* const codes = codes_;
-    const std::uint32_t* const end = fine_.neighbors.data() + fine_.offsets[node + 1];
-    for (const std::uint32_t* e = fine_.neighbors.data() + fine_.offsets[node]; e != end; ++e) {
-      const std::uint32_t code = codes[*e];
-      const std::uint32_t other = code & ~Aggregates::kSeed;
+    const std::uint32_t* const offset = offsets_ + *member;
+    const std::uint32_t* const end = neighbors_ + offset[1];
+    for (const std::uint32_t* e = neighbors_ + offset[0]; e != end; ++e) {
+      const std::size_t code = codes[*e];
+      const std::size_t other = code % Aggregates::kSeed;
       const std::uint32_t sum = sums[other];
-      touched[count] = other;
+      touched[count] = static_cast<std::uint32_t>(other);
       count += sum == 0 ? 1 : 0;
-      sums[other] = sum + (code >= Aggregates::kSeed ? kToSeed : kToMember);
+      sums[other] = sum + kToMember + static_cast<std::uint32_t>(code / Aggregates::kSeed) * kMoreToSeed;
     }
     return count;
   }
 
-  /// Lists the aggregates touched from the end of `edges` on, first those below `c`, and clears the sums.
-  Split split_bridges(std::uint32_t c, std::uint32_t count, Edges& edges) noexcept {
+  /// Clears the sums of the aggregates touched and makes them edges from the end of `edges` on, first those
+  /// to the aggregates below `c`, at the end the others, backwards.
+  Taken take_sums(std::uint32_t c, std::size_t count, Edges& edges) noexcept {
+    std::uint32_t* const sums = sums_.data();
     std::uint32_t* const neighbors = edges.neighbors.data() + edges.count;
     float* const weights = edges.weights.data() + edges.count;
-    std::uint32_t lower = 0;
+    std::size_t low = 0;
+    std::size_t high = count;
     std::uint32_t all = 0;
-    for (std::uint32_t k = 0; k < count; ++k) {
-      const std::uint32_t other = touched_[k];
-      const std::uint32_t sum = std::exchange(sums_[other], 0);
-      neighbors[lower] = other;
-      weights[lower] = to_weight(sum);
-      touched_[k - lower] = other;
-      higher_sums_[k - lower] = sum;
-      lower += other < c ? 1 : 0;
+    for (const std::uint32_t other : std::span(touched_.data(), count)) {
+      const std::uint32_t sum = std::exchange(sums[other], 0);
+      --high;  // at both ends: one of the places will be overwritten
+      neighbors[low] = neighbors[high] = other;
+      weights[low] = weights[high] = to_weight(sum);
+      low += other < c ? 1 : 0;
+      high += other < c ? 1 : 0;
       all += sum;
     }
-    for (std::uint32_t k = lower; k < count; ++k) {
-      neighbors[k] = touched_[k - lower];
-      weights[k] = to_weight(higher_sums_[k - lower]);
-    }
-    return {lower, all};
+    return {static_cast<std::uint32_t>(low), all};
   }
 
-  const Level& fine_;
+  const std::uint32_t* offsets_;
+  const std::uint32_t* neighbors_;
   const std::uint32_t* codes_;
   const std::uint32_t* last_;  ///< end of all members
-  Level& coarse_;
-  LargeVector<std::uint32_t> sums_;         ///< by aggregates; 0 but for those touched
-  LargeVector<std::uint32_t> touched_;      ///< one after the other, then those that are higher
-  LargeVector<std::uint32_t> higher_sums_;  ///< of these
+  std::uint32_t* coarse_offsets_;
+  std::uint32_t* middle_;
+  float* degree_;
+  float* inverse_degree_;
+  LargeVector<std::uint32_t> sums_;     ///< by aggregates; 0 but for those touched
+  LargeVector<std::uint32_t> touched_;  ///< one after the other
 };
 
 /// Numbers the edges of the rows from `begin` to `end` from `first` on, and puts them there.
@@ -174,7 +179,8 @@ void make_bridge_graph(const Level& fine, const Aggregates& aggregates, Level& c
   share_work(pieces, [&](std::uint32_t p) {
     RowMaker maker(fine, aggregates, coarse);
     parts[p].make_room(fine.neighbors.size() / pieces / 2);
-    for (std::uint32_t c = piece_begin(nodes, pieces, p); c < piece_begin(nodes, pieces, p + 1); ++c)
+    const std::uint32_t end = piece_begin(nodes, pieces, p + 1);
+    for (std::uint32_t c = piece_begin(nodes, pieces, p); c < end; ++c)
       maker.add(c, aggregates.members_of(c), parts[p]);
   });
   join(parts, coarse);

@@ -16,22 +16,23 @@
 namespace deltamesh::multigrid {
 namespace {
 
-/// Rows of P^T: of each, the nodes interpolated from it, ascending.
+/// Rows of P^T: of each, the nodes interpolated from it, ascending but that those on the rim come last.
 SparseRows transpose(const Level& fine, std::uint32_t nodes) {
   SparseRows rows{.start = LargeVector<std::uint32_t>(nodes + 1, 0), .entries = {}};
   LargeVector<std::uint32_t>& start = rows.start;
-  for (const Interpolation& p : fine.interpolation) {
-    for (std::size_t k = 0; k < 3; ++k) start[p.node(k) + 1] += p.weight(k) > 0 ? 1 : 0;
-  }
+  const auto visit = [&](const auto& each) {
+    fine.chunks.visit([&](std::uint32_t i) {
+      const Interpolation& p = fine.interpolation[i];
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (p.weight(k) > 0) each(i, p.node(k), p.weight(k));
+      }
+    });
+  };
+  visit([&](std::uint32_t, std::uint32_t c, float) { ++start[c + 1]; });
   for (std::size_t c = 0; c < nodes; ++c) start[c + 1] += start[c];
   rows.entries.resize(start[nodes]);
   LargeVector<std::uint32_t> next(start.begin(), start.end() - 1);
-  for (std::uint32_t i = 0; i < fine.interpolation.size(); ++i) {
-    const Interpolation& p = fine.interpolation[i];
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (p.weight(k) > 0) rows.entries[next[p.node(k)]++] = {i, p.weight(k)};
-    }
-  }
+  visit([&](std::uint32_t i, std::uint32_t c, float weight) { rows.entries[next[c]++] = {i, weight}; });
   return rows;
 }
 

@@ -79,23 +79,24 @@ bool is_bridged(const Level& fine, Coarsening how) noexcept {
 
 /// P^T M, summed by rows, from M: mass(node).
 template <class Mass>
-void restrict_mass(const Level& fine, const Mass& mass, LargeVector<float>& coarse) {
-  for (std::uint32_t i = 0; i < fine.node_count(); ++i) {
+LargeVector<float> restrict_mass(const Level& fine, const Mass& mass, std::uint32_t nodes) {
+  LargeVector<float> coarse(nodes, 0.0F);
+  fine.chunks.visit([&](std::uint32_t i) {
     fine.interpolation[i].spread(mass(i), [&](std::uint32_t node) -> float& { return coarse[node]; });
-  }
+  });
+  return coarse;
 }
 
-/// The next level; false where it would have more edges than `fine`.
+/// The next level, from P and the chunks of `fine`; false where it would have more edges.
 bool coarsen(const Level& fine, const Aggregates& aggregates, Coarsening how, float smallest, Level& coarse) {
-  coarse.mass.assign(aggregates.count(), 0.0F);
   if (is_bridged(fine, how)) {
     make_bridge_graph(fine, aggregates, coarse);
-    restrict_mass(
-        fine, [&](std::uint32_t i) { return unit_degree(fine, i) * unit_degree(fine, i); }, coarse.mass);
+    const auto mass = [&](std::uint32_t i) { return unit_degree(fine, i) * unit_degree(fine, i); };
+    coarse.mass = restrict_mass(fine, mass, aggregates.count());
   } else {
     if (!make_galerkin_graph(fine, aggregates.count(), smallest, coarse)) return false;
-    restrict_mass(
-        fine, [&](std::uint32_t i) { return fine.mass[i]; }, coarse.mass);
+    const auto mass = [&](std::uint32_t i) { return fine.mass[i]; };
+    coarse.mass = restrict_mass(fine, mass, aggregates.count());
   }
   if (coarse.edge_ends + kMostPadding * aggregates.count() > kMostEdgeEnds) return false;
   coarse.anchors.reserve(fine.anchors.size());
@@ -141,13 +142,14 @@ std::vector<Level> build_levels(const Adjacency& graph, std::span<const std::uin
     if (5 * (aggregates.count() - held) >= 4 * (fine.node_count() - held)) break;
     if (aggregates.count() > Interpolation::kMostNodes) break;
     fine.interpolation = make_interpolation(fine, aggregates);
+    std::vector<std::uint32_t> coarse_bounds = places_of(bounds, aggregates);
+    fine.chunks = make_chunks(fine, std::move(bounds), coarse_bounds);
     Level coarse;
     if (!coarsen(fine, aggregates, how, smallest, coarse)) {
+      bounds = std::move(fine.chunks.bounds);
       fine.interpolation.clear();
       break;
     }
-    std::vector<std::uint32_t> coarse_bounds = places_of(bounds, aggregates);
-    fine.chunks = make_chunks(fine, std::move(bounds), coarse_bounds);
     bounds = is_worth_sharing(coarse) ? std::move(coarse_bounds)
                                       : std::vector<std::uint32_t>{0, coarse.node_count()};
     if (how == Coarsening::kQuick && fine.has_unit_weights()) forget_diagonal(fine);
