@@ -14,8 +14,9 @@ namespace deltamesh::multigrid {
 inline constexpr std::uint32_t kMostChunks = 16;
 
 /// Ranges of nodes that are worked on side by side. What lies between them is left for the end: no node but
-/// one of the rim has a neighbour in another chunk, or is interpolated from a coarse node of another one. The
-/// chunks of a coarse level are what those of the finer one are interpolated from.
+/// one of the rim has a neighbour in an earlier chunk, so that any in another one is on the rim, or is
+/// interpolated from a coarse node of another one. The chunks of a coarse level are what those of the finer
+/// one are interpolated from.
 struct Chunks {
   std::vector<std::uint32_t> bounds;     ///< where each begins, and the end
   std::vector<std::uint32_t> rim;        ///< ascending
