@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -22,36 +23,36 @@ namespace {
 
 constexpr std::array<std::uint8_t, 16> kWeights = {24, 14, 8, 4, 3, 2, 1, 3, 1, 2, 3, 4, 8, 14, 24, 40};
 
-void expect_whole(const QuickModels& models, std::size_t model) {
+void expect_whole(const QuickModel& model) {
   std::uint32_t start = 0;
   for (unsigned s = 0; s < 16; ++s) {
-    const Interval interval = models.interval(model, s);
+    const Interval interval = model.interval(s);
     EXPECT_EQ(interval.start, start);
     EXPECT_GE(interval.size, 2U);
     start += interval.size;
-    EXPECT_EQ(models.find(model, interval.start), s);
-    EXPECT_EQ(models.find(model, start - 1), s);
+    EXPECT_EQ(model.find(interval.start), s);
+    EXPECT_EQ(model.find(start - 1), s);
   }
   EXPECT_EQ(start, 1U << 15);
 }
 
 TEST(QuickModels, CMP13IntervalsMakeUpTheWhole) {
-  QuickModels models(2, kWeights);
-  expect_whole(models, 0);
+  QuickModel model(kWeights);
+  expect_whole(model);
   test::RandomBits random(3);
   for (const unsigned favourite : {0U, 7U, 15U}) {
     for (int i = 0; i < 20000; ++i) {
-      models.learn(1, i % 300 == 0 ? random() % 16 : favourite);
-      if (i % 499 == 0) expect_whole(models, 1);
+      model.learn(i % 300 == 0 ? random() % 16 : favourite);
+      if (i % 499 == 0) expect_whole(model);
     }
-    expect_whole(models, 1);
-    EXPECT_GT(models.interval(1, favourite).size, 31000U) << favourite;
+    expect_whole(model);
+    EXPECT_GT(model.interval(favourite).size, 31000U) << favourite;
   }
-  EXPECT_EQ(models.interval(0, 0).start, 0U);
+  EXPECT_EQ(model.interval(0).start, 0U);
 }
 
 TEST(QuickModels, CMP13LearnsAsByHand) {
-  QuickModels models(1, kWeights);
+  QuickModel model(kWeights);
   std::array<std::int32_t, 16> lanes{};
   std::int32_t below = 0;
   for (int i = 0; i < 16; ++i) {
@@ -64,8 +65,8 @@ TEST(QuickModels, CMP13LearnsAsByHand) {
     const int rate = n < 10 ? 3 : n < 26 ? 4 : n < 58 ? 5 : n < 122 ? 6 : n < 250 ? 7 : 8;
     for (int i = 0; i < 16; ++i)
       lanes[i] += (2 * i + (i > static_cast<int>(symbol) ? 32481 + (1 << rate) : 0) - lanes[i]) >> rate;
-    models.learn(0, symbol);
-    for (unsigned i = 0; i < 16; ++i) ASSERT_EQ(models.interval(0, i).start, lanes[i]) << n << " " << i;
+    model.learn(symbol);
+    for (unsigned i = 0; i < 16; ++i) ASSERT_EQ(model.interval(i).start, lanes[i]) << n << " " << i;
   }
 }
 
@@ -80,15 +81,15 @@ TEST(QuickNumbers, CMP14ReadsAnyNumber) {
     QuickNumberCoder numbers_of(coder, 3, 2);
     for (std::size_t i = 0; i + 1 < values.size(); i += 2) {
       const auto shift = static_cast<unsigned>(i / 2 % 17);
-      bool is_far = false;
-      values[i] = numbers_of.template code<0>(coder, values[i], shift, i % 3, i % 2, is_far);
-      EXPECT_EQ(is_far, values[i] >> shift < -7 || values[i] >> shift > 7);
-      values[i + 1] = numbers_of.template code<1>(coder, values[i + 1], shift, i % 3, i % 2, is_far);
+      unsigned symbol = 0;
+      values[i] = numbers_of.template code<0>(coder, values[i], shift, i % 3, i % 2, symbol);
+      EXPECT_EQ(symbol == numbers_of.kEscape, values[i] >> shift < -7 || values[i] >> shift > 7);
+      values[i + 1] = numbers_of.template code<1>(coder, values[i + 1], shift, i % 3, i % 2, symbol);
     }
   };
   PairWriter writer;
   code(writer, numbers);
-  const auto bytes = writer.finish();
+  const PairBytes bytes(writer.finish());
   PairReader reader(bytes);
   std::vector<std::int64_t> back(numbers.size());
   code(reader, back);
@@ -98,17 +99,35 @@ TEST(QuickNumbers, CMP14ReadsAnyNumber) {
 
 TEST(PairReader, CMP3RefusesStatesOutOfRange) {
   for (const std::size_t size : {0, 4, 15}) {
-    const std::vector<std::byte> few(size);
+    const PairBytes few(std::vector<std::byte>{size});
     const PairReader reader(few);
     EXPECT_TRUE(reader.failed());
     EXPECT_FALSE(reader.finish(0, 0));
   }
   std::vector<std::byte> bytes(16);
-  EXPECT_TRUE(PairReader(bytes).failed());
+  const auto fails = [&] {
+    const PairBytes of(bytes);
+    return PairReader(of).failed();
+  };
+  EXPECT_TRUE(fails());
   bytes[3] = bytes[11] = std::byte{0x80};  // both 2^31: a stream without decisions
-  EXPECT_TRUE(PairReader(bytes).finish(0, 0));
+  EXPECT_FALSE(fails());
+  const PairBytes whole(bytes);
+  EXPECT_TRUE(PairReader(whole).finish(0, 0));
   bytes[15] = std::byte{0x80};
-  EXPECT_TRUE(PairReader(bytes).failed());
+  EXPECT_TRUE(fails());
+}
+
+TEST(PairReader, CMP3MissesWords) {
+  std::vector<std::byte> bytes(20);
+  bytes[3] = bytes[11] = std::byte{0x80};
+  const PairBytes one(bytes);
+  PairReader reader(one);
+  reader.bits<0>(0, 16);
+  EXPECT_FALSE(reader.failed());
+  for (std::size_t i = 1; i < PairBytes::kWordsUnasked; ++i) reader.bits<1>(0, 16);
+  EXPECT_TRUE(reader.failed());
+  EXPECT_FALSE(reader.finish(0, 0));
 }
 
 TEST(EightShorts, LanesAreAsByHand) {
@@ -122,15 +141,15 @@ TEST(EightShorts, LanesAreAsByHand) {
     }
     const EightShorts high = multiply_high(a, b);
     const EightShorts unsigned_high = multiply_high_unsigned(a, b);
-    const FourInts sum = sum_of_upper(a, 8, b, -5);
-    EXPECT_EQ(sum[1], 8 * (a[4] + a[5] + a[6] + a[7]) - 5 * (b[4] + b[5] + b[6] + b[7]));
-    EXPECT_EQ(set_lanes(sum - sum[1] - 1), 15U);
+    const FourInts sums_of_a = sums_of_halves(a, 8);
+    const EightShorts octaves = quarter_octaves(a);
     const EightShorts positive_a = a & 0x7fff;
     const EightShorts positive_b = b & 0x7fff;
     const EightShorts means = rounded_means(positive_a, positive_b);
     const EightShorts sums = wrapped_sum(a, b);
     const EightShorts sizes = lane_sizes(larger_lanes(a, all_lanes(-32767)));
-    const EightShorts joined = join_halves(a, b);
+    const EightShorts low = low_halves(a, b);
+    const EightShorts high_ones = high_halves(a, b);
     const EightShorts chosen = choose_lanes(a > b, a, b);
     for (int k = 0; k < 8; ++k) {
       EXPECT_EQ(high[k], (a[k] * b[k]) >> 16);
@@ -139,7 +158,13 @@ TEST(EightShorts, LanesAreAsByHand) {
       EXPECT_EQ(means[k], (positive_a[k] + positive_b[k] + 1) >> 1);
       EXPECT_EQ(sums[k], static_cast<std::int16_t>(a[k] + b[k]));
       EXPECT_EQ(sizes[k], std::min(std::abs(int{a[k]}), 32767));
-      EXPECT_EQ(joined[k], k < 4 ? a[k] : b[k]);
+      EXPECT_EQ(low[k], k < 4 ? a[k] : b[k - 4]);
+      EXPECT_EQ(high_ones[k], k < 4 ? a[k + 4] : b[k]);
+      const int half = k / 4 * 4;
+      EXPECT_EQ(sums_of_a[k / 2], 8 * (a[half] + a[half + 1] + a[half + 2] + a[half + 3]));
+      const std::uint32_t lane = static_cast<std::uint16_t>(a[k]);
+      const auto place = static_cast<int>(std::bit_width(lane)) - 1;
+      EXPECT_EQ(octaves[k], lane == 0 ? -4 * 127 : 4 * place + static_cast<int>((4 * lane >> place) & 3));
       EXPECT_EQ(chosen[k], std::max(a[k], b[k]));
     }
   }

@@ -12,6 +12,7 @@
 namespace deltamesh {
 
 using EightShorts = std::int16_t __attribute__((vector_size(16)));
+using EightUnsigned = std::uint16_t __attribute__((vector_size(16)));
 
 constexpr EightShorts all_lanes(std::int32_t number) noexcept {
   const auto lane = static_cast<std::int16_t>(number);
@@ -31,14 +32,17 @@ inline EightShorts pack_lanes(FourInts low, FourInts high) noexcept {
 #endif
 }
 
+/// The first four lanes of both, or the last four.
+inline EightShorts low_halves(EightShorts a, EightShorts b) noexcept {
+  return __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11);
+}
+inline EightShorts high_halves(EightShorts a, EightShorts b) noexcept {
+  return __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15);
+}
+
 /// The first four lanes, twice.
 inline EightShorts twice_low(EightShorts lanes) noexcept {
   return __builtin_shufflevector(lanes, lanes, 0, 1, 2, 3, 0, 1, 2, 3);
-}
-
-/// The upper four lanes of `high` after the first four of `low`.
-inline EightShorts join_halves(EightShorts low, EightShorts high) noexcept {
-  return __builtin_shufflevector(low, high, 0, 1, 2, 3, 12, 13, 14, 15);
 }
 
 /// Where a lane of `mask` is -1 that of `if_set`, where it is 0 that of `if_clear`.
@@ -48,12 +52,10 @@ inline EightShorts choose_lanes(EightShorts mask, EightShorts if_set, EightShort
 
 /// Modulo 2^16.
 inline EightShorts wrapped_sum(EightShorts a, EightShorts b) noexcept {
-  using EightUnsigned = std::uint16_t __attribute__((vector_size(16)));
   return reinterpret_cast<EightShorts>(reinterpret_cast<EightUnsigned>(a) +
                                        reinterpret_cast<EightUnsigned>(b));
 }
 inline EightShorts wrapped_difference(EightShorts a, EightShorts b) noexcept {
-  using EightUnsigned = std::uint16_t __attribute__((vector_size(16)));
   return reinterpret_cast<EightShorts>(reinterpret_cast<EightUnsigned>(a) -
                                        reinterpret_cast<EightUnsigned>(b));
 }
@@ -83,21 +85,38 @@ inline EightShorts multiply_high_unsigned(EightShorts a, EightShorts b) noexcept
 #endif
 }
 
-/// What the last four lanes of `a`, each times `a_weight`, and of `b`, each times `b_weight`, add up to, in
-/// every lane.
-inline FourInts sum_of_upper(EightShorts a, std::int32_t a_weight, EightShorts b,
-                             std::int32_t b_weight) noexcept {
+/// What the first four lanes, each times `weight`, add up to, in the first two lanes; that of the last four
+/// in the others.
+inline FourInts sums_of_halves(EightShorts lanes, std::int32_t weight) noexcept {
 #if defined(__SSE2__)
-  const __m128i pairs = _mm_unpackhi_epi16(reinterpret_cast<__m128i>(a), reinterpret_cast<__m128i>(b));
-  const auto weights = _mm_set1_epi32((a_weight & 0xffff) | b_weight * 0x10000);
-  const auto products = reinterpret_cast<FourInts>(_mm_madd_epi16(pairs, weights));
-  const FourInts halves = products + __builtin_shufflevector(products, products, 2, 3, 0, 1);
-  return halves + __builtin_shufflevector(halves, halves, 1, 0, 3, 2);
+  const auto pairs = reinterpret_cast<FourInts>(
+      _mm_madd_epi16(reinterpret_cast<__m128i>(lanes), reinterpret_cast<__m128i>(all_lanes(weight))));
+  return pairs + __builtin_shufflevector(pairs, pairs, 1, 0, 3, 2);
 #else
-  std::int32_t sum = 0;
-  for (int i = 4; i < 8; ++i) sum += a[i] * a_weight + b[i] * b_weight;
-  return FourInts{sum, sum, sum, sum};
+  const std::int32_t low = (lanes[0] + lanes[1] + lanes[2] + lanes[3]) * weight;
+  const std::int32_t high = (lanes[4] + lanes[5] + lanes[6] + lanes[7]) * weight;
+  return FourInts{low, low, high, high};
 #endif
+}
+
+/// Four times the place of the highest bit, and the two bits below it; below 0 for lanes of 0. Lanes stand
+/// for 0 to 65535.
+inline EightShorts quarter_octaves(EightShorts lanes) noexcept {
+  constexpr int kOne = 127 * 4;  // the float's exponent for 1
+  const auto of_four = [](FourInts numbers) { return reinterpret_cast<FourInts>(to_floats(numbers)) >> 21; };
+#if defined(__SSE2__)
+  const auto bits = reinterpret_cast<__m128i>(lanes);
+  const auto low = reinterpret_cast<FourInts>(_mm_unpacklo_epi16(bits, _mm_setzero_si128()));
+  const auto high = reinterpret_cast<FourInts>(_mm_unpackhi_epi16(bits, _mm_setzero_si128()));
+#else
+  FourInts low;
+  FourInts high;
+  for (int i = 0; i < 4; ++i) {
+    low[i] = static_cast<std::uint16_t>(lanes[i]);
+    high[i] = static_cast<std::uint16_t>(lanes[4 + i]);
+  }
+#endif
+  return pack_lanes(of_four(low), of_four(high)) - all_lanes(kOne);
 }
 
 /// (a + b + 1) >> 1, no lane below 0.

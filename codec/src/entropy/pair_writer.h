@@ -21,8 +21,8 @@ class PairWriter {
 
   /// `value` below 16.
   template <unsigned kState>
-  unsigned symbol(unsigned value, const LowBits& low, const QuickModels& models, std::size_t model) {
-    writer_.decide(models.interval(model, value), low);
+  unsigned symbol(unsigned value, const LowBits& low, const QuickModel& model) {
+    writer_.decide(model.interval(value), low);
     return value;
   }
 

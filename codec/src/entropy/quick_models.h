@@ -9,46 +9,46 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <limits>
 
 #include "entropy/compact_model.h"
 #include "entropy/lanes.h"
 
 namespace deltamesh {
 
-/// Models alike at first, by number. Lane i of a model is where the interval of symbol i starts.
-class QuickModels {
+/// Lane i is where the interval of symbol i starts.
+class QuickModel {
  public:
   /// `weights`: 16 relative frequencies, sum above 0.
-  QuickModels(std::size_t count, const std::array<std::uint8_t, kSymbols>& weights)
-      : starts_(kSymbols * count + 1), counts_(count) {
-    const Lanes fresh = fresh_lanes(weights);
-    for (std::size_t model = 0; model < count; ++model) std::copy(fresh.begin(), fresh.end(), lanes(model));
+  explicit QuickModel(const std::array<std::uint8_t, kSymbols>& weights) noexcept {
+    std::int32_t sum = 0;
+    for (const std::uint8_t weight : weights) sum += weight;
+    std::int32_t below = 0;
+    for (unsigned i = 0; i < kSymbols; ++i) {
+      starts_[i] = static_cast<std::int16_t>(static_cast<std::int32_t>(2 * i) + below * kShared / sum);
+      below += weights[i];
+    }
+    starts_[kSymbols] = std::numeric_limits<std::int16_t>::min();
   }
 
   /// The symbol whose interval holds `slot`, below 2^15.
-  [[gnu::always_inline]] unsigned find(std::size_t model, std::uint32_t slot) const noexcept {
-    return LaneSum(lanes(model)).find(static_cast<std::int16_t>(slot));
+  [[gnu::always_inline]] unsigned find(std::uint32_t slot) const noexcept {
+    return LaneSum(starts_.data()).find(static_cast<std::int16_t>(slot));
   }
 
   /// At least 2 and less than 2^15 parts.
-  [[gnu::always_inline]] Interval interval(std::size_t model, unsigned symbol) const noexcept {
-    // The last symbol's interval ends at 2^15, in place of which the next model has a 0.
-    const std::int16_t* const starts = lanes(model) + symbol;
-    const std::uint32_t start = static_cast<std::uint16_t>(starts[0]);
-    return {start, (static_cast<std::uint16_t>(starts[1]) - start) & (kProbabilityOne - 1)};
+  [[gnu::always_inline]] Interval interval(unsigned symbol) const noexcept {
+    const std::uint32_t start = static_cast<std::uint16_t>(starts_[symbol]);
+    return {start, static_cast<std::uint16_t>(starts_[symbol + 1]) - start};
   }
 
-  [[gnu::always_inline]] void learn(std::size_t model, unsigned symbol) noexcept {
-    const auto [rate, next] = kSteps[counts_[model]];
-    counts_[model] = next;
-    pull_lanes(lanes(model), kPulls[rate - kFirstRate][symbol], rate);
+  [[gnu::always_inline]] void learn(unsigned symbol) noexcept {
+    const auto [rate, next] = kSteps[count_];
+    count_ = next;
+    pull_lanes(starts_.data(), kPulls[rate - kFirstRate][symbol], rate);
   }
 
  private:
-  const std::int16_t* lanes(std::size_t model) const noexcept { return starts_.data() + kSymbols * model; }
-  std::int16_t* lanes(std::size_t model) noexcept { return starts_.data() + kSymbols * model; }
-
   static constexpr unsigned kFirstRate = 3;
   static constexpr unsigned kLastRate = 8;
   static constexpr unsigned kMostCounted = 250;
@@ -83,20 +83,8 @@ class QuickModels {
     return pulls;
   }();
 
-  static Lanes fresh_lanes(const std::array<std::uint8_t, kSymbols>& weights) noexcept {
-    std::int32_t sum = 0;
-    for (const std::uint8_t weight : weights) sum += weight;
-    Lanes lanes{};
-    std::int32_t below = 0;
-    for (unsigned i = 0; i < kSymbols; ++i) {
-      lanes[i] = static_cast<std::int16_t>(static_cast<std::int32_t>(2 * i) + below * kShared / sum);
-      below += weights[i];
-    }
-    return lanes;
-  }
-
-  std::vector<std::int16_t> starts_;  ///< kSymbols of every model, and a 0
-  std::vector<std::uint8_t> counts_;
+  alignas(16) std::array<std::int16_t, kSymbols + 1> starts_{};  ///< and where the last one ends, modulo 2^16
+  std::uint8_t count_ = 0;                                       ///< symbols seen, to kMostCounted
 };
 
 }  // namespace deltamesh

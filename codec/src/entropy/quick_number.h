@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <vector>
 
 #include "entropy/quick_models.h"
 
@@ -19,9 +20,11 @@ namespace deltamesh {
 template <class Coder>
 class QuickNumberCoder {
  public:
+  static constexpr unsigned kEscape = 7;  ///< in the place of -8; 0 is the last
+
   /// `models` are of the symbols, `contexts` of those that come after an escape.
   QuickNumberCoder(Coder& coder, std::size_t models, std::size_t contexts)
-      : coder_(coder), models_(models, kFresh), tails_(contexts, kFreshTail) {}
+      : coder_(coder), models_(models, QuickModel(kFresh)), tails_(contexts, QuickModel(kFreshTail)) {}
 
   /// Codes `value` by `value >> shift`, in `model`, and its low `shift` (0 to 16) bits, with state kState; an
   /// escape takes two or four decisions more. A reader's argument is ignored; where the stream lies the
@@ -29,15 +32,15 @@ class QuickNumberCoder {
   /// its place, and that a compiler can keep in registers.
   template <unsigned kState>
   [[gnu::always_inline]] std::int64_t code(Coder& coder, std::int64_t value, unsigned shift,
-                                           std::size_t model, std::size_t context, bool& is_far) {
+                                           std::size_t model, std::size_t context, unsigned& symbol) {
     std::int64_t high = value >> shift;
     LowBits low{.count = shift, .value = static_cast<std::uint32_t>(value) & ((1U << shift) - 1)};
     const bool far = high < -kReach || high > kReach;
-    const unsigned symbol = coder.template symbol<kState>(
-        far ? kEscape : static_cast<unsigned>(high - 1) % kSymbols, low, models_, model);
-    models_.learn(model, symbol);
-    is_far = symbol == kEscape;
-    if (is_far) [[unlikely]]
+    QuickModel& used = models_[model];
+    symbol =
+        coder.template symbol<kState>(far ? kEscape : static_cast<unsigned>(high - 1) % kSymbols, low, used);
+    used.learn(symbol);
+    if (symbol == kEscape) [[unlikely]]
       return (code_tail<kState>(coder, high, context) << shift) | low.value;
     return (static_cast<std::int32_t>((symbol + 1) << 28) >> 28 << shift) |
            static_cast<std::int32_t>(low.value);
@@ -45,7 +48,6 @@ class QuickNumberCoder {
 
  private:
   static constexpr std::int64_t kReach = 7;
-  static constexpr unsigned kEscape = 7;    ///< in the place of -8; 0 is the last
   static constexpr unsigned kLongTail = 7;  ///< bit lengths from here on are written out
   static constexpr unsigned kLengthBits = 5;
   static constexpr std::array<std::uint8_t, kSymbols> kFresh = {24, 14, 8, 4, 3, 2,  1,  3,
@@ -61,8 +63,8 @@ class QuickNumberCoder {
     const auto length = static_cast<unsigned>(std::bit_width(excess));
     LowBits none;
     const unsigned symbol = coder_.template symbol<kOther>(
-        std::min(length, kLongTail) * 2 + (high < 0 ? 1 : 0), none, tails_, context);
-    tails_.learn(context, symbol);
+        std::min(length, kLongTail) * 2 + (high < 0 ? 1 : 0), none, tails_[context]);
+    tails_[context].learn(symbol);
     const std::uint32_t coded =
         symbol / 2 < kLongTail ? code_short<kState>(excess, symbol / 2) : code_long<kState>(excess, length);
     const std::int64_t size = std::int64_t{coded} + kReach + 1;
@@ -95,8 +97,8 @@ class QuickNumberCoder {
   }
 
   Coder& coder_;
-  QuickModels models_;
-  QuickModels tails_;
+  std::vector<QuickModel> models_;
+  std::vector<QuickModel> tails_;
 };
 
 }  // namespace deltamesh

@@ -5,12 +5,15 @@
 // the time [FLD-9 to FLD-12]. One template for both directions.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <type_traits>
 
 #include "entropy/quick_number.h"
+#include "field/field_classes.h"
 #include "field/field_coder.h"
 #include "field/large_field_forecast.h"
 #include "field/large_field_walk.h"
@@ -34,22 +37,27 @@ class LargeFieldCoder {
   /// Codes the numbers `q` of the next vertex of the first walk and `p` of the second; a reader fills them
   /// in. False where one is beyond kLargestFieldValue [FLD-1].
   bool code_pair(std::uint32_t first, std::uint32_t second, FieldNumbers& q, FieldNumbers& p) {
-    LargeFieldVertex a(first_, first);
-    LargeFieldVertex b(second_, second);
+    const LargeFieldForecasts f(first_, first_.peers(first), second_, second_.peers(second));
     Held coder = coder_;
-    const bool is_valid = code_axis<0, 0>(coder, a, q) && code_axis<0, 1>(coder, b, p) &&
-                          code_axis<1, 0>(coder, a, q) && code_axis<1, 1>(coder, b, p) &&
-                          code_axis<2, 0>(coder, a, q) && code_axis<2, 1>(coder, b, p);
+    Before a;
+    Before b;
+    const bool is_valid = code_axis<0, 0, 0>(coder, f, a, q) && code_axis<0, 1, 1>(coder, f, b, p) &&
+                          code_axis<1, 0, 0>(coder, f, a, q) && code_axis<1, 1, 1>(coder, f, b, p) &&
+                          code_axis<2, 0, 0>(coder, f, a, q) && code_axis<2, 1, 1>(coder, f, b, p);
     give_back(coder);
-    first_.remember(first, a.numbers(), a.around());
-    second_.remember(second, b.numbers(), b.around());
+    const auto memories = f.memories(q, p);
+    first_.remember(first, memories[0]);
+    second_.remember(second, memories[1]);
     return is_valid;
   }
 
   /// The same for the last vertex of the first walk, where the second has none.
   bool code_last(std::uint32_t vertex, FieldNumbers& q) {
-    LargeFieldVertex a(first_, vertex);
-    return code_axis<0, 0>(coder_, a, q) && code_axis<1, 1>(coder_, a, q) && code_axis<2, 0>(coder_, a, q);
+    const LargeFieldPeers peers = first_.peers(vertex);
+    const LargeFieldForecasts f(first_, peers, first_, peers);
+    Before a;
+    return code_axis<0, 0, 0>(coder_, f, a, q) && code_axis<1, 0, 1>(coder_, f, a, q) &&
+           code_axis<2, 0, 0>(coder_, f, a, q);
   }
 
  private:
@@ -59,19 +67,52 @@ class LargeFieldCoder {
     if constexpr (!Coder::kWrites) coder_ = coder;
   }
 
-  template <unsigned kAxis, unsigned kState>
-  [[gnu::always_inline]] bool code_axis(Coder& coder, LargeFieldVertex& vertex, FieldNumbers& numbers) {
-    const LargeFieldForecast f = vertex.template forecast<kAxis>();
+  /// Of a vertex' axes that are coded.
+  struct Before {
+    std::array<std::int32_t, 2> signs{};
+    std::uint32_t sizes = 0;  ///< of the parts of numbers that symbols stand for
+  };
+
+  template <unsigned kAxis, unsigned kVertex, unsigned kState>
+  [[gnu::always_inline]] bool code_axis(Coder& coder, const LargeFieldForecasts& f, Before& before,
+                                        FieldNumbers& numbers) {
+    constexpr unsigned kLane = 4 * kVertex + kAxis;
+    const std::int32_t base = f.base(kLane);
+    std::size_t model = f.model(kLane);
+    std::int32_t expected = 0;
+    if constexpr (kAxis == 1) {
+      expected = before.signs[0] * f.tie(kLane);
+      model += kSizeClass[2 * before.sizes];
+    }
+    if constexpr (kAxis == 2) {
+      expected = before.signs[0] * f.tie(kLane) + before.signs[1] * f.tie(kLane - 2);
+      model +=
+          kSizeClass[before.sizes] + 4 * f.sureness(kLane, static_cast<std::uint32_t>(std::abs(expected)));
+    }
+    const std::int32_t sign = expected >> 31;
+    const unsigned shift = f.shift(kLane);
+    const std::size_t tail = std::min(shift, 3U) * 4 + ((model >> 2) & 3);
     std::int64_t coded = 0;
-    if constexpr (Coder::kWrites) coded = ((std::int64_t{numbers[kAxis]} - f.base) ^ f.sign) - f.sign;
-    bool is_far = false;
-    coded = numbers_.template code<kState>(coder, coded, f.shift, f.model, f.tail, is_far);
-    const std::int64_t number = ((coded ^ f.sign) - f.sign) + f.base;
-    if (is_far && (number < -kLargestFieldValue || number > kLargestFieldValue)) return false;
+    if constexpr (Coder::kWrites) coded = ((std::int64_t{numbers[kAxis]} - base) ^ sign) - sign;
+    unsigned symbol = 0;
+    coded = numbers_.template code<kState>(coder, coded, shift, model, tail, symbol);
+    const std::int64_t number = ((coded ^ sign) - sign) + base;
+    if (symbol == QuickNumberCoder<Coder>::kEscape &&
+        (number < -kLargestFieldValue || number > kLargestFieldValue))
+      return false;
     numbers[kAxis] = static_cast<std::int32_t>(number);
-    vertex.template settle<kAxis>(numbers[kAxis]);
+    if constexpr (kAxis < 2) {
+      before.signs[kAxis] = (numbers[kAxis] >> 31) | (numbers[kAxis] != 0 ? 1 : 0);
+      before.sizes += kSymbolSize[symbol];
+    }
     return true;
   }
+
+  /// How far from 0 a symbol is, an escape 8.
+  static constexpr auto kSymbolSize = tabulate<std::uint8_t, kSymbols>(
+      [](std::uint32_t symbol) { return symbol < 8 ? symbol + 1 : 15 - symbol; });
+  static constexpr auto kSizeClass = tabulate<std::uint8_t, 17>(
+      [](std::uint32_t size) { return (size >= 1 ? 1 : 0) + (size >= 4 ? 1 : 0) + (size >= 12 ? 1 : 0); });
 
   Coder& coder_;
   LargeFieldWalk first_;

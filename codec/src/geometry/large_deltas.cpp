@@ -48,7 +48,8 @@ std::vector<std::byte> write_part(const DeltaColumns<const std::int32_t>& deltas
 /// From `payload`, from `begin` on `size` bytes.
 Result<void> read_part(std::span<const std::byte> payload, std::size_t begin, std::size_t size,
                        const Adjacency& graph, const Part& part, const DeltaColumns<std::int32_t>& deltas) {
-  PairReader reader(payload.subspan(begin, size));
+  const PairBytes bytes(payload.subspan(begin, size));
+  PairReader reader(bytes);
   LargeFieldCoder field(reader, graph, part.begin, part.end);
   const std::uint32_t middle = part.middle();
   for (std::uint32_t v = 0; middle + v < part.end && !reader.failed(); ++v) {
