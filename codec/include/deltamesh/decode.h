@@ -41,11 +41,11 @@ Result<Mesh> decode(std::span<const std::byte> stream, const DecodeOptions& opti
 
 class MemoryPool;
 
-/// Decodes one stream after another, each as the function decode() does, in memory that is kept for the next:
-/// to have the system hand it out and clear it anew may take as long as the decoding. Kept is what the
-/// largest stream so far took, up to 160 bytes a vertex, until the decoder goes (`decoder = {}`), and nothing
-/// of a stream's contents that a later mesh could show. One decoder for each thread that decodes. Memory of
-/// streams below 16 KiB alone is not kept, which the heap does as well.
+/// Decodes one stream after another, as the function decode() does, and keeps the memory that it works in for
+/// the next: to have the system hand it out and clear it again may take as long as the decoding. Kept is what
+/// the largest stream so far took, about 160 bytes a vertex, until the decoder goes or is given another's
+/// place (`decoder = {}`). Streams below 16 KiB do with what there is, or with the heap. Not for two threads
+/// at a time.
 class Decoder {
  public:
   Decoder() noexcept;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/large_pages.h"
+#include "base/poison.h"
 
 namespace deltamesh {
 
@@ -23,7 +24,12 @@ constexpr std::size_t chunk_size(std::size_t bytes) noexcept {
 thread_local MemoryPool* MemoryPool::current_ = nullptr;
 
 MemoryPool::~MemoryPool() {
-  for (const Chunk& chunk : chunks_) free_pages(chunk.begin);
+  for (const Chunk& chunk : chunks_) chunk.release();
+}
+
+void MemoryPool::Chunk::release() const noexcept {
+  allow_memory(begin, size());
+  free_pages(begin);
 }
 
 void MemoryPool::prepare(std::size_t bytes) {
@@ -40,13 +46,18 @@ std::size_t MemoryPool::Chunk::size_of(std::size_t block) const noexcept {
   return static_cast<std::size_t>(after - blocks[block].begin);
 }
 
-/// The smallest free block that is large enough, but the end of a chunk, which may be untouched, only where
-/// there is no other; or new pages, once those that nobody uses are given back, so
-/// that no more memory is taken than without a pool.
 void* MemoryPool::allocate(std::size_t bytes) {
   constexpr std::size_t kUnit = 64;  // a line of the cache
-  bytes = (bytes + kUnit - 1) / kUnit * kUnit;
   const std::lock_guard lock(mutex_);
+  std::byte* const begin = take_block((bytes + kUnit - 1) / kUnit * kUnit);
+  allow_memory(begin, bytes);
+  return begin;
+}
+
+/// The smallest free block that is large enough, but the end of a chunk, which may be untouched, only where
+/// there is no other; or new pages, once those that nobody uses are given back, so that no more memory is
+/// taken than without a pool.
+std::byte* MemoryPool::take_block(std::size_t bytes) {
   Chunk* best = nullptr;
   std::size_t best_block = 0;
   std::pair<bool, std::size_t> least{true, std::numeric_limits<std::size_t>::max()};
@@ -71,12 +82,13 @@ MemoryPool::Chunk& MemoryPool::add_chunk(std::size_t bytes) {
   chunk.blocks.reserve(8);
   chunk.begin = static_cast<std::byte*>(allocate_pages(size));
   chunk.end = chunk.begin + size;
+  forbid_memory(chunk.begin, size);
   chunk.blocks.push_back({chunk.begin, true});
   chunks_.push_back(std::move(chunk));
   return chunks_.back();
 }
 
-void* MemoryPool::take(Chunk& chunk, std::size_t block, std::size_t bytes) {
+std::byte* MemoryPool::take(Chunk& chunk, std::size_t block, std::size_t bytes) {
   std::byte* const begin = chunk.blocks[block].begin;
   if (chunk.size_of(block) > bytes)
     chunk.blocks.insert(chunk.blocks.begin() + static_cast<std::ptrdiff_t>(block) + 1, {begin + bytes, true});
@@ -91,6 +103,7 @@ bool MemoryPool::free(void* memory) noexcept {
     const auto block =
         std::find_if(blocks.begin(), blocks.end(), [&](const Block& b) { return b.begin == memory; });
     if (block == blocks.end()) continue;
+    forbid_memory(memory, chunk.size_of(static_cast<std::size_t>(block - blocks.begin())));
     block->is_free = true;
     if (block + 1 != blocks.end() && (block + 1)->is_free) blocks.erase(block + 1);
     if (block != blocks.begin() && (block - 1)->is_free) blocks.erase(block);
@@ -113,7 +126,7 @@ void MemoryPool::give_back(std::size_t bytes) noexcept {
 
 void MemoryPool::release_idle_chunks() noexcept {
   std::erase_if(chunks_, [](const Chunk& chunk) {
-    if (chunk.is_free()) free_pages(chunk.begin);
+    if (chunk.is_free()) chunk.release();
     return chunk.is_free();
   });
 }

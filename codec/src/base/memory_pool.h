@@ -61,10 +61,12 @@ class MemoryPool {
     std::size_t size() const noexcept { return static_cast<std::size_t>(end - begin); }
     std::size_t size_of(std::size_t block) const noexcept;
     bool is_free() const noexcept { return blocks.size() == 1 && blocks[0].is_free; }
+    void release() const noexcept;
   };
 
   Chunk& add_chunk(std::size_t bytes);
-  void* take(Chunk& chunk, std::size_t block, std::size_t bytes);
+  std::byte* take_block(std::size_t bytes);
+  std::byte* take(Chunk& chunk, std::size_t block, std::size_t bytes);
   void release_idle_chunks() noexcept;
 
   friend class PoolScope;
