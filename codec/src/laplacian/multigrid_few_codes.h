@@ -9,7 +9,6 @@
 
 #include "base/four_ints.h"
 #include "laplacian/multigrid_aggregate.h"
-#include "laplacian/multigrid_level.h"
 
 namespace deltamesh::multigrid {
 
@@ -24,17 +23,12 @@ struct FewCodes {
     FourInts is_none;  ///< -1 where there is no neighbour, or 0
   };
 
-  static bool can_read(const Level& level, std::uint32_t node) noexcept {
-    const std::size_t begin = level.offsets[node];
-    return level.offsets[node + 1] - begin <= kMost && begin + kMost <= level.neighbors.size();
-  }
-
-  /// `codes`: as in Aggregates.
-  FewCodes(const Level& level, std::uint32_t node, const std::uint32_t* codes) noexcept {
-    const std::uint32_t* const neighbors = level.neighbors.data() + level.offsets[node];
-    const auto degree = static_cast<std::int32_t>(level.offsets[node + 1] - level.offsets[node]);
-    low = gather(neighbors, codes, FourInts{0, 1, 2, 3} >= degree);
-    high = gather(neighbors + 4, codes, FourInts{4, 5, 6, 7} >= degree);
+  /// `codes`: as in Aggregates; `neighbors`: of a node that has `degree` of them, and as many more as are
+  /// read.
+  FewCodes(const std::uint32_t* neighbors, std::size_t degree, const std::uint32_t* codes) noexcept {
+    const auto count = static_cast<std::int32_t>(degree);
+    low = gather(neighbors, codes, FourInts{0, 1, 2, 3} >= count);
+    high = gather(neighbors + 4, codes, FourInts{4, 5, 6, 7} >= count);
   }
 
   Half low;
