@@ -268,8 +268,9 @@ TEST(Chunks, SweepsKnowWhatTheyLeave) {
   const auto keep = [&](std::uint32_t i, multigrid::Float4 value) { total[i] += value; };
   constexpr std::array kSweeps = {1.5F, 1.0F, 1.2F};
   multigrid::sweep(
-      level, edges, kSweeps, [&](std::uint32_t i) { return edges.add_lower(i, step.data(), some_value(i)); },
-      [&](std::uint32_t i) { return edges.add_all(i, step.data(), some_value(i)); }, step, keep);
+      level, edges, kSweeps,
+      [&](std::uint32_t i, const auto&) { return edges.add_lower(i, step.data(), some_value(i)); },
+      [&](std::uint32_t i, const auto&) { return edges.add_all(i, step.data(), some_value(i)); }, step, keep);
   multigrid::take_residuals(level, edges, kSweeps.back(), step,
                             [&](std::uint32_t i, multigrid::Float4 value) { left[i] += value; });
   for (std::uint32_t i = 0; i < step.size(); ++i)

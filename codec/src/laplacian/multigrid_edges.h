@@ -46,21 +46,6 @@ class Edges {
         offsets_[node], offsets_[node + 1], [=](std::uint32_t other) { return rows[other].x; }, sum);
   }
 
-  /// What all neighbours add up to.
-  Float4 sum(std::uint32_t node, const Float4* values) const noexcept {
-    return add_all(node, values, Float4{});
-  }
-
-  /// `first` and `factor` times what all neighbours add up to.
-  Float4 add_scaled(std::uint32_t node, const Float4* values, Float4 first, float factor) const noexcept {
-    return first + factor * sum(node, values);
-  }
-
-  /// What higher neighbours add up to.
-  Float4 upper(std::uint32_t node, const Float4* values) const noexcept {
-    return add_pairs(middle_[node], offsets_[node + 1], At{values}, Float4{});
-  }
-
   /// `sum` and what all neighbours add.
   Float4 add_all(std::uint32_t node, const Float4* values, Float4 sum) const noexcept {
     return add_pairs(offsets_[node], offsets_[node + 1], At{values}, sum);
@@ -72,6 +57,35 @@ class Edges {
     Sum sum = first;
     for (std::uint32_t e = begin; e < end; e += kEdgesAtOnce) sum += term(e, value) + term(e + 1, value);
     return sum;
+  }
+
+  /// The neighbours of one node.
+  class OfNode {
+   public:
+    OfNode(const Edges& edges, std::uint32_t node) noexcept : edges_(edges), node_(node) {}
+
+    float degree() const noexcept { return edges_.degree(node_); }
+    float inverse_degree() const noexcept { return edges_.inverse_degree(node_); }
+
+    /// `first` and `factor` times what all neighbours add up to.
+    Float4 add_scaled(const Float4* values, Float4 first, float factor) const noexcept {
+      return first + factor * edges_.add_all(node_, values, Float4{});
+    }
+
+    /// What higher neighbours add up to.
+    Float4 upper(const Float4* values) const noexcept {
+      return edges_.add_pairs(edges_.middle_[node_], edges_.offsets_[node_ + 1], At{values}, Float4{});
+    }
+
+   private:
+    const Edges& edges_;
+    std::uint32_t node_;
+  };
+
+  /// each(row) of `node`.
+  template <class Each>
+  void with_row(std::uint32_t node, const Each& each) const {
+    each(OfNode(*this, node));
   }
 
   /// Calls each(neighbour, weight) for all of them.

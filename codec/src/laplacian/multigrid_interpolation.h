@@ -39,6 +39,12 @@ class Interpolation {
     return weight(0) * coarse[node(0)] + weight(1) * coarse[node(1)] + weight(2) * coarse[node(2)];
   }
 
+  /// That of the node that weighs most.
+  template <class Values>
+  auto heaviest(const Values& coarse) const noexcept {
+    return coarse[node(0)];
+  }
+
   /// The share of P^T that is the node's: adds to each(coarse node).
   template <class Value, class Each>
   void spread(const Value& fine, const Each& each) const {

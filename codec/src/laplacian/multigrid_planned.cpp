@@ -20,16 +20,25 @@ namespace {
 /// anchor.
 constexpr std::size_t kNodesPerAnchor = 12;
 
-/// Over-relaxation of the sweeps in every cycle, of the finest level and of the second one, and of those
-/// after the last cycle, as interpolation leaves it rough. Measured: more than 1 at first is for the slow
-/// errors, less at the end for the rough ones.
+/// Over-relaxation of the finest level's sweeps in every cycle, and of those after the last, as interpolation
+/// leaves it rough. Measured: more than 1 at first is for the slow errors, less at the end for the rough
+/// ones.
 constexpr std::array kFinestSweeps = {1.5F, 1.2F, 1.1F};
-constexpr std::array kSecondSweeps = {1.4F, 1.2F};
 constexpr std::array kLastSweeps = {1.0F, 1.2F};
+
+/// Of the second level's before every correction, and before the last of a cycle on the finest.
+constexpr std::array kSecondSweep = {1.25F};
+constexpr std::array kLastSecondSweeps = {1.4F, 1.2F};
 
 /// Half cycles from which on one of them is the start's: where three of them are too few, narrow necks of the
 /// mesh mostly are what asks for more, and a good start serves these best.
 constexpr int kTwiceAtStart = 4;
+
+/// What interpolation finds of rows.
+struct PositionsOf {
+  std::span<const Row> rows;
+  Float4 operator[](std::uint32_t node) const noexcept { return rows[node].x; }
+};
 
 /// Level from which on there is an s of its own.
 std::size_t coupled_level(std::span<const Level> levels) noexcept {
@@ -108,9 +117,8 @@ void PlannedCycles::solve_coupled() {
   for (std::size_t a = 0; a < forces_.size(); ++a) forces_[a] += v.forces[a];
 }
 
-/// Second level: u gets two sweeps and the correction from level c, s_second_ that of s. The first time u is
-/// 0, whatever it holds.
-void PlannedCycles::correct_second(bool is_first) {
+/// Second level: u gets sweeps and the correction from level c. The first time u is 0, whatever it holds.
+void PlannedCycles::correct_second(bool is_first, std::span<const float> relaxation) {
   const Level& level = levels_[1];
   LevelSolver::Vectors& next = solver_.vectors(2);
   const Edges edges(level);
@@ -119,41 +127,40 @@ void PlannedCycles::correct_second(bool is_first) {
     share_each(u_.size(), [&](std::uint32_t i) { u_[i] = Float4{}; });
     for (const std::uint32_t i : level.chunks.rim) step_second_[i] = Float4{};  // these come last
     sweep(
-        level, edges, kSecondSweeps,
-        [&](std::uint32_t i) { return edges.add_lower(i, step_second_.data(), b_[i]); },
-        [&](std::uint32_t i) { return edges.add_all(i, step_second_.data(), b_[i]); }, step_second_, add);
+        level, edges, relaxation,
+        [&](std::uint32_t i, const auto&) { return edges.add_lower(i, step_second_.data(), b_[i]); },
+        [&](std::uint32_t i, const auto&) { return edges.add_all(i, step_second_.data(), b_[i]); },
+        step_second_, add);
   } else {
-    const auto residual = [&](std::uint32_t i) {
+    const auto residual = [&](std::uint32_t i, const auto&) {
       const Float4 s = level.interpolation[i].of(next.u).s;  // the first correction's
       return edges.add_all(i, u_.data(), b_[i] - level.degree[i] * u_[i] - level.mass[i] * s);
     };
-    sweep(level, edges, kSecondSweeps, residual, residual, step_second_, add);
+    sweep(level, edges, relaxation, residual, residual, step_second_, add);
   }
   share_each(next.b.size(), [&](std::uint32_t i) { next.b[i].x = Float4{}; });
-  take_residuals(level, edges, kSecondSweeps.back(), step_second_, [&](std::uint32_t i, Float4 residual) {
+  take_residuals(level, edges, relaxation.back(), step_second_, [&](std::uint32_t i, Float4 residual) {
     level.interpolation[i].spread(residual, [&](std::uint32_t node) -> Float4& { return next.b[node].x; });
   });
   for (std::size_t a = 0; a < gaps_.size(); ++a) next.gaps[a] = gaps_[a] - u_[level.anchors[a]];
   solve_coupled();
-  share_each(u_.size(), [&](std::uint32_t i) {
-    const Row correction = level.interpolation[i].of(next.u);
-    u_[i] += correction.x;
-    s_second_[i] += correction.s;
-  });
+  share_each(u_.size(), [&](std::uint32_t i) { u_[i] += level.interpolation[i].of(PositionsOf{next.u}); });
 }
 
 /// u for b, by at most so many corrections, where there is a level between the finest and c; else for that
-/// level's b. s_second_ follows.
-void PlannedCycles::correct_from_second(int corrections) {
+/// level's b. s_second_ follows. `last`: relaxation of the sweeps before the last one.
+void PlannedCycles::correct_from_second(int corrections, std::span<const float> last) {
   if (has_middle()) {
-    for (int c = 0; c < std::min(corrections, solver_.cycles(1)); ++c) correct_second(c == 0);
+    const int count = std::min(corrections, solver_.cycles(1));
+    for (int c = 0; c < count; ++c) correct_second(c == 0, c + 1 == count ? last : kSecondSweep);
+    share_each(s_second_.size(), [&](std::uint32_t i) { s_second_[i] = levels_[1].interpolation[i].of(s_); });
   } else {
     LevelSolver::Vectors& second = solver_.vectors(1);
     second.gaps = gaps_;
     solve_coupled();
     share_each(u_.size(), [&](std::uint32_t i) {
       u_[i] = second.u[i].x;
-      s_second_[i] += second.u[i].s;
+      s_second_[i] = s_[i];
     });
   }
 }
@@ -163,7 +170,6 @@ void PlannedCycles::start(const DeltaView& deltas, std::span<const Vec3> targets
   const Level& finest = levels_[0];
   solver_.begin();
   std::fill(s_.begin(), s_.end(), Float4{});
-  std::fill(s_second_.begin(), s_second_.end(), Float4{});
   std::fill(forces_.begin(), forces_.end(), Float4{});
   const UnitEdges edges(finest);
   const DeltaCounts parts(deltas, 8);  // exact, if deltas are symbols
@@ -175,29 +181,40 @@ void PlannedCycles::start(const DeltaView& deltas, std::span<const Vec3> targets
     finest.chunks.visit([&](std::uint32_t i) { take(i, edges.degree(i) * delta(i)); });
   });
   for (std::size_t a = 0; a < targets.size(); ++a) gaps_[a] = in_steps(targets[a], deltas);
-  correct_from_second(corrections);
+  correct_from_second(corrections, kSecondSweep);
   units_ = Units(deltas, largest_coordinate(u_));
   share_each(x_.size(), [&](std::uint32_t i) { x_[i] = units_.count(finest.interpolation[i].of(u_)); });
 }
 
-void PlannedCycles::sweep_finest(const DeltaView& deltas, std::span<const float> relaxation) {
+/// `s_at(interpolation)`: s of the vertex with this row of P.
+template <class S>
+void PlannedCycles::sweep_finest(const DeltaView& deltas, std::span<const float> relaxation, const S& s_at) {
   const Level& finest = levels_[0];
   const UnitEdges edges(finest);
   const DeltaCounts counts(deltas, units_.bits());
   // D (delta - L x) - D^2 s in units, of whole numbers as far as these go.
-  const auto residual = [&](std::uint32_t i) {
-    const Counts charge = edges.sum(i, x_.data()) + edges.neighbor_count(i) * (counts[i] - x_[i]);
-    const float degree = edges.degree(i);
-    return Units::floats(charge) -
-           units_.per_step() * degree * degree * finest.interpolation[i].of(s_second_);
+  const auto residual = [&](std::uint32_t i, const auto& row) {
+    const Counts charge = row.sum(x_.data()) + row.times(counts[i] - x_[i]);
+    const float degree = row.degree();
+    return Units::floats(charge) - units_.per_step() * degree * degree * s_at(finest.interpolation[i]);
   };
   const auto keep = [&](std::uint32_t i, Float4 step) { x_[i] += Units::nearest(step); };
   sweep(finest, edges, relaxation, residual, residual, step_, keep);
 }
 
-void PlannedCycles::cycle(const DeltaView& deltas, std::span<const Vec3> targets, int corrections) {
+/// With s as interpolated.
+void PlannedCycles::sweep_finest(const DeltaView& deltas, std::span<const float> relaxation) {
+  sweep_finest(deltas, relaxation, [&](const Interpolation& p) { return p.of(s_second_); });
+}
+
+void PlannedCycles::cycle(const DeltaView& deltas, std::span<const Vec3> targets, int corrections,
+                          bool is_first) {
   const Level& finest = levels_[0];
-  sweep_finest(deltas, kFinestSweeps);
+  if (is_first) {
+    sweep_finest(deltas, kFinestSweeps, [&](const Interpolation& p) { return p.heaviest(s_second_); });
+  } else {
+    sweep_finest(deltas, kFinestSweeps);
+  }
   restrict_to_second([&](const auto& take) {
     take_residuals(finest, UnitEdges(finest), kFinestSweeps.back(), step_,
                    [&](std::uint32_t i, Float4 residual) { take(i, units_.steps(residual)); });
@@ -205,7 +222,7 @@ void PlannedCycles::cycle(const DeltaView& deltas, std::span<const Vec3> targets
   for (std::size_t a = 0; a < targets.size(); ++a) {
     gaps_[a] = in_steps(targets[a] - units_.position(x_[finest.anchors[a]]), deltas);
   }
-  correct_from_second(corrections);
+  correct_from_second(corrections, kLastSecondSweeps);
   share_each(x_.size(), [&](std::uint32_t i) { x_[i] += units_.count(finest.interpolation[i].of(u_)); });
 }
 
@@ -215,8 +232,9 @@ PlannedSolution PlannedCycles::solve(const DeltaView& deltas, std::span<const Ve
   const int at_start = half_cycles < kTwiceAtStart ? 1 : 2;
   start(deltas, targets, at_start);
   const int left = half_cycles + 1 - at_start;
-  if (left % 2 != 0) cycle(deltas, targets, 1);
-  for (int c = 0; c < left / 2; ++c) cycle(deltas, targets, 2);
+  const int half = left % 2;
+  if (half != 0) cycle(deltas, targets, 1, true);
+  for (int c = 0; c < left / 2; ++c) cycle(deltas, targets, 2, half == 0 && c == 0);
   sweep_finest(deltas, kLastSweeps);
   return {units_, std::exchange(x_, {})};
 }

@@ -44,10 +44,12 @@ class PlannedCycles {
 
  private:
   void start(const DeltaView& deltas, std::span<const Vec3> targets, int corrections);
+  template <class S>
+  void sweep_finest(const DeltaView& deltas, std::span<const float> relaxation, const S& s_at);
   void sweep_finest(const DeltaView& deltas, std::span<const float> relaxation);
-  void cycle(const DeltaView& deltas, std::span<const Vec3> targets, int corrections);
-  void correct_from_second(int corrections);
-  void correct_second(bool is_first);
+  void cycle(const DeltaView& deltas, std::span<const Vec3> targets, int corrections, bool is_first);
+  void correct_from_second(int corrections, std::span<const float> last);
+  void correct_second(bool is_first, std::span<const float> relaxation);
   /// `each(take)` calls take(vertex, residual) for every vertex.
   template <class Each>
   void restrict_to_second(const Each& each);

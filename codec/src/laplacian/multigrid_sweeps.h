@@ -14,30 +14,35 @@
 
 namespace deltamesh::multigrid {
 
-/// So many sweeps, each over-relaxed as `relaxation` says: `step` of the first from `residual(node)` and, on
-/// the rim, `outer_residual(node)`, asked for once for every node in the order of the level's chunks, which
-/// know what keep(node, step) was told before. `step` of a node without edges, which has none, is its
-/// residual.
+/// So many sweeps, each over-relaxed as `relaxation` says: `step` of the first from `residual(node, row)`
+/// and, on the rim, `outer_residual(node, row)`, asked for once for every node in the order of the level's
+/// chunks, which know what keep(node, step) was told before. `step` of a node without edges, which has none,
+/// is its residual.
 template <class AnyEdges, class Residual, class OuterResidual, class Keep>
 void sweep(const Level& level, const AnyEdges& edges, std::span<const float> relaxation,
            const Residual& residual, const OuterResidual& outer_residual, std::span<Float4> step,
            const Keep& keep) {
-  const auto first = [&, by = relaxation[0]](std::uint32_t i, Float4 r) {
-    const float inverse = edges.inverse_degree(i);
-    const Float4 move = by * inverse * r;
-    step[i] = inverse > 0 ? move : r;
-    keep(i, move);
+  const auto start = [&, by = relaxation[0]](std::uint32_t i, const auto& first_residual) {
+    edges.with_row(i, [&](const auto& row) {
+      const Float4 r = first_residual(i, row);
+      const float inverse = row.inverse_degree();
+      const Float4 move = by * inverse * r;
+      step[i] = inverse > 0 ? move : r;
+      keep(i, move);
+    });
   };
-  level.chunks.visit([&](std::uint32_t i) { first(i, residual(i)); },
-                     [&](std::uint32_t i) { first(i, outer_residual(i)); });
+  level.chunks.visit([&](std::uint32_t i) { start(i, residual); },
+                     [&](std::uint32_t i) { start(i, outer_residual); });
   for (std::size_t s = 1; s < relaxation.size(); ++s) {
     const float by = relaxation[s];
     const float own = (1 / relaxation[s - 1] - 1) * by;
     level.chunks.visit([&](std::uint32_t i) {
-      const float inverse = edges.inverse_degree(i);
-      if (inverse == 0) return;
-      step[i] = edges.add_scaled(i, step.data(), own * step[i], by * inverse);
-      keep(i, step[i]);
+      edges.with_row(i, [&](const auto& row) {
+        const float inverse = row.inverse_degree();
+        if (inverse == 0) return;
+        step[i] = row.add_scaled(step.data(), own * step[i], by * inverse);
+        keep(i, step[i]);
+      });
     });
   }
 }
@@ -48,8 +53,10 @@ void take_residuals(const Level& level, const AnyEdges& edges, float relaxation,
                     const Take& take) {
   const float own = 1 / relaxation - 1;
   const auto inner = [&](std::uint32_t i) {
-    const float degree = edges.degree(i);
-    take(i, degree > 0 ? edges.upper(i, step.data()) + own * degree * step[i] : step[i]);
+    edges.with_row(i, [&](const auto& row) {
+      const float degree = row.degree();
+      take(i, degree > 0 ? row.upper(step.data()) + own * degree * step[i] : step[i]);
+    });
   };
   // Those on the rim came after the others, which have heard of higher ones only.
   const auto outer = [&](std::uint32_t i) {
