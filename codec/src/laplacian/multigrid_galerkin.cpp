@@ -17,22 +17,26 @@ namespace deltamesh::multigrid {
 namespace {
 
 /// Rows of P^T: of each, the nodes interpolated from it, ascending but that those on the rim come last.
+/// Without branches on weights, which could not be predicted.
 SparseRows transpose(const Level& fine, std::uint32_t nodes) {
   SparseRows rows{.start = LargeVector<std::uint32_t>(nodes + 1, 0), .entries = {}};
-  LargeVector<std::uint32_t>& start = rows.start;
-  const auto visit = [&](const auto& each) {
-    fine.chunks.visit([&](std::uint32_t i) {
-      const Interpolation& p = fine.interpolation[i];
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (p.weight(k) > 0) each(i, p.node(k), p.weight(k));
-      }
-    });
-  };
-  visit([&](std::uint32_t, std::uint32_t c, float) { ++start[c + 1]; });
+  std::uint32_t* const start = rows.start.data();
+  const Interpolation* const interpolation = fine.interpolation.data();
+  fine.chunks.visit([=](std::uint32_t i) {
+    for (std::size_t k = 0; k < 3; ++k)
+      start[interpolation[i].node(k) + 1] += interpolation[i].weight(k) > 0 ? 1 : 0;
+  });
   for (std::size_t c = 0; c < nodes; ++c) start[c + 1] += start[c];
   rows.entries.resize(start[nodes]);
-  LargeVector<std::uint32_t> next(start.begin(), start.end() - 1);
-  visit([&](std::uint32_t i, std::uint32_t c, float weight) { rows.entries[next[c]++] = {i, weight}; });
+  LargeVector<std::uint32_t> next(rows.start.begin(), rows.start.end() - 1);
+  fine.chunks.visit([entries = rows.entries.data(), places = next.data(), interpolation](std::uint32_t i) {
+    for (std::size_t k = 3; k-- > 0;) {  // the first one overwrites those without weight, whose node it has
+      const float weight = interpolation[i].weight(k);
+      std::uint32_t& place = places[interpolation[i].node(k)];
+      entries[place] = {i, weight};
+      place += weight > 0 ? 1 : 0;
+    }
+  });
   return rows;
 }
 
