@@ -81,7 +81,6 @@ PlannedCycles::PlannedCycles(std::span<const Level> levels, const Components& co
   step_.back() = Float4{};  // what UnitEdges takes for neighbours that do not count
   if (!has_middle()) return;
   b_.resize(levels[1].node_count());
-  step_second_.resize(levels[1].node_count(), Float4{});
 }
 
 template <class Each>
@@ -117,29 +116,30 @@ void PlannedCycles::solve_coupled() {
   for (std::size_t a = 0; a < forces_.size(); ++a) forces_[a] += v.forces[a];
 }
 
-/// Second level: u gets sweeps and the correction from level c. The first time u is 0, whatever it holds.
+/// Second level: u gets sweeps, whose steps take the place of the finest level's, and the correction from
+/// level c. The first time u is 0, whatever it holds.
 void PlannedCycles::correct_second(bool is_first, std::span<const float> relaxation) {
   const Level& level = levels_[1];
+  const std::span<Float4> steps = std::span(step_).first(level.node_count());
   LevelSolver::Vectors& next = solver_.vectors(2);
   const Edges edges(level);
   const auto add = [&](std::uint32_t i, Float4 step) { u_[i] += step; };
   if (is_first) {
     share_each(u_.size(), [&](std::uint32_t i) { u_[i] = Float4{}; });
-    for (const std::uint32_t i : level.chunks.rim) step_second_[i] = Float4{};  // these come last
+    for (const std::uint32_t i : level.chunks.rim) steps[i] = Float4{};  // these come last
     sweep(
         level, edges, relaxation,
-        [&](std::uint32_t i, const auto&) { return edges.add_lower(i, step_second_.data(), b_[i]); },
-        [&](std::uint32_t i, const auto&) { return edges.add_all(i, step_second_.data(), b_[i]); },
-        step_second_, add);
+        [&](std::uint32_t i, const auto&) { return edges.add_lower(i, steps.data(), b_[i]); },
+        [&](std::uint32_t i, const auto&) { return edges.add_all(i, steps.data(), b_[i]); }, steps, add);
   } else {
     const auto residual = [&](std::uint32_t i, const auto&) {
       const Float4 s = level.interpolation[i].of(next.u).s;  // the first correction's
       return edges.add_all(i, u_.data(), b_[i] - level.degree[i] * u_[i] - level.mass[i] * s);
     };
-    sweep(level, edges, relaxation, residual, residual, step_second_, add);
+    sweep(level, edges, relaxation, residual, residual, steps, add);
   }
   share_each(next.b.size(), [&](std::uint32_t i) { next.b[i].x = Float4{}; });
-  take_residuals(level, edges, relaxation.back(), step_second_, [&](std::uint32_t i, Float4 residual) {
+  take_residuals(level, edges, relaxation.back(), steps, [&](std::uint32_t i, Float4 residual) {
     level.interpolation[i].spread(residual, [&](std::uint32_t node) -> Float4& { return next.b[node].x; });
   });
   for (std::size_t a = 0; a < gaps_.size(); ++a) next.gaps[a] = gaps_[a] - u_[level.anchors[a]];

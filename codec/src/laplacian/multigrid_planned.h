@@ -61,15 +61,14 @@ class PlannedCycles {
   std::size_t coupled_;  ///< c
   LevelSolver solver_;
   Units units_{DeltaView{}, 0};
-  LargeVector<Counts> x_;            ///< finest level; none between solutions
-  LargeVector<Float4> step_;         ///< finest level: what the last sweep added, in units, and a 0
-  LargeVector<Float4> b_;            ///< second level: right-hand side; empty where c is that
-  LargeVector<Float4> step_second_;  ///< likewise
-  LargeVector<Float4> u_;            ///< second level: correction of x
-  LargeVector<Float4> s_second_;     ///< second level: s
-  LargeVector<Float4> s_;            ///< level c: s
-  std::vector<Float4> forces_;       ///< one for each anchor
-  std::vector<Float4> gaps_;         ///< c_a - x_a before the second level's correction
+  LargeVector<Counts> x_;         ///< finest level; none between solutions
+  LargeVector<Float4> step_;      ///< finest level: what the last sweep added, and a 0; or second level
+  LargeVector<Float4> b_;         ///< second level: right-hand side; empty where c is that
+  LargeVector<Float4> u_;         ///< second level: correction of x
+  LargeVector<Float4> s_second_;  ///< second level: s
+  LargeVector<Float4> s_;         ///< level c: s
+  std::vector<Float4> forces_;    ///< one for each anchor
+  std::vector<Float4> gaps_;      ///< c_a - x_a before the second level's correction
 };
 
 }  // namespace deltamesh::multigrid
