@@ -70,6 +70,20 @@ Adjacency tidy(const Adjacency& graph) {
   return sorted;
 }
 
+/// Whether an ascending row has a neighbour twice. Of all places neighbours are counted that equal the one
+/// before, and again where a row begins there.
+bool has_repeated(const Adjacency& graph) {
+  const auto& [offsets, neighbors] = graph;
+  std::uint32_t equal = 0;
+  for (std::size_t e = 1; e < neighbors.size(); ++e) equal += neighbors[e] == neighbors[e - 1] ? 1 : 0;
+  std::uint32_t between_rows = 0;
+  for (std::uint32_t v = 1; v < graph.vertex_count(); ++v) {
+    const std::uint32_t e = offsets[v];
+    if (e > 0 && e < offsets[v + 1]) between_rows += neighbors[e] == neighbors[e - 1] ? 1 : 0;
+  }
+  return equal > between_rows;
+}
+
 /// Ascending rows where some neighbours come several times in a row.
 void drop_repeated(Adjacency& graph) {
   std::uint32_t written = 0;
@@ -116,17 +130,12 @@ Adjacency build_adjacency(std::span<const std::uint32_t> triangles, std::span<co
 
   cursor.assign(offsets.begin(), offsets.end() - 1);
   graph.neighbors.resize(offsets.back());
-  bool repeats = false;
+  const std::uint32_t* entry = unsorted.data();
   for (std::uint32_t v = 0; v < vertex_count; ++v) {
-    for (std::uint32_t e = offsets[v]; e < offsets[v + 1]; ++e) {
-      const std::uint32_t w = unsorted[e];
-      const std::uint32_t place = cursor[w]++;
-      graph.neighbors[place] = v;
-      const std::uint32_t has_others = place > offsets[w] ? 1 : 0;
-      repeats |= (graph.neighbors[place - has_others] == v) & (has_others != 0);
-    }
+    for (const std::uint32_t* const end = entry + graph.degree(v); entry != end; ++entry)
+      graph.neighbors[cursor[*entry]++] = v;
   }
-  if (repeats) drop_repeated(graph);
+  if (has_repeated(graph)) drop_repeated(graph);
   return graph;
 }
 
