@@ -29,13 +29,14 @@ Stream stream_of(const Mesh& mesh, const EncodeOptions& options) {
   return {};
 }
 
-/// Of all sizes and kinds; every second one has arrays that come from kept memory.
+/// Of all sizes and kinds, those with arrays that come from kept memory among them.
 std::vector<Stream> streams() {
   std::vector<Stream> streams;
   const auto awkward = testing::awkward_meshes();
   for (std::size_t i = 0; i < awkward.size(); ++i) {
-    const auto size = static_cast<std::uint32_t>(90 + 40 * (i * 7 % 5));
-    streams.push_back(stream_of(testing::bumpy_grid(size, size), i % 3 == 1 ? kPredictive : kHighpass));
+    const auto size = static_cast<std::uint32_t>(100 + 20 * (i * 7 % 5));
+    if (i % 2 == 0)
+      streams.push_back(stream_of(testing::bumpy_grid(size, size), i % 3 == 1 ? kPredictive : kHighpass));
     streams.push_back(stream_of(awkward[i].mesh, {.keep_unreferenced = true}));
   }
   streams.push_back(stream_of(testing::attributed_grid(150, 130), {.effort = 0, .keep_order = true}));
@@ -74,7 +75,7 @@ TEST(Decoder, GoesOnAfterErrors) {
 /// From the callback of a decode of its own.
 TEST(Decoder, MayBeUsedWithinItself) {
   const Stream large = stream_of(testing::bumpy_grid(150, 150), kHighpass);
-  const Stream larger = stream_of(testing::bumpy_grid(250, 150), kHighpass);
+  const Stream larger = stream_of(testing::bumpy_grid(180, 150), kHighpass);
   const auto alone = decode(large);
   const auto larger_alone = decode(larger);
   for (const unsigned threads : {1U, 2U}) {
