@@ -22,17 +22,18 @@ template <class AnyEdges, class Residual, class OuterResidual, class Keep>
 void sweep(const Level& level, const AnyEdges& edges, std::span<const float> relaxation,
            const Residual& residual, const OuterResidual& outer_residual, std::span<Float4> step,
            const Keep& keep) {
-  const auto start = [&, by = relaxation[0]](std::uint32_t i, const auto& first_residual) {
-    edges.with_row(i, [&](const auto& row) {
-      const Float4 r = first_residual(i, row);
-      const float inverse = row.inverse_degree();
-      const Float4 move = by * inverse * r;
-      step[i] = inverse > 0 ? move : r;
-      keep(i, move);
-    });
+  const auto start = [&, by = relaxation[0]](const auto& first_residual) {
+    return [&, by](std::uint32_t i) {
+      edges.with_row(i, [&](const auto& row) {
+        const Float4 r = first_residual(i, row);
+        const float inverse = row.inverse_degree();
+        const Float4 move = by * inverse * r;
+        step[i] = inverse > 0 ? move : r;
+        keep(i, move);
+      });
+    };
   };
-  level.chunks.visit([&](std::uint32_t i) { start(i, residual); },
-                     [&](std::uint32_t i) { start(i, outer_residual); });
+  level.chunks.visit(start(residual), start(outer_residual));
   for (std::size_t s = 1; s < relaxation.size(); ++s) {
     const float by = relaxation[s];
     const float own = (1 / relaxation[s - 1] - 1) * by;
