@@ -99,6 +99,24 @@ inline FourInts sums_of_halves(EightShorts lanes, std::int32_t weight) noexcept 
 #endif
 }
 
+/// `of_a`, `of_b`, and so on.
+inline EightShorts in_turns(std::int32_t of_a, std::int32_t of_b) noexcept {
+  return __builtin_shufflevector(all_lanes(of_a), all_lanes(of_b), 0, 8, 1, 9, 2, 10, 3, 11);
+}
+
+/// What the first four lanes of `a` and of `b`, times the weights of both in turns, add up to.
+inline FourInts weighted_sums(EightShorts a, EightShorts b, EightShorts weights) noexcept {
+#if defined(__SSE2__)
+  const EightShorts pairs = __builtin_shufflevector(a, b, 0, 8, 1, 9, 2, 10, 3, 11);
+  return reinterpret_cast<FourInts>(
+      _mm_madd_epi16(reinterpret_cast<__m128i>(pairs), reinterpret_cast<__m128i>(weights)));
+#else
+  FourInts result;
+  for (int i = 0; i < 4; ++i) result[i] = a[i] * weights[2 * i] + b[i] * weights[2 * i + 1];
+  return result;
+#endif
+}
+
 /// Four times the place of the highest bit, and the two bits below it; below 0 for lanes of 0. Lanes stand
 /// for 0 to 65535.
 inline EightShorts quarter_octaves(EightShorts lanes) noexcept {

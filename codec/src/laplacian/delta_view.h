@@ -6,12 +6,14 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "base/eight_shorts.h"
 #include "base/four_ints.h"
 #include "base/two_doubles.h"
 #include "base/vec3.h"
@@ -79,9 +81,27 @@ class DeltaCounts {
         left_(std::clamp(bits - 8, 0, 31)),
         right_(std::clamp(8 - bits, 0, 31)),
         half_(right_ > 0 ? std::uint32_t{1} << (right_ - 1) : 0),
-        per_step_(std::ldexp(1.0, bits)) {}
+        per_step_(std::ldexp(1.0, bits)),
+        of_symbol_and_ones_(in_turns(256, signed_parts(shift_of_others_ - 2 * shift_of_ones_))),
+        of_twos_(in_turns(signed_parts(shift_of_ones_ - shift_of_others_), 0)),
+        short_(right_ == 0 ? deltas.symbols().short_rows().data() : nullptr) {}
 
-  FourUnsigned operator[](std::size_t i) const noexcept {
+  [[gnu::always_inline]] FourUnsigned operator[](std::size_t i) const noexcept {
+    return short_ != nullptr ? of_short(short_[i]) : of_any(i);
+  }
+
+ private:
+  /// Exact, with what the shifts take off made up of the symbol, cut to 1 and to 2 in size.
+  [[gnu::always_inline]] FourUnsigned of_short(const ShortSymbols& row) const noexcept {
+    using TwoLongs = std::int64_t __attribute__((vector_size(16)));
+    const auto q = reinterpret_cast<EightShorts>(TwoLongs{std::bit_cast<std::int64_t>(row), 0});
+    const EightShorts ones = smaller_lanes(larger_lanes(q, all_lanes(-1)), all_lanes(1));
+    const EightShorts twos = smaller_lanes(larger_lanes(q, all_lanes(-2)), all_lanes(2));
+    const FourInts parts = weighted_sums(q, ones, of_symbol_and_ones_) + weighted_sums(twos, twos, of_twos_);
+    return reinterpret_cast<FourUnsigned>(parts) << left_;
+  }
+
+  [[gnu::noinline]] FourUnsigned of_any(std::size_t i) const noexcept {
     if (!deltas_.has_symbols()) {
       const Vec3 v = deltas_[i];
       return reinterpret_cast<FourUnsigned>(
@@ -99,10 +119,11 @@ class DeltaCounts {
     return (moved ^ sign) - sign;
   }
 
- private:
   static std::uint32_t parts_of(double steps) noexcept {
     return static_cast<std::uint32_t>(static_cast<std::int32_t>(256 * steps));
   }
+
+  static std::int32_t signed_parts(std::uint32_t parts) noexcept { return static_cast<std::int32_t>(parts); }
 
   DeltaView deltas_;
   std::uint32_t shift_of_ones_;  ///< 1/256 steps
@@ -111,6 +132,9 @@ class DeltaCounts {
   int right_;
   std::uint32_t half_;
   double per_step_;
+  EightShorts of_symbol_and_ones_;  ///< weights of a symbol and of it cut to 1 in size, in turns
+  EightShorts of_twos_;             ///< weight of it cut to 2, and 0
+  const ShortSymbols* short_;       ///< null where these are not all, or not exact
 };
 
 }  // namespace deltamesh

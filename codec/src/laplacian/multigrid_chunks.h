@@ -31,11 +31,11 @@ struct Chunks {
   void visit(const Inner& inner, const Outer& outer) const {
     share_work(count(), [&](std::uint32_t chunk) {
       std::uint32_t node = bounds[chunk];
-      for (std::uint32_t r = first_rim[chunk]; r < first_rim[chunk + 1]; ++r) {
-        for (const std::uint32_t end = rim[r]; node < end; ++node) inner(node);
-        ++node;
+      const std::uint32_t last_rim = first_rim[chunk + 1];
+      for (std::uint32_t r = first_rim[chunk]; r <= last_rim; ++r, ++node) {
+        const std::uint32_t end = r < last_rim ? rim[r] : bounds[chunk + 1];
+        for (; node < end; ++node) inner(node);  // called in one place: so it is inlined
       }
-      for (const std::uint32_t end = bounds[chunk + 1]; node < end; ++node) inner(node);
     });
     for (const std::uint32_t node : rim) outer(node);
   }
