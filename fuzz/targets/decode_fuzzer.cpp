@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Any bytes into inspect(), decode() and a Decoder that has decoded all before; success is checked too.
+// Any bytes into inspect(), decode() and, with two threads, a Decoder that has decoded all before; success is
+// checked too.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -61,7 +62,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       .limits = {.vertices = 1U << 16, .triangles = 1U << 17, .attribute_bytes = 1U << 24}};
   const auto info = inspect(stream);
   const auto mesh = decode(stream, options);
-  if (!is_same(decoder.decode(stream, options), mesh)) std::abort();
+  DecodeOptions shared = options;
+  shared.threads = 2;
+  if (!is_same(decoder.decode(stream, shared), mesh)) std::abort();
   if (!mesh) {
     if (mesh.error().code == ErrorCode::kInternal) std::abort();
     return 0;

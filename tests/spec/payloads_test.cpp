@@ -140,6 +140,16 @@ TEST(Stream, HDR13RejectsAnotherNumberOfAttributes) {
   EXPECT_EQ(broken_rule(parts), "HDR-13");
 }
 
+/// Nothing else of the stream is relied on before, as stages leave out what only attributes need.
+TEST(Stream, HDR13IsAskedFirst) {
+  Parts parts = take_apart(testing::attributed_grid(4, 4), {});
+  parts.header.attributes = 0;
+  for (StoredPayload& payload : parts.payloads) payload.bytes.clear();
+  const auto mesh = decode(parts.assemble(), {.threads = 2});
+  ASSERT_FALSE(mesh);
+  EXPECT_STREQ(mesh.error().rule, "HDR-13");
+}
+
 TEST(Stream, GEO1RejectsPositionsBeyondFloat32) {
   Parts parts = take_apart(testing::bumpy_grid(9, 9), {});
   parts.header.highpass.step = 1e300;

@@ -54,9 +54,9 @@ Result<Mesh> decode_in(MemoryPool& memory, std::span<const std::byte> stream, co
   std::optional<ThreadTeam> team;
   // Called while another decode goes on (from its `progress`), with one thread, this one shares its team,
   // and so its pool: all threads of a team have the same.
-  const bool shares_team = ThreadTeam::current() != nullptr && (threads == 1 || !is_large);
+  const bool shares_team = ThreadTeam::current() != nullptr && (threads <= 1 || !is_large);
   if ((is_large || !memory.is_empty()) && !shares_team) {
-    memory.prepare(memory_at_a_time(container.header(), stream.size()));
+    if (is_large) memory.prepare(memory_at_a_time(container.header(), stream.size()));
     scope.emplace(memory);
     if (is_large && threads > 1) team.emplace(threads);
   }

@@ -2,6 +2,8 @@
 // Copyright 2026 The deltamesh authors
 #include "decoder/stream_decoder.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -41,6 +43,7 @@ class StreamDecoder {
   Result<Mesh> run() {
     Mesh mesh;
     mesh.origin = header_.origin;
+    DELTAMESH_CHECK(check_attribute_count());
     DELTAMESH_CHECK(read_faces(mesh.triangles));
     Task<Result<std::vector<Attribute>>> attributes([&] { return read_attributes(mesh.triangles); });
     DELTAMESH_TRY(mesh.positions, read_geometry(mesh.triangles));
@@ -101,6 +104,16 @@ class StreamDecoder {
                  .rule = "HDR-7"};
   }
 
+  /// Before anything is done that relies on it.
+  Result<void> check_attribute_count() const {
+    const auto is_attribute = [](const ChunkEntry& entry) { return entry.tag == kTagAttribute; };
+    const auto count = std::ranges::count_if(container_.entries(), is_attribute);
+    if (static_cast<std::uint64_t>(count) == header_.attributes) return {};
+    return Error{.code = ErrorCode::kInvalidStream,
+                 .message = "the number of ATTR chunks differs from the header's",
+                 .rule = "HDR-13"};
+  }
+
   Result<LargeVector<Vec3>> read_solved(std::span<const std::uint32_t> triangles) {
     Adjacency graph = build_adjacency(triangles, open_edges_, header_.geometric_vertices);
     geometric_triangles_ = std::vector<std::uint32_t>();  // which {} would not free
@@ -127,12 +140,7 @@ class StreamDecoder {
                     read_attribute(chunk.payload(), header_.vertices, left, graph ? &*graph : nullptr));
       left -= attribute.values.size();
       attributes.push_back(std::move(attribute));
-      if (attributes.size() > header_.attributes) break;
     }
-    if (attributes.size() != header_.attributes)
-      return Error{.code = ErrorCode::kInvalidStream,
-                   .message = "the number of ATTR chunks differs from the header's",
-                   .rule = "HDR-13"};
     return attributes;
   }
 

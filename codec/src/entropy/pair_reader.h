@@ -18,21 +18,24 @@
 
 namespace deltamesh {
 
-/// The bytes of a stream, and behind them as many words of 0 as may be read before failed() is asked.
+/// The bytes of a stream, and behind them as many words of 0 as may be read before failed() is asked, and one
+/// more, as a position beyond the end is not that of a word.
 class PairBytes {
  public:
   static constexpr std::size_t kWordsUnasked = 32;
 
   explicit PairBytes(std::span<const std::byte> bytes) : size_(bytes.size()) {
-    padded_.reserve(size_ + 4 * kWordsUnasked);
+    padded_.reserve(size_ + kPadding);
     padded_.assign(bytes.begin(), bytes.end());
-    padded_.resize(size_ + 4 * kWordsUnasked);
+    padded_.resize(size_ + kPadding);
   }
 
   const std::byte* data() const noexcept { return padded_.data(); }
   std::size_t size() const noexcept { return size_; }
 
  private:
+  static constexpr std::size_t kPadding = 4 * (kWordsUnasked + 1);
+
   std::vector<std::byte> padded_;
   std::size_t size_;
 };

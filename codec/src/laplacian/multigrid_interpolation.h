@@ -39,9 +39,9 @@ class Interpolation {
     return weight(0) * coarse[node(0)] + weight(1) * coarse[node(1)] + weight(2) * coarse[node(2)];
   }
 
-  /// That of the node that weighs most.
+  /// That of the node that the edges favour most.
   template <class Values>
-  auto heaviest(const Values& coarse) const noexcept {
+  auto favorite(const Values& coarse) const noexcept {
     return coarse[node(0)];
   }
 

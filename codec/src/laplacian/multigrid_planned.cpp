@@ -211,7 +211,7 @@ void PlannedCycles::cycle(const DeltaView& deltas, std::span<const Vec3> targets
                           bool is_first) {
   const Level& finest = levels_[0];
   if (is_first) {
-    sweep_finest(deltas, kFinestSweeps, [&](const Interpolation& p) { return p.heaviest(s_second_); });
+    sweep_finest(deltas, kFinestSweeps, [&](const Interpolation& p) { return p.favorite(s_second_); });
   } else {
     sweep_finest(deltas, kFinestSweeps);
   }

@@ -138,20 +138,23 @@ Result<LargeVector<Vec3>> solve_alone(LeastSquaresProblem problem, const ReadSym
   return x;
 }
 
-/// Whoever is free reads the symbols, then solves all but the largest part, beside this thread.
+/// Whoever is free reads the symbols, then solves all but the largest part, beside this thread. Of several
+/// errors it is the same one as without a team.
 Result<LargeVector<Vec3>> solve_together(LeastSquaresProblem problem, const ReadSymbols& read_symbols,
                                          std::size_t size) {
   Task<Result<SymbolRows>> reading([&] { return read_symbols(problem.graph); });
   std::vector<Part> parts = copy_parts(problem);
   LeastSquaresProblem& largest = parts.empty() ? problem : parts.back().problem;
-  DELTAMESH_TRY(const auto solver, make_solver(largest));
-  solver->set_up(largest.half_cycles);
+  auto made = make_solver(largest);
+  if (made) (*made)->set_up(largest.half_cycles);
   DELTAMESH_TRY(const SymbolRows symbols, reading.get());
   if (!parts.empty()) problem = {};
   Task<Result<Solutions>> others([&] { return solve_each(all_but_last(parts), symbols); });
   const SymbolRows picked = parts.empty() ? SymbolRows() : symbols.pick(parts.back().vertices);
-  DELTAMESH_TRY(auto x, solve(largest, *solver, parts.empty() ? symbols : picked, size));
+  auto solved = made ? solve(largest, **made, parts.empty() ? symbols : picked, size)
+                     : Result<LargeVector<Vec3>>(made.error());
   DELTAMESH_TRY(const Solutions solutions, others.get());
+  DELTAMESH_TRY(auto x, std::move(solved));
   put_together(parts, solutions, x);
   return x;
 }
