@@ -23,7 +23,7 @@ std::uint32_t most_neighbors(const Level& level) noexcept {
 }
 
 /// Gives the free neighbours of `node` a code, and lists them from `place` on, whose end it returns; what
-/// comes next there may be overwritten. No branch: it could not be predicted.
+/// comes next there may be overwritten. Written without a branch, which could not be predicted.
 std::uint32_t* claim_neighbors(const Level& fine, std::uint32_t node, std::uint32_t code,
                                std::uint32_t* codes, std::uint32_t* place) noexcept {
   const std::uint32_t* const end = fine.neighbors.data() + fine.offsets[node + 1];

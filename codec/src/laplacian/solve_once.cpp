@@ -89,6 +89,11 @@ std::vector<Part> copy_parts(const LeastSquaresProblem& problem) {
   return parts;
 }
 
+/// What takes longest, of the parts or of a problem that is not taken apart.
+LeastSquaresProblem& largest_of(std::vector<Part>& parts, LeastSquaresProblem& whole) noexcept {
+  return parts.empty() ? whole : parts.back().problem;
+}
+
 std::span<Part> all_but_last(std::vector<Part>& parts) noexcept {
   return std::span(parts).first(parts.empty() ? 0 : parts.size() - 1);
 }
@@ -131,7 +136,7 @@ Result<LargeVector<Vec3>> solve_alone(LeastSquaresProblem problem, const ReadSym
   std::vector<Part> parts = take_apart(problem);
   DELTAMESH_TRY(const Solutions others, solve_each(all_but_last(parts), symbols));
   if (!parts.empty()) symbols = symbols.pick(parts.back().vertices);
-  LeastSquaresProblem& largest = parts.empty() ? problem : parts.back().problem;
+  LeastSquaresProblem& largest = largest_of(parts, problem);
   DELTAMESH_TRY(const auto solver, make_solver(largest));
   DELTAMESH_TRY(auto x, solve(largest, *solver, symbols, size));
   put_together(parts, others, x);
@@ -144,7 +149,7 @@ Result<LargeVector<Vec3>> solve_together(LeastSquaresProblem problem, const Read
                                          std::size_t size) {
   Task<Result<SymbolRows>> reading([&] { return read_symbols(problem.graph); });
   std::vector<Part> parts = copy_parts(problem);
-  LeastSquaresProblem& largest = parts.empty() ? problem : parts.back().problem;
+  LeastSquaresProblem& largest = largest_of(parts, problem);
   auto made = make_solver(largest);
   if (made) (*made)->set_up(largest.half_cycles);
   DELTAMESH_TRY(const SymbolRows symbols, reading.get());
