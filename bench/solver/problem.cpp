@@ -7,6 +7,7 @@
 
 #include "connectivity/connectivity.h"
 #include "geometry/diffusion.h"
+#include "geometry/highpass_symbols.h"
 #include "laplacian/anchors.h"
 #include "laplacian/delta.h"
 #include "support/welded_mesh.h"
@@ -14,20 +15,10 @@
 namespace deltamesh::bench {
 namespace {
 
-constexpr double kLastAnchorCell = 4095;
-
-Vec3 round_to(const Vec3& v, double step) {
-  if (!(step > 0)) return v;
-  return {step * std::round(v[0] / step), step * std::round(v[1] / step), step * std::round(v[2] / step)};
-}
-
-std::vector<Vec3> quantized_deltas(const Adjacency& graph, const std::vector<Vec3>& positions,
-                                   const ProblemSettings& settings) {
-  std::vector<Vec3> deltas = delta_coordinates(graph, positions);
-  const double step = std::ldexp(delta_range(deltas), -settings.bits);
-  if (!(step > 0)) return deltas;
-  const DeltaQuantizer quantizer{.step = step};
-  const auto symbols = quantize_deltas(graph, deltas, quantizer, settings.diffusion);
+std::vector<Vec3> quantized_deltas(const Problem& problem) {
+  std::vector<Vec3> deltas = delta_coordinates(problem.part.graph, problem.positions);
+  const DeltaQuantizer quantizer{.step = problem.settings.step};
+  const auto symbols = quantize_deltas(problem.part.graph, deltas, quantizer, problem.settings.diffusion);
   if (!symbols) return deltas;
   for (std::size_t i = 0; i < deltas.size(); ++i) {
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -38,23 +29,39 @@ std::vector<Vec3> quantized_deltas(const Adjacency& graph, const std::vector<Vec
 
 }  // namespace
 
+std::vector<Vec3> Problem::solved_of(std::span<const Vec3> all) const {
+  std::vector<Vec3> solved;
+  for (std::size_t row = 0; row < part.row_count; ++row)
+    solved.push_back(all[part.vertex(row)] - middle(box));
+  return solved;
+}
+
 Problem make_problem(const MeshView& mesh, const ProblemSettings& settings) {
   const WeldedMesh welded = weld(mesh);
   const auto vertex_count = static_cast<std::uint32_t>(welded.positions.size());
   const CodedConnectivity coded = write_connectivity(welded.triangles, vertex_count);
-  const Adjacency graph = build_adjacency(coded.triangles, vertex_count);
-  Problem problem{extract_solved_part(graph, find_components(graph)), {}, {}, {}, {}};
-  const Vec3 center = 0.5 * (welded.box.min + welded.box.max);
-  for (std::size_t row = 0; row < problem.part.row_count; ++row)
-    problem.positions.push_back(welded.positions[coded.vertex_order[problem.part.vertex(row)]] - center);
-  const Adjacency& solved = problem.part.graph;
-  const auto count =
-      static_cast<std::uint32_t>(0.01 * settings.anchor_percent * static_cast<double>(solved.vertex_count()));
-  problem.anchors = place_anchors(solved, find_components(solved), {.count = count}).vertices;
-  problem.deltas = quantized_deltas(solved, problem.positions, settings);
-  const double cell = welded.box.longest_side() / kLastAnchorCell;
-  for (const std::uint32_t anchor : problem.anchors)
-    problem.targets.push_back(round_to(problem.positions[anchor], cell));
+  Problem problem;
+  problem.whole = build_adjacency(coded.triangles, vertex_count);
+  problem.box = welded.box;
+  for (const std::uint32_t v : coded.vertex_order) problem.whole_positions.push_back(welded.positions[v]);
+  const Components components = find_components(problem.whole);
+  problem.part = extract_solved_part(problem.whole, components);
+  problem.positions = problem.solved_of(problem.whole_positions);
+
+  const auto count = static_cast<std::uint32_t>(0.01 * settings.anchor_percent *
+                                                static_cast<double>(problem.part.row_count));
+  HighpassSettings& highpass = problem.settings;
+  const HighpassCoder coder(problem.whole, components, problem.whole_positions, problem.box);
+  highpass.step = coder.step_for_bits(settings.bits);
+  highpass.diffusion = settings.diffusion;
+  highpass.anchors = place_anchors(problem.whole, components, {.count = count});
+  problem.anchors = anchor_rows(highpass.anchors.vertices, problem.part);
+  problem.deltas = quantized_deltas(problem);
+  const AnchorLattice lattice(problem.box, highpass.anchor_bits);
+  for (const std::uint32_t anchor : problem.anchors) {
+    const Vec3& position = problem.whole_positions[problem.part.vertex(anchor)];
+    problem.targets.push_back(lattice.position_of(lattice.cell_of(position)) - middle(problem.box));
+  }
   return problem;
 }
 

@@ -10,6 +10,7 @@
 
 #include "base/vec3.h"
 #include "deltamesh/mesh.h"
+#include "geometry/highpass.h"
 #include "laplacian/solved_part.h"
 
 namespace deltamesh::bench {
@@ -20,13 +21,22 @@ struct ProblemSettings {
   double diffusion = 0;         ///< strength of the error diffusion, 0 to 1
 };
 
-/// In coding order, over the solved vertices; positions relative to the middle of the box.
+/// In coding order.
 struct Problem {
+  Adjacency whole;                    ///< of all vertices
+  std::vector<Vec3> whole_positions;  ///< of all vertices
+  Box box;
   SolvedPart part;
+  HighpassSettings settings;  ///< what an encoder is told
+
+  // Over the solved vertices; positions relative to the middle of the box.
   std::vector<Vec3> positions;
   std::vector<std::uint32_t> anchors;
   std::vector<Vec3> deltas;   ///< quantised
   std::vector<Vec3> targets;  ///< of the anchors, quantised to 12 bits
+
+  /// Of all vertices, those of the solved ones as `positions`.
+  std::vector<Vec3> solved_of(std::span<const Vec3> all) const;
 };
 
 Problem make_problem(const MeshView& mesh, const ProblemSettings& settings);

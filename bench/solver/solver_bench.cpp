@@ -7,10 +7,11 @@
 #include <cstdint>
 #include <cstdio>
 #include <ctime>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "geometry/cycle_plan.h"
+#include "geometry/highpass.h"
 #include "laplacian/solver.h"
 #include "run/bench_mesh.h"
 #include "scenes.h"
@@ -40,51 +41,64 @@ struct Solved {
 };
 
 template <class Make>
-Solved run(const Problem& problem, const Make& make, int half_cycles = 0) {
+Solved run(const Problem& problem, const Make& make, int cycles = 0) {
   Solved solved;
   solved.x.resize(problem.positions.size());
   const double per_vertex = 1e9 / static_cast<double>(problem.positions.size());
   const double start = processor_seconds();
   const auto solver = make(problem.part.graph, problem.anchors);
   if (!solver) return solved;
-  if (half_cycles > 0) (*solver)->set_up(half_cycles);
+  if (cycles > 0) (*solver)->set_up(cycles);
   const double ready = processor_seconds();
-  if ((*solver)->solve(problem.deltas, problem.targets, half_cycles, solved.x)) {
+  if ((*solver)->solve(problem.deltas, problem.targets, cycles, solved.x)) {
     solved.setup_ns = (ready - start) * per_vertex;
     solved.solve_ns = (processor_seconds() - ready) * per_vertex;
   }
   return solved;
 }
 
-/// What an encoder would tell its decoders; 0 where it leaves it to them.
-int plan_half_cycles(const Problem& problem, const std::vector<Vec3>& settled) {
-  const std::size_t count = problem.positions.size();
-  SolvedPart rows{.graph = problem.part.graph, .row_count = count, .whole_count = count};
-  rows.vertices.append(0, static_cast<std::uint32_t>(count));
-  return fewest_half_cycles([&](int half_cycles) {
-    const Solved solved = run(problem, make_multigrid_solver, half_cycles);
-    return is_as_good(rows, problem.positions, settled, solved.x, 0);
-  });
+/// What an encoder makes of the problem, and what it would be without a plan.
+struct Coded {
+  CodedHighpass settled;
+  CodedHighpass best;
+};
+
+std::optional<Coded> code(const Problem& problem) {
+  HighpassCoder coder(problem.whole, find_components(problem.whole), problem.whole_positions, problem.box);
+  auto settled = coder.code(problem.settings);
+  if (!settled) return std::nullopt;
+  auto planned = coder.plan(problem.settings, settled->positions, [](const CodedHighpass&) { return true; });
+  if (!planned) return std::nullopt;
+  Coded coded{.settled = *settled, .best = *settled};
+  if (*planned) coded.best = **std::move(planned);
+  return coded;
+}
+
+double delta_bits(const CodedHighpass& coded, const Problem& problem) {
+  return 8.0 * static_cast<double>(coded.compact_deltas.size()) /
+         static_cast<double>(problem.positions.size());
 }
 
 void print_row(const std::string& name, const Problem& problem, const ProblemSettings& how,
                const Settings& settings) {
+  const auto coded = code(problem);
+  if (!coded) return;
+  const int cycles = coded->best.parameters.cycles;
   const Solved settled = run(problem, make_multigrid_solver);
-  const int half_cycles = plan_half_cycles(problem, settled.x);
-  const Solved ours = run(problem, make_multigrid_solver, half_cycles);
-  std::printf("| %s | %zu | %d | %g | %g | %zu | %d | %.0f | %.0f | %.0f | %.0f ", name.c_str(),
+  const Solved ours = run(problem, make_multigrid_solver, cycles);
+  std::printf("| %s | %zu | %d | %g | %g | %zu | %d | %.0f | %.0f | %.0f | %.0f | %.3f | %.3f ", name.c_str(),
               problem.positions.size(), how.bits, how.anchor_percent, how.diffusion, problem.anchors.size(),
-              half_cycles, ours.setup_ns, ours.solve_ns, ours.setup_ns + ours.solve_ns,
-              settled.setup_ns + settled.solve_ns);
+              cycles, ours.setup_ns, ours.solve_ns, ours.setup_ns + ours.solve_ns,
+              settled.setup_ns + settled.solve_ns, delta_bits(coded->settled, problem),
+              delta_bits(coded->best, problem));
   if (problem.positions.size() <= settings.largest_direct) {
     const Solved direct = run(problem, make_direct_solver);
-    const double error = rms_difference(direct.x, problem.positions);
-    std::printf(
-        "| %.0f | %.4f | %.4f | %.4f |\n", direct.setup_ns + direct.solve_ns,
-        rms_difference(ours.x, direct.x) / error, rms_difference(ours.x, problem.positions) / error,
-        largest_difference(ours.x, problem.positions) / largest_difference(direct.x, problem.positions));
+    const std::vector<Vec3> x = problem.solved_of(coded->best.positions);
+    std::printf("| %.0f | %.4f | %.4f |\n", direct.setup_ns + direct.solve_ns,
+                rms_difference(x, problem.positions) / rms_difference(direct.x, problem.positions),
+                largest_difference(x, problem.positions) / largest_difference(direct.x, problem.positions));
   } else {
-    std::printf("| | | | |\n");
+    std::printf("| | | |\n");
   }
   std::fflush(stdout);
 }
@@ -127,10 +141,10 @@ void run_benchmark(const Settings& settings) {
     return;
   }
   std::printf(
-      "| mesh | vertices | bits | anchors %% | diffusion | anchors | half cycles | setup ns/vertex | solve "
-      "| total | total without a plan | direct total | rms from exact / LFE | LFE over exact "
-      "| largest error over exact |\n"
-      "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+      "| mesh | vertices | bits | anchors %% | diffusion | anchors | cycles | setup ns/vertex | solve "
+      "| total | total without a plan | bits per vertex of deltas without a plan | with it | direct total "
+      "| LFE over exact | largest error over exact |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   for (const MeshSource& source : sources) print_solves(source, settings);
 }
 

@@ -43,7 +43,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                                       .anchor_bits = static_cast<std::uint8_t>(choice[1] % 26),
                                       .anchors = choice[2] % 90U,
                                       .anchor_density = 1,
-                                      .half_cycles = static_cast<std::uint8_t>(choice[0] / 5)};
+                                      .cycles = static_cast<std::uint8_t>(choice[0] / 5)};
   const std::size_t split = payload.empty() ? 0 : (choice[4] + 256U * choice[5]) % (payload.size() + 1);
   const auto positions = read_highpass(payload.first(split), payload.subspan(split), mesh.graph,
                                        mesh.components, mesh.box, parameters);

@@ -22,8 +22,7 @@ FileHeader tetrahedron_header() {
   h.components = 1;
   h.box_max = {1, 2, 3};
   h.vde_rms = 0.25F;
-  h.highpass = {
-      .bits = 8, .step = 0.5, .anchor_bits = 12, .anchors = 1, .anchor_density = 2, .half_cycles = 3};
+  h.highpass = {.bits = 8, .step = 0.5, .anchor_bits = 12, .anchors = 1, .anchor_density = 2, .cycles = 3};
   return h;
 }
 
@@ -117,7 +116,7 @@ TEST(Header, HDR11RejectsHighpassParametersOutOfRange) {
   EXPECT_EQ(broken_rule([](FileHeader& h) { h.highpass.anchor_bits = 25; }), "HDR-11");
   EXPECT_EQ(broken_rule([](FileHeader& h) { h.highpass.anchors = 5; }), "HDR-11");
   EXPECT_EQ(broken_rule([](FileHeader& h) { h.highpass.anchors = 0; }), "HDR-11");
-  EXPECT_EQ(broken_rule([](FileHeader& h) { h.highpass.half_cycles = kMostHalfCycles + 1; }), "HDR-11");
+  EXPECT_EQ(broken_rule([](FileHeader& h) { h.highpass.cycles = kMostCycles + 1; }), "HDR-11");
 }
 
 FileHeader predictive_header() {
@@ -184,7 +183,7 @@ TEST(Header, RoundTripsEveryField) {
   EXPECT_EQ(back->vde_rms, h.vde_rms);
   EXPECT_EQ(back->highpass.step, h.highpass.step);
   EXPECT_EQ(back->highpass.anchor_density, h.highpass.anchor_density);
-  EXPECT_EQ(back->highpass.half_cycles, h.highpass.half_cycles);
+  EXPECT_EQ(back->highpass.cycles, h.highpass.cycles);
 }
 
 TEST(Header, EveryPrefixIsTruncated) {

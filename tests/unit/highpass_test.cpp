@@ -13,7 +13,6 @@
 
 #include "base/byte_writer.h"
 #include "entropy/planes.h"
-#include "geometry/cycle_plan.h"
 #include "quality/measure.h"
 #include "support/graph_mesh.h"
 
@@ -206,60 +205,10 @@ TEST_F(HighpassRules, DELT3RejectsPositionsThatAreNotFinite) {
 }
 
 TEST_F(HighpassRules, DELT7RejectsTooManyCycles) {
-  coded_.parameters.half_cycles = kMostHalfCycles;
+  coded_.parameters.cycles = kMostCycles;
   EXPECT_TRUE(read(mesh_, coded_));
-  coded_.parameters.half_cycles = kMostHalfCycles + 1;
+  coded_.parameters.cycles = kMostCycles + 1;
   expect_rule(read(mesh_, coded_), "DELT-7");
-}
-
-TEST(CyclePlan, FindsTheFewestThatWillDo) {
-  for (int fewest = 1; fewest <= kMostPlanned; ++fewest) {
-    int last = 0;
-    const auto will_do = [&](int half_cycles) {
-      if (half_cycles >= fewest) last = half_cycles;
-      return half_cycles >= fewest;
-    };
-    EXPECT_EQ(fewest_half_cycles(will_do), fewest);
-    EXPECT_EQ(last, fewest);
-  }
-  EXPECT_EQ(fewest_half_cycles([](int) { return false; }), 0);
-}
-
-TEST(Highpass, DELT7StreamsTellTheFewestCyclesThatWillDo) {
-  const GraphMesh mesh = test::sheet(90, 80);
-  const auto coded = write(mesh, {.bits = 8, .anchors = 30});
-  ASSERT_TRUE(coded);
-  EXPECT_GE(coded->parameters.half_cycles, 1);
-  EXPECT_LE(coded->parameters.half_cycles, 9);
-  CodedHighpass other = *coded;
-  const auto error_after = [&](int cycles) {
-    other.parameters.half_cycles = static_cast<std::uint8_t>(cycles);
-    const auto positions = read(mesh, other);
-    return positions ? measure_quality(mesh.graph, mesh.positions, *positions).lfe_rms
-                     : std::numeric_limits<double>::infinity();
-  };
-  const double settled = error_after(0);
-  EXPECT_LT(error_after(coded->parameters.half_cycles), 1.02 * settled);
-  if (coded->parameters.half_cycles > 1) {
-    EXPECT_GT(error_after(coded->parameters.half_cycles - 1), 1.01 * settled);
-  }
-}
-
-TEST(Highpass, DELT7PlannedCyclesKeepTheVisualError) {
-  const GraphMesh mesh = test::sheet(90, 80);
-  for (const int bits : {6, 12}) {
-    const auto coded = write(mesh, {.bits = bits, .anchors = 40});
-    ASSERT_TRUE(coded);
-    EXPECT_GT(coded->parameters.half_cycles, 0);
-    CodedHighpass settled = *coded;
-    settled.parameters.half_cycles = 0;
-    const auto vde_of = [&](const CodedHighpass& stream) {
-      const auto positions = read(mesh, stream);
-      return positions ? measure_quality(mesh.graph, mesh.positions, *positions).vde_rms
-                       : std::numeric_limits<double>::infinity();
-    };
-    EXPECT_LT(vde_of(*coded), 1.02 * vde_of(settled)) << bits;
-  }
 }
 
 TEST_F(HighpassRules, ANCH1RejectsParametersOutOfRange) {

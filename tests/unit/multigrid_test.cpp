@@ -199,8 +199,8 @@ TEST(Multigrid, ThreadsMakeNoDifference) {
   for (const Problem& problem :
        {quantized(test::sheet(310, 230), 360, 8), quantized(test::sheet(20, 3300), 70, 8),
         quantized(test::finish(std::move(parts)), 900, 8), quantized(test::fan(70000), 350, 8)}) {
-    for (const int half_cycles : {3, 0}) {
-      SCOPED_TRACE(half_cycles);
+    for (const int cycles : {3, 0}) {
+      SCOPED_TRACE(cycles);
       std::vector<Vec3> alone;
       for (const unsigned threads : {1U, 2U, 3U, 8U}) {
         SCOPED_TRACE(threads);
@@ -208,7 +208,7 @@ TEST(Multigrid, ThreadsMakeNoDifference) {
         const auto solver = make_multigrid_solver(problem.mesh.graph, problem.anchors);
         ASSERT_TRUE(solver);
         std::vector<Vec3> x(problem.deltas.size());
-        ASSERT_TRUE((*solver)->solve(problem.deltas, problem.targets, half_cycles, x));
+        ASSERT_TRUE((*solver)->solve(problem.deltas, problem.targets, cycles, x));
         if (alone.empty()) alone = x;
         EXPECT_EQ(x, alone);
       }
@@ -292,18 +292,18 @@ TEST(Chunks, BothFieldsKnowWhatASweepLeaves) {
   }
 }
 
-/// Half cycles that a plan takes for a solution that may stand for the exact one.
+/// Cycles that leave a solution close to the exact one, also without compensation.
 void expect_few_cycles(const Problem& problem, int most) {
   const std::vector<Vec3> exact = solve(problem, make_direct_solver(problem.mesh.graph, problem.anchors));
   const auto solver = make_multigrid_solver(problem.mesh.graph, problem.anchors);
   ASSERT_TRUE(solver);
   std::vector<Vec3> x(exact.size());
   const Errors of_exact = errors(exact, problem.mesh.positions);
-  for (const int half_cycles : {most, most + 3}) {
-    ASSERT_TRUE((*solver)->solve(problem.deltas, problem.targets, half_cycles, x));
-    EXPECT_LT(errors(x, exact).rms, 0.2 * of_exact.rms) << half_cycles;
-    EXPECT_LT(errors(x, problem.mesh.positions).rms, 1.02 * of_exact.rms) << half_cycles;
-    EXPECT_LT(errors(x, problem.mesh.positions).largest, 1.05 * of_exact.largest) << half_cycles;
+  for (const int cycles : {most, most + 3}) {
+    ASSERT_TRUE((*solver)->solve(problem.deltas, problem.targets, cycles, x));
+    EXPECT_LT(errors(x, exact).rms, 0.2 * of_exact.rms) << cycles;
+    EXPECT_LT(errors(x, problem.mesh.positions).rms, 1.02 * of_exact.rms) << cycles;
+    EXPECT_LT(errors(x, problem.mesh.positions).largest, 1.05 * of_exact.largest) << cycles;
   }
 }
 
@@ -355,8 +355,8 @@ TEST(Multigrid, ForgetsWhatIsNotFinite) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   for (const std::uint32_t anchors : {100U, 1000U}) {
     const Problem problem = quantized(many_sheets(), anchors, 8);
-    for (const int half_cycles : {0, 1, 4}) {
-      SCOPED_TRACE(half_cycles);
+    for (const int cycles : {0, 1, 4}) {
+      SCOPED_TRACE(cycles);
       const auto fresh = make_multigrid_solver(problem.mesh.graph, problem.anchors);
       const auto used = make_multigrid_solver(problem.mesh.graph, problem.anchors);
       ASSERT_TRUE(fresh);
@@ -364,9 +364,9 @@ TEST(Multigrid, ForgetsWhatIsNotFinite) {
       std::vector<Vec3> x(problem.deltas.size());
       std::vector<Vec3> again(x.size());
       static_cast<void>((*used)->solve(std::vector<Vec3>(x.size(), Vec3{kNan, kNan, kNan}), problem.targets,
-                                       half_cycles, again));
-      ASSERT_TRUE((*fresh)->solve(problem.deltas, problem.targets, half_cycles, x));
-      ASSERT_TRUE((*used)->solve(problem.deltas, problem.targets, half_cycles, again));
+                                       cycles, again));
+      ASSERT_TRUE((*fresh)->solve(problem.deltas, problem.targets, cycles, x));
+      ASSERT_TRUE((*used)->solve(problem.deltas, problem.targets, cycles, again));
       EXPECT_EQ(x, again);
     }
   }

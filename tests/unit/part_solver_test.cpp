@@ -94,7 +94,7 @@ TEST(SolveOnce, GivesTheSolversBits) {
     std::vector<Vec3> x(mesh.positions.size());
     for (const int cycles : {0, 1, 3}) {
       ASSERT_TRUE((*solver)->solve(deltas, problem.targets, cycles, x));
-      problem.half_cycles = cycles;
+      problem.cycles = cycles;
       const std::size_t size = x.size() + static_cast<std::size_t>(7 * cycles);
       const auto expect_same = [&] {
         const auto once = solve_once(problem, read_symbols, size);

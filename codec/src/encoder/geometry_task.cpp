@@ -47,7 +47,7 @@ CoderSettings plain_settings(const EncodeOptions& options, GeometryTrials& trial
   return settings;
 }
 
-/// `rival_bytes`: RateGoal::rival_bytes. What is larger has no half cycles: it will not be written.
+/// `rival_bytes`: RateGoal::rival_bytes. What is larger has no plan: it will not be written.
 Result<GeometryChoice> code_highpass(const GeometryTask& task,
                                      std::optional<std::uint64_t> rival_bytes = std::nullopt) {
   const EncodeOptions& options = task.options;
@@ -67,7 +67,7 @@ Result<GeometryChoice> code_highpass(const GeometryTask& task,
   GeometryChoice choice = trials.kept();
   const bool loses = rival_bytes && task.frame.bytes_with(choice) > *rival_bytes;
   if (!loses) {
-    DELTAMESH_TRY(choice, trials.plan_kept(bounds_of(task)));
+    DELTAMESH_TRY(choice, trials.plan_kept(bounds_of(task), options.quality.target_bytes));
   }
   if (options.bits || (!options.step && options.quality.empty()))
     choice.highpass.bits = static_cast<std::uint8_t>(options.bits.value_or(kDefaultBits));

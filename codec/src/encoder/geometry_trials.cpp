@@ -16,6 +16,8 @@ namespace {
 
 /// What planned cycles may add to the errors of settled ones.
 constexpr double kPlanCost = 1.002;
+/// Part of the bytes that they may add.
+constexpr std::uint64_t kPlanByteShare = 500;
 
 Quality after_planning(const Quality& settled) noexcept {
   return {.vde_rms = kPlanCost * settled.vde_rms,
@@ -44,10 +46,10 @@ HighpassSettings GeometryTrials::highpass_settings(const CoderSettings& settings
   return result;
 }
 
-Result<GeometryChoice> GeometryTrials::to_choice(CodedHighpass coded) const {
+Result<GeometryChoice> GeometryTrials::to_choice(const CodedHighpass& coded) const {
   GeometryChoice choice{.highpass = coded.parameters, .chunks = frame_.before.fresh()};
-  DELTAMESH_CHECK(choice.chunks.add(kTagDeltas, std::move(coded.deltas), std::move(coded.compact_deltas)));
-  DELTAMESH_CHECK(choice.chunks.add(kTagAnchors, std::move(coded.anchors), std::move(coded.compact_anchors)));
+  DELTAMESH_CHECK(choice.chunks.add(kTagDeltas, coded.deltas, coded.compact_deltas));
+  DELTAMESH_CHECK(choice.chunks.add(kTagAnchors, coded.anchors, coded.compact_anchors));
   return choice;
 }
 
@@ -63,7 +65,7 @@ Result<TrialFigures> GeometryTrials::run(const CoderSettings& settings) {
                  .rule = "HDR-9"};
   errors_.resize(decoded.size());
   for (std::size_t v = 0; v < decoded.size(); ++v) errors_[v] = length(decoded[v] - input_.positions[v]);
-  DELTAMESH_TRY(GeometryChoice choice, to_choice(std::move(coded)));
+  DELTAMESH_TRY(GeometryChoice choice, to_choice(coded));
   choice.quality = quality;
   const TrialFigures figures{.quality = after_planning(quality),
                              .bytes = frame_.bytes_with(choice),
@@ -73,24 +75,29 @@ Result<TrialFigures> GeometryTrials::run(const CoderSettings& settings) {
   return figures;
 }
 
-Result<GeometryChoice> GeometryTrials::plan_kept(const Bounds& bounds) {
+Result<GeometryChoice> GeometryTrials::plan_kept(const Bounds& bounds,
+                                                 std::optional<std::uint64_t> most_bytes) {
+  const std::uint64_t kept_bytes = frame_.bytes_with(kept_->choice);
+  const std::uint64_t most = most_bytes.value_or(kept_bytes + kept_bytes / kPlanByteShare);
   GeometryChoice choice = kept_->choice;
-  const auto keeps_bounds = [&](std::span<const Vec3> positions) {
-    const auto decoded = to_float_positions(positions);
+  const auto accepts = [&](const CodedHighpass& coded) {
+    const auto decoded = to_float_positions(coded.positions);
     if (!decoded) return false;
     const Quality quality = measure_quality(input_.graph, input_.positions, *decoded);
     if (!is_declarable(quality) || bounds.load(quality) > 1) return false;
+    auto planned = to_choice(coded);
+    if (!planned || frame_.bytes_with(*planned) > most) return false;
+    choice = *std::move(planned);
     choice.quality = quality;
     return true;
   };
-  DELTAMESH_TRY(const int half_cycles, coder_.plan(kept_->settings, kept_->settled, keeps_bounds));
-  choice.highpass.half_cycles = static_cast<std::uint8_t>(half_cycles);
+  DELTAMESH_TRY([[maybe_unused]] const auto planned, coder_.plan(kept_->settings, kept_->settled, accepts));
   return choice;
 }
 
 Result<std::uint64_t> GeometryTrials::bytes(const CoderSettings& settings) {
   DELTAMESH_TRY(CodedHighpass coded, coder_.code_only(highpass_settings(settings)));
-  DELTAMESH_TRY(const GeometryChoice choice, to_choice(std::move(coded)));
+  DELTAMESH_TRY(const GeometryChoice choice, to_choice(coded));
   return frame_.bytes_with(choice);
 }
 

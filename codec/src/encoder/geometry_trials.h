@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -49,17 +50,18 @@ class GeometryTrials final : public TrialCoder {
   /// What keep() kept last. Precondition: it has been called.
   const GeometryChoice& kept() const noexcept { return kept_->choice; }
 
-  /// The same with the fewest half cycles that keep `bounds`. Cost: some solves.
-  Result<GeometryChoice> plan_kept(const Bounds& bounds);
+  /// The same mesh with the fewest planned cycles that keep `bounds` in `most_bytes`, or hardly more bytes
+  /// than kept() takes where that is none; kept() itself where no number of cycles does. Cost: some solves.
+  Result<GeometryChoice> plan_kept(const Bounds& bounds, std::optional<std::uint64_t> most_bytes);
 
  private:
   struct Trial {
     HighpassSettings settings;
-    LargeVector<Vec3> settled;  ///< n: without half cycles
+    LargeVector<Vec3> settled;  ///< n: without planned cycles
     GeometryChoice choice;
   };
   HighpassSettings highpass_settings(const CoderSettings& settings);
-  Result<GeometryChoice> to_choice(CodedHighpass coded) const;
+  Result<GeometryChoice> to_choice(const CodedHighpass& coded) const;
 
   GeometryInput input_;
   StreamFrame frame_;

@@ -67,7 +67,7 @@ Result<void> visit_highpass(const Visitor& visit, Parameters& p) {
   DELTAMESH_CHECK(visit.fixed(p.anchor_bits));
   DELTAMESH_CHECK(visit.varint(p.anchors));
   DELTAMESH_CHECK(visit.varint(p.anchor_density));
-  DELTAMESH_CHECK(visit.fixed(p.half_cycles));
+  DELTAMESH_CHECK(visit.fixed(p.cycles));
   return {};
 }
 
@@ -180,7 +180,7 @@ Result<void> check_geometry(const FileHeader& h, const ByteReader& in) {
   const bool in_range = (p.bits == 0 || (p.bits >= 3 && p.bits <= 16)) && std::isfinite(p.step) &&
                         p.step > 0 && p.anchor_bits >= 4 && p.anchor_bits <= 24 &&
                         p.anchors <= h.geometric_vertices && p.anchors >= h.components &&
-                        p.half_cycles <= kMostHalfCycles;
+                        p.cycles <= kMostCycles;
   if (!in_range)
     return in.error(ErrorCode::kInvalidStream, "a parameter of the highpass coder is out of range", "HDR-11");
   return {};

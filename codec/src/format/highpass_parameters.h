@@ -16,7 +16,7 @@ struct ReconstructionShift {
 };
 
 /// A plan of more cycles would be worth less than deciding in the decoder [DELT-7].
-inline constexpr std::uint8_t kMostHalfCycles = 80;
+inline constexpr std::uint8_t kMostCycles = 80;
 
 /// What the header says of a highpass stream [HDR-11].
 struct HighpassParameters {
@@ -26,7 +26,7 @@ struct HighpassParameters {
   std::uint8_t anchor_bits = 12;     ///< 4 to 24
   std::uint32_t anchors = 0;         ///< their number
   std::uint32_t anchor_density = 0;  ///< largest hops of a vertex to its nearest anchor. For information
-  std::uint8_t half_cycles = 0;  ///< of the solver; 0: the decoder decides. At most kMostHalfCycles [DELT-7]
+  std::uint8_t cycles = 0;           ///< of the solver; 0: the decoder decides. At most kMostCycles [DELT-7]
 };
 
 }  // namespace deltamesh

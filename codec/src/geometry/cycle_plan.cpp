@@ -8,56 +8,41 @@
 namespace deltamesh {
 namespace {
 
-/// What a plan may cost, over the rms and the largest distance to the true positions, and over the rms error
-/// of the delta coordinates, which is what the eye sees. [DELT-6] asks for less than a quarter of the first
-/// between plan and exact solution.
-constexpr double kRms = 1.015;
-constexpr double kLargest = 1.04;
-constexpr double kRoughness = 1.01;
-constexpr double kApart = 0.18;
-
-struct Distances {
-  double rms = 0;
-  double largest = 0;
-};
-
-Distances distances(const SolvedPart& part, std::span<const Vec3> a, std::span<const Vec3> b) {
-  double sum = 0;
-  double largest = 0;
-  for (std::size_t row = 0; row < part.row_count; ++row) {
-    const Vec3 difference = a[part.vertex(row)] - b[part.vertex(row)];
-    sum += dot(difference, difference);
-    largest = std::max(largest, dot(difference, difference));
-  }
-  return {.rms = std::sqrt(sum / static_cast<double>(part.row_count)), .largest = std::sqrt(largest)};
-}
-
-/// Rms of the delta coordinates of a - b.
-double roughness(const SolvedPart& part, std::span<const Vec3> a, std::span<const Vec3> b) {
+/// In model units.
+PlanCost errors(const SolvedPart& part, std::span<const Vec3> a, std::span<const Vec3> b) {
   const auto error = [&](std::uint32_t row) { return a[part.vertex(row)] - b[part.vertex(row)]; };
   double squares = 0;
+  double largest = 0;
+  double delta_squares = 0;
   for (std::uint32_t row = 0; row < part.row_count; ++row) {
+    const Vec3 own = error(row);
+    squares += dot(own, own);
+    largest = std::max(largest, dot(own, own));
     Vec3 sum{};
     for (const std::uint32_t neighbor : part.graph.of(row)) sum = sum + error(neighbor);
-    const Vec3 delta = error(row) - (1.0 / part.graph.degree(row)) * sum;
-    squares += dot(delta, delta);
+    const Vec3 delta = own - (1.0 / part.graph.degree(row)) * sum;
+    delta_squares += dot(delta, delta);
   }
-  return std::sqrt(squares / static_cast<double>(part.row_count));
+  const auto count = static_cast<double>(part.row_count);
+  return {.rms = std::sqrt(squares / count),
+          .largest = std::sqrt(largest),
+          .roughness = std::sqrt(delta_squares / count)};
 }
 
 }  // namespace
 
-bool is_as_good(const SolvedPart& part, std::span<const Vec3> positions, std::span<const Vec3> settled,
-                std::span<const Vec3> solution, double invisible) {
-  if (part.row_count == 0) return true;
-  const Distances before = distances(part, positions, settled);
-  const Distances after = distances(part, positions, solution);
-  const Distances apart = distances(part, settled, solution);
-  return after.rms <= std::max(kRms * before.rms, invisible) &&
-         after.largest <= std::max(kLargest * before.largest, invisible) &&
-         apart.rms <= std::max(kApart * before.rms, invisible) &&
-         roughness(part, positions, solution) <=
-             std::max(kRoughness * roughness(part, positions, settled), invisible);
+PlanJudge::PlanJudge(const SolvedPart& part, std::span<const Vec3> positions, std::span<const Vec3> settled,
+                     double invisible)
+    : part_(part), positions_(positions), invisible_(invisible), settled_(errors(part, positions, settled)) {}
+
+PlanCost PlanJudge::cost(std::span<const Vec3> solution) const {
+  const PlanCost now = errors(part_, positions_, solution);
+  const auto ratio = [&](double figure, double settled) {
+    return figure <= invisible_ ? 0 : figure / settled;
+  };
+  return {.rms = ratio(now.rms, settled_.rms),
+          .largest = ratio(now.largest, settled_.largest),
+          .roughness = ratio(now.roughness, settled_.roughness)};
 }
 
 }  // namespace deltamesh

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// How many of the solver's cycles a stream asks its decoders for [DELT-7].
+// What planned cycles may cost in quality beside the exact solution [DELT-7].
 #pragma once
 
 #include <span>
@@ -11,30 +11,38 @@
 
 namespace deltamesh {
 
-/// Half cycles of most streams, tried first; and the most that are tried before it is left to the decoder to
-/// decide.
-inline constexpr int kUsualHalfCycles = 3;
-inline constexpr int kMostPlanned = 13;
+/// Cycles that are tried before it is left to the decoder to decide.
+inline constexpr int kMostPlanned = 8;
 
-/// The fewest half cycles that `will_do(half_cycles)`, which is taken to hold for all larger numbers too; 0
-/// where it does for none up to kMostPlanned. The last number that did is the one returned.
-template <class WillDo>
-int fewest_half_cycles(const WillDo& will_do) {
-  int too_few = 0;
-  int enough = kUsualHalfCycles;
-  for (; !will_do(enough); enough += 2) {
-    too_few = enough;
-    if (enough >= kMostPlanned) return 0;
-  }
-  while (enough - 1 > too_few && will_do(enough - 1)) --enough;
-  return enough;
-}
+/// Errors of a plan's positions over those of settled ones, where the solver decided itself when to stop: how
+/// far they are from the true ones, rms and at most, and rms of the delta coordinates' errors, which is what
+/// the eye sees.
+struct PlanCost {
+  double rms = 0;
+  double largest = 0;
+  double roughness = 0;
 
-/// Whether `solution` may stand for `settled`, where the solver decided itself when to stop: how far both are
-/// from `positions` hardly differs, rms and at most, nor do their delta coordinates, nor are they far apart.
-/// Over the rows of `part`; all spans: one entry for each vertex of the whole graph. `invisible`: model units
-/// that nobody would see. O(n).
-bool is_as_good(const SolvedPart& part, std::span<const Vec3> positions, std::span<const Vec3> settled,
-                std::span<const Vec3> solution, double invisible);
+  /// Hardly more than 1 each.
+  bool is_fair() const noexcept { return rms <= 1.015 && largest <= 1.04 && roughness <= 1.01; }
+  /// Whether other roundings of the same may be fair: the largest error is one vertex's.
+  bool is_close() const noexcept { return rms <= 1.1 && roughness <= 1.03; }
+};
+
+class PlanJudge {
+ public:
+  /// `positions`, `settled`: n, of the whole graph; with `part` they must outlive this. `invisible`: model
+  /// units that nobody would see, which cost nothing. Over the rows of `part`. O(n + edges).
+  PlanJudge(const SolvedPart& part, std::span<const Vec3> positions, std::span<const Vec3> settled,
+            double invisible);
+
+  /// `solution`: n. O(n + edges).
+  PlanCost cost(std::span<const Vec3> solution) const;
+
+ private:
+  const SolvedPart& part_;
+  std::span<const Vec3> positions_;
+  double invisible_;
+  PlanCost settled_;  ///< model units
+};
 
 }  // namespace deltamesh

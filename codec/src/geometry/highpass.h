@@ -52,7 +52,7 @@ struct CodedHighpass {
   std::vector<std::byte> compact_deltas;   ///< the same in the compact form
   std::vector<std::byte> anchors;          ///< ANCH payload, plain
   std::vector<std::byte> compact_anchors;  ///< the same in the compact form
-  /// n: what read_highpass will return where no half cycles are said.
+  /// n: what read_highpass will return.
   LargeVector<Vec3> positions{};
 };
 
@@ -77,18 +77,19 @@ class HighpassCoder {
   /// decides on VDE, without a solve. Infinite where the step is too small. O(n + edges).
   double delta_error(const HighpassSettings& settings);
 
-  /// Errors: kInvalidArgument where the step is too small for 32-bit symbols. Cost: a solve, whose set-up is
-  /// kept while the anchors stay.
+  /// Leaves the number of cycles to the decoder. Errors: kInvalidArgument where the step is too small for
+  /// 32-bit symbols. Cost: a solve, whose set-up is kept while the anchors stay.
   Result<CodedHighpass> code(const HighpassSettings& settings);
 
   /// The same without positions and without the solve.
   Result<CodedHighpass> code_only(const HighpassSettings& settings);
 
-  /// The fewest half cycles whose positions are as good as `settled`, those of code(settings), and that
-  /// `accepts`; 0 where that takes too many [DELT-7]. The positions accepted last are what read_highpass will
-  /// return. Errors as code(). Cost: some solves.
-  Result<int> plan(const HighpassSettings& settings, std::span<const Vec3> settled,
-                   const std::function<bool(std::span<const Vec3>)>& accepts);
+  /// The same mesh coded for the fewest planned cycles [DELT-7] whose positions are about as good as
+  /// `settled`, those of code(settings), and that `accepts`; none where that takes too many. Deltas and
+  /// anchors make up for what the cycles leave out (Compensation). Errors as code(). Cost: some solves, at
+  /// most about six for each number of cycles.
+  Result<std::optional<CodedHighpass>> plan(const HighpassSettings& settings, std::span<const Vec3> settled,
+                                            const std::function<bool(const CodedHighpass&)>& accepts);
 
   HighpassCoder(const HighpassCoder&) = delete;
   HighpassCoder& operator=(const HighpassCoder&) = delete;
@@ -108,10 +109,15 @@ class HighpassCoder {
              centroids == s.centroids;
     }
   };
+  Result<Quantized> quantize(const HighpassSettings& settings, std::span<const Vec3> deltas) const;
   /// Sets quantized_.
-  Result<void> quantize(const HighpassSettings& settings);
-  HighpassParameters parameters_for(const HighpassSettings& settings) const;
-  HighpassSymbols symbols_for(const HighpassSettings& settings) const;
+  Result<void> quantize_own(const HighpassSettings& settings);
+  /// `positions`: n, of which those of the anchors count.
+  HighpassSymbols symbols_for(const HighpassSettings& settings, const Quantized& quantized,
+                              std::span<const Vec3> positions) const;
+  /// All but positions.
+  CodedHighpass coded(const HighpassSettings& settings, const Quantized& quantized,
+                      const HighpassSymbols& symbols) const;
 
   std::span<const Vec3> positions_;
   Box box_;
@@ -120,10 +126,10 @@ class HighpassCoder {
   double range_ = 0;
   double largest_ = 0;
   PartSolver solver_;
-  Quantized quantized_;
+  Quantized quantized_;  ///< of deltas_
 };
 
-/// One shot for a request in bits and counts, with half cycles and the positions they lead to. Arguments and
+/// One shot for a request in bits and counts, with cycles and the positions they lead to. Arguments and
 /// errors as HighpassCoder.
 Result<CodedHighpass> write_highpass(const Adjacency& graph, const Components& components,
                                      std::span<const Vec3> positions, const Box& box,

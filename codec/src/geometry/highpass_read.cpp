@@ -27,7 +27,7 @@ Result<void> check_parameters(const HighpassParameters& parameters, std::size_t 
     return invalid("the step is not a finite number above 0", "DELT-1", kTagDeltas);
   if (parameters.anchor_bits < 4 || parameters.anchor_bits > 24)
     return invalid("anchor bits outside 4 to 24", "ANCH-1", kTagAnchors);
-  if (parameters.half_cycles > kMostHalfCycles) return invalid("too many cycles", "DELT-7", kTagDeltas);
+  if (parameters.cycles > kMostCycles) return invalid("too many cycles", "DELT-7", kTagDeltas);
   if (parameters.anchors > vertex_count) return invalid("more anchors than vertices", "ANCH-1", kTagAnchors);
   return {};
 }

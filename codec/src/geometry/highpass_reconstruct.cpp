@@ -17,16 +17,12 @@
 namespace deltamesh {
 namespace {
 
-Vec3 middle(const Box& box) noexcept {
-  return 0.5 * box.min + 0.5 * box.max;  // halves first: that cannot overflow
-}
-
 DeltaScale scale_of(const HighpassParameters& parameters) noexcept {
   return {.step = parameters.step,
           .shifts = {0, parameters.shift.one / 256.0, parameters.shift.more / 256.0}};
 }
 
-/// Of the solved anchors, relative to the middle of the box: near the origin doubles are densest.
+/// Of the solved anchors, relative to the middle of the box.
 std::vector<Vec3> anchor_targets(const HighpassSymbols& symbols, const SolvedPart& part, const Box& box,
                                  const HighpassParameters& parameters) {
   const AnchorLattice lattice(box, parameters.anchor_bits);
@@ -60,6 +56,10 @@ Vec3 AnchorLattice::position_of(const AnchorCell& cell) const noexcept {
   Vec3 position{};
   for (std::size_t axis = 0; axis < 3; ++axis) position[axis] = origin_[axis] + side_ * cell[axis];
   return position;
+}
+
+Vec3 middle(const Box& box) noexcept {
+  return 0.5 * box.min + 0.5 * box.max;  // halves first: that cannot overflow
 }
 
 std::vector<std::uint32_t> anchor_rows(std::span<const std::uint32_t> anchors, const SolvedPart& part) {
@@ -119,7 +119,7 @@ Result<LargeVector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, c
   if (part.row_count > 0) {
     DELTAMESH_CHECK(solver.solve(anchor_rows(symbols.anchors, part),
                                  DeltaView(symbols.deltas.view(), scale_of(parameters)),
-                                 anchor_targets(symbols, part, box, parameters), parameters.half_cycles,
+                                 anchor_targets(symbols, part, box, parameters), parameters.cycles,
                                  std::span(positions).first(part.row_count)));
   }
   DELTAMESH_CHECK(complete_positions(symbols, part.vertices, box, parameters, positions));
@@ -136,7 +136,7 @@ Result<LargeVector<Vec3>> reconstruct_highpass_once(const ReadSymbols& read_delt
                                 .anchors = anchor_rows(anchors.anchors, part),
                                 .targets = anchor_targets(anchors, part, box, parameters),
                                 .scale = scale_of(parameters),
-                                .half_cycles = parameters.half_cycles};
+                                .cycles = parameters.cycles};
     DELTAMESH_TRY(positions, solve_once(std::move(problem), read_deltas, part.whole_count));
   } else {
     DELTAMESH_TRY([[maybe_unused]] const auto none, read_deltas(part.graph));

@@ -43,6 +43,9 @@ class AnchorLattice {
   double side_;
 };
 
+/// Of the box: what the solver's coordinates are relative to, as doubles are densest near the origin.
+Vec3 middle(const Box& box) noexcept;
+
 /// Rows of the anchors of the solved part, ascending.
 std::vector<std::uint32_t> anchor_rows(std::span<const std::uint32_t> anchors, const SolvedPart& part);
 

@@ -9,6 +9,7 @@
 #include "base/zigzag.h"
 #include "entropy/planes.h"
 #include "geometry/anchor_list.h"
+#include "geometry/compensation.h"
 #include "geometry/cycle_plan.h"
 #include "geometry/delta_symbols.h"
 #include "geometry/diffusion.h"
@@ -23,16 +24,11 @@ namespace {
 /// Deltas of float32 positions carry no more than this many bits below the longest side.
 constexpr int kFinestBits = 40;
 
+/// Of compensation, for each number of cycles: the second is nearly exact.
+constexpr int kMostRounds = 2;
+
 /// Distance that is small against the rounding of positions to floats, over the longest side.
 constexpr double kInvisible = 0x1p-26;
-
-/// Deltas over the rows of `part`.
-std::vector<Vec3> solved_deltas(const SolvedPart& part, std::span<const Vec3> positions) {
-  if (part.is_whole()) return delta_coordinates(part.graph, positions);
-  std::vector<Vec3> solved(part.row_count);
-  for (std::size_t i = 0; i < solved.size(); ++i) solved[i] = positions[part.vertex(i)];
-  return delta_coordinates(part.graph, solved);
-}
 
 double largest_component(std::span<const Vec3> deltas) noexcept {
   double largest = 0;
@@ -65,6 +61,14 @@ AnchorList list_anchors(const HighpassSymbols& symbols) {
   return list;
 }
 
+HighpassParameters parameters_for(const HighpassSettings& settings, const ReconstructionShift& shift) {
+  return {.step = settings.step,
+          .shift = shift,
+          .anchor_bits = static_cast<std::uint8_t>(settings.anchor_bits),
+          .anchors = static_cast<std::uint32_t>(settings.anchors.vertices.size()),
+          .anchor_density = settings.anchors.density};
+}
+
 }  // namespace
 
 HighpassCoder::HighpassCoder(const Adjacency& graph, const Components& components,
@@ -72,7 +76,7 @@ HighpassCoder::HighpassCoder(const Adjacency& graph, const Components& component
     : positions_(positions),
       box_(box),
       part_(extract_solved_part(graph, components)),
-      deltas_(solved_deltas(part_, positions)),
+      deltas_(delta_coordinates(part_, positions)),
       range_(delta_range(deltas_)),
       largest_(largest_component(deltas_)),
       solver_(part_) {}
@@ -85,23 +89,28 @@ double HighpassCoder::step_for_bits(int bits) const noexcept {
 
 /// Symbols chosen by price have other centroids than the nearest ones: theirs are found afterwards. Diffusion
 /// must know the shift in advance, and takes that of the nearest.
-Result<void> HighpassCoder::quantize(const HighpassSettings& settings) {
-  if (quantized_.is_for(settings)) return {};
-  quantized_ = {};
+Result<HighpassCoder::Quantized> HighpassCoder::quantize(const HighpassSettings& settings,
+                                                         std::span<const Vec3> deltas) const {
   const bool shifts_afterwards = settings.rate_weight > 0 && !(settings.diffusion > 0);
   DeltaQuantizer quantizer{.step = settings.step};
   if (settings.centroids && !shifts_afterwards)
-    quantizer.shift = BinErrors(settings.step, deltas_).centroids();
+    quantizer.shift = BinErrors(settings.step, deltas).centroids();
   DELTAMESH_TRY(auto symbols,
-                quantize_deltas(part_.graph, deltas_, quantizer, settings.diffusion, settings.rate_weight));
+                quantize_deltas(part_.graph, deltas, quantizer, settings.diffusion, settings.rate_weight));
   if (settings.centroids && shifts_afterwards)
-    quantizer.shift = BinErrors(settings.step, deltas_, symbols).centroids();
-  quantized_ = {.step = settings.step,
-                .rate_weight = settings.rate_weight,
-                .diffusion = settings.diffusion,
-                .centroids = settings.centroids,
-                .symbols = std::move(symbols),
-                .shift = quantizer.shift};
+    quantizer.shift = BinErrors(settings.step, deltas, symbols).centroids();
+  return Quantized{.step = settings.step,
+                   .rate_weight = settings.rate_weight,
+                   .diffusion = settings.diffusion,
+                   .centroids = settings.centroids,
+                   .symbols = std::move(symbols),
+                   .shift = quantizer.shift};
+}
+
+Result<void> HighpassCoder::quantize_own(const HighpassSettings& settings) {
+  if (quantized_.is_for(settings)) return {};
+  quantized_ = {};
+  DELTAMESH_TRY(quantized_, quantize(settings, deltas_));
   return {};
 }
 
@@ -111,58 +120,71 @@ double HighpassCoder::delta_error(const HighpassSettings& settings) {
     if (!(errors.largest_symbol() <= kLargestSymbol)) return std::numeric_limits<double>::infinity();
     return errors.rms(settings.centroids ? errors.centroids() : ReconstructionShift{});
   }
-  if (!quantize(settings)) return std::numeric_limits<double>::infinity();
+  if (!quantize_own(settings)) return std::numeric_limits<double>::infinity();
   return BinErrors(settings.step, deltas_, quantized_.symbols).rms(quantized_.shift);
 }
 
-HighpassParameters HighpassCoder::parameters_for(const HighpassSettings& settings) const {
-  return {.step = settings.step,
-          .shift = quantized_.shift,
-          .anchor_bits = static_cast<std::uint8_t>(settings.anchor_bits),
-          .anchors = static_cast<std::uint32_t>(settings.anchors.vertices.size()),
-          .anchor_density = settings.anchors.density};
-}
-
-HighpassSymbols HighpassCoder::symbols_for(const HighpassSettings& settings) const {
-  HighpassSymbols symbols{.deltas = SymbolRows(quantized_.symbols), .anchors = settings.anchors.vertices};
+HighpassSymbols HighpassCoder::symbols_for(const HighpassSettings& settings, const Quantized& quantized,
+                                           std::span<const Vec3> positions) const {
+  HighpassSymbols symbols{.deltas = SymbolRows(quantized.symbols), .anchors = settings.anchors.vertices};
   const AnchorLattice lattice(box_, settings.anchor_bits);
   symbols.cells.reserve(symbols.anchors.size());
   for (const std::uint32_t anchor : symbols.anchors)
-    symbols.cells.push_back(lattice.cell_of(positions_[anchor]));
+    symbols.cells.push_back(lattice.cell_of(positions[anchor]));
   return symbols;
 }
 
-Result<CodedHighpass> HighpassCoder::code_only(const HighpassSettings& settings) {
-  DELTAMESH_CHECK(quantize(settings));
-  const HighpassSymbols symbols = symbols_for(settings);
+CodedHighpass HighpassCoder::coded(const HighpassSettings& settings, const Quantized& quantized,
+                                   const HighpassSymbols& symbols) const {
   const AnchorList list = list_anchors(symbols);
-  return CodedHighpass{.parameters = parameters_for(settings),
-                       .deltas = write_deltas(quantized_.symbols),
-                       .compact_deltas = write_compact_deltas(quantized_.symbols, part_.graph),
-                       .anchors = write_plain_anchors(list),
-                       .compact_anchors = write_compact_anchors(list)};
+  return {.parameters = parameters_for(settings, quantized.shift),
+          .deltas = write_deltas(quantized.symbols),
+          .compact_deltas = write_compact_deltas(quantized.symbols, part_.graph),
+          .anchors = write_plain_anchors(list),
+          .compact_anchors = write_compact_anchors(list)};
+}
+
+Result<CodedHighpass> HighpassCoder::code_only(const HighpassSettings& settings) {
+  DELTAMESH_CHECK(quantize_own(settings));
+  return coded(settings, quantized_, symbols_for(settings, quantized_, positions_));
 }
 
 Result<CodedHighpass> HighpassCoder::code(const HighpassSettings& settings) {
-  DELTAMESH_TRY(CodedHighpass coded, code_only(settings));
-  DELTAMESH_TRY(coded.positions,
-                reconstruct_highpass(symbols_for(settings), part_, solver_, box_, coded.parameters));
-  return coded;
+  DELTAMESH_CHECK(quantize_own(settings));
+  const HighpassSymbols symbols = symbols_for(settings, quantized_, positions_);
+  CodedHighpass result = coded(settings, quantized_, symbols);
+  DELTAMESH_TRY(result.positions, reconstruct_highpass(symbols, part_, solver_, box_, result.parameters));
+  return result;
 }
 
-Result<int> HighpassCoder::plan(const HighpassSettings& settings, std::span<const Vec3> settled,
-                                const std::function<bool(std::span<const Vec3>)>& accepts) {
+Result<std::optional<CodedHighpass>> HighpassCoder::plan(
+    const HighpassSettings& settings, std::span<const Vec3> settled,
+    const std::function<bool(const CodedHighpass&)>& accepts) {
   solver_.forget();  // what settles takes other levels
-  DELTAMESH_CHECK(quantize(settings));
-  const HighpassSymbols symbols = symbols_for(settings);
-  HighpassParameters parameters = parameters_for(settings);
-  return fewest_half_cycles([&](int half_cycles) {
-    parameters.half_cycles = static_cast<std::uint8_t>(half_cycles);
-    const auto positions = reconstruct_highpass(symbols, part_, solver_, box_, parameters);
-    return positions &&
-           is_as_good(part_, positions_, settled, *positions, kInvisible * box_.longest_side()) &&
-           accepts(*positions);
-  });
+  const PlanJudge judge(part_, positions_, settled, kInvisible * box_.longest_side());
+  const std::vector<std::uint32_t> anchors = anchor_rows(settings.anchors.vertices, part_);
+  for (int cycles = 1; cycles <= kMostPlanned; ++cycles) {
+    Compensation source(part_, positions_, middle(box_));
+    for (int round = 0; round <= kMostRounds; ++round) {
+      if (round > 0) DELTAMESH_CHECK(source.improve(solver_, anchors, cycles));
+      const auto quantized = quantize(settings, source.deltas());
+      if (!quantized) break;
+      const HighpassSymbols symbols = symbols_for(settings, *quantized, source.positions());
+      HighpassParameters parameters = parameters_for(settings, quantized->shift);
+      parameters.cycles = static_cast<std::uint8_t>(cycles);
+      auto positions = reconstruct_highpass(symbols, part_, solver_, box_, parameters);
+      if (!positions) break;
+      const PlanCost cost = judge.cost(*positions);
+      if (cost.is_fair()) {
+        CodedHighpass result = coded(settings, *quantized, symbols);
+        result.parameters = parameters;
+        result.positions = *std::move(positions);
+        if (accepts(result)) return std::optional(std::move(result));
+      }
+      if (round > 0 && !cost.is_close()) break;
+    }
+  }
+  return std::optional<CodedHighpass>();
 }
 
 Result<CodedHighpass> write_highpass(const Adjacency& graph, const Components& components,
@@ -173,15 +195,12 @@ Result<CodedHighpass> write_highpass(const Adjacency& graph, const Components& c
   settings.step = request.step ? *request.step : coder.step_for_bits(*request.bits);
   settings.anchors =
       place_anchors(graph, components, {.count = request.anchors, .density = request.anchor_density});
-  DELTAMESH_TRY(auto coded, coder.code(settings));
-  const LargeVector<Vec3> settled = coded.positions;
-  DELTAMESH_TRY(const int half_cycles, coder.plan(settings, settled, [&](std::span<const Vec3> planned) {
-    coded.positions.assign(planned.begin(), planned.end());
-    return true;
-  }));
-  coded.parameters.half_cycles = static_cast<std::uint8_t>(half_cycles);
-  coded.parameters.bits = static_cast<std::uint8_t>(request.bits.value_or(0));
-  return coded;
+  DELTAMESH_TRY(CodedHighpass settled, coder.code(settings));
+  DELTAMESH_TRY(auto planned,
+                coder.plan(settings, settled.positions, [](const CodedHighpass&) { return true; }));
+  CodedHighpass& result = planned ? *planned : settled;
+  result.parameters.bits = static_cast<std::uint8_t>(request.bits.value_or(0));
+  return std::move(result);
 }
 
 }  // namespace deltamesh

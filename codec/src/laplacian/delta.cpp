@@ -17,6 +17,13 @@ std::vector<Vec3> delta_coordinates(const Adjacency& graph, std::span<const Vec3
   return deltas;
 }
 
+std::vector<Vec3> delta_coordinates(const SolvedPart& part, std::span<const Vec3> positions) {
+  if (part.is_whole()) return delta_coordinates(part.graph, positions);
+  std::vector<Vec3> solved(part.row_count);
+  for (std::size_t i = 0; i < solved.size(); ++i) solved[i] = positions[part.vertex(i)];
+  return delta_coordinates(part.graph, solved);
+}
+
 double delta_range(std::span<const Vec3> deltas) noexcept {
   if (deltas.empty()) return 0;
   double lowest = deltas.front()[0];

@@ -118,7 +118,7 @@ class DirectSolver final : public LeastSquaresSolver {
 
   bool succeeded() const { return factors_.info() == Eigen::Success; }
 
-  Result<void> solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions, int /*half_cycles*/,
+  Result<void> solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions, int /*cycles*/,
                      std::span<Vec3> x) override {
     const auto n = static_cast<Index>(x.size());
     for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -43,9 +43,6 @@ class LevelSolver {
 
   Vectors& vectors(std::size_t level) noexcept { return vectors_[level]; }
 
-  /// Cycles of a level each time it is come to.
-  int cycles(std::size_t level) const noexcept { return cycles_[level]; }
-
   /// The last level is the coarsest again, and no iterations have been made.
   void begin() noexcept;
 
@@ -78,7 +75,7 @@ class LevelSolver {
   std::vector<std::uint8_t> holds_;  ///< per anchor: 0 where it is alone in its component
   std::uint32_t component_count_;
   bool is_last_resort_;
-  std::vector<int> cycles_;  ///< per level
+  std::vector<int> cycles_;  ///< per level, each time it is come to
   std::vector<Vectors> vectors_;
   std::vector<std::unique_ptr<TwoSteps>> two_steps_;  ///< per level; null where there is but one cycle
   std::size_t bottom_;

@@ -24,15 +24,11 @@ constexpr std::size_t kNodesPerAnchor = 12;
 /// leaves it rough. Measured: more than 1 at first is for the slow errors, less at the end for the rough
 /// ones.
 constexpr std::array kFinestSweeps = {1.5F, 1.2F, 1.1F};
-constexpr std::array kLastSweeps = {1.0F, 1.2F};
+constexpr std::array kLastSweeps = {1.0F, 1.1F};
 
-/// Of the second level's before every correction, and before the last of a cycle on the finest.
-constexpr std::array kSecondSweep = {1.25F};
-constexpr std::array kLastSecondSweeps = {1.4F, 1.2F};
-
-/// Half cycles from which on one of them is the start's: where three of them are too few, narrow necks of the
-/// mesh mostly are what asks for more, and a good start serves these best.
-constexpr int kTwiceAtStart = 4;
+/// Of the second level's at the start and in every cycle.
+constexpr std::array kStartSecondSweep = {1.25F};
+constexpr std::array kSecondSweeps = {1.4F, 1.2F};
 
 /// What interpolation finds of rows.
 struct PositionsOf {
@@ -116,28 +112,20 @@ void PlannedCycles::solve_coupled() {
   for (std::size_t a = 0; a < forces_.size(); ++a) forces_[a] += v.forces[a];
 }
 
-/// Second level: u gets sweeps, whose steps take the place of the finest level's, and the correction from
-/// level c. The first time u is 0, whatever it holds.
-void PlannedCycles::correct_second(bool is_first, std::span<const float> relaxation) {
+/// u for b, where there is a level between the finest and c: sweeps, whose steps take the place of the finest
+/// level's, and the correction from level c.
+void PlannedCycles::correct_middle(std::span<const float> relaxation) {
   const Level& level = levels_[1];
   const std::span<Float4> steps = std::span(step_).first(level.node_count());
   LevelSolver::Vectors& next = solver_.vectors(2);
   const Edges edges(level);
-  const auto add = [&](std::uint32_t i, Float4 step) { u_[i] += step; };
-  if (is_first) {
-    share_each(u_.size(), [&](std::uint32_t i) { u_[i] = Float4{}; });
-    for (const std::uint32_t i : level.chunks.rim) steps[i] = Float4{};  // these come last
-    sweep(
-        level, edges, relaxation,
-        [&](std::uint32_t i, const auto&) { return edges.add_lower(i, steps.data(), b_[i]); },
-        [&](std::uint32_t i, const auto&) { return edges.add_all(i, steps.data(), b_[i]); }, steps, add);
-  } else {
-    const auto residual = [&](std::uint32_t i, const auto&) {
-      const Float4 s = level.interpolation[i].of(next.u).s;  // the first correction's
-      return edges.add_all(i, u_.data(), b_[i] - level.degree[i] * u_[i] - level.mass[i] * s);
-    };
-    sweep(level, edges, relaxation, residual, residual, steps, add);
-  }
+  share_each(u_.size(), [&](std::uint32_t i) { u_[i] = Float4{}; });
+  for (const std::uint32_t i : level.chunks.rim) steps[i] = Float4{};  // these come last
+  sweep(
+      level, edges, relaxation,
+      [&](std::uint32_t i, const auto&) { return edges.add_lower(i, steps.data(), b_[i]); },
+      [&](std::uint32_t i, const auto&) { return edges.add_all(i, steps.data(), b_[i]); }, steps,
+      [&](std::uint32_t i, Float4 step) { u_[i] += step; });
   share_each(next.b.size(), [&](std::uint32_t i) { next.b[i].x = Float4{}; });
   take_residuals(level, edges, relaxation.back(), steps, [&](std::uint32_t i, Float4 residual) {
     level.interpolation[i].spread(residual, [&](std::uint32_t node) -> Float4& { return next.b[node].x; });
@@ -147,12 +135,10 @@ void PlannedCycles::correct_second(bool is_first, std::span<const float> relaxat
   share_each(u_.size(), [&](std::uint32_t i) { u_[i] += level.interpolation[i].of(PositionsOf{next.u}); });
 }
 
-/// u for b, by at most so many corrections, where there is a level between the finest and c; else for that
-/// level's b. s_second_ follows. `last`: relaxation of the sweeps before the last one.
-void PlannedCycles::correct_from_second(int corrections, std::span<const float> last) {
+/// u for b, where there is a level between the finest and c; else for that level's b. s_second_ follows.
+void PlannedCycles::correct_from_second(std::span<const float> relaxation) {
   if (has_middle()) {
-    const int count = std::min(corrections, solver_.cycles(1));
-    for (int c = 0; c < count; ++c) correct_second(c == 0, c + 1 == count ? last : kSecondSweep);
+    correct_middle(relaxation);
     share_each(s_second_.size(), [&](std::uint32_t i) { s_second_[i] = levels_[1].interpolation[i].of(s_); });
   } else {
     LevelSolver::Vectors& second = solver_.vectors(1);
@@ -166,7 +152,7 @@ void PlannedCycles::correct_from_second(int corrections, std::span<const float> 
 }
 
 /// The second level's solution.
-void PlannedCycles::start(const DeltaView& deltas, std::span<const Vec3> targets, int corrections) {
+void PlannedCycles::start(const DeltaView& deltas, std::span<const Vec3> targets) {
   const Level& finest = levels_[0];
   solver_.begin();
   std::fill(s_.begin(), s_.end(), Float4{});
@@ -181,7 +167,7 @@ void PlannedCycles::start(const DeltaView& deltas, std::span<const Vec3> targets
     finest.chunks.visit([&](std::uint32_t i) { take(i, edges.degree(i) * delta(i)); });
   });
   for (std::size_t a = 0; a < targets.size(); ++a) gaps_[a] = in_steps(targets[a], deltas);
-  correct_from_second(corrections, kSecondSweep);
+  correct_from_second(kStartSecondSweep);
   units_ = Units(deltas, largest_coordinate(u_));
   share_each(x_.size(), [&](std::uint32_t i) { x_[i] = units_.count(finest.interpolation[i].of(u_)); });
 }
@@ -207,8 +193,7 @@ void PlannedCycles::sweep_finest(const DeltaView& deltas, std::span<const float>
   sweep_finest(deltas, relaxation, [&](const Interpolation& p) { return p.of(s_second_); });
 }
 
-void PlannedCycles::cycle(const DeltaView& deltas, std::span<const Vec3> targets, int corrections,
-                          bool is_first) {
+void PlannedCycles::cycle(const DeltaView& deltas, std::span<const Vec3> targets, bool is_first) {
   const Level& finest = levels_[0];
   if (is_first) {
     sweep_finest(deltas, kFinestSweeps, [&](const Interpolation& p) { return p.favorite(s_second_); });
@@ -222,19 +207,14 @@ void PlannedCycles::cycle(const DeltaView& deltas, std::span<const Vec3> targets
   for (std::size_t a = 0; a < targets.size(); ++a) {
     gaps_[a] = in_steps(targets[a] - units_.position(x_[finest.anchors[a]]), deltas);
   }
-  correct_from_second(corrections, kLastSecondSweeps);
+  correct_from_second(kSecondSweeps);
   share_each(x_.size(), [&](std::uint32_t i) { x_[i] += units_.count(finest.interpolation[i].of(u_)); });
 }
 
-PlannedSolution PlannedCycles::solve(const DeltaView& deltas, std::span<const Vec3> targets,
-                                     int half_cycles) {
+PlannedSolution PlannedCycles::solve(const DeltaView& deltas, std::span<const Vec3> targets, int cycles) {
   x_.resize(levels_[0].node_count());
-  const int at_start = half_cycles < kTwiceAtStart ? 1 : 2;
-  start(deltas, targets, at_start);
-  const int left = half_cycles + 1 - at_start;
-  const int half = left % 2;
-  if (half != 0) cycle(deltas, targets, 1, true);
-  for (int c = 0; c < left / 2; ++c) cycle(deltas, targets, 2, half == 0 && c == 0);
+  start(deltas, targets);
+  for (int c = 0; c < cycles; ++c) cycle(deltas, targets, c == 0);
   sweep_finest(deltas, kLastSweeps);
   return {units_, std::exchange(x_, {})};
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// A number of cycles that somebody else has found to be enough, each as cheap as it can be: on the finest
-// level, and mostly on the second, there are positions only, the residual field begins below.
+// So many cycles as the deltas were made for, each as cheap as it can be: on the finest level, and mostly on
+// the second, there are positions only, the residual field begins below.
 #pragma once
 
 #include <cstdint>
@@ -28,28 +28,27 @@ struct PlannedSolution {
 };
 
 /// The same mixed problem as MultigridCycle's, with s = P s_c interpolated from level c, the third (the
-/// second where there are but two, or anchors are many). Away from the anchors s is harmonic, hence smooth,
-/// and the forces there are a few hundredths of the error that quantisation leaves, so that what this changes
-/// cannot be seen. x is kept in whole numbers; corrections are floats, in steps of the deltas.
+/// second where there are but two, or anchors are many): away from the anchors s is harmonic, hence smooth.
+/// Few cycles leave much of the exact solution's low frequencies out; an encoder makes up for it by the
+/// deltas and anchors that it codes (geometry/compensation.h). x is kept in whole numbers; corrections are
+/// floats, in steps of the deltas.
 class PlannedCycles {
  public:
   /// `levels`: at least two; must outlive this.
   PlannedCycles(std::span<const Level> levels, const Components& components);
 
-  /// `targets`: c_a, one for each anchor; `half_cycles`: above 0. Each is a correction of the second level;
-  /// from four on the first is made at the start, besides the one that is always made there. A cycle on the
-  /// finest level makes two, but the first of an odd number one. The result is anything, also not finite,
-  /// where the number is not right. O(half_cycles (n + edges)).
-  PlannedSolution solve(const DeltaView& deltas, std::span<const Vec3> targets, int half_cycles);
+  /// `targets`: c_a, one for each anchor; `cycles`: above 0. The result is anything, also not finite, where
+  /// that is not what the deltas were made for. O(cycles (n + edges)).
+  PlannedSolution solve(const DeltaView& deltas, std::span<const Vec3> targets, int cycles);
 
  private:
-  void start(const DeltaView& deltas, std::span<const Vec3> targets, int corrections);
+  void start(const DeltaView& deltas, std::span<const Vec3> targets);
   template <class S>
   void sweep_finest(const DeltaView& deltas, std::span<const float> relaxation, const S& s_at);
   void sweep_finest(const DeltaView& deltas, std::span<const float> relaxation);
-  void cycle(const DeltaView& deltas, std::span<const Vec3> targets, int corrections, bool is_first);
-  void correct_from_second(int corrections, std::span<const float> last);
-  void correct_second(bool is_first, std::span<const float> relaxation);
+  void cycle(const DeltaView& deltas, std::span<const Vec3> targets, bool is_first);
+  void correct_from_second(std::span<const float> relaxation);
+  void correct_middle(std::span<const float> relaxation);
   /// `each(take)` calls take(vertex, residual) for every vertex.
   template <class Each>
   void restrict_to_second(const Each& each);

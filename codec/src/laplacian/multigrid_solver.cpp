@@ -66,13 +66,13 @@ class GroupSolver {
   GroupSolver& operator=(const GroupSolver&) = delete;
 
   /// What solve() with so many cycles would set up first.
-  void set_up(int half_cycles) {
-    if (half_cycles > 0 && group_.depth > 0 && quick_levels_.empty()) {
+  void set_up(int cycles) {
+    if (cycles > 0 && group_.depth > 0 && quick_levels_.empty()) {
       quick_levels_ = make_levels(multigrid::Coarsening::kQuick);
       if (quick_levels_.size() > 1)
         planned_ = std::make_unique<PlannedCycles>(quick_levels_, group_.components);
     }
-    if (is_planned(half_cycles) || cycles_) return;
+    if (is_planned(cycles) || cycles_) return;
     levels_ = make_levels(multigrid::Coarsening::kExact);
     cycles_ = std::make_unique<MultigridCycle>(levels_, group_.components, group_.depth == 0);
   }
@@ -81,27 +81,26 @@ class GroupSolver {
   bool is_whole() const noexcept { return group_.vertices.empty(); }
 
   /// For a group that is whole and planned; the last solution.
-  PlannedSolution solve_planned(const DeltaView& deltas, std::span<const Vec3> anchor_positions,
-                                int half_cycles) {
+  PlannedSolution solve_planned(const DeltaView& deltas, std::span<const Vec3> anchor_positions, int cycles) {
     set_targets(anchor_positions);
     group_.components = {};
-    return planned_->solve(deltas, targets_, half_cycles);
+    return planned_->solve(deltas, targets_, cycles);
   }
 
-  /// `x`: where to start without levels; overwritten with the solution. `half_cycles`: 0 for as many as it
+  /// `x`: where to start without levels; overwritten with the solution. `cycles`: 0 for as many as it
   /// takes.
-  Result<void> solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions, int half_cycles,
+  Result<void> solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions, int cycles,
                      std::span<Vec3> x) {
-    set_up(half_cycles);
+    set_up(cycles);
     if (is_whole()) {
       deltas_ = deltas;
       x_ = x;
     } else {
-      gather(deltas, x, is_planned(half_cycles));
+      gather(deltas, x, is_planned(cycles));
     }
     set_targets(anchor_positions);
-    if (is_planned(half_cycles)) {
-      planned_->solve(deltas_, targets_, half_cycles).write(x_);
+    if (is_planned(cycles)) {
+      planned_->solve(deltas_, targets_, cycles).write(x_);
     } else if (group_.depth == 0) {
       DELTAMESH_CHECK(run_without_levels());
     } else if (!run_plain()) {
@@ -112,7 +111,7 @@ class GroupSolver {
   }
 
   /// Without coarser levels there is nothing to plan. After set_up().
-  bool is_planned(int half_cycles) const noexcept { return half_cycles > 0 && planned_; }
+  bool is_planned(int cycles) const noexcept { return cycles > 0 && planned_; }
 
  private:
   void set_targets(std::span<const Vec3> anchor_positions) {
@@ -293,26 +292,26 @@ class MultigridSolver final : public LeastSquaresSolver {
 
   void add(Group group) { groups_.push_back(std::make_unique<GroupSolver>(std::move(group))); }
 
-  void set_up(int half_cycles) override {
-    for (const auto& group : groups_) group->set_up(half_cycles);
+  void set_up(int cycles) override {
+    for (const auto& group : groups_) group->set_up(cycles);
   }
 
-  Result<void> solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions, int half_cycles,
+  Result<void> solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions, int cycles,
                      std::span<Vec3> x) override {
-    set_up(half_cycles);
-    const auto is_planned = [&](const auto& group) { return group->is_planned(half_cycles); };
+    set_up(cycles);
+    const auto is_planned = [&](const auto& group) { return group->is_planned(cycles); };
     if (!std::all_of(groups_.begin(), groups_.end(), is_planned)) std::fill(x.begin(), x.end(), Vec3{});
     DELTAMESH_CHECK(small_.solve(deltas, anchor_positions, x));
-    for (const auto& group : groups_) DELTAMESH_CHECK(group->solve(deltas, anchor_positions, half_cycles, x));
+    for (const auto& group : groups_) DELTAMESH_CHECK(group->solve(deltas, anchor_positions, cycles, x));
     return {};
   }
 
   Result<LargeVector<Vec3>> solve_last(const DeltaView& deltas, std::span<const Vec3> anchor_positions,
-                                       int half_cycles, std::size_t size) override {
-    set_up(half_cycles);
-    if (groups_.size() != 1 || !groups_.front()->is_whole() || !groups_.front()->is_planned(half_cycles))
-      return LeastSquaresSolver::solve_last(deltas, anchor_positions, half_cycles, size);
-    const PlannedSolution solution = groups_.front()->solve_planned(deltas, anchor_positions, half_cycles);
+                                       int cycles, std::size_t size) override {
+    set_up(cycles);
+    if (groups_.size() != 1 || !groups_.front()->is_whole() || !groups_.front()->is_planned(cycles))
+      return LeastSquaresSolver::solve_last(deltas, anchor_positions, cycles, size);
+    const PlannedSolution solution = groups_.front()->solve_planned(deltas, anchor_positions, cycles);
     groups_.clear();
     LargeVector<Vec3> x(size);
     solution.write(std::span(x).first(deltas.size()));

@@ -17,9 +17,9 @@ Result<void> PartSolver::make_solver(std::span<const std::uint32_t> anchors) {
 }
 
 Result<void> PartSolver::solve(std::span<const std::uint32_t> anchors, const DeltaView& deltas,
-                               std::span<const Vec3> anchor_positions, int half_cycles, std::span<Vec3> x) {
+                               std::span<const Vec3> anchor_positions, int cycles, std::span<Vec3> x) {
   DELTAMESH_CHECK(make_solver(anchors));
-  return solver_->solve(deltas, anchor_positions, half_cycles, x);
+  return solver_->solve(deltas, anchor_positions, cycles, x);
 }
 
 }  // namespace deltamesh

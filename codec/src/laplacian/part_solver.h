@@ -21,7 +21,7 @@ class PartSolver {
 
   /// As LeastSquaresSolver::solve; `anchors`: rows of the part, ascending.
   Result<void> solve(std::span<const std::uint32_t> anchors, const DeltaView& deltas,
-                     std::span<const Vec3> anchor_positions, int half_cycles, std::span<Vec3> x);
+                     std::span<const Vec3> anchor_positions, int cycles, std::span<Vec3> x);
 
   /// Gives memory back: the next solve starts from nothing.
   void forget() noexcept { solver_.reset(); }

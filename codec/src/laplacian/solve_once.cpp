@@ -47,7 +47,7 @@ std::vector<VertexSubset> collect_sets(const LeastSquaresProblem& problem) {
 LeastSquaresProblem pick_but_graph(const LeastSquaresProblem& problem, const VertexSubset& vertices) {
   LeastSquaresProblem part{.components = pick_components(problem.components, vertices),
                            .scale = problem.scale,
-                           .half_cycles = problem.half_cycles};
+                           .cycles = problem.cycles};
   SubsetWalk walk(vertices);
   for (std::size_t a = 0; a < problem.anchors.size(); ++a) {
     const auto row = walk.row_of(problem.anchors[a]);
@@ -105,8 +105,7 @@ auto make_solver(LeastSquaresProblem& problem) {
 
 Result<LargeVector<Vec3>> solve(const LeastSquaresProblem& problem, LeastSquaresSolver& solver,
                                 const SymbolRows& symbols, std::size_t size) {
-  return solver.solve_last(DeltaView(symbols.view(), problem.scale), problem.targets, problem.half_cycles,
-                           size);
+  return solver.solve_last(DeltaView(symbols.view(), problem.scale), problem.targets, problem.cycles, size);
 }
 
 /// One after the other. `symbols`: of the whole problem. Leaves nothing of the parts but their vertices.
@@ -151,7 +150,7 @@ Result<LargeVector<Vec3>> solve_together(LeastSquaresProblem problem, const Read
   std::vector<Part> parts = copy_parts(problem);
   LeastSquaresProblem& largest = largest_of(parts, problem);
   auto made = make_solver(largest);
-  if (made) (*made)->set_up(largest.half_cycles);
+  if (made) (*made)->set_up(largest.cycles);
   DELTAMESH_TRY(const SymbolRows symbols, reading.get());
   if (!parts.empty()) problem = {};
   Task<Result<Solutions>> others([&] { return solve_each(all_but_last(parts), symbols); });

@@ -24,7 +24,7 @@ struct LeastSquaresProblem {
   std::vector<std::uint32_t> anchors{};  ///< distinct vertices, ascending; at least one in every component
   std::vector<Vec3> targets{};           ///< of every anchor
   DeltaScale scale{};                    ///< what the deltas' symbols stand for
-  int half_cycles = 0;                   ///< as LeastSquaresSolver::solve
+  int cycles = 0;                        ///< as LeastSquaresSolver::solve
 };
 
 /// The deltas' symbols, once; may use the graph.

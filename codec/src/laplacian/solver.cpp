@@ -7,10 +7,10 @@
 namespace deltamesh {
 
 Result<LargeVector<Vec3>> LeastSquaresSolver::solve_last(const DeltaView& deltas,
-                                                         std::span<const Vec3> anchor_positions,
-                                                         int half_cycles, std::size_t size) {
+                                                         std::span<const Vec3> anchor_positions, int cycles,
+                                                         std::size_t size) {
   LargeVector<Vec3> x(size);
-  DELTAMESH_CHECK(solve(deltas, anchor_positions, half_cycles, std::span(x).first(deltas.size())));
+  DELTAMESH_CHECK(solve(deltas, anchor_positions, cycles, std::span(x).first(deltas.size())));
   return x;
 }
 

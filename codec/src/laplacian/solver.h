@@ -29,9 +29,9 @@ class LeastSquaresSolver {
 
   /// `deltas`: n; `anchor_positions`: one per anchor, in the order of setup; `x`: n, overwritten.
   /// Errors: kInvalidStream where the system is numerically singular or its solution out of reach.
-  /// `half_cycles`: 0 for as many as the solution takes; else that many have been found to be enough
+  /// `cycles`: 0 for as many as the solution takes; else that many have been found to be enough
   /// [DELT-7], and nothing watches what comes out. Solvers without cycles take no notice.
-  virtual Result<void> solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions, int half_cycles,
+  virtual Result<void> solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions, int cycles,
                              std::span<Vec3> x) = 0;
 
   Result<void> solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions, std::span<Vec3> x) {
@@ -42,11 +42,11 @@ class LeastSquaresSolver {
   /// can be done, the memory is taken after what was set up has been given back: the solver is of no use any
   /// more.
   virtual Result<LargeVector<Vec3>> solve_last(const DeltaView& deltas,
-                                               std::span<const Vec3> anchor_positions, int half_cycles,
+                                               std::span<const Vec3> anchor_positions, int cycles,
                                                std::size_t size);
 
   /// What solve() with so many cycles would set up first.
-  virtual void set_up(int half_cycles) { (void)half_cycles; }
+  virtual void set_up(int cycles) { (void)cycles; }
 };
 
 /// Sparse Cholesky of the normal equations: exact up to rounding; the reference. Time and memory grow faster

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Analysis by synthesis: what few cycles of the solver leave out of a solution is smooth, and an encoder that
+// runs them itself can put it into what it codes.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/vec3.h"
+#include "deltamesh/result.h"
+#include "laplacian/part_solver.h"
+#include "laplacian/solved_part.h"
+
+namespace deltamesh {
+
+/// Positions y whose deltas and anchors, neither of them rounded, a given number of planned cycles turns into
+/// the positions x of a mesh: with B y for what the cycles make of y, y <- y + (x - B y), from y = x. That
+/// converges as fast as B does, by a hundred times each time where there are two cycles. L (y - x) being
+/// small against any step that is worth coding, rounding the deltas of y leaves the noise that rounding those
+/// of x would, of which B passes hardly more than the exact solution does: where deltas are rough enough to
+/// be dithered by rounding, y costs no bits. Flat regions, all zeros, lose what is below half a step.
+class Compensation {
+ public:
+  /// y = x. `part` and `positions` (x: n, of the whole graph) must outlive this. `center`: what the solver's
+  /// coordinates are relative to. O(n + edges).
+  Compensation(const SolvedPart& part, std::span<const Vec3> positions, const Vec3& center);
+
+  /// One step. `solver`: of the part; `anchors`: rows, ascending. Errors as PartSolver::solve. Cost: a solve.
+  Result<void> improve(PartSolver& solver, std::span<const std::uint32_t> anchors, int cycles);
+
+  /// n: y. What does not belong to the part is as it was.
+  std::span<const Vec3> positions() const noexcept { return shifted_; }
+  /// Rows: L y.
+  std::span<const Vec3> deltas() const noexcept { return deltas_; }
+
+ private:
+  const SolvedPart& part_;
+  std::span<const Vec3> positions_;
+  Vec3 center_;
+  std::vector<Vec3> shifted_;
+  std::vector<Vec3> deltas_;
+};
+
+}  // namespace deltamesh

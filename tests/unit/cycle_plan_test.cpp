@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "geometry/cycle_plan.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "geometry/compensation.h"
+#include "geometry/highpass.h"
+#include "geometry/highpass_symbols.h"
+#include "laplacian/delta.h"
+#include "quality/measure.h"
+#include "support/graph_mesh.h"
+
+namespace deltamesh {
+namespace {
+
+using test::GraphMesh;
+
+/// What an encoder may do to a mesh.
+class Coding {
+ public:
+  Coding(GraphMesh mesh, int bits, std::uint32_t anchors, double diffusion = 0)
+      : mesh_(std::move(mesh)), coder_(mesh_.graph, mesh_.components, mesh_.positions, mesh_.box) {
+    settings_.step = coder_.step_for_bits(bits);
+    settings_.diffusion = diffusion;
+    settings_.anchors = place_anchors(mesh_.graph, mesh_.components, {.count = anchors});
+  }
+
+  Result<CodedHighpass> settled() { return coder_.code(settings_); }
+  template <class Accepts>
+  Result<std::optional<CodedHighpass>> plan(const CodedHighpass& settled, const Accepts& accepts) {
+    return coder_.plan(settings_, settled.positions, accepts);
+  }
+
+  Result<LargeVector<Vec3>> read(const CodedHighpass& coded) const {
+    return read_highpass(coded.deltas, coded.anchors, mesh_.graph, mesh_.components, mesh_.box,
+                         coded.parameters);
+  }
+  Quality quality(const CodedHighpass& coded) const {
+    return measure_quality(mesh_.graph, mesh_.positions, coded.positions);
+  }
+  const GraphMesh& mesh() const { return mesh_; }
+  const HighpassSettings& settings() const { return settings_; }
+
+ private:
+  GraphMesh mesh_;
+  HighpassSettings settings_;
+  HighpassCoder coder_;
+};
+
+bool always(const CodedHighpass&) { return true; }
+
+TEST(CyclePlan, DELT7PlansAreAsGoodAsSettledStreams) {
+  for (const int bits : {6, 8, 12}) {
+    for (const double diffusion : {0.0, 1.0}) {
+      SCOPED_TRACE(testing::Message() << bits << " bits, diffusion " << diffusion);
+      Coding coding(test::sheet(90, 80), bits, 40, diffusion);
+      const auto settled = coding.settled();
+      ASSERT_TRUE(settled);
+      const auto planned = coding.plan(*settled, always);
+      ASSERT_TRUE(planned);
+      ASSERT_TRUE(*planned);
+      EXPECT_GE((*planned)->parameters.cycles, 1);
+      EXPECT_LE((*planned)->parameters.cycles, 6);
+      const Quality before = coding.quality(*settled);
+      const Quality after = coding.quality(**planned);
+      EXPECT_LT(after.lfe_rms, 1.02 * before.lfe_rms);
+      EXPECT_LT(after.max_error, 1.05 * before.max_error);
+      EXPECT_LT(after.vde_rms, 1.02 * before.vde_rms);
+      const auto decoded = coding.read(**planned);
+      ASSERT_TRUE(decoded);
+      EXPECT_EQ(*decoded, (*planned)->positions);
+    }
+  }
+}
+
+TEST(CyclePlan, DELT7MoreCyclesAreTriedUntilOneIsAccepted) {
+  Coding coding(test::sheet(90, 80), 8, 40);
+  const auto settled = coding.settled();
+  ASSERT_TRUE(settled);
+  const auto planned = coding.plan(
+      *settled, [](const CodedHighpass& coded) { return coded.parameters.cycles >= kMostPlanned; });
+  ASSERT_TRUE(planned);
+  ASSERT_TRUE(*planned);
+  EXPECT_EQ((*planned)->parameters.cycles, kMostPlanned);
+  const auto none = coding.plan(*settled, [](const CodedHighpass&) { return false; });
+  ASSERT_TRUE(none);
+  EXPECT_FALSE(*none);
+}
+
+/// One cycle leaves out several times the error of quantisation; two steps of compensation make up for it.
+TEST(Compensation, DELT7CyclesGiveThePositionsBackThatItIsFor) {
+  Coding coding(test::sheet(90, 80), 8, 30);
+  const GraphMesh& mesh = coding.mesh();
+  const SolvedPart part = extract_solved_part(mesh.graph, mesh.components);
+  const Vec3 center = middle(mesh.box);
+  const std::vector<std::uint32_t> anchors = anchor_rows(coding.settings().anchors.vertices, part);
+  for (const int cycles : {1, 2, 3}) {
+    SCOPED_TRACE(cycles);
+    PartSolver solver(part);
+    Compensation source(part, mesh.positions, center);
+    const auto error_of_cycles = [&] {
+      std::vector<Vec3> targets, x(part.row_count);
+      for (const std::uint32_t row : anchors)
+        targets.push_back(source.positions()[part.vertex(row)] - center);
+      const std::vector<Vec3> deltas(source.deltas().begin(), source.deltas().end());
+      EXPECT_TRUE(solver.solve(anchors, deltas, targets, cycles, x));
+      double squares = 0;
+      for (std::size_t row = 0; row < x.size(); ++row) {
+        const Vec3 error = mesh.positions[part.vertex(row)] - (center + x[row]);
+        squares += dot(error, error);
+      }
+      return std::sqrt(squares / static_cast<double>(x.size()));
+    };
+    const double before = error_of_cycles();
+    ASSERT_TRUE(source.improve(solver, anchors, cycles));
+    const double once = error_of_cycles();
+    ASSERT_TRUE(source.improve(solver, anchors, cycles));
+    const double twice = error_of_cycles();
+    EXPECT_LT(once, 0.1 * before);
+    EXPECT_LT(twice, 0.01 * before);
+  }
+}
+
+TEST(Compensation, StartsFromThePositionsThemselves) {
+  const GraphMesh mesh = test::fragments();
+  const SolvedPart part = extract_solved_part(mesh.graph, mesh.components);
+  const Compensation source(part, mesh.positions, middle(mesh.box));
+  EXPECT_TRUE(std::equal(source.positions().begin(), source.positions().end(), mesh.positions.begin(),
+                         mesh.positions.end()));
+  const auto deltas = delta_coordinates(part, mesh.positions);
+  EXPECT_TRUE(std::equal(source.deltas().begin(), source.deltas().end(), deltas.begin(), deltas.end()));
+}
+
+TEST(PlanJudge, TellsErrorsOverTheSettledOnes) {
+  const GraphMesh mesh = test::sheet(12, 9);
+  const SolvedPart part = extract_solved_part(mesh.graph, mesh.components);
+  const auto moved = [&](double all, double one) {
+    std::vector<Vec3> positions = mesh.positions;
+    for (Vec3& position : positions) position[0] += all;
+    positions[30][1] += one;
+    return positions;
+  };
+  const std::vector<Vec3> settled = moved(0.5, 1.5);
+  const PlanJudge judge(part, mesh.positions, settled, 1e-9);
+  const PlanCost same = judge.cost(settled);
+  EXPECT_DOUBLE_EQ(same.rms, 1);
+  EXPECT_DOUBLE_EQ(same.largest, 1);
+  EXPECT_DOUBLE_EQ(same.roughness, 1);
+  EXPECT_TRUE(same.is_fair());
+  const PlanCost twice = judge.cost(moved(1, 3));
+  EXPECT_NEAR(twice.rms, 2, 1e-12);
+  EXPECT_NEAR(twice.largest, 2, 1e-12);
+  EXPECT_NEAR(twice.roughness, 2, 1e-12);
+  EXPECT_FALSE(twice.is_close());
+  const PlanCost further = judge.cost(moved(0.5, 1.6));  // one vertex only
+  EXPECT_GT(further.largest, 1.04);
+  EXPECT_FALSE(further.is_fair());
+  const PlanCost shifted = judge.cost(moved(0.6, 1.5));  // no rougher
+  EXPECT_GT(shifted.rms, 1.015);
+  EXPECT_NEAR(shifted.roughness, 1, 1e-12);
+  EXPECT_FALSE(shifted.is_fair());
+  const PlanCost none = judge.cost(mesh.positions);
+  EXPECT_EQ(none.rms, 0);
+  EXPECT_TRUE(none.is_fair());
+  std::vector<Vec3> lost = settled;
+  lost[3][2] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(judge.cost(lost).is_fair());
+  EXPECT_FALSE(judge.cost(lost).is_close());
+}
+
+}  // namespace
+}  // namespace deltamesh
