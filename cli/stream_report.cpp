@@ -37,6 +37,7 @@ void add_stream(nlohmann::ordered_json& object, const StreamInfo& info) {
   object["step"] = info.step;
   object["anchors"] = info.anchors;
   object["anchor_density"] = info.anchor_density;
+  object["cycles"] = info.cycles;
   object["vde_rms"] = info.quality.vde_rms;
   object["lfe_rms"] = info.quality.lfe_rms;
   object["max_error"] = info.quality.max_error;
@@ -61,6 +62,8 @@ void add_settings(Summary& summary, const StreamInfo& info) {
   if (info.geometry != "highpass") return;
   summary.add("anchors", grouped(info.anchors) + ", every vertex within " +
                              counted(info.anchor_density, "edge", "edges") + " of one");
+  summary.add("solver", info.cycles > 0 ? counted(static_cast<std::uint64_t>(info.cycles), "cycle", "cycles")
+                                        : "cycles until it settles");
 }
 
 void add_errors(Summary& summary, const Quality& quality, double diagonal) {

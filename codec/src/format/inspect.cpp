@@ -83,6 +83,7 @@ StreamInfo summarize(const Container& container) {
     info.step = h.highpass.step;
     info.anchors = h.highpass.anchors;
     info.anchor_density = h.highpass.anchor_density;
+    info.cycles = h.highpass.cycles;
   }
   info.quality = {h.vde_rms, h.lfe_rms, h.max_error};
   for (const ChunkEntry& entry : container.entries()) {

@@ -23,8 +23,8 @@ constexpr std::size_t kNodesPerAnchor = 12;
 /// Over-relaxation of the finest level's sweeps in every cycle, and of those after the last, as interpolation
 /// leaves it rough. Measured: more than 1 at first is for the slow errors, less at the end for the rough
 /// ones.
-constexpr std::array kFinestSweeps = {1.5F, 1.2F, 1.1F};
-constexpr std::array kLastSweeps = {1.0F, 1.1F};
+constexpr std::array kFinestSweeps = {1.4F, 1.2F, 1.0F};
+constexpr std::array kLastSweeps = {1.0F, 1.0F};
 
 /// Of the second level's at the start and in every cycle.
 constexpr std::array kStartSecondSweep = {1.25F};

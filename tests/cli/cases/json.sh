@@ -1,6 +1,6 @@
 # --json prints one object to standard output and nothing else there.
 stream="vertices triangles components bytes bits_per_vertex connectivity_bytes geometry_bytes anchor_bytes attribute_bytes
-        container_bytes geometry bits step anchors anchor_density vde_rms lfe_rms max_error vde_paper lfe_paper diagonal"
+        container_bytes geometry bits step anchors anchor_density cycles vde_rms lfe_rms max_error vde_paper lfe_paper diagonal"
 quiet generate torus torus.ply --vertices 800
 quiet encode torus.ply torus.dmsh --json
 cp .out encode.json
