@@ -29,8 +29,8 @@ class LeastSquaresSolver {
 
   /// `deltas`: n; `anchor_positions`: one per anchor, in the order of setup; `x`: n, overwritten.
   /// Errors: kInvalidStream where the system is numerically singular or its solution out of reach.
-  /// `cycles`: 0 for as many as the solution takes; else that many have been found to be enough
-  /// [DELT-7], and nothing watches what comes out. Solvers without cycles take no notice.
+  /// `cycles`: 0 for as many as the solution takes; else what so many planned cycles make of it [DELT-7],
+  /// which nothing watches. Solvers without cycles take no notice, and give another answer then.
   virtual Result<void> solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions, int cycles,
                              std::span<Vec3> x) = 0;
 
