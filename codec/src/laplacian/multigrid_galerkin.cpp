@@ -24,17 +24,16 @@ SparseRows transpose(const Level& fine, std::uint32_t nodes) {
   const Interpolation* const interpolation = fine.interpolation.data();
   fine.chunks.visit([=](std::uint32_t i) {
     for (std::size_t k = 0; k < 3; ++k)
-      start[interpolation[i].node(k) + 1] += interpolation[i].weight(k) > 0 ? 1 : 0;
+      start[interpolation[i].node(k) + 1] += interpolation[i].counts(k) ? 1 : 0;
   });
   for (std::size_t c = 0; c < nodes; ++c) start[c + 1] += start[c];
   rows.entries.resize(start[nodes]);
   LargeVector<std::uint32_t> next(rows.start.begin(), rows.start.end() - 1);
   fine.chunks.visit([entries = rows.entries.data(), places = next.data(), interpolation](std::uint32_t i) {
     for (std::size_t k = 3; k-- > 0;) {  // the first one overwrites those without weight, whose node it has
-      const float weight = interpolation[i].weight(k);
       std::uint32_t& place = places[interpolation[i].node(k)];
-      entries[place] = {i, weight};
-      place += weight > 0 ? 1 : 0;
+      entries[place] = {i, interpolation[i].weight(k)};
+      place += interpolation[i].counts(k) ? 1 : 0;
     }
   });
   return rows;
@@ -69,7 +68,7 @@ RowSums sum_neighborhoods(const Level& fine, std::span<const Entry> members, Sum
 
 /// Row c of -P^T K P from that of -P^T K.
 RowSums interpolate_row(const Level& fine, RowSums near, SumTable& table) {
-  RowSums row = table.row(3 * std::size_t{near.count()});
+  RowSums row = table.row(3 * near.count());
   near.finish([&](std::uint32_t i, float factor) {
     const Interpolation& p = fine.interpolation[i];
     for (std::size_t k = 0; k < 3; ++k) row.add(p.node(k), factor * p.weight(k));

@@ -21,17 +21,19 @@ class Interpolation {
   /// The value of one node.
   explicit Interpolation(std::uint32_t node) noexcept : Interpolation({node, node, node}, 0, 0) {}
 
-  /// `second`, `third`: weights of the last two in sixteenths, not above 8; where one is 0 its node is the
-  /// first.
+  /// `second`, `third`: weights of the last two in sixteenths, together below 16; where one is 0 its node is
+  /// the first.
   Interpolation(const std::array<std::uint32_t, 3>& nodes, std::uint32_t second, std::uint32_t third) noexcept
       : terms_{nodes[0] | (second + third) << kNodeBits, nodes[1] | second << kNodeBits,
                nodes[2] | third << kNodeBits} {}
 
   std::uint32_t node(std::size_t k) const noexcept { return terms_[k] % kMostNodes; }
   float weight(std::size_t k) const noexcept {
-    const std::uint32_t code = terms_[k] >> kNodeBits;
-    return k == 0 ? kSixteenths[16 - code] : kSixteenths[code];
+    return (k == 0 ? kLeftOfOne : kSixteenths)[terms_[k] >> kNodeBits];
   }
+
+  /// Whether that weight is above 0.
+  bool counts(std::size_t k) const noexcept { return k == 0 || terms_[k] >= kMostNodes; }
 
   /// `coarse`: of one field or both.
   template <class Values>
@@ -53,9 +55,15 @@ class Interpolation {
 
  private:
   static constexpr unsigned kNodeBits = 28;
-  static constexpr auto kSixteenths = [] {
-    std::array<float, 17> values{};
-    for (std::size_t k = 0; k < values.size(); ++k) values[k] = static_cast<float>(k) / 16;
+  using Weights = std::array<float, 16>;  ///< of every code
+  static constexpr Weights kSixteenths = [] {
+    Weights values{};
+    for (std::size_t code = 0; code < values.size(); ++code) values[code] = static_cast<float>(code) / 16;
+    return values;
+  }();
+  static constexpr Weights kLeftOfOne = [] {
+    Weights values{};
+    for (std::size_t code = 0; code < values.size(); ++code) values[code] = 1 - kSixteenths[code];
     return values;
   }();
 
