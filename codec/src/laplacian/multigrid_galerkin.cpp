@@ -90,13 +90,17 @@ UpperHalf make_upper_half(const Level& fine, std::uint32_t nodes, std::size_t mo
                                ? sum_neighborhoods<true>(fine, members.of(c), near_table)
                                : sum_neighborhoods<false>(fine, members.of(c), near_table);
       RowSums row = interpolate_row(fine, near, table);
+      row.clear(c);
       const std::size_t before = rows.entries.size();
+      rows.entries.resize(before + row.count());
+      Entry* place = rows.entries.data() + before;
       float largest = 0;
       row.finish([&](std::uint32_t other, float sum) {
-        if (other == c) return;
         largest = std::max(largest, sum);
-        if (other > c && sum > 0) rows.entries.push_back({other, sum});
+        *place = {other, sum};  // no branch: it could not be predicted
+        place += (other > c ? 1 : 0) & (sum > 0 ? 1 : 0);
       });
+      rows.entries.resize(static_cast<std::size_t>(place - rows.entries.data()));
       rows.end_row();
       made.fetch_add(rows.entries.size() - before, std::memory_order_relaxed);
       upper.largest[c] = largest;

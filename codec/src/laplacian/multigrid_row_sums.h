@@ -26,21 +26,24 @@ class RowSums {
     sum += value;
   }
 
+  /// From here on the column's sum is 0.
+  void clear(std::uint32_t column) noexcept { sums_[column] = 0; }
+
   /// Calls take(column, sum) for every column in the order of first mention, and clears the row. A sum that
   /// was 0 in between comes again, as 0.
   template <class Take>
   void finish(const Take& take) {
-    for (std::uint32_t k = 0; k < count_; ++k) take(touched_[k], std::exchange(sums_[touched_[k]], 0.0F));
+    for (std::size_t k = 0; k < count_; ++k) take(touched_[k], std::exchange(sums_[touched_[k]], 0.0F));
     count_ = 0;
   }
 
   /// As many as finish() will call for.
-  std::uint32_t count() const noexcept { return count_; }
+  std::size_t count() const noexcept { return count_; }
 
  private:
   float* sums_;
   std::uint32_t* touched_;
-  std::uint32_t count_ = 0;
+  std::size_t count_ = 0;
 };
 
 struct SumTable {
