@@ -3,6 +3,7 @@
 #include "laplacian/multigrid_chunks.h"
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <utility>
 
@@ -27,26 +28,33 @@ Range range_of(const std::vector<std::uint32_t>& bounds, std::uint32_t chunk) no
   return {bounds[chunk], bounds[chunk + 1] - bounds[chunk]};
 }
 
-/// Whether one of `nodes` is below `first`. No branch: that lets processors compare many at once.
-bool reach_below(std::uint32_t first, std::span<const std::uint32_t> nodes) noexcept {
+/// Whether a node from `begin` to `end` has a neighbour below `first`.
+bool reach_below(std::uint32_t first, const Level& level, std::uint32_t begin, std::uint32_t end) noexcept {
+  const std::uint32_t* const offsets = level.offsets.data();
+  const std::uint32_t* const neighbors = level.neighbors.data();
   std::uint32_t below = 0;
-  for (const std::uint32_t node : nodes) below += node < first ? 1 : 0;
+  if (level.has_unit_weights()) {  // rows ascend
+    for (; begin < end; ++begin) {
+      if (offsets[begin] < offsets[begin + 1]) below += neighbors[offsets[begin]] < first ? 1 : 0;
+    }
+  } else {  // no branch: that lets processors compare many at once
+    for (std::uint32_t e = offsets[begin]; e < offsets[end]; ++e) below += neighbors[e] < first ? 1 : 0;
+  }
   return below != 0;
 }
 
-/// Whether one of `rows` is interpolated from elsewhere.
+/// Whether one of `rows` is interpolated from elsewhere. Three counts: so processors compare many at once.
 bool leave(Range range, std::span<const Interpolation> rows) noexcept {
-  std::uint32_t left = 0;
+  std::array<std::uint32_t, 3> left{};
   for (const Interpolation& p : rows) {
-    for (std::size_t k = 0; k < 3; ++k) left += range.has(p.node(k)) ? 0 : 1;
+    for (std::size_t k = 0; k < 3; ++k) left[k] += range.has(p.node(k)) ? 0 : 1;
   }
-  return left != 0;
+  return left[0] + left[1] + left[2] != 0;
 }
 
 /// Whether one of the nodes from `begin` to `end` is on the rim.
 bool has_rim(const Level& level, std::uint32_t begin, std::uint32_t end, Range own, Range coarse) noexcept {
-  const std::uint32_t first = level.offsets[begin];
-  if (reach_below(own.begin, level.neighbors.subspan(first, level.offsets[end] - first))) return true;
+  if (own.begin > 0 && reach_below(own.begin, level, begin, end)) return true;
   const std::span<const Interpolation> interpolation = level.interpolation;
   return !interpolation.empty() && leave(coarse, interpolation.subspan(begin, end - begin));
 }
