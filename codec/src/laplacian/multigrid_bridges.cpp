@@ -96,10 +96,9 @@ class RowMaker {
     for (const std::uint32_t* e = neighbors_ + offset[0]; e != end; ++e) {
       const std::size_t code = codes[*e];
       const std::size_t other = code % Aggregates::kSeed;
-      const std::uint32_t sum = sums[other];
       touched[count] = static_cast<std::uint32_t>(other);
-      count += sum == 0 ? 1 : 0;
-      sums[other] = sum + kToMember + static_cast<std::uint32_t>(code / Aggregates::kSeed) * kMoreToSeed;
+      count += sums[other] == 0 ? 1 : 0;
+      sums[other] += kToMember + static_cast<std::uint32_t>(code / Aggregates::kSeed) * kMoreToSeed;
     }
     return count;
   }

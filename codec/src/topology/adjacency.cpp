@@ -9,19 +9,19 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xffffffff;
 
-/// The three directed edges of a face, and open edges turned round, without those from a vertex to itself.
+/// The three directed edges of a face, and open edges turned round.
 template <class Visit>
 void for_each_half_edge(std::span<const std::uint32_t> triangles, std::span<const DirectedEdge> open_edges,
-                        Visit&& visit) {
-  const auto visit_edge = [&](std::uint32_t a, std::uint32_t b) {
-    if (a != b) visit(a, b);
-  };
+                        const Visit& visit) {
   for (std::size_t f = 0; f + 2 < triangles.size(); f += 3) {
-    visit_edge(triangles[f], triangles[f + 1]);
-    visit_edge(triangles[f + 1], triangles[f + 2]);
-    visit_edge(triangles[f + 2], triangles[f]);
+    const std::uint32_t a = triangles[f];
+    const std::uint32_t b = triangles[f + 1];
+    const std::uint32_t c = triangles[f + 2];
+    visit(a, b);
+    visit(b, c);
+    visit(c, a);
   }
-  for (const auto& [a, b] : open_edges) visit_edge(b, a);
+  for (const auto& [a, b] : open_edges) visit(b, a);
 }
 
 /// The six directed edges of a face, without those from a vertex to itself.
@@ -120,20 +120,35 @@ Adjacency build_adjacency(std::span<const std::uint32_t> triangles, std::span<co
   Adjacency graph;
   LargeVector<std::uint32_t>& offsets = graph.offsets;
   offsets.assign(std::size_t{vertex_count} + 1, 0);
-  for_each_half_edge(triangles, open_edges, [&](std::uint32_t a, std::uint32_t) { ++offsets[a + 1]; });
+  for_each_half_edge(triangles, open_edges, [counts = offsets.data() + 1](std::uint32_t a, std::uint32_t b) {
+    if (a != b) ++counts[a];
+  });
   sum_up(offsets);
 
   LargeVector<std::uint32_t> cursor(offsets.begin(), offsets.end() - 1);
   LargeVector<std::uint32_t> unsorted(offsets.back());
-  for_each_half_edge(triangles, open_edges,
-                     [&](std::uint32_t a, std::uint32_t b) { unsorted[cursor[a]++] = b; });
+  const auto put = [rows = unsorted.data(), next = cursor.data()](std::uint32_t a, std::uint32_t b) {
+    std::uint32_t& place = next[a];
+    rows[place] = b;  // not with ++ here: that takes two instructions more
+    ++place;
+  };
+  if (unsorted.size() == triangles.size() + open_edges.size()) {  // none from a vertex to itself
+    for_each_half_edge(triangles, open_edges, put);
+  } else {
+    for_each_half_edge(triangles, open_edges, [&](std::uint32_t a, std::uint32_t b) {
+      if (a != b) put(a, b);
+    });
+  }
 
   cursor.assign(offsets.begin(), offsets.end() - 1);
   graph.neighbors.resize(offsets.back());
   const std::uint32_t* entry = unsorted.data();
   for (std::uint32_t v = 0; v < vertex_count; ++v) {
-    for (const std::uint32_t* const end = entry + graph.degree(v); entry != end; ++entry)
-      graph.neighbors[cursor[*entry]++] = v;
+    for (const std::uint32_t* const end = entry + graph.degree(v); entry != end; ++entry) {
+      std::uint32_t& place = cursor[*entry];
+      graph.neighbors[place] = v;
+      ++place;
+    }
   }
   if (has_repeated(graph)) drop_repeated(graph);
   return graph;
