@@ -68,10 +68,7 @@ std::optional<Coded> code(const Problem& problem) {
   auto settled = coder.code(problem.settings);
   if (!settled) return std::nullopt;
   auto planned = coder.plan(problem.settings, settled->positions, [](const CodedHighpass&) { return true; });
-  if (!planned) return std::nullopt;
-  Coded coded{.settled = *settled, .best = *settled};
-  if (*planned) coded.best = **std::move(planned);
-  return coded;
+  return Coded{.settled = *settled, .best = planned ? *std::move(planned) : *settled};
 }
 
 double delta_bits(const CodedHighpass& coded, const Problem& problem) {

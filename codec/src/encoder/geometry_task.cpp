@@ -66,9 +66,7 @@ Result<GeometryChoice> code_highpass(const GeometryTask& task,
   }
   GeometryChoice choice = trials.kept();
   const bool loses = rival_bytes && task.frame.bytes_with(choice) > *rival_bytes;
-  if (!loses) {
-    DELTAMESH_TRY(choice, trials.plan_kept(bounds_of(task), options.quality.target_bytes));
-  }
+  if (!loses) choice = trials.plan_kept(bounds_of(task), options.quality.target_bytes);
   if (options.bits || (!options.step && options.quality.empty()))
     choice.highpass.bits = static_cast<std::uint8_t>(options.bits.value_or(kDefaultBits));
   return choice;

@@ -14,7 +14,7 @@
 namespace deltamesh {
 namespace {
 
-/// What planned cycles may add to the errors of settled ones.
+/// Room for what planned cycles may add to the errors of settled ones that are to keep a bound.
 constexpr double kPlanCost = 1.002;
 /// Part of the bytes that they may add.
 constexpr std::uint64_t kPlanByteShare = 500;
@@ -75,10 +75,10 @@ Result<TrialFigures> GeometryTrials::run(const CoderSettings& settings) {
   return figures;
 }
 
-Result<GeometryChoice> GeometryTrials::plan_kept(const Bounds& bounds,
-                                                 std::optional<std::uint64_t> most_bytes) {
+GeometryChoice GeometryTrials::plan_kept(const Bounds& bounds, std::optional<std::uint64_t> most_bytes) {
   const std::uint64_t kept_bytes = frame_.bytes_with(kept_->choice);
-  const std::uint64_t most = most_bytes.value_or(kept_bytes + kept_bytes / kPlanByteShare);
+  const std::uint64_t hardly_more = kept_bytes + kept_bytes / kPlanByteShare;
+  const std::uint64_t most = std::min(most_bytes.value_or(hardly_more), hardly_more);
   GeometryChoice choice = kept_->choice;
   const auto accepts = [&](const CodedHighpass& coded) {
     const auto decoded = to_float_positions(coded.positions);
@@ -91,7 +91,7 @@ Result<GeometryChoice> GeometryTrials::plan_kept(const Bounds& bounds,
     choice.quality = quality;
     return true;
   };
-  DELTAMESH_TRY([[maybe_unused]] const auto planned, coder_.plan(kept_->settings, kept_->settled, accepts));
+  coder_.plan(kept_->settings, kept_->settled, accepts);
   return choice;
 }
 

@@ -50,9 +50,9 @@ class GeometryTrials final : public TrialCoder {
   /// What keep() kept last. Precondition: it has been called.
   const GeometryChoice& kept() const noexcept { return kept_->choice; }
 
-  /// The same mesh with the fewest planned cycles that keep `bounds` in `most_bytes`, or hardly more bytes
-  /// than kept() takes where that is none; kept() itself where no number of cycles does. Cost: some solves.
-  Result<GeometryChoice> plan_kept(const Bounds& bounds, std::optional<std::uint64_t> most_bytes);
+  /// The same mesh with the fewest planned cycles that keep `bounds` in hardly more bytes than kept() takes,
+  /// and at most `most_bytes`; kept() itself where no number of cycles does. Cost: some solves.
+  GeometryChoice plan_kept(const Bounds& bounds, std::optional<std::uint64_t> most_bytes);
 
  private:
   struct Trial {

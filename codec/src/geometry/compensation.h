@@ -28,7 +28,8 @@ class Compensation {
   /// coordinates are relative to. O(n + edges).
   Compensation(const SolvedPart& part, std::span<const Vec3> positions, const Vec3& center);
 
-  /// One step. `solver`: of the part; `anchors`: rows, ascending. Errors as PartSolver::solve. Cost: a solve.
+  /// One step. `solver`: of the part; `anchors`: rows, ascending. Errors as PartSolver::solve, and
+  /// kInvalidStream where the cycles diverge; y is as it was then. Cost: a solve.
   Result<void> improve(PartSolver& solver, std::span<const std::uint32_t> anchors, int cycles);
 
   /// n: y. What does not belong to the part is as it was.
@@ -40,6 +41,7 @@ class Compensation {
   const SolvedPart& part_;
   std::span<const Vec3> positions_;
   Vec3 center_;
+  double unit_;  ///< model units, a power of 2: in it the mesh is of a size that suits floats
   std::vector<Vec3> shifted_;
   std::vector<Vec3> deltas_;
 };

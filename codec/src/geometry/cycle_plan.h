@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What planned cycles may cost in quality beside the exact solution [DELT-7].
+// What planned cycles may cost in quality beside those that settle [DELT-7].
 #pragma once
 
 #include <span>
@@ -30,8 +30,9 @@ struct PlanCost {
 
 class PlanJudge {
  public:
-  /// `positions`, `settled`: n, of the whole graph; with `part` they must outlive this. `invisible`: model
-  /// units that nobody would see, which cost nothing. Over the rows of `part`. O(n + edges).
+  /// `positions`, `settled`: n, of the whole graph. `part` and `positions` must outlive this. `invisible`:
+  /// model units that nobody would see, which cost nothing. Over the rows of `part`, at least one.
+  /// O(n + edges).
   PlanJudge(const SolvedPart& part, std::span<const Vec3> positions, std::span<const Vec3> settled,
             double invisible);
 

@@ -25,6 +25,7 @@
 namespace deltamesh {
 
 struct HighpassSymbols;
+class PlanJudge;
 
 /// Everything that decides on the bytes of a highpass stream.
 struct HighpassSettings {
@@ -86,10 +87,10 @@ class HighpassCoder {
 
   /// The same mesh coded for the fewest planned cycles [DELT-7] whose positions are about as good as
   /// `settled`, those of code(settings), and that `accepts`; none where that takes too many. Deltas and
-  /// anchors make up for what the cycles leave out (Compensation). Errors as code(). Cost: some solves, at
-  /// most about six for each number of cycles.
-  Result<std::optional<CodedHighpass>> plan(const HighpassSettings& settings, std::span<const Vec3> settled,
-                                            const std::function<bool(const CodedHighpass&)>& accepts);
+  /// anchors make up for what the cycles leave out (Compensation). Cost: at most five solves for each number
+  /// of cycles.
+  std::optional<CodedHighpass> plan(const HighpassSettings& settings, std::span<const Vec3> settled,
+                                    const std::function<bool(const CodedHighpass&)>& accepts);
 
   HighpassCoder(const HighpassCoder&) = delete;
   HighpassCoder& operator=(const HighpassCoder&) = delete;
@@ -115,6 +116,12 @@ class HighpassCoder {
   /// `positions`: n, of which those of the anchors count.
   HighpassSymbols symbols_for(const HighpassSettings& settings, const Quantized& quantized,
                               std::span<const Vec3> positions) const;
+  struct Attempt {
+    std::optional<CodedHighpass> coded{};
+    bool gains = false;  ///< whether compensation makes a difference
+  };
+  Attempt plan_for(int cycles, const HighpassSettings& settings, const PlanJudge& judge,
+                   const std::function<bool(const CodedHighpass&)>& accepts);
   /// All but positions.
   CodedHighpass coded(const HighpassSettings& settings, const Quantized& quantized,
                       const HighpassSymbols& symbols) const;

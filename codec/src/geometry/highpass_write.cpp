@@ -27,6 +27,11 @@ constexpr int kFinestBits = 40;
 /// Of compensation, for each number of cycles: the second is nearly exact.
 constexpr int kMostRounds = 2;
 
+/// What makes a difference to the cost of a plan; and how many numbers of cycles are tried in a row where
+/// compensation makes none: these have converged, or diverge, and more of them are no better.
+constexpr double kGain = 0.002;
+constexpr int kMostInVain = 2;
+
 /// Distance that is small against the rounding of positions to floats, over the longest side.
 constexpr double kInvisible = 0x1p-26;
 
@@ -157,34 +162,53 @@ Result<CodedHighpass> HighpassCoder::code(const HighpassSettings& settings) {
   return result;
 }
 
-Result<std::optional<CodedHighpass>> HighpassCoder::plan(
-    const HighpassSettings& settings, std::span<const Vec3> settled,
-    const std::function<bool(const CodedHighpass&)>& accepts) {
+HighpassCoder::Attempt HighpassCoder::plan_for(int cycles, const HighpassSettings& settings,
+                                               const PlanJudge& judge,
+                                               const std::function<bool(const CodedHighpass&)>& accepts) {
+  Attempt attempt;
+  PlanCost plain;
+  const std::vector<std::uint32_t> anchors = anchor_rows(settings.anchors.vertices, part_);
+  Compensation source(part_, positions_, middle(box_));
+  for (int round = 0; round <= kMostRounds; ++round) {
+    if (round > 0 && !source.improve(solver_, anchors, cycles)) break;
+    const auto quantized = quantize(settings, source.deltas());
+    if (!quantized) break;
+    const HighpassSymbols symbols = symbols_for(settings, *quantized, source.positions());
+    HighpassParameters parameters = parameters_for(settings, quantized->shift);
+    parameters.cycles = static_cast<std::uint8_t>(cycles);
+    auto positions = reconstruct_highpass(symbols, part_, solver_, box_, parameters);
+    if (!positions) break;
+    const PlanCost cost = judge.cost(*positions);
+    if (cost.is_fair()) {
+      attempt.coded = coded(settings, *quantized, symbols);
+      attempt.coded->parameters = parameters;
+      attempt.coded->positions = *std::move(positions);
+      if (accepts(*attempt.coded)) return attempt;
+      attempt.coded.reset();
+    }
+    if (round == 0) {
+      plain = cost;
+      continue;
+    }
+    attempt.gains |= cost.rms < plain.rms - kGain || cost.roughness < plain.roughness - kGain;
+    if (!cost.is_close()) break;
+  }
+  return attempt;
+}
+
+std::optional<CodedHighpass> HighpassCoder::plan(const HighpassSettings& settings,
+                                                 std::span<const Vec3> settled,
+                                                 const std::function<bool(const CodedHighpass&)>& accepts) {
+  if (part_.row_count == 0) return std::nullopt;
   solver_.forget();  // what settles takes other levels
   const PlanJudge judge(part_, positions_, settled, kInvisible * box_.longest_side());
-  const std::vector<std::uint32_t> anchors = anchor_rows(settings.anchors.vertices, part_);
-  for (int cycles = 1; cycles <= kMostPlanned; ++cycles) {
-    Compensation source(part_, positions_, middle(box_));
-    for (int round = 0; round <= kMostRounds; ++round) {
-      if (round > 0) DELTAMESH_CHECK(source.improve(solver_, anchors, cycles));
-      const auto quantized = quantize(settings, source.deltas());
-      if (!quantized) break;
-      const HighpassSymbols symbols = symbols_for(settings, *quantized, source.positions());
-      HighpassParameters parameters = parameters_for(settings, quantized->shift);
-      parameters.cycles = static_cast<std::uint8_t>(cycles);
-      auto positions = reconstruct_highpass(symbols, part_, solver_, box_, parameters);
-      if (!positions) break;
-      const PlanCost cost = judge.cost(*positions);
-      if (cost.is_fair()) {
-        CodedHighpass result = coded(settings, *quantized, symbols);
-        result.parameters = parameters;
-        result.positions = *std::move(positions);
-        if (accepts(result)) return std::optional(std::move(result));
-      }
-      if (round > 0 && !cost.is_close()) break;
-    }
+  int in_vain = 0;
+  for (int cycles = 1; cycles <= kMostPlanned && in_vain < kMostInVain; ++cycles) {
+    Attempt attempt = plan_for(cycles, settings, judge, accepts);
+    if (attempt.coded) return std::move(attempt.coded);
+    in_vain = attempt.gains ? 0 : in_vain + 1;
   }
-  return std::optional<CodedHighpass>();
+  return std::nullopt;
 }
 
 Result<CodedHighpass> write_highpass(const Adjacency& graph, const Components& components,
@@ -196,8 +220,7 @@ Result<CodedHighpass> write_highpass(const Adjacency& graph, const Components& c
   settings.anchors =
       place_anchors(graph, components, {.count = request.anchors, .density = request.anchor_density});
   DELTAMESH_TRY(CodedHighpass settled, coder.code(settings));
-  DELTAMESH_TRY(auto planned,
-                coder.plan(settings, settled.positions, [](const CodedHighpass&) { return true; }));
+  auto planned = coder.plan(settings, settled.positions, [](const CodedHighpass&) { return true; });
   CodedHighpass& result = planned ? *planned : settled;
   result.parameters.bits = static_cast<std::uint8_t>(request.bits.value_or(0));
   return std::move(result);
