@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/thread_team.h"
 #include "topology/adjacency.h"
 #include "topology/mesh_edges.h"
 #include "topology/subgraph.h"
@@ -127,6 +128,28 @@ TEST(Adjacency, MatchesSetsOnRandomSoups) {
                   Indices(expected[v].begin(), expected[v].end()));
       }
     }
+  }
+}
+
+/// Some vertices have no face, some neighbours come several times, some far away.
+TEST(Adjacency, ThreadsFillRowsFromBothEnds) {
+  constexpr std::uint32_t kVertices = 50000;
+  std::mt19937 engine(11);
+  const auto below = [&](std::uint32_t bound) { return static_cast<std::uint32_t>(engine() % bound); };
+  Indices triangles;
+  for (std::uint32_t v = 0; v < kVertices - 10; v += 1 + below(3)) {
+    triangles.insert(triangles.end(), {v, v + below(10), below(50) == 0 ? below(kVertices) : v + below(10)});
+  }
+  std::vector<DirectedEdge> edges;  // turned round, they make up for all of the faces
+  for (std::size_t f = 0; f < triangles.size(); f += 3) {
+    for (std::size_t k = 0; k < 3; ++k) edges.push_back({triangles[f + k], triangles[f + (k + 1) % 3]});
+  }
+  const Adjacency expected = build_adjacency(triangles, kVertices);
+  for (const unsigned threads : {1U, 2U, 3U}) {
+    const ThreadTeam team(threads);
+    const Adjacency graph = build_adjacency(triangles, edges, kVertices);
+    EXPECT_EQ(graph.offsets, expected.offsets);
+    EXPECT_EQ(graph.neighbors, expected.neighbors);
   }
 }
 

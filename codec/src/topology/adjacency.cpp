@@ -2,7 +2,11 @@
 // Copyright 2026 The deltamesh authors
 #include "topology/adjacency.h"
 
+#include <algorithm>
+#include <atomic>
 #include <cstddef>
+
+#include "base/thread_team.h"
 
 namespace deltamesh {
 namespace {
@@ -11,8 +15,9 @@ constexpr std::uint32_t kNone = 0xffffffff;
 
 /// The three directed edges of a face, and open edges turned round.
 template <class Visit>
-void for_each_half_edge(std::span<const std::uint32_t> triangles, std::span<const DirectedEdge> open_edges,
-                        const Visit& visit) {
+[[gnu::always_inline]] inline void for_each_half_edge(std::span<const std::uint32_t> triangles,
+                                                      std::span<const DirectedEdge> open_edges,
+                                                      const Visit& visit) {
   for (std::size_t f = 0; f + 2 < triangles.size(); f += 3) {
     const std::uint32_t a = triangles[f];
     const std::uint32_t b = triangles[f + 1];
@@ -73,15 +78,20 @@ Adjacency tidy(const Adjacency& graph) {
 /// Whether an ascending row has a neighbour twice. Of all places neighbours are counted that equal the one
 /// before, and again where a row begins there.
 bool has_repeated(const Adjacency& graph) {
-  const auto& [offsets, neighbors] = graph;
-  std::uint32_t equal = 0;
-  for (std::size_t e = 1; e < neighbors.size(); ++e) equal += neighbors[e] == neighbors[e - 1] ? 1 : 0;
-  std::uint32_t between_rows = 0;
-  for (std::uint32_t v = 1; v < graph.vertex_count(); ++v) {
-    const std::uint32_t e = offsets[v];
-    if (e > 0 && e < offsets[v + 1]) between_rows += neighbors[e] == neighbors[e - 1] ? 1 : 0;
-  }
-  return equal > between_rows;
+  std::atomic<bool> has_any = false;
+  share_rows(graph.vertex_count(), [&, offsets = graph.offsets.data(), neighbors = graph.neighbors.data()](
+                                       std::uint32_t begin, std::uint32_t end) {
+    const std::uint32_t first = offsets[begin];
+    std::uint32_t equal = 0;
+    for (std::size_t e = first + 1; e < offsets[end]; ++e) equal += neighbors[e] == neighbors[e - 1] ? 1 : 0;
+    std::uint32_t between_rows = 0;
+    for (std::uint32_t v = begin + 1; v < end; ++v) {
+      const std::uint32_t e = offsets[v];
+      if (e > first && e < offsets[v + 1]) between_rows += neighbors[e] == neighbors[e - 1] ? 1 : 0;
+    }
+    if (equal > between_rows) has_any = true;
+  });
+  return has_any;
 }
 
 /// Ascending rows where some neighbours come several times in a row.
@@ -114,42 +124,83 @@ Adjacency build_adjacency(std::span<const std::uint32_t> triangles, std::uint32_
   return tidy(graph);
 }
 
-/// Every row w receives every v in ascending order of v, and as many of them as it has neighbours.
+/// Every row w receives every v in ascending order of v, and as many of them as it has neighbours. Two
+/// threads fill rows from both ends: so neither has to know how far the other comes.
 Adjacency build_adjacency(std::span<const std::uint32_t> triangles, std::span<const DirectedEdge> open_edges,
                           std::uint32_t vertex_count) {
+  const std::uint32_t halves = std::min(piece_count(vertex_count), 2U);
+  const auto first_half = triangles.first(triangles.size() / 3 / halves * 3);
+  const auto visit_half = [&](std::uint32_t half, const auto& visit) {
+    if (half == 0) {
+      for_each_half_edge(first_half, open_edges, visit);
+    } else {
+      for_each_half_edge(triangles.subspan(first_half.size()), {}, visit);
+    }
+  };
   Adjacency graph;
   LargeVector<std::uint32_t>& offsets = graph.offsets;
   offsets.assign(std::size_t{vertex_count} + 1, 0);
-  for_each_half_edge(triangles, open_edges, [counts = offsets.data() + 1](std::uint32_t a, std::uint32_t b) {
-    if (a != b) ++counts[a];
+  LargeVector<std::uint32_t> ends;
+  share_work(halves, [&](std::uint32_t half) {
+    if (half == 1) ends.assign(vertex_count, 0);
+    visit_half(half,
+               [counts = half == 0 ? offsets.data() + 1 : ends.data()](std::uint32_t a, std::uint32_t b) {
+                 if (a != b) ++counts[a];
+               });
   });
+  for (std::size_t v = 0; v < ends.size(); ++v) offsets[v + 1] += ends[v];
   sum_up(offsets);
 
-  LargeVector<std::uint32_t> cursor(offsets.begin(), offsets.end() - 1);
+  LargeVector<std::uint32_t> begins;
   LargeVector<std::uint32_t> unsorted(offsets.back());
-  const auto put = [rows = unsorted.data(), next = cursor.data()](std::uint32_t a, std::uint32_t b) {
-    std::uint32_t& place = next[a];
-    rows[place] = b;  // not with ++ here: that takes two instructions more
-    ++place;
-  };
-  if (unsorted.size() == triangles.size() + open_edges.size()) {  // none from a vertex to itself
-    for_each_half_edge(triangles, open_edges, put);
-  } else {
-    for_each_half_edge(triangles, open_edges, [&](std::uint32_t a, std::uint32_t b) {
-      if (a != b) put(a, b);
-    });
-  }
-
-  cursor.assign(offsets.begin(), offsets.end() - 1);
-  graph.neighbors.resize(offsets.back());
-  const std::uint32_t* entry = unsorted.data();
-  for (std::uint32_t v = 0; v < vertex_count; ++v) {
-    for (const std::uint32_t* const end = entry + graph.degree(v); entry != end; ++entry) {
-      std::uint32_t& place = cursor[*entry];
-      graph.neighbors[place] = v;
-      ++place;
+  const bool has_loops = unsorted.size() != triangles.size() + open_edges.size();
+  const auto put_half = [&](std::uint32_t half, const auto& put) {
+    if (has_loops) {
+      visit_half(half, [&](std::uint32_t a, std::uint32_t b) {
+        if (a != b) put(a, b);
+      });
+    } else {
+      visit_half(half, put);
     }
-  }
+  };
+  share_work(halves, [&, rows = unsorted.data()](std::uint32_t half) {
+    if (half == 0) {
+      begins.assign(offsets.begin(), offsets.end() - 1);
+      put_half(half, [rows, next = begins.data()](std::uint32_t a, std::uint32_t b) {
+        std::uint32_t& place = next[a];
+        rows[place] = b;  // not with ++ here: that takes two instructions more
+        ++place;
+      });
+    } else {
+      ends.assign(offsets.begin() + 1, offsets.end());
+      put_half(half, [rows, last = ends.data()](std::uint32_t a, std::uint32_t b) { rows[--last[a]] = b; });
+    }
+  });
+
+  graph.neighbors.resize(offsets.back());
+  const std::uint32_t middle = vertex_count / halves;
+  share_work(halves, [&, neighbors = graph.neighbors.data()](std::uint32_t half) {
+    if (half == 0) {
+      begins.assign(offsets.begin(), offsets.end() - 1);
+      std::uint32_t* const next = begins.data();
+      const std::uint32_t* entry = unsorted.data();
+      for (std::uint32_t v = 0; v < middle; ++v) {
+        for (const std::uint32_t* const end = entry + graph.degree(v); entry != end; ++entry) {
+          std::uint32_t& place = next[*entry];
+          neighbors[place] = v;
+          ++place;
+        }
+      }
+    } else {
+      ends.assign(offsets.begin() + 1, offsets.end());
+      std::uint32_t* const last = ends.data();
+      const std::uint32_t* entry = unsorted.data() + unsorted.size();
+      for (std::uint32_t v = vertex_count; v-- > middle;) {
+        for (const std::uint32_t* const begin = entry - graph.degree(v); entry != begin;)
+          neighbors[--last[*--entry]] = v;
+      }
+    }
+  });
   if (has_repeated(graph)) drop_repeated(graph);
   return graph;
 }
