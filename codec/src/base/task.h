@@ -29,10 +29,11 @@ class Task {
 
   /// Once. Throws what `work` throws.
   T get() {
-    if (ThreadTeam* const team = std::exchange(team_, nullptr)) {
-      team->finish(job_);
+    ThreadTeam* const team = std::exchange(team_, nullptr);
+    if (team == nullptr || team->take_back(job_)) {
+      result_.emplace(work_());  // with the team's help
     } else {
-      result_.emplace(work_());
+      team->finish(job_);
     }
     return *std::move(result_);
   }

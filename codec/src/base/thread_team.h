@@ -61,6 +61,9 @@ class ThreadTeam {
   /// left out.
   void finish(TeamJob& job);
 
+  /// False where somebody has begun with it; else nobody will, and the team can help with what it was.
+  bool take_back(TeamJob& job) noexcept;
+
   /// Waits for the pieces that somebody is at; the others are left out.
   void withdraw(TeamJob& job) noexcept;
 
