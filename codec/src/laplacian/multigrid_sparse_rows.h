@@ -61,10 +61,12 @@ inline SparseRows join(std::span<const SparseRows> parts) {
   return whole;
 }
 
-/// `fill(begin, end, rows)` adds the rows from `begin` to `end`, on any thread.
+/// `fill(begin, end, rows)` adds the rows from `begin` to `end`, on any thread. That takes long: fewer rows
+/// than of most other work are worth a piece.
 template <class Fill>
 SparseRows make_rows(std::uint32_t count, std::size_t expected_entries, const Fill& fill) {
-  const std::uint32_t pieces = piece_count(count);
+  constexpr std::size_t kRowsInOne = 8;
+  const std::uint32_t pieces = piece_count(kRowsInOne * count);
   std::vector<SparseRows> parts(pieces);
   share_work(pieces, [&](std::uint32_t p) {
     const std::uint32_t begin = piece_begin(count, pieces, p);
