@@ -11,6 +11,7 @@
 #include "attributes/attribute.h"
 #include "base/large_vector.h"
 #include "base/task.h"
+#include "base/thread_team.h"
 #include "base/try.h"
 #include "connectivity/connectivity.h"
 #include "connectivity/seams.h"
@@ -45,6 +46,7 @@ class StreamDecoder {
     mesh.origin = header_.origin;
     DELTAMESH_CHECK(check_attribute_count());
     DELTAMESH_CHECK(read_faces(mesh.triangles));
+    if (header_.geometry != kGeometryPredictive) build_graphs(mesh.triangles);
     Task<Result<std::vector<Attribute>>> attributes([&] { return read_attributes(mesh.triangles); });
     DELTAMESH_TRY(mesh.positions, read_geometry(mesh.triangles));
     report_progress(options_, kGeometryDone);
@@ -78,17 +80,36 @@ class StreamDecoder {
     return {};
   }
 
-  /// n x 3. Takes the geometric faces when they have served.
+  /// n x 3.
   Result<std::vector<float>> read_geometry(const std::vector<std::uint32_t>& triangles) {
-    const bool is_split = !copies_.empty();
-    const std::span<const std::uint32_t> faces = is_split ? geometric_triangles_ : triangles;
     if (header_.geometry == kGeometryPredictive) {
-      DELTAMESH_TRY(auto rows, read_predicted(faces));
-      if (is_split) rows = copy_rows(rows, copies_);
+      DELTAMESH_TRY(auto rows, read_predicted(geometric(triangles)));
+      if (is_split()) rows = copy_rows(rows, copies_);
       return rows;
     }
-    DELTAMESH_TRY(const auto positions, read_solved(faces));
+    DELTAMESH_TRY(const auto positions, read_solved());
     return to_float_rows(positions, copies_);
+  }
+
+  bool is_split() const noexcept { return !copies_.empty(); }
+
+  /// Faces over the geometric vertices, if `triangles` are those of the mesh.
+  std::span<const std::uint32_t> geometric(const std::vector<std::uint32_t>& triangles) const noexcept {
+    return is_split() ? geometric_triangles_ : triangles;
+  }
+
+  /// For the solution, which takes its graph apart. Where another thread may read attributes meanwhile these
+  /// have their own.
+  void build_graphs(const std::vector<std::uint32_t>& triangles) {
+    graph_ = build_adjacency(geometric(triangles), open_edges_, header_.geometric_vertices);
+    geometric_triangles_ = std::vector<std::uint32_t>();  // which {} would not free
+    if (header_.attributes == 0) open_edges_ = LargeVector<DirectedEdge>();
+    const auto takes_graph = [](const ChunkEntry& entry) {
+      return entry.tag == kTagAttribute && entry.codec == ChunkCodec::kCompact;
+    };
+    if (ThreadTeam::current() != nullptr && !is_split() &&
+        std::ranges::any_of(container_.entries(), takes_graph))
+      attribute_graph_ = graph_;
   }
 
   Result<std::vector<float>> read_predicted(std::span<const std::uint32_t> triangles) {
@@ -114,28 +135,25 @@ class StreamDecoder {
                  .rule = "HDR-13"};
   }
 
-  Result<LargeVector<Vec3>> read_solved(std::span<const std::uint32_t> triangles) {
-    Adjacency graph = build_adjacency(triangles, open_edges_, header_.geometric_vertices);
-    geometric_triangles_ = std::vector<std::uint32_t>();  // which {} would not free
-    if (header_.attributes == 0) open_edges_ = LargeVector<DirectedEdge>();
+  Result<LargeVector<Vec3>> read_solved() {
     Components components = runs_.components(header_.geometric_vertices);
     DELTAMESH_TRY(const auto deltas, expand_single(container_, kTagDeltas, max_payload(header_)));
     DELTAMESH_TRY(const auto anchors, expand_single(container_, kTagAnchors, max_payload(header_)));
-    return read_highpass(deltas.payload(), anchors.payload(), std::move(graph), std::move(components),
+    return read_highpass(deltas.payload(), anchors.payload(), std::move(graph_), std::move(components),
                          header_.box(), header_.highpass);
   }
 
   /// Over vertices joined by `triangles`.
-  Result<std::vector<Attribute>> read_attributes(std::span<const std::uint32_t> triangles) const {
+  Result<std::vector<Attribute>> read_attributes(std::span<const std::uint32_t> triangles) {
     std::uint64_t left = options_.limits.attribute_bytes;
-    std::optional<Adjacency> graph;
+    std::optional<Adjacency> graph = std::exchange(attribute_graph_, {});
     std::vector<Attribute> attributes;
     for (const ChunkEntry& entry : container_.entries()) {
       if (entry.tag != kTagAttribute) continue;
       DELTAMESH_TRY(const auto chunk, expand_chunk(container_, entry, max_payload(header_)));
       if (chunk.is_compact && !graph)
-        graph = copies_.empty() ? build_adjacency(triangles, open_edges_, header_.vertices)
-                                : build_adjacency(triangles, header_.vertices);
+        graph = is_split() ? build_adjacency(triangles, header_.vertices)
+                           : build_adjacency(triangles, open_edges_, header_.vertices);
       DELTAMESH_TRY(auto attribute,
                     read_attribute(chunk.payload(), header_.vertices, left, graph ? &*graph : nullptr));
       left -= attribute.values.size();
@@ -151,6 +169,8 @@ class StreamDecoder {
   LargeVector<DirectedEdge> open_edges_;            ///< of the geometric faces
   VertexRuns runs_;                                 ///< of the geometric vertices
   std::vector<std::uint32_t> copies_;               ///< geometric vertex of every vertex; likewise
+  Adjacency graph_;                                 ///< of the geometric vertices, until they are solved for
+  std::optional<Adjacency> attribute_graph_;        ///< of all vertices, where it is made beforehand
 };
 
 }  // namespace
