@@ -119,9 +119,8 @@ std::vector<MeshSource> choose_meshes(const Settings& settings) {
   std::vector<MeshSource> sources;
   for (const std::uint64_t size : settings.sizes) {
     for (const std::string& name : settings.scenes) {
-      const auto scene = scene_of_name(name);
-      if (!scene) continue;
-      sources.push_back({.name = name, .load = [scene, size] { return generate_scene(*scene, size, 1); }});
+      const Scene scene = *scene_of_name(name);
+      sources.push_back({.name = name, .load = [scene, size] { return generate_scene(scene, size, 1); }});
     }
   }
   return sources;
@@ -153,7 +152,12 @@ int main(int argc, char** argv) {
   CLI::App app("Times the solver of highpass streams and compares its solutions with a direct one.");
   app.add_option("--corpus", settings.corpus, "folder of the mesh corpus; without it generated scenes");
   app.add_option("--sizes", settings.sizes, "vertices of the generated scenes")->capture_default_str();
-  app.add_option("--scenes", settings.scenes, "which scenes")->capture_default_str();
+  app.add_option("--scenes", settings.scenes, "which scenes")
+      ->delimiter(',')
+      ->check([](const std::string& name) {
+        return scene_of_name(name) ? std::string() : "no such scene: " + name;
+      })
+      ->capture_default_str();
   app.add_option("--anchors", settings.anchor_percents, "percent of the vertices that are anchors")
       ->capture_default_str();
   app.add_option("--bits", settings.bits, "bits of the delta quantiser")->capture_default_str();

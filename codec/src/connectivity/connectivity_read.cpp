@@ -9,13 +9,13 @@
 #include "base/byte_reader.h"
 #include "base/checked.h"
 #include "connectivity/border.h"
+#include "connectivity/compact_connectivity.h"
 #include "connectivity/connectivity.h"
 #include "connectivity/gluing.h"
-#include "connectivity/op_coder.h"
 #include "connectivity/op_tokens.h"
+#include "connectivity/refusal.h"
 #include "connectivity/split_reference.h"
 #include "connectivity/traversal.h"
-#include "entropy/compact_reader.h"
 #include "entropy/planes.h"
 #include "format/tags.h"
 
@@ -47,18 +47,6 @@ Result<Sections> read_sections(ByteReader& in) {
   DELTAMESH_TRY(sections.references, in.read_bytes(reference_count));
   DELTAMESH_TRY(sections.far_targets, read_planes(in, far_count));
   return sections;
-}
-
-/// Why a walk came to no end, and the rule that was broken.
-struct Refusal {
-  const char* message;
-  const char* rule;
-};
-
-/// Where the guide had a step, and the border did not take it.
-Refusal refusal_of(const Border& border) noexcept {
-  if (border.is_full()) return {"more faces than declared", "CONN-2"};
-  return {"op does not fit the border", "CONN-7"};
 }
 
 /// Takes every op from the payload.
@@ -114,91 +102,24 @@ class PayloadGuide {
 /// The glued vertices. Errors: kTruncated, kInvalidStream [CONN-11].
 Result<GlueList> read_gluing(ByteReader& in, std::uint64_t glue_count, std::uint32_t manifold_count,
                              std::uint32_t vertex_count) {
-  DELTAMESH_CHECK(check_glue_count(glue_count, manifold_count, vertex_count));
+  DELTAMESH_CHECK(check_glue_count(glue_count, 0, manifold_count, vertex_count));
   GlueList list;
   DELTAMESH_TRY(list.gaps, read_planes(in, glue_count));
   DELTAMESH_TRY(list.targets, read_planes(in, glue_count));
   return list;
 }
 
-/// Takes every op from the compact coder.
-class CompactGuide {
- public:
-  explicit CompactGuide(CompactReader& reader) : reader_(reader), ops_(reader) {}
-
-  void start(const Border& border) { starts_.push_back(border.vertex_count()); }
-  /// As PayloadGuide's.
-  std::span<const std::uint32_t> starts() const noexcept { return starts_; }
-
-  [[gnu::always_inline]] BorderStep next(const Border& border, const Gate& gate) {
-    return ops_.code({}, border, gate);
-  }
-  [[gnu::always_inline]] auto run(const Gate& gate) { return ops_.run(gate); }
-  void begin(const OpCoder<CompactReader>::Run& run) { ops_.begin(run); }
-  bool failed() const noexcept { return reader_.failed(); }
-
- private:
-  CompactReader& reader_;
-  std::vector<std::uint32_t> starts_;
-  OpCoder<CompactReader> ops_;
-};
-
-/// Faces and vertices that room is made for at once: untouched memory, so a little for nothing. Where the
-/// bytes hold more the room grows.
-std::size_t reserved_at_once(std::uint32_t declared, std::size_t bytes) noexcept {
-  constexpr std::size_t kPerByte = 32;
-  constexpr std::size_t kAnyway = std::size_t{1} << 22;
-  return std::min<std::size_t>(declared, std::max(kAnyway, bytes * kPerByte));
-}
-
-/// What the walk found, over vertices instead of manifold vertices. `vertex`: as from glue_vertices().
-Connectivity glued(Border& border, std::span<const std::uint32_t> starts,
-                   std::span<const std::uint32_t> vertex) {
-  Connectivity connectivity{.triangles = border.take_faces(),
-                            .open_edges = border.take_open_edges(),
-                            .runs = connected_runs(starts, vertex, border.vertex_count())};
-  renumber(connectivity.triangles, vertex);
-  for (DirectedEdge& edge : connectivity.open_edges) renumber(edge, vertex);
-  return connectivity;
-}
-
-/// `triangle_count` above 0.
-Result<Connectivity> read_compact(std::span<const std::byte> bytes, std::uint32_t vertex_count,
-                                  std::uint32_t triangle_count) {
-  if (triangle_count > saturating_mul(bytes.size(), kFacesPerCompactByte))
-    return Error{.code = ErrorCode::kInvalidStream,
-                 .message = "more faces than the ops can hold",
-                 .rule = "CONN-2",
-                 .chunk_tag = kTagConnectivity};
-  CompactReader reader(bytes);
-  Border border(triangle_count);
-  border.reserve(reserved_at_once(vertex_count, bytes.size()),
-                 reserved_at_once(triangle_count, bytes.size()));
-  CompactGuide guide(reader);
-  if (!traverse(border, guide)) {
-    if (reader.failed()) DELTAMESH_CHECK(reader.finish(kTagConnectivity));
-    const Refusal refusal = refusal_of(border);
-    return Error{.code = ErrorCode::kInvalidStream,
-                 .message = refusal.message,
-                 .rule = refusal.rule,
-                 .chunk_tag = kTagConnectivity};
-  }
-  DELTAMESH_TRY(const auto vertex,
-                read_compact_gluing(reader, border.faces(), border.vertex_count(), vertex_count));
-  DELTAMESH_CHECK(reader.finish(kTagConnectivity));
-  return glued(border, guide.starts(), vertex);
-}
-
 }  // namespace
 
 Result<Connectivity> read_connectivity(Payload payload, std::uint32_t vertex_count,
-                                       std::uint32_t triangle_count) {
+                                       std::uint32_t triangle_count, Halving halving) {
   ByteReader in(payload.bytes, kTagConnectivity);
   if (triangle_count == 0) {
     DELTAMESH_CHECK(in.finish());
     return Connectivity{};
   }
-  if (payload.is_compact) return read_compact(payload.bytes, vertex_count, triangle_count);
+  if (payload.is_compact)
+    return read_compact_connectivity(payload.bytes, vertex_count, triangle_count, halving);
   DELTAMESH_TRY(const Sections sections, read_sections(in));
   if (triangle_count > saturating_mul(sections.token_count, kFacesPerToken))
     return in.error(ErrorCode::kInvalidStream, "more faces than the ops can hold", "CONN-2");
@@ -214,8 +135,13 @@ Result<Connectivity> read_connectivity(Payload payload, std::uint32_t vertex_cou
   DELTAMESH_TRY(const GlueList list,
                 read_gluing(in, sections.glue_count, border.vertex_count(), vertex_count));
   DELTAMESH_CHECK(in.finish());
-  DELTAMESH_TRY(const auto vertex, glue_vertices(list, border.vertex_count(), vertex_count));
-  return glued(border, guide.starts(), vertex);
+  DELTAMESH_TRY(const auto vertex, glue_vertices(list, {}, border.vertex_count(), vertex_count));
+  Connectivity read{.triangles = border.take_faces(),
+                    .open_edges = border.open_edges(),
+                    .runs = connected_runs(guide.starts(), vertex, border.vertex_count())};
+  renumber(read.triangles, vertex);
+  renumber(read.open_edges, vertex);
+  return read;
 }
 
 }  // namespace deltamesh

@@ -2,6 +2,10 @@
 // Copyright 2026 The deltamesh authors
 #include "connectivity/gluing.h"
 
+#include <algorithm>
+#include <utility>
+
+#include "base/thread_team.h"
 #include "base/try.h"
 #include "base/zigzag.h"
 #include "connectivity/glue_coder.h"
@@ -25,34 +29,72 @@ bool is_dense(std::uint64_t glued, std::uint64_t manifold_count) noexcept {
 
 }  // namespace
 
-Result<void> check_glue_count(std::uint64_t count, std::uint32_t manifold_count, std::uint32_t vertex_count) {
-  if (count > manifold_count) return invalid("more glued vertices than vertices");
-  if (manifold_count - count > vertex_count) return invalid("more vertices than declared");
+GlueList list_glued(std::span<const std::uint32_t> vertex, std::span<const ZippedVertex> zipped) {
+  GlueList list;
+  std::uint32_t fresh = 0;
+  std::uint32_t gap_begin = 0;
+  std::uint32_t last_target = 0;
+  for (std::uint32_t m = 0; m < vertex.size(); ++m) {
+    if (!zipped.empty() && zipped.front().vertex == m) {
+      zipped = zipped.subspan(1);
+    } else if (vertex[m] == fresh) {
+      ++fresh;
+    } else {
+      list.gaps.push_back(fresh - std::exchange(gap_begin, fresh));
+      list.targets.push_back(
+          zigzag(static_cast<std::int32_t>(vertex[m] - std::exchange(last_target, vertex[m]))));
+    }
+  }
+  return list;
+}
+
+Result<void> check_glue_count(std::uint64_t count, std::size_t zipped_count, std::uint32_t manifold_count,
+                              std::uint32_t vertex_count) {
+  const std::uint64_t not_zipped = manifold_count - zipped_count;
+  if (count > not_zipped) return invalid("more glued vertices than vertices");
+  if (not_zipped - count > vertex_count) return invalid("more vertices than declared");
   return {};
 }
 
-Result<LargeVector<std::uint32_t>> glue_vertices(const GlueList& list, std::uint32_t manifold_count,
-                                                 std::uint32_t vertex_count) {
-  DELTAMESH_CHECK(check_glue_count(list.gaps.size(), manifold_count, vertex_count));
+Result<LargeVector<std::uint32_t>> glue_vertices(const GlueList& list, std::span<const ZippedVertex> zipped,
+                                                 std::uint32_t manifold_count, std::uint32_t vertex_count) {
+  DELTAMESH_CHECK(check_glue_count(list.gaps.size(), zipped.size(), manifold_count, vertex_count));
   LargeVector<std::uint32_t> vertex;
-  if (list.gaps.empty()) return vertex;
+  if (list.gaps.empty() && zipped.empty()) return vertex;
   vertex.reserve(manifold_count);
   std::uint32_t fresh = 0;
+  const auto take_zipped = [&] {
+    for (; !zipped.empty() && zipped.front().vertex == vertex.size(); zipped = zipped.subspan(1))
+      vertex.push_back(vertex[zipped.front().onto]);
+  };
+  const auto take_fresh = [&](std::uint32_t count) {
+    for (take_zipped(); count > 0 && vertex.size() < manifold_count; take_zipped()) {
+      const std::size_t next = zipped.empty() ? manifold_count : zipped.front().vertex;
+      const auto run = static_cast<std::uint32_t>(std::min<std::size_t>(count, next - vertex.size()));
+      for (std::uint32_t k = 0; k < run; ++k) vertex.push_back(fresh++);
+      count -= run;
+    }
+    return count == 0;
+  };
   std::uint32_t target = 0;
   for (std::size_t i = 0; i < list.gaps.size(); ++i) {
-    if (list.gaps[i] >= manifold_count - vertex.size()) return invalid("glued vertex beyond the last");
-    for (std::uint32_t k = 0; k < list.gaps[i]; ++k) vertex.push_back(fresh++);
+    if (!take_fresh(list.gaps[i]) || vertex.size() == manifold_count)
+      return invalid("glued vertex beyond the last");
     target += static_cast<std::uint32_t>(unzigzag(list.targets[i]));
     if (target >= fresh) return invalid("glued to a vertex yet to come");
     vertex.push_back(target);
   }
-  while (vertex.size() < manifold_count) vertex.push_back(fresh++);
+  take_fresh(manifold_count);
   return vertex;
 }
 
-void renumber(std::span<std::uint32_t> manifold, std::span<const std::uint32_t> vertex) noexcept {
+void renumber(std::span<std::uint32_t> manifold, std::span<const std::uint32_t> vertex) {
   if (vertex.empty()) return;
-  for (std::uint32_t& v : manifold) v = vertex[v];
+  share_each(manifold.size(), [&](std::size_t i) { manifold[i] = vertex[manifold[i]]; });
+}
+
+void renumber(std::span<DirectedEdge> manifold, std::span<const std::uint32_t> vertex) {
+  for (DirectedEdge& edge : manifold) renumber(edge, vertex);
 }
 
 VertexRuns connected_runs(std::span<const std::uint32_t> starts, std::span<const std::uint32_t> vertex,
@@ -79,12 +121,13 @@ VertexRuns connected_runs(std::span<const std::uint32_t> starts, std::span<const
   return runs;
 }
 
-void write_compact_gluing(CompactWriter& writer, const GlueList& list, std::span<const std::uint32_t> faces,
-                          std::vector<std::uint32_t> vertex) {
+void write_compact_gluing(CompactWriter& writer, std::span<const ZippedVertex> zipped,
+                          std::span<const std::uint32_t> faces, std::vector<std::uint32_t> vertex) {
+  const GlueList list = list_glued(vertex, zipped);
   NumberModel counts;
   writer.number(static_cast<std::uint32_t>(list.gaps.size()), counts);
   if (is_dense(list.gaps.size(), vertex.size())) {
-    GlueCoder(writer, faces, vertex.size()).code(vertex, [] { return false; });
+    GlueCoder(writer, zipped, faces, vertex.size()).code(vertex, [] { return false; });
     return;
   }
   NumberModel gaps;
@@ -96,18 +139,20 @@ void write_compact_gluing(CompactWriter& writer, const GlueList& list, std::span
 }
 
 Result<LargeVector<std::uint32_t>> read_compact_gluing(CompactReader& reader,
+                                                       std::span<const ZippedVertex> zipped,
                                                        std::span<const std::uint32_t> faces,
                                                        std::uint32_t manifold_count,
                                                        std::uint32_t vertex_count) {
   NumberModel counts;
   const std::uint32_t count = reader.number(0, counts);
-  DELTAMESH_CHECK(check_glue_count(count, manifold_count, vertex_count));
+  DELTAMESH_CHECK(check_glue_count(count, zipped.size(), manifold_count, vertex_count));
   if (is_dense(count, manifold_count)) {
     LargeVector<std::uint32_t> vertex(manifold_count, 0);
-    GlueCoder glue(reader, faces, manifold_count);
+    GlueCoder glue(reader, zipped, faces, manifold_count);
     if (!glue.code(vertex, [&] { return reader.failed(); }) && !reader.failed())
       return invalid("glued to a vertex yet to come");
-    if (glue.glued_count() != count && !reader.failed()) return invalid("another number of glued vertices");
+    if (glue.glued_count() != count + zipped.size() && !reader.failed())
+      return invalid("another number of glued vertices");
     return vertex;
   }
   GlueList list;
@@ -118,7 +163,7 @@ Result<LargeVector<std::uint32_t>> read_compact_gluing(CompactReader& reader,
     list.targets.push_back(reader.number(0, targets));
   }
   if (reader.failed()) return LargeVector<std::uint32_t>{};
-  return glue_vertices(list, manifold_count, vertex_count);
+  return glue_vertices(list, zipped, manifold_count, vertex_count);
 }
 
 }  // namespace deltamesh

@@ -9,9 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/zigzag.h"
 #include "connectivity/cut.h"
-#include "connectivity/gluing.h"
 #include "topology/vertex_runs.h"
 
 namespace deltamesh {
@@ -30,13 +28,13 @@ class VertexNumbers {
   /// The next manifold vertex is one of `vertex`.
   void add(std::uint32_t vertex) {
     if (has(vertex)) {
-      if (glued_.gaps.empty()) number_vertices();
-      add_glued(number_[vertex]);
+      if (coded_.empty()) number_vertices();
       coded_.push_back(number_[vertex]);
+      runs_.join(number_[vertex]);
       return;
     }
     has_[vertex] = 1;
-    if (!glued_.gaps.empty()) {
+    if (!coded_.empty()) {
       number_[vertex] = static_cast<std::uint32_t>(order_.size());
       coded_.push_back(number_[vertex]);
     }
@@ -45,7 +43,6 @@ class VertexNumbers {
 
   /// Number of every manifold vertex, or nothing where none is glued, so that each is its own.
   const std::vector<std::uint32_t>& coded() const noexcept { return coded_; }
-  const GlueList& glued() const noexcept { return glued_; }
 
   /// Components of the mesh: those of manifold vertices, of which glued ones are the same, and vertices that
   /// were never added. Before take_order().
@@ -73,22 +70,10 @@ class VertexNumbers {
     std::iota(coded_.begin(), coded_.end(), 0U);
   }
 
-  void add_glued(std::uint32_t target) {
-    const std::uint32_t fresh = static_cast<std::uint32_t>(order_.size()) - fresh_before_;
-    glued_.gaps.push_back(fresh);
-    glued_.targets.push_back(zigzag(static_cast<std::int32_t>(target - last_target_)));
-    fresh_before_ += fresh;
-    last_target_ = target;
-    runs_.join(target);
-  }
-
   std::vector<std::uint8_t> has_;
   std::vector<std::uint32_t> number_;  ///< of every vertex, once one is glued
   std::vector<std::uint32_t> order_;
   std::vector<std::uint32_t> coded_;
-  GlueList glued_;
-  std::uint32_t fresh_before_ = 0;  ///< vertices that came before the last glued one
-  std::uint32_t last_target_ = 0;
   VertexRuns runs_;  ///< of vertices whose manifold vertices hang together
 };
 

@@ -20,9 +20,10 @@ namespace {
 /// anchor.
 constexpr std::size_t kNodesPerAnchor = 12;
 
-/// Over-relaxation of the finest level's sweeps in every cycle, and of those after the last, as interpolation
-/// leaves it rough. Measured: more than 1 at first is for the slow errors, less at the end for the rough
-/// ones.
+/// Over-relaxation of the finest level's sweeps in the first cycle, in all others, and after the last, as
+/// interpolation leaves it rough. Measured: more than 1 at first is for the slow errors, less at the end for
+/// the rough ones.
+constexpr std::array kFirstFinestSweeps = {1.2F, 1.0F};
 constexpr std::array kFinestSweeps = {1.4F, 1.2F, 1.0F};
 constexpr std::array kLastSweeps = {1.0F, 1.0F};
 
@@ -195,13 +196,15 @@ void PlannedCycles::sweep_finest(const DeltaView& deltas, std::span<const float>
 
 void PlannedCycles::cycle(const DeltaView& deltas, std::span<const Vec3> targets, bool is_first) {
   const Level& finest = levels_[0];
+  const std::span<const float> relaxation =
+      is_first ? std::span<const float>(kFirstFinestSweeps) : kFinestSweeps;
   if (is_first) {
-    sweep_finest(deltas, kFinestSweeps, [&](const Interpolation& p) { return p.favorite(s_second_); });
+    sweep_finest(deltas, relaxation, [&](const Interpolation& p) { return p.favorite(s_second_); });
   } else {
-    sweep_finest(deltas, kFinestSweeps);
+    sweep_finest(deltas, relaxation);
   }
   restrict_to_second([&](const auto& take) {
-    take_residuals(finest, UnitEdges(finest), kFinestSweeps.back(), step_,
+    take_residuals(finest, UnitEdges(finest), relaxation.back(), step_,
                    [&](std::uint32_t i, Float4 residual) { take(i, units_.steps(residual)); });
   });
   for (std::size_t a = 0; a < targets.size(); ++a) {

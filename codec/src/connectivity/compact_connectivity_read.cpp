@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "base/byte_reader.h"
+#include "base/checked.h"
+#include "base/large_vector.h"
+#include "base/thread_team.h"
+#include "base/try.h"
+#include "connectivity/border.h"
+#include "connectivity/compact_connectivity.h"
+#include "connectivity/gluing.h"
+#include "connectivity/op_coder.h"
+#include "connectivity/refusal.h"
+#include "connectivity/traversal.h"
+#include "connectivity/zipper.h"
+#include "entropy/compact_reader.h"
+
+namespace deltamesh {
+namespace {
+
+/// Takes every op from the compact coder.
+class CompactGuide {
+ public:
+  explicit CompactGuide(CompactReader& reader) : reader_(reader), ops_(reader) {}
+
+  void start(const Border& border) { starts_.push_back(border.vertex_count()); }
+  /// As PayloadGuide's.
+  std::span<const std::uint32_t> starts() const noexcept { return starts_; }
+
+  [[gnu::always_inline]] BorderStep next(const Border& border, const Gate& gate) {
+    return ops_.code({}, border, gate);
+  }
+  [[gnu::always_inline]] auto run(const Gate& gate) { return ops_.run(gate); }
+  void begin(const OpCoder<CompactReader>::Run& run) { ops_.begin(run); }
+  bool failed() const noexcept { return reader_.failed(); }
+
+ private:
+  CompactReader& reader_;
+  std::vector<std::uint32_t> starts_;
+  OpCoder<CompactReader> ops_;
+};
+
+/// Faces and vertices that room is made for at once: untouched memory, so a little for nothing. Where the
+/// bytes hold more the room grows.
+std::size_t reserved_at_once(std::uint32_t declared, std::size_t bytes) noexcept {
+  constexpr std::size_t kPerByte = 32;
+  constexpr std::size_t kAnyway = std::size_t{1} << 22;
+  return std::min<std::size_t>(declared, std::max(kAnyway, bytes * kPerByte));
+}
+
+Result<void> check_face_count(std::uint32_t faces, std::size_t bytes) {
+  if (faces <= saturating_mul(bytes, kFacesPerCompactByte)) return {};
+  return Refusal{"more faces than the ops can hold", "CONN-2"}.error();
+}
+
+/// First manifold vertex of every component, from a walk that fills the border.
+Result<std::vector<std::uint32_t>> read_walk(CompactReader& reader, Border& border) {
+  CompactGuide guide(reader);
+  if (traverse(border, guide)) return std::vector(guide.starts().begin(), guide.starts().end());
+  if (reader.failed()) DELTAMESH_CHECK(reader.finish(kTagConnectivity));
+  return refusal_of(border).error();
+}
+
+Result<Connectivity> read_whole(std::span<const std::byte> bytes, std::uint32_t vertex_count,
+                                std::uint32_t triangle_count) {
+  DELTAMESH_CHECK(check_face_count(triangle_count, bytes.size()));
+  CompactReader reader(bytes);
+  Border border(triangle_count);
+  border.reserve(reserved_at_once(vertex_count, bytes.size()),
+                 reserved_at_once(triangle_count, bytes.size()));
+  DELTAMESH_TRY(const auto starts, read_walk(reader, border));
+  DELTAMESH_TRY(const auto vertex,
+                read_compact_gluing(reader, {}, border.faces(), border.vertex_count(), vertex_count));
+  DELTAMESH_CHECK(reader.finish(kTagConnectivity));
+  Connectivity read{.triangles = border.take_faces(),
+                    .open_edges = border.open_edges(),
+                    .runs = connected_runs(starts, vertex, border.vertex_count())};
+  renumber(read.triangles, vertex);
+  renumber(read.open_edges, vertex);
+  return read;
+}
+
+/// Whether manifold vertices below `end` are vertices of the same numbers. `vertex`: of each, or nothing.
+bool are_their_own(std::span<const std::uint32_t> vertex, std::uint32_t end) noexcept {
+  std::uint32_t others = 0;
+  for (std::uint32_t m = 0; m < end && m < vertex.size(); ++m) others += vertex[m] != m ? 1 : 0;
+  return others == 0;
+}
+
+Result<Connectivity> read_halves(std::span<const std::byte> bytes, std::uint32_t vertex_count,
+                                 std::uint32_t triangle_count) {
+  ByteReader in(bytes, kTagConnectivity);
+  DELTAMESH_TRY(const std::uint64_t first_size, in.read<std::uint64_t>());
+  DELTAMESH_TRY(const std::uint32_t first_vertices, in.read<std::uint32_t>());
+  DELTAMESH_TRY(const auto first_bytes, in.read_bytes(first_size));
+  const std::array<std::span<const std::byte>, 2> ops = {first_bytes, bytes.subspan(in.position())};
+  const std::array<std::uint32_t, 2> faces = {first_half_of(triangle_count),
+                                              triangle_count - first_half_of(triangle_count)};
+  for (std::size_t half = 0; half < 2; ++half)
+    DELTAMESH_CHECK(check_face_count(faces[half], ops[half].size()));
+  if (first_vertices > std::uint64_t{3} * faces[0])
+    return Refusal{"more manifold vertices than the first half can have", "CONN-15"}.error();
+
+  std::array<CompactReader, 2> readers = {CompactReader(ops[0]), CompactReader(ops[1])};
+  std::array<Border, 2> borders = {Border(faces[0]), Border(faces[1], first_vertices)};
+  std::array<std::vector<std::uint32_t>, 2> starts;
+  std::array<Result<void>, 2> are_read;
+  share_work(2, [&](std::uint32_t half) {
+    const std::uint32_t own_vertices = half == 0 ? first_vertices : vertex_count;
+    // The first half's faces will be joined by the others.
+    borders[half].reserve(reserved_at_once(own_vertices, ops[half].size()) / (half + 1),
+                          reserved_at_once(half == 0 ? triangle_count : faces[1], ops[half].size()));
+    auto read = read_walk(readers[half], borders[half]);
+    if (read) {
+      starts[half] = *std::move(read);
+    } else {
+      are_read[half] = std::move(read).error();
+    }
+  });
+  for (const Result<void>& is_read : are_read) DELTAMESH_CHECK(is_read);
+  auto& [first, second] = borders;
+  DELTAMESH_CHECK(readers[0].finish(kTagConnectivity));
+  if (first.vertex_count() != first_vertices)
+    return Refusal{"the first half has another number of manifold vertices", "CONN-15"}.error();
+
+  DELTAMESH_TRY(const auto zipped, read_zips(readers[1], first, second));
+  std::vector<std::uint32_t> triangles = first.take_faces();
+  const std::size_t first_corners = triangles.size();
+  triangles.insert(triangles.end(), second.faces().begin(), second.faces().end());
+  const std::uint32_t manifold_count = second.vertex_count();
+  DELTAMESH_TRY(const auto vertex,
+                read_compact_gluing(readers[1], zipped, triangles, manifold_count, vertex_count));
+  DELTAMESH_CHECK(readers[1].finish(kTagConnectivity));
+
+  starts[0].insert(starts[0].end(), starts[1].begin(), starts[1].end());
+  Connectivity read{.triangles = std::move(triangles),
+                    .open_edges = first.open_edges(),
+                    .runs = connected_runs(starts[0], vertex, manifold_count)};
+  const LargeVector<DirectedEdge> others = second.open_edges();
+  read.open_edges.insert(read.open_edges.end(), others.begin(), others.end());
+  renumber(std::span(read.triangles).subspan(are_their_own(vertex, first_vertices) ? first_corners : 0),
+           vertex);
+  renumber(read.open_edges, vertex);
+  return read;
+}
+
+}  // namespace
+
+Result<Connectivity> read_compact_connectivity(std::span<const std::byte> bytes, std::uint32_t vertex_count,
+                                               std::uint32_t triangle_count, Halving halving) {
+  const auto read = is_halved(triangle_count, halving) ? read_halves : read_whole;
+  return read(bytes, vertex_count, triangle_count);
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Why a reader's walk came to no end.
+#pragma once
+
+#include "connectivity/border.h"
+#include "deltamesh/result.h"
+#include "format/tags.h"
+
+namespace deltamesh {
+
+/// What is wrong with a stream, and the rule that it breaks.
+struct Refusal {
+  const char* message;
+  const char* rule;
+
+  Error error() const noexcept {
+    return {
+        .code = ErrorCode::kInvalidStream, .message = message, .rule = rule, .chunk_tag = kTagConnectivity};
+  }
+};
+
+/// Where the guide had a step, and the border did not take it.
+inline Refusal refusal_of(const Border& border) noexcept {
+  if (border.is_full()) return {"more faces than declared", "CONN-2"};
+  return {"op does not fit the border", "CONN-7"};
+}
+
+}  // namespace deltamesh
