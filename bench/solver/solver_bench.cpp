@@ -155,7 +155,7 @@ int main(int argc, char** argv) {
   app.add_option("--scenes", settings.scenes, "which scenes")
       ->delimiter(',')
       ->check([](const std::string& name) {
-        return scene_of_name(name) ? std::string() : "no such scene: " + name;
+        return deltamesh::scene_of_name(name) ? std::string() : "no such scene: " + name;
       })
       ->capture_default_str();
   app.add_option("--anchors", settings.anchor_percents, "percent of the vertices that are anchors")
