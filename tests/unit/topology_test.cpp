@@ -221,6 +221,19 @@ TEST(VertexSubset, MovesRows) {
   for (const std::uint32_t vertex : {0U, 1U, 4U, 5U, 7U}) EXPECT_EQ(values[vertex], 10 + vertex);
 }
 
+TEST(Subgraph, VisitsRunsOfComponents) {
+  const Components components{.count = 4, .label = {0, 0, 1, 1, 1, 0, 2, 3, 3}, .size = {3, 3, 1, 2}};
+  std::vector<Indices> runs;
+  const auto add = [&](std::uint32_t begin, std::uint32_t end, std::uint32_t component) {
+    runs.push_back({begin, end, component});
+  };
+  for_each_run(components, add);
+  EXPECT_EQ(runs, (std::vector<Indices>{{0, 2, 0}, {2, 5, 1}, {5, 6, 0}, {6, 7, 2}, {7, 9, 3}}));
+  runs.clear();
+  for_each_run(components, 1, 4, add);
+  EXPECT_EQ(runs, (std::vector<Indices>{{1, 2, 0}, {2, 4, 1}}));
+}
+
 TEST(Subgraph, KeepsWholeComponents) {
   const Adjacency graph = build_adjacency(Indices{5, 6, 2, 0, 4, 4, 6, 3, 5, 1, 7, 8}, 9);
   const std::vector<std::uint32_t> kept = {1, 2, 3, 5, 6, 7, 8};

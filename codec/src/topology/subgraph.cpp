@@ -12,19 +12,24 @@ namespace {
 /// Neighbours that are renumbered at once: if one of them is not in their run, they are gone through again.
 constexpr std::uint32_t kAtOnce = 256;
 
-/// Vertices become rows; most of them are in `run`.
-void renumber(std::span<std::uint32_t> vertices, const VertexSubset::Run& run, const VertexSubset& kept) {
-  const std::uint32_t size = run.size();
-  std::uint32_t outside = 0;
+/// Vertices become rows; most of them are in `run`, which is a copy, so that it is known to stay as it is.
+void renumber(std::span<std::uint32_t> vertices, const VertexSubset::Run run, const VertexSubset& kept) {
+  const std::uint32_t last = run.size() - 1;
+  std::uint32_t outside = 0;  // the upper bit: set if one of them is
   for (std::uint32_t& v : vertices) {
-    v -= run.begin;
-    outside |= v >= size ? 1 : 0;
-    v += run.row;
+    const std::uint32_t place = v - run.begin;
+    outside |= place | (last - place);
+    v = place + run.row;
   }
-  if (outside == 0) return;
+  if (outside >> 31 == 0) return;
   for (std::uint32_t& v : vertices) {
-    if (v - run.row >= size) v = *kept.row_of(v - run.row + run.begin);
+    if (v - run.row > last) v = *kept.row_of(v - run.row + run.begin);
   }
+}
+
+/// `to` may be `from`, or before it.
+void copy(std::span<const std::uint32_t> from, std::uint32_t* to) {
+  if (to != from.data()) std::copy(from.begin(), from.end(), to);
 }
 
 /// `part` has room and may be `graph`: rows only move to the front. Returns how many neighbours there are.
@@ -33,13 +38,13 @@ std::uint32_t take_rows(const Adjacency& graph, const VertexSubset& kept, Adjace
   for (const auto& run : kept.runs()) {
     const std::uint32_t from = graph.offsets[run.begin];
     const std::uint32_t count = graph.offsets[run.end] - from;
-    for (std::uint32_t i = 0; i < run.size(); ++i)
-      part.offsets[run.row + i] = graph.offsets[run.begin + i] - from + written;
-    std::uint32_t* const neighbors = part.neighbors.data() + written;
-    if (neighbors != graph.neighbors.data() + from)
-      std::copy_n(graph.neighbors.data() + from, count, neighbors);
+    const std::span offsets(part.offsets.data() + run.row, run.size());
+    copy({graph.offsets.data() + run.begin, run.size()}, offsets.data());
+    for (std::uint32_t& offset : offsets) offset += written - from;
+    const std::span neighbors(part.neighbors.data() + written, count);
+    copy({graph.neighbors.data() + from, count}, neighbors.data());
     for (std::size_t i = 0; i < count; i += kAtOnce)
-      renumber({neighbors + i, std::min<std::size_t>(kAtOnce, count - i)}, run, kept);
+      renumber(neighbors.subspan(i, std::min<std::size_t>(kAtOnce, count - i)), run, kept);
     written += count;
   }
   return written;
@@ -77,15 +82,27 @@ Components pick_components(const Components& components, const VertexSubset& kep
   std::vector<std::uint32_t> label(components.count, kUnmet);
   Components part;
   part.label.resize(kept.size());
-  gather_rows(std::span<const std::uint32_t>(components.label), kept, std::span(part.label));
-  for_each_run(part, [&](std::uint32_t begin, std::uint32_t end, std::uint32_t c) {
-    if (label[c] == kUnmet) {
-      label[c] = part.count++;
-      part.size.push_back(components.size[c]);
-    }
-    std::fill(part.label.begin() + begin, part.label.begin() + end, label[c]);
-  });
+  for (const auto& run : kept.runs()) {
+    std::uint32_t* const rows = part.label.data() + run.row;
+    for_each_run(components, run.begin, run.end,
+                 [&](std::uint32_t begin, std::uint32_t end, std::uint32_t c) {
+                   if (label[c] == kUnmet) {
+                     label[c] = part.count++;
+                     part.size.push_back(components.size[c]);
+                   }
+                   std::fill(rows + (begin - run.begin), rows + (end - run.begin), label[c]);
+                 });
+  }
   return part;
+}
+
+/// What is compared at once is compared fast.
+std::size_t run_length(std::span<const std::uint32_t> labels, std::size_t size) noexcept {
+  const std::uint32_t* const first = labels.data();
+  if (size <= labels.size() && std::equal(first + 1, first + size, first)) return size;
+  return static_cast<std::size_t>(
+      std::find_if(first, first + labels.size(), [&](std::uint32_t label) { return label != *first; }) -
+      first);
 }
 
 }  // namespace deltamesh
