@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <ctime>
@@ -22,6 +23,8 @@ namespace {
 constexpr int kRuns = 3;
 constexpr int kBits = 8;
 constexpr double kAnchorShare = 0.005;
+/// Bytes of a block that malloc() takes from the system, until the first of them is freed.
+constexpr int kUsualThreshold = 128 * 1024;
 constexpr int kDracoLevel = 7;
 constexpr int kDracoBits = 12;
 
@@ -60,27 +63,49 @@ struct Figures {
   double megabytes = 0;
 };
 
-/// Resident memory of this process, now; 0 where the system does not say.
-double resident_megabytes() {
+/// What a process has in memory, without the pages of files, which are those of the program itself: a child
+/// begins without most of these and takes them as it comes to them.
+struct OwnMemory {
+  double now = 0;   ///< MB
+  double peak = 0;  ///< likewise; less than that where the program took pages after it
+};
+
+/// Zeros where the system does not say.
+OwnMemory own_memory() {
   std::FILE* file = std::fopen("/proc/self/statm", "r");
-  if (file == nullptr) return 0;
+  if (file == nullptr) return {};
   long size = 0;
   long resident = 0;
-  const bool read = std::fscanf(file, "%ld %ld", &size, &resident) == 2;
+  long of_files = 0;
+  const bool read = std::fscanf(file, "%ld %ld %ld", &size, &resident, &of_files) == 3;
   std::fclose(file);
-  return read ? 1e-6 * static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGESIZE)) : 0;
+  if (!read) return {};
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const double page = 1e-6 * static_cast<double>(sysconf(_SC_PAGESIZE));
+  return {page * static_cast<double>(resident - of_files),
+          1.024e-3 * static_cast<double>(usage.ru_maxrss) - page * static_cast<double>(of_files)};
 }
 
-/// Peak memory of one decode in a child, above what the child began with.
+/// Peak memory of one decode in a child, above what the child began with. What was freed before makes no
+/// difference: large blocks are taken from the system, as by a process that has just begun.
 double peak_megabytes(Peer& peer, const std::vector<std::byte>& bytes) {
   malloc_trim(0);  // else the child would start with what this process has freed
-  const double before = resident_megabytes();
+  std::array<int, 2> ends{};
+  if (pipe(ends.data()) != 0) return 0;
   const pid_t child = fork();
-  if (child == 0) _exit(peer.decode(bytes) ? 0 : 1);
-  rusage usage{};
-  int status = 0;
-  if (child < 0 || wait4(child, &status, 0, &usage) != child || status != 0) return 0;
-  return std::max(0.0, 1.024e-3 * static_cast<double>(usage.ru_maxrss) - before);
+  if (child == 0) {
+    mallopt(M_MMAP_THRESHOLD, kUsualThreshold);
+    const double before = own_memory().now;
+    const double grown = peer.decode(bytes) ? own_memory().peak - before : 0;
+    _exit(write(ends[1], &grown, sizeof(grown)) == sizeof(grown) ? 0 : 1);
+  }
+  close(ends[1]);
+  double grown = 0;
+  if (child < 0 || read(ends[0], &grown, sizeof(grown)) != sizeof(grown)) grown = 0;
+  close(ends[0]);
+  if (child > 0) waitpid(child, nullptr, 0);
+  return std::max(0.0, grown);
 }
 
 Figures run(Peer& peer, const Mesh& mesh, bool is_ours) {
