@@ -64,11 +64,11 @@ float largest_coordinate(std::span<const Float4> values) noexcept {
 
 }  // namespace
 
-PlannedCycles::PlannedCycles(std::span<const Level> levels, const Components& components)
+PlannedCycles::PlannedCycles(std::span<const Level> levels, std::vector<std::uint8_t> holds,
+                             std::uint32_t component_count)
     : levels_(levels),
       coupled_(coupled_level(levels)),
-      solver_(levels, coupled_, shared_components(components, levels.front().anchors), components.count,
-              false),
+      solver_(levels, coupled_, std::move(holds), component_count, false),
       step_(levels[0].node_count() + 1),
       u_(levels[1].node_count()),
       s_second_(levels[1].node_count()),

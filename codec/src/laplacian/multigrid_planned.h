@@ -34,8 +34,9 @@ struct PlannedSolution {
 /// floats, in steps of the deltas.
 class PlannedCycles {
  public:
-  /// `levels`: at least two; must outlive this.
-  PlannedCycles(std::span<const Level> levels, const Components& components);
+  /// `levels`: at least two; must outlive this; `holds`: of shared_components.
+  PlannedCycles(std::span<const Level> levels, std::vector<std::uint8_t> holds,
+                std::uint32_t component_count);
 
   /// `targets`: c_a, one for each anchor; `cycles`: above 0. The result is anything, also not finite, where
   /// that is not what the deltas were made for. O(cycles (n + edges)).

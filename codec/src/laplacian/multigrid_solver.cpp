@@ -67,12 +67,10 @@ class GroupSolver {
 
   /// What solve() with so many cycles would set up first.
   void set_up(int cycles) {
-    if (cycles > 0 && group_.depth > 0 && quick_levels_.empty()) {
-      quick_levels_ = make_levels(multigrid::Coarsening::kQuick);
-      if (quick_levels_.size() > 1)
-        planned_ = std::make_unique<PlannedCycles>(quick_levels_, group_.components);
-    }
-    if (is_planned(cycles) || cycles_) return;
+    if (cycles > 0 && group_.depth > 0 && quick_levels_.empty()) plan();
+    if (is_planned(cycles)) return;
+    if (group_.components.label.empty()) group_.components = find_components(*group_.graph);
+    if (cycles_) return;
     levels_ = make_levels(multigrid::Coarsening::kExact);
     cycles_ = std::make_unique<MultigridCycle>(levels_, group_.components, group_.depth == 0);
   }
@@ -83,7 +81,6 @@ class GroupSolver {
   /// For a group that is whole and planned; the last solution.
   PlannedSolution solve_planned(const DeltaView& deltas, std::span<const Vec3> anchor_positions, int cycles) {
     set_targets(anchor_positions);
-    group_.components = {};
     return planned_->solve(deltas, targets_, cycles);
   }
 
@@ -114,6 +111,15 @@ class GroupSolver {
   bool is_planned(int cycles) const noexcept { return cycles > 0 && planned_; }
 
  private:
+  /// Planned cycles do not ask for components, whose labels would take up memory beside the levels.
+  void plan() {
+    std::vector<std::uint8_t> holds = multigrid::shared_components(group_.components, group_.anchors);
+    group_.components.label = LargeVector<std::uint32_t>();
+    quick_levels_ = make_levels(multigrid::Coarsening::kQuick);
+    if (quick_levels_.size() > 1)
+      planned_ = std::make_unique<PlannedCycles>(quick_levels_, std::move(holds), group_.components.count);
+  }
+
   void set_targets(std::span<const Vec3> anchor_positions) {
     for (std::size_t a = 0; a < targets_.size(); ++a) targets_[a] = anchor_positions[group_.anchor_of[a]];
   }
@@ -272,7 +278,7 @@ class GroupSolver {
     return GroupSolver(extract_components(group_, large)).solve(deltas_, targets_, 0, x_);
   }
 
-  Group group_;
+  Group group_;  ///< without labels of components once cycles are planned
   std::vector<multigrid::Level> levels_;
   std::unique_ptr<MultigridCycle> cycles_;  ///< for as many as it takes
   std::vector<multigrid::Level> quick_levels_;
