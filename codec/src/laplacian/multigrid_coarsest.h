@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "base/large_vector.h"
 #include "laplacian/multigrid_conjugate_gradients.h"
 #include "laplacian/multigrid_factor.h"
 #include "laplacian/multigrid_level.h"
@@ -47,8 +48,8 @@ class CoarsestSolver {
   std::optional<SparseFactor> factor_;
   std::vector<double> inverse_mass_;
   std::vector<std::uint8_t> is_anchor_;
-  std::vector<Double4> scaled_;  ///< M^-1 b_x
-  std::vector<Double4> x_;
+  LargeVector<Double4> scaled_;  ///< M^-1 b_x
+  LargeVector<Double4> x_;
   std::unique_ptr<ConjugateGradients> conjugate_gradients_;  ///< where there is no factor
 };
 

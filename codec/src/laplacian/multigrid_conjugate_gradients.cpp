@@ -37,6 +37,7 @@ class Iterations final : public ConjugateGradients {
  public:
   Iterations(const CoarsestNodes& nodes, double reduction) : reduction_(reduction) {
     const std::uint32_t n = nodes.level.node_count();
+    pairs_.reserve(n + nodes.level.neighbors.size() / 2);  // of every node with its neighbours, rounded up
     for (std::uint32_t i = 0; i < n; ++i) add_node(nodes, i);
     nodes_.push_back({static_cast<std::uint32_t>(pairs_.size()), 0, 0});
     for (auto* vector : {&solution_, &residual_, &direction_, &turned_, &product_, &image_})

@@ -5,8 +5,8 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
+#include "base/large_vector.h"
 #include "laplacian/multigrid_level.h"
 #include "laplacian/multigrid_row.h"
 
@@ -111,7 +111,7 @@ class Edges {
 
 /// A node's row of K times `values`, floats or doubles; on the finest level too.
 template <class Four>
-Four apply_k(const Level& level, const std::vector<Four>& values, std::uint32_t node) noexcept {
+Four apply_k(const Level& level, const LargeVector<Four>& values, std::uint32_t node) noexcept {
   const Four own = level.degree[node] * values[node];
   const std::uint32_t begin = level.offsets[node];
   const std::uint32_t end = level.offsets[node + 1];

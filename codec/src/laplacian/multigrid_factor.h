@@ -42,7 +42,7 @@ class SparseFactor {
   LargeVector<std::uint32_t> rows_;
   LargeVector<double> values_;
   std::vector<double> inverse_diagonal_;  ///< n: 1 / D
-  std::vector<Double4> work_;             ///< n
+  LargeVector<Double4> work_;             ///< n
 };
 
 }  // namespace deltamesh::multigrid
