@@ -43,67 +43,99 @@ SparseRows transpose(const Level& fine, std::uint32_t nodes) {
 std::size_t fetch_rows(const Level& fine, std::span<const Entry> members) noexcept {
   std::size_t count = members.size();
   for (const Entry& member : members) {
-    const std::uint32_t begin = fine.offsets[member.node];
-    count += fine.offsets[member.node + 1] - begin;
+    const std::size_t node = member.node;
+    const std::size_t begin = fine.offsets[node];
+    count += fine.offsets[node + 1] - begin;
     prefetch(fine.neighbors.data() + begin);
     if (!fine.has_unit_weights()) prefetch(fine.weights.data() + begin);
   }
   return count;
 }
 
-/// Row c of -P^T K, over fine nodes.
 template <bool kUnitWeights>
-RowSums sum_neighborhoods(const Level& fine, std::span<const Entry> members, SumTable& table) {
+RowSums add_neighborhoods(const Level& fine, std::span<const Entry> members, SumTable& table) {
   RowSums row = table.row(fetch_rows(fine, members));
+  const std::uint32_t* const offsets = fine.offsets.data();
   const std::uint32_t* const neighbors = fine.neighbors.data();
   const float* const weights = fine.weights.data();
+  const float* const degree = fine.degree.data();
   for (const Entry& member : members) {
-    const std::uint32_t end = fine.offsets[member.node + 1];
-    row.add(member.node, -member.weight * fine.degree[member.node]);
-    for (std::uint32_t e = fine.offsets[member.node]; e < end; ++e)
-      row.add(neighbors[e], kUnitWeights ? member.weight : member.weight * weights[e]);
+    const std::size_t node = member.node;
+    const float share = member.weight;
+    const std::size_t end = offsets[node + 1];
+    row.add(node, -share * degree[node]);
+    for (std::size_t e = offsets[node]; e < end; ++e)
+      row.add(neighbors[e], kUnitWeights ? share : share * weights[e]);
   }
   return row;
 }
 
+/// Row c of -P^T K, over fine nodes.
+RowSums sum_neighborhoods(const Level& fine, std::span<const Entry> members, SumTable& table) {
+  return fine.has_unit_weights() ? add_neighborhoods<true>(fine, members, table)
+                                 : add_neighborhoods<false>(fine, members, table);
+}
+
 /// Row c of -P^T K P from that of -P^T K.
 RowSums interpolate_row(const Level& fine, RowSums near, SumTable& table) {
-  RowSums row = table.row(3 * near.count());
-  near.finish([&](std::uint32_t i, float factor) {
-    const Interpolation& p = fine.interpolation[i];
+  RowSums row = table.row(3 * near.columns().size());
+  const Interpolation* const interpolation = fine.interpolation.data();
+  for (const std::uint32_t i : near.columns()) {
+    const Interpolation p = interpolation[i];
+    const float factor = near.take(i);
     for (std::size_t k = 0; k < 3; ++k) row.add(p.node(k), factor * p.weight(k));
-  });
+  }
   return row;
 }
 
-/// More entries than `most` in all pieces together are a sign to stop.
+/// Makes rows of the upper half, and finds what is largest in the whole ones.
+class RowMaker {
+ public:
+  RowMaker(const Level& fine, const SparseRows& members, std::uint32_t nodes, float* largest)
+      : fine_(fine), members_(members), near_table_(fine.node_count()), table_(nodes), largest_(largest) {}
+
+  /// That of node `c`, after the others.
+  void add(std::uint32_t c, SparseRows& rows) {
+    RowSums row = interpolate_row(fine_, sum_neighborhoods(fine_, members_.of(c), near_table_), table_);
+    row.take(c);
+    const std::size_t before = rows.entries.size();
+    rows.entries.resize(before + row.columns().size());
+    Entry* place = rows.entries.data() + before;
+    float largest = 0;
+    for (const std::uint32_t other : row.columns()) {
+      const float sum = row.take(other);
+      largest = std::max(largest, sum);
+      *place = {other, sum};  // no branch: it could not be predicted
+      place += (other > c ? 1 : 0) & (sum > 0 ? 1 : 0);
+    }
+    largest_[c] = largest;
+    rows.entries.resize(static_cast<std::size_t>(place - rows.entries.data()));
+    rows.end_row();
+  }
+
+ private:
+  const Level& fine_;
+  const SparseRows& members_;  ///< of P^T
+  SumTable near_table_;
+  SumTable table_;
+  float* largest_;
+};
+
+/// More entries than `most` in all pieces together are a sign to stop, looked for every few rows: threads
+/// would wait for each other.
 UpperHalf make_upper_half(const Level& fine, std::uint32_t nodes, std::size_t most) {
+  constexpr std::uint32_t kRowsAtOnce = 16;
   const SparseRows members = transpose(fine, nodes);
   UpperHalf upper;
   upper.largest.resize(nodes);
   std::atomic<std::size_t> made = 0;
   upper.rows = make_rows(nodes, most + nodes, [&](std::uint32_t begin, std::uint32_t end, SparseRows& rows) {
-    SumTable near_table(fine.node_count());
-    SumTable table(nodes);
-    for (std::uint32_t c = begin; c < end && made.load(std::memory_order_relaxed) <= most; ++c) {
-      const RowSums near = fine.has_unit_weights()
-                               ? sum_neighborhoods<true>(fine, members.of(c), near_table)
-                               : sum_neighborhoods<false>(fine, members.of(c), near_table);
-      RowSums row = interpolate_row(fine, near, table);
-      row.clear(c);
+    RowMaker maker(fine, members, nodes, upper.largest.data());
+    while (begin < end && made.load(std::memory_order_relaxed) <= most) {
       const std::size_t before = rows.entries.size();
-      rows.entries.resize(before + row.count());
-      Entry* place = rows.entries.data() + before;
-      float largest = 0;
-      row.finish([&](std::uint32_t other, float sum) {
-        largest = std::max(largest, sum);
-        *place = {other, sum};  // no branch: it could not be predicted
-        place += (other > c ? 1 : 0) & (sum > 0 ? 1 : 0);
-      });
-      rows.entries.resize(static_cast<std::size_t>(place - rows.entries.data()));
-      rows.end_row();
+      for (const std::uint32_t last = std::min(begin + kRowsAtOnce, end); begin < last; ++begin)
+        maker.add(begin, rows);
       made.fetch_add(rows.entries.size() - before, std::memory_order_relaxed);
-      upper.largest[c] = largest;
     }
   });
   return upper;

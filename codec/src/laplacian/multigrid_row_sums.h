@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 
 #include "base/large_vector.h"
@@ -19,26 +20,19 @@ class RowSums {
  public:
   RowSums(float* sums, std::uint32_t* touched) : sums_(sums), touched_(touched) {}
 
-  void add(std::uint32_t column, float value) noexcept {
-    float& sum = sums_[column];
-    touched_[count_] = column;
-    count_ += std::bit_cast<std::uint32_t>(sum) == 0 ? 1 : 0;  // no branch: it could not be predicted
-    sum += value;
+  void add(std::size_t column, float value) noexcept {
+    touched_[count_] = static_cast<std::uint32_t>(column);
+    // No branch: it could not be predicted.
+    count_ += std::bit_cast<std::uint32_t>(sums_[column]) == 0 ? 1 : 0;
+    sums_[column] += value;
   }
 
-  /// From here on the column's sum is 0.
-  void clear(std::uint32_t column) noexcept { sums_[column] = 0; }
+  /// In the order of first mention. One whose sum was 0 in between comes again.
+  std::span<const std::uint32_t> columns() const noexcept { return {touched_, count_}; }
 
-  /// Calls take(column, sum) for every column in the order of first mention, and clears the row. A sum that
-  /// was 0 in between comes again, as 0.
-  template <class Take>
-  void finish(const Take& take) {
-    for (std::size_t k = 0; k < count_; ++k) take(touched_[k], std::exchange(sums_[touched_[k]], 0.0F));
-    count_ = 0;
-  }
-
-  /// As many as finish() will call for.
-  std::size_t count() const noexcept { return count_; }
+  /// The sum of a column, which from here on is 0. To be called for all of columns(), so that another row can
+  /// begin.
+  float take(std::uint32_t column) noexcept { return std::exchange(sums_[column], 0.0F); }
 
  private:
   float* sums_;
