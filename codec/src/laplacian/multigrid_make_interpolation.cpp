@@ -4,15 +4,16 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "base/thread_team.h"
 #include "laplacian/multigrid_few_neighbors.h"
 #include "laplacian/multigrid_few_unit_neighbors.h"
+#include "laplacian/multigrid_row_sums.h"
 
 namespace deltamesh::multigrid {
 namespace {
@@ -20,20 +21,31 @@ namespace {
 /// What a neighbour that is a seed counts: it knows its aggregate's value better.
 constexpr float kSeedWeight = FewUnitNeighbors::kSeedWeight;
 
-/// Of the aggregates `touched`, the lower ones among equals. Clears their sums.
-Favorites take_favorites(std::span<const std::uint32_t> touched, LargeVector<float>& sums) noexcept {
-  Favorites result{};
-  for (std::uint32_t aggregate : touched) {
-    float weight = std::exchange(sums[aggregate], 0.0F);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const bool is_equal = weight == result.weights[k];
-      if (weight < result.weights[k] || (is_equal && aggregate > result.nodes[k])) continue;
-      std::swap(weight, result.weights[k]);
-      std::swap(aggregate, result.nodes[k]);
+/// The three that weigh most among aggregates put in, the lower ones among equals.
+class Heaviest {
+ public:
+  void put(std::uint32_t aggregate, float weight) noexcept {
+    std::uint64_t key = std::uint64_t{std::bit_cast<std::uint32_t>(weight)} << 32 | ~aggregate;
+    for (std::uint64_t& other : keys_) {
+      const std::uint64_t lesser = std::min(key, other);
+      other = std::max(key, other);
+      key = lesser;
     }
   }
-  return result;
-}
+
+  Favorites favorites() const noexcept {
+    Favorites result;
+    for (std::size_t k = 0; k < 3; ++k) {
+      result.nodes[k] = ~static_cast<std::uint32_t>(keys_[k]);
+      result.weights[k] = std::bit_cast<float>(static_cast<std::uint32_t>(keys_[k] >> 32));
+    }
+    return result;
+  }
+
+ private:
+  std::array<std::uint64_t, 3> keys_{kNothing, kNothing, kNothing};  ///< falling
+  static constexpr std::uint64_t kNothing = ~std::uint32_t{0};       ///< aggregate 0 with weight 0
+};
 
 /// From up to three nodes, with the weights of the last two in sixteenths.
 Interpolation interpolate(const std::array<std::uint32_t, 3>& nodes, std::uint32_t second,
@@ -84,7 +96,7 @@ class Interpolator {
       : fine_(fine),
         aggregates_(aggregates),
         most_few_(aggregates.count() <= FewUnitNeighbors::kMostNodes ? FewCodes::kMost : 0),
-        sums_(aggregates.count(), 0.0F) {}
+        table_(aggregates.count()) {}
 
   /// Of the nodes from `begin` to `end`.
   void make(std::uint32_t begin, std::uint32_t end, std::span<Interpolation> result) {
@@ -111,24 +123,27 @@ class Interpolator {
     return rounded(FewNeighbors(codes, fine_.weights.data() + first, kSeedWeight).favorites());
   }
 
+  static constexpr std::array kFactors = {1.0F, kSeedWeight};
+
   float weight(std::size_t edge) const noexcept { return kHasUnitWeights ? 1.0F : fine_.weights[edge]; }
 
   Favorites of_many(std::size_t begin, std::size_t end) {
-    touched_.clear();
+    const std::uint32_t* const neighbors = fine_.neighbors.data();
+    const std::uint32_t* const codes = aggregates_.codes.data();
+    RowSums sums = table_.row(end - begin);
     for (std::size_t e = begin; e < end; ++e) {
-      const std::uint32_t neighbor = fine_.neighbors[e];
-      float& sum = sums_[aggregates_.of(neighbor)];
-      if (sum == 0) touched_.push_back(aggregates_.of(neighbor));
-      sum += (aggregates_.is_seed(neighbor) ? kSeedWeight : 1) * weight(e);
+      const std::uint32_t code = codes[neighbors[e]];
+      sums.add(code % Aggregates::kSeed, kFactors[code / Aggregates::kSeed] * weight(e));
     }
-    return take_favorites(touched_, sums_);
+    Heaviest heaviest;
+    for (const std::uint32_t aggregate : sums.columns()) heaviest.put(aggregate, sums.take(aggregate));
+    return heaviest.favorites();
   }
 
   const Level& fine_;
   const Aggregates& aggregates_;
-  std::size_t most_few_;                ///< neighbours that FewCodes is for; 0 where it is not
-  LargeVector<float> sums_;             ///< by aggregates; 0 between nodes
-  std::vector<std::uint32_t> touched_;  ///< aggregates with a sum
+  std::size_t most_few_;  ///< neighbours that FewCodes is for; 0 where it is not
+  SumTable table_;        ///< by aggregates
 };
 
 }  // namespace
