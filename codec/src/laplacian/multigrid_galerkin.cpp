@@ -83,7 +83,10 @@ RowSums interpolate_row(const Level& fine, RowSums near, SumTable& table) {
   for (const std::uint32_t i : near.columns()) {
     const Interpolation p = interpolation[i];
     const float factor = near.take(i);
-    for (std::size_t k = 0; k < 3; ++k) row.add(p.node(k), factor * p.weight(k));
+    row.add(p.node(0), factor * p.weight(0));
+    if (!p.counts(1)) continue;  // seeds, mostly; then the third one does not count either
+    row.add(p.node(1), factor * p.weight(1));
+    row.add(p.node(2), factor * p.weight(2));
   }
   return row;
 }
