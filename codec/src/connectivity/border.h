@@ -23,9 +23,14 @@ namespace deltamesh {
 /// more, and no item ends where it begins.
 class Border {
  public:
-  /// Never more than `most_faces` faces, of manifold vertices from `first_vertex` on.
-  explicit Border(std::uint32_t most_faces, std::uint32_t first_vertex = 0) noexcept
-      : most_face_end_(std::size_t{3} * most_faces), vertex_count_(first_vertex) {}
+  /// Never more than `most_faces` faces, of manifold vertices from `first_vertex` on, after `others`.
+  explicit Border(std::uint32_t most_faces, std::uint32_t first_vertex = 0,
+                  std::vector<std::uint32_t> others = {}) noexcept
+      : most_face_end_(others.size() + std::size_t{3} * most_faces),
+        face_end_(others.size()),
+        face_room_(others.size()),
+        vertex_count_(first_vertex),
+        faces_(std::move(others)) {}
 
   const BorderItem& item(std::uint32_t i) const noexcept { return items_[i]; }
   std::uint32_t item_count() const noexcept { return item_count_; }
@@ -134,8 +139,8 @@ class Border {
   }
 
   std::size_t most_face_end_;
-  std::size_t face_end_ = 0;   ///< of the faces in `faces_`
-  std::size_t face_room_ = 0;  ///< size of `faces_`
+  std::size_t face_end_;   ///< of the faces in `faces_`
+  std::size_t face_room_;  ///< size of `faces_`
   std::uint32_t vertex_count_;
   std::uint32_t item_count_ = 0;
   std::uint32_t last_focus_faces_ = 6;

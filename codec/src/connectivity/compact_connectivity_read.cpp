@@ -2,6 +2,7 @@
 // Copyright 2026 The deltamesh authors
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -91,58 +92,75 @@ bool are_their_own(std::span<const std::uint32_t> vertex, std::uint32_t end) noe
   return others == 0;
 }
 
-Result<Connectivity> read_halves(std::span<const std::byte> bytes, std::uint32_t vertex_count,
-                                 std::uint32_t triangle_count) {
+/// What there is of each half [CONN-15].
+struct Halves {
+  std::array<std::span<const std::byte>, 2> bytes;
+  std::array<std::uint32_t, 2> faces;
+  std::uint32_t first_vertices;  ///< manifold vertices of the first half
+};
+
+Result<Halves> split_payload(std::span<const std::byte> bytes, std::uint32_t triangle_count) {
   ByteReader in(bytes, kTagConnectivity);
   DELTAMESH_TRY(const std::uint64_t first_size, in.read<std::uint64_t>());
   DELTAMESH_TRY(const std::uint32_t first_vertices, in.read<std::uint32_t>());
   DELTAMESH_TRY(const auto first_bytes, in.read_bytes(first_size));
-  const std::array<std::span<const std::byte>, 2> ops = {first_bytes, bytes.subspan(in.position())};
-  const std::array<std::uint32_t, 2> faces = {first_half_of(triangle_count),
-                                              triangle_count - first_half_of(triangle_count)};
+  const std::uint32_t first_faces = first_half_of(triangle_count);
+  const Halves halves{.bytes = {first_bytes, bytes.subspan(in.position())},
+                      .faces = {first_faces, triangle_count - first_faces},
+                      .first_vertices = first_vertices};
   for (std::size_t half = 0; half < 2; ++half)
-    DELTAMESH_CHECK(check_face_count(faces[half], ops[half].size()));
-  if (first_vertices > std::uint64_t{3} * faces[0])
+    DELTAMESH_CHECK(check_face_count(halves.faces[half], halves.bytes[half].size()));
+  if (first_vertices > std::uint64_t{3} * first_faces)
     return Refusal{"more manifold vertices than the first half can have", "CONN-15"}.error();
+  return halves;
+}
 
-  std::array<CompactReader, 2> readers = {CompactReader(ops[0]), CompactReader(ops[1])};
-  std::array<Border, 2> borders = {Border(faces[0]), Border(faces[1], first_vertices)};
-  std::array<std::vector<std::uint32_t>, 2> starts;
-  std::array<Result<void>, 2> are_read;
+Result<Connectivity> read_halves(std::span<const std::byte> payload, std::uint32_t vertex_count,
+                                 std::uint32_t triangle_count) {
+  DELTAMESH_TRY(const auto halves, split_payload(payload, triangle_count));
+  const auto& bytes = halves.bytes;
+  const auto& faces = halves.faces;
+  const std::uint32_t first_vertices = halves.first_vertices;
+  std::array<CompactReader, 2> readers = {CompactReader(bytes[0]), CompactReader(bytes[1])};
+  Border first(faces[0]);
+  std::optional<Border> second;
+  std::array<Result<std::vector<std::uint32_t>>, 2> starts = {std::vector<std::uint32_t>(),
+                                                              std::vector<std::uint32_t>()};
+  const bool is_alone = ThreadTeam::current() == nullptr;  // so that the first half comes first
+  first.reserve(reserved_at_once(first_vertices, bytes[0].size()),
+                reserved_at_once(triangle_count, payload.size()));  // for both
   share_work(2, [&](std::uint32_t half) {
-    const std::uint32_t own_vertices = half == 0 ? first_vertices : vertex_count;
-    // The first half's faces will be joined by the others.
-    borders[half].reserve(reserved_at_once(own_vertices, ops[half].size()) / (half + 1),
-                          reserved_at_once(half == 0 ? triangle_count : faces[1], ops[half].size()));
-    auto read = read_walk(readers[half], borders[half]);
-    if (read) {
-      starts[half] = *std::move(read);
-    } else {
-      are_read[half] = std::move(read).error();
+    if (half == 0) {
+      starts[0] = read_walk(readers[0], first);
+      return;
     }
+    second.emplace(faces[1], first_vertices, is_alone ? first.take_faces() : std::vector<std::uint32_t>());
+    second->reserve(reserved_at_once(vertex_count / 2, bytes[1].size()),
+                    is_alone ? 0 : reserved_at_once(faces[1], bytes[1].size()));
+    starts[1] = read_walk(readers[1], *second);
   });
-  for (const Result<void>& is_read : are_read) DELTAMESH_CHECK(is_read);
-  auto& [first, second] = borders;
+  DELTAMESH_TRY(std::vector<std::uint32_t> all_starts, std::move(starts[0]));
+  DELTAMESH_TRY(const std::vector<std::uint32_t> second_starts, std::move(starts[1]));
   DELTAMESH_CHECK(readers[0].finish(kTagConnectivity));
   if (first.vertex_count() != first_vertices)
     return Refusal{"the first half has another number of manifold vertices", "CONN-15"}.error();
 
-  DELTAMESH_TRY(const auto zipped, read_zips(readers[1], first, second));
-  std::vector<std::uint32_t> triangles = first.take_faces();
-  const std::size_t first_corners = triangles.size();
-  triangles.insert(triangles.end(), second.faces().begin(), second.faces().end());
-  const std::uint32_t manifold_count = second.vertex_count();
+  DELTAMESH_TRY(const auto zipped, read_zips(readers[1], first, *second));
+  std::vector<std::uint32_t> triangles = is_alone ? second->take_faces() : first.take_faces();
+  if (!is_alone) triangles.insert(triangles.end(), second->faces().begin(), second->faces().end());
+  const std::uint32_t manifold_count = second->vertex_count();
   DELTAMESH_TRY(const auto vertex,
                 read_compact_gluing(readers[1], zipped, triangles, manifold_count, vertex_count));
   DELTAMESH_CHECK(readers[1].finish(kTagConnectivity));
 
-  starts[0].insert(starts[0].end(), starts[1].begin(), starts[1].end());
+  all_starts.insert(all_starts.end(), second_starts.begin(), second_starts.end());
   Connectivity read{.triangles = std::move(triangles),
                     .open_edges = first.open_edges(),
-                    .runs = connected_runs(starts[0], vertex, manifold_count)};
-  const LargeVector<DirectedEdge> others = second.open_edges();
+                    .runs = connected_runs(all_starts, vertex, manifold_count)};
+  const LargeVector<DirectedEdge> others = second->open_edges();
   read.open_edges.insert(read.open_edges.end(), others.begin(), others.end());
-  renumber(std::span(read.triangles).subspan(are_their_own(vertex, first_vertices) ? first_corners : 0),
+  renumber(std::span(read.triangles)
+               .subspan(are_their_own(vertex, first_vertices) ? std::size_t{3} * faces[0] : 0),
            vertex);
   renumber(read.open_edges, vertex);
   return read;
