@@ -3,6 +3,7 @@
 #include "connectivity/gluing.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "base/thread_team.h"
@@ -61,28 +62,30 @@ Result<LargeVector<std::uint32_t>> glue_vertices(const GlueList& list, std::span
   DELTAMESH_CHECK(check_glue_count(list.gaps.size(), zipped.size(), manifold_count, vertex_count));
   LargeVector<std::uint32_t> vertex;
   if (list.gaps.empty() && zipped.empty()) return vertex;
-  vertex.reserve(manifold_count);
+  vertex.resize(manifold_count);
+  std::uint32_t next = 0;  // manifold vertex
   std::uint32_t fresh = 0;
   const auto take_zipped = [&] {
-    for (; !zipped.empty() && zipped.front().vertex == vertex.size(); zipped = zipped.subspan(1))
-      vertex.push_back(vertex[zipped.front().onto]);
+    for (; !zipped.empty() && zipped.front().vertex == next; zipped = zipped.subspan(1))
+      vertex[next++] = vertex[zipped.front().onto];
   };
   const auto take_fresh = [&](std::uint32_t count) {
-    for (take_zipped(); count > 0 && vertex.size() < manifold_count; take_zipped()) {
-      const std::size_t next = zipped.empty() ? manifold_count : zipped.front().vertex;
-      const auto run = static_cast<std::uint32_t>(std::min<std::size_t>(count, next - vertex.size()));
-      for (std::uint32_t k = 0; k < run; ++k) vertex.push_back(fresh++);
+    for (take_zipped(); count > 0 && next < manifold_count; take_zipped()) {
+      const std::uint32_t end = zipped.empty() ? manifold_count : zipped.front().vertex;
+      const std::uint32_t run = std::min(count, end - next);
+      std::iota(vertex.begin() + next, vertex.begin() + next + run, fresh);
+      next += run;
+      fresh += run;
       count -= run;
     }
     return count == 0;
   };
   std::uint32_t target = 0;
   for (std::size_t i = 0; i < list.gaps.size(); ++i) {
-    if (!take_fresh(list.gaps[i]) || vertex.size() == manifold_count)
-      return invalid("glued vertex beyond the last");
+    if (!take_fresh(list.gaps[i]) || next == manifold_count) return invalid("glued vertex beyond the last");
     target += static_cast<std::uint32_t>(unzigzag(list.targets[i]));
     if (target >= fresh) return invalid("glued to a vertex yet to come");
-    vertex.push_back(target);
+    vertex[next++] = target;
   }
   take_fresh(manifold_count);
   return vertex;

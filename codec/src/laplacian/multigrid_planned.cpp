@@ -20,10 +20,10 @@ namespace {
 /// anchor.
 constexpr std::size_t kNodesPerAnchor = 12;
 
-/// Over-relaxation of the finest level's sweeps in the first cycle, in all others, and after the last, as
-/// interpolation leaves it rough. Measured: more than 1 at first is for the slow errors, less at the end for
-/// the rough ones.
-constexpr std::array kFirstFinestSweeps = {1.2F, 1.0F};
+/// Over-relaxation of the finest level's sweeps in a cycle that is the only one, in every other, and after
+/// the last, as interpolation leaves it rough. Measured: more than 1 at first is for the slow errors, less at
+/// the end for the rough ones; what one cycle suits can do with two.
+constexpr std::array kOnlyFinestSweeps = {1.2F, 1.0F};
 constexpr std::array kFinestSweeps = {1.4F, 1.2F, 1.0F};
 constexpr std::array kLastSweeps = {1.0F, 1.0F};
 
@@ -194,10 +194,9 @@ void PlannedCycles::sweep_finest(const DeltaView& deltas, std::span<const float>
   sweep_finest(deltas, relaxation, [&](const Interpolation& p) { return p.of(s_second_); });
 }
 
-void PlannedCycles::cycle(const DeltaView& deltas, std::span<const Vec3> targets, bool is_first) {
+void PlannedCycles::cycle(const DeltaView& deltas, std::span<const Vec3> targets,
+                          std::span<const float> relaxation, bool is_first) {
   const Level& finest = levels_[0];
-  const std::span<const float> relaxation =
-      is_first ? std::span<const float>(kFirstFinestSweeps) : kFinestSweeps;
   if (is_first) {
     sweep_finest(deltas, relaxation, [&](const Interpolation& p) { return p.favorite(s_second_); });
   } else {
@@ -217,7 +216,8 @@ void PlannedCycles::cycle(const DeltaView& deltas, std::span<const Vec3> targets
 PlannedSolution PlannedCycles::solve(const DeltaView& deltas, std::span<const Vec3> targets, int cycles) {
   x_.resize(levels_[0].node_count());
   start(deltas, targets);
-  for (int c = 0; c < cycles; ++c) cycle(deltas, targets, c == 0);
+  const auto relaxation = cycles == 1 ? std::span<const float>(kOnlyFinestSweeps) : kFinestSweeps;
+  for (int c = 0; c < cycles; ++c) cycle(deltas, targets, relaxation, c == 0);
   sweep_finest(deltas, kLastSweeps);
   return {units_, std::exchange(x_, {})};
 }

@@ -47,7 +47,8 @@ class PlannedCycles {
   template <class S>
   void sweep_finest(const DeltaView& deltas, std::span<const float> relaxation, const S& s_at);
   void sweep_finest(const DeltaView& deltas, std::span<const float> relaxation);
-  void cycle(const DeltaView& deltas, std::span<const Vec3> targets, bool is_first);
+  void cycle(const DeltaView& deltas, std::span<const Vec3> targets, std::span<const float> relaxation,
+             bool is_first);
   void correct_from_second(std::span<const float> relaxation);
   void correct_middle(std::span<const float> relaxation);
   /// `each(take)` calls take(vertex, residual) for every vertex.
