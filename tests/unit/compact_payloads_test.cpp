@@ -13,6 +13,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "attributes/attribute.h"
 #include "base/byte_writer.h"
@@ -222,6 +223,44 @@ TEST(CompactConnectivity, CONN15RejectsWrongNumbersOfVertices) {
     ASSERT_FALSE(read) << vertices;
     EXPECT_STREQ(read.error().rule, "CONN-15") << vertices;
   }
+}
+
+TEST(CompactConnectivity, CONN15LargeMeshesAreHalved) {
+  const test::Soup large = torus(512);
+  ASSERT_EQ(large.triangles.size(), 3U << 19);
+  test::Soup smaller = large;
+  smaller.triangles.resize(large.triangles.size() - 3);
+  for (const test::Soup& soup : {large, smaller}) {
+    const auto by_size = write_connectivity(soup.triangles, soup.vertex_count, PayloadForms::kCompact);
+    const auto halved =
+        write_connectivity(soup.triangles, soup.vertex_count, PayloadForms::kCompact, Halving::kAlways);
+    EXPECT_EQ(by_size.compact == halved.compact, soup.triangles.size() == large.triangles.size());
+    const auto read = read_connectivity(Payload::compact(by_size.compact), soup.vertex_count,
+                                        static_cast<std::uint32_t>(soup.triangles.size() / 3));
+    ASSERT_TRUE(read) << describe(read.error());
+    EXPECT_EQ(read->triangles, by_size.triangles);
+  }
+}
+
+TEST(CompactConnectivity, CONN15CONN16HalvesKeepTheirBytes) {
+  std::string text;
+  for (const std::byte byte : write_halves(torus(4)).compact) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    text += kDigits[std::to_integer<unsigned>(byte) / 16];
+    text += kDigits[std::to_integer<unsigned>(byte) % 16];
+  }
+  EXPECT_EQ(text,
+            "14000000000000001000000077ca29cb32ca5f007974a50b0200000090917c1e9f6c716701000000694e0c7aa60edd0c"
+            "cd0bacf62918a87f6cd70a03");
+}
+
+TEST(CompactConnectivity, CONN7SplitsStayWithinTheComponent) {
+  Border border(4);
+  border.start();
+  for (std::uint32_t i = 0; i < 3; ++i) EXPECT_TRUE(border.apply<true>(i, BorderOp::kBoundary, kNoIndex));
+  border.start();
+  EXPECT_FALSE(border.apply<true>(3, BorderOp::kSplit, 1));
+  EXPECT_TRUE(border.is_open(1));
 }
 
 /// Two triangles, each a half of its own, zipped as told.

@@ -54,6 +54,7 @@ LargeVector<DirectedEdge> Border::open_edges() const {
 void Border::start() {
   const std::uint32_t v = vertex_count_;
   const std::uint32_t i = item_count();
+  first_item_ = i;
   vertex_count_ += 3;
   add_face(v, v + 1, v + 2);
   for (std::uint32_t k = 0; k < 3; ++k) add_item(v + k, i + (k + 2) % 3, i + (k + 1) % 3);
@@ -117,7 +118,7 @@ bool Border::add_end(const Gate& gate) {
 ///   ---before---> u ---gate---> v ---after--->    ---before---> u  v ---after--->
 /// ```
 bool Border::split(std::uint32_t target, const Gate& gate) {
-  if (target >= item_count_ || !items_[target].alive) return false;
+  if (target < first_item_ || target >= item_count_ || !items_[target].alive) return false;
   const std::uint32_t apex = items_[target].origin;
   if (apex == gate.origin || apex == gate.end) return false;
   const std::uint32_t before_target = items_[target].previous;

@@ -143,6 +143,7 @@ class Border {
   std::size_t face_room_;  ///< size of `faces_`
   std::uint32_t vertex_count_;
   std::uint32_t item_count_ = 0;
+  std::uint32_t first_item_ = 0;  ///< of the component
   std::uint32_t last_focus_faces_ = 6;
   LargeVector<BorderItem> items_;     ///< and room for three with each face that there is room for
   std::vector<std::uint32_t> faces_;  ///< three for each face, and room for some more

@@ -121,43 +121,56 @@ Result<Connectivity> read_halves(std::span<const std::byte> payload, std::uint32
   const auto& bytes = halves.bytes;
   const auto& faces = halves.faces;
   const std::uint32_t first_vertices = halves.first_vertices;
-  std::array<CompactReader, 2> readers = {CompactReader(bytes[0]), CompactReader(bytes[1])};
-  Border first(faces[0]);
-  std::optional<Border> second;
-  std::array<Result<std::vector<std::uint32_t>>, 2> starts = {std::vector<std::uint32_t>(),
-                                                              std::vector<std::uint32_t>()};
+  // Of one walk each, so far apart that threads do not wait for each other's memory.
+  struct alignas(64) Walk {
+    CompactReader reader;
+    std::optional<Border> border;
+    Result<std::vector<std::uint32_t>> starts;
+  };
+  std::array<Walk, 2> walks = {Walk{CompactReader(bytes[0]), {}, std::vector<std::uint32_t>()},
+                               Walk{CompactReader(bytes[1]), {}, std::vector<std::uint32_t>()}};
   const bool is_alone = ThreadTeam::current() == nullptr;  // so that the first half comes first
-  first.reserve(reserved_at_once(first_vertices, bytes[0].size()),
-                reserved_at_once(triangle_count, payload.size()));  // for both
   share_work(2, [&](std::uint32_t half) {
+    Walk& walk = walks[half];
     if (half == 0) {
-      starts[0] = read_walk(readers[0], first);
-      return;
+      walk.border.emplace(faces[0]);
+      walk.border->reserve(reserved_at_once(first_vertices, bytes[0].size()),
+                           reserved_at_once(triangle_count, payload.size()));  // for both
+    } else if (is_alone) {
+      walk.border.emplace(faces[1], first_vertices, walks[0].border->take_faces());
+      walk.border->reserve(reserved_at_once(vertex_count / 2, bytes[1].size()), 0);
+    } else {
+      walk.border.emplace(faces[1], first_vertices);
+      walk.border->reserve(reserved_at_once(vertex_count / 2, bytes[1].size()),
+                           reserved_at_once(faces[1], bytes[1].size()));
     }
-    second.emplace(faces[1], first_vertices, is_alone ? first.take_faces() : std::vector<std::uint32_t>());
-    second->reserve(reserved_at_once(vertex_count / 2, bytes[1].size()),
-                    is_alone ? 0 : reserved_at_once(faces[1], bytes[1].size()));
-    starts[1] = read_walk(readers[1], *second);
+    walk.starts = read_walk(walk.reader, *walk.border);
   });
-  DELTAMESH_TRY(std::vector<std::uint32_t> all_starts, std::move(starts[0]));
-  DELTAMESH_TRY(const std::vector<std::uint32_t> second_starts, std::move(starts[1]));
-  DELTAMESH_CHECK(readers[0].finish(kTagConnectivity));
+  DELTAMESH_TRY(std::vector<std::uint32_t> starts, std::move(walks[0].starts));
+  DELTAMESH_TRY(const std::vector<std::uint32_t> more_starts, std::move(walks[1].starts));
+  starts.insert(starts.end(), more_starts.begin(), more_starts.end());
+  Border& first = *walks[0].border;
+  Border& second = *walks[1].border;
+  CompactReader& reader = walks[1].reader;
+  DELTAMESH_CHECK(walks[0].reader.finish(kTagConnectivity));
   if (first.vertex_count() != first_vertices)
     return Refusal{"the first half has another number of manifold vertices", "CONN-15"}.error();
 
-  DELTAMESH_TRY(const auto zipped, read_zips(readers[1], first, *second));
-  std::vector<std::uint32_t> triangles = is_alone ? second->take_faces() : first.take_faces();
-  if (!is_alone) triangles.insert(triangles.end(), second->faces().begin(), second->faces().end());
-  const std::uint32_t manifold_count = second->vertex_count();
+  DELTAMESH_TRY(const auto zipped, read_zips(reader, first, second));
+  std::vector<std::uint32_t> triangles = is_alone ? second.take_faces() : first.take_faces();
+  if (!is_alone) {
+    const std::vector<std::uint32_t> others = second.take_faces();
+    triangles.insert(triangles.end(), others.begin(), others.end());
+  }
+  const std::uint32_t manifold_count = second.vertex_count();
   DELTAMESH_TRY(const auto vertex,
-                read_compact_gluing(readers[1], zipped, triangles, manifold_count, vertex_count));
-  DELTAMESH_CHECK(readers[1].finish(kTagConnectivity));
+                read_compact_gluing(reader, zipped, triangles, manifold_count, vertex_count));
+  DELTAMESH_CHECK(reader.finish(kTagConnectivity));
 
-  all_starts.insert(all_starts.end(), second_starts.begin(), second_starts.end());
   Connectivity read{.triangles = std::move(triangles),
                     .open_edges = first.open_edges(),
-                    .runs = connected_runs(all_starts, vertex, manifold_count)};
-  const LargeVector<DirectedEdge> others = second->open_edges();
+                    .runs = connected_runs(starts, vertex, manifold_count)};
+  const LargeVector<DirectedEdge> others = second.open_edges();
   read.open_edges.insert(read.open_edges.end(), others.begin(), others.end());
   renumber(std::span(read.triangles)
                .subspan(are_their_own(vertex, first_vertices) ? std::size_t{3} * faces[0] : 0),

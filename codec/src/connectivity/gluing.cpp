@@ -10,17 +10,12 @@
 #include "base/try.h"
 #include "base/zigzag.h"
 #include "connectivity/glue_coder.h"
-#include "format/tags.h"
+#include "connectivity/refusal.h"
 
 namespace deltamesh {
 namespace {
 
-Error invalid(const char* message) noexcept {
-  return {.code = ErrorCode::kInvalidStream,
-          .message = message,
-          .rule = "CONN-11",
-          .chunk_tag = kTagConnectivity};
-}
+Error invalid(const char* message) noexcept { return Refusal{message, "CONN-11"}.error(); }
 
 /// From this share of glued vertices on they are coded one by one [CONN-14].
 constexpr std::uint64_t kDenseShare = 16;

@@ -8,18 +8,13 @@
 
 #include "base/large_vector.h"
 #include "base/try.h"
+#include "connectivity/refusal.h"
 #include "entropy/number_model.h"
-#include "format/tags.h"
 
 namespace deltamesh {
 namespace {
 
-Error invalid(const char* message) noexcept {
-  return {.code = ErrorCode::kInvalidStream,
-          .message = message,
-          .rule = "CONN-16",
-          .chunk_tag = kTagConnectivity};
-}
+Error invalid(const char* message) noexcept { return Refusal{message, "CONN-16"}.error(); }
 
 /// Partners of the second half's boundary edges among those of the first.
 class Partners {
@@ -150,7 +145,7 @@ class ZipCoder {
   Zip code(const Zip& zip) {
     const std::uint32_t item = coder_.bits(zip.item, item_bits_);
     const std::uint32_t partner = coder_.bits(zip.partner, partner_bits_);
-    return {item, partner, coder_.number(zip.edges, lengths_)};
+    return {item, partner, coder_.number(zip.edges - 1, lengths_) + 1};
   }
 
  private:
