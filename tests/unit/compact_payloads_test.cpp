@@ -250,8 +250,8 @@ TEST(CompactConnectivity, CONN15CONN16HalvesKeepTheirBytes) {
     text += kDigits[std::to_integer<unsigned>(byte) % 16];
   }
   EXPECT_EQ(text,
-            "14000000000000001000000077ca29cb32ca5f007974a50b0200000090917c1e9f6c716701000000694e0c7aa60edd0c"
-            "cd0bacf62918a87f6cd70a03");
+            "14000000000000001000000077ca29cb32ca5f007974a50b0200000090917c1e5a6577670100000002d8cb2900dddc0c"
+            "e709f1a7512ac2ed9c468036");
 }
 
 TEST(CompactConnectivity, CONN7SplitsStayWithinTheComponent) {

@@ -164,8 +164,9 @@ Result<Connectivity> read_halves(std::span<const std::byte> payload, std::uint32
   }
   const std::uint32_t manifold_count = second.vertex_count();
   DELTAMESH_TRY(const auto vertex,
-                read_compact_gluing(reader, zipped, triangles, manifold_count, vertex_count));
+                read_compact_gluing(reader, zipped.vertices, triangles, manifold_count, vertex_count));
   DELTAMESH_CHECK(reader.finish(kTagConnectivity));
+  DELTAMESH_CHECK(check_zipped(zipped, vertex));
 
   Connectivity read{.triangles = std::move(triangles),
                     .open_edges = first.open_edges(),

@@ -60,7 +60,7 @@ std::vector<std::byte> write_halves(MeshGuide& guide, Faces& faces) {
   faces = first.take_faces();
   const std::span<const std::uint32_t> others = second.faces();
   faces.insert(faces.end(), others.begin(), others.end());
-  write_compact_gluing(writers[1], *zipped, faces, guide.vertices().coded());
+  write_compact_gluing(writers[1], zipped->vertices, faces, guide.vertices().coded());
 
   ByteWriter out;
   out.write(std::uint64_t{first_ops.size()});

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstddef>
+#include <utility>
 
 #include "base/large_vector.h"
 #include "base/try.h"
@@ -20,11 +21,7 @@ Error invalid(const char* message) noexcept { return Refusal{message, "CONN-16"}
 class Partners {
  public:
   Partners(const Border& first, const Border& second, std::span<const std::uint32_t> vertex)
-      : first_(first),
-        second_(second),
-        vertex_(vertex),
-        partner_(second.item_count(), kNoIndex),
-        onto_(second.vertex_count() - first.vertex_count(), kNoIndex) {
+      : first_(first), second_(second), vertex_(vertex), partner_(second.item_count(), kNoIndex) {
     for (const std::uint32_t j : first.closed_items()) candidates_.push_back({key(first.edge(j)), j});
     std::sort(candidates_.begin(), candidates_.end());
     is_taken_.resize(candidates_.size(), 0);
@@ -64,23 +61,13 @@ class Partners {
     return std::uint64_t{vertex_[edge[0]]} << 32 | vertex_[edge[1]];
   }
 
-  /// Of a candidate that nobody has, and that does not zip a manifold vertex onto two.
+  /// Of a candidate that nobody has.
   std::uint32_t find(const DirectedEdge& edge) {
     const std::uint64_t wanted = key({edge[1], edge[0]});
     auto at = std::lower_bound(candidates_.begin(), candidates_.end(), Candidate{wanted, 0});
     for (; at != candidates_.end() && at->key == wanted; ++at) {
       std::uint8_t& is_taken = is_taken_[static_cast<std::size_t>(at - candidates_.begin())];
-      const DirectedEdge across = first_.edge(at->item);
-      std::uint32_t& from_onto = onto_[edge[0] - first_.vertex_count()];
-      std::uint32_t& to_onto = onto_[edge[1] - first_.vertex_count()];
-      const auto fits = [](std::uint32_t onto, std::uint32_t vertex) {
-        return onto == kNoIndex || onto == vertex;
-      };
-      if (is_taken != 0 || !fits(from_onto, across[1]) || !fits(to_onto, across[0])) continue;
-      is_taken = 1;
-      from_onto = across[1];
-      to_onto = across[0];
-      return at->item;
+      if (std::exchange(is_taken, 1) == 0) return at->item;
     }
     return kNoIndex;
   }
@@ -89,7 +76,6 @@ class Partners {
   const Border& second_;
   std::span<const std::uint32_t> vertex_;
   LargeVector<std::uint32_t> partner_;  ///< of the second half's items
-  LargeVector<std::uint32_t> onto_;     ///< of its manifold vertices: one of the first half's
   std::vector<Candidate> candidates_;   ///< boundary edges of the first half
   std::vector<std::uint8_t> is_taken_;
 };
@@ -116,13 +102,15 @@ class Zipper {
     return {};
   }
 
-  Result<std::vector<ZippedVertex>> finish() {
+  Zipped finish() {
     std::sort(zipped_.begin(), zipped_.end());
     zipped_.erase(std::unique(zipped_.begin(), zipped_.end()), zipped_.end());
-    const auto is_same = [](const ZippedVertex& a, const ZippedVertex& b) { return a.vertex == b.vertex; };
-    if (std::adjacent_find(zipped_.begin(), zipped_.end(), is_same) != zipped_.end())
-      return invalid("manifold vertex zipped onto two");
-    return std::move(zipped_);
+    Zipped result;
+    for (const ZippedVertex& zipped : zipped_) {
+      const bool is_new = result.vertices.empty() || result.vertices.back().vertex != zipped.vertex;
+      (is_new ? result.vertices : result.more).push_back(zipped);
+    }
+    return result;
   }
 
  private:
@@ -168,7 +156,7 @@ std::vector<Zip> find_zips(const Border& first, const Border& second, std::span<
   return zips;
 }
 
-Result<std::vector<ZippedVertex>> close_zips(std::span<const Zip> zips, Border& first, Border& second) {
+Result<Zipped> close_zips(std::span<const Zip> zips, Border& first, Border& second) {
   Zipper zipper(first, second);
   for (const Zip& zip : zips) DELTAMESH_CHECK(zipper.close(zip));
   return zipper.finish();
@@ -180,16 +168,22 @@ void write_zips(CompactWriter& writer, std::span<const Zip> zips, const Border& 
   for (const Zip& zip : zips) coder.code(zip);
 }
 
-Result<std::vector<ZippedVertex>> read_zips(CompactReader& reader, Border& first, Border& second) {
+Result<Zipped> read_zips(CompactReader& reader, Border& first, Border& second) {
   ZipCoder coder(reader, first, second);
   Zipper zipper(first, second);
   const std::uint32_t count = coder.code_count(0);
   for (std::uint32_t i = 0; i < count; ++i) {
     const Zip zip = coder.code({});
-    if (reader.failed()) return std::vector<ZippedVertex>{};
+    if (reader.failed()) return Zipped{};
     DELTAMESH_CHECK(zipper.close(zip));
   }
   return zipper.finish();
+}
+
+Result<void> check_zipped(const Zipped& zipped, std::span<const std::uint32_t> vertex) {
+  for (const auto& [own, onto] : zipped.more)
+    if (vertex[own] != vertex[onto]) return invalid("manifold vertex zipped onto two vertices");
+  return {};
 }
 
 }  // namespace deltamesh

@@ -31,19 +31,28 @@ struct ZippedVertex {
   friend auto operator<=>(const ZippedVertex&, const ZippedVertex&) = default;
 };
 
+/// What zips bring together.
+struct Zipped {
+  std::vector<ZippedVertex> vertices;  ///< ascending, each once
+  std::vector<ZippedVertex> more;      ///< must turn out to be the same vertices as well
+};
+
 /// Zips for all boundary edges of the second half that are between the same vertices of the mesh as one of
-/// the first, as far as no manifold vertex is zipped onto two. `vertex`: of every manifold vertex, or nothing
-/// where each is its own. O(n log n) of the boundary edges, and O(items).
+/// the first. `vertex`: of every manifold vertex, or nothing where each is its own. O(n log n) of the
+/// boundary edges, and O(items).
 std::vector<Zip> find_zips(const Border& first, const Border& second, std::span<const std::uint32_t> vertex);
 
-/// Sews the borders, whose gaps are all finished; what is zipped, ascending. Errors: kInvalidStream
-/// [CONN-16]. O(n log n) of the zips' edges.
-Result<std::vector<ZippedVertex>> close_zips(std::span<const Zip> zips, Border& first, Border& second);
+/// Sews the borders, whose gaps are all finished. Errors: kInvalidStream [CONN-16]. O(n log n) of the zips'
+/// edges.
+Result<Zipped> close_zips(std::span<const Zip> zips, Border& first, Border& second);
 
 /// As [CONN-16] says.
 void write_zips(CompactWriter& writer, std::span<const Zip> zips, const Border& first, const Border& second);
 
 /// And closes them. Made up where the reader failed. Errors: kInvalidStream [CONN-16].
-Result<std::vector<ZippedVertex>> read_zips(CompactReader& reader, Border& first, Border& second);
+Result<Zipped> read_zips(CompactReader& reader, Border& first, Border& second);
+
+/// `vertex`: of every manifold vertex. Errors: kInvalidStream [CONN-16].
+Result<void> check_zipped(const Zipped& zipped, std::span<const std::uint32_t> vertex);
 
 }  // namespace deltamesh
