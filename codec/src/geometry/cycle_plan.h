@@ -23,7 +23,7 @@ struct PlanCost {
   double roughness = 0;
 
   /// Hardly more than 1 each.
-  bool is_fair() const noexcept { return rms <= 1.019 && largest <= 1.035 && roughness <= 1.0125; }
+  bool is_fair() const noexcept { return rms <= 1.019 && largest <= 1.02 && roughness <= 1.0125; }
   /// Whether other roundings of the same may be fair: the largest error is one vertex's.
   bool is_close() const noexcept { return rms <= 1.1 && roughness <= 1.03; }
 };
