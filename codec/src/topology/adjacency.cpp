@@ -3,6 +3,7 @@
 #include "topology/adjacency.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
 
@@ -75,23 +76,49 @@ Adjacency tidy(const Adjacency& graph) {
   return sorted;
 }
 
-/// Whether an ascending row has a neighbour twice. Of all places neighbours are counted that equal the one
-/// before, and again where a row begins there.
-bool has_repeated(const Adjacency& graph) {
-  std::atomic<bool> has_any = false;
+/// Ascending, without a branch that depends on the numbers [Knuth, The art of computer programming 3, 5.3.4].
+void sort_six(std::uint32_t* row) noexcept {
+  const auto order = [](std::uint32_t& a, std::uint32_t& b) {
+    const std::uint32_t lower = std::min(a, b);
+    b = std::max(a, b);
+    a = lower;
+  };
+  std::array<std::uint32_t, 6> r;
+  std::copy_n(row, r.size(), r.begin());
+  order(r[0], r[5]);
+  order(r[1], r[3]);
+  order(r[2], r[4]);
+  order(r[1], r[2]);
+  order(r[3], r[4]);
+  order(r[0], r[3]);
+  order(r[2], r[5]);
+  order(r[0], r[1]);
+  order(r[2], r[3]);
+  order(r[4], r[5]);
+  order(r[1], r[2]);
+  order(r[3], r[4]);
+  std::copy_n(r.begin(), r.size(), row);
+}
+
+/// Makes rows ascend. Returns whether one has a neighbour twice.
+bool sort_rows(Adjacency& graph) {
+  std::atomic<bool> has_repeated = false;
   share_rows(graph.vertex_count(), [&, offsets = graph.offsets.data(), neighbors = graph.neighbors.data()](
                                        std::uint32_t begin, std::uint32_t end) {
-    const std::uint32_t first = offsets[begin];
-    std::uint32_t equal = 0;
-    for (std::size_t e = first + 1; e < offsets[end]; ++e) equal += neighbors[e] == neighbors[e - 1] ? 1 : 0;
-    std::uint32_t between_rows = 0;
-    for (std::uint32_t v = begin + 1; v < end; ++v) {
-      const std::uint32_t e = offsets[v];
-      if (e > first && e < offsets[v + 1]) between_rows += neighbors[e] == neighbors[e - 1] ? 1 : 0;
+    bool has_own = false;
+    for (std::uint32_t v = begin; v < end; ++v) {
+      std::uint32_t* const row = neighbors + offsets[v];
+      std::uint32_t* const row_end = neighbors + offsets[v + 1];
+      if (row_end - row == 6) {  // most
+        sort_six(row);
+      } else {
+        std::sort(row, row_end);
+      }
+      for (const std::uint32_t* next = row + 1; next < row_end; ++next) has_own |= next[-1] == *next;
     }
-    if (equal > between_rows) has_any = true;
+    if (has_own) has_repeated = true;
   });
-  return has_any;
+  return has_repeated;
 }
 
 /// Ascending rows where some neighbours come several times in a row.
@@ -124,8 +151,7 @@ Adjacency build_adjacency(std::span<const std::uint32_t> triangles, std::uint32_
   return tidy(graph);
 }
 
-/// Every row w receives every v in ascending order of v, and as many of them as it has neighbours. Two
-/// threads fill rows from both ends: so neither has to know how far the other comes.
+/// Two threads fill rows from both ends: so neither has to know how far the other comes.
 Adjacency build_adjacency(std::span<const std::uint32_t> triangles, std::span<const DirectedEdge> open_edges,
                           std::uint32_t vertex_count) {
   const std::uint32_t halves = std::min(piece_count(vertex_count), 2U);
@@ -151,9 +177,8 @@ Adjacency build_adjacency(std::span<const std::uint32_t> triangles, std::span<co
   for (std::size_t v = 0; v < ends.size(); ++v) offsets[v + 1] += ends[v];
   sum_up(offsets);
 
-  LargeVector<std::uint32_t> begins;
-  LargeVector<std::uint32_t> unsorted(offsets.back());
-  const bool has_loops = unsorted.size() != triangles.size() + open_edges.size();
+  graph.neighbors.resize(offsets.back());
+  const bool has_loops = graph.neighbors.size() != triangles.size() + open_edges.size();
   const auto put_half = [&](std::uint32_t half, const auto& put) {
     if (has_loops) {
       visit_half(half, [&](std::uint32_t a, std::uint32_t b) {
@@ -163,9 +188,9 @@ Adjacency build_adjacency(std::span<const std::uint32_t> triangles, std::span<co
       visit_half(half, put);
     }
   };
-  share_work(halves, [&, rows = unsorted.data()](std::uint32_t half) {
+  share_work(halves, [&, rows = graph.neighbors.data()](std::uint32_t half) {
     if (half == 0) {
-      begins.assign(offsets.begin(), offsets.end() - 1);
+      LargeVector<std::uint32_t> begins(offsets.begin(), offsets.end() - 1);
       put_half(half, [rows, next = begins.data()](std::uint32_t a, std::uint32_t b) {
         std::uint32_t& place = next[a];
         rows[place] = b;  // not with ++ here: that takes two instructions more
@@ -176,32 +201,7 @@ Adjacency build_adjacency(std::span<const std::uint32_t> triangles, std::span<co
       put_half(half, [rows, last = ends.data()](std::uint32_t a, std::uint32_t b) { rows[--last[a]] = b; });
     }
   });
-
-  graph.neighbors.resize(offsets.back());
-  const std::uint32_t middle = vertex_count / halves;
-  share_work(halves, [&, neighbors = graph.neighbors.data()](std::uint32_t half) {
-    if (half == 0) {
-      begins.assign(offsets.begin(), offsets.end() - 1);
-      std::uint32_t* const next = begins.data();
-      const std::uint32_t* entry = unsorted.data();
-      for (std::uint32_t v = 0; v < middle; ++v) {
-        for (const std::uint32_t* const end = entry + graph.degree(v); entry != end; ++entry) {
-          std::uint32_t& place = next[*entry];
-          neighbors[place] = v;
-          ++place;
-        }
-      }
-    } else {
-      ends.assign(offsets.begin() + 1, offsets.end());
-      std::uint32_t* const last = ends.data();
-      const std::uint32_t* entry = unsorted.data() + unsorted.size();
-      for (std::uint32_t v = vertex_count; v-- > middle;) {
-        for (const std::uint32_t* const begin = entry - graph.degree(v); entry != begin;)
-          neighbors[--last[*--entry]] = v;
-      }
-    }
-  });
-  if (has_repeated(graph)) drop_repeated(graph);
+  if (sort_rows(graph)) drop_repeated(graph);
   return graph;
 }
 
