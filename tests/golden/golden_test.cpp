@@ -21,7 +21,7 @@ namespace {
 bool update_golden = false;
 
 struct Golden {
-  const char* name;  ///< tests/golden/<name>.v1d11.dmsh and .off
+  const char* name;  ///< tests/golden/<name>.v1d12.dmsh and .off
   Mesh mesh;
   EncodeOptions options;
 };
@@ -75,7 +75,7 @@ std::vector<Golden> golden_streams() {
 }
 
 std::string path_of(const Golden& golden, const char* suffix) {
-  return std::string(DELTAMESH_GOLDEN_DIR "/") + golden.name + ".v1d11." + suffix;
+  return std::string(DELTAMESH_GOLDEN_DIR "/") + golden.name + ".v1d12." + suffix;
 }
 
 void rewrite(const Golden& golden) {
@@ -119,7 +119,7 @@ TEST(Golden, DecodesToTheCommittedMesh) {
 
 TEST(Golden, CMP2CMP4CMP8FLD2FLD3FLD4FLD5FLD6CompactStreamsKeepTheirNumbers) {
   if (update_golden) GTEST_SKIP() << "being rewritten";
-  const auto bytes = read_file(DELTAMESH_GOLDEN_DIR "/attributes.compact.v1d11.dmsh");
+  const auto bytes = read_file(DELTAMESH_GOLDEN_DIR "/attributes.compact.v1d12.dmsh");
   ASSERT_TRUE(bytes);
   std::size_t compact = 0;
   const auto info = inspect(*bytes);

@@ -24,6 +24,7 @@
 #include "laplacian/multigrid_groups.h"
 #include "laplacian/multigrid_hierarchy.h"
 #include "laplacian/multigrid_make_interpolation.h"
+#include "laplacian/multigrid_parted_order.h"
 #include "laplacian/multigrid_smoother.h"
 #include "laplacian/multigrid_sweeps.h"
 #include "laplacian/small_components.h"
@@ -197,8 +198,9 @@ TEST(Multigrid, ThreadsMakeNoDifference) {
   GraphMesh parts = many_sheets();
   test::add_sheet(parts, 330, 200, {0, 500, 0});
   for (const Problem& problem :
-       {quantized(test::sheet(310, 230), 360, 8), quantized(test::sheet(20, 3300), 70, 8),
-        quantized(test::finish(std::move(parts)), 900, 8), quantized(test::fan(70000), 350, 8)}) {
+       {quantized(test::sheet(310, 230), 360, 8), quantized(test::sheet(310, 230), 4000, 8),
+        quantized(test::sheet(20, 3300), 70, 8), quantized(test::finish(std::move(parts)), 900, 8),
+        quantized(test::fan(70000), 350, 8)}) {
     for (const int cycles : {3, 0}) {
       SCOPED_TRACE(cycles);
       std::vector<Vec3> alone;
@@ -248,6 +250,42 @@ TEST(Chunks, HaveNoNeighborsButOnTheRim) {
     for (std::uint32_t e = level.offsets[i]; e < level.offsets[i + 1]; ++e)
       EXPECT_TRUE(chunk_of(level.neighbors[e]) == chunk_of(i) || chunks.is_on_rim[level.neighbors[e]]);
   }
+}
+
+/// With 2048 nodes, no more [DELT-7].
+TEST(PartedOrder, PartsHaveNoNodeInReachOfBoth) {
+  const GraphMesh mesh = test::sheet(64, 32);
+  const auto levels = multigrid::build_hierarchy(mesh.graph, {}, 0, multigrid::Coarsening::kQuick);
+  const multigrid::PartedOrder order = multigrid::order_in_parts(levels.at(0));
+  ASSERT_EQ(order.parts(), 2U);
+  EXPECT_EQ(order.second, 1024U);
+  EXPECT_GT(order.rest, order.second);
+  EXPECT_LT(order.rest, order.size());
+  std::vector<std::uint32_t> sorted = order.nodes;
+  std::sort(sorted.begin(), sorted.end());
+  for (std::uint32_t i = 0; i < sorted.size(); ++i) ASSERT_EQ(sorted[i], i);
+  const auto reach_of = [&](std::uint32_t part) {
+    std::set<std::uint32_t> reach;
+    for (std::uint32_t k = order.begin(part); k < order.end(part); ++k) {
+      const auto row = mesh.graph.of(order.nodes[k]);
+      reach.insert(order.nodes[k]);
+      reach.insert(row.begin(), row.end());
+    }
+    return reach;
+  };
+  const std::set<std::uint32_t> first = reach_of(0), second = reach_of(1);
+  for (const std::uint32_t node : second) EXPECT_EQ(first.count(node), 0U) << node;
+  for (std::uint32_t k = order.rest; k < order.size(); ++k) {
+    bool meets_first = first.count(order.nodes[k]) > 0;
+    for (const std::uint32_t j : mesh.graph.of(order.nodes[k])) meets_first |= first.count(j) > 0;
+    EXPECT_TRUE(meets_first) << order.nodes[k];
+  }
+  const GraphMesh small = test::sheet(89, 23);
+  const auto few = multigrid::build_hierarchy(small.graph, {}, 0, multigrid::Coarsening::kQuick);
+  const multigrid::PartedOrder all = multigrid::order_in_parts(few.at(0));
+  EXPECT_EQ(all.parts(), 0U);
+  EXPECT_EQ(all.rest, 0U);
+  EXPECT_TRUE(std::is_sorted(all.nodes.begin(), all.nodes.end()));
 }
 
 multigrid::Float4 some_value(std::uint32_t i) {

@@ -15,8 +15,9 @@ namespace {
 /// More would wait for each other: no job has many more pieces that take long.
 constexpr unsigned kMostThreads = 16;
 
-/// Looks for news before a thread goes to sleep: most come sooner than it could be woken.
-constexpr int kMostLooks = 64;
+/// Looks for news before a thread goes to sleep: most come sooner than it could be woken, which takes the one
+/// that wakes it some time as well. Each lets others go first.
+constexpr int kMostLooks = 4096;
 
 }  // namespace
 

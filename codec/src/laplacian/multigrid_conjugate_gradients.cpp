@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "base/large_vector.h"
+#include "base/thread_team.h"
+#include "laplacian/multigrid_parted_order.h"
 
 namespace deltamesh::multigrid {
 namespace {
@@ -35,19 +37,21 @@ bool all_at_most(const Double4& a, const Double4& b) noexcept {
 template <class Four>
 class Iterations final : public ConjugateGradients {
  public:
-  Iterations(const CoarsestNodes& nodes, double reduction) : reduction_(reduction) {
+  Iterations(const CoarsestNodes& nodes, double reduction)
+      : reduction_(reduction), order_(order_in_parts(nodes.level)) {
     const std::uint32_t n = nodes.level.node_count();
     pairs_.reserve(n + nodes.level.neighbors.size() / 2);  // of every node with its neighbours, rounded up
-    for (std::uint32_t i = 0; i < n; ++i) add_node(nodes, i);
+    for (const std::uint32_t node : order_.nodes) add_node(nodes, node);
     nodes_.push_back({static_cast<std::uint32_t>(pairs_.size()), 0, 0});
     for (auto* vector : {&solution_, &residual_, &direction_, &turned_, &product_, &image_})
       vector->resize(n);
   }
 
   std::uint32_t solve(std::span<Double4> x, std::uint32_t most_iterations) override {
-    for (std::size_t i = 0; i < x.size(); ++i) solution_[i] = as_four(nodes_[i].scale * x[i]);
+    for (std::size_t i = 0; i < x.size(); ++i) solution_[i] = as_four(nodes_[i].scale * x[order_.nodes[i]]);
     const std::uint32_t iterations = iterate(most_iterations);
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] = nodes_[i].scale * as_doubles(solution_[i]);
+    for (std::size_t i = 0; i < x.size(); ++i)
+      x[order_.nodes[i]] = nodes_[i].scale * as_doubles(solution_[i]);
     return iterations;
   }
 
@@ -129,53 +133,72 @@ class Iterations final : public ConjugateGradients {
     }
   }
 
+  /// The sum of each(i), in order.
+  template <class Each>
+  Double4 sum_forward(const Each& each) {
+    const auto sum = [&](std::uint32_t begin, std::uint32_t end) {
+      Double4 energy{};
+      for (std::uint32_t i = begin; i < end; ++i) energy += each(i);
+      return energy;
+    };
+    std::array<Double4, PartedOrder::kParts> parts{};
+    share_work(order_.parts(),
+               [&](std::uint32_t part) { parts[part] = sum(order_.begin(part), order_.end(part)); });
+    return (parts[0] + parts[1]) + sum(order_.rest, order_.size());
+  }
+
+  /// Calls each(i), the other way round.
+  template <class Each>
+  void visit_backward(const Each& each) {
+    const auto visit = [&](std::uint32_t begin, std::uint32_t end) {
+      while (end > begin) each(--end);
+    };
+    visit(order_.rest, order_.size());
+    share_work(order_.parts(), [&](std::uint32_t part) { visit(order_.begin(part), order_.end(part)); });
+  }
+
   /// y for a right-hand side that the solution, which becomes 0, holds; its square.
-  Double4 begin() noexcept {
+  Double4 begin() {
     std::fill(image_.begin(), image_.end(), Four{});
-    Double4 energy{};
-    for (std::uint32_t i = 0; i < residual_.size(); ++i) {
+    const Double4 energy = sum_forward([&](std::uint32_t i) {
       residual_[i] = solution_[i] - row_of_image(i);
       add_to_image(i, residual_[i]);
-      energy += as_doubles(residual_[i]) * as_doubles(residual_[i]);
-    }
+      return as_doubles(residual_[i]) * as_doubles(residual_[i]);
+    });
     std::fill(solution_.begin(), solution_.end(), Four{});
     std::fill(turned_.begin(), turned_.end(), Four{});
     return energy;
   }
 
   /// The direction becomes the preconditioned residual and `share` of what it was, the image its own.
-  void turn(const Four& share) noexcept {
+  void turn(const Four& share) {
     std::fill(image_.begin(), image_.end(), Four{});
-    for (auto i = static_cast<std::uint32_t>(direction_.size()); i-- > 0;) {
+    visit_backward([&](std::uint32_t i) {
       turned_[i] = residual_[i] + share * turned_[i];
       direction_[i] = turned_[i] - row_of_image(i);
       add_to_image(i, direction_[i]);
-    }
+    });
   }
 
   /// (I + L)^-1 A d from the direction's image, which is used up. Returns d A d.
-  Double4 multiply() noexcept {
-    Double4 energy{};
-    for (std::uint32_t i = 0; i < direction_.size(); ++i) {
+  Double4 multiply() {
+    return sum_forward([&](std::uint32_t i) {
       product_[i] = row_of_image(i) + nodes_[i].anchor * direction_[i];
       add_to_image(i, Four{} - product_[i]);
-      energy += as_doubles(turned_[i]) * as_doubles(product_[i]);
-    }
-    return energy;
+      return as_doubles(turned_[i]) * as_doubles(product_[i]);
+    });
   }
 
   /// The square of what y becomes.
-  Double4 step(const Four& length) noexcept {
-    Double4 energy{};
-    for (std::size_t i = 0; i < solution_.size(); ++i) {
+  Double4 step(const Four& length) {
+    return sum_forward([&](std::uint32_t i) {
       solution_[i] += length * direction_[i];
       residual_[i] -= length * product_[i];
-      energy += as_doubles(residual_[i]) * as_doubles(residual_[i]);
-    }
-    return energy;
+      return as_doubles(residual_[i]) * as_doubles(residual_[i]);
+    });
   }
 
-  std::uint32_t iterate(std::uint32_t most_iterations) noexcept {
+  std::uint32_t iterate(std::uint32_t most_iterations) {
     Double4 energy = begin();
     const Double4 small = reduction_ * reduction_ * energy;
     Four share{};
@@ -189,12 +212,13 @@ class Iterations final : public ConjugateGradients {
   }
 
   double reduction_;
+  PartedOrder order_;        ///< what i means below
   std::vector<Node> nodes_;  ///< and one for the end
   LargeVector<Pair> pairs_;
   std::vector<Four> solution_, residual_;  ///< scaled x; y
   std::vector<Four> direction_, turned_;   ///< d and (I + L^T) d
   std::vector<Four> product_;              ///< (I + L)^-1 A d
-  std::vector<Four> image_;                ///< B times what the nodes come to so far have
+  std::vector<Four> image_;                ///< by node: B times what the nodes come to so far have
 };
 
 }  // namespace
