@@ -13,6 +13,9 @@
 #include <cstdio>
 #include <ctime>
 #include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "deltamesh/decode.h"
 #include "peers/peer.h"
@@ -20,7 +23,8 @@
 namespace deltamesh::bench {
 namespace {
 
-constexpr int kRuns = 3;
+/// Of both decoders, in turn: the machine is as busy with the one as with the other.
+constexpr std::size_t kRounds = 7;
 constexpr int kBits = 8;
 constexpr double kAnchorShare = 0.005;
 /// Bytes of a block that malloc() takes from the system, until the first of them is freed.
@@ -41,27 +45,27 @@ double wall_seconds() {
   return std::chrono::duration<double>(now).count();
 }
 
-/// Least of several runs of `decode`, in what `clock` counts; 0 where it fails.
 template <class Clock, class Decode>
-double least_seconds(const Clock& clock, const Decode& decode) {
-  double best = 1e9;
-  for (int r = 0; r < kRuns; ++r) {
-    const double start = clock();
-    if (!decode()) return 0;
-    best = std::min(best, clock() - start);
-  }
-  return best;
+double seconds_of(const Clock& clock, const Decode& decode) {
+  const double start = clock();
+  decode();
+  return clock() - start;
 }
 
-/// Times are per vertex; those of ours alone are 0 for others.
-struct Figures {
-  double nanoseconds = 0;       ///< processor time
-  double fresh = 0;             ///< likewise, each time with new memory; ours alone
-  double system = 0;            ///< what the system takes of `nanoseconds`, on average
-  double wall_nanoseconds = 0;  ///< time that passes
-  double two_threads = 0;       ///< likewise, decoded by two threads; ours alone
-  double megabytes = 0;
-};
+/// One figure of every round.
+using Rounds = std::array<double, kRounds>;
+
+double median(Rounds values) {
+  std::nth_element(values.begin(), values.begin() + kRounds / 2, values.end());
+  return values[kRounds / 2];
+}
+
+/// Of the two that each round has, which share what else went on.
+double median_ratio(const Rounds& ours, const Rounds& theirs) {
+  Rounds ratios{};
+  for (std::size_t r = 0; r < kRounds; ++r) ratios[r] = ours[r] / theirs[r];
+  return median(ratios);
+}
 
 /// What a process has in memory, without the pages of files, which are those of the program itself: a child
 /// begins without most of these and takes them as it comes to them.
@@ -108,27 +112,23 @@ double peak_megabytes(Peer& peer, const std::vector<std::byte>& bytes) {
   return std::max(0.0, grown);
 }
 
-Figures run(Peer& peer, const Mesh& mesh, bool is_ours) {
-  Figures figures;
-  if (!peer.load(mesh)) return figures;
-  const auto bytes = peer.encode();
-  if (!bytes) return figures;
-  figures.megabytes = peak_megabytes(peer, *bytes);
-  const auto decode_once = [&] { return static_cast<bool>(peer.decode(*bytes)); };
-  const double scale = 1e9 / static_cast<double>(mesh.vertex_count());
-  if (!decode_once()) return figures;  // whose memory is new
-  const double system_before = system_seconds();
-  figures.nanoseconds = scale * least_seconds(processor_seconds, decode_once);
-  figures.system = scale * (system_seconds() - system_before) / kRuns;
-  figures.wall_nanoseconds = scale * least_seconds(wall_seconds, decode_once);
-  if (is_ours) {
-    const auto decode_fresh = [&] { return decode(*bytes).has_value(); };
-    figures.fresh = scale * least_seconds(processor_seconds, decode_fresh);
-    Decoder decoder;
-    const auto decode_by_two = [&] { return decoder.decode(*bytes, {.threads = 2}).has_value(); };
-    figures.two_threads = scale * least_seconds(wall_seconds, decode_by_two);
-  }
-  return figures;
+/// One that has decoded its stream once; its next decode finds memory as that one left it.
+struct Racer {
+  std::unique_ptr<Peer> peer;
+  std::vector<std::byte> bytes;
+  double megabytes = 0;
+
+  bool decode() const { return static_cast<bool>(peer->decode(bytes)); }
+};
+
+std::optional<Racer> prepare(std::unique_ptr<Peer> peer, const Mesh& mesh) {
+  if (!peer->load(mesh)) return std::nullopt;
+  auto bytes = peer->encode();
+  if (!bytes) return std::nullopt;
+  Racer racer{.peer = std::move(peer), .bytes = *std::move(bytes)};
+  racer.megabytes = peak_megabytes(*racer.peer, racer.bytes);
+  if (!racer.decode()) return std::nullopt;
+  return racer;
 }
 
 }  // namespace
@@ -143,14 +143,35 @@ void print_decode_race_header() {
 }
 
 void print_decode_race(const std::string& name, const Mesh& mesh) {
-  const Figures ours = run(*make_deltamesh_peer(kBits, kAnchorShare), mesh, true);
-  const Figures draco = run(*make_draco_peer(kDracoLevel, kDracoBits), mesh, false);
+  const auto ours = prepare(make_deltamesh_peer(kBits, kAnchorShare), mesh);
+  const auto draco = prepare(make_draco_peer(kDracoLevel, kDracoBits), mesh);
+  if (!ours || !draco) {
+    std::printf("| %s | does not take part |\n", name.c_str());
+    return;
+  }
+  Decoder two_threads;
+  const auto decode_by_two = [&] { return two_threads.decode(ours->bytes, {.threads = 2}).has_value(); };
+  decode_by_two();
+  Rounds alone{}, system{}, fresh{}, by_two{}, of_draco{}, system_of_draco{}, wall_of_draco{};
+  for (std::size_t r = 0; r < kRounds; ++r) {
+    const auto with_system = [r](const Racer& racer, Rounds& all, Rounds& systems) {
+      const double before = system_seconds();
+      all[r] = seconds_of(processor_seconds, [&] { racer.decode(); });
+      systems[r] = system_seconds() - before;
+    };
+    wall_of_draco[r] = seconds_of(wall_seconds, [&] { with_system(*draco, of_draco, system_of_draco); });
+    by_two[r] = seconds_of(wall_seconds, decode_by_two);
+    with_system(*ours, alone, system);
+    fresh[r] = seconds_of(processor_seconds, [&] { (void)decode(ours->bytes); });
+  }
+  const double scale = 1e9 / static_cast<double>(mesh.vertex_count());
   std::printf(
       "| %s | %zu | %.0f | %.0f | %.0f | %.2f | %.0f | %.0f | %.0f | %.0f | %.2f | %.0f | %.0f | %.2f |\n",
-      name.c_str(), static_cast<std::size_t>(mesh.vertex_count()), ours.nanoseconds, ours.fresh,
-      draco.nanoseconds, ours.nanoseconds / draco.nanoseconds, ours.system, draco.system, ours.two_threads,
-      draco.wall_nanoseconds, ours.two_threads / draco.wall_nanoseconds, ours.megabytes, draco.megabytes,
-      ours.megabytes / draco.megabytes);
+      name.c_str(), static_cast<std::size_t>(mesh.vertex_count()), scale * median(alone),
+      scale * median(fresh), scale * median(of_draco), median_ratio(alone, of_draco), scale * median(system),
+      scale * median(system_of_draco), scale * median(by_two), scale * median(wall_of_draco),
+      median_ratio(by_two, wall_of_draco), ours->megabytes, draco->megabytes,
+      ours->megabytes / draco->megabytes);
   std::fflush(stdout);
 }
 
