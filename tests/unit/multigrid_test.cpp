@@ -252,40 +252,58 @@ TEST(Chunks, HaveNoNeighborsButOnTheRim) {
   }
 }
 
-/// With 2048 nodes, no more [DELT-7].
-TEST(PartedOrder, PartsHaveNoNodeInReachOfBoth) {
-  const GraphMesh mesh = test::sheet(64, 32);
-  const auto levels = multigrid::build_hierarchy(mesh.graph, {}, 0, multigrid::Coarsening::kQuick);
-  const multigrid::PartedOrder order = multigrid::order_in_parts(levels.at(0));
+/// Nodes of a part and their neighbours.
+std::set<std::uint32_t> reach_of(const multigrid::Level& level, const multigrid::PartedOrder& order,
+                                 std::uint32_t part) {
+  std::set<std::uint32_t> reach;
+  for (std::uint32_t k = order.begin(part); k < order.end(part); ++k) {
+    const std::uint32_t node = order.nodes[k];
+    reach.insert(node);
+    reach.insert(level.neighbors.begin() + level.offsets[node],
+                 level.neighbors.begin() + level.offsets[node + 1]);
+  }
+  return reach;
+}
+
+/// [DELT-7]: by number the first half, the others that are further than two edges away, the rest.
+void expect_parts(const multigrid::Level& level) {
+  const multigrid::PartedOrder order = multigrid::order_in_parts(level);
+  ASSERT_EQ(order.size(), level.node_count());
   ASSERT_EQ(order.parts(), 2U);
-  EXPECT_EQ(order.second, 1024U);
+  EXPECT_EQ(order.second, level.node_count() / 2);
+  for (std::uint32_t k = 0; k < order.second; ++k) ASSERT_EQ(order.nodes[k], k);
+  EXPECT_TRUE(std::is_sorted(order.nodes.begin() + order.second, order.nodes.begin() + order.rest));
+  EXPECT_TRUE(std::is_sorted(order.nodes.begin() + order.rest, order.nodes.end()));
   EXPECT_GT(order.rest, order.second);
   EXPECT_LT(order.rest, order.size());
-  std::vector<std::uint32_t> sorted = order.nodes;
-  std::sort(sorted.begin(), sorted.end());
-  for (std::uint32_t i = 0; i < sorted.size(); ++i) ASSERT_EQ(sorted[i], i);
-  const auto reach_of = [&](std::uint32_t part) {
-    std::set<std::uint32_t> reach;
-    for (std::uint32_t k = order.begin(part); k < order.end(part); ++k) {
-      const auto row = mesh.graph.of(order.nodes[k]);
-      reach.insert(order.nodes[k]);
-      reach.insert(row.begin(), row.end());
-    }
-    return reach;
-  };
-  const std::set<std::uint32_t> first = reach_of(0), second = reach_of(1);
+  std::vector<std::uint32_t> all = order.nodes;
+  std::sort(all.begin(), all.end());
+  for (std::uint32_t i = 0; i < all.size(); ++i) ASSERT_EQ(all[i], i);
+  const std::set<std::uint32_t> first = reach_of(level, order, 0), second = reach_of(level, order, 1);
   for (const std::uint32_t node : second) EXPECT_EQ(first.count(node), 0U) << node;
   for (std::uint32_t k = order.rest; k < order.size(); ++k) {
-    bool meets_first = first.count(order.nodes[k]) > 0;
-    for (const std::uint32_t j : mesh.graph.of(order.nodes[k])) meets_first |= first.count(j) > 0;
-    EXPECT_TRUE(meets_first) << order.nodes[k];
+    const std::uint32_t node = order.nodes[k];
+    bool is_close = first.count(node) > 0;
+    for (std::uint32_t e = level.offsets[node]; e < level.offsets[node + 1]; ++e)
+      is_close |= first.count(level.neighbors[e]) > 0;
+    EXPECT_TRUE(is_close) << node;
   }
+}
+
+TEST(PartedOrder, PartsHaveNoNodeInReachOfBoth) {
+  const auto levels_of = [](const GraphMesh& mesh, std::uint32_t depth) {
+    const auto anchors = place_anchors(mesh.graph, mesh.components, {.count = 8}).vertices;
+    return multigrid::build_hierarchy(mesh.graph, anchors, depth, multigrid::Coarsening::kQuick);
+  };
+  const GraphMesh even = test::sheet(64, 32), odd = test::sheet(3, 683), large = test::sheet(200, 90);
+  expect_parts(levels_of(even, 0).at(0));
+  expect_parts(levels_of(odd, 0).at(0));
+  expect_parts(levels_of(large, 1).at(1));
   const GraphMesh small = test::sheet(89, 23);
-  const auto few = multigrid::build_hierarchy(small.graph, {}, 0, multigrid::Coarsening::kQuick);
-  const multigrid::PartedOrder all = multigrid::order_in_parts(few.at(0));
-  EXPECT_EQ(all.parts(), 0U);
-  EXPECT_EQ(all.rest, 0U);
-  EXPECT_TRUE(std::is_sorted(all.nodes.begin(), all.nodes.end()));
+  const multigrid::PartedOrder order = multigrid::order_in_parts(levels_of(small, 0).at(0));
+  EXPECT_EQ(order.parts(), 0U);
+  EXPECT_EQ(order.rest, 0U);
+  EXPECT_TRUE(std::is_sorted(order.nodes.begin(), order.nodes.end()));
 }
 
 multigrid::Float4 some_value(std::uint32_t i) {

@@ -106,6 +106,15 @@ std::vector<DirectedEdge> open_edges_of(const Indices& triangles) {
   return open;
 }
 
+TEST(Adjacency, VerticesWithoutEdges) {
+  const std::vector<std::uint32_t> points = {1, 1, 1, 2, 2, 2};
+  for (const std::vector<std::uint32_t>& triangles : {std::vector<std::uint32_t>(), points}) {
+    const Adjacency graph = build_adjacency(triangles, {}, 3);
+    EXPECT_EQ(graph.offsets, LargeVector<std::uint32_t>(4, 0));
+    EXPECT_TRUE(graph.neighbors.empty());
+  }
+}
+
 TEST(Adjacency, MatchesSetsOnRandomSoups) {
   std::mt19937 engine(7);
   const auto below = [&](std::uint32_t bound) { return static_cast<std::uint32_t>(engine() % bound); };

@@ -8,7 +8,7 @@
 namespace deltamesh::multigrid {
 namespace {
 
-/// Fewer are done sooner than another thread has begun.
+/// Fewer are done sooner than another thread has begun. Part of what a stream means.
 constexpr std::uint32_t kFewestNodes = 2048;
 
 /// Whether `is(neighbor)` of one of them. Edges without weight are not any.

@@ -26,7 +26,7 @@ struct PartedOrder {
   std::uint32_t end(std::uint32_t part) const noexcept { return part == 0 ? second : rest; }
 };
 
-/// Small levels are all rest, by number. O(n + edges).
+/// Small levels are all rest, by number. [DELT-7, Coupled problems] O(n + edges).
 PartedOrder order_in_parts(const Level& level);
 
 }  // namespace deltamesh::multigrid

@@ -114,7 +114,7 @@ bool sort_rows(Adjacency& graph) {
       } else {
         std::sort(row, row_end);
       }
-      for (const std::uint32_t* next = row + 1; next < row_end; ++next) has_own |= next[-1] == *next;
+      for (std::ptrdiff_t k = 1; k < row_end - row; ++k) has_own |= row[k - 1] == row[k];
     }
     if (has_own) has_repeated = true;
   });

@@ -34,7 +34,7 @@ Adjacency build_adjacency(std::span<const std::uint32_t> triangles, std::uint32_
 using DirectedEdge = std::array<std::uint32_t, 2>;
 
 /// The same, faster, for one who knows the open edges: with these turned round, every edge of a face comes as
-/// often in the one direction as in the other. Open edges make up closed loops.
+/// often in the one direction as in the other. O(n + m log d), d being the most neighbours of a vertex.
 Adjacency build_adjacency(std::span<const std::uint32_t> triangles, std::span<const DirectedEdge> open_edges,
                           std::uint32_t vertex_count);
 
