@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "attribute_report.h"
 #include "commands.h"
 #include "console.h"
 #include "deltamesh/compare.h"
@@ -42,19 +43,30 @@ std::vector<std::uint32_t> load_order(const std::string& path, int& status) {
   return order;
 }
 
+std::string attributes_headline(const Comparison& result) {
+  return result.matched_faces > 0 || result.corresponding
+             ? "at the corners of " + counted(result.matched_faces, "face", "faces")
+             : "not measured, for no faces correspond";
+}
+
 void print_summary(const Arguments& arguments, const Comparison& result, float scale) {
   Summary summary(arguments.a + " and " + arguments.b);
   if (result.corresponding) {
-    summary.add("vertices", "correspond; measured on " + grouped(result.measured_vertices));
+    summary.add("vertices", std::string("correspond") + (result.reordered ? ", in another order" : "") +
+                                "; measured on " + grouped(result.measured_vertices));
     add_errors(summary, result.quality, result.diagonal);
   } else {
     summary.add("vertices", "do not correspond; distances of vertices to the other surface, both ways");
+    summary.add("faces", grouped(result.matched_faces) + " in both, " + grouped(result.unmatched_faces_a) +
+                             " only in A, " + grouped(result.unmatched_faces_b) + " only in B");
     summary.add("rms", of_diagonal(result.surface_rms, result.diagonal));
     summary.add("max", of_diagonal(result.surface_max, result.diagonal));
   }
   summary.add("normals", brief(result.normal_angle_mean) + " degrees apart on average, " +
                              brief(result.normal_angle_p95) + " at the 95th percentile");
   summary.add("diagonal", brief(result.diagonal));
+  if (!result.attributes.empty()) summary.add("attributes", attributes_headline(result));
+  add_attributes(summary, result);
   if (!arguments.heatmap.empty())
     summary.add("heat map", arguments.heatmap + ", red is " + of_diagonal(scale, result.diagonal) +
                                 " outward, blue inward");
@@ -70,6 +82,10 @@ void print_object(const Arguments& arguments, const Comparison& result, float sc
     return applies ? nlohmann::ordered_json(value) : none;
   };
   object["corresponding"] = pairs;
+  object["reordered"] = result.reordered;
+  object["matched_faces"] = result.matched_faces;
+  object["unmatched_faces_a"] = result.unmatched_faces_a;
+  object["unmatched_faces_b"] = result.unmatched_faces_b;
   object["vde_rms"] = where(pairs, result.quality.vde_rms);
   object["lfe_rms"] = where(pairs, result.quality.lfe_rms);
   object["max_error"] = where(pairs, result.quality.max_error);
@@ -81,6 +97,7 @@ void print_object(const Arguments& arguments, const Comparison& result, float sc
   object["normal_angle_p95"] = result.normal_angle_p95;
   object["diagonal"] = result.diagonal;
   object["measured_vertices"] = pairs ? nlohmann::ordered_json(result.measured_vertices) : none;
+  object["attributes"] = attributes_object(result);
   if (!arguments.heatmap.empty()) object["heatmap_scale"] = scale;
   print_json(object);
 }
@@ -143,14 +160,19 @@ void add_compare_command(CLI::App& app, int& status) {
                       "write B coloured by signed error: green none, red outward, blue inward");
   command->add_flag("--json", arguments->json, "print one JSON object to standard output");
   command->footer(
-      "Where the vertices correspond (the same number of them and the same triangles, or --order says how),\n"
-      "the visual (VDE), low-frequency (LFE) and largest vertex errors are measured; otherwise the "
-      "distances\n"
-      "of the vertices of both meshes to the surface of the other.\n\n"
+      "Vertices correspond where both meshes have the same triangles. They may come in another order: faces "
+      "are\n"
+      "found by place and neighbours, or --order says which vertex is which. Then the visual (VDE),\n"
+      "low-frequency (LFE) and largest vertex errors are measured, otherwise the distances of the vertices "
+      "of\n"
+      "both meshes to the surface of the other. Attributes are compared at the corners of the faces that "
+      "were\n"
+      "found.\n\n"
       "Examples:\n"
       "  deltamesh compare bunny.ply bunny.dmsh\n"
       "  deltamesh encode bunny.ply bunny.dmsh --order-out bunny.order\n"
-      "  deltamesh compare bunny.ply bunny.dmsh --order bunny.order --heatmap errors.ply\n");
+      "  deltamesh compare bunny.ply bunny.dmsh --order bunny.order --heatmap errors.ply\n"
+      "  deltamesh compare helmet.glb helmet_unpacked.glb\n");
   command->callback([arguments, &status] { status = run_compare(*arguments); });
 }
 

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
 
+#include "attribute_report.h"
 #include "commands.h"
 #include "console.h"
 #include "deltamesh/encode.h"
 #include "deltamesh/io.h"
+#include "encode_options.h"
 #include "mesh_files.h"
 #include "progress.h"
-#include "quality_options.h"
 #include "stream_report.h"
 
 namespace deltamesh::cli {
@@ -22,16 +24,9 @@ struct Arguments {
   std::string in;
   std::string out;
   std::string order_out;
-  std::string profile = "smallest";
-  std::string geometry = "auto";
   bool json = false;
   EncodeOptions options;
 };
-
-GeometryCoder geometry_coder(const std::string& name) {
-  if (name == "highpass") return GeometryCoder::kHighpass;
-  return name == "predictive" ? GeometryCoder::kPredictive : GeometryCoder::kAuto;
-}
 
 /// Little-endian uint32, one per decoded vertex.
 std::vector<std::byte> order_bytes(const std::vector<std::uint32_t>& order) {
@@ -66,6 +61,7 @@ void print_summary(const Arguments& arguments, const ImportNotes& notes, const E
                                 " (bad name, or not alike in all primitives)");
   summary.add("components", grouped(stream.components));
   add_sizes(summary, stream);
+  add_attributes(summary, stream);
   add_settings(summary, stream);
   add_errors(summary, stream.quality, stream.diagonal);
   summary.add("time", brief(seconds) + " s");
@@ -101,12 +97,33 @@ bool check_outputs(const Arguments& arguments, int& status) {
   return false;
 }
 
+/// A bound for a name that the mesh does not have, or whose kind has an option of its own, is a slip.
+bool check_named_bounds(const Arguments& arguments, const Mesh& mesh, int& status) {
+  for (const NamedBound& bound : arguments.options.attributes.named) {
+    const auto has_name = [&](const Attribute& attribute) { return attribute.name == bound.name; };
+    const auto found = std::find_if(mesh.attributes.begin(), mesh.attributes.end(), has_name);
+    if (found != mesh.attributes.end() && found->kind == AttributeKind::kGeneric) continue;
+    if (found != mesh.attributes.end()) {
+      print_error("--attribute-error",
+                  bound.name + " is " + kind_text(found->kind) + ", for which there is an option of its own");
+    } else {
+      std::string names;
+      for (const Attribute& attribute : mesh.attributes) names += ' ' + attribute.name;
+      print_error("--attribute-error", arguments.in + " has no attribute " + bound.name + "; it has" +
+                                           (names.empty() ? " none" : ':' + names));
+    }
+    status = kUsage;
+    return false;
+  }
+  return true;
+}
+
 int run_encode(const Arguments& arguments) {
   if (const Result<void> valid = validate(arguments.options); !valid) return fail("encode", valid.error());
   int status = kOk;
   if (!check_outputs(arguments, status)) return status;
   const std::optional<Imported> imported = load_mesh(arguments.in, status);
-  if (!imported) return status;
+  if (!imported || !check_named_bounds(arguments, imported->mesh, status)) return status;
 
   const auto start = std::chrono::steady_clock::now();
   const Result<Encoded> encoded = encode_showing_progress(imported->mesh, arguments.options);
@@ -129,56 +146,25 @@ int run_encode(const Arguments& arguments) {
 
 void add_encode_command(CLI::App& app, int& status) {
   const auto arguments = std::make_shared<Arguments>();
-  EncodeOptions& options = arguments->options;
   CLI::App* command = app.add_subcommand("encode", "Compress a mesh file into a .dmsh stream");
   command->add_option("IN", arguments->in, std::string("mesh file: ") + kMeshSuffixes)->required();
   command->add_option("OUT", arguments->out, "stream to write, .dmsh")->required();
-  CLI::Option* bits =
-      command->add_option("--bits", options.bits,
-                          "bits of the delta coordinates, 3 (coarse) to 16 (fine), default 8; "
-                          "predictive: of the longest side, 1 to 28, default 12");
-  command->add_option("--step", options.step, "instead: the quantisation step, model units")->excludes(bits);
-  CLI::Option* anchors =
-      command->add_option("--anchors", options.anchors, "number of anchors; default 0.5 % of the vertices");
-  command
-      ->add_option("--anchor-density", options.anchor_density,
-                   "instead: most edges from a vertex to its nearest anchor, 1 to 65535")
-      ->excludes(anchors);
-  command->add_option("--anchor-bits", options.anchor_bits, "bits per axis of an anchor, 4 to 24")
-      ->capture_default_str();
-  add_quality_options(*command, options.quality);
-  command->add_flag("--lossless", options.lossless,
-                    "every bit of the float32 coordinates and of the attributes");
-  command
-      ->add_option("--geometry", arguments->geometry,
-                   "coder of the positions: highpass looks best, predictive bounds each vertex's error and "
-                   "decodes fastest; auto takes the smaller for the quality asked for, else highpass")
-      ->check(CLI::IsMember({"auto", "highpass", "predictive"}))
-      ->capture_default_str();
-  command->add_option("--effort", options.effort, "how hard to look for a smaller stream, 0 to 9")
-      ->capture_default_str();
-  command
-      ->add_option("--profile", arguments->profile,
-                   "codings the stream may use: zstd is easier for others to read")
-      ->check(CLI::IsMember({"smallest", "zstd"}))
-      ->capture_default_str();
-  command->add_flag("--keep-order", options.keep_order, "restore the order of vertices and faces exactly");
-  command->add_flag("--keep-unreferenced", options.keep_unreferenced, "keep vertices that no face uses");
+  add_encode_options(*command, arguments->options);
   command->add_option("--order-out", arguments->order_out,
                       "write the input vertex of every decoded vertex, as little-endian uint32");
   command->add_flag("--json", arguments->json, "print one JSON object to standard output");
   command->footer(
+      "Without options no vertex is more than 0.02 % of the diagonal of its mesh off, and attributes keep "
+      "the\n"
+      "errors above.\n\n"
       "Examples:\n"
       "  deltamesh encode bunny.ply bunny.dmsh\n"
-      "  deltamesh encode bunny.ply bunny.dmsh --vde 0.01% --lfe 0.1%\n"
-      "  deltamesh encode map.ply map.dmsh --max-error 0.02\n"
-      "  deltamesh encode map.ply map.dmsh --step 0.002 --anchor-density 20\n"
+      "  deltamesh encode map.ply map.dmsh --max-error 0.02 --color-error 4\n"
+      "  deltamesh encode map.ply map.dmsh --target-bytes 100000\n"
+      "  deltamesh encode helmet.glb helmet.dmsh --max-error 0.01% --normal-error 1 --uv-error 1/2048\n"
+      "  deltamesh encode scan.ply scan.dmsh --vde 0.01% --lfe 0.1% --attribute-error intensity=0.5\n"
       "  deltamesh encode bunny.ply bunny.dmsh --bits 6 --json > figures.json\n");
-  command->callback([arguments, &status] {
-    arguments->options.profile = arguments->profile == "zstd" ? Profile::kZstd : Profile::kSmallest;
-    arguments->options.geometry = geometry_coder(arguments->geometry);
-    status = run_encode(*arguments);
-  });
+  command->callback([arguments, &status] { status = run_encode(*arguments); });
 }
 
 }  // namespace deltamesh::cli

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <string>
 
+#include "attribute_report.h"
 #include "commands.h"
 #include "console.h"
 #include "deltamesh/gltf.h"
+#include "encode_options.h"
 #include "progress.h"
 
 namespace deltamesh::cli {
@@ -15,8 +18,28 @@ namespace {
 struct Arguments {
   std::string in;
   std::string out;
-  bool fallback = false;
+  GltfPackOptions pack;
+  bool json = false;
 };
+
+std::string semantic_text(const GltfAttributeReport& attribute) {
+  return attribute.semantic + (attribute.morph ? " of morph targets" : "");
+}
+
+nlohmann::ordered_json attributes_object(const GltfReport& report) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const GltfAttributeReport& attribute : report.attributes) {
+    nlohmann::ordered_json entry;
+    entry["semantic"] = attribute.semantic;
+    entry["morph"] = attribute.morph;
+    entry["kind"] = kind_text(attribute.kind);
+    entry["bytes"] = attribute.bytes;
+    entry["max_error"] = attribute.error;
+    entry["unit"] = unit_name(attribute.kind);
+    list.push_back(entry);
+  }
+  return list;
+}
 
 /// `converted`: "compressed" or "decompressed".
 void print_summary(const Arguments& arguments, const char* converted, const GltfReport& report) {
@@ -33,15 +56,52 @@ void print_summary(const Arguments& arguments, const char* converted, const Gltf
   if (report.unreferenced_vertices > 0)
     summary.add("dropped",
                 counted(report.unreferenced_vertices, "vertex", "vertices") + " that no face uses");
+  if (report.degenerate_triangles > 0)
+    summary.add("dropped", counted(report.degenerate_triangles, "triangle", "triangles") +
+                               " with two corners at one place");
+  if (report.welded_vertices > 0)
+    summary.add("dropped", counted(report.welded_vertices, "vertex", "vertices") + " equal to another");
   summary.add("streams", counted(report.stream_bytes, "byte", "bytes"));
+  for (const GltfAttributeReport& attribute : report.attributes)
+    summary.add("  " + semantic_text(attribute),
+                counted(attribute.bytes, "byte", "bytes") +
+                    (attribute.error == 0 ? ", exact"
+                                          : ", max error " + error_text(attribute.kind, attribute.error)));
+  if (report.max_error > 0)
+    summary.add("max error", brief(report.max_error) + " (" + brief(report.max_error_percent) +
+                                 " % of the diagonal of its mesh)");
   summary.add("asset", grouped(report.input_bytes) + " -> " + counted(report.output_bytes, "byte", "bytes"));
   summary.print();
 }
 
+/// `packed`: with the figures that only packing has.
+void print_object(const GltfReport& report, bool packed) {
+  nlohmann::ordered_json object;
+  object["primitives"] = report.primitives;
+  object["converted"] = report.converted;
+  object["streams"] = report.streams;
+  object["not_triangles"] = report.not_triangles;
+  object["not_float_positions"] = report.not_float_positions;
+  object["otherwise_compressed"] = report.otherwise_compressed;
+  object["vertices"] = report.vertices;
+  object["triangles"] = report.triangles;
+  object["unreferenced_vertices"] = report.unreferenced_vertices;
+  object["degenerate_triangles"] = report.degenerate_triangles;
+  object["welded_vertices"] = report.welded_vertices;
+  object["stream_bytes"] = report.stream_bytes;
+  object["input_bytes"] = report.input_bytes;
+  object["output_bytes"] = report.output_bytes;
+  if (packed) {
+    object["max_error"] = report.max_error;
+    object["max_error_percent"] = report.max_error_percent;
+    object["attributes"] = attributes_object(report);
+  }
+  print_json(object);
+}
+
 Result<GltfReport> pack_showing_progress(const Arguments& arguments) {
   Progress progress("packing");
-  GltfPackOptions options;
-  options.fallback = arguments.fallback;
+  GltfPackOptions options = arguments.pack;
   options.encode.progress = progress.callback();
   return pack_gltf_file(arguments.in, arguments.out, options);
 }
@@ -53,17 +113,40 @@ Result<GltfReport> unpack_showing_progress(const Arguments& arguments) {
 
 int report_result(const Arguments& arguments, const char* converted, const Result<GltfReport>& report) {
   if (report) {
-    print_summary(arguments, converted, *report);
+    if (arguments.json)
+      print_object(*report, converted == std::string("compressed"));
+    else
+      print_summary(arguments, converted, *report);
     return kOk;
   }
   const Error& error = report.error();
   return fail(error.code == ErrorCode::kFileWrite ? arguments.out : arguments.in, error);
 }
 
+/// A bound on a name that no primitive has is most likely a slip.
+void note_unused_bounds(const Arguments& arguments, const GltfReport& report) {
+  for (const NamedBound& bound : arguments.pack.encode.attributes.named) {
+    const auto has_name = [&](const GltfAttributeReport& attribute) {
+      return attribute.semantic == bound.name;
+    };
+    if (std::none_of(report.attributes.begin(), report.attributes.end(), has_name))
+      print_error("--attribute-error", "note: no compressed primitive has " + bound.name);
+  }
+}
+
+int run_pack(const Arguments& arguments) {
+  if (const Result<void> valid = validate(arguments.pack.encode); !valid)
+    return fail("gltf pack", valid.error());
+  const Result<GltfReport> report = pack_showing_progress(arguments);
+  if (report) note_unused_bounds(arguments, *report);
+  return report_result(arguments, "compressed", report);
+}
+
 void add_paths(CLI::App& command, Arguments& arguments) {
   command.add_option("IN", arguments.in, "asset, .glb or .gltf")->required();
   command.add_option("OUT", arguments.out, "asset to write, .glb or .gltf (with a .bin beside it)")
       ->required();
+  command.add_flag("--json", arguments.json, "print one JSON object to standard output");
 }
 
 }  // namespace
@@ -76,15 +159,18 @@ void add_gltf_command(CLI::App& app, int& status) {
   CLI::App* pack = gltf->add_subcommand(
       "pack", "Compress every triangle mesh; materials, nodes, animations and the rest stay");
   add_paths(*pack, *packing);
-  pack->add_flag("--fallback", packing->fallback,
+  pack->add_flag("--fallback", packing->pack.fallback,
                  "keep plain data too, so that viewers without the extension can show the asset");
+  add_encode_options(*pack, packing->pack.encode);
   pack->footer(
+      "Without options no vertex is more than 0.02 % of the diagonal of its mesh off, and attributes keep "
+      "the\n"
+      "errors above.\n\n"
       "Examples:\n"
       "  deltamesh gltf pack duck.glb duck_packed.glb\n"
-      "  deltamesh gltf pack duck.glb duck_for_all.glb --fallback\n");
-  pack->callback([packing, &status] {
-    status = report_result(*packing, "compressed", pack_showing_progress(*packing));
-  });
+      "  deltamesh gltf pack duck.glb duck_for_all.glb --fallback\n"
+      "  deltamesh gltf pack helmet.glb helmet_packed.glb --max-error 0.01% --normal-error 1\n");
+  pack->callback([packing, &status] { status = run_pack(*packing); });
 
   const auto unpacking = std::make_shared<Arguments>();
   CLI::App* unpack = gltf->add_subcommand("unpack", "Turn a packed asset into a plain one");

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "attribute_report.h"
 #include "commands.h"
 #include "console.h"
 #include "deltamesh/io.h"
@@ -34,19 +35,19 @@ std::string brief_list(const Numbers& numbers, const char* between) {
   return text;
 }
 
-void print_chunk_row(const char* tag, const std::string& part, const char* codec, const std::string& offset,
-                     const std::string& coded, const std::string& decoded) {
+void print_chunk_row(const char* tag, const char* codec, const std::string& offset, const std::string& coded,
+                     const std::string& decoded) {
   char row[160];
-  std::snprintf(row, sizeof row, "  %-6s %5s  %-6s %14s %14s %14s\n", tag, part.c_str(), codec,
-                offset.c_str(), coded.c_str(), decoded.c_str());
+  std::snprintf(row, sizeof row, "  %-6s %-7s %14s %14s %14s\n", tag, codec, offset.c_str(), coded.c_str(),
+                decoded.c_str());
   std::cout << row;
 }
 
 void print_chunks(const StreamInfo& info) {
-  print_chunk_row("chunk", "part", "codec", "offset", "bytes", "decoded");
+  print_chunk_row("chunk", "codec", "offset", "bytes", "decoded");
   for (const ChunkInfo& chunk : info.chunks)
-    print_chunk_row(chunk.tag.data(), std::to_string(chunk.part), chunk.codec, grouped(chunk.offset),
-                    grouped(chunk.coded_bytes), grouped(chunk.decoded_bytes));
+    print_chunk_row(chunk.tag.data(), chunk.codec, grouped(chunk.offset), grouped(chunk.coded_bytes),
+                    grouped(chunk.decoded_bytes));
 }
 
 void print_summary(const Arguments& arguments, const StreamInfo& info) {
@@ -64,6 +65,7 @@ void print_summary(const Arguments& arguments, const StreamInfo& info) {
   add_settings(summary, info);
   add_errors(summary, info.quality, info.diagonal);
   add_sizes(summary, info);
+  add_attributes(summary, info);
   summary.print();
 }
 
@@ -80,7 +82,6 @@ void print_object(const StreamInfo& info) {
   for (const ChunkInfo& chunk : info.chunks) {
     nlohmann::ordered_json entry;
     entry["tag"] = chunk.tag.data();
-    entry["part"] = chunk.part;
     entry["codec"] = chunk.codec;
     entry["offset"] = chunk.offset;
     entry["coded_bytes"] = chunk.coded_bytes;
@@ -112,8 +113,7 @@ void add_info_command(CLI::App& app, int& status) {
       app.add_subcommand("info", "Tell what a stream holds: counts, sizes, achieved errors, chunks");
   command->add_option("FILE", arguments->file, "stream, .dmsh")->required();
   command->add_flag("--json", arguments->json, "print one JSON object to standard output");
-  command->footer(
-      "Header, directory and all checksums are checked, nothing is decoded; `verify` checks everything.\n");
+  command->footer("Headers and the checksum are checked, nothing is decoded; `verify` checks everything.\n");
   command->callback([arguments, &status] { status = run_info(*arguments); });
 }
 

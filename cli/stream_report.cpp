@@ -4,9 +4,9 @@
 
 #include <cstdio>
 
-namespace deltamesh::cli {
-namespace {
+#include "attribute_report.h"
 
+namespace deltamesh::cli {
 double bits_per_vertex(std::uint64_t bytes, const StreamInfo& info) {
   return info.vertices == 0 ? 0 : 8 * static_cast<double>(bytes) / static_cast<double>(info.vertices);
 }
@@ -17,8 +17,6 @@ std::string size_text(std::uint64_t bytes, const StreamInfo& info) {
   std::snprintf(rate, sizeof rate, ", %.2f bits per vertex", bits_per_vertex(bytes, info));
   return counted(bytes, "byte", "bytes") + rate;
 }
-
-}  // namespace
 
 void add_stream(nlohmann::ordered_json& object, const StreamInfo& info) {
   object["vertices"] = info.vertices;
@@ -45,6 +43,7 @@ void add_stream(nlohmann::ordered_json& object, const StreamInfo& info) {
   object["vde_paper"] = paper.vde;
   object["lfe_paper"] = paper.lfe;
   object["diagonal"] = info.diagonal;
+  object["attributes"] = attributes_object(info);
 }
 
 void add_sizes(Summary& summary, const StreamInfo& info) {

@@ -11,6 +11,12 @@
 
 namespace deltamesh::cli {
 
+/// 0 where there are no vertices.
+double bits_per_vertex(std::uint64_t bytes, const StreamInfo& info);
+
+/// "1,234 bytes, 5.67 bits per vertex".
+std::string size_text(std::uint64_t bytes, const StreamInfo& info);
+
 /// Adds counts, sizes, settings and achieved errors.
 void add_stream(nlohmann::ordered_json& object, const StreamInfo& info);
 

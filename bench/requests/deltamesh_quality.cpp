@@ -82,7 +82,8 @@ bool print_largest_errors(const std::string& corpus) {
     Mesh mesh;
     if (!load(path, mesh)) return false;
     const double diagonal = bench::diagonal_of(mesh);
-    const auto figures = bench::measure_request(mesh, diagonal, {.quality = {.max_error = diagonal / 1000}});
+    const auto figures =
+        bench::measure_request(mesh, diagonal, {.quality = {.max_error = QualityBound{diagonal / 1000}}});
     if (!figures) return fail(path, figures.error());
     worst = std::max(worst, figures->max_load);
     std::printf("| %s | %.3f | %llu | %.2f |\n", fs::relative(path, corpus).c_str(), figures->max_load,

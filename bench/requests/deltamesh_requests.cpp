@@ -35,7 +35,7 @@ struct Options {
 };
 
 QualityRequest same_lfe(const Quality& q) { return {.lfe = QualityBound{.value = q.lfe_rms}}; }
-QualityRequest same_maximum(const Quality& q) { return {.max_error = q.max_error}; }
+QualityRequest same_maximum(const Quality& q) { return {.max_error = QualityBound{q.max_error}}; }
 QualityRequest same_vde(const Quality& q) { return {.vde = QualityBound{.value = q.vde_rms}}; }
 
 constexpr Criterion kCriteria[] = {

@@ -24,7 +24,7 @@ constexpr double kRounding = 1 + 1e-6;  ///< of figures stored as floats
 bool is_kept(const QualityRequest& request, const Quality& quality) {
   return !(request.lfe && quality.lfe_rms > request.lfe->value * kRounding) &&
          !(request.vde && quality.vde_rms > request.vde->value * kRounding) &&
-         !(request.max_error && quality.max_error > *request.max_error);
+         !(request.max_error && quality.max_error > request.max_error->value);
 }
 
 /// Adds a run to the least processor time, nanoseconds. Errors: of the run.

@@ -68,8 +68,8 @@ std::vector<NamedRequest> usual_requests(const Mesh& mesh, double diagonal) {
                         {.vde = of_diagonal(0.02), .lfe = of_diagonal(percent)}});
   }
   for (const double percent : {0.5, 0.05})
-    requests.push_back(
-        {percent_name("largest error", percent, "of diagonal"), {.max_error = percent / 100 * diagonal}});
+    requests.push_back({percent_name("largest error", percent, "of diagonal"),
+                        {.max_error = QualityBound{percent / 100 * diagonal}}});
   return requests;
 }
 
@@ -83,7 +83,7 @@ Result<RequestFigures> measure_request(const Mesh& mesh, double diagonal, const 
   const QualityRequest& asked = options.quality;
   if (asked.vde) figures.vde_load = quality.vde_rms / in_model_units(*asked.vde, diagonal);
   if (asked.lfe) figures.lfe_load = quality.lfe_rms / in_model_units(*asked.lfe, diagonal);
-  if (asked.max_error) figures.max_load = quality.max_error / *asked.max_error;
+  if (asked.max_error) figures.max_load = quality.max_error / asked.max_error->value;
   return figures;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// ATTR payloads from anywhere. The last byte is the vertex count. What is read must be whole, and must come
-// back unchanged when written exactly.
+// ATTR payloads from anywhere, of any shape. The last four bytes are vertex count, kind, type and components.
+// What is read must be whole, and must come back unchanged when written exactly.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -14,23 +14,31 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace deltamesh;
-  if (size == 0) return 0;
-  const std::uint32_t vertices = data[size - 1];
-  const auto bytes = std::as_bytes(std::span(data, size - 1));
-  const auto read = read_attribute(std::vector<std::byte>(bytes.begin(), bytes.end()), vertices, 1 << 16);
+  constexpr std::size_t kShape = 4;
+  if (size < kShape) return 0;
+  const std::uint8_t* const shape = data + size - kShape;
+  const AttributeSurface surface({}, shape[0]);
+  const AttributeDescriptor descriptor{
+      .kind = static_cast<AttributeKind>(shape[1] % kAttributeKinds),
+      .type = static_cast<ComponentType>(shape[2] % 8),
+      .components = static_cast<std::uint8_t>(1 + shape[3] % kMaxComponents)};
+  const std::vector<std::byte> bytes(reinterpret_cast<const std::byte*>(data),
+                                     reinterpret_cast<const std::byte*>(shape));
+  const auto read = read_attribute(bytes, descriptor, surface, {}, 1 << 16);
   if (!read) {
     if (read.error().code == ErrorCode::kInternal) std::abort();
     return 0;
   }
-  if (read->values.size() != vertices * read->components * component_size(read->type)) std::abort();
+  if (read->values.size() != attribute_bytes(descriptor, surface.vertex_count())) std::abort();
 
-  std::vector<std::uint32_t> order(vertices);
+  std::vector<std::uint32_t> order(surface.vertex_count());
   std::iota(order.begin(), order.end(), 0U);
   const AttributeView exact{AttributeKind::kGeneric, read->type, read->components,
-                            read->normalized,        read->name, read->values};
-  const auto written = write_attribute(exact, order, {});
+                            read->normalized,        {},         read->values};
+  const AttributeQuality quality;
+  const auto written = write_attribute(exact, order, {.quality = quality, .plain = true}, surface, {});
   if (!written) std::abort();
-  const auto again = read_attribute(*written, vertices, 1 << 16);
+  const auto again = read_attribute(written->plain, written->descriptor, surface, {}, 1 << 16);
   if (!again || again->values != read->values) std::abort();
   return 0;
 }

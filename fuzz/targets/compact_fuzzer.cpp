@@ -118,10 +118,19 @@ void fuzz_anchors(std::span<const std::byte> bytes, std::uint32_t count) {
 
 void fuzz_attribute(std::span<const std::byte> bytes) {
   static const test::GraphMesh kMesh = test::sheet(6, 5);
+  if (bytes.size() < 3) return;
   const auto rows = static_cast<std::uint32_t>(kMesh.graph.vertex_count());
-  const auto read = read_attribute(Payload::compact(bytes), rows, 1 << 16, &kMesh.graph);
+  const AttributeSurface surface(kMesh.triangles, rows);
+  const auto number = [&](std::size_t i, unsigned range) {
+    return static_cast<std::uint8_t>(static_cast<unsigned>(bytes[i]) % range);
+  };
+  const AttributeDescriptor descriptor{
+      .kind = static_cast<AttributeKind>(number(0, kAttributeKinds)),
+      .type = static_cast<ComponentType>(number(1, 8)),
+      .components = static_cast<std::uint8_t>(1 + number(2, kMaxComponents))};
+  const auto read = read_attribute(Payload::compact(bytes.subspan(3)), descriptor, surface, {}, 1 << 16);
   require_clean(read);
-  if (read) require(read->values.size() == rows * read->components * component_size(read->type));
+  if (read) require(read->values.size() == attribute_bytes(descriptor, rows));
 }
 
 }  // namespace

@@ -27,7 +27,18 @@ constexpr std::array<ComponentNumber, 6> kComponentNumbers{{{5120, ComponentType
                                                             {5125, ComponentType::kU32},
                                                             {5126, ComponentType::kF32}}};
 
-constexpr std::array<std::string_view, 4> kVectorNames{"SCALAR", "VEC2", "VEC3", "VEC4"};
+struct TypeName {
+  std::string_view name;
+  std::uint8_t components;
+  std::uint8_t columns;  ///< 1: no matrix
+};
+constexpr std::array<TypeName, 7> kTypeNames{{{"SCALAR", 1, 1},
+                                              {"VEC2", 2, 1},
+                                              {"VEC3", 3, 1},
+                                              {"VEC4", 4, 1},
+                                              {"MAT2", 4, 2},
+                                              {"MAT3", 9, 3},
+                                              {"MAT4", 16, 4}}};
 
 std::optional<ComponentType> component_of_number(std::uint64_t number) noexcept {
   for (const ComponentNumber& entry : kComponentNumbers)
@@ -111,13 +122,19 @@ Result<std::optional<AccessorShape>> accessor_shape(const Document& document, st
   DELTAMESH_TRY(const auto number, unsigned_member(json, "componentType", 0, kNoLimit, bad));
   DELTAMESH_TRY(const auto count, unsigned_member(json, "count", 0, kNoLimit, bad));
   const auto type = component_of_number(number);
-  const auto name =
-      std::find(kVectorNames.begin(), kVectorNames.end(), type_name->get_ref<const std::string&>());
-  if (!type || name == kVectorNames.end()) return std::optional<AccessorShape>();
+  const auto& name = type_name->get_ref<const std::string&>();
+  const auto found = std::find_if(kTypeNames.begin(), kTypeNames.end(),
+                                  [&](const TypeName& known) { return known.name == name; });
+  if (!type || found == kTypeNames.end()) return std::optional<AccessorShape>();
+  // Columns of matrices start at multiples of four bytes.
+  const bool is_matrix = found->columns > 1;
+  if (is_matrix && found->components / found->columns * component_size(*type) % 4 != 0)
+    return std::optional<AccessorShape>();
   const Json* normalized = find(json, "normalized");
   return std::optional(AccessorShape{.type = *type,
-                                     .components = static_cast<std::uint8_t>(name - kVectorNames.begin() + 1),
+                                     .components = found->components,
                                      .normalized = normalized && *normalized == true,
+                                     .is_matrix = is_matrix,
                                      .count = count});
 }
 
@@ -142,20 +159,25 @@ Result<std::optional<ViewBytes>> view_bytes(const Document& document, std::uint6
                 static_cast<std::size_t>(stride)});
 }
 
-Result<std::optional<AccessorRows>> read_accessor(const Document& document, std::size_t accessor) {
+Result<std::optional<AccessorRows>> read_accessor(const Document& document, std::size_t accessor,
+                                                  std::uint64_t zero_rows) {
   DELTAMESH_TRY(const auto shape, accessor_shape(document, accessor));
   if (!shape) return std::optional<AccessorRows>();
   const Json& json = document.json["accessors"][accessor];
-  if (!json.contains("bufferView")) return std::optional<AccessorRows>();
-  DELTAMESH_TRY(const auto view, rows_in_view(document, json, shape->row_size(), shape->count, accessor));
-  if (!view) return std::optional<AccessorRows>();
-  AccessorRows rows(*shape, view->bytes, view->stride);
+  const std::size_t row_size = shape->row_size();
+  std::optional<AccessorRows> rows;
+  if (json.contains("bufferView")) {
+    DELTAMESH_TRY(const auto view, rows_in_view(document, json, row_size, shape->count, accessor));
+    if (view) rows.emplace(*shape, view->bytes, view->stride);
+  } else if (shape->count != 0 && shape->count <= zero_rows) {
+    rows.emplace(*shape, std::vector<std::byte>(row_size), std::size_t{0});
+  }
   const Json* sparse = find(json, "sparse");
-  if (!sparse) return std::optional(std::move(rows));
-  auto dense = copy_rows(rows);
+  if (!rows || !sparse) return rows;
+  auto dense = copy_rows(*rows);
   DELTAMESH_TRY(const bool plain, apply_sparse(document, *sparse, *shape, dense, accessor));
   if (!plain) return std::optional<AccessorRows>();
-  return std::optional(AccessorRows(*shape, std::move(dense)));
+  return std::optional(AccessorRows(*shape, std::move(dense), row_size));
 }
 
 std::uint32_t read_index(std::span<const std::byte> row) noexcept {

@@ -16,20 +16,27 @@
 
 namespace deltamesh::gltf {
 
-/// Scalar, vectors and component types that both an accessor and a stream's attribute can have.
+/// What both an accessor and a stream's attribute can be: scalars, vectors, and matrices without padding.
 struct AccessorShape {
   ComponentType type = ComponentType::kF32;
   std::uint8_t components = 1;
   bool normalized = false;
+  bool is_matrix = false;
   std::uint64_t count = 0;
 
   std::size_t row_size() const noexcept { return components * component_size(type); }
+  /// The same but for the count.
+  bool same_rows(const AccessorShape& other) const noexcept {
+    return type == other.type && components == other.components && normalized == other.normalized &&
+           is_matrix == other.is_matrix;
+  }
 };
 
 /// glTF's number for a component type; 0 where it has none.
 int gltf_component_type(ComponentType type) noexcept;
 
-/// Nothing for matrices and component types that core glTF does not know. Errors: kInvalidFile.
+/// Nothing for matrices whose columns are padded, and for types that core glTF does not know. Errors:
+/// kInvalidFile.
 Result<std::optional<AccessorShape>> accessor_shape(const Document& document, std::size_t accessor);
 
 /// Bytes of a buffer view; `stride` 0: rows are packed.
@@ -47,9 +54,9 @@ class AccessorRows {
  public:
   AccessorRows(const AccessorShape& shape, std::span<const std::byte> bytes, std::size_t stride) noexcept
       : shape_(shape), bytes_(bytes), stride_(stride) {}
-  /// Packed rows that the object owns.
-  AccessorRows(const AccessorShape& shape, std::vector<std::byte> dense) noexcept
-      : shape_(shape), dense_(std::move(dense)), bytes_(dense_), stride_(shape.row_size()) {}
+  /// Rows that the object owns, packed; or one row, where `stride` is 0, that stands for all.
+  AccessorRows(const AccessorShape& shape, std::vector<std::byte> dense, std::size_t stride) noexcept
+      : shape_(shape), dense_(std::move(dense)), bytes_(dense_), stride_(stride) {}
   AccessorRows(AccessorRows&&) noexcept = default;
   AccessorRows& operator=(AccessorRows&&) noexcept = default;
 
@@ -66,10 +73,11 @@ class AccessorRows {
   std::size_t stride_ = 0;
 };
 
-/// Sparse accessors over a view are resolved. Nothing where the shape is none of ours, where the data is not
-/// plain, or where there is no view at all: what is returned is never larger than the file. Errors:
-/// kInvalidFile.
-Result<std::optional<AccessorRows>> read_accessor(const Document& document, std::size_t accessor);
+/// Sparse accessors are resolved; without a view, all rows are zero. Nothing where the shape is none of ours,
+/// where the data is not plain, or where there is no view and the count is above `zero_rows`: so the caller
+/// bounds what a few bytes of JSON may stand for. Errors: kInvalidFile.
+Result<std::optional<AccessorRows>> read_accessor(const Document& document, std::size_t accessor,
+                                                  std::uint64_t zero_rows);
 
 /// An unsigned integer of 1, 2 or 4 bytes, little-endian.
 std::uint32_t read_index(std::span<const std::byte> row) noexcept;

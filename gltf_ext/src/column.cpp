@@ -3,7 +3,6 @@
 #include "column.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -15,7 +14,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little,
               "glTF data is little-endian, and so are our arrays");
 
-constexpr std::array<const char*, 4> kTypeNames{"SCALAR", "VEC2", "VEC3", "VEC4"};
+constexpr const char* kIndexTypeName = "SCALAR";
 constexpr int kArrayBuffer = 34962;
 constexpr int kElementArrayBuffer = 34963;
 
@@ -67,10 +66,7 @@ void add_bounds(Json& low, Json& high, const Column& column, std::size_t compone
 }  // namespace
 
 Column position_column(const Mesh& mesh) noexcept {
-  return {.shape = {.type = ComponentType::kF32,
-                    .components = 3,
-                    .normalized = false,
-                    .count = mesh.vertex_count()},
+  return {.shape = {.type = ComponentType::kF32, .components = 3, .count = mesh.vertex_count()},
           .rows = std::as_bytes(std::span(mesh.positions)),
           .is_indices = false};
 }
@@ -84,23 +80,35 @@ Column attribute_column(const Mesh& mesh, const Attribute& attribute) noexcept {
           .is_indices = false};
 }
 
-Column index_column(const Mesh& mesh, ComponentType type, std::span<const std::byte> bytes) noexcept {
-  return {.shape = {.type = type, .components = 1, .normalized = false, .count = mesh.triangles.size()},
+Column index_column(ComponentType type, std::span<const std::byte> bytes) noexcept {
+  return {.shape = {.type = type, .components = 1, .count = bytes.size() / component_size(type)},
           .rows = bytes,
           .is_indices = true};
 }
 
-ComponentType index_type(std::uint64_t vertices) noexcept {
-  return vertices <= std::numeric_limits<std::uint16_t>::max() ? ComponentType::kU16 : ComponentType::kU32;
+ComponentType index_type(std::span<const std::uint32_t> corners) noexcept {
+  const std::uint32_t largest = corners.empty() ? 0 : *std::max_element(corners.begin(), corners.end());
+  return largest < std::numeric_limits<std::uint16_t>::max() ? ComponentType::kU16 : ComponentType::kU32;
 }
 
-std::vector<std::byte> index_bytes(const Mesh& mesh, ComponentType type) {
+std::vector<std::byte> index_bytes(std::span<const std::uint32_t> corners, ComponentType type) {
   const std::size_t size = component_size(type);
-  std::vector<std::byte> bytes(mesh.triangles.size() * size);
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-    std::memcpy(bytes.data() + i * size, &mesh.triangles[i],
-                size);  // little-endian: the low bytes come first
+  std::vector<std::byte> bytes(corners.size() * size);
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    std::memcpy(bytes.data() + i * size, &corners[i], size);  // little-endian: the low bytes come first
   return bytes;
+}
+
+std::vector<std::vector<std::uint32_t>> corners_by_group(const Mesh& mesh) {
+  if (mesh.face_groups.empty()) return {mesh.triangles};
+  std::vector<std::vector<std::uint32_t>> groups;
+  for (std::size_t face = 0; face < mesh.triangle_count(); ++face) {
+    const std::size_t group = mesh.face_groups[face];
+    if (group >= groups.size()) groups.resize(group + 1);
+    const auto first = mesh.triangles.begin() + static_cast<std::ptrdiff_t>(3 * face);
+    groups[group].insert(groups[group].end(), first, first + 3);
+  }
+  return groups;
 }
 
 void describe_column(Json& accessor, const Column& column, bool bounds) {
@@ -108,7 +116,8 @@ void describe_column(Json& accessor, const Column& column, bool bounds) {
   for (const char* key : {"bufferView", "byteOffset", "sparse"}) accessor.erase(key);
   accessor["componentType"] = gltf_component_type(column.shape.type);
   accessor["count"] = column.shape.count;
-  accessor["type"] = kTypeNames[column.shape.components - 1U];
+  if (column.shape.type == ComponentType::kF32) accessor.erase("normalized");
+  if (!accessor.contains("type")) accessor["type"] = kIndexTypeName;
   if (!bounds && !had_bounds) return;
   Json low = Json::array();
   Json high = Json::array();

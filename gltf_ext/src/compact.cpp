@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -14,13 +13,13 @@
 #include "base/checked.h"
 #include "base/try.h"
 #include "references.h"
+#include "renumber.h"
 
 namespace deltamesh::gltf {
 namespace {
 
 constexpr std::uint64_t kAlignment = 8;
 constexpr std::uint64_t kNoLimit = ~std::uint64_t{0};
-constexpr std::size_t kNoView = std::numeric_limits<std::size_t>::max();
 constexpr Error kBadView{.code = ErrorCode::kInvalidFile,
                          .message = "a reference to a buffer view that does not exist"};
 constexpr Error kBadBuffer{.code = ErrorCode::kInvalidFile,
@@ -46,39 +45,11 @@ Result<std::vector<bool>> used_views(Json& json) {
   return used;
 }
 
-/// The old view for every new number. A pinned view keeps its number; the others fill the lowest free numbers
-/// in their order. A number below a pinned one that none is left for keeps its old view, used or not.
-std::vector<std::size_t> renumber(const std::vector<bool>& used, const std::set<std::uint64_t>& pinned) {
-  std::vector<std::size_t> old_of_new;
-  for (const std::uint64_t view : pinned) {
-    if (view >= used.size()) break;
-    old_of_new.resize(static_cast<std::size_t>(view) + 1, kNoView);
-    old_of_new.back() = static_cast<std::size_t>(view);
-  }
-  std::size_t free_number = 0;
-  for (std::size_t view = 0; view < used.size(); ++view) {
-    if (!used[view] || pinned.count(view) != 0) continue;
-    while (free_number < old_of_new.size() && old_of_new[free_number] != kNoView) ++free_number;
-    if (free_number == old_of_new.size()) old_of_new.push_back(kNoView);
-    old_of_new[free_number] = view;
-  }
-  for (std::size_t view = 0; view < old_of_new.size(); ++view)
-    if (old_of_new[view] == kNoView) old_of_new[view] = view;
-  return old_of_new;
-}
-
-void renumber_views(Json& json, const std::vector<std::size_t>& old_of_new) {
-  Json& views = json["bufferViews"];
-  std::vector<std::size_t> new_of_old(views.size(), kNoView);
-  Json renumbered = Json::array();
-  for (std::size_t i = 0; i < old_of_new.size(); ++i) {
-    if (new_of_old[old_of_new[i]] == kNoView) new_of_old[old_of_new[i]] = i;
-    renumbered.push_back(views[old_of_new[i]]);
-  }
-  views = std::move(renumbered);
+void renumber_views(Json& json, const Renumbering& numbers) {
+  reorder(json["bufferViews"], numbers);
   for_each_object(json, [&](Json& object, std::string_view key) {
     if (is_dictionary(key)) return;
-    if (Json* view = find(object, "bufferView")) *view = new_of_old[view->get<std::size_t>()];
+    if (Json* view = find(object, "bufferView")) *view = numbers.new_of_old[view->get<std::size_t>()];
   });
 }
 

@@ -12,6 +12,7 @@
 #include "compact.h"
 #include "deltamesh/gltf.h"
 #include "document.h"
+#include "extension.h"
 #include "guard.h"
 #include "structure.h"
 
@@ -19,69 +20,17 @@ namespace deltamesh {
 namespace gltf {
 namespace {
 
-/// An array of one stream: 0 is the positions, 1 + i attribute i; indices are numbered from the end, by type.
-using Role = std::uint64_t;
-constexpr Role kPositionRole = 0;
-constexpr Role attribute_role(std::uint64_t id) noexcept { return id + 1; }
-constexpr Role index_role(ComponentType type) noexcept { return ~Role{0} - static_cast<Role>(type); }
-
-struct AttributeUse {
-  std::size_t accessor = 0;
-  std::uint64_t id = 0;
+/// An array of one stream: positions, an attribute, or the indices of a group in one type.
+struct Role {
+  enum class Kind : std::uint8_t { kPosition, kAttribute, kIndices };
+  Kind kind = Kind::kPosition;
+  std::uint64_t number = 0;  ///< of the attribute or the group
+  ComponentType type = ComponentType::kF32;
+  auto operator<=>(const Role&) const = default;
 };
-
-/// A primitive with the extension, its references checked as far as possible without the stream.
-struct PackedPrimitive {
-  std::size_t number = 0;
-  std::size_t position = 0;
-  std::size_t indices = 0;
-  std::vector<AttributeUse> attributes;
-};
-
-Error rule_error(const char* message, const char* rule, std::size_t number) noexcept {
-  Error error = element_error(message, number);
-  error.rule = rule;
-  return error;
-}
 
 /// One stream, and who uses it.
 using PrimitivesOfView = std::map<std::uint64_t, std::vector<PackedPrimitive>>;
-
-Result<void> parse_primitive(const Json& primitive, std::size_t number, PrimitivesOfView& streams) {
-  const Json* extensions = find(primitive, "extensions");
-  const Json* extension = extensions ? find(*extensions, kExtensionName) : nullptr;
-  if (!extension) return {};
-  const Error bad_view = rule_error("the extension names no buffer view", "GLTF-1", number);
-  const Json* view = find(*extension, "bufferView");
-  if (!view) return bad_view;
-  DELTAMESH_TRY(const auto view_number, to_unsigned(*view, ~std::uint64_t{0}, bad_view));
-
-  const Error bad_mode =
-      rule_error("the extension is on a primitive that is not a list of triangles", "GLTF-2", number);
-  DELTAMESH_TRY(const auto mode, unsigned_member(primitive, "mode", 4, 6, bad_mode));
-  if (mode != 4) return bad_mode;
-  PackedPrimitive packed;
-  packed.number = number;
-  const Json& attributes = primitive["attributes"];
-  const Json* position = find(attributes, "POSITION");
-  const Json* indices = find(primitive, "indices");
-  if (!position || !indices)
-    return rule_error("a compressed primitive needs accessors for POSITION and indices", "GLTF-3", number);
-  packed.position = position->get<std::size_t>();
-  packed.indices = indices->get<std::size_t>();
-  if (const Json* ids = find(*extension, "attributes")) {
-    const Error bad = rule_error("the extension's attributes do not fit the primitive's", "GLTF-4", number);
-    if (!ids->is_object()) return bad;
-    for (auto item = ids->begin(); item != ids->end(); ++item) {
-      const Json* accessor = find(attributes, item.key().c_str());
-      if (!accessor || item.key() == "POSITION") return bad;
-      DELTAMESH_TRY(const auto id, to_unsigned(*item, ~std::uint32_t{0}, bad));
-      packed.attributes.push_back({accessor->get<std::size_t>(), id});
-    }
-  }
-  streams[view_number].push_back(std::move(packed));
-  return {};
-}
 
 /// Takes what a stream holds off what the caller still allows.
 void spend(DecodeLimits& limits, const Mesh& mesh) noexcept {
@@ -91,8 +40,8 @@ void spend(DecodeLimits& limits, const Mesh& mesh) noexcept {
     limits.attribute_bytes -= std::min<std::uint64_t>(limits.attribute_bytes, attribute.values.size());
 }
 
-/// Writes the arrays of decoded streams into accessors. Every array is stored once, however many accessors
-/// show it, so that the result is bounded by what the streams hold.
+/// Writes the arrays of decoded streams into accessors. Every array is made and stored once, however many
+/// accessors show it, so that result and time are bounded by what the streams hold.
 class Unpacker {
  public:
   explicit Unpacker(Document& document) : document_(document) {}
@@ -101,6 +50,12 @@ class Unpacker {
                       const std::vector<PackedPrimitive>& primitives) {
     stream_ = stream;
     views_.clear();
+    bounds_.clear();
+    indices_.clear();
+    largest_.clear();
+    corners_ = corners_by_group(mesh);
+    for (const auto& corners : corners_)
+      largest_.push_back(corners.empty() ? 0 : *std::max_element(corners.begin(), corners.end()));
     for (const PackedPrimitive& primitive : primitives) DELTAMESH_CHECK(unpack_primitive(mesh, primitive));
     return {};
   }
@@ -108,31 +63,38 @@ class Unpacker {
  private:
   Result<void> unpack_primitive(const Mesh& mesh, const PackedPrimitive& primitive) {
     const std::size_t number = primitive.number;
-    DELTAMESH_CHECK(put(primitive.position, kPositionRole, position_column(mesh), number));
+    DELTAMESH_CHECK(put(primitive.position, {}, position_column(mesh), number));
     for (const AttributeUse& use : primitive.attributes) {
       if (use.id >= mesh.attributes.size())
         return rule_error("the extension names an attribute that the stream does not have", "GLTF-4", number);
       const Attribute& attribute = mesh.attributes[static_cast<std::size_t>(use.id)];
-      DELTAMESH_CHECK(put(use.accessor, attribute_role(use.id), attribute_column(mesh, attribute), number));
+      const Role role{.kind = Role::Kind::kAttribute, .number = use.id};
+      DELTAMESH_CHECK(put(use.accessor, role, attribute_column(mesh, attribute), number));
     }
-    return put_indices(primitive.indices, mesh, number);
+    if (primitive.group >= corners_.size() || corners_[static_cast<std::size_t>(primitive.group)].empty())
+      return rule_error("no triangle of the stream is in the primitive's group", "GLTF-11", number);
+    return put_indices(primitive.indices, primitive.group, number);
   }
 
-  Result<void> put_indices(std::size_t accessor, const Mesh& mesh, std::size_t number) {
+  Result<void> put_indices(std::size_t accessor, std::uint64_t group, std::size_t number) {
     const Error bad =
         rule_error("the accessor of the indices cannot hold the stream's vertex numbers", "GLTF-5", number);
     DELTAMESH_TRY(const auto shape, accessor_shape(document_, accessor));
     if (!shape) return bad;
+    const ComponentType type = shape->type;
+    const bool is_unsigned =
+        type == ComponentType::kU8 || type == ComponentType::kU16 || type == ComponentType::kU32;
     // The largest value of a type may mean a restart, so it is no vertex.
-    const std::uint64_t bits = 8 * component_size(shape->type);
-    const bool is_unsigned = shape->type == ComponentType::kU8 || shape->type == ComponentType::kU16 ||
-                             shape->type == ComponentType::kU32;
-    if (!is_unsigned || mesh.vertex_count() > (std::uint64_t{1} << bits) - 1) return bad;
-    const auto bytes = index_bytes(mesh, shape->type);
-    return put(accessor, index_role(shape->type), index_column(mesh, shape->type, bytes), number);
+    const std::uint64_t bits = 8 * component_size(type);
+    if (!is_unsigned || largest_[static_cast<std::size_t>(group)] >= (std::uint64_t{1} << bits) - 1)
+      return bad;
+    const Role role{.kind = Role::Kind::kIndices, .number = group, .type = type};
+    const auto [indices, is_new] = indices_.try_emplace(role);
+    if (is_new) indices->second = index_bytes(corners_[static_cast<std::size_t>(group)], type);
+    return put(accessor, role, index_column(type, indices->second), number);
   }
 
-  Result<void> put(std::size_t accessor, Role role, const Column& column, std::size_t number) {
+  Result<void> put(std::size_t accessor, const Role& role, const Column& column, std::size_t number) {
     DELTAMESH_TRY(const auto shape, accessor_shape(document_, accessor));
     if (!shape || shape->type != column.shape.type || shape->components != column.shape.components ||
         shape->count != column.shape.count)
@@ -144,15 +106,32 @@ class Unpacker {
     const auto [view, is_new_view] = views_.try_emplace(role, 0);
     if (is_new_view) view->second = append_column(document_, column);
     Json& json = document_.json["accessors"][accessor];
-    describe_column(json, column, role == kPositionRole);
+    describe(json, role, column);
     json["bufferView"] = view->second;
     return {};
   }
 
+  void describe(Json& json, const Role& role, const Column& column) {
+    const bool has_bounds =
+        role.kind == Role::Kind::kPosition || json.contains("min") || json.contains("max");
+    for (const char* key : {"min", "max"}) json.erase(key);
+    describe_column(json, column, false);
+    if (!has_bounds) return;
+    const auto [bounds, is_new] = bounds_.try_emplace(role, Json::object());
+    if (is_new) describe_column(bounds->second, column, true);
+    for (const char* key : {"min", "max"})
+      if (bounds->second.contains(key)) json[key] = bounds->second[key];
+  }
+
   Document& document_;
-  std::uint64_t stream_ = 0;
-  std::map<Role, std::size_t> views_;  ///< buffer views of the current stream's arrays
   std::map<std::size_t, std::pair<std::uint64_t, Role>> owners_;  ///< the array behind every written accessor
+  std::uint64_t stream_ = 0;
+  std::vector<std::vector<std::uint32_t>> corners_;  ///< of the current stream's groups
+  std::vector<std::uint32_t> largest_;               ///< of these
+  // Of the current stream's arrays:
+  std::map<Role, std::size_t> views_;               ///< buffer views
+  std::map<Role, Json> bounds_;                     ///< min and max, where an accessor has them
+  std::map<Role, std::vector<std::byte>> indices_;  ///< of groups
 };
 
 Result<Mesh> decode_stream(Decoder& decoder, const Document& document, std::uint64_t view, std::size_t number,
@@ -167,25 +146,32 @@ Result<Mesh> decode_stream(Decoder& decoder, const Document& document, std::uint
   return mesh;
 }
 
-void remove_extension(Json& json) {
-  for_each_primitive(json, [](Json& primitive, std::size_t) {
-    Json* extensions = find(primitive, "extensions");
-    if (!extensions || extensions->erase(kExtensionName) == 0) return;
-    if (extensions->empty()) primitive.erase("extensions");
-  });
+void remove_extensions(Json& json) {
+  for_each_primitive(json, [](Json& primitive, std::size_t) { remove_extension(primitive); });
   remove_extension_name(json, kExtensionName);
+}
+
+/// The primitives that have the extension, by stream; counts all primitives.
+Result<PrimitivesOfView> find_packed(const Json& json, GltfReport& report) {
+  PrimitivesOfView streams;
+  Result<void> result;
+  for_each_primitive(json, [&](const Json& primitive, std::size_t number) {
+    ++report.primitives;
+    if (!result) return;
+    auto packed = read_extension(primitive, number);
+    if (!packed)
+      result = packed.error();
+    else if (*packed)
+      streams[(*packed)->view].push_back(**std::move(packed));
+  });
+  if (!result) return result.error();
+  return streams;
 }
 
 Result<GltfOutput> unpack(std::span<const std::byte> asset, const DecodeOptions& options, const GltfIo& io) {
   DELTAMESH_TRY(Document document, load_document(asset, io));
   GltfReport report;
-  PrimitivesOfView streams;
-  Result<void> parsed;
-  for_each_primitive(document.json, [&](const Json& primitive, std::size_t number) {
-    ++report.primitives;
-    if (parsed) parsed = parse_primitive(primitive, number, streams);
-  });
-  DELTAMESH_CHECK(parsed);
+  DELTAMESH_TRY(const PrimitivesOfView streams, find_packed(document.json, report));
 
   Unpacker unpacker(document);
   Decoder decoder;
@@ -207,7 +193,7 @@ Result<GltfOutput> unpack(std::span<const std::byte> asset, const DecodeOptions&
     DELTAMESH_TRY(const auto stream, view_bytes(document, view));
     report.stream_bytes += stream->bytes.size();
   }
-  remove_extension(document.json);
+  remove_extensions(document.json);
   DELTAMESH_CHECK(compact_document(document));
   return save_document(std::move(document), io, report);
 }

@@ -31,7 +31,7 @@ inline fs::path corpus() {
 /// Paths relative to the corpus, sorted; one empty path where there is none.
 inline std::vector<std::string> mesh_files() {
   std::vector<std::string> files;
-  for (const char* folder : {"paper", "models", "robot", "formats"}) {
+  for (const char* folder : {"paper", "models", "robot", "formats", "gltf"}) {
     std::error_code absent;
     for (const auto& entry : fs::recursive_directory_iterator(corpus() / folder, absent))
       if (entry.is_regular_file() && format_of_path(entry.path().string()))

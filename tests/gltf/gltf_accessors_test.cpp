@@ -11,6 +11,7 @@
 namespace deltamesh {
 namespace {
 
+using test::Bytes;
 using test::bytes_of;
 using test::GltfBuilder;
 using test::Json;
@@ -46,29 +47,6 @@ TEST(GltfPack, NonIndexedTrianglesGetIndices) {
   const OpenedGlb plain(unpack_ok(pack_ok(builder.glb()).asset).asset);
   EXPECT_EQ(plain.json["accessors"].size(), 2U);
   EXPECT_NEAR(signed_area(plain, plain.primitive()), 2.0, 5e-2);
-}
-
-TEST(GltfPack, SharedAccessorsAreSplitIntoWhatEachPrimitiveUses) {
-  GltfBuilder builder;
-  const Sheet sheet = make_sheet(10);
-  builder.sheet_mesh(sheet);
-  const std::vector<std::uint32_t> half(sheet.triangles.begin(), sheet.triangles.begin() + 240);
-  const std::vector<std::uint32_t> rest(sheet.triangles.begin() + 240, sheet.triangles.end());
-  Json& primitives = builder.json["meshes"][0]["primitives"];
-  Json second = primitives[0];
-  primitives[0]["indices"] = builder.indices(half);
-  second["indices"] = builder.indices(rest);
-  primitives.push_back(second);
-
-  const GltfOutput packed = pack_ok(builder.glb());
-  EXPECT_EQ(packed.report.streams, 2U);
-  EXPECT_EQ(packed.report.converted, 2U);
-  EXPECT_GT(packed.report.unreferenced_vertices, 0U);
-  EXPECT_LT(packed.report.vertices, 2 * 100U);
-  const OpenedGlb plain(unpack_ok(packed.asset).asset);
-  EXPECT_NE(plain.primitive(0, 0)["attributes"]["POSITION"], plain.primitive(0, 1)["attributes"]["POSITION"]);
-  EXPECT_NEAR(signed_area(plain, plain.primitive(0, 0)) + signed_area(plain, plain.primitive(0, 1)), 2.0,
-              4e-2);
 }
 
 TEST(GltfPack, EqualPrimitivesShareAStream) {
@@ -114,24 +92,6 @@ TEST(GltfPack, NumbersInUnknownExtensionsProtectAccessorsAndOrder) {
   EXPECT_EQ(std::vector<std::uint32_t>(indices.begin(), indices.end()), sheet.triangles);
 }
 
-TEST(GltfPack, MorphTargetsKeepVertexOrderAndData) {
-  GltfBuilder builder;
-  const Sheet sheet = make_sheet(8);
-  builder.sheet_mesh(sheet);
-  std::vector<float> moves(sheet.positions.size());
-  for (std::size_t i = 0; i < moves.size(); ++i) moves[i] = static_cast<float>(i) * 0.001F;
-  Json& primitive = builder.json["meshes"][0]["primitives"][0];
-  primitive["targets"] = Json::array({Json{{"POSITION", builder.floats(moves, 3, true)}}});
-  builder.json["meshes"][0]["weights"] = {0.5};
-  const OpenedGlb plain(unpack_ok(pack_ok(builder.glb()).asset).asset);
-  EXPECT_EQ(plain.values<float>(plain.primitive()["targets"][0]["POSITION"]), moves);
-  const auto positions = positions_of(plain, plain.primitive());
-  ASSERT_EQ(positions.size(), sheet.positions.size());
-  for (std::size_t i = 0; i < positions.size(); ++i) EXPECT_NEAR(positions[i], sheet.positions[i], 0.02) << i;
-  const auto indices = plain.values<std::uint16_t>(plain.primitive()["indices"]);
-  EXPECT_EQ(std::vector<std::uint32_t>(indices.begin(), indices.end()), sheet.triangles);
-}
-
 TEST(GltfPack, SparseAndInterleavedAccessorsAreResolved) {
   GltfBuilder builder;
   Sheet sheet = make_sheet(6);
@@ -163,7 +123,7 @@ TEST(GltfPack, SparseAndInterleavedAccessorsAreResolved) {
                                                  {"indices", builder.indices(sheet.triangles)}}})}});
   GltfPackOptions options;
   options.encode.bits = 14;
-  options.encode.uv_bits = 20;
+  options.encode.attributes.uv_error = 1e-5;
   options.encode.keep_order = true;
   const OpenedGlb plain(unpack_ok(pack_ok(builder.glb(), options).asset).asset);
   sheet.positions[0] = -3;
@@ -216,21 +176,33 @@ TEST(GltfPack, ColoursOfEveryTypeStayWhatTheyAre) {
   EXPECT_EQ(plain.json["accessors"][after["COLOR_0"].get<std::size_t>()]["normalized"], true);
 }
 
-TEST(GltfPack, AttributesThatNoStreamCanHoldStayPlainInOrder) {
+TEST(GltfPack, MatricesAreCodedUnlessTheirColumnsArePadded) {
   GltfBuilder builder;
   builder.sheet_mesh(make_sheet(6));
   std::vector<float> frames(36 * 9);
   for (std::size_t i = 0; i < frames.size(); ++i) frames[i] = static_cast<float>(i);
+  Json& attributes = builder.json["meshes"][0]["primitives"][0]["attributes"];
   const std::size_t view = builder.view(bytes_of(frames), 34962);
-  const std::size_t accessor = builder.push(
+  attributes["_FRAME"] = builder.push(
       "accessors", {{"bufferView", view}, {"componentType", 5126}, {"count", 36}, {"type", "MAT3"}});
-  builder.json["meshes"][0]["primitives"][0]["attributes"]["_FRAME"] = accessor;
-  const Sheet sheet = make_sheet(6);
+  GltfPackOptions options;
+  options.encode.keep_order = true;
+  const OpenedGlb plain(unpack_ok(pack_ok(builder.glb(), options).asset).asset);
+  const Json& frame = plain.json["accessors"][plain.primitive()["attributes"]["_FRAME"].get<std::size_t>()];
+  EXPECT_EQ(frame["type"], "MAT3");
+  EXPECT_EQ(plain.view(frame["bufferView"]), bytes_of(frames));
+
+  const Bytes padded(36 * 12, std::byte{7});
+  const std::size_t padded_view = builder.view(padded, 34962);
+  attributes["_SMALL"] = builder.push(
+      "accessors", {{"bufferView", padded_view}, {"componentType", 5121}, {"count", 36}, {"type", "MAT3"}});
   const OpenedGlb small(pack_ok(builder.glb(), with_fallback()).asset);
-  EXPECT_FALSE(small.primitive()["extensions"][kExtension]["attributes"].contains("_FRAME"));
-  EXPECT_EQ(small.view(small.json["accessors"][accessor]["bufferView"]), bytes_of(frames));
+  EXPECT_FALSE(small.primitive()["extensions"][kExtension]["attributes"].contains("_SMALL"));
+  EXPECT_TRUE(small.primitive()["extensions"][kExtension]["attributes"].contains("_FRAME"));
+  const std::size_t kept = small.primitive()["attributes"]["_SMALL"];
+  EXPECT_EQ(small.view(small.json["accessors"][kept]["bufferView"]), padded);
   const auto indices = small.values<std::uint16_t>(small.primitive()["indices"]);
-  EXPECT_EQ(std::vector<std::uint32_t>(indices.begin(), indices.end()), sheet.triangles);
+  EXPECT_EQ(std::vector<std::uint32_t>(indices.begin(), indices.end()), make_sheet(6).triangles);
 }
 
 }  // namespace

@@ -214,21 +214,18 @@ TEST(GltfPack, EverythingElseIsUnchangedDownToMemberOrder) {
 
 TEST(GltfPack, GLTF9LeavesWhatItCannotCompressOrOthersDid) {
   GltfBuilder builder;
-  const std::size_t quantised = builder.push("accessors", {{"bufferView", builder.view(Bytes(24), 34962)},
-                                                           {"componentType", 5122},
-                                                           {"count", 3},
-                                                           {"type", "VEC3"},
-                                                           {"min", {0, 0, 0}},
-                                                           {"max", {0, 0, 0}}});
-  builder.json["bufferViews"][0]["byteStride"] = 8;
+  const std::size_t words = builder.push("accessors", {{"bufferView", builder.view(Bytes(36), 34962)},
+                                                       {"componentType", 5125},
+                                                       {"count", 3},
+                                                       {"type", "VEC3"}});
   const std::size_t empty = builder.push(
       "accessors",
       {{"componentType", 5126}, {"count", 3}, {"type", "VEC3"}, {"min", {0, 0, 0}}, {"max", {0, 0, 0}}});
   const std::size_t triangle = builder.floats({0, 0, 0, 1, 0, 0, 0, 1, 0}, 3, true);
   Json primitives = Json::array();
-  primitives.push_back({{"attributes", {{"POSITION", quantised}}}});
+  primitives.push_back({{"attributes", {{"POSITION", words}}}});
   primitives.push_back({{"attributes", {{"POSITION", empty}}}});
-  primitives.push_back({{"attributes", {{"POSITION", triangle}}}, {"mode", 5}});
+  primitives.push_back({{"attributes", {{"POSITION", triangle}}}, {"mode", 3}});
   primitives.push_back({{"attributes", {{"_ID", triangle}}}});
   primitives.push_back(
       {{"attributes", {{"POSITION", triangle}}},
@@ -266,7 +263,9 @@ TEST(GltfPack, TinyMeshesWork) {
   EXPECT_EQ(packed.report.converted, 2U);
   const OpenedGlb plain(unpack_ok(packed.asset).asset);
   EXPECT_NEAR(signed_area(plain, plain.primitive(0, 0)), 1.0, 1e-2);
-  for (const float x : positions_of(plain, plain.primitive(0, 1))) EXPECT_NEAR(x, 2, 1e-3);
+  const auto positions = positions_of(plain, plain.primitive(0, 1));
+  for (const std::uint16_t corner : plain.values<std::uint16_t>(plain.primitive(0, 1)["indices"]))
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(positions[corner * 3U + k], 2, 1e-3);
 }
 
 TEST(GltfPack, UnreferencedVerticesAreDroppedUnlessAskedFor) {
@@ -277,6 +276,7 @@ TEST(GltfPack, UnreferencedVerticesAreDroppedUnlessAskedFor) {
   const GltfOutput packed = pack_ok(builder.glb());
   EXPECT_EQ(packed.report.unreferenced_vertices, 2U);
   EXPECT_EQ(packed.report.vertices, 3U);
+  EXPECT_EQ(packed.report.welded_vertices, 0U);
   EXPECT_EQ(OpenedGlb(packed.asset).json["accessors"][position]["count"], 3);
   GltfPackOptions options;
   options.encode.keep_unreferenced = true;

@@ -44,21 +44,30 @@ const std::vector<InvalidSample>& invalid_samples() {
        [](Json&, Json& p) { p["extensions"][kExtension]["attributes"]["POSITION"] = 0; }},
       {"GLTF-4_number_too_large", "GLTF-4",
        [](Json&, Json& p) { p["extensions"][kExtension]["attributes"]["NORMAL"] = 2; }},
+      {"GLTF-4_target_missing", "GLTF-4",
+       [](Json&, Json& p) {
+         p["extensions"][kExtension]["targets"] = Json::array({Json{{"NORMAL", 0}}});
+       }},
       {"GLTF-5_count_differs", "GLTF-5", [](Json& a, Json&) { a["accessors"][0]["count"] = 23; }},
       {"GLTF-6_accessor_twice", "GLTF-6",
        [](Json&, Json& p) { p["attributes"]["NORMAL"] = p["attributes"]["POSITION"]; }},
+      {"GLTF-11_no_such_group", "GLTF-11", [](Json&, Json& p) { p["extensions"][kExtension]["group"] = 1; }},
   };
   return samples;
 }
 
-Bytes packed_cube(bool fallback, GltfContainer container) {
+Bytes packed_asset(const test::GltfBuilder& asset, bool fallback, GltfContainer container) {
   GltfPackOptions options;
   options.fallback = fallback;
   GltfIo io;
   io.container = container;
-  const auto packed = pack_gltf(test::cube_asset().glb(), options, io);
+  const auto packed = pack_gltf(asset.glb(), options, io);
   EXPECT_TRUE(packed);
   return packed ? packed->asset : Bytes{};
+}
+
+Bytes packed_cube(bool fallback, GltfContainer container) {
+  return packed_asset(test::cube_asset(), fallback, container);
 }
 
 void rewrite_samples() {
@@ -70,6 +79,7 @@ void rewrite_samples() {
   put("valid/cube.glb", packed_cube(false, GltfContainer::kGlb));
   put("valid/cube.gltf", packed_cube(false, GltfContainer::kGltf));
   put("valid/cube_fallback.glb", packed_cube(true, GltfContainer::kGlb));
+  put("valid/two_materials.gltf", packed_asset(test::two_material_cube_asset(), false, GltfContainer::kGltf));
   const Bytes text = packed_cube(false, GltfContainer::kGltf);
   const auto* begin = reinterpret_cast<const char*>(text.data());
   for (const InvalidSample& sample : invalid_samples()) {
@@ -100,6 +110,23 @@ TEST(GltfSamples, ValidOnesUnpackToACube) {
                                                                     : 2;
       EXPECT_GT(normals[3 * i + axis] * positions[3 * i + axis], 0.48);  // outwards
     }
+  }
+}
+
+TEST(GltfSamples, PrimitivesOfOneStreamAreGroupsOfItsTriangles) {
+  const auto file = read_file((kFolder / "valid/two_materials.gltf").string());
+  ASSERT_TRUE(file);
+  const auto plain = unpack_gltf(*file);
+  ASSERT_TRUE(plain) << describe(plain.error());
+  EXPECT_EQ(plain->report.streams, 1U);
+  EXPECT_EQ(plain->report.converted, 2U);
+  const OpenedGlb cube(plain->asset);
+  EXPECT_EQ(cube.values<std::uint16_t>(cube.primitive(0, 0)["indices"]).size(), 30U);
+  EXPECT_EQ(cube.values<std::uint16_t>(cube.primitive(0, 1)["indices"]).size(), 6U);
+  for (int p = 0; p < 2; ++p) {
+    const auto moves = cube.values<float>(cube.primitive(0, p)["targets"][0]["POSITION"]);
+    ASSERT_EQ(moves.size(), 72U);
+    for (std::size_t i = 0; i < 24; ++i) EXPECT_NEAR(moves[3 * i + 1], 0.25, 1e-2);
   }
 }
 

@@ -44,4 +44,19 @@ inline GltfBuilder cube_asset() {
   return builder;
 }
 
+/// The cube with its last face in a primitive and a material of its own, and a morph target that lifts it.
+inline GltfBuilder two_material_cube_asset() {
+  GltfBuilder builder = cube_asset();
+  Json& primitives = builder.json["meshes"][0]["primitives"];
+  std::vector<float> moves(72);
+  for (std::size_t i = 0; i < 24; ++i) moves[3 * i + 1] = 0.25F;
+  primitives[0]["targets"] = Json::array({Json{{"POSITION", builder.floats(moves, 3, true)}}});
+  Json last = primitives[0];
+  builder.json["accessors"][primitives[0]["indices"].get<std::size_t>()]["count"] = 30;
+  last["indices"] = builder.indices({20, 21, 22, 21, 23, 22});
+  last["material"] = builder.push("materials", {{"name", "white"}});
+  primitives.push_back(last);
+  return builder;
+}
+
 }  // namespace deltamesh::test

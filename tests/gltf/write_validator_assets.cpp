@@ -119,14 +119,16 @@ int main(int argc, char** argv) {
   std::filesystem::create_directories(folder);
   write_forms(test::cube_asset(), "cube");
   write_forms(split_sheet(), "split");
+  write_forms(test::two_material_cube_asset(), "two_materials");
   write_forms(morphing_sheet(), "morphing");
   write_exported();
   const char* corpus = std::getenv("DELTAMESH_CORPUS");
-  const std::filesystem::path formats =
-      std::filesystem::path(corpus ? corpus : DELTAMESH_SOURCE_DIR "/../shared/corpus") / "formats";
-  for (const char* name : {"boat.glb", "kitchen_tsdf_40mm.glb", "Duck.glb"}) {
-    if (std::filesystem::exists(formats / name))
-      write_forms((formats / name).string(), std::filesystem::path(name).stem().string());
+  const std::filesystem::path root = corpus ? corpus : DELTAMESH_SOURCE_DIR "/../shared/corpus";
+  for (const char* name : {"formats/boat.glb", "formats/kitchen_tsdf_40mm.glb", "formats/Duck.glb",
+                           "gltf/cakeBirthday.glb", "gltf/Fox.glb", "gltf/ClearCoatTest.glb",
+                           "gltf/MorphStressTest.glb", "gltf/AnimatedMorphSphere.glb"}) {
+    if (std::filesystem::exists(root / name))
+      write_forms((root / name).string(), std::filesystem::path(name).stem().string());
     else
       std::printf("skipped: no corpus, %s\n", name);
   }

@@ -65,9 +65,9 @@ void expect_error_or_valid(std::span<const std::byte> stream) {
 
 class Payloads : public ::testing::TestWithParam<std::tuple<std::size_t, Profile>> {
  protected:
-  Parts parts_ =
-      take_apart(testing::awkward_meshes()[std::get<0>(GetParam())].mesh,
-                 {.profile = std::get<1>(GetParam()), .keep_order = true, .keep_unreferenced = true});
+  Parts parts_ = take_apart(
+      testing::awkward_meshes()[std::get<0>(GetParam())].mesh,
+      {.bits = 8, .profile = std::get<1>(GetParam()), .keep_order = true, .keep_unreferenced = true});
 };
 
 TEST_P(Payloads, AnyFlippedByteIsACleanErrorOrAValidMesh) {
@@ -132,30 +132,60 @@ TEST(Stream, HDR7RejectsAnotherNumberOfComponents) {
   EXPECT_EQ(broken_rule(parts), "HDR-7");
 }
 
-TEST(Stream, HDR13RejectsAnotherNumberOfAttributes) {
-  Parts parts = take_apart(testing::attributed_grid(4, 4), {});
-  parts.header.attributes += 1;
-  EXPECT_EQ(broken_rule(parts), "HDR-13");
-  parts.header.attributes -= 2;
-  EXPECT_EQ(broken_rule(parts), "HDR-13");
-}
-
-/// Nothing else of the stream is relied on before, as stages leave out what only attributes need.
-TEST(Stream, HDR13IsAskedFirst) {
-  Parts parts = take_apart(testing::attributed_grid(4, 4), {});
-  parts.header.attributes = 0;
-  for (StoredPayload& payload : parts.payloads) payload.bytes.clear();
-  const auto mesh = decode(parts.assemble(), {.threads = 2});
-  ASSERT_FALSE(mesh);
-  EXPECT_STREQ(mesh.error().rule, "HDR-13");
-}
-
 TEST(Stream, GEO1RejectsPositionsBeyondFloat32) {
-  Parts parts = take_apart(testing::bumpy_grid(9, 9), {});
+  Parts parts = take_apart(testing::bumpy_grid(9, 9), {.bits = 8});
   parts.header.highpass.step = 1e300;
   const auto mesh = decode(parts.assemble());
   ASSERT_FALSE(mesh);
   EXPECT_EQ(mesh.error().code, ErrorCode::kInvalidStream);
+}
+
+/// A grid with normals, texture coordinates and colours as glTF names them, cut in two along a column, whose
+/// vertices have two values.
+Mesh small_primitive(std::uint32_t columns, std::uint32_t rows) {
+  Mesh mesh = testing::attributed_grid(columns, rows);
+  mesh.attributes.pop_back();
+  mesh.attributes[0].name = "NORMAL";
+  mesh.attributes[1].name = "COLOR_0";
+  mesh.attributes[1].normalized = true;
+  mesh.attributes[2].name = "TEXCOORD_0";
+  for (std::size_t i = 0; i < mesh.positions.size(); i += 3)  // no grid is left
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      mesh.positions[i + axis] += 0.3F * std::sin(0.7F * static_cast<float>(i + 5 * axis));
+  const std::vector<float> plain = testing::bumpy_grid(columns, rows).positions;
+  const auto seam = static_cast<float>(columns / 2);
+  const std::size_t before = mesh.vertex_count();
+  std::vector<std::uint32_t> copy(before, 0);
+  for (std::uint32_t v = 0; v < before; ++v) {
+    if (plain[3 * v] != seam) continue;
+    copy[v] = static_cast<std::uint32_t>(mesh.vertex_count());
+    for (std::size_t axis = 0; axis < 3; ++axis) mesh.positions.push_back(mesh.positions[3 * v + axis]);
+    for (Attribute& a : mesh.attributes) {
+      const std::size_t row = a.values.size() / (mesh.vertex_count() - 1);
+      for (std::size_t i = 0; i < row; ++i) a.values.push_back(a.values[row * v + i]);
+    }
+  }
+  for (std::size_t c = 0; c < mesh.triangles.size(); c += 3) {
+    float x = 0;
+    for (std::size_t k = 0; k < 3; ++k) x += plain[3 * std::size_t{mesh.triangles[c + k]}];
+    for (std::size_t k = 0; k < 3 && x > 3 * seam; ++k)
+      if (const std::uint32_t other = copy[mesh.triangles[c + k]]; other != 0) mesh.triangles[c + k] = other;
+  }
+  return mesh;
+}
+
+TEST(Stream, SmallPrimitivesSpendAtMost64BytesBesideTheirPayloads) {
+  for (const std::uint32_t side : {4U, 10U, 20U}) {
+    const auto encoded = encode(small_primitive(side, side),
+                                {.quality = {.max_error = QualityBound{0.02, QualityUnit::kDiagonal}},
+                                 .geometry = GeometryCoder::kPredictive});
+    ASSERT_TRUE(encoded) << describe(encoded.error());
+    const StreamInfo& info = encoded->report.stream;
+    ASSERT_EQ(info.chunks.size(), 6U) << "CONN, SEAM, POSN and three ATTR";
+    EXPECT_GT(info.vertices, info.geometric_vertices);
+    EXPECT_LE(info.container_bytes, 64U) << side;
+    EXPECT_EQ(decode(encoded->bytes)->attributes[0].name, "NORMAL");
+  }
 }
 
 TEST(Stream, LongestPayloadsOfTheEncoderKeepDIR5) {

@@ -15,6 +15,7 @@ inline void expect_same(const Mesh& a, const Mesh& b) {
   EXPECT_EQ(a.origin, b.origin);
   EXPECT_EQ(a.positions, b.positions);
   EXPECT_EQ(a.triangles, b.triangles);
+  EXPECT_EQ(a.face_groups, b.face_groups);
   ASSERT_EQ(a.attributes.size(), b.attributes.size());
   for (std::size_t i = 0; i < a.attributes.size(); ++i) {
     EXPECT_EQ(a.attributes[i].name, b.attributes[i].name);

@@ -2,12 +2,14 @@
 // Copyright 2026 The deltamesh authors
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
 #include "base/byte_reader.h"
 #include "base/byte_writer.h"
 #include "base/checked.h"
+#include "base/short_float.h"
 #include "base/zigzag.h"
 #include "entropy/planes.h"
 
@@ -57,9 +59,41 @@ TEST(ByteReader, CON3RejectsBytesLeftOver) {
   EXPECT_STREQ(result.error().rule, "CON-3");
 }
 
+TEST(ShortFloat, CON6TakesThreeBytes) {
+  for (const float value : {0.0F, 1.0F, -2.5F, short_float_above(0.1), short_float_above(1e-30)}) {
+    ByteWriter out;
+    out.write_short_float(value);
+    EXPECT_EQ(out.size(), 3U);
+    ByteReader in(out.bytes());
+    EXPECT_EQ(*in.read_short_float(), value);
+    ByteReader shorter(out.bytes().first(2));
+    EXPECT_STREQ(shorter.read_short_float().error().rule, "CON-1");
+  }
+}
+
+TEST(ShortFloat, CON6RoundsUpOrDown) {
+  constexpr double kStep = 0x1p-15;  // between short floats around 1
+  EXPECT_EQ(short_float_above(1), 1);
+  EXPECT_EQ(short_float_below(1), 1);
+  EXPECT_EQ(short_float_above(1 + 1e-12), 1 + kStep);
+  EXPECT_EQ(short_float_below(1 + 1.9 * kStep), 1 + kStep);
+  EXPECT_EQ(short_float_above(0), 0);
+  EXPECT_GT(short_float_above(1e-300), 0);
+  EXPECT_EQ(short_float_below(1e-300), 1e-300) << "no step is 0";
+  EXPECT_TRUE(std::isinf(short_float_above(3.4028234e38)));
+  EXPECT_TRUE(std::isfinite(short_float_below(1e300)));
+  EXPECT_TRUE(is_short_float(1 + kStep));
+  EXPECT_FALSE(is_short_float(1 + kStep / 2));
+  EXPECT_FALSE(is_short_float(1e300));
+  EXPECT_FALSE(is_short_float(std::nan("")));
+}
+
 TEST(Zigzag, CON4RoundTrips) {
   for (const std::int32_t value : {0, -1, 1, -2, 1000, std::numeric_limits<std::int32_t>::max(),
                                    std::numeric_limits<std::int32_t>::min()})
+    EXPECT_EQ(unzigzag(zigzag(value)), value);
+  for (const std::int64_t value :
+       {std::int64_t{-3}, std::numeric_limits<std::int64_t>::max(), std::numeric_limits<std::int64_t>::min()})
     EXPECT_EQ(unzigzag(zigzag(value)), value);
   EXPECT_EQ(zigzag(-1), 1U);
   EXPECT_EQ(zigzag(1), 2U);

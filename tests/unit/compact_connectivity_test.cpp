@@ -223,8 +223,8 @@ TEST(CompactConnectivity, CONN15CONN16HalvesKeepTheirBytes) {
     text += kDigits[std::to_integer<unsigned>(byte) % 16];
   }
   EXPECT_EQ(text,
-            "14000000000000001000000077ca29cb32ca5f007974a50b0200000090917c1e5a6577670100000002d8cb2900dddc0c"
-            "e709f1a7512ac2ed9c468036");
+            "0d00000000000000100000007532a2d90463b773cd1a211d02"
+            "6786655e2e5b6701bd595b112110764a1d4d95441e9c");
 }
 
 TEST(CompactConnectivity, CONN7SplitsStayWithinTheComponent) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -15,6 +16,7 @@
 #include "base/quick_ratio.h"
 #include "base/thread_team.h"
 #include "base/try.h"
+#include "deltamesh/encode.h"
 #include "entropy/compact_reader.h"
 #include "entropy/compact_writer.h"
 #include "field/field_coder.h"
@@ -23,6 +25,7 @@
 #include "geometry/anchor_list.h"
 #include "geometry/delta_symbols.h"
 #include "geometry/large_deltas.h"
+#include "support/attribute_coding.h"
 #include "support/graph_mesh.h"
 #include "support/guarded.h"
 #include "support/random.h"
@@ -241,40 +244,37 @@ Attribute make_attribute(const Shape& shape, std::size_t rows) {
   return attribute;
 }
 
-AttributeView view(const Attribute& a) {
-  return {.kind = a.kind,
-          .type = a.type,
-          .components = a.components,
-          .normalized = a.normalized,
-          .name = a.name,
-          .values = a.values};
+/// Codes the attribute in the order of its rows on the mesh's faces; the compact form equals the plain one.
+void expect_forms_agree(const test::GraphMesh& mesh, const Shape& shape) {
+  const auto rows = static_cast<std::uint32_t>(mesh.graph.vertex_count());
+  std::vector<std::uint32_t> order(rows);
+  for (std::uint32_t i = 0; i < rows; ++i) order[i] = rows - 1 - i;
+  const Attribute attribute = make_attribute(shape, rows);
+  const AttributeSurface surface({}, rows, {}, {}, [&] { return mesh.graph; });
+  const auto coded = write_attribute(test::view(attribute), order, {.quality = test::kExactly}, surface, {});
+  ASSERT_TRUE(coded && !coded->compact.empty());
+  if (!coded->plain.empty()) {
+    EXPECT_EQ(read_attribute(coded->plain, coded->descriptor, surface, {}, 1 << 20)->values,
+              coded->decoded.values);
+  }
+  const auto read = [&](const Bytes& bytes) {
+    const auto back = read_attribute(Payload::compact(bytes), coded->descriptor, surface, {}, 1 << 20);
+    if (!back) return false;
+    EXPECT_EQ(back->values.size(), rows * back->components * component_size(back->type));
+    return true;
+  };
+  EXPECT_EQ(read_attribute(Payload::compact(coded->compact), coded->descriptor, surface, {}, 1 << 20)->values,
+            coded->decoded.values);
+  expect_guarded(coded->compact, read, "attribute");
 }
 
 TEST(CompactAttributes, ATTR9EqualsThePlainForm) {
   const auto mesh = test::sheet(7, 6);
-  const auto rows = static_cast<std::uint32_t>(mesh.graph.vertex_count());
-  std::vector<std::uint32_t> order(rows);
-  for (std::uint32_t i = 0; i < rows; ++i) order[i] = rows - 1 - i;
   using enum AttributeKind;
   using enum ComponentType;
-  for (const Shape& shape :
-       {Shape{kColor, kU8, 3}, Shape{kColor, kU8, 4}, Shape{kColor, kU16, 3}, Shape{kColor, kF32, 4},
-        Shape{kNormal, kF32, 3}, Shape{kUv, kF32, 2}, Shape{kGeneric, kU8, 1}, Shape{kGeneric, kI16, 5}}) {
-    const Attribute attribute = make_attribute(shape, rows);
-    const auto plain = write_attribute(view(attribute), order, {});
-    const auto compact = write_compact_attribute(view(attribute), order, {}, mesh.graph);
-    ASSERT_TRUE(compact && !compact->empty());
-    const auto expected = read_attribute(*plain, rows, 1 << 20);
-    const auto read = [&](const Bytes& bytes) {
-      const auto back = read_attribute(Payload::compact(bytes), rows, 1 << 20, &mesh.graph);
-      if (!back) return false;
-      EXPECT_EQ(back->values.size(), rows * back->components * component_size(back->type));
-      return true;
-    };
-    EXPECT_EQ(read_attribute(Payload::compact(*compact), rows, 1 << 20, &mesh.graph)->values,
-              expected->values);
-    expect_guarded(*compact, read, "attribute");
-  }
+  for (const Shape& shape : {Shape{kColor, kU8, 3}, Shape{kColor, kU8, 4}, Shape{kColor, kU16, 3},
+                             Shape{kGeneric, kU8, 1}, Shape{kGeneric, kI16, 5}})
+    expect_forms_agree(mesh, shape);
 }
 
 /// Numbers of which the hints know the size; returns the bytes they take.
@@ -313,15 +313,46 @@ TEST(CompactAttributes, FLD7HintsOfTheSizeArePaidBack) {
   EXPECT_LT(10 * hinted_bytes(mesh.graph, true), 9 * hinted_bytes(mesh.graph, false));
 }
 
-TEST(CompactAttributes, ATTR9WideSymbolsHaveNone) {
-  const auto mesh = test::sheet(3, 3);
+TEST(CompactAttributes, ATTR2PlainCodingsHaveNoCompactForm) {
   const Attribute attribute = make_attribute({AttributeKind::kGeneric, ComponentType::kF64, 1}, 9);
-  const std::vector<std::uint32_t> order = {0, 1, 2, 3, 4, 5, 6, 7, 8};
-  EXPECT_TRUE(write_compact_attribute(view(attribute), order, {}, mesh.graph)->empty());
-  const auto plain = write_attribute(view(attribute), order, {});
-  const auto read = read_attribute(Payload::compact(*plain), 9, 1 << 20, &mesh.graph);
+  const auto coded = test::write_plain(attribute, test::identity(9));
+  const AttributeSurface surface({}, 9);
+  const auto read = read_attribute(Payload::compact(coded->plain), coded->descriptor, surface, {}, 1 << 20);
   ASSERT_FALSE(read);
-  EXPECT_STREQ(read.error().rule, "ATTR-9");
+  EXPECT_STREQ(read.error().rule, "ATTR-2");
+  const std::vector<std::byte> lattice{std::byte{8}};
+  EXPECT_STREQ(read_attribute(Payload(lattice), coded->descriptor, surface, {}, 1 << 20).error().rule,
+               "ATTR-2");
+}
+
+/// What a decoder parses of attributes in a highpass stream must not depend on solved positions, which may
+/// differ in their last bits: the same bytes whatever the positions.
+TEST(CompactAttributes, ATTR10HighpassAttributesKnowNoPositions) {
+  Mesh mesh;
+  for (std::uint32_t i = 0; i < 400; ++i) {
+    const auto x = static_cast<float>(i % 20);
+    const auto y = static_cast<float>(i / 20);
+    mesh.positions.insert(mesh.positions.end(), {x, y, std::sin(x) * std::cos(y)});
+  }
+  for (std::uint32_t i = 0; i + 21 < 400; ++i)
+    if (i % 20 != 19) mesh.triangles.insert(mesh.triangles.end(), {i, i + 1, i + 20, i + 1, i + 21, i + 20});
+  const std::vector<float> normals = [] {
+    std::vector<float> all;
+    for (int i = 0; i < 400; ++i) all.insert(all.end(), {0.6F, 0, i % 2 == 0 ? 0.8F : -0.8F});
+    return all;
+  }();
+  Attribute attribute{.kind = AttributeKind::kNormal, .components = 3};
+  const auto bytes = std::as_bytes(std::span(normals));
+  attribute.values.assign(bytes.begin(), bytes.end());
+  mesh.attributes.push_back(attribute);
+  const auto attribute_chunk = [&](int bits) {
+    const auto encoded = encode(mesh, {.bits = bits});
+    const auto& chunk = encoded->report.stream.chunks.back();
+    EXPECT_STREQ(chunk.tag.data(), "ATTR");
+    const auto begin = encoded->bytes.begin() + static_cast<std::ptrdiff_t>(chunk.offset);
+    return Bytes(begin, begin + static_cast<std::ptrdiff_t>(chunk.coded_bytes));
+  };
+  EXPECT_EQ(attribute_chunk(5), attribute_chunk(12));
 }
 
 TEST(QuickRatio, CMP9IsNearTheQuotient) {

@@ -94,8 +94,13 @@ TEST(Compact, CMP12IsOneDecision) {
   }
   // The second state takes part in nothing but the empty decisions.
   const auto bytes = writer.finish();
-  EXPECT_EQ(bytes[8 + 3], std::byte{0x80});
-  for (const std::size_t b : {8, 9, 10, 12, 13, 14, 15}) EXPECT_EQ(bytes[b], std::byte{0});
+  const std::size_t second = 1 + (std::to_integer<std::size_t>(bytes[0]) & 15);
+  const bool is_long = std::to_integer<unsigned>(bytes[0]) >> 4 == 4;  // 2^31, else 2^15
+  const std::vector<std::byte> untouched{
+      bytes.begin() + static_cast<std::ptrdiff_t>(second),
+      bytes.begin() + static_cast<std::ptrdiff_t>(second + (is_long ? 4 : 2))};
+  EXPECT_EQ(untouched.back(), std::byte{0x80});
+  EXPECT_EQ(std::count(untouched.begin(), untouched.end(), std::byte{0}), std::ssize(untouched) - 1);
 }
 
 TEST(Compact, CMP1ReadsWhatWasWritten) {
@@ -114,7 +119,7 @@ TEST(Compact, CMP1ReadsWhatWasWritten) {
 TEST(Compact, CMP1AnEmptyStreamIsItsStates) {
   CompactWriter writer;
   const auto bytes = writer.finish();
-  ASSERT_EQ(bytes.size(), 16U);
+  ASSERT_EQ(bytes.size(), 5U);
   EXPECT_TRUE(CompactReader(bytes).finish(kTag));
 }
 
@@ -151,14 +156,40 @@ TEST(Compact, CMP3FlippedBytesEndInAnErrorOrOtherSymbols) {
 }
 
 TEST(Compact, CMP1RejectsAStateOutOfRange) {
-  for (const std::uint64_t state : {std::uint64_t{0}, kRansFloor - 1, kRansFloor << 32, ~std::uint64_t{0}}) {
-    for (const unsigned broken : {0U, 8U}) {
-      auto bytes = CompactWriter().finish();
+  for (const std::uint64_t state : {std::uint64_t{0}, kLeastState - 1, kRansFloor << 32, ~std::uint64_t{0}}) {
+    for (const unsigned broken : {1U, 9U}) {
+      std::vector<std::byte> bytes(17);
+      bytes[0] = std::byte{0x88};
+      for (const std::size_t b : {2U, 10U}) bytes[b] = std::byte{0x80};
+      ASSERT_TRUE(CompactReader(bytes).finish(kTag));
       for (unsigned i = 0; i < 8; ++i) bytes[broken + i] = static_cast<std::byte>(state >> (8 * i));
       CompactReader reader(bytes);
       EXPECT_TRUE(reader.failed());
       EXPECT_FALSE(reader.finish(kTag));
     }
+  }
+}
+
+TEST(Compact, CMP1RejectsStatesOfMoreThanEightBytes) {
+  std::vector<std::byte> bytes(20);
+  for (const unsigned sizes : {0x98U, 0x89U, 0xffU}) {
+    bytes[0] = static_cast<std::byte>(sizes);
+    EXPECT_TRUE(CompactReader(bytes).failed());
+  }
+}
+
+/// Decisions of which one state has all that cost anything: the other is still small when words are due.
+TEST(Compact, CMP3StatesEndHighWhereOneAloneGivesWords) {
+  for (const unsigned costly : {0U, 1U}) {
+    CompactWriter writer;
+    for (unsigned i = 0; i < 40; ++i) writer.bits(i % 2 == costly ? i * 1601 : 0, i % 2 == costly ? 16 : 0);
+    const auto bytes = writer.finish();
+    CompactReader reader(bytes);
+    for (unsigned i = 0; i < 40; ++i) {
+      const std::uint32_t value = reader.bits(0, i % 2 == costly ? 16 : 0);
+      ASSERT_EQ(value, i % 2 == costly ? i * 1601 : 0);
+    }
+    EXPECT_TRUE(reader.finish(kTag));
   }
 }
 

@@ -115,20 +115,61 @@ TEST(Compare, FollowsTheOrder) {
   EXPECT_FLOAT_EQ(result->signed_error[0], 0.125F);
 }
 
-TEST(Compare, MeasuresSurfacesWithoutTheOrder) {
+TEST(Compare, FindsTheOrder) {
+  const Mesh a = grid(20, 0);
+  std::vector<std::uint32_t> order;
+  Mesh b = shuffled(a, order);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> noise(-0.02F, 0.02F);  // edges are 0.05
+  for (float& x : b.positions) x += noise(random);
+  const auto told = compare(a, b, order);
+  const auto found = compare(a, b);
+  ASSERT_TRUE(told);
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(found->corresponding);
+  EXPECT_TRUE(found->reordered);
+  EXPECT_FALSE(told->reordered);
+  EXPECT_EQ(found->matched_faces, 800U);
+  EXPECT_EQ(found->quality.max_error, told->quality.max_error);
+  EXPECT_DOUBLE_EQ(found->quality.vde_rms, told->quality.vde_rms);
+  EXPECT_EQ(found->signed_error, told->signed_error);
+}
+
+TEST(Compare, DoesNotMissFacesThatDrawNothing) {
   const Mesh a = octahedron();
   std::vector<std::uint32_t> order;
-  const auto result = compare(a, shuffled(a, order));
+  Mesh b = shuffled(a, order);
+  b.triangles.insert(b.triangles.end(), {2, 3, 3});
+  for (const bool first : {true, false}) {
+    const auto result = first ? compare(a, b) : compare(b, a);
+    ASSERT_TRUE(result);
+    EXPECT_TRUE(result->corresponding);
+    EXPECT_EQ(result->matched_faces, 8U);
+    EXPECT_EQ(result->unmatched_faces_b, first ? 1U : 0U);
+    EXPECT_EQ(result->quality.max_error, 0);
+  }
+}
+
+TEST(Compare, FindsTheOrderOfPoints) {
+  Mesh a = grid(6, 0);
+  a.triangles.clear();
+  std::vector<std::uint32_t> order;
+  const Mesh b = shuffled(a, order);
+  Mesh fewer = b;
+  fewer.positions.resize(fewer.positions.size() - 3);
+  const auto result = compare(a, fewer);
   ASSERT_TRUE(result);
-  EXPECT_FALSE(result->corresponding);
-  EXPECT_EQ(result->surface_max, 0);
-  EXPECT_NEAR(result->normal_angle_p95, 0, 1e-9);
+  EXPECT_TRUE(result->corresponding);
+  EXPECT_EQ(result->quality.max_error, 0);
 }
 
 TEST(Compare, MeasuresSurfacesOfOtherTriangulations) {
   const auto result = compare(grid(7, 0), grid(3, 0.125F, true));
   ASSERT_TRUE(result);
   EXPECT_FALSE(result->corresponding);
+  EXPECT_EQ(result->matched_faces, 0U);
+  EXPECT_EQ(result->unmatched_faces_a, 98U);
+  EXPECT_EQ(result->unmatched_faces_b, 18U);
   EXPECT_DOUBLE_EQ(result->surface_rms, 0.125);
   EXPECT_DOUBLE_EQ(result->surface_max, 0.125);
   EXPECT_NEAR(result->normal_angle_mean, 0, 1e-9);
@@ -152,6 +193,8 @@ TEST(Compare, SeesOrientationAndMultiplicity) {
   Mesh flipped = a;
   std::swap(flipped.triangles[0], flipped.triangles[1]);
   EXPECT_FALSE(compare(a, flipped)->corresponding);
+  EXPECT_EQ(compare(a, flipped)->matched_faces, 7U);
+  EXPECT_EQ(compare(a, flipped)->unmatched_faces_a, 1U);
   Mesh twice = a;
   std::copy_n(a.triangles.begin(), 3, twice.triangles.begin() + 3);
   EXPECT_FALSE(compare(a, twice)->corresponding);
@@ -169,10 +212,15 @@ TEST(Compare, AcceptsDroppedVertices) {
   EXPECT_TRUE(result->corresponding);
   EXPECT_EQ(result->quality.max_error, 0);
   EXPECT_DOUBLE_EQ(result->diagonal, std::sqrt(12.0));
-  const auto surfaces = compare(a, b);
-  ASSERT_TRUE(surfaces);
-  EXPECT_FALSE(surfaces->corresponding);
-  EXPECT_EQ(surfaces->surface_max, 0);
+  const auto found = compare(a, b);
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(found->corresponding);
+  EXPECT_EQ(found->quality.max_error, 0);
+  const auto back = compare(b, a);  // the vertex without a face has no partner
+  ASSERT_TRUE(back);
+  EXPECT_FALSE(back->corresponding);
+  EXPECT_EQ(back->matched_faces, 8U);
+  EXPECT_EQ(back->surface_max, 0);
 }
 
 TEST(Compare, WeldsSeamsButSeesCracks) {

@@ -38,6 +38,14 @@ void* allocate(std::size_t bytes, std::size_t alignment) {
 [[gnu::noinline]] void* operator new(std::size_t bytes, std::align_val_t alignment) {
   return allocate(bytes, static_cast<std::size_t>(alignment));
 }
+// What std::stable_sort asks for; without it the sort goes on in place.
+[[gnu::noinline]] void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
+  try {
+    return allocate(bytes, alignof(std::max_align_t));
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
 [[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
 [[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 [[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
@@ -97,7 +105,7 @@ TEST(FailingAllocations, AreErrorsOfDecodingOnAnyNumberOfThreads) {
 TEST(FailingAllocations, AreErrorsOfADecoderWhichThenGoesOn) {
   Decoder decoder;
   for (const std::uint32_t size : {160U, 190U}) {
-    const EncodeOptions options{.geometry = GeometryCoder::kHighpass, .effort = 0};
+    const EncodeOptions options{.geometry = GeometryCoder::kHighpass, .effort = 0, .bits = 10};
     const auto encoded = encode(testing::bumpy_grid(size, size), options);
     ASSERT_TRUE(encoded);
     EXPECT_GT(encoded->bytes.size(), 1U << 14);  // shorter streams keep no memory

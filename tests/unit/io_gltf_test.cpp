@@ -173,15 +173,72 @@ TEST(GltfReader, AttributesThatNotAllHaveAreDropped) {
     {"attributes":{"POSITION":0,"_A":1,"NORMAL":3,"TEXCOORD_0":2,"_B":1},"mode":5},
     {"attributes":{"POSITION":0,"_A":1},"mode":5}]}])",
                                accessors));
-  ASSERT_EQ(mesh.attributes.size(), 2U);
-  EXPECT_EQ(mesh.attributes[0].name, "TEXCOORD_0");
-  EXPECT_EQ(mesh.attributes[0].type, ComponentType::kF32);
-  const auto uv = values_of<float>(mesh.attributes[0]);
+  ASSERT_EQ(mesh.attributes.size(), 3U);
+  EXPECT_EQ(mesh.attributes[0].name, "NORMAL");
+  EXPECT_EQ(mesh.attributes[1].name, "TEXCOORD_0");
+  EXPECT_EQ(mesh.attributes[1].type, ComponentType::kF32);
+  const auto uv = values_of<float>(mesh.attributes[1]);
   EXPECT_FLOAT_EQ(uv[0], 0x1000 / 65535.0F);
   EXPECT_EQ(uv[8], 0);
-  EXPECT_EQ(mesh.attributes[1].name, "_A");
-  EXPECT_EQ(mesh.attributes[1].kind, AttributeKind::kGeneric);
-  EXPECT_FALSE(mesh.attributes[1].normalized);
+  EXPECT_EQ(mesh.attributes[2].name, "_A");
+  EXPECT_EQ(mesh.attributes[2].kind, AttributeKind::kGeneric);
+  EXPECT_FALSE(mesh.attributes[2].normalized);
+}
+
+TEST(GltfReader, MissingNormalsComeFromTheFaces) {
+  const Mesh mesh = read(asset(R"("meshes":[{"primitives":[
+    {"attributes":{"POSITION":0,"NORMAL":0},"indices":1},{"attributes":{"POSITION":0},"indices":1}]}])"));
+  ASSERT_EQ(mesh.attributes.size(), 1U);
+  EXPECT_EQ(mesh.attributes[0].kind, AttributeKind::kNormal);
+  const auto normals = values_of<float>(mesh.attributes[0]);
+  ASSERT_EQ(normals.size(), 24U);
+  for (std::size_t v = 4; v < 8; ++v) {
+    EXPECT_EQ(normals[3 * v], 0);
+    EXPECT_EQ(normals[3 * v + 1], 0);
+    EXPECT_EQ(std::abs(normals[3 * v + 2]), 1);
+  }
+}
+
+TEST(GltfReader, SkinsAndTangentsKeepTheirKindsAndNames) {
+  ByteWriter out;
+  for (const float value : {0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F}) out.write(value);  // 0
+  for (int v = 0; v < 3; ++v)
+    for (const float value : {0.F, 0.F, 1.F}) out.write(value);  // 36
+  for (int v = 0; v < 3; ++v)
+    for (const float value : {0.F, 1.F, 0.F, v == 1 ? -1.F : 1.F}) out.write(value);  // 72
+  for (const int joint : {3, 2, 1, 0, 7, 0, 0, 0, 9, 8, 0, 0})
+    out.write(static_cast<std::uint8_t>(joint));  // 120
+  for (const int weight : {255, 0, 0, 0, 128, 127, 0, 0, 85, 85, 85, 0})
+    out.write(static_cast<std::uint8_t>(weight));  // 132
+  const std::string text = R"({"asset":{"version":"2.0"},"meshes":[{"primitives":[
+    {"attributes":{"POSITION":0,"NORMAL":1,"TANGENT":2,"JOINTS_0":3,"WEIGHTS_0":4}}]}],"bufferViews":[
+      {"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":36},
+      {"buffer":0,"byteOffset":72,"byteLength":48},{"buffer":0,"byteOffset":120,"byteLength":12},
+      {"buffer":0,"byteOffset":132,"byteLength":12}],"accessors":[
+      {"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"},
+      {"bufferView":1,"componentType":5126,"count":3,"type":"VEC3"},
+      {"bufferView":2,"componentType":5126,"count":3,"type":"VEC4"},
+      {"bufferView":3,"componentType":5121,"count":3,"type":"VEC4"},
+      {"bufferView":4,"componentType":5121,"normalized":true,"count":3,"type":"VEC4"}],
+    "buffers":[{"byteLength":144,"uri":"data:application/gltf-buffer;base64,)" +
+                           base64(out.bytes()) + "\"}]}";
+  const Mesh mesh = read(text);
+  ASSERT_EQ(mesh.attributes.size(), 4U);
+  EXPECT_EQ(mesh.attributes[0].kind, AttributeKind::kJoints);
+  EXPECT_EQ(mesh.attributes[2].kind, AttributeKind::kTangent);
+  EXPECT_EQ(mesh.attributes[3].kind, AttributeKind::kWeights);
+  EXPECT_TRUE(mesh.attributes[3].normalized);
+  const auto written = write_mesh(mesh, FileFormat::kGlb);
+  ASSERT_TRUE(written);
+  const auto again = read_mesh(*written, FileFormat::kGlb);
+  ASSERT_TRUE(again) << describe(again.error());
+  ASSERT_EQ(again->mesh.attributes.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(again->mesh.attributes[i].name, mesh.attributes[i].name);
+    EXPECT_EQ(again->mesh.attributes[i].kind, mesh.attributes[i].kind);
+    EXPECT_EQ(again->mesh.attributes[i].type, mesh.attributes[i].type);
+    EXPECT_EQ(again->mesh.attributes[i].values, mesh.attributes[i].values);
+  }
 }
 
 TEST(GltfReader, NormalsTurnByTheInverseTranspose) {

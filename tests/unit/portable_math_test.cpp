@@ -9,6 +9,9 @@
 #include <cstdint>
 #include <limits>
 
+#include "base/rounded.h"
+#include "base/two_doubles.h"
+
 namespace deltamesh {
 namespace {
 
@@ -32,6 +35,16 @@ TEST(PortableMath, PowersAreNearTheLibrarys) {
   EXPECT_EQ(portable_exp2(1e300), kInfinity);
   EXPECT_EQ(portable_exp2(-kInfinity), 0);
   EXPECT_TRUE(std::isnan(portable_exp2(std::nan(""))));
+}
+
+[[gnu::noinline]] TwoDoubles both_rounded(double a, double b) {
+  return TwoDoubles{static_cast<double>(rounded(a)), static_cast<double>(rounded(b))};
+}
+
+TEST(PortableMath, RoundingToFloatsIsNeverLeftOut) {
+  const TwoDoubles x = both_rounded(1.0 / 3, 1e-3);
+  EXPECT_EQ(x[0], static_cast<double>(1.0F / 3));
+  EXPECT_EQ(x[1], static_cast<double>(1e-3F));
 }
 
 TEST(PortableMath, BitsAreAlwaysTheSame) {

@@ -147,9 +147,9 @@ TEST(Predictive, TheAskedMaximumIsNeverExceeded) {
   for (const auto& named : testing::awkward_meshes()) {
     for (const double asked : {0.3, 0.01, 1e-4, 1e-12}) {
       for (const int effort : {0, 5}) {
-        const auto encoded = encode(
-            named.mesh,
-            {.quality = {.max_error = asked}, .geometry = GeometryCoder::kPredictive, .effort = effort});
+        const auto encoded = encode(named.mesh, {.quality = {.max_error = QualityBound{asked}},
+                                                 .geometry = GeometryCoder::kPredictive,
+                                                 .effort = effort});
         ASSERT_TRUE(encoded) << named.name;
         EXPECT_LE(largest_error(named.mesh, *encoded), asked) << named.name;
         EXPECT_EQ(encoded->report.stream.geometry, "predictive");
@@ -184,11 +184,13 @@ TEST(Predictive, AxesThatAreGridsKeepTheirSteps) {
     mesh.positions[3 * v + 1] = 5100000 + 30 * std::round(mesh.positions[3 * v + 1] * 10);
     mesh.positions[3 * v + 2] = static_cast<float>(v * v % 97);
   }
-  const auto encoded = encode(mesh, {.quality = {.max_error = 0.25}, .geometry = GeometryCoder::kPredictive});
+  const auto encoded =
+      encode(mesh, {.quality = {.max_error = QualityBound{0.25}}, .geometry = GeometryCoder::kPredictive});
   ASSERT_TRUE(encoded);
   EXPECT_EQ(largest_error(mesh, *encoded), 0);
   EXPECT_NEAR(encoded->report.stream.step, 300, 0.001);
-  const auto coarse = encode(mesh, {.quality = {.max_error = 20}, .geometry = GeometryCoder::kPredictive});
+  const auto coarse =
+      encode(mesh, {.quality = {.max_error = QualityBound{20}}, .geometry = GeometryCoder::kPredictive});
   ASSERT_TRUE(coarse);
   EXPECT_LE(largest_error(mesh, *coarse), 20);
   EXPECT_LT(coarse->bytes.size(), encoded->bytes.size());
@@ -216,7 +218,7 @@ TEST(Predictive, QuantisedSourcesNeedNoPlanes) {
 TEST(Predictive, AutoIsTheSmallerOfTheTwo) {
   const Mesh mesh = testing::bumpy_grid(50, 40);
   for (const QualityRequest& request :
-       {QualityRequest{.vde = QualityBound{0.01}}, QualityRequest{.max_error = 0.01}}) {
+       {QualityRequest{.vde = QualityBound{0.01}}, QualityRequest{.max_error = QualityBound{0.01}}}) {
     std::uint64_t smallest = ~std::uint64_t{0};
     for (const GeometryCoder coder : {GeometryCoder::kHighpass, GeometryCoder::kPredictive}) {
       const auto encoded = encode(mesh, {.quality = request, .geometry = coder});
@@ -297,7 +299,8 @@ TEST(Lossless, FLT1RefusesWhatIsNotFinite) {
   for (int i = 0; i < 300; ++i) {
     std::vector<std::byte> bytes(400);
     for (std::byte& b : bytes) b = static_cast<std::byte>((state = state * 1664525 + 1013904223) >> 24);
-    bytes[7] = bytes[15] = std::byte{0x3f};
+    bytes[0] = std::byte{0x88};  // two states of 8 bytes
+    bytes[8] = bytes[16] = std::byte{0x3f};
     const auto back =
         read_positions(Payload::compact(bytes), faces_of(mesh),
                        {.kind = PositionKind::kFloats, .lattice = {}}, {{0, 0, 0}, {3e38, 3e38, 3e38}});
@@ -310,7 +313,7 @@ TEST(Voxels, VOX1VOX2VOX3VOX4VOX5VOX6EdgesComeBack) {
   const Mesh mesh = room();
   for (const double asked : {0.03, 0.004, 0.0004}) {
     const auto encoded =
-        encode(mesh, {.quality = {.max_error = asked}, .geometry = GeometryCoder::kPredictive});
+        encode(mesh, {.quality = {.max_error = QualityBound{asked}}, .geometry = GeometryCoder::kPredictive});
     ASSERT_TRUE(encoded);
     const auto container = Container::open(encoded->bytes);
     EXPECT_EQ(container->header().predictive.kind, PositionKind::kVoxel);
@@ -328,7 +331,7 @@ TEST(Voxels, PartlyGriddedMeshesComeBack) {
       mesh.positions[3 * v + axis] += static_cast<float>(state >> 8) * 1e-9F;
   }
   const auto encoded =
-      encode(mesh, {.quality = {.max_error = 0.004}, .geometry = GeometryCoder::kPredictive});
+      encode(mesh, {.quality = {.max_error = QualityBound{0.004}}, .geometry = GeometryCoder::kPredictive});
   ASSERT_TRUE(encoded);
   EXPECT_LE(largest_error(mesh, *encoded), 0.004);
 }
@@ -348,8 +351,8 @@ TEST(Predictive, QuickStreamsDeclareWhatADecoderGets) {
       ++compared;
       const Quality& declared = encoded->report.stream.quality;
       const Quality& measured = comparison->quality;
-      EXPECT_NEAR(declared.vde_rms, measured.vde_rms, 1e-6 * measured.vde_rms) << name;
-      EXPECT_NEAR(declared.lfe_rms, measured.lfe_rms, 1e-6 * measured.lfe_rms) << name;
+      EXPECT_NEAR(declared.vde_rms, measured.vde_rms, 0x1p-15 * measured.vde_rms) << name;
+      EXPECT_NEAR(declared.lfe_rms, measured.lfe_rms, 0x1p-15 * measured.lfe_rms) << name;
       EXPECT_GE(declared.max_error, measured.max_error) << name;
     }
   }
@@ -432,7 +435,8 @@ TEST(Voxels, VOX1VOX5POSN7RefuseWhatIsNotThere) {
   for (int i = 0; i < 15000; ++i) {
     std::vector<std::byte> bytes(400);
     for (std::byte& b : bytes) b = static_cast<std::byte>((state = state * 1664525 + 1013904223) >> 24);
-    bytes[7] = bytes[15] = std::byte{0x3f};
+    bytes[0] = std::byte{0x88};  // two states of 8 bytes
+    bytes[8] = bytes[16] = std::byte{0x3f};
     const auto back = read_positions(Payload::compact(bytes), faces_of(mesh), parameters, mesh.box);
     ++refused[rule_of(back)];
     if (!back) continue;
@@ -510,6 +514,16 @@ TEST(Compact, CMP10NumbersOfAnyRangeComeBack) {
   EXPECT_TRUE(reader.finish(0));
 }
 
+TEST(Predictive, HDR14TheMostBitsAreCoded) {
+  Mesh mesh;
+  mesh.positions = {0, 0, 0, 1, 0, 0, 0.3F, 0.7F, 0.1F};
+  mesh.triangles = {0, 1, 2};
+  const auto encoded = encode(mesh, {.geometry = GeometryCoder::kPredictive, .bits = 28});
+  ASSERT_TRUE(encoded) << describe(encoded.error());
+  EXPECT_LE(encoded->report.stream.quality.max_error, 0x1p-28);
+  EXPECT_TRUE(decode(encoded->bytes));
+}
+
 TEST(Predictive, OptionsThatDoNotFitAreRefused) {
   const GeometryCoder predictive = GeometryCoder::kPredictive;
   EXPECT_TRUE(validate({.geometry = predictive, .bits = 28}));
@@ -519,7 +533,7 @@ TEST(Predictive, OptionsThatDoNotFitAreRefused) {
   EXPECT_FALSE(validate({.geometry = predictive, .profile = Profile::kZstd}));
   EXPECT_TRUE(validate({.geometry = predictive, .lossless = true}));
   EXPECT_FALSE(validate({.geometry = GeometryCoder::kHighpass, .lossless = true}));
-  EXPECT_FALSE(validate({.quality = {.max_error = 1}, .lossless = true}));
+  EXPECT_FALSE(validate({.quality = {.max_error = QualityBound{1}}, .lossless = true}));
   EXPECT_FALSE(validate({.lossless = true, .bits = 8}));
 }
 

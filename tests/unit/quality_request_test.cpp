@@ -135,7 +135,8 @@ TEST(QualityRequest, MaxErrorIsKeptOnAwkwardMeshes) {
     if (!(diagonal > 0)) continue;
     for (const int effort : {0, 5}) {
       const double asked = 0.002 * diagonal;
-      const auto encoded = encode(named.mesh, {.quality = {.max_error = asked}, .effort = effort});
+      const auto encoded =
+          encode(named.mesh, {.quality = {.max_error = QualityBound{asked}}, .effort = effort});
       ASSERT_TRUE(encoded) << named.name << ": " << describe(encoded.error());
       EXPECT_LE(encoded->report.stream.quality.max_error, asked) << named.name;
     }
@@ -146,8 +147,8 @@ TEST(QualityRequest, SmallFragmentedAndFlatMeshesSucceed) {
   for (const Mesh& mesh : {one_triangle(), fragments(1000), flat_grid(), Mesh{}}) {
     for (const QualityRequest& request :
          {QualityRequest{.vde = percent(0.02)}, QualityRequest{.lfe = percent(0.1)},
-          QualityRequest{.vde = percent(0.02), .lfe = percent(0.1)}, QualityRequest{.max_error = 0.01},
-          QualityRequest{.target_bytes = 40000}}) {
+          QualityRequest{.vde = percent(0.02), .lfe = percent(0.1)},
+          QualityRequest{.max_error = QualityBound{0.01}}, QualityRequest{.target_bytes = 40000}}) {
       const auto encoded = encode(mesh, {.quality = request, .effort = 4});
       ASSERT_TRUE(encoded) << mesh.vertex_count() << ' ' << describe(encoded.error());
       const StreamInfo& stream = encoded->report.stream;
@@ -235,26 +236,68 @@ TEST(QualityRequest, BadRequestsAreRefused) {
   for (const double bad : {0.0, -1.0, kNan, kInfinity}) {
     EXPECT_TRUE(refused({.quality = {.vde = percent(bad)}})) << bad;
     EXPECT_TRUE(refused({.quality = {.lfe = QualityBound{.value = bad}}})) << bad;
-    EXPECT_TRUE(refused({.quality = {.max_error = bad}})) << bad;
+    EXPECT_TRUE(refused({.quality = {.max_error = QualityBound{bad}}})) << bad;
   }
   EXPECT_TRUE(refused({.quality = {.target_bytes = 0}}));
   EXPECT_TRUE(refused({.quality = {.vde = percent(1)}, .bits = 8}));
   EXPECT_TRUE(refused({.quality = {.vde = percent(1)}, .step = 0.1}));
   EXPECT_TRUE(refused({.quality = {.target_bytes = 1000}, .bits = 8}));
-  EXPECT_TRUE(refused({.quality = {.max_error = 1}, .bits = 8}));
+  EXPECT_TRUE(refused({.quality = {.max_error = QualityBound{1}}, .bits = 8}));
   EXPECT_TRUE(refused({.quality = {.lfe = percent(1)}, .anchors = 8}));
-  EXPECT_TRUE(refused({.quality = {.max_error = 1}, .anchor_density = 8}));
+  EXPECT_TRUE(refused({.quality = {.max_error = QualityBound{1}}, .anchor_density = 8}));
   EXPECT_TRUE(refused({.effort = -1}));
   EXPECT_TRUE(refused({.effort = 10}));
   EXPECT_TRUE(validate({.quality = {.vde = percent(1)}, .anchors = 8}));
   EXPECT_TRUE(validate({.quality = {.lfe = percent(1)}, .bits = 8}));
 }
 
+TEST(QualityRequest, WithoutOptionsNothingIsLostThatOneCouldTell) {
+  for (const auto& named : testing::awkward_meshes()) {
+    for (const int effort : {0, 5}) {
+      const auto encoded = encode(named.mesh, {.effort = effort});
+      if (!encoded) continue;  // what floats cannot hold
+      const StreamInfo& stream = encoded->report.stream;
+      EXPECT_LE(stream.quality.max_error, 0.00021 * stream.diagonal) << named.name;
+      for (const AttributeInfo& attribute : stream.attributes)
+        EXPECT_LE(attribute.error, attribute.kind == AttributeKind::kNormal ? 0.5001 : 1.0 / 4095)
+            << named.name;
+    }
+  }
+  // A fine mesh keeps its looks too: edges of a 500th of the diagonal, and errors of a 25th of these.
+  const auto fine = encode(testing::bumpy_grid(350, 350));
+  EXPECT_LT(fine->report.stream.quality.max_error, 0.05 * 1.3);
+}
+
+/// A highpass stream, which the profile asks for, cannot keep 0.02 % of a mesh of such uneven scale.
+TEST(QualityRequest, WithoutOptionsThereIsAlwaysAStream) {
+  Mesh mesh;
+  mesh.positions = {0, 0, 0, 1e-6F, 0, 0, 0, 1e-6F, 0, 1e6F, 0, 0, 1e6F, 0.1F, 0, 1000000.125F, 0, 0};
+  mesh.triangles = {0, 1, 2, 3, 4, 5};
+  const auto encoded = encode(mesh, {.profile = Profile::kZstd});
+  ASSERT_TRUE(encoded) << describe(encoded.error());
+  EXPECT_TRUE(decode(encoded->bytes));
+}
+
+/// Of fewer bytes than the defaults take: both positions and attributes are coarser.
+TEST(QualityRequest, BytesAreSharedBetweenPositionsAndAttributes) {
+  Mesh mesh = testing::attributed_grid(60, 50);
+  mesh.attributes.pop_back();  // the score, which stays exact
+  const auto whole = encode(mesh);
+  for (const int effort : {0, 5}) {
+    const std::uint64_t target = whole->bytes.size() * 6 / 10;
+    const auto small = encode(mesh, {.quality = {.target_bytes = target}, .effort = effort});
+    ASSERT_TRUE(small) << describe(small.error());
+    EXPECT_LE(small->bytes.size(), target);
+    EXPECT_GT(small->bytes.size(), target * 6 / 10);
+    EXPECT_GT(small->report.stream.attributes[0].error, whole->report.stream.attributes[0].error);
+  }
+}
+
 TEST(QualityRequest, WhatFloatsCannotHoldIsUnmet) {
   const Mesh mesh = testing::bumpy_grid(20, 20);
-  for (const QualityRequest& request :
-       {QualityRequest{.vde = QualityBound{.value = 1e-12}},
-        QualityRequest{.lfe = QualityBound{.value = 1e-12}}, QualityRequest{.max_error = 1e-12}}) {
+  for (const QualityRequest& request : {QualityRequest{.vde = QualityBound{.value = 1e-12}},
+                                        QualityRequest{.lfe = QualityBound{.value = 1e-12}},
+                                        QualityRequest{.max_error = QualityBound{1e-12}}}) {
     const auto encoded = encode(mesh, {.quality = request, .geometry = GeometryCoder::kHighpass});
     ASSERT_FALSE(encoded);
     EXPECT_EQ(encoded.error().code, ErrorCode::kUnmetRequest);

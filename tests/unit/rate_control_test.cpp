@@ -270,7 +270,7 @@ TEST(Bounds, AreKeptByTheDeclaredFloatToo) {
   EXPECT_GT((Bounds{.vde = bound}.load({.vde_rms = bound})), 1);
   EXPECT_GT((Bounds{.lfe = bound}.load({.lfe_rms = bound * (1 - 1e-12)})), 1);
   EXPECT_GT((Bounds{.max_error = bound}.load({.max_error = bound})), 1);
-  EXPECT_LE((Bounds{.max_error = bound}.load({.max_error = bound * (1 - 1e-7)})), 1);
+  EXPECT_LE((Bounds{.max_error = bound}.load({.max_error = bound * (1 - 0x1p-15)})), 1);
   EXPECT_EQ((Bounds{.max_error = 0.25}.load({.max_error = 0.25})), 1);
   EXPECT_DOUBLE_EQ((Bounds{.max_error = 0.25}.load({.max_error = 0.125})), 0.5);
   EXPECT_TRUE(std::isinf(round_up(1e39)));

@@ -76,7 +76,7 @@ TEST_P(AwkwardMesh, ComesBackWithTheSameFacesAndTheStatedError) {
   const Quality& quality = encoded->report.stream.quality;
   const double largest = largest_error(mesh, *decoded, order);
   EXPECT_LE(largest, quality.max_error * (1 + 1e-12));
-  EXPECT_GE(largest, quality.max_error * (1 - 1e-6));
+  EXPECT_GE(largest, quality.max_error * (1 - 0x1p-15));
   EXPECT_LE(quality.lfe_rms, quality.max_error);
   EXPECT_EQ(decoded->origin, mesh.origin);
   EXPECT_EQ(decoded->attributes.size(), mesh.attributes.size());
@@ -163,7 +163,7 @@ TEST(RoundTrip, AttributesFollowTheirVertices) {
           float q = 0;
           std::memcpy(&p, x + 4 * c, 4);
           std::memcpy(&q, y + 4 * c, 4);
-          EXPECT_NEAR(p, q, 4e-3) << before.name << " at " << i;
+          EXPECT_NEAR(p, q, 9e-3) << before.name << " at " << i;
         }
       }
     }
@@ -228,7 +228,11 @@ TEST(Encode, RejectsOptionsOutsideTheirRange) {
        {EncodeOptions{.bits = 2}, EncodeOptions{.bits = 17}, EncodeOptions{.bits = 8, .step = 0.1},
         EncodeOptions{.step = 0.0}, EncodeOptions{.step = nan}, EncodeOptions{.anchors = 0},
         EncodeOptions{.anchors = 3, .anchor_density = 3}, EncodeOptions{.anchor_bits = 3},
-        EncodeOptions{.normal_bits = 16}, EncodeOptions{.color_bits = 0}, EncodeOptions{.uv_bits = 25}}) {
+        EncodeOptions{.attributes = {.normal_error = -1}},
+        EncodeOptions{.attributes = {.tangent_error = nan}}, EncodeOptions{.attributes = {.uv_error = nan}},
+        EncodeOptions{.attributes = {.color_error = -0.5}},
+        EncodeOptions{.attributes = {.weight_error = nan}},
+        EncodeOptions{.attributes = {.named = {{"heat", -1}}}}}) {
     const auto result = encode(mesh, options);
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().code, ErrorCode::kInvalidArgument);

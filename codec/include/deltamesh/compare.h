@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "deltamesh/mesh.h"
@@ -15,11 +16,36 @@
 
 namespace deltamesh {
 
+/// What became of an attribute.
+enum class AttributeMatch : std::uint8_t {
+  kCompared,    ///< both meshes have it
+  kMissingInB,  ///< B has none of this name and kind, nor another of the kind
+  kOnlyInB,
+  kOtherType,  ///< B's has other components, or only one of them is normalized
+};
+
+/// An attribute of both meshes. Errors in degrees (normals, tangents; 180 where a tangent's sign differs),
+/// distance (texture coordinates), 255ths of the range (colours, the worst component), or the attribute's own
+/// unit (others, the worst component; integer weights as parts of 1); 0 where nothing was measured.
+struct AttributeComparison {
+  std::string name;  ///< in A, or in B where only B has it
+  AttributeKind kind = AttributeKind::kGeneric;
+  AttributeMatch match = AttributeMatch::kCompared;
+  std::uint64_t measured = 0;  ///< pairs of a vertex of A and a vertex of B
+  double max_error = 0;        ///< infinity where a difference is not a number
+  double mean = 0;
+  double rms = 0;
+};
+
 /// Distances between two meshes, model units.
 struct Comparison {
   bool corresponding =
-      false;        ///< vertices and faces correspond, so that `quality` and the angles are per vertex
-  Quality quality;  ///< VDE, LFE and max vertex error; only where corresponding
+      false;               ///< vertices and faces correspond, so that `quality` and the angles are per vertex
+  bool reordered = false;  ///< they do in another order, which compare() found
+  std::uint64_t matched_faces = 0;      ///< faces of B that are faces of A, with the same corners
+  std::uint64_t unmatched_faces_a = 0;  ///< faces of A that B does not have
+  std::uint64_t unmatched_faces_b = 0;
+  Quality quality;                      ///< VDE, LFE and max vertex error; only where corresponding
   std::uint64_t measured_vertices = 0;  ///< position-welded vertices that a face uses
   double surface_rms =
       0;  ///< symmetric point-to-surface distance, root mean square over the vertices of both meshes
@@ -27,15 +53,19 @@ struct Comparison {
   double normal_angle_mean = 0;  ///< degrees, between area-weighted vertex normals
   double normal_angle_p95 = 0;   ///< degrees, 95th percentile
   double diagonal = 0;           ///< of A's bounding box
+  /// Of A in its order, then those only in B; measured at the corners of matched faces.
+  std::vector<AttributeComparison> attributes;
   std::vector<float>
       signed_error;  ///< per vertex of B: displacement from A along A's normal, outward positive
 };
 
 /// Compares `b` (the approximation) with `a` (the original). `order`: the vertex of `a` for every vertex of
-/// `b` (empty: same index). Vertices correspond when the counts fit and every triangle of `b` is a triangle
-/// of `a` (same orientation, any rotation, any order) under `order`; otherwise distances to the surface are
-/// used. Errors: kInvalidMesh, kInvalidArgument (`order` with an index out of range or of a wrong length),
-/// kOutOfMemory.
+/// `b`; vertices correspond when the counts fit and every triangle of `b` is a triangle of `a` (same
+/// orientation, any rotation, any order) under it. Empty: the same index; where that does not correspond,
+/// faces are matched by place and neighbours, copies of a vertex told apart by their faces and attributes,
+/// and the meshes correspond where this finds all faces of both. Otherwise distances to the surface are used.
+/// Attributes stand for each other by name and kind, else by kind in their order. Cost O(n log n). Errors:
+/// kInvalidMesh, kInvalidArgument (`order` with an index out of range or of a wrong length), kOutOfMemory.
 Result<Comparison> compare(const MeshView& a, const MeshView& b,
                            std::span<const std::uint32_t> order = {}) noexcept;
 

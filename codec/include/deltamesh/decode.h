@@ -20,7 +20,7 @@ namespace deltamesh {
 struct DecodeLimits {
   std::uint64_t vertices = std::uint64_t{1} << 26;
   std::uint64_t triangles = std::uint64_t{1} << 27;
-  std::uint32_t attributes = 64;
+  std::uint32_t attributes = 1024;                         ///< a face with 52 morph targets has more than 100
   std::uint64_t attribute_bytes = std::uint64_t{1} << 31;  ///< all attribute values together
 };
 

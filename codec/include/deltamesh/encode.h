@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "deltamesh/anchor_containers.h"
+#include "deltamesh/attribute_quality.h"
 #include "deltamesh/mesh.h"
 #include "deltamesh/quality_request.h"
 #include "deltamesh/result.h"
@@ -57,9 +58,7 @@ struct EncodeOptions {
   /// Bits per axis of an anchor, over the longest side of the bounding box; 4 to 24. A quality request may
   /// change it.
   int anchor_bits = 12;
-  int normal_bits = 10;  ///< bits per octahedral axis of a normal; 2 to 15
-  int color_bits = 8;    ///< bits per colour component; 1 to 16, and never more than the type has
-  int uv_bits = 12;      ///< bits per texture coordinate, over their range; 1 to 24
+  AttributeQuality attributes{};  ///< bounds of attributes; `lossless` keeps their bits
   Profile profile = Profile::kSmallest;
   bool keep_order = false;         ///< store the input's vertex and face order and restore it
   bool keep_unreferenced = false;  ///< keep vertices that no face uses

@@ -18,7 +18,10 @@ enum class AttributeKind : std::uint8_t {
   kNormal = 0,   ///< unit vector, 3 x f32
   kColor = 1,    ///< 3 or 4 components, u8 or u16 over the full range, or f32 in [0, 1]
   kUv = 2,       ///< texture coordinates, 2 x f32
-  kGeneric = 3,  ///< anything else; kept exactly
+  kGeneric = 3,  ///< anything else; exact unless its name is given a bound
+  kTangent = 4,  ///< 4 x f32: unit vector, and a sign of 1 or -1
+  kJoints = 5,   ///< indices of a skin's joints, u8 or u16; exact
+  kWeights = 6,  ///< of those joints, f32, or u8 or u16 over the full range
 };
 
 enum class ComponentType : std::uint8_t { kI8 = 0, kU8, kI16, kU16, kI32, kU32, kF32, kF64 };
@@ -28,6 +31,8 @@ constexpr std::size_t component_size(ComponentType type) noexcept {
   constexpr std::size_t kSizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
   return kSizes[static_cast<std::size_t>(type)];
 }
+
+inline constexpr std::uint8_t kAttributeKinds = 7;
 
 /// One value per vertex: `components` numbers of `type`, native byte order, tightly packed.
 struct Attribute {
@@ -45,6 +50,8 @@ struct Mesh {
   std::vector<float> positions;          ///< n x 3, model units, relative to `origin`
   std::vector<std::uint32_t> triangles;  ///< m x 3 vertex indices, each below n
   std::vector<Attribute> attributes;
+  /// m: number of the group (material, primitive) of every triangle, below 2^16; or empty: one group.
+  std::vector<std::uint32_t> face_groups;
 
   std::size_t vertex_count() const noexcept { return positions.size() / 3; }
   std::size_t triangle_count() const noexcept { return triangles.size() / 3; }
@@ -69,6 +76,7 @@ struct MeshView {
   std::span<const float> positions;
   std::span<const std::uint32_t> triangles;
   std::vector<AttributeView> attributes;
+  std::span<const std::uint32_t> face_groups;
 
   std::size_t vertex_count() const noexcept { return positions.size() / 3; }
   std::size_t triangle_count() const noexcept { return triangles.size() / 3; }

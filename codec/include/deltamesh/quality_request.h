@@ -9,10 +9,10 @@
 
 namespace deltamesh {
 
-/// What a bound on VDE or LFE is counted in.
+/// What a bound on positions is counted in.
 enum class QualityUnit : std::uint8_t {
-  kModel,     ///< root mean square, model units
-  kDiagonal,  ///< root mean square, percent of the bounding-box diagonal
+  kModel,     ///< model units; of VDE and LFE the root mean square
+  kDiagonal,  ///< the same in percent of the bounding-box diagonal
   kPaper,     ///< the paper's sum (eqs. 1, 2), mesh scaled to a diagonal of 1
 };
 
@@ -28,7 +28,8 @@ struct QualityBound {
 struct QualityRequest {
   std::optional<QualityBound> vde = std::nullopt;  ///< visual distortion error, eq. 2
   std::optional<QualityBound> lfe = std::nullopt;  ///< low-frequency error, eq. 1
-  std::optional<double> max_error = std::nullopt;  ///< no vertex is farther off, model units
+  /// No vertex is farther off; not in the paper's unit.
+  std::optional<QualityBound> max_error = std::nullopt;
   /// The whole stream has no more bytes. Alone: the lowest VDE that fits.
   std::optional<std::uint64_t> target_bytes = std::nullopt;
 

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "deltamesh/mesh.h"
 #include "deltamesh/result.h"
 
 namespace deltamesh {
@@ -23,11 +24,22 @@ struct Quality {
   double max_error = 0;  ///< largest distance of a vertex from its original; model units
 };
 
+/// An attribute as the header tells of it.
+struct AttributeInfo {
+  std::string name;
+  AttributeKind kind = AttributeKind::kGeneric;
+  ComponentType type = ComponentType::kF32;
+  std::uint8_t components = 1;
+  std::uint64_t coded_bytes = 0;
+  /// Largest error that the encoder measured: normals and tangents: degrees; texture coordinates: distance;
+  /// colours: difference of a component in 255ths of its range; all others: difference of a component.
+  double error = 0;
+};
+
 struct ChunkInfo {
   std::array<char, 5> tag{};  ///< zero-terminated
-  std::uint32_t part = 0;
-  const char* codec = "";    ///< "raw", "zstd" or "compact"
-  std::uint64_t offset = 0;  ///< first byte in the file
+  const char* codec = "";     ///< "raw", "zstd" or "compact"
+  std::uint64_t offset = 0;   ///< first byte in the file
   std::uint64_t coded_bytes = 0;
   std::uint64_t decoded_bytes = 0;
 };
@@ -41,7 +53,7 @@ struct StreamInfo {
   std::uint64_t triangles = 0;
   std::uint64_t components = 0;  ///< connected components of the welded mesh, isolated vertices included
   std::array<double, 3> origin{};
-  std::array<float, 3> box_min{};  ///< bounding box relative to `origin`
+  std::array<float, 3> box_min{};  ///< bounding box relative to `origin`; of a lattice, where there is one
   std::array<float, 3> box_max{};
   double diagonal = 0;       ///< of the bounding box
   bool keeps_order = false;  ///< the decoded mesh is in the input's vertex and face order
@@ -52,16 +64,17 @@ struct StreamInfo {
   std::uint32_t anchor_density = 0;  ///< largest hop distance of a vertex to its nearest anchor
   int cycles = 0;                    ///< of the solver; 0 where it goes on until it settles
   Quality quality;
+  std::vector<AttributeInfo> attributes;
   std::vector<ChunkInfo> chunks;
   std::uint64_t bytes = 0;
-  std::uint64_t connectivity_bytes = 0;  ///< coded CONN, SEAM and ORDR
+  std::uint64_t connectivity_bytes = 0;  ///< coded CONN, SEAM, FGRP and ORDR
   std::uint64_t geometry_bytes = 0;      ///< coded DELT or POSN
   std::uint64_t anchor_bytes = 0;        ///< coded ANCH
   std::uint64_t attribute_bytes = 0;     ///< coded ATTR
-  std::uint64_t container_bytes = 0;     ///< everything else: header, directory, padding
+  std::uint64_t container_bytes = 0;     ///< everything else: headers, descriptors, checksum
 };
 
-/// Reads header and directory and checks them, every chunk's place and every checksum, but decodes nothing.
+/// Reads the headers of the stream and of its chunks, and checks them and the checksum, but decodes nothing.
 /// No allocation but the result's; one pass over the bytes. Errors: 1xx codes.
 Result<StreamInfo> inspect(std::span<const std::byte> stream) noexcept;
 

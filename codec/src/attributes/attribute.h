@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// ATTR: one per-vertex attribute, quantised by kind: normals on the octahedron, colours to fewer levels,
-// texture coordinates over their range; everything else exactly.
+// ATTR: one attribute of the vertices, within a bound of its kind's error or to the last bit.
 #pragma once
 
 #include <cstddef>
@@ -10,37 +9,49 @@
 #include <span>
 #include <vector>
 
+#include "attributes/attribute_surface.h"
+#include "deltamesh/attribute_quality.h"
 #include "deltamesh/mesh.h"
 #include "deltamesh/result.h"
 #include "entropy/payload.h"
-#include "topology/adjacency.h"
+#include "format/attribute_descriptor.h"
 
 namespace deltamesh {
 
-struct AttributeQuantization {
-  int normal_bits = 10;
-  int color_bits = 8;
-  int uv_bits = 12;
-  bool exact = false;  ///< every attribute to the last bit
+struct AttributeSettings {
+  const AttributeQuality& quality;
+  bool plain = false;  ///< no compact coding
+  int effort = 5;      ///< 0 to 9
 };
 
-/// `order`: the row of `attribute` for every coded vertex. An attribute of a known kind whose shape does not
-/// fit the kind (a colour of doubles, say), or that is not finite, is stored exactly. Errors: kInvalidMesh
-/// (sizes that disagree).
-Result<std::vector<std::byte>> write_attribute(const AttributeView& attribute,
-                                               std::span<const std::uint32_t> order,
-                                               const AttributeQuantization& quantization);
+/// A coded attribute and what a decoder gets.
+struct CodedAttribute {
+  std::vector<std::byte> plain;    ///< the payload; empty where it has a compact form only
+  std::vector<std::byte> compact;  ///< the same values in the compact form; empty where it has none
+  AttributeDescriptor descriptor;
+  Attribute decoded;
+};
 
-/// The same payload in the compact form, empty where the attribute has none. `graph`: over the coded
-/// vertices.
-Result<std::vector<std::byte>> write_compact_attribute(const AttributeView& attribute,
-                                                       std::span<const std::uint32_t> order,
-                                                       const AttributeQuantization& quantization,
-                                                       const Adjacency& graph);
+/// `order`: the row of `attribute` for every coded vertex. `others`: the decoded attributes that decoders
+/// know before this one, see decoded_after_others(). An attribute of a known kind whose shape does not fit
+/// the kind (a colour of doubles, say), or that is not finite, is exact. Errors: kInvalidMesh (sizes that
+/// disagree).
+Result<CodedAttribute> write_attribute(const AttributeView& attribute, std::span<const std::uint32_t> order,
+                                       const AttributeSettings& settings, const AttributeSurface& surface,
+                                       std::span<const Attribute> others);
 
-/// `graph`: over the coded vertices; asked for only where the payload is compact. Errors: kTruncated,
-/// kInvalidStream [ATTR-*], kLimitExceeded where the values would take more than `max_bytes`.
-Result<Attribute> read_attribute(Payload payload, std::uint32_t vertex_count, std::uint64_t max_bytes,
-                                 const Adjacency* graph = nullptr);
+/// Whether attributes of this kind are decoded after all that are not, and from what these say [ATTR-11].
+constexpr bool decoded_after_others(AttributeKind kind) noexcept {
+  return kind == AttributeKind::kTangent || kind == AttributeKind::kWeights;
+}
+
+/// Bytes of all values of `rows` vertices.
+std::uint64_t attribute_bytes(const AttributeDescriptor& descriptor, std::uint32_t rows) noexcept;
+
+/// `others`: see write_attribute(). Errors: kTruncated, kInvalidStream [ATTR-*], kLimitExceeded where the
+/// values would take more than `max_bytes`.
+Result<Attribute> read_attribute(Payload payload, const AttributeDescriptor& descriptor,
+                                 const AttributeSurface& surface, std::span<const Attribute> others,
+                                 std::uint64_t max_bytes);
 
 }  // namespace deltamesh

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// The fields before the symbols of an ATTR payload [ATTR-1, ATTR-2], and the rules that join shape and
-// coding.
+// How an ATTR payload codes its values [ATTR-2], and the shapes that each coding is for.
 #pragma once
 
 #include <bit>
@@ -10,34 +9,55 @@
 #include <cstdint>
 #include <cstring>
 
-#include "deltamesh/mesh.h"
+#include "format/attribute_descriptor.h"
 
 namespace deltamesh {
 
 /// How the values became symbols [ATTR-2].
 enum class AttributeCoding : std::uint8_t {
-  kExact = 0,        ///< the bits of every component [ATTR-4]
-  kOctahedral = 1,   ///< normals [ATTR-5]
-  kColorLevels = 2,  ///< colours, levels over the full range [ATTR-6]
-  kUvLevels = 3,     ///< texture coordinates, levels over their own range [ATTR-7]
+  kExact = 0,            ///< the bits of every component [ATTR-4]
+  kOctahedral = 1,       ///< normals [ATTR-5]
+  kColorLevels = 2,      ///< colours, levels over the full range [ATTR-6]
+  kUvLevels = 3,         ///< texture coordinates, levels over their own range [ATTR-7]
+  kSurfaceNormals = 4,   ///< normals, predicted from the surface [ATTR-20]
+  kSurfaceUvs = 5,       ///< texture coordinates, predicted from the surface [ATTR-31]
+  kSurfaceTangents = 6,  ///< tangents, predicted from the surface [ATTR-38]
+  kSurfaceColors = 7,    ///< colours from those around, exact or within a bound [ATTR-45]
+  kLattice = 8,          ///< numbers on lattices, predicted from the surface [ATTR-55]
+  kWeights = 9,          ///< of joints, which add up to 1 [ATTR-62]
+  kJoints = 10,          ///< from those of the vertices around [ATTR-60]
 };
 
-inline constexpr unsigned kMaxComponents = 16;
-inline constexpr std::size_t kMaxAttributeName = 255;
+/// Whether payloads of the coding are plain; all others are compact [ATTR-2].
+constexpr bool is_plain_coding(AttributeCoding coding) noexcept {
+  return coding <= AttributeCoding::kUvLevels;
+}
 
 /// True where values of this shape may be coded so [ATTR-2].
 constexpr bool coding_fits(AttributeCoding coding, AttributeKind kind, ComponentType type,
                            unsigned components) noexcept {
   switch (coding) {
     case AttributeCoding::kExact:
+    case AttributeCoding::kLattice:
       return true;
     case AttributeCoding::kOctahedral:
+    case AttributeCoding::kSurfaceNormals:
       return kind == AttributeKind::kNormal && type == ComponentType::kF32 && components == 3;
+    case AttributeCoding::kWeights:
+      return kind == AttributeKind::kWeights && components == 4 &&
+             (type == ComponentType::kU8 || type == ComponentType::kU16 || type == ComponentType::kF32);
+    case AttributeCoding::kJoints:
+      return kind == AttributeKind::kJoints && components == 4 &&
+             (type == ComponentType::kU8 || type == ComponentType::kU16);
     case AttributeCoding::kColorLevels:
+    case AttributeCoding::kSurfaceColors:
       return kind == AttributeKind::kColor && (components == 3 || components == 4) &&
              (type == ComponentType::kU8 || type == ComponentType::kU16 || type == ComponentType::kF32);
     case AttributeCoding::kUvLevels:
+    case AttributeCoding::kSurfaceUvs:
       return kind == AttributeKind::kUv && type == ComponentType::kF32 && components == 2;
+    case AttributeCoding::kSurfaceTangents:
+      return kind == AttributeKind::kTangent && type == ComponentType::kF32 && components == 4;
   }
   return false;
 }
@@ -49,7 +69,22 @@ constexpr int max_color_bits(ComponentType type) noexcept { return type == Compo
 inline std::uint64_t load_component(const std::byte* bytes, std::size_t size) noexcept {
   std::uint64_t value = 0;
   const std::size_t skip = std::endian::native == std::endian::little ? 0 : sizeof value - size;
-  std::memcpy(reinterpret_cast<std::byte*>(&value) + skip, bytes, size);
+  const auto load = [&](std::size_t fixed) {
+    std::memcpy(reinterpret_cast<std::byte*>(&value) + skip, bytes, fixed);
+  };
+  switch (size) {  // compilers make a call of a copy of any size
+    case 1:
+      load(1);
+      break;
+    case 2:
+      load(2);
+      break;
+    case 4:
+      load(4);
+      break;
+    default:
+      load(8);
+  }
   return value;
 }
 

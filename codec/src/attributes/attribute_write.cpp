@@ -1,51 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <optional>
+#include <string>
 
 #include "attributes/attribute.h"
+#include "attributes/attribute_error.h"
 #include "attributes/attribute_payload.h"
-#include "attributes/field_columns.h"
-#include "attributes/levels.h"
-#include "attributes/octahedral.h"
-#include "attributes/symbols.h"
+#include "attributes/attribute_rows.h"
+#include "attributes/lattice_attribute.h"
+#include "attributes/plain_attribute.h"
+#include "attributes/skin.h"
+#include "attributes/surface_colors.h"
+#include "attributes/surface_normals.h"
+#include "attributes/surface_tangents.h"
+#include "attributes/surface_uvs.h"
 #include "base/byte_writer.h"
-#include "base/vec3.h"
+#include "base/try.h"
+#include "quality/round_up.h"
 
 namespace deltamesh {
 namespace {
-
-/// Normals of a length this far from 1 are data, not directions: they are stored exactly.
-constexpr double kUnitTolerance = 1e-2;
-
-/// The attribute's values, by coded vertex.
-class Rows {
- public:
-  Rows(const AttributeView& attribute, std::span<const std::uint32_t> order)
-      : values_(attribute.values),
-        order_(order),
-        size_(component_size(attribute.type)),
-        components_(attribute.components) {}
-
-  std::size_t count() const noexcept { return order_.size(); }
-  std::uint64_t bits(std::size_t row, std::size_t component) const noexcept {
-    return load_component(values_.data() + (order_[row] * components_ + component) * size_, size_);
-  }
-  float number(std::size_t row, std::size_t component) const noexcept {
-    return std::bit_cast<float>(static_cast<std::uint32_t>(bits(row, component)));
-  }
-  Vec3 vector(std::size_t row) const noexcept {
-    return {static_cast<double>(number(row, 0)), static_cast<double>(number(row, 1)),
-            static_cast<double>(number(row, 2))};
-  }
-
- private:
-  std::span<const std::byte> values_;
-  std::span<const std::uint32_t> order_;
-  std::size_t size_;
-  std::size_t components_;
-};
 
 Error sizes_disagree(const char* message) { return {.code = ErrorCode::kInvalidMesh, .message = message}; }
 
@@ -62,169 +37,181 @@ Result<void> check_shape(const AttributeView& attribute, std::span<const std::ui
   return {};
 }
 
-bool all_unit_or_zero(const Rows& rows) {
-  for (std::size_t i = 0; i < rows.count(); ++i) {
-    const double size = length(rows.vector(i));
-    if (size != 0 && !(std::fabs(size - 1) <= kUnitTolerance)) return false;
+/// The largest error that a descriptor can tell; larger bounds are cut to it.
+constexpr double kLargestBound = 0x1p127;
+
+/// The bound on the error of `attribute`; 0: exact.
+double bound_of(const AttributeView& attribute, const AttributeQuality& quality) noexcept {
+  switch (attribute.kind) {
+    case AttributeKind::kNormal:
+      return quality.normal_error;
+    case AttributeKind::kTangent:
+      return quality.tangent_error.value_or(quality.normal_error);
+    case AttributeKind::kUv:
+      return quality.uv_error;
+    case AttributeKind::kColor:
+      return quality.color_error;
+    case AttributeKind::kWeights:
+      return quality.weight_error;
+    case AttributeKind::kJoints:
+      return 0;
+    case AttributeKind::kGeneric:
+      break;
   }
-  return true;
+  for (const NamedBound& named : quality.named)
+    if (named.name == attribute.name) return named.error;
+  return 0;
 }
 
-/// Smallest and largest value of a component. False where one is not finite.
-bool find_range(const Rows& rows, std::size_t component, LevelRange& range) {
-  if (rows.count() != 0) range = {rows.number(0, component), rows.number(0, component)};
-  for (std::size_t i = 0; i < rows.count(); ++i) {
-    const float value = rows.number(i, component);
-    if (!std::isfinite(value)) return false;
-    range.min = std::min(range.min, value);
-    range.max = std::max(range.max, value);
-  }
-  return true;
+Attribute attribute_of(const AttributeView& attribute, std::span<const std::byte> values) {
+  return {.kind = attribute.kind,
+          .type = attribute.type,
+          .components = attribute.components,
+          .normalized = attribute.normalized,
+          .name = std::string(attribute.name),
+          .values = {values.begin(), values.end()}};
 }
 
-bool all_in_unit_range(const Rows& rows, std::size_t components) {
-  LevelRange range;
-  for (std::size_t c = 0; c < components; ++c)
-    if (!find_range(rows, c, range) || range.min < 0 || range.max > 1) return false;
-  return true;
+/// The compact payload of a coding, which has no plain form. `bytes` follow the coding's byte.
+CodedAttribute code_compact(const AttributeView& attribute, AttributeCoding coding,
+                            std::span<const std::byte> bytes, std::span<const std::byte> values) {
+  ByteWriter out;
+  out.write(static_cast<std::uint8_t>(coding));
+  out.write_bytes(bytes);
+  CodedAttribute coded;
+  coded.compact = out.take();
+  coded.decoded = attribute_of(attribute, values);
+  return coded;
 }
 
-using Symbols = std::vector<std::uint64_t>;
-
-template <class SymbolOfRow>
-Symbols symbols_of(const Rows& rows, SymbolOfRow symbol_of_row) {
-  Symbols symbols;
-  symbols.reserve(rows.count());
-  for (std::size_t i = 0; i < rows.count(); ++i) symbols.push_back(symbol_of_row(i));
-  return symbols;
+std::optional<CodedAttribute> code_normals(const AttributeView& attribute, const AttributeRows& rows,
+                                           double bound, const AttributeSurface& surface) {
+  const auto normals = write_surface_normals(rows.gather_floats(), bound, surface);
+  if (!normals) return std::nullopt;
+  return code_compact(attribute, AttributeCoding::kSurfaceNormals, normals->bytes,
+                      std::as_bytes(std::span(normals->values)));
 }
 
-/// Where the symbols go: the bytes after the fields, plain or, where there is a graph, compact.
-struct SymbolSink {
-  ByteWriter& out;
-  const Adjacency* graph;
-  bool is_color = false;
-  bool has_form = true;  ///< false once the attribute turned out to have no compact form
-};
-
-/// Writes all components; `make(c)` gives the symbols of component c.
-template <class MakeComponent>
-void write_components(SymbolSink& sink, std::size_t components, unsigned width, MakeComponent make) {
-  if (sink.graph == nullptr) {
-    Symbols before;
-    for (std::size_t c = 0; c < components; ++c) {
-      Symbols symbols = make(c);
-      write_symbols(sink.out, symbols, before, width);
-      before = std::move(symbols);
-    }
-    return;
-  }
-  sink.has_form = width <= kWidestField;
-  if (!sink.has_form) return;
-  FieldColumns columns;
-  for (std::size_t c = 0; c < components; ++c) columns.push_back(make(c));
-  sink.out.write_bytes(write_field_columns(
-      columns, *sink.graph, {.components = components, .width = width, .is_color = sink.is_color}));
+std::optional<CodedAttribute> code_uvs(const AttributeView& attribute, const AttributeRows& rows,
+                                       double bound, const AttributeSurface& surface) {
+  const auto uvs = write_surface_uvs(rows.gather_floats(), bound, surface);
+  if (!uvs) return std::nullopt;
+  return code_compact(attribute, AttributeCoding::kSurfaceUvs, uvs->bytes,
+                      std::as_bytes(std::span(uvs->values)));
 }
 
-void write_coding(ByteWriter& out, AttributeCoding coding) { out.write(static_cast<std::uint8_t>(coding)); }
-
-void write_exact(SymbolSink& sink, const AttributeView& attribute, const Rows& rows) {
-  write_coding(sink.out, AttributeCoding::kExact);
-  const auto width = static_cast<unsigned>(8 * component_size(attribute.type));
-  write_components(sink, attribute.components, width, [&](std::size_t c) {
-    return symbols_of(rows, [&](std::size_t i) { return rows.bits(i, c); });
-  });
+std::optional<CodedAttribute> code_tangents(const AttributeView& attribute, const AttributeRows& rows,
+                                            double bound, const AttributeSurface& surface,
+                                            std::span<const Attribute> others) {
+  const TangentBasis basis = tangent_basis(others, surface.vertex_count());
+  const auto tangents = write_surface_tangents(rows.gather_floats(), bound, surface, basis);
+  if (!tangents) return std::nullopt;
+  return code_compact(attribute, AttributeCoding::kSurfaceTangents, tangents->bytes,
+                      std::as_bytes(std::span(tangents->values)));
 }
 
-void write_normals(SymbolSink& sink, const Rows& rows, int bits) {
-  write_coding(sink.out, AttributeCoding::kOctahedral);
-  sink.out.write(static_cast<std::uint8_t>(bits));
-  std::array<Symbols, 2> codes;
-  for (std::size_t i = 0; i < rows.count(); ++i) {
-    const OctahedralCode code = encode_octahedral(rows.vector(i), bits);
-    codes[0].push_back(code[0]);
-    codes[1].push_back(code[1]);
-  }
-  write_components(sink, 2, static_cast<unsigned>(bits), [&](std::size_t c) { return std::move(codes[c]); });
+std::optional<CodedAttribute> code_on_lattices(const AttributeView& attribute, const AttributeRows& rows,
+                                               double bound, int effort, const AttributeSurface& surface) {
+  const auto coded = write_lattice(attribute, rows, bound, effort, surface);
+  if (!coded) return std::nullopt;
+  return code_compact(attribute, AttributeCoding::kLattice, coded->bytes, coded->values);
 }
 
-void write_colors(SymbolSink& sink, const AttributeView& attribute, const Rows& rows, int asked_bits) {
-  const int bits = std::min(asked_bits, max_color_bits(attribute.type));
-  write_coding(sink.out, AttributeCoding::kColorLevels);
-  sink.out.write(static_cast<std::uint8_t>(bits));
-  const std::uint32_t top = top_level(bits);
-  const std::uint32_t full = top_level(max_color_bits(attribute.type));
-  const bool is_float = attribute.type == ComponentType::kF32;
-  sink.is_color = true;
-  write_components(sink, attribute.components, static_cast<unsigned>(bits), [&](std::size_t c) {
-    return symbols_of(rows, [&](std::size_t i) {
-      return is_float ? level_of(rows.number(i, c), LevelRange{}, top)
-                      : rescale_level(static_cast<std::uint32_t>(rows.bits(i, c)), full, top);
-    });
-  });
+std::optional<CodedAttribute> code_colors(const AttributeView& attribute, const AttributeRows& rows,
+                                          double bound, const AttributeSurface& surface) {
+  const auto colors =
+      write_surface_colors(rows.gather(), attribute.type, attribute.components, bound, surface);
+  if (!colors) return std::nullopt;
+  return code_compact(attribute, AttributeCoding::kSurfaceColors, colors->bytes, colors->values);
 }
 
-void write_uvs(SymbolSink& sink, const Rows& rows, const std::array<LevelRange, 2>& ranges, int bits) {
-  write_coding(sink.out, AttributeCoding::kUvLevels);
-  sink.out.write(static_cast<std::uint8_t>(bits));
-  for (const LevelRange& range : ranges) {
-    sink.out.write(range.min);
-    sink.out.write(range.max);
-  }
-  write_components(sink, 2, static_cast<unsigned>(bits), [&](std::size_t c) {
-    return symbols_of(rows,
-                      [&](std::size_t i) { return level_of(rows.number(i, c), ranges[c], top_level(bits)); });
-  });
-}
-
-void write_values(SymbolSink& sink, const AttributeView& attribute, const Rows& rows,
-                  const AttributeQuantization& quantization) {
+/// Joints by their own coding, and weights where they add up to 1; else on lattices.
+std::optional<CodedAttribute> code_skin(const AttributeView& attribute, const AttributeRows& rows,
+                                        double bound, const AttributeSettings& settings,
+                                        const AttributeSurface& surface, std::span<const Attribute> others) {
   const auto fits = [&](AttributeCoding coding) {
     return coding_fits(coding, attribute.kind, attribute.type, attribute.components);
   };
-  if (quantization.exact) return write_exact(sink, attribute, rows);
-  if (fits(AttributeCoding::kOctahedral) && all_unit_or_zero(rows))
-    return write_normals(sink, rows, quantization.normal_bits);
-  if (fits(AttributeCoding::kColorLevels) &&
-      (attribute.type != ComponentType::kF32 || all_in_unit_range(rows, attribute.components)))
-    return write_colors(sink, attribute, rows, quantization.color_bits);
-  std::array<LevelRange, 2> ranges;
-  if (fits(AttributeCoding::kUvLevels) && find_range(rows, 0, ranges[0]) && find_range(rows, 1, ranges[1]))
-    return write_uvs(sink, rows, ranges, quantization.uv_bits);
-  write_exact(sink, attribute, rows);
+  if (fits(AttributeCoding::kJoints)) {
+    const SkinCoded coded = write_joints(attribute, rows, surface);
+    return code_compact(attribute, AttributeCoding::kJoints, coded.bytes, coded.values);
+  }
+  if (fits(AttributeCoding::kWeights)) {
+    const auto coded = write_weights(attribute, rows, bound, surface, others);
+    if (coded) return code_compact(attribute, AttributeCoding::kWeights, coded->bytes, coded->values);
+  }
+  return code_on_lattices(attribute, rows, bound * weight_unit(attribute.type), settings.effort, surface);
 }
 
-/// Fields, then values; empty where `graph` is given and the attribute has no compact form.
-Result<std::vector<std::byte>> write_form(const AttributeView& attribute,
-                                          std::span<const std::uint32_t> order,
-                                          const AttributeQuantization& quantization, const Adjacency* graph) {
-  DELTAMESH_CHECK(check_shape(attribute, order));
-  ByteWriter out;
-  out.write(static_cast<std::uint8_t>(attribute.kind));
-  out.write(static_cast<std::uint8_t>(attribute.type));
-  out.write(attribute.components);
-  out.write(static_cast<std::uint8_t>(attribute.normalized ? 1 : 0));
-  out.write(static_cast<std::uint8_t>(attribute.name.size()));
-  out.write_bytes(std::as_bytes(std::span(attribute.name)));
-  SymbolSink sink{.out = out, .graph = graph};
-  write_values(sink, attribute, Rows(attribute, order), quantization);
-  return sink.has_form ? out.take() : std::vector<std::byte>{};
+/// The coding of the attribute's kind; empty where there is none, or none that keeps the bound.
+std::optional<CodedAttribute> code_kind(const AttributeView& attribute, const AttributeRows& rows,
+                                        double bound, const AttributeSettings& settings,
+                                        const AttributeSurface& surface, std::span<const Attribute> others) {
+  const auto fits = [&](AttributeCoding coding) {
+    return coding_fits(coding, attribute.kind, attribute.type, attribute.components);
+  };
+  if (fits(AttributeCoding::kSurfaceNormals)) return code_normals(attribute, rows, bound, surface);
+  if (fits(AttributeCoding::kSurfaceUvs)) return code_uvs(attribute, rows, bound, surface);
+  if (fits(AttributeCoding::kSurfaceTangents)) return code_tangents(attribute, rows, bound, surface, others);
+  if (fits(AttributeCoding::kSurfaceColors)) return code_colors(attribute, rows, bound, surface);
+  switch (attribute.kind) {
+    case AttributeKind::kGeneric:
+      return code_on_lattices(attribute, rows, bound, settings.effort, surface);
+    case AttributeKind::kJoints:
+    case AttributeKind::kWeights:
+      return code_skin(attribute, rows, bound, settings, surface, others);
+    default:
+      return std::nullopt;
+  }
+}
+
+/// Empty where no coding of the surface suits the attribute.
+std::optional<CodedAttribute> write_on_surface(const AttributeView& attribute, const AttributeRows& rows,
+                                               double bound, const AttributeSettings& settings,
+                                               const AttributeSurface& surface,
+                                               std::span<const Attribute> others) {
+  auto coded = code_kind(attribute, rows, bound, settings, surface, others);
+  if (!coded) coded = code_on_lattices(attribute, rows, 0, settings.effort, surface);
+  // Exact wide values may repeat in a way that only the plain form's codec finds, as in copies of parts.
+  const bool is_wide = component_size(attribute.type) >= 4;
+  if (coded && is_wide && settings.effort > 0 && coded->decoded.values == rows.gather())
+    coded->plain = write_exact_attribute(attribute, rows);
+  return coded;
+}
+
+AttributeDescriptor describe(const AttributeView& attribute) {
+  return {.kind = attribute.kind,
+          .type = attribute.type,
+          .components = attribute.components,
+          .flags = static_cast<std::uint8_t>(attribute.normalized ? 1 : 0),
+          .name = std::string(attribute.name)};
+}
+
+Result<CodedAttribute> code_plainly(const AttributeView& attribute, const AttributeRows& rows, double bound,
+                                    const AttributeSurface& surface) {
+  CodedAttribute coded;
+  coded.plain = write_plain_attribute(attribute, rows, bound);
+  DELTAMESH_TRY(coded.decoded,
+                read_attribute(coded.plain, describe(attribute), surface, {}, ~std::uint64_t{0}));
+  return coded;
 }
 
 }  // namespace
 
-Result<std::vector<std::byte>> write_attribute(const AttributeView& attribute,
-                                               std::span<const std::uint32_t> order,
-                                               const AttributeQuantization& quantization) {
-  return write_form(attribute, order, quantization, nullptr);
-}
-
-Result<std::vector<std::byte>> write_compact_attribute(const AttributeView& attribute,
-                                                       std::span<const std::uint32_t> order,
-                                                       const AttributeQuantization& quantization,
-                                                       const Adjacency& graph) {
-  return write_form(attribute, order, quantization, &graph);
+Result<CodedAttribute> write_attribute(const AttributeView& attribute, std::span<const std::uint32_t> order,
+                                       const AttributeSettings& settings, const AttributeSurface& surface,
+                                       std::span<const Attribute> others) {
+  DELTAMESH_CHECK(check_shape(attribute, order));
+  const AttributeRows rows(attribute, order);
+  const double bound = std::min(bound_of(attribute, settings.quality), kLargestBound);
+  std::optional<CodedAttribute> coded;
+  if (!settings.plain) coded = write_on_surface(attribute, rows, bound, settings, surface, others);
+  if (!coded) {
+    DELTAMESH_TRY(coded, code_plainly(attribute, rows, bound, surface));
+  }
+  coded->descriptor = describe(attribute);
+  coded->descriptor.error = round_up(attribute_error(attribute, rows, coded->decoded.values));
+  return *std::move(coded);
 }
 
 }  // namespace deltamesh

@@ -15,7 +15,8 @@
 
 namespace deltamesh {
 
-/// Reads little-endian numbers and varints [CON-1, CON-2] off the front of a byte span; never past its end.
+/// Reads little-endian numbers and varints, and short floats [CON-1, CON-2, CON-6] off the front of a byte
+/// span; never past its end.
 class ByteReader {
  public:
   /// `chunk_tag` is named in errors.
@@ -41,6 +42,14 @@ class ByteReader {
     } else {
       return static_cast<T>(value);
     }
+  }
+
+  /// A short float. Errors: kTruncated [CON-1].
+  Result<float> read_short_float() noexcept {
+    if (remaining() < 3) return error(ErrorCode::kTruncated, "bytes end inside a number", "CON-1");
+    std::uint32_t bits = 0;
+    for (unsigned i = 1; i < 4; ++i) bits |= std::to_integer<std::uint32_t>(bytes_[position_++]) << (8 * i);
+    return std::bit_cast<float>(bits);
   }
 
   /// LEB128, at most 10 bytes, shortest form only, value at most `max`. Errors: kTruncated, kInvalidStream

@@ -14,7 +14,7 @@
 
 namespace deltamesh {
 
-/// Appends little-endian numbers and varints [CON-1, CON-2] to a growing buffer.
+/// Appends little-endian numbers and varints, and short floats [CON-1, CON-2, CON-6] to a growing buffer.
 class ByteWriter {
  public:
   template <class T>
@@ -29,6 +29,12 @@ class ByteWriter {
       bits = static_cast<std::uint64_t>(value);
     }
     for (std::size_t i = 0; i < sizeof(T); ++i) bytes_.push_back(static_cast<std::byte>(bits >> (8 * i)));
+  }
+
+  /// Of a short float: its three upper bytes [CON-6].
+  void write_short_float(float value) {
+    const auto bits = std::bit_cast<std::uint32_t>(value);
+    for (unsigned i = 1; i < 4; ++i) bytes_.push_back(static_cast<std::byte>(bits >> (8 * i)));
   }
 
   void write_varint(std::uint64_t value) {

@@ -16,4 +16,13 @@ inline FourFloats narrow_lanes(TwoDoubles low, TwoDoubles high) noexcept {
                     static_cast<float>(high[1])};
 }
 
+/// Rounded as std::sqrt() is.
+inline FourFloats square_roots(FourFloats x) noexcept {
+#if defined(__SSE2__)
+  return _mm_sqrt_ps(x);
+#else
+  return FourFloats{std::sqrt(x[0]), std::sqrt(x[1]), std::sqrt(x[2]), std::sqrt(x[3])};
+#endif
+}
+
 }  // namespace deltamesh

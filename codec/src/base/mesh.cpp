@@ -5,7 +5,10 @@
 namespace deltamesh {
 
 MeshView::MeshView(const Mesh& mesh)
-    : origin(mesh.origin), positions(mesh.positions), triangles(mesh.triangles) {
+    : origin(mesh.origin),
+      positions(mesh.positions),
+      triangles(mesh.triangles),
+      face_groups(mesh.face_groups) {
   attributes.reserve(mesh.attributes.size());
   for (const Attribute& a : mesh.attributes)
     attributes.push_back({a.kind, a.type, a.components, a.normalized, a.name, a.values});

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Logarithms and powers that are the same on every machine: those of C libraries differ in their last bits,
-// and encoders that decide by them would write different bytes.
+// Logarithms, powers and angles that are the same on every machine: those of C libraries differ in their last
+// bits, and encoders that decide by them would write different bytes.
 #pragma once
 
 #include <cmath>
 #include <limits>
+
+#include "base/vec3.h"
 
 namespace deltamesh {
 
@@ -41,6 +43,39 @@ inline double portable_exp2(double x) noexcept {
   double power = 1;
   for (int i = 12; i > 0; --i) power = 1 + y * power / i;
   return std::ldexp(power, static_cast<int>(whole));
+}
+
+inline constexpr double kPi = 3.14159265358979324;
+
+/// Of `x`, any number; within 1e-14 of the true one.
+inline double portable_atan(double x) noexcept {
+  // Each halving of the angle brings tan to x / (1 + sqrt(1 + x^2)); after four it is below 0.05.
+  double t = std::fabs(x);
+  if (t > 1) return (x < 0 ? -1 : 1) * (kPi / 2 - portable_atan(1 / t));
+  for (int i = 0; i < 4; ++i) t = t / (1 + std::sqrt(1 + t * t));
+  const double u = t * t;
+  const double series = t * (1 - u * (1.0 / 3 - u * (1.0 / 5 - u * (1.0 / 7 - u * (1.0 / 9 - u / 11)))));
+  return (x < 0 ? -16 : 16) * series;
+}
+
+/// Of `x` in radians, -2 pi to 2 pi; within 1e-12 of the true one.
+inline double portable_sin(double x) noexcept {
+  const double u = x * x;
+  double series = 1;
+  for (int i = 30; i > 0; i -= 2) series = 1 - u * series / ((i) * (i + 1));
+  return x * series;
+}
+
+/// The angle between `a` and `b`, of any length, in degrees, 0 to 180. 0 where both are zero, 90 where one
+/// is; not a number where a coordinate is not finite.
+inline double portable_degrees_between(const Vec3& a, const Vec3& b) noexcept {
+  const double size_a = length(a);
+  const double size_b = length(b);
+  if (size_a == 0 || size_b == 0) return size_a == size_b ? 0 : 90;
+  const Vec3 p = size_b * a;
+  const Vec3 q = size_a * b;
+  const double far = length(p + q);  // tan(angle / 2) = |p - q| / |p + q|, precise for small angles too
+  return far == 0 ? 180 : 360 / kPi * portable_atan(length(p - q) / far);
 }
 
 }  // namespace deltamesh

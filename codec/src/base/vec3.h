@@ -26,6 +26,16 @@ constexpr Vec3 cross(const Vec3& a, const Vec3& b) noexcept {
 }
 inline double length(const Vec3& a) noexcept { return std::sqrt(dot(a, a)); }
 
+/// Scales `v` to unit length and returns what it is multiplied by, above 0. 0 where it has no direction: then
+/// `v` stays.
+inline double normalize(Vec3& v) noexcept {
+  const double square = dot(v, v);
+  if (!(square > 1e-300) || !(square < 1e300)) return 0;
+  const double inverse = 1 / std::sqrt(square);
+  v = inverse * v;
+  return inverse;
+}
+
 /// Axis-aligned, closed.
 struct Box {
   Vec3 min{};

@@ -16,4 +16,12 @@ constexpr std::int32_t unzigzag(std::uint32_t code) noexcept {
   return static_cast<std::int32_t>((code >> 1) ^ (~(code & 1) + 1));
 }
 
+constexpr std::uint64_t zigzag(std::int64_t value) noexcept {
+  return (static_cast<std::uint64_t>(value) << 1) ^ static_cast<std::uint64_t>(value >> 63);
+}
+
+constexpr std::int64_t unzigzag(std::uint64_t code) noexcept {
+  return static_cast<std::int64_t>((code >> 1) ^ (~(code & 1) + 1));
+}
+
 }  // namespace deltamesh

@@ -40,7 +40,8 @@ Error limit_exceeded(const char* message) noexcept {
 Result<void> check_limits(const FileHeader& header, const DecodeLimits& limits) {
   if (header.vertices > limits.vertices) return limit_exceeded("more vertices than the caller's limit");
   if (header.triangles > limits.triangles) return limit_exceeded("more triangles than the caller's limit");
-  if (header.attributes > limits.attributes) return limit_exceeded("more attributes than the caller's limit");
+  if (header.attributes.size() > limits.attributes)
+    return limit_exceeded("more attributes than the caller's limit");
   return {};
 }
 

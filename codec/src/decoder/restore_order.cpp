@@ -35,6 +35,7 @@ Mesh restore_order(const Mesh& mesh, const MeshOrder& order) {
       restored.triangles[3 * std::size_t{order.faces[f]} + (order.rotation[f] + corner) % 3] =
           order.vertices[mesh.triangles[3 * f + corner]];
   }
+  if (!mesh.face_groups.empty()) restored.face_groups = scatter_rows(mesh.face_groups, order.faces, 1);
   for (const Attribute& attribute : mesh.attributes) {
     Attribute moved = attribute;
     moved.values =

@@ -14,6 +14,7 @@
 #include "base/thread_team.h"
 #include "base/try.h"
 #include "connectivity/connectivity.h"
+#include "connectivity/face_groups.h"
 #include "connectivity/seams.h"
 #include "decoder/restore_order.h"
 #include "entropy/chunk_codec.h"
@@ -44,13 +45,20 @@ class StreamDecoder {
   Result<Mesh> run() {
     Mesh mesh;
     mesh.origin = header_.origin;
-    DELTAMESH_CHECK(check_attribute_count());
     DELTAMESH_CHECK(read_faces(mesh.triangles));
+    DELTAMESH_TRY(mesh.face_groups, read_groups(mesh.triangles));
     if (header_.geometry != kGeometryPredictive) build_graphs(mesh.triangles);
-    Task<Result<std::vector<Attribute>>> attributes([&] { return read_attributes(mesh.triangles); });
-    DELTAMESH_TRY(mesh.positions, read_geometry(mesh.triangles));
-    report_progress(options_, kGeometryDone);
-    DELTAMESH_TRY(mesh.attributes, attributes.get());
+    if (header_.geometry == kGeometryPredictive) {
+      DELTAMESH_TRY(mesh.positions, read_geometry(mesh.triangles));
+      report_progress(options_, kGeometryDone);
+      DELTAMESH_TRY(mesh.attributes, read_attributes(mesh.triangles, mesh.positions));
+    } else {
+      // Nothing that is parsed may depend on solved positions [ATTR-10], so both can go on at a time.
+      Task<Result<std::vector<Attribute>>> attributes([&] { return read_attributes(mesh.triangles, {}); });
+      DELTAMESH_TRY(mesh.positions, read_geometry(mesh.triangles));
+      report_progress(options_, kGeometryDone);
+      DELTAMESH_TRY(mesh.attributes, attributes.get());
+    }
     if (header_.keeps_order) {
       DELTAMESH_TRY(const auto chunk, expand_single(container_, kTagOrder, max_payload(header_)));
       DELTAMESH_TRY(const auto order, read_order(chunk.payload(), mesh.triangles, header_.vertices));
@@ -80,6 +88,12 @@ class StreamDecoder {
     return {};
   }
 
+  /// m numbers, or none.
+  Result<std::vector<std::uint32_t>> read_groups(std::span<const std::uint32_t> triangles) {
+    DELTAMESH_TRY(const auto chunk, expand_single(container_, kTagFaceGroups, max_payload(header_)));
+    return read_face_groups(chunk.payload(), triangles, header_.vertices);
+  }
+
   /// n x 3.
   Result<std::vector<float>> read_geometry(const std::vector<std::uint32_t>& triangles) {
     if (header_.geometry == kGeometryPredictive) {
@@ -103,7 +117,7 @@ class StreamDecoder {
   void build_graphs(const std::vector<std::uint32_t>& triangles) {
     graph_ = build_adjacency(geometric(triangles), open_edges_, header_.geometric_vertices);
     geometric_triangles_ = std::vector<std::uint32_t>();  // which {} would not free
-    if (header_.attributes == 0) open_edges_ = LargeVector<DirectedEdge>();
+    if (header_.attributes.empty()) open_edges_ = LargeVector<DirectedEdge>();
     const auto takes_graph = [](const ChunkEntry& entry) {
       return entry.tag == kTagAttribute && entry.codec == ChunkCodec::kCompact;
     };
@@ -125,16 +139,6 @@ class StreamDecoder {
                  .rule = "HDR-7"};
   }
 
-  /// Before anything is done that relies on it.
-  Result<void> check_attribute_count() const {
-    const auto is_attribute = [](const ChunkEntry& entry) { return entry.tag == kTagAttribute; };
-    const auto count = std::ranges::count_if(container_.entries(), is_attribute);
-    if (static_cast<std::uint64_t>(count) == header_.attributes) return {};
-    return Error{.code = ErrorCode::kInvalidStream,
-                 .message = "the number of ATTR chunks differs from the header's",
-                 .rule = "HDR-13"};
-  }
-
   Result<LargeVector<Vec3>> read_solved() {
     Components components = runs_.components(header_.geometric_vertices);
     DELTAMESH_TRY(const auto deltas, expand_single(container_, kTagDeltas, max_payload(header_)));
@@ -143,23 +147,37 @@ class StreamDecoder {
                          header_.box(), header_.highpass);
   }
 
-  /// Over vertices joined by `triangles`.
-  Result<std::vector<Attribute>> read_attributes(std::span<const std::uint32_t> triangles) {
-    std::uint64_t left = options_.limits.attribute_bytes;
-    std::optional<Adjacency> graph = std::exchange(attribute_graph_, {});
-    std::vector<Attribute> attributes;
+  /// `positions`: n x 3, or empty where attributes may not know them.
+  Result<std::vector<Attribute>> read_attributes(std::span<const std::uint32_t> triangles,
+                                                 std::span<const float> positions) {
+    if (header_.attributes.empty()) return std::vector<Attribute>();
+    const auto make_graph = [&] {
+      if (attribute_graph_) return *std::exchange(attribute_graph_, {});
+      return is_split() ? build_adjacency(triangles, header_.vertices)
+                        : build_adjacency(triangles, open_edges_, header_.vertices);
+    };
+    const AttributeSurface surface(triangles, header_.vertices, copies_, positions, make_graph);
+    std::vector<Attribute> attributes(header_.attributes.size());
+    DELTAMESH_CHECK(read_attributes_of(surface, false, attributes));
+    DELTAMESH_CHECK(read_attributes_of(surface, true, attributes));
+    return attributes;
+  }
+
+  /// Those that are decoded after others, or those that are not [ATTR-11].
+  Result<void> read_attributes_of(const AttributeSurface& surface, bool after_others,
+                                  std::vector<Attribute>& attributes) {
+    std::size_t number = 0;
     for (const ChunkEntry& entry : container_.entries()) {
       if (entry.tag != kTagAttribute) continue;
+      const std::size_t now = number++;
+      const AttributeDescriptor& descriptor = header_.attributes[now];
+      if (decoded_after_others(descriptor.kind) != after_others) continue;
       DELTAMESH_TRY(const auto chunk, expand_chunk(container_, entry, max_payload(header_)));
-      if (chunk.is_compact && !graph)
-        graph = is_split() ? build_adjacency(triangles, header_.vertices)
-                           : build_adjacency(triangles, open_edges_, header_.vertices);
-      DELTAMESH_TRY(auto attribute,
-                    read_attribute(chunk.payload(), header_.vertices, left, graph ? &*graph : nullptr));
-      left -= attribute.values.size();
-      attributes.push_back(std::move(attribute));
+      DELTAMESH_TRY(attributes[now], read_attribute(chunk.payload(), descriptor, surface, attributes,
+                                                    options_.limits.attribute_bytes - attribute_bytes_));
+      attribute_bytes_ += attributes[now].values.size();
     }
-    return attributes;
+    return {};
   }
 
   const Container& container_;
@@ -171,6 +189,7 @@ class StreamDecoder {
   std::vector<std::uint32_t> copies_;               ///< geometric vertex of every vertex; likewise
   Adjacency graph_;                                 ///< of the geometric vertices, until they are solved for
   std::optional<Adjacency> attribute_graph_;        ///< of all vertices, where it is made beforehand
+  std::uint64_t attribute_bytes_ = 0;               ///< of the attributes read so far
 };
 
 }  // namespace

@@ -9,12 +9,13 @@
 #include <span>
 
 #include "base/try.h"
+#include "connectivity/face_groups.h"
 #include "format/header.h"
 
 namespace deltamesh {
 namespace {
 
-constexpr std::size_t kMaxAttributes = 64;
+constexpr std::size_t kMaxAttributes = 1024;
 constexpr std::size_t kMaxNameBytes = 255;
 constexpr std::uint8_t kMaxComponents = 16;
 
@@ -78,8 +79,12 @@ Result<void> check_mesh(const MeshView& mesh) {
     return invalid("a coordinate is NaN or infinite", WhereKind::kVertex, i / 3);
   if (const auto i = first_not_below(mesh.triangles, vertices); i < mesh.triangles.size())
     return invalid("an index is not below the number of vertices", WhereKind::kTriangle, i / 3);
+  if (!mesh.face_groups.empty() && mesh.face_groups.size() != mesh.triangle_count())
+    return invalid("there is not one group for every triangle");
+  if (const auto i = first_not_below(mesh.face_groups, kMostGroups); i < mesh.face_groups.size())
+    return invalid("the number of a group is not below 2^16", WhereKind::kTriangle, i);
   if (mesh.attributes.size() > kMaxAttributes)
-    return Error{.code = ErrorCode::kLimitExceeded, .message = "more than 64 attributes"};
+    return Error{.code = ErrorCode::kLimitExceeded, .message = "more than 1024 attributes"};
   for (std::size_t i = 0; i < mesh.attributes.size(); ++i)
     DELTAMESH_CHECK(check_attribute(mesh.attributes[i], vertices, i));
   return {};

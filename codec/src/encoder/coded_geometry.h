@@ -5,6 +5,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
 
 #include "deltamesh/stream_info.h"
 #include "encoder/chunk_list.h"
@@ -20,7 +23,13 @@ struct GeometryChoice {
   PredictiveParameters predictive{};
   ChunkList chunks;
   Quality quality{};
+  /// n x 3 floats as decoded, of geometric vertices; empty of a highpass geometry.
+  std::vector<float> positions{};
 };
+
+/// Bytes that attributes would take on decoded positions, n x 3 floats of geometric vertices; on none where
+/// decoders may differ in their last bits.
+using AttributeBytes = std::function<Result<std::uint64_t>(std::span<const float> positions)>;
 
 /// The rest of the stream, so that its size is known; the geometry is coded like `before`.
 struct StreamFrame {
@@ -36,7 +45,7 @@ struct StreamFrame {
     ChunkList all = before;
     all.append(geometry.chunks);
     all.append(after);
-    return write_container(whole, all.chunks()).size();
+    return container_bytes(whole, all.chunks());
   }
 };
 

@@ -120,6 +120,14 @@ Error nearer(const Error& a, const Error& b) noexcept {
   return known_bytes(a).value_or(kUnknown) <= known_bytes(b).value_or(kUnknown) ? a : b;
 }
 
+/// How many bytes fewer the attributes take on the positions of `predictive` than on none.
+Result<std::int64_t> attribute_gain(const GeometryTask& task, const GeometryChoice& predictive) {
+  if (!task.attribute_bytes) return 0;
+  DELTAMESH_TRY(const std::uint64_t on_none, task.attribute_bytes({}));
+  DELTAMESH_TRY(const std::uint64_t on_these, task.attribute_bytes(predictive.positions));
+  return static_cast<std::int64_t>(on_none) - static_cast<std::int64_t>(on_these);
+}
+
 /// Predictive coding is quick; so it comes first, and highpass need not go on where it cannot win. At effort
 /// 0 statistics of the mesh say which of the two is tried.
 Result<GeometryChoice> code_smaller(const GeometryTask& task) {
@@ -142,11 +150,18 @@ Result<GeometryChoice> code_smaller(const GeometryTask& task) {
   }
   const bool positional = (quality.lfe || quality.max_error) && !quality.vde;
   if (positional && task.options.effort <= kOnePassEffort) return predictive;  // mostly the smaller by far
-  const auto rival_bytes = bytes_alone ? std::optional<std::uint64_t>() : task.frame.bytes_with(*predictive);
-  auto highpass = code_highpass(task, rival_bytes);
+  if (bytes_alone) {
+    auto highpass = code_highpass(task);
+    const bool better = !highpass || predictive->quality.vde_rms < highpass->quality.vde_rms;
+    return better ? predictive : highpass;
+  }
+  // What a highpass stream may take: attributes gain nothing from its positions.
+  DELTAMESH_TRY(const std::int64_t gain, attribute_gain(task, *predictive));
+  const std::int64_t rival_bytes = static_cast<std::int64_t>(task.frame.bytes_with(*predictive)) - gain;
+  if (rival_bytes <= 0) return predictive;
+  auto highpass = code_highpass(task, static_cast<std::uint64_t>(rival_bytes));
   if (!highpass) return predictive;
-  const bool better = bytes_alone ? predictive->quality.vde_rms < highpass->quality.vde_rms
-                                  : task.frame.bytes_with(*predictive) < task.frame.bytes_with(*highpass);
+  const bool better = static_cast<std::uint64_t>(rival_bytes) < task.frame.bytes_with(*highpass);
   return better ? predictive : highpass;
 }
 

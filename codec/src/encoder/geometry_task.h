@@ -25,6 +25,7 @@ struct GeometryTask {
   const MeshEdges& edges;
   const std::vector<Vec3>& positions;
   const StreamFrame& frame;
+  const AttributeBytes& attribute_bytes;  ///< may be empty: the same for all geometries
 };
 
 /// Errors: kUnmetRequest; kInvalidStream where the stream would break a rule, by what the positions are.

@@ -47,6 +47,22 @@ Result<void> check_steps(const EncodeOptions& o) noexcept {
   return {};
 }
 
+bool is_bound(double value) noexcept { return std::isfinite(value) && value >= 0; }
+
+Result<void> check_attributes(const AttributeQuality& q) noexcept {
+  if (!is_bound(q.normal_error)) return invalid("the error of normals must be a finite number of at least 0");
+  if (q.tangent_error && !is_bound(*q.tangent_error))
+    return invalid("the error of tangents must be a finite number of at least 0");
+  if (!is_bound(q.uv_error))
+    return invalid("the error of texture coordinates must be a finite number of at least 0");
+  if (!is_bound(q.color_error)) return invalid("the error of colours must be a finite number of at least 0");
+  if (!is_bound(q.weight_error)) return invalid("the error of weights must be a finite number of at least 0");
+  for (const NamedBound& bound : q.named)
+    if (!is_bound(bound.error))
+      return invalid("the error of an attribute must be a finite number of at least 0");
+  return {};
+}
+
 }  // namespace
 
 Result<void> validate(const EncodeOptions& o) noexcept {
@@ -57,10 +73,7 @@ Result<void> validate(const EncodeOptions& o) noexcept {
   if (o.anchor_density && (*o.anchor_density < 1 || *o.anchor_density > 65535))
     return invalid("anchor density must be 1 to 65535 hops");
   if (!within(o.anchor_bits, 4, 24)) return invalid("anchor bits must be 4 to 24");
-  if (!within(o.normal_bits, 2, 15)) return invalid("normal bits must be 2 to 15");
-  if (!within(o.color_bits, 1, 16)) return invalid("colour bits must be 1 to 16");
-  if (!within(o.uv_bits, 1, 24)) return invalid("texture coordinate bits must be 1 to 24");
-  return {};
+  return check_attributes(o.attributes);
 }
 
 }  // namespace deltamesh

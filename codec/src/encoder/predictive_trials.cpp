@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/portable_math.h"
+#include "base/short_float.h"
 #include "base/try.h"
 #include "encoder/cell_quality.h"
 #include "encoder/coder_forecast.h"
@@ -32,6 +33,15 @@ bool has_grid(const std::array<AxisGrid, 3>& axes, double step) noexcept {
   return std::any_of(axes.begin(), axes.end(), [step](const AxisGrid& axis) { return axis.step > step / 2; });
 }
 
+/// n x 3.
+std::vector<float> to_rows(std::span<const Vec3> positions) {
+  std::vector<float> rows;
+  rows.reserve(3 * positions.size());
+  for (const Vec3& position : positions)
+    for (const double x : position) rows.push_back(static_cast<float>(x));
+  return rows;
+}
+
 }  // namespace
 
 PredictiveTrials::PredictiveTrials(const PredictiveInput& input, const StreamFrame& frame, int effort)
@@ -43,7 +53,7 @@ PredictiveTrials::PredictiveTrials(const PredictiveInput& input, const StreamFra
 
 double PredictiveTrials::step_for_bits(int bits) const noexcept {
   const double step = input_.box.longest_side() / (std::ldexp(1.0, bits) - 1);
-  return step > 0 ? step : 1.0;
+  return step > 0 ? std::max(step, finest_step(input_.box)) : 1.0;
 }
 
 double PredictiveTrials::first_step(const Bounds& bounds) const noexcept {
@@ -90,6 +100,8 @@ GeometryChoice PredictiveTrials::code(const Trial& trial) const {
     return write_positions(faces_, trial.cells, trial.parameters, form, trial.patches);
   };
   choice.chunks.add_compact(kTagPositions, write_smallest(write, trial.parameters.kind, effort_));
+  choice.positions = to_rows(to_positions(trial.cells, trial.parameters.lattice));
+  deltamesh::apply(trial.patches, std::span<float>(choice.positions));
   return choice;
 }
 
@@ -108,6 +120,7 @@ GeometryChoice PredictiveTrials::code_floats() const {
     return write_floats(faces_, input_.positions, input_.box, form);
   };
   choice.chunks.add_compact(kTagPositions, write_smallest(write, PositionKind::kFloats, effort_));
+  choice.positions = to_rows(input_.positions);
   return choice;
 }
 
@@ -128,7 +141,7 @@ std::optional<PredictiveTrials::Trial> PredictiveTrials::keep_on_lattice(
   double step = first_step(bounds);
   std::array<double, 3> last_steps{};
   for (int i = 0; i < kMostTrials; ++i) {
-    const PositionLattice lattice = grid_lattice(input_.box, axes, step);
+    const PositionLattice lattice = grid_lattice(input_.box, axes, short_float_below(step));
     if (lattice.step == last_steps) break;
     last_steps = lattice.step;
     Trial trial = try_lattice(lattice, bounds);
@@ -237,7 +250,7 @@ Result<GeometryChoice> PredictiveTrials::fit_lattice(std::uint64_t bytes) const 
   std::uint64_t fewest = ~std::uint64_t{0};
   for (int i = 0; i < kMostTrials; ++i) {
     if (i + 1 == kMostTrials && !best) step = coarsest;
-    auto choice = code(try_lattice(cubic_lattice(input_.box, step)));
+    auto choice = code(try_lattice(cubic_lattice(input_.box, short_float_below(step))));
     const std::uint64_t size = frame_.bytes_with(choice);
     fewest = std::min(fewest, size);
     const bool fits = size <= bytes;

@@ -34,8 +34,8 @@ struct ExpandedChunk {
 };
 
 /// Expands a chunk of `container`, which must outlive it, into a buffer of exactly entry.decoded_bytes, which
-/// may be at most `max_bytes`; raw and compact bytes stay where they are. Errors: kCorrupt [DIR-6],
-/// kInvalidStream [DIR-5, ENT-1].
+/// may be at most `max_bytes`; raw and compact bytes stay where they are. Errors: kInvalidStream
+/// [DIR-5, ENT-1].
 Result<ExpandedChunk> expand_chunk(const Container& container, const ChunkEntry& entry,
                                    std::uint64_t max_bytes);
 

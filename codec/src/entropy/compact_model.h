@@ -18,8 +18,11 @@ namespace deltamesh {
 inline constexpr unsigned kProbabilityBits = 15;
 inline constexpr std::uint32_t kProbabilityOne = 1U << kProbabilityBits;
 
-/// Between symbols the state is in [2^31, 2^63) [CMP-1].
+/// Between symbols the state is in [2^31, 2^63), as long as words are left [CMP-2].
 inline constexpr std::uint64_t kRansFloor = std::uint64_t{1} << 31;
+
+/// Where writers begin, and readers end, if they can: what is above is information [CMP-3].
+inline constexpr std::uint64_t kLeastState = std::uint64_t{1} << 15;
 
 /// More raw bits go in pieces [CMP-2].
 inline constexpr unsigned kMostBitsAtOnce = 16;
@@ -223,6 +226,8 @@ struct Mixture {
 /// Probability of a set bit: the mean of a fast and a slow estimate [CMP-7].
 class BitModel {
  public:
+  constexpr BitModel() noexcept = default;
+  explicit constexpr BitModel(std::uint16_t first) noexcept : fast_(first), slow_(first) {}  ///< of 2^16
   Interval interval(bool bit) const noexcept {
     const std::uint32_t one = probability();
     const std::uint32_t if_clear = bit ? 0 : ~0U;  // selects without a branch, which would often go wrong

@@ -2,21 +2,28 @@
 // Copyright 2026 The deltamesh authors
 #include "entropy/compact_reader.h"
 
+#include <array>
+
 namespace deltamesh {
 
 CompactReader::CompactReader(std::span<const std::byte> bytes) noexcept : bytes_(bytes) {
-  const auto read_state = [this] {
-    const std::uint64_t low = next_word();
-    return std::uint64_t{next_word()} << 32 | low;
-  };
-  const std::uint64_t first = read_state();
-  const std::uint64_t second = read_state();
+  const auto sizes = bytes.empty() ? 0 : std::to_integer<unsigned>(bytes[0]);
+  const std::array<unsigned, 2> size{sizes & 15, sizes >> 4};
+  std::array<std::uint64_t, 2> states{};
+  position_ = 1;
   // A state outside its range would make symbols up without end.
-  const auto is_state = [](std::uint64_t state) { return state >= kRansFloor && state < kRansFloor << 32; };
-  if (!is_state(first) || !is_state(second)) failed_ = true;
-  if (failed_) return;
-  state_ = first;
-  next_state_ = second;
+  failed_ = size[0] > 8 || size[1] > 8 || bytes.size() < 1 + size[0] + size[1];
+  for (std::size_t k = 0; k < 2 && !failed_; ++k) {
+    for (unsigned b = 0; b < size[k]; ++b)
+      states[k] |= std::to_integer<std::uint64_t>(bytes[position_++]) << (8 * b);
+    failed_ = states[k] < kLeastState || states[k] >= kRansFloor << 32;
+  }
+  if (failed_) {
+    position_ = bytes.size();
+    return;
+  }
+  state_ = states[0];
+  next_state_ = states[1];
 }
 
 Result<void> CompactReader::finish(std::uint32_t chunk_tag) const noexcept {
@@ -30,7 +37,8 @@ Result<void> CompactReader::finish(std::uint32_t chunk_tag) const noexcept {
   };
   if (failed_) return error(ErrorCode::kTruncated, "compact bytes end too early");
   if (position_ != bytes_.size()) return error(ErrorCode::kInvalidStream, "compact bytes left over");
-  if (state_ != kRansFloor || next_state_ != kRansFloor)
+  const bool are_equal = state_ == next_state_;
+  if (!are_equal || (state_ != kLeastState && state_ != kRansFloor))
     return error(ErrorCode::kInvalidStream, "compact bytes do not add up");
   return {};
 }

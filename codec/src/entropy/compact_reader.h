@@ -14,9 +14,9 @@
 
 namespace deltamesh {
 
-/// Reads what CompactWriter wrote. Past the end words are 0 and failed() stays set; finish() reports it and
-/// is mandatory. The first argument of symbol(), bit(), bits() and number() is ignored: it makes them
-/// callable like the writer's.
+/// Reads what CompactWriter wrote. Where words are missing failed() is soon set and stays so; finish()
+/// reports it and is mandatory. The first argument of symbol(), bit(), bits() and number() is ignored: it
+/// makes them callable like the writer's.
 class CompactReader {
  public:
   static constexpr bool kWrites = false;
@@ -80,10 +80,10 @@ class CompactReader {
 
   std::uint32_t number(std::uint32_t, NumberModel& model) noexcept { return code_number(*this, 0, model); }
 
-  /// True as soon as a word was missing: what came since is made up. Loops over symbols ask every so often.
+  /// True where words are missing: what came since is made up. Loops over symbols ask every so often.
   bool failed() const noexcept { return failed_; }
 
-  /// Every word is used and the state is back where the writer began. Errors: kTruncated, kInvalidStream
+  /// Every word is used and the states are back where the writer began. Errors: kTruncated, kInvalidStream
   /// [CMP-3].
   Result<void> finish(std::uint32_t chunk_tag) const noexcept;
 
@@ -103,26 +103,27 @@ class CompactReader {
   }
 
   [[gnu::always_inline]] void advance(std::uint64_t state) noexcept {
-    if (state < kRansFloor) state = state << 32 | next_word();
+    if (state < kRansFloor) state = refill(state);
     state_ = next_state_;
     next_state_ = state;
   }
 
-  [[gnu::always_inline]] std::uint32_t next_word() noexcept {
+  /// `state` with a word behind it, if there is one.
+  [[gnu::always_inline]] std::uint64_t refill(std::uint64_t state) noexcept {
     if (bytes_.size() - position_ < 4) {
-      failed_ = true;
-      return 0;
+      failed_ |= state < kLeastState;
+      return state;
     }
     std::uint32_t word = 0;
     for (unsigned i = 0; i < 4; ++i) word |= std::to_integer<std::uint32_t>(bytes_[position_ + i]) << (8 * i);
     position_ += 4;
-    return word;
+    return state << 32 | word;
   }
 
   std::span<const std::byte> bytes_;
   std::size_t position_ = 0;
-  std::uint64_t state_ = kRansFloor;       ///< the next decision's
-  std::uint64_t next_state_ = kRansFloor;  ///< that of the one after
+  std::uint64_t state_ = kLeastState;       ///< the next decision's
+  std::uint64_t next_state_ = kLeastState;  ///< that of the one after
   bool failed_ = false;
 };
 

@@ -2,7 +2,8 @@
 // Copyright 2026 The deltamesh authors
 #include "entropy/compact_writer.h"
 
-#include <array>
+#include <bit>
+#include <utility>
 
 namespace deltamesh {
 namespace {
@@ -28,16 +29,22 @@ inline Quotient divide(std::uint64_t x, std::uint32_t divisor) noexcept {
 #endif
 }
 
+/// The `count` lowest bytes of `value`, the lowest first.
+void put_number(std::vector<std::byte>& bytes, std::uint64_t value, unsigned count) {
+  for (unsigned b = 0; b < count; ++b) bytes.push_back(static_cast<std::byte>(value >> (8 * b)));
+}
+
 }  // namespace
 
-std::vector<std::byte> CompactWriter::finish() {
+bool CompactWriter::encode(std::uint64_t begin, States& states, std::size_t& first) {
   // rANS gives symbols back in the opposite order, so the last goes first. A decision makes a word at most,
   // for which there is room behind those that are still to come.
-  std::array<std::uint64_t, 2> states = {kRansFloor, kRansFloor};
-  std::size_t first = decisions_.size();
+  states = {begin, begin};
+  first = decisions_.size();
   std::size_t turn = decisions_.size() - joined_;
   for (std::size_t i = decisions_.size(); i-- > 0;) {
-    std::uint64_t& state = states[--turn % 2];
+    const std::size_t own = --turn % 2;
+    std::uint64_t& state = states[own];
     const std::uint32_t start = decisions_[i] >> 16;
     const std::uint32_t size = decisions_[i] & 0xffff;
     const bool is_bits = (size & kBitsMark) != 0;
@@ -47,6 +54,8 @@ std::vector<std::byte> CompactWriter::finish() {
     const std::uint64_t limit = is_bits ? kRansFloor << 32 >> (size - kBitsMark)
                                         : ((kRansFloor >> kProbabilityBits << 32) * size) >> joined_count;
     if (state >= limit) {
+      // A reader takes a word for any state below the floor, as long as there are words.
+      if (first == decisions_.size() && states[1 - own] < kRansFloor) return false;
       decisions_[--first] = static_cast<std::uint32_t>(state);
       state >>= 32;
     }
@@ -60,21 +69,36 @@ std::vector<std::byte> CompactWriter::finish() {
     state = state << joined_count | joined >> 16;
     --i;
   }
+  return true;
+}
 
-  std::vector<std::byte> bytes(16 + 4 * (decisions_.size() - first));
-  std::size_t place = 0;
-  const auto put_word = [&](std::uint64_t word) {
-    for (unsigned b = 0; b < 4; ++b) bytes[place + b] = static_cast<std::byte>(word >> (8 * b));
-    place += 4;
-  };
-  for (const std::uint64_t state : states) {
-    put_word(state);
-    put_word(state >> 32);
-  }
-  for (std::size_t i = first; i < decisions_.size(); ++i) put_word(decisions_[i]);
+std::vector<std::byte> CompactWriter::put_together(std::vector<std::byte> bytes, std::size_t first) {
+  bytes.reserve(bytes.size() + 4 * (decisions_.size() - first));
+  for (std::size_t i = first; i < decisions_.size(); ++i) put_number(bytes, decisions_[i], 4);
   decisions_.clear();
   joined_ = 0;
   return bytes;
+}
+
+std::vector<std::byte> CompactWriter::finish() {
+  States states{};
+  std::size_t first = 0;
+  if (!encode(kLeastState, states, first)) encode(kRansFloor, states, first);
+  const auto size_of = [](std::uint64_t state) {
+    return static_cast<unsigned>(std::bit_width(state) + 7) / 8;
+  };
+  std::vector<std::byte> bytes{static_cast<std::byte>(size_of(states[0]) | size_of(states[1]) << 4)};
+  for (const std::uint64_t state : states) put_number(bytes, state, size_of(state));
+  return put_together(std::move(bytes), first);
+}
+
+std::vector<std::byte> CompactWriter::finish_long() {
+  States states{};
+  std::size_t first = 0;
+  encode(kRansFloor, states, first);
+  std::vector<std::byte> bytes;
+  for (const std::uint64_t state : states) put_number(bytes, state, 8);
+  return put_together(std::move(bytes), first);
 }
 
 }  // namespace deltamesh

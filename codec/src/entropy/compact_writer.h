@@ -4,6 +4,7 @@
 // The compact coder's writing side: adaptive symbols, bits and numbers to bytes [CMP-*].
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -80,6 +81,9 @@ class CompactWriter {
   /// The stream. The writer is empty afterwards. O(symbols).
   std::vector<std::byte> finish();
 
+  /// The same with states of 8 bytes that end at 2^31, as PairReader has them [FLD-9].
+  std::vector<std::byte> finish_long();
+
   /// Room for this many decisions, so that nothing moves while they come.
   void reserve(std::size_t decisions) { decisions_.reserve(decisions); }
 
@@ -97,6 +101,14 @@ class CompactWriter {
     decisions_.push_back(value << 16 | kBitsMark | kJoinedMark | count);
     ++joined_;
   }
+
+  using States = std::array<std::uint64_t, 2>;
+  /// Turns decisions into words, which take the place of the last ones, from `first` on, and the states that
+  /// a reader begins with. False, with nothing changed, where small states would need words at different
+  /// times.
+  bool encode(std::uint64_t begin, States& states, std::size_t& first);
+  /// `states` as bytes, then the words from `first` on; empties the writer.
+  std::vector<std::byte> put_together(std::vector<std::byte> states, std::size_t first);
 
   std::vector<std::uint32_t> decisions_;  ///< intervals and bits
   std::size_t joined_ = 0;                ///< how many of them go with the next

@@ -32,7 +32,7 @@ class PairWriter {
     return writer_.bits(value, count);
   }
 
-  std::vector<std::byte> finish() { return writer_.finish(); }
+  std::vector<std::byte> finish() { return writer_.finish_long(); }
   void reserve(std::size_t decisions) { writer_.reserve(decisions); }
 
  private:

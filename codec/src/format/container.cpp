@@ -9,14 +9,14 @@
 namespace deltamesh {
 namespace {
 
-constexpr std::size_t kAlignment = 8;             // [CNT-3]
-constexpr std::uint64_t kElementsPerByte = 2048;  // [CNT-5]
+constexpr std::uint64_t kElementsPerByte = 2048;               // [CNT-5]
+constexpr std::size_t kChecksumBytes = sizeof(std::uint32_t);  // [CNT-2]
 
-std::uint64_t checksum_of(std::span<const std::byte> bytes) noexcept {
-  return XXH3_64bits(bytes.data(), bytes.size());
+std::uint32_t checksum_of(std::span<const std::byte> bytes) noexcept {
+  return static_cast<std::uint32_t>(XXH3_64bits(bytes.data(), bytes.size()));
 }
 
-bool matches(std::uint64_t stored, std::span<const std::byte> bytes) noexcept {
+bool matches(std::uint32_t stored, std::span<const std::byte> bytes) noexcept {
 #ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
   (void)stored,
       (void)bytes;  // a fuzzer cannot guess checksums, and what lies behind them must be safe on its own
@@ -26,21 +26,19 @@ bool matches(std::uint64_t stored, std::span<const std::byte> bytes) noexcept {
 #endif
 }
 
-void pad(ByteWriter& out) {
-  while (out.size() % kAlignment != 0) out.write(std::uint8_t{0});
-}
-
-Result<void> skip_padding(ByteReader& in) {
-  while (in.position() % kAlignment != 0) {
-    DELTAMESH_TRY(const auto byte, in.read<std::uint8_t>());
-    if (byte != 0) return in.error(ErrorCode::kInvalidStream, "padding is not zero", "CNT-3");
-  }
-  return {};
-}
-
-bool is_known(std::uint32_t tag) noexcept {
-  return tag == kTagConnectivity || tag == kTagSeams || tag == kTagOrder || tag == kTagDeltas ||
-         tag == kTagAnchors || tag == kTagPositions || tag == kTagAttribute;
+/// All of `stream` but the checksum, which is checked. Errors: kTruncated, kCorrupt [CNT-2].
+Result<std::span<const std::byte>> check_whole(std::span<const std::byte> stream) {
+  if (stream.size() < kChecksumBytes)
+    return Error{.code = ErrorCode::kTruncated, .message = "bytes end before the checksum", .rule = "CNT-2"};
+  const auto covered = stream.first(stream.size() - kChecksumBytes);
+  ByteReader in(stream.last(kChecksumBytes));
+  DELTAMESH_TRY(const auto stored, in.read<std::uint32_t>());
+  if (matches(stored, covered)) return covered;
+  return Error{.code = ErrorCode::kCorrupt,
+               .message = "the checksum does not match: the stream is damaged or cut off",
+               .rule = "CNT-2",
+               .where_kind = WhereKind::kByte,
+               .where = covered.size()};
 }
 
 /// The stream length that [CNT-5] asks for.
@@ -49,24 +47,42 @@ std::uint64_t bytes_needed(const FileHeader& header) noexcept {
   return (elements + kElementsPerByte - 1) / kElementsPerByte;
 }
 
-std::vector<std::byte> write_chunks(const FileHeader& header, std::span<const CodedChunk> chunks) {
-  ByteWriter out;
-  out.write_bytes(write_header(header));
-  std::vector<ChunkEntry> entries;
-  for (const CodedChunk& chunk : chunks) {
-    entries.push_back({.tag = chunk.tag,
-                       .codec = chunk.codec,
-                       .coded_bytes = chunk.bytes.size(),
-                       .decoded_bytes = chunk.decoded_bytes,
-                       .checksum = checksum_of(chunk.bytes)});
+/// Writes what stands before the bytes of chunks, in order.
+class ChunkHeaders {
+ public:
+  explicit ChunkHeaders(const FileHeader& header) : header_(header) {}
+
+  void write_next(ByteWriter& out, const CodedChunk& chunk) {
+    write_chunk_header(out, {.tag = chunk.tag,
+                             .codec = chunk.codec,
+                             .coded_bytes = chunk.bytes.size(),
+                             .decoded_bytes = chunk.decoded_bytes});
+    if (chunk.tag != kTagAttribute) return;
+    const bool is_described = attributes_ < header_.attributes.size();
+    write_descriptor(out, is_described ? header_.attributes[attributes_] : AttributeDescriptor{});
+    ++attributes_;
   }
-  write_directory(out, entries);
-  out.write(checksum_of(out.bytes()));
+
+ private:
+  const FileHeader& header_;
+  std::size_t attributes_ = 0;  ///< written so far
+};
+
+CodedChunk filler_of(std::uint64_t bytes) {
+  const auto size = static_cast<std::size_t>(bytes);
+  return {.tag = kTagFiller, .bytes = std::vector<std::byte>(size), .decoded_bytes = size};
+}
+
+/// Without a filler.
+std::uint64_t bytes_of(const FileHeader& header, std::span<const CodedChunk> chunks) {
+  ByteWriter headers;
+  ChunkHeaders next(header);
+  std::uint64_t bytes = write_header(header).size() + kChecksumBytes;
   for (const CodedChunk& chunk : chunks) {
-    pad(out);
-    out.write_bytes(chunk.bytes);
+    next.write_next(headers, chunk);
+    bytes += chunk.bytes.size();
   }
-  return out.take();
+  return bytes + headers.size();
 }
 
 }  // namespace
@@ -80,50 +96,60 @@ Error chunk_error(ErrorCode code, const char* message, const char* rule, const C
           .chunk_tag = entry.tag};
 }
 
-std::vector<std::byte> write_container(const FileHeader& header, std::span<const CodedChunk> chunks) {
+std::uint64_t container_bytes(const FileHeader& header, std::span<const CodedChunk> chunks) {
+  const std::uint64_t bytes = bytes_of(header, chunks);
   const std::uint64_t least = bytes_needed(header);
-  auto stream = write_chunks(header, chunks);
-  if (stream.size() >= least) return stream;
-  std::vector<CodedChunk> filled(chunks.begin(), chunks.end());
-  const auto filler = static_cast<std::size_t>(least - stream.size());
-  filled.push_back({.tag = kTagFiller, .bytes = std::vector<std::byte>(filler), .decoded_bytes = filler});
-  return write_chunks(header, filled);
+  if (bytes >= least) return bytes;
+  ByteWriter filler;
+  write_chunk_header(filler, {.tag = kTagFiller, .coded_bytes = least - bytes});
+  return least + filler.size();
+}
+
+std::vector<std::byte> write_container(const FileHeader& header, std::span<const CodedChunk> chunks) {
+  ByteWriter out;
+  ChunkHeaders next(header);
+  const auto add = [&](const CodedChunk& chunk) {
+    next.write_next(out, chunk);
+    out.write_bytes(chunk.bytes);
+  };
+  out.write_bytes(write_header(header));
+  for (const CodedChunk& chunk : chunks) add(chunk);
+  const std::uint64_t bytes = out.size() + kChecksumBytes;
+  if (const std::uint64_t least = bytes_needed(header); bytes < least) add(filler_of(least - bytes));
+  out.write(checksum_of(out.bytes()));
+  return out.take();
 }
 
 Result<Container> Container::open(std::span<const std::byte> stream) {
+  ByteReader signature(stream);
+  DELTAMESH_CHECK(read_signature(signature));
+  DELTAMESH_TRY(const auto covered, check_whole(stream));
   Container container;
   container.stream_ = stream;
-  ByteReader in(stream);
+  ByteReader in(covered);
   DELTAMESH_TRY(container.header_, read_header(in));
   if (bytes_needed(container.header_) > stream.size())
     return in.error(ErrorCode::kInvalidStream,
                     "more vertices and triangles than a stream of this length may hold", "CNT-5");
-  DELTAMESH_TRY(container.entries_, read_directory(in));
-  const auto covered = stream.first(in.position());
-  DELTAMESH_TRY(const auto stored, in.read<std::uint64_t>());
-  if (!matches(stored, covered))
-    return in.error(ErrorCode::kCorrupt, "the checksum of header and directory does not match", "CNT-2");
-  for (ChunkEntry& entry : container.entries_) {
-    DELTAMESH_CHECK(skip_padding(in));
+  while (in.remaining() > 0) {
+    if (container.entries_.size() == kMaxChunks)
+      return in.error(ErrorCode::kInvalidStream, "more than 65536 chunks", "DIR-1");
+    DELTAMESH_TRY(ChunkEntry entry, read_chunk_header(in));
+    if (entry.tag == kTagAttribute) {
+      DELTAMESH_TRY(auto descriptor, read_descriptor(in));
+      container.header_.attributes.push_back(std::move(descriptor));
+    }
     entry.offset = in.position();
     if (entry.coded_bytes > in.remaining())
       return in.error(ErrorCode::kTruncated, "bytes end inside a chunk", "DIR-7");
     DELTAMESH_TRY([[maybe_unused]] const auto bytes, in.read_bytes(entry.coded_bytes));
-    if (!is_known(entry.tag) && !is_skippable(entry.tag))
-      return in.error(ErrorCode::kUnsupportedFeature, "an unknown chunk that may not be skipped", "DIR-2");
+    container.entries_.push_back(entry);
   }
-  if (in.remaining() != 0) return in.error(ErrorCode::kInvalidStream, "bytes after the last chunk", "CNT-4");
   return container;
 }
 
 std::span<const std::byte> Container::coded(const ChunkEntry& entry) const noexcept {
   return stream_.subspan(static_cast<std::size_t>(entry.offset), static_cast<std::size_t>(entry.coded_bytes));
-}
-
-Result<void> Container::check(const ChunkEntry& entry) const noexcept {
-  if (!matches(entry.checksum, coded(entry)))
-    return chunk_error(ErrorCode::kCorrupt, "the chunk's checksum does not match", "DIR-6", entry);
-  return {};
 }
 
 Result<const ChunkEntry*> Container::find(std::uint32_t tag) const {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// A whole stream as header, directory and chunks [CNT-*].
+// A whole stream as header, chunks and checksum [CNT-*].
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "deltamesh/result.h"
-#include "format/directory.h"
+#include "format/chunk_header.h"
 #include "format/header.h"
 
 namespace deltamesh {
@@ -23,17 +23,20 @@ struct CodedChunk {
   std::uint64_t decoded_bytes = 0;
 };
 
-/// Header, directory, checksum of both, then each chunk at the next multiple of 8, zero-padded. A mesh so
-/// regular that its stream would break [CNT-5] is given a filler chunk.
+/// Header, chunks and checksum. ATTR chunks take the header's descriptors in order; default ones where there
+/// are none. A mesh so regular that its stream would break [CNT-5] is given a filler chunk.
 std::vector<std::byte> write_container(const FileHeader& header, std::span<const CodedChunk> chunks);
+
+/// The size of what write_container() returns, without writing it.
+std::uint64_t container_bytes(const FileHeader& header, std::span<const CodedChunk> chunks);
 
 /// An error at a chunk's first byte.
 Error chunk_error(ErrorCode code, const char* message, const char* rule, const ChunkEntry& entry) noexcept;
 
-/// A stream opened for reading: header and directory checked, chunks located, nothing decoded.
+/// A stream opened for reading: its checksum and header are checked, its chunks located, nothing is decoded.
 class Container {
  public:
-  /// `stream` must outlive the container. Errors: 1xx codes.
+  /// `stream` must outlive the container. One pass over its bytes. Errors: 1xx codes.
   static Result<Container> open(std::span<const std::byte> stream);
 
   const FileHeader& header() const noexcept { return header_; }
@@ -41,9 +44,6 @@ class Container {
   std::size_t size() const noexcept { return stream_.size(); }
 
   std::span<const std::byte> coded(const ChunkEntry& entry) const noexcept;
-
-  /// Checks a chunk's checksum. Errors: kCorrupt [DIR-6].
-  Result<void> check(const ChunkEntry& entry) const noexcept;
 
   /// The only entry with `tag`; null where there is none. Errors: kInvalidStream [DIR-8] for two of them.
   Result<const ChunkEntry*> find(std::uint32_t tag) const;

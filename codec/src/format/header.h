@@ -12,35 +12,38 @@
 #include "base/byte_reader.h"
 #include "base/vec3.h"
 #include "deltamesh/result.h"
+#include "deltamesh/version.h"
+#include "format/attribute_descriptor.h"
 #include "format/highpass_parameters.h"
 #include "format/predictive_parameters.h"
 #include "format/tags.h"
 
 namespace deltamesh {
 
-inline constexpr std::uint32_t kMagic = chunk_tag("DMSH");  // [HDR-1]
-inline constexpr std::uint16_t kFlagKeepsOrder = 1U << 0;   // [HDR-5]
-inline constexpr std::uint16_t kFlagHasOrigin = 1U << 1;    // [HDR-5]
-inline constexpr std::uint16_t kKnownFlags = kFlagKeepsOrder | kFlagHasOrigin;
+/// Three letters; the version makes it four bytes [HDR-1].
+inline constexpr std::array<char, 3> kMagic{'D', 'M', 'S'};
+/// Versions from here on are drafts of the unreleased format: this plus the draft's number [HDR-3].
+inline constexpr std::uint8_t kFirstDraft = 128;
+inline constexpr std::uint8_t kFormatVersion =
+    kFormatDraft == 0 ? kFormatMajor : static_cast<std::uint8_t>(kFirstDraft + kFormatDraft);
 inline constexpr std::uint64_t kMaxVertices = 0x7fffffff;  // [HDR-6]
 inline constexpr std::uint64_t kMaxTriangles = 1U << 29;   // [HDR-6]
-inline constexpr std::uint8_t kGeometryHighpass = 1;       // [HDR-10]
-inline constexpr std::uint8_t kGeometryPredictive = 2;     // [HDR-10]
+
+/// The geometry coders.
+inline constexpr std::uint8_t kGeometryHighpass = 1;
+inline constexpr std::uint8_t kGeometryPredictive = 2;
 
 struct FileHeader {
-  std::uint8_t format_major = 0;
-  std::uint8_t format_minor = 0;
-  std::uint16_t format_draft = 0;
   bool keeps_order = false;
   std::uint32_t vertices = 0;
   std::uint32_t geometric_vertices = 0;
   std::uint32_t triangles = 0;
   std::uint32_t components = 0;
-  std::uint32_t attributes = 0;
+  std::vector<AttributeDescriptor> attributes;  ///< stored with the ATTR chunks, in their order
   std::array<double, 3> origin{};
-  std::array<float, 3> box_min{};
+  std::array<float, 3> box_min{};  ///< of the source; of a lattice that was read, its own
   std::array<float, 3> box_max{};
-  float vde_rms = 0;  ///< achieved figures, rounded up
+  float vde_rms = 0;  ///< achieved figures, short floats, rounded up
   float lfe_rms = 0;
   float max_error = 0;
   std::uint8_t geometry = kGeometryHighpass;
@@ -50,11 +53,14 @@ struct FileHeader {
   Box box() const noexcept;
 };
 
-/// The header's bytes, of the current format version.
+/// The header's bytes, of the current format version. Attributes are not among them.
 std::vector<std::byte> write_header(const FileHeader& header);
 
-/// Reads and checks every field's range. Fields that a later minor version appends are skipped [HDR-4].
-/// Errors: kBadMagic, kUnsupportedVersion, kUnsupportedFeature, kTruncated, kInvalidStream.
+/// Reads what tells a stream that this library reads. Errors: kBadMagic, kUnsupportedVersion, kTruncated.
+Result<void> read_signature(ByteReader& in);
+
+/// Reads the signature and all fields, and checks their ranges; attributes come with their chunks. Errors:
+/// kBadMagic, kUnsupportedVersion, kTruncated, kInvalidStream [HDR-*].
 Result<FileHeader> read_header(ByteReader& in);
 
 }  // namespace deltamesh

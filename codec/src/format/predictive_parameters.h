@@ -13,19 +13,24 @@ namespace deltamesh {
 
 inline constexpr std::uint32_t kMostCells = 1U << 28;  ///< largest lattice coordinate [HDR-14]
 
-/// The points origin + step * q, q whole and 0 to `cells` on each axis [POSN-2].
+/// Of a lattice's first point, so that whole steps from the origin stay exact doubles [HDR-14].
+inline constexpr std::int64_t kMostFirst = std::int64_t{1} << 48;
+
+/// The points origin + step * (first + q), q whole and 0 to `cells` on each axis [POSN-2]. Lattices of the
+/// same step and origin have their points in common, bit by bit, wherever they start.
 struct PositionLattice {
   Vec3 origin{};                         ///< model units, finite
+  std::array<std::int64_t, 3> first{};   ///< in steps from the origin, at most kMostFirst in size
   Vec3 step{1, 1, 1};                    ///< model units, finite, above 0
   std::array<std::uint32_t, 3> cells{};  ///< at most kMostCells
 
   double at(std::size_t axis, std::int64_t q) const noexcept {
-    return origin[axis] + step[axis] * static_cast<double>(q);
+    return origin[axis] + step[axis] * static_cast<double>(first[axis] + q);
   }
 };
 
 /// What POSN holds [POSN-1].
-enum class PositionKind : std::uint8_t { kLattice = 0, kVoxel = 1, kFloats = 2 };
+enum class PositionKind : std::uint8_t { kLattice, kVoxel, kFloats };
 
 inline constexpr std::uint32_t kMostLevels = 1U << 19;  ///< along the edge of a voxel [HDR-14]
 

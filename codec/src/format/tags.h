@@ -17,6 +17,7 @@ constexpr std::uint32_t chunk_tag(const char (&text)[5]) noexcept {
 
 inline constexpr std::uint32_t kTagConnectivity = chunk_tag("CONN");
 inline constexpr std::uint32_t kTagSeams = chunk_tag("SEAM");
+inline constexpr std::uint32_t kTagFaceGroups = chunk_tag("FGRP");
 inline constexpr std::uint32_t kTagOrder = chunk_tag("ORDR");
 inline constexpr std::uint32_t kTagDeltas = chunk_tag("DELT");
 inline constexpr std::uint32_t kTagAnchors = chunk_tag("ANCH");

@@ -27,9 +27,37 @@ struct Layout {
 
 AttributeKind kind_of(std::string_view semantic) noexcept {
   if (semantic == "NORMAL") return AttributeKind::kNormal;
+  if (semantic == "TANGENT") return AttributeKind::kTangent;
   if (semantic.starts_with("COLOR_")) return AttributeKind::kColor;
   if (semantic.starts_with("TEXCOORD_")) return AttributeKind::kUv;
+  if (semantic.starts_with("JOINTS_")) return AttributeKind::kJoints;
+  if (semantic.starts_with("WEIGHTS_")) return AttributeKind::kWeights;
   return AttributeKind::kGeneric;
+}
+
+/// Whether a semantic of this kind can have the accessor's type and shape.
+bool fits(AttributeKind kind, const GltfAccessor& accessor) noexcept {
+  const bool real = accessor.type == ComponentType::kF32;
+  const bool natural = accessor.type == ComponentType::kU8 || accessor.type == ComponentType::kU16;
+  const bool part_of_one = real || (natural && accessor.normalized);
+  if (accessor.matrix) return kind == AttributeKind::kGeneric;
+  switch (kind) {
+    case AttributeKind::kNormal:
+      return accessor.components == 3;
+    case AttributeKind::kColor:
+      return part_of_one && (accessor.components == 3 || accessor.components == 4);
+    case AttributeKind::kUv:
+      return accessor.components == 2;
+    case AttributeKind::kTangent:
+      return accessor.components == 4;
+    case AttributeKind::kJoints:
+      return natural && !accessor.normalized && accessor.components == 4;
+    case AttributeKind::kWeights:
+      return part_of_one && accessor.components == 4;
+    case AttributeKind::kGeneric:
+      break;
+  }
+  return true;
 }
 
 /// How one set has it, after the conversions that a kind always gets. Errors: kInvalidFile.
@@ -40,16 +68,10 @@ Result<Layout> layout_of(std::string_view semantic, const GltfAccessor& accessor
                 .normalized = accessor.normalized,
                 .differs = false,
                 .sets = 1};
-  const bool color_type = (accessor.normalized &&
-                           (accessor.type == ComponentType::kU8 || accessor.type == ComponentType::kU16)) ||
-                          accessor.type == ComponentType::kF32;
-  bool valid = true;
-  if (layout.kind == AttributeKind::kNormal) valid = accessor.components == 3 && !accessor.matrix;
-  if (layout.kind == AttributeKind::kUv) valid = accessor.components == 2;
-  if (layout.kind == AttributeKind::kColor)
-    valid = color_type && !accessor.matrix && (accessor.components == 3 || accessor.components == 4);
-  if (!valid) return invalid_file("glTF: NORMAL, COLOR_n or TEXCOORD_n of a type that they cannot have");
-  if (layout.kind == AttributeKind::kNormal || layout.kind == AttributeKind::kUv) {
+  if (!fits(layout.kind, accessor))
+    return invalid_file("glTF: an attribute of a type that its name cannot have");
+  if (layout.kind == AttributeKind::kNormal || layout.kind == AttributeKind::kUv ||
+      layout.kind == AttributeKind::kTangent) {
     layout.type = ComponentType::kF32;
     layout.normalized = false;
   }
@@ -62,9 +84,11 @@ void merge(const Layout& other, Layout& layout) noexcept {
       layout.normalized == other.normalized)
     return;
   layout.differs = true;
-  if (layout.kind != AttributeKind::kColor) return;
+  if (layout.kind == AttributeKind::kGeneric) return;
   layout.components = std::max(layout.components, other.components);
-  if (layout.type != other.type) {
+  if (layout.kind == AttributeKind::kJoints) {
+    layout.type = ComponentType::kU16;
+  } else if (layout.type != other.type) {
     layout.type = ComponentType::kF32;
     layout.normalized = false;
   }
@@ -90,7 +114,7 @@ Result<Layouts> find_layouts(const GltfDocument& document, const std::vector<Glt
 
 bool is_kept(const std::string& semantic, const Layout& layout, std::size_t sets) noexcept {
   if (!is_attribute_name(semantic)) return false;
-  if (layout.kind == AttributeKind::kColor || layout.kind == AttributeKind::kUv) return true;
+  if (layout.kind != AttributeKind::kGeneric) return true;
   return layout.sets == sets && !layout.differs;
 }
 
@@ -102,6 +126,12 @@ void store(Attribute& attribute, std::uint64_t vertex, std::size_t c, double rea
     real = real * scale + 0.5;
   }
   store_component(attribute.type, real, attribute.values.data() + (vertex * attribute.components + c) * size);
+}
+
+/// Component `c` where a set does not have the attribute: opaque white, the tangent x, else 0.
+double missing_value(AttributeKind kind, std::size_t c) noexcept {
+  if (kind == AttributeKind::kColor) return 1;
+  return kind == AttributeKind::kTangent && (c == 0 || c == 3) ? 1 : 0;
 }
 
 /// Turns the first three components of float32 elements with the node.
@@ -130,9 +160,9 @@ Result<void> fill(const GltfDocument& document, GltfBuffers buffers, const GltfV
                   const GltfAccessor* accessor, Attribute& attribute) {
   const std::size_t size = attribute.components * component_size(attribute.type);
   if (accessor == nullptr) {
-    const double missing = attribute.kind == AttributeKind::kColor ? 1 : 0;
     for (std::uint64_t v = set.first; v < set.first + set.count; ++v)
-      for (std::size_t c = 0; c < attribute.components; ++c) store(attribute, v, c, missing);
+      for (std::size_t c = 0; c < attribute.components; ++c)
+        store(attribute, v, c, missing_value(attribute.kind, c));
     return {};
   }
   DELTAMESH_TRY(const std::vector<std::byte> values, read_accessor(document, buffers, *accessor));
@@ -151,8 +181,7 @@ Result<void> fill(const GltfDocument& document, GltfBuffers buffers, const GltfV
         store(attribute, set.first + v, c, real);
       }
   }
-  const bool tangent =
-      attribute.name == "TANGENT" && attribute.components == 4 && attribute.type == ComponentType::kF32;
+  const bool tangent = attribute.kind == AttributeKind::kTangent;
   if ((attribute.kind == AttributeKind::kNormal || tangent) && !set.transform->is_identity())
     turn(attribute, set, tangent);
   return {};

@@ -23,14 +23,18 @@ struct GltfVertexSet {
   std::uint64_t count = 0;
 };
 
-/// All attributes but the position, of `vertices` vertices. NORMAL and TEXCOORD_n become float32; TANGENT and
-/// normals are turned with their node; JOINTS_n, WEIGHTS_n, TANGENT and custom ones are generic. Where the
-/// sets differ: a colour that some lack is filled with opaque white, texture coordinates with 0; colours of
-/// several types become float32. Any other attribute that a set lacks, or has in another type, and one whose
-/// name is not UTF-8 of 1 to 255 bytes, is left out and counted in `dropped`. Errors: kInvalidFile: a
-/// semantic with a wrong type or count, accessors out of range.
+/// All attributes but the position, of `vertices` vertices. NORMAL, TANGENT and TEXCOORD_n become float32,
+/// normals and tangents are turned with their node. Where the sets differ: a colour that some lack is filled
+/// with opaque white, tangents with x, the rest with 0 (normals are add_missing_normals()'s to find); colours
+/// and weights of several types become float32, joints u16. A custom attribute that a set lacks, or has in
+/// another type, and one whose name is not UTF-8 of 1 to 255 bytes, is left out and counted in `dropped`.
+/// Errors: kInvalidFile: a semantic with a wrong type or count, accessors out of range.
 Result<std::vector<Attribute>> merge_attributes(const GltfDocument& document, GltfBuffers buffers,
                                                 const std::vector<GltfVertexSet>& sets,
                                                 std::uint64_t vertices, std::uint64_t& dropped);
+
+/// Gives the vertices of sets without NORMAL the normals of `mesh`, weighted by area, where it has the
+/// attribute for others. `mesh` is complete but for them.
+void add_missing_normals(const std::vector<GltfVertexSet>& sets, Mesh& mesh);
 
 }  // namespace deltamesh

@@ -54,6 +54,7 @@ class Assembly {
     DELTAMESH_TRY(imported_.mesh.attributes, merge_attributes(document_, buffers_, sets_, vertices_,
                                                               imported_.notes.dropped_attributes));
     for (const Part& part : parts_) DELTAMESH_CHECK(read_triangles(part));
+    add_missing_normals(sets_, imported_.mesh);
     return std::move(imported_);
   }
 

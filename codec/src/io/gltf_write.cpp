@@ -98,33 +98,64 @@ class GltfBuilder {
       case AttributeKind::kUv:
         if (attribute.components == 2) return add_uvs(attribute);
         break;
+      case AttributeKind::kTangent:
+        if (attribute.components == 4 && !primitive_.attributes.contains("TANGENT"))
+          return add_tangents(attribute);
+        break;
+      case AttributeKind::kJoints:
+        if (attribute.components == 4 && is_natural(attribute.type))
+          return add_values(attribute, attribute.type, false, "JOINTS_" + std::to_string(joints_++));
+        break;
+      case AttributeKind::kWeights:
+        if (attribute.components == 4) return add_weights(attribute);
+        break;
       case AttributeKind::kGeneric:
         break;
     }
     add_generic(attribute);
   }
 
-  /// Unit length is the law in glTF (3.7.2.1): others are scaled to it, and zero or NaN become the z axis.
-  void add_normals(const AttributeView& attribute) {
+  static bool is_natural(ComponentType type) noexcept {
+    return type == ComponentType::kU8 || type == ComponentType::kU16;
+  }
+
+  /// Unit length is the law in glTF (3.7.2.1): others are scaled to it; zero or NaN become `otherwise`.
+  Vec3 unit_value(const AttributeView& attribute, std::size_t vertex, const Vec3& otherwise) const {
     constexpr double kTolerance = 1e-4;
+    Vec3 value{};
+    for (std::size_t k = 0; k < 3; ++k) value[k] = attribute_value(attribute, vertex, k);
+    const double size = length(value);
+    if (!(size > 0) || !std::isfinite(size)) return otherwise;
+    return std::fabs(size - 1) > kTolerance ? (1 / size) * value : value;
+  }
+
+  void add_normals(const AttributeView& attribute) {
     GltfAccessor accessor = begin(ComponentType::kF32, 3, false);
-    for (std::size_t v = 0; v < mesh_.vertex_count(); ++v) {
-      Vec3 normal{};
-      for (std::size_t k = 0; k < 3; ++k) normal[k] = attribute_value(attribute, v, k);
-      const double size = length(normal);
-      if (!(size > 0) || !std::isfinite(size))
-        normal = {0, 0, 1};
-      else if (std::fabs(size - 1) > kTolerance)
-        normal = (1 / size) * normal;
-      for (const double value : normal) out_.write(to_float(value));
-    }
+    for (std::size_t v = 0; v < mesh_.vertex_count(); ++v)
+      for (const double value : unit_value(attribute, v, {0, 0, 1})) out_.write(to_float(value));
     primitive_.attributes["NORMAL"] = end(std::move(accessor));
   }
 
+  /// The fourth component is the side of the bitangent, 1 or -1.
+  void add_tangents(const AttributeView& attribute) {
+    GltfAccessor accessor = begin(ComponentType::kF32, 4, false);
+    for (std::size_t v = 0; v < mesh_.vertex_count(); ++v) {
+      for (const double value : unit_value(attribute, v, {1, 0, 0})) out_.write(to_float(value));
+      out_.write(attribute_value(attribute, v, 3) < 0 ? -1.0F : 1.0F);
+    }
+    primitive_.attributes["TANGENT"] = end(std::move(accessor));
+  }
+
   void add_colors(const AttributeView& attribute) {
-    const bool integer = attribute.type == ComponentType::kU8 || attribute.type == ComponentType::kU16;
+    const bool integer = is_natural(attribute.type);
     add_values(attribute, integer ? attribute.type : ComponentType::kF32, integer,
                "COLOR_" + std::to_string(colors_++));
+  }
+
+  void add_weights(const AttributeView& attribute) {
+    const bool integer = is_natural(attribute.type) && attribute.normalized;
+    add_values(attribute, integer ? attribute.type : ComponentType::kF32, integer,
+               "WEIGHTS_" + std::to_string(weights_++));
   }
 
   void add_uvs(const AttributeView& attribute) {
@@ -190,6 +221,8 @@ class GltfBuilder {
   ByteWriter out_;
   int colors_ = 0;
   int uvs_ = 0;
+  int joints_ = 0;
+  int weights_ = 0;
 };
 
 }  // namespace

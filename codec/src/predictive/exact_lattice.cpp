@@ -20,7 +20,10 @@ constexpr std::size_t kOneIn = 10;  ///< coordinates that may be off
 struct Comb {
   double origin;
   double step;
+  std::int64_t first;
   std::int64_t cells;
+
+  double at(std::int64_t q) const noexcept { return origin + step * static_cast<double>(first + q); }
 };
 
 bool is_same_float(double value, double coordinate) noexcept {
@@ -41,8 +44,8 @@ std::optional<CombFit> fit_comb(std::span<const Vec3> positions, std::size_t axi
   CombFit fit;
   for (std::size_t v = 0; v < positions.size(); ++v) {
     const double x = positions[v][axis];
-    const auto q = static_cast<std::int64_t>(std::round((x - comb.origin) / comb.step));
-    if (is_same_float(comb.origin + comb.step * static_cast<double>(q), x)) {
+    const auto q = static_cast<std::int64_t>(std::round((x - comb.origin) / comb.step)) - comb.first;
+    if (is_same_float(comb.at(q), x)) {
       fit.common = std::gcd(fit.common, q);
     } else if (++fit.off > kSpared + v / kOneIn) {
       return std::nullopt;
@@ -55,8 +58,8 @@ std::optional<CombFit> fit_comb(std::span<const Vec3> positions, std::size_t axi
 std::optional<Comb> comb_of(const Box& box, std::size_t axis, double unit) noexcept {
   const double least = std::round(box.min[axis] * unit);
   const double cells = std::round(box.max[axis] * unit) - least;
-  if (!(cells <= kMostCells)) return std::nullopt;
-  return Comb{least / unit, 1 / unit, static_cast<std::int64_t>(cells)};
+  if (!(cells <= kMostCells) || !(std::abs(least) <= kMostFirst)) return std::nullopt;
+  return Comb{0, 1 / unit, static_cast<std::int64_t>(least), static_cast<std::int64_t>(cells)};
 }
 
 /// The comb whose points and exceptions take least, of decimals; then coarser by what all steps share.
@@ -78,8 +81,12 @@ std::optional<Comb> find_comb(std::span<const Vec3> positions, const Box& box, s
     if (fit->off == 0) break;
   }
   if (!best || best_fit.common < 2 || best_fit.off > 0) return best;
-  const Comb coarse{best->origin, best->step * static_cast<double>(best_fit.common),
-                    best->cells / best_fit.common};
+  Comb coarse{best->at(0), best->step * static_cast<double>(best_fit.common), 0,
+              best->cells / best_fit.common};
+  if (best->first % best_fit.common == 0) {
+    coarse.first = best->first / best_fit.common;
+    coarse.origin = 0;
+  }
   const auto fit = fit_comb(positions, axis, coarse);
   return fit && fit->off == 0 ? coarse : best;
 }
@@ -93,6 +100,7 @@ std::optional<PositionLattice> find_exact_lattice(std::span<const Vec3> position
     const auto comb = find_comb(positions, box, axis);
     if (!comb) return std::nullopt;
     lattice.origin[axis] = comb->origin;
+    lattice.first[axis] = comb->first;
     lattice.step[axis] = comb->step;
     lattice.cells[axis] = static_cast<std::uint32_t>(comb->cells);
   }

@@ -9,14 +9,21 @@
 
 namespace deltamesh {
 
-double finest_step(const Box& box) noexcept { return box.longest_side() / kMostCells * (1 + 1e-9); }
+double finest_step(const Box& box) noexcept { return box.longest_side() / (kMostCells - 1) * (1 + 1e-9); }
 
 PositionLattice cubic_lattice(const Box& box, double step) noexcept {
   step = std::max(step, finest_step(box));
-  PositionLattice lattice{.origin = box.min, .step = {step, step, step}};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    lattice.cells[axis] = static_cast<std::uint32_t>(
-        std::min(std::round((box.max[axis] - box.min[axis]) / step), double{kMostCells}));
+  PositionLattice lattice{.step = {step, step, step}};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    double first = std::round(box.min[axis] / step);
+    if (!(std::abs(first) <= kMostFirst)) {
+      lattice.origin[axis] = box.min[axis];
+      first = 0;
+    }
+    const double last = std::round((box.max[axis] - lattice.origin[axis]) / step);
+    lattice.first[axis] = static_cast<std::int64_t>(first);
+    lattice.cells[axis] = static_cast<std::uint32_t>(std::clamp(last - first, 0.0, double{kMostCells}));
+  }
   return lattice;
 }
 
@@ -26,7 +33,8 @@ std::vector<Cell> to_cells(std::span<const Vec3> positions, const PositionLattic
   cells.resize(positions.size());
   for (std::size_t v = 0; v < cells.size(); ++v) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double q = (positions[v][axis] - lattice.origin[axis]) / lattice.step[axis];
+      const double q = (positions[v][axis] - lattice.origin[axis]) / lattice.step[axis] -
+                       static_cast<double>(lattice.first[axis]);
       cells[v][axis] =
           static_cast<std::int32_t>(std::clamp(q, 0.0, static_cast<double>(lattice.cells[axis])) + 0.5);
     }

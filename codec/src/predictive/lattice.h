@@ -14,11 +14,11 @@
 
 namespace deltamesh {
 
-/// The step of kMostCells along the longest side of `box`, model units.
+/// The step of one cell less than kMostCells along the longest side of `box`, model units.
 double finest_step(const Box& box) noexcept;
 
-/// The cubic lattice of `step` over `box`; the step is made larger where a side would take more than
-/// kMostCells. `step`: model units, above 0.
+/// The cubic lattice of `step` over `box`, of whole steps from 0 unless that is too far off; the step is made
+/// larger where a side would take more than kMostCells. `step`: model units, above 0.
 PositionLattice cubic_lattice(const Box& box, double step) noexcept;
 
 /// The nearest point of `lattice` for every position.

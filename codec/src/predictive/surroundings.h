@@ -57,6 +57,13 @@ struct FacePair {
   std::uint32_t faces;   ///< as in Surroundings
 };
 
+/// The corners a and b of the first known faces, two at most.
+struct NearCorners {
+  std::array<std::uint32_t, 2> a;
+  std::array<std::uint32_t, 2> b;
+  unsigned known_count;  ///< 0 to 2
+};
+
 /// The first known faces of every vertex.
 class KnownFaces {
  public:
@@ -66,6 +73,11 @@ class KnownFaces {
 
   std::uint32_t vertex_count() const noexcept { return vertex_count_; }
   Surroundings around(std::uint32_t vertex) const noexcept;
+  NearCorners near(std::uint32_t vertex) const noexcept {
+    if (vertex >= stars_.size()) return {};
+    const Star& star = stars_[vertex];
+    return {{star.a[0], star.a[1]}, {star.b[0], star.b[1]}, std::min(star.known, 2U)};
+  }
   /// False where it is something else that is around `vertex`.
   bool pair_around(std::uint32_t vertex, FacePair& pair) const noexcept;
   /// Whether nothing can be told of `vertex`, above 0, without the one before it.

@@ -245,6 +245,7 @@ PositionLattice grid_lattice(const Box& box, const std::array<AxisGrid, 3>& axes
     const double cells = std::round((box.max[axis] - grid.origin) / grid.step);
     if (!(cells <= kMostCells)) continue;
     lattice.origin[axis] = grid.origin;
+    lattice.first[axis] = 0;
     lattice.step[axis] = grid.step;
     lattice.cells[axis] = static_cast<std::uint32_t>(cells);
   }

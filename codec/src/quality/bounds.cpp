@@ -55,7 +55,7 @@ Bounds bounds_in_model_units(const QualityRequest& request, std::uint64_t vertic
   Bounds bounds;
   if (request.vde) bounds.vde = in_model_units(*request.vde, vertices, diagonal);
   if (request.lfe) bounds.lfe = in_model_units(*request.lfe, vertices, diagonal);
-  bounds.max_error = request.max_error;
+  if (request.max_error) bounds.max_error = in_model_units(*request.max_error, vertices, diagonal);
   return bounds;
 }
 
@@ -67,8 +67,10 @@ Result<void> validate(const QualityRequest& request) noexcept {
     return invalid("the VDE asked for must be a finite number above 0");
   if (request.lfe && !is_positive(request.lfe->value))
     return invalid("the LFE asked for must be a finite number above 0");
-  if (request.max_error && !is_positive(*request.max_error))
+  if (request.max_error && !is_positive(request.max_error->value))
     return invalid("the maximum error must be a finite number above 0");
+  if (request.max_error && request.max_error->unit == QualityUnit::kPaper)
+    return invalid("the paper has no form of the maximum error");
   if (request.target_bytes && *request.target_bytes == 0)
     return invalid("the target size must be above 0 bytes");
   return {};

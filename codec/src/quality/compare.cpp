@@ -12,34 +12,19 @@
 
 #include "base/try.h"
 #include "base/vec3.h"
+#include "quality/attribute_comparison.h"
 #include "quality/correspondence.h"
+#include "quality/face_matching.h"
+#include "quality/far_matches.h"
 #include "quality/measure.h"
+#include "quality/normal_angles.h"
 #include "quality/surface.h"
-#include "quality/triangle_tree.h"
+#include "quality/surface_distance.h"
 #include "quality/vertex_normals.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {
 namespace {
-
-/// Angles of normals, gathered; pairs without a direction are left out.
-class Angles {
- public:
-  void add(const Vec3& a, const Vec3& b) {
-    if (a != Vec3{} && b != Vec3{}) degrees_.push_back(angle_degrees(a, b));
-  }
-  void report(Comparison& result) {
-    if (degrees_.empty()) return;
-    const auto count = static_cast<double>(degrees_.size());
-    result.normal_angle_mean = std::accumulate(degrees_.begin(), degrees_.end(), 0.0) / count;
-    const auto rank = static_cast<std::ptrdiff_t>(std::ceil(0.95 * count)) - 1;
-    std::nth_element(degrees_.begin(), degrees_.begin() + rank, degrees_.end());
-    result.normal_angle_p95 = degrees_[static_cast<std::size_t>(rank)];
-  }
-
- private:
-  std::vector<double> degrees_;
-};
 
 /// A's vertices in B's sequence, with B's triangles: the mesh that B approximates vertex by vertex.
 struct Reordered {
@@ -70,7 +55,7 @@ void compare_vertices(const MeshView& a, const MeshView& b, std::span<const std:
   const std::vector<std::uint32_t>& representative = original.weld.representative;
   std::vector<Vec3> from(representative.size());
   std::vector<Vec3> to(representative.size());
-  Angles angles;
+  NormalAngles angles;
   for (std::size_t g = 0; g < representative.size(); ++g) {
     const std::uint32_t v = representative[g];
     from[g] = original.positions[v];
@@ -93,63 +78,6 @@ void compare_vertices(const MeshView& a, const MeshView& b, std::span<const std:
   }
 }
 
-/// Distances of the vertices of one mesh to the surface of the other, summed up.
-struct DistanceSum {
-  double squares = 0;
-  double largest_square = 0;
-  std::uint64_t count = 0;
-
-  void add(double square) {
-    squares += square;
-    largest_square = std::max(largest_square, square);
-    ++count;
-  }
-};
-
-/// Calls visit(vertex, nearest point of `surface`) for every vertex that counts of `from`.
-template <class Visit>
-void for_each_nearest(const Surface& from, const Surface& surface, Visit visit) {
-  const TriangleTree tree(surface.positions, surface.triangles);
-  std::uint32_t hint = 0;
-  for (std::size_t v = 0; v < from.positions.size(); ++v) {
-    if (!from.used[v]) continue;
-    const SurfacePoint point = tree.nearest(from.positions[v], hint);
-    hint = point.triangle;
-    visit(v, point);
-  }
-}
-
-Vec3 normal_at(const Surface& surface, const SurfacePoint& point) {
-  Vec3 sum{};
-  for (std::size_t corner = 0; corner < 3; ++corner)
-    sum = sum + point.weights[corner] *
-                    surface.normals[surface.triangles[3 * std::size_t{point.triangle} + corner]];
-  return unit_or_zero(sum);
-}
-
-Result<void> compare_surfaces(const MeshView& a, const MeshView& b, Comparison& result) {
-  const Surface original(a, a.origin);
-  const Surface approximation(b, a.origin);
-  result.diagonal = original.diagonal();
-  if (original.triangles.empty() || approximation.triangles.empty())
-    return Error{.code = ErrorCode::kInvalidArgument, .message = "one mesh is empty, the other is not"};
-  DistanceSum distances;
-  Angles angles;
-  for_each_nearest(approximation, original, [&](std::size_t v, const SurfacePoint& point) {
-    distances.add(point.squared_distance);
-    const Vec3 normal = normal_at(original, point);
-    result.signed_error[v] = static_cast<float>(dot(approximation.positions[v] - point.position, normal));
-    if (approximation.weld.representative[approximation.weld.geometric[v]] == v)
-      angles.add(normal, approximation.normals[v]);
-  });
-  for_each_nearest(original, approximation,
-                   [&](std::size_t, const SurfacePoint& point) { distances.add(point.squared_distance); });
-  result.surface_rms = std::sqrt(distances.squares / static_cast<double>(distances.count));
-  result.surface_max = std::sqrt(distances.largest_square);
-  angles.report(result);
-  return {};
-}
-
 Result<void> check_order(std::span<const std::uint32_t> order, std::size_t a_vertices,
                          std::size_t b_vertices) {
   if (order.size() != b_vertices)
@@ -164,26 +92,119 @@ Result<void> check_order(std::span<const std::uint32_t> order, std::size_t a_ver
   return {};
 }
 
+/// Vertices of A and B that stand for each other.
+struct Correspondence {
+  bool whole = false;  ///< all faces of both, and every vertex of B
+  bool reordered = false;
+  std::vector<std::uint32_t> order;  ///< a vertex of A at the place of each of B's; only where whole
+  std::vector<VertexPair> pairs;     ///< at the corners of matched faces, each once
+  std::uint64_t faces = 0;           ///< matched ones
+};
+
+Correspondence by_order(const MeshView& a, const MeshView& b, std::span<const std::uint32_t> order) {
+  Correspondence found;
+  found.whole = order.size() == b.vertex_count() &&
+                triangles_correspond(a.triangles, a.vertex_count(), b.triangles, order);
+  if (!found.whole) return found;
+  found.order.assign(order.begin(), order.end());
+  found.faces = b.triangle_count();
+  std::vector<std::uint8_t> used(b.vertex_count(), b.triangles.empty() ? 1 : 0);
+  for (const std::uint32_t v : b.triangles) used[v] = 1;
+  for (std::uint32_t v = 0; v < used.size(); ++v)
+    if (used[v] != 0) found.pairs.push_back({.a = order[v], .b = v});
+  return found;
+}
+
+/// The vertex of A for every vertex of B; empty where a vertex of B has none, or is at several places of A.
+std::vector<std::uint32_t> order_of(const FaceGraph& a, const FaceGraph& b,
+                                    std::span<const FaceMatch> matches) {
+  constexpr std::uint32_t kNone = 0xffffffff;
+  std::vector<std::uint32_t> welded(b.positions.size(), kNone);
+  std::vector<std::uint32_t> order(b.positions.size());
+  for (std::size_t f = 0; f < matches.size(); ++f) {
+    if (matches[f].face == kNoFace) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t corner = 3 * std::size_t{matches[f].face} + (k + matches[f].turn) % 3;
+      const std::uint32_t v = b.vertices[3 * f + k];
+      if (welded[v] != kNone && welded[v] != a.corners[corner]) return {};
+      welded[v] = a.corners[corner];
+      order[v] = a.vertices[corner];
+    }
+  }
+  if (std::find(welded.begin(), welded.end(), kNone) != welded.end()) return {};
+  return order;
+}
+
+/// Whether both have the same faces, but for those that draw nothing as two corners are at one place.
+bool all_match(const FaceGraph& a, const FaceGraph& b, std::span<const FaceMatch> matches) {
+  std::vector<std::uint8_t> taken(a.face_count());
+  for (std::uint32_t f = 0; f < b.real_faces; ++f) {
+    if (matches[f].face != kNoFace)
+      taken[matches[f].face] = 1;
+    else if (!b.is_degenerate(f))
+      return false;
+  }
+  for (std::uint32_t f = 0; f < a.real_faces; ++f)
+    if (taken[f] == 0 && !a.is_degenerate(f)) return false;
+  return true;
+}
+
+Correspondence by_faces(const MeshView& mesh_a, const MeshView& mesh_b, const AttributeComparer& attributes) {
+  const FaceGraph a(mesh_a, mesh_a.origin);
+  const FaceGraph b(mesh_b, mesh_a.origin);
+  std::vector<FaceMatch> matches = match_faces(
+      a, b, [&](std::uint32_t of_a, std::uint32_t of_b) { return attributes.difference(of_a, of_b); });
+  Correspondence found;
+  if (all_match(a, b, matches)) found.order = order_of(a, b, matches);
+  found.whole = !found.order.empty();
+  found.reordered = found.whole;
+  if (!found.whole) drop_far_matches(a, b, matches);
+  for (std::size_t f = 0; f < matches.size(); ++f) {
+    if (matches[f].face == kNoFace) continue;
+    if (f < b.real_faces) ++found.faces;
+    if (f >= b.real_faces && b.real_faces > 0) continue;  // vertices without a face do not count
+    for (std::size_t k = 0; k < 3; ++k)
+      found.pairs.push_back({.a = a.vertices[3 * std::size_t{matches[f].face} + (k + matches[f].turn) % 3],
+                             .b = b.vertices[3 * f + k]});
+  }
+  std::sort(found.pairs.begin(), found.pairs.end());
+  found.pairs.erase(std::unique(found.pairs.begin(), found.pairs.end()), found.pairs.end());
+  return found;
+}
+
+Correspondence correspondence_of(const MeshView& a, const MeshView& b, std::span<const std::uint32_t> order,
+                                 const AttributeComparer& attributes) {
+  if (!order.empty() || b.vertex_count() == 0) return by_order(a, b, order);
+  if (a.vertex_count() == b.vertex_count()) {
+    std::vector<std::uint32_t> identity(b.vertex_count());
+    std::iota(identity.begin(), identity.end(), 0U);
+    Correspondence found = by_order(a, b, identity);
+    if (found.whole) return found;
+  }
+  return by_faces(a, b, attributes);
+}
+
 }  // namespace
 
 Result<Comparison> compare(const MeshView& a, const MeshView& b,
                            std::span<const std::uint32_t> order) noexcept try {
   DELTAMESH_CHECK(check_surface(a));
   DELTAMESH_CHECK(check_surface(b));
-  std::vector<std::uint32_t> identity;
-  if (!order.empty()) {
-    DELTAMESH_CHECK(check_order(order, a.vertex_count(), b.vertex_count()));
-  } else if (a.vertex_count() == b.vertex_count()) {
-    identity.resize(b.vertex_count());
-    std::iota(identity.begin(), identity.end(), 0U);
-    order = identity;
-  }
+  DELTAMESH_CHECK(check_attributes(a));
+  DELTAMESH_CHECK(check_attributes(b));
+  if (!order.empty()) DELTAMESH_CHECK(check_order(order, a.vertex_count(), b.vertex_count()));
+  const AttributeComparer attributes(a, b);
+  const Correspondence found = correspondence_of(a, b, order, attributes);
   Comparison result;
   result.signed_error.resize(b.vertex_count());
-  result.corresponding = order.size() == b.vertex_count() &&
-                         triangles_correspond(a.triangles, a.vertex_count(), b.triangles, order);
+  result.corresponding = found.whole;
+  result.reordered = found.reordered;
+  result.matched_faces = found.faces;
+  result.unmatched_faces_a = a.triangle_count() - found.faces;
+  result.unmatched_faces_b = b.triangle_count() - found.faces;
+  result.attributes = attributes.compare(found.pairs);
   if (result.corresponding)
-    compare_vertices(a, b, order, result);
+    compare_vertices(a, b, found.order, result);
   else
     DELTAMESH_CHECK(compare_surfaces(a, b, result));
   return result;

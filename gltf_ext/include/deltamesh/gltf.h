@@ -37,26 +37,52 @@ struct GltfIo {
 };
 
 struct GltfPackOptions {
-  EncodeOptions encode;   ///< for every primitive; `progress` tells of the whole asset
+  /// For every mesh; percentages count in its own diagonal. Bounds by name are by semantic ("_HEAT"); those
+  /// of POSITION, NORMAL and TANGENT hold for the displacements of morph targets, which get the bounds on
+  /// positions, normals (as lengths of the displacement, 1 for 57 degrees) and tangents where none is named.
+  /// `progress` tells of the whole asset.
+  EncodeOptions encode;
   bool fallback = false;  ///< keep plain accessors, holding what the streams decode to, beside the streams
+};
+
+/// The attributes of one semantic.
+struct GltfAttributeReport {
+  std::string semantic;
+  bool morph = false;  ///< what morph targets add to it
+  AttributeKind kind = AttributeKind::kGeneric;
+  std::uint64_t bytes = 0;
+  double error = 0;  ///< the largest, see AttributeInfo::error
+};
+
+struct GltfStreamReport {
+  StreamInfo info{};
+  std::vector<GltfAttributeReport> attributes{};
 };
 
 /// What was done, in primitives, vertices and bytes.
 struct GltfReport {
-  std::uint64_t primitives = 0;  ///< in the asset
-  std::uint64_t converted = 0;   ///< compressed, or decompressed
-  std::uint64_t streams = 0;     ///< identical primitives share one stream
-  std::uint64_t not_triangles =
-      0;  ///< left as they are: points, lines, strips, fans, nothing to draw, or no positions
-  std::uint64_t not_float_positions = 0;  ///< left as they are: quantised positions
+  std::uint64_t primitives = 0;     ///< in the asset
+  std::uint64_t converted = 0;      ///< compressed, or decompressed
+  std::uint64_t streams = 0;        ///< primitives of one mesh share one stream
+  std::uint64_t not_triangles = 0;  ///< left as they are: points, lines, nothing to draw, or no positions
+  std::uint64_t not_float_positions = 0;  ///< left as they are: positions of a type that glTF does not have
   std::uint64_t otherwise_compressed =
       0;  ///< left as they are: their data is in another extension's or already in this extension's streams
   std::uint64_t vertices = 0;               ///< in the streams
   std::uint64_t triangles = 0;              ///< in the streams
   std::uint64_t unreferenced_vertices = 0;  ///< of converted primitives, dropped because no face uses them
+  /// Dropped because two corners are at one place, so that they draw nothing; kept by lossless, keep_order
+  /// and keep_unreferenced.
+  std::uint64_t degenerate_triangles = 0;
+  std::uint64_t welded_vertices = 0;  ///< dropped because another vertex is equal in all attributes
   std::uint64_t stream_bytes = 0;
   std::uint64_t input_bytes = 0;   ///< asset and external buffers
   std::uint64_t output_bytes = 0;  ///< asset and external buffer
+  // Only of packing:
+  double max_error = 0;          ///< largest distance of a vertex from its original, model units of its mesh
+  double max_error_percent = 0;  ///< the same in percent of the diagonal of its mesh
+  std::vector<GltfAttributeReport> attributes;   ///< over all streams
+  std::vector<GltfStreamReport> stream_reports;  ///< in the order of the streams
 };
 
 struct GltfOutput {
@@ -65,13 +91,16 @@ struct GltfOutput {
   GltfReport report;
 };
 
-/// Compresses every triangle-list primitive of `asset` (GLB or JSON, recognised by content) whose positions
-/// are float32; everything else stays as it is, apart from numbers of buffer views and places in the buffer,
-/// and all buffers become one; GLB chunks that glTF does not define are kept where the result is a GLB.
-/// Primitives with morph targets keep the order of their vertices. Triangles of converted primitives may
-/// change order, and without `fallback` only a reader that knows the extension can read the result. Errors:
-/// kInvalidFile (the element is named where there is one), kInvalidArgument, kInvalidMesh (`where`: the
-/// primitive, counted over all meshes), kFileOpen, kOutOfMemory, and what `io.resolve` returns.
+/// Compresses every primitive of triangles of `asset` (GLB or JSON, recognised by content), one stream for
+/// each mesh; everything else stays as it is, apart from numbers of accessors and buffer views and places in
+/// the buffer, and all buffers become one; GLB chunks that glTF does not define are kept where the result is
+/// a GLB. Positions of integers (KHR_mesh_quantization) become floats of the same value; integers of other
+/// attributes stay what they are. Triangles of converted primitives may change order, vertices that are equal
+/// in all attributes become one unless order or unreferenced vertices are kept, and without `fallback` only a
+/// reader that knows the extension can read the result. Errors: kInvalidFile (the element is named where
+/// there is one), kInvalidArgument (options, or all meshes are compressed by another extension), kInvalidMesh
+/// (`where`: the primitive, counted over all meshes), kLimitExceeded, kUnmetRequest, kFileOpen, kOutOfMemory,
+/// and what `io.resolve` returns.
 Result<GltfOutput> pack_gltf(std::span<const std::byte> asset, const GltfPackOptions& options,
                              const GltfIo& io = {}) noexcept;
 

@@ -8,6 +8,24 @@ run compare a.obj turned.obj
 printf '\0\0\0\0\1\0\0\0\2\0\0\0\3\0\0\0\4\0\0\0\5\0\0\0\6\0\0\0\7\0\0\0' >order
 run compare a.obj b.obj --order order
 run compare a.obj turned.obj --order order
+sed 's/^f 1 2 6 5/f 1 3 6 5/' a.obj >other.obj
+run compare a.obj other.obj --json | grep -v normal
+(sed -n '/^v/p' a.obj | tac; printf 'f %s\n' '8 5 6 7' '4 3 2 1' '8 7 3 4' '7 6 2 3' '6 5 1 2' '5 8 4 1') >back.obj
+run compare a.obj back.obj
+say "attributes"
+quads() { # coloured squares whose corners have texture coordinates of their own; $1: u of the first corner, $2: names
+  printf 'ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n'
+  printf 'property float %s\nproperty float %s\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n' $2
+  printf 'element face 1\nproperty list uchar int vertex_indices\nend_header\n'
+  printf '0 0 0 %s 0 9 9 9\n2 0 0 1 0 9 9 9\n2 1 0 1 1 9 9 %s\n0 1 0 0 1 9 9 9\n4 0 1 2 3\n' $1
+}
+quads '0 9' 's t' >first.ply
+quads '0.25 14' 's t' >second.ply
+quads '0 9' 'quality age' >third.ply
+run compare first.ply second.ply
+run compare first.ply third.ply
+run compare first.ply a.obj
+run compare first.ply second.ply --json | sed -n '/"attributes"/,$p'
 say "heat map: red outward, blue inward, green none"
 quiet generate sphere sphere.obj --vertices 500
 quiet encode sphere.obj sphere.dmsh --bits 5 --order-out order

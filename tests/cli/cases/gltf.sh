@@ -3,6 +3,15 @@ figures gltf pack plain.glb packed.glb
 figures gltf pack plain.glb fallback.glb --fallback
 figures gltf unpack packed.glb unpacked.glb
 run compare unpacked.glb fallback.glb
+figures compare plain.glb unpacked.glb
+quiet gltf pack plain.glb coarse.glb --max-error 0.2% --normal-error 3 --uv-error 1/256
+[ "$(stat -c %s coarse.glb)" -lt "$(stat -c %s packed.glb)" ] && say "coarser is smaller"
+quiet gltf pack plain.glb coarse.glb --max-error 0.2% --normal-error 3 --uv-error 1/256 --json
+cp .out pack.json
+has_keys pack.json primitives converted streams vertices triangles stream_bytes input_bytes output_bytes max_error \
+  max_error_percent attributes
+"$program" gltf pack plain.glb coarse.glb --attribute-error _HEAT=1 2>&1 >/dev/null
+rm coarse.glb pack.json
 run encode packed.glb packed.dmsh
 status encode fallback.glb fallback.dmsh
 [ "$(stat -c %s packed.glb)" -lt "$(stat -c %s plain.glb)" ] && say "packed is smaller"

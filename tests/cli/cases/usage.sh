@@ -17,8 +17,23 @@ run encode cube.obj cube.dmsh --bits eight
 run encode cube.obj cube.dmsh --bits 99
 run encode cube.obj cube.dmsh --step -1
 run encode cube.obj cube.dmsh --vde much
-run encode cube.obj cube.dmsh --max-error 0.001%
+status encode cube.obj cube_percent.dmsh --max-error 0.001%
+rm cube_percent.dmsh
 run encode cube.obj cube.dmsh --max-error far
+run encode cube.obj cube.dmsh --normal-error -1
+run encode cube.obj cube.dmsh --uv-error 1/0
+run encode cube.obj cube.dmsh --uv-error 1/many
+run encode cube.obj cube.dmsh --color-error 3%
+run encode cube.obj cube.dmsh --weight-error inf
+run encode cube.obj cube.dmsh --tangent-error
+run encode cube.obj cube.dmsh --attribute-error intensity
+run encode cube.obj cube.dmsh --attribute-error =1
+run encode cube.obj cube.dmsh --attribute-error intensity=much
+run encode cube.obj cube.dmsh --attribute-error intensity=1 --attribute-error intensity=2
+run encode cube.obj cube.dmsh --attribute-error intensity=1
+run encode cube.obj cube.dmsh --lossless --color-error 2
+run gltf pack cube.glb packed.glb --normal-error nan
+run gltf pack cube.glb packed.glb --lossless --uv-error 0
 run encode cube.obj cube.dmsh --anchor-density 0
 run encode cube.obj cube.dmsh --anchor-bits 30
 run encode cube.obj cube.dmsh --profile best

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "asset/asset_report.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <optional>
+
+#include "peers/peer.h"
+#include "report/geometric_mean.h"
+#include "report/text.h"
+#include "run/machine.h"
+
+namespace deltamesh::bench {
+namespace {
+
+constexpr int kDigits = 3;
+
+std::string number(std::uint64_t value) { return std::to_string(value); }
+
+double ratio_of(std::uint64_t a, std::uint64_t b) {
+  return static_cast<double>(std::max<std::uint64_t>(a, 1)) / static_cast<double>(b);
+}
+
+std::uint64_t without_morph(const PartBytes& bytes) { return sum(bytes) - bytes[index_of(Part::kMorph)]; }
+
+bool is_same(const DracoSetting& a, const DracoSetting& b) { return name_of(a) == name_of(b); }
+
+std::vector<DracoSetting> settings_of(const std::vector<AssetRow>& rows) {
+  std::vector<DracoSetting> settings;
+  for (const AssetRow& row : rows)
+    if (std::none_of(settings.begin(), settings.end(),
+                     [&](const DracoSetting& known) { return is_same(known, row.setting); }))
+      settings.push_back(row.setting);
+  return settings;
+}
+
+std::string head(const std::vector<std::string>& names) {
+  std::string text = "|";
+  for (const std::string& name : names) text += join({" ", name, " |"});
+  text += "\n|---|";
+  for (std::size_t i = 1; i < names.size(); ++i) text += "---:|";
+  return text + '\n';
+}
+
+/// Geometric mean and largest of one figure over the assets that have it.
+struct Summary {
+  GeometricMean mean;
+  double largest = 0;
+  int count = 0;
+
+  void add(double value) {
+    mean.add(value);
+    largest = std::max(largest, value);
+    ++count;
+  }
+  std::string text() const {
+    const auto value = mean.value();
+    if (!value) return "none";
+    return join({"geometric mean ", fixed(*value, kDigits), ", largest ", fixed(largest, kDigits), " (",
+                 std::to_string(count), count == 1 ? " asset)" : " assets)"});
+  }
+};
+
+std::string quality_cell(const AssetRow& row) {
+  return join({row.is_kept ? "" : "ABOVE DRACO'S", row.is_kept || row.is_verified ? "" : ", ",
+               row.is_verified ? (row.is_kept ? "yes" : "") : "not measured"});
+}
+
+std::string bytes_table(const std::vector<AssetRow>& rows, const DracoSetting& setting) {
+  std::string text = join({"### Bytes at ", name_of(setting), "\n\n"}) +
+                     head({"asset", "vertices", "Draco", "ours", "ratio", "meshoptimizer", "morph Draco",
+                           "morph ours", "ratio with morph", "errors kept"});
+  for (const AssetRow& row : rows) {
+    if (!is_same(row.setting, setting)) continue;
+    text += join({"| ",  row.asset,
+                  " | ", number(row.vertices),
+                  " | ", number(without_morph(row.draco)),
+                  " | ", number(without_morph(row.ours)),
+                  " | ", fixed(row.ratio(false), kDigits),
+                  " | ", number(row.meshopt),
+                  " | ", number(row.draco[index_of(Part::kMorph)]),
+                  " | ", number(row.ours[index_of(Part::kMorph)]),
+                  " | ", fixed(row.ratio(true), kDigits),
+                  " | ", quality_cell(row),
+                  " |\n"});
+  }
+  return text + '\n';
+}
+
+std::string part_table(const std::vector<AssetRow>& rows, const DracoSetting& setting) {
+  std::vector<std::string> names{"asset"};
+  for (std::size_t part = 0; part < index_of(Part::kMorph); ++part) names.emplace_back(kPartNames[part]);
+  std::string text = join({"### Parts at ", name_of(setting), ": ours / Draco = ratio\n\n"}) + head(names);
+  for (const AssetRow& row : rows) {
+    if (!is_same(row.setting, setting)) continue;
+    text += join({"| ", row.asset, " |"});
+    for (std::size_t part = 0; part < index_of(Part::kMorph); ++part) {
+      if (row.draco[part] == 0 && row.ours[part] == 0) {
+        text += " |";
+        continue;
+      }
+      text += join({" ", number(row.ours[part]), " / ", number(row.draco[part])});
+      if (row.draco[part] != 0) text += join({" = ", fixed(ratio_of(row.ours[part], row.draco[part]), 2)});
+      text += " |";
+    }
+    text += '\n';
+  }
+  return text + '\n';
+}
+
+std::string times_table(const std::vector<AssetRow>& rows) {
+  std::string text = "### Times, milliseconds of one thread\n\n" +
+                     head({"asset", "setting", "decode", "Draco cl 7", "ratio", "encode, effort 0",
+                           "Draco cl 7, from arrays", "ratio", "Draco cl 7, encoder alone", "ratio"});
+  for (const AssetRow& row : rows) {
+    const AssetTimes& t = row.times;
+    if (t.decode == 0) continue;
+    text += join({"| ", row.asset, " | ", name_of(row.setting), " |"});
+    const double milliseconds[] = {t.decode, t.draco_decode, t.encode, t.draco_build + t.draco_encode,
+                                   t.draco_encode};
+    const double ratios[] = {0, t.decode_ratio, 0, t.encode_ratio, t.encode_alone_ratio};
+    for (std::size_t i = 0; i < std::size(milliseconds); ++i) {
+      text += join({" ", fixed(1000 * milliseconds[i], 2), " |"});
+      if (ratios[i] != 0) text += join({" ", fixed(ratios[i], 2), " |"});
+    }
+    text += '\n';
+  }
+  return text + '\n';
+}
+
+using Figure = std::function<std::optional<double>(const AssetRow&)>;
+
+std::string summary_line(const std::vector<AssetRow>& rows, const char* name, const Figure& figure) {
+  Summary all;
+  for (const AssetRow& row : rows)
+    if (const auto value = figure(row)) all.add(*value);
+  return join({"- ", name, ": ", all.text(), "\n"});
+}
+
+std::string summaries(const std::vector<AssetRow>& rows) {
+  std::string text = summary_line(rows, "whole assets, bytes over Draco's",
+                                  [](const AssetRow& row) { return row.ratio(true); }) +
+                     summary_line(rows, "the same without morph targets",
+                                  [](const AssetRow& row) { return row.ratio(false); }) +
+                     summary_line(rows, "meshoptimizer without morph targets", [](const AssetRow& row) {
+                       return ratio_of(row.meshopt, without_morph(row.draco));
+                     });
+  for (std::size_t part = 0; part < index_of(Part::kMorph); ++part) {
+    text += summary_line(rows, kPartNames[part], [part](const AssetRow& row) -> std::optional<double> {
+      if (row.draco[part] == 0) return std::nullopt;
+      return ratio_of(row.ours[part], row.draco[part]);
+    });
+  }
+  text += summary_line(rows, "all attributes with seams", [](const AssetRow& row) -> std::optional<double> {
+    const auto attributes = [](const PartBytes& bytes) {
+      return without_morph(bytes) - bytes[index_of(Part::kGeometry)];
+    };
+    if (attributes(row.draco) == 0) return std::nullopt;
+    return ratio_of(attributes(row.ours), attributes(row.draco));
+  });
+  const auto time_line = [&](const char* name, double AssetTimes::*ratio) {
+    return summary_line(rows, name, [ratio](const AssetRow& row) -> std::optional<double> {
+      if (row.times.*ratio == 0) return std::nullopt;
+      return row.times.*ratio;
+    });
+  };
+  return text + time_line("decode time", &AssetTimes::decode_ratio) +
+         time_line("encode time at effort 0", &AssetTimes::encode_ratio) +
+         time_line("encode time at effort 0, over Draco's encoder alone", &AssetTimes::encode_alone_ratio) +
+         '\n';
+}
+
+}  // namespace
+
+std::string render_asset_markdown(const std::vector<AssetRow>& rows) {
+  std::string text = join(
+      {"# Whole assets beside Draco\n\nCommit ", kBuildInfo.commit, ", ", kBuildInfo.compiler, ", ",
+       processor_name(), ", Draco ", draco_version(), ", zstd ", zstd_version(),
+       ".\n\nStreams of all distinct meshes of an asset. Draco: level 10, one buffer for each primitive, "
+       "settings (qp, qn, qt), 12 bits for tangents and weights, morph targets plain (and no sequential "
+       "coding "
+       "for their sake). Ours: `gltf pack` of each mesh, asked for Draco's rms error of positions and its "
+       "largest error of every attribute in that mesh. Bytes of one of Draco's attributes are what its "
+       "stream "
+       "has more than one without it, seams included; ours has the seams of all attributes in one. "
+       "meshoptimizer: the same lattices, then zstd -19.\n\n"});
+  for (const DracoSetting& setting : settings_of(rows)) {
+    std::vector<AssetRow> own;
+    std::copy_if(rows.begin(), rows.end(), std::back_inserter(own),
+                 [&](const AssetRow& row) { return is_same(row.setting, setting); });
+    text += bytes_table(rows, setting) + part_table(rows, setting) +
+            join({"At ", name_of(setting), ":\n\n"}) + summaries(own);
+  }
+  return text + times_table(rows) + "## All settings\n\n" + summaries(rows);
+}
+
+std::string render_asset_csv(const std::vector<AssetRow>& rows) {
+  std::string csv =
+      "asset,qp,qn,qt,vertices,part,our_bytes,draco_bytes,meshopt_bytes,error_ratio,kept,measured,decode_"
+      "seconds,draco_decode_seconds,decode_ratio,encode_seconds,draco_encode_seconds,encode_ratio\r\n";
+  for (const AssetRow& row : rows) {
+    const std::string start = join({"\"", row.asset, "\",", std::to_string(row.setting.position_bits), ",",
+                                    std::to_string(row.setting.normal_bits), ",",
+                                    std::to_string(row.setting.uv_bits), ",", number(row.vertices), ","});
+    for (std::size_t part = 0; part < kParts; ++part) {
+      if (row.draco[part] == 0 && row.ours[part] == 0) continue;
+      csv += join({start, kPartNames[part], ",", number(row.ours[part]), ",", number(row.draco[part]), ",,",
+                   significant(row.error_ratio[part], 6), ",,,,,,,,\r\n"});
+    }
+    const AssetTimes& t = row.times;
+    csv += join({start, "total,", number(sum(row.ours)), ",", number(sum(row.draco)), ",",
+                 number(row.meshopt), ",,", row.is_kept ? "1" : "0", ",", row.is_verified ? "1" : "0"});
+    for (const double figure :
+         {t.decode, t.draco_decode, t.decode_ratio, t.encode, t.draco_build + t.draco_encode, t.encode_ratio})
+      csv += join({",", significant(figure, 6)});
+    csv += "\r\n";
+  }
+  return csv;
+}
+
+}  // namespace deltamesh::bench

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "asset/gltf_meshes.h"
+
+#include <cstring>
+#include <limits>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <utility>
+
+#include "accessor.h"
+#include "base/try.h"
+#include "compact.h"
+#include "document.h"
+#include "structure.h"
+
+namespace deltamesh::bench {
+namespace {
+
+using gltf::Document;
+using gltf::Json;
+
+constexpr std::uint64_t kTriangleList = 4;
+
+Error failure(const char* message) { return {.code = ErrorCode::kInvalidFile, .message = message}; }
+
+/// The members that say which triangles a primitive has.
+Json without_looks(const Json& primitive) {
+  Json plain = Json::object();
+  for (const char* key : {"mode", "attributes", "indices", "targets"})
+    if (const Json* member = gltf::find(primitive, key)) plain[key] = *member;
+  return plain;
+}
+
+/// A mesh of its distinct primitives, without materials.
+Json without_looks(const Json& mesh, bool) {
+  Json primitives = Json::array();
+  std::set<std::string> known;
+  for (const Json& primitive : mesh["primitives"]) {
+    Json plain = without_looks(primitive);
+    if (known.insert(plain.dump()).second) primitives.push_back(std::move(plain));
+  }
+  return {{"primitives", std::move(primitives)}};
+}
+
+/// A GLB that shows `mesh` alone.
+Result<std::vector<std::byte>> single_mesh_asset(std::span<const std::byte> bytes, const GltfIo& io,
+                                                 const Json& mesh) {
+  DELTAMESH_TRY(Document document, gltf::load_document(bytes, io));
+  Json& json = document.json;
+  for (const char* key : {"materials", "textures", "images", "samplers", "skins", "animations", "cameras",
+                          "extensions", "extensionsUsed", "extensionsRequired"})
+    json.erase(key);
+  json["meshes"] = Json::array({mesh});
+  json["nodes"] = Json::array({Json{{"mesh", 0}}});
+  json["scenes"] = Json::array({Json{{"nodes", Json::array({0})}}});
+  json["scene"] = 0;
+  document.glb_chunks.clear();
+  DELTAMESH_CHECK(gltf::compact_document(document));
+  DELTAMESH_TRY(GltfOutput output, gltf::save_document(std::move(document), {}, {}));
+  return std::move(output.asset);
+}
+
+/// Rows of an accessor, packed.
+Result<std::vector<std::byte>> dense_rows(const gltf::AccessorRows& rows) {
+  std::vector<std::byte> dense;
+  for (std::uint64_t i = 0; i < rows.shape().count; ++i) {
+    const auto row = rows.row(i);
+    dense.insert(dense.end(), row.begin(), row.end());
+  }
+  return dense;
+}
+
+Result<std::vector<std::uint32_t>> read_corners(const Document& document, const Json& primitive,
+                                                std::uint64_t vertices) {
+  std::vector<std::uint32_t> corners;
+  const Json* indices = gltf::find(primitive, "indices");
+  if (indices == nullptr) {
+    for (std::uint32_t i = 0; i < vertices / 3 * 3; ++i) corners.push_back(i);
+    return corners;
+  }
+  DELTAMESH_TRY(const auto rows, gltf::read_accessor(document, indices->get<std::size_t>(), 0));
+  if (!rows) return failure("indices are not plain");
+  for (std::uint64_t i = 0; i < rows->shape().count / 3 * 3; ++i) {
+    corners.push_back(gltf::read_index(rows->row(i)));
+    if (corners.back() >= vertices) return failure("a vertex index beyond the primitive's vertices");
+  }
+  return corners;
+}
+
+/// Keeps the vertices that corners use, equal ones once where `weld`.
+Mesh compacted(const Mesh& mesh, bool weld) {
+  constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  Mesh result;
+  for (const Attribute& attribute : mesh.attributes) {
+    result.attributes.push_back(attribute);
+    result.attributes.back().values.clear();
+  }
+  const auto row_size = [&](std::size_t a) { return mesh.attributes[a].values.size() / mesh.vertex_count(); };
+  std::vector<std::uint32_t> number(mesh.vertex_count(), kNone);
+  std::unordered_map<std::string, std::uint32_t> known;
+  for (const std::uint32_t v : mesh.triangles) {
+    if (number[v] == kNone) {
+      const auto next = static_cast<std::uint32_t>(result.vertex_count());
+      std::string key(reinterpret_cast<const char*>(mesh.positions.data() + std::size_t{3} * v), 12);
+      for (std::size_t a = 0; a < mesh.attributes.size(); ++a)
+        key.append(reinterpret_cast<const char*>(mesh.attributes[a].values.data() + v * row_size(a)),
+                   row_size(a));
+      number[v] = weld ? known.try_emplace(std::move(key), next).first->second : next;
+      if (number[v] == next) {
+        const auto position = mesh.positions.begin() + std::ptrdiff_t{3} * v;
+        result.positions.insert(result.positions.end(), position, position + 3);
+        for (std::size_t a = 0; a < mesh.attributes.size(); ++a) {
+          const auto row = mesh.attributes[a].values.begin() + static_cast<std::ptrdiff_t>(v * row_size(a));
+          result.attributes[a].values.insert(result.attributes[a].values.end(), row,
+                                             row + static_cast<std::ptrdiff_t>(row_size(a)));
+        }
+      }
+    }
+    result.triangles.push_back(number[v]);
+  }
+  return result;
+}
+
+/// Whether the primitive was read; false where it is no list of triangles with float positions.
+Result<bool> read_primitive(const Document& document, const Json& primitive, Primitive& result) {
+  const Json* position = gltf::find(primitive["attributes"], "POSITION");
+  if (primitive.value("mode", kTriangleList) != kTriangleList || position == nullptr) return false;
+  DELTAMESH_TRY(const auto rows, gltf::read_accessor(document, position->get<std::size_t>(), 0));
+  if (!rows || rows->shape().type != ComponentType::kF32 || rows->shape().components != 3) return false;
+  Mesh mesh;
+  DELTAMESH_TRY(const auto positions, dense_rows(*rows));
+  mesh.positions.resize(positions.size() / sizeof(float));
+  std::memcpy(mesh.positions.data(), positions.data(), positions.size());
+  DELTAMESH_TRY(mesh.triangles, read_corners(document, primitive, mesh.vertex_count()));
+  if (mesh.triangles.empty()) return false;
+  for (const auto& [semantic, accessor] : primitive["attributes"].items()) {
+    if (semantic == "POSITION") continue;
+    DELTAMESH_TRY(const auto attribute,
+                  gltf::read_accessor(document, accessor.get<std::size_t>(), mesh.vertex_count()));
+    if (!attribute || attribute->shape().count != mesh.vertex_count())
+      return failure("an attribute is not plain");
+    DELTAMESH_TRY(auto values, dense_rows(*attribute));
+    mesh.attributes.push_back({.kind = kind_of(semantic),
+                               .type = attribute->shape().type,
+                               .components = attribute->shape().components,
+                               .normalized = attribute->shape().normalized,
+                               .name = semantic,
+                               .values = std::move(values)});
+  }
+  result.has_targets = gltf::array_size(primitive, "targets") != 0;
+  result.mesh = compacted(mesh, !result.has_targets);
+  return true;
+}
+
+/// Bytes that an accessor has in buffers; 0 for one that is in a stream.
+Result<std::uint64_t> plain_bytes(const Document& document, std::size_t accessor) {
+  DELTAMESH_TRY(const auto shape, gltf::accessor_shape(document, accessor));
+  if (!shape) return std::uint64_t{0};
+  const Json& json = document.json["accessors"][accessor];
+  std::uint64_t bytes = json.contains("bufferView") ? shape->count * shape->row_size() : 0;
+  if (const Json* sparse = gltf::find(json, "sparse")) {
+    constexpr std::uint64_t kIndexBytes = 4;
+    bytes += (*sparse)["count"].get<std::uint64_t>() * (kIndexBytes + shape->row_size());
+  }
+  return bytes;
+}
+
+/// Adds each accessor of `numbers` that is not known yet. Errors: plain_bytes()'s.
+Result<void> add_plain(const Document& document, const Json& numbers, std::set<std::size_t>& known,
+                       std::uint64_t& bytes) {
+  for (const Json& accessor : numbers) {
+    if (!known.insert(accessor.get<std::size_t>()).second) continue;
+    DELTAMESH_TRY(const std::uint64_t plain, plain_bytes(document, accessor.get<std::size_t>()));
+    bytes += plain;
+  }
+  return {};
+}
+
+Result<std::uint64_t> morph_bytes(const Document& document, const Json& mesh) {
+  std::set<std::size_t> known;
+  std::uint64_t bytes = 0;
+  for (const Json& primitive : mesh["primitives"])
+    if (const Json* targets = gltf::find(primitive, "targets"))
+      for (const Json& target : *targets) DELTAMESH_CHECK(add_plain(document, target, known, bytes));
+  return bytes;
+}
+
+}  // namespace
+
+Result<Asset> meshes_of_asset(std::span<const std::byte> bytes, const GltfIo& io) {
+  DELTAMESH_TRY(const Document document, gltf::load_document(bytes, io));
+  Asset asset;
+  std::set<std::string> known;
+  if (gltf::array_size(document.json, "meshes") == 0) return asset;
+  for (const Json& full : document.json["meshes"]) {
+    const Json mesh = without_looks(full, true);
+    if (!known.insert(mesh.dump()).second) continue;
+    AssetMesh result;
+    for (const Json& json : mesh["primitives"]) {
+      Primitive primitive;
+      DELTAMESH_TRY(const bool read, read_primitive(document, json, primitive));
+      if (!read) continue;
+      asset.vertices += primitive.mesh.vertex_count();
+      result.primitives.push_back(std::move(primitive));
+    }
+    if (result.primitives.empty()) continue;
+    DELTAMESH_TRY(result.morph_bytes, morph_bytes(document, mesh));
+    DELTAMESH_TRY(result.asset, single_mesh_asset(bytes, io, mesh));
+    asset.meshes.push_back(std::move(result));
+  }
+  return asset;
+}
+
+Result<PackedAsset> take_packed_apart(std::span<const std::byte> bytes) {
+  DELTAMESH_TRY(const Document document, gltf::load_document(bytes, {}));
+  PackedAsset result;
+  std::set<std::uint64_t> views;
+  std::set<std::size_t> attributes;
+  for (const Json& mesh : document.json["meshes"]) {
+    DELTAMESH_TRY(const std::uint64_t morph, morph_bytes(document, mesh));
+    result.morph_bytes += morph;
+    for (const Json& primitive : mesh["primitives"]) {
+      DELTAMESH_CHECK(add_plain(document, primitive["attributes"], attributes, result.plain_bytes));
+      const Json* extensions = gltf::find(primitive, "extensions");
+      const Json* extension = extensions ? gltf::find(*extensions, gltf::kExtensionName) : nullptr;
+      if (extension == nullptr) return failure("a primitive was not packed");
+      const auto view = (*extension)["bufferView"].get<std::uint64_t>();
+      if (!views.insert(view).second) continue;
+      DELTAMESH_TRY(const auto stream, gltf::view_bytes(document, view));
+      if (!stream) return failure("a stream is not plain");
+      result.streams.emplace_back(stream->bytes.begin(), stream->bytes.end());
+    }
+  }
+  return result;
+}
+
+}  // namespace deltamesh::bench

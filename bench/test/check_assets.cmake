@@ -1,0 +1,33 @@
+# cmake -DBENCH=program -DOUT=folder -P: runs the bench of assets on a generated one and checks what it wrote.
+file(REMOVE_RECURSE ${OUT})
+execute_process(COMMAND ${BENCH} --quick --corpus ${OUT}/none --setting 12 --effort 1 --out ${OUT}
+                RESULT_VARIABLE status OUTPUT_VARIABLE printed)
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "exit status ${status}")
+endif()
+
+file(STRINGS ${OUT}/assets.csv rows)
+list(POP_FRONT rows header)
+if(NOT header MATCHES "^asset,qp,qn,qt,vertices,part,our_bytes,draco_bytes,")
+  message(FATAL_ERROR "assets.csv: unexpected header ${header}")
+endif()
+foreach(part geometry normals uvs total)
+  if(NOT rows MATCHES "\"generated cad\",12,8,10,[0-9]+,${part},[0-9]+,[0-9]+,")
+    message(FATAL_ERROR "assets.csv: no line of ${part}")
+  endif()
+endforeach()
+# No error above Draco's, measured on the decoded streams of both; all figures there.
+if(NOT rows MATCHES ",total,[0-9]+,[0-9]+,[0-9]+,,1,1(,[0-9.e+-]+)+")
+  message(FATAL_ERROR "assets.csv: errors above Draco's or not measured: ${rows}")
+endif()
+
+file(READ ${OUT}/assets.md report)
+if(NOT report STREQUAL printed)
+  message(FATAL_ERROR "assets.md is not what was printed")
+endif()
+foreach(part "### Bytes at (12, 8, 10)" "### Parts at (12, 8, 10)" "### Times" "geometric mean" "| generated cad |")
+  string(FIND "${report}" "${part}" place)
+  if(place EQUAL -1)
+    message(FATAL_ERROR "assets.md: no '${part}'")
+  endif()
+endforeach()

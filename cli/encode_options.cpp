@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "encode_options.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "option_numbers.h"
+
+namespace deltamesh::cli {
+namespace {
+
+constexpr const char* kPositions = "Quality of positions";
+constexpr const char* kAttributes = "Quality of attributes (largest errors; 0 is exact)";
+constexpr std::array kAttributeOptions{"--normal-error", "--tangent-error", "--uv-error",
+                                       "--color-error",  "--weight-error",  "--attribute-error"};
+constexpr const char* kSettings = "Settings for experiments";
+
+GeometryCoder geometry_coder(const std::string& name) {
+  if (name == "highpass") return GeometryCoder::kHighpass;
+  return name == "predictive" ? GeometryCoder::kPredictive : GeometryCoder::kAuto;
+}
+
+void add_paper_bound(CLI::App& command, const std::string& name, std::optional<QualityBound>& bound) {
+  const auto set = [&bound](double value) {
+    bound = QualityBound{.value = value, .unit = QualityUnit::kPaper};
+  };
+  add_number(command, name + "-paper", "as " + name + ", as the paper's sum: the mesh has a diagonal of 1",
+             set)
+      ->excludes(name)
+      ->group(kSettings);
+}
+
+void add_position_quality(CLI::App& command, QualityRequest& request) {
+  add_bound(command, "--max-error",
+            "largest distance of a vertex from its place: model units, or percent of the diagonal with a % "
+            "behind; 0.02% where nothing else is asked for",
+            request.max_error)
+      ->group(kPositions);
+  add_bound(command, "--vde", "largest visual distortion error (rms), in the same units", request.vde)
+      ->group(kPositions);
+  add_bound(command, "--lfe", "largest low-frequency error (rms), in the same units", request.lfe)
+      ->group(kPositions);
+  command
+      .add_option("--target-bytes", request.target_bytes,
+                  "most bytes of a stream; alone: the best quality that fits")
+      ->group(kPositions);
+}
+
+void add_named_bound(const std::string& text, std::vector<NamedBound>& bounds) {
+  const std::optional<NamedBound> bound = parse_named_bound(text);
+  if (!bound) throw CLI::ValidationError("--attribute-error", "not NAME=NUMBER: " + text);
+  const auto same_name = [&](const NamedBound& other) { return other.name == bound->name; };
+  if (std::any_of(bounds.begin(), bounds.end(), same_name))
+    throw CLI::ValidationError("--attribute-error", "given twice for " + bound->name);
+  bounds.push_back(*bound);
+}
+
+void add_attribute_quality(CLI::App& command, AttributeQuality& quality) {
+  const auto add = [&](const std::string& name, const char* what, const char* value, auto set) {
+    add_number(command, name, what, set)->default_str(value)->group(kAttributes);
+  };
+  add("--normal-error", "of normals: angle, degrees", "0.5", [&](double x) { quality.normal_error = x; });
+  add("--tangent-error", "of tangents: angle, degrees; default: as normals", "",
+      [&](double x) { quality.tangent_error = x; });
+  add("--uv-error", "of texture coordinates: distance in their units", "1/4096",
+      [&](double x) { quality.uv_error = x; });
+  add("--color-error", "of a component of a colour: 255ths of its range", "0",
+      [&](double x) { quality.color_error = x; });
+  add("--weight-error", "of a skinning weight; their sum stays 1", "1/1024",
+      [&](double x) { quality.weight_error = x; });
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--attribute-error",
+          [&quality](const std::vector<std::string>& bounds) {
+            for (const std::string& bound : bounds) add_named_bound(bound, quality.named);
+          },
+          "of a component of the float attribute NAME, such as intensity; otherwise exact; once for each "
+          "name")
+      ->type_name("NAME=NUMBER")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->group(kAttributes);
+}
+
+void add_settings(CLI::App& command, EncodeOptions& options) {
+  CLI::Option* bits = command.add_option("--bits", options.bits,
+                                         "bits of the delta coordinates, 3 (coarse) to 16 (fine); "
+                                         "predictive: of the longest side, 1 to 28");
+  CLI::Option* step =
+      command.add_option("--step", options.step, "instead: the quantisation step, model units");
+  CLI::Option* anchors =
+      command.add_option("--anchors", options.anchors, "number of anchors; default 0.5 % of the vertices");
+  CLI::Option* density =
+      command.add_option("--anchor-density", options.anchor_density,
+                         "instead: most edges from a vertex to its nearest anchor, 1 to 65535");
+  CLI::Option* anchor_bits =
+      command.add_option("--anchor-bits", options.anchor_bits, "bits per axis of an anchor, 4 to 24")
+          ->capture_default_str();
+  step->excludes(bits);
+  density->excludes(anchors);
+  for (CLI::Option* option : {bits, step, anchors, density, anchor_bits}) option->group(kSettings);
+  add_paper_bound(command, "--vde", options.quality.vde);
+  add_paper_bound(command, "--lfe", options.quality.lfe);
+}
+
+void add_coders(CLI::App& command, EncodeOptions& options) {
+  command
+      .add_option_function<std::string>(
+          "--geometry", [&options](const std::string& name) { options.geometry = geometry_coder(name); },
+          "coder of the positions: highpass looks best, predictive bounds each vertex's error and decodes "
+          "fastest; auto takes the smaller for the quality asked for")
+      ->check(CLI::IsMember({"auto", "highpass", "predictive"}))
+      ->default_str("auto");
+  command.add_option("--effort", options.effort, "how hard to look for a smaller stream, 0 to 9")
+      ->capture_default_str();
+  command
+      .add_option_function<std::string>(
+          "--profile",
+          [&options](const std::string& name) {
+            options.profile = name == "zstd" ? Profile::kZstd : Profile::kSmallest;
+          },
+          "codings the stream may use: zstd is easier for others to read")
+      ->check(CLI::IsMember({"smallest", "zstd"}))
+      ->default_str("smallest");
+  command.add_flag("--keep-order", options.keep_order, "restore the order of vertices and faces exactly");
+  command.add_flag("--keep-unreferenced", options.keep_unreferenced, "keep vertices that no face uses");
+}
+
+}  // namespace
+
+void add_encode_options(CLI::App& command, EncodeOptions& options) {
+  add_position_quality(command, options.quality);
+  command.add_flag("--lossless", options.lossless,
+                   "every bit of the float32 coordinates and of the attributes");
+  add_attribute_quality(command, options.attributes);
+  add_coders(command, options);
+  add_settings(command, options);
+  command.parse_complete_callback([&command, &options] {
+    for (const char* name : kAttributeOptions)
+      if (options.lossless && command.count(name) > 0)
+        throw CLI::ValidationError(name, "excluded by --lossless, which keeps attributes exactly");
+  });
+}
+
+}  // namespace deltamesh::cli

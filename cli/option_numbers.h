@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Numbers on the command line, as people write them.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "deltamesh/attribute_quality.h"
+#include "deltamesh/quality_request.h"
+
+namespace deltamesh::cli {
+
+/// "0.002" or "1/4096"; empty where the text is neither.
+std::optional<double> parse_number(const std::string& text);
+
+/// A number in model units; with a % behind, of the diagonal. Empty where it is neither.
+std::optional<QualityBound> parse_bound(const std::string& text);
+
+/// "NAME=NUMBER", split at the last "="; empty where it has another form.
+std::optional<NamedBound> parse_named_bound(const std::string& text);
+
+/// Adds an option whose value is a number of parse_number(); `set` gets it while the line is parsed.
+CLI::Option* add_number(CLI::App& command, const std::string& name, const std::string& what,
+                        std::function<void(double)> set);
+
+/// The same for parse_bound().
+CLI::Option* add_bound(CLI::App& command, const std::string& name, const std::string& what,
+                       std::optional<QualityBound>& bound);
+
+}  // namespace deltamesh::cli

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// How far decoded attributes may be from the source's: a bound for each kind, in its own unit.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace deltamesh {
+
+/// Largest absolute difference of any component of the generic attributes with this name.
+struct NamedBound {
+  std::string name;
+  double error = 0;  ///< in the attribute's unit; 0 is exact
+};
+
+/// Upper bounds on the error of every attribute; finite, at least 0, and 0 is exact. The encoder measures
+/// what it keeps (AttributeInfo::error). Generic attributes without a bound of their own, and joints, are
+/// exact.
+struct AttributeQuality {
+  double normal_error = 0.5;  ///< largest angle, degrees
+  /// Largest angle of a tangent, degrees; the same as normals where it is not set. Its sign is exact.
+  std::optional<double> tangent_error = std::nullopt;
+  double uv_error = 1.0 / 4096;        ///< largest distance, texture coordinate units
+  double color_error = 0;              ///< largest difference of a component, 255ths of its range
+  double weight_error = 1.0 / 1024;    ///< largest difference of a skinning weight; sums of 1 stay 1
+  std::vector<NamedBound> named = {};  ///< of generic attributes; the first that fits holds
+};
+
+}  // namespace deltamesh

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "attributes/attribute_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "attributes/attribute_payload.h"
+#include "attributes/component_lattice.h"
+#include "base/portable_math.h"
+
+namespace deltamesh {
+namespace {
+
+/// What one 255th of a colour's range is in its type.
+double color_unit(ComponentType type) noexcept {
+  if (type == ComponentType::kU8) return 1;
+  return type == ComponentType::kU16 ? 257 : 1.0 / 255;
+}
+
+/// A row's values as numbers, as far as an error needs them.
+using Row = std::array<double, kMaxComponents>;
+
+double angle_between(const Row& a, const Row& b) noexcept {
+  return portable_degrees_between({a[0], a[1], a[2]}, {b[0], b[1], b[2]});
+}
+
+double largest_difference(const Row& a, const Row& b, std::size_t components) noexcept {
+  double largest = 0;
+  for (std::size_t c = 0; c < components; ++c) largest = std::max(largest, std::fabs(a[c] - b[c]));
+  return largest;
+}
+
+double row_error(const AttributeView& attribute, const Row& a, const Row& b) noexcept {
+  const std::size_t components = attribute.components;
+  switch (attribute.kind) {
+    case AttributeKind::kNormal:
+      if (components == 3) return angle_between(a, b);
+      break;
+    case AttributeKind::kTangent:
+      if (components == 4 && a[3] == b[3]) return angle_between(a, b);
+      if (components == 4) return 180;
+      break;
+    case AttributeKind::kUv:
+      if (components == 2) return length({a[0] - b[0], a[1] - b[1], 0});
+      break;
+    case AttributeKind::kColor:
+      return largest_difference(a, b, components) / color_unit(attribute.type);
+    case AttributeKind::kWeights:
+      return largest_difference(a, b, components) / weight_unit(attribute.type);
+    case AttributeKind::kGeneric:
+    case AttributeKind::kJoints:
+      break;
+  }
+  return largest_difference(a, b, components);
+}
+
+constexpr bool measures_angles(const AttributeView& attribute) noexcept {
+  return (attribute.kind == AttributeKind::kNormal && attribute.components == 3) ||
+         (attribute.kind == AttributeKind::kTangent && attribute.components == 4);
+}
+
+/// Tells by a product which angles need not be measured.
+class LargestAngle {
+ public:
+  /// False where the angle is surely not the largest so far.
+  bool may_grow(const Row& a, const Row& b) noexcept {
+    constexpr double kRounding = 1 + 1e-12;  // far more than the products are off by
+    const double dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    const double lengths =
+        (a[0] * a[0] + a[1] * a[1] + a[2] * a[2]) * (b[0] * b[0] + b[1] * b[1] + b[2] * b[2]);
+    if (!(dot > 0 && lengths > 0)) return true;
+    const double cosine_squared = dot * dot / lengths;
+    if (cosine_squared > least_ * kRounding) return false;
+    least_ = std::min(least_, cosine_squared);
+    return true;
+  }
+
+ private:
+  double least_ = 2;  ///< the least square of a cosine so far
+};
+
+}  // namespace
+
+double weight_unit(ComponentType type) noexcept {
+  if (type == ComponentType::kU8) return 255;
+  return type == ComponentType::kU16 ? 65535 : 1;
+}
+
+double attribute_error(const AttributeView& attribute, const AttributeRows& rows,
+                       std::span<const std::byte> decoded) {
+  const std::size_t size = component_size(attribute.type);
+  const std::size_t row_size = attribute.components * size;
+  double largest = 0;
+  LargestAngle angle;
+  const bool is_angle = measures_angles(attribute);
+  Row a{};
+  Row b{};
+  for (std::size_t i = 0; i < rows.count(); ++i) {
+    const std::byte* source = rows.row(i);
+    const std::byte* now = decoded.data() + i * row_size;
+    if (std::memcmp(source, now, row_size) == 0) continue;
+    for (std::size_t c = 0; c < attribute.components; ++c) {
+      a[c] = number_of_bits(attribute.type, load_component(source + c * size, size));
+      b[c] = number_of_bits(attribute.type, load_component(now + c * size, size));
+    }
+    if (is_angle && a[3] == b[3] && !angle.may_grow(a, b)) continue;  // a normal has no sign
+    const double error = row_error(attribute, a, b);
+    if (!(error <= largest)) largest = std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
+  }
+  return largest;
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// The largest error of a decoded attribute, in the unit of its kind (AttributeInfo::error).
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "attributes/attribute_rows.h"
+#include "deltamesh/mesh.h"
+
+namespace deltamesh {
+
+/// What a weight of 1 is in its type: 255 or 65535 of u8 and u16.
+double weight_unit(ComponentType type) noexcept;
+
+/// `decoded`: rows.count() values of the shape of `attribute`, whose rows are `rows`. 0 where all bits are
+/// the same; infinity where a difference is not a number. The same on every machine. O(n).
+double attribute_error(const AttributeView& attribute, const AttributeRows& rows,
+                       std::span<const std::byte> decoded);
+
+}  // namespace deltamesh

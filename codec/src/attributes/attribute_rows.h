@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// A source attribute's values by coded vertex.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <vector>
+
+#include "attributes/attribute_payload.h"
+#include "base/vec3.h"
+#include "deltamesh/mesh.h"
+
+namespace deltamesh {
+
+/// Does not own the arrays.
+class AttributeRows {
+ public:
+  /// `order`: the row of `attribute` for every coded vertex, each below its number of rows.
+  AttributeRows(const AttributeView& attribute, std::span<const std::uint32_t> order)
+      : values_(attribute.values),
+        order_(order),
+        size_(component_size(attribute.type)),
+        components_(attribute.components) {}
+
+  std::size_t count() const noexcept { return order_.size(); }
+  std::size_t components() const noexcept { return components_; }
+  std::uint64_t bits(std::size_t row, std::size_t component) const noexcept {
+    return load_component(values_.data() + (order_[row] * components_ + component) * size_, size_);
+  }
+  /// components() values.
+  const std::byte* row(std::size_t row) const noexcept {
+    return values_.data() + order_[row] * components_ * size_;
+  }
+  /// Of f32 attributes.
+  float number(std::size_t row, std::size_t component) const noexcept {
+    return std::bit_cast<float>(static_cast<std::uint32_t>(bits(row, component)));
+  }
+  /// The first three components of an f32 attribute.
+  Vec3 vector(std::size_t row) const noexcept {
+    return {static_cast<double>(number(row, 0)), static_cast<double>(number(row, 1)),
+            static_cast<double>(number(row, 2))};
+  }
+
+  /// All values, n x components x size, in coded order.
+  std::vector<std::byte> gather() const {
+    const std::size_t row = components_ * size_;
+    std::vector<std::byte> values(count() * row);
+    for (std::size_t i = 0; i < count(); ++i)
+      std::memcpy(values.data() + i * row, values_.data() + order_[i] * row, row);
+    return values;
+  }
+  /// The same of an f32 attribute, n x components.
+  std::vector<float> gather_floats() const {
+    std::vector<float> values(count() * components_);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = number(i / components_, i % components_);
+    return values;
+  }
+
+ private:
+  std::span<const std::byte> values_;
+  std::span<const std::uint32_t> order_;
+  std::size_t size_;
+  std::size_t components_;
+};
+
+}  // namespace deltamesh

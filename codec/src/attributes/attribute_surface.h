@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// What is known of a mesh when its attributes are coded: faces, which vertices share a position, and the
+// decoded positions where every decoder has the same bits.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "attributes/joined_faces.h"
+#include "attributes/surface_walk.h"
+#include "predictive/surroundings.h"
+#include "topology/adjacency.h"
+
+namespace deltamesh {
+
+/// Does not own the arrays, which must outlive it. Not for several threads at once.
+class AttributeSurface {
+ public:
+  /// `triangles`: m x 3 indices below `vertex_count`. `geometric`: geometric vertex of every vertex, n, or
+  /// empty where each is its own. `positions`: n x 3 decoded floats, model units, or empty where decoders may
+  /// differ in their last bits (highpass geometry) [ATTR-10]. `make_graph`: makes graph(); empty: from
+  /// `triangles`.
+  AttributeSurface(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count,
+                   std::span<const std::uint32_t> geometric = {}, std::span<const float> positions = {},
+                   std::function<Adjacency()> make_graph = {})
+      : triangles_(triangles),
+        vertex_count_(vertex_count),
+        geometric_(geometric),
+        positions_(positions),
+        make_graph_(std::move(make_graph)) {}
+
+  std::span<const std::uint32_t> triangles() const noexcept { return triangles_; }
+  std::uint32_t vertex_count() const noexcept { return vertex_count_; }
+  std::uint32_t geometric_of(std::uint32_t vertex) const noexcept {
+    return geometric_.empty() ? vertex : geometric_[vertex];
+  }
+  /// Empty where each vertex is its own.
+  std::span<const std::uint32_t> geometric() const noexcept { return geometric_; }
+  bool has_positions() const noexcept { return !positions_.empty(); }
+  /// n x 3, or empty.
+  std::span<const float> positions() const noexcept { return positions_; }
+
+  /// Which vertices share an edge; copies of one geometric vertex are apart. Made when first asked for, O(m).
+  const Adjacency& graph() const {
+    if (!graph_) graph_ = make_graph_ ? make_graph_() : build_adjacency(triangles_, vertex_count_);
+    return *graph_;
+  }
+  /// What is around the mesh's vertices. Likewise.
+  const KnownFaces& faces() const {
+    if (!faces_) faces_.emplace(FaceList{triangles_, vertex_count_});
+    return *faces_;
+  }
+  /// The faces over the geometric vertices, where geometric() is not empty. Likewise.
+  const JoinedFaces& joined() const {
+    if (!joined_) joined_.emplace(triangles_, geometric_);
+    return *joined_;
+  }
+
+  /// The order that attributes predicted from faces are coded in. Made when first asked for, O(n + m).
+  const SurfaceWalk& walk() const {
+    if (!walk_) walk_ = walk_surface(triangles_, vertex_count_);
+    return *walk_;
+  }
+
+ private:
+  std::span<const std::uint32_t> triangles_;
+  std::uint32_t vertex_count_;
+  std::span<const std::uint32_t> geometric_;
+  std::span<const float> positions_;
+  std::function<Adjacency()> make_graph_;
+  mutable std::optional<Adjacency> graph_;
+  mutable std::optional<SurfaceWalk> walk_;
+  mutable std::optional<KnownFaces> faces_;
+  mutable std::optional<JoinedFaces> joined_;
+};
+
+}  // namespace deltamesh

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Colours vertex by vertex: one of those around, or differences to what these let expect [ATTR-46 ..
+// ATTR-52]. One template for both directions.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "attributes/color_copies.h"
+#include "attributes/color_forecast.h"
+#include "attributes/color_numbers.h"
+#include "base/large_vector.h"
+
+namespace deltamesh {
+
+/// `Coder` is CompactWriter or CompactReader.
+template <class Coder>
+class ColorCoder {
+ public:
+  /// `surface` must outlive the coder. `copies`: whether colours may be copied; ignored by readers.
+  ColorCoder(Coder& coder, const AttributeSurface& surface, const ColorShape& shape, bool copies)
+      : has_copies_(coder.bits(copies ? 1 : 0, 1) != 0),
+        forecast_(surface),
+        shape_(shape),
+        copies_(shape),
+        numbers_(coder, shape),
+        colors_(surface.vertex_count()),
+        memories_(surface.vertex_count()) {}
+
+  /// For every vertex once, in order. `coder`: that of the making, or a reader's copy that goes on in its
+  /// place, and that a compiler can keep in registers. Writers give the levels and get those of the reader,
+  /// which differ by the bound at most; unused axes are 0. What may be copied is: a price for each way saves
+  /// less than 2 %.
+  [[gnu::always_inline]] void code_vertex(Coder& coder, std::uint32_t vertex, ColorLevels& levels) {
+    const ColorPlace place = forecast_.look(vertex);
+    const ColorAround around = look_around(place, vertex);
+    ColorMemory& memory = memories_[vertex];
+    memory.outcome = has_copies_ ? copies_.code(coder, place, colors_.data(), memories_.data(), levels)
+                                 : CopyOutcome::kNone;
+    numbers_.code(coder, around, memory, levels);
+    colors_[vertex] = floats_of(levels);
+  }
+
+ private:
+  [[gnu::always_inline]] ColorAround look_around(const ColorPlace& place,
+                                                 std::uint32_t vertex) const noexcept {
+    ColorAround around;
+    FourFloats expected{};
+    for (std::size_t i = 0; i < place.vertices.size(); ++i)
+      expected += colors_[place.vertices[i]] * place.shares[i];
+    around.is_first = place.vertices.empty();
+    if (around.is_first && vertex > 0) expected = colors_[vertex - 1];
+    around.expected = clamped(expected, shape_.top);
+    for (std::size_t i = 0; i < place.vertices.size(); ++i) {
+      const std::uint32_t other = place.vertices[i];
+      const float share = place.shares[i];
+      const ColorMemory& memory = memories_[other];
+      around.spread += sizes_of(tied(colors_[other] - around.expected)) * share;
+      around.sizes += memory.sizes * share;
+    }
+    return around;
+  }
+
+  bool has_copies_;
+  ColorForecast forecast_;
+  ColorShape shape_;
+  ColorCopies<Coder> copies_;
+  ColorNumbers<Coder> numbers_;
+  LargeVector<FourFloats> colors_;  ///< levels, 4 of every vertex
+  LargeVector<ColorMemory> memories_;
+};
+
+}  // namespace deltamesh

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "attributes/component_lattice.h"
+
+#include <bit>
+#include <limits>
+
+#include "base/try.h"
+#include "base/zigzag.h"
+#include "predictive/float_order.h"
+
+namespace deltamesh {
+namespace {
+
+/// What a component's fields begin with, beside LatticeKind [ATTR-55].
+enum : std::uint8_t {
+  kAsBefore = 1,  ///< times and over are those of the component before
+  kTimes = 2,     ///< times follows, over is 1
+  kRatio = 3,     ///< times and over follow
+};
+
+constexpr bool is_float(ComponentType type) noexcept {
+  return type == ComponentType::kF32 || type == ComponentType::kF64;
+}
+
+struct Range {
+  double least;
+  double most;
+};
+
+Range range_of(ComponentType type) noexcept {
+  switch (type) {
+    case ComponentType::kI8:
+      return {-128, 127};
+    case ComponentType::kU8:
+      return {0, 255};
+    case ComponentType::kI16:
+      return {-32768, 32767};
+    case ComponentType::kU16:
+      return {0, 65535};
+    case ComponentType::kI32:
+      return {-2147483648.0, 2147483647.0};
+    case ComponentType::kU32:
+      return {0, 4294967295.0};
+    case ComponentType::kF32:
+      return {-double{std::numeric_limits<float>::max()}, double{std::numeric_limits<float>::max()}};
+    case ComponentType::kF64:
+      break;
+  }
+  return {-std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
+}
+
+bool is_positive(float x) noexcept { return std::isfinite(x) && x > 0; }
+
+void write_value(ByteWriter& out, ComponentType type, std::uint64_t bits) {
+  for (std::size_t i = 0; i < component_size(type); ++i)
+    out.write(static_cast<std::uint8_t>(bits >> (8 * i)));
+}
+
+Result<std::uint64_t> read_value(ByteReader& in, ComponentType type) {
+  std::uint64_t bits = 0;
+  for (std::size_t i = 0; i < component_size(type); ++i) {
+    DELTAMESH_TRY(const auto byte, in.read<std::uint8_t>());
+    bits |= std::uint64_t{byte} << (8 * i);
+  }
+  return bits;
+}
+
+}  // namespace
+
+std::uint64_t bits_of_number(ComponentType type, double x) noexcept {
+  const auto [least, most] = range_of(type);
+  if (type == ComponentType::kF64) return std::bit_cast<std::uint64_t>(x);
+  if (type == ComponentType::kF32) {
+    const auto cut = static_cast<float>(std::clamp(x, least, most));
+    return std::bit_cast<std::uint32_t>(cut);
+  }
+  const auto whole = static_cast<std::int64_t>(std::clamp(std::floor(x + 0.5), least, most));
+  const std::size_t width = 8 * component_size(type);
+  return static_cast<std::uint64_t>(whole) & (~std::uint64_t{0} >> (64 - width));
+}
+
+double number_of_bits(ComponentType type, std::uint64_t bits) noexcept {
+  switch (type) {
+    case ComponentType::kI8:
+      return static_cast<std::int8_t>(bits);
+    case ComponentType::kI16:
+      return static_cast<std::int16_t>(bits);
+    case ComponentType::kI32:
+      return static_cast<std::int32_t>(bits);
+    case ComponentType::kF32:
+      return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
+    case ComponentType::kF64:
+      return std::bit_cast<double>(bits);
+    case ComponentType::kU8:
+    case ComponentType::kU16:
+    case ComponentType::kU32:
+      break;
+  }
+  return static_cast<double>(bits);
+}
+
+std::int32_t ComponentLattice::rest() const noexcept {
+  if (kind == LatticeKind::kPoints)
+    return static_cast<std::int32_t>(std::clamp(-base, std::int64_t{0}, std::int64_t{cells}));
+  const auto clear = std::ranges::find(values, 0U);
+  return clear == values.end() ? 0 : static_cast<std::int32_t>(clear - values.begin());
+}
+
+std::uint64_t ComponentLattice::bits_at(ComponentType type, std::int32_t q) const noexcept {
+  switch (kind) {
+    case LatticeKind::kConstant:
+      return values.front();
+    case LatticeKind::kListed:
+      return values[static_cast<std::size_t>(q)];
+    case LatticeKind::kFloats:
+      return std::bit_cast<std::uint32_t>(float_of(q));
+    case LatticeKind::kPoints:
+      break;
+  }
+  return bits_of_number(type, at(q));
+}
+
+void write_lattice_fields(ByteWriter& out, ComponentType type, const ComponentLattice& lattice,
+                          const ComponentLattice* before) {
+  if (lattice.kind != LatticeKind::kPoints) {
+    out.write(static_cast<std::uint8_t>(lattice.kind));
+    if (lattice.is_floats()) out.write(lattice.exponent);
+    if (lattice.kind == LatticeKind::kListed) out.write_varint(lattice.values.size());
+    for (const std::uint64_t bits : lattice.values) write_value(out, type, bits);
+    return;
+  }
+  if (before != nullptr && before->times == lattice.times && before->over == lattice.over) {
+    out.write(std::uint8_t{kAsBefore});
+  } else {
+    out.write(std::uint8_t{lattice.over == 1 ? kTimes : kRatio});
+    out.write(lattice.times);
+    if (lattice.over != 1) out.write(lattice.over);
+  }
+  out.write_varint(zigzag(lattice.base));
+  out.write_varint(lattice.cells);
+}
+
+Result<ComponentLattice> read_lattice_fields(ByteReader& in, ComponentType type,
+                                             const ComponentLattice* before) {
+  const auto invalid = [&](const char* message) {
+    return in.error(ErrorCode::kInvalidStream, message, "ATTR-55");
+  };
+  DELTAMESH_TRY(const auto kind, in.read<std::uint8_t>());
+  ComponentLattice lattice;
+  lattice.kind = static_cast<LatticeKind>(kind);
+  if (lattice.is_floats()) {
+    DELTAMESH_TRY(lattice.exponent, in.read<std::uint8_t>());
+    if (type != ComponentType::kF32 || lattice.exponent == 255)
+      return invalid("only finite float32 have ordinals");
+    return lattice;
+  }
+  if (lattice.is_constant() || lattice.kind == LatticeKind::kListed) {
+    std::uint64_t count = 1;
+    if (!lattice.is_constant()) {
+      DELTAMESH_TRY(count, in.read_varint(kMostListed));
+      if (count == 0) return invalid("a list without values");
+    }
+    for (std::uint64_t i = 0; i < count; ++i) {
+      DELTAMESH_TRY(const auto bits, read_value(in, type));
+      lattice.values.push_back(bits);
+    }
+    lattice.cells = static_cast<std::uint32_t>(count - 1);
+    return lattice;
+  }
+  lattice.kind = LatticeKind::kPoints;
+  if (kind == kAsBefore) {
+    if (before == nullptr) return invalid("the first component has none before it");
+    lattice.times = before->times;
+    lattice.over = before->over;
+  } else if (kind == kTimes || kind == kRatio) {
+    DELTAMESH_TRY(lattice.times, in.read<float>());
+    if (kind == kRatio) {
+      DELTAMESH_TRY(lattice.over, in.read<float>());
+    }
+    if (!is_positive(lattice.times) || !is_positive(lattice.over))
+      return invalid("a lattice's step is not positive");
+  } else {
+    return invalid("no such kind of lattice");
+  }
+  DELTAMESH_TRY(const auto base, in.read_varint(2 * std::uint64_t{kLargestLatticeBase}));
+  DELTAMESH_TRY(const auto cells, in.read_varint(kMostLatticeCells));
+  lattice.base = unzigzag(base);
+  lattice.cells = static_cast<std::uint32_t>(cells);
+  const auto [least, most] = range_of(type);
+  if (is_float(type) && !(lattice.at(0) >= least && lattice.at(lattice.cells) <= most))
+    return invalid("a lattice has points that are not finite");
+  return lattice;
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// The lattice that one component of an attribute lies on, and its fields in a payload [ATTR-55].
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "base/byte_reader.h"
+#include "base/byte_writer.h"
+#include "deltamesh/mesh.h"
+#include "deltamesh/result.h"
+
+namespace deltamesh {
+
+inline constexpr std::int64_t kLargestLatticeBase = std::int64_t{1} << 52;  ///< either sign
+inline constexpr std::uint32_t kMostLatticeCells = 1U << 28;
+
+/// What the whole numbers that are coded of a component stand for [ATTR-55].
+enum class LatticeKind : std::uint8_t {
+  kConstant = 0,  ///< nothing is coded: one value alone
+  kPoints = 1,    ///< of (base + q) * times / over
+  kListed = 4,    ///< of a list of values
+  kFloats = 5,    ///< f32 to the last bit, as ordinals [FLT-1]
+};
+
+/// Longer lists do not pay.
+inline constexpr std::uint32_t kMostListed = 4096;
+
+struct ComponentLattice {
+  LatticeKind kind = LatticeKind::kConstant;
+  std::vector<std::uint64_t> values = {};  ///< bits of the constant, or of the list, 1 to kMostListed
+  float times = 1;                         ///< finite, above 0
+  float over = 1;                          ///< likewise
+  std::int64_t base = 0;                   ///< at most kLargestLatticeBase in size
+  std::uint32_t cells = 0;                 ///< the largest number; at most kMostLatticeCells. Not of floats
+  std::uint8_t exponent = 0;               ///< of the largest float, as its bits have it; below 255
+
+  bool operator==(const ComponentLattice&) const = default;
+
+  bool is_constant() const noexcept { return kind == LatticeKind::kConstant; }
+  bool is_floats() const noexcept { return kind == LatticeKind::kFloats; }
+  /// Of kPoints: what `q` stands for; in this order of operations, so that all decoders have the same bits.
+  double at(std::int64_t q) const noexcept {
+    return static_cast<double>(base + q) * static_cast<double>(times) / static_cast<double>(over);
+  }
+  /// The number that stands for 0, or for what is nearest to it; of a list the first whose bits are clear,
+  /// else 0. Not of floats [ATTR-59].
+  std::int32_t rest() const noexcept;
+  /// The component's bits that `q`, 0 to cells or a finite float's ordinal, stands for.
+  std::uint64_t bits_at(ComponentType type, std::int32_t q) const noexcept;
+};
+
+/// The bits of a component of this type whose number is nearest to `x`, which is finite in the type.
+std::uint64_t bits_of_number(ComponentType type, double x) noexcept;
+
+/// The number of a component with these bits.
+double number_of_bits(ComponentType type, std::uint64_t bits) noexcept;
+
+/// `before`: of the component before, or null for the first.
+void write_lattice_fields(ByteWriter& out, ComponentType type, const ComponentLattice& lattice,
+                          const ComponentLattice* before);
+
+/// Errors: kTruncated, kInvalidStream [ATTR-55].
+Result<ComponentLattice> read_lattice_fields(ByteReader& in, ComponentType type,
+                                             const ComponentLattice* before);
+
+}  // namespace deltamesh

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// The fields of an attribute on lattices: which components they take, and which values they make
+// [ATTR-56].
+#pragma once
+
+#include <algorithm>
+#include <cstring>
+#include <span>
+#include <vector>
+
+#include "attributes/attribute_payload.h"
+#include "attributes/component_lattice.h"
+#include "attributes/copies.h"
+#include "attributes/field_faces.h"
+#include "attributes/surface_field.h"
+
+namespace deltamesh {
+
+/// Components, three at a time, that are not constant, and either all floats or none.
+using FieldGroup = std::vector<std::size_t>;
+
+inline std::vector<FieldGroup> field_groups(std::span<const ComponentLattice> lattices) {
+  std::vector<FieldGroup> groups;
+  for (std::size_t c = 0; c < lattices.size(); ++c) {
+    if (lattices[c].is_constant()) continue;
+    if (groups.empty() || groups.back().size() == 3 ||
+        lattices[groups.back().front()].is_floats() != lattices[c].is_floats())
+      groups.emplace_back();
+    groups.back().push_back(c);
+  }
+  return groups;
+}
+
+/// Puts the values of a group's numbers, or of the constant components, into rows.
+class LatticeValues {
+ public:
+  LatticeValues(ComponentType type, std::span<const ComponentLattice> lattices, std::size_t count)
+      : type_(type),
+        size_(component_size(type)),
+        lattices_(lattices),
+        count_(count),
+        values_(count * lattices.size() * size_) {
+    for (std::size_t c = 0; c < lattices.size(); ++c) {
+      if (!lattices[c].is_constant() || lattices[c].values.front() == 0) continue;
+      for (std::size_t i = 0; i < count; ++i) set(i, c, 0);
+    }
+  }
+
+  void set_group(const FieldGroup& group, std::span<const Cell> cells) noexcept {
+    for (std::size_t axis = 0; axis < group.size(); ++axis) {
+      if (type_ == ComponentType::kF32 && lattices_[group[axis]].kind == LatticeKind::kPoints) {
+        set_points(group[axis], axis, cells);
+        continue;
+      }
+      for (std::size_t i = 0; i < count_; ++i) set(i, group[axis], cells[i][axis]);
+    }
+  }
+
+  std::vector<std::byte> take() noexcept { return std::move(values_); }
+
+ private:
+  /// Floats that are points, finite as the lattice's ends are, without a choice for each of them.
+  void set_points(std::size_t component, std::size_t axis, std::span<const Cell> cells) noexcept {
+    const ComponentLattice& lattice = lattices_[component];
+    std::size_t place = component * sizeof(float);
+    for (std::size_t i = 0; i < count_; ++i, place += lattices_.size() * sizeof(float)) {
+      const auto value = static_cast<float>(lattice.at(cells[i][axis]));
+      std::memcpy(values_.data() + place, &value, sizeof value);
+    }
+  }
+
+  void set(std::size_t row, std::size_t component, std::int32_t number) noexcept {
+    store_component(values_.data() + (row * lattices_.size() + component) * size_, size_,
+                    lattices_[component].bits_at(type_, number));
+  }
+
+  ComponentType type_;
+  std::size_t size_;
+  std::span<const ComponentLattice> lattices_;
+  std::size_t count_;
+  std::vector<std::byte> values_;
+};
+
+}  // namespace deltamesh

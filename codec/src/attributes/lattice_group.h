@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// The numbers of a group of components, by one of three predictors [ATTR-56]. One template for both
+// directions.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "attributes/averaged_field.h"
+#include "attributes/lattice_fields.h"
+#include "predictive/float_coder.h"
+#include "predictive/lattice_coder.h"
+
+namespace deltamesh {
+
+/// How the numbers of a group are coded.
+struct GroupForm {
+  bool averaged = false;  ///< by the mean of all coded neighbours, not by the faces around; not of floats
+  SurfaceFieldShape shape;
+};
+
+/// All that holds of the group's components, but how a writer chooses.
+inline GroupForm form_of(const FieldGroup& group, std::span<const ComponentLattice> lattices) {
+  GroupForm form;
+  form.shape.axes = static_cast<unsigned>(group.size());
+  for (std::size_t axis = 0; axis < group.size(); ++axis) {
+    form.shape.most[axis] = lattices[group[axis]].cells;
+    form.shape.rest[axis] = lattices[group[axis]].rest();
+  }
+  return form;
+}
+
+inline bool is_within(const Cell& cell, const SurfaceFieldShape& shape) noexcept {
+  bool within = true;
+  for (std::size_t axis = 0; axis < cell.size(); ++axis)
+    within = within && cell[axis] >= 0 && static_cast<std::uint32_t>(cell[axis]) <= shape.most[axis];
+  return within;
+}
+
+/// Codes `cells`, one for every vertex; a reader fills them in. False where a number is beyond its lattice,
+/// or, in a reader, the bytes end.
+template <class Coder>
+bool code_numbers(Coder& coder, const FieldFaces& over, GroupForm& form, std::span<Cell> cells) {
+  SurfaceFieldShape& shape = form.shape;
+  CopyCoder<Coder, 3> copies(coder, shape.axes);
+  const auto code_copy = [&](const Cell& before, Cell& cell) {
+    copies.code(before, cell);
+    return is_within(cell, shape);
+  };
+  form.averaged = coder.bits(form.averaged ? 1 : 0, 1) != 0;
+  if (form.averaged) {
+    AveragedFieldCoder<Coder> field(coder, over.graph(), shape.axes);
+    return code_with_copies(
+        coder, over.geometric(), over.vertex_count(), cells,
+        [&](std::uint32_t vertex, std::span<Cell> all) {
+          return field.code_vertex(vertex, all) && is_within(all[vertex], shape);
+        },
+        code_copy);
+  }
+  code_blends(coder, shape.blends);
+  shape.guesses = coder.bits(shape.guesses ? 1 : 0, 1) != 0;
+  shape.sparse = coder.bits(shape.sparse ? 1 : 0, 1) != 0;
+  SurfaceFieldCoder<Coder> field(coder, over.faces(), shape);
+  return code_with_copies(
+      coder, over.geometric(), over.vertex_count(), cells,
+      [&](std::uint32_t vertex, std::span<Cell> all) { return field.code_vertex(vertex, all); }, code_copy);
+}
+
+/// The same of the ordinals of floats, whose largest have these exponents.
+template <class Coder>
+bool code_ordinals(Coder& coder, const FieldFaces& over, const std::array<int, 3>& units, BlendTable blends,
+                   std::span<Ordinals> ordinals) {
+  code_blends(coder, blends);
+  FloatCoder<Coder> field(coder, over.faces(), units, blends);
+  CopyCoder<Coder, 3> copies(coder, 3);
+  return code_with_copies(
+      coder, over.geometric(), over.vertex_count(), ordinals,
+      [&](std::uint32_t vertex, std::span<Ordinals> all) {
+        return field.code_vertex(vertex, all) == nullptr;
+      },
+      [&](const Ordinals& before, Ordinals& row) {
+        copies.code(before, row);
+        return std::ranges::all_of(row, [](std::int32_t z) { return is_finite_ordinal(z); });
+      });
+}
+
+/// Units of the fixed numbers that a group's floats are predicted as [FLT-2].
+inline std::array<int, 3> float_units(const FieldGroup& group, std::span<const ComponentLattice> lattices) {
+  std::array<int, 3> units{};
+  for (std::size_t axis = 0; axis < units.size(); ++axis) {
+    const std::uint32_t exponent = axis < group.size() ? lattices[group[axis]].exponent : 0;
+    units[axis] = last_place(exponent << 23) - 3;
+  }
+  return units;
+}
+
+}  // namespace deltamesh

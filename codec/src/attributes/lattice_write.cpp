@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "attributes/lattice_attribute.h"
+#include "attributes/lattice_fit.h"
+#include "attributes/lattice_group.h"
+#include "entropy/compact_writer.h"
+#include "predictive/blend_fit.h"
+#include "predictive/guess_forecast.h"
+
+namespace deltamesh {
+namespace {
+
+/// Fields where so much rests may be sparse: one vertex in so many.
+constexpr std::size_t kSparse = 8;
+
+std::vector<Cell> cells_of(const FieldGroup& group, std::span<const ComponentLattice> lattices,
+                           ComponentType type, const AttributeRows& rows) {
+  std::vector<Cell> cells(rows.count(), Cell{});
+  std::vector<std::uint64_t> bits(rows.count());
+  for (std::size_t axis = 0; axis < group.size(); ++axis) {
+    for (std::size_t i = 0; i < bits.size(); ++i) bits[i] = rows.bits(i, group[axis]);
+    const auto numbers = numbers_on(lattices[group[axis]], type, bits);
+    for (std::size_t i = 0; i < cells.size(); ++i) cells[i][axis] = numbers[i];
+  }
+  return cells;
+}
+
+void write_ordinals(CompactWriter& writer, const FieldFaces& over, const std::array<int, 3>& units,
+                    std::span<Ordinals> ordinals) {
+  std::vector<Cell> cells = over.first_copies(std::span<const Ordinals>(ordinals));
+  for (Cell& cell : cells)
+    for (std::size_t axis = 0; axis < cell.size(); ++axis) cell[axis] = fixed_of(cell[axis], units[axis]);
+  code_ordinals(writer, over, units, fit_blends(over.faces(), cells, BlendFit::kSquares), ordinals);
+}
+
+/// The smallest of the forms that `form` allows; but the mean of neighbours, which takes decoders much
+/// longer, only where it saves more than a little.
+GroupForm smallest_form(const FieldFaces& over, const GroupForm& form, std::span<Cell> cells) {
+  const auto size_of = [&](GroupForm candidate) {
+    CompactWriter trial;
+    code_numbers(trial, over, candidate, cells);
+    return trial.finish().size();
+  };
+  GroupForm dense = form;
+  dense.shape.sparse = false;
+  GroupForm averaged = dense;
+  averaged.averaged = true;
+  const std::size_t dense_size = size_of(dense);
+  const std::size_t sparse_size = form.shape.sparse ? size_of(form) : dense_size;
+  const std::size_t averaged_size = size_of(averaged);
+  if (averaged_size + averaged_size / 32 + 10 < std::min(dense_size, sparse_size)) return averaged;
+  return sparse_size <= dense_size ? form : dense;
+}
+
+void write_numbers(CompactWriter& writer, const FieldFaces& over, GroupForm form, int effort,
+                   std::span<Cell> cells) {
+  const std::vector<Cell> shared = over.first_copies(std::span<const Cell>(cells));
+  SurfaceFieldShape& shape = form.shape;
+  const auto resting = static_cast<std::size_t>(std::ranges::count(shared, shape.rest));
+  shape.sparse = kSparse * resting >= shared.size();
+  shape.guesses = true;
+  if (2 * resting < shared.size()) {  // else the rest is too little to fit a table to
+    shape.blends = fit_blends(over.faces(), shared, effort > 0 ? BlendFit::kSquares : BlendFit::kSample);
+    shape.guesses = guesses_pay(over.faces(), shared, shape.most, shape.blends);
+  }
+  if (effort > 0) form = smallest_form(over, form, cells);
+  code_numbers(writer, over, form, cells);
+}
+
+}  // namespace
+
+std::optional<LatticeCoded> write_lattice(const AttributeView& attribute, const AttributeRows& rows,
+                                          double bound, int effort, const AttributeSurface& surface) {
+  const auto lattices = fit_lattices(attribute, rows, bound);
+  if (!lattices) return std::nullopt;
+  ByteWriter out;
+  for (std::size_t c = 0; c < lattices->size(); ++c)
+    write_lattice_fields(out, attribute.type, (*lattices)[c], c > 0 ? &(*lattices)[c - 1] : nullptr);
+
+  const auto groups = field_groups(*lattices);
+  LatticeValues values(attribute.type, *lattices, rows.count());
+  if (!groups.empty()) {
+    std::vector<std::vector<Cell>> cells;
+    for (const FieldGroup& group : groups) cells.push_back(cells_of(group, *lattices, attribute.type, rows));
+    const bool joined = std::ranges::all_of(cells, [&](const std::vector<Cell>& group) {
+      return copies_agree(surface.geometric(), std::span<const Cell>(group));
+    });
+    const FieldFaces over(surface, joined);
+    CompactWriter writer;
+    writer.bits(joined ? 1 : 0, 1);
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      if ((*lattices)[groups[g].front()].is_floats()) {
+        write_ordinals(writer, over, float_units(groups[g], *lattices), cells[g]);
+      } else {
+        write_numbers(writer, over, form_of(groups[g], *lattices), effort, cells[g]);
+      }
+      values.set_group(groups[g], cells[g]);
+    }
+    out.write_bytes(writer.finish());
+  }
+  return LatticeCoded{.bytes = out.take(), .values = values.take()};
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Which copies of a geometric vertex share a normal [ATTR-21].
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "attributes/normal_prediction.h"
+#include "entropy/compact_model.h"
+
+namespace deltamesh {
+
+/// One side of an edge at the vertex in work.
+struct NormalEdge {
+  std::uint32_t copy;       ///< of the vertex, counted from its first
+  std::uint32_t geometric;  ///< vertex at the other end
+  std::uint32_t leader;     ///< of the copy at the other end, if that is coded
+  bool is_coded;
+};
+
+/// `Coder` is CompactWriter or CompactReader.
+template <class Coder>
+class NormalGroupCoder {
+ public:
+  explicit NormalGroupCoder(Coder& coder) : coder_(coder) {}
+
+  /// Puts each copy into a group: `group[i]` is 0 or above, groups being numbered as they come. `same(i, j)`:
+  /// whether copy i belongs to the group of which copy j is the first; asked by writers only. Returns how
+  /// many groups there are.
+  template <class Same>
+  std::uint32_t code(const std::vector<NormalEvidence>& copies, const std::vector<NormalEdge>& edges,
+                     std::vector<std::uint32_t>& group, Same same) {
+    leaders_.clear();
+    sums_.clear();
+    group.assign(copies.size(), 0);
+    for (std::uint32_t i = 0; i < copies.size(); ++i) {
+      const std::uint32_t none = static_cast<std::uint32_t>(leaders_.size());
+      std::uint32_t found = none;
+      const std::size_t count = rank_groups(copies[i].rule_normal(), edges, group, i);
+      for (std::size_t rank = 0; rank < count && found == none; ++rank) {
+        const Candidate& candidate = ranked_[rank];
+        BitModel& model = models_[(rank * 4 + candidate.tie) * kLikeness + candidate.likeness];
+        if (coder_.bit(Coder::kWrites && same(i, leaders_[candidate.group]), model)) found = candidate.group;
+      }
+      group[i] = found;
+      if (found == none) {
+        leaders_.push_back(i);
+        sums_.push_back(copies[i].rule_normal());
+      } else {
+        sums_[found] = sums_[found] + copies[i].rule_normal();
+      }
+    }
+    return static_cast<std::uint32_t>(leaders_.size());
+  }
+
+ private:
+  static constexpr std::size_t kMostAsked = 3;
+  static constexpr std::uint32_t kMostGroups = 16;  ///< of which the last ones are looked at
+  static constexpr std::size_t kMostEdges = 128;
+  static constexpr std::size_t kLikeness = 8;
+
+  /// What an edge that copy and group share says.
+  enum Tie : std::uint32_t { kApart = 0, kOpen = 1, kSplit = 2, kJoined = 3 };
+
+  struct Candidate {
+    std::uint32_t group = 0;
+    std::uint32_t tie = kApart;
+    std::uint32_t likeness = 0;
+    double score = 0;
+  };
+
+  /// The most likely groups of copy i come first in ranked_; returns how many are to be asked about.
+  std::size_t rank_groups(const Vec3& own, const std::vector<NormalEdge>& edges,
+                          const std::vector<std::uint32_t>& group, std::uint32_t i) {
+    const auto groups = static_cast<std::uint32_t>(leaders_.size());
+    const std::uint32_t first = groups > kMostGroups ? groups - kMostGroups : 0;
+    find_ties(edges, group, i, first);
+    std::size_t count = 0;
+    for (std::uint32_t g = first; g < groups; ++g) {
+      Candidate c{.group = g, .tie = ties_[g - first], .likeness = 0, .score = 0};
+      const double sizes = std::sqrt(dot(own, own)) * std::sqrt(dot(sums_[g], sums_[g]));
+      const double cosine = sizes > 0 ? dot(own, sums_[g]) / sizes : 0;
+      for (const double limit : kCosines) c.likeness += cosine > limit ? 1 : 0;
+      c.score = cosine + (c.tie == kJoined ? 2 : 0) - (c.tie == kSplit ? 2 : 0);
+      std::size_t place = count++;
+      for (; place > 0 && c.score > ranked_[place - 1].score; --place) ranked_[place] = ranked_[place - 1];
+      ranked_[place] = c;
+    }
+    return std::min(count, kMostAsked);
+  }
+
+  /// Fills ties_ with what the edges say that copy i shares with the groups from `first` on.
+  void find_ties(const std::vector<NormalEdge>& edges, const std::vector<std::uint32_t>& group,
+                 std::uint32_t i, std::uint32_t first) {
+    ties_.fill(kApart);
+    if (edges.size() > kMostEdges) return;
+    for (const NormalEdge& a : edges) {
+      if (a.copy != i) continue;
+      for (const NormalEdge& b : edges) {
+        if (b.copy >= i || b.geometric != a.geometric || group[b.copy] < first) continue;
+        std::uint32_t& tie = ties_[group[b.copy] - first];
+        tie = std::max<std::uint32_t>(tie, !a.is_coded ? kOpen : (a.leader == b.leader ? kJoined : kSplit));
+      }
+    }
+  }
+
+  static constexpr std::array<double, kLikeness - 1> kCosines = {0, 0.5, 0.85, 0.95, 0.99, 0.999, 0.9999};
+
+  Coder& coder_;
+  std::array<BitModel, kMostAsked * 4 * kLikeness> models_;
+  std::array<Candidate, kMostGroups> ranked_;
+  std::vector<std::uint32_t> leaders_;
+  std::array<std::uint32_t, kMostGroups> ties_{};  ///< of the last groups
+  std::vector<Vec3> sums_;
+};
+
+}  // namespace deltamesh

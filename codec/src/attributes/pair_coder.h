@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Pairs of small integers, what forecasts were off by, in the context of how far apart the forecasts are and
+// of what was coded next to them [ATTR-37]. One template for both directions.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <vector>
+
+#include "entropy/split_number.h"
+
+namespace deltamesh {
+
+using NumberPair = std::array<std::int32_t, 2>;
+
+inline constexpr std::int32_t kLargestPairNumber = 1 << 24;  ///< either sign
+inline constexpr std::uint32_t kPairUnit = 16;               ///< parts of a step
+inline constexpr std::uint32_t kPairKinds = 5;
+
+/// What is known of a pair; sizes in 1/16 steps, at most 2^20.
+struct PairContext {
+  std::array<std::uint32_t, 2> near{};    ///< size of the numbers next to it
+  std::array<std::uint32_t, 2> spread{};  ///< of the forecasts
+  std::uint32_t kind = 0;                 ///< below kPairKinds; 0 where nothing is known
+};
+
+/// `Coder` is CompactWriter, CompactReader or CompactPricer.
+template <class Coder>
+class PairCoder {
+ public:
+  explicit PairCoder(Coder& coder) : coder_(coder), numbers_(coder, 2) {
+    for (std::size_t k = 0; k < kModels; ++k) models_[k].assign(kContexts[k], kFreshSplit);
+  }
+
+  /// A reader fills `pair` in. False where a number is beyond kLargestPairNumber.
+  bool code(NumberPair& pair, const PairContext& context) {
+    if (context.near[0] + context.near[1] < kMostlyZero && code_zero(pair, context)) return true;
+    return code_axis(pair[0], 0, 0, context) && code_axis(pair[1], 1, pair[0], context);
+  }
+
+ private:
+  static constexpr std::uint32_t kMostlyZero = 4;  ///< below, one bit for both numbers saves time
+  static constexpr std::uint32_t kSpreads = 8;
+  static constexpr std::size_t kModels = 3;
+  static constexpr std::uint32_t kSizes = 20;
+  static constexpr std::uint32_t kBefores = 5;
+  static constexpr std::array<std::uint32_t, kModels> kContexts = {
+      kSizes * kPairKinds * kBefores, kSizes * 2 * kBefores, kSizes * 2 * kBefores};
+
+  /// Two classes per octave of size + 4.
+  static std::uint32_t size_class(std::uint32_t size) noexcept {
+    const std::uint32_t v = size + 4;
+    const auto octave = static_cast<unsigned>(std::bit_width(v)) - 3;
+    return std::min(2 * octave + ((v >> (octave + 1)) & 1), kSizes - 1);
+  }
+
+  /// Whether both numbers are 0.
+  bool code_zero(NumberPair& pair, const PairContext& context) {
+    const auto octave = static_cast<std::uint32_t>(std::bit_width(context.spread[0] + context.spread[1]));
+    BitModel& model = zero_models_[std::min(octave, kSpreads - 1)];
+    if (!coder_.bit(pair == NumberPair{}, model)) return false;
+    pair = {};
+    return true;
+  }
+
+  bool code_axis(std::int32_t& number, std::uint32_t axis, std::int32_t before, const PairContext& context) {
+    const auto other = static_cast<std::uint32_t>(std::abs(before));
+    const std::uint32_t near = context.near[axis];
+    const std::uint32_t spread = context.spread[axis];
+    const std::uint32_t scale = (8 * near + 6 * spread + 5 * kPairUnit * other) >> 4;
+    const unsigned shift = static_cast<unsigned>(std::bit_width(scale | 127)) - 7;
+    const std::uint32_t coded = axis + (axis != 0 ? std::min(other >> shift, 3U) : 0);
+    const std::uint32_t scale_class = size_class(scale >> shift);
+    const std::uint32_t is_shifted = shift != 0 ? 1 : 0;
+    const auto model = [&](std::size_t k, std::uint32_t index) { return &models_[k][index]; };
+    const Mixture<kModels> mixture(
+        {model(0, (size_class(near >> shift) * kPairKinds + context.kind) * kBefores + coded),
+         model(1, (size_class(spread >> shift) * 2 + is_shifted) * kBefores + coded),
+         model(2, (scale_class * 2 + (context.kind > 1 ? 1 : 0)) * kBefores + coded)},
+        &mixes_[scale_class * 2 + axis]);
+    const std::int64_t result = numbers_.code(coder_, number, shift, mixture, axis);
+    if (result < -kLargestPairNumber || result > kLargestPairNumber) return false;
+    number = static_cast<std::int32_t>(result);
+    return true;
+  }
+
+  Coder& coder_;
+  std::array<BitModel, kSpreads> zero_models_;
+  std::array<std::vector<SymbolModel>, kModels> models_;
+  std::array<MixWeights<kModels>, kSizes * 2> mixes_;
+  SplitNumberCoder<Coder> numbers_;
+};
+
+}  // namespace deltamesh

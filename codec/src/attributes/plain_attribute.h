@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Codings that have a plain form only, for zstd: bits of values, and levels of normals, colours and texture
+// coordinates [ATTR-3 to ATTR-7].
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "attributes/attribute_payload.h"
+#include "attributes/attribute_rows.h"
+#include "base/byte_reader.h"
+#include "deltamesh/mesh.h"
+#include "deltamesh/result.h"
+
+namespace deltamesh {
+
+/// The payload, coding included, of the fewest bits that keep `bound` (AttributeInfo::error); exact where
+/// that is 0 or no coding of the kind keeps it. O(n) for each number of bits tried.
+std::vector<std::byte> write_plain_attribute(const AttributeView& attribute, const AttributeRows& rows,
+                                             double bound);
+
+/// The same, exact.
+std::vector<std::byte> write_exact_attribute(const AttributeView& attribute, const AttributeRows& rows);
+
+/// Reads what follows the byte of `coding`, one of these, into attribute.values; the other members say the
+/// shape. `rows`: vertices, checked against a limit. Errors: kTruncated, kInvalidStream [ATTR-2, ATTR-3,
+/// ATTR-5, ATTR-7].
+Result<void> read_plain_values(ByteReader& in, AttributeCoding coding, Attribute& attribute,
+                               std::uint32_t rows);
+
+}  // namespace deltamesh

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Colours of the vertices of a surface, exact or within a bound on the error of every component [ATTR-45 ..
+// ATTR-52].
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "attributes/attribute_surface.h"
+#include "deltamesh/mesh.h"
+#include "deltamesh/result.h"
+
+namespace deltamesh {
+
+struct CodedColors {
+  std::vector<std::byte> bytes;   ///< fields, then a compact stream [CMP-1] to the end
+  std::vector<std::byte> values;  ///< n x components x size, as readers get them
+};
+
+/// `values`: n x `components` (1 to 4) of `type`, native byte order, in coded order. `max_error`: the largest
+/// error of a component, 255ths of its range, 0 or above. Empty for other types than u8, u16 and f32, for
+/// floats that are not in [0, 1], and for exact floats that are not all whole 255ths or whole 65535ths. O(n).
+std::optional<CodedColors> write_surface_colors(std::span<const std::byte> values, ComponentType type,
+                                                unsigned components, double max_error,
+                                                const AttributeSurface& surface);
+
+/// The values. Errors: kTruncated, kInvalidStream [ATTR-45, CMP-3].
+Result<std::vector<std::byte>> read_surface_colors(std::span<const std::byte> bytes, ComponentType type,
+                                                   unsigned components, const AttributeSurface& surface);
+
+}  // namespace deltamesh

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "attributes/attribute_payload.h"
+#include "attributes/color_coder.h"
+#include "attributes/color_fields.h"
+#include "attributes/surface_colors.h"
+#include "base/byte_reader.h"
+#include "base/large_vector.h"
+#include "base/try.h"
+#include "entropy/compact_reader.h"
+#include "format/tags.h"
+
+namespace deltamesh {
+namespace {
+
+Result<ColorFields> read_fields(ByteReader& in, ComponentType type, unsigned components) {
+  const auto invalid = [&](const char* message) {
+    return in.error(ErrorCode::kInvalidStream, message, "ATTR-45");
+  };
+  ColorFields fields;
+  fields.components = components;
+  DELTAMESH_TRY(fields.bits, in.read<std::uint8_t>());
+  if (!color_bits_fit(type, fields.bits))
+    return invalid("bits of colour levels that their type does not allow");
+  DELTAMESH_TRY(fields.bound, in.read<std::uint16_t>());
+  const std::int32_t top = top_color_level(fields.bits);
+  if (fields.bound > top / 2) return invalid("bound of colour levels out of range");
+  for (std::size_t c = 0; c < components; ++c) {
+    ColorSource& source = fields.sources[c];
+    DELTAMESH_TRY(source.component, in.read<std::uint8_t>());
+    if (source.component == kConstantComponent) {
+      DELTAMESH_TRY(source.level, in.read<std::uint16_t>());
+      if (source.level > top) return invalid("constant colour level out of range");
+    } else if (source.component > c || !fields.is_coded(source.component)) {
+      return invalid("colour component from one that is not coded");
+    }
+  }
+  return fields;
+}
+
+/// Writes components one after the other.
+class Values {
+ public:
+  Values(ComponentType type, const ColorFields& fields, std::uint32_t rows)
+      : type_(type), bits_(fields.bits), components_(fields.components) {
+    const std::size_t bytes = rows * std::size_t{components_} * component_size(type);
+    reserve_large(values_, bytes);
+    values_.resize(bytes);
+    next_ = values_.data();
+  }
+  void add(const ColorLevels& levels) noexcept {
+    const std::size_t size = component_size(type_);
+    for (std::size_t c = 0; c < components_; ++c, next_ += size)
+      store_component(next_, size, color_of_level(type_, bits_, levels[c]));
+  }
+  std::vector<std::byte> take() noexcept { return std::move(values_); }
+
+ private:
+  ComponentType type_;
+  unsigned bits_;
+  unsigned components_;
+  std::vector<std::byte> values_;
+  std::byte* next_;
+};
+
+}  // namespace
+
+Result<std::vector<std::byte>> read_surface_colors(std::span<const std::byte> bytes, ComponentType type,
+                                                   unsigned components, const AttributeSurface& surface) {
+  constexpr std::uint32_t kVerticesAtOnce = 1024;
+  ByteReader in(bytes, kTagAttribute);
+  DELTAMESH_TRY(const ColorFields fields, read_fields(in, type, components));
+  const ColorAxes axes = axes_of(fields);
+  const std::uint32_t rows = surface.vertex_count();
+  Values values(type, fields, rows);
+  if (axes.count == 0) {
+    DELTAMESH_CHECK(in.finish());
+    for (std::uint32_t v = 0; v < rows; ++v) values.add(levels_by_component(fields, axes, {}));
+    return values.take();
+  }
+  DELTAMESH_TRY(const auto stream, in.read_bytes(in.remaining()));
+  CompactReader first_reader(stream);
+  ColorCoder<CompactReader> coder(first_reader, surface, shape_of(fields, axes), false);
+  CompactReader reader = first_reader;  // which a compiler can keep in registers, as nothing points to it
+  for (std::uint32_t v = 0; v < rows; ++v) {
+    if (v % kVerticesAtOnce == 0 && reader.failed()) break;
+    ColorLevels levels{};
+    coder.code_vertex(reader, v, levels);
+    values.add(levels_by_component(fields, axes, levels));
+  }
+  DELTAMESH_CHECK(reader.finish(kTagAttribute));
+  return values.take();
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include <algorithm>
+#include <cmath>
+
+#include "attributes/normal_choice.h"
+#include "attributes/normal_walk.h"
+#include "attributes/surface_normals.h"
+#include "base/byte_writer.h"
+#include "base/portable_math.h"
+#include "entropy/compact_writer.h"
+
+namespace deltamesh {
+namespace {
+
+/// Normals of a length this far from 1 are data, not directions.
+constexpr double kUnitTolerance = 1e-2;
+
+/// Part of the bound up to which the normals of copies count as one.
+constexpr double kSamePart = 1.0 / 256;
+
+/// A rule whose normals are so often within the bound predicts better alone: what is blended with decoded
+/// neighbours drifts off within the bound.
+constexpr double kSureRule = 0.98;
+
+/// A rule is judged by about so many vertices.
+constexpr std::uint32_t kMostFitted = 512;
+
+/// What rounding to f32 may add to a distance.
+constexpr double kRounding = 2e-7;
+
+bool are_directions(std::span<const float> normals, NormalParameters& parameters) {
+  for (std::size_t i = 0; i + 2 < normals.size(); i += 3) {
+    const double size = length({normals[i], normals[i + 1], normals[i + 2]});
+    if (size == 0) {
+      parameters.has_zeros = true;
+    } else if (!(std::fabs(size - 1) <= kUnitTolerance)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool any_same(const NormalChoice& choice, const AttributeSurface& surface) {
+  for (std::uint32_t v = 1; v < surface.vertex_count(); ++v) {
+    for (std::uint32_t u = v; u > 0 && surface.geometric_of(u - 1) == surface.geometric_of(v) && v - u < 8;
+         --u)
+      if (choice.same(v, u - 1)) return true;
+  }
+  return false;
+}
+
+/// How a rule's normals compare with the originals.
+struct RuleFit {
+  NormalRule rule = NormalRule::kNone;
+  double bits = 0;           ///< what the distances would cost, about
+  std::size_t vertices = 0;  ///< looked at
+  std::size_t within = 0;    ///< of these, within the bound
+};
+
+RuleFit fit_rule(NormalRule rule, const NormalChoice& choice, const AttributeSurface& surface,
+                 const CornersByVertex& corners, double radius) {
+  RuleFit fit{.rule = rule};
+  const std::uint32_t stride = corners.geometric_count() / kMostFitted + 1;
+  std::vector<std::uint32_t> faces;
+  for (std::uint32_t g = 0; g < corners.geometric_count(); g += stride)
+    for (const std::uint32_t corner : corners.of(g)) faces.push_back(corner / 3);
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  std::vector<std::uint32_t> triangles;
+  for (const std::uint32_t f : faces)
+    for (const std::uint32_t v : surface.triangles().subspan(3 * std::size_t{f}, 3)) triangles.push_back(v);
+  const auto sums = sum_by_rule(rule, triangles, surface.positions());
+  for (std::uint32_t g = 0; g < corners.geometric_count(); g += stride) {
+    const std::uint32_t first = corners.first_vertex(g);
+    NormalEvidence all;
+    for (std::uint32_t v = first; v < corners.first_vertex(g + 1); ++v)
+      if (v == first || choice.same(v, first)) all.rule += sums[v];
+    ++fit.vertices;
+    Vec3 normal = all.rule_normal();
+    if (!(normalize(normal) > 0)) continue;
+    const Vec3 off = normal - choice.original(first);
+    const double square = dot(off, off) / (4 * radius * radius);
+    fit.within += square <= 1 ? 1 : 0;
+    fit.bits += portable_log2(0.1 + square);
+  }
+  return fit;
+}
+
+/// The rule that comes nearest.
+RuleFit find_rule(const NormalChoice& choice, const AttributeSurface& surface, const CornersByVertex& corners,
+                  double radius) {
+  if (!surface.has_positions()) return {};
+  RuleFit best = fit_rule(NormalRule::kAngle, choice, surface, corners, radius);
+  for (const NormalRule rule :
+       {NormalRule::kArea, NormalRule::kPlain, NormalRule::kAreaAngle, NormalRule::kEdges}) {
+    const RuleFit fit = fit_rule(rule, choice, surface, corners, radius);
+    if (fit.bits < best.bits) best = fit;
+  }
+  return best;
+}
+
+}  // namespace
+
+std::optional<CodedNormals> write_surface_normals(std::span<const float> normals, double max_degrees,
+                                                  const AttributeSurface& surface) {
+  NormalParameters parameters;
+  if (!(max_degrees >= kLeastNormalError && max_degrees <= kMostNormalError)) return std::nullopt;
+  if (normals.size() != 3 * std::size_t{surface.vertex_count()}) return std::nullopt;
+  if (!are_directions(normals, parameters)) return std::nullopt;
+
+  constexpr double kRadiansPerDegree = 0.017453292519943295;
+  const double chord = 2 * portable_sin(0.5 * kRadiansPerDegree * max_degrees);
+  const NormalBound bound{.chord = chord * (1 - 1e-6), .same = chord * kSamePart};
+  parameters.radius = static_cast<float>(0.5 * (chord * (1 - kSamePart - 2e-6) - kRounding));
+  NormalChoice choice(normals, bound, NormalLattice(static_cast<double>(parameters.radius)));
+  const CornersByVertex corners(surface);
+  parameters.shares = any_same(choice, surface);
+  const RuleFit fit = find_rule(choice, surface, corners, static_cast<double>(parameters.radius));
+  parameters.rule = fit.rule;
+  parameters.blends = fit.rule != NormalRule::kNone &&
+                      static_cast<double>(fit.within) < kSureRule * static_cast<double>(fit.vertices);
+
+  CompactWriter writer;
+  NormalWalk walk(writer, choice, surface, corners, parameters);
+  walk.run([] { return false; });
+  CodedNormals coded;
+  coded.values = walk.values();
+  ByteWriter out;
+  out.write(static_cast<std::uint8_t>(
+      static_cast<int>(parameters.rule) | (parameters.shares ? kSharesFlag : 0) |
+      (parameters.has_zeros ? kZerosFlag : 0) | (parameters.blends ? kBlendsFlag : 0)));
+  out.write(parameters.radius);
+  out.write_bytes(writer.finish());
+  coded.bytes = out.take();
+  return coded;
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include "attributes/surface_tangents.h"
+#include "attributes/tangent_coder.h"
+#include "base/portable_math.h"
+#include "entropy/compact_writer.h"
+
+namespace deltamesh {
+namespace {
+
+/// Vectors of a length this far from 1 are data, not directions.
+constexpr double kUnitTolerance = 1e-2;
+constexpr double kLeastDegrees = 0.002;
+constexpr double kMostDegrees = 60;
+/// Of the bound: however an angle is computed, it is kept.
+constexpr double kKept = 1 - 1e-6;
+/// What rounding to floats moves a unit vector by, at most.
+constexpr double kRounding = 0x1p-23;
+
+Vec3 vector_of(std::span<const float> tangents, std::size_t vertex) noexcept {
+  const float* const t = tangents.data() + 4 * vertex;
+  return {static_cast<double>(t[0]), static_cast<double>(t[1]), static_cast<double>(t[2])};
+}
+
+bool are_tangents(std::span<const float> tangents) noexcept {
+  for (std::size_t v = 0; 4 * v < tangents.size(); ++v) {
+    if (!(std::fabs(length(vector_of(tangents, v)) - 1) <= kUnitTolerance)) return false;
+    if (std::fabs(tangents[4 * v + 3]) != 1) return false;
+  }
+  return true;
+}
+
+/// Chooses what to code so that no vector is farther from the source's than a chord of the unit sphere.
+class TangentChoice {
+ public:
+  using Coder = TangentCoder<CompactWriter, TangentChoice>;
+
+  TangentChoice(std::span<const float> tangents, double chord, double step)
+      : tangents_(tangents), chord_(chord), step_(step) {}
+
+  bool is_negative(std::uint32_t vertex) const noexcept { return tangents_[std::size_t{4} * vertex + 3] < 0; }
+
+  bool will_do(std::uint32_t vertex, const Tangent& tangent) const noexcept {
+    return (tangent[3] < 0) == is_negative(vertex) && is_near(vertex, tangent);
+  }
+
+  /// Of the four lattice points around the source the one nearest to the forecast that will do.
+  NumberPair nearest(std::uint32_t vertex, const NormalFrame& frame, TwoDoubles center) const noexcept {
+    const auto x = point_of(frame, source(vertex));
+    const TwoDoubles steps = (TwoDoubles{x[0], x[1]} - center) / step_;
+    NumberPair best = {static_cast<std::int32_t>(std::round(steps[0])),
+                       static_cast<std::int32_t>(std::round(steps[1]))};
+    double least = size_of(best);
+    for (std::int32_t k = 0; k < 4; ++k) {
+      const NumberPair pair = {static_cast<std::int32_t>(std::floor(steps[0])) + (k & 1),
+                               static_cast<std::int32_t>(std::floor(steps[1])) + (k >> 1)};
+      Tangent tangent{};
+      if (size_of(pair) >= least || !Coder::tangent_at(frame, center, pair, step_, tangent) ||
+          !is_near(vertex, tangent))
+        continue;
+      best = pair;
+      least = size_of(pair);
+    }
+    return best;
+  }
+
+ private:
+  static double size_of(const NumberPair& pair) noexcept {
+    return static_cast<double>(pair[0]) * pair[0] + static_cast<double>(pair[1]) * pair[1];
+  }
+
+  Vec3 source(std::uint32_t vertex) const noexcept {
+    Vec3 direction = vector_of(tangents_, vertex);
+    normalize(direction);
+    return direction;
+  }
+
+  bool is_near(std::uint32_t vertex, const Tangent& tangent) const noexcept {
+    Vec3 direction = Coder::widened(tangent);
+    normalize(direction);
+    const Vec3 off = direction - source(vertex);
+    return dot(off, off) <= chord_ * chord_;
+  }
+
+  std::span<const float> tangents_;
+  double chord_;
+  double step_;
+};
+
+}  // namespace
+
+std::optional<CodedTangents> write_surface_tangents(std::span<const float> tangents, double max_degrees,
+                                                    const AttributeSurface& surface,
+                                                    const TangentBasis& basis) {
+  if (!(max_degrees >= kLeastDegrees && max_degrees <= kMostDegrees) || !are_tangents(tangents))
+    return std::nullopt;
+  const double chord = 2 * portable_sin(max_degrees * (kPi / 360)) * kKept;
+  // In the plane distances are half of those on the sphere, or less. The cell's diagonal is below twice what
+  // rounding leaves.
+  const auto step = static_cast<float>(1.4142 * 0.5 * (chord - kRounding));
+  CompactWriter writer;
+  TangentCoder coder(writer, surface, basis.normals, basis.uvs, static_cast<double>(step),
+                     TangentChoice(tangents, chord, static_cast<double>(step)));
+  for (std::size_t i = 0; i < coder.count(); ++i)
+    if (!coder.code(i)) return std::nullopt;
+  const auto stream = writer.finish();
+  std::vector<std::byte> bytes(sizeof(float) + stream.size());
+  const auto bits = std::bit_cast<std::uint32_t>(step);
+  for (std::size_t k = 0; k < sizeof(float); ++k) bytes[k] = static_cast<std::byte>(bits >> (8 * k));
+  std::copy(stream.begin(), stream.end(), bytes.begin() + sizeof(float));
+  return CodedTangents{.bytes = std::move(bytes), .values = std::move(coder.values())};
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "attributes/surface_uvs.h"
+#include "attributes/uv_coder.h"
+#include "base/byte_reader.h"
+#include "base/try.h"
+#include "entropy/compact_reader.h"
+#include "format/tags.h"
+
+namespace deltamesh {
+namespace {
+
+/// A reader has nothing to choose.
+struct NoChoice {};
+
+}  // namespace
+
+Result<std::vector<float>> read_surface_uvs(std::span<const std::byte> bytes,
+                                            const AttributeSurface& surface) {
+  ByteReader in(bytes, kTagAttribute);
+  DELTAMESH_TRY(const auto step, in.read<float>());
+  if (!(step >= kLeastUvStep && step <= kMostUvStep))
+    return in.error(ErrorCode::kInvalidStream, "step of texture coordinates out of range", "ATTR-31");
+  DELTAMESH_TRY(const auto stream, in.read_bytes(in.remaining()));
+  CompactReader reader(stream);
+  UvCoder coder(reader, surface, static_cast<double>(step), NoChoice{});
+  for (std::size_t i = 0; i < coder.count(); ++i) {
+    const bool is_valid = coder.code(i);
+    if (reader.failed()) break;
+    if (!is_valid)
+      return in.error(ErrorCode::kInvalidStream, "texture coordinates too far from their forecast",
+                      "ATTR-37");
+  }
+  DELTAMESH_CHECK(reader.finish(kTagAttribute));
+  return std::move(coder.values());
+}
+
+}  // namespace deltamesh

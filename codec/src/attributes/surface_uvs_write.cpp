@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include "attributes/surface_uvs.h"
+#include "attributes/uv_coder.h"
+#include "entropy/compact_writer.h"
+
+namespace deltamesh {
+namespace {
+
+/// Coordinates so much larger than the bound are left to other codings: floats are too coarse for it.
+constexpr double kMostRange = 0x1p18;
+
+/// Of the bound: however a distance is computed, it is kept.
+constexpr double kKept = 1 - 1e-12;
+
+double largest(std::span<const float> uvs) noexcept {
+  double most = 0;
+  for (const float x : uvs) most = std::fmax(most, std::fabs(static_cast<double>(x)));
+  return most;
+}
+
+bool are_finite(std::span<const float> uvs) noexcept {
+  return std::all_of(uvs.begin(), uvs.end(), [](float x) { return std::isfinite(x); });
+}
+
+/// Chooses what to code so that no coordinates are farther from the source's than the bound.
+class UvChoice {
+ public:
+  using Coder = UvCoder<CompactWriter, UvChoice>;
+
+  UvChoice(std::span<const float> uvs, double bound, double step) : uvs_(uvs), bound_(bound), step_(step) {}
+
+  bool is_within(std::uint32_t vertex, TwoDoubles value) const noexcept {
+    return is_near(vertex, value[0], value[1]);
+  }
+
+  /// Of the four lattice points around the source the one nearest to the forecast that will do: the circle of
+  /// the bound holds one of them, as the cell's diagonal is its diameter.
+  NumberPair nearest(std::uint32_t vertex, TwoDoubles forecast) const noexcept {
+    const TwoDoubles steps = (source(vertex) - forecast) / step_;
+    NumberPair best = {static_cast<std::int32_t>(std::round(steps[0])),
+                       static_cast<std::int32_t>(std::round(steps[1]))};
+    double least = size_of(best);
+    for (std::int32_t k = 0; k < 4; ++k) {
+      const NumberPair pair = {static_cast<std::int32_t>(std::floor(steps[0])) + (k & 1),
+                               static_cast<std::int32_t>(std::floor(steps[1])) + (k >> 1)};
+      if (size_of(pair) >= least) continue;
+      if (!is_near(vertex, static_cast<double>(Coder::coordinate(forecast, pair, step_, 0)),
+                   static_cast<double>(Coder::coordinate(forecast, pair, step_, 1))))
+        continue;
+      best = pair;
+      least = size_of(pair);
+    }
+    return best;
+  }
+
+ private:
+  static double size_of(const NumberPair& pair) noexcept {
+    return static_cast<double>(pair[0]) * pair[0] + static_cast<double>(pair[1]) * pair[1];
+  }
+
+  bool is_near(std::uint32_t vertex, double u, double v) const noexcept {
+    const double off_u = u - static_cast<double>(uvs_[std::size_t{2} * vertex]);
+    const double off_v = v - static_cast<double>(uvs_[std::size_t{2} * vertex + 1]);
+    return std::sqrt(off_u * off_u + off_v * off_v) <= bound_;
+  }
+
+  TwoDoubles source(std::uint32_t vertex) const noexcept {
+    return TwoDoubles{static_cast<double>(uvs_[std::size_t{2} * vertex]),
+                      static_cast<double>(uvs_[std::size_t{2} * vertex + 1])};
+  }
+
+  std::span<const float> uvs_;
+  double bound_;
+  double step_;
+};
+
+}  // namespace
+
+std::optional<CodedUvs> write_surface_uvs(std::span<const float> uvs, double max_distance,
+                                          const AttributeSurface& surface) {
+  if (!are_finite(uvs)) return std::nullopt;
+  const double most = largest(uvs);
+  // Rounding to floats takes half a unit in the last place of each coordinate.
+  const double left = max_distance - most * 0x1p-23;
+  if (!(left > 0) || !(most <= max_distance * kMostRange)) return std::nullopt;
+  const auto step = static_cast<float>(left * 1.4142);  // below the square root of 2: the cell's diagonal
+  if (!(step >= kLeastUvStep && step <= kMostUvStep)) return std::nullopt;
+  CompactWriter writer;
+  UvCoder coder(writer, surface, static_cast<double>(step),
+                UvChoice(uvs, max_distance * kKept, static_cast<double>(step)));
+  for (std::size_t i = 0; i < coder.count(); ++i)
+    if (!coder.code(i)) return std::nullopt;
+  const auto stream = writer.finish();
+  std::vector<std::byte> bytes(sizeof(float) + stream.size());
+  const auto bits = std::bit_cast<std::uint32_t>(step);
+  for (std::size_t k = 0; k < sizeof(float); ++k) bytes[k] = static_cast<std::byte>(bits >> (8 * k));
+  std::copy(stream.begin(), stream.end(), bytes.begin() + sizeof(float));
+  return CodedUvs{.bytes = std::move(bytes), .values = std::move(coder.values())};
+}
+
+}  // namespace deltamesh

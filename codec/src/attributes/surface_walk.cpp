@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "attributes/surface_walk.h"
+
+#include <vector>
+
+namespace deltamesh {
+namespace {
+
+void list_corners(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count, SurfaceWalk& walk) {
+  walk.offsets = LargeVector<std::uint32_t>(std::size_t{vertex_count} + 1);
+  walk.corners = LargeVector<std::uint32_t>(triangles.size());
+  LargeVector<std::uint32_t> counts(std::size_t{vertex_count});
+  for (std::size_t v = 0; v < counts.size(); ++v) counts[v] = 0;
+  for (const std::uint32_t vertex : triangles) ++counts[vertex];
+  std::uint32_t sum = 0;
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    walk.offsets[v] = sum;
+    sum += counts[v];
+    counts[v] = walk.offsets[v];
+  }
+  walk.offsets[vertex_count] = sum;
+  for (std::uint32_t c = 0; c < triangles.size(); ++c) walk.corners[counts[triangles[c]]++] = c;
+}
+
+class Walker {
+ public:
+  Walker(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count, SurfaceWalk& walk)
+      : triangles_(triangles), walk_(walk), met_(triangles.size() / 3), ready_(vertex_count) {
+    walk.order.reserve(vertex_count);
+    walk.ends.reserve(vertex_count);
+    walk.complete.reserve(met_.size());
+  }
+
+  void run() {
+    for (std::size_t c = 0; c < triangles_.size(); ++c) {
+      visit_once(triangles_[c]);
+      if (c % 3 == 2) follow();
+    }
+    for (std::uint32_t v = 0; v < ready_.size(); ++v) visit_once(v);
+  }
+
+ private:
+  static constexpr std::uint8_t kSeveral = 2;
+  static constexpr std::uint8_t kVisited = 255;
+
+  void visit_once(std::uint32_t vertex) {
+    if (ready_[vertex] != kVisited) visit(vertex);
+  }
+
+  void visit(std::uint32_t vertex) {
+    ready_[vertex] = kVisited;
+    for (const std::uint32_t corner : walk_.corners_of(vertex)) {
+      const std::uint8_t met = ++met_[corner / 3];
+      if (met == 3) walk_.complete.push_back(corner);
+      if (met != 2) continue;
+      push(triangles_[next_corner(corner)]);
+      push(triangles_[corner_before(corner)]);
+    }
+    walk_.order.push_back(vertex);
+    walk_.ends.push_back(static_cast<std::uint32_t>(walk_.complete.size()));
+  }
+
+  /// One more face waits for `vertex`, if that is still to come.
+  void push(std::uint32_t vertex) {
+    std::uint8_t& ready = ready_[vertex];
+    if (ready == kVisited) return;
+    if (ready < kSeveral) ++ready;
+    (ready == kSeveral ? queue_ : stack_).push_back(vertex);
+  }
+
+  /// Visits the vertices that faces wait for until there are none: those of several faces first, the first of
+  /// them first; then the last of the others. A face pushes two vertices at most, once.
+  void follow() {
+    for (;;) {
+      if (next_ < queue_.size()) {
+        visit_once(queue_[next_++]);
+      } else if (!stack_.empty()) {
+        const std::uint32_t vertex = stack_.back();
+        stack_.pop_back();
+        visit_once(vertex);
+      } else {
+        return;
+      }
+    }
+  }
+
+  std::span<const std::uint32_t> triangles_;
+  SurfaceWalk& walk_;
+  std::vector<std::uint8_t> met_;     ///< by face: how many of its corners were visited
+  std::vector<std::uint8_t> ready_;   ///< by vertex: faces that wait for it, at most kSeveral, or kVisited
+  std::vector<std::uint32_t> stack_;  ///< vertices that one face waits for
+  std::vector<std::uint32_t> queue_;  ///< those that several do
+  std::size_t next_ = 0;              ///< of the queue
+};
+
+}  // namespace
+
+SurfaceWalk walk_surface(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count) {
+  SurfaceWalk walk;
+  list_corners(triangles, vertex_count, walk);
+  Walker(triangles, vertex_count, walk).run();
+  return walk;
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Tangents vertex by vertex: equal to a copy's, or a sign, a forecast and what it is off by [ATTR-42 to
+// ATTR-44]. One template for both directions.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "attributes/attribute_surface.h"
+#include "attributes/pair_coder.h"
+#include "attributes/surface_walk.h"
+#include "attributes/tangent_forecast.h"
+#include "base/rounded.h"
+
+namespace deltamesh {
+
+/// Steps of a stream, in the stereographic plane [ATTR-38].
+inline constexpr float kLeastTangentStep = 0x1p-20F;
+inline constexpr float kMostTangentStep = 1;
+
+using Tangent = std::array<float, 4>;
+
+/// What the two directions do not share. `Choice` decides for a writer:
+/// bool will_do(std::uint32_t vertex, const Tangent& tangent): whether it is near enough, its sign the same;
+/// bool is_negative(std::uint32_t vertex): the sign;
+/// NumberPair nearest(std::uint32_t vertex, const NormalFrame& frame, TwoDoubles center): the steps to code.
+template <class Coder, class Choice>
+class TangentCoder {
+ public:
+  TangentCoder(Coder& coder, const AttributeSurface& surface, std::span<const float> normals,
+               std::span<const float> uvs, double step, Choice choice)
+      : coder_(coder),
+        surface_(surface),
+        step_(step),
+        choice_(choice),
+        walk_(surface.walk()),
+        forecaster_(surface, walk_, normals, uvs),
+        pairs_(coder),
+        sizes_(surface.vertex_count()),
+        equal_(surface.vertex_count()),
+        against_(surface.vertex_count()),
+        values_(std::size_t{4} * surface.vertex_count()) {
+    if (!surface.geometric().empty()) last_copy_.assign(surface.vertex_count(), kNone);
+  }
+
+  std::size_t count() const noexcept { return walk_.order.size(); }
+
+  /// Codes the vertex that is number i of the walk. False where a number is out of range.
+  bool code(std::size_t i) {
+    const std::uint32_t vertex = walk_.order[i];
+    const TangentForecast forecast = forecaster_.forecast(i);
+    const std::uint32_t copy = find_copy(vertex);
+    Tangent tangent{};
+    if (copy != kNone && code_equal(i, vertex, value(copy))) {
+      tangent = value(copy);
+    } else {
+      NumberPair pair{};
+      const bool is_negative = code_sign(i, vertex, forecast);
+      if constexpr (Coder::kWrites) pair = choice_.nearest(vertex, forecast.frame, forecast.center);
+      if (!code_pair(i, vertex, forecast, pair)) return false;
+      if (!tangent_at(forecast.frame, forecast.center, pair, step_, tangent)) return false;
+      tangent[3] = is_negative ? -1 : 1;
+    }
+    std::copy(tangent.begin(), tangent.end(), values_.begin() + std::ptrdiff_t{4} * vertex);
+    Vec3 direction = widened(tangent);
+    normalize(direction);
+    forecaster_.settle(i, direction);
+    return true;
+  }
+
+  std::vector<float>& values() noexcept { return values_; }
+
+  /// Of `pair` steps from `center`; the sign is left as it is. False beyond the plane of all directions.
+  static bool tangent_at(const NormalFrame& frame, TwoDoubles center, const NumberPair& pair, double step,
+                         Tangent& tangent) noexcept {
+    const TwoDoubles place =
+        center + step * TwoDoubles{static_cast<double>(pair[0]), static_cast<double>(pair[1])};
+    Vec3 direction{};
+    if (!direction_at(frame, {place[0], place[1]}, direction)) return false;
+    for (std::size_t k = 0; k < 3; ++k) tangent[k] = rounded(direction[k]);
+    return true;
+  }
+
+  static Vec3 widened(const Tangent& t) noexcept {
+    return {static_cast<double>(t[0]), static_cast<double>(t[1]), static_cast<double>(t[2])};
+  }
+
+ private:
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::uint32_t kFresh = 4096;
+  static constexpr std::uint32_t kMostNear = 1U << 17;
+
+  Tangent value(std::uint32_t vertex) const noexcept {
+    Tangent tangent{};
+    std::copy_n(values_.begin() + std::ptrdiff_t{4} * vertex, 4, tangent.begin());
+    return tangent;
+  }
+
+  /// The copy that was coded last, which `vertex` becomes.
+  std::uint32_t find_copy(std::uint32_t vertex) noexcept {
+    if (last_copy_.empty()) return kNone;
+    return std::exchange(last_copy_[surface_.geometric_of(vertex)], vertex);
+  }
+
+  bool code_equal(std::size_t i, std::uint32_t vertex, const Tangent& copy) {
+    unsigned context = 0;
+    for_corners_before(i, [&](std::uint32_t before) { context |= equal_[before]; });
+    bool is_equal = false;
+    if constexpr (Coder::kWrites) is_equal = choice_.will_do(vertex, copy);
+    is_equal = coder_.bit(is_equal, equal_models_[context]);
+    equal_[vertex] = is_equal ? 2 : 1;
+    return is_equal;
+  }
+
+  /// Whether the sign is what the texture's orientation says, in the context of whether it was before.
+  bool code_sign(std::size_t i, std::uint32_t vertex, const TangentForecast& forecast) {
+    unsigned context = 0;
+    for_corners_before(i, [&](std::uint32_t before) { context |= against_[before]; });
+    bool is_against = false;
+    if constexpr (Coder::kWrites) is_against = choice_.is_negative(vertex) == forecast.is_mirrored;
+    is_against = coder_.bit(is_against, sign_models_[context]);
+    against_[vertex] = is_against ? 2 : 1;
+    return is_against == forecast.is_mirrored;
+  }
+
+  bool code_pair(std::size_t i, std::uint32_t vertex, const TangentForecast& forecast, NumberPair& pair) {
+    PairContext context{.kind = static_cast<std::uint32_t>(forecast.source)};
+    std::array<std::uint64_t, 2> sum{};
+    std::uint32_t count = 0;
+    for_corners_before(i, [&](std::uint32_t before) {
+      for (std::size_t k = 0; k < 2; ++k) sum[k] += sizes_[before][k];
+      ++count;
+    });
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double spread = forecast.spread[k] * (kPairUnit / step_);
+      context.near[k] = count != 0 ? static_cast<std::uint32_t>(sum[k] / count) : kFresh;
+      context.spread[k] = static_cast<std::uint32_t>(spread < kMostNear ? spread : kMostNear);
+    }
+    if (!pairs_.code(pair, context)) return false;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto size = static_cast<std::uint32_t>(pair[k] < 0 ? -pair[k] : pair[k]);
+      sizes_[vertex][k] = (5 * std::min(kPairUnit * size, kMostNear) + 3 * context.near[k]) >> 3;
+    }
+    return true;
+  }
+
+  template <class Visit>
+  void for_corners_before(std::size_t i, Visit visit) const {
+    const auto triangles = surface_.triangles();
+    for (const std::uint32_t corner : walk_.completed_by(i)) {
+      visit(triangles[next_corner(corner)]);
+      visit(triangles[corner_before(corner)]);
+    }
+  }
+
+  Coder& coder_;
+  const AttributeSurface& surface_;
+  double step_;
+  Choice choice_;
+  const SurfaceWalk& walk_;
+  TangentForecaster forecaster_;
+  PairCoder<Coder> pairs_;
+  std::array<BitModel, 4> equal_models_;
+  std::array<BitModel, 4> sign_models_;
+  std::vector<std::array<std::uint32_t, 2>> sizes_;  ///< of the numbers, smoothed, 1/16 steps
+  std::vector<std::uint8_t> equal_;                  ///< 0 without a copy
+  std::vector<std::uint8_t> against_;                ///< 0 where no sign was coded
+  std::vector<std::uint32_t> last_copy_;             ///< by geometric vertex
+  std::vector<float> values_;                        ///< n x 4
+};
+
+}  // namespace deltamesh

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Forecasts of tangents: the rule's, and what it was off by at the vertices before, in the stereographic
+// plane around it [ATTR-41]. The same bits on every machine; shared by writer and reader.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "attributes/forecast_blend.h"
+#include "attributes/normal_lattice.h"
+#include "attributes/surface_walk.h"
+#include "attributes/tangent_rule.h"
+
+namespace deltamesh {
+
+/// Of the blends and of a pair's context: what a forecast rests on.
+enum class TangentSource : std::uint8_t { kNothing = 0, kNeighbors, kRule, kRuleAndOne, kRuleAndMore };
+inline constexpr std::size_t kTangentSources = 5;
+
+struct TangentForecast {
+  NormalFrame frame{};             ///< the pole is the rule's tangent, the second axis near the normal
+  TwoDoubles center{};             ///< in the plane
+  std::array<double, 2> spread{};  ///< how far apart the forecasts are, in the plane
+  TangentSource source = TangentSource::kNothing;
+  bool is_mirrored = false;  ///< faces are so in the texture: the sign is likely 1
+};
+
+/// Forecasts the vertices of a walk in order: forecast(i), settle(i, tangent), forecast(i + 1) and so on.
+class TangentForecaster {
+ public:
+  TangentForecaster(const AttributeSurface& surface, const SurfaceWalk& walk, std::span<const float> normals,
+                    std::span<const float> uvs);
+
+  TangentForecast forecast(std::size_t i);
+  /// The decoded tangent of the vertex that was forecast last; a unit vector.
+  void settle(std::size_t i, const Vec3& tangent);
+
+  /// Of vertices that are settled.
+  const Vec3& tangent(std::uint32_t vertex) const noexcept { return known_[vertex].tangent; }
+
+ private:
+  struct Known {
+    Vec3 tangent{};
+    TwoDoubles off{};       ///< its place in the plane of its own forecast
+    bool has_rule = false;  ///< that plane is a rule's
+  };
+
+  const AttributeSurface& surface_;
+  const SurfaceWalk& walk_;
+  TangentRule rule_;
+  std::vector<Known> known_;
+  std::array<ForecastBlend, kTangentSources> blends_;
+  // Of the last forecast.
+  NormalFrame frame_{};
+  ForecastDifferences differences_{};
+  TangentSource source_ = TangentSource::kNothing;
+};
+
+}  // namespace deltamesh

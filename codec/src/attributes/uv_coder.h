@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Texture coordinates vertex by vertex: equal to a copy's, or a forecast and what it is off by, in steps
+// [ATTR-36, ATTR-37]. One template for both directions.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "attributes/attribute_surface.h"
+#include "attributes/pair_coder.h"
+#include "attributes/surface_walk.h"
+#include "attributes/uv_forecast.h"
+#include "base/large_vector.h"
+#include "base/rounded.h"
+
+namespace deltamesh {
+
+/// Steps of a stream [ATTR-31].
+inline constexpr float kLeastUvStep = 0x1p-100F;
+inline constexpr float kMostUvStep = 0x1p64F;
+/// Forecasts are cut to this many steps, either sign.
+inline constexpr double kMostUvSteps = 0x1p22;
+
+/// What the two directions do not share. `Numbers` chooses for a writer:
+/// bool is_within(std::uint32_t vertex, TwoDoubles value): whether the value will do;
+/// NumberPair nearest(std::uint32_t vertex, TwoDoubles forecast): the steps to code.
+template <class Coder, class Numbers>
+class UvCoder {
+ public:
+  UvCoder(Coder& coder, const AttributeSurface& surface, double step, Numbers numbers)
+      : coder_(coder),
+        surface_(surface),
+        step_(step),
+        choice_(numbers),
+        walk_(surface.walk()),
+        forecaster_(surface, walk_),
+        pairs_(coder),
+        sizes_(surface.vertex_count()),
+        equal_(surface.vertex_count()),
+        values_(std::size_t{2} * surface.vertex_count()) {
+    if (!surface.geometric().empty()) last_copy_.assign(surface.vertex_count(), kNone);
+  }
+
+  std::size_t count() const noexcept { return walk_.order.size(); }
+
+  /// Codes the vertex that is number i of the walk. False where a number is out of range.
+  bool code(std::size_t i) {
+    const std::uint32_t vertex = walk_.order[i];
+    const UvForecast forecast = forecaster_.forecast(i);
+    const std::uint32_t copy = find_copy(vertex);
+    TwoDoubles value{};
+    if (copy != kNone && code_equal(i, vertex, forecaster_.value(copy))) {
+      value = forecaster_.value(copy);
+    } else {
+      NumberPair pair{};
+      const TwoDoubles place = cut(forecast.place);
+      if constexpr (Coder::kWrites) pair = choice_.nearest(vertex, place);
+      if (!code_pair(i, vertex, forecast, pair)) return false;
+      value = TwoDoubles{static_cast<double>(coordinate(place, pair, step_, 0)),
+                         static_cast<double>(coordinate(place, pair, step_, 1))};
+    }
+    values_[std::size_t{2} * vertex] = static_cast<float>(value[0]);
+    values_[std::size_t{2} * vertex + 1] = static_cast<float>(value[1]);
+    forecaster_.settle(i, value);
+    return true;
+  }
+
+  std::vector<float>& values() noexcept { return values_; }
+
+  /// `pair` steps from `place`.
+  static float coordinate(TwoDoubles place, const NumberPair& pair, double step, std::size_t k) noexcept {
+    return rounded(place[k] + step * static_cast<double>(pair[k]));
+  }
+
+ private:
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  static constexpr double kMostSize = 0x1p17;  ///< 1/16 steps
+
+  /// Forecasts far off are cut; what is not a number becomes 0.
+  TwoDoubles cut(TwoDoubles place) const noexcept {
+    const double most = kMostUvSteps * step_;
+    for (std::size_t k = 0; k < 2; ++k)
+      place[k] = place[k] == place[k] ? std::clamp(place[k], -most, most) : 0;
+    return place;
+  }
+
+  /// The copy that was coded last, which `vertex` becomes.
+  std::uint32_t find_copy(std::uint32_t vertex) noexcept {
+    if (last_copy_.empty()) return kNone;
+    std::uint32_t& last = last_copy_[surface_.geometric_of(vertex)];
+    return std::exchange(last, vertex);
+  }
+
+  /// What the corners before said of their copies: 1 for apart, 2 for equal, both added.
+  bool code_equal(std::size_t i, std::uint32_t vertex, TwoDoubles value) {
+    unsigned context = 0;
+    for_corners_before(i, [&](std::uint32_t before) { context |= equal_[before]; });
+    bool is_equal = false;
+    if constexpr (Coder::kWrites) is_equal = choice_.is_within(vertex, value);
+    is_equal = coder_.bit(is_equal, equal_models_[context]);
+    equal_[vertex] = is_equal ? 2 : 1;
+    return is_equal;
+  }
+
+  bool code_pair(std::size_t i, std::uint32_t vertex, const UvForecast& forecast, NumberPair& pair) {
+    PairContext context;
+    if (forecast.is_start) {
+      context = {.near = {kFresh, kFresh}, .spread = {kFresh, kFresh}, .kind = forecast.sources};
+    } else {
+      std::uint64_t sum = 0;
+      std::uint32_t count = 0;
+      for_corners_before(i, [&](std::uint32_t before) {
+        sum += sizes_[before];
+        ++count;
+      });
+      const double steps = forecast.spread * (kPairUnit / step_);
+      const auto spread = static_cast<std::uint32_t>(steps < kMostSize ? steps : kMostSize);
+      const std::uint32_t near = count != 0 ? static_cast<std::uint32_t>(sum / count) : 0;
+      context = {.near = {near, near}, .spread = {spread, spread}, .kind = 1 + forecast.sources};
+    }
+    if (!pairs_.code(pair, context)) return false;
+    if (forecast.is_start) return true;
+    const auto size = [](std::int32_t x) { return static_cast<std::uint32_t>(x < 0 ? -x : x); };
+    const std::uint32_t mean = std::min(kPairUnit / 2 * (size(pair[0]) + size(pair[1])), kMostNear);
+    sizes_[vertex] = (5 * mean + 3 * context.near[0]) >> 3;
+    return true;
+  }
+
+  template <class Visit>
+  void for_corners_before(std::size_t i, Visit visit) const {
+    const auto triangles = surface_.triangles();
+    for (const std::uint32_t corner : walk_.completed_by(i)) {
+      visit(triangles[next_corner(corner)]);
+      visit(triangles[corner_before(corner)]);
+    }
+  }
+
+  static constexpr std::uint32_t kFresh = 4096;
+  static constexpr std::uint32_t kMostNear = 1U << 17;
+
+  Coder& coder_;
+  const AttributeSurface& surface_;
+  double step_;
+  Numbers choice_;
+  const SurfaceWalk& walk_;
+  UvForecaster forecaster_;
+  PairCoder<Coder> pairs_;
+  std::array<BitModel, 4> equal_models_;
+  std::vector<std::uint32_t> sizes_;      ///< of the pair, smoothed, 1/16 steps
+  std::vector<std::uint8_t> equal_;       ///< 0 without a copy
+  std::vector<std::uint32_t> last_copy_;  ///< by geometric vertex
+  std::vector<float> values_;             ///< n x 2
+};
+
+}  // namespace deltamesh

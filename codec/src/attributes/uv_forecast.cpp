@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "attributes/uv_forecast.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/vec3.h"
+
+namespace deltamesh {
+namespace {
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr std::size_t kMostKept = 8;       ///< forecasts that the spread is taken of
+constexpr double kFarthest = 1e6;          ///< squared distance of a corner from another, in edges
+constexpr double kFlattest = 0.05;         ///< height of a face that tells of its neighbour, in edges
+constexpr double kSmallestTexel = 1e-150;  ///< so that no weight is infinite
+
+double cross(TwoDoubles a, TwoDoubles b) noexcept { return a[0] * b[1] - a[1] * b[0]; }
+TwoDoubles turned(TwoDoubles a) noexcept { return TwoDoubles{-a[1], a[0]}; }
+double size_of(TwoDoubles a) noexcept { return std::sqrt(dot(a, a)); }
+
+}  // namespace
+
+struct UvForecaster::Sums {
+  TwoDoubles first{};
+  double first_weight = 0;
+  TwoDoubles other{};
+  double other_weight = 0;
+  double size = 0;  ///< squared lengths of the edges to the first forecasts
+  unsigned count = 0;
+  std::array<TwoDoubles, kMostKept> kept;
+
+  void add(TwoDoubles forecast, double weight, TwoDoubles a, TwoDoubles b) noexcept {
+    first += weight * forecast;
+    first_weight += weight;
+    size += dot(forecast - a, forecast - a) + dot(forecast - b, forecast - b);
+    if (count < kMostKept) kept[count] = forecast;
+    ++count;
+  }
+  void add_other(TwoDoubles forecast, double weight) noexcept {
+    other += weight * forecast;
+    other_weight += weight;
+  }
+};
+
+UvForecaster::UvForecaster(const AttributeSurface& surface, const SurfaceWalk& walk)
+    : surface_(surface), walk_(walk), values_(surface.vertex_count()), known_(surface.vertex_count()) {
+  if (!surface.has_positions()) return;
+  Box box;
+  for (std::uint32_t v = 0; v < surface.vertex_count(); ++v) {
+    const Vec3 p = position(v);
+    for (std::size_t k = 0; k < 3; ++k) {
+      box.min[k] = v == 0 ? p[k] : std::min(box.min[k], p[k]);
+      box.max[k] = v == 0 ? p[k] : std::max(box.max[k], p[k]);
+    }
+  }
+  center_ = 0.5 * (box.min + box.max);
+  const double side = box.longest_side();
+  scale_ = side > 0 ? 1 / side : 1;
+}
+
+Vec3 UvForecaster::position(std::uint32_t vertex) const noexcept {
+  const float* const p = surface_.positions().data() + std::size_t{3} * vertex;
+  return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
+}
+
+Vec3 UvForecaster::place_of(std::uint32_t vertex) const noexcept {
+  return scale_ * (position(vertex) - center_);
+}
+
+/// False where the corner is out of all proportion.
+bool UvForecaster::apex_over(const Edge& edge, std::uint32_t apex, Apex& result) const noexcept {
+  const Vec3 way = position(apex) - edge.origin;
+  result.x = dot(edge.way, way) * edge.inverse;
+  const double distance = dot(way, way) * edge.inverse;
+  if (!(distance <= kFarthest)) return false;
+  result.y = std::sqrt(std::max(distance - result.x * result.x, 0.0));
+  return true;
+}
+
+/// The third corner, if it is known, of the first other face that has the edge from b to a.
+std::uint32_t UvForecaster::known_across(std::uint32_t corner, std::uint32_t a,
+                                         std::uint32_t b) const noexcept {
+  const auto triangles = surface_.triangles();
+  for (const std::uint32_t other : walk_.corners_of(a)) {
+    if (triangles[corner_before(other)] != b || other / 3 == corner / 3) continue;
+    const std::uint32_t apex = triangles[next_corner(other)];
+    if (is_known(apex)) return apex;
+  }
+  return kNone;
+}
+
+void UvForecaster::add_face(std::uint32_t corner, Sums& sums) const noexcept {
+  const auto triangles = surface_.triangles();
+  const std::uint32_t a = triangles[next_corner(corner)];
+  const std::uint32_t b = triangles[corner_before(corner)];
+  Edge base{.origin = position(a), .way = position(b) - position(a)};
+  base.inverse = 1 / dot(base.way, base.way);
+  Apex apex{};
+  if (!apex_over(base, triangles[corner], apex)) return;
+  const TwoDoubles origin = values_[a];
+  const TwoDoubles edge = values_[b] - origin;
+  const std::uint32_t across = known_across(corner, a, b);
+  Apex there{};
+  const bool goes_on = across != kNone && apex_over(base, across, there);
+  double side = side_;
+  if (goes_on) {
+    const double area = cross(edge, values_[across] - origin);
+    if (area != 0) side = area < 0 ? 1 : -1;
+  }
+  const TwoDoubles foot = origin + apex.x * edge;
+  const double weight = 1 / (apex.y + 0.01);
+  sums.add(foot + (side * apex.y) * turned(edge), weight, origin, values_[b]);
+  if (!goes_on || !(there.y > kFlattest)) return;
+  const double ratio = apex.y / there.y;
+  const double reach = std::min(ratio, 4.0);
+  sums.add_other(foot + ratio * ((origin + there.x * edge) - values_[across]), weight / (1 + reach * reach));
+}
+
+/// Without positions: parallelograms, and the middle of the edge.
+void UvForecaster::add_flat_face(std::uint32_t corner, Sums& sums) const noexcept {
+  const auto triangles = surface_.triangles();
+  const std::uint32_t a = triangles[next_corner(corner)];
+  const std::uint32_t b = triangles[corner_before(corner)];
+  const std::uint32_t across = known_across(corner, a, b);
+  const TwoDoubles sum = values_[a] + values_[b];
+  sums.add(across == kNone ? 0.5 * sum : sum - values_[across], across == kNone ? 0.25 : 1, values_[a],
+           values_[b]);
+  sums.add_other(0.5 * sum, 1);
+}
+
+/// Without faces: a known neighbour, else the vertex before.
+TwoDoubles UvForecaster::start(std::size_t i, bool& is_linked) const noexcept {
+  const auto triangles = surface_.triangles();
+  for (const std::uint32_t corner : walk_.corners_of(walk_.order[i])) {
+    for (const std::uint32_t other : {triangles[next_corner(corner)], triangles[corner_before(corner)]}) {
+      if (!is_known(other)) continue;
+      is_linked = true;
+      return values_[other];
+    }
+  }
+  is_linked = false;
+  return i == 0 ? TwoDoubles{} : values_[walk_.order[i - 1]];
+}
+
+UvForecast UvForecaster::forecast(std::size_t i) {
+  Sums sums;
+  for (const std::uint32_t corner : walk_.completed_by(i)) {
+    if (surface_.has_positions()) {
+      add_face(corner, sums);
+    } else {
+      add_flat_face(corner, sums);
+    }
+  }
+  UvForecast result;
+  sources_ = std::min(sums.count, 3U);
+  if (sums.count == 0) {
+    bool is_linked = false;
+    result.place = start(i, is_linked);
+    result.sources = is_linked ? 1 : 0;
+    if (!is_linked) fit_.fade();
+    return result;
+  }
+  first_ = sums.first / sums.first_weight;
+  size_ = 0.5 * sums.size / sums.count + kSmallestTexel;
+  differences_ = {};
+  if (sums.other_weight > 0) differences_[0] = sums.other / sums.other_weight - first_;
+  if (surface_.has_positions()) {
+    const TwoDoubles off = fit_.at(place_of(walk_.order[i])) - first_;
+    if (dot(off, off) <= 64 * size_) differences_[1] = off;
+  }
+  result.place = first_ + blends_[sources_ - 1].correction(differences_);
+  const unsigned kept = std::min<unsigned>(sums.count, kMostKept);
+  for (unsigned k = 0; k < kept; ++k) result.spread += size_of(sums.kept[k] - first_);
+  result.spread = std::max(result.spread / kept, 0.3 * size_of(differences_[0]));
+  result.sources = sources_;
+  result.is_start = false;
+  return result;
+}
+
+void UvForecaster::settle(std::size_t i, TwoDoubles value) {
+  const std::uint32_t vertex = walk_.order[i];
+  values_[vertex] = value;
+  known_[vertex] = 1;
+  if (sources_ > 0) {
+    const TwoDoubles error = value - first_;
+    const double weight = 1 / ((0.02 * size_ + dot(error, error)) + dot(differences_[0], differences_[0]));
+    blends_[sources_ - 1].learn(differences_, error, weight);
+  }
+  if (!surface_.has_positions()) return;
+  fit_.learn(place_of(vertex), value);
+  const auto triangles = surface_.triangles();
+  for (const std::uint32_t corner : walk_.completed_by(i)) {
+    const TwoDoubles a = values_[triangles[next_corner(corner)]];
+    const double area = cross(values_[triangles[corner_before(corner)]] - a, value - a);
+    if (area != 0) side_ = area > 0 ? 1 : -1;
+  }
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Forecasts of texture coordinates from the surface: faces keep their shapes in the texture, and the texture
+// goes on as it did on the faces next to them [ATTR-32, ATTR-33]. The same bits on every machine: doubles,
+// + - * / and square roots, in the order written; shared by writer and reader.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "attributes/attribute_surface.h"
+#include "attributes/forecast_blend.h"
+#include "attributes/linear_fit.h"
+#include "attributes/surface_walk.h"
+#include "base/vec3.h"
+
+namespace deltamesh {
+
+struct UvForecast {
+  TwoDoubles place{};
+  double spread = 0;     ///< how far apart the forecasts are, texture units
+  unsigned sources = 0;  ///< faces, at most 3
+  bool is_start = true;  ///< no face with two known corners
+};
+
+/// Forecasts the vertices of a walk in order: forecast(i), settle(i, value), forecast(i + 1) and so on.
+class UvForecaster {
+ public:
+  UvForecaster(const AttributeSurface& surface, const SurfaceWalk& walk);
+
+  UvForecast forecast(std::size_t i);
+  /// The decoded value of the vertex that was forecast last.
+  void settle(std::size_t i, TwoDoubles value);
+
+  /// Of vertices that are settled.
+  TwoDoubles value(std::uint32_t vertex) const noexcept { return values_[vertex]; }
+  bool is_known(std::uint32_t vertex) const noexcept { return known_[vertex] != 0; }
+
+ private:
+  /// The place of a corner over the edge between the other two: edge * x + height * y.
+  struct Apex {
+    double x;
+    double y;
+  };
+  struct Edge {
+    Vec3 origin;
+    Vec3 way;
+    double inverse = 0;  ///< 1 / its squared length
+  };
+  struct Sums;
+
+  bool apex_over(const Edge& edge, std::uint32_t apex, Apex& result) const noexcept;
+  std::uint32_t known_across(std::uint32_t corner, std::uint32_t a, std::uint32_t b) const noexcept;
+  void add_face(std::uint32_t corner, Sums& sums) const noexcept;
+  void add_flat_face(std::uint32_t corner, Sums& sums) const noexcept;
+  TwoDoubles start(std::size_t i, bool& is_linked) const noexcept;
+  Vec3 place_of(std::uint32_t vertex) const noexcept;
+  Vec3 position(std::uint32_t vertex) const noexcept;
+
+  const AttributeSurface& surface_;
+  const SurfaceWalk& walk_;
+  std::vector<TwoDoubles> values_;
+  std::vector<std::uint8_t> known_;
+  Vec3 center_{};
+  double scale_ = 1;
+  double side_ = 1;  ///< of the last face that has an area in the texture: 1 or -1
+  LinearFit fit_;
+  std::array<ForecastBlend, 3> blends_;
+  // Of the last forecast.
+  TwoDoubles first_{};
+  ForecastDifferences differences_{};
+  double size_ = 0;
+  unsigned sources_ = 0;
+};
+
+}  // namespace deltamesh

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "connectivity/face_groups.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/byte_reader.h"
+#include "base/byte_writer.h"
+#include "connectivity/face_group_coder.h"
+#include "entropy/compact_reader.h"
+#include "entropy/compact_writer.h"
+#include "entropy/planes.h"
+#include "format/tags.h"
+
+namespace deltamesh {
+namespace {
+
+Error invalid(const char* rule) noexcept {
+  return {.code = ErrorCode::kInvalidStream,
+          .message = "not the number of a group of faces",
+          .rule = rule,
+          .chunk_tag = kTagFaceGroups};
+}
+
+/// Errors: kTruncated, kInvalidStream [FGRP-1].
+Result<std::vector<std::uint32_t>> read_plain(std::span<const std::byte> bytes, std::size_t face_count) {
+  ByteReader in(bytes, kTagFaceGroups);
+  DELTAMESH_TRY(std::vector<std::uint32_t> groups, read_planes(in, face_count));
+  DELTAMESH_CHECK(in.finish());
+  if (std::ranges::any_of(groups, [](std::uint32_t g) { return g >= kMostGroups; })) return invalid("FGRP-1");
+  return groups;
+}
+
+/// Errors: kTruncated, kInvalidStream [FGRP-1 .. 3, CMP-3].
+Result<std::vector<std::uint32_t>> read_compact(std::span<const std::byte> bytes,
+                                                std::span<const std::uint32_t> triangles,
+                                                std::uint32_t vertex_count) {
+  std::vector<std::uint32_t> groups(triangles.size() / 3);
+  CompactReader reader(bytes);
+  const char* const broken = FaceGroupCoder<CompactReader>(reader, triangles, vertex_count).code(groups);
+  if (reader.failed() || broken == nullptr) DELTAMESH_CHECK(reader.finish(kTagFaceGroups));
+  if (broken != nullptr) return invalid(broken);
+  return groups;
+}
+
+}  // namespace
+
+CodedFaceGroups write_face_groups(std::vector<std::uint32_t> groups, std::span<const std::uint32_t> triangles,
+                                  std::uint32_t vertex_count) {
+  CodedFaceGroups coded;
+  if (groups.empty()) return coded;
+  ByteWriter plain;
+  write_planes(plain, groups);
+  coded.payload = plain.take();
+  CompactWriter writer;
+  FaceGroupCoder<CompactWriter>(writer, triangles, vertex_count).code(groups);
+  coded.compact = writer.finish();
+  return coded;
+}
+
+Result<std::vector<std::uint32_t>> read_face_groups(Payload payload, std::span<const std::uint32_t> triangles,
+                                                    std::uint32_t vertex_count) {
+  if (payload.bytes.empty()) return std::vector<std::uint32_t>();
+  if (payload.is_compact) return read_compact(payload.bytes, triangles, vertex_count);
+  return read_plain(payload.bytes, triangles.size() / 3);
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Attributes of two meshes side by side: which stand for each other, and how far their values are apart.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "deltamesh/compare.h"
+#include "deltamesh/mesh.h"
+#include "deltamesh/result.h"
+
+namespace deltamesh {
+
+/// Whether all values are there. Errors: kInvalidMesh, `where`: the attribute.
+Result<void> check_attributes(const MeshView& mesh);
+
+/// A vertex of A and one of B that stand for each other.
+struct VertexPair {
+  std::uint32_t a = 0;
+  std::uint32_t b = 0;
+
+  auto operator<=>(const VertexPair&) const = default;
+};
+
+/// Two meshes that have passed check_attributes() and must outlive it.
+class AttributeComparer {
+ public:
+  /// Finds the pairs: the same name and kind; else the next of the same kind, but of generic ones.
+  AttributeComparer(const MeshView& a, const MeshView& b);
+
+  /// How different the values of two vertices are, beyond units: 0 to 1 for each pair of attributes.
+  double difference(std::uint32_t a, std::uint32_t b) const;
+
+  /// Every attribute of A, then those only in B; errors over `vertices`.
+  std::vector<AttributeComparison> compare(std::span<const VertexPair> vertices) const;
+
+ private:
+  struct Pair {
+    AttributeView a;
+    AttributeView b;
+    AttributeComparison result;  ///< without errors
+  };
+  std::vector<Pair> pairs_;
+};
+
+}  // namespace deltamesh

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Coded colours from anywhere. The last byte says their type, the number of components, the mesh, and if its
+// positions are known. What is read must be whole; written exactly it must come back.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <span>
+#include <vector>
+
+#include "attributes/surface_colors.h"
+#include "support/graph_mesh.h"
+
+namespace {
+
+using namespace deltamesh;
+
+struct Surface {
+  test::GraphMesh mesh;
+  std::vector<float> positions;
+  std::vector<std::uint32_t> geometric;
+
+  explicit Surface(test::GraphMesh of) : mesh(std::move(of)) {
+    for (const Vec3& p : mesh.positions)
+      for (const double x : {p[0], p[1], p[2]}) positions.push_back(static_cast<float>(x));
+    for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) geometric.push_back(v % 40);
+  }
+  AttributeSurface get(bool with_positions, bool with_copies) const {
+    const auto count = static_cast<std::uint32_t>(mesh.positions.size());
+    return {mesh.triangles, count, with_copies ? std::span(geometric) : std::span<const std::uint32_t>{},
+            with_positions ? std::span(positions) : std::span<const float>{}};
+  }
+};
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  constexpr ComponentType kTypes[] = {ComponentType::kU8, ComponentType::kU16, ComponentType::kF32,
+                                      ComponentType::kU8};
+  static const Surface kSurfaces[] = {Surface(test::fragments()), Surface(test::fan(30))};
+  if (size == 0) return 0;
+  const unsigned choice = data[size - 1];
+  const ComponentType type = kTypes[choice % 4];
+  const unsigned components = 3 + choice / 4 % 2;
+  const AttributeSurface surface = kSurfaces[choice / 8 % 2].get((choice & 16) != 0, (choice & 32) != 0);
+  const auto read = read_surface_colors(std::as_bytes(std::span(data, size - 1)), type, components, surface);
+  if (!read) {
+    if (read.error().code == ErrorCode::kInternal) std::abort();
+    return 0;
+  }
+  if (read->size() != surface.vertex_count() * components * component_size(type)) std::abort();
+  const auto written = write_surface_colors(*read, type, components, 0, surface);
+  if (!written || written->values != *read) std::abort();
+  const auto again = read_surface_colors(written->bytes, type, components, surface);
+  if (!again || *again != *read) std::abort();
+  return 0;
+}

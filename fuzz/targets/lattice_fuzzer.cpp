@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Attributes on lattices from anywhere. The last four bytes are vertices (with a bit for copies), faces, type
+// and components. What is read must be whole, and must come back unchanged when written exactly.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <numeric>
+#include <span>
+#include <vector>
+
+#include "attributes/attribute.h"
+#include "attributes/attribute_payload.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace deltamesh;
+  constexpr std::size_t kShape = 4;
+  if (size < kShape) return 0;
+  const std::uint8_t* const shape = data + size - kShape;
+  const std::uint32_t vertices = shape[0] % 128U;
+  const std::uint32_t faces = vertices == 0 ? 0 : shape[1];
+  std::vector<std::uint32_t> triangles;
+  for (std::uint32_t corner = 0; corner < 3 * faces; ++corner)
+    triangles.push_back((corner / 3 + corner % 3 * (1 + faces % 7)) % vertices);
+  std::vector<std::uint32_t> geometric;
+  for (std::uint32_t v = 0; v < vertices && shape[0] >= 128; ++v) geometric.push_back(v / 2);
+  const AttributeSurface surface(triangles, vertices, geometric);
+  const AttributeDescriptor descriptor{
+      .type = static_cast<ComponentType>(shape[2] % 8),
+      .components = static_cast<std::uint8_t>(1 + shape[3] % kMaxComponents)};
+
+  std::vector<std::byte> bytes{static_cast<std::byte>(AttributeCoding::kLattice)};
+  for (const std::uint8_t* byte = data; byte != shape; ++byte) bytes.push_back(static_cast<std::byte>(*byte));
+  const auto read = read_attribute(Payload::compact(bytes), descriptor, surface, {}, 1 << 16);
+  if (!read) {
+    if (read.error().code == ErrorCode::kInternal) std::abort();
+    return 0;
+  }
+  if (read->values.size() != attribute_bytes(descriptor, vertices)) std::abort();
+
+  std::vector<std::uint32_t> order(vertices);
+  std::iota(order.begin(), order.end(), 0U);
+  const AttributeView exact{AttributeKind::kGeneric, read->type, read->components,
+                            read->normalized,        {},         read->values};
+  const AttributeQuality quality;
+  const auto written = write_attribute(exact, order, {.quality = quality}, surface, {});
+  if (!written || written->decoded.values != read->values) std::abort();
+  const Payload payload =
+      written->compact.empty() ? Payload(written->plain) : Payload::compact(written->compact);
+  const auto again = read_attribute(payload, written->descriptor, surface, {}, 1 << 16);
+  if (!again || again->values != read->values) std::abort();
+  return 0;
+}

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Tangents from anywhere, over a surface whose faces, copies, positions, normals and texture coordinates come
+// from the first bytes. What is read must be whole unit vectors, and must come back within the bound when
+// written.
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <span>
+
+#include "attributes/surface_tangents.h"
+#include "base/portable_math.h"
+#include "support/fuzzed_surface.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace deltamesh;
+  test::FuzzedSurface fuzzed(std::as_bytes(std::span(data, size)));
+  const AttributeSurface surface = fuzzed.surface();
+  TangentBasis basis;
+  const unsigned flags = fuzzed.byte();
+  for (std::uint32_t i = 0; (flags & 1) != 0 && i < 3 * surface.vertex_count(); ++i)
+    basis.normals.push_back(fuzzed.number());
+  for (std::uint32_t i = 0; (flags & 2) != 0 && i < 2 * surface.vertex_count(); ++i)
+    basis.uvs.push_back(fuzzed.number());
+  const auto read = read_surface_tangents(fuzzed.rest(), surface, basis);
+  if (!read) {
+    if (read.error().code == ErrorCode::kInternal) std::abort();
+    return 0;
+  }
+  if (read->size() != std::size_t{4} * surface.vertex_count()) std::abort();
+  const double bound = 0.5;
+  const auto written = write_surface_tangents(*read, bound, surface, basis);
+  if (!written) std::abort();
+  const auto again = read_surface_tangents(written->bytes, surface, basis);
+  if (!again || *again != written->values) std::abort();
+  const auto vector_of = [](const std::vector<float>& t, std::size_t i) {
+    return Vec3{static_cast<double>(t[i]), static_cast<double>(t[i + 1]), static_cast<double>(t[i + 2])};
+  };
+  for (std::size_t i = 0; i < read->size(); i += 4) {
+    if (!(portable_degrees_between(vector_of(*read, i), vector_of(*again, i)) <= bound)) std::abort();
+    if ((*read)[i + 3] != (*again)[i + 3] || std::fabs((*read)[i + 3]) != 1) std::abort();
+  }
+  return 0;
+}

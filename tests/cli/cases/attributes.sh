@@ -1,0 +1,37 @@
+# What is asked of attributes, and what is told of them.
+cat >quad.ply <<PLY
+ply
+format ascii 1.0
+element vertex 4
+property float x
+property float y
+property float z
+property float nx
+property float ny
+property float nz
+property uchar red
+property uchar green
+property uchar blue
+property float intensity
+element face 2
+property list uchar int vertex_indices
+end_header
+0 0 0 0 0 1 10 20 30 0.25
+1 0 0 0 0.6 0.8 10 20 35 7.5
+1 1 0 0.6 0 0.8 10 25 30 1.125
+0 1 0 0 0 1 15 20 30 -3.0625
+3 0 1 2
+3 0 2 3
+PLY
+# Lines of attributes; how exact they come out is the coders' affair.
+attributes() { figures "$@" | grep -E '^ (nx|red|intensity)' | sed -E 's/(exact|max error N.*)$/ERROR/'; }
+attributes encode quad.ply quad.dmsh --geometry predictive --bits 12
+quiet encode quad.ply bounds.dmsh --geometry predictive --bits 12 --normal-error 5 --attribute-error intensity=0.5
+attributes info bounds.dmsh
+quiet info bounds.dmsh --json
+sed -n '/"attributes"/,/^  \]/p' .out | grep -vE 'bytes|bits|max_error'
+quiet info quad.dmsh --json
+grep -B 6 '"255ths"' .out | grep max_error
+run encode quad.ply none.dmsh --attribute-error Intensity=1
+run encode quad.ply none.dmsh --attribute-error normal=1
+list
