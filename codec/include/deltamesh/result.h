@@ -20,7 +20,7 @@ enum class ErrorCode : std::uint16_t {
   kBadMagic = 101,            ///< not a deltamesh stream
   kUnsupportedVersion = 102,  ///< a stream of another format version
   kCorrupt = 103,             ///< a checksum does not match
-  kInvalidStream = 104,       ///< a rule of spec/format.md is broken
+  kInvalidStream = 104,       ///< a rule of the specification (spec/) is broken
   kUnsupportedFeature = 105,  ///< a chunk or codec that this build does not know and may not skip
   // 2xx: the caller's argument or mesh is bad.
   kInvalidArgument = 200,  ///< an option outside its range, or two that contradict each other
