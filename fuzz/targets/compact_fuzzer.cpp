@@ -70,9 +70,9 @@ void fuzz_coder(std::span<const std::byte> bytes) {
   require(back == values && again.finish(0).has_value());
 }
 
-void fuzz_connectivity(std::span<const std::byte> bytes, std::uint32_t faces, Halving halving) {
+void fuzz_connectivity(std::span<const std::byte> bytes, std::uint32_t faces) {
   constexpr std::uint32_t kVertices = 60;
-  const auto read = read_connectivity(Payload::compact(bytes), kVertices, faces, halving);
+  const auto read = read_connectivity(Payload::compact(bytes), kVertices, faces);
   require_clean(read);
   if (!read) return;
   require(read->triangles.size() == std::size_t{3} * faces);
@@ -81,8 +81,8 @@ void fuzz_connectivity(std::span<const std::byte> bytes, std::uint32_t faces, Ha
   const Adjacency quick = build_adjacency(read->triangles, read->open_edges, kVertices);
   require(quick.offsets == graph.offsets && quick.neighbors == graph.neighbors);
   require(read->runs.components(kVertices).label == find_components(graph).label);
-  const auto coded = write_connectivity(read->triangles, kVertices, PayloadForms::kBoth, halving);
-  const auto again = read_connectivity(Payload::compact(coded.compact), kVertices, faces, halving);
+  const auto coded = write_connectivity(read->triangles, kVertices);
+  const auto again = read_connectivity(Payload::compact(coded.compact), kVertices, faces);
   require(faces == 0 || (again && again->triangles == coded.triangles));
 }
 
@@ -137,15 +137,14 @@ void fuzz_attribute(std::span<const std::byte> bytes) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size < 2) return 0;
-  const unsigned choice = data[0] % 7;
+  const unsigned choice = data[0] % 6;
   const std::uint32_t count = data[1];
   const auto bytes = std::as_bytes(std::span(data, size)).subspan(2);
   if (choice == 0) fuzz_coder(bytes);
-  if (choice == 1) fuzz_connectivity(bytes, count, Halving::kIfLarge);
+  if (choice == 1) fuzz_connectivity(bytes, count);
   if (choice == 2) fuzz_deltas(bytes);
   if (choice == 3) fuzz_anchors(bytes, count);
   if (choice == 4) fuzz_attribute(bytes);
   if (choice == 5) fuzz_large_deltas(bytes);
-  if (choice == 6) fuzz_connectivity(bytes, count, Halving::kAlways);
   return 0;
 }

@@ -42,15 +42,6 @@ std::vector<std::uint32_t> Border::take_faces() noexcept {
   return std::move(faces_);
 }
 
-LargeVector<DirectedEdge> Border::open_edges() const {
-  LargeVector<DirectedEdge> edges;
-  edges.reserve(closed_items_.size());
-  for (const std::uint32_t i : closed_items_) {
-    if (is_open(i)) edges.push_back(edge(i));
-  }
-  return edges;
-}
-
 void Border::start() {
   const std::uint32_t v = vertex_count_;
   const std::uint32_t i = item_count();
@@ -140,7 +131,7 @@ bool Border::split(std::uint32_t target, const Gate& gate) {
 bool Border::carry_out(BorderOp op, std::uint32_t target, const Gate& gate) {
   if (op == BorderOp::kBoundary) {
     items_[gate.item].closed = true;
-    closed_items_.push_back(gate.item);
+    open_edges_.push_back({gate.origin, gate.end});
     return true;
   }
   if (is_full()) return false;

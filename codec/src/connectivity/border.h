@@ -23,41 +23,19 @@ namespace deltamesh {
 /// more, and no item ends where it begins.
 class Border {
  public:
-  /// Never more than `most_faces` faces, of manifold vertices from `first_vertex` on, after `others`.
-  explicit Border(std::uint32_t most_faces, std::uint32_t first_vertex = 0,
-                  std::vector<std::uint32_t> others = {}) noexcept
-      : most_face_end_(others.size() + std::size_t{3} * most_faces),
-        face_end_(others.size()),
-        face_room_(others.size()),
-        vertex_count_(first_vertex),
-        faces_(std::move(others)) {}
+  /// Never more than `most_faces` faces.
+  explicit Border(std::uint32_t most_faces) noexcept : most_face_end_(std::size_t{3} * most_faces) {}
 
   const BorderItem& item(std::uint32_t i) const noexcept { return items_[i]; }
   std::uint32_t item_count() const noexcept { return item_count_; }
-  /// The next manifold vertex.
   std::uint32_t vertex_count() const noexcept { return vertex_count_; }
   bool is_full() const noexcept { return face_end_ == most_face_end_; }
   /// Manifold vertices of the faces, three each: gate's end, gate's origin, apex [CONN-6].
   std::span<const std::uint32_t> faces() const noexcept { return std::span(faces_).first(face_end_); }
   std::vector<std::uint32_t> take_faces() noexcept;
 
-  /// Items known to be boundary edges, in the order in which that was told, sewn ones among them.
-  std::span<const std::uint32_t> closed_items() const noexcept { return closed_items_; }
-  /// Edge of an item, over manifold vertices.
-  DirectedEdge edge(std::uint32_t i) const noexcept {
-    return {items_[i].origin, items_[items_[i].next].origin};
-  }
-
-  /// Whether there is such an item, and it is a boundary edge. Once all gaps are finished.
-  bool is_open(std::uint32_t i) const noexcept {
-    return i < item_count_ && items_[i].alive && items_[i].closed;
-  }
-  /// What lies across this boundary edge has been found.
-  void sew(std::uint32_t i) noexcept { items_[i].closed = false; }
-
-  /// Edges of one face, in its direction, over manifold vertices, but sewn ones: closed loops, if all gaps
-  /// are finished and what lies across sewn edges has not got them either.
-  LargeVector<DirectedEdge> open_edges() const;
+  /// Edges of one face, in its direction, over manifold vertices: closed loops once all gaps are finished.
+  LargeVector<DirectedEdge> take_open_edges() noexcept { return std::move(open_edges_); }
 
   /// Room for a mesh of this size, so that nothing moves while it grows.
   void reserve(std::size_t vertices, std::size_t faces);
@@ -139,15 +117,15 @@ class Border {
   }
 
   std::size_t most_face_end_;
-  std::size_t face_end_;   ///< of the faces in `faces_`
-  std::size_t face_room_;  ///< size of `faces_`
-  std::uint32_t vertex_count_;
+  std::size_t face_end_ = 0;   ///< of the faces in `faces_`
+  std::size_t face_room_ = 0;  ///< size of `faces_`
+  std::uint32_t vertex_count_ = 0;
   std::uint32_t item_count_ = 0;
   std::uint32_t first_item_ = 0;  ///< of the component
   std::uint32_t last_focus_faces_ = 6;
   LargeVector<BorderItem> items_;     ///< and room for three with each face that there is room for
   std::vector<std::uint32_t> faces_;  ///< three for each face, and room for some more
-  LargeVector<std::uint32_t> closed_items_;
+  LargeVector<DirectedEdge> open_edges_;
   GapQueue gaps_;
 };
 

@@ -10,8 +10,8 @@
 
 namespace deltamesh {
 
-/// The compact form of CONN [CONN-12 to CONN-16]. `triangle_count`: above 0. Errors: as read_connectivity().
+/// The compact form of CONN [CONN-12 to CONN-14]. `triangle_count`: above 0. Errors: as read_connectivity().
 Result<Connectivity> read_compact_connectivity(std::span<const std::byte> bytes, std::uint32_t vertex_count,
-                                               std::uint32_t triangle_count, Halving halving);
+                                               std::uint32_t triangle_count);
 
 }  // namespace deltamesh

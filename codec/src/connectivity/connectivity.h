@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "base/large_vector.h"
-#include "connectivity/halves.h"
 #include "deltamesh/result.h"
 #include "entropy/payload.h"
 #include "topology/vertex_runs.h"
@@ -40,8 +39,7 @@ struct CodedConnectivity {
 /// `triangles`: m x 3 indices below `vertex_count`; anything goes: non-manifold, duplicate, degenerate,
 /// either orientation. O(n + m) expected, no recursion.
 CodedConnectivity write_connectivity(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count,
-                                     PayloadForms forms = PayloadForms::kBoth,
-                                     Halving halving = Halving::kIfLarge);
+                                     PayloadForms forms = PayloadForms::kBoth);
 
 struct Connectivity {
   std::vector<std::uint32_t> triangles;  ///< m x 3 vertices
@@ -52,8 +50,8 @@ struct Connectivity {
 
 /// Indices are below `vertex_count`. The caller has checked both counts against its limits;
 /// they are checked here against the bytes present before anything of their size is allocated. Errors:
-/// kTruncated, kInvalidStream [CONN-*]. Two threads read large meshes faster than one.
+/// kTruncated, kInvalidStream [CONN-*].
 Result<Connectivity> read_connectivity(Payload payload, std::uint32_t vertex_count,
-                                       std::uint32_t triangle_count, Halving halving = Halving::kIfLarge);
+                                       std::uint32_t triangle_count);
 
 }  // namespace deltamesh

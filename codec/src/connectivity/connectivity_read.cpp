@@ -102,7 +102,7 @@ class PayloadGuide {
 /// The glued vertices. Errors: kTruncated, kInvalidStream [CONN-11].
 Result<GlueList> read_gluing(ByteReader& in, std::uint64_t glue_count, std::uint32_t manifold_count,
                              std::uint32_t vertex_count) {
-  DELTAMESH_CHECK(check_glue_count(glue_count, 0, manifold_count, vertex_count));
+  DELTAMESH_CHECK(check_glue_count(glue_count, manifold_count, vertex_count));
   GlueList list;
   DELTAMESH_TRY(list.gaps, read_planes(in, glue_count));
   DELTAMESH_TRY(list.targets, read_planes(in, glue_count));
@@ -112,14 +112,13 @@ Result<GlueList> read_gluing(ByteReader& in, std::uint64_t glue_count, std::uint
 }  // namespace
 
 Result<Connectivity> read_connectivity(Payload payload, std::uint32_t vertex_count,
-                                       std::uint32_t triangle_count, Halving halving) {
+                                       std::uint32_t triangle_count) {
   ByteReader in(payload.bytes, kTagConnectivity);
   if (triangle_count == 0) {
     DELTAMESH_CHECK(in.finish());
     return Connectivity{};
   }
-  if (payload.is_compact)
-    return read_compact_connectivity(payload.bytes, vertex_count, triangle_count, halving);
+  if (payload.is_compact) return read_compact_connectivity(payload.bytes, vertex_count, triangle_count);
   DELTAMESH_TRY(const Sections sections, read_sections(in));
   if (triangle_count > saturating_mul(sections.token_count, kFacesPerToken))
     return in.error(ErrorCode::kInvalidStream, "more faces than the ops can hold", "CONN-2");
@@ -135,9 +134,9 @@ Result<Connectivity> read_connectivity(Payload payload, std::uint32_t vertex_cou
   DELTAMESH_TRY(const GlueList list,
                 read_gluing(in, sections.glue_count, border.vertex_count(), vertex_count));
   DELTAMESH_CHECK(in.finish());
-  DELTAMESH_TRY(const auto vertex, glue_vertices(list, {}, border.vertex_count(), vertex_count));
+  DELTAMESH_TRY(const auto vertex, glue_vertices(list, border.vertex_count(), vertex_count));
   Connectivity read{.triangles = border.take_faces(),
-                    .open_edges = border.open_edges(),
+                    .open_edges = border.take_open_edges(),
                     .runs = connected_runs(guide.starts(), vertex, border.vertex_count())};
   renumber(read.triangles, vertex);
   renumber(read.open_edges, vertex);

@@ -17,7 +17,6 @@
 #include "base/large_vector.h"
 #include "base/zigzag.h"
 #include "connectivity/cut.h"
-#include "connectivity/zipper.h"
 #include "entropy/compact_model.h"
 #include "entropy/number_model.h"
 
@@ -102,10 +101,9 @@ class EdgeApexes {
 template <class Coder>
 class GlueCoder {
  public:
-  /// For `faces`, three of `manifold_count` manifold vertices each, of which those `zipped` are known.
-  GlueCoder(Coder& coder, std::span<const ZippedVertex> zipped, std::span<const std::uint32_t> faces,
-            std::size_t manifold_count)
-      : coder_(coder), zipped_(zipped), faces_(faces), edges_(manifold_count, faces.size()) {
+  /// For `faces`, three of `manifold_count` manifold vertices each.
+  GlueCoder(Coder& coder, std::span<const std::uint32_t> faces, std::size_t manifold_count)
+      : coder_(coder), faces_(faces), edges_(manifold_count, faces.size()) {
     glued_.reserve(manifold_count);
   }
 
@@ -119,11 +117,7 @@ class GlueCoder {
       std::array<std::uint32_t, 3> face{};
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t manifold = faces[f + k];
-        if (manifold == glued_.size() && is_zipped(manifold)) {
-          vertex[manifold] = vertex[zipped_.front().onto];
-          zipped_ = zipped_.subspan(1);
-          glued_.push_back(1);
-        } else if (manifold == glued_.size()) {
+        if (manifold == glued_.size()) {
           const auto guesses = k == 2 ? edges_.guess(face[0], face[1]) : EdgeApexes::Guesses{};
           const unsigned glued_ends = k == 2 ? glued_[faces[f]] + glued_[faces[f + 1]] : 0U;
           if (!code_vertex(vertex[manifold], guesses, glued_ends) || stop()) return false;
@@ -135,15 +129,9 @@ class GlueCoder {
     return true;
   }
 
-  /// Zipped ones among them.
   std::uint32_t glued_count() const noexcept { return static_cast<std::uint32_t>(glued_.size()) - fresh_; }
 
  private:
-  /// That manifold vertex being the next one.
-  bool is_zipped(std::uint32_t manifold) const noexcept {
-    return !zipped_.empty() && zipped_.front().vertex == manifold;
-  }
-
   bool code_vertex(std::uint32_t& vertex, const EdgeApexes::Guesses& guesses, unsigned glued_ends) {
     const unsigned known = (guesses.same != kNoIndex ? 1U : 0U) + (guesses.mirrored != kNoIndex ? 2U : 0U);
     const bool glued = coder_.bit(vertex != fresh_, is_glued_[glued_ends * 4 + known]);
@@ -168,7 +156,6 @@ class GlueCoder {
   static constexpr SymbolModel kFresh{{4, 4, 4, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
 
   Coder& coder_;
-  std::span<const ZippedVertex> zipped_;  ///< that are still to come
   std::span<const std::uint32_t> faces_;
   EdgeApexes edges_;
   std::vector<std::uint8_t> glued_;  ///< of every manifold vertex so far

@@ -2,7 +2,6 @@
 // Copyright 2026 The deltamesh authors
 #include "connectivity/gluing.h"
 
-#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -25,15 +24,13 @@ bool is_dense(std::uint64_t glued, std::uint64_t manifold_count) noexcept {
 
 }  // namespace
 
-GlueList list_glued(std::span<const std::uint32_t> vertex, std::span<const ZippedVertex> zipped) {
+GlueList list_glued(std::span<const std::uint32_t> vertex) {
   GlueList list;
   std::uint32_t fresh = 0;
   std::uint32_t gap_begin = 0;
   std::uint32_t last_target = 0;
   for (std::uint32_t m = 0; m < vertex.size(); ++m) {
-    if (!zipped.empty() && zipped.front().vertex == m) {
-      zipped = zipped.subspan(1);
-    } else if (vertex[m] == fresh) {
+    if (vertex[m] == fresh) {
       ++fresh;
     } else {
       list.gaps.push_back(fresh - std::exchange(gap_begin, fresh));
@@ -44,45 +41,34 @@ GlueList list_glued(std::span<const std::uint32_t> vertex, std::span<const Zippe
   return list;
 }
 
-Result<void> check_glue_count(std::uint64_t count, std::size_t zipped_count, std::uint32_t manifold_count,
-                              std::uint32_t vertex_count) {
-  const std::uint64_t not_zipped = manifold_count - zipped_count;
-  if (count > not_zipped) return invalid("more glued vertices than vertices");
-  if (not_zipped - count > vertex_count) return invalid("more vertices than declared");
+Result<void> check_glue_count(std::uint64_t count, std::uint32_t manifold_count, std::uint32_t vertex_count) {
+  if (count > manifold_count) return invalid("more glued vertices than vertices");
+  if (manifold_count - count > vertex_count) return invalid("more vertices than declared");
   return {};
 }
 
-Result<LargeVector<std::uint32_t>> glue_vertices(const GlueList& list, std::span<const ZippedVertex> zipped,
-                                                 std::uint32_t manifold_count, std::uint32_t vertex_count) {
-  DELTAMESH_CHECK(check_glue_count(list.gaps.size(), zipped.size(), manifold_count, vertex_count));
+Result<LargeVector<std::uint32_t>> glue_vertices(const GlueList& list, std::uint32_t manifold_count,
+                                                 std::uint32_t vertex_count) {
+  DELTAMESH_CHECK(check_glue_count(list.gaps.size(), manifold_count, vertex_count));
   LargeVector<std::uint32_t> vertex;
-  if (list.gaps.empty() && zipped.empty()) return vertex;
+  if (list.gaps.empty()) return vertex;
   vertex.resize(manifold_count);
   std::uint32_t next = 0;  // manifold vertex
   std::uint32_t fresh = 0;
-  const auto take_zipped = [&] {
-    for (; !zipped.empty() && zipped.front().vertex == next; zipped = zipped.subspan(1))
-      vertex[next++] = vertex[zipped.front().onto];
-  };
   const auto take_fresh = [&](std::uint32_t count) {
-    for (take_zipped(); count > 0 && next < manifold_count; take_zipped()) {
-      const std::uint32_t end = zipped.empty() ? manifold_count : zipped.front().vertex;
-      const std::uint32_t run = std::min(count, end - next);
-      std::iota(vertex.begin() + next, vertex.begin() + next + run, fresh);
-      next += run;
-      fresh += run;
-      count -= run;
-    }
-    return count == 0;
+    std::iota(vertex.begin() + next, vertex.begin() + next + count, fresh);
+    next += count;
+    fresh += count;
   };
   std::uint32_t target = 0;
   for (std::size_t i = 0; i < list.gaps.size(); ++i) {
-    if (!take_fresh(list.gaps[i]) || next == manifold_count) return invalid("glued vertex beyond the last");
+    if (list.gaps[i] >= manifold_count - next) return invalid("glued vertex beyond the last");
+    take_fresh(list.gaps[i]);
     target += static_cast<std::uint32_t>(unzigzag(list.targets[i]));
     if (target >= fresh) return invalid("glued to a vertex yet to come");
     vertex[next++] = target;
   }
-  take_fresh(manifold_count);
+  take_fresh(manifold_count - next);
   return vertex;
 }
 
@@ -119,13 +105,13 @@ VertexRuns connected_runs(std::span<const std::uint32_t> starts, std::span<const
   return runs;
 }
 
-void write_compact_gluing(CompactWriter& writer, std::span<const ZippedVertex> zipped,
-                          std::span<const std::uint32_t> faces, std::vector<std::uint32_t> vertex) {
-  const GlueList list = list_glued(vertex, zipped);
+void write_compact_gluing(CompactWriter& writer, std::span<const std::uint32_t> faces,
+                          std::vector<std::uint32_t> vertex) {
+  const GlueList list = list_glued(vertex);
   NumberModel counts;
   writer.number(static_cast<std::uint32_t>(list.gaps.size()), counts);
   if (is_dense(list.gaps.size(), vertex.size())) {
-    GlueCoder(writer, zipped, faces, vertex.size()).code(vertex, [] { return false; });
+    GlueCoder(writer, faces, vertex.size()).code(vertex, [] { return false; });
     return;
   }
   NumberModel gaps;
@@ -137,20 +123,18 @@ void write_compact_gluing(CompactWriter& writer, std::span<const ZippedVertex> z
 }
 
 Result<LargeVector<std::uint32_t>> read_compact_gluing(CompactReader& reader,
-                                                       std::span<const ZippedVertex> zipped,
                                                        std::span<const std::uint32_t> faces,
                                                        std::uint32_t manifold_count,
                                                        std::uint32_t vertex_count) {
   NumberModel counts;
   const std::uint32_t count = reader.number(0, counts);
-  DELTAMESH_CHECK(check_glue_count(count, zipped.size(), manifold_count, vertex_count));
+  DELTAMESH_CHECK(check_glue_count(count, manifold_count, vertex_count));
   if (is_dense(count, manifold_count)) {
     LargeVector<std::uint32_t> vertex(manifold_count, 0);
-    GlueCoder glue(reader, zipped, faces, manifold_count);
+    GlueCoder glue(reader, faces, manifold_count);
     if (!glue.code(vertex, [&] { return reader.failed(); }) && !reader.failed())
       return invalid("glued to a vertex yet to come");
-    if (glue.glued_count() != count + zipped.size() && !reader.failed())
-      return invalid("another number of glued vertices");
+    if (glue.glued_count() != count && !reader.failed()) return invalid("another number of glued vertices");
     return vertex;
   }
   GlueList list;
@@ -161,7 +145,7 @@ Result<LargeVector<std::uint32_t>> read_compact_gluing(CompactReader& reader,
     list.targets.push_back(reader.number(0, targets));
   }
   if (reader.failed()) return LargeVector<std::uint32_t>{};
-  return glue_vertices(list, zipped, manifold_count, vertex_count);
+  return glue_vertices(list, manifold_count, vertex_count);
 }
 
 }  // namespace deltamesh

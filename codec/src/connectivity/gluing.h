@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "base/large_vector.h"
-#include "connectivity/zipper.h"
 #include "deltamesh/result.h"
 #include "entropy/compact_reader.h"
 #include "entropy/compact_writer.h"
@@ -17,19 +16,19 @@
 
 namespace deltamesh {
 
-/// What a stream says of the glued vertices, one of each per glued vertex, without zipped ones.
+/// What a stream says of the glued vertices, one of each per glued vertex.
 struct GlueList {
   std::vector<std::uint32_t> gaps;     ///< new vertices since the glued one before
   std::vector<std::uint32_t> targets;  ///< zigzag of the difference to the target before
 };
 
 /// `vertex`: as from glue_vertices().
-GlueList list_glued(std::span<const std::uint32_t> vertex, std::span<const ZippedVertex> zipped = {});
+GlueList list_glued(std::span<const std::uint32_t> vertex);
 
-/// Vertex of every manifold vertex, or nothing where none is glued or zipped, so that each is its own.
-/// `zipped`: ascending, onto lower ones. Errors: kInvalidStream [CONN-11].
-Result<LargeVector<std::uint32_t>> glue_vertices(const GlueList& list, std::span<const ZippedVertex> zipped,
-                                                 std::uint32_t manifold_count, std::uint32_t vertex_count);
+/// Vertex of every manifold vertex, or nothing where none is glued, so that each is its own. Errors:
+/// kInvalidStream [CONN-11].
+Result<LargeVector<std::uint32_t>> glue_vertices(const GlueList& list, std::uint32_t manifold_count,
+                                                 std::uint32_t vertex_count);
 
 /// Manifold vertices become vertices. `vertex`: as from glue_vertices().
 void renumber(std::span<std::uint32_t> manifold, std::span<const std::uint32_t> vertex);
@@ -41,18 +40,16 @@ VertexRuns connected_runs(std::span<const std::uint32_t> starts, std::span<const
                           std::uint32_t manifold_count);
 
 /// Checks a list's length before anything of its size is allocated. Errors: kInvalidStream [CONN-11].
-Result<void> check_glue_count(std::uint64_t count, std::size_t zipped_count, std::uint32_t manifold_count,
-                              std::uint32_t vertex_count);
+Result<void> check_glue_count(std::uint64_t count, std::uint32_t manifold_count, std::uint32_t vertex_count);
 
 /// The gluing by the compact coder: the list's length, then the list itself, or where it is long the vertices
-/// one by one [CONN-13, CONN-14]. `faces`: manifold vertices, three each; `vertex`, `zipped`: as for
+/// one by one [CONN-13, CONN-14]. `faces`: manifold vertices, three each; `vertex`: as from
 /// glue_vertices().
-void write_compact_gluing(CompactWriter& writer, std::span<const ZippedVertex> zipped,
-                          std::span<const std::uint32_t> faces, std::vector<std::uint32_t> vertex);
+void write_compact_gluing(CompactWriter& writer, std::span<const std::uint32_t> faces,
+                          std::vector<std::uint32_t> vertex);
 
 /// As glue_vertices(); made up where the reader failed. Errors: kInvalidStream [CONN-11].
 Result<LargeVector<std::uint32_t>> read_compact_gluing(CompactReader& reader,
-                                                       std::span<const ZippedVertex> zipped,
                                                        std::span<const std::uint32_t> faces,
                                                        std::uint32_t manifold_count,
                                                        std::uint32_t vertex_count);

@@ -17,7 +17,6 @@
 #include "connectivity/border.h"
 #include "connectivity/connectivity.h"
 #include "connectivity/cut.h"
-#include "connectivity/halves.h"
 #include "connectivity/op_coder.h"
 #include "connectivity/op_tokens.h"
 #include "connectivity/split_reference.h"
@@ -45,23 +44,12 @@ class MeshGuide {
 
   std::uint32_t face_count() const noexcept { return static_cast<std::uint32_t>(triangles_.size() / 3); }
 
-  /// From now on a walk is over one half of the faces, and the next one over the other.
-  void cut() {
-    face_done_ = cut_in_halves(half_edges_);
-    is_first_.reserve(face_done_.size());
-    for (const std::uint8_t is_second : face_done_) is_first_.push_back(is_second ^ 1);
-  }
-
   /// Walks over the faces until `border` is full of them, and their ops are in `writer`. Both are new.
   void walk(Border& border, CompactWriter& writer) {
     writer.reserve(2 * std::size_t{face_count()});
     border.reserve(face_count() / 2, face_count());
     ops_.emplace(writer);
     traverse(border, *this);
-    first_item_ += border.item_count();
-    across_.clear();
-    next_face_ = 0;
-    face_done_ = std::move(is_first_);
   }
 
   void start(const Border& border) {
@@ -166,7 +154,7 @@ class MeshGuide {
   void put_reference(const Border& border, std::uint32_t gate, std::uint32_t target) {
     const std::uint32_t reference = find_reference(border, gate, target);
     references_.push_back(static_cast<std::byte>(reference));
-    if (reference == kFarReference) far_targets_.push_back(first_item_ + target);
+    if (reference == kFarReference) far_targets_.push_back(target);
   }
 
   /// Of the manifold edges between two vertices one stands for all.
@@ -202,11 +190,9 @@ class MeshGuide {
   VertexNumbers vertices_;
   std::optional<OpCoder<CompactWriter>> ops_;
   bool has_plain_form_;
-  std::vector<std::uint8_t> face_done_;  ///< or is not to be done in this walk
-  std::vector<std::uint8_t> is_first_;   ///< is not to be done in the next one
-  std::vector<std::uint32_t> across_;    ///< the half-edge across every item's edge
+  std::vector<std::uint8_t> face_done_;
+  std::vector<std::uint32_t> across_;  ///< the half-edge across every item's edge
   std::uint32_t next_face_ = 0;
-  std::uint32_t first_item_ = 0;  ///< what the walk's first item is in the plain form, which is one walk
   TokenWriter tokens_;
   std::vector<std::byte> references_;
   std::vector<std::uint32_t> far_targets_;
