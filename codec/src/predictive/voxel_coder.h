@@ -57,6 +57,7 @@ class VoxelCoder {
     if (!pair.find(corners, spots_)) [[unlikely]] {
       first.has_cube = find_cube(corners[0]);
       second.has_cube = find_cube(corners[1]);
+      pair = VoxelPair();  // find() may have left it half filled in
       pair.find(corners, spots_);
     }
     pair.look(corners, spots_);
