@@ -1,0 +1,47 @@
+"""The reference decoder: python3 spec/decoder IN.dmsh OUT.ply [--json] [--dump]"""
+import argparse
+import json
+import sys
+
+import numpy as np
+
+import ply
+from container import Broken
+from mesh import decode, nothing
+
+
+def show(name, value):
+    """Prints an intermediate value in full."""
+    with np.printoptions(threshold=sys.maxsize, floatmode="unique"):
+        print(f"{name}: {value}")
+
+
+def figures(mesh):
+    h = mesh.header
+    values = {key: value for key, value in vars(h).items() if key != "flags"}
+    values["attributes"] = [{"name": a.name.decode("utf-8", "replace"), "kind": a.kind, "type": a.type, "components": a.k,
+                             "error": a.error} for a in mesh.attributes]
+    return values
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="decoder", description="Decodes a deltamesh stream, rule by rule.")
+    parser.add_argument("stream")
+    parser.add_argument("out", nargs="?", help="a PLY file")
+    parser.add_argument("--json", action="store_true", help="print the header and the figures")
+    parser.add_argument("--dump", action="store_true", help="print intermediate values")
+    options = parser.parse_args()
+    with open(options.stream, "rb") as file:
+        data = file.read()
+    try:
+        mesh = decode(data, show if options.dump else nothing)
+    except Broken as error:
+        sys.exit(f"{options.stream}: {error}")
+    if options.json:
+        print(json.dumps(figures(mesh), indent=2))
+    if options.out:
+        ply.write(options.out, mesh)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,31 @@
+"""ANCH: anchors of highpass geometry: anch.md."""
+from coder import Coder, NumberModel
+from container import Reader, must, unzigzag
+
+
+def ANCH_1_read(chunk, header, n, components):
+    """The anchors' positions by their vertices, in rising order."""
+    data, count = chunk.data if chunk else b"", header.anchors
+    must(count <= n, "ANCH-1", "more anchors than vertices")
+    if chunk and chunk.is_compact:
+        coder = Coder(data)
+        models = [NumberModel() for _ in range(4)]
+        numbers = [[model.decode(coder) for model in models] for _ in range(count)]  # [ANCH-5]
+        coder.end()
+    else:
+        r = Reader(data)
+        gaps, cells = (r.planes(count), r.planes(3 * count)) if data or count else ([], [])
+        r.end()
+        numbers = [[gaps[i]] + cells[i::count] for i in range(count)]
+    side = max(b - a for a, b in zip(header.box_min, header.box_max)) / (2**header.anchor_bits - 1)
+    anchors, v, k = {}, -1, [0, 0, 0]
+    for gap, *codes in numbers:  # [ANCH-3]
+        v += gap + 1
+        must(v < n, "ANCH-3", f"anchor {v} is out of range")
+        k = [(k[a] + unzigzag(codes[a])) % 2**32 for a in range(3)]  # [ANCH-4]
+        must(max(k) < 2**header.anchor_bits, "ANCH-4", f"cell {max(k)}")
+        anchors[v] = [header.box_min[a] + side * float(k[a]) for a in range(3)]
+    for component in components:  # [ANCH-2]
+        held = sum(v in anchors for v in component)
+        must(held >= (1 if len(component) >= 8 else len(component)), "ANCH-2", "a component lacks an anchor")
+    return anchors

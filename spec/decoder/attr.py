@@ -1,0 +1,164 @@
+"""ATTR: one per-vertex attribute; its descriptor, the order, the plain codings: attr.md."""
+import math
+
+import numpy as np
+
+from container import COMPACT, Reader, must
+
+NORMAL, COLOUR, UV, GENERIC, TANGENT, JOINTS, WEIGHTS = range(7)
+TYPES = ["i1", "u1", "i2", "u2", "i4", "u4", "f4", "f8"]
+USUAL = [None, ("NORMAL", 0, "f4", 3), ("TANGENT", 4, "f4", 4), ("TEXCOORD_0", 2, "f4", 2), ("TEXCOORD_1", 2, "f4", 2),
+         ("COLOR_0", 1, "u1", 4), ("COLOR_0", 1, "u1", 3), ("COLOR_0", 1, "u2", 4), ("COLOR_0", 1, "u2", 3),
+         ("COLOR_0", 1, "f4", 4), ("COLOR_0", 1, "f4", 3), ("JOINTS_0", 5, "u1", 4), ("JOINTS_0", 5, "u2", 4),
+         ("WEIGHTS_0", 6, "f4", 4), ("WEIGHTS_0", 6, "u1", 4), ("WEIGHTS_0", 6, "u2", 4), ("nx", 0, "f4", 3),
+         ("red", 1, "u1", 3), ("red", 1, "u1", 4), ("s", 2, "f4", 2), ("vn", 0, "f4", 3), ("vt", 2, "f4", 2)]
+
+
+class Attribute:
+    """[ATTR-1] The descriptor; `values`, when it is decoded, is an array of n rows and k columns of `type`."""
+
+    def __init__(self, r):
+        row = r.u8()
+        has_error, row = row >= 128, row & 127
+        must(row < len(USUAL), "ATTR-1", f"row {row}")
+        if row:
+            self.name, self.kind, self.type, self.k = USUAL[row]
+            self.name, self.flags = self.name.encode(), int(self.kind in (COLOUR, WEIGHTS) and self.type != "f4")
+        else:
+            self.kind, type_number, self.k, self.flags = (r.u8() for _ in range(4))
+            must(self.kind <= 6 and type_number <= 7, "ATTR-1", "unknown kind or type")
+            must(1 <= self.k <= 16 and self.flags <= 1, "ATTR-1", "components or flags out of range")
+            self.type = TYPES[type_number]
+            self.name = r.bytes(r.u8())
+        self.error = r.f24() if has_error else 0.0
+        must(math.isfinite(self.error) and self.error >= 0, "ATTR-1", "the error is not finite or negative")
+        self.values = None
+
+    def is_shape(self, kind, types, counts):
+        return self.kind == kind and self.type in types and self.k in counts
+
+
+class Surface:
+    """What attributes may know: faces over vertices, copies, positions [ATTR-10] and attributes decoded before."""
+
+    def __init__(self, faces, first, geometric, positions, geometric_faces, attributes):
+        self.faces, self.first, self.geometric, self.positions = faces, first, geometric, positions
+        self.geometric_faces, self.attributes = geometric_faces, attributes
+        self.n, self.has_copies = len(geometric), len(geometric) > len(first) - 1
+
+
+def f32_rows(rows, k):
+    """Doubles rounded to f32, as an array."""
+    with np.errstate(over="ignore"):
+        return np.array(rows, dtype=np.float64).reshape(-1, k).astype("<f4")
+
+
+def ATTR_11_decode(chunks, make_surface):
+    """All attributes: tangents and weights after all others."""
+    attributes = [chunk.descriptor for chunk in chunks]
+    surface = make_surface(attributes)
+    for late in (False, True):
+        for chunk in chunks:
+            if (chunk.descriptor.kind in (TANGENT, WEIGHTS)) == late:
+                chunk.descriptor.values = ATTR_2_values(chunk, surface)
+                must(chunk.descriptor.values.shape == (surface.n, chunk.descriptor.k), "ATTR-2", "internal: shape")
+    return attributes
+
+
+def ATTR_2_values(chunk, surface):
+    a, r = chunk.descriptor, Reader(chunk.data)
+    coding = r.u8()
+    must(coding <= 10, "ATTR-2", f"coding {coding}")
+    colours = ("u1", "u2", "f4")
+    allowed = [True, a.is_shape(NORMAL, ["f4"], [3]), a.is_shape(COLOUR, colours, [3, 4]), a.is_shape(UV, ["f4"], [2]),
+               a.is_shape(NORMAL, ["f4"], [3]), a.is_shape(UV, ["f4"], [2]), a.is_shape(TANGENT, ["f4"], [4]),
+               a.is_shape(COLOUR, colours, [3, 4]), True, a.is_shape(WEIGHTS, colours, [4]),
+               a.is_shape(JOINTS, ["u1", "u2"], [4])]
+    must(allowed[coding], "ATTR-2", f"coding {coding} is not of this shape")
+    must((coding > 3) == (chunk.coding == COMPACT), "ATTR-2", f"coding {coding} in the other form")
+    if coding <= 3:
+        values = [ATTR_4_exact, ATTR_5_octahedral, ATTR_6_colours, ATTR_7_uvs][coding](r, a, surface.n)
+        r.end()
+        return values
+    if coding == 4:
+        from attr_normals import ATTR_20_normals as decode
+    elif coding == 5:
+        from attr_uvs import ATTR_31_uvs as decode
+    elif coding == 6:
+        from attr_tangents import ATTR_38_tangents as decode
+    elif coding == 7:
+        from attr_colors import ATTR_45_colours as decode
+    elif coding == 8:
+        from attr_lattice import ATTR_55_lattice as decode
+    elif coding == 9:
+        from attr_skin import ATTR_63_weights as decode
+    else:
+        from attr_skin import ATTR_60_joints as decode
+    return decode(r, a, surface)
+
+
+def ATTR_3_symbols(r, n, components, w):
+    """The symbol components, one list each."""
+    result, modulus = [], 2**w
+    for c in range(components):
+        prediction = r.u8()
+        must(prediction <= (3 if c else 1), "ATTR-3", f"prediction {prediction}")
+        residuals = r.planes(n)
+        if w == 64:
+            residuals = [low | high << 32 for low, high in zip(residuals, r.planes(n))]
+        must(all(x < modulus for x in residuals), "ATTR-3", "a residual is too large")
+        if prediction == 0:
+            result.append(residuals)
+            continue
+        symbols, last = [], 0
+        for i, x in enumerate(residuals):
+            d = x // 2 if x % 2 == 0 else modulus - 1 - (x - 1) // 2
+            last = (last + d) % modulus if prediction & 1 else d
+            symbols.append((last + result[-1][i]) % modulus if prediction & 2 else last)
+        result.append(symbols)
+    return result
+
+
+def ATTR_4_exact(r, a, n):
+    size = int(a.type[1])
+    symbols = ATTR_3_symbols(r, n, a.k, 8 * size)
+    return np.array(symbols, dtype=f"<u{size}").reshape(a.k, n).T.copy().view("<" + a.type)
+
+
+def ATTR_5_octahedral(r, a, n):
+    bits = r.u8()
+    must(2 <= bits <= 15, "ATTR-5", f"{bits} bits")
+    h, rows = 2**(bits - 1) - 1, []
+    for p, q in zip(*ATTR_3_symbols(r, n, 2, bits)):
+        if p == q == 2**bits - 1:
+            rows.append((0.0, 0.0, 0.0))
+            continue
+        must(p <= 2 * h and q <= 2 * h, "ATTR-5", "a symbol above 2 h")
+        u, v = p - h, q - h
+        x, y, z = u, v, h - abs(u) - abs(v)
+        if z < 0:
+            x, y = (-1 if u < 0 else 1) * (h - abs(v)), (-1 if v < 0 else 1) * (h - abs(u))
+        length = math.sqrt(x * x + y * y + z * z)
+        rows.append((x / length, y / length, z / length))
+    return f32_rows(rows, 3)
+
+
+def ATTR_6_colours(r, a, n):
+    bits = r.u8()
+    must(1 <= bits <= (8 if a.type == "u1" else 16), "ATTR-6", f"{bits} bits")
+    m, symbols = 2**bits - 1, ATTR_3_symbols(r, n, a.k, bits)
+    if a.type == "f4":
+        return f32_rows([[0.0 + 1.0 * s / m for s in row] for row in zip(*symbols)], a.k)
+    full = 255 if a.type == "u1" else 65535
+    rows = [[(2 * s * full + m) // (2 * m) for s in row] for row in zip(*symbols)]
+    return np.array(rows, dtype="<" + a.type).reshape(n, a.k)
+
+
+def ATTR_7_uvs(r, a, n):
+    bits = r.u8()
+    must(1 <= bits <= 24, "ATTR-7", f"{bits} bits")
+    ranges = [(r.number("f"), r.number("f")) for _ in range(2)]
+    for low, high in ranges:
+        must(math.isfinite(low) and math.isfinite(high) and low <= high, "ATTR-7", "min or max")
+    m, symbols = 2**bits - 1, ATTR_3_symbols(r, n, 2, bits)
+    return f32_rows([[low + (high - low) * s / m for (low, high), s in zip(ranges, row)] for row in zip(*symbols)], 2)

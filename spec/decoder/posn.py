@@ -1,0 +1,115 @@
+"""POSN: predictive geometry: the walk, the order of vertices, replacements: posn.md."""
+import math
+import struct
+
+import numpy as np
+
+from coder import Coder, NumberModel
+from container import LATTICE, VOXELS, must
+from floats import FLT_1_bits, FLT_1_ordinal, FLT_2_last_place, FloatCoder, magnitude
+from graph import corners, others
+from lattice import LatticeCoder, POSN_3_known, POSN_8_table
+
+
+def POSN_1_positions(chunk, header, faces, dump):
+    """The positions of the geometric vertices in doubles."""
+    n = header.geometric
+    if n == 0:
+        must(not chunk or not chunk.data, "POSN-1", "a payload without vertices")
+        return np.zeros((0, 3))
+    must(chunk and chunk.is_compact, "POSN-1", "the payload is not compact")
+    coder = Coder(chunk.data)
+    order = POSN_10_walk(coder.raw(2), faces, n)
+    number = {v: i for i, v in enumerate(order)}
+    walked = [tuple(number[v] for v in face) for face in faces]
+    dump("walk", order)
+    if header.coder == VOXELS:
+        from voxels import VOX_1_rows
+        rows = VOX_1_rows(coder, walked, n, header)
+        positions = POSN_2_positions(rows, header)
+    elif header.coder == LATTICE:
+        positions = POSN_9_lattice(coder, walked, n, header)
+    else:
+        positions = FLT_positions(coder, walked, n, header)
+    coder.end()
+    dump("positions in the walk's order", positions)
+    return positions[[number[v] for v in range(n)]]
+
+
+def POSN_2_positions(rows, header):
+    return np.array([[header.point(a, q) for a, q in enumerate(row)] for row in rows])
+
+
+def POSN_9_lattice(coder, faces, n, header):
+    """[POSN-9, POSN-11, POSN-13]"""
+    table, guesses, replaces = POSN_8_table(coder), coder.raw(1), coder.raw(1)
+    known = POSN_3_known(faces, n)
+    lattice = LatticeCoder(coder, known, table, header.cells, guesses)
+    v = 0
+    while v < n:
+        pair = v + 1 < n and known[v + 1].faces and all(v not in face[:2] for face in known[v + 1].faces)
+        turns = [lattice.vertex(u) for u in ([v, v + 1] if pair else [v])]
+        for _ in range(3):
+            for turn in turns:
+                next(turn)
+        v += len(turns)
+    positions = POSN_2_positions([lattice.rows[v] for v in range(n)], header)
+    if replaces:
+        POSN_11_replace(coder, positions)
+    return positions
+
+
+def POSN_11_replace(coder, positions):
+    count = NumberModel().decode(coder)
+    must(count <= positions.size, "POSN-11", f"{count} replacements")
+    gaps, at, flat = NumberModel(), -1, positions.reshape(-1)
+    for _ in range(count):
+        at += 1 + gaps.decode(coder)
+        value = struct.unpack("<f", struct.pack("<I", coder.raw(32)))[0]
+        must(at < flat.size and math.isfinite(value), "POSN-11", "a replacement is out of range or not finite")
+        flat[at] = value
+
+
+def POSN_10_walk(walk, faces, n):
+    """The vertices in the order in which they are coded."""
+    must(walk != 3, "POSN-10", "walk 3")
+    if walk == 0:
+        return list(range(n))
+    at, placed, count, order = corners(faces, n), [False] * n, [0] * n, []
+    lists, heads, first = [[], [], []], [0, 0, 0], 0
+    while len(order) < n:
+        v = None
+        while v is None and (number := next((k for k in (2, 1, 0) if heads[k] < len(lists[k])), None)) is not None:
+            if walk == 1:
+                v = lists[number][heads[number]]
+                heads[number] += 1
+            else:
+                v = lists[number].pop()
+            v = None if placed[v] else v
+        if v is None:
+            while placed[first]:
+                first += 1
+            v = first
+        placed[v] = True
+        order.append(v)
+        for corner in at[v]:
+            a, b = others(faces, corner)
+            if placed[a] != placed[b]:
+                other = b if placed[a] else a
+                count[other] += 1
+                if count[other] <= 3:
+                    lists[count[other] - 1].append(other)
+    return order
+
+
+def FLT_positions(coder, faces, n, header):
+    """[FLT-2] for the units"""
+    def ordinal(x):
+        return FLT_1_ordinal(struct.unpack("<I", struct.pack("<f", x))[0])
+    table = POSN_8_table(coder)
+    units = [FLT_2_last_place(magnitude(ordinal(max(abs(a), abs(b))))) - 3 for a, b in zip(header.box_min, header.box_max)]
+    floats = FloatCoder(coder, POSN_3_known(faces, n), table, units)
+    for v in range(n):
+        floats.vertex(v)
+    patterns = [[FLT_1_bits(x) for x in floats.ordinals[v]] for v in range(n)]
+    return np.array(patterns, dtype="<u4").view("<f4").astype(np.float64)

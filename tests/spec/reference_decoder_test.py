@@ -1,0 +1,81 @@
+#!/usr/bin/python3
+"""Decodes every golden stream with the reference decoder and compares with the positions, faces and digests beside it."""
+import os
+import sys
+
+import numpy as np
+
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+sys.path.insert(0, os.path.join(ROOT, "spec", "decoder"))
+from mesh import decode  # noqa: E402
+
+
+def read_off(path):
+    with open(path, encoding="ascii") as file:
+        words = file.read().split()
+    n, m = int(words[1]), int(words[2])
+    positions = np.array(words[4:4 + 3 * n], dtype=np.float64).astype(np.float32).reshape(n, 3)
+    return positions, np.array(words[4 + 3 * n:4 + 3 * n + 4 * m], dtype=np.int64).reshape(m, 4)[:, 1:]
+
+
+def far_off(positions, expected, header):
+    """What of the LFE the decoded positions are away from the expected ones."""
+    distances = ((positions.astype(np.float64) - expected)**2).sum(axis=1)
+    rms = float(np.sqrt(distances.mean())) if len(distances) else 0.0
+    return rms / header.lfe if header.lfe else 0.0 if rms == 0 else float("inf")
+
+
+def wrong_positions(mesh, expected):
+    """Why the positions are not as the specification says; an empty text if they are."""
+    if mesh.exact:
+        count = int(np.count_nonzero(np.any(mesh.positions.view("u4") != expected.view("u4"), axis=1)))
+        return f"{count} positions differ" if count else ""
+    share, most = far_off(mesh.positions, expected, mesh.header), 0.01 if mesh.header.cycles else 0.25
+    return f"positions are {share:.4f} of the LFE away" if share > most else ""
+
+
+def fnv1a(data):
+    """The digest of FNV-1a, 64 bits."""
+    digest = 0xcbf29ce484222325
+    for byte in data:
+        digest = (digest ^ byte) * 0x100000001b3 % 2**64
+    return digest
+
+
+def digests(mesh):
+    return [f"{a.name.decode()} {fnv1a(a.values.tobytes()):x}" for a in mesh.attributes]
+
+
+def compare(stem):
+    with open(stem + ".dmsh", "rb") as file:
+        mesh = decode(file.read())
+    positions, faces = read_off(stem + ".off")
+    wrong = wrong_positions(mesh, positions)
+    if not np.array_equal(faces, np.array(mesh.faces).reshape(-1, 3)):
+        wrong += " faces differ"
+    if os.path.exists(stem + ".digests"):
+        with open(stem + ".digests", encoding="ascii") as file:
+            lines = file.read().split("\n")
+        expected, groups = lines[:len(mesh.attributes)], lines[len(mesh.attributes)]
+        wrong += "".join(f" {a} in place of {b}" for a, b in zip(digests(mesh), expected) if a != b)
+        if groups != "".join(map(str, mesh.groups or [])):
+            wrong += " groups differ"
+    return wrong.strip()
+
+
+def main():
+    folder, failed = os.path.join(ROOT, "tests", "golden"), 0
+    stems = sys.argv[1:] or [os.path.join(folder, f[:-5]) for f in sorted(os.listdir(folder)) if f.endswith(".dmsh")]
+    for stem in stems:
+        try:
+            wrong = compare(stem)
+        except Exception as error:  # any failure is one of this stream
+            wrong = f"{type(error).__name__} {error}"
+        print(f"{os.path.basename(stem)}: {wrong or 'ok'}")
+        failed += bool(wrong)
+    print(f"{len(stems) - failed} of {len(stems)} streams decode as expected")
+    return failed > 0 or not stems
+
+
+if __name__ == "__main__":
+    sys.exit(main())
