@@ -5,7 +5,8 @@
 
 #include "deltamesh/decode.h"
 #include "deltamesh/encode.h"
-#include "entropy/chunk_codec.h"
+#include "entropy/code_chunk.h"
+#include "entropy/expand_chunk.h"
 #include "format/tags.h"
 #include "micro/stage_input.h"
 

@@ -27,6 +27,7 @@ cmake -S "$consumer" -B "$scratch/consumer" -DCMAKE_PREFIX_PATH="$scratch/prefix
 cmake --build "$scratch/consumer"
 "$scratch/consumer/consumer"
 "$scratch/consumer/all_libraries"
+"$scratch/consumer/decoder_alone" "$source"/tests/golden/grid.bits6.*.dmsh
 
 PKG_CONFIG_PATH=$(find "$scratch/prefix" -name pkgconfig -type d | head -n 1)
 export PKG_CONFIG_PATH

@@ -9,7 +9,8 @@
 #include <initializer_list>
 
 #include "deltamesh/stream_info.h"
-#include "entropy/chunk_codec.h"
+#include "entropy/code_chunk.h"
+#include "entropy/expand_chunk.h"
 
 namespace deltamesh {
 namespace {

@@ -9,7 +9,8 @@
 
 #include "deltamesh/decode.h"
 #include "deltamesh/encode.h"
-#include "entropy/chunk_codec.h"
+#include "entropy/code_chunk.h"
+#include "entropy/expand_chunk.h"
 #include "format/container.h"
 #include "support/meshes.h"
 #include "support/same_mesh.h"

@@ -5,7 +5,7 @@
 
 #include "base/byte_writer.h"
 #include "connectivity/connectivity.h"
-#include "connectivity/gluing.h"
+#include "connectivity/gluing_write.h"
 #include "connectivity/mesh_guide.h"
 #include "entropy/compact_writer.h"
 #include "entropy/planes.h"

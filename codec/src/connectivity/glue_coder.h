@@ -22,6 +22,12 @@
 
 namespace deltamesh {
 
+/// From this share of glued vertices on they are coded one by one [CONN-14].
+inline constexpr std::uint64_t kDenseShare = 16;
+constexpr bool is_dense(std::uint64_t glued, std::uint64_t manifold_count) noexcept {
+  return glued * kDenseShare > manifold_count;
+}
+
 /// The first face at every directed edge, over vertices of the mesh. The first edges out of a vertex are a
 /// list; a stream can give a vertex any number, so that the others are in a tree, which costs more.
 class EdgeApexes {

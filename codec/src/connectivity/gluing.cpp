@@ -3,7 +3,6 @@
 #include "connectivity/gluing.h"
 
 #include <numeric>
-#include <utility>
 
 #include "base/thread_team.h"
 #include "base/try.h"
@@ -16,30 +15,7 @@ namespace {
 
 Error invalid(const char* message) noexcept { return Refusal{message, "CONN-11"}.error(); }
 
-/// From this share of glued vertices on they are coded one by one [CONN-14].
-constexpr std::uint64_t kDenseShare = 16;
-bool is_dense(std::uint64_t glued, std::uint64_t manifold_count) noexcept {
-  return glued * kDenseShare > manifold_count;
-}
-
 }  // namespace
-
-GlueList list_glued(std::span<const std::uint32_t> vertex) {
-  GlueList list;
-  std::uint32_t fresh = 0;
-  std::uint32_t gap_begin = 0;
-  std::uint32_t last_target = 0;
-  for (std::uint32_t m = 0; m < vertex.size(); ++m) {
-    if (vertex[m] == fresh) {
-      ++fresh;
-    } else {
-      list.gaps.push_back(fresh - std::exchange(gap_begin, fresh));
-      list.targets.push_back(
-          zigzag(static_cast<std::int32_t>(vertex[m] - std::exchange(last_target, vertex[m]))));
-    }
-  }
-  return list;
-}
 
 Result<void> check_glue_count(std::uint64_t count, std::uint32_t manifold_count, std::uint32_t vertex_count) {
   if (count > manifold_count) return invalid("more glued vertices than vertices");
@@ -103,23 +79,6 @@ VertexRuns connected_runs(std::span<const std::uint32_t> starts, std::span<const
   }
   runs.end(fresh);
   return runs;
-}
-
-void write_compact_gluing(CompactWriter& writer, std::span<const std::uint32_t> faces,
-                          std::vector<std::uint32_t> vertex) {
-  const GlueList list = list_glued(vertex);
-  NumberModel counts;
-  writer.number(static_cast<std::uint32_t>(list.gaps.size()), counts);
-  if (is_dense(list.gaps.size(), vertex.size())) {
-    GlueCoder(writer, faces, vertex.size()).code(vertex, [] { return false; });
-    return;
-  }
-  NumberModel gaps;
-  NumberModel targets;
-  for (std::size_t i = 0; i < list.gaps.size(); ++i) {
-    writer.number(list.gaps[i], gaps);
-    writer.number(list.targets[i], targets);
-  }
 }
 
 Result<LargeVector<std::uint32_t>> read_compact_gluing(CompactReader& reader,

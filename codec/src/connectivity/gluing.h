@@ -11,7 +11,6 @@
 #include "base/large_vector.h"
 #include "deltamesh/result.h"
 #include "entropy/compact_reader.h"
-#include "entropy/compact_writer.h"
 #include "topology/vertex_runs.h"
 
 namespace deltamesh {
@@ -21,9 +20,6 @@ struct GlueList {
   std::vector<std::uint32_t> gaps;     ///< new vertices since the glued one before
   std::vector<std::uint32_t> targets;  ///< zigzag of the difference to the target before
 };
-
-/// `vertex`: as from glue_vertices().
-GlueList list_glued(std::span<const std::uint32_t> vertex);
 
 /// Vertex of every manifold vertex, or nothing where none is glued, so that each is its own. Errors:
 /// kInvalidStream [CONN-11].
@@ -42,13 +38,8 @@ VertexRuns connected_runs(std::span<const std::uint32_t> starts, std::span<const
 /// Checks a list's length before anything of its size is allocated. Errors: kInvalidStream [CONN-11].
 Result<void> check_glue_count(std::uint64_t count, std::uint32_t manifold_count, std::uint32_t vertex_count);
 
-/// The gluing by the compact coder: the list's length, then the list itself, or where it is long the vertices
-/// one by one [CONN-13, CONN-14]. `faces`: manifold vertices, three each; `vertex`: as from
-/// glue_vertices().
-void write_compact_gluing(CompactWriter& writer, std::span<const std::uint32_t> faces,
-                          std::vector<std::uint32_t> vertex);
-
-/// As glue_vertices(); made up where the reader failed. Errors: kInvalidStream [CONN-11].
+/// What write_compact_gluing() wrote, as glue_vertices(); made up where the reader failed. Errors:
+/// kInvalidStream [CONN-11].
 Result<LargeVector<std::uint32_t>> read_compact_gluing(CompactReader& reader,
                                                        std::span<const std::uint32_t> faces,
                                                        std::uint32_t manifold_count,

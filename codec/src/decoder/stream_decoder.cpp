@@ -17,7 +17,7 @@
 #include "connectivity/face_groups.h"
 #include "connectivity/seams.h"
 #include "decoder/restore_order.h"
-#include "entropy/chunk_codec.h"
+#include "entropy/expand_chunk.h"
 #include "geometry/highpass.h"
 #include "geometry/vertex_positions.h"
 #include "predictive/positions.h"

@@ -11,7 +11,7 @@
 
 #include "base/try.h"
 #include "deltamesh/encode.h"
-#include "entropy/chunk_codec.h"
+#include "entropy/code_chunk.h"
 
 namespace deltamesh {
 

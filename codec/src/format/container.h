@@ -15,21 +15,6 @@
 
 namespace deltamesh {
 
-/// A chunk ready to be stored.
-struct CodedChunk {
-  std::uint32_t tag = 0;
-  ChunkCodec codec = ChunkCodec::kRaw;
-  std::vector<std::byte> bytes{};  ///< coded
-  std::uint64_t decoded_bytes = 0;
-};
-
-/// Header, chunks and checksum. ATTR chunks take the header's descriptors in order; default ones where there
-/// are none. A mesh so regular that its stream would break [CNT-5] is given a filler chunk.
-std::vector<std::byte> write_container(const FileHeader& header, std::span<const CodedChunk> chunks);
-
-/// The size of what write_container() returns, without writing it.
-std::uint64_t container_bytes(const FileHeader& header, std::span<const CodedChunk> chunks);
-
 /// An error at a chunk's first byte.
 Error chunk_error(ErrorCode code, const char* message, const char* rule, const ChunkEntry& entry) noexcept;
 

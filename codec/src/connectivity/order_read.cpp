@@ -1,32 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "connectivity/order.h"
-
-#include <utility>
-
 #include "base/byte_reader.h"
-#include "base/byte_writer.h"
 #include "base/zigzag.h"
+#include "connectivity/order.h"
 #include "connectivity/order_coder.h"
 #include "entropy/compact_reader.h"
-#include "entropy/compact_writer.h"
 #include "entropy/planes.h"
 #include "format/tags.h"
 
 namespace deltamesh {
 namespace {
-
-/// Differences to the place that follows the one before, so that runs in order are runs of zeros [ORDR-1].
-void write_permutation(ByteWriter& out, std::span<const std::uint32_t> places) {
-  std::vector<std::uint32_t> symbols;
-  symbols.reserve(places.size());
-  std::uint32_t expected = 0;
-  for (const std::uint32_t place : places) {
-    symbols.push_back(zigzag(static_cast<std::int32_t>(place - expected)));
-    expected = place + 1;
-  }
-  write_planes(out, symbols);
-}
 
 /// Errors: kTruncated, kInvalidStream [ORDR-2].
 Result<std::vector<std::uint32_t>> read_permutation(ByteReader& in, std::uint32_t count) {
@@ -41,14 +24,6 @@ Result<std::vector<std::uint32_t>> read_permutation(ByteReader& in, std::uint32_
     expected = place + 1;
   }
   return places;
-}
-
-std::vector<std::byte> write_plain(const MeshOrder& order) {
-  ByteWriter out;
-  write_permutation(out, order.vertices);
-  write_permutation(out, order.faces);
-  write_planes(out, std::vector<std::uint32_t>(order.rotation.begin(), order.rotation.end()));
-  return out.take();
 }
 
 /// Errors: kTruncated, kInvalidStream [ORDR-1 .. 3].
@@ -86,15 +61,6 @@ Result<MeshOrder> read_compact(std::span<const std::byte> bytes, std::span<const
 }
 
 }  // namespace
-
-CodedOrder write_order(MeshOrder order, std::span<const std::uint32_t> triangles) {
-  CodedOrder coded;
-  coded.payload = write_plain(order);
-  CompactWriter writer;
-  OrderCoder<CompactWriter>(writer, triangles, static_cast<std::uint32_t>(order.vertices.size())).code(order);
-  coded.compact = writer.finish();
-  return coded;
-}
 
 Result<MeshOrder> read_order(Payload payload, std::span<const std::uint32_t> triangles,
                              std::uint32_t vertex_count) {

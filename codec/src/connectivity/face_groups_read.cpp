@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "connectivity/face_groups.h"
-
 #include <algorithm>
-#include <utility>
 
 #include "base/byte_reader.h"
-#include "base/byte_writer.h"
 #include "connectivity/face_group_coder.h"
+#include "connectivity/face_groups.h"
 #include "entropy/compact_reader.h"
-#include "entropy/compact_writer.h"
 #include "entropy/planes.h"
 #include "format/tags.h"
 
@@ -45,19 +41,6 @@ Result<std::vector<std::uint32_t>> read_compact(std::span<const std::byte> bytes
 }
 
 }  // namespace
-
-CodedFaceGroups write_face_groups(std::vector<std::uint32_t> groups, std::span<const std::uint32_t> triangles,
-                                  std::uint32_t vertex_count) {
-  CodedFaceGroups coded;
-  if (groups.empty()) return coded;
-  ByteWriter plain;
-  write_planes(plain, groups);
-  coded.payload = plain.take();
-  CompactWriter writer;
-  FaceGroupCoder<CompactWriter>(writer, triangles, vertex_count).code(groups);
-  coded.compact = writer.finish();
-  return coded;
-}
 
 Result<std::vector<std::uint32_t>> read_face_groups(Payload payload, std::span<const std::uint32_t> triangles,
                                                     std::uint32_t vertex_count) {

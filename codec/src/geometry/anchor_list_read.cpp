@@ -1,24 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "geometry/anchor_list.h"
-
-#include <array>
-
 #include "base/byte_reader.h"
-#include "base/byte_writer.h"
 #include "base/try.h"
 #include "entropy/compact_reader.h"
-#include "entropy/compact_writer.h"
 #include "entropy/planes.h"
 #include "format/tags.h"
+#include "geometry/anchor_list.h"
 
 namespace deltamesh {
 namespace {
-
-struct AnchorModels {
-  NumberModel gaps;
-  std::array<NumberModel, 3> steps;
-};
 
 Result<AnchorList> read_plain(std::span<const std::byte> bytes, std::uint32_t count) {
   ByteReader in(bytes, kTagAnchors);
@@ -44,25 +34,6 @@ Result<AnchorList> read_compact(std::span<const std::byte> bytes, std::uint32_t 
 }
 
 }  // namespace
-
-std::vector<std::byte> write_plain_anchors(const AnchorList& list) {
-  ByteWriter out;
-  write_planes(out, list.gaps);
-  write_planes(out, list.steps);
-  return out.take();
-}
-
-std::vector<std::byte> write_compact_anchors(const AnchorList& list) {
-  CompactWriter writer;
-  AnchorModels models;
-  const std::size_t count = list.gaps.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    writer.number(list.gaps[i], models.gaps);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      writer.number(list.steps[axis * count + i], models.steps[axis]);
-  }
-  return writer.finish();
-}
 
 Result<AnchorList> read_anchors(Payload payload, std::uint32_t count) {
   return payload.is_compact ? read_compact(payload.bytes, count) : read_plain(payload.bytes, count);

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "entropy/expand_chunk.h"
+
+#include <zstd.h>
+
+#include "base/try.h"
+
+namespace deltamesh {
+
+Result<ExpandedChunk> expand_chunk(const Container& container, const ChunkEntry& entry,
+                                   std::uint64_t max_bytes) {
+  if (entry.decoded_bytes > max_bytes)
+    return chunk_error(ErrorCode::kInvalidStream, "the chunk is longer than the header's counts allow",
+                       "DIR-5", entry);
+  const auto coded = container.coded(entry);
+  if (entry.codec != ChunkCodec::kZstd)
+    return ExpandedChunk{.stored = coded, .is_compact = entry.codec == ChunkCodec::kCompact};
+  // The buffer is sized by our own checked directory, never by what the frame says of itself.
+  std::vector<std::byte> bytes(static_cast<std::size_t>(entry.decoded_bytes));
+  const bool one_frame = ZSTD_findFrameCompressedSize(coded.data(), coded.size()) == coded.size();
+  if (!one_frame || ZSTD_decompress(bytes.data(), bytes.size(), coded.data(), coded.size()) != bytes.size())
+    return chunk_error(ErrorCode::kInvalidStream, "not one zstd frame of the length in the directory",
+                       "ENT-1", entry);
+  return ExpandedChunk{.expanded = std::move(bytes)};
+}
+
+Result<ExpandedChunk> expand_single(const Container& container, std::uint32_t tag, std::uint64_t max_bytes) {
+  DELTAMESH_TRY(const auto* entry, container.find(tag));
+  if (entry == nullptr) return ExpandedChunk{};
+  return expand_chunk(container, *entry, max_bytes);
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// What readers and writers of containers share: the checksum, and how long a stream has to be.
+#pragma once
+
+#include <xxhash.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "format/header.h"
+
+namespace deltamesh {
+
+inline constexpr std::uint64_t kElementsPerByte = 2048;               // [CNT-5]
+inline constexpr std::size_t kChecksumBytes = sizeof(std::uint32_t);  // [CNT-2]
+
+inline std::uint32_t checksum_of(std::span<const std::byte> bytes) noexcept {
+  return static_cast<std::uint32_t>(XXH3_64bits(bytes.data(), bytes.size()));
+}
+
+/// The stream length that [CNT-5] asks for.
+inline std::uint64_t bytes_needed(const FileHeader& header) noexcept {
+  const std::uint64_t elements = std::uint64_t{header.vertices} + header.triangles;
+  return (elements + kElementsPerByte - 1) / kElementsPerByte;
+}
+
+}  // namespace deltamesh
