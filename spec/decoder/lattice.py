@@ -178,16 +178,12 @@ class LatticeCoder:
         for a in range(3):
             place, spread = POSN_4_expect(known, self.table, self.rows.__getitem__, a, before[a])
             places.append(place)
-            if self.cells[a] is None:  # a number that the group lacks [ATTR-57]
-                off.append(0)
-                yield
-                continue
-            whole = clamp((place + 8) >> 4, 0, self.cells[a])
-            q = self.POSN_9_guess(known, a, whole, missed)
+            whole = clamp((place + 8) >> 4, 0, self.cells[a] or 0)
+            q = 0 if self.cells[a] is None else self.POSN_9_guess(known, a, whole, missed)  # None: lacking [ATTR-57]
             if q is None:
                 x = Context(a, place, spread, G, R[a], known.sources, POSN_5_coded(a, off), whole)
                 q = whole + self.numbers.decode(self.coder, x)
-            must(0 <= q <= self.cells[a], "POSN-7", f"coordinate {q} of vertex {v}")
+            must(0 <= q <= (self.cells[a] or 0), "POSN-7", f"coordinate {q} of vertex {v}")
             row[a] = q
             off.append(q - whole)
             if a == 2:

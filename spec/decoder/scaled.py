@@ -25,3 +25,14 @@ class ScaledCoder:
             length = min(7 + coder.raw(5), 32)
         size = 8 + self.low.decode(coder, length)
         return -size if s & 1 else size
+
+
+def FLD_5_quantity(x):
+    """Q"""
+    y = x + 4
+    return min(4 * (y.bit_length() - 3) + ((y >> (y.bit_length() - 3)) & 3), 23)
+
+
+def FLD_5_near(near, s):
+    """u"""
+    return sum(k <= (near * (2**20 // (s + 2))) >> 16 for k in (2, 5, 10, 16, 27))

@@ -1,0 +1,148 @@
+"""Attributes on lattices: attr_lattice.md, ATTR-55 to ATTR-58 and ATTR-59."""
+import math
+import struct
+
+import numpy as np
+
+from coder import BitModel, Coder, NumberModel, bit_models, clamp
+from container import Reader, must, unzigzag
+from fields import ATTR_9_means
+from floats import FLT_1_bits, FloatCoder
+from graph import neighbours
+from lattice import LatticeCoder, POSN_3_known, POSN_8_table
+
+CONSTANT, AS_BEFORE, TIMES, RATIO, LISTED, FLOAT = range(6)
+
+
+class Component:
+    """[ATTR-55]"""
+
+    def __init__(self, r, a, before):
+        self.type, size = a.type, int(a.type[1])
+        self.kind = r.u8()
+        must(self.kind <= FLOAT, "ATTR-55", f"kind {self.kind}")
+        self.times = self.over = 1.0
+        self.cells = 0
+        if self.kind == CONSTANT:
+            self.list = [r.bytes(size)]
+        elif self.kind == LISTED:
+            self.cells = r.varint(4096, "ATTR-55") - 1
+            must(self.cells >= 0, "ATTR-55", "an empty list")
+            self.list = [r.bytes(size) for _ in range(self.cells + 1)]
+        elif self.kind == FLOAT:
+            must(self.type == "f4", "ATTR-55", "floats that are not f32")
+            self.exponent = r.u8()
+            must(self.exponent <= 254, "ATTR-55", f"exponent {self.exponent}")
+        else:
+            self.read_point(r, before)
+
+    def read_point(self, r, before):
+        must(self.kind != AS_BEFORE or before, "ATTR-55", "the first component is as none before")
+        if self.kind == AS_BEFORE:
+            self.times, self.over = before.times, before.over
+        if self.kind in (TIMES, RATIO):
+            self.times = r.number("f")
+        if self.kind == RATIO:
+            self.over = r.number("f")
+        must(all(math.isfinite(x) and x > 0 for x in (self.times, self.over)), "ATTR-55", "times or over")
+        self.base, self.cells = unzigzag(r.varint(2**53, "ATTR-55")), r.varint(2**28, "ATTR-55")
+        if self.type[0] == "f":
+            for q in (0, self.cells):
+                must(np.isfinite(np.frombuffer(self.value(q), dtype="<" + self.type))[0], "ATTR-55", "a point is not finite")
+
+    def value(self, q):
+        """The bytes of the value that q stands for."""
+        if self.kind in (CONSTANT, LISTED):
+            return self.list[q]
+        if self.kind == FLOAT:
+            return struct.pack("<I", FLT_1_bits(q))
+        x = float(self.base + q) * self.times / self.over
+        if self.type[0] == "f":
+            with np.errstate(over="ignore"):
+                return np.float64(x).astype("<" + self.type).tobytes()
+        range_ = np.iinfo(self.type)
+        return int(clamp(math.floor(x + 0.5), range_.min, range_.max)).to_bytes(int(self.type[1]), "little", signed=range_.min < 0)
+
+    @property
+    def rest(self):
+        """[ATTR-59] The number at rest."""
+        if self.kind == LISTED:
+            return next((i for i, value in enumerate(self.list) if not any(value)), 0)
+        return clamp(-self.base, 0, self.cells)
+
+
+def ATTR_55_lattice(r, a, surface):
+    components = []
+    for _ in range(a.k):
+        components.append(Component(r, a, components[-1] if components else None))
+    numbers = {id(c): [0] * surface.n for c in components}
+    varying = [c for c in components if c.kind != CONSTANT]
+    if varying:
+        coder = Coder(r.bytes(len(r.data) - r.at))
+        joined = bool(coder.raw(1)) and surface.has_copies
+        while varying:  # [ATTR-56] groups
+            group = [c for i, c in enumerate(varying[:3]) if all((d.kind == FLOAT) == (varying[0].kind == FLOAT) for d in varying[:i + 1])]
+            varying = varying[len(group):]
+            for c, column in zip(group, ATTR_56_group(coder, group, surface, joined)):
+                numbers[id(c)] = column
+        coder.end()
+    r.end()
+    data = b"".join(c.value(numbers[id(c)][v]) for v in range(surface.n) for c in components)
+    return np.frombuffer(data, dtype="<" + a.type).reshape(surface.n, a.k).copy()
+
+
+def ATTR_56_group(coder, group, surface, joined):
+    """The columns of x, y and z."""
+    faces, n = (surface.geometric_faces, len(surface.first) - 1) if joined else (surface.faces, surface.n)
+    cells = [c.cells for c in group] + [None] * (3 - len(group))
+    if group[0].kind == FLOAT:
+        units = [max(c.exponent, 1) - 153 for c in group] + [1 - 153] * (3 - len(group))
+        floats = FloatCoder(coder, POSN_3_known(faces, n), POSN_8_table(coder), units)
+        def decode(v):
+            floats.vertex(v)
+            return floats.ordinals[v]
+        width = 3
+    elif coder.raw(1):
+        decode, width = ATTR_9_means(coder, neighbours(faces, n), len(group)), len(group)
+    else:
+        decode, width = ATTR_57_numbers(coder, POSN_3_known(faces, n), group, cells), len(group)
+    rows = ATTR_58_copies(coder, surface, joined, decode, width)
+    if group[0].kind != FLOAT:
+        must(all(0 <= q <= c.cells for row in rows for q, c in zip(row, group)), "ATTR-56", "a number above its cells")
+    return list(zip(*rows)) or [[]] * 3
+
+
+def ATTR_57_numbers(coder, known, group, cells):
+    """A function that decodes the numbers of a vertex."""
+    lattice = LatticeCoder(coder, known, POSN_8_table(coder), cells, coder.raw(1))
+    sparse, rest_bits = coder.raw(1), bit_models(1024)
+    rest = [c.rest for c in group] + [0] * (3 - len(group))
+    def decode(v):
+        faces = known[v].faces
+        around = [u for a, b, _ in faces[:2] for u in (a, b)] if faces else [v - 1] if v else []
+        if sparse and all(lattice.rows[u] == rest for u in around):  # [ATTR-59]
+            if not rest_bits[min(len(faces), 2)].decode(coder):
+                lattice.rows[v] = rest
+                lattice.kept.keep_nothing(v)
+                return rest
+        for _ in lattice.vertex(v):
+            pass
+        return lattice.rows[v]
+    return decode
+
+
+def ATTR_58_copies(coder, surface, joined, decode, width):
+    """The rows of all vertices; `decode(v)` reads those of first copies, or of all without `joined`."""
+    if not joined:
+        return [decode(v) for v in range(surface.n)]
+    rows, same, last = [], [BitModel(), BitModel()], 1
+    models = [NumberModel() for _ in range(width)]
+    for g in range(len(surface.first) - 1):
+        rows.append(list(decode(g)))
+        for _ in range(surface.first[g] + 1, surface.first[g + 1]):
+            row, last = list(rows[-1]), same[last].decode(coder)
+            if not last:
+                for i in range(width):
+                    row[i] = (row[i] + unzigzag(models[i].decode(coder)) + 2**31) % 2**32 - 2**31
+            rows.append(row)
+    return rows

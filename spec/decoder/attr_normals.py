@@ -1,0 +1,223 @@
+"""Normals on the surface: attr_normals.md, ATTR-20 to ATTR-25."""
+import math
+
+import numpy as np
+
+from attr import f32_rows
+from coder import BitModel, Coder, bit_models, clamp, mixing_weights, symbol_models
+from container import must
+from graph import corners
+from scaled import SYMBOL_WEIGHTS, ScaledCoder
+from vectors import (ATTR_22_corner_angles, ATTR_22_scaled, ATTR_24_point, add, cross, dot, f32_cross, f32_dot, sub,
+                     sum_at_corners, times, to_f32, unit)
+
+F = np.float32
+
+
+def ATTR_20_normals(r, a, surface):
+    form, radius = r.u8(), r.number("f")
+    rule = form & 7
+    must(rule <= 5 and form < 64, "ATTR-20", f"form {form}")
+    must(rule == 0 or surface.positions is not None, "ATTR-20", "a rule without positions")
+    must(float(F(1e-6)) <= radius <= 1, "ATTR-20", f"radius {radius}")
+    coder = Coder(r.bytes(len(r.data) - r.at))
+    normals = NormalCoder(coder, surface, rule, form, radius).decode()
+    coder.end()
+    return f32_rows(normals, 3)
+
+
+def ATTR_22_rule(rule, surface):
+    """Rule vectors, rule weights and rule noises of all vertices."""
+    n, faces = surface.n, np.array(surface.faces, dtype=np.int64).reshape(-1, 3)
+    if rule == 0:
+        return np.zeros((n, 3), dtype=F), np.zeros(n, dtype=F), np.zeros(n, dtype=F)
+    places = ATTR_22_scaled(surface.positions)[faces]
+    with np.errstate(all="ignore"):
+        a, b = places[:, 1] - places[:, 0], places[:, 2] - places[:, 0]
+        c = b - a
+        A, B, C, normal = f32_dot(a, a), f32_dot(b, b), f32_dot(c, c), f32_cross(a, b)
+        square = f32_dot(normal, normal)
+        y, counted = np.sqrt(square), square > F(1e-36)
+        if rule == 1:
+            weight = np.ones((len(faces), 3), dtype=F)
+        elif rule == 2:
+            weight = np.stack([y, y, y], axis=1)
+        elif rule == 5:
+            weight = np.stack([y / (A * B), y / (A * C), y / (B * C)], axis=1)
+        else:
+            weight = ATTR_22_corner_angles(a, b, y)
+            weight = weight if rule == 3 else y[:, None] * weight
+        turn = (A + B + C) * ((F(1) / y) * (F(1) / y))
+        directions = ((F(1) / y)[:, None] * normal)[:, None, :] * weight[:, :, None]
+        noises = (weight * turn[:, None]) * weight
+        return tuple(sum_at_corners(faces, counted, x, n) for x in (directions, weight, noises))
+
+
+def exponent(x):
+    """[ATTR-25] L"""
+    if not x >= 2.0**-1022:
+        return -1023
+    return 1024 if math.isinf(x) else math.frexp(x)[1] - 1
+
+
+class NormalCoder:
+    def __init__(self, coder, surface, rule, form, radius):
+        self.coder, self.surface, self.radius = coder, surface, radius
+        self.shares, self.zeros, self.blends = form & 8, form & 16, form & 32
+        self.vectors, self.rule_weights, self.noises = ATTR_22_rule(rule, surface)
+        self.at = corners(surface.faces, surface.n)
+        self.share_bits, self.zero_bit = bit_models(), BitModel()
+        self.models, self.weights, self.scaled = symbol_models(SYMBOL_WEIGHTS), mixing_weights(4), ScaledCoder()
+        n = surface.n
+        self.group_of, self.normals, self.rule_normals, self.sizes = [None] * n, [None] * n, [None] * n, [F(0)] * n
+        self.last, self.K = (0.0, 0.0, 1.0), 0.25 / (radius * radius)
+        self.ff = self.fg = self.gg = self.ft = self.gt = self.Z = self.O = 0.0
+
+    def decode(self):
+        first = self.surface.first
+        for g in range(len(first) - 1):
+            for group in self.ATTR_21_groups(g, range(first[g], first[g + 1])):
+                for v in group:
+                    self.group_of[v] = group
+                self.ATTR_23_normal(g, group)
+        return self.normals
+
+    def ATTR_21_groups(self, g, copies):
+        """Lists of copies."""
+        groups = []
+        few = sum(len(self.at[v]) for v in copies) <= 64
+        for v in copies:
+            group = self.ATTR_21_earlier(g, v, groups, few) if self.shares and len(copies) > 1 else None
+            if group is None:
+                groups.append([v])
+            else:
+                group.append(v)
+        return groups
+
+    def ATTR_21_earlier(self, g, v, groups, few):
+        ranked = []
+        for group in groups[-16:]:
+            a, b = self.vectors[v].tolist(), self.sum_of(self.vectors, group).tolist()
+            divisor = math.sqrt(dot(a, a)) * math.sqrt(dot(b, b))
+            cosine = dot(a, b) / divisor if divisor > 0 else 0.0
+            tie = self.tie(g, v, group) if few else 0
+            ranked.append((cosine + (2 if tie == 3 else -2 if tie == 2 else 0), cosine, tie, group))
+        ranked.sort(key=lambda entry: -entry[0])
+        for rank, (_, cosine, tie, group) in enumerate(ranked[:3]):
+            l = sum(x < cosine for x in (0, 0.5, 0.85, 0.95, 0.99, 0.999, 0.9999))
+            if self.share_bits[(rank * 4 + tie) * 8 + l].decode(self.coder):
+                return group
+        return None
+
+    def ends(self, v):
+        """The vertices at the other corners of the faces at v."""
+        faces = self.surface.faces
+        return [faces[c // 3][(c + k) % 3] for c in self.at[v] for k in (1, 2)]
+
+    def tie(self, g, v, group):
+        """[ATTR-21] 0 apart, 1 open, 2 split, 3 joined"""
+        geometric, tie = self.surface.geometric, 0
+        for x in self.ends(v):
+            for y in (y for u in group for y in self.ends(u)):
+                if geometric[x] == geometric[y]:
+                    coded = geometric[x] < g
+                    tie = max(tie, 1 if not coded else 3 if self.group_of[x] is self.group_of[y] else 2)
+        return tie
+
+    def sum_of(self, values, group):
+        total = values[group[0]]
+        for v in group[1:]:
+            total = total + values[v]
+        return total
+
+    def ATTR_23_sums(self, g, group):
+        """N, R, V and c"""
+        N, R, V, c = np.zeros(3, dtype=F), np.zeros(3, dtype=F), F(0), 0
+        faces = self.surface.faces
+        for v in group:
+            for corner in self.at[v]:
+                u = faces[corner // 3][(corner + 1) % 3]
+                if self.surface.geometric[u] < g and any(self.normals[u]):
+                    N, V, c = N + np.array(self.normals[u], dtype=F), V + self.sizes[u], c + 1
+                    R = R + np.array(self.rule_normals[u] or (0, 0, 0), dtype=F)
+        return N, R, V, c
+
+    def ATTR_23_pole(self, U, M, Q):
+        """The pole, and whether the factors x and y made it."""
+        if U and M and self.blends:
+            FF, GG, T = self.ff + 0.5, self.gg + 0.5, self.ft + 0.5
+            d, x, y = FF * GG - self.fg * self.fg, 1.0, 0.0
+            if d > 1e-12 * FF * GG:
+                x, y = (T * GG - self.gt * self.fg) / d, (self.gt * FF - T * self.fg) / d
+            return unit(add(add(M, times(x, sub(U, M))), times(y, sub(Q, M)))) or U, True
+        return U or M and unit(M) or self.last, False
+
+    def ATTR_23_frame(self, P, U, M):
+        v = sub(U, M) if U and M else (0.0, 0.0, 0.0)
+        w = sub(v, times(dot(v, P), P))
+        if not dot(w, w) > 1e-20:
+            axis = min(range(3), key=lambda i: abs(P[i]))
+            v = tuple(float(i == axis) for i in range(3))
+            w = sub(v, times(dot(v, P), P))
+        first = unit(w)
+        return first, cross(P, first)
+
+    def ATTR_23_learn(self, n, P, U, M, Q):
+        f, g, t, e = sub(U, M), sub(Q, M), sub(n, M), sub(n, P)
+        w, keep = self.K / (1 + self.K * dot(e, e)), 1 - 1 / 256
+        self.ff, self.fg = keep * self.ff + w * dot(f, f), keep * self.fg + w * dot(f, g)
+        self.gg, self.ft = keep * self.gg + w * dot(g, g), keep * self.ft + w * dot(f, t)
+        self.gt = keep * self.gt + w * dot(g, t)
+
+    def ATTR_23_normal(self, g, group):
+        N, R, V, c = self.ATTR_23_sums(g, group)
+        S, W, X = (self.sum_of(x, group).tolist() for x in (self.vectors, self.rule_weights, self.noises))
+        U, i = unit(S), 1 / c if c else 0.0
+        M, Q = (times(i, N.tolist()), times(i, R.tolist())) if c else (None, None)
+        near = i * float(V)
+        normal, size = (0.0, 0.0, 0.0), 0.0
+        if not (self.zeros and self.zero_bit.decode(self.coder)):
+            P, blended = self.ATTR_23_pole(U, M, Q)
+            first, second = self.ATTR_23_frame(P, U, M)
+            X = X if X < 1e60 else 0.0
+            row, place, o = self.ATTR_25_numbers(S, W, X, U, M, near, c)
+            a, b = (1.5 * self.radius) * row, (1.7320508075688772 * self.radius) * (place + (0.5 if row % 2 else 0))
+            normal = ATTR_24_point(a, b, P, first, second)
+            z = math.sqrt((a / self.radius) * (a / self.radius) + (b / self.radius) * (b / self.radius))
+            size = (5 * z + 3 * near) / 8 if c else z
+            if o > 0 and any(normal):
+                self.Z, self.O = (1 - 1 / 256) * self.Z + z, (1 - 1 / 256) * self.O + math.sqrt(o)
+            if blended:
+                self.ATTR_23_learn(normal, P, U, M, Q)
+            if any(normal):
+                self.last = normal
+        for v in group:
+            self.normals[v], self.rule_normals[v], self.sizes[v] = normal, U and to_f32(U), F(size)
+
+    def ATTR_25_numbers(self, S, W, X, U, M, near, c):
+        """Row, place and o."""
+        u = 1 / math.sqrt(dot(S, S)) if U else 0.0
+        o = X * (u * u)
+        p = self.Z / self.O if self.O else 0.0
+        apart = self.K * dot(sub(U, M), sub(U, M)) if U and M else 0.0
+        spread = self.K * (1 - dot(M, M)) if M else 0.0
+        bend = self.K * (2 - 2 / (u * W)) if U else 0.0
+        squares = [near * near, apart, spread, bend, o * (p * p)]
+        scale = near * near if c else min(bend, 4.0)
+        shift = clamp((exponent(scale) - 6) // 2, 0, 24)
+        def H(x):
+            return clamp(exponent(x) + 7 - 2 * shift, 0, 15)
+        near, apart, spread, bend, expected = (H(x) for x in squares)
+        m = 0 if c == 0 else 1 if c < 3 else 2
+        row = self.number(0, (near, 16 * apart + spread, 16 * near + expected, 4 * (4 * bend + m) + near // 4), H(scale), shift)
+        j = abs(row) >> shift
+        g = 2 * ((0, 1, 2, 2)[j] if j < 4 else 3) + int(row % 2 == 1 and shift == 0)
+        indices = (near, 8 * (apart // 2) + spread // 2, 8 * (near // 2) + expected // 2, 4 * bend + near // 4)
+        place = self.number(1, tuple(8 * index + g for index in indices), H(scale), shift)
+        return row, place, o
+
+    def number(self, is_place, indices, scale, shift):
+        models = [self.models[is_place, table, index] for table, index in enumerate(indices)]
+        x = self.scaled.FLD_5_number(self.coder, models, self.weights[2 * scale + is_place], shift, 2 * min(shift, 3) + is_place)
+        must(abs(x) <= 2**24, "ATTR-25", f"number {x}")
+        return x

@@ -1,0 +1,163 @@
+"""Joints and weights: attr_skin.md, ATTR-60 to ATTR-65."""
+import numpy as np
+
+from attr import JOINTS, WEIGHTS, f32_rows
+from attr_lattice import ATTR_58_copies
+from coder import Coder, NumberModel, clamp, mixing_weights, symbol_models
+from container import must, unzigzag
+from lattice import Context, GuessCoder, Kept, NumberCoder, POSN_3_known, POSN_4_expect, POSN_5_coded
+
+
+def graph_of(surface, joined):
+    return (surface.geometric_faces, len(surface.first) - 1) if joined else (surface.faces, surface.n)
+
+
+def ATTR_60_joints(r, a, surface):
+    coder = Coder(r.bytes(len(r.data) - r.at))
+    joined = bool(coder.raw(1)) and surface.has_copies
+    known = POSN_3_known(*graph_of(surface, joined))
+    rows = ATTR_58_copies(coder, surface, joined, JointCoder(coder, known).row, 4)
+    coder.end()
+    must(all(0 <= j < 256**int(a.type[1]) for row in rows for j in row), "ATTR-60", "a joint is not of its type")
+    return np.array(rows, dtype="<" + a.type).reshape(surface.n, 4)
+
+
+class JointCoder:
+    """[ATTR-61]"""
+
+    def __init__(self, coder, known):
+        self.coder, self.known, self.rows = coder, known, {}
+        self.row_models, self.row_weights = symbol_models((6, 12, 4, 3, 2) + (1,) * 11), mixing_weights(2)
+        self.models, self.weights = symbol_models((16, 6, 4, 3, 2) + (1,) * 10 + (6,)), mixing_weights(2)
+        self.place, self.new, self.list, self.last = NumberModel(), NumberModel(), [], 0
+
+    def row(self, v):
+        known, came = self.known[v], {}
+        for face in known.faces:
+            for u in face:
+                if u is not None:
+                    came[self.rows[u]] = came.get(self.rows[u], 0) + 1
+        around = sorted(came, key=lambda row: -came[row])
+        row = self.known_row(around, came, known.count) if around else None
+        self.rows[v] = row or self.new_row(around, came)
+        return self.rows[v]
+
+    def known_row(self, around, came, count):
+        l = min(len(around), 7)
+        d = came[around[0]] - (came[around[1]] if l > 1 else 0)
+        models = [self.row_models[0, 5 * l + min(d, 4)], self.row_models[1, 7 * l + min(count, 6)]]
+        s = self.coder.symbol(models, self.row_weights[0])
+        return around[s - 1] if 1 <= s <= l else None
+
+    def new_row(self, around, came):
+        row, symbol = (), 0
+        for s in range(4):
+            points = {}
+            for other in around:
+                for j, joint in enumerate(other):
+                    each = 4 if j != s else 48 if other[:s] == row else 16
+                    points[joint] = points.get(joint, 0) + each * came[other]
+            for joint in points:
+                if joint in row and row[s - 1] != joint:
+                    points[joint] //= 32
+            guesses = sorted(points, key=lambda joint: -points[joint])[:14]
+            c, e = len(guesses), 3
+            if c >= 2:
+                e = sum(points[guesses[0]] >= k * points[guesses[1]] for k in (2, 4))
+            models = [self.models[0, 16 * s + 4 * min(c, 3) + e], self.models[1, 16 * s + symbol]]
+            symbol = self.coder.symbol(models, self.weights[0])
+            row += (guesses[symbol] if symbol < c else self.other(),)
+        return row
+
+    def other(self):
+        place = self.place.decode(self.coder)
+        must(place <= len(self.list), "ATTR-61", f"place {place}")
+        if place < len(self.list):
+            joint = self.list.pop(place)
+        else:
+            joint = self.last = self.last + unzigzag(self.new.decode(self.coder))
+        self.list = [joint] + self.list[:255]
+        return joint
+
+
+def ATTR_62_joints(a, surface):
+    """The joints of every vertex that go with these weights."""
+    before = sum(b.kind == WEIGHTS for b in surface.attributes[:[b is a for b in surface.attributes].index(True)])
+    joints = [b for b in surface.attributes if b.kind == JOINTS][before:before + 1]
+    if joints and joints[0].is_shape(JOINTS, ["u1", "u2"], [4]):
+        return [tuple(row) for row in joints[0].values.tolist()]
+    return [(0, 1, 2, 3)] * surface.n
+
+
+def ATTR_63_weights(r, a, surface):
+    total = r.varint(65536, "ATTR-63")
+    full = {"u1": 255, "u2": 65535}.get(a.type)
+    must(total >= 1 and (not full or full % total == 0), "ATTR-63", f"sum {total}")
+    coder = Coder(r.bytes(len(r.data) - r.at))
+    joined, blend = bool(coder.raw(1)) and surface.has_copies, coder.raw(2)
+    known, joints = POSN_3_known(*graph_of(surface, joined)), ATTR_62_joints(a, surface)
+    if joined:
+        joints = [joints[v] for v in surface.first[:-1]]
+    decode = WeightCoder(coder, known, joints, total, blend).row
+    rows = ATTR_58_copies(coder, surface, joined, lambda v: decode(v)[:3], 3)
+    coder.end()
+    rows = [tuple(row) + (total - sum(row),) for row in rows]
+    must(all(0 <= w <= total for row in rows for w in row), "ATTR-63", "a weight is not 0 to the sum")
+    if not full:
+        return f32_rows([[w / total for w in row] for row in rows], 4)
+    return np.array([[w * (full // total) for w in row] for row in rows], dtype="<" + a.type).reshape(surface.n, 4)
+
+
+class WeightCoder:
+    """[ATTR-64, ATTR-65]"""
+
+    def __init__(self, coder, known, joints, total, blend):
+        self.coder, self.known, self.joints, self.total = coder, known, joints, total
+        self.table = [(20 * blend, 0)] * 24
+        self.rows, self.kept, self.numbers, self.guess = {}, Kept(), NumberCoder(), GuessCoder()
+        self.models, self.weights = symbol_models((10, 6, 10) + (1,) * 13), mixing_weights(2)
+
+    def row(self, v):
+        known, joints, total = self.known[v], self.joints[v], self.total
+        def given(u):  # [ATTR-64] what u gives to the joints of v's first three slots
+            return [sum(w for w, j in zip(self.rows[u], self.joints[u]) if j == joint) for joint in joints[:3]]
+        G, R = self.kept.sums(known.faces)
+        before = given(v - 1) if v else [0, 0, 0]
+        row, off, places, missed, symbols = [], [], [], set(), [0, 0]
+        for s in range(3):
+            place, spread = POSN_4_expect(known, self.table, given, s, before[s])
+            places.append(place)
+            whole, rest = clamp((place + 8) >> 4, 0, total), total - sum(row)
+            w = self.end(known, joints, s, whole, rest, symbols, given) if rest else 0
+            if w is None:
+                around = [given(u)[s] for face in known.faces for u in face if u is not None]
+                inside = clamp(whole, 1, max(rest - 1, 1))
+                if known.faces:
+                    w = self.guess.decode(self.coder, s, [x for x in around if 0 < x < total], inside, known, missed)
+                if w is None:
+                    missed.add(s)
+                    x = Context(s, place, spread, G, R[s], known.sources, POSN_5_coded(s, off), inside)
+                    w = inside + self.numbers.decode(self.coder, x)
+                must(0 < w < rest, "ATTR-65", f"weight {w}")
+            row.append(w)
+            off.append(w - whole)
+        self.rows[v] = row + [total - sum(row)]
+        self.kept.keep(v, row, places, known.sources, G)
+        return self.rows[v]
+
+    def share(self, x):
+        """S"""
+        return 1 + sum(k * x > self.total for k in (64, 16, 4))
+
+    def end(self, known, joints, s, whole, rest, symbols, given):
+        """0, the rest, or None where the weight is between."""
+        around = [given(u)[s] for a, b, _ in known.faces for u in (a, b)]
+        nothing = sum(x == 0 for x in around)
+        e = 4 if not around else 0 if not nothing else 3 if nothing == len(around) else 1 if 2 * nothing <= len(around) else 2
+        f = 0 if whole >= rest else self.share(rest - whole)
+        k = 3 * symbols[-2] + symbols[-1]
+        models = [self.models[0, ((5 * s + e) * 5 + f) * 2 + (joints[s] in joints[:s])],
+                  self.models[1, (9 * s + k) * 6 + min(self.share(whole) + (whole > 0), 5)]]
+        symbol = self.coder.symbol(models, self.weights[0])
+        symbols.append(min(symbol, 2))
+        return (0, rest)[symbol] if symbol < 2 else None
