@@ -132,15 +132,17 @@ class NormalCoder:
 
     def ATTR_23_sums(self, g, group):
         """N, R, V and c"""
-        N, R, V, c = np.zeros(3, dtype=F), np.zeros(3, dtype=F), F(0), 0
-        faces = self.surface.faces
+        zero, faces, total = np.zeros(7, dtype=F), self.surface.faces, np.zeros(7, dtype=F)
+        c = 0
         for v in group:
+            part = zero
             for corner in self.at[v]:
                 u = faces[corner // 3][(corner + 1) % 3]
                 if self.surface.geometric[u] < g and any(self.normals[u]):
-                    N, V, c = N + np.array(self.normals[u], dtype=F), V + self.sizes[u], c + 1
-                    R = R + np.array(self.rule_normals[u] or (0, 0, 0), dtype=F)
-        return N, R, V, c
+                    part = part + np.array(self.normals[u] + (self.rule_normals[u] or (0, 0, 0)) + (self.sizes[u],), dtype=F)
+                    c += 1
+            total = total + part
+        return total[:3], total[3:6], total[6], c
 
     def ATTR_23_pole(self, U, M, Q):
         """The pole, and whether the factors x and y made it."""

@@ -131,9 +131,10 @@ class WeightCoder:
             w = self.end(known, joints, s, whole, rest, symbols, given) if rest else 0
             if w is None:
                 around = [given(u)[s] for face in known.faces for u in face if u is not None]
+                around = [x for x in around if 0 < x < total]
                 inside = clamp(whole, 1, max(rest - 1, 1))
-                if known.faces:
-                    w = self.guess.decode(self.coder, s, [x for x in around if 0 < x < total], inside, known, missed)
+                if around:
+                    w = self.guess.decode(self.coder, s, around, whole, known, missed)
                 if w is None:
                     missed.add(s)
                     x = Context(s, place, spread, G, R[s], known.sources, POSN_5_coded(s, off), inside)

@@ -1,0 +1,94 @@
+#!/usr/bin/python3
+"""Makes streams with the program, over its options, and compares what the reference decoder and the program decode.
+
+reference_decoder_streams.py PROGRAM CORPUS [COUNT [FIRST]]
+"""
+import os
+import subprocess
+import sys
+import tempfile
+
+import numpy as np
+
+from reference_decoder_test import decode, wrong_positions
+import ply
+
+SCENES = [(scene, count, seed) for seed, count in ((1, 400), (2, 900), (3, 2500))
+          for scene in ("rooms", "terrain", "sphere", "torus", "cad", "fragments")]
+FILES = ["formats/suzanne.obj", "gltf/ClearCoatTest.glb", "formats/fuze.obj", "gltf/cakeBirthday.glb", "models/teapot.ply",
+         "formats/Duck.glb", "gltf/Fox.glb", "formats/texturedknot_wedge_uv.ply", "formats/inspired_quads.off",
+         "paper/horse_4243.ply", "models/chair_nonmanifold.ply", "gltf/AnimatedMorphSphere.glb", "models/fandisk.ply",
+         "formats/suzanne_ascii_uv_normals.ply", "formats/screwdriver_big_endian.ply"]
+OPTIONS = ["", "--lossless", "--geometry highpass", "--geometry predictive", "--profile zstd", "--geometry highpass --bits 6",
+           "--lossless --keep-order --keep-unreferenced", "--geometry predictive --bits 9 --color-error 4 --normal-error 2",
+           "--effort 0", "--geometry highpass --profile zstd --keep-order", "--max-error 0.5% --color-error 8 --uv-error 1/512",
+           "--effort 9 --max-error 0.1%", "--vde 0.05%", "--lfe 0.1% --normal-error 0.1 --tangent-error 1",
+           "--geometry predictive --profile zstd --color-error 2", "--geometry highpass --bits 10 --anchors 40 --anchor-bits 16",
+           "--geometry predictive --max-error 0.002% --normal-error 0 --uv-error 0", "--target-bytes 4000",
+           "--geometry highpass --step 0.01 --anchor-density 3 --keep-order", "--lossless --profile zstd",
+           "--geometry predictive --bits 5 --keep-order --weight-error 1/64 --normal-error 8", "--geometry highpass --bits 4 --anchors 1000",
+           "--geometry predictive --effort 0 --uv-error 1/100 --normal-error 0.01", "--lossless --effort 0", "--geometry predictive --vde 0.2%"]
+
+
+def read_positions(path):
+    """The positions of a PLY file of the program, and the other bytes of vertices, and those of faces."""
+    with open(path, "rb") as file:
+        head, _, body = file.read().partition(b"end_header\n")
+    sizes = {"char": "i1", "uchar": "u1", "short": "<i2", "ushort": "<u2", "int": "<i4", "uint": "<u4", "float": "<f4", "double": "<f8"}
+    lines = [line.split() for line in head.decode().split("\n")]
+    count = next(int(line[2]) for line in lines if line[:2] == ["element", "vertex"])
+    fields = [(line[2], sizes[line[1]]) for line in lines if line[:1] == ["property"] and line[1] != "list"]
+    rows = np.frombuffer(body, dtype=fields, count=count)
+    others = [rows[name].tobytes() for name, _ in fields[3:]]
+    return np.stack([rows[a] for a in "xyz"], axis=1).reshape(-1, 3), [fields] + others, body[rows.nbytes:]
+
+
+def compare(program, stream, work):
+    """Why the decoders differ; an empty text if they do not."""
+    own, its = os.path.join(work, "own.ply"), os.path.join(work, "its.ply")
+    subprocess.run([program, "decode", stream, its], check=True, stdout=subprocess.DEVNULL)
+    with open(stream, "rb") as file:
+        mesh = decode(file.read())
+    ply.write(own, mesh)
+    (a, rows_a, faces_a), (b, rows_b, faces_b) = read_positions(own), read_positions(its)
+    if any(mesh.header.origin):
+        wrong = "" if np.array_equal(a, b) or not mesh.exact else "positions differ"
+    else:
+        wrong = wrong_positions(mesh, b)
+    if len(rows_a) != len(rows_b) or rows_a[0] != rows_b[0]:
+        return wrong + f" properties {rows_a[0]} in place of {rows_b[0]}"
+    wrong += "".join(f" {name} differs" for (name, _), x, y in zip(rows_a[0][3:], rows_a[1:], rows_b[1:]) if x != y)
+    return (wrong + (" faces differ" if faces_a != faces_b else "")).strip()
+
+
+def main():
+    program, corpus = sys.argv[1:3]
+    count, first = (int(x) for x in (sys.argv[3:] + ["200", "0"][len(sys.argv) - 3:]))
+    alike = made = 0
+    with tempfile.TemporaryDirectory() as work:
+        meshes = []
+        for scene, vertices, seed in SCENES:
+            meshes.append(os.path.join(work, f"{scene}_{seed}.glb" if scene == "cad" else f"{scene}_{seed}.ply"))
+            subprocess.run([program, "generate", scene, meshes[-1], "--vertices", str(vertices), "--seed", str(seed)], check=True,
+                           stdout=subprocess.DEVNULL)
+        meshes += [os.path.join(corpus, name) for name in FILES]
+        for i in range(first, first + count):
+            mesh, options = meshes[i % len(meshes)], OPTIONS[(i // len(meshes) + i) % len(OPTIONS)]
+            stream = os.path.join(work, "stream.dmsh")
+            run = subprocess.run([program, "encode", mesh, stream] + options.split(), capture_output=True, text=True)
+            if run.returncode:
+                print(f"{i} {os.path.basename(mesh)} {options}: not made: {run.stderr.strip()}")
+                continue
+            made += 1
+            try:
+                wrong = compare(program, stream, work)
+            except Exception as error:  # any failure is one of this stream
+                wrong = f"{type(error).__name__} {error}"
+            alike += not wrong
+            print(f"{i} {os.path.basename(mesh)} {options}: {wrong or 'ok'}", flush=True)
+    print(f"{alike} of {made} streams decode alike")
+    return alike < made
+
+
+if __name__ == "__main__":
+    sys.exit(main())
