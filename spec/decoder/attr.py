@@ -3,7 +3,7 @@ import math
 
 import numpy as np
 
-from container import COMPACT, Reader, must
+from container import Reader, must
 
 NORMAL, COLOUR, UV, GENERIC, TANGENT, JOINTS, WEIGHTS = range(7)
 TYPES = ["i1", "u1", "i2", "u2", "i4", "u4", "f4", "f8"]
@@ -75,7 +75,7 @@ def ATTR_2_values(chunk, surface):
                a.is_shape(COLOUR, colours, [3, 4]), True, a.is_shape(WEIGHTS, colours, [4]),
                a.is_shape(JOINTS, ["u1", "u2"], [4])]
     must(allowed[coding], "ATTR-2", f"coding {coding} is not of this shape")
-    must((coding > 3) == (chunk.coding == COMPACT), "ATTR-2", f"coding {coding} in the other form")
+    must((coding > 3) == (chunk.is_compact), "ATTR-2", f"coding {coding} in the other form")
     if coding <= 3:
         values = [ATTR_4_exact, ATTR_5_octahedral, ATTR_6_colours, ATTR_7_uvs][coding](r, a, surface.n)
         r.end()

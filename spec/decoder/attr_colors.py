@@ -29,7 +29,7 @@ def ATTR_45_colours(r, a, surface):
     axes[:2] = axes[1::-1]
     rows = [[0] * 4] * surface.n
     if axes:
-        coder = Coder(r.bytes(len(r.data) - r.at))
+        coder = Coder(r.rest())
         rows = ColourCoder(coder, surface, len(axes), top, bound).decode()
         coder.end()
     r.end()

@@ -78,7 +78,7 @@ def ATTR_55_lattice(r, a, surface):
     numbers = {id(c): [0] * surface.n for c in components}
     varying = [c for c in components if c.kind != CONSTANT]
     if varying:
-        coder = Coder(r.bytes(len(r.data) - r.at))
+        coder = Coder(r.rest())
         joined = bool(coder.raw(1)) and surface.has_copies
         while varying:  # [ATTR-56] groups
             group = [c for i, c in enumerate(varying[:3]) if all((d.kind == FLOAT) == (varying[0].kind == FLOAT) for d in varying[:i + 1])]

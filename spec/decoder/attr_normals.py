@@ -20,7 +20,7 @@ def ATTR_20_normals(r, a, surface):
     must(rule <= 5 and form < 64, "ATTR-20", f"form {form}")
     must(rule == 0 or surface.positions is not None, "ATTR-20", "a rule without positions")
     must(float(F(1e-6)) <= radius <= 1, "ATTR-20", f"radius {radius}")
-    coder = Coder(r.bytes(len(r.data) - r.at))
+    coder = Coder(r.rest())
     normals = NormalCoder(coder, surface, rule, form, radius).decode()
     coder.end()
     return f32_rows(normals, 3)

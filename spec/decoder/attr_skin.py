@@ -13,7 +13,7 @@ def graph_of(surface, joined):
 
 
 def ATTR_60_joints(r, a, surface):
-    coder = Coder(r.bytes(len(r.data) - r.at))
+    coder = Coder(r.rest())
     joined = bool(coder.raw(1)) and surface.has_copies
     known = POSN_3_known(*graph_of(surface, joined))
     rows = ATTR_58_copies(coder, surface, joined, JointCoder(coder, known).row, 4)
@@ -93,7 +93,7 @@ def ATTR_63_weights(r, a, surface):
     total = r.varint(65536, "ATTR-63")
     full = {"u1": 255, "u2": 65535}.get(a.type)
     must(total >= 1 and (not full or full % total == 0), "ATTR-63", f"sum {total}")
-    coder = Coder(r.bytes(len(r.data) - r.at))
+    coder = Coder(r.rest())
     joined, blend = bool(coder.raw(1)) and surface.has_copies, coder.raw(2)
     known, joints = POSN_3_known(*graph_of(surface, joined)), ATTR_62_joints(a, surface)
     if joined:

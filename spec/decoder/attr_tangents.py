@@ -17,7 +17,7 @@ NOTHING = (0.0, 0.0)
 def ATTR_38_tangents(r, a, surface):
     step = r.number("f")
     must(2.0**-20 <= step <= 1, "ATTR-38", f"step {step}")
-    coder = Coder(r.bytes(len(r.data) - r.at))
+    coder = Coder(r.rest())
     tangents = TangentCoder(coder, surface, step).decode()
     coder.end()
     return f32_rows([tangents[v] for v in range(surface.n)], 4)

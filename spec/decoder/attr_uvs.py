@@ -14,7 +14,7 @@ from walk import ATTR_30_walk, BitOfFaces, Blend, PairCoder, at_most, cross2, do
 def ATTR_31_uvs(r, a, surface):
     step = r.number("f")
     must(2.0**-100 <= step <= 2.0**64, "ATTR-31", f"step {step}")
-    coder = Coder(r.bytes(len(r.data) - r.at))
+    coder = Coder(r.rest())
     values = UvCoder(coder, surface, step).decode()
     coder.end()
     return f32_rows([values[v] for v in range(surface.n)], 2)

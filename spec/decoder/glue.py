@@ -1,19 +1,16 @@
-"""CONN: gluing manifold vertices to geometric vertices: conn.md, CONN-11, CONN-13 and CONN-14."""
+"""CONN: gluing manifold vertices to geometric vertices: conn.md, CONN-8, CONN-11, CONN-13 and CONN-14."""
 from coder import NumberModel, bit_models, symbol_models
 from conn import CompactOps, PlainOps, Walk
 from container import must, unzigzag
 
-
 def CONN_8_faces(chunk, m, n):
     """The faces over geometric vertices, as triples."""
     data = chunk.data if chunk else b""
+    must(bool(m) == bool(data), "CONN-1", "a payload without faces, or faces without one")
     if m == 0:
-        must(not data, "CONN-1", "a payload without faces")
         return []
-    must(data, "CONN-1", "faces without a payload")
     ops = (CompactOps if chunk.is_compact else PlainOps)(data, m)
     walk = Walk(m, ops)
-    walk.run()
     if chunk.is_compact:
         vertex_of = CONN_13_glue(ops.coder, walk, n)
         ops.coder.end()
@@ -24,65 +21,50 @@ def CONN_8_faces(chunk, m, n):
         vertex_of = CONN_11_glue(pairs, walk.manifold, n)
     return [tuple(vertex_of[x] for x in face) for face in walk.faces]
 
-
 def CONN_11_glue(pairs, M, n):
     """The vertex of every manifold vertex, from gaps and targets of the glued ones."""
     must(M - len(pairs) <= n, "CONN-11", "more vertices than stated")
-    vertex_of, fresh, at, target = [], 0, 0, 0
+    vertex_of, fresh, target = [], 0, 0
     for gap, code in pairs:
         must(len(vertex_of) + gap < M, "CONN-11", "a glued vertex is not below M")
         vertex_of += range(fresh, fresh + gap)
-        fresh += gap
-        target = (target + unzigzag(code)) % 2**32
+        fresh, target = fresh + gap, (target + unzigzag(code)) % 2**32
         must(target < fresh, "CONN-11", "glued to a vertex that is not there yet")
         vertex_of.append(target)
-    rest = M - len(vertex_of)
-    return vertex_of + list(range(fresh, fresh + rest))
-
+    return vertex_of + list(range(fresh, fresh + M - len(vertex_of)))
 
 def CONN_13_glue(coder, walk, n):
     G, M = NumberModel().decode(coder), walk.manifold
     must(G <= M and M - G <= n, "CONN-11", f"{G} of {M} are glued")
     if 16 * G > M:
-        return CONN_14_glue(coder, walk, G, n)
+        return CONN_14_glue(coder, walk, G)
     gaps, targets = NumberModel(), NumberModel()
     return CONN_11_glue([(gaps.decode(coder), targets.decode(coder)) for _ in range(G)], M, n)
 
-
-def CONN_14_glue(coder, walk, G, n):
-    edges = {}  # E[x, y]: opposite vertex of the first face, and how many faces
-    vertex_of, is_glued = {}, {}
+def CONN_14_glue(coder, walk, G):
+    edges, vertex_of, is_glued = {}, {}, {}  # edges[x, y]: the opposite vertices of the faces with this edge
     glued_bits, kinds, numbers = bit_models(), symbol_models((4, 4, 4) + (1,) * 13), NumberModel()
-    fresh = glued = last = 0
+    fresh = last = 0
     for face in walk.faces:
         for corner, x in enumerate(face):
             if x in vertex_of:
                 continue
-            guesses, count = [None, None], 0
+            same = mirrored = ()
             if corner == 2:
                 a, b = vertex_of[face[0]], vertex_of[face[1]]
-                count = is_glued[face[0]] + is_glued[face[1]]
-                same, mirrored = edges.get((a, b)), edges.get((b, a))
-                guesses = [same and same[0], mirrored[0] if mirrored and mirrored[1] >= 2 else None]
-            k = (guesses[0] is not None) + 2 * (guesses[1] is not None)
+                same, mirrored = edges.get((a, b), ()), edges.get((b, a), ())
+            k, count = bool(same) + 2 * (len(mirrored) >= 2), is_glued[face[0]] + is_glued[face[1]] if corner == 2 else 0
             is_glued[x] = glued_bits[4 * count + k].decode(coder)
             if not is_glued[x]:
-                vertex_of[x] = fresh
-                fresh += 1
+                vertex_of[x], fresh = fresh, fresh + 1
                 continue
-            glued += 1
             kind = coder.symbol([kinds[k]])
-            must(kind <= 2, "CONN-14", f"kind {kind}")
-            if kind == 2:
-                target = (last + unzigzag(numbers.decode(coder))) % 2**32
-            else:
-                target = guesses[kind]
-                must(target is not None, "CONN-14", "a guess that is not there")
-            must(target < fresh, "CONN-14", "glued to a vertex that is not there yet")
-            vertex_of[x] = last = target
+            must(kind == 2 or kind < 2 and k >> kind & 1, "CONN-14", f"kind {kind} is none, or has no guess")
+            last = (last + unzigzag(numbers.decode(coder))) % 2**32 if kind == 2 else (same, mirrored)[kind][0]
+            must(last < fresh, "CONN-14", "glued to a vertex that is not there yet")
+            vertex_of[x] = last
         a, b, c = (vertex_of[x] for x in face)
         for x, y, opposite in ((a, b, c), (b, c, a), (c, a, b)):
-            entry = edges.setdefault((x, y), [opposite, 0])
-            entry[1] += 1
-    must(glued == G, "CONN-14", f"{glued} glued in place of {G}")
+            edges.setdefault((x, y), []).append(opposite)
+    must(sum(is_glued.values()) == G, "CONN-14", f"not {G} are glued")
     return vertex_of

@@ -3,7 +3,7 @@ import numpy as np
 
 from attr import ATTR_11_decode, Attribute, Surface
 from anch import ANCH_1_read
-from container import HIGHPASS, must, read_stream
+from container import CNT_1_stream, HIGHPASS, must
 from delt import DELT_1_positions
 from fgrp import FGRP_1_read
 from glue import CONN_8_faces
@@ -31,7 +31,7 @@ def GEO_1_round(positions):
 
 def decode(data, dump=nothing):
     mesh = Mesh()
-    header, listed = read_stream(data, Attribute)
+    header, listed = CNT_1_stream(data, Attribute)
     mesh.header = header
     chunks = {chunk.tag: chunk for chunk in listed if chunk.tag != "ATTR"}
     faces = CONN_8_faces(chunks.get("CONN"), header.triangles, header.geometric)

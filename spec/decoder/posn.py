@@ -37,7 +37,7 @@ def POSN_1_positions(chunk, header, faces, dump):
 
 
 def POSN_2_positions(rows, header):
-    return np.array([[header.point(a, q) for a, q in enumerate(row)] for row in rows])
+    return np.array([[header.POSN_2_place(a, q) for a, q in enumerate(row)] for row in rows])
 
 
 def POSN_9_lattice(coder, faces, n, header):

@@ -11,9 +11,9 @@ class ScaledCoder:
     def __init__(self):
         self.estimates, self.tails, self.low = [2**15] * 16, symbol_models(TAIL_WEIGHTS), LowBits()
 
-    def FLD_5_number(self, coder, models, weights, shift, tail, weigh=True):
+    def FLD_5_number(self, coder, models, weights, shift, tail):
         c = min(shift, 17)
-        s, low = coder.CMP_12_symbol(models, weights, c, self.estimates, weigh)
+        s, low = coder.CMP_12_symbol(models, weights, c, self.estimates)
         h = s - 7 if s < 15 else self.FLD_6_tail(coder, tail)
         x = (h << c) + low
         return (x << (shift - c)) + coder.raw(shift - c) if shift > c else x
