@@ -9,12 +9,10 @@ import ply
 from container import Broken
 from mesh import decode, nothing
 
-
 def show(name, value):
     """Prints an intermediate value in full."""
     with np.printoptions(threshold=sys.maxsize, floatmode="unique"):
         print(f"{name}: {value}")
-
 
 def figures(mesh):
     h = mesh.header
@@ -22,7 +20,6 @@ def figures(mesh):
     values["attributes"] = [{"name": a.name.decode("utf-8", "replace"), "kind": a.kind, "type": a.type, "components": a.k,
                              "error": a.error} for a in mesh.attributes]
     return values
-
 
 def main():
     parser = argparse.ArgumentParser(prog="decoder", description="Decodes a deltamesh stream, rule by rule.")
@@ -41,7 +38,6 @@ def main():
         print(json.dumps(figures(mesh), indent=2))
     if options.out:
         ply.write(options.out, mesh)
-
 
 if __name__ == "__main__":
     main()

@@ -2,7 +2,6 @@
 from coder import Coder, NumberModel
 from container import Reader, must, unzigzag
 
-
 def ANCH_1_read(chunk, header, n, components):
     """The anchors' positions by their vertices, in rising order."""
     data, count = chunk.data if chunk else b"", header.anchors

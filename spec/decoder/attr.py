@@ -13,10 +13,8 @@ USUAL = [None, ("NORMAL", 0, "f4", 3), ("TANGENT", 4, "f4", 4), ("TEXCOORD_0", 2
          ("WEIGHTS_0", 6, "f4", 4), ("WEIGHTS_0", 6, "u1", 4), ("WEIGHTS_0", 6, "u2", 4), ("nx", 0, "f4", 3),
          ("red", 1, "u1", 3), ("red", 1, "u1", 4), ("s", 2, "f4", 2), ("vn", 0, "f4", 3), ("vt", 2, "f4", 2)]
 
-
 class Attribute:
     """[ATTR-1] The descriptor; `values`, when it is decoded, is an array of n rows and k columns of `type`."""
-
     def __init__(self, r):
         row = r.u8()
         has_error, row = row >= 128, row & 127
@@ -37,21 +35,17 @@ class Attribute:
     def is_shape(self, kind, types, counts):
         return self.kind == kind and self.type in types and self.k in counts
 
-
 class Surface:
     """What attributes may know: faces over vertices, copies, positions [ATTR-10] and attributes decoded before."""
-
     def __init__(self, faces, first, geometric, positions, geometric_faces, attributes):
         self.faces, self.first, self.geometric, self.positions = faces, first, geometric, positions
         self.geometric_faces, self.attributes = geometric_faces, attributes
         self.n, self.has_copies = len(geometric), len(geometric) > len(first) - 1
 
-
 def f32_rows(rows, k):
     """Doubles rounded to f32, as an array."""
     with np.errstate(over="ignore"):
         return np.array(rows, dtype=np.float64).reshape(-1, k).astype("<f4")
-
 
 def ATTR_11_decode(chunks, make_surface):
     """All attributes: tangents and weights after all others."""
@@ -63,7 +57,6 @@ def ATTR_11_decode(chunks, make_surface):
                 chunk.descriptor.values = ATTR_2_values(chunk, surface)
                 must(chunk.descriptor.values.shape == (surface.n, chunk.descriptor.k), "ATTR-2", "internal: shape")
     return attributes
-
 
 def ATTR_2_values(chunk, surface):
     a, r = chunk.descriptor, Reader(chunk.data)
@@ -96,7 +89,6 @@ def ATTR_2_values(chunk, surface):
         from attr_skin import ATTR_60_joints as decode
     return decode(r, a, surface)
 
-
 def ATTR_3_symbols(r, n, components, w):
     """The symbol components, one list each."""
     result, modulus = [], 2**w
@@ -118,12 +110,10 @@ def ATTR_3_symbols(r, n, components, w):
         result.append(symbols)
     return result
 
-
 def ATTR_4_exact(r, a, n):
     size = int(a.type[1])
     symbols = ATTR_3_symbols(r, n, a.k, 8 * size)
     return np.array(symbols, dtype=f"<u{size}").reshape(a.k, n).T.copy().view("<" + a.type)
-
 
 def ATTR_5_octahedral(r, a, n):
     bits = r.u8()
@@ -142,7 +132,6 @@ def ATTR_5_octahedral(r, a, n):
         rows.append((x / length, y / length, z / length))
     return f32_rows(rows, 3)
 
-
 def ATTR_6_colours(r, a, n):
     bits = r.u8()
     must(1 <= bits <= (8 if a.type == "u1" else 16), "ATTR-6", f"{bits} bits")
@@ -152,7 +141,6 @@ def ATTR_6_colours(r, a, n):
     full = 255 if a.type == "u1" else 65535
     rows = [[(2 * s * full + m) // (2 * m) for s in row] for row in zip(*symbols)]
     return np.array(rows, dtype="<" + a.type).reshape(n, a.k)
-
 
 def ATTR_7_uvs(r, a, n):
     bits = r.u8()

@@ -12,7 +12,6 @@ from scaled import FLD_5_near, FLD_5_quantity, SYMBOL_WEIGHTS, ScaledCoder
 F = np.float32
 ZERO, HALF = F(0), F(0.5)
 
-
 def ATTR_45_colours(r, a, surface):
     level_bits, bound = r.u8(), r.number("H")
     must(level_bits in ((8,) if a.type == "u1" else (8, 16)), "ATTR-45", f"{level_bits} bits")
@@ -39,10 +38,8 @@ def ATTR_45_colours(r, a, surface):
     factor = 257 if a.type == "u2" and level_bits == 8 else 1
     return np.array([[x * factor for x in row] for row in levels], dtype="<" + a.type).reshape(surface.n, a.k)
 
-
 def size_class(x, unit, k):
     return min(bits(math.floor(x * (F(1) / unit))), k)
-
 
 class ColourCoder:
     def __init__(self, coder, surface, axes, top, bound):

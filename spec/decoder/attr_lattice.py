@@ -13,10 +13,8 @@ from lattice import LatticeCoder, POSN_3_known, POSN_8_table
 
 CONSTANT, AS_BEFORE, TIMES, RATIO, LISTED, FLOAT = range(6)
 
-
 class Component:
     """[ATTR-55]"""
-
     def __init__(self, r, a, before):
         self.type, size = a.type, int(a.type[1])
         self.kind = r.u8()
@@ -70,7 +68,6 @@ class Component:
             return next((i for i, value in enumerate(self.list) if not any(value)), 0)
         return clamp(-self.base, 0, self.cells)
 
-
 def ATTR_55_lattice(r, a, surface):
     components = []
     for _ in range(a.k):
@@ -89,7 +86,6 @@ def ATTR_55_lattice(r, a, surface):
     r.end()
     data = b"".join(c.value(numbers[id(c)][v]) for v in range(surface.n) for c in components)
     return np.frombuffer(data, dtype="<" + a.type).reshape(surface.n, a.k).copy()
-
 
 def ATTR_56_group(coder, group, surface, joined):
     """The columns of x, y and z."""
@@ -111,7 +107,6 @@ def ATTR_56_group(coder, group, surface, joined):
         must(all(0 <= q <= c.cells for row in rows for q, c in zip(row, group)), "ATTR-56", "a number above its cells")
     return list(zip(*rows)) or [[]] * 3
 
-
 def ATTR_57_numbers(coder, known, group, cells):
     """A function that decodes the numbers of a vertex."""
     lattice = LatticeCoder(coder, known, POSN_8_table(coder), cells, coder.raw(1))
@@ -129,7 +124,6 @@ def ATTR_57_numbers(coder, known, group, cells):
             pass
         return lattice.rows[v]
     return decode
-
 
 def ATTR_58_copies(coder, surface, joined, decode, width):
     """The rows of all vertices; `decode(v)` reads those of first copies, or of all without `joined`."""

@@ -13,7 +13,6 @@ from vectors import (ATTR_22_corner_angles, ATTR_22_scaled, ATTR_24_point, add, 
 
 F = np.float32
 
-
 def ATTR_20_normals(r, a, surface):
     form, radius = r.u8(), r.number("f")
     rule = form & 7
@@ -24,7 +23,6 @@ def ATTR_20_normals(r, a, surface):
     normals = NormalCoder(coder, surface, rule, form, radius).decode()
     coder.end()
     return f32_rows(normals, 3)
-
 
 def ATTR_22_rule(rule, surface):
     """Rule vectors, rule weights and rule noises of all vertices."""
@@ -52,13 +50,11 @@ def ATTR_22_rule(rule, surface):
         noises = (weight * turn[:, None]) * weight
         return tuple(sum_at_corners(faces, counted, x, n) for x in (directions, weight, noises))
 
-
 def exponent(x):
     """[ATTR-25] L"""
     if not x >= 2.0**-1022:
         return -1023
     return 1024 if math.isinf(x) else math.frexp(x)[1] - 1
-
 
 class NormalCoder:
     def __init__(self, coder, surface, rule, form, radius):

@@ -7,10 +7,8 @@ from coder import Coder, NumberModel, clamp, mixing_weights, symbol_models
 from container import must, unzigzag
 from lattice import Context, GuessCoder, Kept, NumberCoder, POSN_3_known, POSN_4_expect, POSN_5_coded
 
-
 def graph_of(surface, joined):
     return (surface.geometric_faces, len(surface.first) - 1) if joined else (surface.faces, surface.n)
-
 
 def ATTR_60_joints(r, a, surface):
     coder = Coder(r.rest())
@@ -21,10 +19,8 @@ def ATTR_60_joints(r, a, surface):
     must(all(0 <= j < 256**int(a.type[1]) for row in rows for j in row), "ATTR-60", "a joint is not of its type")
     return np.array(rows, dtype="<" + a.type).reshape(surface.n, 4)
 
-
 class JointCoder:
     """[ATTR-61]"""
-
     def __init__(self, coder, known):
         self.coder, self.known, self.rows = coder, known, {}
         self.row_models, self.row_weights = symbol_models((6, 12, 4, 3, 2) + (1,) * 11), mixing_weights(2)
@@ -79,7 +75,6 @@ class JointCoder:
         self.list = [joint] + self.list[:255]
         return joint
 
-
 def ATTR_62_joints(a, surface):
     """The joints of every vertex that go with these weights."""
     before = sum(b.kind == WEIGHTS for b in surface.attributes[:[b is a for b in surface.attributes].index(True)])
@@ -87,7 +82,6 @@ def ATTR_62_joints(a, surface):
     if joints and joints[0].is_shape(JOINTS, ["u1", "u2"], [4]):
         return [tuple(row) for row in joints[0].values.tolist()]
     return [(0, 1, 2, 3)] * surface.n
-
 
 def ATTR_63_weights(r, a, surface):
     total = r.varint(65536, "ATTR-63")
@@ -107,10 +101,8 @@ def ATTR_63_weights(r, a, surface):
         return f32_rows([[w / total for w in row] for row in rows], 4)
     return np.array([[w * (full // total) for w in row] for row in rows], dtype="<" + a.type).reshape(surface.n, 4)
 
-
 class WeightCoder:
     """[ATTR-64, ATTR-65]"""
-
     def __init__(self, coder, known, joints, total, blend):
         self.coder, self.known, self.joints, self.total = coder, known, joints, total
         self.table = [(20 * blend, 0)] * 24

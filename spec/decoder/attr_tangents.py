@@ -13,7 +13,6 @@ from walk import ATTR_30_walk, BitOfFaces, Blend, PairCoder, at_most, dot2
 
 NOTHING = (0.0, 0.0)
 
-
 def ATTR_38_tangents(r, a, surface):
     step = r.number("f")
     must(2.0**-20 <= step <= 1, "ATTR-38", f"step {step}")
@@ -22,10 +21,8 @@ def ATTR_38_tangents(r, a, surface):
     coder.end()
     return f32_rows([tangents[v] for v in range(surface.n)], 4)
 
-
 def first_of(surface, kind, k):
     return next((a.values for a in surface.attributes if a.is_shape(kind, ["f4"], [k])), None)
-
 
 def ATTR_39_normals(surface):
     """Unit normals of the vertices, (0, 0, 0) where there are none."""
@@ -44,10 +41,8 @@ def ATTR_39_normals(surface):
             rows.append(to_f32(unit(total) or (0.0, 0.0, 0.0)))
     return [unit(row) or (0.0, 0.0, 0.0) for row in rows]
 
-
 class Rule:
     """[ATTR-40] R and Q (or None), the dispersion, and whether the vertex is mirrored."""
-
     def __init__(self, S=(0.0,) * 3, W=0.0, T=(0.0,) * 3, A=0.0, normal=(0.0,) * 3):
         def across(x):
             return sub(x, times(dot(normal, x), normal))
@@ -55,7 +50,6 @@ class Rule:
         self.Q = unit(across(T)) or self.R
         self.dispersion = math.sqrt(2 * max(0.0, 1 - math.sqrt(dot(S, S)) / W)) if W > 0 else 0.0
         self.mirrored = A < 0
-
 
 def ATTR_40_rules(surface, normals):
     uvs, n = first_of(surface, UV, 2), surface.n
@@ -74,7 +68,6 @@ def ATTR_40_rules(surface, normals):
         terms = [(w * (F(1) / np.sqrt(GG))[:, None])[:, :, None] * G[:, None, :], w, np.stack([G] * 3, axis=1), np.stack([area] * 3, axis=1)]
         sums = [sum_at_corners(faces, counted, x, n).astype(np.float64).tolist() for x in terms]
     return [Rule(*rows) for rows in zip(*sums, normals)]
-
 
 class TangentCoder:
     def __init__(self, coder, surface, step):

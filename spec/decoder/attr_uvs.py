@@ -10,7 +10,6 @@ from graph import corners, others
 from vectors import dot, sub, times
 from walk import ATTR_30_walk, BitOfFaces, Blend, PairCoder, at_most, cross2, dot2, sub2
 
-
 def ATTR_31_uvs(r, a, surface):
     step = r.number("f")
     must(2.0**-100 <= step <= 2.0**64, "ATTR-31", f"step {step}")
@@ -18,7 +17,6 @@ def ATTR_31_uvs(r, a, surface):
     values = UvCoder(coder, surface, step).decode()
     coder.end()
     return f32_rows([values[v] for v in range(surface.n)], 2)
-
 
 def solve_symmetric(a, b, c, e, f, i, right):
     """[ATTR-33]"""
@@ -28,10 +26,8 @@ def solve_symmetric(a, b, c, e, f, i, right):
         return 0.0, 0.0, 0.0
     return tuple(dot(row, right) * (1 / determinant) for row in ((aa, ab, ac), (ab, bb, bc), (ac, bc, cc)))
 
-
 class Fit:
     """[ATTR-34] A linear function of a place; U and Q have a part for u and one for v."""
-
     def __init__(self):
         self.N, self.U, self.P, self.Q, self.S = 0.0, [0.0] * 2, [0.0] * 3, [[0.0] * 3, [0.0] * 3], [0.0] * 6
         self.number, self.function = 0, None
@@ -68,13 +64,10 @@ class Fit:
         M, V, slopes = self.function
         return tuple(V[k] + (p[0] - M[0]) * G[0] + (p[1] - M[1]) * G[1] + (p[2] - M[2]) * G[2] for k, G in enumerate(slopes))
 
-
 class Forecast:
     """[ATTR-33] What is known of a vertex' value before it is coded."""
-
     def __init__(self, value, n=0, kind=0):
         self.value, self.n, self.kind, self.spread = value, n, kind, 0.0
-
 
 class UvCoder:
     def __init__(self, coder, surface, step):

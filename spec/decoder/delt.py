@@ -4,10 +4,8 @@ import numpy as np
 from coder import Coder
 from container import Reader, must, unzigzag
 
-
 def is_solved(component):
     return len(component) >= 8
-
 
 def DELT_2_deltas(chunk, header, around, solved):
     """The delta coordinates of the solved vertices in model units, in numbers of `solved`: s rows of x, y, z."""
@@ -25,13 +23,11 @@ def DELT_2_deltas(chunk, header, around, solved):
         return header.step * r
     return np.array([[delta(x) for x in row] for row in q]).reshape(s, 3)
 
-
 def DELT_5_compact(data, around, solved):
     from fields import FLD_numbers
     renumbered = {v: i for i, v in enumerate(solved)}
     graph = [[renumbered[u] for u in around[v]] for v in solved]
     return FLD_numbers(data, graph)
-
 
 def DELT_4_least_squares(graph, deltas, places):
     """The solution on a graph whose vertices count from 0; `places` are the anchors' positions by their vertices."""
@@ -44,7 +40,6 @@ def DELT_4_least_squares(graph, deltas, places):
         normal[a, a] += 1
         right[a] += place
     return np.linalg.solve(normal, right)
-
 
 def DELT_1_positions(chunks, header, around, components, anchors, dump):
     """The positions of the geometric vertices in doubles."""

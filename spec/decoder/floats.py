@@ -5,24 +5,19 @@ from lattice import Context, GuessCoder, Kept, NumberCoder, POSN_4_expect, POSN_
 
 LARGEST = 2139095039
 
-
 def FLT_1_ordinal(pattern):
     return pattern if pattern < 2**31 else -1 - (pattern - 2**31)
-
 
 def FLT_1_bits(ordinal):
     must(-1 - LARGEST <= ordinal <= LARGEST, "FLT-1", f"ordinal {ordinal} is that of no finite float")
     return ordinal if ordinal >= 0 else 2**31 + -1 - ordinal
 
-
 def magnitude(ordinal):
     """z"""
     return ordinal if ordinal >= 0 else -1 - ordinal
 
-
 def FLT_2_last_place(z):
     return max(z >> 23, 1) - 150
-
 
 def FLT_2_units(ordinal, unit):
     z = magnitude(ordinal)
@@ -30,7 +25,6 @@ def FLT_2_units(ordinal, unit):
     by = FLT_2_last_place(z) - unit
     size = min(mantissa << by if by >= 0 else mantissa >> -by, 2**27)
     return size if ordinal >= 0 else -size
-
 
 def FLT_3_ordinal(u, unit):
     if u == 0:
@@ -41,10 +35,8 @@ def FLT_3_ordinal(u, unit):
     z = min(mantissa + (place + 149) * 2**23, LARGEST)
     return z if u > 0 else -1 - z
 
-
 class FloatCoder:
     """[FLT-1 to FLT-4] Ordinals of vertices; an axis without a unit is lacking, its ordinals are 0."""
-
     def __init__(self, coder, known, table, units):
         self.coder, self.known, self.table, self.units = coder, known, table, units
         self.ordinals, self.rows, self.kept = {}, {}, Kept()

@@ -1,6 +1,5 @@
 """Neighbours, components and corners of faces over vertices."""
 
-
 def neighbours(faces, n):
     """N(v), ascending: the vertices that share an edge with v, each once, never v itself."""
     around = [set() for _ in range(n)]
@@ -9,7 +8,6 @@ def neighbours(faces, n):
         around[b].update((c, a))
         around[c].update((a, b))
     return [sorted(s - {v}) for v, s in enumerate(around)]
-
 
 def components(around):
     """Lists of vertices, ascending, one for each connected component, by their first vertices."""
@@ -26,7 +24,6 @@ def components(around):
         result.append(sorted(found))
     return result
 
-
 def corners(faces, n):
     """The corners 3 f + k at every vertex, ascending."""
     at = [[] for _ in range(n)]
@@ -34,7 +31,6 @@ def corners(faces, n):
         for k, v in enumerate(face):
             at[v].append(3 * f + k)
     return at
-
 
 def others(faces, corner):
     """The vertices at the next corner of a corner's face and at the one before."""

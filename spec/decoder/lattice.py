@@ -4,10 +4,8 @@ from container import must
 from graph import corners, others
 from scaled import SYMBOL_WEIGHTS, ScaledCoder
 
-
 class Known:
     """[POSN-3] The known faces of a vertex as triples (a, b, o or None), its neighbours, and how many faces are at it."""
-
     def __init__(self, faces, count):
         self.faces, self.count = faces, count
         self.neighbours = [b for _, b, _ in faces] + [a for a, _, _ in faces if all(a != b for _, b, _ in faces)]
@@ -18,7 +16,6 @@ class Known:
         """[POSN-5]"""
         c = len(self.parallelograms)
         return min(c, 3) + 1 if c else int(bool(self.faces))
-
 
 def POSN_3_known(faces, n):
     at, result = corners(faces, n), []
@@ -33,11 +30,9 @@ def POSN_3_known(faces, n):
         result.append(Known(found, len(at[v])))
     return result
 
-
 def POSN_4_mean(numbers):
     c = len(numbers)
     return (sum(numbers) * ((65536 + c // 2) // c)) >> 16
-
 
 def POSN_8_table(coder):
     """The blend table as rows (A, C)."""
@@ -48,7 +43,6 @@ def POSN_8_table(coder):
             A, C = (coder.raw(8) ^ 128) - 128, (coder.raw(8) ^ 128) - 128
         rows.append((A, C))
     return rows
-
 
 def POSN_4_expect(known, table, row, axis, before):
     """Place and spread on an axis; `row(u)` are the numbers of vertex u, `before` the number of the vertex before."""
@@ -66,14 +60,11 @@ def POSN_4_expect(known, table, row, axis, before):
     place = 16 * base + N + ((A * (P - N) + C * (E - N)) >> 6)
     return POSN_4_limit(place, POSN_4_mean([abs(g - P) for g in guesses]))
 
-
 def POSN_4_limit(place, spread):
     return clamp(place >> 4, -2**30, 2**30) * 16 + (place & 15), min(spread, 2**30)
 
-
 class Context:
     """[POSN-5] What the coding of a number depends on."""
-
     def __init__(self, axis, place, spread, sizes, residual, sources, coded, whole):
         self.axis, self.place, self.spread, self.sources, self.whole = axis, place, spread, sources, whole
         scale = (5 * sizes[axis] + 3 * (sum(sizes) // 3)) >> 3
@@ -89,10 +80,8 @@ class Context:
         else:
             self.sure = 0 if axis == 0 else 1 if 4 * coded < self.scale else 2 if coded >= 2 * self.scale else 0
 
-
 class Kept:
     """[POSN-5] Residuals and magnitudes of the vertices coded so far."""
-
     def __init__(self):
         self.residuals, self.sizes = {}, {}
 
@@ -111,21 +100,17 @@ class Kept:
     def keep_nothing(self, v):
         self.residuals[v] = self.sizes[v] = [0, 0, 0]
 
-
 def POSN_5_coded(axis, off):
     """`off` are the differences of the numbers before to what was expected of them."""
     sizes = [min(16 * abs(x), 2**26) for x in off]
     return 0 if axis == 0 else sizes[0] if axis == 1 else min((sizes[0] + sizes[1]) >> 1, 2**26)
 
-
 def POSN_6_log(y):
     """W"""
     return 4 * (bits(y) - 1) + ((4 * y >> (bits(y) - 1)) & 3)
 
-
 class NumberCoder:
     """[POSN-6]"""
-
     def __init__(self):
         self.scaled, self.weights = ScaledCoder(), mixing_weights(2)
         self.models = symbol_models(SYMBOL_WEIGHTS)
@@ -142,10 +127,8 @@ class NumberCoder:
                                           min(shift, 3) * 5 + x.sources)
         return -number if x.mean < 0 else number
 
-
 class GuessCoder:
     """[FLT-4, POSN-9] Which of a few values a number is."""
-
     def __init__(self):
         self.models, self.weights = symbol_models((8, 4, 2, 2) + (1,) * 12), mixing_weights(2)
 
@@ -159,10 +142,8 @@ class GuessCoder:
         s = coder.symbol([self.models[0, (axis * 4 + M) * 7 + V], self.models[1, second]], self.weights[0])
         return different[s - 1] if 1 <= s <= V else None
 
-
 class LatticeCoder:
     """[POSN-3 to POSN-9] Numbers of vertices, one vertex after the other or two in turns."""
-
     def __init__(self, coder, known, table, cells, guesses):
         self.coder, self.known, self.table, self.cells, self.guesses = coder, known, table, cells, guesses
         self.rows, self.kept = {}, Kept()

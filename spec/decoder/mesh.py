@@ -12,22 +12,18 @@ from ordr import ORDR_1_read
 from posn import POSN_1_positions
 from seam import SEAM_1_read
 
-
 class Mesh:
     """`positions` (f32), `faces`, `groups` (or None) and `attributes` of the decoded mesh; `header`; `exact`, whether all
     decoders have the same bits of positions."""
 
-
 def nothing(name, value):
     """Where intermediate values are not asked for."""
-
 
 def GEO_1_round(positions):
     """Doubles to f32."""
     rounded = np.asarray(positions, dtype=np.float64).reshape(-1, 3).astype(np.float32)
     must(np.all(np.isfinite(rounded)), "GEO-1", "a coordinate is not finite")
     return rounded
-
 
 def decode(data, dump=nothing):
     mesh = Mesh()
@@ -56,7 +52,6 @@ def decode(data, dump=nothing):
     if header.restore_order:
         restore(mesh, *ORDR_1_read(chunks.get("ORDR"), seams.faces, header.vertices))
     return mesh
-
 
 def restore(mesh, places, face_places, rotations):
     """[ORDR-2, ORDR-3]"""

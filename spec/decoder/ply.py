@@ -5,7 +5,6 @@ from attr import COLOUR, NORMAL, UV
 
 NAMES = {"i1": "char", "u1": "uchar", "i2": "short", "u2": "ushort", "i4": "int", "u4": "uint", "f4": "float", "f8": "double"}
 
-
 def usual_first(attributes):
     """Pairs of an attribute and its properties' names: the first normals, texture coordinates and colours, then others."""
     usual = [(NORMAL, ["f4"], [3], ["nx", "ny", "nz"]), (UV, ["f4"], [2], ["s", "t"]),
@@ -18,7 +17,6 @@ def usual_first(attributes):
             name = a.name.decode("utf-8", "replace").replace(" ", "_")
             found.append((a, [name] if a.k == 1 else [f"{name}_{i}" for i in range(a.k)]))
     return found
-
 
 def write(path, mesh):
     """The place of a vertex is origin + position [HDR-12], in doubles where there is an origin."""

@@ -10,7 +10,6 @@ from floats import FLT_1_bits, FLT_1_ordinal, FLT_2_last_place, FloatCoder, magn
 from graph import corners, others
 from lattice import LatticeCoder, POSN_3_known, POSN_8_table
 
-
 def POSN_1_positions(chunk, header, faces, dump):
     """The positions of the geometric vertices in doubles."""
     n = header.geometric
@@ -35,10 +34,8 @@ def POSN_1_positions(chunk, header, faces, dump):
     dump("positions in the walk's order", positions)
     return positions[[number[v] for v in range(n)]]
 
-
 def POSN_2_positions(rows, header):
     return np.array([[header.POSN_2_place(a, q) for a, q in enumerate(row)] for row in rows])
-
 
 def POSN_9_lattice(coder, faces, n, header):
     """[POSN-9, POSN-11, POSN-13]"""
@@ -58,7 +55,6 @@ def POSN_9_lattice(coder, faces, n, header):
         POSN_11_replace(coder, positions)
     return positions
 
-
 def POSN_11_replace(coder, positions):
     count = NumberModel().decode(coder)
     must(count <= positions.size, "POSN-11", f"{count} replacements")
@@ -68,7 +64,6 @@ def POSN_11_replace(coder, positions):
         value = struct.unpack("<f", struct.pack("<I", coder.raw(32)))[0]
         must(at < flat.size and math.isfinite(value), "POSN-11", "a replacement is out of range or not finite")
         flat[at] = value
-
 
 def POSN_10_walk(walk, faces, n):
     """The vertices in the order in which they are coded."""
@@ -100,7 +95,6 @@ def POSN_10_walk(walk, faces, n):
                 if count[other] <= 3:
                     lists[count[other] - 1].append(other)
     return order
-
 
 def FLT_positions(coder, faces, n, header):
     """[FLT-2] for the units"""

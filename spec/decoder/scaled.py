@@ -4,10 +4,8 @@ from coder import LowBits, symbol_models
 SYMBOL_WEIGHTS = (1, 2, 3, 4, 8, 14, 24, 40, 24, 14, 8, 4, 3, 2, 1, 3)
 TAIL_WEIGHTS = (12, 8, 10, 7, 8, 5, 6, 4, 4, 3, 3, 2, 2, 1, 1, 1)
 
-
 class ScaledCoder:
     """The estimates of [CMP-12] and the models of the tail [FLD-6] of one field."""
-
     def __init__(self):
         self.estimates, self.tails, self.low = [2**15] * 16, symbol_models(TAIL_WEIGHTS), LowBits()
 
@@ -26,12 +24,10 @@ class ScaledCoder:
         size = 8 + self.low.decode(coder, length)
         return -size if s & 1 else size
 
-
 def FLD_5_quantity(x):
     """Q"""
     y = x + 4
     return min(4 * (y.bit_length() - 3) + ((y >> (y.bit_length() - 3)) & 3), 23)
-
 
 def FLD_5_near(near, s):
     """u"""

@@ -4,15 +4,12 @@ from container import must, unzigzag
 from graph import corners, others
 from lattice import Context, Kept, Known, NumberCoder, POSN_4_expect, POSN_5_coded
 
-
 def wrap16(x):
     return (x + 2**15) % 2**16 - 2**15
-
 
 def divide(a, b):
     """The quotient cut towards 0."""
     return abs(a) // abs(b) * (1 if (a < 0) == (b < 0) else -1)
-
 
 def edge_direction(number):
     """Where the middle of a cube's edge is from the cube's centre."""
@@ -21,9 +18,7 @@ def edge_direction(number):
     d[(k + 1) % 3], d[(k + 2) % 3] = 2 * (i % 2) - 1, 2 * (i // 2) - 1
     return tuple(d)
 
-
 NUMBERS = {edge_direction(e): e for e in range(12)}
-
 
 def VOX_turns():
     """For each of the 24 turns the number of every edge after it."""
@@ -35,9 +30,7 @@ def VOX_turns():
                 turns.append([NUMBERS[tuple(d)] for d in turned])
     return turns
 
-
 TURNS = VOX_turns()
-
 
 def cubes_of(axis, node):
     """The lowest nodes of the four cubes that an edge belongs to."""
@@ -50,18 +43,15 @@ def cubes_of(axis, node):
             result.append(tuple(cube))
     return result
 
-
 def edge_number(axis, node):
     """The number of an edge of the cube at (0, 0, 0), or None."""
     i, j = node[(axis + 1) % 3], node[(axis + 2) % 3]
     return 4 * axis + i + 2 * j if node[axis] == 0 and i in (0, 1) and j in (0, 1) else None
 
-
 def edge_of(number):
     """Axis and node of an edge of the cube at (0, 0, 0)."""
     d = edge_direction(number)
     return number // 4, tuple(int(x > 0) for x in d)
-
 
 def POSN_12_known(faces, n, turn):
     at, result = corners(faces, n), [None] * n
@@ -75,10 +65,8 @@ def POSN_12_known(faces, n, turn):
         result[v] = Known(kept, len(at[v]))
     return result
 
-
 class Cube:
     """[VOX-2, VOX-3] What is known of a vertex that has a cube."""
-
     def __init__(self, voxels, face, last, upper=False):
         a, b, o = face
         edges, spots = voxels.edges, voxels.spots
@@ -137,7 +125,6 @@ class Cube:
         """A key and the first weights of the edge symbol's model."""
         weights = [20 if e in self.likely else 1 for e in range(12)] + [1, 100 if self.opposite == 13 else 0, 0, 0]
         return (self.kind, self.likely, self.opposite), weights
-
 
 class VoxelCoder:
     def __init__(self, coder, faces, n, header):
@@ -253,7 +240,6 @@ class VoxelCoder:
             places.append(place)
         self.rows[v] = row
         self.kept.keep(v, row, places, sources, G)
-
 
 def VOX_1_rows(coder, faces, n, header):
     """The lattice coordinates of all vertices, in the walk's order."""

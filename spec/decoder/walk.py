@@ -4,7 +4,6 @@ from container import must
 from graph import corners, others
 from scaled import SYMBOL_WEIGHTS, ScaledCoder
 
-
 def ATTR_30_walk(faces, n):
     """Pairs of a vertex and the corners by which it completes faces, in the order of the walk."""
     at, visited, met, waits = corners(faces, n), [False] * n, [0] * len(faces), [0] * n
@@ -39,22 +38,17 @@ def ATTR_30_walk(faces, n):
             visit(v)
     return result
 
-
 def dot2(x, y):
     return x[0] * y[0] + x[1] * y[1]
-
 
 def cross2(x, y):
     return x[0] * y[1] - x[1] * y[0]
 
-
 def sub2(x, y):
     return x[0] - y[0], x[1] - y[1]
 
-
 class Blend:
     """[ATTR-35]"""
-
     def __init__(self):
         self.X11 = self.X12 = self.X22 = self.Y1 = self.Y2 = 0.0
 
@@ -71,10 +65,8 @@ class Blend:
         self.X22 = 0.99 * self.X22 + g * dot2(d2, d2)
         self.Y1, self.Y2 = 0.99 * self.Y1 + g * dot2(d1, e), 0.99 * self.Y2 + g * dot2(d2, e)
 
-
 class BitOfFaces:
     """[ATTR-36, ATTR-43] A bit whose model tells which values it had at the corners a and b of completed faces."""
-
     def __init__(self, coder):
         self.coder, self.models, self.had = coder, bit_models(), {}
 
@@ -83,22 +75,18 @@ class BitOfFaces:
         self.had[v] = self.models[(0 in had) + 2 * (1 in had)].decode(self.coder)
         return self.had[v]
 
-
 def ATTR_37_log(x):
     """W"""
     y = x + 4
     o = bits(y) - 3
     return min(2 * o + ((y >> (o + 1)) & 1), 19)
 
-
 def at_most(x, most):
     """The whole part of a double that is not negative."""
     return most if x >= most else int(x) if x > 0 else 0
 
-
 class PairCoder:
     """[ATTR-37] Two numbers."""
-
     def __init__(self, coder):
         self.coder, self.scaled, self.zero = coder, ScaledCoder(), bit_models()
         self.models, self.weights = symbol_models(SYMBOL_WEIGHTS), mixing_weights(3)
