@@ -4,10 +4,10 @@
 // Eight 16-bit numbers handled at once: enough for classes and indices, and twice as many as of 32 bits.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 
 #include "base/four_ints.h"
+#include "base/pick_lanes.h"
 
 namespace deltamesh {
 
@@ -21,29 +21,27 @@ constexpr EightShorts all_lanes(std::int32_t number) noexcept {
 
 /// Lanes of `low`, then of `high`, each at least -2^15 and at most 2^15 - 1.
 inline EightShorts pack_lanes(FourInts low, FourInts high) noexcept {
-#if defined(__SSE2__)
   return reinterpret_cast<EightShorts>(
-      _mm_packs_epi32(reinterpret_cast<__m128i>(low), reinterpret_cast<__m128i>(high)));
-#else
-  EightShorts result;
-  for (int i = 0; i < 8; ++i)
-    result[i] = static_cast<std::int16_t>(std::clamp(i < 4 ? low[i] : high[i - 4], -0x8000, 0x7fff));
-  return result;
-#endif
+      simde_mm_packs_epi32(reinterpret_cast<simde__m128i>(low), reinterpret_cast<simde__m128i>(high)));
+}
+
+/// A bit for every lane of `low` and then of `high` that is below 0.
+inline unsigned set_lanes(EightShorts low, EightShorts high) noexcept {
+  const auto bytes =
+      simde_mm_packs_epi16(reinterpret_cast<simde__m128i>(low), reinterpret_cast<simde__m128i>(high));
+  return static_cast<unsigned>(simde_mm_movemask_epi8(bytes));
 }
 
 /// The first four lanes of both, or the last four.
 inline EightShorts low_halves(EightShorts a, EightShorts b) noexcept {
-  return __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11);
+  return pick_lanes<0, 1, 2, 3, 8, 9, 10, 11>(a, b);
 }
 inline EightShorts high_halves(EightShorts a, EightShorts b) noexcept {
-  return __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15);
+  return pick_lanes<4, 5, 6, 7, 12, 13, 14, 15>(a, b);
 }
 
 /// The first four lanes, twice.
-inline EightShorts twice_low(EightShorts lanes) noexcept {
-  return __builtin_shufflevector(lanes, lanes, 0, 1, 2, 3, 0, 1, 2, 3);
-}
+inline EightShorts twice_low(EightShorts lanes) noexcept { return pick_lanes<0, 1, 2, 3, 0, 1, 2, 3>(lanes); }
 
 /// Where a lane of `mask` is -1 that of `if_set`, where it is 0 that of `if_clear`.
 inline EightShorts choose_lanes(EightShorts mask, EightShorts if_set, EightShorts if_clear) noexcept {
@@ -62,59 +60,34 @@ inline EightShorts wrapped_difference(EightShorts a, EightShorts b) noexcept {
 
 /// (a * b) >> 16.
 inline EightShorts multiply_high(EightShorts a, EightShorts b) noexcept {
-#if defined(__SSE2__)
   return reinterpret_cast<EightShorts>(
-      _mm_mulhi_epi16(reinterpret_cast<__m128i>(a), reinterpret_cast<__m128i>(b)));
-#else
-  EightShorts result;
-  for (int i = 0; i < 8; ++i) result[i] = static_cast<std::int16_t>((a[i] * b[i]) >> 16);
-  return result;
-#endif
+      simde_mm_mulhi_epi16(reinterpret_cast<simde__m128i>(a), reinterpret_cast<simde__m128i>(b)));
 }
 
 /// The same of lanes that stand for 0 to 65535.
 inline EightShorts multiply_high_unsigned(EightShorts a, EightShorts b) noexcept {
-#if defined(__SSE2__)
   return reinterpret_cast<EightShorts>(
-      _mm_mulhi_epu16(reinterpret_cast<__m128i>(a), reinterpret_cast<__m128i>(b)));
-#else
-  const auto number = [](std::int16_t lane) { return std::uint32_t{static_cast<std::uint16_t>(lane)}; };
-  EightShorts result;
-  for (int i = 0; i < 8; ++i) result[i] = static_cast<std::int16_t>((number(a[i]) * number(b[i])) >> 16);
-  return result;
-#endif
+      simde_mm_mulhi_epu16(reinterpret_cast<simde__m128i>(a), reinterpret_cast<simde__m128i>(b)));
 }
 
 /// What the first four lanes, each times `weight`, add up to, in the first two lanes; that of the last four
 /// in the others.
 inline FourInts sums_of_halves(EightShorts lanes, std::int32_t weight) noexcept {
-#if defined(__SSE2__)
-  const auto pairs = reinterpret_cast<FourInts>(
-      _mm_madd_epi16(reinterpret_cast<__m128i>(lanes), reinterpret_cast<__m128i>(all_lanes(weight))));
-  return pairs + __builtin_shufflevector(pairs, pairs, 1, 0, 3, 2);
-#else
-  const std::int32_t low = (lanes[0] + lanes[1] + lanes[2] + lanes[3]) * weight;
-  const std::int32_t high = (lanes[4] + lanes[5] + lanes[6] + lanes[7]) * weight;
-  return FourInts{low, low, high, high};
-#endif
+  const auto pairs = reinterpret_cast<FourInts>(simde_mm_madd_epi16(
+      reinterpret_cast<simde__m128i>(lanes), reinterpret_cast<simde__m128i>(all_lanes(weight))));
+  return pairs + pick_lanes<1, 0, 3, 2>(pairs);
 }
 
 /// `of_a`, `of_b`, and so on.
 inline EightShorts in_turns(std::int32_t of_a, std::int32_t of_b) noexcept {
-  return __builtin_shufflevector(all_lanes(of_a), all_lanes(of_b), 0, 8, 1, 9, 2, 10, 3, 11);
+  return pick_lanes<0, 8, 1, 9, 2, 10, 3, 11>(all_lanes(of_a), all_lanes(of_b));
 }
 
 /// What the first four lanes of `a` and of `b`, times the weights of both in turns, add up to.
 inline FourInts weighted_sums(EightShorts a, EightShorts b, EightShorts weights) noexcept {
-#if defined(__SSE2__)
-  const EightShorts pairs = __builtin_shufflevector(a, b, 0, 8, 1, 9, 2, 10, 3, 11);
+  const EightShorts pairs = pick_lanes<0, 8, 1, 9, 2, 10, 3, 11>(a, b);
   return reinterpret_cast<FourInts>(
-      _mm_madd_epi16(reinterpret_cast<__m128i>(pairs), reinterpret_cast<__m128i>(weights)));
-#else
-  FourInts result;
-  for (int i = 0; i < 4; ++i) result[i] = a[i] * weights[2 * i] + b[i] * weights[2 * i + 1];
-  return result;
-#endif
+      simde_mm_madd_epi16(reinterpret_cast<simde__m128i>(pairs), reinterpret_cast<simde__m128i>(weights)));
 }
 
 /// Four times the place of the highest bit, and the two bits below it; below 0 for lanes of 0. Lanes stand
@@ -122,31 +95,16 @@ inline FourInts weighted_sums(EightShorts a, EightShorts b, EightShorts weights)
 inline EightShorts quarter_octaves(EightShorts lanes) noexcept {
   constexpr int kOne = 127 * 4;  // the float's exponent for 1
   const auto of_four = [](FourInts numbers) { return reinterpret_cast<FourInts>(to_floats(numbers)) >> 21; };
-#if defined(__SSE2__)
-  const auto bits = reinterpret_cast<__m128i>(lanes);
-  const auto low = reinterpret_cast<FourInts>(_mm_unpacklo_epi16(bits, _mm_setzero_si128()));
-  const auto high = reinterpret_cast<FourInts>(_mm_unpackhi_epi16(bits, _mm_setzero_si128()));
-#else
-  FourInts low;
-  FourInts high;
-  for (int i = 0; i < 4; ++i) {
-    low[i] = static_cast<std::uint16_t>(lanes[i]);
-    high[i] = static_cast<std::uint16_t>(lanes[4 + i]);
-  }
-#endif
+  const auto bits = reinterpret_cast<simde__m128i>(lanes);
+  const auto low = reinterpret_cast<FourInts>(simde_mm_unpacklo_epi16(bits, simde_mm_setzero_si128()));
+  const auto high = reinterpret_cast<FourInts>(simde_mm_unpackhi_epi16(bits, simde_mm_setzero_si128()));
   return pack_lanes(of_four(low), of_four(high)) - all_lanes(kOne);
 }
 
 /// (a + b + 1) >> 1, no lane below 0.
 inline EightShorts rounded_means(EightShorts a, EightShorts b) noexcept {
-#if defined(__SSE2__)
   return reinterpret_cast<EightShorts>(
-      _mm_avg_epu16(reinterpret_cast<__m128i>(a), reinterpret_cast<__m128i>(b)));
-#else
-  EightShorts result;
-  for (int i = 0; i < 8; ++i) result[i] = static_cast<std::int16_t>((a[i] + b[i] + 1) >> 1);
-  return result;
-#endif
+      simde_mm_avg_epu16(reinterpret_cast<simde__m128i>(a), reinterpret_cast<simde__m128i>(b)));
 }
 
 /// Absolute values, of lanes above -2^15.

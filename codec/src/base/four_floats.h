@@ -18,11 +18,7 @@ inline FourFloats narrow_lanes(TwoDoubles low, TwoDoubles high) noexcept {
 
 /// Rounded as std::sqrt() is.
 inline FourFloats square_roots(FourFloats x) noexcept {
-#if defined(__SSE2__)
-  return _mm_sqrt_ps(x);
-#else
-  return FourFloats{std::sqrt(x[0]), std::sqrt(x[1]), std::sqrt(x[2]), std::sqrt(x[3])};
-#endif
+  return reinterpret_cast<FourFloats>(simde_mm_sqrt_ps(reinterpret_cast<simde__m128>(x)));
 }
 
 }  // namespace deltamesh

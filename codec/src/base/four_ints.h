@@ -11,11 +11,8 @@
 
 #include "base/four_floats.h"
 #include "base/mean.h"
+#include "base/pick_lanes.h"
 #include "base/two_doubles.h"
-
-#if defined(__SSE2__)
-#include <emmintrin.h>
-#endif
 
 namespace deltamesh {
 
@@ -28,34 +25,21 @@ inline FourInts four_ints(const std::array<std::uint32_t, 4>& numbers) noexcept 
 
 /// Three numbers and a 0.
 inline FourInts four_ints(const std::array<std::int32_t, 3>& numbers) noexcept {
-#if defined(__SSE2__)
-  return reinterpret_cast<FourInts>(_mm_unpacklo_epi64(
-      _mm_loadl_epi64(reinterpret_cast<const __m128i*>(numbers.data())), _mm_cvtsi32_si128(numbers[2])));
-#else
-  return FourInts{numbers[0], numbers[1], numbers[2], 0};
-#endif
+  return reinterpret_cast<FourInts>(
+      simde_mm_unpacklo_epi64(simde_mm_loadl_epi64(reinterpret_cast<const simde__m128i*>(numbers.data())),
+                              simde_mm_cvtsi32_si128(numbers[2])));
 }
 
 /// All but the last, in pieces that four_ints() soon after finds as they were written.
 inline void store_three(FourInts lanes, std::array<std::int32_t, 3>& numbers) noexcept {
-#if defined(__SSE2__)
-  _mm_storel_epi64(reinterpret_cast<__m128i*>(numbers.data()), reinterpret_cast<__m128i>(lanes));
-#else
-  numbers[0] = lanes[0];
-  numbers[1] = lanes[1];
-#endif
+  simde_mm_storel_epi64(reinterpret_cast<simde__m128i*>(numbers.data()),
+                        reinterpret_cast<simde__m128i>(lanes));
   numbers[2] = lanes[2];
 }
 
 /// A bit for every lane that is below 0.
 inline unsigned set_lanes(FourInts lanes) noexcept {
-#if defined(__SSE2__)
-  return static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<__m128>(lanes)));
-#else
-  unsigned set = 0;
-  for (unsigned i = 0; i < 4; ++i) set |= lanes[i] < 0 ? 1U << i : 0U;
-  return set;
-#endif
+  return static_cast<unsigned>(simde_mm_movemask_ps(reinterpret_cast<simde__m128>(lanes)));
 }
 
 /// About every lane / count, rounded down: (lane * kOneOver[count]) >> 16. Lanes are below 2^30 + 2^28 in
@@ -65,19 +49,14 @@ inline FourInts mean_lanes(FourInts lanes, unsigned count) noexcept {
   constexpr std::uint32_t kBias = 5U << 28;
   const auto one_over = static_cast<std::int32_t>(kOneOver[count]);
   const FourUnsigned sums = reinterpret_cast<FourUnsigned>(lanes) + kBias;
-#if defined(__SSE2__)
-  const auto biased = reinterpret_cast<__m128i>(sums);
-  const __m128i factor = _mm_set1_epi32(one_over);
-  const __m128i even = _mm_srli_epi64(_mm_mul_epu32(biased, factor), 16);
-  const __m128i odd = _mm_slli_epi64(_mm_mul_epu32(_mm_srli_epi64(biased, 32), factor), 16);
-  const __m128i high_halves = _mm_set_epi32(-1, 0, -1, 0);
+  const auto biased = reinterpret_cast<simde__m128i>(sums);
+  const simde__m128i factor = simde_mm_set1_epi32(one_over);
+  const simde__m128i even = simde_mm_srli_epi64(simde_mm_mul_epu32(biased, factor), 16);
+  const simde__m128i odd =
+      simde_mm_slli_epi64(simde_mm_mul_epu32(simde_mm_srli_epi64(biased, 32), factor), 16);
+  const simde__m128i high_halves = simde_mm_set_epi32(-1, 0, -1, 0);
   const auto means = reinterpret_cast<FourInts>(
-      _mm_or_si128(_mm_andnot_si128(high_halves, even), _mm_and_si128(high_halves, odd)));
-#else
-  FourInts means;
-  for (int i = 0; i < 4; ++i)
-    means[i] = static_cast<std::int32_t>(std::uint64_t{sums[i]} * static_cast<std::uint32_t>(one_over) >> 16);
-#endif
+      simde_mm_or_si128(simde_mm_andnot_si128(high_halves, even), simde_mm_and_si128(high_halves, odd)));
   return means - static_cast<std::int32_t>(kBias >> 16) * one_over;
 }
 
@@ -86,26 +65,18 @@ inline FourFloats to_floats(FourInts lanes) noexcept { return __builtin_convertv
 
 /// Products of lanes that 16 bits hold.
 inline FourInts multiply_short_lanes(FourInts a, FourInts b) noexcept {
-#if defined(__SSE2__)
   return reinterpret_cast<FourInts>(
-      _mm_madd_epi16(reinterpret_cast<__m128i>(a & 0xffff), reinterpret_cast<__m128i>(b)));
-#else
-  return a * b;
-#endif
+      simde_mm_madd_epi16(reinterpret_cast<simde__m128i>(a & 0xffff), reinterpret_cast<simde__m128i>(b)));
 }
 
 /// A third of the lanes' sum, rounded down, in every lane. No lane is below 0, the sum is below 2^31.
 inline FourInts third_of_sum(FourInts lanes) noexcept {
-  const FourInts halves = lanes + __builtin_shufflevector(lanes, lanes, 2, 3, 0, 1);
-  const FourInts sum = halves + __builtin_shufflevector(halves, halves, 1, 0, 3, 2);
-#if defined(__SSE2__)
+  const FourInts halves = lanes + pick_lanes<2, 3, 0, 1>(lanes);
+  const FourInts sum = halves + pick_lanes<1, 0, 3, 2>(halves);
   // Exact below 2^31: the factor is 2^32 / 3 and 2 / 3 more.
-  const auto thirds =
-      reinterpret_cast<FourInts>(_mm_mul_epu32(reinterpret_cast<__m128i>(sum), _mm_set1_epi32(0x55555556)));
-  return __builtin_shufflevector(thirds, thirds, 1, 1, 3, 3);
-#else
-  return FourInts{} + sum[0] / 3;
-#endif
+  const auto thirds = reinterpret_cast<FourInts>(
+      simde_mm_mul_epu32(reinterpret_cast<simde__m128i>(sum), simde_mm_set1_epi32(0x55555556)));
+  return pick_lanes<1, 1, 3, 3>(thirds);
 }
 
 /// (5 now + 3 before) >> 3: 0.6 of the one and 0.4 of the other, about.
@@ -125,27 +96,16 @@ inline FourInts clamp_lanes(FourInts lanes, std::int32_t most) noexcept {
 
 /// The nearest whole numbers, of two the even one; -2^31 for what has none of 32 bits.
 inline FourInts nearest_lanes(FourFloats lanes) noexcept {
-#if defined(__SSE2__)
-  return reinterpret_cast<FourInts>(_mm_cvtps_epi32(lanes));
-#else
-  FourInts nearest;
-  for (int i = 0; i < 4; ++i)
-    nearest[i] =
-        std::abs(lanes[i]) < 0x1p31F ? static_cast<std::int32_t>(std::nearbyint(lanes[i])) : INT32_MIN;
-  return nearest;
-#endif
+  return reinterpret_cast<FourInts>(simde_mm_cvtps_epi32(reinterpret_cast<simde__m128>(lanes)));
 }
 
 inline FourInts nearest_lanes(TwoDoubles low, TwoDoubles high) noexcept {
-#if defined(__SSE2__)
-  return reinterpret_cast<FourInts>(_mm_unpacklo_epi64(_mm_cvtpd_epi32(low), _mm_cvtpd_epi32(high)));
-#else
-  const auto nearest = [](double v) {
-    const double whole = std::nearbyint(v);
+  const auto nearest = [](double number) {
+    constexpr double kNoFraction = 0x1.8p52;  // so large that what is added becomes a whole number
+    const double whole = (number + kNoFraction) - kNoFraction;
     return std::abs(whole) < 0x1p31 ? static_cast<std::int32_t>(whole) : INT32_MIN;
   };
   return FourInts{nearest(low[0]), nearest(low[1]), nearest(high[0]), nearest(high[1])};
-#endif
 }
 
 /// Absolute values.

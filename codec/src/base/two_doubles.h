@@ -4,11 +4,7 @@
 // Two doubles handled at once, as of a mesh and of its decoded twin.
 #pragma once
 
-#include <cmath>
-
-#if defined(__SSE2__)
-#include <emmintrin.h>
-#endif
+#include <simde/x86/sse2.h>
 
 namespace deltamesh {
 
@@ -16,20 +12,10 @@ using TwoDoubles = double __attribute__((vector_size(16)));
 
 /// Rounded as std::sqrt() is.
 inline TwoDoubles square_roots(TwoDoubles x) noexcept {
-#if defined(__SSE2__)
-  return _mm_sqrt_pd(x);
-#else
-  return TwoDoubles{std::sqrt(x[0]), std::sqrt(x[1])};
-#endif
+  return reinterpret_cast<TwoDoubles>(simde_mm_sqrt_pd(reinterpret_cast<simde__m128d>(x)));
 }
 
 /// The larger of each pair, `b` where they do not compare.
-inline TwoDoubles larger_of(TwoDoubles a, TwoDoubles b) noexcept {
-#if defined(__SSE2__)
-  return _mm_max_pd(a, b);
-#else
-  return TwoDoubles{a[0] > b[0] ? a[0] : b[0], a[1] > b[1] ? a[1] : b[1]};
-#endif
-}
+inline TwoDoubles larger_of(TwoDoubles a, TwoDoubles b) noexcept { return a > b ? a : b; }
 
 }  // namespace deltamesh

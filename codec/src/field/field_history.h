@@ -12,6 +12,7 @@
 
 #include "base/four_ints.h"
 #include "base/large_vector.h"
+#include "base/pick_lanes.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {
@@ -82,12 +83,10 @@ class FieldHistory {
     const FourInts lanes = four_ints(r);
     const FourInts f = clamp_lanes(lanes, kLargestMultiplied);
     const FourInts numbers = lanes * kFieldUnit;
-    const FourInts yz = multiply_short_lanes(__builtin_shufflevector(f, f, 3, 3, 3, 1),
-                                             __builtin_shufflevector(f, f, 3, 3, 3, 2));
+    const FourInts yz = multiply_short_lanes(pick_lanes<3, 3, 3, 1>(f), pick_lanes<3, 3, 3, 2>(f));
     const FourInts magnitudes = lane_sizes(numbers) + yz * kFieldUnit;
-    const FourInts products = multiply_short_lanes(__builtin_shufflevector(f, f, 0, 0, 0, 1),
-                                                   __builtin_shufflevector(f, f, 0, 1, 2, 1)) *
-                              kFieldUnit;
+    const FourInts products =
+        multiply_short_lanes(pick_lanes<0, 0, 0, 1>(f), pick_lanes<0, 1, 2, 1>(f)) * kFieldUnit;
     FieldMemory& memory = memories_[vertex];
     if (around.count == 0) {
       memory = FieldMemory{numbers, magnitudes, products};

@@ -13,6 +13,7 @@
 #include <cstdint>
 
 #include "base/eight_shorts.h"
+#include "base/pick_lanes.h"
 #include "field/field_coder.h"
 #include "field/large_field_walk.h"
 
@@ -73,8 +74,8 @@ class LargeFieldForecasts {
     const EightShorts numbers = smaller_lanes(
         larger_lanes(pack_lanes(FourInts{q[0], q[1], q[2], 0}, FourInts{p[0], p[1], p[2], 0}), -most), most);
     const EightShorts errors = smaller_lanes(lane_sizes(numbers - references_), most);
-    const EightShorts first = __builtin_shufflevector(numbers, numbers, 1, 0, 0, 3, 5, 4, 4, 7);
-    const EightShorts second = __builtin_shufflevector(numbers, numbers, 2, 1, 2, 3, 6, 5, 6, 7);
+    const EightShorts first = pick_lanes<1, 0, 0, 3, 5, 4, 4, 7>(numbers);
+    const EightShorts second = pick_lanes<2, 1, 2, 3, 6, 5, 6, 7>(numbers);
     const EightShorts ties = ((lane_sizes(first + second) - lane_sizes(first - second)) << 1) + mean_ties_;
     const EightShorts sizes = rounded_means(lane_sizes(numbers) << 4, mean_sizes_) | kOneBehind;
     const EightShorts smooth_errors = rounded_means(errors << 4, mean_errors_);
@@ -120,8 +121,8 @@ class LargeFieldForecasts {
 
   /// (5 size + sum of all three sizes) >> 3.
   static EightUnsigned scales_of(EightUnsigned sizes) noexcept {
-    const EightUnsigned pairs = sizes + __builtin_shufflevector(sizes, sizes, 1, 0, 3, 2, 5, 4, 7, 6);
-    const EightUnsigned all = pairs + __builtin_shufflevector(pairs, pairs, 2, 3, 0, 1, 6, 7, 4, 5);
+    const EightUnsigned pairs = sizes + pick_lanes<1, 0, 3, 2, 5, 4, 7, 6>(sizes);
+    const EightUnsigned all = pairs + pick_lanes<2, 3, 0, 1, 6, 7, 4, 5>(pairs);
     return (sizes + ((sizes + all) >> 2)) >> 1;
   }
 

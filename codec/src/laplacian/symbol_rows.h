@@ -38,12 +38,8 @@ class SymbolView {
  private:
   bool is_short() const noexcept { return short_ != nullptr; }
   static FourInts widened(const ShortSymbols& row) noexcept {
-#if defined(__SSE2__)
-    const __m128i lanes = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(row.data()));
-    return reinterpret_cast<FourInts>(_mm_srai_epi32(_mm_unpacklo_epi16(lanes, lanes), 16));
-#else
-    return FourInts{row[0], row[1], row[2], row[3]};
-#endif
+    const simde__m128i lanes = simde_mm_loadl_epi64(reinterpret_cast<const simde__m128i*>(row.data()));
+    return reinterpret_cast<FourInts>(simde_mm_srai_epi32(simde_mm_unpacklo_epi16(lanes, lanes), 16));
   }
 
   const ShortSymbols* short_ = nullptr;

@@ -13,6 +13,7 @@
 
 #include "base/four_ints.h"
 #include "base/large_vector.h"
+#include "base/pick_lanes.h"
 
 namespace deltamesh {
 
@@ -135,9 +136,8 @@ inline std::uint32_t KnownFaces::across(std::uint32_t a, std::uint32_t b) const 
   around.faces = star.faces;
   const FourInts a = four_ints(star.a);
   const FourInts b = four_ints(star.b);
-  around.repeated = (a == __builtin_shufflevector(b, b, 1, 2, 3, 0)) |
-                    (a == __builtin_shufflevector(b, b, 2, 3, 0, 1)) |
-                    (a == __builtin_shufflevector(b, b, 3, 0, 1, 2));
+  around.repeated =
+      (a == pick_lanes<1, 2, 3, 0>(b)) | (a == pick_lanes<2, 3, 0, 1>(b)) | (a == pick_lanes<3, 0, 1, 2>(b));
   constexpr std::array<std::uint8_t, 16> kCount = {0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4};
   around.neighbor_count = 2 * star.known - kCount[set_lanes(around.repeated) & ((1U << star.known) - 1)];
   for (unsigned i = 0; i < star.known; ++i) {
