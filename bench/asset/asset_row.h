@@ -28,6 +28,9 @@ struct AssetRow {
   bool is_kept = true;      ///< no error of any mesh is above Draco's
   bool is_verified = true;  ///< errors were measured on decoded streams of both
   AssetTimes times{};       ///< zeros where they were not asked for
+  /// Likewise of streams without morph targets, so that both codecs do the same work; the same where the
+  /// asset has none.
+  AssetTimes times_without_morph{};
 
   /// With morph targets, or without.
   double ratio(bool morph) const;
