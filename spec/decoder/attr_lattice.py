@@ -4,7 +4,7 @@ import struct
 
 import numpy as np
 
-from coder import BitModel, Coder, NumberModel, bit_models, clamp
+from coder import BitModel, Coder, NumberModel, clamp
 from container import Reader, must, unzigzag
 from fields import ATTR_9_means
 from floats import FLT_1_bits, FloatCoder
@@ -89,6 +89,7 @@ def ATTR_55_lattice(r, a, surface):
 
 def ATTR_56_group(coder, group, surface, joined):
     """The columns of x, y and z."""
+    resting = None
     faces, n = (surface.geometric_faces, len(surface.first) - 1) if joined else (surface.faces, surface.n)
     cells = [c.cells for c in group] + [None] * (3 - len(group))
     if group[0].kind == FLOAT:
@@ -101,39 +102,59 @@ def ATTR_56_group(coder, group, surface, joined):
     elif coder.raw(1):
         decode, width = ATTR_9_means(coder, neighbours(faces, n), len(group)), len(group)
     else:
-        decode, width = ATTR_57_numbers(coder, POSN_3_known(faces, n), group, cells), len(group)
-    rows = ATTR_58_copies(coder, surface, joined, decode, width)
+        lattice = LatticeCoder(coder, POSN_3_known(faces, n), POSN_8_table(coder), cells, coder.raw(1))
+        decode, width = ATTR_57_numbers(lattice), len(group)
+        if coder.raw(1):
+            resting = Resting(coder, lattice, [c.rest for c in group] + [0] * (3 - len(group)))
+    rows = ATTR_58_copies(coder, surface, joined, decode, width, resting)
     if group[0].kind != FLOAT:
         must(all(0 <= q <= c.cells for row in rows for q, c in zip(row, group)), "ATTR-56", "a number above its cells")
     return list(zip(*rows)) or [[]] * 3
 
-def ATTR_57_numbers(coder, known, group, cells):
+def ATTR_57_numbers(lattice):
     """A function that decodes the numbers of a vertex."""
-    lattice = LatticeCoder(coder, known, POSN_8_table(coder), cells, coder.raw(1))
-    sparse, rest_bits = coder.raw(1), bit_models(1024)
-    rest = [c.rest for c in group] + [0] * (3 - len(group))
     def decode(v):
-        faces = known[v].faces
-        around = [u for a, b, _ in faces[:2] for u in (a, b)] if faces else [v - 1] if v else []
-        if sparse and all(lattice.rows[u] == rest for u in around):  # [ATTR-59]
-            if not rest_bits[min(len(faces), 2)].decode(coder):
-                lattice.rows[v] = rest
-                lattice.kept.keep_nothing(v)
-                return rest
         for _ in lattice.vertex(v):
             pass
         return lattice.rows[v]
     return decode
 
-def ATTR_58_copies(coder, surface, joined, decode, width):
+class Resting:
+    """[ATTR-59] Runs of vertices at rest."""
+
+    def __init__(self, coder, lattice, rest):
+        self.coder, self.lattice, self.rest = coder, lattice, rest
+        self.model, self.end = NumberModel(), None
+
+    def length(self, row, v):
+        """Of the run from `row` on, the first copy of v."""
+        faces = self.lattice.known[v].faces
+        around = [u for a, b, _ in faces[:2] for u in (a, b)] if faces else [v - 1] if v else []
+        if row == self.end or any(self.lattice.rows[u] != self.rest for u in around):
+            return 0
+        length = self.model.decode(self.coder)
+        self.end = row + length
+        return length
+
+    def keep(self, v):
+        self.lattice.rows[v] = self.rest
+        self.lattice.kept.keep_nothing(v)
+
+def ATTR_58_copies(coder, surface, joined, decode, width, resting=None):
     """The rows of all vertices; `decode(v)` reads those of first copies, or of all without `joined`."""
-    if not joined:
-        return [decode(v) for v in range(surface.n)]
+    first = surface.first if joined else range(surface.n + 1)
     rows, same, last = [], [BitModel(), BitModel()], 1
     models = [NumberModel() for _ in range(width)]
-    for g in range(len(surface.first) - 1):
-        rows.append(list(decode(g)))
-        for _ in range(surface.first[g] + 1, surface.first[g + 1]):
+    for g in range(len(first) - 1):
+        if resting and first[g] == len(rows):
+            length = resting.length(len(rows), g)
+            must(length <= surface.n - len(rows), "ATTR-59", f"{length} vertices at rest")
+            rows += [resting.rest] * length
+        if first[g] < len(rows):
+            resting.keep(g)
+        else:
+            rows.append(list(decode(g)))
+        while len(rows) < first[g + 1]:
             row, last = list(rows[-1]), same[last].decode(coder)
             if not last:
                 for i in range(width):

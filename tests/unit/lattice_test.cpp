@@ -17,6 +17,7 @@
 #include "base/byte_writer.h"
 #include "entropy/compact_reader.h"
 #include "entropy/compact_writer.h"
+#include "predictive/lattice_coder.h"
 #include "quality/round_up.h"
 #include "support/attribute_coding.h"
 #include "support/random.h"
@@ -442,7 +443,7 @@ TEST(Lattice, ATTR58CopiesCostNearlyNothingWhereTheyAgree) {
 
 /// The payload of one component of doubles at two vertices, by hand.
 std::vector<std::byte> by_hand(int kind, float times, float over, std::uint64_t base, std::uint64_t cells,
-                               bool has_fields = true) {
+                               bool has_fields = true, CompactWriter numbers = {}) {
   ByteWriter out;
   out.write(std::uint8_t{8});
   out.write(static_cast<std::uint8_t>(kind));
@@ -452,7 +453,7 @@ std::vector<std::byte> by_hand(int kind, float times, float over, std::uint64_t 
   }
   out.write_varint(base);
   out.write_varint(cells);
-  out.write_bytes(CompactWriter().finish());
+  out.write_bytes(numbers.finish());
   return out.take();
 }
 
@@ -498,6 +499,24 @@ TEST(Lattice, ATTR56NumbersBeyondTheLatticeAreRefused) {
                                    AttributeSurface(triangles, kVertices), {}, 1 << 20);
   ASSERT_FALSE(read);
   EXPECT_STREQ(read.error().rule, "ATTR-56");
+}
+
+TEST(Lattice, ATTR59RunsBeyondTheVerticesAreRefused) {
+  const auto rule_of_run = [](std::uint32_t length) {
+    CompactWriter writer;
+    writer.bits(0, 1);  // joined
+    writer.bits(0, 1);  // averaged
+    BlendTable blends = kUsualBlends;
+    code_blends(writer, blends);
+    writer.bits(0, 1);  // guesses
+    writer.bits(1, 1);  // sparse
+    NumberModel lengths;
+    writer.number(length, lengths);
+    return std::string(broken_rule(by_hand(2, 1, 1, 0, 1, true, std::move(writer))));
+  };
+  EXPECT_EQ(rule_of_run(2), "none");
+  EXPECT_EQ(rule_of_run(3), "ATTR-56");
+  EXPECT_EQ(rule_of_run(0xffffffff), "ATTR-56");
 }
 
 TEST(Lattice, ATTR2PlainPayloadsHaveNoLattice) {

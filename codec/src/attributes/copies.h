@@ -48,13 +48,19 @@ class CopyCoder {
   std::array<NumberModel, N> numbers_;
 };
 
+/// Of fields whose rows are all coded.
+inline constexpr auto kNoneAtRest = [](std::uint32_t, std::uint32_t) { return std::uint32_t{0}; };
+
 /// Codes `rows`, one for every vertex; a reader fills them in. `geometric`: of every vertex, never falling,
 /// each below `shared_count`; where it is empty, all rows are of the field. `code_first(vertex, rows)` codes
 /// a row of the field, `code_copy(before, row)` one of a copy; they return false where the stream breaks a
-/// rule, and so does this, or where, in a reader, the bytes end.
-template <class Coder, class Row, class CodeFirst, class CodeCopy>
+/// rule, and so does this, or where, in a reader, the bytes end. `count_at_rest(v, vertex)`, asked before the
+/// first row of each vertex: how many rows from v on are `rest`, as a reader's are at first, so that nothing
+/// is coded of them.
+template <class Coder, class Row, class CodeFirst, class CodeCopy, class CountAtRest = decltype(kNoneAtRest)>
 bool code_with_copies(Coder& coder, std::span<const std::uint32_t> geometric, std::size_t shared_count,
-                      std::span<Row> rows, CodeFirst code_first, CodeCopy code_copy) {
+                      std::span<Row> rows, CodeFirst code_first, CodeCopy code_copy, const Row& rest = {},
+                      CountAtRest count_at_rest = kNoneAtRest) {
   const auto goes_on = []([[maybe_unused]] const auto& source) {
     if constexpr (Coder::kWrites) {
       return true;
@@ -62,21 +68,24 @@ bool code_with_copies(Coder& coder, std::span<const std::uint32_t> geometric, st
       return !source.failed();
     }
   };
-  if (geometric.empty()) {
-    for (std::uint32_t v = 0; v < rows.size() && goes_on(coder); ++v)
-      if (!code_first(v, rows)) return false;
-    return goes_on(coder);
-  }
-  std::vector<Row> shared(shared_count, Row{});
+  const bool has_copies = !geometric.empty();
+  std::vector<Row> shared(has_copies ? shared_count : 0, rest);
+  const std::span<Row> field = has_copies ? std::span<Row>(shared) : rows;
   for (std::uint32_t v = 0; v < rows.size() && goes_on(coder); ++v) {
-    const std::uint32_t g = geometric[v];
-    if (v > 0 && geometric[v - 1] == g) {
+    const std::uint32_t vertex = has_copies ? geometric[v] : v;
+    if (has_copies && v > 0 && geometric[v - 1] == vertex) {
       if (!code_copy(rows[v - 1], rows[v])) return false;
       continue;
     }
-    if constexpr (Coder::kWrites) shared[g] = rows[v];
-    if (!code_first(g, std::span<Row>(shared))) return false;
-    rows[v] = shared[g];
+    const std::uint32_t resting = count_at_rest(v, vertex);
+    if (resting > rows.size() - v) return false;
+    if (resting > 0) {
+      v += resting - 1;
+      continue;
+    }
+    if constexpr (Coder::kWrites) field[vertex] = rows[v];
+    if (!code_first(vertex, field)) return false;
+    rows[v] = field[vertex];
   }
   return goes_on(coder);
 }

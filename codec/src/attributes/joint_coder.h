@@ -7,15 +7,17 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "base/four_ints.h"
 #include "base/zigzag.h"
-#include "entropy/compact_model.h"
 #include "entropy/number_model.h"
+#include "entropy/symbol_models.h"
 #include "predictive/surroundings.h"
 
 namespace deltamesh {
@@ -24,6 +26,12 @@ inline constexpr std::size_t kInfluences = 4;  ///< joints of a vertex
 
 /// The joints of a vertex, below 2^16, in the source's order.
 using JointRow = std::array<std::int32_t, kInfluences>;
+
+/// Whether the first `count` joints are the same.
+inline bool begins_alike(const JointRow& a, const JointRow& b, std::size_t count) noexcept {
+  const unsigned differ = set_lanes(std::bit_cast<FourInts>(a) != std::bit_cast<FourInts>(b));
+  return (differ & ((1U << count) - 1)) == 0;
+}
 
 /// Stable, the largest first; for a few dozen at most.
 template <class T, class Size>
@@ -50,14 +58,14 @@ class RowsAround {
   }
 
   struct Entry {
-    JointRow row{};
-    std::uint32_t times = 0;
+    JointRow row;
+    std::uint32_t times;
   };
   std::span<const Entry> entries() const noexcept { return {entries_.data(), count_}; }
   /// One more than the place of `row`, or 0.
   unsigned symbol_of(const JointRow& row) const noexcept {
     for (unsigned i = 0; i < count_; ++i)
-      if (entries_[i].row == row) return i + 1;
+      if (begins_alike(entries_[i].row, row, kInfluences)) return i + 1;
     return 0;
   }
 
@@ -86,7 +94,7 @@ class SlotGuesses {
     const auto begin = row.begin();
     const auto end = begin + static_cast<std::ptrdiff_t>(coded);
     for (const RowsAround::Entry& entry : around.entries()) {
-      const bool fits = std::equal(begin, end, entry.row.begin());
+      const bool fits = begins_alike(row, entry.row, coded);
       for (std::size_t slot = 0; slot < kInfluences; ++slot)
         add(entry.row[slot], entry.times * (slot != coded ? kOtherSlot : fits ? kSameBeginning : kSameSlot));
     }
@@ -119,14 +127,14 @@ class SlotGuesses {
   static constexpr std::uint32_t kUsed = 32;           ///< divisor for a joint that a slot before has
 
   struct Guess {
-    std::int32_t joint = 0;
-    std::uint32_t score = 0;
+    std::int32_t joint;
+    std::uint32_t score;
   };
 
   void add(std::int32_t joint, std::uint32_t score) noexcept {
     std::size_t place = 0;
     while (place < count_ && guesses_[place].joint != joint) ++place;
-    if (place == count_) guesses_[count_++] = {.joint = joint};
+    if (place == count_) guesses_[count_++] = {.joint = joint, .score = 0};
     guesses_[place].score += score;
   }
 
@@ -174,12 +182,7 @@ class JointCoder {
  public:
   /// `most`: what a joint may be.
   JointCoder(Coder& coder, const KnownFaces& faces, std::uint32_t most)
-      : coder_(coder), faces_(faces), most_(most), recent_(coder) {
-    row_models_[0].assign(kRowContexts * 5, kFreshRow);
-    row_models_[1].assign(kRowContexts * 7, kFreshRow);
-    slot_models_[0].assign(kInfluences * 16, kFreshSlot);
-    slot_models_[1].assign(kInfluences * 16, kFreshSlot);
-  }
+      : coder_(coder), faces_(faces), most_(most), recent_(coder) {}
 
   /// Codes rows[vertex], those before it being coded; a reader fills it in. False where a joint is too large.
   bool code_vertex(std::uint32_t vertex, std::span<JointRow> rows) {
@@ -241,8 +244,10 @@ class JointCoder {
   const KnownFaces& faces_;
   std::uint32_t most_;
   RecentJoints<Coder> recent_;
-  std::array<std::vector<SymbolModel>, 2> row_models_;
-  std::array<std::vector<SymbolModel>, 2> slot_models_;
+  std::array<SymbolModels, 2> row_models_{SymbolModels(kRowContexts * 5, kFreshRow),
+                                          SymbolModels(kRowContexts * 7, kFreshRow)};
+  std::array<SymbolModels, 2> slot_models_{SymbolModels(kInfluences * 16, kFreshSlot),
+                                           SymbolModels(kInfluences * 16, kFreshSlot)};
   MixWeights<2> row_weights_;
   MixWeights<2> slot_weights_;
 };

@@ -50,7 +50,8 @@ class LatticeValues {
 
   void set_group(const FieldGroup& group, std::span<const Cell> cells) noexcept {
     for (std::size_t axis = 0; axis < group.size(); ++axis) {
-      if (type_ == ComponentType::kF32 && lattices_[group[axis]].kind == LatticeKind::kPoints) {
+      const ComponentLattice& lattice = lattices_[group[axis]];
+      if (type_ == ComponentType::kF32 && lattice.kind == LatticeKind::kPoints) {
         set_points(group[axis], axis, cells);
         continue;
       }
@@ -61,11 +62,15 @@ class LatticeValues {
   std::vector<std::byte> take() noexcept { return std::move(values_); }
 
  private:
-  /// Floats that are points, finite as the lattice's ends are, without a choice for each of them.
+  /// Floats that are points, finite as the lattice's ends are, without a choice of kind for each of them. Of
+  /// morph targets most are zero, as all bits are at first.
   void set_points(std::size_t component, std::size_t axis, std::span<const Cell> cells) noexcept {
     const ComponentLattice& lattice = lattices_[component];
+    const std::int32_t rest = lattice.rest();
+    const bool rest_is_zero = lattice.bits_at(type_, rest) == 0;
     std::size_t place = component * sizeof(float);
     for (std::size_t i = 0; i < count_; ++i, place += lattices_.size() * sizeof(float)) {
+      if (rest_is_zero && cells[i][axis] == rest) continue;
       const auto value = static_cast<float>(lattice.at(cells[i][axis]));
       std::memcpy(values_.data() + place, &value, sizeof value);
     }

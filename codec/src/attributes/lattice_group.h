@@ -8,10 +8,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "attributes/averaged_field.h"
 #include "attributes/lattice_fields.h"
+#include "attributes/resting_runs.h"
 #include "predictive/float_coder.h"
 #include "predictive/lattice_coder.h"
 
@@ -41,8 +43,8 @@ inline bool is_within(const Cell& cell, const SurfaceFieldShape& shape) noexcept
   return within;
 }
 
-/// Codes `cells`, one for every vertex; a reader fills them in. False where a number is beyond its lattice,
-/// or, in a reader, the bytes end.
+/// Codes `cells`, one for every vertex; a reader, which has them at rest, fills them in. False where a number
+/// is beyond its lattice, or, in a reader, the bytes end.
 template <class Coder>
 bool code_numbers(Coder& coder, const FieldFaces& over, GroupForm& form, std::span<Cell> cells) {
   SurfaceFieldShape& shape = form.shape;
@@ -65,9 +67,17 @@ bool code_numbers(Coder& coder, const FieldFaces& over, GroupForm& form, std::sp
   shape.guesses = coder.bits(shape.guesses ? 1 : 0, 1) != 0;
   shape.sparse = coder.bits(shape.sparse ? 1 : 0, 1) != 0;
   SurfaceFieldCoder<Coder> field(coder, over.faces(), shape);
+  std::optional<RestingRuns<Coder>> runs;
+  if (shape.sparse) runs.emplace(coder, over.faces(), shape.rest);
   return code_with_copies(
       coder, over.geometric(), over.vertex_count(), cells,
-      [&](std::uint32_t vertex, std::span<Cell> all) { return field.code_vertex(vertex, all); }, code_copy);
+      [&](std::uint32_t vertex, std::span<Cell> all) {
+        if (!field.code_vertex(vertex, all)) return false;
+        if (runs) runs->end(vertex, all[vertex]);
+        return true;
+      },
+      code_copy, shape.rest,
+      [&](std::uint32_t row, std::uint32_t vertex) { return runs ? runs->code(row, vertex, cells) : 0; });
 }
 
 /// The same of the ordinals of floats, whose largest have these exponents.

@@ -12,9 +12,9 @@ namespace {
 /// The numbers of one group.
 Result<std::vector<Cell>> read_group(CompactReader& reader, const FieldFaces& over, const FieldGroup& group,
                                      std::span<const ComponentLattice> lattices, std::size_t count) {
-  std::vector<Cell> cells(count, Cell{});
   const bool is_floats = lattices[group.front()].is_floats();
   GroupForm form = form_of(group, lattices);
+  std::vector<Cell> cells(count, form.shape.rest);
   if (is_floats ? code_ordinals(reader, over, float_units(group, lattices), {}, cells)
                 : code_numbers(reader, over, form, cells))
     return cells;

@@ -11,7 +11,6 @@
 #include <optional>
 #include <span>
 
-#include "attributes/moving_vertices.h"
 #include "predictive/guesses.h"
 #include "predictive/match_coder.h"
 #include "predictive/residual_coder.h"
@@ -24,8 +23,8 @@ struct SurfaceFieldShape {
   std::array<std::uint32_t, 3> most{};  ///< numbers are 0 to this, which is at most 2^28
   BlendTable blends = kUsualBlends;
   bool guesses = false;  ///< numbers are compared with those around first
-  bool sparse = false;   ///< where all around is at rest, a bit says whether the vertex is [ATTR-59]
-  Cell rest{};           ///< its numbers there
+  bool sparse = false;   ///< what is at rest is told in runs [ATTR-59]
+  Cell rest{};           ///< the numbers there
 };
 
 template <class Coder>
@@ -37,26 +36,13 @@ class SurfaceFieldCoder {
         most_(four_ints({shape.most[0], shape.most[1], shape.most[2], 0U})),
         history_(faces.vertex_count()),
         residuals_(coder) {
-    if (shape.sparse) moving_.emplace(coder, faces);
+    if (shape.sparse) history_.clear();
     if (shape.guesses) matches_.emplace(coder);
   }
 
   /// Codes cells[vertex], those before it being coded; a reader fills it in. False where a number is beyond
   /// the most it may be.
   bool code_vertex(std::uint32_t vertex, std::span<Cell> cells) {
-    if (!moving_) return code_moving(vertex, cells);
-    if (moving_->rests(vertex, cells[vertex] != shape_.rest)) {
-      cells[vertex] = shape_.rest;
-      history_.skip(vertex);
-      return true;
-    }
-    const bool is_valid = code_moving(vertex, cells);
-    moving_->end(vertex, cells[vertex] != shape_.rest);
-    return is_valid;
-  }
-
- private:
-  bool code_moving(std::uint32_t vertex, std::span<Cell> cells) {
     const Surroundings around = faces_.around(vertex);
     ResidualTurn turn(history_.outlook(around, expect_place(around, vertex, cells, shape_.blends)),
                       FourInts{}, most_);
@@ -78,13 +64,13 @@ class SurfaceFieldCoder {
     return true;
   }
 
+ private:
   const KnownFaces& faces_;
   SurfaceFieldShape shape_;
   FourInts most_;
   ResidualHistory history_;
   ResidualCoder<Coder> residuals_;
-  std::optional<MatchCoder<Coder>> matches_;     ///< with guesses
-  std::optional<MovingVertices<Coder>> moving_;  ///< where the field is sparse
+  std::optional<MatchCoder<Coder>> matches_;  ///< with guesses
 };
 
 }  // namespace deltamesh

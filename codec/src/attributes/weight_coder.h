@@ -44,10 +44,7 @@ class WeightCoder {
         blends_(blends),
         history_(faces.vertex_count()),
         residuals_(coder),
-        matches_(coder) {
-    models_[0].assign(3 * 5 * 5 * 2, kFreshKind);
-    models_[1].assign(3 * 9 * 6, kFreshKind);
-  }
+        matches_(coder) {}
 
   /// Codes weights[vertex], those before it being coded; a reader fills it in. False where a weight is
   /// beyond what the others leave.
@@ -101,10 +98,12 @@ class WeightCoder {
 
   Cell of_joints(std::uint32_t vertex, const JointRow& wanted,
                  std::span<const WeightRow> weights) const noexcept {
-    Cell cell{};
-    for (std::size_t i = 0; i < cell.size(); ++i)
-      for (std::size_t slot = 0; slot < kInfluences; ++slot)
-        if (joints_[vertex][slot] == wanted[i]) cell[i] += weights[vertex][slot];
+    const auto lanes = std::bit_cast<FourInts>(wanted);
+    FourInts sum{};
+    for (std::size_t slot = 0; slot < kInfluences; ++slot)
+      sum += (lanes == joints_[vertex][slot]) & weights[vertex][slot];
+    Cell cell;
+    store_three(sum, cell);
     return cell;
   }
 
@@ -176,7 +175,8 @@ class WeightCoder {
   ResidualHistory history_;
   ResidualCoder<Coder> residuals_;
   MatchCoder<Coder> matches_;
-  std::array<std::vector<SymbolModel>, 2> models_;
+  std::array<SymbolModels, 2> models_{SymbolModels(3 * 5 * 5 * 2, kFreshKind),
+                                      SymbolModels(3 * 9 * 6, kFreshKind)};
   MixWeights<2> mix_;
 };
 

@@ -10,12 +10,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <utility>
-#include <vector>
 
 #include "connectivity/border.h"
 #include "connectivity/split_reference.h"
 #include "entropy/compact_model.h"
 #include "entropy/number_model.h"
+#include "entropy/symbol_models.h"
 
 namespace deltamesh {
 
@@ -28,10 +28,11 @@ template <class Coder>
 class OpCoder {
  public:
   explicit OpCoder(Coder& coder) : coder_(coder) {
+    constexpr std::size_t kOfFaces = kRunContexts / kMostFaces;
     for (std::uint32_t faces = 1; faces <= kMostFaces; ++faces) {
       const SymbolModel fresh = fresh_run(faces);
       for (auto* const models : {&first_runs_, &second_runs_})
-        models->insert(models->end(), kRunContexts / kMostFaces, fresh);
+        models->fill((faces - 1) * kOfFaces, kOfFaces, fresh);
     }
   }
 
@@ -167,11 +168,12 @@ class OpCoder {
   }
 
   /// The first quarter is of step 1 [CONN-6].
-  static std::vector<SymbolModel> fresh_rares(std::size_t contexts_of_near) {
+  static SymbolModels fresh_rares(std::size_t contexts_of_near) {
     constexpr SymbolModel kFirstStep{{0, 8, 0, 8, 1, 6, 5, 0, 0, 0, 0, 0, 0, 0, 0, 0}};
     constexpr SymbolModel kSecondStep{{8, 1, 1, 0, 1, 8, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0}};
-    std::vector<SymbolModel> models(kRareNears * contexts_of_near, kSecondStep);
-    std::fill_n(models.begin(), models.size() / 4, kFirstStep);
+    const std::size_t count = kRareNears * contexts_of_near;
+    SymbolModels models(count, kSecondStep);
+    models.fill(0, count / 4, kFirstStep);
     return models;
   }
 
@@ -180,11 +182,11 @@ class OpCoder {
   std::uint32_t new_vertices_ = 0;  ///< of a writer's run so far
   RunContext run_context_{};        ///< where that began
   std::uint32_t last_ = 0;          ///< the last op: 0 in step 1 [CONN-6], else 1 C, 2 another
-  std::vector<SymbolModel> first_runs_;
-  std::vector<SymbolModel> second_runs_;
+  SymbolModels first_runs_{kRunContexts};
+  SymbolModels second_runs_{kRunContexts};
   std::array<MixWeights<2>, kMostFaces * 4> run_weights_;
-  std::vector<SymbolModel> first_rares_ = fresh_rares(16);
-  std::vector<SymbolModel> second_rares_ = fresh_rares(8);
+  SymbolModels first_rares_ = fresh_rares(16);
+  SymbolModels second_rares_ = fresh_rares(8);
   std::array<MixWeights<2>, kRareNears> rare_weights_;
   NumberModel references_;
 };

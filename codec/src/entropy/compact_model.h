@@ -75,8 +75,10 @@ inline constexpr std::int16_t kLaneOne = 32512;
 /// Distribution of one symbol in one context. Lane i holds the probability of a symbol below i.
 class alignas(16) SymbolModel {
  public:
+  SymbolModel() = default;  ///< to be set before it is used
   /// `weights`: 16 relative frequencies, sum above 0, below 2^16.
-  explicit constexpr SymbolModel(const std::array<std::uint8_t, kSymbols>& weights) noexcept {
+  explicit constexpr SymbolModel(const std::array<std::uint8_t, kSymbols>& weights) noexcept
+      : lanes_{}, count_(0) {
     std::uint32_t sum = 0;
     for (const std::uint8_t w : weights) sum += w;
     std::uint32_t below = 0;
@@ -125,8 +127,8 @@ class alignas(16) SymbolModel {
     return pulls;
   }();
 
-  std::array<std::int16_t, kSymbols + 1> lanes_{};  ///< the last is after all symbols and stays
-  std::uint8_t count_ = 0;                          ///< symbols seen, to kMostCounted
+  std::array<std::int16_t, kSymbols + 1> lanes_;  ///< the last is after all symbols and stays
+  std::uint8_t count_;                            ///< symbols seen, to kMostCounted
 };
 
 /// Weights of `K` models, learnt [CMP-6].

@@ -11,10 +11,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <vector>
 
 #include "entropy/compact_model.h"
 #include "entropy/number_model.h"
+#include "entropy/symbol_models.h"
 
 namespace deltamesh {
 
@@ -100,7 +100,7 @@ class SplitNumberCoder {
 
   Coder& coder_;
   std::uint32_t contexts_;
-  std::vector<SymbolModel> tails_;
+  SymbolModels tails_;
   MixWeights<1> tail_weights_;
   std::array<BitModel, 33> second_;
   std::array<std::array<BitModel, 2>, 33> third_;

@@ -8,9 +8,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <vector>
 
-#include "entropy/compact_model.h"
+#include "entropy/symbol_models.h"
 #include "predictive/guesses.h"
 #include "predictive/surroundings.h"
 
@@ -19,9 +18,7 @@ namespace deltamesh {
 template <class Coder>
 class MatchCoder {
  public:
-  explicit MatchCoder(Coder& coder) : coder_(coder) {
-    for (std::size_t i = 0; i < models_.size(); ++i) models_[i].assign(kContexts[i], kFresh);
-  }
+  explicit MatchCoder(Coder& coder) : coder_(coder) {}
 
   /// Whether `value`, which a reader gets, is one of `guesses`. Axes come in order; `missed`: a bit for every
   /// axis of the vertex that was none of its guesses, at first 0.
@@ -51,7 +48,7 @@ class MatchCoder {
   static constexpr SymbolModel kFresh{{8, 4, 2, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
 
   Coder& coder_;
-  std::array<std::vector<SymbolModel>, 2> models_;
+  std::array<SymbolModels, 2> models_{SymbolModels(kContexts[0], kFresh), SymbolModels(kContexts[1], kFresh)};
   MixWeights<2> weights_;
 };
 

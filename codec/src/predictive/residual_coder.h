@@ -7,9 +7,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "entropy/split_number.h"
+#include "entropy/symbol_models.h"
 #include "predictive/residual_context.h"
 
 namespace deltamesh {
@@ -18,9 +18,7 @@ namespace deltamesh {
 template <class Coder>
 class ResidualCoder {
  public:
-  explicit ResidualCoder(Coder& coder) : coder_(coder), numbers_(coder, kResidualTails) {
-    for (std::size_t i = 0; i < models_.size(); ++i) models_[i].assign(kResidualContexts[i], kFreshSplit);
-  }
+  explicit ResidualCoder(Coder& coder) : coder_(coder), numbers_(coder, kResidualTails) {}
 
   /// A reader's argument is ignored. Where the stream lies the result is anything below 2^62 in size.
   std::int64_t code(std::int64_t residual, const ResidualForecast& f) { return code(coder_, residual, f); }
@@ -36,7 +34,8 @@ class ResidualCoder {
  private:
   Coder& coder_;
   SplitNumberCoder<Coder> numbers_;
-  std::array<std::vector<SymbolModel>, kResidualModels> models_;
+  std::array<SymbolModels, kResidualModels> models_{SymbolModels(kResidualContexts[0], kFreshSplit),
+                                                    SymbolModels(kResidualContexts[1], kFreshSplit)};
   std::array<MixWeights<kResidualModels>, kResidualWeightSets> weights_;
 };
 

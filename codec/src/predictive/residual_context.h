@@ -204,8 +204,8 @@ class ResidualHistory {
   [[gnu::always_inline]] void end(std::uint32_t vertex, const ResidualTurn& turn, FourInts cell) noexcept {
     records_[vertex] = turn.record(cell);
   }
-  /// Of a vertex that is not coded, as what it is is known.
-  void skip(std::uint32_t vertex) noexcept { records_[vertex] = ResidualRecord{FourInts{}, FourInts{}}; }
+  /// Before the first vertex, where some will not be coded, as what they are is known.
+  void clear() noexcept { std::ranges::fill(records_, ResidualRecord{FourInts{}, FourInts{}}); }
 
  private:
   ResidualRecord sum(const KnownFace& face) const noexcept {
