@@ -67,9 +67,6 @@ ResidualForecast forecast_by_the_letter(std::int64_t place, std::int64_t spread,
   return forecast;
 }
 
-/// Voxels of two steps.
-bool is_on_edge(const Cell& cell) { return (cell[0] & 1) + (cell[1] & 1) + (cell[2] & 1) == 1; }
-
 /// [VOX-1, VOX-5] without cubes, and [POSN-12], with one level.
 class LetterReader {
  public:
@@ -86,7 +83,7 @@ class LetterReader {
     const unsigned start = reader_.symbol(0, Mixture<1>{{&start_}, &start_weights_});
     if (start == 3) return read_free(v, around, expected);
     for (std::size_t a = 0; a < 3; ++a) {
-      const auto below = std::max<std::int64_t>((expected.place()[a] >> 4) / 2, 0);
+      const auto below = (expected.place()[a] >> 4) / 2;
       cells[v][a] = 2 * static_cast<std::int32_t>(below + unzigzag(reader_.number(0, nodes_[a])));
     }
     ++cells[v][start];
@@ -98,20 +95,16 @@ class LetterReader {
  private:
   void read_free(std::uint32_t v, const Surroundings& around, const Expectation& expected) {
     Kept mean;
-    std::int64_t known = 0;
-    for (unsigned i = 0; i < around.known_count && known < 2; ++i) {
-      std::uint32_t a = around.known[i].a;
-      std::uint32_t b = around.known[i].b;
-      if (is_on_edge(cells[a]) && is_on_edge(cells[b])) continue;
-      if (is_on_edge(cells[a])) a = b;
-      if (is_on_edge(cells[b])) b = a;
-      ++known;
+    const unsigned known = std::min(around.known_count, 2U);
+    for (unsigned i = 0; i < known; ++i) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        mean.residual[axis] += kept_[a].residual[axis] + kept_[b].residual[axis];
-        mean.magnitude[axis] += kept_[a].magnitude[axis] + kept_[b].magnitude[axis];
+        for (const std::uint32_t u : {around.known[i].a, around.known[i].b}) {
+          mean.residual[axis] += kept_[u].residual[axis];  // 0 of those on edges
+          mean.magnitude[axis] += kept_[u].magnitude[axis];
+        }
       }
     }
-    for (std::int64_t halves = 0; halves < known; ++halves)
+    for (unsigned halves = 0; halves < known; ++halves)
       for (Numbers* numbers : {&mean.residual, &mean.magnitude})
         for (std::int64_t& number : *numbers) number >>= 1;
     const std::uint32_t count = around.parallelogram_count;
@@ -165,7 +158,7 @@ TEST(Voxels, VOX1POSN5FreeVerticesAmongVerticesOnEdgesAreAsWritten) {
   EXPECT_TRUE(reader.finish(kTagPositions));
   EXPECT_EQ(letter.cells, cells);
   // In the order of turns; 9 has no faces.
-  EXPECT_EQ(letter.sources, (std::vector<std::uint32_t>{2, 0, 2, 0}));
+  EXPECT_EQ(letter.sources, (std::vector<std::uint32_t>{2, 0, 2, 1}));
 }
 
 }  // namespace

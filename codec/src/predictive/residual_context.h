@@ -183,6 +183,9 @@ class ResidualTurn {
 class ResidualHistory {
  public:
   explicit ResidualHistory(std::uint32_t vertex_count) : records_(vertex_count) {}
+  /// As if all had this.
+  ResidualHistory(std::uint32_t vertex_count, const ResidualRecord& record)
+      : records_(vertex_count, record) {}
 
   Outlook outlook(const Surroundings& around, const Expectation& expected) const noexcept {
     Outlook result{.expected = expected,

@@ -32,13 +32,16 @@ class VoxelCoder {
         faces_(faces),
         largest_(largest),
         grid_(levels),
-        history_(faces.vertex_count()),
         residuals_(coder),
         spots_(std::size_t{faces.vertex_count()} + kNoCube.size() + 1),
-        nodes_(faces.vertex_count()),
+        nodes_(spots_.size()),
         set_places_(voxel::kPairKinds << voxel::kEdges) {
     spots_[faces.none()] = kOffEdges;
-    std::copy(kNoCube.begin(), kNoCube.end(), spots_.end() - kNoCube.size());
+    nodes_[faces.none()] = kNowhere;
+    for (std::size_t i = 0; i < kNoCube.size(); ++i) {
+      nodes_[faces.none() + 1 + i] = kNoCube[i];
+      spots_[faces.none() + 1 + i] = spot_of({kNoCube[i][0], kNoCube[i][1], kNoCube[i][2]}, 0, 0);
+    }
     while ((levels - 1) >> low_bits_ >= kSymbols) ++low_bits_;
     std::array<std::uint8_t, kSymbols> weights{};
     for (std::uint32_t i = 0; i <= (levels - 1) >> low_bits_; ++i) weights[i] = 1;
@@ -54,18 +57,15 @@ class VoxelCoder {
     Vertex second(*this, is_alone ? turn : other, cells);
     Corners corners = {corners_of(first.number), corners_of(second.number)};
     VoxelPair pair;
-    if (!pair.find(corners, spots_)) [[unlikely]] {
+    if (!pair.find(corners, places())) [[unlikely]] {
       first.has_cube = find_cube(corners[0]);
       second.has_cube = find_cube(corners[1]);
       pair = VoxelPair();  // find() may have left it half filled in
-      pair.find(corners, spots_);
+      pair.find(corners, places());
     }
     pair.look(corners, spots_);
-    const unsigned first_number = first.has_cube ? code_edge(0, pair, corners, first) : voxel::kNoEdge;
-    const unsigned second_number =
-        second.has_cube && !is_alone ? code_edge(1, pair, corners, second) : voxel::kNoEdge;
-    const char* const broken = code_rest(0, pair, corners, first, first_number, cells);
-    return broken != nullptr || is_alone ? broken : code_rest(1, pair, corners, second, second_number, cells);
+    const char* const broken = code_vertex(0, pair, corners, first, cells);
+    return broken != nullptr || is_alone ? broken : code_vertex(1, pair, corners, second, cells);
   }
 
  private:
@@ -83,6 +83,7 @@ class VoxelCoder {
 
     std::uint32_t number;
     bool has_cube = true;
+    bool is_near = false;               ///< of a writer's, to the first corner
     std::optional<VoxelGrid::Cut> cut;  ///< of a writer's, where the vertex is on an edge; and its spot
     VoxelSpot told;
   };
@@ -91,30 +92,36 @@ class VoxelCoder {
   static constexpr unsigned kFree = 3;
   static constexpr SymbolModel kFreshStart{{8, 8, 8, 8, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
   /// Two edges of one cube, for faces of vertices without a cube.
-  static constexpr std::array<VoxelSpot, 2> kNoCube = {{{{0, 0, 0, 0}}, {{0, kVoxelParts, kVoxelParts, 0}}}};
+  static constexpr std::array<FourInts, 2> kNoCube = {FourInts{0, 0, 0, 0}, FourInts{0, 1, 1, 0}};
+
+  VoxelPlaces places() const noexcept { return {spots_, nodes_}; }
 
   [[gnu::always_inline]] VoxelCorners corners_of(std::uint32_t vertex) const noexcept {
-    const VoxelFaces::Star& star = faces_.star(vertex);
-    return {star, faces_.across(star[0], star[1])};
+    return seen_by(faces_.star(vertex));
+  }
+  [[gnu::always_inline]] VoxelCorners seen_by(const VoxelFaces::Star& star) const noexcept {
+    const std::uint32_t across = faces_.across(star[0], star[1]);
+    const bool is_far = set_lanes(far_lanes(nodes_[across], nodes_[star[0]])) != 0;
+    return {star, choose(is_far, faces_.none(), across)};
   }
 
   /// Leaves faces of which find() finds cubes; false where they are not the vertex'.
   [[gnu::noinline]] bool find_cube(VoxelCorners& corners) const noexcept {
-    const auto [a, b, last_a, last_b] = static_cast<std::array<std::uint32_t, 4>>(corners.star);
-    const auto takes = [&](std::uint32_t first_a, std::uint32_t first_b, std::uint32_t other_a,
-                           std::uint32_t other_b) {
-      corners = {{{first_a, first_b, other_a, other_b}}, faces_.across(first_a, first_b)};
-      return VoxelPair().find({corners, corners}, spots_);
-    };
-    if (takes(a, b, last_a, last_b) || takes(a, b, a, b) || takes(last_a, last_b, last_a, last_b))
-      return true;
+    const std::uint32_t a = corners.star[0];
+    const std::uint32_t b = corners.star[1];
+    if (VoxelPair().find({corners, corners}, places())) return true;
+    corners.star = {{a, b, a, b}};
+    if (VoxelPair().find({corners, corners}, places())) return true;
     const std::uint32_t none = faces_.none();
     corners = {{{none + 1, none + 2, none + 1, none + 2}}, none};
     return false;
   }
 
   [[gnu::always_inline]] unsigned code_edge(std::size_t i, VoxelPair& pair, const Corners& corners,
-                                            const Vertex& vertex) {
+                                            Vertex& vertex) {
+    if constexpr (Coder::kWrites)
+      vertex.is_near =
+          vertex.cut && set_lanes(far_lanes(four_ints(vertex.cut->node), nodes_[corners[i].star[0]])) == 0;
     const unsigned number = code_number(i, pair, vertex);
     return number == VoxelPair::kOpen ? code_in_higher(i, pair, corners, vertex) : number;
   }
@@ -133,8 +140,8 @@ class VoxelCoder {
       place = add_models(pair.likely(i));
     unsigned number = voxel::kNoEdge;
     if constexpr (Coder::kWrites) {
-      if (vertex.cut) number = pair.number_of(i, vertex.told);
-      if (vertex.cut && number == voxel::kNoEdge && pair.is_open(i) && pair.higher_has(i, vertex.told))
+      if (vertex.is_near) number = pair.number_of(i, vertex.told);
+      if (vertex.is_near && number == voxel::kNoEdge && pair.is_open(i) && pair.higher_has(i, vertex.told))
         number = VoxelPair::kOpen;
     }
     SymbolModel& model = edge_models_[std::size_t{place} * kOpposites - kOpposites + pair.opposite(i)];
@@ -152,6 +159,12 @@ class VoxelCoder {
     return static_cast<std::uint16_t>(edge_models_.size() / kOpposites);
   }
 
+  [[gnu::always_inline]] const char* code_vertex(std::size_t i, VoxelPair& pair, const Corners& corners,
+                                                 Vertex& vertex, std::span<Cell> cells) {
+    const unsigned number = vertex.has_cube ? code_edge(i, pair, corners, vertex) : voxel::kNoEdge;
+    return code_rest(i, pair, corners, vertex, number, cells);
+  }
+
   /// What follows the edge's number.
   [[gnu::always_inline]] const char* code_rest(std::size_t i, const VoxelPair& pair, const Corners& corners,
                                                const Vertex& vertex, unsigned number, std::span<Cell> cells) {
@@ -161,21 +174,23 @@ class VoxelCoder {
     std::int32_t level = 0;
     if constexpr (Coder::kWrites) level = vertex.cut->level;
     level = code_level(level, pair.mean_on(i, edge), pair.plane_on(i, edge));
-    nodes_[vertex.number] = nodes_[corners[i].star[0]] + times(pair.steps_to(i, edge), grid_.voxel());
+    nodes_[vertex.number] = nodes_[corners[i].star[0]] + pair.steps_to(i, edge);
     spots_[vertex.number] = pair.spot_on(i, edge, grid_.part_of(level));
     return settle(vertex.number, edge / 4, level, cells[vertex.number]);
   }
 
-  /// The rule that is broken where this is beyond the lattice, or null.
+  /// The rule that is broken where this is beyond the edge or the lattice, or null.
   [[gnu::always_inline]] const char* settle(std::uint32_t vertex, std::size_t axis, std::int32_t level,
                                             Cell& cell) const noexcept {
+    if (level >= grid_.levels()) [[unlikely]]
+      return "VOX-6";
     const FourInts lanes = grid_.cell_of(nodes_[vertex], axis, level);
     store_three(lanes, cell);
     const FourInts largest = four_ints(std::bit_cast<Cell>(largest_));
     return set_lanes(lanes | (largest - lanes)) == 0 ? nullptr : "POSN-7";
   }
 
-  /// An edge by its axis and its lower node, from the node below what is expected; or a vertex on none.
+  /// An edge by its axis and its lower node, from the node at what is expected; or a vertex on none.
   /// Kept out of the way of the vertices on a cube's edges, which are most.
   [[gnu::noinline]] const char* code_elsewhere(std::uint32_t vertex, std::span<Cell> cells) {
     // Nothing comes before the first one of a walk.
@@ -192,7 +207,7 @@ class VoxelCoder {
     VoxelGrid::Node node{};
     for (std::size_t a = 0; a < 3; ++a) {
       const std::int64_t nodes = largest_[a] / static_cast<std::uint32_t>(grid_.voxel());
-      const std::int64_t below = std::clamp<std::int64_t>((place[a] >> 4) / grid_.voxel(), 0, nodes);
+      const std::int64_t below = (place[a] >> 4) / grid_.voxel();
       const std::uint32_t code = cut ? zigzag(static_cast<std::int32_t>(cut->node[a] - below)) : 0;
       const std::int64_t coded = below + unzigzag(coder_.number(code, start_nodes_[a]));
       if (coded < 0 || coded > nodes) return "VOX-5";
@@ -200,24 +215,17 @@ class VoxelCoder {
     }
     const std::int32_t level =
         code_level(cut ? cut->level : 0, VoxelPair::kMiddlePlace, VoxelPair::kMiddlePlace);
-    nodes_[vertex] = FourInts{node[0], node[1], node[2], 0} * grid_.voxel();
+    nodes_[vertex] = FourInts{node[0], node[1], node[2], 0};
     spots_[vertex] = spot_of(node, start, grid_.part_of(level));
     return settle(vertex, start, level, cells[vertex]);
   }
 
-  /// What is remembered is of such vertices only.
-  const char* code_free(std::uint32_t vertex, Surroundings around, const Expectation& expected, Cell& cell) {
-    const unsigned count = around.known_count;
-    around.known_count = 0;
-    for (unsigned i = 0; i < count; ++i) {
-      const KnownFace face = around.known[i];
-      const bool has_a = !spots_[face.a].on_edge();
-      const bool has_b = !spots_[face.b].on_edge();
-      if (!has_a && !has_b) continue;
-      around.known[around.known_count++] = {has_a ? face.a : face.b, has_b ? face.b : face.a, face.opposite};
-    }
+  const char* code_free(std::uint32_t vertex, const Surroundings& around, const Expectation& expected,
+                        Cell& cell) {
+    if (!history_) history_.emplace(faces_.vertex_count(), ResidualRecord{});  // 0 of those on edges
     spots_[vertex] = kOffEdges;
-    ResidualTurn turn(history_.outlook(around, expected), FourInts{},
+    nodes_[vertex] = kNowhere;
+    ResidualTurn turn(history_->outlook(around, expected), FourInts{},
                       four_ints({largest_[0], largest_[1], largest_[2], 0U}));
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const ResidualForecast forecast = turn.forecast(axis);
@@ -226,31 +234,29 @@ class VoxelCoder {
       cell[axis] = static_cast<std::int32_t>(q);
       turn.learn(axis, cell[axis], forecast);
     }
-    history_.end(vertex, turn, four_ints(cell));
+    history_->end(vertex, turn, four_ints(cell));
     return nullptr;
   }
 
-  /// Which of the levels along its edge a vertex is at. `mean` and `plane`: places where it is
-  /// expected.
+  /// Which of the levels along its edge a vertex is at. `mean` and `plane`: places where it is expected.
   [[gnu::always_inline]] std::int32_t code_level(std::int32_t level, std::int32_t mean, std::int32_t plane) {
     if (grid_.levels() == 1) return 0;
     SymbolModel& model = level_models_[static_cast<std::size_t>(mean * VoxelPair::kPlaces + plane)];
     const auto high = static_cast<std::int32_t>(
         coder_.symbol(static_cast<unsigned>(level) >> low_bits_, Mixture<1>{{&model}, &level_weights_}));
-    if (low_bits_ == 0) return std::min(high, grid_.levels() - 1);
+    if (low_bits_ == 0) return high;
     const std::uint32_t low = static_cast<std::uint32_t>(level) & ((1U << low_bits_) - 1);
-    return std::min(high << low_bits_ | static_cast<std::int32_t>(coder_.bits(low, low_bits_)),
-                    grid_.levels() - 1);
+    return high << low_bits_ | static_cast<std::int32_t>(coder_.bits(low, low_bits_));
   }
 
   Coder& coder_;
   const VoxelFaces& faces_;
   std::array<std::uint32_t, 3> largest_;
   VoxelGrid grid_;
-  ResidualHistory history_;
+  std::optional<ResidualHistory> history_;  ///< of vertices on no edge, once there is one
   ResidualCoder<Coder> residuals_;
   LargeVector<VoxelSpot> spots_;           ///< then kOffEdges and kNoCube
-  LargeVector<FourInts> nodes_;            ///< lattice coordinates, of those on edges; the last lanes are 0
+  LargeVector<FourInts> nodes_;            ///< likewise
   unsigned low_bits_ = 0;                  ///< of a level, outside its symbol
   std::vector<std::uint16_t> set_places_;  ///< by kind and set of likely edges: of edge_models_, or 0
   std::vector<SymbolModel> edge_models_;   ///< by place from 1, and opposite

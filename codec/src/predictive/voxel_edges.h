@@ -18,8 +18,9 @@ inline constexpr int kVoxelBits = 7;
 inline constexpr std::int16_t kVoxelParts = 1 << kVoxelBits;  ///< of a voxel's side, for spots
 inline constexpr std::int16_t kVoxelMiddle = kVoxelParts / 2;
 
-/// Where a vertex is, in parts of a voxel, modulo 2^16; then kVoxelParts times the axis of its edge, or
-/// kNoAxis where it is on none. Small, as every vertex is looked at many times.
+/// Where a vertex is, in parts of a voxel, modulo 2^16, which are right between vertices that are near each
+/// other; then kVoxelParts times the axis of its edge, or kNoAxis where it is on none. Small, as every vertex
+/// is looked at many times.
 struct alignas(8) VoxelSpot {
   static constexpr std::int16_t kNoAxis = 4 * kVoxelParts;  ///< a bit that no axis has
 
@@ -28,6 +29,16 @@ struct alignas(8) VoxelSpot {
   bool on_edge() const noexcept { return at[3] != kNoAxis; }
 };
 inline constexpr VoxelSpot kOffEdges{{0, 0, 0, VoxelSpot::kNoAxis}};
+
+/// The lower nodes of edges; the last lanes are 0. Of a vertex on no edge one that is near none.
+inline constexpr FourInts kNowhere = {-(1 << 30), -(1 << 30), -(1 << 30), 0};
+inline constexpr std::int32_t kMostApart = 2;  ///< on each axis, of nodes near each other
+
+/// Lanes are below 0 where nodes are farther apart.
+[[gnu::always_inline]] inline FourInts far_lanes(FourInts node, FourInts from) noexcept {
+  const FourInts apart = node - from;
+  return (apart + kMostApart) | (kMostApart - apart);
+}
 
 /// Fine lattice coordinates of a voxel grid: a node is a multiple of 2 `levels`, and what an edge is cut into
 /// are its odd coordinates in between.
@@ -38,7 +49,8 @@ class VoxelGrid {
 
   /// `levels`: 1 to kMostLevels.
   explicit VoxelGrid(std::uint32_t levels) noexcept
-      : voxel_(2 * static_cast<std::int32_t>(levels)), one_over_levels_((std::uint64_t{1} << 32) / levels) {}
+      : voxel_(2 * static_cast<std::int32_t>(levels)),
+        one_over_levels_((std::uint64_t{1} << kOneBits) / levels + 1) {}
 
   /// In the middle of a level of an edge.
   struct Cut {
@@ -48,17 +60,16 @@ class VoxelGrid {
   };
   std::optional<Cut> cut_of(const Cell& cell) const noexcept;
 
-  /// Lanes 0 to 2 are used. `corner`: of the edge, its lower node.
-  FourInts cell_of(FourInts corner, std::size_t axis, std::int32_t level) const noexcept {
+  /// Lanes 0 to 2 are used. `node`: of the edge, its lower one.
+  FourInts cell_of(FourInts node, std::size_t axis, std::int32_t level) const noexcept {
     static constexpr std::array<std::array<std::int32_t, 4>, 3> kAxes = {
         {{-1, 0, 0, 0}, {0, -1, 0, 0}, {0, 0, -1, 0}}};
-    return corner + ((FourInts{} + (2 * level + 1)) & std::bit_cast<FourInts>(kAxes[axis]));
+    return node * voxel_ + ((FourInts{} + (2 * level + 1)) & std::bit_cast<FourInts>(kAxes[axis]));
   }
-  /// From the lower end of an edge, parts of a voxel: below kVoxelParts.
+  /// Of a level from the lower end of an edge, parts of a voxel: floor(64 (2 level + 1) / levels).
   std::int16_t part_of(std::int32_t level) const noexcept {
-    constexpr int kShift = 32 + 1 - kVoxelBits;
-    return static_cast<std::int16_t>((2 * static_cast<std::uint64_t>(level) + 1) * one_over_levels_ >>
-                                     kShift);
+    const std::uint64_t parts = (2 * static_cast<std::uint64_t>(level) + 1) << (kVoxelBits - 1);
+    return static_cast<std::int16_t>(parts * one_over_levels_ >> kOneBits);
   }
 
   std::int32_t voxel() const noexcept { return voxel_; }
@@ -66,7 +77,9 @@ class VoxelGrid {
 
  private:
   std::int32_t voxel_;
-  std::uint64_t one_over_levels_;  ///< 2^32 of it, rounded down
+  /// Exact where numerator times `levels`, at most 2^45, is below 2^kOneBits.
+  static constexpr int kOneBits = 46;
+  std::uint64_t one_over_levels_;  ///< a little more than 2^kOneBits of it
 };
 
 /// The spot at a node, modulo 2^16.

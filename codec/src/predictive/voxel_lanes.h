@@ -28,11 +28,6 @@ inline EightShorts last_of_half(EightShorts lanes) noexcept {
   return pick_lanes<3, 3, 3, 3, 7, 7, 7, 7>(lanes);
 }
 
-/// a x b of the first three of each half, halved; these are below 2^7 in a and below 2^8 in b.
-inline EightShorts half_cross(EightShorts a, EightShorts b) noexcept {
-  return rotate(((a * rotate(b)) >> 1) - ((rotate(a) * b) >> 1));
-}
-
 inline simde__m128i as_register(EightShorts lanes) noexcept { return reinterpret_cast<simde__m128i>(lanes); }
 
 /// The other half is 0.
@@ -59,12 +54,24 @@ inline std::array<std::int32_t, 2> weigh(EightShorts lanes, EightShorts weights)
       simde_mm_cvtsi128_si64(simde_mm_shuffle_epi32(sums, 0x08)));
 }
 
-/// The first half times `factor`, which is below 2^22; the lanes are from -2 to 2.
-inline FourInts times(EightShorts lanes, std::int32_t factor) noexcept {
-  // 256 times as much goes with the factor's upper bits.
-  const simde__m128i both = simde_mm_unpacklo_epi16(as_register(lanes), as_register(lanes << 8));
-  const simde__m128i factors = simde_mm_set1_epi32((factor >> 8) << 16 | (factor & 0xff));
-  return reinterpret_cast<FourInts>(simde_mm_madd_epi16(both, factors));
+/// The first half.
+inline FourInts low_ints(EightShorts lanes) noexcept {
+  return reinterpret_cast<FourInts>(simde_mm_unpacklo_epi16(as_register(lanes), as_register(lanes))) >> 16;
+}
+
+/// a x b of the first three of each half; the last is 0. Exact where sums of two products are below 2^31.
+inline std::array<FourInts, 2> cross(EightShorts a, EightShorts b) noexcept {
+  const EightShorts next_a = rotate(a);
+  const EightShorts next_b = rotate(b);
+  const simde__m128i first = as_register(next_a);
+  const simde__m128i last = as_register(rotate(next_a));
+  const simde__m128i plus = as_register(rotate(next_b));
+  const simde__m128i minus = as_register(-next_b);
+  const auto products = [](simde__m128i factors, simde__m128i others) {
+    return reinterpret_cast<FourInts>(simde_mm_madd_epi16(factors, others));
+  };
+  return {products(simde_mm_unpacklo_epi16(first, last), simde_mm_unpacklo_epi16(plus, minus)),
+          products(simde_mm_unpackhi_epi16(first, last), simde_mm_unpackhi_epi16(plus, minus))};
 }
 
 }  // namespace deltamesh

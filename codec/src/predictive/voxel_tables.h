@@ -42,8 +42,8 @@ inline constexpr std::array<FourShorts, kEdges> kEdgeSpots = [] {
   return spots;
 }();
 
-/// Edges by axis and node, from -kBelow to kAbove around a cube's lowest node. What is at the ends is too far
-/// off to have a cube in common with it. What is on no edge is of a fourth axis.
+/// Edges by axis and node, from -kBelow to kAbove around a cube's lowest node: all that are near an edge of
+/// it. What is on no edge is of a fourth axis.
 inline constexpr int kBelow = 2;
 inline constexpr int kAbove = 3;
 inline constexpr EightShorts kNearWeights = {36, 6, 1, 216, 36, 6, 1, 216};
@@ -74,11 +74,9 @@ constexpr bool share_cube(std::size_t axis, const Nodes& node, std::size_t axis2
   return true;
 }
 
-/// By near_index(): the cube's edges that have a cube in common with the one there, but for itself; all where
-/// there is none.
+/// By near_index(): the cube's edges that have a cube in common with the one there, but for itself.
 inline constexpr std::array<std::uint16_t, kNear> kEdgesNear = [] {
   std::array<std::uint16_t, kNear> sets{};
-  sets.fill(kAllEdges);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     for (int x = -kBelow; x <= kAbove; ++x) {
       for (int y = -kBelow; y <= kAbove; ++y) {
@@ -90,7 +88,7 @@ inline constexpr std::array<std::uint16_t, kNear> kEdgesNear = [] {
             if (!same && share_cube(axis, node, i / 4, kEdgeNodes[i]))
               set |= static_cast<std::uint16_t>(1U << i);
           }
-          sets[near_index(axis, node)] = set != 0 ? set : kAllEdges;
+          sets[near_index(axis, node)] = set;
         }
       }
     }
@@ -206,8 +204,7 @@ constexpr CubePair make_pair(std::size_t axis, std::size_t axis2, const Nodes& n
   return pair;
 }
 
-/// By axes and steps between nodes, the ends of which are too far off for any common cube.
-inline constexpr int kMostApart = 2;
+/// By axes and steps between nodes that are near each other.
 inline constexpr EightShorts kPairWeights = {25, 5, 1, 125, 25, 5, 1, 125};  ///< 3 a + b of the axes a and b
 inline constexpr int kPairMiddle = kMostApart * (25 + 5 + 1);
 inline constexpr std::size_t kPairs = 1 + 3 * 32;  ///< none, and what every edge shares cubes with
@@ -233,12 +230,11 @@ inline constexpr PairTable kPairTable = [] {
 }();
 
 /// From the middle of a cube to that of an edge, but for its own axis.
-inline constexpr std::array<FourShorts, kEdges> kEdgeMiddles = [] {
-  std::array<FourShorts, kEdges> middles{};
+inline constexpr std::array<Nodes, kEdges> kEdgeMiddles = [] {
+  std::array<Nodes, kEdges> middles{};
   for (std::size_t i = 0; i < kEdges; ++i)
     for (std::size_t a = 0; a < 3; ++a)
-      middles[i][a] =
-          static_cast<std::int16_t>(a == i / 4 ? 0 : kVoxelParts * kEdgeNodes[i][a] - kVoxelMiddle);
+      middles[i][a] = a == i / 4 ? 0 : kVoxelParts * kEdgeNodes[i][a] - kVoxelMiddle;
   return middles;
 }();
 

@@ -26,22 +26,21 @@ inline constexpr EightShorts kNodes = {-kVoxelParts, -kVoxelParts, -kVoxelParts,
 /// Those of its axis.
 inline constexpr EightShorts kAxes = {0, 0, 0, -1, 0, 0, 0, -1};
 
-/// Spots from a cube's lowest node, as far off as tables go.
+/// Spots from a cube's lowest node, as far off as tables go: for those on no edge, which are anywhere.
 [[gnu::always_inline]] inline EightShorts cut(EightShorts from_lowest) noexcept {
   return clamp(from_lowest, -kBelow * kVoxelParts, kAbove * kVoxelParts);
 }
 
-/// Of two cut spots: by near_index().
+/// Of two spots from cubes' lowest nodes: by near_index().
 [[gnu::always_inline]] inline std::array<std::size_t, 2> places_near(EightShorts spots) noexcept {
   const auto sums = weigh(spots >> kVoxelBits, kNearWeights);
   return {static_cast<std::size_t>(sums[0] + kNearMiddle), static_cast<std::size_t>(sums[1] + kNearMiddle)};
 }
 
-/// The cubes of the edges of `a` and `b`, for both halves; `nodes`: of a.
+/// The cubes of the edges of `a` and `b`, which are near each other, for both halves; `nodes`: of a.
 [[gnu::always_inline]] inline std::array<const CubePair*, 2> pairs_of(EightShorts a, EightShorts nodes,
                                                                       EightShorts b) noexcept {
-  const EightShorts apart =
-      clamp(wrapped_difference(b, nodes), -kMostApart * kVoxelParts, kMostApart * kVoxelParts);
+  const EightShorts apart = wrapped_difference(b, nodes);
   const auto sums = weigh((apart + (a & kAxes) * 3) >> kVoxelBits, kPairWeights);
   std::array<const CubePair*, 2> pairs{};
   for (std::size_t i = 0; i < 2; ++i)
@@ -51,11 +50,17 @@ inline constexpr EightShorts kAxes = {0, 0, 0, -1, 0, 0, 0, -1};
 
 }  // namespace voxel
 
-/// The faces that a vertex is seen by: a corner of the lower numbers is a vertex with a spot.
+/// Where all vertices are. Of what is not there yet nothing is asked.
+struct VoxelPlaces {
+  std::span<const VoxelSpot> spots;
+  std::span<const FourInts> nodes;
+};
+
+/// The faces that a vertex is seen by.
 struct VoxelCorners {
   VoxelFaces::Star
       star;  ///< corners a and b of the face that tells the cube, then of another or the same one
-  std::uint32_t opposite;  ///< across the first one's a and b
+  std::uint32_t opposite;  ///< across the first one's a and b; on no edge where it is not near a
 };
 
 /// Two vertices, told by 0 and 1. Edges are told by their numbers after the cube's turn. find(), then look();
@@ -66,8 +71,8 @@ class VoxelPair {
   static constexpr std::int16_t kPlaces = 20;  ///< along an edge, and a little before and after it
   static constexpr std::int32_t kMiddlePlace = 10;
 
-  /// False where a face has a corner on no edge, or a first face has no cube.
-  bool find(const std::array<VoxelCorners, 2>& corners, std::span<const VoxelSpot> spots) noexcept;
+  /// False where a corner of a face is not near the first one, or a first face has no cube.
+  bool find(const std::array<VoxelCorners, 2>& corners, const VoxelPlaces& places) noexcept;
   /// As given to find().
   void look(const std::array<VoxelCorners, 2>& corners, std::span<const VoxelSpot> spots) noexcept;
 
@@ -78,12 +83,12 @@ class VoxelPair {
     cubes_[i] = &pairs_[i]->cubes[1];
     is_open_[i] = 0;
   }
-  /// Whether the higher one of two cubes has the edge at a spot.
+  /// Whether the higher one of two cubes has the edge of a spot that is near the first corner.
   bool higher_has(std::size_t i, const VoxelSpot& spot) const noexcept {
     return edge_at(i, pairs_[i]->cubes[1], spot) != voxel::kNoEdge;
   }
 
-  /// voxel::kNoEdge where the cube does not have it.
+  /// Of a spot that is near the first corner; voxel::kNoEdge where the cube does not have its edge.
   unsigned number_of(std::size_t i, const VoxelSpot& spot) const noexcept {
     return voxel::kTurned[cubes_[i]->turn][edge_at(i, *cubes_[i], spot)];
   }
@@ -94,9 +99,9 @@ class VoxelPair {
   /// A spot on it, at this part.
   VoxelSpot spot_on(std::size_t i, unsigned edge, std::int16_t part) const noexcept;
   /// From the node of the first face's corner a to the edge's, and 0.
-  EightShorts steps_to(std::size_t i, unsigned edge) const noexcept {
+  FourInts steps_to(std::size_t i, unsigned edge) const noexcept {
     const EightShorts spot = load_one(cubes_[i]->lowest) + load_one(voxel::kEdgeSpots[edge]);
-    return (spot & voxel::kNodes) >> kVoxelBits;
+    return low_ints((spot & voxel::kNodes) >> kVoxelBits);
   }
 
   unsigned kind(std::size_t i) const noexcept { return cubes_[i]->kind; }  ///< how a and b lie, below 6
@@ -116,7 +121,7 @@ class VoxelPair {
 
   unsigned edge_at(std::size_t i, const voxel::PairCube& cube, const VoxelSpot& spot) const noexcept {
     const EightShorts lowest = wrapped_sum(load_one(nodes_[i]), load_one(cube.lowest));
-    return voxel::kEdgeAt[voxel::places_near(voxel::cut(wrapped_difference(load_one(spot.at), lowest)))[0]];
+    return voxel::kEdgeAt[voxel::places_near(wrapped_difference(load_one(spot.at), lowest))[0]];
   }
   void choose_by(std::size_t i, const VoxelSpot& opposite) noexcept;
   void expect(EightShorts a, EightShorts b, EightShorts last_a, EightShorts last_b,
@@ -130,8 +135,8 @@ class VoxelPair {
   std::array<FourShorts, 2> nodes_;   ///< of the first faces' corners a, as spots
   std::array<FourShorts, 2> lowest_;  ///< the cubes' lowest nodes, likewise
   std::array<FourShorts, 2> means_;   ///< places
-  std::array<FourShorts, 2> normals_;
-  std::array<std::int32_t, 2> planes_{};  ///< where the normals are at the corners a
+  std::array<FourInts, 2> normals_;
+  std::array<std::int32_t, 2> planes_;  ///< the normals times the corners a
 };
 
 /// Corner k of both vertices' stars, in a half each.
@@ -142,18 +147,20 @@ class VoxelPair {
 }
 
 [[gnu::always_inline]] inline bool VoxelPair::find(const std::array<VoxelCorners, 2>& corners,
-                                                   std::span<const VoxelSpot> spots) noexcept {
-  const auto corner = [&](std::size_t k) { return corner_spots(corners, spots, k); };
-  const EightShorts a = corner(0);
-  const EightShorts b = corner(1);
-  const FourShorts off = {0, 0, 0, VoxelSpot::kNoAxis};
-  const auto any = halves_of((a | b | corner(2) | corner(3)) & load_two(off, off));
-  if ((any[0][3] | any[1][3]) != 0) return false;
+                                                   const VoxelPlaces& places) noexcept {
+  FourInts far{};
+  for (const VoxelCorners& around : corners) {
+    const FourInts first = places.nodes[around.star[0]];
+    far |= first;  // below 0 where it is on no edge
+    for (std::size_t k = 1; k < 4; ++k) far |= far_lanes(places.nodes[around.star[k]], first);
+  }
+  if (set_lanes(far) != 0) return false;
+  const EightShorts a = corner_spots(corners, places.spots, 0);
   const EightShorts nodes = a & voxel::kNodes;
   nodes_ = halves_of(nodes);
-  pairs_ = voxel::pairs_of(a, nodes, b);
+  pairs_ = voxel::pairs_of(a, nodes, corner_spots(corners, places.spots, 1));
   if (pairs_[0]->count == 0 || pairs_[1]->count == 0) return false;
-  for (std::size_t i = 0; i < 2; ++i) choose_by(i, spots[corners[i].opposite]);
+  for (std::size_t i = 0; i < 2; ++i) choose_by(i, places.spots[corners[i].opposite]);
   return true;
 }
 
@@ -176,16 +183,15 @@ class VoxelPair {
     return pairs_[i]->cubes[cubes_[i] == &pairs_[i]->cubes[0] ? 1 : 0].lowest;
   };
   const EightShorts across = wrapped_sum(nodes, load_two(cubes_across(0), cubes_across(1)));
-  const EightShorts last_a = voxel::cut(wrapped_difference(corner(2), lowest));
-  const EightShorts last_b = voxel::cut(wrapped_difference(corner(3), lowest));
+  const EightShorts last_a = wrapped_difference(corner(2), lowest);
+  const EightShorts last_b = wrapped_difference(corner(3), lowest);
   lowest_ = halves_of(lowest);
   const auto places_a = voxel::places_near(last_a);
   const auto places_b = voxel::places_near(last_b);
   const auto places_across = voxel::places_near(voxel::cut(wrapped_difference(opposite, across)));
   for (std::size_t i = 0; i < 2; ++i) {
     const voxel::PairCube& cube = *cubes_[i];
-    const unsigned near = cube.others & voxel::kEdgesNear[places_a[i]] & voxel::kEdgesNear[places_b[i]];
-    const unsigned set = near != 0 ? near : cube.others;
+    const unsigned set = cube.others & voxel::kEdgesNear[places_a[i]] & voxel::kEdgesNear[places_b[i]];
     likely_[i] = voxel::kTurnedSets[cube.turn][0][set & 63] | voxel::kTurnedSets[cube.turn][1][set >> 6];
     const unsigned number = voxel::kTurned[cube.turn][voxel::kEdgeAt[places_across[i]]];
     opposites_[i] = is_open_[i] != 0 ? kOpen : number;
@@ -202,11 +208,13 @@ class VoxelPair {
   const EightShorts mean = (a + b + last_a + last_b) >> 2;
   const EightShorts across = voxel::cut(wrapped_difference(opposite, lowest)) - kVoxelMiddle;
   const EightShorts beyond = (a + b - across - mean) & (last_of_half(opposite) < VoxelSpot::kNoAxis);
-  const EightShorts expected = clamp(mean + ((beyond * 5) >> 3), -kVoxelParts + 1, kVoxelParts - 1);
-  const EightShorts normal = half_cross((b - a) & ~voxel::kAxes, expected - a);
+  const EightShorts expected = mean + ((beyond * 5) >> 3);
   means_ = halves_of(clamp((mean + kFirstPlace) >> 3, 0, kPlaces - 1));
-  normals_ = halves_of(normal);
-  planes_ = weigh(normal, a);
+  // Differences are below 2^7 in b - a and below 2^10 in the other.
+  normals_ = cross(b - a, expected - a);
+  const std::array<FourShorts, 2> from = halves_of(a);
+  for (std::size_t i = 0; i < 2; ++i)
+    planes_[i] = normals_[i][0] * from[i][0] + normals_[i][1] * from[i][1] + normals_[i][2] * from[i][2];
 }
 
 inline VoxelSpot VoxelPair::spot_on(std::size_t i, unsigned edge, std::int16_t part) const noexcept {
@@ -217,8 +225,10 @@ inline VoxelSpot VoxelPair::spot_on(std::size_t i, unsigned edge, std::int16_t p
 }
 
 inline std::int32_t VoxelPair::plane_on(std::size_t i, unsigned edge) const noexcept {
-  const std::int32_t steep = normals_[i][edge / 4];
-  const std::int32_t at_middle = weigh(load_one(normals_[i]), load_one(voxel::kEdgeMiddles[edge]))[0];
+  const FourInts& normal = normals_[i];
+  const std::int32_t steep = normal[static_cast<int>(edge / 4)];
+  const voxel::Nodes& middle = voxel::kEdgeMiddles[edge];
+  const std::int32_t at_middle = normal[0] * middle[0] + normal[1] * middle[1] + normal[2] * middle[2];
   const std::int32_t below = (at_middle - planes_[i]) / (steep != 0 ? steep : 1);
   return std::clamp((kFirstPlace - below) >> 3, 0, kPlaces - 1);
 }
