@@ -9,7 +9,7 @@ from container import Reader, must, unzigzag
 from fields import ATTR_9_means
 from floats import FLT_1_bits, FloatCoder
 from graph import neighbours
-from lattice import LatticeCoder, POSN_3_known, POSN_8_table
+from lattice import POSN_3_known, POSN_8_table, PredictedCoder
 
 CONSTANT, AS_BEFORE, TIMES, RATIO, LISTED, FLOAT = range(6)
 
@@ -81,6 +81,7 @@ def ATTR_55_lattice(r, a, surface):
             group = [c for i, c in enumerate(varying[:3]) if all((d.kind == FLOAT) == (varying[0].kind == FLOAT) for d in varying[:i + 1])]
             varying = varying[len(group):]
             for c, column in zip(group, ATTR_56_group(coder, group, surface, joined)):
+                must(c.kind == FLOAT or all(0 <= q <= c.cells for q in column), "ATTR-56", "a number above its cells")
                 numbers[id(c)] = column
         coder.end()
     r.end()
@@ -89,67 +90,49 @@ def ATTR_55_lattice(r, a, surface):
 
 def ATTR_56_group(coder, group, surface, joined):
     """The columns of x, y and z."""
-    resting = None
     faces, n = (surface.geometric_faces, len(surface.first) - 1) if joined else (surface.faces, surface.n)
-    cells = [c.cells for c in group] + [None] * (3 - len(group))
+    width, resting = len(group), None
     if group[0].kind == FLOAT:
-        units = [max(c.exponent, 1) - 153 for c in group] + [1 - 153] * (3 - len(group))
-        floats = FloatCoder(coder, POSN_3_known(faces, n), POSN_8_table(coder), units)
-        def decode(v):
-            floats.vertex(v)
-            return floats.ordinals[v]
-        width = 3
+        units, width = [max(c.exponent, 1) - 153 for c in group] + [1 - 153] * (3 - width), 3
+        lattice = FloatCoder(coder, POSN_3_known(faces, n), POSN_8_table(coder), units)
+        rows = lattice.ordinals
     elif coder.raw(1):
-        decode, width = ATTR_9_means(coder, neighbours(faces, n), len(group)), len(group)
+        return list(zip(*ATTR_58_copies(coder, surface, joined, ATTR_9_means(coder, neighbours(faces, n), width), width)))
     else:
-        lattice = LatticeCoder(coder, POSN_3_known(faces, n), POSN_8_table(coder), cells, coder.raw(1))
-        decode, width = ATTR_57_numbers(lattice), len(group)
-        if coder.raw(1):
-            resting = Resting(coder, lattice, [c.rest for c in group] + [0] * (3 - len(group)))
-    rows = ATTR_58_copies(coder, surface, joined, decode, width, resting)
-    if group[0].kind != FLOAT:
-        must(all(0 <= q <= c.cells for row in rows for q, c in zip(row, group)), "ATTR-56", "a number above its cells")
-    return list(zip(*rows)) or [[]] * 3
-
-def ATTR_57_numbers(lattice):
-    """A function that decodes the numbers of a vertex."""
+        cells = [c.cells for c in group] + [None] * (3 - width)
+        lattice = PredictedCoder(coder, POSN_3_known(faces, n), POSN_8_table(coder), cells, coder.raw(1))
+        rows, rest = lattice.rows, [c.rest for c in group] + [0] * (3 - width)
+        resting = Resting(coder, lattice, rest, surface.n) if coder.raw(1) else None
     def decode(v):
-        for _ in lattice.vertex(v):
-            pass
-        return lattice.rows[v]
-    return decode
+        list(lattice.vertex(v))
+        return rows[v]
+    return list(zip(*ATTR_58_copies(coder, surface, joined, decode, width, resting))) or [[]] * 3
 
 class Resting:
     """[ATTR-59] Runs of vertices at rest."""
-
-    def __init__(self, coder, lattice, rest):
-        self.coder, self.lattice, self.rest = coder, lattice, rest
-        self.model, self.end = NumberModel(), None
+    def __init__(self, coder, lattice, rest, n):
+        self.coder, self.lattice, self.rest, self.n, self.model, self.end = coder, lattice, rest, n, NumberModel(), None
 
     def length(self, row, v):
-        """Of the run from `row` on, the first copy of v."""
-        faces = self.lattice.known[v].faces
-        around = [u for a, b, _ in faces[:2] for u in (a, b)] if faces else [v - 1] if v else []
+        """Of the run from vertex `row` on, the first copy of v."""
+        around = self.lattice.known[v].corners[:4] or ([v - 1] if v else [])
         if row == self.end or any(self.lattice.rows[u] != self.rest for u in around):
             return 0
         length = self.model.decode(self.coder)
+        must(length <= self.n - row, "ATTR-59", f"{length} vertices at rest")
         self.end = row + length
         return length
 
     def keep(self, v):
-        self.lattice.rows[v] = self.rest
-        self.lattice.kept.keep_nothing(v)
+        self.lattice.rows[v], self.lattice.sizes[v], self.lattice.residuals[v] = self.rest, [0] * 3, [0] * 3
 
 def ATTR_58_copies(coder, surface, joined, decode, width, resting=None):
     """The rows of all vertices; `decode(v)` reads those of first copies, or of all without `joined`."""
     first = surface.first if joined else range(surface.n + 1)
-    rows, same, last = [], [BitModel(), BitModel()], 1
-    models = [NumberModel() for _ in range(width)]
+    rows, same, last, models = [], [BitModel(), BitModel()], 1, [NumberModel() for _ in range(width)]
     for g in range(len(first) - 1):
         if resting and first[g] == len(rows):
-            length = resting.length(len(rows), g)
-            must(length <= surface.n - len(rows), "ATTR-59", f"{length} vertices at rest")
-            rows += [resting.rest] * length
+            rows += [resting.rest] * resting.length(len(rows), g)
         if first[g] < len(rows):
             resting.keep(g)
         else:

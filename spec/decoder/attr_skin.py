@@ -5,7 +5,7 @@ from attr import JOINTS, WEIGHTS, f32_rows
 from attr_lattice import ATTR_58_copies
 from coder import Coder, NumberModel, clamp, mixing_weights, symbol_models
 from container import must, unzigzag
-from lattice import Context, GuessCoder, Kept, NumberCoder, POSN_3_known, POSN_4_expect, POSN_5_coded
+from lattice import POSN_3_known, PredictedCoder
 
 def graph_of(surface, joined):
     return (surface.geometric_faces, len(surface.first) - 1) if joined else (surface.faces, surface.n)
@@ -92,8 +92,7 @@ def ATTR_63_weights(r, a, surface):
     known, joints = POSN_3_known(*graph_of(surface, joined)), ATTR_62_joints(a, surface)
     if joined:
         joints = [joints[v] for v in surface.first[:-1]]
-    decode = WeightCoder(coder, known, joints, total, blend).row
-    rows = ATTR_58_copies(coder, surface, joined, lambda v: decode(v)[:3], 3)
+    rows = ATTR_58_copies(coder, surface, joined, WeightCoder(coder, known, joints, total, blend).decode, 3)
     coder.end()
     rows = [tuple(row) + (total - sum(row),) for row in rows]
     must(all(0 <= w <= total for row in rows for w in row), "ATTR-63", "a weight is not 0 to the sum")
@@ -101,56 +100,54 @@ def ATTR_63_weights(r, a, surface):
         return f32_rows([[w / total for w in row] for row in rows], 4)
     return np.array([[w * (full // total) for w in row] for row in rows], dtype="<" + a.type).reshape(surface.n, 4)
 
-class WeightCoder:
+class WeightCoder(PredictedCoder):
     """[ATTR-64, ATTR-65]"""
     def __init__(self, coder, known, joints, total, blend):
-        self.coder, self.known, self.joints, self.total = coder, known, joints, total
-        self.table = [(20 * blend, 0)] * 24
-        self.rows, self.kept, self.numbers, self.guess = {}, Kept(), NumberCoder(), GuessCoder()
-        self.models, self.weights = symbol_models((10, 6, 10) + (1,) * 13), mixing_weights(2)
+        super().__init__(coder, known, [(20 * blend, 0)] * 24, [total] * 3)
+        self.joints, self.total = joints, total
+        self.end_models, self.end_weights = symbol_models((10, 6, 10) + (1,) * 13), mixing_weights(2)
 
-    def row(self, v):
-        known, joints, total = self.known[v], self.joints[v], self.total
-        def given(u):  # [ATTR-64] what u gives to the joints of v's first three slots
-            return [sum(w for w, j in zip(self.rows[u], self.joints[u]) if j == joint) for joint in joints[:3]]
-        G, R = self.kept.sums(known.faces)
-        before = given(v - 1) if v else [0, 0, 0]
-        row, off, places, missed, symbols = [], [], [], set(), [0, 0]
-        for s in range(3):
-            place, spread = POSN_4_expect(known, self.table, given, s, before[s])
-            places.append(place)
-            whole, rest = clamp((place + 8) >> 4, 0, total), total - sum(row)
-            w = self.end(known, joints, s, whole, rest, symbols, given) if rest else 0
-            if w is None:
-                around = [given(u)[s] for face in known.faces for u in face if u is not None]
-                around = [x for x in around if 0 < x < total]
-                inside = clamp(whole, 1, max(rest - 1, 1))
-                if around:
-                    w = self.guess.decode(self.coder, s, around, whole, known, missed)
-                if w is None:
-                    missed.add(s)
-                    x = Context(s, place, spread, G, R[s], known.sources, POSN_5_coded(s, off), inside)
-                    w = inside + self.numbers.decode(self.coder, x)
-                must(0 < w < rest, "ATTR-65", f"weight {w}")
-            row.append(w)
-            off.append(w - whole)
-        self.rows[v] = row + [total - sum(row)]
-        self.kept.keep(v, row, places, known.sources, G)
+    def row(self, u, v):
+        """[ATTR-64] What u gives to the joints of v's first three slots."""
+        return [sum(w for w, j in zip(self.weights_of(u), self.joints[u]) if j == joint) for joint in self.joints[v][:3]]
+
+    def weights_of(self, u):
+        return self.rows[u] + [self.total - sum(self.rows[u])]
+
+    def decode(self, v):
+        list(self.vertex(v))
         return self.rows[v]
+
+    def read(self, v, x):
+        """[ATTR-65]"""
+        known, s, rest, whole = self.known[v], x.axis, self.total - sum(x.row), x.whole
+        if s == 0:
+            self.symbols = [0, 0]
+        if rest == 0:
+            return 0
+        symbol = self.end(known, v, s, whole, rest)
+        if symbol < 2:
+            return (0, rest)[symbol]
+        around = [self.row(u, v)[s] for face in known.faces for u in face if u is not None]
+        around = [w for w in around if 0 < w < self.total]
+        w = self.FLT_4_guess(known, x, around, whole) if around else None
+        if w is None:
+            x.missed.add(s)
+            w = clamp(whole, 1, max(rest - 1, 1)) + self.POSN_6_number(x)
+        must(0 < w < rest, "ATTR-65", f"weight {w}")
+        return w
 
     def share(self, x):
         """S"""
         return 1 + sum(k * x > self.total for k in (64, 16, 4))
 
-    def end(self, known, joints, s, whole, rest, symbols, given):
-        """0, the rest, or None where the weight is between."""
-        around = [given(u)[s] for a, b, _ in known.faces for u in (a, b)]
-        nothing = sum(x == 0 for x in around)
+    def end(self, known, v, s, whole, rest):
+        around, joints = [self.row(u, v)[s] for u in known.corners], self.joints[v]
+        nothing = around.count(0)
         e = 4 if not around else 0 if not nothing else 3 if nothing == len(around) else 1 if 2 * nothing <= len(around) else 2
         f = 0 if whole >= rest else self.share(rest - whole)
-        k = 3 * symbols[-2] + symbols[-1]
-        models = [self.models[0, ((5 * s + e) * 5 + f) * 2 + (joints[s] in joints[:s])],
-                  self.models[1, (9 * s + k) * 6 + min(self.share(whole) + (whole > 0), 5)]]
-        symbol = self.coder.symbol(models, self.weights[0])
-        symbols.append(min(symbol, 2))
-        return (0, rest)[symbol] if symbol < 2 else None
+        k = 3 * self.symbols[-2] + self.symbols[-1]
+        models = [self.end_models[0, ((5 * s + e) * 5 + f) * 2 + (joints[s] in joints[:s])],
+                  self.end_models[1, (9 * s + k) * 6 + min(self.share(whole) + (whole > 0), 5)]]
+        self.symbols.append(min(self.coder.symbol(models, self.end_weights[0]), 2))
+        return self.symbols[-1]

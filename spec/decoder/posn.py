@@ -6,9 +6,9 @@ import numpy as np
 
 from coder import Coder, NumberModel
 from container import LATTICE, VOXELS, must
-from floats import FLT_1_bits, FLT_1_ordinal, FLT_2_last_place, FloatCoder, magnitude
+from floats import FLT_1_bits, FLT_1_ordinal, FLT_2_last_place, FloatCoder
 from graph import corners, others
-from lattice import LatticeCoder, POSN_3_known, POSN_8_table
+from lattice import POSN_3_known, POSN_8_table, PredictedCoder
 
 def POSN_1_positions(chunk, header, faces, dump):
     """The positions of the geometric vertices in doubles."""
@@ -41,7 +41,7 @@ def POSN_9_lattice(coder, faces, n, header):
     """[POSN-9, POSN-11, POSN-13]"""
     table, guesses, replaces = POSN_8_table(coder), coder.raw(1), coder.raw(1)
     known = POSN_3_known(faces, n)
-    lattice = LatticeCoder(coder, known, table, header.cells, guesses)
+    lattice = PredictedCoder(coder, known, table, header.cells, guesses)
     v = 0
     while v < n:
         pair = v + 1 < n and known[v + 1].faces and all(v not in face[:2] for face in known[v + 1].faces)
@@ -101,9 +101,10 @@ def FLT_positions(coder, faces, n, header):
     def ordinal(x):
         return FLT_1_ordinal(struct.unpack("<I", struct.pack("<f", x))[0])
     table = POSN_8_table(coder)
-    units = [FLT_2_last_place(magnitude(ordinal(max(abs(a), abs(b))))) - 3 for a, b in zip(header.box_min, header.box_max)]
+    units = [FLT_2_last_place(ordinal(max(abs(a), abs(b)))) - 3 for a, b in zip(header.box_min, header.box_max)]
     floats = FloatCoder(coder, POSN_3_known(faces, n), table, units)
+    patterns = []
     for v in range(n):
-        floats.vertex(v)
-    patterns = [[FLT_1_bits(x) for x in floats.ordinals[v]] for v in range(n)]
+        list(floats.vertex(v))
+        patterns.append([FLT_1_bits(x) for x in floats.ordinals[v]])
     return np.array(patterns, dtype="<u4").view("<f4").astype(np.float64)
