@@ -5,7 +5,7 @@ import struct
 import numpy as np
 
 from coder import BitModel, Coder, NumberModel, clamp
-from container import Reader, must, unzigzag
+from container import must, unzigzag
 from fields import ATTR_9_means
 from floats import FLT_1_bits, FloatCoder
 from graph import neighbours
