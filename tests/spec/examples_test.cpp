@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// The worked examples of the specification: their bytes decode to their values, and are what the encoder
+// writes.
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "connectivity/connectivity.h"
+#include "predictive/positions.h"
+
+namespace deltamesh {
+namespace {
+
+/// Numbers of the first line of a file of spec/ that starts with `name`, behind it.
+template <class Number>
+std::vector<Number> line_of(const std::string& file, const std::string& name, bool is_hex) {
+  std::ifstream in(DELTAMESH_SPEC_DIR "/" + file);
+  std::string line;
+  while (std::getline(in, line)) {
+    std::istringstream words(line);
+    std::string word;
+    if (!line.starts_with("    ") || !(words >> word) || word != name + ":") continue;
+    if (is_hex) words >> std::hex;
+    std::vector<Number> numbers;
+    for (unsigned number = 0; words >> number;) numbers.push_back(static_cast<Number>(number));
+    return numbers;
+  }
+  ADD_FAILURE() << file << " has no " << name;
+  return {};
+}
+std::vector<std::byte> bytes_of(const std::string& file, const std::string& name) {
+  return line_of<std::byte>(file, name, true);
+}
+
+TEST(Examples, CONN1CONN4CONN5CONN6CONN9CONN12CONN13TwoTriangles) {
+  const auto plain = bytes_of("conn.md", "plain");
+  const auto compact = bytes_of("conn.md", "compact");
+  const auto faces = line_of<std::uint32_t>("conn.md", "faces", false);
+  for (const Payload& payload : {Payload(plain), Payload::compact(compact)}) {
+    const auto read = read_connectivity(payload, 4, 2);
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->triangles, faces);
+    EXPECT_EQ(read->open_edges.size(), 4U);
+  }
+  const CodedConnectivity coded = write_connectivity(faces, 4);
+  EXPECT_EQ(coded.payload, plain);
+  EXPECT_EQ(coded.compact, compact);
+}
+
+TEST(Examples, POSN1POSN2POSN3POSN4POSN5POSN6POSN8FourPoints) {
+  const auto payload = bytes_of("posn.md", "payload");
+  const auto q = line_of<std::int32_t>("posn.md", "q", false);
+  const std::vector<std::uint32_t> triangles = {0, 1, 2, 2, 1, 3};
+  const PredictiveParameters parameters{.kind = PositionKind::kLattice, .lattice = {.cells = {4, 4, 3}}};
+  const auto read = read_positions(Payload::compact(payload), {triangles, 4}, parameters, {});
+  ASSERT_TRUE(read);
+  EXPECT_EQ(*read, std::vector<float>(q.begin(), q.end()));
+  std::vector<Cell> cells;
+  for (std::size_t v = 0; v + 2 < q.size(); v += 3) cells.push_back({q[v], q[v + 1], q[v + 2]});
+  EXPECT_EQ(write_positions({triangles, 4}, cells, parameters), payload);
+}
+
+}  // namespace
+}  // namespace deltamesh
