@@ -2,6 +2,7 @@
 // Copyright 2026 The deltamesh authors
 #include "stream_budget.h"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -51,7 +52,8 @@ Result<std::vector<PackedPrimitive>> pack_streams(StreamPacker& packer, const st
     if (!weights.empty()) {
       // What earlier streams left of their shares is for the later ones.
       const auto left = static_cast<double>(*most_bytes - report.stream_bytes);
-      options.quality.target_bytes = static_cast<std::uint64_t>(left * (weights[i] / weight));
+      options.quality.target_bytes =
+          std::max<std::uint64_t>(1, static_cast<std::uint64_t>(left * (weights[i] / weight)));
       weight -= weights[i];
     }
     DELTAMESH_TRY(auto primitives, packer.pack(plans[i], options, report));

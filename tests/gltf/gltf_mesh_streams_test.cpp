@@ -153,10 +153,12 @@ TEST(GltfMeshStreams, BytesAreForAllStreamsTogether) {
   EXPECT_EQ(report.streams, 2U);
   EXPECT_LE(report.stream_bytes, natural * 2 / 3);
   EXPECT_GE(report.stream_bytes, natural / 2);
-  options.encode.quality.target_bytes = 300;
-  const auto refused = pack_gltf(builder.glb(), options);
-  ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().code, ErrorCode::kUnmetRequest);
+  for (const std::uint64_t bytes : {300, 1}) {
+    options.encode.quality.target_bytes = bytes;
+    const auto refused = pack_gltf(builder.glb(), options);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::kUnmetRequest);
+  }
 }
 
 TEST(GltfMeshStreams, ASemanticOfTwoTypesIsTwoAttributes) {

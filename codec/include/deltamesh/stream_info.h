@@ -55,7 +55,7 @@ struct StreamInfo {
   std::array<double, 3> origin{};
   std::array<float, 3> box_min{};  ///< bounding box relative to `origin`; of a lattice, where there is one
   std::array<float, 3> box_max{};
-  double diagonal = 0;       ///< of the bounding box
+  double diagonal = 0;       ///< of that box
   bool keeps_order = false;  ///< the decoded mesh is in the input's vertex and face order
   std::string geometry;      ///< geometry coder: "highpass" or "predictive"
   int bits = 0;              ///< asked bits of deltas or positions; 0 when something else was asked

@@ -100,11 +100,15 @@ double attribute_error(const AttributeView& attribute, const AttributeRows& rows
   for (std::size_t i = 0; i < rows.count(); ++i) {
     const std::byte* source = rows.row(i);
     const std::byte* now = decoded.data() + i * row_size;
-    if (std::memcmp(source, now, row_size) == 0) continue;
+    bool differs = false;
     for (std::size_t c = 0; c < attribute.components; ++c) {
-      a[c] = number_of_bits(attribute.type, load_component(source + c * size, size));
-      b[c] = number_of_bits(attribute.type, load_component(now + c * size, size));
+      const std::uint64_t bits = load_component(source + c * size, size);
+      const std::uint64_t decoded_bits = load_component(now + c * size, size);
+      differs |= bits != decoded_bits;
+      a[c] = number_of_bits(attribute.type, bits);
+      b[c] = number_of_bits(attribute.type, decoded_bits);
     }
+    if (!differs) continue;
     if (is_angle && a[3] == b[3] && !angle.may_grow(a, b)) continue;  // a normal has no sign
     const double error = row_error(attribute, a, b);
     if (!(error <= largest)) largest = std::isnan(error) ? std::numeric_limits<double>::infinity() : error;

@@ -80,26 +80,6 @@ std::uint64_t bits_of_number(ComponentType type, double x) noexcept {
   return static_cast<std::uint64_t>(whole) & (~std::uint64_t{0} >> (64 - width));
 }
 
-double number_of_bits(ComponentType type, std::uint64_t bits) noexcept {
-  switch (type) {
-    case ComponentType::kI8:
-      return static_cast<std::int8_t>(bits);
-    case ComponentType::kI16:
-      return static_cast<std::int16_t>(bits);
-    case ComponentType::kI32:
-      return static_cast<std::int32_t>(bits);
-    case ComponentType::kF32:
-      return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
-    case ComponentType::kF64:
-      return std::bit_cast<double>(bits);
-    case ComponentType::kU8:
-    case ComponentType::kU16:
-    case ComponentType::kU32:
-      break;
-  }
-  return static_cast<double>(bits);
-}
-
 std::int32_t ComponentLattice::rest() const noexcept {
   if (kind == LatticeKind::kPoints)
     return static_cast<std::int32_t>(std::clamp(-base, std::int64_t{0}, std::int64_t{cells}));

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -58,7 +59,25 @@ struct ComponentLattice {
 std::uint64_t bits_of_number(ComponentType type, double x) noexcept;
 
 /// The number of a component with these bits.
-double number_of_bits(ComponentType type, std::uint64_t bits) noexcept;
+inline double number_of_bits(ComponentType type, std::uint64_t bits) noexcept {
+  switch (type) {
+    case ComponentType::kI8:
+      return static_cast<std::int8_t>(bits);
+    case ComponentType::kI16:
+      return static_cast<std::int16_t>(bits);
+    case ComponentType::kI32:
+      return static_cast<std::int32_t>(bits);
+    case ComponentType::kF32:
+      return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
+    case ComponentType::kF64:
+      return std::bit_cast<double>(bits);
+    case ComponentType::kU8:
+    case ComponentType::kU16:
+    case ComponentType::kU32:
+      break;
+  }
+  return static_cast<double>(bits);
+}
 
 /// `before`: of the component before, or null for the first.
 void write_lattice_fields(ByteWriter& out, ComponentType type, const ComponentLattice& lattice,

@@ -22,7 +22,7 @@ constexpr std::array<float, 17> kDenominators = {1,    10,   100,   1e3F,  1e4F,
 
 /// One component of a source, but for most values that come again: these make no difference to a lattice.
 struct Column {
-  ComponentType type;
+  ComponentType type = ComponentType::kF32;
   std::size_t count = 0;            ///< values, with those left out
   std::vector<std::uint64_t> bits;  ///< of the others
   std::vector<double> numbers;      ///< likewise
@@ -142,14 +142,28 @@ float step_within(double bound, ComponentType type, double largest) noexcept {
   return bound > 2 * spared ? round_down(std::min(2 * (bound - spared), 1e37)) : 0;
 }
 
+/// Some of the values: an exact lattice of all is one of these.
+Column sample_of(const Column& column) {
+  constexpr std::size_t kSample = 32;
+  Column sample;
+  sample.type = column.type;
+  const std::size_t stride = 1 + column.bits.size() / kSample;
+  for (std::size_t i = 0; i < column.bits.size(); i += stride) sample.add(column.bits[i]);
+  return sample;
+}
+
 std::optional<ComponentLattice> fit_points(const Column& column, double bound, float step) {
   if (!std::all_of(column.numbers.begin(), column.numbers.end(), [](double x) { return std::isfinite(x); }))
     return std::nullopt;
-  const auto exact = fit_exactly(column, bound);
-  if (step > 0 && (!exact || double{exact->times} < double{step} * double{exact->over})) {
-    ComponentLattice within{.kind = LatticeKind::kPoints, .times = step};
-    if (settle(column, bound, within)) return within;
-  }
+  const auto is_coarse = [&](const std::optional<ComponentLattice>& exact) {
+    return exact && double{exact->times} >= double{step} * double{exact->over};
+  };
+  ComponentLattice within{.kind = LatticeKind::kPoints, .times = step};
+  const bool try_step = step > 0 && settle(column, bound, within);
+  // As most often a few values tell.
+  if (try_step && !is_coarse(fit_exactly(sample_of(column), bound))) return within;
+  auto exact = fit_exactly(column, bound);
+  if (try_step && !is_coarse(exact)) return within;
   return exact;
 }
 

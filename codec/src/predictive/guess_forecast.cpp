@@ -14,7 +14,7 @@
 namespace deltamesh {
 namespace {
 
-constexpr std::size_t kSample = 1024;
+constexpr std::size_t kSample = 256;
 /// Bits that guesses have to save for each bit of saying which are right. The line was drawn through what
 /// both ways take on the corpus.
 constexpr double kWorth = 1.15;
@@ -22,7 +22,7 @@ constexpr double kWorth = 1.15;
 /// Straight lines between powers of two.
 double about_log2(std::uint64_t x) noexcept {
   const int whole = floor_log2(x);
-  return whole - 1 + std::ldexp(static_cast<double>(x), -whole);
+  return whole - 1 + static_cast<double>(x) / static_cast<double>(std::uint64_t{1} << whole);
 }
 
 /// Bits of choosing between two things of which one has this share.
