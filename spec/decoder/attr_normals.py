@@ -8,8 +8,7 @@ from coder import BitModel, Coder, bit_models, clamp, mixing_weights, symbol_mod
 from container import must
 from graph import corners
 from scaled import SYMBOL_WEIGHTS, ScaledCoder
-from vectors import (ATTR_22_corner_angles, ATTR_22_scaled, ATTR_24_point, add, cross, dot, f32_cross, f32_dot, sub,
-                     sum_at_corners, times, to_f32, unit)
+from vectors import ATTR_22_corner_angles, ATTR_22_scaled, ATTR_24_point, cross, dot, sum_at_corners, to_f32, unit, vector
 
 F = np.float32
 
@@ -30,25 +29,20 @@ def ATTR_22_rule(rule, surface):
     if rule == 0:
         return np.zeros((n, 3), dtype=F), np.zeros(n, dtype=F), np.zeros(n, dtype=F)
     places = ATTR_22_scaled(surface.positions)[faces]
-    with np.errstate(all="ignore"):
-        a, b = places[:, 1] - places[:, 0], places[:, 2] - places[:, 0]
-        c = b - a
-        A, B, C, normal = f32_dot(a, a), f32_dot(b, b), f32_dot(c, c), f32_cross(a, b)
-        square = f32_dot(normal, normal)
-        y, counted = np.sqrt(square), square > F(1e-36)
-        if rule == 1:
-            weight = np.ones((len(faces), 3), dtype=F)
-        elif rule == 2:
-            weight = np.stack([y, y, y], axis=1)
-        elif rule == 5:
-            weight = np.stack([y / (A * B), y / (A * C), y / (B * C)], axis=1)
-        else:
-            weight = ATTR_22_corner_angles(a, b, y)
-            weight = weight if rule == 3 else y[:, None] * weight
-        turn = (A + B + C) * ((F(1) / y) * (F(1) / y))
-        directions = ((F(1) / y)[:, None] * normal)[:, None, :] * weight[:, :, None]
-        noises = (weight * turn[:, None]) * weight
-        return tuple(sum_at_corners(faces, counted, x, n) for x in (directions, weight, noises))
+    a, b = places[:, 1] - places[:, 0], places[:, 2] - places[:, 0]
+    A, B, C, normal = dot(a, a), dot(b, b), dot(b - a, b - a), cross(a, b)
+    y, counted = np.sqrt(dot(normal, normal)), dot(normal, normal) > F(1e-36)
+    weight = np.ones((len(faces), 3), dtype=F)  # rule 1
+    if rule in (3, 4):
+        weight = ATTR_22_corner_angles(a, b, y)
+    if rule in (2, 4):
+        weight = y[:, None] * weight
+    if rule == 5:
+        weight = np.stack([y / (A * B), y / (A * C), y / (B * C)], axis=1)
+    turn = (A + B + C) * ((F(1) / y) * (F(1) / y))
+    directions = ((F(1) / y)[:, None] * normal)[:, None, :] * weight[:, :, None]
+    noises = (weight * turn[:, None]) * weight
+    return tuple(sum_at_corners(faces, counted, x, n) for x in (directions, weight, noises))
 
 def exponent(x):
     """[ATTR-25] L"""
@@ -58,16 +52,13 @@ def exponent(x):
 
 class NormalCoder:
     def __init__(self, coder, surface, rule, form, radius):
-        self.coder, self.surface, self.radius = coder, surface, radius
-        self.shares, self.zeros, self.blends = form & 8, form & 16, form & 32
+        self.coder, self.surface, self.radius, n = coder, surface, radius, surface.n
+        self.shares, self.zeros, self.blends, self.K = form & 8, form & 16, form & 32, 0.25 / (radius * radius)
         self.vectors, self.rule_weights, self.noises = ATTR_22_rule(rule, surface)
-        self.at = corners(surface.faces, surface.n)
-        self.share_bits, self.zero_bit = bit_models(), BitModel()
+        self.at, self.share_bits, self.zero_bit = corners(surface.faces, n), bit_models(), BitModel()
         self.models, self.weights, self.scaled = symbol_models(SYMBOL_WEIGHTS), mixing_weights(4), ScaledCoder()
-        n = surface.n
-        self.group_of, self.normals, self.rule_normals, self.sizes = [None] * n, [None] * n, [None] * n, [F(0)] * n
-        self.last, self.K = (0.0, 0.0, 1.0), 0.25 / (radius * radius)
-        self.ff = self.fg = self.gg = self.ft = self.gt = self.Z = self.O = 0.0
+        self.group_of, self.normals, self.rule_normals, self.sizes = {}, {}, {}, {}
+        self.last, self.sums, self.Z, self.O = vector(0, 0, 1), vector(0, 0, 0, 0, 0), 0.0, 0.0  # sums: ff, fg, gg, ft, gt
 
     def decode(self):
         first = self.surface.first
@@ -76,7 +67,7 @@ class NormalCoder:
                 for v in group:
                     self.group_of[v] = group
                 self.ATTR_23_normal(g, group)
-        return self.normals
+        return [self.normals[v] for v in range(self.surface.n)]
 
     def ATTR_21_groups(self, g, copies):
         """Lists of copies."""
@@ -93,8 +84,8 @@ class NormalCoder:
     def ATTR_21_earlier(self, g, v, groups, few):
         ranked = []
         for group in groups[-16:]:
-            a, b = self.vectors[v].tolist(), self.sum_of(self.vectors, group).tolist()
-            divisor = math.sqrt(dot(a, a)) * math.sqrt(dot(b, b))
+            a, b = self.vectors[v].astype(np.float64), self.sum_of(self.vectors, group).astype(np.float64)
+            divisor = np.sqrt(dot(a, a)) * np.sqrt(dot(b, b))
             cosine = dot(a, b) / divisor if divisor > 0 else 0.0
             tie = self.tie(g, v, group) if few else 0
             ranked.append((cosine + (2 if tie == 3 else -2 if tie == 2 else 0), cosine, tie, group))
@@ -128,78 +119,71 @@ class NormalCoder:
 
     def ATTR_23_sums(self, g, group):
         """N, R, V and c"""
-        zero, faces, total = np.zeros(7, dtype=F), self.surface.faces, np.zeros(7, dtype=F)
-        c = 0
+        total, faces, c = np.zeros(7, dtype=F), self.surface.faces, 0
         for v in group:
-            part = zero
-            for corner in self.at[v]:
-                u = faces[corner // 3][(corner + 1) % 3]
+            part = np.zeros(7, dtype=F)
+            for u in (faces[corner // 3][(corner + 1) % 3] for corner in self.at[v]):
                 if self.surface.geometric[u] < g and any(self.normals[u]):
-                    part = part + np.array(self.normals[u] + (self.rule_normals[u] or (0, 0, 0)) + (self.sizes[u],), dtype=F)
+                    part = part + np.hstack([self.normals[u], self.rule_normals[u], self.sizes[u]]).astype(F)
                     c += 1
             total = total + part
-        return total[:3], total[3:6], total[6], c
+        return total[:3].astype(np.float64), total[3:6].astype(np.float64), float(total[6]), c
 
     def ATTR_23_pole(self, U, M, Q):
-        """The pole, and whether the factors x and y made it."""
-        if U and M and self.blends:
-            FF, GG, T = self.ff + 0.5, self.gg + 0.5, self.ft + 0.5
-            d, x, y = FF * GG - self.fg * self.fg, 1.0, 0.0
-            if d > 1e-12 * FF * GG:
-                x, y = (T * GG - self.gt * self.fg) / d, (self.gt * FF - T * self.fg) / d
-            return unit(add(add(M, times(x, sub(U, M))), times(y, sub(Q, M)))) or U, True
-        return U or M and unit(M) or self.last, False
+        if U is None or M is None or not self.blends:
+            P = unit(M) if U is None and M is not None else U
+            return self.last if P is None else P
+        ff, fg, gg, ft, gt = self.sums
+        FF, GG, T = ff + 0.5, gg + 0.5, ft + 0.5
+        d, x, y = FF * GG - fg * fg, 1.0, 0.0
+        if d > 1e-12 * FF * GG:
+            x, y = (T * GG - gt * fg) / d, (gt * FF - T * fg) / d
+        P = unit(M + x * (U - M) + y * (Q - M))
+        return U if P is None else P
 
     def ATTR_23_frame(self, P, U, M):
-        v = sub(U, M) if U and M else (0.0, 0.0, 0.0)
-        w = sub(v, times(dot(v, P), P))
+        v = vector(0, 0, 0) if U is None or M is None else U - M
+        w = v - dot(v, P) * P
         if not dot(w, w) > 1e-20:
-            axis = min(range(3), key=lambda i: abs(P[i]))
-            v = tuple(float(i == axis) for i in range(3))
-            w = sub(v, times(dot(v, P), P))
-        first = unit(w)
-        return first, cross(P, first)
+            v = np.eye(3)[np.argmin(abs(P))]
+            w = v - dot(v, P) * P
+        return P, unit(w), cross(P, unit(w))
 
     def ATTR_23_learn(self, n, P, U, M, Q):
-        f, g, t, e = sub(U, M), sub(Q, M), sub(n, M), sub(n, P)
-        w, keep = self.K / (1 + self.K * dot(e, e)), 1 - 1 / 256
-        self.ff, self.fg = keep * self.ff + w * dot(f, f), keep * self.fg + w * dot(f, g)
-        self.gg, self.ft = keep * self.gg + w * dot(g, g), keep * self.ft + w * dot(f, t)
-        self.gt = keep * self.gt + w * dot(g, t)
+        f, g, t, e = U - M, Q - M, n - M, n - P
+        w = self.K / (1 + self.K * dot(e, e))
+        self.sums = (1 - 1 / 256) * self.sums + w * vector(dot(f, f), dot(f, g), dot(g, g), dot(f, t), dot(g, t))
 
     def ATTR_23_normal(self, g, group):
         N, R, V, c = self.ATTR_23_sums(g, group)
-        S, W, X = (self.sum_of(x, group).tolist() for x in (self.vectors, self.rule_weights, self.noises))
-        U, i = unit(S), 1 / c if c else 0.0
-        M, Q = (times(i, N.tolist()), times(i, R.tolist())) if c else (None, None)
-        near = i * float(V)
-        normal, size = (0.0, 0.0, 0.0), 0.0
+        S, W, X = (self.sum_of(x, group).astype(np.float64) for x in (self.vectors, self.rule_weights, self.noises))
+        U, i, M, Q = unit(S), 1 / c if c else 0.0, None, None
+        if c:
+            M, Q = i * N, i * R
+        near, normal, size = i * V, vector(0, 0, 0), 0.0
         if not (self.zeros and self.zero_bit.decode(self.coder)):
-            P, blended = self.ATTR_23_pole(U, M, Q)
-            first, second = self.ATTR_23_frame(P, U, M)
-            X = X if X < 1e60 else 0.0
-            row, place, o = self.ATTR_25_numbers(S, W, X, U, M, near, c)
+            frame = self.ATTR_23_frame(self.ATTR_23_pole(U, M, Q), U, M)
+            row, place, o = self.ATTR_25_numbers(S, W, X if X < 1e60 else 0.0, U, M, near, c)
             a, b = (1.5 * self.radius) * row, (1.7320508075688772 * self.radius) * (place + (0.5 if row % 2 else 0))
-            normal = ATTR_24_point(a, b, P, first, second)
-            z = math.sqrt((a / self.radius) * (a / self.radius) + (b / self.radius) * (b / self.radius))
+            normal = ATTR_24_point(a, b, *frame)
+            z = np.sqrt((a / self.radius) * (a / self.radius) + (b / self.radius) * (b / self.radius))
             size = (5 * z + 3 * near) / 8 if c else z
             if o > 0 and any(normal):
-                self.Z, self.O = (1 - 1 / 256) * self.Z + z, (1 - 1 / 256) * self.O + math.sqrt(o)
-            if blended:
-                self.ATTR_23_learn(normal, P, U, M, Q)
+                self.Z, self.O = (1 - 1 / 256) * self.Z + z, (1 - 1 / 256) * self.O + np.sqrt(o)
+            if self.blends and U is not None and c:
+                self.ATTR_23_learn(normal, frame[0], U, M, Q)
             if any(normal):
                 self.last = normal
         for v in group:
-            self.normals[v], self.rule_normals[v], self.sizes[v] = normal, U and to_f32(U), F(size)
+            self.normals[v], self.sizes[v] = normal, F(size)
+            self.rule_normals[v] = vector(0, 0, 0) if U is None else to_f32(U)
 
     def ATTR_25_numbers(self, S, W, X, U, M, near, c):
         """Row, place and o."""
-        u = 1 / math.sqrt(dot(S, S)) if U else 0.0
-        o = X * (u * u)
-        p = self.Z / self.O if self.O else 0.0
-        apart = self.K * dot(sub(U, M), sub(U, M)) if U and M else 0.0
-        spread = self.K * (1 - dot(M, M)) if M else 0.0
-        bend = self.K * (2 - 2 / (u * W)) if U else 0.0
+        u, p = 0.0 if U is None else 1 / np.sqrt(dot(S, S)), self.Z / self.O if self.O else 0.0
+        o, spread = X * (u * u), self.K * (1 - dot(M, M)) if c else 0.0
+        apart = 0.0 if U is None or not c else self.K * dot(U - M, U - M)
+        bend = 0.0 if U is None else self.K * (2 - 2 / (u * W))
         squares = [near * near, apart, spread, bend, o * (p * p)]
         scale = near * near if c else min(bend, 4.0)
         shift = clamp((exponent(scale) - 6) // 2, 0, 24)

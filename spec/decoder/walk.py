@@ -1,8 +1,11 @@
-"""The surface walk [ATTR-30], blends [ATTR-35] and pairs of numbers [ATTR-37] of texture coordinates and tangents."""
-from coder import bit_models, bits, mixing_weights, symbol_models
+"""What texture coordinates and tangents share: the surface walk [ATTR-30], blends [ATTR-35], pairs of numbers [ATTR-37]."""
+import numpy as np
+
+from coder import bit_models, bits, clamp, mixing_weights, symbol_models
 from container import must
 from graph import corners, others
 from scaled import SYMBOL_WEIGHTS, ScaledCoder
+from vectors import dot
 
 def ATTR_30_walk(faces, n):
     """Pairs of a vertex and the corners by which it completes faces, in the order of the walk."""
@@ -10,60 +13,48 @@ def ATTR_30_walk(faces, n):
     queue, stack, result, head = [], [], [], 0
 
     def visit(v):
+        if visited[v]:
+            return
         visited[v], completed = True, []
         for corner in at[v]:
             met[corner // 3] += 1
             if met[corner // 3] == 3:
                 completed.append(corner)
             elif met[corner // 3] == 2:
-                for u in others(faces, corner):
-                    if not visited[u]:
-                        (queue if waits[u] else stack).append(u)
-                        waits[u] += 1
+                for u in (u for u in others(faces, corner) if not visited[u]):
+                    (queue if waits[u] else stack).append(u)
+                    waits[u] += 1
         result.append((v, completed))
 
     for face in faces:
         for v in face:
-            if not visited[v]:
-                visit(v)
+            visit(v)
         while head < len(queue) or stack:
             if head < len(queue):
-                v, head = queue[head], head + 1
+                head += 1
+                visit(queue[head - 1])
             else:
-                v = stack.pop()
-            if not visited[v]:
-                visit(v)
+                visit(stack.pop())
     for v in range(n):
-        if not visited[v]:
-            visit(v)
+        visit(v)
     return result
-
-def dot2(x, y):
-    return x[0] * y[0] + x[1] * y[1]
-
-def cross2(x, y):
-    return x[0] * y[1] - x[1] * y[0]
-
-def sub2(x, y):
-    return x[0] - y[0], x[1] - y[1]
 
 class Blend:
     """[ATTR-35]"""
     def __init__(self):
-        self.X11 = self.X12 = self.X22 = self.Y1 = self.Y2 = 0.0
+        self.X, self.Y = np.zeros((2, 2)), np.zeros(2)
 
     def correction(self, d1, d2):
-        a, c, b = self.X11 + 0.02, self.X22 + 0.02, self.X12
-        D, w1, w2 = a * c - b * b, 0.0, 0.0
+        a, c, b, w1, w2 = self.X[0, 0] + 0.02, self.X[1, 1] + 0.02, self.X[0, 1], 0.0, 0.0
+        D = a * c - b * b
         if D > 0:
             h = 1 / D
-            w1, w2 = h * (c * self.Y1 - b * self.Y2), h * (a * self.Y2 - b * self.Y1)
-        return w1 * d1[0] + w2 * d2[0], w1 * d1[1] + w2 * d2[1]
+            w1, w2 = h * (c * self.Y[0] - b * self.Y[1]), h * (a * self.Y[1] - b * self.Y[0])
+        return w1 * d1 + w2 * d2
 
     def learn(self, d1, d2, e, g):
-        self.X11, self.X12 = 0.99 * self.X11 + g * dot2(d1, d1), 0.99 * self.X12 + g * dot2(d1, d2)
-        self.X22 = 0.99 * self.X22 + g * dot2(d2, d2)
-        self.Y1, self.Y2 = 0.99 * self.Y1 + g * dot2(d1, e), 0.99 * self.Y2 + g * dot2(d2, e)
+        self.X = 0.99 * self.X + g * np.array([[dot(x, y) for y in (d1, d2)] for x in (d1, d2)])
+        self.Y = 0.99 * self.Y + g * np.array([dot(x, e) for x in (d1, d2)])
 
 class BitOfFaces:
     """[ATTR-36, ATTR-43] A bit whose model tells which values it had at the corners a and b of completed faces."""
@@ -77,13 +68,12 @@ class BitOfFaces:
 
 def ATTR_37_log(x):
     """W"""
-    y = x + 4
-    o = bits(y) - 3
-    return min(2 * o + ((y >> (o + 1)) & 1), 19)
+    o = bits(x + 4) - 3
+    return min(2 * o + (((x + 4) >> (o + 1)) & 1), 19)
 
-def at_most(x, most):
-    """The whole part of a double that is not negative."""
-    return most if x >= most else int(x) if x > 0 else 0
+def whole_part(x):
+    """Of a double, 0 to 2^17."""
+    return int(clamp(x, 0, 2**17)) if x == x else 0
 
 class PairCoder:
     """[ATTR-37] Two numbers."""
@@ -99,14 +89,13 @@ class PairCoder:
         return p, self.number(1, near[1], spread[1], kind, abs(p))
 
     def number(self, second, near, spread, kind, t):
-        scale = (8 * near + 6 * spread + 80 * t) >> 4
+        scale, W = (8 * near + 6 * spread + 80 * t) >> 4, ATTR_37_log
         shift = max(bits(scale) - 7, 0)
         c = 1 + min(t >> shift, 3) if second else 0
-        W = ATTR_37_log
         models = [self.models[0, (W(near >> shift) * 5 + kind) * 5 + c],
                   self.models[1, (W(spread >> shift) * 2 + (shift > 0)) * 5 + c],
                   self.models[2, (W(scale >> shift) * 2 + (kind > 1)) * 5 + c]]
-        x = self.scaled.FLD_5_number(self.coder, models, self.weights[2 * W(scale >> shift) + second], shift,
-                                     min(shift, 3) * 2 + second)
+        weights = self.weights[2 * W(scale >> shift) + second]
+        x = self.scaled.FLD_5_number(self.coder, models, weights, shift, min(shift, 3) * 2 + second)
         must(abs(x) <= 2**24, "ATTR-37", f"number {x}")
         return x
