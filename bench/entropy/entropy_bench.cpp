@@ -130,12 +130,11 @@ void run_mesh(const std::string& name, const Mesh& loaded, const Settings& setti
   const Components components = find_components(graph);
   std::vector<Vec3> positions;
   for (const std::uint32_t v : coded.vertex_order) positions.push_back(welded.positions[v]);
-  HighpassCoder coder(graph, components, positions, welded.box);
-  HighpassSettings highpass{.step = coder.step_for_bits(settings.bits)};
-  highpass.anchors = place_anchors(
-      graph, components,
-      {.count = static_cast<std::uint32_t>(kAnchorShare * static_cast<double>(vertices)) + 1, .density = {}});
-  const CodedHighpass geometry = value_or_exit(coder.code_only(highpass));
+  AnchorSequence anchors(graph, components);
+  HighpassCoder coder(graph, components, anchors, positions, welded.box);
+  const CodedHighpass geometry = value_or_exit(coder.code_only(
+      {.step = coder.step_for_bits(settings.bits),
+       .anchors = static_cast<std::uint32_t>(kAnchorShare * static_cast<double>(vertices)) + 1}));
   const SolvedPart part = extract_solved_part(graph, components);
 
   std::printf("%s, %u vertices, %d bits:\n\n", name.c_str(), vertices, settings.bits);

@@ -37,6 +37,13 @@ SolverProblem make_problem(const StageInput& input) {
   return problem;
 }
 
+/// At the default share of anchors.
+Result<CodedHighpass> code(const StageInput& input) {
+  AnchorSequence anchors(input.graph, input.components);
+  HighpassCoder coder(input.graph, input.components, anchors, input.positions, input.box);
+  return coder.code({.step = coder.step_for_bits(kBits), .anchors = default_anchor_count(anchors.most())});
+}
+
 void delta_quantize(benchmark::State& state) {
   const StageInput& input = stage_input(state);
   const double step = delta_range(delta_coordinates(input.graph, input.positions)) / (1 << kBits);
@@ -85,17 +92,14 @@ BENCHMARK(solver_solve)->Apply(use_scenes);
 
 void highpass_write(benchmark::State& state) {
   const StageInput& input = stage_input(state);
-  for (auto _ : state)
-    benchmark::DoNotOptimize(value_or_exit(
-        write_highpass(input.graph, input.components, input.positions, input.box, {.bits = kBits})));
+  for (auto _ : state) benchmark::DoNotOptimize(value_or_exit(code(input)));
   count_vertices(state, input);
 }
 BENCHMARK(highpass_write)->Apply(use_scenes);
 
 void highpass_read(benchmark::State& state) {
   const StageInput& input = stage_input(state);
-  const auto coded = value_or_exit(
-      write_highpass(input.graph, input.components, input.positions, input.box, {.bits = kBits}));
+  const auto coded = value_or_exit(code(input));
   for (auto _ : state)
     benchmark::DoNotOptimize(value_or_exit(read_highpass(coded.deltas, coded.anchors, input.graph,
                                                          input.components, input.box, coded.parameters)));
@@ -105,8 +109,7 @@ BENCHMARK(highpass_read)->Apply(use_scenes);
 
 void quality(benchmark::State& state) {
   const StageInput& input = stage_input(state);
-  const auto coded = value_or_exit(
-      write_highpass(input.graph, input.components, input.positions, input.box, {.bits = kBits}));
+  const auto coded = value_or_exit(code(input));
   for (auto _ : state)
     benchmark::DoNotOptimize(measure_quality(input.graph, input.positions, coded.positions));
   count_vertices(state, input);

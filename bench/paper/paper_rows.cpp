@@ -24,9 +24,10 @@ constexpr PaperRow kRows[] = {
 std::span<const PaperRow> paper_rows() noexcept { return kRows; }
 
 Result<PaperFigures> measure_paper_row(const WeldedMesh& mesh, const PaperRow& row) {
+  AnchorSequence anchors(mesh.graph, mesh.components);
+  HighpassCoder coder(mesh.graph, mesh.components, anchors, mesh.positions, mesh.box);
   DELTAMESH_TRY(const CodedHighpass coded,
-                write_highpass(mesh.graph, mesh.components, mesh.positions, mesh.box,
-                               {.bits = row.bits, .anchors = row.anchors}));
+                coder.code({.step = coder.step_for_bits(row.bits), .anchors = row.anchors}));
   const Quality quality = measure_quality(mesh.graph, mesh.positions, coded.positions);
   return PaperFigures{.vde_over_step = quality.vde_rms / coded.parameters.step,
                       .ratio = quality.lfe_rms / quality.vde_rms};

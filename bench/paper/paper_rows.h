@@ -28,7 +28,7 @@ struct PaperFigures {
 /// All rows, grouped by model.
 std::span<const PaperRow> paper_rows() noexcept;
 
-/// Codes `mesh` as the row says and measures it. Errors: those of write_highpass.
+/// Codes `mesh` as the row says and measures it. Errors: those of HighpassCoder.
 Result<PaperFigures> measure_paper_row(const WeldedMesh& mesh, const PaperRow& row);
 
 }  // namespace deltamesh::bench

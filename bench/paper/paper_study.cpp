@@ -6,8 +6,8 @@
 #include <cstdio>
 
 #include "base/try.h"
+#include "format/vertex_positions.h"
 #include "geometry/highpass.h"
-#include "geometry/vertex_positions.h"
 #include "laplacian/anchor_sequence.h"
 #include "quality/measure.h"
 
@@ -25,8 +25,8 @@ class Study {
   Study(const std::string& model, const WeldedMesh& mesh)
       : model_(model),
         mesh_(mesh),
-        coder_(mesh.graph, mesh.components, mesh.positions, mesh.box),
-        anchors_(mesh.graph, mesh.components) {}
+        anchors_(mesh.graph, mesh.components),
+        coder_(mesh.graph, mesh.components, anchors_, mesh.positions, mesh.box) {}
 
   std::uint32_t count_for_density(std::uint32_t density) {
     return anchors_.count_for_density(mesh_.graph, density);
@@ -42,18 +42,16 @@ class Study {
 
  private:
   Result<void> add(int bits, double step, std::uint32_t count) {
-    HighpassSettings settings{.step = step};
-    settings.anchors = anchors_.first(mesh_.graph, count);
-    DELTAMESH_TRY(const CodedHighpass coded, coder_.code(settings));
+    DELTAMESH_TRY(const CodedHighpass coded, coder_.code({.step = step, .anchors = count}));
     DELTAMESH_TRY(const auto positions, to_float_positions(coded.positions));
     const std::size_t vertices = mesh_.positions.size();
     const PaperQuality paper =
         paper_form(measure_quality(mesh_.graph, mesh_.positions, positions), vertices, mesh_.box.diagonal());
-    const auto anchors = static_cast<std::uint32_t>(settings.anchors.vertices.size());
+    const std::uint32_t anchors = coded.parameters.anchors;
     points_.push_back({.model = model_,
                        .bits = bits,
                        .anchors = anchors,
-                       .density = settings.anchors.density,
+                       .density = coded.parameters.anchor_density,
                        .anchor_share = static_cast<double>(anchors) / static_cast<double>(vertices),
                        .vde = paper.vde,
                        .lfe = paper.lfe});
@@ -62,8 +60,8 @@ class Study {
 
   std::string model_;
   const WeldedMesh& mesh_;
-  HighpassCoder coder_;
   AnchorSequence anchors_;
+  HighpassCoder coder_;
   std::vector<PaperPoint> points_;
 };
 

@@ -6,8 +6,8 @@
 #include <ctime>
 
 #include "base/try.h"
+#include "format/vertex_positions.h"
 #include "geometry/highpass.h"
-#include "geometry/vertex_positions.h"
 #include "laplacian/anchor_sequence.h"
 #include "quality/measure.h"
 
@@ -23,14 +23,14 @@ constexpr double kEqual = 1e-3;
 class Study {
  public:
   explicit Study(const WeldedMesh& mesh)
-      : mesh_(mesh), coder_(mesh.graph, mesh.components, mesh.positions, mesh.box) {
-    AnchorSequence sequence(mesh.graph, mesh.components);
-    const auto vertices = static_cast<std::uint32_t>(mesh.positions.size());
-    anchors_ = sequence.first(mesh.graph, vertices / kVerticesPerAnchor);
-  }
+      : mesh_(mesh),
+        anchors_(mesh.graph, mesh.components),
+        coder_(mesh.graph, mesh.components, anchors_, mesh.positions, mesh.box) {}
 
   HighpassSettings at_bits(int bits) const {
-    return {.step = coder_.step_for_bits(bits), .anchors = anchors_, .anchor_bits = kAnchorBits};
+    return {.step = coder_.step_for_bits(bits),
+            .anchors = static_cast<std::uint32_t>(vertices() / kVerticesPerAnchor),
+            .anchor_bits = kAnchorBits};
   }
 
   Result<CodedFigures> code(const HighpassSettings& settings) {
@@ -44,8 +44,8 @@ class Study {
 
  private:
   const WeldedMesh& mesh_;
+  AnchorSequence anchors_;
   HighpassCoder coder_;
-  Anchors anchors_;
 };
 
 /// All containers; returns processor seconds.

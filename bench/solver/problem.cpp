@@ -51,11 +51,12 @@ Problem make_problem(const MeshView& mesh, const ProblemSettings& settings) {
   const auto count = static_cast<std::uint32_t>(0.01 * settings.anchor_percent *
                                                 static_cast<double>(problem.part.row_count));
   HighpassSettings& highpass = problem.settings;
-  const HighpassCoder coder(problem.whole, components, problem.whole_positions, problem.box);
+  AnchorSequence anchors(problem.whole, components);
+  HighpassCoder coder(problem.whole, components, anchors, problem.whole_positions, problem.box);
   highpass.step = coder.step_for_bits(settings.bits);
   highpass.diffusion = settings.diffusion;
-  highpass.anchors = place_anchors(problem.whole, components, {.count = count});
-  problem.anchors = anchor_rows(highpass.anchors.vertices, problem.part);
+  highpass.anchors = count;
+  problem.anchors = anchor_rows(coder.anchors_for(highpass).vertices, problem.part);
   problem.deltas = quantized_deltas(problem);
   const AnchorLattice lattice(problem.box, highpass.anchor_bits);
   for (const std::uint32_t anchor : problem.anchors) {

@@ -64,7 +64,9 @@ struct Coded {
 };
 
 std::optional<Coded> code(const Problem& problem) {
-  HighpassCoder coder(problem.whole, find_components(problem.whole), problem.whole_positions, problem.box);
+  const Components components = find_components(problem.whole);
+  AnchorSequence anchors(problem.whole, components);
+  HighpassCoder coder(problem.whole, components, anchors, problem.whole_positions, problem.box);
   auto settled = coder.code(problem.settings);
   if (!settled) return std::nullopt;
   auto planned = coder.plan(problem.settings, settled->positions, [](const CodedHighpass&) { return true; });

@@ -95,7 +95,7 @@ TEST(Container, CNT5BoundsTheCountsByTheLength) {
   const auto stream = write_container(header, {});
   EXPECT_GE(stream.size() * 2048, std::size_t{20'000'000}) << "the writer fills up";
   EXPECT_EQ(open_rule(stream), "none");
-  EXPECT_EQ(container_bytes(header, {}), stream.size());
+  EXPECT_EQ(stream_bytes(header, 0), stream.size());
   auto shorter = std::vector(stream.begin(), stream.begin() + 5000);
   ByteWriter checksum;
   checksum.write(static_cast<std::uint32_t>(XXH3_64bits(shorter.data(), shorter.size())));
@@ -156,15 +156,16 @@ TEST(Container, EveryPrefixFails) {
 }
 
 TEST(Container, SizesAreKnownBeforehand) {
-  FileHeader header = sample_header();
-  header.attributes = {{.kind = AttributeKind::kNormal, .components = 3, .name = "NORMAL", .error = 0.5F},
-                       {}};
-  const std::vector<CodedChunk> chunks{
+  std::vector<CodedChunk> chunks{
       chunk(kTagConnectivity, bytes_of(200, 1)), chunk(kTagDeltas, std::vector<std::byte>(500)),
       chunk(kTagAttribute, bytes_of(20, 2)), chunk(kTagAttribute, {}), chunk(kTagFiller, bytes_of(3, 3))};
-  const auto stream = write_container(header, chunks);
-  EXPECT_EQ(container_bytes(header, chunks), stream.size());
-  EXPECT_EQ(Container::open(stream)->header().attributes, header.attributes);
+  chunks[2].attribute = {.kind = AttributeKind::kNormal, .components = 3, .name = "NORMAL", .error = 0.5F};
+  const auto stream = write_container(sample_header(), chunks);
+  std::uint64_t bytes = 0;
+  for (const CodedChunk& stored : chunks) bytes += stored_bytes(stored);
+  EXPECT_EQ(stream_bytes(sample_header(), bytes), stream.size());
+  const auto container = Container::open(stream);
+  EXPECT_EQ(container->header().attributes, std::vector({chunks[2].attribute, chunks[3].attribute}));
 }
 
 TEST(Inspect, AddsUpTheSizes) {

@@ -31,8 +31,11 @@ struct Parts {
 
   std::vector<std::byte> assemble() const {
     std::vector<CodedChunk> chunks;
-    for (const StoredPayload& p : payloads)
+    auto attribute = header.attributes.begin();
+    for (const StoredPayload& p : payloads) {
       chunks.push_back({.tag = p.tag, .codec = p.codec, .bytes = p.bytes, .decoded_bytes = p.bytes.size()});
+      if (p.tag == kTagAttribute) chunks.back().attribute = *attribute++;
+    }
     return write_container(header, chunks);
   }
 };

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <vector>
 
 #include "base/try.h"
@@ -26,11 +25,9 @@ class FormulaCoder : public TrialCoder {
   int runs = 0;
   int codings = 0;
   double float_noise = 1e-8;  ///< no error is smaller
-  std::optional<CoderSettings> kept;
 
-  Result<TrialFigures> run(const CoderSettings& settings) override {
+  Result<TrialFigures> run(const HighpassSettings& settings) override {
     ++runs;
-    last_ = settings;
     const double vde = 0.76 * delta_error(settings);
     const double anchors = settings.anchors + static_cast<double>(settings.more_anchors.size());
     const double distance = std::sqrt(kVertices / anchors);
@@ -45,7 +42,7 @@ class FormulaCoder : public TrialCoder {
     return figures;
   }
 
-  Result<std::uint64_t> bytes(const CoderSettings& settings) override {
+  Result<std::uint64_t> bytes(const HighpassSettings& settings) override {
     ++codings;
     const double bits = std::log2(1 + (1 - settings.rate_weight) * kLargestDelta / settings.step);
     const double anchors = settings.anchors + static_cast<double>(settings.more_anchors.size());
@@ -53,14 +50,13 @@ class FormulaCoder : public TrialCoder {
                                       anchors * (3 * settings.anchor_bits + 6) / 8);
   }
 
-  double delta_error(const CoderSettings& settings) override {
+  double delta_error(const HighpassSettings& settings) override {
     if (settings.step < std::ldexp(kLargestDelta, -30)) return std::numeric_limits<double>::infinity();
     const double uniform = settings.step * (0.5 + 0.3 * settings.rate_weight);
     return std::min(uniform * (1 + 0.15 * settings.diffusion), 0.4 * kLargestDelta);
   }
 
-  void keep() override { kept = last_; }
-  std::vector<std::uint32_t> worst_vertices(double, std::size_t count) override {
+  std::vector<std::uint32_t> worst_vertices(const Attempt&, double, std::size_t count) override {
     return std::vector<std::uint32_t>(count, 0);
   }
   std::uint32_t anchors_for_density(std::uint32_t density) override {
@@ -72,9 +68,6 @@ class FormulaCoder : public TrialCoder {
   double delta_range() override { return 2 * kLargestDelta; }
   double longest_side() override { return 1; }
   bool has_small_components() override { return false; }
-
- private:
-  CoderSettings last_;
 };
 
 }  // namespace deltamesh::test

@@ -25,10 +25,12 @@ using test::GraphMesh;
 class Coding {
  public:
   Coding(GraphMesh mesh, int bits, std::uint32_t anchors, double diffusion = 0)
-      : mesh_(std::move(mesh)), coder_(mesh_.graph, mesh_.components, mesh_.positions, mesh_.box) {
+      : mesh_(std::move(mesh)),
+        anchors_(mesh_.graph, mesh_.components),
+        coder_(mesh_.graph, mesh_.components, anchors_, mesh_.positions, mesh_.box) {
     settings_.step = coder_.step_for_bits(bits);
     settings_.diffusion = diffusion;
-    settings_.anchors = place_anchors(mesh_.graph, mesh_.components, {.count = anchors});
+    settings_.anchors = anchors;
   }
 
   Result<CodedHighpass> settled() { return coder_.code(settings_); }
@@ -45,11 +47,12 @@ class Coding {
     return measure_quality(mesh_.graph, mesh_.positions, coded.positions);
   }
   const GraphMesh& mesh() const { return mesh_; }
-  const HighpassSettings& settings() const { return settings_; }
+  std::vector<std::uint32_t> anchors() { return coder_.anchors_for(settings_).vertices; }
 
  private:
   GraphMesh mesh_;
   HighpassSettings settings_;
+  AnchorSequence anchors_;
   HighpassCoder coder_;
 };
 
@@ -102,7 +105,7 @@ TEST(Compensation, DELT7CyclesGiveThePositionsBackThatItIsFor) {
   const GraphMesh& mesh = coding.mesh();
   const SolvedPart part = extract_solved_part(mesh.graph, mesh.components);
   const Vec3 center = middle(mesh.box);
-  const std::vector<std::uint32_t> anchors = anchor_rows(coding.settings().anchors.vertices, part);
+  const std::vector<std::uint32_t> anchors = anchor_rows(coding.anchors(), part);
   for (const int cycles : {1, 2, 3}) {
     SCOPED_TRACE(cycles);
     PartSolver solver(part);

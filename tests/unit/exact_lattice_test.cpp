@@ -13,7 +13,7 @@
 #include "deltamesh/encode.h"
 #include "entropy/compact_reader.h"
 #include "entropy/compact_writer.h"
-#include "geometry/vertex_positions.h"
+#include "format/vertex_positions.h"
 #include "predictive/lattice.h"
 #include "predictive/positions.h"
 #include "support/graph_mesh.h"

@@ -15,10 +15,10 @@
 #include "attributes/component_lattice.h"
 #include "base/byte_reader.h"
 #include "base/byte_writer.h"
+#include "base/short_float.h"
 #include "entropy/compact_reader.h"
 #include "entropy/compact_writer.h"
 #include "predictive/lattice_coder.h"
-#include "quality/round_up.h"
 #include "support/attribute_coding.h"
 #include "support/random.h"
 
@@ -129,7 +129,7 @@ TEST(Lattice, ATTR55EveryFloatKeepsItsBoundAndZeroStaysZero) {
       source[9] = 1e-42F;
       const CodedAttribute coded = code(make(ComponentType::kF32, components, source), bound);
       ASSERT_EQ(coding_of(coded), AttributeCoding::kLattice);
-      EXPECT_LE(coded.descriptor.error, round_up(bound));
+      EXPECT_LE(coded.descriptor.error, short_float_above(bound));
       EXPECT_GT(coded.descriptor.error, 0.9 * bound);
       const auto back = numbers<float>(coded.decoded);
       for (std::size_t i = 0; i < source.size(); ++i)
@@ -140,7 +140,7 @@ TEST(Lattice, ATTR55EveryFloatKeepsItsBoundAndZeroStaysZero) {
   const auto doubles = waves<double>(2, 1e6);
   const CodedAttribute coded = code(make(ComponentType::kF64, 2, doubles), 0.25);
   EXPECT_EQ(coding_of(coded), AttributeCoding::kLattice);
-  EXPECT_LE(coded.descriptor.error, round_up(0.25F));
+  EXPECT_LE(coded.descriptor.error, short_float_above(0.25F));
   EXPECT_GT(coded.descriptor.error, 0.2F);
 }
 
@@ -156,7 +156,7 @@ TEST(Lattice, ATTR55FarOriginsAreCoded) {
   for (double& x : source) x += 1.7e9;
   const CodedAttribute coded = code(make(ComponentType::kF64, 1, source), 0.01);
   EXPECT_EQ(coding_of(coded), AttributeCoding::kLattice);
-  EXPECT_LE(coded.descriptor.error, round_up(0.01F));
+  EXPECT_LE(coded.descriptor.error, short_float_above(0.01F));
 }
 
 TEST(Lattice, ATTR55SourcesOnACoarserLatticeAreExact) {
@@ -337,7 +337,7 @@ void expect_integers(ComponentType type, double size) {
   EXPECT_EQ(numbers<T>(exact.decoded), source);
   for (const double bound : {1.0, 2.5, 3.0, 100.0}) {
     const CodedAttribute coded = code(make(type, 2, source), bound);
-    EXPECT_LE(coded.descriptor.error, round_up(bound));
+    EXPECT_LE(coded.descriptor.error, short_float_above(bound));
     if (sizeof(T) < 4) {
       EXPECT_LT(coded.compact.size(), exact.compact.size());
     }
@@ -389,7 +389,7 @@ TEST(Lattice, ATTR59WhatRestsIsExactAndCostsNearlyNothing) {
       const auto coded = write_attribute(test::view(a), identity(rows(a)),
                                          {.quality = quality, .effort = effort}, surface, {});
       ASSERT_TRUE(coded);
-      EXPECT_LE(coded->descriptor.error, round_up(1e-3F));
+      EXPECT_LE(coded->descriptor.error, short_float_above(1e-3F));
       EXPECT_LT(coded->compact.size(), 200U);
       const auto back =
           read_attribute(Payload::compact(coded->compact), coded->descriptor, surface, {}, 1 << 20);
@@ -432,7 +432,7 @@ TEST(Lattice, ATTR58CopiesCostNearlyNothingWhereTheyAgree) {
   const auto size = [&](const std::vector<float>& source) {
     const CodedAttribute coded = code(make(ComponentType::kF32, 1, source), 1e-3, copied.surface());
     EXPECT_EQ(coding_of(coded), AttributeCoding::kLattice);
-    EXPECT_LE(coded.descriptor.error, round_up(1e-3F));
+    EXPECT_LE(coded.descriptor.error, short_float_above(1e-3F));
     return coded.compact.size();
   };
   const std::size_t once = code(make(ComponentType::kF32, 1, waves<float>(1)), 1e-3).compact.size();

@@ -111,10 +111,11 @@ TEST(SolveOnce, GivesTheSolversBits) {
 
 TEST(HighpassCoder, SettingsDoNotDependOnEarlierOnes) {
   const auto mesh = test::sheet(80, 60);
-  HighpassCoder coder(mesh.graph, mesh.components, mesh.positions, mesh.box);
-  HighpassSettings settings{.step = 0.1, .rate_weight = 0.12, .diffusion = 0.8, .centroids = true};
-  settings.anchors = place_anchors(mesh.graph, mesh.components, {.count = 20});
-  ASSERT_TRUE(coder.code({.step = 0.01, .anchors = settings.anchors}));
+  AnchorSequence anchors(mesh.graph, mesh.components);
+  HighpassCoder coder(mesh.graph, mesh.components, anchors, mesh.positions, mesh.box);
+  const HighpassSettings settings{
+      .step = 0.1, .rate_weight = 0.12, .centroids = true, .diffusion = 0.8, .anchors = 20};
+  ASSERT_TRUE(coder.code({.step = 0.01, .anchors = 20}));
   const auto coded = coder.code(settings);
   ASSERT_TRUE(coded);
   EXPECT_NE(coded->parameters.shift, ReconstructionShift{});

@@ -16,7 +16,7 @@
 #include "entropy/compact_reader.h"
 #include "entropy/compact_writer.h"
 #include "format/container.h"
-#include "geometry/vertex_positions.h"
+#include "format/vertex_positions.h"
 #include "predictive/float_order.h"
 #include "predictive/guess_forecast.h"
 #include "predictive/lattice.h"

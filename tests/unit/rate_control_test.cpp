@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "quality/round_up.h"
+#include "base/short_float.h"
 #include "quality/step_search.h"
 #include "quality/visual_control.h"
 #include "support/formula_coder.h"
@@ -16,9 +16,6 @@ namespace {
 
 using test::FormulaCoder;
 
-/// What the kept settings give.
-Quality kept_quality(FormulaCoder& coder) { return coder.run(*coder.kept)->quality; }
-
 void expect_landed(double achieved, double asked, double least) {
   EXPECT_LE(achieved, asked);
   EXPECT_GE(achieved, least * asked);
@@ -27,19 +24,21 @@ void expect_landed(double achieved, double asked, double least) {
 TEST(RateControl, VdeLandsWithinTwoCorrections) {
   for (const double vde : {1e-3, 1e-4, 1e-5, 1e-6}) {
     FormulaCoder coder;
-    ASSERT_TRUE(control_rate({.bounds = {.vde = vde}}, coder)) << vde;
+    const auto kept = control_rate({.bounds = {.vde = vde}}, coder);
+    ASSERT_TRUE(kept) << vde;
     EXPECT_LE(coder.runs, 3);
-    EXPECT_EQ(coder.kept->diffusion, 0);
-    expect_landed(kept_quality(coder).vde_rms, vde, 0.95);
+    EXPECT_EQ(kept->settings.diffusion, 0);
+    expect_landed(kept->figures.quality.vde_rms, vde, 0.95);
   }
 }
 
 TEST(RateControl, LfeAloneLandsUnderFullDiffusion) {
   for (const double lfe : {1e-2, 1e-3, 1e-4}) {
     FormulaCoder coder;
-    ASSERT_TRUE(control_rate({.bounds = {.lfe = lfe}}, coder)) << lfe;
-    EXPECT_EQ(coder.kept->diffusion, 1);
-    expect_landed(kept_quality(coder).lfe_rms, lfe, 0.88);
+    const auto kept = control_rate({.bounds = {.lfe = lfe}}, coder);
+    ASSERT_TRUE(kept) << lfe;
+    EXPECT_EQ(kept->settings.diffusion, 1);
+    expect_landed(kept->figures.quality.lfe_rms, lfe, 0.88);
   }
 }
 
@@ -47,8 +46,9 @@ TEST(RateControl, BothLandTogetherWhicheverBinds) {
   for (const double ratio : {1.0, 3.0, 8.0, 20.0, 40.0, 60.0}) {
     FormulaCoder coder;
     const double vde = 2e-5;
-    ASSERT_TRUE(control_rate({.bounds = {.vde = vde, .lfe = ratio * vde}}, coder)) << ratio;
-    const Quality quality = kept_quality(coder);
+    const auto kept = control_rate({.bounds = {.vde = vde, .lfe = ratio * vde}}, coder);
+    ASSERT_TRUE(kept) << ratio;
+    const Quality& quality = kept->figures.quality;
     EXPECT_LE(quality.vde_rms, vde) << ratio;
     expect_landed(quality.lfe_rms, ratio * vde, 0.85);
     if (ratio > 4) {
@@ -61,8 +61,9 @@ TEST(RateControl, MaxErrorIsNeverExceeded) {
   for (const double max_error : {1e-1, 1e-2, 1e-3, 1e-4}) {
     for (const int effort : {0, 5, 9}) {
       FormulaCoder coder;
-      ASSERT_TRUE(control_rate({.bounds = {.max_error = max_error}, .effort = effort}, coder));
-      EXPECT_LE(kept_quality(coder).max_error, max_error);
+      const auto kept = control_rate({.bounds = {.max_error = max_error}, .effort = effort}, coder);
+      ASSERT_TRUE(kept);
+      EXPECT_LE(kept->figures.quality.max_error, max_error);
     }
   }
 }
@@ -72,7 +73,7 @@ class PeakyCoder final : public FormulaCoder {
  public:
   static constexpr std::size_t kPeaks = 20;
 
-  Result<TrialFigures> run(const CoderSettings& settings) override {
+  Result<TrialFigures> run(const HighpassSettings& settings) override {
     DELTAMESH_TRY(TrialFigures figures, FormulaCoder::run(settings));
     if (settings.more_anchors.size() < kPeaks) figures.quality.max_error *= 4;
     return figures;
@@ -81,36 +82,51 @@ class PeakyCoder final : public FormulaCoder {
 
 TEST(RateControl, PeaksBecomeAnchorsBeforeTheStepShrinks) {
   PeakyCoder steady;
-  ASSERT_TRUE(control_rate({.bounds = {.max_error = 1e-3}, .effort = 2}, steady));
-  EXPECT_TRUE(steady.kept->more_anchors.empty());
+  const auto by_steady = control_rate({.bounds = {.max_error = 1e-3}, .effort = 2}, steady);
+  ASSERT_TRUE(by_steady);
+  EXPECT_TRUE(by_steady->settings.more_anchors.empty());
   PeakyCoder mended;
-  ASSERT_TRUE(control_rate({.bounds = {.max_error = 1e-3}, .effort = 5}, mended));
-  EXPECT_GE(mended.kept->more_anchors.size(), PeakyCoder::kPeaks);
-  EXPECT_GT(mended.kept->step, 2 * steady.kept->step);
-  EXPECT_LT(*mended.bytes(*mended.kept), *steady.bytes(*steady.kept));
-  EXPECT_LE(mended.run(*mended.kept)->quality.max_error, 1e-3);
+  const auto by_mended = control_rate({.bounds = {.max_error = 1e-3}, .effort = 5}, mended);
+  ASSERT_TRUE(by_mended);
+  EXPECT_GE(by_mended->settings.more_anchors.size(), PeakyCoder::kPeaks);
+  EXPECT_GT(by_mended->settings.step, 2 * by_steady->settings.step);
+  EXPECT_LT(by_mended->figures.bytes, by_steady->figures.bytes);
+  EXPECT_LE(by_mended->figures.quality.max_error, 1e-3);
 }
 
 TEST(RateControl, FixedStepIsKeptAndAnchorsMove) {
   for (const double lfe : {1e-2, 2e-3, 3e-4, 1.1e-4}) {
     FormulaCoder coder;
-    ASSERT_TRUE(control_rate({.bounds = {.lfe = lfe}, .step = 1e-4}, coder)) << lfe;
-    EXPECT_EQ(coder.kept->step, 1e-4);
-    EXPECT_LE(kept_quality(coder).lfe_rms, lfe);
+    const auto kept = control_rate({.bounds = {.lfe = lfe}, .step = 1e-4}, coder);
+    ASSERT_TRUE(kept) << lfe;
+    EXPECT_EQ(kept->settings.step, 1e-4);
+    EXPECT_LE(kept->figures.quality.lfe_rms, lfe);
   }
+}
+
+TEST(RateControl, WithoutAQualityOneRunIsMade) {
+  FormulaCoder coder;
+  const auto kept = control_rate({.step = 1e-3, .anchors = 50}, coder);
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(coder.runs, 1);
+  EXPECT_EQ(kept->settings.step, 1e-3);
+  EXPECT_EQ(kept->settings.anchors, 50U);
 }
 
 TEST(RateControl, FixedAnchorsAreKept) {
   FormulaCoder coder;
-  ASSERT_TRUE(control_rate({.bounds = {.vde = 1e-4}, .anchors = 77}, coder));
-  EXPECT_EQ(coder.kept->anchors, 77U);
+  const auto kept = control_rate({.bounds = {.vde = 1e-4}, .anchors = 77}, coder);
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(kept->settings.anchors, 77U);
 }
 
 TEST(RateControl, EffortZeroTakesFewRuns) {
   FormulaCoder quick;
-  ASSERT_TRUE(control_rate({.bounds = {.vde = 2e-5, .lfe = 1e-4}, .effort = 0}, quick));
+  const auto by_quick = control_rate({.bounds = {.vde = 2e-5, .lfe = 1e-4}, .effort = 0}, quick);
+  ASSERT_TRUE(by_quick);
   FormulaCoder usual;
-  ASSERT_TRUE(control_rate({.bounds = {.vde = 2e-5, .lfe = 1e-4}, .effort = 5}, usual));
+  const auto by_usual = control_rate({.bounds = {.vde = 2e-5, .lfe = 1e-4}, .effort = 5}, usual);
+  ASSERT_TRUE(by_usual);
   EXPECT_LE(quick.runs, 3);
   EXPECT_LT(quick.runs, usual.runs);
 }
@@ -131,19 +147,22 @@ TEST(RateControl, ARivalFarAheadEndsTheSearchBeforeItStarts) {
 TEST(RateControl, ARivalAheadSavesTrials) {
   for (const Bounds& bounds : {Bounds{.lfe = 1e-3}, Bounds{.max_error = 4e-3}}) {
     FormulaCoder alone;
-    ASSERT_TRUE(control_rate({.bounds = bounds}, alone));
+    const auto by_alone = control_rate({.bounds = bounds}, alone);
+    ASSERT_TRUE(by_alone);
     FormulaCoder beaten;
-    ASSERT_TRUE(control_rate({.bounds = bounds, .rival_bytes = 2000}, beaten));
+    const auto by_beaten = control_rate({.bounds = bounds, .rival_bytes = 2000}, beaten);
+    ASSERT_TRUE(by_beaten);
     EXPECT_LT(beaten.runs, alone.runs);
-    EXPECT_LE(bounds.load(kept_quality(beaten)), 1);
+    EXPECT_LE(bounds.load(by_beaten->figures.quality), 1);
   }
 }
 
 TEST(RateControl, NothingWorseThanAllZeros) {
   FormulaCoder coder;  // 0.76 * 0.4 of the largest delta is the worst VDE there is
-  ASSERT_TRUE(control_rate({.bounds = {.vde = 1}}, coder));
-  EXPECT_EQ(coder.kept->anchors, coder.fewest_anchors());
-  EXPECT_NEAR(kept_quality(coder).vde_rms, 0.304 * FormulaCoder::kLargestDelta, 1e-4);
+  const auto kept = control_rate({.bounds = {.vde = 1}}, coder);
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(kept->settings.anchors, coder.fewest_anchors());
+  EXPECT_NEAR(kept->figures.quality.vde_rms, 0.304 * FormulaCoder::kLargestDelta, 1e-4);
 }
 
 TEST(RateControl, BeyondFloatPrecisionSaysWhatCanBeHad) {
@@ -159,9 +178,10 @@ TEST(RateControl, BeyondFloatPrecisionSaysWhatCanBeHad) {
 TEST(RateControl, ByteBudgetIsUsedUpAndKept) {
   for (const std::uint64_t target : {2000U, 9000U, 30000U, 60000U}) {
     FormulaCoder coder;
-    ASSERT_TRUE(control_rate({.target_bytes = target}, coder)) << target;
+    const auto kept = control_rate({.target_bytes = target}, coder);
+    ASSERT_TRUE(kept) << target;
     EXPECT_EQ(coder.runs, 1);
-    const std::uint64_t bytes = *coder.bytes(*coder.kept);
+    const std::uint64_t bytes = kept->figures.bytes;
     EXPECT_LE(bytes, target);
     EXPECT_GE(static_cast<double>(bytes), 0.97 * static_cast<double>(target));
   }
@@ -189,7 +209,7 @@ class WildCoder final : public FormulaCoder {
   double largest_step = 0;
   Error error{.code = ErrorCode::kInvalidStream, .rule = "DELT-3"};
 
-  Result<TrialFigures> run(const CoderSettings& settings) override {
+  Result<TrialFigures> run(const HighpassSettings& settings) override {
     const double anchors = settings.anchors;
     if (settings.step * std::sqrt(kVertices / anchors) > largest_step) return error;
     return FormulaCoder::run(settings);
@@ -206,7 +226,7 @@ TEST(RateControl, TrialsThatDoNotDecodeEndNoSearch) {
         coder.largest_step = largest_step;
         const auto kept = control_rate({.bounds = bounds, .effort = effort}, coder);
         ASSERT_TRUE(kept) << largest_step << ' ' << effort << ' ' << describe(kept.error());
-        EXPECT_LE(bounds.load(kept_quality(coder)), 1);
+        EXPECT_LE(bounds.load(kept->figures.quality), 1);
       }
     }
   }
@@ -215,8 +235,9 @@ TEST(RateControl, TrialsThatDoNotDecodeEndNoSearch) {
 TEST(RateControl, FixedStepThatDoesNotDecodeTakesMoreAnchors) {
   WildCoder coder;
   coder.largest_step = 3e-4;
-  ASSERT_TRUE(control_rate({.bounds = {.lfe = 1e-2}, .step = 1e-4}, coder));
-  EXPECT_EQ(coder.kept->step, 1e-4);
+  const auto kept = control_rate({.bounds = {.lfe = 1e-2}, .step = 1e-4}, coder);
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(kept->settings.step, 1e-4);
 }
 
 TEST(RateControl, NoTrialThatDecodesTellsTheRule) {
@@ -241,7 +262,7 @@ TEST(RateControl, OtherErrorsEndTheSearch) {
 class ScriptedCoder final : public FormulaCoder {
  public:
   TrialFigures next{};
-  Result<TrialFigures> run(const CoderSettings&) override { return next; }
+  Result<TrialFigures> run(const HighpassSettings&) override { return next; }
 };
 
 TEST(Trials, LandingIsWorthBytesOnlyWithinTheTarget) {
@@ -249,7 +270,7 @@ TEST(Trials, LandingIsWorthBytesOnlyWithinTheTarget) {
   const TrialFigures lands{.quality = {.vde_rms = 0.95}, .bytes = 1005};
   const auto best_bytes = [&](std::optional<std::uint64_t> target, bool landed_first) {
     ScriptedCoder coder;
-    Trials trials(coder, {.vde = 1}, target);
+    Trials trials(coder, {.bounds = {.vde = 1}, .target_bytes = target});
     for (const bool landed : {landed_first, !landed_first}) {
       coder.next = landed ? lands : fits;
       EXPECT_TRUE(trials.run({}));
@@ -266,14 +287,14 @@ TEST(Trials, LandingIsWorthBytesOnlyWithinTheTarget) {
 
 TEST(Bounds, AreKeptByTheDeclaredFloatToo) {
   const double bound = 0.1;  // the next float is larger
-  EXPECT_GT(static_cast<double>(round_up(bound)), bound);
+  EXPECT_GT(static_cast<double>(short_float_above(bound)), bound);
   EXPECT_GT((Bounds{.vde = bound}.load({.vde_rms = bound})), 1);
   EXPECT_GT((Bounds{.lfe = bound}.load({.lfe_rms = bound * (1 - 1e-12)})), 1);
   EXPECT_GT((Bounds{.max_error = bound}.load({.max_error = bound})), 1);
   EXPECT_LE((Bounds{.max_error = bound}.load({.max_error = bound * (1 - 0x1p-15)})), 1);
   EXPECT_EQ((Bounds{.max_error = 0.25}.load({.max_error = 0.25})), 1);
   EXPECT_DOUBLE_EQ((Bounds{.max_error = 0.25}.load({.max_error = 0.125})), 0.5);
-  EXPECT_TRUE(std::isinf(round_up(1e39)));
+  EXPECT_TRUE(std::isinf(short_float_above(1e39)));
   EXPECT_TRUE(std::isinf(Bounds{.vde = bound}.load({.vde_rms = 0.01, .max_error = 1e39})));
 }
 
@@ -291,7 +312,7 @@ TEST(StepSearch, ModelInvertsTheDeltaError) {
 
 TEST(StepSearch, FloorOfTheAnchorsTakesMoreBits) {
   FormulaCoder coder;
-  Trials trials(coder, {.lfe = 2e-6});
+  Trials trials(coder, {.bounds = {.lfe = 2e-6}});
   const auto attempt = search_step(trials, {.step = 1e-4, .anchors = 100, .anchor_bits = 8}, Watch::kAll, {});
   ASSERT_TRUE(attempt);
   EXPECT_GT(attempt->settings.anchor_bits, 8);

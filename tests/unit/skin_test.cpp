@@ -15,10 +15,10 @@
 #include "attributes/attribute.h"
 #include "attributes/attribute_payload.h"
 #include "base/byte_writer.h"
+#include "base/short_float.h"
 #include "deltamesh/decode.h"
 #include "deltamesh/encode.h"
 #include "entropy/compact_writer.h"
-#include "quality/round_up.h"
 #include "support/attribute_coding.h"
 #include "support/random.h"
 
@@ -153,7 +153,7 @@ TEST(Skin, ATTR63WeightsKeepTheirBoundTheirSumAndTheirZeros) {
     const auto coded =
         code(make(AttributeKind::kWeights, ComponentType::kF32, "WEIGHTS_0", source), bound, others);
     ASSERT_EQ(coding_of(coded), AttributeCoding::kWeights);
-    EXPECT_LE(coded.descriptor.error, round_up(bound));
+    EXPECT_LE(coded.descriptor.error, short_float_above(bound));
     EXPECT_GT(coded.descriptor.error, bound / 3);
     const auto back = numbers<float>(coded.decoded);
     for (std::size_t i = 0; i < back.size(); i += 4) {
@@ -179,7 +179,7 @@ TEST(Skin, ATTR63WeightsOfFourJointsKeepTheirSum) {
   const auto coded =
       code(make(AttributeKind::kWeights, ComponentType::kF32, "WEIGHTS_0", source), 1.0 / 1024);
   EXPECT_EQ(coding_of(coded), AttributeCoding::kWeights);
-  EXPECT_LE(coded.descriptor.error, round_up(1.0F / 1024));
+  EXPECT_LE(coded.descriptor.error, short_float_above(1.0F / 1024));
   EXPECT_LT(coded.compact.size(), 4 * kVertices);
 }
 
@@ -194,7 +194,7 @@ void expect_exact_integers(ComponentType type, double top) {
   EXPECT_EQ(coding_of(exact), AttributeCoding::kWeights);
   EXPECT_EQ(exact.decoded.values, a.values);
   const CodedAttribute coarse = code(a, 0.05, others);
-  EXPECT_LE(coarse.descriptor.error, round_up(0.05F));
+  EXPECT_LE(coarse.descriptor.error, short_float_above(0.05F));
   EXPECT_LT(coarse.compact.size(), exact.compact.size());
   const auto back = numbers<T>(coarse.decoded);
   for (std::size_t i = 0; i < back.size(); i += 4)
@@ -211,7 +211,7 @@ TEST(Skin, ATTR55WeightsWithAnotherSumAreCodedOneByOne) {
   for (float& weight : source) weight *= 0.75F;
   const auto coded = code(make(AttributeKind::kWeights, ComponentType::kF32, "WEIGHTS_0", source), 1e-3);
   EXPECT_EQ(coding_of(coded), AttributeCoding::kLattice);
-  EXPECT_LE(coded.descriptor.error, round_up(1e-3F));
+  EXPECT_LE(coded.descriptor.error, short_float_above(1e-3F));
 }
 
 TEST(Skin, ATTR62ATTR64JointsTellWhichWeightIsWhose) {
@@ -267,7 +267,7 @@ TEST(Skin, ATTR58CopiesOfAVertexCostNearlyNothing) {
   copied_weights = make(AttributeKind::kWeights, ComponentType::kF32, "WEIGHTS_0", weights);
   EXPECT_EQ(code(copied_joints, 0, surface).decoded.values, copied_joints.values);
   EXPECT_LE(code(copied_weights, 1e-3, surface, std::vector{copied_joints}).descriptor.error,
-            round_up(1e-3F));
+            short_float_above(1e-3F));
 }
 
 TEST(Skin, ATTR11WeightsMayBeListedBeforeTheirJoints) {

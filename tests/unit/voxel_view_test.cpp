@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/vertex_positions.h"
+#include "format/vertex_positions.h"
 #include "predictive/lattice.h"
 #include "predictive/positions.h"
 #include "predictive/voxel_coder.h"

@@ -11,7 +11,7 @@
 #include "deltamesh/decode.h"
 #include "deltamesh/encode.h"
 #include "entropy/compact_writer.h"
-#include "geometry/vertex_positions.h"
+#include "format/vertex_positions.h"
 #include "predictive/float_coder.h"
 #include "predictive/lattice.h"
 #include "predictive/positions.h"

@@ -16,8 +16,8 @@
 #include "attributes/surface_tangents.h"
 #include "attributes/surface_uvs.h"
 #include "base/byte_writer.h"
+#include "base/short_float.h"
 #include "base/try.h"
-#include "quality/round_up.h"
 
 namespace deltamesh {
 namespace {
@@ -210,7 +210,7 @@ Result<CodedAttribute> write_attribute(const AttributeView& attribute, std::span
     DELTAMESH_TRY(coded, code_plainly(attribute, rows, bound, surface));
   }
   coded->descriptor = describe(attribute);
-  coded->descriptor.error = round_up(attribute_error(attribute, rows, coded->decoded.values));
+  coded->descriptor.error = short_float_above(attribute_error(attribute, rows, coded->decoded.values));
   return *std::move(coded);
 }
 

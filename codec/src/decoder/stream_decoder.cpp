@@ -18,8 +18,8 @@
 #include "connectivity/seams.h"
 #include "decoder/restore_order.h"
 #include "entropy/expand_chunk.h"
+#include "format/vertex_positions.h"
 #include "geometry/highpass.h"
-#include "geometry/vertex_positions.h"
 #include "predictive/positions.h"
 #include "topology/adjacency.h"
 

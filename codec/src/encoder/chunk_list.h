@@ -15,44 +15,57 @@
 
 namespace deltamesh {
 
-/// Codes payloads and collects them; empty payloads are left out.
+/// Codes payloads as the options ask, collects them and counts their bytes.
 class ChunkList {
  public:
-  ChunkList(Profile profile, int effort)
-      : profile_(profile), zstd_level_(effort == 0 ? kQuickZstdLevel : kBestZstdLevel) {}
+  explicit ChunkList(const EncodeOptions& options) noexcept
+      : profile_(options.profile), zstd_level_(options.effort == 0 ? kQuickZstdLevel : kBestZstdLevel) {}
 
-  /// `compact`: the same payload in the compact form, where it has one.
-  Result<void> add(std::uint32_t tag, std::vector<std::byte> payload, std::vector<std::byte> compact = {}) {
-    if (payload.empty()) return {};
+  /// `compact`: the same payload in the compact form, where it has one. An empty payload has this form only;
+  /// if both are empty, there is no chunk. `attribute`: of ATTR.
+  Result<void> add(std::uint32_t tag, std::vector<std::byte> payload, std::vector<std::byte> compact,
+                   AttributeDescriptor attribute = {}) {
+    if (payload.empty()) {
+      add_compact(tag, std::move(compact), std::move(attribute));
+      return {};
+    }
     if (profile_ == Profile::kZstd) compact.clear();
-    DELTAMESH_TRY(auto chunk, code_chunk(tag, std::move(payload), std::move(compact), zstd_level_));
-    chunks_.push_back(std::move(chunk));
+    DELTAMESH_TRY(CodedChunk chunk, code_chunk(tag, std::move(payload), std::move(compact), zstd_level_));
+    chunk.attribute = std::move(attribute);
+    append(std::move(chunk));
     return {};
   }
-  /// A payload that has a compact form only.
-  void add_compact(std::uint32_t tag, std::vector<std::byte> compact) {
+  /// A payload that has the compact form only.
+  void add_compact(std::uint32_t tag, std::vector<std::byte> compact, AttributeDescriptor attribute = {}) {
     if (compact.empty()) return;
     const std::uint64_t size = compact.size();
-    chunks_.push_back(
-        {.tag = tag, .codec = ChunkCodec::kCompact, .bytes = std::move(compact), .decoded_bytes = size});
+    append(CodedChunk{.tag = tag,
+                      .codec = ChunkCodec::kCompact,
+                      .bytes = std::move(compact),
+                      .decoded_bytes = size,
+                      .attribute = std::move(attribute)});
   }
-  /// An empty list that codes alike.
-  ChunkList fresh() const {
-    ChunkList list = *this;
-    list.chunks_.clear();
-    return list;
+  void append(ChunkList other) {
+    bytes_ += other.bytes_;
+    for (CodedChunk& chunk : other.chunks_) chunks_.push_back(std::move(chunk));
   }
-  void append(const ChunkList& other) {
-    chunks_.insert(chunks_.end(), other.chunks_.begin(), other.chunks_.end());
-  }
+
   const std::vector<CodedChunk>& chunks() const noexcept { return chunks_; }
+  /// What they take in the stream.
+  std::uint64_t bytes() const noexcept { return bytes_; }
 
  private:
+  void append(CodedChunk chunk) {
+    bytes_ += stored_bytes(chunk);
+    chunks_.push_back(std::move(chunk));
+  }
+
   static constexpr int kQuickZstdLevel = 3;
 
   Profile profile_;
   int zstd_level_;
   std::vector<CodedChunk> chunks_;
+  std::uint64_t bytes_ = 0;
 };
 
 }  // namespace deltamesh

@@ -5,47 +5,40 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
-#include <span>
 #include <vector>
 
 #include "deltamesh/stream_info.h"
 #include "encoder/chunk_list.h"
-#include "format/container.h"
 #include "format/header.h"
 
 namespace deltamesh {
 
 /// A coded geometry and what a decoder makes of it.
-struct GeometryChoice {
-  std::uint8_t geometry = kGeometryHighpass;
+struct CodedGeometry {
+  std::uint8_t coder = kGeometryHighpass;
   HighpassParameters highpass{};
   PredictiveParameters predictive{};
   ChunkList chunks;
   Quality quality{};
   /// n x 3 floats as decoded, of geometric vertices; empty of a highpass geometry.
   std::vector<float> positions{};
+
+  void set_parameters(FileHeader& header) const {
+    header.geometry = coder;
+    header.highpass = highpass;
+    header.predictive = predictive;
+  }
 };
 
-/// Bytes that attributes would take on decoded positions, n x 3 floats of geometric vertices; on none where
-/// decoders may differ in their last bits.
-using AttributeBytes = std::function<Result<std::uint64_t>(std::span<const float> positions)>;
-
-/// The rest of the stream, so that its size is known; the geometry is coded like `before`.
-struct StreamFrame {
+/// The rest of the stream, so that its size is known.
+struct StreamRest {
   const FileHeader& header;
-  const ChunkList& before;
-  const ChunkList& after;
+  std::uint64_t chunk_bytes;  ///< of the chunks that are not the geometry's
 
-  std::uint64_t bytes_with(const GeometryChoice& geometry) const {
+  std::uint64_t bytes_with(const CodedGeometry& geometry) const {
     FileHeader whole = header;
-    whole.geometry = geometry.geometry;
-    whole.highpass = geometry.highpass;
-    whole.predictive = geometry.predictive;
-    ChunkList all = before;
-    all.append(geometry.chunks);
-    all.append(after);
-    return container_bytes(whole, all.chunks());
+    geometry.set_parameters(whole);
+    return stream_bytes(whole, chunk_bytes + geometry.chunks.bytes());
   }
 };
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "base/try.h"
-#include "encoder/geometry_trials.h"
+#include "encoder/highpass_trials.h"
 #include "encoder/predictive_trials.h"
 #include "laplacian/anchor_sequence.h"
 #include "quality/bounds.h"
@@ -18,12 +18,13 @@ constexpr int kDefaultBits = 8;
 constexpr int kDefaultLatticeBits = 12;
 
 Bounds bounds_of(const GeometryTask& task) {
-  const FileHeader& header = task.frame.header;
-  return bounds_in_model_units(task.options.quality, header.geometric_vertices, header.box().diagonal());
+  const SourceGeometry& source = task.source;
+  return bounds_in_model_units(task.options.quality, source.positions.size(), source.box.diagonal());
 }
 
+/// Where no quality is asked for, 8 bits and one anchor for 200 vertices stand in for what is not said.
 RateGoal rate_goal(const GeometryTask& task, std::optional<std::uint64_t> rival_bytes,
-                   GeometryTrials& trials) {
+                   HighpassTrials& trials) {
   const EncodeOptions& options = task.options;
   RateGoal goal{.bounds = bounds_of(task),
                 .target_bytes = options.quality.target_bytes,
@@ -34,51 +35,32 @@ RateGoal rate_goal(const GeometryTask& task, std::optional<std::uint64_t> rival_
                 .rival_bytes = rival_bytes};
   if (options.bits) goal.step = trials.step_for_bits(*options.bits);
   if (options.anchor_density) goal.anchors = trials.anchors_for_density(*options.anchor_density);
+  if (!options.quality.empty()) return goal;
+  if (!goal.step) goal.step = trials.step_for_bits(kDefaultBits);
+  if (!goal.anchors) goal.anchors = default_anchor_count(trials.most_anchors());
   return goal;
 }
 
-/// What bits, step, anchors and density say; 8 bits and one anchor for 200 vertices where they say nothing.
-CoderSettings plain_settings(const EncodeOptions& options, GeometryTrials& trials) {
-  CoderSettings settings{.centroids = false, .anchor_bits = options.anchor_bits};
-  settings.step = options.step ? *options.step : trials.step_for_bits(options.bits.value_or(kDefaultBits));
-  settings.anchors = default_anchor_count(trials.most_anchors());
-  if (options.anchors) settings.anchors = *options.anchors;
-  if (options.anchor_density) settings.anchors = trials.anchors_for_density(*options.anchor_density);
-  return settings;
-}
-
 /// `rival_bytes`: RateGoal::rival_bytes. What is larger has no plan: it will not be written.
-Result<GeometryChoice> code_highpass(const GeometryTask& task,
-                                     std::optional<std::uint64_t> rival_bytes = std::nullopt) {
+Result<CodedGeometry> code_highpass(const GeometryTask& task,
+                                    std::optional<std::uint64_t> rival_bytes = std::nullopt) {
   const EncodeOptions& options = task.options;
   AnchorContainers own_containers;
   AnchorContainers& containers = options.anchor_containers ? *options.anchor_containers : own_containers;
-  const Adjacency& graph = task.graph.graph();
-  const Components& components = task.graph.components();
-  AnchorSequence& sequence = containers.impl().sequence(graph, components);
-  const GeometryInput input{graph, components, task.positions, task.frame.header.box(), sequence};
-  GeometryTrials trials(input, task.frame);
-  if (options.quality.empty()) {
-    DELTAMESH_TRY([[maybe_unused]] const auto figures, trials.run(plain_settings(options, trials)));
-    trials.keep();
-  } else {
-    DELTAMESH_CHECK(control_rate(rate_goal(task, rival_bytes, trials), trials));
-  }
-  GeometryChoice choice = trials.kept();
-  const bool loses = rival_bytes && task.frame.bytes_with(choice) > *rival_bytes;
-  if (!loses) choice = trials.plan_kept(bounds_of(task), options.quality.target_bytes);
+  const LazyGraph& graph = task.source.graph;
+  AnchorSequence& sequence = containers.impl().sequence(graph.graph(), graph.components());
+  HighpassTrials trials(options, task.source, sequence, task.rest);
+  const RateGoal goal = rate_goal(task, rival_bytes, trials);
+  DELTAMESH_TRY(const Attempt best, control_rate(goal, trials));
+  CodedGeometry geometry = goal.loses(best.figures.bytes, 1)
+                               ? HighpassTrials::geometry(best)
+                               : trials.plan(best, goal.bounds, goal.target_bytes);
   if (options.bits || (!options.step && options.quality.empty()))
-    choice.highpass.bits = static_cast<std::uint8_t>(options.bits.value_or(kDefaultBits));
-  return choice;
+    geometry.highpass.bits = static_cast<std::uint8_t>(options.bits.value_or(kDefaultBits));
+  return geometry;
 }
 
-PredictiveTrials predictive_trials(const GeometryTask& task) {
-  return {{task.triangles, task.graph, task.edges, task.positions, task.frame.header.box()},
-          task.frame,
-          task.options.effort};
-}
-
-Result<GeometryChoice> code_predictive(const GeometryTask& task, const PredictiveTrials& trials) {
+Result<CodedGeometry> code_predictive(const GeometryTask& task, const PredictiveTrials& trials) {
   const EncodeOptions& options = task.options;
   if (options.lossless) return trials.code_exactly();
   if (options.step) return trials.code_step(*options.step);
@@ -92,7 +74,7 @@ Result<GeometryChoice> code_predictive(const GeometryTask& task, const Predictiv
   const auto& target = options.quality.target_bytes;
   if (!bounds.vde && !bounds.positional()) return trials.fit_bytes(*target);
   DELTAMESH_TRY(auto choice, trials.keep_bounds(bounds));
-  const std::uint64_t bytes = task.frame.bytes_with(choice);
+  const std::uint64_t bytes = task.rest.bytes_with(choice);
   if (target && bytes > *target)
     return Error{.code = ErrorCode::kUnmetRequest,
                  .message = "the quality asked for needs more bytes than allowed",
@@ -121,7 +103,7 @@ Error nearer(const Error& a, const Error& b) noexcept {
 }
 
 /// How many bytes fewer the attributes take on the positions of `predictive` than on none.
-Result<std::int64_t> attribute_gain(const GeometryTask& task, const GeometryChoice& predictive) {
+Result<std::int64_t> attribute_gain(const GeometryTask& task, const CodedGeometry& predictive) {
   if (!task.attribute_bytes) return 0;
   DELTAMESH_TRY(const std::uint64_t on_none, task.attribute_bytes({}));
   DELTAMESH_TRY(const std::uint64_t on_these, task.attribute_bytes(predictive.positions));
@@ -130,10 +112,10 @@ Result<std::int64_t> attribute_gain(const GeometryTask& task, const GeometryChoi
 
 /// Predictive coding is quick; so it comes first, and highpass need not go on where it cannot win. At effort
 /// 0 statistics of the mesh say which of the two is tried.
-Result<GeometryChoice> code_smaller(const GeometryTask& task) {
+Result<CodedGeometry> code_smaller(const GeometryTask& task) {
   const QualityRequest& quality = task.options.quality;
   const bool bytes_alone = !quality.vde && !quality.lfe && !quality.max_error;
-  const PredictiveTrials trials = predictive_trials(task);
+  const PredictiveTrials trials(task.options, task.source, task.rest);
   const bool is_forecast = task.options.effort == 0 && !quality.target_bytes;
   if (is_forecast && !trials.suits(bounds_of(task))) {
     auto highpass = code_highpass(task);
@@ -157,20 +139,31 @@ Result<GeometryChoice> code_smaller(const GeometryTask& task) {
   }
   // What a highpass stream may take: attributes gain nothing from its positions.
   DELTAMESH_TRY(const std::int64_t gain, attribute_gain(task, *predictive));
-  const std::int64_t rival_bytes = static_cast<std::int64_t>(task.frame.bytes_with(*predictive)) - gain;
+  const std::int64_t rival_bytes = static_cast<std::int64_t>(task.rest.bytes_with(*predictive)) - gain;
   if (rival_bytes <= 0) return predictive;
   auto highpass = code_highpass(task, static_cast<std::uint64_t>(rival_bytes));
   if (!highpass) return predictive;
-  const bool better = static_cast<std::uint64_t>(rival_bytes) < task.frame.bytes_with(*highpass);
+  const bool better = static_cast<std::uint64_t>(rival_bytes) < task.rest.bytes_with(*highpass);
   return better ? predictive : highpass;
 }
 
 }  // namespace
 
-Result<GeometryChoice> code_geometry(const GeometryTask& task) {
-  if (task.options.geometry == GeometryCoder::kPredictive || task.options.lossless)
-    return code_predictive(task, predictive_trials(task));
-  return may_choose(task.options) ? code_smaller(task) : code_highpass(task);
+Result<CodedGeometry> code_geometry(const GeometryTask& task) {
+  const EncodeOptions& options = task.options;
+  const auto code = [&]() -> Result<CodedGeometry> {
+    if (options.geometry == GeometryCoder::kPredictive || options.lossless)
+      return code_predictive(task, PredictiveTrials(options, task.source, task.rest));
+    return may_choose(options) ? code_smaller(task) : code_highpass(task);
+  };
+  auto coded = code();
+  // The stream of a finite mesh breaks a rule only where numbers leave the range of floats.
+  const bool leaves_range =
+      coded ? !is_declarable(coded->quality) : coded.error().code == ErrorCode::kInvalidStream;
+  if (leaves_range)
+    return Error{.code = ErrorCode::kInvalidMesh,
+                 .message = "the coordinates are too large, or differ too much in size, for float32"};
+  return coded;
 }
 
 }  // namespace deltamesh

@@ -1,34 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Positions of a mesh to be coded as a request asks, by the coder that it asks for or that suits it.
+// Positions of a mesh coded as a request asks, by the coder that it asks for or that suits it.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
-#include <vector>
 
-#include "base/vec3.h"
 #include "deltamesh/encode.h"
 #include "deltamesh/result.h"
 #include "encoder/coded_geometry.h"
-#include "encoder/lazy_graph.h"
-#include "topology/mesh_edges.h"
+#include "encoder/source_geometry.h"
 
 namespace deltamesh {
 
-/// The welded mesh in coding order, and the stream around its geometry.
+/// Bytes that attributes would take on decoded positions, n x 3 floats of geometric vertices; on none where
+/// decoders may differ in their last bits.
+using AttributeBytes = std::function<Result<std::uint64_t>(std::span<const float> positions)>;
+
 struct GeometryTask {
   const EncodeOptions& options;
-  std::span<const std::uint32_t> triangles;
-  const LazyGraph& graph;
-  const MeshEdges& edges;
-  const std::vector<Vec3>& positions;
-  const StreamFrame& frame;
-  const AttributeBytes& attribute_bytes;  ///< may be empty: the same for all geometries
+  const SourceGeometry& source;
+  StreamRest rest;
+  AttributeBytes attribute_bytes{};  ///< may be empty: the same for all geometries
 };
 
-/// Errors: kUnmetRequest; kInvalidStream where the stream would break a rule, by what the positions are.
-Result<GeometryChoice> code_geometry(const GeometryTask& task);
+/// Errors: kUnmetRequest; kInvalidMesh for coordinates that no stream can hold.
+Result<CodedGeometry> code_geometry(const GeometryTask& task);
 
 }  // namespace deltamesh

@@ -14,6 +14,7 @@
 #include "predictive/exact_lattice.h"
 #include "predictive/lattice.h"
 #include "predictive/positions.h"
+#include "quality/unmet.h"
 
 namespace deltamesh {
 namespace {
@@ -21,12 +22,6 @@ namespace {
 constexpr int kMostTrials = 10;
 constexpr std::size_t kQuickSample = 1U << 15;  ///< vertices that effort 0 looks for grids in
 constexpr double kCloseEnough = 0.997;          ///< share of a bound that needs no better trial
-
-Error too_small(std::uint64_t fewest_bytes) noexcept {
-  return {.code = ErrorCode::kUnmetRequest,
-          .message = "no stream of this mesh is so small",
-          .best_bytes = fewest_bytes};
-}
 
 /// Whether an axis has a grid, and grid_lattice() at `step` or a little above would take it.
 bool has_grid(const std::array<AxisGrid, 3>& axes, double step) noexcept {
@@ -44,20 +39,21 @@ std::vector<float> to_rows(std::span<const Vec3> positions) {
 
 }  // namespace
 
-PredictiveTrials::PredictiveTrials(const PredictiveInput& input, const StreamFrame& frame, int effort)
-    : input_(input),
-      frame_(frame),
-      effort_(effort),
-      faces_{input.triangles, static_cast<std::uint32_t>(input.positions.size())},
-      values_(input.positions, effort == 0 ? kQuickSample : input.positions.size()) {}
+PredictiveTrials::PredictiveTrials(const EncodeOptions& options, const SourceGeometry& source,
+                                   const StreamRest& rest)
+    : options_(options),
+      source_(source),
+      rest_(rest),
+      faces_{source.triangles, static_cast<std::uint32_t>(source.positions.size())},
+      values_(source.positions, options.effort == 0 ? kQuickSample : source.positions.size()) {}
 
 double PredictiveTrials::step_for_bits(int bits) const noexcept {
-  const double step = input_.box.longest_side() / (std::ldexp(1.0, bits) - 1);
-  return step > 0 ? std::max(step, finest_step(input_.box)) : 1.0;
+  const double step = source_.box.longest_side() / (std::ldexp(1.0, bits) - 1);
+  return step > 0 ? std::max(step, finest_step(source_.box)) : 1.0;
 }
 
 double PredictiveTrials::first_step(const Bounds& bounds) const noexcept {
-  double step = std::max(input_.box.longest_side(), 1e-30);
+  double step = std::max(source_.box.longest_side(), 1e-30);
   // Half a step per axis is the most; a uniform error of one step has a variance of 1/12, and a vertex's
   // neighbours add a little to what is seen at it.
   if (bounds.max_error) step = std::min(step, 2 / std::sqrt(3.0) * *bounds.max_error);
@@ -69,69 +65,69 @@ double PredictiveTrials::first_step(const Bounds& bounds) const noexcept {
 PredictiveTrials::Trial PredictiveTrials::measured(PredictiveParameters parameters, std::vector<Cell> cells,
                                                    const Bounds& bounds) const {
   Trial trial{.parameters = parameters, .cells = std::move(cells)};
-  trial.quality = positional_quality(input_.positions, trial.cells, parameters.lattice, input_.edges);
+  trial.quality = positional_quality(source_.positions, trial.cells, parameters.lattice, source_.edges);
   if (bounds.vde && is_declarable(trial.quality))
-    trial.quality.vde_rms = visual_error(input_.edges, input_.positions, trial.cells, parameters.lattice);
+    trial.quality.vde_rms = visual_error(source_.edges, source_.positions, trial.cells, parameters.lattice);
   return trial;
 }
 
 PredictiveTrials::Trial PredictiveTrials::try_lattice(const PositionLattice& lattice,
                                                       const Bounds& bounds) const {
-  return measured({.lattice = lattice}, to_cells(input_.positions, lattice), bounds);
+  return measured({.lattice = lattice}, to_cells(source_.positions, lattice), bounds);
 }
 
 std::optional<PredictiveTrials::Trial> PredictiveTrials::try_levels(const VoxelFit& fit, std::uint32_t levels,
                                                                     const Bounds& bounds) const {
-  auto voxels = to_voxel_cells(input_.positions, input_.box, fit, levels);
+  auto voxels = to_voxel_cells(source_.positions, source_.box, fit, levels);
   if (!voxels) return std::nullopt;
   return measured({.kind = PositionKind::kVoxel, .lattice = voxels->lattice, .levels = levels},
                   std::move(voxels->cells), bounds);
 }
 
-GeometryChoice PredictiveTrials::code(const Trial& trial) const {
-  GeometryChoice choice{.geometry = kGeometryPredictive,
-                        .predictive = trial.parameters,
-                        .chunks = frame_.before.fresh(),
-                        .quality = trial.quality};
+CodedGeometry PredictiveTrials::code(const Trial& trial) const {
+  CodedGeometry choice{.coder = kGeometryPredictive,
+                       .predictive = trial.parameters,
+                       .chunks = ChunkList(options_),
+                       .quality = trial.quality};
   if (!(choice.quality.vde_rms > 0) && choice.quality.lfe_rms > 0 && is_declarable(choice.quality))
     choice.quality.vde_rms =
-        visual_error(input_.edges, input_.positions, trial.cells, trial.parameters.lattice);
+        visual_error(source_.edges, source_.positions, trial.cells, trial.parameters.lattice);
   const auto write = [&](const PositionForm& form) {
     return write_positions(faces_, trial.cells, trial.parameters, form, trial.patches);
   };
-  choice.chunks.add_compact(kTagPositions, write_smallest(write, trial.parameters.kind, effort_));
+  choice.chunks.add_compact(kTagPositions, write_smallest(write, trial.parameters.kind, options_.effort));
   choice.positions = to_rows(to_positions(trial.cells, trial.parameters.lattice));
   deltamesh::apply(trial.patches, std::span<float>(choice.positions));
   return choice;
 }
 
-Result<GeometryChoice> PredictiveTrials::code_step(double step) const {
-  if (step < finest_step(input_.box))
+Result<CodedGeometry> PredictiveTrials::code_step(double step) const {
+  if (step < finest_step(source_.box))
     return Error{.code = ErrorCode::kInvalidArgument,
                  .message = "a step so fine takes over 2^28 points along a side; `lossless` keeps every bit"};
-  return code(try_lattice(cubic_lattice(input_.box, step)));
+  return code(try_lattice(cubic_lattice(source_.box, step)));
 }
 
-GeometryChoice PredictiveTrials::code_floats() const {
-  GeometryChoice choice{.geometry = kGeometryPredictive,
-                        .predictive = {.kind = PositionKind::kFloats, .lattice = {}},
-                        .chunks = frame_.before.fresh()};
+CodedGeometry PredictiveTrials::code_floats() const {
+  CodedGeometry choice{.coder = kGeometryPredictive,
+                       .predictive = {.kind = PositionKind::kFloats, .lattice = {}},
+                       .chunks = ChunkList(options_)};
   const auto write = [&](const PositionForm& form) {
-    return write_floats(faces_, input_.positions, input_.box, form);
+    return write_floats(faces_, source_.positions, source_.box, form);
   };
-  choice.chunks.add_compact(kTagPositions, write_smallest(write, PositionKind::kFloats, effort_));
-  choice.positions = to_rows(input_.positions);
+  choice.chunks.add_compact(kTagPositions, write_smallest(write, PositionKind::kFloats, options_.effort));
+  choice.positions = to_rows(source_.positions);
   return choice;
 }
 
-GeometryChoice PredictiveTrials::code_exactly() const {
-  GeometryChoice floats = code_floats();
-  const auto lattice = find_exact_lattice(input_.positions, input_.box);
+CodedGeometry PredictiveTrials::code_exactly() const {
+  CodedGeometry floats = code_floats();
+  const auto lattice = find_exact_lattice(source_.positions, source_.box);
   if (!lattice) return floats;
-  Trial trial{.parameters = {.lattice = *lattice}, .cells = to_cells(input_.positions, *lattice)};
-  trial.patches = find_patches(input_.positions, to_positions(trial.cells, *lattice));
-  GeometryChoice choice = code(trial);
-  return frame_.bytes_with(choice) < frame_.bytes_with(floats) ? choice : floats;
+  Trial trial{.parameters = {.lattice = *lattice}, .cells = to_cells(source_.positions, *lattice)};
+  trial.patches = find_patches(source_.positions, to_positions(trial.cells, *lattice));
+  CodedGeometry choice = code(trial);
+  return rest_.bytes_with(choice) < rest_.bytes_with(floats) ? choice : floats;
 }
 
 std::optional<PredictiveTrials::Trial> PredictiveTrials::keep_on_lattice(
@@ -141,7 +137,7 @@ std::optional<PredictiveTrials::Trial> PredictiveTrials::keep_on_lattice(
   double step = first_step(bounds);
   std::array<double, 3> last_steps{};
   for (int i = 0; i < kMostTrials; ++i) {
-    const PositionLattice lattice = grid_lattice(input_.box, axes, short_float_below(step));
+    const PositionLattice lattice = grid_lattice(source_.box, axes, short_float_below(step));
     if (lattice.step == last_steps) break;
     last_steps = lattice.step;
     Trial trial = try_lattice(lattice, bounds);
@@ -151,7 +147,7 @@ std::optional<PredictiveTrials::Trial> PredictiveTrials::keep_on_lattice(
       best = std::move(trial);
       best_step = step;
     }
-    if (kept && (load > kCloseEnough || load == 0 || effort_ == 0)) break;
+    if (kept && (load > kCloseEnough || load == 0 || options_.effort == 0)) break;
     // A bound far off asks for bold steps, since coordinates rounded to floats add to the error.
     step *= std::clamp(0.9995 / std::max(load, 1e-9), 0.25, 4.0);
   }
@@ -180,7 +176,7 @@ std::optional<PredictiveTrials::Trial> PredictiveTrials::keep_on_voxels(const Bo
       best = std::move(trial);
       enough = now;
       levels = std::max(std::ceil(now * load), now / 4.0);
-      if (effort_ == 0 && levels >= now) break;
+      if (options_.effort == 0 && levels >= now) break;
     } else {
       too_few = now;
       levels = std::ceil(now * std::min(load, 4.0));
@@ -191,7 +187,7 @@ std::optional<PredictiveTrials::Trial> PredictiveTrials::keep_on_voxels(const Bo
 }
 
 const std::optional<VoxelFit>& PredictiveTrials::voxels() const {
-  if (!voxels_) voxels_ = fit_voxels(values_, input_.box);
+  if (!voxels_) voxels_ = fit_voxels(values_, source_.box);
   return *voxels_;
 }
 
@@ -201,36 +197,36 @@ bool PredictiveTrials::are_voxels_enough(const Bounds& bounds) const {
   if (!voxels() || voxels()->share <= kMostly) return false;
   const double voxel = *std::max_element(voxels()->voxel.begin(), voxels()->voxel.end());
   return voxel > kMuchFiner * first_step(bounds) &&
-         faces_fit_cubes(input_.triangles, input_.positions, voxel);
+         faces_fit_cubes(source_.triangles, source_.positions, voxel);
 }
 
 bool PredictiveTrials::suits(const Bounds& bounds) const {
   if (!bounds.vde || first_step(bounds) < first_step({.vde = bounds.vde})) return true;
   return are_voxels_enough(bounds) ||
-         forecast_coders(input_.graph.graph(), faces_, input_.positions, *bounds.vde).predictive_wins();
+         forecast_coders(source_.graph.graph(), faces_, source_.positions, *bounds.vde).predictive_wins();
 }
 
-Result<GeometryChoice> PredictiveTrials::keep_bounds(const Bounds& bounds) const {
-  std::optional<GeometryChoice> best;
-  const auto keep_smaller = [&](GeometryChoice choice) {
-    if (!best || frame_.bytes_with(choice) < frame_.bytes_with(*best)) best = std::move(choice);
+Result<CodedGeometry> PredictiveTrials::keep_bounds(const Bounds& bounds) const {
+  std::optional<CodedGeometry> best;
+  const auto keep_smaller = [&](CodedGeometry choice) {
+    if (!best || rest_.bytes_with(choice) < rest_.bytes_with(*best)) best = std::move(choice);
   };
-  if (voxels() && (effort_ > 0 || are_voxels_enough(bounds))) {
+  if (voxels() && (options_.effort > 0 || are_voxels_enough(bounds))) {
     if (const auto trial = keep_on_voxels(bounds, *voxels())) keep_smaller(code(*trial));
-    if (best && effort_ == 0) return *std::move(best);
-  } else if (const auto axes = fit_axes(values_, input_.box, first_step(bounds) / 8);
+    if (best && options_.effort == 0) return *std::move(best);
+  } else if (const auto axes = fit_axes(values_, source_.box, first_step(bounds) / 8);
              has_grid(axes, first_step(bounds))) {
     // Axes of their own come first: effort 0 takes them, others compare.
     if (const auto trial = keep_on_lattice(bounds, axes)) keep_smaller(code(*trial));
-    if (best && effort_ == 0) return *std::move(best);
+    if (best && options_.effort == 0) return *std::move(best);
   }
   if (const auto trial = keep_on_lattice(bounds, {})) keep_smaller(code(*trial));
   // Lattices end where floats do.
   return best ? *std::move(best) : code_exactly();
 }
 
-Result<GeometryChoice> PredictiveTrials::fit_bytes(std::uint64_t bytes) const {
-  if (auto exact = code_exactly(); frame_.bytes_with(exact) <= bytes) return exact;
+Result<CodedGeometry> PredictiveTrials::fit_bytes(std::uint64_t bytes) const {
+  if (auto exact = code_exactly(); rest_.bytes_with(exact) <= bytes) return exact;
   auto on_lattice = fit_lattice(bytes);
   if (!voxels()) return on_lattice;
   auto on_voxels = fit_voxel_levels(bytes, *voxels());
@@ -239,19 +235,19 @@ Result<GeometryChoice> PredictiveTrials::fit_bytes(std::uint64_t bytes) const {
   return on_lattice;
 }
 
-Result<GeometryChoice> PredictiveTrials::fit_lattice(std::uint64_t bytes) const {
-  const double count = static_cast<double>(std::max<std::size_t>(input_.positions.size(), 1));
-  const double finest = std::max(finest_step(input_.box), 1e-30);
-  const double coarsest = 2 * std::max(input_.box.longest_side(), 1e-30);  // all coordinates are 0
-  std::optional<GeometryChoice> best;
+Result<CodedGeometry> PredictiveTrials::fit_lattice(std::uint64_t bytes) const {
+  const double count = static_cast<double>(std::max<std::size_t>(source_.positions.size(), 1));
+  const double finest = std::max(finest_step(source_.box), 1e-30);
+  const double coarsest = 2 * std::max(source_.box.longest_side(), 1e-30);  // all coordinates are 0
+  std::optional<CodedGeometry> best;
   double fit = coarsest * 2;
   double too_fine = finest / 2;
   double step = step_for_bits(12);
   std::uint64_t fewest = ~std::uint64_t{0};
   for (int i = 0; i < kMostTrials; ++i) {
     if (i + 1 == kMostTrials && !best) step = coarsest;
-    auto choice = code(try_lattice(cubic_lattice(input_.box, short_float_below(step))));
-    const std::uint64_t size = frame_.bytes_with(choice);
+    auto choice = code(try_lattice(cubic_lattice(source_.box, short_float_below(step))));
+    const std::uint64_t size = rest_.bytes_with(choice);
     fewest = std::min(fewest, size);
     const bool fits = size <= bytes;
     if (fits && step < fit) {
@@ -267,14 +263,14 @@ Result<GeometryChoice> PredictiveTrials::fit_lattice(std::uint64_t bytes) const 
     if (step >= fit || step <= too_fine) step = std::sqrt(fit * too_fine);
     step = std::clamp(step, finest, coarsest);
   }
-  if (!best) return too_small(fewest);
+  if (!best) return too_few_bytes(fewest);
   return *std::move(best);
 }
 
-std::optional<GeometryChoice> PredictiveTrials::fit_voxel_levels(std::uint64_t bytes,
-                                                                 const VoxelFit& voxels) const {
-  const double count = static_cast<double>(std::max<std::size_t>(input_.positions.size(), 1));
-  std::optional<GeometryChoice> best;
+std::optional<CodedGeometry> PredictiveTrials::fit_voxel_levels(std::uint64_t bytes,
+                                                                const VoxelFit& voxels) const {
+  const double count = static_cast<double>(std::max<std::size_t>(source_.positions.size(), 1));
+  std::optional<CodedGeometry> best;
   std::uint32_t fit = 0;
   std::uint32_t too_many = kMostLevels + 1;
   double levels = 8;
@@ -287,7 +283,7 @@ std::optional<GeometryChoice> PredictiveTrials::fit_voxel_levels(std::uint64_t b
       continue;
     }
     auto choice = code(*trial);
-    const std::uint64_t size = frame_.bytes_with(choice);
+    const std::uint64_t size = rest_.bytes_with(choice);
     if (size <= bytes) {
       best = std::move(choice);
       fit = now;

@@ -8,48 +8,30 @@
 namespace deltamesh {
 namespace {
 
-/// Writes what stands before the bytes of chunks, in order.
-class ChunkHeaders {
- public:
-  explicit ChunkHeaders(const FileHeader& header) : header_(header) {}
-
-  void write_next(ByteWriter& out, const CodedChunk& chunk) {
-    write_chunk_header(out, {.tag = chunk.tag,
-                             .codec = chunk.codec,
-                             .coded_bytes = chunk.bytes.size(),
-                             .decoded_bytes = chunk.decoded_bytes});
-    if (chunk.tag != kTagAttribute) return;
-    const bool is_described = attributes_ < header_.attributes.size();
-    write_descriptor(out, is_described ? header_.attributes[attributes_] : AttributeDescriptor{});
-    ++attributes_;
-  }
-
- private:
-  const FileHeader& header_;
-  std::size_t attributes_ = 0;  ///< written so far
-};
+/// What stands before the bytes of a chunk.
+void write_head(ByteWriter& out, const CodedChunk& chunk) {
+  write_chunk_header(out, {.tag = chunk.tag,
+                           .codec = chunk.codec,
+                           .coded_bytes = chunk.bytes.size(),
+                           .decoded_bytes = chunk.decoded_bytes});
+  if (chunk.tag == kTagAttribute) write_descriptor(out, chunk.attribute);
+}
 
 CodedChunk filler_of(std::uint64_t bytes) {
   const auto size = static_cast<std::size_t>(bytes);
   return {.tag = kTagFiller, .bytes = std::vector<std::byte>(size), .decoded_bytes = size};
 }
 
-/// Without a filler.
-std::uint64_t bytes_of(const FileHeader& header, std::span<const CodedChunk> chunks) {
-  ByteWriter headers;
-  ChunkHeaders next(header);
-  std::uint64_t bytes = write_header(header).size() + kChecksumBytes;
-  for (const CodedChunk& chunk : chunks) {
-    next.write_next(headers, chunk);
-    bytes += chunk.bytes.size();
-  }
-  return bytes + headers.size();
-}
-
 }  // namespace
 
-std::uint64_t container_bytes(const FileHeader& header, std::span<const CodedChunk> chunks) {
-  const std::uint64_t bytes = bytes_of(header, chunks);
+std::uint64_t stored_bytes(const CodedChunk& chunk) {
+  ByteWriter head;
+  write_head(head, chunk);
+  return head.size() + chunk.bytes.size();
+}
+
+std::uint64_t stream_bytes(const FileHeader& header, std::uint64_t chunk_bytes) {
+  const std::uint64_t bytes = write_header(header).size() + chunk_bytes + kChecksumBytes;
   const std::uint64_t least = bytes_needed(header);
   if (bytes >= least) return bytes;
   ByteWriter filler;
@@ -59,9 +41,8 @@ std::uint64_t container_bytes(const FileHeader& header, std::span<const CodedChu
 
 std::vector<std::byte> write_container(const FileHeader& header, std::span<const CodedChunk> chunks) {
   ByteWriter out;
-  ChunkHeaders next(header);
   const auto add = [&](const CodedChunk& chunk) {
-    next.write_next(out, chunk);
+    write_head(out, chunk);
     out.write_bytes(chunk.bytes);
   };
   out.write_bytes(write_header(header));

@@ -20,13 +20,17 @@ struct CodedChunk {
   ChunkCodec codec = ChunkCodec::kRaw;
   std::vector<std::byte> bytes{};  ///< coded
   std::uint64_t decoded_bytes = 0;
+  AttributeDescriptor attribute{};  ///< of an ATTR chunk
 };
 
-/// Header, chunks and checksum. ATTR chunks take the header's descriptors in order; default ones where there
-/// are none. A mesh so regular that its stream would break [CNT-5] is given a filler chunk.
+/// Header, chunks and checksum. A mesh so regular that its stream would break [CNT-5] is given a filler
+/// chunk.
 std::vector<std::byte> write_container(const FileHeader& header, std::span<const CodedChunk> chunks);
 
-/// The size of what write_container() returns, without writing it.
-std::uint64_t container_bytes(const FileHeader& header, std::span<const CodedChunk> chunks);
+/// What a chunk takes in a stream, with what stands before its bytes.
+std::uint64_t stored_bytes(const CodedChunk& chunk);
+
+/// The size of a stream whose chunks take `chunk_bytes`, as write_container() makes it.
+std::uint64_t stream_bytes(const FileHeader& header, std::uint64_t chunk_bytes);
 
 }  // namespace deltamesh

@@ -17,7 +17,8 @@
 #include "entropy/payload.h"
 #include "format/highpass_parameters.h"
 #include "geometry/delta_quantizer.h"
-#include "laplacian/anchors.h"
+#include "geometry/highpass_settings.h"
+#include "laplacian/anchor_sequence.h"
 #include "laplacian/part_solver.h"
 #include "laplacian/solved_part.h"
 #include "topology/adjacency.h"
@@ -26,26 +27,6 @@ namespace deltamesh {
 
 struct HighpassSymbols;
 class PlanJudge;
-
-/// Everything that decides on the bytes of a highpass stream.
-struct HighpassSettings {
-  double step = 1;         ///< model units, finite, above 0
-  double rate_weight = 0;  ///< 0 or more: FrugalSymbols
-  double diffusion = 0;    ///< strength, 0 to 1: geometry/diffusion.h
-  bool centroids = false;  ///< reconstruct at the centroids of the bins, not at their middles
-  Anchors anchors{};       ///< as [ANCH-2] asks
-  int anchor_bits = 12;    ///< 4 to 24
-};
-
-/// What the encoder is asked for in bits and counts; exactly one of bits and step, at most one of anchors and
-/// density.
-struct HighpassRequest {
-  std::optional<int> bits{};
-  std::optional<double> step{};
-  std::optional<std::uint32_t> anchors{};
-  std::optional<std::uint32_t> anchor_density{};
-  int anchor_bits = 12;
-};
 
 struct CodedHighpass {
   HighpassParameters parameters;
@@ -61,9 +42,10 @@ struct CodedHighpass {
 class HighpassCoder {
  public:
   /// `positions`: n, relative to the mesh's origin, in coding order; `graph`, `components`: of the decoded
-  /// faces, same order; `box`: of `positions`. All but `components` must outlive the coder. O(n + edges).
-  HighpassCoder(const Adjacency& graph, const Components& components, std::span<const Vec3> positions,
-                const Box& box);
+  /// faces, same order; `anchors`: of `graph`; `box`: of `positions`. All but `components` must outlive the
+  /// coder. O(n + edges).
+  HighpassCoder(const Adjacency& graph, const Components& components, AnchorSequence& anchors,
+                std::span<const Vec3> positions, const Box& box);
 
   /// Largest minus smallest delta over all axes.
   double range() const noexcept { return range_; }
@@ -73,6 +55,9 @@ class HighpassCoder {
   /// Model units, above 0: range / 2^bits. A flat graph, all deltas equal, gets a step that rounds nothing
   /// but noise.
   double step_for_bits(int bits) const noexcept;
+
+  /// As [ANCH-2] asks.
+  Anchors anchors_for(const HighpassSettings& settings);
 
   /// Root mean square over the solved vertices of the distance between delta and its quantised form: what
   /// decides on VDE, without a solve. Infinite where the step is too small. O(n + edges).
@@ -98,34 +83,28 @@ class HighpassCoder {
  private:
   /// Symbols of the deltas, and the shift that they are reconstructed with.
   struct Quantized {
-    double step = 0;
-    double rate_weight = 0;
-    double diffusion = 0;
-    bool centroids = false;
+    HighpassSettings settings{.step = 0};  ///< of which those of deltas count
     std::vector<std::int32_t> symbols{};
     ReconstructionShift shift{};
-
-    bool is_for(const HighpassSettings& s) const noexcept {
-      return step == s.step && rate_weight == s.rate_weight && diffusion == s.diffusion &&
-             centroids == s.centroids;
-    }
   };
   Result<Quantized> quantize(const HighpassSettings& settings, std::span<const Vec3> deltas) const;
   /// Sets quantized_.
   Result<void> quantize_own(const HighpassSettings& settings);
   /// `positions`: n, of which those of the anchors count.
-  HighpassSymbols symbols_for(const HighpassSettings& settings, const Quantized& quantized,
+  HighpassSymbols symbols_for(const Quantized& quantized, const Anchors& anchors, int anchor_bits,
                               std::span<const Vec3> positions) const;
   struct Attempt {
     std::optional<CodedHighpass> coded{};
     bool gains = false;  ///< whether compensation makes a difference
   };
-  Attempt plan_for(int cycles, const HighpassSettings& settings, const PlanJudge& judge,
-                   const std::function<bool(const CodedHighpass&)>& accepts);
+  Attempt plan_for(int cycles, const HighpassSettings& settings, const Anchors& anchors,
+                   const PlanJudge& judge, const std::function<bool(const CodedHighpass&)>& accepts);
   /// All but positions.
-  CodedHighpass coded(const HighpassSettings& settings, const Quantized& quantized,
+  CodedHighpass coded(const HighpassParameters& parameters, const Quantized& quantized,
                       const HighpassSymbols& symbols) const;
 
+  const Adjacency& graph_;
+  AnchorSequence& anchors_;
   std::span<const Vec3> positions_;
   Box box_;
   SolvedPart part_;
@@ -135,12 +114,6 @@ class HighpassCoder {
   PartSolver solver_;
   Quantized quantized_;  ///< of deltas_
 };
-
-/// One shot for a request in bits and counts, with cycles and the positions they lead to. Arguments and
-/// errors as HighpassCoder.
-Result<CodedHighpass> write_highpass(const Adjacency& graph, const Components& components,
-                                     std::span<const Vec3> positions, const Box& box,
-                                     const HighpassRequest& request);
 
 /// Returns n finite positions. `graph`, `components`: of the decoded faces; given away, they are freed when
 /// they have served. Without a team of threads it takes the least memory. Errors: kTruncated, kInvalidStream

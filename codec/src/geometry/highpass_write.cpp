@@ -17,6 +17,7 @@
 #include "geometry/highpass_symbols.h"
 #include "laplacian/anchors.h"
 #include "laplacian/delta.h"
+#include "laplacian/hop_density.h"
 
 namespace deltamesh {
 namespace {
@@ -66,19 +67,22 @@ AnchorList list_anchors(const HighpassSymbols& symbols) {
   return list;
 }
 
-HighpassParameters parameters_for(const HighpassSettings& settings, const ReconstructionShift& shift) {
+HighpassParameters parameters_for(const HighpassSettings& settings, const Anchors& anchors,
+                                  const ReconstructionShift& shift) {
   return {.step = settings.step,
           .shift = shift,
           .anchor_bits = static_cast<std::uint8_t>(settings.anchor_bits),
-          .anchors = static_cast<std::uint32_t>(settings.anchors.vertices.size()),
-          .anchor_density = settings.anchors.density};
+          .anchors = static_cast<std::uint32_t>(anchors.vertices.size()),
+          .anchor_density = anchors.density};
 }
 
 }  // namespace
 
-HighpassCoder::HighpassCoder(const Adjacency& graph, const Components& components,
+HighpassCoder::HighpassCoder(const Adjacency& graph, const Components& components, AnchorSequence& anchors,
                              std::span<const Vec3> positions, const Box& box)
-    : positions_(positions),
+    : graph_(graph),
+      anchors_(anchors),
+      positions_(positions),
       box_(box),
       part_(extract_solved_part(graph, components)),
       deltas_(delta_coordinates(part_, positions)),
@@ -90,6 +94,17 @@ double HighpassCoder::step_for_bits(int bits) const noexcept {
   const double finest = std::ldexp(box_.longest_side(), -kFinestBits);
   const double step = std::max(std::ldexp(range_, -bits), finest);
   return step > 0 ? step : 1.0;
+}
+
+Anchors HighpassCoder::anchors_for(const HighpassSettings& settings) {
+  Anchors anchors = anchors_.first(graph_, settings.anchors);
+  if (settings.more_anchors.empty()) return anchors;
+  std::vector<std::uint32_t>& all = anchors.vertices;
+  all.insert(all.end(), settings.more_anchors.begin(), settings.more_anchors.end());
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  anchors.density = hop_density(graph_, all);
+  return anchors;
 }
 
 /// Symbols chosen by price have other centroids than the nearest ones: theirs are found afterwards. Diffusion
@@ -104,16 +119,11 @@ Result<HighpassCoder::Quantized> HighpassCoder::quantize(const HighpassSettings&
                 quantize_deltas(part_.graph, deltas, quantizer, settings.diffusion, settings.rate_weight));
   if (settings.centroids && shifts_afterwards)
     quantizer.shift = BinErrors(settings.step, deltas, symbols).centroids();
-  return Quantized{.step = settings.step,
-                   .rate_weight = settings.rate_weight,
-                   .diffusion = settings.diffusion,
-                   .centroids = settings.centroids,
-                   .symbols = std::move(symbols),
-                   .shift = quantizer.shift};
+  return Quantized{.settings = settings, .symbols = std::move(symbols), .shift = quantizer.shift};
 }
 
 Result<void> HighpassCoder::quantize_own(const HighpassSettings& settings) {
-  if (quantized_.is_for(settings)) return {};
+  if (quantized_.settings.has_same_deltas(settings)) return {};
   quantized_ = {};
   DELTAMESH_TRY(quantized_, quantize(settings, deltas_));
   return {};
@@ -129,20 +139,20 @@ double HighpassCoder::delta_error(const HighpassSettings& settings) {
   return BinErrors(settings.step, deltas_, quantized_.symbols).rms(quantized_.shift);
 }
 
-HighpassSymbols HighpassCoder::symbols_for(const HighpassSettings& settings, const Quantized& quantized,
-                                           std::span<const Vec3> positions) const {
-  HighpassSymbols symbols{.deltas = SymbolRows(quantized.symbols), .anchors = settings.anchors.vertices};
-  const AnchorLattice lattice(box_, settings.anchor_bits);
+HighpassSymbols HighpassCoder::symbols_for(const Quantized& quantized, const Anchors& anchors,
+                                           int anchor_bits, std::span<const Vec3> positions) const {
+  HighpassSymbols symbols{.deltas = SymbolRows(quantized.symbols), .anchors = anchors.vertices};
+  const AnchorLattice lattice(box_, anchor_bits);
   symbols.cells.reserve(symbols.anchors.size());
   for (const std::uint32_t anchor : symbols.anchors)
     symbols.cells.push_back(lattice.cell_of(positions[anchor]));
   return symbols;
 }
 
-CodedHighpass HighpassCoder::coded(const HighpassSettings& settings, const Quantized& quantized,
+CodedHighpass HighpassCoder::coded(const HighpassParameters& parameters, const Quantized& quantized,
                                    const HighpassSymbols& symbols) const {
   const AnchorList list = list_anchors(symbols);
-  return {.parameters = parameters_for(settings, quantized.shift),
+  return {.parameters = parameters,
           .deltas = write_deltas(quantized.symbols),
           .compact_deltas = write_compact_deltas(quantized.symbols, part_.graph),
           .anchors = write_plain_anchors(list),
@@ -150,38 +160,41 @@ CodedHighpass HighpassCoder::coded(const HighpassSettings& settings, const Quant
 }
 
 Result<CodedHighpass> HighpassCoder::code_only(const HighpassSettings& settings) {
+  const Anchors anchors = anchors_for(settings);
   DELTAMESH_CHECK(quantize_own(settings));
-  return coded(settings, quantized_, symbols_for(settings, quantized_, positions_));
+  return coded(parameters_for(settings, anchors, quantized_.shift), quantized_,
+               symbols_for(quantized_, anchors, settings.anchor_bits, positions_));
 }
 
 Result<CodedHighpass> HighpassCoder::code(const HighpassSettings& settings) {
+  const Anchors anchors = anchors_for(settings);
   DELTAMESH_CHECK(quantize_own(settings));
-  const HighpassSymbols symbols = symbols_for(settings, quantized_, positions_);
-  CodedHighpass result = coded(settings, quantized_, symbols);
+  const HighpassSymbols symbols = symbols_for(quantized_, anchors, settings.anchor_bits, positions_);
+  CodedHighpass result = coded(parameters_for(settings, anchors, quantized_.shift), quantized_, symbols);
   DELTAMESH_TRY(result.positions, reconstruct_highpass(symbols, part_, solver_, box_, result.parameters));
   return result;
 }
 
 HighpassCoder::Attempt HighpassCoder::plan_for(int cycles, const HighpassSettings& settings,
-                                               const PlanJudge& judge,
+                                               const Anchors& anchors, const PlanJudge& judge,
                                                const std::function<bool(const CodedHighpass&)>& accepts) {
   Attempt attempt;
   PlanCost plain;
-  const std::vector<std::uint32_t> anchors = anchor_rows(settings.anchors.vertices, part_);
+  const std::vector<std::uint32_t> rows = anchor_rows(anchors.vertices, part_);
   Compensation source(part_, positions_, middle(box_));
   for (int round = 0; round <= kMostRounds; ++round) {
-    if (round > 0 && !source.improve(solver_, anchors, cycles)) break;
+    if (round > 0 && !source.improve(solver_, rows, cycles)) break;
     const auto quantized = quantize(settings, source.deltas());
     if (!quantized) break;
-    const HighpassSymbols symbols = symbols_for(settings, *quantized, source.positions());
-    HighpassParameters parameters = parameters_for(settings, quantized->shift);
+    const HighpassSymbols symbols =
+        symbols_for(*quantized, anchors, settings.anchor_bits, source.positions());
+    HighpassParameters parameters = parameters_for(settings, anchors, quantized->shift);
     parameters.cycles = static_cast<std::uint8_t>(cycles);
     auto positions = reconstruct_highpass(symbols, part_, solver_, box_, parameters);
     if (!positions) break;
     const PlanCost cost = judge.cost(*positions);
     if (cost.is_fair()) {
-      attempt.coded = coded(settings, *quantized, symbols);
-      attempt.coded->parameters = parameters;
+      attempt.coded = coded(parameters, *quantized, symbols);
       attempt.coded->positions = *std::move(positions);
       if (accepts(*attempt.coded)) return attempt;
       attempt.coded.reset();
@@ -202,28 +215,14 @@ std::optional<CodedHighpass> HighpassCoder::plan(const HighpassSettings& setting
   if (part_.row_count == 0) return std::nullopt;
   solver_.forget();  // what settles takes other levels
   const PlanJudge judge(part_, positions_, settled, kInvisible * box_.longest_side());
+  const Anchors anchors = anchors_for(settings);
   int in_vain = 0;
   for (int cycles = 1; cycles <= kMostPlanned && in_vain < kMostInVain; ++cycles) {
-    Attempt attempt = plan_for(cycles, settings, judge, accepts);
+    Attempt attempt = plan_for(cycles, settings, anchors, judge, accepts);
     if (attempt.coded) return std::move(attempt.coded);
     in_vain = attempt.gains ? 0 : in_vain + 1;
   }
   return std::nullopt;
-}
-
-Result<CodedHighpass> write_highpass(const Adjacency& graph, const Components& components,
-                                     std::span<const Vec3> positions, const Box& box,
-                                     const HighpassRequest& request) {
-  HighpassCoder coder(graph, components, positions, box);
-  HighpassSettings settings{.anchor_bits = request.anchor_bits};
-  settings.step = request.step ? *request.step : coder.step_for_bits(*request.bits);
-  settings.anchors =
-      place_anchors(graph, components, {.count = request.anchors, .density = request.anchor_density});
-  DELTAMESH_TRY(CodedHighpass settled, coder.code(settings));
-  auto planned = coder.plan(settings, settled.positions, [](const CodedHighpass&) { return true; });
-  CodedHighpass& result = planned ? *planned : settled;
-  result.parameters.bits = static_cast<std::uint8_t>(request.bits.value_or(0));
-  return std::move(result);
 }
 
 }  // namespace deltamesh

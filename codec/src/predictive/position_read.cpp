@@ -6,7 +6,7 @@
 #include "base/try.h"
 #include "entropy/compact_reader.h"
 #include "format/tags.h"
-#include "geometry/vertex_positions.h"
+#include "format/vertex_positions.h"
 #include "predictive/float_coder.h"
 #include "predictive/lattice_coder.h"
 #include "predictive/positions.h"

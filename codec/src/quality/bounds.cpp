@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "quality/round_up.h"
+#include "base/short_float.h"
 
 namespace deltamesh {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 double load_of(double achieved, const std::optional<double>& bound) noexcept {
   if (!bound || !(achieved > 0)) return 0;
   const double load = achieved / *bound;
-  const bool declared_above = static_cast<double>(round_up(achieved)) > *bound;
+  const bool declared_above = static_cast<double>(short_float_above(achieved)) > *bound;
   return declared_above ? std::max(load, std::nextafter(1.0, 2.0)) : load;
 }
 
@@ -36,7 +36,7 @@ bool is_positive(double value) noexcept { return std::isfinite(value) && value >
 }  // namespace
 
 bool is_declarable(const Quality& quality) noexcept {
-  return std::isfinite(round_up(std::max({quality.vde_rms, quality.lfe_rms, quality.max_error})));
+  return std::isfinite(short_float_above(std::max({quality.vde_rms, quality.lfe_rms, quality.max_error})));
 }
 
 double Bounds::visual_load(const Quality& quality) const noexcept { return load_of(quality.vde_rms, vde); }

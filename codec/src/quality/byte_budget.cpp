@@ -24,15 +24,15 @@ constexpr double kRateWeights[] = {0, kRateWeight};
 /// The finest step whose stream fits, between a coarse one that does and a fine one that is taken not to.
 class FinestFit {
  public:
-  FinestFit(std::uint64_t target, const CoderSettings& settings, TrialCoder& coder)
+  FinestFit(std::uint64_t target, const HighpassSettings& settings, TrialCoder& coder)
       : target_(static_cast<double>(target)), settings_(settings), coder_(coder) {}
 
   /// Empty where the coarsest step does not fit; coarsest_bytes() is known afterwards.
-  Result<std::optional<CoderSettings>> run() {
+  Result<std::optional<HighpassSettings>> run() {
     settings_.step = coarsest_step(coder_);
     DELTAMESH_TRY(coarsest_bytes_, coder_.bytes(settings_));
     Point fits{settings_.step, static_cast<double>(coarsest_bytes_)};
-    if (fits.bytes > target_) return std::optional<CoderSettings>();
+    if (fits.bytes > target_) return std::optional<HighpassSettings>();
     Point fails{std::ldexp(std::max(coder_.delta_range(), 1e-3 * settings_.step), -kFinestBits), 0};
     for (int i = 0; i < kMostCodings && fits.bytes < kTightShare * target_; ++i) {
       if (fits.step < fails.step * kSameStep) break;
@@ -47,7 +47,7 @@ class FinestFit {
       (fit ? fits : fails) = point;
     }
     settings_.step = fits.step;
-    return std::optional<CoderSettings>(settings_);
+    return std::optional<HighpassSettings>(settings_);
   }
 
   std::uint64_t coarsest_bytes() const noexcept { return coarsest_bytes_; }
@@ -76,7 +76,7 @@ class FinestFit {
   }
 
   double target_;
-  CoderSettings settings_;
+  HighpassSettings settings_;
   TrialCoder& coder_;
   std::uint64_t coarsest_bytes_ = 0;
   int moves_on_one_side_ = 0;
@@ -85,13 +85,13 @@ class FinestFit {
 
 }  // namespace
 
-Result<void> fit_bytes(std::uint64_t target, int effort, const CoderSettings& settings, Trials& trials) {
+Result<void> fit_bytes(std::uint64_t target, const HighpassSettings& settings, Trials& trials) {
   TrialCoder& coder = trials.coder();
-  std::optional<CoderSettings> best;
+  std::optional<HighpassSettings> best;
   double least_error = 0;
   std::uint64_t coarsest_bytes = 0;
   for (const double rate_weight : kRateWeights) {
-    CoderSettings candidate = settings;
+    HighpassSettings candidate = settings;
     candidate.rate_weight = rate_weight;
     FinestFit search(target, candidate, coder);
     DELTAMESH_TRY(const auto fit, search.run());
@@ -101,12 +101,12 @@ Result<void> fit_bytes(std::uint64_t target, int effort, const CoderSettings& se
     if (best && error >= least_error) break;
     best = fit;
     least_error = error;
-    if (effort < kFrugalEffort) break;
+    if (trials.goal().effort < kFrugalEffort) break;
   }
   if (!best && settings.anchors > coder.fewest_anchors()) {
-    CoderSettings fewer = settings;
+    HighpassSettings fewer = settings;
     fewer.anchors = coder.fewest_anchors();
-    return fit_bytes(target, effort, fewer, trials);
+    return fit_bytes(target, fewer, trials);
   }
   if (!best) return too_few_bytes(coarsest_bytes);
   DELTAMESH_TRY([[maybe_unused]] const Attempt attempt, trials.run(*best));

@@ -38,7 +38,7 @@ Result<Attempt> raise_diffusion(const Attempt& plain, bool step_moves, Trials& t
   TrialCoder& coder = trials.coder();
   const Bounds& bounds = trials.bounds();
   const double delta_error = coder.delta_error(plain.settings);
-  CoderSettings settings = plain.settings;
+  HighpassSettings settings = plain.settings;
   Point weak{settings.diffusion, bounds.positional_load(plain.figures.quality)};
   Point strong{1, kFullStrengthLoad * weak.load};
   settings.diffusion = strong.load < kAim ? strength_between(weak, strong) : 1;

@@ -31,9 +31,9 @@ Result<Attempt> refine_greedily(const Attempt& start, std::uint64_t most_bytes, 
     const double lfe_threshold = bounds.lfe ? *bounds.lfe : quality.max_error;
     const double threshold =
         std::min(lfe_threshold, kThreshold * bounds.max_error.value_or(quality.max_error));
-    const auto worst = trials.coder().worst_vertices(threshold, batch);
+    const auto worst = trials.coder().worst_vertices(attempt, threshold, batch);
     if (worst.empty()) return attempt;
-    CoderSettings settings = attempt.settings;
+    HighpassSettings settings = attempt.settings;
     settings.more_anchors.insert(settings.more_anchors.end(), worst.begin(), worst.end());
     DELTAMESH_TRY(attempt, trials.run(settings));
   }

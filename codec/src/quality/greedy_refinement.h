@@ -10,7 +10,7 @@
 
 namespace deltamesh {
 
-/// From `start`, the last run of `trials`, which breaks a positional bound: vertices with the largest error
+/// From `start`, which breaks a positional bound: vertices with the largest error
 /// become anchors, in batches between runs, until the bounds are kept (the tolerance being what the bounds
 /// leave), 12 runs are made, or the stream is larger than `most_bytes` (0: no limit). Returns the last run.
 Result<Attempt> refine_greedily(const Attempt& start, std::uint64_t most_bytes, Trials& trials);

@@ -24,7 +24,7 @@ constexpr int kMostGrowths = 8;
 constexpr std::uint32_t kFewerAnchors = 3;
 
 /// Runs `settings` and mends them. Whether the stream is smaller than `best`, which it then replaces.
-Result<bool> mend(const CoderSettings& settings, Attempt& best, Trials& trials) {
+Result<bool> mend(const HighpassSettings& settings, Attempt& best, Trials& trials) {
   DELTAMESH_TRY(const Attempt broken, trials.run(settings));
   if (trials.bounds().load(broken.figures.quality) > kHopelessLoad) return false;
   DELTAMESH_TRY(Attempt mended, refine_greedily(broken, best.figures.bytes, trials));
@@ -43,12 +43,12 @@ Result<void> grow_step(Attempt& best, Trials& trials) {
   if (landed.settings.step >= coarsest || !(load_at_landing > 0)) return {};
   bool better = false;
   for (double load = kFirstLoad; !better && load > kLastLoad; load *= kLoadBackoff) {
-    CoderSettings settings = landed.settings;
+    HighpassSettings settings = landed.settings;
     settings.step = std::min(settings.step * load / load_at_landing, coarsest);
     DELTAMESH_TRY(better, mend(settings, best, trials));
   }
   for (int growths = 0; better && growths < kMostGrowths; ++growths) {
-    CoderSettings settings = best.settings;
+    HighpassSettings settings = best.settings;
     settings.step *= kGrowth;
     DELTAMESH_TRY(better, mend(settings, best, trials));
   }
@@ -57,13 +57,14 @@ Result<void> grow_step(Attempt& best, Trials& trials) {
 
 }  // namespace
 
-Result<void> control_peaks(const RateGoal& goal, const CoderSettings& settings, Trials& trials) {
+Result<void> control_peaks(const HighpassSettings& settings, Trials& trials) {
+  const RateGoal& goal = trials.goal();
   DELTAMESH_TRY(Attempt best, search_step(trials, settings, Watch::kAll, kAnyStepThatKeeps));
   if (trials.bounds().load(best.figures.quality) > 1 || goal.effort < kGreedyEffort) return {};
   if (goal.loses(best.figures.bytes, kRivalShare)) return {};
   DELTAMESH_CHECK(grow_step(best, trials));
   while (goal.effort >= kThinningEffort && best.settings.anchors > trials.coder().fewest_anchors()) {
-    CoderSettings fewer = best.settings;
+    HighpassSettings fewer = best.settings;
     fewer.anchors = std::max(fewer.anchors / kFewerAnchors, trials.coder().fewest_anchors());
     DELTAMESH_TRY(const bool better, mend(fewer, best, trials));
     if (!better) break;

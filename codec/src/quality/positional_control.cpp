@@ -31,22 +31,23 @@ double positional_load(const Trials& trials, const Attempt& attempt) noexcept {
 }
 
 /// Tries more and fewer anchors from `start`, as long as the stream shrinks.
-Result<void> explore_anchor_counts(const RateGoal& goal, const Attempt& start, Trials& trials) {
+Result<void> explore_anchor_counts(const Attempt& start, Trials& trials) {
+  const StepGoal near = step_goal(trials.goal().effort);
   const double most = trials.coder().most_anchors();
   for (const double factor : {kAnchorFactor, 1 / kAnchorFactor}) {
     Attempt from = start;
     for (;;) {
-      CoderSettings settings = from.settings;
+      HighpassSettings settings = from.settings;
       const auto count = static_cast<std::uint32_t>(std::min(settings.anchors * factor + 0.5, most));
       settings.anchors = std::max(count, trials.coder().fewest_anchors());
       if (settings.anchors == from.settings.anchors) break;
       DELTAMESH_TRY(const Attempt probe, trials.run(settings));
       const double load = trials.bounds().load(probe.figures.quality);
       if (load > kHopelessLoad) break;
-      settings.step *= step_goal(goal.effort).aim / load;
+      settings.step *= near.aim / load;
       DELTAMESH_TRY(const std::uint64_t bytes, trials.coder().bytes(settings));
       if (static_cast<double>(bytes) > kGuessShare * static_cast<double>(from.figures.bytes)) break;
-      DELTAMESH_TRY(Attempt next, search_step(trials, settings, Watch::kAll, step_goal(goal.effort)));
+      DELTAMESH_TRY(Attempt next, search_step(trials, settings, Watch::kAll, near));
       if (trials.bounds().load(next.figures.quality) > 1 || next.figures.bytes >= from.figures.bytes) break;
       from = std::move(next);
     }
@@ -56,14 +57,15 @@ Result<void> explore_anchor_counts(const RateGoal& goal, const Attempt& start, T
 
 /// Where the best stream leaves room in the positional bounds: less diffusion at its anchors if VDE binds,
 /// else fewer anchors (all symbols are 0 then).
-Result<void> use_up_room(const RateGoal& goal, Trials& trials) {
+Result<void> use_up_room(Trials& trials) {
+  const RateGoal& goal = trials.goal();
   const Attempt best = *trials.best();
   if (positional_load(trials, best) >= Trials::kLandedLoad) return {};
   if (!goal.bounds.vde) {
     DELTAMESH_TRY([[maybe_unused]] const Attempt thinned, thin_anchors(best, trials));
     return {};
   }
-  CoderSettings settings = best.settings;
+  HighpassSettings settings = best.settings;
   settings.diffusion = 0;
   settings.step = step_from_vde(trials.coder(), settings, *goal.bounds.vde);
   DELTAMESH_TRY(const Attempt plain, search_step(trials, settings, Watch::kVisual, step_goal(goal.effort)));
@@ -73,19 +75,20 @@ Result<void> use_up_room(const RateGoal& goal, Trials& trials) {
 }
 
 /// The step follows the positional bound, at the diffusion in `settings`.
-Result<void> follow_with_step(const RateGoal& goal, const CoderSettings& settings, Trials& trials) {
-  if (goal.bounds.max_error) return control_peaks(goal, settings, trials);
+Result<void> follow_with_step(const HighpassSettings& settings, Trials& trials) {
+  const RateGoal& goal = trials.goal();
+  if (goal.bounds.max_error) return control_peaks(settings, trials);
   DELTAMESH_TRY(const Attempt landed, search_step(trials, settings, Watch::kAll, step_goal(goal.effort)));
   if (trials.bounds().load(landed.figures.quality) > 1 || goal.effort < kSearchEffort || goal.anchors)
     return {};
   if (goal.loses(landed.figures.bytes, kRivalShare)) return {};
-  DELTAMESH_CHECK(explore_anchor_counts(goal, landed, trials));
-  return use_up_room(goal, trials);
+  DELTAMESH_CHECK(explore_anchor_counts(landed, trials));
+  return use_up_room(trials);
 }
 
 /// The first guess of a step for a positional bound alone: with diffusion LFE is some 3 VDE, and the largest
 /// error some 4 LFE.
-double guess_step(const Bounds& bounds, const CoderSettings& settings, TrialCoder& coder) {
+double guess_step(const Bounds& bounds, const HighpassSettings& settings, TrialCoder& coder) {
   double lfe = coder.longest_side();
   if (bounds.lfe) lfe = std::min(lfe, *bounds.lfe);
   if (bounds.max_error) lfe = std::min(lfe, *bounds.max_error / 4);
@@ -93,12 +96,12 @@ double guess_step(const Bounds& bounds, const CoderSettings& settings, TrialCode
 }
 
 /// The step is what it is: more anchors, then anchors where the error is largest.
-Result<void> follow_with_anchors(const RateGoal& goal, CoderSettings settings, Trials& trials) {
+Result<void> follow_with_anchors(HighpassSettings settings, Trials& trials) {
   const double most = trials.coder().most_anchors();
   for (;;) {
     DELTAMESH_TRY(const Attempt attempt, trials.run(settings));
     const double load = positional_load(trials, attempt);
-    if (load <= 1 || goal.anchors) return {};
+    if (load <= 1 || trials.goal().anchors) return {};
     if (load < 1.5) {
       DELTAMESH_TRY([[maybe_unused]] const Attempt refined, refine_greedily(attempt, 0, trials));
       if (trials.best()) return {};
@@ -110,7 +113,8 @@ Result<void> follow_with_anchors(const RateGoal& goal, CoderSettings settings, T
 
 }  // namespace
 
-Result<void> control_positions(const RateGoal& goal, CoderSettings settings, Trials& trials) {
+Result<void> control_positions(HighpassSettings settings, Trials& trials) {
+  const RateGoal& goal = trials.goal();
   TrialCoder& coder = trials.coder();
   const StepGoal near = step_goal(goal.effort);
   if (!goal.step) settings.step = coder.longest_side() / 1024;
@@ -119,15 +123,15 @@ Result<void> control_positions(const RateGoal& goal, CoderSettings settings, Tri
     if (goal.effort >= kFrugalEffort) settings.rate_weight = kDiffusedRateWeight;
     settings.centroids = false;  // they lower VDE, but LFE rises by as much at low rates
     settings.step = guess_step(goal.bounds, settings, coder);
-    return follow_with_step(goal, settings, trials);
+    return follow_with_step(settings, trials);
   }
 
   if (!goal.step && goal.effort <= kOnePassEffort) {  // whichever binds, the step follows it
     settings.diffusion = 1;
     const double for_positions = guess_step(goal.bounds, settings, coder);
     settings.step = std::min(for_positions, step_from_vde(coder, settings, near.aim * *goal.bounds.vde));
-    DELTAMESH_CHECK(check_rival(goal, settings, coder));
-    return follow_with_step(goal, settings, trials);
+    DELTAMESH_CHECK(check_rival(settings, trials));
+    return follow_with_step(settings, trials);
   }
 
   Attempt plain;  // without diffusion, at the step that is fixed or that VDE sets
@@ -135,7 +139,7 @@ Result<void> control_positions(const RateGoal& goal, CoderSettings settings, Tri
     DELTAMESH_TRY(plain, trials.run(settings));
   } else {
     settings = settings_for_vde(coder, settings, near.aim * *goal.bounds.vde, goal.effort);
-    DELTAMESH_CHECK(check_rival(goal, settings, coder));
+    DELTAMESH_CHECK(check_rival(settings, trials));
     DELTAMESH_TRY(plain, search_step(trials, settings, Watch::kVisual, near));
     if (trials.bounds().visual_load(plain.figures.quality) > 1) return {};  // out of reach
   }
@@ -147,8 +151,8 @@ Result<void> control_positions(const RateGoal& goal, CoderSettings settings, Tri
   if (load <= 1) return {};
   DELTAMESH_TRY(const Attempt diffused, raise_diffusion(plain, !goal.step.has_value(), trials));
   if (trials.bounds().load(diffused.figures.quality) <= 1) return {};
-  return goal.step ? follow_with_anchors(goal, diffused.settings, trials)
-                   : follow_with_step(goal, diffused.settings, trials);
+  return goal.step ? follow_with_anchors(diffused.settings, trials)
+                   : follow_with_step(diffused.settings, trials);
 }
 
 }  // namespace deltamesh

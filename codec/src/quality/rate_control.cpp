@@ -14,21 +14,25 @@
 
 namespace deltamesh {
 
-Result<void> control_rate(const RateGoal& goal, TrialCoder& coder) {
-  Trials trials(coder, goal.bounds, goal.target_bytes);
+Result<Attempt> control_rate(const RateGoal& goal, TrialCoder& coder) {
+  Trials trials(coder, goal);
   const bool bounded = goal.bounds.vde || goal.bounds.positional();
-  CoderSettings settings;
+  HighpassSettings settings;
   settings.anchors = goal.anchors.value_or(usual_anchors(goal.bounds, coder));
   settings.anchor_bits = anchor_bits_for(goal.bounds, goal.anchor_bits, coder);
   settings.step = goal.step.value_or(1);
-  if (!bounded) {
-    DELTAMESH_CHECK(fit_bytes(*goal.target_bytes, goal.effort, settings, trials));
+  settings.centroids = bounded || goal.target_bytes;
+  if (!bounded && goal.target_bytes) {
+    DELTAMESH_CHECK(fit_bytes(*goal.target_bytes, settings, trials));
+  } else if (!bounded) {
+    DELTAMESH_TRY([[maybe_unused]] const Attempt only, trials.run(settings));
   } else if (goal.bounds.positional()) {
-    DELTAMESH_CHECK(control_positions(goal, settings, trials));
+    DELTAMESH_CHECK(control_positions(settings, trials));
   } else {
-    DELTAMESH_CHECK(control_visual(goal, settings, trials));
+    DELTAMESH_CHECK(control_visual(settings, trials));
   }
-  return check_met(goal, trials);
+  DELTAMESH_CHECK(check_met(trials));
+  return *trials.best();
 }
 
 }  // namespace deltamesh

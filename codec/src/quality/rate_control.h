@@ -4,40 +4,16 @@
 // From the quality that is asked for to the settings of the coder (Yang, Li et al., sections 3.3 and 4).
 #pragma once
 
-#include <cstdint>
-#include <optional>
-
-#include "quality/bounds.h"
+#include "quality/rate_goal.h"
 #include "quality/trial.h"
 
 namespace deltamesh {
 
-/// Up to here one pass is made, and no search.
-inline constexpr int kOnePassEffort = 1;
-
-/// A request, in model units, with what else the caller has fixed.
-struct RateGoal {
-  Bounds bounds{};
-  std::optional<std::uint64_t> target_bytes = std::nullopt;
-  std::optional<double> step = std::nullopt;            ///< fixed: only anchors and diffusion may move
-  std::optional<std::uint32_t> anchors = std::nullopt;  ///< fixed number in the solved components
-  int anchor_bits = 12;  ///< at first: more for tight bounds, down to 4 where bounds leave room
-  int effort = 5;        ///< 0 to 9
-  /// Size of another coder's stream that keeps the request: what stays far above it is not refined further,
-  /// or not even tried.
-  std::optional<std::uint64_t> rival_bytes = std::nullopt;
-
-  /// Whether `bytes` is more than `share` times the rival's.
-  bool loses(std::uint64_t bytes, double share) const noexcept {
-    return rival_bytes && static_cast<double>(bytes) > share * static_cast<double>(*rival_bytes);
-  }
-};
-
-/// Drives `coder` until every bound is kept, and has it keep the smallest stream it found that does so
-/// (TrialCoder::keep). Deterministic. Runs: 1 to 3 for a VDE or at effort 0, some 10 to 20 for several bounds
-/// at effort 5.
+/// Drives `coder` until every bound is kept, and returns the smallest stream it found that does so.
+/// Deterministic. Runs: one without bounds and target, 1 to 3 for a VDE or at effort 0, some 10 to 20 for
+/// several bounds at effort 5.
 /// Errors: kUnmetRequest with the best figure that can be had and the size of that stream, or where the rival
 /// wins; those of `coder`, where kInvalidStream only if no settings tried make a stream that decodes.
-Result<void> control_rate(const RateGoal& goal, TrialCoder& coder);
+Result<Attempt> control_rate(const RateGoal& goal, TrialCoder& coder);
 
 }  // namespace deltamesh

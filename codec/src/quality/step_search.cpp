@@ -57,7 +57,7 @@ class PowerLaw {
 /// One search; see search_step().
 class StepSearch {
  public:
-  StepSearch(Trials& trials, const CoderSettings& settings, Watch watch, const StepGoal& goal)
+  StepSearch(Trials& trials, const HighpassSettings& settings, Watch watch, const StepGoal& goal)
       : trials_(trials), coder_(trials.coder()), settings_(settings), watch_(watch), goal_(goal) {
     coarsest_ = coarsest_step(coder_);
     finest_ = std::min(coarsest_, std::max(std::ldexp(coder_.longest_side(), -kFinestBits),
@@ -151,7 +151,7 @@ class StepSearch {
 
   Trials& trials_;
   TrialCoder& coder_;
-  CoderSettings settings_;
+  HighpassSettings settings_;
   Watch watch_;
   StepGoal goal_;
   double coarsest_ = 0;
@@ -168,7 +168,7 @@ class StepSearch {
 
 }  // namespace
 
-Result<Attempt> Trials::run(const CoderSettings& settings) {
+Result<Attempt> Trials::run(const HighpassSettings& settings) {
   Attempt attempt{.settings = settings};
   const auto figures = coder_.run(settings);
   if (!figures) {
@@ -180,21 +180,20 @@ Result<Attempt> Trials::run(const CoderSettings& settings) {
     return attempt;
   }
   attempt.figures = *figures;
-  const double load = bounds_.load(attempt.figures.quality);
-  const bool nearer = !nearest_ || load < bounds_.load(nearest_->figures.quality);
-  if (nearer) nearest_ = attempt;
-  if (load <= 1 && (!best_ || cost(attempt) < cost(*best_))) {
-    best_ = attempt;
-    coder_.keep();
+  const double load = bounds().load(attempt.figures.quality);
+  if (!nearest_ || load < bounds().load(nearest_->figures.quality)) {
+    nearest_ = attempt;
+    nearest_->figures.coded = nullptr;
   }
+  if (load <= 1 && (!best_ || cost(attempt) < cost(*best_))) best_ = attempt;
   return attempt;
 }
 
 double Trials::cost(const Attempt& attempt) const noexcept {
   const Quality& quality = attempt.figures.quality;
-  const bool landed = bounds_.positional() ? bounds_.positional_load(quality) >= kLandedLoad
-                                           : bounds_.visual_load(quality) >= kLandedLoad;
-  const bool fits = !target_bytes_ || attempt.figures.bytes <= *target_bytes_;
+  const bool landed = bounds().positional() ? bounds().positional_load(quality) >= kLandedLoad
+                                            : bounds().visual_load(quality) >= kLandedLoad;
+  const bool fits = !goal_.target_bytes || attempt.figures.bytes <= *goal_.target_bytes;
   return static_cast<double>(attempt.figures.bytes) * (landed && fits ? 1 : kLandingWorth);
 }
 
@@ -204,7 +203,7 @@ double coarsest_step(TrialCoder& coder) {
   return largest > 0 ? 8 * largest : 1;
 }
 
-double step_for_delta_error(TrialCoder& coder, CoderSettings settings, double wanted) {
+double step_for_delta_error(TrialCoder& coder, HighpassSettings settings, double wanted) {
   const double coarsest = coarsest_step(coder);
   double low = 0;
   double high = coarsest;
@@ -225,7 +224,7 @@ double step_for_delta_error(TrialCoder& coder, CoderSettings settings, double wa
   return step;
 }
 
-Result<Attempt> search_step(Trials& trials, CoderSettings settings, Watch watch, const StepGoal& goal) {
+Result<Attempt> search_step(Trials& trials, HighpassSettings settings, Watch watch, const StepGoal& goal) {
   return StepSearch(trials, settings, watch, goal).run();
 }
 

@@ -4,43 +4,32 @@
 // The step at which a bound is just kept.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <optional>
 
-#include "quality/bounds.h"
+#include "quality/rate_goal.h"
 #include "quality/trial.h"
 
 namespace deltamesh {
 
-/// One run of the coder.
-struct Attempt {
-  CoderSettings settings{};
-  TrialFigures figures{};
-
-  /// Otherwise the stream of these settings breaks a rule of the format [DELT-3, DELT-4, GEO-1, HDR-9], and
-  /// the figures are infinite.
-  bool decodes() const noexcept { return std::isfinite(figures.quality.max_error); }
-};
-
-/// Runs a coder under bounds, remembers the best stream so far.
+/// Runs a coder for a goal, remembers the best stream so far.
 class Trials {
  public:
-  /// `target_bytes`: a stream should not have more.
-  Trials(TrialCoder& coder, const Bounds& bounds, std::optional<std::uint64_t> target_bytes = std::nullopt)
-      : coder_(coder), bounds_(bounds), target_bytes_(target_bytes) {}
+  Trials(TrialCoder& coder, const RateGoal& goal) : coder_(coder), goal_(goal) {}
 
   TrialCoder& coder() noexcept { return coder_; }
-  const Bounds& bounds() const noexcept { return bounds_; }
+  const RateGoal& goal() const noexcept { return goal_; }
+  const Bounds& bounds() const noexcept { return goal_.bounds; }
 
   /// Errors: those of TrialCoder::run but kInvalidStream, which gives an attempt that does not decode.
-  Result<Attempt> run(const CoderSettings& settings);
+  Result<Attempt> run(const HighpassSettings& settings);
 
   /// Of the attempts that keep all bounds, the one of fewest bytes; one that comes near a bound (a load of at
   /// least kLandedLoad) may have kLandingWorth times as many if the target allows. Empty where none keeps
   /// them.
   const std::optional<Attempt>& best() const noexcept { return best_; }
-  /// The attempt of smallest load, whether it keeps the bounds or not. Empty where none decodes.
+  /// The attempt of smallest load, whether it keeps the bounds or not, without what was coded. Empty where
+  /// none decodes.
   const std::optional<Attempt>& nearest() const noexcept { return nearest_; }
   /// What the last attempt that does not decode breaks.
   const std::optional<Error>& failure() const noexcept { return failure_; }
@@ -53,8 +42,7 @@ class Trials {
   double cost(const Attempt& attempt) const noexcept;
 
   TrialCoder& coder_;
-  Bounds bounds_;
-  std::optional<std::uint64_t> target_bytes_;
+  RateGoal goal_;
   std::optional<Attempt> best_;
   std::optional<Attempt> nearest_;
   std::optional<Error> failure_;
@@ -76,11 +64,11 @@ struct StepGoal {
 /// is seen in advance; a stream that does not decode has a step by far too large. Where shrinking the step no
 /// longer helps, anchors get more bits. Ends at the coarsest step, where all symbols are 0, even if the load
 /// is below goal.tight. Returns the run with the largest load of at most 1, else that with the smallest.
-Result<Attempt> search_step(Trials& trials, CoderSettings settings, Watch watch, const StepGoal& goal);
+Result<Attempt> search_step(Trials& trials, HighpassSettings settings, Watch watch, const StepGoal& goal);
 
 /// The step at which the delta error is `wanted`, all else as in `settings`, from whose step the search
 /// starts; at most coarsest_step(). A few delta errors' cost.
-double step_for_delta_error(TrialCoder& coder, CoderSettings settings, double wanted);
+double step_for_delta_error(TrialCoder& coder, HighpassSettings settings, double wanted);
 
 /// At this step and above all symbols are 0.
 double coarsest_step(TrialCoder& coder);

@@ -34,7 +34,7 @@ class Thinning {
       const std::uint32_t least = broken_ ? broken_->settings.anchors + 1 : fewest_;
       if (kept_.settings.anchors <= least) break;
       count = std::clamp(count, least, kept_.settings.anchors - 1);
-      CoderSettings settings = kept_.settings;
+      HighpassSettings settings = kept_.settings;
       settings.anchors = count;
       settings.step *= step_share_;
       DELTAMESH_TRY(const Attempt attempt, trials_.run(settings));
@@ -65,7 +65,7 @@ class Thinning {
     const double bound = bounds.lfe ? *bounds.lfe : *bounds.max_error;
     const double room = bound * std::sqrt(1 - load_of(kept_) * load_of(kept_));
     const double cells = trials_.coder().longest_side() / (kFirstCell * room);
-    CoderSettings settings = kept_.settings;
+    HighpassSettings settings = kept_.settings;
     settings.anchor_bits =
         std::clamp(static_cast<int>(portable_log2(cells + 1)), kFewestAnchorBits, settings.anchor_bits);
     for (; settings.anchor_bits >= kFewestAnchorBits; --settings.anchor_bits) {

@@ -1,34 +1,42 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What rate control turns, and what it sees: a geometry coder behind an interface without bytes, so that
-// rate control can be tested on formulas.
+// What rate control sees of a geometry coder: an interface without bytes, so that rate control can be tested
+// on formulas.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "deltamesh/result.h"
 #include "deltamesh/stream_info.h"
+#include "geometry/highpass_settings.h"
 
 namespace deltamesh {
 
-/// Settings of the highpass coder, as rate control chooses them.
-struct CoderSettings {
-  double step = 1;                            ///< of delta coordinates, model units, above 0
-  double rate_weight = 0;                     ///< 0 or more; more makes symbols cheaper and errors larger
-  bool centroids = true;                      ///< reconstruct at the centroids of bins: a lower VDE
-  double diffusion = 0;                       ///< strength of error diffusion, 0 to 1
-  std::uint32_t anchors = 0;                  ///< the first so many of the anchor sequence
-  std::vector<std::uint32_t> more_anchors{};  ///< vertices that are anchors besides
-  int anchor_bits = 12;                       ///< 4 to 24
+/// What a coder has made in a run, for itself.
+struct CodedTrial {
+  virtual ~CodedTrial() = default;
 };
 
 struct TrialFigures {
   Quality quality{};
   std::uint64_t bytes = 0;    ///< of the whole stream
   std::uint32_t density = 0;  ///< v: most edges from a vertex to its nearest anchor
+  std::shared_ptr<const CodedTrial> coded{};
+};
+
+/// One run of the coder.
+struct Attempt {
+  HighpassSettings settings{};
+  TrialFigures figures{};
+
+  /// Otherwise the stream of these settings breaks a rule of the format [DELT-3, DELT-4, GEO-1, HDR-9], and
+  /// the figures are infinite.
+  bool decodes() const noexcept { return std::isfinite(figures.quality.max_error); }
 };
 
 /// A mesh that can be coded under any settings.
@@ -40,18 +48,17 @@ class TrialCoder {
   virtual ~TrialCoder() = default;
 
   /// Codes, decodes and measures. Dear: a solve.
-  virtual Result<TrialFigures> run(const CoderSettings& settings) = 0;
+  virtual Result<TrialFigures> run(const HighpassSettings& settings) = 0;
   /// Codes only; TrialFigures::bytes.
-  virtual Result<std::uint64_t> bytes(const CoderSettings& settings) = 0;
+  virtual Result<std::uint64_t> bytes(const HighpassSettings& settings) = 0;
   /// Root mean square of the error of the quantised deltas; infinite where the step is too small to code.
   /// Cheap. VDE is proportional to it, whatever the step and the strength of diffusion.
-  virtual double delta_error(const CoderSettings& settings) = 0;
+  virtual double delta_error(const HighpassSettings& settings) = 0;
 
-  /// The result of the last run() is the one to write, unless a later one is kept instead.
-  virtual void keep() = 0;
-  /// At most `count` vertices of the last run() whose error is largest among the vertices around them and
+  /// At most `count` vertices of a run that decodes whose error is largest among the vertices around them and
   /// above `threshold`, largest first.
-  virtual std::vector<std::uint32_t> worst_vertices(double threshold, std::size_t count) = 0;
+  virtual std::vector<std::uint32_t> worst_vertices(const Attempt& attempt, double threshold,
+                                                    std::size_t count) = 0;
 
   /// Anchors of container `density`, at least fewest_anchors().
   virtual std::uint32_t anchors_for_density(std::uint32_t density) = 0;

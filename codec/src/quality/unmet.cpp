@@ -18,7 +18,8 @@ Error unmet(const char* message, double best_value, std::uint64_t best_bytes) no
 
 }  // namespace
 
-Result<void> check_met(const RateGoal& goal, const Trials& trials) noexcept {
+Result<void> check_met(const Trials& trials) noexcept {
+  const RateGoal& goal = trials.goal();
   if (const auto& best = trials.best()) {
     if (goal.target_bytes && best->figures.bytes > *goal.target_bytes)
       return unmet("the quality asked for needs more bytes than allowed", 0, best->figures.bytes);
@@ -36,9 +37,10 @@ Result<void> check_met(const RateGoal& goal, const Trials& trials) noexcept {
   return unmet("the maximum error asked for cannot be had for this mesh", quality.max_error, nearest.bytes);
 }
 
-Result<void> check_rival(const RateGoal& goal, const CoderSettings& settings, TrialCoder& coder) {
+Result<void> check_rival(const HighpassSettings& settings, Trials& trials) {
+  const RateGoal& goal = trials.goal();
   if (!goal.rival_bytes) return {};
-  DELTAMESH_TRY(const std::uint64_t bytes, coder.bytes(settings));
+  DELTAMESH_TRY(const std::uint64_t bytes, trials.coder().bytes(settings));
   if (!goal.loses(bytes, goal.effort <= kOnePassEffort ? 1 : kHopelessShare)) return {};
   return unmet("another coder makes a smaller stream", 0, bytes);
 }

@@ -4,7 +4,6 @@
 // What to tell a caller whose request cannot be kept.
 #pragma once
 
-#include "quality/rate_control.h"
 #include "quality/step_search.h"
 
 namespace deltamesh {
@@ -12,13 +11,13 @@ namespace deltamesh {
 /// Nothing where `trials` has a stream that keeps everything asked. Otherwise kUnmetRequest with the figure
 /// that the nearest stream has where it breaks a bound most, and its size; or, where no stream decodes, why
 /// not. Precondition: something has been run.
-Result<void> check_met(const RateGoal& goal, const Trials& trials) noexcept;
+Result<void> check_met(const Trials& trials) noexcept;
 
 /// `bytes`: of the smallest stream there can be.
 Error too_few_bytes(std::uint64_t bytes) noexcept;
 
 /// Before anything is solved: kUnmetRequest where `settings`, a guess, would make a stream that loses to the
 /// rival's: at all at effort 0 and 1, by more than what a search may save from then on. A coding's cost.
-Result<void> check_rival(const RateGoal& goal, const CoderSettings& settings, TrialCoder& coder);
+Result<void> check_rival(const HighpassSettings& settings, Trials& trials);
 
 }  // namespace deltamesh

@@ -19,10 +19,10 @@ constexpr double kLowRateBits = 7;
 
 }  // namespace
 
-double step_from_vde(TrialCoder& coder, const CoderSettings& settings, double vde) {
+double step_from_vde(TrialCoder& coder, const HighpassSettings& settings, double vde) {
   const double diffused = 1 + kDiffusionCost * settings.diffusion;
   const double delta_error = vde / (kVdePerDeltaError * diffused);
-  CoderSettings plain = settings;  // many times as quick to measure
+  HighpassSettings plain = settings;  // many times as quick to measure
   plain.diffusion = 0;
   plain.rate_weight = 0;
   plain.step = step_for_delta_error(coder, plain, delta_error);
@@ -36,7 +36,7 @@ StepGoal step_goal(int effort) noexcept {
   return {.aim = 0.99, .tight = 0.98, .corrections = 7};
 }
 
-CoderSettings settings_for_vde(TrialCoder& coder, CoderSettings settings, double vde, int effort) {
+HighpassSettings settings_for_vde(TrialCoder& coder, HighpassSettings settings, double vde, int effort) {
   settings.step = step_from_vde(coder, settings, vde);
   const bool low_rate = portable_log2(coder.delta_range() / settings.step) < kLowRateBits;
   if (effort < kFrugalEffort || !low_rate) return settings;
@@ -45,16 +45,17 @@ CoderSettings settings_for_vde(TrialCoder& coder, CoderSettings settings, double
   return settings;
 }
 
-Result<void> control_visual(const RateGoal& goal, CoderSettings settings, Trials& trials) {
+Result<void> control_visual(HighpassSettings settings, Trials& trials) {
+  const RateGoal& goal = trials.goal();
   const StepGoal near = step_goal(goal.effort);
   settings.step = trials.coder().longest_side() / 1024;
-  const CoderSettings chosen =
+  const HighpassSettings chosen =
       settings_for_vde(trials.coder(), settings, near.aim * *goal.bounds.vde, goal.effort);
-  DELTAMESH_CHECK(check_rival(goal, chosen, trials.coder()));
+  DELTAMESH_CHECK(check_rival(chosen, trials));
   DELTAMESH_TRY(const Attempt landed, search_step(trials, chosen, Watch::kAll, near));
   const bool all_zero = landed.settings.step >= coarsest_step(trials.coder());
   if (!all_zero || goal.anchors || goal.effort <= 1) return {};
-  CoderSettings fewest = landed.settings;  // nothing but anchors is left to be saved
+  HighpassSettings fewest = landed.settings;  // nothing but anchors is left to be saved
   fewest.anchors = trials.coder().fewest_anchors();
   DELTAMESH_TRY([[maybe_unused]] const Attempt last, trials.run(fewest));
   return {};

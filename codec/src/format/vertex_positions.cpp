@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "geometry/vertex_positions.h"
+#include "format/vertex_positions.h"
 
 #include <algorithm>
 #include <bit>

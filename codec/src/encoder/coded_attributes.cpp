@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "encoder/coded_attributes.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "attributes/attribute.h"
+#include "base/try.h"
+#include "format/tags.h"
+#include "format/vertex_positions.h"
+
+namespace deltamesh {
+
+bool attributes_use_positions(const MeshView& mesh, const EncodeOptions& options) noexcept {
+  const auto on_surface = [](const AttributeView& attribute) {
+    return attribute.kind == AttributeKind::kNormal || attribute.kind == AttributeKind::kTangent ||
+           attribute.kind == AttributeKind::kUv;
+  };
+  return options.profile == Profile::kSmallest &&
+         std::any_of(mesh.attributes.begin(), mesh.attributes.end(), on_surface);
+}
+
+Result<ChunkList> code_attributes(const MeshView& mesh, const CodedTopology& topology,
+                                  const EncodeOptions& options, std::span<const float> positions) {
+  const std::span<const std::uint32_t> copies =
+      topology.has_seams ? topology.seams.split.geometric : std::span<const std::uint32_t>();
+  const bool is_split = !copies.empty() && !positions.empty();
+  const std::vector<float> split = is_split ? copy_rows(positions, copies) : std::vector<float>();
+  const AttributeSurface surface(topology.triangles(), topology.vertex_count(), copies,
+                                 is_split ? split : positions);
+  const AttributeSettings settings{
+      .quality = options.attributes, .plain = options.profile == Profile::kZstd, .effort = options.effort};
+  const auto& attributes = mesh.attributes;
+  std::vector<CodedAttribute> coded(attributes.size());
+  std::vector<Attribute> decoded(attributes.size());
+  for (const bool after_others : {false, true}) {
+    for (std::size_t i = 0; i < attributes.size(); ++i) {
+      if (decoded_after_others(attributes[i].kind) != after_others) continue;
+      DELTAMESH_TRY(coded[i],
+                    write_attribute(attributes[i], topology.vertex_order(), settings, surface, decoded));
+      decoded[i] = std::move(coded[i].decoded);
+    }
+  }
+  ChunkList chunks(options);
+  for (CodedAttribute& attribute : coded)
+    DELTAMESH_CHECK(chunks.add(kTagAttribute, std::move(attribute.plain), std::move(attribute.compact),
+                               std::move(attribute.descriptor)));
+  return chunks;
+}
+
+}  // namespace deltamesh

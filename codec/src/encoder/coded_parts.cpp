@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "encoder/coded_parts.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "base/try.h"
+#include "encoder/byte_budget.h"
+#include "encoder/coded_attributes.h"
+#include "encoder/default_quality.h"
+#include "encoder/geometry_task.h"
+#include "quality/unmet.h"
+
+namespace deltamesh {
+namespace {
+
+/// Stage ends as shares of the whole time, for the progress callback.
+constexpr double kGeometryDone = 0.75;
+constexpr double kAttributesDone = 0.95;
+
+/// No attribute loses a bit.
+const AttributeQuality kExactly{.normal_error = 0, .tangent_error = 0, .uv_error = 0, .weight_error = 0};
+
+QualityRequest default_request(const PartsTask& task) {
+  return default_quality(task.source.triangles, task.source.positions, task.source.box);
+}
+
+std::uint64_t bytes_of(const PartsTask& task, const CodedParts& parts) {
+  return StreamRest{task.header, task.chunk_bytes + parts.attributes.bytes()}.bytes_with(parts.geometry);
+}
+
+/// Attributes within their own bounds, on the geometry that keeps its own.
+Result<CodedParts> code_asked(const PartsTask& task, const EncodeOptions& options) {
+  const auto code_on = [&](std::span<const float> positions) {
+    return code_attributes(task.mesh, task.topology, options, positions);
+  };
+  AttributeBytes attribute_bytes;
+  if (attributes_use_positions(task.mesh, options)) {
+    attribute_bytes = [&](std::span<const float> positions) -> Result<std::uint64_t> {
+      DELTAMESH_TRY(const auto coded, code_on(positions));
+      return coded.bytes();
+    };
+  }
+  const StreamRest rest{task.header, task.chunk_bytes};
+  DELTAMESH_TRY(auto geometry, code_geometry({options, task.source, rest, attribute_bytes}));
+  if (options.progress) options.progress(kGeometryDone);
+  DELTAMESH_TRY(auto attributes, code_on(geometry.positions));
+  if (options.progress) options.progress(kAttributesDone);
+  return CodedParts{std::move(geometry), std::move(attributes)};
+}
+
+/// All errors grow and shrink together until the stream has the bytes asked for.
+Result<CodedParts> share_bytes(const PartsTask& task, const EncodeOptions& asked) {
+  const std::uint64_t target = *asked.quality.target_bytes;
+  const double unit = default_request(task).max_error->value;
+  std::optional<CodedParts> best;
+  std::uint64_t fewest = ~std::uint64_t{0};
+  ScaleSearch search(target);
+  for (int i = 0; i < 6 + asked.effort && !search.is_done(); ++i) {
+    EncodeOptions options = asked;
+    options.quality = {.max_error = QualityBound{search.scale() * unit}};
+    options.attributes = scaled(asked.attributes, search.scale());
+    DELTAMESH_TRY(CodedParts parts, code_asked(task, options));
+    const std::uint64_t bytes = bytes_of(task, parts);
+    fewest = std::min(fewest, bytes);
+    if (search.tell(bytes)) best = std::move(parts);
+  }
+  if (search.has_room() && asked.profile == Profile::kSmallest &&
+      asked.geometry != GeometryCoder::kHighpass) {
+    EncodeOptions options = asked;
+    options.quality = {};
+    options.lossless = true;
+    options.attributes = kExactly;
+    DELTAMESH_TRY(CodedParts parts, code_asked(task, options));
+    if (bytes_of(task, parts) <= target) return parts;
+  }
+  if (best) return *std::move(best);
+  return too_few_bytes(fewest);
+}
+
+/// The best geometry beside attributes within their bounds, in no more than the bytes asked for. What these
+/// take depends on the positions, and what is left for positions on the attributes.
+Result<CodedParts> fit_geometry(const PartsTask& task, const EncodeOptions& options) {
+  constexpr int kMostFits = 3;
+  std::optional<CodedParts> best;
+  DELTAMESH_TRY(ChunkList attributes, code_attributes(task.mesh, task.topology, options, {}));
+  std::uint64_t fewest = ~std::uint64_t{0};
+  for (int i = 0; i < kMostFits; ++i) {
+    const StreamRest rest{task.header, task.chunk_bytes + attributes.bytes()};
+    auto geometry = code_geometry({options, task.source, rest});
+    if (!geometry && !best) return geometry.error();
+    if (!geometry) break;
+    DELTAMESH_TRY(attributes, code_attributes(task.mesh, task.topology, options, geometry->positions));
+    CodedParts parts{*std::move(geometry), attributes};
+    const std::uint64_t bytes = bytes_of(task, parts);
+    fewest = std::min(fewest, bytes);
+    if (bytes <= *options.quality.target_bytes)
+      best = std::move(parts);
+    else if (best)
+      break;
+  }
+  if (options.progress) options.progress(kAttributesDone);
+  if (best) return *std::move(best);
+  return too_few_bytes(fewest);
+}
+
+}  // namespace
+
+Result<CodedParts> code_parts(const PartsTask& task) {
+  EncodeOptions options = task.options;
+  if (options.lossless) options.attributes = kExactly;
+  const QualityRequest& quality = options.quality;
+  if (quality.target_bytes && !task.mesh.attributes.empty()) {
+    const bool bytes_alone = !quality.vde && !quality.lfe && !quality.max_error;
+    return bytes_alone ? share_bytes(task, options) : fit_geometry(task, options);
+  }
+  if (!asks_for_nothing(options)) return code_asked(task, options);
+  options.quality = default_request(task);
+  auto parts = code_asked(task, options);
+  if (parts || parts.error().code != ErrorCode::kUnmetRequest) return parts;
+  // A highpass stream, where the profile asks for one, may not reach the default: the best that it can do.
+  options.quality = {};
+  options.bits = 16;
+  return code_asked(task, options);
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Rate control's trials on a real mesh: coded, decoded, measured.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "encoder/coded_geometry.h"
+#include "encoder/source_geometry.h"
+#include "geometry/highpass.h"
+#include "laplacian/anchor_sequence.h"
+#include "quality/bounds.h"
+#include "quality/trial.h"
+
+namespace deltamesh {
+
+class HighpassTrials final : public TrialCoder {
+ public:
+  /// `anchors`: of the source's graph. All arguments must outlive the trials.
+  HighpassTrials(const EncodeOptions& options, const SourceGeometry& source, AnchorSequence& anchors,
+                 const StreamRest& rest);
+
+  /// Settled positions, with room for what plan() may cost in quality.
+  Result<TrialFigures> run(const HighpassSettings& settings) override;
+  Result<std::uint64_t> bytes(const HighpassSettings& settings) override;
+  double delta_error(const HighpassSettings& settings) override { return coder_.delta_error(settings); }
+  std::vector<std::uint32_t> worst_vertices(const Attempt& attempt, double threshold,
+                                            std::size_t count) override;
+  std::uint32_t anchors_for_density(std::uint32_t density) override;
+  std::uint32_t fewest_anchors() override { return anchors_.fewest(); }
+  std::uint32_t most_anchors() override { return anchors_.most(); }
+  double largest_delta() override { return coder_.largest_delta(); }
+  double delta_range() override { return coder_.range(); }
+  double longest_side() override { return source_.box.longest_side(); }
+  bool has_small_components() override { return anchors_.most() < source_.positions.size(); }
+
+  double step_for_bits(int bits) const noexcept { return coder_.step_for_bits(bits); }
+
+  /// What run() made of the attempt.
+  static const CodedGeometry& geometry(const Attempt& attempt) noexcept;
+
+  /// The same mesh with the fewest planned cycles that keep `bounds` in hardly more bytes than `attempt`
+  /// takes, and at most `most_bytes`; the attempt itself where no number of cycles does. Cost: some solves.
+  CodedGeometry plan(const Attempt& attempt, const Bounds& bounds, std::optional<std::uint64_t> most_bytes);
+
+ private:
+  Result<CodedGeometry> to_geometry(const CodedHighpass& coded) const;
+
+  const EncodeOptions& options_;
+  const SourceGeometry& source_;
+  AnchorSequence& anchors_;
+  StreamRest rest_;
+  HighpassCoder coder_;
+};
+
+}  // namespace deltamesh
