@@ -3,6 +3,7 @@ import numpy as np
 
 from coder import Coder
 from container import Reader, must, unzigzag
+from fields import FLD_8_two_walks
 
 def is_solved(component):
     return len(component) >= 8
@@ -24,10 +25,10 @@ def DELT_2_deltas(chunk, header, around, solved):
     return np.array([[delta(x) for x in row] for row in q]).reshape(s, 3)
 
 def DELT_5_compact(data, around, solved):
-    from fields import FLD_numbers
-    renumbered = {v: i for i, v in enumerate(solved)}
-    graph = [[renumbered[u] for u in around[v]] for v in solved]
-    return FLD_numbers(data, graph)
+    number, coder = {v: i for i, v in enumerate(solved)}, Coder(data)
+    q = FLD_8_two_walks(coder, [[number[u] for u in around[v]] for v in solved])
+    coder.end()
+    return q
 
 def DELT_4_least_squares(graph, deltas, places):
     """The solution on a graph whose vertices count from 0; `places` are the anchors' positions by their vertices."""
