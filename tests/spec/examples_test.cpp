@@ -13,6 +13,10 @@
 #include <vector>
 
 #include "connectivity/connectivity.h"
+#include "connectivity/face_groups.h"
+#include "connectivity/order.h"
+#include "connectivity/seams.h"
+#include "geometry/anchor_list.h"
 #include "predictive/positions.h"
 
 namespace deltamesh {
@@ -45,13 +49,73 @@ TEST(Examples, CONN1CONN4CONN5CONN6CONN9CONN12CONN13TwoTriangles) {
   const auto faces = line_of<std::uint32_t>("conn.md", "faces", false);
   for (const Payload& payload : {Payload(plain), Payload::compact(compact)}) {
     const auto read = read_connectivity(payload, 4, 2);
-    ASSERT_TRUE(read);
+    ASSERT_TRUE(read) << describe(read.error());
     EXPECT_EQ(read->triangles, faces);
     EXPECT_EQ(read->open_edges.size(), 4U);
   }
   const CodedConnectivity coded = write_connectivity(faces, 4);
   EXPECT_EQ(coded.payload, plain);
   EXPECT_EQ(coded.compact, compact);
+}
+
+const std::vector<std::uint32_t> kTwoTriangles = {0, 1, 2, 2, 1, 3};
+
+TEST(Examples, SEAM2SEAM3SEAM4SEAM5SEAM6SEAM7SEAM8ATornEdge) {
+  const auto plain = bytes_of("seam.md", "plain");
+  const auto compact = bytes_of("seam.md", "compact");
+  const auto faces = line_of<std::uint32_t>("seam.md", "faces", false);
+  for (const Payload& payload : {Payload(plain), Payload::compact(compact)}) {
+    const auto read = read_seams(payload, kTwoTriangles, 4, 6);
+    ASSERT_TRUE(read) << describe(read.error());
+    EXPECT_EQ(read->triangles, faces);
+  }
+  const CodedSeams coded = write_seams(kTwoTriangles, 4, faces, {});
+  EXPECT_EQ(coded.payload, plain);
+  EXPECT_EQ(coded.compact, compact);
+}
+
+TEST(Examples, FGRP1FGRP2FGRP3TwoGroups) {
+  const auto plain = bytes_of("fgrp.md", "plain");
+  const auto compact = bytes_of("fgrp.md", "compact");
+  const auto groups = line_of<std::uint32_t>("fgrp.md", "groups", false);
+  for (const Payload& payload : {Payload(plain), Payload::compact(compact)})
+    EXPECT_EQ(*read_face_groups(payload, kTwoTriangles, 4), groups);
+  const CodedFaceGroups coded = write_face_groups(groups, kTwoTriangles, 4);
+  EXPECT_EQ(coded.payload, plain);
+  EXPECT_EQ(coded.compact, compact);
+}
+
+TEST(Examples, ORDR1ORDR2ORDR3ORDR4ORDR5ORDR6TwoTriangles) {
+  const auto plain = bytes_of("ordr.md", "plain");
+  const auto compact = bytes_of("ordr.md", "compact");
+  const MeshOrder order{.vertices = line_of<std::uint32_t>("ordr.md", "vertices", false),
+                        .faces = line_of<std::uint32_t>("ordr.md", "faces", false),
+                        .rotation = line_of<std::uint8_t>("ordr.md", "rotations", false)};
+  for (const Payload& payload : {Payload(plain), Payload::compact(compact)}) {
+    const auto read = read_order(payload, kTwoTriangles, 4);
+    ASSERT_TRUE(read) << describe(read.error());
+    EXPECT_EQ(read->vertices, order.vertices);
+    EXPECT_EQ(read->faces, order.faces);
+    EXPECT_EQ(read->rotation, order.rotation);
+  }
+  const CodedOrder coded = write_order(order, kTwoTriangles);
+  EXPECT_EQ(coded.payload, plain);
+  EXPECT_EQ(coded.compact, compact);
+}
+
+TEST(Examples, ANCH1ANCH3ANCH4ANCH5TwoAnchors) {
+  const auto plain = bytes_of("anch.md", "plain");
+  const auto compact = bytes_of("anch.md", "compact");
+  const AnchorList list{.gaps = line_of<std::uint32_t>("anch.md", "gaps", false),
+                        .steps = line_of<std::uint32_t>("anch.md", "cells", false)};
+  for (const Payload& payload : {Payload(plain), Payload::compact(compact)}) {
+    const auto read = read_anchors(payload, 2);
+    ASSERT_TRUE(read) << describe(read.error());
+    EXPECT_EQ(read->gaps, list.gaps);
+    EXPECT_EQ(read->steps, list.steps);
+  }
+  EXPECT_EQ(write_plain_anchors(list), plain);
+  EXPECT_EQ(write_compact_anchors(list), compact);
 }
 
 TEST(Examples, POSN1POSN2POSN3POSN4POSN5POSN6POSN8FourPoints) {
