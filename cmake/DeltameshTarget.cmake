@@ -5,6 +5,9 @@ function(deltamesh_configure target)
                         VISIBILITY_INLINES_HIDDEN ON POSITION_INDEPENDENT_CODE ON)
   # The same floats from every compiler: no fused multiply-add that the source does not ask for.
   target_compile_options(${target} PRIVATE -ffp-contract=off)
+  if(CMAKE_SIZEOF_VOID_P EQUAL 4 AND CMAKE_SYSTEM_PROCESSOR MATCHES "86")
+    target_compile_options(${target} PRIVATE -msse2 -mfpmath=sse)
+  endif()
   if(DELTAMESH_DEVELOPER_MODE)
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
                                              -Werror)

@@ -1,43 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// decode_hash STREAM...: prints a hash of the bits of every stream's decoded positions and
-// attributes (scripts/check-bits).
+// decode_hash STREAM...: prints a hash of every stream's decoded mesh (scripts/check-platforms). Fails where
+// several threads decode another one than a single thread.
 #include <cinttypes>
-#include <cstddef>
-#include <cstdint>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
-#include <span>
-#include <vector>
 
+#include "bits/hash.h"
 #include "deltamesh/decode.h"
 
-namespace {
-
-/// FNV-1a over the bytes of positions and attributes.
-std::uint64_t hash_of(const deltamesh::Mesh& mesh) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  const auto add = [&hash](std::span<const std::byte> bytes) {
-    for (const std::byte byte : bytes) hash = (hash ^ static_cast<std::uint64_t>(byte)) * 0x100000001b3;
-  };
-  add(std::as_bytes(std::span(mesh.positions)));
-  for (const deltamesh::Attribute& attribute : mesh.attributes) add(attribute.values);
-  return hash;
-}
-
-}  // namespace
-
 int main(int argc, char** argv) {
+  using namespace deltamesh;
   for (int i = 1; i < argc; ++i) {
-    std::ifstream file(argv[i], std::ios::binary);
-    const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
-    const auto mesh = deltamesh::decode(std::as_bytes(std::span(bytes)));
-    if (!mesh) {
-      std::fprintf(stderr, "%s: %s\n", argv[i], deltamesh::describe(mesh.error()).c_str());
+    const std::vector<char> file = test::read_file(argv[i]);
+    const auto stream = std::as_bytes(std::span(file));
+    const auto mesh = decode(stream);
+    const auto shared = decode(stream, {.threads = 3});
+    if (!mesh || !shared) {
+      std::fprintf(stderr, "%s: %s\n", argv[i], describe((mesh ? shared : mesh).error()).c_str());
       return 1;
     }
-    std::printf("%016" PRIx64 " %s\n", hash_of(*mesh), argv[i]);
+    const std::uint64_t hash = test::hash_of(*mesh);
+    if (test::hash_of(*shared) != hash) {
+      std::fprintf(stderr, "%s: three threads decode another mesh than one\n", argv[i]);
+      return 1;
+    }
+    std::printf("%016" PRIx64 " %s\n", hash, argv[i]);
   }
 }

@@ -83,7 +83,7 @@ std::uint64_t bits_of_number(ComponentType type, double x) noexcept {
 std::int32_t ComponentLattice::rest() const noexcept {
   if (kind == LatticeKind::kPoints)
     return static_cast<std::int32_t>(std::clamp(-base, std::int64_t{0}, std::int64_t{cells}));
-  const auto clear = std::ranges::find(values, 0U);
+  const auto clear = std::find(values.begin(), values.end(), 0U);
   return clear == values.end() ? 0 : static_cast<std::int32_t>(clear - values.begin());
 }
 

@@ -94,7 +94,7 @@ bool code_ordinals(Coder& coder, const FieldFaces& over, const std::array<int, 3
       },
       [&](const Ordinals& before, Ordinals& row) {
         copies.code(before, row);
-        return std::ranges::all_of(row, [](std::int32_t z) { return is_finite_ordinal(z); });
+        return std::all_of(row.begin(), row.end(), is_finite_ordinal);
       });
 }
 

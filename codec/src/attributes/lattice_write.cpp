@@ -56,7 +56,7 @@ void write_numbers(CompactWriter& writer, const FieldFaces& over, GroupForm form
                    std::span<Cell> cells) {
   const std::vector<Cell> shared = over.first_copies(std::span<const Cell>(cells));
   SurfaceFieldShape& shape = form.shape;
-  const auto resting = static_cast<std::size_t>(std::ranges::count(shared, shape.rest));
+  const auto resting = static_cast<std::size_t>(std::count(shared.begin(), shared.end(), shape.rest));
   shape.sparse = kSparse * resting >= shared.size();
   shape.guesses = true;
   if (2 * resting < shared.size()) {  // else the rest is too little to fit a table to
@@ -82,7 +82,7 @@ std::optional<LatticeCoded> write_lattice(const AttributeView& attribute, const 
   if (!groups.empty()) {
     std::vector<std::vector<Cell>> cells;
     for (const FieldGroup& group : groups) cells.push_back(cells_of(group, *lattices, attribute.type, rows));
-    const bool joined = std::ranges::all_of(cells, [&](const std::vector<Cell>& group) {
+    const bool joined = std::all_of(cells.begin(), cells.end(), [&](const std::vector<Cell>& group) {
       return copies_agree(surface.geometric(), std::span<const Cell>(group));
     });
     const FieldFaces over(surface, joined);

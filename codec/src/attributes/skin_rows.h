@@ -91,7 +91,7 @@ bool code_joints(Coder& coder, const FieldFaces& over, std::uint32_t most, std::
       [&](std::uint32_t vertex, std::span<JointRow> all) { return joints.code_vertex(vertex, all); },
       [&](const JointRow& before, JointRow& row) {
         copies.code(before, row);
-        return std::ranges::all_of(row, [most](std::int32_t joint) {
+        return std::all_of(row.begin(), row.end(), [most](std::int32_t joint) {
           return joint >= 0 && static_cast<std::uint32_t>(joint) <= most;
         });
       });

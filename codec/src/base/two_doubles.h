@@ -6,6 +6,8 @@
 
 #include <simde/x86/sse2.h>
 
+#include "base/machine.h"
+
 namespace deltamesh {
 
 using TwoDoubles = double __attribute__((vector_size(16)));

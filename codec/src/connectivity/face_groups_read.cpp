@@ -24,7 +24,8 @@ Result<std::vector<std::uint32_t>> read_plain(std::span<const std::byte> bytes, 
   ByteReader in(bytes, kTagFaceGroups);
   DELTAMESH_TRY(std::vector<std::uint32_t> groups, read_planes(in, face_count));
   DELTAMESH_CHECK(in.finish());
-  if (std::ranges::any_of(groups, [](std::uint32_t g) { return g >= kMostGroups; })) return invalid("FGRP-1");
+  if (std::any_of(groups.begin(), groups.end(), [](std::uint32_t g) { return g >= kMostGroups; }))
+    return invalid("FGRP-1");
   return groups;
 }
 

@@ -121,8 +121,9 @@ class StreamDecoder {
     const auto takes_graph = [](const ChunkEntry& entry) {
       return entry.tag == kTagAttribute && entry.codec == ChunkCodec::kCompact;
     };
+    const auto chunks = container_.entries();
     if (ThreadTeam::current() != nullptr && !is_split() &&
-        std::ranges::any_of(container_.entries(), takes_graph))
+        std::any_of(chunks.begin(), chunks.end(), takes_graph))
       attribute_graph_ = graph_;
   }
 

@@ -4,6 +4,7 @@
 
 #include <zstd.h>
 
+#include "base/checked.h"
 #include "base/try.h"
 
 namespace deltamesh {
@@ -17,7 +18,7 @@ Result<ExpandedChunk> expand_chunk(const Container& container, const ChunkEntry&
   if (entry.codec != ChunkCodec::kZstd)
     return ExpandedChunk{.stored = coded, .is_compact = entry.codec == ChunkCodec::kCompact};
   // The buffer is sized by our own checked directory, never by what the frame says of itself.
-  std::vector<std::byte> bytes(static_cast<std::size_t>(entry.decoded_bytes));
+  std::vector<std::byte> bytes(memory_size(entry.decoded_bytes));
   const bool one_frame = ZSTD_findFrameCompressedSize(coded.data(), coded.size()) == coded.size();
   if (!one_frame || ZSTD_decompress(bytes.data(), bytes.size(), coded.data(), coded.size()) != bytes.size())
     return chunk_error(ErrorCode::kInvalidStream, "not one zstd frame of the length in the directory",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
+#include "base/checked.h"
 #include "entropy/planes.h"
 
 namespace deltamesh {
@@ -9,7 +10,7 @@ Result<std::vector<std::uint32_t>> read_planes(ByteReader& in, std::uint64_t cou
   if (planes > 4) return in.error(ErrorCode::kInvalidStream, "more than four byte planes", "CON-5");
   if (planes != 0 && count > in.remaining() / planes)
     return in.error(ErrorCode::kTruncated, "bytes end inside the byte planes", "CON-5");
-  std::vector<std::uint32_t> symbols(static_cast<std::size_t>(count));
+  std::vector<std::uint32_t> symbols(memory_size(count));
   for (unsigned plane = 0; plane < planes; ++plane) {
     DELTAMESH_TRY(const auto bytes, in.read_bytes(count));
     for (std::size_t i = 0; i < bytes.size(); ++i)

@@ -223,7 +223,8 @@ std::vector<std::byte> write_header(const FileHeader& header) {
 
 Result<void> read_signature(ByteReader& in) {
   DELTAMESH_TRY(const auto magic, in.read_bytes(kMagic.size()));
-  if (!std::ranges::equal(magic, std::as_bytes(std::span(kMagic))))
+  const auto expected = std::as_bytes(std::span(kMagic));
+  if (!std::equal(magic.begin(), magic.end(), expected.begin(), expected.end()))
     return in.error(ErrorCode::kBadMagic, "not a deltamesh stream", "HDR-1");
   DELTAMESH_TRY(const auto version, in.read<std::uint8_t>());
   if (version < kFirstDraft && version != kFormatVersion)

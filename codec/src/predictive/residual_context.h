@@ -208,7 +208,9 @@ class ResidualHistory {
     records_[vertex] = turn.record(cell);
   }
   /// Before the first vertex, where some will not be coded, as what they are is known.
-  void clear() noexcept { std::ranges::fill(records_, ResidualRecord{FourInts{}, FourInts{}}); }
+  void clear() noexcept {
+    std::fill(records_.begin(), records_.end(), ResidualRecord{FourInts{}, FourInts{}});
+  }
 
  private:
   ResidualRecord sum(const KnownFace& face) const noexcept {
