@@ -38,90 +38,58 @@ def ATTR_45_colours(r, a, surface):
     factor = 257 if a.type == "u2" and level_bits == 8 else 1
     return np.array([[x * factor for x in row] for row in levels], dtype="<" + a.type).reshape(surface.n, a.k)
 
-def size_class(x, unit, k):
-    return min(bits(math.floor(x * (F(1) / unit))), k)
-
 class ColourCoder:
+    """Colours, sizes and the like are vectors of the axes 0 to 3."""
     def __init__(self, coder, surface, axes, top, bound):
-        self.coder, self.surface, self.axes, self.top, self.bound = coder, surface, axes, F(top), bound
-        self.width = 2 * bound + 1
-        self.per_step = F(16) / F(self.width)
-        self.unit = max(F(self.width), F(top) / F(255))
-        self.colours, self.sizes, self.outcomes = [], [], []
+        self.coder, self.surface, self.axes, self.top, self.width = coder, surface, axes, F(top), 2 * bound + 1
+        self.per_step, self.unit = F(16) / F(self.width), max(F(self.width), F(top) / F(255))
+        self.colours, self.sizes, self.outcomes, self.around = [], [], [], neighbours(surface.faces, surface.n)
         self.copy_models, self.copy_weights = symbol_models((16, 6, 3, 30) + (1,) * 12), mixing_weights(2)
         self.models, self.weights, self.scaled = symbol_models(SYMBOL_WEIGHTS), mixing_weights(2), ScaledCoder()
-        self.around = neighbours(surface.faces, surface.n)
 
     def decode(self):
-        copies = self.coder.raw(1)
-        for v in range(self.surface.n):
-            near = self.ATTR_47_near(v)
+        copies, first = self.coder.raw(1), self.surface.first
+        for v, g in enumerate(self.surface.geometric):
+            near = ([v - 1] if v > first[g] else []) + [u for u in self.around[v][:4] if u < v]  # [ATTR-47]
             shares = self.ATTR_47_shares(v, near)
-            E = self.ATTR_48_expected(v, near, shares)
-            spread, before = self.ATTR_49_sums(near, shares, E)
-            outcome, colour = 2 if near or not copies else 3, None
-            if copies and near:
-                outcome, colour = self.ATTR_50_copy(near, shares)
-            self.ATTR_51_levels(colour, E, spread, before, bool(near))
+            E = self.mix(near, shares, self.colours) if near else self.colours[v - 1] if v else np.zeros(4, dtype=F)
+            E = np.clip(E, ZERO, self.top)  # [ATTR-48]
+            spread = self.mix(near, shares, {u: abs((d := self.colours[u] - E) - d[0] * F([0, 1, 1, 0])) for u in near})
+            outcome, colour = self.ATTR_50_copy(near, shares) if copies and near else (2 if near or not copies else 3, None)
+            self.ATTR_51_levels(colour, E, spread, self.mix(near, shares, self.sizes), bool(near))
             self.outcomes.append(outcome)
-        return [[int(x) for x in colour] for colour in self.colours]
-
-    def ATTR_47_near(self, v):
-        s = self.surface
-        copy = [v - 1] if v > s.first[s.geometric[v]] else []
-        return copy + [u for u in self.around[v][:4] if u < v]
+        return np.array(self.colours, dtype=np.int64).reshape(-1, 4).tolist()
 
     def ATTR_47_shares(self, v, near):
         distances, positions, s = [], self.surface.positions, ZERO
-        if positions is not None:
+        if positions is not None and near:
             for u in near:
                 x, y, z = positions[u] - positions[v]
                 distances.append((x * x + y * y) + z * z)
-            for d in distances:
-                s = s + d
-            s = s / F(len(near)) if near else s
-        if not near or not (np.isfinite(s) and s >= F(2**-126)):
+            s = sum(distances, ZERO) / F(len(near))
+        if not (np.isfinite(s) and s >= F(2**-126)):
             return [F(1) / F(max(len(near), 1))] * len(near)
-        weights, total = [], ZERO
-        for d in distances:
-            h = F(1) / (d * (F(1) / s) + F(0.25))
-            weights.append(h * h)
-            total = total + weights[-1]
-        return [w * (F(1) / total) for w in weights]
+        h = [F(1) / (d * (F(1) / s) + F(0.25)) for d in distances]
+        total = sum((x * x for x in h), ZERO)
+        return [x * x * (F(1) / total) for x in h]
 
     def mix(self, near, shares, of):
-        """The sum of of(u) over the near vertices, with their shares as factors, on four axes."""
-        sums = [ZERO] * 4
-        for u, share in zip(near, shares):
-            sums = [total + x * share for total, x in zip(sums, of(u))]
-        return sums
-
-    def ATTR_48_expected(self, v, near, shares):
-        E = self.mix(near, shares, self.colours.__getitem__) if near else self.colours[v - 1] if v else [ZERO] * 4
-        return [min(max(x, ZERO), self.top) for x in E]
-
-    def ATTR_49_sums(self, near, shares, E):
-        """The spread and Z'."""
-        def differences(u):
-            d = [c - e for c, e in zip(self.colours[u], E)]
-            return [abs(d[0]), abs(d[1] - d[0]), abs(d[2] - d[0]), abs(d[3])]
-        return self.mix(near, shares, differences), self.mix(near, shares, self.sizes.__getitem__)
+        """The sum over the near vertices, with their shares as factors."""
+        return sum((of[u] * share for u, share in zip(near, shares)), np.zeros(4, dtype=F))
 
     def ATTR_50_copy(self, near, shares):
         """The outcome, and the colour that is copied or None."""
-        candidates = []
+        def differ(u, w):
+            return np.any(self.colours[u] != self.colours[w])
+        candidates, farthest = [], ZERO
         for i in sorted(range(len(near)), key=lambda i: -shares[i]):
-            if all(self.colours[near[i]] != self.colours[u] for u in candidates) and len(candidates) < 3:
+            if all(differ(near[i], u) for u in candidates) and len(candidates) < 3:
                 candidates.append(near[i])
-        n, first = len(candidates), self.colours[candidates[0]]
-        share, farthest = ZERO, ZERO
-        for u, x in zip(near, shares):
-            if self.colours[u] == first:
-                share = share + x
+        n, share = len(candidates), sum((x for u, x in zip(near, shares) if not differ(u, candidates[0])), ZERO)
         for u in candidates[1:]:
-            d = [abs(x - y) for x, y in zip(self.colours[u], first)]
+            d = abs(self.colours[u] - self.colours[candidates[0]])
             farthest = max(farthest, (d[0] + d[1]) + (d[2] + d[3]))
-        s, d = min(math.floor(F(8) * share), 7), size_class(farthest, self.unit, 7)
+        s, d = min(math.floor(F(8) * share), 7), min(bits(math.floor(farthest * (F(1) / self.unit))), 7)
         t = [self.outcomes[u] for u in candidates] + [3] * (3 - n)
         models = [self.copy_models[0, (8 * (n - 1) + s) * 8 + d], self.copy_models[1, ((4 * t[0] + t[1]) * 4 + t[2]) * 3 + n - 1]]
         symbol = self.coder.symbol(models, self.copy_weights[2 * (n - 1) + (t[0] == 0)])
@@ -129,8 +97,8 @@ class ColourCoder:
 
     def ATTR_51_levels(self, colour, E, spread, before, has_near):
         """Decodes the levels where no colour is copied, and remembers what [ATTR-49] says."""
-        levels, e, r, sizes, coded = [ZERO] * 4, [ZERO] * 4, [ZERO] * 4, [ZERO] * 4, ZERO
-        parts = [z * HALF + x * F(0.625) for z, x in zip(before, spread)]
+        levels, e, r, coded = np.zeros(4, dtype=F), [ZERO] * 4, [ZERO] * 4, ZERO
+        size = before * HALF + spread * F(0.625)
         for a in range(self.axes):
             X = E[1] + e[0] if a == 1 else E[2] + (e[0] + e[1]) * HALF if a == 2 else E[a]
             X = min(max(X, ZERO), self.top)
@@ -138,29 +106,27 @@ class ColourCoder:
                 coded = abs(r[0]) if a == 1 else (coded + abs(r[a - 1])) * HALF
             if colour is None:
                 base = np.floor(X + HALF)
-                q = clamp(self.ATTR_52_number(a, X, base, parts, spread[a], coded), -2**17, 2**17)
-                levels[a] = F(clamp(int(base) + self.width * q, 0, int(self.top)))
+                q = clamp(self.ATTR_52_number(a, X, base, size, spread[a], coded), -2**17, 2**17)
+                levels[a] = clamp(int(base) + self.width * q, 0, int(self.top))
             else:
                 levels[a] = colour[a]
             e[a], r[a] = levels[a] - E[a], levels[a] - X
-            sizes[a] = abs(r[a]) * F(0.625) + before[a] * F(0.375) if has_near else abs(r[a])
         self.colours.append(levels)
-        self.sizes.append(sizes)
+        self.sizes.append(abs(F(r)) * F(0.625) + before * F(0.375) if has_near else abs(F(r)))
 
     def ATTR_52_number(self, a, X, base, size, spread, coded):
         total = (size[0] + size[1]) + (size[2] + size[3])
+        scale = (HALF * size[a] + F(0.1015625) * total) + F(0.09375) * coded
         if a == 0:
             scale = F(0.609375) * size[0] + F(0.1171875) * total
-        else:
-            scale = (HALF * size[a] + F(0.1015625) * total) + F(0.09375) * coded
         def u(x):
             return math.floor(x * self.per_step)
-        whole = min(u(scale), 2**21 - 1) + 1
-        shift = max(bits(whole) - 6, 0)
-        s, near = whole >> shift, u(abs(X - base)) >> shift
         def K(x):
             mantissa, exponent = math.frexp(x * self.per_step + F(4))
             return clamp(4 * (exponent - 3) + int(mantissa * 8) - 4 - 4 * shift, 0, 23)
+        whole = min(u(scale), 2**21 - 1) + 1
+        shift = max(bits(whole) - 6, 0)
+        s, near = whole >> shift, u(abs(X - base)) >> shift
         S = FLD_5_quantity(s) + (4 if shift else 0)
         models = [self.models[0, (6 * S + FLD_5_near(near, s)) * 4 + a],
                   self.models[1, (12 * (K(spread) // 2) + K(coded) // 2) * 4 + a]]
