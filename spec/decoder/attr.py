@@ -1,5 +1,6 @@
 """ATTR: one per-vertex attribute; its descriptor, the order, the plain codings: attr.md."""
 import math
+from importlib import import_module
 
 import numpy as np
 
@@ -12,6 +13,14 @@ USUAL = [None, ("NORMAL", 0, "f4", 3), ("TANGENT", 4, "f4", 4), ("TEXCOORD_0", 2
          ("COLOR_0", 1, "f4", 4), ("COLOR_0", 1, "f4", 3), ("JOINTS_0", 5, "u1", 4), ("JOINTS_0", 5, "u2", 4),
          ("WEIGHTS_0", 6, "f4", 4), ("WEIGHTS_0", 6, "u1", 4), ("WEIGHTS_0", 6, "u2", 4), ("nx", 0, "f4", 3),
          ("red", 1, "u1", 3), ("red", 1, "u1", 4), ("s", 2, "f4", 2), ("vn", 0, "f4", 3), ("vt", 2, "f4", 2)]
+
+COLOURS = ["u1", "u2", "f4"]
+CODINGS = [(None, [], [], "attr", "ATTR_4_exact"), (NORMAL, ["f4"], [3], "attr", "ATTR_5_octahedral"),
+           (COLOUR, COLOURS, [3, 4], "attr", "ATTR_6_colours"), (UV, ["f4"], [2], "attr", "ATTR_7_uvs"),
+           (NORMAL, ["f4"], [3], "attr_normals", "ATTR_20_normals"), (UV, ["f4"], [2], "attr_uvs", "ATTR_31_uvs"),
+           (TANGENT, ["f4"], [4], "attr_tangents", "ATTR_38_tangents"),
+           (COLOUR, COLOURS, [3, 4], "attr_colors", "ATTR_45_colours"), (None, [], [], "attr_lattice", "ATTR_55_lattice"),
+           (WEIGHTS, COLOURS, [4], "attr_skin", "ATTR_63_weights"), (JOINTS, ["u1", "u2"], [4], "attr_skin", "ATTR_60_joints")]
 
 class Attribute:
     """[ATTR-1] The descriptor; `values`, when it is decoded, is an array of n rows and k columns of `type`."""
@@ -37,57 +46,35 @@ class Attribute:
 
 class Surface:
     """What attributes may know: faces over vertices, copies, positions [ATTR-10] and attributes decoded before."""
-    def __init__(self, faces, first, geometric, positions, geometric_faces, attributes):
-        self.faces, self.first, self.geometric, self.positions = faces, first, geometric, positions
-        self.geometric_faces, self.attributes = geometric_faces, attributes
-        self.n, self.has_copies = len(geometric), len(geometric) > len(first) - 1
+    def __init__(self, seams, positions, geometric_faces, attributes):
+        self.faces, self.first, self.geometric, self.positions = seams.faces, seams.first, seams.geometric, positions
+        self.geometric_faces, self.attributes, self.n = geometric_faces, attributes, len(seams.geometric)
+
+    def joined(self, is_joined):
+        """[ATTR-58] Whether copies are joined; the faces and the number of vertices that numbers are coded over."""
+        if is_joined and self.n > len(self.first) - 1:
+            return True, self.geometric_faces, len(self.first) - 1
+        return False, self.faces, self.n
 
 def f32_rows(rows, k):
     """Doubles rounded to f32, as an array."""
-    with np.errstate(over="ignore"):
-        return np.array(rows, dtype=np.float64).reshape(-1, k).astype("<f4")
+    return np.array(rows, dtype=np.float64).reshape(-1, k).astype("<f4")
 
-def ATTR_11_decode(chunks, make_surface):
+def ATTR_11_decode(chunks, surface):
     """All attributes: tangents and weights after all others."""
-    attributes = [chunk.descriptor for chunk in chunks]
-    surface = make_surface(attributes)
-    for late in (False, True):
-        for chunk in chunks:
-            if (chunk.descriptor.kind in (TANGENT, WEIGHTS)) == late:
-                chunk.descriptor.values = ATTR_2_values(chunk, surface)
-                must(chunk.descriptor.values.shape == (surface.n, chunk.descriptor.k), "ATTR-2", "internal: shape")
-    return attributes
+    for chunk in sorted(chunks, key=lambda chunk: chunk.descriptor.kind in (TANGENT, WEIGHTS)):
+        chunk.descriptor.values = ATTR_2_values(chunk, surface)
 
 def ATTR_2_values(chunk, surface):
     a, r = chunk.descriptor, Reader(chunk.data)
     coding = r.u8()
-    must(coding <= 10, "ATTR-2", f"coding {coding}")
-    colours = ("u1", "u2", "f4")
-    allowed = [True, a.is_shape(NORMAL, ["f4"], [3]), a.is_shape(COLOUR, colours, [3, 4]), a.is_shape(UV, ["f4"], [2]),
-               a.is_shape(NORMAL, ["f4"], [3]), a.is_shape(UV, ["f4"], [2]), a.is_shape(TANGENT, ["f4"], [4]),
-               a.is_shape(COLOUR, colours, [3, 4]), True, a.is_shape(WEIGHTS, colours, [4]),
-               a.is_shape(JOINTS, ["u1", "u2"], [4])]
-    must(allowed[coding], "ATTR-2", f"coding {coding} is not of this shape")
-    must((coding > 3) == (chunk.is_compact), "ATTR-2", f"coding {coding} in the other form")
-    if coding <= 3:
-        values = [ATTR_4_exact, ATTR_5_octahedral, ATTR_6_colours, ATTR_7_uvs][coding](r, a, surface.n)
-        r.end()
-        return values
-    if coding == 4:
-        from attr_normals import ATTR_20_normals as decode
-    elif coding == 5:
-        from attr_uvs import ATTR_31_uvs as decode
-    elif coding == 6:
-        from attr_tangents import ATTR_38_tangents as decode
-    elif coding == 7:
-        from attr_colors import ATTR_45_colours as decode
-    elif coding == 8:
-        from attr_lattice import ATTR_55_lattice as decode
-    elif coding == 9:
-        from attr_skin import ATTR_63_weights as decode
-    else:
-        from attr_skin import ATTR_60_joints as decode
-    return decode(r, a, surface)
+    must(coding < len(CODINGS), "ATTR-2", f"coding {coding}")
+    kind, types, counts, module, decode = CODINGS[coding]
+    must(kind is None or a.is_shape(kind, types, counts), "ATTR-2", f"coding {coding} is not of this shape")
+    must((coding > 3) == chunk.is_compact, "ATTR-2", f"coding {coding} in the other form")
+    values = getattr(import_module(module), decode)(r, a, surface)
+    r.end()
+    return values
 
 def ATTR_3_symbols(r, n, components, w):
     """The symbol components, one list each."""
@@ -110,16 +97,16 @@ def ATTR_3_symbols(r, n, components, w):
         result.append(symbols)
     return result
 
-def ATTR_4_exact(r, a, n):
+def ATTR_4_exact(r, a, surface):
     size = int(a.type[1])
-    symbols = ATTR_3_symbols(r, n, a.k, 8 * size)
-    return np.array(symbols, dtype=f"<u{size}").reshape(a.k, n).T.copy().view("<" + a.type)
+    symbols = ATTR_3_symbols(r, surface.n, a.k, 8 * size)
+    return np.array(symbols, dtype=f"<u{size}").reshape(a.k, surface.n).T.copy().view("<" + a.type)
 
-def ATTR_5_octahedral(r, a, n):
+def ATTR_5_octahedral(r, a, surface):
     bits = r.u8()
     must(2 <= bits <= 15, "ATTR-5", f"{bits} bits")
     h, rows = 2**(bits - 1) - 1, []
-    for p, q in zip(*ATTR_3_symbols(r, n, 2, bits)):
+    for p, q in zip(*ATTR_3_symbols(r, surface.n, 2, bits)):
         if p == q == 2**bits - 1:
             rows.append((0.0, 0.0, 0.0))
             continue
@@ -132,21 +119,21 @@ def ATTR_5_octahedral(r, a, n):
         rows.append((x / length, y / length, z / length))
     return f32_rows(rows, 3)
 
-def ATTR_6_colours(r, a, n):
+def ATTR_6_colours(r, a, surface):
     bits = r.u8()
     must(1 <= bits <= (8 if a.type == "u1" else 16), "ATTR-6", f"{bits} bits")
-    m, symbols = 2**bits - 1, ATTR_3_symbols(r, n, a.k, bits)
+    m, symbols = 2**bits - 1, ATTR_3_symbols(r, surface.n, a.k, bits)
     if a.type == "f4":
         return f32_rows([[0.0 + 1.0 * s / m for s in row] for row in zip(*symbols)], a.k)
     full = 255 if a.type == "u1" else 65535
     rows = [[(2 * s * full + m) // (2 * m) for s in row] for row in zip(*symbols)]
-    return np.array(rows, dtype="<" + a.type).reshape(n, a.k)
+    return np.array(rows, dtype="<" + a.type).reshape(surface.n, a.k)
 
-def ATTR_7_uvs(r, a, n):
+def ATTR_7_uvs(r, a, surface):
     bits = r.u8()
     must(1 <= bits <= 24, "ATTR-7", f"{bits} bits")
     ranges = [(r.number("f"), r.number("f")) for _ in range(2)]
     for low, high in ranges:
         must(math.isfinite(low) and math.isfinite(high) and low <= high, "ATTR-7", "min or max")
-    m, symbols = 2**bits - 1, ATTR_3_symbols(r, n, 2, bits)
+    m, symbols = 2**bits - 1, ATTR_3_symbols(r, surface.n, 2, bits)
     return f32_rows([[low + (high - low) * s / m for (low, high), s in zip(ranges, row)] for row in zip(*symbols)], 2)

@@ -31,7 +31,6 @@ def ATTR_45_colours(r, a, surface):
         coder = Coder(r.rest())
         rows = ColourCoder(coder, surface, len(axes), top, bound).decode()
         coder.end()
-    r.end()
     levels = [[constants[c] if s == 255 else row[axes.index(s)] for c, s in enumerate(sources)] for row in rows]
     if a.type == "f4":  # [ATTR-46]
         return f32_rows([[x / top for x in row] for row in levels], a.k)

@@ -1,6 +1,7 @@
 """Attributes on lattices: attr_lattice.md, ATTR-55 to ATTR-58 and ATTR-59."""
 import math
 import struct
+from itertools import groupby
 
 import numpy as np
 
@@ -16,37 +17,26 @@ CONSTANT, AS_BEFORE, TIMES, RATIO, LISTED, FLOAT = range(6)
 class Component:
     """[ATTR-55]"""
     def __init__(self, r, a, before):
-        self.type, size = a.type, int(a.type[1])
-        self.kind = r.u8()
-        must(self.kind <= FLOAT, "ATTR-55", f"kind {self.kind}")
-        self.times = self.over = 1.0
-        self.cells = 0
-        if self.kind == CONSTANT:
-            self.list = [r.bytes(size)]
-        elif self.kind == LISTED:
-            self.cells = r.varint(4096, "ATTR-55") - 1
+        self.type, size, self.kind = a.type, int(a.type[1]), r.u8()
+        self.times, self.over, self.cells = 1.0, 1.0, 0
+        must(self.kind <= FLOAT and (self.kind != FLOAT or self.type == "f4"), "ATTR-55", f"kind {self.kind}")
+        must(self.kind != AS_BEFORE or before, "ATTR-55", "the first component is as none before")
+        if self.kind in (CONSTANT, LISTED):
+            self.cells = r.varint(4096, "ATTR-55") - 1 if self.kind == LISTED else 0
             must(self.cells >= 0, "ATTR-55", "an empty list")
             self.list = [r.bytes(size) for _ in range(self.cells + 1)]
         elif self.kind == FLOAT:
-            must(self.type == "f4", "ATTR-55", "floats that are not f32")
             self.exponent = r.u8()
             must(self.exponent <= 254, "ATTR-55", f"exponent {self.exponent}")
         else:
-            self.read_point(r, before)
-
-    def read_point(self, r, before):
-        must(self.kind != AS_BEFORE or before, "ATTR-55", "the first component is as none before")
-        if self.kind == AS_BEFORE:
-            self.times, self.over = before.times, before.over
-        if self.kind in (TIMES, RATIO):
-            self.times = r.number("f")
-        if self.kind == RATIO:
-            self.over = r.number("f")
-        must(all(math.isfinite(x) and x > 0 for x in (self.times, self.over)), "ATTR-55", "times or over")
-        self.base, self.cells = unzigzag(r.varint(2**53, "ATTR-55")), r.varint(2**28, "ATTR-55")
-        if self.type[0] == "f":
-            for q in (0, self.cells):
-                must(np.isfinite(np.frombuffer(self.value(q), dtype="<" + self.type))[0], "ATTR-55", "a point is not finite")
+            if self.kind == AS_BEFORE:
+                self.times, self.over = before.times, before.over
+            else:
+                self.times, self.over = r.number("f"), r.number("f") if self.kind == RATIO else 1.0
+            must(all(math.isfinite(x) and x > 0 for x in (self.times, self.over)), "ATTR-55", "times or over")
+            self.base, self.cells = unzigzag(r.varint(2**53, "ATTR-55")), r.varint(2**28, "ATTR-55")
+            ends = np.frombuffer(self.value(0) + self.value(self.cells), dtype="<" + self.type)
+            must(np.all(np.isfinite(ends)), "ATTR-55", "a point is not finite")
 
     def value(self, q):
         """The bytes of the value that q stands for."""
@@ -55,11 +45,9 @@ class Component:
         if self.kind == FLOAT:
             return struct.pack("<I", FLT_1_bits(q))
         x = float(self.base + q) * self.times / self.over
-        if self.type[0] == "f":
-            with np.errstate(over="ignore"):
-                return np.float64(x).astype("<" + self.type).tobytes()
-        range_ = np.iinfo(self.type)
-        return int(clamp(math.floor(x + 0.5), range_.min, range_.max)).to_bytes(int(self.type[1]), "little", signed=range_.min < 0)
+        if self.type[0] != "f":
+            x = clamp(math.floor(x + 0.5), np.iinfo(self.type).min, np.iinfo(self.type).max)
+        return np.array(x).astype("<" + self.type).tobytes()
 
     @property
     def rest(self):
@@ -76,31 +64,29 @@ def ATTR_55_lattice(r, a, surface):
     varying = [c for c in components if c.kind != CONSTANT]
     if varying:
         coder = Coder(r.rest())
-        joined = bool(coder.raw(1)) and surface.has_copies
+        joined = coder.raw(1)
         while varying:  # [ATTR-56] groups
-            group = [c for i, c in enumerate(varying[:3]) if all((d.kind == FLOAT) == (varying[0].kind == FLOAT) for d in varying[:i + 1])]
+            group = list(next(groupby(varying, lambda c: c.kind == FLOAT))[1])[:3]
             varying = varying[len(group):]
             for c, column in zip(group, ATTR_56_group(coder, group, surface, joined)):
                 must(c.kind == FLOAT or all(0 <= q <= c.cells for q in column), "ATTR-56", "a number above its cells")
                 numbers[id(c)] = column
         coder.end()
-    r.end()
     data = b"".join(c.value(numbers[id(c)][v]) for v in range(surface.n) for c in components)
     return np.frombuffer(data, dtype="<" + a.type).reshape(surface.n, a.k).copy()
 
 def ATTR_56_group(coder, group, surface, joined):
     """The columns of x, y and z."""
-    faces, n = (surface.geometric_faces, len(surface.first) - 1) if joined else (surface.faces, surface.n)
-    width, resting = len(group), None
+    width, resting, (joined, *graph) = len(group), None, surface.joined(joined)
     if group[0].kind == FLOAT:
         units, width = [max(c.exponent, 1) - 153 for c in group] + [1 - 153] * (3 - width), 3
-        lattice = FloatCoder(coder, POSN_3_known(faces, n), POSN_8_table(coder), units)
+        lattice = FloatCoder(coder, POSN_3_known(*graph), POSN_8_table(coder), units)
         rows = lattice.ordinals
     elif coder.raw(1):
-        return list(zip(*ATTR_58_copies(coder, surface, joined, ATTR_9_means(coder, neighbours(faces, n), width), width)))
+        return list(zip(*ATTR_58_copies(coder, surface, joined, ATTR_9_means(coder, neighbours(*graph), width), width)))
     else:
         cells = [c.cells for c in group] + [None] * (3 - width)
-        lattice = PredictedCoder(coder, POSN_3_known(faces, n), POSN_8_table(coder), cells, coder.raw(1))
+        lattice = PredictedCoder(coder, POSN_3_known(*graph), POSN_8_table(coder), cells, coder.raw(1))
         rows, rest = lattice.rows, [c.rest for c in group] + [0] * (3 - width)
         resting = Resting(coder, lattice, rest, surface.n) if coder.raw(1) else None
     def decode(v):

@@ -7,14 +7,10 @@ from coder import Coder, NumberModel, clamp, mixing_weights, symbol_models
 from container import must, unzigzag
 from lattice import POSN_3_known, PredictedCoder
 
-def graph_of(surface, joined):
-    return (surface.geometric_faces, len(surface.first) - 1) if joined else (surface.faces, surface.n)
-
 def ATTR_60_joints(r, a, surface):
     coder = Coder(r.rest())
-    joined = bool(coder.raw(1)) and surface.has_copies
-    known = POSN_3_known(*graph_of(surface, joined))
-    rows = ATTR_58_copies(coder, surface, joined, JointCoder(coder, known).row, 4)
+    joined, *graph = surface.joined(coder.raw(1))
+    rows = ATTR_58_copies(coder, surface, joined, JointCoder(coder, POSN_3_known(*graph)).row, 4)
     coder.end()
     must(all(0 <= j < 256**int(a.type[1]) for row in rows for j in row), "ATTR-60", "a joint is not of its type")
     return np.array(rows, dtype="<" + a.type).reshape(surface.n, 4)
@@ -77,7 +73,7 @@ class JointCoder:
 
 def ATTR_62_joints(a, surface):
     """The joints of every vertex that go with these weights."""
-    before = sum(b.kind == WEIGHTS for b in surface.attributes[:[b is a for b in surface.attributes].index(True)])
+    before = sum(b.kind == WEIGHTS for b in surface.attributes[:surface.attributes.index(a)])
     joints = [b for b in surface.attributes if b.kind == JOINTS][before:before + 1]
     if joints and joints[0].is_shape(JOINTS, ["u1", "u2"], [4]):
         return [tuple(row) for row in joints[0].values.tolist()]
@@ -87,12 +83,11 @@ def ATTR_63_weights(r, a, surface):
     total = r.varint(65536, "ATTR-63")
     full = {"u1": 255, "u2": 65535}.get(a.type)
     must(total >= 1 and (not full or full % total == 0), "ATTR-63", f"sum {total}")
-    coder = Coder(r.rest())
-    joined, blend = bool(coder.raw(1)) and surface.has_copies, coder.raw(2)
-    known, joints = POSN_3_known(*graph_of(surface, joined)), ATTR_62_joints(a, surface)
-    if joined:
-        joints = [joints[v] for v in surface.first[:-1]]
-    rows = ATTR_58_copies(coder, surface, joined, WeightCoder(coder, known, joints, total, blend).decode, 3)
+    coder, joints = Coder(r.rest()), ATTR_62_joints(a, surface)
+    joined, *graph = surface.joined(coder.raw(1))
+    joints = [joints[v] for v in surface.first[:-1]] if joined else joints
+    weights = WeightCoder(coder, POSN_3_known(*graph), joints, total, coder.raw(2))
+    rows = ATTR_58_copies(coder, surface, joined, weights.decode, 3)
     coder.end()
     rows = [tuple(row) + (total - sum(row),) for row in rows]
     must(all(0 <= w <= total for row in rows for w in row), "ATTR-63", "a weight is not 0 to the sum")

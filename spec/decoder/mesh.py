@@ -46,8 +46,9 @@ def decode(data, dump=nothing):
         positions = GEO_1_round(DELT_1_positions(chunks, header, around, parts, anchors, dump))
     mesh.positions = positions[seams.geometric]
     known = mesh.positions if mesh.exact else None  # [ATTR-10]
-    mesh.attributes = ATTR_11_decode([chunk for chunk in listed if chunk.tag == "ATTR"],
-                                     lambda a: Surface(seams.faces, seams.first, seams.geometric, known, faces, a))
+    attributes = [chunk for chunk in listed if chunk.tag == "ATTR"]
+    mesh.attributes = [chunk.descriptor for chunk in attributes]
+    ATTR_11_decode(attributes, Surface(seams, known, faces, mesh.attributes))
     mesh.faces, mesh.groups = seams.faces, groups
     if header.restore_order:
         restore(mesh, *ORDR_1_read(chunks.get("ORDR"), seams.faces, header.vertices))
