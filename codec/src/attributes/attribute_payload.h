@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 
 #include "format/attribute_descriptor.h"
 
@@ -65,32 +66,35 @@ constexpr bool coding_fits(AttributeCoding coding, AttributeKind kind, Component
 /// Most bits a colour of this type is coded with.
 constexpr int max_color_bits(ComponentType type) noexcept { return type == ComponentType::kU8 ? 8 : 16; }
 
+/// Calls `copy` with `size`, 1, 2, 4 or 8, as a constant: compilers make a call of a copy of any size.
+template <class Copy>
+void with_fixed_size(std::size_t size, Copy copy) noexcept {
+  switch (size) {
+    case 1:
+      return copy(std::integral_constant<std::size_t, 1>{});
+    case 2:
+      return copy(std::integral_constant<std::size_t, 2>{});
+    case 4:
+      return copy(std::integral_constant<std::size_t, 4>{});
+    default:
+      return copy(std::integral_constant<std::size_t, 8>{});
+  }
+}
+
 /// The bits of the component at `bytes`, zero-extended. `size`: 1, 2, 4 or 8; native byte order.
 inline std::uint64_t load_component(const std::byte* bytes, std::size_t size) noexcept {
   std::uint64_t value = 0;
   const std::size_t skip = std::endian::native == std::endian::little ? 0 : sizeof value - size;
-  const auto load = [&](std::size_t fixed) {
-    std::memcpy(reinterpret_cast<std::byte*>(&value) + skip, bytes, fixed);
-  };
-  switch (size) {  // compilers make a call of a copy of any size
-    case 1:
-      load(1);
-      break;
-    case 2:
-      load(2);
-      break;
-    case 4:
-      load(4);
-      break;
-    default:
-      load(8);
-  }
+  with_fixed_size(
+      size, [&](auto fixed) { std::memcpy(reinterpret_cast<std::byte*>(&value) + skip, bytes, fixed); });
   return value;
 }
 
 inline void store_component(std::byte* bytes, std::size_t size, std::uint64_t value) noexcept {
   const std::size_t skip = std::endian::native == std::endian::little ? 0 : sizeof value - size;
-  std::memcpy(bytes, reinterpret_cast<const std::byte*>(&value) + skip, size);
+  with_fixed_size(size, [&](auto fixed) {
+    std::memcpy(bytes, reinterpret_cast<const std::byte*>(&value) + skip, fixed);
+  });
 }
 
 }  // namespace deltamesh

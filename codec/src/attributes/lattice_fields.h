@@ -14,7 +14,7 @@
 #include "attributes/component_lattice.h"
 #include "attributes/copies.h"
 #include "attributes/field_faces.h"
-#include "attributes/surface_field.h"
+#include "predictive/blend.h"
 
 namespace deltamesh {
 

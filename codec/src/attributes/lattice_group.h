@@ -22,24 +22,29 @@ namespace deltamesh {
 /// How the numbers of a group are coded.
 struct GroupForm {
   bool averaged = false;  ///< by the mean of all coded neighbours, not by the faces around; not of floats
-  SurfaceFieldShape shape;
+  unsigned axes = 3;      ///< 1 to 3; the other numbers are 0
+  std::array<std::uint32_t, 3> most{};  ///< numbers are 0 to this, which is at most 2^28
+  BlendTable blends = kUsualBlends;
+  bool guesses = false;  ///< numbers are compared with those around first
+  bool sparse = false;   ///< what is at rest is told in runs [ATTR-59]
+  Cell rest{};           ///< the numbers there
 };
 
 /// All that holds of the group's components, but how a writer chooses.
 inline GroupForm form_of(const FieldGroup& group, std::span<const ComponentLattice> lattices) {
   GroupForm form;
-  form.shape.axes = static_cast<unsigned>(group.size());
+  form.axes = static_cast<unsigned>(group.size());
   for (std::size_t axis = 0; axis < group.size(); ++axis) {
-    form.shape.most[axis] = lattices[group[axis]].cells;
-    form.shape.rest[axis] = lattices[group[axis]].rest();
+    form.most[axis] = lattices[group[axis]].cells;
+    form.rest[axis] = lattices[group[axis]].rest();
   }
   return form;
 }
 
-inline bool is_within(const Cell& cell, const SurfaceFieldShape& shape) noexcept {
+inline bool is_within(const Cell& cell, const GroupForm& form) noexcept {
   bool within = true;
   for (std::size_t axis = 0; axis < cell.size(); ++axis)
-    within = within && cell[axis] >= 0 && static_cast<std::uint32_t>(cell[axis]) <= shape.most[axis];
+    within = within && cell[axis] >= 0 && static_cast<std::uint32_t>(cell[axis]) <= form.most[axis];
   return within;
 }
 
@@ -47,36 +52,38 @@ inline bool is_within(const Cell& cell, const SurfaceFieldShape& shape) noexcept
 /// is beyond its lattice, or, in a reader, the bytes end.
 template <class Coder>
 bool code_numbers(Coder& coder, const FieldFaces& over, GroupForm& form, std::span<Cell> cells) {
-  SurfaceFieldShape& shape = form.shape;
-  CopyCoder<Coder, 3> copies(coder, shape.axes);
+  CopyCoder<Coder, 3> copies(coder, form.axes);
   const auto code_copy = [&](const Cell& before, Cell& cell) {
     copies.code(before, cell);
-    return is_within(cell, shape);
+    return is_within(cell, form);
   };
   form.averaged = coder.bits(form.averaged ? 1 : 0, 1) != 0;
   if (form.averaged) {
-    AveragedFieldCoder<Coder> field(coder, over.graph(), shape.axes);
+    AveragedFieldCoder<Coder> field(coder, over.graph(), form.axes);
     return code_with_copies(
         coder, over.geometric(), over.vertex_count(), cells,
         [&](std::uint32_t vertex, std::span<Cell> all) {
-          return field.code_vertex(vertex, all) && is_within(all[vertex], shape);
+          return field.code_vertex(vertex, all) && is_within(all[vertex], form);
         },
         code_copy);
   }
-  code_blends(coder, shape.blends);
-  shape.guesses = coder.bits(shape.guesses ? 1 : 0, 1) != 0;
-  shape.sparse = coder.bits(shape.sparse ? 1 : 0, 1) != 0;
-  SurfaceFieldCoder<Coder> field(coder, over.faces(), shape);
+  code_blends(coder, form.blends);
+  form.guesses = coder.bits(form.guesses ? 1 : 0, 1) != 0;
+  form.sparse = coder.bits(form.sparse ? 1 : 0, 1) != 0;
+  LatticeCoder<Coder> field(coder, over.faces(), form.most, form.blends, form.guesses);
   std::optional<RestingRuns<Coder>> runs;
-  if (shape.sparse) runs.emplace(coder, over.faces(), shape.rest);
+  if (form.sparse) {
+    field.clear_history();
+    runs.emplace(coder, over.faces(), form.rest);
+  }
   return code_with_copies(
       coder, over.geometric(), over.vertex_count(), cells,
       [&](std::uint32_t vertex, std::span<Cell> all) {
-        if (!field.code_vertex(vertex, all)) return false;
+        if (!field.code_vertex(vertex, form.axes, all)) return false;
         if (runs) runs->end(vertex, all[vertex]);
         return true;
       },
-      code_copy, shape.rest,
+      code_copy, form.rest,
       [&](std::uint32_t row, std::uint32_t vertex) { return runs ? runs->code(row, vertex, cells) : 0; });
 }
 

@@ -14,7 +14,7 @@ Result<std::vector<Cell>> read_group(CompactReader& reader, const FieldFaces& ov
                                      std::span<const ComponentLattice> lattices, std::size_t count) {
   const bool is_floats = lattices[group.front()].is_floats();
   GroupForm form = form_of(group, lattices);
-  std::vector<Cell> cells(count, form.shape.rest);
+  std::vector<Cell> cells(count, form.rest);
   if (is_floats ? code_ordinals(reader, over, float_units(group, lattices), {}, cells)
                 : code_numbers(reader, over, form, cells))
     return cells;

@@ -42,11 +42,11 @@ GroupForm smallest_form(const FieldFaces& over, const GroupForm& form, std::span
     return trial.finish().size();
   };
   GroupForm dense = form;
-  dense.shape.sparse = false;
+  dense.sparse = false;
   GroupForm averaged = dense;
   averaged.averaged = true;
   const std::size_t dense_size = size_of(dense);
-  const std::size_t sparse_size = form.shape.sparse ? size_of(form) : dense_size;
+  const std::size_t sparse_size = form.sparse ? size_of(form) : dense_size;
   const std::size_t averaged_size = size_of(averaged);
   if (averaged_size + averaged_size / 32 + 10 < std::min(dense_size, sparse_size)) return averaged;
   return sparse_size <= dense_size ? form : dense;
@@ -55,13 +55,12 @@ GroupForm smallest_form(const FieldFaces& over, const GroupForm& form, std::span
 void write_numbers(CompactWriter& writer, const FieldFaces& over, GroupForm form, int effort,
                    std::span<Cell> cells) {
   const std::vector<Cell> shared = over.first_copies(std::span<const Cell>(cells));
-  SurfaceFieldShape& shape = form.shape;
-  const auto resting = static_cast<std::size_t>(std::count(shared.begin(), shared.end(), shape.rest));
-  shape.sparse = kSparse * resting >= shared.size();
-  shape.guesses = true;
+  const auto resting = static_cast<std::size_t>(std::count(shared.begin(), shared.end(), form.rest));
+  form.sparse = kSparse * resting >= shared.size();
+  form.guesses = true;
   if (2 * resting < shared.size()) {  // else the rest is too little to fit a table to
-    shape.blends = fit_blends(over.faces(), shared, effort > 0 ? BlendFit::kSquares : BlendFit::kSample);
-    shape.guesses = guesses_pay(over.faces(), shared, shape.most, shape.blends);
+    form.blends = fit_blends(over.faces(), shared, effort > 0 ? BlendFit::kSquares : BlendFit::kSample);
+    form.guesses = guesses_pay(over.faces(), shared, form.most, form.blends);
   }
   if (effort > 0) form = smallest_form(over, form, cells);
   code_numbers(writer, over, form, cells);

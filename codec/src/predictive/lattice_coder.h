@@ -44,33 +44,44 @@ class LatticeCoder {
         most_(four_ints({largest[0], largest[1], largest[2], 0U})),
         blends_(blends),
         history_(faces.vertex_count()),
-        residuals_(coder),
-        matches_(coder),
-        guesses_(guesses) {}
+        residuals_(coder) {
+    if (guesses) matches_.emplace(coder);
+  }
+
+  /// Before the first vertex, where some will not be coded, as what they are is known [ATTR-59].
+  void clear_history() noexcept { history_.clear(); }
+
+  /// Codes the first `axes` coordinates, 1 to 3, of cells[vertex], those before it being coded; a reader
+  /// fills them in, others are 0. False where one is beyond the largest [ATTR-57].
+  bool code_vertex(std::uint32_t vertex, unsigned axes, std::span<Cell> cells) {
+    Held coder = coder_;
+    Turn turn(*this, vertex, look_at(vertex, cells), cells);
+    if (matches_) guess(turn, cells);
+    code_axis(coder, 0, turn);
+    if (axes > 1) code_axis(coder, 1, turn);
+    if (axes > 2) code_axis(coder, 2, turn);
+    give_back(coder);
+    if (is_beyond(turn)) return false;
+    end(turn, cells);
+    return true;
+  }
 
   /// Codes cells[vertex], those before it being coded, and the next one's in turns with it where this can do
   /// without it [POSN-13]; `vertex` becomes what is to be coded then. A reader fills the cells in. The rule
   /// that a stream breaks here, or null.
   const char* code_next(std::uint32_t& vertex, std::span<Cell> cells) {
-    Held coder = coder_;
-    const Outlook first_outlook = look_at(vertex, cells);
     if (vertex + 1 == cells.size() || faces_.needs_previous(vertex + 1)) {
-      Turn turn(*this, vertex, first_outlook, cells);
-      if (guesses_) guess(turn, cells);
-      code_axis(coder, 0, turn);
-      code_axis(coder, 1, turn);
-      code_axis(coder, 2, turn);
-      give_back(coder);
-      if (is_beyond(turn)) return "POSN-7";
-      end(turn, cells);
+      if (!code_vertex(vertex, 3, cells)) return "POSN-7";
       ++vertex;
       return nullptr;
     }
+    Held coder = coder_;
     // What takes long to come to is begun for both at once.
+    const Outlook first_outlook = look_at(vertex, cells);
     const Outlook second_outlook = look_at(vertex + 1, cells);
     Turn first(*this, vertex, first_outlook, cells);
     Turn second(*this, vertex + 1, second_outlook, cells);
-    if (guesses_) {
+    if (matches_) {
       guess(first, cells);
       guess(second, cells);
     }
@@ -111,7 +122,7 @@ class LatticeCoder {
     FourInts lanes() const noexcept { return FourInts{cell[0], cell[1], cell[2], 0}; }
     std::uint32_t vertex;
     ResidualTurn residual;
-    Cell cell;
+    Cell cell{};
     std::int64_t bits = 0;  ///< of all coordinates, as they were before they were cut to 32 bits
     std::optional<Matching> matching;
   };
@@ -146,7 +157,7 @@ class LatticeCoder {
   [[gnu::always_inline]] void code_axis(Coder& coder, std::size_t axis, Turn& turn) {
     std::int32_t& value = turn.cell[axis];
     const ResidualForecast forecast = turn.residual.forecast(axis);
-    if (!guesses_ || !code_match(coder, axis, *turn.matching, value)) {
+    if (!matches_ || !code_match(coder, axis, *turn.matching, value)) {
       const std::int64_t coordinate =
           forecast.whole + residuals_.code(coder, value - forecast.whole, forecast);
       turn.bits |= coordinate;
@@ -167,7 +178,7 @@ class LatticeCoder {
     return matches;
   }
   [[gnu::noinline]] bool code_match(std::size_t axis, Matching& matching, std::int32_t& value) {
-    return matches_.code(axis, matching.around, matching.guesses, value, matching.missed);
+    return matches_->code(axis, matching.around, matching.guesses, value, matching.missed);
   }
 
   void give_back(const Coder& coder) noexcept {
@@ -180,8 +191,7 @@ class LatticeCoder {
   BlendTable blends_;
   ResidualHistory history_;
   ResidualCoder<Coder> residuals_;
-  MatchCoder<Coder> matches_;
-  bool guesses_;
+  std::optional<MatchCoder<Coder>> matches_;  ///< with guesses
 };
 
 }  // namespace deltamesh
