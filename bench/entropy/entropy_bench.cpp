@@ -15,7 +15,6 @@
 #include "geometry/anchor_list.h"
 #include "geometry/delta_symbols.h"
 #include "geometry/highpass.h"
-#include "geometry/highpass_symbols.h"
 #include "peers/peer.h"
 #include "run/bench_mesh.h"
 #include "scenes.h"

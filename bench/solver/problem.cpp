@@ -8,7 +8,6 @@
 #include "connectivity/connectivity.h"
 #include "geometry/diffusion.h"
 #include "geometry/highpass_symbols.h"
-#include "laplacian/anchors.h"
 #include "laplacian/delta.h"
 #include "support/welded_mesh.h"
 

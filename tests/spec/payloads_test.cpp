@@ -9,9 +9,9 @@
 
 #include "deltamesh/decode.h"
 #include "deltamesh/encode.h"
-#include "entropy/code_chunk.h"
 #include "entropy/expand_chunk.h"
 #include "format/container.h"
+#include "format/container_write.h"
 #include "support/meshes.h"
 #include "support/same_mesh.h"
 

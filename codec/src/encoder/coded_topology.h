@@ -12,7 +12,6 @@
 #include "connectivity/connectivity.h"
 #include "connectivity/order.h"
 #include "connectivity/seams.h"
-#include "deltamesh/encode.h"
 #include "deltamesh/mesh.h"
 
 namespace deltamesh {

@@ -6,7 +6,8 @@
 
 #include "base/try.h"
 #include "encoder/highpass_trials.h"
-#include "encoder/predictive_trials.h"
+#include "encoder/predictive_bounds.h"
+#include "encoder/predictive_budget.h"
 #include "laplacian/anchor_sequence.h"
 #include "quality/bounds.h"
 #include "quality/rate_control.h"
@@ -72,8 +73,8 @@ Result<CodedGeometry> code_predictive(const GeometryTask& task, const Predictive
   }
   const Bounds bounds = bounds_of(task);
   const auto& target = options.quality.target_bytes;
-  if (!bounds.vde && !bounds.positional()) return trials.fit_bytes(*target);
-  DELTAMESH_TRY(auto choice, trials.keep_bounds(bounds));
+  if (!bounds.vde && !bounds.positional()) return fit_bytes(*target, trials);
+  CodedGeometry choice = keep_bounds(bounds, trials);
   const std::uint64_t bytes = task.rest.bytes_with(choice);
   if (target && bytes > *target)
     return Error{.code = ErrorCode::kUnmetRequest,
@@ -117,7 +118,7 @@ Result<CodedGeometry> code_smaller(const GeometryTask& task) {
   const bool bytes_alone = !quality.vde && !quality.lfe && !quality.max_error;
   const PredictiveTrials trials(task.options, task.source, task.rest);
   const bool is_forecast = task.options.effort == 0 && !quality.target_bytes;
-  if (is_forecast && !trials.suits(bounds_of(task))) {
+  if (is_forecast && !suits_predictive(bounds_of(task), trials)) {
     auto highpass = code_highpass(task);
     if (highpass) return highpass;
   }

@@ -16,7 +16,6 @@
 #include "deltamesh/result.h"
 #include "entropy/payload.h"
 #include "format/highpass_parameters.h"
-#include "geometry/delta_quantizer.h"
 #include "geometry/highpass_settings.h"
 #include "laplacian/anchor_sequence.h"
 #include "laplacian/part_solver.h"

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// The coarsest lattice or voxels that keep bounds on the error.
+#pragma once
+
+#include "encoder/predictive_trials.h"
+
+namespace deltamesh {
+
+/// The smallest stream found that keeps `bounds`, at least one of which is set; there always is one. At
+/// effort 0 the first lattice that does.
+CodedGeometry keep_bounds(const Bounds& bounds, const PredictiveTrials& trials);
+
+/// Whether keep_bounds() is likely to find a smaller stream than highpass coding, from statistics of the
+/// mesh.
+bool suits_predictive(const Bounds& bounds, const PredictiveTrials& trials);
+
+}  // namespace deltamesh
