@@ -87,6 +87,7 @@ def ATTR_56_group(coder, group, surface, joined):
     else:
         cells = [c.cells for c in group] + [None] * (3 - width)
         lattice = PredictedCoder(coder, POSN_3_known(*graph), POSN_8_table(coder), cells, coder.raw(1))
+        lattice.rule = "ATTR-56"
         rows, rest = lattice.rows, [c.rest for c in group] + [0] * (3 - width)
         resting = Resting(coder, lattice, rest, surface.n) if coder.raw(1) else None
     def decode(v):

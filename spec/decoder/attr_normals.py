@@ -6,7 +6,7 @@ import numpy as np
 from attr import f32_rows
 from coder import BitModel, Coder, bit_models, clamp, mixing_weights, symbol_models
 from container import must
-from graph import corners
+from graph import corners, others
 from scaled import SYMBOL_WEIGHTS, ScaledCoder
 from vectors import ATTR_22_corner_angles, ATTR_22_scaled, ATTR_24_point, cross, dot, sum_at_corners, to_f32, unit, vector
 
@@ -64,31 +64,28 @@ class NormalCoder:
         first = self.surface.first
         for g in range(len(first) - 1):
             for group in self.ATTR_21_groups(g, range(first[g], first[g + 1])):
-                for v in group:
-                    self.group_of[v] = group
+                self.group_of.update((v, group) for v in group)
                 self.ATTR_23_normal(g, group)
         return [self.normals[v] for v in range(self.surface.n)]
 
     def ATTR_21_groups(self, g, copies):
         """Lists of copies."""
-        groups = []
-        few = sum(len(self.at[v]) for v in copies) <= 64
+        groups, few = [], sum(len(self.at[v]) for v in copies) <= 64
         for v in copies:
             group = self.ATTR_21_earlier(g, v, groups, few) if self.shares and len(copies) > 1 else None
-            if group is None:
-                groups.append([v])
-            else:
-                group.append(v)
+            groups += [[]] if group is None else []
+            (groups[-1] if group is None else group).append(v)
         return groups
 
     def ATTR_21_earlier(self, g, v, groups, few):
-        ranked = []
+        """The group of earlier copies that v belongs to, or None."""
+        ranked, a = [], self.vectors[v].astype(np.float64)
         for group in groups[-16:]:
-            a, b = self.vectors[v].astype(np.float64), self.sum_of(self.vectors, group).astype(np.float64)
+            b = self.sum_of(self.vectors, group)
             divisor = np.sqrt(dot(a, a)) * np.sqrt(dot(b, b))
             cosine = dot(a, b) / divisor if divisor > 0 else 0.0
-            tie = self.tie(g, v, group) if few else 0
-            ranked.append((cosine + (2 if tie == 3 else -2 if tie == 2 else 0), cosine, tie, group))
+            tie = self.ATTR_21_tie(g, v, group) if few else 0
+            ranked.append((cosine + (0, 0, -2, 2)[tie], cosine, tie, group))
         ranked.sort(key=lambda entry: -entry[0])
         for rank, (_, cosine, tie, group) in enumerate(ranked[:3]):
             l = sum(x < cosine for x in (0, 0.5, 0.85, 0.95, 0.99, 0.999, 0.9999))
@@ -96,33 +93,27 @@ class NormalCoder:
                 return group
         return None
 
-    def ends(self, v):
-        """The vertices at the other corners of the faces at v."""
-        faces = self.surface.faces
-        return [faces[c // 3][(c + k) % 3] for c in self.at[v] for k in (1, 2)]
-
-    def tie(self, g, v, group):
-        """[ATTR-21] 0 apart, 1 open, 2 split, 3 joined"""
-        geometric, tie = self.surface.geometric, 0
-        for x in self.ends(v):
-            for y in (y for u in group for y in self.ends(u)):
-                if geometric[x] == geometric[y]:
-                    coded = geometric[x] < g
-                    tie = max(tie, 1 if not coded else 3 if self.group_of[x] is self.group_of[y] else 2)
-        return tie
+    def ATTR_21_tie(self, g, v, group):
+        """0 apart, 1 open, 2 split, 3 joined"""
+        def ends(v):
+            return [u for c in self.at[v] for u in others(self.surface.faces, c)]
+        geometric, theirs = self.surface.geometric, [y for u in group for y in ends(u)]
+        pairs = [(x, y) for x in ends(v) for y in theirs if geometric[x] == geometric[y]]
+        ties = [1 if geometric[x] >= g else 3 if self.group_of[x] is self.group_of[y] else 2 for x, y in pairs]
+        return max(ties, default=0)
 
     def sum_of(self, values, group):
         total = values[group[0]]
         for v in group[1:]:
             total = total + values[v]
-        return total
+        return total.astype(np.float64)
 
     def ATTR_23_sums(self, g, group):
         """N, R, V and c"""
         total, faces, c = np.zeros(7, dtype=F), self.surface.faces, 0
         for v in group:
             part = np.zeros(7, dtype=F)
-            for u in (faces[corner // 3][(corner + 1) % 3] for corner in self.at[v]):
+            for u, _ in (others(faces, c) for c in self.at[v]):
                 if self.surface.geometric[u] < g and any(self.normals[u]):
                     part = part + np.hstack([self.normals[u], self.rule_normals[u], self.sizes[u]]).astype(F)
                     c += 1
@@ -156,7 +147,7 @@ class NormalCoder:
 
     def ATTR_23_normal(self, g, group):
         N, R, V, c = self.ATTR_23_sums(g, group)
-        S, W, X = (self.sum_of(x, group).astype(np.float64) for x in (self.vectors, self.rule_weights, self.noises))
+        S, W, X = (self.sum_of(x, group) for x in (self.vectors, self.rule_weights, self.noises))
         U, i, M, Q = unit(S), 1 / c if c else 0.0, None, None
         if c:
             M, Q = i * N, i * R

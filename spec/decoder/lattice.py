@@ -77,6 +77,8 @@ def POSN_6_log(y):
 
 class PredictedCoder:
     """[POSN-4 to POSN-6, FLT-4] Numbers of vertices. What is said below of lattices, other coders say of theirs."""
+    rule = "POSN-7"  # that a number out of its limits breaks
+
     def __init__(self, coder, known, table, cells, guesses=False):
         self.coder, self.known, self.table, self.guesses = coder, known, table, guesses
         self.limits = [(0, most or 0) for most in cells]
@@ -127,7 +129,7 @@ class PredictedCoder:
             x = Context(a, expected, G, R[a], sources, off, clamp((expected[0] + 8) >> 4, *self.limits[a]))
             x.row, x.missed = row, missed
             q = self.read(v, x)
-            must(self.limits[a][0] <= q <= self.limits[a][1], "POSN-7", f"number {q} of vertex {v}")
+            must(self.limits[a][0] <= q <= self.limits[a][1], self.rule, f"number {q} of vertex {v}")
             row.append(q)
             off.append(q - x.whole)
             e = clamp(16 * q - expected[0], -2**26, 2**26)
