@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "base/try.h"
-#include "encoder/byte_budget.h"
 #include "encoder/coded_attributes.h"
 #include "encoder/default_quality.h"
+#include "encoder/error_scale.h"
 #include "encoder/geometry_task.h"
 #include "quality/unmet.h"
 

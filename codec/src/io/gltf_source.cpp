@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <initializer_list>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -14,6 +13,7 @@
 #include "base/byte_reader.h"
 #include "base/try.h"
 #include "deltamesh/io.h"
+#include "io/gltf_filter.h"
 #include "io/gltf_uri.h"
 #include "io/io_error.h"
 #include "io/text_scanner.h"
@@ -62,103 +62,6 @@ Result<Container> split(std::span<const std::byte> bytes) {
   const auto magic = in.read<std::uint32_t>();
   if (magic && *magic == kGlbMagic) return split_glb(bytes);
   return Container{.text = as_text(bytes), .binary = std::nullopt};
-}
-
-bool is_plain(const json& value) {
-  if (!value.is_array()) return value.is_primitive();
-  return std::all_of(value.begin(), value.end(), [](const json& entry) { return entry.is_number(); });
-}
-
-/// Copies what is listed and has a harmless shape; remembers whether anything had not.
-class Filter {
- public:
-  bool ok() const noexcept { return ok_; }
-
-  /// The named members of an object that are scalars or arrays of numbers.
-  json members(const json& object, std::initializer_list<const char*> names) {
-    json result = json::object();
-    if (!expect(object.is_object())) return result;
-    for (const char* const name : names) {
-      const auto found = object.find(name);
-      if (found == object.end()) continue;
-      if (expect(is_plain(*found))) result[name] = *found;
-    }
-    return result;
-  }
-
-  /// Member `name`, passed through `change`; left out where absent.
-  template <class F>
-  void member(const json& object, const char* name, json& result, const F& change) {
-    if (!object.is_object()) return;
-    const auto found = object.find(name);
-    if (found != object.end()) result[name] = change(*found);
-  }
-
-  /// The array `name`, every entry passed through `change`.
-  template <class F>
-  void array(const json& object, const char* name, json& result, const F& change) {
-    member(object, name, result, [&](const json& entries) {
-      json changed = json::array();
-      if (!expect(entries.is_array())) return changed;
-      for (const json& entry : entries) changed.push_back(change(entry));
-      return changed;
-    });
-  }
-
-  json accessor(const json& source) {
-    json result =
-        members(source, {"bufferView", "byteOffset", "normalized", "componentType", "count", "type"});
-    member(source, "sparse", result, [this](const json& sparse) {
-      json copy = members(sparse, {"count"});
-      for (const char* const part : {"indices", "values"})
-        member(sparse, part, copy, [this](const json& view) {
-          return members(view, {"bufferView", "byteOffset", "componentType"});
-        });
-      return copy;
-    });
-    return result;
-  }
-
-  json mesh(const json& source) {
-    json result = json::object();
-    if (!expect(source.is_object())) return result;
-    array(source, "primitives", result, [this](const json& primitive) {
-      json copy = members(primitive, {"indices", "mode"});
-      member(primitive, "attributes", copy, [this](const json& attributes) {
-        const bool numbers = attributes.is_object() &&
-                             std::all_of(attributes.begin(), attributes.end(),
-                                         [](const json& accessor) { return accessor.is_number_integer(); });
-        return expect(numbers) ? attributes : json::object();
-      });
-      return copy;
-    });
-    return result;
-  }
-
- private:
-  bool expect(bool condition) noexcept {
-    ok_ = ok_ && condition;
-    return condition;
-  }
-
-  bool ok_ = true;
-};
-
-Result<std::string> filtered(const json& root) {
-  Filter filter;
-  json result = filter.members(root, {"scene"});
-  filter.member(root, "asset", result, [&](const json& asset) { return filter.members(asset, {"version"}); });
-  filter.array(root, "bufferViews", result, [&](const json& view) {
-    return filter.members(view, {"buffer", "byteOffset", "byteLength", "byteStride"});
-  });
-  filter.array(root, "accessors", result, [&](const json& accessor) { return filter.accessor(accessor); });
-  filter.array(root, "meshes", result, [&](const json& mesh) { return filter.mesh(mesh); });
-  filter.array(root, "nodes", result, [&](const json& node) {
-    return filter.members(node, {"mesh", "children", "matrix", "rotation", "scale", "translation"});
-  });
-  filter.array(root, "scenes", result, [&](const json& scene) { return filter.members(scene, {"nodes"}); });
-  if (!filter.ok()) return invalid_file("glTF: a property has a type that the schema does not allow");
-  return result.dump();
 }
 
 /// Required extensions that leave the accessors' meaning alone.
@@ -246,7 +149,7 @@ Result<GltfSource> open_gltf(std::span<const std::byte> bytes, std::string_view 
   DELTAMESH_CHECK(check_extensions(root));
   GltfSource source;
   source.total_bytes = bytes.size();
-  DELTAMESH_TRY(source.json, filtered(root));
+  DELTAMESH_TRY(source.json, filtered_gltf(root));
   if (source.json.size() > std::numeric_limits<std::uint32_t>::max())
     return invalid_file("glTF: more than 4 GiB of JSON");
   DELTAMESH_CHECK(open_buffers(root, container, folder, source));

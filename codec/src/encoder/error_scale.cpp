@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "encoder/byte_budget.h"
+#include "encoder/error_scale.h"
 
 #include <algorithm>
 
