@@ -90,29 +90,28 @@ double weight_unit(ComponentType type) noexcept {
 
 double attribute_error(const AttributeView& attribute, const AttributeRows& rows,
                        std::span<const std::byte> decoded) {
-  const std::size_t size = component_size(attribute.type);
-  const std::size_t row_size = attribute.components * size;
   double largest = 0;
   LargestAngle angle;
   const bool is_angle = measures_angles(attribute);
   Row a{};
   Row b{};
-  for (std::size_t i = 0; i < rows.count(); ++i) {
-    const std::byte* source = rows.row(i);
-    const std::byte* now = decoded.data() + i * row_size;
-    bool differs = false;
-    for (std::size_t c = 0; c < attribute.components; ++c) {
-      const std::uint64_t bits = load_component(source + c * size, size);
-      const std::uint64_t decoded_bits = load_component(now + c * size, size);
-      differs |= bits != decoded_bits;
-      a[c] = number_of_bits(attribute.type, bits);
-      b[c] = number_of_bits(attribute.type, decoded_bits);
+  with_fixed_size(component_size(attribute.type), [&](auto size) {
+    const std::byte* now = decoded.data();
+    for (std::size_t i = 0; i < rows.count(); ++i, now += attribute.components * size) {
+      const std::byte* source = rows.row(i);
+      bool differs = false;
+      for (std::size_t c = 0; c < attribute.components; ++c)
+        differs |= load_component(source + c * size, size) != load_component(now + c * size, size);
+      if (!differs) continue;
+      for (std::size_t c = 0; c < attribute.components; ++c) {
+        a[c] = number_of_bits(attribute.type, load_component(source + c * size, size));
+        b[c] = number_of_bits(attribute.type, load_component(now + c * size, size));
+      }
+      if (is_angle && a[3] == b[3] && !angle.may_grow(a, b)) continue;  // a normal has no sign
+      const double error = row_error(attribute, a, b);
+      if (!(error <= largest)) largest = std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
     }
-    if (!differs) continue;
-    if (is_angle && a[3] == b[3] && !angle.may_grow(a, b)) continue;  // a normal has no sign
-    const double error = row_error(attribute, a, b);
-    if (!(error <= largest)) largest = std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
-  }
+  });
   return largest;
 }
 

@@ -32,6 +32,15 @@ class AttributeRows {
   std::uint64_t bits(std::size_t row, std::size_t component) const noexcept {
     return load_component(values_.data() + (order_[row] * components_ + component) * size_, size_);
   }
+  /// Calls `visit(row, bits)` for one component of every row.
+  template <class Visit>
+  void for_each(std::size_t component, Visit visit) const {
+    with_fixed_size(size_, [&](auto size) {
+      const std::byte* const first = values_.data() + component * size;
+      for (std::size_t row = 0; row < order_.size(); ++row)
+        visit(row, load_component(first + order_[row] * components_ * size, size));
+    });
+  }
   /// components() values.
   const std::byte* row(std::size_t row) const noexcept {
     return values_.data() + order_[row] * components_ * size_;

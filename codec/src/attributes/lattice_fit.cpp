@@ -7,9 +7,8 @@
 #include <bit>
 #include <cmath>
 #include <numeric>
-#include <unordered_map>
 
-#include "predictive/float_order.h"
+#include "attributes/lattice_numbers.h"
 
 namespace deltamesh {
 namespace {
@@ -212,43 +211,13 @@ std::optional<ComponentLattice> fit_component(const Column& column, double bound
 
 }  // namespace
 
-std::int64_t nearest_point(const ComponentLattice& lattice, double x) noexcept {
-  const double place = x * static_cast<double>(lattice.over) / static_cast<double>(lattice.times);
-  const double up = place + 0.5;
-  const auto whole = static_cast<std::int64_t>(up);  // rounded down where it is not below 0
-  return whole - (static_cast<double>(whole) > up ? 1 : 0) - lattice.base;
-}
-
-std::vector<std::int32_t> numbers_on(const ComponentLattice& lattice, ComponentType type,
-                                     std::span<const std::uint64_t> bits) {
-  std::unordered_map<std::uint64_t, std::int32_t> places;
-  if (lattice.kind == LatticeKind::kListed)
-    for (const std::uint64_t value : lattice.values)
-      places.emplace(value, static_cast<std::int32_t>(places.size()));
-  std::vector<std::int32_t> numbers;
-  numbers.reserve(bits.size());
-  for (std::size_t i = 0; i < bits.size(); ++i) {
-    const std::uint64_t x = bits[i];
-    if (i > 0 && x == bits[i - 1]) {
-      numbers.push_back(numbers.back());
-    } else if (lattice.is_floats()) {
-      numbers.push_back(ordinal_of(std::bit_cast<float>(static_cast<std::uint32_t>(x))));
-    } else if (lattice.kind == LatticeKind::kListed) {
-      numbers.push_back(places.at(x));
-    } else {
-      numbers.push_back(static_cast<std::int32_t>(nearest_point(lattice, number_of_bits(type, x))));
-    }
-  }
-  return numbers;
-}
-
 std::optional<std::vector<ComponentLattice>> fit_lattices(const AttributeView& attribute,
                                                           const AttributeRows& rows, double bound) {
   std::vector<Column> columns(attribute.components);
   double largest = 0;
   for (std::size_t c = 0; c < columns.size(); ++c) {
     columns[c].type = attribute.type;
-    for (std::size_t i = 0; i < rows.count(); ++i) columns[c].add(rows.bits(i, c));
+    rows.for_each(c, [&](std::size_t, std::uint64_t bits) { columns[c].add(bits); });
     largest = std::max(largest, largest_size(columns[c].numbers));
   }
   const float step = bound > 0 ? step_within(bound, attribute.type, largest) : 0;

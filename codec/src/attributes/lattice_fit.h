@@ -7,7 +7,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "attributes/attribute_rows.h"
@@ -21,13 +20,5 @@ namespace deltamesh {
 /// it, or has infinities or NaNs. O(n k log n).
 std::optional<std::vector<ComponentLattice>> fit_lattices(const AttributeView& attribute,
                                                           const AttributeRows& rows, double bound);
-
-/// The point of `lattice`, of kPoints, that is nearest to `x`.
-std::int64_t nearest_point(const ComponentLattice& lattice, double x) noexcept;
-
-/// The numbers of `lattice`, not of kConstant, that stand for the values with these bits, which it was fitted
-/// to.
-std::vector<std::int32_t> numbers_on(const ComponentLattice& lattice, ComponentType type,
-                                     std::span<const std::uint64_t> bits);
 
 }  // namespace deltamesh

@@ -3,6 +3,7 @@
 #include "attributes/lattice_attribute.h"
 #include "attributes/lattice_fit.h"
 #include "attributes/lattice_group.h"
+#include "attributes/lattice_numbers.h"
 #include "entropy/compact_writer.h"
 #include "predictive/blend_fit.h"
 #include "predictive/guess_forecast.h"
@@ -16,11 +17,13 @@ constexpr std::size_t kSparse = 8;
 std::vector<Cell> cells_of(const FieldGroup& group, std::span<const ComponentLattice> lattices,
                            ComponentType type, const AttributeRows& rows) {
   std::vector<Cell> cells(rows.count(), Cell{});
-  std::vector<std::uint64_t> bits(rows.count());
   for (std::size_t axis = 0; axis < group.size(); ++axis) {
-    for (std::size_t i = 0; i < bits.size(); ++i) bits[i] = rows.bits(i, group[axis]);
-    const auto numbers = numbers_on(lattices[group[axis]], type, bits);
-    for (std::size_t i = 0; i < cells.size(); ++i) cells[i][axis] = numbers[i];
+    const LatticeNumbers numbers(lattices[group[axis]], type);
+    std::uint64_t last = 0;
+    rows.for_each(group[axis], [&](std::size_t row, std::uint64_t bits) {
+      cells[row][axis] = row > 0 && bits == last ? cells[row - 1][axis] : numbers.of(bits);
+      last = bits;
+    });
   }
   return cells;
 }
