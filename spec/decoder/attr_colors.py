@@ -129,5 +129,5 @@ class ColourCoder:
         S = FLD_5_quantity(s) + (4 if shift else 0)
         models = [self.models[0, (6 * S + FLD_5_near(near, s)) * 4 + a],
                   self.models[1, (12 * (K(spread) // 2) + K(coded) // 2) * 4 + a]]
-        q = self.scaled.FLD_5_number(self.coder, models, self.weights[4 * (S // 4) + a], shift, 4 * min(shift, 3) + a)
+        q = self.scaled.CMP_15_number(self.coder, models, self.weights[4 * (S // 4) + a], shift)
         return -q if X < base else q

@@ -49,7 +49,7 @@ class FieldVertex:
         return mean, scale + 1, coded
 
     def FLD_5_context(self, a):
-        """Models, key of weights, shift, tail context, and whether the sign is swapped."""
+        """Models, key of weights, shift, and whether the sign is swapped."""
         (mean, scale, coded), Q = self.FLD_4_forecast(a), FLD_5_quantity
         shift = max(bits(scale) - 6, 0)
         s, near, D = scale >> shift, min(abs(mean) >> shift, 255), clamp(len(self.field.graph[self.v]), 3, 10) - 3
@@ -58,11 +58,11 @@ class FieldVertex:
         models = [self.field.models[0, (S * 6 + u) * 5 + d],
                   self.field.models[1, ((Q(coded >> shift) * 8 + D) * 3 + a) * 3 + t],
                   self.field.models[2, ((Q(self.spread[a] >> shift) * 3 + min(near // 16, 2)) * 5 + d) * 3 + a]]
-        return models, S // 4 * 3 + a, shift, min(shift, 3) * 6 + u, mean < 0
+        return models, S // 4 * 3 + a, shift, mean < 0
 
     def number(self, a, context, weights):
-        models, _, shift, tail, swapped = context
-        x = self.field.scaled.FLD_5_number(self.field.coder, models, weights, shift, tail)
+        models, _, shift, swapped = context
+        x = self.field.scaled.CMP_15_number(self.field.coder, models, weights, shift)
         must(abs(x) <= 2**30, "FLD-1", f"number {x}")
         self.q.append(-x if swapped else x)
         self.r.append(clamp(self.q[-1], -8191, 8191))

@@ -146,8 +146,7 @@ class PredictedCoder:
         T = clamp(max((t + 2) >> 1, t - 3), 0, 23) if x.spread else 0
         models = [self.models[0, (S * 5 + x.sources) * 5 + x.sure], self.models[1, (T * 5 + x.sources) * 3 + x.axis]]
         shift = x.shift if shift is None else shift
-        number = self.scaled.FLD_5_number(self.coder, models, self.weights[x.axis * 5 + x.sources], shift,
-                                          min(shift, 3) * 5 + x.sources)
+        number = self.scaled.CMP_15_number(self.coder, models, self.weights[x.axis * 5 + x.sources], shift)
         return -number if x.mean < 0 else number
 
     def FLT_4_guess(self, known, x, values, expected):

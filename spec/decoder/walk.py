@@ -96,6 +96,6 @@ class PairCoder:
                   self.models[1, (W(spread >> shift) * 2 + (shift > 0)) * 5 + c],
                   self.models[2, (W(scale >> shift) * 2 + (kind > 1)) * 5 + c]]
         weights = self.weights[2 * W(scale >> shift) + second]
-        x = self.scaled.FLD_5_number(self.coder, models, weights, shift, min(shift, 3) * 2 + second)
+        x = self.scaled.CMP_15_number(self.coder, models, weights, shift)
         must(abs(x) <= 2**24, "ATTR-37", f"number {x}")
         return x

@@ -25,7 +25,7 @@ template <class Coder>
 class ColorNumbers {
  public:
   ColorNumbers(Coder& coder, const ColorShape& shape)
-      : shape_(shape), units_(16 / static_cast<float>(shape.step())), numbers_(coder, kColorAxes) {
+      : shape_(shape), units_(16 / static_cast<float>(shape.step())), numbers_(coder) {
     for (std::size_t k = 0; k < models_.size(); ++k) models_[k].assign(kContexts[k], kFreshSplit);
   }
 
@@ -97,7 +97,7 @@ class ColorNumbers {
       const std::int32_t size_of = (std::abs(way) + shape_.bound) / shape_.step();
       number = ((way < 0 ? -size_of : size_of) ^ sign) - sign;
     }
-    number = numbers_.code(coder, number, shift, mixture, axis);
+    number = numbers_.code(coder, number, shift, mixture);
     number = std::clamp<std::int64_t>((number ^ sign) - sign, -kMostSteps, kMostSteps);
     return static_cast<std::int32_t>(std::clamp<std::int64_t>(base + number * shape_.step(), 0, shape_.top));
   }

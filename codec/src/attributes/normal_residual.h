@@ -22,7 +22,7 @@ template <class Coder>
 class NormalResidualCoder {
  public:
   static constexpr std::size_t kModels = 4;
-  explicit NormalResidualCoder(Coder& coder) : coder_(coder), numbers_(coder, kAxes) {
+  explicit NormalResidualCoder(Coder& coder) : coder_(coder), numbers_(coder) {
     for (std::size_t k = 0; k < kModels; ++k) models_[k].assign(kRows[k] + kPlaces[k] * kKinds, kFreshSplit);
   }
 
@@ -86,7 +86,7 @@ class NormalResidualCoder {
     };
     const Mixture<kModels> mixture({model(0), model(1), model(2), model(3)},
                                    &mixes_[c.scale_class * 2 + axis]);
-    return numbers_.code(coder_, value, c.shift, mixture, axis);
+    return numbers_.code(coder_, value, c.shift, mixture);
   }
 
   Coder& coder_;

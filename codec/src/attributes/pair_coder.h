@@ -34,7 +34,7 @@ struct PairContext {
 template <class Coder>
 class PairCoder {
  public:
-  explicit PairCoder(Coder& coder) : coder_(coder), numbers_(coder, 2) {
+  explicit PairCoder(Coder& coder) : coder_(coder), numbers_(coder) {
     for (std::size_t k = 0; k < kModels; ++k) models_[k].assign(kContexts[k], kFreshSplit);
   }
 
@@ -84,7 +84,7 @@ class PairCoder {
          model(1, (size_class(spread >> shift) * 2 + is_shifted) * kBefores + coded),
          model(2, (scale_class * 2 + (context.kind > 1 ? 1 : 0)) * kBefores + coded)},
         &mixes_[scale_class * 2 + axis]);
-    const std::int64_t result = numbers_.code(coder_, number, shift, mixture, axis);
+    const std::int64_t result = numbers_.code(coder_, number, shift, mixture);
     if (result < -kLargestPairNumber || result > kLargestPairNumber) return false;
     number = static_cast<std::int32_t>(result);
     return true;

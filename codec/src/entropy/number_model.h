@@ -16,7 +16,9 @@ inline constexpr unsigned kLongNumber = 15;  ///< bit lengths from here on share
 
 /// Adaptive Exp-Golomb: a symbol for the bit length, models for the two bits below the leading one.
 struct NumberModel {
-  SymbolModel length{{8, 8, 8, 8, 7, 6, 5, 4, 3, 2, 2, 1, 1, 1, 1, 1}};
+  static constexpr SymbolModel kFreshLength{{8, 8, 8, 8, 7, 6, 5, 4, 3, 2, 2, 1, 1, 1, 1, 1}};
+
+  SymbolModel length = kFreshLength;
   MixWeights<1> weights;
   std::array<BitModel, 33> second;
   std::array<std::array<BitModel, 2>, 33> third;

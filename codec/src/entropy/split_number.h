@@ -14,7 +14,6 @@
 
 #include "entropy/compact_model.h"
 #include "entropy/number_model.h"
-#include "entropy/symbol_models.h"
 
 namespace deltamesh {
 
@@ -27,16 +26,14 @@ inline constexpr unsigned kMostLowBits = kMostBitsAtOnce + 1;  ///< that come wi
 template <class Coder>
 class SplitNumberCoder {
  public:
-  /// `contexts`: of the tail, for each of kTailShifts.
-  SplitNumberCoder(Coder& coder, std::uint32_t contexts)
-      : coder_(coder), contexts_(contexts), tails_(kTailShifts * contexts, kFreshTail) {}
+  explicit SplitNumberCoder(Coder& coder) noexcept : coder_(coder) {}
 
   /// Codes `value` by `value >> shift`, in `mixture`, and its low `shift` bits. A reader's argument is
   /// ignored; where the stream lies the result is anything below 2^62 in size. `coder`: that of the making,
   /// or a reader's copy that goes on in its place, and that a compiler can keep in registers.
   template <std::size_t kModels>
   [[gnu::always_inline]] std::int64_t code(Coder& coder, std::int64_t value, unsigned shift,
-                                           const Mixture<kModels>& mixture, std::uint32_t context) {
+                                           const Mixture<kModels>& mixture) {
     const unsigned rest = shift > kMostLowBits ? shift - kMostLowBits : 0;
     std::int64_t high = value >> shift;
     LowBits low{.count = shift - rest, .value = low_bits(value >> rest, shift - rest)};
@@ -44,7 +41,7 @@ class SplitNumberCoder {
     const unsigned symbol = coder.symbol_and_bits(far ? kEscape : static_cast<unsigned>(high + kReach), low,
                                                   mixture, low_models_);
     if (symbol == kEscape) [[unlikely]] {
-      high = code_tail(coder, high, std::min(shift, kTailShifts - 1) * contexts_ + context);
+      high = code_tail(coder, high);
     } else {
       high = static_cast<std::int64_t>(symbol) - kReach;
     }
@@ -57,22 +54,13 @@ class SplitNumberCoder {
  private:
   static constexpr unsigned kEscape = 15;
   static constexpr std::int64_t kReach = 7;
-  static constexpr unsigned kTailShifts = 4;
-  static constexpr unsigned kLongTail = 7;  ///< bit lengths from here on are written out
-  static constexpr SymbolModel kFreshTail{{12, 8, 10, 7, 8, 5, 6, 4, 4, 3, 3, 2, 2, 1, 1, 1}};
 
-  /// Beyond the symbols: sign and bit length of the excess, then its bits [FLD-6].
-  [[gnu::noinline]] std::int64_t code_tail(std::int64_t high, std::uint32_t context) {
+  /// Beyond the symbols: the sign and how far [CMP-15].
+  [[gnu::noinline]] std::int64_t code_tail(std::int64_t high) {
     const auto excess = static_cast<std::uint32_t>(std::llabs(high) - (kReach + 1));
-    auto length = static_cast<unsigned>(std::bit_width(excess));
-    const unsigned symbol = coder_.symbol(std::min(length, kLongTail) * 2 + (high < 0 ? 1 : 0),
-                                          Mixture<1>{{&tails_[context]}, &tail_weights_});
-    length =
-        symbol / 2 == kLongTail ? std::min(kLongTail + coder_.bits(length - kLongTail, 5), 32U) : symbol / 2;
-    const std::uint32_t coded =
-        length == 0 ? 0 : code_mantissa(coder_, excess, length, second_[length], third_[length]);
-    const std::int64_t size = std::int64_t{coded} + kReach + 1;
-    return symbol % 2 != 0 ? -size : size;
+    const bool is_below = coder_.bit(high < 0, is_below_);
+    const std::int64_t size = std::int64_t{code_number(coder_, excess, excess_)} + kReach + 1;
+    return is_below ? -size : size;
   }
 
   static std::uint32_t low_bits(std::int64_t value, unsigned count) noexcept {
@@ -84,8 +72,8 @@ class SplitNumberCoder {
   }
 
   /// The same with any coder. A reader's copy stays in registers, as nothing points to it.
-  [[gnu::always_inline]] std::int64_t code_tail(Coder& coder, std::int64_t high, std::uint32_t context) {
-    return with(coder, [&] { return code_tail(high, context); });
+  [[gnu::always_inline]] std::int64_t code_tail(Coder& coder, std::int64_t high) {
+    return with(coder, [&] { return code_tail(high); });
   }
   [[gnu::always_inline]] std::uint32_t code_rest(Coder& coder, std::uint32_t value, unsigned count) {
     return with(coder, [&] { return code_rest(value, count); });
@@ -99,11 +87,8 @@ class SplitNumberCoder {
   }
 
   Coder& coder_;
-  std::uint32_t contexts_;
-  SymbolModels tails_;
-  MixWeights<1> tail_weights_;
-  std::array<BitModel, 33> second_;
-  std::array<std::array<BitModel, 2>, 33> third_;
+  BitModel is_below_;  ///< of numbers beyond the symbols, and by how much
+  NumberModel excess_;
   SymbolBits low_models_;
 };
 

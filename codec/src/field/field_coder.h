@@ -33,7 +33,7 @@ class FieldCoder {
       : FieldCoder(coder, graph, static_cast<std::uint32_t>(graph.vertex_count())) {}
   /// Two walks, the second of which begins at `middle` [FLD-8].
   FieldCoder(Coder& coder, const Adjacency& graph, std::uint32_t middle)
-      : coder_(coder), history_(graph, middle), numbers_(coder, kSurenesses) {
+      : coder_(coder), history_(graph, middle), numbers_(coder) {
     for (std::size_t i = 0; i < models_.size(); ++i) models_[i].assign(kFieldContexts[i], kFreshSplit);
   }
 
@@ -134,7 +134,7 @@ class FieldCoder {
     if (f.shift > kMostLowBits) __builtin_unreachable();  // no magnitude is above 2^18 sixteenths
     const auto model = [&](std::size_t k) { return &models_[k][f.contexts[k]]; };
     const Mixture<kFieldModels> mixture({model(0), model(1), model(2)}, weights, learning);
-    const std::int64_t result = numbers_.code(coder, (q ^ f.sign) - f.sign, f.shift, mixture, f.sure);
+    const std::int64_t result = numbers_.code(coder, (q ^ f.sign) - f.sign, f.shift, mixture);
     return (result ^ f.sign) - f.sign;
   }
 

@@ -18,7 +18,7 @@ namespace deltamesh {
 template <class Coder>
 class ResidualCoder {
  public:
-  explicit ResidualCoder(Coder& coder) : coder_(coder), numbers_(coder, kResidualTails) {}
+  explicit ResidualCoder(Coder& coder) : coder_(coder), numbers_(coder) {}
 
   /// A reader's argument is ignored. Where the stream lies the result is anything below 2^62 in size.
   std::int64_t code(std::int64_t residual, const ResidualForecast& f) { return code(coder_, residual, f); }
@@ -26,8 +26,7 @@ class ResidualCoder {
   [[gnu::always_inline]] std::int64_t code(Coder& coder, std::int64_t residual, const ResidualForecast& f) {
     const Mixture<kResidualModels> mixture{{&models_[0][f.contexts[0]], &models_[1][f.contexts[1]]},
                                            &weights_[f.weight_set]};
-    const std::int64_t result =
-        numbers_.code(coder, (residual ^ f.sign) - f.sign, f.shift, mixture, f.tail_context);
+    const std::int64_t result = numbers_.code(coder, (residual ^ f.sign) - f.sign, f.shift, mixture);
     return (result ^ f.sign) - f.sign;
   }
 

@@ -23,7 +23,6 @@ namespace deltamesh {
 inline constexpr std::size_t kResidualModels = 2;
 inline constexpr std::array<std::uint32_t, kResidualModels> kResidualContexts = {24 * 5 * 5, 24 * 5 * 3};
 inline constexpr std::uint32_t kResidualWeightSets = 15;
-inline constexpr std::uint32_t kResidualTails = 5;
 
 /// Forecast of one axis.
 struct ResidualForecast {
@@ -33,7 +32,6 @@ struct ResidualForecast {
   std::int64_t sign = 0;   ///< -1 where signs are swapped, else 0
   std::array<std::uint32_t, kResidualModels> contexts{};
   std::uint32_t weight_set = 0;
-  std::uint32_t tail_context = 0;
 };
 
 inline constexpr std::int32_t kLargestScale = (1 << 24) - 1;  ///< 1/16 steps
@@ -119,7 +117,6 @@ class ResidualTurn {
       f.contexts[0] += (4 * coded < scale ? 1U : 0U) + (coded >= 2 * scale ? 2U : 0U);
     }
     f.weight_set = static_cast<std::uint32_t>(axis) * 5 + sources_;
-    f.tail_context = sources_;
     return f;
   }
 

@@ -6,6 +6,7 @@
 
 #include "entropy/compact_reader.h"
 #include "entropy/compact_writer.h"
+#include "entropy/split_number.h"
 #include "support/random.h"
 
 namespace deltamesh {
@@ -301,6 +302,31 @@ TEST(Compact, VectorLoopsEqualPlainOnes) {
       if (stored[i] <= value) found = i;
     }
     EXPECT_EQ(sum.find(value), found);
+  }
+}
+
+TEST(Compact, CMP15ScaledNumbersOfEverySizeComeBack) {
+  std::vector<std::int64_t> numbers = {0, 1, -1, 7, 8, -7, -8, -9, 23, -24, 1000000, -1000000};
+  for (const std::int64_t far : {std::int64_t{1} << 30, (std::int64_t{1} << 32) - 1}) {
+    numbers.push_back(far);
+    numbers.push_back(-far);
+  }
+  for (unsigned shift = 0; shift <= 24; ++shift) {
+    const auto run = [&](auto& coder, bool is_writer) {
+      SplitNumberCoder split(coder);
+      SymbolModel model = kFreshSplit;
+      MixWeights<1> weights;
+      for (const std::int64_t number : numbers) {
+        const Mixture<1> mixture{{&model}, &weights};
+        EXPECT_EQ(split.code(coder, is_writer ? number : 0, shift, mixture), number) << shift;
+      }
+    };
+    CompactWriter writer;
+    run(writer, true);
+    const auto bytes = writer.finish();
+    CompactReader reader(bytes);
+    run(reader, false);
+    EXPECT_TRUE(reader.finish(kTag));
   }
 }
 

@@ -63,7 +63,6 @@ ResidualForecast forecast_by_the_letter(std::int64_t place, std::int64_t spread,
   forecast.contexts = {static_cast<std::uint32_t>((s * 5 + sources) * 5 + sure),
                        static_cast<std::uint32_t>((t * 5 + sources) * 3 + static_cast<std::int64_t>(a))};
   forecast.weight_set = static_cast<std::uint32_t>(a) * 5 + sources;
-  forecast.tail_context = sources;
   return forecast;
 }
 
