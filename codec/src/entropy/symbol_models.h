@@ -20,7 +20,7 @@ class SymbolModels {
   /// `count` models that begin as `fresh`.
   SymbolModels(std::size_t count, const SymbolModel& fresh) : SymbolModels(count) { fill(0, count, fresh); }
   /// `count` models, each of which fill() has to set.
-  explicit SymbolModels(std::size_t count) : models_(std::make_unique_for_overwrite<SymbolModel[]>(count)) {}
+  explicit SymbolModels(std::size_t count) : models_(new SymbolModel[count]) {}
 
   void fill(std::size_t first, std::size_t count, const SymbolModel& fresh) noexcept {
     if (count == 0) return;
