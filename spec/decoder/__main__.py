@@ -6,6 +6,7 @@ import sys
 import numpy as np
 
 import ply
+from coder import Coder
 from container import Broken
 from mesh import decode, nothing
 
@@ -28,6 +29,7 @@ def main():
     parser.add_argument("--json", action="store_true", help="print the header and the figures")
     parser.add_argument("--dump", action="store_true", help="print intermediate values")
     options = parser.parse_args()
+    Coder.log = show if options.dump else None
     with open(options.stream, "rb") as file:
         data = file.read()
     try:

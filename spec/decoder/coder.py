@@ -53,7 +53,9 @@ def mixing_weights(count):
     return defaultdict(lambda: [each] * (count - 1) + [WEIGHT_SUM - each * (count - 1)])
 
 class Coder:
-    """[CMP-1 to CMP-3, CMP-6, CMP-12] Reads the decisions of one stream."""
+    """[CMP-1 to CMP-3, CMP-6, CMP-12] Reads the decisions of one stream; `log` is told of each where it is a function."""
+    log = None
+
     def __init__(self, data):
         must(data and max(data[0] & 15, data[0] >> 4) <= 8, "CMP-1", "no sizes of states, or too large ones")
         middle = 1 + (data[0] & 15)
@@ -77,12 +79,16 @@ class Coder:
     def take(self, start, size):
         """[CMP-2] Ends a decision whose interval is [start, start + size)."""
         state = self.states[self.turn]
+        if Coder.log:
+            Coder.log("decision", f"state {self.turn} {state}, interval {start} + {size}")
         self.states[self.turn] = size * (state >> 15) + (state & 0x7fff) - start
         self.refill()
 
     def shift_out(self, n):
         state = self.states[self.turn]
         self.states[self.turn] = state >> n
+        if Coder.log:
+            Coder.log("bits", f"{n}: {state & (2**n - 1)}")
         return state & (2**n - 1)
 
     def raw(self, n):
@@ -108,6 +114,8 @@ class Coder:
     def learn(self, models, weights, s, size):
         """[CMP-6] What weights and models learn from symbol s, whose interval has this size."""
         k = len(models)
+        if Coder.log:
+            Coder.log("symbol", f"{s} by weights {list(weights)} of models {[model.lanes for model in models]}")
         if k > 1:
             inverse = ((WEIGHT_SUM - 512 * k) * 2**24 // WEIGHT_SUM) // (size + k - 2)
             for i in range(k - 1):

@@ -6,6 +6,7 @@ import sys
 import numpy as np
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+GOLDEN = os.path.join(ROOT, "tests", "golden")
 sys.path.insert(0, os.path.join(ROOT, "spec", "decoder"))
 from mesh import decode  # noqa: E402
 
@@ -64,7 +65,7 @@ def compare(stem):
 
 
 def main():
-    folder, failed = os.path.join(ROOT, "tests", "golden"), 0
+    folder, failed = GOLDEN, 0
     stems = sys.argv[1:] or [os.path.join(folder, f[:-5]) for f in sorted(os.listdir(folder)) if f.endswith(".dmsh")]
     for stem in stems:
         try:
