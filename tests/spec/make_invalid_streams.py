@@ -45,27 +45,61 @@ def varint(value):
     return bytes([value]) if value < 128 else bytes([value & 127 | 128]) + varint(value >> 7)
 
 
-def plain(data):
-    """The same stream with raw chunks in place of zstd ones, so that changes reach what is in them."""
-    r = Reader(data[:-4])
-    r.at = 4
-    header = Header(r)
-    body = data[:r.at]
-    while r.at < len(r.data):
-        start, spans = r.at, []
+class Parts:
+    """The header of a stream and its chunks as (kind, descriptor, payload), zstd ones as raw."""
+    def __init__(self, data):
+        r = Reader(data[:-4])
+        r.at = 4
+        header, self.chunks, spans = Header(r), [], []
+        self.header = data[:r.at]
 
         def read_descriptor(r):
-            spans.append(r.at)
+            start = r.at
             descriptor = Attribute(r)
-            spans.append(r.at)
+            spans.append(data[start:r.at])
             return descriptor
-        chunk = DIR_2_chunk(r, header, read_descriptor)
-        descriptor = data[spans[0]:spans[1]] if spans else b""
-        if data[start] >> 4 != ZSTD:
-            body += data[start:r.at]
+        while r.at < len(r.data):
+            kind = data[r.at]
+            payload = DIR_2_chunk(r, header, read_descriptor).data
+            self.chunks.append((kind & 15 if kind >> 4 == ZSTD else kind, spans.pop() if spans else b"", payload))
+
+    def stream(self):
+        return sealed(self.header + b"".join(bytes([kind]) + varint(len(payload)) + descriptor + payload
+                                             for kind, descriptor, payload in self.chunks))
+
+    def change(self, rng):
+        """Changes the header, or one chunk."""
+        if rng.random() < 0.2:
+            self.header = self.header[:4] + with_changes(self.header[4:], rng)
+            return
+        i = rng.randrange(len(self.chunks))
+        kind, descriptor, payload = self.chunks[i]
+        how = rng.random()
+        if how < 0.03:
+            self.chunks.append(self.chunks[i])
+        elif how < 0.06:
+            del self.chunks[i]
+        elif how < 0.1:
+            self.chunks[i] = kind ^ rng.choice((16, 32, 48)), descriptor, payload
+        elif how < 0.2 and descriptor:
+            self.chunks[i] = kind, with_changes(descriptor, rng), payload
         else:
-            body += bytes([data[start] & 15]) + varint(len(chunk.data)) + descriptor + chunk.data
-    return sealed(body)
+            first = rng.choice((1, 2, 8, len(payload)))
+            self.chunks[i] = kind, descriptor, with_changes(payload[:first], rng) + payload[first:]
+
+
+def with_changes(data, rng):
+    """A few bytes changed, put in or left out."""
+    data = bytearray(data)
+    for _ in range(rng.choice((1, 1, 1, 2, 3))):
+        at, how = rng.randrange(len(data) + 1), rng.random()
+        if how < 0.8 and at < len(data):
+            data[at] = rng.choice((0, 1, 255, 128, data[at] ^ 1, data[at] + 1 & 255, data[at] - 1 & 255, rng.randrange(256)))
+        elif how < 0.9:
+            del data[at:at + rng.choice((1, 1, 4))]
+        else:
+            data[at:at] = rng.choice((b"\0", b"\xff", b"\xff\xff\xff\xff"))
+    return bytes(data)
 
 
 def more_seeds(program, folder):
@@ -86,20 +120,11 @@ def more_seeds(program, folder):
 
 
 def changed(data, rng):
-    """A stream with a few bytes changed, inserted, doubled or left out; mostly near the start, where the header is."""
-    body = bytearray(data[:-4])
-    for _ in range(rng.choice((1, 1, 1, 2, 3))):
-        at = rng.randrange(3, min(len(body), rng.choice((12, 60, 120, len(body)))))
-        how = rng.random()
-        if how < 0.7:
-            body[at] = rng.choice((0, 1, 255, 128, body[at] ^ 1, body[at] + 1 & 255, body[at] - 1 & 255, rng.randrange(256)))
-        elif how < 0.8:
-            del body[at:at + rng.choice((1, 1, 4))]
-        elif how < 0.9:
-            body[at:at] = rng.choice((b"\0", b"\xff", bytes(body[at:at + 4])))
-        else:
-            del body[max(at, 4):]
-    return sealed(bytes(body))
+    if rng.random() < 0.1:
+        return sealed(data[:4] + with_changes(data[4:-4], rng))
+    parts = Parts(data)
+    parts.change(rng)
+    return parts.stream()
 
 
 def main():
@@ -110,7 +135,7 @@ def main():
     for path in sorted(glob.glob(os.path.join(GOLDEN, "*.dmsh"))):
         with open(path, "rb") as file:
             seeds.append(file.read())
-    seeds = [plain(seed) for seed in seeds + more_seeds(program, folder)]
+    seeds += more_seeds(program, folder)
     seeds = [seed for seed in seeds if len(seed) < 4000]
     first = seeds[0]
     tried = [b"XMS" + first[3:], first[:3] + b"\1" + first[4:], first[:3] + b"\x81" + first[4:], first[:-1] + bytes([first[-1] ^ 1])]
