@@ -8,9 +8,10 @@ from coder import BitModel, Coder, bit_models, clamp, mixing_weights, symbol_mod
 from container import must
 from graph import corners, others
 from scaled import SYMBOL_WEIGHTS, ScaledCoder
-from vectors import ATTR_22_corner_angles, ATTR_22_scaled, ATTR_24_point, cross, dot, sum_at_corners, to_f32, unit, vector
+from vectors import (F, ATTR_22_corner_angles, ATTR_22_scaled, ATTR_23_frame, ATTR_24_point, cross, dot, f32_vector,
+                     sum_at_corners)
 
-F = np.float32
+NOWHERE = f32_vector(0, 0, 0)
 
 def ATTR_20_normals(r, a, surface):
     form, radius = r.u8(), r.number("f")
@@ -19,15 +20,15 @@ def ATTR_20_normals(r, a, surface):
     must(rule == 0 or surface.positions is not None, "ATTR-20", "a rule without positions")
     must(float(F(1e-6)) <= radius <= 1, "ATTR-20", f"radius {radius}")
     coder = Coder(r.rest())
-    normals = NormalCoder(coder, surface, rule, form, radius).decode()
+    normals = NormalCoder(coder, surface, rule, form, F(radius)).decode()
     coder.end()
     return f32_rows(normals, 3)
 
 def ATTR_22_rule(rule, surface):
-    """Rule vectors, rule weights and rule noises of all vertices."""
+    """Rule vectors and rule weights of all vertices."""
     n, faces = surface.n, np.array(surface.faces, dtype=np.int64).reshape(-1, 3)
     if rule == 0:
-        return np.zeros((n, 3), dtype=F), np.zeros(n, dtype=F), np.zeros(n, dtype=F)
+        return np.zeros((n, 3), dtype=F), np.zeros(n, dtype=F)
     places = ATTR_22_scaled(surface.positions)[faces]
     a, b = places[:, 1] - places[:, 0], places[:, 2] - places[:, 0]
     A, B, C, normal = dot(a, a), dot(b, b), dot(b - a, b - a), cross(a, b)
@@ -39,26 +40,24 @@ def ATTR_22_rule(rule, surface):
         weight = y[:, None] * weight
     if rule == 5:
         weight = np.stack([y / (A * B), y / (A * C), y / (B * C)], axis=1)
-    turn = (A + B + C) * ((F(1) / y) * (F(1) / y))
     directions = ((F(1) / y)[:, None] * normal)[:, None, :] * weight[:, :, None]
-    noises = (weight * turn[:, None]) * weight
-    return tuple(sum_at_corners(faces, counted, x, n) for x in (directions, weight, noises))
+    return tuple(sum_at_corners(faces, counted, x, n) for x in (directions, weight))
 
 def exponent(x):
     """[ATTR-25] L"""
-    if not x >= 2.0**-1022:
-        return -1023
-    return 1024 if math.isinf(x) else math.frexp(x)[1] - 1
+    if not x >= F(2.0**-126):
+        return -127
+    return 128 if np.isinf(x) else math.frexp(x)[1] - 1
 
 class NormalCoder:
     def __init__(self, coder, surface, rule, form, radius):
         self.coder, self.surface, self.radius, n = coder, surface, radius, surface.n
-        self.shares, self.zeros, self.blends, self.K = form & 8, form & 16, form & 32, 0.25 / (radius * radius)
-        self.vectors, self.rule_weights, self.noises = ATTR_22_rule(rule, surface)
+        self.shares, self.zeros, self.blends, self.K = form & 8, form & 16, form & 32, F(0.25) / (radius * radius)
+        self.vectors, self.rule_weights = ATTR_22_rule(rule, surface)
         self.at, self.share_bits, self.zero_bit = corners(surface.faces, n), bit_models(), BitModel()
-        self.models, self.weights, self.scaled = symbol_models(SYMBOL_WEIGHTS), mixing_weights(4), ScaledCoder()
+        self.models, self.weights, self.scaled = symbol_models(SYMBOL_WEIGHTS), mixing_weights(2), ScaledCoder()
         self.group_of, self.normals, self.rule_normals, self.sizes = {}, {}, {}, {}
-        self.last, self.sums, self.Z, self.O = vector(0, 0, 1), vector(0, 0, 0, 0, 0), 0.0, 0.0  # sums: ff, fg, gg, ft, gt
+        self.last, self.X, self.Y, self.y = f32_vector(0, 0, 1), F(0), F(0), F(0)
 
     def decode(self):
         first = self.surface.first
@@ -79,16 +78,16 @@ class NormalCoder:
 
     def ATTR_21_earlier(self, g, v, groups, few):
         """The group of earlier copies that v belongs to, or None."""
-        ranked, a = [], self.vectors[v].astype(np.float64)
+        ranked, a = [], self.vectors[v]
         for group in groups[-16:]:
             b = self.sum_of(self.vectors, group)
             divisor = np.sqrt(dot(a, a)) * np.sqrt(dot(b, b))
-            cosine = dot(a, b) / divisor if divisor > 0 else 0.0
+            cosine = dot(a, b) / divisor if divisor > 0 else F(0)
             tie = self.ATTR_21_tie(g, v, group) if few else 0
-            ranked.append((cosine + (0, 0, -2, 2)[tie], cosine, tie, group))
+            ranked.append((cosine + F((0, 0, -2, 2)[tie]), cosine, tie, group))
         ranked.sort(key=lambda entry: -entry[0])
         for rank, (_, cosine, tie, group) in enumerate(ranked[:3]):
-            l = sum(x < cosine for x in (0, 0.5, 0.85, 0.95, 0.99, 0.999, 0.9999))
+            l = sum(F(x) < cosine for x in (0, 0.5, 0.85, 0.95, 0.99, 0.999, 0.9999))
             if self.share_bits[(rank * 4 + tie) * 8 + l].decode(self.coder):
                 return group
         return None
@@ -106,7 +105,7 @@ class NormalCoder:
         total = values[group[0]]
         for v in group[1:]:
             total = total + values[v]
-        return total.astype(np.float64)
+        return total
 
     def ATTR_23_sums(self, g, group):
         """N, R, V and c"""
@@ -115,79 +114,58 @@ class NormalCoder:
             part = np.zeros(7, dtype=F)
             for u, _ in (others(faces, c) for c in self.at[v]):
                 if self.surface.geometric[u] < g and any(self.normals[u]):
-                    part = part + np.hstack([self.normals[u], self.rule_normals[u], self.sizes[u]]).astype(F)
+                    part = part + np.hstack([self.normals[u], self.rule_normals[u], self.sizes[u]])
                     c += 1
             total = total + part
-        return total[:3].astype(np.float64), total[3:6].astype(np.float64), float(total[6]), c
+        return total[:3], total[3:6], total[6], c
 
     def ATTR_23_pole(self, U, M, Q):
-        if U is None or M is None or not self.blends:
-            P = unit(M) if U is None and M is not None else U
-            return self.last if P is None else P
-        ff, fg, gg, ft, gt = self.sums
-        FF, GG, T = ff + 0.5, gg + 0.5, ft + 0.5
-        d, x, y = FF * GG - fg * fg, 1.0, 0.0
-        if d > 1e-12 * FF * GG:
-            x, y = (T * GG - gt * fg) / d, (gt * FF - T * fg) / d
-        P = unit(M + x * (U - M) + y * (Q - M))
-        return U if P is None else P
+        """P"""
+        if U is None:
+            return M if M is not None and dot(M, M) > F(1e-12) else self.last
+        P = U + self.y * (M - Q) if M is not None and self.blends else U
+        return P if dot(P, P) > F(1e-12) else U
 
-    def ATTR_23_frame(self, P, U, M):
-        v = vector(0, 0, 0) if U is None or M is None else U - M
-        w = v - dot(v, P) * P
-        if not dot(w, w) > 1e-20:
-            v = np.eye(3)[np.argmin(abs(P))]
-            w = v - dot(v, P) * P
-        return P, unit(w), cross(P, unit(w))
-
-    def ATTR_23_learn(self, n, P, U, M, Q):
-        f, g, t, e = U - M, Q - M, n - M, n - P
-        w = self.K / (1 + self.K * dot(e, e))
-        self.sums = (1 - 1 / 256) * self.sums + w * vector(dot(f, f), dot(f, g), dot(g, g), dot(f, t), dot(g, t))
+    def ATTR_23_learn(self, n, U, M, Q, z):
+        G, k, keep = M - Q, self.K / (F(1) + z), F(1 - 1 / 256)
+        self.X, self.Y = keep * self.X + k * dot(G, G), keep * self.Y + k * dot(G, n - U)
+        self.y = self.Y / (self.X + F(0.5))
 
     def ATTR_23_normal(self, g, group):
         N, R, V, c = self.ATTR_23_sums(g, group)
-        S, W, X = (self.sum_of(x, group) for x in (self.vectors, self.rule_weights, self.noises))
-        U, i, M, Q = unit(S), 1 / c if c else 0.0, None, None
+        S, W = (self.sum_of(x, group) for x in (self.vectors, self.rule_weights))
+        u, U, M, Q, near = F(1) / np.sqrt(dot(S, S)), None, None, None, F(0)
+        if F(1e-36) < dot(S, S) < F(1e36):
+            U = u * S
         if c:
-            M, Q = i * N, i * R
-        near, normal, size = i * V, vector(0, 0, 0), 0.0
+            i = F(1) / F(c)
+            M, Q, near = i * N, i * R, i * V
+        normal, size = NOWHERE, F(0)
         if not (self.zeros and self.zero_bit.decode(self.coder)):
-            frame = self.ATTR_23_frame(self.ATTR_23_pole(U, M, Q), U, M)
-            row, place, o = self.ATTR_25_numbers(S, W, X if X < 1e60 else 0.0, U, M, near, c)
-            a, b = (1.5 * self.radius) * row, (1.7320508075688772 * self.radius) * (place + (0.5 if row % 2 else 0))
-            normal = ATTR_24_point(a, b, *frame)
-            z = np.sqrt((a / self.radius) * (a / self.radius) + (b / self.radius) * (b / self.radius))
-            size = (5 * z + 3 * near) / 8 if c else z
-            if o > 0 and any(normal):
-                self.Z, self.O = (1 - 1 / 256) * self.Z + z, (1 - 1 / 256) * self.O + np.sqrt(o)
+            frame = ATTR_23_frame(self.ATTR_23_pole(U, M, Q), NOWHERE if U is None or M is None else U - M)
+            row, place = self.ATTR_25_numbers(u * W, U, M, near, c)
+            a, b = F(1.5) * F(row), F(1.7320508) * (F(place) + F(0.5 if row % 2 else 0))
+            self.last = normal = ATTR_24_point(self.radius * a, self.radius * b, *frame)
+            z = a * a + b * b
+            size = (F(5) * np.sqrt(z) + F(3) * near) * F(0.125) if c else np.sqrt(z)
             if self.blends and U is not None and c:
-                self.ATTR_23_learn(normal, frame[0], U, M, Q)
-            if any(normal):
-                self.last = normal
+                self.ATTR_23_learn(normal, U, M, Q, z)
         for v in group:
-            self.normals[v], self.sizes[v] = normal, F(size)
-            self.rule_normals[v] = vector(0, 0, 0) if U is None else to_f32(U)
+            self.normals[v], self.rule_normals[v], self.sizes[v] = normal, NOWHERE if U is None else U, size
 
-    def ATTR_25_numbers(self, S, W, X, U, M, near, c):
-        """Row, place and o."""
-        u, p = 0.0 if U is None else 1 / np.sqrt(dot(S, S)), self.Z / self.O if self.O else 0.0
-        o, spread = X * (u * u), self.K * (1 - dot(M, M)) if c else 0.0
-        apart = 0.0 if U is None or not c else self.K * dot(U - M, U - M)
-        bend = 0.0 if U is None else self.K * (2 - 2 / (u * W))
-        squares = [near * near, apart, spread, bend, o * (p * p)]
-        scale = near * near if c else min(bend, 4.0)
+    def ATTR_25_numbers(self, uW, U, M, near, c):
+        """Row and place."""
+        spread = self.K * (F(1) - dot(M, M)) if c else F(0)
+        apart = F(0) if U is None or not c else self.K * dot(U - M, U - M)
+        bend = F(0) if U is None else (F(2) * self.K) * (uW - F(1))
+        scale = near * near if c else min(bend, F(4))
         shift = clamp((exponent(scale) - 6) // 2, 0, 24)
-        def H(x):
-            return clamp(exponent(x) + 7 - 2 * shift, 0, 15)
-        near, apart, spread, bend, expected = (H(x) for x in squares)
-        m = 0 if c == 0 else 1 if c < 3 else 2
-        row = self.number(0, (near, 16 * apart + spread, 16 * near + expected, 4 * (4 * bend + m) + near // 4), H(scale), shift)
+        scale, apart, spread, bend = (clamp(exponent(x) + 7 - 2 * shift, 0, 15) for x in (scale, apart, spread, bend))
+        row = self.number(0, (16 * scale + bend, 16 * apart + spread), scale, shift)
         j = abs(row) >> shift
         g = 2 * ((0, 1, 2, 2)[j] if j < 4 else 3) + int(row % 2 == 1 and shift == 0)
-        indices = (near, 8 * (apart // 2) + spread // 2, 8 * (near // 2) + expected // 2, 4 * bend + near // 4)
-        place = self.number(1, tuple(8 * index + g for index in indices), H(scale), shift)
-        return row, place, o
+        indices = (8 * (scale // 2) + bend // 2, 8 * (apart // 2) + spread // 2)
+        return row, self.number(1, tuple(8 * index + g for index in indices), scale, shift)
 
     def number(self, is_place, indices, scale, shift):
         models = [self.models[is_place, table, index] for table, index in enumerate(indices)]

@@ -6,17 +6,18 @@ import numpy as np
 from attr import NORMAL, UV, f32_rows
 from coder import Coder
 from container import must
-from graph import corners, others
-from vectors import ATTR_22_corner_angles, ATTR_22_scaled, ATTR_24_point, cross, dot, sum_at_corners, to_f32, unit, vector
-from walk import ATTR_30_walk, BitOfFaces, Blend, PairCoder, whole_part
+from attr_normals import ATTR_22_rule, NOWHERE
+from graph import others
+from vectors import F, ATTR_22_corner_angles, ATTR_22_scaled, ATTR_23_frame, ATTR_24_point, cross, dot, f32_vector, sum_at_corners
+from walk import ATTR_30_walk, BitOfFaces, PairCoder, whole_part
 
-NOTHING, NOWHERE = vector(0, 0), vector(0, 0, 0)
+NOTHING = f32_vector(0, 0)
 
 def ATTR_38_tangents(r, a, surface):
     step = r.number("f")
     must(2.0**-20 <= step <= 1, "ATTR-38", f"step {step}")
     coder = Coder(r.rest())
-    tangents = TangentCoder(coder, surface, step).decode()
+    tangents = TangentCoder(coder, surface, F(step)).decode()
     coder.end()
     return f32_rows([tangents[v] for v in range(surface.n)], 4)
 
@@ -24,29 +25,21 @@ def ATTR_39_first(surface, kind, k):
     return next((a.values for a in surface.attributes if a.is_shape(kind, ["f4"], [k])), None)
 
 def ATTR_39_normals(surface):
-    """Unit normals of the vertices, 0 where there are none."""
-    normals, rows = ATTR_39_first(surface, NORMAL, 3), []
+    normals = ATTR_39_first(surface, NORMAL, 3)
     if normals is not None:
-        rows = normals.astype(np.float64)
-    elif surface.positions is None:
-        rows = [NOWHERE] * surface.n
-    else:
-        places = surface.positions.astype(np.float64)
-        of_face = [cross(places[y] - places[x], places[z] - places[x]) for x, y, z in surface.faces]
-        for at in corners(surface.faces, surface.n):
-            total = unit(sum((of_face[c // 3] for c in at), NOWHERE))
-            rows.append(NOWHERE if total is None else to_f32(total))
-    units = [unit(row) for row in rows]
-    return [NOWHERE if x is None else x for x in units]
+        return list(normals)
+    if surface.positions is None:
+        return [NOWHERE] * surface.n
+    return [(F(1) / np.sqrt(dot(x, x))) * x if dot(x, x) > F(1e-36) else NOWHERE for x in ATTR_22_rule(2, surface)[0]]
 
-def ATTR_40_rule(S=NOWHERE, W=0.0, T=NOWHERE, A=0.0, N=NOWHERE):
-    """R and Q (or None), the dispersion, and whether the vertex is mirrored."""
-    R, Q = (unit(x - dot(N, x) * N) for x in (S, T))
-    dispersion = np.sqrt(2 * max(0.0, 1 - np.sqrt(dot(S, S)) / W)) if W > 0 else 0.0
-    return SimpleNamespace(R=R, Q=R if Q is None else Q, dispersion=dispersion, mirrored=A < 0)
+def ATTR_40_rule(S=NOWHERE, W=F(0), A=F(0), N=NOWHERE):
+    """R (or None), the dispersion, and whether the vertex is mirrored."""
+    R = S - dot(N, S) * N
+    spread = F(1) - dot(S, S) / (W * W) if W > 0 else F(0)
+    return SimpleNamespace(R=R if F(1e-12) < dot(R, R) < F(1) / F(1e-12) else None, dispersion=np.sqrt(spread) if spread > 0 else F(0), mirrored=A < 0)
 
 def ATTR_40_rules(surface, normals):
-    uvs, F, faces = ATTR_39_first(surface, UV, 2), np.float32, np.array(surface.faces, dtype=np.int64).reshape(-1, 3)
+    uvs, faces = ATTR_39_first(surface, UV, 2), np.array(surface.faces, dtype=np.int64).reshape(-1, 3)
     if uvs is None or surface.positions is None:
         return [ATTR_40_rule()] * surface.n
     places, uv = ATTR_22_scaled(surface.positions)[faces], ATTR_22_scaled(uvs)[faces]
@@ -56,15 +49,15 @@ def ATTR_40_rules(surface, normals):
     G = np.where((area < 0)[:, None], -G, G)
     GG, nn = dot(G, G), dot(normal, normal)
     counted, w = (area != 0) & (GG > F(1e-36)) & (nn > F(1e-36)), ATTR_22_corner_angles(a, b, np.sqrt(nn))
-    terms = [(w * (F(1) / np.sqrt(GG))[:, None])[:, :, None] * G[:, None, :], w, np.stack([G] * 3, axis=1), np.stack([area] * 3, axis=1)]
-    sums = [sum_at_corners(faces, counted, x, surface.n).astype(np.float64) for x in terms]
+    terms = [(w * (F(1) / np.sqrt(GG))[:, None])[:, :, None] * G[:, None, :], w, np.stack([area] * 3, axis=1)]
+    sums = [sum_at_corners(faces, counted, x, surface.n) for x in terms]
     return [ATTR_40_rule(*rows) for rows in zip(*sums, normals)]
 
 class TangentCoder:
     def __init__(self, coder, surface, step):
         self.coder, self.surface, self.step, self.normals = coder, surface, step, ATTR_39_normals(surface)
         self.rules = ATTR_40_rules(surface, self.normals)
-        self.blends, self.pairs = [Blend() for _ in range(5)], PairCoder(coder)
+        self.X, self.Y, self.pairs = np.zeros(5, dtype=F), np.zeros(5, dtype=F), PairCoder(coder)
         self.same, self.sign, self.copy_of = BitOfFaces(coder), BitOfFaces(coder), {}
         self.tangents, self.off, self.kept = {}, {}, {}
 
@@ -75,43 +68,25 @@ class TangentCoder:
             last = self.tangents[v][:3]
         return self.tangents
 
-    def ATTR_41_frame(self, P, normal):
-        """The pole and both axes."""
-        for x in (normal, vector(1, 0, 0) if abs(P[0]) < 0.6 else vector(0, 1, 0)):
-            second = x - dot(P, x) * P
-            if dot(second, second) > 1e-6:
-                break
-        second = unit(second)
-        return P, cross(second, P), second
-
-    def ATTR_41_place(self, V, frame):
-        p, a, b = (dot(V, x) for x in frame)
-        if p >= 0:
-            return vector(a, b) / (1 + p)
-        place = vector(a, b) / (1 - p)
-        d = np.sqrt(dot(place, place))
-        return place * ((2 - d) / d) if d else vector(2, 0)
-
     def ATTR_41_vertex(self, v, faces, around, last):
         rule, offs = self.rules[v], [self.off[u] for u in around if u in self.off]
-        mean = unit(sum((self.tangents[u][:3] for u in around), NOWHERE) if faces else last)
-        has_rule, has_mean, d1, d2, spread = rule.R is not None, mean is not None, NOTHING, NOTHING, NOTHING
+        M = sum((self.tangents[u][:3] for u in around), NOWHERE) if faces else last
+        has_rule, has_mean, d, centre, spread = rule.R is not None, dot(M, M) > F(1e-12), NOTHING, NOTHING, NOTHING
         source = 2 + min(faces, 2) if has_rule else int(has_mean)
-        frame = self.ATTR_41_frame(rule.R if has_rule else mean if has_mean else vector(1, 0, 0), self.normals[v])
+        pole, second, first = ATTR_23_frame(rule.R if has_rule else M if has_mean else f32_vector(1, 0, 0), self.normals[v])
         if has_rule:
-            d1, d2 = sum(offs, NOTHING) / len(offs) if offs else NOTHING, self.ATTR_41_place(rule.Q, frame)
-            d1, d2 = (d if dot(d, d) <= 2.25 else NOTHING for d in (d1, d2))
-        centre = self.blends[source].correction(d1, d2)
-        centre = centre if dot(centre, centre) <= 1 else NOTHING
+            d = sum(offs, NOTHING) / F(len(offs)) if offs else NOTHING
+            centre = (self.Y[source] / (self.X[source] + F(0.02))) * d
+            centre = centre if dot(centre, centre) <= 1 else NOTHING
+            spread = F(0.5) * abs(d - centre) + f32_vector(F(0.25) * rule.dispersion, 0)
+        self.tangents[v] = self.ATTR_44_value(v, around, rule, source, centre, spread, (pole, first, second))
         if has_rule:
-            spread = 0.5 * abs(d1 - centre) + vector(0.25 * rule.dispersion, 0)
-        self.tangents[v] = self.ATTR_44_value(v, around, rule, source, centre, spread, frame)
-        direction = unit(self.tangents[v][:3])
-        if has_rule and direction is not None:
-            off = self.ATTR_41_place(direction, frame)
+            T = self.tangents[v][:3]
+            off = (F(1) / (F(1) + max(dot(pole, T), F(-0.5)))) * f32_vector(dot(first, T), dot(second, T))
             if dot(off, off) <= 2.25:
-                self.off[v] = off
-                self.blends[source].learn(d1, d2, off, 1 / (1e-12 + dot(off, off) + dot(d1, d1) + dot(d2, d2)))
+                self.off[v], g = off, F(1) / (F(1e-12) + dot(off, off) + dot(d, d))
+                self.X[source] = F(0.99) * self.X[source] + g * dot(d, d)
+                self.Y[source] = F(0.99) * self.Y[source] + g * dot(d, off)
 
     def ATTR_44_value(self, v, around, rule, source, centre, spread, frame):
         """[ATTR-42 to ATTR-44]"""
@@ -122,6 +97,6 @@ class TangentCoder:
         expected = -1.0 if rule.mirrored else 1.0
         sign = expected if self.sign.decode(v, around) else -expected
         near = tuple(sum(self.kept[u][i] for u in around) // len(around) if around else 4096 for i in (0, 1))
-        numbers = self.pairs.decode(near, tuple(whole_part(x * (16 / self.step)) for x in spread), source)
+        numbers = self.pairs.decode(near, tuple(whole_part(x * (F(16) / self.step)) for x in spread), source)
         self.kept[v] = tuple((5 * min(16 * abs(p), 2**17) + 3 * x) >> 3 for p, x in zip(numbers, near))
-        return np.append(ATTR_24_point(*(centre + self.step * vector(*numbers)), *frame), sign)
+        return np.append(ATTR_24_point(*(centre + self.step * f32_vector(*numbers)), *frame), F(sign))

@@ -1,4 +1,4 @@
-"""Vectors of two or three doubles or f32, every operation rounded, sums from the left; and rules ATTR-22 and ATTR-24."""
+"""Vectors of two or three doubles or f32, every operation rounded, sums from the left; and rules for f32 that several codings use."""
 import math
 
 import numpy as np
@@ -7,8 +7,13 @@ from container import must
 
 np.seterr(all="ignore")
 
+F = np.float32
+
 def vector(*numbers):
     return np.array(numbers, dtype=np.float64)
+
+def f32_vector(*numbers):
+    return np.array(numbers, dtype=F)
 
 def dot(x, y):
     """Of vectors, or of rows of vectors."""
@@ -22,11 +27,6 @@ def cross(x, y):
     (x0, x1, x2), (y0, y1, y2) = x.T, y.T
     return np.stack([x1 * y2 - x2 * y1, x2 * y0 - x0 * y2, x0 * y1 - x1 * y0]).T
 
-def unit(x):
-    """None where it does not exist."""
-    square = dot(x, x)
-    return (1 / np.sqrt(square)) * x if 1e-300 < square < 1e300 else None
-
 def to_f32(x):
     return x.astype(np.float32).astype(np.float64)
 
@@ -37,7 +37,7 @@ def ATTR_22_scaled(values):
     return values.astype(np.float32) * np.float32(2.0**min(max(e, -126), 126))
 
 def ATTR_22_angle(x, y):
-    F, z = np.float32, np.abs(x)
+    z = np.abs(x)
     t = np.where(y > z, z / y, y / z)
     s = t * t
     arc = t * (F(0.9998660) + s * (F(-0.3302995) + s * (F(0.1801410) + s * (F(-0.0851330) + s * F(0.0208351)))))
@@ -56,14 +56,22 @@ def sum_at_corners(faces, counted, values, n):
     np.add.at(sums, faces[counted].reshape(-1), values[counted].reshape((-1,) + values.shape[2:]))
     return sums
 
-def ATTR_24_point(a, b, P, first, second):
-    """The f32 direction of a place in the plane around P."""
-    z, s = a * a + b * b, 1.0
+def ATTR_23_frame(P, v):
+    """Pole, first and second axis."""
+    w = cross(P, v)
+    if not F(1e-12) * dot(P, P) < dot(w, w) < F(1e36):
+        w = cross(P, np.eye(3, dtype=F)[np.argmin(abs(P))])
+    pole, second = (F(1) / np.sqrt(dot(P, P))) * P, (F(1) / np.sqrt(dot(w, w))) * w
+    return pole, cross(second, pole), second
+
+def ATTR_24_point(a, b, pole, first, second):
+    """The direction of a place in the plane around the pole."""
+    z, s = a * a + b * b, F(1)
     if not z <= 1:
         must(z <= 9, "ATTR-24", "a place too far from the pole")
         d = np.sqrt(z)
-        factor = (2 - d) / d if d < 2 else 0.0
-        a, b, s = a * factor, b * factor, -1.0
+        factor = (F(2) - d) / d if d < 2 else F(0)
+        a, b, s = a * factor, b * factor, F(-1)
         z = a * a + b * b
-    i = 1 / (1 + z)
-    return to_f32((s * (1 - z)) * i * P + ((2 * a) * i) * first + ((2 * b) * i) * second)
+    i = F(1) / (F(1) + z)
+    return (s * (F(1) - z)) * i * pole + ((F(2) * a) * i) * first + ((F(2) * b) * i) * second

@@ -72,14 +72,14 @@ def ATTR_37_log(x):
     return min(2 * o + (((x + 4) >> (o + 1)) & 1), 19)
 
 def whole_part(x):
-    """Of a double, 0 to 2^17."""
+    """Of a number, 0 to 2^17."""
     return int(clamp(x, 0, 2**17)) if x == x else 0
 
 class PairCoder:
     """[ATTR-37] Two numbers."""
     def __init__(self, coder):
         self.coder, self.scaled, self.zero = coder, ScaledCoder(), bit_models()
-        self.models, self.weights = symbol_models(SYMBOL_WEIGHTS), mixing_weights(3)
+        self.models, self.weights = symbol_models(SYMBOL_WEIGHTS), mixing_weights(2)
 
     def decode(self, near, spread, kind):
         """`near` and `spread` are pairs."""
@@ -93,8 +93,7 @@ class PairCoder:
         shift = max(bits(scale) - 7, 0)
         c = 1 + min(t >> shift, 3) if second else 0
         models = [self.models[0, (W(near >> shift) * 5 + kind) * 5 + c],
-                  self.models[1, (W(spread >> shift) * 2 + (shift > 0)) * 5 + c],
-                  self.models[2, (W(scale >> shift) * 2 + (kind > 1)) * 5 + c]]
+                  self.models[1, (W(spread >> shift) * 2 + (shift > 0)) * 5 + c]]
         weights = self.weights[2 * W(scale >> shift) + second]
         x = self.scaled.CMP_15_number(self.coder, models, weights, shift)
         must(abs(x) <= 2**24, "ATTR-37", f"number {x}")

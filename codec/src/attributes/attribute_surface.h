@@ -41,6 +41,12 @@ class AttributeSurface {
   }
   /// Empty where each vertex is its own.
   std::span<const std::uint32_t> geometric() const noexcept { return geometric_; }
+  /// Where the copies of a vertex end that follow it.
+  std::uint32_t copies_end(std::uint32_t vertex) const noexcept {
+    std::uint32_t end = vertex + 1;
+    while (end < vertex_count_ && geometric_of(end) == geometric_of(vertex)) ++end;
+    return end;
+  }
   bool has_positions() const noexcept { return !positions_.empty(); }
   /// n x 3, or empty.
   std::span<const float> positions() const noexcept { return positions_; }
@@ -61,9 +67,14 @@ class AttributeSurface {
     return *joined_;
   }
 
+  /// Likewise, O(n + m).
+  const VertexCorners& corners() const {
+    if (!corners_) corners_.emplace(triangles_, vertex_count_);
+    return *corners_;
+  }
   /// The order that attributes predicted from faces are coded in. Made when first asked for, O(n + m).
   const SurfaceWalk& walk() const {
-    if (!walk_) walk_ = walk_surface(triangles_, vertex_count_);
+    if (!walk_) walk_ = walk_surface(triangles_, vertex_count_, corners());
     return *walk_;
   }
 
@@ -74,6 +85,7 @@ class AttributeSurface {
   std::span<const float> positions_;
   std::function<Adjacency()> make_graph_;
   mutable std::optional<Adjacency> graph_;
+  mutable std::optional<VertexCorners> corners_;
   mutable std::optional<SurfaceWalk> walk_;
   mutable std::optional<KnownFaces> faces_;
   mutable std::optional<JoinedFaces> joined_;

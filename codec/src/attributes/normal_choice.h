@@ -70,7 +70,7 @@ class NormalChoice {
            ++place) {
         const LatticePoint point{row, place};
         const auto at = lattice_.at(point);
-        const double from_pole = at[0] * at[0] + at[1] * at[1];
+        const double from_pole = static_cast<double>(at[0] * at[0] + at[1] * at[1]);
         if (from_pole >= best_square || !fits(forecast, point, vertices)) continue;
         best_square = from_pole;
         best = point;
@@ -82,9 +82,9 @@ class NormalChoice {
  private:
   bool fits(const NormalForecast& forecast, const LatticePoint& point,
             std::span<const std::uint32_t> vertices) const {
-    Vec3 direction{};
+    FourFloats direction{};
     if (!direction_at(forecast.frame, lattice_.at(point), direction)) return false;
-    Vec3 decoded = widen(narrow(direction));
+    Vec3 decoded = widen(direction);
     normalize(decoded);
     return std::all_of(vertices.begin(), vertices.end(), [&](std::uint32_t v) {
       const Vec3 off = decoded - original(v);

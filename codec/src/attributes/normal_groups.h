@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -41,7 +42,7 @@ class NormalGroupCoder {
     for (std::uint32_t i = 0; i < copies.size(); ++i) {
       const std::uint32_t none = static_cast<std::uint32_t>(leaders_.size());
       std::uint32_t found = none;
-      const std::size_t count = rank_groups(copies[i].rule_normal(), edges, group, i);
+      const std::size_t count = rank_groups(copies[i].rule, edges, group, i);
       for (std::size_t rank = 0; rank < count && found == none; ++rank) {
         const Candidate& candidate = ranked_[rank];
         BitModel& model = models_[(rank * 4 + candidate.tie) * kLikeness + candidate.likeness];
@@ -50,9 +51,9 @@ class NormalGroupCoder {
       group[i] = found;
       if (found == none) {
         leaders_.push_back(i);
-        sums_.push_back(copies[i].rule_normal());
+        sums_.push_back(copies[i].rule);
       } else {
-        sums_[found] = sums_[found] + copies[i].rule_normal();
+        sums_[found] += copies[i].rule;
       }
     }
     return static_cast<std::uint32_t>(leaders_.size());
@@ -71,11 +72,11 @@ class NormalGroupCoder {
     std::uint32_t group = 0;
     std::uint32_t tie = kApart;
     std::uint32_t likeness = 0;
-    double score = 0;
+    float score = 0;
   };
 
   /// The most likely groups of copy i come first in ranked_; returns how many are to be asked about.
-  std::size_t rank_groups(const Vec3& own, const std::vector<NormalEdge>& edges,
+  std::size_t rank_groups(FourFloats own, const std::vector<NormalEdge>& edges,
                           const std::vector<std::uint32_t>& group, std::uint32_t i) {
     const auto groups = static_cast<std::uint32_t>(leaders_.size());
     const std::uint32_t first = groups > kMostGroups ? groups - kMostGroups : 0;
@@ -83,10 +84,10 @@ class NormalGroupCoder {
     std::size_t count = 0;
     for (std::uint32_t g = first; g < groups; ++g) {
       Candidate c{.group = g, .tie = ties_[g - first], .likeness = 0, .score = 0};
-      const double sizes = std::sqrt(dot(own, own)) * std::sqrt(dot(sums_[g], sums_[g]));
-      const double cosine = sizes > 0 ? dot(own, sums_[g]) / sizes : 0;
-      for (const double limit : kCosines) c.likeness += cosine > limit ? 1 : 0;
-      c.score = cosine + (c.tie == kJoined ? 2 : 0) - (c.tie == kSplit ? 2 : 0);
+      const float sizes = std::sqrt(dot3(own, own)) * std::sqrt(dot3(sums_[g], sums_[g]));
+      const float cosine = sizes > 0 ? dot3(own, sums_[g]) / sizes : 0;
+      for (const float limit : kCosines) c.likeness += cosine > limit ? 1 : 0;
+      c.score = cosine + (c.tie == kJoined ? 2.0F : 0.0F) - (c.tie == kSplit ? 2.0F : 0.0F);
       std::size_t place = count++;
       for (; place > 0 && c.score > ranked_[place - 1].score; --place) ranked_[place] = ranked_[place - 1];
       ranked_[place] = c;
@@ -109,14 +110,15 @@ class NormalGroupCoder {
     }
   }
 
-  static constexpr std::array<double, kLikeness - 1> kCosines = {0, 0.5, 0.85, 0.95, 0.99, 0.999, 0.9999};
+  static constexpr std::array<float, kLikeness - 1> kCosines = {0,     0.5F,   0.85F,  0.95F,
+                                                                0.99F, 0.999F, 0.9999F};
 
   Coder& coder_;
   std::array<BitModel, kMostAsked * 4 * kLikeness> models_;
   std::array<Candidate, kMostGroups> ranked_;
   std::vector<std::uint32_t> leaders_;
   std::array<std::uint32_t, kMostGroups> ties_{};  ///< of the last groups
-  std::vector<Vec3> sums_;
+  std::vector<RuleSum> sums_;
 };
 
 }  // namespace deltamesh

@@ -1,182 +1,120 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// From what is known around a vertex to the normal that is expected there [ATTR-23]. Doubles, + - * / sqrt
+// From what is known around a vertex to the normal that is expected there [ATTR-23]. Floats, + - * / sqrt
 // only, in the order written.
 #pragma once
 
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <cstdint>
 
 #include "attributes/normal_lattice.h"
 #include "attributes/normal_rule.h"
-#include "base/rounded.h"
-#include "base/vec3.h"
+#include "base/four_floats.h"
 
 namespace deltamesh {
 
-inline Vec3 widen(const std::array<float, 3>& v) noexcept { return {v[0], v[1], v[2]}; }
-inline std::array<float, 3> narrow(const Vec3& v) noexcept {
-  return {rounded(v[0]), rounded(v[1]), rounded(v[2])};
-}
-
-/// What is remembered of a coded vertex: the normal as decoded, unit length or 0; what the rule gave, unit
-/// length or 0; the smoothed distance from the prediction, lattice radii; 1. All 0 where the normal is.
-using CodedNormal = EightFloats;
+/// What is remembered of a coded vertex. All 0 where its normal is.
+struct CodedNormal {
+  FourFloats normal{};  ///< as decoded; then the smoothed distance from the prediction, lattice radii
+  FourFloats rule{};    ///< what the rule gave, unit length or 0; then 1
+};
 
 /// What is known before a normal is coded.
 struct NormalEvidence {
   RuleSum rule{};
   CodedNormal known{};  ///< sum over the coded vertices at the next corners of the faces
 
-  Vec3 rule_normal() const noexcept { return {rule[0], rule[1], rule[2]}; }
-  Vec3 normals() const noexcept { return {known[0], known[1], known[2]}; }
-  Vec3 rules() const noexcept { return {known[3], known[4], known[5]}; }
-  double sizes() const noexcept { return known[6]; }
-  double count() const noexcept { return known[7]; }
+  float count() const noexcept { return known.rule[3]; }
 
+  void add(const CodedNormal& coded) noexcept {
+    known.normal += coded.normal;
+    known.rule += coded.rule;
+  }
   void add(const NormalEvidence& other) noexcept {
     rule += other.rule;
-    known += other.known;
+    add(other.known);
   }
-};
-
-/// What is kept of earlier vertices' part in a sum when one more adds to it.
-inline constexpr double kKeep = 1 - 1.0 / 256;
-
-/// Least squares for two factors: t = x f + y g, with a part of what was learnt forgotten each time.
-class TwoFactors {
- public:
-  /// x and y; 1 and 0 before anything was learnt.
-  std::array<double, 2> solve() const noexcept {
-    const double ff = ff_ + kRidge;
-    const double gg = gg_ + kRidge;
-    const double ft = ft_ + kRidge;
-    const double det = ff * gg - fg_ * fg_;
-    if (!(det > 1e-12 * ff * gg)) return {1, 0};
-    return {(ft * gg - gt_ * fg_) / det, (gt_ * ff - ft * fg_) / det};
-  }
-
-  void learn(const Vec3& f, const Vec3& g, const Vec3& t, double weight) noexcept {
-    ff_ = kKeep * ff_ + weight * dot(f, f);
-    fg_ = kKeep * fg_ + weight * dot(f, g);
-    gg_ = kKeep * gg_ + weight * dot(g, g);
-    ft_ = kKeep * ft_ + weight * dot(f, t);
-    gt_ = kKeep * gt_ + weight * dot(g, t);
-  }
-
- private:
-  static constexpr double kRidge = 0.5;  ///< towards x = 1 and y = 0
-  double ff_ = 0, fg_ = 0, gg_ = 0, ft_ = 0, gt_ = 0;
 };
 
 /// A prediction and what it was made of.
 struct NormalForecast {
   NormalFrame frame;
-  bool learns = false;  ///< both the rule and neighbours gave a normal
-  Vec3 mean{};          ///< of the coded neighbours
-  Vec3 rule_off{};      ///< rule - mean
-  Vec3 rules_off{};     ///< mean of the neighbours' rules - mean
-  double near = 0;      ///< how far the neighbours were from their predictions, lattice radii
+  FourFloats rule{};           ///< unit length, or 0
+  FourFloats correction{};     ///< how far the neighbours are off their rule
+  bool is_corrected = false;   ///< both the rule and neighbours gave a normal
+  bool has_neighbors = false;  ///< near is of theirs
+  float near = 0;              ///< how far they were from their predictions, lattice radii
   // Squared lattice radii.
-  double apart = 0;   ///< how far rule and neighbours' mean are apart
-  double spread = 0;  ///< of the neighbours
-  double bend = 0;    ///< of the faces around the vertex
-  double expect = 0;  ///< distance by the noise
-  double noise = 0;   ///< of the rule, squared radians for positions that are off by 1
-  double count = 0;   ///< of coded vertices
-  std::array<float, 3> rule{};
+  float scale = 0;   ///< what is to be expected
+  float apart = 0;   ///< how far rule and neighbours' mean are apart
+  float spread = 0;  ///< of the neighbours
+  float bend = 0;    ///< of the faces around the vertex
 };
 
-/// Two unit vectors orthogonal to the unit vector `pole` and to each other, the first as near to `way` as it
-/// goes.
-inline NormalFrame make_frame(const Vec3& pole, const Vec3& way) noexcept {
-  NormalFrame frame{.pole = pole, .first = way - dot(way, pole) * pole, .second = {}};
-  if (!(dot(frame.first, frame.first) > 1e-20) || !(normalize(frame.first) > 0)) {
-    const double x = std::fabs(pole[0]);
-    const double y = std::fabs(pole[1]);
-    const double z = std::fabs(pole[2]);
-    Vec3 axis{};
-    axis[x <= y && x <= z ? 0 : (y <= z ? 1 : 2)] = 1;
-    frame.first = axis - dot(axis, pole) * pole;
-    normalize(frame.first);
-  }
-  frame.second = cross(pole, frame.first);
-  return frame;
-}
+inline constexpr float kLeastPole = 1e-12F;  ///< square of what has a direction
 
-/// Blends rule and neighbours, with factors that it learns from how well they did [ATTR-23].
+/// The rule's normal, and a part of what neighbours were off theirs by, which it learns [ATTR-23].
 class NormalPredictor {
  public:
   /// `radius`: of the lattice. `blends`: false where the rule alone predicts.
-  NormalPredictor(double radius, bool blends) noexcept : unit_(0.25 / (radius * radius)), blends_(blends) {}
+  NormalPredictor(float radius, bool blends) noexcept : unit_(0.25F / (radius * radius)), blends_(blends) {}
 
   NormalForecast forecast(const NormalEvidence& e) const noexcept {
     NormalForecast f;
-    Vec3 rule = e.rule_normal();
-    const double inverse = normalize(rule);
-    if (inverse > 0) describe_rule(e.rule, rule, inverse, f);
-    f.count = e.count();
-    if (!(f.count > 0)) {
-      f.frame = make_frame(inverse > 0 ? rule : last_, {});
+    const float square = dot3(e.rule, e.rule);
+    const bool has_rule = square > 1e-36F && square < 1e36F;
+    if (has_rule) {
+      f.rule = e.rule * (1 / std::sqrt(square));
+      f.bend = 2 * unit_ * (f.rule[3] - 1);
+    }
+    const float count = e.count();
+    f.has_neighbors = count > 0;
+    if (!f.has_neighbors) {
+      f.scale = f.bend < 4 ? f.bend : 4;
+      f.frame = make_frame(has_rule ? f.rule : last_, FourFloats{});
       return f;
     }
-    const double part = 1 / f.count;
-    f.mean = part * e.normals();
-    f.near = part * e.sizes();
-    f.spread = unit_ * (1 - dot(f.mean, f.mean));
-    if (!(inverse > 0)) {
-      Vec3 pole = f.mean;
-      f.frame = make_frame(normalize(pole) > 0 ? pole : last_, {});
+    const float part = 1 / count;
+    const FourFloats mean = part * e.known.normal;
+    f.near = mean[3];
+    f.scale = f.near * f.near;
+    f.spread = unit_ * (1 - dot3(mean, mean));
+    if (!has_rule) {
+      f.frame = make_frame(dot3(mean, mean) > kLeastPole ? mean : last_, FourFloats{});
       return f;
     }
-    f.rule_off = rule - f.mean;
-    f.apart = unit_ * dot(f.rule_off, f.rule_off);
-    f.learns = blends_;
-    Vec3 pole = rule;
+    const FourFloats off = f.rule - mean;
+    f.apart = unit_ * dot3(off, off);
+    FourFloats pole = f.rule;
     if (blends_) {
-      f.rules_off = part * e.rules() - f.mean;
-      const auto [x, y] = factors_.solve();
-      pole = f.mean + x * f.rule_off + y * f.rules_off;
-      if (!(normalize(pole) > 0)) pole = rule;
+      f.is_corrected = true;
+      f.correction = mean - part * e.known.rule;
+      pole += factor_ * f.correction;
+      if (!(dot3(pole, pole) > kLeastPole)) pole = f.rule;
     }
-    f.frame = make_frame(pole, f.rule_off);
+    f.frame = make_frame(pole, off);
     return f;
   }
 
-  /// `normal`: what was decoded, `size` radii from the prediction.
-  void learn(const NormalForecast& f, const Vec3& normal, double size) noexcept {
+  /// `normal`: what was decoded, the root of `square` radii from the prediction.
+  void learn(const NormalForecast& f, FourFloats normal, float square) noexcept {
     last_ = normal;
-    if (f.noise > 0) {
-      size_sum_ = kKeep * size_sum_ + size;
-      noise_sum_ = kKeep * noise_sum_ + std::sqrt(f.noise);
-    }
-    if (!f.learns) return;
-    const Vec3 target = normal - f.mean;
-    const Vec3 error = normal - f.frame.pole;
-    const double weight = unit_ / (1 + unit_ * dot(error, error));
-    factors_.learn(f.rule_off, f.rules_off, target, weight);
+    if (!f.is_corrected) return;
+    const float weight = unit_ / (1 + square);
+    squares_ = kKeep * squares_ + weight * dot3(f.correction, f.correction);
+    products_ = kKeep * products_ + weight * dot3(f.correction, normal - f.rule);
+    factor_ = products_ / (squares_ + 0.5F);
   }
 
  private:
-  /// `rule`: the unit vector of `sum`, `inverse`: one by the length of that.
-  void describe_rule(const RuleSum& sum, const Vec3& rule, double inverse, NormalForecast& f) const noexcept {
-    f.rule = narrow(rule);
-    f.noise = static_cast<double>(sum[4]) * (inverse * inverse);
-    if (!(f.noise < 1e60)) f.noise = 0;
-    const double ratio = noise_sum_ > 0 ? size_sum_ / noise_sum_ : 0;
-    f.expect = f.noise * (ratio * ratio);
-    f.bend = unit_ * (2 - 2 / (inverse * static_cast<double>(sum[3])));
-  }
+  static constexpr float kKeep = 1 - 1.0F / 256;  ///< of sums when one more is added
 
-  double unit_;  ///< squared lattice radii in a squared unit of the sphere
+  float unit_;  ///< squared lattice radii in a squared unit of the sphere
   bool blends_;
-  double size_sum_ = 0;   ///< of sizes, and
-  double noise_sum_ = 0;  ///< of the noise that was expected
-  Vec3 last_{0, 0, 1};
-  TwoFactors factors_;
+  FourFloats last_{0, 0, 1, 0};
+  float squares_ = 0;
+  float products_ = 0;
+  float factor_ = 0;  ///< of the correction
 };
 
 }  // namespace deltamesh

@@ -21,77 +21,54 @@ namespace deltamesh {
 template <class Coder>
 class NormalResidualCoder {
  public:
-  static constexpr std::size_t kModels = 4;
-  explicit NormalResidualCoder(Coder& coder) : coder_(coder), numbers_(coder) {
-    for (std::size_t k = 0; k < kModels; ++k) models_[k].assign(kRows[k] + kPlaces[k] * kKinds, kFreshSplit);
-  }
-
-  struct Contexts {
-    unsigned shift = 0;
-    std::array<std::uint32_t, kModels> row{};
-    std::array<std::uint32_t, kModels> place{};
-    std::uint32_t scale_class = 0;
-  };
-
-  Contexts contexts_of(const NormalForecast& f) const noexcept {
-    Contexts c;
-    const double scale = f.count > 0 ? f.near * f.near : (f.bend < 4 ? f.bend : 4);
-    c.shift = static_cast<unsigned>(std::clamp((exponent_of(scale) - 6) / 2, 0, 24));
-    const auto of = [&](double square) {
-      return static_cast<std::uint32_t>(
-          std::clamp(exponent_of(square) + 7 - 2 * static_cast<int>(c.shift), 0, 15));
-    };
-    const std::uint32_t near = of(f.near * f.near);
-    const std::uint32_t apart = of(f.apart);
-    const std::uint32_t spread = of(f.spread);
-    const std::uint32_t expect = of(f.expect);
-    const std::uint32_t bend = of(f.bend);
-    const std::uint32_t many = f.count > 0 ? (f.count < 3 ? 1 : 2) : 0;
-    c.row = {near, apart * 16 + spread, near * 16 + expect, (bend * 4 + many) * 4 + near / 4};
-    c.place = {near, apart / 2 * 8 + spread / 2, near / 2 * 8 + expect / 2, bend * 4 + near / 4};
-    c.scale_class = of(scale);
-    return c;
-  }
+  explicit NormalResidualCoder(Coder& coder) : coder_(coder), numbers_(coder) {}
 
   /// Codes `point`; a reader fills it in. False where it is out of range.
   bool code(const NormalForecast& f, LatticePoint& point) {
-    const Contexts c = contexts_of(f);
-    const std::int64_t row = code_number(point.row, 0, c, 0);
+    const auto shift = static_cast<unsigned>(std::clamp((exponent_of(f.scale) - 6) / 2, 0, 24));
+    const auto of = [&](float square) {
+      return static_cast<std::uint32_t>(
+          std::clamp(exponent_of(square) + 7 - 2 * static_cast<int>(shift), 0, 15));
+    };
+    const std::uint32_t scale = of(f.scale);
+    const std::uint32_t apart = of(f.apart);
+    const std::uint32_t spread = of(f.spread);
+    const std::uint32_t bend = of(f.bend);
+    const std::int64_t row = code_number(point.row, shift, scale, 0, scale * 16 + bend, apart * 16 + spread);
     if (row < -kMost || row > kMost) return false;
-    const std::uint32_t size =
-        std::min<std::uint32_t>(static_cast<std::uint32_t>(row < 0 ? -row : row) >> c.shift, 7);
-    static constexpr std::array<std::uint8_t, 8> kSizes = {0, 1, 2, 2, 3, 3, 3, 3};
-    const std::uint32_t odd = c.shift == 0 ? static_cast<std::uint32_t>(row & 1) : 0;
-    const std::int64_t place = code_number(point.place, 1, c, kSizes[size] * 2 + odd);
+    const auto size = static_cast<std::uint32_t>(row < 0 ? -row : row) >> shift;
+    const std::uint32_t odd = shift == 0 ? static_cast<std::uint32_t>(row & 1) : 0;
+    const std::uint32_t kind = kSizes[std::min<std::uint32_t>(size, 7)] * 2 + odd;
+    const std::int64_t place =
+        code_number(point.place, shift, scale, 1, kRows + (scale / 2 * 8 + bend / 2) * kKinds + kind,
+                    kRows + (apart / 2 * 8 + spread / 2) * kKinds + kind);
     if (place < -kMost || place > kMost) return false;
     point = {static_cast<std::int32_t>(row), static_cast<std::int32_t>(place)};
     return true;
   }
 
  private:
-  static constexpr std::uint32_t kAxes = 2;
-  static constexpr std::uint32_t kKinds = 8;  ///< of places, by the row
-  static constexpr std::array<std::uint32_t, kModels> kRows = {16, 256, 256, 256};
-  static constexpr std::array<std::uint32_t, kModels> kPlaces = {16, 64, 64, 64};
+  static constexpr std::array<std::uint8_t, 8> kSizes = {0, 1, 2, 2, 3, 3, 3, 3};  ///< of rows, by the row
+  static constexpr std::uint32_t kKinds = 8;                                       ///< of places, by the row
+  static constexpr std::uint32_t kRows = 256;
+  static constexpr std::uint32_t kPlaces = 64 * kKinds;
   static constexpr std::int64_t kMost = std::int64_t{1} << 24;
 
-  /// floor(log2 x) where x is in the range of normal numbers; -1023 below it, 1024 above.
-  static int exponent_of(double x) noexcept {
-    return x > 0 ? static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52) - 1023 : -1023;
+  /// floor(log2 x) where x is in the range of normal numbers; -127 below it, 128 above.
+  static int exponent_of(float x) noexcept {
+    return x > 0 ? static_cast<int>(std::bit_cast<std::uint32_t>(x) >> 23) - 127 : -127;
   }
 
-  std::int64_t code_number(std::int64_t value, std::uint32_t axis, const Contexts& c, std::uint32_t part) {
-    const auto model = [&](std::size_t k) {
-      return &models_[k][axis == 0 ? c.row[k] : kRows[k] + c.place[k] * kKinds + part];
-    };
-    const Mixture<kModels> mixture({model(0), model(1), model(2), model(3)},
-                                   &mixes_[c.scale_class * 2 + axis]);
-    return numbers_.code(coder_, value, c.shift, mixture);
+  std::int64_t code_number(std::int64_t value, unsigned shift, std::uint32_t scale, std::uint32_t axis,
+                           std::uint32_t first, std::uint32_t second) {
+    const Mixture<2> mixture({&by_scale_[first], &by_apart_[second]}, &mixes_[scale * 2 + axis]);
+    return numbers_.code(coder_, value, shift, mixture);
   }
 
   Coder& coder_;
-  std::array<std::vector<SymbolModel>, kModels> models_;
-  std::array<MixWeights<kModels>, 32> mixes_;
+  std::vector<SymbolModel> by_scale_ = std::vector(kRows + kPlaces, kFreshSplit);
+  std::vector<SymbolModel> by_apart_ = std::vector(kRows + kPlaces, kFreshSplit);
+  std::array<MixWeights<2>, 32> mixes_;
   SplitNumberCoder<Coder> numbers_;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Normals by rule: the weighted sum of the unit normals of the faces around a vertex [ATTR-22]. Doubles, + -
-// * / sqrt only.
+// Normals by rule: the weighted sum of the unit normals of the faces around a vertex [ATTR-22]. Floats, + - *
+// / sqrt only.
 #pragma once
 
 #include <algorithm>
@@ -27,11 +27,8 @@ enum class NormalRule : std::uint8_t {
   kEdges = 5,      ///< area over the squared lengths of both edges at the vertex (Max 1999)
 };
 
-using EightFloats = float __attribute__((vector_size(32)));
-
-/// What the faces at a vertex add up to: three components of the normal; the weight of all faces; the noise,
-/// a sum of squares: how far positions that are off by 1 turn the faces, by weight; three unused.
-using RuleSum = EightFloats;
+/// What the faces at a vertex add up to: three components of the normal, and the weight of all faces.
+using RuleSum = FourFloats;
 
 /// Three coordinates of four vectors.
 using FourVectors = std::array<FourFloats, 3>;
@@ -73,21 +70,22 @@ class FourFaces {
     const FourVectors origin = corner(0);
     const FourVectors a = corner(1) - origin;
     const FourVectors b = corner(2) - origin;
-    const FourVectors c = b - a;
     const FourVectors n = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
     const FourFloats square = dot(n, n);
     const auto is_face = square > 1e-36F;
     const FourFloats none{};
     const FourFloats size = square_roots(is_face ? square : none + 1);
     const FourFloats inverse = 1 / size;
-    const FourFloats aa = dot(a, a);
-    const FourFloats bb = dot(b, b);
-    const FourFloats cc = dot(c, c);
     unit_ = {n[0] * inverse, n[1] * inverse, n[2] * inverse};
-    turn_ = (aa + bb + cc) * (inverse * inverse);
+    const FourVectors c = b - a;
     std::array<FourFloats, 3> weights{none + 1, none + 1, none + 1};
     if (rule == NormalRule::kArea) weights = {size, size, size};
-    if (rule == NormalRule::kEdges) weights = {size / (aa * bb), size / (aa * cc), size / (bb * cc)};
+    if (rule == NormalRule::kEdges) {
+      const FourFloats aa = dot(a, a);
+      const FourFloats bb = dot(b, b);
+      const FourFloats cc = dot(c, c);
+      weights = {size / (aa * bb), size / (aa * cc), size / (bb * cc)};
+    }
     if (rule == NormalRule::kAngle || rule == NormalRule::kAreaAngle) {
       weights[0] = corner_angles(dot(a, b), size);
       weights[1] = corner_angles(none - dot(a, c), size);
@@ -99,13 +97,11 @@ class FourFaces {
   }
 
   void add_to(RuleSum& sum, std::size_t face, std::size_t corner) const noexcept {
-    const float weight = weights_[corner][face];
-    sum += RuleSum{unit_[0][face], unit_[1][face], unit_[2][face], 1, weight * turn_[face], 0, 0, 0} * weight;
+    sum += RuleSum{unit_[0][face], unit_[1][face], unit_[2][face], 1} * weights_[corner][face];
   }
 
  private:
   FourVectors unit_;
-  FourFloats turn_;
   std::array<FourFloats, 3> weights_;
 };
 

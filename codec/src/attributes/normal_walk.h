@@ -7,18 +7,19 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "attributes/attribute_surface.h"
-#include "attributes/normal_corners.h"
 #include "attributes/normal_groups.h"
 #include "attributes/normal_lattice.h"
 #include "attributes/normal_prediction.h"
 #include "attributes/normal_residual.h"
 #include "attributes/normal_rule.h"
+#include "attributes/vertex_corners.h"
 #include "base/large_vector.h"
 #include "entropy/compact_model.h"
 
@@ -43,15 +44,15 @@ inline constexpr int kBlendsFlag = 32;
 template <class Coder, class Source>
 class NormalWalk {
  public:
-  NormalWalk(Coder& coder, Source& source, const AttributeSurface& surface, const CornersByVertex& corners,
+  NormalWalk(Coder& coder, Source& source, const AttributeSurface& surface,
              const NormalParameters& parameters)
       : coder_(coder),
         source_(source),
         surface_(surface),
-        corners_(corners),
+        corners_(surface.corners()),
         parameters_(parameters),
-        lattice_(static_cast<double>(parameters.radius)),
-        predictor_(static_cast<double>(parameters.radius), parameters.blends),
+        lattice_(parameters.radius),
+        predictor_(parameters.radius, parameters.blends),
         groups_(coder),
         residuals_(coder),
         sums_(parameters.rule == NormalRule::kNone
@@ -66,8 +67,11 @@ class NormalWalk {
   /// the sphere [ATTR-24].
   template <class Failed>
   bool run(Failed failed) {
-    for (std::uint32_t g = 0; g < corners_.geometric_count() && !failed(); ++g)
-      if (!code_geometric(g)) return false;
+    for (std::uint32_t v = 0; v < surface_.vertex_count() && !failed();) {
+      const std::uint32_t end = surface_.copies_end(v);
+      if (!code_geometric(v, end - v)) return false;
+      v = end;
+    }
     return true;
   }
 
@@ -76,28 +80,27 @@ class NormalWalk {
     std::vector<float> result;
     result.resize(3 * std::size_t{surface_.vertex_count()});
     for (std::size_t v = 0; v < surface_.vertex_count(); ++v)
-      for (std::size_t c = 0; c < 3; ++c) result[3 * v + c] = coded_[v][c];
+      for (std::size_t c = 0; c < 3; ++c) result[3 * v + c] = coded_[v].normal[c];
     return result;
   }
 
  private:
-  bool code_geometric(std::uint32_t g) {
-    const std::uint32_t first = corners_.first_vertex(g);
-    const std::uint32_t count = corners_.first_vertex(g + 1) - first;
-    copies_.assign(count, NormalEvidence{});
-    for (std::uint32_t i = 0; i < count && !sums_.empty(); ++i) copies_[i].rule = sums_[first + i];
-    edges_.clear();
-    for (const std::uint32_t corner : corners_.of(g)) add_corner(corner, first, count);
-    if (count == 1 || !parameters_.shares) {
-      for (std::uint32_t v = first; v < first + count; ++v)
-        if (!code_group(copies_[v - first], {&v, 1})) return false;
-      return true;
-    }
-    return code_copies(first, count);
+  /// `first` and its copies, `count` in all.
+  bool code_geometric(std::uint32_t first, std::uint32_t count) {
+    if (count > 1 && parameters_.shares) return code_copies(first, count);
+    for (std::uint32_t v = first; v < first + count; ++v)
+      if (!code_group(evidence_at(v, first), {&v, 1})) return false;
+    return true;
   }
 
   /// Copies of a geometric vertex that may share normals.
   bool code_copies(std::uint32_t first, std::uint32_t count) {
+    copies_.clear();
+    edges_.clear();
+    for (std::uint32_t v = first; v < first + count; ++v) {
+      copies_.push_back(evidence_at(v, first));
+      for (const std::uint32_t corner : corners_.of(v)) add_edges(corner, v - first, first);
+    }
     const std::uint32_t groups = groups_.code(copies_, edges_, group_, [&](std::uint32_t i, std::uint32_t j) {
       return source_.same(first + i, first + j);
     });
@@ -118,20 +121,24 @@ class NormalWalk {
     return true;
   }
 
-  /// What the face at a corner says of its copy of the vertex.
-  void add_corner(std::uint32_t corner, std::uint32_t first, std::uint32_t count) {
-    const std::uint32_t place = corner % 3;
-    const std::uint32_t* const face = surface_.triangles().data() + (corner - place);
-    const std::uint32_t v = face[place];
-    const std::uint32_t next = face[place == 2 ? 0 : place + 1];
-    const std::uint32_t last = face[place == 0 ? 2 : place - 1];
-    copies_[v - first].known += coded_[next < first ? next : surface_.vertex_count()];
-    if (count > 1 && parameters_.shares) {
-      for (const std::uint32_t other : {next, last})
-        edges_.push_back({.copy = v - first,
-                          .geometric = surface_.geometric_of(other),
-                          .leader = other < first ? leaders_[other] : 0,
-                          .is_coded = other < first});
+  /// What the faces at a vertex say of it; vertices before `first` are coded.
+  NormalEvidence evidence_at(std::uint32_t v, std::uint32_t first) const {
+    NormalEvidence evidence;
+    if (!sums_.empty()) evidence.rule = sums_[v];
+    for (const std::uint32_t corner : corners_.of(v)) {
+      const std::uint32_t next = surface_.triangles()[next_corner(corner)];
+      evidence.add(coded_[next < first ? next : surface_.vertex_count()]);
+    }
+    return evidence;
+  }
+
+  void add_edges(std::uint32_t corner, std::uint32_t copy, std::uint32_t first) {
+    for (const std::uint32_t end : {next_corner(corner), corner_before(corner)}) {
+      const std::uint32_t other = surface_.triangles()[end];
+      edges_.push_back({.copy = copy,
+                        .geometric = surface_.geometric_of(other),
+                        .leader = other < first ? leaders_[other] : 0,
+                        .is_coded = other < first});
     }
   }
 
@@ -145,17 +152,16 @@ class NormalWalk {
       LatticePoint point;
       if constexpr (Coder::kWrites) point = source_.choose(forecast, members);
       if (!residuals_.code(forecast, point)) return false;
-      const auto plane = lattice_.at(point);
-      Vec3 direction{};
-      if (!direction_at(forecast.frame, plane, direction)) return false;
-      const auto normal = narrow(direction);
-      const double x = plane[0] / parameters_.radius;
-      const double y = plane[1] / parameters_.radius;
-      const double size = std::sqrt(x * x + y * y);
-      const auto smooth = rounded(!(forecast.count > 0) ? size : (5 * size + 3 * forecast.near) / 8);
-      const auto& rule = forecast.rule;
-      coded = CodedNormal{normal[0], normal[1], normal[2], rule[0], rule[1], rule[2], smooth, 1};
-      predictor_.learn(forecast, widen(normal), size);
+      FourFloats direction{};
+      if (!direction_at(forecast.frame, lattice_.at(point), direction)) return false;
+      const PlanePoint place = NormalLattice::in_radii(point);
+      const float square = place[0] * place[0] + place[1] * place[1];
+      predictor_.learn(forecast, direction, square);
+      const float size = std::sqrt(square);
+      coded.normal = direction;
+      coded.normal[3] = forecast.has_neighbors ? (5 * size + 3 * forecast.near) * 0.125F : size;
+      coded.rule = forecast.rule;
+      coded.rule[3] = 1;
     }
     for (const std::uint32_t v : members) {
       coded_[v] = coded;
@@ -167,7 +173,7 @@ class NormalWalk {
   Coder& coder_;
   Source& source_;
   const AttributeSurface& surface_;
-  const CornersByVertex& corners_;
+  const VertexCorners& corners_;
   NormalParameters parameters_;
   NormalLattice lattice_;
   NormalPredictor predictor_;

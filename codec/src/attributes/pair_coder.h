@@ -34,9 +34,7 @@ struct PairContext {
 template <class Coder>
 class PairCoder {
  public:
-  explicit PairCoder(Coder& coder) : coder_(coder), numbers_(coder) {
-    for (std::size_t k = 0; k < kModels; ++k) models_[k].assign(kContexts[k], kFreshSplit);
-  }
+  explicit PairCoder(Coder& coder) : coder_(coder), numbers_(coder) {}
 
   /// A reader fills `pair` in. False where a number is beyond kLargestPairNumber.
   bool code(NumberPair& pair, const PairContext& context) {
@@ -47,11 +45,8 @@ class PairCoder {
  private:
   static constexpr std::uint32_t kMostlyZero = 4;  ///< below, one bit for both numbers saves time
   static constexpr std::uint32_t kSpreads = 8;
-  static constexpr std::size_t kModels = 3;
   static constexpr std::uint32_t kSizes = 20;
   static constexpr std::uint32_t kBefores = 5;
-  static constexpr std::array<std::uint32_t, kModels> kContexts = {
-      kSizes * kPairKinds * kBefores, kSizes * 2 * kBefores, kSizes * 2 * kBefores};
 
   /// Two classes per octave of size + 4.
   static std::uint32_t size_class(std::uint32_t size) noexcept {
@@ -78,11 +73,9 @@ class PairCoder {
     const std::uint32_t coded = axis + (axis != 0 ? std::min(other >> shift, 3U) : 0);
     const std::uint32_t scale_class = size_class(scale >> shift);
     const std::uint32_t is_shifted = shift != 0 ? 1 : 0;
-    const auto model = [&](std::size_t k, std::uint32_t index) { return &models_[k][index]; };
-    const Mixture<kModels> mixture(
-        {model(0, (size_class(near >> shift) * kPairKinds + context.kind) * kBefores + coded),
-         model(1, (size_class(spread >> shift) * 2 + is_shifted) * kBefores + coded),
-         model(2, (scale_class * 2 + (context.kind > 1 ? 1 : 0)) * kBefores + coded)},
+    const Mixture<2> mixture(
+        {&by_near_[(size_class(near >> shift) * kPairKinds + context.kind) * kBefores + coded],
+         &by_spread_[(size_class(spread >> shift) * 2 + is_shifted) * kBefores + coded]},
         &mixes_[scale_class * 2 + axis]);
     const std::int64_t result = numbers_.code(coder_, number, shift, mixture);
     if (result < -kLargestPairNumber || result > kLargestPairNumber) return false;
@@ -92,8 +85,9 @@ class PairCoder {
 
   Coder& coder_;
   std::array<BitModel, kSpreads> zero_models_;
-  std::array<std::vector<SymbolModel>, kModels> models_;
-  std::array<MixWeights<kModels>, kSizes * 2> mixes_;
+  std::vector<SymbolModel> by_near_ = std::vector(kSizes * kPairKinds * kBefores, kFreshSplit);
+  std::vector<SymbolModel> by_spread_ = std::vector(kSizes * 2 * kBefores, kFreshSplit);
+  std::array<MixWeights<2>, kSizes * 2> mixes_;
   SplitNumberCoder<Coder> numbers_;
 };
 

@@ -45,8 +45,7 @@ Result<std::vector<float>> read_surface_normals(std::span<const std::byte> bytes
   DELTAMESH_TRY(const auto rest, in.read_bytes(in.remaining()));
   CompactReader reader(rest);
   NoSource source;
-  const CornersByVertex corners(surface);
-  NormalWalk walk(reader, source, surface, corners, parameters);
+  NormalWalk walk(reader, source, surface, parameters);
   const bool is_valid = walk.run([&] { return reader.failed(); });
   if (!is_valid && !reader.failed())
     return in.error(ErrorCode::kInvalidStream, "a normal off the sphere", "ATTR-24");

@@ -26,8 +26,8 @@ constexpr double kSureRule = 0.98;
 /// A rule is judged by about so many vertices.
 constexpr std::uint32_t kMostFitted = 512;
 
-/// What rounding to f32 may add to a distance.
-constexpr double kRounding = 2e-7;
+/// What arithmetic in f32 may add to a distance.
+constexpr double kRounding = 1e-6;
 
 bool are_directions(std::span<const float> normals, NormalParameters& parameters) {
   for (std::size_t i = 0; i + 2 < normals.size(); i += 3) {
@@ -58,26 +58,44 @@ struct RuleFit {
   std::size_t within = 0;    ///< of these, within the bound
 };
 
-RuleFit fit_rule(NormalRule rule, const NormalChoice& choice, const AttributeSurface& surface,
-                 const CornersByVertex& corners, double radius) {
-  RuleFit fit{.rule = rule};
-  const std::uint32_t stride = corners.geometric_count() / kMostFitted + 1;
+/// Some of the vertices, the first of their copies, and the faces around these.
+struct RuleSample {
+  std::vector<std::uint32_t> vertices;
+  std::vector<std::uint32_t> triangles;
+};
+
+RuleSample sample_surface(const AttributeSurface& surface) {
+  RuleSample sample;
+  for (std::uint32_t v = 0; v < surface.vertex_count(); v = surface.copies_end(v))
+    sample.vertices.push_back(v);
+  const std::size_t stride = sample.vertices.size() / kMostFitted + 1;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < sample.vertices.size(); i += stride)
+    sample.vertices[kept++] = sample.vertices[i];
+  sample.vertices.resize(kept);
+
   std::vector<std::uint32_t> faces;
-  for (std::uint32_t g = 0; g < corners.geometric_count(); g += stride)
-    for (const std::uint32_t corner : corners.of(g)) faces.push_back(corner / 3);
+  for (const std::uint32_t first : sample.vertices)
+    for (std::uint32_t v = first; v < surface.copies_end(first); ++v)
+      for (const std::uint32_t corner : surface.corners().of(v)) faces.push_back(corner / 3);
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  std::vector<std::uint32_t> triangles;
   for (const std::uint32_t f : faces)
-    for (const std::uint32_t v : surface.triangles().subspan(3 * std::size_t{f}, 3)) triangles.push_back(v);
-  const auto sums = sum_by_rule(rule, triangles, surface.positions());
-  for (std::uint32_t g = 0; g < corners.geometric_count(); g += stride) {
-    const std::uint32_t first = corners.first_vertex(g);
-    NormalEvidence all;
-    for (std::uint32_t v = first; v < corners.first_vertex(g + 1); ++v)
-      if (v == first || choice.same(v, first)) all.rule += sums[v];
+    for (const std::uint32_t v : surface.triangles().subspan(3 * std::size_t{f}, 3))
+      sample.triangles.push_back(v);
+  return sample;
+}
+
+RuleFit fit_rule(NormalRule rule, const RuleSample& sample, const NormalChoice& choice,
+                 const AttributeSurface& surface, double radius) {
+  RuleFit fit{.rule = rule};
+  const auto sums = sum_by_rule(rule, sample.triangles, surface.positions());
+  for (const std::uint32_t first : sample.vertices) {
+    RuleSum sum{};
+    for (std::uint32_t v = first; v < surface.copies_end(first); ++v)
+      if (v == first || choice.same(v, first)) sum += sums[v];
     ++fit.vertices;
-    Vec3 normal = all.rule_normal();
+    Vec3 normal = widen(sum);
     if (!(normalize(normal) > 0)) continue;
     const Vec3 off = normal - choice.original(first);
     const double square = dot(off, off) / (4 * radius * radius);
@@ -88,13 +106,13 @@ RuleFit fit_rule(NormalRule rule, const NormalChoice& choice, const AttributeSur
 }
 
 /// The rule that comes nearest.
-RuleFit find_rule(const NormalChoice& choice, const AttributeSurface& surface, const CornersByVertex& corners,
-                  double radius) {
+RuleFit find_rule(const NormalChoice& choice, const AttributeSurface& surface, double radius) {
   if (!surface.has_positions()) return {};
-  RuleFit best = fit_rule(NormalRule::kAngle, choice, surface, corners, radius);
+  const RuleSample sample = sample_surface(surface);
+  RuleFit best = fit_rule(NormalRule::kAngle, sample, choice, surface, radius);
   for (const NormalRule rule :
        {NormalRule::kArea, NormalRule::kPlain, NormalRule::kAreaAngle, NormalRule::kEdges}) {
-    const RuleFit fit = fit_rule(rule, choice, surface, corners, radius);
+    const RuleFit fit = fit_rule(rule, sample, choice, surface, radius);
     if (fit.bits < best.bits) best = fit;
   }
   return best;
@@ -113,16 +131,15 @@ std::optional<CodedNormals> write_surface_normals(std::span<const float> normals
   const double chord = 2 * portable_sin(0.5 * kRadiansPerDegree * max_degrees);
   const NormalBound bound{.chord = chord * (1 - 1e-6), .same = chord * kSamePart};
   parameters.radius = static_cast<float>(0.5 * (chord * (1 - kSamePart - 2e-6) - kRounding));
-  NormalChoice choice(normals, bound, NormalLattice(static_cast<double>(parameters.radius)));
-  const CornersByVertex corners(surface);
+  NormalChoice choice(normals, bound, NormalLattice(parameters.radius));
   parameters.shares = any_same(choice, surface);
-  const RuleFit fit = find_rule(choice, surface, corners, static_cast<double>(parameters.radius));
+  const RuleFit fit = find_rule(choice, surface, static_cast<double>(parameters.radius));
   parameters.rule = fit.rule;
   parameters.blends = fit.rule != NormalRule::kNone &&
                       static_cast<double>(fit.within) < kSureRule * static_cast<double>(fit.vertices);
 
   CompactWriter writer;
-  NormalWalk walk(writer, choice, surface, corners, parameters);
+  NormalWalk walk(writer, choice, surface, parameters);
   walk.run([] { return false; });
   CodedNormals coded;
   coded.values = walk.values();

@@ -19,8 +19,8 @@ constexpr double kLeastDegrees = 0.002;
 constexpr double kMostDegrees = 60;
 /// Of the bound: however an angle is computed, it is kept.
 constexpr double kKept = 1 - 1e-6;
-/// What rounding to floats moves a unit vector by, at most.
-constexpr double kRounding = 0x1p-23;
+/// What arithmetic in f32 may add to a distance.
+constexpr double kRounding = 1e-6;
 
 Vec3 vector_of(std::span<const float> tangents, std::size_t vertex) noexcept {
   const float* const t = tangents.data() + 4 * vertex;
@@ -40,7 +40,7 @@ class TangentChoice {
  public:
   using Coder = TangentCoder<CompactWriter, TangentChoice>;
 
-  TangentChoice(std::span<const float> tangents, double chord, double step)
+  TangentChoice(std::span<const float> tangents, double chord, float step)
       : tangents_(tangents), chord_(chord), step_(step) {}
 
   bool is_negative(std::uint32_t vertex) const noexcept { return tangents_[std::size_t{4} * vertex + 3] < 0; }
@@ -50,9 +50,11 @@ class TangentChoice {
   }
 
   /// Of the four lattice points around the source the one nearest to the forecast that will do.
-  NumberPair nearest(std::uint32_t vertex, const NormalFrame& frame, TwoDoubles center) const noexcept {
+  NumberPair nearest(std::uint32_t vertex, const NormalFrame& frame, PlanePoint center) const noexcept {
     const auto x = point_of(frame, source(vertex));
-    const TwoDoubles steps = (TwoDoubles{x[0], x[1]} - center) / step_;
+    const auto step = static_cast<double>(step_);
+    const std::array<double, 2> steps = {(x[0] - static_cast<double>(center[0])) / step,
+                                         (x[1] - static_cast<double>(center[1])) / step};
     NumberPair best = {static_cast<std::int32_t>(std::round(steps[0])),
                        static_cast<std::int32_t>(std::round(steps[1]))};
     double least = size_of(best);
@@ -89,7 +91,7 @@ class TangentChoice {
 
   std::span<const float> tangents_;
   double chord_;
-  double step_;
+  float step_;
 };
 
 }  // namespace
@@ -104,8 +106,7 @@ std::optional<CodedTangents> write_surface_tangents(std::span<const float> tange
   // rounding leaves.
   const auto step = static_cast<float>(1.4142 * 0.5 * (chord - kRounding));
   CompactWriter writer;
-  TangentCoder coder(writer, surface, basis.normals, basis.uvs, static_cast<double>(step),
-                     TangentChoice(tangents, chord, static_cast<double>(step)));
+  TangentCoder coder(writer, surface, basis.normals, basis.uvs, step, TangentChoice(tangents, chord, step));
   for (std::size_t i = 0; i < coder.count(); ++i)
     if (!coder.code(i)) return std::nullopt;
   const auto stream = writer.finish();

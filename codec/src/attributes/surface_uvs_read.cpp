@@ -10,7 +10,7 @@
 namespace deltamesh {
 namespace {
 
-/// A reader has nothing to choose.
+/// Readers choose nothing.
 struct NoChoice {};
 
 }  // namespace

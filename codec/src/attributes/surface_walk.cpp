@@ -7,26 +7,15 @@
 namespace deltamesh {
 namespace {
 
-void list_corners(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count, SurfaceWalk& walk) {
-  walk.offsets = LargeVector<std::uint32_t>(std::size_t{vertex_count} + 1);
-  walk.corners = LargeVector<std::uint32_t>(triangles.size());
-  LargeVector<std::uint32_t> counts(std::size_t{vertex_count});
-  for (std::size_t v = 0; v < counts.size(); ++v) counts[v] = 0;
-  for (const std::uint32_t vertex : triangles) ++counts[vertex];
-  std::uint32_t sum = 0;
-  for (std::size_t v = 0; v < vertex_count; ++v) {
-    walk.offsets[v] = sum;
-    sum += counts[v];
-    counts[v] = walk.offsets[v];
-  }
-  walk.offsets[vertex_count] = sum;
-  for (std::uint32_t c = 0; c < triangles.size(); ++c) walk.corners[counts[triangles[c]]++] = c;
-}
-
 class Walker {
  public:
-  Walker(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count, SurfaceWalk& walk)
-      : triangles_(triangles), walk_(walk), met_(triangles.size() / 3), ready_(vertex_count) {
+  Walker(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count, const VertexCorners& corners,
+         SurfaceWalk& walk)
+      : triangles_(triangles),
+        corners_(corners),
+        walk_(walk),
+        met_(triangles.size() / 3),
+        ready_(vertex_count) {
     walk.order.reserve(vertex_count);
     walk.ends.reserve(vertex_count);
     walk.complete.reserve(met_.size());
@@ -50,7 +39,7 @@ class Walker {
 
   void visit(std::uint32_t vertex) {
     ready_[vertex] = kVisited;
-    for (const std::uint32_t corner : walk_.corners_of(vertex)) {
+    for (const std::uint32_t corner : corners_.of(vertex)) {
       const std::uint8_t met = ++met_[corner / 3];
       if (met == 3) walk_.complete.push_back(corner);
       if (met != 2) continue;
@@ -86,6 +75,7 @@ class Walker {
   }
 
   std::span<const std::uint32_t> triangles_;
+  const VertexCorners& corners_;
   SurfaceWalk& walk_;
   std::vector<std::uint8_t> met_;     ///< by face: how many of its corners were visited
   std::vector<std::uint8_t> ready_;   ///< by vertex: faces that wait for it, at most kSeveral, or kVisited
@@ -96,10 +86,10 @@ class Walker {
 
 }  // namespace
 
-SurfaceWalk walk_surface(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count) {
+SurfaceWalk walk_surface(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count,
+                         const VertexCorners& corners) {
   SurfaceWalk walk;
-  list_corners(triangles, vertex_count, walk);
-  Walker(triangles, vertex_count, walk).run();
+  Walker(triangles, vertex_count, corners, walk).run();
   return walk;
 }
 

@@ -18,7 +18,6 @@
 #include "attributes/pair_coder.h"
 #include "attributes/surface_walk.h"
 #include "attributes/tangent_forecast.h"
-#include "base/rounded.h"
 
 namespace deltamesh {
 
@@ -31,12 +30,12 @@ using Tangent = std::array<float, 4>;
 /// What the two directions do not share. `Choice` decides for a writer:
 /// bool will_do(std::uint32_t vertex, const Tangent& tangent): whether it is near enough, its sign the same;
 /// bool is_negative(std::uint32_t vertex): the sign;
-/// NumberPair nearest(std::uint32_t vertex, const NormalFrame& frame, TwoDoubles center): the steps to code.
+/// NumberPair nearest(std::uint32_t vertex, const NormalFrame& frame, PlanePoint center): the steps to code.
 template <class Coder, class Choice>
 class TangentCoder {
  public:
   TangentCoder(Coder& coder, const AttributeSurface& surface, std::span<const float> normals,
-               std::span<const float> uvs, double step, Choice choice)
+               std::span<const float> uvs, float step, Choice choice)
       : coder_(coder),
         surface_(surface),
         step_(step),
@@ -70,22 +69,20 @@ class TangentCoder {
       tangent[3] = is_negative ? -1 : 1;
     }
     std::copy(tangent.begin(), tangent.end(), values_.begin() + std::ptrdiff_t{4} * vertex);
-    Vec3 direction = widened(tangent);
-    normalize(direction);
-    forecaster_.settle(i, direction);
+    forecaster_.settle(i, FourFloats{tangent[0], tangent[1], tangent[2], 0});
     return true;
   }
 
   std::vector<float>& values() noexcept { return values_; }
 
   /// Of `pair` steps from `center`; the sign is left as it is. False beyond the plane of all directions.
-  static bool tangent_at(const NormalFrame& frame, TwoDoubles center, const NumberPair& pair, double step,
+  static bool tangent_at(const NormalFrame& frame, PlanePoint center, const NumberPair& pair, float step,
                          Tangent& tangent) noexcept {
-    const TwoDoubles place =
-        center + step * TwoDoubles{static_cast<double>(pair[0]), static_cast<double>(pair[1])};
-    Vec3 direction{};
-    if (!direction_at(frame, {place[0], place[1]}, direction)) return false;
-    for (std::size_t k = 0; k < 3; ++k) tangent[k] = rounded(direction[k]);
+    FourFloats direction{};
+    const PlanePoint place = {center[0] + step * static_cast<float>(pair[0]),
+                              center[1] + step * static_cast<float>(pair[1])};
+    if (!direction_at(frame, place, direction)) return false;
+    for (std::size_t k = 0; k < 3; ++k) tangent[k] = direction[k];
     return true;
   }
 
@@ -140,9 +137,10 @@ class TangentCoder {
       ++count;
     });
     for (std::size_t k = 0; k < 2; ++k) {
-      const double spread = forecast.spread[k] * (kPairUnit / step_);
+      const float spread = forecast.spread[k] * (kPairUnit / step_);
       context.near[k] = count != 0 ? static_cast<std::uint32_t>(sum[k] / count) : kFresh;
-      context.spread[k] = static_cast<std::uint32_t>(spread < kMostNear ? spread : kMostNear);
+      context.spread[k] = static_cast<std::uint32_t>(
+          spread < static_cast<float>(kMostNear) ? spread : static_cast<float>(kMostNear));
     }
     if (!pairs_.code(pair, context)) return false;
     for (std::size_t k = 0; k < 2; ++k) {
@@ -163,7 +161,7 @@ class TangentCoder {
 
   Coder& coder_;
   const AttributeSurface& surface_;
-  double step_;
+  float step_;
   Choice choice_;
   const SurfaceWalk& walk_;
   TangentForecaster forecaster_;

@@ -8,22 +8,15 @@
 namespace deltamesh {
 namespace {
 
-constexpr double kFarthest = 1.5;  ///< differences beyond are not used
-constexpr double kLeastSquare = 1e-12;
+constexpr float kFarthest = 2.25F;  ///< squared distances beyond are not used
+constexpr float kLeastSquare = 1e-12F;
 
-/// A unit vector orthogonal to `pole`, near `wish` where that is possible.
-Vec3 orthogonal_to(const Vec3& pole, const Vec3& wish) noexcept {
-  Vec3 first = wish - dot(pole, wish) * pole;
-  if (dot(first, first) > 1e-6 && normalize(first) > 0) return first;
-  const Vec3 axis = std::fabs(pole[0]) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
-  first = axis - dot(pole, axis) * pole;
-  normalize(first);
-  return first;
-}
+float square_of(PlanePoint x) noexcept { return x[0] * x[0] + x[1] * x[1]; }
 
-TwoDoubles pair_at(const NormalFrame& frame, const Vec3& direction) noexcept {
-  const auto x = point_of(frame, direction);
-  return TwoDoubles{x[0], x[1]};
+/// The point of a direction; of the half around the pole's opposite, too far off.
+PlanePoint place_of(const NormalFrame& frame, FourFloats direction) noexcept {
+  const float inverse = 1 / (1 + std::fmax(dot3(frame.pole, direction), -0.5F));
+  return {dot3(frame.first, direction) * inverse, dot3(frame.second, direction) * inverse};
 }
 
 }  // namespace
@@ -33,67 +26,57 @@ TangentForecaster::TangentForecaster(const AttributeSurface& surface, const Surf
     : surface_(surface), walk_(walk), rule_(surface, normals, uvs), known_(surface.vertex_count()) {}
 
 TangentForecast TangentForecaster::forecast(std::size_t i) {
-  const std::uint32_t vertex = walk_.order[i];
-  const RuledTangent ruled = rule_.at(vertex);
+  const RuledTangent ruled = rule_.at(walk_.order[i]);
   const auto triangles = surface_.triangles();
   const auto faces = walk_.completed_by(i);
-  TwoDoubles off{};
-  double ruled_count = 0;
-  Vec3 sum{};
+  Known sum;
   for (const std::uint32_t corner : faces) {
     for (const std::uint32_t other : {triangles[next_corner(corner)], triangles[corner_before(corner)]}) {
-      const Known& known = known_[other];
-      sum = sum + known.tangent;
-      if (!known.has_rule) continue;
-      off += known.off;
-      ruled_count += 1;
+      sum.tangent += known_[other].tangent;
+      sum.off += known_[other].off;
     }
   }
-  if (faces.empty() && i > 0) sum = known_[walk_.order[i - 1]].tangent;
-  const bool has_mean = normalize(sum) > 0;
-  const bool has_rule = dot(ruled.direction, ruled.direction) > 0;
+  if (faces.empty() && i > 0) sum.tangent = known_[walk_.order[i - 1]].tangent;
 
   TangentForecast result;
   result.is_mirrored = ruled.area < 0;
-  if (has_rule) {
+  FourFloats pole{1, 0, 0, 0};
+  const float square = dot3(ruled.direction, ruled.direction);
+  if (square > kLeastSquare && square < 1 / kLeastSquare) {
     source_ = faces.empty() ? TangentSource::kRule
                             : (faces.size() == 1 ? TangentSource::kRuleAndOne : TangentSource::kRuleAndMore);
-    frame_.pole = ruled.direction;
+    pole = ruled.direction;
+  } else if (dot3(sum.tangent, sum.tangent) > kLeastSquare) {
+    source_ = TangentSource::kNeighbors;
+    pole = sum.tangent;
   } else {
-    source_ = has_mean ? TangentSource::kNeighbors : TangentSource::kNothing;
-    frame_.pole = has_mean ? sum : Vec3{1, 0, 0};
+    source_ = TangentSource::kNothing;
   }
-  frame_.second = orthogonal_to(frame_.pole, ruled.normal);
-  frame_.first = cross(frame_.second, frame_.pole);
-  differences_ = {};
-  if (has_rule) {
-    const ForecastDifferences all = {ruled_count > 0 ? off / ruled_count : TwoDoubles{},
-                                     pair_at(frame_, ruled.by_area)};
-    for (std::size_t k = 0; k < 2; ++k)
-      if (dot(all[k], all[k]) <= kFarthest * kFarthest) differences_[k] = all[k];
-  }
+  const NormalFrame turned = make_frame(pole, ruled.normal);
+  frame_ = {.pole = turned.pole, .first = turned.second, .second = turned.first};
+  mean_ = {};
   result.frame = frame_;
   result.source = source_;
-  result.center = blends_[static_cast<std::size_t>(source_)].correction(differences_);
-  if (!(dot(result.center, result.center) <= 1)) result.center = TwoDoubles{};
-  if (has_rule) {
-    for (std::size_t k = 0; k < 2; ++k)
-      result.spread[k] = 0.5 * std::fabs(differences_[0][k] - result.center[k]);
-    result.spread[0] += 0.25 * ruled.dispersion;
-  }
+  if (source_ < TangentSource::kRule) return result;
+  if (sum.off[2] > 0) mean_ = {sum.off[0] / sum.off[2], sum.off[1] / sum.off[2]};
+  const float share = shares_[static_cast<std::size_t>(source_)].value();
+  result.center = {share * mean_[0], share * mean_[1]};
+  if (!(square_of(result.center) <= 1)) result.center = {};
+  for (std::size_t k = 0; k < 2; ++k) result.spread[k] = 0.5F * std::fabs(mean_[k] - result.center[k]);
+  result.spread[0] += 0.25F * ruled.dispersion;
   return result;
 }
 
-void TangentForecaster::settle(std::size_t i, const Vec3& tangent) {
+void TangentForecaster::settle(std::size_t i, FourFloats tangent) {
   Known& known = known_[walk_.order[i]];
   known.tangent = tangent;
-  known.has_rule = source_ >= TangentSource::kRule;
-  known.off = pair_at(frame_, tangent);
-  if (!(dot(known.off, known.off) <= kFarthest * kFarthest)) known.has_rule = false;
-  if (!known.has_rule) return;
-  double squares = kLeastSquare + dot(known.off, known.off);
-  for (const TwoDoubles& d : differences_) squares += dot(d, d);
-  blends_[static_cast<std::size_t>(source_)].learn(differences_, known.off, 1 / squares);
+  if (source_ < TangentSource::kRule) return;
+  const PlanePoint off = place_of(frame_, tangent);
+  const float square = square_of(off);
+  if (!(square <= kFarthest)) return;
+  known.off = FourFloats{off[0], off[1], 1, 0};
+  shares_[static_cast<std::size_t>(source_)].learn(mean_, off,
+                                                   1 / (kLeastSquare + square + square_of(mean_)));
 }
 
 }  // namespace deltamesh

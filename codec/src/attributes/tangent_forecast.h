@@ -11,7 +11,6 @@
 #include <span>
 #include <vector>
 
-#include "attributes/forecast_blend.h"
 #include "attributes/normal_lattice.h"
 #include "attributes/surface_walk.h"
 #include "attributes/tangent_rule.h"
@@ -23,9 +22,9 @@ enum class TangentSource : std::uint8_t { kNothing = 0, kNeighbors, kRule, kRule
 inline constexpr std::size_t kTangentSources = 5;
 
 struct TangentForecast {
-  NormalFrame frame{};             ///< the pole is the rule's tangent, the second axis near the normal
-  TwoDoubles center{};             ///< in the plane
-  std::array<double, 2> spread{};  ///< how far apart the forecasts are, in the plane
+  NormalFrame frame{};  ///< the pole is the rule's tangent, the second axis near the normal
+  PlanePoint center{};
+  std::array<float, 2> spread{};  ///< how far apart the forecasts are, in the plane
   TangentSource source = TangentSource::kNothing;
   bool is_mirrored = false;  ///< faces are so in the texture: the sign is likely 1
 };
@@ -37,27 +36,37 @@ class TangentForecaster {
                     std::span<const float> uvs);
 
   TangentForecast forecast(std::size_t i);
-  /// The decoded tangent of the vertex that was forecast last; a unit vector.
-  void settle(std::size_t i, const Vec3& tangent);
-
-  /// Of vertices that are settled.
-  const Vec3& tangent(std::uint32_t vertex) const noexcept { return known_[vertex].tangent; }
+  /// The decoded tangent of the vertex that was forecast last.
+  void settle(std::size_t i, FourFloats tangent);
 
  private:
   struct Known {
-    Vec3 tangent{};
-    TwoDoubles off{};       ///< its place in the plane of its own forecast
-    bool has_rule = false;  ///< that plane is a rule's
+    FourFloats tangent{};
+    FourFloats off{};  ///< its place in the plane of its own forecast, then 1; 0 where that is no rule's
+  };
+  /// What part of the neighbours' mean place is the vertex' own, learnt.
+  class Share {
+   public:
+    float value() const noexcept { return products_ / (squares_ + 0.02F); }
+    void learn(PlanePoint mean, PlanePoint place, float weight) noexcept {
+      squares_ = kMemory * squares_ + weight * (mean[0] * mean[0] + mean[1] * mean[1]);
+      products_ = kMemory * products_ + weight * (mean[0] * place[0] + mean[1] * place[1]);
+    }
+
+   private:
+    static constexpr float kMemory = 0.99F;
+    float squares_ = 0;
+    float products_ = 0;
   };
 
   const AttributeSurface& surface_;
   const SurfaceWalk& walk_;
   TangentRule rule_;
   std::vector<Known> known_;
-  std::array<ForecastBlend, kTangentSources> blends_;
+  std::array<Share, kTangentSources> shares_;
   // Of the last forecast.
   NormalFrame frame_{};
-  ForecastDifferences differences_{};
+  PlanePoint mean_{};
   TangentSource source_ = TangentSource::kNothing;
 };
 

@@ -12,33 +12,6 @@ namespace {
 
 constexpr float kLeastSquare = 1e-36F;  ///< of vectors that have a direction
 
-Vec3 triple(std::span<const float> values, std::uint32_t vertex) noexcept {
-  const float* const v = values.data() + std::size_t{3} * vertex;
-  return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
-}
-
-/// `x` less what of it is along the unit vector `normal`.
-Vec3 across(const Vec3& x, const Vec3& normal) noexcept { return x - dot(normal, x) * normal; }
-
-/// Unit, of n x 3: the sums of the faces' areas, 0 where there is no direction.
-std::vector<float> area_normals(const AttributeSurface& surface) {
-  std::vector<Vec3> sums(surface.vertex_count());
-  const auto triangles = surface.triangles();
-  for (std::size_t c = 0; c < triangles.size(); c += 3) {
-    const Vec3 origin = triple(surface.positions(), triangles[c]);
-    const Vec3 area = cross(triple(surface.positions(), triangles[c + 1]) - origin,
-                            triple(surface.positions(), triangles[c + 2]) - origin);
-    for (std::size_t k = 0; k < 3; ++k) sums[triangles[c + k]] = sums[triangles[c + k]] + area;
-  }
-  std::vector<float> normals;
-  normals.reserve(3 * sums.size());
-  for (Vec3& sum : sums) {
-    if (normalize(sum) == 0) sum = {};
-    for (const double x : sum) normals.push_back(static_cast<float>(x));
-  }
-  return normals;
-}
-
 /// Four faces at once, and what they add at their corners.
 class FourTextured {
  public:
@@ -75,14 +48,13 @@ class FourTextured {
     angles_ = {counts ? first : none, counts ? second : none, counts ? 3.14159265F - first - second : none};
   }
 
-  void add_to(EightFloats& sum, std::size_t face, std::size_t corner) const noexcept {
+  /// The way of a face at a corner by its angle, and the angle.
+  FourFloats direction(std::size_t face, std::size_t corner) const noexcept {
     const float angle = angles_[corner][face];
     const float weight = angle * inverse_[face];
-    const float x = way_[0][face];
-    const float y = way_[1][face];
-    const float z = way_[2][face];
-    sum += EightFloats{x * weight, y * weight, z * weight, angle, x, y, z, area_[face]};
+    return FourFloats{way_[0][face] * weight, way_[1][face] * weight, way_[2][face] * weight, angle};
   }
+  float area(std::size_t face) const noexcept { return area_[face]; }
 
  private:
   FourFloats area_;
@@ -97,12 +69,10 @@ TangentRule::TangentRule(const AttributeSurface& surface, std::span<const float>
                          std::span<const float> uvs)
     : normals_(normals) {
   if (!surface.has_positions()) return;
-  if (normals.empty()) {
-    own_normals_ = area_normals(surface);
-    normals_ = own_normals_;
-  }
+  if (normals.empty())
+    own_normals_ = sum_by_rule(NormalRule::kArea, surface.triangles(), surface.positions());
   if (uvs.empty()) return;
-  sums_ = LargeVector<EightFloats>(surface.vertex_count(), EightFloats{});
+  sums_ = LargeVector<Sum>(surface.vertex_count(), Sum{});
   const float scale = position_scale(surface.positions());
   const float uv_scale = position_scale(uvs);
   const auto triangles = surface.triangles();
@@ -112,29 +82,33 @@ TangentRule::TangentRule(const AttributeSurface& surface, std::span<const float>
     std::array<const std::uint32_t*, 4> faces{};
     for (std::size_t i = 0; i < 4; ++i) faces[i] = triangles.data() + c + 3 * std::min(i, count - 1);
     const FourTextured four(faces, surface.positions().data(), scale, uvs.data(), uv_scale);
-    for (std::size_t i = 0; i < count; ++i)
-      for (std::size_t k = 0; k < 3; ++k) four.add_to(sums_[faces[i][k]], i, k);
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        Sum& sum = sums_[faces[i][k]];
+        sum.direction += four.direction(i, k);
+        sum.area += four.area(i);
+      }
+    }
   }
 }
 
 RuledTangent TangentRule::at(std::uint32_t vertex) const noexcept {
   RuledTangent result;
-  if (!normals_.empty()) result.normal = triple(normals_, vertex);
-  if (normalize(result.normal) == 0) result.normal = {};
+  if (!normals_.empty()) {
+    const float* const n = normals_.data() + std::size_t{3} * vertex;
+    result.normal = FourFloats{n[0], n[1], n[2], 0};
+  } else if (!own_normals_.empty()) {
+    result.normal = own_normals_[vertex];
+    const float square = dot3(result.normal, result.normal);
+    result.normal = square > 1e-36F ? result.normal * (1 / std::sqrt(square)) : FourFloats{};
+  }
   if (sums_.empty()) return result;
-  const EightFloats& sum = sums_[vertex];
-  const auto vector_at = [&](std::size_t k) {
-    return Vec3{static_cast<double>(sum[k]), static_cast<double>(sum[k + 1]),
-                static_cast<double>(sum[k + 2])};
-  };
-  const auto angles = static_cast<double>(sum[3]);
-  const Vec3 by_angle = vector_at(0);
-  result.area = static_cast<double>(sum[7]);
-  result.dispersion = angles > 0 ? std::sqrt(2 * std::fmax(0, 1 - length(by_angle) / angles)) : 0;
-  result.direction = across(by_angle, result.normal);
-  result.by_area = across(vector_at(4), result.normal);
-  if (normalize(result.direction) == 0) result.direction = {};
-  if (normalize(result.by_area) == 0) result.by_area = result.direction;
+  const FourFloats sum = sums_[vertex].direction;
+  const float angles = sum[3];
+  const float spread = angles > 0 ? 1 - dot3(sum, sum) / (angles * angles) : 0;
+  result.dispersion = std::sqrt(spread > 0 ? spread : 0);
+  result.direction = sum - dot3(result.normal, sum) * result.normal;
+  result.area = sums_[vertex].area;
   return result;
 }
 

@@ -8,22 +8,20 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "attributes/attribute_surface.h"
 #include "attributes/normal_rule.h"
+#include "base/four_floats.h"
 #include "base/large_vector.h"
-#include "base/vec3.h"
 
 namespace deltamesh {
 
-/// What the faces around a vertex say.
+/// What the faces around a vertex say. Fourth lanes are not used.
 struct RuledTangent {
-  Vec3 normal{};          ///< unit, or 0 where nothing tells it
-  Vec3 direction{};       ///< unit, orthogonal to the normal; 0 where no face has an area in the texture
-  Vec3 by_area{};         ///< the same, of faces weighted by what noise does to them; unit
-  double dispersion = 0;  ///< of the faces' directions, about radians
-  double area = 0;        ///< sum of what the faces take in the texture
+  FourFloats normal{};     ///< 0 where nothing tells it
+  FourFloats direction{};  ///< orthogonal to a normal of length 1, of any length
+  float dispersion = 0;    ///< of the faces' directions, about radians
+  float area = 0;          ///< sum of what the faces take in the texture
 };
 
 class TangentRule {
@@ -36,11 +34,15 @@ class TangentRule {
   RuledTangent at(std::uint32_t vertex) const noexcept;
 
  private:
-  std::vector<float> own_normals_;  ///< n x 3 where none are given
-  std::span<const float> normals_;  ///< n x 3, or empty
-  /// By vertex, over its faces, or empty: their directions by angle; the angles; their directions by area,
-  /// the area.
-  LargeVector<EightFloats> sums_;
+  /// What the faces at a vertex add up to.
+  struct Sum {
+    FourFloats direction{};  ///< weighted by angle; then the angles
+    float area = 0;
+  };
+
+  std::span<const float> normals_;    ///< n x 3, or empty
+  LargeVector<RuleSum> own_normals_;  ///< where there are none; n, or empty
+  LargeVector<Sum> sums_;             ///< n, or empty
 };
 
 }  // namespace deltamesh

@@ -46,7 +46,11 @@ struct UvForecaster::Sums {
 };
 
 UvForecaster::UvForecaster(const AttributeSurface& surface, const SurfaceWalk& walk)
-    : surface_(surface), walk_(walk), values_(surface.vertex_count()), known_(surface.vertex_count()) {
+    : surface_(surface),
+      walk_(walk),
+      corners_(surface.corners()),
+      values_(surface.vertex_count()),
+      known_(surface.vertex_count()) {
   if (!surface.has_positions()) return;
   Box box;
   for (std::uint32_t v = 0; v < surface.vertex_count(); ++v) {
@@ -84,7 +88,7 @@ bool UvForecaster::apex_over(const Edge& edge, std::uint32_t apex, Apex& result)
 std::uint32_t UvForecaster::known_across(std::uint32_t corner, std::uint32_t a,
                                          std::uint32_t b) const noexcept {
   const auto triangles = surface_.triangles();
-  for (const std::uint32_t other : walk_.corners_of(a)) {
+  for (const std::uint32_t other : corners_.of(a)) {
     if (triangles[corner_before(other)] != b || other / 3 == corner / 3) continue;
     const std::uint32_t apex = triangles[next_corner(other)];
     if (is_known(apex)) return apex;
@@ -134,7 +138,7 @@ void UvForecaster::add_flat_face(std::uint32_t corner, Sums& sums) const noexcep
 /// Without faces: a known neighbour, else the vertex before.
 TwoDoubles UvForecaster::start(std::size_t i, bool& is_linked) const noexcept {
   const auto triangles = surface_.triangles();
-  for (const std::uint32_t corner : walk_.corners_of(walk_.order[i])) {
+  for (const std::uint32_t corner : corners_.of(walk_.order[i])) {
     for (const std::uint32_t other : {triangles[next_corner(corner)], triangles[corner_before(corner)]}) {
       if (!is_known(other)) continue;
       is_linked = true;

@@ -62,6 +62,7 @@ class UvForecaster {
 
   const AttributeSurface& surface_;
   const SurfaceWalk& walk_;
+  const VertexCorners& corners_;
   std::vector<TwoDoubles> values_;
   std::vector<std::uint8_t> known_;
   Vec3 center_{};

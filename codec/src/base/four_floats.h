@@ -21,4 +21,15 @@ inline FourFloats square_roots(FourFloats x) noexcept {
   return reinterpret_cast<FourFloats>(simde_mm_sqrt_ps(reinterpret_cast<simde__m128>(x)));
 }
 
+/// Of the first three lanes.
+inline float dot3(FourFloats a, FourFloats b) noexcept {
+  const FourFloats products = a * b;
+  return products[0] + products[1] + products[2];
+}
+inline FourFloats cross3(FourFloats a, FourFloats b) noexcept {
+  const FourFloats turned =
+      a * __builtin_shufflevector(b, b, 1, 2, 0, 3) - __builtin_shufflevector(a, a, 1, 2, 0, 3) * b;
+  return __builtin_shufflevector(turned, turned, 1, 2, 0, 3);
+}
+
 }  // namespace deltamesh

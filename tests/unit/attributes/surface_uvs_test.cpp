@@ -82,7 +82,8 @@ TEST(SurfaceWalk, ATTR30ListsVerticesAndFacesOnce) {
                                    test::fan(9, true), test::moebius_strip(8)};
   for (std::uint32_t seed = 0; seed < 50; ++seed) soups.push_back(test::random_soup(seed, 12, 20));
   for (const test::Soup& soup : soups) {
-    const SurfaceWalk walk = walk_surface(soup.triangles, soup.vertex_count);
+    const SurfaceWalk walk =
+        walk_surface(soup.triangles, soup.vertex_count, VertexCorners(soup.triangles, soup.vertex_count));
     ASSERT_EQ(walk.order.size(), soup.vertex_count) << soup.name;
     ASSERT_EQ(walk.complete.size(), soup.triangles.size() / 3) << soup.name;
     std::vector<bool> visited(soup.vertex_count);
@@ -105,7 +106,7 @@ TEST(SurfaceWalk, ATTR30TakesVerticesThatSeveralFacesWaitForFirst) {
   // A fan around 0: after 0, 1 and 2 one face waits for 3 and another, the last, for 4; then two for the
   // other.
   const std::vector<std::uint32_t> fan = {0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1};
-  const SurfaceWalk walk = walk_surface(fan, 6);
+  const SurfaceWalk walk = walk_surface(fan, 6, VertexCorners(fan, 6));
   EXPECT_EQ(std::vector<std::uint32_t>(walk.order.begin(), walk.order.end()),
             (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5}));
   EXPECT_EQ(std::vector<std::uint32_t>(walk.ends.begin(), walk.ends.end()),
