@@ -15,7 +15,6 @@
 #include "entropy/compact_writer.h"
 #include "geometry/anchor_list.h"
 #include "geometry/delta_symbols.h"
-#include "geometry/large_deltas.h"
 #include "support/graph_mesh.h"
 
 namespace {
@@ -95,19 +94,6 @@ void fuzz_deltas(std::span<const std::byte> bytes) {
   require(again && *again == *read);
 }
 
-/// As if the graph were large [FLD-9].
-void fuzz_large_deltas(std::span<const std::byte> bytes) {
-  static const test::GraphMesh kMesh = test::sheet(6, 5);
-  const std::size_t n = kMesh.graph.vertex_count();
-  std::vector<std::int32_t> deltas(3 * n);
-  const auto read = read_large_deltas(bytes, kMesh.graph, {deltas.data(), n});
-  require_clean(read);
-  if (!read) return;
-  std::vector<std::int32_t> back(3 * n);
-  const auto written = write_large_deltas({deltas.data(), n}, kMesh.graph);
-  require(read_large_deltas(written, kMesh.graph, {back.data(), n}) && back == deltas);
-}
-
 void fuzz_anchors(std::span<const std::byte> bytes, std::uint32_t count) {
   const auto read = read_anchors(Payload::compact(bytes), count);
   require_clean(read);
@@ -137,7 +123,7 @@ void fuzz_attribute(std::span<const std::byte> bytes) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size < 2) return 0;
-  const unsigned choice = data[0] % 6;
+  const unsigned choice = data[0] % 5;
   const std::uint32_t count = data[1];
   const auto bytes = std::as_bytes(std::span(data, size)).subspan(2);
   if (choice == 0) fuzz_coder(bytes);
@@ -145,6 +131,5 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (choice == 2) fuzz_deltas(bytes);
   if (choice == 3) fuzz_anchors(bytes, count);
   if (choice == 4) fuzz_attribute(bytes);
-  if (choice == 5) fuzz_large_deltas(bytes);
   return 0;
 }

@@ -7,7 +7,7 @@ from attr import f32_rows
 from coder import Coder, bits, clamp, mixing_weights, symbol_models
 from container import must
 from graph import neighbours
-from scaled import FLD_5_near, FLD_5_quantity, SYMBOL_WEIGHTS, ScaledCoder
+from scaled import ATTR_52_near, FLD_15_quantity, SYMBOL_WEIGHTS, ScaledCoder
 
 F = np.float32
 ZERO, HALF = F(0), F(0.5)
@@ -126,8 +126,8 @@ class ColourCoder:
         whole = min(u(scale), 2**21 - 1) + 1
         shift = max(bits(whole) - 6, 0)
         s, near = whole >> shift, u(abs(X - base)) >> shift
-        S = FLD_5_quantity(s) + (4 if shift else 0)
-        models = [self.models[0, (6 * S + FLD_5_near(near, s)) * 4 + a],
+        S = FLD_15_quantity(s) + (4 if shift else 0)
+        models = [self.models[0, (6 * S + ATTR_52_near(near, s)) * 4 + a],
                   self.models[1, (12 * (K(spread) // 2) + K(coded) // 2) * 4 + a]]
         q = self.scaled.CMP_15_number(self.coder, models, self.weights[4 * (S // 4) + a], shift)
         return -q if X < base else q

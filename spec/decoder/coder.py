@@ -11,11 +11,6 @@ def bits(x):
 def clamp(x, low, high):
     return min(max(x, low), high)
 
-def CMP_9_ratio(a, b):
-    w = bits(b)
-    t = b >> (w - 10) if w >= 10 else b << (10 - w)
-    return clamp((a * (2**25 // t)) >> (w + 3), -2**15, 2**15)
-
 class SymbolModel:
     """[CMP-4, CMP-5]"""
     def __init__(self, weights):

@@ -3,7 +3,7 @@ import numpy as np
 
 from coder import Coder
 from container import Reader, must, unzigzag
-from fields import FLD_8_two_walks
+from fields import FLD_numbers
 
 def is_solved(component):
     return len(component) >= 8
@@ -26,7 +26,7 @@ def DELT_2_deltas(chunk, header, around, solved):
 
 def DELT_5_compact(data, around, solved):
     number, coder = {v: i for i, v in enumerate(solved)}, Coder(data)
-    q = FLD_8_two_walks(coder, [[number[u] for u in around[v]] for v in solved])
+    q = FLD_numbers(coder, [[number[u] for u in around[v]] for v in solved])
     coder.end()
     return q
 

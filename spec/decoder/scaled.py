@@ -1,4 +1,4 @@
-"""Scaled numbers: CMP-15, and what FLD-5 says of their contexts, which attributes use as well."""
+"""Scaled numbers: CMP-15, and the classes of their contexts, which attributes use as well."""
 from coder import BitModel, NumberModel
 
 SYMBOL_WEIGHTS = (1, 2, 3, 4, 8, 14, 24, 40, 24, 14, 8, 4, 3, 2, 1, 3)
@@ -20,11 +20,11 @@ class ScaledCoder:
         size = 8 + self.excess.decode(coder)
         return -size if is_below else size
 
-def FLD_5_quantity(x):
+def FLD_15_quantity(x):
     """Q"""
     y = x + 4
     return min(4 * (y.bit_length() - 3) + ((y >> (y.bit_length() - 3)) & 3), 23)
 
-def FLD_5_near(near, s):
+def ATTR_52_near(near, s):
     """u"""
     return sum(k <= (near * (2**20 // (s + 2))) >> 16 for k in (2, 5, 10, 16, 27))

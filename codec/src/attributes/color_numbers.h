@@ -13,10 +13,10 @@
 #include <cstdlib>
 #include <vector>
 
+#include "attributes/color_classes.h"
 #include "attributes/color_memory.h"
 #include "base/floor_log2.h"
 #include "entropy/split_number.h"
-#include "field/field_classes.h"
 
 namespace deltamesh {
 

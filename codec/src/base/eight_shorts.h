@@ -32,21 +32,16 @@ inline unsigned set_lanes(EightShorts low, EightShorts high) noexcept {
   return static_cast<unsigned>(simde_mm_movemask_epi8(bytes));
 }
 
-/// The first four lanes of both, or the last four.
-inline EightShorts low_halves(EightShorts a, EightShorts b) noexcept {
-  return pick_lanes<0, 1, 2, 3, 8, 9, 10, 11>(a, b);
+/// The first four lanes, or the last four.
+inline FourInts low_ints(EightShorts lanes) noexcept {
+  return reinterpret_cast<FourInts>(pick_lanes<0, 0, 1, 1, 2, 2, 3, 3>(lanes)) >> 16;
 }
-inline EightShorts high_halves(EightShorts a, EightShorts b) noexcept {
-  return pick_lanes<4, 5, 6, 7, 12, 13, 14, 15>(a, b);
+inline FourInts high_ints(EightShorts lanes) noexcept {
+  return reinterpret_cast<FourInts>(pick_lanes<4, 4, 5, 5, 6, 6, 7, 7>(lanes)) >> 16;
 }
 
 /// The first four lanes, twice.
 inline EightShorts twice_low(EightShorts lanes) noexcept { return pick_lanes<0, 1, 2, 3, 0, 1, 2, 3>(lanes); }
-
-/// Where a lane of `mask` is -1 that of `if_set`, where it is 0 that of `if_clear`.
-inline EightShorts choose_lanes(EightShorts mask, EightShorts if_set, EightShorts if_clear) noexcept {
-  return (if_set & mask) | (if_clear & ~mask);
-}
 
 /// Modulo 2^16.
 inline EightShorts wrapped_sum(EightShorts a, EightShorts b) noexcept {
@@ -58,24 +53,10 @@ inline EightShorts wrapped_difference(EightShorts a, EightShorts b) noexcept {
                                        reinterpret_cast<EightUnsigned>(b));
 }
 
-/// (a * b) >> 16.
-inline EightShorts multiply_high(EightShorts a, EightShorts b) noexcept {
-  return reinterpret_cast<EightShorts>(
-      simde_mm_mulhi_epi16(reinterpret_cast<simde__m128i>(a), reinterpret_cast<simde__m128i>(b)));
-}
-
-/// The same of lanes that stand for 0 to 65535.
+/// (a * b) >> 16, of lanes that stand for 0 to 65535.
 inline EightShorts multiply_high_unsigned(EightShorts a, EightShorts b) noexcept {
   return reinterpret_cast<EightShorts>(
       simde_mm_mulhi_epu16(reinterpret_cast<simde__m128i>(a), reinterpret_cast<simde__m128i>(b)));
-}
-
-/// What the first four lanes, each times `weight`, add up to, in the first two lanes; that of the last four
-/// in the others.
-inline FourInts sums_of_halves(EightShorts lanes, std::int32_t weight) noexcept {
-  const auto pairs = reinterpret_cast<FourInts>(simde_mm_madd_epi16(
-      reinterpret_cast<simde__m128i>(lanes), reinterpret_cast<simde__m128i>(all_lanes(weight))));
-  return pairs + pick_lanes<1, 0, 3, 2>(pairs);
 }
 
 /// `of_a`, `of_b`, and so on.
@@ -88,23 +69,6 @@ inline FourInts weighted_sums(EightShorts a, EightShorts b, EightShorts weights)
   const EightShorts pairs = pick_lanes<0, 8, 1, 9, 2, 10, 3, 11>(a, b);
   return reinterpret_cast<FourInts>(
       simde_mm_madd_epi16(reinterpret_cast<simde__m128i>(pairs), reinterpret_cast<simde__m128i>(weights)));
-}
-
-/// Four times the place of the highest bit, and the two bits below it; below 0 for lanes of 0. Lanes stand
-/// for 0 to 65535.
-inline EightShorts quarter_octaves(EightShorts lanes) noexcept {
-  constexpr int kOne = 127 * 4;  // the float's exponent for 1
-  const auto of_four = [](FourInts numbers) { return reinterpret_cast<FourInts>(to_floats(numbers)) >> 21; };
-  const auto bits = reinterpret_cast<simde__m128i>(lanes);
-  const auto low = reinterpret_cast<FourInts>(simde_mm_unpacklo_epi16(bits, simde_mm_setzero_si128()));
-  const auto high = reinterpret_cast<FourInts>(simde_mm_unpackhi_epi16(bits, simde_mm_setzero_si128()));
-  return pack_lanes(of_four(low), of_four(high)) - all_lanes(kOne);
-}
-
-/// (a + b + 1) >> 1, no lane below 0.
-inline EightShorts rounded_means(EightShorts a, EightShorts b) noexcept {
-  return reinterpret_cast<EightShorts>(
-      simde_mm_avg_epu16(reinterpret_cast<simde__m128i>(a), reinterpret_cast<simde__m128i>(b)));
 }
 
 /// Absolute values, of lanes above -2^15.

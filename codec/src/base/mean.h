@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Means of a few numbers without a division [FLD-3, POSN-4].
+// Means of a few numbers without a division [POSN-4].
 #pragma once
 
 #include <array>

@@ -72,14 +72,6 @@ bool CompactWriter::encode(std::uint64_t begin, States& states, std::size_t& fir
   return true;
 }
 
-std::vector<std::byte> CompactWriter::put_together(std::vector<std::byte> bytes, std::size_t first) {
-  bytes.reserve(bytes.size() + 4 * (decisions_.size() - first));
-  for (std::size_t i = first; i < decisions_.size(); ++i) put_number(bytes, decisions_[i], 4);
-  decisions_.clear();
-  joined_ = 0;
-  return bytes;
-}
-
 std::vector<std::byte> CompactWriter::finish() {
   States states{};
   std::size_t first = 0;
@@ -88,17 +80,12 @@ std::vector<std::byte> CompactWriter::finish() {
     return static_cast<unsigned>(std::bit_width(state) + 7) / 8;
   };
   std::vector<std::byte> bytes{static_cast<std::byte>(size_of(states[0]) | size_of(states[1]) << 4)};
+  bytes.reserve(17 + 4 * (decisions_.size() - first));
   for (const std::uint64_t state : states) put_number(bytes, state, size_of(state));
-  return put_together(std::move(bytes), first);
-}
-
-std::vector<std::byte> CompactWriter::finish_long() {
-  States states{};
-  std::size_t first = 0;
-  encode(kRansFloor, states, first);
-  std::vector<std::byte> bytes;
-  for (const std::uint64_t state : states) put_number(bytes, state, 8);
-  return put_together(std::move(bytes), first);
+  for (std::size_t i = first; i < decisions_.size(); ++i) put_number(bytes, decisions_[i], 4);
+  decisions_.clear();
+  joined_ = 0;
+  return bytes;
 }
 
 }  // namespace deltamesh

@@ -30,13 +30,6 @@ class CompactWriter {
     return value;
   }
 
-  /// What models of another kind made of a symbol, after at most kMostBitsAtOnce raw bits that are read with
-  /// it [CMP-13].
-  void decide(Interval interval, const LowBits& low) {
-    if (low.count > 0) put_joined(low.value, low.count);
-    put(interval);
-  }
-
   /// `value` below 16; at most kMostBitsAtOnce + 1 bits.
   template <std::size_t K>
   [[gnu::always_inline]] unsigned symbol_and_bits(unsigned value, const LowBits& low,
@@ -81,9 +74,6 @@ class CompactWriter {
   /// The stream. The writer is empty afterwards. O(symbols).
   std::vector<std::byte> finish();
 
-  /// The same with states of 8 bytes that end at 2^31, as PairReader has them [FLD-9].
-  std::vector<std::byte> finish_long();
-
   /// Room for this many decisions, so that nothing moves while they come.
   void reserve(std::size_t decisions) { decisions_.reserve(decisions); }
 
@@ -107,8 +97,6 @@ class CompactWriter {
   /// a reader begins with. False, with nothing changed, where small states would need words at different
   /// times.
   bool encode(std::uint64_t begin, States& states, std::size_t& first);
-  /// `states` as bytes, then the words from `first` on; empties the writer.
-  std::vector<std::byte> put_together(std::vector<std::byte> states, std::size_t first);
 
   std::vector<std::uint32_t> decisions_;  ///< intervals and bits
   std::size_t joined_ = 0;                ///< how many of them go with the next

@@ -2,7 +2,7 @@
 // Copyright 2026 The deltamesh authors
 //
 // Signed numbers that are mostly near 0: a symbol in context, a tail for those that are not, and low
-// bits below the symbol [FLD-5, FLD-6].
+// bits below the symbol [CMP-15].
 #pragma once
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What is remembered of coded vertices, and what of it is said of the next one. Integers only; shared by
-// writer and reader [FLD-2, FLD-3].
+// What is remembered of coded vertices, and what it says of the next one. Integers only; shared by writer and
+// reader [FLD-13].
 #pragma once
 
 #include <algorithm>
@@ -10,99 +10,101 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "base/four_ints.h"
+#include "base/eight_shorts.h"
 #include "base/large_vector.h"
-#include "base/pick_lanes.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {
 
-inline constexpr std::int32_t kFieldUnit = 16;            ///< fixed point: parts of a step
-inline constexpr std::int32_t kLargestRemembered = 8191;  ///< of a number
-inline constexpr std::int32_t kLargestMultiplied = 2047;  ///< of the factors of a product
+inline constexpr std::int32_t kLargestRemembered = 8191;  ///< of a number: four of them fit into 16 bits
 
-/// Numbers about a vertex, in 1/16 steps and 1/16 squared steps [FLD-2].
-struct FieldMemory {
-  FourInts numbers;     ///< x, y, z, 0
-  FourInts magnitudes;  ///< smoothed absolute values; the last is the smoothed product yz
-  FourInts products;    ///< xx, xy, xz, yy, smoothed
+/// What is known of a vertex before it is coded: means over its peers in twelfths of a step, by axis.
+struct FieldContext {
+  FourInts numbers;            ///< R
+  FourInts sizes;              ///< G: of numbers
+  FourInts errors;             ///< E: of differences to the last peer
+  FourInts ties;               ///< T, how much xy, xz and yz go together: above 0 where signs are equal
+  FourInts last_peer;          ///< L: the numbers of the last peer, steps; 0 where there is none
+  std::uint32_t degree_class;  ///< of the vertex itself, 0 to 7
 };
 
-/// What is known of a vertex before it is coded [FLD-3].
-struct FieldNeighborhood {
-  FieldMemory means;           ///< over the coded neighbours, 0 without any
-  unsigned count = 0;          ///< of these
-  std::uint32_t degree_class;  ///< of the vertex itself, in the whole graph: 0 to 7
-};
-
-/// Vertices are coded in the order of two walks that take turns, one from vertex 0, one from `middle`
-/// [FLD-8].
+/// Vertices come in ascending order.
 class FieldHistory {
  public:
-  FieldHistory(const Adjacency& graph, std::uint32_t middle)
-      : graph_(graph), middle_(middle), memories_(graph.vertex_count() + 1) {
-    memories_[graph.vertex_count()] = FieldMemory{};
+  /// `graph` must outlive this.
+  explicit FieldHistory(const Adjacency& graph) : graph_(graph), memories_(graph.vertex_count() + 1) {
+    memories_[0] = Memory{};
   }
 
-  /// What is known before `vertex` is coded, those before it in its walk being done. Without branches on what
-  /// is coded, which would often go wrong.
-  [[gnu::always_inline]] FieldNeighborhood around(std::uint32_t vertex) const noexcept {
-    FieldNeighborhood around;
-    const std::uint32_t begin = graph_.offsets[vertex];
-    const std::uint32_t degree = graph_.offsets[vertex + 1] - begin;
-    around.degree_class = std::clamp<std::uint32_t>(degree, 3, 10) - 3;
-    const std::uint32_t* const row = graph_.neighbors.data() + begin;
-    const auto nothing = static_cast<std::uint32_t>(graph_.vertex_count());
-    const std::uint32_t walk = vertex < middle_ ? 0 : middle_;
-    FieldMemory sums{};
-    const auto add = [&](std::uint32_t neighbor, bool exists) {
-      const bool counts = (neighbor - walk < vertex - walk) & exists;
-      const FieldMemory& memory = memories_[counts ? neighbor : nothing];
-      around.count += counts ? 1 : 0;
-      sums.numbers += memory.numbers;
-      sums.magnitudes += memory.magnitudes;
-      sums.products += memory.products;
-    };
-    if (begin + std::size_t{kUsualNeighbors} <= graph_.neighbors.size()) [[likely]] {
-      for (std::uint32_t i = 0; i < kUsualNeighbors; ++i) add(row[i], i < degree);
-    } else {
-      for (std::uint32_t i = 0; i < std::min(degree, kUsualNeighbors); ++i) add(row[i], true);
+  /// All vertices below `vertex` being remembered. Without branches on the degrees of neighbours, which would
+  /// often go wrong.
+  [[gnu::always_inline]] FieldContext around(std::uint32_t vertex) const noexcept {
+    const std::uint32_t* const offsets = graph_.offsets.data();
+    const std::uint32_t row = offsets[vertex];
+    const std::uint32_t degree = offsets[vertex + 1] - row;
+    const std::uint32_t* neighbors = graph_.neighbors.data() + row;
+    std::array<std::uint32_t, kNeighbors> few;
+    if (degree < kNeighbors) [[unlikely]] {
+      std::fill(std::copy_n(neighbors, degree, few.begin()), few.end(), vertex);
+      neighbors = few.data();
     }
-    // Rows ascend.
-    for (std::uint32_t i = kUsualNeighbors; i < std::min(degree, kMostNeighbors) && row[i] < vertex; ++i)
-      add(row[i], true);
-    around.means =
-        FieldMemory{mean_lanes(sums.numbers, around.count), mean_lanes(sums.magnitudes, around.count),
-                    mean_lanes(sums.products, around.count)};
-    return around;
+    std::array<std::uint32_t, kNeighbors> known;  // places of memories
+    std::array<std::uint32_t, kNeighbors> peers;
+    std::uint32_t any_peer = 0;
+    for (std::size_t i = 0; i < kNeighbors; ++i) {
+      const std::uint32_t u = neighbors[i];
+      known[i] = u < vertex ? u + 1 : 0;
+      peers[i] = offsets[u + 1] - offsets[u] == degree ? known[i] : 0;
+      any_peer |= peers[i];
+    }
+    const std::uint32_t without = any_peer == 0 ? ~0U : 0;
+    std::uint32_t count = 0;
+    std::uint32_t last = 0;
+    Memory sum{};
+    for (std::size_t i = 0; i < kNeighbors; ++i) {
+      const std::uint32_t place = peers[i] | (known[i] & without);
+      const Memory& memory = memories_[place];
+      sum.numbers_and_errors += memory.numbers_and_errors;
+      sum.sizes_and_ties += memory.sizes_and_ties;
+      count += place != 0 ? 1 : 0;
+      last = std::max(last, place);
+    }
+    const FourInts share = FourInts{} + kTwelfths[count];
+    return {.numbers = multiply_short_lanes(low_ints(sum.numbers_and_errors), share),
+            .sizes = multiply_short_lanes(low_ints(sum.sizes_and_ties), share),
+            .errors = multiply_short_lanes(high_ints(sum.numbers_and_errors), share),
+            .ties = multiply_short_lanes(high_ints(sum.sizes_and_ties), share),
+            .last_peer = low_ints(memories_[last].numbers_and_errors),
+            .degree_class = std::clamp<std::uint32_t>(degree, 3, 10) - 3};
   }
 
-  /// `r`: the vertex' numbers, cut to kLargestRemembered.
-  [[gnu::always_inline]] void remember(std::uint32_t vertex, const std::array<std::int32_t, 3>& r,
-                                       const FieldNeighborhood& around) noexcept {
-    const FourInts lanes = four_ints(r);
-    const FourInts f = clamp_lanes(lanes, kLargestMultiplied);
-    const FourInts numbers = lanes * kFieldUnit;
-    const FourInts yz = multiply_short_lanes(pick_lanes<3, 3, 3, 1>(f), pick_lanes<3, 3, 3, 2>(f));
-    const FourInts magnitudes = lane_sizes(numbers) + yz * kFieldUnit;
-    const FourInts products =
-        multiply_short_lanes(pick_lanes<0, 0, 0, 1>(f), pick_lanes<0, 1, 2, 1>(f)) * kFieldUnit;
-    FieldMemory& memory = memories_[vertex];
-    if (around.count == 0) {
-      memory = FieldMemory{numbers, magnitudes, products};
-    } else {
-      memory = FieldMemory{numbers, smooth_lanes(magnitudes, around.means.magnitudes),
-                           smooth_lanes(products, around.means.products)};
-    }
+  /// `numbers`: of the vertex, cut to kLargestRemembered.
+  [[gnu::always_inline]] void remember(std::uint32_t vertex, const std::array<std::int32_t, 3>& numbers,
+                                       const FieldContext& around) noexcept {
+    const FourInts r = four_ints(numbers);
+    const FourInts errors = smaller_lanes(lane_sizes(r - around.last_peer), FourInts{} + kLargestRemembered);
+    const FourInts sizes = lane_sizes(r);
+    const FourInts first = pick_lanes<0, 0, 1, 3>(r);
+    const FourInts second = pick_lanes<1, 2, 2, 3>(r);
+    const FourInts opposite = (first ^ second) >> 31;
+    const FourInts smaller = smaller_lanes(lane_sizes(first), lane_sizes(second));
+    const FourInts ties = (smaller ^ opposite) - opposite;
+    memories_[vertex + 1] = {.numbers_and_errors = pack_lanes(r, errors),
+                             .sizes_and_ties = pack_lanes(sizes, ties)};
   }
 
  private:
-  static constexpr std::uint32_t kUsualNeighbors = 4;  ///< coded ones; more are rare
-  static constexpr std::uint32_t kMostNeighbors = 16;  ///< so that no sum leaves 30 bits
+  static constexpr std::size_t kNeighbors = 4;
+  /// By how many peers there are.
+  static constexpr std::array<std::int32_t, kNeighbors + 1> kTwelfths = {0, 12, 6, 4, 3};
+
+  struct Memory {
+    EightShorts numbers_and_errors;
+    EightShorts sizes_and_ties;
+  };
 
   const Adjacency& graph_;
-  std::uint32_t middle_;
-  LargeVector<FieldMemory> memories_;  ///< and one of 0
+  LargeVector<Memory> memories_;  ///< in front one of 0
 };
 
 }  // namespace deltamesh

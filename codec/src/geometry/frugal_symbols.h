@@ -35,7 +35,7 @@ class FrugalSymbols {
   DeltaQuantizer quantizer_;
   double weight_;
   CompactPricer pricer_;
-  FieldCoder<CompactPricer> field_;  ///< as if the field were small and coded in one walk
+  FieldCoder<CompactPricer> field_;
 };
 
 }  // namespace deltamesh

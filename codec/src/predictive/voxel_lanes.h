@@ -54,11 +54,6 @@ inline std::array<std::int32_t, 2> weigh(EightShorts lanes, EightShorts weights)
       simde_mm_cvtsi128_si64(simde_mm_shuffle_epi32(sums, 0x08)));
 }
 
-/// The first half.
-inline FourInts low_ints(EightShorts lanes) noexcept {
-  return reinterpret_cast<FourInts>(simde_mm_unpacklo_epi16(as_register(lanes), as_register(lanes))) >> 16;
-}
-
 /// a x b of the first three of each half; the last is 0. Exact where sums of two products are below 2^31.
 inline std::array<FourInts, 2> cross(EightShorts a, EightShorts b) noexcept {
   const EightShorts next_a = rotate(a);

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// What is expected of a vertex' numbers, axis by axis: a sign, a scale and contexts. Integers only; shared by
+// writer and reader [FLD-14, FLD-15]. Without branches on the data, which would often go wrong.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+
+#include "base/floor_log2.h"
+#include "field/field_history.h"
+#include "field/octave_class.h"
+
+namespace deltamesh {
+
+/// How many models a number has, and contexts each of them [FLD-15].
+inline constexpr std::size_t kFieldModels = 2;
+inline constexpr std::array<std::uint32_t, kFieldModels> kFieldContexts = {24 * 5, 12 * 12 * 3 * 8};
+
+/// Of one number.
+struct FieldForecast {
+  std::int32_t base = 0;  ///< what is subtracted
+  std::int32_t sign = 0;  ///< -1 where signs are swapped, else 0
+  unsigned shift = 0;     ///< low bits outside the symbol
+  std::array<std::uint32_t, kFieldModels> contexts{};
+};
+
+/// Of the three numbers of a vertex in turn: of<0>(), settle<0>(), of<1>() and so on.
+class FieldForecasts {
+ public:
+  [[gnu::always_inline]] explicit FieldForecasts(const FieldContext& around) noexcept : around_(around) {
+    const std::int32_t all_sizes = sum_of(around.sizes);
+    const std::int32_t all_errors = sum_of(around.errors);
+    if_close_ = 4 * all_errors < all_sizes ? -1 : 0;
+    sizes_ = (around.errors & if_close_) | (around.sizes & ~if_close_);
+    all_ = (all_errors & if_close_) | (all_sizes & ~if_close_);
+    bases_ = around.last_peer & if_close_;
+  }
+
+  template <unsigned kAxis>
+  [[gnu::always_inline]] FieldForecast of() const noexcept {
+    const std::int32_t mean = expected<kAxis>() & ~if_close_;
+    const std::int32_t size = sizes_[kAxis];
+    const std::int32_t coded = kAxis == 1 ? 2 * coded_ : coded_;
+    const std::int32_t scale = ((8 * size + all_ + 2 * coded) >> 4) + 1;
+    FieldForecast f;
+    f.base = bases_[kAxis];
+    f.sign = mean >> 31;
+    f.shift = floor_log2(static_cast<std::uint32_t>(scale) | 63) - 5;
+    const std::int32_t far = (mean ^ f.sign) - f.sign;
+    const std::uint32_t sure =
+        (8 * far >= scale ? 1U : 0U) + (2 * far >= scale ? 1U : 0U) + (far >= scale ? 1U : 0U);
+    const std::uint32_t kind = sure | (static_cast<std::uint32_t>(if_close_) & kClose);
+    const std::uint32_t coded_class = kOctaveClass[static_cast<std::uint32_t>(coded) >> f.shift] / 2U;
+    const std::uint32_t size_class = kOctaveClass[static_cast<std::uint32_t>(size) >> f.shift] / 2U;
+    f.contexts = {kOctaveClass[static_cast<std::uint32_t>(scale) >> f.shift] * 5U + kind,
+                  ((coded_class * 12 + size_class) * 3 + kAxis) * 8 + around_.degree_class};
+    return f;
+  }
+
+  /// `q`: the number that was coded.
+  template <unsigned kAxis>
+  [[gnu::always_inline]] void settle(std::int32_t q) noexcept {
+    numbers_[kAxis] = std::clamp(q, -kLargestRemembered, kLargestRemembered);
+    if constexpr (kAxis < 2) coded_ += 6 * std::abs(numbers_[kAxis] - bases_[kAxis]);
+  }
+
+  /// All that were settled, cut to kLargestRemembered; the others are 0.
+  const std::array<std::int32_t, 3>& numbers() const noexcept { return numbers_; }
+
+ private:
+  static constexpr std::uint32_t kClose = 4;
+
+  static std::int32_t sum_of(FourInts lanes) noexcept { return lanes[0] + lanes[1] + lanes[2]; }
+  static std::int32_t sign_of(std::int32_t x) noexcept { return (x > 0 ? 1 : 0) - (x < 0 ? 1 : 0); }
+
+  /// Twelfths of a step.
+  template <unsigned kAxis>
+  [[gnu::always_inline]] std::int32_t expected() const noexcept {
+    const std::int32_t half = around_.numbers[kAxis] >> 1;
+    if constexpr (kAxis == 0) return half;
+    if constexpr (kAxis == 1) return half + sign_of(numbers_[0]) * around_.ties[0];
+    return half + sign_of(numbers_[0]) * around_.ties[1] + sign_of(numbers_[1]) * around_.ties[2];
+  }
+
+  const FieldContext& around_;
+  std::int32_t if_close_ = 0;  ///< -1 where numbers are coded as differences to the last peer, else 0
+  FourInts sizes_{};
+  FourInts bases_{};
+  std::int32_t all_ = 0;    ///< sum of sizes_
+  std::int32_t coded_ = 0;  ///< half of what was coded so far, without signs, in twelfths
+  std::array<std::int32_t, 3> numbers_{};
+};
+
+}  // namespace deltamesh
