@@ -20,7 +20,7 @@ constexpr double kKept = 1 - 1e-12;
 
 double largest(std::span<const float> uvs) noexcept {
   double most = 0;
-  for (const float x : uvs) most = std::fmax(most, std::fabs(static_cast<double>(x)));
+  for (const float x : uvs) most = std::max(most, std::fabs(static_cast<double>(x)));
   return most;
 }
 

@@ -21,7 +21,7 @@
 namespace deltamesh {
 namespace {
 
-using Index = std::int64_t;
+using Index = Eigen::Index;
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, Index>;
 
 /// Rows of L with more neighbours are hubs.
