@@ -49,7 +49,7 @@ bool code_patches(Coder& coder, std::vector<Patch>& patches, std::uint64_t coord
 
 /// Puts them in their places; `rows`: n x 3.
 inline void apply(std::span<const Patch> patches, std::span<float> rows) noexcept {
-  for (const Patch& patch : patches) rows[patch.coordinate] = patch.value;
+  for (const Patch& patch : patches) rows[static_cast<std::size_t>(patch.coordinate)] = patch.value;
 }
 
 }  // namespace deltamesh
