@@ -269,7 +269,7 @@ TEST(Lattice, ATTR56WhatMustBeExactIsPredictedWhateverItsKind) {
   }
 }
 
-TEST(Lattice, ATTR56NoiseIsAveragedAndSurfacesAreNot) {
+TEST(Lattice, ATTR56MeansOfNeighboursForecastWhereThatIsSmaller) {
   test::RandomBits random(8);
   std::vector<std::uint16_t> noise;
   std::vector<std::uint16_t> plane;
@@ -287,8 +287,8 @@ TEST(Lattice, ATTR56NoiseIsAveragedAndSurfacesAreNot) {
     EXPECT_EQ(reader.bits(0, 1), 0U);
     return reader.bits(0, 1) != 0;
   };
-  EXPECT_TRUE(averaged(code(make(ComponentType::kU16, 1, noise))));
-  EXPECT_FALSE(averaged(code(make(ComponentType::kU16, 1, plane))));
+  EXPECT_TRUE(averaged(code(make(ComponentType::kU16, 1, plane))));
+  EXPECT_FALSE(averaged(code(make(ComponentType::kU16, 1, noise))));
 }
 
 TEST(Lattice, ATTR56NumbersUpToTheLargestAreExact) {
