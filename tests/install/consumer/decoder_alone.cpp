@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// decoder_alone STREAM: decodes it with the decoder's library alone, all of which is linked: nothing in it may need what only
-// writers have.
+// decoder_alone STREAM: decodes it with the decoder's library alone, all of which is linked: nothing in it
+// may need what only writers have.
 #include <deltamesh/decode.h>
 #include <deltamesh/stream_info.h>
 
