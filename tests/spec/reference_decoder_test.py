@@ -1,5 +1,7 @@
 #!/usr/bin/python3
-"""Decodes every golden stream with the reference decoder and compares with the positions, faces and digests beside it."""
+"""Decodes every golden stream with the reference decoder and compares with the positions, faces and digests beside it. A stream
+TAG.dmsh of the folder `invalid`, if there is one (make_invalid_streams.py), breaks the rule TAG."""
+import glob
 import os
 import sys
 
@@ -8,6 +10,7 @@ import numpy as np
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 GOLDEN = os.path.join(ROOT, "tests", "golden")
 sys.path.insert(0, os.path.join(ROOT, "spec", "decoder"))
+from container import Broken  # noqa: E402
 from mesh import decode  # noqa: E402
 
 
@@ -64,12 +67,22 @@ def compare(stem):
     return wrong.strip()
 
 
+def compare_invalid(stem):
+    try:
+        with open(stem + ".dmsh", "rb") as file:
+            decode(file.read())
+    except Broken as error:
+        return "" if error.tag == os.path.basename(stem) else str(error)
+    return "decodes"
+
+
 def main():
     folder, failed = GOLDEN, 0
     stems = sys.argv[1:] or [os.path.join(folder, f[:-5]) for f in sorted(os.listdir(folder)) if f.endswith(".dmsh")]
+    stems += [f[:-5] for f in sorted(glob.glob(os.path.join(folder, "invalid", "*.dmsh")))] * (not sys.argv[1:])
     for stem in stems:
         try:
-            wrong = compare(stem)
+            wrong = (compare_invalid if "invalid" in stem else compare)(stem)
         except Exception as error:  # any failure is one of this stream
             wrong = f"{type(error).__name__} {error}"
         print(f"{os.path.basename(stem)}: {wrong or 'ok'}")
