@@ -36,9 +36,8 @@ class AttributeRows {
   template <class Visit>
   void for_each(std::size_t component, Visit visit) const {
     with_fixed_size(size_, [&](auto size) {
-      const std::byte* const first = values_.data() + component * size;
       for (std::size_t row = 0; row < order_.size(); ++row)
-        visit(row, load_component(first + order_[row] * components_ * size, size));
+        visit(row, load_component(values_.data() + (order_[row] * components_ + component) * size, size));
     });
   }
   /// components() values.
