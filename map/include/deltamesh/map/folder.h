@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// A map as a folder: a manifest, and a file for each part.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "deltamesh/map/description.h"
+#include "deltamesh/map/part.h"
+#include "deltamesh/result.h"
+
+namespace deltamesh {
+
+/// What is known of a part without its octets.
+struct PartEntry {
+  PartKey key{};
+  std::uint64_t revision = 0;
+  std::uint64_t group = 0;
+  std::uint32_t bytes = 0;  ///< at most kMostPartBytes
+  std::uint64_t hash = 0;   ///< xxh3 of the octets
+  std::uint32_t vertices = 0;
+  std::uint32_t triangles = 0;
+  std::array<float, 3> box_min{};  ///< of the decoded positions, relative to the map's origin
+  std::array<float, 3> box_max{};
+  Quality quality{};                      ///< against the part's source
+  std::vector<float> attribute_errors{};  ///< of every attribute of the map
+
+  bool operator==(const PartEntry& other) const noexcept;
+};
+
+struct MapManifest {
+  MapDescription description{};
+  std::uint64_t revision = 0;  ///< of the newest update
+  std::uint64_t next_group = 0;
+  std::vector<PartEntry> entries{};  ///< ascending by key
+};
+
+/// Errors: kInvalidArgument (entries out of order, out of range), kOutOfMemory.
+Result<std::vector<std::byte>> write_manifest(const MapManifest& manifest) noexcept;
+/// Errors: 1xx codes [MAP-10], kOutOfMemory. Takes memory in proportion to the bytes.
+Result<MapManifest> read_manifest(std::span<const std::byte> bytes) noexcept;
+
+/// The file of a part's octets within a map's folder, such as "parts/0_-1_2_0_17.part".
+std::string part_file(const PartKey& key, std::uint64_t revision);
+
+struct NewPart {
+  PartKey key{};
+  std::uint64_t revision = 0;
+  std::span<const std::byte> bytes{};
+};
+
+/// Makes `folder` hold `manifest`: writes the files of `parts`, then replaces the manifest by renaming, then
+/// deletes the files that no entry names. Interrupted at any point, the folder holds the old state or the
+/// new. Every entry's file is there already or among `parts`. Errors: kFileOpen, kFileWrite, as
+/// write_manifest().
+Result<void> save_map(const std::string& folder, const MapManifest& manifest,
+                      std::span<const NewPart> parts) noexcept;
+
+/// Errors: kFileOpen, kFileRead, as read_manifest().
+Result<MapManifest> load_map(const std::string& folder) noexcept;
+
+/// The octets of an entry, whose length and hash are checked. Errors: kFileOpen, kFileRead, kCorrupt.
+Result<std::vector<std::byte>> load_part(const std::string& folder, const PartEntry& entry) noexcept;
+
+}  // namespace deltamesh

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// From a mesh, or a mapper's blocks, to parts.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "deltamesh/map/description.h"
+#include "deltamesh/map/part.h"
+#include "deltamesh/mesh.h"
+#include "deltamesh/result.h"
+
+namespace deltamesh {
+
+/// A part is the largest cell of the octree with at most `most_triangles`, or a cell of level 0.
+struct SplitOptions {
+  std::uint32_t most_triangles = 16384;      ///< above 0; about a byte each with colours
+  std::uint8_t most_level = kMostPartLevel;  ///< 0: all parts are cells of level 0
+};
+
+/// Every face of `mesh` in exactly one part, by the cell that its centroid is in [MAP-4]; parts ascending by
+/// key. Vertices that no face uses are dropped. The mesh's positions are taken relative to the map's origin.
+/// Deterministic. O(n log n). Errors: kInvalidArgument, kInvalidMesh (also beyond the lattice, or without the
+/// map's attributes), kOutOfMemory.
+Result<std::vector<MapPart>> split(const MeshView& mesh, const MapDescription& description,
+                                   const SplitOptions& options = {}) noexcept;
+
+/// What a mapper gives: the whole content of a cell of level 0, in place of what was there. Empty: the block
+/// is gone. Faces belong to the block that they come with, wherever they are.
+struct MapBlock {
+  std::array<std::int32_t, 3> cell{};
+  MeshView mesh;
+};
+
+/// A part that is new or changed. Parts, also removed ones, with one group number have a common border that
+/// changed: they are shown together or not at all [MAP-9]. Numbers are not used again.
+struct ChangedPart {
+  std::uint64_t revision = 0;  ///< of the map: how many updates there were, this one included
+  std::uint64_t group = 0;
+  MapPart part;
+};
+struct RemovedPart {
+  PartKey key{};
+  std::uint64_t revision = 0;
+  std::uint64_t group = 0;
+};
+struct MapChange {
+  std::vector<ChangedPart> changed;  ///< ascending by key
+  std::vector<RemovedPart> removed;  ///< ascending by key
+};
+
+/// The source of a map that changes: keeps the blocks, and tells which parts changes touch.
+class Splitter {
+ public:
+  /// Errors: kInvalidArgument.
+  static Result<Splitter> make(MapDescription description, const SplitOptions& options = {}) noexcept;
+  /// Of a map that had `revision` updates and used the group numbers below `group`.
+  void resume(std::uint64_t revision, std::uint64_t group) noexcept;
+
+  /// One update: all blocks at once, each cell at most once. The parts after it are those that a fresh
+  /// splitter makes of all blocks; `changed` has only those whose mesh or border is not as before. On an
+  /// error nothing has changed. Errors: as split().
+  Result<MapChange> update(std::span<const MapBlock> blocks) noexcept;
+
+  std::uint64_t revision() const noexcept;
+
+  Splitter(Splitter&&) noexcept;
+  Splitter& operator=(Splitter&&) noexcept;
+  ~Splitter();
+
+ private:
+  struct State;
+  explicit Splitter(std::unique_ptr<State> state) noexcept;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace deltamesh

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "deltamesh/map/description.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "format/attribute_descriptor.h"
+#include "map_limits.h"
+
+namespace deltamesh {
+namespace {
+
+Error invalid(const char* message, const char* rule) noexcept {
+  return {.code = ErrorCode::kInvalidArgument, .message = message, .rule = rule};
+}
+
+}  // namespace
+
+Result<void> validate(const MapDescription& description) noexcept {
+  const MapLattice& lattice = description.lattice;
+  if (!std::ranges::all_of(lattice.origin, [](double x) { return std::isfinite(x); }))
+    return invalid("the map's origin is not finite", "MAP-2");
+  if (lattice.step_exponent < kLeastStepExponent || lattice.step_exponent > kMostStepExponent)
+    return invalid("the lattice's step is not 2^-40 to 2^20", "MAP-2");
+  if (description.cell_steps == 0 || description.cell_steps > kMostCellSteps)
+    return invalid("the edge of a cell is not 1 to 2^24 steps", "MAP-3");
+  if (description.frame.size() > kMostNameBytes)
+    return invalid("the name of the frame has more than 255 bytes", "MAP-5");
+  if (description.attributes.size() > kMostMapAttributes) return invalid("more than 255 attributes", "MAP-5");
+  for (const MapAttribute& attribute : description.attributes) {
+    if (attribute.components == 0 || attribute.components > kMaxComponents)
+      return invalid("an attribute has not 1 to 16 components", "MAP-5");
+    if (attribute.name.size() > kMostNameBytes)
+      return invalid("an attribute's name has more than 255 bytes", "MAP-5");
+  }
+  if (description.primer.size() > kMostPrimerBytes)
+    return invalid("the primer has more than 65536 bytes", "MAP-6");
+  return {};
+}
+
+}  // namespace deltamesh

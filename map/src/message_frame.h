@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// What all messages of maps have in common: magic, kind, version and checksum [MAP-1].
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/byte_writer.h"
+#include "deltamesh/result.h"
+
+namespace deltamesh {
+
+/// What a message is about [MAP-1].
+enum class MessageKind : std::uint8_t { kMap = 1, kManifest = 2, kEntry = 3, kPart = 4, kView = 5 };
+
+/// Begins a message; the body's fields are to follow.
+ByteWriter begin_message(MessageKind kind);
+/// The whole message: what `out` holds and the checksum.
+std::vector<std::byte> end_message(ByteWriter out);
+
+/// The body of `message`. Errors: kBadMagic, kUnsupportedVersion, kTruncated, kCorrupt, kInvalidStream
+/// (another kind) [MAP-1].
+Result<std::span<const std::byte>> open_message(std::span<const std::byte> message,
+                                                MessageKind kind) noexcept;
+
+}  // namespace deltamesh
