@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "deltamesh/map/split.h"
+
+#include "assemble.h"
+#include "base/guard.h"
+#include "base/try.h"
+#include "layout.h"
+#include "split_options.h"
+#include "stored_block.h"
+
+namespace deltamesh {
+
+Result<std::vector<MapPart>> split(const MeshView& mesh, const MapDescription& description,
+                                   const SplitOptions& options) noexcept {
+  return guarded([&]() -> Result<std::vector<MapPart>> {
+    DELTAMESH_CHECK(validate(description));
+    DELTAMESH_CHECK(check_options(options));
+    DELTAMESH_TRY(const Mesh moved, to_map(mesh, description));
+    const StoredBlocks blocks = blocks_of(moved, description);
+    const Layout layout = lay_out(blocks, description, options);
+    std::vector<MapPart> parts;
+    for (const LaidPart& part : layout.parts) parts.push_back(assemble(part.key, part.blocks, part.border));
+    return parts;
+  });
+}
+
+}  // namespace deltamesh
