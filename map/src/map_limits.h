@@ -13,6 +13,8 @@ inline constexpr int kLeastStepExponent = -40;                           // [MAP
 inline constexpr int kMostStepExponent = 20;                             // [MAP-2]
 inline constexpr std::uint32_t kMostCellSteps = std::uint32_t{1} << 24;  // [MAP-3]
 inline constexpr std::size_t kMostNameBytes = 255;                       // [MAP-5]
+inline constexpr std::size_t kMostPartOctets = std::size_t{1} << 16;     // [MAP-7]
+inline constexpr std::uint64_t kPartElementsPerByte = 32;                // [MAP-7]
 inline constexpr std::size_t kMostMapAttributes = 255;                   // [MAP-5]
 
 }  // namespace deltamesh

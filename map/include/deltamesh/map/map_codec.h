@@ -35,8 +35,9 @@ class MapCodec {
   Result<MapPart> decode(const PartKey& key, std::span<const std::byte> bytes,
                          const DecodeOptions& options = {}) const noexcept;
 
+  struct State;  ///< src/codec_state.h; not for callers
+
  private:
-  struct State;
   explicit MapCodec(std::shared_ptr<const State> state) noexcept;
   std::shared_ptr<const State> state_;
 };

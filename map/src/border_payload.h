@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// The coded border of a part [MAP-11].
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "border_coder.h"
+#include "deltamesh/map/part.h"
+#include "deltamesh/mesh.h"
+#include "deltamesh/result.h"
+
+namespace deltamesh {
+
+/// `stream`: the mesh as the part's stream has it; `border`: ascending by vertex of it. Empty where there is
+/// no border. `start`: the models' first states.
+std::vector<std::byte> write_border(const Mesh& stream, const MapLattice& lattice,
+                                    std::vector<BorderVertex> border, bool follows,
+                                    const BorderModels& start);
+
+/// Errors: kInvalidStream [MAP-11], kTruncated.
+Result<std::vector<BorderVertex>> read_border(std::span<const std::byte> bytes, const Mesh& stream,
+                                              const MapLattice& lattice, const BorderModels& start);
+
+}  // namespace deltamesh

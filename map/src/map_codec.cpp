@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "deltamesh/map/map_codec.h"
+
+#include <cstdint>
+#include <utility>
+
+#include "base/guard.h"
+#include "base/try.h"
+#include "border_payload.h"
+#include "codec_state.h"
+
+namespace deltamesh {
+namespace {
+
+Result<MapPart> decode_part(const MapCodec::State& state, const PartKey& key,
+                            std::span<const std::byte> bytes, const DecodeOptions& options) {
+  DELTAMESH_TRY(const OpenedPart opened, open_part(state.place_of(key), bytes));
+  MapPart part;
+  part.key = key;
+  DELTAMESH_TRY(part.mesh, decode(opened.stream, options));
+  const MapLattice& lattice = state.description.lattice;
+  DELTAMESH_TRY(part.border, read_border(opened.border, part.mesh, lattice, state.border));
+  part.mesh.origin = lattice.origin;
+  for (const BorderVertex& border : part.border) {
+    const auto position = lattice.position_of(border.point);
+    for (std::size_t k = 0; k < 3; ++k) part.mesh.positions[3 * std::size_t{border.vertex} + k] = position[k];
+  }
+  return part;
+}
+
+}  // namespace
+
+MapCodec::MapCodec(std::shared_ptr<const State> state) noexcept : state_(std::move(state)) {}
+
+const MapDescription& MapCodec::description() const noexcept { return state_->description; }
+
+Result<MapCodec> MapCodec::open(MapDescription description, const DecodeLimits&) noexcept {
+  return guarded([&]() -> Result<MapCodec> {
+    DELTAMESH_CHECK(validate(description));
+    auto state = std::make_shared<State>();
+    state->description = std::move(description);
+    state->description_hash = hash_of(state->description);
+    return MapCodec(std::move(state));
+  });
+}
+
+Result<MapPart> MapCodec::decode(const PartKey& key, std::span<const std::byte> bytes,
+                                 const DecodeOptions& options) const noexcept {
+  return guarded([&] { return decode_part(*state_, key, bytes, options); });
+}
+
+}  // namespace deltamesh

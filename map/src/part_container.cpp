@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "part_container.h"
+
+#include <xxhash.h>
+
+#include <utility>
+
+#include "base/byte_reader.h"
+#include "base/byte_writer.h"
+#include "base/try.h"
+#include "format/container.h"
+#include "format/container_frame.h"
+#include "format/container_write.h"
+#include "format/field_io.h"
+#include "format/header_checks.h"
+#include "format/header_flags.h"
+#include "map_limits.h"
+#include "part_header.h"
+
+namespace deltamesh {
+namespace {
+
+/// Also of what the octets do not say: which part it is of which map.
+std::uint32_t part_checksum(const PartPlace& place, std::span<const std::byte> bytes) {
+  ByteWriter key;
+  key.write(place.description_hash);
+  key.write(place.key.level);
+  for (const std::int32_t x : {place.key.x, place.key.y, place.key.z}) key.write(x);
+  const std::uint64_t seed = XXH3_64bits(key.bytes().data(), key.size());
+  return static_cast<std::uint32_t>(XXH3_64bits_withSeed(bytes.data(), bytes.size(), seed));
+}
+
+Error invalid(const ByteReader& in, const char* message) noexcept {
+  return in.error(ErrorCode::kInvalidStream, message, "MAP-7");
+}
+
+std::uint64_t elements_of(const FileHeader& header) noexcept {
+  return std::uint64_t{header.vertices} + header.triangles;
+}
+
+Result<std::span<const std::byte>> check_whole(const PartPlace& place, std::span<const std::byte> bytes) {
+  if (bytes.size() < kChecksumBytes)
+    return Error{.code = ErrorCode::kTruncated, .message = "bytes end before the checksum", .rule = "MAP-7"};
+  if (bytes.size() > kMostPartOctets)
+    return Error{
+        .code = ErrorCode::kInvalidStream, .message = "a part of more than 65536 bytes", .rule = "MAP-7"};
+  const auto covered = bytes.first(bytes.size() - kChecksumBytes);
+  ByteReader end(bytes.last(kChecksumBytes));
+  DELTAMESH_TRY([[maybe_unused]] const auto stored, end.read<std::uint32_t>());
+#ifndef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION  // a fuzzer cannot guess checksums
+  if (stored != part_checksum(place, covered))
+    return Error{.code = ErrorCode::kCorrupt,
+                 .message = "the checksum does not match: damaged, or another part, map or epoch",
+                 .rule = "MAP-7",
+                 .where_kind = WhereKind::kByte,
+                 .where = covered.size()};
+#endif
+  return covered;
+}
+
+Result<FileHeader> read_part_header(const PartPlace& place, ByteReader& in) {
+  FileHeader header;
+  DELTAMESH_TRY(const auto flags, in.read<std::uint8_t>());
+  if ((flags & (kFlagKeepsOrder | kFlagOrigin | kFlagBits)) != 0 || are_reserved_flags_set(flags))
+    return invalid(in, "a flag that means nothing in a part");
+  apply_flags(flags, header);
+  DELTAMESH_CHECK(visit_part_header(FieldReader{in}, flags, place, header));
+  DELTAMESH_CHECK(check_header(header, in));
+  return header;
+}
+
+CodedChunk read_bytes_of(const ChunkEntry& entry, std::span<const std::byte> bytes) {
+  return {.tag = entry.tag,
+          .codec = entry.codec,
+          .bytes = {bytes.begin(), bytes.end()},
+          .decoded_bytes = entry.decoded_bytes};
+}
+
+Result<std::vector<CodedChunk>> read_chunks(const PartPlace& place, ByteReader& in) {
+  std::vector<CodedChunk> chunks;
+  std::size_t attributes = 0;
+  const auto& shapes = place.description.attributes;
+  while (in.remaining() > 0) {
+    DELTAMESH_TRY(const ChunkEntry entry, read_chunk_header(in));
+    DELTAMESH_TRY(const auto bytes, in.read_bytes(entry.coded_bytes));
+    if (entry.tag == kTagOrder) return invalid(in, "a part has no order to restore");
+    CodedChunk chunk = read_bytes_of(entry, bytes);
+    if (entry.tag == kTagAttribute) {
+      if (attributes == shapes.size()) return invalid(in, "more attributes than the map has");
+      const MapAttribute& shape = shapes[attributes++];
+      chunk.attribute = {.kind = shape.kind,
+                         .type = shape.type,
+                         .components = shape.components,
+                         .flags = static_cast<std::uint8_t>(shape.normalized ? 1 : 0),
+                         .name = shape.name};
+    }
+    if (entry.tag != kTagFiller) chunks.push_back(std::move(chunk));
+  }
+  if (attributes != shapes.size()) return invalid(in, "fewer attributes than the map has");
+  return chunks;
+}
+
+void write_chunk(ByteWriter& out, const ChunkEntry& entry, std::span<const std::byte> bytes) {
+  write_chunk_header(out, entry);
+  out.write_bytes(bytes);
+}
+
+}  // namespace
+
+Result<std::vector<std::byte>> write_part(const PartPlace& place, std::span<const std::byte> stream,
+                                          std::span<const std::byte> border) {
+  DELTAMESH_TRY(const Container container, Container::open(stream));
+  FileHeader header = container.header();
+  header.highpass.bits = header.predictive.bits = 0;
+  ByteWriter out;
+  const std::uint8_t flags = flags_of(header);
+  out.write(flags);
+  (void)visit_part_header(FieldWriter{out}, flags, place, std::as_const(header));  // writing cannot fail
+  out.write_varint(border.size());
+  out.write_bytes(border);
+  for (const ChunkEntry& entry : container.entries())
+    if (entry.tag != kTagFiller) write_chunk(out, entry, container.coded(entry));
+  const std::uint64_t needed = elements_of(header) / kPartElementsPerByte;
+  if (out.size() < needed) {
+    const std::vector<std::byte> filler(static_cast<std::size_t>(needed - out.size()));
+    write_chunk(out, {.tag = kTagFiller, .coded_bytes = filler.size()}, filler);
+  }
+  out.write(part_checksum(place, out.bytes()));
+  return out.take();
+}
+
+Result<OpenedPart> open_part(const PartPlace& place, std::span<const std::byte> bytes) {
+  DELTAMESH_TRY(const auto covered, check_whole(place, bytes));
+  ByteReader in(covered);
+  DELTAMESH_TRY(const FileHeader header, read_part_header(place, in));
+  if (elements_of(header) / kPartElementsPerByte > covered.size())
+    return invalid(in, "more vertices and triangles than a part of this length may hold");
+  DELTAMESH_TRY(const auto border_size, in.read_varint());
+  DELTAMESH_TRY(const auto border, in.read_bytes(border_size));
+  DELTAMESH_TRY(const auto chunks, read_chunks(place, in));
+  return OpenedPart{write_container(header, chunks), {border.begin(), border.end()}};
+}
+
+}  // namespace deltamesh

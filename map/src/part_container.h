@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// A part's octets: a stream without what the map's message says [MAP-7].
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "deltamesh/map/description.h"
+#include "deltamesh/map/part_key.h"
+#include "deltamesh/result.h"
+
+namespace deltamesh {
+
+/// What a part is of.
+struct PartPlace {
+  const MapDescription& description;
+  std::uint64_t description_hash;  ///< hash_of(description)
+  PartKey key;
+};
+
+/// Of a stream without an origin and an original order, whose attributes are the map's, and the coded
+/// border. Errors: those of Container::open().
+Result<std::vector<std::byte>> write_part(const PartPlace& place, std::span<const std::byte> stream,
+                                          std::span<const std::byte> border);
+
+struct OpenedPart {
+  std::vector<std::byte> stream;  ///< with figures of 0
+  std::vector<std::byte> border;
+};
+
+/// Takes memory in proportion to the bytes. Errors: kTruncated, kCorrupt, kInvalidStream [MAP-7],
+/// kUnsupportedFeature.
+Result<OpenedPart> open_part(const PartPlace& place, std::span<const std::byte> bytes);
+
+}  // namespace deltamesh

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "base/guard.h"
+#include "base/try.h"
+#include "border_payload.h"
+#include "codec_state.h"
+#include "deltamesh/encode.h"
+#include "part_measure.h"
+#include "quality/bounds.h"
+
+namespace deltamesh {
+namespace {
+
+constexpr int kMostAttempts = 6;
+
+Error invalid(const char* message, WhereKind kind = WhereKind::kNone, std::uint64_t where = 0) noexcept {
+  return {.code = ErrorCode::kInvalidMesh, .message = message, .where_kind = kind, .where = where};
+}
+
+Result<void> check_part(const MapPart& part, const MapDescription& description) {
+  const MapLattice& lattice = description.lattice;
+  if (part.key.level > kMostPartLevel) return invalid("a part's level is above 24");
+  if (part.mesh.origin != lattice.origin) return invalid("a part's origin is not that of its map");
+  if (part.mesh.triangles.empty()) return invalid("a part without faces");
+  if (!std::ranges::equal(part.mesh.attributes, description.attributes,
+                          [](const Attribute& a, const MapAttribute& b) {
+                            return a.kind == b.kind && a.type == b.type && a.components == b.components &&
+                                   a.normalized == b.normalized && a.name == b.name;
+                          }))
+    return invalid("a part's attributes are not those of its map");
+  std::uint64_t least = 0;
+  for (const BorderVertex& border : part.border) {
+    if (border.vertex < least || border.vertex >= part.mesh.vertex_count())
+      return invalid("border vertices that are not ascending vertices of the mesh", WhereKind::kVertex,
+                     border.vertex);
+    least = std::uint64_t{border.vertex} + 1;
+    if (!std::ranges::all_of(
+            border.point, [](std::int32_t x) { return x >= -kMostLatticeSteps && x <= kMostLatticeSteps; }))
+      return invalid("a border vertex beyond the lattice", WhereKind::kVertex, border.vertex);
+  }
+  return {};
+}
+
+EncodeOptions options_for(const PartQuality& quality) {
+  EncodeOptions options;
+  options.quality = quality.bounds;
+  options.attributes = quality.attributes;
+  options.geometry = quality.geometry;
+  options.effort = quality.effort;
+  return options;
+}
+
+/// The border by the vertices of the decoded stream. `order`: the part's vertex for each of them.
+std::vector<BorderVertex> border_in_order(const MapPart& part, const std::vector<std::uint32_t>& order) {
+  std::vector<std::uint32_t> place(part.mesh.vertex_count(), 0);
+  for (std::size_t i = 0; i < part.border.size(); ++i)
+    place[part.border[i].vertex] = static_cast<std::uint32_t>(i) + 1;
+  std::vector<BorderVertex> border;
+  for (std::uint32_t v = 0; v < order.size(); ++v) {
+    if (place[order[v]] == 0) continue;
+    border.push_back(part.border[place[order[v]] - 1]);
+    border.back().vertex = v;
+  }
+  return border;
+}
+
+/// One way to code a part, and what a receiver gets.
+struct Attempt {
+  CodedPart coded;
+  double load = 0;  ///< the worst achieved error over its bound
+};
+
+class PartEncoder {
+ public:
+  PartEncoder(const MapCodec::State& state, const MapPart& part, const PartQuality& quality)
+      : state_(state), part_(part), quality_(quality), measure_(part.mesh) {
+    source_ = MeshView(part.mesh);
+    source_.origin = {};  // which all parts share
+    bounds_ = bounds_in_model_units(quality.bounds, measure_.geometric_count(), measure_.diagonal());
+  }
+
+  /// Border vertices are where their lattice points are, whatever was asked of the stream, so that it may
+  /// have to be better than asked.
+  Result<CodedPart> run() {
+    EncodeOptions options = options_for(quality_);
+    std::optional<Attempt> best;
+    for (int i = 0; i < kMostAttempts; ++i) {
+      DELTAMESH_TRY(Attempt attempt, code(options));
+      if (attempt.load <= 1) return std::move(attempt.coded);
+      tighten(options.quality, attempt.load);
+      if (i == kMostAttempts / 2) options.geometry = GeometryCoder::kPredictive;
+      if (!best || attempt.load < best->load) best = std::move(attempt);
+    }
+    const Quality& achieved = best->coded.quality;
+    return Error{.code = ErrorCode::kUnmetRequest,
+                 .message = "the map's lattice is too coarse for the quality asked of a part",
+                 .rule = "MAP-8",
+                 .best_value = bounds_.vde   ? achieved.vde_rms
+                               : bounds_.lfe ? achieved.lfe_rms
+                                             : achieved.max_error,
+                 .best_bytes = best->coded.bytes.size()};
+  }
+
+ private:
+  Result<Attempt> code(const EncodeOptions& options) {
+    DELTAMESH_TRY(const Encoded encoded, encode(source_, options));
+    DELTAMESH_TRY(Mesh decoded, decode(encoded.bytes));
+    const auto border = border_in_order(part_, encoded.order);
+    const MapLattice& lattice = state_.description.lattice;
+    const bool follows = encoded.report.stream.geometry == "highpass";
+    const auto payload = write_border(decoded, lattice, border, follows, state_.border);
+    Attempt attempt;
+    DELTAMESH_TRY(attempt.coded.bytes, write_part(state_.place_of(part_.key), encoded.bytes, payload));
+    for (const BorderVertex& vertex : border) {
+      const auto position = lattice.position_of(vertex.point);
+      for (std::size_t k = 0; k < 3; ++k) decoded.positions[3 * std::size_t{vertex.vertex} + k] = position[k];
+    }
+    attempt.coded.quality = measure_.compare(decoded.positions, encoded.order);
+    attempt.load = bounds_.load(attempt.coded.quality);
+    for (const AttributeInfo& attribute : encoded.report.stream.attributes)
+      attempt.coded.attribute_errors.push_back(attribute.error);
+    return attempt;
+  }
+
+  static void tighten(QualityRequest& request, double load) noexcept {
+    constexpr double kMargin = 0.97;
+    for (auto* bound : {&request.vde, &request.lfe, &request.max_error})
+      if (*bound) (*bound)->value *= kMargin / std::min(load, 8.0);
+  }
+
+  const MapCodec::State& state_;
+  const MapPart& part_;
+  const PartQuality& quality_;
+  PartMeasure measure_;
+  MeshView source_;
+  Bounds bounds_;
+};
+
+}  // namespace
+
+Result<CodedPart> MapCodec::encode(const MapPart& part, const PartQuality& quality) const noexcept {
+  return guarded([&]() -> Result<CodedPart> {
+    if (quality.bounds.target_bytes)
+      return Error{.code = ErrorCode::kInvalidArgument,
+                   .message = "a part cannot be asked for a number of bytes"};
+    DELTAMESH_CHECK(check_part(part, state_->description));
+    DELTAMESH_TRY(CodedPart coded, PartEncoder(*state_, part, quality).run());
+    if (coded.bytes.size() > kMostPartBytes)
+      return Error{.code = ErrorCode::kLimitExceeded,
+                   .message = "a part of more than 65536 bytes; split the map into smaller ones",
+                   .rule = "MAP-7",
+                   .best_bytes = coded.bytes.size()};
+    return coded;
+  });
+}
+
+}  // namespace deltamesh

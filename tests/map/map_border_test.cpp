@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// The coded border of a part.
+#include <gtest/gtest.h>
+
+#include "border_payload.h"
+#include "entropy/compact_writer.h"
+#include "map/map_meshes.h"
+
+namespace deltamesh {
+namespace {
+
+const MapLattice kLattice{.step_exponent = -8};
+
+std::vector<BorderVertex> every_third(const Mesh& mesh, std::int32_t off) {
+  std::vector<BorderVertex> border;
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); v += 3) {
+    const float* p = mesh.positions.data() + 3 * std::size_t{v};
+    LatticePoint point = kLattice.nearest({p[0], p[1], p[2]});
+    point[v % 2] += off;
+    border.push_back({v, point, v % 5 == 0 ? v : 0});
+  }
+  return border;
+}
+
+TEST(MapBorder, MAP11RoundTrip) {
+  const Mesh mesh = test::wavy_sheet(9, 7, 1, 0);
+  for (const bool follows : {false, true}) {
+    for (const std::int32_t off : {0, 1, -3000, 100000}) {
+      const auto border = every_third(mesh, off);
+      const auto bytes = write_border(mesh, kLattice, border, follows, {});
+      const auto back = read_border(bytes, mesh, kLattice, {});
+      ASSERT_TRUE(back);
+      EXPECT_EQ(*back, border);
+    }
+  }
+  EXPECT_TRUE(write_border(mesh, kLattice, {}, false, {}).empty());
+  EXPECT_TRUE(read_border({}, mesh, kLattice, {})->empty());
+}
+
+TEST(MapBorder, MAP11RefusesABorderOfNothingAndPointsBeyondTheLattice) {
+  const Mesh mesh = test::wavy_sheet(9, 7, 1, 0);
+  const OpenEdges edges(mesh.triangles, mesh.vertex_count());
+  const std::vector<LatticePoint> nearest(mesh.vertex_count());
+  CompactWriter nothing;
+  BorderModels models;
+  BorderCoder coder(nothing, models, nearest, edges, false);
+  std::vector<BorderVertex> border;
+  std::size_t next = 0;
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) coder.code(v, border, next);
+  EXPECT_STREQ(read_border(nothing.finish(), mesh, kLattice, {}).error().rule, "MAP-11");
+
+  CompactWriter beyond;
+  models = {};
+  BorderCoder far(beyond, models, nearest, edges, false);
+  border = {{0, {kMostLatticeSteps, 0, 0}, 0}};
+  next = 0;
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) far.code(v, border, next);
+  Mesh moved = mesh;
+  for (float& x : moved.positions) x += 1;  // so that the point is farther on
+  EXPECT_STREQ(read_border(beyond.finish(), moved, kLattice, {}).error().rule, "MAP-11");
+}
+
+TEST(MapBorder, AnyBytesGiveAnErrorOrABorder) {
+  const Mesh mesh = test::wavy_sheet(9, 7, 1, 0);
+  const auto bytes = write_border(mesh, kLattice, every_third(mesh, 2), false, {});
+  std::mt19937 random(1);
+  for (int i = 0; i < 2000; ++i) {
+    auto damaged = bytes;
+    damaged[random() % damaged.size()] = static_cast<std::byte>(random() % 256);
+    if (i % 2 == 0) damaged.resize(random() % damaged.size());
+    const auto back = read_border(damaged, mesh, kLattice, {});
+    if (!back) continue;
+    for (const BorderVertex& b : *back) EXPECT_LT(b.vertex, mesh.vertex_count());
+  }
+}
+
+}  // namespace
+}  // namespace deltamesh
