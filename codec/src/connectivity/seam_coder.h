@@ -33,6 +33,7 @@ class SeamCoder {
     for (std::size_t f = 0; f < geometric_triangles.size(); f += 3) {
       const Face face{{geometric_triangles[f], geometric_triangles[f + 1], geometric_triangles[f + 2]},
                       &copies.of_corner[f]};
+      if (is_unsplit(face)) continue;
       for (std::size_t k = 0; k < 3; ++k) {
         std::uint32_t& count = copies.of_vertex[face.vertex[k]];
         if (slot_[face.vertex[k]] == kUnseen && !code_count(face, k, count)) return "SEAM-6";
@@ -60,6 +61,12 @@ class SeamCoder {
   /// What is known across an edge at a corner: kinds of other end [SEAM-7].
   enum Across : std::uint32_t { kNoFace, kUnsplitEnd, kLaterEnd, kSameEnd, kSplitEnd, kAcrossKinds };
   enum Choice : std::uint32_t { kAhead, kBehind, kNew, kNamed };
+
+  /// Whether its corners are known to have one copy each.
+  bool is_unsplit(const Face& face) const noexcept {
+    return slot_[face.vertex[0]] == kUnsplit && slot_[face.vertex[1]] == kUnsplit &&
+           slot_[face.vertex[2]] == kUnsplit;
+  }
 
   SplitVertex* split_at(std::uint32_t vertex) noexcept {
     return slot_[vertex] < kUnsplit ? &split_[slot_[vertex]] : nullptr;
@@ -127,16 +134,9 @@ class SeamCoder {
         : copy == split.used() ? kNew
                                : kNamed + copy,
         Mixture<2>{{&by_edges_[known * 4 + kind], &by_use_[use * 4 + kind]}, &copy_weights_[kind]});
-    switch (choice) {
-      case kAhead:
-        return first;
-      case kBehind:
-        return second;
-      case kNew:
-        return split.used();
-      default:
-        return choice - kNamed;
-    }
+    // From a table, as branches would often go wrong.
+    const std::array<std::uint32_t, kNamed> named = {first, second, split.used()};
+    return choice < kNamed ? named[static_cast<std::size_t>(choice)] : choice - kNamed;
   }
 
   void join_edges(const Face& face) {
