@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "attributes/normal_prediction.h"
@@ -30,19 +31,26 @@ class NormalGroupCoder {
  public:
   explicit NormalGroupCoder(Coder& coder) : coder_(coder) {}
 
-  /// Puts each copy into a group: `group[i]` is 0 or above, groups being numbered as they come. `same(i, j)`:
-  /// whether copy i belongs to the group of which copy j is the first; asked by writers only. Returns how
-  /// many groups there are.
+  /// Puts each copy into a group: `group[i]` is 0 or above, groups being numbered as they come. `edges`: in
+  /// the order of the copies. `same(i, j)`: whether copy i belongs to the group of which copy j is the first;
+  /// asked by writers only. Returns how many groups there are.
   template <class Same>
   std::uint32_t code(const std::vector<NormalEvidence>& copies, const std::vector<NormalEdge>& edges,
                      std::vector<std::uint32_t>& group, Same same) {
     leaders_.clear();
     sums_.clear();
     group.assign(copies.size(), 0);
+    const std::span<const NormalEdge> asked =
+        edges.size() > kMostEdges ? std::span<const NormalEdge>{} : edges;
+    std::size_t begin = 0;
     for (std::uint32_t i = 0; i < copies.size(); ++i) {
       const std::uint32_t none = static_cast<std::uint32_t>(leaders_.size());
       std::uint32_t found = none;
-      const std::size_t count = rank_groups(copies[i].rule, edges, group, i);
+      std::size_t end = begin;
+      while (end < asked.size() && asked[end].copy == i) ++end;
+      const std::size_t count = rank_groups(
+          copies[i].rule, {.own = asked.subspan(begin, end - begin), .before = asked.first(begin)}, group);
+      begin = end;
       for (std::size_t rank = 0; rank < count && found == none; ++rank) {
         const Candidate& candidate = ranked_[rank];
         BitModel& model = models_[(rank * 4 + candidate.tie) * kLikeness + candidate.likeness];
@@ -75,16 +83,22 @@ class NormalGroupCoder {
     float score = 0;
   };
 
-  /// The most likely groups of copy i come first in ranked_; returns how many are to be asked about.
-  std::size_t rank_groups(FourFloats own, const std::vector<NormalEdge>& edges,
-                          const std::vector<std::uint32_t>& group, std::uint32_t i) {
+  /// Of a copy, and of those before it.
+  struct Edges {
+    std::span<const NormalEdge> own;
+    std::span<const NormalEdge> before;
+  };
+
+  /// The most likely groups of a copy come first in ranked_; returns how many are to be asked about.
+  std::size_t rank_groups(FourFloats own, const Edges& edges, const std::vector<std::uint32_t>& group) {
     const auto groups = static_cast<std::uint32_t>(leaders_.size());
     const std::uint32_t first = groups > kMostGroups ? groups - kMostGroups : 0;
-    find_ties(edges, group, i, first);
+    find_ties(edges, group, first);
+    const float own_size = std::sqrt(dot3(own, own));
     std::size_t count = 0;
     for (std::uint32_t g = first; g < groups; ++g) {
       Candidate c{.group = g, .tie = ties_[g - first], .likeness = 0, .score = 0};
-      const float sizes = std::sqrt(dot3(own, own)) * std::sqrt(dot3(sums_[g], sums_[g]));
+      const float sizes = own_size * std::sqrt(dot3(sums_[g], sums_[g]));
       const float cosine = sizes > 0 ? dot3(own, sums_[g]) / sizes : 0;
       for (const float limit : kCosines) c.likeness += cosine > limit ? 1 : 0;
       c.score = cosine + (c.tie == kJoined ? 2.0F : 0.0F) - (c.tie == kSplit ? 2.0F : 0.0F);
@@ -95,15 +109,12 @@ class NormalGroupCoder {
     return std::min(count, kMostAsked);
   }
 
-  /// Fills ties_ with what the edges say that copy i shares with the groups from `first` on.
-  void find_ties(const std::vector<NormalEdge>& edges, const std::vector<std::uint32_t>& group,
-                 std::uint32_t i, std::uint32_t first) {
+  /// Fills ties_ with what the edges say that a copy shares with the groups from `first` on.
+  void find_ties(const Edges& edges, const std::vector<std::uint32_t>& group, std::uint32_t first) {
     ties_.fill(kApart);
-    if (edges.size() > kMostEdges) return;
-    for (const NormalEdge& a : edges) {
-      if (a.copy != i) continue;
-      for (const NormalEdge& b : edges) {
-        if (b.copy >= i || b.geometric != a.geometric || group[b.copy] < first) continue;
+    for (const NormalEdge& a : edges.own) {
+      for (const NormalEdge& b : edges.before) {
+        if (b.geometric != a.geometric || group[b.copy] < first) continue;
         std::uint32_t& tie = ties_[group[b.copy] - first];
         tie = std::max<std::uint32_t>(tie, !a.is_coded ? kOpen : (a.leader == b.leader ? kJoined : kSplit));
       }

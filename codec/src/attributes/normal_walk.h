@@ -99,7 +99,7 @@ class NormalWalk {
     edges_.clear();
     for (std::uint32_t v = first; v < first + count; ++v) {
       copies_.push_back(evidence_at(v, first));
-      for (const std::uint32_t corner : corners_.of(v)) add_edges(corner, v - first, first);
+      for (const Corner& corner : corners_.of(v)) add_edges(corner, v - first, first);
     }
     const std::uint32_t groups = groups_.code(copies_, edges_, group_, [&](std::uint32_t i, std::uint32_t j) {
       return source_.same(first + i, first + j);
@@ -125,16 +125,13 @@ class NormalWalk {
   NormalEvidence evidence_at(std::uint32_t v, std::uint32_t first) const {
     NormalEvidence evidence;
     if (!sums_.empty()) evidence.rule = sums_[v];
-    for (const std::uint32_t corner : corners_.of(v)) {
-      const std::uint32_t next = surface_.triangles()[next_corner(corner)];
-      evidence.add(coded_[next < first ? next : surface_.vertex_count()]);
-    }
+    for (const Corner& corner : corners_.of(v))
+      evidence.add(coded_[corner.next < first ? corner.next : surface_.vertex_count()]);
     return evidence;
   }
 
-  void add_edges(std::uint32_t corner, std::uint32_t copy, std::uint32_t first) {
-    for (const std::uint32_t end : {next_corner(corner), corner_before(corner)}) {
-      const std::uint32_t other = surface_.triangles()[end];
+  void add_edges(const Corner& corner, std::uint32_t copy, std::uint32_t first) {
+    for (const std::uint32_t other : {corner.next, corner.before}) {
       edges_.push_back({.copy = copy,
                         .geometric = surface_.geometric_of(other),
                         .leader = other < first ? leaders_[other] : 0,

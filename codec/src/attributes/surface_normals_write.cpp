@@ -77,7 +77,7 @@ RuleSample sample_surface(const AttributeSurface& surface) {
   std::vector<std::uint32_t> faces;
   for (const std::uint32_t first : sample.vertices)
     for (std::uint32_t v = first; v < surface.copies_end(first); ++v)
-      for (const std::uint32_t corner : surface.corners().of(v)) faces.push_back(corner / 3);
+      for (const Corner& corner : surface.corners().of(v)) faces.push_back(corner.face);
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   for (const std::uint32_t f : faces)

@@ -39,12 +39,11 @@ class Walker {
 
   void visit(std::uint32_t vertex) {
     ready_[vertex] = kVisited;
-    for (const std::uint32_t corner : corners_.of(vertex)) {
-      const std::uint8_t met = ++met_[corner / 3];
+    for (const Corner& corner : corners_.of(vertex)) {
+      const std::uint8_t met = ++met_[corner.face];
       if (met == 3) walk_.complete.push_back(corner);
-      if (met != 2) continue;
-      push(triangles_[next_corner(corner)]);
-      push(triangles_[corner_before(corner)]);
+      // Two corners were visited, so that the third is the only one to come, if there is one.
+      if (met == 2) push(ready_[corner.next] == kVisited ? corner.before : corner.next);
     }
     walk_.order.push_back(vertex);
     walk_.ends.push_back(static_cast<std::uint32_t>(walk_.complete.size()));
@@ -59,7 +58,7 @@ class Walker {
   }
 
   /// Visits the vertices that faces wait for until there are none: those of several faces first, the first of
-  /// them first; then the last of the others. A face pushes two vertices at most, once.
+  /// them first; then the last of the others. A face pushes one vertex at most.
   void follow() {
     for (;;) {
       if (next_ < queue_.size()) {

@@ -15,12 +15,12 @@
 namespace deltamesh {
 
 struct SurfaceWalk {
-  LargeVector<std::uint32_t> order;     ///< n: the vertices, each once
-  LargeVector<std::uint32_t> ends;      ///< n: how many of `complete` belong to order[0 .. i]
-  LargeVector<std::uint32_t> complete;  ///< m: of each face the corner that comes last
+  LargeVector<std::uint32_t> order;  ///< n: the vertices, each once
+  LargeVector<std::uint32_t> ends;   ///< n: how many of `complete` belong to order[0 .. i]
+  LargeVector<Corner> complete;      ///< m: of each face the corner that comes last
 
   /// Of the faces that order[i] is the last corner of.
-  std::span<const std::uint32_t> completed_by(std::size_t i) const noexcept {
+  std::span<const Corner> completed_by(std::size_t i) const noexcept {
     const std::uint32_t begin = i == 0 ? 0 : ends[i - 1];
     return {complete.data() + begin, complete.data() + ends[i]};
   }

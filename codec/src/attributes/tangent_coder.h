@@ -152,10 +152,9 @@ class TangentCoder {
 
   template <class Visit>
   void for_corners_before(std::size_t i, Visit visit) const {
-    const auto triangles = surface_.triangles();
-    for (const std::uint32_t corner : walk_.completed_by(i)) {
-      visit(triangles[next_corner(corner)]);
-      visit(triangles[corner_before(corner)]);
+    for (const Corner& corner : walk_.completed_by(i)) {
+      visit(corner.next);
+      visit(corner.before);
     }
   }
 

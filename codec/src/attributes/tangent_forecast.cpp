@@ -23,15 +23,14 @@ PlanePoint place_of(const NormalFrame& frame, FourFloats direction) noexcept {
 
 TangentForecaster::TangentForecaster(const AttributeSurface& surface, const SurfaceWalk& walk,
                                      std::span<const float> normals, std::span<const float> uvs)
-    : surface_(surface), walk_(walk), rule_(surface, normals, uvs), known_(surface.vertex_count()) {}
+    : walk_(walk), rule_(surface, normals, uvs), known_(surface.vertex_count()) {}
 
 TangentForecast TangentForecaster::forecast(std::size_t i) {
   const RuledTangent ruled = rule_.at(walk_.order[i]);
-  const auto triangles = surface_.triangles();
   const auto faces = walk_.completed_by(i);
   Known sum;
-  for (const std::uint32_t corner : faces) {
-    for (const std::uint32_t other : {triangles[next_corner(corner)], triangles[corner_before(corner)]}) {
+  for (const Corner& corner : faces) {
+    for (const std::uint32_t other : {corner.next, corner.before}) {
       sum.tangent += known_[other].tangent;
       sum.off += known_[other].off;
     }

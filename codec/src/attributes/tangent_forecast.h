@@ -59,7 +59,6 @@ class TangentForecaster {
     float products_ = 0;
   };
 
-  const AttributeSurface& surface_;
   const SurfaceWalk& walk_;
   TangentRule rule_;
   std::vector<Known> known_;

@@ -84,29 +84,23 @@ bool UvForecaster::apex_over(const Edge& edge, std::uint32_t apex, Apex& result)
   return true;
 }
 
-/// The third corner, if it is known, of the first other face that has the edge from b to a.
-std::uint32_t UvForecaster::known_across(std::uint32_t corner, std::uint32_t a,
-                                         std::uint32_t b) const noexcept {
-  const auto triangles = surface_.triangles();
-  for (const std::uint32_t other : corners_.of(a)) {
-    if (triangles[corner_before(other)] != b || other / 3 == corner / 3) continue;
-    const std::uint32_t apex = triangles[next_corner(other)];
-    if (is_known(apex)) return apex;
-  }
+/// The third corner, if it is known, of the first other face that has the edge across from the corner.
+std::uint32_t UvForecaster::known_across(const Corner& corner) const noexcept {
+  for (const Corner& other : corners_.of(corner.next))
+    if (other.before == corner.before && other.face != corner.face && is_known(other.next)) return other.next;
   return kNone;
 }
 
-void UvForecaster::add_face(std::uint32_t corner, Sums& sums) const noexcept {
-  const auto triangles = surface_.triangles();
-  const std::uint32_t a = triangles[next_corner(corner)];
-  const std::uint32_t b = triangles[corner_before(corner)];
+void UvForecaster::add_face(std::uint32_t vertex, const Corner& corner, Sums& sums) const noexcept {
+  const std::uint32_t a = corner.next;
+  const std::uint32_t b = corner.before;
   Edge base{.origin = position(a), .way = position(b) - position(a)};
   base.inverse = 1 / dot(base.way, base.way);
   Apex apex{};
-  if (!apex_over(base, triangles[corner], apex)) return;
+  if (!apex_over(base, vertex, apex)) return;
   const TwoDoubles origin = values_[a];
   const TwoDoubles edge = values_[b] - origin;
-  const std::uint32_t across = known_across(corner, a, b);
+  const std::uint32_t across = known_across(corner);
   Apex there{};
   const bool goes_on = across != kNone && apex_over(base, across, there);
   double side = side_;
@@ -124,22 +118,19 @@ void UvForecaster::add_face(std::uint32_t corner, Sums& sums) const noexcept {
 }
 
 /// Without positions: parallelograms, and the middle of the edge.
-void UvForecaster::add_flat_face(std::uint32_t corner, Sums& sums) const noexcept {
-  const auto triangles = surface_.triangles();
-  const std::uint32_t a = triangles[next_corner(corner)];
-  const std::uint32_t b = triangles[corner_before(corner)];
-  const std::uint32_t across = known_across(corner, a, b);
-  const TwoDoubles sum = values_[a] + values_[b];
-  sums.add(across == kNone ? 0.5 * sum : sum - values_[across], across == kNone ? 0.25 : 1, values_[a],
-           values_[b]);
+void UvForecaster::add_flat_face(const Corner& corner, Sums& sums) const noexcept {
+  const TwoDoubles a = values_[corner.next];
+  const TwoDoubles b = values_[corner.before];
+  const std::uint32_t across = known_across(corner);
+  const TwoDoubles sum = a + b;
+  sums.add(across == kNone ? 0.5 * sum : sum - values_[across], across == kNone ? 0.25 : 1, a, b);
   sums.add_other(0.5 * sum, 1);
 }
 
 /// Without faces: a known neighbour, else the vertex before.
 TwoDoubles UvForecaster::start(std::size_t i, bool& is_linked) const noexcept {
-  const auto triangles = surface_.triangles();
-  for (const std::uint32_t corner : corners_.of(walk_.order[i])) {
-    for (const std::uint32_t other : {triangles[next_corner(corner)], triangles[corner_before(corner)]}) {
+  for (const Corner& corner : corners_.of(walk_.order[i])) {
+    for (const std::uint32_t other : {corner.next, corner.before}) {
       if (!is_known(other)) continue;
       is_linked = true;
       return values_[other];
@@ -151,9 +142,9 @@ TwoDoubles UvForecaster::start(std::size_t i, bool& is_linked) const noexcept {
 
 UvForecast UvForecaster::forecast(std::size_t i) {
   Sums sums;
-  for (const std::uint32_t corner : walk_.completed_by(i)) {
+  for (const Corner& corner : walk_.completed_by(i)) {
     if (surface_.has_positions()) {
-      add_face(corner, sums);
+      add_face(walk_.order[i], corner, sums);
     } else {
       add_flat_face(corner, sums);
     }
@@ -195,11 +186,13 @@ void UvForecaster::settle(std::size_t i, TwoDoubles value) {
   }
   if (!surface_.has_positions()) return;
   fit_.learn(place_of(vertex), value);
-  const auto triangles = surface_.triangles();
-  for (const std::uint32_t corner : walk_.completed_by(i)) {
-    const TwoDoubles a = values_[triangles[next_corner(corner)]];
-    const double area = cross(values_[triangles[corner_before(corner)]] - a, value - a);
-    if (area != 0) side_ = area > 0 ? 1 : -1;
+  const auto faces = walk_.completed_by(i);
+  for (std::size_t k = faces.size(); k-- > 0;) {
+    const TwoDoubles a = values_[faces[k].next];
+    const double area = cross(values_[faces[k].before] - a, value - a);
+    if (area == 0) continue;
+    side_ = area > 0 ? 1 : -1;
+    return;
   }
 }
 

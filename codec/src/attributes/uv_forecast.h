@@ -53,9 +53,9 @@ class UvForecaster {
   struct Sums;
 
   bool apex_over(const Edge& edge, std::uint32_t apex, Apex& result) const noexcept;
-  std::uint32_t known_across(std::uint32_t corner, std::uint32_t a, std::uint32_t b) const noexcept;
-  void add_face(std::uint32_t corner, Sums& sums) const noexcept;
-  void add_flat_face(std::uint32_t corner, Sums& sums) const noexcept;
+  std::uint32_t known_across(const Corner& corner) const noexcept;
+  void add_face(std::uint32_t vertex, const Corner& corner, Sums& sums) const noexcept;
+  void add_flat_face(const Corner& corner, Sums& sums) const noexcept;
   TwoDoubles start(std::size_t i, bool& is_linked) const noexcept;
   Vec3 place_of(std::uint32_t vertex) const noexcept;
   Vec3 position(std::uint32_t vertex) const noexcept;

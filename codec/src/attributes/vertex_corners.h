@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// The corners of faces by vertex. Corner 3 f + k is corner k of face f.
+// The corners of faces by vertex.
 #pragma once
 
 #include <cstddef>
@@ -12,6 +12,13 @@
 
 namespace deltamesh {
 
+/// A corner of a face, as its vertex sees it.
+struct Corner {
+  std::uint32_t face;
+  std::uint32_t next;    ///< vertex at the corner after it, in the face's order
+  std::uint32_t before;  ///< at the one before it
+};
+
 class VertexCorners {
  public:
   /// `triangles`: m x 3 indices below `vertex_count`. O(n + m).
@@ -21,26 +28,25 @@ class VertexCorners {
     // after.
     for (const std::uint32_t v : triangles) ++offsets_[v + std::size_t{2}];
     for (std::size_t v = 2; v < offsets_.size(); ++v) offsets_[v] += offsets_[v - 1];
-    for (std::uint32_t c = 0; c < triangles.size(); ++c)
-      corners_[offsets_[triangles[c] + std::size_t{1}]++] = c;
+    for (std::uint32_t face = 0; face < triangles.size() / 3; ++face) {
+      const std::uint32_t* const v = triangles.data() + std::size_t{3} * face;
+      const auto add = [&](std::uint32_t vertex, std::uint32_t next, std::uint32_t before) {
+        corners_[offsets_[vertex + std::size_t{1}]++] = {face, next, before};
+      };
+      add(v[0], v[1], v[2]);
+      add(v[1], v[2], v[0]);
+      add(v[2], v[0], v[1]);
+    }
   }
 
-  /// Ascending.
-  std::span<const std::uint32_t> of(std::uint32_t vertex) const noexcept {
+  /// In the order of the faces.
+  std::span<const Corner> of(std::uint32_t vertex) const noexcept {
     return {corners_.data() + offsets_[vertex], corners_.data() + offsets_[vertex + std::size_t{1}]};
   }
 
  private:
   LargeVector<std::uint32_t> offsets_;  ///< n + 2
-  LargeVector<std::uint32_t> corners_;
+  LargeVector<Corner> corners_;
 };
-
-/// The other two corners of a corner's face, in the face's order.
-constexpr std::uint32_t next_corner(std::uint32_t corner) noexcept {
-  return corner % 3 == 2 ? corner - 2 : corner + 1;
-}
-constexpr std::uint32_t corner_before(std::uint32_t corner) noexcept {
-  return corner % 3 == 0 ? corner + 2 : corner - 1;
-}
 
 }  // namespace deltamesh
