@@ -9,6 +9,7 @@
 
 #include "commands.h"
 #include "console.h"
+#include "drive_command.h"
 #include "mesh_files.h"
 #include "progress.h"
 #include "scenes/scenes.h"
@@ -21,6 +22,8 @@ struct Arguments {
   std::string out;
   std::uint64_t vertices = 50'000;
   std::uint64_t seed = 1;
+  std::string sequence;
+  std::uint32_t steps = 50;
 };
 
 Result<Mesh> generate_showing_progress(const Arguments& arguments) {
@@ -29,6 +32,16 @@ Result<Mesh> generate_showing_progress(const Arguments& arguments) {
 }
 
 int run_generate(const Arguments& arguments) {
+  if (!arguments.sequence.empty()) {
+    if (scene_of_name(arguments.scene) == Scene::kRooms)
+      return write_drive(arguments.sequence, arguments.steps, arguments.vertices, arguments.seed);
+    print_error(arguments.scene, "only rooms are driven through");
+    return kUsage;
+  }
+  if (arguments.out.empty()) {
+    print_error("OUT", "is missing, or else --sequence");
+    return kUsage;
+  }
   int status = kOk;
   if (!check_mesh_suffix(arguments.out, status)) return status;
   const Result<Mesh> mesh = generate_showing_progress(arguments);
@@ -54,7 +67,10 @@ std::string help_footer() {
     name.resize(11, ' ');
     text += "  " + name + std::string(scene.description) + '\n';
   }
-  return text + "\nExample:\n  deltamesh generate rooms map.ply --vertices 250000 --seed 7\n";
+  return text +
+         "\nExamples:\n  deltamesh generate rooms map.ply --vertices 250000 --seed 7\n  deltamesh generate "
+         "rooms --sequence "
+         "drive --steps 50\n";
 }
 
 }  // namespace
@@ -65,11 +81,19 @@ void add_generate_command(CLI::App& app, int& status) {
   command->add_option("SCENE", arguments->scene, "what to make")
       ->required()
       ->check(CLI::IsMember(known_scenes()));
-  command->add_option("OUT", arguments->out, std::string("mesh file to write: ") + kMeshSuffixes)->required();
+  command->add_option("OUT", arguments->out, std::string("mesh file to write: ") + kMeshSuffixes);
   command->add_option("--vertices", arguments->vertices, "how many, within about a tenth")
       ->capture_default_str();
   command->add_option("--seed", arguments->seed, "chooses among the meshes of a scene")
       ->capture_default_str();
+  command
+      ->add_option("--sequence", arguments->sequence,
+                   "folder to write: a robot's drive through the rooms, as blocks that change at 5 Hz")
+      ->excludes("OUT");
+  command->add_option("--steps", arguments->steps, "updates of the drive")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 100000))
+      ->needs("--sequence");
   command->footer(help_footer());
   command->callback([arguments, &status] { status = run_generate(*arguments); });
 }

@@ -56,6 +56,8 @@ class Building {
 
   Point size() const noexcept { return {x_cuts_.back(), y_cuts_.back(), height_}; }
 
+  std::span<const Room> rooms() const noexcept { return rooms_; }
+
   /// The room whose cell of the floor plan `p` is in; the nearest where it is in none.
   const Room& room_at(const Point& p) const noexcept;
 

@@ -18,13 +18,16 @@ namespace deltamesh::scenes {
 /// Marks a lattice node that the map has not observed. Cubes with such a corner have no surface.
 inline constexpr float kUnobserved = 1e30F;
 
-/// Node (i, j, k) is at base + voxel * (i, j, k).
+/// Node (i, j, k) is at base + voxel * (first + (i, j, k)).
 struct Lattice {
   std::array<std::uint32_t, 3> nodes{};
   double voxel = 0;
   Point base;
+  /// Of a lattice that is a piece of a larger one: its first node. The pieces' points on a node plane that
+  /// they share have the same bits.
+  Point first{};
 
-  Point at(double i, double j, double k) const noexcept { return base + voxel * Point{i, j, k}; }
+  Point at(double i, double j, double k) const noexcept { return base + voxel * (first + Point{i, j, k}); }
   std::size_t layer_size() const noexcept { return std::size_t{nodes[1]} * nodes[2]; }
 };
 

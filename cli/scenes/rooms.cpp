@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 // A robot's map: rooms scanned into a truncated signed distance field, its surface by marching cubes.
+#include "rooms.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -19,23 +21,8 @@ constexpr double kVerticesPerRoom = 40000;  ///< at the usual voxel size, measur
 constexpr double kLargestGhost = 0.12;      ///< metres
 constexpr double kVerticesPerRoomArea = kVerticesPerRoom * kUsualVoxel * kUsualVoxel;
 
-std::uint32_t count_rooms(std::uint64_t target) {
-  return static_cast<std::uint32_t>(
-      std::max(1.0, std::floor(static_cast<double>(target) / kVerticesPerRoom + 0.5)));
-}
-
-/// Tenths of a millimetre, as people choose them.
-double round_voxel(double voxel) { return std::floor(voxel * 1e4 + 0.5) / 1e4; }
-
 Surface scan_building(const Building& building, double voxel, std::uint64_t seed) {
-  Lattice lattice;
-  lattice.voxel = voxel;
-  // Two voxels of wall all around, and off the walls' planes.
-  lattice.base = -2.37 * voxel * Point{1, 1, 1};
-  const Point size = building.size();
-  const double sizes[] = {size.x, size.y, size.z};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    lattice.nodes[axis] = static_cast<std::uint32_t>(std::ceil(sizes[axis] / voxel)) + 6;
+  const Lattice lattice = lattice_around(building, voxel);
   Scan scan(building, lattice, seed);
   return march_cubes(lattice, [&](std::uint32_t i) { return scan.layer(i); });
 }
@@ -62,16 +49,39 @@ double mismatch(std::size_t count, double target) {
 
 }  // namespace
 
+RoomsPlan plan_rooms(std::uint64_t vertices) {
+  const auto wanted = static_cast<double>(vertices);
+  const auto rooms = static_cast<std::uint32_t>(std::max(1.0, std::floor(wanted / kVerticesPerRoom + 0.5)));
+  return {rooms, round_voxel(std::sqrt(kVerticesPerRoomArea * rooms / wanted))};
+}
+
+double round_voxel(double voxel) { return std::floor(voxel * 1e4 + 0.5) / 1e4; }
+
+Building make_building(const RoomsPlan& plan, std::uint64_t seed) {
+  return Building(plan.rooms, std::min(2 * plan.voxel, kLargestGhost), seed);
+}
+
+Lattice lattice_around(const Building& building, double voxel) {
+  Lattice lattice;
+  lattice.voxel = voxel;
+  lattice.base = -2.37 * voxel * Point{1, 1, 1};  // off the walls' planes
+  const Point size = building.size();
+  const double sizes[] = {size.x, size.y, size.z};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    lattice.nodes[axis] = static_cast<std::uint32_t>(std::ceil(sizes[axis] / voxel)) + 6;
+  return lattice;
+}
+
 Mesh make_rooms(std::uint64_t target, std::uint64_t seed) {
   constexpr int kTries = 8;
   constexpr double kGoodEnough = 1.05;
   Random random(seed);
   const std::uint64_t building_seed = random.bits();
   const std::uint64_t noise_seed = random.bits();
-  const std::uint32_t rooms = count_rooms(target);
+  const RoomsPlan plan = plan_rooms(target);
+  const Building building = make_building(plan, building_seed);
   const auto wanted = static_cast<double>(target);
-  double voxel = round_voxel(std::sqrt(kVerticesPerRoomArea * rooms / wanted));
-  const Building building(rooms, std::min(2 * voxel, kLargestGhost), building_seed);
+  double voxel = plan.voxel;
   Surface best;
   for (int i = 0; i < kTries; ++i) {
     Surface surface = scan_building(building, voxel, noise_seed);
