@@ -31,9 +31,8 @@ class SplitVertex {
 
   /// Null where the edge is not open, or too many came since.
   const Edge* find(std::uint32_t other) const noexcept {
-    const auto end = edges_.begin() + count_;
-    const auto it = std::find_if(edges_.begin(), end, [&](const Edge& edge) { return edge.other == other; });
-    return it == end ? nullptr : &*it;
+    const std::size_t place = place_of(other);
+    return place == count_ ? nullptr : &edges_[place];
   }
 
   void use(std::uint32_t copy) noexcept {
@@ -43,25 +42,36 @@ class SplitVertex {
 
   /// A face uses `edge`: it closes the edge, or opens it.
   void join(const Edge& edge, bool other_is_split) noexcept {
-    for (std::ptrdiff_t i = 0; i < count_; ++i) {
-      if (edges_[static_cast<std::size_t>(i)].other != edge.other) continue;
-      std::copy(edges_.begin() + i + 1, edges_.begin() + count_, edges_.begin() + i);
-      --count_;
+    const std::size_t place = place_of(edge.other);
+    if (place < count_) {
+      remove(place);
       return;
     }
     split_neighbors_ += other_is_split ? 1 : 0;
-    if (count_ == kMostOpen) std::copy(edges_.begin() + 1, edges_.begin() + count_--, edges_.begin());
-    edges_[static_cast<std::size_t>(count_++)] = edge;
+    if (count_ == kMostOpen) remove(0);
+    edges_[count_++] = edge;
   }
 
  private:
-  static constexpr std::ptrdiff_t kMostOpen = 6;
+  static constexpr std::size_t kMostOpen = 6;
+
+  /// Of an edge; count_ where it is not open.
+  std::size_t place_of(std::uint32_t other) const noexcept {
+    std::size_t place = 0;
+    while (place < count_ && edges_[place].other != other) ++place;
+    return place;
+  }
+
+  void remove(std::size_t place) noexcept {
+    --count_;
+    for (; place < count_; ++place) edges_[place] = edges_[place + 1];
+  }
 
   std::uint32_t copies_;
   std::uint32_t used_ = 0;
   std::uint32_t present_ = 0;
   std::uint32_t split_neighbors_ = 0;
-  std::ptrdiff_t count_ = 0;
+  std::size_t count_ = 0;
   std::array<Edge, kMostOpen> edges_{};  ///< the oldest first
 };
 
