@@ -9,6 +9,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include "attributes/normal_lattice.h"
@@ -34,20 +35,25 @@ class NormalResidualCoder {
     const std::uint32_t apart = of(f.apart);
     const std::uint32_t spread = of(f.spread);
     const std::uint32_t bend = of(f.bend);
-    const std::int64_t row = code_number(point.row, shift, scale, 0, scale * 16 + bend, apart * 16 + spread);
-    if (row < -kMost || row > kMost) return false;
+    Held coder = coder_;
+    const std::int64_t row =
+        code_number(coder, point.row, shift, scale, 0, scale * 16 + bend, apart * 16 + spread);
     const auto size = static_cast<std::uint32_t>(row < 0 ? -row : row) >> shift;
     const std::uint32_t odd = shift == 0 ? static_cast<std::uint32_t>(row & 1) : 0;
     const std::uint32_t kind = kSizes[std::min<std::uint32_t>(size, 7)] * 2 + odd;
     const std::int64_t place =
-        code_number(point.place, shift, scale, 1, kRows + (scale / 2 * 8 + bend / 2) * kKinds + kind,
+        code_number(coder, point.place, shift, scale, 1, kRows + (scale / 2 * 8 + bend / 2) * kKinds + kind,
                     kRows + (apart / 2 * 8 + spread / 2) * kKinds + kind);
-    if (place < -kMost || place > kMost) return false;
+    if constexpr (!Coder::kWrites) coder_ = coder;
+    if (row < -kMost || row > kMost || place < -kMost || place > kMost) return false;
     point = {static_cast<std::int32_t>(row), static_cast<std::int32_t>(place)};
     return true;
   }
 
  private:
+  /// What a point is coded with: a reader's copy, which a compiler can keep in registers, or a writer.
+  using Held = std::conditional_t<Coder::kWrites, Coder&, Coder>;
+
   static constexpr std::array<std::uint8_t, 8> kSizes = {0, 1, 2, 2, 3, 3, 3, 3};  ///< of rows, by the row
   static constexpr std::uint32_t kKinds = 8;                                       ///< of places, by the row
   static constexpr std::uint32_t kRows = 256;
@@ -59,10 +65,11 @@ class NormalResidualCoder {
     return x > 0 ? static_cast<int>(std::bit_cast<std::uint32_t>(x) >> 23) - 127 : -127;
   }
 
-  std::int64_t code_number(std::int64_t value, unsigned shift, std::uint32_t scale, std::uint32_t axis,
-                           std::uint32_t first, std::uint32_t second) {
+  [[gnu::always_inline]] std::int64_t code_number(Coder& coder, std::int64_t value, unsigned shift,
+                                                  std::uint32_t scale, std::uint32_t axis,
+                                                  std::uint32_t first, std::uint32_t second) {
     const Mixture<2> mixture({&by_scale_[first], &by_apart_[second]}, &mixes_[scale * 2 + axis]);
-    return numbers_.code(coder_, value, shift, mixture);
+    return numbers_.code(coder, value, shift, mixture);
   }
 
   Coder& coder_;

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <type_traits>
 #include <vector>
 
 #include "entropy/split_number.h"
@@ -38,11 +39,18 @@ class PairCoder {
 
   /// A reader fills `pair` in. False where a number is beyond kLargestPairNumber.
   bool code(NumberPair& pair, const PairContext& context) {
-    if (context.near[0] + context.near[1] < kMostlyZero && code_zero(pair, context)) return true;
-    return code_axis(pair[0], 0, 0, context) && code_axis(pair[1], 1, pair[0], context);
+    Held coder = coder_;
+    const bool is_valid =
+        (context.near[0] + context.near[1] < kMostlyZero && code_zero(coder, pair, context)) ||
+        (code_axis(coder, pair[0], 0, 0, context) && code_axis(coder, pair[1], 1, pair[0], context));
+    if constexpr (!Coder::kWrites) coder_ = coder;
+    return is_valid;
   }
 
  private:
+  /// What a pair is coded with: a reader's copy, which a compiler can keep in registers, or a writer.
+  using Held = std::conditional_t<Coder::kWrites, Coder&, Coder>;
+
   static constexpr std::uint32_t kMostlyZero = 4;  ///< below, one bit for both numbers saves time
   static constexpr std::uint32_t kSpreads = 8;
   static constexpr std::uint32_t kSizes = 20;
@@ -56,15 +64,16 @@ class PairCoder {
   }
 
   /// Whether both numbers are 0.
-  bool code_zero(NumberPair& pair, const PairContext& context) {
+  [[gnu::always_inline]] bool code_zero(Coder& coder, NumberPair& pair, const PairContext& context) {
     const auto octave = static_cast<std::uint32_t>(std::bit_width(context.spread[0] + context.spread[1]));
     BitModel& model = zero_models_[std::min(octave, kSpreads - 1)];
-    if (!coder_.bit(pair == NumberPair{}, model)) return false;
+    if (!coder.bit(pair == NumberPair{}, model)) return false;
     pair = {};
     return true;
   }
 
-  bool code_axis(std::int32_t& number, std::uint32_t axis, std::int32_t before, const PairContext& context) {
+  [[gnu::always_inline]] bool code_axis(Coder& coder, std::int32_t& number, std::uint32_t axis,
+                                        std::int32_t before, const PairContext& context) {
     const auto other = static_cast<std::uint32_t>(std::abs(before));
     const std::uint32_t near = context.near[axis];
     const std::uint32_t spread = context.spread[axis];
@@ -77,7 +86,7 @@ class PairCoder {
         {&by_near_[(size_class(near >> shift) * kPairKinds + context.kind) * kBefores + coded],
          &by_spread_[(size_class(spread >> shift) * 2 + is_shifted) * kBefores + coded]},
         &mixes_[scale_class * 2 + axis]);
-    const std::int64_t result = numbers_.code(coder_, number, shift, mixture);
+    const std::int64_t result = numbers_.code(coder, number, shift, mixture);
     if (result < -kLargestPairNumber || result > kLargestPairNumber) return false;
     number = static_cast<std::int32_t>(result);
     return true;
