@@ -4,17 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/vec3.h"
 
 namespace deltamesh {
 namespace {
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 constexpr std::size_t kMostKept = 8;       ///< forecasts that the spread is taken of
-constexpr double kFarthest = 1e6;          ///< squared distance of a corner from another, in edges
-constexpr double kFlattest = 0.05;         ///< height of a face that tells of its neighbour, in edges
 constexpr double kSmallestTexel = 1e-150;  ///< so that no weight is infinite
 
 double cross(TwoDoubles a, TwoDoubles b) noexcept { return a[0] * b[1] - a[1] * b[0]; }
@@ -46,11 +42,7 @@ struct UvForecaster::Sums {
 };
 
 UvForecaster::UvForecaster(const AttributeSurface& surface, const SurfaceWalk& walk)
-    : surface_(surface),
-      walk_(walk),
-      corners_(surface.corners()),
-      values_(surface.vertex_count()),
-      known_(surface.vertex_count()) {
+    : surface_(surface), walk_(walk), faces_(surface, walk), values_(surface.vertex_count()) {
   if (!surface.has_positions()) return;
   Box box;
   for (std::uint32_t v = 0; v < surface.vertex_count(); ++v) {
@@ -74,64 +66,37 @@ Vec3 UvForecaster::place_of(std::uint32_t vertex) const noexcept {
   return scale_ * (position(vertex) - center_);
 }
 
-/// False where the corner is out of all proportion.
-bool UvForecaster::apex_over(const Edge& edge, std::uint32_t apex, Apex& result) const noexcept {
-  const Vec3 way = position(apex) - edge.origin;
-  result.x = dot(edge.way, way) * edge.inverse;
-  const double distance = dot(way, way) * edge.inverse;
-  if (!(distance <= kFarthest)) return false;
-  result.y = std::sqrt(std::max(distance - result.x * result.x, 0.0));
-  return true;
-}
-
-/// The third corner, if it is known, of the first other face that has the edge across from the corner.
-std::uint32_t UvForecaster::known_across(const Corner& corner) const noexcept {
-  for (const Corner& other : corners_.of(corner.next))
-    if (other.before == corner.before && other.face != corner.face && is_known(other.next)) return other.next;
-  return kNone;
-}
-
-void UvForecaster::add_face(std::uint32_t vertex, const Corner& corner, Sums& sums) const noexcept {
-  const std::uint32_t a = corner.next;
-  const std::uint32_t b = corner.before;
-  Edge base{.origin = position(a), .way = position(b) - position(a)};
-  base.inverse = 1 / dot(base.way, base.way);
-  Apex apex{};
-  if (!apex_over(base, vertex, apex)) return;
-  const TwoDoubles origin = values_[a];
-  const TwoDoubles edge = values_[b] - origin;
-  const std::uint32_t across = known_across(corner);
-  Apex there{};
-  const bool goes_on = across != kNone && apex_over(base, across, there);
+void UvForecaster::add_face(const UvFace& face, Sums& sums) const noexcept {
+  if (!face.counts) return;
+  const TwoDoubles origin = values_[face.a];
+  const TwoDoubles edge = values_[face.b] - origin;
   double side = side_;
-  if (goes_on) {
-    const double area = cross(edge, values_[across] - origin);
+  if (face.goes_on) {
+    const double area = cross(edge, values_[face.across] - origin);
     if (area != 0) side = area < 0 ? 1 : -1;
   }
-  const TwoDoubles foot = origin + apex.x * edge;
-  const double weight = 1 / (apex.y + 0.01);
-  sums.add(foot + (side * apex.y) * turned(edge), weight, origin, values_[b]);
-  if (!goes_on || !(there.y > kFlattest)) return;
-  const double ratio = apex.y / there.y;
-  const double reach = std::min(ratio, 4.0);
-  sums.add_other(foot + ratio * ((origin + there.x * edge) - values_[across]), weight / (1 + reach * reach));
+  const TwoDoubles foot = origin + face.x * edge;
+  sums.add(foot + (side * face.y) * turned(edge), face.weight, origin, values_[face.b]);
+  if (!(face.across_weight > 0)) return;
+  sums.add_other(foot + face.ratio * ((origin + face.across_x * edge) - values_[face.across]),
+                 face.across_weight);
 }
 
 /// Without positions: parallelograms, and the middle of the edge.
-void UvForecaster::add_flat_face(const Corner& corner, Sums& sums) const noexcept {
-  const TwoDoubles a = values_[corner.next];
-  const TwoDoubles b = values_[corner.before];
-  const std::uint32_t across = known_across(corner);
+void UvForecaster::add_flat_face(const UvFace& face, Sums& sums) const noexcept {
+  const TwoDoubles a = values_[face.a];
+  const TwoDoubles b = values_[face.b];
   const TwoDoubles sum = a + b;
-  sums.add(across == kNone ? 0.5 * sum : sum - values_[across], across == kNone ? 0.25 : 1, a, b);
+  const bool is_open = face.across == kNoUvVertex;
+  sums.add(is_open ? 0.5 * sum : sum - values_[face.across], is_open ? 0.25 : 1, a, b);
   sums.add_other(0.5 * sum, 1);
 }
 
 /// Without faces: a known neighbour, else the vertex before.
 TwoDoubles UvForecaster::start(std::size_t i, bool& is_linked) const noexcept {
-  for (const Corner& corner : corners_.of(walk_.order[i])) {
+  for (const Corner& corner : surface_.corners().of(walk_.order[i])) {
     for (const std::uint32_t other : {corner.next, corner.before}) {
-      if (!is_known(other)) continue;
+      if (!faces_.is_before(other, i)) continue;
       is_linked = true;
       return values_[other];
     }
@@ -142,11 +107,11 @@ TwoDoubles UvForecaster::start(std::size_t i, bool& is_linked) const noexcept {
 
 UvForecast UvForecaster::forecast(std::size_t i) {
   Sums sums;
-  for (const Corner& corner : walk_.completed_by(i)) {
+  for (const UvFace& face : faces_.completed_by(i)) {
     if (surface_.has_positions()) {
-      add_face(walk_.order[i], corner, sums);
+      add_face(face, sums);
     } else {
-      add_flat_face(corner, sums);
+      add_flat_face(face, sums);
     }
   }
   UvForecast result;
@@ -178,7 +143,6 @@ UvForecast UvForecaster::forecast(std::size_t i) {
 void UvForecaster::settle(std::size_t i, TwoDoubles value) {
   const std::uint32_t vertex = walk_.order[i];
   values_[vertex] = value;
-  known_[vertex] = 1;
   if (sources_ > 0) {
     const TwoDoubles error = value - first_;
     const double weight = 1 / ((0.02 * size_ + dot(error, error)) + dot(differences_[0], differences_[0]));

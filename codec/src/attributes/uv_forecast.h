@@ -15,6 +15,7 @@
 #include "attributes/forecast_blend.h"
 #include "attributes/linear_fit.h"
 #include "attributes/surface_walk.h"
+#include "attributes/uv_faces.h"
 #include "base/vec3.h"
 
 namespace deltamesh {
@@ -37,34 +38,20 @@ class UvForecaster {
 
   /// Of vertices that are settled.
   TwoDoubles value(std::uint32_t vertex) const noexcept { return values_[vertex]; }
-  bool is_known(std::uint32_t vertex) const noexcept { return known_[vertex] != 0; }
 
  private:
-  /// The place of a corner over the edge between the other two: edge * x + height * y.
-  struct Apex {
-    double x;
-    double y;
-  };
-  struct Edge {
-    Vec3 origin;
-    Vec3 way;
-    double inverse = 0;  ///< 1 / its squared length
-  };
   struct Sums;
 
-  bool apex_over(const Edge& edge, std::uint32_t apex, Apex& result) const noexcept;
-  std::uint32_t known_across(const Corner& corner) const noexcept;
-  void add_face(std::uint32_t vertex, const Corner& corner, Sums& sums) const noexcept;
-  void add_flat_face(const Corner& corner, Sums& sums) const noexcept;
+  void add_face(const UvFace& face, Sums& sums) const noexcept;
+  void add_flat_face(const UvFace& face, Sums& sums) const noexcept;
   TwoDoubles start(std::size_t i, bool& is_linked) const noexcept;
   Vec3 place_of(std::uint32_t vertex) const noexcept;
   Vec3 position(std::uint32_t vertex) const noexcept;
 
   const AttributeSurface& surface_;
   const SurfaceWalk& walk_;
-  const VertexCorners& corners_;
+  UvFaces faces_;
   std::vector<TwoDoubles> values_;
-  std::vector<std::uint8_t> known_;
   Vec3 center_{};
   double scale_ = 1;
   double side_ = 1;  ///< of the last face that has an area in the texture: 1 or -1
