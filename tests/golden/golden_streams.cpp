@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "golden_streams.h"
+
+#include <cmath>
+
+#include "scenes.h"
+#include "support/meshes.h"
+
+namespace deltamesh::testing {
+namespace {
+
+template <class T>
+Attribute attribute_of(AttributeKind kind, ComponentType type, int components, const char* name,
+                       const std::vector<T>& numbers) {
+  Attribute attribute{
+      .kind = kind, .type = type, .components = static_cast<std::uint8_t>(components), .name = name};
+  const auto bytes = std::as_bytes(std::span(numbers));
+  attribute.values.assign(bytes.begin(), bytes.end());
+  return attribute;
+}
+
+/// One of every kind of attribute that assets have, and two groups of faces.
+Mesh asset() {
+  Mesh mesh = bumpy_grid(20, 15);
+  std::vector<float> normals;
+  std::vector<float> tangents;
+  std::vector<float> uvs;
+  std::vector<std::uint8_t> colors;
+  std::vector<std::uint8_t> joints;
+  std::vector<float> weights;
+  std::vector<float> moves;
+  std::vector<std::uint32_t> labels;
+  for (std::uint32_t i = 0; i < mesh.vertex_count(); ++i) {
+    const float x = mesh.positions[3 * i];
+    const float y = mesh.positions[3 * i + 1];
+    const float slope = 0.25F * static_cast<float>(i % 7) - 0.5F;
+    const float size = std::sqrt(1 + slope * slope);
+    normals.insert(normals.end(), {slope / size, 0, 1 / size});
+    tangents.insert(tangents.end(), {1 / size, 0, -slope / size, i % 50 == 0 ? -1.0F : 1.0F});
+    uvs.insert(uvs.end(), {x / 20 + 0.001F * static_cast<float>(i % 5), y / 15});
+    colors.insert(colors.end(), {static_cast<std::uint8_t>(9 * x), static_cast<std::uint8_t>(11 * y),
+                                 static_cast<std::uint8_t>(i * 37), static_cast<std::uint8_t>(255 - i % 3)});
+    const auto bone = static_cast<std::uint8_t>(x / 4);
+    joints.insert(joints.end(), {bone, static_cast<std::uint8_t>(bone + 1), 0, 0});
+    const float share = static_cast<float>(i % 9) / 8;
+    weights.insert(weights.end(), {share, 1 - share, 0, 0});
+    moves.insert(moves.end(), {0, y > 7 ? 0.125F * slope : 0, 0});
+    labels.push_back(i % 60 < 40 ? 70000 : 12);
+  }
+  using enum AttributeKind;
+  using enum ComponentType;
+  mesh.attributes = {attribute_of(kTangent, kF32, 4, "TANGENT", tangents),
+                     attribute_of(kNormal, kF32, 3, "NORMAL", normals),
+                     attribute_of(kUv, kF32, 2, "TEXCOORD_0", uvs),
+                     attribute_of(kColor, kU8, 4, "COLOR_0", colors),
+                     attribute_of(kJoints, kU8, 4, "JOINTS_0", joints),
+                     attribute_of(kWeights, kF32, 4, "WEIGHTS_0", weights),
+                     attribute_of(kGeneric, kF32, 3, "move", moves),
+                     attribute_of(kGeneric, kU32, 1, "label", labels)};
+  for (std::size_t f = 0; f < mesh.triangle_count(); ++f) mesh.face_groups.push_back(f < 200 ? 0 : 3);
+  return mesh;
+}
+
+/// Painted patches, a picture of few colours in 16 bits, rough heights, a normal of length 0, and bounds.
+Mesh painted() {
+  Mesh mesh = bumpy_grid(24, 18);
+  std::vector<std::uint16_t> patches;
+  std::vector<float> tones;
+  std::vector<float> normals;
+  std::vector<std::uint16_t> heights;
+  for (std::uint32_t i = 0; i < mesh.vertex_count(); ++i) {
+    const std::uint32_t x = i % 25;
+    const std::uint32_t y = i / 25;
+    const std::uint32_t patch = (x / 6 + 3 * (y / 5)) % 5;
+    patches.insert(patches.end(), {static_cast<std::uint16_t>(257 * (40 * patch)),
+                                   static_cast<std::uint16_t>(257 * (200 - 30 * patch)),
+                                   static_cast<std::uint16_t>(257 * 40 * patch), std::uint16_t{65535}});
+    const float tone = static_cast<float>((x * x + y * y + (i * 7) % 5) % 256) / 255;
+    tones.insert(tones.end(), {tone, tone, 0.5F});
+    normals.insert(normals.end(), {0, 0, i % 40 == 0 ? 0.0F : 1.0F});
+    heights.push_back(static_cast<std::uint16_t>(40 * x + 3 * x * y + (i * 2654435761U >> 20) % 2048));
+  }
+  using enum AttributeKind;
+  using enum ComponentType;
+  mesh.attributes = {
+      attribute_of(kColor, kU16, 4, "COLOR_0", patches), attribute_of(kColor, kF32, 3, "COLOR_1", tones),
+      attribute_of(kNormal, kF32, 3, "NORMAL", normals), attribute_of(kGeneric, kU16, 1, "height", heights)};
+  mesh.origin = {500000, 5100000, 120.5};
+  return mesh;
+}
+
+/// On a lattice but for a few numbers.
+Mesh almost_on_a_lattice() {
+  Mesh mesh = bumpy_grid(12, 10);
+  for (const std::size_t i : {std::size_t{4}, std::size_t{50}, std::size_t{131}})
+    mesh.positions[i] += 0.001234F;
+  return mesh;
+}
+
+}  // namespace
+
+std::vector<Golden> golden_streams() {
+  std::vector<Golden> list;
+  list.push_back({"tetrahedron.default", tetrahedron(), {}});
+  list.push_back({"grid.bits6", bumpy_grid(12, 10), {.bits = 6, .anchors = 4}});
+  list.push_back({"grid.zstd", bumpy_grid(12, 10), {.bits = 6, .anchors = 4, .profile = Profile::kZstd}});
+  list.push_back({"attributes.compact", rough_grid(), {.bits = 8}});
+  list.push_back({"attributes.zstd",
+                  attributed_grid(6, 5),
+                  {.bits = 10, .profile = Profile::kZstd, .keep_order = true}});
+  list.push_back({"painted.exact", painted(), {.bits = 8, .keep_order = true}});
+  list.push_back(
+      {"painted.zstd",
+       painted(),
+       {.bits = 8, .attributes = {.normal_error = 2, .color_error = 4}, .profile = Profile::kZstd}});
+  list.push_back({"almost.lossless", almost_on_a_lattice(), {.lossless = true}});
+  list.push_back({"grid.predictive", rough_grid(), {.geometry = GeometryCoder::kPredictive, .bits = 11}});
+  list.push_back({"asset.bounded", asset(), {.attributes = {.color_error = 3, .named = {{"move", 0.01}}}}});
+  list.push_back({"asset.lossless", asset(), {.lossless = true}});
+  Mesh floats = bumpy_grid(12, 10);  // of no lattice
+  for (std::size_t i = 0; i < floats.positions.size(); ++i)
+    floats.positions[i] = std::ldexp(floats.positions[i] + 1.1F, -static_cast<int>(i % 31));
+  list.push_back({"floats.lossless", floats, {.lossless = true}});
+  EncodeOptions walked{.geometry = GeometryCoder::kPredictive, .effort = 9};
+  walked.bits = 12;
+  list.push_back({"sphere.walked", *generate_scene(Scene::kSphere, 500, 1), walked});
+  list.push_back({"grid.lossless", bumpy_grid(12, 10), {.lossless = true}});
+  list.push_back({"room.voxels",
+                  *generate_scene(Scene::kRooms, 600, 3),
+                  {.quality = {.max_error = QualityBound{0.02}}, .geometry = GeometryCoder::kPredictive}});
+  for (const auto& named : awkward_meshes()) {
+    if (named.name == "seam") list.push_back({"seam.step", named.mesh, {.step = 0.01}});
+    if (named.name == "seam")
+      list.push_back({"seam.zstd", named.mesh, {.step = 0.01, .profile = Profile::kZstd}});
+    if (named.name == "three faces on an edge") list.push_back({"nonmanifold.default", named.mesh, {}});
+    if (named.name == "isolated vertices")
+      list.push_back({"isolated.all", named.mesh, {.keep_unreferenced = true}});
+  }
+  return list;
+}
+
+/// A rough surface with smooth colours: no repetition for zstd, neighbourhoods for the compact coder.
+Mesh rough_grid() {
+  Mesh mesh = attributed_grid(40, 30);
+  std::uint32_t state = 1;
+  const auto noise = [&state] { return (state = state * 1664525 + 1013904223) >> 28; };
+  for (float& x : mesh.positions) x += static_cast<float>(noise()) / 64;
+  for (const std::size_t a : {std::size_t{1}, std::size_t{3}}) {
+    Attribute& attribute = mesh.attributes[a];
+    const std::size_t row = attribute.values.size() / mesh.vertex_count();
+    for (std::size_t i = 0; i < attribute.values.size(); ++i) {
+      const std::size_t v = i / row;
+      attribute.values[i] = static_cast<std::byte>((v % 41) * (v / 41) / 5 + noise() / 4);
+    }
+  }
+  return mesh;
+}
+
+}  // namespace deltamesh::testing

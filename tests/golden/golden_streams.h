@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// What the committed streams were made from: together they reach every rule of the format
+// (scripts/check-conformance).
+#pragma once
+
+#include <vector>
+
+#include "deltamesh/encode.h"
+#include "deltamesh/mesh.h"
+
+namespace deltamesh::testing {
+
+struct Golden {
+  const char* name;  ///< tests/golden/<name>.v1d<draft>.dmsh and .off
+  Mesh mesh;
+  EncodeOptions options;
+};
+
+std::vector<Golden> golden_streams();
+
+/// A rough surface with smooth colours: no repetition for zstd, neighbourhoods for the compact coder.
+Mesh rough_grid();
+
+}  // namespace deltamesh::testing
