@@ -7,9 +7,7 @@ import numpy as np
 
 from coder import BitModel, Coder, NumberModel, clamp
 from container import must, unzigzag
-from fields import ATTR_9_means
 from floats import FLT_1_bits, FloatCoder
-from graph import neighbours
 from lattice import POSN_3_known, POSN_8_table, PredictedCoder
 
 CONSTANT, AS_BEFORE, TIMES, RATIO, LISTED, FLOAT = range(6)
@@ -82,8 +80,6 @@ def ATTR_56_group(coder, group, surface, joined):
         units, width = [max(c.exponent, 1) - 153 for c in group] + [1 - 153] * (3 - width), 3
         lattice = FloatCoder(coder, POSN_3_known(*graph), POSN_8_table(coder), units)
         rows = lattice.ordinals
-    elif coder.raw(1):
-        return list(zip(*ATTR_58_copies(coder, surface, joined, ATTR_9_means(coder, neighbours(*graph), width), width)))
     else:
         cells = [c.cells for c in group] + [None] * (3 - width)
         lattice = PredictedCoder(coder, POSN_3_known(*graph), POSN_8_table(coder), cells, coder.raw(1))

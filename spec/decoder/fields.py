@@ -1,4 +1,4 @@
-"""Fields, vectors of whole numbers at the vertices of a graph: compact.md, FLD-1 to FLD-15; and ATTR-9."""
+"""Fields, vectors of whole numbers at the vertices of a graph: compact.md, FLD-1 to FLD-15."""
 from coder import bits, clamp, symbol_models
 from container import must
 from scaled import FLD_15_quantity, SYMBOL_WEIGHTS, ScaledCoder
@@ -62,16 +62,3 @@ def FLD_numbers(coder, graph):
     """The numbers of a field of three axes."""
     field = FieldCoder(coder, graph, 3)
     return [field.FLD_14_vertex(v) for v in range(len(graph))]
-
-def ATTR_9_means(coder, graph, axes):
-    """A function that decodes the numbers of a vertex, which are predicted by means."""
-    field, rows = FieldCoder(coder, graph, axes), []
-    def decode(v):
-        around = [u for u in graph[v][:16] if u < v]
-        p = rows[v - 1] if v else [0] * 3
-        if around:
-            c = len(around)
-            p = [(2 * sum(x) + c) // (2 * c) for x in zip(*(rows[u] for u in around))]
-        rows.append([x + y for x, y in zip(p, field.FLD_14_vertex(v) + [0] * (3 - axes))])
-        return rows[v]
-    return decode

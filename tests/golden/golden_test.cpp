@@ -52,6 +52,7 @@ void rewrite(const Golden& golden) {
     ASSERT_TRUE(write_file(path_of(golden.name, "digests"), std::as_bytes(std::span(digests))));
   }
   decoded.attributes.clear();
+  decoded.origin = {};
   ASSERT_TRUE(write_mesh_file(path_of(golden.name, "off"), decoded));
 }
 
@@ -75,8 +76,7 @@ TEST(Golden, DecodesToTheCommittedMesh) {
     // The solve is exact only up to rounding, and the reference solver's rounding is the machine's.
     const double tolerance = 1e-5 * inspect(*bytes)->diagonal;
     for (std::size_t i = 0; i < decoded->positions.size(); ++i)
-      EXPECT_NEAR(decoded->origin[i % 3] + decoded->positions[i],
-                  expected->mesh.origin[i % 3] + expected->mesh.positions[i], tolerance);
+      EXPECT_NEAR(decoded->positions[i], expected->mesh.positions[i], tolerance);
   }
 }
 

@@ -29,7 +29,6 @@ class FieldFaces {
   const KnownFaces& faces() const {
     return geometric_.empty() ? surface_.faces() : surface_.joined().faces();
   }
-  const Adjacency& graph() const { return geometric_.empty() ? surface_.graph() : surface_.joined().graph(); }
 
   /// The row of the first copy of every vertex.
   template <class Row>

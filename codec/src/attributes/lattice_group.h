@@ -11,7 +11,6 @@
 #include <optional>
 #include <span>
 
-#include "attributes/averaged_field.h"
 #include "attributes/lattice_fields.h"
 #include "attributes/resting_runs.h"
 #include "predictive/float_coder.h"
@@ -21,8 +20,7 @@ namespace deltamesh {
 
 /// How the numbers of a group are coded.
 struct GroupForm {
-  bool averaged = false;  ///< by the mean of all coded neighbours, not by the faces around; not of floats
-  unsigned axes = 3;      ///< 1 to 3; the other numbers are 0
+  unsigned axes = 3;                    ///< 1 to 3; the other numbers are 0
   std::array<std::uint32_t, 3> most{};  ///< numbers are 0 to this, which is at most 2^28
   BlendTable blends = kUsualBlends;
   bool guesses = false;  ///< numbers are compared with those around first
@@ -57,16 +55,6 @@ bool code_numbers(Coder& coder, const FieldFaces& over, GroupForm& form, std::sp
     copies.code(before, cell);
     return is_within(cell, form);
   };
-  form.averaged = coder.bits(form.averaged ? 1 : 0, 1) != 0;
-  if (form.averaged) {
-    AveragedFieldCoder<Coder> field(coder, over.graph(), form.axes);
-    return code_with_copies(
-        coder, over.geometric(), over.vertex_count(), cells,
-        [&](std::uint32_t vertex, std::span<Cell> all) {
-          return field.code_vertex(vertex, all) && is_within(all[vertex], form);
-        },
-        code_copy);
-  }
   code_blends(coder, form.blends);
   form.guesses = coder.bits(form.guesses ? 1 : 0, 1) != 0;
   form.sparse = coder.bits(form.sparse ? 1 : 0, 1) != 0;

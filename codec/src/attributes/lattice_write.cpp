@@ -36,9 +36,8 @@ void write_ordinals(CompactWriter& writer, const FieldFaces& over, const std::ar
   code_ordinals(writer, over, units, fit_blends(over.faces(), cells, BlendFit::kSquares), ordinals);
 }
 
-/// The smallest of the forms that `form` allows; but the mean of neighbours, which takes decoders much
-/// longer, only where it saves more than a little.
-GroupForm smallest_form(const FieldFaces& over, const GroupForm& form, std::span<Cell> cells) {
+/// `form`, without runs of rows at rest where that is smaller.
+GroupForm smaller_form(const FieldFaces& over, const GroupForm& form, std::span<Cell> cells) {
   const auto size_of = [&](GroupForm candidate) {
     CompactWriter trial;
     code_numbers(trial, over, candidate, cells);
@@ -46,13 +45,7 @@ GroupForm smallest_form(const FieldFaces& over, const GroupForm& form, std::span
   };
   GroupForm dense = form;
   dense.sparse = false;
-  GroupForm averaged = dense;
-  averaged.averaged = true;
-  const std::size_t dense_size = size_of(dense);
-  const std::size_t sparse_size = form.sparse ? size_of(form) : dense_size;
-  const std::size_t averaged_size = size_of(averaged);
-  if (averaged_size + averaged_size / 32 + 10 < std::min(dense_size, sparse_size)) return averaged;
-  return sparse_size <= dense_size ? form : dense;
+  return size_of(form) <= size_of(dense) ? form : dense;
 }
 
 void write_numbers(CompactWriter& writer, const FieldFaces& over, GroupForm form, int effort,
@@ -65,7 +58,7 @@ void write_numbers(CompactWriter& writer, const FieldFaces& over, GroupForm form
     form.blends = fit_blends(over.faces(), shared, effort > 0 ? BlendFit::kSquares : BlendFit::kSample);
     form.guesses = guesses_pay(over.faces(), shared, form.most, form.blends);
   }
-  if (effort > 0) form = smallest_form(over, form, cells);
+  if (form.sparse && effort > 0) form = smaller_form(over, form, cells);
   code_numbers(writer, over, form, cells);
 }
 

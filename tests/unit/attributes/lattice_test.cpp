@@ -269,28 +269,6 @@ TEST(Lattice, ATTR56WhatMustBeExactIsPredictedWhateverItsKind) {
   }
 }
 
-TEST(Lattice, ATTR56MeansOfNeighboursForecastWhereThatIsSmaller) {
-  test::RandomBits random(8);
-  std::vector<std::uint16_t> noise;
-  std::vector<std::uint16_t> plane;
-  for (std::uint32_t v = 0; v < kVertices; ++v) {
-    noise.push_back(static_cast<std::uint16_t>(1000 + random() % 200));
-    plane.push_back(static_cast<std::uint16_t>(37 * (v % kSide) + 11 * (v / kSide)));
-  }
-  const auto averaged = [](const CodedAttribute& coded) {
-    // Coding, kind, step, base, cells, the stream's states; its first two bits are joined and averaged.
-    ByteReader in(coded.compact);
-    EXPECT_TRUE(in.read_bytes(6));
-    EXPECT_TRUE(in.read_varint());
-    EXPECT_TRUE(in.read_varint());
-    CompactReader reader(*in.read_bytes(in.remaining()));
-    EXPECT_EQ(reader.bits(0, 1), 0U);
-    return reader.bits(0, 1) != 0;
-  };
-  EXPECT_TRUE(averaged(code(make(ComponentType::kU16, 1, plane))));
-  EXPECT_FALSE(averaged(code(make(ComponentType::kU16, 1, noise))));
-}
-
 TEST(Lattice, ATTR56NumbersUpToTheLargestAreExact) {
   test::RandomBits random(6);
   std::vector<std::uint32_t> noise;
@@ -505,7 +483,6 @@ TEST(Lattice, ATTR59RunsBeyondTheVerticesAreRefused) {
   const auto rule_of_run = [](std::uint32_t length) {
     CompactWriter writer;
     writer.bits(0, 1);  // joined
-    writer.bits(0, 1);  // averaged
     BlendTable blends = kUsualBlends;
     code_blends(writer, blends);
     writer.bits(0, 1);  // guesses
