@@ -4,7 +4,6 @@
 // A map as a folder: a manifest, and a file for each part.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -12,26 +11,10 @@
 
 #include "deltamesh/map/description.h"
 #include "deltamesh/map/part.h"
+#include "deltamesh/map/part_entry.h"
 #include "deltamesh/result.h"
 
 namespace deltamesh {
-
-/// What is known of a part without its octets.
-struct PartEntry {
-  PartKey key{};
-  std::uint64_t revision = 0;
-  std::uint64_t group = 0;
-  std::uint32_t bytes = 0;  ///< at most kMostPartBytes
-  std::uint64_t hash = 0;   ///< xxh3 of the octets
-  std::uint32_t vertices = 0;
-  std::uint32_t triangles = 0;
-  std::array<float, 3> box_min{};  ///< of the decoded positions, relative to the map's origin
-  std::array<float, 3> box_max{};
-  Quality quality{};                      ///< against the part's source
-  std::vector<float> attribute_errors{};  ///< of every attribute of the map
-
-  bool operator==(const PartEntry& other) const noexcept;
-};
 
 struct MapManifest {
   MapDescription description{};

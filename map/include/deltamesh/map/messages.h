@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// What senders and receivers of a map tell each other, as plain bytes for any transport. The map's own
+// message is that of description.h.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "deltamesh/map/part_entry.h"
+#include "deltamesh/result.h"
+
+namespace deltamesh {
+
+/// Tells that there is a version of a part, or that a part is gone [MAP-13].
+struct EntryMessage {
+  std::uint64_t map = 0;  ///< hash_of() the map's description
+  PartEntry entry{};
+};
+
+/// A version of a part [MAP-14].
+struct PartMessage {
+  std::uint64_t map = 0;  ///< hash_of() the map's description
+  PartKey key{};
+  std::uint64_t revision = 0;
+  std::uint64_t group = 0;
+  std::vector<PartLink> links{};    ///< as PartEntry::links
+  std::vector<std::byte> octets{};  ///< as MapCodec::decode() takes them; 1 to kMostPartBytes
+};
+
+/// Relative to the map's origin; model units.
+struct ViewBox {
+  std::array<float, 3> low{};
+  std::array<float, 3> high{};
+
+  bool operator==(const ViewBox&) const = default;
+};
+
+/// What a receiver asks for. Errors are counted in model units; VDE and LFE are root mean squares over each
+/// part.
+struct View {
+  std::vector<ViewBox> boxes{};  ///< at most kMostViewBoxes; none: the whole map
+  std::uint8_t level = 0;        ///< no parts of lower levels
+  std::optional<float> vde{};    ///< above 0
+  std::optional<float> lfe{};
+  std::optional<float> max_error{};
+  float color_error = 0;               ///< 255ths; 0: exact
+  std::uint32_t bytes_per_second = 0;  ///< 0: no limit
+
+  bool operator==(const View&) const = default;
+};
+inline constexpr std::size_t kMostViewBoxes = 64;  // [MAP-15]
+
+/// A version that a receiver has.
+struct HeldVersion {
+  PartKey key{};
+  std::uint64_t revision = 0;
+  std::uint32_t version = 0;  ///< version_hash()
+
+  bool operator==(const HeldVersion&) const = default;
+};
+
+/// Of a receiver [MAP-15].
+struct ViewMessage {
+  std::uint64_t viewer = 0;  ///< chosen by the receiver; the same as long as it holds parts
+  std::uint64_t number = 0;  ///< ascending; older messages of a viewer are ignored
+  std::uint64_t map_id = 0;
+  std::uint64_t map = 0;  ///< hash of the description that the receiver has; 0: none
+  View view{};
+  std::vector<HeldVersion> held{};  ///< ascending by key
+
+  bool operator==(const ViewMessage&) const = default;
+};
+
+/// Errors: kInvalidArgument (out of range), kOutOfMemory.
+Result<std::vector<std::byte>> write_entry(const EntryMessage& message) noexcept;
+Result<std::vector<std::byte>> write_part(const PartMessage& message) noexcept;
+Result<std::vector<std::byte>> write_view(const ViewMessage& message) noexcept;
+
+/// `attributes`: how many the map has. Errors of all: 1xx codes [MAP-1, MAP-12 to MAP-15], kOutOfMemory.
+/// Takes memory in proportion to the bytes.
+Result<EntryMessage> read_entry(std::span<const std::byte> message, std::size_t attributes) noexcept;
+Result<PartMessage> read_part(std::span<const std::byte> message) noexcept;
+Result<ViewMessage> read_view(std::span<const std::byte> message) noexcept;
+
+}  // namespace deltamesh

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Entry and part messages [MAP-13, MAP-14].
+#include "base/guard.h"
+#include "base/try.h"
+#include "deltamesh/map/messages.h"
+#include "deltamesh/map/part.h"
+#include "entry_fields.h"
+#include "message_frame.h"
+
+namespace deltamesh {
+namespace {
+
+Result<EntryMessage> read_entry_body(ByteReader in, std::size_t attributes) {
+  EntryMessage message;
+  DELTAMESH_TRY(message.map, in.read<std::uint64_t>());
+  DELTAMESH_TRY(message.entry, read_entry_fields(in, attributes));
+  DELTAMESH_CHECK(in.finish());
+  return message;
+}
+
+Result<PartMessage> read_part_body(ByteReader in) {
+  PartMessage message;
+  DELTAMESH_TRY(message.map, in.read<std::uint64_t>());
+  DELTAMESH_TRY(message.key, read_key(in));
+  DELTAMESH_TRY(message.revision, in.read_varint());
+  DELTAMESH_TRY(message.group, in.read_varint());
+  DELTAMESH_TRY(message.links, read_links(in, message.key));
+  if (in.remaining() == 0 || in.remaining() > kMostPartBytes)
+    return in.error(ErrorCode::kInvalidStream, "a part without octets, or with too many", "MAP-14");
+  DELTAMESH_TRY(const auto octets, in.read_bytes(in.remaining()));
+  message.octets.assign(octets.begin(), octets.end());
+  return message;
+}
+
+}  // namespace
+
+Result<std::vector<std::byte>> write_entry(const EntryMessage& message) noexcept {
+  return guarded([&]() -> Result<std::vector<std::byte>> {
+    DELTAMESH_CHECK(check_entry(message.entry));
+    ByteWriter out = begin_message(MessageKind::kEntry);
+    out.write(message.map);
+    write_entry_fields(out, message.entry);
+    return end_message(std::move(out));
+  });
+}
+
+Result<std::vector<std::byte>> write_part(const PartMessage& message) noexcept {
+  return guarded([&]() -> Result<std::vector<std::byte>> {
+    DELTAMESH_CHECK(check_links(message.key, message.links));
+    if (message.octets.empty() || message.octets.size() > kMostPartBytes)
+      return Error{.code = ErrorCode::kInvalidArgument,
+                   .message = "a part without octets, or with too many",
+                   .rule = "MAP-14"};
+    ByteWriter out = begin_message(MessageKind::kPart);
+    out.write(message.map);
+    write_key(out, message.key);
+    out.write_varint(message.revision);
+    out.write_varint(message.group);
+    write_links(out, message.key, message.links);
+    out.write_bytes(message.octets);
+    return end_message(std::move(out));
+  });
+}
+
+Result<EntryMessage> read_entry(std::span<const std::byte> message, std::size_t attributes) noexcept {
+  return guarded([&]() -> Result<EntryMessage> {
+    DELTAMESH_TRY(const auto body, open_message(message, MessageKind::kEntry));
+    return read_entry_body(ByteReader(body), attributes);
+  });
+}
+
+Result<PartMessage> read_part(std::span<const std::byte> message) noexcept {
+  return guarded([&]() -> Result<PartMessage> {
+    DELTAMESH_TRY(const auto body, open_message(message, MessageKind::kPart));
+    return read_part_body(ByteReader(body));
+  });
+}
+
+}  // namespace deltamesh
