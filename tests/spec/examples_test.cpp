@@ -5,11 +5,7 @@
 // writes.
 #include <gtest/gtest.h>
 
-#include <cstddef>
 #include <cstdint>
-#include <fstream>
-#include <sstream>
-#include <string>
 #include <vector>
 
 #include "connectivity/connectivity.h"
@@ -18,35 +14,18 @@
 #include "connectivity/seams.h"
 #include "geometry/anchor_list.h"
 #include "predictive/positions.h"
+#include "spec/example_lines.h"
 
 namespace deltamesh {
 namespace {
 
-/// Numbers of the first line of a file of spec/ that starts with `name`, behind it.
-template <class Number>
-std::vector<Number> line_of(const std::string& file, const std::string& name, bool is_hex) {
-  std::ifstream in(DELTAMESH_SPEC_DIR "/" + file);
-  std::string line;
-  while (std::getline(in, line)) {
-    std::istringstream words(line);
-    std::string word;
-    if (!line.starts_with("    ") || !(words >> word) || word != name + ":") continue;
-    if (is_hex) words >> std::hex;
-    std::vector<Number> numbers;
-    for (unsigned number = 0; words >> number;) numbers.push_back(static_cast<Number>(number));
-    return numbers;
-  }
-  ADD_FAILURE() << file << " has no " << name;
-  return {};
-}
-std::vector<std::byte> bytes_of(const std::string& file, const std::string& name) {
-  return line_of<std::byte>(file, name, true);
-}
+using test::bytes_of;
+using test::line_of;
 
 TEST(Examples, CONN1CONN4CONN5CONN6CONN9CONN12CONN13TwoTriangles) {
   const auto plain = bytes_of("conn.md", "plain");
   const auto compact = bytes_of("conn.md", "compact");
-  const auto faces = line_of<std::uint32_t>("conn.md", "faces", false);
+  const auto faces = line_of<std::uint32_t>("conn.md", "faces");
   for (const Payload& payload : {Payload(plain), Payload::compact(compact)}) {
     const auto read = read_connectivity(payload, 4, 2);
     ASSERT_TRUE(read) << describe(read.error());
@@ -63,7 +42,7 @@ const std::vector<std::uint32_t> kTwoTriangles = {0, 1, 2, 2, 1, 3};
 TEST(Examples, SEAM2SEAM3SEAM4SEAM5SEAM6SEAM7SEAM8ATornEdge) {
   const auto plain = bytes_of("seam.md", "plain");
   const auto compact = bytes_of("seam.md", "compact");
-  const auto faces = line_of<std::uint32_t>("seam.md", "faces", false);
+  const auto faces = line_of<std::uint32_t>("seam.md", "faces");
   for (const Payload& payload : {Payload(plain), Payload::compact(compact)}) {
     const auto read = read_seams(payload, kTwoTriangles, 4, 6);
     ASSERT_TRUE(read) << describe(read.error());
@@ -77,7 +56,7 @@ TEST(Examples, SEAM2SEAM3SEAM4SEAM5SEAM6SEAM7SEAM8ATornEdge) {
 TEST(Examples, FGRP1FGRP2FGRP3TwoGroups) {
   const auto plain = bytes_of("fgrp.md", "plain");
   const auto compact = bytes_of("fgrp.md", "compact");
-  const auto groups = line_of<std::uint32_t>("fgrp.md", "groups", false);
+  const auto groups = line_of<std::uint32_t>("fgrp.md", "groups");
   for (const Payload& payload : {Payload(plain), Payload::compact(compact)})
     EXPECT_EQ(*read_face_groups(payload, kTwoTriangles, 4), groups);
   const CodedFaceGroups coded = write_face_groups(groups, kTwoTriangles, 4);
@@ -88,9 +67,9 @@ TEST(Examples, FGRP1FGRP2FGRP3TwoGroups) {
 TEST(Examples, ORDR1ORDR2ORDR3ORDR4ORDR5ORDR6TwoTriangles) {
   const auto plain = bytes_of("ordr.md", "plain");
   const auto compact = bytes_of("ordr.md", "compact");
-  const MeshOrder order{.vertices = line_of<std::uint32_t>("ordr.md", "vertices", false),
-                        .faces = line_of<std::uint32_t>("ordr.md", "faces", false),
-                        .rotation = line_of<std::uint8_t>("ordr.md", "rotations", false)};
+  const MeshOrder order{.vertices = line_of<std::uint32_t>("ordr.md", "vertices"),
+                        .faces = line_of<std::uint32_t>("ordr.md", "faces"),
+                        .rotation = line_of<std::uint8_t>("ordr.md", "rotations")};
   for (const Payload& payload : {Payload(plain), Payload::compact(compact)}) {
     const auto read = read_order(payload, kTwoTriangles, 4);
     ASSERT_TRUE(read) << describe(read.error());
@@ -106,8 +85,8 @@ TEST(Examples, ORDR1ORDR2ORDR3ORDR4ORDR5ORDR6TwoTriangles) {
 TEST(Examples, ANCH1ANCH3ANCH4ANCH5TwoAnchors) {
   const auto plain = bytes_of("anch.md", "plain");
   const auto compact = bytes_of("anch.md", "compact");
-  const AnchorList list{.gaps = line_of<std::uint32_t>("anch.md", "gaps", false),
-                        .steps = line_of<std::uint32_t>("anch.md", "cells", false)};
+  const AnchorList list{.gaps = line_of<std::uint32_t>("anch.md", "gaps"),
+                        .steps = line_of<std::uint32_t>("anch.md", "cells")};
   for (const Payload& payload : {Payload(plain), Payload::compact(compact)}) {
     const auto read = read_anchors(payload, 2);
     ASSERT_TRUE(read) << describe(read.error());
@@ -120,7 +99,7 @@ TEST(Examples, ANCH1ANCH3ANCH4ANCH5TwoAnchors) {
 
 TEST(Examples, POSN1POSN2POSN3POSN4POSN5POSN6POSN8FourPoints) {
   const auto payload = bytes_of("posn.md", "payload");
-  const auto q = line_of<std::int32_t>("posn.md", "q", false);
+  const auto q = line_of<std::int32_t>("posn.md", "q");
   const std::vector<std::uint32_t> triangles = {0, 1, 2, 2, 1, 3};
   const PredictiveParameters parameters{.kind = PositionKind::kLattice, .lattice = {.cells = {4, 4, 3}}};
   const auto read = read_positions(Payload::compact(payload), {triangles, 4}, parameters, {});

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// The worked examples of attributes: attributes of the four points of POSN's example. Their bytes decode to
+// their values, and are what the encoder writes.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "spec/example_lines.h"
+#include "support/attribute_coding.h"
+
+namespace deltamesh {
+namespace {
+
+using test::bytes_of;
+using test::line_of;
+
+class AttributeExamples : public ::testing::Test {
+ protected:
+  template <class Number>
+  static Attribute attribute(AttributeKind kind, ComponentType type, int components,
+                             const std::vector<Number>& numbers) {
+    Attribute a{.kind = kind, .type = type, .components = static_cast<std::uint8_t>(components)};
+    const auto bytes = std::as_bytes(std::span(numbers));
+    a.values.assign(bytes.begin(), bytes.end());
+    return a;
+  }
+
+  /// The payload of `file` gives `expected`; so does encoding `expected`'s numbers, or `source`'s.
+  void check(const std::string& file, const Attribute& source, const Attribute& expected,
+             const AttributeQuality& quality = test::kExactly) {
+    const auto payload = bytes_of(file, "payload");
+    const AttributeSurface surface(triangles_, 4, {}, positions_);
+    const auto coded =
+        write_attribute(test::view(source), test::identity(4), {.quality = quality}, surface, others_);
+    ASSERT_TRUE(coded);
+    EXPECT_EQ(coded->compact, payload) << file;
+    const auto read = read_attribute(Payload::compact(payload), coded->descriptor, surface, others_, 1000);
+    ASSERT_TRUE(read) << describe(read.error());
+    EXPECT_EQ(read->values, expected.values) << file;
+  }
+
+  std::vector<std::uint32_t> triangles_ = {0, 1, 2, 2, 1, 3};
+  std::vector<float> positions_ = line_of<float>("posn.md", "q");
+  std::vector<Attribute> others_;
+};
+
+TEST_F(AttributeExamples, ATTR3ATTR4TwoNumbersInPlainForm) {
+  const auto payload = bytes_of("attr.md", "payload");
+  const Attribute values =
+      attribute(AttributeKind::kGeneric, ComponentType::kU16, 2, line_of<std::uint16_t>("attr.md", "values"));
+  const auto coded = test::write_plain(values, test::identity(4));
+  ASSERT_TRUE(coded);
+  EXPECT_EQ(coded->plain, payload);
+  const auto read = test::read_plain(payload, coded->descriptor, 4);
+  ASSERT_TRUE(read) << describe(read.error());
+  EXPECT_EQ(read->values, values.values);
+}
+
+TEST_F(AttributeExamples, ATTR55ATTR56ATTR57Heights) {
+  const Attribute values = attribute(AttributeKind::kGeneric, ComponentType::kU16, 1,
+                                     line_of<std::uint16_t>("attr_lattice.md", "values"));
+  check("attr_lattice.md", values, values);
+}
+
+TEST_F(AttributeExamples, ATTR45ATTR47ATTR51Colours) {
+  const Attribute values = attribute(AttributeKind::kColor, ComponentType::kU8, 3,
+                                     line_of<std::uint8_t>("attr_colors.md", "values"));
+  check("attr_colors.md", values, values);
+}
+
+TEST_F(AttributeExamples, ATTR31ATTR32ATTR37TextureCoordinates) {
+  const auto numbers = [](const char* name) {
+    return attribute(AttributeKind::kUv, ComponentType::kF32, 2, line_of<float>("attr_uvs.md", name));
+  };
+  check("attr_uvs.md", numbers("source"), numbers("values"), {.uv_error = 0.125});
+}
+
+TEST_F(AttributeExamples, ATTR20ATTR21ATTR24ATTR25Normals) {
+  const auto numbers = [](const char* name) {
+    return attribute(AttributeKind::kNormal, ComponentType::kF32, 3, line_of<float>("attr_normals.md", name));
+  };
+  check("attr_normals.md", numbers("source"), numbers("values"), {.normal_error = 5});
+}
+
+TEST_F(AttributeExamples, ATTR38ATTR39ATTR40ATTR44Tangents) {
+  others_ = {attribute(AttributeKind::kUv, ComponentType::kF32, 2, line_of<float>("attr_uvs.md", "values"))};
+  const auto numbers = [](const char* name) {
+    return attribute(AttributeKind::kTangent, ComponentType::kF32, 4,
+                     line_of<float>("attr_tangents.md", name));
+  };
+  check("attr_tangents.md", numbers("source"), numbers("values"), {.normal_error = 5});
+}
+
+TEST_F(AttributeExamples, ATTR60ATTR61ATTR62Joints) {
+  const Attribute values = attribute(AttributeKind::kJoints, ComponentType::kU8, 4,
+                                     line_of<std::uint8_t>("attr_skin.md", "joints"));
+  check("attr_skin.md", values, values);
+}
+
+}  // namespace
+}  // namespace deltamesh
