@@ -1,5 +1,5 @@
 """Fields, vectors of whole numbers at the vertices of a graph: compact.md, FLD-1 to FLD-15."""
-from coder import bits, clamp, symbol_models
+from coder import bits, clamp, mixing_weights, symbol_models
 from container import must
 from scaled import FLD_15_quantity, SYMBOL_WEIGHTS, ScaledCoder
 
@@ -12,51 +12,55 @@ class FieldCoder:
     """`graph` has the neighbours of each vertex, ascending."""
     def __init__(self, coder, graph, axes):
         self.coder, self.graph, self.axes = coder, graph, axes
-        self.models, self.scaled = symbol_models(SYMBOL_WEIGHTS), ScaledCoder()
-        self.r, self.e = {}, {}
+        self.models, self.weights, self.scaled = symbol_models(SYMBOL_WEIGHTS), mixing_weights(2), ScaledCoder()
+        self.r, self.g, self.t, self.e = {}, {}, {}, {}
 
     def FLD_13_context(self, v):
-        """R, G, E, T and L."""
+        """R, G, T, E and L."""
         known = [u for u in self.graph[v][:4] if u < v]
         peers = [u for u in known if len(self.graph[u]) == len(self.graph[v])] or known
-        if not peers:
+        if not known:
             return [[0] * 3] * 5
-        k, r = 12 // len(peers), [self.r[u] for u in peers]
+        def mean(rows, vertices, bits_off):
+            return [(256 // len(vertices) * sum(x)) >> bits_off for x in zip(*(rows[u] for u in vertices))]
+        return mean(self.r, known, 4), mean(self.g, known, 7), mean(self.t, known, 7), mean(self.e, peers, 7), self.r[max(peers)]
+
+    def FLD_13_remember(self, v, r, G, T, E, L):
         def tie(x, y):
             return min(abs(x), abs(y)) * (-1 if (x < 0) != (y < 0) else 1)
-        return ([k * sum(x) for x in zip(*r)], [k * sum(map(abs, x)) for x in zip(*r)],
-                [k * sum(x) for x in zip(*(self.e[u] for u in peers))],
-                [k * sum(tie(x[a], x[b]) for x in r) for a, b in PAIRS], self.r[max(peers)])
+        self.r[v] = r
+        self.g[v] = [(16 * abs(x) + g) >> 2 for x, g in zip(r, G)]
+        self.t[v] = [(16 * tie(r[a], r[b]) + t) >> 2 for (a, b), t in zip(PAIRS, T)]
+        self.e[v] = [(16 * min(abs(x - l), 4095) + e) >> 2 for x, l, e in zip(r, L, E)]
 
     def FLD_14_vertex(self, v):
         """Decodes the numbers of a vertex."""
-        R, G, E, T, L = self.FLD_13_context(v)
-        close = 4 * sum(E) < sum(G)
+        R, G, T, E, L = self.FLD_13_context(v)
+        close = 2 * sum(E) < sum(G)
         S, B = (E, L) if close else (G, [0] * 3)
         q, r = [], []
         for a in range(self.axes):
             d = [abs(x - y) for x, y in zip(r, B)]
-            coded = 0 if a == 0 else 12 * d[0] if a == 1 else 6 * (d[0] + d[1])
-            scale = ((8 * S[a] + sum(S) + 2 * coded) >> 4) + 1
+            coded = 0 if a == 0 else 16 * d[0] if a == 1 else 8 * (d[0] + d[1])
+            scale = ((5 * S[a] + coded) >> 3) + 1
             ties = sign(r[0]) * T[0] if a == 1 else sign(r[0]) * T[1] + sign(r[1]) * T[2] if a == 2 else 0
-            mean = 0 if close else (R[a] >> 1) + ties
+            mean = ((R[a] - 16 * B[a]) >> 1) + (0 if close else ties)
             x = self.FLD_15_number(v, a, S[a], coded, scale, mean, close)
             q.append(B[a] + (-x if mean < 0 else x))
             must(abs(q[a]) <= 2**30, "FLD-1", f"number {q[a]}")
-            r.append(clamp(q[a], -8191, 8191))
-        self.r[v] = r + [0] * (3 - self.axes)
-        self.e[v] = [min(abs(x - y), 8191) for x, y in zip(self.r[v], L)]
+            r.append(clamp(q[a], -4095, 4095))
+        self.FLD_13_remember(v, r + [0] * (3 - self.axes), G, T, E, L)
         return q
 
     def FLD_15_number(self, v, a, S, coded, scale, mean, close):
-        shift = max(bits(scale) - 6, 0)
-        kind = 4 if close else sum(k * abs(mean) >= scale for k in (8, 2, 1))
+        shift, near = max(bits(scale) - 6, 0), int(close)
+        sure = sum(k * abs(mean) >= scale for k in (8, 2, 1))
         D = clamp(len(self.graph[v]), 3, 10) - 3
         def half(y):
             return FLD_15_quantity(y >> shift) // 2
-        models = [self.models[0, FLD_15_quantity(scale >> shift) * 5 + kind],
-                  self.models[1, ((half(coded) * 12 + half(S)) * 3 + a) * 8 + D]]
-        return self.scaled.CMP_15_number(self.coder, models, [16497] * 2, shift)
+        models = [self.models[0, (FLD_15_quantity(scale >> shift) * 4 + sure) * 2 + near],
+                  self.models[1, (((half(coded) * 12 + half(S)) * 3 + a) * 8 + D) * 2 + near]]
+        return self.scaled.CMP_15_number(self.coder, models, self.weights[a], shift)
 
 def FLD_numbers(coder, graph):
     """The numbers of a field of three axes."""

@@ -125,9 +125,9 @@ TEST_P(QualityCorpus, LfeLandsAloneAndWithVde) {
         encode_with({.vde = QualityBound{.value = 0.02, .unit = QualityUnit::kDiagonal}, .lfe = lfe});
     const Quality& both = stream.quality;
     EXPECT_LE(both.lfe_rms, asked);
-    // Positions that keep the VDE are far below the LFE, and may still take the fewest bytes. Where few
-    // anchors decide on the LFE, planned cycles may leave less than the search did.
-    if (stream.geometry == "highpass") {
+    // Positions that keep the VDE are far below the LFE, and may still take the fewest bytes. With less than
+    // eight anchors one more or less changes the LFE by a third.
+    if (stream.geometry == "highpass" && stream.anchors >= 8) {
       EXPECT_GE(both.lfe_rms, 0.8 * asked) << percent;
     }
     EXPECT_LE(both.vde_rms, 0.02 / 100 * diagonal_);

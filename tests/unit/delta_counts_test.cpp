@@ -45,15 +45,6 @@ TEST(FourInts, NearestLanesOfWhatHasNoneAreTheLeast) {
   EXPECT_EQ(of_doubles[3], 7);
 }
 
-TEST(FourInts, MultiplyShortLanes) {
-  const FourInts products =
-      multiply_short_lanes(FourInts{2047, -2047, -1, 0}, FourInts{2047, 2047, -2047, 5});
-  EXPECT_EQ(products[0], 2047 * 2047);
-  EXPECT_EQ(products[1], -2047 * 2047);
-  EXPECT_EQ(products[2], 2047);
-  EXPECT_EQ(products[3], 0);
-}
-
 /// Exact from 8 bits on, the nearest below.
 TEST(DeltaCounts, AreWhatSymbolsStandFor) {
   const std::vector<std::int32_t> symbols = {0, 1, -1, 2, -2, 255, -70000, 100, -3};

@@ -31,8 +31,8 @@ class ColorCopies {
                                           const ColorMemory* memories, ColorLevels& levels) {
     if (!find_candidates(place, colors)) return CopyOutcome::kNothingToCopy;
     const Contexts contexts = contexts_of(memories);
-    const Mixture<2> mixture({&models_[0][contexts.models[0]], &models_[1][contexts.models[1]]},
-                             &weights_[contexts.weights]);
+    const Mixture<2> mixture{{&models_[0][contexts.models[0]], &models_[1][contexts.models[1]]},
+                             &weights_[contexts.weights]};
     const unsigned choice = coder.symbol(Coder::kWrites ? first_within_bound(levels) : kNotCopied, mixture);
     if (choice >= count_) return CopyOutcome::kNone;
     for (std::size_t a = 0; a < kColorAxes; ++a)

@@ -89,8 +89,8 @@ class ColorNumbers {
     const std::array<std::size_t, 2> contexts = {
         (scale_class * 6 + sure) * 4 + axis,
         (class_of(spread, shift) / 2 * 12 + class_of(coded, shift) / 2) * 4 + axis};
-    const Mixture<2> mixture({&models_[0][contexts[0]], &models_[1][contexts[1]]},
-                             &weights_[scale_class / 4 * 4 + axis]);
+    const Mixture<2> mixture{{&models_[0][contexts[0]], &models_[1][contexts[1]]},
+                             &weights_[scale_class / 4 * 4 + axis]};
     std::int64_t number = 0;
     if constexpr (Coder::kWrites) {
       const std::int32_t way = level - base;

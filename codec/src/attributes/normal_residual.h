@@ -68,7 +68,7 @@ class NormalResidualCoder {
   [[gnu::always_inline]] std::int64_t code_number(Coder& coder, std::int64_t value, unsigned shift,
                                                   std::uint32_t scale, std::uint32_t axis,
                                                   std::uint32_t first, std::uint32_t second) {
-    const Mixture<2> mixture({&by_scale_[first], &by_apart_[second]}, &mixes_[scale * 2 + axis]);
+    const Mixture<2> mixture{{&by_scale_[first], &by_apart_[second]}, &mixes_[scale * 2 + axis]};
     return numbers_.code(coder, value, shift, mixture);
   }
 

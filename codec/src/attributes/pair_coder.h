@@ -82,10 +82,10 @@ class PairCoder {
     const std::uint32_t coded = axis + (axis != 0 ? std::min(other >> shift, 3U) : 0);
     const std::uint32_t scale_class = size_class(scale >> shift);
     const std::uint32_t is_shifted = shift != 0 ? 1 : 0;
-    const Mixture<2> mixture(
+    const Mixture<2> mixture{
         {&by_near_[(size_class(near >> shift) * kPairKinds + context.kind) * kBefores + coded],
          &by_spread_[(size_class(spread >> shift) * 2 + is_shifted) * kBefores + coded]},
-        &mixes_[scale_class * 2 + axis]);
+        &mixes_[scale_class * 2 + axis]};
     const std::int64_t result = numbers_.code(coder, number, shift, mixture);
     if (result < -kLargestPairNumber || result > kLargestPairNumber) return false;
     number = static_cast<std::int32_t>(result);

@@ -32,12 +32,9 @@ inline unsigned set_lanes(EightShorts low, EightShorts high) noexcept {
   return static_cast<unsigned>(simde_mm_movemask_epi8(bytes));
 }
 
-/// The first four lanes, or the last four.
+/// The first four lanes.
 inline FourInts low_ints(EightShorts lanes) noexcept {
   return reinterpret_cast<FourInts>(pick_lanes<0, 0, 1, 1, 2, 2, 3, 3>(lanes)) >> 16;
-}
-inline FourInts high_ints(EightShorts lanes) noexcept {
-  return reinterpret_cast<FourInts>(pick_lanes<4, 4, 5, 5, 6, 6, 7, 7>(lanes)) >> 16;
 }
 
 /// The first four lanes, twice.
@@ -67,6 +64,13 @@ inline EightShorts in_turns(std::int32_t of_a, std::int32_t of_b) noexcept {
 /// What the first four lanes of `a` and of `b`, times the weights of both in turns, add up to.
 inline FourInts weighted_sums(EightShorts a, EightShorts b, EightShorts weights) noexcept {
   const EightShorts pairs = pick_lanes<0, 8, 1, 9, 2, 10, 3, 11>(a, b);
+  return reinterpret_cast<FourInts>(
+      simde_mm_madd_epi16(reinterpret_cast<simde__m128i>(pairs), reinterpret_cast<simde__m128i>(weights)));
+}
+
+/// The same of the last four lanes.
+inline FourInts weighted_high_sums(EightShorts a, EightShorts b, EightShorts weights) noexcept {
+  const EightShorts pairs = pick_lanes<4, 12, 5, 13, 6, 14, 7, 15>(a, b);
   return reinterpret_cast<FourInts>(
       simde_mm_madd_epi16(reinterpret_cast<simde__m128i>(pairs), reinterpret_cast<simde__m128i>(weights)));
 }

@@ -63,12 +63,6 @@ inline FourInts mean_lanes(FourInts lanes, unsigned count) noexcept {
 /// Rounded to the nearest, ties to even.
 inline FourFloats to_floats(FourInts lanes) noexcept { return __builtin_convertvector(lanes, FourFloats); }
 
-/// Products of lanes that 16 bits hold.
-inline FourInts multiply_short_lanes(FourInts a, FourInts b) noexcept {
-  return reinterpret_cast<FourInts>(
-      simde_mm_madd_epi16(reinterpret_cast<simde__m128i>(a & 0xffff), reinterpret_cast<simde__m128i>(b)));
-}
-
 /// A third of the lanes' sum, rounded down, in every lane. No lane is below 0, the sum is below 2^31.
 inline FourInts third_of_sum(FourInts lanes) noexcept {
   const FourInts halves = lanes + pick_lanes<2, 3, 0, 1>(lanes);

@@ -191,29 +191,20 @@ inline Interval interval_of(const LaneSum& starts, unsigned symbol) noexcept {
 /// `K` models of the same symbol in different contexts, and their weights.
 template <std::size_t K>
 struct Mixture {
-  [[gnu::always_inline]] Mixture(const std::array<SymbolModel*, K>& of, MixWeights<K>* weights) noexcept
-      : Mixture(of, *weights, weights) {}
-  /// `learning`: weights that learn; null where none do.
-  [[gnu::always_inline]] Mixture(const std::array<SymbolModel*, K>& of, const MixWeights<K>& weights,
-                                 MixWeights<K>* learning) noexcept
-      : models(of), used(weights), taught(learning) {}
-
   /// Lane i: parts of 2^15 of the symbols below i; each symbol has 2 at least [CMP-6].
   [[gnu::always_inline]] LaneSum starts() const noexcept {
     std::array<const std::int16_t*, K> lanes;
     for (std::size_t k = 0; k < K; ++k) lanes[k] = models[k]->lanes();
     LaneSum sum(kFloor);
-    sum.template add_weighted<K>(lanes, used.values());
+    sum.template add_weighted<K>(lanes, weights->values());
     return sum;
   }
 
   [[gnu::always_inline]] void learn(unsigned symbol, std::uint32_t size) const noexcept {
     if constexpr (K > 1) {
-      if (taught != nullptr) {
-        std::array<std::int32_t, K> shares;
-        for (std::size_t k = 0; k < K; ++k) shares[k] = models[k]->share(symbol);
-        taught->learn(shares, size);
-      }
+      std::array<std::int32_t, K> shares;
+      for (std::size_t k = 0; k < K; ++k) shares[k] = models[k]->share(symbol);
+      weights->learn(shares, size);
     }
     for (std::size_t k = 0; k < K; ++k) models[k]->learn(symbol);
   }
@@ -221,8 +212,7 @@ struct Mixture {
   static constexpr Lanes kFloor = {0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30};
 
   std::array<SymbolModel*, K> models;
-  MixWeights<K> used;
-  MixWeights<K>* taught;
+  MixWeights<K>* weights;
 };
 
 /// Probability of a set bit: the mean of a fast and a slow estimate [CMP-7].

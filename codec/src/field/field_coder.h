@@ -59,9 +59,11 @@ class FieldCoder {
   /// What a vertex is coded with: a reader's copy, which a compiler can keep in registers, or a writer.
   using Held = std::conditional_t<Coder::kWrites, Coder&, Coder>;
 
+  using Weights = MixWeights<kFieldModels>;
+
   template <unsigned kAxis>
   [[gnu::always_inline]] bool code_axis(Coder& coder, FieldForecasts& forecasts, FieldNumbers& q) {
-    const std::int64_t coded = code(coder, q[kAxis], forecasts.template of<kAxis>());
+    const std::int64_t coded = code(coder, q[kAxis], forecasts.template of<kAxis>(), mixes_[kAxis]);
     if (coded < -kLargestFieldValue || coded > kLargestFieldValue) return false;
     q[kAxis] = static_cast<std::int32_t>(coded);
     forecasts.template settle<kAxis>(q[kAxis]);
@@ -73,19 +75,19 @@ class FieldCoder {
     const FieldForecast forecast = forecasts.template of<kAxis>();
     const std::int32_t q = choose(kAxis, [&](std::int32_t candidate) {
       const auto trial = coder_.trial();
-      code(coder_, candidate, forecast);
+      code(coder_, candidate, forecast, mixes_[kAxis]);
       return trial.bits();
     });
-    code(coder_, q, forecast);
+    code(coder_, q, forecast, mixes_[kAxis]);
     forecasts.template settle<kAxis>(q);
     return q;
   }
 
   /// Returns the number, of any size where the stream lies.
-  [[gnu::always_inline]] std::int64_t code(Coder& coder, std::int64_t q, const FieldForecast& f) {
-    if (f.shift > kMostLowBits) __builtin_unreachable();  // no scale is above 2^17
-    const Mixture<kFieldModels> mixture({&models_[0][f.contexts[0]], &models_[1][f.contexts[1]]},
-                                        MixWeights<kFieldModels>(), nullptr);
+  [[gnu::always_inline]] std::int64_t code(Coder& coder, std::int64_t q, const FieldForecast& f,
+                                           Weights& weights) {
+    if (f.shift > kMostLowBits) __builtin_unreachable();  // no scale is above 2^16
+    const Mixture<kFieldModels> mixture{{&models_[0][f.contexts[0]], &models_[1][f.contexts[1]]}, &weights};
     const std::int64_t number = ((q - f.base) ^ f.sign) - f.sign;
     const std::int64_t result = numbers_.code(coder, number, f.shift, mixture);
     return ((result ^ f.sign) - f.sign) + f.base;
@@ -94,6 +96,7 @@ class FieldCoder {
   Coder& coder_;
   FieldHistory history_;
   std::array<std::vector<SymbolModel>, kFieldModels> models_;
+  std::array<Weights, 3> mixes_;  ///< by axis
   SplitNumberCoder<Coder> numbers_;
 };
 

@@ -27,8 +27,8 @@ constexpr std::uint32_t octave_class(std::uint32_t value) noexcept {
   return std::min(4 * octave + ((v >> octave) & 3), 23U);
 }
 
-/// By value. No value is larger: 2 / 16 of each of a field's magnitudes are in the scale, whose unit makes it
-/// less than 64.
+/// By value. No value is larger: an eighth of each of a field's magnitudes is in the scale, whose unit makes
+/// it less than 64.
 inline constexpr auto kOctaveClass = tabulate<std::uint8_t, 512>(octave_class);
 
 }  // namespace deltamesh
