@@ -140,7 +140,7 @@ std::optional<CodedNormals> write_surface_normals(std::span<const float> normals
 
   CompactWriter writer;
   NormalWalk walk(writer, choice, surface, parameters);
-  walk.run([] { return false; });
+  if (!walk.run([] { return false; })) return std::nullopt;
   CodedNormals coded;
   coded.values = walk.values();
   ByteWriter out;
