@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <utility>
 
+#include "attributes/pair_choice.h"
 #include "attributes/surface_tangents.h"
 #include "attributes/tangent_coder.h"
 #include "base/portable_math.h"
@@ -49,33 +49,18 @@ class TangentChoice {
     return (tangent[3] < 0) == is_negative(vertex) && is_near(vertex, tangent);
   }
 
-  /// Of the four lattice points around the source the one nearest to the forecast that will do.
   NumberPair nearest(std::uint32_t vertex, const NormalFrame& frame, PlanePoint center) const noexcept {
     const auto x = point_of(frame, source(vertex));
     const auto step = static_cast<double>(step_);
     const std::array<double, 2> steps = {(x[0] - static_cast<double>(center[0])) / step,
                                          (x[1] - static_cast<double>(center[1])) / step};
-    NumberPair best = {static_cast<std::int32_t>(std::round(steps[0])),
-                       static_cast<std::int32_t>(std::round(steps[1]))};
-    double least = size_of(best);
-    for (std::int32_t k = 0; k < 4; ++k) {
-      const NumberPair pair = {static_cast<std::int32_t>(std::floor(steps[0])) + (k & 1),
-                               static_cast<std::int32_t>(std::floor(steps[1])) + (k >> 1)};
+    return choose_pair(steps, [&](const NumberPair& pair) {
       Tangent tangent{};
-      if (size_of(pair) >= least || !Coder::tangent_at(frame, center, pair, step_, tangent) ||
-          !is_near(vertex, tangent))
-        continue;
-      best = pair;
-      least = size_of(pair);
-    }
-    return best;
+      return Coder::tangent_at(frame, center, pair, step_, tangent) && is_near(vertex, tangent);
+    });
   }
 
  private:
-  static double size_of(const NumberPair& pair) noexcept {
-    return static_cast<double>(pair[0]) * pair[0] + static_cast<double>(pair[1]) * pair[1];
-  }
-
   Vec3 source(std::uint32_t vertex) const noexcept {
     Vec3 direction = vector_of(tangents_, vertex);
     normalize(direction);
@@ -109,12 +94,7 @@ std::optional<CodedTangents> write_surface_tangents(std::span<const float> tange
   TangentCoder coder(writer, surface, basis.normals, basis.uvs, step, TangentChoice(tangents, chord, step));
   for (std::size_t i = 0; i < coder.count(); ++i)
     if (!coder.code(i)) return std::nullopt;
-  const auto stream = writer.finish();
-  std::vector<std::byte> bytes(sizeof(float) + stream.size());
-  const auto bits = std::bit_cast<std::uint32_t>(step);
-  for (std::size_t k = 0; k < sizeof(float); ++k) bytes[k] = static_cast<std::byte>(bits >> (8 * k));
-  std::copy(stream.begin(), stream.end(), bytes.begin() + sizeof(float));
-  return CodedTangents{.bytes = std::move(bytes), .values = std::move(coder.values())};
+  return CodedTangents{.bytes = step_and_stream(step, writer.finish()), .values = std::move(coder.values())};
 }
 
 }  // namespace deltamesh

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <utility>
 
+#include "attributes/pair_choice.h"
 #include "attributes/surface_uvs.h"
 #include "attributes/uv_coder.h"
 #include "entropy/compact_writer.h"
@@ -39,31 +39,15 @@ class UvChoice {
     return is_near(vertex, value[0], value[1]);
   }
 
-  /// Of the four lattice points around the source the one nearest to the forecast that will do: the circle of
-  /// the bound holds one of them, as the cell's diagonal is its diameter.
   NumberPair nearest(std::uint32_t vertex, TwoDoubles forecast) const noexcept {
     const TwoDoubles steps = (source(vertex) - forecast) / step_;
-    NumberPair best = {static_cast<std::int32_t>(std::round(steps[0])),
-                       static_cast<std::int32_t>(std::round(steps[1]))};
-    double least = size_of(best);
-    for (std::int32_t k = 0; k < 4; ++k) {
-      const NumberPair pair = {static_cast<std::int32_t>(std::floor(steps[0])) + (k & 1),
-                               static_cast<std::int32_t>(std::floor(steps[1])) + (k >> 1)};
-      if (size_of(pair) >= least) continue;
-      if (!is_near(vertex, static_cast<double>(Coder::coordinate(forecast, pair, step_, 0)),
-                   static_cast<double>(Coder::coordinate(forecast, pair, step_, 1))))
-        continue;
-      best = pair;
-      least = size_of(pair);
-    }
-    return best;
+    return choose_pair({steps[0], steps[1]}, [&](const NumberPair& pair) {
+      return is_near(vertex, static_cast<double>(Coder::coordinate(forecast, pair, step_, 0)),
+                     static_cast<double>(Coder::coordinate(forecast, pair, step_, 1)));
+    });
   }
 
  private:
-  static double size_of(const NumberPair& pair) noexcept {
-    return static_cast<double>(pair[0]) * pair[0] + static_cast<double>(pair[1]) * pair[1];
-  }
-
   bool is_near(std::uint32_t vertex, double u, double v) const noexcept {
     const double off_u = u - static_cast<double>(uvs_[std::size_t{2} * vertex]);
     const double off_v = v - static_cast<double>(uvs_[std::size_t{2} * vertex + 1]);
@@ -96,12 +80,7 @@ std::optional<CodedUvs> write_surface_uvs(std::span<const float> uvs, double max
                 UvChoice(uvs, max_distance * kKept, static_cast<double>(step)));
   for (std::size_t i = 0; i < coder.count(); ++i)
     if (!coder.code(i)) return std::nullopt;
-  const auto stream = writer.finish();
-  std::vector<std::byte> bytes(sizeof(float) + stream.size());
-  const auto bits = std::bit_cast<std::uint32_t>(step);
-  for (std::size_t k = 0; k < sizeof(float); ++k) bytes[k] = static_cast<std::byte>(bits >> (8 * k));
-  std::copy(stream.begin(), stream.end(), bytes.begin() + sizeof(float));
-  return CodedUvs{.bytes = std::move(bytes), .values = std::move(coder.values())};
+  return CodedUvs{.bytes = step_and_stream(step, writer.finish()), .values = std::move(coder.values())};
 }
 
 }  // namespace deltamesh

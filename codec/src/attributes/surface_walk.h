@@ -24,6 +24,15 @@ struct SurfaceWalk {
     const std::uint32_t begin = i == 0 ? 0 : ends[i - 1];
     return {complete.data() + begin, complete.data() + ends[i]};
   }
+
+  /// Of these faces the other corners, all of which come before.
+  template <class Visit>
+  void for_corners_before(std::size_t i, Visit visit) const {
+    for (const Corner& corner : completed_by(i)) {
+      visit(corner.next);
+      visit(corner.before);
+    }
+  }
 };
 
 /// `corners`: those of `triangles`. O(n + m).

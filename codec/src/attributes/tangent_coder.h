@@ -9,12 +9,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "attributes/attribute_surface.h"
+#include "attributes/equal_copies.h"
 #include "attributes/pair_coder.h"
 #include "attributes/surface_walk.h"
 #include "attributes/tangent_forecast.h"
@@ -37,18 +36,15 @@ class TangentCoder {
   TangentCoder(Coder& coder, const AttributeSurface& surface, std::span<const float> normals,
                std::span<const float> uvs, float step, Choice choice)
       : coder_(coder),
-        surface_(surface),
         step_(step),
         choice_(choice),
         walk_(surface.walk()),
         forecaster_(surface, walk_, normals, uvs),
         pairs_(coder),
+        copies_(coder, surface),
         sizes_(surface.vertex_count()),
-        equal_(surface.vertex_count()),
         against_(surface.vertex_count()),
-        values_(std::size_t{4} * surface.vertex_count()) {
-    if (!surface.geometric().empty()) last_copy_.assign(surface.vertex_count(), kNone);
-  }
+        values_(std::size_t{4} * surface.vertex_count()) {}
 
   std::size_t count() const noexcept { return walk_.order.size(); }
 
@@ -56,9 +52,12 @@ class TangentCoder {
   bool code(std::size_t i) {
     const std::uint32_t vertex = walk_.order[i];
     const TangentForecast forecast = forecaster_.forecast(i);
-    const std::uint32_t copy = find_copy(vertex);
+    const std::uint32_t copy = copies_.last(vertex);
+    const bool has_copy = copy != EqualCopies<Coder>::kNone;
+    bool is_equal = false;
+    if constexpr (Coder::kWrites) is_equal = has_copy && choice_.will_do(vertex, value(copy));
     Tangent tangent{};
-    if (copy != kNone && code_equal(i, vertex, value(copy))) {
+    if (has_copy && copies_.code(i, is_equal)) {
       tangent = value(copy);
     } else {
       NumberPair pair{};
@@ -91,7 +90,6 @@ class TangentCoder {
   }
 
  private:
-  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   static constexpr std::uint32_t kFresh = 4096;
   static constexpr std::uint32_t kMostNear = 1U << 17;
 
@@ -101,26 +99,10 @@ class TangentCoder {
     return tangent;
   }
 
-  /// The copy that was coded last, which `vertex` becomes.
-  std::uint32_t find_copy(std::uint32_t vertex) noexcept {
-    if (last_copy_.empty()) return kNone;
-    return std::exchange(last_copy_[surface_.geometric_of(vertex)], vertex);
-  }
-
-  bool code_equal(std::size_t i, std::uint32_t vertex, const Tangent& copy) {
-    unsigned context = 0;
-    for_corners_before(i, [&](std::uint32_t before) { context |= equal_[before]; });
-    bool is_equal = false;
-    if constexpr (Coder::kWrites) is_equal = choice_.will_do(vertex, copy);
-    is_equal = coder_.bit(is_equal, equal_models_[context]);
-    equal_[vertex] = is_equal ? 2 : 1;
-    return is_equal;
-  }
-
   /// Whether the sign is what the texture's orientation says, in the context of whether it was before.
   bool code_sign(std::size_t i, std::uint32_t vertex, const TangentForecast& forecast) {
     unsigned context = 0;
-    for_corners_before(i, [&](std::uint32_t before) { context |= against_[before]; });
+    walk_.for_corners_before(i, [&](std::uint32_t before) { context |= against_[before]; });
     bool is_against = false;
     if constexpr (Coder::kWrites) is_against = choice_.is_negative(vertex) == forecast.is_mirrored;
     is_against = coder_.bit(is_against, sign_models_[context]);
@@ -132,7 +114,7 @@ class TangentCoder {
     PairContext context{.kind = static_cast<std::uint32_t>(forecast.source)};
     std::array<std::uint64_t, 2> sum{};
     std::uint32_t count = 0;
-    for_corners_before(i, [&](std::uint32_t before) {
+    walk_.for_corners_before(i, [&](std::uint32_t before) {
       for (std::size_t k = 0; k < 2; ++k) sum[k] += sizes_[before][k];
       ++count;
     });
@@ -150,27 +132,16 @@ class TangentCoder {
     return true;
   }
 
-  template <class Visit>
-  void for_corners_before(std::size_t i, Visit visit) const {
-    for (const Corner& corner : walk_.completed_by(i)) {
-      visit(corner.next);
-      visit(corner.before);
-    }
-  }
-
   Coder& coder_;
-  const AttributeSurface& surface_;
   float step_;
   Choice choice_;
   const SurfaceWalk& walk_;
   TangentForecaster forecaster_;
   PairCoder<Coder> pairs_;
-  std::array<BitModel, 4> equal_models_;
+  EqualCopies<Coder> copies_;
   std::array<BitModel, 4> sign_models_;
   std::vector<std::array<std::uint32_t, 2>> sizes_;  ///< of the numbers, smoothed, 1/16 steps
-  std::vector<std::uint8_t> equal_;                  ///< 0 without a copy
   std::vector<std::uint8_t> against_;                ///< 0 where no sign was coded
-  std::vector<std::uint32_t> last_copy_;             ///< by geometric vertex
   std::vector<float> values_;                        ///< n x 4
 };
 

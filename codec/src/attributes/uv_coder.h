@@ -10,12 +10,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "attributes/attribute_surface.h"
+#include "attributes/equal_copies.h"
 #include "attributes/pair_coder.h"
 #include "attributes/surface_walk.h"
 #include "attributes/uv_forecast.h"
@@ -37,18 +36,14 @@ template <class Coder, class Numbers>
 class UvCoder {
  public:
   UvCoder(Coder& coder, const AttributeSurface& surface, double step, Numbers numbers)
-      : coder_(coder),
-        surface_(surface),
-        step_(step),
+      : step_(step),
         choice_(numbers),
         walk_(surface.walk()),
         forecaster_(surface, walk_),
         pairs_(coder),
+        copies_(coder, surface),
         sizes_(surface.vertex_count()),
-        equal_(surface.vertex_count()),
-        values_(std::size_t{2} * surface.vertex_count()) {
-    if (!surface.geometric().empty()) last_copy_.assign(surface.vertex_count(), kNone);
-  }
+        values_(std::size_t{2} * surface.vertex_count()) {}
 
   std::size_t count() const noexcept { return walk_.order.size(); }
 
@@ -56,9 +51,12 @@ class UvCoder {
   bool code(std::size_t i) {
     const std::uint32_t vertex = walk_.order[i];
     const UvForecast forecast = forecaster_.forecast(i);
-    const std::uint32_t copy = find_copy(vertex);
+    const std::uint32_t copy = copies_.last(vertex);
+    const bool has_copy = copy != EqualCopies<Coder>::kNone;
+    bool is_equal = false;
+    if constexpr (Coder::kWrites) is_equal = has_copy && choice_.is_within(vertex, forecaster_.value(copy));
     TwoDoubles value{};
-    if (copy != kNone && code_equal(i, vertex, forecaster_.value(copy))) {
+    if (has_copy && copies_.code(i, is_equal)) {
       value = forecaster_.value(copy);
     } else {
       NumberPair pair{};
@@ -82,7 +80,6 @@ class UvCoder {
   }
 
  private:
-  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   static constexpr double kMostSize = 0x1p17;  ///< 1/16 steps
 
   /// Forecasts far off are cut; what is not a number becomes 0.
@@ -93,24 +90,6 @@ class UvCoder {
     return place;
   }
 
-  /// The copy that was coded last, which `vertex` becomes.
-  std::uint32_t find_copy(std::uint32_t vertex) noexcept {
-    if (last_copy_.empty()) return kNone;
-    std::uint32_t& last = last_copy_[surface_.geometric_of(vertex)];
-    return std::exchange(last, vertex);
-  }
-
-  /// What the corners before said of their copies: 1 for apart, 2 for equal, both added.
-  bool code_equal(std::size_t i, std::uint32_t vertex, TwoDoubles value) {
-    unsigned context = 0;
-    for_corners_before(i, [&](std::uint32_t before) { context |= equal_[before]; });
-    bool is_equal = false;
-    if constexpr (Coder::kWrites) is_equal = choice_.is_within(vertex, value);
-    is_equal = coder_.bit(is_equal, equal_models_[context]);
-    equal_[vertex] = is_equal ? 2 : 1;
-    return is_equal;
-  }
-
   bool code_pair(std::size_t i, std::uint32_t vertex, const UvForecast& forecast, NumberPair& pair) {
     PairContext context;
     if (forecast.is_start) {
@@ -118,7 +97,7 @@ class UvCoder {
     } else {
       std::uint64_t sum = 0;
       std::uint32_t count = 0;
-      for_corners_before(i, [&](std::uint32_t before) {
+      walk_.for_corners_before(i, [&](std::uint32_t before) {
         sum += sizes_[before];
         ++count;
       });
@@ -135,29 +114,17 @@ class UvCoder {
     return true;
   }
 
-  template <class Visit>
-  void for_corners_before(std::size_t i, Visit visit) const {
-    for (const Corner& corner : walk_.completed_by(i)) {
-      visit(corner.next);
-      visit(corner.before);
-    }
-  }
-
   static constexpr std::uint32_t kFresh = 4096;
   static constexpr std::uint32_t kMostNear = 1U << 17;
 
-  Coder& coder_;
-  const AttributeSurface& surface_;
   double step_;
   Numbers choice_;
   const SurfaceWalk& walk_;
   UvForecaster forecaster_;
   PairCoder<Coder> pairs_;
-  std::array<BitModel, 4> equal_models_;
-  std::vector<std::uint32_t> sizes_;      ///< of the pair, smoothed, 1/16 steps
-  std::vector<std::uint8_t> equal_;       ///< 0 without a copy
-  std::vector<std::uint32_t> last_copy_;  ///< by geometric vertex
-  std::vector<float> values_;             ///< n x 2
+  EqualCopies<Coder> copies_;
+  std::vector<std::uint32_t> sizes_;  ///< of the pair, smoothed, 1/16 steps
+  std::vector<float> values_;         ///< n x 2
 };
 
 }  // namespace deltamesh
