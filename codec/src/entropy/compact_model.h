@@ -33,12 +33,6 @@ struct Interval {
   std::uint32_t size;  ///< at least 1
 };
 
-/// The share of `value` among `range` (1 to 2^15) values alike [CMP-10].
-constexpr Interval part_of(std::uint32_t value, std::uint32_t range) noexcept {
-  const std::uint32_t start = (value << kProbabilityBits) / range;
-  return {start, ((value + 1) << kProbabilityBits) / range - start};
-}
-
 /// Bits that follow a symbol, at most kMostBitsAtOnce + 1 [CMP-12].
 struct LowBits {
   unsigned count = 0;

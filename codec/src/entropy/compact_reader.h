@@ -72,12 +72,6 @@ class CompactReader {
     return low | take_bits(count - kMostBitsAtOnce) << kMostBitsAtOnce;
   }
 
-  std::uint32_t uniform(std::uint32_t, std::uint32_t range) noexcept {
-    const std::uint32_t value = ((slot_of_state() + 1) * range - 1) >> kProbabilityBits;
-    take(part_of(value, range));
-    return value;
-  }
-
   std::uint32_t number(std::uint32_t, NumberModel& model) noexcept { return code_number(*this, 0, model); }
 
   /// True where words are missing: what came since is made up. Loops over symbols ask every so often.

@@ -63,12 +63,6 @@ class CompactWriter {
     return value;
   }
 
-  /// `value` below `range`, 1 to 2^15; all values alike [CMP-10].
-  std::uint32_t uniform(std::uint32_t value, std::uint32_t range) {
-    put(part_of(value, range));
-    return value;
-  }
-
   std::uint32_t number(std::uint32_t value, NumberModel& model) { return code_number(*this, value, model); }
 
   /// The stream. The writer is empty afterwards. O(symbols).

@@ -11,13 +11,14 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "base/large_vector.h"
 #include "base/zigzag.h"
 #include "predictive/blend.h"
 #include "predictive/residual_coder.h"
+#include "predictive/voxel_edge_models.h"
 #include "predictive/voxel_faces.h"
+#include "predictive/voxel_level_coder.h"
 #include "predictive/voxel_view.h"
 
 namespace deltamesh {
@@ -32,20 +33,16 @@ class VoxelCoder {
         faces_(faces),
         largest_(largest),
         grid_(levels),
+        levels_(coder, levels),
         residuals_(coder),
         spots_(std::size_t{faces.vertex_count()} + kNoCube.size() + 1),
-        nodes_(spots_.size()),
-        set_places_(voxel::kPairKinds << voxel::kEdges) {
+        nodes_(spots_.size()) {
     spots_[faces.none()] = kOffEdges;
     nodes_[faces.none()] = kNowhere;
     for (std::size_t i = 0; i < kNoCube.size(); ++i) {
       nodes_[faces.none() + 1 + i] = kNoCube[i];
       spots_[faces.none() + 1 + i] = spot_of({kNoCube[i][0], kNoCube[i][1], kNoCube[i][2]}, 0, 0);
     }
-    while ((levels - 1) >> low_bits_ >= kSymbols) ++low_bits_;
-    std::array<std::uint8_t, kSymbols> weights{};
-    for (std::uint32_t i = 0; i <= (levels - 1) >> low_bits_; ++i) weights[i] = 1;
-    level_models_.assign(std::size_t{VoxelPair::kPlaces} * VoxelPair::kPlaces, SymbolModel(weights));
   }
 
   /// The vertex of this turn in the first walk, from 0, and the one in the second; those of the turns before
@@ -88,7 +85,6 @@ class VoxelCoder {
     VoxelSpot told;
   };
 
-  static constexpr std::size_t kOpposites = VoxelPair::kOpen + 1;
   static constexpr unsigned kFree = 3;
   static constexpr SymbolModel kFreshStart{{8, 8, 8, 8, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
   /// Two edges of one cube, for faces of vertices without a cube.
@@ -135,28 +131,14 @@ class VoxelCoder {
   }
 
   [[gnu::always_inline]] unsigned code_number(std::size_t i, const VoxelPair& pair, const Vertex& vertex) {
-    std::uint16_t& place = set_places_[pair.kind(i) << voxel::kEdges | pair.likely(i)];
-    if (place == 0) [[unlikely]]
-      place = add_models(pair.likely(i));
     unsigned number = voxel::kNoEdge;
     if constexpr (Coder::kWrites) {
       if (vertex.is_near) number = pair.number_of(i, vertex.told);
       if (vertex.is_near && number == voxel::kNoEdge && pair.is_open(i) && pair.higher_has(i, vertex.told))
         number = VoxelPair::kOpen;
     }
-    SymbolModel& model = edge_models_[std::size_t{place} * kOpposites - kOpposites + pair.opposite(i)];
+    SymbolModel& model = edge_models_.of(pair.kind(i), pair.likely(i), pair.opposite(i));
     return coder_.symbol(number, Mixture<1>{{&model}, &edge_weights_});
-  }
-
-  /// For a set of likely edges that was not seen before: where they are, from 1.
-  [[gnu::noinline]] std::uint16_t add_models(unsigned likely) {
-    std::array<std::uint8_t, kSymbols> weights{};
-    for (unsigned i = 0; i < voxel::kEdges; ++i) weights[i] = (likely >> i & 1) != 0 ? 20 : 1;
-    weights[voxel::kNoEdge] = 1;
-    edge_models_.resize(edge_models_.size() + VoxelPair::kOpen, SymbolModel(weights));
-    weights[VoxelPair::kOpen] = 100;
-    edge_models_.push_back(SymbolModel(weights));
-    return static_cast<std::uint16_t>(edge_models_.size() / kOpposites);
   }
 
   [[gnu::always_inline]] const char* code_vertex(std::size_t i, VoxelPair& pair, const Corners& corners,
@@ -173,7 +155,7 @@ class VoxelCoder {
     const unsigned edge = pair.edge_of(i, number);
     std::int32_t level = 0;
     if constexpr (Coder::kWrites) level = vertex.cut->level;
-    level = code_level(level, pair.mean_on(i, edge), pair.plane_on(i, edge));
+    level = levels_.code(level, pair.mean_on(i, edge), pair.plane_on(i, edge));
     nodes_[vertex.number] = nodes_[corners[i].star[0]] + pair.steps_to(i, edge);
     spots_[vertex.number] = pair.spot_on(i, edge, grid_.part_of(level));
     return settle(vertex.number, edge / 4, level, cells[vertex.number]);
@@ -214,7 +196,7 @@ class VoxelCoder {
       node[a] = static_cast<std::int32_t>(coded);
     }
     const std::int32_t level =
-        code_level(cut ? cut->level : 0, VoxelPair::kMiddlePlace, VoxelPair::kMiddlePlace);
+        levels_.code(cut ? cut->level : 0, VoxelPair::kMiddlePlace, VoxelPair::kMiddlePlace);
     nodes_[vertex] = FourInts{node[0], node[1], node[2], 0};
     spots_[vertex] = spot_of(node, start, grid_.part_of(level));
     return settle(vertex, start, level, cells[vertex]);
@@ -238,31 +220,17 @@ class VoxelCoder {
     return nullptr;
   }
 
-  /// Which of the levels along its edge a vertex is at. `mean` and `plane`: places where it is expected.
-  [[gnu::always_inline]] std::int32_t code_level(std::int32_t level, std::int32_t mean, std::int32_t plane) {
-    if (grid_.levels() == 1) return 0;
-    SymbolModel& model = level_models_[static_cast<std::size_t>(mean * VoxelPair::kPlaces + plane)];
-    const auto high = static_cast<std::int32_t>(
-        coder_.symbol(static_cast<unsigned>(level) >> low_bits_, Mixture<1>{{&model}, &level_weights_}));
-    if (low_bits_ == 0) return high;
-    const std::uint32_t low = static_cast<std::uint32_t>(level) & ((1U << low_bits_) - 1);
-    return high << low_bits_ | static_cast<std::int32_t>(coder_.bits(low, low_bits_));
-  }
-
   Coder& coder_;
   const VoxelFaces& faces_;
   std::array<std::uint32_t, 3> largest_;
   VoxelGrid grid_;
+  VoxelLevelCoder<Coder> levels_;
   std::optional<ResidualHistory> history_;  ///< of vertices on no edge, once there is one
   ResidualCoder<Coder> residuals_;
-  LargeVector<VoxelSpot> spots_;           ///< then kOffEdges and kNoCube
-  LargeVector<FourInts> nodes_;            ///< likewise
-  unsigned low_bits_ = 0;                  ///< of a level, outside its symbol
-  std::vector<std::uint16_t> set_places_;  ///< by kind and set of likely edges: of edge_models_, or 0
-  std::vector<SymbolModel> edge_models_;   ///< by place from 1, and opposite
+  LargeVector<VoxelSpot> spots_;  ///< then kOffEdges and kNoCube
+  LargeVector<FourInts> nodes_;   ///< likewise
+  VoxelEdgeModels edge_models_;
   MixWeights<1> edge_weights_;
-  std::vector<SymbolModel> level_models_;
-  MixWeights<1> level_weights_;
   SymbolModel start_{kFreshStart};
   MixWeights<1> start_weights_;
   std::array<NumberModel, 3> start_nodes_;

@@ -504,17 +504,6 @@ TEST(Predictive, EveryBudgetAboveTheLeastIsMet) {
   }
 }
 
-TEST(Compact, CMP10NumbersOfAnyRangeComeBack) {
-  CompactWriter writer;
-  for (std::uint32_t range = 1; range <= 32768; range = range * 5 / 3 + 1)
-    for (const std::uint32_t value : {0U, range / 3, range - 1}) writer.uniform(value, range);
-  const auto bytes = writer.finish();
-  CompactReader reader(bytes);
-  for (std::uint32_t range = 1; range <= 32768; range = range * 5 / 3 + 1)
-    for (const std::uint32_t value : {0U, range / 3, range - 1}) EXPECT_EQ(reader.uniform(0, range), value);
-  EXPECT_TRUE(reader.finish(0));
-}
-
 TEST(Predictive, HDR14TheMostBitsAreCoded) {
   Mesh mesh;
   mesh.positions = {0, 0, 0, 1, 0, 0, 0.3F, 0.7F, 0.1F};
