@@ -25,10 +25,9 @@ struct CodedNormals {
 };
 
 /// `normals`: n x 3, by coded vertex. Every decoded normal is at most `max_degrees` from its original; zero
-/// vectors stay zero. `surface.geometric()` must not fall from vertex to vertex. Empty
-/// where a normal is not finite or, not being zero, has a length more than 1 % off 1, where `max_degrees`
-/// is not between kLeastNormalError and kMostNormalError, or where no lattice point stands for a normal. O(n
-/// + m).
+/// vectors stay zero. `surface.geometric()` must not fall from vertex to vertex. Empty where a normal is not
+/// finite or, not being zero, has a length more than 1 % off 1, where no lattice point stands for one, or
+/// where `max_degrees` is not between kLeastNormalError and kMostNormalError. O(n + m).
 std::optional<CodedNormals> write_surface_normals(std::span<const float> normals, double max_degrees,
                                                   const AttributeSurface& surface);
 
