@@ -2,10 +2,13 @@
 function(deltamesh_configure target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF CXX_VISIBILITY_PRESET hidden
-                        VISIBILITY_INLINES_HIDDEN ON POSITION_INDEPENDENT_CODE ON)
+                        VISIBILITY_INLINES_HIDDEN ON)
+  if(NOT EMSCRIPTEN)
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  endif()
   # The same floats from every compiler: no fused multiply-add that the source does not ask for.
   target_compile_options(${target} PRIVATE -ffp-contract=off)
-  if(CMAKE_SIZEOF_VOID_P EQUAL 4 AND CMAKE_SYSTEM_PROCESSOR MATCHES "86")
+  if(CMAKE_SIZEOF_VOID_P EQUAL 4 AND CMAKE_SYSTEM_PROCESSOR MATCHES "86" AND NOT EMSCRIPTEN)
     target_compile_options(${target} PRIVATE -msse2 -mfpmath=sse)
   endif()
   if(DELTAMESH_DEVELOPER_MODE)

@@ -14,6 +14,10 @@
 #include "base/pick_lanes.h"
 #include "base/two_doubles.h"
 
+#ifdef __wasm_simd128__
+#include <wasm_simd128.h>
+#endif
+
 namespace deltamesh {
 
 using FourInts = std::int32_t __attribute__((vector_size(16)));
@@ -90,7 +94,14 @@ inline FourInts clamp_lanes(FourInts lanes, std::int32_t most) noexcept {
 
 /// The nearest whole numbers, of two the even one; -2^31 for what has none of 32 bits.
 inline FourInts nearest_lanes(FourFloats lanes) noexcept {
+#ifdef __wasm_simd128__  // as SSE2, which WebAssembly has no such instruction of
+  const FourInts fits = (lanes >= -0x1p31F) & (lanes < 0x1p31F);
+  const auto whole = reinterpret_cast<FourInts>(
+      wasm_i32x4_trunc_sat_f32x4(wasm_f32x4_nearest(reinterpret_cast<v128_t>(lanes))));
+  return (whole & fits) | (INT32_MIN & ~fits);
+#else
   return reinterpret_cast<FourInts>(simde_mm_cvtps_epi32(reinterpret_cast<simde__m128>(lanes)));
+#endif
 }
 
 inline FourInts nearest_lanes(TwoDoubles low, TwoDoubles high) noexcept {

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/machine.h"
+
 namespace deltamesh {
 
 /// Gives large arrays [LargeAllocator] their memory where a PoolScope says so. They must be freed before it
@@ -22,7 +24,7 @@ class MemoryPool {
   MemoryPool& operator=(const MemoryPool&) = delete;
 
   /// Of this thread; or null.
-  static MemoryPool* current() noexcept { return current_; }
+  static MemoryPool* current() noexcept { return kHasMemoryPool ? current_ : nullptr; }
 
   /// This thread, which has none of its own, shares `pool` until it ends; null for none.
   static void share(MemoryPool* pool) noexcept { current_ = pool; }

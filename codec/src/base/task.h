@@ -19,10 +19,10 @@ class Task {
  public:
   template <class Work>
   explicit Task(const Work& work) : work_(work), team_(ThreadTeam::current()), job_(1, &Task::run, this) {
-    if (team_ != nullptr) team_->offer(job_);
+    if (kHasThreads && team_ != nullptr) team_->offer(job_);
   }
   ~Task() {
-    if (team_ != nullptr) team_->withdraw(job_);
+    if (kHasThreads && team_ != nullptr) team_->withdraw(job_);
   }
   Task(const Task&) = delete;
   Task& operator=(const Task&) = delete;
@@ -30,7 +30,7 @@ class Task {
   /// Once. Throws what `work` throws.
   T get() {
     ThreadTeam* const team = std::exchange(team_, nullptr);
-    if (team == nullptr || team->take_back(job_)) {
+    if (!kHasThreads || team == nullptr || team->take_back(job_)) {
       result_.emplace(work_());  // with the team's help
     } else {
       team->finish(job_);

@@ -14,6 +14,8 @@
 #include <thread>
 #include <vector>
 
+#include "base/machine.h"
+
 namespace deltamesh {
 
 class MemoryPool;
@@ -49,7 +51,7 @@ class ThreadTeam {
   ThreadTeam& operator=(const ThreadTeam&) = delete;
 
   /// Of this thread; or null.
-  static ThreadTeam* current() noexcept { return current_; }
+  static ThreadTeam* current() noexcept { return kHasThreads ? current_ : nullptr; }
 
   /// Threads, the one that made this among them.
   std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(helpers_.size()) + 1; }

@@ -49,6 +49,7 @@ Result<void> check_limits(const FileHeader& header, const DecodeLimits& limits) 
 Result<Mesh> decode_in(MemoryPool& memory, std::span<const std::byte> stream, const DecodeOptions& options) {
   DELTAMESH_TRY(const auto container, Container::open(stream));
   DELTAMESH_CHECK(check_limits(container.header(), options.limits));
+  if constexpr (!kHasMemoryPool) return decode_container(container, options);
   const unsigned threads = options.threads > 0 ? options.threads : std::thread::hardware_concurrency();
   const bool is_large = stream.size() >= kLargeStream;
   std::optional<PoolScope> scope;

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+
+/** Where a module's bytes come from; a string or URL is fetched, or read where it is a file's in node. */
+export type ModuleSource = string | URL | BufferSource | WebAssembly.Module | Promise<BufferSource | WebAssembly.Module>;
+
+export interface DecoderOptions {
+  /**
+   * The modules; each is loaded when it is first needed. Default: the files beside this one. `core` decodes containers, faces,
+   * predictive positions and attributes, `highpass` the positions of highpass streams.
+   */
+  files?: { core?: ModuleSource; highpass?: ModuleSource };
+  /** Whether the default files are those for machines with SIMD; default: as this machine has it. */
+  simd?: boolean;
+  /** Most bytes that each of the modules may take for its memory; default 4 GiB. */
+  maxMemory?: number;
+}
+
+/** What the caller is willing to receive. A stream beyond a limit is refused before anything of its size is allocated. */
+export interface DecodeLimits {
+  vertices?: number;
+  triangles?: number;
+  attributes?: number;
+  attributeBytes?: number;
+}
+
+export type AttributeArray =
+  | Int8Array
+  | Uint8Array
+  | Int16Array
+  | Uint16Array
+  | Int32Array
+  | Uint32Array
+  | Float32Array
+  | Float64Array;
+
+export interface AttributeInfo {
+  /** As in the source: "nx", "TEXCOORD_0", "confidence". */
+  name: string;
+  kind: 'normal' | 'color' | 'uv' | 'generic' | 'tangent' | 'joints' | 'weights';
+  components: number;
+  /** Integers stand for [0, 1] or [-1, 1], as in glTF. */
+  normalized: boolean;
+  codedBytes: number;
+  /**
+   * Largest error that the encoder measured: of normals and tangents in degrees, of texture coordinates a distance, of colours in
+   * 255ths of their range, of all others the difference of a component.
+   */
+  error: number;
+}
+
+export interface Attribute extends AttributeInfo {
+  /** vertexCount x components. */
+  values: AttributeArray;
+}
+
+export interface ChunkInfo {
+  /** Four letters. */
+  tag: string;
+  codec: 'raw' | 'zstd' | 'compact';
+  codedBytes: number;
+  decodedBytes: number;
+}
+
+/** Errors that the encoder measured, model units. */
+export interface Quality {
+  /** Visual distortion error, root mean square. */
+  vde: number;
+  /** Low-frequency error, root mean square. */
+  lfe: number;
+  /** Largest distance of a vertex from its original. */
+  maxError: number;
+}
+
+export interface StreamInfo {
+  geometry: 'highpass' | 'predictive';
+  vertexCount: number;
+  triangleCount: number;
+  /** Vertices and faces are in the source's order. */
+  keepsOrder: boolean;
+  /** World position of a vertex = origin + its position. */
+  origin: [number, number, number];
+  /** Bounding box relative to the origin. */
+  box: { min: [number, number, number]; max: [number, number, number] };
+  quality: Quality;
+  attributes: AttributeInfo[];
+  chunks: ChunkInfo[];
+}
+
+export interface DecodedMesh extends StreamInfo {
+  /** vertexCount x 3, relative to the origin. */
+  positions: Float32Array;
+  /** triangleCount x 3, each below vertexCount. */
+  indices: Uint32Array;
+  /** For each triangle the number of its group (material, primitive); null where there is one group. */
+  groups: Uint32Array | null;
+  attributes: Attribute[];
+}
+
+/** What is wrong, where, and which rule of the specification it breaks. Returned as a value; throw it if you like. */
+export class DeltameshError extends Error {
+  constructor(init: Pick<DeltameshError, 'code' | 'what'> & Partial<Pick<DeltameshError, 'rule' | 'where' | 'chunk'>>);
+  /** 1xx: the stream is bad; 2xx: beyond a limit; 3xx: a module could not be loaded, or a glTF asset is bad; 900: out of memory; 901: a bug of ours. */
+  code: number;
+  what: string;
+  /** Such as "DIR-4"; or empty. */
+  rule: string;
+  where: { unit: 'byte' | 'line' | 'vertex' | 'triangle' | 'attribute' | 'element'; position: number } | null;
+  /** Tag of the chunk concerned, or empty. */
+  chunk: string;
+}
+
+export interface Decoder {
+  /**
+   * The mesh in `bytes`, in arrays of its own that may be transferred. Bytes are not trusted. Memory that a large mesh took is given
+   * back afterwards. Does not throw.
+   */
+  decode(bytes: Uint8Array, options?: { limits?: DecodeLimits }): Promise<DecodedMesh | DeltameshError>;
+  /** The same at once: what it needs must have been loaded, `load('highpass')` for highpass streams. */
+  decodeSync(bytes: Uint8Array, options?: { limits?: DecodeLimits }): DecodedMesh | DeltameshError;
+  /** What the stream says of itself, without decoding it. */
+  inspect(bytes: Uint8Array): StreamInfo | DeltameshError;
+  /** Loads a module before it is needed. Rejects where that fails. */
+  load(module: 'core' | 'highpass'): Promise<void>;
+  /** Gives back all memory; the decoder may be used again. */
+  release(): void;
+}
+
+/** A decoder, once `core` is there. Rejects where that cannot be loaded. */
+export function createDecoder(options?: DecoderOptions): Promise<Decoder>;
+
+/** Whether this machine has WebAssembly's SIMD. */
+export function supportsSimd(): boolean;

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+import type { AttributeInfo, ChunkInfo, DecodeLimits, DecodedMesh, Quality } from '@deltamesh/decoder';
+import type { DecoderPool, DecoderPoolOptions } from '@deltamesh/decoder/pool';
+import type { BufferGeometry, Loader, LoadingManager } from 'three';
+import type { GLTFLoaderPlugin, GLTFParser } from 'three/addons/loaders/GLTFLoader.js';
+
+/** `geometry.userData.deltamesh` */
+export interface DeltameshUserData {
+  /** World position = origin + position: give it to the object, or subtract that of another. */
+  origin: [number, number, number];
+  quality: Quality;
+  geometry: 'highpass' | 'predictive';
+  attributes: AttributeInfo[];
+  chunks: ChunkInfo[];
+}
+
+/**
+ * Attributes have the names that three.js gives them (normal, color, uv, uv1, tangent, skinIndex, skinWeight), generic ones their own.
+ * Groups of faces are groups with the material of their number. Takes the mesh's arrays.
+ */
+export function toBufferGeometry(mesh: DecodedMesh): BufferGeometry;
+
+/** Loads .dmsh streams. Keep one: its workers are kept, too. */
+export class DeltameshLoader extends Loader<BufferGeometry> {
+  constructor(manager?: LoadingManager, pool?: DecoderPoolOptions);
+  readonly pool: DecoderPool;
+  setLimits(limits: DecodeLimits): this;
+  /** Rejects with a DeltameshError where the stream is bad, and with the signal's reason where that is aborted. */
+  parseAsync(buffer: ArrayBuffer, options?: { signal?: AbortSignal }): Promise<BufferGeometry>;
+  /** Ends the workers. */
+  dispose(): this;
+}
+
+/** For `gltfLoader.register(gltfDeltameshExtension(deltameshLoader))`. */
+export function gltfDeltameshExtension(loader: DeltameshLoader): (parser: GLTFParser) => GLTFLoaderPlugin;

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { readFileSync, readdirSync } from 'node:fs';
+import { test } from 'node:test';
+import { brotliCompressSync } from 'node:zlib';
+
+const packages = new URL('../packages/', import.meta.url);
+const sizeOf = (path) => brotliCompressSync(readFileSync(new URL(path, packages))).length;
+
+/** Most bytes after brotli: as large as they are, until they are as small as they should be. */
+const SIZES = { 'decoder/decoder.js': 5000, 'decoder/core.wasm': 110000, 'decoder/highpass.wasm': 75000 };
+
+for (const [path, most] of Object.entries(SIZES)) {
+  test(`${path} is not larger than its bound`, (t) => {
+    const size = sizeOf(path);
+    t.diagnostic(`${size} bytes after brotli`);
+    assert.ok(size <= most);
+  });
+}
+
+for (const name of readdirSync(packages)) {
+  test(`${name} is packed with all that it exports`, () => {
+    const folder = new URL(`${name}/`, packages);
+    const { exports } = JSON.parse(readFileSync(new URL('package.json', folder)));
+    const [{ files }] = JSON.parse(execFileSync('npm', ['pack', '--dry-run', '--json'], { cwd: folder, encoding: 'utf8' }));
+    const packed = files.map(({ path }) => `./${path}`);
+    const exported = Object.values(exports).flatMap((target) => (typeof target === 'string' ? [target] : Object.values(target)));
+    for (const path of exported.filter((path) => !path.includes('*'))) assert.ok(packed.includes(path), path);
+    assert.ok(packed.includes('./README.md'));
+    assert.ok(packed.every((path) => !path.includes('test')));
+  });
+}
