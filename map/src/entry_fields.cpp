@@ -18,6 +18,7 @@ namespace {
 constexpr std::uint8_t kOwnPlace = 13;     // [MAP-12]
 constexpr std::uint8_t kFarPlace = 27;     // [MAP-12]
 constexpr std::uint8_t kTogetherBit = 32;  // [MAP-12]
+constexpr std::uint8_t kLeastBit = 64;     // [MAP-12]
 
 constexpr std::uint64_t kMostUnsigned = std::numeric_limits<std::uint32_t>::max();
 
@@ -79,6 +80,7 @@ std::uint32_t version_hash(std::uint64_t octets_hash, const std::vector<PartLink
   ByteWriter out;
   out.write(octets_hash);
   for (const PartLink& link : links) {
+    if (link.border == 0) continue;
     write_key(out, link.key);
     out.write(link.border);
   }
@@ -112,24 +114,33 @@ Result<void> check_links(const PartKey& key, const std::vector<PartLink>& links)
   return {};
 }
 
-void write_links(ByteWriter& out, const PartKey& key, const std::vector<PartLink>& links) {
+void write_links(ByteWriter& out, const PartKey& key, std::uint64_t revision,
+                 const std::vector<PartLink>& links) {
   out.write_varint(links.size());
   for (const PartLink& link : links) {
     const std::uint8_t place = place_of(key, link.key);
-    out.write(static_cast<std::uint8_t>(place | (link.together ? kTogetherBit : 0)));
+    out.write(static_cast<std::uint8_t>(place | (link.together ? kTogetherBit : 0) |
+                                        (link.least != 0 ? kLeastBit : 0)));
     if (place == kFarPlace) write_key(out, link.key);
     out.write(link.border);
+    if (link.least != 0) out.write_varint(zigzag(static_cast<std::int64_t>(revision - link.least)));
   }
 }
 
-Result<std::vector<PartLink>> read_links(ByteReader& in, const PartKey& key) {
+Result<std::vector<PartLink>> read_links(ByteReader& in, const PartKey& key, std::uint64_t revision) {
   DELTAMESH_TRY(const auto count, in.read_varint(kMostLinks));
   std::vector<PartLink> links;
   for (std::uint64_t i = 0; i < count; ++i) {
     DELTAMESH_TRY(const auto code, in.read<std::uint8_t>());
     PartLink link{.together = (code & kTogetherBit) != 0};
-    DELTAMESH_TRY(link.key, read_place(in, key, static_cast<std::uint8_t>(code & ~kTogetherBit)));
+    DELTAMESH_TRY(link.key,
+                  read_place(in, key, static_cast<std::uint8_t>(code & ~(kTogetherBit | kLeastBit))));
     DELTAMESH_TRY(link.border, in.read<std::uint32_t>());
+    if ((code & kLeastBit) != 0) {
+      DELTAMESH_TRY(const auto behind, in.read_varint());
+      link.least = revision - static_cast<std::uint64_t>(unzigzag(behind));
+      if (link.least == 0) return in.error(ErrorCode::kInvalidStream, "a least revision of 0", "MAP-12");
+    }
     links.push_back(link);
   }
   if (auto valid = check_links(key, links); !valid)
@@ -156,7 +167,7 @@ void write_entry_fields(ByteWriter& out, const PartEntry& entry) {
   write_key(out, entry.key);
   out.write_varint(entry.revision);
   out.write_varint(entry.group);
-  write_links(out, entry.key, entry.links);
+  write_links(out, entry.key, entry.revision, entry.links);
   out.write_varint(entry.bytes);
   if (entry.bytes == 0) return;
   out.write(entry.hash);
@@ -174,7 +185,7 @@ Result<PartEntry> read_entry_fields(ByteReader& in, std::size_t attributes) {
   DELTAMESH_TRY(entry.key, read_key(in));
   DELTAMESH_TRY(entry.revision, in.read_varint());
   DELTAMESH_TRY(entry.group, in.read_varint());
-  DELTAMESH_TRY(entry.links, read_links(in, entry.key));
+  DELTAMESH_TRY(entry.links, read_links(in, entry.key, entry.revision));
   DELTAMESH_TRY(const auto bytes, in.read_varint(kMostPartBytes));
   entry.bytes = static_cast<std::uint32_t>(bytes);
   if (entry.bytes == 0) return entry;

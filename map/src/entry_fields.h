@@ -21,10 +21,11 @@ Result<PartKey> read_key(ByteReader& in);
 /// Errors: kInvalidArgument (a level above 24, links that do not ascend, to itself, or too many) [MAP-12].
 Result<void> check_links(const PartKey& key, const std::vector<PartLink>& links) noexcept;
 
-/// `links` of the part with the key `key`, which check_links() has passed.
-void write_links(ByteWriter& out, const PartKey& key, const std::vector<PartLink>& links);
+/// `links` of a version of the part with the key `key`, which check_links() has passed.
+void write_links(ByteWriter& out, const PartKey& key, std::uint64_t revision,
+                 const std::vector<PartLink>& links);
 /// Errors: kTruncated, kInvalidStream [MAP-12].
-Result<std::vector<PartLink>> read_links(ByteReader& in, const PartKey& key);
+Result<std::vector<PartLink>> read_links(ByteReader& in, const PartKey& key, std::uint64_t revision);
 
 /// Errors: kInvalidArgument (out of range) [MAP-12, MAP-13].
 Result<void> check_entry(const PartEntry& entry) noexcept;

@@ -23,6 +23,19 @@ bool matches(std::uint32_t stored, std::span<const std::byte> bytes) noexcept {
 #endif
 }
 
+/// Letters and version.
+Result<void> read_start(ByteReader& in) noexcept {
+  for (const char expected : kMessageMagic) {
+    DELTAMESH_TRY(const auto letter, in.read<char>());
+    if (letter != expected)
+      return in.error(ErrorCode::kBadMagic, "not a message of a deltamesh map", "MAP-1");
+  }
+  DELTAMESH_TRY(const auto version, in.read<std::uint8_t>());
+  if (version != kFormatVersion)
+    return in.error(ErrorCode::kUnsupportedVersion, "a message of another format version", "MAP-1");
+  return {};
+}
+
 }  // namespace
 
 ByteWriter begin_message(MessageKind kind) {
@@ -38,17 +51,20 @@ std::vector<std::byte> end_message(ByteWriter out) {
   return out.take();
 }
 
+Result<MessageKind> kind_of_message(std::span<const std::byte> message) noexcept {
+  ByteReader in(message);
+  DELTAMESH_CHECK(read_start(in));
+  DELTAMESH_TRY(const auto kind, in.read<std::uint8_t>());
+  if (kind < static_cast<std::uint8_t>(MessageKind::kMap) ||
+      kind > static_cast<std::uint8_t>(MessageKind::kStart))
+    return in.error(ErrorCode::kInvalidStream, "no such kind of message", "MAP-1");
+  return static_cast<MessageKind>(kind);
+}
+
 Result<std::span<const std::byte>> open_message(std::span<const std::byte> message,
                                                 MessageKind kind) noexcept {
   ByteReader in(message);
-  for (const char expected : kMessageMagic) {
-    DELTAMESH_TRY(const auto letter, in.read<char>());
-    if (letter != expected)
-      return in.error(ErrorCode::kBadMagic, "not a message of a deltamesh map", "MAP-1");
-  }
-  DELTAMESH_TRY(const auto version, in.read<std::uint8_t>());
-  if (version != kFormatVersion)
-    return in.error(ErrorCode::kUnsupportedVersion, "a message of another format version", "MAP-1");
+  DELTAMESH_CHECK(read_start(in));
   DELTAMESH_TRY(const auto stored_kind, in.read<std::uint8_t>());
   if (in.remaining() < kChecksumBytes)
     return in.error(ErrorCode::kTruncated, "bytes end before the checksum", "MAP-1");

@@ -15,12 +15,23 @@
 namespace deltamesh {
 
 /// What a message is about [MAP-1].
-enum class MessageKind : std::uint8_t { kMap = 1, kManifest = 2, kEntry = 3, kPart = 4, kView = 5 };
+enum class MessageKind : std::uint8_t {
+  kMap = 1,
+  kManifest = 2,
+  kEntry = 3,
+  kPart = 4,
+  kView = 5,
+  kStart = 6
+};
 
 /// Begins a message; the body's fields are to follow.
 ByteWriter begin_message(MessageKind kind);
 /// The whole message: what `out` holds and the checksum.
 std::vector<std::byte> end_message(ByteWriter out);
+
+/// What kind of message this says it is. Errors: kBadMagic, kUnsupportedVersion, kTruncated, kInvalidStream
+/// [MAP-1].
+Result<MessageKind> kind_of_message(std::span<const std::byte> message) noexcept;
 
 /// The body of `message`. Errors: kBadMagic, kUnsupportedVersion, kTruncated, kCorrupt, kInvalidStream
 /// (another kind) [MAP-1].

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Entry and part messages [MAP-13, MAP-14].
+// Start, entry and part messages [MAP-13, MAP-14, MAP-16].
 #include "base/guard.h"
 #include "base/try.h"
 #include "deltamesh/map/messages.h"
@@ -15,6 +15,7 @@ namespace {
 Result<EntryMessage> read_entry_body(ByteReader in, std::size_t attributes) {
   EntryMessage message;
   DELTAMESH_TRY(message.map, in.read<std::uint64_t>());
+  DELTAMESH_TRY(message.start, in.read_varint());
   DELTAMESH_TRY(message.entry, read_entry_fields(in, attributes));
   DELTAMESH_CHECK(in.finish());
   return message;
@@ -23,10 +24,11 @@ Result<EntryMessage> read_entry_body(ByteReader in, std::size_t attributes) {
 Result<PartMessage> read_part_body(ByteReader in) {
   PartMessage message;
   DELTAMESH_TRY(message.map, in.read<std::uint64_t>());
+  DELTAMESH_TRY(message.start, in.read_varint());
   DELTAMESH_TRY(message.key, read_key(in));
   DELTAMESH_TRY(message.revision, in.read_varint());
   DELTAMESH_TRY(message.group, in.read_varint());
-  DELTAMESH_TRY(message.links, read_links(in, message.key));
+  DELTAMESH_TRY(message.links, read_links(in, message.key, message.revision));
   if (in.remaining() == 0 || in.remaining() > kMostPartBytes)
     return in.error(ErrorCode::kInvalidStream, "a part without octets, or with too many", "MAP-14");
   DELTAMESH_TRY(const auto octets, in.read_bytes(in.remaining()));
@@ -36,11 +38,33 @@ Result<PartMessage> read_part_body(ByteReader in) {
 
 }  // namespace
 
+Result<std::vector<std::byte>> write_start(const StartMessage& message) noexcept {
+  return guarded([&]() -> Result<std::vector<std::byte>> {
+    ByteWriter out = begin_message(MessageKind::kStart);
+    out.write(message.map);
+    out.write_varint(message.start);
+    return end_message(std::move(out));
+  });
+}
+
+Result<StartMessage> read_start(std::span<const std::byte> message) noexcept {
+  return guarded([&]() -> Result<StartMessage> {
+    DELTAMESH_TRY(const auto body, open_message(message, MessageKind::kStart));
+    ByteReader in(body);
+    StartMessage start;
+    DELTAMESH_TRY(start.map, in.read<std::uint64_t>());
+    DELTAMESH_TRY(start.start, in.read_varint());
+    DELTAMESH_CHECK(in.finish());
+    return start;
+  });
+}
+
 Result<std::vector<std::byte>> write_entry(const EntryMessage& message) noexcept {
   return guarded([&]() -> Result<std::vector<std::byte>> {
     DELTAMESH_CHECK(check_entry(message.entry));
     ByteWriter out = begin_message(MessageKind::kEntry);
     out.write(message.map);
+    out.write_varint(message.start);
     write_entry_fields(out, message.entry);
     return end_message(std::move(out));
   });
@@ -55,10 +79,11 @@ Result<std::vector<std::byte>> write_part(const PartMessage& message) noexcept {
                    .rule = "MAP-14"};
     ByteWriter out = begin_message(MessageKind::kPart);
     out.write(message.map);
+    out.write_varint(message.start);
     write_key(out, message.key);
     out.write_varint(message.revision);
     out.write_varint(message.group);
-    write_links(out, message.key, message.links);
+    write_links(out, message.key, message.revision, message.links);
     out.write_bytes(message.octets);
     return end_message(std::move(out));
   });

@@ -81,9 +81,13 @@ Result<ViewMessage> read_view_body(ByteReader in) {
   DELTAMESH_TRY(message.number, in.read_varint());
   DELTAMESH_TRY(message.map_id, in.read<std::uint64_t>());
   DELTAMESH_TRY(message.map, in.read<std::uint64_t>());
+  DELTAMESH_TRY(message.start, in.read_varint());
   DELTAMESH_TRY(message.view, read_view_fields(in));
   while (in.remaining() != 0) {
     HeldVersion held;
+    DELTAMESH_TRY(const auto waiting, in.read<std::uint8_t>());
+    if (waiting > 1) return in.error(ErrorCode::kInvalidStream, "a flag that is not 0 or 1", "MAP-15");
+    held.is_waiting = waiting == 1;
     DELTAMESH_TRY(held.key, read_key(in));
     DELTAMESH_TRY(held.revision, in.read_varint());
     DELTAMESH_TRY(held.version, in.read<std::uint32_t>());
@@ -104,8 +108,10 @@ Result<std::vector<std::byte>> write_view(const ViewMessage& message) noexcept {
     out.write_varint(message.number);
     out.write(message.map_id);
     out.write(message.map);
+    out.write_varint(message.start);
     write_view_fields(out, message.view);
     for (const HeldVersion& held : message.held) {
+      out.write(static_cast<std::uint8_t>(held.is_waiting ? 1 : 0));
       write_key(out, held.key);
       out.write_varint(held.revision);
       out.write(held.version);

@@ -18,7 +18,8 @@ using Bytes = std::vector<std::byte>;
 
 PartEntry example_entry() {
   PartEntry entry{.key = {1, -3, 4, 0}, .revision = 300, .group = 17, .bytes = 4000};
-  entry.links = {{{0, 5, 5, 5}, 0x12345678, true}, {{1, -4, 4, 0}, 1, false}, {{1, -3, 5, 1}, 9, true}};
+  entry.links = {
+      {{0, 5, 5, 5}, 0x12345678, true, 0}, {{1, -4, 4, 0}, 0, false, 299}, {{1, -3, 5, 1}, 9, true, 1000}};
   entry.hash = 0x0123456789abcdef;
   entry.vertices = 300;
   entry.triangles = 500;
@@ -37,14 +38,14 @@ PartMessage example_part() {
 }
 
 ViewMessage example_view() {
-  ViewMessage message{.viewer = 4, .number = 1000, .map_id = 6, .map = 7};
+  ViewMessage message{.viewer = 4, .number = 1000, .map_id = 6, .map = 7, .start = 8};
   message.view.boxes = {{{-1, -1, -1}, {1, 2, 3}}, {}};
   message.view.level = 2;
   message.view.vde = 0.5F;
   message.view.max_error = 0.125F;
   message.view.color_error = 4;
   message.view.bytes_per_second = 100000;
-  message.held = {{{0, 1, 2, 3}, 5, 77}, {{2, -9, 2, 3}, 500, 78}};
+  message.held = {{{0, 1, 2, 3}, 5, 77, true}, {{2, -9, 2, 3}, 500, 78, false}};
   return message;
 }
 
@@ -98,6 +99,14 @@ TEST(MapMessages, MAP14PartsComeBack) {
   EXPECT_STREQ(write_part(empty).error().rule, "MAP-14");
 }
 
+TEST(MapMessages, MAP16StartsComeBack) {
+  const auto bytes = write_start({.map = 3, .start = 300});
+  ASSERT_TRUE(bytes);
+  EXPECT_EQ(read_start(*bytes)->map, 3U);
+  EXPECT_EQ(read_start(*bytes)->start, 300U);
+  expect_every_damage_found(*bytes, [](const Bytes& b) { return bool{read_start(b)}; });
+}
+
 TEST(MapMessages, MAP15ViewsComeBack) {
   const auto bytes = write_view(example_view());
   ASSERT_TRUE(bytes);
@@ -121,7 +130,7 @@ TEST(MapMessages, MAP12LinksAreChecked) {
   EXPECT_EQ(rule_of([](PartMessage& p) { p.key.level = 25; }), "MAP-3");
   EXPECT_EQ(rule_of([](PartMessage& p) {
               p.links.clear();
-              for (std::int32_t i = 0; i < 4097; ++i) p.links.push_back({{0, i, 0, 0}, 1, false});
+              for (std::int32_t i = 0; i < 4097; ++i) p.links.push_back({{0, i, 0, 0}, 1, false, 0});
             }),
             "MAP-12");
 }

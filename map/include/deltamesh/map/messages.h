@@ -17,15 +17,23 @@
 
 namespace deltamesh {
 
+/// Says that a sender was started [MAP-16]. From then on its receivers take no messages of earlier ones.
+struct StartMessage {
+  std::uint64_t map = 0;    ///< hash_of() the map's description
+  std::uint64_t start = 0;  ///< the map's revision at that time
+};
+
 /// Tells that there is a version of a part, or that a part is gone [MAP-13].
 struct EntryMessage {
-  std::uint64_t map = 0;  ///< hash_of() the map's description
+  std::uint64_t map = 0;    ///< hash_of() the map's description
+  std::uint64_t start = 0;  ///< as StartMessage::start
   PartEntry entry{};
 };
 
 /// A version of a part [MAP-14].
 struct PartMessage {
-  std::uint64_t map = 0;  ///< hash_of() the map's description
+  std::uint64_t map = 0;    ///< hash_of() the map's description
+  std::uint64_t start = 0;  ///< as StartMessage::start
   PartKey key{};
   std::uint64_t revision = 0;
   std::uint64_t group = 0;
@@ -61,16 +69,18 @@ struct HeldVersion {
   PartKey key{};
   std::uint64_t revision = 0;
   std::uint32_t version = 0;  ///< version_hash()
+  bool is_waiting = false;    ///< it, or its removal, waits for what it is shown with
 
   bool operator==(const HeldVersion&) const = default;
 };
 
 /// Of a receiver [MAP-15].
 struct ViewMessage {
-  std::uint64_t viewer = 0;  ///< chosen by the receiver; the same as long as it holds parts
+  std::uint64_t viewer = 0;  ///< chosen by the receiver; another one after a restart
   std::uint64_t number = 0;  ///< ascending; older messages of a viewer are ignored
   std::uint64_t map_id = 0;
-  std::uint64_t map = 0;  ///< hash of the description that the receiver has; 0: none
+  std::uint64_t map = 0;    ///< hash of the description that the receiver has; 0: none
+  std::uint64_t start = 0;  ///< of the sender that the receiver takes messages of; 0: of none yet
   View view{};
   std::vector<HeldVersion> held{};  ///< ascending by key
 
@@ -78,12 +88,14 @@ struct ViewMessage {
 };
 
 /// Errors: kInvalidArgument (out of range), kOutOfMemory.
+Result<std::vector<std::byte>> write_start(const StartMessage& message) noexcept;
 Result<std::vector<std::byte>> write_entry(const EntryMessage& message) noexcept;
 Result<std::vector<std::byte>> write_part(const PartMessage& message) noexcept;
 Result<std::vector<std::byte>> write_view(const ViewMessage& message) noexcept;
 
-/// `attributes`: how many the map has. Errors of all: 1xx codes [MAP-1, MAP-12 to MAP-15], kOutOfMemory.
+/// `attributes`: how many the map has. Errors of all: 1xx codes [MAP-1, MAP-12 to MAP-16], kOutOfMemory.
 /// Takes memory in proportion to the bytes.
+Result<StartMessage> read_start(std::span<const std::byte> message) noexcept;
 Result<EntryMessage> read_entry(std::span<const std::byte> message, std::size_t attributes) noexcept;
 Result<PartMessage> read_part(std::span<const std::byte> message) noexcept;
 Result<ViewMessage> read_view(std::span<const std::byte> message) noexcept;

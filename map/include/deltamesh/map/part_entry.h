@@ -16,10 +16,12 @@ namespace deltamesh {
 /// What a version of a part has in common with another part.
 struct PartLink {
   PartKey key{};             ///< of the other part
-  std::uint32_t border = 0;  ///< tells common borders apart [MAP-12]
+  std::uint32_t border = 0;  ///< tells common borders apart [MAP-12]; 0: there is none
   /// That border changed with this version: it is shown only with a version of the other part that has the
   /// same.
   bool together = false;
+  /// Versions of the other part with lower revisions are not shown beside this one; 0: any may be.
+  std::uint64_t least = 0;
 
   bool operator==(const PartLink&) const = default;
 };
@@ -42,8 +44,8 @@ struct PartEntry {
   bool operator==(const PartEntry& other) const noexcept;
 };
 
-/// Tells versions of a part apart by what they show: of the octets' hash and of the links, but for their
-/// revision, group and `together`.
+/// Tells versions of a part apart by what they show: of the octets' hash and of the borders, but not of
+/// revision, group, `together` and `least`.
 std::uint32_t version_hash(std::uint64_t octets_hash, const std::vector<PartLink>& links);
 
 }  // namespace deltamesh

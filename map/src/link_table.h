@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// The links of a map's parts [MAP-12], kept as parts change.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <span>
+#include <vector>
+
+#include "deltamesh/map/part.h"
+#include "deltamesh/map/part_entry.h"
+
+namespace deltamesh {
+
+struct SharedPoint {
+  LatticePoint point{};
+  std::uint32_t twin = 0;
+
+  auto operator<=>(const SharedPoint&) const = default;
+};
+
+class LinkTable {
+ public:
+  /// Puts a part in the place of the one with its key. O(b log n) for b border vertices.
+  void put(const MapPart& part);
+  void remove(const PartKey& key);
+
+  /// With every border, none marked. O(b log n).
+  std::vector<PartLink> links_of(const PartKey& key) const;
+  /// Parts whose links may be others than at the last call, ascending; also those that are gone.
+  std::set<PartKey> take_touched();
+
+ private:
+  std::map<PartKey, std::vector<SharedPoint>> borders_;  ///< ascending, without duplicates
+  std::map<SharedPoint, std::vector<PartKey>> users_;
+  std::set<PartKey> touched_;
+};
+
+}  // namespace deltamesh

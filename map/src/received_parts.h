@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// The versions of parts that a receiver holds, and which of them are shown.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "deltamesh/map/part.h"
+#include "deltamesh/map/part_entry.h"
+
+namespace deltamesh {
+
+struct PartContent {
+  std::vector<std::byte> octets;
+  std::uint64_t hash = 0;
+  MapPart part;
+};
+
+/// A version of a part, or its removal.
+struct Version {
+  std::uint64_t revision = 0;
+  std::uint64_t group = 0;
+  std::vector<PartLink> links{};
+  std::shared_ptr<const PartContent> content{};  ///< null: the part is gone
+};
+
+/// What a version knows of another part; an empty link where it has none.
+PartLink link_to(const Version& version, const PartKey& other) noexcept;
+
+/// Whether versions of parts with these keys may be shown side by side [MAP-12].
+bool fit(const PartKey& a, const Version& version_a, const PartKey& b, const Version& version_b) noexcept;
+
+struct ReceivedPart {
+  std::optional<Version> shown{};
+  std::optional<Version> next{};  ///< newer than what is shown, and waits
+  std::uint64_t newest = 0;       ///< no message of an older revision is of interest
+};
+
+/// Versions come in by put(); settle() shows what can be shown.
+class ReceivedParts {
+ public:
+  const std::map<PartKey, ReceivedPart>& all() const noexcept { return parts_; }
+  const ReceivedPart* find(const PartKey& key) const noexcept;
+
+  /// Takes a version that is newer than what is there. To be followed by settle().
+  void put(const PartKey& key, Version version);
+  /// Shows all waiting versions that fit to each other and to what stays [MAP-12]. `is_wanted`: whether a key
+  /// is in the view; parts that are not make room for those that are. Keys of what is shown otherwise than
+  /// before go into `touched`.
+  void settle(const std::function<bool(const PartKey&)>& is_wanted, std::set<PartKey>& touched);
+  /// Drops a waiting version; nothing of an older revision is taken from now on. Precondition: nothing of the
+  /// part is shown.
+  void forget(const PartKey& key, std::uint64_t revision);
+  /// Forgets removals beyond `most`, all of them.
+  void limit_removals(std::size_t most);
+
+ private:
+  const Version* effective(const PartKey& key) const noexcept;
+  bool fits(const PartKey& key, const Version& version, const std::function<bool(const PartKey&)>& is_wanted);
+  bool fits_gone(const PartKey& key, const Version& version,
+                 const std::function<bool(const PartKey&)>& is_wanted);
+  bool makes_room(const PartKey& other, const std::function<bool(const PartKey&)>& is_wanted);
+  void drop(const PartKey& key, std::optional<Version>& version);
+  std::vector<PartKey> overlapping(const PartKey& key) const;
+
+  std::map<PartKey, ReceivedPart> parts_;
+  std::map<PartKey, std::set<PartKey>> linkers_;  ///< parts with a version that has a link to the key
+  std::set<PartKey> waiting_;                     ///< those with a next version
+  // While settle() runs:
+  std::set<PartKey> accepted_;
+  std::set<PartKey> evicted_;
+  bool is_stable_ = false;
+};
+
+}  // namespace deltamesh

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Which parts a view is about.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "deltamesh/map/description.h"
+#include "deltamesh/map/messages.h"
+
+namespace deltamesh {
+
+/// Low corner and edge of a part's cell, relative to the map's origin.
+struct CellCube {
+  std::array<double, 3> low{};
+  double edge = 0;
+};
+
+inline CellCube cube_of(const PartKey& key, const MapDescription& description) noexcept {
+  const double edge = std::ldexp(description.cell_steps * description.lattice.step(), key.level);
+  return {{key.x * edge, key.y * edge, key.z * edge}, edge};
+}
+
+/// Whether the part's cell touches a box of the view. The same in senders and receivers.
+inline bool is_in_view(const PartKey& key, const View& view, const MapDescription& description) noexcept {
+  if (key.level < view.level) return false;
+  if (view.boxes.empty()) return true;
+  const CellCube cube = cube_of(key, description);
+  return std::ranges::any_of(view.boxes, [&](const ViewBox& box) {
+    for (std::size_t k = 0; k < 3; ++k)
+      if (box.low[k] > cube.low[k] + cube.edge || box.high[k] < cube.low[k]) return false;
+    return true;
+  });
+}
+
+}  // namespace deltamesh
