@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "laplacian/multigrid/cycle/coarse_levels.h"
+
+#include <utility>
+
+#include "base/thread_team.h"
+#include "laplacian/multigrid/cycle/coupled_sweep.h"
+
+namespace deltamesh::multigrid {
+namespace {
+
+/// Two cycles double the work on all coarser levels: no more in all than that on this one, times their
+/// number.
+bool takes_two_cycles(const Level& level, const Level& next) noexcept {
+  return 2 * next.edge_count() <= level.edge_count();
+}
+
+Row scaled(Float4 length, const Row& row) noexcept { return {length * row.x, length * row.s}; }
+
+}  // namespace
+
+CoarseLevels::CoarseLevels(std::span<const Level> levels, std::vector<std::uint8_t> holds)
+    : levels_(levels), vectors_(levels.size()), coarsest_(levels.back(), std::move(holds)) {
+  for (std::size_t k = 1; k < levels_.size(); ++k) {
+    const Level& level = levels_[k];
+    Vectors& v = vectors_[k];
+    v.b.resize(level.node_count(), Row{});
+    v.u.resize(level.node_count(), Row{});
+    v.gaps.resize(level.anchors.size());
+    v.forces.resize(level.anchors.size());
+    if (k + 1 == levels_.size()) break;
+    v.image.resize(level.node_count());
+    if (!takes_two_cycles(level, levels_[k + 1])) continue;
+    v.first.resize(level.node_count());
+    v.first_forces.resize(level.anchors.size());
+  }
+}
+
+CoupledProblem CoarseLevels::problem(std::size_t level) noexcept {
+  Vectors& v = vectors_[level];
+  return {levels_[level], v.b, v.u, v.gaps, v.forces};
+}
+
+void CoarseLevels::cycle(std::size_t level) {
+  const Level& fine = levels_[level];
+  Vectors& v = vectors_[level];
+  Vectors& next = vectors_[level + 1];
+  sweep_from_zero(fine, v.b, v.u);
+  restrict_from_zero(fine, v.b, v.u, next.b);
+  for (std::size_t a = 0; a < next.gaps.size(); ++a) next.gaps[a] = v.gaps[a] - v.u[fine.anchors[a]].x;
+  solve(level + 1);
+  share_each(v.u.size(), [&](std::uint32_t i) { v.u[i] += fine.interpolation[i].of(next.u); });
+  for (std::size_t a = 0; a < v.forces.size(); ++a) {
+    v.forces[a] = next.forces[a];
+    v.b[fine.anchors[a]].s += next.forces[a];
+  }
+  sweep(fine, v.b, v.u);
+}
+
+void CoarseLevels::solve(std::size_t level) {
+  if (level + 1 == levels_.size()) {
+    coarsest_.solve(problem(level));
+    return;
+  }
+  Vectors& v = vectors_[level];
+  cycle(level);
+  Float4 length = best_length(problem(level), v.image);
+  if (!v.first.empty()) {
+    share_each(v.u.size(), [&](std::uint32_t i) { v.first[i] = scaled(length, v.u[i]); });
+    for (std::size_t a = 0; a < v.forces.size(); ++a) v.first_forces[a] = length * v.forces[a];
+    take_off(problem(level), length, v.image);
+    cycle(level);
+    length = best_length(problem(level), v.image);
+    share_each(v.u.size(), [&](std::uint32_t i) { v.u[i] = v.first[i] + scaled(length, v.u[i]); });
+    for (std::size_t a = 0; a < v.forces.size(); ++a) v.forces[a] = v.first_forces[a] + length * v.forces[a];
+    return;
+  }
+  share_each(v.u.size(), [&](std::uint32_t i) { v.u[i] = scaled(length, v.u[i]); });
+  for (Float4& force : v.forces) force = length * force;
+}
+
+}  // namespace deltamesh::multigrid
