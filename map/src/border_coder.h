@@ -19,6 +19,14 @@
 
 namespace deltamesh {
 
+/// What the coder knows of a stream's mesh.
+struct BorderView {
+  std::vector<LatticePoint> nearest;  ///< to every vertex
+  /// Bit a is set where the coordinate of axis a is on no plane of voxels, as far as is known.
+  std::vector<std::uint8_t> loose;
+  bool follows = false;  ///< ways to the points are expected to be those of neighbours
+};
+
 /// What the coder learns.
 struct BorderModels {
   static constexpr std::size_t kPlaces = 7;  ///< 0, and 1 + 2 * 3 by neighbours
@@ -27,25 +35,23 @@ struct BorderModels {
     flags[0] = BitModel(1U << 8);  // hardly ever inside
   }
 
+  void limit_counts(std::uint8_t most) noexcept {
+    twins.length.limit_count(most);
+    for (NumberModel& model : ways) model.length.limit_count(most);
+  }
+
   std::array<BitModel, kPlaces> flags;
   NumberModel twins;
-  std::array<NumberModel, 9> ways;  ///< by axis and how many axes before had another number than 0
+  std::array<NumberModel, 6> ways;  ///< by looseness and axis
 };
 
 /// `Coder` is CompactWriter or CompactReader.
 template <class Coder>
 class BorderCoder {
  public:
-  /// `nearest`: the lattice point nearest to every vertex as the stream has it. `follows`: whether the way to
-  /// a vertex' point is expected to be that of the neighbour on the border before it.
-  BorderCoder(Coder& coder, BorderModels& models, std::span<const LatticePoint> nearest,
-              const OpenEdges& edges, bool follows)
-      : coder_(coder),
-        models_(models),
-        nearest_(nearest),
-        edges_(edges),
-        follows_(coder.bits(follows ? 1 : 0, 1) != 0),
-        places_(nearest.size(), kInside) {}
+  /// All arguments must outlive the coder.
+  BorderCoder(Coder& coder, BorderModels& models, const BorderView& view, const OpenEdges& edges)
+      : coder_(coder), models_(models), view_(view), edges_(edges), places_(view.nearest.size(), kInside) {}
 
   /// Codes `vertex`, those before it being coded; a reader appends to `border`, a writer takes the vertex
   /// from place `next`, which moves on. False where a point is beyond the lattice.
@@ -58,17 +64,16 @@ class BorderCoder {
     BorderVertex& coded = border[next];
     places_[vertex] = static_cast<std::uint32_t>(next++);
     coded.twin = coder_.number(coded.twin, models_.twins);
-    std::size_t moved = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      std::int32_t expected = nearest_[vertex][axis];
-      if (follows_ && before != kInside)
-        expected += border[places_[before]].point[axis] - nearest_[before][axis];
-      const std::int32_t way = unzigzag(coder_.number(
-          Coder::kWrites ? zigzag(coded.point[axis] - expected) : 0, models_.ways[3 * axis + moved]));
+      std::int32_t expected = view_.nearest[vertex][axis];
+      if (view_.follows && before != kInside)
+        expected += border[places_[before]].point[axis] - view_.nearest[before][axis];
+      const std::int32_t way =
+          unzigzag(coder_.number(Coder::kWrites ? zigzag(coded.point[axis] - expected) : 0,
+                                 models_.ways[3 * (view_.loose[vertex] >> axis & 1U) + axis]));
       const std::int64_t point = std::int64_t{expected} + way;
       if (point < -kMostLatticeSteps || point > kMostLatticeSteps) return false;
       coded.point[axis] = static_cast<std::int32_t>(point);
-      moved += way != 0 ? 1 : 0;
     }
     return true;
   }
@@ -102,9 +107,9 @@ class BorderCoder {
 
   Coder& coder_;
   BorderModels& models_;
-  std::span<const LatticePoint> nearest_;
+  const BorderView& view_;
   const OpenEdges& edges_;
-  bool follows_;
+
   std::vector<std::uint32_t> places_;  ///< of every vertex coded, in the border
 };
 

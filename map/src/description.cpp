@@ -34,8 +34,13 @@ Result<void> validate(const MapDescription& description) noexcept {
     if (attribute.name.size() > kMostNameBytes)
       return invalid("an attribute's name has more than 255 bytes", "MAP-5");
   }
-  if (description.primer.size() > kMostPrimerBytes)
-    return invalid("the primer has more than 65536 bytes", "MAP-6");
+  if (description.primers.size() > kMostPrimers) return invalid("more than 255 primers", "MAP-6");
+  std::size_t primer_bytes = 0;
+  for (const MapPrimer& primer : description.primers) {
+    primer_bytes += primer.stream.size() + primer.border.size();
+    if (primer.stream.empty()) return invalid("a primer of no bytes", "MAP-6");
+    if (primer_bytes > kMostPrimerBytes) return invalid("primers of more than 65536 bytes", "MAP-6");
+  }
   return {};
 }
 

@@ -59,7 +59,13 @@ std::vector<std::byte> message_of(const MapDescription& description) {
   out.write(static_cast<std::uint8_t>(description.attributes.size()));
   for (const MapAttribute& attribute : description.attributes)
     write_descriptor(out, descriptor_of(attribute));
-  out.write_bytes(description.primer);
+  out.write(static_cast<std::uint8_t>(description.primers.size()));
+  for (const MapPrimer& primer : description.primers) {
+    for (const auto* bytes : {&primer.stream, &primer.border}) {
+      out.write_varint(bytes->size());
+      out.write_bytes(*bytes);
+    }
+  }
   return end_message(std::move(out));
 }
 
@@ -79,10 +85,16 @@ Result<MapDescription> read_body(ByteReader in) {
     DELTAMESH_TRY(auto attribute, read_attribute(in));
     description.attributes.push_back(std::move(attribute));
   }
-  DELTAMESH_TRY(const auto primer, in.read_bytes(in.remaining()));
-  if (primer.size() > kMostPrimerBytes)
-    return in.error(ErrorCode::kInvalidStream, "the primer has more than 65536 bytes", "MAP-6");
-  description.primer.assign(primer.begin(), primer.end());
+  DELTAMESH_TRY(const auto primers, in.read<std::uint8_t>());
+  for (unsigned i = 0; i < primers; ++i) {
+    MapPrimer& primer = description.primers.emplace_back();
+    for (auto* bytes : {&primer.stream, &primer.border}) {
+      DELTAMESH_TRY(const auto size, in.read_varint());
+      DELTAMESH_TRY(const auto read, in.read_bytes(size));
+      bytes->assign(read.begin(), read.end());
+    }
+  }
+  DELTAMESH_CHECK(in.finish());
   if (auto valid = validate(description); !valid) {
     Error error = valid.error();
     error.code = ErrorCode::kInvalidStream;

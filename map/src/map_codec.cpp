@@ -18,9 +18,13 @@ Result<MapPart> decode_part(const MapCodec::State& state, const PartKey& key,
   DELTAMESH_TRY(const OpenedPart opened, open_part(state.place_of(key), bytes));
   MapPart part;
   part.key = key;
-  DELTAMESH_TRY(part.mesh, decode(opened.stream, options));
+  const CodecModels& models = opened.primer ? state.models[*opened.primer] : state.models.back();
+  DecodeOptions of_stream = options;
+  of_stream.starting_states = models.start();
+  DELTAMESH_TRY(part.mesh, decode(opened.stream, of_stream));
   const MapLattice& lattice = state.description.lattice;
-  DELTAMESH_TRY(part.border, read_border(opened.border, part.mesh, lattice, state.border));
+  DELTAMESH_TRY(const BorderView view, view_border(opened.stream, part.mesh, lattice));
+  DELTAMESH_TRY(part.border, read_border(opened.border, part.mesh, view, {&models.border}));
   part.mesh.origin = lattice.origin;
   for (const BorderVertex& border : part.border) {
     const auto position = lattice.position_of(border.point);
@@ -29,18 +33,36 @@ Result<MapPart> decode_part(const MapCodec::State& state, const PartKey& key,
   return part;
 }
 
+/// Adds the models after the next primer.
+Result<void> learn(const MapPrimer& primer, const DecodeLimits& limits, MapCodec::State& state) {
+  const CodecModels& before = state.models.back();
+  const DecodeOptions options{.limits = limits, .starting_states = before.start()};
+  CodecModels after;
+  DELTAMESH_TRY(after.streams, ModelStates::learn(primer.stream, options));
+  DELTAMESH_TRY(const Mesh mesh, decode(primer.stream, options));
+  DELTAMESH_TRY(const BorderView view, view_border(primer.stream, mesh, state.description.lattice));
+  DELTAMESH_TRY([[maybe_unused]] const auto border,
+                read_border(primer.border, mesh, view, {&before.border, &after.border}));
+  after.border.limit_counts(kMostCountedBefore);
+  DELTAMESH_TRY(StreamInfo info, inspect(primer.stream));
+  state.primers.push_back(std::move(info));
+  state.models.push_back(std::move(after));
+  return {};
+}
+
 }  // namespace
 
 MapCodec::MapCodec(std::shared_ptr<const State> state) noexcept : state_(std::move(state)) {}
 
 const MapDescription& MapCodec::description() const noexcept { return state_->description; }
 
-Result<MapCodec> MapCodec::open(MapDescription description, const DecodeLimits&) noexcept {
+Result<MapCodec> MapCodec::open(MapDescription description, const DecodeLimits& limits) noexcept {
   return guarded([&]() -> Result<MapCodec> {
     DELTAMESH_CHECK(validate(description));
     auto state = std::make_shared<State>();
     state->description = std::move(description);
     state->description_hash = hash_of(state->description);
+    for (const MapPrimer& primer : state->description.primers) DELTAMESH_CHECK(learn(primer, limits, *state));
     return MapCodec(std::move(state));
   });
 }

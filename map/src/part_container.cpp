@@ -59,12 +59,20 @@ Result<std::span<const std::byte>> check_whole(const PartPlace& place, std::span
   return covered;
 }
 
-Result<FileHeader> read_part_header(const PartPlace& place, ByteReader& in) {
+/// Whether `flags` are those of a part that is not the primer.
+bool are_flags_valid(const PartPlace& place, std::uint8_t flags) noexcept {
+  if ((flags & (kFlagPrimer | kFlagBits)) != 0 || are_reserved_flags_set(flags)) return false;
+  if ((flags & kFlagGrid) == 0) return true;
+  constexpr unsigned kOfLattices = kFlagLongSteps | kFlagThreeSteps | kFlagLatticeOrigin;
+  return place.voxels != nullptr && (flags & kOfLattices) == 0 &&
+         static_cast<Geometry>(flags >> kGeometryShift) == Geometry::kVoxel;
+}
+
+Result<FileHeader> read_part_header(const PartPlace& place, std::uint8_t flags, ByteReader& in) {
+  if (!are_flags_valid(place, flags)) return invalid(in, "a flag that means nothing in this part");
   FileHeader header;
-  DELTAMESH_TRY(const auto flags, in.read<std::uint8_t>());
-  if ((flags & (kFlagKeepsOrder | kFlagOrigin | kFlagBits)) != 0 || are_reserved_flags_set(flags))
-    return invalid(in, "a flag that means nothing in a part");
   apply_flags(flags, header);
+  header.keeps_order = false;
   DELTAMESH_CHECK(visit_part_header(FieldReader{in}, flags, place, header));
   DELTAMESH_CHECK(check_header(header, in));
   return header;
@@ -114,7 +122,9 @@ Result<std::vector<std::byte>> write_part(const PartPlace& place, std::span<cons
   FileHeader header = container.header();
   header.highpass.bits = header.predictive.bits = 0;
   ByteWriter out;
-  const std::uint8_t flags = flags_of(header);
+  constexpr unsigned kOfLattices = kFlagLongSteps | kFlagThreeSteps | kFlagLatticeOrigin;
+  std::uint8_t flags = flags_of(header);
+  if (is_on_grid(place, header)) flags = static_cast<std::uint8_t>((flags & ~kOfLattices) | kFlagGrid);
   out.write(flags);
   (void)visit_part_header(FieldWriter{out}, flags, place, std::as_const(header));  // writing cannot fail
   out.write_varint(border.size());
@@ -130,16 +140,32 @@ Result<std::vector<std::byte>> write_part(const PartPlace& place, std::span<cons
   return out.take();
 }
 
+std::vector<std::byte> write_primer_part(const PartPlace& place, std::size_t primer) {
+  ByteWriter out;
+  out.write(kFlagPrimer);
+  out.write(static_cast<std::uint8_t>(primer));
+  out.write(part_checksum(place, out.bytes()));
+  return out.take();
+}
+
 Result<OpenedPart> open_part(const PartPlace& place, std::span<const std::byte> bytes) {
   DELTAMESH_TRY(const auto covered, check_whole(place, bytes));
   ByteReader in(covered);
-  DELTAMESH_TRY(const FileHeader header, read_part_header(place, in));
+  DELTAMESH_TRY(const auto flags, in.read<std::uint8_t>());
+  if (flags == kFlagPrimer) {
+    DELTAMESH_TRY(const auto number, in.read<std::uint8_t>());
+    if (number >= place.description.primers.size()) return invalid(in, "a primer that the map does not have");
+    DELTAMESH_CHECK(in.finish());
+    const MapPrimer& primer = place.description.primers[number];
+    return OpenedPart{primer.stream, number, primer.border};
+  }
+  DELTAMESH_TRY(const FileHeader header, read_part_header(place, flags, in));
   if (elements_of(header) / kPartElementsPerByte > covered.size())
     return invalid(in, "more vertices and triangles than a part of this length may hold");
   DELTAMESH_TRY(const auto border_size, in.read_varint());
   DELTAMESH_TRY(const auto border, in.read_bytes(border_size));
   DELTAMESH_TRY(const auto chunks, read_chunks(place, in));
-  return OpenedPart{write_container(header, chunks), {border.begin(), border.end()}};
+  return OpenedPart{write_container(header, chunks), std::nullopt, {border.begin(), border.end()}};
 }
 
 }  // namespace deltamesh

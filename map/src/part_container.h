@@ -6,12 +6,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "deltamesh/map/description.h"
 #include "deltamesh/map/part_key.h"
 #include "deltamesh/result.h"
+#include "format/predictive_parameters.h"
 
 namespace deltamesh {
 
@@ -20,7 +22,12 @@ struct PartPlace {
   const MapDescription& description;
   std::uint64_t description_hash;  ///< hash_of(description)
   PartKey key;
+  /// Of the last primer, where that has voxel edges; else null.
+  const PredictiveParameters* voxels = nullptr;
 };
+
+/// Of the part that is the description's primer of this number.
+std::vector<std::byte> write_primer_part(const PartPlace& place, std::size_t primer);
 
 /// Of a stream without an origin and an original order, whose attributes are the map's, and the coded
 /// border. Errors: those of Container::open().
@@ -28,7 +35,8 @@ Result<std::vector<std::byte>> write_part(const PartPlace& place, std::span<cons
                                           std::span<const std::byte> border);
 
 struct OpenedPart {
-  std::vector<std::byte> stream;  ///< with figures of 0
+  std::vector<std::byte> stream;      ///< with figures of 0
+  std::optional<std::size_t> primer;  ///< which of the description's the part is
   std::vector<std::byte> border;
 };
 

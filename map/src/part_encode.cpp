@@ -7,10 +7,13 @@
 
 #include "base/guard.h"
 #include "base/try.h"
+#include "border_order.h"
 #include "border_payload.h"
 #include "codec_state.h"
 #include "deltamesh/encode.h"
 #include "part_measure.h"
+#include "part_options.h"
+#include "part_primer.h"
 #include "quality/bounds.h"
 
 namespace deltamesh {
@@ -44,29 +47,6 @@ Result<void> check_part(const MapPart& part, const MapDescription& description) 
       return invalid("a border vertex beyond the lattice", WhereKind::kVertex, border.vertex);
   }
   return {};
-}
-
-EncodeOptions options_for(const PartQuality& quality) {
-  EncodeOptions options;
-  options.quality = quality.bounds;
-  options.attributes = quality.attributes;
-  options.geometry = quality.geometry;
-  options.effort = quality.effort;
-  return options;
-}
-
-/// The border by the vertices of the decoded stream. `order`: the part's vertex for each of them.
-std::vector<BorderVertex> border_in_order(const MapPart& part, const std::vector<std::uint32_t>& order) {
-  std::vector<std::uint32_t> place(part.mesh.vertex_count(), 0);
-  for (std::size_t i = 0; i < part.border.size(); ++i)
-    place[part.border[i].vertex] = static_cast<std::uint32_t>(i) + 1;
-  std::vector<BorderVertex> border;
-  for (std::uint32_t v = 0; v < order.size(); ++v) {
-    if (place[order[v]] == 0) continue;
-    border.push_back(part.border[place[order[v]] - 1]);
-    border.back().vertex = v;
-  }
-  return border;
 }
 
 /// One way to code a part, and what a receiver gets.
@@ -107,15 +87,42 @@ class PartEncoder {
   }
 
  private:
-  Result<Attempt> code(const EncodeOptions& options) {
+  /// A part that is one of the primers costs no more than its number.
+  Result<Attempt> code(EncodeOptions options) {
+    for (std::size_t i = 0; i < state_.primers.size(); ++i) {
+      if (!may_be(state_.primers[i])) continue;
+      options.starting_states = state_.models[i].start();
+      DELTAMESH_TRY(const Encoded encoded, encode(source_, options));
+      if (encoded.bytes != state_.description.primers[i].stream) continue;
+      DELTAMESH_TRY(Attempt attempt, finish(encoded, i));
+      if (!attempt.coded.bytes.empty()) return attempt;
+    }
+    options.starting_states = state_.models.back().start();
     DELTAMESH_TRY(const Encoded encoded, encode(source_, options));
-    DELTAMESH_TRY(Mesh decoded, decode(encoded.bytes));
+    return finish(encoded, std::nullopt);
+  }
+
+  bool may_be(const StreamInfo& primer) const noexcept {
+    return primer.triangles == part_.mesh.triangle_count() &&
+           primer.geometric_vertices == measure_.geometric_count();
+  }
+
+  /// `primer`: which one `encoded` is, if any. No bytes where the border is not the primer's.
+  Result<Attempt> finish(const Encoded& encoded, std::optional<std::size_t> primer) {
+    const CodecModels& models = primer ? state_.models[*primer] : state_.models.back();
+    DELTAMESH_TRY(Mesh decoded, decode(encoded.bytes, {.starting_states = models.start()}));
     const auto border = border_in_order(part_, encoded.order);
     const MapLattice& lattice = state_.description.lattice;
-    const bool follows = encoded.report.stream.geometry == "highpass";
-    const auto payload = write_border(decoded, lattice, border, follows, state_.border);
+    DELTAMESH_TRY(const BorderView view, view_border(encoded.bytes, decoded, lattice));
+    const auto payload = write_border(decoded, view, border, models.border);
     Attempt attempt;
-    DELTAMESH_TRY(attempt.coded.bytes, write_part(state_.place_of(part_.key), encoded.bytes, payload));
+    const PartPlace place = state_.place_of(part_.key);
+    if (primer && payload != state_.description.primers[*primer].border) return attempt;
+    if (primer) {
+      attempt.coded.bytes = write_primer_part(place, *primer);
+    } else {
+      DELTAMESH_TRY(attempt.coded.bytes, write_part(place, encoded.bytes, payload));
+    }
     for (const BorderVertex& vertex : border) {
       const auto position = lattice.position_of(vertex.point);
       for (std::size_t k = 0; k < 3; ++k) decoded.positions[3 * std::size_t{vertex.vertex} + k] = position[k];
@@ -142,6 +149,21 @@ class PartEncoder {
 };
 
 }  // namespace
+
+Result<MapPrimer> make_primer(const MapCodec& codec, const MapPart& part, const PartQuality& quality) {
+  const MapCodec::State& state = codec.state();
+  DELTAMESH_CHECK(check_part(part, state.description));
+  const CodecModels& models = state.models.back();
+  EncodeOptions options = options_for(quality);
+  options.starting_states = models.start();
+  MeshView source(part.mesh);
+  source.origin = {};
+  DELTAMESH_TRY(Encoded encoded, encode(source, options));
+  DELTAMESH_TRY(const Mesh decoded, decode(encoded.bytes, {.starting_states = models.start()}));
+  DELTAMESH_TRY(const BorderView view, view_border(encoded.bytes, decoded, state.description.lattice));
+  auto border = write_border(decoded, view, border_in_order(part, encoded.order), models.border);
+  return MapPrimer{std::move(encoded.bytes), std::move(border)};
+}
 
 Result<CodedPart> MapCodec::encode(const MapPart& part, const PartQuality& quality) const noexcept {
   return guarded([&]() -> Result<CodedPart> {

@@ -4,7 +4,9 @@
 // The fields before a part's chunks, once for both directions [MAP-7].
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "base/try.h"
 #include "format/header_fields.h"
@@ -12,39 +14,87 @@
 
 namespace deltamesh {
 
-/// Where a lattice is expected to begin, in its steps: at the lowest corner of the part's cell.
-inline std::array<std::int64_t, 3> first_of_cell(const PartPlace& place,
-                                                 const PositionLattice& lattice) noexcept {
+// Bits of the flags that streams use otherwise [MAP-7].
+inline constexpr std::uint8_t kFlagPrimer = kFlagKeepsOrder;  ///< the part is a primer
+inline constexpr std::uint8_t kFlagGrid = kFlagOrigin;        ///< the voxels are the last primer's
+
+/// Where a lattice of `step` from `origin` is expected to begin: at the lowest corner of the part's cell.
+inline std::int64_t first_of_cell(const PartPlace& place, std::size_t axis, double origin,
+                                  double step) noexcept {
+  const std::array<std::int32_t, 3> cell{place.key.x, place.key.y, place.key.z};
   const double edge =
       std::ldexp(place.description.cell_steps * place.description.lattice.step(), place.key.level);
-  const std::array<double, 3> corner{place.key.x * edge, place.key.y * edge, place.key.z * edge};
-  std::array<std::int64_t, 3> first{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double steps = std::floor((corner[axis] - lattice.origin[axis]) / lattice.step[axis]);
-    if (std::abs(steps) <= static_cast<double>(kMostFirst)) first[axis] = static_cast<std::int64_t>(steps);
-  }
-  return first;
+  const double steps = std::floor((cell[axis] * edge - origin) / step);
+  return std::abs(steps) <= static_cast<double>(kMostFirst) ? static_cast<std::int64_t>(steps) : 0;
+}
+
+/// As kMostFirst has it, where that leaves room for a sum.
+inline bool can_add(std::int64_t first) noexcept {
+  return first >= -2 * kMostFirst && first <= 2 * kMostFirst;
 }
 
 /// Steps, origin, first points from where the cell begins, and cells.
 template <class Visitor, class Lattice>
 Result<void> visit_part_lattice(const Visitor& visit, std::uint8_t flags, const PartPlace& place,
                                 Lattice& lattice) {
+  PositionLattice relative = lattice;
+  const auto first = [&](std::size_t axis) {
+    return first_of_cell(place, axis, relative.origin[axis], relative.step[axis]);
+  };
   if constexpr (std::is_const_v<Lattice>) {
-    PositionLattice relative = lattice;
-    const auto first = first_of_cell(place, lattice);
-    for (std::size_t axis = 0; axis < 3; ++axis) relative.first[axis] -= first[axis];
+    for (std::size_t axis = 0; axis < 3; ++axis) relative.first[axis] -= first(axis);
     return visit_lattice(visit, flags, std::as_const(relative));
   } else {
-    DELTAMESH_CHECK(visit_lattice(visit, flags, lattice));
-    const auto first = first_of_cell(place, lattice);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      // What is out of range stays so [HDR-14].
-      if (lattice.first[axis] >= -2 * kMostFirst && lattice.first[axis] <= 2 * kMostFirst)
-        lattice.first[axis] += first[axis];
-    }
+    DELTAMESH_CHECK(visit_lattice(visit, flags, relative));
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (can_add(relative.first[axis])) relative.first[axis] += first(axis);  // else beyond [HDR-14]
+    lattice = relative;
     return {};
   }
+}
+
+/// The lattice of `levels` on the grid of `voxels`, but for where it begins and ends.
+inline PositionLattice lattice_on_grid(const PredictiveParameters& voxels, std::uint32_t levels) noexcept {
+  PositionLattice lattice{.origin = voxels.lattice.origin};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    lattice.step[axis] = 2.0 * voxels.levels * voxels.lattice.step[axis] / (2.0 * levels);
+  return lattice;
+}
+
+/// Levels, first nodes from where the cell begins, and nodes.
+template <class Visitor, class Parameters>
+Result<void> visit_on_grid(const Visitor& visit, const PartPlace& place, Parameters& p) {
+  DELTAMESH_CHECK(visit.varint(p.levels));
+  const std::uint32_t levels = std::clamp<std::uint32_t>(p.levels, 1, kMostLevels);  // else beyond [HDR-14]
+  const std::int64_t voxel = 2 * std::int64_t{levels};
+  PositionLattice lattice = lattice_on_grid(*place.voxels, levels);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::int64_t before =
+        first_of_cell(place, axis, lattice.origin[axis], static_cast<double>(voxel) * lattice.step[axis]);
+    std::int64_t first = p.lattice.first[axis] / voxel - before;
+    std::uint32_t nodes = static_cast<std::uint32_t>(p.lattice.cells[axis] / voxel);
+    DELTAMESH_CHECK(visit.varint(first));
+    DELTAMESH_CHECK(visit.varint(nodes));
+    lattice.first[axis] =
+        can_add(first) ? std::clamp((first + before), -2 * kMostFirst / voxel, 2 * kMostFirst / voxel) * voxel
+                       : 2 * kMostFirst;
+    lattice.cells[axis] = static_cast<std::uint32_t>(std::min<std::uint64_t>(
+        std::uint64_t{nodes} * static_cast<std::uint64_t>(voxel), 2 * std::uint64_t{kMostCells}));
+  }
+  if constexpr (!std::is_const_v<Parameters>) p.lattice = lattice;
+  return {};
+}
+
+/// Whether visit_on_grid() says all of the lattice.
+inline bool is_on_grid(const PartPlace& place, const FileHeader& h) noexcept {
+  if (place.voxels == nullptr || geometry_of(h) != Geometry::kVoxel) return false;
+  const PositionLattice& lattice = h.predictive.lattice;
+  const PositionLattice given = lattice_on_grid(*place.voxels, h.predictive.levels);
+  const std::int64_t voxel = 2 * std::int64_t{h.predictive.levels};
+  bool is_on = lattice.origin == given.origin && lattice.step == given.step;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    is_on = is_on && lattice.first[axis] % voxel == 0 && lattice.cells[axis] % voxel == 0;
+  return is_on;
 }
 
 /// Every field after the flags.
@@ -53,6 +103,7 @@ Result<void> visit_part_header(const Visitor& visit, std::uint8_t flags, const P
   const Geometry geometry = geometry_of(h);
   DELTAMESH_CHECK(visit_counts(visit, h));
   if (!has_lattice(geometry)) DELTAMESH_CHECK(visit_box(visit, h));
+  if ((flags & kFlagGrid) != 0) return visit_on_grid(visit, place, h.predictive);
   if (geometry == Geometry::kHighpass) return visit_highpass(visit, flags, h.highpass);
   if (has_lattice(geometry)) DELTAMESH_CHECK(visit_part_lattice(visit, flags, place, h.predictive.lattice));
   return geometry == Geometry::kVoxel ? visit.varint(h.predictive.levels) : Result<void>();

@@ -12,6 +12,7 @@ namespace deltamesh {
 namespace {
 
 const MapLattice kLattice{.step_exponent = -8};
+const BorderModels kFresh;
 
 std::vector<BorderVertex> every_third(const Mesh& mesh, std::int32_t off) {
   std::vector<BorderVertex> border;
@@ -24,53 +25,62 @@ std::vector<BorderVertex> every_third(const Mesh& mesh, std::int32_t off) {
   return border;
 }
 
+BorderView view_of(const Mesh& mesh, bool follows) {
+  BorderView view{{}, std::vector<std::uint8_t>(mesh.vertex_count(), 5), follows};
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    const float* p = mesh.positions.data() + 3 * v;
+    view.nearest.push_back(kLattice.nearest({p[0], p[1], p[2]}));
+  }
+  return view;
+}
+
 TEST(MapBorder, MAP11RoundTrip) {
   const Mesh mesh = test::wavy_sheet(9, 7, 1, 0);
   for (const bool follows : {false, true}) {
     for (const std::int32_t off : {0, 1, -3000, 100000}) {
       const auto border = every_third(mesh, off);
-      const auto bytes = write_border(mesh, kLattice, border, follows, {});
-      const auto back = read_border(bytes, mesh, kLattice, {});
+      const auto bytes = write_border(mesh, view_of(mesh, follows), border, {});
+      const auto back = read_border(bytes, mesh, view_of(mesh, follows), {&kFresh});
       ASSERT_TRUE(back);
       EXPECT_EQ(*back, border);
     }
   }
-  EXPECT_TRUE(write_border(mesh, kLattice, {}, false, {}).empty());
-  EXPECT_TRUE(read_border({}, mesh, kLattice, {})->empty());
+  EXPECT_TRUE(write_border(mesh, view_of(mesh, false), {}, {}).empty());
+  EXPECT_TRUE(read_border({}, mesh, view_of(mesh, false), {&kFresh})->empty());
 }
 
 TEST(MapBorder, MAP11RefusesABorderOfNothingAndPointsBeyondTheLattice) {
   const Mesh mesh = test::wavy_sheet(9, 7, 1, 0);
   const OpenEdges edges(mesh.triangles, mesh.vertex_count());
-  const std::vector<LatticePoint> nearest(mesh.vertex_count());
+  const BorderView view = view_of(mesh, false);
   CompactWriter nothing;
   BorderModels models;
-  BorderCoder coder(nothing, models, nearest, edges, false);
+  BorderCoder coder(nothing, models, view, edges);
   std::vector<BorderVertex> border;
   std::size_t next = 0;
   for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) coder.code(v, border, next);
-  EXPECT_STREQ(read_border(nothing.finish(), mesh, kLattice, {}).error().rule, "MAP-11");
+  EXPECT_STREQ(read_border(nothing.finish(), mesh, view_of(mesh, false), {&kFresh}).error().rule, "MAP-11");
 
   CompactWriter beyond;
   models = {};
-  BorderCoder far(beyond, models, nearest, edges, false);
+  BorderCoder far(beyond, models, view, edges);
   border = {{0, {kMostLatticeSteps, 0, 0}, 0}};
   next = 0;
   for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) far.code(v, border, next);
   Mesh moved = mesh;
   for (float& x : moved.positions) x += 1;  // so that the point is farther on
-  EXPECT_STREQ(read_border(beyond.finish(), moved, kLattice, {}).error().rule, "MAP-11");
+  EXPECT_STREQ(read_border(beyond.finish(), moved, view_of(moved, false), {&kFresh}).error().rule, "MAP-11");
 }
 
 TEST(MapBorder, AnyBytesGiveAnErrorOrABorder) {
   const Mesh mesh = test::wavy_sheet(9, 7, 1, 0);
-  const auto bytes = write_border(mesh, kLattice, every_third(mesh, 2), false, {});
+  const auto bytes = write_border(mesh, view_of(mesh, false), every_third(mesh, 2), {});
   std::mt19937 random(1);
   for (int i = 0; i < 2000; ++i) {
     auto damaged = bytes;
     damaged[random() % damaged.size()] = static_cast<std::byte>(random() % 256);
     if (i % 2 == 0) damaged.resize(random() % damaged.size());
-    const auto back = read_border(damaged, mesh, kLattice, {});
+    const auto back = read_border(damaged, mesh, view_of(mesh, false), {&kFresh});
     if (!back) continue;
     for (const BorderVertex& b : *back) EXPECT_LT(b.vertex, mesh.vertex_count());
   }

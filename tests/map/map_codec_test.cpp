@@ -45,12 +45,20 @@ PartQuality random_quality(std::mt19937& random) {
   return quality;
 }
 
+/// With models that begin where primers leave them.
+MapDescription primed(const MapDescription& description, const std::vector<MapPart>& parts) {
+  const auto with =
+      with_primers(description, parts, {.bounds = {.max_error = QualityBound{0.002}}, .effort = 0});
+  EXPECT_TRUE(with) << describe(with.error());
+  return with ? *with : description;
+}
+
 /// Every part in a quality of its own, and what receivers make of the whole.
 void expect_no_crack(const Mesh& mesh, const MapDescription& description, const SplitOptions& options,
                      std::uint32_t seed) {
   const auto parts = split(mesh, description, options);
   ASSERT_TRUE(parts) << describe(parts.error());
-  const auto codec = MapCodec::open(description);
+  const auto codec = MapCodec::open(seed % 3 == 0 ? description : primed(description, *parts));
   ASSERT_TRUE(codec);
   std::mt19937 random(seed);
   std::vector<MapPart> decoded;
@@ -98,6 +106,38 @@ TEST(MapCodec, MAP8NoCracksAtAnyQualityByEitherCoder) {
     const Mesh soup = random_mesh(seed, 120, 300);
     expect_no_crack(soup, description_of(soup, 300), {60, 1}, seed);
   }
+}
+
+TEST(MapCodec, MAP6PrimersSaveBytesAndArePartsThemselves) {
+  const Mesh mesh = wavy_sheet(80, 60, 5, 0.002);
+  const MapDescription description = description_of(mesh, 150);
+  const auto parts = split(mesh, description, {.most_triangles = 400, .most_level = 3});
+  ASSERT_TRUE(parts);
+  const PartQuality quality{.bounds = {.max_error = QualityBound{0.002}}, .effort = 1};
+  const auto with = with_primers(description, *parts, quality);
+  ASSERT_TRUE(with);
+  ASSERT_FALSE(with->primers.empty());
+  const auto fresh = MapCodec::open(description);
+  const auto primed = MapCodec::open(*with);
+  std::size_t fresh_bytes = 0;
+  std::size_t primed_bytes = 0;
+  std::size_t primers = 0;
+  for (const MapPart& part : *parts) {
+    const auto coded = primed->encode(part, quality);
+    ASSERT_TRUE(coded);
+    const auto decoded = primed->decode(part.key, coded->bytes);
+    ASSERT_TRUE(decoded) << describe(decoded.error());
+    EXPECT_EQ(topology_counts(decoded->mesh), topology_counts(part.mesh));
+    fresh_bytes += fresh->encode(part, quality)->bytes.size();
+    primed_bytes += coded->bytes.size();
+    primers += coded->bytes.size() == 6 ? 1 : 0;
+  }
+  EXPECT_EQ(primers, with->primers.size());
+  primed_bytes += write_description(*with)->size() - write_description(description)->size();
+  EXPECT_LT(primed_bytes, fresh_bytes * 9 / 10);
+  MapDescription damaged = *with;
+  damaged.primers[0].stream[40] ^= std::byte{1};
+  EXPECT_EQ(MapCodec::open(damaged).error().code, ErrorCode::kCorrupt);
 }
 
 TEST(MapCodec, MAP7EveryDamageIsAnError) {

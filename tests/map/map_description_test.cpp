@@ -19,14 +19,14 @@ MapDescription example() {
   description.cell_steps = 1000;
   description.attributes = {{AttributeKind::kColor, ComponentType::kU8, 3, true, "red"},
                             {AttributeKind::kGeneric, ComponentType::kF32, 2, false, "confidence"}};
-  description.primer = {std::byte{1}, std::byte{2}, std::byte{3}};
+  description.primers = {{{std::byte{1}, std::byte{2}, std::byte{3}}, {std::byte{4}}}};
   return description;
 }
 
 TEST(MapDescription, MAP5RoundTrip) {
   const auto message = write_description(example());
   ASSERT_TRUE(message);
-  EXPECT_EQ(message->size(), 74U);
+  EXPECT_EQ(message->size(), 78U);
   const auto back = read_description(*message);
   ASSERT_TRUE(back);
   EXPECT_EQ(*back, example());
@@ -70,7 +70,9 @@ TEST(MapDescription, MAP2MAP3MAP6RangesAreChecked) {
   description.attributes[0].components = 17;
   EXPECT_EQ(rule_of(description), "MAP-5");
   description = example();
-  description.primer.resize(kMostPrimerBytes + 1);
+  description.primers[0].border.resize(kMostPrimerBytes);
+  EXPECT_EQ(rule_of(description), "MAP-6");
+  description.primers = std::vector<MapPrimer>(1);
   EXPECT_EQ(rule_of(description), "MAP-6");
 }
 

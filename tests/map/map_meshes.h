@@ -145,7 +145,8 @@ inline Mesh random_mesh(std::uint32_t seed, std::uint32_t vertices, std::uint32_
     mesh.positions.push_back(static_cast<float>(static_cast<double>(random() % 4001) / 4000 - 0.5));
   for (std::uint32_t v = 1; v < vertices; v += 3)  // close to the one before, mostly the same lattice point
     for (std::size_t k = 0; k < 3; ++k) mesh.positions[3 * v + k] = mesh.positions[3 * v - 3 + k] + 1e-5F;
-  for (std::uint32_t i = 0; i < 3 * faces; ++i) mesh.triangles.push_back(static_cast<std::uint32_t>(random() % vertices));
+  for (std::uint32_t i = 0; i < 3 * faces; ++i)
+    mesh.triangles.push_back(static_cast<std::uint32_t>(random() % vertices));
   return mesh;
 }
 

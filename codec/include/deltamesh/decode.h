@@ -24,12 +24,16 @@ struct DecodeLimits {
   std::uint64_t attribute_bytes = std::uint64_t{1} << 31;  ///< all attribute values together
 };
 
+class ModelStates;  ///< deltamesh/model_states.h
+
 struct DecodeOptions {
   DecodeLimits limits{};
   /// Threads to work on, the caller's included; 0: as many as the machine runs at once. No more than 16 are
   /// started, none for streams of a few kilobytes, and fewer where the system has no more. The mesh is the
   /// same for any number; each more than 1 may take 16 bytes of memory a vertex.
   unsigned threads = 1;
+  /// What the stream was encoded with (EncodeOptions::starting_states); must outlive the call.
+  const ModelStates* starting_states = nullptr;
   /// Called now and then with the share of the work done, 0 to 1; may be empty.
   std::function<void(double)> progress{};
 };

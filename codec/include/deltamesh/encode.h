@@ -33,6 +33,8 @@ enum class GeometryCoder : std::uint8_t {
   kPredictive,  ///< a lattice of positions: every vertex within half a step per axis, decoded without a solve
 };
 
+class ModelStates;  ///< deltamesh/model_states.h
+
 /// How to encode. Plain values with defaults; validate() checks ranges and contradictions.
 struct EncodeOptions {
   /// The quality to keep, in place of bits and anchors: VDE, maximum error and bytes exclude `bits` and
@@ -60,6 +62,9 @@ struct EncodeOptions {
   int anchor_bits = 12;
   AttributeQuality attributes{};  ///< bounds of attributes; `lossless` keeps their bits
   Profile profile = Profile::kSmallest;
+  /// Models begin as here, not fresh; must outlive the call. Decoders need the same
+  /// (deltamesh/model_states.h).
+  const ModelStates* starting_states = nullptr;
   bool keep_order = false;         ///< store the input's vertex and face order and restore it
   bool keep_unreferenced = false;  ///< keep vertices that no face uses
   /// Called now and then with the share of the work done, 0 to 1; may be empty.

@@ -13,15 +13,19 @@
 #include "deltamesh/attribute_quality.h"
 #include "deltamesh/mesh.h"
 #include "deltamesh/result.h"
+#include "entropy/learning.h"
 #include "entropy/payload.h"
 #include "format/attribute_descriptor.h"
 
 namespace deltamesh {
 
+struct ColorModels;
+
 struct AttributeSettings {
   const AttributeQuality& quality;
-  bool plain = false;  ///< no compact coding
-  int effort = 5;      ///< 0 to 9
+  bool plain = false;                  ///< no compact coding
+  int effort = 5;                      ///< 0 to 9
+  const ColorModels* start = nullptr;  ///< of colours; null for fresh models
 };
 
 /// A coded attribute and what a decoder gets.
@@ -49,9 +53,9 @@ constexpr bool decoded_after_others(AttributeKind kind) noexcept {
 std::uint64_t attribute_bytes(const AttributeDescriptor& descriptor, std::uint32_t rows) noexcept;
 
 /// `others`: see write_attribute(). Errors: kTruncated, kInvalidStream [ATTR-*], kLimitExceeded where the
-/// values would take more than `max_bytes`.
+/// values would take more than `max_bytes`. `learning`: of colours.
 Result<Attribute> read_attribute(Payload payload, const AttributeDescriptor& descriptor,
                                  const AttributeSurface& surface, std::span<const Attribute> others,
-                                 std::uint64_t max_bytes);
+                                 std::uint64_t max_bytes, const Learning<ColorModels>& learning = {});
 
 }  // namespace deltamesh

@@ -33,11 +33,11 @@ Result<std::vector<float>> read_floats(AttributeCoding coding, std::span<const s
 
 /// Of compact payloads.
 Result<void> read_on_surface(ByteReader& in, AttributeCoding coding, const Known& known,
-                             Attribute& attribute) {
+                             const Learning<ColorModels>& learning, Attribute& attribute) {
   DELTAMESH_TRY(const auto bytes, in.read_bytes(in.remaining()));
   if (coding == AttributeCoding::kSurfaceColors) {
     DELTAMESH_TRY(attribute.values,
-                  read_surface_colors(bytes, attribute.type, attribute.components, known.surface));
+                  read_surface_colors(bytes, attribute.type, attribute.components, known.surface, learning));
     return {};
   }
   if (coding == AttributeCoding::kLattice) {
@@ -77,7 +77,7 @@ std::uint64_t attribute_bytes(const AttributeDescriptor& descriptor, std::uint32
 
 Result<Attribute> read_attribute(Payload payload, const AttributeDescriptor& descriptor,
                                  const AttributeSurface& surface, std::span<const Attribute> others,
-                                 std::uint64_t max_bytes) {
+                                 std::uint64_t max_bytes, const Learning<ColorModels>& learning) {
   ByteReader in(payload.bytes, kTagAttribute);
   if (attribute_bytes(descriptor, surface.vertex_count()) > max_bytes)
     return in.error(ErrorCode::kLimitExceeded, "attribute values larger than allowed", "ATTR-8");
@@ -89,7 +89,7 @@ Result<Attribute> read_attribute(Payload payload, const AttributeDescriptor& des
   attribute.name = descriptor.name;
   DELTAMESH_TRY(const AttributeCoding coding, read_coding(in, descriptor, payload.is_compact));
   if (payload.is_compact) {
-    DELTAMESH_CHECK(read_on_surface(in, coding, {surface, others}, attribute));
+    DELTAMESH_CHECK(read_on_surface(in, coding, {surface, others}, learning, attribute));
   } else {
     DELTAMESH_CHECK(read_plain_values(in, coding, attribute, surface.vertex_count()));
   }

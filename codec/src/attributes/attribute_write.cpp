@@ -118,9 +118,10 @@ std::optional<CodedAttribute> code_on_lattices(const AttributeView& attribute, c
 }
 
 std::optional<CodedAttribute> code_colors(const AttributeView& attribute, const AttributeRows& rows,
-                                          double bound, const AttributeSurface& surface) {
+                                          double bound, const AttributeSurface& surface,
+                                          const ColorModels* start) {
   const auto colors =
-      write_surface_colors(rows.gather(), attribute.type, attribute.components, bound, surface);
+      write_surface_colors(rows.gather(), attribute.type, attribute.components, bound, surface, start);
   if (!colors) return std::nullopt;
   return code_compact(attribute, AttributeCoding::kSurfaceColors, colors->bytes, colors->values);
 }
@@ -153,7 +154,8 @@ std::optional<CodedAttribute> code_kind(const AttributeView& attribute, const At
   if (fits(AttributeCoding::kSurfaceNormals)) return code_normals(attribute, rows, bound, surface);
   if (fits(AttributeCoding::kSurfaceUvs)) return code_uvs(attribute, rows, bound, surface);
   if (fits(AttributeCoding::kSurfaceTangents)) return code_tangents(attribute, rows, bound, surface, others);
-  if (fits(AttributeCoding::kSurfaceColors)) return code_colors(attribute, rows, bound, surface);
+  if (fits(AttributeCoding::kSurfaceColors))
+    return code_colors(attribute, rows, bound, surface, settings.start);
   switch (attribute.kind) {
     case AttributeKind::kGeneric:
       return code_on_lattices(attribute, rows, bound, settings.effort, surface);

@@ -18,19 +18,34 @@
 
 namespace deltamesh {
 
+struct ColorModels {
+  ColorCopyModels copies;
+  ColorNumberModels numbers;
+
+  void limit_counts(std::uint8_t most) noexcept {
+    for (auto* const models : {&copies.symbols, &numbers.symbols})
+      for (SymbolModels& symbols : *models) symbols.limit_counts(most);
+    numbers.numbers.limit_counts(most);
+  }
+};
+
 /// `Coder` is CompactWriter or CompactReader.
 template <class Coder>
 class ColorCoder {
  public:
-  /// `surface` must outlive the coder. `copies`: whether colours may be copied; ignored by readers.
-  ColorCoder(Coder& coder, const AttributeSurface& surface, const ColorShape& shape, bool copies)
+  /// `surface` must outlive the coder. `copies`: whether colours may be copied; ignored by readers. `start`:
+  /// null for fresh models.
+  ColorCoder(Coder& coder, const AttributeSurface& surface, const ColorShape& shape, bool copies,
+             const ColorModels* start = nullptr)
       : has_copies_(coder.bits(copies ? 1 : 0, 1) != 0),
         forecast_(surface),
         shape_(shape),
-        copies_(shape),
-        numbers_(coder, shape),
+        copies_(shape, start != nullptr ? start->copies : ColorCopyModels()),
+        numbers_(coder, shape, start != nullptr ? start->numbers : ColorNumberModels()),
         colors_(surface.vertex_count()),
         memories_(surface.vertex_count()) {}
+
+  ColorModels models() const { return {copies_.models(), numbers_.models()}; }
 
   /// For every vertex once, in order. `coder`: that of the making, or a reader's copy that goes on in its
   /// place, and that a compiler can keep in registers. Writers give the levels and get those of the reader,

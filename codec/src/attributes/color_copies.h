@@ -9,30 +9,41 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <utility>
 
 #include "attributes/color_forecast.h"
 #include "attributes/color_memory.h"
-#include "entropy/compact_model.h"
+#include "entropy/symbol_models.h"
 
 namespace deltamesh {
+
+struct ColorCopyModels {
+  static constexpr std::array<std::size_t, 2> kContexts = {3 * 8 * 8, 64 * 3};
+  static constexpr SymbolModel kFresh{{16, 6, 3, 30, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
+
+  std::array<SymbolModels, 2> symbols{SymbolModels(kContexts[0], kFresh), SymbolModels(kContexts[1], kFresh)};
+  std::array<MixWeights<2>, 6> weights;
+};
 
 /// `Coder` is CompactWriter or CompactReader.
 template <class Coder>
 class ColorCopies {
  public:
-  explicit ColorCopies(const ColorShape& shape)
-      : shape_(shape), one_over_step_(1 / static_cast<float>(std::max(shape.step(), shape.top / 255))) {
-    for (std::size_t k = 0; k < models_.size(); ++k) models_[k].assign(kContexts[k], kFresh);
-  }
+  explicit ColorCopies(const ColorShape& shape, ColorCopyModels start = {})
+      : shape_(shape),
+        one_over_step_(1 / static_cast<float>(std::max(shape.step(), shape.top / 255))),
+        models_(std::move(start)) {}
+
+  const ColorCopyModels& models() const noexcept { return models_; }
 
   /// Codes whether `levels` are those of a vertex near, within the bound, and then sets them so.
   [[gnu::always_inline]] CopyOutcome code(Coder& coder, const ColorPlace& place, const FourFloats* colors,
                                           const ColorMemory* memories, ColorLevels& levels) {
     if (!find_candidates(place, colors)) return CopyOutcome::kNothingToCopy;
     const Contexts contexts = contexts_of(memories);
-    const Mixture<2> mixture{{&models_[0][contexts.models[0]], &models_[1][contexts.models[1]]},
-                             &weights_[contexts.weights]};
+    const Mixture<2> mixture{
+        {&models_.symbols[0][contexts.models[0]], &models_.symbols[1][contexts.models[1]]},
+        &models_.weights[contexts.weights]};
     const unsigned choice = coder.symbol(Coder::kWrites ? first_within_bound(levels) : kNotCopied, mixture);
     if (choice >= count_) return CopyOutcome::kNone;
     for (std::size_t a = 0; a < kColorAxes; ++a)
@@ -43,9 +54,6 @@ class ColorCopies {
  private:
   static constexpr unsigned kMost = 3;
   static constexpr unsigned kNotCopied = 3;
-  static constexpr std::array<std::size_t, 2> kContexts = {3 * 8 * 8, 64 * 3};
-  static constexpr SymbolModel kFresh{{16, 6, 3, 30, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
-
   struct Candidate {
     std::uint32_t vertex;
     FourFloats color;
@@ -119,8 +127,7 @@ class ColorCopies {
 
   ColorShape shape_;
   float one_over_step_;
-  std::array<std::vector<SymbolModel>, 2> models_;
-  std::array<MixWeights<2>, 6> weights_;
+  ColorCopyModels models_;
   // Of the next vertex.
   unsigned count_ = 0;
   std::array<Candidate, kMost> candidates_{};

@@ -11,22 +11,39 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <vector>
+#include <utility>
 
 #include "attributes/color_classes.h"
 #include "attributes/color_memory.h"
 #include "base/floor_log2.h"
 #include "entropy/split_number.h"
+#include "entropy/symbol_models.h"
 
 namespace deltamesh {
+
+struct ColorNumberModels {
+  static constexpr std::array<std::size_t, 2> kContexts = {28 * 6 * 4, 12 * 12 * 4};
+
+  std::array<SymbolModels, 2> symbols{SymbolModels(kContexts[0], kFreshSplit),
+                                      SymbolModels(kContexts[1], kFreshSplit)};
+  std::array<MixWeights<2>, 28> weights;
+  SplitNumberModels numbers;
+};
 
 /// `Coder` is CompactWriter or CompactReader.
 template <class Coder>
 class ColorNumbers {
  public:
-  ColorNumbers(Coder& coder, const ColorShape& shape)
-      : shape_(shape), units_(16 / static_cast<float>(shape.step())), numbers_(coder) {
-    for (std::size_t k = 0; k < models_.size(); ++k) models_[k].assign(kContexts[k], kFreshSplit);
+  ColorNumbers(Coder& coder, const ColorShape& shape, ColorNumberModels start = {})
+      : shape_(shape),
+        units_(16 / static_cast<float>(shape.step())),
+        numbers_(coder, start.numbers),
+        models_(std::move(start)) {}
+
+  ColorNumberModels models() const {
+    ColorNumberModels learnt = models_;
+    learnt.numbers = numbers_.models();
+    return learnt;
   }
 
   /// Codes the levels of what was not copied, which `memory` tells, and remembers of all how they differ from
@@ -61,8 +78,6 @@ class ColorNumbers {
   }
 
  private:
-  static constexpr std::array<std::size_t, 2> kContexts = {28 * 6 * 4, 12 * 12 * 4};
-
   /// Four classes per octave of sixteenths of a step and 4, less 4 for each bit of `shift`, 0 to 23.
   std::size_t class_of(float levels, unsigned shift) const noexcept {
     constexpr std::uint32_t kMantissaBits = 23;
@@ -89,8 +104,8 @@ class ColorNumbers {
     const std::array<std::size_t, 2> contexts = {
         (scale_class * 6 + sure) * 4 + axis,
         (class_of(spread, shift) / 2 * 12 + class_of(coded, shift) / 2) * 4 + axis};
-    const Mixture<2> mixture{{&models_[0][contexts[0]], &models_[1][contexts[1]]},
-                             &weights_[scale_class / 4 * 4 + axis]};
+    const Mixture<2> mixture{{&models_.symbols[0][contexts[0]], &models_.symbols[1][contexts[1]]},
+                             &models_.weights[scale_class / 4 * 4 + axis]};
     std::int64_t number = 0;
     if constexpr (Coder::kWrites) {
       const std::int32_t way = level - base;
@@ -108,8 +123,7 @@ class ColorNumbers {
   ColorShape shape_;
   float units_;
   SplitNumberCoder<Coder> numbers_;
-  std::array<std::vector<SymbolModel>, 2> models_;
-  std::array<MixWeights<2>, 28> weights_;
+  ColorNumberModels models_;  ///< but for those of numbers_
 };
 
 }  // namespace deltamesh

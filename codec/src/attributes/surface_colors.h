@@ -13,8 +13,11 @@
 #include "attributes/attribute_surface.h"
 #include "deltamesh/mesh.h"
 #include "deltamesh/result.h"
+#include "entropy/learning.h"
 
 namespace deltamesh {
+
+struct ColorModels;
 
 struct CodedColors {
   std::vector<std::byte> bytes;   ///< fields, then a compact stream [CMP-1] to the end
@@ -23,13 +26,16 @@ struct CodedColors {
 
 /// `values`: n x `components` (1 to 4) of `type`, native byte order, in coded order. `max_error`: the largest
 /// error of a component, 255ths of its range, 0 or above. Empty for other types than u8, u16 and f32, for
-/// floats that are not in [0, 1], and for exact floats that are not all whole 255ths or whole 65535ths. O(n).
+/// floats that are not in [0, 1], and for exact floats that are not all whole 255ths or whole 65535ths.
+/// `start`: null for fresh models. O(n).
 std::optional<CodedColors> write_surface_colors(std::span<const std::byte> values, ComponentType type,
                                                 unsigned components, double max_error,
-                                                const AttributeSurface& surface);
+                                                const AttributeSurface& surface,
+                                                const ColorModels* start = nullptr);
 
 /// The values. Errors: kTruncated, kInvalidStream [ATTR-45, CMP-3].
 Result<std::vector<std::byte>> read_surface_colors(std::span<const std::byte> bytes, ComponentType type,
-                                                   unsigned components, const AttributeSurface& surface);
+                                                   unsigned components, const AttributeSurface& surface,
+                                                   const Learning<ColorModels>& learning = {});
 
 }  // namespace deltamesh

@@ -66,7 +66,8 @@ class Values {
 }  // namespace
 
 Result<std::vector<std::byte>> read_surface_colors(std::span<const std::byte> bytes, ComponentType type,
-                                                   unsigned components, const AttributeSurface& surface) {
+                                                   unsigned components, const AttributeSurface& surface,
+                                                   const Learning<ColorModels>& learning) {
   constexpr std::uint32_t kVerticesAtOnce = 1024;
   ByteReader in(bytes, kTagAttribute);
   DELTAMESH_TRY(const ColorFields fields, read_fields(in, type, components));
@@ -80,7 +81,7 @@ Result<std::vector<std::byte>> read_surface_colors(std::span<const std::byte> by
   }
   DELTAMESH_TRY(const auto stream, in.read_bytes(in.remaining()));
   CompactReader first_reader(stream);
-  ColorCoder<CompactReader> coder(first_reader, surface, shape_of(fields, axes), false);
+  ColorCoder<CompactReader> coder(first_reader, surface, shape_of(fields, axes), false, learning.start);
   CompactReader reader = first_reader;  // which a compiler can keep in registers, as nothing points to it
   for (std::uint32_t v = 0; v < rows; ++v) {
     if (v % kVerticesAtOnce == 0 && reader.failed()) break;
@@ -89,6 +90,7 @@ Result<std::vector<std::byte>> read_surface_colors(std::span<const std::byte> by
     values.add(levels_by_component(fields, axes, levels));
   }
   DELTAMESH_CHECK(reader.finish(kTagAttribute));
+  if (learning.end != nullptr) *learning.end = coder.models();
   return values.take();
 }
 

@@ -140,7 +140,7 @@ void write_fields(ByteWriter& out, const ColorFields& fields) {
 
 std::optional<CodedColors> write_surface_colors(std::span<const std::byte> values, ComponentType type,
                                                 unsigned components, double max_error,
-                                                const AttributeSurface& surface) {
+                                                const AttributeSurface& surface, const ColorModels* start) {
   if (type != ComponentType::kU8 && type != ComponentType::kU16 && type != ComponentType::kF32)
     return std::nullopt;
   const Colors colors(values, type, components);
@@ -154,7 +154,7 @@ std::optional<CodedColors> write_surface_colors(std::span<const std::byte> value
   if (axes.count > 0) {
     CompactWriter writer;
     ColorCoder<CompactWriter> coder(writer, surface, shape_of(fields, axes),
-                                    copies_pay(levels, source->bound, surface.graph()));
+                                    copies_pay(levels, source->bound, surface.graph()), start);
     for (std::uint32_t v = 0; v < levels.size(); ++v) {
       ColorLevels by_axis{};
       for (std::size_t a = 0; a < axes.count; ++a) by_axis[a] = levels[v][axes.components[a]];

@@ -19,7 +19,10 @@ namespace {
 /// Takes every op from the compact coder.
 class CompactGuide {
  public:
-  explicit CompactGuide(CompactReader& reader) : reader_(reader), ops_(reader) {}
+  CompactGuide(CompactReader& reader, const OpModels* start)
+      : reader_(reader), ops_(reader, start != nullptr ? *start : OpModels()) {}
+
+  const OpModels& models() const noexcept { return ops_.models(); }
 
   void start(const Border& border) { starts_.push_back(border.vertex_count()); }
   /// As PayloadGuide's.
@@ -54,13 +57,14 @@ Result<void> check_face_count(std::uint32_t faces, std::size_t bytes) {
 }  // namespace
 
 Result<Connectivity> read_compact_connectivity(std::span<const std::byte> bytes, std::uint32_t vertex_count,
-                                               std::uint32_t triangle_count) {
+                                               std::uint32_t triangle_count,
+                                               const Learning<OpModels>& learning) {
   DELTAMESH_CHECK(check_face_count(triangle_count, bytes.size()));
   CompactReader reader(bytes);
   Border border(triangle_count);
   border.reserve(reserved_at_once(vertex_count, bytes.size()),
                  reserved_at_once(triangle_count, bytes.size()));
-  CompactGuide guide(reader);
+  CompactGuide guide(reader, learning.start);
   if (!traverse(border, guide)) {
     if (reader.failed()) DELTAMESH_CHECK(reader.finish(kTagConnectivity));
     return refusal_of(border).error();
@@ -68,6 +72,7 @@ Result<Connectivity> read_compact_connectivity(std::span<const std::byte> bytes,
   DELTAMESH_TRY(const auto vertex,
                 read_compact_gluing(reader, border.faces(), border.vertex_count(), vertex_count));
   DELTAMESH_CHECK(reader.finish(kTagConnectivity));
+  if (learning.end != nullptr) *learning.end = guide.models();
   Connectivity read{.triangles = border.take_faces(),
                     .open_edges = border.take_open_edges(),
                     .runs = connected_runs(guide.starts(), vertex, border.vertex_count())};

@@ -12,10 +12,13 @@
 
 #include "base/large_vector.h"
 #include "deltamesh/result.h"
+#include "entropy/learning.h"
 #include "entropy/payload.h"
 #include "topology/vertex_runs.h"
 
 namespace deltamesh {
+
+struct OpModels;
 
 /// Which forms of a payload to write.
 enum class PayloadForms : std::uint8_t { kBoth, kCompact };
@@ -37,9 +40,10 @@ struct CodedConnectivity {
 };
 
 /// `triangles`: m x 3 indices below `vertex_count`; anything goes: non-manifold, duplicate, degenerate,
-/// either orientation. O(n + m) expected, no recursion.
+/// either orientation. `start`: of the compact form; null for fresh models. O(n + m) expected, no recursion.
 CodedConnectivity write_connectivity(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count,
-                                     PayloadForms forms = PayloadForms::kBoth);
+                                     PayloadForms forms = PayloadForms::kBoth,
+                                     const OpModels* start = nullptr);
 
 struct Connectivity {
   std::vector<std::uint32_t> triangles;  ///< m x 3 vertices
@@ -52,6 +56,6 @@ struct Connectivity {
 /// they are checked here against the bytes present before anything of their size is allocated. Errors:
 /// kTruncated, kInvalidStream [CONN-*].
 Result<Connectivity> read_connectivity(Payload payload, std::uint32_t vertex_count,
-                                       std::uint32_t triangle_count);
+                                       std::uint32_t triangle_count, const Learning<OpModels>& learning = {});
 
 }  // namespace deltamesh

@@ -112,13 +112,14 @@ Result<GlueList> read_gluing(ByteReader& in, std::uint64_t glue_count, std::uint
 }  // namespace
 
 Result<Connectivity> read_connectivity(Payload payload, std::uint32_t vertex_count,
-                                       std::uint32_t triangle_count) {
+                                       std::uint32_t triangle_count, const Learning<OpModels>& learning) {
   ByteReader in(payload.bytes, kTagConnectivity);
   if (triangle_count == 0) {
     DELTAMESH_CHECK(in.finish());
     return Connectivity{};
   }
-  if (payload.is_compact) return read_compact_connectivity(payload.bytes, vertex_count, triangle_count);
+  if (payload.is_compact)
+    return read_compact_connectivity(payload.bytes, vertex_count, triangle_count, learning);
   DELTAMESH_TRY(const Sections sections, read_sections(in));
   if (triangle_count > saturating_mul(sections.token_count, kFacesPerToken))
     return in.error(ErrorCode::kInvalidStream, "more faces than the ops can hold", "CONN-2");

@@ -28,10 +28,11 @@ std::vector<std::byte> write_payload(const MeshGuide& guide, const GlueList& glu
 }
 
 /// The compact form [CONN-12 to CONN-14]; `faces` becomes those of the walk, over manifold vertices.
-std::vector<std::byte> write_compact(MeshGuide& guide, std::vector<std::uint32_t>& faces) {
+std::vector<std::byte> write_compact(MeshGuide& guide, const OpModels* start,
+                                     std::vector<std::uint32_t>& faces) {
   CompactWriter writer;
   Border border(guide.face_count());
-  guide.walk(border, writer);
+  guide.walk(border, writer, start);
   faces = border.take_faces();
   if (faces.empty()) return {};
   write_compact_gluing(writer, faces, guide.vertices().coded());
@@ -41,10 +42,10 @@ std::vector<std::byte> write_compact(MeshGuide& guide, std::vector<std::uint32_t
 }  // namespace
 
 CodedConnectivity write_connectivity(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count,
-                                     PayloadForms forms) {
+                                     PayloadForms forms, const OpModels* start) {
   MeshGuide guide(triangles, vertex_count, forms);
   CodedConnectivity coded;
-  coded.compact = write_compact(guide, coded.triangles);
+  coded.compact = write_compact(guide, start, coded.triangles);
   if (forms == PayloadForms::kBoth && !triangles.empty())
     coded.payload = write_payload(guide, list_glued(guide.vertices().coded()));
   renumber(coded.triangles, guide.vertices().coded());

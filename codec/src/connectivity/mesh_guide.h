@@ -45,10 +45,11 @@ class MeshGuide {
   std::uint32_t face_count() const noexcept { return static_cast<std::uint32_t>(triangles_.size() / 3); }
 
   /// Walks over the faces until `border` is full of them, and their ops are in `writer`. Both are new.
-  void walk(Border& border, CompactWriter& writer) {
+  /// `start`: null for fresh models.
+  void walk(Border& border, CompactWriter& writer, const OpModels* start) {
     writer.reserve(2 * std::size_t{face_count()});
     border.reserve(face_count() / 2, face_count());
-    ops_.emplace(writer);
+    ops_.emplace(writer, start != nullptr ? *start : OpModels());
     traverse(border, *this);
   }
 

@@ -12,10 +12,10 @@
 #include <utility>
 
 #include "connectivity/border.h"
+#include "connectivity/op_models.h"
 #include "connectivity/split_reference.h"
 #include "entropy/compact_model.h"
 #include "entropy/number_model.h"
-#include "entropy/symbol_models.h"
 
 namespace deltamesh {
 
@@ -27,14 +27,9 @@ inline constexpr std::uint64_t kFacesPerCompactByte = 42400;
 template <class Coder>
 class OpCoder {
  public:
-  explicit OpCoder(Coder& coder) : coder_(coder) {
-    constexpr std::size_t kOfFaces = kRunContexts / kMostFaces;
-    for (std::uint32_t faces = 1; faces <= kMostFaces; ++faces) {
-      const SymbolModel fresh = fresh_run(faces);
-      for (auto* const models : {&first_runs_, &second_runs_})
-        models->fill((faces - 1) * kOfFaces, kOfFaces, fresh);
-    }
-  }
+  explicit OpCoder(Coder& coder, OpModels start = {}) : coder_(coder), models_(std::move(start)) {}
+
+  const OpModels& models() const noexcept { return models_; }
 
   /// Writes `step`, or reads one; a reader's may not fit the border.
   [[gnu::always_inline]] BorderStep code(const BorderStep& step, const Border& border, const Gate& gate) {
@@ -68,14 +63,9 @@ class OpCoder {
   void begin(const Run& run) { to_come_ = run; }
 
  private:
-  /// A run is up to 6 ops C and the op that closes it, or 7 ops C before another run. Its symbol is the
-  /// number of ops C where R closes it, 7 more where another op does, which follows, or 14.
-  static constexpr unsigned kLongestRun = 7;
-  static constexpr unsigned kClosedByRare = kLongestRun;
-  static constexpr unsigned kGoesOn = 2 * kLongestRun;
-
-  static constexpr std::size_t kRunContexts = kMostFaces * 128;
-  static constexpr std::size_t kRareNears = 4 * 16;  ///< what both of a rare op's contexts have
+  static constexpr unsigned kLongestRun = OpModels::kLongestRun;
+  static constexpr unsigned kClosedByRare = OpModels::kClosedByRare;
+  static constexpr unsigned kGoesOn = OpModels::kGoesOn;
 
   struct RunContext {
     std::size_t first;
@@ -98,24 +88,11 @@ class OpCoder {
             .weights = focus * 4 + gate.loop};
   }
 
-  /// The fewer faces a vertex has, the more are still to come, up to six.
-  static SymbolModel fresh_run(std::uint32_t faces) noexcept {
-    std::array<std::uint8_t, kSymbols> weights{};
-    weights.fill(1);
-    const std::uint32_t likely = faces < 5 ? 5 - faces : 0;
-    for (std::uint32_t k = 0; k < kLongestRun; ++k) {
-      const std::uint32_t off = std::max(k, likely) - std::min(k, likely);
-      if (off <= 2) weights[k] = static_cast<std::uint8_t>(32 >> (2 * off));
-    }
-    weights[kClosedByRare] = 6;
-    weights[kClosedByRare + 1] = 2;
-    return SymbolModel(weights);
-  }
-
   unsigned code_run(unsigned symbol, const RunContext& context) {
     last_ = 0;
-    return coder_.symbol(symbol, Mixture<2>{{&first_runs_[context.first], &second_runs_[context.second]},
-                                            &run_weights_[context.weights]});
+    return coder_.symbol(
+        symbol, Mixture<2>{{&models_.first_runs[context.first], &models_.second_runs[context.second]},
+                           &models_.run_weights[context.weights]});
   }
 
   /// A writer knows a run when it closes.
@@ -150,9 +127,9 @@ class OpCoder {
     const std::uint32_t focus = std::clamp<std::uint32_t>(gate.focus_faces, 2, 5) - 2;
     const std::size_t first = (near * 4 + focus) * 4 + few(gate.other_faces, 4);
     const std::size_t second = (near * 2 + few(gate.left_faces, 2)) * 4 + few(gate.right_faces, 4);
-    const auto symbol =
-        coder_.symbol(static_cast<unsigned>(step.op),
-                      Mixture<2>{{&first_rares_[first], &second_rares_[second]}, &rare_weights_[near]});
+    const auto symbol = coder_.symbol(static_cast<unsigned>(step.op),
+                                      Mixture<2>{{&models_.first_rares[first], &models_.second_rares[second]},
+                                                 &models_.rare_weights[near]});
     BorderStep coded{static_cast<BorderOp>(symbol)};
     if (AtOrigin) last_ = coded.op == BorderOp::kNewVertex ? 1 : 2;
     if (coded.op == BorderOp::kSplit) coded.target = code_target(step.target, border, item);
@@ -161,20 +138,10 @@ class OpCoder {
 
   std::uint32_t code_target(std::uint32_t target, const Border& border, std::uint32_t gate) {
     const std::uint32_t reference =
-        coder_.number(Coder::kWrites ? find_reference(border, gate, target) : 0, references_);
+        coder_.number(Coder::kWrites ? find_reference(border, gate, target) : 0, models_.references);
     if (reference > kLargestReference) return kNoIndex;
     if (reference != kFarReference) return follow_reference(border, gate, reference);
     return coder_.bits(target, static_cast<unsigned>(std::bit_width(border.item_count())));
-  }
-
-  /// The first quarter is of step 1 [CONN-6].
-  static SymbolModels fresh_rares(std::size_t contexts_of_near) {
-    constexpr SymbolModel kFirstStep{{0, 8, 0, 8, 1, 6, 5, 0, 0, 0, 0, 0, 0, 0, 0, 0}};
-    constexpr SymbolModel kSecondStep{{8, 1, 1, 0, 1, 8, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0}};
-    const std::size_t count = kRareNears * contexts_of_near;
-    SymbolModels models(count, kSecondStep);
-    models.fill(0, count / 4, kFirstStep);
-    return models;
   }
 
   Coder& coder_;
@@ -182,13 +149,7 @@ class OpCoder {
   std::uint32_t new_vertices_ = 0;  ///< of a writer's run so far
   RunContext run_context_{};        ///< where that began
   std::uint32_t last_ = 0;          ///< the last op: 0 in step 1 [CONN-6], else 1 C, 2 another
-  SymbolModels first_runs_{kRunContexts};
-  SymbolModels second_runs_{kRunContexts};
-  std::array<MixWeights<2>, kMostFaces * 4> run_weights_;
-  SymbolModels first_rares_ = fresh_rares(16);
-  SymbolModels second_rares_ = fresh_rares(8);
-  std::array<MixWeights<2>, kRareNears> rare_weights_;
-  NumberModel references_;
+  OpModels models_;
 };
 
 }  // namespace deltamesh

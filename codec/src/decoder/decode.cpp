@@ -11,6 +11,7 @@
 #include "base/memory_pool.h"
 #include "base/thread_team.h"
 #include "base/try.h"
+#include "decoder/check_limits.h"
 #include "decoder/stream_decoder.h"
 #include "deltamesh/stream_info.h"
 #include "format/container.h"
@@ -31,18 +32,6 @@ std::size_t memory_at_a_time(const FileHeader& header, std::size_t bytes) noexce
   const std::size_t per_vertex =
       header.geometry == kGeometryPredictive ? kPerPredictedVertex : kPerSolvedVertex;
   return kRounding + per_vertex * std::min<std::size_t>(header.geometric_vertices, kVerticesPerByte * bytes);
-}
-
-Error limit_exceeded(const char* message) noexcept {
-  return {.code = ErrorCode::kLimitExceeded, .message = message};
-}
-
-Result<void> check_limits(const FileHeader& header, const DecodeLimits& limits) {
-  if (header.vertices > limits.vertices) return limit_exceeded("more vertices than the caller's limit");
-  if (header.triangles > limits.triangles) return limit_exceeded("more triangles than the caller's limit");
-  if (header.attributes.size() > limits.attributes)
-    return limit_exceeded("more attributes than the caller's limit");
-  return {};
 }
 
 /// Working in `memory`, which nobody else uses.

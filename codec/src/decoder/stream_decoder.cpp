@@ -17,10 +17,12 @@
 #include "connectivity/face_groups.h"
 #include "connectivity/seams.h"
 #include "decoder/restore_order.h"
+#include "deltamesh/model_states.h"
 #include "entropy/expand_chunk.h"
 #include "format/vertex_positions.h"
 #include "geometry/highpass.h"
 #include "predictive/positions.h"
+#include "states/stream_models.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {
@@ -39,8 +41,14 @@ std::uint64_t max_payload(const FileHeader& header) noexcept {
 
 class StreamDecoder {
  public:
-  StreamDecoder(const Container& container, const DecodeOptions& options)
-      : container_(container), header_(container.header()), options_(options) {}
+  StreamDecoder(const Container& container, const DecodeOptions& options, StreamModels* learnt)
+      : container_(container),
+        header_(container.header()),
+        options_(options),
+        start_(options.starting_states != nullptr ? &options.starting_states->models() : nullptr),
+        learnt_(learnt) {
+    if (learnt != nullptr) learnt->colors.resize(header_.attributes.size());
+  }
 
   Result<Mesh> run() {
     Mesh mesh;
@@ -72,8 +80,8 @@ class StreamDecoder {
   /// Faces over the mesh's vertices; where seams split some, those over the geometric vertices as well.
   Result<void> read_faces(std::vector<std::uint32_t>& triangles) {
     DELTAMESH_TRY(const auto connectivity, expand_single(container_, kTagConnectivity, max_payload(header_)));
-    DELTAMESH_TRY(auto read,
-                  read_connectivity(connectivity.payload(), header_.geometric_vertices, header_.triangles));
+    DELTAMESH_TRY(auto read, read_connectivity(connectivity.payload(), header_.geometric_vertices,
+                                               header_.triangles, of_ops()));
     DELTAMESH_CHECK(check_components(read.runs.count(header_.geometric_vertices)));
     triangles = std::move(read.triangles);
     open_edges_ = std::move(read.open_edges);
@@ -129,8 +137,23 @@ class StreamDecoder {
 
   Result<std::vector<float>> read_predicted(std::span<const std::uint32_t> triangles) {
     DELTAMESH_TRY(const auto payload, expand_single(container_, kTagPositions, max_payload(header_)));
+    Learning<PositionModels> learning;
+    if (start_ != nullptr) learning.start = &start_->positions;
+    if (learnt_ != nullptr) learning.end = &learnt_->positions;
+    if (learnt_ != nullptr && header_.predictive.kind == PositionKind::kVoxel)
+      learnt_->voxels = header_.predictive;
     return read_positions(payload.payload(), {triangles, header_.geometric_vertices}, header_.predictive,
-                          header_.box());
+                          header_.box(), learning);
+  }
+
+  Learning<OpModels> of_ops() const {
+    return {start_ != nullptr ? start_->of_ops() : nullptr,
+            learnt_ != nullptr ? &learnt_->ops.emplace() : nullptr};
+  }
+  Learning<ColorModels> of_color(std::size_t attribute) const {
+    const bool learns = learnt_ != nullptr && header_.attributes[attribute].kind == AttributeKind::kColor;
+    return {start_ != nullptr ? start_->of_color(attribute) : nullptr,
+            learns ? &learnt_->colors[attribute].emplace() : nullptr};
   }
 
   Result<void> check_components(std::uint32_t count) const {
@@ -174,8 +197,9 @@ class StreamDecoder {
       const AttributeDescriptor& descriptor = header_.attributes[now];
       if (decoded_after_others(descriptor.kind) != after_others) continue;
       DELTAMESH_TRY(const auto chunk, expand_chunk(container_, entry, max_payload(header_)));
-      DELTAMESH_TRY(attributes[now], read_attribute(chunk.payload(), descriptor, surface, attributes,
-                                                    options_.limits.attribute_bytes - attribute_bytes_));
+      DELTAMESH_TRY(attributes[now],
+                    read_attribute(chunk.payload(), descriptor, surface, attributes,
+                                   options_.limits.attribute_bytes - attribute_bytes_, of_color(now)));
       attribute_bytes_ += attributes[now].values.size();
     }
     return {};
@@ -184,6 +208,8 @@ class StreamDecoder {
   const Container& container_;
   const FileHeader& header_;
   const DecodeOptions& options_;
+  const StreamModels* start_;                       ///< null: fresh models
+  StreamModels* learnt_;                            ///< null where nobody wants them
   std::vector<std::uint32_t> geometric_triangles_;  ///< empty where no vertex is split
   LargeVector<DirectedEdge> open_edges_;            ///< of the geometric faces
   VertexRuns runs_;                                 ///< of the geometric vertices
@@ -195,8 +221,9 @@ class StreamDecoder {
 
 }  // namespace
 
-Result<Mesh> decode_container(const Container& container, const DecodeOptions& options) {
-  return StreamDecoder(container, options).run();
+Result<Mesh> decode_container(const Container& container, const DecodeOptions& options,
+                              StreamModels* learnt) {
+  return StreamDecoder(container, options, learnt).run();
 }
 
 }  // namespace deltamesh

@@ -11,8 +11,12 @@
 
 namespace deltamesh {
 
+struct StreamModels;
+
 /// The mesh in `container`, which keeps to the limits of vertices, triangles and attributes. On the threads
-/// and in the memory that the caller's thread has. Errors: as decode(); throws std::bad_alloc.
-Result<Mesh> decode_container(const Container& container, const DecodeOptions& options);
+/// and in the memory that the caller's thread has. `learnt`: gets what coders learn, where it is wanted.
+/// Errors: as decode(); throws std::bad_alloc.
+Result<Mesh> decode_container(const Container& container, const DecodeOptions& options,
+                              StreamModels* learnt = nullptr);
 
 }  // namespace deltamesh

@@ -8,8 +8,10 @@
 
 #include "attributes/attribute.h"
 #include "base/try.h"
+#include "deltamesh/model_states.h"
 #include "format/tags.h"
 #include "format/vertex_positions.h"
+#include "states/stream_models.h"
 
 namespace deltamesh {
 
@@ -30,7 +32,8 @@ Result<ChunkList> code_attributes(const MeshView& mesh, const CodedTopology& top
   const std::vector<float> split = is_split ? copy_rows(positions, copies) : std::vector<float>();
   const AttributeSurface surface(topology.triangles(), topology.vertex_count(), copies,
                                  is_split ? split : positions);
-  const AttributeSettings settings{
+  const ModelStates* const states = options.starting_states;
+  AttributeSettings settings{
       .quality = options.attributes, .plain = options.profile == Profile::kZstd, .effort = options.effort};
   const auto& attributes = mesh.attributes;
   std::vector<CodedAttribute> coded(attributes.size());
@@ -38,6 +41,7 @@ Result<ChunkList> code_attributes(const MeshView& mesh, const CodedTopology& top
   for (const bool after_others : {false, true}) {
     for (std::size_t i = 0; i < attributes.size(); ++i) {
       if (decoded_after_others(attributes[i].kind) != after_others) continue;
+      settings.start = states != nullptr ? states->models().of_color(i) : nullptr;
       DELTAMESH_TRY(coded[i],
                     write_attribute(attributes[i], topology.vertex_order(), settings, surface, decoded));
       decoded[i] = std::move(coded[i].decoded);

@@ -59,7 +59,8 @@ std::vector<std::uint32_t> corner_vertices(const MeshView& mesh, const CodedConn
 
 }  // namespace
 
-CodedTopology code_topology(const MeshView& mesh, bool keep_unreferenced, PayloadForms forms) {
+CodedTopology code_topology(const MeshView& mesh, bool keep_unreferenced, PayloadForms forms,
+                            const OpModels* start) {
   CodedTopology topology;
   const std::vector<std::uint8_t> referenced = find_referenced(mesh);
   for (const std::uint8_t flag : referenced) topology.unreferenced += flag == 0;
@@ -68,7 +69,7 @@ CodedTopology code_topology(const MeshView& mesh, bool keep_unreferenced, Payloa
 
   const WeldedMesh welded = weld_mesh(mesh, referenced, topology.unreferenced > topology.unreferenced_kept);
   const auto geometric_count = static_cast<std::uint32_t>(welded.representative.size());
-  topology.connectivity = write_connectivity(welded.triangles, geometric_count, forms);
+  topology.connectivity = write_connectivity(welded.triangles, geometric_count, forms, start);
 
   topology.geometric_input.reserve(geometric_count);
   for (const std::uint32_t g : topology.connectivity.vertex_order)

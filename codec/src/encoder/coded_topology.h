@@ -38,9 +38,9 @@ struct CodedTopology {
   std::uint32_t vertex_count() const noexcept { return static_cast<std::uint32_t>(vertex_order().size()); }
 };
 
-/// `mesh` has passed check_mesh. O(n + m) expected.
+/// `mesh` has passed check_mesh. `start`: as write_connectivity() has it. O(n + m) expected.
 CodedTopology code_topology(const MeshView& mesh, bool keep_unreferenced,
-                            PayloadForms forms = PayloadForms::kBoth);
+                            PayloadForms forms = PayloadForms::kBoth, const OpModels* start = nullptr);
 
 /// The ORDR contents that restore the input's order (without dropped vertices). `input_vertices`: of the
 /// mesh.

@@ -10,12 +10,14 @@
 #include "base/short_float.h"
 #include "base/try.h"
 #include "connectivity/face_groups.h"
+#include "deltamesh/model_states.h"
 #include "encoder/check_mesh.h"
 #include "encoder/chunk_list.h"
 #include "encoder/coded_parts.h"
 #include "encoder/coded_topology.h"
 #include "encoder/source_geometry.h"
 #include "format/container_write.h"
+#include "states/stream_models.h"
 
 namespace deltamesh {
 namespace {
@@ -95,9 +97,10 @@ Result<Encoded> encode_checked(const MeshView& mesh, const EncodeOptions& option
   const auto report_progress = [&](double share) {
     if (options.progress) options.progress(share);
   };
-  const CodedTopology topology =
-      code_topology(mesh, options.keep_unreferenced,
-                    is_compact_alone(options) ? PayloadForms::kCompact : PayloadForms::kBoth);
+  const CodedTopology topology = code_topology(
+      mesh, options.keep_unreferenced,
+      is_compact_alone(options) ? PayloadForms::kCompact : PayloadForms::kBoth,
+      options.starting_states != nullptr ? options.starting_states->models().of_ops() : nullptr);
   const SourceGeometry source(mesh, topology);
   report_progress(kTopologyDone);
 

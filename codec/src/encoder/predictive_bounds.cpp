@@ -88,6 +88,15 @@ std::optional<LatticeTrial> keep_on_voxels(const Bounds& bounds, const VoxelFit&
   return best;
 }
 
+/// As many levels as the starting states know, if these keep the bounds.
+std::optional<LatticeTrial> keep_usual_levels(const Bounds& bounds, const VoxelFit& fit,
+                                              const PredictiveTrials& trials) {
+  if (trials.usual_levels() == 0) return std::nullopt;
+  auto trial = trials.try_levels(fit, trials.usual_levels(), bounds);
+  if (trial && bounds.load(trial->quality) > 1) trial.reset();
+  return trial;
+}
+
 /// Whether most vertices are on edges of voxels that are not much finer than the bounds' lattice, and faces
 /// no larger.
 bool are_voxels_enough(const Bounds& bounds, const PredictiveTrials& trials) {
@@ -120,6 +129,7 @@ CodedGeometry keep_bounds(const Bounds& bounds, const PredictiveTrials& trials) 
   const double step = first_step(bounds, trials.source().box);
   if (trials.voxels() && (trials.effort() > 0 || are_voxels_enough(bounds, trials))) {
     keep_smaller(keep_on_voxels(bounds, *trials.voxels(), trials));
+    keep_smaller(keep_usual_levels(bounds, *trials.voxels(), trials));
   } else if (const auto axes = trials.axes(step / 8); has_grid(axes, step)) {
     // Axes of their own come first: effort 0 takes them, others compare.
     keep_smaller(keep_on_lattice(bounds, axes, trials));

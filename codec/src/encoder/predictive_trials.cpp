@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "deltamesh/model_states.h"
 #include "encoder/cell_quality.h"
 #include "encoder/position_forms.h"
 #include "predictive/exact_lattice.h"
 #include "predictive/lattice.h"
 #include "predictive/positions.h"
+#include "states/stream_models.h"
 
 namespace deltamesh {
 namespace {
@@ -69,7 +71,7 @@ CodedGeometry PredictiveTrials::code(const LatticeTrial& trial) const {
     choice.quality.vde_rms =
         visual_error(source_.edges, source_.positions, trial.cells, trial.parameters.lattice);
   const auto write = [&](const PositionForm& form) {
-    return write_positions(faces(), trial.cells, trial.parameters, form, trial.patches);
+    return write_positions(faces(), trial.cells, trial.parameters, form, trial.patches, start());
   };
   choice.chunks.add_compact(kTagPositions, write_smallest(write, trial.parameters.kind, options_.effort));
   choice.positions = to_rows(to_positions(trial.cells, trial.parameters.lattice));
@@ -107,8 +109,28 @@ CodedGeometry PredictiveTrials::code_exactly() const {
 }
 
 const std::optional<VoxelFit>& PredictiveTrials::voxels() const {
-  if (!voxels_) voxels_ = fit_voxels(values_, source_.box);
+  if (!voxels_) voxels_ = has_usual_voxels() ? fit_usual_voxels() : fit_voxels(values_, source_.box);
   return *voxels_;
+}
+
+const PositionModels* PredictiveTrials::start() const noexcept {
+  return options_.starting_states != nullptr ? &options_.starting_states->models().positions : nullptr;
+}
+
+bool PredictiveTrials::has_usual_voxels() const noexcept {
+  return options_.starting_states != nullptr && options_.starting_states->models().voxels;
+}
+
+std::uint32_t PredictiveTrials::usual_levels() const noexcept {
+  return has_usual_voxels() ? options_.starting_states->models().voxels->levels : 0;
+}
+
+std::optional<VoxelFit> PredictiveTrials::fit_usual_voxels() const {
+  const PredictiveParameters& usual = *options_.starting_states->models().voxels;
+  VoxelFit grid{.origin = usual.lattice.origin};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    grid.voxel[axis] = 2.0 * usual.levels * usual.lattice.step[axis];
+  return fit_to_grid(grid, values_, source_.box);
 }
 
 }  // namespace deltamesh

@@ -17,6 +17,8 @@
 
 namespace deltamesh {
 
+struct PositionModels;
+
 /// Positions on a lattice, before they are coded.
 struct LatticeTrial {
   PredictiveParameters parameters;
@@ -46,8 +48,12 @@ class PredictiveTrials {
   double step_for_bits(int bits) const noexcept;
   /// The axes whose coordinates all are on a grid, of steps of at least `finest`.
   std::array<AxisGrid, 3> axes(double finest) const { return fit_axes(values_, source_.box, finest); }
-  /// The voxels that the mesh was cut from; looked for when first asked for.
+  /// The voxels that the mesh was cut from; that of the starting states, or looked for when first
+  /// asked for.
   const std::optional<VoxelFit>& voxels() const;
+
+  /// Levels of the voxels that starting states are of; 0 without.
+  std::uint32_t usual_levels() const noexcept;
 
   const SourceGeometry& source() const noexcept { return source_; }
   int effort() const noexcept { return options_.effort; }
@@ -57,6 +63,9 @@ class PredictiveTrials {
  private:
   LatticeTrial measured(PredictiveParameters parameters, std::vector<Cell> cells, const Bounds& bounds) const;
   CodedGeometry code_floats() const;
+  const PositionModels* start() const noexcept;
+  bool has_usual_voxels() const noexcept;
+  std::optional<VoxelFit> fit_usual_voxels() const;
   FaceList faces() const noexcept {
     return {source_.triangles, static_cast<std::uint32_t>(source_.positions.size())};
   }

@@ -96,6 +96,9 @@ class alignas(16) SymbolModel {
     pull_lanes(lanes_.data(), kPulls[rate][symbol], rate);
   }
 
+  /// As if at most so many symbols had been seen: what was learnt of another mesh gives way soon [CMP-16].
+  void limit_count(std::uint8_t most) noexcept { count_ = std::min(count_, most); }
+
  private:
   static constexpr unsigned kLastRate = 7;
   static constexpr unsigned kMostCounted = 122;

@@ -22,11 +22,22 @@ inline constexpr SymbolModel kFreshSplit({1, 2, 3, 4, 8, 14, 24, 40, 24, 14, 8, 
 
 inline constexpr unsigned kMostLowBits = kMostBitsAtOnce + 1;  ///< that come with the symbol
 
+struct SplitNumberModels {
+  BitModel is_below;  ///< of numbers beyond the symbols, and by how much
+  NumberModel excess;
+  SymbolBits low;
+
+  void limit_counts(std::uint8_t most) noexcept { excess.length.limit_count(most); }
+};
+
 /// `Coder` is CompactWriter, CompactReader or CompactPricer.
 template <class Coder>
 class SplitNumberCoder {
  public:
-  explicit SplitNumberCoder(Coder& coder) noexcept : coder_(coder) {}
+  explicit SplitNumberCoder(Coder& coder, const SplitNumberModels& start = {}) noexcept
+      : coder_(coder), models_(start) {}
+
+  const SplitNumberModels& models() const noexcept { return models_; }
 
   /// Codes `value` by `value >> shift`, in `mixture`, and its low `shift` bits. A reader's argument is
   /// ignored; where the stream lies the result is anything below 2^62 in size. `coder`: that of the making,
@@ -39,7 +50,7 @@ class SplitNumberCoder {
     LowBits low{.count = shift - rest, .value = low_bits(value >> rest, shift - rest)};
     const bool far = high < -kReach || high > kReach;
     const unsigned symbol = coder.symbol_and_bits(far ? kEscape : static_cast<unsigned>(high + kReach), low,
-                                                  mixture, low_models_);
+                                                  mixture, models_.low);
     if (symbol == kEscape) [[unlikely]] {
       high = code_tail(coder, high);
     } else {
@@ -58,8 +69,8 @@ class SplitNumberCoder {
   /// Beyond the symbols: the sign and how far [CMP-15].
   [[gnu::noinline]] std::int64_t code_tail(std::int64_t high) {
     const auto excess = static_cast<std::uint32_t>(std::llabs(high) - (kReach + 1));
-    const bool is_below = coder_.bit(high < 0, is_below_);
-    const std::int64_t size = std::int64_t{code_number(coder_, excess, excess_)} + kReach + 1;
+    const bool is_below = coder_.bit(high < 0, models_.is_below);
+    const std::int64_t size = std::int64_t{code_number(coder_, excess, models_.excess)} + kReach + 1;
     return is_below ? -size : size;
   }
 
@@ -87,9 +98,7 @@ class SplitNumberCoder {
   }
 
   Coder& coder_;
-  BitModel is_below_;  ///< of numbers beyond the symbols, and by how much
-  NumberModel excess_;
-  SymbolBits low_models_;
+  SplitNumberModels models_;
 };
 
 }  // namespace deltamesh

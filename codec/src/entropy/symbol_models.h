@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <memory>
 #include <type_traits>
@@ -20,7 +21,19 @@ class SymbolModels {
   /// `count` models that begin as `fresh`.
   SymbolModels(std::size_t count, const SymbolModel& fresh) : SymbolModels(count) { fill(0, count, fresh); }
   /// `count` models, each of which fill() has to set.
-  explicit SymbolModels(std::size_t count) : models_(new SymbolModel[count]) {}
+  explicit SymbolModels(std::size_t count) : size_(count), models_(new SymbolModel[count]) {}
+
+  SymbolModels(const SymbolModels& other) : SymbolModels(other.size_) {
+    std::memcpy(models_.get(), other.models_.get(), size_ * sizeof(SymbolModel));
+  }
+  SymbolModels& operator=(const SymbolModels& other) { return *this = SymbolModels(other); }
+  SymbolModels(SymbolModels&&) noexcept = default;
+  SymbolModels& operator=(SymbolModels&&) noexcept = default;
+  ~SymbolModels() = default;
+
+  void limit_counts(std::uint8_t most) noexcept {
+    for (std::size_t i = 0; i < size_; ++i) models_[i].limit_count(most);
+  }
 
   void fill(std::size_t first, std::size_t count, const SymbolModel& fresh) noexcept {
     if (count == 0) return;
@@ -39,6 +52,7 @@ class SymbolModels {
   static constexpr std::size_t kBlock = 64;  ///< stays in the nearest cache
   static_assert(std::is_trivially_copyable_v<SymbolModel>);
 
+  std::size_t size_;
   std::unique_ptr<SymbolModel[]> models_;
 };
 

@@ -32,20 +32,42 @@ void code_blends(Coder& coder, BlendTable& table) {
   }
 }
 
+struct LatticeModels {
+  ResidualModels residuals;
+  MatchModels matches;
+
+  void limit_counts(std::uint8_t most) noexcept {
+    residuals.limit_counts(most);
+    matches.limit_counts(most);
+  }
+};
+
 template <class Coder>
 class LatticeCoder {
  public:
   /// `largest`: the most that a coordinate may be, per axis.
   /// `guesses`: coordinates are compared with guesses first [POSN-9].
   LatticeCoder(Coder& coder, const KnownFaces& faces, const std::array<std::uint32_t, 3>& largest,
-               const BlendTable& blends, bool guesses)
+               const BlendTable& blends, bool guesses, const LatticeModels* start = nullptr)
       : coder_(coder),
         faces_(faces),
         most_(four_ints({largest[0], largest[1], largest[2], 0U})),
         blends_(blends),
         history_(faces.vertex_count()),
-        residuals_(coder) {
-    if (guesses) matches_.emplace(coder);
+        residuals_(coder, start != nullptr ? start->residuals : ResidualModels()) {
+    if (guesses) matches_.emplace(coder, start != nullptr ? start->matches : MatchModels());
+  }
+
+  /// What was learnt; of matches only with guesses, else what `others` has.
+  LatticeModels models(const LatticeModels* others) const {
+    LatticeModels learnt;
+    learnt.residuals = residuals_.models();
+    if (matches_) {
+      learnt.matches = matches_->models();
+    } else if (others != nullptr) {
+      learnt.matches = others->matches;
+    }
+    return learnt;
   }
 
   /// Before the first vertex, where some will not be coded, as what they are is known [ATTR-59].

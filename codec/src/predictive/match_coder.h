@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <utility>
 
 #include "entropy/symbol_models.h"
 #include "predictive/guesses.h"
@@ -15,10 +16,24 @@
 
 namespace deltamesh {
 
+struct MatchModels {
+  static constexpr std::array<std::uint32_t, 2> kContexts = {3 * 4 * 7, 5 * 7 * 7};
+  static constexpr SymbolModel kFresh{{8, 4, 2, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
+
+  std::array<SymbolModels, 2> symbols{SymbolModels(kContexts[0], kFresh), SymbolModels(kContexts[1], kFresh)};
+  MixWeights<2> weights;
+
+  void limit_counts(std::uint8_t most) noexcept {
+    for (SymbolModels& models : symbols) models.limit_counts(most);
+  }
+};
+
 template <class Coder>
 class MatchCoder {
  public:
-  explicit MatchCoder(Coder& coder) : coder_(coder) {}
+  explicit MatchCoder(Coder& coder, MatchModels start = {}) : coder_(coder), models_(std::move(start)) {}
+
+  const MatchModels& models() const noexcept { return models_; }
 
   /// Whether `value`, which a reader gets, is one of `guesses`. Axes come in order; `missed`: a bit for every
   /// axis of the vertex that was none of its guesses, at first 0.
@@ -33,10 +48,10 @@ class MatchCoder {
     const unsigned history = a == 0 ? 0 : a == 1 ? 1 + (before & 1U) : 3 + (before & 3U);
     unsigned symbol = 0;
     if constexpr (Coder::kWrites) symbol = guesses.symbol_of(axis, value);
-    symbol = coder_.symbol(symbol,
-                           Mixture<2>{{&models_[0][(a * 4 + (before & 3U)) * 7 + count],
-                                       &models_[1][(sources * 7 + history) * 7 + std::min(around.faces, 6U)]},
-                                      &weights_});
+    symbol = coder_.symbol(
+        symbol, Mixture<2>{{&models_.symbols[0][(a * 4 + (before & 3U)) * 7 + count],
+                            &models_.symbols[1][(sources * 7 + history) * 7 + std::min(around.faces, 6U)]},
+                           &models_.weights});
     if (symbol == 0 || symbol > count) return false;
     missed = before;
     value = guesses.at(axis, symbol - 1);
@@ -44,12 +59,8 @@ class MatchCoder {
   }
 
  private:
-  static constexpr std::array<std::uint32_t, 2> kContexts = {3 * 4 * 7, 5 * 7 * 7};
-  static constexpr SymbolModel kFresh{{8, 4, 2, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
-
   Coder& coder_;
-  std::array<SymbolModels, 2> models_{SymbolModels(kContexts[0], kFresh), SymbolModels(kContexts[1], kFresh)};
-  MixWeights<2> weights_;
+  MatchModels models_;
 };
 
 }  // namespace deltamesh

@@ -9,6 +9,7 @@
 #include "format/vertex_positions.h"
 #include "predictive/float_coder.h"
 #include "predictive/lattice_coder.h"
+#include "predictive/position_models.h"
 #include "predictive/positions.h"
 #include "predictive/voxel_coder.h"
 
@@ -54,27 +55,32 @@ Result<std::vector<float>> read_floats(CompactReader& reader, const KnownFaces& 
 
 /// In two walks. What the coder remembers is gone when the cells are there.
 Result<LargeVector<Cell>> read_voxel_cells(CompactReader& reader, const VoxelFaces& faces,
-                                           const PredictiveParameters& parameters) {
-  VoxelCoder coder(reader, faces, parameters.lattice.cells, parameters.levels);
+                                           const PredictiveParameters& parameters,
+                                           const Learning<PositionModels>& learning) {
+  VoxelCoder coder(reader, faces, parameters.lattice.cells, parameters.levels,
+                   learning.start != nullptr ? learning.start->of_voxels() : nullptr);
   LargeVector<Cell> cells(faces.vertex_count());
   for (std::uint32_t turn = 0; turn < faces.turns() && !reader.failed(); ++turn) {
     const char* broken = coder.code_turn(turn, cells);
     if (broken != nullptr && !reader.failed()) return invalid("not a vertex of the voxel grid", broken);
   }
+  if (learning.end != nullptr) learning.end->voxels = coder.models();
   return cells;
 }
 
 Result<std::vector<float>> read_voxels(CompactReader& reader, const VoxelFaces& faces,
-                                       const PredictiveParameters& parameters) {
-  DELTAMESH_TRY(const auto cells, read_voxel_cells(reader, faces, parameters));
+                                       const PredictiveParameters& parameters,
+                                       const Learning<PositionModels>& learning) {
+  DELTAMESH_TRY(const auto cells, read_voxel_cells(reader, faces, parameters, learning));
   DELTAMESH_CHECK(reader.finish(kTagPositions));
   return to_rows(cells, parameters.lattice);
 }
 
 Result<LargeVector<Cell>> read_lattice_cells(CompactReader& reader, const KnownFaces& faces,
                                              const PositionLattice& lattice, const BlendTable& blends,
-                                             bool guesses) {
-  LatticeCoder coder(reader, faces, lattice.cells, blends, guesses);
+                                             bool guesses, const Learning<PositionModels>& learning) {
+  const LatticeModels* const start = learning.start != nullptr ? learning.start->of_lattice() : nullptr;
+  LatticeCoder coder(reader, faces, lattice.cells, blends, guesses, start);
   LargeVector<Cell> cells(faces.vertex_count());
   for (std::uint32_t v = 0; v < cells.size() && !reader.failed();) {
     const char* broken = coder.code_next(v, cells);
@@ -82,14 +88,16 @@ Result<LargeVector<Cell>> read_lattice_cells(CompactReader& reader, const KnownF
     if (!reader.failed()) return invalid("a coordinate beyond the lattice", broken);
     break;
   }
+  if (learning.end != nullptr) learning.end->lattice = coder.models(start);
   return cells;
 }
 
 Result<std::vector<float>> read_lattice(CompactReader& reader, const KnownFaces& faces,
-                                        const PositionLattice& lattice, const BlendTable& blends) {
+                                        const PositionLattice& lattice, const BlendTable& blends,
+                                        const Learning<PositionModels>& learning) {
   const bool guesses = reader.bits(0, 1) != 0;
   const bool patched = reader.bits(0, 1) != 0;
-  DELTAMESH_TRY(const auto cells, read_lattice_cells(reader, faces, lattice, blends, guesses));
+  DELTAMESH_TRY(const auto cells, read_lattice_cells(reader, faces, lattice, blends, guesses, learning));
   std::vector<Patch> patches;
   if (patched && !reader.failed() &&
       !code_patches(reader, patches, 3 * std::uint64_t{faces.vertex_count()}) && !reader.failed())
@@ -103,14 +111,15 @@ Result<std::vector<float>> read_lattice(CompactReader& reader, const KnownFaces&
 /// What follows the walk, of vertices numbered in its order.
 Result<std::vector<float>> read_in_order(CompactReader& reader, const FaceList& list,
                                          std::span<const std::uint32_t> order,
-                                         const PredictiveParameters& parameters, const Box& box) {
+                                         const PredictiveParameters& parameters, const Box& box,
+                                         const Learning<PositionModels>& learning) {
   if (parameters.kind == PositionKind::kVoxel)
-    return read_voxels(reader, VoxelFaces(list, order), parameters);
+    return read_voxels(reader, VoxelFaces(list, order), parameters, learning);
   const KnownFaces faces(list, order);
   BlendTable blends{};
   code_blends(reader, blends);
   if (parameters.kind == PositionKind::kFloats) return read_floats(reader, faces, blends, box);
-  return read_lattice(reader, faces, parameters.lattice, blends);
+  return read_lattice(reader, faces, parameters.lattice, blends, learning);
 }
 
 std::vector<float> in_decoded_order(std::span<const float> walked, std::span<const std::uint32_t> order) {
@@ -124,7 +133,8 @@ std::vector<float> in_decoded_order(std::span<const float> walked, std::span<con
 }  // namespace
 
 Result<std::vector<float>> read_positions(Payload payload, const FaceList& faces,
-                                          const PredictiveParameters& parameters, const Box& box) {
+                                          const PredictiveParameters& parameters, const Box& box,
+                                          const Learning<PositionModels>& learning) {
   if (faces.vertex_count == 0) {
     if (!payload.bytes.empty()) return invalid("positions without vertices", "POSN-1");
     return std::vector<float>{};
@@ -134,7 +144,7 @@ Result<std::vector<float>> read_positions(Payload payload, const FaceList& faces
   Walk walk{};
   if (!code_walk(reader, walk)) return invalid("an order of vertices that is not known", "POSN-10");
   const auto order = walk_order(faces, walk);
-  DELTAMESH_TRY(auto walked, read_in_order(reader, faces, order, parameters, box));
+  DELTAMESH_TRY(auto walked, read_in_order(reader, faces, order, parameters, box, learning));
   if (!order.empty()) walked = in_decoded_order(walked, order);
   DELTAMESH_CHECK(check_finite(walked));
   return walked;

@@ -7,6 +7,7 @@
 #include "predictive/float_coder.h"
 #include "predictive/guess_forecast.h"
 #include "predictive/lattice_coder.h"
+#include "predictive/position_models.h"
 #include "predictive/positions.h"
 #include "predictive/voxel_coder.h"
 
@@ -36,18 +37,20 @@ std::vector<Patch> in_order(std::span<const Patch> patches, const std::vector<st
 }
 
 std::vector<std::byte> write_voxels(const VoxelFaces& faces, std::vector<Cell> cells,
-                                    const PredictiveParameters& parameters, Walk walk) {
+                                    const PredictiveParameters& parameters, Walk walk,
+                                    const PositionModels* start) {
   CompactWriter writer;
   writer.reserve(9 * std::size_t{faces.vertex_count()});
   code_walk(writer, walk);
-  VoxelCoder coder(writer, faces, parameters.lattice.cells, parameters.levels);
+  VoxelCoder coder(writer, faces, parameters.lattice.cells, parameters.levels,
+                   start != nullptr ? start->of_voxels() : nullptr);
   for (std::uint32_t turn = 0; turn < faces.turns(); ++turn) coder.code_turn(turn, cells);
   return writer.finish();
 }
 
 std::vector<std::byte> write_cells(const KnownFaces& faces, std::vector<Cell> cells,
                                    const PredictiveParameters& parameters, const PositionForm& form,
-                                   std::vector<Patch> patches) {
+                                   std::vector<Patch> patches, const PositionModels* start) {
   CompactWriter writer;
   writer.reserve(9 * std::size_t{faces.vertex_count()});
   Walk walk = form.walk;
@@ -59,7 +62,8 @@ std::vector<std::byte> write_cells(const KnownFaces& faces, std::vector<Cell> ce
                                                            : form.guesses == Guessing::kAlways;
   writer.bits(guesses ? 1 : 0, 1);
   writer.bits(patches.empty() ? 0 : 1, 1);
-  LatticeCoder coder(writer, faces, lattice.cells, blends, guesses);
+  LatticeCoder coder(writer, faces, lattice.cells, blends, guesses,
+                     start != nullptr ? start->of_lattice() : nullptr);
   for (std::uint32_t v = 0; v < cells.size();) coder.code_next(v, cells);
   if (!patches.empty()) code_patches(writer, patches, 3 * cells.size());
   return writer.finish();
@@ -85,13 +89,13 @@ std::vector<std::byte> write_ordinals(const KnownFaces& faces, std::vector<Ordin
 
 std::vector<std::byte> write_positions(const FaceList& faces, std::span<const Cell> cells,
                                        const PredictiveParameters& parameters, const PositionForm& form,
-                                       std::span<const Patch> patches) {
+                                       std::span<const Patch> patches, const PositionModels* start) {
   if (cells.empty()) return {};
   const auto order = walk_order(faces, form.walk);
   if (parameters.kind == PositionKind::kVoxel)
-    return write_voxels(VoxelFaces(faces, order), in_order(cells, order), parameters, form.walk);
+    return write_voxels(VoxelFaces(faces, order), in_order(cells, order), parameters, form.walk, start);
   return write_cells(KnownFaces(faces, order), in_order(cells, order), parameters, form,
-                     in_order(patches, order));
+                     in_order(patches, order), start);
 }
 
 std::vector<std::byte> write_floats(const FaceList& faces, std::span<const Vec3> positions, const Box& box,

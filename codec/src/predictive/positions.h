@@ -11,6 +11,7 @@
 
 #include "base/vec3.h"
 #include "deltamesh/result.h"
+#include "entropy/learning.h"
 #include "entropy/payload.h"
 #include "format/predictive_parameters.h"
 #include "predictive/blend.h"
@@ -19,6 +20,8 @@
 #include "predictive/walk.h"
 
 namespace deltamesh {
+
+struct PositionModels;
 
 enum class Guessing : std::uint8_t { kNever, kAlways, kForecast };  ///< kForecast: where a sample says so
 
@@ -30,18 +33,21 @@ struct PositionForm {
 };
 
 /// The POSN payload, compact, of `cells`, one for every vertex of `faces`, within the lattice; empty for no
-/// vertices. `faces`: as decoded, whatever the walk. `patches`: of kLattice, ascending. O(n + m).
+/// vertices. `faces`: as decoded, whatever the walk. `patches`: of kLattice, ascending. `start`:
+/// null for fresh models. O(n + m).
 std::vector<std::byte> write_positions(const FaceList& faces, std::span<const Cell> cells,
                                        const PredictiveParameters& parameters, const PositionForm& form = {},
-                                       std::span<const Patch> patches = {});
+                                       std::span<const Patch> patches = {},
+                                       const PositionModels* start = nullptr);
 
 /// The same for positions to the last bit, PositionKind::kFloats. `box`: of `positions`, which are floats.
 std::vector<std::byte> write_floats(const FaceList& faces, std::span<const Vec3> positions, const Box& box,
                                     const PositionForm& form = {});
 
-/// n x 3. `box`: the header's. Errors: kTruncated, kInvalidStream [POSN-1, POSN-7, POSN-10, POSN-11, VOX-4,
-/// FLT-1, CMP-3, GEO-1].
+/// n x 3. `box`: the header's. `learning`: not of floats. Errors: kTruncated, kInvalidStream [POSN-1, POSN-7,
+/// POSN-10, POSN-11, VOX-4, FLT-1, CMP-3, GEO-1].
 Result<std::vector<float>> read_positions(Payload payload, const FaceList& faces,
-                                          const PredictiveParameters& parameters, const Box& box);
+                                          const PredictiveParameters& parameters, const Box& box,
+                                          const Learning<PositionModels>& learning = {});
 
 }  // namespace deltamesh

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include "entropy/split_number.h"
 #include "entropy/symbol_models.h"
@@ -14,18 +15,38 @@
 
 namespace deltamesh {
 
+struct ResidualModels {
+  std::array<SymbolModels, kResidualModels> symbols{SymbolModels(kResidualContexts[0], kFreshSplit),
+                                                    SymbolModels(kResidualContexts[1], kFreshSplit)};
+  std::array<MixWeights<kResidualModels>, kResidualWeightSets> weights;
+  SplitNumberModels numbers;
+
+  void limit_counts(std::uint8_t most) noexcept {
+    for (SymbolModels& models : symbols) models.limit_counts(most);
+    numbers.limit_counts(most);
+  }
+};
+
 /// `Coder` is CompactWriter or CompactReader.
 template <class Coder>
 class ResidualCoder {
  public:
-  explicit ResidualCoder(Coder& coder) : coder_(coder), numbers_(coder) {}
+  explicit ResidualCoder(Coder& coder, ResidualModels start = {})
+      : coder_(coder), numbers_(coder, start.numbers), models_(std::move(start)) {}
+
+  ResidualModels models() const {
+    ResidualModels learnt = models_;
+    learnt.numbers = numbers_.models();
+    return learnt;
+  }
 
   /// A reader's argument is ignored. Where the stream lies the result is anything below 2^62 in size.
   std::int64_t code(std::int64_t residual, const ResidualForecast& f) { return code(coder_, residual, f); }
   /// `coder`: as SplitNumberCoder has it.
   [[gnu::always_inline]] std::int64_t code(Coder& coder, std::int64_t residual, const ResidualForecast& f) {
-    const Mixture<kResidualModels> mixture{{&models_[0][f.contexts[0]], &models_[1][f.contexts[1]]},
-                                           &weights_[f.weight_set]};
+    const Mixture<kResidualModels> mixture{
+        {&models_.symbols[0][f.contexts[0]], &models_.symbols[1][f.contexts[1]]},
+        &models_.weights[f.weight_set]};
     const std::int64_t result = numbers_.code(coder, (residual ^ f.sign) - f.sign, f.shift, mixture);
     return (result ^ f.sign) - f.sign;
   }
@@ -33,9 +54,7 @@ class ResidualCoder {
  private:
   Coder& coder_;
   SplitNumberCoder<Coder> numbers_;
-  std::array<SymbolModels, kResidualModels> models_{SymbolModels(kResidualContexts[0], kFreshSplit),
-                                                    SymbolModels(kResidualContexts[1], kFreshSplit)};
-  std::array<MixWeights<kResidualModels>, kResidualWeightSets> weights_;
+  ResidualModels models_;  ///< but for those of numbers_
 };
 
 }  // namespace deltamesh

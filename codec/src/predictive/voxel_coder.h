@@ -16,9 +16,9 @@
 #include "base/zigzag.h"
 #include "predictive/blend.h"
 #include "predictive/residual_coder.h"
-#include "predictive/voxel_edge_models.h"
 #include "predictive/voxel_faces.h"
 #include "predictive/voxel_level_coder.h"
+#include "predictive/voxel_models.h"
 #include "predictive/voxel_view.h"
 
 namespace deltamesh {
@@ -26,23 +26,31 @@ namespace deltamesh {
 template <class Coder>
 class VoxelCoder {
  public:
-  /// `largest`: the most that a coordinate may be, per axis.
+  /// `largest`: the most that a coordinate may be, per axis. `start`: null for fresh models.
   VoxelCoder(Coder& coder, const VoxelFaces& faces, const std::array<std::uint32_t, 3>& largest,
-             std::uint32_t levels)
+             std::uint32_t levels, const VoxelModels* start = nullptr)
       : coder_(coder),
         faces_(faces),
         largest_(largest),
         grid_(levels),
-        levels_(coder, levels),
-        residuals_(coder),
+        levels_(coder, levels, start != nullptr ? start->levels : VoxelLevelModels()),
+        residuals_(coder, start != nullptr ? start->residuals : ResidualModels()),
         spots_(std::size_t{faces.vertex_count()} + kNoCube.size() + 1),
-        nodes_(spots_.size()) {
+        nodes_(spots_.size()),
+        models_(start != nullptr ? *start : VoxelModels()) {
     spots_[faces.none()] = kOffEdges;
     nodes_[faces.none()] = kNowhere;
     for (std::size_t i = 0; i < kNoCube.size(); ++i) {
       nodes_[faces.none() + 1 + i] = kNoCube[i];
       spots_[faces.none() + 1 + i] = spot_of({kNoCube[i][0], kNoCube[i][1], kNoCube[i][2]}, 0, 0);
     }
+  }
+
+  VoxelModels models() const {
+    VoxelModels learnt = models_;
+    learnt.levels = levels_.models();
+    learnt.residuals = residuals_.models();
+    return learnt;
   }
 
   /// The vertex of this turn in the first walk, from 0, and the one in the second; those of the turns before
@@ -86,7 +94,6 @@ class VoxelCoder {
   };
 
   static constexpr unsigned kFree = 3;
-  static constexpr SymbolModel kFreshStart{{8, 8, 8, 8, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
   /// Two edges of one cube, for faces of vertices without a cube.
   static constexpr std::array<FourInts, 2> kNoCube = {FourInts{0, 0, 0, 0}, FourInts{0, 1, 1, 0}};
 
@@ -137,8 +144,8 @@ class VoxelCoder {
       if (vertex.is_near && number == voxel::kNoEdge && pair.is_open(i) && pair.higher_has(i, vertex.told))
         number = VoxelPair::kOpen;
     }
-    SymbolModel& model = edge_models_.of(pair.kind(i), pair.likely(i), pair.opposite(i));
-    return coder_.symbol(number, Mixture<1>{{&model}, &edge_weights_});
+    SymbolModel& model = models_.edges.of(pair.kind(i), pair.likely(i), pair.opposite(i));
+    return coder_.symbol(number, Mixture<1>{{&model}, &models_.edge_weights});
   }
 
   [[gnu::always_inline]] const char* code_vertex(std::size_t i, VoxelPair& pair, const Corners& corners,
@@ -182,8 +189,8 @@ class VoxelCoder {
     const std::array<std::int64_t, 3> place = expected.place();
     std::optional<VoxelGrid::Cut> cut;
     if constexpr (Coder::kWrites) cut = grid_.cut_of(cells[vertex]);
-    const unsigned start =
-        coder_.symbol(cut ? static_cast<unsigned>(cut->axis) : kFree, Mixture<1>{{&start_}, &start_weights_});
+    const unsigned start = coder_.symbol(cut ? static_cast<unsigned>(cut->axis) : kFree,
+                                         Mixture<1>{{&models_.start}, &models_.start_weights});
     if (start > kFree) return "VOX-1";
     if (start == kFree) return code_free(vertex, around, expected, cells[vertex]);
     VoxelGrid::Node node{};
@@ -191,7 +198,7 @@ class VoxelCoder {
       const std::int64_t nodes = largest_[a] / static_cast<std::uint32_t>(grid_.voxel());
       const std::int64_t below = (place[a] >> 4) / grid_.voxel();
       const std::uint32_t code = cut ? zigzag(static_cast<std::int32_t>(cut->node[a] - below)) : 0;
-      const std::int64_t coded = below + unzigzag(coder_.number(code, start_nodes_[a]));
+      const std::int64_t coded = below + unzigzag(coder_.number(code, models_.start_nodes[a]));
       if (coded < 0 || coded > nodes) return "VOX-5";
       node[a] = static_cast<std::int32_t>(coded);
     }
@@ -229,11 +236,7 @@ class VoxelCoder {
   ResidualCoder<Coder> residuals_;
   LargeVector<VoxelSpot> spots_;  ///< then kOffEdges and kNoCube
   LargeVector<FourInts> nodes_;   ///< likewise
-  VoxelEdgeModels edge_models_;
-  MixWeights<1> edge_weights_;
-  SymbolModel start_{kFreshStart};
-  MixWeights<1> start_weights_;
-  std::array<NumberModel, 3> start_nodes_;
+  VoxelModels models_;            ///< but for those of levels_ and residuals_
 };
 
 }  // namespace deltamesh

@@ -27,6 +27,10 @@ class VoxelEdgeModels {
     return models_[std::size_t{place} * kOpposites - kOpposites + opposite];
   }
 
+  void limit_counts(std::uint8_t most) noexcept {
+    for (SymbolModel& model : models_) model.limit_count(most);
+  }
+
  private:
   static constexpr std::size_t kOpposites = VoxelPair::kOpen + 1;
 

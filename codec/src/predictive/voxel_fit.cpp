@@ -69,17 +69,48 @@ Placement place_vertex(const Vec3& position, const VoxelFit& fit) noexcept {
   return placement;
 }
 
+/// How far a coordinate may be from its true place: a few roundings of the largest one to float.
+double rounding_noise(const Box& box) noexcept {
+  double reach = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    reach = std::max({reach, std::abs(box.min[axis]), std::abs(box.max[axis])});
+  return reach * 0x1p-21;
+}
+
+/// `fit` with its share; empty where that is too small, or all vertices are along one axis.
+std::optional<VoxelFit> with_share(VoxelFit fit, const AxisValues& values) {
+  const std::span<const Vec3> positions = values.positions();
+  std::array<std::size_t, 3> along{};  // vertices inside an edge of each axis
+  std::size_t sampled = 0;
+  for (std::size_t v = 0; v < positions.size(); v += values.stride(), ++sampled) {
+    const Placement placement = place_vertex(positions[v], fit);
+    if (placement.on_planes == 2) ++along[placement.free_axis];
+  }
+  const std::size_t inside = along[0] + along[1] + along[2];
+  fit.share = static_cast<double>(inside) / static_cast<double>(sampled);
+  if (fit.share < kFewestOnEdges) return std::nullopt;
+  // Heights over a grid, say: a lattice of their own suits them better.
+  const std::size_t largest = *std::max_element(along.begin(), along.end());
+  if (static_cast<double>(largest) > kMostAlongOneAxis * static_cast<double>(inside)) return std::nullopt;
+  return fit;
+}
+
 }  // namespace
+
+std::optional<VoxelFit> fit_to_grid(const VoxelFit& grid, const AxisValues& values, const Box& box) {
+  if (values.positions().empty()) return std::nullopt;
+  VoxelFit fit = grid;
+  fit.noise = 2 * rounding_noise(box) + 1e-4 * std::min({grid.voxel[0], grid.voxel[1], grid.voxel[2]});
+  fit.is_given = true;
+  return with_share(fit, values);
+}
 
 std::optional<VoxelFit> fit_voxels(const AxisValues& values, const Box& box) {
   const std::span<const Vec3> positions = values.positions();
   if (positions.size() < 64) return std::nullopt;
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (!values.has_repeats(axis)) return std::nullopt;
-  double reach = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    reach = std::max({reach, std::abs(box.min[axis]), std::abs(box.max[axis])});
-  const double noise = reach * 0x1p-21;  // a few roundings of the largest coordinate to float
+  const double noise = rounding_noise(box);
 
   std::array<std::vector<Plane>, 3> planes;
   double distance = 0;
@@ -107,19 +138,7 @@ std::optional<VoxelFit> fit_voxels(const AxisValues& values, const Box& box) {
     fit.origin[axis] =
         comb.origin + comb.distance * (std::floor((box.min[axis] - comb.origin) / comb.distance) - 1);
   }
-  std::array<std::size_t, 3> along{};  // vertices inside an edge of each axis
-  std::size_t sampled = 0;
-  for (std::size_t v = 0; v < positions.size(); v += values.stride(), ++sampled) {
-    const Placement placement = place_vertex(positions[v], fit);
-    if (placement.on_planes == 2) ++along[placement.free_axis];
-  }
-  const std::size_t inside = along[0] + along[1] + along[2];
-  fit.share = static_cast<double>(inside) / static_cast<double>(sampled);
-  if (fit.share < kFewestOnEdges) return std::nullopt;
-  // Heights over a grid, say: a lattice of their own suits them better.
-  const std::size_t largest = *std::max_element(along.begin(), along.end());
-  if (static_cast<double>(largest) > kMostAlongOneAxis * static_cast<double>(inside)) return std::nullopt;
-  return fit;
+  return with_share(fit, values);
 }
 
 std::optional<VoxelCells> to_voxel_cells(std::span<const Vec3> positions, const Box& box, const VoxelFit& fit,
@@ -128,10 +147,17 @@ std::optional<VoxelCells> to_voxel_cells(std::span<const Vec3> positions, const 
   VoxelCells result{.lattice = {.origin = fit.origin}, .cells = {}};
   reserve_large(result.cells, positions.size());
   result.cells.resize(positions.size());
+  Vec3 firsts{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     result.lattice.step[axis] = fit.voxel[axis] / voxel;
-    const double nodes = std::ceil((box.max[axis] - fit.origin[axis]) / fit.voxel[axis]) + 1;
-    if (nodes * voxel > kMostCells) return std::nullopt;
+    // A mesh on a given grid starts at its own first node.
+    const double before =
+        fit.is_given ? std::floor((box.min[axis] - fit.noise - fit.origin[axis]) / fit.voxel[axis]) : 0;
+    const double nodes = std::ceil((box.max[axis] - fit.origin[axis]) / fit.voxel[axis]) + 1 - before;
+    if (nodes * voxel > kMostCells || std::abs(before * voxel) > static_cast<double>(kMostFirst))
+      return std::nullopt;
+    firsts[axis] = before * voxel;
+    result.lattice.first[axis] = static_cast<std::int64_t>(firsts[axis]);
     result.lattice.cells[axis] = static_cast<std::uint32_t>(nodes * voxel);
   }
   for (std::size_t v = 0; v < positions.size(); ++v) {
@@ -141,7 +167,7 @@ std::optional<VoxelCells> to_voxel_cells(std::span<const Vec3> positions, const 
       double q = nearest(turns * voxel);
       if (placement.on_planes >= 2)
         q = axis == placement.free_axis ? 2 * floor_of(turns * levels) + 1 : voxel * nearest(turns);
-      result.cells[v][axis] = static_cast<std::int32_t>(q);
+      result.cells[v][axis] = static_cast<std::int32_t>(q - firsts[axis]);
     }
   }
   return result;

@@ -17,14 +17,18 @@
 namespace deltamesh {
 
 struct VoxelFit {
-  Vec3 origin{};     ///< a node at or below the smallest coordinate
-  Vec3 voxel{};      ///< edge lengths, model units
-  double noise = 0;  ///< how far from a plane a coordinate on it may be
-  double share = 0;  ///< of the vertices on an edge
+  Vec3 origin{};          ///< a node at or below the smallest coordinate
+  Vec3 voxel{};           ///< edge lengths, model units
+  double noise = 0;       ///< how far from a plane a coordinate on it may be
+  double share = 0;       ///< of the vertices on an edge
+  bool is_given = false;  ///< `origin` stays that of the lattice, wherever the mesh is
 };
 
 /// Empty where fewer than a fifth of the sampled vertices are on the edges of one grid. O(n).
 std::optional<VoxelFit> fit_voxels(const AxisValues& values, const Box& box);
+
+/// `grid`, of which origin and voxels are given, as the fit of the mesh; empty as above. O(n).
+std::optional<VoxelFit> fit_to_grid(const VoxelFit& grid, const AxisValues& values, const Box& box);
 
 /// The fine lattice of `fit` with this many levels per edge, and the vertices on it. Empty where it would
 /// exceed kMostCells.

@@ -51,6 +51,15 @@ struct MapAttribute {
   bool operator==(const MapAttribute&) const = default;
 };
 
+/// A part that coders learn from: models of all other parts begin as they are after it. Several follow each
+/// other, each beginning where the one before ends.
+struct MapPrimer {
+  std::vector<std::byte> stream{};  ///< as encode() makes it
+  std::vector<std::byte> border{};  ///< coded [MAP-11]
+
+  bool operator==(const MapPrimer&) const = default;
+};
+
 struct MapDescription {
   std::uint64_t id = 0;     ///< which map
   std::uint32_t epoch = 0;  ///< parts are decoded with the description of their epoch
@@ -58,9 +67,8 @@ struct MapDescription {
   MapLattice lattice{};
   std::uint32_t cell_steps = 1024;         ///< edge of a cell of level 0, lattice steps; 1 to 2^24
   std::vector<MapAttribute> attributes{};  ///< at most 255
-  /// A deltamesh stream whose models, as they are after it, are where those of every part begin; at most
-  /// kMostPrimerBytes; empty: parts begin with fresh models.
-  std::vector<std::byte> primer{};
+  /// At most 255, in all of at most kMostPrimerBytes. Empty: parts begin with fresh models.
+  std::vector<MapPrimer> primers{};
 
   bool operator==(const MapDescription&) const = default;
 };

@@ -36,16 +36,17 @@ class MapCodec {
                          const DecodeOptions& options = {}) const noexcept;
 
   struct State;  ///< src/codec_state.h; not for callers
+  const State& state() const noexcept { return *state_; }
 
  private:
   explicit MapCodec(std::shared_ptr<const State> state) noexcept;
   std::shared_ptr<const State> state_;
 };
 
-/// `description` with a primer for parts of this quality, chosen from `parts` so that these take the fewest
-/// bytes, primer counted; without one where none pays. Cost: encodes a sample of the parts several times.
-/// Errors: as MapCodec::encode().
-Result<MapDescription> with_primer(MapDescription description, std::span<const MapPart> parts,
-                                   const PartQuality& quality = {}) noexcept;
+/// `description` with primers for parts of this quality: the largest of `parts`, as many as pay, 16 KB of
+/// them or one. A map of only one part has none. Cost: encodes a sample of the parts several times. Errors:
+/// as MapCodec::encode().
+Result<MapDescription> with_primers(MapDescription description, std::span<const MapPart> parts,
+                                    const PartQuality& quality = {}) noexcept;
 
 }  // namespace deltamesh

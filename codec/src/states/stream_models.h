@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// What is learnt from a whole stream [CMP-16].
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "attributes/color_coder.h"
+#include "connectivity/op_models.h"
+#include "entropy/learning.h"
+#include "format/predictive_parameters.h"
+#include "predictive/position_models.h"
+
+namespace deltamesh {
+
+/// Empty of what the stream does not have in the compact form.
+struct StreamModels {
+  std::optional<OpModels> ops;
+  PositionModels positions;
+  std::vector<std::optional<ColorModels>> colors;  ///< by attribute
+  std::optional<PredictiveParameters> voxels;      ///< of a stream with voxel edges
+
+  const OpModels* of_ops() const noexcept { return ops ? &*ops : nullptr; }
+  const ColorModels* of_color(std::size_t attribute) const noexcept {
+    return attribute < colors.size() && colors[attribute] ? &*colors[attribute] : nullptr;
+  }
+
+  void limit_counts(std::uint8_t most) noexcept {
+    if (ops) ops->limit_counts(most);
+    positions.limit_counts(most);
+    for (auto& models : colors)
+      if (models) models->limit_counts(most);
+  }
+};
+
+}  // namespace deltamesh

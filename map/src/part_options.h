@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// A part's quality as the encoder's options.
+#pragma once
+
+#include "deltamesh/encode.h"
+#include "deltamesh/map/part.h"
+
+namespace deltamesh {
+
+inline EncodeOptions options_for(const PartQuality& quality) {
+  EncodeOptions options;
+  options.quality = quality.bounds;
+  options.attributes = quality.attributes;
+  options.geometry = quality.geometry;
+  options.effort = quality.effort;
+  return options;
+}
+
+}  // namespace deltamesh
