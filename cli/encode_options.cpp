@@ -33,7 +33,7 @@ void add_paper_bound(CLI::App& command, const std::string& name, std::optional<Q
       ->group(kSettings);
 }
 
-void add_position_quality(CLI::App& command, QualityRequest& request) {
+void add_bounds(CLI::App& command, QualityRequest& request) {
   add_bound(command, "--max-error",
             "largest distance of a vertex from its place: model units, or percent of the diagonal with a % "
             "behind; 0.02% where nothing else is asked for",
@@ -43,6 +43,10 @@ void add_position_quality(CLI::App& command, QualityRequest& request) {
       ->group(kPositions);
   add_bound(command, "--lfe", "largest low-frequency error (rms), in the same units", request.lfe)
       ->group(kPositions);
+}
+
+void add_position_quality(CLI::App& command, QualityRequest& request) {
+  add_bounds(command, request);
   command
       .add_option("--target-bytes", request.target_bytes,
                   "most bytes of a stream; alone: the best quality that fits")
@@ -106,16 +110,20 @@ void add_settings(CLI::App& command, EncodeOptions& options) {
   add_paper_bound(command, "--lfe", options.quality.lfe);
 }
 
-void add_coders(CLI::App& command, EncodeOptions& options) {
+void add_search(CLI::App& command, GeometryCoder& coder, int& effort) {
   command
       .add_option_function<std::string>(
-          "--geometry", [&options](const std::string& name) { options.geometry = geometry_coder(name); },
+          "--geometry", [&coder](const std::string& name) { coder = geometry_coder(name); },
           "coder of the positions: highpass looks best, predictive bounds each vertex's error and decodes "
           "fastest; auto takes the smaller for the quality asked for")
       ->check(CLI::IsMember({"auto", "highpass", "predictive"}))
       ->default_str("auto");
-  command.add_option("--effort", options.effort, "how hard to look for a smaller stream, 0 to 9")
+  command.add_option("--effort", effort, "how hard to look for a smaller stream, 0 to 9")
       ->capture_default_str();
+}
+
+void add_coders(CLI::App& command, EncodeOptions& options) {
+  add_search(command, options.geometry, options.effort);
   command
       .add_option_function<std::string>(
           "--profile",
@@ -143,6 +151,12 @@ void add_encode_options(CLI::App& command, EncodeOptions& options) {
       if (options.lossless && command.count(name) > 0)
         throw CLI::ValidationError(name, "excluded by --lossless, which keeps attributes exactly");
   });
+}
+
+void add_part_quality(CLI::App& command, PartQuality& quality) {
+  add_bounds(command, quality.bounds);
+  add_attribute_quality(command, quality.attributes);
+  add_search(command, quality.geometry, quality.effort);
 }
 
 }  // namespace deltamesh::cli

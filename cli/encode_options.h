@@ -7,11 +7,15 @@
 #include <CLI/CLI.hpp>
 
 #include "deltamesh/encode.h"
+#include "deltamesh/map/part.h"
 
 namespace deltamesh::cli {
 
 /// Adds every option of the encoder; they fill `options`, which must outlive `command`. Contradictions that
 /// the parser does not see are validate()'s to find.
 void add_encode_options(CLI::App& command, EncodeOptions& options);
+
+/// Those of them that a part of a map has.
+void add_part_quality(CLI::App& command, PartQuality& quality);
 
 }  // namespace deltamesh::cli

@@ -21,16 +21,6 @@
 namespace deltamesh {
 namespace {
 
-/// Also of what the octets do not say: which part it is of which map.
-std::uint32_t part_checksum(const PartPlace& place, std::span<const std::byte> bytes) {
-  ByteWriter key;
-  key.write(place.description_hash);
-  key.write(place.key.level);
-  for (const std::int32_t x : {place.key.x, place.key.y, place.key.z}) key.write(x);
-  const std::uint64_t seed = XXH3_64bits(key.bytes().data(), key.size());
-  return static_cast<std::uint32_t>(XXH3_64bits_withSeed(bytes.data(), bytes.size(), seed));
-}
-
 Error invalid(const ByteReader& in, const char* message) noexcept {
   return in.error(ErrorCode::kInvalidStream, message, "MAP-7");
 }
@@ -115,6 +105,15 @@ void write_chunk(ByteWriter& out, const ChunkEntry& entry, std::span<const std::
 }
 
 }  // namespace
+
+std::uint32_t part_checksum(const PartPlace& place, std::span<const std::byte> bytes) {
+  ByteWriter key;
+  key.write(place.description_hash);
+  key.write(place.key.level);
+  for (const std::int32_t x : {place.key.x, place.key.y, place.key.z}) key.write(x);
+  const std::uint64_t seed = XXH3_64bits(key.bytes().data(), key.size());
+  return static_cast<std::uint32_t>(XXH3_64bits_withSeed(bytes.data(), bytes.size(), seed));
+}
 
 Result<std::vector<std::byte>> write_part(const PartPlace& place, std::span<const std::byte> stream,
                                           std::span<const std::byte> border) {

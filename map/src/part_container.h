@@ -34,6 +34,9 @@ std::vector<std::byte> write_primer_part(const PartPlace& place, std::size_t pri
 Result<std::vector<std::byte>> write_part(const PartPlace& place, std::span<const std::byte> stream,
                                           std::span<const std::byte> border);
 
+/// Also of what the octets do not say: which part it is of which map [MAP-7]. `bytes`: all before it.
+std::uint32_t part_checksum(const PartPlace& place, std::span<const std::byte> bytes);
+
 struct OpenedPart {
   std::vector<std::byte> stream;      ///< with figures of 0
   std::optional<std::size_t> primer;  ///< which of the description's the part is

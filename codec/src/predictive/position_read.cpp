@@ -114,7 +114,7 @@ Result<std::vector<float>> read_in_order(CompactReader& reader, const FaceList& 
                                          const PredictiveParameters& parameters, const Box& box,
                                          const Learning<PositionModels>& learning) {
   if (parameters.kind == PositionKind::kVoxel)
-    return read_voxels(reader, VoxelFaces(list, order), parameters, learning);
+    return read_voxels(reader, VoxelFaces(list, order, learning.start == nullptr), parameters, learning);
   const KnownFaces faces(list, order);
   BlendTable blends{};
   code_blends(reader, blends);

@@ -93,7 +93,8 @@ std::vector<std::byte> write_positions(const FaceList& faces, std::span<const Ce
   if (cells.empty()) return {};
   const auto order = walk_order(faces, form.walk);
   if (parameters.kind == PositionKind::kVoxel)
-    return write_voxels(VoxelFaces(faces, order), in_order(cells, order), parameters, form.walk, start);
+    return write_voxels(VoxelFaces(faces, order, start == nullptr), in_order(cells, order), parameters,
+                        form.walk, start);
   return write_cells(KnownFaces(faces, order), in_order(cells, order), parameters, form,
                      in_order(patches, order), start);
 }

@@ -4,8 +4,9 @@
 
 namespace deltamesh {
 
-VoxelFaces::VoxelFaces(const FaceList& list, std::span<const std::uint32_t> order)
-    : vertex_count_(list.vertex_count), second_walk_((list.vertex_count + 1) / 2) {
+VoxelFaces::VoxelFaces(const FaceList& list, std::span<const std::uint32_t> order, bool two_walks)
+    : vertex_count_(list.vertex_count),
+      second_walk_(two_walks ? (list.vertex_count + 1) / 2 : list.vertex_count) {
   if (order.empty()) {
     add_all(list.triangles);
     return;

@@ -27,10 +27,11 @@ class VoxelFaces {
 
   /// `order`: the vertices in coding order, by which they are numbered here; empty where they are already.
   /// O(n + m); memory for the vertices up to the last one with a face.
-  explicit VoxelFaces(const FaceList& list, std::span<const std::uint32_t> order = {});
+  /// `two_walks`: or a single one [POSN-12].
+  explicit VoxelFaces(const FaceList& list, std::span<const std::uint32_t> order = {}, bool two_walks = true);
 
   std::uint32_t vertex_count() const noexcept { return vertex_count_; }
-  /// The first vertex of the second walk, which has as many as the first or one less.
+  /// The first vertex of the second walk, which has as many as the first or one less, or none.
   std::uint32_t second_walk() const noexcept { return second_walk_; }
   /// In each of which a vertex of every walk is coded; those of lower ones are known.
   std::uint32_t turns() const noexcept { return second_walk_; }

@@ -28,8 +28,9 @@ Result<std::vector<std::byte>> write_manifest(const MapManifest& manifest) noexc
 /// Errors: 1xx codes [MAP-10], kOutOfMemory. Takes memory in proportion to the bytes.
 Result<MapManifest> read_manifest(std::span<const std::byte> bytes) noexcept;
 
-/// The file of a part's octets within a map's folder, such as "parts/0_-1_2_0_17.part".
-std::string part_file(const PartKey& key, std::uint64_t revision);
+/// The file of a part's octets within a map's folder, such as "parts/0_-1_2_0_17_0123456789abcdef.part".
+/// Other octets have another name, so that a state on disk stays whole while the next is written.
+std::string part_file(const PartKey& key, std::uint64_t revision, std::uint64_t hash);
 
 struct NewPart {
   PartKey key{};

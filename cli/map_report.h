@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// What the program says of maps.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "deltamesh/map/folder.h"
+
+namespace deltamesh::cli {
+
+/// For people, on standard output.
+void print_map(const std::string& headline, const MapManifest& manifest);
+
+/// The same figures.
+nlohmann::ordered_json map_object(const MapManifest& manifest);
+
+/// "level 0, 3 -1 2".
+std::string key_text(const PartKey& key);
+nlohmann::ordered_json key_object(const PartKey& key);
+
+}  // namespace deltamesh::cli

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Any bytes as a map's message and as a manifest; what is read is written as it was.
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <span>
+
+#include "deltamesh/map/folder.h"
+#include "deltamesh/map/map_codec.h"
+
+namespace {
+
+using namespace deltamesh;
+
+void check(const Error& error) {
+  if (error.code == ErrorCode::kInternal) std::abort();
+}
+
+/// But for the checksum, which a fuzzer cannot guess.
+void expect_same(std::span<const std::byte> in, const Result<std::vector<std::byte>>& out) {
+  if (!out || out->size() != in.size()) std::abort();
+  if (!std::equal(in.begin(), in.end() - 4, out->begin())) std::abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const auto bytes = std::as_bytes(std::span(data, size));
+  if (const auto description = read_description(bytes)) {
+    expect_same(bytes, write_description(*description));
+    const auto codec = MapCodec::open(*description, {.vertices = 1U << 14, .triangles = 1U << 15});
+    if (!codec) check(codec.error());
+  } else {
+    check(description.error());
+  }
+  const auto manifest = read_manifest(bytes);
+  if (!manifest) check(manifest.error());
+  if (manifest && !write_manifest(*manifest)) std::abort();
+  return 0;
+}

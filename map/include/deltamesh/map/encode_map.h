@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// A whole mesh as a map: its state, ready to be saved.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "deltamesh/decode.h"
+#include "deltamesh/map/folder.h"
+#include "deltamesh/map/part.h"
+#include "deltamesh/mesh.h"
+#include "deltamesh/result.h"
+
+namespace deltamesh {
+
+/// A manifest, and what its entries stand for.
+struct MapState {
+  MapManifest manifest{};
+  std::vector<std::vector<std::byte>> octets{};  ///< of every entry
+};
+
+struct MapSettings {
+  std::uint64_t id = 1;
+  std::string frame = "map";
+  /// Edge of the largest parts, model units, above 0; an eighth of it is the smallest.
+  double part_edge = 1;
+  /// Cells with more triangles are divided, down to the smallest.
+  std::uint32_t most_triangles = 16384;
+  /// Percentages count in the diagonal of the whole mesh. Without bounds as encode() has it, for the whole
+  /// mesh.
+  PartQuality quality{};
+};
+
+/// Errors: kInvalidArgument.
+Result<void> validate(const MapSettings& settings) noexcept;
+
+/// The state after one more update, whose content is `mesh`. The lattice is the coarsest that suits the
+/// quality. `before`: the state before, or null. What all parts share stays as it is there where that is
+/// possible, and a part whose octets stay has the revision that it had; otherwise a new epoch begins. Parts
+/// are made smaller where one takes more than kMostPartBytes. Errors: as split() and MapCodec::encode().
+Result<MapState> encode_map(const MeshView& mesh, const MapSettings& settings,
+                            const MapState* before = nullptr) noexcept;
+
+/// All parts as one mesh. Errors: as MapCodec::decode() and join().
+Result<Mesh> decode_map(const MapState& state, const DecodeOptions& options = {}) noexcept;
+
+}  // namespace deltamesh

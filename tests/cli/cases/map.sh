@@ -1,0 +1,31 @@
+quiet generate rooms rooms.ply --vertices 4000
+figures map split rooms.ply rooms.map --part-edge 2 --max-error 0.004 --color-error 4
+figures map info rooms.map
+quiet map info rooms.map --json
+cp .out info.json
+has_keys info.json map_id frame epoch revision lattice_step cell_edge parts part_bytes primer_bytes vertices triangles max_error
+quiet map join rooms.map joined.ply
+quiet encode rooms.ply a.dmsh --lossless --json
+cp .out a.json
+quiet encode joined.ply b.dmsh --lossless --json
+for key in triangles components; do
+  [ "$(grep "\"$key\"" a.json)" = "$(grep "\"$key\"" .out)" ] && say "as many $key"
+done
+cp -r rooms.map again.map
+quiet map split rooms.ply again.map --part-edge 2 --max-error 0.004 --color-error 4 --json
+grep -E '"(new_parts|revision|epoch)"' .out
+figures map diff rooms.map again.map
+quiet map split rooms.ply other.map --part-edge 1 --max-error 0.004 --color-error 4
+status map diff rooms.map other.map --json
+status map split rooms.ply other.map --part-edge 0
+status map split rooms.ply other.map
+status map split rooms.ply other.map --part-edge 1 --target-bytes 1000
+status map join rooms.map out.xyz
+status map join nowhere out.ply
+rm "$(ls rooms.map/parts/*.part | head -1)"
+status map join rooms.map out.ply
+echo damaged >>again.map/map.dmm
+status map info again.map
+status map
+rm -r a.json info.json a.dmsh b.dmsh
+list

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Small messages take little memory, whatever they say.
+#include <gtest/gtest.h>
+#include <xxhash.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "codec_state.h"
+#include "deltamesh/map/map_codec.h"
+#include "deltamesh/map/split.h"
+#include "map/map_meshes.h"
+#include "part_container.h"
+
+namespace {
+
+std::atomic<std::size_t> taken{0};
+std::atomic<std::size_t> most{0};
+constexpr std::size_t kHead = alignof(std::max_align_t);
+
+void* take(std::size_t size) {
+  void* const block = std::malloc(size + kHead);
+  if (block == nullptr) throw std::bad_alloc();
+  *static_cast<std::size_t*>(block) = size;
+  const std::size_t now = taken += size;
+  if (now > most) most = now;
+  return static_cast<char*>(block) + kHead;
+}
+
+void give_back(void* memory) noexcept {
+  if (memory == nullptr) return;
+  void* const block = static_cast<char*>(memory) - kHead;
+  taken -= *static_cast<std::size_t*>(block);
+  std::free(block);
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) { return take(size); }
+void* operator new[](std::size_t size) { return take(size); }
+void operator delete(void* memory) noexcept { give_back(memory); }
+void operator delete[](void* memory) noexcept { give_back(memory); }
+void operator delete(void* memory, std::size_t) noexcept { give_back(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { give_back(memory); }
+
+namespace deltamesh {
+namespace {
+
+TEST(MapLimits, MAP7APartOf100BytesTakesLessThanAMegabyte) {
+  const Mesh mesh = test::wavy_sheet(40, 40, 5, 0);
+  MapDescription description{.cell_steps = 100, .attributes = test::attributes_of(mesh)};
+  const auto parts = split(mesh, description, {.most_triangles = 300, .most_level = 4});
+  const PartQuality quality{
+      .bounds = {.max_error = QualityBound{0.01}}, .attributes = {.color_error = 20}, .effort = 1};
+  description = *with_primers(description, *parts, quality);
+  const auto codec = MapCodec::open(description);
+  ASSERT_TRUE(codec);
+  std::mt19937 random(3);
+  std::size_t decoded = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const MapPart& part = (*parts)[random() % parts->size()];
+    static std::vector<std::vector<std::byte>> coded(parts->size());
+    auto& known = coded[static_cast<std::size_t>(&part - parts->data())];
+    if (known.empty()) known = codec->encode(part, quality)->bytes;
+    auto bytes = known;
+    bytes.resize(std::min<std::size_t>(bytes.size(), 96));
+    for (auto k = random() % 4; k > 0; --k)
+      bytes[random() % std::min<std::size_t>(bytes.size(), 24)] = static_cast<std::byte>(random() % 256);
+    const std::uint32_t checksum = part_checksum(codec->state().place_of(part.key), bytes);
+    for (unsigned k = 0; k < 4; ++k) bytes.push_back(static_cast<std::byte>(checksum >> (8 * k)));
+    const std::size_t before = taken;
+    most = before;
+    decoded += codec->decode(part.key, bytes) ? 1 : 0;
+    EXPECT_LT(most - before, std::size_t{1} << 20) << i;
+  }
+  EXPECT_LT(decoded, 4000U);
+}
+
+TEST(MapLimits, MAP5AMessageOf100BytesTakesLessThanAMegabyte) {
+  MapDescription description{.cell_steps = 100};
+  description.attributes = {{AttributeKind::kColor, ComponentType::kU8, 3, true, "red"}};
+  const auto message = *write_description(description);
+  std::mt19937 random(4);
+  for (int i = 0; i < 4000; ++i) {
+    auto bytes = message;
+    bytes.resize(bytes.size() - 4);
+    for (auto k = 1 + random() % 3; k > 0; --k)
+      bytes[4 + random() % (bytes.size() - 4)] = static_cast<std::byte>(random() % 256);
+    const auto checksum = static_cast<std::uint32_t>(XXH3_64bits(bytes.data(), bytes.size()));
+    for (unsigned k = 0; k < 4; ++k) bytes.push_back(static_cast<std::byte>(checksum >> (8 * k)));
+    const std::size_t before = taken;
+    most = before;
+    (void)read_description(bytes);
+    EXPECT_LT(most - before, std::size_t{1} << 20) << i;
+  }
+}
+
+}  // namespace
+}  // namespace deltamesh
