@@ -99,19 +99,21 @@ class Matcher {
     std::sort(spokes_.begin(), spokes_.end(), [](const Spoke& a, const Spoke& b) {
       return std::pair(a.end, a.half_edge) < std::pair(b.end, b.half_edge);
     });
-    for (auto begin = spokes_.begin(); begin != spokes_.end();) {
+    for (std::span<const Spoke> rest = spokes_; !rest.empty();) {
+      const Spoke& first = rest.front();
       const auto end =
-          std::find_if(begin, spokes_.end(), [&](const Spoke& s) { return s.end != begin->end; });
-      if (end - begin > 2) {
+          std::find_if(rest.begin(), rest.end(), [&](const Spoke& s) { return s.end != first.end; });
+      const auto edge = rest.first(static_cast<std::size_t>(end - rest.begin()));
+      if (edge.size() > 2) {
         forward_.clear();
         backward_.clear();
-        for (const Spoke& spoke : std::span(begin, end))
+        for (const Spoke& spoke : edge)
           (from(spoke.half_edge) < spoke.end ? forward_ : backward_).push_back(spoke.half_edge);
         match_crowded_edge();
       }
-      for (const Spoke& spoke : std::span(begin + 1, end))
-        if (opposite_[begin->half_edge] != spoke.half_edge) repeated_.push_back(spoke.half_edge);
-      begin = end;
+      for (const Spoke& spoke : edge.subspan(1))
+        if (opposite_[first.half_edge] != spoke.half_edge) repeated_.push_back(spoke.half_edge);
+      rest = rest.subspan(edge.size());
     }
   }
 

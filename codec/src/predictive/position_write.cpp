@@ -30,7 +30,10 @@ std::vector<Patch> in_order(std::span<const Patch> patches, const std::vector<st
   if (order.empty() || patches.empty()) return result;
   std::vector<std::uint32_t> place(order.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
-  for (Patch& patch : result) patch.coordinate = 3 * place[patch.coordinate / 3] + patch.coordinate % 3;
+  for (Patch& patch : result) {
+    const auto vertex = static_cast<std::size_t>(patch.coordinate / 3);
+    patch.coordinate = 3 * std::uint64_t{place[vertex]} + patch.coordinate % 3;
+  }
   std::sort(result.begin(), result.end(),
             [](const Patch& a, const Patch& b) { return a.coordinate < b.coordinate; });
   return result;

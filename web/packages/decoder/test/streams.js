@@ -47,6 +47,11 @@ export function nativeHashes(paths) {
   return hashesBy('decode_hash', ['1', ...paths]);
 }
 
+/** "PATH, way NUMBER" to hash, by the native encoder: of the stream's mesh, encoded in a way of encode_hash.cpp's. */
+export function nativeEncodedHashes(paths) {
+  return hashesBy('encode_hash', paths);
+}
+
 export function meshHash(mesh) {
   return hashOf([mesh.indices, mesh.positions, ...mesh.attributes.map((attribute) => attribute.values)]);
 }
