@@ -15,7 +15,7 @@ Result<LargeVector<Vec3>> solve_once(LeastSquaresProblem problem, const ReadSymb
   Task<Result<SymbolRows>> reading([&] { return read_symbols(problem.graph); });
   DELTAMESH_TRY(const auto solver,
                 make_solver_for_components(problem.graph, std::move(problem.components), problem.anchors));
-  solver->set_up(problem.cycles);
+  solver->set_up();
   DELTAMESH_TRY(const SymbolRows symbols, reading.get());
   return solver->solve_last(DeltaView(symbols.view(), problem.scale), problem.targets, problem.cycles, size);
 }

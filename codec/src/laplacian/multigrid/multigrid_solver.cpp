@@ -62,7 +62,7 @@ class MultigridSolver final : public LeastSquaresSolver {
   MultigridSolver(const Adjacency& graph, Components components, std::span<const std::uint32_t> anchors)
       : graph_(graph), components_(std::move(components)), anchors_(anchors.begin(), anchors.end()) {}
 
-  void set_up(int) override {
+  void set_up() override {
     if (!levels_.empty()) return;
     levels_ = multigrid::build_levels(graph_, anchors_);
     if (levels_.size() > 1) planned_.emplace(levels_, shared_components(components_, anchors_));
@@ -70,7 +70,7 @@ class MultigridSolver final : public LeastSquaresSolver {
 
   Result<void> solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions, int cycles,
                      std::span<Vec3> x) override {
-    set_up(cycles);
+    set_up();
     if (cycles == 0) return settle(deltas, anchor_positions, x);
     if (!planned_) return no_levels();
     planned_->solve(deltas, anchor_positions, cycles).write(x);
@@ -79,7 +79,7 @@ class MultigridSolver final : public LeastSquaresSolver {
 
   Result<LargeVector<Vec3>> solve_last(const DeltaView& deltas, std::span<const Vec3> anchor_positions,
                                        int cycles, std::size_t size) override {
-    set_up(cycles);
+    set_up();
     if (cycles == 0 || !planned_)
       return LeastSquaresSolver::solve_last(deltas, anchor_positions, cycles, size);
     const PlannedSolution solution = planned_->solve(deltas, anchor_positions, cycles);
