@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// In place of SIMDe's header, which has few of its functions for WebAssembly in vectors: emscripten has those of SSE2.
+// In place of SIMDe's header, which has few of its functions for WebAssembly in vectors: emscripten has those
+// of SSE2.
 #pragma once
 
 #include <emmintrin.h>
