@@ -12,7 +12,7 @@
 #include "base/large_vector.h"
 #include "base/vec3.h"
 #include "deltamesh/result.h"
-#include "laplacian/delta_view.h"
+#include "laplacian/operator/delta_view.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "laplacian/anchor_sequence.h"
+#include "laplacian/anchors/anchor_sequence.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "laplacian/hop_density.h"
+#include "laplacian/operator/hop_density.h"
 #include "support/graph_mesh.h"
 
 namespace deltamesh {

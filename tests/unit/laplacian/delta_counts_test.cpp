@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "base/four_ints.h"
-#include "laplacian/delta_view.h"
 #include "laplacian/multigrid/cycle/units.h"
+#include "laplacian/operator/delta_view.h"
 
 namespace deltamesh {
 namespace {

@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "laplacian/anchors.h"
-#include "laplacian/delta.h"
+#include "laplacian/anchors/anchors.h"
+#include "laplacian/operator/delta.h"
 #include "laplacian/solved_part.h"
 #include "laplacian/solver.h"
 #include "support/graph_mesh.h"

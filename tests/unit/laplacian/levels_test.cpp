@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "laplacian/anchors.h"
+#include "laplacian/anchors/anchors.h"
 #include "laplacian/multigrid/setup/aggregates.h"
 #include "laplacian/multigrid/setup/make_interpolation.h"
 #include "support/graph_mesh.h"

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "base/thread_team.h"
-#include "laplacian/anchors.h"
-#include "laplacian/delta.h"
+#include "laplacian/anchors/anchors.h"
+#include "laplacian/operator/delta.h"
 #include "laplacian/solver.h"
 #include "support/graph_mesh.h"
 #include "unit/laplacian/solver_problem.h"

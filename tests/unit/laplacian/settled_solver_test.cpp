@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "laplacian/delta.h"
+#include "laplacian/operator/delta.h"
 #include "laplacian/solver.h"
 #include "support/graph_mesh.h"
 #include "unit/laplacian/solver_problem.h"

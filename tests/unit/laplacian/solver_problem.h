@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "laplacian/anchors.h"
-#include "laplacian/delta.h"
+#include "laplacian/anchors/anchors.h"
+#include "laplacian/operator/delta.h"
 #include "laplacian/solver.h"
 #include "support/graph_mesh.h"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/vec3.h"
-#include "laplacian/delta_view.h"
+#include "laplacian/operator/delta_view.h"
 #include "laplacian/settling/steps.h"
 #include "topology/adjacency.h"
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/vec3.h"
-#include "laplacian/delta_view.h"
+#include "laplacian/operator/delta_view.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {

@@ -11,10 +11,10 @@
 
 #include "base/large_vector.h"
 #include "base/vec3.h"
-#include "laplacian/delta_view.h"
 #include "laplacian/multigrid/cycle/coarse_levels.h"
 #include "laplacian/multigrid/cycle/units.h"
 #include "laplacian/multigrid/level.h"
+#include "laplacian/operator/delta_view.h"
 
 namespace deltamesh::multigrid {
 

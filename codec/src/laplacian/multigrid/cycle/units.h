@@ -10,8 +10,8 @@
 
 #include "base/four_ints.h"
 #include "base/vec3.h"
-#include "laplacian/delta_view.h"
 #include "laplacian/multigrid/row.h"
+#include "laplacian/operator/delta_view.h"
 
 namespace deltamesh::multigrid {
 

@@ -17,7 +17,7 @@
 #include "base/four_ints.h"
 #include "base/two_doubles.h"
 #include "base/vec3.h"
-#include "laplacian/symbol_rows.h"
+#include "laplacian/operator/symbol_rows.h"
 
 namespace deltamesh {
 

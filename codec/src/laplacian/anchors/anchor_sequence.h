@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "deltamesh/anchor_containers.h"
-#include "laplacian/anchors.h"
+#include "laplacian/anchors/anchors.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {

@@ -10,13 +10,13 @@
 //   [ L_H                   -I   ] [ r ] = [ 0 ]
 // A tiny multiple of I added to the upper left makes that matrix quasi-definite, so that it factors in any
 // order (Vanderbei 1995); the refinement takes the effect of the addition out again.
+#include "laplacian/solver.h"
+
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
 #include <vector>
-
-#include "laplacian/solver.h"
 
 namespace deltamesh {
 namespace {

@@ -2,6 +2,8 @@
 // Copyright 2026 The deltamesh authors
 //
 // So many cycles as planned, or steps by cycles until they settle.
+#include "laplacian/solver.h"
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -14,7 +16,6 @@
 #include "laplacian/multigrid/setup/levels.h"
 #include "laplacian/settling/settling.h"
 #include "laplacian/settling/steps.h"
-#include "laplacian/solver.h"
 
 namespace deltamesh {
 namespace {

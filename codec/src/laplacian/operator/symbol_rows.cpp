@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "laplacian/symbol_rows.h"
+#include "laplacian/operator/symbol_rows.h"
 
 #include <algorithm>
 #include <limits>

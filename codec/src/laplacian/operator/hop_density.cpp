@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "laplacian/hop_density.h"
+#include "laplacian/operator/hop_density.h"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "laplacian/anchor_sequence.h"
+#include "laplacian/anchors/anchor_sequence.h"
 
 #include <xxhash.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "laplacian/anchors.h"
+#include "laplacian/anchors/anchors.h"
 
-#include "laplacian/anchor_sequence.h"
+#include "laplacian/anchors/anchor_sequence.h"
 
 namespace deltamesh {
 namespace {
