@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Updates of maps: bytes and times beside raw triangles, Draco block by block and our own streams block by
+// block; and what need not be sent as it is good enough.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "deltamesh/compare.h"
+#include "deltamesh/map/join.h"
+#include "deltamesh/map/receiver.h"
+#include "deltamesh/map/sender.h"
+#include "map/map_peers.h"
+#include "map/map_updates.h"
+
+namespace deltamesh::bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int kColorError = 4;      // of 255
+constexpr double kMaxError = 0.05;  // voxels
+constexpr double kCoarse = 0.25;    // voxels, where older versions may stay
+
+struct Settings {
+  std::uint32_t most_triangles = 1024;
+  int effort = 5;
+  bool compares = false;
+};
+
+template <class R>
+void check(const R& result) {
+  if (result) return;
+  std::fprintf(stderr, "%s\n", describe(result.error()).c_str());
+  std::exit(EXIT_FAILURE);
+}
+
+template <class T>
+T value_or_exit(Result<T> result) {
+  check(result);
+  return *std::move(result);
+}
+
+/// What a sequence took.
+struct Sums {
+  std::uint64_t bytes = 0;
+  std::uint64_t sent = 0;
+  std::uint64_t kept = 0;
+  double encode = 0;
+  double decode = 0;
+  double largest_error = 0;  ///< of the receiver's map against the source, model units; where measured
+};
+
+MapDescription description_of(const MapUpdates& updates, double max_error) {
+  MapDescription description{.id = 1, .epoch = 1, .frame = "map"};
+  description.lattice = {.origin = updates.origin, .step_exponent = step_exponent_for(max_error)};
+  description.cell_steps =
+      static_cast<std::uint32_t>(std::lround(updates.block_metres / description.lattice.step()));
+  for (const Attribute& a : updates.steps.front().changed.front().mesh.attributes)
+    description.attributes.push_back({a.kind, a.type, a.components, a.normalized, a.name});
+  return description;
+}
+
+double error_of(const MapReceiver& receiver, const Mesh& source) {
+  std::vector<MapPart> parts;
+  for (const PartKey& key : receiver.shown()) parts.push_back(*receiver.find(key));
+  const Mesh joined = value_or_exit(join(parts));
+  const Comparison comparison = value_or_exit(compare(source, joined));
+  return comparison.corresponding ? comparison.quality.max_error : comparison.surface_max;
+}
+
+/// A sender and a receiver next to each other.
+Sums run_map(const MapUpdates& updates, double max_error, bool keeps_good_enough, bool measures,
+             const Settings& settings) {
+  SenderOptions options;
+  options.split.most_triangles = settings.most_triangles;
+  options.effort = settings.effort;
+  options.keeps_good_enough = keeps_good_enough;
+  const MapDescription description = description_of(updates, max_error);
+  MapSender sender = value_or_exit(MapSender::make(description, options));
+  MapReceiver receiver(1, description.id);
+  View view;
+  view.max_error = static_cast<float>(max_error);
+  view.color_error = kColorError;
+  receiver.set_view(view);
+  Sums sums;
+  double now = 0;
+  const auto exchange = [&] {
+    check(sender.hear(value_or_exit(receiver.view_message()), now += 2));
+    const auto start = Clock::now();
+    const auto messages = value_or_exit(sender.messages_for(1, now));
+    const auto middle = Clock::now();
+    for (const auto& message : messages) {
+      sums.bytes += message.size();
+      check(receiver.apply(message));
+    }
+    sums.encode += std::chrono::duration<double>(middle - start).count();
+    sums.decode += std::chrono::duration<double>(Clock::now() - middle).count();
+  };
+  exchange();  // the map's message
+  for (std::size_t i = 0; i < updates.steps.size(); ++i) {
+    const Mesh nothing;
+    std::vector<MapBlock> blocks;
+    for (const SequenceBlock& block : updates.steps[i].changed) blocks.push_back({block.id, block.mesh});
+    for (const SequenceBlockId& id : updates.steps[i].removed) blocks.push_back({id, nothing});
+    const auto start = Clock::now();
+    check(sender.update(blocks));
+    sums.encode += std::chrono::duration<double>(Clock::now() - start).count();
+    exchange();
+    if (measures) sums.largest_error = std::max(sums.largest_error, error_of(receiver, updates.wholes[i]));
+  }
+  sums.sent = sender.counts().parts_sent;
+  sums.kept = sender.counts().kept;
+  return sums;
+}
+
+template <class Code>
+Sums run_blocks(const MapUpdates& updates, Code code) {
+  Sums sums;
+  for (const SequenceStep& step : updates.steps) {
+    for (const SequenceBlock& block : step.changed) {
+      const CodedBlock coded = code(block.mesh);
+      sums.bytes += coded.bytes;
+      sums.encode += coded.encode_seconds;
+      sums.decode += coded.decode_seconds;
+      ++sums.sent;
+    }
+  }
+  return sums;
+}
+
+template <class T>
+double ratio(T a, T b) {
+  return b == 0 ? 0 : static_cast<double>(a) / static_cast<double>(b);
+}
+
+void run(const MapUpdates& updates, const Settings& settings) {
+  const auto count = static_cast<double>(updates.steps.size());
+  const double fine = kMaxError * updates.voxel;
+  std::uint64_t raw = 0;
+  for (const SequenceStep& step : updates.steps)
+    for (const SequenceBlock& block : step.changed) raw += raw_bytes(block.mesh);
+  const Sums map = run_map(updates, fine, true, settings.compares, settings);
+  const Sums draco =
+      run_blocks(updates, [&](const Mesh& block) { return draco_block(block, fine, kColorError); });
+  const Sums plain = run_blocks(
+      updates, [&](const Mesh& block) { return plain_block(block, fine, kColorError, settings.effort); });
+  std::printf("| %s | %zu | %.1f | %.0f | %.3f | %.3f | %.3f | %.1f | %.1f | %.2f |\n", updates.name.c_str(),
+              updates.steps.size(), static_cast<double>(draco.sent) / count,
+              static_cast<double>(map.bytes) / count, ratio(map.bytes, raw), ratio(map.bytes, draco.bytes),
+              ratio(map.bytes, plain.bytes), 1e3 * map.encode / count, 1e3 * map.decode / count,
+              ratio(map.encode + map.decode, draco.encode + draco.decode));
+  std::fflush(stdout);
+
+  const double coarse = kCoarse * updates.voxel;
+  const Sums all = run_map(updates, coarse, false, false, settings);
+  const Sums some = run_map(updates, coarse, true, settings.compares, settings);
+  std::printf("  at %.2f voxel: bytes of sending every changed part %.3f, parts kept as good enough %.3f",
+              kCoarse, ratio(some.bytes, all.bytes), ratio(some.kept, some.kept + some.sent));
+  if (settings.compares)
+    std::printf("; largest errors at the receiver, voxels: %.4f of %.2f, %.4f of %.2f",
+                map.largest_error / updates.voxel, kMaxError, some.largest_error / updates.voxel, kCoarse);
+  std::printf("\n");
+  std::fflush(stdout);
+}
+
+}  // namespace
+}  // namespace deltamesh::bench
+
+int main(int argc, char** argv) {
+  using namespace deltamesh;
+  using namespace deltamesh::bench;
+  Settings settings;
+  std::vector<std::string> folders;
+  std::string wholes;
+  double voxel = 0.02;
+  std::uint64_t vertices = 50'000;
+  std::uint32_t steps = 20;
+  CLI::App app("Updates of maps beside raw triangles, Draco and plain streams, block by block.");
+  app.add_option("--sequence", folders, "Folders with sequence.json");
+  app.add_option("--wholes", wholes,
+                 "Folder of whole maps step_00.ply and so on, cut into blocks of 16 and 8 voxels");
+  app.add_option("--voxel", voxel, "Of the whole maps, metres")->capture_default_str();
+  app.add_option("--vertices", vertices, "Of the generated drive")->capture_default_str();
+  app.add_option("--steps", steps, "Of the generated drive; 0: none")->capture_default_str();
+  app.add_option("--most-triangles", settings.most_triangles, "Of a part of several blocks")
+      ->capture_default_str();
+  app.add_option("--effort", settings.effort, "Of encoding, 0 to 9")->capture_default_str();
+  app.add_flag("--compare", settings.compares, "Measure the receiver's map after every update");
+  CLI11_PARSE(app, argc, argv);
+  std::printf(
+      "| sequence | updates | blocks an update | bytes an update | of raw | of Draco | of plain streams | "
+      "encode, ms "
+      "an update | decode, ms an update | time of Draco's |\n|---|---|---|---|---|---|---|---|---|---|\n");
+  for (const std::string& folder : folders)
+    run(value_or_exit(read_updates(folder, folder.substr(folder.find_last_of('/') + 1))), settings);
+  if (!wholes.empty())
+    for (const int voxels : {16, 8})
+      run(value_or_exit(cut_wholes(wholes, "wholes, blocks of " + std::to_string(voxels), voxel, voxels)),
+          settings);
+  if (steps > 0) run(value_or_exit(drive_updates(vertices, steps)), settings);
+}

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Sequences of a map's updates, block by block: folders of updates, and whole maps cut into blocks.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "deltamesh/mesh.h"
+#include "deltamesh/result.h"
+#include "sequence.h"
+
+namespace deltamesh::bench {
+
+struct MapUpdates {
+  std::string name;
+  double voxel = 0;
+  double block_metres = 0;
+  std::array<double, 3> origin{};
+  std::vector<SequenceStep> steps;
+  std::vector<Mesh> wholes;  ///< after each step
+};
+
+/// A folder with sequence.json.
+Result<MapUpdates> read_updates(const std::string& folder, const std::string& name);
+
+/// A folder of whole maps step_00.ply, step_01.ply and so on: blocks of `block_voxels` voxels that are not as
+/// in the step before.
+Result<MapUpdates> cut_wholes(const std::string& folder, const std::string& name, double voxel,
+                              int block_voxels);
+
+/// A generated drive.
+Result<MapUpdates> drive_updates(std::uint64_t vertices, std::uint32_t steps);
+
+}  // namespace deltamesh::bench
