@@ -14,6 +14,7 @@
 
 #include "deltamesh/compare.h"
 #include "deltamesh/map/join.h"
+#include "deltamesh/map/map_codec.h"
 #include "deltamesh/map/receiver.h"
 #include "deltamesh/map/sender.h"
 #include "map/map_peers.h"
@@ -67,6 +68,22 @@ MapDescription description_of(const MapUpdates& updates, double max_error) {
   return description;
 }
 
+/// With primers from the parts of the first update.
+MapDescription primed(const MapDescription& description, const MapUpdates& updates, double max_error,
+                      const SenderOptions& options) {
+  Splitter splitter = value_or_exit(Splitter::make(description, options.split));
+  std::vector<MapBlock> blocks;
+  for (const SequenceBlock& block : updates.steps.front().changed) blocks.push_back({block.id, block.mesh});
+  const MapChange change = value_or_exit(splitter.update(blocks));
+  std::vector<MapPart> parts;
+  for (const ChangedPart& changed : change.changed) parts.push_back(changed.part);
+  PartQuality quality;
+  quality.bounds.max_error = QualityBound{max_error};
+  quality.attributes.color_error = kColorError;
+  quality.effort = options.effort;
+  return value_or_exit(with_primers(description, parts, quality));
+}
+
 double error_of(const MapReceiver& receiver, const Mesh& source) {
   std::vector<MapPart> parts;
   for (const PartKey& key : receiver.shown()) parts.push_back(*receiver.find(key));
@@ -82,7 +99,7 @@ Sums run_map(const MapUpdates& updates, double max_error, bool keeps_good_enough
   options.split.most_triangles = settings.most_triangles;
   options.effort = settings.effort;
   options.keeps_good_enough = keeps_good_enough;
-  const MapDescription description = description_of(updates, max_error);
+  const MapDescription description = primed(description_of(updates, max_error), updates, max_error, options);
   MapSender sender = value_or_exit(MapSender::make(description, options));
   MapReceiver receiver(1, description.id);
   View view;

@@ -35,12 +35,12 @@ Result<StoredBlocks> updated(StoredBlocks blocks, std::span<const MapBlock> upda
   for (const MapBlock& block : update) {
     if (!seen.insert(block.cell).second)
       return Error{.code = ErrorCode::kInvalidArgument, .message = "an update has a cell twice"};
-    DELTAMESH_TRY(Mesh mesh, to_map(block.mesh, description));
-    if (mesh.triangles.empty()) {
+    if (block.mesh.triangles.empty()) {
       blocks.erase(block.cell);
-    } else {
-      blocks[block.cell] = store_block(std::move(mesh));
+      continue;
     }
+    DELTAMESH_TRY(Mesh mesh, to_map(block.mesh, description));
+    blocks[block.cell] = store_block(std::move(mesh));
   }
   return blocks;
 }
