@@ -25,6 +25,9 @@ Result<void> validate(const MapDescription& description) noexcept {
     return invalid("the lattice's step is not 2^-40 to 2^20", "MAP-2");
   if (description.cell_steps == 0 || description.cell_steps > kMostCellSteps)
     return invalid("the edge of a cell is not 1 to 2^24 steps", "MAP-3");
+  if (!std::ranges::all_of(description.cell_origin,
+                           [](std::int32_t x) { return x >= -kMostLatticeSteps && x <= kMostLatticeSteps; }))
+    return invalid("the origin of cells is 2^24 steps or more off", "MAP-3");
   if (description.frame.size() > kMostNameBytes)
     return invalid("the name of the frame has more than 255 bytes", "MAP-5");
   if (description.attributes.size() > kMostMapAttributes) return invalid("more than 255 attributes", "MAP-5");

@@ -2,12 +2,14 @@
 // Copyright 2026 The deltamesh authors
 #include <xxhash.h>
 
+#include <limits>
 #include <span>
 
 #include "base/byte_reader.h"
 #include "base/byte_writer.h"
 #include "base/guard.h"
 #include "base/try.h"
+#include "base/zigzag.h"
 #include "deltamesh/map/description.h"
 #include "format/attribute_descriptor.h"
 #include "map_limits.h"
@@ -56,6 +58,7 @@ std::vector<std::byte> message_of(const MapDescription& description) {
   for (const double x : description.lattice.origin) out.write(x);
   out.write(static_cast<std::int8_t>(description.lattice.step_exponent));
   out.write_varint(description.cell_steps);
+  for (const std::int32_t x : description.cell_origin) out.write_varint(zigzag(x));
   out.write(static_cast<std::uint8_t>(description.attributes.size()));
   for (const MapAttribute& attribute : description.attributes)
     write_descriptor(out, descriptor_of(attribute));
@@ -80,6 +83,10 @@ Result<MapDescription> read_body(ByteReader in) {
   DELTAMESH_TRY(description.lattice.step_exponent, in.read<std::int8_t>());
   DELTAMESH_TRY(const auto cell_steps, in.read_varint(kMostCellSteps));
   description.cell_steps = static_cast<std::uint32_t>(cell_steps);
+  for (std::int32_t& x : description.cell_origin) {
+    DELTAMESH_TRY(const auto code, in.read_varint(std::numeric_limits<std::uint32_t>::max()));
+    x = unzigzag(static_cast<std::uint32_t>(code));
+  }
   DELTAMESH_TRY(const auto attributes, in.read<std::uint8_t>());
   for (unsigned i = 0; i < attributes; ++i) {
     DELTAMESH_TRY(auto attribute, read_attribute(in));

@@ -71,6 +71,9 @@ Result<MapDescription> describe_map(const MeshView& mesh, const MapSettings& set
                  .message = "parts of more than 2^27 steps of the lattice; ask for smaller ones",
                  .rule = "MAP-3"};
   description.cell_steps = static_cast<std::uint32_t>(std::max(steps, 1.0));
+  // Floors and walls are often at 0: a third of a cell, on every level, from where cells meet.
+  const std::int64_t third = (std::int64_t{description.cell_steps} << kLevelsOfParts) / 3;
+  description.cell_origin.fill(-static_cast<std::int32_t>(std::min<std::int64_t>(third, kMostLatticeSteps)));
   for (const AttributeView& a : mesh.attributes)
     description.attributes.push_back({a.kind, a.type, a.components, a.normalized, std::string(a.name)});
   return description;

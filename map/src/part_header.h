@@ -22,9 +22,10 @@ inline constexpr std::uint8_t kFlagGrid = kFlagOrigin;        ///< the voxels ar
 inline std::int64_t first_of_cell(const PartPlace& place, std::size_t axis, double origin,
                                   double step) noexcept {
   const std::array<std::int32_t, 3> cell{place.key.x, place.key.y, place.key.z};
-  const double edge =
-      std::ldexp(place.description.cell_steps * place.description.lattice.step(), place.key.level);
-  const double steps = std::floor((cell[axis] * edge - origin) / step);
+  const MapDescription& map = place.description;
+  const double edge = std::ldexp(map.cell_steps * map.lattice.step(), place.key.level);
+  const double corner = map.cell_origin[axis] * map.lattice.step() + cell[axis] * edge;
+  const double steps = std::floor((corner - origin) / step);
   return std::abs(steps) <= static_cast<double>(kMostFirst) ? static_cast<std::int64_t>(steps) : 0;
 }
 

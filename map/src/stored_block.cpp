@@ -44,7 +44,8 @@ Cell0 cell_of_face(const Mesh& mesh, std::size_t face, const MapDescription& des
   }
   Cell0 cell{};
   for (std::size_t k = 0; k < 3; ++k)
-    cell[k] = static_cast<std::int32_t>(floor_div(sum[k], 3 * std::int64_t{description.cell_steps}));
+    cell[k] = static_cast<std::int32_t>(floor_div(sum[k] - 3 * std::int64_t{description.cell_origin[k]},
+                                                  3 * std::int64_t{description.cell_steps}));
   return cell;
 }
 

@@ -21,7 +21,10 @@ struct CellCube {
 
 inline CellCube cube_of(const PartKey& key, const MapDescription& description) noexcept {
   const double edge = std::ldexp(description.cell_steps * description.lattice.step(), key.level);
-  return {{key.x * edge, key.y * edge, key.z * edge}, edge};
+  const double step = description.lattice.step();
+  const LatticePoint& origin = description.cell_origin;
+  return {{origin[0] * step + key.x * edge, origin[1] * step + key.y * edge, origin[2] * step + key.z * edge},
+          edge};
 }
 
 /// Whether the part's cell touches a box of the view. The same in senders and receivers.

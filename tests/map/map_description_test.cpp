@@ -17,6 +17,7 @@ MapDescription example() {
   MapDescription description{.id = 0x123456789abcdef0, .epoch = 3, .frame = "odom"};
   description.lattice = {.origin = {1, -2.5, 1e6}, .step_exponent = -10};
   description.cell_steps = 1000;
+  description.cell_origin = {-3, 100, 0};
   description.attributes = {{AttributeKind::kColor, ComponentType::kU8, 3, true, "red"},
                             {AttributeKind::kGeneric, ComponentType::kF32, 2, false, "confidence"}};
   description.primers = {{{std::byte{1}, std::byte{2}, std::byte{3}}, {std::byte{4}}}};
@@ -26,7 +27,7 @@ MapDescription example() {
 TEST(MapDescription, MAP5RoundTrip) {
   const auto message = write_description(example());
   ASSERT_TRUE(message);
-  EXPECT_EQ(message->size(), 78U);
+  EXPECT_EQ(message->size(), 82U);
   const auto back = read_description(*message);
   ASSERT_TRUE(back);
   EXPECT_EQ(*back, example());
@@ -65,6 +66,9 @@ TEST(MapDescription, MAP2MAP3MAP6RangesAreChecked) {
   EXPECT_EQ(rule_of(description), "MAP-2");
   description = example();
   description.cell_steps = 0;
+  EXPECT_EQ(rule_of(description), "MAP-3");
+  description = example();
+  description.cell_origin[2] = 1 << 24;
   EXPECT_EQ(rule_of(description), "MAP-3");
   description = example();
   description.attributes[0].components = 17;

@@ -66,6 +66,9 @@ TEST(MapSplit, MAP4CentroidsInExactArithmetic) {
     ASSERT_TRUE(parts);
     ASSERT_EQ(parts->size(), 1U);
     EXPECT_EQ(parts->front().key, (PartKey{0, off < 0 ? 0 : 1, 0, 0}));
+    description.cell_origin = {1, -9, 0};
+    EXPECT_EQ(split(mesh, description, {.most_triangles = 1, .most_level = 0})->front().key,
+              (PartKey{0, 0, 1, 0}));
   }
 }
 

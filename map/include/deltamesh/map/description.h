@@ -65,7 +65,10 @@ struct MapDescription {
   std::uint32_t epoch = 0;  ///< parts are decoded with the description of their epoch
   std::string frame{};      ///< coordinate frame; UTF-8, at most 255 bytes
   MapLattice lattice{};
-  std::uint32_t cell_steps = 1024;         ///< edge of a cell of level 0, lattice steps; 1 to 2^24
+  std::uint32_t cell_steps = 1024;  ///< edge of a cell of level 0, lattice steps; 1 to 2^24
+  /// Low corner of the cell 0, 0, 0: that of a mapper's block, or where borders of cells meet no walls and
+  /// floors.
+  LatticePoint cell_origin{};
   std::vector<MapAttribute> attributes{};  ///< at most 255
   /// At most 255, in all of at most kMostPrimerBytes. Empty: parts begin with fresh models.
   std::vector<MapPrimer> primers{};
