@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+// Bundles the page and its workers into dist/, beside the modules in WebAssembly.
+import { copyFile, mkdir, rm } from 'node:fs/promises';
+import { createRequire } from 'node:module';
+
+import { build } from 'esbuild';
+
+const require = createRequire(import.meta.url);
+const here = new URL('./', import.meta.url);
+const dist = new URL('dist/', here);
+
+const WASM = [
+  '@deltamesh/decoder/core.wasm',
+  '@deltamesh/decoder/highpass.wasm',
+  '@deltamesh/encoder/encoder.wasm',
+  'draco3d/draco_encoder.wasm',
+];
+
+await rm(dist, { recursive: true, force: true });
+await mkdir(dist, { recursive: true });
+await build({
+  entryPoints: ['main', 'workers/read-worker', 'workers/codec-worker', 'workers/peers-worker'].map(
+    (name) => new URL(`src/${name}.js`, here).pathname,
+  ),
+  outdir: dist.pathname,
+  entryNames: '[name]',
+  bundle: true,
+  minify: true,
+  sourcemap: true,
+  format: 'esm',
+  target: 'es2022',
+  external: ['node:*', 'fs', 'path'], // of modules that run in node, too
+  logLevel: 'warning',
+});
+for (const name of ['index.html', 'style.css']) await copyFile(new URL(name, here), new URL(name, dist));
+for (const name of WASM) await copyFile(require.resolve(name), new URL(name.split('/').pop(), dist));

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+// The page: settings in, streams and pictures out.
+import { Superseded } from './latest-job.js';
+import { EXAMPLES } from './mesh/examples.js';
+import { Controls } from './panel/controls.js';
+import { makeDivider } from './panel/divider.js';
+import { download, openFiles } from './panel/open.js';
+import { showBytes, showErrors, showPeers } from './panel/report.js';
+import { requestOf } from './peers/request.js';
+import { Picture } from './picture.js';
+import { ENCODING, encodeOptions, fromHash, toHash } from './settings.js';
+import { formatBytes, formatNumber } from './units.js';
+import { Workshop } from './workshop.js';
+
+/** A slider on the move does not start work at each step. */
+const PAUSE_MILLISECONDS = 200;
+
+const find = (id) => document.getElementById(id);
+
+class Page {
+  #settings = fromHash(location.hash);
+  #source = null;
+  #result = null;
+  #name = '';
+  #timer = 0;
+
+  constructor(workshop) {
+    this.workshop = workshop;
+    this.picture = new Picture(find, workshop);
+    this.controls = new Controls({ quality: find('quality'), coder: find('coder'), view: find('view') }, (id, value) =>
+      this.change(id, value),
+    );
+    this.controls.show(this.#settings);
+    for (const [name, { label }] of Object.entries(EXAMPLES)) find('example').add(new Option(label, name));
+    find('example').add(new Option('Own file', 'file'));
+    find('example').options[2].hidden = true;
+    find('example').addEventListener('change', ({ target }) => this.openExample(target.value));
+    openFiles({ input: find('file'), hint: find('drop-hint') }, (file) => this.openFile(file));
+    makeDivider(find('divider'), (share) => this.picture.setSplit(share));
+    find('panel').addEventListener('submit', (event) => event.preventDefault());
+    find('download-glb').addEventListener('click', () => this.downloadGlb());
+    find('copy-link').addEventListener('click', () => this.copyLink());
+    window.addEventListener('hashchange', () => this.followLink());
+  }
+
+  change(id, value) {
+    this.#settings[id] = value;
+    this.keepLink();
+    this.picture.show(this.#settings);
+    if (ENCODING.includes(id)) this.encodeSoon();
+  }
+
+  keepLink() {
+    history.replaceState(null, '', `#${toHash(this.#settings)}`);
+  }
+
+  followLink() {
+    const before = this.#settings.example;
+    this.#settings = fromHash(location.hash);
+    this.controls.show(this.#settings);
+    this.picture.show(this.#settings);
+    if (this.#settings.example !== before) this.openExample(this.#settings.example);
+    else this.encodeSoon();
+  }
+
+  async copyLink() {
+    this.keepLink();
+    try {
+      await navigator.clipboard.writeText(location.href);
+      find('status').textContent = 'The link is in the clipboard';
+    } catch {
+      find('status').textContent = 'The link is in the address bar';
+    }
+  }
+
+  openFile(file) {
+    find('example').value = 'file';
+    return this.#open(file.name, this.workshop.read(file));
+  }
+
+  openExample(name) {
+    this.#settings.example = Object.hasOwn(EXAMPLES, name) ? name : 'knot';
+    find('example').value = this.#settings.example;
+    this.keepLink();
+    return this.#open(EXAMPLES[this.#settings.example].label, this.workshop.example(this.#settings.example));
+  }
+
+  async #open(name, reading) {
+    this.#tell(`Reading ${name}`);
+    try {
+      const { mesh, frame, display } = await reading;
+      this.#source = { mesh, frame };
+      this.#name = name.replace(/\.[^.]*$/, '').toLowerCase();
+      this.workshop.setSource(this.#source);
+      this.#forgetResult();
+      this.picture.setOriginal(display, frame);
+      this.picture.show(this.#settings);
+      this.controls.showKinds(new Set(mesh.attributes.map(({ kind }) => kind)));
+      const [vertices, triangles] = [mesh.positions.length / 3, mesh.indices.length / 3];
+      find('mesh-name').textContent =
+        `${name}: ${vertices.toLocaleString('en')} vertices, ${triangles.toLocaleString('en')} triangles`;
+      await this.encode();
+    } catch (error) {
+      this.#fail(error);
+    }
+  }
+
+  encodeSoon() {
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => this.encode(), PAUSE_MILLISECONDS);
+  }
+
+  async encode() {
+    if (!this.#source) return;
+    clearTimeout(this.#timer);
+    const source = this.#source;
+    this.#tell('Compressing');
+    try {
+      const result = await this.workshop.encode(encodeOptions(this.#settings), ({ step, share }) => {
+        find('progress').value = share;
+        find('status').textContent = step === 'Compressing' ? `Compressing, ${Math.round(100 * share)} %` : step;
+      });
+      if (source !== this.#source) return;
+      this.#show(result);
+      await this.#compareWithOthers(result);
+    } catch (error) {
+      this.#fail(error);
+    }
+  }
+
+  #show(result) {
+    const { bytes, info, display, errors } = result;
+    this.#result = { bytes };
+    this.picture.setResult(display, errors);
+    this.picture.show(this.#settings);
+    const { mesh, frame } = this.#source;
+    const raw = mesh.positions.byteLength + mesh.indices.byteLength + mesh.attributes.reduce((sum, a) => sum + a.values.byteLength, 0);
+    this.picture.setSizes(raw, bytes.length);
+    showBytes(find('bytes'), info, bytes.length);
+    showErrors(find('errors'), info, frame.diagonal);
+    const bits = formatNumber((8 * bytes.length) / info.vertexCount);
+    find('summary').textContent =
+      `${formatBytes(bytes.length)}, ${bits} bits per vertex, ${info.geometry}; ` +
+      `compressed in ${formatNumber(info.encodeMilliseconds / 1000)} s, decoded in ${formatNumber(info.decodeMilliseconds)} ms`;
+    const link = find('download');
+    if (link.href) URL.revokeObjectURL(link.href);
+    link.href = URL.createObjectURL(new Blob([bytes], { type: 'application/octet-stream' }));
+    link.download = `${this.#name}.dmsh`;
+    link.hidden = find('download-glb').hidden = false;
+    this.#tell('Done', false);
+  }
+
+  async #compareWithOthers({ bytes, info }) {
+    const isExact = !(info.quality.maxError > 0);
+    find('peers-status').textContent = isExact ? 'The result is exact: there is no error to compare at.' : 'Computing';
+    if (isExact) return find('peers').replaceChildren();
+    try {
+      const request = requestOf(this.#source.mesh, info, bytes.length);
+      showPeers(find('peers'), request, await this.workshop.compare(request));
+      find('peers-status').textContent = `${request.names.join(', ')}.`;
+    } catch (error) {
+      if (!(error instanceof Superseded)) find('peers-status').textContent = `This could not be computed: ${error.message}`;
+    }
+  }
+
+  async downloadGlb() {
+    try {
+      download(await this.workshop.glb(this.#result.bytes), `${this.#name}.glb`, 'model/gltf-binary');
+    } catch (error) {
+      this.#fail(error);
+    }
+  }
+
+  #forgetResult() {
+    this.#result = null;
+    this.picture.forgetResult();
+    for (const id of ['bytes', 'errors', 'peers']) find(id).replaceChildren();
+    find('summary').textContent = '';
+    find('download').hidden = find('download-glb').hidden = true;
+  }
+
+  #tell(text, isBusy = true) {
+    find('status').textContent = text;
+    find('error').hidden = true;
+    find('progress').style.visibility = isBusy ? 'visible' : 'hidden';
+    find('progress').value = 0;
+    document.body.dataset.state = isBusy ? 'busy' : 'done';
+  }
+
+  #fail(error) {
+    if (error instanceof Superseded) return;
+    this.#tell('', false);
+    document.body.dataset.state = 'failed';
+    find('error').textContent = error.message;
+    find('error').hidden = false;
+  }
+}
+
+const page = new Page(await Workshop.open());
+page.openExample(fromHash(location.hash).example);

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+// What the graphics card gets of a mesh: arrays near its origin. For workers.
+import { vertexNormals } from './normals.js';
+
+/** Centre and radius of the bounding box. */
+export function frameOf(positions) {
+  const min = [Infinity, Infinity, Infinity];
+  const max = [-Infinity, -Infinity, -Infinity];
+  for (let i = 0; i < positions.length; i += 3) {
+    for (let axis = 0; axis < 3; ++axis) {
+      const value = positions[i + axis];
+      if (value < min[axis]) min[axis] = value;
+      if (value > max[axis]) max[axis] = value;
+    }
+  }
+  const diagonal = Math.hypot(...max.map((value, axis) => value - min[axis]));
+  return { center: max.map((value, axis) => (value + min[axis]) / 2), diagonal };
+}
+
+const toLinear = (value) => (value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4);
+
+/** n x 4, 16 bits, linear. */
+function displayColors({ name, components, values }, count) {
+  const colors = new Uint16Array(4 * count).fill(65535);
+  const largest = values instanceof Float32Array ? 1 : 2 ** (8 * values.BYTES_PER_ELEMENT) - 1;
+  const isLinear = name.startsWith('COLOR');
+  for (let i = 0; i < count; ++i) {
+    for (let c = 0; c < Math.min(components, 3); ++c) {
+      const share = Math.min(1, Math.max(0, values[i * components + c] / largest));
+      colors[4 * i + c] = 65535 * (isLinear ? share : toLinear(share));
+    }
+  }
+  return colors;
+}
+
+/** `frame`: of the original. Arrays of its own. */
+export function displayOf({ positions, indices, attributes }, frame) {
+  const near = new Float32Array(positions.length);
+  for (let i = 0; i < positions.length; ++i) near[i] = positions[i] - frame.center[i % 3];
+  const color = attributes.find(({ kind, components }) => kind === 'color' && components >= 3);
+  const own = attributes.find(({ kind, values }) => kind === 'normal' && values instanceof Float32Array);
+  return {
+    positions: near,
+    indices: indices.slice(),
+    normals: own ? own.values.slice() : vertexNormals(near, indices),
+    colors: color ? displayColors(color, positions.length / 3) : null,
+  };
+}
+
+export function buffersOf(display) {
+  return Object.values(display).flatMap((array) => (ArrayBuffer.isView(array) ? [array.buffer] : []));
+}

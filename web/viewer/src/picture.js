@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+// What is seen of the meshes: views, shading, heat, and what stands on them.
+import { showScale } from './panel/scale.js';
+import { HEATS, heatLimit, heatTexture } from './stage/heat.js';
+import { Stage } from './stage/stage.js';
+import { Superseded } from './latest-job.js';
+import { formatBytes } from './units.js';
+
+export class Picture {
+  #find;
+  #workshop;
+  #stage;
+  #settings;
+  #errors = null;
+  #textures = {};
+
+  constructor(find, workshop) {
+    this.#find = find;
+    this.#workshop = workshop;
+    this.#stage = new Stage(find('canvas'));
+    const theme = () => this.#stage.setBackground(getComputedStyle(find('stage')).backgroundColor);
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', theme);
+    theme();
+  }
+
+  setOriginal(display, { diagonal }) {
+    this.#stage.original.setDisplay(display, diagonal / 2);
+    this.#stage.frame(diagonal);
+  }
+
+  setResult(display, errors) {
+    this.#errors = errors;
+    this.#stage.result.setDisplay(display, this.#stage.diagonal / 2);
+  }
+
+  forgetResult() {
+    this.#errors = null;
+    this.#stage.result.empty();
+    this.#find('label-original').textContent = 'Original';
+    this.#find('label-result').textContent = 'Result';
+  }
+
+  setSizes(original, result) {
+    this.#find('label-original').textContent = `Original, ${formatBytes(original)} as arrays`;
+    this.#find('label-result').textContent = `Result, ${formatBytes(result)}`;
+  }
+
+  setSplit(share) {
+    this.#stage.setSplit(share);
+  }
+
+  show(settings) {
+    this.#settings = settings;
+    const { view, shading, color } = settings;
+    this.#stage.setView(view);
+    this.#find('divider').hidden = view !== 'split';
+    this.#find('label-original').hidden = view === 'result';
+    this.#find('label-result').hidden = view === 'original';
+    this.#find('stage').dataset.view = view;
+    for (const which of ['original', 'result']) this.#shade(which, shading);
+    this.#showHeat(color);
+    this.#stage.draw();
+  }
+
+  #shade(which, shading) {
+    const surface = this.#stage[which];
+    surface.setShading(shading !== 'smooth');
+    surface.showWires(shading === 'wire');
+    if (shading === 'wire' && surface.geometry && !surface.hasWires) this.#makeWires(which, surface);
+    this.#tellWires();
+  }
+
+  /** In the page, which of the meshes show their edges. */
+  #tellWires() {
+    const isShown = (which) => this.#settings.shading === 'wire' && this.#stage[which].hasWires;
+    this.#find('stage').dataset.wires = ['original', 'result'].filter(isShown).join(' ');
+  }
+
+  async #makeWires(which, surface) {
+    const { geometry } = surface;
+    try {
+      const edges = await this.#workshop.edges(which, geometry);
+      if (surface.geometry !== geometry || surface.hasWires) return;
+      surface.setWires(edges);
+      surface.showWires(this.#settings.shading === 'wire');
+      this.#tellWires();
+      this.#stage.draw();
+    } catch (error) {
+      if (!(error instanceof Superseded)) throw error;
+    }
+  }
+
+  #showHeat(color) {
+    const heat = this.#errors && HEATS[color];
+    if (!heat) {
+      this.#stage.result.setHeat(null);
+      showScale(this.#find('scale'), null);
+      return;
+    }
+    const values = this.#errors[color];
+    const limit = heatLimit(values);
+    const texture = (this.#textures[color] ??= heatTexture(heat.colors));
+    this.#stage.result.setHeat(values, { texture, isSigned: heat.isSigned, limit });
+    showScale(this.#find('scale'), heat, limit);
+  }
+}

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+// The canvas: original and result with one camera, side by side or split.
+import { Color, DirectionalLight, HemisphereLight, PerspectiveCamera, Scene, WebGLRenderer } from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+
+import { moveByKeys } from './keys.js';
+import { Surface } from './surface.js';
+
+const FIELD_OF_VIEW = 40;
+
+/** Parts of the canvas from `from` to `to`, shares of its width; `isWhole`: the camera sees all of the width. */
+function panesOf(view, split) {
+  if (view === 'side') return [{ name: 'original', from: 0, to: 0.5 }, { name: 'result', from: 0.5, to: 1 }];
+  if (view === 'split') {
+    return [{ name: 'original', from: 0, to: split, isWhole: true }, { name: 'result', from: split, to: 1, isWhole: true }];
+  }
+  return [{ name: view, from: 0, to: 1 }];
+}
+
+export class Stage {
+  original = new Surface();
+  result = new Surface();
+  #scene = new Scene();
+  #camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.01, 100);
+  #renderer;
+  #controls;
+  #view = 'side';
+  #split = 0.5;
+  #isWaiting = false;
+
+  constructor(canvas) {
+    this.#renderer = new WebGLRenderer({ canvas, antialias: true });
+    this.#renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    const light = new DirectionalLight(0xffffff, 2.4);
+    light.position.set(-0.4, 0.6, 1);
+    this.#camera.add(light, light.target);
+    light.target.position.set(0, 0, -1);
+    this.#scene.add(this.#camera, new HemisphereLight(0xffffff, 0x8090a0, 1.1), this.original, this.result);
+    this.#controls = new OrbitControls(this.#camera, canvas);
+    this.#controls.addEventListener('change', () => this.draw());
+    moveByKeys(canvas, this.#camera, this.#controls, () => this.frame());
+    new ResizeObserver(() => this.#resize()).observe(canvas.parentElement);
+    this.#resize();
+  }
+
+  setView(view) {
+    this.#view = view;
+    this.draw();
+  }
+
+  /** Share of the width that the original has. */
+  setSplit(split) {
+    this.#split = split;
+    this.draw();
+  }
+
+  setBackground(color) {
+    this.#scene.background = new Color(color);
+    this.draw();
+  }
+
+  /** The camera sees all of a mesh with this diagonal, around 0. */
+  frame(diagonal = this.diagonal) {
+    this.diagonal = diagonal;
+    const distance = (0.5 * diagonal) / Math.tan((FIELD_OF_VIEW * Math.PI) / 360);
+    this.#camera.near = distance / 200;
+    this.#camera.far = distance * 20;
+    this.#camera.position.set(0.35, -0.75, 0.55).setLength(distance);
+    this.#camera.up.set(0, 0, 1);
+    this.#controls.target.set(0, 0, 0);
+    this.#controls.update();
+    this.draw();
+  }
+
+  /** With the next frame. */
+  draw() {
+    if (this.#isWaiting) return;
+    this.#isWaiting = true;
+    requestAnimationFrame(() => {
+      this.#isWaiting = false;
+      this.#drawNow();
+    });
+  }
+
+  #resize() {
+    const { clientWidth, clientHeight } = this.#renderer.domElement.parentElement;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.#renderer.setSize(clientWidth, clientHeight, false);
+    this.draw();
+  }
+
+  #drawNow() {
+    const { clientWidth: width, clientHeight: height } = this.#renderer.domElement;
+    this.#renderer.setScissorTest(true);
+    for (const { name, from, to, isWhole } of panesOf(this.#view, this.#split)) {
+      const [left, size] = isWhole ? [0, width] : [from * width, (to - from) * width];
+      this.#camera.aspect = size / height;
+      // Where it is narrow the field of view is that of the width.
+      this.#camera.zoom = Math.min(1, this.#camera.aspect);
+      this.#camera.updateProjectionMatrix();
+      this.#renderer.setViewport(left, 0, size, height);
+      this.#renderer.setScissor(from * width, 0, (to - from) * width, height);
+      this.original.visible = name === 'original';
+      this.result.visible = name === 'result';
+      this.#renderer.render(this.#scene, this.#camera);
+    }
+  }
+}

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+// One mesh in the scene: shading, wires, heat.
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DoubleSide,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshLambertMaterial,
+  Sphere,
+  Vector2,
+} from 'three';
+
+const COLOR = 0xc9b48f;
+
+/** Replaces the colour by that of `value` in the heat map, where that is on. */
+function addHeat(material, uniforms) {
+  material.onBeforeCompile = (shader) => {
+    Object.assign(shader.uniforms, uniforms);
+    shader.vertexShader = shader.vertexShader
+      .replace('#include <common>', '#include <common>\nattribute float value;\nvarying float vValue;')
+      .replace('#include <begin_vertex>', '#include <begin_vertex>\nvValue = value;');
+    shader.fragmentShader = shader.fragmentShader
+      .replace(
+        '#include <common>',
+        '#include <common>\nuniform sampler2D heatMap;\nuniform vec2 heatRange;\nuniform bool heatOn;\nvarying float vValue;',
+      )
+      .replace(
+        '#include <color_fragment>',
+        `#include <color_fragment>
+        if (heatOn) {
+          float share = clamp((vValue - heatRange.x) / (heatRange.y - heatRange.x), 0.0, 1.0);
+          diffuseColor.rgb = texture2D(heatMap, vec2(share, 0.5)).rgb;
+        }`,
+      );
+  };
+}
+
+export class Surface extends Group {
+  #geometry = null;
+  #material = new MeshLambertMaterial({ side: DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
+  #wires = null;
+  #uniforms = { heatMap: { value: null }, heatRange: { value: new Vector2() }, heatOn: { value: false } };
+  #wireMaterial = new LineBasicMaterial({ color: 0x10161d, transparent: true, opacity: 0.4 });
+
+  constructor() {
+    super();
+    addHeat(this.#material, this.#uniforms);
+  }
+
+  /** `display`: of displayOf(). */
+  setDisplay({ positions, indices, normals, colors }, radius) {
+    this.empty();
+    const geometry = (this.#geometry = new BufferGeometry());
+    geometry.setAttribute('position', new BufferAttribute(positions, 3));
+    geometry.setAttribute('normal', new BufferAttribute(normals, 3));
+    if (colors) geometry.setAttribute('color', new BufferAttribute(colors, 4, true));
+    geometry.setIndex(new BufferAttribute(indices, 1));
+    geometry.boundingSphere = new Sphere(undefined, radius);
+    this.#material.vertexColors = Boolean(colors);
+    this.#material.color.set(colors ? 0xffffff : COLOR);
+    this.#material.needsUpdate = true;
+    this.add(new Mesh(geometry, this.#material));
+  }
+
+  empty() {
+    this.#geometry?.dispose();
+    this.#wires?.geometry.dispose();
+    this.#geometry = this.#wires = null;
+    this.clear();
+  }
+
+  get geometry() {
+    return this.#geometry;
+  }
+
+  setShading(isFlat) {
+    if (this.#material.flatShading === isFlat) return;
+    this.#material.flatShading = isFlat;
+    this.#material.needsUpdate = true;
+  }
+
+  get hasWires() {
+    return this.#wires !== null;
+  }
+
+  /** `edges`: pairs of vertices. */
+  setWires(edges) {
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', this.#geometry.attributes.position);
+    geometry.setIndex(new BufferAttribute(edges, 1));
+    geometry.boundingSphere = this.#geometry.boundingSphere;
+    this.#wires = new LineSegments(geometry, this.#wireMaterial);
+    this.add(this.#wires);
+  }
+
+  showWires(isShown) {
+    if (this.#wires) this.#wires.visible = isShown;
+  }
+
+  /** `values`: one per vertex, or null for the own colour. `limit`: end of the scale. */
+  setHeat(values, { texture, isSigned, limit } = {}) {
+    this.#uniforms.heatOn.value = values !== null;
+    if (values === null) return;
+    const isNew = this.#geometry.attributes.value?.array !== values;
+    if (isNew) this.#geometry.setAttribute('value', new BufferAttribute(values, 1));
+    this.#uniforms.heatMap.value = texture;
+    this.#uniforms.heatRange.value.set(isSigned ? -limit : 0, limit);
+  }
+}

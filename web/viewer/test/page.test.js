@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+// The page as a person uses it.
+import assert from 'node:assert/strict';
+import { readFileSync, readdirSync, statSync } from 'node:fs';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+
+import { DeltameshError, createDecoder } from '@deltamesh/decoder';
+
+import { makeExample } from '../src/mesh/examples.js';
+import { writeGlb } from '../src/mesh/write-glb.js';
+import { hasChromium, openPage, waitUntilDone } from './browser.js';
+import { choose, countColors, drop, longestTask, shownBytes, slide, textOf, watchTasks } from './use.js';
+
+const MOST_MILLISECONDS = 100;
+const skip = hasChromium ? false : 'Chromium is not installed (scripts/setup web)';
+const root = new URL('../../../', import.meta.url);
+
+let open;
+let page;
+before(async () => {
+  if (!hasChromium) return;
+  open = await openPage();
+  ({ page } = open);
+  await waitUntilDone(page);
+});
+after(() => open?.close());
+
+async function downloaded(selector, ending) {
+  const known = new Set(readdirSync(open.downloads));
+  await page.$eval(selector, (element) => element.click());
+  for (let attempt = 0; attempt < 100; ++attempt) {
+    const name = readdirSync(open.downloads).find((file) => !known.has(file) && file.endsWith(ending));
+    if (name) return join(open.downloads, name);
+    await new Promise((resolve) => setTimeout(resolve, 100));
+  }
+  throw new Error(`no ${ending} was downloaded`);
+}
+
+function plyOf({ positions, indices }) {
+  const header = `ply\nformat binary_little_endian 1.0\nelement vertex ${positions.length / 3}\nproperty float x\nproperty float y
+property float z\nelement face ${indices.length / 3}\nproperty list uchar int vertex_indices\nend_header\n`;
+  const faces = Buffer.alloc((indices.length / 3) * 13);
+  for (let i = 0, at = 0; i < indices.length; i += 3) {
+    at = faces.writeUInt8(3, at);
+    for (let c = 0; c < 3; ++c) at = faces.writeInt32LE(indices[i + c], at);
+  }
+  return Buffer.concat([Buffer.from(header), Buffer.from(positions.buffer), faces]);
+}
+
+test('an example is there at once, on both sides', { skip }, async () => {
+  assert.match(await textOf(page, 'mesh-name'), /Knot: 33,280 vertices/);
+  for (const [from, to] of [[0.05, 0.45], [0.55, 0.95]]) assert.ok((await countColors(page, from, to)) > 50);
+});
+
+test('the bytes that are shown are those that are downloaded, and decode', { skip }, async () => {
+  const file = await downloaded('#download', '.dmsh');
+  assert.equal(statSync(file).size, await shownBytes(page));
+  const decoder = await createDecoder();
+  const mesh = await decoder.decode(new Uint8Array(readFileSync(file)));
+  assert.ok(!(mesh instanceof DeltameshError));
+  assert.equal(mesh.triangleCount, 66560);
+});
+
+test('GLB is downloaded', { skip }, async () => {
+  const glb = readFileSync(await downloaded('#download-glb', '.glb'));
+  assert.equal(glb.toString('latin1', 0, 4), 'glTF');
+  assert.equal(glb.readUInt32LE(8), glb.length);
+});
+
+test('sliders change the bytes, and the page stays awake', { skip }, async (context) => {
+  await watchTasks(page);
+  const before = await shownBytes(page);
+  await slide(page, 'maxError', [110, 112, 115, 120, 126, 131, 135]);
+  const coarse = await shownBytes(page);
+  await slide(page, 'maxError', [130, 100, 80, 60]);
+  const fine = await shownBytes(page);
+  assert.ok(coarse < before && before < fine, `${coarse}, ${before}, ${fine}`);
+  const longest = await longestTask(page);
+  context.diagnostic(`longest task while sliders move: ${longest} ms`);
+  assert.ok(longest <= MOST_MILLISECONDS, `a task of ${longest} ms`);
+});
+
+test('a size in bytes is kept', { skip }, async () => {
+  await page.$eval('#maxError-on', (check) => check.click());
+  await slide(page, 'size', [70]);
+  const most = await page.$eval('#size', (input) => Number(input.value));
+  assert.ok((await shownBytes(page)) <= most);
+  await page.$eval('#size-on', (check) => check.click());
+  await page.$eval('#maxError-on', (check) => check.click());
+  await slide(page, 'maxError', [115]);
+});
+
+test('views, shadings and heat maps draw', { skip }, async () => {
+  for (const view of ['split', 'original', 'result', 'side']) {
+    await choose(page, 'view', view);
+    assert.ok((await countColors(page)) > 50, view);
+  }
+  const smooth = await countColors(page);
+  await choose(page, 'shading', 'wire');
+  await page.waitForSelector('#stage[data-wires="original result"]');
+  assert.notEqual(await countColors(page), smooth);
+  await choose(page, 'shading', 'flat');
+  for (const color of ['signed', 'vde', 'normal']) {
+    await choose(page, 'color', color);
+    assert.ok((await countColors(page, 0.55, 0.95)) > 50, color);
+    assert.equal(await page.$eval('#scale', (scale) => scale.hidden), false);
+    assert.match(await textOf(page, 'scale-high'), /\d/);
+  }
+  await choose(page, 'color', 'none');
+  await choose(page, 'shading', 'smooth');
+});
+
+test('the split moves by keys', { skip }, async () => {
+  await choose(page, 'view', 'split');
+  await page.focus('#divider');
+  await page.keyboard.press('ArrowRight');
+  assert.equal(await page.$eval('#divider', (divider) => divider.getAttribute('aria-valuenow')), '52');
+  await choose(page, 'view', 'side');
+});
+
+test('others are computed beside', { skip }, async () => {
+  await page.waitForFunction(() => document.querySelectorAll('#peers tbody tr').length === 4, { timeout: 60000 });
+  const sizes = await page.$$eval('#peers tbody td:nth-child(2)', (cells) => cells.map((cell) => cell.textContent));
+  const [own, draco, meshopt, deflated] = sizes.map((text) => Number(text.replaceAll(/\D/g, '')));
+  assert.ok(own < draco && draco < deflated && deflated <= meshopt, sizes.join());
+});
+
+test('files are opened: PLY, GLB with and without the extension, DMSH', { skip }, async () => {
+  const terrain = makeExample('terrain');
+  await drop(page, 'hill.ply', plyOf(terrain));
+  assert.match(await textOf(page, 'mesh-name'), /^hill.ply: 32,761 vertices/);
+  await drop(page, 'hill.glb', writeGlb(terrain));
+  assert.match(await textOf(page, 'mesh-name'), /^hill.glb: 32,761 vertices/);
+  assert.match(await textOf(page, 'bytes'), /COLOR_0/);
+  const golden = readdirSync(new URL('tests/golden/', root)).find((name) => /^asset\.bounded\..*\.dmsh$/.test(name));
+  await drop(page, 'asset.dmsh', readFileSync(new URL(`tests/golden/${golden}`, root)));
+  assert.equal(await textOf(page, 'error'), '');
+  const samples = new URL('gltf_ext/DELTAMESH_mesh_compression/samples/valid/', root);
+  const packed = readdirSync(samples).find((name) => name.endsWith('.glb'));
+  await drop(page, packed, readFileSync(new URL(packed, samples)));
+  assert.equal(await textOf(page, 'error'), '');
+});
+
+test('what cannot be read is said, and the page goes on', { skip }, async () => {
+  await drop(page, 'letter.txt', Buffer.from('hello'));
+  assert.match(await textOf(page, 'error'), /letter.txt is none of PLY/);
+  await drop(page, 'broken.dmsh', Buffer.from('DMSHDMSHDMSHDMSH'));
+  assert.notEqual(await textOf(page, 'error'), '');
+  await page.select('#example', 'terrain');
+  await page.waitForFunction(() => document.getElementById('mesh-name').textContent.startsWith('Terrain'));
+  await waitUntilDone(page);
+  assert.equal(await page.$eval('#error', (error) => error.hidden), true);
+});
+
+test('every input has a name', { skip }, async () => {
+  const nameless = await page.$$eval('input, select, button, a.button', (elements) =>
+    elements.filter((e) => !(e.labels?.length || e.getAttribute('aria-label') || e.textContent.trim())).map((e) => e.outerHTML),
+  );
+  assert.deepEqual(nameless, []);
+});
+
+test('nothing went wrong on the console', { skip }, () => assert.deepEqual(open.problems, []));
+
+test('on a phone, in the dark, from a link', { skip }, async () => {
+  const phone = await openPage({ width: 390, height: 844, dark: true, hash: '#example=terrain&view=split&color=signed&maxError=0.2' });
+  await waitUntilDone(phone.page);
+  const { innerWidth, wide } = await phone.page.evaluate(() => ({ innerWidth, wide: document.documentElement.scrollWidth }));
+  assert.ok(wide <= innerWidth, `${wide} px wide`);
+  assert.equal(await phone.page.$eval('#maxError', (input) => input.value), '0.2');
+  assert.equal(await phone.page.$eval('#divider', (divider) => divider.hidden), false);
+  assert.ok((await countColors(phone.page)) > 50);
+  assert.deepEqual(phone.problems, []);
+  await phone.close();
+});

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+// Settings, links and options.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { BOUNDS, DEFAULTS, encodeOptions, fromHash, toHash } from '../src/settings.js';
+
+test('a link holds what differs from the defaults, and gives it back', () => {
+  assert.equal(toHash(DEFAULTS), '');
+  const settings = { ...DEFAULTS, vde: 0.03, maxError: null, view: 'split', effort: '0', example: 'terrain' };
+  assert.deepEqual(fromHash(`#${toHash(settings)}`), settings);
+});
+
+test('what a link says wrongly is ignored', () => {
+  const hash = '#vde=-1&lfe=x&maxError=&size=1e99&normals=off&view=constructor&example=../x&effort=7&nothing=1';
+  assert.deepEqual(fromHash(hash), DEFAULTS);
+});
+
+test('defaults and starts of bounds are in their ranges', () => {
+  for (const { id, min, max, start } of BOUNDS) {
+    assert.ok(start >= min && start <= max, id);
+    assert.ok(DEFAULTS[id] === null || (DEFAULTS[id] >= min && DEFAULTS[id] <= max), id);
+  }
+});
+
+test('options of the encoder leave out what is off', () => {
+  const options = encodeOptions({ ...DEFAULTS, size: 9000, maxError: null });
+  assert.equal(options.maxError, undefined);
+  assert.equal(options.targetBytes, 9000);
+  assert.equal(options.effort, 5);
+});

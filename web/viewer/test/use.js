@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+// What a person does with the page.
+import { waitUntilDone } from './browser.js';
+
+/** Chooses one of a few. */
+export function choose(page, id, value) {
+  return page.$eval(`input[name="${id}"][value="${value}"]`, (input) => input.click());
+}
+
+/** Moves a slider through `places`, as a hand does, and waits for what comes of it. */
+export async function slide(page, id, places) {
+  await page.evaluate(
+    async (id, places) => {
+      const slider = document.getElementById(`${id}-slider`);
+      for (const place of places) {
+        slider.value = place;
+        slider.dispatchEvent(new Event('input', { bubbles: true }));
+        await new Promise((resolve) => setTimeout(resolve, 30));
+      }
+      document.body.dataset.state = 'busy'; // the page waits a little before it begins
+    },
+    id,
+    places,
+  );
+  await waitUntilDone(page);
+}
+
+export async function drop(page, name, bytes) {
+  await page.evaluate(
+    (name, base64) => {
+      const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+      const dataTransfer = new DataTransfer();
+      dataTransfer.items.add(new File([bytes], name));
+      document.body.dataset.state = 'busy';
+      document.body.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+    },
+    name,
+    Buffer.from(bytes).toString('base64'),
+  );
+  await waitUntilDone(page);
+}
+
+/** How many colours a part of the canvas has; `from`, `to`: shares of its width. */
+export async function countColors(page, from = 0, to = 1) {
+  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+  const box = await page.$eval('#canvas', (canvas) => canvas.getBoundingClientRect().toJSON());
+  const clip = { x: box.x + from * box.width, y: box.y + 0.2 * box.height, width: (to - from) * box.width, height: 0.5 * box.height };
+  const png = await page.screenshot({ clip, encoding: 'base64' });
+  return page.evaluate(async (base64) => {
+    const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+    const image = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+    const context = new OffscreenCanvas(image.width, image.height).getContext('2d');
+    context.drawImage(image, 0, 0);
+    return new Set(new Uint32Array(context.getImageData(0, 0, image.width, image.height).data.buffer)).size;
+  }, png);
+}
+
+export const textOf = (page, id) => page.$eval(`#${id}`, (element) => element.textContent);
+
+/** Bytes that the page shows for the whole stream. */
+export async function shownBytes(page) {
+  const text = await page.$eval('#bytes tbody tr:last-child td', (cell) => cell.textContent);
+  return Number(text.replaceAll(/\D/g, ''));
+}
+
+/** From now on; longestTask() then tells how long the page was not there at most. */
+export function watchTasks(page) {
+  return page.evaluate(() => {
+    window.longest = 0;
+    window.tasks = new PerformanceObserver((list) => {
+      for (const { duration } of list.getEntries()) window.longest = Math.max(window.longest, duration);
+    });
+    window.tasks.observe({ type: 'longtask' });
+  });
+}
+
+/** Milliseconds; tasks under 50 count as 0. */
+export function longestTask(page) {
+  return page.evaluate(async () => {
+    await new Promise((resolve) => setTimeout(resolve, 200));
+    return window.longest;
+  });
+}
