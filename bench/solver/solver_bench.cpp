@@ -48,7 +48,7 @@ Solved run(const Problem& problem, const Make& make, int cycles = 0) {
   const double start = processor_seconds();
   const auto solver = make(problem.part.graph, problem.anchors);
   if (!solver) return solved;
-  if (cycles > 0) (*solver)->set_up();
+  if (cycles > 0) (*solver)->set_up(cycles);
   const double ready = processor_seconds();
   if ((*solver)->solve(problem.deltas, problem.targets, cycles, solved.x)) {
     solved.setup_ns = (ready - start) * per_vertex;

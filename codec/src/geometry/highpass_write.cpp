@@ -15,9 +15,9 @@
 #include "geometry/diffusion.h"
 #include "geometry/highpass.h"
 #include "geometry/highpass_symbols.h"
-#include "laplacian/anchors/anchors.h"
-#include "laplacian/operator/delta.h"
-#include "laplacian/operator/hop_density.h"
+#include "laplacian/anchors.h"
+#include "laplacian/delta.h"
+#include "laplacian/hop_density.h"
 
 namespace deltamesh {
 namespace {

@@ -14,7 +14,7 @@
 #include "base/large_vector.h"
 #include "base/vec3.h"
 #include "deltamesh/result.h"
-#include "laplacian/operator/delta_view.h"
+#include "laplacian/delta_view.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {
@@ -45,8 +45,8 @@ class LeastSquaresSolver {
                                                std::span<const Vec3> anchor_positions, int cycles,
                                                std::size_t size);
 
-  /// What solve() would set up first.
-  virtual void set_up() {}
+  /// What solve() with so many cycles would set up first.
+  virtual void set_up(int cycles) { (void)cycles; }
 };
 
 /// Sparse Cholesky of the normal equations: exact up to rounding; the reference. Time and memory grow faster
@@ -56,8 +56,8 @@ Result<std::unique_ptr<LeastSquaresSolver>> make_direct_solver(const Adjacency& 
                                                                std::span<const std::uint32_t> anchors);
 
 /// Multigrid: time and memory linear in n; the error that remains is a few percent of what quantisation
-/// leaves. Every vertex has neighbours, otherwise same preconditions and errors as above; kInvalidStream also
-/// for cycles on a graph that has one level [DELT-7].
+/// leaves. Components that do not settle are factored or iterated on, in bounded work per vertex. Same
+/// preconditions and errors as above.
 Result<std::unique_ptr<LeastSquaresSolver>> make_multigrid_solver(const Adjacency& graph,
                                                                   std::span<const std::uint32_t> anchors);
 

@@ -30,7 +30,7 @@ for ((y = 0; y < 70; ++y)); do
     ((x > 0 && y > 0)) && echo "f $((70 * y + x + 1)) $((70 * y + x)) $((70 * y + x - 69))"
   done
 done >uneven.obj
-figures encode uneven.obj out.dmsh --bits 8
+run encode uneven.obj out.dmsh --bits 8
 cube cube.obj
 : >empty.order
 printf 'abc' >odd.order
