@@ -5,46 +5,12 @@
 #include <gtest/gtest.h>
 #include <xxhash.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
 #include "codec_state.h"
 #include "deltamesh/map/map_codec.h"
 #include "deltamesh/map/split.h"
 #include "map/map_meshes.h"
 #include "part_container.h"
-
-namespace {
-
-std::atomic<std::size_t> taken{0};
-std::atomic<std::size_t> most{0};
-constexpr std::size_t kHead = alignof(std::max_align_t);
-
-void* take(std::size_t size) {
-  void* const block = std::malloc(size + kHead);
-  if (block == nullptr) throw std::bad_alloc();
-  *static_cast<std::size_t*>(block) = size;
-  const std::size_t now = taken += size;
-  if (now > most) most = now;
-  return static_cast<char*>(block) + kHead;
-}
-
-void give_back(void* memory) noexcept {
-  if (memory == nullptr) return;
-  void* const block = static_cast<char*>(memory) - kHead;
-  taken -= *static_cast<std::size_t*>(block);
-  std::free(block);
-}
-
-}  // namespace
-
-void* operator new(std::size_t size) { return take(size); }
-void* operator new[](std::size_t size) { return take(size); }
-void operator delete(void* memory) noexcept { give_back(memory); }
-void operator delete[](void* memory) noexcept { give_back(memory); }
-void operator delete(void* memory, std::size_t) noexcept { give_back(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { give_back(memory); }
+#include "support/counted_memory.h"
 
 namespace deltamesh {
 namespace {
@@ -71,10 +37,10 @@ TEST(MapLimits, MAP7APartOf100BytesTakesLessThanAMegabyte) {
       bytes[random() % std::min<std::size_t>(bytes.size(), 24)] = static_cast<std::byte>(random() % 256);
     const std::uint32_t checksum = part_checksum(codec->state().place_of(part.key), bytes);
     for (unsigned k = 0; k < 4; ++k) bytes.push_back(static_cast<std::byte>(checksum >> (8 * k)));
-    const std::size_t before = taken;
-    most = before;
+    test::most_memory_from_now();
+    const std::size_t before = test::memory_taken();
     decoded += codec->decode(part.key, bytes) ? 1 : 0;
-    EXPECT_LT(most - before, std::size_t{1} << 20) << i;
+    EXPECT_LT(test::most_memory() - before, std::size_t{1} << 20) << i;
   }
   EXPECT_LT(decoded, 4000U);
 }
@@ -91,10 +57,10 @@ TEST(MapLimits, MAP5AMessageOf100BytesTakesLessThanAMegabyte) {
       bytes[4 + random() % (bytes.size() - 4)] = static_cast<std::byte>(random() % 256);
     const auto checksum = static_cast<std::uint32_t>(XXH3_64bits(bytes.data(), bytes.size()));
     for (unsigned k = 0; k < 4; ++k) bytes.push_back(static_cast<std::byte>(checksum >> (8 * k)));
-    const std::size_t before = taken;
-    most = before;
+    test::most_memory_from_now();
+    const std::size_t before = test::memory_taken();
     (void)read_description(bytes);
-    EXPECT_LT(most - before, std::size_t{1} << 20) << i;
+    EXPECT_LT(test::most_memory() - before, std::size_t{1} << 20) << i;
   }
 }
 

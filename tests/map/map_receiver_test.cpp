@@ -4,30 +4,10 @@
 // Senders and receivers over a network without faults, and what receivers refuse.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <new>
-
-#ifndef __clang__
-#pragma GCC diagnostic ignored "-Wmismatched-new-delete"  // both are replaced, as a pair
-#endif
 #include "deltamesh/map/receiver.h"
 #include "deltamesh/map/sender.h"
 #include "map/map_world.h"
-
-namespace {
-
-/// Bytes asked for at once, at the most, since it was set to 0.
-std::size_t largest_allocation = 0;
-
-}  // namespace
-
-void* operator new(std::size_t size) {
-  largest_allocation = std::max(largest_allocation, size);
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+#include "support/counted_memory.h"
 
 namespace deltamesh {
 namespace {
@@ -189,9 +169,10 @@ TEST_F(MapTalk, MAP1SmallMessagesTakeLittleMemory) {
       part.octets[random() % part.octets.size()] = static_cast<std::byte>(random());
     part.octets.resize(std::min<std::size_t>(part.octets.size(), 60));
     const auto message = write_part(part);
-    largest_allocation = 0;
+    test::most_memory_from_now();
+    const std::size_t before = test::memory_taken();
     (void)receiver_.apply(*message);
-    EXPECT_LT(largest_allocation, std::size_t{1} << 20);
+    EXPECT_LT(test::most_memory() - before, std::size_t{1} << 20);
   }
 }
 
