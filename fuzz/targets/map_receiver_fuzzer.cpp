@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Messages one after another, each after its length in two bytes, given to a receiver and to a sender of a small
-// map. What is shown never overlaps, and the receiver's own view is always understood.
+// Messages one after another, each after its length in two bytes, given to a receiver and to a sender of a
+// small map. What is shown never overlaps, and the receiver's own view is always understood.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -35,7 +35,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const test::World world(3, 1);
   auto sender = MapSender::make(test::World::description(), {.effort = 0});
   if (!sender || !world.tell(*sender, world.present())) std::abort();
-  MapReceiver receiver(1, test::World::description().id, {.parts = 100, .octets = 1 << 20, .vertices = 1 << 16});
+  MapReceiver receiver(1, test::World::description().id,
+                       {.parts = 100, .octets = 1 << 20, .vertices = 1 << 16});
   View view;
   view.max_error = 0.05F;
   receiver.set_view(view);
@@ -43,7 +44,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   double now = 0;
   auto rest = std::as_bytes(std::span(data, size));
   while (rest.size() >= 2) {
-    const std::size_t length = std::to_integer<std::size_t>(rest[0]) | std::to_integer<std::size_t>(rest[1]) << 8;
+    const std::size_t length = std::to_integer<std::size_t>(rest[0]) | std::to_integer<std::size_t>(rest[1])
+                                                                           << 8;
     const auto message = rest.subspan(2, std::min(length, rest.size() - 2));
     rest = rest.subspan(2 + message.size());
     check(receiver.apply(message));

@@ -9,8 +9,8 @@
 
 namespace deltamesh {
 
-/// Of the symbols that a starting state was learnt from at most so many count, so that it moves by 1/32 of the way
-/// at first.
+/// Of the symbols that a starting state was learnt from at most so many count, so that it moves by 1/32 of
+/// the way at first.
 inline constexpr std::uint8_t kMostCountedBefore = 26;  // [CMP-16]
 
 /// `Models`: all that a coder learns. Does not own them.
