@@ -23,8 +23,8 @@ void BorderTable::add(const Mesh& mesh, std::uint32_t part) {
 
 std::vector<BorderUse> BorderTable::finish() {
   std::ranges::sort(uses_);
-  const auto repeated = std::ranges::unique(uses_);
-  uses_.erase(repeated.begin(), repeated.end());
+  const auto repeated = std::unique(uses_.begin(), uses_.end());
+  uses_.erase(repeated, uses_.end());
   std::vector<BorderUse> border;
   LatticePoint point{};
   std::uint32_t twins = 0;

@@ -48,10 +48,6 @@ std::array<float, 3> MapLattice::position_of(const LatticePoint& point) const no
   return position;
 }
 
-bool operator==(const MapLattice& a, const MapLattice& b) noexcept {
-  return a.origin == b.origin && a.step_exponent == b.step_exponent;
-}
-
 int step_exponent_for(double max_error) noexcept {
   int exponent = kMostStepExponent;
   while (exponent > kLeastStepExponent && !(3 * power_of_two(2 * exponent) <= 4 * max_error * max_error))

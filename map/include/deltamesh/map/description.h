@@ -23,8 +23,10 @@ inline constexpr std::int32_t kMostLatticeSteps = (1 << 24) - 1;  // [MAP-2]
 
 /// The same for all parts, qualities and times of a map.
 struct MapLattice {
-  std::array<double, 3> origin{};  ///< of the map, in its frame; model units (metres), finite
-  int step_exponent = -10;         ///< k: the step is 2^k model units; -40 to 20
+  std::array<double, 3> origin {
+    bool operator==(const MapLattice&) const = default;
+  };                        ///< of the map, in its frame; model units (metres), finite
+  int step_exponent = -10;  ///< k: the step is 2^k model units; -40 to 20
 
   double step() const noexcept;
   /// The nearest point to a position relative to the origin, ties upwards. The caller has checked
@@ -76,8 +78,6 @@ struct MapDescription {
   bool operator==(const MapDescription&) const = default;
 };
 inline constexpr std::size_t kMostPrimerBytes = std::size_t{1} << 16;  // [MAP-6]
-
-bool operator==(const MapLattice& a, const MapLattice& b) noexcept;
 
 /// Checks every member against its range; a primer's content is checked when it is decoded. Errors:
 /// kInvalidArgument.
