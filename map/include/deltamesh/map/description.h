@@ -23,10 +23,8 @@ inline constexpr std::int32_t kMostLatticeSteps = (1 << 24) - 1;  // [MAP-2]
 
 /// The same for all parts, qualities and times of a map.
 struct MapLattice {
-  std::array<double, 3> origin {
-    bool operator==(const MapLattice&) const = default;
-  };                        ///< of the map, in its frame; model units (metres), finite
-  int step_exponent = -10;  ///< k: the step is 2^k model units; -40 to 20
+  std::array<double, 3> origin{};  ///< of the map, in its frame; model units (metres), finite
+  int step_exponent = -10;         ///< k: the step is 2^k model units; -40 to 20
 
   double step() const noexcept;
   /// The nearest point to a position relative to the origin, ties upwards. The caller has checked
@@ -36,6 +34,8 @@ struct MapLattice {
   bool is_within(const std::array<float, 3>& position) const noexcept;
   /// Relative to the origin; exact.
   std::array<float, 3> position_of(const LatticePoint& point) const noexcept;
+
+  bool operator==(const MapLattice&) const = default;
 };
 
 /// The k of the coarsest lattice whose points are nowhere farther than `max_error` from any place: of 2^k
