@@ -154,7 +154,8 @@ class Page {
   async #compareWithOthers({ bytes, info }) {
     const isExact = !(info.quality.maxError > 0);
     find('peers-status').textContent = isExact ? 'The result is exact: there is no error to compare at.' : 'Computing';
-    if (isExact) return find('peers').replaceChildren();
+    find('peers').replaceChildren(); // those of an earlier result
+    if (isExact) return;
     try {
       const request = requestOf(this.#source.mesh, info, bytes.length);
       showPeers(find('peers'), request, await this.workshop.compare(request));

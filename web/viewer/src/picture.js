@@ -5,7 +5,7 @@ import { showScale } from './panel/scale.js';
 import { HEATS, heatLimit, heatTexture } from './stage/heat.js';
 import { Stage } from './stage/stage.js';
 import { Superseded } from './latest-job.js';
-import { formatBytes } from './units.js';
+import { formatSize } from './units.js';
 
 export class Picture {
   #find;
@@ -42,8 +42,8 @@ export class Picture {
   }
 
   setSizes(original, result) {
-    this.#find('label-original').textContent = `Original, ${formatBytes(original)} as arrays`;
-    this.#find('label-result').textContent = `Result, ${formatBytes(result)}`;
+    this.#find('label-original').textContent = `Original, ${formatSize(original)}`;
+    this.#find('label-result').textContent = `Result, ${formatSize(result)}`;
   }
 
   setSplit(share) {

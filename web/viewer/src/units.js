@@ -7,6 +7,12 @@ export function formatBytes(bytes) {
 }
 
 /** Three digits. */
+export function formatSize(bytes) {
+  if (bytes < 1000) return `${bytes} B`;
+  return bytes < 1e6 ? `${formatNumber(bytes / 1000)} kB` : `${formatNumber(bytes / 1e6)} MB`;
+}
+
+/** Three digits. */
 export function formatNumber(value) {
   if (value === 0) return '0';
   if (!Number.isFinite(value)) return '–';

@@ -69,6 +69,17 @@ test('GLB is downloaded', { skip }, async () => {
   assert.equal(glb.readUInt32LE(8), glb.length);
 });
 
+test('tasks that are too long are seen', { skip }, async () => {
+  await watchTasks(page);
+  // Tasks of the page alone count, not what evaluate() runs before it waits.
+  await page.evaluate(async () => {
+    await new Promise((resolve) => setTimeout(resolve));
+    const end = performance.now() + 150;
+    while (performance.now() < end);
+  });
+  assert.ok((await longestTask(page)) >= 150);
+});
+
 test('sliders change the bytes, and the page stays awake', { skip }, async (context) => {
   await watchTasks(page);
   const before = await shownBytes(page);

@@ -14,9 +14,9 @@ export async function slide(page, id, places) {
     async (id, places) => {
       const slider = document.getElementById(`${id}-slider`);
       for (const place of places) {
+        await new Promise((resolve) => setTimeout(resolve, 30));
         slider.value = place;
         slider.dispatchEvent(new Event('input', { bubbles: true }));
-        await new Promise((resolve) => setTimeout(resolve, 30));
       }
       document.body.dataset.state = 'busy'; // the page waits a little before it begins
     },
