@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// worker.js on a thread of node's, whose messages have another shape.
-import { Worker, isMainThread, parentPort } from 'node:worker_threads';
+// A worker script of the packages on a thread of node's, whose messages have another shape.
+import { Worker, isMainThread, parentPort, workerData } from 'node:worker_threads';
 
 export class NodeWorker {
-  #worker = new Worker(new URL(import.meta.url));
+  #worker;
 
-  constructor() {
+  /** @param {URL} script */
+  constructor(script) {
+    this.#worker = new Worker(new URL(import.meta.url), { workerData: script.href });
     this.#worker.on('message', (data) => this.onmessage({ data }));
     this.#worker.on('error', (error) => this.onerror(error));
   }
@@ -23,6 +25,6 @@ if (!isMainThread) {
   const early = [];
   globalThis.self = { postMessage: (message, transfer) => parentPort.postMessage(message, transfer) };
   parentPort.on('message', (data) => (self.onmessage ? self.onmessage({ data }) : early.push(data)));
-  await import('../worker.js');
+  await import(workerData);
   for (const data of early) self.onmessage({ data });
 }
