@@ -14,7 +14,7 @@ namespace {
 
 using namespace deltamesh;
 
-/// What is read can be written, and what is written reads as what gives the same bytes.
+/// Every message that can be read can be written; reading and writing it again gives the same bytes.
 template <class Read, class Write>
 void check(Read read, Write write, std::span<const std::byte> bytes) {
   const auto message = read(bytes);

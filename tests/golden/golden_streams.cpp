@@ -62,7 +62,8 @@ Mesh asset() {
   return mesh;
 }
 
-/// Painted patches, a picture of few colours in 16 bits, rough heights, a normal of length 0, and bounds.
+/// Flat patches of 16-bit colours, grey levels as floats, zero normals, noisy heights, and an origin far
+/// away.
 Mesh painted() {
   Mesh mesh = bumpy_grid(24, 18);
   std::vector<std::uint16_t> patches;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What the committed streams were made from: together they reach every rule of the format
+// Source meshes and options of the golden streams. Together they exercise every rule of the format
 // (scripts/check-conformance).
 #pragma once
 

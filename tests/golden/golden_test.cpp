@@ -23,7 +23,7 @@ using testing::rough_grid;
 
 bool update_golden = false;
 
-/// Of this draft: a new one needs new streams.
+/// File names carry the number of the draft: a new draft needs new streams.
 std::string path_of(const std::string& name, const std::string& suffix) {
   return DELTAMESH_GOLDEN_DIR "/" + name + ".v1d" + std::to_string(kFormatDraft) + '.' + suffix;
 }

@@ -36,7 +36,7 @@ void write_ordinals(CompactWriter& writer, const FieldFaces& over, const std::ar
   code_ordinals(writer, over, units, fit_blends(over.faces(), cells, BlendFit::kSquares), ordinals);
 }
 
-/// `form`, without runs of rows at rest where that is smaller.
+/// Returns `form`, but without run lengths of resting rows if that takes fewer bytes.
 GroupForm smaller_form(const FieldFaces& over, const GroupForm& form, std::span<Cell> cells) {
   const auto size_of = [&](GroupForm candidate) {
     CompactWriter trial;
