@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// What a sender knows of its map and of its receivers, and the messages it makes for one of them.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "deltamesh/map/sender.h"
+#include "send_units.h"
+#include "viewer_state.h"
+
+namespace deltamesh {
+
+struct MapSender::State {
+  State(SourceMap source, MapCodec codec, const SenderOptions& o)
+      : options(o), map(std::move(source)), encodings(std::move(codec), o) {}
+
+  SenderOptions options;
+  std::uint64_t description_hash = 0;
+  std::uint64_t start = 0;  ///< the map's revision when this sender was started
+  SourceMap map;
+  Encodings encodings;
+  KnownVersions known{};
+  std::map<std::uint64_t, Viewer> viewers{};
+  SenderCounts counts{};
+
+  void forget_versions();
+  Result<void> send(const SendUnit& unit, SendPlan& plan, Viewer& viewer, double now,
+                    std::vector<std::vector<std::byte>>& messages);
+  const Believed* believed_octets(const Viewer& viewer, const PartKey& key, std::uint64_t hash) const;
+  Result<std::vector<std::byte>> newest_message(const PartKey& key, const SendPlan& plan, Viewer& viewer,
+                                                double now);
+  Result<std::vector<std::byte>> removal_message(const PartKey& key, Viewer& viewer, double now);
+};
+
+}  // namespace deltamesh
