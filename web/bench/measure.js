@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+// Times of decoding, in node and in browsers.
+import { DeltameshError, createDecoder } from '@deltamesh/decoder';
+
+import { openDraco } from './draco.js';
+
+/** Decodes before times count: V8 compiles what is used often once more, on another thread. */
+const WARM_UP_MILLISECONDS = 1500;
+const LEAST_TURNS = 7;
+const MOST_MILLISECONDS = 4000;
+
+async function openDeltamesh(files) {
+  const decoder = await createDecoder({ files });
+  await decoder.load('highpass');
+  return (bytes) => {
+    const mesh = decoder.decodeSync(bytes);
+    if (mesh instanceof DeltameshError) throw mesh;
+    return mesh;
+  };
+}
+
+/** `modules`: { core, highpass, draco }, bytes. */
+function openCodec(codec, { core, highpass, draco }) {
+  return codec === 'draco' ? openDraco(draco) : openDeltamesh({ core, highpass });
+}
+
+function timeOf(decode, streams) {
+  const begin = performance.now();
+  for (const bytes of streams) decode(bytes);
+  return performance.now() - begin;
+}
+
+export function median(values) {
+  const sorted = values.toSorted((a, b) => a - b);
+  return (sorted[(sorted.length - 1) >> 1] + sorted[sorted.length >> 1]) / 2;
+}
+
+/** The first decode, milliseconds. Only the first call in a process means anything. */
+export async function cold(codec, modules, streams) {
+  return timeOf(await openCodec(codec, modules), streams);
+}
+
+/** Medians of decodes in turn, milliseconds. `jobs`: by name, { codec, streams }. */
+export async function warm(jobs, modules) {
+  const codecs = { deltamesh: await openCodec('deltamesh', modules), draco: await openCodec('draco', modules) };
+  const turn = () => Object.values(jobs).map(({ codec, streams }) => timeOf(codecs[codec], streams));
+  for (const begin = performance.now(); performance.now() - begin < WARM_UP_MILLISECONDS; ) {
+    turn();
+    await new Promise((resolve) => setTimeout(resolve));
+  }
+  const turns = [];
+  for (const begin = performance.now(); turns.length < LEAST_TURNS || performance.now() - begin < MOST_MILLISECONDS; )
+    turns.push(turn());
+  return Object.fromEntries(Object.keys(jobs).map((name, i) => [name, median(turns.map((times) => times[i]))]));
+}

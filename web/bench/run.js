@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+// Sizes of the modules, and times of decoding beside Draco's module: node run.js [--quick] [FILE...]. See README.md.
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { brotliCompressSync } from 'node:zlib';
+
+import { DeltameshError, createDecoder } from '@deltamesh/decoder';
+import { createEncoder } from '@deltamesh/encoder';
+import createEncoderModule from 'draco3d/draco_encoder_nodejs.js';
+
+import { encodeDraco } from './draco.js';
+import { Chromium, hasChromium } from './in-chromium.js';
+import { measureInNode } from './in-node.js';
+import { inputs } from './inputs.js';
+import { median } from './measure.js';
+
+const require = createRequire(import.meta.url);
+const FILES = {
+  decoder: '@deltamesh/decoder',
+  core: '@deltamesh/decoder/core.wasm',
+  highpass: '@deltamesh/decoder/highpass.wasm',
+  draco: 'draco3d/draco_decoder.wasm',
+  'draco, JavaScript': 'draco3d/draco_decoder_nodejs.js',
+};
+const GEOMETRIES = { lattice: 'predictive', highpass: 'highpass' };
+
+const args = process.argv.slice(2);
+const isQuick = args.includes('--quick');
+const COLD_TURNS = isQuick ? 1 : 5;
+
+const fileOf = (name) => {
+  const path = FILES[name];
+  return readFileSync(path.startsWith('@') && !path.endsWith('.wasm') ? new URL(import.meta.resolve(path)) : require.resolve(path));
+};
+const bytesOf = (name) => new Uint8Array(fileOf(name));
+
+function printSizes() {
+  console.log('| file | bytes | after brotli |\n|---|---|---|');
+  for (const name of Object.keys(FILES)) {
+    const bytes = fileOf(name);
+    console.log(`| ${name} | ${bytes.length} | ${brotliCompressSync(bytes).length} |`);
+  }
+}
+
+function check(result) {
+  if (result instanceof DeltameshError) throw result;
+  return result;
+}
+
+/** Streams of all three codecs, positions at most as far off in Draco's as in the lattice's. */
+async function streamsOf(meshes, encoder, decoder, draco) {
+  const jobs = Object.fromEntries(
+    Object.entries(GEOMETRIES).map(([name, geometry]) => [
+      name,
+      { codec: 'deltamesh', streams: meshes.map((mesh) => check(encoder.encode(mesh, { geometry, ...(isQuick && { effort: 0 }) })).bytes) },
+    ]),
+  );
+  const errors = jobs.lattice.streams.map((bytes) => decoder.inspect(bytes).quality.maxError);
+  jobs.draco = { codec: 'draco', streams: meshes.map((mesh, i) => encodeDraco(draco, mesh, errors[i])) };
+  return jobs;
+}
+
+const geometricMean = (values) => Math.exp(values.reduce((sum, value) => sum + Math.log(value), 0) / values.length);
+const rounded = (value) => value.toFixed(value < 10 ? 2 : 1);
+
+async function coldTimes(jobs, modules, measure) {
+  const times = {};
+  for (const name of Object.keys(jobs)) times[name] = [];
+  for (let turn = 0; turn < COLD_TURNS; ++turn)
+    for (const [name, job] of Object.entries(jobs)) times[name].push(await measure({ kind: 'cold', modules, ...job }));
+  return Object.fromEntries(Object.entries(times).map(([name, values]) => [name, median(values)]));
+}
+
+async function printTimes(where, measure, meshes, modules) {
+  const ratios = {};
+  const row = (cells) => console.log(`| ${cells.join(' | ')} |`);
+  console.log(`\nIn ${where}: milliseconds, and times Draco's\n`);
+  row(['mesh', 'KB of Draco, lattice, highpass', '', 'Draco', 'lattice', 'highpass']);
+  console.log('|---|---|---|---|---|---|');
+  for (const [mesh, jobs] of meshes) {
+    const size = ({ streams }) => rounded(streams.reduce((sum, { length }) => sum + length, 0) / 1000);
+    const sizes = [jobs.draco, jobs.lattice, jobs.highpass].map(size).join(', ');
+    const both = { warm: await measure({ kind: 'warm', jobs, modules }), cold: await coldTimes(jobs, modules, measure) };
+    for (const [kind, times] of Object.entries(both)) {
+      const cells = Object.keys(GEOMETRIES).map((name) => {
+        const ratio = times[name] / times.draco;
+        (ratios[`${kind} ${name}`] ??= []).push(ratio);
+        return `${rounded(times[name])} (${rounded(ratio)})`;
+      });
+      row([mesh, sizes, kind, rounded(times.draco), ...cells]);
+    }
+  }
+  for (const [name, values] of Object.entries(ratios))
+    console.log(`${name}: geometric mean ${rounded(geometricMean(values))}, largest ${rounded(Math.max(...values))}`);
+}
+
+printSizes();
+const encoder = await createEncoder();
+const decoder = await createDecoder();
+const draco = await createEncoderModule();
+const meshes = new Map();
+for await (const { name, meshes: parts } of inputs(args.filter((arg) => !arg.startsWith('--'))))
+  meshes.set(name, await streamsOf(parts, encoder, decoder, draco));
+const modules = { core: bytesOf('core'), highpass: bytesOf('highpass'), draco: bytesOf('draco') };
+await printTimes(`node ${process.version}`, measureInNode, meshes, modules);
+if (hasChromium && !args.includes('--node')) {
+  const chromium = await new Chromium().open();
+  await printTimes('Chromium', (message) => chromium.measure(message), meshes, modules);
+  chromium.close();
+} else {
+  console.log('\nChromium is not installed or not asked for: nothing was measured there.');
+}
