@@ -31,6 +31,7 @@ struct Splitting {
 struct Folders {
   std::string first;
   std::string second;
+  std::uint8_t level = 0;
   bool json = false;
 };
 
@@ -101,7 +102,7 @@ int run_join(const Folders& folders) {
   if (!check_mesh_suffix(folders.second, status)) return status;
   const auto state = load_state(folders.first, status);
   if (!state) return status;
-  const Result<Mesh> mesh = decode_map(*state);
+  const Result<Mesh> mesh = decode_map(*state, {}, folders.level);
   if (!mesh) return fail(folders.first, mesh.error());
   return save_mesh(folders.second, *mesh);
 }
@@ -188,6 +189,13 @@ void add_split(CLI::App& map, int& status) {
       ->add_option("--part-triangles", splitting->settings.most_triangles,
                    "parts with more are divided, down to an eighth of the edge")
       ->capture_default_str();
+  command
+      ->add_option(
+          "--levels", splitting->settings.levels,
+          "coarser levels above the largest parts, each of cells of twice the edge; with any there are "
+          "coarser copies of smaller parts, too")
+      ->check(CLI::Range(0, 21))
+      ->capture_default_str();
   command->add_option("--map-id", splitting->settings.id, "which map")->capture_default_str();
   command->add_option("--frame", splitting->settings.frame, "name of the coordinate frame")
       ->capture_default_str();
@@ -207,8 +215,14 @@ void add_folders(CLI::App& map, int& status, const char* name, const char* what,
   command->add_option(second == std::string("NEW") ? "OLD" : "DIR", folders->first, "folder of a map")
       ->required();
   if (*second != '\0') command->add_option(second, folders->second, about_second)->required();
-  if (second != std::string("OUT"))
+  if (second == std::string("OUT")) {
+    command
+        ->add_option("--level", folders->level,
+                     "make it of parts of this level and above, as coarse as they are (see `map info`)")
+        ->check(CLI::Range(0, int{kMostPartLevel}));
+  } else {
     command->add_flag("--json", folders->json, "print one JSON object to standard output");
+  }
   command->callback([folders, &status, run] { status = run(*folders); });
 }
 

@@ -19,6 +19,7 @@
 #include "encoder/default_quality.h"
 #include "link_table.h"
 #include "map_limits.h"
+#include "part_fitness.h"
 
 namespace deltamesh {
 namespace {
@@ -103,15 +104,47 @@ PartEntry entry_of(const MapPart& part, const CodedPart& coded, const MapPart& d
   return entry;
 }
 
+std::vector<PartKey> keys_of(std::span<const MapPart> parts) {
+  std::vector<PartKey> keys;
+  for (const MapPart& part : parts) keys.push_back(part.key);
+  return keys;
+}
+
+/// The parts that are not coarser copies.
+std::vector<MapPart> finest_of(std::span<const MapPart> parts) {
+  const auto keys = keys_on_level(keys_of(parts), 0);
+  std::vector<MapPart> finest;
+  for (const MapPart& part : parts)
+    if (std::ranges::binary_search(keys, part.key)) finest.push_back(part);
+  return finest;
+}
+
+/// The faces of parts in a cell, without attributes.
+Mesh surface_in(const PartKey& cell, std::span<const MapPart> parts) {
+  Mesh mesh;
+  for (const MapPart& part : parts) {
+    if (!overlap(part.key, cell)) continue;
+    const auto first = static_cast<std::uint32_t>(mesh.vertex_count());
+    mesh.origin = part.mesh.origin;
+    mesh.positions.insert(mesh.positions.end(), part.mesh.positions.begin(), part.mesh.positions.end());
+    for (const std::uint32_t v : part.mesh.triangles) mesh.triangles.push_back(first + v);
+  }
+  return mesh;
+}
+
 /// Entries without revision, group and links.
 Result<MapState> code_parts(const MapCodec& codec, std::span<const MapPart> parts,
-                            const PartQuality& quality) {
+                            std::span<const MapPart> finest, const PartQuality& quality) {
   MapState state;
   state.manifest.description = codec.description();
   for (const MapPart& part : parts) {
     DELTAMESH_TRY(CodedPart coded, codec.encode(part, quality));
     DELTAMESH_TRY(const MapPart decoded, codec.decode(part.key, coded.bytes));
     state.manifest.entries.push_back(entry_of(part, coded, decoded));
+    if (!std::ranges::binary_search(finest, part.key, {}, &MapPart::key))
+      state.manifest.entries.back().quality.max_error =
+          errors_between(surface_in(part.key, finest), surface_in(part.key, std::span(&decoded, 1)))
+              .max_error;
     state.octets.push_back(std::move(coded.bytes));
   }
   return state;
@@ -158,14 +191,15 @@ Result<MapState> encode_as(const MeshView& mesh, MapDescription description,
                            const SplitOptions& split_options, const PartQuality& quality,
                            const MapState* before) {
   DELTAMESH_TRY(const auto parts, split(mesh, description, split_options));
+  const std::vector<MapPart> finest = finest_of(parts);
   if (before != nullptr && share_lattice(description, before->manifest.description)) {
     description = before->manifest.description;
   } else {
     description.epoch = before != nullptr ? before->manifest.description.epoch + 1 : 0;
-    DELTAMESH_TRY(description, with_primers(std::move(description), parts, quality));
+    DELTAMESH_TRY(description, with_primers(std::move(description), finest, quality));
   }
   DELTAMESH_TRY(const MapCodec codec, MapCodec::open(std::move(description)));
-  DELTAMESH_TRY(MapState state, code_parts(codec, parts, quality));
+  DELTAMESH_TRY(MapState state, code_parts(codec, parts, finest, quality));
   number_versions(parts, before, state);
   return state;
 }
@@ -179,6 +213,7 @@ Result<void> validate(const MapSettings& settings) noexcept {
   if (!std::isfinite(settings.part_edge) || !(settings.part_edge > 0))
     return invalid("the edge of parts is not above 0");
   if (settings.most_triangles == 0) return invalid("parts of no triangles");
+  if (settings.levels > kMostPartLevel - kLevelsOfParts) return invalid("more than 21 coarser levels");
   if (settings.frame.size() > kMostNameBytes) return invalid("the name of the frame has more than 255 bytes");
   if (settings.quality.bounds.target_bytes) return invalid("a map cannot be asked for a number of bytes");
   return {};
@@ -192,7 +227,9 @@ Result<MapState> encode_map(const MeshView& mesh, const MapSettings& settings,
     PartQuality quality = settings.quality;
     quality.bounds = request_of(mesh, settings.quality.bounds);
     DELTAMESH_TRY(const MapDescription description, describe_map(mesh, settings, quality.bounds));
-    for (SplitOptions options{settings.most_triangles, kLevelsOfParts};; options.most_triangles /= 2) {
+    SplitOptions options{.most_triangles = settings.most_triangles, .most_level = kLevelsOfParts};
+    if (settings.levels > 0) options.copy_level = static_cast<std::uint8_t>(kLevelsOfParts + settings.levels);
+    for (;; options.most_triangles /= 2) {
       auto state = encode_as(mesh, description, options, quality, before);
       const bool is_too_large = !state && state.error().code == ErrorCode::kLimitExceeded;
       if (!is_too_large || options.most_triangles == 1) return state;
@@ -200,14 +237,18 @@ Result<MapState> encode_map(const MeshView& mesh, const MapSettings& settings,
   });
 }
 
-Result<Mesh> decode_map(const MapState& state, const DecodeOptions& options) noexcept {
+Result<Mesh> decode_map(const MapState& state, const DecodeOptions& options, std::uint8_t level) noexcept {
   return guarded([&]() -> Result<Mesh> {
     const auto& entries = state.manifest.entries;
     if (entries.size() != state.octets.size())
       return Error{.code = ErrorCode::kInvalidArgument, .message = "not as many octets as entries"};
     DELTAMESH_TRY(const MapCodec codec, MapCodec::open(state.manifest.description, options.limits));
+    std::vector<PartKey> keys;
+    for (const PartEntry& entry : entries) keys.push_back(entry.key);
+    keys = keys_on_level(keys, level);
     std::vector<MapPart> parts;
     for (std::size_t i = 0; i < entries.size(); ++i) {
+      if (!std::ranges::binary_search(keys, entries[i].key)) continue;
       DELTAMESH_TRY(MapPart part, codec.decode(entries[i].key, state.octets[i], options));
       parts.push_back(std::move(part));
     }

@@ -56,7 +56,7 @@ std::vector<PartLink> LinkTable::links_of(const PartKey& key) const {
   if (known == borders_.end()) return {};
   for (const SharedPoint& shared : known->second)
     for (const PartKey& user : users_.at(shared))
-      if (user != key) common[user].push_back(shared);
+      if (!overlap(user, key)) common[user].push_back(shared);
   std::vector<PartLink> links;
   for (const auto& [other, points] : common)
     links.push_back({.key = other, .border = std::max(hash_of(points), 1U)});

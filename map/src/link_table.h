@@ -28,7 +28,7 @@ class LinkTable {
   void put(const MapPart& part);
   void remove(const PartKey& key);
 
-  /// With every border, none marked. O(b log n).
+  /// With every border, none marked; without parts whose cells overlap. O(b log n).
   std::vector<PartLink> links_of(const PartKey& key) const;
   /// Parts whose links may be others than at the last call, ascending; also those that are gone.
   std::set<PartKey> take_touched();

@@ -2,9 +2,12 @@
 // Copyright 2026 The deltamesh authors
 #include "deltamesh/map/split.h"
 
+#include <algorithm>
+
 #include "assemble.h"
 #include "base/guard.h"
 #include "base/try.h"
+#include "copies.h"
 #include "layout.h"
 #include "split_options.h"
 #include "stored_block.h"
@@ -21,6 +24,9 @@ Result<std::vector<MapPart>> split(const MeshView& mesh, const MapDescription& d
     const Layout layout = lay_out(blocks, description, options);
     std::vector<MapPart> parts;
     for (const LaidPart& part : layout.parts) parts.push_back(assemble(part.key, part.blocks, part.border));
+    for (const auto& [key, copy] : make_copies(layout, description, options, {}))
+      if (copy.is_part) parts.push_back(part_of(key, copy));
+    std::ranges::sort(parts, {}, &MapPart::key);
     return parts;
   });
 }

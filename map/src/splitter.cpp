@@ -9,6 +9,7 @@
 #include "base/guard.h"
 #include "base/try.h"
 #include "border_groups.h"
+#include "copies.h"
 #include "deltamesh/map/split.h"
 #include "layout.h"
 #include "split_options.h"
@@ -21,7 +22,8 @@ struct Splitter::State {
   SplitOptions options;
   StoredBlocks blocks;
   std::vector<KnownPart> parts;  ///< as they were told last
-  SharedBorders borders;         ///< of these
+  Copies copies;
+  SharedBorders borders;  ///< of these
   std::uint64_t revision = 0;
   std::uint64_t next_group = 0;
 };
@@ -75,8 +77,12 @@ Result<MapChange> Splitter::update(std::span<const MapBlock> update) noexcept {
     State& state = *state_;
     DELTAMESH_TRY(StoredBlocks blocks, updated(state.blocks, update, state.description));
     const Layout layout = lay_out(blocks, state.description, state.options);
+    Copies copies = make_copies(layout, state.description, state.options, state.copies);
     std::vector<KnownPart> parts;
     for (const LaidPart& part : layout.parts) parts.push_back({part.key, part.hash});
+    for (const auto& [key, copy] : copies)
+      if (copy.is_part) parts.push_back({key, copy.hash});
+    std::ranges::sort(parts, {}, &KnownPart::key);
     SharedBorders borders = shared_borders(layout);
     const PartDifference difference = compare_parts(state.parts, parts);
     const GroupNumbers groups = group_changes(difference, state.borders, borders, state.next_group);
@@ -86,10 +92,15 @@ Result<MapChange> Splitter::update(std::span<const MapBlock> update) noexcept {
     for (const LaidPart& part : layout.parts)
       if (const auto group = groups.numbers.find(part.key); difference.changed.contains(part.key))
         change.changed.push_back({revision, group->second, assemble(part.key, part.blocks, part.border)});
+    for (const auto& [key, copy] : copies)
+      if (copy.is_part && difference.changed.contains(key))
+        change.changed.push_back({revision, groups.numbers.at(key), part_of(key, copy)});
+    std::ranges::sort(change.changed, {}, [](const ChangedPart& changed) { return changed.part.key; });
     for (const PartKey& key : difference.removed)
       change.removed.push_back({key, revision, groups.numbers.at(key)});
     state.blocks = std::move(blocks);
     state.parts = std::move(parts);
+    state.copies = std::move(copies);
     state.borders = std::move(borders);
     state.revision = revision;
     state.next_group = groups.next;

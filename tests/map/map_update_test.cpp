@@ -123,7 +123,8 @@ TEST(MapUpdate, MergedAndSplitCellsAreInOneGroup) {
 TEST(MapUpdate, AnySequenceEndsWithWhatAFreshSplitterGives) {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     std::mt19937 random(seed);
-    const SplitOptions options{1 + seed * 3, static_cast<std::uint8_t>(seed % 4)};
+    const SplitOptions options{1 + seed * 3, static_cast<std::uint8_t>(seed % 4),
+                               static_cast<std::uint8_t>(seed % 3 * 2)};
     auto splitter = Splitter::make(unit_cells(), options);
     ASSERT_TRUE(splitter);
     std::map<std::pair<int, int>, float> heights;

@@ -11,6 +11,11 @@ quiet encode joined.ply b.dmsh --lossless --json
 for key in triangles components; do
   [ "$(grep "\"$key\"" a.json)" = "$(grep "\"$key\"" .out)" ] && say "as many $key"
 done
+quiet map split rooms.ply levels.map --part-edge 2 --max-error 0.004 --levels 2 --json
+grep -c '"level"' .out
+quiet map join levels.map coarse.ply --level 5
+status map join levels.map coarse.ply --level 25
+rm -r levels.map coarse.ply
 cp -r rooms.map again.map
 quiet map split rooms.ply again.map --part-edge 2 --max-error 0.004 --color-error 4 --json
 grep -E '"(new_parts|revision|epoch)"' .out

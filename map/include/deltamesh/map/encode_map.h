@@ -30,6 +30,9 @@ struct MapSettings {
   double part_edge = 1;
   /// Cells with more triangles are divided, down to the smallest.
   std::uint32_t most_triangles = 16384;
+  /// Levels above that of the largest parts. With any, there are coarser copies on all levels above 0
+  /// [MAP-17].
+  std::uint8_t levels = 0;
   /// Percentages count in the diagonal of the whole mesh. Without bounds as encode() has it, for the whole
   /// mesh.
   PartQuality quality{};
@@ -45,7 +48,9 @@ Result<void> validate(const MapSettings& settings) noexcept;
 Result<MapState> encode_map(const MeshView& mesh, const MapSettings& settings,
                             const MapState* before = nullptr) noexcept;
 
-/// All parts as one mesh. Errors: as MapCodec::decode() and join().
-Result<Mesh> decode_map(const MapState& state, const DecodeOptions& options = {}) noexcept;
+/// The parts that show the map on a level (keys_on_level()) as one mesh. Errors: as MapCodec::decode() and
+/// join().
+Result<Mesh> decode_map(const MapState& state, const DecodeOptions& options = {},
+                        std::uint8_t level = 0) noexcept;
 
 }  // namespace deltamesh

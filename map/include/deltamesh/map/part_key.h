@@ -8,6 +8,8 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 namespace deltamesh {
 
@@ -35,5 +37,9 @@ constexpr PartKey ancestor(const PartKey& key, std::uint8_t level) noexcept {
 constexpr bool overlap(const PartKey& a, const PartKey& b) noexcept {
   return a.level <= b.level ? ancestor(a, b.level) == b : ancestor(b, a.level) == a;
 }
+
+/// Of ascending keys of a map, those that show it on a level: parts of that level or above that hold no other
+/// such part. Ascending; coarser copies of what finer parts hold are left out [MAP-17]. O(n log n).
+std::vector<PartKey> keys_on_level(std::span<const PartKey> keys, std::uint8_t level);
 
 }  // namespace deltamesh

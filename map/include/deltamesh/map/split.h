@@ -21,12 +21,16 @@ namespace deltamesh {
 struct SplitOptions {
   std::uint32_t most_triangles = 16384;      ///< above 0; about a byte each with colours
   std::uint8_t most_level = kMostPartLevel;  ///< 0: all parts are cells of level 0
+  /// Coarser copies of what is below are made in the cells of levels 1 to this one, for views of those levels
+  /// and as a first sight [MAP-17]; at most kMostPartLevel. Where a copy would have more than
+  /// `most_triangles` there is none.
+  std::uint8_t copy_level = 0;
 };
 
-/// Every face of `mesh` in exactly one part, by the cell that its centroid is in [MAP-4]; parts ascending by
-/// key. Vertices that no face uses are dropped. The mesh's positions are taken relative to the map's origin.
-/// Deterministic. O(n log n). Errors: kInvalidArgument, kInvalidMesh (also beyond the lattice, or without the
-/// map's attributes), kOutOfMemory.
+/// Every face of `mesh` in exactly one part, by the cell that its centroid is in [MAP-4], but for coarser
+/// copies; parts ascending by key. Vertices that no face uses are dropped. The mesh's positions are taken
+/// relative to the map's origin. Deterministic. O(n log n). Errors: kInvalidArgument, kInvalidMesh (also
+/// beyond the lattice, or without the map's attributes), kOutOfMemory.
 Result<std::vector<MapPart>> split(const MeshView& mesh, const MapDescription& description,
                                    const SplitOptions& options = {}) noexcept;
 

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Coarser copies of parts [MAP-17]: each of what is in a cell one level below, simplified.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "layout.h"
+
+namespace deltamesh {
+
+/// What a cell above parts holds.
+struct Copy {
+  std::uint64_t hash = 0;  ///< of what it was made from
+  StoredBlock block{};     ///< simplified
+  std::vector<BorderPosition> border{};
+  bool is_part = false;  ///< whether it is small enough to be a part
+};
+
+/// By key.
+using Copies = std::map<PartKey, Copy>;
+
+/// Of the layout's parts, on levels 1 to options.copy_level. Taken from `known` where nothing that they are
+/// made from has changed. Each level costs a simplification of what is below it.
+Copies make_copies(const Layout& layout, const MapDescription& description, const SplitOptions& options,
+                   const Copies& known);
+
+/// A copy that is a part. Precondition: is_part.
+MapPart part_of(const PartKey& key, const Copy& copy);
+
+}  // namespace deltamesh
