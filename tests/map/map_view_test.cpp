@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Views of a generated building: a receiver gets the boxes and the quality that it asks for, as a comparison
+// of its map with the source tells, and after a change of the view only what it lacks.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "deltamesh/compare.h"
+#include "deltamesh/map/join.h"
+#include "deltamesh/map/receiver.h"
+#include "deltamesh/map/sender.h"
+#include "map/map_meshes.h"
+#include "scenes.h"
+#include "view_cells.h"
+
+namespace deltamesh {
+namespace {
+
+using Bytes = std::vector<std::byte>;
+
+class MapView : public testing::Test {
+ protected:
+  MapView() : mesh_(*generate_scene(Scene::kRooms, 30000, 1)), receiver_(1, 1) {
+    description_ = {.id = 1, .cell_steps = 1024, .attributes = test::attributes_of(mesh_)};
+    description_.lattice = {.origin = mesh_.origin, .step_exponent = -10};
+    // Blocks as a mapper has them.
+    const auto blocks = split(mesh_, description_, {.most_triangles = 1, .most_level = 0});
+    EXPECT_TRUE(blocks);
+    std::vector<MapBlock> update;
+    for (const MapPart& part : *blocks) update.push_back({{part.key.x, part.key.y, part.key.z}, part.mesh});
+    auto sender = MapSender::make(description_, {.split = {.most_triangles = 2000}, .effort = 1});
+    EXPECT_TRUE(sender);
+    sender_ = std::make_unique<MapSender>(std::move(*sender));
+    EXPECT_TRUE(sender_->update(update));
+    for (std::size_t i = 0; i < mesh_.positions.size(); ++i) {
+      low_[i % 3] = i < 3 ? mesh_.positions[i] : std::min(low_[i % 3], mesh_.positions[i]);
+      high_[i % 3] = i < 3 ? mesh_.positions[i] : std::max(high_[i % 3], mesh_.positions[i]);
+    }
+    diagonal_ = std::hypot(high_[0] - low_[0], high_[1] - low_[1], high_[2] - low_[2]);
+  }
+
+  /// VDE 0.02 % and LFE 0.05 % of the diagonal, of a part of the building from one end on.
+  View view_of(float share) const {
+    View view;
+    view.boxes = {{low_, high_}};
+    view.boxes[0].high[0] = low_[0] + share * (high_[0] - low_[0]);
+    view.vde = 0.0002F * diagonal_;
+    view.lfe = 0.0005F * diagonal_;
+    return view;
+  }
+
+  /// Bytes and keys of parts that come until nothing does.
+  std::pair<std::size_t, std::set<PartKey>> catch_up(const View& view) {
+    receiver_.set_view(view);
+    std::pair<std::size_t, std::set<PartKey>> came;
+    for (int i = 0; i < 4; ++i) {
+      now_ += 2;
+      EXPECT_TRUE(sender_->hear(*receiver_.view_message(), now_));
+      const auto messages = sender_->messages_for(1, now_);
+      EXPECT_TRUE(messages);
+      for (const Bytes& message : *messages) {
+        came.first += message.size();
+        if (const auto part = read_part(message)) came.second.insert(part->key);
+        EXPECT_TRUE(receiver_.apply(message));
+      }
+    }
+    return came;
+  }
+
+  std::set<PartKey> keys_in(const View& view) const {
+    std::set<PartKey> keys;
+    for (const PartKey& key : sender_->keys())
+      if (is_in_view(key, view, description_)) keys.insert(key);
+    return keys;
+  }
+
+  /// Of the receiver's parts in a view, joined, against those of the source.
+  Quality measured(const View& view) const {
+    std::vector<MapPart> source;
+    std::vector<MapPart> got;
+    for (const PartKey& key : keys_in(view)) {
+      source.push_back(*sender_->source(key));
+      EXPECT_NE(receiver_.find(key), nullptr);
+      got.push_back(*receiver_.find(key));
+    }
+    const auto comparison = compare(*join(source), *join(got));
+    EXPECT_TRUE(comparison);
+    EXPECT_TRUE(comparison->corresponding);
+    return comparison->quality;
+  }
+
+  Mesh mesh_;
+  MapDescription description_;
+  std::unique_ptr<MapSender> sender_;
+  MapReceiver receiver_;
+  std::array<float, 3> low_{};
+  std::array<float, 3> high_{};
+  float diagonal_ = 0;
+  double now_ = 0;
+};
+
+TEST_F(MapView, MAP15ABoxComesAsItWasAskedForAndNothingElse) {
+  const View view = view_of(0.4F);
+  const auto keys = keys_in(view);
+  ASSERT_GT(keys.size(), 3U);
+  ASSERT_LT(keys.size(), sender_->keys().size() - 3);
+  const auto [bytes, came] = catch_up(view);
+  EXPECT_EQ(came, keys);
+  EXPECT_EQ(receiver_.shown(), std::vector<PartKey>(keys.begin(), keys.end()));
+  const Quality quality = measured(view);
+  EXPECT_LE(quality.vde_rms, *view.vde);
+  EXPECT_LE(quality.lfe_rms, *view.lfe);
+  RecordProperty("vde_of_bound", std::to_string(quality.vde_rms / *view.vde));
+  RecordProperty("lfe_of_bound", std::to_string(quality.lfe_rms / *view.lfe));
+  EXPECT_GT(std::max(quality.vde_rms / *view.vde, quality.lfe_rms / *view.lfe), 0.5);  // not much better
+}
+
+TEST_F(MapView, MAP15AChangeOfTheViewBringsOnlyWhatIsMissing) {
+  View view = view_of(0.4F);
+  const auto [bytes, first] = catch_up(view);
+  // A larger box: the rest of it.
+  const View larger = view_of(0.7F);
+  const auto [more_bytes, more] = catch_up(larger);
+  for (const PartKey& key : more) EXPECT_FALSE(first.contains(key));
+  EXPECT_EQ(first.size() + more.size(), keys_in(larger).size());
+  EXPECT_LE(measured(larger).vde_rms, *larger.vde);
+  EXPECT_LE(measured(larger).lfe_rms, *larger.lfe);
+  // Back, and with less to ask for: nothing.
+  EXPECT_EQ(catch_up(view).first, 0U);
+  view.vde = 4 * *view.vde;
+  view.lfe = 4 * *view.lfe;
+  EXPECT_EQ(catch_up(view).first, 0U);
+  // Better, of what is in the view: all of that, and no more.
+  View better = view_of(0.4F);
+  better.vde = *better.vde / 4;
+  const auto [better_bytes, anew] = catch_up(better);
+  EXPECT_LE(measured(better).vde_rms, *better.vde);
+  for (const PartKey& key : anew) EXPECT_TRUE(keys_in(better).contains(key));
+  EXPECT_GT(better_bytes, bytes / 2);
+}
+
+}  // namespace
+}  // namespace deltamesh
