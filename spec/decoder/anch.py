@@ -5,7 +5,6 @@ from container import Reader, must, unzigzag
 def ANCH_1_read(chunk, header, n, components):
     """The anchors' positions by their vertices, in rising order."""
     data, count = chunk.data if chunk else b"", header.anchors
-    must(count <= n, "ANCH-1", "more anchors than vertices")
     if chunk and chunk.is_compact:
         coder = Coder(data)
         models = [NumberModel() for _ in range(4)]

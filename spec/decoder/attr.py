@@ -104,7 +104,7 @@ def ATTR_4_exact(r, a, surface):
 
 def ATTR_5_octahedral(r, a, surface):
     bits = r.u8()
-    must(2 <= bits <= 15, "ATTR-5", f"{bits} bits")
+    must(2 <= bits <= 15, "ATTR-2", f"{bits} bits")
     h, rows = 2**(bits - 1) - 1, []
     for p, q in zip(*ATTR_3_symbols(r, surface.n, 2, bits)):
         if p == q == 2**bits - 1:
@@ -121,7 +121,7 @@ def ATTR_5_octahedral(r, a, surface):
 
 def ATTR_6_colours(r, a, surface):
     bits = r.u8()
-    must(1 <= bits <= (8 if a.type == "u1" else 16), "ATTR-6", f"{bits} bits")
+    must(1 <= bits <= (8 if a.type == "u1" else 16), "ATTR-2", f"{bits} bits")
     m, symbols = 2**bits - 1, ATTR_3_symbols(r, surface.n, a.k, bits)
     if a.type == "f4":
         return f32_rows([[0.0 + 1.0 * s / m for s in row] for row in zip(*symbols)], a.k)
@@ -131,7 +131,7 @@ def ATTR_6_colours(r, a, surface):
 
 def ATTR_7_uvs(r, a, surface):
     bits = r.u8()
-    must(1 <= bits <= 24, "ATTR-7", f"{bits} bits")
+    must(1 <= bits <= 24, "ATTR-2", f"{bits} bits")
     ranges = [(r.number("f"), r.number("f")) for _ in range(2)]
     for low, high in ranges:
         must(math.isfinite(low) and math.isfinite(high) and low <= high, "ATTR-7", "min or max")

@@ -102,7 +102,7 @@ class Resting:
         if row == self.end or any(self.lattice.rows[u] != self.rest for u in around):
             return 0
         length = self.model.decode(self.coder)
-        must(length <= self.n - row, "ATTR-59", f"{length} vertices at rest")
+        must(length <= self.n - row, "ATTR-56", f"{length} vertices at rest")
         self.end = row + length
         return length
 

@@ -8,17 +8,17 @@ from container import must, unzigzag
 from lattice import POSN_3_known, PredictedCoder
 
 def ATTR_60_joints(r, a, surface):
-    coder = Coder(r.rest())
+    coder, top = Coder(r.rest()), 256**int(a.type[1]) - 1
     joined, *graph = surface.joined(coder.raw(1))
-    rows = ATTR_58_copies(coder, surface, joined, JointCoder(coder, POSN_3_known(*graph)).row, 4)
+    rows = ATTR_58_copies(coder, surface, joined, JointCoder(coder, POSN_3_known(*graph), top).row, 4)
+    must(all(0 <= j <= top for row in rows for j in row), "ATTR-60", "a joint of a copy is not of its type")
     coder.end()
-    must(all(0 <= j < 256**int(a.type[1]) for row in rows for j in row), "ATTR-60", "a joint is not of its type")
     return np.array(rows, dtype="<" + a.type).reshape(surface.n, 4)
 
 class JointCoder:
     """[ATTR-61]"""
-    def __init__(self, coder, known):
-        self.coder, self.known, self.rows = coder, known, {}
+    def __init__(self, coder, known, top):
+        self.coder, self.known, self.top, self.rows = coder, known, top, {}
         self.row_models, self.row_weights = symbol_models((6, 12, 4, 3, 2) + (1,) * 11), mixing_weights(2)
         self.models, self.weights = symbol_models((16, 6, 4, 3, 2) + (1,) * 10 + (6,)), mixing_weights(2)
         self.place, self.new, self.list, self.last = NumberModel(), NumberModel(), [], 0
@@ -63,11 +63,11 @@ class JointCoder:
 
     def other(self):
         place = self.place.decode(self.coder)
-        must(place <= len(self.list), "ATTR-61", f"place {place}")
         if place < len(self.list):
             joint = self.list.pop(place)
         else:
             joint = self.last = self.last + unzigzag(self.new.decode(self.coder))
+            must(0 <= joint <= self.top, "ATTR-60", f"joint {joint}")
         self.list = [joint] + self.list[:255]
         return joint
 

@@ -86,6 +86,7 @@ class UvCoder:
             near, spread = sum(self.kept[u] for u in around) // len(around), whole_part(forecast.spread * (16 / self.step))
             kind = 1 + min(n, 3)
         p, q = self.pairs.decode((near, near), (spread, spread), kind)
+        must(max(abs(p), abs(q)) <= 2**24, "ATTR-37", f"numbers {p} and {q}")
         self.kept[v] = (5 * min(8 * (abs(p) + abs(q)), 2**17) + 3 * near) >> 3 if n else 0
         limit = 2.0**22 * self.step
         centre = np.where(np.isnan(forecast.value), 0.0, np.clip(forecast.value, -limit, limit))

@@ -8,12 +8,12 @@ class PlainOps:
     """[CONN-1, CONN-2, CONN-9, CONN-10] Ops and references of the plain form."""
     def __init__(self, data, m):
         self.reader = r = Reader(data)
-        counts = [r.varint(len(data), "CONN-1") for _ in range(17)]
-        references = r.varint(len(data), "CONN-1")
-        far, self.glued = r.varint(references, "CONN-1"), r.varint(3 * m, "CONN-11")
-        must(m <= 32 * sum(counts), "CONN-2", "more faces than tokens can give")
+        counts = [r.varint() for _ in range(17)]
+        references = r.varint()
+        far, self.glued = r.varint(references), r.varint()
         self.tokens = [list(r.bytes(count))[::-1] for count in counts]
         self.references, self.far = list(r.bytes(references))[::-1], r.planes(far)[::-1]
+        must(m <= 32 * sum(counts), "CONN-2", "more faces than tokens can give")
         self.ops = []  # of the last token, the next one last
 
     def op(self, walk, t, gate, step):
@@ -48,7 +48,7 @@ def CONN_12_run_weights(full):
 class CompactOps:
     """[CONN-12] Ops and references of the compact form."""
     def __init__(self, data, m):
-        must(m <= 42400 * len(data), "CONN-12", "more faces than the bytes can give")
+        must(m <= 42400 * len(data), "CONN-2", "more faces than the bytes can give")
         self.coder, self.reference, self.runs = Coder(data), NumberModel(), {}
         self.run_weights, self.rare_weights = mixing_weights(2), mixing_weights(2)
         self.rare = [symbol_models((0, 8, 0, 8, 1, 6, 5) + (0,) * 9), symbol_models((8, 1, 1, 0, 1, 8, 1) + (0,) * 9)]
@@ -82,7 +82,7 @@ class CompactOps:
 
     def target(self, walk, gate):
         reference = self.reference.decode(self.coder)
-        must(reference <= 255, "CONN-12", f"reference {reference}")
+        must(reference <= 255, "CONN-7", f"reference {reference}")
         return walk.CONN_10_near(gate, reference) if reference else self.coder.raw(bits(len(walk.origin)))
 
     def end(self):

@@ -1,17 +1,17 @@
 """CONN: gluing manifold vertices to geometric vertices: conn.md, CONN-8, CONN-11, CONN-13 and CONN-14."""
 from coder import NumberModel, bit_models, symbol_models
 from conn import CompactOps, PlainOps, Walk
-from container import must, unzigzag
+from container import Reader, must, unzigzag
 
 def CONN_8_faces(chunk, m, n):
     """The faces over geometric vertices, as triples."""
     data = chunk.data if chunk else b""
-    must(bool(m) == bool(data), "CONN-1", "a payload without faces, or faces without one")
     if m == 0:
+        Reader(data).end()
         return []
-    ops = (CompactOps if chunk.is_compact else PlainOps)(data, m)
+    ops = (CompactOps if chunk and chunk.is_compact else PlainOps)(data, m)
     walk = Walk(m, ops)
-    if chunk.is_compact:
+    if chunk and chunk.is_compact:
         vertex_of = CONN_13_glue(ops.coder, walk, n)
         ops.coder.end()
     else:

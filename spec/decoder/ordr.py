@@ -9,15 +9,14 @@ def ORDR_1_read(chunk, faces, n):
     m, data = len(faces), chunk.data if chunk else b""
     if chunk and chunk.is_compact:
         return ORDR_5_compact(data, faces, n)
-    must(data or n == 0, "ORDR-2", "no order for the vertices")
     r, runs = Reader(data), []
     for count in (n, m):
         places, following = [], 0
-        for code in r.planes(count) if data else []:
+        for code in r.planes(count) if data or n else []:
             places.append((following + unzigzag(code)) % 2**32)
             following = places[-1] + 1
         runs.append(ORDR_2_permutation(places))
-    rotations = r.planes(m) if data else []
+    rotations = r.planes(m) if data or n else []
     must(all(x <= 2 for x in rotations), "ORDR-3", "a rotation above 2")
     r.end()
     return runs + [rotations]

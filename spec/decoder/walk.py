@@ -2,7 +2,6 @@
 import numpy as np
 
 from coder import bit_models, bits, clamp, mixing_weights, symbol_models
-from container import must
 from graph import corners, others
 from scaled import SYMBOL_WEIGHTS, ScaledCoder
 from vectors import dot
@@ -95,6 +94,4 @@ class PairCoder:
         models = [self.models[0, (W(near >> shift) * 5 + kind) * 5 + c],
                   self.models[1, (W(spread >> shift) * 2 + (shift > 0)) * 5 + c]]
         weights = self.weights[2 * W(scale >> shift) + second]
-        x = self.scaled.CMP_15_number(self.coder, models, weights, shift)
-        must(abs(x) <= 2**24, "ATTR-37", f"number {x}")
-        return x
+        return self.scaled.CMP_15_number(self.coder, models, weights, shift)

@@ -1,8 +1,10 @@
 #!/usr/bin/python3
-"""Makes tests/golden/invalid/TAG.dmsh: for each rule that a stream can break, a small stream that breaks it.
+"""Keeps tests/golden/invalid: for each place where the reference decoder rejects a stream, a small stream that it and the program
+reject there. TAG.dmsh, TAG.2.dmsh and so on break the rule TAG.
 
-It changes bytes of golden streams, mends the checksum, and keeps the smallest stream for each rule that both the reference decoder
-and the program name. make_invalid_streams.py PROGRAM [TRIES]
+make_invalid_streams.py PROGRAM [TRIES [SEED]]: streams of another draft become streams of this one, as long as they are rejected as before.
+Then TRIES changes of golden streams look for smaller ones, and for places that no stream reaches yet (4000: a few minutes). It fails where
+there was a stream for a rule and is none any more; then run it with TRIES.
 """
 import glob
 import os
@@ -11,146 +13,134 @@ import re
 import struct
 import subprocess
 import sys
+import tempfile
+import traceback
 
-import xxhash
+from reference_decoder_test import GOLDEN, decode, tag_of
+from container import Broken, DRAFT
+from stream_changes import Parts, changed, of_this_draft
 
-from reference_decoder_test import GOLDEN, decode
-from attr import Attribute
-from container import Broken, DIR_2_chunk, Header, Reader, ZSTD
-
-
-def sealed(data):
-    return data + struct.pack("<I", xxhash.xxh3_64_intdigest(data) % 2**32)
+FOLDER = os.path.join(GOLDEN, "invalid")
 
 
-def broken_rule(data):
+def place_of(data):
+    """The rule that the reference decoder names, with file and line; None for a valid stream."""
     try:
         decode(data)
     except Broken as error:
-        return error.tag
+        frames = [f for f in traceback.extract_tb(error.__traceback__) if f.name != "must"]
+        return error.tag, os.path.basename(frames[-1].filename), frames[-1].lineno
     return None
 
 
-def rule_of_program(program, data, folder):
-    path = os.path.join(folder, "tried.dmsh")
-    with open(path, "wb") as file:
-        file.write(data)
-    run = subprocess.run([program, "decode", path, os.path.join(folder, "tried.ply")], capture_output=True, text=True, check=False)
-    os.remove(path)
+def rule_of_program(program, data):
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "stream.dmsh")
+        with open(path, "wb") as file:
+            file.write(data)
+        run = subprocess.run([program, "decode", path, os.path.join(folder, "mesh.ply")], capture_output=True, text=True, check=False)
     named = re.search(r"[A-Z]{3,4}-\d+", run.stderr)
     return named.group(0) if run.returncode and named else None
 
 
-def varint(value):
-    return bytes([value]) if value < 128 else bytes([value & 127 | 128]) + varint(value >> 7)
+class Found:
+    """The smallest stream for each place; `others` counts pairs of rules that the decoders name for one stream."""
+    def __init__(self, program):
+        self.program, self.streams, self.others = program, {}, {}
 
-
-class Parts:
-    """The header of a stream and its chunks as (kind, descriptor, payload), zstd ones as raw."""
-    def __init__(self, data):
-        r = Reader(data[:-4])
-        r.at = 4
-        header, self.chunks, spans = Header(r), [], []
-        self.header = data[:r.at]
-
-        def read_descriptor(r):
-            start = r.at
-            descriptor = Attribute(r)
-            spans.append(data[start:r.at])
-            return descriptor
-        while r.at < len(r.data):
-            kind = data[r.at]
-            payload = DIR_2_chunk(r, header, read_descriptor).data
-            self.chunks.append((kind & 15 if kind >> 4 == ZSTD else kind, spans.pop() if spans else b"", payload))
-
-    def stream(self):
-        return sealed(self.header + b"".join(bytes([kind]) + varint(len(payload)) + descriptor + payload
-                                             for kind, descriptor, payload in self.chunks))
-
-    def change(self, rng):
-        """Changes the header, or one chunk."""
-        if rng.random() < 0.2:
-            self.header = self.header[:4] + with_changes(self.header[4:], rng)
+    def take(self, data):
+        try:
+            place = place_of(data)
+        except Exception as error:  # pylint: disable=broad-except
+            place = None
+            self.others[f"{type(error).__name__} {error}"[:60], ""] = data
+        if not place or place in self.streams and len(self.streams[place]) <= len(data):
             return
-        i = rng.randrange(len(self.chunks))
-        kind, descriptor, payload = self.chunks[i]
-        how = rng.random()
-        if how < 0.03:
-            self.chunks.append(self.chunks[i])
-        elif how < 0.06:
-            del self.chunks[i]
-        elif how < 0.1:
-            self.chunks[i] = kind ^ rng.choice((16, 32, 48)), descriptor, payload
-        elif how < 0.2 and descriptor:
-            self.chunks[i] = kind, with_changes(descriptor, rng), payload
+        named = rule_of_program(self.program, data)
+        if named == place[0]:
+            self.streams[place] = data
         else:
-            first = rng.choice((1, 2, 8, len(payload)))
-            self.chunks[i] = kind, descriptor, with_changes(payload[:first], rng) + payload[first:]
+            self.others[place, named] = data
+
+    def write(self):
+        names = {}
+        for place, data in sorted(self.streams.items()):
+            names.setdefault(place[0], []).append(data)
+        for path in glob.glob(os.path.join(FOLDER, "*.dmsh")):
+            os.remove(path)
+        for rule, streams in names.items():
+            for i, data in enumerate(streams, 1):
+                with open(os.path.join(FOLDER, f"{rule}.{i}.dmsh" if i > 1 else f"{rule}.dmsh"), "wb") as file:
+                    file.write(data)
+        return names
 
 
-def with_changes(data, rng):
-    """A few bytes changed, put in or left out."""
-    data = bytearray(data)
-    for _ in range(rng.choice((1, 1, 1, 2, 3))):
-        at, how = rng.randrange(len(data) + 1), rng.random()
-        if how < 0.8 and at < len(data):
-            data[at] = rng.choice((0, 1, 255, 128, data[at] ^ 1, data[at] + 1 & 255, data[at] - 1 & 255, rng.randrange(256)))
-        elif how < 0.9:
-            del data[at:at + rng.choice((1, 1, 4))]
-        else:
-            data[at:at] = rng.choice((b"\0", b"\xff", b"\xff\xff\xff\xff"))
-    return bytes(data)
+def read(path):
+    with open(path, "rb") as file:
+        return file.read()
 
 
-def more_seeds(program, folder):
-    """Small streams of coders and options that the golden ones lack."""
-    made = []
-    for scene, vertices, options in (("cad", 60, "--keep-order --lossless"), ("cad", 80, "--profile zstd --keep-order"),
-                                     ("fragments", 60, "--keep-order"), ("terrain", 60, "--lossless --keep-order"),
-                                     ("torus", 100, "--lossless"), ("sphere", 60, "--geometry highpass --profile zstd"),
-                                     ("rooms", 100, "--color-error 3"), ("sphere", 100, "--geometry highpass --bits 12")):
-        mesh, stream = os.path.join(folder, "seed.glb"), os.path.join(folder, "seed.dmsh")
+def golden(name):
+    return read(glob.glob(os.path.join(GOLDEN, name + ".v1d*.dmsh"))[0])
+
+
+def generated(program, scene, vertices, options):
+    """The stream of a scene."""
+    with tempfile.TemporaryDirectory() as folder:
+        mesh, stream = os.path.join(folder, "mesh.glb"), os.path.join(folder, "stream.dmsh")
         subprocess.run([program, "generate", scene, mesh, "--vertices", str(vertices)], check=True, stdout=subprocess.DEVNULL)
         subprocess.run([program, "encode", mesh, stream] + options.split(), check=True, stdout=subprocess.DEVNULL)
-        with open(stream, "rb") as file:
-            made.append(file.read())
-        os.remove(mesh)
-        os.remove(stream)
-    return made
+        return read(stream)
 
 
-def changed(data, rng):
-    if rng.random() < 0.1:
-        return sealed(data[:4] + with_changes(data[4:-4], rng))
-    parts = Parts(data)
-    parts.change(rng)
-    return parts.stream()
+def by_hand(program):
+    """Streams for rules that changes by chance hardly break."""
+    valid = golden("tetrahedron.default")
+    yield from (b"XMS" + valid[3:], valid[:3] + b"\1" + valid[4:], valid[:3] + bytes([127 + DRAFT]) + valid[4:],
+                valid[:-1] + bytes([valid[-1] ^ 1]))
+    fragments = Parts(generated(program, "fragments", 60, "--geometry highpass"))
+    yield fragments.replace("ANCH", None, b"\0\0")  # the first vertices are the anchors
+    asset = Parts(golden("asset.lossless"))
+    yield asset.replace("FGRP", None, b"\3" + bytes(2 * asset.fields.triangles) + b"\1" * asset.fields.triangles)
+    yield Parts(golden("asset.lossless")).replace("ATTR", b"\x09", b"\x09\0")  # a sum of 0
+    grid = Parts(golden("grid.lossless"))
+    step = struct.pack("<f", grid.fields.steps[0])[1:]
+    grid.header = grid.header.replace(step, b"\0\0\x7f")  # 2^127
+    yield grid.stream()
+
+
+def seeds(program):
+    """Golden streams, and small ones of coders and options that these lack."""
+    made = [read(path) for path in sorted(glob.glob(os.path.join(GOLDEN, "*.dmsh")))]
+    made += [generated(program, scene, vertices, options)
+             for scene, vertices, options in (("cad", 60, "--keep-order --lossless"), ("cad", 80, "--profile zstd --keep-order"),
+                                              ("fragments", 60, "--keep-order"), ("terrain", 60, "--lossless --keep-order"),
+                                              ("torus", 100, "--lossless"), ("sphere", 60, "--geometry highpass --profile zstd"),
+                                              ("rooms", 100, "--color-error 3"), ("sphere", 100, "--geometry highpass --bits 12"))]
+    return [seed for seed in made if len(seed) < 2200]
 
 
 def main():
-    program, tries, rng, found = sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 else 4000, random.Random(1), {}
-    folder = os.path.join(GOLDEN, "invalid")
-    os.makedirs(folder, exist_ok=True)
-    seeds = []
-    for path in sorted(glob.glob(os.path.join(GOLDEN, "*.dmsh"))):
-        with open(path, "rb") as file:
-            seeds.append(file.read())
-    seeds += more_seeds(program, folder)
-    seeds = [seed for seed in seeds if len(seed) < 4000]
-    first = seeds[0]
-    tried = [b"XMS" + first[3:], first[:3] + b"\1" + first[4:], first[:3] + b"\x81" + first[4:], first[:-1] + bytes([first[-1] ^ 1])]
-    for i in range(tries):
-        data = tried[i] if i < len(tried) else changed(rng.choice(seeds), rng)
-        rule = broken_rule(data)
-        if rule and (rule not in found or len(data) < len(found[rule])) and rule_of_program(program, data, folder) == rule:
-            found[rule] = data
-    for path in glob.glob(os.path.join(folder, "*.dmsh")):
-        os.remove(path)
-    for rule, data in sorted(found.items()):
-        with open(os.path.join(folder, rule + ".dmsh"), "wb") as file:
-            file.write(data)
-    print(f"{len(found)} rules: {' '.join(sorted(found))}")
+    program, tries, seed = sys.argv[1:2] + [int(x) for x in (sys.argv[2:] + ["0", "1"][len(sys.argv) - 2:])]
+    rng = random.Random(seed)
+    os.makedirs(FOLDER, exist_ok=True)
+    found, had = Found(program), glob.glob(os.path.join(FOLDER, "*.dmsh"))
+    for data in by_hand(program):
+        found.take(data)
+    for path in had:
+        found.take(of_this_draft(read(path)))
+    sources = seeds(program) if tries else []
+    for _ in range(tries):
+        found.take(changed(rng.choice(sources), rng))
+    rules = found.write()
+    for (place, named), data in sorted(found.others.items(), key=str) if tries else []:
+        print(f"{place}: the program names {named} for one of {len(data)} bytes")
+    print(f"{sum(map(len, rules.values()))} streams for {len(rules)} rules: {' '.join(rules)}")
+    lost = sorted({tag_of(path) for path in had} - set(rules))
+    if lost:
+        print("no stream breaks these rules any more: " + " ".join(lost))
+    return bool(lost)
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Decodes every golden stream with the reference decoder and compares with the positions, faces and digests beside it. A stream
-TAG.dmsh of the folder `invalid`, if there is one (make_invalid_streams.py), breaks the rule TAG."""
+"""Decodes every golden stream with the reference decoder and compares with the positions, faces and digests beside it. Streams TAG.dmsh,
+TAG.2.dmsh and so on of the folder `invalid` (make_invalid_streams.py) break the rule TAG."""
 import glob
 import os
 import sys
@@ -9,7 +9,8 @@ import numpy as np
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 GOLDEN = os.path.join(ROOT, "tests", "golden")
-sys.path.insert(0, os.path.join(ROOT, "spec", "decoder"))
+DECODER = os.path.join(ROOT, "spec", "decoder")
+sys.path.insert(0, DECODER)
 from container import Broken  # noqa: E402
 from mesh import decode  # noqa: E402
 
@@ -67,12 +68,17 @@ def compare(stem):
     return wrong.strip()
 
 
+def tag_of(path):
+    """The rule that a stream of the folder `invalid` breaks."""
+    return os.path.basename(path).split(".")[0]
+
+
 def compare_invalid(stem):
     try:
         with open(stem + ".dmsh", "rb") as file:
             decode(file.read())
     except Broken as error:
-        return "" if error.tag == os.path.basename(stem) else str(error)
+        return "" if error.tag == tag_of(stem) else str(error)
     return "decodes"
 
 

@@ -47,7 +47,7 @@ Result<std::vector<float>> read_surface_tangents(std::span<const std::byte> byte
   for (std::size_t i = 0; i < coder.count(); ++i) {
     const bool is_valid = coder.code(i);
     if (reader.failed()) break;
-    if (!is_valid) return in.error(ErrorCode::kInvalidStream, "a tangent beyond all directions", "ATTR-44");
+    if (!is_valid) return in.error(ErrorCode::kInvalidStream, "a tangent beyond all directions", "ATTR-24");
   }
   DELTAMESH_CHECK(reader.finish(kTagAttribute));
   return std::move(coder.values());

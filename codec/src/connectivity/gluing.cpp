@@ -91,9 +91,10 @@ Result<LargeVector<std::uint32_t>> read_compact_gluing(CompactReader& reader,
   if (is_dense(count, manifold_count)) {
     LargeVector<std::uint32_t> vertex(manifold_count, 0);
     GlueCoder glue(reader, faces, manifold_count);
+    const auto fault = [](const char* message) { return Refusal{message, "CONN-14"}.error(); };
     if (!glue.code(vertex, [&] { return reader.failed(); }) && !reader.failed())
-      return invalid("glued to a vertex yet to come");
-    if (glue.glued_count() != count && !reader.failed()) return invalid("another number of glued vertices");
+      return fault("glued to a vertex yet to come");
+    if (glue.glued_count() != count && !reader.failed()) return fault("another number of glued vertices");
     return vertex;
   }
   GlueList list;
