@@ -53,7 +53,7 @@ class Racers {
 
   Result<void> decode() {
     for (const OurMesh& mesh : *ours_)
-      for (const auto& stream : mesh.coded.streams) DELTAMESH_CHECK(decoder_.decode(stream));
+      for (const auto& stream : mesh.coded.streams) DELTAMESH_CHECK(deltamesh::decode(stream));
     return {};
   }
   Result<void> encode() const {
@@ -90,7 +90,6 @@ class Racers {
   const Asset* asset_;
   const std::vector<OurMesh>* ours_;
   DracoSetting setting_;
-  Decoder decoder_;
   std::vector<std::unique_ptr<draco::Mesh>> built_;
   std::vector<std::vector<std::byte>> draco_streams_;
 };

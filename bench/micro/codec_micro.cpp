@@ -23,8 +23,7 @@ BENCHMARK(encode_mesh)->Apply(use_scenes);
 void decode_mesh(benchmark::State& state) {
   const StageInput& input = stage_input(state);
   const auto encoded = value_or_exit(encode(input.mesh));
-  Decoder decoder;
-  for (auto _ : state) benchmark::DoNotOptimize(value_or_exit(decoder.decode(encoded.bytes)));
+  for (auto _ : state) benchmark::DoNotOptimize(value_or_exit(decode(encoded.bytes)));
   count_vertices(state, input);
 }
 BENCHMARK(decode_mesh)->Apply(use_scenes);

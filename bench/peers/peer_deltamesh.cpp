@@ -44,7 +44,7 @@ class DeltameshPeer final : public Peer {
   }
 
   Result<void> decode(std::span<const std::byte> bytes) override {
-    auto mesh = decoder_.decode(bytes);
+    auto mesh = deltamesh::decode(bytes);
     if (!mesh) return mesh.error();
     decoded_ = *std::move(mesh);
     return {};
@@ -68,7 +68,6 @@ class DeltameshPeer final : public Peer {
   const Mesh* mesh_ = nullptr;
   EncodeOptions options_;
   std::vector<std::uint32_t> order_;
-  Decoder decoder_;
   Mesh decoded_;
 };
 

@@ -103,11 +103,10 @@ Result<TimeRow> compare_times(const Mesh& mesh) {
               .draco_decode_ns = kNever,
               .encode_ns = kNever,
               .draco_encode_ns = kNever};
-  Decoder decoder;
   for (int i = 0; i < kRuns; ++i) {
     for (const auto& done : {time_run(row.encode_ns, [&] { return encode(mesh, options); }),
                              time_run(row.draco_encode_ns, [&] { return peer->encode(); }),
-                             time_run(row.decode_ns, [&] { return decoder.decode(encoded->bytes); }),
+                             time_run(row.decode_ns, [&] { return decode(encoded->bytes); }),
                              time_run(row.draco_decode_ns, [&] { return peer->decode(*peer_encoded); })})
       if (!done) return done.error();
   }

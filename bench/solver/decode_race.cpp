@@ -128,11 +128,11 @@ std::optional<Racer> prepare(std::unique_ptr<Peer> peer, const Mesh& mesh) {
 
 void print_decode_race_header() {
   std::printf(
-      "| mesh | vertices | ours ns/vertex | with new memory | Draco cl 7 qp 12 ns/vertex | ratio "
+      "| mesh | vertices | ours ns/vertex | Draco cl 7 qp 12 ns/vertex | ratio "
       "| of ours the system's | of Draco's | ours, two threads, wall ns/vertex | Draco wall ns/vertex | "
       "ratio "
       "| ours MB | Draco MB | ratio |\n"
-      "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+      "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
 }
 
 void print_decode_race(const std::string& name, const Mesh& mesh) {
@@ -142,16 +142,14 @@ void print_decode_race(const std::string& name, const Mesh& mesh) {
     std::printf("| %s | does not take part |\n", name.c_str());
     return;
   }
-  Decoder two_threads;
-  const auto decode_by_two = [&] { return two_threads.decode(ours->bytes, {.threads = 2}).has_value(); };
-  const auto decode_fresh = [&] { return decode(ours->bytes).has_value(); };
+  const auto decode_by_two = [&] { return decode(ours->bytes, {.threads = 2}).has_value(); };
   bool has_failed = !decode_by_two();
   const auto seconds_of = [&](const auto& clock, const auto& decode) {
     const double start = clock();
     has_failed |= !decode();
     return clock() - start;
   };
-  Rounds alone{}, system{}, fresh{}, by_two{}, of_draco{}, system_of_draco{}, wall_of_draco{};
+  Rounds alone{}, system{}, by_two{}, of_draco{}, system_of_draco{}, wall_of_draco{};
   for (std::size_t r = 0; r < kRounds; ++r) {
     const auto run_draco = [&] {
       const double before = system_seconds();
@@ -171,19 +169,17 @@ void print_decode_race(const std::string& name, const Mesh& mesh) {
     run_ours();
     if (r % 2 == 1) run_draco();
   }
-  for (double& seconds : fresh) seconds = seconds_of(processor_seconds, decode_fresh);
   if (has_failed) {
     std::printf("| %s | does not take part |\n", name.c_str());
     return;
   }
   const double scale = 1e9 / static_cast<double>(mesh.vertex_count());
-  std::printf(
-      "| %s | %zu | %.0f | %.0f | %.0f | %.2f | %.0f | %.0f | %.0f | %.0f | %.2f | %.0f | %.0f | %.2f |\n",
-      name.c_str(), static_cast<std::size_t>(mesh.vertex_count()), scale * median(alone),
-      scale * median(fresh), scale * median(of_draco), median_ratio(alone, of_draco), scale * median(system),
-      scale * median(system_of_draco), scale * median(by_two), scale * median(wall_of_draco),
-      median_ratio(by_two, wall_of_draco), ours->megabytes, draco->megabytes,
-      ours->megabytes / draco->megabytes);
+  std::printf("| %s | %zu | %.0f | %.0f | %.2f | %.0f | %.0f | %.0f | %.0f | %.2f | %.0f | %.0f | %.2f |\n",
+              name.c_str(), static_cast<std::size_t>(mesh.vertex_count()), scale * median(alone),
+              scale * median(of_draco), median_ratio(alone, of_draco), scale * median(system),
+              scale * median(system_of_draco), scale * median(by_two), scale * median(wall_of_draco),
+              median_ratio(by_two, wall_of_draco), ours->megabytes, draco->megabytes,
+              ours->megabytes / draco->megabytes);
   std::fflush(stdout);
 }
 

@@ -12,9 +12,8 @@ namespace deltamesh::bench {
 
 /// Prints one row of a Markdown table: vertices, nanoseconds per vertex (processor time, and with two threads
 /// the time that passes) and peak memory above the idle process's of both decoders, and the ratios. Times are
-/// medians of rounds in which one decodes after the other, ratios those of the rounds' ratios. Ours is a
-/// Decoder that is used again, as Draco's takes the heap's memory again; beside it is what a decode() with
-/// new memory takes, and how much of both is the system's time.
+/// medians of rounds in which one decodes after the other, ratios those of the rounds' ratios. Beside
+/// them is how much of both is the system's time, for handing out and clearing memory.
 void print_decode_race(const std::string& name, const Mesh& mesh);
 
 void print_decode_race_header();

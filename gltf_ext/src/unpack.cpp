@@ -134,11 +134,11 @@ class Unpacker {
   std::map<Role, std::vector<std::byte>> indices_;  ///< of groups
 };
 
-Result<Mesh> decode_stream(Decoder& decoder, const Document& document, std::uint64_t view, std::size_t number,
+Result<Mesh> decode_stream(const Document& document, std::uint64_t view, std::size_t number,
                            const DecodeOptions& options) {
   DELTAMESH_TRY(const auto stream, view_bytes(document, view));
   if (!stream) return rule_error("the stream's buffer view is not plain", "GLTF-1", number);
-  DELTAMESH_TRY(Mesh mesh, decoder.decode(stream->bytes, options));
+  DELTAMESH_TRY(Mesh mesh, decode(stream->bytes, options));
   if (mesh.vertex_count() == 0 || mesh.triangle_count() == 0)
     return rule_error("a stream without vertices or triangles", "GLTF-1", number);
   if (mesh.origin != std::array<double, 3>{})
@@ -174,7 +174,6 @@ Result<GltfOutput> unpack(std::span<const std::byte> asset, const DecodeOptions&
   DELTAMESH_TRY(const PrimitivesOfView streams, find_packed(document.json, report));
 
   Unpacker unpacker(document);
-  Decoder decoder;
   DecodeOptions remaining = options;
   for (const auto& [view, primitives] : streams) {
     if (options.progress) {
@@ -182,8 +181,7 @@ Result<GltfOutput> unpack(std::span<const std::byte> asset, const DecodeOptions&
         options.progress((static_cast<double>(report.streams) + share) / static_cast<double>(streams.size()));
       };
     }
-    DELTAMESH_TRY(const Mesh mesh,
-                  decode_stream(decoder, document, view, primitives.front().number, remaining));
+    DELTAMESH_TRY(const Mesh mesh, decode_stream(document, view, primitives.front().number, remaining));
     spend(remaining.limits, mesh);
     DELTAMESH_CHECK(unpacker.unpack(view, mesh, primitives));
     report.converted += primitives.size();

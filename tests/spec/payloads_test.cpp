@@ -106,24 +106,6 @@ INSTANTIATE_TEST_SUITE_P(Awkward, Payloads,
                                                              testing::awkward_meshes().size()),
                                             ::testing::Values(Profile::kSmallest, Profile::kZstd)));
 
-/// What is left in memory that is kept shows in no later mesh.
-TEST(Stream, ADecoderGivesWhatDecodeGivesOfBrokenPayloads) {
-  Decoder decoder;
-  for (const GeometryCoder geometry : {GeometryCoder::kHighpass, GeometryCoder::kPredictive}) {
-    Parts parts = take_apart(testing::attributed_grid(120, 100), {.geometry = geometry, .effort = 0});
-    ASSERT_GT(parts.assemble().size(), 1U << 14);  // smaller ones keep nothing
-    for (StoredPayload& payload : parts.payloads) {
-      for (std::size_t i = 0; i < payload.bytes.size(); i += 1 + payload.bytes.size() / 12) {
-        SCOPED_TRACE(i);
-        payload.bytes[i] ^= std::byte{0x21};
-        testing::expect_same(decoder.decode(parts.assemble()), decode(parts.assemble()));
-        payload.bytes[i] ^= std::byte{0x21};
-      }
-      testing::expect_same(decoder.decode(parts.assemble()), decode(parts.assemble()));
-    }
-  }
-}
-
 std::string broken_rule(const Parts& parts) {
   const auto mesh = decode(parts.assemble());
   return mesh ? "none" : mesh.error().rule;

@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <span>
 
 #include "deltamesh/mesh.h"
@@ -42,28 +41,6 @@ struct DecodeOptions {
 /// are not trusted: memory is bounded by a constant times the stream's size plus the limits. Errors: 1xx
 /// codes, kLimitExceeded, kOutOfMemory.
 Result<Mesh> decode(std::span<const std::byte> stream, const DecodeOptions& options = {}) noexcept;
-
-class MemoryPool;
-
-/// Decodes one stream after another, as the function decode() does, and keeps the memory that it works in for
-/// the next: to have the system hand it out and clear it again may take as long as the decoding. Kept is what
-/// the largest stream so far took, about 160 bytes a vertex, of a predictive one 84, until the decoder goes
-/// or is given another's place (`decoder = {}`). Streams below 16 KiB do with what there is, or with the
-/// heap. Not for two threads at a time.
-class Decoder {
- public:
-  Decoder() noexcept;
-  ~Decoder();
-  Decoder(Decoder&& other) noexcept;  ///< `other` may go on, with new memory
-  Decoder& operator=(Decoder&& other) noexcept;
-
-  /// As the function decode(); the mesh is the same, whatever was decoded before. May be called from
-  /// `options.progress` of a decode that goes on: then in memory of its own, which is not kept.
-  Result<Mesh> decode(std::span<const std::byte> stream, const DecodeOptions& options = {}) noexcept;
-
- private:
-  std::unique_ptr<MemoryPool> memory_;
-};
 
 /// Checks all that can be checked without the original: checksums, structure, and that it decodes. Errors: as
 /// decode().

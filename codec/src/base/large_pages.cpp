@@ -5,61 +5,69 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <new>
 
 #if defined(__linux__)
 #include <sys/mman.h>
 #endif
 
+// AddressSanitizer watches the heap alone.
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define DELTAMESH_WATCHES_HEAP
+#endif
+#elif defined(__SANITIZE_ADDRESS__)
+#define DELTAMESH_WATCHES_HEAP
+#endif
+
 namespace deltamesh {
 
-#if defined(__linux__) && defined(MADV_HUGEPAGE)
-
-/// Not by an aligning allocator: such ones are known to give back to the system at once what they would have
-/// kept for the next call. What is to be freed stands before the pages.
-void* allocate_pages(std::size_t bytes) {
-  const std::size_t large = (bytes + kLargePage / 2) / kLargePage * kLargePage;
-  std::byte* const memory = static_cast<std::byte*>(::operator new(std::max(bytes, large) + kLargePage));
-  const std::size_t before = kLargePage - reinterpret_cast<std::uintptr_t>(memory) % kLargePage;
-  std::byte* const begin = memory + before;
-  std::memcpy(begin - sizeof(memory), &memory, sizeof(memory));
-  if (large > 0) madvise(begin, large, MADV_HUGEPAGE);
-  return begin;
-}
-
-void free_pages(void* begin) noexcept {
-  std::byte* memory = nullptr;
-  std::memcpy(&memory, static_cast<const std::byte*>(begin) - sizeof(memory), sizeof(memory));
-  ::operator delete(memory);
-}
+#if defined(__linux__) && defined(MADV_HUGEPAGE) && !defined(DELTAMESH_WATCHES_HEAP)
 
 namespace {
 
-/// For the first large pages that `memory` fills, `most` at most. Returns how many.
-std::size_t advise(void* memory, std::size_t bytes, std::size_t most, int advice) noexcept {
-  const std::size_t before = (~reinterpret_cast<std::uintptr_t>(memory) + 1) % kLargePage;
-  if (bytes < before + kLargePage) return 0;
-  const std::size_t pages = std::min((bytes - before) / kLargePage, most);
-  if (pages > 0) madvise(static_cast<std::byte*>(memory) + before, pages * kLargePage, advice);
-  return pages;
+/// From `address` to the next large page, 0 where one begins there.
+std::size_t bytes_before_page(const void* address) noexcept {
+  return (~reinterpret_cast<std::uintptr_t>(address) + 1) % kLargePage;
+}
+
+/// Whole large pages, but for an end of less than half a one, which is of pages as large as any system's
+/// small ones.
+std::size_t mapped_size(std::size_t bytes) noexcept {
+  constexpr std::size_t kSmallPage = std::size_t{1} << 16;
+  const std::size_t whole = (bytes + kLargePage / 2) / kLargePage * kLargePage;
+  return std::max(whole, (bytes + kSmallPage - 1) / kSmallPage * kSmallPage);
 }
 
 }  // namespace
 
-std::size_t forget_pages(void* memory, std::size_t bytes, std::size_t most) noexcept {
-  return advise(memory, bytes, most, MADV_DONTNEED);
+/// Not from the heap, which would keep much of what is freed: a decoder's peak would be a seventh higher.
+void* allocate_pages(std::size_t bytes) {
+  const std::size_t size = mapped_size(bytes);
+  void* const mapped =
+      mmap(nullptr, size + kLargePage, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (mapped == MAP_FAILED) throw std::bad_alloc();
+  const std::size_t before = bytes_before_page(mapped);
+  std::byte* const begin = static_cast<std::byte*>(mapped) + before;
+  if (before > 0) munmap(mapped, before);
+  munmap(begin + size, kLargePage - before);
+  madvise(begin, size / kLargePage * kLargePage, MADV_HUGEPAGE);
+  return begin;
 }
 
+void free_pages(void* memory, std::size_t bytes) noexcept { munmap(memory, mapped_size(bytes)); }
+
 void want_large_pages(void* memory, std::size_t bytes) noexcept {
-  advise(memory, bytes, bytes, MADV_HUGEPAGE);
+  const std::size_t before = bytes_before_page(memory);
+  if (bytes < before + kLargePage) return;
+  madvise(static_cast<std::byte*>(memory) + before, (bytes - before) / kLargePage * kLargePage,
+          MADV_HUGEPAGE);
 }
 
 #else
 
 void* allocate_pages(std::size_t bytes) { return ::operator new (bytes, std::align_val_t{64}); }
-void free_pages(void* memory) noexcept { ::operator delete (memory, std::align_val_t{64}); }
-std::size_t forget_pages(void*, std::size_t, std::size_t) noexcept { return 0; }
+void free_pages(void* memory, std::size_t) noexcept { ::operator delete (memory, std::align_val_t{64}); }
 void want_large_pages(void*, std::size_t) noexcept {}
 
 #endif

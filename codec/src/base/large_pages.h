@@ -11,15 +11,10 @@ namespace deltamesh {
 /// Smaller than some systems' large pages, which then are not used.
 inline constexpr std::size_t kLargePage = std::size_t{1} << 21;
 
-/// `bytes`, not cleared; throws std::bad_alloc. What is touched may take up whole large pages, but for an end
-/// of less than half a one.
+/// `bytes`, with anything in them; throws std::bad_alloc. What is touched may take up whole large pages, but
+/// for an end of less than half a one.
 void* allocate_pages(std::size_t bytes);
-void free_pages(void* memory) noexcept;
-
-/// `memory`, part of what allocate_pages() gave, is not used any more: its first whole large pages, `most` at
-/// most, go back to the system, which gives them again, with anything in them, when they are touched. Returns
-/// how many.
-std::size_t forget_pages(void* memory, std::size_t bytes, std::size_t most) noexcept;
+void free_pages(void* memory, std::size_t bytes) noexcept;
 
 /// Asks for large pages where `memory`, which some other allocator gave, fills them and is untouched so far.
 /// Only a hint, as that may be refused. Most of the bytes are to be written. Memory of the heap stays so

@@ -4,7 +4,7 @@
 
 #include <new>
 
-#include "base/memory_pool.h"
+#include "base/large_pages.h"
 
 namespace deltamesh {
 namespace {
@@ -12,27 +12,21 @@ namespace {
 /// Of what has no pages of its own: a line of the cache, and what elements of vectors ask for.
 constexpr std::align_val_t kAlignment{64};
 
-/// Without a pool, smaller arrays are like any others.
+/// Smaller arrays are like any others.
 constexpr bool has_own_pages(std::size_t bytes) noexcept { return bytes >= kLargePage / 2; }
 
 }  // namespace
 
 void* allocate_large(std::size_t bytes) {
-  if (MemoryPool* const pool = MemoryPool::current()) return pool->allocate(bytes);
   return has_own_pages(bytes) ? allocate_pages(bytes) : ::operator new(bytes, kAlignment);
 }
 
 void free_large(void* memory, std::size_t bytes) noexcept {
-  if (MemoryPool* const pool = MemoryPool::current(); pool != nullptr && pool->free(memory)) return;
   if (has_own_pages(bytes)) {
-    free_pages(memory);
+    free_pages(memory, bytes);
   } else {
     ::operator delete(memory, kAlignment);
   }
-}
-
-void make_room(std::size_t bytes) noexcept {
-  if (MemoryPool* const pool = MemoryPool::current()) pool->give_back(bytes);
 }
 
 }  // namespace deltamesh

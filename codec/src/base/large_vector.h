@@ -2,8 +2,7 @@
 // Copyright 2026 The deltamesh authors
 //
 // Memory for large arrays. Half of what a plain one costs is the system's handing it out page by page and the
-// clearing before it is overwritten: here pages are large, or were in use before [MemoryPool], and nothing is
-// cleared that nobody asked to be.
+// clearing before it is overwritten: here pages are large, and nothing is cleared twice.
 #pragma once
 
 #include <cstddef>
@@ -24,10 +23,6 @@ inline constexpr std::size_t kLargeArray = std::size_t{1} << 16;
 /// as little as the first byte may take up a whole large page.
 void* allocate_large(std::size_t bytes);
 void free_large(void* memory, std::size_t bytes) noexcept;
-
-/// So many bytes are about to be filled beside this thread's MemoryPool, which gives back as many that its
-/// arrays do not need any more: together they take no more memory than before.
-void make_room(std::size_t bytes) noexcept;
 
 /// For containers, which ask for no more than can be addressed. An element without a value is
 /// default-initialised, which leaves numbers as they are.
@@ -77,10 +72,9 @@ class LargeAllocator {
 template <class T>
 using LargeVector = std::vector<T, LargeAllocator<T>>;
 
-/// As reserve(), for a vector that has none of the elements yet, and soon will have most of them; makes room.
+/// As reserve(), for a vector that has none of the elements yet, and soon will have most of them.
 template <class T>
 void reserve_large(std::vector<T>& values, std::size_t count) {
-  make_room(count * sizeof(T));
   values.reserve(count);
   want_large_pages(values.data(), count * sizeof(T));
 }

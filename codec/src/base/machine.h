@@ -12,12 +12,8 @@ namespace deltamesh {
 #if defined(__EMSCRIPTEN__) && !defined(__EMSCRIPTEN_PTHREADS__)
 /// Modules for the web have one thread each; what is for several is left out.
 inline constexpr bool kHasThreads = false;
-/// Their memory is never given back page by page, and the heap does not clear it: MemoryPool would gain
-/// nothing.
-inline constexpr bool kHasMemoryPool = false;
 #else
 inline constexpr bool kHasThreads = true;
-inline constexpr bool kHasMemoryPool = true;
 #endif
 
 static_assert(std::endian::native == std::endian::little, "numbers share registers, the lowest first");

@@ -7,8 +7,6 @@
 #include <system_error>
 #include <utility>
 
-#include "base/memory_pool.h"
-
 namespace deltamesh {
 namespace {
 
@@ -24,11 +22,10 @@ constexpr int kMostLooks = 512;
 thread_local ThreadTeam* ThreadTeam::current_ = nullptr;
 
 ThreadTeam::ThreadTeam(unsigned threads) : outer_(current_) {
-  MemoryPool* const pool = MemoryPool::current();
   const unsigned wanted = std::clamp(threads, 1U, kMostThreads) - 1;
   try {
     helpers_.reserve(wanted);  // so that none that runs is ever lost
-    while (helpers_.size() < wanted) helpers_.emplace_back([this, pool] { help(pool); });
+    while (helpers_.size() < wanted) helpers_.emplace_back([this] { help(); });
   } catch (const std::system_error&) {
     // No more threads to be had: fewer, then.
   } catch (const std::bad_alloc&) {
@@ -82,8 +79,7 @@ void ThreadTeam::withdraw(TeamJob& job) noexcept {
   remove(job);
 }
 
-void ThreadTeam::help(MemoryPool* pool) {
-  MemoryPool::share(pool);
+void ThreadTeam::help() {
   std::unique_lock lock(mutex_);
   while (true) {
     TeamJob* job = nullptr;

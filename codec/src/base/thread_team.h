@@ -18,8 +18,6 @@
 
 namespace deltamesh {
 
-class MemoryPool;
-
 /// Pieces of work that any thread may do, in any order. Must outlive finish() or withdraw().
 class TeamJob {
  public:
@@ -39,8 +37,7 @@ class TeamJob {
   std::exception_ptr error_;
 };
 
-/// As long as one lives, it helps the thread that made it, whose MemoryPool its threads share. A piece of a
-/// job has no team to help it.
+/// As long as one lives, it helps the thread that made it. A piece of a job has no team to help it.
 class ThreadTeam {
  public:
   /// `threads`: with the one that makes this; fewer where there are no more to be had, or no memory for them;
@@ -70,7 +67,7 @@ class ThreadTeam {
   void withdraw(TeamJob& job) noexcept;
 
  private:
-  void help(MemoryPool* pool);
+  void help();
   void wait_briefly(std::unique_lock<std::mutex>& lock);
   void run_next(TeamJob& job, std::unique_lock<std::mutex>& lock);
   TeamJob* first_open() noexcept;

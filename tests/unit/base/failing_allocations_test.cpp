@@ -19,12 +19,8 @@ namespace {
 /// Allocations until one fails; below 0: none does any more.
 std::atomic<long> allocations_left = -1;
 
-/// Bytes of the largest allocation since it was last set to 0.
-std::atomic<std::size_t> largest_allocation = 0;
-
 void* allocate(std::size_t bytes, std::size_t alignment) {
   if (allocations_left.fetch_sub(1, std::memory_order_relaxed) == 0) throw std::bad_alloc();
-  if (bytes > largest_allocation) largest_allocation = bytes;
   const std::size_t whole = (std::max<std::size_t>(bytes, 1) + alignment - 1) / alignment * alignment;
   void* const memory = std::aligned_alloc(alignment, whole);
   if (memory == nullptr) throw std::bad_alloc();
@@ -99,45 +95,6 @@ TEST(FailingAllocations, AreErrorsOfDecodingOnAnyNumberOfThreads) {
       EXPECT_TRUE(encode(testing::attributed_grid(3, 2), {}));
     }
   }
-}
-
-/// With no memory yet, and with too little.
-TEST(FailingAllocations, AreErrorsOfADecoderWhichThenGoesOn) {
-  Decoder decoder;
-  for (const std::uint32_t size : {160U, 190U}) {
-    const EncodeOptions options{.geometry = GeometryCoder::kHighpass, .effort = 0, .bits = 10};
-    const auto encoded = encode(testing::bumpy_grid(size, size), options);
-    ASSERT_TRUE(encoded);
-    EXPECT_GT(encoded->bytes.size(), 1U << 14);  // shorter streams keep no memory
-    const auto whole = decode(encoded->bytes);
-    ASSERT_TRUE(whole);
-    fail_everywhere([&] {
-      const auto decoded = decoder.decode(encoded->bytes);
-      if (decoded) {
-        EXPECT_EQ(decoded->positions, whole->positions);
-      } else {
-        EXPECT_EQ(decoded.error().code, ErrorCode::kOutOfMemory);
-      }
-    });
-    const auto decoded = decoder.decode(encoded->bytes);
-    ASSERT_TRUE(decoded);
-    EXPECT_EQ(decoded->positions, whole->positions);
-  }
-}
-
-/// From the second stream on, nothing is allocated that is larger than the faces.
-TEST(Allocations, OfADecoderAreNotMadeAgain) {
-  const Mesh mesh = testing::bumpy_grid(300, 200);
-  const auto encoded = encode(mesh, {.geometry = GeometryCoder::kHighpass, .effort = 0});
-  ASSERT_TRUE(encoded);
-  Decoder decoder;
-  ASSERT_TRUE(decoder.decode(encoded->bytes));
-  largest_allocation = 0;
-  ASSERT_TRUE(decoder.decode(encoded->bytes));
-  EXPECT_LE(largest_allocation, 2 * mesh.triangles.size() * sizeof(std::uint32_t));
-  largest_allocation = 0;
-  ASSERT_TRUE(decode(encoded->bytes));
-  EXPECT_GT(largest_allocation, 4 * mesh.triangles.size() * sizeof(std::uint32_t));
 }
 
 }  // namespace
