@@ -46,9 +46,9 @@ class Attribute:
 
 class Surface:
     """What attributes may know: faces over vertices, copies, positions [ATTR-10] and attributes decoded before."""
-    def __init__(self, seams, positions, geometric_faces, attributes):
+    def __init__(self, seams, positions, geometric_faces, attributes, states):
         self.faces, self.first, self.geometric, self.positions = seams.faces, seams.first, seams.geometric, positions
-        self.geometric_faces, self.attributes, self.n = geometric_faces, attributes, len(seams.geometric)
+        self.geometric_faces, self.attributes, self.n, self.states = geometric_faces, attributes, len(seams.geometric), states
 
     def joined(self, is_joined):
         """[ATTR-58] Whether copies are joined; the faces and the number of vertices that numbers are coded over."""

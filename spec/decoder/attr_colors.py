@@ -29,7 +29,7 @@ def ATTR_45_colours(r, a, surface):
     rows = [[0] * 4] * surface.n
     if axes:
         coder = Coder(r.rest())
-        rows = ColourCoder(coder, surface, len(axes), top, bound).decode()
+        rows = ColourCoder(coder, surface, surface.attributes.index(a), len(axes), top, bound).decode()
         coder.end()
     levels = [[constants[c] if s == 255 else row[axes.index(s)] for c, s in enumerate(sources)] for row in rows]
     if a.type == "f4":  # [ATTR-46]
@@ -39,12 +39,13 @@ def ATTR_45_colours(r, a, surface):
 
 class ColourCoder:
     """Colours, sizes and the like are vectors of the axes 0 to 3."""
-    def __init__(self, coder, surface, axes, top, bound):
+    def __init__(self, coder, surface, attribute, axes, top, bound):
         self.coder, self.surface, self.axes, self.top, self.width = coder, surface, axes, F(top), 2 * bound + 1
         self.per_step, self.unit = F(16) / F(self.width), max(F(self.width), F(top) / F(255))
         self.colours, self.sizes, self.outcomes, self.around = [], [], [], neighbours(surface.faces, surface.n)
-        self.copy_models, self.copy_weights = symbol_models((16, 6, 3, 30) + (1,) * 12), mixing_weights(2)
-        self.models, self.weights, self.scaled = symbol_models(SYMBOL_WEIGHTS), mixing_weights(2), ScaledCoder()
+        self.learnt = surface.states.models(
+            ("colours", attribute), copies=symbol_models((16, 6, 3, 30) + (1,) * 12), copy_weights=mixing_weights(2),
+            models=symbol_models(SYMBOL_WEIGHTS), weights=mixing_weights(2), scaled=ScaledCoder())
 
     def decode(self):
         copies, first = self.coder.raw(1), self.surface.first
@@ -90,8 +91,8 @@ class ColourCoder:
             farthest = max(farthest, (d[0] + d[1]) + (d[2] + d[3]))
         s, d = min(math.floor(F(8) * share), 7), min(bits(math.floor(farthest * (F(1) / self.unit))), 7)
         t = [self.outcomes[u] for u in candidates] + [3] * (3 - n)
-        models = [self.copy_models[0, (8 * (n - 1) + s) * 8 + d], self.copy_models[1, ((4 * t[0] + t[1]) * 4 + t[2]) * 3 + n - 1]]
-        symbol = self.coder.symbol(models, self.copy_weights[2 * (n - 1) + (t[0] == 0)])
+        models = [self.learnt.copies[0, (8 * (n - 1) + s) * 8 + d], self.learnt.copies[1, ((4 * t[0] + t[1]) * 4 + t[2]) * 3 + n - 1]]
+        symbol = self.coder.symbol(models, self.learnt.copy_weights[2 * (n - 1) + (t[0] == 0)])
         return (min(symbol, 1), self.colours[candidates[symbol]]) if symbol < n else (2, None)
 
     def ATTR_51_levels(self, colour, E, spread, before, has_near):
@@ -127,7 +128,7 @@ class ColourCoder:
         shift = max(bits(whole) - 6, 0)
         s, near = whole >> shift, u(abs(X - base)) >> shift
         S = FLD_15_quantity(s) + (4 if shift else 0)
-        models = [self.models[0, (6 * S + ATTR_52_near(near, s)) * 4 + a],
-                  self.models[1, (12 * (K(spread) // 2) + K(coded) // 2) * 4 + a]]
-        q = self.scaled.CMP_15_number(self.coder, models, self.weights[4 * (S // 4) + a], shift)
+        models = [self.learnt.models[0, (6 * S + ATTR_52_near(near, s)) * 4 + a],
+                  self.learnt.models[1, (12 * (K(spread) // 2) + K(coded) // 2) * 4 + a]]
+        q = self.learnt.scaled.CMP_15_number(self.coder, models, self.learnt.weights[4 * (S // 4) + a], shift)
         return -q if X < base else q

@@ -1,5 +1,7 @@
 """The coder and the models of the compact coding: compact.md, rules CMP."""
+import copy
 from collections import defaultdict
+from types import SimpleNamespace
 
 from container import must
 
@@ -164,3 +166,22 @@ class NumberModel:
     def decode(self, coder):
         length = coder.symbol([self.length])
         return self.low.decode(coder, min(15 + coder.raw(5), 32) if length == 15 else length)
+
+def symbol_models_in(x):
+    """All that models are made of."""
+    if isinstance(x, SymbolModel):
+        return [x]
+    inside = x.values() if isinstance(x, dict) else x if isinstance(x, list) else vars(x).values() if hasattr(x, "__dict__") else []
+    return [model for y in inside for model in symbol_models_in(y)]
+
+class States:
+    """[CMP-16] `before` has models by what they are of, as another stream left them, or is None; `after` those that this stream leaves."""
+    def __init__(self, before=None):
+        self.before, self.after, self.is_next = before or {}, {}, before is not None
+
+    def models(self, of, **fresh):
+        """The models with which a coder begins; it learns in place."""
+        models = self.after[of] = copy.deepcopy(self.before[of]) if of in self.before else SimpleNamespace(**fresh)
+        for model in symbol_models_in(models):
+            model.counter = min(model.counter, 26)
+        return models

@@ -6,7 +6,7 @@ C, L, R, E, S, B, N = range(7)
 
 class PlainOps:
     """[CONN-1, CONN-2, CONN-9, CONN-10] Ops and references of the plain form."""
-    def __init__(self, data, m):
+    def __init__(self, data, m, states):
         self.reader = r = Reader(data)
         counts = [r.varint() for _ in range(17)]
         references = r.varint()
@@ -47,11 +47,11 @@ def CONN_12_run_weights(full):
 
 class CompactOps:
     """[CONN-12] Ops and references of the compact form."""
-    def __init__(self, data, m):
+    def __init__(self, data, m, states):
         must(m <= 42400 * len(data), "CONN-2", "more faces than the bytes can give")
-        self.coder, self.reference, self.runs = Coder(data), NumberModel(), {}
-        self.run_weights, self.rare_weights = mixing_weights(2), mixing_weights(2)
-        self.rare = [symbol_models((0, 8, 0, 8, 1, 6, 5) + (0,) * 9), symbol_models((8, 1, 1, 0, 1, 8, 1) + (0,) * 9)]
+        rare = [symbol_models((0, 8, 0, 8, 1, 6, 5) + (0,) * 9), symbol_models((8, 1, 1, 0, 1, 8, 1) + (0,) * 9)]
+        self.learnt = states.models("ops", reference=NumberModel(), runs={}, rare=rare, run_weights=mixing_weights(2), rare_weights=mixing_weights(2))
+        self.coder = Coder(data)
         self.ops, self.y = [], 1  # "rare" and "run" among the ops stand for what is read when it is their turn
 
     def op(self, walk, t, g, step):
@@ -66,22 +66,22 @@ class CompactOps:
             if self.ops == ["run"]:
                 first = 0, ((((F - 1) * 4 + max(walk.filled, 5) - 5) * 4 + m(K, 3)) * 2 + a) * 4 + l
                 second = 1, ((((F - 1) * 4 + m(X, 4)) * 4 + m(T, 4)) * 2 + a) * 4 + m(O, 4)
-                models = [self.runs.setdefault(i, SymbolModel(CONN_12_run_weights(F))) for i in (first, second)]
-                s = self.coder.symbol(models, self.run_weights[4 * (F - 1) + l])
+                models = [self.learnt.runs.setdefault(i, SymbolModel(CONN_12_run_weights(F))) for i in (first, second)]
+                s = self.coder.symbol(models, self.learnt.run_weights[4 * (F - 1) + l])
                 self.ops = [R] + [C] * s if s < 7 else ["rare"] + [C] * (s - 7) if s < 14 else ["run"] + [C] * 7
             op = self.ops.pop()
             if op != "rare":
                 return op
         n = (((0 if step == 1 else self.y) * 2 + a) * 2 + b) * 4 + l
         first, second = (4 * n + clamp(F, 2, 5) - 2) * 4 + m(O, 4), (2 * n + m(K, 2)) * 4 + m(T, 4)
-        rare = self.rare[step - 1]
-        op = self.coder.symbol([rare[0, first], rare[1, second]], self.rare_weights[n])
+        rare = self.learnt.rare[step - 1]
+        op = self.coder.symbol([rare[0, first], rare[1, second]], self.learnt.rare_weights[n])
         must(op <= N, "CONN-7", f"op {op}")
         self.y = 1 if step == 1 else 2 if op == C else 3
         return op
 
     def target(self, walk, gate):
-        reference = self.reference.decode(self.coder)
+        reference = self.learnt.reference.decode(self.coder)
         must(reference <= 255, "CONN-7", f"reference {reference}")
         return walk.CONN_10_near(gate, reference) if reference else self.coder.raw(bits(len(walk.origin)))
 

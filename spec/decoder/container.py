@@ -84,7 +84,19 @@ def all_finite(numbers):
 
 class Header:
     """The header's fields as attributes."""
+    origin, vde, lfe, max_error, bits = [0.0] * 3, 0.0, 0.0, 0.0, 0
+
     def __init__(self, r):
+        flags = self.HDR_5_counts(r)
+        self.origin = [r.number("d") for _ in range(3)] if flags & 2 else [0.0] * 3
+        must(all_finite(self.origin), "HDR-8", "the origin is not finite")
+        self.vde, self.lfe, self.max_error = figures = [r.f24() for _ in range(3)]
+        must(all_finite(figures) and min(figures) >= 0, "HDR-9", f"figures {figures}")
+        self.bits = r.u8() if flags & 4 else 0
+        self.geometry(r)
+
+    def HDR_5_counts(self, r):
+        """Flags and counts [HDR-5 to HDR-7]."""
         flags = self.flags = r.u8()
         self.restore_order, self.coder = bool(flags & 1), flags >> 6
         on_lattice = self.coder in (LATTICE, VOXELS)
@@ -96,12 +108,11 @@ class Header:
         counts = [self.vertices, self.geometric, self.components]
         must(self.components <= self.geometric, "HDR-7", "more components than vertices")
         must(all(counts) or not any(counts) and not self.triangles, "HDR-7", f"counts {counts}")
-        self.origin = [r.number("d") for _ in range(3)] if flags & 2 else [0.0] * 3
-        must(all_finite(self.origin), "HDR-8", "the origin is not finite")
-        self.vde, self.lfe, self.max_error = figures = [r.f24() for _ in range(3)]
-        must(all_finite(figures) and min(figures) >= 0, "HDR-9", f"figures {figures}")
-        self.bits = r.u8() if flags & 4 else 0
-        (self.HDR_14_lattice if on_lattice else self.HDR_8_box if self.coder == FLOATS else self.HDR_11_highpass)(r)
+        return flags
+
+    def geometry(self, r):
+        """The fields of the geometry coder."""
+        (self.HDR_14_lattice if self.coder in (LATTICE, VOXELS) else self.HDR_8_box if self.coder == FLOATS else self.HDR_11_highpass)(r)
         must(self.coder == HIGHPASS or self.bits <= 28, "HDR-14", f"{self.bits} bits")
 
     def HDR_8_box(self, r):
@@ -127,13 +138,16 @@ class Header:
         self.steps = self.steps_of(r, 3, "HDR-14") if self.flags & 16 else self.steps_of(r, 1, "HDR-14") * 3
         self.lattice_origin = [r.number("d") for _ in range(3)] if self.flags & 32 else [0.0] * 3
         must(all_finite(self.lattice_origin), "HDR-14", "the lattice origin is not finite")
-        self.first = [unzigzag(r.varint()) for _ in range(3)]
+        self.first = self.first_point(r)
         must(all(abs(f) <= 2**48 for f in self.first), "HDR-14", "the first point is beyond 2^48")
         self.cells = [r.varint(2**28, "HDR-14") for _ in range(3)]
         self.levels = r.varint(2**19, "HDR-14") if self.coder == VOXELS else 1
         must(self.levels >= 1, "HDR-14", "no levels")
         self.box_min = [nearest_f32(self.POSN_2_place(a, 0)) for a in range(3)]
         self.box_max = [nearest_f32(self.POSN_2_place(a, self.cells[a])) for a in range(3)]
+
+    def first_point(self, r):
+        return [unzigzag(r.varint()) for _ in range(3)]
 
     def POSN_2_place(self, axis, q):
         """The place of lattice coordinate q on an axis."""
@@ -180,13 +194,17 @@ def CNT_1_stream(data, read_descriptor):
     must(checksum == xxhash.xxh3_64_intdigest(data[:-4]) % 2**32, "CNT-2", "the checksum does not match")
     r = Reader(data[:-4])
     r.at = 4
-    header, chunks, count = Header(r), [], 0
+    header = Header(r)
     must(header.vertices + header.triangles <= 2048 * len(data), "CNT-5", "more is stated than the bytes can hold")
-    while r.at < len(r.data):  # [CNT-4]
+    return header, CNT_4_chunks(r, header, read_descriptor)
+
+def CNT_4_chunks(r, header, read_descriptor):
+    chunks, count = [], 0
+    while r.at < len(r.data):
         count += 1
         must(count <= 65536, "DIR-1", "too many chunks")
         chunk = DIR_2_chunk(r, header, read_descriptor)
         if chunk:
             must(chunk.tag == "ATTR" or all(c.tag != chunk.tag for c in chunks), "DIR-8", f"{chunk.tag} comes twice")
             chunks.append(chunk)
-    return header, chunks
+    return chunks

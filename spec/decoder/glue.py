@@ -3,13 +3,13 @@ from coder import NumberModel, bit_models, symbol_models
 from conn import CompactOps, PlainOps, Walk
 from container import Reader, must, unzigzag
 
-def CONN_8_faces(chunk, m, n):
+def CONN_8_faces(chunk, m, n, states):
     """The faces over geometric vertices, as triples."""
     data = chunk.data if chunk else b""
     if m == 0:
         Reader(data).end()
         return []
-    ops = (CompactOps if chunk and chunk.is_compact else PlainOps)(data, m)
+    ops = (CompactOps if chunk and chunk.is_compact else PlainOps)(data, m, states)
     walk = Walk(m, ops)
     if chunk and chunk.is_compact:
         vertex_of = CONN_13_glue(ops.coder, walk, n)

@@ -1,5 +1,5 @@
 """POSN-3 to POSN-9: what is expected of a vertex' numbers, and their coding."""
-from coder import BitModel, bits, clamp, mixing_weights, symbol_models
+from coder import BitModel, States, bits, clamp, mixing_weights, symbol_models
 from container import must
 from graph import corners, others
 from scaled import SYMBOL_WEIGHTS, ScaledCoder
@@ -75,17 +75,20 @@ def POSN_6_log(y):
     """W"""
     return 4 * (bits(y) - 1) + ((4 * y >> (bits(y) - 1)) & 3)
 
+def fresh_models():
+    return {"models": symbol_models(SYMBOL_WEIGHTS), "weights": mixing_weights(2), "scaled": ScaledCoder(),
+            "guesses": symbol_models((8, 4, 2, 2) + (1,) * 12), "guess_weights": mixing_weights(2)}
+
 class PredictedCoder:
     """[POSN-4 to POSN-6, FLT-4] Numbers of vertices. What is said below of lattices, other coders say of theirs."""
     rule = "POSN-7"  # that a number out of its limits breaks
 
-    def __init__(self, coder, known, table, cells, guesses=False):
+    def __init__(self, coder, known, table, cells, guesses=False, models=None):
         self.coder, self.known, self.table, self.guesses = coder, known, table, guesses
         self.limits = [(0, most or 0) for most in cells]
         self.lacking = [most is None for most in cells]  # [ATTR-57]
-        self.rows, self.residuals, self.sizes, self.scaled = {}, {}, {}, ScaledCoder()
-        self.models, self.weights = symbol_models(SYMBOL_WEIGHTS), mixing_weights(2)
-        self.guess_models, self.guess_weights = symbol_models((8, 4, 2, 2) + (1,) * 12), mixing_weights(2)
+        self.rows, self.residuals, self.sizes = {}, {}, {}
+        self.learnt = models or States().models(None, **fresh_models())
 
     def row(self, u, v):
         """The numbers of u that the expectation for v is made of."""
@@ -144,9 +147,9 @@ class PredictedCoder:
         t, S = POSN_6_log(clamp(x.spread, 1, 2**24 - 1)) - 4 * x.shift, POSN_6_log(x.scale) - 4 * x.shift
         S = S if x.shift else max(S >> 1, S - 4)
         T = clamp(max((t + 2) >> 1, t - 3), 0, 23) if x.spread else 0
-        models = [self.models[0, (S * 5 + x.sources) * 5 + x.sure], self.models[1, (T * 5 + x.sources) * 3 + x.axis]]
+        models = [self.learnt.models[0, (S * 5 + x.sources) * 5 + x.sure], self.learnt.models[1, (T * 5 + x.sources) * 3 + x.axis]]
         shift = x.shift if shift is None else shift
-        number = self.scaled.CMP_15_number(self.coder, models, self.weights[x.axis * 5 + x.sources], shift)
+        number = self.learnt.scaled.CMP_15_number(self.coder, models, self.learnt.weights[x.axis * 5 + x.sources], shift)
         return -number if x.mean < 0 else number
 
     def FLT_4_guess(self, known, x, values, expected):
@@ -154,9 +157,9 @@ class PredictedCoder:
         different = sorted(list(dict.fromkeys(values))[:6], key=lambda value: abs(value - expected))
         M, V = (0 in x.missed) + 2 * (1 in x.missed), len(different)
         B = (0, 1 + M, 3 + M)[x.axis]
-        models = [self.guess_models[0, (x.axis * 4 + M) * 7 + V],
-                  self.guess_models[1, (min(len(known.parallelograms), 4) * 7 + B) * 7 + min(known.count, 6)]]
-        s = self.coder.symbol(models, self.guess_weights[0])
+        models = [self.learnt.guesses[0, (x.axis * 4 + M) * 7 + V],
+                  self.learnt.guesses[1, (min(len(known.parallelograms), 4) * 7 + B) * 7 + min(known.count, 6)]]
+        s = self.coder.symbol(models, self.learnt.guess_weights[0])
         if 1 <= s <= V:
             return different[s - 1]
         x.missed.add(x.axis)

@@ -1,6 +1,7 @@
 """A whole stream to a mesh: the order of the chunks, and GEO-1."""
 import numpy as np
 
+from coder import States
 from attr import ATTR_11_decode, Attribute, Surface
 from anch import ANCH_1_read
 from container import CNT_1_stream, HIGHPASS, must
@@ -25,12 +26,14 @@ def GEO_1_round(positions):
     must(np.all(np.isfinite(rounded)), "GEO-1", "a coordinate is not finite")
     return rounded
 
-def decode(data, dump=nothing):
+def decode(data, dump=nothing, states=None):
+    return decode_chunks(*CNT_1_stream(data, Attribute), states or States(), dump)
+
+def decode_chunks(header, listed, states, dump=nothing):
     mesh = Mesh()
-    header, listed = CNT_1_stream(data, Attribute)
     mesh.header = header
     chunks = {chunk.tag: chunk for chunk in listed if chunk.tag != "ATTR"}
-    faces = CONN_8_faces(chunks.get("CONN"), header.triangles, header.geometric)
+    faces = CONN_8_faces(chunks.get("CONN"), header.triangles, header.geometric, states)
     around = neighbours(faces, header.geometric)
     parts = components(around)
     must(len(parts) == header.components, "HDR-7", f"{len(parts)} components in place of {header.components}")
@@ -40,7 +43,7 @@ def decode(data, dump=nothing):
     groups = FGRP_1_read(chunks.get("FGRP"), seams.faces)
     mesh.exact = header.coder != HIGHPASS
     if mesh.exact:
-        positions = GEO_1_round(POSN_1_positions(chunks.get("POSN"), header, faces, dump))
+        positions = GEO_1_round(POSN_1_positions(chunks.get("POSN"), header, faces, states, dump))
     else:
         anchors = ANCH_1_read(chunks.get("ANCH"), header, header.geometric, parts)
         positions = GEO_1_round(DELT_1_positions(chunks, header, around, parts, anchors, dump))
@@ -48,7 +51,7 @@ def decode(data, dump=nothing):
     known = mesh.positions if mesh.exact else None  # [ATTR-10]
     attributes = [chunk for chunk in listed if chunk.tag == "ATTR"]
     mesh.attributes = [chunk.descriptor for chunk in attributes]
-    ATTR_11_decode(attributes, Surface(seams, known, faces, mesh.attributes))
+    ATTR_11_decode(attributes, Surface(seams, known, faces, mesh.attributes, states))
     mesh.faces, mesh.groups = seams.faces, groups
     if header.restore_order:
         restore(mesh, *ORDR_1_read(chunks.get("ORDR"), seams.faces, header.vertices))

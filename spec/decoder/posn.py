@@ -8,9 +8,9 @@ from coder import Coder, NumberModel
 from container import LATTICE, VOXELS, must
 from floats import FLT_1_bits, FLT_1_ordinal, FLT_2_last_place, FloatCoder
 from graph import corners, others
-from lattice import POSN_3_known, POSN_8_table, PredictedCoder
+from lattice import POSN_3_known, POSN_8_table, PredictedCoder, fresh_models
 
-def POSN_1_positions(chunk, header, faces, dump):
+def POSN_1_positions(chunk, header, faces, states, dump):
     """The positions of the geometric vertices in doubles."""
     n = header.geometric
     if n == 0:
@@ -24,10 +24,10 @@ def POSN_1_positions(chunk, header, faces, dump):
     dump("walk", order)
     if header.coder == VOXELS:
         from voxels import VOX_1_rows
-        rows = VOX_1_rows(coder, walked, n, header)
+        rows = VOX_1_rows(coder, walked, n, header, states)
         positions = POSN_2_positions(rows, header)
     elif header.coder == LATTICE:
-        positions = POSN_9_lattice(coder, walked, n, header)
+        positions = POSN_9_lattice(coder, walked, n, header, states)
     else:
         positions = FLT_positions(coder, walked, n, header)
     coder.end()
@@ -37,11 +37,11 @@ def POSN_1_positions(chunk, header, faces, dump):
 def POSN_2_positions(rows, header):
     return np.array([[header.POSN_2_place(a, q) for a, q in enumerate(row)] for row in rows])
 
-def POSN_9_lattice(coder, faces, n, header):
+def POSN_9_lattice(coder, faces, n, header, states):
     """[POSN-9, POSN-11, POSN-13]"""
     table, guesses, replaces = POSN_8_table(coder), coder.raw(1), coder.raw(1)
     known = POSN_3_known(faces, n)
-    lattice = PredictedCoder(coder, known, table, header.cells, guesses)
+    lattice = PredictedCoder(coder, known, table, header.cells, guesses, states.models("lattice", **fresh_models()))
     v = 0
     while v < n:
         pair = v + 1 < n and known[v + 1].faces and all(v not in face[:2] for face in known[v + 1].faces)

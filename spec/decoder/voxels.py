@@ -2,7 +2,7 @@
 from coder import NumberModel, SymbolModel, clamp, symbol_models
 from container import must, unzigzag
 from graph import corners, others
-from lattice import Known, POSN_3_other, POSN_4_expect, POSN_8_table, PredictedCoder
+from lattice import Known, POSN_3_other, POSN_4_expect, POSN_8_table, PredictedCoder, fresh_models
 
 def divide(a, b):
     """The quotient cut towards 0."""
@@ -79,14 +79,15 @@ class Cube:
         self.weights = [20 if e in likely else 1 for e in range(12)] + [1, 100 if opposite == 13 else 0, 0, 0]
 
 class VoxelCoder(PredictedCoder):
-    def __init__(self, coder, faces, n, header):
-        self.n, self.half, self.levels, self.width = n, (n + 1) // 2, header.levels, 2 * header.levels
+    def __init__(self, coder, faces, n, header, states):
+        self.n, self.half, self.levels, self.width = n, n if states.is_next else (n + 1) // 2, header.levels, 2 * header.levels
         steps = [v if v < self.half else v - self.half for v in range(n)]
-        super().__init__(coder, POSN_12_known(faces, n, steps), POSN_8_table(None), header.cells)
-        self.edges, self.spots, self.nodes = {}, {}, [NumberModel() for _ in range(3)]
-        self.start, self.edge_models = SymbolModel((8,) * 4 + (1,) * 12), {}
+        learnt = states.models("voxels", nodes=[NumberModel() for _ in range(3)], start=SymbolModel((8,) * 4 + (1,) * 12), edges={}, **fresh_models())
+        super().__init__(coder, POSN_12_known(faces, n, steps), POSN_8_table(None), header.cells, models=learnt)
+        self.edges, self.spots = {}, {}
         self.low = max((header.levels - 1).bit_length() - 4, 0)  # g
-        self.level_models = symbol_models([int(h <= (header.levels - 1) >> self.low) for h in range(16)])
+        levels = symbol_models([int(h <= (header.levels - 1) >> self.low) for h in range(16)])
+        self.level_models = states.models(header.levels, levels=levels).levels
 
     def before(self, v):
         return [0, 0, 0] if v in (0, self.half) else self.rows[v - 1]
@@ -107,7 +108,7 @@ class VoxelCoder(PredictedCoder):
         """The cube and the edge symbol."""
         for upper in (False, True):
             cube = Cube(self.edges, self.spots, corners, upper)
-            symbol = self.coder.symbol([self.edge_models.setdefault(cube.model, SymbolModel(cube.weights))])
+            symbol = self.coder.symbol([self.learnt.edges.setdefault(cube.model, SymbolModel(cube.weights))])
             if not (symbol == 13 and cube.open):
                 break
         must(symbol <= 12, "VOX-4", f"edge symbol {symbol}")
@@ -121,7 +122,7 @@ class VoxelCoder(PredictedCoder):
             axis, node = edge_of(number, cube.node)
             level = self.VOX_6_level(axis, cube, number)
         else:
-            axis = self.coder.symbol([self.start])
+            axis = self.coder.symbol([self.learnt.start])
             must(axis <= 3, "VOX-1", f"start symbol {axis}")
             if axis == 3:
                 list(self.vertex(v))
@@ -137,7 +138,7 @@ class VoxelCoder(PredictedCoder):
 
     def VOX_5_node(self, v, axis):
         place, _ = POSN_4_expect(self.known[v], self.table, lambda u: self.rows[u][axis], self.before(v)[axis])
-        node = divide(place >> 4, self.width) + unzigzag(self.nodes[axis].decode(self.coder))
+        node = divide(place >> 4, self.width) + unzigzag(self.learnt.nodes[axis].decode(self.coder))
         must(0 <= node <= self.limits[axis][1] // self.width, "VOX-5", f"node {node}")
         return node
 
@@ -154,9 +155,9 @@ class VoxelCoder(PredictedCoder):
         must(level < self.levels, "VOX-6", f"level {level}")
         return level
 
-def VOX_1_rows(coder, faces, n, header):
+def VOX_1_rows(coder, faces, n, header, states):
     """[POSN-12] The lattice coordinates of all vertices, in their order."""
-    voxels = VoxelCoder(coder, faces, n, header)
+    voxels = VoxelCoder(coder, faces, n, header, states)
     for step in range(voxels.half):
         for v in (step, step + voxels.half)[:1 + (step + voxels.half < n)]:
             voxels.VOX_1_vertex(v)

@@ -1,0 +1,114 @@
+"""Parts of maps: map.md, MAP-2, MAP-5 to MAP-7 and MAP-11."""
+import copy
+import math
+import struct
+
+import numpy as np
+import xxhash
+
+from attr import Attribute
+from coder import BitModel, Coder, NumberModel, States
+from container import CNT_1_stream, CNT_4_chunks, DRAFT, HIGHPASS, Header, Reader, VOXELS, must, unzigzag
+from mesh import decode_chunks
+
+class Map:
+    """[MAP-5] The fields of a map's message, and [MAP-6] the primers with the states before each, and after the last."""
+    def __init__(self, message):
+        must(message[:5] == b"DMM" + bytes([128 + DRAFT, 1]), "MAP-1", "no map's message of this draft")
+        digest = struct.unpack("<I", message[-4:])[0]
+        must(digest == xxhash.xxh3_64_intdigest(message[:-4]) % 2**32, "MAP-1", "the checksum does not match")
+        self.hash, r = xxhash.xxh3_64_intdigest(message), Reader(message[5:-4])
+        self.id, self.epoch, self.frame = r.number("Q"), r.number("I"), r.bytes(r.u8())
+        self.origin, self.step = [r.number("d") for _ in range(3)], 2.0**r.number("b")
+        self.cell_steps, self.cell_origin = r.varint(), [unzigzag(r.varint()) for _ in range(3)]
+        self.attributes = [Attribute(r) for _ in range(r.u8())]
+        self.primers, self.states, border = [], [States()], None
+        for _ in range(r.u8()):
+            stream, coded_border = r.bytes(r.varint()), r.bytes(r.varint())
+            self.primers.append((CNT_1_stream(stream, Attribute), coded_border))
+            self.states.append(States(self.decode(self.primers[-1], self.states[-1])[1]))
+        r.end()
+
+    def decode(self, coded, states):
+        """A part's mesh [MAP-7, MAP-11], and the states that it leaves."""
+        (header, chunks), border = coded
+        states = States(states.before if states.is_next else None)
+        mesh = decode_chunks(header, copy.deepcopy(chunks), states)
+        mesh.border = MAP_11_border(self, mesh, Coder(border), states) if border else {}
+        return mesh, states.after
+
+    def corner(self, key):
+        """[MAP-3] The lowest corner of the cell of a part, relative to the map's origin."""
+        level, *cell = key
+        return [self.step * (x * 2**level * self.cell_steps + o) for x, o in zip(cell, self.cell_origin)]
+
+    def MAP_7_part(self, key, octets):
+        """The mesh of a part, relative to the map's origin; `key` is (level, x, y, z)."""
+        seed = xxhash.xxh3_64_intdigest(struct.pack("<QBiii", self.hash, *key))
+        digest = struct.unpack("<I", octets[-4:])[0]
+        must(digest == xxhash.xxh3_64_intdigest(octets[:-4], seed=seed) % 2**32, "MAP-7", "the checksum does not match")
+        r = Reader(octets[:-4])
+        if octets[0] & 1:
+            must(octets[0] == 1 and octets[1] < len(self.primers) and len(octets) == 6, "MAP-7", "no primer")
+            return self.decode(self.primers[octets[1]], self.states[octets[1]])[0]
+        header = PartHeader(r, self.corner(key), self.primers[-1][0][0] if self.primers else None)
+        border, shapes = r.bytes(r.varint()), iter(self.attributes)
+        chunks = CNT_4_chunks(r, header, lambda _: next(shapes))
+        return self.decode(((header, chunks), border), self.states[-1])[0]
+
+class PartHeader(Header):
+    """[MAP-7]"""
+    def __init__(self, r, corner, primer):
+        self.corner = corner
+        self.HDR_5_counts(r)
+        if self.flags & 2:
+            must(self.coder == VOXELS and not self.flags & 0x38 and primer.coder == VOXELS, "MAP-7", f"flags {self.flags}")
+            self.levels, self.lattice_origin = r.varint(), primer.lattice_origin
+            width = 2 * self.levels
+            self.steps = [2 * primer.levels * S / width for S in primer.steps]
+            pairs = [(unzigzag(r.varint()), r.varint()) for _ in range(3)]
+            voxels = [math.floor((c - o) / (width * s)) for c, o, s in zip(corner, self.lattice_origin, self.steps)]
+            self.first, self.cells = [width * (f + v) for (f, _), v in zip(pairs, voxels)], [width * cells for _, cells in pairs]
+        else:
+            self.geometry(r)
+
+    def first_point(self, r):
+        by = [math.floor((c - o) / s) for c, o, s in zip(self.corner, self.lattice_origin, self.steps)]
+        return [f + (b if abs(b) <= 2**48 else 0) for f, b in zip(super().first_point(r), by)]
+
+def open_edges(faces, n):
+    """[MAP-11] For every vertex the other ends of its open edges, ascending."""
+    count, result = {}, [[] for _ in range(n)]
+    for edge in (tuple(sorted((face[k], face[k - 1]))) for face in faces for k in range(3)):
+        count[edge] = count.get(edge, 0) + 1
+    for a, b in sorted(edge for edge, faces in count.items() if faces == 1 and edge[0] != edge[1]):
+        result[a].append(b)
+        result[b].append(a)
+    return [sorted(ends) for ends in result]
+
+def MAP_11_border(lattice, mesh, coder, states):
+    """Moves the border's vertices to their points; their points and twins."""
+    learnt = states.models("border", bits=[BitModel(2**8)] + [BitModel(2**15) for _ in range(6)], twin=NumberModel(),
+                           ways=[NumberModel() for _ in range(6)])
+    nearest = np.clip(np.floor(mesh.positions / lattice.step + 0.5), 1 - 2**24, 2**24 - 1).astype(int)
+    header, points, twins = mesh.header, {}, {}
+    for v, ends in enumerate(open_edges(mesh.faces, len(nearest))):
+        before = [u for u in ends if u < v]
+        on = [u for u in before if u in points]
+        if not learnt.bits[1 + (len(on) < len(before)) + 2 * min(len(on), 2) if ends else 0].decode(coder):
+            continue
+        twins[v], expected = learnt.twin.decode(coder), nearest[v]
+        if header.coder == HIGHPASS and on:
+            expected = expected + points[on[-1]] - nearest[on[-1]]
+        loose = [True] * 3
+        if header.coder == VOXELS:
+            steps = [math.floor((x - o) / s + 0.5) for x, o, s in zip(mesh.positions[v].tolist(), header.lattice_origin, header.steps)]
+            loose = [x % 2 == 1 or abs(x) >= 2**50 for x in steps]
+        ways = [unzigzag(learnt.ways[3 * loose[a] + a].decode(coder)) for a in range(3)]
+        points[v] = expected + ways
+        must(np.all(abs(points[v]) < 2**24), "MAP-11", f"point {points[v]}")
+    coder.end()
+    must(points, "MAP-11", "no border vertex")
+    for v, point in points.items():
+        mesh.positions[v] = lattice.step * point
+    return {v: (tuple(point), twins[v]) for v, point in points.items()}
