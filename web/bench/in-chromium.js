@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 // One measurement in a Chromium of its own.
-import { existsSync } from 'node:fs';
-import { createServer } from 'node:http';
-
 import { build } from 'esbuild';
-import puppeteer from 'puppeteer-core';
 
-const CHROMIUM = process.env.CHROMIUM ?? '/usr/bin/chromium';
-export const hasChromium = existsSync(CHROMIUM);
+import { launch, serveFiles } from '../test/chromium.js';
 
 async function bundle() {
   const { outputFiles } = await build({
@@ -25,38 +20,38 @@ async function bundle() {
 
 /** Serves the bundle, and the bytes that a measurement needs by their numbers. */
 export class Chromium {
-  #script = bundle();
-  #files = [];
-  #server = createServer(async ({ url }, response) => {
-    if (url === '/measure.js') response.setHeader('content-type', 'text/javascript').end(await this.#script);
-    else if (url === '/') response.setHeader('content-type', 'text/html').end('<!doctype html><link rel="icon" href="data:,">');
-    else response.end(this.#files[Number(url.slice(1))]);
-  });
+  #files = new Map([['/', '<!doctype html><link rel="icon" href="data:,">']]);
+  #count = 0;
+  #server;
 
   async open() {
-    await new Promise((resolve) => this.#server.listen(0, '127.0.0.1', resolve));
+    this.#files.set('/measure.js', await bundle());
+    this.#server = await serveFiles(this.#files);
     return this;
   }
 
   /** Bytes become numbers of files; everything else stays. */
   #numbered(value) {
-    if (value instanceof Uint8Array) return { file: this.#files.push(value) - 1 };
+    if (value instanceof Uint8Array) {
+      const file = `/${this.#count++}.bin`;
+      this.#files.set(file, value);
+      return { file };
+    }
     if (Array.isArray(value)) return value.map((item) => this.#numbered(item));
     if (typeof value !== 'object') return value;
     return Object.fromEntries(Object.entries(value).map(([key, item]) => [key, this.#numbered(item)]));
   }
 
   async measure(message) {
-    this.#files = [];
     const numbered = this.#numbered(message);
-    const browser = await puppeteer.launch({ executablePath: CHROMIUM, args: ['--no-sandbox'], protocolTimeout: 600000 });
+    const browser = await launch();
     try {
       const page = await browser.newPage();
-      await page.goto(`http://127.0.0.1:${this.#server.address().port}/`);
+      await page.goto(`${this.#server.origin}/`);
       return await page.evaluate(async (numbered) => {
         const fetched = async (value) => {
           if (typeof value !== 'object') return value;
-          if ('file' in value) return new Uint8Array(await (await fetch(`/${value.file}`)).arrayBuffer());
+          if ('file' in value) return new Uint8Array(await (await fetch(value.file)).arrayBuffer());
           if (Array.isArray(value)) return Promise.all(value.map(fetched));
           return Object.fromEntries(await Promise.all(Object.entries(value).map(async ([key, item]) => [key, await fetched(item)])));
         };
@@ -66,6 +61,7 @@ export class Chromium {
       }, numbered);
     } finally {
       await browser.close();
+      for (const name of this.#files.keys()) if (name.endsWith('.bin')) this.#files.delete(name);
     }
   }
 

@@ -9,8 +9,9 @@ import { DeltameshError, createDecoder } from '@deltamesh/decoder';
 import { createEncoder } from '@deltamesh/encoder';
 import createEncoderModule from 'draco3d/draco_encoder_nodejs.js';
 
+import { hasChromium } from '../test/chromium.js';
 import { encodeDraco } from './draco.js';
-import { Chromium, hasChromium } from './in-chromium.js';
+import { Chromium } from './in-chromium.js';
 import { measureInNode } from './in-node.js';
 import { inputs } from './inputs.js';
 import { median } from './measure.js';

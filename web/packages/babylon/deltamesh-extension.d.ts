@@ -4,10 +4,13 @@ import type { DecodeLimits } from '@deltamesh/decoder';
 import type { DecoderPoolOptions } from '@deltamesh/decoder/pool';
 
 /**
- * From now on Babylon.js's loader reads glTF assets with DELTAMESH_mesh_compression, in workers that are kept. A bad stream or asset
- * rejects with the DeltameshError's message.
+ * From now on Babylon.js reads glTF assets with DELTAMESH_mesh_compression, and .dmsh streams, in workers that are kept. A bad stream or
+ * asset rejects with the DeltameshError's message.
+ *
+ * A stream becomes a mesh, its groups submeshes with their numbers as material indices, and `metadata.deltamesh` what is known of it:
+ * { origin, quality, geometry, attributes, chunks }. Where the scene is left-handed the mesh is mirrored by its scaling, as glTF's are.
  */
 export function registerDeltamesh(options?: { pool?: DecoderPoolOptions; limits?: DecodeLimits }): {
-  /** Ends the workers and takes the extension back. */
+  /** Ends the workers and takes the extension back; .dmsh streams are then refused. */
   dispose(): void;
 };

@@ -10,6 +10,8 @@ import { DeltameshError } from '@deltamesh/decoder';
 import { EXTENSION_NAME, arrayOf, findCompressed } from '@deltamesh/decoder/gltf';
 import { DecoderPool } from '@deltamesh/decoder/pool';
 
+import { registerStreamLoader } from './stream-loader.js';
+
 /** Accessors are given views of their own, whose bytes are decoded when they are asked for: that serves morph targets, too. */
 class DeltameshExtension {
   name = EXTENSION_NAME;
@@ -71,6 +73,7 @@ class DeltameshExtension {
 export function registerDeltamesh({ pool, limits } = {}) {
   const decoders = new DecoderPool(pool);
   registerGLTFExtension(EXTENSION_NAME, true, (loader) => new DeltameshExtension(loader, decoders, limits));
+  registerStreamLoader((bytes) => decoders.decode(bytes, { limits }));
   return {
     dispose() {
       unregisterGLTFExtension(EXTENSION_NAME);

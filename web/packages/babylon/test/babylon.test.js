@@ -10,9 +10,16 @@ import { Logger } from '@babylonjs/core/Misc/logger.js';
 import { Scene } from '@babylonjs/core/scene.js';
 import '@babylonjs/loaders/glTF/2.0/index.js';
 import { registerDeltamesh } from '@deltamesh/babylon';
+import { createDecoder } from '@deltamesh/decoder';
 
 Logger.LogLevels = Logger.NoneLogLevel;
 const samples = new URL('../../../../gltf_ext/DELTAMESH_mesh_compression/samples/', import.meta.url);
+
+function golden(name) {
+  const folder = new URL('../../../../tests/golden/', import.meta.url);
+  const file = readdirSync(folder).find((other) => other.startsWith(`${name}.`) && other.endsWith('.dmsh'));
+  return new Uint8Array(readFileSync(new URL(file, folder)));
+}
 
 async function load(url) {
   const scene = new Scene(new NullEngine());
@@ -56,3 +63,29 @@ for (const name of readdirSync(new URL('invalid/', samples))) {
     registered.dispose();
   });
 }
+
+test('a stream becomes a mesh with attributes, submeshes and quality', async () => {
+  const registered = registerDeltamesh();
+  const bytes = golden('asset.bounded');
+  const stream = await (await createDecoder()).decode(bytes);
+  const { meshes } = await ImportMeshAsync(bytes, new Scene(new NullEngine()), { pluginExtension: '.dmsh' });
+  const [mesh] = meshes;
+  assert.equal(mesh.getTotalVertices(), stream.vertexCount);
+  assert.deepEqual(Float32Array.from(mesh.getVerticesData('position')), stream.positions);
+  for (const kind of ['normal', 'tangent', 'uv', 'color', 'matricesIndices', 'matricesWeights'])
+    assert.ok(mesh.isVerticesDataPresent(kind), kind);
+  const color = stream.attributes.find(({ kind }) => kind === 'color');
+  assert.equal(mesh.getVerticesData('color')[0], Math.fround(color.values[0] / 255));
+  assert.deepEqual(mesh.metadata.deltamesh.quality, stream.quality);
+  assert.deepEqual(mesh.subMeshes.map(({ materialIndex }) => materialIndex), [...new Set(stream.groups)].sort((a, b) => a - b));
+  for (const { materialIndex, indexCount } of mesh.subMeshes)
+    assert.equal(indexCount, 3 * stream.groups.filter((group) => group === materialIndex).length);
+  registered.dispose();
+});
+
+test('a bad stream rejects with what is wrong', async () => {
+  const registered = registerDeltamesh();
+  const loading = ImportMeshAsync(new Uint8Array(100), new Scene(new NullEngine()), { pluginExtension: '.dmsh' });
+  await assert.rejects(loading, /HDR-1/);
+  registered.dispose();
+});

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+// Draws assets with three.js, in the page.
+import { DeltameshLoader, gltfDeltameshExtension } from '@deltamesh/three';
+import { Box3, Color, DirectionalLight, HemisphereLight, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+
+import { SIDE, comparePictures, pixelsOf } from './compare.js';
+
+const canvas = document.body.appendChild(Object.assign(document.createElement('canvas'), { width: SIDE, height: SIDE }));
+const renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
+const camera = new PerspectiveCamera(40, 1);
+const streams = new DeltameshLoader();
+const loader = new GLTFLoader().register(gltfDeltameshExtension(streams));
+
+/** Sees all of `box`. */
+function aim(box) {
+  const size = box.getSize(new Vector3()).length();
+  const center = box.getCenter(new Vector3());
+  camera.position.copy(center).add(new Vector3(0.4, 0.5, 0.9).setLength(1.3 * size));
+  camera.near = size / 100;
+  camera.far = 4 * size;
+  camera.lookAt(center);
+  camera.updateProjectionMatrix();
+}
+
+async function open(url) {
+  const { scene } = await loader.loadAsync(url);
+  const shown = new Scene();
+  shown.background = new Color(0x335577);
+  const sun = new DirectionalLight(0xffffff, 1.5);
+  sun.position.set(1, 2, 3);
+  shown.add(scene, sun, new HemisphereLight(0xffffff, 0x808080, 1));
+  // Half of each morph target, so that they are seen, too.
+  scene.traverse((object) => object.morphTargetInfluences?.fill(0.5 / object.morphTargetInfluences.length));
+  shown.updateMatrixWorld(true);
+  return shown;
+}
+
+function draw(scene) {
+  renderer.render(scene, camera);
+  return pixelsOf(canvas);
+}
+
+/** `packed` is left on the canvas. */
+window.compareAssets = async (plain, packed) => {
+  const scenes = await Promise.all([plain, packed].map(open));
+  aim(new Box3().setFromObject(scenes[0].children[0]));
+  return comparePictures(...scenes.map(draw));
+};
+
+/** The message of what goes wrong, or ''. */
+window.tryToLoad = async (url) => {
+  try {
+    await (url.endsWith('.dmsh') ? streams : loader).loadAsync(url);
+    return '';
+  } catch (error) {
+    return error.message;
+  }
+};
