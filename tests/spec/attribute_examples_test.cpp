@@ -32,8 +32,8 @@ class AttributeExamples : public ::testing::Test {
 
   /// The payload of `file` gives `expected`; so does encoding `expected`'s numbers, or `source`'s.
   void check(const std::string& file, const Attribute& source, const Attribute& expected,
-             const AttributeQuality& quality = test::kExactly) {
-    const auto payload = bytes_of(file, "payload");
+             const AttributeQuality& quality = test::kExactly, const std::string& name = "payload") {
+    const auto payload = bytes_of(file, name);
     const AttributeSurface surface(triangles_, 4, {}, positions_);
     const auto coded =
         write_attribute(test::view(source), test::identity(4), {.quality = quality}, surface, others_);
@@ -100,6 +100,14 @@ TEST_F(AttributeExamples, ATTR60ATTR61ATTR62Joints) {
   const Attribute values = attribute(AttributeKind::kJoints, ComponentType::kU8, 4,
                                      line_of<std::uint8_t>("attr_skin.md", "joints"));
   check("attr_skin.md", values, values);
+}
+
+TEST_F(AttributeExamples, ATTR62ATTR63ATTR64ATTR65Weights) {
+  others_ = {attribute(AttributeKind::kJoints, ComponentType::kU8, 4,
+                       line_of<std::uint8_t>("attr_skin.md", "joints"))};
+  const Attribute values = attribute(AttributeKind::kWeights, ComponentType::kU8, 4,
+                                     line_of<std::uint8_t>("attr_skin.md", "weights"));
+  check("attr_skin.md", values, values, test::kExactly, "weights-payload");
 }
 
 }  // namespace

@@ -4,14 +4,19 @@
 // The worked examples of the specification: their bytes decode to their values, and are what the encoder
 // writes.
 #include <gtest/gtest.h>
+#include <xxhash.h>
 
 #include <cstdint>
 #include <vector>
 
+#include "base/byte_writer.h"
 #include "connectivity/connectivity.h"
 #include "connectivity/face_groups.h"
 #include "connectivity/order.h"
 #include "connectivity/seams.h"
+#include "deltamesh/decode.h"
+#include "deltamesh/encode.h"
+#include "deltamesh/version.h"
 #include "geometry/anchor_list.h"
 #include "predictive/positions.h"
 #include "spec/example_lines.h"
@@ -21,6 +26,29 @@ namespace {
 
 using test::bytes_of;
 using test::line_of;
+
+TEST(Examples, CNT1HDR14DIR2AWholeStream) {
+  std::vector<std::byte> bytes;
+  for (const unsigned byte : {0x44U, 0x4dU, 0x53U, 0x80U + kFormatDraft})
+    bytes.push_back(std::byte{static_cast<std::uint8_t>(byte)});
+  for (const char* part : {"header", "chunks"}) {
+    const auto more = bytes_of("format.md", part);
+    bytes.insert(bytes.end(), more.begin(), more.end());
+  }
+  ByteWriter stream;
+  stream.write_bytes(bytes);
+  stream.write(static_cast<std::uint32_t>(XXH3_64bits(bytes.data(), bytes.size())));
+  const auto mesh = decode(stream.bytes());
+  ASSERT_TRUE(mesh) << describe(mesh.error());
+  EXPECT_EQ(mesh->triangles, line_of<std::uint32_t>("format.md", "faces"));
+  EXPECT_EQ(mesh->positions, line_of<float>("format.md", "positions"));
+  Mesh tetrahedron;
+  tetrahedron.positions = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+  tetrahedron.triangles = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
+  const auto encoded = encode(tetrahedron);
+  ASSERT_TRUE(encoded);
+  EXPECT_EQ(encoded->bytes, stream.take());
+}
 
 TEST(Examples, CONN1CONN4CONN5CONN6CONN9CONN12CONN13TwoTriangles) {
   const auto plain = bytes_of("conn.md", "plain");

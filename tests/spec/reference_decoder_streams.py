@@ -1,10 +1,14 @@
 #!/usr/bin/python3
-"""Makes streams with the program, over its options, and compares what the reference decoder and the program decode.
+"""Makes streams with the program, of scenes, meshes and packed assets, over its options, and compares what the reference decoder and the
+program decode.
 
-reference_decoder_streams.py PROGRAM CORPUS [COUNT [FIRST]]; 220 tries make more than 200 streams, as the zstd profile refuses
+reference_decoder_streams.py PROGRAM CORPUS [COUNT [FIRST]]; 220 tries of meshes make more than 200 streams, as the zstd profile refuses
 what has a compact form only. Takes about five minutes.
 """
+import itertools
+import json
 import os
+import struct
 import subprocess
 import sys
 import tempfile
@@ -30,6 +34,10 @@ OPTIONS = ["", "--lossless", "--geometry highpass", "--geometry predictive", "--
            "--geometry predictive --bits 5 --keep-order --weight-error 1/64 --normal-error 8", "--geometry highpass --bits 4 --anchors 1000",
            "--geometry predictive --effort 0 --uv-error 1/100 --normal-error 0.01", "--lossless --effort 0", "--geometry predictive --vde 0.2%"]
 
+ASSETS = [("gltf/Fox.glb", "--lossless"), ("gltf/ClearCoatTest.glb", ""), ("gltf/cakeBirthday.glb", "--color-error 4"),
+          ("gltf/AnimatedMorphSphere.glb", "--normal-error 2"), ("gltf/MorphStressTest.glb", ""), ("gltf/2CylinderEngine.glb", ""),
+          ("formats/Duck.glb", "--effort 0 --uv-error 1/512"), ("formats/boat.glb", "--lossless")]
+
 
 def read_positions(path):
     """The positions of a PLY file of the program, and the other bytes of vertices, and those of faces."""
@@ -39,9 +47,9 @@ def read_positions(path):
     lines = [line.split() for line in head.decode().split("\n")]
     count = next(int(line[2]) for line in lines if line[:2] == ["element", "vertex"])
     fields = [(line[2], sizes[line[1]]) for line in lines if line[:1] == ["property"] and line[1] != "list"]
-    rows = np.frombuffer(body, dtype=fields, count=count)
-    others = [rows[name].tobytes() for name, _ in fields[3:]]
-    return np.stack([rows[a] for a in "xyz"], axis=1).reshape(-1, 3), [fields] + others, body[rows.nbytes:]
+    rows = np.frombuffer(body, dtype=[(f"c{i}", kind) for i, (_, kind) in enumerate(fields)], count=count)
+    columns = [rows[f"c{i}"] for i in range(len(fields))]  # names may come twice
+    return np.stack(columns[:3], axis=1).reshape(-1, 3), [fields] + [x.tobytes() for x in columns[3:]], body[rows.nbytes:]
 
 
 def compare(program, stream, work):
@@ -62,31 +70,69 @@ def compare(program, stream, work):
     return (wrong + (" faces differ" if faces_a != faces_b else "")).strip()
 
 
+def made_by(program, words):
+    """What the program says where it fails, else nothing."""
+    run = subprocess.run([program] + words, capture_output=True, text=True, check=False)
+    return run.stderr.strip() if run.returncode else ""
+
+
+def streams_of_asset(path):
+    """The streams in a packed .glb."""
+    with open(path, "rb") as file:
+        data = file.read()
+    size, = struct.unpack("<I", data[12:16])
+    asset, binary = json.loads(data[20:20 + size]), data[28 + size:]
+    for primitive in (p for mesh in asset["meshes"] for p in mesh["primitives"]):
+        packed = primitive.get("extensions", {}).get("DELTAMESH_mesh_compression")
+        if packed and "bufferView" in packed:
+            view = asset["bufferViews"][packed["bufferView"]]
+            yield binary[view.get("byteOffset", 0):][:view["byteLength"]]
+
+
+def streams_of_meshes(program, corpus, work, count, first):
+    """Pairs of a name and a stream's path."""
+    meshes, stream = [], os.path.join(work, "stream.dmsh")
+    for scene, vertices, seed in SCENES:
+        meshes.append(os.path.join(work, f"{scene}_{seed}.glb" if scene == "cad" else f"{scene}_{seed}.ply"))
+        made_by(program, ["generate", scene, meshes[-1], "--vertices", str(vertices), "--seed", str(seed)])
+    meshes += [os.path.join(corpus, name) for name in FILES]
+    for i in range(first, first + count):
+        mesh, options = meshes[i % len(meshes)], OPTIONS[(i // len(meshes) + i) % len(OPTIONS)]
+        fault = made_by(program, ["encode", mesh, stream] + options.split())
+        if fault:
+            print(f"{i} {os.path.basename(mesh)} {options}: not made: {fault}")
+        else:
+            yield f"{i} {os.path.basename(mesh)} {options}", stream
+
+
+def streams_of_assets(program, corpus, work):
+    for asset, options in ASSETS:
+        packed = os.path.join(work, "packed.glb")
+        fault = made_by(program, ["gltf", "pack", os.path.join(corpus, asset), packed] + options.split())
+        if fault:
+            print(f"{asset} {options}: not made: {fault}")
+            continue
+        for i, data in enumerate(streams_of_asset(packed)):
+            if len(data) < 30000:
+                stream = os.path.join(work, "stream.dmsh")
+                with open(stream, "wb") as file:
+                    file.write(data)
+                yield f"{asset} {options}, stream {i}", stream
+
+
 def main():
     program, corpus = sys.argv[1:3]
     count, first = (int(x) for x in (sys.argv[3:] + ["220", "0"][len(sys.argv) - 3:]))
     alike = made = 0
     with tempfile.TemporaryDirectory() as work:
-        meshes = []
-        for scene, vertices, seed in SCENES:
-            meshes.append(os.path.join(work, f"{scene}_{seed}.glb" if scene == "cad" else f"{scene}_{seed}.ply"))
-            subprocess.run([program, "generate", scene, meshes[-1], "--vertices", str(vertices), "--seed", str(seed)], check=True,
-                           stdout=subprocess.DEVNULL)
-        meshes += [os.path.join(corpus, name) for name in FILES]
-        for i in range(first, first + count):
-            mesh, options = meshes[i % len(meshes)], OPTIONS[(i // len(meshes) + i) % len(OPTIONS)]
-            stream = os.path.join(work, "stream.dmsh")
-            run = subprocess.run([program, "encode", mesh, stream] + options.split(), capture_output=True, text=True)
-            if run.returncode:
-                print(f"{i} {os.path.basename(mesh)} {options}: not made: {run.stderr.strip()}")
-                continue
+        for name, stream in itertools.chain(streams_of_meshes(program, corpus, work, count, first), streams_of_assets(program, corpus, work)):
             made += 1
             try:
                 wrong = compare(program, stream, work)
             except Exception as error:  # any failure is one of this stream
                 wrong = f"{type(error).__name__} {error}"
             alike += not wrong
-            print(f"{i} {os.path.basename(mesh)} {options}: {wrong or 'ok'}", flush=True)
+            print(f"{name}: {wrong or 'ok'}", flush=True)
     print(f"{alike} of {made} streams decode alike")
     return alike < made
 

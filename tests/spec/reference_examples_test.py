@@ -1,0 +1,123 @@
+#!/usr/bin/python3
+"""Decodes the worked examples of the specification with the reference decoder, and compares with the values beside them."""
+import os
+import struct
+import sys
+from types import SimpleNamespace
+
+import numpy as np
+
+from reference_decoder_test import ROOT
+from anch import ANCH_1_read
+from attr import ATTR_2_values, Surface, TYPES
+from coder import Coder, States
+from container import DIR_2_chunk, FLOATS, Header, LATTICE, Reader, VOXELS
+from delt import DELT_1_positions
+from fgrp import FGRP_1_read
+from fields import FLD_numbers
+from glue import CONN_8_faces
+from graph import components, neighbours
+from mesh import decode_chunks, nothing
+from ordr import ORDR_1_read
+from posn import POSN_1_positions
+from seam import SEAM_1_read
+
+TWO = [(0, 1, 2), (2, 1, 3)]
+
+
+def line(file, name, kind=int):
+    """The numbers of the first line of a file of spec/ that starts with this name."""
+    with open(os.path.join(ROOT, "spec", file), encoding="utf-8") as text:
+        words = next(x for x in text if x.startswith(f"    {name}:")).split()[1:]
+    return bytes.fromhex("".join(words)) if kind is bytes else [kind(x) for x in words]
+
+
+def chunk(file, name="compact"):
+    return SimpleNamespace(data=line(file, name, bytes), is_compact=name not in ("plain", "anchors"), descriptor=None)
+
+
+def triples(numbers):
+    return [tuple(numbers[i:i + 3]) for i in range(0, len(numbers), 3)]
+
+
+def lattice(coder, n, **more):
+    fields = {"steps": [1.0] * 3, "lattice_origin": [0.0] * 3, "first": [0] * 3, "coder": coder, "geometric": n, "levels": 1}
+    header = SimpleNamespace(**{**fields, **more})
+    header.POSN_2_place = lambda axis, q: Header.POSN_2_place(header, axis, q)
+    return header
+
+
+def positions(file, header, faces):
+    return POSN_1_positions(chunk(file, "payload"), header, faces, States(), nothing).astype("f4")
+
+
+def attribute(file, kind, type_number, k, others=(), name="payload"):
+    surface = Surface(SEAM_1_read(None, TWO, 4, 4), np.array(line("posn.md", "q"), dtype="f4").reshape(4, 3), TWO, list(others), States())
+    described = SimpleNamespace(kind=kind, type=TYPES[type_number], k=k, name=b"")
+    described.is_shape = lambda kind, types, counts: described.kind == kind and described.type in types and described.k in counts
+    surface.attributes.append(described)
+    data = line(file, name, bytes)
+    described.values = ATTR_2_values(SimpleNamespace(data=data, descriptor=described, is_compact=data[0] > 3), surface)
+    return described
+
+
+def highpass(name):
+    header = SimpleNamespace(anchors=2, anchor_bits=4, box_min=[0, 0, 0], box_max=[3, 1, 1.5], step=0.25, shift_ones=32, shift_others=16, cycles=0)
+    around = neighbours(triples(line("delt.md", "faces")), 8)
+    anchors = ANCH_1_read(chunk("delt.md", "anchors"), header, 8, components(around))
+    return DELT_1_positions({"DELT": chunk("delt.md", name)}, header, around, components(around), anchors, nothing)
+
+
+def stream():
+    header, r = Header(Reader(line("format.md", "header", bytes))), Reader(line("format.md", "chunks", bytes))
+    chunks = []
+    while r.at < len(r.data):
+        chunks.append(DIR_2_chunk(r, header, None))
+    return decode_chunks(header, chunks, States())
+
+
+def examples():
+    """Names, decoded values and those of the text."""
+    for form in ("plain", "compact"):
+        yield f"conn.md {form}", CONN_8_faces(chunk("conn.md", form), 2, 4, States()), line("conn.md", "faces")
+        yield f"seam.md {form}", SEAM_1_read(chunk("seam.md", form), TWO, 4, 6).faces, line("seam.md", "faces")
+        yield f"fgrp.md {form}", FGRP_1_read(chunk("fgrp.md", form), TWO), line("fgrp.md", "groups")
+        yield (f"ordr.md {form}", np.hstack(ORDR_1_read(chunk("ordr.md", form), TWO, 4)),
+               line("ordr.md", "vertices") + line("ordr.md", "faces") + line("ordr.md", "rotations"))
+        header = SimpleNamespace(anchors=2, anchor_bits=12, box_min=[0] * 3, box_max=[4095] * 3)
+        yield f"anch.md {form}", list(ANCH_1_read(chunk("anch.md", form), header, 4, []).values()), [0, 0, 100, 4095, 2000, 50]
+        yield f"delt.md {form}", highpass(form), line("delt.md", "positions", float)
+    yield "compact.md", FLD_numbers(Coder(bytes.fromhex("7547cfad01b51e4fa619cc3511")), neighbours([(0, 1, 2), (1, 3, 2)], 4)), \
+        [1, 0, 3, 1, -2, 3, 1, -2, 3, 40, -80, 9]
+    yield "posn.md", positions("posn.md", lattice(LATTICE, 4, cells=[4, 4, 3]), TWO), line("posn.md", "q")
+    yield ("posn_voxels.md", positions("posn_voxels.md", lattice(VOXELS, 6, cells=[5, 8, 3], levels=2), triples(line("posn_voxels.md", "faces"))),
+           line("posn_voxels.md", "q"))
+    box_max = [1.0, struct.unpack("<f", struct.pack("<f", 1.1))[0], 0.5]
+    yield ("posn_floats.md", positions("posn_floats.md", lattice(FLOATS, 4, box_min=[0.0] * 3, box_max=box_max), TWO),
+           line("posn_floats.md", "values", np.float32))
+    yield "attr.md", attribute("attr.md", 3, 3, 2).values, line("attr.md", "values")
+    yield "attr_lattice.md", attribute("attr_lattice.md", 3, 3, 1).values, line("attr_lattice.md", "values")
+    yield "attr_colors.md", attribute("attr_colors.md", 1, 1, 3).values, line("attr_colors.md", "values")
+    yield "attr_normals.md", attribute("attr_normals.md", 0, 6, 3).values, line("attr_normals.md", "values", np.float32)
+    uvs, joints = attribute("attr_uvs.md", 2, 6, 2), attribute("attr_skin.md", 5, 1, 4)
+    yield "attr_uvs.md", uvs.values, line("attr_uvs.md", "values", np.float32)
+    yield "attr_tangents.md", attribute("attr_tangents.md", 4, 6, 4, [uvs]).values, line("attr_tangents.md", "values", np.float32)
+    yield "attr_skin.md joints", joints.values, line("attr_skin.md", "joints")
+    yield "attr_skin.md weights", attribute("attr_skin.md", 6, 1, 4, [joints], "weights-payload").values, line("attr_skin.md", "weights")
+    mesh = stream()
+    yield "format.md faces", mesh.faces, line("format.md", "faces")
+    yield "format.md positions", mesh.positions, line("format.md", "positions", np.float32)
+
+
+def main():
+    failed = 0
+    for name, own, expected in examples():
+        own, expected = np.array(own).reshape(-1), np.array(expected)
+        is_same = own.shape == expected.shape and (np.allclose(own, expected, atol=1e-6) if "delt" in name else np.array_equal(own, expected))
+        print(f"{name}: {'ok' if is_same else f'{own} in place of {expected}'}")
+        failed += not is_same
+    return failed > 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
