@@ -9,7 +9,7 @@ from container import must
 from attr_normals import ATTR_22_rule, NOWHERE
 from graph import others
 from vectors import F, ATTR_22_corner_angles, ATTR_22_scaled, ATTR_23_frame, ATTR_24_point, cross, dot, f32_vector, sum_at_corners
-from walk import ATTR_30_walk, BitOfFaces, PairCoder, whole_part
+from walk import ATTR_30_order, BitOfFaces, PairCoder, whole_part
 
 NOTHING = f32_vector(0, 0)
 
@@ -63,7 +63,7 @@ class TangentCoder:
 
     def decode(self):
         last = NOWHERE
-        for v, completed in ATTR_30_walk(self.surface.faces, self.surface.n):
+        for v, completed in ATTR_30_order(self.surface.faces, self.surface.n):
             self.ATTR_41_vertex(v, len(completed), [u for c in completed for u in others(self.surface.faces, c)], last)
             last = self.tangents[v][:3]
         return self.tangents

@@ -6,7 +6,7 @@ from coder import Coder
 from container import must
 from graph import corners, others
 from vectors import cross, dot, to_f32, vector
-from walk import ATTR_30_walk, BitOfFaces, Blend, PairCoder, whole_part
+from walk import ATTR_30_order, BitOfFaces, Blend, PairCoder, whole_part
 
 NOTHING = vector(0, 0)
 
@@ -69,7 +69,7 @@ class UvCoder:
 
     def decode(self):
         last = NOTHING
-        for v, completed in ATTR_30_walk(self.faces, self.surface.n):
+        for v, completed in ATTR_30_order(self.faces, self.surface.n):
             forecast = self.ATTR_33_forecast(v, completed, last)
             last = self.values[v] = self.ATTR_37_value(v, [u for c in completed for u in others(self.faces, c)], forecast)
             self.learn(v, completed, forecast)

@@ -1,4 +1,4 @@
-"""What texture coordinates and tangents share: the surface walk [ATTR-30], blends [ATTR-35], pairs of numbers [ATTR-37]."""
+"""What texture coordinates and tangents share: the surface order [ATTR-30], blends [ATTR-35], pairs of numbers [ATTR-37]."""
 import numpy as np
 
 from coder import bit_models, bits, clamp, mixing_weights, symbol_models
@@ -6,8 +6,8 @@ from graph import corners, others
 from scaled import SYMBOL_WEIGHTS, ScaledCoder
 from vectors import dot
 
-def ATTR_30_walk(faces, n):
-    """Pairs of a vertex and the corners by which it completes faces, in the order of the walk."""
+def ATTR_30_order(faces, n):
+    """Pairs of a vertex and the corners by which it completes faces, in their order."""
     at, visited, met, waits = corners(faces, n), [False] * n, [0] * len(faces), [0] * n
     queue, stack, result, head = [], [], [], 0
 
