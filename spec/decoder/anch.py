@@ -4,15 +4,15 @@ from container import Reader, must, unzigzag
 
 def ANCH_1_read(chunk, header, n, components):
     """The anchors' positions by their vertices, in rising order."""
-    data, count = chunk.data if chunk else b"", header.anchors
-    if chunk and chunk.is_compact:
-        coder = Coder(data)
+    count = header.anchors
+    if chunk.is_compact:
+        coder = Coder(chunk.data)
         models = [NumberModel() for _ in range(4)]
         numbers = [[model.decode(coder) for model in models] for _ in range(count)]  # [ANCH-5]
         coder.end()
     else:
-        r = Reader(data)
-        gaps, cells = (r.planes(count), r.planes(3 * count)) if data or count else ([], [])
+        r = Reader(chunk.data)
+        gaps, cells = (r.planes(count), r.planes(3 * count)) if chunk.data or count else ([], [])
         r.end()
         numbers = [[gaps[i]] + cells[i::count] for i in range(count)]
     side = max(b - a for a, b in zip(header.box_min, header.box_max)) / (2**header.anchor_bits - 1)

@@ -1,4 +1,6 @@
 """CONN: the faces over manifold vertices: conn.md."""
+from collections import deque
+
 from coder import Coder, NumberModel, SymbolModel, bits, clamp, mixing_weights, symbol_models
 from container import Reader, must
 
@@ -93,7 +95,7 @@ class Walk:
     def __init__(self, m, ops):
         self.m, self.ops, self.faces, self.manifold, self.filled = m, ops, [], 0, 6
         self.origin, self.prev, self.next, self.closed, self.full, self.alive = [], [], [], [], [], []
-        self.queues, self.heads = [[] for _ in range(9)], [0] * 9
+        self.queues = [deque() for _ in range(9)]
         while len(self.faces) < m:
             self.CONN_4_component()
         ops.end()
@@ -141,9 +143,8 @@ class Walk:
             self.CONN_6_fill(t)
 
     def CONN_5_gap(self):
-        while number := next((k for k in range(8, 0, -1) if self.heads[k] < len(self.queues[k])), 0):
-            t = self.queues[number][self.heads[number]]
-            self.heads[number] += 1
+        while queue := next((queue for queue in reversed(self.queues) if queue), None):
+            t = queue.popleft()
             if self.alive[t] and not (self.closed[t] and self.closed[self.prev[t]]):
                 return t
         return None

@@ -162,6 +162,8 @@ def ENT_1_expand(data, length):
     must(unzip.eof and not unzip.unused_data and len(payload) == length, "ENT-1", "the frame has another length")
     return payload
 
+NO_CHUNK = SimpleNamespace(data=b"", is_compact=False)  # [DIR-8]
+
 def DIR_2_chunk(r, header, read_descriptor):
     """[DIR-2, DIR-4, DIR-5, DIR-7] A chunk, or None where it is skipped."""
     byte = r.u8()

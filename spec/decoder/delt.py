@@ -45,7 +45,7 @@ def DELT_4_least_squares(graph, deltas, places):
 def DELT_1_positions(chunks, header, around, components, anchors, dump):
     """The positions of the geometric vertices in doubles."""
     solved = sorted(v for c in components if is_solved(c) for v in c)
-    deltas = DELT_2_deltas(chunks.get("DELT"), header, around, solved)
+    deltas = DELT_2_deltas(chunks["DELT"], header, around, solved)
     row = {v: i for i, v in enumerate(solved)}
     positions = np.zeros((len(around), 3))
     for v, place in anchors.items():

@@ -4,7 +4,7 @@ from container import Reader, must
 
 def FGRP_1_read(chunk, faces):
     """The group of every decoded face, or None."""
-    if not chunk or not chunk.data:
+    if not chunk.data:
         return None
     if chunk.is_compact:
         groups = FGRP_2_compact(chunk.data, faces)

@@ -5,13 +5,12 @@ from container import Reader, must, unzigzag
 
 def CONN_8_faces(chunk, m, n, states):
     """The faces over geometric vertices, as triples."""
-    data = chunk.data if chunk else b""
     if m == 0:
-        Reader(data).end()
+        Reader(chunk.data).end()
         return []
-    ops = (CompactOps if chunk and chunk.is_compact else PlainOps)(data, m, states)
+    ops = (CompactOps if chunk.is_compact else PlainOps)(chunk.data, m, states)
     walk = Walk(m, ops)
-    if chunk and chunk.is_compact:
+    if chunk.is_compact:
         vertex_of = CONN_13_glue(ops.coder, walk, n)
         ops.coder.end()
     else:

@@ -10,10 +10,7 @@ class Known:
         self.faces, self.count, self.parallelograms = faces, count, [face for face in faces if face[2] is not None]
         self.neighbours = [b for _, b, _ in faces] + [a for a, _, _ in faces if all(a != b for _, b, _ in faces)]
         self.corners = [u for a, b, _ in faces for u in (a, b)]
-
-    def sources(self, faces):
-        """[POSN-5]"""
-        return min(len(self.parallelograms), 3) + 1 if self.parallelograms else int(bool(faces))
+        self.sources = min(len(self.parallelograms), 3) + 1 if self.parallelograms else int(bool(faces))  # [POSN-5]
 
 def POSN_3_other(faces, low):
     """The corner across the edge from a vertex with these known faces to the vertex `low`, or None."""
@@ -97,10 +94,6 @@ class PredictedCoder:
     def before(self, v):
         return self.row(v - 1, v) if v else [0, 0, 0]
 
-    def kept_faces(self, v):
-        """Pairs of corners whose magnitudes and residuals count."""
-        return [(a, b) for a, b, _ in self.known[v].faces[:2]]
-
     def read(self, v, x):
         """The number of a vertex on an axis."""
         if self.lacking[x.axis]:
@@ -117,7 +110,7 @@ class PredictedCoder:
     def kept(self, v):
         """[POSN-5] G and R"""
         def mean(of):
-            sums = [[of[a][i] + of[b][i] for a, b in self.kept_faces(v)] for i in range(3)]
+            sums = [[of[a][i] + of[b][i] for a, b, _ in self.known[v].faces[:2]] for i in range(3)]
             return [sum(s) >> len(s) for s in sums]
         return mean(self.sizes), mean(self.residuals)
 
@@ -125,11 +118,10 @@ class PredictedCoder:
         """A generator that decodes one number of vertex v at each step."""
         known, (G, R) = self.known[v], self.kept(v)
         before = [0, 0, 0] if known.faces else self.before(v)
-        sources = known.sources(self.kept_faces(v))
         row, off, self.sizes[v], self.residuals[v], missed = [], [], [], [], set()
         for a in range(3):
             expected = POSN_4_expect(known, self.table, lambda u: self.row(u, v)[a], before[a])
-            x = Context(a, expected, G, R[a], sources, off, clamp((expected[0] + 8) >> 4, *self.limits[a]))
+            x = Context(a, expected, G, R[a], known.sources, off, clamp((expected[0] + 8) >> 4, *self.limits[a]))
             x.row, x.missed = row, missed
             q = self.read(v, x)
             must(self.limits[a][0] <= q <= self.limits[a][1], self.rule, f"number {q} of vertex {v}")
@@ -137,7 +129,7 @@ class PredictedCoder:
             off.append(q - x.whole)
             e = clamp(16 * q - expected[0], -2**26, 2**26)
             self.residuals[v].append(e)
-            self.sizes[v].append((5 * abs(e) + 3 * G[a]) >> 3 if sources else abs(e))
+            self.sizes[v].append((5 * abs(e) + 3 * G[a]) >> 3 if known.sources else abs(e))
             if a == 2:
                 self.rows[v] = row
             yield

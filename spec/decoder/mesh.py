@@ -1,10 +1,12 @@
 """A whole stream to a mesh: the order of the chunks, and GEO-1."""
+from collections import defaultdict
+
 import numpy as np
 
 from coder import States
 from attr import ATTR_11_decode, Attribute, Surface
 from anch import ANCH_1_read
-from container import CNT_1_stream, HIGHPASS, must
+from container import NO_CHUNK, CNT_1_stream, HIGHPASS, must
 from delt import DELT_1_positions
 from fgrp import FGRP_1_read
 from glue import CONN_8_faces
@@ -32,20 +34,20 @@ def decode(data, dump=nothing, states=None):
 def decode_chunks(header, listed, states, dump=nothing):
     mesh = Mesh()
     mesh.header = header
-    chunks = {chunk.tag: chunk for chunk in listed if chunk.tag != "ATTR"}
-    faces = CONN_8_faces(chunks.get("CONN"), header.triangles, header.geometric, states)
+    chunks = defaultdict(lambda: NO_CHUNK, {chunk.tag: chunk for chunk in listed if chunk.tag != "ATTR"})
+    faces = CONN_8_faces(chunks["CONN"], header.triangles, header.geometric, states)
     around = neighbours(faces, header.geometric)
     parts = components(around)
     must(len(parts) == header.components, "HDR-7", f"{len(parts)} components in place of {header.components}")
-    seams = SEAM_1_read(chunks.get("SEAM"), faces, header.geometric, header.vertices)
+    seams = SEAM_1_read(chunks["SEAM"], faces, header.geometric, header.vertices)
     dump("faces", faces)
     dump("seams", seams.faces)
-    groups = FGRP_1_read(chunks.get("FGRP"), seams.faces)
+    groups = FGRP_1_read(chunks["FGRP"], seams.faces)
     mesh.exact = header.coder != HIGHPASS
     if mesh.exact:
-        positions = GEO_1_round(POSN_1_positions(chunks.get("POSN"), header, faces, states, dump))
+        positions = GEO_1_round(POSN_1_positions(chunks["POSN"], header, faces, states, dump))
     else:
-        anchors = ANCH_1_read(chunks.get("ANCH"), header, header.geometric, parts)
+        anchors = ANCH_1_read(chunks["ANCH"], header, header.geometric, parts)
         positions = GEO_1_round(DELT_1_positions(chunks, header, around, parts, anchors, dump))
     mesh.positions = positions[seams.geometric]
     known = mesh.positions if mesh.exact else None  # [ATTR-10]
@@ -54,7 +56,7 @@ def decode_chunks(header, listed, states, dump=nothing):
     ATTR_11_decode(attributes, Surface(seams, known, faces, mesh.attributes, states))
     mesh.faces, mesh.groups = seams.faces, groups
     if header.restore_order:
-        restore(mesh, *ORDR_1_read(chunks.get("ORDR"), seams.faces, header.vertices))
+        restore(mesh, *ORDR_1_read(chunks["ORDR"], seams.faces, header.vertices))
     return mesh
 
 def restore(mesh, places, face_places, rotations):

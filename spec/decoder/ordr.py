@@ -6,8 +6,8 @@ from container import Reader, must, unzigzag
 
 def ORDR_1_read(chunk, faces, n):
     """The places of vertices, those of faces, and the rotations."""
-    m, data = len(faces), chunk.data if chunk else b""
-    if chunk and chunk.is_compact:
+    m, data = len(faces), chunk.data
+    if chunk.is_compact:
         return ORDR_5_compact(data, faces, n)
     r, runs = Reader(data), []
     for count in (n, m):

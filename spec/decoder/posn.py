@@ -1,6 +1,7 @@
-"""POSN: predictive geometry: the walk, the order of vertices, replacements: posn.md."""
+"""POSN: predictive geometry: the order of vertices, replacements: posn.md."""
 import math
 import struct
+from collections import deque
 
 import numpy as np
 
@@ -9,29 +10,28 @@ from container import LATTICE, VOXELS, must
 from floats import FLT_1_bits, FLT_1_ordinal, FLT_2_last_place, FloatCoder
 from graph import corners, others
 from lattice import POSN_3_known, POSN_8_table, PredictedCoder, fresh_models
+from voxels import VOX_1_rows
 
 def POSN_1_positions(chunk, header, faces, states, dump):
     """The positions of the geometric vertices in doubles."""
     n = header.geometric
     if n == 0:
-        must(not chunk or not chunk.data, "POSN-1", "a payload without vertices")
+        must(not chunk.data, "POSN-1", "a payload without vertices")
         return np.zeros((0, 3))
-    must(chunk and chunk.is_compact, "POSN-1", "the payload is not compact")
+    must(chunk.is_compact, "POSN-1", "the payload is not compact")
     coder = Coder(chunk.data)
-    order = POSN_10_walk(coder.raw(2), faces, n)
+    order = POSN_10_order(coder.raw(2), faces, n)
     number = {v: i for i, v in enumerate(order)}
-    walked = [tuple(number[v] for v in face) for face in faces]
-    dump("walk", order)
+    ordered = [tuple(number[v] for v in face) for face in faces]
+    dump("order", order)
     if header.coder == VOXELS:
-        from voxels import VOX_1_rows
-        rows = VOX_1_rows(coder, walked, n, header, states)
-        positions = POSN_2_positions(rows, header)
+        positions = POSN_2_positions(VOX_1_rows(coder, ordered, n, header, states), header)
     elif header.coder == LATTICE:
-        positions = POSN_9_lattice(coder, walked, n, header, states)
+        positions = POSN_9_lattice(coder, ordered, n, header, states)
     else:
-        positions = FLT_positions(coder, walked, n, header)
+        positions = FLT_positions(coder, ordered, n, header)
     coder.end()
-    dump("positions in the walk's order", positions)
+    dump("positions in this order", positions)
     return positions[[number[v] for v in range(n)]]
 
 def POSN_2_positions(rows, header):
@@ -65,36 +65,30 @@ def POSN_11_replace(coder, positions):
         must(at < flat.size and math.isfinite(value), "POSN-11", "a replacement is out of range or not finite")
         flat[at] = value
 
-def POSN_10_walk(walk, faces, n):
+def POSN_10_order(order, faces, n):
     """The vertices in the order in which they are coded."""
-    must(walk != 3, "POSN-10", "walk 3")
-    if walk == 0:
+    must(order != 3, "POSN-10", "order 3")
+    if order == 0:
         return list(range(n))
-    at, placed, count, order = corners(faces, n), [False] * n, [0] * n, []
-    lists, heads, first = [[], [], []], [0, 0, 0], 0
-    while len(order) < n:
-        v = None
-        while v is None and (number := next((k for k in (2, 1, 0) if heads[k] < len(lists[k])), None)) is not None:
-            if walk == 1:
-                v = lists[number][heads[number]]
-                heads[number] += 1
-            else:
-                v = lists[number].pop()
-            v = None if placed[v] else v
-        if v is None:
-            while placed[first]:
-                first += 1
-            v = first
+    at, placed, count, result, lists = corners(faces, n), [False] * n, [0] * n, [], [deque() for _ in range(4)]
+
+    def place(v):
         placed[v] = True
-        order.append(v)
-        for corner in at[v]:
-            a, b = others(faces, corner)
-            if placed[a] != placed[b]:
-                other = b if placed[a] else a
-                count[other] += 1
-                if count[other] <= 3:
-                    lists[count[other] - 1].append(other)
-    return order
+        result.append(v)
+        for a, b in (others(faces, corner) for corner in at[v]):
+            u = b if placed[a] else a
+            if placed[a] != placed[b] and count[u] < 3:
+                count[u] += 1
+                lists[count[u]].append(u)
+
+    for first in range(n):
+        if not placed[first]:
+            place(first)
+        while waiting := lists[3] or lists[2] or lists[1]:
+            u = waiting.popleft() if order == 1 else waiting.pop()
+            if not placed[u]:
+                place(u)
+    return result
 
 def FLT_positions(coder, faces, n, header):
     """[FLT-2] for the units"""

@@ -6,7 +6,7 @@ from container import Reader, must
 
 def SEAM_1_read(chunk, faces, n_g, n):
     """[SEAM-5] `faces` over vertices; `first[g]`, the first copy of geometric vertex g; `geometric[v]`, that of v."""
-    data, copies, corners = chunk.data if chunk else b"", [1] * n_g, [0] * (3 * len(faces))
+    data, copies, corners = chunk.data, [1] * n_g, [0] * (3 * len(faces))
     must((n == n_g) == (not data), "SEAM-1", "the chunk is there without copies, or not with them")
     if data:
         copies, corners = (SEAM_6_compact if chunk.is_compact else SEAM_2_plain)(data, faces, n_g, n)

@@ -1,4 +1,6 @@
 """What texture coordinates and tangents share: the surface order [ATTR-30], blends [ATTR-35], pairs of numbers [ATTR-37]."""
+from collections import deque
+
 import numpy as np
 
 from coder import bit_models, bits, clamp, mixing_weights, symbol_models
@@ -9,7 +11,7 @@ from vectors import dot
 def ATTR_30_order(faces, n):
     """Pairs of a vertex and the corners by which it completes faces, in their order."""
     at, visited, met, waits = corners(faces, n), [False] * n, [0] * len(faces), [0] * n
-    queue, stack, result, head = [], [], [], 0
+    queue, stack, result = deque(), [], []
 
     def visit(v):
         if visited[v]:
@@ -28,12 +30,8 @@ def ATTR_30_order(faces, n):
     for face in faces:
         for v in face:
             visit(v)
-        while head < len(queue) or stack:
-            if head < len(queue):
-                head += 1
-                visit(queue[head - 1])
-            else:
-                visit(stack.pop())
+        while queue or stack:
+            visit(queue.popleft() if queue else stack.pop())
     for v in range(n):
         visit(v)
     return result

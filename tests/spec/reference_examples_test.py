@@ -11,7 +11,7 @@ from reference_decoder_test import ROOT
 from anch import ANCH_1_read
 from attr import ATTR_2_values, Surface, TYPES
 from coder import Coder, States
-from container import DIR_2_chunk, FLOATS, Header, LATTICE, Reader, VOXELS
+from container import DIR_2_chunk, FLOATS, Header, LATTICE, NO_CHUNK, Reader, VOXELS
 from delt import DELT_1_positions
 from fgrp import FGRP_1_read
 from fields import FLD_numbers
@@ -52,7 +52,7 @@ def positions(file, header, faces):
 
 
 def attribute(file, kind, type_number, k, others=(), name="payload"):
-    surface = Surface(SEAM_1_read(None, TWO, 4, 4), np.array(line("posn.md", "q"), dtype="f4").reshape(4, 3), TWO, list(others), States())
+    surface = Surface(SEAM_1_read(NO_CHUNK, TWO, 4, 4), np.array(line("posn.md", "q"), dtype="f4").reshape(4, 3), TWO, list(others), States())
     described = SimpleNamespace(kind=kind, type=TYPES[type_number], k=k, name=b"")
     described.is_shape = lambda kind, types, counts: described.kind == kind and described.type in types and described.k in counts
     surface.attributes.append(described)
