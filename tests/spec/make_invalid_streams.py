@@ -18,7 +18,7 @@ import traceback
 
 from reference_decoder_test import GOLDEN, decode, tag_of
 from container import Broken, DRAFT
-from stream_changes import Parts, changed, of_this_draft
+from stream_changes import Parts, changed, of_this_draft, sealed, varint
 
 FOLDER = os.path.join(GOLDEN, "invalid")
 
@@ -97,16 +97,34 @@ def by_hand(program):
     """Streams for rules that changes by chance hardly break."""
     valid = golden("tetrahedron.default")
     yield from (b"XMS" + valid[3:], valid[:3] + b"\1" + valid[4:], valid[:3] + bytes([127 + DRAFT]) + valid[4:],
-                valid[:-1] + bytes([valid[-1] ^ 1]))
+                valid[:-1] + bytes([valid[-1] ^ 1]), valid[:7])
+    yield from headers_by_hand(Parts(valid), Parts(generated(program, "terrain", 30, "")))
+    yield from (sealed(valid[:-4] + chunk) for chunk in (b"\0ABCD\0", b"\x11\1" + varint(3000) + b"\0"))
+    yield Parts(valid).replace("CONN", None, bytes(21))  # no tokens
     fragments = Parts(generated(program, "fragments", 60, "--geometry highpass"))
     yield fragments.replace("ANCH", None, b"\0\0")  # the first vertices are the anchors
     asset = Parts(golden("asset.lossless"))
     yield asset.replace("FGRP", None, b"\3" + bytes(2 * asset.fields.triangles) + b"\1" * asset.fields.triangles)
     yield Parts(golden("asset.lossless")).replace("ATTR", b"\x09", b"\x09\0")  # a sum of 0
-    grid = Parts(golden("grid.lossless"))
-    step = struct.pack("<f", grid.fields.steps[0])[1:]
-    grid.header = grid.header.replace(step, b"\0\0\x7f")  # 2^127
-    yield grid.stream()
+    yield Parts(generated(program, "cad", 30, "--geometry highpass")).replace("ATTR", b"\4", b"\4\1\0\0\x80\x3e")  # a rule
+
+
+def headers_by_hand(lattice, georeferenced):
+    """Headers of a stream on a lattice and of one with an origin, changed."""
+    def stream(header, chunks=b""):
+        return sealed(lattice.header[:4] + header + chunks)
+    flags, counts, rest = lattice.header[4:5], lattice.header[5:9], lattice.header[9:]
+    step, nan = struct.pack("<f", lattice.fields.steps[0])[1:], struct.pack("<d", float("nan"))
+    lattice.header = lattice.header.replace(step, b"\0\0\x7f")  # 2^127
+    yield lattice.stream()
+    yield stream(flags + b"\x80" * 10 + b"\1" + counts[1:] + rest)
+    yield stream(flags + counts[:1] + varint(2**31 - 1) + b"\1\1" + rest)
+    yield stream(flags + bytes(4) + rest, b"\6\1\0")  # no vertices, but a payload of positions
+    after = rest.index(step) + len(step)
+    yield stream(bytes([flags[0] | 32]) + counts + rest[:after] + nan * 3 + rest[after:])
+    origin = struct.pack("<3d", *georeferenced.fields.origin)
+    georeferenced.header = georeferenced.header.replace(origin, nan + origin[8:])
+    yield georeferenced.stream()
 
 
 def seeds(program):
