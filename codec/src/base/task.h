@@ -12,13 +12,13 @@
 
 namespace deltamesh {
 
-/// Calls `work` on a thread of the team, or, where none is free or there is no team, when the result is asked
-/// for. Whatever `work` refers to must outlive this; the destructor waits for a thread that is at it.
+/// Calls `work` on a thread of `team`, or, where none is free or that is null, when the result is asked for.
+/// Whatever `work` refers to must outlive this; the destructor waits for a thread that is at it.
 template <class T>
 class Task {
  public:
   template <class Work>
-  explicit Task(const Work& work) : work_(work), team_(ThreadTeam::current()), job_(1, &Task::run, this) {
+  Task(ThreadTeam* team, const Work& work) : work_(work), team_(team), job_(1, &Task::run, this) {
     if (kHasThreads && team_ != nullptr) team_->offer(job_);
   }
   ~Task() {
@@ -31,7 +31,7 @@ class Task {
   T get() {
     ThreadTeam* const team = std::exchange(team_, nullptr);
     if (!kHasThreads || team == nullptr || team->take_back(job_)) {
-      result_.emplace(work_());  // with the team's help
+      result_.emplace(work_());
     } else {
       team->finish(job_);
     }

@@ -85,12 +85,11 @@ class ThreadTeam {
   std::vector<std::thread> helpers_;
 };
 
-/// Calls work(piece) for every piece below `pieces`, each once, on this thread and those of its team. Throws
-/// what one of them throws.
+/// Calls work(piece) for every piece below `pieces`, each once, on this thread and those of `team`, which is
+/// null where there is none. Throws what one of them throws.
 template <class Work>
-void share_work(std::uint32_t pieces, const Work& work) {
-  ThreadTeam* const team = pieces > 1 ? ThreadTeam::current() : nullptr;
-  if (team == nullptr) {
+void share_work(ThreadTeam* team, std::uint32_t pieces, const Work& work) {
+  if (!kHasThreads || team == nullptr || pieces <= 1) {
     for (std::uint32_t piece = 0; piece < pieces; ++piece) work(piece);
     return;
   }
@@ -101,13 +100,12 @@ void share_work(std::uint32_t pieces, const Work& work) {
 }
 
 /// How many pieces `rows` are best shared in; 1 without a team.
-inline std::uint32_t piece_count(std::size_t rows) noexcept {
+inline std::uint32_t piece_count(const ThreadTeam* team, std::size_t rows) noexcept {
   constexpr std::size_t kFewestRows = 8192;  // done sooner than another thread has begun
   constexpr std::uint32_t kPiecesPerThread = 4;
-  const ThreadTeam* const team = rows >= 2 * kFewestRows ? ThreadTeam::current() : nullptr;
-  return team == nullptr ? 1
-                         : static_cast<std::uint32_t>(
-                               std::min<std::size_t>(kPiecesPerThread * team->size(), rows / kFewestRows));
+  if (!kHasThreads || team == nullptr || rows < 2 * kFewestRows) return 1;
+  return static_cast<std::uint32_t>(
+      std::min<std::size_t>(kPiecesPerThread * team->size(), rows / kFewestRows));
 }
 
 /// Where a piece of so many begins; the last one's end is that of the next.
@@ -117,19 +115,37 @@ inline std::uint32_t piece_begin(std::size_t rows, std::uint32_t pieces, std::ui
 
 /// work(begin, end) for ranges that make up all of `rows`.
 template <class Work>
-void share_rows(std::size_t rows, const Work& work) {
-  const std::uint32_t pieces = piece_count(rows);
-  share_work(pieces, [&](std::uint32_t piece) {
+void share_rows(ThreadTeam* team, std::size_t rows, const Work& work) {
+  const std::uint32_t pieces = piece_count(team, rows);
+  share_work(team, pieces, [&](std::uint32_t piece) {
     work(piece_begin(rows, pieces, piece), piece_begin(rows, pieces, piece + 1));
   });
 }
 
 /// each(row) for all rows below `rows`, which must not depend on each other.
 template <class Each>
-void share_each(std::size_t rows, const Each& each) {
-  share_rows(rows, [&](std::uint32_t begin, std::uint32_t end) {
+void share_each(ThreadTeam* team, std::size_t rows, const Each& each) {
+  share_rows(team, rows, [&](std::uint32_t begin, std::uint32_t end) {
     for (std::uint32_t row = begin; row < end; ++row) each(row);
   });
+}
+
+// The same with the team of this thread, for the solver, which is not handed one yet.
+
+template <class Work>
+void share_work(std::uint32_t pieces, const Work& work) {
+  share_work(ThreadTeam::current(), pieces, work);
+}
+inline std::uint32_t piece_count(std::size_t rows) noexcept {
+  return piece_count(ThreadTeam::current(), rows);
+}
+template <class Work>
+void share_rows(std::size_t rows, const Work& work) {
+  share_rows(ThreadTeam::current(), rows, work);
+}
+template <class Each>
+void share_each(std::size_t rows, const Each& each) {
+  share_each(ThreadTeam::current(), rows, each);
 }
 
 }  // namespace deltamesh

@@ -4,7 +4,6 @@
 
 #include <numeric>
 
-#include "base/thread_team.h"
 #include "base/try.h"
 #include "base/zigzag.h"
 #include "connectivity/glue_coder.h"
@@ -50,7 +49,7 @@ Result<LargeVector<std::uint32_t>> glue_vertices(const GlueList& list, std::uint
 
 void renumber(std::span<std::uint32_t> manifold, std::span<const std::uint32_t> vertex) {
   if (vertex.empty()) return;
-  share_each(manifold.size(), [&](std::size_t i) { manifold[i] = vertex[manifold[i]]; });
+  for (std::uint32_t& m : manifold) m = vertex[m];
 }
 
 void renumber(std::span<DirectedEdge> manifold, std::span<const std::uint32_t> vertex) {

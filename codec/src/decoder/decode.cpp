@@ -33,7 +33,7 @@ Result<Mesh> decode(std::span<const std::byte> stream, const DecodeOptions& opti
     DELTAMESH_CHECK(check_limits(container.header(), options.limits));
     std::optional<ThreadTeam> team;
     if (const unsigned threads = thread_count(options, stream.size()); threads > 1) team.emplace(threads);
-    return decode_container(container, options);
+    return decode_container(container, options, team ? &*team : nullptr);
   });
 }
 

@@ -21,7 +21,8 @@ Result<ModelStates> ModelStates::learn(std::span<const std::byte> stream,
     DELTAMESH_TRY(const auto container, Container::open(stream));
     DELTAMESH_CHECK(check_limits(container.header(), options.limits));
     auto models = std::make_shared<StreamModels>();
-    DELTAMESH_TRY([[maybe_unused]] const Mesh mesh, decode_container(container, options, models.get()));
+    DELTAMESH_TRY([[maybe_unused]] const Mesh mesh,
+                  decode_container(container, options, nullptr, models.get()));
     models->limit_counts(kMostCountedBefore);
     return ModelStates(std::move(models));
   });

@@ -41,10 +41,12 @@ std::uint64_t max_payload(const FileHeader& header) noexcept {
 
 class StreamDecoder {
  public:
-  StreamDecoder(const Container& container, const DecodeOptions& options, StreamModels* learnt)
+  StreamDecoder(const Container& container, const DecodeOptions& options, ThreadTeam* team,
+                StreamModels* learnt)
       : container_(container),
         header_(container.header()),
         options_(options),
+        team_(team),
         start_(options.starting_states != nullptr ? &options.starting_states->models() : nullptr),
         learnt_(learnt) {
     if (learnt != nullptr) learnt->colors.resize(header_.attributes.size());
@@ -62,7 +64,8 @@ class StreamDecoder {
       DELTAMESH_TRY(mesh.attributes, read_attributes(mesh.triangles, mesh.positions));
     } else {
       // Nothing that is parsed may depend on solved positions [ATTR-10], so both can go on at a time.
-      Task<Result<std::vector<Attribute>>> attributes([&] { return read_attributes(mesh.triangles, {}); });
+      Task<Result<std::vector<Attribute>>> attributes(team_,
+                                                      [&] { return read_attributes(mesh.triangles, {}); });
       DELTAMESH_TRY(mesh.positions, read_geometry(mesh.triangles));
       report_progress(options_, kGeometryDone);
       DELTAMESH_TRY(mesh.attributes, attributes.get());
@@ -123,15 +126,14 @@ class StreamDecoder {
   /// For the solution, which takes its graph apart. Where another thread may read attributes meanwhile these
   /// have their own.
   void build_graphs(const std::vector<std::uint32_t>& triangles) {
-    graph_ = build_adjacency(geometric(triangles), open_edges_, header_.geometric_vertices);
+    graph_ = build_adjacency(geometric(triangles), open_edges_, header_.geometric_vertices, team_);
     geometric_triangles_ = std::vector<std::uint32_t>();  // which {} would not free
     if (header_.attributes.empty()) open_edges_ = LargeVector<DirectedEdge>();
     const auto takes_graph = [](const ChunkEntry& entry) {
       return entry.tag == kTagAttribute && entry.codec == ChunkCodec::kCompact;
     };
     const auto chunks = container_.entries();
-    if (ThreadTeam::current() != nullptr && !is_split() &&
-        std::any_of(chunks.begin(), chunks.end(), takes_graph))
+    if (team_ != nullptr && !is_split() && std::any_of(chunks.begin(), chunks.end(), takes_graph))
       attribute_graph_ = graph_;
   }
 
@@ -208,6 +210,7 @@ class StreamDecoder {
   const Container& container_;
   const FileHeader& header_;
   const DecodeOptions& options_;
+  ThreadTeam* team_;                                ///< null: this thread alone
   const StreamModels* start_;                       ///< null: fresh models
   StreamModels* learnt_;                            ///< null where nobody wants them
   std::vector<std::uint32_t> geometric_triangles_;  ///< empty where no vertex is split
@@ -221,9 +224,9 @@ class StreamDecoder {
 
 }  // namespace
 
-Result<Mesh> decode_container(const Container& container, const DecodeOptions& options,
+Result<Mesh> decode_container(const Container& container, const DecodeOptions& options, ThreadTeam* team,
                               StreamModels* learnt) {
-  return StreamDecoder(container, options, learnt).run();
+  return StreamDecoder(container, options, team, learnt).run();
 }
 
 }  // namespace deltamesh

@@ -29,15 +29,14 @@ class FieldCoder {
     for (std::size_t i = 0; i < models_.size(); ++i) models_[i].assign(kFieldContexts[i], kFreshSplit);
   }
 
-  /// Codes the first `axes` (1 to 3) numbers of `q` for `vertex`, the others being 0; all vertices before it
-  /// are done. A reader fills them in. False where one is beyond kLargestFieldValue [FLD-1].
-  [[gnu::always_inline]] bool code_vertex(std::uint32_t vertex, FieldNumbers& q, unsigned axes) {
+  /// Codes the numbers `q` of `vertex`; all vertices before it are done. A reader fills them in. False where
+  /// one is beyond kLargestFieldValue [FLD-1].
+  [[gnu::always_inline]] bool code_vertex(std::uint32_t vertex, FieldNumbers& q) {
     const FieldContext around = history_.around(vertex);
     FieldForecasts forecasts(around);
     Held coder = coder_;
-    const bool is_valid = code_axis<0>(coder, forecasts, q) &&
-                          (axes < 2 || code_axis<1>(coder, forecasts, q)) &&
-                          (axes < 3 || code_axis<2>(coder, forecasts, q));
+    const bool is_valid = code_axis<0>(coder, forecasts, q) && code_axis<1>(coder, forecasts, q) &&
+                          code_axis<2>(coder, forecasts, q);
     if constexpr (!Coder::kWrites) coder_ = coder;
     history_.remember(vertex, forecasts.numbers(), around);
     return is_valid;

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "base/large_vector.h"
-#include "base/thread_team.h"
 #include "base/try.h"
 
 namespace deltamesh {
@@ -41,10 +40,10 @@ Result<std::vector<float>> to_float_rows(std::span<const Vec3> positions,
   std::vector<float> rows;
   reserve_large(rows, 3 * count);
   rows.resize(3 * count);
-  share_each(count, [&](std::size_t i) {
+  for (std::size_t i = 0; i < count; ++i) {
     const Vec3& position = positions[copies.empty() ? i : copies[i]];
     for (std::size_t axis = 0; axis < 3; ++axis) rows[3 * i + axis] = static_cast<float>(position[axis]);
-  });
+  }
   DELTAMESH_CHECK(check_finite(rows));
   return rows;
 }

@@ -27,7 +27,7 @@ std::vector<std::byte> write_compact_deltas(std::span<const std::int32_t> deltas
   FieldCoder<CompactWriter> field(writer, graph);
   for (std::uint32_t v = 0; v < n; ++v) {
     FieldNumbers q = {deltas[v], deltas[n + v], deltas[2 * n + v]};
-    field.code_vertex(v, q, 3);
+    field.code_vertex(v, q);
   }
   return writer.finish();
 }
@@ -40,7 +40,7 @@ Result<LargeVector<std::int32_t>> read_compact_deltas(std::span<const std::byte>
   FieldCoder<CompactReader> field(reader, graph);
   for (std::uint32_t v = 0; v < n && !reader.failed(); ++v) {
     FieldNumbers q{};
-    if (!field.code_vertex(v, q, 3)) return delta_beyond_range();
+    if (!field.code_vertex(v, q)) return delta_beyond_range();
     for (std::size_t axis = 0; axis < q.size(); ++axis) deltas[axis * n + v] = q[axis];
   }
   DELTAMESH_CHECK(reader.finish(kTagDeltas));

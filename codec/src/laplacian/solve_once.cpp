@@ -146,14 +146,15 @@ Result<LargeVector<Vec3>> solve_alone(LeastSquaresProblem problem, const ReadSym
 /// errors it is the same one as without a team.
 Result<LargeVector<Vec3>> solve_together(LeastSquaresProblem problem, const ReadSymbols& read_symbols,
                                          std::size_t size) {
-  Task<Result<SymbolRows>> reading([&] { return read_symbols(problem.graph); });
+  Task<Result<SymbolRows>> reading(ThreadTeam::current(), [&] { return read_symbols(problem.graph); });
   std::vector<Part> parts = copy_parts(problem);
   LeastSquaresProblem& largest = largest_of(parts, problem);
   auto made = make_solver(largest);
   if (made) (*made)->set_up(largest.cycles);
   DELTAMESH_TRY(const SymbolRows symbols, reading.get());
   if (!parts.empty()) problem = {};
-  Task<Result<Solutions>> others([&] { return solve_each(all_but_last(parts), symbols); });
+  Task<Result<Solutions>> others(ThreadTeam::current(),
+                                 [&] { return solve_each(all_but_last(parts), symbols); });
   const SymbolRows picked = parts.empty() ? SymbolRows() : symbols.pick(parts.back().vertices);
   auto solved = made ? solve(largest, **made, parts.empty() ? symbols : picked, size)
                      : Result<LargeVector<Vec3>>(made.error());

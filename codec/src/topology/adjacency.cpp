@@ -101,23 +101,24 @@ void sort_six(std::uint32_t* row) noexcept {
 }
 
 /// Makes rows ascend. Returns whether one has a neighbour twice.
-bool sort_rows(Adjacency& graph) {
+bool sort_rows(Adjacency& graph, ThreadTeam* team) {
   std::atomic<bool> has_repeated = false;
-  share_rows(graph.vertex_count(), [&, offsets = graph.offsets.data(), neighbors = graph.neighbors.data()](
-                                       std::uint32_t begin, std::uint32_t end) {
-    bool has_own = false;
-    for (std::uint32_t v = begin; v < end; ++v) {
-      std::uint32_t* const row = neighbors + offsets[v];
-      std::uint32_t* const row_end = neighbors + offsets[v + 1];
-      if (row_end - row == 6) {  // most
-        sort_six(row);
-      } else {
-        std::sort(row, row_end);
-      }
-      for (std::ptrdiff_t k = 1; k < row_end - row; ++k) has_own |= row[k - 1] == row[k];
-    }
-    if (has_own) has_repeated = true;
-  });
+  share_rows(team, graph.vertex_count(),
+             [&, offsets = graph.offsets.data(), neighbors = graph.neighbors.data()](std::uint32_t begin,
+                                                                                     std::uint32_t end) {
+               bool has_own = false;
+               for (std::uint32_t v = begin; v < end; ++v) {
+                 std::uint32_t* const row = neighbors + offsets[v];
+                 std::uint32_t* const row_end = neighbors + offsets[v + 1];
+                 if (row_end - row == 6) {  // most
+                   sort_six(row);
+                 } else {
+                   std::sort(row, row_end);
+                 }
+                 for (std::ptrdiff_t k = 1; k < row_end - row; ++k) has_own |= row[k - 1] == row[k];
+               }
+               if (has_own) has_repeated = true;
+             });
   return has_repeated;
 }
 
@@ -153,8 +154,8 @@ Adjacency build_adjacency(std::span<const std::uint32_t> triangles, std::uint32_
 
 /// Two threads fill rows from both ends: so neither has to know how far the other comes.
 Adjacency build_adjacency(std::span<const std::uint32_t> triangles, std::span<const DirectedEdge> open_edges,
-                          std::uint32_t vertex_count) {
-  const std::uint32_t halves = std::min(piece_count(vertex_count), 2U);
+                          std::uint32_t vertex_count, ThreadTeam* team) {
+  const std::uint32_t halves = std::min(piece_count(team, vertex_count), 2U);
   const auto first_half = triangles.first(triangles.size() / 3 / halves * 3);
   const auto visit_half = [&](std::uint32_t half, const auto& visit) {
     if (half == 0) {
@@ -167,7 +168,7 @@ Adjacency build_adjacency(std::span<const std::uint32_t> triangles, std::span<co
   LargeVector<std::uint32_t>& offsets = graph.offsets;
   offsets.assign(std::size_t{vertex_count} + 1, 0);
   LargeVector<std::uint32_t> ends;
-  share_work(halves, [&](std::uint32_t half) {
+  share_work(team, halves, [&](std::uint32_t half) {
     if (half == 1) ends.assign(vertex_count, 0);
     visit_half(half,
                [counts = half == 0 ? offsets.data() + 1 : ends.data()](std::uint32_t a, std::uint32_t b) {
@@ -188,7 +189,7 @@ Adjacency build_adjacency(std::span<const std::uint32_t> triangles, std::span<co
       visit_half(half, put);
     }
   };
-  share_work(halves, [&, rows = graph.neighbors.data()](std::uint32_t half) {
+  share_work(team, halves, [&, rows = graph.neighbors.data()](std::uint32_t half) {
     if (half == 0) {
       LargeVector<std::uint32_t> begins(offsets.begin(), offsets.end() - 1);
       put_half(half, [rows, next = begins.data()](std::uint32_t a, std::uint32_t b) {
@@ -201,7 +202,7 @@ Adjacency build_adjacency(std::span<const std::uint32_t> triangles, std::span<co
       put_half(half, [rows, last = ends.data()](std::uint32_t a, std::uint32_t b) { rows[--last[a]] = b; });
     }
   });
-  if (sort_rows(graph)) drop_repeated(graph);
+  if (sort_rows(graph, team)) drop_repeated(graph);
   return graph;
 }
 

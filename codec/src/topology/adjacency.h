@@ -13,6 +13,8 @@
 
 namespace deltamesh {
 
+class ThreadTeam;
+
 /// Compressed rows: the neighbours of v are neighbors[offsets[v] .. offsets[v + 1]), ascending, each once,
 /// never v itself.
 struct Adjacency {
@@ -34,9 +36,10 @@ Adjacency build_adjacency(std::span<const std::uint32_t> triangles, std::uint32_
 using DirectedEdge = std::array<std::uint32_t, 2>;
 
 /// The same, faster, for one who knows the open edges: with these turned round, every edge of a face comes as
-/// often in the one direction as in the other. O(n + m log d), d being the most neighbours of a vertex.
+/// often in the one direction as in the other. On the threads of `team`; null: on this one. O(n + m log d),
+/// d being the most neighbours of a vertex.
 Adjacency build_adjacency(std::span<const std::uint32_t> triangles, std::span<const DirectedEdge> open_edges,
-                          std::uint32_t vertex_count);
+                          std::uint32_t vertex_count, ThreadTeam* team = nullptr);
 
 /// Connected components of the graph, numbered by their smallest vertex; an isolated vertex is one.
 struct Components {

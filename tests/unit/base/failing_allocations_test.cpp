@@ -65,11 +65,8 @@ void fail_everywhere(const Work& work) {
 
 TEST(FailingAllocations, LeaveATeamWithFewerThreads) {
   fail_everywhere([] {
-    {
-      const ThreadTeam team(4);
-      EXPECT_EQ(ThreadTeam::current(), &team);
-    }
-    EXPECT_EQ(ThreadTeam::current(), nullptr);
+    const ThreadTeam team(4);
+    EXPECT_LE(team.size(), 4U);
   });
 }
 
@@ -90,7 +87,6 @@ TEST(FailingAllocations, AreErrorsOfDecodingOnAnyNumberOfThreads) {
         } else {
           EXPECT_EQ(decoded.error().code, ErrorCode::kOutOfMemory);
         }
-        EXPECT_EQ(ThreadTeam::current(), nullptr);
       });
       EXPECT_TRUE(encode(testing::attributed_grid(3, 2), {}));
     }

@@ -4,13 +4,18 @@
 // A stream decodes to the same mesh, or the same error, on any number of threads.
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <cstddef>
 #include <new>
+#include <span>
 #include <vector>
 
 #include "base/task.h"
 #include "base/thread_team.h"
+#include "decoder/stream_decoder.h"
 #include "deltamesh/decode.h"
 #include "deltamesh/encode.h"
+#include "format/container.h"
 #include "scenes.h"
 #include "support/meshes.h"
 #include "support/same_mesh.h"
@@ -22,6 +27,14 @@ using testing::expect_same;
 
 constexpr unsigned kCounts[] = {2, 3, 4, 0};
 
+/// Of short streams too, which decode() has no team for.
+Result<Mesh> decode_by_team(std::span<const std::byte> stream, unsigned threads) {
+  const auto container = Container::open(stream);
+  if (!container) return container.error();
+  ThreadTeam team(threads);
+  return decode_container(*container, {}, &team);
+}
+
 void expect_same_for_all_counts(const Mesh& mesh, const EncodeOptions& options) {
   const auto encoded = encode(mesh, options);
   ASSERT_TRUE(encoded) << describe(encoded.error());
@@ -29,8 +42,7 @@ void expect_same_for_all_counts(const Mesh& mesh, const EncodeOptions& options) 
   ASSERT_TRUE(alone) << describe(alone.error());
   for (const unsigned threads : kCounts) {
     SCOPED_TRACE(threads);
-    const ThreadTeam team(threads);  // for short streams, which have none of their own
-    const auto decoded = decode(encoded->bytes, {.threads = threads});
+    const auto decoded = decode_by_team(encoded->bytes, threads);
     ASSERT_TRUE(decoded) << describe(decoded.error());
     expect_same(*decoded, *alone);
   }
@@ -92,8 +104,7 @@ TEST(Threads, GiveTheSameErrors) {
     std::vector<std::byte> broken = encoded->bytes;
     broken[i] ^= std::byte{0x15};
     const auto alone = decode(broken);
-    const ThreadTeam team(2);
-    const auto together = decode(broken);
+    const auto together = decode_by_team(broken, 2);
     SCOPED_TRACE(i);
     expect_same(together, alone);
   }
@@ -101,8 +112,8 @@ TEST(Threads, GiveTheSameErrors) {
 
 TEST(Task, GivesTheResultWhereverItRuns) {
   for (const unsigned threads : {1U, 2U}) {
-    const ThreadTeam team(threads);
-    Task<int> task([] { return 7; });
+    ThreadTeam team(threads);
+    Task<int> task(&team, [] { return 7; });
     EXPECT_EQ(task.get(), 7);
   }
 }
@@ -113,17 +124,17 @@ TEST(Task, RunsOnlyWhenAskedWithoutATeam) {
     ran = true;
     return 1;
   };
-  { const Task<int> task(work); }
+  { const Task<int> task(nullptr, work); }
   EXPECT_FALSE(ran);
-  Task<int> task(work);
+  Task<int> task(nullptr, work);
   EXPECT_EQ(task.get(), 1);
   EXPECT_TRUE(ran);
 }
 
 TEST(Task, HandsAFailedAllocationOn) {
   for (const unsigned threads : {1U, 2U}) {
-    const ThreadTeam team(threads);
-    Task<int> task([]() -> int { throw std::bad_alloc(); });
+    ThreadTeam team(threads);
+    Task<int> task(&team, []() -> int { throw std::bad_alloc(); });
     EXPECT_THROW(task.get(), std::bad_alloc);
   }
 }
@@ -131,36 +142,30 @@ TEST(Task, HandsAFailedAllocationOn) {
 TEST(ThreadTeam, DoesEveryPieceOnce) {
   for (const unsigned threads : {1U, 2U, 3U, 8U}) {
     SCOPED_TRACE(threads);
-    const ThreadTeam team(threads);
+    ThreadTeam team(threads);
     for (int round = 0; round < 50; ++round) {
       std::vector<int> times(37, 0);
-      share_work(37, [&](std::uint32_t piece) {
-        share_work(2, [&](std::uint32_t) { ++times[piece]; });  // a piece is on its own
-      });
-      EXPECT_EQ(times, std::vector<int>(37, 2));
+      share_work(&team, 37, [&](std::uint32_t piece) { ++times[piece]; });
+      EXPECT_EQ(times, std::vector<int>(37, 1));
     }
   }
 }
 
-TEST(ThreadTeam, HelpsNobodyButTheThreadThatMadeIt) {
-  EXPECT_EQ(ThreadTeam::current(), nullptr);
-  const ThreadTeam outer(2);
-  {
-    const ThreadTeam inner(2);
-    EXPECT_EQ(ThreadTeam::current(), &inner);
-  }
-  EXPECT_EQ(ThreadTeam::current(), &outer);
-  share_work(8, [](std::uint32_t) { EXPECT_EQ(ThreadTeam::current(), nullptr); });
-  EXPECT_EQ(ThreadTeam::current(), &outer);
+TEST(ThreadTeam, HelpsWithWorkWithinAPiece) {
+  ThreadTeam team(3);
+  std::atomic<int> times = 0;
+  for (int round = 0; round < 50; ++round)
+    share_work(&team, 7, [&](std::uint32_t) { share_work(&team, 5, [&](std::uint32_t) { ++times; }); });
+  EXPECT_EQ(times, 50 * 7 * 5);
 }
 
 TEST(ThreadTeam, HandsAFailedAllocationOn) {
-  const ThreadTeam team(3);
+  ThreadTeam team(3);
   const auto fail = [](std::uint32_t piece) {
     if (piece == 5) throw std::bad_alloc();
   };
-  EXPECT_THROW(share_work(9, fail), std::bad_alloc);
-  EXPECT_NO_THROW(share_work(5, fail));
+  EXPECT_THROW(share_work(&team, 9, fail), std::bad_alloc);
+  EXPECT_NO_THROW(share_work(&team, 5, fail));
 }
 
 }  // namespace

@@ -155,8 +155,8 @@ TEST(Adjacency, ThreadsFillRowsFromBothEnds) {
   }
   const Adjacency expected = build_adjacency(triangles, kVertices);
   for (const unsigned threads : {1U, 2U, 3U}) {
-    const ThreadTeam team(threads);
-    const Adjacency graph = build_adjacency(triangles, edges, kVertices);
+    ThreadTeam team(threads);
+    const Adjacency graph = build_adjacency(triangles, edges, kVertices, &team);
     EXPECT_EQ(graph.offsets, expected.offsets);
     EXPECT_EQ(graph.neighbors, expected.neighbors);
   }
