@@ -19,5 +19,6 @@ void add_compare_command(CLI::App& app, int& status);
 void add_generate_command(CLI::App& app, int& status);
 void add_gltf_command(CLI::App& app, int& status);
 void add_map_command(CLI::App& app, int& status);
+void add_tiles_command(CLI::App& app, int& status);
 
 }  // namespace deltamesh::cli

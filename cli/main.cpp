@@ -52,6 +52,7 @@ int run(int argc, char** argv) {
   add_generate_command(app, status);
   add_gltf_command(app, status);
   add_map_command(app, status);
+  add_tiles_command(app, status);
   if (argc < 2) {
     std::cerr << app.help();
     return kUsage;

@@ -2,8 +2,8 @@
 // Copyright 2026 The deltamesh authors
 #include "layout.h"
 
-#include <map>
 #include <span>
+#include <utility>
 
 #include "content_hash.h"
 #include "octree.h"
@@ -22,8 +22,14 @@ std::uint64_t hash_of_part(const LaidPart& part) {
 }  // namespace
 
 Layout lay_out(const StoredBlocks& blocks, const MapDescription& description, const SplitOptions& options) {
-  std::map<PartKey, std::vector<const StoredBlock*>> lists;
-  for (const auto& [cell, key] : parts_of_cells(blocks, options)) lists[key].push_back(&blocks.at(cell));
+  BlockLists lists;
+  for (const auto& [cell, key] :
+       parts_of_cells(triangle_counts(blocks), options.most_triangles, options.most_level))
+    lists[key].push_back(&blocks.at(cell));
+  return lay_out(std::move(lists), description);
+}
+
+Layout lay_out(BlockLists lists, const MapDescription& description) {
   Layout layout;
   BorderTable table(description.lattice);
   for (auto& [key, list] : lists) {

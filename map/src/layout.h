@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "border_table.h"
@@ -26,7 +27,11 @@ struct Layout {
   std::vector<BorderUse> uses;  ///< parts by their place
 };
 
-/// `blocks` must outlive the layout. O(n log n).
+/// What parts are made of: blocks by their cells, in the order in which they come.
+using BlockLists = std::map<PartKey, std::vector<const StoredBlock*>>;
+/// Blocks must outlive the layout. O(n log n).
+Layout lay_out(BlockLists lists, const MapDescription& description);
+/// The same, each block in the part that the options make of its cell.
 Layout lay_out(const StoredBlocks& blocks, const MapDescription& description, const SplitOptions& options);
 
 }  // namespace deltamesh

@@ -4,15 +4,21 @@
 // Which cell of the octree is the part of a cell of level 0.
 #pragma once
 
+#include <cstdint>
 #include <map>
 
 #include "deltamesh/map/part_key.h"
-#include "deltamesh/map/split.h"
 #include "stored_block.h"
 
 namespace deltamesh {
 
-/// The part of every block, as SplitOptions has it. O(blocks * levels * log).
-std::map<Cell0, PartKey> parts_of_cells(const StoredBlocks& blocks, const SplitOptions& options);
+/// Of cells of level 0 with faces.
+using TriangleCounts = std::map<Cell0, std::uint64_t>;
+TriangleCounts triangle_counts(const StoredBlocks& blocks);
+
+/// For every cell the largest cell of up to `most_level` that holds it and has at most `most_triangles`, or
+/// itself. O(cells * levels * log).
+std::map<Cell0, PartKey> parts_of_cells(const TriangleCounts& cells, std::uint64_t most_triangles,
+                                        std::uint8_t most_level);
 
 }  // namespace deltamesh
