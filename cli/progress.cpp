@@ -9,6 +9,7 @@
 #include <condition_variable>
 #include <cstdio>
 #include <mutex>
+#include <system_error>
 #include <utility>
 
 namespace deltamesh::cli {
@@ -32,7 +33,12 @@ void draw(const std::string& label, double share, int seconds) {
 }  // namespace
 
 Progress::Progress(std::string label) : label_(std::move(label)) {
-  if (isatty(STDERR_FILENO) == 1) painter_ = std::jthread([this](std::stop_token stop) { draw_until(stop); });
+  if (isatty(STDERR_FILENO) != 1) return;
+  try {
+    painter_ = std::jthread([this](std::stop_token stop) { draw_until(stop); });
+  } catch (const std::system_error&) {
+    // No thread to be had: nothing is drawn, then.
+  }
 }
 
 std::function<void(double)> Progress::callback() {
