@@ -1,5 +1,6 @@
 """The coder and the models of the compact coding: compact.md, rules CMP."""
 import copy
+from bisect import bisect_right
 from collections import defaultdict
 from types import SimpleNamespace
 
@@ -99,14 +100,10 @@ class Coder:
 
     def find(self, models, weights):
         """[CMP-6] The symbol whose interval holds the slot, and the interval."""
-        def end(i):
-            return 2 * (i + 1) + sum((2 * m.lanes[i] * w) >> 16 for m, w in zip(models, weights)) if i < 15 else 2**15
-        slot, low, high = self.slot(), 0, 15
-        while low < high:
-            middle = (low + high) // 2
-            low, high = (low, middle) if slot < end(middle) else (middle + 1, high)
-        start = end(low - 1) if low else 0
-        return low, start, end(low) - start
+        ends = [2 * (i + 1) + sum((2 * m.lanes[i] * w) >> 16 for m, w in zip(models, weights)) for i in range(15)]
+        ends = [0] + ends + [2**15]
+        s = bisect_right(ends, self.slot()) - 1
+        return s, ends[s], ends[s + 1] - ends[s]
 
     def learn(self, models, weights, s, size):
         """[CMP-6] What weights and models learn from symbol s, whose interval has this size."""
