@@ -10,8 +10,8 @@ def sign(x):
 
 class FieldCoder:
     """`graph` has the neighbours of each vertex, ascending."""
-    def __init__(self, coder, graph, axes):
-        self.coder, self.graph, self.axes = coder, graph, axes
+    def __init__(self, coder, graph):
+        self.coder, self.graph = coder, graph
         self.models, self.weights, self.scaled = symbol_models(SYMBOL_WEIGHTS), mixing_weights(2), ScaledCoder()
         self.r, self.g, self.t, self.e = {}, {}, {}, {}
 
@@ -39,7 +39,7 @@ class FieldCoder:
         close = 2 * sum(E) < sum(G)
         S, B = (E, L) if close else (G, [0] * 3)
         q, r = [], []
-        for a in range(self.axes):
+        for a in range(3):
             d = [abs(x - y) for x, y in zip(r, B)]
             coded = 0 if a == 0 else 16 * d[0] if a == 1 else 8 * (d[0] + d[1])
             scale = ((5 * S[a] + coded) >> 3) + 1
@@ -49,7 +49,7 @@ class FieldCoder:
             q.append(B[a] + (-x if mean < 0 else x))
             must(abs(q[a]) <= 2**30, "FLD-1", f"number {q[a]}")
             r.append(clamp(q[a], -4095, 4095))
-        self.FLD_13_remember(v, r + [0] * (3 - self.axes), G, T, E, L)
+        self.FLD_13_remember(v, r, G, T, E, L)
         return q
 
     def FLD_15_number(self, v, a, S, coded, scale, mean, close):
@@ -63,6 +63,6 @@ class FieldCoder:
         return self.scaled.CMP_15_number(self.coder, models, self.weights[a], shift)
 
 def FLD_numbers(coder, graph):
-    """The numbers of a field of three axes."""
-    field = FieldCoder(coder, graph, 3)
+    """The numbers of a field."""
+    field = FieldCoder(coder, graph)
     return [field.FLD_14_vertex(v) for v in range(len(graph))]

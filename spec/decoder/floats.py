@@ -1,4 +1,4 @@
-"""FLT: floats to the last bit as ordinals."""
+"""FLT: floats to the last bit as ordinals: posn_floats.md."""
 from coder import bits, clamp
 from container import must
 from lattice import PredictedCoder

@@ -16,11 +16,15 @@ def POSN_3_other(faces, low):
     """The corner across the edge from a vertex with these known faces to the vertex `low`, or None."""
     return next((y if x == low else x for x, y, _ in faces if low in (x, y)), None)
 
-def POSN_3_known(faces, n):
-    result = []
-    for v, at in enumerate(corners(faces, n)):
-        found = [(a, b) for a, b in (others(faces, c) for c in at) if a < v and b < v and a != b][:4]
-        result.append(Known([(a, b, POSN_3_other(result[max(a, b)].faces, min(a, b))) for a, b in found], len(at)))
+def POSN_3_known(faces, n, steps=None):
+    """Of every vertex; with the steps of voxel edges as [POSN-12] says."""
+    at, result, when = corners(faces, n), [None] * n, steps or range(n)
+    for v in sorted(range(n), key=lambda v: when[v]):
+        found = [(a, b) for a, b in (others(faces, c) for c in at[v]) if max(when[a], when[b]) < when[v] and a != b]
+        kept = list(dict.fromkeys(found[:1] + found[-1:])) if steps else found[:4]
+        ordered = [sorted(pair, key=lambda u: when[u]) for pair in kept]
+        known = [(a, b, POSN_3_other(result[high].faces, low)) for (a, b), (low, high) in zip(kept, ordered)]
+        result[v] = Known(known, len(kept) if steps else len(at[v]))
     return result
 
 def POSN_4_mean(numbers):

@@ -1,8 +1,7 @@
-"""Voxel edges: posn.md, POSN-12 and VOX-1 to VOX-6. An edge is a pair of its axis and its node."""
+"""Voxel edges: posn_voxels.md, POSN-12 and VOX-1 to VOX-6. An edge is a pair of its axis and its node."""
 from coder import NumberModel, SymbolModel, clamp, symbol_models
 from container import must, unzigzag
-from graph import corners, others
-from lattice import Known, POSN_3_other, POSN_4_expect, POSN_8_table, PredictedCoder, fresh_models
+from lattice import POSN_3_known, POSN_4_expect, POSN_8_table, PredictedCoder, fresh_models
 
 def divide(a, b):
     """The quotient cut towards 0."""
@@ -39,17 +38,6 @@ def shared(x, y):
     """The cubes that have both edges, the lower one first."""
     return sorted(set(cubes_of(x)) & set(cubes_of(y)))
 
-def POSN_12_known(faces, n, step):
-    at, result = corners(faces, n), [None] * n
-    for v in sorted(range(n), key=lambda v: step[v]):
-        found = [(a, b) for a, b in (others(faces, c) for c in at[v]) if max(step[a], step[b]) < step[v] and a != b]
-        kept = []
-        for a, b in dict.fromkeys(found[:1] + found[-1:]):
-            low, high = sorted((a, b), key=lambda u: step[u])
-            kept.append((a, b, POSN_3_other(result[high].faces, low)))
-        result[v] = Known(kept, len(kept))
-    return result
-
 class Cube:
     """[VOX-2] What is known of a vertex that has a cube."""
     def __init__(self, edge, spots, corners, upper):
@@ -83,7 +71,7 @@ class VoxelCoder(PredictedCoder):
         self.n, self.half, self.levels, self.width = n, n if states.is_next else (n + 1) // 2, header.levels, 2 * header.levels
         steps = [v if v < self.half else v - self.half for v in range(n)]
         learnt = states.models("voxels", nodes=[NumberModel() for _ in range(3)], start=SymbolModel((8,) * 4 + (1,) * 12), edges={}, **fresh_models())
-        super().__init__(coder, POSN_12_known(faces, n, steps), POSN_8_table(None), header.cells, models=learnt)
+        super().__init__(coder, POSN_3_known(faces, n, steps), POSN_8_table(None), header.cells, models=learnt)
         self.edges, self.spots = {}, {}
         self.low = max((header.levels - 1).bit_length() - 4, 0)  # g
         levels = symbol_models([int(h <= (header.levels - 1) >> self.low) for h in range(16)])

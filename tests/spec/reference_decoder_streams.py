@@ -2,7 +2,7 @@
 """Makes streams with the program, of scenes, meshes and packed assets, over its options, and compares what the reference decoder and the
 program decode.
 
-reference_decoder_streams.py PROGRAM CORPUS [COUNT [FIRST]]; 220 tries of meshes make more than 200 streams, as the zstd profile refuses
+reference_decoder_streams.py PROGRAM CORPUS [COUNT [FIRST]], CORPUS being "none" for scenes alone; 220 tries of meshes make more than 200 streams, as the zstd profile refuses
 what has a compact form only. Takes about five minutes.
 """
 import itertools
@@ -95,7 +95,7 @@ def streams_of_meshes(program, corpus, work, count, first):
     for scene, vertices, seed in SCENES:
         meshes.append(os.path.join(work, f"{scene}_{seed}.glb" if scene == "cad" else f"{scene}_{seed}.ply"))
         made_by(program, ["generate", scene, meshes[-1], "--vertices", str(vertices), "--seed", str(seed)])
-    meshes += [os.path.join(corpus, name) for name in FILES]
+    meshes += [os.path.join(corpus, name) for name in FILES if corpus != "none"]
     for i in range(first, first + count):
         mesh, options = meshes[i % len(meshes)], OPTIONS[(i // len(meshes) + i) % len(OPTIONS)]
         fault = made_by(program, ["encode", mesh, stream] + options.split())
@@ -106,7 +106,7 @@ def streams_of_meshes(program, corpus, work, count, first):
 
 
 def streams_of_assets(program, corpus, work):
-    for asset, options in ASSETS:
+    for asset, options in ASSETS if corpus != "none" else []:
         packed = os.path.join(work, "packed.glb")
         fault = made_by(program, ["gltf", "pack", os.path.join(corpus, asset), packed] + options.split())
         if fault:

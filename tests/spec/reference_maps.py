@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Decodes the parts of maps, made by the program of scenes and of meshes of the corpus, with the reference decoder, and compares their faces
-with those of the program's joined mesh. reference_maps.py PROGRAM CORPUS"""
+with those of the program's joined mesh. reference_maps.py PROGRAM [CORPUS]"""
 import glob
 import os
 import subprocess
@@ -89,14 +89,14 @@ def compare(folder, joined):
 
 
 def main():
-    program, corpus = sys.argv[1:3]
+    program, corpus = sys.argv[1], sys.argv[2:3]
     failed = parts = 0
     with tempfile.TemporaryDirectory() as work:
         made = []
         for scene, vertices, options in MAPS:
             made.append((os.path.join(work, f"{scene}{len(made)}" + (".glb" if scene == "cad" else ".ply")), options))
             subprocess.run([program, "generate", scene, made[-1][0], "--vertices", str(vertices)], check=True, stdout=subprocess.DEVNULL)
-        for i, (mesh, options) in enumerate(made + [(os.path.join(corpus, name), options) for name, options in FILES]):
+        for i, (mesh, options) in enumerate(made + [(os.path.join(*corpus, name), options) for name, options in FILES * len(corpus)]):
             folder, joined = os.path.join(work, f"map{i}"), os.path.join(work, "joined.ply")
             subprocess.run([program, "map", "split", mesh, folder] + options.split(), check=True, stdout=subprocess.DEVNULL)
             subprocess.run([program, "map", "join", folder, joined], check=True, stdout=subprocess.DEVNULL)
