@@ -91,7 +91,8 @@ class ColourCoder:
             farthest = max(farthest, (d[0] + d[1]) + (d[2] + d[3]))
         s, d = min(math.floor(F(8) * share), 7), min(bits(math.floor(farthest * (F(1) / self.unit))), 7)
         t = [self.outcomes[u] for u in candidates] + [3] * (3 - n)
-        models = [self.learnt.copies[0, (8 * (n - 1) + s) * 8 + d], self.learnt.copies[1, ((4 * t[0] + t[1]) * 4 + t[2]) * 3 + n - 1]]
+        models = [self.learnt.copies[0, (8 * (n - 1) + s) * 8 + d],
+                  self.learnt.copies[1, ((4 * t[0] + t[1]) * 4 + t[2]) * 3 + n - 1]]
         symbol = self.coder.symbol(models, self.learnt.copy_weights[2 * (n - 1) + (t[0] == 0)])
         return (min(symbol, 1), self.colours[candidates[symbol]]) if symbol < n else (2, None)
 

@@ -8,7 +8,8 @@ from coder import Coder
 from container import must
 from attr_normals import ATTR_22_rule, NOWHERE
 from graph import others
-from vectors import F, ATTR_22_corner_angles, ATTR_22_scaled, ATTR_23_frame, ATTR_24_point, cross, dot, f32_vector, sum_at_corners
+from vectors import (F, ATTR_22_corner_angles, ATTR_22_scaled, ATTR_23_frame, ATTR_24_point, cross, dot, f32_vector,
+                     sum_at_corners)
 from walk import ATTR_30_order, BitOfFaces, PairCoder, whole_part
 
 NOTHING = f32_vector(0, 0)
@@ -36,7 +37,8 @@ def ATTR_40_rule(S=NOWHERE, W=F(0), A=F(0), N=NOWHERE):
     """R (or None), the dispersion, and whether the vertex is mirrored."""
     R = S - dot(N, S) * N
     spread = F(1) - dot(S, S) / (W * W) if W > 0 else F(0)
-    return SimpleNamespace(R=R if F(1e-12) < dot(R, R) < F(1) / F(1e-12) else None, dispersion=np.sqrt(spread) if spread > 0 else F(0), mirrored=A < 0)
+    dispersion = np.sqrt(spread) if spread > 0 else F(0)
+    return SimpleNamespace(R=R if F(1e-12) < dot(R, R) < F(1) / F(1e-12) else None, dispersion=dispersion, mirrored=A < 0)
 
 def ATTR_40_rules(surface, normals):
     uvs, faces = ATTR_39_first(surface, UV, 2), np.array(surface.faces, dtype=np.int64).reshape(-1, 3)

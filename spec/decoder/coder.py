@@ -168,11 +168,11 @@ def symbol_models_in(x):
     """All that models are made of."""
     if isinstance(x, SymbolModel):
         return [x]
-    inside = x.values() if isinstance(x, dict) else x if isinstance(x, list) else vars(x).values() if hasattr(x, "__dict__") else []
+    inside = x if isinstance(x, list) else (x if isinstance(x, dict) else getattr(x, "__dict__", {})).values()
     return [model for y in inside for model in symbol_models_in(y)]
 
 class States:
-    """[CMP-16] `before` has models by what they are of, as another stream left them, or is None; `after` those that this stream leaves."""
+    """[CMP-16] `before` has the models that another stream left, by what they are of, or is None; `after` those of this stream."""
     def __init__(self, before=None):
         self.before, self.after, self.is_next = before or {}, {}, before is not None
 

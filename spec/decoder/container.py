@@ -3,6 +3,7 @@ import math
 import struct
 from types import SimpleNamespace
 
+import numpy as np
 import xxhash
 import zstandard
 
@@ -75,9 +76,7 @@ class Reader:
 
 def nearest_f32(x):
     """x rounded to the nearest finite f32."""
-    if abs(x) >= LARGEST_F32:
-        return math.copysign(LARGEST_F32, x)
-    return struct.unpack("<f", struct.pack("<f", x))[0]
+    return float(np.float32(min(max(x, -LARGEST_F32), LARGEST_F32)))
 
 def all_finite(numbers):
     return all(map(math.isfinite, numbers))
@@ -112,7 +111,7 @@ class Header:
 
     def geometry(self, r):
         """The fields of the geometry coder."""
-        (self.HDR_14_lattice if self.coder in (LATTICE, VOXELS) else self.HDR_8_box if self.coder == FLOATS else self.HDR_11_highpass)(r)
+        (self.HDR_11_highpass, self.HDR_14_lattice, self.HDR_14_lattice, self.HDR_8_box)[self.coder](r)
         must(self.coder == HIGHPASS or self.bits <= 28, "HDR-14", f"{self.bits} bits")
 
     def HDR_8_box(self, r):

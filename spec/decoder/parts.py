@@ -68,7 +68,8 @@ class PartHeader(Header):
             self.steps = [2 * primer.levels * S / width for S in primer.steps]
             pairs = [(unzigzag(r.varint()), r.varint()) for _ in range(3)]
             voxels = [math.floor((c - o) / (width * s)) for c, o, s in zip(corner, self.lattice_origin, self.steps)]
-            self.first, self.cells = [width * (f + v) for (f, _), v in zip(pairs, voxels)], [width * cells for _, cells in pairs]
+            self.first = [width * (f + v) for (f, _), v in zip(pairs, voxels)]
+            self.cells = [width * cells for _, cells in pairs]
         else:
             self.geometry(r)
 
@@ -102,7 +103,8 @@ def MAP_11_border(lattice, mesh, coder, states):
             expected = expected + points[on[-1]] - nearest[on[-1]]
         loose = [True] * 3
         if header.coder == VOXELS:
-            steps = [math.floor((x - o) / s + 0.5) for x, o, s in zip(mesh.positions[v].tolist(), header.lattice_origin, header.steps)]
+            axes = zip(mesh.positions[v].tolist(), header.lattice_origin, header.steps)
+            steps = [math.floor((x - o) / s + 0.5) for x, o, s in axes]
             loose = [x % 2 == 1 or abs(x) >= 2**50 for x in steps]
         ways = [unzigzag(learnt.ways[3 * loose[a] + a].decode(coder)) for a in range(3)]
         points[v] = expected + ways

@@ -97,7 +97,8 @@ class SEAM_6_Coder:
         ahead, behind = v.oldest(face[after]), v.oldest(face[before])
         second = behind[1] if behind else v.last
         first = ahead[1] if ahead else second
-        t, A, B = 2 * (first != second) + (v.used < v.copies), self.SEAM_7_kind(ahead, used[after]), self.SEAM_7_kind(behind, used[before])
+        t = 2 * (first != second) + (v.used < v.copies)
+        A, B = self.SEAM_7_kind(ahead, used[after]), self.SEAM_7_kind(behind, used[before])
         models = [self.choices[0, 20 * A + 4 * B + t], self.choices[1, 16 * min(v.copies - 2, 3) + 4 * min(v.used - 1, 3) + t]]
         choice = self.symbol(models, self.weights[t])
         copy = (first, second, v.used)[choice] if choice < 3 else choice - 3

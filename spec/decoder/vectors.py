@@ -1,4 +1,4 @@
-"""Vectors of two or three doubles or f32, every operation rounded, sums from the left; and rules for f32 that several codings use."""
+"""Vectors of two or three doubles or f32, every operation rounded, sums from the left; and rules that several codings use."""
 import math
 
 import numpy as np

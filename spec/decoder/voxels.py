@@ -62,7 +62,8 @@ class Cube:
         if o is not None:
             self.X = [m + ((5 * (a + b - x - m)) >> 3) for m, a, b, x in zip(self.M, self.A, self.B, spots[4])]
         ends = [edge[u] for u in corners[:4]]
-        likely = frozenset(self.rotation[i] for i, e in enumerate(own) if e not in ends and shared(e, ends[2]) and shared(e, ends[3]))
+        near = [i for i, e in enumerate(own) if e not in ends and shared(e, ends[2]) and shared(e, ends[3])]
+        likely = frozenset(self.rotation[i] for i in near)
         self.model = kind, likely, opposite  # [VOX-4]
         self.weights = [20 if e in likely else 1 for e in range(12)] + [1, 100 if opposite == 13 else 0, 0, 0]
 
@@ -70,7 +71,8 @@ class VoxelCoder(PredictedCoder):
     def __init__(self, coder, faces, n, header, states):
         self.n, self.half, self.levels, self.width = n, n if states.is_next else (n + 1) // 2, header.levels, 2 * header.levels
         steps = [v if v < self.half else v - self.half for v in range(n)]
-        learnt = states.models("voxels", nodes=[NumberModel() for _ in range(3)], start=SymbolModel((8,) * 4 + (1,) * 12), edges={}, **fresh_models())
+        learnt = states.models("voxels", nodes=[NumberModel() for _ in range(3)], start=SymbolModel((8,) * 4 + (1,) * 12),
+                               edges={}, **fresh_models())
         super().__init__(coder, POSN_3_known(faces, n, steps), POSN_8_table(None), header.cells, models=learnt)
         self.edges, self.spots = {}, {}
         self.low = max((header.levels - 1).bit_length() - 4, 0)  # g
