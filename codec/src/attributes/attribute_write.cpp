@@ -8,6 +8,7 @@
 #include "attributes/attribute_error.h"
 #include "attributes/attribute_payload.h"
 #include "attributes/attribute_rows.h"
+#include "attributes/coded_values.h"
 #include "attributes/lattice_attribute.h"
 #include "attributes/plain_attribute.h"
 #include "attributes/skin.h"
@@ -72,96 +73,59 @@ Attribute attribute_of(const AttributeView& attribute, std::span<const std::byte
           .values = {values.begin(), values.end()}};
 }
 
-/// The compact payload of a coding, which has no plain form. `bytes` follow the coding's byte.
-CodedAttribute code_compact(const AttributeView& attribute, AttributeCoding coding,
-                            std::span<const std::byte> bytes, std::span<const std::byte> values) {
+/// The compact payload of a coding, which has no plain form; empty where the coding does not keep the bound.
+template <class T>
+std::optional<CodedAttribute> code_compact(const AttributeView& attribute, AttributeCoding coding,
+                                           const std::optional<CodedValues<T>>& values) {
+  if (!values) return std::nullopt;
   ByteWriter out;
   out.write(static_cast<std::uint8_t>(coding));
-  out.write_bytes(bytes);
+  out.write_bytes(values->bytes);
   CodedAttribute coded;
   coded.compact = out.take();
-  coded.decoded = attribute_of(attribute, values);
+  coded.decoded = attribute_of(attribute, std::as_bytes(std::span(values->values)));
   return coded;
-}
-
-std::optional<CodedAttribute> code_normals(const AttributeView& attribute, const AttributeRows& rows,
-                                           double bound, const AttributeSurface& surface) {
-  const auto normals = write_surface_normals(rows.gather_floats(), bound, surface);
-  if (!normals) return std::nullopt;
-  return code_compact(attribute, AttributeCoding::kSurfaceNormals, normals->bytes,
-                      std::as_bytes(std::span(normals->values)));
-}
-
-std::optional<CodedAttribute> code_uvs(const AttributeView& attribute, const AttributeRows& rows,
-                                       double bound, const AttributeSurface& surface) {
-  const auto uvs = write_surface_uvs(rows.gather_floats(), bound, surface);
-  if (!uvs) return std::nullopt;
-  return code_compact(attribute, AttributeCoding::kSurfaceUvs, uvs->bytes,
-                      std::as_bytes(std::span(uvs->values)));
-}
-
-std::optional<CodedAttribute> code_tangents(const AttributeView& attribute, const AttributeRows& rows,
-                                            double bound, const AttributeSurface& surface,
-                                            std::span<const Attribute> others) {
-  const TangentBasis basis = tangent_basis(others, surface.vertex_count());
-  const auto tangents = write_surface_tangents(rows.gather_floats(), bound, surface, basis);
-  if (!tangents) return std::nullopt;
-  return code_compact(attribute, AttributeCoding::kSurfaceTangents, tangents->bytes,
-                      std::as_bytes(std::span(tangents->values)));
 }
 
 std::optional<CodedAttribute> code_on_lattices(const AttributeView& attribute, const AttributeRows& rows,
                                                double bound, int effort, const AttributeSurface& surface) {
-  const auto coded = write_lattice(attribute, rows, bound, effort, surface);
-  if (!coded) return std::nullopt;
-  return code_compact(attribute, AttributeCoding::kLattice, coded->bytes, coded->values);
+  return code_compact(attribute, AttributeCoding::kLattice,
+                      write_lattice(attribute, rows, bound, effort, surface));
 }
 
-std::optional<CodedAttribute> code_colors(const AttributeView& attribute, const AttributeRows& rows,
-                                          double bound, const AttributeSurface& surface,
-                                          const ColorModels* start) {
-  const auto colors =
-      write_surface_colors(rows.gather(), attribute.type, attribute.components, bound, surface, start);
-  if (!colors) return std::nullopt;
-  return code_compact(attribute, AttributeCoding::kSurfaceColors, colors->bytes, colors->values);
-}
-
-/// Joints by their own coding, and weights where they add up to 1; else on lattices.
-std::optional<CodedAttribute> code_skin(const AttributeView& attribute, const AttributeRows& rows,
-                                        double bound, const AttributeSettings& settings,
-                                        const AttributeSurface& surface, std::span<const Attribute> others) {
-  const auto fits = [&](AttributeCoding coding) {
-    return coding_fits(coding, attribute.kind, attribute.type, attribute.components);
-  };
-  if (fits(AttributeCoding::kJoints)) {
-    const SkinCoded coded = write_joints(attribute, rows, surface);
-    return code_compact(attribute, AttributeCoding::kJoints, coded.bytes, coded.values);
-  }
-  if (fits(AttributeCoding::kWeights)) {
-    const auto coded = write_weights(attribute, rows, bound, surface, others);
-    if (coded) return code_compact(attribute, AttributeCoding::kWeights, coded->bytes, coded->values);
-  }
-  return code_on_lattices(attribute, rows, bound * weight_unit(attribute.type), settings.effort, surface);
-}
-
-/// The coding of the attribute's kind; empty where there is none, or none that keeps the bound.
+/// By the coding of the attribute's kind and shape; empty where there is none, or none that keeps the bound.
 std::optional<CodedAttribute> code_kind(const AttributeView& attribute, const AttributeRows& rows,
                                         double bound, const AttributeSettings& settings,
                                         const AttributeSurface& surface, std::span<const Attribute> others) {
+  using enum AttributeCoding;
   const auto fits = [&](AttributeCoding coding) {
     return coding_fits(coding, attribute.kind, attribute.type, attribute.components);
   };
-  if (fits(AttributeCoding::kSurfaceNormals)) return code_normals(attribute, rows, bound, surface);
-  if (fits(AttributeCoding::kSurfaceUvs)) return code_uvs(attribute, rows, bound, surface);
-  if (fits(AttributeCoding::kSurfaceTangents)) return code_tangents(attribute, rows, bound, surface, others);
-  if (fits(AttributeCoding::kSurfaceColors))
-    return code_colors(attribute, rows, bound, surface, settings.start);
+  const auto code = [&](AttributeCoding coding, const auto& values) {
+    return code_compact(attribute, coding, values);
+  };
+  if (fits(kSurfaceNormals))
+    return code(kSurfaceNormals, write_surface_normals(rows.gather_floats(), bound, surface));
+  if (fits(kSurfaceUvs)) return code(kSurfaceUvs, write_surface_uvs(rows.gather_floats(), bound, surface));
+  if (fits(kSurfaceTangents)) {
+    const TangentBasis basis = tangent_basis(others, surface.vertex_count());
+    return code(kSurfaceTangents, write_surface_tangents(rows.gather_floats(), bound, surface, basis));
+  }
+  if (fits(kSurfaceColors)) {
+    return code(kSurfaceColors, write_surface_colors(rows.gather(), attribute.type, attribute.components,
+                                                     bound, surface, settings.start));
+  }
+  if (fits(kJoints)) return code(kJoints, std::optional(write_joints(attribute, rows, surface)));
+  if (fits(kWeights)) {
+    auto coded = code(kWeights, write_weights(attribute, rows, bound, surface, others));
+    if (coded) return coded;
+  }
   switch (attribute.kind) {
     case AttributeKind::kGeneric:
-      return code_on_lattices(attribute, rows, bound, settings.effort, surface);
     case AttributeKind::kJoints:
+      return code_on_lattices(attribute, rows, bound, settings.effort, surface);
     case AttributeKind::kWeights:
-      return code_skin(attribute, rows, bound, settings, surface, others);
+      return code_on_lattices(attribute, rows, bound * weight_unit(attribute.type), settings.effort, surface);
     default:
       return std::nullopt;
   }

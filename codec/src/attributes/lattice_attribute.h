@@ -12,21 +12,17 @@
 
 #include "attributes/attribute_rows.h"
 #include "attributes/attribute_surface.h"
+#include "attributes/coded_values.h"
 #include "deltamesh/mesh.h"
 #include "deltamesh/result.h"
 
 namespace deltamesh {
 
-/// What follows the byte of the coding, and what decoders make of it.
-struct LatticeCoded {
-  std::vector<std::byte> bytes;
-  std::vector<std::byte> values;  ///< n x components x size
-};
-
 /// No component of a value is off by more than `bound` (0: by no bit). `effort`: 0 does not try which
 /// predictor is best. Empty where fit_lattices() is. O(m + n log n).
-std::optional<LatticeCoded> write_lattice(const AttributeView& attribute, const AttributeRows& rows,
-                                          double bound, int effort, const AttributeSurface& surface);
+std::optional<CodedValues<std::byte>> write_lattice(const AttributeView& attribute, const AttributeRows& rows,
+                                                    double bound, int effort,
+                                                    const AttributeSurface& surface);
 
 /// The values of `shape`, whose own are not looked at. Errors: kTruncated, kInvalidStream [ATTR-55, ATTR-56,
 /// CMP-3].

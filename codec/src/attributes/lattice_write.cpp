@@ -64,8 +64,9 @@ void write_numbers(CompactWriter& writer, const FieldFaces& over, GroupForm form
 
 }  // namespace
 
-std::optional<LatticeCoded> write_lattice(const AttributeView& attribute, const AttributeRows& rows,
-                                          double bound, int effort, const AttributeSurface& surface) {
+std::optional<CodedValues<std::byte>> write_lattice(const AttributeView& attribute, const AttributeRows& rows,
+                                                    double bound, int effort,
+                                                    const AttributeSurface& surface) {
   const auto lattices = fit_lattices(attribute, rows, bound);
   if (!lattices) return std::nullopt;
   ByteWriter out;
@@ -93,7 +94,7 @@ std::optional<LatticeCoded> write_lattice(const AttributeView& attribute, const 
     }
     out.write_bytes(writer.finish());
   }
-  return LatticeCoded{.bytes = out.take(), .values = values.take()};
+  return CodedValues<std::byte>{.bytes = out.take(), .values = values.take()};
 }
 
 }  // namespace deltamesh

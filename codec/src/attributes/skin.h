@@ -12,27 +12,22 @@
 
 #include "attributes/attribute_rows.h"
 #include "attributes/attribute_surface.h"
+#include "attributes/coded_values.h"
 #include "deltamesh/mesh.h"
 #include "deltamesh/result.h"
 
 namespace deltamesh {
 
-/// What follows the byte of the coding, and what decoders make of it.
-struct SkinCoded {
-  std::vector<std::byte> bytes;
-  std::vector<std::byte> values;  ///< n x 4 x size
-};
-
 /// `attribute`: 4 x u8 or u16. O(n + m).
-SkinCoded write_joints(const AttributeView& attribute, const AttributeRows& rows,
-                       const AttributeSurface& surface);
+CodedValues<std::byte> write_joints(const AttributeView& attribute, const AttributeRows& rows,
+                                    const AttributeSurface& surface);
 
 /// `attribute`: 4 x f32, u8 or u16. No weight, as a part of 1, is off by more than `bound`; each vertex'
 /// weights add up to 1, and those that are 0 stay so. `others`: see write_attribute(). Empty where the
 /// source's do not add up to 1, or `bound` asks for more than 16 bits. O(n + m).
-std::optional<SkinCoded> write_weights(const AttributeView& attribute, const AttributeRows& rows,
-                                       double bound, const AttributeSurface& surface,
-                                       std::span<const Attribute> others);
+std::optional<CodedValues<std::byte>> write_weights(const AttributeView& attribute, const AttributeRows& rows,
+                                                    double bound, const AttributeSurface& surface,
+                                                    std::span<const Attribute> others);
 
 /// The values of `shape`, whose own are not looked at, 4 x u8 or u16. Errors: kTruncated, kInvalidStream
 /// [ATTR-60, CMP-3].

@@ -121,8 +121,8 @@ std::optional<RoundedWeights> round_weights(const AttributeView& attribute, cons
 
 }  // namespace
 
-SkinCoded write_joints(const AttributeView& attribute, const AttributeRows& rows,
-                       const AttributeSurface& surface) {
+CodedValues<std::byte> write_joints(const AttributeView& attribute, const AttributeRows& rows,
+                                    const AttributeSurface& surface) {
   std::vector<std::byte> values = rows.gather();
   std::vector<JointRow> joints = joint_rows(values, attribute.type);
   const bool joined = copies_agree(surface.geometric(), std::span<const JointRow>(joints));
@@ -132,9 +132,9 @@ SkinCoded write_joints(const AttributeView& attribute, const AttributeRows& rows
   return {.bytes = writer.finish(), .values = std::move(values)};
 }
 
-std::optional<SkinCoded> write_weights(const AttributeView& attribute, const AttributeRows& rows,
-                                       double bound, const AttributeSurface& surface,
-                                       std::span<const Attribute> others) {
+std::optional<CodedValues<std::byte>> write_weights(const AttributeView& attribute, const AttributeRows& rows,
+                                                    double bound, const AttributeSurface& surface,
+                                                    std::span<const Attribute> others) {
   auto rounded = round_weights(attribute, rows, bound);
   if (!rounded) return std::nullopt;
   const std::vector<JointRow> joints = joints_of_weights(others, rows.count());
@@ -152,7 +152,8 @@ std::optional<SkinCoded> write_weights(const AttributeView& attribute, const Att
   ByteWriter out;
   out.write_varint(rounded->sum);
   out.write_bytes(smallest);
-  return SkinCoded{.bytes = out.take(), .values = weight_values(rounded->rows, rounded->sum, attribute.type)};
+  return CodedValues<std::byte>{.bytes = out.take(),
+                                .values = weight_values(rounded->rows, rounded->sum, attribute.type)};
 }
 
 }  // namespace deltamesh

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "attributes/attribute_surface.h"
+#include "attributes/coded_values.h"
 #include "deltamesh/mesh.h"
 #include "deltamesh/result.h"
 #include "entropy/learning.h"
@@ -19,19 +20,14 @@ namespace deltamesh {
 
 struct ColorModels;
 
-struct CodedColors {
-  std::vector<std::byte> bytes;   ///< fields, then a compact stream [CMP-1] to the end
-  std::vector<std::byte> values;  ///< n x components x size, as readers get them
-};
-
 /// `values`: n x `components` (1 to 4) of `type`, native byte order, in coded order. `max_error`: the largest
 /// error of a component, 255ths of its range, 0 or above. Empty for other types than u8, u16 and f32, for
 /// floats that are not in [0, 1], and for exact floats that are not all whole 255ths or whole 65535ths.
 /// `start`: null for fresh models. O(n).
-std::optional<CodedColors> write_surface_colors(std::span<const std::byte> values, ComponentType type,
-                                                unsigned components, double max_error,
-                                                const AttributeSurface& surface,
-                                                const ColorModels* start = nullptr);
+std::optional<CodedValues<std::byte>> write_surface_colors(std::span<const std::byte> values,
+                                                           ComponentType type, unsigned components,
+                                                           double max_error, const AttributeSurface& surface,
+                                                           const ColorModels* start = nullptr);
 
 /// The values. Errors: kTruncated, kInvalidStream [ATTR-45, CMP-3].
 Result<std::vector<std::byte>> read_surface_colors(std::span<const std::byte> bytes, ComponentType type,

@@ -138,9 +138,10 @@ void write_fields(ByteWriter& out, const ColorFields& fields) {
 
 }  // namespace
 
-std::optional<CodedColors> write_surface_colors(std::span<const std::byte> values, ComponentType type,
-                                                unsigned components, double max_error,
-                                                const AttributeSurface& surface, const ColorModels* start) {
+std::optional<CodedValues<std::byte>> write_surface_colors(std::span<const std::byte> values,
+                                                           ComponentType type, unsigned components,
+                                                           double max_error, const AttributeSurface& surface,
+                                                           const ColorModels* start) {
   if (type != ComponentType::kU8 && type != ComponentType::kU16 && type != ComponentType::kF32)
     return std::nullopt;
   const Colors colors(values, type, components);
@@ -163,7 +164,7 @@ std::optional<CodedColors> write_surface_colors(std::span<const std::byte> value
     }
     out.write_bytes(writer.finish());
   }
-  CodedColors coded{.bytes = out.take(), .values = {}};
+  CodedValues<std::byte> coded{.bytes = out.take(), .values = {}};
   const std::size_t size = component_size(type);
   coded.values.resize(values.size());
   std::byte* to = coded.values.data();

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "attributes/attribute_surface.h"
+#include "attributes/coded_values.h"
 #include "deltamesh/result.h"
 
 namespace deltamesh {
@@ -19,17 +20,12 @@ namespace deltamesh {
 inline constexpr double kLeastNormalError = 0.002;
 inline constexpr double kMostNormalError = 60;
 
-struct CodedNormals {
-  std::vector<std::byte> bytes;  ///< parameters [ATTR-20], then a compact stream [CMP-1]
-  std::vector<float> values;     ///< n x 3, what read_surface_normals() will return
-};
-
 /// `normals`: n x 3, by coded vertex. Every decoded normal is at most `max_degrees` from its original; zero
 /// vectors stay zero. `surface.geometric()` must not fall from vertex to vertex. Empty where a normal is not
 /// finite or, not being zero, has a length more than 1 % off 1, where no lattice point stands for one, or
 /// where `max_degrees` is not between kLeastNormalError and kMostNormalError. O(n + m).
-std::optional<CodedNormals> write_surface_normals(std::span<const float> normals, double max_degrees,
-                                                  const AttributeSurface& surface);
+std::optional<CodedValues<float>> write_surface_normals(std::span<const float> normals, double max_degrees,
+                                                        const AttributeSurface& surface);
 
 /// n x 3 unit or zero vectors. Errors: kTruncated, kInvalidStream [ATTR-20, ATTR-24, CMP-3].
 Result<std::vector<float>> read_surface_normals(std::span<const std::byte> bytes,

@@ -120,8 +120,8 @@ RuleFit find_rule(const NormalChoice& choice, const AttributeSurface& surface, d
 
 }  // namespace
 
-std::optional<CodedNormals> write_surface_normals(std::span<const float> normals, double max_degrees,
-                                                  const AttributeSurface& surface) {
+std::optional<CodedValues<float>> write_surface_normals(std::span<const float> normals, double max_degrees,
+                                                        const AttributeSurface& surface) {
   NormalParameters parameters;
   if (!(max_degrees >= kLeastNormalError && max_degrees <= kMostNormalError)) return std::nullopt;
   if (normals.size() != 3 * std::size_t{surface.vertex_count()}) return std::nullopt;
@@ -141,16 +141,13 @@ std::optional<CodedNormals> write_surface_normals(std::span<const float> normals
   CompactWriter writer;
   NormalWalk walk(writer, choice, surface, parameters);
   if (!walk.run([] { return false; })) return std::nullopt;
-  CodedNormals coded;
-  coded.values = walk.values();
   ByteWriter out;
   out.write(static_cast<std::uint8_t>(
       static_cast<int>(parameters.rule) | (parameters.shares ? kSharesFlag : 0) |
       (parameters.has_zeros ? kZerosFlag : 0) | (parameters.blends ? kBlendsFlag : 0)));
   out.write(parameters.radius);
   out.write_bytes(writer.finish());
-  coded.bytes = out.take();
-  return coded;
+  return CodedValues<float>{.bytes = out.take(), .values = walk.values()};
 }
 
 }  // namespace deltamesh

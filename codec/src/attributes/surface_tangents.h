@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "attributes/attribute_surface.h"
+#include "attributes/coded_values.h"
 #include "deltamesh/mesh.h"
 #include "deltamesh/result.h"
 
@@ -26,17 +27,12 @@ struct TangentBasis {
 /// The first normals and texture coordinates of floats among the decoded attributes [ATTR-39].
 TangentBasis tangent_basis(std::span<const Attribute> decoded, std::uint32_t vertex_count);
 
-struct CodedTangents {
-  std::vector<std::byte> bytes;
-  std::vector<float> values;  ///< n x 4: what a decoder gets; unit vectors and signs
-};
-
 /// `tangents`: n x 4, by coded vertex: a vector and a sign, 1 or -1. Every decoded vector is at most
 /// `max_degrees` from its original, signs are the same. Empty where a vector is not finite or has a length
 /// more than 1 % off 1, another sign occurs, or `max_degrees` is not between 0.002 and 60. O(n + m).
-std::optional<CodedTangents> write_surface_tangents(std::span<const float> tangents, double max_degrees,
-                                                    const AttributeSurface& surface,
-                                                    const TangentBasis& basis);
+std::optional<CodedValues<float>> write_surface_tangents(std::span<const float> tangents, double max_degrees,
+                                                         const AttributeSurface& surface,
+                                                         const TangentBasis& basis);
 
 /// n x 4. Errors: kTruncated, kInvalidStream [ATTR-38, ATTR-44, CMP-3].
 Result<std::vector<float>> read_surface_tangents(std::span<const std::byte> bytes,

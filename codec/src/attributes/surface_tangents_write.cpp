@@ -81,9 +81,9 @@ class TangentChoice {
 
 }  // namespace
 
-std::optional<CodedTangents> write_surface_tangents(std::span<const float> tangents, double max_degrees,
-                                                    const AttributeSurface& surface,
-                                                    const TangentBasis& basis) {
+std::optional<CodedValues<float>> write_surface_tangents(std::span<const float> tangents, double max_degrees,
+                                                         const AttributeSurface& surface,
+                                                         const TangentBasis& basis) {
   if (!(max_degrees >= kLeastDegrees && max_degrees <= kMostDegrees) || !are_tangents(tangents))
     return std::nullopt;
   const double chord = 2 * portable_sin(max_degrees * (kPi / 360)) * kKept;
@@ -94,7 +94,8 @@ std::optional<CodedTangents> write_surface_tangents(std::span<const float> tange
   TangentCoder coder(writer, surface, basis.normals, basis.uvs, step, TangentChoice(tangents, chord, step));
   for (std::size_t i = 0; i < coder.count(); ++i)
     if (!coder.code(i)) return std::nullopt;
-  return CodedTangents{.bytes = step_and_stream(step, writer.finish()), .values = std::move(coder.values())};
+  return CodedValues<float>{.bytes = step_and_stream(step, writer.finish()),
+                            .values = std::move(coder.values())};
 }
 
 }  // namespace deltamesh

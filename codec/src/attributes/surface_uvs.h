@@ -10,20 +10,16 @@
 #include <vector>
 
 #include "attributes/attribute_surface.h"
+#include "attributes/coded_values.h"
 #include "deltamesh/result.h"
 
 namespace deltamesh {
 
-struct CodedUvs {
-  std::vector<std::byte> bytes;
-  std::vector<float> values;  ///< n x 2: what a decoder gets
-};
-
 /// `uvs`: n x 2, by coded vertex. `max_distance`: the largest Euclidean distance in texture space, above 0.
 /// Empty where a coordinate is not finite, or the bound is too small or too large for the coordinates' range.
 /// O(n + m).
-std::optional<CodedUvs> write_surface_uvs(std::span<const float> uvs, double max_distance,
-                                          const AttributeSurface& surface);
+std::optional<CodedValues<float>> write_surface_uvs(std::span<const float> uvs, double max_distance,
+                                                    const AttributeSurface& surface);
 
 /// n x 2. Errors: kTruncated, kInvalidStream [ATTR-31, ATTR-37, CMP-3].
 Result<std::vector<float>> read_surface_uvs(std::span<const std::byte> bytes,

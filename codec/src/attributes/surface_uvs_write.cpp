@@ -66,8 +66,8 @@ class UvChoice {
 
 }  // namespace
 
-std::optional<CodedUvs> write_surface_uvs(std::span<const float> uvs, double max_distance,
-                                          const AttributeSurface& surface) {
+std::optional<CodedValues<float>> write_surface_uvs(std::span<const float> uvs, double max_distance,
+                                                    const AttributeSurface& surface) {
   if (!are_finite(uvs)) return std::nullopt;
   const double most = largest(uvs);
   // Rounding to floats takes half a unit in the last place of each coordinate.
@@ -80,7 +80,8 @@ std::optional<CodedUvs> write_surface_uvs(std::span<const float> uvs, double max
                 UvChoice(uvs, max_distance * kKept, static_cast<double>(step)));
   for (std::size_t i = 0; i < coder.count(); ++i)
     if (!coder.code(i)) return std::nullopt;
-  return CodedUvs{.bytes = step_and_stream(step, writer.finish()), .values = std::move(coder.values())};
+  return CodedValues<float>{.bytes = step_and_stream(step, writer.finish()),
+                            .values = std::move(coder.values())};
 }
 
 }  // namespace deltamesh

@@ -73,12 +73,7 @@ Result<Connectivity> read_compact_connectivity(std::span<const std::byte> bytes,
                 read_compact_gluing(reader, border.faces(), border.vertex_count(), vertex_count));
   DELTAMESH_CHECK(reader.finish(kTagConnectivity));
   if (learning.end != nullptr) *learning.end = guide.models();
-  Connectivity read{.triangles = border.take_faces(),
-                    .open_edges = border.take_open_edges(),
-                    .runs = connected_runs(guide.starts(), vertex, border.vertex_count())};
-  renumber(read.triangles, vertex);
-  renumber(read.open_edges, vertex);
-  return read;
+  return take_glued(border, guide.starts(), vertex);
 }
 
 }  // namespace deltamesh

@@ -136,12 +136,7 @@ Result<Connectivity> read_connectivity(Payload payload, std::uint32_t vertex_cou
                 read_gluing(in, sections.glue_count, border.vertex_count(), vertex_count));
   DELTAMESH_CHECK(in.finish());
   DELTAMESH_TRY(const auto vertex, glue_vertices(list, border.vertex_count(), vertex_count));
-  Connectivity read{.triangles = border.take_faces(),
-                    .open_edges = border.take_open_edges(),
-                    .runs = connected_runs(guide.starts(), vertex, border.vertex_count())};
-  renumber(read.triangles, vertex);
-  renumber(read.open_edges, vertex);
-  return read;
+  return take_glued(border, guide.starts(), vertex);
 }
 
 }  // namespace deltamesh

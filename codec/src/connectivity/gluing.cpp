@@ -14,6 +14,31 @@ namespace {
 
 Error invalid(const char* message) noexcept { return Refusal{message, "CONN-11"}.error(); }
 
+/// Runs of connected vertices.
+VertexRuns connected_runs(std::span<const std::uint32_t> starts, std::span<const std::uint32_t> vertex,
+                          std::uint32_t manifold_count) {
+  VertexRuns runs;
+  if (vertex.empty()) {
+    for (const std::uint32_t start : starts) runs.begin(start);
+    runs.end(manifold_count);
+    return runs;
+  }
+  std::uint32_t fresh = 0;
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    runs.begin(fresh);
+    const std::uint32_t end = i + 1 < starts.size() ? starts[i + 1] : manifold_count;
+    for (std::uint32_t m = starts[i]; m < end; ++m) {
+      if (vertex[m] == fresh) {
+        ++fresh;
+      } else {
+        runs.join(vertex[m]);
+      }
+    }
+  }
+  runs.end(fresh);
+  return runs;
+}
+
 }  // namespace
 
 Result<void> check_glue_count(std::uint64_t count, std::uint32_t manifold_count, std::uint32_t vertex_count) {
@@ -52,32 +77,14 @@ void renumber(std::span<std::uint32_t> manifold, std::span<const std::uint32_t> 
   for (std::uint32_t& m : manifold) m = vertex[m];
 }
 
-void renumber(std::span<DirectedEdge> manifold, std::span<const std::uint32_t> vertex) {
-  for (DirectedEdge& edge : manifold) renumber(edge, vertex);
-}
-
-VertexRuns connected_runs(std::span<const std::uint32_t> starts, std::span<const std::uint32_t> vertex,
-                          std::uint32_t manifold_count) {
-  VertexRuns runs;
-  if (vertex.empty()) {
-    for (const std::uint32_t start : starts) runs.begin(start);
-    runs.end(manifold_count);
-    return runs;
-  }
-  std::uint32_t fresh = 0;
-  for (std::size_t i = 0; i < starts.size(); ++i) {
-    runs.begin(fresh);
-    const std::uint32_t end = i + 1 < starts.size() ? starts[i + 1] : manifold_count;
-    for (std::uint32_t m = starts[i]; m < end; ++m) {
-      if (vertex[m] == fresh) {
-        ++fresh;
-      } else {
-        runs.join(vertex[m]);
-      }
-    }
-  }
-  runs.end(fresh);
-  return runs;
+Connectivity take_glued(Border& border, std::span<const std::uint32_t> starts,
+                        std::span<const std::uint32_t> vertex) {
+  Connectivity all{.triangles = border.take_faces(),
+                   .open_edges = border.take_open_edges(),
+                   .runs = connected_runs(starts, vertex, border.vertex_count())};
+  renumber(all.triangles, vertex);
+  for (DirectedEdge& edge : all.open_edges) renumber(edge, vertex);
+  return all;
 }
 
 Result<LargeVector<std::uint32_t>> read_compact_gluing(CompactReader& reader,

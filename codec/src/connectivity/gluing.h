@@ -9,9 +9,10 @@
 #include <vector>
 
 #include "base/large_vector.h"
+#include "connectivity/border.h"
+#include "connectivity/connectivity.h"
 #include "deltamesh/result.h"
 #include "entropy/compact_reader.h"
-#include "topology/vertex_runs.h"
 
 namespace deltamesh {
 
@@ -28,12 +29,11 @@ Result<LargeVector<std::uint32_t>> glue_vertices(const GlueList& list, std::uint
 
 /// Manifold vertices become vertices. `vertex`: as from glue_vertices().
 void renumber(std::span<std::uint32_t> manifold, std::span<const std::uint32_t> vertex);
-void renumber(std::span<DirectedEdge> manifold, std::span<const std::uint32_t> vertex);
 
-/// Runs of connected vertices. `starts`: first manifold vertex of every component, ascending; `vertex`: as
-/// from glue_vertices().
-VertexRuns connected_runs(std::span<const std::uint32_t> starts, std::span<const std::uint32_t> vertex,
-                          std::uint32_t manifold_count);
+/// All of `border`, over the mesh's vertices. `starts`: first manifold vertex of every component, ascending;
+/// `vertex`: as from glue_vertices().
+Connectivity take_glued(Border& border, std::span<const std::uint32_t> starts,
+                        std::span<const std::uint32_t> vertex);
 
 /// Checks a list's length before anything of its size is allocated. Errors: kInvalidStream [CONN-11].
 Result<void> check_glue_count(std::uint64_t count, std::uint32_t manifold_count, std::uint32_t vertex_count);
