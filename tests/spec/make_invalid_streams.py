@@ -99,7 +99,8 @@ def by_hand(program):
     yield from (b"XMS" + valid[3:], valid[:3] + b"\1" + valid[4:], valid[:3] + bytes([127 + DRAFT]) + valid[4:],
                 valid[:-1] + bytes([valid[-1] ^ 1]), valid[:7])
     yield from headers_by_hand(Parts(valid), Parts(generated(program, "terrain", 30, "")))
-    yield from (sealed(valid[:-4] + chunk) for chunk in (b"\0ABCD\0", b"\x11\1" + varint(3000) + b"\0"))
+    yield sealed(valid[:-4] + b"\0ABCD\0")
+    yield sealed(Parts(valid).header + b"\x11\1" + varint(3000) + b"\0")  # 8 vertices and faces have no such chunk
     yield Parts(valid).replace("CONN", None, bytes(21))  # no tokens
     fragments = Parts(generated(program, "fragments", 60, "--geometry highpass"))
     yield fragments.replace("ANCH", None, b"\0\0")  # the first vertices are the anchors
