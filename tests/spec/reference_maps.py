@@ -17,7 +17,7 @@ from container import Reader, unzigzag
 MAPS = [("rooms", 4000, "--part-edge 2 --max-error 0.02"), ("rooms", 3000, "--part-edge 3 --geometry highpass"),
         ("rooms", 3000, "--part-edge 2 --geometry predictive --max-error 0.001 --part-triangles 400"),
         ("terrain", 3000, "--part-edge 20"), ("cad", 2000, "--part-edge 1 --lfe 0.1%"), ("fragments", 2000, "--part-edge 1"),
-        ("terrain", 3000, "--part-edge 30 --color-error 4 --geometry predictive")]
+        ("terrain", 3000, "--part-edge 30 --color-error 4 --geometry predictive"), ("rooms", 4000, "--part-edge 2 --levels 2")]
 FILES = [("formats/Duck.glb", "--part-edge 40"), ("gltf/Fox.glb", "--part-edge 50 --geometry predictive"), ("models/fandisk.ply", "--part-edge 1")]
 
 
@@ -33,6 +33,11 @@ def decoded_parts(folder):
             mesh = described.MAP_7_part(key_of(path), file.read())
         mesh.header.lfe = lfe[key_of(path)]
         yield key_of(path), mesh, described
+
+
+def is_coarser(key, keys):
+    """Whether a part is a coarser copy of others [MAP-3]."""
+    return any(other[0] < key[0] and [x >> (key[0] - other[0]) for x in other[1:]] == list(key[1:]) for other in keys)
 
 
 def key_of(path):
@@ -66,12 +71,17 @@ def entries(r, attributes):
 
 def compare(folder, joined):
     """How many parts there are, and why the first one that differs does; an empty text if none does. Where parts meet, the joined mesh has
-    the attributes of one of them."""
+    the attributes of one of them; it has no coarser parts, which are decoded only."""
     positions, others, faces = read_positions(joined)
     rows = np.frombuffer(faces, dtype=[("count", "u1"), ("of", "<i4", 3)])["of"]
     positions, others = corners_of(positions, others[1:], rows)
     first, count = 0, 0
-    for key, mesh, described in decoded_parts(folder):
+    parts = list(decoded_parts(folder))
+    keys = [key for key, _, _ in parts]
+    for key, mesh, described in parts:
+        if is_coarser(key, keys):
+            count += 1
+            continue
         columns = [a.values[:, i].tobytes() for a, _ in usual_first(mesh.attributes) for i in range(a.k)]
         own, own_others = corners_of(mesh.positions + np.array(described.origin), columns, mesh.faces)
         its = positions[first:first + len(own)].astype(np.float64)
