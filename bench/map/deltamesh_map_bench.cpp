@@ -196,7 +196,7 @@ int main(int argc, char** argv) {
   Settings settings;
   std::vector<std::string> folders;
   std::string wholes;
-  double voxel = 0.02;
+  double voxel = 0.04;
   std::uint64_t vertices = 50'000;
   std::uint32_t steps = 20;
   CLI::App app("Updates of maps beside raw triangles, Draco and plain streams, block by block.");

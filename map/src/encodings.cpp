@@ -7,9 +7,16 @@
 #include <algorithm>
 
 #include "base/try.h"
+#include "part_encode.h"
+#include "patch_container.h"
+#include "patch_encode.h"
 
 namespace deltamesh {
 namespace {
+
+/// A patch with more new faces, or with more bytes, than that of the whole is not worth it.
+constexpr double kMostNewFaces = 0.97;
+constexpr double kWorthPatch = 0.97;
 
 /// The view's quality, without places and rate.
 View quality_of(const View& view) {
@@ -33,52 +40,111 @@ PartQuality part_quality(const View& view, const SenderOptions& options) {
 }
 
 PartErrors errors_of_coded(const CodedPart& coded, const MapDescription& description) {
-  PartErrors errors{.is_per_vertex = true,
-                    .vde = coded.quality.vde_rms,
-                    .lfe = coded.quality.lfe_rms,
-                    .max_error = coded.quality.max_error};
+  PartErrors errors{
+      .vde = coded.quality.vde_rms, .lfe = coded.quality.lfe_rms, .max_error = coded.quality.max_error};
   for (std::size_t i = 0; i < coded.attribute_errors.size(); ++i)
     if (description.attributes[i].kind == AttributeKind::kColor)
       errors.color_error = std::max(errors.color_error, coded.attribute_errors[i]);
   return errors;
 }
 
+/// Without what is said of patches.
+Encoding encoding_of(DecodedPart part, const MapPart& source, const MapDescription& description) {
+  Encoding encoding;
+  encoding.errors = errors_of_coded(part.coded, description);
+  encoding.octets = std::move(part.coded.bytes);
+  encoding.hash = XXH3_64bits(encoding.octets.data(), encoding.octets.size());
+  encoding.decoded = std::move(part.part);
+  encoding.quality = part.coded.quality;
+  encoding.attribute_errors = std::move(part.coded.attribute_errors);
+  encoding.sources.reserve(3 * part.order.size());
+  for (const std::uint32_t v : part.order) {
+    const auto position = source.mesh.positions.begin() + static_cast<std::ptrdiff_t>(3 * std::size_t{v});
+    encoding.sources.insert(encoding.sources.end(), position, position + 3);
+  }
+  return encoding;
+}
+
 }  // namespace
+
+std::vector<Encodings::Asked>& Encodings::asked_of(const SourcePart& source) {
+  std::vector<Asked>& asked = asked_[source.part.key];
+  std::erase_if(asked, [&](const Asked& a) { return a.content_revision != source.content_revision; });
+  return asked;
+}
 
 Result<std::shared_ptr<const Encoding>> Encodings::get(const SourcePart& source, const View& view) {
   const View quality = quality_of(view);
-  std::vector<Asked>& asked = asked_[source.part.key];
-  std::erase_if(asked, [&](const Asked& a) { return a.content_revision != source.content_revision; });
-  const auto known = std::ranges::find(asked, quality, &Asked::view);
-  if (known != asked.end()) return known->encoding;
-  DELTAMESH_TRY(CodedPart coded, codec_.encode(source.part, part_quality(quality, options_)));
-  auto encoding = std::make_shared<Encoding>();
-  DELTAMESH_TRY(encoding->decoded, codec_.decode(source.part.key, coded.bytes));
-  encoding->hash = XXH3_64bits(coded.bytes.data(), coded.bytes.size());
-  encoding->errors = errors_of_coded(coded, codec_.description());
-  encoding->octets = std::move(coded.bytes);
-  encoding->quality = coded.quality;
-  encoding->attribute_errors = std::move(coded.attribute_errors);
+  std::vector<Asked>& asked = asked_of(source);
+  for (const Asked& a : asked)
+    if (a.view == quality && a.base_hash == 0) return a.encoding;
+  DELTAMESH_TRY(DecodedPart part, encode_part(codec_.state(), source.part, part_quality(quality, options_)));
+  auto encoding = std::make_shared<Encoding>(encoding_of(std::move(part), source.part, codec_.description()));
+  encoding->whole_rate =
+      static_cast<double>(encoding->octets.size()) / static_cast<double>(source.part.mesh.triangle_count());
   ++encoded_;
-  asked.push_back({quality, source.content_revision, encoding});
+  asked.push_back({quality, source.content_revision, 0, encoding});
   return std::shared_ptr<const Encoding>(std::move(encoding));
 }
 
-PartErrors Encodings::errors_of(const KnownVersion& version, const SourcePart& source) {
-  if (version.content_revision == source.content_revision) return version.encoding->errors;
-  std::vector<Measured>& measured = measured_[source.part.key];
-  std::erase_if(measured, [&](const Measured& m) { return m.content_revision != source.content_revision; });
-  const auto known = std::ranges::find(measured, version.encoding->hash, &Measured::hash);
-  if (known != measured.end()) return known->errors;
-  const PartErrors errors = errors_between(source.part.mesh, version.encoding->decoded.mesh);
-  measured.push_back({source.content_revision, version.encoding->hash, errors});
-  return errors;
+Result<std::shared_ptr<const Encoding>> Encodings::patch(const SourcePart& source, const View& view,
+                                                         const KnownVersion& base) {
+  const View quality = quality_of(view);
+  std::vector<Asked>& asked = asked_of(source);
+  for (const Asked& a : asked)
+    if (a.view == quality && a.base_hash == base.encoding->hash) return a.encoding;
+  DELTAMESH_TRY(auto encoding, make_patch(source, quality, *base.encoding));
+  asked.push_back({quality, source.content_revision, base.encoding->hash, encoding});
+  return encoding;
+}
+
+Result<std::shared_ptr<const Encoding>> Encodings::make_patch(const SourcePart& source, const View& quality,
+                                                              const Encoding& base) {
+  std::shared_ptr<const Encoding> none;
+  if (!quality.max_error || count_patches(base.octets) >= kMostPatches) return none;
+  const auto matched = match(source, quality, base);
+  const auto triangles = static_cast<double>(source.part.mesh.triangle_count());
+  if (static_cast<double>(matched->new_faces.size()) > kMostNewFaces * triangles) return none;
+  DELTAMESH_TRY(auto part, encode_patch(codec_.state(), source.part, {base.decoded, base.sources}, base.hash,
+                                        *matched, part_quality(quality, options_)));
+  ++encoded_;
+  if (!part || static_cast<double>(part->coded.bytes.size()) > kWorthPatch * base.whole_rate * triangles)
+    return none;
+  std::vector<std::byte> patch = std::move(part->coded.bytes);
+  part->coded.bytes = join_patched({base.decoded.key, base.octets, patch});
+  if (part->coded.bytes.size() > kMostPartBytes) return none;
+  auto encoding =
+      std::make_shared<Encoding>(encoding_of(*std::move(part), source.part, codec_.description()));
+  encoding->patch = std::move(patch);
+  encoding->base_key = base.decoded.key;
+  encoding->base_hash = base.hash;
+  encoding->whole_rate = base.whole_rate;
+  return std::shared_ptr<const Encoding>(std::move(encoding));
+}
+
+std::shared_ptr<const PartMatch> Encodings::match(const SourcePart& source, const View& quality,
+                                                  const Encoding& base) {
+  std::vector<Matched>& matched = matched_[source.part.key];
+  std::erase_if(matched, [&](const Matched& m) { return m.content_revision != source.content_revision; });
+  for (const Matched& m : matched)
+    if (m.view == quality && m.hash == base.hash) return m.match;
+  const MatchBounds bounds{*quality.max_error, quality.color_error};
+  matched.push_back(
+      {quality, source.content_revision, base.hash,
+       std::make_shared<const PartMatch>(match_part(source.part, {base.decoded, base.sources}, bounds))});
+  return matched.back().match;
+}
+
+bool Encodings::fits(const KnownVersion& version, const SourcePart& source, const View& view) {
+  if (version.content_revision == source.content_revision) return satisfies(version.encoding->errors, view);
+  if (!view.max_error || view.vde || view.lfe) return false;
+  return match(source, quality_of(view), *version.encoding)->is_whole();
 }
 
 void Encodings::prune(const SourceMap& map) {
   const auto is_gone = [&](const auto& entry) { return map.find(entry.first) == nullptr; };
   std::erase_if(asked_, is_gone);
-  std::erase_if(measured_, is_gone);
+  std::erase_if(matched_, is_gone);
 }
 
 }  // namespace deltamesh

@@ -14,6 +14,7 @@
 #include "deltamesh/map/messages.h"
 #include "deltamesh/map/sender.h"
 #include "part_fitness.h"
+#include "part_match.h"
 #include "source_map.h"
 
 namespace deltamesh {
@@ -24,7 +25,12 @@ struct Encoding {
   MapPart decoded;
   Quality quality{};
   std::vector<double> attribute_errors{};
-  PartErrors errors{};  ///< against the source that was encoded
+  PartErrors errors{};             ///< against the source that was encoded
+  std::vector<float> sources{};    ///< of every decoded vertex the position in that source, n x 3
+  std::vector<std::byte> patch{};  ///< the octets without those of the base; empty: there is none
+  PartKey base_key{};
+  std::uint64_t base_hash = 0;  ///< of the base's octets
+  double whole_rate = 0;        ///< bytes per triangle of the part without patches
 };
 
 /// A version that was sent, or would be.
@@ -44,8 +50,13 @@ class Encodings {
   /// those of MapCodec::encode().
   Result<std::shared_ptr<const Encoding>> get(const SourcePart& source, const View& view);
 
-  /// Against the newest source, which may be newer than what was encoded.
-  PartErrors errors_of(const KnownVersion& version, const SourcePart& source);
+  /// Of the newest source as a patch of a version. Null where that would not be worth it. Errors: those of
+  /// MapCodec::encode().
+  Result<std::shared_ptr<const Encoding>> patch(const SourcePart& source, const View& view,
+                                                const KnownVersion& base);
+
+  /// Whether a version is all that a view asks for of the newest source, which may be newer.
+  bool fits(const KnownVersion& version, const SourcePart& source, const View& view);
 
   /// Forgets what is not of the newest source.
   void prune(const SourceMap& map);
@@ -56,18 +67,25 @@ class Encodings {
   struct Asked {
     View view;  ///< its quality alone
     std::uint64_t content_revision = 0;
-    std::shared_ptr<const Encoding> encoding{};
+    std::uint64_t base_hash = 0;                 ///< 0: not as a patch
+    std::shared_ptr<const Encoding> encoding{};  ///< null: a patch is not worth it
   };
-  struct Measured {
+  struct Matched {
+    View view;                           ///< its quality alone
     std::uint64_t content_revision = 0;  ///< of the source
-    std::uint64_t hash = 0;              ///< of the octets
-    PartErrors errors{};
+    std::uint64_t hash = 0;              ///< of the version's octets
+    std::shared_ptr<const PartMatch> match{};
   };
+
+  std::vector<Asked>& asked_of(const SourcePart& source);
+  Result<std::shared_ptr<const Encoding>> make_patch(const SourcePart& source, const View& quality,
+                                                     const Encoding& base);
+  std::shared_ptr<const PartMatch> match(const SourcePart& source, const View& quality, const Encoding& base);
 
   MapCodec codec_;
   SenderOptions options_;
   std::map<PartKey, std::vector<Asked>> asked_;
-  std::map<PartKey, std::vector<Measured>> measured_;
+  std::map<PartKey, std::vector<Matched>> matched_;
   std::uint64_t encoded_ = 0;
 };
 

@@ -9,29 +9,10 @@
 #include "base/try.h"
 #include "border_payload.h"
 #include "codec_state.h"
+#include "part_decode.h"
 
 namespace deltamesh {
 namespace {
-
-Result<MapPart> decode_part(const MapCodec::State& state, const PartKey& key,
-                            std::span<const std::byte> bytes, const DecodeOptions& options) {
-  DELTAMESH_TRY(const OpenedPart opened, open_part(state.place_of(key), bytes));
-  MapPart part;
-  part.key = key;
-  const CodecModels& models = opened.primer ? state.models[*opened.primer] : state.models.back();
-  DecodeOptions of_stream = options;
-  of_stream.starting_states = models.start();
-  DELTAMESH_TRY(part.mesh, decode(opened.stream, of_stream));
-  const MapLattice& lattice = state.description.lattice;
-  DELTAMESH_TRY(const BorderView view, view_border(opened.stream, part.mesh, lattice));
-  DELTAMESH_TRY(part.border, read_border(opened.border, part.mesh, view, {&models.border}));
-  part.mesh.origin = lattice.origin;
-  for (const BorderVertex& border : part.border) {
-    const auto position = lattice.position_of(border.point);
-    for (std::size_t k = 0; k < 3; ++k) part.mesh.positions[3 * std::size_t{border.vertex} + k] = position[k];
-  }
-  return part;
-}
 
 /// Adds the models after the next primer.
 Result<void> learn(const MapPrimer& primer, const DecodeLimits& limits, MapCodec::State& state) {

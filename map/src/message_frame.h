@@ -21,7 +21,8 @@ enum class MessageKind : std::uint8_t {
   kEntry = 3,
   kPart = 4,
   kView = 5,
-  kStart = 6
+  kStart = 6,
+  kPatch = 7
 };
 
 /// Begins a message; the body's fields are to follow.

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
+#include "part_encode.h"
+
 #include <algorithm>
 #include <numeric>
 #include <optional>
@@ -51,7 +53,7 @@ Result<void> check_part(const MapPart& part, const MapDescription& description) 
 
 /// One way to code a part, and what a receiver gets.
 struct Attempt {
-  CodedPart coded;
+  DecodedPart result;
   double load = 0;  ///< the worst achieved error over its bound
 };
 
@@ -66,24 +68,24 @@ class PartEncoder {
 
   /// Border vertices are where their lattice points are, whatever was asked of the stream, so that it may
   /// have to be better than asked.
-  Result<CodedPart> run() {
+  Result<DecodedPart> run() {
     EncodeOptions options = options_for(quality_);
     std::optional<Attempt> best;
     for (int i = 0; i < kMostAttempts; ++i) {
       DELTAMESH_TRY(Attempt attempt, code(options));
-      if (attempt.load <= 1) return std::move(attempt.coded);
+      if (attempt.load <= 1) return std::move(attempt.result);
       tighten(options.quality, attempt.load);
       if (i == kMostAttempts / 2) options.geometry = GeometryCoder::kPredictive;
       if (!best || attempt.load < best->load) best = std::move(attempt);
     }
-    const Quality& achieved = best->coded.quality;
+    const Quality& achieved = best->result.coded.quality;
     return Error{.code = ErrorCode::kUnmetRequest,
                  .message = "the map's lattice is too coarse for the quality asked of a part",
                  .rule = "MAP-8",
                  .best_value = bounds_.vde   ? achieved.vde_rms
                                : bounds_.lfe ? achieved.lfe_rms
                                              : achieved.max_error,
-                 .best_bytes = best->coded.bytes.size()};
+                 .best_bytes = best->result.coded.bytes.size()};
   }
 
  private:
@@ -92,14 +94,14 @@ class PartEncoder {
     for (std::size_t i = 0; i < state_.primers.size(); ++i) {
       if (!may_be(state_.primers[i])) continue;
       options.starting_states = state_.models[i].start();
-      DELTAMESH_TRY(const Encoded encoded, encode(source_, options));
+      DELTAMESH_TRY(Encoded encoded, encode(source_, options));
       if (encoded.bytes != state_.description.primers[i].stream) continue;
-      DELTAMESH_TRY(Attempt attempt, finish(encoded, i));
-      if (!attempt.coded.bytes.empty()) return attempt;
+      DELTAMESH_TRY(Attempt attempt, finish(std::move(encoded), i));
+      if (!attempt.result.coded.bytes.empty()) return attempt;
     }
     options.starting_states = state_.models.back().start();
-    DELTAMESH_TRY(const Encoded encoded, encode(source_, options));
-    return finish(encoded, std::nullopt);
+    DELTAMESH_TRY(Encoded encoded, encode(source_, options));
+    return finish(std::move(encoded), std::nullopt);
   }
 
   bool may_be(const StreamInfo& primer) const noexcept {
@@ -108,10 +110,10 @@ class PartEncoder {
   }
 
   /// `primer`: which one `encoded` is, if any. No bytes where the border is not the primer's.
-  Result<Attempt> finish(const Encoded& encoded, std::optional<std::size_t> primer) {
+  Result<Attempt> finish(Encoded encoded, std::optional<std::size_t> primer) {
     const CodecModels& models = primer ? state_.models[*primer] : state_.models.back();
     DELTAMESH_TRY(Mesh decoded, decode(encoded.bytes, {.starting_states = models.start()}));
-    const auto border = border_in_order(part_, encoded.order);
+    auto border = border_in_order(part_, encoded.order);
     const MapLattice& lattice = state_.description.lattice;
     DELTAMESH_TRY(const BorderView view, view_border(encoded.bytes, decoded, lattice));
     const auto payload = write_border(decoded, view, border, models.border);
@@ -119,18 +121,21 @@ class PartEncoder {
     const PartPlace place = state_.place_of(part_.key);
     if (primer && payload != state_.description.primers[*primer].border) return attempt;
     if (primer) {
-      attempt.coded.bytes = write_primer_part(place, *primer);
+      attempt.result.coded.bytes = write_primer_part(place, *primer);
     } else {
-      DELTAMESH_TRY(attempt.coded.bytes, write_part(place, encoded.bytes, payload));
+      DELTAMESH_TRY(attempt.result.coded.bytes, write_part(place, encoded.bytes, payload));
     }
     for (const BorderVertex& vertex : border) {
       const auto position = lattice.position_of(vertex.point);
       for (std::size_t k = 0; k < 3; ++k) decoded.positions[3 * std::size_t{vertex.vertex} + k] = position[k];
     }
-    attempt.coded.quality = measure_.compare(decoded.positions, encoded.order);
-    attempt.load = bounds_.load(attempt.coded.quality);
+    attempt.result.coded.quality = measure_.compare(decoded.positions, encoded.order);
+    attempt.load = bounds_.load(attempt.result.coded.quality);
     for (const AttributeInfo& attribute : encoded.report.stream.attributes)
-      attempt.coded.attribute_errors.push_back(attribute.error);
+      attempt.result.coded.attribute_errors.push_back(attribute.error);
+    decoded.origin = lattice.origin;
+    attempt.result.part = {part_.key, std::move(decoded), std::move(border)};
+    attempt.result.order = std::move(encoded.order);
     return attempt;
   }
 
@@ -165,19 +170,25 @@ Result<MapPrimer> make_primer(const MapCodec& codec, const MapPart& part, const 
   return MapPrimer{std::move(encoded.bytes), std::move(border)};
 }
 
+Result<DecodedPart> encode_part(const MapCodec::State& state, const MapPart& part,
+                                const PartQuality& quality) {
+  if (quality.bounds.target_bytes)
+    return Error{.code = ErrorCode::kInvalidArgument,
+                 .message = "a part cannot be asked for a number of bytes"};
+  DELTAMESH_CHECK(check_part(part, state.description));
+  DELTAMESH_TRY(DecodedPart result, PartEncoder(state, part, quality).run());
+  if (result.coded.bytes.size() > kMostPartBytes)
+    return Error{.code = ErrorCode::kLimitExceeded,
+                 .message = "a part of more than 65536 bytes; split the map into smaller ones",
+                 .rule = "MAP-7",
+                 .best_bytes = result.coded.bytes.size()};
+  return result;
+}
+
 Result<CodedPart> MapCodec::encode(const MapPart& part, const PartQuality& quality) const noexcept {
   return guarded([&]() -> Result<CodedPart> {
-    if (quality.bounds.target_bytes)
-      return Error{.code = ErrorCode::kInvalidArgument,
-                   .message = "a part cannot be asked for a number of bytes"};
-    DELTAMESH_CHECK(check_part(part, state_->description));
-    DELTAMESH_TRY(CodedPart coded, PartEncoder(*state_, part, quality).run());
-    if (coded.bytes.size() > kMostPartBytes)
-      return Error{.code = ErrorCode::kLimitExceeded,
-                   .message = "a part of more than 65536 bytes; split the map into smaller ones",
-                   .rule = "MAP-7",
-                   .best_bytes = coded.bytes.size()};
-    return coded;
+    DELTAMESH_TRY(DecodedPart result, encode_part(*state_, part, quality));
+    return std::move(result.coded);
   });
 }
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
+#include "color_value.h"
 #include "quality/surface.h"
 #include "quality/triangle_tree.h"
 
@@ -16,29 +16,8 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// In 255ths of the range.
-double color_value(const Attribute& color, std::size_t vertex, std::size_t component) noexcept {
-  const std::size_t at = vertex * color.components + component;
-  switch (color.type) {
-    case ComponentType::kU8:
-      return std::to_integer<int>(color.values[at]);
-    case ComponentType::kU16: {
-      std::uint16_t value = 0;
-      std::memcpy(&value, color.values.data() + 2 * at, sizeof value);
-      return value / 257.0;
-    }
-    default: {
-      float value = 0;
-      std::memcpy(&value, color.values.data() + 4 * at, sizeof value);
-      return 255.0 * value;
-    }
-  }
-}
-
 bool are_colors(const Attribute& a, const Attribute& b) noexcept {
-  return a.kind == AttributeKind::kColor && b.kind == AttributeKind::kColor && a.type == b.type &&
-         a.components == b.components &&
-         (a.type == ComponentType::kU8 || a.type == ComponentType::kU16 || a.type == ComponentType::kF32);
+  return is_color(a) && is_color(b) && a.type == b.type && a.components == b.components;
 }
 
 /// From the vertices of one mesh to the surface of the other.

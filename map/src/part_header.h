@@ -17,6 +17,7 @@ namespace deltamesh {
 // Bits of the flags that streams use otherwise [MAP-7].
 inline constexpr std::uint8_t kFlagPrimer = kFlagKeepsOrder;  ///< the part is a primer
 inline constexpr std::uint8_t kFlagGrid = kFlagOrigin;        ///< the voxels are the last primer's
+inline constexpr std::uint8_t kFlagPatched = kFlagBits;       ///< a base and a patch follow [MAP-17]
 
 /// Where a lattice of `step` from `origin` is expected to begin: at the lowest corner of the part's cell.
 inline std::int64_t first_of_cell(const PartPlace& place, std::size_t axis, double origin,

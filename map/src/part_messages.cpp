@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Start, entry and part messages [MAP-13, MAP-14, MAP-16].
+// Start, entry, part and patch messages [MAP-13, MAP-14, MAP-16, MAP-17].
 #include "base/guard.h"
 #include "base/try.h"
 #include "deltamesh/map/messages.h"
@@ -12,6 +12,8 @@
 namespace deltamesh {
 namespace {
 
+constexpr const char* kNoOctets = "a part without octets, or with too many";
+
 Result<EntryMessage> read_entry_body(ByteReader in, std::size_t attributes) {
   EntryMessage message;
   DELTAMESH_TRY(message.map, in.read<std::uint64_t>());
@@ -21,7 +23,8 @@ Result<EntryMessage> read_entry_body(ByteReader in, std::size_t attributes) {
   return message;
 }
 
-Result<PartMessage> read_part_body(ByteReader in) {
+/// All but the octets.
+Result<PartMessage> read_part_fields(ByteReader& in) {
   PartMessage message;
   DELTAMESH_TRY(message.map, in.read<std::uint64_t>());
   DELTAMESH_TRY(message.start, in.read_varint());
@@ -29,11 +32,30 @@ Result<PartMessage> read_part_body(ByteReader in) {
   DELTAMESH_TRY(message.revision, in.read_varint());
   DELTAMESH_TRY(message.group, in.read_varint());
   DELTAMESH_TRY(message.links, read_links(in, message.key, message.revision));
-  if (in.remaining() == 0 || in.remaining() > kMostPartBytes)
-    return in.error(ErrorCode::kInvalidStream, "a part without octets, or with too many", "MAP-14");
-  DELTAMESH_TRY(const auto octets, in.read_bytes(in.remaining()));
-  message.octets.assign(octets.begin(), octets.end());
   return message;
+}
+
+/// All that is left.
+Result<std::vector<std::byte>> read_octets(ByteReader& in, const char* rule) {
+  if (in.remaining() == 0 || in.remaining() > kMostPartBytes)
+    return in.error(ErrorCode::kInvalidStream, kNoOctets, rule);
+  DELTAMESH_TRY(const auto octets, in.read_bytes(in.remaining()));
+  return std::vector<std::byte>(octets.begin(), octets.end());
+}
+
+void write_part_fields(ByteWriter& out, const PartMessage& message) {
+  out.write(message.map);
+  out.write_varint(message.start);
+  write_key(out, message.key);
+  out.write_varint(message.revision);
+  out.write_varint(message.group);
+  write_links(out, message.key, message.revision, message.links);
+}
+
+Result<void> check_octets(const std::vector<std::byte>& octets, const char* rule) {
+  if (octets.empty() || octets.size() > kMostPartBytes)
+    return Error{.code = ErrorCode::kInvalidArgument, .message = kNoOctets, .rule = rule};
+  return {};
 }
 
 }  // namespace
@@ -73,18 +95,23 @@ Result<std::vector<std::byte>> write_entry(const EntryMessage& message) noexcept
 Result<std::vector<std::byte>> write_part(const PartMessage& message) noexcept {
   return guarded([&]() -> Result<std::vector<std::byte>> {
     DELTAMESH_CHECK(check_links(message.key, message.links));
-    if (message.octets.empty() || message.octets.size() > kMostPartBytes)
-      return Error{.code = ErrorCode::kInvalidArgument,
-                   .message = "a part without octets, or with too many",
-                   .rule = "MAP-14"};
+    DELTAMESH_CHECK(check_octets(message.octets, "MAP-14"));
     ByteWriter out = begin_message(MessageKind::kPart);
-    out.write(message.map);
-    out.write_varint(message.start);
-    write_key(out, message.key);
-    out.write_varint(message.revision);
-    out.write_varint(message.group);
-    write_links(out, message.key, message.revision, message.links);
+    write_part_fields(out, message);
     out.write_bytes(message.octets);
+    return end_message(std::move(out));
+  });
+}
+
+Result<std::vector<std::byte>> write_patch(const PatchMessage& message) noexcept {
+  return guarded([&]() -> Result<std::vector<std::byte>> {
+    DELTAMESH_CHECK(check_links(message.part.key, message.part.links));
+    DELTAMESH_CHECK(check_octets(message.body, "MAP-17"));
+    ByteWriter out = begin_message(MessageKind::kPatch);
+    write_part_fields(out, message.part);
+    write_key(out, message.base_key);
+    out.write(message.base);
+    out.write_bytes(message.body);
     return end_message(std::move(out));
   });
 }
@@ -99,7 +126,23 @@ Result<EntryMessage> read_entry(std::span<const std::byte> message, std::size_t 
 Result<PartMessage> read_part(std::span<const std::byte> message) noexcept {
   return guarded([&]() -> Result<PartMessage> {
     DELTAMESH_TRY(const auto body, open_message(message, MessageKind::kPart));
-    return read_part_body(ByteReader(body));
+    ByteReader in(body);
+    DELTAMESH_TRY(PartMessage part, read_part_fields(in));
+    DELTAMESH_TRY(part.octets, read_octets(in, "MAP-14"));
+    return part;
+  });
+}
+
+Result<PatchMessage> read_patch(std::span<const std::byte> message) noexcept {
+  return guarded([&]() -> Result<PatchMessage> {
+    DELTAMESH_TRY(const auto body, open_message(message, MessageKind::kPatch));
+    ByteReader in(body);
+    PatchMessage patch;
+    DELTAMESH_TRY(patch.part, read_part_fields(in));
+    DELTAMESH_TRY(patch.base_key, read_key(in));
+    DELTAMESH_TRY(patch.base, in.read<std::uint64_t>());
+    DELTAMESH_TRY(patch.body, read_octets(in, "MAP-17"));
+    return patch;
   });
 }
 

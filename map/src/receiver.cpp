@@ -39,6 +39,8 @@ Result<void> MapReceiver::apply(std::span<const std::byte> message) noexcept {
         return state_->apply_entry(message);
       case MessageKind::kPart:
         return state_->apply_part(message);
+      case MessageKind::kPatch:
+        return state_->apply_patch(message);
       default:
         return refused("not a message for receivers", "MAP-1");
     }

@@ -10,6 +10,8 @@
 #include "base/try.h"
 #include "entry_fields.h"
 #include "message_frame.h"
+#include "part_decode.h"
+#include "patch_container.h"
 #include "view_cells.h"
 
 namespace deltamesh {
@@ -41,6 +43,11 @@ Sums sums_of(const ReceivedParts& parts) {
     sums.add(part.next);
   }
   return sums;
+}
+
+std::shared_ptr<const PartContent> content_of(std::vector<std::byte> octets, MapPart part) {
+  const std::uint64_t hash = XXH3_64bits(octets.data(), octets.size());
+  return std::make_shared<const PartContent>(PartContent{std::move(octets), hash, std::move(part)});
 }
 
 }  // namespace
@@ -98,35 +105,38 @@ std::shared_ptr<const PartContent> MapReceiver::State::known_content(const PartK
   return nullptr;
 }
 
-Result<std::shared_ptr<const PartContent>> MapReceiver::State::decode(const PartKey& key,
-                                                                      std::span<const std::byte> octets) {
+/// For one more part of so many octets. Errors: kLimitExceeded.
+Result<DecodeOptions> MapReceiver::State::options_for(const PartKey& key, std::size_t octets) const {
   const Sums sums = sums_of(parts);
   const ReceivedPart* part = parts.find(key);
   const bool is_held = part != nullptr && (part->shown || part->next);
-  if ((!is_held && sums.parts >= limits.parts) || sums.octets + octets.size() > limits.octets ||
+  if ((!is_held && sums.parts >= limits.parts) || sums.octets + octets > limits.octets ||
       sums.vertices >= limits.vertices || sums.links > kLinksPerPart * limits.parts)
     return Error{.code = ErrorCode::kLimitExceeded, .message = "more parts than the receiver may hold"};
-  auto content = std::make_shared<PartContent>();
   DecodeOptions options;
   options.limits.vertices = std::min(limits.vertices - sums.vertices, options.limits.vertices);
-  DELTAMESH_TRY(content->part, codec->decode(key, octets, options));
-  content->octets.assign(octets.begin(), octets.end());
-  content->hash = XXH3_64bits(octets.data(), octets.size());
-  return std::shared_ptr<const PartContent>(std::move(content));
+  return options;
 }
 
 Result<void> MapReceiver::State::take(const PartKey& key, Version version,
                                       std::span<const std::byte> octets) {
   version.content = known_content(key, XXH3_64bits(octets.data(), octets.size()));
   if (!version.content) {
-    DELTAMESH_TRY(version.content, decode(key, octets));
+    DELTAMESH_TRY(const DecodeOptions options, options_for(key, octets.size()));
+    DELTAMESH_TRY(MapPart part, codec->decode(key, octets, options));
+    version.content = content_of({octets.begin(), octets.end()}, std::move(part));
   }
+  take(key, std::move(version));
+  return {};
+}
+
+/// A version with its content.
+void MapReceiver::State::take(const PartKey& key, Version version) {
   const std::uint64_t revision = version.revision;
   parts.put(key, std::move(version));
   if (const auto told = announced.find(key); told != announced.end() && told->second <= revision)
     announced.erase(told);
   settle();
-  return {};
 }
 
 Result<void> MapReceiver::State::apply_part(std::span<const std::byte> message) {
@@ -134,6 +144,25 @@ Result<void> MapReceiver::State::apply_part(std::span<const std::byte> message) 
   DELTAMESH_CHECK(check_map(part.map));
   if (part.start != start || !is_new(part.key, part.revision)) return {};
   return take(part.key, {part.revision, part.group, std::move(part.links), nullptr}, part.octets);
+}
+
+/// Without the version that the patch is for it has no effect: the sender hears that it has not come.
+Result<void> MapReceiver::State::apply_patch(std::span<const std::byte> message) {
+  DELTAMESH_TRY(PatchMessage patch, read_patch(message));
+  DELTAMESH_CHECK(check_map(patch.part.map));
+  const PartKey& key = patch.part.key;
+  if (patch.part.start != start || !is_new(key, patch.part.revision)) return {};
+  const auto base = known_content(patch.base_key, patch.base);
+  if (base == nullptr) return {};
+  std::vector<std::byte> octets = join_patched({patch.base_key, base->octets, patch.body});
+  if (octets.size() > kMostPartBytes || count_patches(octets) > kMostPatches)
+    return Error{.code = ErrorCode::kInvalidStream, .message = "too many patches", .rule = "MAP-17"};
+  DELTAMESH_TRY(const DecodeOptions options, options_for(key, octets.size()));
+  DELTAMESH_TRY(MapPart part,
+                deltamesh::apply_patch(codec->state(), key, base->part, base->hash, patch.body, options));
+  take(key, {patch.part.revision, patch.part.group, std::move(patch.part.links),
+             content_of(std::move(octets), std::move(part))});
+  return {};
 }
 
 Result<void> MapReceiver::State::apply_entry(std::span<const std::byte> message) {

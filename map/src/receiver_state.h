@@ -37,8 +37,10 @@ struct MapReceiver::State {
   Result<void> apply_start(std::span<const std::byte> message);
   Result<void> apply_entry(std::span<const std::byte> message);
   Result<void> apply_part(std::span<const std::byte> message);
+  Result<void> apply_patch(std::span<const std::byte> message);
   Result<void> take(const PartKey& key, Version version, std::span<const std::byte> octets);
-  Result<std::shared_ptr<const PartContent>> decode(const PartKey& key, std::span<const std::byte> octets);
+  void take(const PartKey& key, Version version);
+  Result<DecodeOptions> options_for(const PartKey& key, std::size_t octets) const;
   std::shared_ptr<const PartContent> known_content(const PartKey& key, std::uint64_t hash) const;
   Result<void> check_map(std::uint64_t hash) const;
   bool is_new(const PartKey& key, std::uint64_t revision) const;

@@ -19,6 +19,8 @@ class RowGather {
   explicit RowGather(MeshView source);
 
   void add_face(std::size_t face);
+  /// The source's vertices of what was added since the last take(), in its order.
+  const std::vector<std::uint32_t>& rows() const noexcept { return rows_; }
   /// What was added since the last call.
   Mesh take();
 

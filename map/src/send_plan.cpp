@@ -61,8 +61,7 @@ class Planner {
     }
     const bool is_of_newest = version != nullptr && version->content_revision == source.content_revision;
     const bool may_stay = is_of_newest || (version != nullptr && keeps_good_enough_);
-    if (may_stay && !waits_too_long(key, has->second) &&
-        satisfies(encodings_.errors_of(*version, source), viewer_.view)) {
+    if (may_stay && !waits_too_long(key, has->second) && encodings_.fits(*version, source, viewer_.view)) {
       kept_.emplace(key, version);
     } else {
       plan_.needed.insert(key);

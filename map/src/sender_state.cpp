@@ -21,41 +21,78 @@ void MapSender::State::forget_versions() {
   encodings.prune(map);
 }
 
-Result<std::vector<std::byte>> MapSender::State::newest_message(const PartKey& key, const SendPlan& plan,
-                                                                Viewer& viewer, double now) {
+/// What the receiver has, or that with a patch, or else the newest source as a whole.
+Result<ChosenVersion> MapSender::State::choose_version(const SourcePart& source, const Viewer& viewer) {
+  const KnownVersion* before = believed_version(viewer, source.part.key);
+  if (before != nullptr &&
+      (options.keeps_good_enough || before->content_revision == source.content_revision) &&
+      encodings.fits(*before, source, viewer.view))
+    return ChosenVersion{{before->content_revision, source.links, before->encoding}};
+  if (const KnownVersion* base = base_for(viewer, source.part.key); base != nullptr) {
+    DELTAMESH_TRY(auto patched, encodings.patch(source, viewer.view, *base));
+    if (patched != nullptr)
+      return ChosenVersion{{source.content_revision, source.links, std::move(patched)}, true};
+  }
+  DELTAMESH_TRY(auto whole, encodings.get(source, viewer.view));
+  return ChosenVersion{{source.content_revision, source.links, std::move(whole)}};
+}
+
+Result<std::vector<std::byte>> MapSender::State::newest_message(const PartKey& key, ChosenVersion chosen,
+                                                                const SendPlan& plan, Viewer& viewer,
+                                                                double now) {
   const SourcePart& source = *map.find(key);
-  DELTAMESH_TRY(const std::uint32_t version, newest_version(source, viewer.view, encodings, known));
-  const Encoding& encoding = *find_version(known, key, version)->encoding;
-  const Believed* before = believed_octets(viewer, key, encoding.hash);
-  const bool has_octets = before != nullptr && before->is_confirmed();
+  const auto encoding = chosen.version.encoding;
+  const KnownVersion* had = believed_version(viewer, key);
+  const bool is_the_same = had != nullptr && had->encoding->hash == encoding->hash;
+  const Believed before = is_the_same ? viewer.has.at(key) : Believed{};
+  const std::uint32_t told = version_hash(encoding->hash, chosen.version.links);
+  known[key][told] = std::move(chosen.version);
   const std::uint64_t revision = viewer.next_revision(key, source.revision, now);
-  std::vector<PartLink> links = links_for(source, encoding.decoded.mesh, viewer, plan);
-  viewer.sent[key].add(extent_of(encoding.decoded.mesh));
-  const std::uint64_t since = before == nullptr ? revision : before->since;
-  viewer.has[key] = {.revision = revision, .since = since, .version = version, .sent = now};
-  if (has_octets) {
+  std::vector<PartLink> links = links_for(source, encoding->decoded.mesh, viewer, plan);
+  viewer.sent[key].add(extent_of(encoding->decoded.mesh));
+  const std::uint64_t since = is_the_same ? before.since : revision;
+  viewer.has[key] = {.revision = revision, .since = since, .version = told, .sent = now};
+  if (is_the_same && before.is_confirmed()) {
     ++counts.entries_sent;
     return write_entry({.map = description_hash,
                         .start = start,
-                        .entry = entry_of(source, encoding, revision, std::move(links))});
+                        .entry = entry_of(source, *encoding, revision, std::move(links))});
   }
   ++counts.parts_sent;
-  return write_part({.map = description_hash,
-                     .start = start,
-                     .key = key,
-                     .revision = revision,
-                     .group = source.group,
-                     .links = std::move(links),
-                     .octets = encoding.octets});
+  PartMessage message{.map = description_hash,
+                      .start = start,
+                      .key = key,
+                      .revision = revision,
+                      .group = source.group,
+                      .links = std::move(links)};
+  if (chosen.is_patch) {
+    ++counts.patches_sent;
+    return write_patch({std::move(message), encoding->base_key, encoding->base_hash, encoding->patch});
+  }
+  message.octets = encoding->octets;
+  return write_part(message);
 }
 
-/// What is believed of the part if it is these octets; else null.
-const Believed* MapSender::State::believed_octets(const Viewer& viewer, const PartKey& key,
-                                                  std::uint64_t hash) const {
+/// What the receiver is believed to have of a part; null: nothing, or nobody knows what.
+const KnownVersion* MapSender::State::believed_version(const Viewer& viewer, const PartKey& key) const {
   const auto has = viewer.has.find(key);
   if (has == viewer.has.end() || has->second.is_gone) return nullptr;
-  const KnownVersion* version = find_version(known, key, has->second.version);
-  return version != nullptr && version->encoding->hash == hash ? &has->second : nullptr;
+  return find_version(known, key, has->second.version);
+}
+
+/// What a patch may be of: the version that the receiver has of the part, or else the largest of those in
+/// whose place it comes. Null: nothing.
+const KnownVersion* MapSender::State::base_for(const Viewer& viewer, const PartKey& key) const {
+  if (!options.keeps_good_enough) return nullptr;
+  const KnownVersion* largest = believed_version(viewer, key);
+  if (largest != nullptr) return largest;
+  const auto size = [](const KnownVersion& v) { return v.encoding->decoded.mesh.triangle_count(); };
+  for (const auto& [other, believed] : viewer.has) {
+    if (!overlap(key, other)) continue;
+    const KnownVersion* version = believed_version(viewer, other);
+    if (version != nullptr && (largest == nullptr || size(*version) > size(*largest))) largest = version;
+  }
+  return largest;
 }
 
 Result<std::vector<std::byte>> MapSender::State::removal_message(const PartKey& key, Viewer& viewer,
@@ -71,13 +108,18 @@ Result<std::vector<std::byte>> MapSender::State::removal_message(const PartKey& 
 
 Result<void> MapSender::State::send(const SendUnit& unit, SendPlan& plan, Viewer& viewer, double now,
                                     std::vector<std::vector<std::byte>>& messages) {
+  std::vector<ChosenVersion> chosen;  // while it is known what the removed ones were
+  for (const PartKey& key : unit.needed) {
+    DELTAMESH_TRY(chosen.emplace_back(), choose_version(*map.find(key), viewer));
+  }
   for (const PartKey& key : unit.removed) {
     DELTAMESH_TRY(messages.emplace_back(), removal_message(key, viewer, now));
     plan.removed.erase(key);
     viewer.allowance -= static_cast<double>(messages.back().size());
   }
-  for (const PartKey& key : unit.needed) {
-    DELTAMESH_TRY(messages.emplace_back(), newest_message(key, plan, viewer, now));
+  for (std::size_t i = 0; i < unit.needed.size(); ++i) {
+    const PartKey& key = unit.needed[i];
+    DELTAMESH_TRY(messages.emplace_back(), newest_message(key, std::move(chosen[i]), plan, viewer, now));
     plan.needed.erase(key);
     viewer.allowance -= static_cast<double>(messages.back().size());
     viewer.due.erase(key);

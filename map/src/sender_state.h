@@ -15,6 +15,12 @@
 
 namespace deltamesh {
 
+/// What to send of a part.
+struct ChosenVersion {
+  KnownVersion version{};
+  bool is_patch = false;  ///< of what the receiver is believed to have
+};
+
 struct MapSender::State {
   State(SourceMap source, MapCodec codec, const SenderOptions& o)
       : options(o), map(std::move(source)), encodings(std::move(codec), o) {}
@@ -31,9 +37,11 @@ struct MapSender::State {
   void forget_versions();
   Result<void> send(const SendUnit& unit, SendPlan& plan, Viewer& viewer, double now,
                     std::vector<std::vector<std::byte>>& messages);
-  const Believed* believed_octets(const Viewer& viewer, const PartKey& key, std::uint64_t hash) const;
-  Result<std::vector<std::byte>> newest_message(const PartKey& key, const SendPlan& plan, Viewer& viewer,
-                                                double now);
+  const KnownVersion* believed_version(const Viewer& viewer, const PartKey& key) const;
+  const KnownVersion* base_for(const Viewer& viewer, const PartKey& key) const;
+  Result<ChosenVersion> choose_version(const SourcePart& source, const Viewer& viewer);
+  Result<std::vector<std::byte>> newest_message(const PartKey& key, ChosenVersion chosen,
+                                                const SendPlan& plan, Viewer& viewer, double now);
   Result<std::vector<std::byte>> removal_message(const PartKey& key, Viewer& viewer, double now);
 };
 

@@ -41,6 +41,14 @@ struct PartMessage {
   std::vector<std::byte> octets{};  ///< as MapCodec::decode() takes them; 1 to kMostPartBytes
 };
 
+/// A version of a part as a patch of an earlier one, or of a part in whose place it comes [MAP-17].
+struct PatchMessage {
+  PartMessage part{};             ///< without octets
+  PartKey base_key{};             ///< of the part that the base is a version of
+  std::uint64_t base = 0;         ///< xxh3-64 of the earlier version's octets
+  std::vector<std::byte> body{};  ///< what makes octets of those; 1 to kMostPartBytes
+};
+
 /// Relative to the map's origin; model units.
 struct ViewBox {
   std::array<float, 3> low{};
@@ -91,13 +99,15 @@ struct ViewMessage {
 Result<std::vector<std::byte>> write_start(const StartMessage& message) noexcept;
 Result<std::vector<std::byte>> write_entry(const EntryMessage& message) noexcept;
 Result<std::vector<std::byte>> write_part(const PartMessage& message) noexcept;
+Result<std::vector<std::byte>> write_patch(const PatchMessage& message) noexcept;
 Result<std::vector<std::byte>> write_view(const ViewMessage& message) noexcept;
 
-/// `attributes`: how many the map has. Errors of all: 1xx codes [MAP-1, MAP-12 to MAP-16], kOutOfMemory.
+/// `attributes`: how many the map has. Errors of all: 1xx codes [MAP-1, MAP-12 to MAP-17], kOutOfMemory.
 /// Takes memory in proportion to the bytes.
 Result<StartMessage> read_start(std::span<const std::byte> message) noexcept;
 Result<EntryMessage> read_entry(std::span<const std::byte> message, std::size_t attributes) noexcept;
 Result<PartMessage> read_part(std::span<const std::byte> message) noexcept;
+Result<PatchMessage> read_patch(std::span<const std::byte> message) noexcept;
 Result<ViewMessage> read_view(std::span<const std::byte> message) noexcept;
 
 }  // namespace deltamesh

@@ -24,13 +24,15 @@ struct SenderOptions {
   GeometryCoder geometry = GeometryCoder::kAuto;
   double resend_seconds = 1;      ///< what a receiver does not tell of after so long is sent again; above 0
   std::size_t most_viewers = 64;  ///< views of more are refused
-  /// Whether a receiver keeps older versions that are within its bounds of the newest source.
+  /// Whether a receiver keeps faces of older versions that are within its bounds of the newest source: whole
+  /// parts, or those that a patch leaves.
   bool keeps_good_enough = true;
 };
 
 /// What a sender has done for all receivers.
 struct SenderCounts {
   std::uint64_t parts_sent = 0;
+  std::uint64_t patches_sent = 0;  ///< of these
   std::uint64_t entries_sent = 0;
   std::uint64_t encoded = 0;
   /// Versions that receivers kept as they were good enough, counted once per update and receiver.
