@@ -31,7 +31,7 @@ constexpr double kCoarse = 0.25;    // voxels, where older versions may stay
 
 struct Settings {
   std::uint32_t most_triangles = 6000;
-  int effort = 5;
+  int effort = 0;
   bool compares = false;
 };
 

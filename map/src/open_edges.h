@@ -12,7 +12,7 @@ namespace deltamesh {
 
 class OpenEdges {
  public:
-  /// `triangles`: m x 3 indices below `vertex_count`. O(m log m).
+  /// `triangles`: m x 3 indices below `vertex_count`. O(m log d) for vertices of d edges.
   OpenEdges(std::span<const std::uint32_t> triangles, std::size_t vertex_count);
 
   /// The other ends of a vertex' open edges, ascending.

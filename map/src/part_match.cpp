@@ -4,9 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
-#include <map>
-#include <unordered_map>
 #include <utility>
 
 #include "border_table.h"
@@ -19,14 +18,29 @@ namespace {
 
 constexpr std::uint32_t kNone = kNotJoined;
 
-struct BitsHash {
-  std::size_t operator()(const std::array<std::uint32_t, 3>& bits) const noexcept {
-    std::uint64_t hash = 0;
-    for (const std::uint32_t b : bits) hash = (hash ^ b) * 0x9e3779b97f4a7c15U;
-    return static_cast<std::size_t>(hash ^ hash >> 32);
+std::uint64_t hash_of(const std::array<std::uint32_t, 3>& numbers) noexcept {
+  std::uint64_t hash = 0;
+  for (const std::uint32_t n : numbers) hash = (hash ^ n) * 0x9e3779b97f4a7c15U;
+  return hash ^ hash >> 32;
+}
+
+/// Lists of rows by hash.
+class RowLists {
+ public:
+  explicit RowLists(std::size_t rows) : first_(std::bit_ceil(rows + 1), kNone), next_(rows, kNone) {}
+
+  void add(std::uint64_t hash, std::uint32_t row) {
+    std::uint32_t& first = first_[hash & (first_.size() - 1)];
+    next_[row] = std::exchange(first, row);
   }
+  /// All rows of the hash, and perhaps others, descending where they were added ascending.
+  std::uint32_t first(std::uint64_t hash) const noexcept { return first_[hash & (first_.size() - 1)]; }
+  std::uint32_t next(std::uint32_t row) const noexcept { return next_[row]; }
+
+ private:
+  std::vector<std::uint32_t> first_;
+  std::vector<std::uint32_t> next_;
 };
-using Rows = std::unordered_map<std::array<std::uint32_t, 3>, std::vector<std::uint32_t>, BitsHash>;
 
 double squared_distance(const float* a, const float* b) noexcept {
   double sum = 0;
@@ -37,21 +51,24 @@ double squared_distance(const float* a, const float* b) noexcept {
 /// Finds the vertex nearest to a place within a radius.
 class NearRows {
  public:
-  NearRows(std::span<const float> positions, double radius) : positions_(positions), edge_(2 * radius) {
-    for (std::uint32_t v = 0; v < positions.size() / 3; ++v) cells_[cell_of(v)].push_back(v);
+  NearRows(std::span<const float> positions, double radius)
+      : positions_(positions), edge_(2 * radius), cells_(positions.size() / 3) {
+    for (std::uint32_t v = 0; v < positions.size() / 3; ++v) {
+      std::array<std::uint32_t, 3> cell{};
+      for (std::size_t k = 0; k < 3; ++k) cell[k] = step_of(double{positions_[3 * std::size_t{v} + k]});
+      cells_.add(hash_of(cell), v);
+    }
   }
 
-  std::uint32_t nearest(const float* place) const {
+  std::uint32_t nearest(const float* place) const noexcept {
     std::uint32_t best = kNone;
     double least = edge_ * edge_ / 4;
-    std::array<std::int32_t, 3> low{};
+    std::array<std::uint32_t, 3> low{};
     for (std::size_t k = 0; k < 3; ++k) low[k] = step_of(double{place[k]} - edge_ / 2);
     for (unsigned corner = 0; corner < 8; ++corner) {
-      std::array<std::uint32_t, 3> cell{};
-      for (std::size_t k = 0; k < 3; ++k) cell[k] = static_cast<std::uint32_t>(low[k]) + (corner >> k & 1U);
-      const auto found = cells_.find(cell);
-      if (found == cells_.end()) continue;
-      for (const std::uint32_t v : found->second) {
+      std::array<std::uint32_t, 3> cell = low;
+      for (std::size_t k = 0; k < 3; ++k) cell[k] += corner >> k & 1U;
+      for (std::uint32_t v = cells_.first(hash_of(cell)); v != kNone; v = cells_.next(v)) {
         const double squared = squared_distance(place, positions_.data() + 3 * std::size_t{v});
         if (squared < least || (squared == least && v < best)) {
           least = squared;
@@ -63,28 +80,36 @@ class NearRows {
   }
 
  private:
-  std::int32_t step_of(double x) const noexcept {
-    return static_cast<std::int32_t>(std::clamp(std::floor(x / edge_), -2e9, 2e9));
-  }
-  std::array<std::uint32_t, 3> cell_of(std::uint32_t vertex) const noexcept {
-    std::array<std::uint32_t, 3> cell{};
-    for (std::size_t k = 0; k < 3; ++k)
-      cell[k] = static_cast<std::uint32_t>(step_of(positions_[3 * std::size_t{vertex} + k]));
-    return cell;
+  std::uint32_t step_of(double x) const noexcept {
+    return static_cast<std::uint32_t>(
+        static_cast<std::int32_t>(std::clamp(std::floor(x / edge_), -2e9, 2e9)));
   }
 
   std::span<const float> positions_;
   double edge_;
-  Rows cells_;
+  RowLists cells_;
 };
+
+/// Whether several vertices have the position.
+std::vector<std::uint8_t> shared_positions(const Mesh& mesh) {
+  std::vector<std::uint8_t> is_shared(mesh.vertex_count(), 0);
+  RowLists lists(mesh.vertex_count());
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+    const PositionBits bits = bits_of(mesh, v);
+    for (std::uint32_t u = lists.first(hash_of(bits)); u != kNone; u = lists.next(u))
+      if (bits_of(mesh, u) == bits) is_shared[u] = is_shared[v] = 1;
+    lists.add(hash_of(bits), v);
+  }
+  return is_shared;
+}
 
 bool are_colors(const Attribute& a, const Attribute& b) noexcept {
   return is_color(a) && is_color(b) && a.type == b.type && a.components == b.components;
 }
 
 /// For every face and up to three others with which it has an edge in common.
-std::vector<std::array<std::uint32_t, 3>> neighbors_of_faces(std::span<const std::uint32_t> triangles) {
-  const auto earlier = earlier_neighbors(triangles);
+std::vector<std::array<std::uint32_t, 3>> neighbors_of_faces(const Mesh& mesh) {
+  const auto earlier = earlier_neighbors(mesh.triangles, mesh.vertex_count());
   auto neighbors = earlier;
   for (std::uint32_t f = 0; f < earlier.size(); ++f) {
     for (const std::uint32_t g : earlier[f]) {
@@ -115,11 +140,10 @@ class Matcher {
     const auto source_border = border_by_vertex(source_);
     const auto base_border = border_by_vertex(base_.part);
     const NearRows rows(base_.sources, bounds_.max_error);
-    std::map<PositionBits, std::uint32_t> uses;
-    for (std::size_t v = 0; v < base_of_.size(); ++v) ++uses[bits_of(source_.mesh, v)];
+    const auto is_shared = shared_positions(source_.mesh);
     std::vector<std::uint32_t> taken(base_.part.mesh.vertex_count(), kNone);
     for (std::uint32_t v = 0; v < base_of_.size(); ++v) {
-      if (uses.at(bits_of(source_.mesh, v)) > 1) continue;  // a position of vertices with several colours
+      if (is_shared[v] != 0) continue;  // a position of vertices with several colours
       const float* const position = source_.mesh.positions.data() + 3 * std::size_t{v};
       const std::uint32_t near = rows.nearest(position);
       if (near == kNone || !is_good_enough(v, near) || source_border[v] != base_border[near]) continue;
@@ -164,20 +188,26 @@ class Matcher {
   }
 
   void match_faces() {
+    const auto face_at = [](const std::vector<std::uint32_t>& triangles, std::size_t f) {
+      return std::array{triangles[3 * f], triangles[3 * f + 1], triangles[3 * f + 2]};
+    };
     const auto& theirs = base_.part.mesh.triangles;
-    std::unordered_map<std::array<std::uint32_t, 3>, std::uint32_t, BitsHash> faces;
-    for (std::uint32_t f = 0; f < theirs.size() / 3; ++f)
-      faces.emplace(rotated({theirs[3 * f], theirs[3 * f + 1], theirs[3 * f + 2]}), f);
+    RowLists faces(theirs.size() / 3);
+    for (std::uint32_t f = 0; f < theirs.size() / 3; ++f) faces.add(hash_of(rotated(face_at(theirs, f))), f);
+    std::vector<std::uint8_t> is_taken(theirs.size() / 3, 0);
     const auto& ours = source_.mesh.triangles;
     face_of_.assign(ours.size() / 3, kNone);
     for (std::size_t f = 0; f < face_of_.size(); ++f) {
-      const std::array<std::uint32_t, 3> face{base_of_[ours[3 * f]], base_of_[ours[3 * f + 1]],
-                                              base_of_[ours[3 * f + 2]]};
+      auto face = face_at(ours, f);
+      for (std::uint32_t& v : face) v = base_of_[v];
       if (std::ranges::find(face, kNone) != face.end()) continue;
-      const auto found = faces.find(rotated(face));
-      if (found == faces.end()) continue;
-      face_of_[f] = found->second;
-      faces.erase(found);
+      face = rotated(face);
+      std::uint32_t found = faces.first(hash_of(face));
+      while (found != kNone && (is_taken[found] != 0 || rotated(face_at(theirs, found)) != face))
+        found = faces.next(found);
+      if (found == kNone) continue;
+      face_of_[f] = found;
+      is_taken[found] = 1;
     }
   }
 
@@ -189,7 +219,7 @@ class Matcher {
 
   /// Gives the new faces shorter borders: what is joined is coded twice.
   void smooth() {
-    const auto neighbors = neighbors_of_faces(source_.mesh.triangles);
+    const auto neighbors = neighbors_of_faces(source_.mesh);
     std::vector<std::uint32_t> list;
     for (std::uint32_t f = 0; f < face_of_.size(); ++f) list.push_back(f);
     while (!list.empty()) {

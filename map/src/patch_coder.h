@@ -37,11 +37,10 @@ struct PatchModels {
   NumberModel places;
 };
 
-/// `stays`: for every face of `triangles`, 1 or 0; a reader fills it in.
+/// `stays`: for every face of `base`, 1 or 0; a reader fills it in.
 template <class Coder>
-void code_staying(Coder& coder, PatchModels& models, std::span<const std::uint32_t> triangles,
-                  std::vector<std::uint8_t>& stays) {
-  const auto neighbors = earlier_neighbors(triangles);
+void code_staying(Coder& coder, PatchModels& models, const Mesh& base, std::vector<std::uint8_t>& stays) {
+  const auto neighbors = earlier_neighbors(base.triangles, base.vertex_count());
   stays.resize(neighbors.size());
   for (std::size_t face = 0; face < neighbors.size(); ++face) {
     std::size_t stay = 0;

@@ -54,7 +54,7 @@ void append_border(std::span<const BorderVertex> border, std::span<const std::ui
 std::vector<std::byte> write_patch_plan(const Mesh& base, const Mesh& inserted, PatchPlan plan) {
   CompactWriter writer;
   PatchModels models;
-  code_staying(writer, models, base.triangles, plan.stays);
+  code_staying(writer, models, base, plan.stays);
   const auto staying = staying_triangles(base, plan.stays);
   JoinCoder(writer, models, base, staying, inserted).code(plan.joins);
   return writer.finish();
@@ -64,7 +64,7 @@ Result<PatchPlan> read_patch_plan(std::span<const std::byte> bytes, const Mesh& 
   CompactReader reader(bytes);
   PatchModels models;
   PatchPlan plan;
-  code_staying(reader, models, base.triangles, plan.stays);
+  code_staying(reader, models, base, plan.stays);
   const auto staying = staying_triangles(base, plan.stays);
   if (!JoinCoder(reader, models, base, staying, inserted).code(plan.joins) && !reader.failed())
     return invalid("a vertex joined to what is no free vertex of the base");
