@@ -23,7 +23,8 @@ bool touch(const Extent& a, const Extent& b) noexcept {
 std::uint64_t least_of(const PartKey& key, const SentPart& sent, const Viewer& viewer, const SendPlan& plan) {
   const auto has = viewer.has.find(key);
   const bool is_there = has != viewer.has.end() && has->second.is_confirmed();
-  if (is_there && plan.staying.contains(key)) return 0;
+  // While a version waits, an older one may be shown.
+  if (is_there && plan.staying.contains(key)) return has->second.is_waiting ? has->second.since : 0;
   if (is_there || plan.needed.contains(key) || plan.removed.contains(key)) return sent.revision + 1;
   if (has != viewer.has.end()) return has->second.since;
   return sent.is_removal ? sent.revision : sent.revision + 1;  // an older version may still be on its way
@@ -58,6 +59,8 @@ std::vector<PartLink> links_for(const SourcePart& source, const Mesh& mesh, cons
     links.push_back(link);
   }
   links.insert(links.end(), border, source.links.end());
+  // What the receiver is not to have is not waited for.
+  for (PartLink& link : links) link.together = link.together && !plan.unwanted.contains(link.key);
   return links;
 }
 

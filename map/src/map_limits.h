@@ -16,6 +16,8 @@ inline constexpr std::size_t kMostNameBytes = 255;                       // [MAP
 inline constexpr std::size_t kMostPartOctets = std::size_t{1} << 16;     // [MAP-7]
 inline constexpr std::uint64_t kPartElementsPerByte = 32;                // [MAP-7]
 inline constexpr std::size_t kMostLinks = 4096;                          // [MAP-12]
+inline constexpr std::uint32_t kOthersInPlace = 1;                       // [MAP-13]
+inline constexpr std::uint32_t kCopiesInPlace = 2;                       // [MAP-13]
 inline constexpr std::size_t kMostPrimers = 255;                         // [MAP-6]
 inline constexpr std::size_t kMostMapAttributes = 255;                   // [MAP-5]
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "map_limits.h"
+
 namespace deltamesh {
 
 PartLink link_to(const Version& version, const PartKey& other) noexcept {
@@ -109,13 +111,15 @@ bool ReceivedParts::fits(const PartKey& key, const Version& version,
   });
 }
 
-/// A part goes when what comes in its place is there, and no neighbour has a border with it.
+/// A part goes when what comes in its place is there, and no neighbour has a border with it, unless these are
+/// copies, which have the same border [MAP-13].
 bool ReceivedParts::fits_gone(const PartKey& key, const Version& version,
                               const std::function<bool(const PartKey&)>& is_wanted) {
   for (const PartLink& link : version.links)
     if (link.together && is_wanted(link.key) && effective(link.key) == nullptr) return false;
   const auto linkers = linkers_.find(key);
-  if (linkers == linkers_.end()) return true;
+  if (linkers == linkers_.end() || (!version.links.empty() && version.links[0].border == kCopiesInPlace))
+    return true;
   return std::ranges::all_of(linkers->second, [&](const PartKey& linker) {
     const Version* other = effective(linker);
     return other == nullptr || link_to(*other, key).border == 0 || makes_room(linker, is_wanted);

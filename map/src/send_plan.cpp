@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "base/try.h"
-#include "view_cells.h"
 #include "viewer_state.h"
+#include "wanted_parts.h"
 
 namespace deltamesh {
 namespace {
@@ -31,16 +31,17 @@ class Planner {
         keeps_good_enough_(keeps_good_enough) {}
 
   Result<SendPlan> run() {
-    for (const auto& [key, source] : map_.parts()) {
-      if (!is_in_view(key, viewer_.view, encodings_.codec().description())) continue;
-      DELTAMESH_CHECK(look_at(key, source));
-    }
+    WantedParts parts = wanted_parts(viewer_, map_, encodings_.codec().description());
+    for (const PartKey& key : parts.wanted) DELTAMESH_CHECK(look_at(key, *map_.find(key)));
     for (const auto& [key, believed] : viewer_.has)
-      if (!believed.is_gone && map_.find(key) == nullptr) plan_.removed.insert(key);
+      if (!believed.is_gone && (map_.find(key) == nullptr || parts.others.contains(key)))
+        plan_.removed.insert(key);
+    plan_.wanted = std::move(parts.wanted);
+    plan_.unwanted = std::move(parts.others);
     add_what_does_not_fit();
     for (const auto& [key, version] : kept_) plan_.staying.insert(key);
     for (const auto& [key, believed] : viewer_.has)
-      if (is_newest(key, believed)) plan_.staying.insert(key);
+      if (is_newest(key, believed) && !plan_.unwanted.contains(key)) plan_.staying.insert(key);
     for (const auto& [key, version] : kept_)
       if (version->content_revision != map_.find(key)->content_revision) ++plan_.kept;
     return std::move(plan_);

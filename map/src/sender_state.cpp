@@ -95,15 +95,20 @@ const KnownVersion* MapSender::State::base_for(const Viewer& viewer, const PartK
   return largest;
 }
 
-Result<std::vector<std::byte>> MapSender::State::removal_message(const PartKey& key, Viewer& viewer,
-                                                                 double now) {
+Result<std::vector<std::byte>> MapSender::State::removal_message(const PartKey& key, const SendPlan& plan,
+                                                                 Viewer& viewer, double now) {
   const std::uint64_t revision = viewer.next_revision(key, map.revision(), now);
   viewer.sent[key].is_removal = true;
   viewer.has[key] = {.revision = revision, .since = revision, .is_gone = true, .sent = now};
   ++counts.entries_sent;
+  std::vector<PartLink> links =
+      map.find(key) == nullptr ? map.replacements_of(key) : map.copies_in_place_of(key, plan.wanted);
+  // What the receiver is not to have is not waited for.
+  std::erase_if(links,
+                [&](const PartLink& link) { return link.together && plan.unwanted.contains(link.key); });
   return write_entry({.map = description_hash,
                       .start = start,
-                      .entry = {.key = key, .revision = revision, .links = map.replacements_of(key)}});
+                      .entry = {.key = key, .revision = revision, .links = std::move(links)}});
 }
 
 Result<void> MapSender::State::send(const SendUnit& unit, SendPlan& plan, Viewer& viewer, double now,
@@ -113,7 +118,7 @@ Result<void> MapSender::State::send(const SendUnit& unit, SendPlan& plan, Viewer
     DELTAMESH_TRY(chosen.emplace_back(), choose_version(*map.find(key), viewer));
   }
   for (const PartKey& key : unit.removed) {
-    DELTAMESH_TRY(messages.emplace_back(), removal_message(key, viewer, now));
+    DELTAMESH_TRY(messages.emplace_back(), removal_message(key, plan, viewer, now));
     plan.removed.erase(key);
     viewer.allowance -= static_cast<double>(messages.back().size());
   }

@@ -42,7 +42,8 @@ struct MapSender::State {
   Result<ChosenVersion> choose_version(const SourcePart& source, const Viewer& viewer);
   Result<std::vector<std::byte>> newest_message(const PartKey& key, ChosenVersion chosen,
                                                 const SendPlan& plan, Viewer& viewer, double now);
-  Result<std::vector<std::byte>> removal_message(const PartKey& key, Viewer& viewer, double now);
+  Result<std::vector<std::byte>> removal_message(const PartKey& key, const SendPlan& plan, Viewer& viewer,
+                                                 double now);
 };
 
 }  // namespace deltamesh

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/try.h"
+#include "map_limits.h"
 
 namespace deltamesh {
 namespace {
@@ -111,7 +112,19 @@ void SourceMap::number_groups(const std::set<PartKey>& members, const Pairs& pai
 std::vector<PartLink> SourceMap::replacements_of(const PartKey& key) const {
   std::vector<PartLink> links;
   for (const auto& [other, part] : parts_)
-    if (overlap(other, key)) links.push_back({.key = other, .border = 1, .together = true});
+    if (overlap(other, key)) links.push_back({.key = other, .border = kOthersInPlace, .together = true});
+  return links;
+}
+
+std::vector<PartLink> SourceMap::copies_in_place_of(const PartKey& key,
+                                                    const std::set<PartKey>& wanted) const {
+  std::vector<PartLink> links;
+  for (const PartKey& other : wanted)
+    if (overlap(other, key)) links.push_back({.key = other, .border = kCopiesInPlace, .together = true});
+  if (!links.empty()) return links;
+  const auto other = std::ranges::find_if(
+      parts_, [&](const auto& part) { return part.first != key && overlap(part.first, key); });
+  if (other != parts_.end()) links.push_back({.key = other->first, .border = kCopiesInPlace});
   return links;
 }
 

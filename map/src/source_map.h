@@ -36,8 +36,12 @@ class SourceMap {
   const SourcePart* find(const PartKey& key) const noexcept;
   std::uint64_t revision() const noexcept { return splitter_.revision(); }
   std::uint64_t next_group() const noexcept { return next_group_; }
-  /// As of the last update, of a part that is gone: marked links to the parts in its cell's place.
+  /// Links as the entry of a removal has them [MAP-13]: of a part that is gone, to what is in its cell's
+  /// place.
   std::vector<PartLink> replacements_of(const PartKey& key) const;
+  /// The same of a part that is in the map, but that copies take the place of. `wanted`: parts that the
+  /// receiver is to have.
+  std::vector<PartLink> copies_in_place_of(const PartKey& key, const std::set<PartKey>& wanted) const;
 
  private:
   using Pairs = std::vector<std::pair<PartKey, PartKey>>;

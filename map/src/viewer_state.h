@@ -79,10 +79,12 @@ using KnownVersions = std::map<PartKey, std::map<std::uint32_t, KnownVersion>>;
 
 /// What a receiver lacks.
 struct SendPlan {
-  std::set<PartKey> needed;   ///< parts whose newest version is to be sent
-  std::set<PartKey> removed;  ///< parts that are to go
-  std::set<PartKey> staying;  ///< parts that go with all newest ones as the receiver has them
-  std::uint64_t kept = 0;     ///< parts with a newer source whose old version will do
+  std::set<PartKey> wanted;    ///< parts that the receiver is to have
+  std::set<PartKey> unwanted;  ///< other parts in its view: coarser or finer copies of these
+  std::set<PartKey> needed;    ///< parts whose newest version is to be sent
+  std::set<PartKey> removed;   ///< parts that are to go
+  std::set<PartKey> staying;   ///< parts that go with all newest ones as the receiver has them
+  std::uint64_t kept = 0;      ///< parts with a newer source whose old version will do
 };
 
 /// Of all parts in the view: those that are missing, or beyond what is asked for, and with them those that

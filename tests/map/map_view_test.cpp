@@ -25,20 +25,25 @@ class MapView : public testing::Test {
   MapView() : mesh_(*generate_scene(Scene::kRooms, 30000, 1)), receiver_(1, 1) {
     description_ = {.id = 1, .cell_steps = 1024, .attributes = test::attributes_of(mesh_)};
     description_.lattice = {.origin = mesh_.origin, .step_exponent = -10};
-    // Blocks as a mapper has them.
-    const auto blocks = split(mesh_, description_, {.most_triangles = 1, .most_level = 0});
-    EXPECT_TRUE(blocks);
-    std::vector<MapBlock> update;
-    for (const MapPart& part : *blocks) update.push_back({{part.key.x, part.key.y, part.key.z}, part.mesh});
-    auto sender = MapSender::make(description_, {.split = {.most_triangles = 2000}, .effort = 1});
-    EXPECT_TRUE(sender);
-    sender_ = std::make_unique<MapSender>(std::move(*sender));
-    EXPECT_TRUE(sender_->update(update));
+    start({.most_triangles = 2000});
     for (std::size_t i = 0; i < mesh_.positions.size(); ++i) {
       low_[i % 3] = i < 3 ? mesh_.positions[i] : std::min(low_[i % 3], mesh_.positions[i]);
       high_[i % 3] = i < 3 ? mesh_.positions[i] : std::max(high_[i % 3], mesh_.positions[i]);
     }
     diagonal_ = std::hypot(high_[0] - low_[0], high_[1] - low_[1], high_[2] - low_[2]);
+  }
+
+  /// A sender of the mesh.
+  void start(const SplitOptions& options) {
+    // Blocks as a mapper has them.
+    const auto blocks = split(mesh_, description_, {.most_triangles = 1, .most_level = 0});
+    EXPECT_TRUE(blocks);
+    std::vector<MapBlock> update;
+    for (const MapPart& part : *blocks) update.push_back({{part.key.x, part.key.y, part.key.z}, part.mesh});
+    auto sender = MapSender::make(description_, {.split = options, .effort = 1});
+    EXPECT_TRUE(sender);
+    sender_ = std::make_unique<MapSender>(std::move(*sender));
+    EXPECT_TRUE(sender_->update(update));
   }
 
   /// VDE 0.02 % and LFE 0.05 % of the diagonal, of a part of the building from one end on.
@@ -139,6 +144,47 @@ TEST_F(MapView, MAP15AChangeOfTheViewBringsOnlyWhatIsMissing) {
   EXPECT_LE(measured(better).vde_rms, *better.vde);
   for (const PartKey& key : anew) EXPECT_TRUE(keys_in(better).contains(key));
   EXPECT_GT(better_bytes, bytes / 2);
+}
+
+TEST_F(MapView, MAP17CoarseBeforeFine) {
+  start({.most_triangles = 2000, .most_level = 1, .copy_level = 4});
+  View view;
+  view.max_error = 0.004F;
+  receiver_.set_view(view);
+  const std::vector<PartKey> keys = sender_->keys();
+  const auto finest = keys_on_level(keys, 0);
+  std::vector<std::vector<PartKey>> seen;
+  std::vector<std::size_t> bytes;
+  while (receiver_.shown() != finest) {
+    ASSERT_LT(seen.size(), 10U);
+    now_ += 2;
+    ASSERT_TRUE(sender_->hear(*receiver_.view_message(), now_));
+    const auto messages = sender_->messages_for(1, now_);
+    ASSERT_TRUE(messages);
+    bytes.push_back(0);
+    for (const Bytes& message : *messages) {
+      bytes.back() += message.size();
+      ASSERT_TRUE(receiver_.apply(message));
+    }
+    if (const auto shown = receiver_.shown(); !shown.empty()) seen.push_back(shown);
+  }
+  // All of it at first sight, then level by level.
+  EXPECT_EQ(seen.front(), keys_on_level(keys, 4));
+  EXPECT_EQ(seen.size(), 5U);
+  const std::size_t first = bytes[0] + bytes[1];  // the map's message, and the coarsest level
+  std::size_t all = 0;
+  for (const std::size_t some : bytes) all += some;
+  EXPECT_LT(first, all / 5);
+  RecordProperty("first_sight_of_all_bytes",
+                 std::to_string(static_cast<double>(first) / static_cast<double>(all)));
+  // A coarser view takes what is finer out of the way, and back.
+  view.level = 3;
+  catch_up(view);
+  EXPECT_EQ(receiver_.shown(), keys_on_level(keys, 3));
+  view.level = 0;
+  catch_up(view);
+  catch_up(view);
+  EXPECT_EQ(receiver_.shown(), finest);
 }
 
 }  // namespace

@@ -59,8 +59,9 @@ class MapSender {
 
   /// What to send to a receiver now, in this order, within its bytes per second (saved up for a second at the
   /// most; what is shown together goes together, and what that is too much is made up for later): first what
-  /// removes, then the coarsest, longest unsent and nearest to its boxes. Errors: kInvalidArgument (a viewer
-  /// that has not been heard), those of MapCodec::encode(), kOutOfMemory.
+  /// removes, then the coarsest, longest unsent and nearest to its boxes. Of a map with coarser copies the
+  /// receiver first gets the coarsest, then, call by call, what is below, down to the level of its view.
+  /// Errors: kInvalidArgument (a viewer that has not been heard), those of MapCodec::encode(), kOutOfMemory.
   Result<std::vector<std::vector<std::byte>>> messages_for(std::uint64_t viewer, double now) noexcept;
 
   /// Versions that the receiver has once all that was sent to it has come, ascending by key. Of parts without
