@@ -60,7 +60,6 @@ PartErrors errors_between(const Mesh& source, const Mesh& decoded) {
 }
 
 bool satisfies(const PartErrors& errors, const View& view) noexcept {
-  if ((view.vde || view.lfe) && !errors.is_per_vertex) return false;
   return keeps(view.vde, errors.vde) && keeps(view.lfe, errors.lfe) &&
          keeps(view.max_error, errors.max_error) && errors.color_error <= view.color_error;
 }

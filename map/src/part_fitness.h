@@ -12,9 +12,8 @@ namespace deltamesh {
 
 /// Errors of a decoded part against a source.
 struct PartErrors {
-  bool is_per_vertex = false;  ///< vertices correspond, so that VDE and LFE are known
-  double vde = 0;
-  double lfe = 0;
+  double vde = 0;          ///< where vertices correspond
+  double lfe = 0;          ///< the same
   double max_error = 0;    ///< largest distance of a vertex of either mesh to the surface of the other
   double color_error = 0;  ///< 255ths, the worst component, at those vertices and the points nearest to them
 };
