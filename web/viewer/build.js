@@ -13,6 +13,8 @@ const dist = new URL('dist/', here);
 const WASM = [
   '@deltamesh/decoder/core.wasm',
   '@deltamesh/decoder/highpass.wasm',
+  '@deltamesh/decoder/zstd.wasm',
+  '@deltamesh/decoder/map.wasm',
   '@deltamesh/encoder/encoder.wasm',
   'draco3d/draco_encoder.wasm',
 ];
@@ -20,7 +22,7 @@ const WASM = [
 await rm(dist, { recursive: true, force: true });
 await mkdir(dist, { recursive: true });
 await build({
-  entryPoints: ['main', 'workers/read-worker', 'workers/codec-worker', 'workers/peers-worker'].map(
+  entryPoints: ['main', 'workers/read-worker', 'workers/codec-worker', 'workers/map-worker', 'workers/peers-worker'].map(
     (name) => new URL(`src/${name}.js`, here).pathname,
   ),
   outdir: dist.pathname,

@@ -2,15 +2,17 @@
 // Copyright 2026 The deltamesh authors
 //
 // Decodes deltamesh streams by WebAssembly, in browsers, workers and node. What is exported is described in decoder.d.ts; what is not
-// described there is @deltamesh/encoder's.
+// described there is map.js's and @deltamesh/encoder's.
 
 const FILES = {
   core: new URL('./core.wasm', import.meta.url),
   highpass: new URL('./highpass.wasm', import.meta.url),
+  zstd: new URL('./zstd.wasm', import.meta.url),
 };
 const FILES_WITHOUT_SIMD = {
   core: new URL('./core-scalar.wasm', import.meta.url),
   highpass: new URL('./highpass-scalar.wasm', import.meta.url),
+  zstd: FILES.zstd,
 };
 const LIMITS = { vertices: 2 ** 26, triangles: 2 ** 27, attributes: 1024, attributeBytes: 2 ** 31 };
 
@@ -159,7 +161,7 @@ function readAttribute(instance, address, vertices) {
 }
 
 /** As StreamOutcome, of which the mesh may be missing. */
-function readStream(instance, address) {
+export function readStream(instance, address) {
   const [vde, lfe, maxError] = instance.doubles(address + 112, 3);
   const box = instance.doubles(address + 64, 6);
   const words = instance.words(address + 136, 10);
@@ -186,12 +188,19 @@ function readStream(instance, address) {
   return stream;
 }
 
+/** The modules that a stream needs beside core. */
+function partsFor({ geometry, chunks }) {
+  const needs = { highpass: geometry === 'highpass', zstd: chunks.some(({ codec }) => codec === 'zstd') };
+  return Object.keys(needs).filter((part) => needs[part]);
+}
+
 class Decoder {
   #files;
   #maxMemory;
   #modules = {};
   #core;
   #highpass;
+  #zstd;
   #highpassError;
   #positions;
 
@@ -212,12 +221,12 @@ class Decoder {
   async decode(bytes, options) {
     const stream = this.inspect(bytes);
     if (stream instanceof DeltameshError) return stream;
-    if (stream.geometry === 'highpass') {
+    for (const part of partsFor(stream)) {
       try {
-        await this.load('highpass');
+        await this.load(part);
       } catch (error) {
-        this.#modules.highpass = undefined;
-        return new DeltameshError({ code: NO_FILE, what: `the module highpass could not be loaded: ${error.message}` });
+        this.#modules[part] = undefined;
+        return new DeltameshError({ code: NO_FILE, what: `the module ${part} could not be loaded: ${error.message}` });
       }
     }
     return this.decodeSync(bytes, options);
@@ -242,21 +251,35 @@ class Decoder {
         core.calls.forget();
         if (core.isLarge) this.#core = undefined;
         if (this.#highpass?.isLarge) this.#highpass = undefined;
+        if (this.#zstd?.isLarge) this.#zstd = undefined;
         return stream;
       },
       () => this.release(),
     );
   }
 
-  /** What highpass_elsewhere.cpp asks for. */
+  #start(part) {
+    if (!(this.#modules[part] instanceof WebAssembly.Module))
+      throw new DeltameshError({ code: NO_FILE, what: `the module ${part} is not loaded` });
+    return new Instance(this.#modules[part], this.#maxMemory, {});
+  }
+
+  /** What highpass_elsewhere.cpp and zstd_elsewhere.cpp ask for. */
   #imports() {
     return {
       give: (from, size) => {
-        if (!(this.#modules.highpass instanceof WebAssembly.Module))
-          throw new DeltameshError({ code: NO_FILE, what: 'the module highpass is not loaded' });
-        this.#highpass ??= new Instance(this.#modules.highpass, this.#maxMemory, {});
+        this.#highpass ??= this.#start('highpass');
         return this.#highpass.put(new Uint8Array(this.#core.memory.buffer, from, size));
       },
+      frameSize: (from, size) => this.#inZstd(from, size, ({ frameSize }, address) => frameSize(address, size)),
+      expand: (to, most, from, size) =>
+        this.#inZstd(from, size, ({ allocate, expand, release }, address) => {
+          const expanded = allocate(most);
+          const count = expand(expanded, most, address, size);
+          new Uint8Array(this.#core.memory.buffer, to, most).set(new Uint8Array(this.#zstd.memory.buffer, expanded, most));
+          release(expanded);
+          return count;
+        }),
       solve: (call) => {
         const outcome = this.#highpass.calls.solve(call);
         this.#highpassError = readError(this.#highpass, outcome) ?? undefined;
@@ -271,9 +294,19 @@ class Decoder {
     };
   }
 
+  /** `work` gets the exports of zstd, and the address of a copy there. */
+  #inZstd(from, size, work) {
+    this.#zstd ??= this.#start('zstd');
+    const address = this.#zstd.put(new Uint8Array(this.#core.memory.buffer, from, size));
+    const result = work(this.#zstd.calls, address);
+    this.#zstd.calls.release(address);
+    return result;
+  }
+
   release() {
     this.#core = undefined;
     this.#highpass = undefined;
+    this.#zstd = undefined;
   }
 }
 

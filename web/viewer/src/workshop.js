@@ -11,7 +11,7 @@ function startWorker(name, message) {
 
 /** Compiled once, for all workers that come and go. */
 async function compileModules() {
-  const names = ['core', 'highpass', 'encoder'];
+  const names = ['core', 'highpass', 'zstd', 'encoder'];
   const modules = await Promise.all(
     names.map((name) => WebAssembly.compileStreaming(fetch(new URL(`./${name}.wasm`, import.meta.url)))),
   );
@@ -31,6 +31,7 @@ export class Workshop {
     this.exporter = new LatestJob(reader);
     this.wires = { original: new LatestJob(reader), result: new LatestJob(reader) };
     this.codec = new LatestJob(() => startWorker('codec-worker', { modules, ...this.#source }));
+    this.map = new LatestJob(() => startWorker('map-worker', {}));
     this.peers = new LatestJob(() => startWorker('peers-worker', {}));
   }
 
