@@ -4,6 +4,7 @@
 import { registerDeltamesh } from '@deltamesh/babylon';
 import { DeltameshError, createDecoder, supportsSimd } from '@deltamesh/decoder';
 import { EXTENSION_NAME } from '@deltamesh/decoder/gltf';
+import { openMap } from '@deltamesh/decoder/map';
 import { DecoderPool } from '@deltamesh/decoder/pool';
 import { createEncoder } from '@deltamesh/encoder';
 import { EncoderWorker } from '@deltamesh/encoder/worker';
@@ -28,6 +29,13 @@ export async function decodeInWorkers(bytes: Uint8Array, signal: AbortSignal): P
   const mesh = await pool.decode(bytes, { signal });
   pool.dispose();
   return mesh instanceof DeltameshError ? mesh.code : mesh.triangleCount;
+}
+
+export async function firstPart(manifest: Uint8Array, read: (file: string) => Uint8Array): Promise<Float32Array> {
+  const map = await openMap(manifest);
+  if (map instanceof DeltameshError) throw map;
+  const mesh = map.decode(0, read(map.parts[0]!.file));
+  return mesh instanceof DeltameshError ? new Float32Array() : mesh.positions;
 }
 
 export async function encode(positions: Float32Array, indices: Uint32Array): Promise<Uint8Array> {

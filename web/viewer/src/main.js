@@ -2,6 +2,8 @@
 // Copyright 2026 The deltamesh authors
 // The page: settings in, streams and pictures out.
 import { Superseded } from './latest-job.js';
+import { mapOf } from './map/map-files.js';
+import { MapView } from './map/map-view.js';
 import { EXAMPLES } from './mesh/examples.js';
 import { Controls } from './panel/controls.js';
 import { makeDivider } from './panel/divider.js';
@@ -28,15 +30,17 @@ class Page {
   constructor(workshop) {
     this.workshop = workshop;
     this.picture = new Picture(find, workshop);
+    this.map = new MapView(find, workshop.map, this.picture.stage);
     this.controls = new Controls({ quality: find('quality'), coder: find('coder'), view: find('view') }, (id, value) =>
       this.change(id, value),
     );
     this.controls.show(this.#settings);
+    this.#showMapPanel(false);
     for (const [name, { label }] of Object.entries(EXAMPLES)) find('example').add(new Option(label, name));
     find('example').add(new Option('Own file', 'file'));
     find('example').options[2].hidden = true;
     find('example').addEventListener('change', ({ target }) => this.openExample(target.value));
-    openFiles({ input: find('file'), hint: find('drop-hint') }, (file) => this.openFile(file));
+    openFiles({ input: find('file'), folderInput: find('folder'), hint: find('drop-hint') }, (file) => this.openFile(file), (files) => this.openMap(files));
     makeDivider(find('divider'), (share) => this.picture.setSplit(share));
     find('panel').addEventListener('submit', (event) => event.preventDefault());
     find('download-glb').addEventListener('click', () => this.downloadGlb());
@@ -47,7 +51,7 @@ class Page {
   change(id, value) {
     this.#settings[id] = value;
     this.keepLink();
-    this.picture.show(this.#settings);
+    this.#showPicture();
     if (ENCODING.includes(id)) this.encodeSoon();
   }
 
@@ -59,7 +63,7 @@ class Page {
     const before = this.#settings.example;
     this.#settings = fromHash(location.hash);
     this.controls.show(this.#settings);
-    this.picture.show(this.#settings);
+    this.#showPicture();
     if (this.#settings.example !== before) this.openExample(this.#settings.example);
     else this.encodeSoon();
   }
@@ -79,6 +83,47 @@ class Page {
     return this.#open(file.name, this.workshop.read(file));
   }
 
+  /** The folder of a map; of one that is open the parts that changed. */
+  async openMap(files) {
+    this.#tell('Reading the map');
+    try {
+      const map = mapOf(files);
+      if (!map) throw new Error('this folder has no map: there is no map.dmm');
+      this.#source = null;
+      this.workshop.codec.cancel();
+      this.workshop.peers.cancel();
+      this.#forgetResult();
+      await this.map.open(map, (share) => (find('progress').value = share));
+      this.#showMapPanel(true);
+      find('example').value = 'file';
+      this.#showPicture();
+      const { title, summary } = this.map.describe();
+      find('mesh-name').textContent = `Map: ${title}`;
+      find('summary').textContent = summary;
+      this.#tell('Done', false);
+    } catch (error) {
+      this.#fail(error);
+    }
+  }
+
+  /** For scripts that follow a map: the part `place` from other bytes. */
+  async replacePart(place, bytes) {
+    await this.map.replace(place, bytes);
+    this.#showPicture();
+  }
+
+  #showMapPanel(isMap) {
+    for (const id of ['quality', 'coder', 'others']) find(id).hidden = isMap;
+    find('copy-link').hidden = isMap;
+    for (const id of ['label-original', 'label-result', 'divider']) if (isMap) find(id).hidden = true;
+    this.controls.showMap(isMap);
+  }
+
+  #showPicture() {
+    if (this.map.isOpen) this.map.show(this.#settings);
+    else this.picture.show(this.#settings);
+  }
+
   openExample(name) {
     this.#settings.example = Object.hasOwn(EXAMPLES, name) ? name : 'knot';
     find('example').value = this.#settings.example;
@@ -90,6 +135,8 @@ class Page {
     this.#tell(`Reading ${name}`);
     try {
       const { mesh, frame, display } = await reading;
+      this.map.close();
+      this.#showMapPanel(false);
       this.#source = { mesh, frame };
       this.#name = name.replace(/\.[^.]*$/, '').toLowerCase();
       this.workshop.setSource(this.#source);
@@ -199,4 +246,5 @@ class Page {
 }
 
 const page = new Page(await Workshop.open());
+window.viewer = { replacePart: (place, bytes) => page.replacePart(place, bytes) };
 page.openExample(fromHash(location.hash).example);

@@ -24,6 +24,11 @@ export class Picture {
     theme();
   }
 
+  /** For a MapView. */
+  get stage() {
+    return this.#stage;
+  }
+
   setOriginal(display, { diagonal }) {
     this.#stage.original.setDisplay(display, diagonal / 2);
     this.#stage.frame(diagonal);

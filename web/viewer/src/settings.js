@@ -26,6 +26,7 @@ export const CHOICES = {
     label: 'Colour by',
     values: { none: 'Own colour', signed: 'Signed distance', vde: 'Visual error', normal: 'Normals’ angle' },
   },
+  mapColor: { label: 'Parts by', values: { own: 'Own colour', bytes: 'Bytes', error: 'Visual error' } },
 };
 
 export const DEFAULTS = {
@@ -42,6 +43,7 @@ export const DEFAULTS = {
   view: 'side',
   shading: 'smooth',
   color: 'none',
+  mapColor: 'own',
 };
 
 /** A change of these needs another stream. */

@@ -92,7 +92,7 @@ export class Controls {
       this.#rows[bound.id] = boundRow(bound, onChange);
       quality.append(this.#rows[bound.id].row);
     }
-    for (const [place, ids] of [[coder, ['geometry', 'effort']], [view, ['view', 'shading', 'color']]]) {
+    for (const [place, ids] of [[coder, ['geometry', 'effort']], [view, ['view', 'shading', 'color', 'mapColor']]]) {
       for (const id of ids) {
         this.#rows[id] = choiceRow(id, onChange);
         place.append(this.#rows[id].row);
@@ -102,6 +102,12 @@ export class Controls {
 
   show(settings) {
     for (const [id, row] of Object.entries(this.#rows)) row.set(settings[id]);
+  }
+
+  /** A map has no original to compare with. */
+  showMap(isMap) {
+    for (const id of ['view', 'color']) this.#rows[id].row.hidden = isMap;
+    this.#rows.mapColor.row.hidden = !isMap;
   }
 
   /** Hides the bounds of attributes that the mesh does not have. */

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-// Files from the button or dropped on the page.
+// Files from the buttons or dropped on the page, and folders.
+import { filesOfFolders } from '../map/map-files.js';
 
-export function openFiles({ input, hint }, onFile) {
+export function openFiles({ input, folderInput, hint }, onFile, onFolder) {
+  folderInput.addEventListener('change', () => {
+    onFolder([...folderInput.files]);
+    folderInput.value = '';
+  });
   input.addEventListener('change', () => {
     if (input.files[0]) onFile(input.files[0]);
     input.value = '';
@@ -15,10 +20,13 @@ export function openFiles({ input, hint }, onFile) {
   document.addEventListener('dragenter', () => show(1));
   document.addEventListener('dragleave', () => show(-1));
   document.addEventListener('dragover', (event) => event.preventDefault());
-  document.addEventListener('drop', (event) => {
+  document.addEventListener('drop', async (event) => {
     event.preventDefault();
     show(-depth);
-    if (event.dataTransfer.files[0]) onFile(event.dataTransfer.files[0]);
+    const [file] = event.dataTransfer.files;
+    const inFolders = await filesOfFolders(event.dataTransfer);
+    if (inFolders.length > 0) onFolder(inFolders);
+    else if (file) onFile(file);
   });
 }
 

@@ -5,7 +5,7 @@ import { DataTexture, LinearFilter, SRGBColorSpace } from 'three';
 
 /** Blue inward, red outward; and dark to light. */
 const DIVERGING = ['#2166ac', '#67a9cf', '#f7f7f7', '#ef8a62', '#b2182b'];
-const SEQUENTIAL = ['#440154', '#3b528b', '#21918c', '#5ec962', '#fde725'];
+export const SEQUENTIAL = ['#440154', '#3b528b', '#21918c', '#5ec962', '#fde725'];
 
 export const HEATS = {
   signed: { colors: DIVERGING, isSigned: true, name: 'Signed distance', unit: 'units, outward positive' },
@@ -30,12 +30,16 @@ export function heatTexture(colors) {
   return texture;
 }
 
-/** 99 % of sampled values are within it; 1, 2 or 5 times a power of ten. */
+/** 99 % of sampled values are within it; as roundLimit(). */
 export function heatLimit(values) {
   const step = Math.max(1, Math.floor(values.length / 5000));
   const sample = [];
   for (let i = 0; i < values.length; i += step) sample.push(Math.abs(values[i]));
-  const high = sample.sort((a, b) => a - b)[Math.floor(0.99 * (sample.length - 1))];
+  return roundLimit(sample.sort((a, b) => a - b)[Math.floor(0.99 * (sample.length - 1))]);
+}
+
+/** The end of a scale that reaches to `high`: 1, 2 or 5 times a power of ten. */
+export function roundLimit(high) {
   if (!(high > 0)) return 1e-9;
   const power = 10 ** Math.floor(Math.log10(high));
   return power * [1, 2, 5, 10].find((digit) => digit * power >= high * 0.999);

@@ -4,6 +4,7 @@
 import { Color, DirectionalLight, HemisphereLight, PerspectiveCamera, Scene, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
+import { MapSurface } from '../map/map-surface.js';
 import { moveByKeys } from './keys.js';
 import { Surface } from './surface.js';
 
@@ -21,6 +22,7 @@ function panesOf(view, split) {
 export class Stage {
   original = new Surface();
   result = new Surface();
+  map = new MapSurface();
   #scene = new Scene();
   #camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.01, 100);
   #renderer;
@@ -36,7 +38,7 @@ export class Stage {
     light.position.set(-0.4, 0.6, 1);
     this.#camera.add(light, light.target);
     light.target.position.set(0, 0, -1);
-    this.#scene.add(this.#camera, new HemisphereLight(0xffffff, 0x8090a0, 1.1), this.original, this.result);
+    this.#scene.add(this.#camera, new HemisphereLight(0xffffff, 0x8090a0, 1.1), this.original, this.result, this.map);
     this.#controls = new OrbitControls(this.#camera, canvas);
     this.#controls.addEventListener('change', () => this.draw());
     moveByKeys(canvas, this.#camera, this.#controls, () => this.frame());
@@ -103,6 +105,7 @@ export class Stage {
       this.#renderer.setScissor(from * width, 0, (to - from) * width, height);
       this.original.visible = name === 'original';
       this.result.visible = name === 'result';
+      this.map.visible = name === 'map';
       this.#renderer.render(this.#scene, this.#camera);
     }
   }

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+// Reads a map's manifest, and its parts one by one.
+import { DeltameshError } from '@deltamesh/decoder';
+import { openMap } from '@deltamesh/decoder/map';
+
+import { buffersOf, displayOf } from '../mesh/display.js';
+import { answerCalls } from './answer.js';
+
+let module;
+let map;
+let frame;
+
+function check(outcome) {
+  if (outcome instanceof DeltameshError) throw outcome;
+  return outcome;
+}
+
+/** Around the parts' boxes. */
+function frameOfParts(parts) {
+  const min = [0, 1, 2].map((axis) => Math.min(...parts.map(({ box }) => box.min[axis])));
+  const max = [0, 1, 2].map((axis) => Math.max(...parts.map(({ box }) => box.max[axis])));
+  return {
+    center: min.map((value, axis) => (value + max[axis]) / 2),
+    diagonal: Math.hypot(...min.map((value, axis) => max[axis] - value)),
+  };
+}
+
+answerCalls({
+  setup: () => (module = WebAssembly.compileStreaming(fetch(new URL('./map.wasm', import.meta.url)))),
+  /** `center`: of the picture, where there is one already. */
+  open: async ({ manifest, center }) => {
+    map = check(await openMap(new Uint8Array(manifest), { file: module }));
+    const parts = map.parts.map((part, number) => ({ ...part, number })).filter(({ isFinest }) => isFinest);
+    if (parts.length === 0) throw new Error('the map has no parts');
+    frame = frameOfParts(parts);
+    if (center) frame.center = center;
+    return { result: { parts, frame } };
+  },
+  part: ({ number, bytes }) => {
+    const display = displayOf(check(map.decode(number, new Uint8Array(bytes))), frame);
+    return { result: display, transfer: buffersOf(display) };
+  },
+});
