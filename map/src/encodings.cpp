@@ -14,7 +14,8 @@
 namespace deltamesh {
 namespace {
 
-/// A patch with more new faces, or with more bytes, than that of the whole is not worth it.
+/// A patch with a larger share of new faces, or of the bytes of the whole, is not worth it. Below 1: a patch
+/// is of something.
 constexpr double kMostNewFaces = 0.97;
 constexpr double kWorthPatch = 0.97;
 
@@ -65,6 +66,12 @@ Encoding encoding_of(DecodedPart part, const MapPart& source, const MapDescripti
   return encoding;
 }
 
+/// What the part would take if it were no primer.
+double whole_bytes(const Encoding& encoding, const MapDescription& description) {
+  const auto primer = primer_of(encoding.octets);
+  return static_cast<double>(primer ? description.primers.at(*primer).stream.size() : encoding.octets.size());
+}
+
 }  // namespace
 
 std::vector<Encodings::Asked>& Encodings::asked_of(const SourcePart& source) {
@@ -81,7 +88,7 @@ Result<std::shared_ptr<const Encoding>> Encodings::get(const SourcePart& source,
   DELTAMESH_TRY(DecodedPart part, encode_part(codec_.state(), source.part, part_quality(quality, options_)));
   auto encoding = std::make_shared<Encoding>(encoding_of(std::move(part), source.part, codec_.description()));
   encoding->whole_rate =
-      static_cast<double>(encoding->octets.size()) / static_cast<double>(source.part.mesh.triangle_count());
+      whole_bytes(*encoding, codec_.description()) / static_cast<double>(source.part.mesh.triangle_count());
   ++encoded_;
   asked.push_back({quality, source.content_revision, 0, encoding});
   return std::shared_ptr<const Encoding>(std::move(encoding));

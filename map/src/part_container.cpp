@@ -148,6 +148,11 @@ std::vector<std::byte> write_primer_part(const PartPlace& place, std::size_t pri
   return out.take();
 }
 
+std::optional<std::size_t> primer_of(std::span<const std::byte> octets) noexcept {
+  if (octets.size() < 2 || octets.front() != std::byte{kFlagPrimer}) return std::nullopt;
+  return std::to_integer<std::size_t>(octets[1]);
+}
+
 Result<OpenedPart> open_part(const PartPlace& place, std::span<const std::byte> bytes) {
   DELTAMESH_TRY(const auto covered, check_whole(place, bytes));
   ByteReader in(covered);

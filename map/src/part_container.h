@@ -29,6 +29,9 @@ struct PartPlace {
 /// Of the part that is the description's primer of this number.
 std::vector<std::byte> write_primer_part(const PartPlace& place, std::size_t primer);
 
+/// The number of the primer that a part's octets are; none if they are no primer's.
+std::optional<std::size_t> primer_of(std::span<const std::byte> octets) noexcept;
+
 /// Of a stream without an origin and an original order, whose attributes are the map's, and the coded
 /// border. Errors: those of Container::open().
 Result<std::vector<std::byte>> write_part(const PartPlace& place, std::span<const std::byte> stream,

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "deltamesh/map/join.h"
+#include "deltamesh/map/map_codec.h"
 #include "deltamesh/map/receiver.h"
 #include "deltamesh/map/sender.h"
 #include "map/map_meshes.h"
@@ -30,11 +30,17 @@ class MapPatch : public testing::Test {
     MapDescription description{.id = 1, .epoch = 1, .frame = "map", .cell_steps = 64};
     description.lattice.step_exponent = step_exponent_for(kMaxError);
     description.attributes = test::attributes_of(sheet_);
+    start(description);
+  }
+
+  /// With a sender and a receiver that has the sheet.
+  void start(const MapDescription& description) {
     SenderOptions options;
     options.effort = 0;
     auto sender = MapSender::make(description, options);
-    EXPECT_TRUE(sender);
+    ASSERT_TRUE(sender);
     sender_ = std::make_unique<MapSender>(std::move(*sender));
+    receiver_ = MapReceiver(1, 1);
     View view;
     view.max_error = kMaxError;
     view.color_error = 4;
@@ -97,6 +103,30 @@ TEST_F(MapPatch, MAP17OnlyWhatIsNotGoodEnoughIsSent) {
   }
   EXPECT_EQ(sender_->counts().patches_sent, 5U);
   EXPECT_TRUE(ask().empty());
+}
+
+TEST_F(MapPatch, APrimerIsABaseAsOtherPartsAre) {
+  auto splitter = Splitter::make(sender_->description());
+  ASSERT_TRUE(splitter);
+  const std::vector<MapBlock> blocks = {{{0, 0, 0}, sheet_}};
+  const auto change = splitter->update(blocks);
+  ASSERT_TRUE(change);
+  std::vector<MapPart> parts = {change->changed.front().part, change->changed.front().part};
+  parts.back().key.x = 1;
+  PartQuality quality;
+  quality.bounds.max_error = QualityBound{double{kMaxError}};
+  quality.attributes.color_error = 4;
+  quality.effort = 0;
+  const auto description = with_primers(sender_->description(), parts, quality);
+  ASSERT_TRUE(description);
+  ASSERT_FALSE(description->primers.empty());
+  start(*description);
+  EXPECT_LT(receiver_.held().front().octets.size(), 8U);
+  lift(0, 0, 0.05, 0.05F);
+  const Bytes message = ask_for_one();
+  EXPECT_EQ(*kind_of_message(message), MessageKind::kPatch);
+  EXPECT_TRUE(receiver_.apply(message));
+  expect_good();
 }
 
 TEST_F(MapPatch, WhatMovesByLittleStays) {
