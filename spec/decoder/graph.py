@@ -36,3 +36,13 @@ def others(faces, corner):
     """The vertices at the next corner of a corner's face and at the one before."""
     f, k = divmod(corner, 3)
     return faces[f][(k + 1) % 3], faces[f][(k + 2) % 3]
+
+def open_edges(faces, n):
+    """[MAP-11] For every vertex the other ends of its open edges, ascending."""
+    count, result = {}, [[] for _ in range(n)]
+    for edge in (tuple(sorted((face[k], face[k - 1]))) for face in faces for k in range(3)):
+        count[edge] = count.get(edge, 0) + 1
+    for a, b in sorted(edge for edge, faces in count.items() if faces == 1 and edge[0] != edge[1]):
+        result[a].append(b)
+        result[b].append(a)
+    return [sorted(ends) for ends in result]

@@ -9,7 +9,9 @@ import xxhash
 from attr import Attribute
 from coder import BitModel, Coder, NumberModel, States
 from container import CNT_1_stream, CNT_4_chunks, DRAFT, HIGHPASS, Header, Reader, VOXELS, must, unzigzag
+from graph import open_edges
 from mesh import decode_chunks
+from patches import MAP_17_part
 
 class Map:
     """[MAP-5] The fields of a map's message, and [MAP-6] the primers with the states before each, and after the last."""
@@ -42,11 +44,16 @@ class Map:
         level, *cell = key
         return [self.step * (x * 2**level * self.cell_steps + o) for x, o in zip(cell, self.cell_origin)]
 
+    def check(self, key, covered, stored):
+        seed = xxhash.xxh3_64_intdigest(struct.pack("<QBiii", self.hash, *key))
+        digest = xxhash.xxh3_64_intdigest(covered, seed=seed) % 2**32
+        must(struct.pack("<I", digest) == stored, "MAP-7", "the checksum does not match")
+
     def MAP_7_part(self, key, octets):
         """The mesh of a part, relative to the map's origin; `key` is (level, x, y, z)."""
-        seed = xxhash.xxh3_64_intdigest(struct.pack("<QBiii", self.hash, *key))
-        digest = struct.unpack("<I", octets[-4:])[0]
-        must(digest == xxhash.xxh3_64_intdigest(octets[:-4], seed=seed) % 2**32, "MAP-7", "the checksum does not match")
+        if octets[:1] == b"\4":
+            return MAP_17_part(self, key, octets)
+        self.check(key, octets[:-4], octets[-4:])
         r = Reader(octets[:-4])
         if octets[0] & 1:
             must(octets[0] == 1 and octets[1] < len(self.primers) and len(octets) == 6, "MAP-7", "no primer")
@@ -76,16 +83,6 @@ class PartHeader(Header):
     def first_point(self, r):
         by = [math.floor((c - o) / s) for c, o, s in zip(self.corner, self.lattice_origin, self.steps)]
         return [f + (b if abs(b) <= 2**48 else 0) for f, b in zip(super().first_point(r), by)]
-
-def open_edges(faces, n):
-    """[MAP-11] For every vertex the other ends of its open edges, ascending."""
-    count, result = {}, [[] for _ in range(n)]
-    for edge in (tuple(sorted((face[k], face[k - 1]))) for face in faces for k in range(3)):
-        count[edge] = count.get(edge, 0) + 1
-    for a, b in sorted(edge for edge, faces in count.items() if faces == 1 and edge[0] != edge[1]):
-        result[a].append(b)
-        result[b].append(a)
-    return [sorted(ends) for ends in result]
 
 def MAP_11_border(lattice, mesh, coder, states):
     """Moves the border's vertices to their points; their points and twins."""

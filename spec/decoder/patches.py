@@ -1,0 +1,112 @@
+"""Patched parts of maps: map.md, MAP-17."""
+import copy
+import struct
+from types import SimpleNamespace
+
+import numpy as np
+import xxhash
+
+from coder import BitModel, Coder, NumberModel
+from container import Reader, must, unzigzag
+from graph import open_edges
+from mesh import Mesh
+
+MOST_PATCHES, MOST_CANDIDATES = 16, 4
+
+def MAP_17_part(described, key, octets):
+    """The mesh of the part `key`, whose octets are a base and a patch."""
+    patches = []
+    while octets[:1] == b"\4":
+        must(len(patches) < MOST_PATCHES, "MAP-17", "more than 16 patches")
+        r = Reader(octets[1:])
+        base_key = (r.u8(),) + tuple(unzigzag(r.varint()) for _ in range(3))
+        octets = r.bytes(r.varint())
+        patches.append((key, octets, r.rest()))
+        key = base_key
+    mesh = described.MAP_7_part(key, octets)
+    for key, base, patch in reversed(patches):
+        mesh = apply(described, key, mesh, struct.pack("<Q", xxhash.xxh3_64_intdigest(base)), patch)
+    return mesh
+
+def apply(described, key, base, base_hash, patch):
+    described.check(key, base_hash + patch[:-4], patch[-4:])
+    r = Reader(patch[:-4])
+    plan, octets = Coder(r.bytes(r.varint())), r.rest()
+    must(octets[:1] != b"\4", "MAP-17", "the inserted part is patched")
+    inserted = described.MAP_7_part(key, octets) if octets else nothing_like(base)
+    must(base.groups is None and inserted.groups is None, "MAP-17", "groups of faces")
+    stays = staying(plan, base.faces)
+    must(any(stays), "MAP-17", "no face stays")
+    kept = [tuple(int(v) for v in face) for face, stay in zip(base.faces, stays) if stay]
+    joins = joined(plan, base, kept, inserted)
+    plan.end()
+    return put_together(base, kept, inserted, joins)
+
+def nothing_like(base):
+    mesh = Mesh()
+    mesh.positions, mesh.faces, mesh.groups, mesh.border = base.positions[:0], [], None, {}
+    mesh.attributes = copy.deepcopy(base.attributes)
+    for a in mesh.attributes:
+        a.values = a.values[:0]
+    return mesh
+
+def staying(plan, faces):
+    """For every face whether it stays. A model's number is 4 s + g."""
+    models = [BitModel(2**15 if s == g else 15 * 2**12 if s > g else 2**12) for s in range(4) for g in range(4)]
+    last, stays = {}, []
+    for f, face in enumerate(faces):
+        count = [0, 0]
+        for k in range(3):
+            edge = tuple(sorted((int(face[k]), int(face[(k + 1) % 3]))))
+            if last.get(edge, f) != f:
+                count[stays[last[edge]]] += 1
+            last[edge] = f
+        stays.append(models[4 * count[1] + count[0]].decode(plan))
+    return stays
+
+def joined(plan, base, kept, inserted):
+    """Of inserted vertices the base's vertex that they are joined to."""
+    models = SimpleNamespace(joins=[BitModel() for _ in range(6)], candidates=NumberModel(), places=NumberModel())
+    edges = open_edges(kept, len(base.positions))
+    by_x = sorted((v for v in range(len(edges)) if edges[v]), key=lambda v: (base.positions[v][0], v))
+    joins, taken = {}, set()
+    for v, ends in enumerate(open_edges(inserted.faces, len(inserted.positions))):
+        before = [u for u in ends if u < v]
+        on = [u for u in before if u in joins]
+        if not ends or not models.joins[(len(on) < len(before)) + 2 * min(len(on), 2)].decode(plan):
+            continue
+        place = [float(x) for x in inserted.positions[v]]
+        def distance(u):
+            dx, dy, dz = (a - float(b) for a, b in zip(place, base.positions[u]))
+            return dx * dx + dy * dy + dz * dz
+        near = edges[joins[on[-1]]][:MOST_CANDIDATES] if on else []
+        near = sorted((u for u in near if u not in taken), key=lambda u: (distance(u), u))
+        number = models.candidates.decode(plan) if near else 0
+        must(number <= len(near), "MAP-17", f"candidate {number}")
+        if number < len(near):
+            to = near[number]
+        else:
+            at = sum(float(base.positions[u][0]) < place[0] for u in by_x) + unzigzag(models.places.decode(plan))
+            must(0 <= at < len(by_x), "MAP-17", f"place {at}")
+            to = by_x[at]
+        must(to not in taken, "MAP-17", "two vertices are joined to one")
+        taken.add(to)
+        joins[v] = to
+    return joins
+
+def put_together(base, kept, inserted, joins):
+    rows = sorted({v for face in kept for v in face})
+    number = {v: i for i, v in enumerate(rows)}
+    new = [v for v in range(len(inserted.positions)) if v not in joins]
+    new_number = {v: number[u] for v, u in joins.items()} | {v: len(rows) + i for i, v in enumerate(new)}
+    mesh = Mesh()
+    mesh.header, mesh.exact, mesh.groups = base.header, False, None
+    mesh.positions = np.concatenate([base.positions[rows], inserted.positions[new]])
+    mesh.attributes = copy.deepcopy(base.attributes)
+    for mine, a, b in zip(mesh.attributes, base.attributes, inserted.attributes):
+        mine.values = np.concatenate([a.values[rows], b.values[new]])
+    mesh.faces = [tuple(number[v] for v in face) for face in kept]
+    mesh.faces += [tuple(new_number[int(v)] for v in face) for face in inserted.faces]
+    mesh.border = {number[v]: point for v, point in base.border.items() if v in number}
+    mesh.border |= {new_number[v]: point for v, point in inserted.border.items() if v not in joins}
+    return mesh
