@@ -34,6 +34,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto bytes = std::as_bytes(std::span(data, size));
   check(read_description, write_description, bytes);
   check(read_part, write_part, bytes);
+  check(read_patch, write_patch, bytes);
   check(read_start, write_start, bytes);
   check(read_view, write_view, bytes);
   for (const std::size_t attributes : {0U, 1U}) {

@@ -213,7 +213,7 @@ class Matcher {
 
   /// Beginning with the lowest vertex.
   static std::array<std::uint32_t, 3> rotated(std::array<std::uint32_t, 3> face) noexcept {
-    std::ranges::rotate(face, std::ranges::min_element(face));
+    std::rotate(face.begin(), std::ranges::min_element(face), face.end());
     return face;
   }
 
