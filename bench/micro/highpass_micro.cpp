@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "geometry/highpass.h"
-#include "laplacian/anchors.h"
-#include "laplacian/delta.h"
+#include "laplacian/anchors/anchors.h"
+#include "laplacian/operator/delta.h"
 #include "laplacian/solved_part.h"
 #include "laplacian/solver.h"
 #include "micro/stage_input.h"

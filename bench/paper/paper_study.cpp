@@ -8,7 +8,7 @@
 #include "base/try.h"
 #include "format/vertex_positions.h"
 #include "geometry/highpass.h"
-#include "laplacian/anchor_sequence.h"
+#include "laplacian/anchors/anchor_sequence.h"
 #include "quality/measure.h"
 
 namespace deltamesh::bench {

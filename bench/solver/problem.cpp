@@ -8,7 +8,7 @@
 #include "connectivity/connectivity.h"
 #include "geometry/diffusion.h"
 #include "geometry/highpass_symbols.h"
-#include "laplacian/delta.h"
+#include "laplacian/operator/delta.h"
 #include "support/welded_mesh.h"
 
 namespace deltamesh::bench {

@@ -3,6 +3,7 @@ import numpy as np
 
 from coder import Coder
 from container import Reader, must, unzigzag
+from cycles import DELT_7_positions
 from fields import FLD_numbers
 
 def is_solved(component):
@@ -53,21 +54,12 @@ def DELT_1_positions(chunks, header, around, components, anchors, dump):
     centre = np.array([0.5 * a + 0.5 * b for a, b in zip(header.box_min, header.box_max)])
     places = {v: np.array(p) - centre for v, p in anchors.items()}
     dump("deltas", deltas)
-    large = [c for c in components if is_solved(c)]
-    if header.cycles:
-        from cycles import DELT_7_positions
-        def of(vertices):  # deltas and anchors' places of some vertices, which are renumbered
-            number = {v: i for i, v in enumerate(vertices)}
-            graph = [[number[u] for u in around[v]] for v in vertices]
-            held = {number[v]: places[v] for v in vertices if v in places}
-            return graph, deltas[[row[v] for v in vertices]], held
-        for vertices, x in DELT_7_positions(large, anchors, around, of, header.cycles, dump):
-            positions[vertices] = x + centre
-    else:
-        for c in large:
-            number = {v: i for i, v in enumerate(c)}
-            graph = [[number[u] for u in around[v]] for v in c]
-            held = {number[v]: places[v] for v in c if v in places}
-            positions[c] = DELT_4_least_squares(graph, deltas[[row[v] for v in c]], held) + centre
+    for c in [solved] if header.cycles else filter(is_solved, components):
+        number = {v: i for i, v in enumerate(c)}
+        graph = [[number[u] for u in around[v]] for v in c]
+        held = {number[v]: places[v] for v in c if v in places}
+        of_c = deltas[[row[v] for v in c]]
+        x = DELT_7_positions(graph, of_c, held, header.cycles) if header.cycles else DELT_4_least_squares(graph, of_c, held)
+        positions[c] = x + centre
     must(np.all(np.abs(positions) <= 3.4028234663852886e38), "DELT-3", "a coordinate is not finite as f32")
     return positions

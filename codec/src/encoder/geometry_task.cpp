@@ -8,7 +8,7 @@
 #include "encoder/highpass_trials.h"
 #include "encoder/predictive_bounds.h"
 #include "encoder/predictive_budget.h"
-#include "laplacian/anchor_sequence.h"
+#include "laplacian/anchors/anchor_sequence.h"
 #include "quality/bounds.h"
 #include "quality/rate_control.h"
 

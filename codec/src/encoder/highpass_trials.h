@@ -11,7 +11,7 @@
 #include "encoder/coded_geometry.h"
 #include "encoder/source_geometry.h"
 #include "geometry/highpass.h"
-#include "laplacian/anchor_sequence.h"
+#include "laplacian/anchors/anchor_sequence.h"
 #include "quality/bounds.h"
 #include "quality/trial.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/try.h"
-#include "laplacian/delta.h"
+#include "laplacian/operator/delta.h"
 
 namespace deltamesh {
 namespace {

@@ -4,6 +4,7 @@
 // What planned cycles may cost in quality beside those that settle [DELT-7].
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "base/vec3.h"
@@ -13,6 +14,9 @@ namespace deltamesh {
 
 /// Cycles that are tried before it is left to the decoder to decide.
 inline constexpr int kMostPlanned = 8;
+
+/// Quantised deltas of streams with planned cycles are smaller [DELT-7].
+inline constexpr std::int32_t kLargestPlannedSymbol = 1 << 23;
 
 /// Errors of a plan's positions over those of settled ones, where the solver decided itself when to stop: how
 /// far they are from the true ones, rms and at most, and rms of the delta coordinates' errors, which is what

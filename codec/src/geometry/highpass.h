@@ -17,7 +17,7 @@
 #include "entropy/payload.h"
 #include "format/highpass_parameters.h"
 #include "geometry/highpass_settings.h"
-#include "laplacian/anchor_sequence.h"
+#include "laplacian/anchors/anchor_sequence.h"
 #include "laplacian/part_solver.h"
 #include "laplacian/solved_part.h"
 #include "topology/adjacency.h"

@@ -12,7 +12,7 @@
 #include "geometry/delta_symbols.h"
 #include "geometry/highpass.h"
 #include "geometry/highpass_symbols.h"
-#include "laplacian/anchors.h"
+#include "laplacian/anchors/anchors.h"
 
 namespace deltamesh {
 namespace {

@@ -13,10 +13,10 @@
 #include "base/vec3.h"
 #include "deltamesh/result.h"
 #include "geometry/highpass.h"
+#include "laplacian/operator/symbol_rows.h"
 #include "laplacian/part_solver.h"
 #include "laplacian/solve_once.h"
 #include "laplacian/solved_part.h"
-#include "laplacian/symbol_rows.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {

@@ -2,6 +2,7 @@
 // Copyright 2026 The deltamesh authors
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <utility>
 
@@ -15,9 +16,9 @@
 #include "geometry/diffusion.h"
 #include "geometry/highpass.h"
 #include "geometry/highpass_symbols.h"
-#include "laplacian/anchors.h"
-#include "laplacian/delta.h"
-#include "laplacian/hop_density.h"
+#include "laplacian/anchors/anchors.h"
+#include "laplacian/operator/delta.h"
+#include "laplacian/operator/hop_density.h"
 
 namespace deltamesh {
 namespace {
@@ -49,6 +50,12 @@ std::vector<std::byte> write_deltas(std::span<const std::int32_t> deltas) {
   ByteWriter out;
   write_planes(out, codes);
   return out.take();
+}
+
+/// What planned cycles can keep in 32 bits [DELT-7].
+bool can_be_planned(std::span<const std::int32_t> deltas) noexcept {
+  return std::all_of(deltas.begin(), deltas.end(),
+                     [](std::int32_t q) { return std::abs(q) < kLargestPlannedSymbol; });
 }
 
 AnchorList list_anchors(const HighpassSymbols& symbols) {
@@ -185,7 +192,7 @@ HighpassCoder::Attempt HighpassCoder::plan_for(int cycles, const HighpassSetting
   for (int round = 0; round <= kMostRounds; ++round) {
     if (round > 0 && !source.improve(solver_, rows, cycles)) break;
     const auto quantized = quantize(settings, source.deltas());
-    if (!quantized) break;
+    if (!quantized || !can_be_planned(quantized->symbols)) break;
     const HighpassSymbols symbols =
         symbols_for(*quantized, anchors, settings.anchor_bits, source.positions());
     HighpassParameters parameters = parameters_for(settings, anchors, quantized->shift);

@@ -12,7 +12,7 @@
 #include "base/large_vector.h"
 #include "base/vec3.h"
 #include "deltamesh/result.h"
-#include "laplacian/delta_view.h"
+#include "laplacian/operator/delta_view.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {
@@ -30,10 +30,8 @@ struct LeastSquaresProblem {
 /// The deltas' symbols, once; may use the graph.
 using ReadSymbols = std::function<Result<SymbolRows>(const Adjacency&)>;
 
-/// What make_multigrid_solver's solver finds, to the last bit. Components that take different hierarchies are
-/// problems of their own. One thread takes the graph apart in place when it has read the symbols, and solves
-/// them one after the other. Of a team, one thread reads the symbols while the others set up what takes
-/// longest, and then solves the rest. Returns n rows in memory of `size`, n or more. Errors: those of
+/// What make_multigrid_solver's solver finds, to the last bit. Of a team, one thread reads the symbols while
+/// the others set up the levels. Returns n rows in memory of `size`, n or more. Errors: those of
 /// `read_symbols`, and as LeastSquaresSolver::solve.
 Result<LargeVector<Vec3>> solve_once(LeastSquaresProblem problem, const ReadSymbols& read_symbols,
                                      std::size_t size);

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "laplacian/anchors.h"
+#include "laplacian/anchors/anchors.h"
 #include "topology/subgraph.h"
 
 namespace deltamesh {

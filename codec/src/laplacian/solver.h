@@ -14,7 +14,7 @@
 #include "base/large_vector.h"
 #include "base/vec3.h"
 #include "deltamesh/result.h"
-#include "laplacian/delta_view.h"
+#include "laplacian/operator/delta_view.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {
@@ -30,7 +30,8 @@ class LeastSquaresSolver {
   /// `deltas`: n; `anchor_positions`: one per anchor, in the order of setup; `x`: n, overwritten.
   /// Errors: kInvalidStream where the system is numerically singular or its solution out of reach.
   /// `cycles`: 0 for as many as the solution takes; else what so many planned cycles make of it [DELT-7],
-  /// which nothing watches. Solvers without cycles take no notice, and give another answer then.
+  /// for encoders: kInvalidStream where these leave the range of 32 bits. Solvers without cycles take no
+  /// notice, and give another answer then.
   virtual Result<void> solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions, int cycles,
                              std::span<Vec3> x) = 0;
 
@@ -38,15 +39,15 @@ class LeastSquaresSolver {
     return solve(deltas, anchor_positions, 0, x);
   }
 
-  /// The same solution, n rows, in memory of `size` rows, n or more, the others not initialised. Where that
-  /// can be done, the memory is taken after what was set up has been given back: the solver is of no use any
-  /// more.
+  /// The same for decoders, which do not ask about that range: n rows, in memory of `size` rows, n or more,
+  /// the others not initialised. Where that can be done, the memory is taken after what was set up has been
+  /// given back: the solver is of no use any more.
   virtual Result<LargeVector<Vec3>> solve_last(const DeltaView& deltas,
                                                std::span<const Vec3> anchor_positions, int cycles,
                                                std::size_t size);
 
-  /// What solve() with so many cycles would set up first.
-  virtual void set_up(int cycles) { (void)cycles; }
+  /// What solve() for so many cycles would set up first.
+  virtual void set_up(int /*cycles*/) {}
 };
 
 /// Sparse Cholesky of the normal equations: exact up to rounding; the reference. Time and memory grow faster
@@ -56,8 +57,8 @@ Result<std::unique_ptr<LeastSquaresSolver>> make_direct_solver(const Adjacency& 
                                                                std::span<const std::uint32_t> anchors);
 
 /// Multigrid: time and memory linear in n; the error that remains is a few percent of what quantisation
-/// leaves. Components that do not settle are factored or iterated on, in bounded work per vertex. Same
-/// preconditions and errors as above.
+/// leaves. Every vertex has neighbours, otherwise same preconditions and errors as above; kInvalidStream also
+/// for cycles on a graph that has one level [DELT-7].
 Result<std::unique_ptr<LeastSquaresSolver>> make_multigrid_solver(const Adjacency& graph,
                                                                   std::span<const std::uint32_t> anchors);
 

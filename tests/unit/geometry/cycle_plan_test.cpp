@@ -12,7 +12,7 @@
 #include "geometry/compensation.h"
 #include "geometry/highpass.h"
 #include "geometry/highpass_symbols.h"
-#include "laplacian/delta.h"
+#include "laplacian/operator/delta.h"
 #include "quality/measure.h"
 #include "support/graph_mesh.h"
 

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "geometry/delta_symbols.h"
-#include "laplacian/delta.h"
+#include "laplacian/operator/delta.h"
 #include "support/graph_mesh.h"
 
 namespace deltamesh {

@@ -221,9 +221,16 @@ TEST_F(HighpassRules, DELT3RejectsPositionsThatAreNotFinite) {
 }
 
 TEST_F(HighpassRules, DELT7RejectsTooManyCycles) {
-  coded_.parameters.cycles = kMostCycles;
-  EXPECT_TRUE(read(mesh_, coded_));
-  coded_.parameters.cycles = kMostCycles + 1;
+  const GraphMesh mesh = test::sheet(25, 17);
+  CodedHighpass coded = *write(mesh);
+  coded.parameters.cycles = kMostCycles;
+  EXPECT_TRUE(read(mesh, coded));
+  coded.parameters.cycles = kMostCycles + 1;
+  expect_rule(read(mesh, coded), "DELT-7");
+}
+
+TEST_F(HighpassRules, DELT7RejectsCyclesOnOneLevel) {
+  coded_.parameters.cycles = 1;
   expect_rule(read(mesh_, coded_), "DELT-7");
 }
 

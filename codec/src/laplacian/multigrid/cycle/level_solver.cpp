@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "laplacian/multigrid/cycle/level_solver.h"
+
+#include <utility>
+
+#include "base/thread_team.h"
+#include "laplacian/multigrid/cycle/coupled_sweep.h"
+
+namespace deltamesh::multigrid {
+namespace {
+
+/// Two cycles double the work on all coarser levels: no more in all than that on this one, times their
+/// number. Not of the first level, where most of the work is.
+bool takes_two_cycles(const Level& level, const Level& next) noexcept {
+  return 2 * next.edge_count() <= level.edge_count();
+}
+
+/// Which anchors of the coarsest level hold, from those of the first.
+std::vector<std::uint8_t> on_coarsest(std::span<const Level> levels, std::vector<std::uint8_t> holds) {
+  for (const Level& level : levels.subspan(1)) {
+    std::vector<std::uint8_t> coarser;
+    for (const std::uint32_t anchor : level.finer_anchors) coarser.push_back(holds[anchor]);
+    holds = std::move(coarser);
+  }
+  return holds;
+}
+
+Row scaled(Float4 length, const Row& row) noexcept { return {length * row.x, length * row.s}; }
+
+}  // namespace
+
+LevelSolver::LevelSolver(std::span<const Level> levels, std::vector<std::uint8_t> holds)
+    : levels_(levels),
+      vectors_(levels.size()),
+      coarsest_(levels.back(), on_coarsest(levels, std::move(holds))) {
+  for (std::size_t k = 0; k < levels_.size(); ++k) {
+    const Level& level = levels_[k];
+    Vectors& v = vectors_[k];
+    v.b.resize(level.node_count(), Row{});
+    v.u.resize(level.node_count(), Row{});
+    v.gaps.resize(level.anchors.size());
+    v.forces.resize(level.anchors.size());
+    if (k + 1 == levels_.size()) break;
+    v.image.resize(level.node_count());
+    if (k == 0 || !takes_two_cycles(level, levels_[k + 1])) continue;
+    v.first.resize(level.node_count());
+    v.first_forces.resize(level.anchors.size());
+  }
+}
+
+CoupledProblem LevelSolver::problem(std::size_t level) noexcept {
+  Vectors& v = vectors_[level];
+  return {levels_[level], v.b, v.u, v.gaps, v.forces};
+}
+
+void LevelSolver::cycle(std::size_t level) {
+  const Level& fine = levels_[level];
+  Vectors& v = vectors_[level];
+  Vectors& next = vectors_[level + 1];
+  sweep_from_zero(fine, v.b, v.u);
+  for (std::size_t a = 0; a < v.gaps.size(); ++a) {
+    Row& u = v.u[fine.anchors[a]];
+    if (fine.inverse_degree[fine.anchors[a]] == 0) u.x = v.gaps[a];
+    v.forces[a] = Float4{};
+  }
+  restrict_from_zero(fine, v.b, v.u, next.b);
+  const auto& kept = levels_[level + 1].finer_anchors;
+  for (std::size_t a = 0; a < kept.size(); ++a) next.gaps[a] = v.gaps[kept[a]] - v.u[fine.anchors[kept[a]]].x;
+  solve(level + 1);
+  share_each(v.u.size(), [&](std::uint32_t i) { v.u[i] += fine.interpolation[i].of(next.u); });
+  for (std::size_t a = 0; a < kept.size(); ++a) {
+    v.forces[kept[a]] = next.forces[a];
+    v.b[fine.anchors[kept[a]]].s += next.forces[a];
+  }
+  sweep(fine, v.b, v.u);
+}
+
+void LevelSolver::solve(std::size_t level) {
+  if (level + 1 == levels_.size()) {
+    coarsest_.solve(problem(level));
+    return;
+  }
+  Vectors& v = vectors_[level];
+  cycle(level);
+  Float4 length = best_length(problem(level), v.image);
+  if (!v.first.empty()) {
+    share_each(v.u.size(), [&](std::uint32_t i) { v.first[i] = scaled(length, v.u[i]); });
+    for (std::size_t a = 0; a < v.forces.size(); ++a) v.first_forces[a] = length * v.forces[a];
+    take_off(problem(level), length, v.image);
+    cycle(level);
+    length = best_length(problem(level), v.image);
+    share_each(v.u.size(), [&](std::uint32_t i) { v.u[i] = v.first[i] + scaled(length, v.u[i]); });
+    for (std::size_t a = 0; a < v.forces.size(); ++a) v.forces[a] = v.first_forces[a] + length * v.forces[a];
+    return;
+  }
+  share_each(v.u.size(), [&](std::uint32_t i) { v.u[i] = scaled(length, v.u[i]); });
+  for (Float4& force : v.forces) force = length * force;
+}
+
+}  // namespace deltamesh::multigrid

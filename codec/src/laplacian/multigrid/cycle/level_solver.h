@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// The coupled problem on a level, solved by cycles through the coarser ones [DELT-7].
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/large_vector.h"
+#include "laplacian/coarsest/coarsest.h"
+#include "laplacian/multigrid/cycle/coupled_problem.h"
+#include "laplacian/multigrid/level.h"
+#include "laplacian/multigrid/row.h"
+
+namespace deltamesh::multigrid {
+
+/// Memory is allocated at setup only.
+class LevelSolver {
+ public:
+  /// Right-hand sides and solution of a level.
+  struct Vectors {
+    LargeVector<Row> b;
+    LargeVector<Row> u;
+    std::vector<Float4> gaps;
+    std::vector<Float4> forces;
+    LargeVector<Row> image;  ///< what the equations make of a cycle's u; empty on the coarsest level
+    LargeVector<Row> first;  ///< what is taken of the first cycle's u; empty where there is one cycle
+    std::vector<Float4> first_forces;  ///< likewise
+  };
+
+  /// `levels`: the one to solve for and all that are coarser; must outlive this. `holds`: as CoarsestSolver,
+  /// for the anchors of the first.
+  LevelSolver(std::span<const Level> levels, std::vector<std::uint8_t> holds);
+  LevelSolver(const LevelSolver&) = delete;
+  LevelSolver& operator=(const LevelSolver&) = delete;
+
+  /// Of the first level.
+  Vectors& first() noexcept { return vectors_.front(); }
+
+  /// Its u and forces for its b and gaps, which are used up.
+  void solve() { solve(0); }
+
+ private:
+  CoupledProblem problem(std::size_t level) noexcept;
+  void solve(std::size_t level);
+  void cycle(std::size_t level);
+
+  std::span<const Level> levels_;
+  std::vector<Vectors> vectors_;  ///< per level
+  CoarsestSolver coarsest_;
+};
+
+}  // namespace deltamesh::multigrid

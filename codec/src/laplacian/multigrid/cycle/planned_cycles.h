@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// So many cycles as the deltas were made for, each as cheap as it can be: on the finest level there are
+// positions only, the residual field begins on the second [DELT-7].
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/large_vector.h"
+#include "base/vec3.h"
+#include "laplacian/multigrid/cycle/level_solver.h"
+#include "laplacian/multigrid/cycle/units.h"
+#include "laplacian/multigrid/level.h"
+#include "laplacian/operator/delta_view.h"
+
+namespace deltamesh::multigrid {
+
+struct PlannedSolution {
+  Units units;
+  LargeVector<Counts> counts;  ///< n
+
+  /// `x`: n, model units.
+  void write(std::span<Vec3> x) const;
+};
+
+/// The coupled problem with s = P s_c interpolated from the second level: away from the anchors s is
+/// harmonic, hence smooth. Few cycles leave much of the exact solution's low frequencies out; an encoder
+/// makes up for it by the deltas and anchors that it codes (geometry/compensation.h). x is kept in whole
+/// numbers; corrections are floats, in steps of the deltas.
+class PlannedCycles {
+ public:
+  /// `levels`: at least two; must outlive this; `holds`: as CoarsestSolver.
+  PlannedCycles(std::span<const Level> levels, std::vector<std::uint8_t> holds);
+
+  /// `targets`: c_a, one for each anchor; `cycles`: above 0. The result is anything, also not finite, where
+  /// that is not what the deltas were made for. O(cycles (n + edges)).
+  /// `watch`: null but for encoders; told of what must be in the range of 32 bits.
+  PlannedSolution solve(const DeltaView& deltas, std::span<const Vec3> targets, int cycles,
+                        RangeWatch* watch);
+
+ private:
+  void start(const DeltaView& deltas, std::span<const Vec3> targets);
+  template <bool kIsWatched>
+  void sweep_finest(const DeltaView& deltas, std::span<const float> relaxation);
+  void sweep_finest(const DeltaView& deltas, std::span<const float> relaxation);
+  void add_correction();
+  void cycle(const DeltaView& deltas, std::span<const Vec3> targets);
+  void correct();
+
+  const Level& finest_;
+  const Level& second_;
+  LevelSolver coarse_;
+  Units units_{DeltaView{}, 0};
+  LargeVector<Counts> x_;       ///< finest level; none between solutions
+  LargeVector<Float4> step_;    ///< finest level: what the last sweep added, and a 0
+  LargeVector<Float4> s_;       ///< second level
+  std::vector<Float4> forces_;  ///< one for each anchor
+  RangeWatch* watch_ = nullptr;
+};
+
+}  // namespace deltamesh::multigrid

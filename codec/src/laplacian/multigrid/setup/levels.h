@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Builds the levels from connectivity and anchors alone.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "laplacian/multigrid/level.h"
+#include "topology/adjacency.h"
+
+namespace deltamesh::multigrid {
+
+/// Smaller levels stay as they are: they are solved exactly.
+inline constexpr std::uint32_t kFewestNodesToCoarsen = 200;
+
+/// The finest level and all coarser ones [DELT-7]. `graph`, whose vertices have neighbours, must outlive
+/// them. Cost and memory O(n + edges).
+std::vector<Level> build_levels(const Adjacency& graph, std::span<const std::uint32_t> anchors);
+
+/// Of a node of the finest level, whose weights are 1.
+inline float unit_degree(const Level& finest, std::uint32_t node) noexcept {
+  return static_cast<float>(finest.offsets[node + 1] - finest.offsets[node]);
+}
+
+}  // namespace deltamesh::multigrid

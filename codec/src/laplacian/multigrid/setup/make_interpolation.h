@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Interpolation of a level from its aggregates.
+#pragma once
+
+#include "base/large_vector.h"
+#include "laplacian/multigrid/level.h"
+#include "laplacian/multigrid/setup/aggregates.h"
+#include "laplacian/multigrid/setup/interpolation.h"
+
+namespace deltamesh::multigrid {
+
+/// n rows of P: a seed from its own aggregate alone, any other node from the three aggregates with most of
+/// its neighbours, seeds counting four times [DELT-7]. O(n + edges).
+LargeVector<Interpolation> make_interpolation(const Level& fine, const Aggregates& aggregates);
+
+}  // namespace deltamesh::multigrid

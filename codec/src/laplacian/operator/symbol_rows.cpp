@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "laplacian/operator/symbol_rows.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "base/thread_team.h"
+
+namespace deltamesh {
+namespace {
+
+bool fits_short(std::span<const std::int32_t> symbols) noexcept {
+  constexpr std::uint32_t kBias = std::uint32_t{1} << 15;
+  std::uint32_t over = 0;  // what does not fit has one of the upper bits
+  for (const std::int32_t q : symbols) over |= static_cast<std::uint32_t>(q) + kBias;
+  return over <= std::numeric_limits<std::uint16_t>::max();
+}
+
+template <class T>
+void fill_rows(std::span<const std::int32_t> planar, LargeVector<std::array<T, 4>>& rows) {
+  const std::size_t n = planar.size() / 3;
+  rows.resize(n);
+  share_each(n, [&](std::size_t i) {
+    rows[i] = {static_cast<T>(planar[i]), static_cast<T>(planar[n + i]), static_cast<T>(planar[2 * n + i]),
+               0};
+  });
+}
+
+template <class T>
+void pick_rows(std::span<const T> from, std::span<const std::uint32_t> vertices, LargeVector<T>& rows) {
+  if (from.empty()) return;
+  rows.reserve(vertices.size());
+  for (const std::uint32_t vertex : vertices) rows.push_back(from[vertex]);
+}
+
+template <class T>
+void pick_rows(const LargeVector<T>& from, const VertexSubset& vertices, LargeVector<T>& rows) {
+  if (from.empty()) return;
+  rows.resize(vertices.size());
+  gather_rows(std::span<const T>(from), vertices, std::span(rows));
+}
+
+}  // namespace
+
+SymbolRows::SymbolRows(std::span<const std::int32_t> planar) {
+  if (fits_short(planar)) {
+    fill_rows(planar, short_);
+  } else {
+    fill_rows(planar, long_);
+  }
+}
+
+SymbolRows::SymbolRows(const SymbolView& all, std::span<const std::uint32_t> vertices) {
+  pick_rows(all.short_rows(), vertices, short_);
+  pick_rows(all.long_rows(), vertices, long_);
+}
+
+SymbolRows SymbolRows::pick(const VertexSubset& vertices) const {
+  SymbolRows rows;
+  pick_rows(short_, vertices, rows.short_);
+  pick_rows(long_, vertices, rows.long_);
+  return rows;
+}
+
+}  // namespace deltamesh

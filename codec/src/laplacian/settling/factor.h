@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Sparse LDL^T for the coarsest level, solved for all axes at once.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/large_vector.h"
+#include "laplacian/settling/row.h"
+
+namespace deltamesh::settling {
+
+/// A symmetric matrix: its diagonal, and per row the entries beside it in ascending order of column.
+struct SymmetricMatrix {
+  std::vector<std::uint32_t> offsets;  ///< n + 1
+  LargeVector<std::uint32_t> columns;
+  LargeVector<double> values;
+  std::vector<double> diagonal;  ///< n
+
+  std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(diagonal.size()); }
+};
+
+class SparseFactor {
+ public:
+  /// Nothing where the matrix is not positive definite, or its factor would be far from sparse. Time and
+  /// memory grow faster than n: for some ten thousand rows.
+  static std::optional<SparseFactor> make(const SymmetricMatrix& matrix);
+
+  /// Overwrites `b` (n) with the solution.
+  void solve(std::span<Double4> b);
+
+ private:
+  /// Fills the columns, whose places and offsets are known. False where a pivot is not positive.
+  bool factor(const SymmetricMatrix& matrix, std::span<const std::uint32_t> parent);
+
+  std::vector<std::uint32_t> place_;    ///< n: where row i went
+  std::vector<std::uint32_t> offsets_;  ///< n + 1: columns of L below its diagonal of ones
+  LargeVector<std::uint32_t> rows_;
+  LargeVector<double> values_;
+  std::vector<double> inverse_diagonal_;  ///< n: 1 / D
+  LargeVector<Double4> work_;             ///< n
+};
+
+}  // namespace deltamesh::settling
