@@ -15,6 +15,7 @@
 namespace deltamesh {
 namespace {
 
+using settling::SmallComponents;
 using test::GraphMesh;
 
 struct Problem {

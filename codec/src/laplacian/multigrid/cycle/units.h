@@ -22,7 +22,7 @@ using Counts = FourUnsigned;
 /// 2^32 units, so a residual is right where it is below 2^31 units itself.
 class Units {
  public:
-  /// `reach`: steps, the largest coordinate at the start, about; what goes beyond 32 times as much turns
+  /// `reach`: steps, the largest coordinate at the start, about; what goes beyond 16 times as much turns
   /// around. Where it is not finite no position will be.
   Units(const DeltaView& deltas, float reach) noexcept
       : bits_(bits_for(deltas, reach)),
@@ -49,7 +49,7 @@ class Units {
 
  private:
   /// Of the largest coordinate at the start.
-  static constexpr int kBits = 25;
+  static constexpr int kBits = 26;
 
   static int bits_for(const DeltaView& deltas, float reach) noexcept {
     if (!(reach > 0 && std::isfinite(reach))) return 0;
