@@ -30,7 +30,7 @@ web::HandedArray hand_over(const Array& array) {
 
 Result<LargeVector<Vec3>> read_highpass(Payload deltas, Payload anchors, Adjacency graph,
                                         Components components, const Box& box,
-                                        const HighpassParameters& parameters) {
+                                        const HighpassParameters& parameters, ThreadTeam*) {
   const std::size_t vertex_count = graph.vertex_count();
   web::HighpassCall call{.box = box, .parameters = parameters};
   call.deltas = hand_over(deltas.bytes);

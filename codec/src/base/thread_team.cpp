@@ -19,9 +19,7 @@ constexpr int kMostLooks = 512;
 
 }  // namespace
 
-thread_local ThreadTeam* ThreadTeam::current_ = nullptr;
-
-ThreadTeam::ThreadTeam(unsigned threads) : outer_(current_) {
+ThreadTeam::ThreadTeam(unsigned threads) {
   const unsigned wanted = std::clamp(threads, 1U, kMostThreads) - 1;
   try {
     helpers_.reserve(wanted);  // so that none that runs is ever lost
@@ -31,7 +29,6 @@ ThreadTeam::ThreadTeam(unsigned threads) : outer_(current_) {
   } catch (const std::bad_alloc&) {
     // No memory for them: the same.
   }
-  current_ = this;
 }
 
 ThreadTeam::~ThreadTeam() {
@@ -42,7 +39,6 @@ ThreadTeam::~ThreadTeam() {
   }
   offered_.notify_all();
   for (std::thread& helper : helpers_) helper.join();
-  current_ = outer_;
 }
 
 void ThreadTeam::offer(TeamJob& job) {
@@ -56,9 +52,7 @@ void ThreadTeam::offer(TeamJob& job) {
 
 void ThreadTeam::finish(TeamJob& job) {
   std::unique_lock lock(mutex_);
-  ThreadTeam* const self = std::exchange(current_, nullptr);
   while (job.next_ < job.pieces_) run_next(job, lock);
-  current_ = self;
   if (job.done_ < job.pieces_) wait_briefly(lock);
   progressed_.wait(lock, [&] { return job.done_ == job.pieces_; });
   remove(job);

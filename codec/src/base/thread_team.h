@@ -37,7 +37,7 @@ class TeamJob {
   std::exception_ptr error_;
 };
 
-/// As long as one lives, it helps the thread that made it. A piece of a job has no team to help it.
+/// Helps those who offer it work, of its own pieces too.
 class ThreadTeam {
  public:
   /// `threads`: with the one that makes this; fewer where there are no more to be had, or no memory for them;
@@ -46,9 +46,6 @@ class ThreadTeam {
   ~ThreadTeam();
   ThreadTeam(const ThreadTeam&) = delete;
   ThreadTeam& operator=(const ThreadTeam&) = delete;
-
-  /// Of this thread; or null.
-  static ThreadTeam* current() noexcept { return kHasThreads ? current_ : nullptr; }
 
   /// Threads, the one that made this among them.
   std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(helpers_.size()) + 1; }
@@ -73,9 +70,6 @@ class ThreadTeam {
   TeamJob* first_open() noexcept;
   void remove(TeamJob& job) noexcept;
 
-  static thread_local ThreadTeam* current_;
-
-  ThreadTeam* outer_;
   std::mutex mutex_;  ///< of all below and of the jobs
   std::condition_variable offered_;
   std::condition_variable progressed_;
@@ -128,24 +122,6 @@ void share_each(ThreadTeam* team, std::size_t rows, const Each& each) {
   share_rows(team, rows, [&](std::uint32_t begin, std::uint32_t end) {
     for (std::uint32_t row = begin; row < end; ++row) each(row);
   });
-}
-
-// The same with the team of this thread, for the solver, which is not handed one yet.
-
-template <class Work>
-void share_work(std::uint32_t pieces, const Work& work) {
-  share_work(ThreadTeam::current(), pieces, work);
-}
-inline std::uint32_t piece_count(std::size_t rows) noexcept {
-  return piece_count(ThreadTeam::current(), rows);
-}
-template <class Work>
-void share_rows(std::size_t rows, const Work& work) {
-  share_rows(ThreadTeam::current(), rows, work);
-}
-template <class Each>
-void share_each(std::size_t rows, const Each& each) {
-  share_each(ThreadTeam::current(), rows, each);
 }
 
 }  // namespace deltamesh

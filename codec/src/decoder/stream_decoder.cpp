@@ -170,7 +170,7 @@ class StreamDecoder {
     DELTAMESH_TRY(const auto deltas, expand_single(container_, kTagDeltas, max_payload(header_)));
     DELTAMESH_TRY(const auto anchors, expand_single(container_, kTagAnchors, max_payload(header_)));
     return read_highpass(deltas.payload(), anchors.payload(), std::move(graph_), std::move(components),
-                         header_.box(), header_.highpass);
+                         header_.box(), header_.highpass, team_);
   }
 
   /// `positions`: n x 3, or empty where attributes may not know them.

@@ -24,6 +24,8 @@
 
 namespace deltamesh {
 
+class ThreadTeam;
+
 struct HighpassSymbols;
 class PlanJudge;
 
@@ -119,6 +121,6 @@ class HighpassCoder {
 /// [DELT-*, ANCH-*, CMP-3, FLD-1].
 Result<LargeVector<Vec3>> read_highpass(Payload deltas, Payload anchors, Adjacency graph,
                                         Components components, const Box& box,
-                                        const HighpassParameters& parameters);
+                                        const HighpassParameters& parameters, ThreadTeam* team = nullptr);
 
 }  // namespace deltamesh

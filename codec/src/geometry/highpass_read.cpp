@@ -101,12 +101,12 @@ Result<HighpassSymbols> read_anchor_symbols(Payload anchors, const Components& c
 
 Result<LargeVector<Vec3>> read_highpass(Payload deltas, Payload anchors, Adjacency graph,
                                         Components components, const Box& box,
-                                        const HighpassParameters& parameters) {
+                                        const HighpassParameters& parameters, ThreadTeam* team) {
   DELTAMESH_CHECK(check_parameters(parameters, graph.vertex_count()));
   DELTAMESH_TRY(const HighpassSymbols symbols, read_anchor_symbols(anchors, components, parameters));
   SolvedPart part = extract_solved_part(std::move(graph), std::move(components));
   const auto read = [&](const Adjacency& solved) { return read_deltas(deltas, solved); };
-  return reconstruct_highpass_once(read, symbols, std::move(part), box, parameters);
+  return reconstruct_highpass_once(read, symbols, std::move(part), box, parameters, team);
 }
 
 }  // namespace deltamesh

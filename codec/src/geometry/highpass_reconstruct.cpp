@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
 
 #include "base/large_vector.h"
-#include "base/thread_team.h"
 #include "base/try.h"
 #include "format/tags.h"
 #include "geometry/highpass_symbols.h"
@@ -85,15 +83,11 @@ bool fits_float(const Vec3& position) noexcept {
 Result<void> complete_positions(const HighpassSymbols& symbols, const VertexSubset& solved, const Box& box,
                                 const HighpassParameters& parameters, std::span<Vec3> positions) {
   const Vec3 center = middle(box);
-  std::atomic<bool> fits = true;
-  share_rows(solved.size(), [&](std::uint32_t begin, std::uint32_t end) {
-    bool all_fit = true;
-    for (Vec3& x : positions.subspan(begin, end - begin)) {
-      x = center + x;
-      all_fit &= fits_float(x);
-    }
-    if (!all_fit) fits = false;
-  });
+  bool fits = true;
+  for (Vec3& x : positions.first(solved.size())) {
+    x = center + x;
+    fits &= fits_float(x);
+  }
   spread_rows(solved, positions);
   const AnchorLattice lattice(box, parameters.anchor_bits);
   SubsetWalk walk(solved);
@@ -128,7 +122,8 @@ Result<LargeVector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, c
 
 Result<LargeVector<Vec3>> reconstruct_highpass_once(const ReadSymbols& read_deltas,
                                                     const HighpassSymbols& anchors, SolvedPart part,
-                                                    const Box& box, const HighpassParameters& parameters) {
+                                                    const Box& box, const HighpassParameters& parameters,
+                                                    ThreadTeam* team) {
   LargeVector<Vec3> positions;
   if (part.row_count > 0) {
     LeastSquaresProblem problem{.graph = std::exchange(part.graph, {}),
@@ -137,7 +132,7 @@ Result<LargeVector<Vec3>> reconstruct_highpass_once(const ReadSymbols& read_delt
                                 .targets = anchor_targets(anchors, part, box, parameters),
                                 .scale = scale_of(parameters),
                                 .cycles = parameters.cycles};
-    DELTAMESH_TRY(positions, solve_once(std::move(problem), read_deltas, part.whole_count));
+    DELTAMESH_TRY(positions, solve_once(std::move(problem), read_deltas, part.whole_count, team));
   } else {
     DELTAMESH_TRY([[maybe_unused]] const auto none, read_deltas(part.graph));
     positions.resize(part.whole_count);

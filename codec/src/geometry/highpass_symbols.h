@@ -59,6 +59,7 @@ Result<LargeVector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, c
 /// The same positions for one who needs them once, by solve_once(): the symbols of the deltas are read.
 Result<LargeVector<Vec3>> reconstruct_highpass_once(const ReadSymbols& read_deltas,
                                                     const HighpassSymbols& anchors, SolvedPart part,
-                                                    const Box& box, const HighpassParameters& parameters);
+                                                    const Box& box, const HighpassParameters& parameters,
+                                                    ThreadTeam* team);
 
 }  // namespace deltamesh

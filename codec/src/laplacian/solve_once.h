@@ -17,6 +17,8 @@
 
 namespace deltamesh {
 
+class ThreadTeam;
+
 /// All but the deltas.
 struct LeastSquaresProblem {
   Adjacency graph{};
@@ -30,10 +32,10 @@ struct LeastSquaresProblem {
 /// The deltas' symbols, once; may use the graph.
 using ReadSymbols = std::function<Result<SymbolRows>(const Adjacency&)>;
 
-/// What make_multigrid_solver's solver finds, to the last bit. Of a team, one thread reads the symbols while
-/// the others set up the levels. Returns n rows in memory of `size`, n or more. Errors: those of
-/// `read_symbols`, and as LeastSquaresSolver::solve.
+/// What make_multigrid_solver's solver finds, to the last bit. Of `team`, which may be null, one thread reads
+/// the symbols while the others set up the levels. Returns n rows in memory of `size`, n or more. Errors:
+/// those of `read_symbols`, and as LeastSquaresSolver::solve.
 Result<LargeVector<Vec3>> solve_once(LeastSquaresProblem problem, const ReadSymbols& read_symbols,
-                                     std::size_t size);
+                                     std::size_t size, ThreadTeam* team);
 
 }  // namespace deltamesh

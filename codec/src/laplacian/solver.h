@@ -19,6 +19,8 @@
 
 namespace deltamesh {
 
+class ThreadTeam;
+
 /// Set up once for a graph and its anchors, then solved for any right-hand sides.
 class LeastSquaresSolver {
  public:
@@ -62,8 +64,11 @@ Result<std::unique_ptr<LeastSquaresSolver>> make_direct_solver(const Adjacency& 
 Result<std::unique_ptr<LeastSquaresSolver>> make_multigrid_solver(const Adjacency& graph,
                                                                   std::span<const std::uint32_t> anchors);
 
-/// The same where the graph's components are known already.
-Result<std::unique_ptr<LeastSquaresSolver>> make_solver_for_components(
-    const Adjacency& graph, Components components, std::span<const std::uint32_t> anchors);
+/// The same where the graph's components are known already. Planned cycles work on the threads of `team`,
+/// which must outlive the solver; null: on that of the caller.
+Result<std::unique_ptr<LeastSquaresSolver>> make_solver_for_components(const Adjacency& graph,
+                                                                       Components components,
+                                                                       std::span<const std::uint32_t> anchors,
+                                                                       ThreadTeam* team = nullptr);
 
 }  // namespace deltamesh

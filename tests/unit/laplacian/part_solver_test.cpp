@@ -103,15 +103,15 @@ TEST(SolveOnce, GivesTheSolversBits) {
       ASSERT_TRUE((*solver)->solve(deltas, problem.targets, cycles, x));
       problem.cycles = cycles;
       const std::size_t size = x.size() + static_cast<std::size_t>(7 * cycles);
-      const auto expect_same = [&] {
-        const auto once = solve_once(problem, read_symbols, size);
+      const auto expect_same = [&](ThreadTeam* team) {
+        const auto once = solve_once(problem, read_symbols, size, team);
         ASSERT_TRUE(once);
         ASSERT_EQ(once->size(), size);
         EXPECT_TRUE(std::equal(x.begin(), x.end(), once->begin()));
       };
-      expect_same();
-      const ThreadTeam team(2);
-      expect_same();
+      expect_same(nullptr);
+      ThreadTeam team(2);
+      expect_same(&team);
     }
   }
 }

@@ -32,15 +32,19 @@ std::vector<std::uint8_t> shared_components(const Components& components,
 
 class MultigridSolver final : public LeastSquaresSolver {
  public:
-  MultigridSolver(const Adjacency& graph, Components components, std::span<const std::uint32_t> anchors)
-      : graph_(graph), components_(std::move(components)), anchors_(anchors.begin(), anchors.end()) {}
+  MultigridSolver(const Adjacency& graph, Components components, std::span<const std::uint32_t> anchors,
+                  ThreadTeam* team)
+      : graph_(graph),
+        components_(std::move(components)),
+        anchors_(anchors.begin(), anchors.end()),
+        team_(team) {}
 
   void set_up(int cycles) override {
     if (cycles == 0) {
       if (!settled_) settled_.emplace(graph_, components_, anchors_);
     } else if (levels_.empty()) {
-      levels_ = multigrid::build_levels(graph_, anchors_);
-      if (levels_.size() > 1) planned_.emplace(levels_, shared_components(components_, anchors_));
+      levels_ = multigrid::build_levels(graph_, anchors_, team_);
+      if (levels_.size() > 1) planned_.emplace(levels_, shared_components(components_, anchors_), team_);
     }
   }
 
@@ -50,7 +54,7 @@ class MultigridSolver final : public LeastSquaresSolver {
     if (cycles == 0) return settled_->solve(deltas, anchor_positions, x);
     if (!planned_) return no_levels();
     multigrid::RangeWatch watch;
-    planned_->solve(deltas, anchor_positions, cycles, &watch).write(x);
+    planned_->solve(deltas, anchor_positions, cycles, &watch).write(x, team_);
     if (!watch.holds()) return out_of_range();
     return {};
   }
@@ -64,7 +68,7 @@ class MultigridSolver final : public LeastSquaresSolver {
     planned_.reset();
     levels_.clear();
     LargeVector<Vec3> x(size);
-    solution.write(std::span(x).first(deltas.size()));
+    solution.write(std::span(x).first(deltas.size()), team_);
     return x;
   }
 
@@ -84,6 +88,7 @@ class MultigridSolver final : public LeastSquaresSolver {
   const Adjacency& graph_;
   Components components_;
   std::vector<std::uint32_t> anchors_;
+  ThreadTeam* team_;
   std::vector<multigrid::Level> levels_;
   std::optional<PlannedCycles> planned_;
   std::optional<settling::SettledSolver> settled_;
@@ -96,10 +101,12 @@ Result<std::unique_ptr<LeastSquaresSolver>> make_multigrid_solver(const Adjacenc
   return make_solver_for_components(graph, find_components(graph), anchors);
 }
 
-Result<std::unique_ptr<LeastSquaresSolver>> make_solver_for_components(
-    const Adjacency& graph, Components components, std::span<const std::uint32_t> anchors) {
+Result<std::unique_ptr<LeastSquaresSolver>> make_solver_for_components(const Adjacency& graph,
+                                                                       Components components,
+                                                                       std::span<const std::uint32_t> anchors,
+                                                                       ThreadTeam* team) {
   return std::unique_ptr<LeastSquaresSolver>(
-      std::make_unique<MultigridSolver>(graph, std::move(components), anchors));
+      std::make_unique<MultigridSolver>(graph, std::move(components), anchors, team));
 }
 
 }  // namespace deltamesh

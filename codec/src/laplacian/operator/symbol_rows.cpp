@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "base/thread_team.h"
-
 namespace deltamesh {
 namespace {
 
@@ -21,10 +19,9 @@ template <class T>
 void fill_rows(std::span<const std::int32_t> planar, LargeVector<std::array<T, 4>>& rows) {
   const std::size_t n = planar.size() / 3;
   rows.resize(n);
-  share_each(n, [&](std::size_t i) {
+  for (std::size_t i = 0; i < n; ++i)
     rows[i] = {static_cast<T>(planar[i]), static_cast<T>(planar[n + i]), static_cast<T>(planar[2 * n + i]),
                0};
-  });
 }
 
 template <class T>

@@ -82,11 +82,11 @@ Chunks make_chunks(const Level& level, std::vector<std::uint32_t> bounds,
   chunks.first_rim.assign(chunks.bounds.size(), 0);
   if (chunks.count() == 1) return chunks;
   std::vector<std::vector<std::uint32_t>> rims(chunks.count());
-  share_work(chunks.count(), [&](std::uint32_t k) {
+  for (std::uint32_t k = 0; k < chunks.count(); ++k) {
     const Range own = range_of(chunks.bounds, k);
     const Range coarse = coarse_bounds.empty() ? Range{} : range_of(coarse_bounds, k);
     rims[k] = find_rim(level, own, coarse);
-  });
+  }
   chunks.is_on_rim.resize(level.node_count());
   for (std::uint32_t k = 0; k < chunks.count(); ++k) {
     chunks.rim.insert(chunks.rim.end(), rims[k].begin(), rims[k].end());
@@ -100,7 +100,8 @@ std::vector<std::uint32_t> chunk_bounds(std::uint32_t nodes) {
   const std::uint32_t count =
       nodes < kFewestNodes ? 1 : std::clamp(nodes / kNodesPerChunk, kFewestChunks, kMostChunks);
   std::vector<std::uint32_t> bounds;
-  for (std::uint32_t k = 0; k <= count; ++k) bounds.push_back(piece_begin(nodes, count, k));
+  for (std::uint32_t k = 0; k <= count; ++k)
+    bounds.push_back(static_cast<std::uint32_t>(std::uint64_t{nodes} * k / count));
   return bounds;
 }
 

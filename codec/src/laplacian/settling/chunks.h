@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// The order in which the nodes of a level are worked on, such that several threads can share it.
+// The order in which the nodes of a level are worked on, in chunks that do not wait for each other.
 #pragma once
 
 #include <cstdint>
 #include <vector>
-
-#include "base/thread_team.h"
 
 namespace deltamesh::settling {
 
@@ -26,17 +24,17 @@ struct Chunks {
   std::uint32_t count() const noexcept { return static_cast<std::uint32_t>(bounds.size()) - 1; }
 
   /// Calls inner(node) for the others, in every chunk in order, then outer(node) for those on the rim, in
-  /// order, on this thread.
+  /// order.
   template <class Inner, class Outer>
   void visit(const Inner& inner, const Outer& outer) const {
-    share_work(count(), [&](std::uint32_t chunk) {
+    for (std::uint32_t chunk = 0; chunk < count(); ++chunk) {
       std::uint32_t node = bounds[chunk];
       const std::uint32_t last_rim = first_rim[chunk + 1];
       for (std::uint32_t r = first_rim[chunk]; r <= last_rim; ++r, ++node) {
         const std::uint32_t end = r < last_rim ? rim[r] : bounds[chunk + 1];
         for (; node < end; ++node) inner(node);  // called in one place: so it is inlined
       }
-    });
+    }
     for (const std::uint32_t node : rim) outer(node);
   }
 

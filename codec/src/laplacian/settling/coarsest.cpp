@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "base/thread_team.h"
 #include "laplacian/settling/edges.h"
 
 namespace deltamesh::settling {
@@ -113,18 +112,18 @@ std::uint32_t CoarsestSolver::solve(std::span<const Row> b, std::span<const Floa
                                     std::span<Float4> forces, std::uint32_t most_iterations) {
   std::uint32_t iterations = 0;
   const std::uint32_t n = level_.node_count();
-  share_each(n, [&](std::uint32_t i) { scaled_[i] = inverse_mass_[i] * widen(b[i].x); });
-  share_each(n, [&](std::uint32_t i) { x_[i] = apply_k(level_, scaled_, i) - widen(b[i].s); });
+  for (std::uint32_t i = 0; i < n; ++i) scaled_[i] = inverse_mass_[i] * widen(b[i].x);
+  for (std::uint32_t i = 0; i < n; ++i) x_[i] = apply_k(level_, scaled_, i) - widen(b[i].s);
   for (std::size_t a = 0; a < gaps.size(); ++a) x_[level_.anchors[a]] += widen(gaps[a]);
   if (factor_) {
     factor_->solve(x_);
   } else {
     iterations = conjugate_gradients_->solve(x_, most_iterations);
   }
-  share_each(n, [&](std::uint32_t i) {
+  for (std::uint32_t i = 0; i < n; ++i) {
     u[i].x = narrow(x_[i]);
     u[i].s = narrow(scaled_[i] - inverse_mass_[i] * apply_k(level_, x_, i));
-  });
+  }
   for (std::size_t a = 0; a < gaps.size(); ++a)
     forces[a] = holds_[a] != 0 ? narrow(x_[level_.anchors[a]]) - gaps[a] : Float4{};
   return iterations;

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "base/large_vector.h"
-#include "base/thread_team.h"
 #include "laplacian/settling/parted_order.h"
 
 namespace deltamesh::settling {
@@ -142,8 +141,8 @@ class Iterations final : public ConjugateGradients {
       return energy;
     };
     std::array<Double4, PartedOrder::kParts> parts{};
-    share_work(order_.parts(),
-               [&](std::uint32_t part) { parts[part] = sum(order_.begin(part), order_.end(part)); });
+    for (std::uint32_t part = 0; part < order_.parts(); ++part)
+      parts[part] = sum(order_.begin(part), order_.end(part));
     return (parts[0] + parts[1]) + sum(order_.rest, order_.size());
   }
 
@@ -154,7 +153,7 @@ class Iterations final : public ConjugateGradients {
       while (end > begin) each(--end);
     };
     visit(order_.rest, order_.size());
-    share_work(order_.parts(), [&](std::uint32_t part) { visit(order_.begin(part), order_.end(part)); });
+    for (std::uint32_t part = 0; part < order_.parts(); ++part) visit(order_.begin(part), order_.end(part));
   }
 
   /// y for a right-hand side that the solution, which becomes 0, holds; its square.

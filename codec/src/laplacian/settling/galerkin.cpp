@@ -3,7 +3,6 @@
 #include "laplacian/settling/galerkin.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <span>
 #include <utility>
@@ -124,23 +123,14 @@ class RowMaker {
   float* largest_;
 };
 
-/// More entries than `most` in all pieces together are a sign to stop, looked for every few rows: threads
-/// would wait for each other.
+/// Up to the row with which there are more than `most` entries.
 UpperHalf make_upper_half(const Level& fine, std::uint32_t nodes, std::size_t most) {
-  constexpr std::uint32_t kRowsAtOnce = 16;
   const SparseRows members = transpose(fine, nodes);
   UpperHalf upper;
   upper.largest.resize(nodes);
-  std::atomic<std::size_t> made = 0;
-  upper.rows = make_rows(nodes, most + nodes, [&](std::uint32_t begin, std::uint32_t end, SparseRows& rows) {
-    RowMaker maker(fine, members, nodes, upper.largest.data());
-    while (begin < end && made.load(std::memory_order_relaxed) <= most) {
-      const std::size_t before = rows.entries.size();
-      for (const std::uint32_t last = std::min(begin + kRowsAtOnce, end); begin < last; ++begin)
-        maker.add(begin, rows);
-      made.fetch_add(rows.entries.size() - before, std::memory_order_relaxed);
-    }
-  });
+  upper.rows.begin(nodes, most + nodes);
+  RowMaker maker(fine, members, nodes, upper.largest.data());
+  for (std::uint32_t c = 0; c < nodes && upper.rows.entries.size() <= most; ++c) maker.add(c, upper.rows);
   return upper;
 }
 

@@ -10,7 +10,6 @@
 #include <span>
 #include <utility>
 
-#include "base/thread_team.h"
 #include "laplacian/settling/row_sums.h"
 
 namespace deltamesh::settling {
@@ -112,12 +111,10 @@ class Interpolator {
 
 LargeVector<Interpolation> make_interpolation(const Level& fine, const Aggregates& aggregates) {
   LargeVector<Interpolation> result(fine.node_count());
-  share_rows(result.size(), [&](std::uint32_t begin, std::uint32_t end) {
-    if (fine.has_unit_weights())
-      Interpolator<true>(fine, aggregates).make(begin, end, result);
-    else
-      Interpolator<false>(fine, aggregates).make(begin, end, result);
-  });
+  if (fine.has_unit_weights())
+    Interpolator<true>(fine, aggregates).make(0, fine.node_count(), result);
+  else
+    Interpolator<false>(fine, aggregates).make(0, fine.node_count(), result);
   return result;
 }
 

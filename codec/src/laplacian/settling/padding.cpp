@@ -6,8 +6,6 @@
 #include <cstdint>
 #include <utility>
 
-#include "base/thread_team.h"
-
 namespace deltamesh::settling {
 namespace {
 
@@ -56,12 +54,11 @@ void pad_rows(Level& level) {
   level.weights.resize(count);
   const Ends from{old.neighbors.data(), old_weights.data()};
   const Ends into{level.storage.neighbors.data(), level.weights.data()};
-  share_each(nodes, [&, middles = level.middle.data(), starts = offsets.data(),
-                     old_starts = old.offsets.data()](std::uint32_t i) {
-    const std::uint32_t middle = put_half(from, old_starts[i], middles[i], into, starts[i]);
-    put_half(from, middles[i], old_starts[i + 1], into, middle);
-    middles[i] = middle;
-  });
+  for (std::uint32_t i = 0; i < nodes; ++i) {
+    const std::uint32_t middle = put_half(from, old.offsets[i], level.middle[i], into, offsets[i]);
+    put_half(from, level.middle[i], old.offsets[i + 1], into, middle);
+    level.middle[i] = middle;
+  }
   level.offsets = level.storage.offsets;
   level.neighbors = level.storage.neighbors;
 }

@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 
-#include "base/thread_team.h"
 #include "laplacian/settling/dense_component.h"
 
 namespace deltamesh::settling {
@@ -108,11 +106,8 @@ bool SmallComponents::solve_range(std::uint32_t begin, std::uint32_t end, const 
 
 Result<void> SmallComponents::solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions,
                                     std::span<Vec3> x) const {
-  std::atomic<bool> is_solved = true;
-  share_rows(first_vertex_.size() - 1, [&](std::uint32_t begin, std::uint32_t end) {
-    if (!solve_range(begin, end, deltas, anchor_positions, x)) is_solved = false;
-  });
-  if (is_solved) return {};
+  const auto count = static_cast<std::uint32_t>(first_vertex_.size() - 1);
+  if (solve_range(0, count, deltas, anchor_positions, x)) return {};
   return Error{
       .code = ErrorCode::kInvalidStream, .message = "the least-squares system is singular", .rule = "DELT-4"};
 }

@@ -2,7 +2,6 @@
 // Copyright 2026 The deltamesh authors
 #include "laplacian/settling/smoother.h"
 
-#include "base/thread_team.h"
 #include "laplacian/settling/edges.h"
 
 namespace deltamesh::settling {
@@ -38,7 +37,7 @@ void smooth_all(const Level& level, std::span<const Row> b, std::span<Row> u) {
 
 template <bool kUnitWeights>
 void restrict_all(const Level& level, std::span<const Row> b, std::span<const Row> u, std::span<Row> coarse) {
-  share_each(coarse.size(), [&](std::uint32_t i) { coarse[i] = Row{}; });
+  for (std::uint32_t i = 0; i < coarse.size(); ++i) coarse[i] = Row{};
   const auto at = [&](std::uint32_t node) -> Row& { return coarse[node]; };
   level.chunks.visit([&](std::uint32_t i) {
     const Row sum = sum_rows<kUnitWeights>(level, u, level.offsets[i], level.offsets[i + 1]);
@@ -66,7 +65,7 @@ void smooth_from_zero(const Level& level, std::span<const Row> b, std::span<Row>
 
 void restrict_residual_from_zero(const Level& level, std::span<const Row> b, std::span<const Row> u,
                                  std::span<Row> coarse) {
-  share_each(coarse.size(), [&](std::uint32_t i) { coarse[i] = Row{}; });
+  for (std::uint32_t i = 0; i < coarse.size(); ++i) coarse[i] = Row{};
   const auto at = [&](std::uint32_t node) -> Row& { return coarse[node]; };
   const auto inner = [&](std::uint32_t i) {
     Row residual = sum_rows<false>(level, u, level.middle[i], level.offsets[i + 1]);

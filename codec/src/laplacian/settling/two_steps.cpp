@@ -5,7 +5,6 @@
 #include <array>
 #include <span>
 
-#include "base/thread_team.h"
 #include "laplacian/settling/edges.h"
 
 namespace deltamesh::settling {
@@ -31,11 +30,11 @@ struct Sums {
 template <class Add>
 Sums sum_up(const Chunks& chunks, const Add& add) {
   std::array<Sums, kMostChunks> parts{};
-  share_work(chunks.count(), [&](std::uint32_t chunk) {
+  for (std::uint32_t chunk = 0; chunk < chunks.count(); ++chunk) {
     Sums sums;
     for (std::uint32_t i = chunks.bounds[chunk]; i < chunks.bounds[chunk + 1]; ++i) add(i, sums);
     parts[chunk] = sums;
-  });
+  }
   Sums total;
   for (const Sums& part : std::span(parts).first(chunks.count())) {
     total.energy += part.energy;
@@ -75,11 +74,11 @@ void TwoSteps::take_first(const LevelProblem& problem) {
   energy_ = sums.energy;
   length_ = ratio(sums.gain, sums.energy, Double4{});
   const Float4 length = narrow(length_);
-  share_each(u.size(), [&](std::uint32_t i) {
+  for (std::uint32_t i = 0; i < u.size(); ++i) {
     problem.b[i].x -= length * image_[i].x;
     problem.b[i].s -= length * image_[i].s;
     first_[i] = u[i];
-  });
+  }
   for (std::size_t a = 0; a < forces_.size(); ++a) {
     const Float4 force = problem.forces[a];
     forces_[a] = force;
@@ -110,10 +109,10 @@ void TwoSteps::combine(const LevelProblem& problem) {
   const Double4 second = ratio(sums.gain, news, kFewestNews * sums.energy);
   const Float4 of_first = narrow(length_ - second * share);
   const Float4 of_second = narrow(second);
-  share_each(u.size(), [&](std::uint32_t i) {
+  for (std::uint32_t i = 0; i < u.size(); ++i) {
     u[i].x = of_first * first_[i].x + of_second * u[i].x;
     u[i].s = of_first * first_[i].s + of_second * u[i].s;
-  });
+  }
   for (std::size_t a = 0; a < forces_.size(); ++a)
     problem.forces[a] = of_first * forces_[a] + of_second * problem.forces[a];
 }

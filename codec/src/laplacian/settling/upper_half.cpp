@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/thread_team.h"
-
 namespace deltamesh::settling {
 namespace {
 
@@ -67,12 +65,12 @@ void set_degrees(Level& level) {
   const std::uint32_t nodes = level.node_count();
   level.degree.resize(nodes);
   level.inverse_degree.resize(nodes);
-  share_each(nodes, [&](std::uint32_t i) {
+  for (std::uint32_t i = 0; i < nodes; ++i) {
     float degree = 0;
     for (std::uint32_t e = level.offsets[i]; e < level.offsets[i + 1]; ++e) degree += level.weights[e];
     level.degree[i] = degree;
     level.inverse_degree[i] = degree > 0 ? 1 / degree : 0;
-  });
+  }
 }
 
 }  // namespace deltamesh::settling

@@ -33,9 +33,9 @@ Float4 best_length(const CoupledProblem& problem, std::span<Row> image) {
                 divide(gain.zw[0], energy.zw[0]), 0};
 }
 
-void take_off(const CoupledProblem& problem, Float4 length, std::span<const Row> image) {
+void take_off(const CoupledProblem& problem, Float4 length, std::span<const Row> image, ThreadTeam* team) {
   const Level& level = problem.level;
-  share_each(image.size(), [&](std::uint32_t i) {
+  share_each(team, image.size(), [&](std::uint32_t i) {
     problem.b[i].x -= length * image[i].x;
     problem.b[i].s -= length * image[i].s;
   });

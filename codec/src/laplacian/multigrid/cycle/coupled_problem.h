@@ -9,6 +9,10 @@
 #include "laplacian/multigrid/level.h"
 #include "laplacian/multigrid/row.h"
 
+namespace deltamesh {
+class ThreadTeam;
+}
+
 namespace deltamesh::multigrid {
 
 /// K x + M s = b.x,  K s - E f = b.s,  x_a - f_a = g_a.
@@ -27,6 +31,6 @@ struct CoupledProblem {
 Float4 best_length(const CoupledProblem& problem, std::span<Row> image);
 
 /// Leaves in `b` and `gaps` what remains to be solved after so much of a cycle's solution. O(n).
-void take_off(const CoupledProblem& problem, Float4 length, std::span<const Row> image);
+void take_off(const CoupledProblem& problem, Float4 length, std::span<const Row> image, ThreadTeam* team);
 
 }  // namespace deltamesh::multigrid

@@ -30,10 +30,11 @@ Row scaled(Float4 length, const Row& row) noexcept { return {length * row.x, len
 
 }  // namespace
 
-LevelSolver::LevelSolver(std::span<const Level> levels, std::vector<std::uint8_t> holds)
+LevelSolver::LevelSolver(std::span<const Level> levels, std::vector<std::uint8_t> holds, ThreadTeam* team)
     : levels_(levels),
       vectors_(levels.size()),
-      coarsest_(levels.back(), on_coarsest(levels, std::move(holds))) {
+      coarsest_(levels.back(), on_coarsest(levels, std::move(holds))),
+      team_(team) {
   for (std::size_t k = 0; k < levels_.size(); ++k) {
     const Level& level = levels_[k];
     Vectors& v = vectors_[k];
@@ -68,7 +69,7 @@ void LevelSolver::cycle(std::size_t level) {
   const auto& kept = levels_[level + 1].finer_anchors;
   for (std::size_t a = 0; a < kept.size(); ++a) next.gaps[a] = v.gaps[kept[a]] - v.u[fine.anchors[kept[a]]].x;
   solve(level + 1);
-  share_each(v.u.size(), [&](std::uint32_t i) { v.u[i] += fine.interpolation[i].of(next.u); });
+  share_each(team_, v.u.size(), [&](std::uint32_t i) { v.u[i] += fine.interpolation[i].of(next.u); });
   for (std::size_t a = 0; a < kept.size(); ++a) {
     v.forces[kept[a]] = next.forces[a];
     v.b[fine.anchors[kept[a]]].s += next.forces[a];
@@ -85,16 +86,16 @@ void LevelSolver::solve(std::size_t level) {
   cycle(level);
   Float4 length = best_length(problem(level), v.image);
   if (!v.first.empty()) {
-    share_each(v.u.size(), [&](std::uint32_t i) { v.first[i] = scaled(length, v.u[i]); });
+    share_each(team_, v.u.size(), [&](std::uint32_t i) { v.first[i] = scaled(length, v.u[i]); });
     for (std::size_t a = 0; a < v.forces.size(); ++a) v.first_forces[a] = length * v.forces[a];
-    take_off(problem(level), length, v.image);
+    take_off(problem(level), length, v.image, team_);
     cycle(level);
     length = best_length(problem(level), v.image);
-    share_each(v.u.size(), [&](std::uint32_t i) { v.u[i] = v.first[i] + scaled(length, v.u[i]); });
+    share_each(team_, v.u.size(), [&](std::uint32_t i) { v.u[i] = v.first[i] + scaled(length, v.u[i]); });
     for (std::size_t a = 0; a < v.forces.size(); ++a) v.forces[a] = v.first_forces[a] + length * v.forces[a];
     return;
   }
-  share_each(v.u.size(), [&](std::uint32_t i) { v.u[i] = scaled(length, v.u[i]); });
+  share_each(team_, v.u.size(), [&](std::uint32_t i) { v.u[i] = scaled(length, v.u[i]); });
   for (Float4& force : v.forces) force = length * force;
 }
 

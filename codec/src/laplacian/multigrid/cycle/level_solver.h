@@ -32,8 +32,8 @@ class LevelSolver {
   };
 
   /// `levels`: the one to solve for and all that are coarser; must outlive this. `holds`: as CoarsestSolver,
-  /// for the anchors of the first.
-  LevelSolver(std::span<const Level> levels, std::vector<std::uint8_t> holds);
+  /// for the anchors of the first. `team`: of the thread that solves, or null.
+  LevelSolver(std::span<const Level> levels, std::vector<std::uint8_t> holds, ThreadTeam* team);
   LevelSolver(const LevelSolver&) = delete;
   LevelSolver& operator=(const LevelSolver&) = delete;
 
@@ -51,6 +51,7 @@ class LevelSolver {
   std::span<const Level> levels_;
   std::vector<Vectors> vectors_;  ///< per level
   CoarsestSolver coarsest_;
+  ThreadTeam* team_;
 };
 
 }  // namespace deltamesh::multigrid

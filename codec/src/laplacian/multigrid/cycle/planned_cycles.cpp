@@ -48,13 +48,14 @@ float largest_coordinate(std::span<const Row> rows) noexcept {
 
 }  // namespace
 
-PlannedCycles::PlannedCycles(std::span<const Level> levels, std::vector<std::uint8_t> holds)
+PlannedCycles::PlannedCycles(std::span<const Level> levels, std::vector<std::uint8_t> holds, ThreadTeam* team)
     : finest_(levels[0]),
       second_(levels[1]),
-      coarse_(levels.subspan(1), std::move(holds)),
+      coarse_(levels.subspan(1), std::move(holds), team),
       step_(finest_.node_count() + 1),
       s_(second_.node_count()),
-      forces_(finest_.anchors.size()) {
+      forces_(finest_.anchors.size()),
+      team_(team) {
   step_.back() = Float4{};  // what UnitEdges takes for neighbours that do not count
 }
 
@@ -62,7 +63,7 @@ PlannedCycles::PlannedCycles(std::span<const Level> levels, std::vector<std::uin
 void PlannedCycles::correct() {
   LevelSolver::Vectors& v = coarse_.first();
   const Edges edges(second_);
-  share_each(s_.size(), [&](std::uint32_t i) {
+  share_each(team_, s_.size(), [&](std::uint32_t i) {
     v.b[i].s = edges.sum_all(i, [&](std::uint32_t other) { return s_[other]; }) - second_.degree[i] * s_[i];
   });
   for (std::size_t a = 0; a < forces_.size(); ++a) {
@@ -70,7 +71,7 @@ void PlannedCycles::correct() {
     v.gaps[a] += forces_[a];
   }
   coarse_.solve();
-  share_each(s_.size(), [&](std::uint32_t i) { s_[i] += v.u[i].s; });
+  share_each(team_, s_.size(), [&](std::uint32_t i) { s_[i] += v.u[i].s; });
   for (std::size_t a = 0; a < forces_.size(); ++a) forces_[a] += v.forces[a];
 }
 
@@ -126,7 +127,8 @@ void PlannedCycles::add_correction() {
     for (std::uint32_t i = 0; i < x_.size(); ++i)
       watch_->see(Units::floats(x_[i]) + units_.per_step() * finest_.interpolation[i].of(u));
   }
-  share_each(x_.size(), [&](std::uint32_t i) { x_[i] += units_.count(finest_.interpolation[i].of(u)); });
+  share_each(team_, x_.size(),
+             [&](std::uint32_t i) { x_[i] += units_.count(finest_.interpolation[i].of(u)); });
 }
 
 void PlannedCycles::cycle(const DeltaView& deltas, std::span<const Vec3> targets) {
@@ -153,8 +155,8 @@ PlannedSolution PlannedCycles::solve(const DeltaView& deltas, std::span<const Ve
   return {units_, std::exchange(x_, {})};
 }
 
-void PlannedSolution::write(std::span<Vec3> x) const {
-  share_each(x.size(), [&](std::uint32_t i) { x[i] = units.position(counts[i]); });
+void PlannedSolution::write(std::span<Vec3> x, ThreadTeam* team) const {
+  share_each(team, x.size(), [&](std::uint32_t i) { x[i] = units.position(counts[i]); });
 }
 
 }  // namespace deltamesh::multigrid

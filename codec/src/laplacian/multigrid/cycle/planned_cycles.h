@@ -23,7 +23,7 @@ struct PlannedSolution {
   LargeVector<Counts> counts;  ///< n
 
   /// `x`: n, model units.
-  void write(std::span<Vec3> x) const;
+  void write(std::span<Vec3> x, ThreadTeam* team) const;
 };
 
 /// The coupled problem with s = P s_c interpolated from the second level: away from the anchors s is
@@ -32,8 +32,8 @@ struct PlannedSolution {
 /// numbers; corrections are floats, in steps of the deltas.
 class PlannedCycles {
  public:
-  /// `levels`: at least two; must outlive this; `holds`: as CoarsestSolver.
-  PlannedCycles(std::span<const Level> levels, std::vector<std::uint8_t> holds);
+  /// `levels`: at least two; must outlive this; `holds`: as CoarsestSolver; `team`: as LevelSolver.
+  PlannedCycles(std::span<const Level> levels, std::vector<std::uint8_t> holds, ThreadTeam* team);
 
   /// `targets`: c_a, one for each anchor; `cycles`: above 0. The result is anything, also not finite, where
   /// that is not what the deltas were made for. O(cycles (n + edges)).
@@ -59,6 +59,7 @@ class PlannedCycles {
   LargeVector<Float4> s_;       ///< second level
   std::vector<Float4> forces_;  ///< one for each anchor
   RangeWatch* watch_ = nullptr;
+  ThreadTeam* team_;
 };
 
 }  // namespace deltamesh::multigrid

@@ -197,7 +197,7 @@ void place(const Edges& edges, std::uint32_t begin, std::uint32_t end, std::uint
 }
 
 /// One part after the other.
-void join(std::span<Edges> parts, Level& coarse) {
+void join(std::span<Edges> parts, Level& coarse, ThreadTeam* team) {
   const auto pieces = static_cast<std::uint32_t>(parts.size());
   const std::size_t nodes = coarse.middle.size();
   std::vector<std::uint32_t> first(1, 0);
@@ -209,24 +209,25 @@ void join(std::span<Edges> parts, Level& coarse) {
   coarse.storage.neighbors.resize(first.back());
   coarse.weights.resize(first.back());
   if (pieces == 1) return;
-  share_work(pieces, [&](std::uint32_t p) {
+  share_work(team, pieces, [&](std::uint32_t p) {
     place(parts[p], piece_begin(nodes, pieces, p), piece_begin(nodes, pieces, p + 1), first[p], coarse);
   });
 }
 
 }  // namespace
 
-void make_coarse_graph(const Level& fine, const Aggregates& aggregates, bool by_paths, Level& coarse) {
+void make_coarse_graph(const Level& fine, const Aggregates& aggregates, bool by_paths, Level& coarse,
+                       ThreadTeam* team) {
   const std::uint32_t nodes = aggregates.count();
   coarse.storage.offsets.resize(nodes + 1);
   coarse.storage.offsets[0] = 0;
   coarse.middle.resize(nodes);
   coarse.degree.resize(nodes);
   coarse.inverse_degree.resize(nodes);
-  const std::uint32_t pieces = piece_count(nodes);
+  const std::uint32_t pieces = piece_count(team, nodes);
   std::vector<Edges> parts(pieces);
   const auto make_rows = [&](float unit, const auto& make) {
-    share_work(pieces, [&](std::uint32_t p) {
+    share_work(team, pieces, [&](std::uint32_t p) {
       auto rows = make();
       RowSums sums(nodes);
       parts[p].make_room(fine.neighbors.size() / pieces / 2);
@@ -247,7 +248,7 @@ void make_coarse_graph(const Level& fine, const Aggregates& aggregates, bool by_
     const Transposed transposed(fine.interpolation, nodes);
     make_rows(1, [&] { return ProductRows(fine, transposed); });
   }
-  join(parts, coarse);
+  join(parts, coarse, team);
   coarse.offsets = coarse.storage.offsets;
   coarse.neighbors = coarse.storage.neighbors;
 }

@@ -40,10 +40,10 @@ LargeVector<float> restrict_mass(const Level& fine, std::uint32_t nodes) {
 }
 
 /// Takes the interpolation from it as well.
-Level coarsen(Level& fine, const Aggregates& aggregates, bool by_paths) {
-  fine.interpolation = make_interpolation(fine, aggregates);
+Level coarsen(Level& fine, const Aggregates& aggregates, bool by_paths, ThreadTeam* team) {
+  fine.interpolation = make_interpolation(fine, aggregates, team);
   Level coarse;
-  make_coarse_graph(fine, aggregates, by_paths, coarse);
+  make_coarse_graph(fine, aggregates, by_paths, coarse, team);
   coarse.mass = restrict_mass(fine, aggregates.count());
   for (std::uint32_t a = 0; a < fine.anchors.size(); ++a) {
     if (aggregates.codes[fine.anchors[a]] == Aggregates::kNone) continue;
@@ -70,13 +70,14 @@ bool is_next(std::uint64_t coarse, std::uint64_t fine) noexcept {
 
 }  // namespace
 
-std::vector<Level> build_levels(const Adjacency& graph, std::span<const std::uint32_t> anchors) {
+std::vector<Level> build_levels(const Adjacency& graph, std::span<const std::uint32_t> anchors,
+                                ThreadTeam* team) {
   std::vector<Level> levels;
   levels.push_back(finest_level(graph, anchors));
   while (!is_coarse(levels.back())) {
     const Aggregates aggregates = aggregate(levels.back());
     if (!is_next(aggregates.count(), levels.back().node_count())) break;
-    Level coarse = coarsen(levels.back(), aggregates, levels.size() <= kLevelsByPaths);
+    Level coarse = coarsen(levels.back(), aggregates, levels.size() <= kLevelsByPaths, team);
     if (coarse.edge_count() > levels.front().edge_count()) {
       levels.back().interpolation.clear();
       break;

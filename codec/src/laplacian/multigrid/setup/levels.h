@@ -17,8 +17,9 @@ namespace deltamesh::multigrid {
 inline constexpr std::uint32_t kFewestNodesToCoarsen = 200;
 
 /// The finest level and all coarser ones [DELT-7]. `graph`, whose vertices have neighbours, must outlive
-/// them. Cost and memory O(n + edges).
-std::vector<Level> build_levels(const Adjacency& graph, std::span<const std::uint32_t> anchors);
+/// them. On the threads of `team`; null: on this one. Cost and memory O(n + edges).
+std::vector<Level> build_levels(const Adjacency& graph, std::span<const std::uint32_t> anchors,
+                                ThreadTeam* team = nullptr);
 
 /// Of a node of the finest level, whose weights are 1.
 inline float unit_degree(const Level& finest, std::uint32_t node) noexcept {

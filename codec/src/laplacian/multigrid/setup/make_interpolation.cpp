@@ -67,9 +67,10 @@ class Interpolator {
 
 }  // namespace
 
-LargeVector<Interpolation> make_interpolation(const Level& fine, const Aggregates& aggregates) {
+LargeVector<Interpolation> make_interpolation(const Level& fine, const Aggregates& aggregates,
+                                              ThreadTeam* team) {
   LargeVector<Interpolation> result(fine.node_count());
-  share_rows(result.size(), [&](std::uint32_t begin, std::uint32_t end) {
+  share_rows(team, result.size(), [&](std::uint32_t begin, std::uint32_t end) {
     Interpolator interpolator(fine, aggregates);
     for (std::uint32_t node = begin; node < end; ++node) {
       const std::uint32_t code = aggregates.codes[node];

@@ -9,10 +9,16 @@
 #include "laplacian/multigrid/setup/aggregates.h"
 #include "laplacian/multigrid/setup/interpolation.h"
 
+namespace deltamesh {
+class ThreadTeam;
+}
+
 namespace deltamesh::multigrid {
 
 /// n rows of P: a seed from its own aggregate alone, any other node from the three aggregates with most of
-/// its neighbours, seeds counting four times [DELT-7]. O(n + edges).
-LargeVector<Interpolation> make_interpolation(const Level& fine, const Aggregates& aggregates);
+/// its neighbours, seeds counting four times [DELT-7]. On the threads of `team`; null: on this
+/// one. O(n + edges).
+LargeVector<Interpolation> make_interpolation(const Level& fine, const Aggregates& aggregates,
+                                              ThreadTeam* team = nullptr);
 
 }  // namespace deltamesh::multigrid
