@@ -30,7 +30,7 @@ constexpr double kMaxError = 0.05;  // voxels
 constexpr double kCoarse = 0.25;    // voxels, where older versions may stay
 
 struct Settings {
-  std::uint32_t most_triangles = SplitOptions{}.most_triangles;
+  std::uint32_t most_triangles = 24576;  // parts of up to 12 KB at these errors
   int effort = 0;
   bool compares = false;
 };
