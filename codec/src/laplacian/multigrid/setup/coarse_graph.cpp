@@ -11,6 +11,8 @@
 
 #include "base/prefetch.h"
 #include "base/thread_team.h"
+#include "laplacian/multigrid/setup/row_sums.h"
+#include "laplacian/multigrid/setup/transposed.h"
 
 namespace deltamesh::multigrid {
 namespace {
@@ -32,65 +34,6 @@ struct Edges {
     neighbors.resize(room);
     weights.resize(room);
   }
-};
-
-/// Sums over columns met in any order. A column is there once it has been met, whatever the sum.
-class RowSums {
- public:
-  explicit RowSums(std::uint32_t columns) : sums_(columns), row_of_(columns, 0), touched_(columns + 1) {}
-
-  void begin() noexcept {
-    count_ = 0;
-    ++row_;
-  }
-
-  /// Without a branch, which could not be predicted.
-  void add(std::uint32_t column, float value) noexcept {
-    const bool is_new = row_of_[column] != row_;
-    row_of_[column] = row_;
-    touched_[count_] = column;
-    count_ += is_new ? 1 : 0;
-    sums_[column] = (is_new ? 0.0F : sums_[column]) + value;
-  }
-
-  std::span<const std::uint32_t> columns() const noexcept { return {touched_.data(), count_}; }
-  float of(std::uint32_t column) const noexcept { return sums_[column]; }
-
- private:
-  LargeVector<float> sums_;
-  LargeVector<std::uint32_t> row_of_;  ///< the last that met the column
-  LargeVector<std::uint32_t> touched_;
-  std::size_t count_ = 0;
-  std::uint32_t row_ = 0;
-};
-
-/// Rows of P^T: the nodes that are interpolated from each coarse one, ascending.
-struct Transposed {
-  Transposed(std::span<const Interpolation> rows, std::uint32_t nodes) : start(nodes + 1, 0) {
-    const auto visit = [&](const auto& each) {
-      for (std::uint32_t i = 0; i < rows.size(); ++i) {
-        for (std::size_t k = 0; k < 3; ++k) {
-          if (rows[i].counts(k)) each(i, k);
-        }
-      }
-    };
-    visit([&](std::uint32_t i, std::size_t k) { ++start[rows[i].node(k) + 1]; });
-    for (std::uint32_t c = 0; c < nodes; ++c) start[c + 1] += start[c];
-    entries.resize(start[nodes]);
-    LargeVector<std::uint32_t> next(start.begin(), start.end() - 1);
-    visit([&](std::uint32_t i, std::size_t k) { entries[next[rows[i].node(k)]++] = {i, rows[i].weight(k)}; });
-  }
-
-  struct Entry {
-    std::uint32_t node;
-    float weight;
-  };
-  std::span<const Entry> of(std::uint32_t c) const noexcept {
-    return std::span(entries).subspan(start[c], start[c + 1] - start[c]);
-  }
-
-  LargeVector<std::uint32_t> start;  ///< nodes + 1
-  LargeVector<Entry> entries;
 };
 
 /// Edges as the paths from seed to seed.
