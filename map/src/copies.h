@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Coarser copies of parts [MAP-17]: each of what is in a cell one level below, simplified.
+// Coarser copies of parts [MAP-19]: each of what is in a cell one level below, simplified.
 #pragma once
 
 #include <cstdint>

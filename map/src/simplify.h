@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Fewer triangles for a coarser copy of parts [MAP-17].
+// Fewer triangles for a coarser copy of parts [MAP-19].
 #pragma once
 
 #include "deltamesh/map/part.h"

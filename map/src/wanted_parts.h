@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Which parts a receiver is to have next: coarser copies before what they are copies of [MAP-17].
+// Which parts a receiver is to have next: coarser copies before what they are copies of [MAP-19].
 #pragma once
 
 #include <set>

@@ -12,6 +12,7 @@
 #include "deltamesh/map/join.h"
 #include "deltamesh/map/map_codec.h"
 #include "deltamesh/map/split.h"
+#include "map/map_covers.h"
 #include "map/map_meshes.h"
 
 namespace deltamesh {
@@ -49,45 +50,12 @@ Mesh bumpy_torus(std::uint32_t n, bool has_groups) {
   return mesh;
 }
 
-/// How many edges have an odd number of faces.
-std::size_t odd_edges(const Mesh& mesh) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
-  const Mesh whole = test::welded(mesh);
-  for (std::size_t i = 0; i < whole.triangles.size(); ++i)
-    ++edges[std::minmax(whole.triangles[i], whole.triangles[i % 3 == 2 ? i - 2 : i + 1])];
-  return static_cast<std::size_t>(
-      std::ranges::count_if(edges, [](const auto& edge) { return edge.second % 2 == 1; }));
-}
+using test::chosen;
+using test::keys_of;
+using test::odd_edges;
+using test::random_cover;
 
-std::vector<PartKey> keys_of(const std::vector<MapPart>& parts) {
-  std::vector<PartKey> keys;
-  for (const MapPart& part : parts) keys.push_back(part.key);
-  return keys;
-}
-
-std::vector<MapPart> chosen(const std::vector<MapPart>& parts, const std::vector<PartKey>& keys) {
-  std::vector<MapPart> some;
-  for (const MapPart& part : parts)
-    if (std::ranges::binary_search(keys, part.key)) some.push_back(part);
-  return some;
-}
-
-/// Parts that show the whole map, each of any level.
-std::vector<PartKey> random_cover(const std::vector<MapPart>& parts, std::mt19937& random) {
-  std::vector<PartKey> cover;
-  for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
-    const bool is_finest = std::ranges::none_of(parts, [&](const MapPart& other) {
-      return other.key.level < part->key.level && overlap(other.key, part->key);
-    });
-    const bool is_covered =
-        std::ranges::any_of(cover, [&](const PartKey& key) { return overlap(key, part->key); });
-    if (!is_covered && (is_finest || random() % 3 == 0)) cover.push_back(part->key);
-  }
-  std::ranges::sort(cover);
-  return cover;
-}
-
-TEST(MapLevels, MAP17WhatIsClosedIsClosedOnAllLevelsAndBetweenThem) {
+TEST(MapLevels, MAP19WhatIsClosedIsClosedOnAllLevelsAndBetweenThem) {
   for (const bool has_groups : {false, true}) {
     const Mesh mesh = bumpy_torus(60, has_groups);
     MapDescription description{.cell_steps = 150, .attributes = attributes_of(mesh)};
@@ -122,7 +90,7 @@ TEST(MapLevels, MAP17WhatIsClosedIsClosedOnAllLevelsAndBetweenThem) {
   }
 }
 
-TEST(MapLevels, MAP17BordersStayWhateverTheMesh) {
+TEST(MapLevels, MAP19BordersStayWhateverTheMesh) {
   for (std::uint32_t seed = 0; seed < 10; ++seed) {
     const Mesh mesh =
         seed % 2 == 0 ? test::wavy_sheet(50, 50, seed, 0.002) : test::random_mesh(seed, 200, 900);

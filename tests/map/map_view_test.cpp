@@ -146,7 +146,7 @@ TEST_F(MapView, MAP15AChangeOfTheViewBringsOnlyWhatIsMissing) {
   EXPECT_GT(better_bytes, bytes / 2);
 }
 
-TEST_F(MapView, MAP17CoarseBeforeFine) {
+TEST_F(MapView, MAP19CoarseBeforeFine) {
   start({.most_triangles = 2000, .most_level = 1, .copy_level = 4});
   View view;
   view.max_error = 0.004F;

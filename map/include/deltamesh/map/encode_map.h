@@ -31,7 +31,7 @@ struct MapSettings {
   /// Cells with more triangles are divided, down to the smallest.
   std::uint32_t most_triangles = 16384;
   /// Levels above that of the largest parts. With any, there are coarser copies on all levels above 0
-  /// [MAP-17].
+  /// [MAP-19].
   std::uint8_t levels = 0;
   /// Percentages count in the diagonal of the whole mesh. Without bounds as encode() has it, for the whole
   /// mesh.

@@ -39,7 +39,7 @@ constexpr bool overlap(const PartKey& a, const PartKey& b) noexcept {
 }
 
 /// Of ascending keys of a map, those that show it on a level: parts of that level or above that hold no other
-/// such part. Ascending; coarser copies of what finer parts hold are left out [MAP-17]. O(n log n).
+/// such part. Ascending; coarser copies of what finer parts hold are left out [MAP-19]. O(n log n).
 std::vector<PartKey> keys_on_level(std::span<const PartKey> keys, std::uint8_t level);
 
 }  // namespace deltamesh

@@ -22,7 +22,7 @@ struct SplitOptions {
   std::uint32_t most_triangles = 16384;      ///< above 0; about a byte each with colours
   std::uint8_t most_level = kMostPartLevel;  ///< 0: all parts are cells of level 0
   /// Coarser copies of what is below are made in the cells of levels 1 to this one, for views of those levels
-  /// and as a first sight [MAP-17]; at most kMostPartLevel. Where a copy would have more than
+  /// and as a first sight [MAP-19]; at most kMostPartLevel. Where a copy would have more than
   /// `most_triangles` there is none.
   std::uint8_t copy_level = 0;
 };
