@@ -11,6 +11,7 @@
 #include "border_payload.h"
 #include "patch_container.h"
 #include "patch_payload.h"
+#include "place_border.h"
 
 namespace deltamesh {
 namespace {
@@ -32,10 +33,7 @@ Result<MapPart> decode_whole(const MapCodec::State& state, const PartKey& key,
   DELTAMESH_TRY(const BorderView view, view_border(opened.stream, part.mesh, lattice));
   DELTAMESH_TRY(part.border, read_border(opened.border, part.mesh, view, {&models.border}));
   part.mesh.origin = lattice.origin;
-  for (const BorderVertex& border : part.border) {
-    const auto position = lattice.position_of(border.point);
-    for (std::size_t k = 0; k < 3; ++k) part.mesh.positions[3 * std::size_t{border.vertex} + k] = position[k];
-  }
+  place_border(part.mesh, part.border, lattice, view.follows);
   return part;
 }
 

@@ -16,6 +16,7 @@
 #include "part_measure.h"
 #include "part_options.h"
 #include "part_primer.h"
+#include "place_border.h"
 #include "quality/bounds.h"
 
 namespace deltamesh {
@@ -125,10 +126,7 @@ class PartEncoder {
     } else {
       DELTAMESH_TRY(attempt.result.coded.bytes, write_part(place, encoded.bytes, payload));
     }
-    for (const BorderVertex& vertex : border) {
-      const auto position = lattice.position_of(vertex.point);
-      for (std::size_t k = 0; k < 3; ++k) decoded.positions[3 * std::size_t{vertex.vertex} + k] = position[k];
-    }
+    place_border(decoded, border, lattice, view.follows);
     attempt.result.coded.quality = measure_.compare(decoded.positions, encoded.order);
     attempt.load = bounds_.load(attempt.result.coded.quality);
     for (const AttributeInfo& attribute : encoded.report.stream.attributes)

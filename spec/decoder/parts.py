@@ -1,4 +1,4 @@
-"""Parts of maps: map.md, MAP-2, MAP-5 to MAP-7 and MAP-11."""
+"""Parts of maps: map.md, MAP-2, MAP-5 to MAP-7, MAP-11 and MAP-20."""
 import copy
 import math
 import struct
@@ -108,6 +108,23 @@ def MAP_11_border(lattice, mesh, coder, states):
         must(np.all(abs(points[v]) < 2**24), "MAP-11", f"point {points[v]}")
     coder.end()
     must(points, "MAP-11", "no border vertex")
+    if header.coder == HIGHPASS:
+        MAP_20_move_along(mesh, {v: lattice.step * point - mesh.positions[v] for v, point in points.items()})
     for v, point in points.items():
         mesh.positions[v] = lattice.step * point
     return {v: (tuple(point), twins[v]) for v, point in points.items()}
+
+def MAP_20_move_along(mesh, border):
+    """What is not on the border moves along, less with each edge; `border`: the ways of its vertices."""
+    numbers = {}
+    of = [numbers.setdefault(row.tobytes(), len(numbers)) for row in np.float32(mesh.positions)]
+    ways, fixed = np.zeros((len(numbers), 3)), np.zeros(len(numbers), bool)
+    for v, way in border.items():
+        ways[of[v]], fixed[of[v]] = way, True
+    edges = np.array([(of[face[k]], of[face[(k + 1) % 3]]) for face in mesh.faces for k in range(3)])
+    weights = np.bincount(edges.ravel(), minlength=len(numbers))
+    for _ in range(16):
+        sums = np.zeros_like(ways)
+        np.add.at(sums, edges.ravel(), ways[edges[:, ::-1]].reshape(-1, 3))
+        ways = np.where(fixed[:, None], ways, sums / np.maximum(weights, 1)[:, None])
+    mesh.positions[:] = np.float32(mesh.positions + ways[of])

@@ -7,6 +7,7 @@
 #include "border_payload.h"
 #include "entropy/compact_writer.h"
 #include "map/map_meshes.h"
+#include "place_border.h"
 
 namespace deltamesh {
 namespace {
@@ -84,6 +85,41 @@ TEST(MapBorder, AnyBytesGiveAnErrorOrABorder) {
     if (!back) continue;
     for (const BorderVertex& b : *back) EXPECT_LT(b.vertex, mesh.vertex_count());
   }
+}
+
+TEST(MapBorder, MAP20WhatIsNearTheBorderMovesAlong) {
+  // A strip of 60 x 2 squares whose first column is the border, 3 steps up from where it was decoded; the
+  // vertex 1 has a copy that only the last face uses.
+  Mesh mesh = test::wavy_sheet(60, 2, 1, 0);
+  mesh.attributes.clear();
+  const auto copy = static_cast<std::uint32_t>(mesh.vertex_count());
+  for (std::size_t k = 0; k < 3; ++k) mesh.positions.push_back(mesh.positions[3 + k]);
+  mesh.triangles.insert(mesh.triangles.end(), {copy, 63, 64});
+  std::vector<BorderVertex> border;
+  for (const std::uint32_t v : {0U, 61U, 122U}) {
+    const float* p = mesh.positions.data() + 3 * std::size_t{v};
+    LatticePoint point = kLattice.nearest({p[0], p[1], p[2]});
+    point[2] += 3;
+    border.push_back({v, point, 0});
+  }
+  const auto rise = [&](const Mesh& moved, std::size_t v) {
+    return double{moved.positions[3 * v + 2]} - double{mesh.positions[3 * v + 2]};
+  };
+  Mesh still = mesh;
+  place_border(still, border, kLattice, false);
+  Mesh moved = mesh;
+  place_border(moved, border, kLattice, true);
+  for (const BorderVertex& b : border)
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_EQ(moved.positions[3 * std::size_t{b.vertex} + k], kLattice.position_of(b.point)[k]);
+  for (std::size_t v = 1; v < 30; ++v) {
+    EXPECT_EQ(rise(still, v), 0);
+    EXPECT_LE(rise(moved, v + 1), rise(moved, v) + 1e-7);
+  }
+  EXPECT_GT(rise(moved, 1), 0.7 * rise(moved, 0));
+  EXPECT_EQ(rise(moved, 20), 0);  // 16 edges and no farther
+  for (std::size_t k = 0; k < 3; ++k)
+    EXPECT_EQ(moved.positions[3 * std::size_t{copy} + k], moved.positions[3 + k]);
 }
 
 }  // namespace
