@@ -6,9 +6,13 @@
 #include <xxhash.h>
 
 #include "codec_state.h"
+#include "deltamesh/map/folder.h"
 #include "deltamesh/map/map_codec.h"
+#include "deltamesh/map/receiver.h"
+#include "deltamesh/map/sender.h"
 #include "deltamesh/map/split.h"
 #include "map/map_meshes.h"
+#include "map/map_world.h"
 #include "part_container.h"
 #include "support/counted_memory.h"
 
@@ -60,6 +64,56 @@ TEST(MapLimits, MAP5AMessageOf100BytesTakesLessThanAMegabyte) {
     test::most_memory_from_now();
     const std::size_t before = test::memory_taken();
     (void)read_description(bytes);
+    EXPECT_LT(test::most_memory() - before, std::size_t{1} << 20) << i;
+  }
+}
+
+/// At most 100 bytes of a message with some of them changed, and a checksum that fits.
+std::vector<std::byte> damaged(std::vector<std::byte> message, std::mt19937& random) {
+  message.resize(std::min<std::size_t>(message.size() - 4, 96));
+  for (auto k = random() % 4; k > 0; --k)
+    message[5 + random() % (message.size() - 5)] = static_cast<std::byte>(random() % 256);
+  const auto checksum = static_cast<std::uint32_t>(XXH3_64bits(message.data(), message.size()));
+  for (unsigned k = 0; k < 4; ++k) message.push_back(static_cast<std::byte>(checksum >> (8 * k)));
+  return message;
+}
+
+TEST(MapLimits, MAP12NoMessageOf100BytesTakesAMegabyte) {
+  const test::World world(3, 1);
+  auto sender = MapSender::make(test::World::description(), {.effort = 0});
+  ASSERT_TRUE(sender);
+  ASSERT_TRUE(world.tell(*sender, world.present()));
+  MapReceiver receiver(1, test::World::description().id);
+  View view;
+  view.max_error = 0.05F;
+  receiver.set_view(view);
+  // A whole talk, and a manifest of what it tells.
+  std::vector<std::vector<std::byte>> messages;
+  for (int now = 2; now < 10; now += 2) {
+    messages.push_back(*receiver.view_message());
+    ASSERT_TRUE(sender->hear(messages.back(), now));
+    const auto answers = sender->messages_for(1, now);
+    ASSERT_TRUE(answers);
+    for (const auto& message : *answers) {
+      ASSERT_TRUE(receiver.apply(message));
+      messages.push_back(message);
+    }
+  }
+  messages.push_back(*write_entry({.map = hash_of(sender->description()),
+                                   .start = 1,
+                                   .entry = {.key = sender->keys()[0], .revision = 50}}));
+  messages.push_back(*write_manifest({.description = sender->description(), .revision = 1, .next_group = 1}));
+  std::mt19937 random(5);
+  for (int i = 0; i < 20000; ++i) {
+    const auto message = damaged(messages[random() % messages.size()], random);
+    ASSERT_LE(message.size(), 100U);
+    MapReceiver fresh(2, test::World::description().id);
+    ASSERT_TRUE(fresh.apply(*write_description(test::World::description())));
+    test::most_memory_from_now();
+    const std::size_t before = test::memory_taken();
+    (void)fresh.apply(message);
+    (void)sender->hear(message, i);
+    (void)read_manifest(message);
     EXPECT_LT(test::most_memory() - before, std::size_t{1} << 20) << i;
   }
 }
