@@ -43,7 +43,7 @@ bool is_map(const std::string& folder) {
 std::optional<MapManifest> load_manifest(const std::string& folder, int& status) {
   auto manifest = load_map(folder);
   if (manifest) return *std::move(manifest);
-  status = fail(folder, manifest.error());
+  status = fail((std::filesystem::path(folder) / "map.dmm").string(), manifest.error());
   return std::nullopt;
 }
 

@@ -60,7 +60,12 @@ Result<MapDescription> describe_map(const std::array<double, 3>& origin,
     return Error{.code = ErrorCode::kInvalidArgument,
                  .message = "parts of more than 2^27 steps of the lattice; ask for smaller ones",
                  .rule = "MAP-3"};
-  description.cell_steps = static_cast<std::uint32_t>(std::max(steps, 1.0));
+  if (steps < 1)
+    return Error{
+        .code = ErrorCode::kInvalidArgument,
+        .message = "parts of less than 8 steps of the lattice; ask for larger ones, or for a smaller error",
+        .rule = "MAP-3"};
+  description.cell_steps = static_cast<std::uint32_t>(steps);
   // Floors and walls are often at 0: a third of a cell, on every level, from where cells meet.
   const std::int64_t third = (std::int64_t{description.cell_steps} << kLevelsOfParts) / 3;
   description.cell_origin.fill(-static_cast<std::int32_t>(std::min<std::int64_t>(third, kMostLatticeSteps)));

@@ -74,8 +74,9 @@ Result<Mesh> to_map(const MeshView& mesh, const MapDescription& description) {
       p[k] = static_cast<float>(double{p[k]} + shift) + 0.0F;  // one zero
     }
     if (!description.lattice.is_within({p[0], p[1], p[2]}))
-      return invalid("a position is 2^24 steps of the map's lattice or more from its origin",
-                     WhereKind::kVertex, v);
+      return invalid(
+          "a position is 2^24 steps of the map's lattice or more from its origin; ask for a larger error",
+          WhereKind::kVertex, v);
   }
   return moved;
 }
