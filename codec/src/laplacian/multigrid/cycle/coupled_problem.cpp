@@ -21,7 +21,7 @@ Float4 best_length(const CoupledProblem& problem, std::span<Row> image) {
     const Float4 scaled = 1 / level.mass[i] * k.x;
     energy += widen(scaled * k.x);
     gain += widen(scaled * problem.b[i].x - u[i].x * problem.b[i].s);
-    image[i] = {k.x + level.mass[i] * u[i].s, k.s};
+    if (!image.empty()) image[i] = {k.x + level.mass[i] * u[i].s, k.s};
   }
   for (std::size_t a = 0; a < problem.gaps.size(); ++a) {
     const Float4 x = u[level.anchors[a]].x;

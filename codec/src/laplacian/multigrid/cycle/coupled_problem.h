@@ -26,8 +26,8 @@ struct CoupledProblem {
 
 /// The length at which the solution that a cycle found makes the least-squares functional smallest, on every
 /// axis by itself: the functional cannot rise, however bad the cycle. `image`: n, overwritten with K x + M s
-/// and K s. O(n + edges). Source: Notay, Vassilevski, Recursive Krylov-based multigrid cycles, 2008, with
-/// steps that are not made orthogonal.
+/// and K s; or empty. O(n + edges). Source: Notay, Vassilevski, Recursive Krylov-based multigrid cycles,
+/// 2008, with steps that are not made orthogonal.
 Float4 best_length(const CoupledProblem& problem, std::span<Row> image);
 
 /// Leaves in `b` and `gaps` what remains to be solved after so much of a cycle's solution. O(n).

@@ -38,14 +38,14 @@ LevelSolver::LevelSolver(std::span<const Level> levels, std::vector<std::uint8_t
   for (std::size_t k = 0; k < levels_.size(); ++k) {
     const Level& level = levels_[k];
     Vectors& v = vectors_[k];
-    v.b.resize(level.node_count(), Row{});
-    v.u.resize(level.node_count(), Row{});
+    v.b.resize(level.node_count());
+    v.u.resize(level.node_count());
     v.gaps.resize(level.anchors.size());
     v.forces.resize(level.anchors.size());
     if (k + 1 == levels_.size()) break;
-    v.image.resize(level.node_count());
     if (k == 0 || !takes_two_cycles(level, levels_[k + 1])) continue;
     v.first.resize(level.node_count());
+    v.image.resize(level.node_count());
     v.first_forces.resize(level.anchors.size());
   }
 }

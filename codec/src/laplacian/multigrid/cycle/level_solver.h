@@ -26,8 +26,8 @@ class LevelSolver {
     LargeVector<Row> u;
     std::vector<Float4> gaps;
     std::vector<Float4> forces;
-    LargeVector<Row> image;  ///< what the equations make of a cycle's u; empty on the coarsest level
     LargeVector<Row> first;  ///< what is taken of the first cycle's u; empty where there is one cycle
+    LargeVector<Row> image;  ///< what the equations make of it; likewise
     std::vector<Float4> first_forces;  ///< likewise
   };
 
