@@ -43,7 +43,8 @@ class MapReceiver {
   /// `viewer`: a number that no other receiver of the map has, and another one after each start.
   MapReceiver(std::uint64_t viewer, std::uint64_t map_id, const ReceiverLimits& limits = {});
 
-  /// A message of a map, an entry or a part. Old and known ones have no effect. Errors: 1xx codes,
+  /// A message of a map, a start, an entry, a part or a patch. Old and known ones have no effect, nor has a
+  /// patch of a version that is not held. Errors: 1xx codes,
   /// kInvalidArgument (of another map or epoch, or before the map's message), kLimitExceeded, kOutOfMemory;
   /// nothing has changed then. Cost: decodes the part.
   Result<void> apply(std::span<const std::byte> message) noexcept;
