@@ -4,13 +4,17 @@
 // Senders and receivers over networks that lose, delay and double messages, killed and started again: at no
 // moment a crack, and in the end the sender's map. DELTAMESH_MAP_SCHEDULES: how many schedules.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
 
+#include "deltamesh/map/folder.h"
+#include "deltamesh/map/map_codec.h"
 #include "deltamesh/map/receiver.h"
 #include "deltamesh/map/sender.h"
 #include "map/map_world.h"
@@ -20,6 +24,7 @@
 namespace deltamesh {
 namespace {
 
+namespace fs = std::filesystem;
 using test::Square;
 using test::World;
 using Bytes = std::vector<std::byte>;
@@ -51,6 +56,8 @@ struct Letter {
 class Schedule {
  public:
   explicit Schedule(std::uint32_t seed) : random_(seed), world_(3 + static_cast<int>(seed % 3), seed) {
+    if (seed % 8 == 0)
+      folder_ = (fs::temp_directory_path() / ("deltamesh_simulation_" + std::to_string(::getpid()))).string();
     loss_ = 0.3 * unit();
     options_.effort = 0;
     options_.geometry = GeometryCoder::kPredictive;
@@ -63,6 +70,13 @@ class Schedule {
     start_sender();
     clients_.resize(1 + random_() % 3);
   }
+
+  ~Schedule() {
+    std::error_code ignored;
+    if (!folder_.empty()) fs::remove_all(folder_, ignored);
+  }
+  Schedule(const Schedule&) = delete;
+  Schedule& operator=(const Schedule&) = delete;
 
   void run() {
     for (int tick = 0; tick < kMostTicks && !failed_; ++tick) {
@@ -86,17 +100,40 @@ class Schedule {
   double unit() { return static_cast<double>(random_() % 10000) / 10000; }
 
   void start_sender() {
-    auto sender = MapSender::make(World::description(), options_);
+    if (sender_ && !folder_.empty()) {
+      const auto manifest = load_map(folder_ + "/sender");
+      ASSERT_TRUE(manifest);
+      description_ = manifest->description;
+      saved_revision_ = manifest->revision;
+      saved_group_ = manifest->next_group;
+      if (random_() % 2 == 0) begin_epoch();
+    }
+    auto sender = MapSender::make(description_, options_);
     ASSERT_TRUE(sender);
     sender_ = std::make_unique<MapSender>(std::move(*sender));
     sender_->resume(saved_revision_, saved_group_);
     tell(world_.present());
   }
 
+  /// Starting states from what the map has become.
+  void begin_epoch() {
+    std::vector<MapPart> parts;
+    for (const PartKey& key : sender_->keys()) parts.push_back(*sender_->source(key));
+    ++description_.epoch;
+    auto renewed =
+        with_primers(description_, parts, {.bounds = {.max_error = QualityBound{0.1}}, .effort = 0});
+    ASSERT_TRUE(renewed);
+    description_ = *std::move(renewed);
+  }
+
   void tell(const std::set<Square>& squares) {
     ASSERT_TRUE(world_.tell(*sender_, squares));
     saved_revision_ = sender_->revision();
     saved_group_ = sender_->next_group();
+    if (folder_.empty()) return;
+    const MapManifest manifest{
+        .description = description_, .revision = saved_revision_, .next_group = saved_group_};
+    ASSERT_TRUE(save_map(folder_ + "/sender", manifest, {}));
   }
 
   void disturb(int tick) {
@@ -138,6 +175,36 @@ class Schedule {
       client.saved.entries.push_back(part.entry);
       client.saved.octets.emplace_back(part.octets.begin(), part.octets.end());
     }
+    if (!folder_.empty()) save_to_folder(client);
+  }
+
+  std::string folder_of(const Client& client) const {
+    return folder_ + "/client_" + std::to_string(&client - clients_.data());
+  }
+
+  void save_to_folder(const Client& client) {
+    MapManifest manifest{
+        .description = *client.saved.description, .next_group = 1, .entries = client.saved.entries};
+    std::vector<NewPart> parts;
+    for (std::size_t i = 0; i < manifest.entries.size(); ++i) {
+      const PartEntry& entry = manifest.entries[i];
+      manifest.revision = std::max(manifest.revision, entry.revision);
+      manifest.next_group = std::max(manifest.next_group, entry.group + 1);
+      parts.push_back({entry.key, entry.revision, client.saved.octets[i]});
+    }
+    const auto saved = save_map(folder_of(client), manifest, parts);
+    ASSERT_TRUE(saved) << describe(saved.error());
+  }
+
+  void load_from_folder(Client& client) {
+    const auto manifest = load_map(folder_of(client));
+    ASSERT_TRUE(manifest);
+    client.saved = {manifest->entries, {}, manifest->description};
+    for (const PartEntry& entry : manifest->entries) {
+      auto octets = load_part(folder_of(client), entry);
+      ASSERT_TRUE(octets);
+      client.saved.octets.push_back(*std::move(octets));
+    }
   }
 
   /// From what was saved, with a new connection.
@@ -150,9 +217,12 @@ class Schedule {
     client.receiver->set_view(view);
     client.covered.clear();
     if (!client.saved.description) return;
+    if (!folder_.empty()) load_from_folder(client);
     EXPECT_TRUE(client.receiver->apply(*write_description(*client.saved.description)));
     for (std::size_t i = 0; i < client.saved.entries.size(); ++i) {
-      EXPECT_TRUE(client.receiver->restore(client.saved.entries[i], client.saved.octets[i]));
+      // What was made in an earlier epoch comes again.
+      const auto restored = client.receiver->restore(client.saved.entries[i], client.saved.octets[i]);
+      EXPECT_TRUE(restored || (!folder_.empty() && restored.error().code == ErrorCode::kCorrupt));
       check(client);
     }
   }
@@ -294,6 +364,8 @@ class Schedule {
   World world_;
   double loss_ = 0;
   SenderOptions options_;
+  std::string folder_;  ///< where states are kept; empty: in memory
+  MapDescription description_ = World::description();
   std::unique_ptr<MapSender> sender_;
   std::uint64_t saved_revision_ = 0;
   std::uint64_t saved_group_ = 0;
