@@ -20,7 +20,7 @@ async function bundle() {
 
 /** Serves the bundle, and the bytes that a measurement needs by their numbers. */
 export class Chromium {
-  #files = new Map([['/', '<!doctype html><link rel="icon" href="data:,">']]);
+  #files = new Map([['/page.html', '<!doctype html><link rel="icon" href="data:,">']]);
   #count = 0;
   #server;
 
@@ -47,7 +47,7 @@ export class Chromium {
     const browser = await launch();
     try {
       const page = await browser.newPage();
-      await page.goto(`${this.#server.origin}/`);
+      await page.goto(`${this.#server.origin}/page.html`);
       return await page.evaluate(async (numbered) => {
         const fetched = async (value) => {
           if (typeof value !== 'object') return value;

@@ -17,6 +17,7 @@
 #include "attributes/pair_coder.h"
 #include "attributes/surface_walk.h"
 #include "attributes/tangent_forecast.h"
+#include "base/small_code.h"
 
 namespace deltamesh {
 
@@ -49,7 +50,7 @@ class TangentCoder {
   std::size_t count() const noexcept { return walk_.order.size(); }
 
   /// Codes the vertex that is number i of the walk. False where a number is out of range.
-  bool code(std::size_t i) {
+  DELTAMESH_LOOP_BODY bool code(std::size_t i) {
     const std::uint32_t vertex = walk_.order[i];
     const TangentForecast forecast = forecaster_.forecast(i);
     const std::uint32_t copy = copies_.last(vertex);

@@ -20,6 +20,7 @@
 #include "attributes/uv_forecast.h"
 #include "base/large_vector.h"
 #include "base/rounded.h"
+#include "base/small_code.h"
 
 namespace deltamesh {
 
@@ -48,7 +49,7 @@ class UvCoder {
   std::size_t count() const noexcept { return walk_.order.size(); }
 
   /// Codes the vertex that is number i of the walk. False where a number is out of range.
-  bool code(std::size_t i) {
+  DELTAMESH_LOOP_BODY bool code(std::size_t i) {
     const std::uint32_t vertex = walk_.order[i];
     const UvForecast forecast = forecaster_.forecast(i);
     const std::uint32_t copy = copies_.last(vertex);

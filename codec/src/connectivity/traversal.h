@@ -7,6 +7,7 @@
 
 #include <cstdint>
 
+#include "base/small_code.h"
 #include "connectivity/border.h"
 
 namespace deltamesh {
@@ -27,7 +28,7 @@ template <class Guide>
 /// as fill_from_item() does. A guide may know of a run of steps before they are taken, and need not be asked
 /// for those of a fan.
 template <class Guide>
-bool fill_gap(Border& border, std::uint32_t gap, Guide& guide) {
+DELTAMESH_LOOP_BODY bool fill_gap(Border& border, std::uint32_t gap, Guide& guide) {
   while (!border.item(border.item(gap).previous).closed) {
     Gate gate = border.gate_at<false>(border.item(gap).previous);
     if constexpr (requires { guide.run(gate); }) {

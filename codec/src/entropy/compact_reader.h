@@ -8,17 +8,10 @@
 #include <cstdint>
 #include <span>
 
+#include "base/small_code.h"
 #include "deltamesh/result.h"
 #include "entropy/compact_model.h"
 #include "entropy/number_model.h"
-
-/// Decisions are inlined into every loop that makes them; where the code has to be small (DELTAMESH_SMALL:
-/// the modules in WebAssembly) there is one copy of each, for 3 % of the time.
-#ifdef DELTAMESH_SMALL
-#define DELTAMESH_DECISION [[gnu::noinline]]
-#else
-#define DELTAMESH_DECISION [[gnu::always_inline]]
-#endif
 
 namespace deltamesh {
 
@@ -32,7 +25,7 @@ class CompactReader {
   explicit CompactReader(std::span<const std::byte> bytes) noexcept;
 
   template <std::size_t K>
-  DELTAMESH_DECISION unsigned symbol(unsigned, const Mixture<K>& mixture) noexcept {
+  DELTAMESH_INLINE_UNLESS_SMALL unsigned symbol(unsigned, const Mixture<K>& mixture) noexcept {
     const LaneSum starts = mixture.starts();
     const unsigned symbol = starts.find(static_cast<std::int16_t>(slot_of_state()));
     const Interval interval = interval_of(starts, symbol);
@@ -43,8 +36,8 @@ class CompactReader {
 
   /// A symbol and the bits that follow it, in one decision [CMP-12].
   template <std::size_t K>
-  DELTAMESH_DECISION unsigned symbol_and_bits(unsigned, LowBits& low, const Mixture<K>& mixture,
-                                              SymbolBits& bit_models) noexcept {
+  DELTAMESH_INLINE_UNLESS_SMALL unsigned symbol_and_bits(unsigned, LowBits& low, const Mixture<K>& mixture,
+                                                         SymbolBits& bit_models) noexcept {
     const unsigned raw = low.count - (low.count > 0 ? 1 : 0);
     low.value = static_cast<std::uint32_t>(state_) & ((1U << raw) - 1);
     state_ >>= raw;
@@ -67,7 +60,7 @@ class CompactReader {
     return symbol;
   }
 
-  DELTAMESH_DECISION bool bit(bool, BitModel& model) noexcept {
+  DELTAMESH_INLINE_UNLESS_SMALL bool bit(bool, BitModel& model) noexcept {
     const bool value = slot_of_state() < model.probability();
     take(model.interval(value));
     model.learn(value);
@@ -128,7 +121,5 @@ class CompactReader {
   std::uint64_t next_state_ = kLeastState;  ///< that of the one after
   bool failed_ = false;
 };
-
-#undef DELTAMESH_DECISION
 
 }  // namespace deltamesh

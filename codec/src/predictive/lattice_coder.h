@@ -10,6 +10,7 @@
 #include <span>
 #include <type_traits>
 
+#include "base/small_code.h"
 #include "predictive/match_coder.h"
 #include "predictive/pair_place.h"
 #include "predictive/residual_coder.h"
@@ -91,7 +92,7 @@ class LatticeCoder {
   /// Codes cells[vertex], those before it being coded, and the next one's in turns with it where this can do
   /// without it [POSN-13]; `vertex` becomes what is to be coded then. A reader fills the cells in. The rule
   /// that a stream breaks here, or null.
-  const char* code_next(std::uint32_t& vertex, std::span<Cell> cells) {
+  DELTAMESH_LOOP_BODY const char* code_next(std::uint32_t& vertex, std::span<Cell> cells) {
     if (vertex + 1 == cells.size() || faces_.needs_previous(vertex + 1)) {
       if (!code_vertex(vertex, 3, cells)) return "POSN-7";
       ++vertex;

@@ -13,6 +13,7 @@
 #include <span>
 
 #include "base/large_vector.h"
+#include "base/small_code.h"
 #include "base/zigzag.h"
 #include "predictive/blend.h"
 #include "predictive/residual_coder.h"
@@ -55,7 +56,7 @@ class VoxelCoder {
 
   /// The vertex of this turn in the first walk, from 0, and the one in the second; those of the turns before
   /// are coded. A reader fills their cells in. The rule that a stream breaks here, or null.
-  const char* code_turn(std::uint32_t turn, std::span<Cell> cells) {
+  DELTAMESH_LOOP_BODY const char* code_turn(std::uint32_t turn, std::span<Cell> cells) {
     const std::uint32_t other = faces_.second_walk() + turn;
     const bool is_alone = other >= faces_.vertex_count();
     Vertex first(*this, turn, cells);
@@ -148,8 +149,9 @@ class VoxelCoder {
     return coder_.symbol(number, Mixture<1>{{&model}, &models_.edge_weights});
   }
 
-  [[gnu::always_inline]] const char* code_vertex(std::size_t i, VoxelPair& pair, const Corners& corners,
-                                                 Vertex& vertex, std::span<Cell> cells) {
+  DELTAMESH_INLINE_UNLESS_SMALL const char* code_vertex(std::size_t i, VoxelPair& pair,
+                                                        const Corners& corners, Vertex& vertex,
+                                                        std::span<Cell> cells) {
     const unsigned number = vertex.has_cube ? code_edge(i, pair, corners, vertex) : voxel::kNoEdge;
     return code_rest(i, pair, corners, vertex, number, cells);
   }
