@@ -9,8 +9,8 @@ namespace {
 
 /// Settled: what is still to come is small against the error that quantisation left (rms, largest). To come:
 /// the last change times rate / (1 - rate), where every cycle changes `rate` times as much as the one before.
-constexpr double kSettledRms = 0.1;
-constexpr double kSettledLargest = 0.3;
+constexpr double kSettledRms = 0.03;
+constexpr double kSettledLargest = 0.1;
 constexpr double kLowestRate = 0.12;
 constexpr double kHighestRate = 0.7;
 
