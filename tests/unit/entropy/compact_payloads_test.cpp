@@ -81,7 +81,7 @@ TEST(CompactDeltas, FLD1RejectsNumbersBeyondTheirRange) {
   CompactWriter writer;
   FieldCoder field(writer, mesh.graph);
   std::array<std::int32_t, 3> q = {deltas[0], 0, 0};
-  EXPECT_FALSE(field.code_vertex(0, q, 3));
+  EXPECT_FALSE(field.code_vertex(0, q));
   const auto read = read_compact_deltas(writer.finish(), mesh.graph);
   ASSERT_FALSE(read);
   EXPECT_STREQ(read.error().rule, "FLD-1");
