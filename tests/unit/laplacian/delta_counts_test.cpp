@@ -115,7 +115,7 @@ TEST(Units, KeepPositionsToTheirLastBit) {
   const SymbolRows symbols(std::vector<std::int32_t>{1, 2, 3});
   const DeltaScale scale{.step = 0.25};
   const multigrid::Units units(DeltaView(symbols.view(), scale), 1000);
-  EXPECT_EQ(units.bits(), 25 - 9);
+  EXPECT_EQ(units.bits(), 26 - 9);
   const multigrid::Counts counts = units.count(multigrid::Float4{999.5F, -0.125F, 0, 0});
   const Vec3 position = units.position(counts);
   EXPECT_EQ(position[0], 0.25 * 999.5);
