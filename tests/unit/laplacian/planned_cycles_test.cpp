@@ -57,8 +57,7 @@ TEST(PlannedCycles, ThreadsMakeNoDifference) {
         const auto solver =
             make_solver_for_components(problem.mesh.graph, problem.mesh.components, problem.anchors, &team);
         ASSERT_TRUE(solver);
-        const auto x =
-            (*solver)->solve_last(problem.deltas, problem.targets, cycles, problem.deltas.size());
+        const auto x = (*solver)->solve_last(problem.deltas, problem.targets, cycles, problem.deltas.size());
         ASSERT_TRUE(x);
         if (alone.empty()) alone.assign(x->begin(), x->end());
         EXPECT_TRUE(std::equal(x->begin(), x->end(), alone.begin(), alone.end()));
