@@ -16,7 +16,7 @@ from container import Reader, unzigzag
 
 MAPS = [("rooms", 4000, "--part-edge 2 --max-error 0.02"), ("rooms", 3000, "--part-edge 3 --geometry highpass"),
         ("rooms", 3000, "--part-edge 2 --geometry predictive --max-error 0.001 --part-triangles 400"),
-        ("terrain", 3000, "--part-edge 20"), ("cad", 2000, "--part-edge 1 --lfe 0.1%"), ("fragments", 2000, "--part-edge 1"),
+        ("terrain", 3000, "--part-edge 20"), ("cad", 2000, "--part-edge 20 --lfe 0.1%"), ("fragments", 2000, "--part-edge 1"),
         ("terrain", 3000, "--part-edge 30 --color-error 4 --geometry predictive"), ("rooms", 4000, "--part-edge 2 --levels 2")]
 FILES = [("formats/Duck.glb", "--part-edge 40"), ("gltf/Fox.glb", "--part-edge 50 --geometry predictive"), ("models/fandisk.ply", "--part-edge 1")]
 
