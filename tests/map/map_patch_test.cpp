@@ -34,9 +34,10 @@ class MapPatch : public testing::Test {
   }
 
   /// With a sender and a receiver that has the sheet.
-  void start(const MapDescription& description) {
+  void start(const MapDescription& description, const SplitOptions& split = {}) {
     SenderOptions options;
     options.effort = 0;
+    options.split = split;
     auto sender = MapSender::make(description, options);
     ASSERT_TRUE(sender);
     sender_ = std::make_unique<MapSender>(std::move(*sender));
@@ -207,23 +208,8 @@ TEST_F(MapPatch, MAP17DamagedPatchesAreRefused) {
 }
 
 TEST_F(MapPatch, MAP17PartsInPlaceOfALargerOneArePatchesOfIt) {
-  SenderOptions options;
-  options.effort = 0;
-  options.split.most_triangles = static_cast<std::uint32_t>(sheet_.triangle_count());
-  MapDescription description = sender_->description();
-  auto sender = MapSender::make(description, options);
-  ASSERT_TRUE(sender);
-  sender_ = std::make_unique<MapSender>(std::move(*sender));
-  receiver_ = MapReceiver(1, 1);
-  View view;
-  view.max_error = kMaxError;
-  view.color_error = 4;
-  receiver_.set_view(view);
+  start(sender_->description(), {.most_triangles = static_cast<std::uint32_t>(sheet_.triangle_count())});
   const Mesh beside = test::wavy_sheet(2, 2, 6, 0);
-  const std::vector<MapBlock> first = {{{0, 0, 0}, sheet_}};
-  ASSERT_TRUE(sender_->update(first));
-  for (int i = 0; i < 3; ++i)
-    for (const Bytes& message : ask()) ASSERT_TRUE(receiver_.apply(message));
   const PartKey before = receiver_.shown().front();
   const std::vector<MapBlock> second = {{{1, 0, 0}, beside}};
   ASSERT_TRUE(sender_->update(second));

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/try.h"
+#include "laplacian/anchors/shared_components.h"
 #include "laplacian/multigrid/cycle/planned_cycles.h"
 #include "laplacian/multigrid/setup/levels.h"
 #include "laplacian/settling/settled_solver.h"
@@ -19,16 +20,6 @@ namespace {
 
 using multigrid::PlannedCycles;
 using multigrid::PlannedSolution;
-
-/// Per anchor, whether its component has another.
-std::vector<std::uint8_t> shared_components(const Components& components,
-                                            std::span<const std::uint32_t> anchors) {
-  std::vector<std::uint32_t> count(components.count, 0);
-  for (const std::uint32_t anchor : anchors) ++count[components.label[anchor]];
-  std::vector<std::uint8_t> shared;
-  for (const std::uint32_t anchor : anchors) shared.push_back(count[components.label[anchor]] > 1 ? 1 : 0);
-  return shared;
-}
 
 class MultigridSolver final : public LeastSquaresSolver {
  public:

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 
+#include "laplacian/anchors/shared_components.h"
 #include "laplacian/settling/smoother.h"
 #include "laplacian/settling/transfer.h"
 

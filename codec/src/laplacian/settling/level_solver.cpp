@@ -34,15 +34,6 @@ constexpr std::size_t kMostNodesPerAnchor = 24;
 
 }  // namespace
 
-std::vector<std::uint8_t> shared_components(const Components& components,
-                                            std::span<const std::uint32_t> anchors) {
-  std::vector<std::uint32_t> count(components.count, 0);
-  for (const std::uint32_t anchor : anchors) ++count[components.label[anchor]];
-  std::vector<std::uint8_t> shared;
-  for (const std::uint32_t anchor : anchors) shared.push_back(count[components.label[anchor]] > 1 ? 1 : 0);
-  return shared;
-}
-
 LevelSolver::LevelSolver(std::span<const Level> levels, std::size_t first, std::vector<std::uint8_t> holds,
                          std::uint32_t component_count, bool is_last_resort)
     : levels_(levels),

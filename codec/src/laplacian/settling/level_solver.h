@@ -15,13 +15,8 @@
 #include "laplacian/settling/level.h"
 #include "laplacian/settling/row.h"
 #include "laplacian/settling/two_steps.h"
-#include "topology/adjacency.h"
 
 namespace deltamesh::settling {
-
-/// Per anchor, whether its component has another.
-std::vector<std::uint8_t> shared_components(const Components& components,
-                                            std::span<const std::uint32_t> anchors);
 
 /// Memory is allocated at setup, but for what another level needs when it first is the coarsest.
 class LevelSolver {
