@@ -41,7 +41,7 @@ class PlainOps:
 
     def end(self):
         """[CONN-2]"""
-        left = any(self.tokens) or self.references or self.far or self.ops
+        left = any(self.tokens) or self.references or self.far
         must(not left, "CONN-2", "tokens, references or far targets are left over")
 
 def CONN_12_run_weights(full):
@@ -88,9 +88,6 @@ class CompactOps:
         must(reference <= 255, "CONN-7", f"reference {reference}")
         return walk.CONN_10_near(gate, reference) if reference else self.coder.raw(bits(len(walk.origin)))
 
-    def end(self):
-        must(not self.ops, "CONN-2", "ops are left over")
-
 class Walk:
     """[CONN-3 to CONN-8] The state, and the traversal that ops of either form drive."""
     def __init__(self, m, ops):
@@ -99,7 +96,6 @@ class Walk:
         self.queues = [deque() for _ in range(9)]
         while len(self.faces) < m:
             self.CONN_4_component()
-        ops.end()
 
     def new_item(self, origin, full=1):
         for of, value in ((self.origin, origin), (self.full, full), (self.closed, False), (self.alive, True),

@@ -187,14 +187,13 @@ def DIR_2_chunk(r, header, read_descriptor):
 
 def CNT_1_stream(data, read_descriptor):
     """[CNT-1 to CNT-5, HDR-1 to HDR-3, DIR-1, DIR-8] The header and the chunks."""
-    must(data[:3] == b"DMS", "HDR-1", "not a deltamesh stream")
-    must(len(data) >= 8, "CON-1", "the stream has no header or no checksum")
-    must(data[3] >= 128, "HDR-2", f"version {data[3]}")
-    must(data[3] == 128 + DRAFT, "HDR-3", f"draft {data[3] - 128}")
-    checksum = struct.unpack("<I", data[-4:])[0]
-    must(checksum == xxhash.xxh3_64_intdigest(data[:-4]) % 2**32, "CNT-2", "the checksum does not match")
-    r = Reader(data[:-4])
-    r.at = 4
+    r = Reader(data)
+    must(r.bytes(3) == b"DMS", "HDR-1", "not a deltamesh stream")
+    version = r.u8()
+    must(version >= 128, "HDR-2", f"version {version}")
+    must(version == 128 + DRAFT, "HDR-3", f"draft {version - 128}")
+    r.data, checksum = data[:-4], struct.unpack("<I", data[-4:])[0]
+    must(checksum == xxhash.xxh3_64_intdigest(r.data) % 2**32, "CNT-2", "the checksum does not match")
     header = Header(r)
     must(header.vertices + header.triangles <= 2048 * len(data), "CNT-5", "more is stated than the bytes can hold")
     return header, CNT_4_chunks(r, header, read_descriptor)

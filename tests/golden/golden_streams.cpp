@@ -2,7 +2,9 @@
 // Copyright 2026 The deltamesh authors
 #include "golden_streams.h"
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "scenes.h"
 #include "support/meshes.h"
@@ -62,6 +64,35 @@ Mesh asset() {
   return mesh;
 }
 
+/// The asset cut along y = 7. Its copies there have other texture coordinates; every fourth one has another
+/// normal and other joints as well.
+Mesh cut_asset() {
+  constexpr std::uint32_t kColumns = 21;
+  constexpr std::uint32_t kFirst = 7 * kColumns;
+  Mesh mesh = asset();
+  const auto n = static_cast<std::uint32_t>(mesh.vertex_count());
+  for (std::size_t f = 0; f < mesh.triangle_count(); ++f) {
+    const auto corners = std::span(mesh.triangles).subspan(3 * f, 3);
+    const auto is_below = [](std::uint32_t v) { return v < kFirst; };
+    if (std::any_of(corners.begin(), corners.end(), is_below)) continue;
+    for (std::uint32_t& v : corners)
+      if (v < kFirst + kColumns) v += n - kFirst;
+  }
+  mesh.positions.insert(mesh.positions.end(), mesh.positions.begin() + 3 * kFirst,
+                        mesh.positions.begin() + 3 * (kFirst + kColumns));
+  for (Attribute& attribute : mesh.attributes) {
+    const std::size_t row = attribute.values.size() / n;
+    for (std::uint32_t i = 0; i < kColumns; ++i) {
+      const bool is_joint = attribute.kind == AttributeKind::kJoints;
+      const bool differs = attribute.kind == AttributeKind::kUv ||
+                           (i % 4 == 0 && (is_joint || attribute.kind == AttributeKind::kNormal));
+      const std::uint32_t source = kFirst + i + (differs ? 2 * kColumns + (is_joint ? 5 : 0) : 0);
+      for (std::size_t k = 0; k < row; ++k) attribute.values.push_back(attribute.values[source * row + k]);
+    }
+  }
+  return mesh;
+}
+
 /// Flat patches of 16-bit colours, grey levels as floats, zero normals, noisy heights, and an origin far
 /// away.
 Mesh painted() {
@@ -88,6 +119,13 @@ Mesh painted() {
       attribute_of(kColor, kU16, 4, "COLOR_0", patches), attribute_of(kColor, kF32, 3, "COLOR_1", tones),
       attribute_of(kNormal, kF32, 3, "NORMAL", normals), attribute_of(kGeneric, kU16, 1, "height", heights)};
   mesh.origin = {500000, 5100000, 120.5};
+  return mesh;
+}
+
+/// Two groups of faces, and nothing else but positions.
+Mesh grouped_grid() {
+  Mesh mesh = bumpy_grid(6, 4);
+  for (std::size_t f = 0; f < mesh.triangle_count(); ++f) mesh.face_groups.push_back(f < 20 ? 0 : 3);
   return mesh;
 }
 
@@ -119,6 +157,9 @@ std::vector<Golden> golden_streams() {
   list.push_back({"grid.predictive", rough_grid(), {.geometry = GeometryCoder::kPredictive, .bits = 11}});
   list.push_back({"asset.bounded", asset(), {.attributes = {.color_error = 3, .named = {{"move", 0.01}}}}});
   list.push_back({"asset.lossless", asset(), {.lossless = true}});
+  list.push_back({"cut.bounded", cut_asset(), {.attributes = {.named = {{"move", 0.01}}}}});
+  list.push_back({"cut.lossless", cut_asset(), {.lossless = true}});
+  list.push_back({"groups.zstd", grouped_grid(), {.bits = 8, .profile = Profile::kZstd}});
   Mesh floats = bumpy_grid(12, 10);  // of no lattice
   for (std::size_t i = 0; i < floats.positions.size(); ++i)
     floats.positions[i] = std::ldexp(floats.positions[i] + 1.1F, -static_cast<int>(i % 31));
@@ -126,6 +167,13 @@ std::vector<Golden> golden_streams() {
   EncodeOptions walked{.geometry = GeometryCoder::kPredictive, .effort = 9};
   walked.bits = 12;
   list.push_back({"sphere.walked", *generate_scene(Scene::kSphere, 500, 1), walked});
+  // Planned cycles on four levels, and on a coarsest level that takes iterations.
+  list.push_back({"terrain.levels",
+                  *generate_scene(Scene::kTerrain, 2400, 1),
+                  {.geometry = GeometryCoder::kHighpass, .bits = 4}});
+  list.push_back({"sphere.anchors",
+                  *generate_scene(Scene::kSphere, 1200, 1),
+                  {.geometry = GeometryCoder::kHighpass, .bits = 3, .anchors = 240}});
   list.push_back({"grid.lossless", bumpy_grid(12, 10), {.lossless = true}});
   list.push_back({"room.voxels",
                   *generate_scene(Scene::kRooms, 600, 3),

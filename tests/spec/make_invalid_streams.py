@@ -17,7 +17,7 @@ import tempfile
 import traceback
 
 from reference_decoder_test import GOLDEN, decode, tag_of
-from container import Broken, DRAFT
+from container import Broken, DRAFT, KINDS, Reader
 from stream_changes import Parts, changed, of_this_draft, sealed, varint
 
 FOLDER = os.path.join(GOLDEN, "invalid")
@@ -107,7 +107,39 @@ def by_hand(program):
     asset = Parts(golden("asset.lossless"))
     yield asset.replace("FGRP", None, b"\3" + bytes(2 * asset.fields.triangles) + b"\1" * asset.fields.triangles)
     yield Parts(golden("asset.lossless")).replace("ATTR", b"\x09", b"\x09\0")  # a sum of 0
+    yield from attributes_by_hand()
+    yield from faces_by_hand()
     yield Parts(generated(program, "cad", 30, "--geometry highpass")).replace("ATTR", b"\4", b"\4\1\0\0\x80\x3e")  # a rule
+
+
+def attributes_by_hand():
+    """Fields of attributes that are out of range."""
+    for coding in (b"\1", b"\3"):
+        yield Parts(golden("attributes.zstd")).replace("ATTR", coding, coding + b"\0")  # no bits
+    base, large = varint(2**50), struct.pack("<f", 3e38)
+    for fields in (b"\5\xff", b"\2" + large + base + b"\0"):  # an exponent, and a point beyond f32
+        yield Parts(golden("asset.lossless")).replace("ATTR", b"\x08", b"\x08" + fields * 4)
+    parts = Parts(golden("attributes.zstd"))
+    rotations = next(payload for kind, _, payload in parts.chunks if KINDS[kind] == "ORDR")
+    yield parts.replace("ORDR", None, rotations[:-1] + b"\3")
+
+
+def faces_by_hand():
+    """Plain CONN chunks, and a compact one that is too small for its faces."""
+    def plain(tokens, references, far, glued):
+        """With tokens of stream 1 alone."""
+        counts = [0, len(tokens)] + [0] * 15 + [len(references), far, glued]
+        return b"".join(map(varint, counts)) + tokens + references
+    split = Parts(golden("tetrahedron.default"))
+    yield split.replace("CONN", None, plain(b"\x80", b"\0", 0, 0) + bytes(3))  # far, but no far target
+    r = Reader(next(payload for kind, _, payload in Parts(golden("grid.zstd")).chunks if KINDS[kind & 15] == "CONN"))
+    counts = [r.varint() for _ in range(20)]
+    head, tokens = b"".join(map(varint, counts[:19])), r.rest()[:sum(counts[:18])]
+    for glued, gaps in ((1, b"\1\xff"), (20000, b"\0")):  # a gap beyond M, and more than M
+        yield Parts(golden("grid.zstd")).replace("CONN", None, head + varint(glued) + tokens + b"\0" + gaps + b"\0")
+    split.header = split.header[:5] + varint(43000) + split.header[6:]
+    split.chunks = [(0x21, b"", b"\0"), (6, b"", b"")]
+    yield split.stream()
 
 
 def headers_by_hand(lattice, georeferenced):
