@@ -19,7 +19,7 @@ def ATTR_31_uvs(r, a, surface):
     return f32_rows([values[v] for v in range(surface.n)], 2)
 
 def solve_symmetric(matrix, right):
-    """[ATTR-33]"""
+    """[ATTR-34]"""
     (a, b, c), (_, e, f), (_, _, i) = matrix
     aa, ab, ac, bb, bc, cc = e * i - f * f, c * f - b * i, b * f - c * e, a * i - c * c, b * c - a * f, a * e - b * b
     determinant = a * aa + b * ab + c * ac

@@ -39,8 +39,7 @@ class PlainOps:
         must(reference or self.far, "CONN-10", "no far target left")
         return walk.CONN_10_near(gate, reference) if reference else self.far.pop()
 
-    def end(self):
-        """[CONN-2]"""
+    def CONN_2_end(self):
         left = any(self.tokens) or self.references or self.far
         must(not left, "CONN-2", "tokens, references or far targets are left over")
 

@@ -14,7 +14,7 @@ def CONN_8_faces(chunk, m, n, states):
         vertex_of = CONN_13_glue(ops.coder, walk, n)
         ops.coder.end()
     else:
-        ops.end()
+        ops.CONN_2_end()
         must(ops.glued <= walk.manifold, "CONN-11", "more glued than manifold vertices")
         pairs = list(zip(ops.reader.planes(ops.glued), ops.reader.planes(ops.glued)))
         ops.reader.end()

@@ -32,13 +32,13 @@ def POSN_4_mean(numbers):
     return (sum(numbers) * ((65536 + c // 2) // c)) >> 16
 
 def POSN_8_table(coder):
-    """The blend table as rows (A, C); without a coder that of voxel edges."""
+    """The blend table as rows (U, V); without a coder that of voxel edges."""
     differs, rows = BitModel(), []
     for row in range(24):
-        A, C = (45, 55, 50, 45)[row // 6], 0
+        U, V = (45, 55, 50, 45)[row // 6], 0
         if coder and differs.decode(coder):
-            A, C = (coder.raw(8) ^ 128) - 128, (coder.raw(8) ^ 128) - 128
-        rows.append((A, C))
+            U, V = (coder.raw(8) ^ 128) - 128, (coder.raw(8) ^ 128) - 128
+        rows.append((U, V))
     return rows
 
 def POSN_4_expect(known, table, number, before):
@@ -53,8 +53,8 @@ def POSN_4_expect(known, table, number, before):
     if known.parallelograms:
         guesses = [16 * (q(a) + q(b) - q(o)) for a, b, o in known.parallelograms]
         P, E = POSN_4_mean(guesses), POSN_4_mean([8 * (q(a) + q(b)) for a, b, _ in known.parallelograms])
-        A, C = table[6 * (len(guesses) - 1) + clamp(known.count, 3, 8) - 3]
-        place, spread = place + ((A * (P - N) + C * (E - N)) >> 6), POSN_4_mean([abs(g - P) for g in guesses])
+        U, V = table[6 * (len(guesses) - 1) + clamp(known.count, 3, 8) - 3]
+        place, spread = place + ((U * (P - N) + V * (E - N)) >> 6), POSN_4_mean([abs(g - P) for g in guesses])
     return clamp(place >> 4, -2**30, 2**30) * 16 + (place & 15), min(spread, 2**30)
 
 class Context:
@@ -152,9 +152,9 @@ class PredictedCoder:
         """Which of a few values the number is, or None."""
         different = sorted(list(dict.fromkeys(values))[:6], key=lambda value: abs(value - expected))
         M, V = (0 in x.missed) + 2 * (1 in x.missed), len(different)
-        B = (0, 1 + M, 3 + M)[x.axis]
+        H = (0, 1 + M, 3 + M)[x.axis]
         models = [self.learnt.guesses[0, (x.axis * 4 + M) * 7 + V],
-                  self.learnt.guesses[1, (min(len(known.parallelograms), 4) * 7 + B) * 7 + min(known.count, 6)]]
+                  self.learnt.guesses[1, (min(len(known.parallelograms), 4) * 7 + H) * 7 + min(known.count, 6)]]
         s = self.coder.symbol(models, self.learnt.guess_weights[0])
         if 1 <= s <= V:
             return different[s - 1]

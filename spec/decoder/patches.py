@@ -25,24 +25,24 @@ def MAP_17_part(described, key, octets):
         key = base_key
     mesh = described.MAP_7_part(key, octets)
     for key, base, patch in reversed(patches):
-        mesh = apply(described, key, mesh, struct.pack("<Q", xxhash.xxh3_64_intdigest(base)), patch)
+        mesh = MAP_17_apply(described, key, mesh, struct.pack("<Q", xxhash.xxh3_64_intdigest(base)), patch)
     return mesh
 
-def apply(described, key, base, base_hash, patch):
+def MAP_17_apply(described, key, base, base_hash, patch):
     described.check(key, base_hash + patch[:-4], patch[-4:])
     r = Reader(patch[:-4])
     plan, octets = Coder(r.bytes(r.varint())), r.rest()
     must(octets[:1] != b"\4", "MAP-17", "the inserted part is patched")
-    inserted = described.MAP_7_part(key, octets) if octets else nothing_like(base)
+    inserted = described.MAP_7_part(key, octets) if octets else no_part_like(base)
     must(base.groups is None and inserted.groups is None, "MAP-17", "groups of faces")
-    stays = staying(plan, base.faces)
+    stays = MAP_17_staying(plan, base.faces)
     must(any(stays), "MAP-17", "no face stays")
     kept = [tuple(int(v) for v in face) for face, stay in zip(base.faces, stays) if stay]
-    joins = joined(plan, base, kept, inserted)
+    joins = MAP_17_joined(plan, base, kept, inserted)
     plan.end()
-    return put_together(base, kept, inserted, joins)
+    return MAP_17_put_together(base, kept, inserted, joins)
 
-def nothing_like(base):
+def no_part_like(base):
     mesh = Mesh()
     mesh.positions, mesh.faces, mesh.groups, mesh.border = base.positions[:0], [], None, {}
     mesh.attributes = copy.deepcopy(base.attributes)
@@ -50,7 +50,7 @@ def nothing_like(base):
         a.values = a.values[:0]
     return mesh
 
-def staying(plan, faces):
+def MAP_17_staying(plan, faces):
     """For every face whether it stays. A model's number is 4 s + g."""
     models = [BitModel(2**15 if s == g else 15 * 2**12 if s > g else 2**12) for s in range(4) for g in range(4)]
     last, stays = {}, []
@@ -64,7 +64,7 @@ def staying(plan, faces):
         stays.append(models[4 * count[1] + count[0]].decode(plan))
     return stays
 
-def joined(plan, base, kept, inserted):
+def MAP_17_joined(plan, base, kept, inserted):
     """Of inserted vertices the base's vertex that they are joined to."""
     models = SimpleNamespace(joins=[BitModel() for _ in range(6)], candidates=NumberModel(), places=NumberModel())
     edges = open_edges(kept, len(base.positions))
@@ -94,7 +94,7 @@ def joined(plan, base, kept, inserted):
         joins[v] = to
     return joins
 
-def put_together(base, kept, inserted, joins):
+def MAP_17_put_together(base, kept, inserted, joins):
     rows = sorted({v for face in kept for v in face})
     number = {v: i for i, v in enumerate(rows)}
     new = [v for v in range(len(inserted.positions)) if v not in joins]
