@@ -154,9 +154,8 @@ void add_encode_command(CLI::App& app, int& status) {
                       "write the input vertex of every decoded vertex, as little-endian uint32");
   command->add_flag("--json", arguments->json, "print one JSON object to standard output");
   command->footer(
-      "Without options no vertex is more than 0.02 % of the diagonal of its mesh off, and attributes keep "
-      "the\n"
-      "errors above.\n\n"
+      "Without options no vertex is off by more than 0.02 % of the diagonal of its mesh or 4 % of the mean\n"
+      "edge, whichever is less, and attributes keep the errors above.\n\n"
       "Examples:\n"
       "  deltamesh encode bunny.ply bunny.dmsh\n"
       "  deltamesh encode map.ply map.dmsh --max-error 0.02 --color-error 4\n"

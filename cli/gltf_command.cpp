@@ -163,9 +163,8 @@ void add_gltf_command(CLI::App& app, int& status) {
                  "keep plain data too, so that viewers without the extension can show the asset");
   add_encode_options(*pack, packing->pack.encode);
   pack->footer(
-      "Without options no vertex is more than 0.02 % of the diagonal of its mesh off, and attributes keep "
-      "the\n"
-      "errors above.\n\n"
+      "Without options no vertex is off by more than 0.02 % of the diagonal of its mesh or 4 % of the mean\n"
+      "edge, whichever is less, and attributes keep the errors above.\n\n"
       "Examples:\n"
       "  deltamesh gltf pack duck.glb duck_packed.glb\n"
       "  deltamesh gltf pack duck.glb duck_for_all.glb --fallback\n"

@@ -3,9 +3,11 @@
 //
 // The program `deltamesh`.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 #include <new>
 #include <string>
+#include <vector>
 
 #include "commands.h"
 #include "console.h"
@@ -26,6 +28,15 @@ int parse_and_run(CLI::App& app, int argc, char** argv, int& status) {
   try {
     app.parse(argc, argv);
     return status;
+  } catch (const CLI::ExtrasError&) {
+    const std::vector<std::string> words = app.remaining(true);
+    const auto is_option = [](const std::string& word) { return word.starts_with('-'); };
+    const auto option = std::find_if(words.begin(), words.end(), is_option);
+    if (option != words.end())
+      print_error(*option, "no such option; --help lists them");
+    else
+      print_error(words.empty() ? "" : words.front(), "one word too many; --help shows what goes where");
+    return kUsage;
   } catch (const CLI::ParseError& wrong) {
     if (wrong.get_exit_code() == 0) return app.exit(wrong);  // --help and --version
     std::cerr << "deltamesh: " << wrong.what() << "\nRun with --help for more information.\n";
@@ -37,12 +48,6 @@ int run(int argc, char** argv) {
   CLI::App app{"Triangle meshes in few bytes, at the quality you ask for.", "deltamesh"};
   app.set_version_flag("--version", version_text());
   app.require_subcommand(1);
-  app.footer(std::string("Examples:\n"
-                         "  deltamesh encode bunny.ply bunny.dmsh --bits 8\n"
-                         "  deltamesh decode bunny.dmsh bunny_again.ply\n"
-                         "  deltamesh generate rooms map.ply --vertices 50000\n"
-                         "`deltamesh COMMAND --help` tells more.\n\n") +
-             kExitCodesHelp);
   int status = kOk;
   add_encode_command(app, status);
   add_decode_command(app, status);
@@ -53,6 +58,13 @@ int run(int argc, char** argv) {
   add_gltf_command(app, status);
   add_map_command(app, status);
   add_tiles_command(app, status);
+  // Last, as commands take over what their parent has when they are added.
+  app.footer(std::string("Examples:\n"
+                         "  deltamesh encode bunny.ply bunny.dmsh\n"
+                         "  deltamesh decode bunny.dmsh bunny_again.ply\n"
+                         "  deltamesh generate rooms map.ply --vertices 50000\n"
+                         "`deltamesh COMMAND --help` tells more.\n\n") +
+             kExitCodesHelp);
   if (argc < 2) {
     std::cerr << app.help();
     return kUsage;
