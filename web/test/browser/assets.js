@@ -9,8 +9,10 @@ import { fileURLToPath } from 'node:url';
 const root = fileURLToPath(new URL('../../../', import.meta.url));
 const folder = join(root, 'build/web/pixels');
 const program = join(root, 'build/release/deltamesh');
+const corpus = process.env.DELTAMESH_CORPUS ?? join(root, '../shared/corpus');
 
 export const hasProgram = existsSync(program);
+export const hasCorpus = existsSync(corpus);
 
 /** Scenes that `deltamesh generate` makes. */
 const SCENES = ['rooms', 'terrain', 'sphere', 'cad'];
@@ -21,11 +23,10 @@ function run(...args) {
 
 function* sources() {
   for (const scene of SCENES) {
-    const path = join(folder, `${scene}.glb`);
+    const path = join(folder, `generated.${scene}.glb`);
     run('generate', scene, path, '--vertices', '5000');
     yield path;
   }
-  const corpus = process.env.DELTAMESH_CORPUS ?? '';
   for (const part of ['gltf', 'formats'].map((name) => join(corpus, name)).filter(existsSync))
     yield* readdirSync(part).filter((name) => name.endsWith('.glb')).map((name) => join(part, name));
 }

@@ -13,20 +13,21 @@ import { Scene } from '@babylonjs/core/scene.js';
 import '@babylonjs/core/Helpers/sceneHelpers.js';
 import '@babylonjs/loaders/glTF/2.0/index.js';
 
-import { SIDE, comparePictures, pixelsOf } from './compare.js';
+import { POSE, SIDE, VIEWS, comparePictures, pixelsOf } from './compare.js';
 
 const canvas = document.body.appendChild(Object.assign(document.createElement('canvas'), { width: SIDE, height: SIDE }));
 const engine = new Engine(canvas, true, { preserveDrawingBuffer: true });
 registerDeltamesh();
 
-/** Sees all of the scene's meshes. */
-function aim(scene, { min, max }) {
+/** Sees all of `box` from a direction of VIEWS. */
+function aim(scene, { min, max }, direction) {
   const center = min.add(max).scale(0.5);
   const size = max.subtract(min).length();
-  const camera = new FreeCamera('camera', center.add(new Vector3(0.4, 0.5, 0.9).normalize().scale(1.3 * size)), scene);
+  const camera = new FreeCamera('camera', center.add(new Vector3(...direction).normalize().scale(1.3 * size)), scene);
   camera.setTarget(center);
   camera.minZ = size / 100;
   camera.maxZ = 4 * size;
+  return camera;
 }
 
 async function open(url) {
@@ -39,24 +40,36 @@ async function open(url) {
   for (const { morphTargetManager: targets } of meshes)
     for (let i = 0; i < (targets?.numTargets ?? 0); ++i) targets.getTarget(i).influence = 0.5 / targets.numTargets;
   for (const group of scene.animationGroups) group.stop();
+  const group = scene.animationGroups.at(-1);
+  if (group) {
+    group.start();
+    group.pause();
+    group.goToFrame(group.from + POSE * (group.to - group.from));
+  }
   return scene;
 }
 
+/** A picture for each of VIEWS. */
 async function draw(scene, box) {
-  aim(scene, box);
-  await scene.whenReadyAsync();
-  scene.render();
-  const pixels = pixelsOf(canvas);
+  const pictures = [];
+  for (const direction of VIEWS) {
+    const camera = aim(scene, box, direction);
+    await scene.whenReadyAsync();
+    scene.render();
+    pictures.push(pixelsOf(canvas));
+    camera.dispose();
+  }
   scene.dispose();
-  return pixels;
+  return pictures;
 }
 
-/** `packed` is left on the canvas. */
+/** comparePictures() for each of VIEWS; `packed` is left on the canvas. */
 window.compareAssets = async (plain, packed) => {
   const first = await open(plain);
   const box = first.getWorldExtends();
   const before = await draw(first, box);
-  return comparePictures(before, await draw(await open(packed), box));
+  const after = await draw(await open(packed), box);
+  return before.map((picture, view) => comparePictures(picture, after[view]));
 };
 
 /** The message of what goes wrong, or ''. */

@@ -2,10 +2,10 @@
 // Copyright 2026 The deltamesh authors
 // Draws assets with three.js, in the page.
 import { DeltameshLoader, gltfDeltameshExtension } from '@deltamesh/three';
-import { Box3, Color, DirectionalLight, HemisphereLight, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
+import { AnimationMixer, Box3, Color, DirectionalLight, HemisphereLight, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 
-import { SIDE, comparePictures, pixelsOf } from './compare.js';
+import { POSE, SIDE, VIEWS, comparePictures, pixelsOf } from './compare.js';
 
 const canvas = document.body.appendChild(Object.assign(document.createElement('canvas'), { width: SIDE, height: SIDE }));
 const renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
@@ -13,11 +13,11 @@ const camera = new PerspectiveCamera(40, 1);
 const streams = new DeltameshLoader();
 const loader = new GLTFLoader().register(gltfDeltameshExtension(streams));
 
-/** Sees all of `box`. */
-function aim(box) {
+/** Sees all of `box` from a direction of VIEWS. */
+function aim(box, direction) {
   const size = box.getSize(new Vector3()).length();
   const center = box.getCenter(new Vector3());
-  camera.position.copy(center).add(new Vector3(0.4, 0.5, 0.9).setLength(1.3 * size));
+  camera.position.copy(center).add(new Vector3(...direction).setLength(1.3 * size));
   camera.near = size / 100;
   camera.far = 4 * size;
   camera.lookAt(center);
@@ -25,7 +25,7 @@ function aim(box) {
 }
 
 async function open(url) {
-  const { scene } = await loader.loadAsync(url);
+  const { scene, animations } = await loader.loadAsync(url);
   const shown = new Scene();
   shown.background = new Color(0x335577);
   const sun = new DirectionalLight(0xffffff, 1.5);
@@ -33,6 +33,12 @@ async function open(url) {
   shown.add(scene, sun, new HemisphereLight(0xffffff, 0x808080, 1));
   // Half of each morph target, so that they are seen, too.
   scene.traverse((object) => object.morphTargetInfluences?.fill(0.5 / object.morphTargetInfluences.length));
+  if (animations.length > 0) {
+    const clip = animations.at(-1);
+    const mixer = new AnimationMixer(scene);
+    mixer.clipAction(clip).play();
+    mixer.setTime(POSE * clip.duration);
+  }
   shown.updateMatrixWorld(true);
   return shown;
 }
@@ -42,11 +48,14 @@ function draw(scene) {
   return pixelsOf(canvas);
 }
 
-/** `packed` is left on the canvas. */
+/** comparePictures() for each of VIEWS; `packed` is left on the canvas. */
 window.compareAssets = async (plain, packed) => {
   const scenes = await Promise.all([plain, packed].map(open));
-  aim(new Box3().setFromObject(scenes[0].children[0]));
-  return comparePictures(...scenes.map(draw));
+  const box = new Box3().setFromObject(scenes[0].children[0]);
+  return VIEWS.map((direction) => {
+    aim(box, direction);
+    return comparePictures(...scenes.map(draw));
+  });
 };
 
 /** The message of what goes wrong, or ''. */

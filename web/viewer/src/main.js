@@ -5,6 +5,7 @@ import { Superseded } from './latest-job.js';
 import { mapOf } from './map/map-files.js';
 import { MapView } from './map/map-view.js';
 import { EXAMPLES } from './mesh/examples.js';
+import { isMeshName } from './mesh/mesh-names.js';
 import { Controls } from './panel/controls.js';
 import { makeDivider } from './panel/divider.js';
 import { download, openFiles } from './panel/open.js';
@@ -40,9 +41,10 @@ class Page {
     find('example').add(new Option('Own file', 'file'));
     find('example').options[2].hidden = true;
     find('example').addEventListener('change', ({ target }) => this.openExample(target.value));
-    openFiles({ input: find('file'), folderInput: find('folder'), hint: find('drop-hint') }, (file) => this.openFile(file), (files) => this.openMap(files));
+    openFiles({ input: find('file'), folderInput: find('folder'), hint: find('drop-hint') }, (files) => this.openFiles(files), (files) => this.openMap(files));
     makeDivider(find('divider'), (share) => this.picture.setSplit(share));
     find('panel').addEventListener('submit', (event) => event.preventDefault());
+    find('cancel').addEventListener('click', () => this.cancel());
     find('download-glb').addEventListener('click', () => this.downloadGlb());
     find('copy-link').addEventListener('click', () => this.copyLink());
     window.addEventListener('hashchange', () => this.followLink());
@@ -78,22 +80,41 @@ class Page {
     }
   }
 
-  openFile(file) {
+  /** Ends what is being done; what is shown stays. */
+  #stop() {
+    clearTimeout(this.#timer);
+    this.workshop.cancel();
+    this.map.cancel();
+  }
+
+  cancel() {
+    this.#stop();
+    this.#tell('Cancelled', false);
+  }
+
+  /** One mesh, with the files that it needs. */
+  openFiles(files) {
+    const meshes = files.length === 1 ? files : files.filter(({ name }) => isMeshName(name));
+    if (meshes.length !== 1) {
+      const names = files.map(({ name }) => name).join(', ');
+      this.#fail(new Error(`${meshes.length === 0 ? 'None of these is a mesh' : 'Open one mesh at a time'}: ${names}`));
+      return undefined;
+    }
+    const [file] = meshes;
     find('example').value = 'file';
-    return this.#open(file.name, this.workshop.read(file));
+    return this.#open(file.name, () => this.workshop.read(file, files.filter((other) => other !== file)));
   }
 
   /** The folder of a map; of one that is open the parts that changed. */
   async openMap(files) {
+    this.#stop();
     this.#tell('Reading the map');
     try {
       const map = mapOf(files);
       if (!map) throw new Error('this folder has no map: there is no map.dmm');
-      this.#source = null;
-      this.workshop.codec.cancel();
-      this.workshop.peers.cancel();
-      this.#forgetResult();
       await this.map.open(map, (share) => (find('progress').value = share));
+      this.#source = null;
+      this.#forgetResult();
       this.#showMapPanel(true);
       find('example').value = 'file';
       this.#showPicture();
@@ -128,13 +149,14 @@ class Page {
     this.#settings.example = Object.hasOwn(EXAMPLES, name) ? name : 'knot';
     find('example').value = this.#settings.example;
     this.keepLink();
-    return this.#open(EXAMPLES[this.#settings.example].label, this.workshop.example(this.#settings.example));
+    return this.#open(EXAMPLES[this.#settings.example].label, () => this.workshop.example(this.#settings.example));
   }
 
-  async #open(name, reading) {
+  async #open(name, read) {
+    this.#stop();
     this.#tell(`Reading ${name}`);
     try {
-      const { mesh, frame, display } = await reading;
+      const { mesh, frame, display } = await read();
       this.map.close();
       this.#showMapPanel(false);
       this.#source = { mesh, frame };
@@ -230,8 +252,10 @@ class Page {
 
   #tell(text, isBusy = true) {
     find('status').textContent = text;
+    find('error').textContent = '';
     find('error').hidden = true;
     find('progress').style.visibility = isBusy ? 'visible' : 'hidden';
+    find('cancel').hidden = !isBusy;
     find('progress').value = 0;
     document.body.dataset.state = isBusy ? 'busy' : 'done';
   }

@@ -42,8 +42,14 @@ export class Workshop {
     this.peers.cancel();
   }
 
-  read(file) {
-    return file.arrayBuffer().then((buffer) => this.reader.run({ call: 'read', name: file.name, buffer }, { transfer: [buffer] }));
+  /** Ends reading, compressing and comparing. */
+  cancel() {
+    for (const job of [this.reader, this.codec, this.peers]) job.cancel();
+  }
+
+  /** `others`: files that a .gltf may need. */
+  read(file, others) {
+    return this.reader.run({ call: 'read', file, others });
   }
 
   example(name) {

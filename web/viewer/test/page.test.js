@@ -8,14 +8,11 @@ import { after, before, test } from 'node:test';
 
 import { DeltameshError, createDecoder } from '@deltamesh/decoder';
 
-import { makeExample } from '../src/mesh/examples.js';
-import { writeGlb } from '../src/mesh/write-glb.js';
 import { hasChromium, openPage, waitUntilDone } from './browser.js';
-import { choose, countColors, drop, longestTask, shownBytes, slide, textOf, watchTasks } from './use.js';
+import { choose, countColors, longestTask, shownBytes, slide, textOf, watchTasks } from './use.js';
 
 const MOST_MILLISECONDS = 100;
 const skip = hasChromium ? false : 'Chromium is not installed (scripts/setup web)';
-const root = new URL('../../../', import.meta.url);
 
 let open;
 let page;
@@ -36,17 +33,6 @@ async function downloaded(selector, ending) {
     await new Promise((resolve) => setTimeout(resolve, 100));
   }
   throw new Error(`no ${ending} was downloaded`);
-}
-
-function plyOf({ positions, indices }) {
-  const header = `ply\nformat binary_little_endian 1.0\nelement vertex ${positions.length / 3}\nproperty float x\nproperty float y
-property float z\nelement face ${indices.length / 3}\nproperty list uchar int vertex_indices\nend_header\n`;
-  const faces = Buffer.alloc((indices.length / 3) * 13);
-  for (let i = 0, at = 0; i < indices.length; i += 3) {
-    at = faces.writeUInt8(3, at);
-    for (let c = 0; c < 3; ++c) at = faces.writeInt32LE(indices[i + c], at);
-  }
-  return Buffer.concat([Buffer.from(header), Buffer.from(positions.buffer), faces]);
 }
 
 test('an example is there at once, on both sides', { skip }, async () => {
@@ -136,33 +122,6 @@ test('others are computed beside', { skip }, async () => {
   const sizes = await page.$$eval('#peers tbody td:nth-child(2)', (cells) => cells.map((cell) => cell.textContent));
   const [own, draco, meshopt, deflated] = sizes.map((text) => Number(text.replaceAll(/\D/g, '')));
   assert.ok(own < draco && draco < deflated && deflated <= meshopt, sizes.join());
-});
-
-test('files are opened: PLY, GLB with and without the extension, DMSH', { skip }, async () => {
-  const terrain = makeExample('terrain');
-  await drop(page, 'hill.ply', plyOf(terrain));
-  assert.match(await textOf(page, 'mesh-name'), /^hill.ply: 32,761 vertices/);
-  await drop(page, 'hill.glb', writeGlb(terrain));
-  assert.match(await textOf(page, 'mesh-name'), /^hill.glb: 32,761 vertices/);
-  assert.match(await textOf(page, 'bytes'), /COLOR_0/);
-  const golden = readdirSync(new URL('tests/golden/', root)).find((name) => /^asset\.bounded\..*\.dmsh$/.test(name));
-  await drop(page, 'asset.dmsh', readFileSync(new URL(`tests/golden/${golden}`, root)));
-  assert.equal(await textOf(page, 'error'), '');
-  const samples = new URL('gltf_ext/DELTAMESH_mesh_compression/samples/valid/', root);
-  const packed = readdirSync(samples).find((name) => name.endsWith('.glb'));
-  await drop(page, packed, readFileSync(new URL(packed, samples)));
-  assert.equal(await textOf(page, 'error'), '');
-});
-
-test('what cannot be read is said, and the page goes on', { skip }, async () => {
-  await drop(page, 'letter.txt', Buffer.from('hello'));
-  assert.match(await textOf(page, 'error'), /letter.txt is none of PLY/);
-  await drop(page, 'broken.dmsh', Buffer.from('DMSHDMSHDMSHDMSH'));
-  assert.notEqual(await textOf(page, 'error'), '');
-  await page.select('#example', 'terrain');
-  await page.waitForFunction(() => document.getElementById('mesh-name').textContent.startsWith('Terrain'));
-  await waitUntilDone(page);
-  assert.equal(await page.$eval('#error', (error) => error.hidden), true);
 });
 
 test('every input has a name', { skip }, async () => {

@@ -26,20 +26,19 @@ export async function slide(page, id, places) {
   await waitUntilDone(page);
 }
 
-export async function drop(page, name, bytes) {
-  await page.evaluate(
-    (name, base64) => {
-      const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-      const dataTransfer = new DataTransfer();
-      dataTransfer.items.add(new File([bytes], name));
-      document.body.dataset.state = 'busy';
-      document.body.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
-    },
-    name,
-    Buffer.from(bytes).toString('base64'),
-  );
+/** `files`: [name, bytes], dropped together. */
+export async function dropFiles(page, files) {
+  await page.evaluate((files) => {
+    const dataTransfer = new DataTransfer();
+    for (const [name, base64] of files)
+      dataTransfer.items.add(new File([Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0))], name));
+    document.body.dataset.state = 'busy';
+    document.body.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+  }, files.map(([name, bytes]) => [name, Buffer.from(bytes).toString('base64')]));
   await waitUntilDone(page);
 }
+
+export const drop = (page, name, bytes) => dropFiles(page, [[name, bytes]]);
 
 /** How many colours a part of the canvas has; `from`, `to`: shares of its width. */
 export async function countColors(page, from = 0, to = 1) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 // A map in the page: its parts are read, and only those that changed when its folder is opened again.
+import { Superseded } from '../latest-job.js';
 import { showScale } from '../panel/scale.js';
 import { SEQUENTIAL as STOPS, roundLimit } from '../stage/heat.js';
 import { formatBytes } from '../units.js';
@@ -18,6 +19,8 @@ export class MapView {
   #stage;
   #parts = [];
   #frame = null;
+  #last = Promise.resolve();
+  #opened = 0; // how often, so that what is no longer wanted ends
 
   /** `job`: a LatestJob of map-worker. */
   constructor(find, job, stage) {
@@ -32,14 +35,19 @@ export class MapView {
 
   /** `files`: of mapOf(). Parts that changed are shown at once, in one frame. */
   async open({ manifest, parts: files }, onProgress) {
-    const { parts, frame } = await this.#job.run({ call: 'open', manifest: await manifest.arrayBuffer(), center: this.#frame?.center });
+    const turn = ++this.#opened;
+    const wanted = (result) => {
+      if (turn !== this.#opened) throw new Superseded();
+      return result;
+    };
+    const { parts, frame } = wanted(await this.#ask({ call: 'open', manifest, center: this.#frame?.center }));
     const { map } = this.#stage;
     const changed = parts.filter((part) => map.fileOf(keyOf(part)) !== part.file);
     const displays = [];
     for (const part of changed) {
       const file = files.get(part.file.split('/').pop());
       if (!file) throw new Error(`the map's folder does not have ${part.file}`);
-      displays.push(await this.#decode(part.number, await file.arrayBuffer()));
+      displays.push(wanted(await this.#ask({ call: 'part', number: part.number, file })));
       onProgress(displays.length / changed.length);
     }
     const keys = new Set(parts.map(keyOf));
@@ -53,18 +61,26 @@ export class MapView {
   /** The part `place` of the map from other bytes. */
   async replace(place, bytes) {
     const part = this.#parts[place];
-    this.#stage.map.setPart(keyOf(part), part.file, await this.#decode(part.number, bytes));
+    this.#stage.map.setPart(keyOf(part), part.file, await this.#ask({ call: 'part', number: part.number, file: new Blob([bytes]) }));
   }
 
-  #decode(number, bytes) {
-    return this.#job.run({ call: 'part', number, bytes }, { transfer: [bytes] });
+  /** One call after the other: new work would end the worker, which has the manifest. */
+  #ask(message) {
+    const answer = this.#last.then(() => this.#job.run(message));
+    this.#last = answer.catch(() => {});
+    return answer;
+  }
+
+  /** Gives up what is being opened; what is shown stays. */
+  cancel() {
+    ++this.#opened;
   }
 
   close() {
+    this.cancel();
     this.#frame = null;
     this.#parts = [];
     this.#stage.map.empty();
-    this.#job.cancel();
   }
 
   show({ shading, mapColor }) {

@@ -10,10 +10,17 @@ import { PLYLoader } from 'three/addons/loaders/PLYLoader.js';
 import { STLLoader } from 'three/addons/loaders/STLLoader.js';
 
 import { joinMeshes, meshOfGeometry } from './from-geometry.js';
+import { MESH_SUFFIXES, suffixOf } from './mesh-names.js';
+import { withOtherFiles } from './other-files.js';
+
+/** Bytes of a PLY file among which its header's end must be. */
+const MOST_HEADER = 2 ** 16;
 
 function readPly(buffer) {
+  const header = new TextDecoder('latin1').decode(buffer.slice(0, MOST_HEADER));
+  if (!header.includes('end_header')) throw new Error('its header has no end');
   const geometry = new PLYLoader().parse(buffer);
-  if (!geometry.index) throw new Error('this PLY file has no faces');
+  if (!geometry.index) throw new Error('it has no faces');
   return meshOfGeometry(geometry);
 }
 
@@ -30,7 +37,7 @@ function meshesOf(object, options) {
     if (!child.isMesh) return;
     meshes.push(meshOfGeometry(child.geometry.clone().applyMatrix4(child.matrixWorld), options));
   });
-  if (meshes.length === 0) throw new Error('this file has no triangles');
+  if (meshes.length === 0) throw new Error('it has no triangles');
   return joinMeshes(meshes);
 }
 
@@ -42,31 +49,52 @@ function readObj(buffer) {
   return meshesOf(group);
 }
 
-async function readGlb(buffer) {
+/** Of materials nothing is kept, so that their textures need not be read. */
+const withoutTextures = () => ({ name: 'without textures', loadTexture: async () => null });
+
+async function readGltf(buffer, { others }) {
   const deltamesh = new DeltameshLoader(undefined, { workers: 0 });
-  const loader = new GLTFLoader().setMeshoptDecoder(MeshoptDecoder).register(gltfDeltameshExtension(deltamesh));
-  const { scene } = await loader.parseAsync(buffer, '');
+  const loader = new GLTFLoader().setMeshoptDecoder(MeshoptDecoder).register(gltfDeltameshExtension(deltamesh)).register(withoutTextures);
+  const { scene } = await loader.parseAsync(withOtherFiles(buffer, others), '');
   deltamesh.dispose();
   return meshesOf(scene, { isLinear: true });
 }
 
-async function readDmsh(buffer, modules) {
+async function readDmsh(buffer, { modules }) {
   const decoder = await createDecoder({ files: modules });
   const mesh = await decoder.decode(new Uint8Array(buffer));
   if (mesh instanceof DeltameshError) throw mesh;
   return mesh;
 }
 
-const READERS = { ply: readPly, stl: readStl, obj: readObj, glb: readGlb, gltf: readGlb, dmsh: readDmsh };
+const READERS = { __proto__: null, ply: readPly, stl: readStl, obj: readObj, glb: readGltf, gltf: readGltf, dmsh: readDmsh };
+/** First letters of files that may have any name. */
+const MAGICS = { glTF: 'glb', DMSH: 'dmsh', 'ply\n': 'ply', 'ply\r': 'ply' };
 
-export const FILE_TYPES = Object.keys(READERS);
+const typeOf = (name, buffer) =>
+  MAGICS[new TextDecoder('latin1').decode(buffer.slice(0, 4))] ?? suffixOf(name);
 
-/** `modules`: the decoder's. Throws what a person can read. */
-export async function readMesh(name, buffer, modules) {
-  const type = name.split('.').pop().toLowerCase();
-  const read = READERS[type];
-  if (!read) throw new Error(`${name} is none of ${FILE_TYPES.map((known) => known.toUpperCase()).join(', ')}`);
-  const mesh = await read(buffer, modules);
-  if (mesh.indices.length === 0) throw new Error(`${name} has no triangles`);
-  return { origin: [0, 0, 0], ...mesh };
+/** Throws where a mesh is none that can be drawn and encoded. */
+function check({ positions, indices }) {
+  if (indices.length === 0) throw new Error('it has no triangles');
+  const count = positions.length / 3;
+  if (indices.some((index) => index >= count)) throw new Error(`a face has a vertex that is none of its ${count}`);
+  if (!positions.every(Number.isFinite)) throw new Error('a coordinate is not a finite number');
+}
+
+/** `others`: files that a .gltf may need. `modules`: the decoder's. Throws what a person can read. */
+export async function readMesh(file, { others = [], modules }) {
+  const { name, size } = file;
+  if (size === 0) throw new Error(`${name} is empty`);
+  const buffer = await file.arrayBuffer();
+  const type = typeOf(name, buffer);
+  if (!READERS[type]) throw new Error(`${name} is none of ${MESH_SUFFIXES.join(', ').toUpperCase()}`);
+  try {
+    const mesh = await READERS[type](buffer, { others, modules });
+    check(mesh);
+    return { origin: [0, 0, 0], ...mesh };
+  } catch (error) {
+    const what = error instanceof RangeError ? `it is cut off, damaged or too large (${error.message})` : error.message;
+    throw new Error(`${name} cannot be opened as ${type.toUpperCase()}: ${what}`);
+  }
 }

@@ -3,13 +3,14 @@
 // Files from the buttons or dropped on the page, and folders.
 import { filesOfFolders } from '../map/map-files.js';
 
-export function openFiles({ input, folderInput, hint }, onFile, onFolder) {
+/** `onFiles`: gets files that are chosen or dropped together; `onFolder`: those of a folder. */
+export function openFiles({ input, folderInput, hint }, onFiles, onFolder) {
   folderInput.addEventListener('change', () => {
     onFolder([...folderInput.files]);
     folderInput.value = '';
   });
   input.addEventListener('change', () => {
-    if (input.files[0]) onFile(input.files[0]);
+    if (input.files.length > 0) onFiles([...input.files]);
     input.value = '';
   });
   let depth = 0; // of elements that the pointer is in
@@ -23,10 +24,10 @@ export function openFiles({ input, folderInput, hint }, onFile, onFolder) {
   document.addEventListener('drop', async (event) => {
     event.preventDefault();
     show(-depth);
-    const [file] = event.dataTransfer.files;
+    const files = [...event.dataTransfer.files];
     const inFolders = await filesOfFolders(event.dataTransfer);
     if (inFolders.length > 0) onFolder(inFolders);
-    else if (file) onFile(file);
+    else if (files.length > 0) onFiles(files);
   });
 }
 

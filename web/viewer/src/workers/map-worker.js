@@ -28,17 +28,17 @@ function frameOfParts(parts) {
 
 answerCalls({
   setup: () => (module = WebAssembly.compileStreaming(fetch(new URL('./map.wasm', import.meta.url)))),
-  /** `center`: of the picture, where there is one already. */
+  /** `manifest`: a file. `center`: of the picture, where there is one already. */
   open: async ({ manifest, center }) => {
-    map = check(await openMap(new Uint8Array(manifest), { file: module }));
+    map = check(await openMap(new Uint8Array(await manifest.arrayBuffer()), { file: module }));
     const parts = map.parts.map((part, number) => ({ ...part, number })).filter(({ isFinest }) => isFinest);
     if (parts.length === 0) throw new Error('the map has no parts');
     frame = frameOfParts(parts);
     if (center) frame.center = center;
     return { result: { parts, frame } };
   },
-  part: ({ number, bytes }) => {
-    const display = displayOf(check(map.decode(number, new Uint8Array(bytes))), frame);
+  part: async ({ number, file }) => {
+    const display = displayOf(check(map.decode(number, new Uint8Array(await file.arrayBuffer()))), frame);
     return { result: display, transfer: buffersOf(display) };
   },
 });

@@ -22,7 +22,7 @@ function shown(mesh) {
 
 answerCalls({
   setup: (message) => ({ modules } = message),
-  read: async ({ name, buffer }) => shown(await readMesh(name, buffer, modules)),
+  read: async ({ file, others }) => shown(await readMesh(file, { others, modules })),
   example: ({ name }) => shown(makeExample(name)),
   edges: ({ indices, count }) => {
     const edges = uniqueEdges(indices, count);
