@@ -53,8 +53,8 @@ class Page {
   change(id, value) {
     this.#settings[id] = value;
     this.keepLink();
-    this.#showPicture();
     if (ENCODING.includes(id)) this.encodeSoon();
+    else this.#showPicture();
   }
 
   keepLink() {
@@ -101,8 +101,7 @@ class Page {
       return undefined;
     }
     const [file] = meshes;
-    find('example').value = 'file';
-    return this.#open(file.name, () => this.workshop.read(file, files.filter((other) => other !== file)));
+    return this.#open('file', file.name, () => this.workshop.read(file, files.filter((other) => other !== file)));
   }
 
   /** The folder of a map; of one that is open the parts that changed. */
@@ -147,16 +146,17 @@ class Page {
 
   openExample(name) {
     this.#settings.example = Object.hasOwn(EXAMPLES, name) ? name : 'knot';
-    find('example').value = this.#settings.example;
     this.keepLink();
-    return this.#open(EXAMPLES[this.#settings.example].label, () => this.workshop.example(this.#settings.example));
+    return this.#open(this.#settings.example, EXAMPLES[this.#settings.example].label, () => this.workshop.example(this.#settings.example));
   }
 
-  async #open(name, read) {
+  /** `example`: what the list of examples says then. */
+  async #open(example, name, read) {
     this.#stop();
     this.#tell(`Reading ${name}`);
     try {
       const { mesh, frame, display } = await read();
+      find('example').value = example;
       this.map.close();
       this.#showMapPanel(false);
       this.#source = { mesh, frame };

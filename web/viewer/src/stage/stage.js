@@ -10,11 +10,14 @@ import { Surface } from './surface.js';
 
 const FIELD_OF_VIEW = 40;
 
-/** Parts of the canvas from `from` to `to`, shares of its width; `isWhole`: the camera sees all of the width. */
+/**
+ * Parts of the canvas from `from` to `to`, shares of its width; `isWhole`: the camera sees all of the width. The result comes first: its
+ * arrays are the new ones, which would wait for what is drawn before them.
+ */
 function panesOf(view, split) {
-  if (view === 'side') return [{ name: 'original', from: 0, to: 0.5 }, { name: 'result', from: 0.5, to: 1 }];
+  if (view === 'side') return [{ name: 'result', from: 0.5, to: 1 }, { name: 'original', from: 0, to: 0.5 }];
   if (view === 'split') {
-    return [{ name: 'original', from: 0, to: split, isWhole: true }, { name: 'result', from: split, to: 1, isWhole: true }];
+    return [{ name: 'result', from: split, to: 1, isWhole: true }, { name: 'original', from: 0, to: split, isWhole: true }];
   }
   return [{ name: view, from: 0, to: 1 }];
 }
@@ -30,6 +33,7 @@ export class Stage {
   #view = 'side';
   #split = 0.5;
   #isWaiting = false;
+  #fence = null; // behind the last drawing, in the queue of the graphics card
 
   constructor(canvas) {
     this.#renderer = new WebGLRenderer({ canvas, antialias: true });
@@ -75,14 +79,28 @@ export class Stage {
     this.draw();
   }
 
-  /** With the next frame. */
+  /** With the next frame for which the graphics card is free: to hand more to one that is busy would stop the page. */
   draw() {
     if (this.#isWaiting) return;
     this.#isWaiting = true;
-    requestAnimationFrame(() => {
+    const attempt = () => {
+      if (this.#isBusy()) return requestAnimationFrame(attempt);
       this.#isWaiting = false;
       this.#drawNow();
-    });
+      const gl = this.#renderer.getContext();
+      this.#fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+      return gl.flush();
+    };
+    requestAnimationFrame(attempt);
+  }
+
+  #isBusy() {
+    const gl = this.#renderer.getContext();
+    if (!this.#fence || gl.isContextLost()) return false;
+    if (gl.getSyncParameter(this.#fence, gl.SYNC_STATUS) !== gl.SIGNALED) return true;
+    gl.deleteSync(this.#fence);
+    this.#fence = null;
+    return false;
   }
 
   #resize() {
