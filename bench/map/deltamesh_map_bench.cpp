@@ -5,10 +5,10 @@
 // block; and what need not be sent as it is good enough.
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <string>
 #include <vector>
 
@@ -23,8 +23,6 @@
 namespace deltamesh::bench {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr int kColorError = 4;      // of 255
 constexpr double kMaxError = 0.05;  // voxels
 constexpr double kCoarse = 0.25;    // voxels, where older versions may stay
@@ -32,8 +30,25 @@ constexpr double kCoarse = 0.25;    // voxels, where older versions may stay
 struct Settings {
   std::uint32_t most_triangles = 24576;  // parts of up to 12 KB at these errors
   int effort = 0;
+  int rounds = 3;
   bool compares = false;
 };
+
+double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+/// Adds the seconds of `work` to `sum`.
+template <class Work>
+void add_seconds(double& sum, Work&& work) {
+  const double start = processor_seconds();
+  work();
+  sum += processor_seconds() - start;
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
 
 template <class R>
 void check(const R& result) {
@@ -53,9 +68,11 @@ struct Sums {
   std::uint64_t bytes = 0;
   std::uint64_t sent = 0;
   std::uint64_t kept = 0;
-  double encode = 0;
+  double encode = 0;  ///< seconds of processor time, as all times here
   double decode = 0;
-  double largest_error = 0;  ///< of the receiver's map against the source, model units; where measured
+  double join = 0;            ///< of the parts that an update changed, to one mesh
+  double largest_update = 0;  ///< encode, decode and join
+  double largest_error = 0;   ///< of the receiver's map against the source, model units; where measured
 };
 
 MapDescription description_of(const MapUpdates& updates, double max_error) {
@@ -84,10 +101,16 @@ MapDescription primed(const MapDescription& description, const MapUpdates& updat
   return value_or_exit(with_primers(description, parts, quality));
 }
 
-double error_of(const MapReceiver& receiver, const Mesh& source) {
+Mesh join_parts(const MapReceiver& receiver, const std::vector<PartKey>& keys) {
   std::vector<MapPart> parts;
-  for (const PartKey& key : receiver.shown()) parts.push_back(*receiver.find(key));
-  const Mesh joined = value_or_exit(join(parts));
+  for (const PartKey& key : keys) parts.push_back(*receiver.find(key));
+  return value_or_exit(join(parts));
+}
+
+void join_changed(MapReceiver& receiver) { join_parts(receiver, receiver.take_change().changed); }
+
+double error_of(const MapReceiver& receiver, const Mesh& source) {
+  const Mesh joined = join_parts(receiver, receiver.shown());
   const Comparison comparison = value_or_exit(compare(source, joined));
   return comparison.corresponding ? comparison.quality.max_error : comparison.surface_max;
 }
@@ -110,15 +133,12 @@ Sums run_map(const MapUpdates& updates, double max_error, bool keeps_good_enough
   double now = 0;
   const auto exchange = [&] {
     check(sender.hear(value_or_exit(receiver.view_message()), now += 2));
-    const auto start = Clock::now();
-    const auto messages = value_or_exit(sender.messages_for(1, now));
-    const auto middle = Clock::now();
-    for (const auto& message : messages) {
-      sums.bytes += message.size();
-      check(receiver.apply(message));
-    }
-    sums.encode += std::chrono::duration<double>(middle - start).count();
-    sums.decode += std::chrono::duration<double>(Clock::now() - middle).count();
+    std::vector<std::vector<std::byte>> messages;
+    add_seconds(sums.encode, [&] { messages = value_or_exit(sender.messages_for(1, now)); });
+    for (const auto& message : messages) sums.bytes += message.size();
+    add_seconds(sums.decode, [&] {
+      for (const auto& message : messages) check(receiver.apply(message));
+    });
   };
   exchange();  // the map's message
   for (std::size_t i = 0; i < updates.steps.size(); ++i) {
@@ -126,10 +146,11 @@ Sums run_map(const MapUpdates& updates, double max_error, bool keeps_good_enough
     std::vector<MapBlock> blocks;
     for (const SequenceBlock& block : updates.steps[i].changed) blocks.push_back({block.id, block.mesh});
     for (const SequenceBlockId& id : updates.steps[i].removed) blocks.push_back({id, nothing});
-    const auto start = Clock::now();
-    check(sender.update(blocks));
-    sums.encode += std::chrono::duration<double>(Clock::now() - start).count();
+    const double before = sums.encode + sums.decode + sums.join;
+    add_seconds(sums.encode, [&] { check(sender.update(blocks)); });
     exchange();
+    add_seconds(sums.join, [&] { join_changed(receiver); });
+    sums.largest_update = std::max(sums.largest_update, sums.encode + sums.decode + sums.join - before);
     if (measures) sums.largest_error = std::max(sums.largest_error, error_of(receiver, updates.wholes[i]));
   }
   sums.sent = sender.counts().parts_sent;
@@ -157,6 +178,28 @@ double ratio(T a, T b) {
   return b == 0 ? 0 : static_cast<double>(a) / static_cast<double>(b);
 }
 
+Sums draco_of(const MapUpdates& updates) {
+  const double fine = kMaxError * updates.voxel;
+  return run_blocks(updates, [&](const Mesh& block) { return draco_block(block, fine, kColorError); });
+}
+
+/// Medians of rounds in which Draco and the map take turns.
+void print_times(const MapUpdates& updates, double max_error, const Settings& settings) {
+  const auto count = static_cast<double>(updates.steps.size());
+  std::vector<double> encode, decode, join, largest, ratios;
+  for (int i = 0; i < settings.rounds; ++i) {
+    const Sums draco = draco_of(updates);
+    const Sums map = run_map(updates, max_error, true, false, settings);
+    encode.push_back(1e3 * map.encode / count);
+    decode.push_back(1e3 * map.decode / count);
+    join.push_back(1e3 * map.join / count);
+    largest.push_back(1e3 * map.largest_update);
+    ratios.push_back((map.encode + map.decode + map.join) / (draco.encode + draco.decode));
+  }
+  std::printf(" %.1f | %.1f | %.1f | %.1f | %.2f |\n", median(encode), median(decode), median(join),
+              median(largest), median(ratios));
+}
+
 void run(const MapUpdates& updates, const Settings& settings) {
   const auto count = static_cast<double>(updates.steps.size());
   const double fine = kMaxError * updates.voxel;
@@ -164,15 +207,13 @@ void run(const MapUpdates& updates, const Settings& settings) {
   for (const SequenceStep& step : updates.steps)
     for (const SequenceBlock& block : step.changed) raw += raw_bytes(block.mesh);
   const Sums map = run_map(updates, fine, true, settings.compares, settings);
-  const Sums draco =
-      run_blocks(updates, [&](const Mesh& block) { return draco_block(block, fine, kColorError); });
+  const Sums draco = draco_of(updates);
   const Sums plain = run_blocks(
       updates, [&](const Mesh& block) { return plain_block(block, fine, kColorError, settings.effort); });
-  std::printf("| %s | %zu | %.1f | %.0f | %.3f | %.3f | %.3f | %.1f | %.1f | %.2f |\n", updates.name.c_str(),
-              updates.steps.size(), static_cast<double>(draco.sent) / count,
-              static_cast<double>(map.bytes) / count, ratio(map.bytes, raw), ratio(map.bytes, draco.bytes),
-              ratio(map.bytes, plain.bytes), 1e3 * map.encode / count, 1e3 * map.decode / count,
-              ratio(map.encode + map.decode, draco.encode + draco.decode));
+  std::printf("| %s | %zu | %.1f | %.0f | %.3f | %.3f | %.3f |", updates.name.c_str(), updates.steps.size(),
+              static_cast<double>(draco.sent) / count, static_cast<double>(map.bytes) / count,
+              ratio(map.bytes, raw), ratio(map.bytes, draco.bytes), ratio(map.bytes, plain.bytes));
+  print_times(updates, fine, settings);
   std::fflush(stdout);
 
   const double coarse = kCoarse * updates.voxel;
@@ -209,12 +250,16 @@ int main(int argc, char** argv) {
   app.add_option("--most-triangles", settings.most_triangles, "Of a part of several blocks")
       ->capture_default_str();
   app.add_option("--effort", settings.effort, "Of encoding, 0 to 9")->capture_default_str();
+  app.add_option("--rounds", settings.rounds, "Of which times are the medians")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
   app.add_flag("--compare", settings.compares, "Measure the receiver's map after every update");
   CLI11_PARSE(app, argc, argv);
   std::printf(
+      "Times are of one processor, ms an update.\n"
       "| sequence | updates | blocks an update | bytes an update | of raw | of Draco | of plain streams | "
-      "encode, ms "
-      "an update | decode, ms an update | time of Draco's |\n|---|---|---|---|---|---|---|---|---|---|\n");
+      "encode | decode | join | all of the longest | all over Draco's |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   for (const std::string& folder : folders)
     run(value_or_exit(read_updates(folder, folder.substr(folder.find_last_of('/') + 1))), settings);
   if (!wholes.empty())

@@ -6,10 +6,10 @@
 #include <draco/compression/encode.h>
 #include <draco/mesh/mesh.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <vector>
 
 #include "deltamesh/decode.h"
@@ -19,11 +19,7 @@
 namespace deltamesh::bench {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
+double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 void add_values(draco::Mesh& mesh, draco::GeometryAttribute::Type type, draco::DataType data_type,
                 std::size_t size, std::span<const std::byte> values) {
@@ -62,7 +58,7 @@ std::size_t raw_bytes(const Mesh& block) {
 
 CodedBlock draco_block(const Mesh& block, double max_error, int color_error) {
   CodedBlock coded;
-  auto start = Clock::now();
+  double start = processor_seconds();
   draco::Mesh input;
   input.set_num_points(static_cast<std::uint32_t>(block.vertex_count()));
   input.SetNumFaces(block.triangle_count());
@@ -82,12 +78,12 @@ CodedBlock draco_block(const Mesh& block, double max_error, int color_error) {
   draco::EncoderBuffer buffer;
   if (!encoder.EncodeMeshToBuffer(input, &buffer).ok()) fail("Draco cannot encode a block");
   coded.bytes = buffer.size();
-  coded.encode_seconds = seconds_since(start);
-  start = Clock::now();
+  coded.encode_seconds = processor_seconds() - start;
+  start = processor_seconds();
   draco::DecoderBuffer stream;
   stream.Init(buffer.data(), buffer.size());
   if (!draco::Decoder().DecodeMeshFromBuffer(&stream).ok()) fail("Draco cannot decode a block");
-  coded.decode_seconds = seconds_since(start);
+  coded.decode_seconds = processor_seconds() - start;
   return coded;
 }
 
@@ -97,14 +93,14 @@ CodedBlock plain_block(const Mesh& block, double max_error, int color_error, int
   options.attributes.color_error = color_error;
   options.effort = effort;
   CodedBlock coded;
-  auto start = Clock::now();
+  double start = processor_seconds();
   const auto encoded = encode(block, options);
   if (!encoded) fail(encoded.error().message);
   coded.bytes = encoded->bytes.size();
-  coded.encode_seconds = seconds_since(start);
-  start = Clock::now();
+  coded.encode_seconds = processor_seconds() - start;
+  start = processor_seconds();
   if (!decode(encoded->bytes)) fail("a stream cannot be decoded");
-  coded.decode_seconds = seconds_since(start);
+  coded.decode_seconds = processor_seconds() - start;
   return coded;
 }
 
