@@ -13,44 +13,105 @@
 namespace deltamesh {
 namespace {
 
-/// Everybody who wants any part gets the primers first, so that they stay small, whatever they would save.
+/// Every receiver gets the primers before any part, so that they stay small, whatever they would save.
 constexpr std::size_t kUsualPrimerBytes = std::size_t{1} << 14;
 constexpr double kWorthAnother = 0.998;  ///< of the bytes without
-
 constexpr std::size_t kMostSampled = 12;
+constexpr std::size_t kMostTried = 8;
 
-/// The number of bytes of a map with a primer, as far as a sample tells.
-Result<double> price(const MapDescription& description, std::span<const MapPart> parts,
-                     std::span<const std::size_t> sample, const PartQuality& quality) {
-  DELTAMESH_TRY(const MapCodec codec, MapCodec::open(description));
-  double bytes = 0;
-  double triangles = 0;
-  double all = 0;
-  for (const MapPart& part : parts) all += static_cast<double>(part.mesh.triangle_count());
-  for (const std::size_t i : sample) {
-    DELTAMESH_TRY(const CodedPart coded, codec.encode(parts[i], quality));
-    bytes += static_cast<double>(coded.bytes.size());
-    triangles += static_cast<double>(parts[i].mesh.triangle_count());
+/// A part that the others are measured by.
+struct SampledPart {
+  std::size_t part;
+  double bytes;  ///< with the primers so far
+};
+
+/// Chooses primers among parts, the largest first.
+class PrimerSearch {
+ public:
+  /// `parts`: at least one.
+  PrimerSearch(MapDescription description, std::span<const MapPart> parts, const PartQuality& quality)
+      : description_(std::move(description)), parts_(parts), quality_(quality) {}
+
+  Result<MapDescription> run() {
+    DELTAMESH_CHECK(take_sample());
+    for (const std::size_t part : candidates()) DELTAMESH_CHECK(try_part(part));
+    return std::move(description_);
   }
-  return bytes / triangles * all;  // the primer's own part is next to nothing then
-}
 
-/// `description` with one more primer.
-Result<MapDescription> with_another(MapDescription description, const MapPart& part,
-                                    const PartQuality& quality) {
-  DELTAMESH_TRY(const MapCodec codec, MapCodec::open(description));
-  DELTAMESH_TRY(MapPrimer primer, make_primer(codec, part, quality));
-  description.primers.push_back(std::move(primer));
-  return description;
-}
+ private:
+  /// Parts evenly over all.
+  Result<void> take_sample() {
+    DELTAMESH_TRY(const MapCodec codec, MapCodec::open(description_));
+    const std::size_t count = std::min(parts_.size(), kMostSampled);
+    double bytes = 0;
+    double triangles = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t part = (2 * i + 1) * parts_.size() / (2 * count);
+      DELTAMESH_TRY(const double size, size_of(codec, part));
+      sample_.push_back({part, size});
+      bytes += size;
+      triangles += triangles_of(part);
+    }
+    double all = 0;
+    for (std::size_t i = 0; i < parts_.size(); ++i) all += triangles_of(i);
+    rest_ = bytes / triangles * all;
+    return {};
+  }
 
-/// Evenly over `count` places.
-std::vector<std::size_t> spread(std::size_t count, std::size_t most) {
-  std::vector<std::size_t> places;
-  const std::size_t number = std::min(count, most);
-  for (std::size_t i = 0; i < number; ++i) places.push_back((2 * i + 1) * count / (2 * number));
-  return places;
-}
+  std::vector<std::size_t> candidates() const {
+    std::vector<std::size_t> by_size(parts_.size());
+    for (std::size_t i = 0; i < by_size.size(); ++i) by_size[i] = i;
+    std::ranges::stable_sort(by_size, std::greater<>(), [&](std::size_t i) { return triangles_of(i); });
+    by_size.resize(std::min(by_size.size(), kMostTried));
+    return by_size;
+  }
+
+  /// Takes the part if it pays: as a primer it has as many bytes as before, and the others have fewer.
+  Result<void> try_part(std::size_t part) {
+    DELTAMESH_TRY(const MapCodec before, MapCodec::open(description_));
+    MapDescription candidate = description_;
+    DELTAMESH_TRY(candidate.primers.emplace_back(), make_primer(before, parts_[part], quality_));
+    const std::size_t own = candidate.primers.back().stream.size() + candidate.primers.back().border.size();
+    if (primer_bytes_ > 0 && primer_bytes_ + own > kUsualPrimerBytes) return {};
+    if (!validate(candidate)) return {};
+    DELTAMESH_TRY(const MapCodec after, MapCodec::open(candidate));
+    std::vector<SampledPart> sample;
+    double bytes_before = 0;
+    double bytes_after = 0;
+    for (const SampledPart& sampled : sample_) {
+      if (sampled.part == part) continue;
+      DELTAMESH_TRY(const double size, size_of(after, sampled.part));
+      sample.push_back({sampled.part, size});
+      bytes_before += sampled.bytes;
+      bytes_after += size;
+    }
+    if (sample.empty()) return {};
+    const double others = std::max(rest_ - static_cast<double>(own), 0.0);
+    const double saved = others * (1 - bytes_after / bytes_before);
+    if (saved < (1 - kWorthAnother) * (static_cast<double>(primer_bytes_) + rest_)) return {};
+    description_ = std::move(candidate);
+    sample_ = std::move(sample);
+    primer_bytes_ += own;
+    rest_ = others - saved;
+    return {};
+  }
+
+  Result<double> size_of(const MapCodec& codec, std::size_t part) const {
+    DELTAMESH_TRY(const CodedPart coded, codec.encode(parts_[part], quality_));
+    return static_cast<double>(coded.bytes.size());
+  }
+
+  double triangles_of(std::size_t part) const noexcept {
+    return static_cast<double>(parts_[part].mesh.triangle_count());
+  }
+
+  MapDescription description_;  ///< with the primers so far
+  std::span<const MapPart> parts_;
+  const PartQuality& quality_;
+  std::vector<SampledPart> sample_;  ///< without primers
+  std::size_t primer_bytes_ = 0;
+  double rest_ = 0;  ///< bytes of the parts that are no primers, as far as the sample tells
+};
 
 }  // namespace
 
@@ -58,26 +119,8 @@ Result<MapDescription> with_primers(MapDescription description, std::span<const 
                                     const PartQuality& quality) noexcept {
   return guarded([&]() -> Result<MapDescription> {
     description.primers.clear();
-
     if (parts.size() < 2) return description;
-    std::vector<std::size_t> by_size(parts.size());
-    for (std::size_t i = 0; i < parts.size(); ++i) by_size[i] = i;
-    std::ranges::stable_sort(by_size, std::greater<>(),
-                             [&](std::size_t i) { return parts[i].mesh.triangle_count(); });
-    const auto sample = spread(parts.size(), kMostSampled);
-    MapDescription best = description;
-    DELTAMESH_TRY(double least, price(description, parts, sample, quality));
-    std::size_t bytes = 0;
-    for (const std::size_t i : by_size) {
-      DELTAMESH_TRY(MapDescription candidate, with_another(best, parts[i], quality));
-      bytes += candidate.primers.back().stream.size() + candidate.primers.back().border.size();
-      if (!validate(candidate) || (!best.primers.empty() && bytes > kUsualPrimerBytes)) break;
-      DELTAMESH_TRY(const double now, price(candidate, parts, sample, quality));
-      if (now > kWorthAnother * least) break;
-      least = now;
-      best = std::move(candidate);
-    }
-    return best;
+    return PrimerSearch(std::move(description), parts, quality).run();
   });
 }
 
