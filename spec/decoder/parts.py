@@ -44,10 +44,10 @@ class Map:
         level, *cell = key
         return [self.step * (x * 2**level * self.cell_steps + o) for x, o in zip(cell, self.cell_origin)]
 
-    def check(self, key, covered, stored):
+    def check(self, key, covered, stored, tag="MAP-7"):
         seed = xxhash.xxh3_64_intdigest(struct.pack("<QBiii", self.hash, *key))
         digest = xxhash.xxh3_64_intdigest(covered, seed=seed) % 2**32
-        must(struct.pack("<I", digest) == stored, "MAP-7", "the checksum does not match")
+        must(struct.pack("<I", digest) == stored, tag, "the checksum does not match")
 
     def MAP_7_part(self, key, octets):
         """The mesh of a part, relative to the map's origin; `key` is (level, x, y, z)."""

@@ -29,7 +29,7 @@ def MAP_17_part(described, key, octets):
     return mesh
 
 def MAP_17_apply(described, key, base, base_hash, patch):
-    described.check(key, base_hash + patch[:-4], patch[-4:])
+    described.check(key, base_hash + patch[:-4], patch[-4:], "MAP-17")
     r = Reader(patch[:-4])
     plan, octets = Coder(r.bytes(r.varint())), r.rest()
     must(octets[:1] != b"\4", "MAP-17", "the inserted part is patched")

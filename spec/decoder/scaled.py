@@ -26,5 +26,5 @@ def FLD_15_quantity(x):
     return min(4 * (y.bit_length() - 3) + ((y >> (y.bit_length() - 3)) & 3), 23)
 
 def ATTR_52_near(near, s):
-    """u"""
+    """e"""
     return sum(k <= (near * (2**20 // (s + 2))) >> 16 for k in (2, 5, 10, 16, 27))

@@ -202,8 +202,9 @@ TEST_F(MapPatch, MAP17DamagedPatchesAreRefused) {
     Bytes damaged = patch->body;
     damaged[i] ^= std::byte{1};
     EXPECT_EQ(apply(hash, damaged).error().code, ErrorCode::kCorrupt);
+    EXPECT_STREQ(apply(hash, damaged).error().rule, "MAP-17");
     damaged.resize(i);
-    EXPECT_FALSE(apply(hash, damaged));
+    EXPECT_STREQ(apply(hash, damaged).error().rule, "MAP-17");
   }
 }
 
