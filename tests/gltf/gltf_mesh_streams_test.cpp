@@ -19,18 +19,13 @@ using test::expect_same_soups;
 using test::GltfBuilder;
 using test::Json;
 using test::kExtension;
+using test::lossless;
 using test::make_sheet;
 using test::OpenedGlb;
 using test::pack_ok;
 using test::Sheet;
 using test::unpack_ok;
 using test::with_ids;
-
-GltfPackOptions lossless() {
-  GltfPackOptions options;
-  options.encode.lossless = true;
-  return options;
-}
 
 /// Adds a mesh: a sheet in two primitives that share accessors.
 void add_split_sheet(GltfBuilder& builder) {
@@ -202,7 +197,7 @@ TEST(GltfMeshStreams, EqualContentIsCodedOnce) {
   const OpenedGlb small(packed.asset);
   EXPECT_EQ(small.primitive(0, 0), small.primitive(1, 0));
   EXPECT_EQ(small.primitive(0, 1), small.primitive(1, 1));
-  EXPECT_EQ(small.json["accessors"].size(), 5U);  // none is left that nobody names
+  EXPECT_EQ(small.json["accessors"].size(), 5U);  // none is left unused
 }
 
 TEST(GltfMeshStreams, MeshesOfSharedAccessorsButOtherVerticesAreStreamsOfTheirOwn) {

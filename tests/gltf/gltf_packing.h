@@ -34,6 +34,12 @@ inline GltfPackOptions with_fallback() {
   return options;
 }
 
+inline GltfPackOptions lossless() {
+  GltfPackOptions options;
+  options.encode.lossless = true;
+  return options;
+}
+
 inline std::vector<float> positions_of(const OpenedGlb& glb, const Json& primitive) {
   return glb.values<float>(primitive["attributes"]["POSITION"]);
 }

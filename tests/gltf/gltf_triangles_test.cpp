@@ -20,18 +20,13 @@ using test::expect_no_cracks;
 using test::expect_same_soups;
 using test::GltfBuilder;
 using test::Json;
+using test::lossless;
 using test::make_sheet;
 using test::OpenedGlb;
 using test::pack_ok;
 using test::Sheet;
 using test::unpack_ok;
 using test::with_ids;
-
-GltfPackOptions lossless() {
-  GltfPackOptions options;
-  options.encode.lossless = true;
-  return options;
-}
 
 TEST(GltfTriangles, BothZerosAreOnePlace) {
   GltfBuilder builder;

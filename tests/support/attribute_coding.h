@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 #include <numeric>
 #include <span>
 #include <vector>
@@ -25,6 +26,25 @@ inline std::vector<std::uint32_t> identity(std::uint32_t count) {
   std::vector<std::uint32_t> order(count);
   std::iota(order.begin(), order.end(), 0U);
   return order;
+}
+
+template <class T>
+std::vector<T> numbers(const Attribute& a) {
+  std::vector<T> result(a.values.size() / sizeof(T));
+  if (!result.empty()) std::memcpy(result.data(), a.values.data(), a.values.size());
+  return result;
+}
+
+/// The triangles of a grid of side x side vertices.
+inline std::vector<std::uint32_t> grid_of(std::uint32_t side) {
+  std::vector<std::uint32_t> triangles;
+  for (std::uint32_t y = 0; y + 1 < side; ++y) {
+    for (std::uint32_t x = 0; x + 1 < side; ++x) {
+      const std::uint32_t v = y * side + x;
+      triangles.insert(triangles.end(), {v, v + 1, v + side, v + 1, v + side + 1, v + side});
+    }
+  }
+  return triangles;
 }
 
 /// Bounds that no coding may use: everything is exact.

@@ -25,28 +25,17 @@
 namespace deltamesh {
 namespace {
 
+using test::grid_of;
 using test::identity;
+using test::numbers;
 using test::rows;
 
 constexpr std::uint32_t kSide = 24;
 constexpr std::uint32_t kVertices = kSide * kSide;
 
-/// A grid of kSide x kSide vertices.
-std::vector<std::uint32_t> grid() {
-  std::vector<std::uint32_t> triangles;
-  for (std::uint32_t y = 0; y + 1 < kSide; ++y) {
-    for (std::uint32_t x = 0; x + 1 < kSide; ++x) {
-      const std::uint32_t v = y * kSide + x;
-      for (const std::uint32_t corner : {v, v + 1, v + kSide, v + 1, v + kSide + 1, v + kSide})
-        triangles.push_back(corner);
-    }
-  }
-  return triangles;
-}
-
 /// The same with every vertex twice, the second copies at the faces of odd numbers.
 struct CopiedGrid {
-  std::vector<std::uint32_t> triangles = grid();
+  std::vector<std::uint32_t> triangles = grid_of(kSide);
   std::vector<std::uint32_t> geometric;
   CopiedGrid() {
     for (std::uint32_t v = 0; v < 2 * kVertices; ++v) geometric.push_back(v / 2);
@@ -67,13 +56,6 @@ Attribute make(ComponentType type, int components, const std::vector<T>& numbers
   return a;
 }
 
-template <class T>
-std::vector<T> numbers(const Attribute& a) {
-  std::vector<T> result(a.values.size() / sizeof(T));
-  if (!result.empty()) std::memcpy(result.data(), a.values.data(), a.values.size());
-  return result;
-}
-
 /// Writes and reads back; a reader gets what the writer said.
 CodedAttribute code(const Attribute& a, double bound, const AttributeSurface& surface) {
   AttributeQuality quality;
@@ -90,7 +72,7 @@ CodedAttribute code(const Attribute& a, double bound, const AttributeSurface& su
 }
 
 CodedAttribute code(const Attribute& a, double bound = 0) {
-  const auto triangles = grid();
+  const auto triangles = grid_of(kSide);
   return code(a, bound, {triangles, rows(a)});
 }
 
@@ -244,7 +226,7 @@ TEST(Lattice, ATTR56FloatsAreExactAndPredicted) {
 }
 
 TEST(Lattice, ATTR56WhatMustBeExactIsPredictedWhateverItsKind) {
-  const auto triangles = grid();
+  const auto triangles = grid_of(kSide);
   const AttributeQuality exactly{.normal_error = 0, .tangent_error = 0, .uv_error = 0, .weight_error = 0};
   struct Case {
     AttributeKind kind;
@@ -279,7 +261,7 @@ TEST(Lattice, ATTR56NumbersUpToTheLargestAreExact) {
 }
 
 TEST(Lattice, ATTR4ExactFloatsHaveAPlainFormToo) {
-  const auto triangles = grid();
+  const auto triangles = grid_of(kSide);
   const AttributeSurface surface(triangles, kVertices);
   const Attribute a = make(ComponentType::kF32, 1, waves<float>(1));
   const AttributeQuality quality;
@@ -358,7 +340,7 @@ TEST(Lattice, ATTR59WhatRestsIsExactAndCostsNearlyNothing) {
   std::vector<float> twice;
   for (std::uint32_t v = 0; v < 2 * kVertices; ++v)
     twice.insert(twice.end(), moving.begin() + 3 * (v / 2), moving.begin() + 3 * (v / 2) + 3);
-  const auto triangles = grid();
+  const auto triangles = grid_of(kSide);
   const AttributeQuality quality{.named = {{"thing", 1e-3}}};
   for (const int effort : {0, 5}) {
     for (const bool is_copied : {false, true}) {
@@ -472,7 +454,7 @@ TEST(Lattice, ATTR56NumbersBeyondTheLatticeAreRefused) {
   const std::size_t at = in.position();
   ASSERT_NE(coded.compact[at] & std::byte{0x7f}, std::byte{0});
   coded.compact[at] = static_cast<std::byte>(std::to_integer<unsigned>(coded.compact[at]) - 1);
-  const auto triangles = grid();
+  const auto triangles = grid_of(kSide);
   const auto read = read_attribute(Payload::compact(coded.compact), coded.descriptor,
                                    AttributeSurface(triangles, kVertices), {}, 1 << 20);
   ASSERT_FALSE(read);

@@ -25,23 +25,13 @@
 namespace deltamesh {
 namespace {
 
+using test::grid_of;
 using test::identity;
+using test::numbers;
 using test::rows;
 
 constexpr std::uint32_t kSide = 30;
 constexpr std::uint32_t kVertices = kSide * kSide;
-
-std::vector<std::uint32_t> grid() {
-  std::vector<std::uint32_t> triangles;
-  for (std::uint32_t y = 0; y + 1 < kSide; ++y) {
-    for (std::uint32_t x = 0; x + 1 < kSide; ++x) {
-      const std::uint32_t v = y * kSide + x;
-      for (const std::uint32_t corner : {v, v + 1, v + kSide, v + 1, v + kSide + 1, v + kSide})
-        triangles.push_back(corner);
-    }
-  }
-  return triangles;
-}
 
 template <class T>
 Attribute make(AttributeKind kind, ComponentType type, const std::string& name,
@@ -50,13 +40,6 @@ Attribute make(AttributeKind kind, ComponentType type, const std::string& name,
   const auto bytes = std::as_bytes(std::span(numbers));
   a.values.assign(bytes.begin(), bytes.end());
   return a;
-}
-
-template <class T>
-std::vector<T> numbers(const Attribute& a) {
-  std::vector<T> result(a.values.size() / sizeof(T));
-  if (!result.empty()) std::memcpy(result.data(), a.values.data(), a.values.size());
-  return result;
 }
 
 struct Influence {
@@ -110,7 +93,7 @@ CodedAttribute code(const Attribute& a, double bound, const AttributeSurface& su
 }
 
 CodedAttribute code(const Attribute& a, double bound = 0, std::span<const Attribute> others = {}) {
-  const auto triangles = grid();
+  const auto triangles = grid_of(kSide);
   return code(a, bound, {triangles, rows(a)}, others);
 }
 
@@ -240,7 +223,7 @@ TEST(Skin, ATTR65WeightsThatFollowTheirNeighboursCostLittle) {
 }
 
 TEST(Skin, ATTR58CopiesOfAVertexCostNearlyNothing) {
-  std::vector<std::uint32_t> triangles = grid();
+  std::vector<std::uint32_t> triangles = grid_of(kSide);
   for (std::size_t i = 0; i < triangles.size(); ++i)
     triangles[i] = 2 * triangles[i] + static_cast<std::uint32_t>(i / 3 % 2);
   std::vector<std::uint32_t> geometric;
@@ -272,7 +255,7 @@ TEST(Skin, ATTR58CopiesOfAVertexCostNearlyNothing) {
 
 TEST(Skin, ATTR11WeightsMayBeListedBeforeTheirJoints) {
   Mesh mesh;
-  mesh.triangles = grid();
+  mesh.triangles = grid_of(kSide);
   for (std::uint32_t v = 0; v < kVertices; ++v)
     for (const float x : {static_cast<float>(v % kSide), static_cast<float>(v / kSide), 0.0F})
       mesh.positions.push_back(x);
@@ -338,7 +321,7 @@ TEST(Skin, ATTR60ATTR63BrokenStreamsAreNamed) {
 }
 
 TEST(Skin, CON3PrefixesAndExtraBytesAreRefusedAndFlippedOnesEnd) {
-  const auto triangles = grid();
+  const auto triangles = grid_of(kSide);
   const AttributeSurface surface(triangles, kVertices);
   const std::vector<Attribute> others{joints_attribute()};
   test::RandomBits random(3);
