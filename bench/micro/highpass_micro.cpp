@@ -5,7 +5,7 @@
 #include "geometry/highpass.h"
 #include "laplacian/anchors/anchors.h"
 #include "laplacian/operator/delta.h"
-#include "laplacian/solved_part.h"
+#include "laplacian/operator/solved_part.h"
 #include "laplacian/solver.h"
 #include "micro/stage_input.h"
 #include "quality/measure.h"

@@ -69,7 +69,7 @@ std::unique_ptr<Peer> make_deltamesh_peer(int bits, double anchor_share);
 std::unique_ptr<Peer> make_deltamesh_peer(const QualityRequest& quality, std::string label);
 
 /// zstd level 19 on plain buffers: positions as 16-bit lattice indices of `position_bits` over the longest
-/// side, triangles as 32-bit indices. What a sender does who has no mesh codec.
+/// side, triangles as 32-bit indices. What a sender without a mesh codec does.
 std::unique_ptr<Peer> make_zstd_peer(int position_bits);
 
 /// meshoptimizer's vertex and index codecs on the lattice of `position_bits`, then zstd level 19.

@@ -11,7 +11,7 @@
 #include "base/vec3.h"
 #include "deltamesh/mesh.h"
 #include "geometry/highpass.h"
-#include "laplacian/solved_part.h"
+#include "laplacian/operator/solved_part.h"
 
 namespace deltamesh::bench {
 

@@ -29,7 +29,7 @@ struct Role {
   auto operator<=>(const Role&) const = default;
 };
 
-/// One stream, and who uses it.
+/// For the buffer view of each stream the primitives that use it.
 using PrimitivesOfView = std::map<std::uint64_t, std::vector<PackedPrimitive>>;
 
 /// Takes what a stream holds off what the caller still allows.

@@ -4,7 +4,6 @@
 // How an ATTR payload codes its values [ATTR-2], and the shapes that each coding is for.
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -81,20 +80,16 @@ void with_fixed_size(std::size_t size, Copy copy) noexcept {
   }
 }
 
-/// The bits of the component at `bytes`, zero-extended. `size`: 1, 2, 4 or 8; native byte order.
+/// The bits of the component at `bytes`, zero-extended. `size`: 1, 2, 4 or 8; little-endian, as machines are
+/// (base/machine.h).
 inline std::uint64_t load_component(const std::byte* bytes, std::size_t size) noexcept {
   std::uint64_t value = 0;
-  const std::size_t skip = std::endian::native == std::endian::little ? 0 : sizeof value - size;
-  with_fixed_size(
-      size, [&](auto fixed) { std::memcpy(reinterpret_cast<std::byte*>(&value) + skip, bytes, fixed); });
+  with_fixed_size(size, [&](auto fixed) { std::memcpy(&value, bytes, fixed); });
   return value;
 }
 
 inline void store_component(std::byte* bytes, std::size_t size, std::uint64_t value) noexcept {
-  const std::size_t skip = std::endian::native == std::endian::little ? 0 : sizeof value - size;
-  with_fixed_size(size, [&](auto fixed) {
-    std::memcpy(bytes, reinterpret_cast<const std::byte*>(&value) + skip, fixed);
-  });
+  with_fixed_size(size, [&](auto fixed) { std::memcpy(bytes, &value, fixed); });
 }
 
 }  // namespace deltamesh

@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "attributes/joined_faces.h"
-#include "attributes/surface_walk.h"
+#include "attributes/surface_order.h"
 #include "predictive/surroundings.h"
 #include "topology/adjacency.h"
 
@@ -73,9 +73,9 @@ class AttributeSurface {
     return *corners_;
   }
   /// The order that attributes predicted from faces are coded in. Made when first asked for, O(n + m).
-  const SurfaceWalk& walk() const {
-    if (!walk_) walk_ = walk_surface(triangles_, vertex_count_, corners());
-    return *walk_;
+  const SurfaceOrder& surface_order() const {
+    if (!order_) order_ = make_surface_order(triangles_, vertex_count_, corners());
+    return *order_;
   }
 
  private:
@@ -86,7 +86,7 @@ class AttributeSurface {
   std::function<Adjacency()> make_graph_;
   mutable std::optional<Adjacency> graph_;
   mutable std::optional<VertexCorners> corners_;
-  mutable std::optional<SurfaceWalk> walk_;
+  mutable std::optional<SurfaceOrder> order_;
   mutable std::optional<KnownFaces> faces_;
   mutable std::optional<JoinedFaces> joined_;
 };

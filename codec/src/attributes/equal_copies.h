@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "attributes/attribute_surface.h"
-#include "attributes/surface_walk.h"
+#include "attributes/surface_order.h"
 #include "entropy/compact_model.h"
 
 namespace deltamesh {
@@ -35,15 +35,15 @@ class EqualCopies {
     return std::exchange(last_[surface_.geometric_of(vertex)], vertex);
   }
 
-  /// Whether the vertex that is number i of the walk has the value of its last copy, which it has to have; a
-  /// reader's argument is ignored. In the context of what corners before said of their copies: 1 for apart,
-  /// 2 for equal, both added.
+  /// Whether the vertex that is number i of the surface order has the value of its last copy, which it has to
+  /// have; a reader's argument is ignored. In the context of what corners before said of their copies: 1 for
+  /// apart, 2 for equal, both added.
   bool code(std::size_t i, bool is_equal) {
-    const SurfaceWalk& walk = surface_.walk();
+    const SurfaceOrder& order = surface_.surface_order();
     unsigned context = 0;
-    walk.for_corners_before(i, [&](std::uint32_t before) { context |= equal_[before]; });
+    order.for_corners_before(i, [&](std::uint32_t before) { context |= equal_[before]; });
     is_equal = coder_.bit(is_equal, models_[context]);
-    equal_[walk.order[i]] = is_equal ? 2 : 1;
+    equal_[order.vertices[i]] = is_equal ? 2 : 1;
     return is_equal;
   }
 

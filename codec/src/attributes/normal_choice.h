@@ -25,7 +25,7 @@ struct NormalBound {
   double same;   ///< at most this far apart normals are one
 };
 
-/// The source of a NormalWalk that writes.
+/// The source of a NormalTraversal that writes.
 class NormalChoice {
  public:
   /// `normals`: n x 3.

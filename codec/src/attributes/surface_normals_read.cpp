@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "attributes/normal_walk.h"
+#include "attributes/normal_traversal.h"
 #include "attributes/surface_normals.h"
 #include "base/byte_reader.h"
 #include "base/try.h"
@@ -45,12 +45,12 @@ Result<std::vector<float>> read_surface_normals(std::span<const std::byte> bytes
   DELTAMESH_TRY(const auto rest, in.read_bytes(in.remaining()));
   CompactReader reader(rest);
   NoSource source;
-  NormalWalk walk(reader, source, surface, parameters);
-  const bool is_valid = walk.run([&] { return reader.failed(); });
+  NormalTraversal traversal(reader, source, surface, parameters);
+  const bool is_valid = traversal.run([&] { return reader.failed(); });
   if (!is_valid && !reader.failed())
     return in.error(ErrorCode::kInvalidStream, "a normal off the sphere", "ATTR-24");
   DELTAMESH_CHECK(reader.finish(kTagAttribute));
-  return walk.values();
+  return traversal.values();
 }
 
 }  // namespace deltamesh

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "attributes/normal_choice.h"
-#include "attributes/normal_walk.h"
+#include "attributes/normal_traversal.h"
 #include "attributes/surface_normals.h"
 #include "base/byte_writer.h"
 #include "base/portable_math.h"
@@ -139,15 +139,15 @@ std::optional<CodedValues<float>> write_surface_normals(std::span<const float> n
                       static_cast<double>(fit.within) < kSureRule * static_cast<double>(fit.vertices);
 
   CompactWriter writer;
-  NormalWalk walk(writer, choice, surface, parameters);
-  if (!walk.run([] { return false; })) return std::nullopt;
+  NormalTraversal traversal(writer, choice, surface, parameters);
+  if (!traversal.run([] { return false; })) return std::nullopt;
   ByteWriter out;
   out.write(static_cast<std::uint8_t>(
       static_cast<int>(parameters.rule) | (parameters.shares ? kSharesFlag : 0) |
       (parameters.has_zeros ? kZerosFlag : 0) | (parameters.blends ? kBlendsFlag : 0)));
   out.write(parameters.radius);
   out.write_bytes(writer.finish());
-  return CodedValues<float>{.bytes = out.take(), .values = walk.values()};
+  return CodedValues<float>{.bytes = out.take(), .values = traversal.values()};
 }
 
 }  // namespace deltamesh

@@ -15,7 +15,7 @@
 #include "attributes/attribute_surface.h"
 #include "attributes/equal_copies.h"
 #include "attributes/pair_coder.h"
-#include "attributes/surface_walk.h"
+#include "attributes/surface_order.h"
 #include "attributes/tangent_forecast.h"
 #include "base/small_code.h"
 
@@ -39,19 +39,19 @@ class TangentCoder {
       : coder_(coder),
         step_(step),
         choice_(choice),
-        walk_(surface.walk()),
-        forecaster_(surface, walk_, normals, uvs),
+        order_(surface.surface_order()),
+        forecaster_(surface, order_, normals, uvs),
         pairs_(coder),
         copies_(coder, surface),
         sizes_(surface.vertex_count()),
         against_(surface.vertex_count()),
         values_(std::size_t{4} * surface.vertex_count()) {}
 
-  std::size_t count() const noexcept { return walk_.order.size(); }
+  std::size_t count() const noexcept { return order_.vertices.size(); }
 
-  /// Codes the vertex that is number i of the walk. False where a number is out of range.
+  /// Codes the vertex that is number i of the surface order. False where a number is out of range.
   DELTAMESH_LOOP_BODY bool code(std::size_t i) {
-    const std::uint32_t vertex = walk_.order[i];
+    const std::uint32_t vertex = order_.vertices[i];
     const TangentForecast forecast = forecaster_.forecast(i);
     const std::uint32_t copy = copies_.last(vertex);
     const bool has_copy = copy != EqualCopies<Coder>::kNone;
@@ -103,7 +103,7 @@ class TangentCoder {
   /// Whether the sign is what the texture's orientation says, in the context of whether it was before.
   bool code_sign(std::size_t i, std::uint32_t vertex, const TangentForecast& forecast) {
     unsigned context = 0;
-    walk_.for_corners_before(i, [&](std::uint32_t before) { context |= against_[before]; });
+    order_.for_corners_before(i, [&](std::uint32_t before) { context |= against_[before]; });
     bool is_against = false;
     if constexpr (Coder::kWrites) is_against = choice_.is_negative(vertex) == forecast.is_mirrored;
     is_against = coder_.bit(is_against, sign_models_[context]);
@@ -115,7 +115,7 @@ class TangentCoder {
     PairContext context{.kind = static_cast<std::uint32_t>(forecast.source)};
     std::array<std::uint64_t, 2> sum{};
     std::uint32_t count = 0;
-    walk_.for_corners_before(i, [&](std::uint32_t before) {
+    order_.for_corners_before(i, [&](std::uint32_t before) {
       for (std::size_t k = 0; k < 2; ++k) sum[k] += sizes_[before][k];
       ++count;
     });
@@ -136,7 +136,7 @@ class TangentCoder {
   Coder& coder_;
   float step_;
   Choice choice_;
-  const SurfaceWalk& walk_;
+  const SurfaceOrder& order_;
   TangentForecaster forecaster_;
   PairCoder<Coder> pairs_;
   EqualCopies<Coder> copies_;

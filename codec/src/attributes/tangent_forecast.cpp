@@ -21,13 +21,13 @@ PlanePoint place_of(const NormalFrame& frame, FourFloats direction) noexcept {
 
 }  // namespace
 
-TangentForecaster::TangentForecaster(const AttributeSurface& surface, const SurfaceWalk& walk,
+TangentForecaster::TangentForecaster(const AttributeSurface& surface, const SurfaceOrder& order,
                                      std::span<const float> normals, std::span<const float> uvs)
-    : walk_(walk), rule_(surface, normals, uvs), known_(surface.vertex_count()) {}
+    : order_(order), rule_(surface, normals, uvs), known_(surface.vertex_count()) {}
 
 TangentForecast TangentForecaster::forecast(std::size_t i) {
-  const RuledTangent ruled = rule_.at(walk_.order[i]);
-  const auto faces = walk_.completed_by(i);
+  const RuledTangent ruled = rule_.at(order_.vertices[i]);
+  const auto faces = order_.completed_by(i);
   Known sum;
   for (const Corner& corner : faces) {
     for (const std::uint32_t other : {corner.next, corner.before}) {
@@ -35,7 +35,7 @@ TangentForecast TangentForecaster::forecast(std::size_t i) {
       sum.off += known_[other].off;
     }
   }
-  if (faces.empty() && i > 0) sum.tangent = known_[walk_.order[i - 1]].tangent;
+  if (faces.empty() && i > 0) sum.tangent = known_[order_.vertices[i - 1]].tangent;
 
   TangentForecast result;
   result.is_mirrored = ruled.area < 0;
@@ -67,7 +67,7 @@ TangentForecast TangentForecaster::forecast(std::size_t i) {
 }
 
 void TangentForecaster::settle(std::size_t i, FourFloats tangent) {
-  Known& known = known_[walk_.order[i]];
+  Known& known = known_[order_.vertices[i]];
   known.tangent = tangent;
   if (source_ < TangentSource::kRule) return;
   const PlanePoint off = place_of(frame_, tangent);

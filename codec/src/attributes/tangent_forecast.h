@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "attributes/normal_lattice.h"
-#include "attributes/surface_walk.h"
+#include "attributes/surface_order.h"
 #include "attributes/tangent_rule.h"
 
 namespace deltamesh {
@@ -29,11 +29,12 @@ struct TangentForecast {
   bool is_mirrored = false;  ///< faces are so in the texture: the sign is likely 1
 };
 
-/// Forecasts the vertices of a walk in order: forecast(i), settle(i, tangent), forecast(i + 1) and so on.
+/// Forecasts the vertices of a surface order in order: forecast(i), settle(i, tangent), forecast(i + 1) and
+/// so on.
 class TangentForecaster {
  public:
-  TangentForecaster(const AttributeSurface& surface, const SurfaceWalk& walk, std::span<const float> normals,
-                    std::span<const float> uvs);
+  TangentForecaster(const AttributeSurface& surface, const SurfaceOrder& order,
+                    std::span<const float> normals, std::span<const float> uvs);
 
   TangentForecast forecast(std::size_t i);
   /// The decoded tangent of the vertex that was forecast last.
@@ -59,7 +60,7 @@ class TangentForecaster {
     float products_ = 0;
   };
 
-  const SurfaceWalk& walk_;
+  const SurfaceOrder& order_;
   TangentRule rule_;
   std::vector<Known> known_;
   std::array<Share, kTangentSources> shares_;

@@ -16,7 +16,7 @@
 #include "attributes/attribute_surface.h"
 #include "attributes/equal_copies.h"
 #include "attributes/pair_coder.h"
-#include "attributes/surface_walk.h"
+#include "attributes/surface_order.h"
 #include "attributes/uv_forecast.h"
 #include "base/large_vector.h"
 #include "base/rounded.h"
@@ -39,18 +39,18 @@ class UvCoder {
   UvCoder(Coder& coder, const AttributeSurface& surface, double step, Numbers numbers)
       : step_(step),
         choice_(numbers),
-        walk_(surface.walk()),
-        forecaster_(surface, walk_),
+        order_(surface.surface_order()),
+        forecaster_(surface, order_),
         pairs_(coder),
         copies_(coder, surface),
         sizes_(surface.vertex_count()),
         values_(std::size_t{2} * surface.vertex_count()) {}
 
-  std::size_t count() const noexcept { return walk_.order.size(); }
+  std::size_t count() const noexcept { return order_.vertices.size(); }
 
-  /// Codes the vertex that is number i of the walk. False where a number is out of range.
+  /// Codes the vertex that is number i of the surface order. False where a number is out of range.
   DELTAMESH_LOOP_BODY bool code(std::size_t i) {
-    const std::uint32_t vertex = walk_.order[i];
+    const std::uint32_t vertex = order_.vertices[i];
     const UvForecast forecast = forecaster_.forecast(i);
     const std::uint32_t copy = copies_.last(vertex);
     const bool has_copy = copy != EqualCopies<Coder>::kNone;
@@ -98,7 +98,7 @@ class UvCoder {
     } else {
       std::uint64_t sum = 0;
       std::uint32_t count = 0;
-      walk_.for_corners_before(i, [&](std::uint32_t before) {
+      order_.for_corners_before(i, [&](std::uint32_t before) {
         sum += sizes_[before];
         ++count;
       });
@@ -120,7 +120,7 @@ class UvCoder {
 
   double step_;
   Numbers choice_;
-  const SurfaceWalk& walk_;
+  const SurfaceOrder& order_;
   UvForecaster forecaster_;
   PairCoder<Coder> pairs_;
   EqualCopies<Coder> copies_;

@@ -41,16 +41,16 @@ struct UvFaces::Edge {
   double inverse;  ///< 1 / its squared length
 };
 
-UvFaces::UvFaces(const AttributeSurface& surface, const SurfaceWalk& walk)
-    : surface_(surface), walk_(walk), corners_(surface.corners()), places_(surface.vertex_count()) {
-  for (std::uint32_t i = 0; i < walk.order.size(); ++i) places_[walk.order[i]] = i;
+UvFaces::UvFaces(const AttributeSurface& surface, const SurfaceOrder& order)
+    : surface_(surface), order_(order), corners_(surface.corners()), places_(surface.vertex_count()) {
+  for (std::uint32_t i = 0; i < order.vertices.size(); ++i) places_[order.vertices[i]] = i;
 }
 
 void UvFaces::make(std::size_t i) {
   faces_.clear();
-  first_face_ = i == 0 ? 0 : walk_.ends[i - 1];
-  for (end_ = i; end_ < walk_.order.size() && (end_ == i || faces_.size() < kAtATime); ++end_)
-    for (const Corner& corner : walk_.completed_by(end_)) add(end_, corner);
+  first_face_ = i == 0 ? 0 : order_.ends[i - 1];
+  for (end_ = i; end_ < order_.vertices.size() && (end_ == i || faces_.size() < kAtATime); ++end_)
+    for (const Corner& corner : order_.completed_by(end_)) add(end_, corner);
 }
 
 /// Of the first other face with the edge, if its corner is known.
@@ -72,7 +72,7 @@ void UvFaces::add(std::size_t i, const Corner& corner) {
       return Vec3{static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
     };
     const Edge edge(position(face.a), position(face.b));
-    const Apex apex = edge.place(position(walk_.order[i]));
+    const Apex apex = edge.place(position(order_.vertices[i]));
     face.counts = apex.is_near;
     face.x = apex.x;
     face.y = apex.y;

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "attributes/attribute_surface.h"
-#include "attributes/surface_walk.h"
+#include "attributes/surface_order.h"
 
 namespace deltamesh {
 
@@ -38,16 +38,16 @@ struct UvFace {
 class UvFaces {
  public:
   /// Both must outlive this.
-  UvFaces(const AttributeSurface& surface, const SurfaceWalk& walk);
+  UvFaces(const AttributeSurface& surface, const SurfaceOrder& order);
 
-  /// Those that walk.order[i] is the last corner of. Valid until the next call; i rises.
+  /// Those that order.vertices[i] is the last corner of. Valid until the next call; i rises.
   std::span<const UvFace> completed_by(std::size_t i) {
     if (i >= end_) make(i);
-    const std::size_t begin = i == 0 ? 0 : walk_.ends[i - 1];
-    return std::span(faces_).subspan(begin - first_face_, walk_.ends[i] - begin);
+    const std::size_t begin = i == 0 ? 0 : order_.ends[i - 1];
+    return std::span(faces_).subspan(begin - first_face_, order_.ends[i] - begin);
   }
 
-  /// Whether the vertex comes before walk.order[i].
+  /// Whether the vertex comes before order.vertices[i].
   bool is_before(std::uint32_t vertex, std::size_t i) const noexcept { return places_[vertex] < i; }
 
  private:
@@ -58,10 +58,10 @@ class UvFaces {
   std::uint32_t find_across(std::size_t i, const Corner& corner) const noexcept;
 
   const AttributeSurface& surface_;
-  const SurfaceWalk& walk_;
+  const SurfaceOrder& order_;
   const VertexCorners& corners_;
-  std::vector<std::uint32_t> places_;  ///< in the walk, by vertex
-  std::vector<UvFace> faces_;          ///< of some vertices, to walk.order[end_]
+  std::vector<std::uint32_t> places_;  ///< in the surface order, by vertex
+  std::vector<UvFace> faces_;          ///< of some vertices, to order.vertices[end_]
   std::size_t first_face_ = 0;         ///< the number of the first of them
   std::size_t end_ = 0;
 };

@@ -41,8 +41,8 @@ struct UvForecaster::Sums {
   }
 };
 
-UvForecaster::UvForecaster(const AttributeSurface& surface, const SurfaceWalk& walk)
-    : surface_(surface), walk_(walk), faces_(surface, walk), values_(surface.vertex_count()) {
+UvForecaster::UvForecaster(const AttributeSurface& surface, const SurfaceOrder& order)
+    : surface_(surface), order_(order), faces_(surface, order), values_(surface.vertex_count()) {
   if (!surface.has_positions()) return;
   Box box;
   for (std::uint32_t v = 0; v < surface.vertex_count(); ++v) {
@@ -94,7 +94,7 @@ void UvForecaster::add_flat_face(const UvFace& face, Sums& sums) const noexcept 
 
 /// Without faces: a known neighbour, else the vertex before.
 TwoDoubles UvForecaster::start(std::size_t i, bool& is_linked) const noexcept {
-  for (const Corner& corner : surface_.corners().of(walk_.order[i])) {
+  for (const Corner& corner : surface_.corners().of(order_.vertices[i])) {
     for (const std::uint32_t other : {corner.next, corner.before}) {
       if (!faces_.is_before(other, i)) continue;
       is_linked = true;
@@ -102,7 +102,7 @@ TwoDoubles UvForecaster::start(std::size_t i, bool& is_linked) const noexcept {
     }
   }
   is_linked = false;
-  return i == 0 ? TwoDoubles{} : values_[walk_.order[i - 1]];
+  return i == 0 ? TwoDoubles{} : values_[order_.vertices[i - 1]];
 }
 
 UvForecast UvForecaster::forecast(std::size_t i) {
@@ -128,7 +128,7 @@ UvForecast UvForecaster::forecast(std::size_t i) {
   differences_ = {};
   if (sums.other_weight > 0) differences_[0] = sums.other / sums.other_weight - first_;
   if (surface_.has_positions()) {
-    const TwoDoubles off = fit_.at(place_of(walk_.order[i])) - first_;
+    const TwoDoubles off = fit_.at(place_of(order_.vertices[i])) - first_;
     if (dot(off, off) <= 64 * size_) differences_[1] = off;
   }
   result.place = first_ + blends_[sources_ - 1].correction(differences_);
@@ -141,7 +141,7 @@ UvForecast UvForecaster::forecast(std::size_t i) {
 }
 
 void UvForecaster::settle(std::size_t i, TwoDoubles value) {
-  const std::uint32_t vertex = walk_.order[i];
+  const std::uint32_t vertex = order_.vertices[i];
   values_[vertex] = value;
   if (sources_ > 0) {
     const TwoDoubles error = value - first_;
@@ -150,7 +150,7 @@ void UvForecaster::settle(std::size_t i, TwoDoubles value) {
   }
   if (!surface_.has_positions()) return;
   fit_.learn(place_of(vertex), value);
-  const auto faces = walk_.completed_by(i);
+  const auto faces = order_.completed_by(i);
   for (std::size_t k = faces.size(); k-- > 0;) {
     const TwoDoubles a = values_[faces[k].next];
     const double area = cross(values_[faces[k].before] - a, value - a);

@@ -14,7 +14,7 @@
 #include "attributes/attribute_surface.h"
 #include "attributes/forecast_blend.h"
 #include "attributes/linear_fit.h"
-#include "attributes/surface_walk.h"
+#include "attributes/surface_order.h"
 #include "attributes/uv_faces.h"
 #include "base/vec3.h"
 
@@ -27,10 +27,11 @@ struct UvForecast {
   bool is_start = true;  ///< no face with two known corners
 };
 
-/// Forecasts the vertices of a walk in order: forecast(i), settle(i, value), forecast(i + 1) and so on.
+/// Forecasts the vertices of a surface order in order: forecast(i), settle(i, value), forecast(i + 1) and so
+/// on.
 class UvForecaster {
  public:
-  UvForecaster(const AttributeSurface& surface, const SurfaceWalk& walk);
+  UvForecaster(const AttributeSurface& surface, const SurfaceOrder& order);
 
   UvForecast forecast(std::size_t i);
   /// The decoded value of the vertex that was forecast last.
@@ -49,7 +50,7 @@ class UvForecaster {
   Vec3 position(std::uint32_t vertex) const noexcept;
 
   const AttributeSurface& surface_;
-  const SurfaceWalk& walk_;
+  const SurfaceOrder& order_;
   UvFaces faces_;
   std::vector<TwoDoubles> values_;
   Vec3 center_{};

@@ -18,7 +18,7 @@
 
 namespace deltamesh {
 
-/// Pieces of work that any thread may do, in any order. Must outlive finish() or withdraw().
+/// Pieces of work that any thread may run, in any order. Must live until finish() or withdraw() returns.
 class TeamJob {
  public:
   using Call = void (*)(const void* work, std::uint32_t piece);
@@ -30,37 +30,37 @@ class TeamJob {
   friend class ThreadTeam;
 
   std::uint32_t pieces_;
-  std::uint32_t next_ = 0;  ///< first that nobody has taken
+  std::uint32_t next_ = 0;  ///< first piece that no thread has taken
   std::uint32_t done_ = 0;
   Call call_;
   const void* work_;
   std::exception_ptr error_;
 };
 
-/// Helps those who offer it work, of its own pieces too.
+/// A pool of threads for the work of one call. A piece may offer jobs of its own.
 class ThreadTeam {
  public:
-  /// `threads`: with the one that makes this; fewer where there are no more to be had, or no memory for them;
-  /// at most 16.
+  /// `threads`: how many, the calling one included, at most 16; fewer where the system has no more, or no
+  /// memory for them.
   explicit ThreadTeam(unsigned threads);
   ~ThreadTeam();
   ThreadTeam(const ThreadTeam&) = delete;
   ThreadTeam& operator=(const ThreadTeam&) = delete;
 
-  /// Threads, the one that made this among them.
+  /// Number of threads, the one that made this included.
   std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(helpers_.size()) + 1; }
 
-  /// Whoever is free may begin, in the order of offers.
+  /// Adds a job. Free threads take pieces of jobs in the order of offers.
   void offer(TeamJob& job);
 
-  /// Does what nobody has taken and waits for the rest. Throws what a piece has thrown, the others being
-  /// left out.
+  /// Runs the pieces that are not taken and waits for the others. Throws what a piece has thrown; pieces that
+  /// are not taken by then are left out.
   void finish(TeamJob& job);
 
-  /// False where somebody has begun with it; else nobody will, and the team can help with what it was.
+  /// Cancels a job that no thread has begun. Returns false if one has.
   bool take_back(TeamJob& job) noexcept;
 
-  /// Waits for the pieces that somebody is at; the others are left out.
+  /// Waits for the pieces that are running; the others are left out.
   void withdraw(TeamJob& job) noexcept;
 
  private:

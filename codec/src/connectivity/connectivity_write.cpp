@@ -27,12 +27,12 @@ std::vector<std::byte> write_payload(const MeshGuide& guide, const GlueList& glu
   return out.take();
 }
 
-/// The compact form [CONN-12 to CONN-14]; `faces` becomes those of the walk, over manifold vertices.
+/// The compact form [CONN-12 to CONN-14]; `faces` becomes those of the traversal, over manifold vertices.
 std::vector<std::byte> write_compact(MeshGuide& guide, const OpModels* start,
                                      std::vector<std::uint32_t>& faces) {
   CompactWriter writer;
   Border border(guide.face_count());
-  guide.walk(border, writer, start);
+  guide.run(border, writer, start);
   faces = border.take_faces();
   if (faces.empty()) return {};
   write_compact_gluing(writer, faces, guide.vertices().coded());

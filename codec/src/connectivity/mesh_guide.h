@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What guides a writer's walk over the faces: the mesh.
+// What guides a writer's traversal over the faces: the mesh.
 #pragma once
 
 #include <array>
@@ -44,9 +44,9 @@ class MeshGuide {
 
   std::uint32_t face_count() const noexcept { return static_cast<std::uint32_t>(triangles_.size() / 3); }
 
-  /// Walks over the faces until `border` is full of them, and their ops are in `writer`. Both are new.
+  /// Traverses the faces until `border` is full of them, and their ops are in `writer`. Both are new.
   /// `start`: null for fresh models.
-  void walk(Border& border, CompactWriter& writer, const OpModels* start) {
+  void run(Border& border, CompactWriter& writer, const OpModels* start) {
     writer.reserve(2 * std::size_t{face_count()});
     border.reserve(face_count() / 2, face_count());
     ops_.emplace(writer, start != nullptr ? *start : OpModels());

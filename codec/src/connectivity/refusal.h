@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Why a reader's walk came to no end.
+// Why a reader's traversal did not end.
 #pragma once
 
 #include "connectivity/border.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// How an S op names its target: by a short walk along the loop where that reaches, else by the item's number
-// [CONN-10]. The walk's bound keeps hostile streams linear.
+// How an S op names its target: by a few steps along the loop where that reaches, else by the item's number
+// [CONN-10]. The bound on these keeps hostile streams linear.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace deltamesh {
 
-/// References 1, 3, 5 ... walk 2, 3, 4 ... items forward from the gate, 2, 4, 6 ... walk 1, 2, 3 ... items
+/// References 1, 3, 5 ... go 2, 3, 4 ... items forward from the gate, 2, 4, 6 ... go 1, 2, 3 ... items
 /// back.
 inline constexpr std::uint32_t kFarReference = 0;
 inline constexpr std::uint32_t kLargestReference = 255;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// The walk over the faces that connectivity writer and reader have in common [CONN-3 .. 8]. The writer's
+// The traversal of the faces that connectivity writer and reader have in common [CONN-3 .. 8]. The writer's
 // guide finds each op in the mesh, the reader's in the payload.
 #pragma once
 

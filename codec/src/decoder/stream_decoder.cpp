@@ -212,7 +212,7 @@ class StreamDecoder {
   const DecodeOptions& options_;
   ThreadTeam* team_;                                ///< null: this thread alone
   const StreamModels* start_;                       ///< null: fresh models
-  StreamModels* learnt_;                            ///< null where nobody wants them
+  StreamModels* learnt_;                            ///< null where they are not wanted
   std::vector<std::uint32_t> geometric_triangles_;  ///< empty where no vertex is split
   LargeVector<DirectedEdge> open_edges_;            ///< of the geometric faces
   VertexRuns runs_;                                 ///< of the geometric vertices

@@ -7,9 +7,9 @@
 namespace deltamesh {
 namespace {
 
-constexpr int kAnyGainEffort = 8;        ///< from here on any gain pays for a walk
-constexpr double kWalkWorth = 0.97;      ///< of the bytes without one, at most
-constexpr double kDeepHopeless = 0.985;  ///< of the bytes without one: walks hardly matter to this mesh
+constexpr int kAnyGainEffort = 8;        ///< from here on any gain pays for an order of its own
+constexpr double kOrderWorth = 0.97;     ///< of the bytes without one, at most
+constexpr double kDeepHopeless = 0.985;  ///< of the bytes without one: orders hardly matter to this mesh
 
 class FormSearch {
  public:
@@ -37,8 +37,8 @@ class FormSearch {
   std::vector<std::byte> bytes_;
 };
 
-PositionForm with_walk(PositionForm form, Walk walk) noexcept {
-  form.walk = walk;
+PositionForm with_order(PositionForm form, CodingOrder coding_order) noexcept {
+  form.coding_order = coding_order;
   return form;
 }
 
@@ -63,11 +63,11 @@ std::vector<std::byte> write_smallest(const WritePositions& write, PositionKind 
   const auto any = static_cast<double>(search.size());
   if (may_guess) search.consider(with_guesses(search.form(), true), any);
   const auto still = static_cast<double>(search.size());
-  const double most = effort >= kAnyGainEffort ? still : kWalkWorth * still;
-  const std::size_t broad = search.consider(with_walk(search.form(), Walk::kBroad), most);
+  const double most = effort >= kAnyGainEffort ? still : kOrderWorth * still;
+  const std::size_t broad = search.consider(with_order(search.form(), CodingOrder::kBroad), most);
   if (static_cast<double>(broad) < kDeepHopeless * still)
-    search.consider(with_walk(search.form(), Walk::kDeep), most);
-  if (may_guess && search.form().walk != Walk::kAsDecoded)
+    search.consider(with_order(search.form(), CodingOrder::kDeep), most);
+  if (may_guess && search.form().coding_order != CodingOrder::kAsDecoded)
     search.consider(with_guesses(search.form(), search.form().guesses == Guessing::kNever), any);
   const bool has_blends = kind != PositionKind::kVoxel;
   if (has_blends) search.consider(with_fit(search.form(), BlendFit::kBits), any);

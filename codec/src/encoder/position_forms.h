@@ -16,7 +16,7 @@ namespace deltamesh {
 using WritePositions = std::function<std::vector<std::byte>(const PositionForm&)>;
 
 /// Tries the forms that `kind` has, one after the other: two to seven calls of `write`, one at effort 0. A
-/// walk costs a decoder time, so up to effort 7 it has to earn it.
+/// coding order costs a decoder time, so up to effort 7 it has to earn it.
 std::vector<std::byte> write_smallest(const WritePositions& write, PositionKind kind, int effort);
 
 }  // namespace deltamesh

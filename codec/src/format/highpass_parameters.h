@@ -15,7 +15,7 @@ struct ReconstructionShift {
   bool operator==(const ReconstructionShift&) const = default;
 };
 
-/// A plan of more cycles would be worth less than deciding in the decoder [DELT-7].
+/// What a stream may ask for [DELT-7]; encoders plan far fewer (geometry/cycle_plan.h).
 inline constexpr std::uint8_t kMostCycles = 80;
 
 /// What the header says of a highpass stream [HDR-11].

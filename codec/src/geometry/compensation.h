@@ -11,8 +11,8 @@
 
 #include "base/vec3.h"
 #include "deltamesh/result.h"
+#include "laplacian/operator/solved_part.h"
 #include "laplacian/part_solver.h"
-#include "laplacian/solved_part.h"
 
 namespace deltamesh {
 

@@ -8,7 +8,7 @@
 #include <span>
 
 #include "base/vec3.h"
-#include "laplacian/solved_part.h"
+#include "laplacian/operator/solved_part.h"
 
 namespace deltamesh {
 

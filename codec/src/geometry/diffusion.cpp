@@ -2,7 +2,7 @@
 // Copyright 2026 The deltamesh authors
 #include "geometry/diffusion.h"
 
-#include "geometry/delta_walk.h"
+#include "geometry/delta_pass.h"
 #include "geometry/frugal_symbols.h"
 
 namespace deltamesh {
@@ -26,13 +26,13 @@ Result<std::vector<std::int32_t>> quantize_deltas(const Adjacency& graph, std::s
     return store(i, nearest);
   };
   if (!(rate_weight > 0)) {
-    if (!walk_deltas(graph, deltas, quantizer, strength, take_nearest)) return kStepTooSmall;
+    if (!pass_over_deltas(graph, deltas, quantizer, strength, take_nearest)) return kStepTooSmall;
     return symbols;
   }
   FrugalSymbols frugal(graph, quantizer, rate_weight);
   const auto take_frugal = [&](std::uint32_t i, const std::array<std::int32_t, 3>& nearest,
                                const Vec3& target) { return store(i, frugal.choose(i, nearest, target)); };
-  if (!walk_deltas(graph, deltas, quantizer, strength, take_frugal)) return kStepTooSmall;
+  if (!pass_over_deltas(graph, deltas, quantizer, strength, take_frugal)) return kStepTooSmall;
   return symbols;
 }
 

@@ -16,7 +16,7 @@
 
 namespace deltamesh {
 
-/// Walks the vertices in order. What the symbol of vertex i leaves over, e_i, is a charge d_i e_i (d_i =
+/// Visits the vertices in order. What the symbol of vertex i leaves over, e_i, is a charge d_i e_i (d_i =
 /// degree: d is the left null vector of L = I - D^-1 A, so a sum of charges that is zero costs the lowest
 /// frequency nothing). `strength` of it, 0 to 1, goes to the neighbours not yet visited in proportion to
 /// their degrees, and each adds its share divided by its own degree to the delta it has to code. At strength

@@ -18,8 +18,8 @@
 #include "format/highpass_parameters.h"
 #include "geometry/highpass_settings.h"
 #include "laplacian/anchors/anchor_sequence.h"
+#include "laplacian/operator/solved_part.h"
 #include "laplacian/part_solver.h"
-#include "laplacian/solved_part.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {

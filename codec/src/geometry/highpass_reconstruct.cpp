@@ -26,9 +26,9 @@ std::vector<Vec3> anchor_targets(const HighpassSymbols& symbols, const SolvedPar
   const AnchorLattice lattice(box, parameters.anchor_bits);
   const Vec3 center = middle(box);
   std::vector<Vec3> targets;
-  SubsetWalk walk(part.vertices);
+  SubsetCursor cursor(part.vertices);
   for (std::size_t i = 0; i < symbols.anchors.size(); ++i) {
-    if (walk.row_of(symbols.anchors[i])) targets.push_back(lattice.position_of(symbols.cells[i]) - center);
+    if (cursor.row_of(symbols.anchors[i])) targets.push_back(lattice.position_of(symbols.cells[i]) - center);
   }
   return targets;
 }
@@ -62,9 +62,9 @@ Vec3 middle(const Box& box) noexcept {
 
 std::vector<std::uint32_t> anchor_rows(std::span<const std::uint32_t> anchors, const SolvedPart& part) {
   std::vector<std::uint32_t> rows;
-  SubsetWalk walk(part.vertices);
+  SubsetCursor cursor(part.vertices);
   for (const std::uint32_t anchor : anchors) {
-    if (const auto row = walk.row_of(anchor)) rows.push_back(*row);
+    if (const auto row = cursor.row_of(anchor)) rows.push_back(*row);
   }
   return rows;
 }
@@ -90,10 +90,10 @@ Result<void> complete_positions(const HighpassSymbols& symbols, const VertexSubs
   }
   spread_rows(solved, positions);
   const AnchorLattice lattice(box, parameters.anchor_bits);
-  SubsetWalk walk(solved);
+  SubsetCursor cursor(solved);
   for (std::size_t i = 0; i < symbols.anchors.size(); ++i) {
     const std::uint32_t anchor = symbols.anchors[i];
-    if (walk.row_of(anchor)) continue;
+    if (cursor.row_of(anchor)) continue;
     positions[anchor] = lattice.position_of(symbols.cells[i]);
     if (!fits_float(positions[anchor])) fits = false;
   }

@@ -13,10 +13,10 @@
 #include "base/vec3.h"
 #include "deltamesh/result.h"
 #include "geometry/highpass.h"
+#include "laplacian/operator/solved_part.h"
 #include "laplacian/operator/symbol_rows.h"
 #include "laplacian/part_solver.h"
 #include "laplacian/solve_once.h"
-#include "laplacian/solved_part.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {
@@ -56,7 +56,7 @@ Result<LargeVector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, c
                                                PartSolver& solver, const Box& box,
                                                const HighpassParameters& parameters);
 
-/// The same positions for one who needs them once, by solve_once(): the symbols of the deltas are read.
+/// The same positions by solve_once(), for a single use: the symbols of the deltas are read.
 Result<LargeVector<Vec3>> reconstruct_highpass_once(const ReadSymbols& read_deltas,
                                                     const HighpassSymbols& anchors, SolvedPart part,
                                                     const Box& box, const HighpassParameters& parameters,

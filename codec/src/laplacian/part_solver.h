@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// A solver for one who solves many times: the highpass encoder. What it finds solve_once() finds.
+// A solver that the highpass encoder uses many times. Its solutions are those of solve_once().
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "laplacian/solved_part.h"
+#include "laplacian/operator/solved_part.h"
 #include "laplacian/solver.h"
 
 namespace deltamesh {

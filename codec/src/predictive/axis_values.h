@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// The coordinates of a mesh's vertices, axis by axis and in order, for those who look for grids in them.
+// The coordinates of a mesh's vertices, axis by axis and in order, in which grids are looked for.
 // Encoder only.
 #pragma once
 

@@ -53,15 +53,15 @@ Result<std::vector<float>> read_floats(CompactReader& reader, const KnownFaces& 
   return to_rows(floats.size(), [&](std::size_t v, std::size_t axis) { return float_of(floats[v][axis]); });
 }
 
-/// In two walks. What the coder remembers is gone when the cells are there.
+/// In two interleaved sequences. What the coder remembers is gone when the cells are there.
 Result<LargeVector<Cell>> read_voxel_cells(CompactReader& reader, const VoxelFaces& faces,
                                            const PredictiveParameters& parameters,
                                            const Learning<PositionModels>& learning) {
   VoxelCoder coder(reader, faces, parameters.lattice.cells, parameters.levels,
                    learning.start != nullptr ? learning.start->of_voxels() : nullptr);
   LargeVector<Cell> cells(faces.vertex_count());
-  for (std::uint32_t turn = 0; turn < faces.turns() && !reader.failed(); ++turn) {
-    const char* broken = coder.code_turn(turn, cells);
+  for (std::uint32_t step = 0; step < faces.steps() && !reader.failed(); ++step) {
+    const char* broken = coder.code_step(step, cells);
     if (broken != nullptr && !reader.failed()) return invalid("not a vertex of the voxel grid", broken);
   }
   if (learning.end != nullptr) learning.end->voxels = coder.models();
@@ -108,7 +108,7 @@ Result<std::vector<float>> read_lattice(CompactReader& reader, const KnownFaces&
   return rows;
 }
 
-/// What follows the walk, of vertices numbered in its order.
+/// What follows the coding order, of vertices numbered by it.
 Result<std::vector<float>> read_in_order(CompactReader& reader, const FaceList& list,
                                          std::span<const std::uint32_t> order,
                                          const PredictiveParameters& parameters, const Box& box,
@@ -122,11 +122,11 @@ Result<std::vector<float>> read_in_order(CompactReader& reader, const FaceList& 
   return read_lattice(reader, faces, parameters.lattice, blends, learning);
 }
 
-std::vector<float> in_decoded_order(std::span<const float> walked, std::span<const std::uint32_t> order) {
-  std::vector<float> rows(walked.size());
+std::vector<float> in_decoded_order(std::span<const float> ordered, std::span<const std::uint32_t> order) {
+  std::vector<float> rows(ordered.size());
   for (std::size_t i = 0; i < order.size(); ++i)
     for (std::size_t axis = 0; axis < 3; ++axis)
-      rows[3 * std::size_t{order[i]} + axis] = walked[3 * i + axis];
+      rows[3 * std::size_t{order[i]} + axis] = ordered[3 * i + axis];
   return rows;
 }
 
@@ -141,13 +141,14 @@ Result<std::vector<float>> read_positions(Payload payload, const FaceList& faces
   }
   if (!payload.is_compact) return invalid("positions that are not in the compact form", "POSN-1");
   CompactReader reader(payload.bytes);
-  Walk walk{};
-  if (!code_walk(reader, walk)) return invalid("an order of vertices that is not known", "POSN-10");
-  const auto order = walk_order(faces, walk);
-  DELTAMESH_TRY(auto walked, read_in_order(reader, faces, order, parameters, box, learning));
-  if (!order.empty()) walked = in_decoded_order(walked, order);
-  DELTAMESH_CHECK(check_finite(walked));
-  return walked;
+  CodingOrder coding_order{};
+  if (!code_coding_order(reader, coding_order))
+    return invalid("an order of vertices that is not known", "POSN-10");
+  const auto order = ordered_vertices(faces, coding_order);
+  DELTAMESH_TRY(auto ordered, read_in_order(reader, faces, order, parameters, box, learning));
+  if (!order.empty()) ordered = in_decoded_order(ordered, order);
+  DELTAMESH_CHECK(check_finite(ordered));
+  return ordered;
 }
 
 }  // namespace deltamesh

@@ -14,7 +14,7 @@
 namespace deltamesh {
 namespace {
 
-/// `values` in the order of a walk; an empty order leaves them.
+/// `values` in coding order; an empty order leaves them.
 template <class T>
 std::vector<T> in_order(std::span<const T> values, const std::vector<std::uint32_t>& order) {
   if (order.empty()) return {values.begin(), values.end()};
@@ -40,14 +40,14 @@ std::vector<Patch> in_order(std::span<const Patch> patches, const std::vector<st
 }
 
 std::vector<std::byte> write_voxels(const VoxelFaces& faces, std::vector<Cell> cells,
-                                    const PredictiveParameters& parameters, Walk walk,
+                                    const PredictiveParameters& parameters, CodingOrder coding_order,
                                     const PositionModels* start) {
   CompactWriter writer;
   writer.reserve(9 * std::size_t{faces.vertex_count()});
-  code_walk(writer, walk);
+  code_coding_order(writer, coding_order);
   VoxelCoder coder(writer, faces, parameters.lattice.cells, parameters.levels,
                    start != nullptr ? start->of_voxels() : nullptr);
-  for (std::uint32_t turn = 0; turn < faces.turns(); ++turn) coder.code_turn(turn, cells);
+  for (std::uint32_t step = 0; step < faces.steps(); ++step) coder.code_step(step, cells);
   return writer.finish();
 }
 
@@ -56,8 +56,8 @@ std::vector<std::byte> write_cells(const KnownFaces& faces, std::vector<Cell> ce
                                    std::vector<Patch> patches, const PositionModels* start) {
   CompactWriter writer;
   writer.reserve(9 * std::size_t{faces.vertex_count()});
-  Walk walk = form.walk;
-  code_walk(writer, walk);
+  CodingOrder coding_order = form.coding_order;
+  code_coding_order(writer, coding_order);
   BlendTable blends = fit_blends(faces, cells, form.fit);
   code_blends(writer, blends);
   const PositionLattice& lattice = parameters.lattice;
@@ -79,8 +79,8 @@ std::vector<std::byte> write_ordinals(const KnownFaces& faces, std::vector<Ordin
     for (std::size_t axis = 0; axis < 3; ++axis) cells[v][axis] = fixed_of(floats[v][axis], units[axis]);
   CompactWriter writer;
   writer.reserve(9 * std::size_t{faces.vertex_count()});
-  Walk walk = form.walk;
-  code_walk(writer, walk);
+  CodingOrder coding_order = form.coding_order;
+  code_coding_order(writer, coding_order);
   BlendTable blends = fit_blends(faces, cells, form.fit);
   code_blends(writer, blends);
   FloatCoder coder(writer, faces, units, blends);
@@ -94,10 +94,10 @@ std::vector<std::byte> write_positions(const FaceList& faces, std::span<const Ce
                                        const PredictiveParameters& parameters, const PositionForm& form,
                                        std::span<const Patch> patches, const PositionModels* start) {
   if (cells.empty()) return {};
-  const auto order = walk_order(faces, form.walk);
+  const auto order = ordered_vertices(faces, form.coding_order);
   if (parameters.kind == PositionKind::kVoxel)
     return write_voxels(VoxelFaces(faces, order, start == nullptr), in_order(cells, order), parameters,
-                        form.walk, start);
+                        form.coding_order, start);
   return write_cells(KnownFaces(faces, order), in_order(cells, order), parameters, form,
                      in_order(patches, order), start);
 }
@@ -109,7 +109,7 @@ std::vector<std::byte> write_floats(const FaceList& faces, std::span<const Vec3>
   for (std::size_t v = 0; v < floats.size(); ++v)
     for (std::size_t axis = 0; axis < 3; ++axis)
       floats[v][axis] = ordinal_of(static_cast<float>(positions[v][axis]));
-  const auto order = walk_order(faces, form.walk);
+  const auto order = ordered_vertices(faces, form.coding_order);
   return write_ordinals(KnownFaces(faces, order), in_order(std::span<const Ordinals>(floats), order),
                         float_units(box), form);
 }

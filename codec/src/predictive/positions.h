@@ -16,8 +16,8 @@
 #include "format/predictive_parameters.h"
 #include "predictive/blend.h"
 #include "predictive/blend_fit.h"
+#include "predictive/coding_order.h"
 #include "predictive/patches.h"
-#include "predictive/walk.h"
 
 namespace deltamesh {
 
@@ -27,13 +27,13 @@ enum class Guessing : std::uint8_t { kNever, kAlways, kForecast };  ///< kForeca
 
 /// What a writer is free to choose.
 struct PositionForm {
-  Walk walk = Walk::kAsDecoded;
+  CodingOrder coding_order = CodingOrder::kAsDecoded;
   BlendFit fit = BlendFit::kSquares;
   Guessing guesses = Guessing::kNever;  ///< of kLattice: suits flat and swept surfaces [POSN-9]
 };
 
 /// The POSN payload, compact, of `cells`, one for every vertex of `faces`, within the lattice; empty for no
-/// vertices. `faces`: as decoded, whatever the walk. `patches`: of kLattice, ascending. `start`:
+/// vertices. `faces`: as decoded, whatever the coding order. `patches`: of kLattice, ascending. `start`:
 /// null for fresh models. O(n + m).
 std::vector<std::byte> write_positions(const FaceList& faces, std::span<const Cell> cells,
                                        const PredictiveParameters& parameters, const PositionForm& form = {},

@@ -54,13 +54,13 @@ class VoxelCoder {
     return learnt;
   }
 
-  /// The vertex of this turn in the first walk, from 0, and the one in the second; those of the turns before
-  /// are coded. A reader fills their cells in. The rule that a stream breaks here, or null.
-  DELTAMESH_LOOP_BODY const char* code_turn(std::uint32_t turn, std::span<Cell> cells) {
-    const std::uint32_t other = faces_.second_walk() + turn;
+  /// The vertex of this step in the first sequence, from 0, and the one in the second; those of the steps
+  /// before are coded. A reader fills their cells in. The rule that a stream breaks here, or null.
+  DELTAMESH_LOOP_BODY const char* code_step(std::uint32_t step, std::span<Cell> cells) {
+    const std::uint32_t other = faces_.second_sequence() + step;
     const bool is_alone = other >= faces_.vertex_count();
-    Vertex first(*this, turn, cells);
-    Vertex second(*this, is_alone ? turn : other, cells);
+    Vertex first(*this, step, cells);
+    Vertex second(*this, is_alone ? step : other, cells);
     Corners corners = {corners_of(first.number), corners_of(second.number)};
     VoxelPair pair;
     if (!pair.find(corners, places())) [[unlikely]] {
@@ -184,8 +184,8 @@ class VoxelCoder {
   /// An edge by its axis and its lower node, from the node at what is expected; or a vertex on none.
   /// Kept out of the way of the vertices on a cube's edges, which are most.
   [[gnu::noinline]] const char* code_elsewhere(std::uint32_t vertex, std::span<Cell> cells) {
-    // Nothing comes before the first one of a walk.
-    const std::uint32_t after = vertex == faces_.second_walk() ? 0 : vertex;
+    // Nothing comes before the first one of a sequence.
+    const std::uint32_t after = vertex == faces_.second_sequence() ? 0 : vertex;
     const Surroundings around = faces_.around(vertex);
     const Expectation expected = expect_place(around, after, cells, kUsualBlends);
     const std::array<std::int64_t, 3> place = expected.place();

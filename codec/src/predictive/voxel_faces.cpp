@@ -4,9 +4,9 @@
 
 namespace deltamesh {
 
-VoxelFaces::VoxelFaces(const FaceList& list, std::span<const std::uint32_t> order, bool two_walks)
+VoxelFaces::VoxelFaces(const FaceList& list, std::span<const std::uint32_t> order, bool two_sequences)
     : vertex_count_(list.vertex_count),
-      second_walk_(two_walks ? (list.vertex_count + 1) / 2 : list.vertex_count) {
+      second_sequence_(two_sequences ? (list.vertex_count + 1) / 2 : list.vertex_count) {
   if (order.empty()) {
     add_all(list.triangles);
     return;
@@ -17,13 +17,13 @@ VoxelFaces::VoxelFaces(const FaceList& list, std::span<const std::uint32_t> orde
 void VoxelFaces::add_all(std::span<const std::uint32_t> triangles) {
   with_faces_ = count_with_faces({triangles, vertex_count_});
   stars_.assign(std::size_t{with_faces_} + 1, Star{{none(), none(), none(), none()}});
-  const std::uint32_t second_walk = second_walk_;
+  const std::uint32_t second_sequence = second_sequence_;
   for (std::size_t i = 0; i < triangles.size(); i += 3) {
     const std::uint32_t* const corners = triangles.data() + i;
     const TurnedFace face = turned_face(corners[0], corners[1], corners[2]);
-    // Those of one walk have their turns in the order of their numbers.
-    if (face.last >= second_walk && (face.a < second_walk || face.b < second_walk)) [[unlikely]] {
-      add_across_walks({face.last, face.a, face.b});
+    // Those of one sequence have their steps in the order of their numbers.
+    if (face.last >= second_sequence && (face.a < second_sequence || face.b < second_sequence)) [[unlikely]] {
+      add_across_sequences({face.last, face.a, face.b});
     } else if (face.is_whole()) {
       add(face);
     }
@@ -39,11 +39,11 @@ void VoxelFaces::add_all(std::span<const std::uint32_t> triangles) {
   star[3] = face.b;
 }
 
-void VoxelFaces::add_across_walks(const std::array<std::uint32_t, 3>& corners) noexcept {
+void VoxelFaces::add_across_sequences(const std::array<std::uint32_t, 3>& corners) noexcept {
   for (std::size_t k = 0; k < 3; ++k) {
     const TurnedFace face{corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3]};
-    const std::uint32_t turn = turn_of(face.last);
-    if (turn_of(face.a) < turn && turn_of(face.b) < turn && face.a != face.b) add(face);
+    const std::uint32_t step = step_of(face.last);
+    if (step_of(face.a) < step && step_of(face.b) < step && face.a != face.b) add(face);
   }
 }
 

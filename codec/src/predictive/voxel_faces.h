@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// The first and the last face of every vertex whose other corners are known before it, in two walks
-// [POSN-12].
+// The first and the last face of every vertex whose other corners are known before it, in two interleaved
+// sequences [POSN-12].
 #pragma once
 
 #include <algorithm>
@@ -27,14 +27,15 @@ class VoxelFaces {
 
   /// `order`: the vertices in coding order, by which they are numbered here; empty where they are already.
   /// O(n + m); memory for the vertices up to the last one with a face.
-  /// `two_walks`: or a single one [POSN-12].
-  explicit VoxelFaces(const FaceList& list, std::span<const std::uint32_t> order = {}, bool two_walks = true);
+  /// `two_sequences`: or a single one [POSN-12].
+  explicit VoxelFaces(const FaceList& list, std::span<const std::uint32_t> order = {},
+                      bool two_sequences = true);
 
   std::uint32_t vertex_count() const noexcept { return vertex_count_; }
-  /// The first vertex of the second walk, which has as many as the first or one less, or none.
-  std::uint32_t second_walk() const noexcept { return second_walk_; }
-  /// In each of which a vertex of every walk is coded; those of lower ones are known.
-  std::uint32_t turns() const noexcept { return second_walk_; }
+  /// The first vertex of the second sequence, which has as many as the first or one less, or none.
+  std::uint32_t second_sequence() const noexcept { return second_sequence_; }
+  /// Number of steps [POSN-12]. In each a vertex of either sequence is coded; those of lower steps are known.
+  std::uint32_t steps() const noexcept { return second_sequence_; }
   /// In place of a vertex.
   std::uint32_t none() const noexcept { return vertex_count(); }
 
@@ -46,24 +47,24 @@ class VoxelFaces {
   Surroundings around(std::uint32_t vertex) const noexcept;
 
  private:
-  std::uint32_t turn_of(std::uint32_t vertex) const noexcept {
-    return std::min(vertex, vertex - second_walk_);
+  std::uint32_t step_of(std::uint32_t vertex) const noexcept {
+    return std::min(vertex, vertex - second_sequence_);
   }
   void add_all(std::span<const std::uint32_t> triangles);
   void add(const TurnedFace& face) noexcept;
-  /// Of a face with corners in both walks, at most one of which has a later turn than the others.
-  void add_across_walks(const std::array<std::uint32_t, 3>& corners) noexcept;
+  /// Of a face with corners in both sequences, at most one of which has a later step than the others.
+  void add_across_sequences(const std::array<std::uint32_t, 3>& corners) noexcept;
 
   std::uint32_t with_faces_;  ///< no vertex from there on has a face
   LargeVector<Star> stars_;   ///< of those below, and one without faces
   std::uint32_t vertex_count_;
-  std::uint32_t second_walk_;
+  std::uint32_t second_sequence_;
 };
 
 [[gnu::always_inline]] inline std::uint32_t VoxelFaces::across(std::uint32_t a,
                                                                std::uint32_t b) const noexcept {
   // Without branches, which would often go wrong.
-  const std::uint32_t earlier = choose(turn_of(b) > turn_of(a), a, b);
+  const std::uint32_t earlier = choose(step_of(b) > step_of(a), a, b);
   const Star& star = this->star(a ^ b ^ earlier);
   const unsigned found = set_lanes(four_ints(star) == static_cast<std::int32_t>(earlier));
   // Lanes 0 and 1 are a face, 2 and 3 are one.

@@ -35,9 +35,9 @@ Adjacency build_adjacency(std::span<const std::uint32_t> triangles, std::uint32_
 /// From one vertex to another.
 using DirectedEdge = std::array<std::uint32_t, 2>;
 
-/// The same, faster, for one who knows the open edges: with these turned round, every edge of a face comes as
-/// often in the one direction as in the other. On the threads of `team`; null: on this one. O(n + m log d),
-/// d being the most neighbours of a vertex.
+/// The same, faster, where the open edges are known: with these reversed and added, every edge of a face
+/// comes as often in the one direction as in the other. On the threads of `team`; null: on this one. O(n + m
+/// log d), d being the largest number of neighbours of a vertex.
 Adjacency build_adjacency(std::span<const std::uint32_t> triangles, std::span<const DirectedEdge> open_edges,
                           std::uint32_t vertex_count, ThreadTeam* team = nullptr);
 

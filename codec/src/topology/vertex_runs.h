@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Connected components of one who knows which vertices in a row hang together, without the graph.
+// Connected components without the graph, from runs of vertices that are known to be connected.
 #pragma once
 
 #include <cstdint>

@@ -51,9 +51,9 @@ class VertexSubset {
 };
 
 /// Rows of vertices that are asked for in ascending order.
-class SubsetWalk {
+class SubsetCursor {
  public:
-  explicit SubsetWalk(const VertexSubset& subset) noexcept : left_(subset.runs()) {}
+  explicit SubsetCursor(const VertexSubset& subset) noexcept : left_(subset.runs()) {}
 
   /// As VertexSubset::row_of. O(1), but for O(runs) over all calls.
   std::optional<std::uint32_t> row_of(std::uint32_t vertex) noexcept {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "attributes/normal_lattice.h"
-#include "attributes/surface_walk.h"
+#include "attributes/surface_order.h"
 #include "attributes/tangent_rule.h"
 #include "base/portable_math.h"
 #include "support/soups.h"

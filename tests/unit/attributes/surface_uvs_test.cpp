@@ -12,7 +12,7 @@
 
 #include "attributes/forecast_blend.h"
 #include "attributes/linear_fit.h"
-#include "attributes/surface_walk.h"
+#include "attributes/surface_order.h"
 #include "support/soups.h"
 
 namespace deltamesh {
@@ -85,22 +85,22 @@ bool has_corner(const test::Soup& soup, const Corner& corner, std::uint32_t vert
   return false;
 }
 
-TEST(SurfaceWalk, ATTR30ListsVerticesAndFacesOnce) {
+TEST(SurfaceOrder, ATTR30ListsVerticesAndFacesOnce) {
   std::vector<test::Soup> soups = {test::grid(7, 5, false, false, 0, 1), test::grid(6, 6, true, true, 4, 2),
                                    test::fan(9, true), test::moebius_strip(8)};
   for (std::uint32_t seed = 0; seed < 50; ++seed) soups.push_back(test::random_soup(seed, 12, 20));
   for (const test::Soup& soup : soups) {
-    const SurfaceWalk walk =
-        walk_surface(soup.triangles, soup.vertex_count, VertexCorners(soup.triangles, soup.vertex_count));
-    ASSERT_EQ(walk.order.size(), soup.vertex_count) << soup.name;
-    ASSERT_EQ(walk.complete.size(), soup.triangles.size() / 3) << soup.name;
+    const SurfaceOrder order = make_surface_order(soup.triangles, soup.vertex_count,
+                                                  VertexCorners(soup.triangles, soup.vertex_count));
+    ASSERT_EQ(order.vertices.size(), soup.vertex_count) << soup.name;
+    ASSERT_EQ(order.complete.size(), soup.triangles.size() / 3) << soup.name;
     std::vector<bool> visited(soup.vertex_count);
     std::vector<bool> complete(soup.triangles.size() / 3);
-    for (std::size_t i = 0; i < walk.order.size(); ++i) {
-      EXPECT_FALSE(visited[walk.order[i]]) << soup.name;
-      visited[walk.order[i]] = true;
-      for (const Corner& corner : walk.completed_by(i)) {
-        EXPECT_TRUE(has_corner(soup, corner, walk.order[i])) << soup.name;
+    for (std::size_t i = 0; i < order.vertices.size(); ++i) {
+      EXPECT_FALSE(visited[order.vertices[i]]) << soup.name;
+      visited[order.vertices[i]] = true;
+      for (const Corner& corner : order.completed_by(i)) {
+        EXPECT_TRUE(has_corner(soup, corner, order.vertices[i])) << soup.name;
         EXPECT_TRUE(visited[corner.next]) << soup.name;
         EXPECT_TRUE(visited[corner.before]) << soup.name;
         EXPECT_FALSE(complete[corner.face]) << soup.name;
@@ -110,14 +110,14 @@ TEST(SurfaceWalk, ATTR30ListsVerticesAndFacesOnce) {
   }
 }
 
-TEST(SurfaceWalk, ATTR30TakesVerticesThatSeveralFacesWaitForFirst) {
+TEST(SurfaceOrder, ATTR30TakesVerticesThatSeveralFacesWaitForFirst) {
   // A fan around 0: after 0, 1 and 2 one face waits for 3 and another, the last, for 4; then two for the
   // other.
   const std::vector<std::uint32_t> fan = {0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1};
-  const SurfaceWalk walk = walk_surface(fan, 6, VertexCorners(fan, 6));
-  EXPECT_EQ(std::vector<std::uint32_t>(walk.order.begin(), walk.order.end()),
+  const SurfaceOrder order = make_surface_order(fan, 6, VertexCorners(fan, 6));
+  EXPECT_EQ(std::vector<std::uint32_t>(order.vertices.begin(), order.vertices.end()),
             (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5}));
-  EXPECT_EQ(std::vector<std::uint32_t>(walk.ends.begin(), walk.ends.end()),
+  EXPECT_EQ(std::vector<std::uint32_t>(order.ends.begin(), order.ends.end()),
             (std::vector<std::uint32_t>{0, 0, 1, 2, 4, 4}));
 }
 

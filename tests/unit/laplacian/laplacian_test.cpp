@@ -10,7 +10,7 @@
 
 #include "laplacian/anchors/anchors.h"
 #include "laplacian/operator/delta.h"
-#include "laplacian/solved_part.h"
+#include "laplacian/operator/solved_part.h"
 #include "laplacian/solver.h"
 #include "support/graph_mesh.h"
 

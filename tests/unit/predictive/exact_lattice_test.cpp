@@ -80,9 +80,9 @@ TEST(ExactLattice, POSN11FewOthersArePatched) {
   for (std::uint32_t v = 0; v + 2 < positions.size(); ++v)
     triangles.insert(triangles.end(), {v, v + 1, v + 2});
   const FaceList faces{triangles, 1000};
-  for (const Walk walk : {Walk::kAsDecoded, Walk::kBroad, Walk::kDeep}) {
+  for (const CodingOrder coding_order : {CodingOrder::kAsDecoded, CodingOrder::kBroad, CodingOrder::kDeep}) {
     const PredictiveParameters parameters{.lattice = *lattice};
-    const auto bytes = write_positions(faces, cells, parameters, {.walk = walk}, patches);
+    const auto bytes = write_positions(faces, cells, parameters, {.coding_order = coding_order}, patches);
     const auto back = read_positions(Payload::compact(bytes), faces, parameters, box_of(positions));
     ASSERT_TRUE(back) << back.error().message;
     const auto rows = to_float_rows(positions, {});

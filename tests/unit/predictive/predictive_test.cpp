@@ -81,19 +81,20 @@ TEST(Predictive, VerticesWithoutFacesComeBack) {
     for (std::size_t i = 0; i < lone; ++i) mesh.positions.push_back({0.5 * static_cast<double>(i), 3, -2});
     mesh = test::finish(mesh);
     const FaceList faces = faces_of(mesh);
-    for (const Walk walk : {Walk::kAsDecoded, Walk::kBroad, Walk::kDeep}) {
+    for (const CodingOrder coding_order :
+         {CodingOrder::kAsDecoded, CodingOrder::kBroad, CodingOrder::kDeep}) {
       for (const PositionKind kind : {PositionKind::kLattice, PositionKind::kVoxel}) {
         const PredictiveParameters parameters{
             .kind = kind, .lattice = cubic_lattice(mesh.box, 0.5), .levels = 2};
         const auto cells = to_cells(mesh.positions, parameters.lattice);
-        const auto bytes = write_positions(faces, cells, parameters, {.walk = walk});
+        const auto bytes = write_positions(faces, cells, parameters, {.coding_order = coding_order});
         const auto back = read_positions(Payload::compact(bytes), faces, parameters, mesh.box);
         ASSERT_TRUE(back) << back.error().message;
         EXPECT_EQ(*back, *to_float_rows(to_positions(cells, parameters.lattice), {}));
       }
       std::vector<Vec3> floats = mesh.positions;
       for (Vec3& p : floats) p[2] = static_cast<double>(static_cast<float>(p[2]));
-      const auto bytes = write_floats(faces, floats, mesh.box, {.walk = walk});
+      const auto bytes = write_floats(faces, floats, mesh.box, {.coding_order = coding_order});
       const auto back = read_positions(Payload::compact(bytes), faces,
                                        {.kind = PositionKind::kFloats, .lattice = {}}, mesh.box);
       ASSERT_TRUE(back) << back.error().message;

@@ -232,9 +232,9 @@ TEST(Surroundings, VerticesWithoutFacesMayBeAnywhere) {
   const std::vector<std::uint32_t> triangles = {1, 3, 5, 5, 3, 7};
   const std::vector<std::uint32_t> order = {0, 9, 1, 3, 8, 5, 2, 7, 4, 6};
   const KnownFaces decoded({triangles, 10});
-  const KnownFaces walked({triangles, 10}, order);
+  const KnownFaces ordered({triangles, 10}, order);
   for (std::uint32_t i = 0; i < 10; ++i) {
-    const Surroundings around = walked.around(i);
+    const Surroundings around = ordered.around(i);
     EXPECT_EQ(around.known_count, decoded.around(order[i]).known_count) << i;
     EXPECT_EQ(around.faces, decoded.around(order[i]).faces) << i;
     EXPECT_EQ(around.parallelogram_count, order[i] == 7 ? 1U : 0U) << i;

@@ -78,7 +78,8 @@ class LetterReader {
 
   void read(std::uint32_t v) {
     const Surroundings around = faces_.around(v);
-    const Expectation expected = expect_place(around, v == faces_.second_walk() ? 0 : v, cells, kUsualBlends);
+    const Expectation expected =
+        expect_place(around, v == faces_.second_sequence() ? 0 : v, cells, kUsualBlends);
     const unsigned start = reader_.symbol(0, Mixture<1>{{&start_}, &start_weights_});
     if (start == 3) return read_free(v, around, expected);
     for (std::size_t a = 0; a < 3; ++a) {
@@ -146,17 +147,17 @@ TEST(Voxels, VOX1POSN5FreeVerticesAmongVerticesOnEdgesAreAsWritten) {
   const auto bytes = write_positions(list, cells, parameters);
 
   CompactReader reader(bytes);
-  Walk walk{};
-  ASSERT_TRUE(code_walk(reader, walk));
+  CodingOrder coding_order{};
+  ASSERT_TRUE(code_coding_order(reader, coding_order));
   const VoxelFaces faces(list);
   LetterReader letter(reader, faces);
-  for (std::uint32_t turn = 0; turn < 6; ++turn) {
-    letter.read(turn);
-    letter.read(turn + 6);
+  for (std::uint32_t step = 0; step < 6; ++step) {
+    letter.read(step);
+    letter.read(step + 6);
   }
   EXPECT_TRUE(reader.finish(kTagPositions));
   EXPECT_EQ(letter.cells, cells);
-  // In the order of turns; 9 has no faces.
+  // In the order of steps; 9 has no faces.
   EXPECT_EQ(letter.sources, (std::vector<std::uint32_t>{2, 0, 2, 1}));
 }
 

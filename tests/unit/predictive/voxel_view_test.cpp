@@ -331,23 +331,23 @@ class Script {
 };
 
 /// Edges of axis z one voxel apart at levels 1 and 2, then what is said of a vertex that makes a face of
-/// them. The second walk is of vertices without faces, all alike.
+/// them. The second sequence is of vertices without faces, all alike.
 const char* rule_of_third(std::initializer_list<std::uint32_t> said, std::vector<Cell>& cells) {
   const std::vector<std::uint32_t> triangle = {0, 1, 2};
   const VoxelFaces faces(FaceList{triangle, 6});
-  // Axis, nodes and level, those of the second walk's after the first's.
+  // Axis, nodes and level, those of the second sequence's after the first's.
   std::vector<std::uint32_t> script = {2, 2, 2, 0, 1, 2, 2, 2, 0, 1, 2, 0, 2, 0, 2, 2, 0, 0, 0, 1};
   script.insert(script.end(), said.begin(), said.end());
   Script coder(std::move(script));
   VoxelCoder<Script> voxels(coder, faces, {24, 24, 24}, 4);
   cells.assign(6, {});
-  EXPECT_EQ(voxels.code_turn(0, cells), nullptr);
-  EXPECT_EQ(voxels.code_turn(1, cells), nullptr);
+  EXPECT_EQ(voxels.code_step(0, cells), nullptr);
+  EXPECT_EQ(voxels.code_step(1, cells), nullptr);
   EXPECT_EQ(cells[0], (Cell{8, 8, 3}));
   EXPECT_EQ(cells[1], (Cell{8, 16, 5}));
   EXPECT_EQ(cells[3], (Cell{8, 8, 3}));
   EXPECT_EQ(cells[4], (Cell{8, 8, 3}));
-  const char* const rule = voxels.code_turn(2, cells);
+  const char* const rule = voxels.code_step(2, cells);
   return rule != nullptr ? rule : "";
 }
 
@@ -355,9 +355,9 @@ TEST(VoxelFaces, POSN12TheFirstAndTheLastOfWhatIsKnownByEarlierTurns) {
   const test::GraphMesh mesh = test::sheet(9, 7);
   const auto count = static_cast<std::uint32_t>(mesh.positions.size());
   const VoxelFaces faces(FaceList{mesh.triangles, count});
-  const std::uint32_t second = faces.second_walk();
+  const std::uint32_t second = faces.second_sequence();
   EXPECT_EQ(second, 32U);
-  EXPECT_EQ(faces.turns(), second);
+  EXPECT_EQ(faces.steps(), second);
   const auto turn_of = [&](std::uint32_t v) { return v < second ? v : v - second; };
   std::size_t known = 0;
   for (std::uint32_t v = 0; v < count; ++v) {
@@ -410,13 +410,13 @@ TEST(VoxelFaces, VerticesWithoutFacesMayBeAnywhere) {
   std::vector<std::uint32_t> placed(triangles);
   for (std::uint32_t& v : placed)
     v = static_cast<std::uint32_t>(std::find(order.begin(), order.end(), v) - order.begin());
-  const VoxelFaces walked({triangles, 10}, order);
+  const VoxelFaces ordered({triangles, 10}, order);
   const VoxelFaces numbered({placed, 10});
   for (std::uint32_t i = 0; i < 10; ++i) {
-    EXPECT_EQ(walked.star(i), numbered.star(i)) << i;
-    EXPECT_EQ(walked.around(i).parallelogram_count, numbered.around(i).parallelogram_count) << i;
+    EXPECT_EQ(ordered.star(i), numbered.star(i)) << i;
+    EXPECT_EQ(ordered.around(i).parallelogram_count, numbered.around(i).parallelogram_count) << i;
   }
-  EXPECT_EQ(walked.star(3), (VoxelFaces::Star{{5, 2, 7, 5}}));  // by turns, in walks of five
+  EXPECT_EQ(ordered.star(3), (VoxelFaces::Star{{5, 2, 7, 5}}));  // by steps, in sequences of five
 }
 
 TEST(VoxelCoder, POSN12AnyNumberOfVerticesComesBack) {

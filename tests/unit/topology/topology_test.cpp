@@ -198,12 +198,12 @@ TEST(VertexSubset, FindsRowsAndVertices) {
   const VertexSubset subset = subset_of(vertices);
   EXPECT_EQ(subset.runs().size(), 3U);
   ASSERT_EQ(subset.size(), vertices.size());
-  SubsetWalk walk(subset);
+  SubsetCursor cursor(subset);
   for (std::uint32_t vertex = 0; vertex < 12; ++vertex) {
     const auto found = std::find(vertices.begin(), vertices.end(), vertex);
     const auto row = subset.row_of(vertex);
-    EXPECT_EQ(walk.row_of(vertex), row);
-    EXPECT_EQ(walk.row_of(vertex), row);
+    EXPECT_EQ(cursor.row_of(vertex), row);
+    EXPECT_EQ(cursor.row_of(vertex), row);
     ASSERT_EQ(row.has_value(), found != vertices.end()) << vertex;
     if (!row) continue;
     EXPECT_EQ(*row, found - vertices.begin());

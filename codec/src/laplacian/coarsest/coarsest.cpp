@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "laplacian/multigrid/cycle/edges.h"
+#include "laplacian/multigrid/level/edges.h"
 #include "laplacian/multigrid/setup/levels.h"
 
 namespace deltamesh::multigrid {

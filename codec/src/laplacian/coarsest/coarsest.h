@@ -12,9 +12,9 @@
 #include "base/large_vector.h"
 #include "laplacian/coarsest/conjugate_gradients.h"
 #include "laplacian/coarsest/dense_factor.h"
-#include "laplacian/multigrid/cycle/coupled_problem.h"
-#include "laplacian/multigrid/level.h"
-#include "laplacian/multigrid/row.h"
+#include "laplacian/multigrid/level/coupled_problem.h"
+#include "laplacian/multigrid/level/level.h"
+#include "laplacian/multigrid/level/row.h"
 
 namespace deltamesh::multigrid {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "base/large_vector.h"
-#include "laplacian/multigrid/level.h"
-#include "laplacian/multigrid/row.h"
+#include "laplacian/multigrid/level/level.h"
+#include "laplacian/multigrid/level/row.h"
 
 namespace deltamesh::multigrid {
 

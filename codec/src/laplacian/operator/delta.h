@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/vec3.h"
-#include "laplacian/solved_part.h"
+#include "laplacian/operator/solved_part.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {

@@ -4,8 +4,8 @@
 // The rows of planned cycles and their interpolation, which solutions that settle are made of as well.
 #pragma once
 
-#include "laplacian/multigrid/row.h"
-#include "laplacian/multigrid/setup/interpolation.h"
+#include "laplacian/multigrid/level/interpolation.h"
+#include "laplacian/multigrid/level/row.h"
 
 namespace deltamesh::settling {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "laplacian/multigrid/cycle/edges.h"
+#include "laplacian/multigrid/level/edges.h"
 
 namespace deltamesh::multigrid {
 namespace {

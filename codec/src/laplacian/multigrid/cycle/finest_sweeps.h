@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <span>
 
-#include "laplacian/multigrid/cycle/unit_edges.h"
-#include "laplacian/multigrid/row.h"
+#include "laplacian/multigrid/level/row.h"
+#include "laplacian/multigrid/level/unit_edges.h"
 
 namespace deltamesh::multigrid {
 

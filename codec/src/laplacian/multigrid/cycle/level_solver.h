@@ -11,9 +11,9 @@
 
 #include "base/large_vector.h"
 #include "laplacian/coarsest/coarsest.h"
-#include "laplacian/multigrid/cycle/coupled_problem.h"
-#include "laplacian/multigrid/level.h"
-#include "laplacian/multigrid/row.h"
+#include "laplacian/multigrid/level/coupled_problem.h"
+#include "laplacian/multigrid/level/level.h"
+#include "laplacian/multigrid/level/row.h"
 
 namespace deltamesh::multigrid {
 

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "base/thread_team.h"
-#include "laplacian/multigrid/cycle/edges.h"
 #include "laplacian/multigrid/cycle/finest_sweeps.h"
-#include "laplacian/multigrid/cycle/unit_edges.h"
-#include "laplacian/multigrid/row.h"
+#include "laplacian/multigrid/level/edges.h"
+#include "laplacian/multigrid/level/row.h"
+#include "laplacian/multigrid/level/unit_edges.h"
 #include "laplacian/multigrid/setup/levels.h"
 
 namespace deltamesh::multigrid {

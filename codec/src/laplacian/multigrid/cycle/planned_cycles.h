@@ -13,7 +13,7 @@
 #include "base/vec3.h"
 #include "laplacian/multigrid/cycle/level_solver.h"
 #include "laplacian/multigrid/cycle/units.h"
-#include "laplacian/multigrid/level.h"
+#include "laplacian/multigrid/level/level.h"
 #include "laplacian/operator/delta_view.h"
 
 namespace deltamesh::multigrid {

@@ -10,7 +10,7 @@
 
 #include "base/four_ints.h"
 #include "base/vec3.h"
-#include "laplacian/multigrid/row.h"
+#include "laplacian/multigrid/level/row.h"
 #include "laplacian/operator/delta_view.h"
 
 namespace deltamesh::multigrid {

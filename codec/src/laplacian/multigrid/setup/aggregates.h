@@ -9,7 +9,7 @@
 #include <span>
 
 #include "base/large_vector.h"
-#include "laplacian/multigrid/level.h"
+#include "laplacian/multigrid/level/level.h"
 
 namespace deltamesh::multigrid {
 

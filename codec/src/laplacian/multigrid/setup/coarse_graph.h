@@ -4,7 +4,7 @@
 // The graph of the next coarser level: edges between aggregates, as the paths that they are on.
 #pragma once
 
-#include "laplacian/multigrid/level.h"
+#include "laplacian/multigrid/level/level.h"
 #include "laplacian/multigrid/setup/aggregates.h"
 
 namespace deltamesh {

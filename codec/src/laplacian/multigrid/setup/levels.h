@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "laplacian/multigrid/level.h"
+#include "laplacian/multigrid/level/level.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh::multigrid {

@@ -5,9 +5,9 @@
 #pragma once
 
 #include "base/large_vector.h"
-#include "laplacian/multigrid/level.h"
+#include "laplacian/multigrid/level/interpolation.h"
+#include "laplacian/multigrid/level/level.h"
 #include "laplacian/multigrid/setup/aggregates.h"
-#include "laplacian/multigrid/setup/interpolation.h"
 
 namespace deltamesh {
 class ThreadTeam;

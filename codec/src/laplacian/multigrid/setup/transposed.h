@@ -9,7 +9,7 @@
 #include <span>
 
 #include "base/large_vector.h"
-#include "laplacian/multigrid/setup/interpolation.h"
+#include "laplacian/multigrid/level/interpolation.h"
 
 namespace deltamesh::multigrid {
 

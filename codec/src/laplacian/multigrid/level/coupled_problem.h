@@ -6,8 +6,8 @@
 
 #include <span>
 
-#include "laplacian/multigrid/level.h"
-#include "laplacian/multigrid/row.h"
+#include "laplacian/multigrid/level/level.h"
+#include "laplacian/multigrid/level/row.h"
 
 namespace deltamesh {
 class ThreadTeam;

@@ -42,10 +42,10 @@ inline constexpr int kBlendsFlag = 32;
 
 /// `Source` tells a writer what to code: same(v, u), is_zero(v), choose(forecast, vertices).
 template <class Coder, class Source>
-class NormalWalk {
+class NormalTraversal {
  public:
-  NormalWalk(Coder& coder, Source& source, const AttributeSurface& surface,
-             const NormalParameters& parameters)
+  NormalTraversal(Coder& coder, Source& source, const AttributeSurface& surface,
+                  const NormalParameters& parameters)
       : coder_(coder),
         source_(source),
         surface_(surface),
@@ -63,8 +63,8 @@ class NormalWalk {
     coded_.back() = CodedNormal{};
   }
 
-  /// `failed()`: asked after every geometric vertex; true ends the walk. False where a lattice point is off
-  /// the sphere [ATTR-24].
+  /// `failed()`: asked after every geometric vertex; true ends the traversal. False where a lattice point is
+  /// off the sphere [ATTR-24].
   template <class Failed>
   bool run(Failed failed) {
     for (std::uint32_t v = 0; v < surface_.vertex_count() && !failed();) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "laplacian/multigrid/cycle/coupled_problem.h"
+#include "laplacian/multigrid/level/coupled_problem.h"
 
 #include <cstddef>
 
 #include "base/thread_team.h"
-#include "laplacian/multigrid/cycle/edges.h"
+#include "laplacian/multigrid/level/edges.h"
 
 namespace deltamesh::multigrid {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/large_vector.h"
-#include "laplacian/multigrid/setup/interpolation.h"
+#include "laplacian/multigrid/level/interpolation.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh::multigrid {

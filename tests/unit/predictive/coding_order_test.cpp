@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "predictive/walk.h"
+#include "predictive/coding_order.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@
 namespace deltamesh {
 namespace {
 
-constexpr Walk kWalks[] = {Walk::kAsDecoded, Walk::kBroad, Walk::kDeep};
+constexpr CodingOrder kCodingOrders[] = {CodingOrder::kAsDecoded, CodingOrder::kBroad, CodingOrder::kDeep};
 
 FaceList faces_of(const test::GraphMesh& mesh) {
   return {mesh.triangles, static_cast<std::uint32_t>(mesh.positions.size())};
@@ -39,7 +39,7 @@ std::size_t parallelograms(const KnownFaces& faces) {
 }
 
 /// [POSN-10] as it is written down.
-std::vector<std::uint32_t> walk_by_the_letter(const FaceList& faces, bool from_front) {
+std::vector<std::uint32_t> order_by_the_letter(const FaceList& faces, bool from_front) {
   std::vector<std::uint32_t> order;
   std::vector<unsigned> known(faces.vertex_count);
   std::vector<bool> placed(faces.vertex_count);
@@ -72,23 +72,23 @@ std::vector<std::uint32_t> walk_by_the_letter(const FaceList& faces, bool from_f
   return order;
 }
 
-TEST(Walk, POSN10PlacesAsItIsWritten) {
+TEST(CodingOrder, POSN10PlacesAsItIsWritten) {
   for (const test::GraphMesh& mesh : graph_meshes()) {
     const FaceList faces = faces_of(mesh);
-    EXPECT_TRUE(walk_order(faces, Walk::kAsDecoded).empty());
-    EXPECT_EQ(walk_order(faces, Walk::kBroad), walk_by_the_letter(faces, true));
-    EXPECT_EQ(walk_order(faces, Walk::kDeep), walk_by_the_letter(faces, false));
+    EXPECT_TRUE(ordered_vertices(faces, CodingOrder::kAsDecoded).empty());
+    EXPECT_EQ(ordered_vertices(faces, CodingOrder::kBroad), order_by_the_letter(faces, true));
+    EXPECT_EQ(ordered_vertices(faces, CodingOrder::kDeep), order_by_the_letter(faces, false));
   }
 }
 
-TEST(Walk, CornersThatRepeatAreWalkedOver) {
+TEST(CodingOrder, CornersThatRepeatAreLeftOut) {
   const std::vector<std::uint32_t> triangles = {0, 0, 1, 2, 2, 2, 1, 0, 1, 3, 1, 4};
   const FaceList faces{triangles, 6};
-  EXPECT_EQ(walk_order(faces, Walk::kBroad), walk_by_the_letter(faces, true));
-  EXPECT_EQ(walk_order(faces, Walk::kDeep), walk_by_the_letter(faces, false));
+  EXPECT_EQ(ordered_vertices(faces, CodingOrder::kBroad), order_by_the_letter(faces, true));
+  EXPECT_EQ(ordered_vertices(faces, CodingOrder::kDeep), order_by_the_letter(faces, false));
 }
 
-TEST(Walk, FindsMoreParallelograms) {
+TEST(CodingOrder, FindsMoreParallelograms) {
   const test::GraphMesh sheet = test::sheet(40, 40);
   // From the middle outwards the rows are no help.
   std::vector<std::uint32_t> number(sheet.positions.size());
@@ -99,21 +99,21 @@ TEST(Walk, FindsMoreParallelograms) {
   std::vector<std::uint32_t> triangles = sheet.triangles;
   for (std::uint32_t& v : triangles) v = number[v];
   const FaceList faces{triangles, static_cast<std::uint32_t>(number.size())};
-  for (const Walk walk : {Walk::kBroad, Walk::kDeep}) {
-    const KnownFaces walked(faces, walk_order(faces, walk));
-    EXPECT_GT(parallelograms(walked), 3 * sheet.positions.size() / 2);
-    EXPECT_GT(parallelograms(walked), parallelograms(KnownFaces(faces)));
+  for (const CodingOrder coding_order : {CodingOrder::kBroad, CodingOrder::kDeep}) {
+    const KnownFaces ordered(faces, ordered_vertices(faces, coding_order));
+    EXPECT_GT(parallelograms(ordered), 3 * sheet.positions.size() / 2);
+    EXPECT_GT(parallelograms(ordered), parallelograms(KnownFaces(faces)));
   }
 }
 
-TEST(Walk, POSN10EveryFormComesBack) {
+TEST(CodingOrder, POSN10EveryFormComesBack) {
   for (const test::GraphMesh& mesh : graph_meshes()) {
     const FaceList faces = faces_of(mesh);
     const PredictiveParameters parameters{.lattice = cubic_lattice(mesh.box, 1e-3)};
     const auto cells = to_cells(mesh.positions, parameters.lattice);
-    for (const Walk walk : kWalks) {
+    for (const CodingOrder coding_order : kCodingOrders) {
       for (const BlendFit fit : {BlendFit::kSquares, BlendFit::kBits}) {
-        const PositionForm form{.walk = walk, .fit = fit};
+        const PositionForm form{.coding_order = coding_order, .fit = fit};
         const auto bytes = write_positions(faces, cells, parameters, form);
         const auto back = read_positions(Payload::compact(bytes), faces, parameters, mesh.box);
         ASSERT_TRUE(back) << back.error().message;
@@ -129,7 +129,7 @@ TEST(Walk, POSN10EveryFormComesBack) {
   }
 }
 
-TEST(Walk, POSN10RefusesAnUnknownWalk) {
+TEST(CodingOrder, POSN10RefusesAnUnknownOrder) {
   const test::GraphMesh mesh = test::sheet(5, 5);
   const PredictiveParameters parameters{.lattice = cubic_lattice(mesh.box, 0.1)};
   CompactWriter writer;
@@ -140,7 +140,7 @@ TEST(Walk, POSN10RefusesAnUnknownWalk) {
   EXPECT_STREQ(refused.error().rule, "POSN-10");
 }
 
-TEST(Walk, SearchNeverMakesAStreamLonger) {
+TEST(CodingOrder, SearchNeverMakesAStreamLonger) {
   for (const Scene scene : {Scene::kCad, Scene::kTerrain, Scene::kRooms}) {
     const Mesh mesh = *generate_scene(scene, 4000, 2);
     std::size_t least = ~std::size_t{0};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// The walk over the vertices in which error diffusion works, whatever decides on the symbols.
+// The pass over the vertices in which error diffusion works, whatever decides on the symbols.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace deltamesh {
 
-/// Hands `charge` to the neighbours of `vertex` that come later; what no one can take is lost.
+/// Hands `charge` to the neighbours of `vertex` that come later; what none of them can take is lost.
 inline void diffuse_charge(const Adjacency& graph, std::uint32_t vertex, const Vec3& charge,
                            std::vector<Vec3>& carried) {
   const auto neighbors = graph.of(vertex);
@@ -33,8 +33,8 @@ inline void diffuse_charge(const Adjacency& graph, std::uint32_t vertex, const V
 /// code, of which `nearest` are the nearest; diffusion as in quantize_deltas(). False where a nearest symbol
 /// exceeds kLargestSymbol.
 template <class Choose>
-bool walk_deltas(const Adjacency& graph, std::span<const Vec3> deltas, const DeltaQuantizer& quantizer,
-                 double strength, Choose choose) {
+bool pass_over_deltas(const Adjacency& graph, std::span<const Vec3> deltas, const DeltaQuantizer& quantizer,
+                      double strength, Choose choose) {
   const bool diffuses = strength > 0;
   std::vector<Vec3> carried(diffuses ? deltas.size() : 0);
   for (std::uint32_t i = 0; i < deltas.size(); ++i) {

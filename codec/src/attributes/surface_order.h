@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// An order of the vertices in which each comes with the faces that it is the last corner of, chart after
-// chart: what attributes that are predicted from faces are coded in [ATTR-30].
+// The surface order [ATTR-30] of the vertices: each comes with the faces that it is the last corner of, chart
+// after chart. Attributes that are predicted from faces are coded in it.
 #pragma once
 
 #include <cstddef>
@@ -14,12 +14,12 @@
 
 namespace deltamesh {
 
-struct SurfaceWalk {
-  LargeVector<std::uint32_t> order;  ///< n: the vertices, each once
-  LargeVector<std::uint32_t> ends;   ///< n: how many of `complete` belong to order[0 .. i]
-  LargeVector<Corner> complete;      ///< m: of each face the corner that comes last
+struct SurfaceOrder {
+  LargeVector<std::uint32_t> vertices;  ///< n: each once
+  LargeVector<std::uint32_t> ends;      ///< n: how many of `complete` belong to vertices[0 .. i]
+  LargeVector<Corner> complete;         ///< m: of each face the corner that comes last
 
-  /// Of the faces that order[i] is the last corner of.
+  /// Of the faces that vertices[i] is the last corner of.
   std::span<const Corner> completed_by(std::size_t i) const noexcept {
     const std::uint32_t begin = i == 0 ? 0 : ends[i - 1];
     return {complete.data() + begin, complete.data() + ends[i]};
@@ -36,7 +36,7 @@ struct SurfaceWalk {
 };
 
 /// `corners`: those of `triangles`. O(n + m).
-SurfaceWalk walk_surface(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count,
-                         const VertexCorners& corners);
+SurfaceOrder make_surface_order(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count,
+                                const VertexCorners& corners);
 
 }  // namespace deltamesh

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "predictive/walk.h"
+#include "predictive/coding_order.h"
 
 #include <algorithm>
 #include <array>
@@ -50,7 +50,7 @@ class WaitingVertices {
  public:
   static constexpr std::size_t kClasses = 3;
 
-  explicit WaitingVertices(Walk walk) noexcept : walk_(walk) {}
+  explicit WaitingVertices(CodingOrder coding_order) noexcept : coding_order_(coding_order) {}
 
   void add(std::uint32_t vertex, std::size_t faces) { lists_[faces - 1].vertices.push_back(vertex); }
 
@@ -59,7 +59,7 @@ class WaitingVertices {
     for (std::size_t i = kClasses; i-- > 0;) {
       List& list = lists_[i];
       if (list.head == list.vertices.size()) continue;
-      if (walk_ == Walk::kBroad) return list.vertices[list.head++];
+      if (coding_order_ == CodingOrder::kBroad) return list.vertices[list.head++];
       const std::uint32_t last = list.vertices.back();
       list.vertices.pop_back();
       return last;
@@ -73,20 +73,20 @@ class WaitingVertices {
     std::size_t head = 0;  ///< of kBroad: those before it are taken
   };
 
-  Walk walk_;
+  CodingOrder coding_order_;
   std::array<List, kClasses> lists_;
 };
 
 }  // namespace
 
-std::vector<std::uint32_t> walk_order(const FaceList& list, Walk walk) {
+std::vector<std::uint32_t> ordered_vertices(const FaceList& list, CodingOrder coding_order) {
   constexpr std::uint8_t kPlaced = 255;
   std::vector<std::uint32_t> order;
-  if (walk == Walk::kAsDecoded) return order;
+  if (coding_order == CodingOrder::kAsDecoded) return order;
   const FaceStars stars(list);
   order.reserve(list.vertex_count);
   std::vector<std::uint8_t> faces(list.vertex_count);  // with two placed corners, to kClasses; or kPlaced
-  WaitingVertices waiting(walk);
+  WaitingVertices waiting(coding_order);
   const auto rise = [&](std::uint32_t v) {
     if (faces[v] < WaitingVertices::kClasses) waiting.add(v, ++faces[v]);
   };

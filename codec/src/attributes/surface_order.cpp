@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "attributes/surface_walk.h"
+#include "attributes/surface_order.h"
 
 #include <vector>
 
 namespace deltamesh {
 namespace {
 
-class Walker {
+class OrderMaker {
  public:
-  Walker(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count, const VertexCorners& corners,
-         SurfaceWalk& walk)
+  OrderMaker(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count,
+             const VertexCorners& corners, SurfaceOrder& order)
       : triangles_(triangles),
         corners_(corners),
-        walk_(walk),
+        order_(order),
         met_(triangles.size() / 3),
         ready_(vertex_count) {
-    walk.order.reserve(vertex_count);
-    walk.ends.reserve(vertex_count);
-    walk.complete.reserve(met_.size());
+    order.vertices.reserve(vertex_count);
+    order.ends.reserve(vertex_count);
+    order.complete.reserve(met_.size());
   }
 
   void run() {
@@ -41,12 +41,12 @@ class Walker {
     ready_[vertex] = kVisited;
     for (const Corner& corner : corners_.of(vertex)) {
       const std::uint8_t met = ++met_[corner.face];
-      if (met == 3) walk_.complete.push_back(corner);
+      if (met == 3) order_.complete.push_back(corner);
       // Two corners were visited, so that the third is the only one to come, if there is one.
       if (met == 2) push(ready_[corner.next] == kVisited ? corner.before : corner.next);
     }
-    walk_.order.push_back(vertex);
-    walk_.ends.push_back(static_cast<std::uint32_t>(walk_.complete.size()));
+    order_.vertices.push_back(vertex);
+    order_.ends.push_back(static_cast<std::uint32_t>(order_.complete.size()));
   }
 
   /// One more face waits for `vertex`, if that is still to come.
@@ -75,7 +75,7 @@ class Walker {
 
   std::span<const std::uint32_t> triangles_;
   const VertexCorners& corners_;
-  SurfaceWalk& walk_;
+  SurfaceOrder& order_;
   std::vector<std::uint8_t> met_;     ///< by face: how many of its corners were visited
   std::vector<std::uint8_t> ready_;   ///< by vertex: faces that wait for it, at most kSeveral, or kVisited
   std::vector<std::uint32_t> stack_;  ///< vertices that one face waits for
@@ -85,11 +85,11 @@ class Walker {
 
 }  // namespace
 
-SurfaceWalk walk_surface(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count,
-                         const VertexCorners& corners) {
-  SurfaceWalk walk;
-  Walker(triangles, vertex_count, corners, walk).run();
-  return walk;
+SurfaceOrder make_surface_order(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count,
+                                const VertexCorners& corners) {
+  SurfaceOrder order;
+  OrderMaker(triangles, vertex_count, corners, order).run();
+  return order;
 }
 
 }  // namespace deltamesh

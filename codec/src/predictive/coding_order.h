@@ -12,21 +12,21 @@
 namespace deltamesh {
 
 /// As it is in the stream: two bits.
-enum class Walk : std::uint8_t {
+enum class CodingOrder : std::uint8_t {
   kAsDecoded = 0,
   kBroad = 1,  ///< among equally surrounded vertices, the first in goes first
   kDeep = 2,   ///< the last in goes first
 };
 
-/// `Coder` is CompactWriter or CompactReader. False where there is no such walk.
+/// `Coder` is CompactWriter or CompactReader. False where there is no such coding order.
 template <class Coder>
-bool code_walk(Coder& coder, Walk& walk) {
-  const std::uint32_t coded = coder.bits(static_cast<std::uint32_t>(walk), 2);
-  walk = static_cast<Walk>(coded);
-  return coded <= static_cast<std::uint32_t>(Walk::kDeep);
+bool code_coding_order(Coder& coder, CodingOrder& coding_order) {
+  const std::uint32_t coded = coder.bits(static_cast<std::uint32_t>(coding_order), 2);
+  coding_order = static_cast<CodingOrder>(coded);
+  return coded <= static_cast<std::uint32_t>(CodingOrder::kDeep);
 }
 
 /// The vertex at every place of the order; empty for kAsDecoded. O(n + m).
-std::vector<std::uint32_t> walk_order(const FaceList& list, Walk walk);
+std::vector<std::uint32_t> ordered_vertices(const FaceList& list, CodingOrder coding_order);
 
 }  // namespace deltamesh

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "laplacian/solved_part.h"
+#include "laplacian/operator/solved_part.h"
 
 #include <utility>
 
