@@ -8,10 +8,14 @@ import { after, before, test } from 'node:test';
 
 import { DeltameshError, createDecoder } from '@deltamesh/decoder';
 
+import { EXAMPLES } from '../src/mesh/examples.js';
+import { writeGlb } from '../src/mesh/write-glb.js';
 import { hasChromium, openPage, waitUntilDone } from './browser.js';
-import { choose, countColors, longestTask, shownBytes, slide, textOf, watchTasks } from './use.js';
+import { choose, countColors, drop, longestTask, picture, shownBytes, slide, textOf, watchTasks } from './use.js';
 
 const MOST_MILLISECONDS = 100;
+const MOST_SECONDS = 5; // for a mesh of 100,000 vertices to be read, compressed and shown
+const ATTEMPTS = 3; // on a machine that does other work, too
 const skip = hasChromium ? false : 'Chromium is not installed (scripts/setup web)';
 
 let open;
@@ -122,6 +126,54 @@ test('others are computed beside', { skip }, async () => {
   const sizes = await page.$$eval('#peers tbody td:nth-child(2)', (cells) => cells.map((cell) => cell.textContent));
   const [own, draco, meshopt, deflated] = sizes.map((text) => Number(text.replaceAll(/\D/g, '')));
   assert.ok(own < draco && draco < deflated && deflated <= meshopt, sizes.join());
+});
+
+test('a mesh of 100,000 vertices is compressed and shown in time, and sliders do not stop the page', { skip }, async (t) => {
+  const glb = writeGlb({ origin: [0, 0, 0], groups: null, ...EXAMPLES.knot.make(1000, 100) });
+  const seconds = [];
+  do seconds.push((await drop(page, 'large.glb', glb)) / 1000);
+  while (seconds.at(-1) > MOST_SECONDS && seconds.length < ATTEMPTS);
+  assert.match(await textOf(page, 'mesh-name'), /100,000 vertices/);
+  await watchTasks(page);
+  await slide(page, 'maxError', [110, 112, 115, 120, 126]);
+  const longest = await longestTask(page);
+  t.diagnostic(`${seconds.map((time) => time.toFixed(2)).join(', ')} s; longest task while sliders move: ${longest} ms`);
+  assert.ok(seconds.at(-1) <= MOST_SECONDS);
+  assert.ok(longest <= MOST_MILLISECONDS, `a task of ${longest} ms`);
+});
+
+test('all is done by keys: a mesh is compressed, turned and coloured', { skip }, async () => {
+  await page.focus('#example');
+  await page.keyboard.type('Terrain');
+  await page.waitForFunction(() => document.getElementById('mesh-name').textContent.startsWith('Terrain'));
+  await waitUntilDone(page);
+  const reach = async (matches) => {
+    for (let i = 0; i < 60; ++i) {
+      if (await page.evaluate((selector) => document.activeElement.matches(selector), matches)) return;
+      await page.keyboard.press('Tab');
+    }
+    assert.fail(`${matches} is not reached`);
+  };
+  await reach('#canvas');
+  const seen = await picture(page);
+  await page.keyboard.press('ArrowLeft');
+  assert.notEqual(await picture(page), seen);
+  await reach('input[name="view"]');
+  await page.keyboard.press('ArrowRight');
+  assert.equal(await page.$eval('#stage', (stage) => stage.dataset.view), 'split');
+  await page.keyboard.press('ArrowLeft');
+  await reach('input[name="color"]');
+  await page.keyboard.press('ArrowRight');
+  assert.equal(await page.$eval('#scale', (scale) => scale.hidden), false);
+  await page.keyboard.press('ArrowLeft');
+  const before = await shownBytes(page);
+  await reach('#maxError-slider');
+  for (let i = 0; i < 20; ++i) await page.keyboard.press('ArrowRight');
+  await page.waitForFunction(() => document.body.dataset.state === 'busy');
+  await waitUntilDone(page);
+  assert.ok((await shownBytes(page)) < before);
+  await reach('#download');
+  await reach('#copy-link');
 });
 
 test('every input has a name', { skip }, async () => {

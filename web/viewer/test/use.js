@@ -26,7 +26,7 @@ export async function slide(page, id, places) {
   await waitUntilDone(page);
 }
 
-/** `files`: [name, bytes], dropped together. */
+/** `files`: [name, bytes], dropped together. Returns how many milliseconds the page takes until all is done. */
 export async function dropFiles(page, files) {
   await page.evaluate((files) => {
     const dataTransfer = new DataTransfer();
@@ -35,7 +35,9 @@ export async function dropFiles(page, files) {
     document.body.dataset.state = 'busy';
     document.body.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
   }, files.map(([name, bytes]) => [name, Buffer.from(bytes).toString('base64')]));
+  const begin = performance.now();
   await waitUntilDone(page);
+  return performance.now() - begin;
 }
 
 export const drop = (page, name, bytes) => dropFiles(page, [[name, bytes]]);
@@ -53,6 +55,44 @@ export async function countColors(page, from = 0, to = 1) {
     context.drawImage(image, 0, 0);
     return new Set(new Uint32Array(context.getImageData(0, 0, image.width, image.height).data.buffer)).size;
   }, png);
+}
+
+/**
+ * Pixels of the background with the mesh all around them, in a picture of the canvas: what is seen through holes, or through cracks
+ * between parts. The background is what the first pixel has.
+ */
+export async function countHoles(page) {
+  const png = await picture(page);
+  return page.evaluate(async (base64) => {
+    const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+    const image = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+    const { width, height } = image;
+    const context = new OffscreenCanvas(width, height).getContext('2d');
+    context.drawImage(image, 0, 0);
+    const pixels = new Uint32Array(context.getImageData(0, 0, width, height).data.buffer);
+    const background = pixels[0];
+    const isEmpty = Uint8Array.from(pixels, (pixel) => pixel === background);
+    // From the picture's border inwards.
+    const open = [];
+    for (let x = 0; x < width; ++x) open.push(x, (height - 1) * width + x);
+    for (let y = 0; y < height; ++y) open.push(y * width, y * width + width - 1);
+    while (open.length > 0) {
+      const at = open.pop();
+      if (!isEmpty[at]) continue;
+      isEmpty[at] = 0;
+      if (at >= width) open.push(at - width);
+      if (at + width < pixels.length) open.push(at + width);
+      if (at % width > 0) open.push(at - 1);
+      if ((at + 1) % width > 0) open.push(at + 1);
+    }
+    return isEmpty.reduce((sum, one) => sum + one, 0);
+  }, png);
+}
+
+/** Of the canvas, PNG in base64, when the graphics card has drawn what it was last given. */
+export async function picture(page) {
+  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+  return (await page.$('#canvas')).screenshot({ encoding: 'base64' });
 }
 
 export const textOf = (page, id) => page.$eval(`#${id}`, (element) => element.textContent);
@@ -78,6 +118,7 @@ export function watchTasks(page) {
 export function longestTask(page) {
   return page.evaluate(async () => {
     await new Promise((resolve) => setTimeout(resolve, 200));
+    window.tasks.disconnect();
     return window.longest;
   });
 }
