@@ -4,12 +4,12 @@
 
 #include <limits>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <tuple>
 #include <utility>
 
 #include "base/try.h"
+#include "base/union_find.h"
 #include "corners.h"
 #include "stream_borders.h"
 
@@ -31,25 +31,6 @@ VertexKey vertex_key(const AccessorStore& store, const PrimitiveSource& source) 
 
 /// What makes the triangles of two primitives the same, where their vertices are: mode and indices.
 using TriangleKey = std::pair<TriangleMode, std::size_t>;
-
-/// Sets of primitives that grow together.
-class Clusters {
- public:
-  explicit Clusters(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0U); }
-  /// The lowest number of the set.
-  std::size_t find(std::size_t i) {
-    while (parents_[i] != i) i = parents_[i] = parents_[parents_[i]];
-    return i;
-  }
-  void join(std::size_t a, std::size_t b) {
-    a = find(a);
-    b = find(b);
-    parents_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::size_t> parents_;
-};
 
 class Planner {
  public:
@@ -96,9 +77,9 @@ class Planner {
     std::map<std::size_t, std::size_t> first_of_mesh;
     for (std::size_t i = 0; i < sources_.size(); ++i) {
       if (is_exact(i))
-        clusters_.join(i, first_of_key_[key_of_[i]]);
+        clusters_.unite(i, first_of_key_[key_of_[i]]);
       else
-        clusters_.join(i, first_of_mesh.try_emplace(sources_[i].mesh, i).first->second);
+        clusters_.unite(i, first_of_mesh.try_emplace(sources_[i].mesh, i).first->second);
     }
   }
 
@@ -112,7 +93,7 @@ class Planner {
       const std::size_t position = store_.canonical(source.position);
       const auto [same, is_new] = done.try_emplace({position, triangle_key(source)}, i);
       if (!is_new) {
-        clusters_.join(i, same->second);
+        clusters_.unite(i, same->second);
         continue;
       }
       DELTAMESH_TRY(const auto corners, read_corners(store_, source));
@@ -122,7 +103,7 @@ class Planner {
         if (user[corner] == kNobody)
           user[corner] = static_cast<std::uint32_t>(i);
         else
-          clusters_.join(i, user[corner]);
+          clusters_.unite(i, user[corner]);
       }
     }
     return {};
@@ -145,7 +126,7 @@ class Planner {
 
   const AccessorStore& store_;
   const std::vector<PrimitiveSource>& sources_;
-  Clusters clusters_;
+  UnionFind clusters_;
   std::map<VertexKey, std::size_t> keys_;
   std::vector<std::size_t> key_of_;        ///< of every primitive
   std::vector<std::size_t> first_of_key_;  ///< the first primitive that has the key

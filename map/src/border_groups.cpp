@@ -5,7 +5,8 @@
 #include <xxhash.h>
 
 #include <algorithm>
-#include <numeric>
+
+#include "base/union_find.h"
 
 namespace deltamesh {
 namespace {
@@ -14,27 +15,6 @@ std::uint64_t hash_of_use(const BorderUse& use) {
   const std::array<std::uint32_t, 4> bits{use.position[0], use.position[1], use.position[2], use.twin};
   return XXH3_64bits(bits.data(), sizeof bits);
 }
-
-/// Sets that become one.
-class UnionFind {
- public:
-  explicit UnionFind(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-  std::size_t find(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  /// The lower root stays.
-  void unite(std::size_t a, std::size_t b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::size_t> parent_;
-};
 
 }  // namespace
 

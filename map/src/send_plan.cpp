@@ -3,21 +3,12 @@
 #include <algorithm>
 
 #include "base/try.h"
+#include "borders_of_links.h"
 #include "viewer_state.h"
 #include "wanted_parts.h"
 
 namespace deltamesh {
 namespace {
-
-std::uint32_t border_in(const std::vector<PartLink>& links, const PartKey& key) noexcept {
-  const auto found = std::ranges::lower_bound(links, key, {}, &PartLink::key);
-  return found != links.end() && found->key == key ? found->border : 0;
-}
-
-bool same_borders(const std::vector<PartLink>& a, const std::vector<PartLink>& b) noexcept {
-  return std::ranges::equal(
-      a, b, [](const PartLink& x, const PartLink& y) { return x.key == y.key && x.border == y.border; });
-}
 
 class Planner {
  public:

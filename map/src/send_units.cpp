@@ -8,16 +8,12 @@
 #include <tuple>
 #include <utility>
 
+#include "borders_of_links.h"
 #include "coexistence.h"
 #include "view_cells.h"
 
 namespace deltamesh {
 namespace {
-
-std::uint32_t border_in(const std::vector<PartLink>& links, const PartKey& key) noexcept {
-  const auto found = std::ranges::lower_bound(links, key, {}, &PartLink::key);
-  return found != links.end() && found->key == key ? found->border : 0;
-}
 
 /// Sets of keys that become one.
 class KeySets {

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/try.h"
+#include "borders_of_links.h"
 #include "map_limits.h"
 
 namespace deltamesh {
@@ -13,16 +14,6 @@ namespace {
 
 /// Above all revisions of messages that were sent after the last update that was saved.
 constexpr std::uint64_t kRevisionsBetweenStarts = std::uint64_t{1} << 20;
-
-std::uint32_t border_in(const std::vector<PartLink>& links, const PartKey& key) noexcept {
-  const auto found = std::ranges::lower_bound(links, key, {}, &PartLink::key);
-  return found != links.end() && found->key == key ? found->border : 0;
-}
-
-bool same_borders(const std::vector<PartLink>& a, const std::vector<PartLink>& b) noexcept {
-  return std::ranges::equal(
-      a, b, [](const PartLink& x, const PartLink& y) { return x.key == y.key && x.border == y.border; });
-}
 
 }  // namespace
 
