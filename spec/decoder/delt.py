@@ -59,7 +59,7 @@ def DELT_1_positions(chunks, header, around, components, anchors, dump):
         graph = [[number[u] for u in around[v]] for v in c]
         held = {number[v]: places[v] for v in c if v in places}
         of_c = deltas[[row[v] for v in c]]
-        x = DELT_7_positions(graph, of_c, held, header.cycles) if header.cycles else DELT_4_least_squares(graph, of_c, held)
+        x = DELT_7_positions(graph, of_c, held, header.cycles, dump) if header.cycles else DELT_4_least_squares(graph, of_c, held)
         positions[c] = x + centre
     must(np.all(np.abs(positions) <= 3.4028234663852886e38), "DELT-3", "a coordinate is not finite as f32")
     return positions

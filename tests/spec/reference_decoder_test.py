@@ -2,7 +2,9 @@
 """Decodes every golden stream with the reference decoder and compares with the positions, faces and digests beside it. Streams TAG.dmsh,
 TAG.2.dmsh and so on of the folder `invalid` (make_invalid_streams.py) break the rule TAG."""
 import glob
+import json
 import os
+import subprocess
 import sys
 
 import numpy as np
@@ -82,6 +84,22 @@ def compare_invalid(stem):
     return "decodes"
 
 
+def printed(name, option):
+    """What the decoder as a program prints of a golden stream."""
+    stream, = glob.glob(os.path.join(GOLDEN, name + ".v1d*.dmsh"))
+    return subprocess.run([sys.executable, DECODER, stream, option], capture_output=True, text=True, check=True).stdout
+
+
+def wrong_options():
+    """Why what the options print is not as it should be; an empty text if it is."""
+    header = json.loads(printed("sphere.anchors", "--json"))
+    if header["anchors"] != 240 or header["attributes"]:
+        return "--json"
+    names = {line.split(":")[0] for line in printed("sphere.anchors", "--dump").split("\n")}
+    lacking = {"faces", "decision", "symbol", "deltas", "level", "edges by node", "interpolation by node"} - names
+    return f"--dump lacks {lacking}" if lacking else ""
+
+
 def main():
     folder, failed = GOLDEN, 0
     stems = sys.argv[1:] or [os.path.join(folder, f[:-5]) for f in sorted(os.listdir(folder)) if f.endswith(".dmsh")]
@@ -94,7 +112,9 @@ def main():
         print(f"{os.path.basename(stem)}: {wrong or 'ok'}")
         failed += bool(wrong)
     print(f"{len(stems) - failed} of {len(stems)} streams decode as expected")
-    return failed > 0 or not stems
+    if wrong := "" if sys.argv[1:] else wrong_options():
+        print(f"options: {wrong}")
+    return failed > 0 or not stems or bool(wrong)
 
 
 if __name__ == "__main__":
