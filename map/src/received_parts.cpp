@@ -79,7 +79,7 @@ std::vector<PartKey> ReceivedParts::overlapping(const PartKey& key) const {
   return keys;
 }
 
-/// A part that does not go with others is taken away if nobody asks for it.
+/// A part that does not go with others is taken away if no view asks for it.
 bool ReceivedParts::makes_room(const PartKey& other, const std::function<bool(const PartKey&)>& is_wanted) {
   if (is_wanted(other)) return false;
   if (accepted_.erase(other) != 0) is_stable_ = false;

@@ -73,7 +73,7 @@ Result<std::vector<std::byte>> MapSender::State::newest_message(const PartKey& k
   return write_part(message);
 }
 
-/// What the receiver is believed to have of a part; null: nothing, or nobody knows what.
+/// What the receiver is believed to have of a part; null: nothing, or it is not known what.
 const KnownVersion* MapSender::State::believed_version(const Viewer& viewer, const PartKey& key) const {
   const auto has = viewer.has.find(key);
   if (has == viewer.has.end() || has->second.is_gone) return nullptr;
