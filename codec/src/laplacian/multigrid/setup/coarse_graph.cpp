@@ -91,8 +91,8 @@ class ProductRows {
       const Interpolation& p = fine_.interpolation[node];
       const float value = near_.of(node);
       sums.add(p.node(0), value * p.weight(0));
-      if (p.counts(1)) sums.add(p.node(1), value * p.weight(1));
-      if (p.counts(2)) sums.add(p.node(2), value * p.weight(2));
+      sums.add(p.node(1), value * p.weight(1));  // the first once more where that weighs nothing
+      sums.add(p.node(2), value * p.weight(2));
     }
   }
 

@@ -2,7 +2,6 @@
 // Copyright 2026 The deltamesh authors
 #include "laplacian/multigrid/setup/make_interpolation.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -39,11 +38,13 @@ class Interpolator {
  private:
   using Keys = std::array<std::uint64_t, 3>;  ///< falling: a count, then the complement of its aggregate
 
+  /// By masks: compilers make branches of std::min() and std::max(), which could not be predicted.
   static void insert(std::uint64_t key, Keys& largest) noexcept {
     for (std::uint64_t& other : largest) {
-      const std::uint64_t lesser = std::min(key, other);
-      other = std::max(key, other);
-      key = lesser;
+      const std::uint64_t if_larger = key > other ? ~std::uint64_t{0} : 0;
+      const std::uint64_t change = (key ^ other) & if_larger;
+      key ^= change;
+      other ^= change;
     }
   }
 
