@@ -26,10 +26,11 @@ struct PlanCost {
   double largest = 0;
   double roughness = 0;
 
-  /// Hardly more than 1 each.
-  bool is_fair() const noexcept { return rms <= 1.019 && largest <= 1.02 && roughness <= 1.0125; }
+  /// The eye sees no difference. An error that was asked for is bounded besides, wherever it stands: what is
+  /// allowed here is what other errors may grow by, so that decoders need a cycle less.
+  bool is_fair() const noexcept { return rms <= 1.06 && largest <= 1.2 && roughness <= 1.0125; }
   /// Whether other roundings of the same may be fair: the largest error is one vertex's.
-  bool is_close() const noexcept { return rms <= 1.1 && roughness <= 1.03; }
+  bool is_close() const noexcept { return rms <= 1.15 && roughness <= 1.03; }
 };
 
 class PlanJudge {
