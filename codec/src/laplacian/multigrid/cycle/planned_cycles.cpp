@@ -70,6 +70,12 @@ void PlannedCycles::correct() {
     v.b[second_.anchors[a]].s += forces_[a];
     v.gaps[a] += forces_[a];
   }
+  solve_second();
+}
+
+/// Likewise, its b.s being set as well and its gaps those that the forces leave.
+void PlannedCycles::solve_second() {
+  const LevelSolver::Vectors& v = coarse_.first();
   coarse_.solve();
   share_each(team_, s_.size(), [&](std::uint32_t i) { s_[i] += v.u[i].s; });
   for (std::size_t a = 0; a < forces_.size(); ++a) forces_[a] += v.forces[a];
@@ -91,7 +97,7 @@ void PlannedCycles::start(const DeltaView& deltas, std::span<const Vec3> targets
                                     [&](std::uint32_t node) -> Float4& { return v.b[node].x; });
   }
   for (std::size_t a = 0; a < targets.size(); ++a) v.gaps[a] = in_steps(targets[a], deltas);
-  correct();
+  solve_second();  // s and the forces are 0 before
   units_ = Units(deltas, largest_coordinate(v.u));
   add_correction();
 }

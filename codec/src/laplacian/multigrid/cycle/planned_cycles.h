@@ -49,6 +49,7 @@ class PlannedCycles {
   void add_correction();
   void cycle(const DeltaView& deltas, std::span<const Vec3> targets);
   void correct();
+  void solve_second();
 
   const Level& finest_;
   const Level& second_;
