@@ -92,7 +92,7 @@ int run_split(const Splitting& splitting) {
     object["new_parts"] = parts.size();
     print_json(object);
   } else {
-    print_map(splitting.in + " -> " + splitting.folder, state->manifest);
+    print_map(splitting.in + " -> " + splitting.folder, state->manifest, parts.size());
   }
   return kOk;
 }

@@ -71,7 +71,8 @@ nlohmann::ordered_json key_object(const PartKey& key) {
   return object;
 }
 
-void print_map(const std::string& headline, const MapManifest& manifest) {
+void print_map(const std::string& headline, const MapManifest& manifest,
+               std::optional<std::size_t> new_parts) {
   const MapDescription& description = manifest.description;
   const Totals totals = totals_on(manifest, 0);
   Summary summary(headline);
@@ -86,6 +87,7 @@ void print_map(const std::string& headline, const MapManifest& manifest) {
     parts += " of " + grouped(totals.least) + " to " + counted(totals.most, "byte", "bytes") + ", mean " +
              grouped(totals.bytes / totals.parts);
   summary.add("parts", parts);
+  if (new_parts) summary.add("new or changed", counted(*new_parts, "part", "parts"));
   summary.add("vertices", grouped(totals.vertices) + ", those of borders in each of their parts");
   summary.add("triangles", grouped(totals.triangles));
   summary.add("bytes", grouped(totals.bytes + primer_bytes(description)) + ", of which " +

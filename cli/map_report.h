@@ -4,15 +4,18 @@
 // What the program says of maps.
 #pragma once
 
+#include <cstddef>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "deltamesh/map/folder.h"
 
 namespace deltamesh::cli {
 
-/// For people, on standard output.
-void print_map(const std::string& headline, const MapManifest& manifest);
+/// For people, on standard output. `new_parts`: how many were written just now.
+void print_map(const std::string& headline, const MapManifest& manifest,
+               std::optional<std::size_t> new_parts = std::nullopt);
 
 /// The same figures.
 nlohmann::ordered_json map_object(const MapManifest& manifest);

@@ -53,13 +53,19 @@ Result<MapDescription> describe_map(const std::array<double, 3>& origin,
                                     std::span<const AttributeView> attributes, const MapSettings& settings,
                                     const QualityRequest& request) {
   MapDescription description{.id = settings.id, .frame = settings.frame};
-  description.lattice = {.origin = origin, .step_exponent = step_exponent_for(least_bound(request))};
+  const double least = least_bound(request);
+  if (!std::isfinite(least) || !(least > 0))
+    return Error{.code = ErrorCode::kInvalidArgument,
+                 .message = "a mesh without extent needs bounds in model units, not in percent"};
+  description.lattice = {.origin = origin, .step_exponent = step_exponent_for(least)};
   const double steps =
       std::round(std::ldexp(settings.part_edge, -kLevelsOfParts) / description.lattice.step());
   if (!(steps <= kMostCellSteps))
-    return Error{.code = ErrorCode::kInvalidArgument,
-                 .message = "parts of more than 2^27 steps of the lattice; ask for smaller ones",
-                 .rule = "MAP-3"};
+    return Error{
+        .code = ErrorCode::kInvalidArgument,
+        .message =
+            "parts of more than 2^27 steps of the lattice; ask for smaller ones, or for a larger error",
+        .rule = "MAP-3"};
   if (steps < 1)
     return Error{
         .code = ErrorCode::kInvalidArgument,

@@ -54,6 +54,31 @@ void delete_others(const std::string& folder, const MapManifest& manifest) {
   for (const fs::path& other : others) fs::remove(other, ignored);
 }
 
+/// Files of a state that is being written. Deletes them again where that fails: a full disk stays as it was.
+class NewFiles {
+ public:
+  NewFiles() = default;
+  ~NewFiles() {
+    std::error_code ignored;
+    for (const std::string& path : paths_) fs::remove(path, ignored);
+  }
+  NewFiles(const NewFiles&) = delete;
+  NewFiles& operator=(const NewFiles&) = delete;
+
+  /// A file that is there already has the same content and stays whatever happens.
+  Result<void> write(const std::string& path, std::span<const std::byte> bytes) {
+    std::error_code ignored;
+    const bool is_new = !fs::exists(path, ignored);
+    DELTAMESH_CHECK(write_file(path, bytes));
+    if (is_new) paths_.push_back(path);
+    return {};
+  }
+  void keep() noexcept { paths_.clear(); }
+
+ private:
+  std::vector<std::string> paths_;
+};
+
 }  // namespace
 
 std::string part_file(const PartKey& key, std::uint64_t revision, std::uint64_t hash) {
@@ -71,12 +96,14 @@ Result<void> save_map(const std::string& folder, const MapManifest& manifest,
     std::error_code failed;
     fs::create_directories(path_in(folder, kPartFolder), failed);
     if (failed) return Error{.code = ErrorCode::kFileWrite, .message = "cannot make the map's folder"};
+    NewFiles files;
     for (const NewPart& part : parts) {
       const std::string file = part_file(part.key, part.revision, hash_of_octets(part.bytes));
-      DELTAMESH_CHECK(write_file(path_in(folder, file), part.bytes));
+      DELTAMESH_CHECK(files.write(path_in(folder, file), part.bytes));
     }
     keep_names(path_in(folder, kPartFolder));
     DELTAMESH_CHECK(write_file(path_in(folder, kManifestFile), bytes));
+    files.keep();
     keep_names(folder);
     delete_others(folder, manifest);
     return {};

@@ -75,7 +75,7 @@ Result<TilePlanner> TilePlanner::make(const MapSettings& settings, std::uint64_t
   return guarded([&]() -> Result<TilePlanner> {
     DELTAMESH_CHECK(validate(settings));
     const QualityRequest& bounds = settings.quality.bounds;
-    if (bounds.empty()) return refused("tiles need a bound on positions");
+    if (bounds.empty()) return refused("tiles need a bound on positions, such as a largest error");
     for (const auto& bound : {bounds.vde, bounds.lfe, bounds.max_error})
       if (bound && bound->unit != QualityUnit::kModel)
         return refused("bounds of tiles are in model units: no tile knows the diagonal of the whole map");

@@ -73,6 +73,42 @@ TEST_F(MapFolder, MAP10SavedAndLoadedAMapIsTheSame) {
   EXPECT_EQ(topology_counts(*joined), topology_counts(welded(mesh)));
 }
 
+TEST_F(MapFolder, AStateThatCannotBeWrittenLeavesTheOldOneAndNothingElse) {
+  const auto first = encode_map(wavy_sheet(60, 40, 1, 0), settings());
+  ASSERT_TRUE(save_map(folder_, first->manifest, parts_of(*first)));
+  const auto second = encode_map(wavy_sheet(60, 40, 2, 0), settings(), &*first);
+  ASSERT_TRUE(second);
+  const auto parts = parts_of(*second);
+  const PartEntry& last = second->manifest.entries.back();
+  const fs::path taken = fs::path(folder_) / part_file(last.key, last.revision, last.hash);
+  fs::create_directories(taken / "in the way");
+  const auto saved = save_map(folder_, second->manifest, parts);
+  ASSERT_FALSE(saved);
+  EXPECT_EQ(saved.error().code, ErrorCode::kFileWrite);
+  fs::remove_all(taken);
+  EXPECT_EQ(load_state(folder_)->octets, first->octets);
+  const auto files = fs::directory_iterator(fs::path(folder_) / "parts");
+  EXPECT_EQ(static_cast<std::size_t>(std::distance(begin(files), end(files))), first->octets.size());
+  ASSERT_TRUE(save_map(folder_, second->manifest, parts));
+  EXPECT_EQ(load_state(folder_)->octets, second->octets);
+}
+
+TEST_F(MapFolder, AMeshWithoutExtentNeedsBoundsInModelUnits) {
+  Mesh point;
+  point.positions = {1, 2, 3};
+  point.triangles = {0, 0, 0};
+  for (const Mesh& mesh : {Mesh(), point}) {
+    MapSettings settings{.part_edge = 1};
+    settings.quality.bounds.max_error = QualityBound{0.02, QualityUnit::kDiagonal};
+    EXPECT_STREQ(encode_map(mesh, settings).error().message,
+                 "a mesh without extent needs bounds in model units, not in percent");
+    settings.quality.bounds.max_error = QualityBound{0.01};
+    const auto state = encode_map(mesh, settings);
+    ASSERT_TRUE(state) << describe(state.error());
+    EXPECT_EQ(state->octets.size(), mesh.triangle_count());
+  }
+}
+
 TEST_F(MapFolder, AnUpdateKeepsWhatIsTheSame) {
   Mesh mesh = wavy_sheet(60, 40, 1, 0);
   const auto first = encode_map(mesh, settings());
