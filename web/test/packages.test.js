@@ -33,15 +33,28 @@ for (const path of readdirSync(packages, { recursive: true }).filter((path) => p
   });
 }
 
+/** Largest sizes of what is packed, bytes. */
+const PACKED = { decoder: 640000, encoder: 380000 };
+const PACKED_OTHERS = 12000;
+
+const typesOf = (path) => path.replace(/\.js$/, '.d.ts');
+
 for (const name of readdirSync(packages)) {
-  test(`${name} is packed with all that it exports`, () => {
+  test(`${name} is packed with all that it exports, types and licences, and nothing else`, (t) => {
     const folder = new URL(`${name}/`, packages);
-    const { exports } = JSON.parse(readFileSync(new URL('package.json', folder)));
-    const [{ files }] = JSON.parse(execFileSync('npm', ['pack', '--dry-run', '--json'], { cwd: folder, encoding: 'utf8' }));
+    const { exports, license } = JSON.parse(readFileSync(new URL('package.json', folder)));
+    const [{ files, size }] = JSON.parse(execFileSync('npm', ['pack', '--dry-run', '--json'], { cwd: folder, encoding: 'utf8' }));
     const packed = files.map(({ path }) => `./${path}`);
-    const exported = Object.values(exports).flatMap((target) => (typeof target === 'string' ? [target] : Object.values(target)));
-    for (const path of exported.filter((path) => !path.includes('*'))) assert.ok(packed.includes(path), path);
-    assert.ok(packed.includes('./README.md'));
-    assert.ok(packed.every((path) => !path.includes('test')));
+    for (const target of Object.values(exports)) {
+      if (typeof target === 'string') assert.ok(target.includes('*') || packed.includes(target), target);
+      else for (const path of [target.default, target.types]) assert.ok(packed.includes(path), path);
+      if (target.default) assert.equal(target.types, typesOf(target.default));
+    }
+    const others = packed.filter((path) => !/^\.\/[\w-]+(\.js|\.d\.ts|\.wasm)$/.test(path));
+    const carriesModules = packed.some((path) => path.endsWith('.wasm'));
+    assert.deepEqual(others.sort(), ['./LICENSE', ...(carriesModules ? ['./NOTICE'] : []), './README.md', './package.json']);
+    assert.equal(license, 'Apache-2.0');
+    t.diagnostic(`${size} bytes in ${files.length} files`);
+    assert.ok(size <= (PACKED[name] ?? PACKED_OTHERS));
   });
 }

@@ -1,6 +1,8 @@
+#!/usr/bin/env node
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 // Serves dist/ on this machine: node serve.js [PORT].
+import { realpathSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { extname } from 'node:path';
@@ -31,7 +33,7 @@ export async function serve(port = 0) {
   return server;
 }
 
-if (process.argv[1] === fileURLToPath(import.meta.url)) {
+if (process.argv[1] && realpathSync(process.argv[1]) === fileURLToPath(import.meta.url)) {
   const server = await serve(Number(process.argv[2] ?? 8080));
   console.log(`http://localhost:${server.address().port}/`);
 }

@@ -203,23 +203,33 @@ function describe(primitive, group, keys, standIns) {
   return { accessors, extension };
 }
 
-/** What is packed, by primitive. `encode`: from a mesh to its stream's bytes and what they decode to. */
+/** What stands for the primitives, in their order. `encode`: from a mesh to its stream's bytes and what they decode to. */
+function packTogether(primitives, context, encode) {
+  const merged = new Merged();
+  primitives.forEach((primitive, group) => merged.add(primitive, group));
+  const { bytes, mesh } = encode(merged.mesh());
+  const standIns = new StandIns(context, mesh);
+  return primitives.map((primitive, group) => ({ bytes, ...describe(primitive, group, merged.keys(), standIns) }));
+}
+
+/** What is packed, by primitive. Meshes of the same arrays, as those of other materials are, share a stream. */
 export function packMeshes(document, context, encode) {
   const toPack = primitivesToPack(document);
   const packed = new Map();
+  const streams = [];
   for (const mesh of document.getRoot().listMeshes()) {
     const primitives = mesh.listPrimitives().filter((primitive) => toPack.has(primitive) && !packed.has(primitive));
     if (primitives.length === 0) continue;
-    const merged = new Merged();
-    primitives.forEach((primitive, group) => merged.add(primitive, group));
-    const { bytes, mesh: decoded } = encode(merged.mesh());
-    const standIns = new StandIns(context, decoded);
-    primitives.forEach((primitive, group) =>
-      packed.set(primitive, { bytes, ...describe(primitive, group, merged.keys(), standIns) }),
-    );
-    const buffer = primitives[0].getAttribute('POSITION').getBuffer() ?? document.getRoot().listBuffers()[0];
-    if (!context.otherBufferViews.has(buffer)) context.otherBufferViews.set(buffer, []);
-    context.otherBufferViews.get(buffer).push(bytes);
+    const key = primitives.flatMap((primitive) => [primitive.getIndices(), ...[...columnsOf(primitive)].flat()]);
+    let stream = streams.find((other) => other.key.length === key.length && other.key.every((one, i) => one === key[i]));
+    if (!stream) {
+      stream = { key, parts: packTogether(primitives, context, encode) };
+      streams.push(stream);
+      const buffer = primitives[0].getAttribute('POSITION').getBuffer() ?? document.getRoot().listBuffers()[0];
+      if (!context.otherBufferViews.has(buffer)) context.otherBufferViews.set(buffer, []);
+      context.otherBufferViews.get(buffer).push(stream.parts[0].bytes);
+    }
+    primitives.forEach((primitive, group) => packed.set(primitive, stream.parts[group]));
   }
   return packed;
 }

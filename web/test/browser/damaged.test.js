@@ -10,6 +10,7 @@ import { LOADERS, openBrowser } from './setup.js';
 
 const STREAMS = 300;
 const ASSETS = 50;
+const LEAST_REFUSED = 40; // of them
 const MOST_MILLISECONDS = 20000;
 const root = new URL('../../../', import.meta.url);
 const skip = hasChromium ? false : 'Chromium is not installed (scripts/setup web)';
@@ -56,6 +57,8 @@ for (const loader of LOADERS) {
     t.diagnostic(JSON.stringify(outcomes));
     // Streams have a checksum; of an asset a name or a number in its JSON may differ and load.
     assert.equal(outcomes['dmsh refused'], STREAMS);
+    assert.ok(outcomes['glb refused'] >= LEAST_REFUSED);
+    assert.equal(outcomes['glb refused'] + (outcomes['glb loaded'] ?? 0), ASSETS);
     for (const url of ['/good.dmsh', '/good.glb']) assert.equal(await page.evaluate((url) => window.tryToLoad(url), url), '');
     assert.deepEqual(problems, []);
     await page.close();

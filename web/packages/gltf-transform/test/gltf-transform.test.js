@@ -124,6 +124,38 @@ test('bounds are kept to', async () => {
   }
 });
 
+/** Every option of the encoder, beside those of other tests. */
+const WAYS = [
+  { vde: { value: 0.05, unit: 'diagonal' }, lfe: { value: 0.1, unit: 'diagonal' }, effort: 0 },
+  { targetBytes: 6000, geometry: 'predictive', effort: 9 },
+  { geometry: 'highpass', bits: 6, anchors: 20, anchorBits: 10, profile: 'zstd' },
+  { geometry: 'highpass', step: 0.01, anchorDensity: 4, keepOrder: true },
+  { keepUnreferenced: true, tangentError: 2, weightError: 0.01, attributeErrors: { '0/POSITION': 0.01 } },
+];
+
+for (const options of WAYS) {
+  test(`options are kept to: ${Object.keys(options).join(', ')}`, async () => {
+    const document = makeDocument();
+    const counts = primitivesOf(document).map((primitive) => primitive.getIndices().getCount());
+    const { json, read } = await roundTrip(document, options);
+    assert.ok(json.meshes[0].primitives.every(({ extensions }) => extensions.DELTAMESH_mesh_compression));
+    assert.deepEqual(primitivesOf(read).map((primitive) => primitive.getIndices().getCount()), counts);
+  });
+}
+
+test('meshes of the same arrays, in other materials, share a stream', async () => {
+  const document = makeDocument();
+  const [mesh] = document.getRoot().listMeshes();
+  const other = document.createMesh();
+  for (const primitive of mesh.listPrimitives()) other.addPrimitive(primitive.clone().setMaterial(document.createMaterial()));
+  const { json, read } = await roundTrip(document, {});
+  const views = json.meshes.flatMap(({ primitives }) => primitives.map(({ extensions }) => extensions.DELTAMESH_mesh_compression.bufferView));
+  assert.equal(views.length, 4);
+  assert.equal(new Set(views).size, 1);
+  const [first, second, third, fourth] = primitivesOf(read).map(cornersOf);
+  assert.deepEqual([third, fourth], [first, second]);
+});
+
 test('a primitive whose accessors others use stays as it is', async () => {
   const document = makeDocument();
   const [first] = primitivesOf(document);
