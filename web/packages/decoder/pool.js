@@ -52,9 +52,14 @@ export class DecoderPool {
     return new Promise((resolve, reject) => {
       if (this.#isDisposed) throw new Error('the pool is disposed of');
       signal?.throwIfAborted();
-      const task = { bytes, limits, resolve, reject };
+      const abort = () => this.#cancel(task, signal.reason);
+      const end = (settle) => (value) => {
+        signal?.removeEventListener('abort', abort); // signals may live longer than tasks
+        settle(value);
+      };
+      const task = { bytes, limits, resolve: end(resolve), reject: end(reject) };
       this.#waiting.push(task);
-      signal?.addEventListener('abort', () => this.#cancel(task, signal.reason), { once: true });
+      signal?.addEventListener('abort', abort);
       this.#next();
     });
   }

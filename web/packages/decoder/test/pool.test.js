@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 import assert from 'node:assert/strict';
+import { getEventListeners } from 'node:events';
 import { test } from 'node:test';
 
 import { DeltameshError } from '@deltamesh/decoder';
@@ -32,6 +33,10 @@ for (const workers of [0, 2]) {
     controller.abort();
     for (const result of await Promise.allSettled(cancelled)) assert.equal(result.reason?.name, 'AbortError');
     assert.equal(meshHash(await pool.decode(streams[0].bytes)), meshHash(meshes[0]));
+
+    const { signal } = new AbortController();
+    await Promise.all(streams.map(({ bytes }) => pool.decode(bytes, { signal })));
+    assert.equal(getEventListeners(signal, 'abort').length, 0);
 
     const unfinished = pool.decode(streams[0].bytes);
     pool.dispose();
