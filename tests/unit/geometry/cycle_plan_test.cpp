@@ -181,26 +181,30 @@ TEST(PlanJudge, TellsErrorsOverTheSettledOnes) {
   EXPECT_DOUBLE_EQ(same.rms, 1);
   EXPECT_DOUBLE_EQ(same.largest, 1);
   EXPECT_DOUBLE_EQ(same.roughness, 1);
-  EXPECT_TRUE(same.is_fair());
+  EXPECT_TRUE(same.is_fair(1));
   const PlanCost twice = judge.cost(moved(1, 3));
   EXPECT_NEAR(twice.rms, 2, 1e-12);
   EXPECT_NEAR(twice.largest, 2, 1e-12);
   EXPECT_NEAR(twice.roughness, 2, 1e-12);
   EXPECT_FALSE(twice.is_close());
+  const PlanCost hardly_shifted = judge.cost(moved(0.515, 1.5));
+  EXPECT_GT(hardly_shifted.rms, 1.019);
+  EXPECT_TRUE(hardly_shifted.is_fair(4));
+  EXPECT_FALSE(hardly_shifted.is_fair(5));
   const PlanCost further = judge.cost(moved(0.5, 1.9));  // one vertex only
   EXPECT_GT(further.largest, 1.2);
   EXPECT_LT(further.rms, 1.06);
-  EXPECT_FALSE(further.is_fair());
+  EXPECT_FALSE(further.is_fair(1));
   const PlanCost shifted = judge.cost(moved(0.6, 1.5));  // no rougher
   EXPECT_GT(shifted.rms, 1.06);
   EXPECT_NEAR(shifted.roughness, 1, 1e-12);
-  EXPECT_FALSE(shifted.is_fair());
+  EXPECT_FALSE(shifted.is_fair(1));
   const PlanCost none = judge.cost(mesh.positions);
   EXPECT_EQ(none.rms, 0);
-  EXPECT_TRUE(none.is_fair());
+  EXPECT_TRUE(none.is_fair(1));
   std::vector<Vec3> lost = settled;
   lost[3][2] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(judge.cost(lost).is_fair());
+  EXPECT_FALSE(judge.cost(lost).is_fair(1));
   EXPECT_FALSE(judge.cost(lost).is_close());
 }
 
