@@ -39,10 +39,17 @@ AttributeDescriptor descriptor_of(const MapAttribute& attribute) {
           .name = attribute.name};
 }
 
+/// Only the shortest form is valid, so that a description has one message and one hash.
 Result<MapAttribute> read_attribute(ByteReader& in) {
+  const std::size_t start = in.position();
   DELTAMESH_TRY(auto descriptor, read_descriptor(in));
   if (descriptor.error != 0)
     return in.error(ErrorCode::kInvalidStream, "an attribute of a map has no error", "MAP-5");
+  ByteWriter shortest;
+  write_descriptor(shortest, descriptor);
+  if (in.position() - start != shortest.size())
+    return in.error(ErrorCode::kInvalidStream, "an attribute's descriptor that is longer than it need be",
+                    "MAP-5");
   return MapAttribute{.kind = descriptor.kind,
                       .type = descriptor.type,
                       .components = descriptor.components,

@@ -22,6 +22,9 @@ CODINGS = [(None, [], [], "attr", "ATTR_4_exact"), (NORMAL, ["f4"], [3], "attr",
            (COLOUR, COLOURS, [3, 4], "attr_colors", "ATTR_45_colours"), (None, [], [], "attr_lattice", "ATTR_55_lattice"),
            (WEIGHTS, COLOURS, [4], "attr_skin", "ATTR_63_weights"), (JOINTS, ["u1", "u2"], [4], "attr_skin", "ATTR_60_joints")]
 
+def usual_flags(kind, type_):
+    return int(kind in (COLOUR, WEIGHTS) and type_ != "f4")
+
 class Attribute:
     """[ATTR-1] The descriptor; `values`, when it is decoded, is an array of n rows and k columns of `type`."""
     def __init__(self, r):
@@ -30,7 +33,7 @@ class Attribute:
         must(row < len(USUAL), "ATTR-1", f"row {row}")
         if row:
             self.name, self.kind, self.type, self.k = USUAL[row]
-            self.name, self.flags = self.name.encode(), int(self.kind in (COLOUR, WEIGHTS) and self.type != "f4")
+            self.name, self.flags = self.name.encode(), usual_flags(self.kind, self.type)
         else:
             self.kind, type_number, self.k, self.flags = (r.u8() for _ in range(4))
             must(self.kind <= 6 and type_number <= 7, "ATTR-1", "unknown kind or type")
@@ -39,6 +42,9 @@ class Attribute:
             self.name = r.bytes(r.u8())
         self.error = r.f24() if has_error else 0.0
         must(math.isfinite(self.error) and self.error >= 0, "ATTR-1", "the error is not finite or negative")
+        has_row = any(self.name == name.encode() and (self.kind, self.type, self.k) == rest and self.flags == usual_flags(*rest[:2])
+                      for name, *rest in USUAL[1:] for rest in [tuple(rest)])
+        self.is_shortest = not has_error and bool(row) == has_row
         self.values = None
 
     def is_shape(self, kind, types, counts):

@@ -24,6 +24,7 @@ class Map:
         self.origin, self.step = [r.number("d") for _ in range(3)], 2.0**r.number("b")
         self.cell_steps, self.cell_origin = r.varint(), [unzigzag(r.varint()) for _ in range(3)]
         self.attributes = [Attribute(r) for _ in range(r.u8())]
+        must(all(a.is_shortest for a in self.attributes), "MAP-5", "a descriptor that is longer than it need be")
         self.primers, self.states, border = [], [States()], None
         for _ in range(r.u8()):
             stream, coded_border = r.bytes(r.varint()), r.bytes(r.varint())

@@ -9,6 +9,7 @@
 
 #include "deltamesh/map/description.h"
 #include "deltamesh/map/part_key.h"
+#include "message_frame.h"
 
 namespace deltamesh {
 namespace {
@@ -51,6 +52,31 @@ TEST(MapDescription, MAP1EveryDamageIsAnError) {
   other[0] = std::byte{'X'};
   EXPECT_EQ(read_description(other).error().code, ErrorCode::kBadMagic);
   EXPECT_STREQ(read_description(other).error().rule, "MAP-1");
+}
+
+TEST(MapDescription, MAP5DescriptorsAreAsShortAsCanBe) {
+  const auto message = write_description(example());
+  constexpr std::size_t kFirstDescriptor = 54;
+  const auto with_descriptor = [&](std::vector<std::byte> descriptor) {
+    const std::span whole(*message);
+    ByteWriter out;
+    out.write_bytes(whole.first(kFirstDescriptor));
+    out.write_bytes(descriptor);
+    out.write_bytes(whole.subspan(kFirstDescriptor + 1, whole.size() - kFirstDescriptor - 5));
+    return read_description(end_message(std::move(out)));
+  };
+  const std::byte row = (*message)[kFirstDescriptor];
+  EXPECT_EQ(*with_descriptor({row}), example());
+  const std::byte zero{0};
+  const auto with_error = with_descriptor({row | std::byte{0x80}, zero, zero, zero});
+  const auto spelled_out =
+      with_descriptor({zero, std::byte{static_cast<unsigned char>(AttributeKind::kColor)},
+                       std::byte{static_cast<unsigned char>(ComponentType::kU8)}, std::byte{3}, std::byte{1},
+                       std::byte{3}, std::byte{'r'}, std::byte{'e'}, std::byte{'d'}});
+  for (const auto* longer : {&with_error, &spelled_out}) {
+    ASSERT_FALSE(*longer);
+    EXPECT_STREQ(longer->error().rule, "MAP-5");
+  }
 }
 
 TEST(MapDescription, MAP2MAP3MAP6RangesAreChecked) {
