@@ -15,7 +15,7 @@ namespace {
 /// Room for what planned cycles may add to the errors of settled ones that are to keep a bound.
 constexpr double kPlanCost = 1.002;
 /// Part of the bytes that they may add.
-constexpr std::uint64_t kPlanByteShare = 200;
+constexpr std::uint64_t kPlanByteShare = 500;
 
 struct HighpassTrial final : CodedTrial {
   HighpassTrial(CodedGeometry coded, LargeVector<Vec3> positions)

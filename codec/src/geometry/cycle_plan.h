@@ -26,15 +26,10 @@ struct PlanCost {
   double largest = 0;
   double roughness = 0;
 
-  /// Whether so many cycles will do. An error that was asked for is bounded besides: up to four cycles,
-  /// others may grow by what the eye does not see, so that decoders need a cycle less. More take about as
-  /// long as to settle, on small components longer, and must be hardly worse.
-  bool is_fair(int cycles) const noexcept {
-    const bool is_quick = cycles <= 4;
-    return rms <= (is_quick ? 1.06 : 1.019) && largest <= (is_quick ? 1.2 : 1.02) && roughness <= 1.0125;
-  }
+  /// Hardly more than 1 each.
+  bool is_fair() const noexcept { return rms <= 1.019 && largest <= 1.02 && roughness <= 1.0125; }
   /// Whether other roundings of the same may be fair: the largest error is one vertex's.
-  bool is_close() const noexcept { return rms <= 1.15 && roughness <= 1.03; }
+  bool is_close() const noexcept { return rms <= 1.1 && roughness <= 1.03; }
 };
 
 class PlanJudge {

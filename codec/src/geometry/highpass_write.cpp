@@ -200,7 +200,7 @@ HighpassCoder::Attempt HighpassCoder::plan_for(int cycles, const HighpassSetting
     auto positions = reconstruct_highpass(symbols, part_, solver_, box_, parameters);
     if (!positions) break;
     const PlanCost cost = judge.cost(*positions);
-    if (cost.is_fair(cycles)) {
+    if (cost.is_fair()) {
       attempt.coded = coded(parameters, *quantized, symbols);
       attempt.coded->positions = *std::move(positions);
       if (accepts(*attempt.coded)) return attempt;
