@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -56,14 +57,22 @@ struct Error {
 /// One line for people: "what, where, chunk [rule]".
 std::string describe(const Error& error);
 
+/// An error as results hold it. Copying one is a function, as results are everywhere and errors are rare.
+struct HeldError {
+  [[gnu::noinline]] HeldError(const Error& other) noexcept  // NOLINT(google-explicit-constructor)
+      : error(other) {}
+  Error error;
+};
+
 /// A `T` or an `Error`; the shape of std::expected, which the supported compilers lack.
 template <class T>
 class [[nodiscard]] Result {
  public:
   using value_type = T;
   Result(T value)
-      : state_(std::in_place_index<0>, std::move(value)) {}       // NOLINT(google-explicit-constructor)
-  Result(Error error) : state_(std::in_place_index<1>, error) {}  // NOLINT(google-explicit-constructor)
+      : state_(std::in_place_index<0>, std::move(value)) {}  // NOLINT(google-explicit-constructor)
+  Result(const Error& error)
+      : state_(std::in_place_index<1>, error) {}  // NOLINT(google-explicit-constructor)
 
   bool has_value() const noexcept { return state_.index() == 0; }
   explicit operator bool() const noexcept { return has_value(); }
@@ -73,24 +82,23 @@ class [[nodiscard]] Result {
   T&& operator*() && noexcept { return std::move(*std::get_if<0>(&state_)); }
   T* operator->() noexcept { return std::get_if<0>(&state_); }
   const T* operator->() const noexcept { return std::get_if<0>(&state_); }
-  const Error& error() const noexcept { return *std::get_if<1>(&state_); }
+  const Error& error() const noexcept { return std::get_if<1>(&state_)->error; }
 
  private:
-  std::variant<T, Error> state_;
+  std::variant<T, HeldError> state_;
 };
 
 template <>
 class [[nodiscard]] Result<void> {
  public:
   Result() = default;
-  Result(Error error) : error_(error), ok_(false) {}  // NOLINT(google-explicit-constructor)
-  bool has_value() const noexcept { return ok_; }
-  explicit operator bool() const noexcept { return ok_; }
-  const Error& error() const noexcept { return error_; }
+  Result(const Error& error) : error_(error) {}  // NOLINT(google-explicit-constructor)
+  bool has_value() const noexcept { return !error_; }
+  explicit operator bool() const noexcept { return has_value(); }
+  const Error& error() const noexcept { return error_->error; }
 
  private:
-  Error error_;
-  bool ok_ = true;
+  std::optional<HeldError> error_;
 };
 
 }  // namespace deltamesh

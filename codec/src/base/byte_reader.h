@@ -85,7 +85,7 @@ class ByteReader {
   }
 
   /// An error at the current position.
-  Error error(ErrorCode code, const char* message, const char* rule) const noexcept {
+  [[gnu::noinline]] Error error(ErrorCode code, const char* message, const char* rule) const noexcept {
     return {.code = code,
             .message = message,
             .rule = rule,

@@ -4,10 +4,10 @@
 // Size arithmetic that cannot wrap.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <new>
 
 namespace deltamesh {
 
@@ -23,10 +23,9 @@ constexpr std::uint64_t saturating_add(std::uint64_t a, std::uint64_t b) noexcep
   return __builtin_add_overflow(a, b, &sum) ? std::numeric_limits<std::uint64_t>::max() : sum;
 }
 
-/// `count`, which memory is to hold; throws std::bad_alloc where it cannot.
-inline std::size_t memory_size(std::uint64_t count) {
-  if (count > std::uint64_t{std::numeric_limits<std::size_t>::max()}) throw std::bad_alloc();
-  return static_cast<std::size_t>(count);
+/// `count`, or where memory cannot hold as many the largest size, which containers refuse.
+constexpr std::size_t memory_size(std::uint64_t count) noexcept {
+  return static_cast<std::size_t>(std::min<std::uint64_t>(count, std::numeric_limits<std::size_t>::max()));
 }
 
 }  // namespace deltamesh

@@ -16,8 +16,13 @@
 
 namespace deltamesh {
 
-/// Arrays are large from here on; bytes.
+/// Arrays are large from here on; bytes. Small code has one way for all.
 inline constexpr std::size_t kLargeArray = std::size_t{1} << 16;
+#ifdef DELTAMESH_SMALL
+inline constexpr bool kHasLargeArrays = false;
+#else
+inline constexpr bool kHasLargeArrays = true;
+#endif
 
 /// At least `bytes`, from kLargeArray on, not cleared; throws std::bad_alloc. For arrays that will be filled:
 /// as little as the first byte may take up a whole large page.
@@ -37,12 +42,12 @@ class LargeAllocator {
   LargeAllocator(const LargeAllocator<U>&) noexcept {}
 
   T* allocate(std::size_t count) {
-    if (count < kLargeArray / sizeof(T)) return std::allocator<T>{}.allocate(count);
+    if (!is_large(count)) return std::allocator<T>{}.allocate(count);
     return static_cast<T*>(allocate_large(count * sizeof(T)));
   }
 
   void deallocate(T* memory, std::size_t count) noexcept {
-    if (count < kLargeArray / sizeof(T)) {
+    if (!is_large(count)) {
       std::allocator<T>{}.deallocate(memory, count);
     } else {
       free_large(memory, count * sizeof(T));
@@ -65,6 +70,11 @@ class LargeAllocator {
   }
 
   friend bool operator==(const LargeAllocator&, const LargeAllocator&) noexcept { return true; }
+
+ private:
+  static bool is_large(std::size_t count) noexcept {
+    return kHasLargeArrays && count >= kLargeArray / sizeof(T);
+  }
 };
 
 /// A vector with such memory. `LargeVector<int>(n)` and resize() leave the elements uninitialised: write each

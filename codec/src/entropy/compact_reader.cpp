@@ -32,7 +32,7 @@ std::optional<Start> read_start(std::span<const std::byte> bytes) noexcept {
 
 }  // namespace
 
-CompactReader::CompactReader(std::span<const std::byte> bytes) noexcept
+[[gnu::noinline]] CompactReader::CompactReader(std::span<const std::byte> bytes) noexcept
     : bytes_(bytes), position_(bytes.size()) {
   const auto start = read_start(bytes);
   failed_ = !start;

@@ -67,7 +67,7 @@ class CompactReader {
     return value;
   }
 
-  [[gnu::always_inline]] std::uint32_t bits(std::uint32_t, unsigned count) noexcept {
+  DELTAMESH_INLINE_UNLESS_SMALL std::uint32_t bits(std::uint32_t, unsigned count) noexcept {
     if (count <= kMostBitsAtOnce) return take_bits(count);
     const std::uint32_t low = take_bits(kMostBitsAtOnce);
     return low | take_bits(count - kMostBitsAtOnce) << kMostBitsAtOnce;

@@ -16,6 +16,8 @@ inline constexpr unsigned kLongNumber = 15;  ///< bit lengths from here on share
 
 /// Adaptive Exp-Golomb: a symbol for the bit length, models for the two bits below the leading one.
 struct NumberModel {
+  [[gnu::noinline]] NumberModel() noexcept {}  // NOLINT(modernize-use-equals-default)
+
   static constexpr SymbolModel kFreshLength{{8, 8, 8, 8, 7, 6, 5, 4, 3, 2, 2, 1, 1, 1, 1, 1}};
 
   SymbolModel length = kFreshLength;

@@ -19,23 +19,25 @@ namespace deltamesh {
 class SymbolModels {
  public:
   /// `count` models that begin as `fresh`.
-  SymbolModels(std::size_t count, const SymbolModel& fresh) : SymbolModels(count) { fill(0, count, fresh); }
+  [[gnu::noinline]] SymbolModels(std::size_t count, const SymbolModel& fresh) : SymbolModels(count) {
+    fill(0, count, fresh);
+  }
   /// `count` models, each of which fill() has to set.
   explicit SymbolModels(std::size_t count) : size_(count), models_(new SymbolModel[count]) {}
 
-  SymbolModels(const SymbolModels& other) : SymbolModels(other.size_) {
+  [[gnu::noinline]] SymbolModels(const SymbolModels& other) : SymbolModels(other.size_) {
     std::memcpy(models_.get(), other.models_.get(), size_ * sizeof(SymbolModel));
   }
   SymbolModels& operator=(const SymbolModels& other) { return *this = SymbolModels(other); }
   SymbolModels(SymbolModels&&) noexcept = default;
   SymbolModels& operator=(SymbolModels&&) noexcept = default;
-  ~SymbolModels() = default;
+  [[gnu::noinline]] ~SymbolModels() {}  // NOLINT(modernize-use-equals-default)
 
   void limit_counts(std::uint8_t most) noexcept {
     for (std::size_t i = 0; i < size_; ++i) models_[i].limit_count(most);
   }
 
-  void fill(std::size_t first, std::size_t count, const SymbolModel& fresh) noexcept {
+  [[gnu::noinline]] void fill(std::size_t first, std::size_t count, const SymbolModel& fresh) noexcept {
     if (count == 0) return;
     SymbolModel* const models = models_.get() + first;
     models[0] = fresh;

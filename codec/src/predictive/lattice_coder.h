@@ -150,7 +150,8 @@ class LatticeCoder {
     std::optional<Matching> matching;
   };
 
-  [[gnu::always_inline]] Outlook look_at(std::uint32_t vertex, std::span<const Cell> cells) const noexcept {
+  DELTAMESH_INLINE_UNLESS_SMALL Outlook look_at(std::uint32_t vertex,
+                                                std::span<const Cell> cells) const noexcept {
     FacePair pair;
     Outlook outlook;
     if (!faces_.pair_around(vertex, pair) || !expect_pair(pair, cells, blends_, outlook.expected))
@@ -177,7 +178,7 @@ class LatticeCoder {
     history_.end(turn.vertex, turn.residual, cell);
   }
 
-  [[gnu::always_inline]] void code_axis(Coder& coder, std::size_t axis, Turn& turn) {
+  DELTAMESH_INLINE_UNLESS_SMALL void code_axis(Coder& coder, std::size_t axis, Turn& turn) {
     std::int32_t& value = turn.cell[axis];
     const ResidualForecast forecast = turn.residual.forecast(axis);
     if (!matches_ || !code_match(coder, axis, *turn.matching, value)) {

@@ -124,17 +124,23 @@ inline constexpr std::array<std::array<std::uint8_t, 16>, kTurns> kTurned = [] {
   return turned;
 }();
 
-/// Turn by turn what a set of six edges becomes: the lower half of them, then the upper half.
-inline constexpr std::array<std::array<std::array<std::uint16_t, 64>, 2>, kTurns> kTurnedSets = [] {
-  std::array<std::array<std::array<std::uint16_t, 64>, 2>, kTurns> turned{};
+/// Turn by turn what a set of the edges of one axis becomes, axis by axis.
+inline constexpr std::array<std::array<std::array<std::uint16_t, 16>, 3>, kTurns> kTurnedSets = [] {
+  std::array<std::array<std::array<std::uint16_t, 16>, 3>, kTurns> turned{};
   for (std::size_t turn = 0; turn < kTurns; ++turn)
-    for (std::size_t half = 0; half < 2; ++half)
-      for (std::size_t set = 0; set < 64; ++set)
-        for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (std::size_t set = 0; set < 16; ++set)
+        for (std::size_t i = 0; i < 4; ++i)
           if ((set >> i & 1) != 0)
-            turned[turn][half][set] |= static_cast<std::uint16_t>(1U << kTurned[turn][6 * half + i]);
+            turned[turn][axis][set] |= static_cast<std::uint16_t>(1U << kTurned[turn][4 * axis + i]);
   return turned;
 }();
+
+/// What a set of edges becomes.
+constexpr unsigned turned_set(std::size_t turn, unsigned set) noexcept {
+  const auto& turned = kTurnedSets[turn];
+  return turned[0][set & 15] | turned[1][set >> 4 & 15] | turned[2][set >> 8];
+}
 
 /// Turn by turn the edge that gets a number.
 inline constexpr std::array<std::array<std::uint8_t, kEdges>, kTurns> kBeforeTurn = [] {

@@ -192,7 +192,7 @@ class VoxelPair {
   for (std::size_t i = 0; i < 2; ++i) {
     const voxel::PairCube& cube = *cubes_[i];
     const unsigned set = cube.others & voxel::kEdgesNear[places_a[i]] & voxel::kEdgesNear[places_b[i]];
-    likely_[i] = voxel::kTurnedSets[cube.turn][0][set & 63] | voxel::kTurnedSets[cube.turn][1][set >> 6];
+    likely_[i] = voxel::turned_set(cube.turn, set);
     const unsigned number = voxel::kTurned[cube.turn][voxel::kEdgeAt[places_across[i]]];
     opposites_[i] = is_open_[i] != 0 ? kOpen : number;
   }

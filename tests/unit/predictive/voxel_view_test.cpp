@@ -121,7 +121,7 @@ TEST(VoxelTables, VOX3SetsTurnEdgeByEdge) {
       unsigned expected = 0;
       for (unsigned i = 0; i < kEdges; ++i)
         if ((set >> i & 1) != 0) expected |= 1U << kTurned[turn][i];
-      EXPECT_EQ(voxel::kTurnedSets[turn][0][set & 63] | voxel::kTurnedSets[turn][1][set >> 6], expected);
+      EXPECT_EQ(voxel::turned_set(turn, set), expected);
     }
   }
 }
