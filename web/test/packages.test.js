@@ -10,7 +10,7 @@ const packages = new URL('../packages/', import.meta.url);
 const sizeOf = (path) => brotliCompressSync(readFileSync(new URL(path, packages))).length;
 
 /** Largest sizes after brotli, bytes. They keep the modules from growing; the aims are lower (core 60 kB). */
-const SIZES = { 'decoder/decoder.js': 5000, 'decoder/core.wasm': 91000, 'decoder/highpass.wasm': 66000, 'decoder/zstd.wasm': 11500 };
+const SIZES = { 'decoder/decoder.js': 5000, 'decoder/core.wasm': 75000, 'decoder/highpass.wasm': 52500, 'decoder/zstd.wasm': 11500 };
 
 for (const [path, most] of Object.entries(SIZES)) {
   test(`${path} is not larger than its bound`, (t) => {
@@ -34,7 +34,7 @@ for (const path of readdirSync(packages, { recursive: true }).filter((path) => p
 }
 
 /** Largest sizes of what is packed, bytes. */
-const PACKED = { decoder: 640000, encoder: 380000 };
+const PACKED = { decoder: 550000, encoder: 330000 };
 const PACKED_OTHERS = 12000;
 
 const typesOf = (path) => path.replace(/\.js$/, '.d.ts');
