@@ -50,6 +50,7 @@ void add_position_quality(CLI::App& command, QualityRequest& request) {
   command
       .add_option("--target-bytes", request.target_bytes,
                   "most bytes of a stream; alone: the best quality that fits")
+      ->check(refuse_negative)
       ->group(kPositions);
 }
 

@@ -11,6 +11,7 @@
 #include "console.h"
 #include "drive_command.h"
 #include "mesh_files.h"
+#include "option_numbers.h"
 #include "progress.h"
 #include "scenes/scenes.h"
 
@@ -85,6 +86,7 @@ void add_generate_command(CLI::App& app, int& status) {
   command->add_option("--vertices", arguments->vertices, "how many, within about a tenth")
       ->capture_default_str();
   command->add_option("--seed", arguments->seed, "chooses among the meshes of a scene")
+      ->check(refuse_negative)
       ->capture_default_str();
   command
       ->add_option("--sequence", arguments->sequence,

@@ -16,6 +16,7 @@
 #include "encode_options.h"
 #include "map_report.h"
 #include "mesh_files.h"
+#include "option_numbers.h"
 #include "progress.h"
 
 namespace deltamesh::cli {
@@ -196,7 +197,9 @@ void add_split(CLI::App& map, int& status) {
           "coarser copies of smaller parts, too")
       ->check(CLI::Range(0, 21))
       ->capture_default_str();
-  command->add_option("--map-id", splitting->settings.id, "which map")->capture_default_str();
+  command->add_option("--map-id", splitting->settings.id, "which map")
+      ->check(refuse_negative)
+      ->capture_default_str();
   command->add_option("--frame", splitting->settings.frame, "name of the coordinate frame")
       ->capture_default_str();
   add_part_quality(*command, splitting->settings.quality);

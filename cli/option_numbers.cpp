@@ -72,4 +72,8 @@ CLI::Option* add_bound(CLI::App& command, const std::string& name, const std::st
       ->type_name("NUMBER[%]");
 }
 
+std::string refuse_negative(const std::string& text) {
+  return text.starts_with('-') ? "Value " + text + " is negative" : "";
+}
+
 }  // namespace deltamesh::cli

@@ -31,4 +31,8 @@ CLI::Option* add_number(CLI::App& command, const std::string& name, const std::s
 CLI::Option* add_bound(CLI::App& command, const std::string& name, const std::string& what,
                        std::optional<QualityBound>& bound);
 
+/// A check of an option that counts: what to say of a negative number, else nothing. (The parser would take
+/// -1 for the largest number.)
+std::string refuse_negative(const std::string& text);
+
 }  // namespace deltamesh::cli

@@ -17,6 +17,7 @@
 #include "encode_options.h"
 #include "map_report.h"
 #include "mesh_files.h"
+#include "option_numbers.h"
 #include "tile_plan_file.h"
 
 namespace deltamesh::cli {
@@ -176,8 +177,11 @@ void add_plan(CLI::App& tiles, int& status) {
   command
       ->add_option("--tile-triangles", planning->tile_triangles,
                    "of a tile at the most, where parts allow; each takes about 300 bytes of memory")
+      ->check(refuse_negative)
       ->capture_default_str();
-  command->add_option("--map-id", planning->settings.id, "which map")->capture_default_str();
+  command->add_option("--map-id", planning->settings.id, "which map")
+      ->check(refuse_negative)
+      ->capture_default_str();
   command->add_option("--frame", planning->settings.frame, "name of the coordinate frame")
       ->capture_default_str();
   add_part_quality(*command, planning->settings.quality);
@@ -201,7 +205,9 @@ void add_tiles_command(CLI::App& app, int& status) {
   CLI::App* encode =
       tiles->add_subcommand("encode", "Encode one tile; may be killed and run again, in any order");
   encode->add_option("DIR", encoding->folder, "folder of the map")->required();
-  encode->add_option("N", encoding->tile, "number of the tile, from 0 on")->required();
+  encode->add_option("N", encoding->tile, "number of the tile, from 0 on")
+      ->required()
+      ->check(refuse_negative);
   encode->callback([encoding, &status] { status = run_encode(*encoding); });
   const auto folder = std::make_shared<std::string>();
   CLI::App* finish = tiles->add_subcommand("finish", "Make the map of all tiles, once they are encoded");

@@ -38,6 +38,7 @@ run encode cube.obj cube.dmsh --anchor-density 0
 run encode cube.obj cube.dmsh --anchor-bits 30
 run encode cube.obj cube.dmsh --profile best
 run encode cube.obj cube.dmsh --anchors -3
+run encode cube.obj cube.dmsh --target-bytes -4
 run encode cube.obj cube.dmsh --fast
 run encode cube.xyz cube.dmsh
 run encode cube.dmsh cube.dmsh
@@ -47,4 +48,6 @@ run compare cube.obj cube.obj --heatmap map.png
 run generate castle castle.ply
 run generate sphere sphere.jpeg
 run generate sphere sphere.ply --vertices 3
+run generate sphere sphere.ply --seed -1
+run tiles encode city -1
 list
