@@ -3,11 +3,12 @@
 #include "laplacian/settling/factor.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
 #include <utility>
+
+#include "laplacian/settling/dissection.h"
 
 namespace deltamesh::settling {
 namespace {
@@ -96,10 +97,9 @@ LowerRows lower_rows(const SymmetricMatrix& matrix, std::span<const std::uint32_
 
 }  // namespace
 
-std::optional<SparseFactor> SparseFactor::make(const SymmetricMatrix& matrix,
-                                               std::vector<std::uint32_t> place) {
+std::optional<SparseFactor> SparseFactor::make(const SymmetricMatrix& matrix) {
   SparseFactor result;
-  result.place_ = std::move(place);
+  result.place_ = dissect(matrix.offsets, matrix.columns);
   const auto tree = plan_elimination(matrix, result.place_);
   if (!tree) return std::nullopt;
   result.offsets_.assign(matrix.size() + 1, 0);
@@ -141,7 +141,7 @@ bool SparseFactor::factor(const SymmetricMatrix& matrix, std::span<const std::ui
       rows_[end[j]] = k;
       values_[end[j]++] = entry;
     }
-    if (!(std::abs(pivot) > 0)) return false;
+    if (!(pivot > 0)) return false;
     pivots[k] = pivot;
     inverse_diagonal_.push_back(1 / pivot);
   }

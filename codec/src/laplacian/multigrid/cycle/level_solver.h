@@ -31,35 +31,25 @@ class LevelSolver {
     std::vector<Float4> first_forces;  ///< likewise
   };
 
-  /// Of the cycles on coarser levels. Best lengths are those of all components together, as planned cycles
-  /// have them; taken whole, what a cycle finds is linear, and components do not depend on each other.
-  enum class Lengths { kBest, kWhole };
-
   /// `levels`: the one to solve for and all that are coarser; must outlive this. `holds`: as CoarsestSolver,
   /// for the anchors of the first. `team`: of the thread that solves, or null.
-  LevelSolver(std::span<const Level> levels, std::vector<std::uint8_t> holds, Lengths lengths,
-              ThreadTeam* team);
+  LevelSolver(std::span<const Level> levels, std::vector<std::uint8_t> holds, ThreadTeam* team);
   LevelSolver(const LevelSolver&) = delete;
   LevelSolver& operator=(const LevelSolver&) = delete;
 
   /// Of the first level.
   Vectors& first() noexcept { return vectors_.front(); }
 
-  /// One cycle on the first level: about its u and forces for its b and gaps. b.s grows by the forces.
-  void cycle() { levels_.size() > 1 ? cycle(0) : solve(0); }
-
   /// Its u and forces for its b and gaps, which are used up.
   void solve() { solve(0); }
 
  private:
   CoupledProblem problem(std::size_t level) noexcept;
-  Float4 length_of_cycle(std::size_t level);
   void solve(std::size_t level);
   void cycle(std::size_t level);
 
   std::span<const Level> levels_;
   std::vector<Vectors> vectors_;  ///< per level
-  Lengths lengths_;
   CoarsestSolver coarsest_;
   ThreadTeam* team_;
 };
