@@ -30,7 +30,7 @@ int parse_and_run(CLI::App& app, int argc, char** argv, int& status) {
     return status;
   } catch (const CLI::ExtrasError&) {
     const std::vector<std::string> words = app.remaining(true);
-    const auto is_option = [](const std::string& word) { return word.starts_with('-'); };
+    const auto is_option = [](const std::string& word) { return word.starts_with('-') && word != "--"; };
     const auto option = std::find_if(words.begin(), words.end(), is_option);
     if (option != words.end())
       print_error(*option, "no such option; --help lists them");

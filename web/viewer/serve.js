@@ -20,8 +20,8 @@ const dist = new URL('./dist/', import.meta.url);
 /** A server of dist/ that listens; `port` 0: any free one. */
 export async function serve(port = 0) {
   const server = createServer(async (request, response) => {
-    const name = new URL(request.url, 'http://localhost').pathname.slice(1) || 'index.html';
     try {
+      const name = new URL(request.url, 'http://localhost').pathname.slice(1) || 'index.html';
       if (!/^[\w.-]+$/.test(name)) throw new Error('not a file of dist/');
       const body = await readFile(new URL(name, dist));
       response.writeHead(200, { 'content-type': TYPES[extname(name)] ?? 'application/octet-stream' }).end(body);

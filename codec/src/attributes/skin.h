@@ -2,7 +2,7 @@
 // Copyright 2026 The deltamesh authors
 //
 // What vertices of a skin hang on: four joints, exact, and their weights, within a bound and with the sum
-// kept [ATTR-60 .. ATTR-66].
+// kept [ATTR-60 .. ATTR-65].
 #pragma once
 
 #include <cstddef>

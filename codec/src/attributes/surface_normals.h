@@ -2,7 +2,7 @@
 // Copyright 2026 The deltamesh authors
 //
 // Normals within a largest angle of the original ones, predicted from the decoded surface and from normals
-// that are coded already [ATTR-20 .. ATTR-29].
+// that are coded already [ATTR-20 .. ATTR-25].
 #pragma once
 
 #include <cstddef>

@@ -41,7 +41,11 @@ class Page {
     find('example').add(new Option('Own file', 'file'));
     find('example').options[2].hidden = true;
     find('example').addEventListener('change', ({ target }) => this.openExample(target.value));
-    openFiles({ input: find('file'), folderInput: find('folder'), hint: find('drop-hint') }, (files) => this.openFiles(files), (files) => this.openMap(files));
+    openFiles({ input: find('file'), folderInput: find('folder'), hint: find('drop-hint') }, {
+      onFiles: (files) => this.openFiles(files),
+      onFolder: (files) => this.openMap(files),
+      onFailure: (error) => this.#fail(error),
+    });
     makeDivider(find('divider'), (share) => this.picture.setSplit(share));
     find('panel').addEventListener('submit', (event) => event.preventDefault());
     find('cancel').addEventListener('click', () => this.cancel());
@@ -112,6 +116,8 @@ class Page {
       const map = mapOf(files);
       if (!map) throw new Error('this folder has no map: there is no map.dmm');
       await this.map.open(map, (share) => (find('progress').value = share));
+      clearTimeout(this.#timer); // a slider may have been moved meanwhile
+      this.workshop.cancel();
       this.#source = null;
       this.#forgetResult();
       this.#showMapPanel(true);

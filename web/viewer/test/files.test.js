@@ -101,12 +101,29 @@ test('the contents tell what a file is where its name is wrong', { skip }, async
   assert.match(await textOf(page, 'mesh-name'), /^hill.obj: 32,761 vertices/);
 });
 
+/** A GLB whose buffer is somewhere else. */
+function glbOfElsewhere() {
+  const glb = Buffer.from(writeGlb({ origin: [0, 0, 0], positions: new Float32Array(SQUARE.flat()), indices: new Uint32Array(CORNERS), groups: null, attributes: [] }));
+  const json = JSON.parse(glb.toString('utf8', 20, 20 + glb.readUInt32LE(12)));
+  json.buffers[0].uri = 'http://localhost:9/far.bin';
+  const text = JSON.stringify(json);
+  const chunk = Buffer.from(text.padEnd(Math.ceil(text.length / 4) * 4));
+  const header = Buffer.alloc(20);
+  header.write('glTF');
+  header.writeUInt32LE(2, 4);
+  header.writeUInt32LE(20 + chunk.length, 8);
+  header.writeUInt32LE(chunk.length, 12);
+  header.write('JSON', 16);
+  return Buffer.concat([header, chunk]);
+}
+
 /** Files that cannot be opened, with what is said. */
 const ODD = [
   [/^letter.txt is none of PLY, OBJ/, ['letter.txt', 'hello']],
   [/^empty.ply is empty$/, ['empty.ply', '']],
   [/letter.glb cannot be opened as GLB: it is neither a GLB file nor JSON/, ['letter.glb', 'hello, this is a letter']],
   [/cut.glb cannot be opened as GLB: it is cut off, damaged or too large/, ['cut.glb', writeGlb(makeExample('knot')).subarray(0, 1000)]],
+  [/far.glb cannot be opened as GLB: it needs http:\/\/localhost:9\/far.bin, which is not a part of it/, ['far.glb', glbOfElsewhere()]],
   [/old.gltf cannot be opened as GLTF: .*versions >=2.0/, ['old.gltf', '{"asset":{"version":"1.0"}}']],
   [/square.gltf cannot be opened as GLTF: its buffer square data.bin is a file of its own/, gltfInFiles()[0]],
   [/letter.ply cannot be opened as PLY: its header has no end/, ['letter.ply', 'hello, this is a letter']],

@@ -3,7 +3,10 @@
 // What of the viewer is packed: the page with all that it needs, and its server.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
+import { get } from 'node:http';
 import { test } from 'node:test';
+
+import { serve } from '../serve.js';
 
 const MOST_BYTES = 2000000;
 
@@ -16,4 +19,14 @@ test('the package has the page, its workers, the modules and the server', (t) =>
   assert.deepEqual(files.map(({ path }) => path).sort(), [...modules, ...scripts, ...own].sort());
   t.diagnostic(`${size} bytes`);
   assert.ok(size <= MOST_BYTES);
+});
+
+const statusOf = (port, path) =>
+  new Promise((resolve, reject) => get({ port, path, agent: false }, (response) => resolve(response.resume().statusCode)).on('error', reject));
+
+test('the server answers requests for what it does not have', async () => {
+  const server = await serve();
+  for (const path of ['//', '/../serve.js', '/no.html', '/%', '//:0']) assert.equal(await statusOf(server.address().port, path), 404, path);
+  server.closeAllConnections();
+  server.close();
 });

@@ -4,6 +4,7 @@
 import { DeltameshError, createDecoder } from '@deltamesh/decoder';
 import { DeltameshLoader, gltfDeltameshExtension } from '@deltamesh/three';
 import { MeshoptDecoder } from 'meshoptimizer/decoder';
+import { LoadingManager } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { OBJLoader } from 'three/addons/loaders/OBJLoader.js';
 import { PLYLoader } from 'three/addons/loaders/PLYLoader.js';
@@ -52,9 +53,16 @@ function readObj(buffer) {
 /** Of materials nothing is kept, so that their textures need not be read. */
 const withoutTextures = () => ({ name: 'without textures', loadTexture: async () => null });
 
+/** Nothing is fetched: what a file names must be within it. */
+function withinFile(url) {
+  if (!/^(data|blob):/.test(url)) throw new Error(`it needs ${url}, which is not a part of it`);
+  return url;
+}
+
 async function readGltf(buffer, { others }) {
   const deltamesh = new DeltameshLoader(undefined, { workers: 0 });
-  const loader = new GLTFLoader().setMeshoptDecoder(MeshoptDecoder).register(gltfDeltameshExtension(deltamesh)).register(withoutTextures);
+  const manager = new LoadingManager().setURLModifier(withinFile);
+  const loader = new GLTFLoader(manager).setMeshoptDecoder(MeshoptDecoder).register(gltfDeltameshExtension(deltamesh)).register(withoutTextures);
   const { scene } = await loader.parseAsync(withOtherFiles(buffer, others), '');
   deltamesh.dispose();
   return meshesOf(scene, { isLinear: true });

@@ -3,8 +3,8 @@
 // Files from the buttons or dropped on the page, and folders.
 import { filesOfFolders } from '../map/map-files.js';
 
-/** `onFiles`: gets files that are chosen or dropped together; `onFolder`: those of a folder. */
-export function openFiles({ input, folderInput, hint }, onFiles, onFolder) {
+/** `onFiles`: gets files that are chosen or dropped together; `onFolder`: those of a folder; `onFailure`: why one cannot be read. */
+export function openFiles({ input, folderInput, hint }, { onFiles, onFolder, onFailure }) {
   folderInput.addEventListener('change', () => {
     onFolder([...folderInput.files]);
     folderInput.value = '';
@@ -25,9 +25,13 @@ export function openFiles({ input, folderInput, hint }, onFiles, onFolder) {
     event.preventDefault();
     show(-depth);
     const files = [...event.dataTransfer.files];
-    const inFolders = await filesOfFolders(event.dataTransfer);
-    if (inFolders.length > 0) onFolder(inFolders);
-    else if (files.length > 0) onFiles(files);
+    try {
+      const inFolders = await filesOfFolders(event.dataTransfer);
+      if (inFolders.length > 0) onFolder(inFolders);
+      else if (files.length > 0) onFiles(files);
+    } catch (error) {
+      onFailure(error);
+    }
   });
 }
 

@@ -97,7 +97,8 @@ export class Stage {
   #isBusy() {
     const gl = this.#renderer.getContext();
     if (!this.#fence || gl.isContextLost()) return false;
-    if (gl.getSyncParameter(this.#fence, gl.SYNC_STATUS) !== gl.SIGNALED) return true;
+    // A fence of a context that was lost and restored has no status.
+    if (gl.getSyncParameter(this.#fence, gl.SYNC_STATUS) === gl.UNSIGNALED) return true;
     gl.deleteSync(this.#fence);
     this.#fence = null;
     return false;
