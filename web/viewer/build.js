@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 // Bundles the page and its workers into dist/, beside the modules in WebAssembly.
-import { copyFile, mkdir, rm } from 'node:fs/promises';
+import { copyFile, mkdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 
 import { build } from 'esbuild';
@@ -37,3 +37,14 @@ await build({
 });
 for (const name of ['index.html', 'style.css']) await copyFile(new URL(name, here), new URL(name, dist));
 for (const name of WASM) await copyFile(require.resolve(name), new URL(name.split('/').pop(), dist));
+
+// What the page has parts of.
+const three = new URL('../LICENSE', import.meta.resolve('three')); // of build/three.module.js
+const meshoptimizer = new URL('LICENSE.md', import.meta.resolve('meshoptimizer'));
+const notice = new URL('NOTICE', import.meta.resolve('@deltamesh/encoder'));
+const licences = await Promise.all([three, meshoptimizer, notice].map((file) => readFile(file, 'utf8')));
+const [ofThree, ofMeshoptimizer, ofModules] = licences;
+await writeFile(
+  new URL('NOTICE', dist),
+  `=== three.js\n\n${ofThree}\n=== meshoptimizer\n\n${ofMeshoptimizer}\n=== Draco\n\nApache License 2.0, see LICENSE. Copyright The Draco Authors.\n\n${ofModules}`,
+);

@@ -20,6 +20,7 @@ class Helper {
       this.task?.reject(new Error(event.message ?? 'the worker could not be started'));
       this.task = null;
       this.hasFailed = true;
+      worker.terminate();
       onFree();
     };
   }

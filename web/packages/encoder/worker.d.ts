@@ -19,6 +19,6 @@ export class EncoderWorker {
     order?: Uint32Array,
     options?: { signal?: AbortSignal },
   ): Promise<MeshComparison | DeltameshError>;
-  /** Ends the worker; another is started when there is work. */
+  /** Ends the worker; what is not done, or asked for later, is rejected. */
   dispose(): void;
 }

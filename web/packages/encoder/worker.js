@@ -10,6 +10,7 @@ export class EncoderWorker {
   #worker;
   #fail;
   #last = Promise.resolve();
+  #isDisposed = false;
 
   constructor({ encoder, createWorker } = {}) {
     this.#options = encoder;
@@ -34,6 +35,7 @@ export class EncoderWorker {
 
   #run(message, signal, onProgress) {
     return new Promise((resolve, reject) => {
+      if (this.#isDisposed) throw new Error('the encoder is disposed of');
       signal?.throwIfAborted();
       const worker = (this.#worker ??= this.#start());
       const abort = () => this.#end(signal.reason); // nothing else stops a module at work
@@ -67,6 +69,7 @@ export class EncoderWorker {
   }
 
   dispose() {
+    this.#isDisposed = true;
     this.#end(new Error('the encoder was disposed of'));
   }
 }

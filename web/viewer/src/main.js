@@ -100,6 +100,7 @@ class Page {
   openFiles(files) {
     const meshes = files.length === 1 ? files : files.filter(({ name }) => isMeshName(name));
     if (meshes.length !== 1) {
+      this.#stop();
       const names = files.map(({ name }) => name).join(', ');
       this.#fail(new Error(`${meshes.length === 0 ? 'None of these is a mesh' : 'Open one mesh at a time'}: ${names}`));
       return undefined;
@@ -194,7 +195,7 @@ class Page {
     try {
       const result = await this.workshop.encode(encodeOptions(this.#settings), ({ step, share }) => {
         find('progress').value = share;
-        find('status').textContent = step === 'Compressing' ? `Compressing, ${Math.round(100 * share)} %` : step;
+        if (find('status').textContent !== step) find('status').textContent = step; // it is read out
       });
       if (source !== this.#source) return;
       this.#show(result);
@@ -261,6 +262,7 @@ class Page {
     find('error').textContent = '';
     find('error').hidden = true;
     find('progress').style.visibility = isBusy ? 'visible' : 'hidden';
+    if (!isBusy && document.activeElement === find('cancel')) find('canvas').focus(); // what is hidden loses it
     find('cancel').hidden = !isBusy;
     find('progress').value = 0;
     document.body.dataset.state = isBusy ? 'busy' : 'done';

@@ -3,6 +3,8 @@
 // What a person does with the page.
 import { waitUntilDone } from './browser.js';
 
+const frames = (page) => page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+
 /** Chooses one of a few. */
 export function choose(page, id, value) {
   return page.$eval(`input[name="${id}"][value="${value}"]`, (input) => input.click());
@@ -44,7 +46,7 @@ export const drop = (page, name, bytes) => dropFiles(page, [[name, bytes]]);
 
 /** How many colours a part of the canvas has; `from`, `to`: shares of its width. */
 export async function countColors(page, from = 0, to = 1) {
-  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+  await frames(page);
   const box = await page.$eval('#canvas', (canvas) => canvas.getBoundingClientRect().toJSON());
   const clip = { x: box.x + from * box.width, y: box.y + 0.2 * box.height, width: (to - from) * box.width, height: 0.5 * box.height };
   const png = await page.screenshot({ clip, encoding: 'base64' });
@@ -57,22 +59,34 @@ export async function countColors(page, from = 0, to = 1) {
   }, png);
 }
 
+/** The page's theme is read anew, with this background behind meshes, or the theme's own. */
+async function setBackground(page, color) {
+  await page.$eval('#stage', (stage, color) => (stage.style.backgroundColor = color), color);
+  for (const value of ['dark', 'light']) {
+    await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value }]);
+    await frames(page);
+  }
+}
+
 /**
- * Pixels of the background with the mesh all around them, in a picture of the canvas: what is seen through holes, or through cracks
- * between parts. The background is what the first pixel has.
+ * Pixels with the mesh all around them that have a part of the background, in a picture of the canvas: what is seen through holes, or
+ * through cracks between parts, thinner than a pixel too. Meanwhile the background is magenta, which no mesh here has anything of. The
+ * page has the light theme.
  */
 export async function countHoles(page) {
+  await setBackground(page, 'rgb(255, 0, 255)');
   const png = await picture(page);
+  await setBackground(page, '');
   return page.evaluate(async (base64) => {
     const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
     const image = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
     const { width, height } = image;
     const context = new OffscreenCanvas(width, height).getContext('2d');
     context.drawImage(image, 0, 0);
-    const pixels = new Uint32Array(context.getImageData(0, 0, width, height).data.buffer);
-    const background = pixels[0];
-    const isEmpty = Uint8Array.from(pixels, (pixel) => pixel === background);
-    // From the picture's border inwards.
+    const { data } = context.getImageData(0, 0, width, height);
+    const isEmpty = new Uint8Array(width * height);
+    for (let i = 0; i < isEmpty.length; ++i) isEmpty[i] = Math.min(data[4 * i], data[4 * i + 2]) - data[4 * i + 1] > 10 ? 1 : 0;
+    // From the picture's border inwards, by corners too: edges of the mesh have steps.
     const open = [];
     for (let x = 0; x < width; ++x) open.push(x, (height - 1) * width + x);
     for (let y = 0; y < height; ++y) open.push(y * width, y * width + width - 1);
@@ -80,10 +94,8 @@ export async function countHoles(page) {
       const at = open.pop();
       if (!isEmpty[at]) continue;
       isEmpty[at] = 0;
-      if (at >= width) open.push(at - width);
-      if (at + width < pixels.length) open.push(at + width);
-      if (at % width > 0) open.push(at - 1);
-      if ((at + 1) % width > 0) open.push(at + 1);
+      const [left, right] = [at % width > 0 ? 1 : 0, (at + 1) % width > 0 ? 1 : 0];
+      for (const row of [at - width, at, at + width]) if (row >= 0 && row < isEmpty.length) for (let to = row - left; to <= row + right; ++to) open.push(to);
     }
     return isEmpty.reduce((sum, one) => sum + one, 0);
   }, png);
@@ -91,7 +103,7 @@ export async function countHoles(page) {
 
 /** Of the canvas, PNG in base64, when the graphics card has drawn what it was last given. */
 export async function picture(page) {
-  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+  await frames(page);
   return (await page.$('#canvas')).screenshot({ encoding: 'base64' });
 }
 

@@ -121,5 +121,8 @@ test('a worker encodes, tells of its progress, is cancelled, and goes on', async
   const cancelled = worker.encode(wavyGrid(200), { signal: controller.signal, onProgress: () => controller.abort() });
   await assert.rejects(cancelled, { name: 'AbortError' });
   assert.deepEqual((await worker.encode(mesh, { maxError: 0.01 })).bytes, bytes);
+  const unfinished = [worker.encode(mesh), worker.encode(mesh)];
+  await new Promise((resolve) => setImmediate(resolve)); // the first has begun
   worker.dispose();
+  for (const { reason } of await Promise.allSettled([...unfinished, worker.encode(mesh)])) assert.match(String(reason?.message), /disposed of/);
 });

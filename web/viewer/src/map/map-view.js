@@ -21,6 +21,7 @@ export class MapView {
   #frame = null;
   #last = Promise.resolve();
   #opened = 0; // how often, so that what is no longer wanted ends
+  #shown = 0; // the turn of what is shown
 
   /** `job`: a LatestJob of map-worker. */
   constructor(find, job, stage) {
@@ -40,20 +41,21 @@ export class MapView {
       if (turn !== this.#opened) throw new Superseded();
       return result;
     };
-    const { parts, frame } = wanted(await this.#ask({ call: 'open', manifest, center: this.#frame?.center }));
+    const { parts, frame } = wanted(await this.#ask({ call: 'open', manifest, turn, shown: this.#shown, center: this.#frame?.center }));
     const { map } = this.#stage;
     const changed = parts.filter((part) => map.fileOf(keyOf(part)) !== part.file);
     const displays = [];
     for (const part of changed) {
       const file = files.get(part.file.split('/').pop());
       if (!file) throw new Error(`the map's folder does not have ${part.file}`);
-      displays.push(wanted(await this.#ask({ call: 'part', number: part.number, file })));
+      displays.push(wanted(await this.#ask({ call: 'part', turn, number: part.number, file })));
       onProgress(displays.length / changed.length);
     }
     const keys = new Set(parts.map(keyOf));
     for (const key of map.keys) if (!keys.has(key)) map.removePart(key);
     changed.forEach((part, i) => map.setPart(keyOf(part), part.file, displays[i]));
     this.#parts = parts;
+    this.#shown = turn;
     if (!this.#frame) this.#stage.frame(frame.diagonal);
     this.#frame ??= frame;
   }
@@ -61,7 +63,7 @@ export class MapView {
   /** The part `place` of the map from other bytes. */
   async replace(place, bytes) {
     const part = this.#parts[place];
-    this.#stage.map.setPart(keyOf(part), part.file, await this.#ask({ call: 'part', number: part.number, file: new Blob([bytes]) }));
+    this.#stage.map.setPart(keyOf(part), part.file, await this.#ask({ call: 'part', turn: this.#shown, number: part.number, file: new Blob([bytes]) }));
   }
 
   /** One call after the other: new work would end the worker, which has the manifest. */

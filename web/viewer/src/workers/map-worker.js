@@ -8,8 +8,7 @@ import { buffersOf, displayOf } from '../mesh/display.js';
 import { answerCalls } from './answer.js';
 
 let module;
-let map;
-let frame;
+const maps = new Map(); // by turns: what is shown, and what is being opened
 
 function check(outcome) {
   if (outcome instanceof DeltameshError) throw outcome;
@@ -28,16 +27,20 @@ function frameOfParts(parts) {
 
 answerCalls({
   setup: () => (module = WebAssembly.compileStreaming(fetch(new URL('./map.wasm', import.meta.url)))),
-  /** `manifest`: a file. `center`: of the picture, where there is one already. */
-  open: async ({ manifest, center }) => {
-    map = check(await openMap(new Uint8Array(await manifest.arrayBuffer()), { file: module }));
+  /** `manifest`: a file. `turn`: of this call; `shown`: of the map that is shown. `center`: of the picture, where there is one already. */
+  open: async ({ manifest, turn, shown, center }) => {
+    const map = check(await openMap(new Uint8Array(await manifest.arrayBuffer()), { file: module }));
     const parts = map.parts.map((part, number) => ({ ...part, number })).filter(({ isFinest }) => isFinest);
     if (parts.length === 0) throw new Error('the map has no parts');
-    frame = frameOfParts(parts);
+    const frame = frameOfParts(parts);
     if (center) frame.center = center;
+    for (const other of maps.keys()) if (other !== shown) maps.delete(other);
+    maps.set(turn, { map, frame });
     return { result: { parts, frame } };
   },
-  part: async ({ number, file }) => {
+  /** A part of the map that was opened by `turn`. */
+  part: async ({ turn, number, file }) => {
+    const { map, frame } = maps.get(turn);
     const display = displayOf(check(map.decode(number, new Uint8Array(await file.arrayBuffer()))), frame);
     return { result: display, transfer: buffersOf(display) };
   },
