@@ -102,6 +102,13 @@ async function roundTrip(document, options) {
   return { json, glb, read: await io.readBinary(glb) };
 }
 
+/** Of the first primitive. */
+function streamOf({ meshes, bufferViews }, glb) {
+  const { byteOffset = 0, byteLength } = bufferViews[meshes[0].primitives[0].extensions.DELTAMESH_mesh_compression.bufferView];
+  const binary = 20 + new DataView(glb.buffer, glb.byteOffset).getUint32(12, true) + 8;
+  return glb.subarray(binary + byteOffset, binary + byteOffset + byteLength);
+}
+
 test('what is written without loss is read again', async () => {
   const document = makeDocument();
   const before = primitivesOf(document).map(cornersOf);
@@ -124,22 +131,36 @@ test('bounds are kept to', async () => {
   }
 });
 
-/** Every option of the encoder, beside those of other tests. */
+/** Every option of the encoder, beside those of other tests, and what the stream says of itself then. `size`: its bytes. */
+const diagonalOf = ({ box }) => Math.hypot(...box.max.map((value, axis) => value - box.min[axis]));
+const codecsOf = ({ chunks }) => new Set(chunks.map(({ codec }) => codec));
 const WAYS = [
-  { vde: { value: 0.05, unit: 'diagonal' }, lfe: { value: 0.1, unit: 'diagonal' }, effort: 0 },
-  { targetBytes: 6000, geometry: 'predictive', effort: 9 },
-  { geometry: 'highpass', bits: 6, anchors: 20, anchorBits: 10, profile: 'zstd' },
-  { geometry: 'highpass', step: 0.01, anchorDensity: 4, keepOrder: true },
-  { keepUnreferenced: true, tangentError: 2, weightError: 0.01, attributeErrors: { '0/POSITION': 0.01 } },
+  [
+    { vde: { value: 0.05, unit: 'diagonal' }, lfe: { value: 0.1, unit: 'diagonal' }, effort: 0 },
+    (info) => info.quality.vde <= 0.0005 * diagonalOf(info) && info.quality.lfe <= 0.001 * diagonalOf(info),
+  ],
+  [{ targetBytes: 6000, geometry: 'predictive', effort: 9 }, (info, size) => info.geometry === 'predictive' && size <= 6000],
+  [
+    { geometry: 'highpass', bits: 6, anchors: 20, anchorBits: 10, profile: 'zstd' },
+    (info) => info.geometry === 'highpass' && info.quality.maxError > 0 && !codecsOf(info).has('compact'),
+  ],
+  [{ geometry: 'highpass', step: 0.01, anchorDensity: 4, keepOrder: true }, (info) => info.geometry === 'highpass' && info.keepsOrder],
+  [
+    { keepUnreferenced: true, tangentError: 2, weightError: 0.01, attributeErrors: { '0/POSITION': 0.01 } },
+    ({ attributes }) => attributes.find(({ name }) => name === '0/POSITION').error <= 0.01,
+  ],
 ];
 
-for (const options of WAYS) {
+for (const [options, holds] of WAYS) {
   test(`options are kept to: ${Object.keys(options).join(', ')}`, async () => {
     const document = makeDocument();
     const counts = primitivesOf(document).map((primitive) => primitive.getIndices().getCount());
-    const { json, read } = await roundTrip(document, options);
+    const { json, glb, read } = await roundTrip(document, options);
     assert.ok(json.meshes[0].primitives.every(({ extensions }) => extensions.DELTAMESH_mesh_compression));
     assert.deepEqual(primitivesOf(read).map((primitive) => primitive.getIndices().getCount()), counts);
+    const stream = streamOf(json, glb);
+    const info = (await createDecoder()).inspect(stream);
+    assert.ok(holds(info, stream.length), JSON.stringify({ ...info, size: stream.length }));
   });
 }
 
