@@ -25,7 +25,7 @@ struct Buffer {
   Buffer& operator=(Buffer&&) noexcept = default;
 
   std::vector<std::byte> owned;      ///< read from a URI, or new
-  std::span<const std::byte> bytes;  ///< exactly byteLength, perhaps another buffer's; none where opaque
+  std::span<const std::byte> bytes;  ///< exactly byteLength of them; none where opaque
   bool opaque = false;
 };
 

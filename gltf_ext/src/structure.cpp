@@ -111,8 +111,7 @@ Result<void> check_extension_lists(const Json& json) {
 Result<void> check_structure(const Json& json) {
   if (auto checked = check_version(json); !checked) return checked;
   if (auto checked = check_extension_lists(json); !checked) return checked;
-  for (const char* key :
-       {"buffers", "bufferViews", "accessors", "meshes", "nodes", "scenes", "skins", "animations"}) {
+  for (const char* key : {"buffers", "bufferViews", "accessors", "meshes", "skins", "animations"}) {
     const Error bad{.code = ErrorCode::kInvalidFile,
                     .message = "a top-level list holds something else than objects"};
     if (auto checked = check_array_of_objects(json, key, bad); !checked) return checked;

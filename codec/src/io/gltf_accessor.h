@@ -1,26 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Accessors that the importer needs: what it cannot read is an error.
+// Values of a glTF accessor, every range checked.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
-#include "accessor.h"
+#include "io/gltf_document.h"
 
 namespace deltamesh {
 
-/// Errors: kInvalidFile (malformed, a shape that core glTF does not have, matrices of padded columns).
-Result<gltf::AccessorShape> needed_shape(const gltf::Document& document, std::size_t accessor);
+using GltfBuffers = std::span<const std::span<const std::byte>>;
 
-/// The caller has bounded the accessor's count. Errors: kInvalidFile (the same; beyond its view or buffer, or
-/// bytes that only an extension knows).
-Result<gltf::AccessorRows> needed_rows(const gltf::Document& document, std::size_t accessor);
+/// Accessor `index`. Errors: kInvalidFile where there is none.
+Result<const GltfAccessor*> find_accessor(const GltfDocument& document, int index);
+
+/// count x components values, tightly packed, native byte order; strides, missing buffer views (zeros) and
+/// sparse values are dealt with. The caller has bounded `accessor.count`. Errors: kInvalidFile: a range
+/// outside its buffer view or buffer, a sparse index outside the accessor, a matrix of padded columns.
+Result<std::vector<std::byte>> read_accessor(const GltfDocument& document, GltfBuffers buffers,
+                                             const GltfAccessor& accessor);
 
 /// A SCALAR accessor of unsigned integers as vertex indices, each below `vertices`. Errors: kInvalidFile.
-Result<std::vector<std::uint32_t>> read_indices(const gltf::Document& document, std::size_t accessor,
-                                                std::uint64_t vertices);
+Result<std::vector<std::uint32_t>> read_indices(const GltfDocument& document, GltfBuffers buffers,
+                                                const GltfAccessor& accessor, std::uint64_t vertices);
 
 }  // namespace deltamesh

@@ -36,11 +36,11 @@ AttributeKind kind_of(std::string_view semantic) noexcept {
 }
 
 /// Whether a semantic of this kind can have the accessor's type and shape.
-bool fits(AttributeKind kind, const gltf::AccessorShape& accessor) noexcept {
+bool fits(AttributeKind kind, const GltfAccessor& accessor) noexcept {
   const bool real = accessor.type == ComponentType::kF32;
   const bool natural = accessor.type == ComponentType::kU8 || accessor.type == ComponentType::kU16;
   const bool part_of_one = real || (natural && accessor.normalized);
-  if (accessor.is_matrix) return kind == AttributeKind::kGeneric;
+  if (accessor.matrix) return kind == AttributeKind::kGeneric;
   switch (kind) {
     case AttributeKind::kNormal:
       return accessor.components == 3;
@@ -61,7 +61,7 @@ bool fits(AttributeKind kind, const gltf::AccessorShape& accessor) noexcept {
 }
 
 /// How one set has it, after the conversions that a kind always gets. Errors: kInvalidFile.
-Result<Layout> layout_of(std::string_view semantic, const gltf::AccessorShape& accessor) {
+Result<Layout> layout_of(std::string_view semantic, const GltfAccessor& accessor) {
   Layout layout{.kind = kind_of(semantic),
                 .type = accessor.type,
                 .components = accessor.components,
@@ -96,15 +96,15 @@ void merge(const Layout& other, Layout& layout) noexcept {
 
 using Layouts = std::map<std::string, Layout>;
 
-Result<Layouts> find_layouts(const gltf::Document& document, const std::vector<GltfVertexSet>& sets) {
+Result<Layouts> find_layouts(const GltfDocument& document, const std::vector<GltfVertexSet>& sets) {
   Layouts layouts;
   for (const GltfVertexSet& set : sets) {
-    for (const auto& [semantic, index] : set.semantics) {
+    for (const auto& [semantic, index] : *set.semantics) {
       if (semantic == "POSITION") continue;
-      DELTAMESH_TRY(const gltf::AccessorShape shape, needed_shape(document, index));
-      if (shape.count != set.count)
+      DELTAMESH_TRY(const GltfAccessor* accessor, find_accessor(document, index));
+      if (accessor->count != set.count)
         return invalid_file("glTF: the attributes of a primitive differ in their number of values");
-      DELTAMESH_TRY(const Layout layout, layout_of(semantic, shape));
+      DELTAMESH_TRY(const Layout layout, layout_of(semantic, *accessor));
       const auto [known, is_new] = layouts.emplace(semantic, layout);
       if (!is_new) merge(layout, known->second);
     }
@@ -155,39 +155,41 @@ void turn(Attribute& attribute, const GltfVertexSet& set, bool tangent) {
   }
 }
 
-/// What a set without the attribute gets.
-void fill_missing(const GltfVertexSet& set, Attribute& attribute) {
-  for (std::uint64_t v = set.first; v < set.first + set.count; ++v)
-    for (std::size_t c = 0; c < attribute.components; ++c)
-      store(attribute, v, c, missing_value(attribute.kind, c));
-}
-
-/// The values of one set.
-void fill(const gltf::AccessorRows& rows, const GltfVertexSet& set, Attribute& attribute) {
-  const gltf::AccessorShape& shape = rows.shape();
-  const bool same = shape.type == attribute.type && shape.components == attribute.components;
-  for (std::uint64_t v = 0; v < set.count; ++v) {
-    const std::span<const std::byte> row = rows.row(v);
-    if (same) {
-      std::memcpy(attribute.values.data() + (set.first + v) * row.size(), row.data(), row.size());
-      continue;
-    }
-    for (std::size_t c = 0; c < attribute.components; ++c) {
-      // Three components widened to four: alpha is 1.
-      double real = 1;
-      if (c < shape.components)
-        real = load_normalized(shape.type, shape.normalized, row.data() + c * component_size(shape.type));
-      store(attribute, set.first + v, c, real);
-    }
+/// The values of one set; `accessor` is null where the set has none.
+Result<void> fill(const GltfDocument& document, GltfBuffers buffers, const GltfVertexSet& set,
+                  const GltfAccessor* accessor, Attribute& attribute) {
+  const std::size_t size = attribute.components * component_size(attribute.type);
+  if (accessor == nullptr) {
+    for (std::uint64_t v = set.first; v < set.first + set.count; ++v)
+      for (std::size_t c = 0; c < attribute.components; ++c)
+        store(attribute, v, c, missing_value(attribute.kind, c));
+    return {};
+  }
+  DELTAMESH_TRY(const std::vector<std::byte> values, read_accessor(document, buffers, *accessor));
+  if (values.empty()) return {};
+  if (accessor->type == attribute.type && accessor->components == attribute.components) {
+    std::memcpy(attribute.values.data() + set.first * size, values.data(), values.size());
+  } else {
+    for (std::uint64_t v = 0; v < set.count; ++v)
+      for (std::size_t c = 0; c < attribute.components; ++c) {
+        // Three components widened to four: alpha is 1.
+        double real = 1;
+        if (c < accessor->components)
+          real = load_normalized(
+              accessor->type, accessor->normalized,
+              values.data() + (v * accessor->components + c) * component_size(accessor->type));
+        store(attribute, set.first + v, c, real);
+      }
   }
   const bool tangent = attribute.kind == AttributeKind::kTangent;
   if ((attribute.kind == AttributeKind::kNormal || tangent) && !set.transform->is_identity())
     turn(attribute, set, tangent);
+  return {};
 }
 
 }  // namespace
 
-Result<std::vector<Attribute>> merge_attributes(const gltf::Document& document,
+Result<std::vector<Attribute>> merge_attributes(const GltfDocument& document, GltfBuffers buffers,
                                                 const std::vector<GltfVertexSet>& sets,
                                                 std::uint64_t vertices, std::uint64_t& dropped) {
   DELTAMESH_TRY(const Layouts layouts, find_layouts(document, sets));
@@ -200,13 +202,12 @@ Result<std::vector<Attribute>> merge_attributes(const gltf::Document& document,
     Attribute attribute = make_attribute(layout.kind, layout.type, layout.components, semantic, vertices);
     attribute.normalized = layout.normalized;
     for (const GltfVertexSet& set : sets) {
-      const auto own = set.semantics.find(semantic);
-      if (own == set.semantics.end()) {
-        fill_missing(set, attribute);
-        continue;
+      const auto own = set.semantics->find(semantic);
+      const GltfAccessor* accessor = nullptr;
+      if (own != set.semantics->end()) {
+        DELTAMESH_TRY(accessor, find_accessor(document, own->second));
       }
-      DELTAMESH_TRY(const gltf::AccessorRows rows, needed_rows(document, own->second));
-      fill(rows, set, attribute);
+      DELTAMESH_CHECK(fill(document, buffers, set, accessor, attribute));
     }
     attributes.push_back(std::move(attribute));
   }

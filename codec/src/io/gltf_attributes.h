@@ -15,12 +15,9 @@
 
 namespace deltamesh {
 
-/// An accessor for each attribute name of a primitive.
-using GltfSemantics = std::map<std::string, std::size_t>;
-
 /// Vertices that one or more primitives of a placed mesh share.
 struct GltfVertexSet {
-  GltfSemantics semantics;  ///< of the primitives
+  const std::map<std::string, int>* semantics = nullptr;  ///< of the primitives
   const GltfTransform* transform = nullptr;
   std::uint64_t first = 0;  ///< vertex in the merged mesh
   std::uint64_t count = 0;
@@ -32,7 +29,7 @@ struct GltfVertexSet {
 /// and weights of several types become float32, joints u16. A custom attribute that a set lacks, or has in
 /// another type, and one whose name is not UTF-8 of 1 to 255 bytes, is left out and counted in `dropped`.
 /// Errors: kInvalidFile: a semantic with a wrong type or count, accessors out of range.
-Result<std::vector<Attribute>> merge_attributes(const gltf::Document& document,
+Result<std::vector<Attribute>> merge_attributes(const GltfDocument& document, GltfBuffers buffers,
                                                 const std::vector<GltfVertexSet>& sets,
                                                 std::uint64_t vertices, std::uint64_t& dropped);
 

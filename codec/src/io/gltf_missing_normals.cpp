@@ -30,7 +30,7 @@ std::vector<Vec3> sum_normals(const Mesh& mesh) {
 }  // namespace
 
 void add_missing_normals(const std::vector<GltfVertexSet>& sets, Mesh& mesh) {
-  const auto lacks = [](const GltfVertexSet& set) { return !set.semantics.contains("NORMAL"); };
+  const auto lacks = [](const GltfVertexSet& set) { return !set.semantics->contains("NORMAL"); };
   const auto normals = std::find_if(mesh.attributes.begin(), mesh.attributes.end(),
                                     [](const Attribute& a) { return a.kind == AttributeKind::kNormal; });
   if (normals == mesh.attributes.end() || std::none_of(sets.begin(), sets.end(), lacks)) return;

@@ -9,8 +9,7 @@
 #include <vector>
 
 #include "base/vec3.h"
-#include "deltamesh/result.h"
-#include "json.h"
+#include "io/gltf_document.h"
 
 namespace deltamesh {
 
@@ -20,9 +19,6 @@ struct GltfTransform {
 
   bool is_identity() const noexcept { return m == GltfTransform{}.m; }
   Vec3 column(std::size_t c) const noexcept { return {m[4 * c], m[4 * c + 1], m[4 * c + 2]}; }
-  void set_column(std::size_t c, const Vec3& value) noexcept {
-    for (std::size_t k = 0; k < 3; ++k) m[4 * c + k] = value[k];
-  }
   /// Of the linear part; negative: a mirror image.
   double determinant() const noexcept { return dot(column(0), cross(column(1), column(2))); }
   Vec3 point(const Vec3& p) const noexcept { return direction(p) + column(3); }
@@ -36,14 +32,13 @@ struct GltfTransform {
 GltfTransform operator*(const GltfTransform& a, const GltfTransform& b) noexcept;
 
 struct GltfPlacement {
-  std::size_t mesh = 0;  ///< index into "meshes"
+  std::size_t mesh = 0;  ///< index into GltfDocument::meshes
   GltfTransform transform;
 };
 
 /// The meshes of the default scene, or of all scenes where none is the default, or of all root nodes where
 /// there are no scenes, or all meshes where there are no nodes; in depth-first order. Errors: kInvalidFile:
-/// an index without its object, a node that is reached twice, a transform of another number of values. Cost
-/// O(nodes).
-Result<std::vector<GltfPlacement>> place_meshes(const gltf::Json& asset);
+/// an index without its object, a node that is reached twice. Cost O(nodes).
+Result<std::vector<GltfPlacement>> place_meshes(const GltfDocument& document);
 
 }  // namespace deltamesh

@@ -10,71 +10,63 @@
 #include <string>
 #include <utility>
 
-#include "accessor.h"
 #include "base/byte_writer.h"
-#include "base/try.h"
 #include "base/vec3.h"
 #include "io/formats.h"
+#include "io/gltf_document.h"
 #include "io/vertex_text.h"
 
 namespace deltamesh {
 namespace {
 
-using gltf::Json;
-
 class GltfBuilder {
  public:
   explicit GltfBuilder(const MeshView& mesh) : mesh_(mesh) {}
 
-  gltf::Document build() {
+  GltfDocument build() {
     if (mesh_.vertex_count() == 0) return std::move(document_);  // an accessor cannot be empty
     add_positions();
     for (const AttributeView& attribute : mesh_.attributes) add_attribute(attribute);
     add_triangles();
-    Json node{{"mesh", 0}};
-    if (has_origin(mesh_)) node["translation"] = mesh_.origin;
-    Json& json = document_.json;
-    json["meshes"] = Json::array({{{"primitives", Json::array({std::move(primitive_)})}}});
-    json["nodes"] = Json::array({std::move(node)});
-    json["scenes"] = Json::array({{{"nodes", Json::array({0})}}});
-    json["scene"] = 0;
-    json["buffers"] = Json::array({{{"byteLength", out_.size()}}});
-    gltf::Buffer& buffer = document_.buffers.emplace_back();
-    buffer.owned = out_.take();
-    buffer.bytes = buffer.owned;
+    document_.meshes.push_back({std::move(primitive_)});
+    GltfNode node;
+    node.mesh = 0;
+    std::copy(mesh_.origin.begin(), mesh_.origin.end(), node.matrix.begin() + 12);
+    document_.nodes.push_back(std::move(node));
+    document_.scenes.push_back({0});
+    document_.scene = 0;
     return std::move(document_);
+  }
+
+  std::vector<unsigned char> buffer() {
+    std::vector<unsigned char> bytes(out_.size());
+    if (!bytes.empty()) std::memcpy(bytes.data(), out_.bytes().data(), bytes.size());
+    return bytes;
   }
 
  private:
   /// Opens a view and an accessor at the end of the buffer; the values follow.
-  Json begin(ComponentType type, std::uint8_t components, std::size_t count, bool indices) {
-    constexpr std::array<const char*, 4> kTypes{"SCALAR", "VEC2", "VEC3", "VEC4"};
-    constexpr int kVertexAttributes = 34962;
-    constexpr int kVertexIndices = 34963;
+  GltfAccessor begin(ComponentType type, std::uint8_t components, bool indices) {
     const std::size_t size = components * component_size(type);
-    Json view{{"buffer", 0}, {"byteOffset", out_.size()}};
-    // Vertex attributes begin at multiples of 4 (glTF 2.0, 3.6.2.4).
-    if (!indices && size % 4 != 0) view["byteStride"] = (size + 3) / 4 * 4;
-    view["target"] = indices ? kVertexIndices : kVertexAttributes;
-    Json& views = document_.json["bufferViews"];
-    views.push_back(std::move(view));
-    return Json{{"bufferView", views.size() - 1},
-                {"componentType", gltf::gltf_component_type(type)},
-                {"count", count},
-                {"type", kTypes[components - 1U]}};
+    document_.views.push_back({.buffer = 0,
+                               .offset = out_.size(),
+                               .length = 0,
+                               // Vertex attributes begin at multiples of 4 (glTF 2.0, 3.6.2.4).
+                               .stride = indices || size % 4 == 0 ? 0 : (size + 3) / 4 * 4,
+                               .indices = indices});
+    GltfAccessor accessor;
+    accessor.view = static_cast<int>(document_.views.size()) - 1;
+    accessor.count = mesh_.vertex_count();
+    accessor.type = type;
+    accessor.components = components;
+    return accessor;
   }
 
-  std::size_t end(Json accessor) {
+  int end(GltfAccessor accessor) {
     pad();
-    Json& view = document_.json["bufferViews"].back();
-    view["byteLength"] = out_.size() - view["byteOffset"].get<std::size_t>();
-    Json& accessors = document_.json["accessors"];
-    accessors.push_back(std::move(accessor));
-    return accessors.size() - 1;
-  }
-
-  Json begin(ComponentType type, std::uint8_t components) {
-    return begin(type, components, mesh_.vertex_count(), false);
+    document_.views.back().length = out_.size() - document_.views.back().offset;
+    document_.accessors.push_back(std::move(accessor));
+    return static_cast<int>(document_.accessors.size()) - 1;
   }
 
   void pad() {
@@ -82,26 +74,22 @@ class GltfBuilder {
   }
 
   void add_positions() {
-    Json accessor = begin(ComponentType::kF32, 3);
-    Vec3 min;
-    Vec3 max;
-    min.fill(std::numeric_limits<double>::infinity());
-    max.fill(-std::numeric_limits<double>::infinity());
+    GltfAccessor accessor = begin(ComponentType::kF32, 3, false);
+    accessor.min.assign(3, std::numeric_limits<double>::infinity());
+    accessor.max.assign(3, -std::numeric_limits<double>::infinity());
     for (std::size_t i = 0; i < mesh_.positions.size(); ++i) {
       out_.write(mesh_.positions[i]);
       const auto value = static_cast<double>(mesh_.positions[i]);
-      min[i % 3] = std::fmin(min[i % 3], value);
-      max[i % 3] = std::fmax(max[i % 3], value);
+      accessor.min[i % 3] = std::fmin(accessor.min[i % 3], value);
+      accessor.max[i % 3] = std::fmax(accessor.max[i % 3], value);
     }
-    accessor["min"] = min;
-    accessor["max"] = max;
-    primitive_["attributes"]["POSITION"] = end(std::move(accessor));
+    primitive_.attributes["POSITION"] = end(std::move(accessor));
   }
 
   void add_attribute(const AttributeView& attribute) {
     switch (attribute.kind) {
       case AttributeKind::kNormal:
-        if (attribute.components == 3 && !primitive_["attributes"].contains("NORMAL"))
+        if (attribute.components == 3 && !primitive_.attributes.contains("NORMAL"))
           return add_normals(attribute);
         break;
       case AttributeKind::kColor:
@@ -111,7 +99,7 @@ class GltfBuilder {
         if (attribute.components == 2) return add_uvs(attribute);
         break;
       case AttributeKind::kTangent:
-        if (attribute.components == 4 && !primitive_["attributes"].contains("TANGENT"))
+        if (attribute.components == 4 && !primitive_.attributes.contains("TANGENT"))
           return add_tangents(attribute);
         break;
       case AttributeKind::kJoints:
@@ -142,20 +130,20 @@ class GltfBuilder {
   }
 
   void add_normals(const AttributeView& attribute) {
-    Json accessor = begin(ComponentType::kF32, 3);
+    GltfAccessor accessor = begin(ComponentType::kF32, 3, false);
     for (std::size_t v = 0; v < mesh_.vertex_count(); ++v)
       for (const double value : unit_value(attribute, v, {0, 0, 1})) out_.write(to_float(value));
-    primitive_["attributes"]["NORMAL"] = end(std::move(accessor));
+    primitive_.attributes["NORMAL"] = end(std::move(accessor));
   }
 
   /// The fourth component is the side of the bitangent, 1 or -1.
   void add_tangents(const AttributeView& attribute) {
-    Json accessor = begin(ComponentType::kF32, 4);
+    GltfAccessor accessor = begin(ComponentType::kF32, 4, false);
     for (std::size_t v = 0; v < mesh_.vertex_count(); ++v) {
       for (const double value : unit_value(attribute, v, {1, 0, 0})) out_.write(to_float(value));
       out_.write(attribute_value(attribute, v, 3) < 0 ? -1.0F : 1.0F);
     }
-    primitive_["attributes"]["TANGENT"] = end(std::move(accessor));
+    primitive_.attributes["TANGENT"] = end(std::move(accessor));
   }
 
   void add_colors(const AttributeView& attribute) {
@@ -181,7 +169,7 @@ class GltfBuilder {
     if (!type_fits || attribute.components > 4) return;
     std::string name(attribute.name.empty() ? "ATTRIBUTE" : attribute.name);
     if (!name.starts_with('_')) name.insert(0, 1, '_');
-    while (primitive_["attributes"].contains(name)) name += '_';
+    while (primitive_.attributes.contains(name)) name += '_';
     const bool integer = attribute.type != ComponentType::kF32;
     add_values(attribute, attribute.type, attribute.normalized && integer, name);
   }
@@ -189,8 +177,8 @@ class GltfBuilder {
   /// Values as they are where `type` is the attribute's own, else as real numbers.
   void add_values(const AttributeView& attribute, ComponentType type, bool normalized,
                   const std::string& name) {
-    Json accessor = begin(type, attribute.components);
-    if (normalized) accessor["normalized"] = true;
+    GltfAccessor accessor = begin(type, attribute.components, false);
+    accessor.normalized = normalized;
     const std::size_t size = component_size(attribute.type);
     for (std::size_t v = 0; v < mesh_.vertex_count(); ++v) {
       for (std::size_t c = 0; c < attribute.components; ++c) {
@@ -206,30 +194,30 @@ class GltfBuilder {
       }
       pad();
     }
-    primitive_["attributes"][name] = end(std::move(accessor));
+    primitive_.attributes[name] = end(std::move(accessor));
   }
 
   void add_triangles() {
     if (mesh_.triangles.empty()) {
-      primitive_["mode"] = 0;  // points
+      primitive_.mode = static_cast<int>(GltfMode::kPoints);
       return;
     }
     // 65535 itself restarts a primitive on some devices, so that index may not occur (glTF 2.0, 3.7.2.1).
     const bool small = mesh_.vertex_count() <= std::numeric_limits<std::uint16_t>::max();
-    Json accessor = begin(small ? ComponentType::kU16 : ComponentType::kU32, 1, mesh_.triangles.size(), true);
+    GltfAccessor accessor = begin(small ? ComponentType::kU16 : ComponentType::kU32, 1, true);
+    accessor.count = mesh_.triangles.size();
     for (const std::uint32_t index : mesh_.triangles) {
       if (small)
         out_.write(static_cast<std::uint16_t>(index));
       else
         out_.write(index);
     }
-    primitive_["indices"] = end(std::move(accessor));
+    primitive_.indices = end(std::move(accessor));
   }
 
   const MeshView& mesh_;
-  gltf::Document document_{
-      .json = {{"asset", {{"version", "2.0"}, {"generator", "deltamesh"}}}}, .buffers = {}, .glb_chunks = {}};
-  Json primitive_{{"attributes", Json::object()}};
+  GltfDocument document_;
+  GltfPrimitive primitive_;
   ByteWriter out_;
   int colors_ = 0;
   int uvs_ = 0;
@@ -246,10 +234,13 @@ Result<std::vector<std::byte>> write_gltf(const MeshView& mesh, bool binary) {
                    .message = "glTF cannot hold a coordinate that is not finite",
                    .where_kind = WhereKind::kVertex,
                    .where = i / 3};
-  GltfIo io;
-  io.container = binary ? GltfContainer::kGlb : GltfContainer::kGltf;
-  DELTAMESH_TRY(GltfOutput output, gltf::save_document(GltfBuilder(mesh).build(), io, {}));
-  return std::move(output.asset);
+  GltfBuilder builder(mesh);
+  const GltfDocument document = builder.build();
+  std::vector<unsigned char> buffer = builder.buffer();
+  constexpr std::size_t kDescription = std::size_t{1} << 20;  // more than the JSON of one primitive takes
+  if (binary && buffer.size() > std::numeric_limits<std::uint32_t>::max() - kDescription)
+    return Error{.code = ErrorCode::kLimitExceeded, .message = "a GLB file cannot be larger than 4 GiB"};
+  return serialize_gltf_document(document, std::move(buffer), binary);
 }
 
 }  // namespace deltamesh
