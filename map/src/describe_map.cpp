@@ -24,9 +24,8 @@ double least_bound(const QualityRequest& request) noexcept {
 }  // namespace
 
 Box box_of(std::span<const float> positions) noexcept {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (positions.empty()) return {};
-  Box box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+  Box box = Box::empty();
   for (std::size_t i = 0; i < positions.size(); ++i) {
     box.min[i % 3] = std::min(box.min[i % 3], double{positions[i]});
     box.max[i % 3] = std::max(box.max[i % 3], double{positions[i]});

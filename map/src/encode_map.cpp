@@ -12,8 +12,8 @@
 #include "deltamesh/map/map_codec.h"
 #include "deltamesh/map/split.h"
 #include "describe_map.h"
-#include "encoder/check_mesh.h"
 #include "link_table.h"
+#include "quality/check_mesh.h"
 
 namespace deltamesh {
 namespace {

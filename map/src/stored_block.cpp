@@ -7,7 +7,7 @@
 
 #include "base/try.h"
 #include "content_hash.h"
-#include "encoder/check_mesh.h"
+#include "quality/check_mesh.h"
 #include "row_gather.h"
 
 namespace deltamesh {

@@ -19,7 +19,7 @@
 #include "attributes/surface_order.h"
 #include "attributes/uv_forecast.h"
 #include "base/large_vector.h"
-#include "base/rounded.h"
+#include "base/portable_math.h"
 #include "base/small_code.h"
 
 namespace deltamesh {

@@ -4,8 +4,11 @@
 // Three doubles, and a box of them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 
 namespace deltamesh {
 
@@ -40,8 +43,25 @@ inline double normalize(Vec3& v) noexcept {
 struct Box {
   Vec3 min{};
   Vec3 max{};
+
+  /// Around nothing: add() makes it the box of what is added.
+  static constexpr Box empty() noexcept {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    return {{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+  }
+  bool is_empty() const noexcept { return min[0] > max[0]; }
+  void add(const Vec3& p) noexcept {
+    for (std::size_t k = 0; k < 3; ++k) {
+      min[k] = std::min(min[k], p[k]);
+      max[k] = std::max(p[k], max[k]);
+    }
+  }
   double longest_side() const noexcept {
     return std::fmax(max[0] - min[0], std::fmax(max[1] - min[1], max[2] - min[2]));
+  }
+  std::size_t longest_axis() const noexcept {
+    const Vec3 side = max - min;
+    return static_cast<std::size_t>(std::max_element(side.begin(), side.end()) - side.begin());
   }
   double diagonal() const noexcept { return length(max - min); }
 };

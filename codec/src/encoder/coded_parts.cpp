@@ -3,18 +3,94 @@
 #include "encoder/coded_parts.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
+#include "base/portable_math.h"
 #include "base/try.h"
+#include "deltamesh/attribute_quality.h"
 #include "encoder/coded_attributes.h"
 #include "encoder/default_quality.h"
-#include "encoder/error_scale.h"
 #include "encoder/geometry_task.h"
 #include "quality/unmet.h"
 
 namespace deltamesh {
 namespace {
+
+/// Looks for the scale of errors whose stream comes nearest to a number of bytes from below.
+class ScaleSearch {
+ public:
+  explicit ScaleSearch(std::uint64_t most_bytes) : most_bytes_(static_cast<double>(most_bytes)) {}
+
+  /// Of the next trial.
+  double scale() const noexcept { return portable_exp2(exponent_); }
+  /// How many bytes that took. Returns whether they fit.
+  bool tell(std::uint64_t bytes);
+  /// Whether another trial would gain next to nothing.
+  bool is_done() const noexcept { return done_; }
+  /// Whether even the finest scale fits.
+  bool has_room() const noexcept { return fits_.bytes >= 0 && fits_.exponent <= kFinest; }
+
+ private:
+  /// A tried scale, as an exponent of 2, and what it took; bytes fall about as the exponent grows.
+  struct Trial {
+    double exponent = 0;
+    double bytes = -1;  ///< none yet
+  };
+  static constexpr double kFinest = -12;
+  static constexpr double kCoarsest = 12;
+
+  double most_bytes_;
+  double exponent_ = 0;
+  bool done_ = false;
+  Trial too_large_;
+  Trial fits_;
+};
+
+constexpr double kLargestAngle = 45;     // degrees
+constexpr double kLargestUv = 1.0 / 16;  // texture coordinate units
+constexpr double kLargestColor = 64;     // 255ths
+constexpr double kLargestWeight = 1.0 / 8;
+
+/// At most `largest`, unless more was asked for.
+double scaled_to(double bound, double scale, double largest) noexcept {
+  return std::min(bound * scale, std::max(bound, largest));
+}
+
+/// `quality` with every bound `scale` times as large, at most to where an attribute would mean nothing any
+/// more. Exact colours stay exact up to a scale of 1; then they may be off by `scale` - 1 255ths. `scale`:
+/// above 0.
+AttributeQuality scaled(const AttributeQuality& quality, double scale) {
+  AttributeQuality result = quality;
+  result.normal_error = scaled_to(quality.normal_error, scale, kLargestAngle);
+  if (quality.tangent_error) result.tangent_error = scaled_to(*quality.tangent_error, scale, kLargestAngle);
+  result.uv_error = scaled_to(quality.uv_error, scale, kLargestUv);
+  result.color_error = std::min(quality.color_error * scale + std::max(scale - 1, 0.0),
+                                std::max(quality.color_error, kLargestColor));
+  result.weight_error = scaled_to(quality.weight_error, scale, kLargestWeight);
+  for (NamedBound& bound : result.named) bound.error *= scale;
+  return result;
+}
+
+bool ScaleSearch::tell(std::uint64_t bytes) {
+  constexpr double kCloseEnough = 0.99;  // of the bytes
+  constexpr double kFirstStride = 3;
+  const Trial now{exponent_, static_cast<double>(bytes)};
+  const bool fits = now.bytes <= most_bytes_;
+  (fits ? fits_ : too_large_) = now;
+  done_ = (fits && (now.bytes > kCloseEnough * most_bytes_ || exponent_ <= kFinest)) ||
+          (!fits && exponent_ >= kCoarsest);
+  if (fits_.bytes < 0 || too_large_.bytes < 0) {
+    exponent_ = std::clamp(exponent_ + (fits ? -kFirstStride : kFirstStride), kFinest, kCoarsest);
+    return fits;
+  }
+  // On the line between both, but well inside, as bytes need not fall evenly.
+  const double share = (too_large_.bytes - most_bytes_) / (too_large_.bytes - fits_.bytes);
+  exponent_ =
+      too_large_.exponent + std::clamp(share + 0.02, 0.1, 0.9) * (fits_.exponent - too_large_.exponent);
+  return fits;
+}
 
 /// Stage ends as shares of the whole time, for the progress callback.
 constexpr double kGeometryDone = 0.75;

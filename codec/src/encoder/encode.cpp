@@ -11,12 +11,12 @@
 #include "base/try.h"
 #include "connectivity/face_groups.h"
 #include "deltamesh/model_states.h"
-#include "encoder/check_mesh.h"
 #include "encoder/chunk_list.h"
 #include "encoder/coded_parts.h"
 #include "encoder/coded_topology.h"
 #include "encoder/source_geometry.h"
 #include "format/container_write.h"
+#include "quality/check_mesh.h"
 #include "states/stream_models.h"
 
 namespace deltamesh {

@@ -6,8 +6,7 @@
 
 #include "base/try.h"
 #include "encoder/highpass_trials.h"
-#include "encoder/predictive_bounds.h"
-#include "encoder/predictive_budget.h"
+#include "encoder/predictive_search.h"
 #include "laplacian/anchors/anchor_sequence.h"
 #include "quality/bounds.h"
 #include "quality/rate_control.h"

@@ -19,13 +19,8 @@ std::vector<Vec3> gather_positions(const MeshView& mesh, const std::vector<std::
 
 Box box_of(const std::vector<Vec3>& positions) noexcept {
   if (positions.empty()) return {};
-  Box box{positions.front(), positions.front()};
-  for (const Vec3& position : positions) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      box.min[axis] = position[axis] < box.min[axis] ? position[axis] : box.min[axis];
-      box.max[axis] = position[axis] < box.max[axis] ? box.max[axis] : position[axis];
-    }
-  }
+  Box box = Box::empty();
+  for (const Vec3& position : positions) box.add(position);
   return box;
 }
 

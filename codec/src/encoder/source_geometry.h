@@ -5,16 +5,40 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "base/vec3.h"
 #include "deltamesh/mesh.h"
 #include "encoder/coded_topology.h"
-#include "encoder/lazy_graph.h"
+#include "topology/adjacency.h"
 #include "topology/mesh_edges.h"
 
 namespace deltamesh {
+
+/// Made when first asked for. Not for several threads at once.
+class LazyGraph {
+ public:
+  /// `triangles`: over geometric vertices, coding order; they must outlive this.
+  LazyGraph(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count) noexcept
+      : triangles_(triangles), vertex_count_(vertex_count) {}
+
+  const Adjacency& graph() const {
+    if (!graph_) graph_ = build_adjacency(triangles_, vertex_count_);
+    return *graph_;
+  }
+  const Components& components() const {
+    if (!components_) components_ = find_components(graph());
+    return *components_;
+  }
+
+ private:
+  std::span<const std::uint32_t> triangles_;
+  std::uint32_t vertex_count_;
+  mutable std::optional<Adjacency> graph_;
+  mutable std::optional<Components> components_;
+};
 
 /// Not for several threads at once. The topology must outlive it.
 struct SourceGeometry {

@@ -12,11 +12,10 @@
 namespace deltamesh {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kFloatMax = std::numeric_limits<float>::max();
 
 Box finite_box(std::span<const double> coordinates) noexcept {
-  Box box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+  Box box = Box::empty();
   for (std::size_t i = 0; i < coordinates.size(); ++i) {
     if (!std::isfinite(coordinates[i])) continue;
     box.min[i % 3] = std::fmin(box.min[i % 3], coordinates[i]);

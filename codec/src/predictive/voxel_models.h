@@ -5,14 +5,52 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
+#include "entropy/compact_model.h"
 #include "entropy/number_model.h"
 #include "predictive/residual_coder.h"
-#include "predictive/voxel_edge_models.h"
 #include "predictive/voxel_level_coder.h"
+#include "predictive/voxel_view.h"
 
 namespace deltamesh {
+
+/// Made as sets of likely edges are met, as few of all there could be are.
+class VoxelEdgeModels {
+ public:
+  VoxelEdgeModels() : places_(voxel::kPairKinds << voxel::kEdges) {}
+
+  /// The model for these; valid until the next call. `likely`: a bit for each edge.
+  [[gnu::always_inline]] SymbolModel& of(unsigned kind, unsigned likely, unsigned opposite) {
+    std::uint16_t& place = places_[kind << voxel::kEdges | likely];
+    if (place == 0) [[unlikely]]
+      place = add(likely);
+    return models_[std::size_t{place} * kOpposites - kOpposites + opposite];
+  }
+
+  void limit_counts(std::uint8_t most) noexcept {
+    for (SymbolModel& model : models_) model.limit_count(most);
+  }
+
+ private:
+  static constexpr std::size_t kOpposites = VoxelPair::kOpen + 1;
+
+  /// For a set that was not met before: where its models are, from 1.
+  [[gnu::noinline]] std::uint16_t add(unsigned likely) {
+    std::array<std::uint8_t, kSymbols> weights{};
+    for (unsigned i = 0; i < voxel::kEdges; ++i) weights[i] = (likely >> i & 1) != 0 ? 20 : 1;
+    weights[voxel::kNoEdge] = 1;
+    models_.resize(models_.size() + VoxelPair::kOpen, SymbolModel(weights));
+    weights[VoxelPair::kOpen] = 100;
+    models_.push_back(SymbolModel(weights));
+    return static_cast<std::uint16_t>(models_.size() / kOpposites);
+  }
+
+  std::vector<std::uint16_t> places_;  ///< by kind and set of likely edges: of models_, or 0
+  std::vector<SymbolModel> models_;    ///< by place from 1, and opposite
+};
 
 struct VoxelModels {
   static constexpr SymbolModel kFreshStart{{8, 8, 8, 8, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};

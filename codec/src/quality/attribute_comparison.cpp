@@ -3,12 +3,111 @@
 #include "quality/attribute_comparison.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
 
-#include "quality/attribute_values.h"
+#include "base/portable_math.h"
+#include "deltamesh/mesh.h"
 
 namespace deltamesh {
 namespace {
+
+constexpr std::size_t kMaxValueComponents = 16;
+
+/// Bytes of one value.
+inline std::size_t value_size(const AttributeView& attribute) noexcept {
+  return attribute.components * component_size(attribute.type);
+}
+
+using Value = std::array<double, kMaxValueComponents>;
+
+template <class T>
+double number_at(const std::byte* from) noexcept {
+  T value{};
+  std::memcpy(&value, from, sizeof value);
+  return static_cast<double>(value);
+}
+
+double number_at(ComponentType type, const std::byte* from) noexcept {
+  switch (type) {
+    case ComponentType::kI8:
+      return number_at<std::int8_t>(from);
+    case ComponentType::kU8:
+      return number_at<std::uint8_t>(from);
+    case ComponentType::kI16:
+      return number_at<std::int16_t>(from);
+    case ComponentType::kU16:
+      return number_at<std::uint16_t>(from);
+    case ComponentType::kI32:
+      return number_at<std::int32_t>(from);
+    case ComponentType::kU32:
+      return number_at<std::uint32_t>(from);
+    case ComponentType::kF32:
+      return number_at<float>(from);
+    case ComponentType::kF64:
+      break;
+  }
+  return number_at<double>(from);
+}
+
+/// What the number 1 of the kind's unit is in this type.
+double unit_of(const AttributeView& attribute) noexcept {
+  const bool color = attribute.kind == AttributeKind::kColor;
+  const bool part_of_one = attribute.kind == AttributeKind::kUv || attribute.kind == AttributeKind::kWeights;
+  if (!color && !(part_of_one && attribute.normalized)) return 1;
+  double range = 1;
+  if (attribute.type == ComponentType::kU8) range = 255;
+  if (attribute.type == ComponentType::kI8) range = 127;
+  if (attribute.type == ComponentType::kU16) range = 65535;
+  if (attribute.type == ComponentType::kI16) range = 32767;
+  return color ? range / 255 : range;
+}
+
+void load(const AttributeView& attribute, std::uint32_t vertex, Value& value) noexcept {
+  const std::size_t size = component_size(attribute.type);
+  const std::byte* const from = attribute.values.data() + std::size_t{vertex} * value_size(attribute);
+  const double unit = unit_of(attribute);
+  for (std::size_t c = 0; c < attribute.components; ++c)
+    value[c] = number_at(attribute.type, from + c * size) / unit;
+}
+
+double angle_between(const Value& a, const Value& b) noexcept {
+  return portable_degrees_between({a[0], a[1], a[2]}, {b[0], b[1], b[2]});
+}
+
+double error_between(AttributeKind kind, std::size_t components, const Value& a, const Value& b) noexcept {
+  if (kind == AttributeKind::kNormal && components == 3) return angle_between(a, b);
+  if (kind == AttributeKind::kTangent && components == 4) return a[3] == b[3] ? angle_between(a, b) : 180;
+  if (kind == AttributeKind::kUv && components == 2) return length({a[0] - b[0], a[1] - b[1], 0});
+  double largest = 0;
+  for (std::size_t c = 0; c < components; ++c) {
+    const double apart = std::fabs(a[c] - b[c]);
+    if (std::isnan(apart)) return apart;
+    largest = std::max(largest, apart);
+  }
+  return largest;
+}
+
+/// Value `i` of `a` against value `j` of `b`, which has as many components, in the unit of Comparison:
+/// degrees, distance of texture coordinates, 255ths of a colour's range, else the largest difference of a
+/// component, where weights of integer types are parts of 1. 0 where all bits are the same, infinity where
+/// the difference is not a number. O(1).
+double value_error(const AttributeView& a, std::uint32_t i, const AttributeView& b,
+                   std::uint32_t j) noexcept {
+  const std::byte* const from_a = a.values.data() + std::size_t{i} * value_size(a);
+  const std::byte* const from_b = b.values.data() + std::size_t{j} * value_size(b);
+  if (a.type == b.type && std::memcmp(from_a, from_b, value_size(a)) == 0) return 0;
+  Value of_a{};
+  Value of_b{};
+  load(a, i, of_a);
+  load(b, j, of_b);
+  const double error = error_between(a.kind, a.components, of_a, of_b);
+  return std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
+}
 
 bool comparable(const AttributeView& a, const AttributeView& b) noexcept {
   return a.kind == b.kind && a.components == b.components && a.normalized == b.normalized;
@@ -42,20 +141,6 @@ AttributeComparison without_errors(const AttributeView& attribute, AttributeMatc
 }
 
 }  // namespace
-
-Result<void> check_attributes(const MeshView& mesh) {
-  for (std::size_t i = 0; i < mesh.attributes.size(); ++i) {
-    const AttributeView& attribute = mesh.attributes[i];
-    const bool sound = attribute.components >= 1 && attribute.components <= kMaxValueComponents &&
-                       attribute.values.size() == mesh.vertex_count() * value_size(attribute);
-    if (!sound)
-      return Error{.code = ErrorCode::kInvalidMesh,
-                   .message = "an attribute does not hold one value for every vertex",
-                   .where_kind = WhereKind::kAttribute,
-                   .where = i};
-  }
-  return {};
-}
 
 AttributeComparer::AttributeComparer(const MeshView& a, const MeshView& b) {
   std::vector<const AttributeView*> partner(a.attributes.size());

@@ -11,12 +11,8 @@
 
 #include "deltamesh/compare.h"
 #include "deltamesh/mesh.h"
-#include "deltamesh/result.h"
 
 namespace deltamesh {
-
-/// Whether all values are there. Errors: kInvalidMesh, `where`: the attribute.
-Result<void> check_attributes(const MeshView& mesh);
 
 /// A vertex of A and one of B that stand for each other.
 struct VertexPair {
@@ -26,7 +22,7 @@ struct VertexPair {
   auto operator<=>(const VertexPair&) const = default;
 };
 
-/// Two meshes that have passed check_attributes() and must outlive it.
+/// Two meshes that have passed check_mesh() and must outlive it.
 class AttributeComparer {
  public:
   /// Finds the pairs: the same name and kind; else the next of the same kind, but of generic ones.

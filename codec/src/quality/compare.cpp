@@ -8,14 +8,12 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
-#include <numeric>
 
 #include "base/try.h"
 #include "base/vec3.h"
 #include "quality/attribute_comparison.h"
+#include "quality/check_mesh.h"
 #include "quality/correspondence.h"
-#include "quality/face_matching.h"
-#include "quality/far_matches.h"
 #include "quality/measure.h"
 #include "quality/normal_angles.h"
 #include "quality/surface.h"
@@ -92,106 +90,12 @@ Result<void> check_order(std::span<const std::uint32_t> order, std::size_t a_ver
   return {};
 }
 
-/// Vertices of A and B that stand for each other.
-struct Correspondence {
-  bool whole = false;  ///< all faces of both, and every vertex of B
-  bool reordered = false;
-  std::vector<std::uint32_t> order;  ///< a vertex of A at the place of each of B's; only where whole
-  std::vector<VertexPair> pairs;     ///< at the corners of matched faces, each once
-  std::uint64_t faces = 0;           ///< matched ones
-};
-
-Correspondence by_order(const MeshView& a, const MeshView& b, std::span<const std::uint32_t> order) {
-  Correspondence found;
-  found.whole = order.size() == b.vertex_count() &&
-                triangles_correspond(a.triangles, a.vertex_count(), b.triangles, order);
-  if (!found.whole) return found;
-  found.order.assign(order.begin(), order.end());
-  found.faces = b.triangle_count();
-  std::vector<std::uint8_t> used(b.vertex_count(), b.triangles.empty() ? 1 : 0);
-  for (const std::uint32_t v : b.triangles) used[v] = 1;
-  for (std::uint32_t v = 0; v < used.size(); ++v)
-    if (used[v] != 0) found.pairs.push_back({.a = order[v], .b = v});
-  return found;
-}
-
-/// The vertex of A for every vertex of B; empty where a vertex of B has none, or is at several places of A.
-std::vector<std::uint32_t> order_of(const FaceGraph& a, const FaceGraph& b,
-                                    std::span<const FaceMatch> matches) {
-  constexpr std::uint32_t kNone = 0xffffffff;
-  std::vector<std::uint32_t> welded(b.positions.size(), kNone);
-  std::vector<std::uint32_t> order(b.positions.size());
-  for (std::size_t f = 0; f < matches.size(); ++f) {
-    if (matches[f].face == kNoFace) continue;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t corner = 3 * std::size_t{matches[f].face} + (k + matches[f].turn) % 3;
-      const std::uint32_t v = b.vertices[3 * f + k];
-      if (welded[v] != kNone && welded[v] != a.corners[corner]) return {};
-      welded[v] = a.corners[corner];
-      order[v] = a.vertices[corner];
-    }
-  }
-  if (std::find(welded.begin(), welded.end(), kNone) != welded.end()) return {};
-  return order;
-}
-
-/// Whether both have the same faces, but for those that draw nothing as two corners are at one place.
-bool all_match(const FaceGraph& a, const FaceGraph& b, std::span<const FaceMatch> matches) {
-  std::vector<std::uint8_t> taken(a.face_count());
-  for (std::uint32_t f = 0; f < b.real_faces; ++f) {
-    if (matches[f].face != kNoFace)
-      taken[matches[f].face] = 1;
-    else if (!b.is_degenerate(f))
-      return false;
-  }
-  for (std::uint32_t f = 0; f < a.real_faces; ++f)
-    if (taken[f] == 0 && !a.is_degenerate(f)) return false;
-  return true;
-}
-
-Correspondence by_faces(const MeshView& mesh_a, const MeshView& mesh_b, const AttributeComparer& attributes) {
-  const FaceGraph a(mesh_a, mesh_a.origin);
-  const FaceGraph b(mesh_b, mesh_a.origin);
-  std::vector<FaceMatch> matches = match_faces(
-      a, b, [&](std::uint32_t of_a, std::uint32_t of_b) { return attributes.difference(of_a, of_b); });
-  Correspondence found;
-  if (all_match(a, b, matches)) found.order = order_of(a, b, matches);
-  found.whole = !found.order.empty();
-  found.reordered = found.whole;
-  if (!found.whole) drop_far_matches(a, b, matches);
-  for (std::size_t f = 0; f < matches.size(); ++f) {
-    if (matches[f].face == kNoFace) continue;
-    if (f < b.real_faces) ++found.faces;
-    if (f >= b.real_faces && b.real_faces > 0) continue;  // vertices without a face do not count
-    for (std::size_t k = 0; k < 3; ++k)
-      found.pairs.push_back({.a = a.vertices[3 * std::size_t{matches[f].face} + (k + matches[f].turn) % 3],
-                             .b = b.vertices[3 * f + k]});
-  }
-  std::sort(found.pairs.begin(), found.pairs.end());
-  found.pairs.erase(std::unique(found.pairs.begin(), found.pairs.end()), found.pairs.end());
-  return found;
-}
-
-Correspondence correspondence_of(const MeshView& a, const MeshView& b, std::span<const std::uint32_t> order,
-                                 const AttributeComparer& attributes) {
-  if (!order.empty() || b.vertex_count() == 0) return by_order(a, b, order);
-  if (a.vertex_count() == b.vertex_count()) {
-    std::vector<std::uint32_t> identity(b.vertex_count());
-    std::iota(identity.begin(), identity.end(), 0U);
-    Correspondence found = by_order(a, b, identity);
-    if (found.whole) return found;
-  }
-  return by_faces(a, b, attributes);
-}
-
 }  // namespace
 
 Result<Comparison> compare(const MeshView& a, const MeshView& b,
                            std::span<const std::uint32_t> order) noexcept try {
-  DELTAMESH_CHECK(check_surface(a));
-  DELTAMESH_CHECK(check_surface(b));
-  DELTAMESH_CHECK(check_attributes(a));
-  DELTAMESH_CHECK(check_attributes(b));
+  DELTAMESH_CHECK(check_mesh(a));
+  DELTAMESH_CHECK(check_mesh(b));
   if (!order.empty()) DELTAMESH_CHECK(check_order(order, a.vertex_count(), b.vertex_count()));
   const AttributeComparer attributes(a, b);
   const Correspondence found = correspondence_of(a, b, order, attributes);

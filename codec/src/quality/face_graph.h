@@ -39,7 +39,7 @@ struct FacesAcross {
 
 /// A vertex without a face counts as a face of three equal corners, behind all others.
 struct FaceGraph {
-  /// `mesh` has passed check_surface(); positions are taken relative to `origin`. O(n + m).
+  /// `mesh` has passed check_mesh(); positions are taken relative to `origin`. O(n + m).
   FaceGraph(const MeshView& mesh, const std::array<double, 3>& origin);
 
   std::size_t face_count() const noexcept { return corners.size() / 3; }

@@ -32,15 +32,9 @@ PointTree::PointTree(std::vector<Vec3> points)
 }
 
 std::size_t PointTree::longest_axis(const Range& range) const noexcept {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Box box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
-  for (std::size_t i = range.first; i < range.end; ++i)
-    for (std::size_t k = 0; k < 3; ++k) {
-      box.min[k] = std::min(box.min[k], points_[order_[i]][k]);
-      box.max[k] = std::max(box.max[k], points_[order_[i]][k]);
-    }
-  const Vec3 size = box.max - box.min;
-  return static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
+  Box box = Box::empty();
+  for (std::size_t i = range.first; i < range.end; ++i) box.add(points_[order_[i]]);
+  return box.longest_axis();
 }
 
 void PointTree::nearest(const Vec3& p, std::size_t count, std::vector<NearPoint>& found) const {

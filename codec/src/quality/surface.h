@@ -10,14 +10,9 @@
 
 #include "base/vec3.h"
 #include "deltamesh/mesh.h"
-#include "deltamesh/result.h"
 #include "topology/weld.h"
 
 namespace deltamesh {
-
-/// Whether the arrays fit together, coordinates are finite and indices in range. Errors: kInvalidMesh,
-/// kLimitExceeded.
-Result<void> check_surface(const MeshView& mesh);
 
 /// World positions less `origin`, n.
 std::vector<Vec3> positions_relative_to(const std::array<double, 3>& origin, const MeshView& mesh);
@@ -25,7 +20,7 @@ std::vector<Vec3> positions_relative_to(const std::array<double, 3>& origin, con
 /// Vertices without a face belong to the surface only where there is no face at all: a point cloud is the
 /// surface made of its points.
 struct Surface {
-  /// `mesh` has passed check_surface(); positions are taken relative to `origin`.
+  /// `mesh` has passed check_mesh(); positions are taken relative to `origin`.
   Surface(const MeshView& mesh, const std::array<double, 3>& origin);
 
   /// First vertex of the same position, for every vertex.

@@ -9,7 +9,7 @@
 namespace deltamesh {
 
 /// Sets the distances, the angles of normals, the diagonal and the signed errors. Both meshes have passed
-/// check_surface(). O((n + m) log m). Errors: kInvalidArgument where one mesh is empty.
+/// check_mesh(). O((n + m) log m). Errors: kInvalidArgument where one mesh is empty.
 Result<void> compare_surfaces(const MeshView& a, const MeshView& b, Comparison& result);
 
 }  // namespace deltamesh

@@ -46,11 +46,6 @@ double squared_distance(const Box& box, const Vec3& p) noexcept {
   return sum;
 }
 
-std::size_t longest_axis(const Box& box) noexcept {
-  const Vec3 side = box.max - box.min;
-  return static_cast<std::size_t>(std::max_element(side.begin(), side.end()) - side.begin());
-}
-
 }  // namespace
 
 SurfacePoint nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) noexcept {
@@ -93,7 +88,7 @@ TriangleTree::TriangleTree(std::span<const Vec3> positions, std::span<const std:
       nodes_.back().count = static_cast<std::uint32_t>(count);
       continue;
     }
-    const std::size_t axis = longest_axis(nodes_.back().box);
+    const std::size_t axis = nodes_.back().box.longest_axis();
     const std::size_t middle = range.begin + count / 2;
     const auto centre = [&](std::uint32_t t) {
       return positions_[triangles_[3 * std::size_t{t}]][axis] +
@@ -112,16 +107,10 @@ TriangleTree::TriangleTree(std::span<const Vec3> positions, std::span<const std:
 }
 
 Box TriangleTree::box_of(std::span<const std::uint32_t> members) const noexcept {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Box box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+  Box box = Box::empty();
   for (const std::uint32_t t : members)
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      const Vec3& p = positions_[triangles_[3 * std::size_t{t} + corner]];
-      for (std::size_t k = 0; k < 3; ++k) {
-        box.min[k] = std::min(box.min[k], p[k]);
-        box.max[k] = std::max(box.max[k], p[k]);
-      }
-    }
+    for (std::size_t corner = 0; corner < 3; ++corner)
+      box.add(positions_[triangles_[3 * std::size_t{t} + corner]]);
   return box;
 }
 

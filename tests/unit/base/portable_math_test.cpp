@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "base/rounded.h"
+#include "base/portable_math.h"
 #include "base/two_doubles.h"
 
 namespace deltamesh {

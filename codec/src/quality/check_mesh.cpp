@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "encoder/check_mesh.h"
+#include "quality/check_mesh.h"
 
 #include <algorithm>
 #include <bit>

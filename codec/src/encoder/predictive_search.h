@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// The coarsest lattice or voxels that keep bounds on the error.
+// The coarsest lattice or voxels that keep bounds on the error, and the finest that fit a number of bytes.
 #pragma once
+
+#include <cstdint>
 
 #include "encoder/predictive_trials.h"
 
@@ -15,5 +17,8 @@ CodedGeometry keep_bounds(const Bounds& bounds, const PredictiveTrials& trials);
 /// Whether keep_bounds() is likely to find a smaller stream than highpass coding, from statistics of the
 /// mesh.
 bool suits_predictive(const Bounds& bounds, const PredictiveTrials& trials);
+
+/// The best stream found that is not longer. Errors: kUnmetRequest.
+Result<CodedGeometry> fit_bytes(std::uint64_t bytes, const PredictiveTrials& trials);
 
 }  // namespace deltamesh
