@@ -36,7 +36,7 @@ void fuzz_coder(std::span<const std::byte> bytes) {
   constexpr std::size_t kMost = 4096;
   const auto run = [&](auto& coder, std::vector<std::uint32_t>& values, const auto& go_on) {
     std::array<SymbolModel, 2> models = {kFresh, kFresh};
-    MixWeights<2> weights;
+    MixWeights weights;
     BitModel bit;
     NumberModel number;
     SymbolBits inner;

@@ -44,8 +44,8 @@ class ColourCoder:
         self.per_step, self.unit = F(16) / F(self.width), max(F(self.width), F(top) / F(255))
         self.colours, self.sizes, self.outcomes, self.around = [], [], [], neighbours(surface.faces, surface.n)
         self.learnt = surface.states.models(
-            ("colours", attribute), copies=symbol_models((16, 6, 3, 30) + (1,) * 12), copy_weights=mixing_weights(2),
-            models=symbol_models(SYMBOL_WEIGHTS), weights=mixing_weights(2), scaled=ScaledCoder())
+            ("colours", attribute), copies=symbol_models((16, 6, 3, 30) + (1,) * 12), copy_weights=mixing_weights(),
+            models=symbol_models(SYMBOL_WEIGHTS), weights=mixing_weights(), scaled=ScaledCoder())
 
     def decode(self):
         copies, first = self.coder.raw(1), self.surface.first

@@ -55,7 +55,7 @@ class NormalCoder:
         self.shares, self.zeros, self.blends, self.K = form & 8, form & 16, form & 32, F(0.25) / (radius * radius)
         self.vectors, self.rule_weights = ATTR_22_rule(rule, surface)
         self.at, self.share_bits, self.zero_bit = corners(surface.faces, n), bit_models(), BitModel()
-        self.models, self.weights, self.scaled = symbol_models(SYMBOL_WEIGHTS), mixing_weights(2), ScaledCoder()
+        self.models, self.weights, self.scaled = symbol_models(SYMBOL_WEIGHTS), mixing_weights(), ScaledCoder()
         self.group_of, self.normals, self.rule_normals, self.sizes = {}, {}, {}, {}
         self.last, self.X, self.Y, self.y = f32_vector(0, 0, 1), F(0), F(0), F(0)
 

@@ -19,8 +19,8 @@ class JointCoder:
     """[ATTR-61]"""
     def __init__(self, coder, known, top):
         self.coder, self.known, self.top, self.rows = coder, known, top, {}
-        self.row_models, self.row_weights = symbol_models((6, 12, 4, 3, 2) + (1,) * 11), mixing_weights(2)
-        self.models, self.weights = symbol_models((16, 6, 4, 3, 2) + (1,) * 10 + (6,)), mixing_weights(2)
+        self.row_models, self.row_weights = symbol_models((6, 12, 4, 3, 2) + (1,) * 11), mixing_weights()
+        self.models, self.weights = symbol_models((16, 6, 4, 3, 2) + (1,) * 10 + (6,)), mixing_weights()
         self.place, self.new, self.list, self.last = NumberModel(), NumberModel(), [], 0
 
     def row(self, v):
@@ -100,7 +100,7 @@ class WeightCoder(PredictedCoder):
     def __init__(self, coder, known, joints, total, blend):
         super().__init__(coder, known, [(20 * blend, 0)] * 24, [total] * 3)
         self.joints, self.total = joints, total
-        self.end_models, self.end_weights = symbol_models((10, 6, 10) + (1,) * 13), mixing_weights(2)
+        self.end_models, self.end_weights = symbol_models((10, 6, 10) + (1,) * 13), mixing_weights()
 
     def row(self, u, v):
         """[ATTR-64] What u gives to the joints of v's first three slots."""

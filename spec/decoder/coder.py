@@ -45,10 +45,9 @@ def symbol_models(weights):
 def bit_models(start=32768):
     return defaultdict(lambda: BitModel(start))
 
-def mixing_weights(count):
-    """[CMP-6] Sets of weights of mixtures of so many models, as they start."""
-    each = WEIGHT_SUM // count
-    return defaultdict(lambda: [each] * (count - 1) + [WEIGHT_SUM - each * (count - 1)])
+def mixing_weights():
+    """[CMP-6] Sets of weights of mixtures, as they start."""
+    return defaultdict(lambda: [WEIGHT_SUM // 2] * 2)
 
 class Coder:
     """[CMP-1 to CMP-3, CMP-6, CMP-12] Reads the decisions of one stream; `log` is told of each where it is a function."""
@@ -100,22 +99,20 @@ class Coder:
 
     def find(self, models, weights):
         """[CMP-6] The symbol whose interval holds the slot, and the interval."""
-        ends = [2 * (i + 1) + sum((2 * m.lanes[i] * w) >> 16 for m, w in zip(models, weights)) for i in range(15)]
+        ends = [2 * (i + 1) + (sum(m.lanes[i] * w for m, w in zip(models, weights)) >> 15) for i in range(15)]
         ends = [0] + ends + [2**15]
         s = bisect_right(ends, self.slot()) - 1
         return s, ends[s], ends[s + 1] - ends[s]
 
     def learn(self, models, weights, s, size):
         """[CMP-6] What weights and models learn from symbol s, whose interval has this size."""
-        k = len(models)
         if Coder.log:
             Coder.log("symbol", f"{s} by weights {list(weights)} of models {[model.lanes for model in models]}")
-        if k > 1:
-            inverse = ((WEIGHT_SUM - 512 * k) * 2**24 // WEIGHT_SUM) // (size + k - 2)
-            for i in range(k - 1):
-                p = models[i].lanes[s] - (models[i].lanes[s - 1] if s else 0)
-                weights[i] += (((weights[i] * p * inverse) >> 24) + 512 - weights[i]) >> 5
-            weights[k - 1] = WEIGHT_SUM - sum(weights[:k - 1])
+        if len(models) == 2:
+            lanes, w = models[0].lanes, weights[0]
+            p = lanes[s] - (lanes[s - 1] if s else 0)
+            w += (((w * p * (16256519 // size)) >> 24) + 512 - w) >> 5
+            weights[:] = w, WEIGHT_SUM - w
         for model in models:
             model.learn(s)
 

@@ -51,8 +51,8 @@ class CompactOps:
     def __init__(self, data, m, states):
         must(m <= 42400 * len(data), "CONN-2", "more faces than the bytes can give")
         rare = [symbol_models((0, 8, 0, 8, 1, 6, 5) + (0,) * 9), symbol_models((8, 1, 1, 0, 1, 8, 1) + (0,) * 9)]
-        self.learnt = states.models("ops", reference=NumberModel(), runs={}, run_weights=mixing_weights(2), rare=rare,
-                                    rare_weights=mixing_weights(2))
+        self.learnt = states.models("ops", reference=NumberModel(), runs={}, run_weights=mixing_weights(), rare=rare,
+                                    rare_weights=mixing_weights())
         self.coder = Coder(data)
         self.ops, self.y = [], 1  # "rare" and "run" among the ops stand for what is read when it is their turn
 

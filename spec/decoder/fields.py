@@ -12,7 +12,7 @@ class FieldCoder:
     """`graph` has the neighbours of each vertex, ascending."""
     def __init__(self, coder, graph):
         self.coder, self.graph = coder, graph
-        self.models, self.weights, self.scaled = symbol_models(SYMBOL_WEIGHTS), mixing_weights(2), ScaledCoder()
+        self.models, self.weights, self.scaled = symbol_models(SYMBOL_WEIGHTS), mixing_weights(), ScaledCoder()
         self.r, self.g, self.t, self.e = {}, {}, {}, {}
 
     def FLD_13_context(self, v):

@@ -77,8 +77,8 @@ def POSN_6_log(y):
     return 4 * (bits(y) - 1) + ((4 * y >> (bits(y) - 1)) & 3)
 
 def fresh_models():
-    return {"models": symbol_models(SYMBOL_WEIGHTS), "weights": mixing_weights(2), "scaled": ScaledCoder(),
-            "guesses": symbol_models((8, 4, 2, 2) + (1,) * 12), "guess_weights": mixing_weights(2)}
+    return {"models": symbol_models(SYMBOL_WEIGHTS), "weights": mixing_weights(), "scaled": ScaledCoder(),
+            "guesses": symbol_models((8, 4, 2, 2) + (1,) * 12), "guess_weights": mixing_weights()}
 
 class PredictedCoder:
     """[POSN-4 to POSN-6, FLT-4] Numbers of vertices. What is said below of lattices, other coders say of theirs."""

@@ -72,7 +72,7 @@ class SEAM_6_Coder:
     def __init__(self, data):
         self.coder, self.met, self.large = Coder(data), {}, NumberModel()
         self.counts = symbol_models((60, 10, 3) + (1,) * 13)
-        self.choices, self.weights = symbol_models((60, 10, 10) + (1,) * 13), mixing_weights(2)
+        self.choices, self.weights = symbol_models((60, 10, 10) + (1,) * 13), mixing_weights()
 
     def symbol(self, *models):
         s = self.coder.symbol(*models)

@@ -76,7 +76,7 @@ class PairCoder:
     """[ATTR-37] Two numbers."""
     def __init__(self, coder):
         self.coder, self.scaled, self.zero = coder, ScaledCoder(), bit_models()
-        self.models, self.weights = symbol_models(SYMBOL_WEIGHTS), mixing_weights(2)
+        self.models, self.weights = symbol_models(SYMBOL_WEIGHTS), mixing_weights()
 
     def decode(self, near, spread, kind):
         """`near` and `spread` are pairs."""

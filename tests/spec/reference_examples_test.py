@@ -87,7 +87,7 @@ def examples():
         header = SimpleNamespace(anchors=2, anchor_bits=12, box_min=[0] * 3, box_max=[4095] * 3)
         yield f"anch.md {form}", list(ANCH_1_read(chunk("anch.md", form), header, 4, []).values()), [0, 0, 100, 4095, 2000, 50]
         yield f"delt.md {form}", highpass(form), line("delt.md", "positions", float)
-    yield "compact.md", FLD_numbers(Coder(bytes.fromhex("7547cfad01b51e4fa619cc3511")), neighbours([(0, 1, 2), (1, 3, 2)], 4)), \
+    yield "compact.md", FLD_numbers(Coder(bytes.fromhex("7557588af8b4094417e8333511")), neighbours([(0, 1, 2), (1, 3, 2)], 4)), \
         [1, 0, 3, 1, -2, 3, 1, -2, 3, 40, -80, 9]
     yield "posn.md", positions("posn.md", lattice(LATTICE, 4, cells=[4, 4, 3]), TWO), line("posn.md", "q")
     yield ("posn_voxels.md", positions("posn_voxels.md", lattice(VOXELS, 6, cells=[5, 8, 3], levels=2), triples(line("posn_voxels.md", "faces"))),

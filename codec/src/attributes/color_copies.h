@@ -23,7 +23,7 @@ struct ColorCopyModels {
   static constexpr SymbolModel kFresh{{16, 6, 3, 30, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
 
   std::array<SymbolModels, 2> symbols{SymbolModels(kContexts[0], kFresh), SymbolModels(kContexts[1], kFresh)};
-  std::array<MixWeights<2>, 6> weights;
+  std::array<MixWeights, 6> weights;
 };
 
 /// `Coder` is CompactWriter or CompactReader.

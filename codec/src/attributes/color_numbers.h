@@ -43,7 +43,7 @@ struct ColorNumberModels {
 
   std::array<SymbolModels, 2> symbols{SymbolModels(kContexts[0], kFreshSplit),
                                       SymbolModels(kContexts[1], kFreshSplit)};
-  std::array<MixWeights<2>, 28> weights;
+  std::array<MixWeights, 28> weights;
   SplitNumberModels numbers;
 };
 

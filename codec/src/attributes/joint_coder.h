@@ -126,8 +126,8 @@ class JointCoder {
                                           SymbolModels(kRowContexts * 7, kFreshRow)};
   std::array<SymbolModels, 2> slot_models_{SymbolModels(kInfluences * 16, kFreshSlot),
                                            SymbolModels(kInfluences * 16, kFreshSlot)};
-  MixWeights<2> row_weights_;
-  MixWeights<2> slot_weights_;
+  MixWeights row_weights_;
+  MixWeights slot_weights_;
 };
 
 }  // namespace deltamesh

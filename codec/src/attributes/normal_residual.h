@@ -75,7 +75,7 @@ class NormalResidualCoder {
   Coder& coder_;
   std::vector<SymbolModel> by_scale_ = std::vector(kRows + kPlaces, kFreshSplit);
   std::vector<SymbolModel> by_apart_ = std::vector(kRows + kPlaces, kFreshSplit);
-  std::array<MixWeights<2>, 32> mixes_;
+  std::array<MixWeights, 32> mixes_;
   SplitNumberCoder<Coder> numbers_;
 };
 

@@ -96,7 +96,7 @@ class PairCoder {
   std::array<BitModel, kSpreads> zero_models_;
   std::vector<SymbolModel> by_near_ = std::vector(kSizes * kPairKinds * kBefores, kFreshSplit);
   std::vector<SymbolModel> by_spread_ = std::vector(kSizes * 2 * kBefores, kFreshSplit);
-  std::array<MixWeights<2>, kSizes * 2> mixes_;
+  std::array<MixWeights, kSizes * 2> mixes_;
   SplitNumberCoder<Coder> numbers_;
 };
 

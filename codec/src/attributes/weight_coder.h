@@ -177,7 +177,7 @@ class WeightCoder {
   MatchCoder<Coder> matches_;
   std::array<SymbolModels, 2> models_{SymbolModels(3 * 5 * 5 * 2, kFreshKind),
                                       SymbolModels(3 * 9 * 6, kFreshKind)};
-  MixWeights<2> mix_;
+  MixWeights mix_;
 };
 
 }  // namespace deltamesh

@@ -50,12 +50,6 @@ inline EightShorts wrapped_difference(EightShorts a, EightShorts b) noexcept {
                                        reinterpret_cast<EightUnsigned>(b));
 }
 
-/// (a * b) >> 16, of lanes that stand for 0 to 65535.
-inline EightShorts multiply_high_unsigned(EightShorts a, EightShorts b) noexcept {
-  return reinterpret_cast<EightShorts>(
-      simde_mm_mulhi_epu16(reinterpret_cast<simde__m128i>(a), reinterpret_cast<simde__m128i>(b)));
-}
-
 /// `of_a`, `of_b`, and so on.
 inline EightShorts in_turns(std::int32_t of_a, std::int32_t of_b) noexcept {
   return pick_lanes<0, 8, 1, 9, 2, 10, 3, 11>(all_lanes(of_a), all_lanes(of_b));

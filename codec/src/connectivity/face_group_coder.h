@@ -83,7 +83,7 @@ class FaceGroupCoder {
     unsigned symbol = place != end     ? static_cast<unsigned>(place - others.begin())
                       : group == next_ ? kNext
                                        : kNamed;
-    symbol = coder_.symbol(symbol, Mixture<1>{{&choices_}, &choice_weights_});
+    symbol = coder_.symbol(symbol, Mixture<1>{{&choices_}});
     if (symbol < kMostRecent) {
       if (symbol >= static_cast<std::size_t>(end - others.begin())) return "FGRP-3";
       group = others[symbol];
@@ -120,7 +120,6 @@ class FaceGroupCoder {
   std::size_t recent_count_ = 0;
   std::array<BitModel, 8> as_forecast_;
   SymbolModel choices_ = kFreshChoice;
-  MixWeights<1> choice_weights_;
   NumberModel names_;
 };
 

@@ -147,7 +147,7 @@ class GlueCoder {
       return true;
     }
     const unsigned hint = vertex == guesses.same ? 0 : vertex == guesses.mirrored ? 1 : 2;
-    const unsigned choice = coder_.symbol(hint, Mixture<1>{{&hints_[known]}, &weights_});
+    const unsigned choice = coder_.symbol(hint, Mixture<1>{{&hints_[known]}});
     if (choice == 0) vertex = guesses.same;
     if (choice == 1) vertex = guesses.mirrored;
     if (choice == 2) {
@@ -169,7 +169,6 @@ class GlueCoder {
   std::uint32_t last_target_ = 0;
   std::array<BitModel, 12> is_glued_;
   std::array<SymbolModel, 4> hints_ = {kFresh, kFresh, kFresh, kFresh};
-  MixWeights<1> weights_;
   NumberModel steps_;
 };
 

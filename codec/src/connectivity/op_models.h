@@ -66,10 +66,10 @@ struct OpModels {
 
   SymbolModels first_runs{kRunContexts};
   SymbolModels second_runs{kRunContexts};
-  std::array<MixWeights<2>, kMostFaces * 4> run_weights;
+  std::array<MixWeights, kMostFaces * 4> run_weights;
   SymbolModels first_rares = fresh_rares(16);
   SymbolModels second_rares = fresh_rares(8);
-  std::array<MixWeights<2>, kRareNears> rare_weights;
+  std::array<MixWeights, kRareNears> rare_weights;
   NumberModel references;
 };
 

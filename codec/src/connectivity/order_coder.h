@@ -174,8 +174,7 @@ class OrderCoder {
   bool code_rotation(MeshOrder& order, std::uint32_t face) {
     const Extremes own = extremes(order.vertices, face);
     const unsigned symbol = coder_.symbol(
-        order.rotation[face],
-        Mixture<1>{{&rotations_[own.smallest_corner * 3 + own.largest_corner]}, &rotation_weights_});
+        order.rotation[face], Mixture<1>{{&rotations_[own.smallest_corner * 3 + own.largest_corner]}});
     order.rotation[face] = static_cast<std::uint8_t>(symbol);
     return symbol <= 2;
   }
@@ -207,7 +206,6 @@ class OrderCoder {
   Places vertex_places_;
   Places face_places_;
   std::vector<SymbolModel> rotations_ = std::vector(9, kFreshRotation);
-  MixWeights<1> rotation_weights_;
 };
 
 }  // namespace deltamesh

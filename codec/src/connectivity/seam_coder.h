@@ -150,7 +150,7 @@ class SeamCoder {
   bool code_count(const Face& face, std::size_t k, std::uint32_t& count) {
     const std::uint32_t context = neighbor_class(face.vertex[(k + 1) % 3]) * kNeighborClasses +
                                   neighbor_class(face.vertex[(k + 2) % 3]);
-    const std::uint64_t extra = code_value(count - 1, Mixture<1>{{&counts_[context]}, &count_weights_});
+    const std::uint64_t extra = code_value(count - 1, Mixture<1>{{&counts_[context]}});
     if (extra > extra_left_) return false;
     extra_left_ -= static_cast<std::uint32_t>(extra);
     count = static_cast<std::uint32_t>(extra) + 1;
@@ -221,8 +221,7 @@ class SeamCoder {
   std::vector<SymbolModel> counts_ = std::vector(kNeighborClasses * kNeighborClasses, kFreshCount);
   std::vector<SymbolModel> by_edges_ = std::vector(kAcrossKinds * kAcrossKinds * 4, kFreshChoice);
   std::vector<SymbolModel> by_use_ = std::vector(4 * 4 * 4, kFreshChoice);
-  MixWeights<1> count_weights_;
-  std::array<MixWeights<2>, 4> copy_weights_;
+  std::array<MixWeights, 4> copy_weights_;
   NumberModel large_;
 };
 

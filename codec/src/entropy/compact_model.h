@@ -128,38 +128,25 @@ class alignas(16) SymbolModel {
   std::uint8_t count_;                            ///< symbols seen, to kMostCounted
 };
 
-/// Weights of `K` models, learnt [CMP-6].
-template <std::size_t K>
+/// Weights of two models, learnt [CMP-6].
 class MixWeights {
  public:
-  constexpr MixWeights() noexcept {
-    for (std::size_t k = 0; k < K; ++k) weights_[k] = static_cast<std::uint16_t>(kWeightOne / K);
-    weights_[K - 1] = static_cast<std::uint16_t>(kWeightOne - (K - 1) * (kWeightOne / K));
-  }
+  /// Each at least 512, below 2^15.
+  const std::array<std::uint16_t, 2>& values() const noexcept { return weights_; }
 
-  /// Four of them, the first K in use.
-  const std::array<std::uint16_t, 4>& values() const noexcept { return weights_; }
-
-  /// Moves each weight by 1 / 64 of the way to the model's share in what the mixture gave the symbol, but for
-  /// a part that it always has. `shares`: probability that each model gave the symbol; `size`: what the
-  /// mixture gave it.
-  [[gnu::always_inline]] void learn(const std::array<std::int32_t, K>& shares, std::uint32_t size) noexcept {
-    // The shares' mean may exceed the size by rounding, up to K - 2.
-    const std::uint64_t inverse = kLearnt / (size + static_cast<std::uint32_t>(K) - 2);
-    std::uint64_t all = 0;  // stored at once, as they are soon read
-    std::uint32_t rest = kWeightOne;
-    for (std::size_t k = 0; k + 1 < K; ++k) {
-      const std::uint32_t before = weights_[k];
-      const auto goal = static_cast<std::int32_t>(
-          (before * static_cast<std::uint32_t>(shares[k]) * inverse) >> kLearntBits);
-      const std::int32_t way =
-          goal + static_cast<std::int32_t>(kLeastWeight) - static_cast<std::int32_t>(before);
-      const std::uint32_t weight = before + static_cast<std::uint32_t>(way >> kSlowness);
-      all |= std::uint64_t{weight} << (16 * k);
-      rest -= weight;
-    }
-    all |= std::uint64_t{rest} << (16 * (K - 1));
-    weights_ = std::bit_cast<std::array<std::uint16_t, 4>>(all);
+  /// Moves the first weight by 1 / 32 of the way to its model's share in what the mixture gave the symbol,
+  /// but for a part that each always has. `share`: probability that the first model gave the symbol; `size`:
+  /// what the mixture gave it.
+  [[gnu::always_inline]] void learn(std::int32_t share, std::uint32_t size) noexcept {
+    const std::uint64_t inverse = kLearnt / size;
+    const std::uint32_t before = weights_[0];
+    const auto goal =
+        static_cast<std::int32_t>((before * static_cast<std::uint32_t>(share) * inverse) >> kLearntBits);
+    const std::int32_t way =
+        goal + static_cast<std::int32_t>(kLeastWeight) - static_cast<std::int32_t>(before);
+    const std::uint32_t first = before + static_cast<std::uint32_t>(way >> kSlowness);
+    // Stored at once, as both are soon read.
+    weights_ = std::bit_cast<std::array<std::uint16_t, 2>>(first | (kWeightOne - first) << 16);
   }
 
  private:
@@ -171,10 +158,9 @@ class MixWeights {
   static constexpr unsigned kLearntBits = 24;
   /// 2^24, less what a model always has.
   static constexpr std::uint32_t kLearnt =
-      (std::uint64_t{kWeightOne - K * kLeastWeight} << kLearntBits) / kWeightOne;
+      (std::uint64_t{kWeightOne - 2 * kLeastWeight} << kLearntBits) / kWeightOne;
 
-  static_assert(K >= 1 && K <= 4);
-  std::array<std::uint16_t, 4> weights_{};
+  std::array<std::uint16_t, 2> weights_{kWeightOne / 2, kWeightOne / 2};
 };
 
 /// The interval of `symbol` under Mixture::starts().
@@ -185,31 +171,24 @@ inline Interval interval_of(const LaneSum& starts, unsigned symbol) noexcept {
   return {bounds[symbol], std::uint32_t{bounds[symbol + 1]} - bounds[symbol]};
 }
 
-/// `K` models of the same symbol in different contexts, and their weights.
+/// One model of a symbol, or two in different contexts with their weights.
 template <std::size_t K>
 struct Mixture {
+  static_assert(K == 1 || K == 2);
+
   /// Lane i: parts of 2^15 of the symbols below i; each symbol has 2 at least [CMP-6].
   [[gnu::always_inline]] LaneSum starts() const noexcept {
-    std::array<const std::int16_t*, K> lanes;
-    for (std::size_t k = 0; k < K; ++k) lanes[k] = models[k]->lanes();
-    LaneSum sum(kFloor);
-    sum.template add_weighted<K>(lanes, weights->values());
-    return sum;
+    const MixWeights halves;
+    return {models[0]->lanes(), models[K - 1]->lanes(), K == 1 ? halves.values() : weights->values()};
   }
 
   [[gnu::always_inline]] void learn(unsigned symbol, std::uint32_t size) const noexcept {
-    if constexpr (K > 1) {
-      std::array<std::int32_t, K> shares;
-      for (std::size_t k = 0; k < K; ++k) shares[k] = models[k]->share(symbol);
-      weights->learn(shares, size);
-    }
-    for (std::size_t k = 0; k < K; ++k) models[k]->learn(symbol);
+    if constexpr (K == 2) weights->learn(models[0]->share(symbol), size);
+    for (SymbolModel* const model : models) model->learn(symbol);
   }
 
-  static constexpr Lanes kFloor = {0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30};
-
   std::array<SymbolModel*, K> models;
-  MixWeights<K>* weights;
+  MixWeights* weights = nullptr;  ///< null with one model
 };
 
 /// Probability of a set bit: the mean of a fast and a slow estimate [CMP-7].

@@ -47,32 +47,17 @@ inline void pull_lanes(std::int16_t* lanes, const Lanes& pull, unsigned rate) no
   }
 }
 
-/// Lanes that are summed up and searched.
+/// Where the symbols' intervals start in a mixture of two models: looked for, and searched.
 class LaneSum {
  public:
-  explicit LaneSum(const Lanes& lanes) noexcept : LaneSum(lanes.data()) {}
-  /// `lanes`: as many as there are symbols.
-  explicit LaneSum(const std::int16_t* lanes) noexcept
-      : low_(load_lanes(lanes, 0)), high_(load_lanes(lanes, 1)) {}
-
-  /// Adds 2 * lanes * weights[k] / 2^16 for all k, rounded down each; lanes not negative, 16 each, the
-  /// weights below 2^15, but for that of one alone.
-  template <std::size_t K>
-  [[gnu::always_inline]] void add_weighted(const std::array<const std::int16_t*, K>& lanes,
-                                           const std::array<std::uint16_t, 4>& weights) noexcept {
-    // Twice the weights, as a lane's double may be too large; twice that of one alone is too, by 2^16.
-    using TwoLongs = std::int64_t __attribute__((vector_size(16)));
-    const auto four = reinterpret_cast<EightShorts>(TwoLongs{std::bit_cast<std::int64_t>(weights), 0});
-    const EightShorts pairs = pick_lanes<0, 0, 1, 1, 2, 2, 3, 3>(four);
-    const EightShorts twice = wrapped_sum(pairs, pairs);
-    if constexpr (K == 1) {
-      low_ += load_lanes(lanes[0], 0);
-      high_ += load_lanes(lanes[0], 1);
-    }
-    add_one<0>(lanes[0], twice);
-    if constexpr (K > 1) add_one<1>(lanes[1], twice);
-    if constexpr (K > 2) add_one<2>(lanes[2], twice);
-    if constexpr (K > 3) add_one<3>(lanes[3], twice);
+  /// Lane i: 2 i + (a[i] * weights[0] + b[i] * weights[1]) / 2^15, rounded down. 16 lanes each, not negative;
+  /// the weights below 2^15.
+  [[gnu::always_inline]] LaneSum(const std::int16_t* a, const std::int16_t* b,
+                                 const std::array<std::uint16_t, 2>& weights) noexcept {
+    const auto both = std::bit_cast<std::int32_t>(weights);
+    const auto pairs = reinterpret_cast<EightShorts>(FourInts{both, both, both, both});
+    low_ = mix(a, b, pairs, 0);
+    high_ = mix(a, b, pairs, 1);
   }
 
   /// The last lane that is at most `value`; the lanes rise, the first is 0.
@@ -90,12 +75,14 @@ class LaneSum {
   }
 
  private:
-  template <int kPlace>
-  [[gnu::always_inline]] void add_one(const std::int16_t* lanes, EightShorts twice) noexcept {
-    constexpr int k = 2 * kPlace;
-    const EightShorts weight = pick_lanes<k, k + 1, k, k + 1, k, k + 1, k, k + 1>(twice);
-    low_ += multiply_high_unsigned(load_lanes(lanes, 0), weight);
-    high_ += multiply_high_unsigned(load_lanes(lanes, 1), weight);
+  static constexpr Lanes kLeast = {0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30};
+
+  [[gnu::always_inline]] static EightShorts mix(const std::int16_t* a, const std::int16_t* b,
+                                                EightShorts weights, std::size_t half) noexcept {
+    const EightShorts of_a = load_lanes(a, half);
+    const EightShorts of_b = load_lanes(b, half);
+    return load_lanes(kLeast.data(), half) + pack_lanes(weighted_sums(of_a, of_b, weights) >> 15,
+                                                        weighted_high_sums(of_a, of_b, weights) >> 15);
   }
 
   EightShorts low_;

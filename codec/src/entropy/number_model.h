@@ -21,7 +21,6 @@ struct NumberModel {
   static constexpr SymbolModel kFreshLength{{8, 8, 8, 8, 7, 6, 5, 4, 3, 2, 2, 1, 1, 1, 1, 1}};
 
   SymbolModel length = kFreshLength;
-  MixWeights<1> weights;
   std::array<BitModel, 33> second;
   std::array<std::array<BitModel, 2>, 33> third;
 };
@@ -45,8 +44,7 @@ std::uint32_t code_mantissa(Coder& coder, std::uint32_t value, unsigned length, 
 template <class Coder>
 std::uint32_t code_number(Coder& coder, std::uint32_t value, NumberModel& model) {
   auto length = static_cast<unsigned>(std::bit_width(value));
-  const unsigned symbol =
-      coder.symbol(std::min(length, kLongNumber), Mixture<1>{{&model.length}, &model.weights});
+  const unsigned symbol = coder.symbol(std::min(length, kLongNumber), Mixture<1>{{&model.length}});
   if (symbol < kLongNumber) {
     length = symbol;
   } else {

@@ -58,8 +58,6 @@ class FieldCoder {
   /// What a vertex is coded with: a reader's copy, which a compiler can keep in registers, or a writer.
   using Held = std::conditional_t<Coder::kWrites, Coder&, Coder>;
 
-  using Weights = MixWeights<kFieldModels>;
-
   template <unsigned kAxis>
   [[gnu::always_inline]] bool code_axis(Coder& coder, FieldForecasts& forecasts, FieldNumbers& q) {
     const std::int64_t coded = code(coder, q[kAxis], forecasts.template of<kAxis>(), mixes_[kAxis]);
@@ -84,7 +82,7 @@ class FieldCoder {
 
   /// Returns the number, of any size where the stream lies.
   [[gnu::always_inline]] std::int64_t code(Coder& coder, std::int64_t q, const FieldForecast& f,
-                                           Weights& weights) {
+                                           MixWeights& weights) {
     if (f.shift > kMostLowBits) __builtin_unreachable();  // no scale is above 2^16
     const Mixture<kFieldModels> mixture{{&models_[0][f.contexts[0]], &models_[1][f.contexts[1]]}, &weights};
     const std::int64_t number = ((q - f.base) ^ f.sign) - f.sign;
@@ -95,7 +93,7 @@ class FieldCoder {
   Coder& coder_;
   FieldHistory history_;
   std::array<std::vector<SymbolModel>, kFieldModels> models_;
-  std::array<Weights, 3> mixes_;  ///< by axis
+  std::array<MixWeights, 3> mixes_;  ///< by axis
   SplitNumberCoder<Coder> numbers_;
 };
 

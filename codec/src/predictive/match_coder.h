@@ -21,7 +21,7 @@ struct MatchModels {
   static constexpr SymbolModel kFresh{{8, 4, 2, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
 
   std::array<SymbolModels, 2> symbols{SymbolModels(kContexts[0], kFresh), SymbolModels(kContexts[1], kFresh)};
-  MixWeights<2> weights;
+  MixWeights weights;
 
   void limit_counts(std::uint8_t most) noexcept {
     for (SymbolModels& models : symbols) models.limit_counts(most);

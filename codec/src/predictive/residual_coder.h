@@ -18,7 +18,7 @@ namespace deltamesh {
 struct ResidualModels {
   std::array<SymbolModels, kResidualModels> symbols{SymbolModels(kResidualContexts[0], kFreshSplit),
                                                     SymbolModels(kResidualContexts[1], kFreshSplit)};
-  std::array<MixWeights<kResidualModels>, kResidualWeightSets> weights;
+  std::array<MixWeights, kResidualWeightSets> weights;
   SplitNumberModels numbers;
 
   void limit_counts(std::uint8_t most) noexcept {

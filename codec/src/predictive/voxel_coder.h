@@ -146,7 +146,7 @@ class VoxelCoder {
         number = VoxelPair::kOpen;
     }
     SymbolModel& model = models_.edges.of(pair.kind(i), pair.likely(i), pair.opposite(i));
-    return coder_.symbol(number, Mixture<1>{{&model}, &models_.edge_weights});
+    return coder_.symbol(number, Mixture<1>{{&model}});
   }
 
   DELTAMESH_INLINE_UNLESS_SMALL const char* code_vertex(std::size_t i, VoxelPair& pair,
@@ -191,8 +191,8 @@ class VoxelCoder {
     const std::array<std::int64_t, 3> place = expected.place();
     std::optional<VoxelGrid::Cut> cut;
     if constexpr (Coder::kWrites) cut = grid_.cut_of(cells[vertex]);
-    const unsigned start = coder_.symbol(cut ? static_cast<unsigned>(cut->axis) : kFree,
-                                         Mixture<1>{{&models_.start}, &models_.start_weights});
+    const unsigned start =
+        coder_.symbol(cut ? static_cast<unsigned>(cut->axis) : kFree, Mixture<1>{{&models_.start}});
     if (start > kFree) return "VOX-1";
     if (start == kFree) return code_free(vertex, around, expected, cells[vertex]);
     VoxelGrid::Node node{};

@@ -18,7 +18,6 @@ namespace deltamesh {
 struct VoxelLevelModels {
   std::uint32_t levels = 0;  ///< of an edge; 0: made for none
   std::vector<SymbolModel> symbols;
-  MixWeights<1> weights;
 };
 
 /// `Coder` is CompactWriter or CompactReader.
@@ -32,7 +31,7 @@ class VoxelLevelCoder {
     if (models_.levels == levels) return;
     std::array<std::uint8_t, kSymbols> weights{};
     for (std::uint32_t i = 0; i <= (levels - 1) >> low_bits_; ++i) weights[i] = 1;
-    models_ = {.levels = levels, .symbols = {}, .weights = {}};
+    models_ = {.levels = levels, .symbols = {}};
     models_.symbols.assign(std::size_t{VoxelPair::kPlaces} * VoxelPair::kPlaces, SymbolModel(weights));
   }
 
@@ -44,7 +43,7 @@ class VoxelLevelCoder {
     if (levels_ == 1) return 0;
     SymbolModel& model = models_.symbols[static_cast<std::size_t>(mean * VoxelPair::kPlaces + plane)];
     const auto high = static_cast<std::int32_t>(
-        coder_.symbol(static_cast<unsigned>(level) >> low_bits_, Mixture<1>{{&model}, &models_.weights}));
+        coder_.symbol(static_cast<unsigned>(level) >> low_bits_, Mixture<1>{{&model}}));
     if (low_bits_ == 0) return high;
     const std::uint32_t low = static_cast<std::uint32_t>(level) & ((1U << low_bits_) - 1);
     return high << low_bits_ | static_cast<std::int32_t>(coder_.bits(low, low_bits_));

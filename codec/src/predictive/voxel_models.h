@@ -65,10 +65,8 @@ struct VoxelModels {
 
   ResidualModels residuals;
   VoxelEdgeModels edges;
-  MixWeights<1> edge_weights;
   VoxelLevelModels levels;
   SymbolModel start{kFreshStart};
-  MixWeights<1> start_weights;
   std::array<NumberModel, 3> start_nodes;
 };
 

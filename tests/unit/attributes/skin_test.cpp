@@ -301,7 +301,7 @@ TEST(Skin, ATTR60ATTR63BrokenStreamsAreNamed) {
   const auto too_large = by_hand(10, 0, [](CompactWriter& writer) {
     SymbolModel slot{{16, 6, 4, 3, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 6}};
     SymbolModel other = slot;
-    MixWeights<2> weights;
+    MixWeights weights;
     writer.symbol(15, Mixture<2>{{&slot, &other}, &weights});
     NumberModel places;
     NumberModel news;
@@ -314,7 +314,7 @@ TEST(Skin, ATTR60ATTR63BrokenStreamsAreNamed) {
     writer.bits(0, 2);
     SymbolModel kind{{10, 6, 10, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
     SymbolModel other = kind;
-    MixWeights<2> weights;
+    MixWeights weights;
     writer.symbol(2, Mixture<2>{{&kind, &other}, &weights});
   });
   EXPECT_STREQ(broken_rule(AttributeKind::kWeights, ComponentType::kF32, between), "ATTR-65");

@@ -94,10 +94,9 @@ TEST(FaceGroups, FGRP1RejectsGroupsFrom65536On) {
   CompactWriter writer;
   std::array<BitModel, 8> as_forecast;
   SymbolModel choices{{8, 4, 2, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 16, 1}};
-  MixWeights<1> weights;
   NumberModel names;
   writer.bit(false, as_forecast[0]);
-  writer.symbol(15, Mixture<1>{{&choices}, &weights});
+  writer.symbol(15, Mixture<1>{{&choices}});
   writer.number(65536, names);
   EXPECT_EQ(broken_rule(Payload::compact(writer.finish()), c), "FGRP-1");
 }
@@ -107,9 +106,8 @@ TEST(FaceGroups, FGRP3RejectsAPlaceBeyondTheRecentGroups) {
   CompactWriter writer;
   BitModel as_forecast;
   SymbolModel choices{{8, 4, 2, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 16, 1}};
-  MixWeights<1> weights;
   writer.bit(false, as_forecast);
-  writer.symbol(0, Mixture<1>{{&choices}, &weights});
+  writer.symbol(0, Mixture<1>{{&choices}});
   EXPECT_EQ(broken_rule(Payload::compact(writer.finish()), c), "FGRP-3");
 }
 

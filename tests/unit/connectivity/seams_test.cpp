@@ -251,9 +251,8 @@ TEST(Seams, SEAM6RejectsCountsThatDoNotAddUp) {
   // 2^32 + 1 more copies are not one more.
   CompactWriter writer;
   SymbolModel counts{{60, 10, 3, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
-  MixWeights<1> weights;
   NumberModel large;
-  writer.symbol(15, Mixture<1>{{&counts}, &weights});
+  writer.symbol(15, Mixture<1>{{&counts}});
   writer.number(0xfffffff2, large);
   const std::vector<std::byte> bytes = writer.finish();
   expect_broken(read_seams(Payload::compact(bytes), kFan, kGeometric, 6), "SEAM-6");

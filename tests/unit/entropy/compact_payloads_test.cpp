@@ -98,7 +98,7 @@ TEST(CompactDeltas, FLD13FLD14FLD15WorkedExample) {
     hex += "0123456789abcdef"[std::to_integer<unsigned>(byte) >> 4];
     hex += "0123456789abcdef"[std::to_integer<unsigned>(byte) & 15];
   }
-  EXPECT_EQ(hex, "7547cfad01b51e4fa619cc3511");
+  EXPECT_EQ(hex, "7557588af8b4094417e8333511");
   EXPECT_TRUE(std::ranges::equal(*read_compact_deltas(bytes, graph), deltas));
 }
 

@@ -40,8 +40,7 @@ struct Script {
   std::vector<std::uint32_t> run(Coder& coder) const {
     constexpr SymbolModel kFresh({1, 1, 1, 1, 1, 1, 1, 9, 1, 1, 1, 1, 1, 1, 1, 1});
     std::array<SymbolModel, 3> models = {kFresh, kFresh, kFresh};
-    MixWeights<1> alone;
-    MixWeights<2> pair;
+    MixWeights pair;
     BitModel bit;
     NumberModel number;
     SymbolBits inner;
@@ -50,7 +49,7 @@ struct Script {
     for (const Step& step : steps) {
       switch (step.kind) {
         case 0:
-          answers.push_back(coder.symbol(step.value, Mixture<1>{{&models[0]}, &alone}));
+          answers.push_back(coder.symbol(step.value, Mixture<1>{{&models[0]}}));
           break;
         case 1:
           answers.push_back(coder.symbol(step.value, Mixture<2>{{&models[1], &models[2]}, &pair}));
@@ -86,11 +85,10 @@ TEST(Compact, CMP12IsOneDecision) {
   constexpr SymbolModel kFresh({1, 1, 1, 1, 1, 1, 1, 9, 1, 1, 1, 1, 1, 1, 1, 1});
   CompactWriter writer;
   SymbolModel model = kFresh;
-  MixWeights<1> weights;
   SymbolBits inner;
   for (unsigned count = 0; count <= kMostBitsAtOnce + 1; ++count) {
     LowBits low{.count = count, .value = 0x15555U >> (17 - count)};
-    writer.symbol_and_bits(7, low, Mixture<1>{{&model}, &weights}, inner);
+    writer.symbol_and_bits(7, low, Mixture<1>{{&model}}, inner);
     writer.bits(0, 0);
   }
   // The second state takes part in nothing but the empty decisions.
@@ -199,9 +197,8 @@ TEST(Compact, CMP3StatesEndHighWhereOneAloneGivesWords) {
 TEST(Compact, CMP5LanesNeverFallAndEverySymbolStaysPossible) {
   test::RandomBits random(3);
   SymbolModel model({1, 1, 1, 1, 1, 1, 1, 9, 1, 1, 1, 1, 1, 1, 1, 1});
-  MixWeights<1> weights;
   for (int i = 0; i < 5000; ++i) {
-    const LaneSum starts = Mixture<1>{{&model}, &weights}.starts();
+    const LaneSum starts = Mixture<1>{{&model}}.starts();
     std::uint32_t sum = 0;
     for (unsigned s = 0; s < kSymbols; ++s) {
       const Interval interval = interval_of(starts, s);
@@ -216,22 +213,20 @@ TEST(Compact, CMP5LanesNeverFallAndEverySymbolStaysPossible) {
 
 TEST(Compact, CMP6WeightsKeepTheirSum) {
   constexpr SymbolModel kFresh({1, 1, 1, 1, 1, 1, 1, 9, 1, 1, 1, 1, 1, 1, 1, 1});
-  std::array<SymbolModel, 4> models = {kFresh, kFresh, kFresh, kFresh};
-  MixWeights<4> weights;
+  std::array<SymbolModel, 2> models = {kFresh, kFresh};
+  MixWeights weights;
+  const Mixture<2> mixture{{&models[0], &models[1]}, &weights};
   test::RandomBits random(5);
-  // One model is right for long, then another; some symbols no model expects.
+  // One model is right for long, then the other; some symbols no model expects.
   for (int i = 0; i < 40000; ++i) {
-    const unsigned right = (i / 3000) % 4;
-    const Mixture<4> mixture{{&models[0], &models[1], &models[2], &models[3]}, &weights};
-    for (unsigned k = 0; k < 4; ++k) models[k].learn(k == right ? 3 : 12);
+    const std::size_t right = (i / 3000) % 2;
+    models[right].learn(3);
+    models[1 - right].learn(12);
     const unsigned symbol = random() % 50 == 0 ? random() % 16 : 3;
     mixture.learn(symbol, interval_of(mixture.starts(), symbol).size);
-    std::uint32_t sum = 0;
-    for (std::size_t k = 0; k < 4; ++k) {
-      ASSERT_GE(weights.values()[k], 512U);
-      sum += weights.values()[k];
-    }
-    ASSERT_EQ(sum, 32994U);
+    const auto [first, second] = weights.values();
+    ASSERT_GE(std::min(first, second), 512U);
+    ASSERT_EQ(first + second, 32994U);
     if (i % 3000 == 2999) {
       EXPECT_GT(weights.values()[right], 27000U);
     }
@@ -284,23 +279,16 @@ TEST(Compact, VectorLoopsEqualPlainOnes) {
       EXPECT_EQ(pulled[i], lanes[i] + ((pulls[symbol][i] - lanes[i]) >> rate));
 
     const auto weight = static_cast<std::uint16_t>(512 + random() % 31971);
-    const std::array<std::uint16_t, 4> weights = {weight, static_cast<std::uint16_t>(32994 - weight)};
-    LaneSum sum(Mixture<2>::kFloor);
-    sum.add_weighted<2>({lanes.data(), pulled.data()}, weights);
-    LaneSum alone(Mixture<1>::kFloor);
-    alone.add_weighted<1>({lanes.data()}, {32994});
+    const std::array<std::uint16_t, 2> weights = {weight, static_cast<std::uint16_t>(32994 - weight)};
+    const LaneSum sum(lanes.data(), pulled.data(), weights);
     alignas(16) std::array<std::uint16_t, kSymbols> stored;
-    alignas(16) std::array<std::uint16_t, kSymbols> stored_alone;
     sum.store(stored.data());
-    alone.store(stored_alone.data());
-    const auto part = [](std::int16_t lane, std::uint32_t of) {
-      return 2 * static_cast<std::uint32_t>(lane) * of >> 16;
-    };
     const auto value = static_cast<std::int16_t>(random() % 32768);
     unsigned found = 0;
     for (unsigned i = 0; i < kSymbols; ++i) {
-      EXPECT_EQ(stored[i], 2 * i + part(lanes[i], weights[0]) + part(pulled[i], weights[1]));
-      EXPECT_EQ(stored_alone[i], 2 * i + part(lanes[i], 32994));
+      EXPECT_EQ(stored[i], 2 * i + ((std::uint32_t{weights[0]} * static_cast<std::uint32_t>(lanes[i]) +
+                                     std::uint32_t{weights[1]} * static_cast<std::uint32_t>(pulled[i])) >>
+                                    15));
       if (stored[i] <= value) found = i;
     }
     EXPECT_EQ(sum.find(value), found);
@@ -317,9 +305,8 @@ TEST(Compact, CMP15ScaledNumbersOfEverySizeComeBack) {
     const auto run = [&](auto& coder, bool is_writer) {
       SplitNumberCoder split(coder);
       SymbolModel model = kFreshSplit;
-      MixWeights<1> weights;
       for (const std::int64_t number : numbers) {
-        const Mixture<1> mixture{{&model}, &weights};
+        const Mixture<1> mixture{{&model}};
         EXPECT_EQ(split.code(coder, is_writer ? number : 0, shift, mixture), number) << shift;
       }
     };
@@ -335,8 +322,7 @@ TEST(Compact, CMP15ScaledNumbersOfEverySizeComeBack) {
 TEST(Compact, SkewedSymbolsCostNextToNothing) {
   CompactWriter writer;
   SymbolModel model({1, 1, 1, 1, 1, 1, 1, 9, 1, 1, 1, 1, 1, 1, 1, 1});
-  MixWeights<1> weights;
-  for (int i = 0; i < 80000; ++i) writer.symbol(7, Mixture<1>{{&model}, &weights});
+  for (int i = 0; i < 80000; ++i) writer.symbol(7, Mixture<1>{{&model}});
   EXPECT_LT(writer.finish().size(), 60U);
 }
 

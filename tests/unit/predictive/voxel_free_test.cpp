@@ -80,7 +80,7 @@ class LetterReader {
     const Surroundings around = faces_.around(v);
     const Expectation expected =
         expect_place(around, v == faces_.second_sequence() ? 0 : v, cells, kUsualBlends);
-    const unsigned start = reader_.symbol(0, Mixture<1>{{&start_}, &start_weights_});
+    const unsigned start = reader_.symbol(0, Mixture<1>{{&start_}});
     if (start == 3) return read_free(v, around, expected);
     for (std::size_t a = 0; a < 3; ++a) {
       const auto below = (expected.place()[a] >> 4) / 2;
@@ -127,7 +127,6 @@ class LetterReader {
   CompactReader& reader_;
   const VoxelFaces& faces_;
   SymbolModel start_{{8, 8, 8, 8, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
-  MixWeights<1> start_weights_;
   std::array<NumberModel, 3> nodes_;
   ResidualCoder<CompactReader> residuals_;
   std::vector<Kept> kept_;

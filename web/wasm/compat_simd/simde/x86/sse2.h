@@ -20,7 +20,6 @@
 #define simde_mm_movemask_epi8 _mm_movemask_epi8
 #define simde_mm_movemask_ps _mm_movemask_ps
 #define simde_mm_mul_epu32 _mm_mul_epu32
-#define simde_mm_mulhi_epu16 _mm_mulhi_epu16
 #define simde_mm_or_si128 _mm_or_si128
 #define simde_mm_packs_epi16 _mm_packs_epi16
 #define simde_mm_packs_epi32 _mm_packs_epi32
