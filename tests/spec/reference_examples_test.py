@@ -19,6 +19,7 @@ from glue import CONN_8_faces
 from graph import components, neighbours
 from mesh import decode_chunks, nothing
 from ordr import ORDR_1_read
+from parts import Map
 from posn import POSN_1_positions
 from seam import SEAM_1_read
 
@@ -104,6 +105,11 @@ def examples():
     yield "attr_tangents.md", attribute("attr_tangents.md", 4, 6, 4, [uvs]).values, line("attr_tangents.md", "values", np.float32)
     yield "attr_skin.md joints", joints.values, line("attr_skin.md", "joints")
     yield "attr_skin.md weights", attribute("attr_skin.md", 6, 1, 4, [joints], "weights-payload").values, line("attr_skin.md", "weights")
+    whole = Map(line("map.md", "message", bytes))
+    for x in (0, 1):
+        part = whole.MAP_7_part((0, x, 0, 0), line("map.md", f"part-{x}", bytes))
+        yield f"map.md part {x}", np.float32(part.positions), line("map.md", f"decoded-{x}", np.float32)
+        yield f"map.md border {x}", list(part.border), line("map.md", f"border-{x}")
     mesh = stream()
     yield "format.md faces", mesh.faces, line("format.md", "faces")
     yield "format.md positions", mesh.positions, line("format.md", "positions", np.float32)
