@@ -9,11 +9,11 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 #include <vector>
 
 #include "attributes/normal_lattice.h"
 #include "attributes/normal_prediction.h"
+#include "entropy/held_coder.h"
 #include "entropy/split_number.h"
 
 namespace deltamesh {
@@ -35,7 +35,7 @@ class NormalResidualCoder {
     const std::uint32_t apart = of(f.apart);
     const std::uint32_t spread = of(f.spread);
     const std::uint32_t bend = of(f.bend);
-    Held coder = coder_;
+    Held<Coder> coder = coder_;
     const std::int64_t row =
         code_number(coder, point.row, shift, scale, 0, scale * 16 + bend, apart * 16 + spread);
     const auto size = static_cast<std::uint32_t>(row < 0 ? -row : row) >> shift;
@@ -44,16 +44,13 @@ class NormalResidualCoder {
     const std::int64_t place =
         code_number(coder, point.place, shift, scale, 1, kRows + (scale / 2 * 8 + bend / 2) * kKinds + kind,
                     kRows + (apart / 2 * 8 + spread / 2) * kKinds + kind);
-    if constexpr (!Coder::kWrites) coder_ = coder;
+    give_back<Coder>(coder, coder_);
     if (row < -kMost || row > kMost || place < -kMost || place > kMost) return false;
     point = {static_cast<std::int32_t>(row), static_cast<std::int32_t>(place)};
     return true;
   }
 
  private:
-  /// What a point is coded with: a reader's copy, which a compiler can keep in registers, or a writer.
-  using Held = std::conditional_t<Coder::kWrites, Coder&, Coder>;
-
   static constexpr std::array<std::uint8_t, 8> kSizes = {0, 1, 2, 2, 3, 3, 3, 3};  ///< of rows, by the row
   static constexpr std::uint32_t kKinds = 8;                                       ///< of places, by the row
   static constexpr std::uint32_t kRows = 256;

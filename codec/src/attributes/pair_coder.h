@@ -11,9 +11,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <type_traits>
 #include <vector>
 
+#include "entropy/held_coder.h"
 #include "entropy/split_number.h"
 
 namespace deltamesh {
@@ -39,18 +39,15 @@ class PairCoder {
 
   /// A reader fills `pair` in. False where a number is beyond kLargestPairNumber.
   bool code(NumberPair& pair, const PairContext& context) {
-    Held coder = coder_;
+    Held<Coder> coder = coder_;
     const bool is_valid =
         (context.near[0] + context.near[1] < kMostlyZero && code_zero(coder, pair, context)) ||
         (code_axis(coder, pair[0], 0, 0, context) && code_axis(coder, pair[1], 1, pair[0], context));
-    if constexpr (!Coder::kWrites) coder_ = coder;
+    give_back<Coder>(coder, coder_);
     return is_valid;
   }
 
  private:
-  /// What a pair is coded with: a reader's copy, which a compiler can keep in registers, or a writer.
-  using Held = std::conditional_t<Coder::kWrites, Coder&, Coder>;
-
   static constexpr std::uint32_t kMostlyZero = 4;  ///< below, one bit for both numbers saves time
   static constexpr std::uint32_t kSpreads = 8;
   static constexpr std::uint32_t kSizes = 20;

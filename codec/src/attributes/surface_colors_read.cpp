@@ -8,6 +8,7 @@
 #include "base/large_vector.h"
 #include "base/try.h"
 #include "entropy/compact_reader.h"
+#include "entropy/held_coder.h"
 #include "format/tags.h"
 
 namespace deltamesh {
@@ -82,7 +83,7 @@ Result<std::vector<std::byte>> read_surface_colors(std::span<const std::byte> by
   DELTAMESH_TRY(const auto stream, in.read_bytes(in.remaining()));
   CompactReader first_reader(stream);
   ColorCoder<CompactReader> coder(first_reader, surface, shape_of(fields, axes), false, learning.start);
-  CompactReader reader = first_reader;  // which a compiler can keep in registers, as nothing points to it
+  Held<CompactReader> reader = first_reader;
   for (std::uint32_t v = 0; v < rows; ++v) {
     if (v % kVerticesAtOnce == 0 && reader.failed()) break;
     ColorLevels levels{};

@@ -6,12 +6,18 @@
 #pragma once
 
 #ifdef DELTAMESH_SMALL
+namespace deltamesh {
+inline constexpr bool kDecisionsAreFunctions = true;  ///< of the compact coder
+}
 /// Called in many places: there is one copy.
 #define DELTAMESH_INLINE_UNLESS_SMALL [[gnu::noinline]]
 /// Called in a loop for every vertex: engines of WebAssembly compile a function well while it is used, and go
 /// on with that at its next call, so that a loop without calls stays slow to its end.
 #define DELTAMESH_LOOP_BODY [[gnu::noinline]]
 #else
+namespace deltamesh {
+inline constexpr bool kDecisionsAreFunctions = false;
+}
 #define DELTAMESH_INLINE_UNLESS_SMALL [[gnu::always_inline]]
 #define DELTAMESH_LOOP_BODY
 #endif

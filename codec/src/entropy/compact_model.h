@@ -184,7 +184,8 @@ struct Mixture {
 
   [[gnu::always_inline]] void learn(unsigned symbol, std::uint32_t size) const noexcept {
     if constexpr (K == 2) weights->learn(models[0]->share(symbol), size);
-    for (SymbolModel* const model : models) model->learn(symbol);
+    models[0]->learn(symbol);
+    if constexpr (K == 2) models[1]->learn(symbol);
   }
 
   std::array<SymbolModel*, K> models;

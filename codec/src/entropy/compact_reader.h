@@ -6,8 +6,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 
+#include "base/machine.h"
 #include "base/small_code.h"
 #include "deltamesh/result.h"
 #include "entropy/compact_model.h"
@@ -36,8 +38,8 @@ class CompactReader {
 
   /// A symbol and the bits that follow it, in one decision [CMP-12].
   template <std::size_t K>
-  DELTAMESH_INLINE_UNLESS_SMALL unsigned symbol_and_bits(unsigned, LowBits& low, const Mixture<K>& mixture,
-                                                         SymbolBits& bit_models) noexcept {
+  [[gnu::always_inline]] unsigned symbol_and_bits(unsigned, LowBits& low, const Mixture<K>& mixture,
+                                                  SymbolBits& bit_models) noexcept {
     const unsigned raw = low.count - (low.count > 0 ? 1 : 0);
     low.value = static_cast<std::uint32_t>(state_) & ((1U << raw) - 1);
     state_ >>= raw;
@@ -110,8 +112,8 @@ class CompactReader {
       return state;
     }
     std::uint32_t word = 0;
-    for (unsigned i = 0; i < 4; ++i) word |= std::to_integer<std::uint32_t>(bytes_[position_ + i]) << (8 * i);
-    position_ += 4;
+    std::memcpy(&word, bytes_.data() + position_, sizeof(word));
+    position_ += sizeof(word);
     return state << 32 | word;
   }
 

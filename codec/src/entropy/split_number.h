@@ -12,7 +12,9 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "base/small_code.h"
 #include "entropy/compact_model.h"
+#include "entropy/held_coder.h"
 #include "entropy/number_model.h"
 
 namespace deltamesh {
@@ -43,8 +45,8 @@ class SplitNumberCoder {
   /// ignored; where the stream lies the result is anything below 2^62 in size. `coder`: that of the making,
   /// or a reader's copy that goes on in its place, and that a compiler can keep in registers.
   template <std::size_t kModels>
-  [[gnu::always_inline]] std::int64_t code(Coder& coder, std::int64_t value, unsigned shift,
-                                           const Mixture<kModels>& mixture) {
+  DELTAMESH_INLINE_UNLESS_SMALL std::int64_t code(Coder& coder, std::int64_t value, unsigned shift,
+                                                  const Mixture<kModels>& mixture) {
     const unsigned rest = shift > kMostLowBits ? shift - kMostLowBits : 0;
     std::int64_t high = value >> shift;
     LowBits low{.count = shift - rest, .value = low_bits(value >> rest, shift - rest)};
@@ -91,9 +93,9 @@ class SplitNumberCoder {
   }
   template <class Code>
   [[gnu::always_inline]] auto with(Coder& coder, Code code) {
-    if constexpr (!Coder::kWrites) coder_ = coder;
+    give_back<Coder>(coder, coder_);
     const auto result = code();
-    if constexpr (!Coder::kWrites) coder = coder_;
+    give_back<Coder>(coder_, coder);
     return result;
   }
 

@@ -8,9 +8,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 #include <vector>
 
+#include "entropy/held_coder.h"
 #include "entropy/split_number.h"
 #include "field/field_forecast.h"
 #include "topology/adjacency.h"
@@ -34,10 +34,10 @@ class FieldCoder {
   [[gnu::always_inline]] bool code_vertex(std::uint32_t vertex, FieldNumbers& q) {
     const FieldContext around = history_.around(vertex);
     FieldForecasts forecasts(around);
-    Held coder = coder_;
+    Held<Coder> coder = coder_;
     const bool is_valid = code_axis<0>(coder, forecasts, q) && code_axis<1>(coder, forecasts, q) &&
                           code_axis<2>(coder, forecasts, q);
-    if constexpr (!Coder::kWrites) coder_ = coder;
+    give_back<Coder>(coder, coder_);
     history_.remember(vertex, forecasts.numbers(), around);
     return is_valid;
   }
@@ -55,9 +55,6 @@ class FieldCoder {
   }
 
  private:
-  /// What a vertex is coded with: a reader's copy, which a compiler can keep in registers, or a writer.
-  using Held = std::conditional_t<Coder::kWrites, Coder&, Coder>;
-
   template <unsigned kAxis>
   [[gnu::always_inline]] bool code_axis(Coder& coder, FieldForecasts& forecasts, FieldNumbers& q) {
     const std::int64_t coded = code(coder, q[kAxis], forecasts.template of<kAxis>(), mixes_[kAxis]);

@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <type_traits>
 
 #include "base/small_code.h"
+#include "entropy/held_coder.h"
 #include "predictive/match_coder.h"
 #include "predictive/pair_place.h"
 #include "predictive/residual_coder.h"
@@ -77,13 +77,13 @@ class LatticeCoder {
   /// Codes the first `axes` coordinates, 1 to 3, of cells[vertex], those before it being coded; a reader
   /// fills them in, others are 0. False where one is beyond the largest [ATTR-57].
   bool code_vertex(std::uint32_t vertex, unsigned axes, std::span<Cell> cells) {
-    Held coder = coder_;
+    Held<Coder> coder = coder_;
     Turn turn(*this, vertex, look_at(vertex, cells), cells);
     if (matches_) guess(turn, cells);
     code_axis(coder, 0, turn);
     if (axes > 1) code_axis(coder, 1, turn);
     if (axes > 2) code_axis(coder, 2, turn);
-    give_back(coder);
+    give_back<Coder>(coder, coder_);
     if (is_beyond(turn)) return false;
     end(turn, cells);
     return true;
@@ -98,7 +98,7 @@ class LatticeCoder {
       ++vertex;
       return nullptr;
     }
-    Held coder = coder_;
+    Held<Coder> coder = coder_;
     // What takes long to come to is begun for both at once.
     const Outlook first_outlook = look_at(vertex, cells);
     const Outlook second_outlook = look_at(vertex + 1, cells);
@@ -114,7 +114,7 @@ class LatticeCoder {
     code_axis(coder, 1, second);
     code_axis(coder, 2, first);
     code_axis(coder, 2, second);
-    give_back(coder);
+    give_back<Coder>(coder, coder_);
     if (is_beyond(first) || is_beyond(second)) return "POSN-7";
     end(first, cells);
     end(second, cells);
@@ -123,9 +123,6 @@ class LatticeCoder {
   }
 
  private:
-  /// What a vertex is coded with: a reader's copy, which a compiler can keep in registers, or a writer.
-  using Held = std::conditional_t<Coder::kWrites, Coder&, Coder>;
-
   /// What a vertex is compared with.
   struct Matching {
     Matching(const Surroundings& surroundings, std::span<const Cell> cells, FourInts expected, FourInts most)
@@ -196,17 +193,13 @@ class LatticeCoder {
 
   [[gnu::always_inline]] bool code_match(Coder& coder, std::size_t axis, Matching& matching,
                                          std::int32_t& value) {
-    give_back(coder);
+    give_back<Coder>(coder, coder_);
     const bool matches = code_match(axis, matching, value);
-    if constexpr (!Coder::kWrites) coder = coder_;
+    give_back<Coder>(coder_, coder);
     return matches;
   }
   [[gnu::noinline]] bool code_match(std::size_t axis, Matching& matching, std::int32_t& value) {
     return matches_->code(axis, matching.around, matching.guesses, value, matching.missed);
-  }
-
-  void give_back(const Coder& coder) noexcept {
-    if constexpr (!Coder::kWrites) coder_ = coder;
   }
 
   Coder& coder_;

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// A coder for as long as a vertex is coded.
+#pragma once
+
+#include <type_traits>
+
+#include "base/small_code.h"
+
+namespace deltamesh {
+
+/// Whether loops have a copy of a reader: where its decisions are inlined, a compiler can keep it in
+/// registers.
+template <class Coder>
+inline constexpr bool kHoldsCopy = !Coder::kWrites && !kDecisionsAreFunctions;
+
+template <class Coder>
+using Held = std::conditional_t<kHoldsCopy<Coder>, Coder, Coder&>;
+
+/// Afterwards `coder` is where `held` is.
+template <class Coder>
+[[gnu::always_inline]] inline void give_back(const Coder& held, Coder& coder) noexcept {
+  if constexpr (kHoldsCopy<Coder>) coder = held;
+}
+
+}  // namespace deltamesh
