@@ -4,7 +4,6 @@
 
 #include <tiny_gltf.h>
 
-#include <sstream>
 #include <utility>
 
 #include "base/try.h"
@@ -13,40 +12,18 @@
 namespace deltamesh {
 namespace {
 
-std::optional<ComponentType> component_type(int gltf) noexcept {
-  switch (gltf) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
-      return ComponentType::kI8;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-      return ComponentType::kU8;
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
-      return ComponentType::kI16;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-      return ComponentType::kU16;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-      return ComponentType::kU32;
-    case TINYGLTF_COMPONENT_TYPE_FLOAT:
-      return ComponentType::kF32;
-    default:
-      return std::nullopt;
-  }
-}
+constexpr std::array<std::pair<ComponentType, int>, 6> kComponentTypes{
+    {{ComponentType::kI8, TINYGLTF_COMPONENT_TYPE_BYTE},
+     {ComponentType::kU8, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE},
+     {ComponentType::kI16, TINYGLTF_COMPONENT_TYPE_SHORT},
+     {ComponentType::kU16, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT},
+     {ComponentType::kU32, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT},
+     {ComponentType::kF32, TINYGLTF_COMPONENT_TYPE_FLOAT}}};
 
-int gltf_component_type(ComponentType type) noexcept {
-  switch (type) {
-    case ComponentType::kI8:
-      return TINYGLTF_COMPONENT_TYPE_BYTE;
-    case ComponentType::kU8:
-      return TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE;
-    case ComponentType::kI16:
-      return TINYGLTF_COMPONENT_TYPE_SHORT;
-    case ComponentType::kU16:
-      return TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
-    case ComponentType::kU32:
-      return TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
-    default:
-      return TINYGLTF_COMPONENT_TYPE_FLOAT;
-  }
+std::optional<ComponentType> component_type(int gltf) noexcept {
+  for (const auto& [type, number] : kComponentTypes)
+    if (number == gltf) return type;
+  return std::nullopt;
 }
 
 struct Shape {
@@ -134,50 +111,13 @@ Result<GltfNode> from_tiny(const tinygltf::Node& source) {
   return node;
 }
 
-tinygltf::Accessor to_tiny(const GltfAccessor& source) {
-  tinygltf::Accessor accessor;
-  accessor.bufferView = source.view;
-  accessor.byteOffset = source.offset;
-  accessor.count = source.count;
-  accessor.componentType = gltf_component_type(source.type);
-  accessor.normalized = source.normalized;
-  for (const Shape& shape : kShapes)
-    if (shape.components == source.components && shape.matrix == source.matrix) accessor.type = shape.type;
-  accessor.minValues = source.min;
-  accessor.maxValues = source.max;
-  return accessor;
-}
-
-tinygltf::BufferView to_tiny(const GltfBufferView& source) {
-  tinygltf::BufferView view;
-  view.buffer = source.buffer;
-  view.byteOffset = source.offset;
-  view.byteLength = source.length;
-  view.byteStride = source.stride;
-  view.target = source.indices ? TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER : TINYGLTF_TARGET_ARRAY_BUFFER;
-  return view;
-}
-
-tinygltf::Mesh to_tiny(const std::vector<GltfPrimitive>& source) {
-  tinygltf::Mesh mesh;
-  for (const GltfPrimitive& primitive : source) {
-    tinygltf::Primitive& target = mesh.primitives.emplace_back();
-    target.attributes = primitive.attributes;
-    target.indices = primitive.indices;
-    target.mode = primitive.mode;
-  }
-  return mesh;
-}
-
-tinygltf::Node to_tiny(const GltfNode& source) {
-  tinygltf::Node node;
-  node.mesh = source.mesh;
-  const auto& m = source.matrix;
-  if (m[12] != 0 || m[13] != 0 || m[14] != 0) node.translation = {m[12], m[13], m[14]};
-  return node;
-}
-
 }  // namespace
+
+int gltf_component_type(ComponentType type) noexcept {
+  for (const auto& [known, number] : kComponentTypes)
+    if (known == type) return number;
+  return 0;
+}
 
 Result<GltfDocument> parse_gltf_document(const std::string& json) {
   tinygltf::TinyGLTF loader;
@@ -212,25 +152,6 @@ Result<GltfDocument> parse_gltf_document(const std::string& json) {
   for (const tinygltf::Scene& scene : model.scenes) document.scenes.push_back(scene.nodes);
   document.scene = model.defaultScene;
   return document;
-}
-
-std::vector<std::byte> serialize_gltf_document(const GltfDocument& document,
-                                               std::vector<unsigned char> buffer, bool binary) {
-  tinygltf::Model model;
-  model.asset.version = "2.0";
-  model.asset.generator = "deltamesh";
-  if (!buffer.empty()) model.buffers.emplace_back().data = std::move(buffer);
-  for (const GltfBufferView& view : document.views) model.bufferViews.push_back(to_tiny(view));
-  for (const GltfAccessor& accessor : document.accessors) model.accessors.push_back(to_tiny(accessor));
-  for (const auto& mesh : document.meshes) model.meshes.push_back(to_tiny(mesh));
-  for (const GltfNode& node : document.nodes) model.nodes.push_back(to_tiny(node));
-  for (const auto& roots : document.scenes) model.scenes.emplace_back().nodes = roots;
-  model.defaultScene = document.scene;
-  std::ostringstream stream;
-  tinygltf::TinyGLTF().WriteGltfSceneToStream(&model, stream, false, binary);
-  const std::string text = stream.str();
-  const auto bytes = std::as_bytes(std::span(text));
-  return {bytes.begin(), bytes.end()};
 }
 
 }  // namespace deltamesh

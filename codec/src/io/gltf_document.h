@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// The parts of a glTF asset that make up its geometry, as plain structs: what tinygltf, which only
-// gltf_document.cpp sees, is asked for.
+// The parts of a glTF asset that make up its geometry, as plain structs: what tinygltf is asked for when an
+// asset is read.
 #pragma once
 
 #include <array>
@@ -19,14 +19,13 @@
 namespace deltamesh {
 
 /// glTF's numbers for Primitive::mode.
-enum class GltfMode : int { kPoints = 0, kTriangles = 4, kTriangleStrip = 5, kTriangleFan = 6 };
+enum class GltfMode : int { kTriangles = 4, kTriangleStrip = 5, kTriangleFan = 6 };
 
 struct GltfBufferView {
   int buffer = 0;
   std::uint64_t offset = 0;
   std::uint64_t length = 0;
   std::uint64_t stride = 0;  ///< 0: tightly packed
-  bool indices = false;      ///< writing only: holds vertex indices, not vertex attributes
 };
 
 struct GltfSparse {
@@ -48,7 +47,6 @@ struct GltfAccessor {
   bool matrix = false;
   bool normalized = false;
   std::optional<GltfSparse> sparse;
-  std::vector<double> min, max;  ///< writing only
 };
 
 struct GltfPrimitive {
@@ -76,8 +74,7 @@ struct GltfDocument {
 /// kInvalidFile.
 Result<GltfDocument> parse_gltf_document(const std::string& json);
 
-/// A whole GLB, or glTF with the buffer embedded; `buffer` is the only one. Nodes: translation only.
-std::vector<std::byte> serialize_gltf_document(const GltfDocument& document,
-                                               std::vector<unsigned char> buffer, bool binary);
+/// glTF's number for a component type; 0 where it has none.
+int gltf_component_type(ComponentType type) noexcept;
 
 }  // namespace deltamesh

@@ -2,11 +2,13 @@
 // Copyright 2026 The deltamesh authors
 //
 // glTF and GLB: one node, one mesh, one primitive. The origin becomes the node's translation.
-#include <algorithm>
+#include <tiny_gltf.h>
+
 #include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -23,50 +25,51 @@ class GltfBuilder {
  public:
   explicit GltfBuilder(const MeshView& mesh) : mesh_(mesh) {}
 
-  GltfDocument build() {
-    if (mesh_.vertex_count() == 0) return std::move(document_);  // an accessor cannot be empty
+  tinygltf::Model build() {
+    model_.asset.version = "2.0";
+    model_.asset.generator = "deltamesh";
+    if (mesh_.vertex_count() == 0) return std::move(model_);  // an accessor cannot be empty
     add_positions();
     for (const AttributeView& attribute : mesh_.attributes) add_attribute(attribute);
     add_triangles();
-    document_.meshes.push_back({std::move(primitive_)});
-    GltfNode node;
+    model_.meshes.emplace_back().primitives.push_back(std::move(primitive_));
+    tinygltf::Node& node = model_.nodes.emplace_back();
     node.mesh = 0;
-    std::copy(mesh_.origin.begin(), mesh_.origin.end(), node.matrix.begin() + 12);
-    document_.nodes.push_back(std::move(node));
-    document_.scenes.push_back({0});
-    document_.scene = 0;
-    return std::move(document_);
-  }
-
-  std::vector<unsigned char> buffer() {
-    std::vector<unsigned char> bytes(out_.size());
-    if (!bytes.empty()) std::memcpy(bytes.data(), out_.bytes().data(), bytes.size());
-    return bytes;
+    if (has_origin(mesh_)) node.translation.assign(mesh_.origin.begin(), mesh_.origin.end());
+    model_.scenes.emplace_back().nodes = {0};
+    model_.defaultScene = 0;
+    std::vector<unsigned char>& buffer = model_.buffers.emplace_back().data;
+    buffer.resize(out_.size());
+    std::memcpy(buffer.data(), out_.bytes().data(), buffer.size());
+    return std::move(model_);
   }
 
  private:
   /// Opens a view and an accessor at the end of the buffer; the values follow.
-  GltfAccessor begin(ComponentType type, std::uint8_t components, bool indices) {
+  tinygltf::Accessor begin(ComponentType type, std::uint8_t components, bool indices) {
     const std::size_t size = components * component_size(type);
-    document_.views.push_back({.buffer = 0,
-                               .offset = out_.size(),
-                               .length = 0,
-                               // Vertex attributes begin at multiples of 4 (glTF 2.0, 3.6.2.4).
-                               .stride = indices || size % 4 == 0 ? 0 : (size + 3) / 4 * 4,
-                               .indices = indices});
-    GltfAccessor accessor;
-    accessor.view = static_cast<int>(document_.views.size()) - 1;
+    tinygltf::BufferView& view = model_.bufferViews.emplace_back();
+    view.buffer = 0;
+    view.byteOffset = out_.size();
+    // Vertex attributes begin at multiples of 4 (glTF 2.0, 3.6.2.4).
+    view.byteStride = indices || size % 4 == 0 ? 0 : (size + 3) / 4 * 4;
+    view.target = indices ? TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER : TINYGLTF_TARGET_ARRAY_BUFFER;
+    tinygltf::Accessor accessor;
+    accessor.bufferView = static_cast<int>(model_.bufferViews.size()) - 1;
     accessor.count = mesh_.vertex_count();
-    accessor.type = type;
-    accessor.components = components;
+    accessor.componentType = gltf_component_type(type);
+    constexpr std::array<int, 4> kTypes{TINYGLTF_TYPE_SCALAR, TINYGLTF_TYPE_VEC2, TINYGLTF_TYPE_VEC3,
+                                        TINYGLTF_TYPE_VEC4};
+    accessor.type = kTypes[components - 1U];
     return accessor;
   }
 
-  int end(GltfAccessor accessor) {
+  int end(tinygltf::Accessor accessor) {
     pad();
-    document_.views.back().length = out_.size() - document_.views.back().offset;
-    document_.accessors.push_back(std::move(accessor));
-    return static_cast<int>(document_.accessors.size()) - 1;
+    tinygltf::BufferView& view = model_.bufferViews.back();
+    view.byteLength = out_.size() - view.byteOffset;
+    model_.accessors.push_back(std::move(accessor));
+    return static_cast<int>(model_.accessors.size()) - 1;
   }
 
   void pad() {
@@ -74,14 +77,14 @@ class GltfBuilder {
   }
 
   void add_positions() {
-    GltfAccessor accessor = begin(ComponentType::kF32, 3, false);
-    accessor.min.assign(3, std::numeric_limits<double>::infinity());
-    accessor.max.assign(3, -std::numeric_limits<double>::infinity());
+    tinygltf::Accessor accessor = begin(ComponentType::kF32, 3, false);
+    accessor.minValues.assign(3, std::numeric_limits<double>::infinity());
+    accessor.maxValues.assign(3, -std::numeric_limits<double>::infinity());
     for (std::size_t i = 0; i < mesh_.positions.size(); ++i) {
       out_.write(mesh_.positions[i]);
       const auto value = static_cast<double>(mesh_.positions[i]);
-      accessor.min[i % 3] = std::fmin(accessor.min[i % 3], value);
-      accessor.max[i % 3] = std::fmax(accessor.max[i % 3], value);
+      accessor.minValues[i % 3] = std::fmin(accessor.minValues[i % 3], value);
+      accessor.maxValues[i % 3] = std::fmax(accessor.maxValues[i % 3], value);
     }
     primitive_.attributes["POSITION"] = end(std::move(accessor));
   }
@@ -96,7 +99,8 @@ class GltfBuilder {
         if (attribute.components == 3 || attribute.components == 4) return add_colors(attribute);
         break;
       case AttributeKind::kUv:
-        if (attribute.components == 2) return add_uvs(attribute);
+        if (attribute.components == 2)
+          return add_values(attribute, ComponentType::kF32, false, "TEXCOORD_" + std::to_string(uvs_++));
         break;
       case AttributeKind::kTangent:
         if (attribute.components == 4 && !primitive_.attributes.contains("TANGENT"))
@@ -130,7 +134,7 @@ class GltfBuilder {
   }
 
   void add_normals(const AttributeView& attribute) {
-    GltfAccessor accessor = begin(ComponentType::kF32, 3, false);
+    tinygltf::Accessor accessor = begin(ComponentType::kF32, 3, false);
     for (std::size_t v = 0; v < mesh_.vertex_count(); ++v)
       for (const double value : unit_value(attribute, v, {0, 0, 1})) out_.write(to_float(value));
     primitive_.attributes["NORMAL"] = end(std::move(accessor));
@@ -138,7 +142,7 @@ class GltfBuilder {
 
   /// The fourth component is the side of the bitangent, 1 or -1.
   void add_tangents(const AttributeView& attribute) {
-    GltfAccessor accessor = begin(ComponentType::kF32, 4, false);
+    tinygltf::Accessor accessor = begin(ComponentType::kF32, 4, false);
     for (std::size_t v = 0; v < mesh_.vertex_count(); ++v) {
       for (const double value : unit_value(attribute, v, {1, 0, 0})) out_.write(to_float(value));
       out_.write(attribute_value(attribute, v, 3) < 0 ? -1.0F : 1.0F);
@@ -158,10 +162,6 @@ class GltfBuilder {
                "WEIGHTS_" + std::to_string(weights_++));
   }
 
-  void add_uvs(const AttributeView& attribute) {
-    add_values(attribute, ComponentType::kF32, false, "TEXCOORD_" + std::to_string(uvs_++));
-  }
-
   /// glTF has no 64-bit components, and forbids 32-bit integers to custom attributes (3.7.2.1): those are
   /// left out, as are shapes that no accessor has.
   void add_generic(const AttributeView& attribute) {
@@ -177,7 +177,7 @@ class GltfBuilder {
   /// Values as they are where `type` is the attribute's own, else as real numbers.
   void add_values(const AttributeView& attribute, ComponentType type, bool normalized,
                   const std::string& name) {
-    GltfAccessor accessor = begin(type, attribute.components, false);
+    tinygltf::Accessor accessor = begin(type, attribute.components, false);
     accessor.normalized = normalized;
     const std::size_t size = component_size(attribute.type);
     for (std::size_t v = 0; v < mesh_.vertex_count(); ++v) {
@@ -198,13 +198,11 @@ class GltfBuilder {
   }
 
   void add_triangles() {
-    if (mesh_.triangles.empty()) {
-      primitive_.mode = static_cast<int>(GltfMode::kPoints);
-      return;
-    }
+    primitive_.mode = mesh_.triangles.empty() ? TINYGLTF_MODE_POINTS : TINYGLTF_MODE_TRIANGLES;
+    if (mesh_.triangles.empty()) return;
     // 65535 itself restarts a primitive on some devices, so that index may not occur (glTF 2.0, 3.7.2.1).
     const bool small = mesh_.vertex_count() <= std::numeric_limits<std::uint16_t>::max();
-    GltfAccessor accessor = begin(small ? ComponentType::kU16 : ComponentType::kU32, 1, true);
+    tinygltf::Accessor accessor = begin(small ? ComponentType::kU16 : ComponentType::kU32, 1, true);
     accessor.count = mesh_.triangles.size();
     for (const std::uint32_t index : mesh_.triangles) {
       if (small)
@@ -216,8 +214,8 @@ class GltfBuilder {
   }
 
   const MeshView& mesh_;
-  GltfDocument document_;
-  GltfPrimitive primitive_;
+  tinygltf::Model model_;
+  tinygltf::Primitive primitive_;
   ByteWriter out_;
   int colors_ = 0;
   int uvs_ = 0;
@@ -234,13 +232,16 @@ Result<std::vector<std::byte>> write_gltf(const MeshView& mesh, bool binary) {
                    .message = "glTF cannot hold a coordinate that is not finite",
                    .where_kind = WhereKind::kVertex,
                    .where = i / 3};
-  GltfBuilder builder(mesh);
-  const GltfDocument document = builder.build();
-  std::vector<unsigned char> buffer = builder.buffer();
+  tinygltf::Model model = GltfBuilder(mesh).build();
   constexpr std::size_t kDescription = std::size_t{1} << 20;  // more than the JSON of one primitive takes
-  if (binary && buffer.size() > std::numeric_limits<std::uint32_t>::max() - kDescription)
+  if (binary && !model.buffers.empty() &&
+      model.buffers[0].data.size() > std::numeric_limits<std::uint32_t>::max() - kDescription)
     return Error{.code = ErrorCode::kLimitExceeded, .message = "a GLB file cannot be larger than 4 GiB"};
-  return serialize_gltf_document(document, std::move(buffer), binary);
+  std::ostringstream stream;
+  tinygltf::TinyGLTF().WriteGltfSceneToStream(&model, stream, false, binary);
+  const std::string text = stream.str();
+  const auto bytes = std::as_bytes(std::span(text));
+  return std::vector<std::byte>(bytes.begin(), bytes.end());
 }
 
 }  // namespace deltamesh
