@@ -13,7 +13,7 @@
 #include "format/container_frame.h"
 #include "format/container_write.h"
 #include "format/field_io.h"
-#include "format/header_checks.h"
+#include "format/header.h"
 #include "format/header_flags.h"
 #include "map_limits.h"
 #include "part_header.h"

@@ -29,25 +29,10 @@ struct Range {
 };
 
 Range range_of(ComponentType type) noexcept {
-  switch (type) {
-    case ComponentType::kI8:
-      return {-128, 127};
-    case ComponentType::kU8:
-      return {0, 255};
-    case ComponentType::kI16:
-      return {-32768, 32767};
-    case ComponentType::kU16:
-      return {0, 65535};
-    case ComponentType::kI32:
-      return {-2147483648.0, 2147483647.0};
-    case ComponentType::kU32:
-      return {0, 4294967295.0};
-    case ComponentType::kF32:
-      return {-double{std::numeric_limits<float>::max()}, double{std::numeric_limits<float>::max()}};
-    case ComponentType::kF64:
-      break;
-  }
-  return {-std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
+  return with_component(type, [](auto value) -> Range {
+    using Limits = std::numeric_limits<decltype(value)>;
+    return {static_cast<double>(Limits::lowest()), static_cast<double>(Limits::max())};
+  });
 }
 
 bool is_positive(float x) noexcept { return std::isfinite(x) && x > 0; }

@@ -8,10 +8,12 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "base/byte_reader.h"
 #include "base/byte_writer.h"
+#include "base/component.h"
 #include "deltamesh/mesh.h"
 #include "deltamesh/result.h"
 
@@ -60,23 +62,10 @@ std::uint64_t bits_of_number(ComponentType type, double x) noexcept;
 
 /// The number of a component with these bits.
 inline double number_of_bits(ComponentType type, std::uint64_t bits) noexcept {
-  switch (type) {
-    case ComponentType::kI8:
-      return static_cast<std::int8_t>(bits);
-    case ComponentType::kI16:
-      return static_cast<std::int16_t>(bits);
-    case ComponentType::kI32:
-      return static_cast<std::int32_t>(bits);
-    case ComponentType::kF32:
-      return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
-    case ComponentType::kF64:
-      return std::bit_cast<double>(bits);
-    case ComponentType::kU8:
-    case ComponentType::kU16:
-    case ComponentType::kU32:
-      break;
-  }
-  return static_cast<double>(bits);
+  return with_component(type, [bits](auto value) {
+    std::memcpy(&value, &bits, sizeof value);
+    return static_cast<double>(value);
+  });
 }
 
 /// `before`: of the component before, or null for the first.

@@ -10,7 +10,7 @@
 
 #include "encoder/coded_geometry.h"
 #include "encoder/source_geometry.h"
-#include "predictive/axis_grid.h"
+#include "predictive/axis_values.h"
 #include "predictive/patches.h"
 #include "predictive/voxel_fit.h"
 #include "quality/bounds.h"

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What planned cycles may cost in quality beside those that settle [DELT-7].
+// What planned cycles may cost in quality beside those that settle, and what makes up for it [DELT-7].
 #pragma once
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "base/vec3.h"
+#include "deltamesh/result.h"
 #include "laplacian/operator/solved_part.h"
+#include "laplacian/part_solver.h"
 
 namespace deltamesh {
 
@@ -48,6 +51,36 @@ class PlanJudge {
   std::span<const Vec3> positions_;
   double invisible_;
   PlanCost settled_;  ///< model units
+};
+
+/// Positions y whose deltas and anchors, neither of them rounded, a given number of planned cycles turns into
+/// the positions x of a mesh: with B y for what the cycles make of y, y <- y + (x - B y), from y = x. That
+/// converges as fast as B does, by a hundred times each time where there are two cycles. L (y - x) being
+/// small against any step that is worth coding, rounding the deltas of y leaves the noise that rounding those
+/// of x would, of which B passes hardly more than the exact solution does: where deltas are rough enough to
+/// be dithered by rounding, y costs no bits. Flat regions, all zeros, lose what is below half a step.
+class Compensation {
+ public:
+  /// y = x. `part` and `positions` (x: n, of the whole graph) must outlive this. `center`: what the solver's
+  /// coordinates are relative to. O(n + edges).
+  Compensation(const SolvedPart& part, std::span<const Vec3> positions, const Vec3& center);
+
+  /// One step. `solver`: of the part; `anchors`: rows, ascending. Errors as PartSolver::solve, and
+  /// kInvalidStream where the cycles diverge; y is as it was then. Cost: a solve.
+  Result<void> improve(PartSolver& solver, std::span<const std::uint32_t> anchors, int cycles);
+
+  /// n: y. What does not belong to the part is as it was.
+  std::span<const Vec3> positions() const noexcept { return shifted_; }
+  /// Rows: L y.
+  std::span<const Vec3> deltas() const noexcept { return deltas_; }
+
+ private:
+  const SolvedPart& part_;
+  std::span<const Vec3> positions_;
+  Vec3 center_;
+  double unit_;  ///< model units, a power of 2: in it the mesh is of a size that suits floats
+  std::vector<Vec3> shifted_;
+  std::vector<Vec3> deltas_;
 };
 
 }  // namespace deltamesh

@@ -10,7 +10,6 @@
 #include "base/zigzag.h"
 #include "entropy/planes.h"
 #include "geometry/anchor_list.h"
-#include "geometry/compensation.h"
 #include "geometry/cycle_plan.h"
 #include "geometry/delta_symbols.h"
 #include "geometry/diffusion.h"

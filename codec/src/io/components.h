@@ -13,6 +13,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "base/component.h"
 #include "deltamesh/mesh.h"
 
 namespace deltamesh {
@@ -24,39 +25,8 @@ inline float to_float(double value) noexcept {
   return static_cast<float>(value);
 }
 
-/// Calls `f` with a value of the C++ type that `type` stands for.
-template <class F>
-decltype(auto) with_component(ComponentType type, F&& f) {
-  switch (type) {
-    case ComponentType::kI8:
-      return f(std::int8_t{});
-    case ComponentType::kU8:
-      return f(std::uint8_t{});
-    case ComponentType::kI16:
-      return f(std::int16_t{});
-    case ComponentType::kU16:
-      return f(std::uint16_t{});
-    case ComponentType::kI32:
-      return f(std::int32_t{});
-    case ComponentType::kU32:
-      return f(std::uint32_t{});
-    case ComponentType::kF32:
-      return f(float{});
-    case ComponentType::kF64:
-      break;
-  }
-  return f(double{});
-}
-
-/// The number at `from`, native byte order; exact.
-inline double load_component(ComponentType type, const std::byte* from) noexcept {
-  return with_component(type, [from](auto value) {
-    std::memcpy(&value, from, sizeof value);
-    return static_cast<double>(value);
-  });
-}
-
-/// The same, integers of a normalized attribute scaled to [0, 1] or [-1, 1] as in glTF.
+/// The number at `from` as load_component() tells it, integers of a normalized attribute scaled to [0, 1] or
+/// [-1, 1] as in glTF.
 inline double load_normalized(ComponentType type, bool normalized, const std::byte* from) noexcept {
   return with_component(type, [=](auto value) {
     using T = decltype(value);

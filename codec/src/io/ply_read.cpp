@@ -19,7 +19,6 @@
 #include "io/number_text.h"
 #include "io/origin.h"
 #include "io/ply_header.h"
-#include "io/ply_layout.h"
 #include "io/text_scanner.h"
 
 namespace deltamesh {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// The coordinates of a mesh's vertices, axis by axis and in order, in which grids are looked for.
-// Encoder only.
+// The coordinates of a mesh's vertices, axis by axis and in order, and the grids that they are on. Encoder
+// only.
 #pragma once
 
 #include <array>
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/vec3.h"
+#include "format/predictive_parameters.h"
 
 namespace deltamesh {
 
@@ -48,5 +49,17 @@ class AxisValues {
 
 /// Every `stride`th value of an axis, the first one among them, ascending. O(n): a radix sort.
 std::vector<float> sort_values(std::span<const Vec3> positions, std::size_t axis, std::size_t stride);
+
+/// An axis whose coordinates are all whole steps from `origin`, but for rounding.
+struct AxisGrid {
+  double origin = 0;
+  double step = 0;  ///< 0 where there is none
+};
+
+/// Of all vertices, not only those of the sample. `finest`: a smaller step is not looked for. O(n).
+std::array<AxisGrid, 3> fit_axes(const AxisValues& values, const Box& box, double finest = 0);
+
+/// cubic_lattice(), but with the own steps of axes that have a grid not much finer.
+PositionLattice grid_lattice(const Box& box, const std::array<AxisGrid, 3>& axes, double step) noexcept;
 
 }  // namespace deltamesh

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <limits>
 
+#include "base/component.h"
 #include "base/portable_math.h"
 #include "deltamesh/mesh.h"
 
@@ -24,35 +25,6 @@ inline std::size_t value_size(const AttributeView& attribute) noexcept {
 }
 
 using Value = std::array<double, kMaxValueComponents>;
-
-template <class T>
-double number_at(const std::byte* from) noexcept {
-  T value{};
-  std::memcpy(&value, from, sizeof value);
-  return static_cast<double>(value);
-}
-
-double number_at(ComponentType type, const std::byte* from) noexcept {
-  switch (type) {
-    case ComponentType::kI8:
-      return number_at<std::int8_t>(from);
-    case ComponentType::kU8:
-      return number_at<std::uint8_t>(from);
-    case ComponentType::kI16:
-      return number_at<std::int16_t>(from);
-    case ComponentType::kU16:
-      return number_at<std::uint16_t>(from);
-    case ComponentType::kI32:
-      return number_at<std::int32_t>(from);
-    case ComponentType::kU32:
-      return number_at<std::uint32_t>(from);
-    case ComponentType::kF32:
-      return number_at<float>(from);
-    case ComponentType::kF64:
-      break;
-  }
-  return number_at<double>(from);
-}
 
 /// What the number 1 of the kind's unit is in this type.
 double unit_of(const AttributeView& attribute) noexcept {
@@ -72,7 +44,7 @@ void load(const AttributeView& attribute, std::uint32_t vertex, Value& value) no
   const std::byte* const from = attribute.values.data() + std::size_t{vertex} * value_size(attribute);
   const double unit = unit_of(attribute);
   for (std::size_t c = 0; c < attribute.components; ++c)
-    value[c] = number_at(attribute.type, from + c * size) / unit;
+    value[c] = load_component(attribute.type, from + c * size) / unit;
 }
 
 double angle_between(const Value& a, const Value& b) noexcept {

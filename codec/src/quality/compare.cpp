@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <numeric>
+#include <vector>
 
 #include "base/try.h"
 #include "base/vec3.h"
@@ -15,14 +17,95 @@
 #include "quality/check_mesh.h"
 #include "quality/correspondence.h"
 #include "quality/measure.h"
-#include "quality/normal_angles.h"
 #include "quality/surface.h"
-#include "quality/surface_distance.h"
-#include "quality/vertex_normals.h"
+#include "quality/triangle_tree.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {
 namespace {
+
+/// Gathers angles; pairs without a direction are left out.
+class NormalAngles {
+ public:
+  void add(const Vec3& a, const Vec3& b);
+  /// Sets mean and 95th percentile; not twice.
+  void report(Comparison& result);
+
+ private:
+  std::vector<double> degrees_;
+};
+
+void NormalAngles::add(const Vec3& a, const Vec3& b) {
+  if (a != Vec3{} && b != Vec3{}) degrees_.push_back(angle_degrees(a, b));
+}
+
+void NormalAngles::report(Comparison& result) {
+  if (degrees_.empty()) return;
+  const auto count = static_cast<double>(degrees_.size());
+  result.normal_angle_mean = std::accumulate(degrees_.begin(), degrees_.end(), 0.0) / count;
+  const auto rank = static_cast<std::ptrdiff_t>(std::ceil(0.95 * count)) - 1;
+  std::nth_element(degrees_.begin(), degrees_.begin() + rank, degrees_.end());
+  result.normal_angle_p95 = degrees_[static_cast<std::size_t>(rank)];
+}
+
+/// Distances of the vertices of one mesh to the surface of the other, summed up.
+struct DistanceSum {
+  double squares = 0;
+  double largest_square = 0;
+  std::uint64_t count = 0;
+
+  void add(double square) {
+    squares += square;
+    largest_square = std::max(largest_square, square);
+    ++count;
+  }
+};
+
+/// Calls visit(vertex, nearest point of `surface`) for every vertex that counts of `from`.
+template <class Visit>
+void for_each_nearest(const Surface& from, const Surface& surface, Visit visit) {
+  const TriangleTree tree(surface.positions, surface.triangles);
+  std::uint32_t hint = 0;
+  for (std::size_t v = 0; v < from.positions.size(); ++v) {
+    if (!from.used[v]) continue;
+    const SurfacePoint point = tree.nearest(from.positions[v], hint);
+    hint = point.triangle;
+    visit(v, point);
+  }
+}
+
+Vec3 normal_at(const Surface& surface, const SurfacePoint& point) {
+  Vec3 sum{};
+  for (std::size_t corner = 0; corner < 3; ++corner)
+    sum = sum + point.weights[corner] *
+                    surface.normals[surface.triangles[3 * std::size_t{point.triangle} + corner]];
+  return unit_or_zero(sum);
+}
+
+/// Sets the distances, the angles of normals, the diagonal and the signed errors. Both meshes have passed
+/// check_mesh(). O((n + m) log m). Errors: kInvalidArgument where one mesh is empty.
+Result<void> compare_surfaces(const MeshView& a, const MeshView& b, Comparison& result) {
+  const Surface original(a, a.origin);
+  const Surface approximation(b, a.origin);
+  result.diagonal = original.diagonal();
+  if (original.triangles.empty() || approximation.triangles.empty())
+    return Error{.code = ErrorCode::kInvalidArgument, .message = "one mesh is empty, the other is not"};
+  DistanceSum distances;
+  NormalAngles angles;
+  for_each_nearest(approximation, original, [&](std::size_t v, const SurfacePoint& point) {
+    distances.add(point.squared_distance);
+    const Vec3 normal = normal_at(original, point);
+    result.signed_error[v] = static_cast<float>(dot(approximation.positions[v] - point.position, normal));
+    if (approximation.weld.representative[approximation.weld.geometric[v]] == v)
+      angles.add(normal, approximation.normals[v]);
+  });
+  for_each_nearest(original, approximation,
+                   [&](std::size_t, const SurfacePoint& point) { distances.add(point.squared_distance); });
+  result.surface_rms = std::sqrt(distances.squares / static_cast<double>(distances.count));
+  result.surface_max = std::sqrt(distances.largest_square);
+  angles.report(result);
+  return {};
+}
 
 /// A's vertices in B's sequence, with B's triangles: the mesh that B approximates vertex by vertex.
 struct Reordered {

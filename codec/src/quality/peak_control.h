@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// A maximum error, kept by anchors at the few vertices that a step leaves too far off.
+// A maximum error, kept by anchors at the few vertices that a step leaves too far off; and anchors where the
+// error is largest, for any positional bound (Yang, Li et al., section 4).
 #pragma once
+
+#include <cstdint>
 
 #include "quality/step_search.h"
 
@@ -16,5 +19,10 @@ namespace deltamesh {
 /// fewer of the even anchors. At most some 40 runs, a few below effort 3. Where the bounds are kept nowhere,
 /// trials.best() stays empty.
 Result<void> control_peaks(const HighpassSettings& settings, Trials& trials);
+
+/// From `start`, which breaks a positional bound: vertices with the largest error
+/// become anchors, in batches between runs, until the bounds are kept (the tolerance being what the bounds
+/// leave), 12 runs are made, or the stream is larger than `most_bytes` (0: no limit). Returns the last run.
+Result<Attempt> refine_greedily(const Attempt& start, std::uint64_t most_bytes, Trials& trials);
 
 }  // namespace deltamesh

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "base/try.h"
-#include "quality/greedy_refinement.h"
 #include "quality/peak_control.h"
 #include "quality/step_search.h"
 #include "quality/thinning.h"

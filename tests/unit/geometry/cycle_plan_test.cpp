@@ -9,7 +9,6 @@
 #include <limits>
 #include <vector>
 
-#include "geometry/compensation.h"
 #include "geometry/highpass.h"
 #include "geometry/highpass_symbols.h"
 #include "laplacian/operator/delta.h"

@@ -17,7 +17,7 @@
 #include "entropy/compact_writer.h"
 #include "format/container.h"
 #include "format/vertex_positions.h"
-#include "predictive/axis_grid.h"
+#include "predictive/axis_values.h"
 #include "predictive/float_order.h"
 #include "predictive/guess_forecast.h"
 #include "predictive/lattice.h"
