@@ -3,6 +3,8 @@
 #include "encoder/highpass_trials.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "base/try.h"
 #include "format/vertex_positions.h"
@@ -14,8 +16,16 @@ namespace {
 
 /// Room for what planned cycles may add to the errors of settled ones that are to keep a bound.
 constexpr double kPlanCost = 1.002;
-/// Part of the bytes that they may add.
+/// Part of the bytes that they may add; and with anchors at what would be too large errors.
 constexpr std::uint64_t kPlanByteShare = 500;
+constexpr std::uint64_t kPeaksByteShare = 64;
+
+/// Cycles that are tried there, and how often anchors are added for each.
+constexpr std::array<int, 3> kPeaksCycles{4, 6, 8};
+constexpr int kPeaksRounds = 10;
+constexpr std::uint64_t kBytesPerAnchor = 4;  ///< at least
+/// Of the largest error asked for, where anchors are added.
+constexpr double kPeak = 0.97;
 
 struct HighpassTrial final : CodedTrial {
   HighpassTrial(CodedGeometry coded, LargeVector<Vec3> positions)
@@ -72,25 +82,55 @@ const CodedGeometry& HighpassTrials::geometry(const Attempt& attempt) noexcept {
   return trial_of(attempt).geometry;
 }
 
+std::optional<CodedGeometry> HighpassTrials::fitting(const CodedHighpass& coded, const Bounds& bounds,
+                                                     std::uint64_t most_bytes) const {
+  const auto decoded = to_float_positions(coded.positions);
+  if (!decoded) return std::nullopt;
+  const Quality quality = measure_quality(source_.graph.graph(), source_.positions, *decoded);
+  if (!is_declarable(quality) || bounds.load(quality) > 1) return std::nullopt;
+  auto geometry = to_geometry(coded);
+  if (!geometry || rest_.bytes_with(*geometry) > most_bytes) return std::nullopt;
+  geometry->quality = quality;
+  return *std::move(geometry);
+}
+
+std::optional<CodedGeometry> HighpassTrials::plan_peaks(HighpassSettings settings, const Bounds& bounds,
+                                                        std::uint64_t bytes, std::uint64_t most_bytes) {
+  const std::vector<std::uint32_t> anchors = settings.more_anchors;
+  for (const int cycles : kPeaksCycles) {
+    settings.more_anchors = anchors;
+    std::size_t room = (most_bytes - std::min(bytes, most_bytes)) / kBytesPerAnchor;
+    for (int round = 0; round < kPeaksRounds; ++round) {
+      const auto coded = coder_.code_planned(settings, cycles);
+      if (!coded) break;
+      if (auto geometry = fitting(*coded, bounds, most_bytes)) return geometry;
+      const auto worst = peaks(settings, coded->positions, kPeak * *bounds.max_error, room + 1);
+      if (worst.empty() || worst.size() > room) break;
+      room -= worst.size();
+      settings.more_anchors.insert(settings.more_anchors.end(), worst.begin(), worst.end());
+    }
+  }
+  return std::nullopt;
+}
+
+/// Where errors were made small one by one, other deltas would have others.
 CodedGeometry HighpassTrials::plan(const Attempt& attempt, const Bounds& bounds,
                                    std::optional<std::uint64_t> most_bytes) {
   const HighpassTrial& trial = trial_of(attempt);
-  const std::uint64_t hardly_more = attempt.figures.bytes + attempt.figures.bytes / kPlanByteShare;
-  const std::uint64_t most = std::min(most_bytes.value_or(hardly_more), hardly_more);
-  CodedGeometry geometry = trial.geometry;
-  const auto accepts = [&](const CodedHighpass& coded) {
-    const auto decoded = to_float_positions(coded.positions);
-    if (!decoded) return false;
-    const Quality quality = measure_quality(source_.graph.graph(), source_.positions, *decoded);
-    if (!is_declarable(quality) || bounds.load(quality) > 1) return false;
-    auto planned = to_geometry(coded);
-    if (!planned || rest_.bytes_with(*planned) > most) return false;
-    geometry = *std::move(planned);
-    geometry.quality = quality;
-    return true;
+  const auto most = [&](std::uint64_t share) {
+    const std::uint64_t hardly_more = attempt.figures.bytes + attempt.figures.bytes / share;
+    return std::min(most_bytes.value_or(hardly_more), hardly_more);
   };
-  coder_.plan(attempt.settings, trial.settled, accepts);
-  return geometry;
+  std::optional<CodedGeometry> planned;
+  if (bounds.max_error && !attempt.settings.more_anchors.empty()) {
+    planned = plan_peaks(attempt.settings, bounds, attempt.figures.bytes, most(kPeaksByteShare));
+  } else {
+    coder_.plan(attempt.settings, trial.settled, [&](const CodedHighpass& coded) {
+      planned = fitting(coded, bounds, most(kPlanByteShare));
+      return planned.has_value();
+    });
+  }
+  return planned ? *std::move(planned) : trial.geometry;
 }
 
 Result<std::uint64_t> HighpassTrials::bytes(const HighpassSettings& settings) {
@@ -101,15 +141,20 @@ Result<std::uint64_t> HighpassTrials::bytes(const HighpassSettings& settings) {
 
 std::vector<std::uint32_t> HighpassTrials::worst_vertices(const Attempt& attempt, double threshold,
                                                           std::size_t count) {
-  const LargeVector<Vec3>& settled = trial_of(attempt).settled;
-  std::vector<double> errors(settled.size());
+  return peaks(attempt.settings, trial_of(attempt).settled, threshold, count);
+}
+
+std::vector<std::uint32_t> HighpassTrials::peaks(const HighpassSettings& settings,
+                                                 std::span<const Vec3> positions, double threshold,
+                                                 std::size_t count) {
+  std::vector<double> errors(positions.size());
   for (std::size_t v = 0; v < errors.size(); ++v) {
-    Vec3 decoded = settled[v];
+    Vec3 decoded = positions[v];
     for (double& x : decoded) x = static_cast<float>(x);
     errors[v] = length(decoded - source_.positions[v]);
   }
   std::vector<std::uint8_t> excluded(errors.size(), 0);
-  for (const std::uint32_t anchor : coder_.anchors_for(attempt.settings).vertices) excluded[anchor] = 1;
+  for (const std::uint32_t anchor : coder_.anchors_for(settings).vertices) excluded[anchor] = 1;
   return error_peaks(source_.graph.graph(), errors, excluded, threshold, count);
 }
 

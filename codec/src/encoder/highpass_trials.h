@@ -48,6 +48,16 @@ class HighpassTrials final : public TrialCoder {
 
  private:
   Result<CodedGeometry> to_geometry(const CodedHighpass& coded) const;
+  /// With its quality as decoded; nothing where that breaks `bounds`, or where it takes more bytes.
+  std::optional<CodedGeometry> fitting(const CodedHighpass& coded, const Bounds& bounds,
+                                       std::uint64_t most_bytes) const;
+  /// `settings`, of a stream of so many bytes, with planned cycles, and with anchors where errors are too
+  /// large then; nothing where `bounds`, with a largest error, cannot be kept so.
+  std::optional<CodedGeometry> plan_peaks(HighpassSettings settings, const Bounds& bounds,
+                                          std::uint64_t bytes, std::uint64_t most_bytes);
+  /// As worst_vertices(), for `positions`.
+  std::vector<std::uint32_t> peaks(const HighpassSettings& settings, std::span<const Vec3> positions,
+                                   double threshold, std::size_t count);
 
   const EncodeOptions& options_;
   const SourceGeometry& source_;

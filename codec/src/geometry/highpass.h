@@ -78,6 +78,12 @@ class HighpassCoder {
   std::optional<CodedHighpass> plan(const HighpassSettings& settings, std::span<const Vec3> settled,
                                     const std::function<bool(const CodedHighpass&)>& accepts);
 
+  /// The same mesh coded for so many planned cycles, 1 or more, with the deltas that code(settings) has:
+  /// errors are where they are there, so that anchors at the largest serve here too. Anchors alone make up
+  /// for what the cycles leave out, which takes more cycles than plan() does. Errors: kInvalidArgument,
+  /// kInvalidStream where the mesh cannot be planned so. Cost: three solves.
+  Result<CodedHighpass> code_planned(const HighpassSettings& settings, int cycles);
+
   HighpassCoder(const HighpassCoder&) = delete;
   HighpassCoder& operator=(const HighpassCoder&) = delete;
 
@@ -100,6 +106,8 @@ class HighpassCoder {
   };
   Attempt plan_for(int cycles, const HighpassSettings& settings, const Anchors& anchors,
                    const PlanJudge& judge, const std::function<bool(const CodedHighpass&)>& accepts);
+  static HighpassParameters parameters_for(const HighpassSettings& settings, const Anchors& anchors,
+                                           const ReconstructionShift& shift, int cycles);
   /// All but positions.
   CodedHighpass coded(const HighpassParameters& parameters, const Quantized& quantized,
                       const HighpassSymbols& symbols) const;

@@ -2,7 +2,6 @@
 // Copyright 2026 The deltamesh authors
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <utility>
 
@@ -10,7 +9,6 @@
 #include "base/zigzag.h"
 #include "entropy/planes.h"
 #include "geometry/anchor_list.h"
-#include "geometry/cycle_plan.h"
 #include "geometry/delta_symbols.h"
 #include "geometry/diffusion.h"
 #include "geometry/highpass.h"
@@ -24,17 +22,6 @@ namespace {
 
 /// Deltas of float32 positions carry no more than this many bits below the longest side.
 constexpr int kFinestBits = 40;
-
-/// Of compensation, for each number of cycles: the second is nearly exact.
-constexpr int kMostRounds = 2;
-
-/// What makes a difference to the cost of a plan; and how many numbers of cycles are tried in a row where
-/// compensation makes none: these have converged, or diverge, and more of them are no better.
-constexpr double kGain = 0.002;
-constexpr int kMostInVain = 2;
-
-/// Distance that is small against the rounding of positions to floats, over the longest side.
-constexpr double kInvisible = 0x1p-26;
 
 double largest_component(std::span<const Vec3> deltas) noexcept {
   double largest = 0;
@@ -51,12 +38,6 @@ std::vector<std::byte> write_deltas(std::span<const std::int32_t> deltas) {
   return out.take();
 }
 
-/// What planned cycles can keep in 32 bits [DELT-7].
-bool can_be_planned(std::span<const std::int32_t> deltas) noexcept {
-  return std::all_of(deltas.begin(), deltas.end(),
-                     [](std::int32_t q) { return std::abs(q) < kLargestPlannedSymbol; });
-}
-
 AnchorList list_anchors(const HighpassSymbols& symbols) {
   const std::size_t count = symbols.anchors.size();
   AnchorList list{.gaps = std::vector<std::uint32_t>(count), .steps = std::vector<std::uint32_t>(3 * count)};
@@ -71,15 +52,6 @@ AnchorList list_anchors(const HighpassSymbols& symbols) {
     previous = symbols.cells[i];
   }
   return list;
-}
-
-HighpassParameters parameters_for(const HighpassSettings& settings, const Anchors& anchors,
-                                  const ReconstructionShift& shift) {
-  return {.step = settings.step,
-          .shift = shift,
-          .anchor_bits = static_cast<std::uint8_t>(settings.anchor_bits),
-          .anchors = static_cast<std::uint32_t>(anchors.vertices.size()),
-          .anchor_density = anchors.density};
 }
 
 }  // namespace
@@ -165,10 +137,20 @@ CodedHighpass HighpassCoder::coded(const HighpassParameters& parameters, const Q
           .compact_anchors = write_compact_anchors(list)};
 }
 
+HighpassParameters HighpassCoder::parameters_for(const HighpassSettings& settings, const Anchors& anchors,
+                                                 const ReconstructionShift& shift, int cycles) {
+  return {.step = settings.step,
+          .shift = shift,
+          .anchor_bits = static_cast<std::uint8_t>(settings.anchor_bits),
+          .anchors = static_cast<std::uint32_t>(anchors.vertices.size()),
+          .anchor_density = anchors.density,
+          .cycles = static_cast<std::uint8_t>(cycles)};
+}
+
 Result<CodedHighpass> HighpassCoder::code_only(const HighpassSettings& settings) {
   const Anchors anchors = anchors_for(settings);
   DELTAMESH_CHECK(quantize_own(settings));
-  return coded(parameters_for(settings, anchors, quantized_.shift), quantized_,
+  return coded(parameters_for(settings, anchors, quantized_.shift, 0), quantized_,
                symbols_for(quantized_, anchors, settings.anchor_bits, positions_));
 }
 
@@ -176,59 +158,9 @@ Result<CodedHighpass> HighpassCoder::code(const HighpassSettings& settings) {
   const Anchors anchors = anchors_for(settings);
   DELTAMESH_CHECK(quantize_own(settings));
   const HighpassSymbols symbols = symbols_for(quantized_, anchors, settings.anchor_bits, positions_);
-  CodedHighpass result = coded(parameters_for(settings, anchors, quantized_.shift), quantized_, symbols);
+  CodedHighpass result = coded(parameters_for(settings, anchors, quantized_.shift, 0), quantized_, symbols);
   DELTAMESH_TRY(result.positions, reconstruct_highpass(symbols, part_, solver_, box_, result.parameters));
   return result;
-}
-
-HighpassCoder::Attempt HighpassCoder::plan_for(int cycles, const HighpassSettings& settings,
-                                               const Anchors& anchors, const PlanJudge& judge,
-                                               const std::function<bool(const CodedHighpass&)>& accepts) {
-  Attempt attempt;
-  PlanCost plain;
-  const std::vector<std::uint32_t> rows = anchor_rows(anchors.vertices, part_);
-  Compensation source(part_, positions_, middle(box_));
-  for (int round = 0; round <= kMostRounds; ++round) {
-    if (round > 0 && !source.improve(solver_, rows, cycles)) break;
-    const auto quantized = quantize(settings, source.deltas());
-    if (!quantized || !can_be_planned(quantized->symbols)) break;
-    const HighpassSymbols symbols =
-        symbols_for(*quantized, anchors, settings.anchor_bits, source.positions());
-    HighpassParameters parameters = parameters_for(settings, anchors, quantized->shift);
-    parameters.cycles = static_cast<std::uint8_t>(cycles);
-    auto positions = reconstruct_highpass(symbols, part_, solver_, box_, parameters);
-    if (!positions) break;
-    const PlanCost cost = judge.cost(*positions);
-    if (cost.is_fair()) {
-      attempt.coded = coded(parameters, *quantized, symbols);
-      attempt.coded->positions = *std::move(positions);
-      if (accepts(*attempt.coded)) return attempt;
-      attempt.coded.reset();
-    }
-    if (round == 0) {
-      plain = cost;
-      continue;
-    }
-    attempt.gains |= cost.rms < plain.rms - kGain || cost.roughness < plain.roughness - kGain;
-    if (!cost.is_close()) break;
-  }
-  return attempt;
-}
-
-std::optional<CodedHighpass> HighpassCoder::plan(const HighpassSettings& settings,
-                                                 std::span<const Vec3> settled,
-                                                 const std::function<bool(const CodedHighpass&)>& accepts) {
-  if (part_.row_count == 0) return std::nullopt;
-  solver_.forget();  // what settles takes other levels
-  const PlanJudge judge(part_, positions_, settled, kInvisible * box_.longest_side());
-  const Anchors anchors = anchors_for(settings);
-  int in_vain = 0;
-  for (int cycles = 1; cycles <= kMostPlanned && in_vain < kMostInVain; ++cycles) {
-    Attempt attempt = plan_for(cycles, settings, anchors, judge, accepts);
-    if (attempt.coded) return std::move(attempt.coded);
-    in_vain = attempt.gains ? 0 : in_vain + 1;
-  }
-  return std::nullopt;
 }
 
 }  // namespace deltamesh

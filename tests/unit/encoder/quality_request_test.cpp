@@ -143,6 +143,19 @@ TEST(QualityRequest, MaxErrorIsKeptOnAwkwardMeshes) {
   }
 }
 
+/// Anchors keep the bound where planned cycles alone would break it.
+TEST(QualityRequest, DELT7LargestErrorsGetPlannedCycles) {
+  const Mesh mesh = shaken_grid();
+  for (const double asked : {0.02, 0.1}) {
+    const auto encoded =
+        encode(mesh, {.quality = {.max_error = QualityBound{asked}}, .geometry = GeometryCoder::kHighpass});
+    ASSERT_TRUE(encoded) << describe(encoded.error());
+    expect_declared_quality(mesh, *encoded);
+    EXPECT_GT(encoded->report.stream.cycles, 0) << asked;
+    EXPECT_LE(encoded->report.stream.quality.max_error, asked);
+  }
+}
+
 TEST(QualityRequest, SmallFragmentedAndFlatMeshesSucceed) {
   for (const Mesh& mesh : {one_triangle(), fragments(1000), flat_grid(), Mesh{}}) {
     for (const QualityRequest& request :

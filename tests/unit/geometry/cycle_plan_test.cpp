@@ -33,6 +33,7 @@ class Coding {
   }
 
   Result<CodedHighpass> settled() { return coder_.code(settings_); }
+  Result<CodedHighpass> planned(int cycles) { return coder_.code_planned(settings_, cycles); }
   template <class Accepts>
   std::optional<CodedHighpass> plan(const CodedHighpass& settled, const Accepts& accepts) {
     return coder_.plan(settings_, settled.positions, accepts);
@@ -56,6 +57,16 @@ class Coding {
 };
 
 bool always(const CodedHighpass&) { return true; }
+
+/// Root mean square of the distances.
+double errors_apart(const CodedHighpass& a, const CodedHighpass& b) {
+  double squares = 0;
+  for (std::size_t v = 0; v < a.positions.size(); ++v) {
+    const Vec3 difference = a.positions[v] - b.positions[v];
+    squares += dot(difference, difference);
+  }
+  return std::sqrt(squares / static_cast<double>(a.positions.size()));
+}
 
 TEST(CyclePlan, DELT7PlansAreAsGoodAsSettledStreams) {
   for (const int bits : {6, 8, 12}) {
@@ -96,6 +107,30 @@ TEST(CyclePlan, DELT7MoreCyclesAreTriedUntilOneIsAccepted) {
   });
   EXPECT_FALSE(none);
   EXPECT_LE(tried, kMostPlanned);  // no use in more
+}
+
+/// So that errors are where they are in the settled stream: those of another rounding would be 1.4 of the LFE
+/// away.
+TEST(CyclePlan, DELT7CodePlannedKeepsTheDeltas) {
+  for (const double diffusion : {0.0, 1.0}) {
+    Coding coding(test::sheet(90, 80), 8, 40, diffusion);
+    const auto settled = coding.settled();
+    const auto planned = coding.planned(6);
+    ASSERT_TRUE(settled);
+    ASSERT_TRUE(planned);
+    EXPECT_EQ(planned->parameters.cycles, 6);
+    EXPECT_EQ(planned->compact_deltas, settled->compact_deltas);
+    EXPECT_LT(coding.quality(*planned).lfe_rms, 1.05 * coding.quality(*settled).lfe_rms);
+    EXPECT_LT(errors_apart(*planned, *settled), 0.5 * coding.quality(*settled).lfe_rms);
+    const auto decoded = coding.read(*planned);
+    ASSERT_TRUE(decoded);
+    EXPECT_EQ(*decoded, planned->positions);
+  }
+}
+
+TEST(CyclePlan, DELT7CodePlannedAsksForTwoLevels) {
+  Coding coding(test::sheet(10, 9), 8, 4);
+  EXPECT_FALSE(coding.planned(4));
 }
 
 /// One cycle leaves out several times the error of quantisation; two steps of compensation make up for it.
