@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// map_seeds FOLDER: writes the seeds of maps' fuzz targets, of the present draft, below FOLDER (fuzz/corpus):
+// every kind of message, a receiver's talk with a sender, a map's message with primers, and parts by both
+// coders.
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "deltamesh/map/messages.h"
+#include "deltamesh/map/receiver.h"
+#include "map/map_world.h"
+#include "targets/map_part_codec.h"
+
+namespace {
+
+using namespace deltamesh;
+using Bytes = std::vector<std::byte>;
+
+constexpr std::size_t kKind = 4;               ///< where a message has its kind [MAP-1]
+constexpr int kOfAKind = 2;                    ///< messages that are kept
+constexpr std::size_t kHighestByteOfVde = 36;  ///< of a view of varints below 128, without boxes [MAP-15]
+
+template <class T>
+T check(Result<T> result) {
+  if (!result) std::abort();
+  return *std::move(result);
+}
+
+void write(const std::string& path, std::span<const std::byte> bytes) {
+  std::ofstream out(path, std::ios::binary);
+  out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  if (!out.flush()) std::abort();
+}
+
+/// What a sender of a small map that changes and a receiver say to each other.
+std::vector<Bytes> talk() {
+  test::World world(3, 1);
+  MapSender sender = check(MapSender::make(test::World::description()));
+  MapReceiver receiver(1, test::World::description().id,
+                       {.parts = 100, .octets = 1 << 20, .vertices = 1 << 16});
+  View view;
+  view.max_error = 0.05F;
+  receiver.set_view(view);
+  std::vector<Bytes> said = {check(write_description(test::World::description()))};
+  if (!receiver.apply(said.front())) std::abort();
+  auto changed = world.present();
+  for (double now = 1; now < 20; ++now) {
+    if (!world.tell(sender, changed)) std::abort();
+    said.push_back(check(receiver.view_message()));
+    if (!sender.hear(said.back(), now)) std::abort();
+    for (Bytes& message : check(sender.messages_for(1, now))) {
+      if (!receiver.apply(message)) std::abort();
+      said.push_back(std::move(message));
+    }
+    changed = world.change();
+  }
+  return said;
+}
+
+void write_talk(const std::string& folder) {
+  Bytes all;
+  std::map<int, int> kinds;
+  for (const Bytes& message : talk()) {
+    all.push_back(static_cast<std::byte>(message.size() & 255));
+    all.push_back(static_cast<std::byte>(message.size() >> 8));
+    all.insert(all.end(), message.begin(), message.end());
+    const int kind = std::to_integer<int>(message[kKind]);
+    if (const int place = kinds[kind]++; place < kOfAKind)
+      write(folder + "/map_messages/kind_" + std::to_string(kind) + "_" + std::to_string(place), message);
+  }
+  write(folder + "/map_receiver/talk", all);
+  EntryMessage entry{.map = 1, .start = 1};
+  entry.entry = {
+      .key = {0, 1, 2, 3}, .revision = 3, .group = 1, .bytes = 100, .hash = 5, .vertices = 4, .triangles = 2};
+  entry.entry.links = {{.key = {0, 2, 2, 3}, .border = 7, .together = true, .least = 2}};
+  write(folder + "/map_messages/entry", check(write_entry(entry)));
+  Bytes view = check(write_view({.viewer = 1, .number = 1, .map_id = 1}));
+  view[kHighestByteOfVde] = std::byte{0x80};
+  write(folder + "/map_messages/view_of_minus_zero", view);
+}
+
+void write_parts(const std::string& folder) {
+  const MapCodec codec = fuzz::make_codec();
+  write(folder + "/map_manifest/description", check(write_description(codec.description())));
+  MapDescription plain = codec.description();
+  plain.primers.clear();
+  write(folder + "/map_manifest/plain", check(write_description(plain)));
+  int number = 0;
+  for (const MapPart& part : fuzz::make_parts(plain)) {
+    for (const auto& [coder, name] :
+         {std::pair{GeometryCoder::kHighpass, "highpass"}, {GeometryCoder::kPredictive, "predictive"}}) {
+      const CodedPart coded = check(
+          codec.encode(part, {.bounds = {.max_error = QualityBound{0.002}}, .geometry = coder, .effort = 0}));
+      write(folder + "/map_part/part_" + std::to_string(number) + "_" + name, coded.bytes);
+    }
+    if (++number == 3) break;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) return EXIT_FAILURE;
+  write_talk(argv[1]);
+  write_parts(argv[1]);
+}
