@@ -2,6 +2,7 @@
 // Copyright 2026 The deltamesh authors
 #include "document.h"
 
+#include <map>
 #include <string>
 #include <utility>
 
@@ -32,9 +33,12 @@ Result<std::vector<std::byte>> resolve_uri(const std::string& uri, const GltfIo&
   return bytes;
 }
 
+/// What a URI stands for: a file that two buffers name is read once, and belongs to the first.
+using Resolved = std::map<std::string, std::span<const std::byte>>;
+
 Result<Buffer> load_buffer(const Json& json, std::size_t number,
                            const std::optional<std::span<const std::byte>>& bin, const GltfIo& io,
-                           std::uint64_t& input_bytes) {
+                           Resolved& resolved, std::uint64_t& input_bytes) {
   Buffer buffer;
   const Error bad_length = element_error("the buffer's byteLength is missing or malformed", number);
   if (!json.contains("byteLength")) return bad_length;
@@ -42,8 +46,12 @@ Result<Buffer> load_buffer(const Json& json, std::size_t number,
   const Json* uri = find(json, "uri");
   if (uri) {
     if (!uri->is_string()) return element_error("the buffer's URI is not a string", number);
-    DELTAMESH_TRY(buffer.owned, resolve_uri(uri->get_ref<const std::string&>(), io, number, input_bytes));
-    buffer.bytes = buffer.owned;
+    const auto [known, is_new] = resolved.try_emplace(uri->get_ref<const std::string&>());
+    if (is_new) {
+      DELTAMESH_TRY(buffer.owned, resolve_uri(known->first, io, number, input_bytes));
+      known->second = buffer.owned;
+    }
+    buffer.bytes = known->second;
   } else if (number == 0 && bin) {
     buffer.bytes = *bin;
   } else {
@@ -76,8 +84,9 @@ Result<Document> load_document(std::span<const std::byte> asset, const GltfIo& i
   DELTAMESH_TRY(document.json, parse_json(text));
   DELTAMESH_CHECK(check_structure(document.json));
   if (const Json* buffers = find(document.json, "buffers")) {
+    Resolved resolved;
     for (std::size_t i = 0; i < buffers->size(); ++i) {
-      DELTAMESH_TRY(auto buffer, load_buffer((*buffers)[i], i, bin, io, document.input_bytes));
+      DELTAMESH_TRY(auto buffer, load_buffer((*buffers)[i], i, bin, io, resolved, document.input_bytes));
       document.buffers.push_back(std::move(buffer));
     }
   }

@@ -170,6 +170,14 @@ TEST(Document, AsksForExternalBuffersOnce) {
   EXPECT_EQ(asked, std::vector<std::string>{"my buffer.bin"});
   EXPECT_EQ(document->input_bytes, text.size() + builder.bin.size());
 
+  const std::string twice = R"({"asset":{"version":"2.0"},"buffers":[{"uri":"a.bin","byteLength":2},)"
+                            R"({"uri":"a.bin","byteLength":3}]})";
+  const auto shared = load_document(std::as_bytes(std::span(twice)), io);
+  ASSERT_TRUE(shared);
+  EXPECT_EQ(asked, (std::vector<std::string>{"my buffer.bin", "a.bin"}));
+  EXPECT_EQ(shared->buffers[1].bytes.data(), shared->buffers[0].bytes.data());
+  EXPECT_EQ(shared->buffers[1].bytes.size(), 3U);
+
   io.resolve = [](std::string_view) -> Result<std::vector<std::byte>> { return Bytes(3); };
   EXPECT_EQ(load_document(text, io).error().code, ErrorCode::kInvalidFile);
 }
