@@ -6,11 +6,9 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <string>
-#include <type_traits>
 #include <utility>
-#include <variant>
 
 namespace deltamesh {
 
@@ -57,48 +55,66 @@ struct Error {
 /// One line for people: "what, where, chunk [rule]".
 std::string describe(const Error& error);
 
-/// An error as results hold it. Copying one is a function, as results are everywhere and errors are rare.
-struct HeldError {
-  [[gnu::noinline]] HeldError(const Error& other) noexcept  // NOLINT(google-explicit-constructor)
-      : error(other) {}
-  Error error;
+/// What results of all types share: whether there is a value, or else which error.
+class ResultState {
+ public:
+  bool has_value() const noexcept { return has_value_; }
+  explicit operator bool() const noexcept { return has_value_; }
+  /// Precondition: not has_value().
+  const Error& error() const noexcept { return error_; }
+
+ protected:
+  ResultState() noexcept : has_value_(true) {}
+  /// One function for all, as results are everywhere and errors are rare.
+  [[gnu::noinline]] ResultState(const Error& error) noexcept : has_value_(false), error_(error) {}
+
+ private:
+  bool has_value_;
+  union {
+    Error error_;
+  };
 };
 
 /// A `T` or an `Error`; the shape of std::expected, which the supported compilers lack.
 template <class T>
-class [[nodiscard]] Result {
+class [[nodiscard]] Result : public ResultState {
  public:
   using value_type = T;
-  Result(T value)
-      : state_(std::in_place_index<0>, std::move(value)) {}  // NOLINT(google-explicit-constructor)
-  Result(const Error& error)
-      : state_(std::in_place_index<1>, error) {}  // NOLINT(google-explicit-constructor)
+  Result(T&& value) : value_(std::move(value)) {}              // NOLINT(google-explicit-constructor)
+  Result(const T& value) : value_(value) {}                    // NOLINT(google-explicit-constructor)
+  Result(const Error& error) noexcept : ResultState(error) {}  // NOLINT(google-explicit-constructor)
+  Result(Result&& other) noexcept : ResultState(other) {
+    if (has_value()) std::construct_at(&value_, std::move(other.value_));
+  }
+  Result& operator=(Result&& other) noexcept {
+    if (this != &other) {
+      std::destroy_at(this);
+      std::construct_at(this, std::move(other));
+    }
+    return *this;
+  }
+  ~Result() {
+    if (has_value()) std::destroy_at(&value_);
+  }
 
-  bool has_value() const noexcept { return state_.index() == 0; }
-  explicit operator bool() const noexcept { return has_value(); }
-  /// Precondition of the next five: has_value() (error(): not).
-  T& operator*() & noexcept { return *std::get_if<0>(&state_); }
-  const T& operator*() const& noexcept { return *std::get_if<0>(&state_); }
-  T&& operator*() && noexcept { return std::move(*std::get_if<0>(&state_)); }
-  T* operator->() noexcept { return std::get_if<0>(&state_); }
-  const T* operator->() const noexcept { return std::get_if<0>(&state_); }
-  const Error& error() const noexcept { return std::get_if<1>(&state_)->error; }
+  /// Precondition of all: has_value().
+  T& operator*() & noexcept { return value_; }
+  const T& operator*() const& noexcept { return value_; }
+  T&& operator*() && noexcept { return std::move(value_); }
+  T* operator->() noexcept { return &value_; }
+  const T* operator->() const noexcept { return &value_; }
 
  private:
-  std::variant<T, HeldError> state_;
+  union {
+    T value_;
+  };
 };
 
 template <>
-class [[nodiscard]] Result<void> {
+class [[nodiscard]] Result<void> : public ResultState {
  public:
-  Result() = default;
-  Result(const Error& error) : error_(error) {}  // NOLINT(google-explicit-constructor)
-  bool has_value() const noexcept { return !error_; }
-  explicit operator bool() const noexcept { return has_value(); }
-  const Error& error() const noexcept { return error_->error; }
-
- private:
-  std::optional<HeldError> error_;
+  Result() noexcept {}  // NOLINT(modernize-use-equals-default): which would write zeros
+  Result(const Error& error) noexcept : ResultState(error) {}  // NOLINT(google-explicit-constructor)
 };
 
 }  // namespace deltamesh

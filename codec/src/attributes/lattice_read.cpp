@@ -2,6 +2,7 @@
 // Copyright 2026 The deltamesh authors
 #include "attributes/lattice_attribute.h"
 #include "attributes/lattice_group.h"
+#include "base/broken_rule.h"
 #include "base/try.h"
 #include "entropy/compact_reader.h"
 #include "format/tags.h"
@@ -19,10 +20,8 @@ Result<std::vector<Cell>> read_group(CompactReader& reader, const FieldFaces& ov
                 : code_numbers(reader, over, form, cells))
     return cells;
   if (reader.failed()) DELTAMESH_CHECK(reader.finish(kTagAttribute));
-  return Error{.code = ErrorCode::kInvalidStream,
-               .message = is_floats ? "not a finite float32" : "an attribute's number is beyond its lattice",
-               .rule = is_floats ? "FLT-1" : "ATTR-56",
-               .chunk_tag = kTagAttribute};
+  return is_floats ? broken_rule("not a finite float32", "FLT-1", kTagAttribute)
+                   : broken_rule("an attribute's number is beyond its lattice", "ATTR-56", kTagAttribute);
 }
 
 }  // namespace

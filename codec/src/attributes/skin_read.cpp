@@ -2,6 +2,7 @@
 // Copyright 2026 The deltamesh authors
 #include "attributes/skin.h"
 #include "attributes/skin_rows.h"
+#include "base/broken_rule.h"
 #include "base/byte_reader.h"
 #include "base/try.h"
 #include "entropy/compact_reader.h"
@@ -13,8 +14,7 @@ namespace {
 /// What went wrong where rows could not be read.
 Result<void> fault(const CompactReader& reader, const char* message, const char* rule) {
   if (reader.failed()) DELTAMESH_CHECK(reader.finish(kTagAttribute));
-  return Error{
-      .code = ErrorCode::kInvalidStream, .message = message, .rule = rule, .chunk_tag = kTagAttribute};
+  return broken_rule(message, rule, kTagAttribute);
 }
 
 }  // namespace

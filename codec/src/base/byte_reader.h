@@ -30,11 +30,7 @@ class ByteReader {
   template <class T>
   Result<T> read() noexcept {
     static_assert(std::is_arithmetic_v<T>);
-    if (remaining() < sizeof(T)) return error(ErrorCode::kTruncated, "bytes end inside a number", "CON-1");
-    std::uint64_t value = 0;
-    for (std::size_t i = 0; i < sizeof(T); ++i)
-      value |= std::to_integer<std::uint64_t>(bytes_[position_ + i]) << (8 * i);
-    position_ += sizeof(T);
+    DELTAMESH_TRY(const std::uint64_t value, read_fixed(sizeof(T)));
     if constexpr (std::is_same_v<T, float>) {
       return std::bit_cast<float>(static_cast<std::uint32_t>(value));
     } else if constexpr (std::is_same_v<T, double>) {
@@ -45,56 +41,25 @@ class ByteReader {
   }
 
   /// A short float. Errors: kTruncated [CON-1].
-  Result<float> read_short_float() noexcept {
-    if (remaining() < 3) return error(ErrorCode::kTruncated, "bytes end inside a number", "CON-1");
-    std::uint32_t bits = 0;
-    for (unsigned i = 1; i < 4; ++i) bits |= std::to_integer<std::uint32_t>(bytes_[position_++]) << (8 * i);
-    return std::bit_cast<float>(bits);
-  }
+  Result<float> read_short_float() noexcept;
 
   /// LEB128, at most 10 bytes, shortest form only, value at most `max`. Errors: kTruncated, kInvalidStream
   /// [CON-2].
-  Result<std::uint64_t> read_varint(std::uint64_t max = ~std::uint64_t{0}) noexcept {
-    std::uint64_t value = 0;
-    for (unsigned shift = 0; shift < 64; shift += 7) {
-      if (remaining() == 0) return error(ErrorCode::kTruncated, "bytes end inside a varint", "CON-2");
-      const auto byte = std::to_integer<std::uint64_t>(bytes_[position_++]);
-      if (shift == 63 && byte > 1) break;
-      value |= (byte & 0x7f) << shift;
-      if ((byte & 0x80) == 0) {
-        if (byte == 0 && shift != 0) break;
-        if (value > max) break;
-        return value;
-      }
-    }
-    return error(ErrorCode::kInvalidStream, "varint too long or out of range", "CON-2");
-  }
+  Result<std::uint64_t> read_varint(std::uint64_t max = ~std::uint64_t{0}) noexcept;
 
   /// The next `size` bytes. Errors: kTruncated [CON-1].
-  Result<std::span<const std::byte>> read_bytes(std::uint64_t size) noexcept {
-    if (size > remaining()) return error(ErrorCode::kTruncated, "bytes end inside an array", "CON-1");
-    const auto result = bytes_.subspan(position_, static_cast<std::size_t>(size));
-    position_ += static_cast<std::size_t>(size);
-    return result;
-  }
+  Result<std::span<const std::byte>> read_bytes(std::uint64_t size) noexcept;
 
   /// Every payload is read to its last byte. Errors: kInvalidStream [CON-3].
-  Result<void> finish() const noexcept {
-    if (remaining() != 0) return error(ErrorCode::kInvalidStream, "bytes left over at the end", "CON-3");
-    return {};
-  }
+  Result<void> finish() const noexcept;
 
   /// An error at the current position.
-  [[gnu::noinline]] Error error(ErrorCode code, const char* message, const char* rule) const noexcept {
-    return {.code = code,
-            .message = message,
-            .rule = rule,
-            .where_kind = WhereKind::kByte,
-            .where = position_,
-            .chunk_tag = chunk_tag_};
-  }
+  Error error(ErrorCode code, const char* message, const char* rule) const noexcept;
 
  private:
+  /// The next `size` bytes, 8 at most, as a number. Errors: kTruncated [CON-1].
+  Result<std::uint64_t> read_fixed(std::size_t size) noexcept;
+
   std::span<const std::byte> bytes_;
   std::size_t position_ = 0;
   std::uint32_t chunk_tag_ = 0;

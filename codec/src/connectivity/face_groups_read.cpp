@@ -2,6 +2,7 @@
 // Copyright 2026 The deltamesh authors
 #include <algorithm>
 
+#include "base/broken_rule.h"
 #include "base/byte_reader.h"
 #include "connectivity/face_group_coder.h"
 #include "connectivity/face_groups.h"
@@ -13,10 +14,7 @@ namespace deltamesh {
 namespace {
 
 Error invalid(const char* rule) noexcept {
-  return {.code = ErrorCode::kInvalidStream,
-          .message = "not the number of a group of faces",
-          .rule = rule,
-          .chunk_tag = kTagFaceGroups};
+  return broken_rule("not the number of a group of faces", rule, kTagFaceGroups);
 }
 
 /// Errors: kTruncated, kInvalidStream [FGRP-1].

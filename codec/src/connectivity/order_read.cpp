@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
+#include "base/broken_rule.h"
 #include "base/byte_reader.h"
 #include "base/zigzag.h"
 #include "connectivity/order.h"
@@ -52,11 +53,7 @@ Result<MeshOrder> read_compact(std::span<const std::byte> bytes, std::span<const
   CompactReader reader(bytes);
   const char* const broken = OrderCoder<CompactReader>(reader, triangles, vertex_count).code(order);
   if (reader.failed() || broken == nullptr) DELTAMESH_CHECK(reader.finish(kTagOrder));
-  if (broken != nullptr)
-    return Error{.code = ErrorCode::kInvalidStream,
-                 .message = "not a permutation, or a rotation beyond 2",
-                 .rule = broken,
-                 .chunk_tag = kTagOrder};
+  if (broken != nullptr) return broken_rule("not a permutation, or a rotation beyond 2", broken, kTagOrder);
   return order;
 }
 

@@ -4,6 +4,7 @@
 // Why a reader's traversal did not end.
 #pragma once
 
+#include "base/broken_rule.h"
 #include "connectivity/border.h"
 #include "deltamesh/result.h"
 #include "format/tags.h"
@@ -15,10 +16,7 @@ struct Refusal {
   const char* message;
   const char* rule;
 
-  Error error() const noexcept {
-    return {
-        .code = ErrorCode::kInvalidStream, .message = message, .rule = rule, .chunk_tag = kTagConnectivity};
-  }
+  Error error() const noexcept { return broken_rule(message, rule, kTagConnectivity); }
 };
 
 /// Where the guide had a step, and the border did not take it.

@@ -43,7 +43,8 @@ std::optional<Start> read_start(std::span<const std::byte> bytes) noexcept {
 }
 
 Result<void> CompactReader::finish(std::uint32_t chunk_tag) const noexcept {
-  const auto error = [&](ErrorCode code, const char* message, const char* rule = "CMP-3") {
+  const auto error = [&](ErrorCode code, const char* message, const char* rule = "CMP-3")
+      __attribute__((noinline)) {
     return Error{.code = code,
                  .message = message,
                  .rule = rule,

@@ -34,7 +34,8 @@ Result<std::span<const std::byte>> check_whole(std::span<const std::byte> stream
 
 }  // namespace
 
-Error chunk_error(ErrorCode code, const char* message, const char* rule, const ChunkEntry& entry) noexcept {
+[[gnu::noinline]] Error chunk_error(ErrorCode code, const char* message, const char* rule,
+                                    const ChunkEntry& entry) noexcept {
   return {.code = code,
           .message = message,
           .rule = rule,

@@ -2,6 +2,7 @@
 // Copyright 2026 The deltamesh authors
 #include "geometry/delta_symbols.h"
 
+#include "base/broken_rule.h"
 #include "base/try.h"
 #include "entropy/compact_reader.h"
 #include "entropy/compact_writer.h"
@@ -11,12 +12,7 @@
 namespace deltamesh {
 namespace {
 
-Error delta_beyond_range() noexcept {
-  return {.code = ErrorCode::kInvalidStream,
-          .message = "a delta beyond 2^30 steps",
-          .rule = "FLD-1",
-          .chunk_tag = kTagDeltas};
-}
+Error delta_beyond_range() noexcept { return broken_rule("a delta beyond 2^30 steps", "FLD-1", kTagDeltas); }
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/broken_rule.h"
 #include "base/large_vector.h"
 #include "base/try.h"
 #include "base/zigzag.h"
@@ -17,18 +18,15 @@
 namespace deltamesh {
 namespace {
 
-Error invalid(const char* message, const char* rule, std::uint32_t chunk) noexcept {
-  return {.code = ErrorCode::kInvalidStream, .message = message, .rule = rule, .chunk_tag = chunk};
-}
-
 /// Ranges of the parameters that the arithmetic below relies on.
 Result<void> check_parameters(const HighpassParameters& parameters, std::size_t vertex_count) {
   if (!(parameters.step > 0 && std::isfinite(parameters.step)))
-    return invalid("the step is not a finite number above 0", "DELT-1", kTagDeltas);
+    return broken_rule("the step is not a finite number above 0", "DELT-1", kTagDeltas);
   if (parameters.anchor_bits < 4 || parameters.anchor_bits > 24)
-    return invalid("anchor bits outside 4 to 24", "ANCH-1", kTagAnchors);
-  if (parameters.cycles > kMostCycles) return invalid("too many cycles", "DELT-7", kTagDeltas);
-  if (parameters.anchors > vertex_count) return invalid("more anchors than vertices", "ANCH-1", kTagAnchors);
+    return broken_rule("anchor bits outside 4 to 24", "ANCH-1", kTagAnchors);
+  if (parameters.cycles > kMostCycles) return broken_rule("too many cycles", "DELT-7", kTagDeltas);
+  if (parameters.anchors > vertex_count)
+    return broken_rule("more anchors than vertices", "ANCH-1", kTagAnchors);
   return {};
 }
 
@@ -54,7 +52,7 @@ Result<std::vector<std::uint32_t>> anchor_vertices(const AnchorList& list, std::
   std::uint64_t expected = 0;
   for (const std::uint32_t gap : list.gaps) {
     expected += gap;
-    if (expected >= vertex_count) return invalid("anchor beyond the last vertex", "ANCH-3", kTagAnchors);
+    if (expected >= vertex_count) return broken_rule("anchor beyond the last vertex", "ANCH-3", kTagAnchors);
     vertices.push_back(static_cast<std::uint32_t>(expected++));
   }
   return vertices;
@@ -67,7 +65,7 @@ Result<std::vector<AnchorCell>> anchor_cells(const AnchorList& list, int bits) {
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       cell[axis] += static_cast<std::uint32_t>(unzigzag(list.steps[axis * count + i]));  // wraps; caught next
-      if (cell[axis] >> bits != 0) return invalid("anchor outside its lattice", "ANCH-4", kTagAnchors);
+      if (cell[axis] >> bits != 0) return broken_rule("anchor outside its lattice", "ANCH-4", kTagAnchors);
     }
     cells[i] = cell;
   }
@@ -81,7 +79,7 @@ Result<void> check_coverage(std::span<const std::uint32_t> anchors, const Compon
   for (std::uint32_t c = 0; c < components.count; ++c) {
     const bool small = components.size[c] < kSmallestSolvedComponent;
     if (anchors_in[c] < (small ? components.size[c] : 1))
-      return invalid("a component with too few anchors", "ANCH-2", kTagAnchors);
+      return broken_rule("a component with too few anchors", "ANCH-2", kTagAnchors);
   }
   return {};
 }

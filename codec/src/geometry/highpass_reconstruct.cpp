@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/broken_rule.h"
 #include "base/large_vector.h"
 #include "base/try.h"
 #include "format/tags.h"
@@ -98,10 +99,7 @@ Result<void> complete_positions(const HighpassSymbols& symbols, const VertexSubs
     if (!fits_float(positions[anchor])) fits = false;
   }
   if (fits) return {};
-  return Error{.code = ErrorCode::kInvalidStream,
-               .message = "a decoded position is not finite",
-               .rule = "DELT-3",
-               .chunk_tag = kTagDeltas};
+  return broken_rule("a decoded position is not finite", "DELT-3", kTagDeltas);
 }
 
 }  // namespace

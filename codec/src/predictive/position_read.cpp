@@ -2,6 +2,7 @@
 // Copyright 2026 The deltamesh authors
 #include <algorithm>
 
+#include "base/broken_rule.h"
 #include "base/large_vector.h"
 #include "base/try.h"
 #include "entropy/compact_reader.h"
@@ -17,7 +18,7 @@ namespace deltamesh {
 namespace {
 
 Error invalid(const char* message, const char* rule) noexcept {
-  return {.code = ErrorCode::kInvalidStream, .message = message, .rule = rule, .chunk_tag = kTagPositions};
+  return broken_rule(message, rule, kTagPositions);
 }
 
 /// n x 3, from `at(v, axis)`. Room is made ready bit by bit, so that it is in the cache when it is filled.
