@@ -75,7 +75,7 @@ class ResultState {
   };
 };
 
-/// A `T` or an `Error`; the shape of std::expected, which the supported compilers lack.
+/// A `T` or an `Error`, moved but not copied; else like std::expected, which the supported compilers lack.
 template <class T>
 class [[nodiscard]] Result : public ResultState {
  public:

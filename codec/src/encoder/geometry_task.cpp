@@ -135,7 +135,7 @@ Result<CodedGeometry> code_smaller(const GeometryTask& task) {
   if (bytes_alone) {
     auto highpass = code_highpass(task);
     const bool better = !highpass || predictive->quality.vde_rms < highpass->quality.vde_rms;
-    return better ? predictive : highpass;
+    return better ? std::move(predictive) : std::move(highpass);
   }
   // What a highpass stream may take: attributes gain nothing from its positions.
   DELTAMESH_TRY(const std::int64_t gain, attribute_gain(task, *predictive));
@@ -144,7 +144,7 @@ Result<CodedGeometry> code_smaller(const GeometryTask& task) {
   auto highpass = code_highpass(task, static_cast<std::uint64_t>(rival_bytes));
   if (!highpass) return predictive;
   const bool better = static_cast<std::uint64_t>(rival_bytes) < task.rest.bytes_with(*highpass);
-  return better ? predictive : highpass;
+  return better ? std::move(predictive) : std::move(highpass);
 }
 
 }  // namespace

@@ -27,7 +27,8 @@ Result<CodedHighpass> write(HighpassCoder& coder, const HighpassSettings& settin
   auto settled = coder.code(settings);
   if (!settled) return settled;
   auto planned = coder.plan(settings, settled->positions, [](const CodedHighpass&) { return true; });
-  return planned ? *std::move(planned) : settled;
+  if (planned) return *std::move(planned);
+  return settled;
 }
 
 Result<CodedHighpass> write(const GraphMesh& mesh, int bits = 8, HighpassSettings settings = {}) {
