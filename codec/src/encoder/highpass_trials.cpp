@@ -99,7 +99,9 @@ std::optional<CodedGeometry> HighpassTrials::plan_peaks(HighpassSettings setting
   const std::vector<std::uint32_t> anchors = settings.more_anchors;
   for (const int cycles : kPeaksCycles) {
     settings.more_anchors = anchors;
-    std::size_t room = (most_bytes - std::min(bytes, most_bytes)) / kBytesPerAnchor;
+    const std::uint64_t more_bytes = most_bytes - std::min(bytes, most_bytes);
+    auto room = static_cast<std::size_t>(
+        std::min<std::uint64_t>(more_bytes / kBytesPerAnchor, source_.positions.size()));
     for (int round = 0; round < kPeaksRounds; ++round) {
       const auto coded = coder_.code_planned(settings, cycles);
       if (!coded) break;
