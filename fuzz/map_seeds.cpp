@@ -9,6 +9,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "deltamesh/map/messages.h"
@@ -37,7 +38,7 @@ void write(const std::string& path, std::span<const std::byte> bytes) {
   if (!out.flush()) std::abort();
 }
 
-/// What a sender of a small map that changes and a receiver say to each other.
+/// The messages between a sender of a small map that changes and a receiver.
 std::vector<Bytes> talk() {
   test::World world(3, 1);
   MapSender sender = check(MapSender::make(test::World::description()));
@@ -66,6 +67,7 @@ void write_talk(const std::string& folder) {
   Bytes all;
   std::map<int, int> kinds;
   for (const Bytes& message : talk()) {
+    if (message.size() > 0xffff) std::abort();
     all.push_back(static_cast<std::byte>(message.size() & 255));
     all.push_back(static_cast<std::byte>(message.size() >> 8));
     all.insert(all.end(), message.begin(), message.end());
@@ -92,11 +94,14 @@ void write_parts(const std::string& folder) {
   write(folder + "/map_manifest/plain", check(write_description(plain)));
   int number = 0;
   for (const MapPart& part : fuzz::make_parts(plain)) {
+    const auto place = static_cast<std::byte>(number);
     for (const auto& [coder, name] :
          {std::pair{GeometryCoder::kHighpass, "highpass"}, {GeometryCoder::kPredictive, "predictive"}}) {
       const CodedPart coded = check(
           codec.encode(part, {.bounds = {.max_error = QualityBound{0.002}}, .geometry = coder, .effort = 0}));
-      write(folder + "/map_part/part_" + std::to_string(number) + "_" + name, coded.bytes);
+      Bytes seed = {place};
+      seed.insert(seed.end(), coded.bytes.begin(), coded.bytes.end());
+      write(folder + "/map_part/part_" + std::to_string(number) + "_" + name, seed);
     }
     if (++number == 3) break;
   }

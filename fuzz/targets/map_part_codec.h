@@ -14,9 +14,6 @@
 
 namespace deltamesh::fuzz {
 
-/// Whatever its bytes are.
-inline constexpr PartKey kPart{1, 0, -1, 2};
-
 inline Mesh waves(std::uint32_t side) {
   Mesh mesh;
   Attribute color{AttributeKind::kColor, ComponentType::kU8, 3, true, "red", {}};

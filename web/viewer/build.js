@@ -36,6 +36,7 @@ await build({
   logLevel: 'warning',
 });
 for (const name of ['index.html', 'style.css']) await copyFile(new URL(name, here), new URL(name, dist));
+await copyFile(new URL('../../LICENSE', here), new URL('LICENSE', dist));
 for (const name of WASM) await copyFile(require.resolve(name), new URL(name.split('/').pop(), dist));
 
 // What the page has parts of.

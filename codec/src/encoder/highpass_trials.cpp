@@ -106,6 +106,7 @@ std::optional<CodedGeometry> HighpassTrials::plan_peaks(HighpassSettings setting
       const auto coded = coder_.code_planned(settings, cycles);
       if (!coded) break;
       if (auto geometry = fitting(*coded, bounds, most_bytes)) return geometry;
+      if (round + 1 == kPeaksRounds) break;
       const auto worst = peaks(settings, coded->positions, kPeak * *bounds.max_error, room + 1);
       if (worst.empty() || worst.size() > room) break;
       room -= worst.size();

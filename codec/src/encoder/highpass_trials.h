@@ -42,8 +42,9 @@ class HighpassTrials final : public TrialCoder {
   /// What run() made of the attempt.
   static const CodedGeometry& geometry(const Attempt& attempt) noexcept;
 
-  /// The same mesh with the fewest planned cycles that keep `bounds` in hardly more bytes than `attempt`
-  /// takes, and at most `most_bytes`; the attempt itself where no number of cycles does. Cost: some solves.
+  /// The same mesh with planned cycles that keep `bounds` in hardly more bytes than `attempt` takes, and at
+  /// most `most_bytes`: the fewest, or 4, 6 or 8 where anchors keep a largest error; the attempt itself where
+  /// no number of cycles does. Cost: some solves; with such anchors up to a few dozen short ones.
   CodedGeometry plan(const Attempt& attempt, const Bounds& bounds, std::optional<std::uint64_t> most_bytes);
 
  private:

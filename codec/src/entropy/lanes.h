@@ -47,7 +47,7 @@ inline void pull_lanes(std::int16_t* lanes, const Lanes& pull, unsigned rate) no
   }
 }
 
-/// Where the symbols' intervals start in a mixture of two models: looked for, and searched.
+/// The start of each symbol's interval in a mixture of two models.
 class LaneSum {
  public:
   /// Lane i: 2 i + (a[i] * weights[0] + b[i] * weights[1]) / 2^15, rounded down. 16 lanes each, not negative;

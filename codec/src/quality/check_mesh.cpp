@@ -57,7 +57,7 @@ Result<void> check_attribute(const AttributeView& a, std::size_t vertices, std::
     return invalid("an attribute has 1 to 16 components", WhereKind::kAttribute, index);
   if (a.name.size() > kMaxNameBytes)
     return invalid("the attribute's name is longer than 255 bytes", WhereKind::kAttribute, index);
-  if (a.values.size() != vertices * a.components * component_size(a.type))
+  if (a.values.size() != std::uint64_t{vertices} * a.components * component_size(a.type))
     return invalid("the attribute does not have one value per vertex", WhereKind::kAttribute, index);
   return {};
 }

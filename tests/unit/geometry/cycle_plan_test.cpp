@@ -130,7 +130,9 @@ TEST(CyclePlan, DELT7CodePlannedKeepsTheDeltas) {
 
 TEST(CyclePlan, DELT7CodePlannedAsksForTwoLevels) {
   Coding coding(test::sheet(10, 9), 8, 4);
-  EXPECT_FALSE(coding.planned(4));
+  const auto planned = coding.planned(4);
+  ASSERT_FALSE(planned);
+  EXPECT_STREQ(planned.error().rule, "DELT-7");
 }
 
 /// One cycle leaves out several times the error of quantisation; two steps of compensation make up for it.

@@ -40,6 +40,7 @@ answerCalls({
   },
   /** A part of the map that was opened by `turn`. */
   part: async ({ turn, number, file }) => {
+    if (!maps.has(turn)) throw new Error('the map is no longer open: open its folder again');
     const { map, frame } = maps.get(turn);
     const display = displayOf(check(map.decode(number, new Uint8Array(await file.arrayBuffer()))), frame);
     return { result: display, transfer: buffersOf(display) };
