@@ -2,11 +2,9 @@
 // Copyright 2026 The deltamesh authors
 // Bundles the page and its workers into dist/, beside the modules in WebAssembly.
 import { copyFile, mkdir, readFile, rm, writeFile } from 'node:fs/promises';
-import { createRequire } from 'node:module';
 
 import { build } from 'esbuild';
 
-const require = createRequire(import.meta.url);
 const here = new URL('./', import.meta.url);
 const dist = new URL('dist/', here);
 
@@ -37,7 +35,7 @@ await build({
 });
 for (const name of ['index.html', 'style.css']) await copyFile(new URL(name, here), new URL(name, dist));
 await copyFile(new URL('../../LICENSE', here), new URL('LICENSE', dist));
-for (const name of WASM) await copyFile(require.resolve(name), new URL(name.split('/').pop(), dist));
+for (const name of WASM) await copyFile(new URL(import.meta.resolve(name)), new URL(name.split('/').pop(), dist));
 
 // What the page has parts of.
 const three = new URL('../LICENSE', import.meta.resolve('three')); // of build/three.module.js

@@ -4,7 +4,7 @@
 
 namespace deltamesh {
 
-// Reads are few, and called in many places: none is inlined.
+// None is inlined: many places call them, none of them often.
 
 [[gnu::noinline]] Result<std::uint64_t> ByteReader::read_fixed(std::size_t size) noexcept {
   if (remaining() < size) return error(ErrorCode::kTruncated, "bytes end inside a number", "CON-1");

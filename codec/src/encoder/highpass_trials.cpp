@@ -116,7 +116,8 @@ std::optional<CodedGeometry> HighpassTrials::plan_peaks(HighpassSettings setting
   return std::nullopt;
 }
 
-/// Where errors were made small one by one, other deltas would have others.
+/// Where anchors were added at the largest errors, deltas that are rounded anew would have them elsewhere:
+/// then plan_peaks().
 CodedGeometry HighpassTrials::plan(const Attempt& attempt, const Bounds& bounds,
                                    std::optional<std::uint64_t> most_bytes) {
   const HighpassTrial& trial = trial_of(attempt);
