@@ -7,6 +7,9 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <type_traits>
+
+#include "base/component.h"
 
 namespace deltamesh::gltf {
 namespace {
@@ -18,49 +21,23 @@ constexpr const char* kIndexTypeName = "SCALAR";
 constexpr int kArrayBuffer = 34962;
 constexpr int kElementArrayBuffer = 34963;
 
-template <class T>
-T load(std::span<const std::byte> bytes) noexcept {
-  T value;
-  std::memcpy(&value, bytes.data(), sizeof value);
-  return value;
-}
-
 /// Smallest and largest of one component over all rows; nothing is written where one of them is not finite.
-template <class T>
-void add_bounds_of(Json& low, Json& high, const Column& column, std::size_t component) {
-  T smallest = std::numeric_limits<T>::max();
-  T largest = std::numeric_limits<T>::lowest();
-  const std::size_t row_size = column.shape.row_size();
-  for (std::size_t i = 0; i < column.shape.count; ++i) {
-    const T value = load<T>(column.rows.subspan(i * row_size + component * sizeof(T), sizeof(T)));
-    if constexpr (std::is_floating_point_v<T>) {
-      if (!std::isfinite(value)) return;
-    }
-    smallest = std::min(smallest, value);
-    largest = std::max(largest, value);
-  }
-  low.push_back(smallest);
-  high.push_back(largest);
-}
-
 void add_bounds(Json& low, Json& high, const Column& column, std::size_t component) {
-  switch (column.shape.type) {
-    case ComponentType::kI8:
-      return add_bounds_of<std::int8_t>(low, high, column, component);
-    case ComponentType::kU8:
-      return add_bounds_of<std::uint8_t>(low, high, column, component);
-    case ComponentType::kI16:
-      return add_bounds_of<std::int16_t>(low, high, column, component);
-    case ComponentType::kU16:
-      return add_bounds_of<std::uint16_t>(low, high, column, component);
-    case ComponentType::kU32:
-      return add_bounds_of<std::uint32_t>(low, high, column, component);
-    case ComponentType::kF32:
-      return add_bounds_of<float>(low, high, column, component);
-    case ComponentType::kI32:
-    case ComponentType::kF64:
-      return;
-  }
+  with_component(column.shape.type, [&](auto value) {
+    auto smallest = std::numeric_limits<decltype(value)>::max();
+    auto largest = std::numeric_limits<decltype(value)>::lowest();
+    for (std::size_t i = 0; i < column.shape.count; ++i) {
+      std::memcpy(&value, column.rows.data() + i * column.shape.row_size() + component * sizeof value,
+                  sizeof value);
+      if constexpr (std::is_floating_point_v<decltype(value)>) {
+        if (!std::isfinite(value)) return;
+      }
+      smallest = std::min(smallest, value);
+      largest = std::max(largest, value);
+    }
+    low.push_back(smallest);
+    high.push_back(largest);
+  });
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -98,8 +99,20 @@ Result<std::optional<BufferReference>> buffer_reference(const Document& document
   return std::optional(BufferReference{static_cast<std::size_t>(buffer), offset, length});
 }
 
-/// Runs of every buffer that is not opaque.
-Result<std::vector<std::vector<Run>>> used_runs(Document& document) {
+/// For each buffer the longest one that begins at the same byte in memory, as those that name one file do.
+std::vector<std::size_t> longest_of_same(const std::vector<Buffer>& buffers) {
+  std::map<const std::byte*, std::size_t> longest;
+  for (std::size_t i = 0; i < buffers.size(); ++i) {
+    std::size_t& best = longest.try_emplace(buffers[i].bytes.data(), i).first->second;
+    if (buffers[i].bytes.size() > buffers[best].bytes.size()) best = i;
+  }
+  std::vector<std::size_t> same(buffers.size());
+  for (std::size_t i = 0; i < buffers.size(); ++i) same[i] = longest[buffers[i].bytes.data()];
+  return same;
+}
+
+/// Runs of every buffer that is not opaque, under the longest of the same.
+Result<std::vector<std::vector<Run>>> used_runs(Document& document, const std::vector<std::size_t>& same) {
   std::vector<std::vector<Run>> runs(document.buffers.size());
   Result<void> result;
   for_each_object(document.json, [&](Json& object, std::string_view key) {
@@ -108,7 +121,7 @@ Result<std::vector<std::vector<Run>>> used_runs(Document& document) {
     if (!reference)
       result = reference.error();
     else if (*reference && !document.buffers[(*reference)->buffer].opaque)
-      runs[(*reference)->buffer].push_back(
+      runs[same[(*reference)->buffer]].push_back(
           {(*reference)->offset, (*reference)->offset + (*reference)->length, 0});
   });
   if (!result) return result.error();
@@ -138,7 +151,7 @@ std::uint64_t target_of(const std::vector<Run>& runs, std::uint64_t offset) {
 }
 
 void rewrite_references(Document& document, const std::vector<std::vector<Run>>& runs,
-                        const std::vector<std::size_t>& new_buffers) {
+                        const std::vector<std::size_t>& same, const std::vector<std::size_t>& new_buffers) {
   for_each_object(document.json, [&](Json& object, std::string_view key) {
     Json* buffer = find(object, "buffer");
     if (is_dictionary(key) || !names_buffer(buffer)) return;
@@ -146,7 +159,7 @@ void rewrite_references(Document& document, const std::vector<std::vector<Run>>&
     *buffer = new_buffers[old_buffer];
     if (document.buffers[old_buffer].opaque) return;
     const Json* offset = find(object, "byteOffset");
-    const std::uint64_t target = target_of(runs[old_buffer], offset ? offset->get<std::uint64_t>() : 0);
+    const std::uint64_t target = target_of(runs[same[old_buffer]], offset ? offset->get<std::uint64_t>() : 0);
     if (offset || target != 0) object["byteOffset"] = target;
   });
 }
@@ -191,13 +204,14 @@ Result<void> compact_document(Document& document) {
   DELTAMESH_TRY(const auto used, used_views(json));
   if (!used.empty()) renumber_views(json, renumber(used, numbers_in_unknown_extensions(json)));
   if (json.contains("buffers")) {
-    DELTAMESH_TRY(auto runs, used_runs(document));
+    const auto same = longest_of_same(document.buffers);
+    DELTAMESH_TRY(auto runs, used_runs(document, same));
     auto merged = copy_runs(document, runs);
     std::vector<std::size_t> new_buffers(document.buffers.size(), 0);
     std::size_t next = merged.empty() ? 0 : 1;
     for (std::size_t i = 0; i < document.buffers.size(); ++i)
       if (document.buffers[i].opaque) new_buffers[i] = next++;
-    rewrite_references(document, runs, new_buffers);
+    rewrite_references(document, runs, same, new_buffers);
     replace_buffers(document, std::move(merged));
   }
   drop_if_empty(json, "bufferViews");

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "base/try.h"
@@ -68,6 +69,13 @@ std::string buffer_uri(std::span<const std::byte> bytes, const GltfIo& io) {
   return data_uri_of(bytes);
 }
 
+/// Whether a text begins as a JSON object does, perhaps with a byte order mark.
+bool is_json_object(std::span<const std::byte> text) noexcept {
+  const std::string_view characters(reinterpret_cast<const char*>(text.data()), text.size());
+  const auto first = characters.find_first_not_of(" \t\r\n\xef\xbb\xbf");
+  return first != std::string_view::npos && characters[first] == '{';
+}
+
 }  // namespace
 
 Result<Document> load_document(std::span<const std::byte> asset, const GltfIo& io) {
@@ -80,6 +88,9 @@ Result<Document> load_document(std::span<const std::byte> asset, const GltfIo& i
     text = glb.json;
     bin = glb.bin;
     document.glb_chunks = std::move(glb.others);
+  } else if (!is_json_object(asset)) {
+    return Error{.code = ErrorCode::kInvalidFile,
+                 .message = "neither a GLB nor the JSON text of a glTF asset"};
   }
   DELTAMESH_TRY(document.json, parse_json(text));
   DELTAMESH_CHECK(check_structure(document.json));

@@ -67,6 +67,27 @@ TEST(Compact, CopiesSharedBytesOnce) {
   EXPECT_EQ(bytes_at(document, 1), "123456789abcdefghijklmnopqrst");
 }
 
+TEST(Compact, CopiesBytesThatSeveralBuffersNameOnce) {
+  const std::string uri = R"("uri":"data:;base64,MDEyMzQ1Njc4OWFiY2RlZmdoaWprbG1ub3BxcnN0dXY=")";
+  std::string buffers;
+  std::string views;
+  std::string images;
+  for (int i = 0; i < 20; ++i) {
+    const std::string comma = i ? "," : "";
+    buffers += comma + R"({"byteLength":)" + std::to_string(i + 12) + "," + uri + "}";
+    views += comma + R"({"buffer":)" + std::to_string(i) + R"(,"byteOffset":)" + std::to_string(i) +
+             R"(,"byteLength":12})";
+    images += comma + R"({"bufferView":)" + std::to_string(i) + "}";
+  }
+  Document document =
+      load(R"("buffers":[)" + buffers + R"(],"bufferViews":[)" + views + R"(],"images":[)" + images + "]");
+  ASSERT_TRUE(compact_document(document));
+  ASSERT_EQ(document.buffers.size(), 1U);
+  EXPECT_EQ(document.buffers[0].bytes.size(), 31U);
+  EXPECT_EQ(bytes_at(document, 0), "0123456789ab");
+  EXPECT_EQ(bytes_at(document, 19), "jklmnopqrstu");
+}
+
 TEST(Compact, FollowsViewsInsideUnknownExtensionsAndLeavesExtras) {
   Document document =
       load(std::string(kBuffer) +

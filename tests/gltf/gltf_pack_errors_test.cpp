@@ -98,6 +98,8 @@ TEST(GltfPackErrors, EmptyAndForeignInput) {
   EXPECT_EQ(pack_error({}).code, ErrorCode::kInvalidFile);
   EXPECT_EQ(pack_error(bytes_of(std::string("DMSH"))).code, ErrorCode::kInvalidFile);
   EXPECT_EQ(pack_error(Bytes(1000)).code, ErrorCode::kInvalidFile);
+  EXPECT_STREQ(pack_error(bytes_of(std::string("ply\nformat ascii 1.0\n"))).message,
+               "neither a GLB nor the JSON text of a glTF asset");
 }
 
 }  // namespace

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// From a component type to the C++ type that it stands for.
+// From a component type to the C++ type that it stands for, and its numbers.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
+#include <type_traits>
 
 #include "deltamesh/mesh.h"
 
@@ -41,6 +43,14 @@ inline double load_component(ComponentType type, const std::byte* from) noexcept
   return with_component(type, [from](auto value) {
     std::memcpy(&value, from, sizeof value);
     return static_cast<double>(value);
+  });
+}
+
+/// What stands for 1 in normalised values: the largest of an integer type, 1 of floats.
+inline double normalized_one(ComponentType type) noexcept {
+  return with_component(type, [](auto value) {
+    using T = decltype(value);
+    return std::is_integral_v<T> ? static_cast<double>(std::numeric_limits<T>::max()) : 1.0;
   });
 }
 

@@ -121,10 +121,7 @@ bool is_kept(const std::string& semantic, const Layout& layout, std::size_t sets
 /// Value `c` of an element as `attribute` stores it.
 void store(Attribute& attribute, std::uint64_t vertex, std::size_t c, double real) {
   const std::size_t size = component_size(attribute.type);
-  if (attribute.normalized) {
-    const double scale = attribute.type == ComponentType::kU8 ? 255 : 65535;
-    real = real * scale + 0.5;
-  }
+  if (attribute.normalized) real = real * normalized_one(attribute.type) + 0.5;
   store_component(attribute.type, real, attribute.values.data() + (vertex * attribute.components + c) * size);
 }
 

@@ -13,30 +13,25 @@
 #include "base/component.h"
 #include "base/portable_math.h"
 #include "deltamesh/mesh.h"
+#include "format/attribute_descriptor.h"
 
 namespace deltamesh {
 namespace {
-
-constexpr std::size_t kMaxValueComponents = 16;
 
 /// Bytes of one value.
 inline std::size_t value_size(const AttributeView& attribute) noexcept {
   return attribute.components * component_size(attribute.type);
 }
 
-using Value = std::array<double, kMaxValueComponents>;
+using Value = std::array<double, kMaxComponents>;
 
 /// What the number 1 of the kind's unit is in this type.
 double unit_of(const AttributeView& attribute) noexcept {
   const bool color = attribute.kind == AttributeKind::kColor;
   const bool part_of_one = attribute.kind == AttributeKind::kUv || attribute.kind == AttributeKind::kWeights;
   if (!color && !(part_of_one && attribute.normalized)) return 1;
-  double range = 1;
-  if (attribute.type == ComponentType::kU8) range = 255;
-  if (attribute.type == ComponentType::kI8) range = 127;
-  if (attribute.type == ComponentType::kU16) range = 65535;
-  if (attribute.type == ComponentType::kI16) range = 32767;
-  return color ? range / 255 : range;
+  const double one = normalized_one(attribute.type);
+  return color ? one / 255 : one;
 }
 
 void load(const AttributeView& attribute, std::uint32_t vertex, Value& value) noexcept {

@@ -10,14 +10,13 @@
 
 #include "base/try.h"
 #include "connectivity/face_groups.h"
+#include "format/attribute_descriptor.h"
 #include "format/header.h"
 
 namespace deltamesh {
 namespace {
 
 constexpr std::size_t kMaxAttributes = 1024;
-constexpr std::size_t kMaxNameBytes = 255;
-constexpr std::uint8_t kMaxComponents = 16;
 
 Error invalid(const char* message, WhereKind kind = WhereKind::kNone, std::size_t where = 0) noexcept {
   return {.code = ErrorCode::kInvalidMesh, .message = message, .where_kind = kind, .where = where};
@@ -55,7 +54,7 @@ std::size_t first_not_below(std::span<const std::uint32_t> indices, std::size_t 
 Result<void> check_attribute(const AttributeView& a, std::size_t vertices, std::size_t index) {
   if (a.components < 1 || a.components > kMaxComponents)
     return invalid("an attribute has 1 to 16 components", WhereKind::kAttribute, index);
-  if (a.name.size() > kMaxNameBytes)
+  if (a.name.size() > kMaxAttributeName)
     return invalid("the attribute's name is longer than 255 bytes", WhereKind::kAttribute, index);
   if (a.values.size() != std::uint64_t{vertices} * a.components * component_size(a.type))
     return invalid("the attribute does not have one value per vertex", WhereKind::kAttribute, index);
