@@ -12,7 +12,7 @@ const MOST_MILLISECONDS = 4000;
 
 async function openDeltamesh(files) {
   const decoder = await createDecoder({ files });
-  await Promise.all([decoder.load('highpass'), decoder.load('zstd')]);
+  await Promise.all([decoder.load('highpass'), decoder.load('plain')]);
   return (bytes) => {
     const mesh = decoder.decodeSync(bytes);
     if (mesh instanceof DeltameshError) throw mesh;
@@ -20,9 +20,9 @@ async function openDeltamesh(files) {
   };
 }
 
-/** `modules`: { core, highpass, zstd, draco }, bytes. */
-function openCodec(codec, { core, highpass, zstd, draco }) {
-  return codec === 'draco' ? openDraco(draco) : openDeltamesh({ core, highpass, zstd });
+/** `modules`: { core, highpass, plain, draco }, bytes. */
+function openCodec(codec, { core, highpass, plain, draco }) {
+  return codec === 'draco' ? openDraco(draco) : openDeltamesh({ core, highpass, plain });
 }
 
 function timeOf(decode, streams) {

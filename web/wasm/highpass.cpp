@@ -8,24 +8,13 @@
 #include <optional>
 #include <utility>
 
-#include "highpass_call.h"
-#include "runtime.h"
+#include "part.h"
 
 namespace deltamesh::web {
 namespace {
 
 LargeVector<Vec3> positions;
-HighpassOutcome outcome;
-
-/// Copies an array that was handed over, and releases it.
-template <class Vector>
-Vector take_array(HandedArray array) {
-  using T = typename Vector::value_type;
-  T* const begin = reinterpret_cast<T*>(array.address);
-  Vector values(begin, begin + array.bytes / sizeof(T));
-  release(begin);
-  return values;
-}
+PartOutcome outcome;
 
 Payload payload_of(std::span<const std::byte> bytes, std::uint32_t is_compact) {
   return is_compact != 0 ? Payload::compact(bytes) : Payload(bytes);
@@ -36,7 +25,7 @@ Payload payload_of(std::span<const std::byte> bytes, std::uint32_t is_compact) {
 extern "C" {
 
 /// Releases `call` and its arrays. The outcome lives until the next call, or until forget().
-DELTAMESH_EXPORT(solve) HighpassOutcome* solve(HighpassCall* handed) {
+DELTAMESH_EXPORT(call) PartOutcome* call(HighpassCall* handed) {
   const HighpassCall call = *handed;
   release(handed);
   const auto deltas = take_array<LargeVector<std::byte>>(call.deltas);
@@ -52,7 +41,7 @@ DELTAMESH_EXPORT(solve) HighpassOutcome* solve(HighpassCall* handed) {
   outcome = {};
   if (solved) {
     positions = *std::move(solved);
-    outcome.positions = positions.data();
+    outcome.returned.add(positions);
   } else {
     outcome.error = outcome_of(solved.error());
   }

@@ -88,12 +88,8 @@ Result<Attribute> read_attribute(Payload payload, const AttributeDescriptor& des
   attribute.normalized = (descriptor.flags & 1) != 0;
   attribute.name = descriptor.name;
   DELTAMESH_TRY(const AttributeCoding coding, read_coding(in, descriptor, payload.is_compact));
-  if (payload.is_compact) {
-    DELTAMESH_CHECK(read_on_surface(in, coding, {surface, others}, learning, attribute));
-  } else {
-    DELTAMESH_CHECK(read_plain_values(in, coding, attribute, surface.vertex_count()));
-  }
-  DELTAMESH_CHECK(in.finish());
+  DELTAMESH_CHECK(payload.is_compact ? read_on_surface(in, coding, {surface, others}, learning, attribute)
+                                     : read_plain_values(payload.bytes, attribute, surface.vertex_count()));
   return attribute;
 }
 

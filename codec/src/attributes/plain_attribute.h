@@ -7,11 +7,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "attributes/attribute_payload.h"
 #include "attributes/attribute_rows.h"
-#include "base/byte_reader.h"
 #include "deltamesh/mesh.h"
 #include "deltamesh/result.h"
 
@@ -25,10 +25,9 @@ std::vector<std::byte> write_plain_attribute(const AttributeView& attribute, con
 /// The same, exact.
 std::vector<std::byte> write_exact_attribute(const AttributeView& attribute, const AttributeRows& rows);
 
-/// Reads what follows the byte of `coding`, one of these, into attribute.values; the other members say the
-/// shape. `rows`: vertices, checked against a limit. Errors: kTruncated, kInvalidStream [ATTR-2, ATTR-3,
+/// Reads a payload, coding included, into attribute.values; the other members say the shape, which the coding
+/// fits. `rows`: vertices, checked against a limit. Errors: kTruncated, kInvalidStream [ATTR-2, ATTR-3,
 /// ATTR-5, ATTR-7].
-Result<void> read_plain_values(ByteReader& in, AttributeCoding coding, Attribute& attribute,
-                               std::uint32_t rows);
+Result<void> read_plain_values(std::span<const std::byte> payload, Attribute& attribute, std::uint32_t rows);
 
 }  // namespace deltamesh

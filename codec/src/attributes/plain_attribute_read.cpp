@@ -9,8 +9,10 @@
 #include "attributes/octahedral.h"
 #include "attributes/plain_attribute.h"
 #include "attributes/symbols.h"
+#include "base/byte_reader.h"
 #include "base/large_vector.h"
 #include "base/try.h"
+#include "format/tags.h"
 
 namespace deltamesh {
 namespace {
@@ -117,10 +119,7 @@ Result<void> read_uvs(ByteReader& in, Attribute& attribute, std::uint32_t rows) 
       });
 }
 
-}  // namespace
-
-Result<void> read_plain_values(ByteReader& in, AttributeCoding coding, Attribute& attribute,
-                               std::uint32_t rows) {
+Result<void> read_coded(ByteReader& in, AttributeCoding coding, Attribute& attribute, std::uint32_t rows) {
   switch (coding) {
     case AttributeCoding::kExact:
       return read_exact(in, attribute, rows);
@@ -133,6 +132,15 @@ Result<void> read_plain_values(ByteReader& in, AttributeCoding coding, Attribute
     default:
       return in.error(ErrorCode::kInvalidStream, "a compact attribute coding in a plain payload", "ATTR-2");
   }
+}
+
+}  // namespace
+
+Result<void> read_plain_values(std::span<const std::byte> payload, Attribute& attribute, std::uint32_t rows) {
+  ByteReader in(payload, kTagAttribute);
+  DELTAMESH_TRY(const auto coding, in.read<std::uint8_t>());
+  DELTAMESH_CHECK(read_coded(in, static_cast<AttributeCoding>(coding), attribute, rows));
+  return in.finish();
 }
 
 }  // namespace deltamesh

@@ -12,7 +12,6 @@
 #include "attributes/plain_attribute.h"
 #include "attributes/symbols.h"
 #include "base/byte_writer.h"
-#include "format/tags.h"
 
 namespace deltamesh {
 namespace {
@@ -131,9 +130,7 @@ std::optional<std::vector<std::byte>> write_fewest_bits(const AttributeView& att
     ByteWriter out;
     write(out, bits);
     std::vector<std::byte> payload = out.take();
-    ByteReader in(std::span<const std::byte>(payload).subspan(1), kTagAttribute);
-    const auto coding = static_cast<AttributeCoding>(payload.front());
-    const auto read = read_plain_values(in, coding, back, static_cast<std::uint32_t>(rows.count()));
+    const auto read = read_plain_values(payload, back, static_cast<std::uint32_t>(rows.count()));
     if (read && attribute_error(attribute, rows, back.values) <= bound) return payload;
   }
   return std::nullopt;

@@ -1,31 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include <algorithm>
-
 #include "base/broken_rule.h"
-#include "base/byte_reader.h"
+#include "base/try.h"
 #include "connectivity/face_group_coder.h"
 #include "connectivity/face_groups.h"
+#include "connectivity/plain_forms.h"
 #include "entropy/compact_reader.h"
-#include "entropy/planes.h"
 #include "format/tags.h"
 
 namespace deltamesh {
 namespace {
-
-Error invalid(const char* rule) noexcept {
-  return broken_rule("not the number of a group of faces", rule, kTagFaceGroups);
-}
-
-/// Errors: kTruncated, kInvalidStream [FGRP-1].
-Result<std::vector<std::uint32_t>> read_plain(std::span<const std::byte> bytes, std::size_t face_count) {
-  ByteReader in(bytes, kTagFaceGroups);
-  DELTAMESH_TRY(std::vector<std::uint32_t> groups, read_planes(in, face_count));
-  DELTAMESH_CHECK(in.finish());
-  if (std::any_of(groups.begin(), groups.end(), [](std::uint32_t g) { return g >= kMostGroups; }))
-    return invalid("FGRP-1");
-  return groups;
-}
 
 /// Errors: kTruncated, kInvalidStream [FGRP-1 .. 3, CMP-3].
 Result<std::vector<std::uint32_t>> read_compact(std::span<const std::byte> bytes,
@@ -35,7 +19,7 @@ Result<std::vector<std::uint32_t>> read_compact(std::span<const std::byte> bytes
   CompactReader reader(bytes);
   const char* const broken = FaceGroupCoder<CompactReader>(reader, triangles, vertex_count).code(groups);
   if (reader.failed() || broken == nullptr) DELTAMESH_CHECK(reader.finish(kTagFaceGroups));
-  if (broken != nullptr) return invalid(broken);
+  if (broken != nullptr) return broken_rule("not the number of a group of faces", broken, kTagFaceGroups);
   return groups;
 }
 
@@ -45,7 +29,7 @@ Result<std::vector<std::uint32_t>> read_face_groups(Payload payload, std::span<c
                                                     std::uint32_t vertex_count) {
   if (payload.bytes.empty()) return std::vector<std::uint32_t>();
   if (payload.is_compact) return read_compact(payload.bytes, triangles, vertex_count);
-  return read_plain(payload.bytes, triangles.size() / 3);
+  return read_plain_groups(payload.bytes, static_cast<std::uint32_t>(triangles.size() / 3));
 }
 
 }  // namespace deltamesh

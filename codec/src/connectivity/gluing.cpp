@@ -3,6 +3,7 @@
 #include "connectivity/gluing.h"
 
 #include <numeric>
+#include <utility>
 
 #include "base/try.h"
 #include "base/zigzag.h"
@@ -14,20 +15,18 @@ namespace {
 
 Error invalid(const char* message) noexcept { return Refusal{message, "CONN-11"}.error(); }
 
-/// Runs of connected vertices.
-VertexRuns connected_runs(std::span<const std::uint32_t> starts, std::span<const std::uint32_t> vertex,
-                          std::uint32_t manifold_count) {
+/// Runs of connected vertices. `starts` and `vertex`: as in ManifoldFaces.
+VertexRuns connected_runs(std::span<const std::uint32_t> starts, std::span<const std::uint32_t> vertex) {
   VertexRuns runs;
   if (vertex.empty()) {
-    for (const std::uint32_t start : starts) runs.begin(start);
-    runs.end(manifold_count);
+    for (const std::uint32_t start : starts.first(starts.size() - 1)) runs.begin(start);
+    runs.end(starts.back());
     return runs;
   }
   std::uint32_t fresh = 0;
-  for (std::size_t i = 0; i < starts.size(); ++i) {
+  for (std::size_t i = 0; i + 1 < starts.size(); ++i) {
     runs.begin(fresh);
-    const std::uint32_t end = i + 1 < starts.size() ? starts[i + 1] : manifold_count;
-    for (std::uint32_t m = starts[i]; m < end; ++m) {
+    for (std::uint32_t m = starts[i]; m < starts[i + 1]; ++m) {
       if (vertex[m] == fresh) {
         ++fresh;
       } else {
@@ -77,14 +76,21 @@ void renumber(std::span<std::uint32_t> manifold, std::span<const std::uint32_t> 
   for (std::uint32_t& m : manifold) m = vertex[m];
 }
 
-Connectivity take_glued(Border& border, std::span<const std::uint32_t> starts,
-                        std::span<const std::uint32_t> vertex) {
-  Connectivity all{.triangles = border.take_faces(),
-                   .open_edges = border.take_open_edges(),
-                   .runs = connected_runs(starts, vertex, border.vertex_count())};
-  renumber(all.triangles, vertex);
-  for (DirectedEdge& edge : all.open_edges) renumber(edge, vertex);
-  return all;
+ManifoldFaces take_faces(Border& border, std::vector<std::uint32_t> starts,
+                         LargeVector<std::uint32_t> vertex) {
+  starts.push_back(border.vertex_count());
+  return {.triangles = border.take_faces(),
+          .open_edges = border.take_open_edges(),
+          .starts = std::move(starts),
+          .vertex = std::move(vertex)};
+}
+
+Connectivity glued(ManifoldFaces faces) {
+  renumber(faces.triangles, faces.vertex);
+  for (DirectedEdge& edge : faces.open_edges) renumber(edge, faces.vertex);
+  return {.triangles = std::move(faces.triangles),
+          .open_edges = std::move(faces.open_edges),
+          .runs = connected_runs(faces.starts, faces.vertex)};
 }
 
 Result<LargeVector<std::uint32_t>> read_compact_gluing(CompactReader& reader,

@@ -30,10 +30,20 @@ Result<LargeVector<std::uint32_t>> glue_vertices(const GlueList& list, std::uint
 /// Manifold vertices become vertices. `vertex`: as from glue_vertices().
 void renumber(std::span<std::uint32_t> manifold, std::span<const std::uint32_t> vertex);
 
-/// All of `border`, over the mesh's vertices. `starts`: first manifold vertex of every component, ascending;
-/// `vertex`: as from glue_vertices().
-Connectivity take_glued(Border& border, std::span<const std::uint32_t> starts,
-                        std::span<const std::uint32_t> vertex);
+/// What the bytes of CONN say: faces over manifold vertices, and which of these are one vertex of the mesh.
+struct ManifoldFaces {
+  std::vector<std::uint32_t> triangles;  ///< m x 3
+  LargeVector<DirectedEdge> open_edges;  ///< as Border's
+  std::vector<std::uint32_t> starts;  ///< first vertex of every component, ascending, and the end of the last
+  LargeVector<std::uint32_t> vertex;  ///< as from glue_vertices()
+};
+
+/// All of `border`. `starts`: first manifold vertex of every component; `vertex`: as from glue_vertices().
+ManifoldFaces take_faces(Border& border, std::vector<std::uint32_t> starts,
+                         LargeVector<std::uint32_t> vertex);
+
+/// The same over the mesh's vertices.
+Connectivity glued(ManifoldFaces faces);
 
 /// Checks a list's length before anything of its size is allocated. Errors: kInvalidStream [CONN-11].
 Result<void> check_glue_count(std::uint64_t count, std::uint32_t manifold_count, std::uint32_t vertex_count);

@@ -2,10 +2,9 @@
 // Copyright 2026 The deltamesh authors
 #include "entropy/expand_chunk.h"
 
-#include <zstd.h>
-
 #include "base/checked.h"
 #include "base/try.h"
+#include "entropy/zstd_frame.h"
 
 namespace deltamesh {
 
@@ -19,8 +18,7 @@ Result<ExpandedChunk> expand_chunk(const Container& container, const ChunkEntry&
     return ExpandedChunk{.stored = coded, .is_compact = entry.codec == ChunkCodec::kCompact};
   // The buffer is sized by our own checked directory, never by what the frame says of itself.
   std::vector<std::byte> bytes(memory_size(entry.decoded_bytes));
-  const bool one_frame = ZSTD_findFrameCompressedSize(coded.data(), coded.size()) == coded.size();
-  if (!one_frame || ZSTD_decompress(bytes.data(), bytes.size(), coded.data(), coded.size()) != bytes.size())
+  if (!expand_frame(coded, bytes))
     return chunk_error(ErrorCode::kInvalidStream, "not one zstd frame of the length in the directory",
                        "ENT-1", entry);
   return ExpandedChunk{.expanded = std::move(bytes)};

@@ -7,9 +7,10 @@ export type ModuleSource = string | URL | BufferSource | WebAssembly.Module | Pr
 export interface DecoderOptions {
   /**
    * The modules; each is loaded when it is first needed. Default: the files beside this one. `core` decodes containers, faces,
-   * predictive positions and attributes, `highpass` the positions of highpass streams, `zstd` chunks that are coded so.
+   * predictive positions and attributes, `highpass` the positions of highpass streams, `plain` chunks in their plain form
+   * (the profile zstd; in others a chunk that is smaller so).
    */
-  files?: { core?: ModuleSource; highpass?: ModuleSource; zstd?: ModuleSource };
+  files?: { core?: ModuleSource; highpass?: ModuleSource; plain?: ModuleSource };
   /** Whether the default files are those for machines with SIMD; default: as this machine has it. */
   simd?: boolean;
   /** Most bytes that each of the modules may take for its memory; default 4 GiB. */
@@ -116,13 +117,13 @@ export interface Decoder {
    * back afterwards. Does not throw.
    */
   decode(bytes: Uint8Array, options?: { limits?: DecodeLimits }): Promise<DecodedMesh | DeltameshError>;
-  /** The same at once: what it needs must have been loaded, `load('highpass')` for highpass streams and `load('zstd')` for those
-   * with chunks of that codec. */
+  /** The same at once: what it needs must have been loaded, `load('highpass')` for highpass streams and `load('plain')` for those
+   * with raw chunks or chunks by zstd. */
   decodeSync(bytes: Uint8Array, options?: { limits?: DecodeLimits }): DecodedMesh | DeltameshError;
   /** What the stream says of itself, without decoding it. */
   inspect(bytes: Uint8Array): StreamInfo | DeltameshError;
   /** Loads a module before it is needed. Rejects where that fails. */
-  load(module: 'core' | 'highpass' | 'zstd'): Promise<void>;
+  load(module: 'core' | 'highpass' | 'plain'): Promise<void>;
   /** Gives back all memory; the decoder may be used again. */
   release(): void;
 }

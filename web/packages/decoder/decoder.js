@@ -7,13 +7,15 @@
 const FILES = {
   core: new URL('./core.wasm', import.meta.url),
   highpass: new URL('./highpass.wasm', import.meta.url),
-  zstd: new URL('./zstd.wasm', import.meta.url),
+  plain: new URL('./plain.wasm', import.meta.url),
 };
 const FILES_WITHOUT_SIMD = {
   core: new URL('./core-scalar.wasm', import.meta.url),
   highpass: new URL('./highpass-scalar.wasm', import.meta.url),
-  zstd: FILES.zstd,
+  plain: FILES.plain,
 };
+/** As parts.h numbers them. */
+const PARTS = ['highpass', 'plain'];
 const LIMITS = { vertices: 2 ** 26, triangles: 2 ** 27, attributes: 1024, attributeBytes: 2 ** 31 };
 
 /** Memory never shrinks: an instance that has taken more than this is replaced when its call is over. */
@@ -28,6 +30,8 @@ const GEOMETRIES = ['', 'highpass', 'predictive'];
 export const ARRAYS = [
   Int8Array, Uint8Array, Int16Array, Uint16Array, Int32Array, Uint32Array, Float32Array, Float64Array,
 ];
+/** Of PartArrays. */
+const RETURNED_BYTES = 36;
 const NO_FILE = 300;
 const OUT_OF_MEMORY = 900;
 const INTERNAL = 901;
@@ -188,10 +192,13 @@ export function readStream(instance, address) {
   return stream;
 }
 
-/** The modules that a stream needs beside core. */
+/** The parts that a stream needs beside core: highpass reads its own chunks, plain others in their plain form, and expands all. */
 function partsFor({ geometry, chunks }) {
-  const needs = { highpass: geometry === 'highpass', zstd: chunks.some(({ codec }) => codec === 'zstd') };
-  return Object.keys(needs).filter((part) => needs[part]);
+  const needs = {
+    highpass: geometry === 'highpass',
+    plain: chunks.some(({ tag, codec }) => codec === 'zstd' || (codec === 'raw' && tag !== 'DELT' && tag !== 'ANCH')),
+  };
+  return PARTS.filter((part) => needs[part]);
 }
 
 class Decoder {
@@ -199,10 +206,8 @@ class Decoder {
   #maxMemory;
   #modules = {};
   #core;
-  #highpass;
-  #zstd;
-  #highpassError;
-  #positions;
+  #parts = {};
+  #partError;
 
   constructor({ files, simd = supportsSimd(), maxMemory } = {}) {
     this.#files = { ...(simd ? FILES : FILES_WITHOUT_SIMD), ...files };
@@ -243,70 +248,49 @@ class Decoder {
     return settle(
       () => {
         const core = (this.#core ??= new Instance(this.#modules.core, this.#maxMemory, this.#imports()));
-        this.#highpassError = undefined;
+        this.#partError = undefined;
         const address = core.put(bytes);
         const outcome = call(core.calls, address);
-        const stream = this.#highpassError ?? readError(core, outcome) ?? readStream(core, outcome);
+        const stream = this.#partError ?? readError(core, outcome) ?? readStream(core, outcome);
         core.calls.release(address);
         core.calls.forget();
         if (core.isLarge) this.#core = undefined;
-        if (this.#highpass?.isLarge) this.#highpass = undefined;
-        if (this.#zstd?.isLarge) this.#zstd = undefined;
+        for (const [name, part] of Object.entries(this.#parts)) {
+          part.calls.forget();
+          if (part.isLarge) delete this.#parts[name];
+        }
         return stream;
       },
       () => this.release(),
     );
   }
 
-  #start(part) {
-    if (!(this.#modules[part] instanceof WebAssembly.Module))
-      throw new DeltameshError({ code: NO_FILE, what: `the module ${part} is not loaded` });
-    return new Instance(this.#modules[part], this.#maxMemory, {});
+  #part(number) {
+    const name = PARTS[number];
+    if (!(this.#modules[name] instanceof WebAssembly.Module))
+      throw new DeltameshError({ code: NO_FILE, what: `the module ${name} is not loaded` });
+    return (this.#parts[name] ??= new Instance(this.#modules[name], this.#maxMemory, {}));
   }
 
-  /** What highpass_elsewhere.cpp and zstd_elsewhere.cpp ask for. */
+  /** As in parts.h. */
   #imports() {
+    const bytes = ({ memory }, address, size) => new Uint8Array(memory.buffer, address, size);
     return {
-      give: (from, size) => {
-        this.#highpass ??= this.#start('highpass');
-        return this.#highpass.put(new Uint8Array(this.#core.memory.buffer, from, size));
+      give: (number, from, size) => this.#part(number).put(bytes(this.#core, from, size)),
+      call: (number, address, returned) => {
+        const part = this.#part(number);
+        const outcome = part.calls.call(address);
+        this.#partError = readError(part, outcome) ?? undefined;
+        bytes(this.#core, returned, RETURNED_BYTES).set(bytes(part, outcome + 32, RETURNED_BYTES));
+        return this.#partError?.code ?? 0;
       },
-      frameSize: (from, size) => this.#inZstd(from, size, ({ frameSize }, address) => frameSize(address, size)),
-      expand: (to, most, from, size) =>
-        this.#inZstd(from, size, ({ allocate, expand, release }, address) => {
-          const expanded = allocate(most);
-          const count = expand(expanded, most, address, size);
-          new Uint8Array(this.#core.memory.buffer, to, most).set(new Uint8Array(this.#zstd.memory.buffer, expanded, most));
-          release(expanded);
-          return count;
-        }),
-      solve: (call) => {
-        const outcome = this.#highpass.calls.solve(call);
-        this.#highpassError = readError(this.#highpass, outcome) ?? undefined;
-        [this.#positions] = this.#highpass.words(outcome + 32, 1);
-        return this.#highpassError?.code ?? 0;
-      },
-      take: (to, size) => {
-        const positions = new Uint8Array(this.#highpass.memory.buffer, this.#positions, size);
-        new Uint8Array(this.#core.memory.buffer, to, size).set(positions);
-        this.#highpass.calls.forget();
-      },
+      take: (number, to, from, size) => bytes(this.#core, to, size).set(bytes(this.#part(number), from, size)),
     };
-  }
-
-  /** `work` gets the exports of zstd, and the address of a copy there. */
-  #inZstd(from, size, work) {
-    this.#zstd ??= this.#start('zstd');
-    const address = this.#zstd.put(new Uint8Array(this.#core.memory.buffer, from, size));
-    const result = work(this.#zstd.calls, address);
-    this.#zstd.calls.release(address);
-    return result;
   }
 
   release() {
     this.#core = undefined;
-    this.#highpass = undefined;
-    this.#zstd = undefined;
+    this.#parts = {};
   }
 }
 

@@ -6,7 +6,7 @@ import { test } from 'node:test';
 import { DeltameshError, createDecoder } from '@deltamesh/decoder';
 import { xxhash3 } from 'hash-wasm';
 
-import { goldenStreams } from './streams.js';
+import { goldenStreams, invalidStreams } from './streams.js';
 
 const CHECKSUM_BYTES = 4;
 
@@ -32,6 +32,14 @@ test('every beginning of a stream is an error', async () => {
       assert.ok(error instanceof DeltameshError, path);
       assert.ok(error.code < 200 && error.rule !== '', error.message);
     }
+  }
+});
+
+test('streams that break a rule are refused with its tag', async () => {
+  const decoder = await createDecoder();
+  for (const { name, rule, bytes } of invalidStreams()) {
+    const error = await decoder.decode(bytes);
+    assert.equal(error instanceof DeltameshError && error.rule, rule, name);
   }
 });
 

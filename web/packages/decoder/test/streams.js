@@ -19,6 +19,12 @@ export function goldenStreams() {
   return streamPaths().filter((path) => path.includes('/golden/')).map((path) => ({ path, bytes: readFileSync(path) }));
 }
 
+/** Streams that break one rule each, with its tag. */
+export function invalidStreams() {
+  const folder = `${root}tests/golden/invalid`;
+  return readdirSync(folder).map((name) => ({ name, rule: name.split('.')[0], bytes: readFileSync(`${folder}/${name}`) }));
+}
+
 /** FNV-1a of the arrays' bytes, as tests/bits/hash.h has it. */
 export function hashOf(arrays) {
   let low = 0x84222325;
