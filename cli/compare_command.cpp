@@ -17,7 +17,7 @@
 namespace deltamesh::cli {
 namespace {
 
-struct Arguments {
+struct CompareArguments {
   std::string a;
   std::string b;
   std::string order;
@@ -49,7 +49,7 @@ std::string attributes_headline(const Comparison& result) {
              : "not measured, for no faces correspond";
 }
 
-void print_summary(const Arguments& arguments, const Comparison& result, float scale) {
+void print_summary(const CompareArguments& arguments, const Comparison& result, float scale) {
   Summary summary(arguments.a + " and " + arguments.b);
   if (result.corresponding) {
     summary.add("vertices", std::string("correspond") + (result.reordered ? ", in another order" : "") +
@@ -73,7 +73,7 @@ void print_summary(const Arguments& arguments, const Comparison& result, float s
   summary.print();
 }
 
-void print_object(const Arguments& arguments, const Comparison& result, float scale) {
+void print_object(const CompareArguments& arguments, const Comparison& result, float scale) {
   nlohmann::ordered_json object;
   const nlohmann::ordered_json none = nullptr;
   const bool pairs = result.corresponding;
@@ -103,7 +103,7 @@ void print_object(const Arguments& arguments, const Comparison& result, float sc
 }
 
 /// An error of compare() can be due to the order file or to either mesh.
-int fail_comparison(const Arguments& arguments, const Error& error) {
+int fail_comparison(const CompareArguments& arguments, const Error& error) {
   if (error.code != ErrorCode::kInvalidArgument) return fail(arguments.a + ", " + arguments.b, error);
   fail(arguments.order.empty() ? arguments.b : arguments.order, error);
   return kBadInput;
@@ -115,7 +115,7 @@ Result<Comparison> compare_showing_progress(const Mesh& a, const Mesh& b,
   return compare(a, b, order);
 }
 
-int run_compare(const Arguments& arguments) {
+int run_compare(const CompareArguments& arguments) {
   int status = kOk;
   if (!arguments.heatmap.empty() && !check_mesh_suffix(arguments.heatmap, status)) return status;
   for (const std::string& mesh : {arguments.a, arguments.b}) {
@@ -150,7 +150,7 @@ int run_compare(const Arguments& arguments) {
 }  // namespace
 
 void add_compare_command(CLI::App& app, int& status) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<CompareArguments>();
   CLI::App* command = app.add_subcommand("compare", "Measure how far mesh B is from mesh A");
   command->add_option("A", arguments->a, std::string("original: ") + kMeshSuffixes + " .dmsh")->required();
   command->add_option("B", arguments->b, "approximation, the same kinds")->required();

@@ -13,13 +13,13 @@
 namespace deltamesh::cli {
 namespace {
 
-struct Arguments {
+struct DecodeArguments {
   std::string in;
   std::string out;
   unsigned threads = 1;
 };
 
-int run_decode(const Arguments& arguments) {
+int run_decode(const DecodeArguments& arguments) {
   int status = kOk;
   if (!check_mesh_suffix(arguments.out, status)) return status;
   const std::optional<Mesh> mesh = load_stream(arguments.in, status, arguments.threads);
@@ -35,7 +35,7 @@ int run_decode(const Arguments& arguments) {
 }  // namespace
 
 void add_decode_command(CLI::App& app, int& status) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<DecodeArguments>();
   CLI::App* command = app.add_subcommand("decode", "Turn a .dmsh stream back into a mesh file");
   command->add_option("IN", arguments->in, "stream, .dmsh")->required();
   command->add_option("OUT", arguments->out, std::string("mesh file to write: ") + kMeshSuffixes)->required();

@@ -20,7 +20,7 @@
 namespace deltamesh::cli {
 namespace {
 
-struct Arguments {
+struct EncodeArguments {
   std::string in;
   std::string out;
   std::string order_out;
@@ -38,7 +38,7 @@ std::vector<std::byte> order_bytes(const std::vector<std::uint32_t>& order) {
   return bytes;
 }
 
-void print_summary(const Arguments& arguments, const ImportNotes& notes, const EncodeReport& report,
+void print_summary(const EncodeArguments& arguments, const ImportNotes& notes, const EncodeReport& report,
                    double seconds) {
   const StreamInfo& stream = report.stream;
   Summary summary(arguments.in + " -> " + arguments.out);
@@ -84,7 +84,7 @@ Result<Encoded> encode_showing_progress(const Mesh& mesh, EncodeOptions options)
 }
 
 /// A stream or an order under a mesh's suffix is a slip: written, it would most often replace the mesh.
-bool check_outputs(const Arguments& arguments, int& status) {
+bool check_outputs(const EncodeArguments& arguments, int& status) {
   for (const std::string& path : {arguments.out, arguments.order_out}) {
     if (!format_of_path(path)) continue;
     print_error(path, "this suffix is a mesh file's; `encode` writes a stream, .dmsh");
@@ -98,7 +98,7 @@ bool check_outputs(const Arguments& arguments, int& status) {
 }
 
 /// A bound for a name that the mesh does not have, or whose kind has an option of its own, is a slip.
-bool check_named_bounds(const Arguments& arguments, const Mesh& mesh, int& status) {
+bool check_named_bounds(const EncodeArguments& arguments, const Mesh& mesh, int& status) {
   for (const NamedBound& bound : arguments.options.attributes.named) {
     const auto has_name = [&](const Attribute& attribute) { return attribute.name == bound.name; };
     const auto found = std::find_if(mesh.attributes.begin(), mesh.attributes.end(), has_name);
@@ -118,7 +118,7 @@ bool check_named_bounds(const Arguments& arguments, const Mesh& mesh, int& statu
   return true;
 }
 
-int run_encode(const Arguments& arguments) {
+int run_encode(const EncodeArguments& arguments) {
   if (const Result<void> valid = validate(arguments.options); !valid) return fail("encode", valid.error());
   int status = kOk;
   if (!check_outputs(arguments, status)) return status;
@@ -145,7 +145,7 @@ int run_encode(const Arguments& arguments) {
 }  // namespace
 
 void add_encode_command(CLI::App& app, int& status) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<EncodeArguments>();
   CLI::App* command = app.add_subcommand("encode", "Compress a mesh file into a .dmsh stream");
   command->add_option("IN", arguments->in, std::string("mesh file: ") + kMeshSuffixes)->required();
   command->add_option("OUT", arguments->out, "stream to write, .dmsh")->required();

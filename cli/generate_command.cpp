@@ -18,7 +18,7 @@
 namespace deltamesh::cli {
 namespace {
 
-struct Arguments {
+struct GenerateArguments {
   std::string scene;
   std::string out;
   std::uint64_t vertices = 50'000;
@@ -27,12 +27,12 @@ struct Arguments {
   std::uint32_t steps = 50;
 };
 
-Result<Mesh> generate_showing_progress(const Arguments& arguments) {
+Result<Mesh> generate_showing_progress(const GenerateArguments& arguments) {
   const Progress progress("generating");
   return generate_scene(*scene_of_name(arguments.scene), arguments.vertices, arguments.seed);
 }
 
-int run_generate(const Arguments& arguments) {
+int run_generate(const GenerateArguments& arguments) {
   if (!arguments.sequence.empty()) {
     if (scene_of_name(arguments.scene) == Scene::kRooms)
       return write_drive(arguments.sequence, arguments.steps, arguments.vertices, arguments.seed);
@@ -77,7 +77,7 @@ std::string help_footer() {
 }  // namespace
 
 void add_generate_command(CLI::App& app, int& status) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<GenerateArguments>();
   CLI::App* command = app.add_subcommand("generate", "Make a test mesh; the same seed gives the same mesh");
   command->add_option("SCENE", arguments->scene, "what to make")
       ->required()

@@ -15,7 +15,7 @@
 namespace deltamesh::cli {
 namespace {
 
-struct Arguments {
+struct GltfArguments {
   std::string in;
   std::string out;
   GltfPackOptions pack;
@@ -42,7 +42,7 @@ nlohmann::ordered_json attributes_object(const GltfReport& report) {
 }
 
 /// `converted`: "compressed" or "decompressed".
-void print_summary(const Arguments& arguments, const char* converted, const GltfReport& report) {
+void print_summary(const GltfArguments& arguments, const char* converted, const GltfReport& report) {
   Summary summary(arguments.in + " -> " + arguments.out);
   summary.add("primitives", grouped(report.converted) + " of " + grouped(report.primitives) + ' ' +
                                 converted + ", " + counted(report.streams, "stream", "streams"));
@@ -99,19 +99,19 @@ void print_object(const GltfReport& report, bool packed) {
   print_json(object);
 }
 
-Result<GltfReport> pack_showing_progress(const Arguments& arguments) {
+Result<GltfReport> pack_showing_progress(const GltfArguments& arguments) {
   Progress progress("packing");
   GltfPackOptions options = arguments.pack;
   options.encode.progress = progress.callback();
   return pack_gltf_file(arguments.in, arguments.out, options);
 }
 
-Result<GltfReport> unpack_showing_progress(const Arguments& arguments) {
+Result<GltfReport> unpack_showing_progress(const GltfArguments& arguments) {
   Progress progress("unpacking");
   return unpack_gltf_file(arguments.in, arguments.out, {.limits = {}, .progress = progress.callback()});
 }
 
-int report_result(const Arguments& arguments, const char* converted, const Result<GltfReport>& report) {
+int report_result(const GltfArguments& arguments, const char* converted, const Result<GltfReport>& report) {
   if (report) {
     if (arguments.json)
       print_object(*report, converted == std::string("compressed"));
@@ -124,7 +124,7 @@ int report_result(const Arguments& arguments, const char* converted, const Resul
 }
 
 /// A bound on a name that no primitive has is most likely a slip.
-void note_unused_bounds(const Arguments& arguments, const GltfReport& report) {
+void note_unused_bounds(const GltfArguments& arguments, const GltfReport& report) {
   for (const NamedBound& bound : arguments.pack.encode.attributes.named) {
     const auto has_name = [&](const GltfAttributeReport& attribute) {
       return attribute.semantic == bound.name;
@@ -134,7 +134,7 @@ void note_unused_bounds(const Arguments& arguments, const GltfReport& report) {
   }
 }
 
-int run_pack(const Arguments& arguments) {
+int run_pack(const GltfArguments& arguments) {
   if (const Result<void> valid = validate(arguments.pack.encode); !valid)
     return fail("gltf pack", valid.error());
   const Result<GltfReport> report = pack_showing_progress(arguments);
@@ -142,7 +142,7 @@ int run_pack(const Arguments& arguments) {
   return report_result(arguments, "compressed", report);
 }
 
-void add_paths(CLI::App& command, Arguments& arguments) {
+void add_paths(CLI::App& command, GltfArguments& arguments) {
   command.add_option("IN", arguments.in, "asset, .glb or .gltf")->required();
   command.add_option("OUT", arguments.out, "asset to write, .glb or .gltf (with a .bin beside it)")
       ->required();
@@ -155,7 +155,7 @@ void add_gltf_command(CLI::App& app, int& status) {
   CLI::App* gltf = app.add_subcommand("gltf", "Compress the meshes inside glTF assets, or decompress them");
   gltf->require_subcommand(1);
 
-  const auto packing = std::make_shared<Arguments>();
+  const auto packing = std::make_shared<GltfArguments>();
   CLI::App* pack = gltf->add_subcommand(
       "pack", "Compress every triangle mesh; materials, nodes, animations and the rest stay");
   add_paths(*pack, *packing);
@@ -171,7 +171,7 @@ void add_gltf_command(CLI::App& app, int& status) {
       "  deltamesh gltf pack helmet.glb helmet_packed.glb --max-error 0.01% --normal-error 1\n");
   pack->callback([packing, &status] { status = run_pack(*packing); });
 
-  const auto unpacking = std::make_shared<Arguments>();
+  const auto unpacking = std::make_shared<GltfArguments>();
   CLI::App* unpack = gltf->add_subcommand("unpack", "Turn a packed asset into a plain one");
   add_paths(*unpack, *unpacking);
   unpack->footer("Example:\n  deltamesh gltf unpack duck_packed.glb duck.glb\n");

@@ -16,7 +16,7 @@
 namespace deltamesh::cli {
 namespace {
 
-struct Arguments {
+struct InfoArguments {
   std::string file;
   bool json = false;
 };
@@ -50,7 +50,7 @@ void print_chunks(const StreamInfo& info) {
                     grouped(chunk.decoded_bytes));
 }
 
-void print_summary(const Arguments& arguments, const StreamInfo& info) {
+void print_summary(const InfoArguments& arguments, const StreamInfo& info) {
   Summary summary(arguments.file + ": deltamesh stream, format " + format_text(info));
   summary.add("vertices", grouped(info.vertices) + " (" +
                               counted(info.geometric_vertices, "distinct position)", "distinct positions)"));
@@ -91,7 +91,7 @@ void print_object(const StreamInfo& info) {
   print_json(object);
 }
 
-int run_info(const Arguments& arguments) {
+int run_info(const InfoArguments& arguments) {
   const Result<std::vector<std::byte>> bytes = read_file(arguments.file);
   if (!bytes) return fail(arguments.file, bytes.error());
   const Result<StreamInfo> info = inspect(*bytes);
@@ -108,7 +108,7 @@ int run_info(const Arguments& arguments) {
 }  // namespace
 
 void add_info_command(CLI::App& app, int& status) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<InfoArguments>();
   CLI::App* command =
       app.add_subcommand("info", "Tell what a stream holds: counts, sizes, achieved errors, chunks");
   command->add_option("FILE", arguments->file, "stream, .dmsh")->required();

@@ -20,8 +20,6 @@
 namespace deltamesh::bench {
 namespace {
 
-Error failure(const char* message) { return {.code = ErrorCode::kInternal, .message = message}; }
-
 /// Adds one value per point. `values`: num_points() equally long ones.
 void add_attribute(draco::Mesh& mesh, draco::GeometryAttribute::Type type, std::int8_t components,
                    draco::DataType data_type, std::span<const std::byte> values) {

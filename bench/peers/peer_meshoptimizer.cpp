@@ -21,15 +21,13 @@ constexpr int kZstdLevel = 19;
 
 using Cell = std::array<std::uint16_t, 4>;  ///< the codec asks for a multiple of four bytes
 
-struct Header {
+struct MeshoptimizerHeader {
   std::uint32_t vertices = 0;
   std::uint32_t triangles = 0;
   std::uint32_t vertex_bytes = 0;
   std::array<float, 3> origin{};
   double cell = 0;
 };
-
-Error failure(const char* message) { return {.code = ErrorCode::kInternal, .message = message}; }
 
 class MeshoptimizerPeer final : public Peer {
  public:
@@ -61,11 +59,11 @@ class MeshoptimizerPeer final : public Peer {
     std::vector<unsigned char> faces(meshopt_encodeIndexBufferBound(indices.size(), n));
     faces.resize(meshopt_encodeIndexBuffer(faces.data(), faces.size(), indices.data(), indices.size()));
 
-    const Header header{.vertices = static_cast<std::uint32_t>(n),
-                        .triangles = static_cast<std::uint32_t>(mesh_->triangle_count()),
-                        .vertex_bytes = static_cast<std::uint32_t>(vertices.size()),
-                        .origin = lattice.origin,
-                        .cell = lattice.cell};
+    const MeshoptimizerHeader header{.vertices = static_cast<std::uint32_t>(n),
+                                     .triangles = static_cast<std::uint32_t>(mesh_->triangle_count()),
+                                     .vertex_bytes = static_cast<std::uint32_t>(vertices.size()),
+                                     .origin = lattice.origin,
+                                     .cell = lattice.cell};
     std::vector<unsigned char> raw(sizeof header);
     std::memcpy(raw.data(), &header, sizeof header);
     raw.insert(raw.end(), vertices.begin(), vertices.end());
@@ -80,9 +78,9 @@ class MeshoptimizerPeer final : public Peer {
   Result<void> decode(std::span<const std::byte> bytes) override {
     std::vector<unsigned char> raw(ZSTD_getFrameContentSize(bytes.data(), bytes.size()));
     if (ZSTD_isError(ZSTD_decompress(raw.data(), raw.size(), bytes.data(), bytes.size())) != 0U ||
-        raw.size() < sizeof(Header))
+        raw.size() < sizeof(MeshoptimizerHeader))
       return failure("zstd cannot decompress what it compressed");
-    Header header;
+    MeshoptimizerHeader header;
     std::memcpy(&header, raw.data(), sizeof header);
     std::vector<Cell> cells(header.vertices);
     decoded_.triangles.resize(std::size_t{3} * header.triangles);

@@ -16,8 +16,6 @@ namespace {
 
 constexpr CTMuint kBestLevel = 9;
 
-Error failure(const char* message) { return {.code = ErrorCode::kInternal, .message = message}; }
-
 struct FreeContext {
   void operator()(void* context) const { ctmFreeContext(context); }
 };

@@ -16,9 +16,7 @@ namespace {
 
 constexpr int kLevel = 19;
 
-Error failure(const char* message) { return {.code = ErrorCode::kInternal, .message = message}; }
-
-struct Header {
+struct ZstdHeader {
   std::uint32_t vertices = 0;
   std::uint32_t triangles = 0;
   std::array<float, 3> origin{};
@@ -55,10 +53,10 @@ class ZstdPeer final : public Peer {
 
   Result<std::vector<std::byte>> encode() override {
     const Lattice lattice = make_lattice(*mesh_, bits_);
-    const Header header{.vertices = static_cast<std::uint32_t>(mesh_->vertex_count()),
-                        .triangles = static_cast<std::uint32_t>(mesh_->triangle_count()),
-                        .origin = lattice.origin,
-                        .cell = lattice.cell};
+    const ZstdHeader header{.vertices = static_cast<std::uint32_t>(mesh_->vertex_count()),
+                            .triangles = static_cast<std::uint32_t>(mesh_->triangle_count()),
+                            .origin = lattice.origin,
+                            .cell = lattice.cell};
     std::vector<std::uint16_t> cells(mesh_->positions.size());
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const double offset =
@@ -81,7 +79,7 @@ class ZstdPeer final : public Peer {
     if (ZSTD_isError(ZSTD_decompress(raw.data(), raw.size(), bytes.data(), bytes.size())) != 0U)
       return failure("zstd cannot decompress what it compressed");
     std::span<const std::byte> rest(raw);
-    Header header;
+    ZstdHeader header;
     if (!take(rest, std::span(&header, 1))) return failure("zstd lost the header");
     std::vector<std::uint16_t> cells(std::size_t{3} * header.vertices);
     decoded_.positions.resize(cells.size());

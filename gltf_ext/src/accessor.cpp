@@ -14,8 +14,6 @@
 namespace deltamesh::gltf {
 namespace {
 
-constexpr std::uint64_t kNoLimit = ~std::uint64_t{0};
-
 struct ComponentNumber {
   int gltf;
   ComponentType type;

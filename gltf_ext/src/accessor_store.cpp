@@ -14,7 +14,7 @@ namespace {
 
 // More than any file of 4 GiB needs, and less than a few bytes of JSON may ask for.
 constexpr std::uint64_t kMostOwnedBytes = std::uint64_t{1} << 30;
-constexpr std::uint64_t kMostRows = std::uint64_t{1} << 29;
+constexpr std::uint64_t kMostStoredRows = std::uint64_t{1} << 29;
 
 std::uint64_t hash_of(const AccessorRows& rows) noexcept {
   std::uint64_t hash = rows.shape().count;
@@ -40,7 +40,7 @@ Result<const AccessorRows*> AccessorStore::read(std::size_t accessor, std::uint6
     if (document_.json["accessors"][accessor].contains("sparse"))
       owned_bytes_ += saturating_mul(rows->shape().count, rows->shape().row_size());
     rows_ = saturating_add(rows_, rows->shape().count);
-    if (owned_bytes_ > kMostOwnedBytes || rows_ > kMostRows)
+    if (owned_bytes_ > kMostOwnedBytes || rows_ > kMostStoredRows)
       return Error{.code = ErrorCode::kLimitExceeded,
                    .message = "the accessors stand for too much data",
                    .where_kind = WhereKind::kElement,

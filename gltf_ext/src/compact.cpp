@@ -20,7 +20,6 @@ namespace deltamesh::gltf {
 namespace {
 
 constexpr std::uint64_t kAlignment = 8;
-constexpr std::uint64_t kNoLimit = ~std::uint64_t{0};
 constexpr Error kBadView{.code = ErrorCode::kInvalidFile,
                          .message = "a reference to a buffer view that does not exist"};
 constexpr Error kBadBuffer{.code = ErrorCode::kInvalidFile,

@@ -43,7 +43,7 @@ Result<Buffer> load_buffer(const Json& json, std::size_t number,
   Buffer buffer;
   const Error bad_length = element_error("the buffer's byteLength is missing or malformed", number);
   if (!json.contains("byteLength")) return bad_length;
-  DELTAMESH_TRY(const auto length, unsigned_member(json, "byteLength", 0, ~std::uint64_t{0}, bad_length));
+  DELTAMESH_TRY(const auto length, unsigned_member(json, "byteLength", 0, kNoLimit, bad_length));
   const Json* uri = find(json, "uri");
   if (uri) {
     if (!uri->is_string()) return element_error("the buffer's URI is not a string", number);

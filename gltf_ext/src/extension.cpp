@@ -51,7 +51,7 @@ Result<std::optional<PackedPrimitive>> read_extension(const Json& primitive, std
   const Error bad_view = rule_error("the extension names no buffer view", "GLTF-1", number);
   const Json* view = find(*extension, "bufferView");
   if (!view) return bad_view;
-  DELTAMESH_TRY(packed.view, to_unsigned(*view, ~std::uint64_t{0}, bad_view));
+  DELTAMESH_TRY(packed.view, to_unsigned(*view, kNoLimit, bad_view));
 
   const Error bad_mode =
       rule_error("the extension is on a primitive that is not a list of triangles", "GLTF-2", number);

@@ -42,6 +42,8 @@ Json* find(Json& object, const char* key) noexcept;
 /// Elements of the array `key` of `object`; 0 where it is absent.
 std::size_t array_size(const Json& object, const char* key) noexcept;
 
+inline constexpr std::uint64_t kNoLimit = ~std::uint64_t{0};
+
 /// A whole number from 0 to `max`. Errors: `otherwise`.
 Result<std::uint64_t> to_unsigned(const Json& value, std::uint64_t max, const Error& otherwise) noexcept;
 

@@ -23,7 +23,7 @@ Result<void> check_accessor_map(const Json& map, std::size_t accessors, std::siz
   const Error bad = element_error("an attribute of the primitive names no accessor", primitive);
   if (!map.is_object()) return bad;
   for (const Json& value : map) {
-    const auto number = to_unsigned(value, ~std::uint64_t{0}, bad);
+    const auto number = to_unsigned(value, kNoLimit, bad);
     if (!number || *number >= accessors) return bad;
   }
   return {};
@@ -35,7 +35,7 @@ Result<void> check_primitive(const Json& primitive, std::size_t accessors, std::
   if (auto checked = check_accessor_map(*attributes, accessors, number); !checked) return checked;
   if (const Json* indices = find(primitive, "indices")) {
     const Error bad = element_error("the primitive's indices name no accessor", number);
-    const auto accessor = to_unsigned(*indices, ~std::uint64_t{0}, bad);
+    const auto accessor = to_unsigned(*indices, kNoLimit, bad);
     if (!accessor || *accessor >= accessors) return bad;
   }
   if (const Json* targets = find(primitive, "targets")) {
@@ -79,7 +79,7 @@ Result<void> check_other_accessors(const Json& json) {
   const Error bad{.code = ErrorCode::kInvalidFile, .message = "a skin or an animation names no accessor"};
   Result<void> result;
   for_each_other_accessor(json, [&](const Json& value) {
-    const auto number = to_unsigned(value, ~std::uint64_t{0}, bad);
+    const auto number = to_unsigned(value, kNoLimit, bad);
     if (!number || *number >= accessors) result = bad;
   });
   return result;

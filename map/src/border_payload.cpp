@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint8_t kAllLoose = 7;
 
-Error invalid(const char* message) noexcept {
+Error broken_border(const char* message) noexcept {
   return {.code = ErrorCode::kInvalidStream, .message = message, .rule = "MAP-11"};
 }
 
@@ -83,9 +83,9 @@ Result<std::vector<BorderVertex>> read_border(std::span<const std::byte> bytes, 
   std::size_t next = 0;
   for (std::uint32_t v = 0; v < mesh.vertex_count() && !reader.failed(); ++v)
     if (!coder.code(v, border, next) && !reader.failed())
-      return invalid("a border vertex beyond the lattice");
+      return broken_border("a border vertex beyond the lattice");
   DELTAMESH_CHECK(reader.finish(0));
-  if (border.empty()) return invalid("a coded border without vertices");
+  if (border.empty()) return broken_border("a coded border without vertices");
   if (learning.end != nullptr) *learning.end = models;
   return border;
 }

@@ -17,6 +17,10 @@ inline bool is_color(const Attribute& a) noexcept {
          (a.type == ComponentType::kU8 || a.type == ComponentType::kU16 || a.type == ComponentType::kF32);
 }
 
+inline bool are_colors(const Attribute& a, const Attribute& b) noexcept {
+  return is_color(a) && is_color(b) && a.type == b.type && a.components == b.components;
+}
+
 /// In 255ths of the range. Precondition: is_color().
 inline double color_value(const Attribute& color, std::size_t vertex, std::size_t component) noexcept {
   const std::size_t at = vertex * color.components + component;

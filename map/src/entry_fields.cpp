@@ -10,6 +10,7 @@
 
 #include "base/zigzag.h"
 #include "deltamesh/map/part.h"
+#include "errors.h"
 #include "map_limits.h"
 
 namespace deltamesh {
@@ -62,10 +63,6 @@ float rounded_up(double value) noexcept {
 
 bool is_error(double value) noexcept { return value >= 0 && value <= std::numeric_limits<float>::max(); }
 
-Error invalid(const char* message, const char* rule) noexcept {
-  return {.code = ErrorCode::kInvalidArgument, .message = message, .rule = rule};
-}
-
 }  // namespace
 
 bool PartEntry::operator==(const PartEntry& other) const noexcept {
@@ -105,12 +102,12 @@ Result<PartKey> read_key(ByteReader& in) {
 }
 
 Result<void> check_links(const PartKey& key, const std::vector<PartLink>& links) noexcept {
-  if (key.level > kMostPartLevel) return invalid("a level of parts above 24", "MAP-3");
-  if (links.size() > kMostLinks) return invalid("a part with too many neighbours", "MAP-12");
-  if (!ascends(links)) return invalid("links that do not ascend", "MAP-12");
+  if (key.level > kMostPartLevel) return invalid_argument("a level of parts above 24", "MAP-3");
+  if (links.size() > kMostLinks) return invalid_argument("a part with too many neighbours", "MAP-12");
+  if (!ascends(links)) return invalid_argument("links that do not ascend", "MAP-12");
   for (const PartLink& link : links)
     if (link.key == key || link.key.level > kMostPartLevel)
-      return invalid("a link to the part itself, or to no part", "MAP-12");
+      return invalid_argument("a link to the part itself, or to no part", "MAP-12");
   return {};
 }
 
@@ -151,15 +148,15 @@ Result<std::vector<PartLink>> read_links(ByteReader& in, const PartKey& key, std
 Result<void> check_entry(const PartEntry& entry) noexcept {
   DELTAMESH_CHECK(check_links(entry.key, entry.links));
   if (entry.bytes == 0) return {};
-  if (entry.bytes > kMostPartBytes) return invalid("a part of more than 65536 bytes", "MAP-7");
+  if (entry.bytes > kMostPartBytes) return invalid_argument("a part of more than 65536 bytes", "MAP-7");
   for (std::size_t k = 0; k < 3; ++k)
     if (!std::isfinite(entry.box_min[k]) || !std::isfinite(entry.box_max[k]) ||
         entry.box_min[k] > entry.box_max[k])
-      return invalid("a box that is none", "MAP-13");
+      return invalid_argument("a box that is none", "MAP-13");
   for (const double error : {entry.quality.vde_rms, entry.quality.lfe_rms, entry.quality.max_error})
-    if (!is_error(error)) return invalid("an error that is negative or not finite", "MAP-13");
+    if (!is_error(error)) return invalid_argument("an error that is negative or not finite", "MAP-13");
   if (!std::ranges::all_of(entry.attribute_errors, [](float error) { return is_error(error); }))
-    return invalid("an error that is negative or not finite", "MAP-13");
+    return invalid_argument("an error that is negative or not finite", "MAP-13");
   return {};
 }
 

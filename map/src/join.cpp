@@ -12,7 +12,7 @@
 namespace deltamesh {
 namespace {
 
-Error invalid(const char* message, std::uint64_t part) noexcept {
+Error invalid_part(const char* message, std::uint64_t part) noexcept {
   return {.code = ErrorCode::kInvalidArgument,
           .message = message,
           .where_kind = WhereKind::kElement,
@@ -26,21 +26,21 @@ bool has_same_shape(const Attribute& a, const Attribute& b) noexcept {
 
 Result<void> check_part(const MapPart& part, const MapPart& first, std::uint64_t number) {
   const Mesh& mesh = part.mesh;
-  if (mesh.origin != first.mesh.origin) return invalid("parts of different origins", number);
+  if (mesh.origin != first.mesh.origin) return invalid_part("parts of different origins", number);
   if (mesh.attributes.size() != first.mesh.attributes.size())
-    return invalid("parts of different attributes", number);
+    return invalid_part("parts of different attributes", number);
   for (std::size_t i = 0; i < mesh.attributes.size(); ++i) {
     const Attribute& attribute = mesh.attributes[i];
     if (!has_same_shape(attribute, first.mesh.attributes[i]))
-      return invalid("parts of different attributes", number);
+      return invalid_part("parts of different attributes", number);
     if (attribute.values.size() !=
         mesh.vertex_count() * attribute.components * component_size(attribute.type))
-      return invalid("attribute values that are not as many as vertices", number);
+      return invalid_part("attribute values that are not as many as vertices", number);
   }
   if (std::ranges::any_of(mesh.triangles, [&](std::uint32_t v) { return v >= mesh.vertex_count(); }) ||
       std::ranges::any_of(part.border,
                           [&](const BorderVertex& b) { return b.vertex >= mesh.vertex_count(); }))
-    return invalid("a vertex that is not there", number);
+    return invalid_part("a vertex that is not there", number);
   return {};
 }
 

@@ -30,7 +30,7 @@ Result<void> check_entries(const MapManifest& manifest, ErrorCode code) noexcept
   return {};
 }
 
-Result<MapManifest> read_body(ByteReader in) {
+Result<MapManifest> read_entries(ByteReader in) {
   MapManifest manifest;
   DELTAMESH_TRY(const auto size, in.read_varint());
   DELTAMESH_TRY(const auto description, in.read_bytes(size));
@@ -67,7 +67,7 @@ Result<std::vector<std::byte>> write_manifest(const MapManifest& manifest) noexc
 Result<MapManifest> read_manifest(std::span<const std::byte> bytes) noexcept {
   return guarded([&]() -> Result<MapManifest> {
     DELTAMESH_TRY(const auto body, open_message(bytes, MessageKind::kManifest));
-    return read_body(ByteReader(body));
+    return read_entries(ByteReader(body));
   });
 }
 

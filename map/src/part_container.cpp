@@ -21,7 +21,7 @@
 namespace deltamesh {
 namespace {
 
-Error invalid(const ByteReader& in, const char* message) noexcept {
+Error broken_part(const ByteReader& in, const char* message) noexcept {
   return in.error(ErrorCode::kInvalidStream, message, "MAP-7");
 }
 
@@ -60,7 +60,7 @@ bool are_flags_valid(const PartPlace& place, std::uint8_t flags) noexcept {
 }
 
 Result<FileHeader> read_part_header(const PartPlace& place, std::uint8_t flags, ByteReader& in) {
-  if (!are_flags_valid(place, flags)) return invalid(in, "a flag that means nothing in this part");
+  if (!are_flags_valid(place, flags)) return broken_part(in, "a flag that means nothing in this part");
   FileHeader header;
   apply_flags(flags, header);
   header.keeps_order = false;
@@ -83,10 +83,10 @@ Result<std::vector<CodedChunk>> read_chunks(const PartPlace& place, ByteReader& 
   while (in.remaining() > 0) {
     DELTAMESH_TRY(const ChunkEntry entry, read_chunk_header(in));
     DELTAMESH_TRY(const auto bytes, in.read_bytes(entry.coded_bytes));
-    if (entry.tag == kTagOrder) return invalid(in, "a part has no order to restore");
+    if (entry.tag == kTagOrder) return broken_part(in, "a part has no order to restore");
     CodedChunk chunk = read_bytes_of(entry, bytes);
     if (entry.tag == kTagAttribute) {
-      if (attributes == shapes.size()) return invalid(in, "more attributes than the map has");
+      if (attributes == shapes.size()) return broken_part(in, "more attributes than the map has");
       const MapAttribute& shape = shapes[attributes++];
       chunk.attribute = {.kind = shape.kind,
                          .type = shape.type,
@@ -96,7 +96,7 @@ Result<std::vector<CodedChunk>> read_chunks(const PartPlace& place, ByteReader& 
     }
     if (entry.tag != kTagFiller) chunks.push_back(std::move(chunk));
   }
-  if (attributes != shapes.size()) return invalid(in, "fewer attributes than the map has");
+  if (attributes != shapes.size()) return broken_part(in, "fewer attributes than the map has");
   return chunks;
 }
 
@@ -159,14 +159,15 @@ Result<OpenedPart> open_part(const PartPlace& place, std::span<const std::byte> 
   DELTAMESH_TRY(const auto flags, in.read<std::uint8_t>());
   if (flags == kFlagPrimer) {
     DELTAMESH_TRY(const auto number, in.read<std::uint8_t>());
-    if (number >= place.description.primers.size()) return invalid(in, "a primer that the map does not have");
+    if (number >= place.description.primers.size())
+      return broken_part(in, "a primer that the map does not have");
     DELTAMESH_CHECK(in.finish());
     const MapPrimer& primer = place.description.primers[number];
     return OpenedPart{primer.stream, number, primer.border};
   }
   DELTAMESH_TRY(const FileHeader header, read_part_header(place, flags, in));
   if (elements_of(header) / kPartElementsPerByte > covered.size())
-    return invalid(in, "more vertices and triangles than a part of this length may hold");
+    return broken_part(in, "more vertices and triangles than a part of this length may hold");
   DELTAMESH_TRY(const auto border_size, in.read_varint());
   DELTAMESH_TRY(const auto border, in.read_bytes(border_size));
   DELTAMESH_TRY(const auto chunks, read_chunks(place, in));

@@ -9,16 +9,13 @@
 
 #include "base/try.h"
 #include "border_payload.h"
+#include "errors.h"
 #include "patch_container.h"
 #include "patch_payload.h"
 #include "place_border.h"
 
 namespace deltamesh {
 namespace {
-
-Error invalid(const char* message) noexcept {
-  return {.code = ErrorCode::kInvalidStream, .message = message, .rule = "MAP-17"};
-}
 
 Result<MapPart> decode_whole(const MapCodec::State& state, const PartKey& key,
                              std::span<const std::byte> octets, const DecodeOptions& options) {
@@ -48,7 +45,7 @@ Result<MapPart> apply_patch(const MapCodec::State& state, const PartKey& key, co
     DELTAMESH_TRY(inserted, decode_whole(state, key, opened.inserted, options));
   }
   if (!base.mesh.face_groups.empty() || !inserted.mesh.face_groups.empty())
-    return invalid("a patch with groups of faces");
+    return broken_patch("a patch with groups of faces");
   DELTAMESH_TRY(const PatchPlan plan, read_patch_plan(opened.plan, base.mesh, inserted.mesh));
   return put_together(key, base, inserted, plan);
 }
@@ -62,7 +59,7 @@ Result<MapPart> decode_part(const MapCodec::State& state, const PartKey& key,
   std::vector<Patch> patches;  // the last one first
   PartKey of = key;
   for (; is_patched(octets); octets = patches.back().octets.base) {
-    if (patches.size() == kMostPatches) return invalid("more than 16 patches");
+    if (patches.size() == kMostPatches) return broken_patch("more than 16 patches");
     DELTAMESH_TRY(const PatchedOctets divided, divide_patched(octets));
     patches.push_back({of, divided});
     of = divided.base_key;

@@ -13,6 +13,7 @@
 #include "border_payload.h"
 #include "codec_state.h"
 #include "deltamesh/encode.h"
+#include "errors.h"
 #include "part_measure.h"
 #include "part_options.h"
 #include "part_primer.h"
@@ -24,30 +25,26 @@ namespace {
 
 constexpr int kMostAttempts = 6;
 
-Error invalid(const char* message, WhereKind kind = WhereKind::kNone, std::uint64_t where = 0) noexcept {
-  return {.code = ErrorCode::kInvalidMesh, .message = message, .where_kind = kind, .where = where};
-}
-
 Result<void> check_part(const MapPart& part, const MapDescription& description) {
   const MapLattice& lattice = description.lattice;
-  if (part.key.level > kMostPartLevel) return invalid("a part's level is above 24");
-  if (part.mesh.origin != lattice.origin) return invalid("a part's origin is not that of its map");
-  if (part.mesh.triangles.empty()) return invalid("a part without faces");
+  if (part.key.level > kMostPartLevel) return invalid_mesh("a part's level is above 24");
+  if (part.mesh.origin != lattice.origin) return invalid_mesh("a part's origin is not that of its map");
+  if (part.mesh.triangles.empty()) return invalid_mesh("a part without faces");
   if (!std::ranges::equal(part.mesh.attributes, description.attributes,
                           [](const Attribute& a, const MapAttribute& b) {
                             return a.kind == b.kind && a.type == b.type && a.components == b.components &&
                                    a.normalized == b.normalized && a.name == b.name;
                           }))
-    return invalid("a part's attributes are not those of its map");
+    return invalid_mesh("a part's attributes are not those of its map");
   std::uint64_t least = 0;
   for (const BorderVertex& border : part.border) {
     if (border.vertex < least || border.vertex >= part.mesh.vertex_count())
-      return invalid("border vertices that are not ascending vertices of the mesh", WhereKind::kVertex,
-                     border.vertex);
+      return invalid_mesh("border vertices that are not ascending vertices of the mesh", WhereKind::kVertex,
+                          border.vertex);
     least = std::uint64_t{border.vertex} + 1;
     if (!std::ranges::all_of(
             border.point, [](std::int32_t x) { return x >= -kMostLatticeSteps && x <= kMostLatticeSteps; }))
-      return invalid("a border vertex beyond the lattice", WhereKind::kVertex, border.vertex);
+      return invalid_mesh("a border vertex beyond the lattice", WhereKind::kVertex, border.vertex);
   }
   return {};
 }

@@ -16,10 +16,6 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-bool are_colors(const Attribute& a, const Attribute& b) noexcept {
-  return is_color(a) && is_color(b) && a.type == b.type && a.components == b.components;
-}
-
 /// From the vertices of one mesh to the surface of the other.
 void add_errors(const Mesh& from, const Surface& vertices, const Mesh& to, const Surface& surface,
                 PartErrors& errors) {

@@ -103,10 +103,6 @@ std::vector<std::uint8_t> shared_positions(const Mesh& mesh) {
   return is_shared;
 }
 
-bool are_colors(const Attribute& a, const Attribute& b) noexcept {
-  return is_color(a) && is_color(b) && a.type == b.type && a.components == b.components;
-}
-
 /// For every face and up to three others with which it has an edge in common.
 std::vector<std::array<std::uint32_t, 3>> neighbors_of_faces(const Mesh& mesh) {
   const auto earlier = earlier_neighbors(mesh.triangles, mesh.vertex_count());

@@ -8,14 +8,11 @@
 #include "base/try.h"
 #include "entropy/compact_reader.h"
 #include "entropy/compact_writer.h"
+#include "errors.h"
 #include "patch_coder.h"
 
 namespace deltamesh {
 namespace {
-
-Error invalid(const char* message) noexcept {
-  return {.code = ErrorCode::kInvalidStream, .message = message, .rule = "MAP-17"};
-}
 
 std::vector<std::uint32_t> staying_triangles(const Mesh& base, const std::vector<std::uint8_t>& stays) {
   std::vector<std::uint32_t> triangles;
@@ -67,9 +64,9 @@ Result<PatchPlan> read_patch_plan(std::span<const std::byte> bytes, const Mesh& 
   code_staying(reader, models, base, plan.stays);
   const auto staying = staying_triangles(base, plan.stays);
   if (!JoinCoder(reader, models, base, staying, inserted).code(plan.joins) && !reader.failed())
-    return invalid("a vertex joined to what is no free vertex of the base");
+    return broken_patch("a vertex joined to what is no free vertex of the base");
   DELTAMESH_CHECK(reader.finish(0));
-  if (staying.empty()) return invalid("a patch of a base of which no face stays");
+  if (staying.empty()) return broken_patch("a patch of a base of which no face stays");
   return plan;
 }
 

@@ -42,7 +42,7 @@ Result<void> MapReceiver::apply(std::span<const std::byte> message) noexcept {
       case MessageKind::kPatch:
         return state_->apply_patch(message);
       default:
-        return refused("not a message for receivers", "MAP-1");
+        return invalid_argument("not a message for receivers", "MAP-1");
     }
   });
 }
@@ -130,7 +130,7 @@ std::vector<HeldPart> MapReceiver::held() const {
 
 Result<void> MapReceiver::restore(const PartEntry& entry, std::span<const std::byte> octets) noexcept {
   return guarded([&]() -> Result<void> {
-    if (!state_->codec) return refused("the map's message has not come yet", "MAP-5");
+    if (!state_->codec) return invalid_argument("the map's message has not come yet", "MAP-5");
     DELTAMESH_CHECK(check_links(entry.key, entry.links));
     if (!state_->is_new(entry.key, entry.revision)) return {};
     return state_->take(entry.key, {entry.revision, entry.group, entry.links, nullptr}, octets);

@@ -53,8 +53,8 @@ std::shared_ptr<const PartContent> content_of(std::vector<std::byte> octets, Map
 }  // namespace
 
 Result<void> MapReceiver::State::check_map(std::uint64_t hash) const {
-  if (!codec) return refused("the map's message has not come yet", "MAP-5");
-  if (hash != map) return refused("a message of another map or epoch", "MAP-5");
+  if (!codec) return invalid_argument("the map's message has not come yet", "MAP-5");
+  if (hash != map) return invalid_argument("a message of another map or epoch", "MAP-5");
   return {};
 }
 
@@ -78,7 +78,7 @@ void MapReceiver::State::settle() {
 
 Result<void> MapReceiver::State::apply_description(std::span<const std::byte> message) {
   DELTAMESH_TRY(auto description, read_description(message));
-  if (description.id != map_id) return refused("another map", "MAP-5");
+  if (description.id != map_id) return invalid_argument("another map", "MAP-5");
   if (codec && description.epoch <= codec->description().epoch) return {};
   const bool is_same_lattice = codec && codec->description().lattice == description.lattice &&
                                codec->description().cell_steps == description.cell_steps &&
@@ -166,7 +166,7 @@ Result<void> MapReceiver::State::apply_patch(std::span<const std::byte> message)
 }
 
 Result<void> MapReceiver::State::apply_entry(std::span<const std::byte> message) {
-  if (!codec) return refused("the map's message has not come yet", "MAP-5");
+  if (!codec) return invalid_argument("the map's message has not come yet", "MAP-5");
   DELTAMESH_TRY(EntryMessage told, read_entry(message, codec->description().attributes.size()));
   DELTAMESH_CHECK(check_map(told.map));
   PartEntry& entry = told.entry;

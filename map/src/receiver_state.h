@@ -11,15 +11,12 @@
 
 #include "deltamesh/map/map_codec.h"
 #include "deltamesh/map/receiver.h"
+#include "errors.h"
 #include "received_parts.h"
 
 namespace deltamesh {
 
 /// The error of a message or a call that does not fit the state.
-inline Error refused(const char* message, const char* rule) noexcept {
-  return {.code = ErrorCode::kInvalidArgument, .message = message, .rule = rule};
-}
-
 struct MapReceiver::State {
   std::uint64_t viewer = 0;
   std::uint64_t map_id = 0;

@@ -10,16 +10,16 @@
 namespace deltamesh {
 namespace {
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kNoRow = std::numeric_limits<std::uint32_t>::max();
 
 }  // namespace
 
-RowGather::RowGather(MeshView source) : source_(std::move(source)), number_(source_.vertex_count(), kNone) {}
+RowGather::RowGather(MeshView source) : source_(std::move(source)), number_(source_.vertex_count(), kNoRow) {}
 
 void RowGather::add_face(std::size_t face) {
   for (std::size_t c = 0; c < 3; ++c) {
     const std::uint32_t vertex = source_.triangles[3 * face + c];
-    if (number_[vertex] == kNone) {
+    if (number_[vertex] == kNoRow) {
       number_[vertex] = static_cast<std::uint32_t>(rows_.size());
       rows_.push_back(vertex);
     }
@@ -35,7 +35,7 @@ Mesh RowGather::take() {
   for (const std::uint32_t row : rows_) {
     const auto position = source_.positions.subspan(3 * std::size_t{row}, 3);
     mesh.positions.insert(mesh.positions.end(), position.begin(), position.end());
-    number_[row] = kNone;
+    number_[row] = kNoRow;
   }
   for (const AttributeView& view : source_.attributes) {
     Attribute attribute{.kind = view.kind,

@@ -7,25 +7,22 @@
 
 #include "base/try.h"
 #include "content_hash.h"
+#include "errors.h"
 #include "quality/check_mesh.h"
 #include "row_gather.h"
 
 namespace deltamesh {
 namespace {
 
-Error invalid(const char* message, WhereKind kind = WhereKind::kNone, std::uint64_t where = 0) noexcept {
-  return {.code = ErrorCode::kInvalidMesh, .message = message, .where_kind = kind, .where = where};
-}
-
 Result<void> check_attributes(const MeshView& mesh, const MapDescription& description) {
   if (mesh.attributes.size() != description.attributes.size())
-    return invalid("the mesh has not as many attributes as the map");
+    return invalid_mesh("the mesh has not as many attributes as the map");
   for (std::size_t i = 0; i < mesh.attributes.size(); ++i) {
     const AttributeView& a = mesh.attributes[i];
     const MapAttribute& b = description.attributes[i];
     if (a.kind != b.kind || a.type != b.type || a.components != b.components ||
         a.normalized != b.normalized || a.name != b.name)
-      return invalid("an attribute of the mesh is not that of the map", WhereKind::kAttribute, i);
+      return invalid_mesh("an attribute of the mesh is not that of the map", WhereKind::kAttribute, i);
   }
   return {};
 }
@@ -74,7 +71,7 @@ Result<Mesh> to_map(const MeshView& mesh, const MapDescription& description) {
       p[k] = static_cast<float>(double{p[k]} + shift) + 0.0F;  // one zero
     }
     if (!description.lattice.is_within({p[0], p[1], p[2]}))
-      return invalid(
+      return invalid_mesh(
           "a position is 2^24 steps of the map's lattice or more from its origin; ask for a larger error",
           WhereKind::kVertex, v);
   }

@@ -8,23 +8,23 @@
 #include "base/try.h"
 #include "deltamesh/map/tiles.h"
 #include "describe_map.h"
+#include "errors.h"
 #include "octree.h"
 #include "stored_block.h"
 #include "view_cells.h"
 
 namespace deltamesh {
-namespace {
-
-Error refused(const char* message) { return {.code = ErrorCode::kInvalidArgument, .message = message}; }
 
 /// Where a mesh is.
-struct Reach {
+struct MeshReach {
   Box box;
   double longest = 0;  ///< largest extent of a face along an axis
 };
 
-Reach reach_of(const Mesh& mesh) {
-  Reach reach{.box = box_of(mesh.positions)};
+namespace {
+
+MeshReach reach_of(const Mesh& mesh) {
+  MeshReach reach{.box = box_of(mesh.positions)};
   for (std::size_t f = 0; f < mesh.triangle_count(); ++f) {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto [low, high] = std::minmax({mesh.positions[3 * std::size_t{mesh.triangles[3 * f]} + k],
@@ -48,7 +48,7 @@ struct TilePlanner::State {
   MapSettings settings;
   std::uint64_t tile_triangles = 0;
   MapDescription description{};
-  std::vector<Reach> reaches{};  ///< of every mesh
+  std::vector<MeshReach> reaches{};  ///< of every mesh
   TriangleCounts counts{};
 
   /// Faces in the tile come from meshes that touch it, and reach out of it by no more than they are long;
@@ -57,7 +57,7 @@ struct TilePlanner::State {
     const CellCube cube = cube_of(cell, description);
     const double step = description.lattice.step();
     double longest = 0;
-    for (const Reach& reach : reaches)
+    for (const MeshReach& reach : reaches)
       if (touches(reach.box, cube, step)) longest = std::max(longest, reach.longest);
     std::vector<std::uint32_t> meshes;
     for (std::uint32_t i = 0; i < reaches.size(); ++i)
@@ -75,12 +75,14 @@ Result<TilePlanner> TilePlanner::make(const MapSettings& settings, std::uint64_t
   return guarded([&]() -> Result<TilePlanner> {
     DELTAMESH_CHECK(validate(settings));
     const QualityRequest& bounds = settings.quality.bounds;
-    if (bounds.empty()) return refused("tiles need a bound on positions, such as a largest error");
+    if (bounds.empty()) return invalid_argument("tiles need a bound on positions, such as a largest error");
     for (const auto& bound : {bounds.vde, bounds.lfe, bounds.max_error})
       if (bound && bound->unit != QualityUnit::kModel)
-        return refused("bounds of tiles are in model units: no tile knows the diagonal of the whole map");
-    if (settings.levels != 0) return refused("tiles have no coarser levels");
-    if (tile_triangles < settings.most_triangles) return refused("tiles are smaller than their parts");
+        return invalid_argument(
+            "bounds of tiles are in model units: no tile knows the diagonal of the whole map");
+    if (settings.levels != 0) return invalid_argument("tiles have no coarser levels");
+    if (tile_triangles < settings.most_triangles)
+      return invalid_argument("tiles are smaller than their parts");
     auto state = std::make_unique<State>();
     state->settings = settings;
     state->tile_triangles = tile_triangles;
@@ -108,7 +110,7 @@ Result<void> TilePlanner::add(const MeshView& mesh) noexcept {
 Result<TilePlan> TilePlanner::plan() const noexcept {
   return guarded([&]() -> Result<TilePlan> {
     const State& state = *state_;
-    if (state.reaches.empty()) return refused("no meshes to plan tiles of");
+    if (state.reaches.empty()) return invalid_argument("no meshes to plan tiles of");
     TilePlan plan{.description = state.description, .quality = state.settings.quality};
     for (const auto& [cell, key] :
          parts_of_cells(state.counts, state.settings.most_triangles, kLevelsOfParts))

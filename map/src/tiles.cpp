@@ -10,14 +10,13 @@
 #include "base/guard.h"
 #include "base/try.h"
 #include "coded_parts.h"
+#include "errors.h"
 #include "layout.h"
 #include "link_table.h"
 #include "stored_block.h"
 
 namespace deltamesh {
 namespace {
-
-Error refused(const char* message) { return {.code = ErrorCode::kInvalidArgument, .message = message}; }
 
 /// Null: the plan has no part there.
 const PartKey* find_part(const TilePlan& plan, const Cell0& cell) noexcept {
@@ -53,7 +52,7 @@ Result<std::vector<TilePart>> split_tile(const TilePlan& plan, const Tile& tile,
     for (const StoredBlocks& some : blocks) {
       for (const auto& [cell, block] : some) {
         const PartKey* key = find_part(plan, cell);
-        if (key == nullptr) return refused("meshes are not those that tiles were planned with");
+        if (key == nullptr) return invalid_argument("meshes are not those that tiles were planned with");
         by_cell[{*key, cell}].push_back(&block);
       }
     }
@@ -99,12 +98,12 @@ Result<MapManifest> merge_tiles(std::span<const MapManifest> tiles) noexcept {
     MapManifest whole{.revision = 1, .next_group = 1};
     for (const MapManifest& tile : tiles) {
       if (&tile == tiles.data()) whole.description = tile.description;
-      if (tile.description != whole.description) return refused("tiles of different maps");
+      if (tile.description != whole.description) return invalid_argument("tiles of different maps");
       whole.entries.insert(whole.entries.end(), tile.entries.begin(), tile.entries.end());
     }
     std::ranges::sort(whole.entries, {}, &PartEntry::key);
     if (std::ranges::adjacent_find(whole.entries, {}, &PartEntry::key) != whole.entries.end())
-      return refused("a part is in two tiles");
+      return invalid_argument("a part is in two tiles");
     return whole;
   });
 }

@@ -12,6 +12,9 @@
 
 namespace deltamesh {
 
+/// Normals and tangents of a length this far from 1 are data, not directions: they are stored exactly.
+inline constexpr double kUnitTolerance = 1e-2;
+
 /// What a weight of 1 is in its type: 255 or 65535 of u8 and u16.
 double weight_unit(ComponentType type) noexcept;
 

@@ -12,7 +12,7 @@ namespace deltamesh {
 namespace {
 
 /// Fields where so much rests may be sparse: one vertex in so many.
-constexpr std::size_t kSparse = 8;
+constexpr std::size_t kSparseValues = 8;
 
 std::vector<Cell> cells_of(const FieldGroup& group, std::span<const ComponentLattice> lattices,
                            ComponentType type, const AttributeRows& rows) {
@@ -52,7 +52,7 @@ void write_numbers(CompactWriter& writer, const FieldFaces& over, GroupForm form
                    std::span<Cell> cells) {
   const std::vector<Cell> shared = over.first_copies(std::span<const Cell>(cells));
   const auto resting = static_cast<std::size_t>(std::count(shared.begin(), shared.end(), form.rest));
-  form.sparse = kSparse * resting >= shared.size();
+  form.sparse = kSparseValues * resting >= shared.size();
   form.guesses = true;
   if (2 * resting < shared.size()) {  // else the rest is too little to fit a table to
     form.blends = fit_blends(over.faces(), shared, effort > 0 ? BlendFit::kSquares : BlendFit::kSample);

@@ -16,9 +16,6 @@
 namespace deltamesh {
 namespace {
 
-/// Normals of a length this far from 1 are data, not directions: they are stored exactly.
-constexpr double kUnitTolerance = 1e-2;
-
 bool all_unit_or_zero(const AttributeRows& rows) {
   for (std::size_t i = 0; i < rows.count(); ++i) {
     const double size = length(rows.vector(i));

@@ -40,9 +40,9 @@ Result<ColorFields> read_fields(ByteReader& in, ComponentType type, unsigned com
 }
 
 /// Writes components one after the other.
-class Values {
+class ColorValues {
  public:
-  Values(ComponentType type, const ColorFields& fields, std::uint32_t rows)
+  ColorValues(ComponentType type, const ColorFields& fields, std::uint32_t rows)
       : type_(type), bits_(fields.bits), components_(fields.components) {
     const std::size_t bytes = rows * std::size_t{components_} * component_size(type);
     reserve_large(values_, bytes);
@@ -74,7 +74,7 @@ Result<std::vector<std::byte>> read_surface_colors(std::span<const std::byte> by
   DELTAMESH_TRY(const ColorFields fields, read_fields(in, type, components));
   const ColorAxes axes = axes_of(fields);
   const std::uint32_t rows = surface.vertex_count();
-  Values values(type, fields, rows);
+  ColorValues values(type, fields, rows);
   if (axes.count == 0) {
     DELTAMESH_CHECK(in.finish());
     for (std::uint32_t v = 0; v < rows; ++v) values.add(levels_by_component(fields, axes, {}));

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "attributes/attribute_error.h"
 #include "attributes/normal_lattice.h"
 #include "attributes/normal_prediction.h"
 #include "attributes/normal_traversal.h"
@@ -97,9 +98,6 @@ class NormalChoice {
   NormalBound bound_;
   NormalLattice lattice_;
 };
-
-/// Normals of a length this far from 1 are data, not directions.
-constexpr double kUnitTolerance = 1e-2;
 
 /// Part of the bound up to which the normals of copies count as one.
 constexpr double kSamePart = 1.0 / 256;

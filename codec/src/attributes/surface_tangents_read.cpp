@@ -13,7 +13,7 @@ namespace deltamesh {
 namespace {
 
 /// Readers choose nothing.
-struct NoChoice {};
+struct NoTangentChoice {};
 
 /// Of the first attribute of this kind, if it has floats, `components` for each vertex.
 std::vector<float> first_floats(std::span<const Attribute> decoded, AttributeKind kind,
@@ -43,7 +43,7 @@ Result<std::vector<float>> read_surface_tangents(std::span<const std::byte> byte
     return in.error(ErrorCode::kInvalidStream, "step of tangents out of range", "ATTR-38");
   DELTAMESH_TRY(const auto stream, in.read_bytes(in.remaining()));
   CompactReader reader(stream);
-  TangentCoder coder(reader, surface, basis.normals, basis.uvs, step, NoChoice{});
+  TangentCoder coder(reader, surface, basis.normals, basis.uvs, step, NoTangentChoice{});
   for (std::size_t i = 0; i < coder.count(); ++i) {
     const bool is_valid = coder.code(i);
     if (reader.failed()) break;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "attributes/attribute_error.h"
 #include "attributes/pair_choice.h"
 #include "attributes/surface_tangents.h"
 #include "attributes/tangent_coder.h"
@@ -13,14 +14,12 @@
 namespace deltamesh {
 namespace {
 
-/// Vectors of a length this far from 1 are data, not directions.
-constexpr double kUnitTolerance = 1e-2;
 constexpr double kLeastDegrees = 0.002;
 constexpr double kMostDegrees = 60;
 /// Of the bound: however an angle is computed, it is kept.
-constexpr double kKept = 1 - 1e-6;
+constexpr double kKeptAngle = 1 - 1e-6;
 /// What arithmetic in f32 may add to a distance.
-constexpr double kRounding = 1e-6;
+constexpr double kStepRounding = 1e-6;
 
 Vec3 vector_of(std::span<const float> tangents, std::size_t vertex) noexcept {
   const float* const t = tangents.data() + 4 * vertex;
@@ -86,10 +85,10 @@ std::optional<CodedValues<float>> write_surface_tangents(std::span<const float> 
                                                          const TangentBasis& basis) {
   if (!(max_degrees >= kLeastDegrees && max_degrees <= kMostDegrees) || !are_tangents(tangents))
     return std::nullopt;
-  const double chord = 2 * portable_sin(max_degrees * (kPi / 360)) * kKept;
+  const double chord = 2 * portable_sin(max_degrees * (kPi / 360)) * kKeptAngle;
   // In the plane distances are half of those on the sphere, or less. The cell's diagonal is below twice what
   // rounding leaves.
-  const auto step = static_cast<float>(1.4142 * 0.5 * (chord - kRounding));
+  const auto step = static_cast<float>(1.4142 * 0.5 * (chord - kStepRounding));
   CompactWriter writer;
   TangentCoder coder(writer, surface, basis.normals, basis.uvs, step, TangentChoice(tangents, chord, step));
   for (std::size_t i = 0; i < coder.count(); ++i)

@@ -11,7 +11,7 @@ namespace deltamesh {
 namespace {
 
 /// Readers choose nothing.
-struct NoChoice {};
+struct NoUvChoice {};
 
 }  // namespace
 
@@ -23,7 +23,7 @@ Result<std::vector<float>> read_surface_uvs(std::span<const std::byte> bytes,
     return in.error(ErrorCode::kInvalidStream, "step of texture coordinates out of range", "ATTR-31");
   DELTAMESH_TRY(const auto stream, in.read_bytes(in.remaining()));
   CompactReader reader(stream);
-  UvCoder coder(reader, surface, static_cast<double>(step), NoChoice{});
+  UvCoder coder(reader, surface, static_cast<double>(step), NoUvChoice{});
   for (std::size_t i = 0; i < coder.count(); ++i) {
     const bool is_valid = coder.code(i);
     if (reader.failed()) break;

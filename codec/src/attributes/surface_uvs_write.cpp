@@ -16,7 +16,7 @@ namespace {
 constexpr double kMostRange = 0x1p18;
 
 /// Of the bound: however a distance is computed, it is kept.
-constexpr double kKept = 1 - 1e-12;
+constexpr double kKeptDistance = 1 - 1e-12;
 
 double largest(std::span<const float> uvs) noexcept {
   double most = 0;
@@ -77,7 +77,7 @@ std::optional<CodedValues<float>> write_surface_uvs(std::span<const float> uvs, 
   if (!(step >= kLeastUvStep && step <= kMostUvStep)) return std::nullopt;
   CompactWriter writer;
   UvCoder coder(writer, surface, static_cast<double>(step),
-                UvChoice(uvs, max_distance * kKept, static_cast<double>(step)));
+                UvChoice(uvs, max_distance * kKeptDistance, static_cast<double>(step)));
   for (std::size_t i = 0; i < coder.count(); ++i)
     if (!coder.code(i)) return std::nullopt;
   return CodedValues<float>{.bytes = step_and_stream(step, writer.finish()),

@@ -8,8 +8,8 @@
 namespace deltamesh {
 namespace {
 
-constexpr float kFarthest = 2.25F;  ///< squared distances beyond are not used
-constexpr float kLeastSquare = 1e-12F;
+constexpr float kFarthestUv = 2.25F;  ///< squared distances beyond are not used
+constexpr float kLeastUvSquare = 1e-12F;
 
 float square_of(PlanePoint x) noexcept { return x[0] * x[0] + x[1] * x[1]; }
 
@@ -41,11 +41,11 @@ TangentForecast TangentForecaster::forecast(std::size_t i) {
   result.is_mirrored = ruled.area < 0;
   FourFloats pole{1, 0, 0, 0};
   const float square = dot3(ruled.direction, ruled.direction);
-  if (square > kLeastSquare && square < 1 / kLeastSquare) {
+  if (square > kLeastUvSquare && square < 1 / kLeastUvSquare) {
     source_ = faces.empty() ? TangentSource::kRule
                             : (faces.size() == 1 ? TangentSource::kRuleAndOne : TangentSource::kRuleAndMore);
     pole = ruled.direction;
-  } else if (dot3(sum.tangent, sum.tangent) > kLeastSquare) {
+  } else if (dot3(sum.tangent, sum.tangent) > kLeastUvSquare) {
     source_ = TangentSource::kNeighbors;
     pole = sum.tangent;
   } else {
@@ -72,10 +72,10 @@ void TangentForecaster::settle(std::size_t i, FourFloats tangent) {
   if (source_ < TangentSource::kRule) return;
   const PlanePoint off = place_of(frame_, tangent);
   const float square = square_of(off);
-  if (!(square <= kFarthest)) return;
+  if (!(square <= kFarthestUv)) return;
   known.off = FourFloats{off[0], off[1], 1, 0};
   shares_[static_cast<std::size_t>(source_)].learn(mean_, off,
-                                                   1 / (kLeastSquare + square + square_of(mean_)));
+                                                   1 / (kLeastUvSquare + square + square_of(mean_)));
 }
 
 }  // namespace deltamesh

@@ -10,9 +10,9 @@
 namespace deltamesh {
 namespace {
 
-constexpr std::size_t kAtATime = 64;  ///< faces, about
-constexpr double kFarthest = 1e6;     ///< squared distance of a corner from another, in edges
-constexpr double kFlattest = 0.05;    ///< height of a face that tells of its neighbour, in edges
+constexpr std::size_t kAtATime = 64;     ///< faces, about
+constexpr double kFarthestCorner = 1e6;  ///< squared distance of a corner from another, in edges
+constexpr double kFlattest = 0.05;       ///< height of a face that tells of its neighbour, in edges
 
 /// The place of a corner: edge * x + height * y.
 struct Apex {
@@ -32,7 +32,7 @@ struct UvFaces::Edge {
     apex.x = dot(way, from) * inverse;
     const double distance = dot(from, from) * inverse;
     apex.y = std::sqrt(std::max(distance - apex.x * apex.x, 0.0));
-    apex.is_near = distance <= kFarthest;
+    apex.is_near = distance <= kFarthestCorner;
     return apex;
   }
 

@@ -12,9 +12,9 @@ namespace deltamesh {
 namespace {
 
 /// Errors: kTruncated, kInvalidStream [FGRP-1 .. 3, CMP-3].
-Result<std::vector<std::uint32_t>> read_compact(std::span<const std::byte> bytes,
-                                                std::span<const std::uint32_t> triangles,
-                                                std::uint32_t vertex_count) {
+Result<std::vector<std::uint32_t>> read_compact_groups(std::span<const std::byte> bytes,
+                                                       std::span<const std::uint32_t> triangles,
+                                                       std::uint32_t vertex_count) {
   std::vector<std::uint32_t> groups(triangles.size() / 3);
   CompactReader reader(bytes);
   const char* const broken = FaceGroupCoder<CompactReader>(reader, triangles, vertex_count).code(groups);
@@ -28,7 +28,7 @@ Result<std::vector<std::uint32_t>> read_compact(std::span<const std::byte> bytes
 Result<std::vector<std::uint32_t>> read_face_groups(Payload payload, std::span<const std::uint32_t> triangles,
                                                     std::uint32_t vertex_count) {
   if (payload.bytes.empty()) return std::vector<std::uint32_t>();
-  if (payload.is_compact) return read_compact(payload.bytes, triangles, vertex_count);
+  if (payload.is_compact) return read_compact_groups(payload.bytes, triangles, vertex_count);
   return read_plain_groups(payload.bytes, static_cast<std::uint32_t>(triangles.size() / 3));
 }
 

@@ -13,7 +13,7 @@
 namespace deltamesh {
 namespace {
 
-Error invalid(const char* message) noexcept { return Refusal{message, "CONN-11"}.error(); }
+Error broken_gluing(const char* message) noexcept { return Refusal{message, "CONN-11"}.error(); }
 
 /// Runs of connected vertices. `starts` and `vertex`: as in ManifoldFaces.
 VertexRuns connected_runs(std::span<const std::uint32_t> starts, std::span<const std::uint32_t> vertex) {
@@ -41,8 +41,8 @@ VertexRuns connected_runs(std::span<const std::uint32_t> starts, std::span<const
 }  // namespace
 
 Result<void> check_glue_count(std::uint64_t count, std::uint32_t manifold_count, std::uint32_t vertex_count) {
-  if (count > manifold_count) return invalid("more glued vertices than vertices");
-  if (manifold_count - count > vertex_count) return invalid("more vertices than declared");
+  if (count > manifold_count) return broken_gluing("more glued vertices than vertices");
+  if (manifold_count - count > vertex_count) return broken_gluing("more vertices than declared");
   return {};
 }
 
@@ -61,10 +61,10 @@ Result<LargeVector<std::uint32_t>> glue_vertices(const GlueList& list, std::uint
   };
   std::uint32_t target = 0;
   for (std::size_t i = 0; i < list.gaps.size(); ++i) {
-    if (list.gaps[i] >= manifold_count - next) return invalid("glued vertex beyond the last");
+    if (list.gaps[i] >= manifold_count - next) return broken_gluing("glued vertex beyond the last");
     take_fresh(list.gaps[i]);
     target += static_cast<std::uint32_t>(unzigzag(list.targets[i]));
-    if (target >= fresh) return invalid("glued to a vertex yet to come");
+    if (target >= fresh) return broken_gluing("glued to a vertex yet to come");
     vertex[next++] = target;
   }
   take_fresh(manifold_count - next);

@@ -12,8 +12,8 @@ namespace deltamesh {
 namespace {
 
 /// Errors: kTruncated, kInvalidStream [ORDR-2 .. 6, CMP-3].
-Result<MeshOrder> read_compact(std::span<const std::byte> bytes, std::span<const std::uint32_t> triangles,
-                               std::uint32_t vertex_count) {
+Result<MeshOrder> read_compact_order(std::span<const std::byte> bytes,
+                                     std::span<const std::uint32_t> triangles, std::uint32_t vertex_count) {
   const std::size_t face_count = triangles.size() / 3;
   MeshOrder order{std::vector<std::uint32_t>(vertex_count), std::vector<std::uint32_t>(face_count),
                   std::vector<std::uint8_t>(face_count)};
@@ -28,7 +28,7 @@ Result<MeshOrder> read_compact(std::span<const std::byte> bytes, std::span<const
 
 Result<MeshOrder> read_order(Payload payload, std::span<const std::uint32_t> triangles,
                              std::uint32_t vertex_count) {
-  if (payload.is_compact) return read_compact(payload.bytes, triangles, vertex_count);
+  if (payload.is_compact) return read_compact_order(payload.bytes, triangles, vertex_count);
   return read_plain_order(payload.bytes, vertex_count, static_cast<std::uint32_t>(triangles.size() / 3));
 }
 

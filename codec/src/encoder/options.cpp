@@ -9,7 +9,7 @@
 namespace deltamesh {
 namespace {
 
-Error invalid(const char* message) noexcept {
+Error invalid_option(const char* message) noexcept {
   return {.code = ErrorCode::kInvalidArgument, .message = message};
 }
 
@@ -20,46 +20,50 @@ Result<void> check_quality(const EncodeOptions& o) noexcept {
   const QualityRequest& q = o.quality;
   DELTAMESH_CHECK(validate(q));
   if ((q.vde || q.max_error || q.target_bytes) && (o.bits || o.step))
-    return invalid("VDE, maximum error and target bytes set the step: bits and step exclude them");
+    return invalid_option("VDE, maximum error and target bytes set the step: bits and step exclude them");
   if ((q.lfe || q.max_error) && (o.anchors || o.anchor_density))
-    return invalid("LFE and maximum error set the anchors: anchors and anchor density exclude them");
+    return invalid_option("LFE and maximum error set the anchors: anchors and anchor density exclude them");
   return {};
 }
 
 /// Bits, step and anchors by hand.
 Result<void> check_steps(const EncodeOptions& o) noexcept {
   const bool predictive = o.geometry == GeometryCoder::kPredictive;
-  if (o.bits && o.step) return invalid("bits and step exclude each other");
-  if (o.bits && predictive && !within(*o.bits, 1, 28)) return invalid("bits must be 1 to 28");
-  if (o.bits && !predictive && !within(*o.bits, 3, 16)) return invalid("bits must be 3 to 16");
+  if (o.bits && o.step) return invalid_option("bits and step exclude each other");
+  if (o.bits && predictive && !within(*o.bits, 1, 28)) return invalid_option("bits must be 1 to 28");
+  if (o.bits && !predictive && !within(*o.bits, 3, 16)) return invalid_option("bits must be 3 to 16");
   if (o.step && !(std::isfinite(*o.step) && *o.step > 0))
-    return invalid("step must be a finite number above 0");
-  if (o.anchors && o.anchor_density) return invalid("anchors and anchor density exclude each other");
+    return invalid_option("step must be a finite number above 0");
+  if (o.anchors && o.anchor_density) return invalid_option("anchors and anchor density exclude each other");
   if (o.lossless && (!o.quality.empty() || o.bits || o.step || o.anchors || o.anchor_density))
-    return invalid("lossless excludes a quality, bits, step and anchors");
+    return invalid_option("lossless excludes a quality, bits, step and anchors");
   if (o.lossless && o.geometry == GeometryCoder::kHighpass)
-    return invalid("the highpass coder is never lossless");
+    return invalid_option("the highpass coder is never lossless");
   if (o.lossless && o.profile == Profile::kZstd)
-    return invalid("lossless has a compact form only, which the zstd profile excludes");
-  if (predictive && (o.anchors || o.anchor_density)) return invalid("the predictive coder has no anchors");
+    return invalid_option("lossless has a compact form only, which the zstd profile excludes");
+  if (predictive && (o.anchors || o.anchor_density))
+    return invalid_option("the predictive coder has no anchors");
   if (predictive && o.profile == Profile::kZstd)
-    return invalid("the predictive coder has a compact form only, which the zstd profile excludes");
+    return invalid_option("the predictive coder has a compact form only, which the zstd profile excludes");
   return {};
 }
 
 bool is_bound(double value) noexcept { return std::isfinite(value) && value >= 0; }
 
 Result<void> check_attributes(const AttributeQuality& q) noexcept {
-  if (!is_bound(q.normal_error)) return invalid("the error of normals must be a finite number of at least 0");
+  if (!is_bound(q.normal_error))
+    return invalid_option("the error of normals must be a finite number of at least 0");
   if (q.tangent_error && !is_bound(*q.tangent_error))
-    return invalid("the error of tangents must be a finite number of at least 0");
+    return invalid_option("the error of tangents must be a finite number of at least 0");
   if (!is_bound(q.uv_error))
-    return invalid("the error of texture coordinates must be a finite number of at least 0");
-  if (!is_bound(q.color_error)) return invalid("the error of colours must be a finite number of at least 0");
-  if (!is_bound(q.weight_error)) return invalid("the error of weights must be a finite number of at least 0");
+    return invalid_option("the error of texture coordinates must be a finite number of at least 0");
+  if (!is_bound(q.color_error))
+    return invalid_option("the error of colours must be a finite number of at least 0");
+  if (!is_bound(q.weight_error))
+    return invalid_option("the error of weights must be a finite number of at least 0");
   for (const NamedBound& bound : q.named)
     if (!is_bound(bound.error))
-      return invalid("the error of an attribute must be a finite number of at least 0");
+      return invalid_option("the error of an attribute must be a finite number of at least 0");
   return {};
 }
 
@@ -67,12 +71,12 @@ Result<void> check_attributes(const AttributeQuality& q) noexcept {
 
 Result<void> validate(const EncodeOptions& o) noexcept {
   DELTAMESH_CHECK(check_quality(o));
-  if (!within(o.effort, 0, 9)) return invalid("effort must be 0 to 9");
+  if (!within(o.effort, 0, 9)) return invalid_option("effort must be 0 to 9");
   DELTAMESH_CHECK(check_steps(o));
-  if (o.anchors && *o.anchors == 0) return invalid("at least one anchor is needed");
+  if (o.anchors && *o.anchors == 0) return invalid_option("at least one anchor is needed");
   if (o.anchor_density && (*o.anchor_density < 1 || *o.anchor_density > 65535))
-    return invalid("anchor density must be 1 to 65535 hops");
-  if (!within(o.anchor_bits, 4, 24)) return invalid("anchor bits must be 4 to 24");
+    return invalid_option("anchor density must be 1 to 65535 hops");
+  if (!within(o.anchor_bits, 4, 24)) return invalid_option("anchor bits must be 4 to 24");
   return check_attributes(o.attributes);
 }
 

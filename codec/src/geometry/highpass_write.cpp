@@ -21,7 +21,7 @@ namespace deltamesh {
 namespace {
 
 /// Deltas of float32 positions carry no more than this many bits below the longest side.
-constexpr int kFinestBits = 40;
+constexpr int kFinestDeltaBits = 40;
 
 double largest_component(std::span<const Vec3> deltas) noexcept {
   double largest = 0;
@@ -69,7 +69,7 @@ HighpassCoder::HighpassCoder(const Adjacency& graph, const Components& component
       solver_(part_) {}
 
 double HighpassCoder::step_for_bits(int bits) const noexcept {
-  const double finest = std::ldexp(box_.longest_side(), -kFinestBits);
+  const double finest = std::ldexp(box_.longest_side(), -kFinestDeltaBits);
   const double step = std::max(std::ldexp(range_, -bits), finest);
   return step > 0 ? step : 1.0;
 }

@@ -14,8 +14,8 @@
 namespace deltamesh {
 namespace {
 
-constexpr std::size_t kFew = 2048;
-constexpr std::size_t kFewestRepeats = kFew / 25;
+constexpr std::size_t kSampledValues = 2048;
+constexpr std::size_t kFewestRepeats = kSampledValues / 25;
 
 constexpr unsigned kDigits = 3;
 constexpr unsigned kDigitBits = 11;
@@ -68,14 +68,15 @@ std::vector<float> sort_values(std::span<const Vec3> positions, std::size_t axis
 
 const std::vector<float>& AxisValues::few(std::size_t axis) const {
   if (few_[axis].empty()) {
-    const std::size_t stride = std::max<std::size_t>(positions_.size() / kFew, 1);
-    few_[axis] = sort_values(positions_.first(std::min(positions_.size(), kFew * stride)), axis, stride);
+    const std::size_t stride = std::max<std::size_t>(positions_.size() / kSampledValues, 1);
+    few_[axis] =
+        sort_values(positions_.first(std::min(positions_.size(), kSampledValues * stride)), axis, stride);
   }
   return few_[axis];
 }
 
 bool AxisValues::has_repeats(std::size_t axis) const {
-  if (positions_.size() <= kFew) return true;
+  if (positions_.size() <= kSampledValues) return true;
   const std::vector<float>& values = few(axis);
   std::size_t repeats = 0;
   for (std::size_t i = 1; i < values.size(); ++i) repeats += values[i] == values[i - 1] ? 1 : 0;

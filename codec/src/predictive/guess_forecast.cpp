@@ -14,7 +14,7 @@
 namespace deltamesh {
 namespace {
 
-constexpr std::size_t kSample = 256;
+constexpr std::size_t kSampledCells = 256;
 /// Bits that guesses have to save for each bit of saying which are right. The line was drawn through what
 /// both ways take on the corpus.
 constexpr double kWorth = 1.15;
@@ -38,7 +38,7 @@ bool guesses_pay(const KnownFaces& faces, std::span<const Cell> cells,
   double hits = 0;
   double count = 0;
   const FourInts most = four_ints({largest[0], largest[1], largest[2], 0U});
-  const std::size_t stride = 1 + cells.size() / kSample;
+  const std::size_t stride = 1 + cells.size() / kSampledCells;
   for (std::size_t i = 0; i < cells.size(); i += stride) {
     const auto vertex = static_cast<std::uint32_t>(i);
     const Surroundings around = faces.around(vertex);

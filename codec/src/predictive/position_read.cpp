@@ -17,7 +17,7 @@
 namespace deltamesh {
 namespace {
 
-Error invalid(const char* message, const char* rule) noexcept {
+Error broken_positions(const char* message, const char* rule) noexcept {
   return broken_rule(message, rule, kTagPositions);
 }
 
@@ -48,7 +48,7 @@ Result<std::vector<float>> read_floats(CompactReader& reader, const KnownFaces& 
   LargeVector<Ordinals> floats(faces.vertex_count(), Ordinals{});
   for (std::uint32_t v = 0; v < floats.size() && !reader.failed(); ++v) {
     const char* broken = coder.code_vertex(v, floats);
-    if (broken != nullptr && !reader.failed()) return invalid("not a finite float32", broken);
+    if (broken != nullptr && !reader.failed()) return broken_positions("not a finite float32", broken);
   }
   DELTAMESH_CHECK(reader.finish(kTagPositions));
   return to_rows(floats.size(), [&](std::size_t v, std::size_t axis) { return float_of(floats[v][axis]); });
@@ -63,7 +63,8 @@ Result<LargeVector<Cell>> read_voxel_cells(CompactReader& reader, const VoxelFac
   LargeVector<Cell> cells(faces.vertex_count());
   for (std::uint32_t step = 0; step < faces.steps() && !reader.failed(); ++step) {
     const char* broken = coder.code_step(step, cells);
-    if (broken != nullptr && !reader.failed()) return invalid("not a vertex of the voxel grid", broken);
+    if (broken != nullptr && !reader.failed())
+      return broken_positions("not a vertex of the voxel grid", broken);
   }
   if (learning.end != nullptr) learning.end->voxels = coder.models();
   return cells;
@@ -86,7 +87,7 @@ Result<LargeVector<Cell>> read_lattice_cells(CompactReader& reader, const KnownF
   for (std::uint32_t v = 0; v < cells.size() && !reader.failed();) {
     const char* broken = coder.code_next(v, cells);
     if (broken == nullptr) continue;
-    if (!reader.failed()) return invalid("a coordinate beyond the lattice", broken);
+    if (!reader.failed()) return broken_positions("a coordinate beyond the lattice", broken);
     break;
   }
   if (learning.end != nullptr) learning.end->lattice = coder.models(start);
@@ -102,7 +103,7 @@ Result<std::vector<float>> read_lattice(CompactReader& reader, const KnownFaces&
   std::vector<Patch> patches;
   if (patched && !reader.failed() &&
       !code_patches(reader, patches, 3 * std::uint64_t{faces.vertex_count()}) && !reader.failed())
-    return invalid("a coordinate to replace that is not there, or not finite", "POSN-11");
+    return broken_positions("a coordinate to replace that is not there, or not finite", "POSN-11");
   DELTAMESH_CHECK(reader.finish(kTagPositions));
   std::vector<float> rows = to_rows(cells, lattice);
   deltamesh::apply(patches, rows);
@@ -137,14 +138,14 @@ Result<std::vector<float>> read_positions(Payload payload, const FaceList& faces
                                           const PredictiveParameters& parameters, const Box& box,
                                           const Learning<PositionModels>& learning) {
   if (faces.vertex_count == 0) {
-    if (!payload.bytes.empty()) return invalid("positions without vertices", "POSN-1");
+    if (!payload.bytes.empty()) return broken_positions("positions without vertices", "POSN-1");
     return std::vector<float>{};
   }
-  if (!payload.is_compact) return invalid("positions that are not in the compact form", "POSN-1");
+  if (!payload.is_compact) return broken_positions("positions that are not in the compact form", "POSN-1");
   CompactReader reader(payload.bytes);
   CodingOrder coding_order{};
   if (!code_coding_order(reader, coding_order))
-    return invalid("an order of vertices that is not known", "POSN-10");
+    return broken_positions("an order of vertices that is not known", "POSN-10");
   const auto order = ordered_vertices(faces, coding_order);
   DELTAMESH_TRY(auto ordered, read_in_order(reader, faces, order, parameters, box, learning));
   if (!order.empty()) ordered = in_decoded_order(ordered, order);

@@ -42,13 +42,13 @@ void load(const AttributeView& attribute, std::uint32_t vertex, Value& value) no
     value[c] = load_component(attribute.type, from + c * size) / unit;
 }
 
-double angle_between(const Value& a, const Value& b) noexcept {
+double degrees_between(const Value& a, const Value& b) noexcept {
   return portable_degrees_between({a[0], a[1], a[2]}, {b[0], b[1], b[2]});
 }
 
 double error_between(AttributeKind kind, std::size_t components, const Value& a, const Value& b) noexcept {
-  if (kind == AttributeKind::kNormal && components == 3) return angle_between(a, b);
-  if (kind == AttributeKind::kTangent && components == 4) return a[3] == b[3] ? angle_between(a, b) : 180;
+  if (kind == AttributeKind::kNormal && components == 3) return degrees_between(a, b);
+  if (kind == AttributeKind::kTangent && components == 4) return a[3] == b[3] ? degrees_between(a, b) : 180;
   if (kind == AttributeKind::kUv && components == 2) return length({a[0] - b[0], a[1] - b[1], 0});
   double largest = 0;
   for (std::size_t c = 0; c < components; ++c) {

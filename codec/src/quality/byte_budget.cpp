@@ -16,9 +16,9 @@ namespace {
 
 constexpr int kMostCodings = 9;
 constexpr double kTightShare = 0.995;  // of the target: near enough
-constexpr double kAim = 0.998;
+constexpr double kByteAim = 0.998;
 constexpr double kSameStep = 1.0001;
-constexpr int kFinestBits = 24;  // below the range of deltas: beyond float32 positions
+constexpr int kFinestBudgetBits = 24;  // below the range of deltas: beyond float32 positions
 constexpr double kRateWeights[] = {0, kRateWeight};
 
 /// The finest step whose stream fits, between a coarse one that does and a fine one that is taken not to.
@@ -33,7 +33,7 @@ class FinestFit {
     DELTAMESH_TRY(coarsest_bytes_, coder_.bytes(settings_));
     Point fits{settings_.step, static_cast<double>(coarsest_bytes_)};
     if (fits.bytes > target_) return std::optional<HighpassSettings>();
-    Point fails{std::ldexp(std::max(coder_.delta_range(), 1e-3 * settings_.step), -kFinestBits), 0};
+    Point fails{std::ldexp(std::max(coder_.delta_range(), 1e-3 * settings_.step), -kFinestBudgetBits), 0};
     for (int i = 0; i < kMostCodings && fits.bytes < kTightShare * target_; ++i) {
       if (fits.step < fails.step * kSameStep) break;
       // A guess that falls on the same side as the one before it makes little way: halve then.
@@ -69,7 +69,7 @@ class FinestFit {
       return std::max(fits.step * portable_exp2(-spare - 0.1), fails.step);
     }
     // Bytes against the logarithm of the step are close to a line.
-    const double share = (kAim * target_ - fits.bytes) / (fails.bytes - fits.bytes);
+    const double share = (kByteAim * target_ - fits.bytes) / (fails.bytes - fits.bytes);
     const double guess =
         fits.step * portable_exp2(std::clamp(share, 0.02, 0.98) * portable_log2(fails.step / fits.step));
     return guess > fails.step && guess < fits.step ? guess : middle;

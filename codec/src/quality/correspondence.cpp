@@ -101,20 +101,20 @@ Correspondence by_order(const MeshView& a, const MeshView& b, std::span<const st
 /// The vertex of A for every vertex of B; empty where a vertex of B has none, or is at several places of A.
 std::vector<std::uint32_t> order_of(const FaceGraph& a, const FaceGraph& b,
                                     std::span<const FaceMatch> matches) {
-  constexpr std::uint32_t kNone = 0xffffffff;
-  std::vector<std::uint32_t> welded(b.positions.size(), kNone);
+  constexpr std::uint32_t kUnset = 0xffffffff;
+  std::vector<std::uint32_t> welded(b.positions.size(), kUnset);
   std::vector<std::uint32_t> order(b.positions.size());
   for (std::size_t f = 0; f < matches.size(); ++f) {
     if (matches[f].face == kNoFace) continue;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t corner = 3 * std::size_t{matches[f].face} + (k + matches[f].turn) % 3;
       const std::uint32_t v = b.vertices[3 * f + k];
-      if (welded[v] != kNone && welded[v] != a.corners[corner]) return {};
+      if (welded[v] != kUnset && welded[v] != a.corners[corner]) return {};
       welded[v] = a.corners[corner];
       order[v] = a.vertices[corner];
     }
   }
-  if (std::find(welded.begin(), welded.end(), kNone) != welded.end()) return {};
+  if (std::find(welded.begin(), welded.end(), kUnset) != welded.end()) return {};
   return order;
 }
 

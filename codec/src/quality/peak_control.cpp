@@ -55,7 +55,7 @@ Result<void> grow_step(Attempt& best, Trials& trials) {
   return {};
 }
 
-constexpr int kMostRuns = 12;
+constexpr int kMostRefinements = 12;
 constexpr double kBatchShare = 0.25;  // of the anchors there are
 /// For a maximum error, vertices above this share of it; for an LFE the largest come first in any case.
 constexpr double kThreshold = 0.9;
@@ -80,7 +80,7 @@ Result<void> control_peaks(const HighpassSettings& settings, Trials& trials) {
 Result<Attempt> refine_greedily(const Attempt& start, std::uint64_t most_bytes, Trials& trials) {
   const Bounds& bounds = trials.bounds();
   Attempt attempt = start;
-  for (int runs = 0; runs < kMostRuns; ++runs) {
+  for (int runs = 0; runs < kMostRefinements; ++runs) {
     if (!attempt.decodes()) return attempt;
     const Quality& quality = attempt.figures.quality;
     if (bounds.load(quality) <= 1 || bounds.visual_load(quality) > 1) return attempt;

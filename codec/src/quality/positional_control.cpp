@@ -14,9 +14,9 @@
 namespace deltamesh {
 namespace {
 
-constexpr double kAim = 0.95;
+constexpr double kPositionalAim = 0.95;
 constexpr double kWeak = 0.975;  // loads above ask for more strength, those below for less
-constexpr int kMostRuns = 6;
+constexpr int kMostPositionalRuns = 6;
 constexpr double kVisualAim = 0.975;
 constexpr double kVisualTight = 0.94;  ///< a smaller visual load leaves room for a larger step
 /// What is left of the load at full strength, until it is measured.
@@ -32,7 +32,7 @@ struct Point {
 
 /// The line through the two points, kept off their ends. LFE falls almost linearly with the strength.
 double strength_between(const Point& weak, const Point& strong) noexcept {
-  const double share = (weak.load - kAim) / (weak.load - strong.load);
+  const double share = (weak.load - kPositionalAim) / (weak.load - strong.load);
   return weak.strength + std::clamp(share, 0.05, 0.95) * (strong.strength - weak.strength);
 }
 
@@ -47,10 +47,10 @@ Result<Attempt> raise_diffusion(const Attempt& plain, bool step_moves, Trials& t
   HighpassSettings settings = plain.settings;
   Point weak{settings.diffusion, bounds.positional_load(plain.figures.quality)};
   Point strong{1, kFullStrengthLoad * weak.load};
-  settings.diffusion = strong.load < kAim ? strength_between(weak, strong) : 1;
+  settings.diffusion = strong.load < kPositionalAim ? strength_between(weak, strong) : 1;
   std::optional<Attempt> kept;
   double visual_share = 1;  // what the delta error may be, so that VDE comes near its bound
-  for (int runs = 0; runs <= kMostRuns; ++runs) {
+  for (int runs = 0; runs <= kMostPositionalRuns; ++runs) {
     // Under diffusion what prices save costs more diffusion.
     settings.rate_weight = plain.settings.rate_weight * (1 - settings.diffusion);
     if (step_moves) settings.step = step_for_delta_error(coder, settings, visual_share * delta_error);
@@ -80,10 +80,10 @@ Result<Attempt> raise_diffusion(const Attempt& plain, bool step_moves, Trials& t
 constexpr int kSearchEffort = 5;
 constexpr double kAnchorFactor = 3;
 /// What other anchor counts save at most, and a little more.
-constexpr double kRivalShare = 1.08;
+constexpr double kPositionalRivalShare = 1.08;
 /// The step that makes up for this load costs more than a third of the anchors, or three times them, can
 /// save.
-constexpr double kHopelessLoad = 1.5;
+constexpr double kHopelessPositionalLoad = 1.5;
 
 /// Bytes at a step that is guessed, over what they may be where it is found.
 constexpr double kGuessShare = 1.01;
@@ -105,7 +105,7 @@ Result<void> explore_anchor_counts(const Attempt& start, Trials& trials) {
       if (settings.anchors == from.settings.anchors) break;
       DELTAMESH_TRY(const Attempt probe, trials.run(settings));
       const double load = trials.bounds().load(probe.figures.quality);
-      if (load > kHopelessLoad) break;
+      if (load > kHopelessPositionalLoad) break;
       settings.step *= near.aim / load;
       DELTAMESH_TRY(const std::uint64_t bytes, trials.coder().bytes(settings));
       if (static_cast<double>(bytes) > kGuessShare * static_cast<double>(from.figures.bytes)) break;
@@ -143,7 +143,7 @@ Result<void> follow_with_step(const HighpassSettings& settings, Trials& trials) 
   DELTAMESH_TRY(const Attempt landed, search_step(trials, settings, Watch::kAll, step_goal(goal.effort)));
   if (trials.bounds().load(landed.figures.quality) > 1 || goal.effort < kSearchEffort || goal.anchors)
     return {};
-  if (goal.loses(landed.figures.bytes, kRivalShare)) return {};
+  if (goal.loses(landed.figures.bytes, kPositionalRivalShare)) return {};
   DELTAMESH_CHECK(explore_anchor_counts(landed, trials));
   return use_up_room(trials);
 }

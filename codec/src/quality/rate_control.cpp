@@ -19,10 +19,8 @@
 namespace deltamesh {
 namespace {
 
-constexpr int kMostAnchorBits = 24;
-
 // One anchor for so many vertices.
-constexpr std::uint32_t kSparse = 500;
+constexpr std::uint32_t kForVde = 500;
 constexpr std::uint32_t kForLfe = 200;
 constexpr std::uint32_t kForMaxError = 50;
 
@@ -49,7 +47,7 @@ int anchor_bits_for(const Bounds& bounds, int least, TrialCoder& coder) {
 /// - 500 where only VDE is asked for: with fewer, what is saved is under 0.1 bits per vertex;
 /// - 200 for an LFE, 50 for a maximum error: near what is best on open maps.
 std::uint32_t usual_anchors(const Bounds& bounds, TrialCoder& coder) {
-  const std::uint32_t vertices = bounds.max_error ? kForMaxError : bounds.lfe ? kForLfe : kSparse;
+  const std::uint32_t vertices = bounds.max_error ? kForMaxError : bounds.lfe ? kForLfe : kForVde;
   const std::uint32_t wanted = coder.most_anchors() / vertices + 1;
   return std::clamp(wanted, coder.fewest_anchors(), std::max(coder.fewest_anchors(), coder.most_anchors()));
 }

@@ -13,9 +13,8 @@ namespace deltamesh {
 namespace {
 
 /// Steps below this share of the longest side are beyond float32 positions.
-constexpr int kFinestBits = 36;
+constexpr int kFinestStepBits = 36;
 constexpr int kMostSymbolBits = 28;  // of the largest symbol
-constexpr int kMostAnchorBits = 24;
 constexpr int kMoreAnchorBits = 3;
 
 constexpr int kModelSteps = 12;
@@ -26,7 +25,7 @@ constexpr double kFloorSlope = 0.35;
 constexpr double kSteepestSlope = 1.6;
 constexpr double kSameError = 0.03;  // of the binary logarithm: too near for a slope
 constexpr double kBackOff = 1.0 / 16;
-constexpr int kMostRuns = 24;
+constexpr int kMostSearchRuns = 24;
 
 /// The delta error as a power of the step: of exponent 1 until two points tell.
 class PowerLaw {
@@ -60,13 +59,13 @@ class StepSearch {
   StepSearch(Trials& trials, const HighpassSettings& settings, Watch watch, const StepGoal& goal)
       : trials_(trials), coder_(trials.coder()), settings_(settings), watch_(watch), goal_(goal) {
     coarsest_ = coarsest_step(coder_);
-    finest_ = std::min(coarsest_, std::max(std::ldexp(coder_.longest_side(), -kFinestBits),
+    finest_ = std::min(coarsest_, std::max(std::ldexp(coder_.longest_side(), -kFinestStepBits),
                                            std::ldexp(coder_.largest_delta(), -kMostSymbolBits)));
     settings_.step = settings_.step > 0 ? std::clamp(settings_.step, finest_, coarsest_) : coarsest_;
   }
 
   Result<Attempt> run() {
-    for (int runs = 0; runs < kMostRuns; ++runs) {
+    for (int runs = 0; runs < kMostSearchRuns; ++runs) {
       const double error = coder_.delta_error(settings_);
       DELTAMESH_TRY(const Attempt attempt, trials_.run(settings_));
       const double load = load_of(attempt);

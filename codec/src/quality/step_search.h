@@ -12,6 +12,8 @@
 
 namespace deltamesh {
 
+inline constexpr int kMostAnchorBits = 24;  ///< per axis, that a search goes to
+
 /// Runs a coder for a goal, remembers the best stream so far.
 class Trials {
  public:

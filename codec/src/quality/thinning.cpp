@@ -12,10 +12,10 @@
 namespace deltamesh {
 namespace {
 
-constexpr double kAim = 0.95;
-constexpr double kVisualAim = 0.985;
-constexpr int kMostRuns = 9;
-constexpr int kMostFits = 2;
+constexpr double kThinningAim = 0.95;
+constexpr double kThinningVisualAim = 0.985;
+constexpr int kMostThinningRuns = 9;
+constexpr int kMostAnchorFits = 2;
 constexpr std::uint32_t kFirstDivisor = 4;
 constexpr int kFewestAnchorBits = 4;
 constexpr double kFirstCell = 0.1;  // side of the anchors' lattice over the error they may add
@@ -30,7 +30,7 @@ class Thinning {
 
   Result<Attempt> run() {
     std::uint32_t count = kept_.settings.anchors / kFirstDivisor;
-    for (int runs = 0; runs < kMostRuns; ++runs) {
+    for (int runs = 0; runs < kMostThinningRuns; ++runs) {
       const std::uint32_t least = broken_ ? broken_->settings.anchors + 1 : fewest_;
       if (kept_.settings.anchors <= least) break;
       count = std::clamp(count, least, kept_.settings.anchors - 1);
@@ -40,14 +40,14 @@ class Thinning {
       DELTAMESH_TRY(const Attempt attempt, trials_.run(settings));
       if (!attempt.decodes()) break;
       if (const double visual = visual_load_of(attempt); visual > 1) {  // fewer anchors cost VDE a little
-        step_share_ *= kVisualAim / visual;
+        step_share_ *= kThinningVisualAim / visual;
         continue;
       }
       step_share_ = 1;
       const double load = trials_.bounds().load(attempt.figures.quality);
       (load <= 1 ? kept_ : broken_.emplace()) = attempt;
       if (load <= 1 && load_of(attempt) >= Trials::kLandedLoad) return kept_;
-      count = runs < kMostFits ? fitted_count(attempt) : halfway();
+      count = runs < kMostAnchorFits ? fitted_count(attempt) : halfway();
       if (count >= kept_.settings.anchors || (broken_ && count <= broken_->settings.anchors))
         count = halfway();
       pair_ = pair_of(attempt);
@@ -91,7 +91,7 @@ class Thinning {
   }
 
   std::uint32_t fitted_count(const Attempt& attempt) {
-    const double density = density_for_lfe(pair_, pair_of(attempt), bits_, kAim);
+    const double density = density_for_lfe(pair_, pair_of(attempt), bits_, kThinningAim);
     return trials_.coder().anchors_for_density(static_cast<std::uint32_t>(std::lround(density)));
   }
 

@@ -59,7 +59,7 @@ std::optional<EliminationTree> plan_elimination(const SymmetricMatrix& matrix,
   return tree;
 }
 
-struct Entry {
+struct FactorEntry {
   std::uint32_t column;
   double value;
 };
@@ -67,9 +67,9 @@ struct Entry {
 /// Entries before the diagonal, all by place, row after row in ascending order of column.
 struct LowerRows {
   std::vector<std::uint32_t> offsets;  ///< n + 1
-  LargeVector<Entry> entries;
+  LargeVector<FactorEntry> entries;
 
-  std::span<const Entry> row(std::uint32_t k) const noexcept {
+  std::span<const FactorEntry> row(std::uint32_t k) const noexcept {
     return std::span(entries).subspan(offsets[k], offsets[k + 1] - offsets[k]);
   }
 };
@@ -122,7 +122,7 @@ bool SparseFactor::factor(const SymmetricMatrix& matrix, std::span<const std::ui
   for (std::uint32_t k = 0; k < n; ++k) {
     seen[k] = k;
     std::uint32_t top = n;  // where in the pattern the entries of y begin that are not 0
-    for (const Entry& entry : lower.row(k)) {
+    for (const FactorEntry& entry : lower.row(k)) {
       y[entry.column] += entry.value;
       std::uint32_t length = 0;
       for (std::uint32_t j = entry.column; seen[j] != k; j = parent[j]) {

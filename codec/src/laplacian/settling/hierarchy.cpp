@@ -21,7 +21,7 @@ constexpr double kShrinkage = 4.8;
 
 /// Coarser levels could not tell the anchors apart.
 constexpr double kFewestNodesPerAnchor = 1;
-constexpr double kFewestNodes = 1.5;
+constexpr double kFewestPerRow = 1.5;
 
 /// Of all coarser levels and of all cycles on them, over the work on the finest level. Meshes need about 1;
 /// where many anchors lie together, or few edges lead out of dense parts, levels hardly shrink.
@@ -137,7 +137,7 @@ std::vector<Level> build_levels(const Adjacency& graph, std::span<const std::uin
 }  // namespace
 
 std::uint32_t coarsening_depth(std::uint32_t vertices, std::uint32_t anchors) noexcept {
-  const double fewest = std::max(kFewestNodes, kFewestNodesPerAnchor * anchors);
+  const double fewest = std::max(kFewestPerRow, kFewestNodesPerAnchor * anchors);
   std::uint32_t depth = 1;
   for (double nodes = vertices / (kFirstShrinkage * kShrinkage); nodes >= fewest; nodes /= kShrinkage)
     ++depth;

@@ -9,7 +9,7 @@ namespace deltamesh::settling {
 namespace {
 
 /// Fewer are done sooner than another thread has begun. Part of what a stream means.
-constexpr std::uint32_t kFewestNodes = 2048;
+constexpr std::uint32_t kFewestOrdered = 2048;
 
 /// Whether `is(neighbor)` of one of them. Edges without weight are not any.
 template <class Is>
@@ -27,7 +27,7 @@ PartedOrder order_in_parts(const Level& level) {
   PartedOrder order;
   order.nodes.resize(n);
   std::iota(order.nodes.begin(), order.nodes.end(), 0U);
-  if (n < kFewestNodes) return order;
+  if (n < kFewestOrdered) return order;
   order.second = n / 2;
   std::vector<bool> is_near(n);  // or in the first part
   for (std::uint32_t i = 0; i < n; ++i)

@@ -23,7 +23,7 @@ constexpr float kUnitOfSecond = 0.2F;
 constexpr float kUnitOfThird = 0.185F;  ///< measured: what leaves the energy of smooth fields as it is
 
 /// The edges of some rows.
-struct Edges {
+struct PathEdges {
   LargeVector<std::uint32_t> neighbors;
   LargeVector<float> weights;
   std::uint32_t count = 0;  ///< of those above; then there is room
@@ -104,7 +104,7 @@ class ProductRows {
 
 /// Puts the row of `c` after the others of `coarse`, whose offsets count from the first of these: first the
 /// edges to the nodes below `c`, at the end the others, backwards.
-void append(std::uint32_t c, const RowSums& sums, float unit, Edges& edges, Level& coarse) {
+void append(std::uint32_t c, const RowSums& sums, float unit, PathEdges& edges, Level& coarse) {
   const auto columns = sums.columns();
   edges.make_room(columns.size());
   std::uint32_t* const neighbors = edges.neighbors.data() + edges.count;
@@ -130,7 +130,8 @@ void append(std::uint32_t c, const RowSums& sums, float unit, Edges& edges, Leve
 }
 
 /// Numbers the edges of the rows from `begin` to `end` from `first` on, and puts them there.
-void place(const Edges& edges, std::uint32_t begin, std::uint32_t end, std::uint32_t first, Level& coarse) {
+void place(const PathEdges& edges, std::uint32_t begin, std::uint32_t end, std::uint32_t first,
+           Level& coarse) {
   for (std::uint32_t c = begin; c < end; ++c) {
     coarse.middle[c] += first;
     coarse.storage.offsets[c + 1] += first;
@@ -140,11 +141,11 @@ void place(const Edges& edges, std::uint32_t begin, std::uint32_t end, std::uint
 }
 
 /// One part after the other.
-void join(std::span<Edges> parts, Level& coarse, ThreadTeam* team) {
+void join(std::span<PathEdges> parts, Level& coarse, ThreadTeam* team) {
   const auto pieces = static_cast<std::uint32_t>(parts.size());
   const std::size_t nodes = coarse.middle.size();
   std::vector<std::uint32_t> first(1, 0);
-  for (const Edges& part : parts) first.push_back(first.back() + part.count);
+  for (const PathEdges& part : parts) first.push_back(first.back() + part.count);
   if (pieces == 1) {
     coarse.storage.neighbors = std::move(parts.front().neighbors);
     coarse.weights = std::move(parts.front().weights);
@@ -168,7 +169,7 @@ void make_coarse_graph(const Level& fine, const Aggregates& aggregates, bool by_
   coarse.degree.resize(nodes);
   coarse.inverse_degree.resize(nodes);
   const std::uint32_t pieces = piece_count(team, nodes);
-  std::vector<Edges> parts(pieces);
+  std::vector<PathEdges> parts(pieces);
   const auto make_rows = [&](float unit, const auto& make) {
     share_work(team, pieces, [&](std::uint32_t p) {
       auto rows = make();
