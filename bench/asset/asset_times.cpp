@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <ctime>
 #include <memory>
 #include <utility>
 
 #include "base/try.h"
 #include "deltamesh/decode.h"
+#include "support/processor_seconds.h"
 
 namespace deltamesh::bench {
 namespace {
@@ -18,8 +18,6 @@ constexpr std::size_t kRounds = 7;
 constexpr int kTimedLevel = 7;
 constexpr double kLeastSeconds = 0.01;  ///< of one figure: as often as that takes
 constexpr int kMostRuns = 50;
-
-double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 using Rounds = std::array<double, kRounds>;
 

@@ -7,10 +7,10 @@
 
 #include <utility>
 
+#include "support/failure.h"
+
 namespace deltamesh::bench {
 namespace {
-
-Error failure(const char* message) { return {.code = ErrorCode::kInternal, .message = message}; }
 
 draco::DataType data_type(ComponentType type) {
   constexpr draco::DataType kTypes[] = {draco::DT_INT8,    draco::DT_UINT8,  draco::DT_INT16,

@@ -23,7 +23,7 @@ using gltf::Json;
 
 constexpr std::uint64_t kTriangleList = 4;
 
-Error failure(const char* message) { return {.code = ErrorCode::kInvalidFile, .message = message}; }
+Error invalid_asset(const char* message) { return {.code = ErrorCode::kInvalidFile, .message = message}; }
 
 /// The members that say which triangles a primitive has.
 Json without_looks(const Json& primitive) {
@@ -81,10 +81,10 @@ Result<std::vector<std::uint32_t>> read_corners(const Document& document, const 
     return corners;
   }
   DELTAMESH_TRY(const auto rows, gltf::read_accessor(document, indices->get<std::size_t>(), 0));
-  if (!rows) return failure("indices are not plain");
+  if (!rows) return invalid_asset("indices are not plain");
   for (std::uint64_t i = 0; i < rows->shape().count / 3 * 3; ++i) {
     corners.push_back(gltf::read_index(rows->row(i)));
-    if (corners.back() >= vertices) return failure("a vertex index beyond the primitive's vertices");
+    if (corners.back() >= vertices) return invalid_asset("a vertex index beyond the primitive's vertices");
   }
   return corners;
 }
@@ -140,7 +140,7 @@ Result<bool> read_primitive(const Document& document, const Json& primitive, Pri
     DELTAMESH_TRY(const auto attribute,
                   gltf::read_accessor(document, accessor.get<std::size_t>(), mesh.vertex_count()));
     if (!attribute || attribute->shape().count != mesh.vertex_count())
-      return failure("an attribute is not plain");
+      return invalid_asset("an attribute is not plain");
     DELTAMESH_TRY(auto values, dense_rows(*attribute));
     mesh.attributes.push_back({.kind = kind_of(semantic),
                                .type = attribute->shape().type,
@@ -225,11 +225,11 @@ Result<PackedAsset> take_packed_apart(std::span<const std::byte> bytes) {
       DELTAMESH_CHECK(add_plain(document, primitive["attributes"], attributes, result.plain_bytes));
       const Json* extensions = gltf::find(primitive, "extensions");
       const Json* extension = extensions ? gltf::find(*extensions, gltf::kExtensionName) : nullptr;
-      if (extension == nullptr) return failure("a primitive was not packed");
+      if (extension == nullptr) return invalid_asset("a primitive was not packed");
       const auto view = (*extension)["bufferView"].get<std::uint64_t>();
       if (!views.insert(view).second) continue;
       DELTAMESH_TRY(const auto stream, gltf::view_bytes(document, view));
-      if (!stream) return failure("a stream is not plain");
+      if (!stream) return invalid_asset("a stream is not plain");
       result.streams.emplace_back(stream->bytes.begin(), stream->bytes.end());
     }
   }

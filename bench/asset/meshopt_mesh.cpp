@@ -11,12 +11,12 @@
 #include <cstring>
 #include <vector>
 
+#include "support/failure.h"
+
 namespace deltamesh::bench {
 namespace {
 
 constexpr int kZstdLevel = 19;
-
-Error failure(const char* message) { return {.code = ErrorCode::kInternal, .message = message}; }
 
 /// Rows of bytes, one for each vertex; the codec asks for multiples of four.
 struct Rows {

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <string>
 #include <vector>
 
@@ -19,6 +18,7 @@
 #include "deltamesh/map/sender.h"
 #include "map/map_peers.h"
 #include "map/map_updates.h"
+#include "support/processor_seconds.h"
 
 namespace deltamesh::bench {
 namespace {
@@ -33,8 +33,6 @@ struct Settings {
   int rounds = 3;
   bool compares = false;
 };
-
-double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 /// Adds the seconds of `work` to `sum`.
 template <class Work>

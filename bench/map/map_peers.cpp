@@ -9,17 +9,15 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <vector>
 
 #include "deltamesh/decode.h"
 #include "deltamesh/encode.h"
 #include "peers/lattice.h"
+#include "support/processor_seconds.h"
 
 namespace deltamesh::bench {
 namespace {
-
-double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 void add_values(draco::Mesh& mesh, draco::GeometryAttribute::Type type, draco::DataType data_type,
                 std::size_t size, std::span<const std::byte> values) {

@@ -59,11 +59,6 @@ class Peer {
   virtual std::optional<ByteShares> shares(std::span<const std::byte>) const { return std::nullopt; }
 };
 
-/// What a peer says that refuses a mesh or a stream.
-inline Error failure(const char* message) noexcept {
-  return {.code = ErrorCode::kInternal, .message = message};
-}
-
 /// Draco, positions quantised to `position_bits` over the longest side; speed = 10 - `compression_level`.
 std::unique_ptr<Peer> make_draco_peer(int compression_level, int position_bits);
 

@@ -13,6 +13,7 @@
 
 #include "peers/lattice.h"
 #include "peers/peer.h"
+#include "support/failure.h"
 
 namespace deltamesh::bench {
 namespace {

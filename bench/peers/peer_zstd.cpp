@@ -10,6 +10,7 @@
 
 #include "peers/lattice.h"
 #include "peers/peer.h"
+#include "support/failure.h"
 
 namespace deltamesh::bench {
 namespace {

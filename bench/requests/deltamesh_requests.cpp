@@ -6,7 +6,6 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <memory>
 #include <regex>
 #include <string>
@@ -21,6 +20,7 @@
 #include "run/bench_mesh.h"
 #include "run/machine.h"
 #include "run/measure.h"
+#include "support/processor_seconds.h"
 
 namespace deltamesh::bench {
 namespace {
@@ -73,8 +73,6 @@ Result<std::vector<DracoPoint>> draco_points(const Options& options, const MeshS
   }
   return points;
 }
-
-double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 /// Adds a mesh to all tables, and tells stderr how it went.
 void add_mesh(const Options& options, const MeshSource& source, const Mesh& mesh,

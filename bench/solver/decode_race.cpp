@@ -11,7 +11,6 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
-#include <ctime>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -19,6 +18,7 @@
 
 #include "deltamesh/decode.h"
 #include "peers/peer.h"
+#include "support/processor_seconds.h"
 
 namespace deltamesh::bench {
 namespace {
@@ -31,8 +31,6 @@ constexpr double kAnchorShare = 0.005;
 constexpr int kUsualThreshold = 128 * 1024;
 constexpr int kDracoLevel = 7;
 constexpr int kDracoBits = 12;
-
-double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 double system_seconds() {
   rusage usage{};

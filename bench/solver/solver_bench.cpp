@@ -6,7 +6,6 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <cstdio>
-#include <ctime>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +16,7 @@
 #include "scenes.h"
 #include "solver/decode_race.h"
 #include "solver/problem.h"
+#include "support/processor_seconds.h"
 
 namespace deltamesh::bench {
 namespace {
@@ -31,8 +31,6 @@ struct Settings {
   std::uint64_t largest_direct = 300000;
   bool race = false;
 };
-
-double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 struct Solved {
   double setup_ns = 0;  ///< per vertex
