@@ -112,7 +112,7 @@ class Border {
   }
   bool make_room();
   void push_gap(std::uint32_t i) { push_gap(i, items_[i].faces); }
-  void push_gap(std::uint32_t i, std::uint32_t faces) {
+  [[gnu::always_inline]] void push_gap(std::uint32_t i, std::uint32_t faces) {
     gaps_.push(faces, i, [this](std::uint32_t gap) { return !items_[gap].alive; });
   }
 

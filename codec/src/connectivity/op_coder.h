@@ -77,7 +77,7 @@ class OpCoder {
     return std::min(faces, most) - 1;
   }
 
-  static RunContext context_of(const Gate& gate) noexcept {
+  [[gnu::always_inline]] static RunContext context_of(const Gate& gate) noexcept {
     const std::uint32_t focus = gate.focus_faces - 1;
     const std::uint32_t last = std::max<std::uint32_t>(gate.last_focus_faces, 5) - 5;
     const std::uint32_t closed = gate.after_closed ? 1 : 0;

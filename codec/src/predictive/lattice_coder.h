@@ -175,7 +175,7 @@ class LatticeCoder {
     history_.end(turn.vertex, turn.residual, cell);
   }
 
-  DELTAMESH_INLINE_UNLESS_SMALL void code_axis(Coder& coder, std::size_t axis, Turn& turn) {
+  [[gnu::always_inline]] void code_axis(Coder& coder, std::size_t axis, Turn& turn) {
     std::int32_t& value = turn.cell[axis];
     const ResidualForecast forecast = turn.residual.forecast(axis);
     if (!matches_ || !code_match(coder, axis, *turn.matching, value)) {

@@ -100,6 +100,22 @@ void sort_six(std::uint32_t* row) noexcept {
   std::copy_n(r.begin(), r.size(), row);
 }
 
+/// Ascending. Rows are short, but for a few that can have any length.
+void sort_row(std::span<std::uint32_t> row) noexcept {
+  constexpr std::size_t kShort = 24;
+  if (row.size() > kShort) {
+    std::make_heap(row.begin(), row.end());
+    std::sort_heap(row.begin(), row.end());
+    return;
+  }
+  for (std::size_t k = 1; k < row.size(); ++k) {
+    const std::uint32_t number = row[k];
+    std::size_t place = k;
+    for (; place > 0 && row[place - 1] > number; --place) row[place] = row[place - 1];
+    row[place] = number;
+  }
+}
+
 /// Makes rows ascend. Returns whether one has a neighbour twice.
 bool sort_rows(Adjacency& graph, ThreadTeam* team) {
   std::atomic<bool> has_repeated = false;
@@ -113,7 +129,7 @@ bool sort_rows(Adjacency& graph, ThreadTeam* team) {
                  if (row_end - row == 6) {  // most
                    sort_six(row);
                  } else {
-                   std::sort(row, row_end);
+                   sort_row({row, row_end});
                  }
                  for (std::ptrdiff_t k = 1; k < row_end - row; ++k) has_own |= row[k - 1] == row[k];
                }
