@@ -32,7 +32,7 @@ struct HighpassTrial final : CodedTrial {
       : geometry(std::move(coded)), settled(std::move(positions)) {}
 
   CodedGeometry geometry;
-  LargeVector<Vec3> settled;  ///< n: without planned cycles, about
+  LargeVector<Vec3> settled;  ///< n: without planned cycles
 };
 
 const HighpassTrial& trial_of(const Attempt& attempt) noexcept {
@@ -62,7 +62,8 @@ Result<CodedGeometry> HighpassTrials::to_geometry(const CodedHighpass& coded) co
   return geometry;
 }
 
-Result<CodedGeometry> HighpassTrials::measured(const CodedHighpass& coded) const {
+Result<TrialFigures> HighpassTrials::run(const HighpassSettings& settings) {
+  DELTAMESH_TRY(CodedHighpass coded, coder_.code(settings));
   DELTAMESH_TRY(const auto decoded, to_float_positions(coded.positions));
   DELTAMESH_TRY(CodedGeometry geometry, to_geometry(coded));
   geometry.quality = measure_quality(source_.graph.graph(), source_.positions, decoded);
@@ -70,12 +71,6 @@ Result<CodedGeometry> HighpassTrials::measured(const CodedHighpass& coded) const
     return Error{.code = ErrorCode::kInvalidStream,
                  .message = "an error of the decoded positions is not a finite float32",
                  .rule = "HDR-9"};
-  return geometry;
-}
-
-Result<TrialFigures> HighpassTrials::run(const HighpassSettings& settings) {
-  DELTAMESH_TRY(CodedHighpass coded, coder_.code(settings, positions_));
-  DELTAMESH_TRY(CodedGeometry geometry, measured(coded));
   TrialFigures figures{.quality = after_planning(geometry.quality),
                        .bytes = rest_.bytes_with(geometry),
                        .density = geometry.highpass.anchor_density};
@@ -123,8 +118,8 @@ std::optional<CodedGeometry> HighpassTrials::plan_peaks(HighpassSettings setting
 
 /// Where anchors were added at the largest errors, deltas that are rounded anew would have them elsewhere:
 /// then plan_peaks().
-Result<CodedGeometry> HighpassTrials::plan(const Attempt& attempt, const Bounds& bounds,
-                                           std::optional<std::uint64_t> most_bytes) {
+CodedGeometry HighpassTrials::plan(const Attempt& attempt, const Bounds& bounds,
+                                   std::optional<std::uint64_t> most_bytes) {
   const HighpassTrial& trial = trial_of(attempt);
   const auto most = [&](std::uint64_t share) {
     const std::uint64_t hardly_more = attempt.figures.bytes + attempt.figures.bytes / share;
@@ -139,10 +134,7 @@ Result<CodedGeometry> HighpassTrials::plan(const Attempt& attempt, const Bounds&
       return planned.has_value();
     });
   }
-  if (planned) return *std::move(planned);
-  if (positions_ == HighpassCoder::Positions::kDecoded) return trial.geometry;
-  DELTAMESH_TRY(const CodedHighpass coded, coder_.code(attempt.settings));
-  return measured(coded);
+  return planned ? *std::move(planned) : trial.geometry;
 }
 
 Result<std::uint64_t> HighpassTrials::bytes(const HighpassSettings& settings) {

@@ -43,9 +43,9 @@ class MapCodec {
   std::shared_ptr<const State> state_;
 };
 
-/// `description` with primers for parts of this quality: of the largest of `parts` those that pay, up to 16 KB
-/// of them or one. A map of only one part has none. Cost: encodes a sample of the parts several times. Errors:
-/// as MapCodec::encode().
+/// `description` with primers for parts of this quality: of the largest of `parts` those that pay, up to 16
+/// KB of them or one. A map of only one part has none. Cost: encodes a sample of the parts several times.
+/// Errors: as MapCodec::encode().
 Result<MapDescription> with_primers(MapDescription description, std::span<const MapPart> parts,
                                     const PartQuality& quality = {}) noexcept;
 

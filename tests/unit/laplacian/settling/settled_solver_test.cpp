@@ -94,7 +94,6 @@ TEST(SettledSolver, CopesWithAnchorsEverywhere) {
 
 TEST(SettledSolver, ExactDeltasGiveThePositionsBack) {
   SolverProblem problem = quantized(test::sheet(80, 80), 32, 8);
-  problem.step = 0;
   problem.deltas = delta_coordinates(problem.mesh.graph, problem.mesh.positions);
   for (std::size_t a = 0; a < problem.anchors.size(); ++a)
     problem.targets[a] = problem.mesh.positions[problem.anchors[a]];
