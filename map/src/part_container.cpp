@@ -64,7 +64,9 @@ Result<FileHeader> read_part_header(const PartPlace& place, std::uint8_t flags, 
   FileHeader header;
   apply_flags(flags, header);
   header.keeps_order = false;
-  DELTAMESH_CHECK(visit_part_header(FieldReader{in}, flags, place, header));
+  FieldReader fields(in);
+  visit_part_header(fields, flags, place, header);
+  DELTAMESH_CHECK(fields.outcome());
   DELTAMESH_CHECK(check_header(header, in));
   return header;
 }
@@ -126,7 +128,8 @@ Result<std::vector<std::byte>> write_part(const PartPlace& place, std::span<cons
   std::uint8_t flags = flags_of(header);
   if (is_on_grid(place, header)) flags = static_cast<std::uint8_t>((flags & ~kOfLattices) | kFlagGrid);
   out.write(flags);
-  (void)visit_part_header(FieldWriter{out}, flags, place, std::as_const(header));  // writing cannot fail
+  FieldWriter fields(out);
+  visit_part_header(fields, flags, place, std::as_const(header));
   out.write_varint(border.size());
   out.write_bytes(border);
   for (const ChunkEntry& entry : container.entries())

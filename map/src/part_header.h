@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdint>
 
-#include "base/try.h"
 #include "format/header_fields.h"
 #include "part_container.h"
 
@@ -37,8 +36,7 @@ inline bool can_add(std::int64_t first) noexcept {
 
 /// Steps, origin, first points from where the cell begins, and cells.
 template <class Visitor, class Lattice>
-Result<void> visit_part_lattice(const Visitor& visit, std::uint8_t flags, const PartPlace& place,
-                                Lattice& lattice) {
+void visit_part_lattice(Visitor& visit, std::uint8_t flags, const PartPlace& place, Lattice& lattice) {
   PositionLattice relative = lattice;
   const auto first = [&](std::size_t axis) {
     return first_of_cell(place, axis, relative.origin[axis], relative.step[axis]);
@@ -47,11 +45,10 @@ Result<void> visit_part_lattice(const Visitor& visit, std::uint8_t flags, const 
     for (std::size_t axis = 0; axis < 3; ++axis) relative.first[axis] -= first(axis);
     return visit_lattice(visit, flags, std::as_const(relative));
   } else {
-    DELTAMESH_CHECK(visit_lattice(visit, flags, relative));
+    visit_lattice(visit, flags, relative);
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (can_add(relative.first[axis])) relative.first[axis] += first(axis);  // else beyond [HDR-14]
     lattice = relative;
-    return {};
   }
 }
 
@@ -65,8 +62,8 @@ inline PositionLattice lattice_on_grid(const PredictiveParameters& voxels, std::
 
 /// Levels, first nodes from where the cell begins, and nodes.
 template <class Visitor, class Parameters>
-Result<void> visit_on_grid(const Visitor& visit, const PartPlace& place, Parameters& p) {
-  DELTAMESH_CHECK(visit.varint(p.levels));
+void visit_on_grid(Visitor& visit, const PartPlace& place, Parameters& p) {
+  visit.varint(p.levels);
   const std::uint32_t levels = std::clamp<std::uint32_t>(p.levels, 1, kMostLevels);  // else beyond [HDR-14]
   const std::int64_t voxel = 2 * std::int64_t{levels};
   PositionLattice lattice = lattice_on_grid(*place.voxels, levels);
@@ -75,8 +72,8 @@ Result<void> visit_on_grid(const Visitor& visit, const PartPlace& place, Paramet
         first_of_cell(place, axis, lattice.origin[axis], static_cast<double>(voxel) * lattice.step[axis]);
     std::int64_t first = p.lattice.first[axis] / voxel - before;
     std::uint32_t nodes = static_cast<std::uint32_t>(p.lattice.cells[axis] / voxel);
-    DELTAMESH_CHECK(visit.varint(first));
-    DELTAMESH_CHECK(visit.varint(nodes));
+    visit.varint(first);
+    visit.varint(nodes);
     lattice.first[axis] =
         can_add(first) ? std::clamp((first + before), -2 * kMostFirst / voxel, 2 * kMostFirst / voxel) * voxel
                        : 2 * kMostFirst;
@@ -84,7 +81,6 @@ Result<void> visit_on_grid(const Visitor& visit, const PartPlace& place, Paramet
         std::uint64_t{nodes} * static_cast<std::uint64_t>(voxel), 2 * std::uint64_t{kMostCells}));
   }
   if constexpr (!std::is_const_v<Parameters>) p.lattice = lattice;
-  return {};
 }
 
 /// Whether visit_on_grid() says all of the lattice.
@@ -101,14 +97,14 @@ inline bool is_on_grid(const PartPlace& place, const FileHeader& h) noexcept {
 
 /// Every field after the flags.
 template <class Visitor, class Header>
-Result<void> visit_part_header(const Visitor& visit, std::uint8_t flags, const PartPlace& place, Header& h) {
+void visit_part_header(Visitor& visit, std::uint8_t flags, const PartPlace& place, Header& h) {
   const Geometry geometry = geometry_of(h);
-  DELTAMESH_CHECK(visit_counts(visit, h));
-  if (!has_lattice(geometry)) DELTAMESH_CHECK(visit_box(visit, h));
+  visit_counts(visit, h);
+  if (!has_lattice(geometry)) visit_box(visit, h);
   if ((flags & kFlagGrid) != 0) return visit_on_grid(visit, place, h.predictive);
   if (geometry == Geometry::kHighpass) return visit_highpass(visit, flags, h.highpass);
-  if (has_lattice(geometry)) DELTAMESH_CHECK(visit_part_lattice(visit, flags, place, h.predictive.lattice));
-  return geometry == Geometry::kVoxel ? visit.varint(h.predictive.levels) : Result<void>();
+  if (has_lattice(geometry)) visit_part_lattice(visit, flags, place, h.predictive.lattice);
+  if (geometry == Geometry::kVoxel) visit.varint(h.predictive.levels);
 }
 
 }  // namespace deltamesh

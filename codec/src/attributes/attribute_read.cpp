@@ -81,12 +81,11 @@ Result<Attribute> read_attribute(Payload payload, const AttributeDescriptor& des
   ByteReader in(payload.bytes, kTagAttribute);
   if (attribute_bytes(descriptor, surface.vertex_count()) > max_bytes)
     return in.error(ErrorCode::kLimitExceeded, "attribute values larger than allowed", "ATTR-8");
-  Attribute attribute;
-  attribute.kind = descriptor.kind;
-  attribute.type = descriptor.type;
-  attribute.components = descriptor.components;
-  attribute.normalized = (descriptor.flags & 1) != 0;
-  attribute.name = descriptor.name;
+  Attribute attribute{.kind = descriptor.kind,
+                      .type = descriptor.type,
+                      .components = descriptor.components,
+                      .normalized = (descriptor.flags & 1) != 0,
+                      .name = descriptor.name};
   DELTAMESH_TRY(const AttributeCoding coding, read_coding(in, descriptor, payload.is_compact));
   DELTAMESH_CHECK(payload.is_compact ? read_on_surface(in, coding, {surface, others}, learning, attribute)
                                      : read_plain_values(payload.bytes, attribute, surface.vertex_count()));

@@ -6,7 +6,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -50,16 +49,17 @@ class AttributeSurface {
  public:
   /// `triangles`: m x 3 indices below `vertex_count`. `geometric`: geometric vertex of every vertex, n, or
   /// empty where each is its own. `positions`: n x 3 decoded floats, model units, or empty where decoders may
-  /// differ in their last bits (highpass geometry) [ATTR-10]. `make_graph`: makes graph(); empty: from
-  /// `triangles`.
+  /// differ in their last bits (highpass geometry) [ATTR-10]. `open_edges`: as build_adjacency() asks for;
+  /// null: not known. `graph`: graph(), where it is there already.
   AttributeSurface(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count,
                    std::span<const std::uint32_t> geometric = {}, std::span<const float> positions = {},
-                   std::function<Adjacency()> make_graph = {})
+                   const LargeVector<DirectedEdge>* open_edges = nullptr, std::optional<Adjacency> graph = {})
       : triangles_(triangles),
         vertex_count_(vertex_count),
         geometric_(geometric),
         positions_(positions),
-        make_graph_(std::move(make_graph)) {}
+        open_edges_(open_edges),
+        graph_(std::move(graph)) {}
 
   std::span<const std::uint32_t> triangles() const noexcept { return triangles_; }
   std::uint32_t vertex_count() const noexcept { return vertex_count_; }
@@ -80,7 +80,9 @@ class AttributeSurface {
 
   /// Which vertices share an edge; copies of one geometric vertex are apart. Made when first asked for, O(m).
   const Adjacency& graph() const {
-    if (!graph_) graph_ = make_graph_ ? make_graph_() : build_adjacency(triangles_, vertex_count_);
+    if (!graph_)
+      graph_ = open_edges_ != nullptr ? build_adjacency(triangles_, *open_edges_, vertex_count_)
+                                      : build_adjacency(triangles_, vertex_count_);
     return *graph_;
   }
   /// What is around the mesh's vertices. Likewise.
@@ -110,7 +112,7 @@ class AttributeSurface {
   std::uint32_t vertex_count_;
   std::span<const std::uint32_t> geometric_;
   std::span<const float> positions_;
-  std::function<Adjacency()> make_graph_;
+  const LargeVector<DirectedEdge>* open_edges_;
   mutable std::optional<Adjacency> graph_;
   mutable std::optional<VertexCorners> corners_;
   mutable std::optional<SurfaceOrder> order_;

@@ -14,10 +14,13 @@ inline constexpr bool kDecisionsAreFunctions = true;  ///< of the compact coder
 /// Called in a loop for every vertex: engines of WebAssembly compile a function well while it is used, and go
 /// on with that at its next call, so that a loop without calls stays slow to its end.
 #define DELTAMESH_LOOP_BODY [[gnu::noinline]]
+/// Makes a table: while a module starts.
+#define DELTAMESH_TABULATE inline
 #else
 namespace deltamesh {
 inline constexpr bool kDecisionsAreFunctions = false;
 }
 #define DELTAMESH_INLINE_UNLESS_SMALL [[gnu::always_inline]]
 #define DELTAMESH_LOOP_BODY
+#define DELTAMESH_TABULATE constexpr
 #endif

@@ -4,8 +4,8 @@
 // A result that another thread may be working on.
 #pragma once
 
-#include <functional>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "base/thread_team.h"
@@ -14,11 +14,10 @@ namespace deltamesh {
 
 /// Calls `work` on a thread of `team`, or, where none is free or that is null, when the result is asked for.
 /// Whatever `work` refers to must outlive this; the destructor waits for a thread that is at it.
-template <class T>
+template <class Work>
 class Task {
  public:
-  template <class Work>
-  Task(ThreadTeam* team, const Work& work) : work_(work), team_(team), job_(1, &Task::run, this) {
+  Task(ThreadTeam* team, Work work) : work_(std::move(work)), team_(team), job_(1, &Task::run, this) {
     if (kHasThreads && team_ != nullptr) team_->offer(job_);
   }
   ~Task() {
@@ -28,7 +27,7 @@ class Task {
   Task& operator=(const Task&) = delete;
 
   /// Once. Throws what `work` throws.
-  T get() {
+  auto get() {
     ThreadTeam* const team = std::exchange(team_, nullptr);
     if (!kHasThreads || team == nullptr || team->take_back(job_)) {
       result_.emplace(work_());
@@ -44,8 +43,8 @@ class Task {
     self->result_.emplace(self->work_());
   }
 
-  std::function<T()> work_;
-  mutable std::optional<T> result_;
+  Work work_;
+  mutable std::optional<std::invoke_result_t<const Work&>> result_;
   ThreadTeam* team_;
   TeamJob job_;
 };

@@ -64,8 +64,7 @@ class StreamDecoder {
       DELTAMESH_TRY(mesh.attributes, read_attributes(mesh.triangles, mesh.positions));
     } else {
       // Nothing that is parsed may depend on solved positions [ATTR-10], so both can go on at a time.
-      Task<Result<std::vector<Attribute>>> attributes(team_,
-                                                      [&] { return read_attributes(mesh.triangles, {}); });
+      Task attributes(team_, [&] { return read_attributes(mesh.triangles, {}); });
       DELTAMESH_TRY(mesh.positions, read_geometry(mesh.triangles));
       report_progress(options_, kGeometryDone);
       DELTAMESH_TRY(mesh.attributes, attributes.get());
@@ -177,12 +176,9 @@ class StreamDecoder {
   Result<std::vector<Attribute>> read_attributes(std::span<const std::uint32_t> triangles,
                                                  std::span<const float> positions) {
     if (header_.attributes.empty()) return std::vector<Attribute>();
-    const auto make_graph = [&] {
-      if (attribute_graph_) return *std::exchange(attribute_graph_, {});
-      return is_split() ? build_adjacency(triangles, header_.vertices)
-                        : build_adjacency(triangles, open_edges_, header_.vertices);
-    };
-    const AttributeSurface surface(triangles, header_.vertices, copies_, positions, make_graph);
+    const AttributeSurface surface(triangles, header_.vertices, copies_, positions,
+                                   is_split() ? nullptr : &open_edges_,
+                                   std::exchange(attribute_graph_, std::nullopt));
     std::vector<Attribute> attributes(header_.attributes.size());
     DELTAMESH_CHECK(read_attributes_of(surface, false, attributes));
     DELTAMESH_CHECK(read_attributes_of(surface, true, attributes));

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "base/small_code.h"
 #include "entropy/lanes.h"
 
 namespace deltamesh {
@@ -117,16 +118,18 @@ class alignas(16) SymbolModel {
     return steps;
   }();
   /// By rate: the goal is as far beyond kLaneOne as rounding needs.
-  static constexpr std::array<Pulls, kLastRate + 1> kPulls = [] {
+  DELTAMESH_TABULATE static std::array<Pulls, kLastRate + 1> make_pulls_by_rate() noexcept {
     std::array<Pulls, kLastRate + 1> pulls{};
     for (unsigned rate = 0; rate < pulls.size(); ++rate)
       pulls[rate] = make_pulls(static_cast<std::int16_t>(kLaneOne + (1 << rate) - 1));
     return pulls;
-  }();
+  }
+  static const std::array<Pulls, kLastRate + 1> kPulls;
 
   std::array<std::int16_t, kSymbols + 1> lanes_;  ///< the last is after all symbols and stays
   std::uint8_t count_;                            ///< symbols seen, to kMostCounted
 };
+inline const std::array<Pulls, SymbolModel::kLastRate + 1> SymbolModel::kPulls = make_pulls_by_rate();
 
 /// Weights of two models, learnt [CMP-6].
 class MixWeights {

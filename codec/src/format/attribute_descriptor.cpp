@@ -77,7 +77,7 @@ Result<AttributeDescriptor> read_spelled_out(ByteReader& in) {
   a.type = static_cast<ComponentType>(type);
   DELTAMESH_TRY(const auto size, in.read<std::uint8_t>());
   DELTAMESH_TRY(const auto letters, in.read_bytes(size));
-  for (const std::byte letter : letters) a.name += static_cast<char>(letter);
+  a.name = std::string(reinterpret_cast<const char*>(letters.data()), letters.size());
   return a;
 }
 

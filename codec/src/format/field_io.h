@@ -15,52 +15,71 @@
 
 namespace deltamesh {
 
-/// Reads each field it visits.
-struct FieldReader {
-  ByteReader& in;
+/// Reads each field it visits, up to the first error: fields from there on stay as they are.
+class FieldReader {
+ public:
+  explicit FieldReader(ByteReader& in) noexcept : in_(in) {}
+
   template <class T>
-  Result<void> fixed(T& field) const {
-    DELTAMESH_TRY(field, in.read<T>());
-    return {};
+  void fixed(T& field) {
+    if (first_) take(in_.read<T>(), field);
   }
-  Result<void> short_float(float& field) const {
-    DELTAMESH_TRY(field, in.read_short_float());
-    return {};
+  void short_float(float& field) {
+    if (first_) take(in_.read_short_float(), field);
   }
   template <class T>
-  Result<void> varint(T& field) const {
+  void varint(T& field) {
+    std::uint64_t code = 0;
     if constexpr (std::is_signed_v<T>) {
-      DELTAMESH_TRY(const auto code, in.read_varint());
-      field = unzigzag(code);
+      take_varint(std::numeric_limits<std::uint64_t>::max(), code);
+      if (first_) field = unzigzag(code);
     } else {
-      DELTAMESH_TRY(const auto value, in.read_varint(std::numeric_limits<T>::max()));
-      field = static_cast<T>(value);
+      take_varint(std::numeric_limits<T>::max(), code);
+      if (first_) field = static_cast<T>(code);
     }
-    return {};
   }
+
+  /// The first error, if there was one.
+  const Result<void>& outcome() const noexcept { return first_; }
+
+ private:
+  template <class T>
+  void take(Result<T> read, T& field) {
+    if (read) {
+      field = *read;
+    } else {
+      first_ = read.error();
+    }
+  }
+  void take_varint(std::uint64_t most, std::uint64_t& code) {
+    if (first_) take(in_.read_varint(most), code);
+  }
+
+  ByteReader& in_;
+  Result<void> first_;
 };
 
 /// Writes each field it visits.
-struct FieldWriter {
-  ByteWriter& out;
+class FieldWriter {
+ public:
+  explicit FieldWriter(ByteWriter& out) noexcept : out_(out) {}
+
   template <class T>
-  Result<void> fixed(const T& field) const {
-    out.write(field);
-    return {};
+  void fixed(const T& field) {
+    out_.write(field);
   }
-  Result<void> short_float(float field) const {
-    out.write_short_float(field);
-    return {};
-  }
+  void short_float(float field) { out_.write_short_float(field); }
   template <class T>
-  Result<void> varint(const T& field) const {
+  void varint(const T& field) {
     if constexpr (std::is_signed_v<T>) {
-      out.write_varint(zigzag(std::int64_t{field}));
+      out_.write_varint(zigzag(std::int64_t{field}));
     } else {
-      out.write_varint(field);
+      out_.write_varint(field);
     }
-    return {};
   }
+
+ private:
+  ByteWriter& out_;
 };
 
 }  // namespace deltamesh

@@ -105,7 +105,9 @@ Result<FileHeader> read_header(ByteReader& in) {
   if (are_reserved_flags_set(flags))
     return in.error(ErrorCode::kInvalidStream, "a flag that means nothing with this geometry", "HDR-5");
   apply_flags(flags, header);
-  DELTAMESH_CHECK(visit_fields(FieldReader{in}, flags, header));
+  FieldReader fields(in);
+  visit_fields(fields, flags, header);
+  DELTAMESH_CHECK(fields.outcome());
   DELTAMESH_CHECK(check_header(header, in));
   if (has_lattice(geometry_of(header))) set_box_of_lattice(header);
   return header;

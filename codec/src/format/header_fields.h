@@ -38,80 +38,76 @@ inline bool has_one_step(const PositionLattice& lattice) noexcept {
 }
 
 template <class Visitor, class Step>
-Result<void> visit_step(const Visitor& visit, std::uint8_t flags, Step& step) {
+void visit_step(Visitor& visit, std::uint8_t flags, Step& step) {
   if ((flags & kFlagLongSteps) != 0) return visit.fixed(step);
   auto short_step = static_cast<float>(step);
-  DELTAMESH_CHECK(visit.short_float(short_step));
+  visit.short_float(short_step);
   if constexpr (!std::is_const_v<Step>) step = short_step;
-  return {};
 }
 
 template <class Visitor, class Parameters>
-Result<void> visit_highpass(const Visitor& visit, std::uint8_t flags, Parameters& p) {
-  DELTAMESH_CHECK(visit_step(visit, flags, p.step));
-  DELTAMESH_CHECK(visit.fixed(p.shift.one));
-  DELTAMESH_CHECK(visit.fixed(p.shift.more));
-  DELTAMESH_CHECK(visit.fixed(p.anchor_bits));
-  DELTAMESH_CHECK(visit.varint(p.anchors));
-  DELTAMESH_CHECK(visit.varint(p.anchor_density));
+void visit_highpass(Visitor& visit, std::uint8_t flags, Parameters& p) {
+  visit_step(visit, flags, p.step);
+  visit.fixed(p.shift.one);
+  visit.fixed(p.shift.more);
+  visit.fixed(p.anchor_bits);
+  visit.varint(p.anchors);
+  visit.varint(p.anchor_density);
   return visit.fixed(p.cycles);
 }
 
 template <class Visitor, class Lattice>
-Result<void> visit_lattice(const Visitor& visit, std::uint8_t flags, Lattice& lattice) {
-  DELTAMESH_CHECK(visit_step(visit, flags, lattice.step[0]));
+void visit_lattice(Visitor& visit, std::uint8_t flags, Lattice& lattice) {
+  visit_step(visit, flags, lattice.step[0]);
   if ((flags & kFlagThreeSteps) != 0) {
-    DELTAMESH_CHECK(visit_step(visit, flags, lattice.step[1]));
-    DELTAMESH_CHECK(visit_step(visit, flags, lattice.step[2]));
+    visit_step(visit, flags, lattice.step[1]);
+    visit_step(visit, flags, lattice.step[2]);
   } else if constexpr (!std::is_const_v<Lattice>) {
     lattice.step.fill(lattice.step[0]);
   }
   if ((flags & kFlagLatticeOrigin) != 0) {
-    for (auto& x : lattice.origin) DELTAMESH_CHECK(visit.fixed(x));
+    for (auto& x : lattice.origin) visit.fixed(x);
   }
-  for (auto& first : lattice.first) DELTAMESH_CHECK(visit.varint(first));
-  for (auto& count : lattice.cells) DELTAMESH_CHECK(visit.varint(count));
-  return {};
+  for (auto& first : lattice.first) visit.varint(first);
+  for (auto& count : lattice.cells) visit.varint(count);
 }
 
 template <class Visitor, class Header>
-Result<void> visit_box(const Visitor& visit, Header& h) {
-  for (auto& x : h.box_min) DELTAMESH_CHECK(visit.fixed(x));
-  for (auto& x : h.box_max) DELTAMESH_CHECK(visit.fixed(x));
-  return {};
+void visit_box(Visitor& visit, Header& h) {
+  for (auto& x : h.box_min) visit.fixed(x);
+  for (auto& x : h.box_max) visit.fixed(x);
 }
 
 template <class Visitor, class Header>
-Result<void> visit_counts(const Visitor& visit, Header& h) {
+void visit_counts(Visitor& visit, Header& h) {
   std::uint32_t copies = h.vertices - h.geometric_vertices;
-  DELTAMESH_CHECK(visit.varint(h.triangles));
-  DELTAMESH_CHECK(visit.varint(h.geometric_vertices));
-  DELTAMESH_CHECK(visit.varint(copies));
-  DELTAMESH_CHECK(visit.varint(h.components));
+  visit.varint(h.triangles);
+  visit.varint(h.geometric_vertices);
+  visit.varint(copies);
+  visit.varint(h.components);
   if constexpr (!std::is_const_v<Header>) {
     const std::uint64_t all = std::uint64_t{h.geometric_vertices} + copies;
     h.vertices = static_cast<std::uint32_t>(std::min<std::uint64_t>(all, 0xffffffff));  // which HDR-6 forbids
   }
-  return {};
 }
 
 /// Every field after the flags.
 template <class Visitor, class Header>
-Result<void> visit_fields(const Visitor& visit, std::uint8_t flags, Header& h) {
+void visit_fields(Visitor& visit, std::uint8_t flags, Header& h) {
   const Geometry geometry = geometry_of(h);
-  DELTAMESH_CHECK(visit_counts(visit, h));
+  visit_counts(visit, h);
   if ((flags & kFlagOrigin) != 0) {
-    for (auto& x : h.origin) DELTAMESH_CHECK(visit.fixed(x));
+    for (auto& x : h.origin) visit.fixed(x);
   }
-  DELTAMESH_CHECK(visit.short_float(h.vde_rms));
-  DELTAMESH_CHECK(visit.short_float(h.lfe_rms));
-  DELTAMESH_CHECK(visit.short_float(h.max_error));
+  visit.short_float(h.vde_rms);
+  visit.short_float(h.lfe_rms);
+  visit.short_float(h.max_error);
   if ((flags & kFlagBits) != 0)
-    DELTAMESH_CHECK(visit.fixed(geometry == Geometry::kHighpass ? h.highpass.bits : h.predictive.bits));
-  if (!has_lattice(geometry)) DELTAMESH_CHECK(visit_box(visit, h));
+    visit.fixed(geometry == Geometry::kHighpass ? h.highpass.bits : h.predictive.bits);
+  if (!has_lattice(geometry)) visit_box(visit, h);
   if (geometry == Geometry::kHighpass) return visit_highpass(visit, flags, h.highpass);
-  if (has_lattice(geometry)) DELTAMESH_CHECK(visit_lattice(visit, flags, h.predictive.lattice));
-  return geometry == Geometry::kVoxel ? visit.varint(h.predictive.levels) : Result<void>();
+  if (has_lattice(geometry)) visit_lattice(visit, flags, h.predictive.lattice);
+  if (geometry == Geometry::kVoxel) visit.varint(h.predictive.levels);
 }
 
 }  // namespace deltamesh

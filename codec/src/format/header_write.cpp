@@ -12,7 +12,8 @@ std::vector<std::byte> write_header(const FileHeader& header) {
   for (const char letter : kMagic) out.write(letter);
   out.write(kFormatVersion);
   out.write(flags);
-  (void)visit_fields(FieldWriter{out}, flags, header);  // writing cannot fail
+  FieldWriter fields(out);
+  visit_fields(fields, flags, header);
   return out.take();
 }
 

@@ -12,7 +12,7 @@ namespace deltamesh {
 
 Result<LargeVector<Vec3>> solve_once(LeastSquaresProblem problem, const ReadSymbols& read_symbols,
                                      std::size_t size, ThreadTeam* team) {
-  Task<Result<SymbolRows>> reading(team, [&] { return read_symbols(problem.graph); });
+  Task reading(team, [&] { return read_symbols(problem.graph); });
   DELTAMESH_TRY(const auto solver, make_solver_for_components(problem.graph, std::move(problem.components),
                                                               problem.anchors, team));
   solver->set_up(problem.cycles);

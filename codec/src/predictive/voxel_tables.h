@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "base/small_code.h"
 #include "predictive/voxel_edges.h"
 
 namespace deltamesh::voxel {
@@ -219,7 +220,7 @@ struct PairTable {
   std::array<std::uint8_t, 9 * 125> places{};
   std::array<CubePair, kPairs> pairs{};
 };
-inline constexpr PairTable kPairTable = [] {
+DELTAMESH_TABULATE PairTable make_pair_table() noexcept {
   PairTable table;
   std::size_t count = 1;
   for (std::size_t axes = 0; axes < 9; ++axes) {
@@ -233,7 +234,8 @@ inline constexpr PairTable kPairTable = [] {
     }
   }
   return table;
-}();
+}
+inline const PairTable kPairTable = make_pair_table();
 
 /// From the middle of a cube to that of an edge, but for its own axis.
 inline constexpr std::array<Nodes, kEdges> kEdgeMiddles = [] {

@@ -100,25 +100,20 @@ void sort_six(std::uint32_t* row) noexcept {
   std::copy_n(r.begin(), r.size(), row);
 }
 
-/// Ascending. Rows are short, but for a few that can have any length.
-void sort_row(std::span<std::uint32_t> row) noexcept {
-  constexpr std::size_t kShort = 24;
-  if (row.size() > kShort) {
-    std::make_heap(row.begin(), row.end());
-    std::sort_heap(row.begin(), row.end());
-    return;
-  }
-  for (std::size_t k = 1; k < row.size(); ++k) {
-    const std::uint32_t number = row[k];
-    std::size_t place = k;
-    for (; place > 0 && row[place - 1] > number; --place) row[place] = row[place - 1];
-    row[place] = number;
+/// Ascending, for rows that are not long.
+void sort_short(std::span<std::uint32_t> row) noexcept {
+  for (std::size_t i = 1; i < row.size(); ++i) {
+    const std::uint32_t moved = row[i];
+    std::size_t place = i;
+    for (; place > 0 && row[place - 1] > moved; --place) row[place] = row[place - 1];
+    row[place] = moved;
   }
 }
 
-/// Makes rows ascend. Returns whether one has a neighbour twice.
+/// Makes rows ascend, but for long ones. Returns whether there is one, or one that has a neighbour twice.
 bool sort_rows(Adjacency& graph, ThreadTeam* team) {
-  std::atomic<bool> has_repeated = false;
+  constexpr std::ptrdiff_t kLong = 128;
+  std::atomic<bool> are_left = false;
   share_rows(team, graph.vertex_count(),
              [&, offsets = graph.offsets.data(), neighbors = graph.neighbors.data()](std::uint32_t begin,
                                                                                      std::uint32_t end) {
@@ -128,29 +123,16 @@ bool sort_rows(Adjacency& graph, ThreadTeam* team) {
                  std::uint32_t* const row_end = neighbors + offsets[v + 1];
                  if (row_end - row == 6) {  // most
                    sort_six(row);
+                 } else if (row_end - row <= kLong) {
+                   sort_short({row, row_end});
                  } else {
-                   sort_row({row, row_end});
+                   has_own = true;
                  }
                  for (std::ptrdiff_t k = 1; k < row_end - row; ++k) has_own |= row[k - 1] == row[k];
                }
-               if (has_own) has_repeated = true;
+               if (has_own) are_left = true;
              });
-  return has_repeated;
-}
-
-/// Ascending rows where some neighbours come several times in a row.
-void drop_repeated(Adjacency& graph) {
-  std::uint32_t written = 0;
-  std::uint32_t from = 0;
-  for (std::uint32_t v = 0; v < graph.vertex_count(); ++v) {
-    const std::uint32_t begin = written;
-    for (const std::uint32_t end = graph.offsets[v + 1]; from < end; ++from) {
-      const std::uint32_t neighbor = graph.neighbors[from];
-      if (written == begin || graph.neighbors[written - 1] != neighbor) graph.neighbors[written++] = neighbor;
-    }
-    graph.offsets[v + 1] = written;
-  }
-  graph.neighbors.resize(written);
+  return are_left;
 }
 
 }  // namespace
@@ -218,7 +200,7 @@ Adjacency build_adjacency(std::span<const std::uint32_t> triangles, std::span<co
       put_half(half, [rows, last = ends.data()](std::uint32_t a, std::uint32_t b) { rows[--last[a]] = b; });
     }
   });
-  if (sort_rows(graph, team)) drop_repeated(graph);
+  if (sort_rows(graph, team)) return tidy(graph);
   return graph;
 }
 

@@ -16,7 +16,7 @@ namespace {
 TEST(Task, GivesTheResultWhereverItRuns) {
   for (const unsigned threads : {1U, 2U}) {
     ThreadTeam team(threads);
-    Task<int> task(&team, [] { return 7; });
+    Task task(&team, [] { return 7; });
     EXPECT_EQ(task.get(), 7);
   }
 }
@@ -27,9 +27,9 @@ TEST(Task, RunsOnlyWhenAskedWithoutATeam) {
     ran = true;
     return 1;
   };
-  { const Task<int> task(nullptr, work); }
+  { const Task task(nullptr, work); }
   EXPECT_FALSE(ran);
-  Task<int> task(nullptr, work);
+  Task task(nullptr, work);
   EXPECT_EQ(task.get(), 1);
   EXPECT_TRUE(ran);
 }
@@ -37,7 +37,7 @@ TEST(Task, RunsOnlyWhenAskedWithoutATeam) {
 TEST(Task, HandsAFailedAllocationOn) {
   for (const unsigned threads : {1U, 2U}) {
     ThreadTeam team(threads);
-    Task<int> task(&team, []() -> int { throw std::bad_alloc(); });
+    Task task(&team, []() -> int { throw std::bad_alloc(); });
     EXPECT_THROW(task.get(), std::bad_alloc);
   }
 }
