@@ -5,7 +5,8 @@
 #include <optional>
 #include <utility>
 
-#include "deltamesh/decode.h"
+#include "decoder/check_limits.h"
+#include "decoder/stream_decoder.h"
 #include "format/container.h"
 #include "outcome.h"
 #include "runtime.h"
@@ -14,7 +15,7 @@ namespace deltamesh::web {
 namespace {
 
 struct Kept {
-  std::vector<AttributeDescriptor> descriptors;
+  Container container;
   std::vector<AttributeOutcome> attributes;
   std::vector<ChunkOutcome> chunks;
   Mesh mesh;
@@ -29,15 +30,15 @@ StreamOutcome* fail(const Error& error) {
 
 std::uint32_t count_of(std::uint64_t bytes) noexcept { return static_cast<std::uint32_t>(bytes); }
 
-void describe_chunks(const Container& container) {
+void describe_chunks() {
   std::size_t next = 0;
-  for (const ChunkEntry& entry : container.entries()) {
+  for (const ChunkEntry& entry : kept->container.entries()) {
     kept->chunks.push_back({.tag = entry.tag,
                             .codec = static_cast<std::uint32_t>(entry.codec),
                             .coded_bytes = count_of(entry.coded_bytes),
                             .decoded_bytes = count_of(entry.decoded_bytes)});
     if (entry.tag != kTagAttribute) continue;
-    const AttributeDescriptor& a = kept->descriptors[next++];
+    const AttributeDescriptor& a = kept->container.header().attributes[next++];
     kept->attributes.push_back({.error = a.error,
                                 .name = a.name.data(),
                                 .name_bytes = count_of(a.name.size()),
@@ -49,10 +50,9 @@ void describe_chunks(const Container& container) {
   }
 }
 
-void describe_stream(const Container& container) {
-  const FileHeader& header = container.header();
-  kept->descriptors = header.attributes;
-  describe_chunks(container);
+void describe_stream() {
+  const FileHeader& header = kept->container.header();
+  describe_chunks();
   StreamOutcome& outcome = kept->outcome;
   outcome.geometry = header.geometry;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -89,9 +89,10 @@ extern "C" {
 /// Of `bytes` at `stream`, without decoding.
 DELTAMESH_EXPORT(inspect) StreamOutcome* inspect_stream(const std::byte* stream, std::size_t bytes) {
   kept.emplace();
-  const auto container = Container::open({stream, bytes});
+  auto container = Container::open({stream, bytes});
   if (!container) return fail(container.error());
-  describe_stream(*container);
+  kept->container = *std::move(container);
+  describe_stream();
   return &kept->outcome;
 }
 
@@ -104,7 +105,9 @@ StreamOutcome* decode_stream(const std::byte* stream, std::size_t bytes, double 
                                          .triangles = static_cast<std::uint64_t>(triangles),
                                          .attributes = static_cast<std::uint32_t>(attributes),
                                          .attribute_bytes = static_cast<std::uint64_t>(attribute_bytes)}};
-  auto mesh = decode({stream, bytes}, options);
+  if (const auto checked = check_limits(kept->container.header(), options.limits); !checked)
+    return fail(checked.error());
+  auto mesh = decode_container(kept->container, options, nullptr);
   if (!mesh) return fail(mesh.error());
   kept->mesh = *std::move(mesh);
   describe_mesh();

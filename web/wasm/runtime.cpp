@@ -2,24 +2,18 @@
 // Copyright 2026 The deltamesh authors
 #include "runtime.h"
 
+#include <malloc.h>
+
 #include <cstdlib>
 #include <new>
 
-namespace {
-
-void* allocate_or_leave(std::size_t bytes, std::size_t alignment) {
-  void* const memory = alignment > 0 ? std::aligned_alloc(alignment, (bytes + alignment - 1) & -alignment)
-                                     : std::malloc(bytes > 0 ? bytes : 1);
+/// There is one way to get memory, which is aligned for all elements that vectors have.
+void* operator new(std::size_t bytes) {
+  void* const memory = memalign(32, bytes);
   if (memory == nullptr) out_of_memory();
   return memory;
 }
-
-}  // namespace
-
-void* operator new(std::size_t bytes) { return allocate_or_leave(bytes, 0); }
-void* operator new(std::size_t bytes, std::align_val_t alignment) {
-  return allocate_or_leave(bytes, static_cast<std::size_t>(alignment));
-}
+void* operator new(std::size_t bytes, std::align_val_t) { return operator new(bytes); }
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
