@@ -177,7 +177,7 @@ void expect_forms_agree(const test::GraphMesh& mesh, const Shape& shape) {
   std::vector<std::uint32_t> order(rows);
   for (std::uint32_t i = 0; i < rows; ++i) order[i] = rows - 1 - i;
   const Attribute attribute = make_attribute(shape, rows);
-  const AttributeSurface surface({}, rows, {}, {}, [&] { return mesh.graph; });
+  const AttributeSurface surface({}, rows, {}, {}, nullptr, mesh.graph);
   const auto coded = write_attribute(test::view(attribute), order, {.quality = test::kExactly}, surface, {});
   ASSERT_TRUE(coded && !coded->compact.empty());
   if (!coded->plain.empty()) {
