@@ -21,3 +21,9 @@ void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std
 
 void* allocate(std::size_t bytes) { return operator new(bytes); }
 void release(void* memory) { operator delete(memory); }
+
+// What emscripten would otherwise import from JavaScript.
+extern "C" {
+void emscripten_notify_memory_growth(std::size_t) {}
+void __wasi_proc_exit(int) { __builtin_trap(); }  // NOLINT(bugprone-reserved-identifier)
+}

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 namespace deltamesh {
@@ -67,6 +68,10 @@ class ResultState {
   ResultState() noexcept : has_value_(true) {}
   /// One function for all, as results are everywhere and errors are rare.
   [[gnu::noinline]] ResultState(const Error& error) noexcept : has_value_(false), error_(error) {}
+  // Of a result alone, which has the value beside it.
+  ResultState(const ResultState&) noexcept = default;
+  ResultState& operator=(const ResultState&) noexcept = default;
+  ~ResultState() = default;
 
  private:
   bool has_value_;
@@ -83,10 +88,12 @@ class [[nodiscard]] Result : public ResultState {
   Result(T&& value) : value_(std::move(value)) {}              // NOLINT(google-explicit-constructor)
   Result(const T& value) : value_(value) {}                    // NOLINT(google-explicit-constructor)
   Result(const Error& error) noexcept : ResultState(error) {}  // NOLINT(google-explicit-constructor)
-  Result(Result&& other) noexcept : ResultState(other) {
+  Result(Result&& other) noexcept(std::is_nothrow_move_constructible_v<T>) : ResultState(other) {
     if (has_value()) std::construct_at(&value_, std::move(other.value_));
   }
   Result& operator=(Result&& other) noexcept {
+    static_assert(std::is_nothrow_move_constructible_v<T>,
+                  "what is assigned over has been destroyed by then");
     if (this != &other) {
       std::destroy_at(this);
       std::construct_at(this, std::move(other));

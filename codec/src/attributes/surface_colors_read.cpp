@@ -25,13 +25,13 @@ Result<ColorFields> read_fields(ByteReader& in, ComponentType type, unsigned com
     return invalid("bits of colour levels that their type does not allow");
   DELTAMESH_TRY(fields.bound, in.read<std::uint16_t>());
   const std::int32_t top = top_color_level(fields.bits);
-  if (fields.bound > top / 2) return invalid("bound of colour levels out of range");
+  if (fields.bound > top / 2) return invalid("a parameter of the attribute is out of range");
   for (std::size_t c = 0; c < components; ++c) {
     ColorSource& source = fields.sources[c];
     DELTAMESH_TRY(source.component, in.read<std::uint8_t>());
     if (source.component == kConstantComponent) {
       DELTAMESH_TRY(source.level, in.read<std::uint16_t>());
-      if (source.level > top) return invalid("constant colour level out of range");
+      if (source.level > top) return invalid("a parameter of the attribute is out of range");
     } else if (source.component > c || !fields.is_coded(source.component)) {
       return invalid("colour component from one that is not coded");
     }

@@ -27,12 +27,12 @@ Result<NormalParameters> read_parameters(ByteReader& in, const AttributeSurface&
   if (parameters.rule != NormalRule::kNone && !surface.has_positions())
     return in.error(ErrorCode::kInvalidStream, "normals by a rule without positions", "ATTR-20");
   if ((form & ~(kRuleMask | kSharesFlag | kZerosFlag | kBlendsFlag)) != 0)
-    return in.error(ErrorCode::kInvalidStream, "reserved flag of normals set", "ATTR-20");
+    return in.error(ErrorCode::kInvalidStream, "reserved attribute flag set", "ATTR-20");
   parameters.shares = (form & kSharesFlag) != 0;
   parameters.has_zeros = (form & kZerosFlag) != 0;
   parameters.blends = (form & kBlendsFlag) != 0;
   if (!(parameters.radius >= kLeastRadius && parameters.radius <= 1))
-    return in.error(ErrorCode::kInvalidStream, "lattice of normals out of range", "ATTR-20");
+    return in.error(ErrorCode::kInvalidStream, "a parameter of the attribute is out of range", "ATTR-20");
   return parameters;
 }
 

@@ -40,7 +40,7 @@ Result<std::vector<float>> read_surface_tangents(std::span<const std::byte> byte
   ByteReader in(bytes, kTagAttribute);
   DELTAMESH_TRY(const auto step, in.read<float>());
   if (!(step >= kLeastTangentStep && step <= kMostTangentStep))
-    return in.error(ErrorCode::kInvalidStream, "step of tangents out of range", "ATTR-38");
+    return in.error(ErrorCode::kInvalidStream, "a parameter of the attribute is out of range", "ATTR-38");
   DELTAMESH_TRY(const auto stream, in.read_bytes(in.remaining()));
   CompactReader reader(stream);
   TangentCoder coder(reader, surface, basis.normals, basis.uvs, step, NoTangentChoice{});

@@ -20,7 +20,7 @@ Result<std::vector<float>> read_surface_uvs(std::span<const std::byte> bytes,
   ByteReader in(bytes, kTagAttribute);
   DELTAMESH_TRY(const auto step, in.read<float>());
   if (!(step >= kLeastUvStep && step <= kMostUvStep))
-    return in.error(ErrorCode::kInvalidStream, "step of texture coordinates out of range", "ATTR-31");
+    return in.error(ErrorCode::kInvalidStream, "a parameter of the attribute is out of range", "ATTR-31");
   DELTAMESH_TRY(const auto stream, in.read_bytes(in.remaining()));
   CompactReader reader(stream);
   UvCoder coder(reader, surface, static_cast<double>(step), NoUvChoice{});

@@ -7,7 +7,7 @@ namespace deltamesh {
 // None is inlined: many places call them, none of them often.
 
 [[gnu::noinline]] Result<std::uint64_t> ByteReader::read_fixed(std::size_t size) noexcept {
-  if (remaining() < size) return error(ErrorCode::kTruncated, "bytes end inside a number", "CON-1");
+  if (remaining() < size) return error(ErrorCode::kTruncated, "bytes end inside a value", "CON-1");
   std::uint64_t value = 0;
   for (std::size_t i = 0; i < size; ++i)
     value |= std::to_integer<std::uint64_t>(bytes_[position_++]) << (8 * i);
@@ -22,7 +22,7 @@ namespace deltamesh {
 [[gnu::noinline]] Result<std::uint64_t> ByteReader::read_varint(std::uint64_t max) noexcept {
   std::uint64_t value = 0;
   for (unsigned shift = 0; shift < 64; shift += 7) {
-    if (remaining() == 0) return error(ErrorCode::kTruncated, "bytes end inside a varint", "CON-2");
+    if (remaining() == 0) return error(ErrorCode::kTruncated, "bytes end inside a value", "CON-2");
     const auto byte = std::to_integer<std::uint64_t>(bytes_[position_++]);
     if (shift == 63 && byte > 1) break;
     value |= (byte & 0x7f) << shift;
@@ -36,7 +36,7 @@ namespace deltamesh {
 }
 
 [[gnu::noinline]] Result<std::span<const std::byte>> ByteReader::read_bytes(std::uint64_t size) noexcept {
-  if (size > remaining()) return error(ErrorCode::kTruncated, "bytes end inside an array", "CON-1");
+  if (size > remaining()) return error(ErrorCode::kTruncated, "bytes end inside a value", "CON-1");
   const auto result = bytes_.subspan(position_, static_cast<std::size_t>(size));
   position_ += static_cast<std::size_t>(size);
   return result;

@@ -54,8 +54,8 @@ Result<void> CompactReader::finish(std::uint32_t chunk_tag) const noexcept {
   };
   if (failed_ && !read_start(bytes_))
     return error(ErrorCode::kInvalidStream, "compact bytes do not begin with two states", "CMP-1");
-  if (failed_) return error(ErrorCode::kTruncated, "compact bytes end too early");
-  if (position_ != bytes_.size()) return error(ErrorCode::kInvalidStream, "compact bytes left over");
+  if (failed_) return error(ErrorCode::kTruncated, "bytes end inside a value");
+  if (position_ != bytes_.size()) return error(ErrorCode::kInvalidStream, "bytes left over at the end");
   const bool are_equal = state_ == next_state_;
   if (!are_equal || (state_ != kLeastState && state_ != kRansFloor))
     return error(ErrorCode::kInvalidStream, "compact bytes do not add up");

@@ -177,27 +177,20 @@ Adjacency build_adjacency(std::span<const std::uint32_t> triangles, std::span<co
   sum_up(offsets);
 
   graph.neighbors.resize(offsets.back());
-  const bool has_loops = graph.neighbors.size() != triangles.size() + open_edges.size();
-  const auto put_half = [&](std::uint32_t half, const auto& put) {
-    if (has_loops) {
-      visit_half(half, [&](std::uint32_t a, std::uint32_t b) {
-        if (a != b) put(a, b);
-      });
-    } else {
-      visit_half(half, put);
-    }
-  };
   share_work(team, halves, [&, rows = graph.neighbors.data()](std::uint32_t half) {
     if (half == 0) {
       LargeVector<std::uint32_t> begins(offsets.begin(), offsets.end() - 1);
-      put_half(half, [rows, next = begins.data()](std::uint32_t a, std::uint32_t b) {
+      visit_half(half, [rows, next = begins.data()](std::uint32_t a, std::uint32_t b) {
+        if (a == b) return;
         std::uint32_t& place = next[a];
         rows[place] = b;  // not with ++ here: that takes two instructions more
         ++place;
       });
     } else {
       ends.assign(offsets.begin() + 1, offsets.end());
-      put_half(half, [rows, last = ends.data()](std::uint32_t a, std::uint32_t b) { rows[--last[a]] = b; });
+      visit_half(half, [rows, last = ends.data()](std::uint32_t a, std::uint32_t b) {
+        if (a != b) rows[--last[a]] = b;
+      });
     }
   });
   if (sort_rows(graph, team)) return tidy(graph);

@@ -78,15 +78,9 @@ export class Instance {
       out_of_memory() {
         throw new OutOfMemory();
       },
-      emscripten_notify_memory_growth() {},
       ...imports,
     };
-    const wasi = {
-      proc_exit() {
-        throw new Error('aborted');
-      },
-    };
-    this.calls = new WebAssembly.Instance(module, { env, wasi_snapshot_preview1: wasi }).exports;
+    this.calls = new WebAssembly.Instance(module, { env }).exports;
     this.calls._initialize();
   }
 
