@@ -68,7 +68,7 @@ class ResultState {
   ResultState() noexcept : has_value_(true) {}
   /// One function for all, as results are everywhere and errors are rare.
   [[gnu::noinline]] ResultState(const Error& error) noexcept : has_value_(false), error_(error) {}
-  // Of a result alone, which has the value beside it.
+  // Protected, so that nobody copies the state of a result without its value.
   ResultState(const ResultState&) noexcept = default;
   ResultState& operator=(const ResultState&) noexcept = default;
   ~ResultState() = default;
@@ -93,7 +93,7 @@ class [[nodiscard]] Result : public ResultState {
   }
   Result& operator=(Result&& other) noexcept {
     static_assert(std::is_nothrow_move_constructible_v<T>,
-                  "what is assigned over has been destroyed by then");
+                  "assignment destroys the old value before it moves the new one");
     if (this != &other) {
       std::destroy_at(this);
       std::construct_at(this, std::move(other));

@@ -14,7 +14,7 @@ inline constexpr bool kDecisionsAreFunctions = true;  ///< of the compact coder
 /// Called in a loop for every vertex: engines of WebAssembly compile a function well while it is used, and go
 /// on with that at its next call, so that a loop without calls stays slow to its end.
 #define DELTAMESH_LOOP_BODY [[gnu::noinline]]
-/// Makes a table: while a module starts.
+/// For functions that fill a table: here when a module starts, elsewhere when it is compiled.
 #define DELTAMESH_TABULATE inline
 #else
 namespace deltamesh {
