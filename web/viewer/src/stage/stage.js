@@ -22,6 +22,18 @@ function panesOf(view, split) {
   return [{ name: view, from: 0, to: 1 }];
 }
 
+/**
+ * Whether the processor draws, as no graphics card does: then several samples for each pixel would take most of the time. Only the name
+ * tells: Chromium makes a context for `failIfMajorPerformanceCaveat`, too.
+ */
+function isDrawnBySoftware() {
+  const gl = document.createElement('canvas').getContext('webgl2');
+  const names = gl?.getExtension('WEBGL_debug_renderer_info');
+  const name = names ? gl.getParameter(names.UNMASKED_RENDERER_WEBGL) : '';
+  gl?.getExtension('WEBGL_lose_context')?.loseContext();
+  return /swiftshader|llvmpipe|softpipe|basic render|software/i.test(name);
+}
+
 export class Stage {
   original = new Surface();
   result = new Surface();
@@ -36,7 +48,7 @@ export class Stage {
   #fence = null; // behind the last drawing, in the queue of the graphics card
 
   constructor(canvas) {
-    this.#renderer = new WebGLRenderer({ canvas, antialias: true });
+    this.#renderer = new WebGLRenderer({ canvas, antialias: !isDrawnBySoftware() });
     this.#renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     const light = new DirectionalLight(0xffffff, 2.4);
     light.position.set(-0.4, 0.6, 1);
