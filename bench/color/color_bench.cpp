@@ -21,6 +21,7 @@
 #include "report/geometric_mean.h"
 #include "run/bench_mesh.h"
 #include "run/measure.h"
+#include "support/or_exit.h"
 
 namespace deltamesh::bench {
 namespace {
@@ -28,15 +29,6 @@ namespace {
 constexpr int kLevel = 10;
 constexpr std::array<double, 3> kBounds = {2, 4, 8};  ///< 255ths
 constexpr int kBoundBits = 11;                        ///< Draco's position bits where bounds are tried
-
-template <class R>
-auto value_or_exit(R result) {
-  if (!result) {
-    std::fprintf(stderr, "%s\n", describe(result.error()).c_str());
-    std::exit(EXIT_FAILURE);
-  }
-  return *std::move(result);
-}
 
 draco::GeometryAttribute layout(draco::GeometryAttribute::Type type, std::uint8_t components,
                                 draco::DataType data_type, std::int64_t size, bool normalized) {

@@ -18,6 +18,7 @@
 #include "peers/peer.h"
 #include "run/bench_mesh.h"
 #include "scenes.h"
+#include "support/or_exit.h"
 #include "support/welded_mesh.h"
 
 namespace deltamesh::bench {
@@ -62,19 +63,6 @@ void print(const Row& row, std::size_t vertices) {
               1e-6 * n / row.encode, 1e-6 * n / row.decode);
 }
 
-template <class R>
-void exit_where_failed(const R& result) {
-  if (result) return;
-  std::fprintf(stderr, "%s\n", describe(result.error()).c_str());
-  std::exit(EXIT_FAILURE);
-}
-
-template <class R>
-auto value_or_exit(R result) {
-  exit_where_failed(result);
-  return *std::move(result);
-}
-
 Row time_connectivity(const WeldedMesh& welded, const CodedConnectivity& coded, int repeats) {
   const auto vertices = static_cast<std::uint32_t>(welded.positions.size());
   const auto faces = static_cast<std::uint32_t>(welded.triangles.size() / 3);
@@ -105,11 +93,11 @@ Row time_anchors(std::span<const std::byte> bytes, std::uint32_t count, int repe
 
 Row time_draco(const Mesh& mesh, int repeats) {
   const auto peer = make_draco_peer(kDracoLevel, kDracoBits);
-  exit_where_failed(peer->load(mesh));
+  check_or_exit(peer->load(mesh));
   std::vector<std::byte> bytes;
   Row row{.what = "all of Draco cl 7, qp 11"};
   row.encode = least_seconds(repeats, [&] { bytes = value_or_exit(peer->encode()); });
-  row.decode = least_seconds(repeats, [&] { exit_where_failed(peer->decode(bytes)); });
+  row.decode = least_seconds(repeats, [&] { check_or_exit(peer->decode(bytes)); });
   row.bytes = bytes.size();
   return row;
 }

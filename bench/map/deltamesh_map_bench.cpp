@@ -2,7 +2,7 @@
 // Copyright 2026 The deltamesh authors
 //
 // Updates of maps: bytes and times beside raw triangles, Draco block by block and our own streams block by
-// block; and what need not be sent as it is good enough.
+// block; and what need not be sent as it is good enough. Whole maps in parts: bytes beside one stream.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -12,12 +12,15 @@
 #include <vector>
 
 #include "deltamesh/compare.h"
+#include "deltamesh/io.h"
 #include "deltamesh/map/join.h"
 #include "deltamesh/map/map_codec.h"
 #include "deltamesh/map/receiver.h"
 #include "deltamesh/map/sender.h"
 #include "map/map_peers.h"
+#include "map/map_splits.h"
 #include "map/map_updates.h"
+#include "support/or_exit.h"
 #include "support/processor_seconds.h"
 
 namespace deltamesh::bench {
@@ -32,6 +35,7 @@ struct Settings {
   int effort = 0;
   int rounds = 3;
   bool compares = false;
+  std::vector<double> part_edges = {8, 4, 2, 1};
 };
 
 /// Adds the seconds of `work` to `sum`.
@@ -46,19 +50,6 @@ double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
-}
-
-template <class R>
-void check(const R& result) {
-  if (result) return;
-  std::fprintf(stderr, "%s\n", describe(result.error()).c_str());
-  std::exit(EXIT_FAILURE);
-}
-
-template <class T>
-T value_or_exit(Result<T> result) {
-  check(result);
-  return *std::move(result);
 }
 
 /// What a sequence took.
@@ -130,12 +121,12 @@ Sums run_map(const MapUpdates& updates, double max_error, bool keeps_good_enough
   Sums sums;
   double now = 0;
   const auto exchange = [&] {
-    check(sender.hear(value_or_exit(receiver.view_message()), now += 2));
+    check_or_exit(sender.hear(value_or_exit(receiver.view_message()), now += 2));
     std::vector<std::vector<std::byte>> messages;
     add_seconds(sums.encode, [&] { messages = value_or_exit(sender.messages_for(1, now)); });
     for (const auto& message : messages) sums.bytes += message.size();
     add_seconds(sums.decode, [&] {
-      for (const auto& message : messages) check(receiver.apply(message));
+      for (const auto& message : messages) check_or_exit(receiver.apply(message));
     });
   };
   exchange();  // the map's message
@@ -145,7 +136,7 @@ Sums run_map(const MapUpdates& updates, double max_error, bool keeps_good_enough
     for (const SequenceBlock& block : updates.steps[i].changed) blocks.push_back({block.id, block.mesh});
     for (const SequenceBlockId& id : updates.steps[i].removed) blocks.push_back({id, nothing});
     const double before = sums.encode + sums.decode + sums.join;
-    add_seconds(sums.encode, [&] { check(sender.update(blocks)); });
+    add_seconds(sums.encode, [&] { check_or_exit(sender.update(blocks)); });
     exchange();
     add_seconds(sums.join, [&] { join_changed(receiver); });
     sums.largest_update = std::max(sums.largest_update, sums.encode + sums.decode + sums.join - before);
@@ -226,6 +217,18 @@ void run(const MapUpdates& updates, const Settings& settings) {
   std::fflush(stdout);
 }
 
+void print_splits_header() {
+  std::printf(
+      "\n| whole map | bytes as one stream | part edge | parts | bytes a part | bytes of primers | all over "
+      "one stream |\n"
+      "|---|---|---|---|---|---|---|\n");
+}
+
+void split_in_parts(const std::string& name, const Mesh& mesh, double voxel, const Settings& settings) {
+  print_splits(name, mesh, kMaxError * voxel, kColorError, settings.effort, settings.part_edges,
+               settings.most_triangles);
+}
+
 }  // namespace
 }  // namespace deltamesh::bench
 
@@ -235,6 +238,7 @@ int main(int argc, char** argv) {
   Settings settings;
   std::vector<std::string> folders;
   std::string wholes;
+  std::vector<std::string> splits;
   double voxel = 0.04;
   std::uint64_t vertices = 50'000;
   std::uint32_t steps = 20;
@@ -242,6 +246,10 @@ int main(int argc, char** argv) {
   app.add_option("--sequence", folders, "Folders with sequence.json");
   app.add_option("--wholes", wholes,
                  "Folder of whole maps step_00.ply and so on, cut into blocks of 16 and 8 voxels");
+  app.add_option("--split", splits, "Whole maps, to have in parts beside one stream");
+  app.add_option("--part-edges", settings.part_edges, "Of their largest parts, metres")
+      ->delimiter(',')
+      ->capture_default_str();
   app.add_option("--voxel", voxel, "Of the whole maps, metres")->capture_default_str();
   app.add_option("--vertices", vertices, "Of the generated drive")->capture_default_str();
   app.add_option("--steps", steps, "Of the generated drive; 0: none")->capture_default_str();
@@ -264,5 +272,10 @@ int main(int argc, char** argv) {
     for (const int voxels : {16, 8})
       run(value_or_exit(cut_wholes(wholes, "wholes, blocks of " + std::to_string(voxels), voxel, voxels)),
           settings);
-  if (steps > 0) run(value_or_exit(drive_updates(vertices, steps)), settings);
+  MapUpdates drive;
+  if (steps > 0) run(drive = value_or_exit(drive_updates(vertices, steps)), settings);
+  print_splits_header();
+  for (const std::string& file : splits)
+    split_in_parts(file, value_or_exit(read_mesh_file(file)).mesh, voxel, settings);
+  if (steps > 0) split_in_parts(drive.name, drive.wholes.back(), drive.voxel, settings);
 }

@@ -14,6 +14,7 @@
 #include "deltamesh/decode.h"
 #include "deltamesh/encode.h"
 #include "peers/lattice.h"
+#include "support/or_exit.h"
 #include "support/processor_seconds.h"
 
 namespace deltamesh::bench {
@@ -92,12 +93,11 @@ CodedBlock plain_block(const Mesh& block, double max_error, int color_error, int
   options.effort = effort;
   CodedBlock coded;
   double start = processor_seconds();
-  const auto encoded = encode(block, options);
-  if (!encoded) fail(encoded.error().message);
-  coded.bytes = encoded->bytes.size();
+  const Encoded encoded = value_or_exit(encode(block, options));
+  coded.bytes = encoded.bytes.size();
   coded.encode_seconds = processor_seconds() - start;
   start = processor_seconds();
-  if (!decode(encoded->bytes)) fail("a stream cannot be decoded");
+  check_or_exit(decode(encoded.bytes));
   coded.decode_seconds = processor_seconds() - start;
   return coded;
 }

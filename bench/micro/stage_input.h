@@ -7,11 +7,10 @@
 #include <benchmark/benchmark.h>
 
 #include <cstdint>
-#include <cstdlib>
-#include <utility>
 #include <vector>
 
 #include "deltamesh/mesh.h"
+#include "support/or_exit.h"
 #include "support/welded_mesh.h"
 
 namespace deltamesh::bench {
@@ -32,12 +31,5 @@ void use_scenes(benchmark::internal::Benchmark* benchmark);
 
 /// Reports the speed as vertices per second.
 void count_vertices(benchmark::State& state, const StageInput& input);
-
-/// The value, or the end of the program where there is none: a benchmark of a failure says nothing.
-template <class R>
-auto value_or_exit(R result) {
-  if (!result) std::exit(EXIT_FAILURE);
-  return *std::move(result);
-}
 
 }  // namespace deltamesh::bench

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "map/map_splits.h"
+
+#include <cstdio>
+
+#include "deltamesh/map/encode_map.h"
+#include "map/map_peers.h"
+#include "support/or_exit.h"
+
+namespace deltamesh::bench {
+namespace {
+
+std::uint64_t primer_bytes(const MapDescription& description) {
+  std::uint64_t bytes = 0;
+  for (const MapPrimer& primer : description.primers) bytes += primer.stream.size() + primer.border.size();
+  return bytes;
+}
+
+}  // namespace
+
+void print_splits(const std::string& name, Mesh mesh, double max_error, int color_error, int effort,
+                  const std::vector<double>& part_edges, std::uint32_t most_triangles) {
+  std::erase_if(mesh.attributes, [](const Attribute& a) { return a.kind != AttributeKind::kColor; });
+  const auto whole = static_cast<double>(plain_block(mesh, max_error, color_error, effort).bytes);
+  MapSettings settings;
+  settings.most_triangles = most_triangles;
+  settings.quality.bounds.max_error = QualityBound{max_error};
+  settings.quality.attributes.color_error = color_error;
+  settings.quality.effort = effort;
+  for (const double edge : part_edges) {
+    settings.part_edge = edge;
+    const MapState state = value_or_exit(encode_map(mesh, settings));
+    const std::uint64_t primers = primer_bytes(state.manifest.description);
+    std::uint64_t parts = 0;
+    for (const PartEntry& entry : state.manifest.entries) parts += entry.bytes;
+    const auto count = static_cast<double>(state.manifest.entries.size());
+    const auto bytes = static_cast<double>(parts + primers);
+    std::printf("| %s | %.0f | %g | %.0f | %.0f | %llu | %.3f |\n", name.c_str(), whole, edge, count,
+                bytes / count, static_cast<unsigned long long>(primers), bytes / whole);
+    std::fflush(stdout);
+  }
+}
+
+}  // namespace deltamesh::bench

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// What it takes to have a whole map in parts.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "deltamesh/mesh.h"
+
+namespace deltamesh::bench {
+
+/// Rows of a table: bytes of the map in parts, primers counted, over those of one stream with the same
+/// bounds. Of the attributes colours alone stay. `max_error`: model units. `color_error`: of 255.
+/// `part_edges`: of the largest parts, model units, one row each. Exits where the mesh cannot be encoded.
+void print_splits(const std::string& name, Mesh mesh, double max_error, int color_error, int effort,
+                  const std::vector<double>& part_edges, std::uint32_t most_triangles);
+
+}  // namespace deltamesh::bench
