@@ -8,6 +8,7 @@
 
 #include "attributes/attribute_payload.h"
 #include "attributes/component_lattice.h"
+#include "base/component.h"
 #include "base/portable_math.h"
 
 namespace deltamesh {
@@ -48,7 +49,7 @@ double row_error(const AttributeView& attribute, const Row& a, const Row& b) noe
     case AttributeKind::kColor:
       return largest_difference(a, b, components) / color_unit(attribute.type);
     case AttributeKind::kWeights:
-      return largest_difference(a, b, components) / weight_unit(attribute.type);
+      return largest_difference(a, b, components) / normalized_one(attribute.type);
     case AttributeKind::kGeneric:
     case AttributeKind::kJoints:
       break;
@@ -82,11 +83,6 @@ class LargestAngle {
 };
 
 }  // namespace
-
-double weight_unit(ComponentType type) noexcept {
-  if (type == ComponentType::kU8) return 255;
-  return type == ComponentType::kU16 ? 65535 : 1;
-}
 
 double attribute_error(const AttributeView& attribute, const AttributeRows& rows,
                        std::span<const std::byte> decoded) {

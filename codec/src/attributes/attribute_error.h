@@ -15,9 +15,6 @@ namespace deltamesh {
 /// Normals and tangents of a length this far from 1 are data, not directions: they are stored exactly.
 inline constexpr double kUnitTolerance = 1e-2;
 
-/// What a weight of 1 is in its type: 255 or 65535 of u8 and u16.
-double weight_unit(ComponentType type) noexcept;
-
 /// `decoded`: rows.count() values of the shape of `attribute`, whose rows are `rows`. 0 where all bits are
 /// the same; infinity where a difference is not a number. The same on every machine. O(n).
 double attribute_error(const AttributeView& attribute, const AttributeRows& rows,

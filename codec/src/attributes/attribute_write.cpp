@@ -17,6 +17,7 @@
 #include "attributes/surface_tangents.h"
 #include "attributes/surface_uvs.h"
 #include "base/byte_writer.h"
+#include "base/component.h"
 #include "base/short_float.h"
 #include "base/try.h"
 
@@ -125,7 +126,8 @@ std::optional<CodedAttribute> code_kind(const AttributeView& attribute, const At
     case AttributeKind::kJoints:
       return code_on_lattices(attribute, rows, bound, settings.effort, surface);
     case AttributeKind::kWeights:
-      return code_on_lattices(attribute, rows, bound * weight_unit(attribute.type), settings.effort, surface);
+      return code_on_lattices(attribute, rows, bound * normalized_one(attribute.type), settings.effort,
+                              surface);
     default:
       return std::nullopt;
   }

@@ -27,11 +27,17 @@ using Value = std::array<double, kMaxComponents>;
 
 /// What the number 1 of the kind's unit is in this type.
 double unit_of(const AttributeView& attribute) noexcept {
-  const bool color = attribute.kind == AttributeKind::kColor;
-  const bool part_of_one = attribute.kind == AttributeKind::kUv || attribute.kind == AttributeKind::kWeights;
-  if (!color && !(part_of_one && attribute.normalized)) return 1;
   const double one = normalized_one(attribute.type);
-  return color ? one / 255 : one;
+  switch (attribute.kind) {
+    case AttributeKind::kColor:
+      return one / 255;
+    case AttributeKind::kWeights:
+      return one;
+    case AttributeKind::kUv:
+      return attribute.normalized ? one : 1;
+    default:
+      return 1;
+  }
 }
 
 void load(const AttributeView& attribute, std::uint32_t vertex, Value& value) noexcept {

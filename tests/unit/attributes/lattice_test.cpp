@@ -251,6 +251,21 @@ TEST(Lattice, ATTR56WhatMustBeExactIsPredictedWhateverItsKind) {
   }
 }
 
+TEST(Lattice, BoundsOfWeightsArePartsOf1OfAnyIntegerType) {
+  std::vector<std::int8_t> values;
+  for (std::uint32_t v = 0; v < kVertices; ++v)
+    values.push_back(static_cast<std::int8_t>(64 + 60 * std::sin(0.3 * v)));
+  Attribute a = make(ComponentType::kI8, 1, values);
+  a.kind = AttributeKind::kWeights;
+  const auto triangles = grid_of(kSide);
+  const auto coded = write_attribute(test::view(a), identity(kVertices), {.quality = {.weight_error = 0.04}},
+                                     {triangles, kVertices}, {});
+  ASSERT_TRUE(coded);
+  EXPECT_EQ(coding_of(*coded), AttributeCoding::kLattice);
+  EXPECT_GT(coded->descriptor.error, 0.02);
+  EXPECT_LE(coded->descriptor.error, 0.04);
+}
+
 TEST(Lattice, ATTR56NumbersUpToTheLargestAreExact) {
   test::RandomBits random(6);
   std::vector<std::uint32_t> noise;

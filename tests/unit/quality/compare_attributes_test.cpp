@@ -120,6 +120,9 @@ TEST(CompareAttributes, MeasuresInTheUnitOfTheKind) {
   const std::vector<float> intensity(8, 2);
   a.attributes.push_back(
       attribute_of<float>(AttributeKind::kGeneric, ComponentType::kF32, 1, "intensity", intensity));
+  const std::vector<std::int8_t> influences(8, 100);
+  a.attributes.push_back(
+      attribute_of<std::int8_t>(AttributeKind::kWeights, ComponentType::kI8, 1, "influence", influences));
   Mesh b = a;
   value(b, 0, 0) = 1;  // 45 degrees
   value(b, 1, 2) += 0.3F;
@@ -129,6 +132,7 @@ TEST(CompareAttributes, MeasuresInTheUnitOfTheKind) {
   moved[5] = 65535 / 2;
   std::memcpy(b.attributes[3].values.data(), moved.data(), 2 * moved.size());
   value(b, 4, 7) = -1;
+  b.attributes[5].values[3] = std::byte{0};
   const auto result = compare(a, b);
   ASSERT_TRUE(result);
   const auto& of = result->attributes;
@@ -139,6 +143,7 @@ TEST(CompareAttributes, MeasuresInTheUnitOfTheKind) {
   EXPECT_DOUBLE_EQ(of[2].max_error, 10);
   EXPECT_NEAR(of[3].max_error, 0.25, 1e-4);
   EXPECT_DOUBLE_EQ(of[4].max_error, 3);
+  EXPECT_DOUBLE_EQ(of[5].max_error, 100.0 / 127);
 }
 
 TEST(CompareAttributes, ComparesTangentsWithTheirSign) {
