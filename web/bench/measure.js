@@ -12,7 +12,7 @@ const MOST_MILLISECONDS = 4000;
 
 async function openDeltamesh(files) {
   const decoder = await createDecoder({ files });
-  await Promise.all([decoder.load('highpass'), decoder.load('plain')]);
+  await decoder.load();
   return (bytes) => {
     const mesh = decoder.decodeSync(bytes);
     if (mesh instanceof DeltameshError) throw mesh;
@@ -20,9 +20,9 @@ async function openDeltamesh(files) {
   };
 }
 
-/** `modules`: { core, highpass, plain, draco }, bytes. */
-function openCodec(codec, { core, highpass, plain, draco }) {
-  return codec === 'draco' ? openDraco(draco) : openDeltamesh({ core, highpass, plain });
+/** `modules`: { core, highpass, plain, rare, draco }, bytes. */
+function openCodec(codec, { core, highpass, plain, rare, draco }) {
+  return codec === 'draco' ? openDraco(draco) : openDeltamesh({ core, highpass, plain, rare });
 }
 
 function timeOf(decode, streams) {

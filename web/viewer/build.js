@@ -12,6 +12,7 @@ const WASM = [
   '@deltamesh/decoder/core.wasm',
   '@deltamesh/decoder/highpass.wasm',
   '@deltamesh/decoder/plain.wasm',
+  '@deltamesh/decoder/rare.wasm',
   '@deltamesh/decoder/map.wasm',
   '@deltamesh/encoder/encoder.wasm',
   'draco3d/draco_encoder.wasm',

@@ -5,10 +5,12 @@
 #include <optional>
 #include <utility>
 
+#include "attributes/attribute_payload.h"
 #include "decoder/check_limits.h"
 #include "decoder/stream_decoder.h"
 #include "format/container.h"
 #include "outcome.h"
+#include "parts.h"
 #include "runtime.h"
 
 namespace deltamesh::web {
@@ -29,6 +31,33 @@ StreamOutcome* fail(const Error& error) {
 }
 
 std::uint32_t count_of(std::uint64_t bytes) noexcept { return static_cast<std::uint32_t>(bytes); }
+
+/// Whether `rare` reads the compact values of an attribute, which begin with their coding [ATTR-2].
+bool is_rare(std::span<const std::byte> values) noexcept {
+  if (values.empty()) return false;
+  const auto coding = static_cast<AttributeCoding>(values.front());
+  return coding == AttributeCoding::kLattice || coding == AttributeCoding::kJoints ||
+         coding == AttributeCoding::kWeights;
+}
+
+/// Which parts the stream needs, if it is valid: bits by number. Raw chunks of `highpass` are its own.
+std::uint32_t parts_of(const Container& container) noexcept {
+  const auto bit = [](Part part, bool is_needed) {
+    return is_needed ? 1U << static_cast<std::uint32_t>(part) : 0;
+  };
+  const FileHeader& header = container.header();
+  const bool is_highpass = header.geometry == kGeometryHighpass;
+  std::uint32_t parts = bit(Part::kHighpass, is_highpass) |
+                        bit(Part::kRare, !is_highpass && header.predictive.kind != PositionKind::kLattice);
+  for (const ChunkEntry& entry : container.entries()) {
+    const bool is_its_own = entry.tag == kTagDeltas || entry.tag == kTagAnchors;
+    parts |= bit(Part::kPlain,
+                 entry.codec == ChunkCodec::kZstd || (entry.codec == ChunkCodec::kRaw && !is_its_own));
+    parts |= bit(Part::kRare, entry.tag == kTagAttribute && entry.codec == ChunkCodec::kCompact &&
+                                  is_rare(container.coded(entry)));
+  }
+  return parts;
+}
 
 void describe_chunks() {
   std::size_t next = 0;
@@ -55,6 +84,7 @@ void describe_stream() {
   describe_chunks();
   StreamOutcome& outcome = kept->outcome;
   outcome.geometry = header.geometry;
+  outcome.parts = parts_of(kept->container);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     outcome.origin[axis] = header.origin[axis];
     outcome.box[axis] = header.box_min[axis];

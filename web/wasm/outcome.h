@@ -53,6 +53,7 @@ struct ChunkOutcome {
 struct StreamOutcome {
   ErrorOutcome error;
   std::uint32_t geometry = 0;  ///< 1 highpass, 2 predictive
+  std::uint32_t parts = 0;     ///< that it needs beside core, bits by Part (parts.h)
   double origin[3]{};
   double box[6]{};
   double quality[3]{};  ///< VDE, LFE, largest error
@@ -69,6 +70,7 @@ struct StreamOutcome {
 };
 
 static_assert(sizeof(ErrorOutcome) == 32 && sizeof(AttributeOutcome) == 40 && sizeof(ChunkOutcome) == 16);
-static_assert(offsetof(StreamOutcome, vertices) == 136 && offsetof(StreamOutcome, groups) == 172);
+static_assert(offsetof(StreamOutcome, parts) == 36 && offsetof(StreamOutcome, vertices) == 136 &&
+              offsetof(StreamOutcome, groups) == 172);
 
 }  // namespace deltamesh::web

@@ -2,8 +2,8 @@
 // Copyright 2026 The deltamesh authors
 //
 // What `core` and its parts hand to each other by way of JavaScript (packages/decoder/decoder.js): the
-// modules `highpass` and `plain`, whose memories are others. All are built alike, so structures are copied as
-// they are.
+// modules `highpass`, `plain` and `rare`, whose memories are others. All are built alike, so structures are
+// copied as they are.
 #pragma once
 
 #include <array>
@@ -14,6 +14,7 @@
 #include "base/vec3.h"
 #include "deltamesh/mesh.h"
 #include "format/highpass_parameters.h"
+#include "format/predictive_parameters.h"
 #include "outcome.h"
 #include "runtime.h"
 
@@ -77,6 +78,29 @@ struct PlainCall {
   std::uint8_t components = 1;
   HandedArray bytes{};
   HandedArray triangles{};
+};
+
+/// What `rare` reads: an array of floats for positions, else of bytes.
+enum class RareForm : std::uint32_t {
+  kPositions,  ///< read_rare_positions()
+  kLattice,    ///< read_lattice()
+  kJoints,     ///< read_joints()
+  kWeights,    ///< read_weights()
+};
+
+/// The arguments of these.
+struct RareCall {
+  RareForm form = RareForm::kPositions;
+  std::uint32_t vertex_count = 0;
+  HandedArray bytes{};
+  HandedArray triangles{};
+  HandedArray geometric{};  ///< of attributes' surface
+  HandedArray joints{};     ///< of kWeights
+  AttributeKind kind = AttributeKind::kGeneric;
+  ComponentType type = ComponentType::kF32;
+  std::uint32_t components = 1;
+  PredictiveParameters parameters{};  ///< of kPositions, as the next
+  Box box{};
 };
 
 /// In a part: copies an array that was handed over, and releases it.

@@ -14,7 +14,7 @@
 namespace deltamesh::web {
 
 /// As decoder.js numbers them.
-enum class Part : std::uint32_t { kHighpass, kPlain };
+enum class Part : std::uint32_t { kHighpass, kPlain, kRare };
 
 extern "C" {
 /// Copies bytes into the memory of a part, which releases them; returns their address there.
@@ -42,6 +42,7 @@ Result<PartArrays> call_part(Part part, const Call& arguments) {
   return returned;
 }
 
+/// An array that a call returned.
 template <class Vector>
 void take_array(Part part, HandedArray array, Vector& to) {
   to.resize(array.bytes / sizeof(typename Vector::value_type));

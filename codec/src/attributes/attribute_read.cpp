@@ -6,6 +6,7 @@
 #include "attributes/lattice_attribute.h"
 #include "attributes/plain_attribute.h"
 #include "attributes/skin.h"
+#include "attributes/skin_rows.h"
 #include "attributes/surface_colors.h"
 #include "attributes/surface_normals.h"
 #include "attributes/surface_tangents.h"
@@ -49,7 +50,8 @@ Result<void> read_on_surface(ByteReader& in, AttributeCoding coding, const Known
     return {};
   }
   if (coding == AttributeCoding::kWeights) {
-    DELTAMESH_TRY(attribute.values, read_weights(bytes, attribute, known.surface, known.others));
+    const auto joints = joints_of_weights(known.others, known.surface.vertex_count());
+    DELTAMESH_TRY(attribute.values, read_weights(bytes, attribute, known.surface, joints));
     return {};
   }
   DELTAMESH_TRY(const auto numbers, read_floats(coding, bytes, known));

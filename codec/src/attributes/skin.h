@@ -13,6 +13,7 @@
 #include "attributes/attribute_rows.h"
 #include "attributes/attribute_surface.h"
 #include "attributes/coded_values.h"
+#include "attributes/joint_guesses.h"
 #include "deltamesh/mesh.h"
 #include "deltamesh/result.h"
 
@@ -34,9 +35,10 @@ std::optional<CodedValues<std::byte>> write_weights(const AttributeView& attribu
 Result<std::vector<std::byte>> read_joints(std::span<const std::byte> bytes, const Attribute& shape,
                                            const AttributeSurface& surface);
 
-/// The same of 4 x f32, u8 or u16. Errors: kTruncated, kInvalidStream [ATTR-63, ATTR-65, CMP-3].
+/// The same of 4 x f32, u8 or u16. `joints`: joints_of_weights(). Errors: kTruncated, kInvalidStream
+/// [ATTR-63, ATTR-65, CMP-3].
 Result<std::vector<std::byte>> read_weights(std::span<const std::byte> bytes, const Attribute& shape,
                                             const AttributeSurface& surface,
-                                            std::span<const Attribute> others);
+                                            std::span<const JointRow> joints);
 
 }  // namespace deltamesh

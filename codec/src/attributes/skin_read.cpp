@@ -32,7 +32,7 @@ Result<std::vector<std::byte>> read_joints(std::span<const std::byte> bytes, con
 
 Result<std::vector<std::byte>> read_weights(std::span<const std::byte> bytes, const Attribute& shape,
                                             const AttributeSurface& surface,
-                                            std::span<const Attribute> others) {
+                                            std::span<const JointRow> joints) {
   ByteReader in(bytes, kTagAttribute);
   DELTAMESH_TRY(const auto coded_sum, in.read_varint(kMostWeightSum));
   const auto sum = static_cast<std::uint32_t>(coded_sum);
@@ -42,7 +42,6 @@ Result<std::vector<std::byte>> read_weights(std::span<const std::byte> bytes, co
   CompactReader reader(coded);
   const FieldFaces over(surface, reader.bits(0, 1) != 0);
   const std::uint32_t blend = reader.bits(0, 2);
-  const std::vector<JointRow> joints = joints_of_weights(others, surface.vertex_count());
   std::vector<WeightRow> weights(surface.vertex_count(), WeightRow{});
   if (!code_weights(reader, over, joints, sum, blend, weights))
     DELTAMESH_CHECK(fault(reader, "a weight beyond what the others leave", "ATTR-65"));

@@ -50,4 +50,10 @@ Result<std::vector<float>> read_positions(Payload payload, const FaceList& faces
                                           const PredictiveParameters& parameters, const Box& box,
                                           const Learning<PositionModels>& learning = {});
 
+/// The same of PositionKind::kVoxel and kFloats, which few streams have: small decoders leave them to another
+/// module (web/wasm). `bytes`: compact; `faces` has vertices. Errors: those of these kinds.
+Result<std::vector<float>> read_rare_positions(std::span<const std::byte> bytes, const FaceList& faces,
+                                               const PredictiveParameters& parameters, const Box& box,
+                                               const Learning<PositionModels>& learning);
+
 }  // namespace deltamesh

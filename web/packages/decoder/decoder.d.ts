@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 
+/** The modules beside `core`. */
+export type PartName = 'highpass' | 'plain' | 'rare';
+
 /** Where a module's bytes come from; a string or URL is fetched, or read where it is a file's in node. */
 export type ModuleSource = string | URL | BufferSource | WebAssembly.Module | Promise<BufferSource | WebAssembly.Module>;
 
 export interface DecoderOptions {
   /**
    * The modules; each is loaded when it is first needed. Default: the files beside this one. `core` decodes containers, faces,
-   * predictive positions and attributes, `highpass` the positions of highpass streams, `plain` chunks in their plain form
-   * (the profile zstd; in others a chunk that is smaller so).
+   * predictive positions and most attributes, `highpass` the positions of highpass streams, `plain` chunks in their plain form
+   * (the profile zstd; in others a chunk that is smaller so), `rare` positions of voxels or to the last bit, joints, weights, and
+   * attributes of any kind that are coded as numbers (morph targets).
    */
-  files?: { core?: ModuleSource; highpass?: ModuleSource; plain?: ModuleSource };
+  files?: { [module in 'core' | PartName]?: ModuleSource };
   /** Whether the default files are those for machines with SIMD; default: as this machine has it. */
   simd?: boolean;
   /** Most bytes that each of the modules may take for its memory; default 4 GiB. */
@@ -75,6 +79,8 @@ export interface Quality {
 
 export interface StreamInfo {
   geometry: 'highpass' | 'predictive';
+  /** The modules that its decoding needs beside `core`. */
+  modules: PartName[];
   vertexCount: number;
   triangleCount: number;
   /** Vertices and faces are in the source's order. */
@@ -117,13 +123,12 @@ export interface Decoder {
    * back afterwards. Does not throw.
    */
   decode(bytes: Uint8Array, options?: { limits?: DecodeLimits }): Promise<DecodedMesh | DeltameshError>;
-  /** The same at once: what it needs must have been loaded, `load('highpass')` for highpass streams and `load('plain')` for those
-   * with raw chunks or chunks by zstd. */
+  /** The same at once: the modules that inspect() tells must have been loaded; load() loads all. */
   decodeSync(bytes: Uint8Array, options?: { limits?: DecodeLimits }): DecodedMesh | DeltameshError;
   /** What the stream says of itself, without decoding it. */
   inspect(bytes: Uint8Array): StreamInfo | DeltameshError;
-  /** Loads a module before it is needed. Rejects where that fails. */
-  load(module: 'core' | 'highpass' | 'plain'): Promise<void>;
+  /** Loads a module before it is needed, or all. Rejects where that fails. */
+  load(module?: 'core' | PartName): Promise<void>;
   /** Gives back all memory; the decoder may be used again. */
   release(): void;
 }

@@ -8,14 +8,16 @@ const FILES = {
   core: new URL('./core.wasm', import.meta.url),
   highpass: new URL('./highpass.wasm', import.meta.url),
   plain: new URL('./plain.wasm', import.meta.url),
+  rare: new URL('./rare.wasm', import.meta.url),
 };
 const FILES_WITHOUT_SIMD = {
   core: new URL('./core-scalar.wasm', import.meta.url),
   highpass: new URL('./highpass-scalar.wasm', import.meta.url),
   plain: FILES.plain,
+  rare: new URL('./rare-scalar.wasm', import.meta.url),
 };
 /** As parts.h numbers them. */
-const PARTS = ['highpass', 'plain'];
+const PARTS = ['highpass', 'plain', 'rare'];
 const LIMITS = { vertices: 2 ** 26, triangles: 2 ** 27, attributes: 1024, attributeBytes: 2 ** 31 };
 
 /** Memory never shrinks: an instance that has taken more than this is replaced when its call is over. */
@@ -160,13 +162,15 @@ function readAttribute(instance, address, vertices) {
 
 /** As StreamOutcome, of which the mesh may be missing. */
 export function readStream(instance, address) {
+  const [geometry, parts] = instance.words(address + 32, 2);
   const [vde, lfe, maxError] = instance.doubles(address + 112, 3);
   const box = instance.doubles(address + 64, 6);
   const words = instance.words(address + 136, 10);
   const [vertexCount, triangleCount, keepsOrder, attributeCount, attributes, chunkCount, chunks] = words;
   const [positions, indices, groups] = words.slice(7);
   const stream = {
-    geometry: GEOMETRIES[instance.words(address + 32, 1)[0]],
+    geometry: GEOMETRIES[geometry],
+    modules: PARTS.filter((_, number) => (parts >> number) & 1),
     vertexCount,
     triangleCount,
     keepsOrder: keepsOrder !== 0,
@@ -186,15 +190,6 @@ export function readStream(instance, address) {
   return stream;
 }
 
-/** The parts that a stream needs beside core: highpass reads its own chunks, plain others in their plain form, and expands all. */
-function partsFor({ geometry, chunks }) {
-  const needs = {
-    highpass: geometry === 'highpass',
-    plain: chunks.some(({ tag, codec }) => codec === 'zstd' || (codec === 'raw' && tag !== 'DELT' && tag !== 'ANCH')),
-  };
-  return PARTS.filter((part) => needs[part]);
-}
-
 class Decoder {
   #files;
   #maxMemory;
@@ -209,6 +204,7 @@ class Decoder {
   }
 
   async load(part) {
+    if (part === undefined) return void (await Promise.all(PARTS.map((each) => this.load(each))));
     await (this.#modules[part] ??= compile(this.#files[part]));
     this.#modules[part] = await this.#modules[part];
   }
@@ -220,7 +216,7 @@ class Decoder {
   async decode(bytes, options) {
     const stream = this.inspect(bytes);
     if (stream instanceof DeltameshError) return stream;
-    for (const part of partsFor(stream)) {
+    for (const part of stream.modules) {
       try {
         await this.load(part);
       } catch (error) {

@@ -4,7 +4,7 @@ import type { EncodeOptions } from '@deltamesh/encoder';
 import { Extension, type PropertyType, type ReaderContext, type WriterContext } from '@gltf-transform/core';
 
 /**
- * Reads and writes DELTAMESH_mesh_compression. Dependencies: 'deltamesh.decoder', a decoder whose 'highpass' and 'plain' are loaded, and to write
+ * Reads and writes DELTAMESH_mesh_compression. Dependencies: 'deltamesh.decoder', a decoder whose modules are loaded (load()), and to write
  * 'deltamesh.encoder'. What cannot be read or encoded throws a DeltameshError.
  *
  * Written is one stream for each mesh, of its primitives of indexed triangles whose accessors nothing else uses; others stay as

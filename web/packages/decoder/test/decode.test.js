@@ -86,12 +86,20 @@ test('decoding at once needs what is loaded', async () => {
   assert.equal(meshHash(decoder.decodeSync(bytes)), meshHash(await decoder.decode(bytes)));
 });
 
+test('a stream tells which modules it needs', async () => {
+  const decoder = await createDecoder();
+  const needs = { 'tetrahedron.default': [], 'grid.bits6': ['highpass'], 'grid.zstd': ['highpass', 'plain'], 'room.voxels': ['rare'], 'floats.lossless': ['rare'] };
+  for (const [name, modules] of Object.entries(needs)) assert.deepEqual(decoder.inspect(golden(name)).modules, modules, name);
+});
+
 test('a module that cannot be loaded is an error', async () => {
   const missing = new URL('./missing.wasm', import.meta.url);
   await assert.rejects(createDecoder({ files: { core: missing } }));
   const decoder = await createDecoder({ files: { highpass: missing } });
   const error = await decoder.decode(golden('grid.bits6'));
   assert.equal(error.code, 300);
+  const withoutRare = await createDecoder({ files: { rare: missing } });
+  assert.equal((await withoutRare.decode(golden('room.voxels'))).code, 300);
   const withoutPlain = await createDecoder({ files: { plain: missing } });
   assert.equal((await withoutPlain.decode(golden('grid.zstd'))).code, 300);
   assert.equal((await decoder.decode(golden('grid.predictive'))).code, undefined);

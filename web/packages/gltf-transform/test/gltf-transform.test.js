@@ -15,7 +15,7 @@ const samples = fileURLToPath(new URL('../../../../gltf_ext/DELTAMESH_mesh_compr
 
 async function makeIO(writes = false) {
   const decoder = await createDecoder();
-  await Promise.all([decoder.load('highpass'), decoder.load('plain')]);
+  await decoder.load();
   return new NodeIO()
     .setLogger(new Logger(Logger.Verbosity.SILENT))
     .registerExtensions([DeltameshMeshCompression])
