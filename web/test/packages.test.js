@@ -10,7 +10,7 @@ const packages = new URL('../packages/', import.meta.url);
 const sizeOf = (path) => brotliCompressSync(readFileSync(new URL(path, packages))).length;
 
 /** Largest sizes after brotli, bytes. */
-const SIZES = { 'decoder/decoder.js': 5000, 'decoder/core.wasm': 60000, 'decoder/highpass.wasm': 41500, 'decoder/plain.wasm': 18300, 'decoder/rare.wasm': 24000 };
+const SIZES = { 'decoder/decoder.js': 5000, 'decoder/core.wasm': 60000, 'decoder/highpass.wasm': 43500, 'decoder/plain.wasm': 18500, 'decoder/rare.wasm': 29000 };
 
 for (const [path, most] of Object.entries(SIZES)) {
   test(`${path} is not larger than its bound`, (t) => {
@@ -34,7 +34,7 @@ for (const path of readdirSync(packages, { recursive: true }).filter((path) => p
 }
 
 /** Largest sizes of what is packed, bytes. */
-const PACKED = { decoder: 550000, encoder: 330000 };
+const PACKED = { decoder: 580000, encoder: 330000 };
 const PACKED_OTHERS = 12000;
 
 const typesOf = (path) => path.replace(/\.js$/, '.d.ts');

@@ -15,7 +15,6 @@
 #include "attributes/color_forecast.h"
 #include "attributes/color_numbers.h"
 #include "base/large_vector.h"
-#include "base/small_code.h"
 
 namespace deltamesh {
 
@@ -52,7 +51,7 @@ class ColorCoder {
   /// place, and that a compiler can keep in registers. Writers give the levels and get those of the reader,
   /// which differ by the bound at most; unused axes are 0. What may be copied is: a price for each way saves
   /// less than 2 %.
-  DELTAMESH_INLINE_UNLESS_SMALL void code_vertex(Coder& coder, std::uint32_t vertex, ColorLevels& levels) {
+  [[gnu::always_inline]] void code_vertex(Coder& coder, std::uint32_t vertex, ColorLevels& levels) {
     const ColorPlace place = forecast_.look(vertex);
     const ColorAround around = look_around(place, vertex);
     ColorMemory& memory = memories_[vertex];

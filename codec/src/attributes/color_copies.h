@@ -13,7 +13,6 @@
 
 #include "attributes/color_forecast.h"
 #include "attributes/color_memory.h"
-#include "base/small_code.h"
 #include "entropy/symbol_models.h"
 
 namespace deltamesh {
@@ -38,9 +37,8 @@ class ColorCopies {
   const ColorCopyModels& models() const noexcept { return models_; }
 
   /// Codes whether `levels` are those of a vertex near, within the bound, and then sets them so.
-  DELTAMESH_INLINE_UNLESS_SMALL CopyOutcome code(Coder& coder, const ColorPlace& place,
-                                                 const FourFloats* colors, const ColorMemory* memories,
-                                                 ColorLevels& levels) {
+  [[gnu::always_inline]] CopyOutcome code(Coder& coder, const ColorPlace& place, const FourFloats* colors,
+                                          const ColorMemory* memories, ColorLevels& levels) {
     if (!find_candidates(place, colors)) return CopyOutcome::kNothingToCopy;
     const Contexts contexts = contexts_of(memories);
     const Mixture<2> mixture{

@@ -19,7 +19,6 @@
 #include "base/four_floats.h"
 #include "base/four_ints.h"
 #include "base/large_vector.h"
-#include "base/small_code.h"
 
 namespace deltamesh {
 
@@ -47,7 +46,7 @@ class ColorForecast {
   }
 
   /// For every vertex once, in order. Valid until the next call. O(1).
-  DELTAMESH_INLINE_UNLESS_SMALL ColorPlace look(std::uint32_t vertex) noexcept {
+  [[gnu::always_inline]] ColorPlace look(std::uint32_t vertex) noexcept {
     find_near(vertex);
     if (places_.empty() || count_ == 0 || !weigh_by_distance(vertex)) {
       for (std::size_t i = 0; i < count_; ++i) shares_[i] = 1 / static_cast<float>(count_);

@@ -15,7 +15,6 @@
 
 #include "attributes/color_memory.h"
 #include "base/floor_log2.h"
-#include "base/small_code.h"
 #include "entropy/split_number.h"
 #include "entropy/symbol_models.h"
 #include "field/octave_class.h"
@@ -65,8 +64,8 @@ class ColorNumbers {
 
   /// Codes the levels of what was not copied, which `memory` tells, and remembers of all how they differ from
   /// what was expected.
-  DELTAMESH_INLINE_UNLESS_SMALL void code(Coder& coder, const ColorAround& around, ColorMemory& memory,
-                                          ColorLevels& levels) {
+  [[gnu::always_inline]] void code(Coder& coder, const ColorAround& around, ColorMemory& memory,
+                                   ColorLevels& levels) {
     const bool is_coded = !was_copied(memory.outcome);
     const FourFloats size = around.sizes * 0.5F + around.spread * 0.625F;
     const float all = (size[0] + size[1]) + (size[2] + size[3]);

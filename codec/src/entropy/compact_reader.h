@@ -10,7 +10,6 @@
 #include <span>
 
 #include "base/machine.h"
-#include "base/small_code.h"
 #include "deltamesh/result.h"
 #include "entropy/compact_model.h"
 #include "entropy/number_model.h"
@@ -27,7 +26,7 @@ class CompactReader {
   explicit CompactReader(std::span<const std::byte> bytes) noexcept;
 
   template <std::size_t K>
-  DELTAMESH_INLINE_UNLESS_SMALL unsigned symbol(unsigned, const Mixture<K>& mixture) noexcept {
+  [[gnu::always_inline]] unsigned symbol(unsigned, const Mixture<K>& mixture) noexcept {
     const LaneSum starts = mixture.starts();
     const unsigned symbol = starts.find(static_cast<std::int16_t>(slot_of_state()));
     const Interval interval = interval_of(starts, symbol);
@@ -62,14 +61,14 @@ class CompactReader {
     return symbol;
   }
 
-  DELTAMESH_INLINE_UNLESS_SMALL bool bit(bool, BitModel& model) noexcept {
+  [[gnu::always_inline]] bool bit(bool, BitModel& model) noexcept {
     const bool value = slot_of_state() < model.probability();
     take(model.interval(value));
     model.learn(value);
     return value;
   }
 
-  DELTAMESH_INLINE_UNLESS_SMALL std::uint32_t bits(std::uint32_t, unsigned count) noexcept {
+  [[gnu::always_inline]] std::uint32_t bits(std::uint32_t, unsigned count) noexcept {
     if (count <= kMostBitsAtOnce) return take_bits(count);
     const std::uint32_t low = take_bits(kMostBitsAtOnce);
     return low | take_bits(count - kMostBitsAtOnce) << kMostBitsAtOnce;

@@ -6,14 +6,11 @@
 
 #include <type_traits>
 
-#include "base/small_code.h"
-
 namespace deltamesh {
 
-/// Whether loops have a copy of a reader: where its decisions are inlined, a compiler can keep it in
-/// registers.
+/// Loops have a copy of a reader, whose decisions are inlined: a compiler can keep it in registers.
 template <class Coder>
-inline constexpr bool kHoldsCopy = !Coder::kWrites && !kDecisionsAreFunctions;
+inline constexpr bool kHoldsCopy = !Coder::kWrites;
 
 template <class Coder>
 using Held = std::conditional_t<kHoldsCopy<Coder>, Coder, Coder&>;

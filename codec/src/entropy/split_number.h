@@ -12,7 +12,6 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "base/small_code.h"
 #include "entropy/compact_model.h"
 #include "entropy/held_coder.h"
 #include "entropy/number_model.h"
@@ -45,8 +44,8 @@ class SplitNumberCoder {
   /// ignored; where the stream lies the result is anything below 2^62 in size. `coder`: that of the making,
   /// or a reader's copy that goes on in its place, and that a compiler can keep in registers.
   template <std::size_t kModels>
-  DELTAMESH_INLINE_UNLESS_SMALL std::int64_t code(Coder& coder, std::int64_t value, unsigned shift,
-                                                  const Mixture<kModels>& mixture) {
+  [[gnu::always_inline]] std::int64_t code(Coder& coder, std::int64_t value, unsigned shift,
+                                           const Mixture<kModels>& mixture) {
     const unsigned rest = shift > kMostLowBits ? shift - kMostLowBits : 0;
     std::int64_t high = value >> shift;
     LowBits low{.count = shift - rest, .value = low_bits(value >> rest, shift - rest)};

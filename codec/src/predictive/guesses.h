@@ -11,7 +11,6 @@
 #include <span>
 
 #include "base/four_ints.h"
-#include "base/small_code.h"
 #include "predictive/blend.h"
 #include "predictive/surroundings.h"
 
@@ -28,7 +27,7 @@ class Guesses {
 
   /// Up to kMostAdded times. Of equally near ones the first goes first; the seventh and later are dropped.
   /// `allowed`: -1 on axes where there is a number, else 0.
-  DELTAMESH_INLINE_UNLESS_SMALL void add(FourInts numbers, FourInts allowed) noexcept {
+  [[gnu::always_inline]] void add(FourInts numbers, FourInts allowed) noexcept {
     FourInts is_new = allowed & (count_ < static_cast<std::int32_t>(kMost));
     for (std::size_t i = 0; i < added_; ++i) is_new &= numbers != entries_[i].numbers;
     const FourInts off = off_of(numbers);

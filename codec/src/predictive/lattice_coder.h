@@ -147,8 +147,7 @@ class LatticeCoder {
     std::optional<Matching> matching;
   };
 
-  DELTAMESH_INLINE_UNLESS_SMALL Outlook look_at(std::uint32_t vertex,
-                                                std::span<const Cell> cells) const noexcept {
+  [[gnu::always_inline]] Outlook look_at(std::uint32_t vertex, std::span<const Cell> cells) const noexcept {
     FacePair pair;
     Outlook outlook;
     if (!faces_.pair_around(vertex, pair) || !expect_pair(pair, cells, blends_, outlook.expected))

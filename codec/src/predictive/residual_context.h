@@ -16,7 +16,6 @@
 #include "base/four_floats.h"
 #include "base/four_ints.h"
 #include "base/large_vector.h"
-#include "base/small_code.h"
 #include "predictive/blend.h"
 
 namespace deltamesh {
@@ -64,7 +63,7 @@ struct Outlook {
 class ResidualTurn {
  public:
   /// `least` and `most`: what coordinates may be.
-  DELTAMESH_INLINE_UNLESS_SMALL ResidualTurn(const Outlook& outlook, FourInts least, FourInts most) noexcept
+  [[gnu::always_inline]] ResidualTurn(const Outlook& outlook, FourInts least, FourInts most) noexcept
       : whole_(outlook.expected.whole),
         offset_(outlook.expected.offset),
         magnitude_(outlook.means.magnitude),
@@ -202,8 +201,7 @@ class ResidualHistory {
     return {(a.residual + b.residual) >> 2, (a.magnitude + b.magnitude) >> 2};
   }
 
-  DELTAMESH_INLINE_UNLESS_SMALL void end(std::uint32_t vertex, const ResidualTurn& turn,
-                                         FourInts cell) noexcept {
+  [[gnu::always_inline]] void end(std::uint32_t vertex, const ResidualTurn& turn, FourInts cell) noexcept {
     records_[vertex] = turn.record(cell);
   }
   /// Before the first vertex, where some will not be coded, as what they are is known.

@@ -149,9 +149,8 @@ class VoxelCoder {
     return coder_.symbol(number, Mixture<1>{{&model}});
   }
 
-  DELTAMESH_INLINE_UNLESS_SMALL const char* code_vertex(std::size_t i, VoxelPair& pair,
-                                                        const Corners& corners, Vertex& vertex,
-                                                        std::span<Cell> cells) {
+  [[gnu::always_inline]] const char* code_vertex(std::size_t i, VoxelPair& pair, const Corners& corners,
+                                                 Vertex& vertex, std::span<Cell> cells) {
     const unsigned number = vertex.has_cube ? code_edge(i, pair, corners, vertex) : voxel::kNoEdge;
     return code_rest(i, pair, corners, vertex, number, cells);
   }
