@@ -41,7 +41,14 @@ RateGoal rate_goal(const GeometryTask& task, std::optional<std::uint64_t> rival_
   return goal;
 }
 
-/// `rival_bytes`: RateGoal::rival_bytes. What is larger has no plan: it will not be written.
+/// What is larger than the rival has no plan: it will not be written.
+Result<CodedGeometry> search_highpass(const RateGoal& goal, HighpassTrials& trials) {
+  DELTAMESH_TRY(const Attempt best, control_rate(goal, trials));
+  if (goal.loses(best.figures.bytes, 1)) return HighpassTrials::geometry(best);
+  return trials.plan(best, goal.bounds, goal.target_bytes);
+}
+
+/// `rival_bytes`: RateGoal::rival_bytes.
 Result<CodedGeometry> code_highpass(const GeometryTask& task,
                                     std::optional<std::uint64_t> rival_bytes = std::nullopt) {
   const EncodeOptions& options = task.options;
@@ -51,10 +58,12 @@ Result<CodedGeometry> code_highpass(const GeometryTask& task,
   AnchorSequence& sequence = containers.impl().sequence(graph.graph(), graph.components());
   HighpassTrials trials(options, task.source, sequence, task.rest);
   const RateGoal goal = rate_goal(task, rival_bytes, trials);
-  DELTAMESH_TRY(const Attempt best, control_rate(goal, trials));
-  CodedGeometry geometry = goal.loses(best.figures.bytes, 1)
-                               ? HighpassTrials::geometry(best)
-                               : trials.plan(best, goal.bounds, goal.target_bytes);
+  Result<CodedGeometry> found = search_highpass(goal, trials);
+  if (found ? goal.bounds.load(found->quality) > 1 : found.error().code == ErrorCode::kInvalidStream) {
+    trials.be_exact();
+    found = search_highpass(goal, trials);
+  }
+  DELTAMESH_TRY(CodedGeometry geometry, std::move(found));
   if (options.bits || (!options.step && options.quality.empty()))
     geometry.highpass.bits = static_cast<std::uint8_t>(options.bits.value_or(kDefaultBits));
   return geometry;

@@ -32,7 +32,7 @@ struct HighpassTrial final : CodedTrial {
       : geometry(std::move(coded)), settled(std::move(positions)) {}
 
   CodedGeometry geometry;
-  LargeVector<Vec3> settled;  ///< n: without planned cycles
+  LargeVector<Vec3> settled;  ///< n: without planned cycles, about
 };
 
 const HighpassTrial& trial_of(const Attempt& attempt) noexcept {
@@ -62,8 +62,7 @@ Result<CodedGeometry> HighpassTrials::to_geometry(const CodedHighpass& coded) co
   return geometry;
 }
 
-Result<TrialFigures> HighpassTrials::run(const HighpassSettings& settings) {
-  DELTAMESH_TRY(CodedHighpass coded, coder_.code(settings));
+Result<CodedGeometry> HighpassTrials::measured(const CodedHighpass& coded) const {
   DELTAMESH_TRY(const auto decoded, to_float_positions(coded.positions));
   DELTAMESH_TRY(CodedGeometry geometry, to_geometry(coded));
   geometry.quality = measure_quality(source_.graph.graph(), source_.positions, decoded);
@@ -71,6 +70,12 @@ Result<TrialFigures> HighpassTrials::run(const HighpassSettings& settings) {
     return Error{.code = ErrorCode::kInvalidStream,
                  .message = "an error of the decoded positions is not a finite float32",
                  .rule = "HDR-9"};
+  return geometry;
+}
+
+Result<TrialFigures> HighpassTrials::run(const HighpassSettings& settings) {
+  DELTAMESH_TRY(CodedHighpass coded, coder_.code(settings, positions_));
+  DELTAMESH_TRY(CodedGeometry geometry, measured(coded));
   TrialFigures figures{.quality = after_planning(geometry.quality),
                        .bytes = rest_.bytes_with(geometry),
                        .density = geometry.highpass.anchor_density};
@@ -118,8 +123,8 @@ std::optional<CodedGeometry> HighpassTrials::plan_peaks(HighpassSettings setting
 
 /// Where anchors were added at the largest errors, deltas that are rounded anew would have them elsewhere:
 /// then plan_peaks().
-CodedGeometry HighpassTrials::plan(const Attempt& attempt, const Bounds& bounds,
-                                   std::optional<std::uint64_t> most_bytes) {
+Result<CodedGeometry> HighpassTrials::plan(const Attempt& attempt, const Bounds& bounds,
+                                           std::optional<std::uint64_t> most_bytes) {
   const HighpassTrial& trial = trial_of(attempt);
   const auto most = [&](std::uint64_t share) {
     const std::uint64_t hardly_more = attempt.figures.bytes + attempt.figures.bytes / share;
@@ -134,7 +139,10 @@ CodedGeometry HighpassTrials::plan(const Attempt& attempt, const Bounds& bounds,
       return planned.has_value();
     });
   }
-  return planned ? *std::move(planned) : trial.geometry;
+  if (planned) return *std::move(planned);
+  if (positions_ == HighpassCoder::Positions::kDecoded) return trial.geometry;
+  DELTAMESH_TRY(const CodedHighpass coded, coder_.code(attempt.settings));
+  return measured(coded);
 }
 
 Result<std::uint64_t> HighpassTrials::bytes(const HighpassSettings& settings) {

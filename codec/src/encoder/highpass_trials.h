@@ -23,8 +23,10 @@ class HighpassTrials final : public TrialCoder {
   HighpassTrials(const EncodeOptions& options, const SourceGeometry& source, AnchorSequence& anchors,
                  const StreamRest& rest);
 
-  /// Settled positions, with room for what plan() may cost in quality.
+  /// Nearly settled positions, with room for what plan() may cost in quality.
   Result<TrialFigures> run(const HighpassSettings& settings) override;
+  /// From now on run() has those positions that decoders find.
+  void be_exact() noexcept { positions_ = HighpassCoder::Positions::kDecoded; }
   Result<std::uint64_t> bytes(const HighpassSettings& settings) override;
   double delta_error(const HighpassSettings& settings) override { return coder_.delta_error(settings); }
   std::vector<std::uint32_t> worst_vertices(const Attempt& attempt, double threshold,
@@ -44,11 +46,15 @@ class HighpassTrials final : public TrialCoder {
 
   /// The same mesh with planned cycles that keep `bounds` in hardly more bytes than `attempt` takes, and at
   /// most `most_bytes`: the fewest, or 4, 6 or 8 where anchors keep a largest error; the attempt itself where
-  /// no number of cycles does. Cost: some solves; with such anchors up to a few dozen short ones.
-  CodedGeometry plan(const Attempt& attempt, const Bounds& bounds, std::optional<std::uint64_t> most_bytes);
+  /// no number of cycles does: its quality, as decoded, may break them. Cost: some solves; with such anchors
+  /// up to a few dozen short ones.
+  Result<CodedGeometry> plan(const Attempt& attempt, const Bounds& bounds,
+                             std::optional<std::uint64_t> most_bytes);
 
  private:
   Result<CodedGeometry> to_geometry(const CodedHighpass& coded) const;
+  /// With its quality.
+  Result<CodedGeometry> measured(const CodedHighpass& coded) const;
   /// With its quality as decoded; nothing where that breaks `bounds`, or where it takes more bytes.
   std::optional<CodedGeometry> fitting(const CodedHighpass& coded, const Bounds& bounds,
                                        std::uint64_t most_bytes) const;
@@ -65,6 +71,7 @@ class HighpassTrials final : public TrialCoder {
   AnchorSequence& anchors_;
   StreamRest rest_;
   HighpassCoder coder_;
+  HighpassCoder::Positions positions_ = HighpassCoder::Positions::kAlike;
 };
 
 }  // namespace deltamesh

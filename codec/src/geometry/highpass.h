@@ -35,7 +35,7 @@ struct CodedHighpass {
   std::vector<std::byte> compact_deltas;   ///< the same in the compact form
   std::vector<std::byte> anchors;          ///< ANCH payload, plain
   std::vector<std::byte> compact_anchors;  ///< the same in the compact form
-  /// n: what read_highpass will return.
+  /// n: what read_highpass will return, or nearly that.
   LargeVector<Vec3> positions{};
 };
 
@@ -64,9 +64,12 @@ class HighpassCoder {
   /// decides on VDE, without a solve. Infinite where the step is too small. O(n + edges).
   double delta_error(const HighpassSettings& settings);
 
+  /// Those that decoders find; or others, a few percent of the errors away, that take half the time.
+  enum class Positions { kDecoded, kAlike };
+
   /// Leaves the number of cycles to the decoder. Errors: kInvalidArgument where the step is too small for
   /// 32-bit symbols. Cost: a solve, whose set-up is kept while the anchors stay.
-  Result<CodedHighpass> code(const HighpassSettings& settings);
+  Result<CodedHighpass> code(const HighpassSettings& settings, Positions positions = Positions::kDecoded);
 
   /// The same without positions and without the solve.
   Result<CodedHighpass> code_only(const HighpassSettings& settings);

@@ -118,6 +118,28 @@ Result<LargeVector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, c
   return positions;
 }
 
+Result<LargeVector<Vec3>> settle_from(std::span<const Vec3> positions, std::span<const Vec3> deltas,
+                                      const HighpassSymbols& symbols, const SolvedPart& part,
+                                      PartSolver& solver, const Box& box,
+                                      const HighpassParameters& parameters) {
+  LargeVector<Vec3> result(part.whole_count);
+  const std::span<Vec3> x = std::span(result).first(part.row_count);
+  if (part.row_count > 0) {
+    const Vec3 center = middle(box);
+    const DeltaView rounded(symbols.deltas.view(), scale_of(parameters));
+    std::vector<Vec3> errors(part.row_count);
+    for (std::size_t row = 0; row < errors.size(); ++row) errors[row] = rounded[row] - deltas[row];
+    const std::vector<std::uint32_t> anchors = anchor_rows(symbols.anchors, part);
+    std::vector<Vec3> targets = anchor_targets(symbols, part, box, parameters);
+    for (std::size_t a = 0; a < anchors.size(); ++a)
+      targets[a] = targets[a] - (positions[part.vertex(anchors[a])] - center);
+    DELTAMESH_CHECK(solver.solve(anchors, errors, targets, 0, x));
+    for (std::size_t row = 0; row < x.size(); ++row) x[row] = x[row] + (positions[part.vertex(row)] - center);
+  }
+  DELTAMESH_CHECK(complete_positions(symbols, part.vertices, box, parameters, result));
+  return result;
+}
+
 Result<LargeVector<Vec3>> reconstruct_highpass_once(const ReadSymbols& read_deltas,
                                                     const HighpassSymbols& anchors, SolvedPart part,
                                                     const Box& box, const HighpassParameters& parameters,

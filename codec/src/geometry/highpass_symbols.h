@@ -56,6 +56,14 @@ Result<LargeVector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, c
                                                PartSolver& solver, const Box& box,
                                                const HighpassParameters& parameters);
 
+/// Nearly the same positions, where there are no planned cycles, in less time: rounding errors of deltas and
+/// anchors lead to those of positions, which are small from the start. `positions`: n, before coding;
+/// `deltas`: theirs, over the rows of `part`.
+Result<LargeVector<Vec3>> settle_from(std::span<const Vec3> positions, std::span<const Vec3> deltas,
+                                      const HighpassSymbols& symbols, const SolvedPart& part,
+                                      PartSolver& solver, const Box& box,
+                                      const HighpassParameters& parameters);
+
 /// The same positions by solve_once(), for a single use: the symbols of the deltas are read.
 Result<LargeVector<Vec3>> reconstruct_highpass_once(const ReadSymbols& read_deltas,
                                                     const HighpassSymbols& anchors, SolvedPart part,

@@ -154,12 +154,17 @@ Result<CodedHighpass> HighpassCoder::code_only(const HighpassSettings& settings)
                symbols_for(quantized_, anchors, settings.anchor_bits, positions_));
 }
 
-Result<CodedHighpass> HighpassCoder::code(const HighpassSettings& settings) {
+Result<CodedHighpass> HighpassCoder::code(const HighpassSettings& settings, Positions positions) {
   const Anchors anchors = anchors_for(settings);
   DELTAMESH_CHECK(quantize_own(settings));
   const HighpassSymbols symbols = symbols_for(quantized_, anchors, settings.anchor_bits, positions_);
   CodedHighpass result = coded(parameters_for(settings, anchors, quantized_.shift, 0), quantized_, symbols);
-  DELTAMESH_TRY(result.positions, reconstruct_highpass(symbols, part_, solver_, box_, result.parameters));
+  if (positions == Positions::kDecoded) {
+    DELTAMESH_TRY(result.positions, reconstruct_highpass(symbols, part_, solver_, box_, result.parameters));
+  } else {
+    DELTAMESH_TRY(result.positions,
+                  settle_from(positions_, deltas_, symbols, part_, solver_, box_, result.parameters));
+  }
   return result;
 }
 

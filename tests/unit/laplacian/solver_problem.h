@@ -25,6 +25,7 @@ struct SolverProblem {
   std::vector<std::uint32_t> anchors;
   std::vector<Vec3> deltas;
   std::vector<Vec3> targets;
+  double step = 0;  ///< that deltas are multiples of; 0 where they are not
 };
 
 inline Vec3 round_to(const Vec3& v, double step) {
@@ -33,15 +34,26 @@ inline Vec3 round_to(const Vec3& v, double step) {
 
 /// Quantised as a stream of `bits` is.
 inline SolverProblem quantized(GraphMesh mesh, std::uint32_t anchors, int bits) {
-  SolverProblem problem{std::move(mesh), {}, {}, {}};
+  SolverProblem problem{std::move(mesh), {}, {}, {}, 0};
   const GraphMesh& m = problem.mesh;
   problem.anchors = place_anchors(m.graph, m.components, {.count = anchors}).vertices;
   problem.deltas = delta_coordinates(m.graph, m.positions);
-  const double step = std::ldexp(delta_range(problem.deltas), -bits);
-  for (Vec3& delta : problem.deltas) delta = round_to(delta, step);
+  problem.step = std::ldexp(delta_range(problem.deltas), -bits);
+  for (Vec3& delta : problem.deltas) delta = round_to(delta, problem.step);
   for (const std::uint32_t anchor : problem.anchors)
     problem.targets.push_back(round_to(m.positions[anchor], m.box.longest_side() / 4095));
   return problem;
+}
+
+/// As a stream has them, if there is a step.
+inline SymbolRows symbols_of(const SolverProblem& problem) {
+  const std::size_t n = problem.step > 0 ? problem.deltas.size() : 0;
+  std::vector<std::int32_t> planar(3 * n);
+  for (std::size_t v = 0; v < n; ++v) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      planar[axis * n + v] = static_cast<std::int32_t>(std::lround(problem.deltas[v][axis] / problem.step));
+  }
+  return SymbolRows(planar);
 }
 
 inline std::vector<Vec3> solve(const SolverProblem& problem,
@@ -49,7 +61,11 @@ inline std::vector<Vec3> solve(const SolverProblem& problem,
   std::vector<Vec3> x(problem.mesh.positions.size());
   EXPECT_TRUE(solver);
   if (solver) {
-    EXPECT_TRUE((*solver)->solve(problem.deltas, problem.targets, x));
+    const SymbolRows symbols = symbols_of(problem);
+    const DeltaView deltas = problem.step > 0
+                                 ? DeltaView(symbols.view(), {.step = problem.step, .shifts = {}})
+                                 : DeltaView(problem.deltas);
+    EXPECT_TRUE((*solver)->solve(deltas, problem.targets, x));
   }
   return x;
 }

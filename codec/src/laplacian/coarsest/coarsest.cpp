@@ -19,7 +19,8 @@ std::vector<double> inverses(const LargeVector<float>& masses) {
 
 }  // namespace
 
-CoarsestSolver::CoarsestSolver(const Level& level, std::vector<std::uint8_t> holds)
+CoarsestSolver::CoarsestSolver(const Level& level, std::vector<std::uint8_t> holds,
+                               std::vector<std::uint32_t> components)
     : level_(level),
       holds_(std::move(holds)),
       inverse_mass_(inverses(level.mass)),
@@ -28,7 +29,7 @@ CoarsestSolver::CoarsestSolver(const Level& level, std::vector<std::uint8_t> hol
   if (level.node_count() < kFewestNodesToCoarsen) {
     factor_.emplace(level, inverse_mass_);
   } else {
-    conjugate_gradients_.emplace(level, inverse_mass_);
+    conjugate_gradients_.emplace(level, inverse_mass_, std::move(components));
   }
 }
 

@@ -25,8 +25,8 @@ namespace deltamesh::multigrid {
 class CoarsestSolver {
  public:
   /// `level` must outlive the solver. Anchor a with holds[a] = 0 is alone in its component: it only says
-  /// where that is, its force is 0.
-  CoarsestSolver(const Level& level, std::vector<std::uint8_t> holds);
+  /// where that is, its force is 0. `components`: as ConjugateGradients.
+  CoarsestSolver(const Level& level, std::vector<std::uint8_t> holds, std::vector<std::uint32_t> components);
 
   /// Overwrites `u` and `forces`.
   void solve(const CoupledProblem& problem);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// So many cycles as planned, or steps by cycles until they settle.
+// So many cycles as planned, or steps by cycles until they settle, on the same levels.
 #include "laplacian/solver.h"
 
 #include <memory>
@@ -31,12 +31,13 @@ class MultigridSolver final : public LeastSquaresSolver {
         team_(team) {}
 
   void set_up(int cycles) override {
-    if (cycles == 0) {
-      if (!settled_) settled_.emplace(graph_, components_, anchors_);
-    } else if (levels_.empty()) {
-      levels_ = multigrid::build_levels(graph_, anchors_, team_);
-      if (levels_.size() > 1) planned_.emplace(levels_, shared_components(components_, anchors_), team_);
+    if (levels_.empty()) levels_ = multigrid::build_levels(graph_, anchors_, team_);
+    if (cycles == 0 && !settled_) {
+      multigrid::add_weights(levels_.front());
+      settled_.emplace(graph_, components_, anchors_, levels_, team_);
     }
+    if (cycles > 0 && !planned_ && levels_.size() > 1)
+      planned_.emplace(levels_, shared_components(components_, anchors_), team_);
   }
 
   Result<void> solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions, int cycles,

@@ -25,13 +25,6 @@ void fill_rows(std::span<const std::int32_t> planar, LargeVector<std::array<T, 4
 }
 
 template <class T>
-void pick_rows(std::span<const T> from, std::span<const std::uint32_t> vertices, LargeVector<T>& rows) {
-  if (from.empty()) return;
-  rows.reserve(vertices.size());
-  for (const std::uint32_t vertex : vertices) rows.push_back(from[vertex]);
-}
-
-template <class T>
 void pick_rows(const LargeVector<T>& from, const VertexSubset& vertices, LargeVector<T>& rows) {
   if (from.empty()) return;
   rows.resize(vertices.size());
@@ -46,11 +39,6 @@ SymbolRows::SymbolRows(std::span<const std::int32_t> planar) {
   } else {
     fill_rows(planar, long_);
   }
-}
-
-SymbolRows::SymbolRows(const SymbolView& all, std::span<const std::uint32_t> vertices) {
-  pick_rows(all.short_rows(), vertices, short_);
-  pick_rows(all.long_rows(), vertices, long_);
 }
 
 SymbolRows SymbolRows::pick(const VertexSubset& vertices) const {

@@ -52,8 +52,6 @@ class SymbolRows {
   SymbolRows() = default;
   /// `planar`: x of all vertices, then y, then z. O(n), shared by the team.
   explicit SymbolRows(std::span<const std::int32_t> planar);
-  /// Those of some vertices.
-  SymbolRows(const SymbolView& all, std::span<const std::uint32_t> vertices);
 
   std::size_t size() const noexcept { return short_.size() + long_.size(); }
   SymbolView view() const noexcept { return short_.empty() ? SymbolView(long_) : SymbolView(short_); }

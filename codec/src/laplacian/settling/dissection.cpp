@@ -3,6 +3,7 @@
 #include "laplacian/settling/dissection.h"
 
 #include <cstddef>
+#include <span>
 #include <utility>
 
 namespace deltamesh::settling {
@@ -11,18 +12,27 @@ namespace {
 /// Rows that are not taken apart any more.
 constexpr std::size_t kSmall = 12;
 
+/// Of rows that are no hubs, through which everything would be near everything.
+constexpr std::uint32_t kMostNeighbors = 64;
+
 class Dissection {
  public:
-  Dissection(std::span<const std::uint32_t> offsets, std::span<const std::uint32_t> columns)
-      : offsets_(offsets),
-        columns_(columns),
-        part_(offsets.size() - 1, 0),
+  explicit Dissection(const Adjacency& graph)
+      : graph_(graph),
+        part_(graph.vertex_count(), 0),
         place_(part_.size()),
         last_(static_cast<std::uint32_t>(part_.size())) {}
 
   std::vector<std::uint32_t> run() {
-    std::vector<std::uint32_t> all(part_.size());
-    for (std::uint32_t row = 0; row < all.size(); ++row) all[row] = row;
+    std::vector<std::uint32_t> all;
+    for (std::uint32_t row = 0; row < part_.size(); ++row) {
+      if (graph_.degree(row) > kMostNeighbors) {
+        part_[row] = kPlaced;
+        place_[row] = --last_;
+      } else {
+        all.push_back(row);
+      }
+    }
     push_components(all, 0);
     while (!components_.empty()) {
       const std::vector<std::uint32_t> rows = std::move(components_.back());
@@ -55,7 +65,7 @@ class Dissection {
 
   void visit_neighbors(std::uint32_t row, std::uint32_t part, std::uint32_t next,
                        std::vector<std::uint32_t>& rows) {
-    for (const std::uint32_t other : columns_.subspan(offsets_[row], offsets_[row + 1] - offsets_[row])) {
+    for (const std::uint32_t other : graph_.of(row)) {
       if (part_[other] != part) continue;
       part_[other] = next;
       rows.push_back(other);
@@ -79,7 +89,7 @@ class Dissection {
     const std::size_t begin = is_small ? 0 : search.levels[middle];
     const std::size_t end = is_small ? rows.size() : search.levels[middle + 1];
     for (std::size_t k = end; k-- > begin;) {
-      part_[search.rows[k]] = 0;
+      part_[search.rows[k]] = kPlaced;
       place_[search.rows[k]] = --last_;
     }
     const std::uint32_t part = parts_;
@@ -87,9 +97,10 @@ class Dissection {
     push_components(std::span(search.rows).subspan(end), part);
   }
 
-  std::span<const std::uint32_t> offsets_;
-  std::span<const std::uint32_t> columns_;
-  std::vector<std::uint32_t> part_;  ///< of each row; 0 once it has its place
+  static constexpr std::uint32_t kPlaced = ~std::uint32_t{0};
+
+  const Adjacency& graph_;
+  std::vector<std::uint32_t> part_;  ///< of each row; kPlaced once it has its place
   std::vector<std::uint32_t> place_;
   std::uint32_t last_;                                  ///< lowest place taken
   std::uint32_t parts_ = 0;                             ///< numbered so far
@@ -98,9 +109,6 @@ class Dissection {
 
 }  // namespace
 
-std::vector<std::uint32_t> dissect(std::span<const std::uint32_t> offsets,
-                                   std::span<const std::uint32_t> columns) {
-  return Dissection(offsets, columns).run();
-}
+std::vector<std::uint32_t> dissect(const Adjacency& graph) { return Dissection(graph).run(); }
 
 }  // namespace deltamesh::settling

@@ -3,22 +3,19 @@
 #include "laplacian/settling/factor.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
 #include <utility>
 
-#include "laplacian/settling/dissection.h"
-
 namespace deltamesh::settling {
 namespace {
 
-/// Bounds of the factor's entries and of the work, which is the sum of the squares of its columns' counts,
-/// per column. Meshes of 100,000 vertices stay below 150 and 200,000; graphs made to hurt would fill the
-/// whole matrix.
-constexpr std::uint64_t kMostEntriesPerColumn = 400;
-constexpr std::uint64_t kMostEntries = std::uint64_t{1} << 25;
-constexpr std::uint64_t kMostWorkPerColumn = 400000;
+/// Bounds of the factor's entries and of the work, which is the sum of the squares of its columns' counts:
+/// some 100 megabytes, and about a second. Meshes of 30,000 vertices stay below.
+constexpr std::uint64_t kMostEntries = std::uint64_t{1} << 24;
+constexpr std::uint64_t kMostWork = std::uint64_t{1} << 32;
 
 std::vector<std::uint32_t> invert(std::span<const std::uint32_t> place) {
   std::vector<std::uint32_t> row_at(place.size());
@@ -40,7 +37,6 @@ std::optional<EliminationTree> plan_elimination(const SymmetricMatrix& matrix,
   const std::vector<std::uint32_t> row_at = invert(place);
   EliminationTree tree{.parent = std::vector<std::uint32_t>(n, n), .count = std::vector<std::uint32_t>(n, 0)};
   std::vector<std::uint32_t> seen(n, n);
-  const std::uint64_t most_entries = std::min(kMostEntriesPerColumn * n, kMostEntries);
   std::uint64_t entries = 0;
   std::uint64_t work = 0;
   for (std::uint32_t k = 0; k < n; ++k) {
@@ -54,7 +50,7 @@ std::optional<EliminationTree> plan_elimination(const SymmetricMatrix& matrix,
         work += 2 * std::uint64_t{tree.count[j]++} + 1;  // the difference of squares
       }
     }
-    if (entries > most_entries || work > kMostWorkPerColumn * n) return std::nullopt;
+    if (entries > kMostEntries || work > kMostWork) return std::nullopt;
   }
   return tree;
 }
@@ -97,9 +93,10 @@ LowerRows lower_rows(const SymmetricMatrix& matrix, std::span<const std::uint32_
 
 }  // namespace
 
-std::optional<SparseFactor> SparseFactor::make(const SymmetricMatrix& matrix) {
+std::optional<SparseFactor> SparseFactor::make(const SymmetricMatrix& matrix,
+                                               std::vector<std::uint32_t> place) {
   SparseFactor result;
-  result.place_ = dissect(matrix.offsets, matrix.columns);
+  result.place_ = std::move(place);
   const auto tree = plan_elimination(matrix, result.place_);
   if (!tree) return std::nullopt;
   result.offsets_.assign(matrix.size() + 1, 0);
@@ -141,7 +138,7 @@ bool SparseFactor::factor(const SymmetricMatrix& matrix, std::span<const std::ui
       rows_[end[j]] = k;
       values_[end[j]++] = entry;
     }
-    if (!(pivot > 0)) return false;
+    if (!(std::abs(pivot) > 0)) return false;
     pivots[k] = pivot;
     inverse_diagonal_.push_back(1 / pivot);
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Sparse LDL^T for the coarsest level, solved for all axes at once.
+// Sparse LDL^T, solved for all axes at once.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,11 @@
 #include <vector>
 
 #include "base/large_vector.h"
-#include "laplacian/settling/row.h"
+#include "laplacian/multigrid/level/row.h"
 
 namespace deltamesh::settling {
+
+using multigrid::Double4;
 
 /// A symmetric matrix: its diagonal, and per row the entries beside it in ascending order of column.
 struct SymmetricMatrix {
@@ -26,15 +28,15 @@ struct SymmetricMatrix {
 
 class SparseFactor {
  public:
-  /// Nothing where the matrix is not positive definite, or its factor would be far from sparse. Time and
-  /// memory grow faster than n: for some ten thousand rows.
-  static std::optional<SparseFactor> make(const SymmetricMatrix& matrix);
+  /// `place`: where each row goes. Nothing where a pivot is 0, or the factor would be far from sparse. Time
+  /// and memory grow faster than n.
+  static std::optional<SparseFactor> make(const SymmetricMatrix& matrix, std::vector<std::uint32_t> place);
 
   /// Overwrites `b` (n) with the solution.
   void solve(std::span<Double4> b);
 
  private:
-  /// Fills the columns, whose places and offsets are known. False where a pivot is not positive.
+  /// Fills the columns, whose places and offsets are known. False where a pivot is 0.
   bool factor(const SymmetricMatrix& matrix, std::span<const std::uint32_t> parent);
 
   std::vector<std::uint32_t> place_;    ///< n: where row i went

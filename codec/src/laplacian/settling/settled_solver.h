@@ -1,40 +1,52 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// The least-squares solution [DELT-4]: cycles in floats around a solution in doubles, with a watch on every
-// component, and a factorisation or conjugate gradients for those that do not settle.
+// The least-squares solution [DELT-4]: steps by a cycle through the levels of planned cycles, in doubles; a
+// factorisation for components that these do not settle.
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "base/vec3.h"
 #include "deltamesh/result.h"
+#include "laplacian/multigrid/cycle/level_solver.h"
+#include "laplacian/multigrid/level/level.h"
 #include "laplacian/operator/delta_view.h"
-#include "laplacian/settling/small_components.h"
 #include "topology/adjacency.h"
+
+namespace deltamesh {
+class ThreadTeam;
+}
 
 namespace deltamesh::settling {
 
-class GroupSolver;
-
 class SettledSolver {
  public:
-  /// `components`: of `graph`, which must outlive this; at least one anchor in each. O(n + edges).
-  SettledSolver(const Adjacency& graph, Components components, std::span<const std::uint32_t> anchors);
-  ~SettledSolver();
-  SettledSolver(const SettledSolver&) = delete;
-  SettledSolver& operator=(const SettledSolver&) = delete;
+  /// `levels`: of `graph`, the finest with weights of its own; `components`: of `graph`, at least one of the
+  /// `anchors` in each. All must outlive this. `team`: as LevelSolver.
+  SettledSolver(const Adjacency& graph, const Components& components, std::span<const std::uint32_t> anchors,
+                std::span<const multigrid::Level> levels, ThreadTeam* team);
 
-  /// `x`: n, overwritten. The error that remains is a few percent of what quantisation leaves. O(n + edges).
-  /// Errors: kInvalidStream [DELT-4] where the solution is out of reach.
-  Result<void> solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions, std::span<Vec3> x);
+  /// `x`: n, overwritten. The rms distance to the exact solution that remains is a few percent of what
+  /// quantisation leaves at the most. Work for each vertex is bounded. Errors: kInvalidStream [DELT-4] where
+  /// the solution is out of reach.
+  Result<void> solve(const DeltaView& deltas, std::span<const Vec3> targets, std::span<Vec3> x);
 
  private:
-  SmallComponents small_;
-  std::vector<std::unique_ptr<GroupSolver>> groups_;
+  struct Problem {
+    const DeltaView& deltas;
+    std::span<const Vec3> targets;
+    double unit;   ///< as Steps
+    double noise;  ///< as Convergence
+  };
+  bool solve_directly(const Problem& problem, std::span<const std::uint8_t> marks, std::span<Vec3> x) const;
+
+  const Adjacency& graph_;
+  const Components& components_;
+  std::span<const std::uint32_t> anchors_;
+  multigrid::LevelSolver cycles_;
 };
 
 }  // namespace deltamesh::settling

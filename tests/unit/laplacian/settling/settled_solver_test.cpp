@@ -9,6 +9,7 @@
 #include "laplacian/operator/delta.h"
 #include "laplacian/solver.h"
 #include "support/graph_mesh.h"
+#include "unit/laplacian/random_problems.h"
 #include "unit/laplacian/solver_problem.h"
 
 namespace deltamesh {
@@ -94,10 +95,31 @@ TEST(SettledSolver, CopesWithAnchorsEverywhere) {
 
 TEST(SettledSolver, ExactDeltasGiveThePositionsBack) {
   SolverProblem problem = quantized(test::sheet(80, 80), 32, 8);
+  problem.step = 0;
   problem.deltas = delta_coordinates(problem.mesh.graph, problem.mesh.positions);
   for (std::size_t a = 0; a < problem.anchors.size(); ++a)
     problem.targets[a] = problem.mesh.positions[problem.anchors[a]];
   EXPECT_LT(errors(test::solve_multigrid(problem), problem.mesh.positions).largest, 1e-5);
+}
+
+void expect_nearly_exact(std::uint32_t seed, std::uint32_t vertices) {
+  SCOPED_TRACE("seed " + std::to_string(seed) + ", " + std::to_string(vertices) + " vertices");
+  const SolverProblem problem = test::RandomProblems(seed, vertices).make();
+  const std::vector<Vec3> exact =
+      test::solve(problem, make_direct_solver(problem.mesh.graph, problem.anchors));
+  EXPECT_LE(errors(test::solve_multigrid(problem), exact).rms,
+            0.25 * errors(exact, problem.mesh.positions).rms);
+}
+
+TEST(SettledSolver, DELT6CopesWithRandomProblems) {
+  for (std::uint32_t seed = 1; seed <= 80; ++seed) expect_nearly_exact(seed, 1000);
+  for (std::uint32_t seed = 81; seed <= 110; ++seed) expect_nearly_exact(seed, 3000);
+  for (const std::uint32_t seed : {34U, 72U, 162U, 273U}) expect_nearly_exact(seed, 8000);
+}
+
+/// Between few anchors in a large mesh.
+TEST(SettledSolver, DELT6CopesWithLargeRandomProblems) {
+  for (const std::uint32_t seed : {2001U, 2014U, 2032U}) expect_nearly_exact(seed, 40000);
 }
 
 TEST(SettledSolver, EqualProblemsGiveEqualBits) {

@@ -26,14 +26,32 @@ std::vector<std::uint8_t> on_coarsest(std::span<const Level> levels, std::vector
   return holds;
 }
 
+/// Of each of the coarsest level's nodes the component, from those of the first.
+std::vector<std::uint32_t> on_coarsest(std::span<const Level> levels,
+                                       std::span<const std::uint32_t> components) {
+  std::vector<std::uint32_t> result(components.begin(), components.end());
+  if (components.empty()) return result;
+  for (std::size_t k = 0; k + 1 < levels.size(); ++k) {
+    std::vector<std::uint32_t> coarser(levels[k + 1].node_count());
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      const Interpolation& row = levels[k].interpolation[i];
+      if (row.weight(0) > 0) coarser[row.node(0)] = result[i];
+    }
+    result = std::move(coarser);
+  }
+  return result;
+}
+
 Row scaled(Float4 length, const Row& row) noexcept { return {length * row.x, length * row.s}; }
 
 }  // namespace
 
-LevelSolver::LevelSolver(std::span<const Level> levels, std::vector<std::uint8_t> holds, ThreadTeam* team)
+LevelSolver::LevelSolver(std::span<const Level> levels, std::vector<std::uint8_t> holds,
+                         std::span<const std::uint32_t> components, ThreadTeam* team)
     : levels_(levels),
       vectors_(levels.size()),
-      coarsest_(levels.back(), on_coarsest(levels, std::move(holds))),
+      takes_whole_(!components.empty()),
+      coarsest_(levels.back(), on_coarsest(levels, std::move(holds)), on_coarsest(levels, components)),
       team_(team) {
   for (std::size_t k = 0; k < levels_.size(); ++k) {
     const Level& level = levels_[k];
@@ -77,6 +95,12 @@ void LevelSolver::cycle(std::size_t level) {
   sweep(fine, v.b, v.u);
 }
 
+/// At which its solution is taken; sets the image of that, where there is room for it.
+Float4 LevelSolver::length_of_cycle(std::size_t level) {
+  const Float4 best = best_length(problem(level), vectors_[level].image);
+  return takes_whole_ ? Float4{1, 1, 1, 1} : best;
+}
+
 void LevelSolver::solve(std::size_t level) {
   if (level + 1 == levels_.size()) {
     coarsest_.solve(problem(level));
@@ -84,13 +108,13 @@ void LevelSolver::solve(std::size_t level) {
   }
   Vectors& v = vectors_[level];
   cycle(level);
-  Float4 length = best_length(problem(level), v.image);
+  Float4 length = length_of_cycle(level);
   if (!v.first.empty()) {
     share_each(team_, v.u.size(), [&](std::uint32_t i) { v.first[i] = scaled(length, v.u[i]); });
     for (std::size_t a = 0; a < v.forces.size(); ++a) v.first_forces[a] = length * v.forces[a];
     take_off(problem(level), length, v.image, team_);
     cycle(level);
-    length = best_length(problem(level), v.image);
+    length = length_of_cycle(level);
     share_each(team_, v.u.size(), [&](std::uint32_t i) { v.u[i] = v.first[i] + scaled(length, v.u[i]); });
     for (std::size_t a = 0; a < v.forces.size(); ++a) v.forces[a] = v.first_forces[a] + length * v.forces[a];
     return;

@@ -32,24 +32,32 @@ class LevelSolver {
   };
 
   /// `levels`: the one to solve for and all that are coarser; must outlive this. `holds`: as CoarsestSolver,
-  /// for the anchors of the first. `team`: of the thread that solves, or null.
-  LevelSolver(std::span<const Level> levels, std::vector<std::uint8_t> holds, ThreadTeam* team);
+  /// for the anchors of the first. `components`: of its nodes; then no component depends on others: cycles on
+  /// coarser levels are taken whole, and the coarsest is solved component by component. Empty: all are solved
+  /// together, and cycles taken at their best length [DELT-7]. `team`: of the thread that solves, or null.
+  LevelSolver(std::span<const Level> levels, std::vector<std::uint8_t> holds,
+              std::span<const std::uint32_t> components, ThreadTeam* team);
   LevelSolver(const LevelSolver&) = delete;
   LevelSolver& operator=(const LevelSolver&) = delete;
 
   /// Of the first level.
   Vectors& first() noexcept { return vectors_.front(); }
 
+  /// One cycle on the first level: about its u and forces for its b and gaps. b.s grows by the forces.
+  void cycle() { levels_.size() > 1 ? cycle(0) : solve(0); }
+
   /// Its u and forces for its b and gaps, which are used up.
   void solve() { solve(0); }
 
  private:
   CoupledProblem problem(std::size_t level) noexcept;
+  Float4 length_of_cycle(std::size_t level);
   void solve(std::size_t level);
   void cycle(std::size_t level);
 
   std::span<const Level> levels_;
   std::vector<Vectors> vectors_;  ///< per level
+  bool takes_whole_;              ///< cycles on coarser levels
   CoarsestSolver coarsest_;
   ThreadTeam* team_;
 };

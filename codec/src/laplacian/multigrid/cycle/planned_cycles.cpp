@@ -51,7 +51,7 @@ float largest_coordinate(std::span<const Row> rows) noexcept {
 PlannedCycles::PlannedCycles(std::span<const Level> levels, std::vector<std::uint8_t> holds, ThreadTeam* team)
     : finest_(levels[0]),
       second_(levels[1]),
-      coarse_(levels.subspan(1), std::move(holds), team),
+      coarse_(levels.subspan(1), std::move(holds), std::span<const std::uint32_t>{}, team),
       step_(finest_.node_count() + 1),
       s_(second_.node_count()),
       forces_(finest_.anchors.size()),

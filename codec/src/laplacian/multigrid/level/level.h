@@ -17,7 +17,8 @@
 namespace deltamesh::multigrid {
 
 /// The equations  K x + M s = b,  K s = t  on a graph, K = D - A with edge weights A [DELT-7]. The finest
-/// level has weights of 1 and no arrays for them: D and M follow from the numbers of neighbours.
+/// level has weights of 1 and, before add_weights(), no arrays for them: D and M follow from the numbers of
+/// neighbours.
 struct Level {
   std::span<const std::uint32_t> offsets;    ///< n + 1
   std::span<const std::uint32_t> neighbors;  ///< two entries per edge; on coarse levels first the lower ones

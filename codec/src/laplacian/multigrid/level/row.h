@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Four floats that are worked on at once: x, y, z and a pad that stays 0.
+// Four floats that are worked on at once: x, y, z and a pad, which is 0 or a probe of settling.
 #pragma once
 
 #include <vector>

@@ -87,4 +87,18 @@ std::vector<Level> build_levels(const Adjacency& graph, std::span<const std::uin
   return levels;
 }
 
+void add_weights(Level& finest) {
+  const std::uint32_t nodes = finest.node_count();
+  finest.weights.assign(finest.neighbors.size(), 1.0F);
+  for (std::uint32_t i = 0; i < nodes; ++i) {
+    const auto row = finest.neighbors.subspan(finest.offsets[i], finest.offsets[i + 1] - finest.offsets[i]);
+    const auto higher = std::lower_bound(row.begin(), row.end(), i);
+    const float degree = unit_degree(finest, i);
+    finest.middle.push_back(finest.offsets[i] + static_cast<std::uint32_t>(higher - row.begin()));
+    finest.degree.push_back(degree);
+    finest.inverse_degree.push_back(1 / degree);
+    finest.mass.push_back(degree * degree);
+  }
+}
+
 }  // namespace deltamesh::multigrid

@@ -21,6 +21,9 @@ inline constexpr std::uint32_t kFewestNodesToCoarsen = 200;
 std::vector<Level> build_levels(const Adjacency& graph, std::span<const std::uint32_t> anchors,
                                 ThreadTeam* team = nullptr);
 
+/// Gives the finest level what coarser ones have: the weights of 1, and what follows from them.
+void add_weights(Level& finest);
+
 /// Of a node of the finest level, whose weights are 1.
 inline float unit_degree(const Level& finest, std::uint32_t node) noexcept {
   return static_cast<float>(finest.offsets[node + 1] - finest.offsets[node]);

@@ -205,5 +205,22 @@ TEST(Levels, NodesAreInterpolatedFromTheAggregatesNextToThem) {
   }
 }
 
+TEST(Levels, TheFinestGetsWeightsOfOne) {
+  const GraphMesh mesh = test::fan(30);
+  auto levels = multigrid::build_levels(mesh.graph, std::vector<std::uint32_t>{0});
+  multigrid::Level& finest = levels.front();
+  multigrid::add_weights(finest);
+  for (std::uint32_t v = 0; v < finest.node_count(); ++v) {
+    const auto degree = static_cast<float>(mesh.graph.degree(v));
+    EXPECT_EQ(finest.degree[v], degree);
+    EXPECT_EQ(finest.inverse_degree[v], 1 / degree);
+    EXPECT_EQ(finest.mass[v], degree * degree);
+    for (std::uint32_t e = finest.offsets[v]; e < finest.offsets[v + 1]; ++e) {
+      EXPECT_EQ(finest.weights[e], 1);
+      EXPECT_EQ(finest.neighbors[e] > v, e >= finest.middle[v]);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace deltamesh

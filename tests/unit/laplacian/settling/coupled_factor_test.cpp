@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "laplacian/settling/small_components.h"
+#include "laplacian/settling/coupled_factor.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "laplacian/operator/delta.h"
+#include "laplacian/settling/steps.h"
 #include "laplacian/solver.h"
 #include "support/graph_mesh.h"
 #include "support/random.h"
@@ -15,7 +17,7 @@
 namespace deltamesh {
 namespace {
 
-using settling::SmallComponents;
+using settling::CoupledFactor;
 using test::GraphMesh;
 
 struct Problem {
@@ -43,38 +45,40 @@ Problem make_problem(const GraphMesh& mesh, std::uint32_t stride) {
   return problem;
 }
 
+/// Three steps: what the factor finds is a float.
 void expect_exact(const GraphMesh& mesh, std::uint32_t stride) {
   const Problem problem = make_problem(mesh, stride);
-  const SmallComponents small(mesh.graph, mesh.components, problem.anchors);
-  const Vec3 untouched{77, 77, 77};
-  std::vector<Vec3> x(mesh.positions.size(), untouched);
-  ASSERT_TRUE(small.solve(problem.deltas, problem.targets, x));
+  auto factor = CoupledFactor::make(mesh.graph, problem.anchors);
+  ASSERT_TRUE(factor);
+  settling::Steps steps(mesh.graph, mesh.components, problem.anchors, problem.deltas, problem.targets, 1);
+  for (int step = 0; step < 3; ++step) {
+    steps.set_residual(factor->first());
+    factor->solve();
+    steps.take(factor->first());
+  }
   const auto direct = make_direct_solver(mesh.graph, problem.anchors);
   ASSERT_TRUE(direct);
-  std::vector<Vec3> exact(x.size());
+  std::vector<Vec3> exact(mesh.positions.size());
   ASSERT_TRUE((*direct)->solve(problem.deltas, problem.targets, exact));
-  for (std::uint32_t v = 0; v < x.size(); ++v) {
-    if (mesh.components.size[mesh.components.label[v]] > SmallComponents::kLargest) {
-      EXPECT_EQ(x[v], untouched);
-    } else if (mesh.graph.degree(v) > 0) {
-      EXPECT_LT(length(x[v] - exact[v]), 1e-7) << v;
-    }
+  for (std::uint32_t v = 0; v < exact.size(); ++v) {
+    const auto& x = steps.x()[v];
+    EXPECT_LT(length(Vec3{x.xy[0], x.xy[1], x.zw[0]} - exact[v]), 1e-7) << v;
   }
 }
 
-/// Sheets, strips and fans of up to 64 vertices, and some larger, whose vertices follow each other.
+void add(const GraphMesh& part, GraphMesh& mesh) {
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  mesh.positions.insert(mesh.positions.end(), part.positions.begin(), part.positions.end());
+  for (const std::uint32_t v : part.triangles) mesh.triangles.push_back(first + v);
+}
+
+/// Sheets, strips and fans, whose vertices follow each other.
 GraphMesh many_shapes() {
   GraphMesh mesh;
   for (std::uint32_t i = 0; i < 40; ++i)
     test::add_sheet(mesh, 2 + i % 7, 2 + i / 3, {20.0 * (i % 8), 20.0 * (i / 8), 3});
   test::add_sheet(mesh, 32, 2, {0, 200, 0});
-  for (const std::uint32_t rim : {7U, 31U, 63U, 64U}) {
-    const GraphMesh fan = test::fan(rim);
-    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-    mesh.positions.insert(mesh.positions.end(), fan.positions.begin(), fan.positions.end());
-    for (const std::uint32_t v : fan.triangles) mesh.triangles.push_back(first + v);
-  }
-  mesh.positions.push_back({5, 5, 5});
+  for (const std::uint32_t rim : {7U, 31U, 63U, 64U, 65U, 300U}) add(test::fan(rim), mesh);
   return test::finish(std::move(mesh));
 }
 
@@ -94,45 +98,30 @@ GraphMesh shuffled(const GraphMesh& mesh) {
   return test::finish(std::move(result));
 }
 
-TEST(SmallComponents, EqualTheDirectSolver) {
+TEST(CoupledFactor, EqualsTheDirectSolver) {
   for (const std::uint32_t stride : {1U, 2U, 13U, 100000U}) {
     SCOPED_TRACE(stride);
     expect_exact(many_shapes(), stride);
-    expect_exact(test::fragments(), stride);
   }
 }
 
-TEST(SmallComponents, DoNotAskForVerticesInARow) {
+TEST(CoupledFactor, DoesNotAskForVerticesInARow) {
   expect_exact(shuffled(many_shapes()), 7);
   expect_exact(shuffled(many_shapes()), 100000);
 }
 
-TEST(SmallComponents, LoneAnchorsKeepTheirPlace) {
+/// Where everything is near everything there is no sparse factor, whatever the order.
+TEST(CoupledFactor, RefusesWhatWouldBeFarFromSparse) {
   GraphMesh mesh;
-  mesh.positions = {{1, 2, 3}, {4, 5, 6}};
+  const std::uint32_t count = 3000;
+  test::RandomBits random(7);
+  const auto any = [&] { return static_cast<std::uint32_t>(random() % count); };
+  mesh.positions.resize(count);
+  for (std::uint32_t v = 0; v < count; ++v) {
+    for (int k = 0; k < 4; ++k) mesh.triangles.insert(mesh.triangles.end(), {v, (v + 1) % count, any()});
+  }
   mesh = test::finish(std::move(mesh));
-  const std::vector<std::uint32_t> anchors = {0, 1};
-  std::vector<Vec3> x(2);
-  const SmallComponents small(mesh.graph, mesh.components, anchors);
-  ASSERT_TRUE(small.solve(std::vector<Vec3>(2, Vec3{9, 9, 9}), mesh.positions, x));
-  EXPECT_EQ(x, mesh.positions);
-}
-
-TEST(SmallComponents, DELT4RefusesAComponentWithoutAnchor) {
-  const GraphMesh mesh = test::fragments();
-  const std::vector<std::uint32_t> anchors = {0};
-  std::vector<Vec3> x(mesh.positions.size());
-  const auto result =
-      SmallComponents(mesh.graph, mesh.components, anchors)
-          .solve(delta_coordinates(mesh.graph, mesh.positions), std::span(mesh.positions).first(1), x);
-  ASSERT_FALSE(result);
-  EXPECT_STREQ(result.error().rule, "DELT-4");
-}
-
-TEST(SmallComponents, AreNoneInALargeMesh) {
-  const GraphMesh mesh = test::sheet(13, 5);
-  const std::vector<std::uint32_t> anchors = {3};
-  EXPECT_TRUE(SmallComponents(mesh.graph, mesh.components, anchors).empty());
+  EXPECT_FALSE(CoupledFactor::make(mesh.graph, std::vector<std::uint32_t>{0}));
 }
 
 }  // namespace
