@@ -2,11 +2,11 @@
 // Copyright 2026 The deltamesh authors
 #include <cmath>
 
+#include "direct_solver/direct_solver.h"
 #include "geometry/highpass.h"
 #include "laplacian/anchors/anchors.h"
 #include "laplacian/operator/delta.h"
 #include "laplacian/operator/solved_part.h"
-#include "laplacian/solver.h"
 #include "micro/stage_input.h"
 #include "quality/measure.h"
 
@@ -32,7 +32,7 @@ SolverProblem make_problem(const StageInput& input) {
   problem.deltas = delta_coordinates(problem.part.graph, positions);
   const Components components = find_components(problem.part.graph);
   const auto count = static_cast<std::uint32_t>(positions.size() / 200 + 1);
-  problem.anchors = place_anchors(problem.part.graph, components, {.count = count, .density = {}}).vertices;
+  problem.anchors = AnchorSequence(problem.part.graph, components).first(problem.part.graph, count).vertices;
   for (const std::uint32_t row : problem.anchors) problem.anchor_positions.push_back(positions[row]);
   return problem;
 }
@@ -61,8 +61,11 @@ BENCHMARK(delta_quantize)->Apply(use_scenes);
 
 void anchor_placement(benchmark::State& state) {
   const StageInput& input = stage_input(state);
-  const AnchorRequest request{.count = input.vertex_count() / 200 + 1, .density = {}};
-  for (auto _ : state) benchmark::DoNotOptimize(place_anchors(input.graph, input.components, request));
+  const std::uint32_t count = input.vertex_count() / 200 + 1;
+  for (auto _ : state) {
+    AnchorSequence anchors(input.graph, input.components);
+    benchmark::DoNotOptimize(anchors.first(input.graph, count));
+  }
   count_vertices(state, input);
 }
 BENCHMARK(anchor_placement)->Apply(use_scenes);
@@ -70,8 +73,7 @@ BENCHMARK(anchor_placement)->Apply(use_scenes);
 void solver_setup(benchmark::State& state) {
   const StageInput& input = stage_input(state);
   const SolverProblem problem = make_problem(input);
-  for (auto _ : state)
-    benchmark::DoNotOptimize(value_or_exit(make_direct_solver(problem.part.graph, problem.anchors)));
+  for (auto _ : state) benchmark::DoNotOptimize(test::DirectSolver(problem.part.graph, problem.anchors));
   count_vertices(state, input);
 }
 BENCHMARK(solver_setup)->Apply(use_scenes);
@@ -79,10 +81,10 @@ BENCHMARK(solver_setup)->Apply(use_scenes);
 void solver_solve(benchmark::State& state) {
   const StageInput& input = stage_input(state);
   const SolverProblem problem = make_problem(input);
-  const auto solver = value_or_exit(make_direct_solver(problem.part.graph, problem.anchors));
+  const test::DirectSolver solver(problem.part.graph, problem.anchors);
   std::vector<Vec3> x(problem.deltas.size());
   for (auto _ : state) {
-    if (!solver->solve(problem.deltas, problem.anchor_positions, x)) std::exit(EXIT_FAILURE);
+    solver.solve(problem.deltas, problem.anchor_positions, x);
     benchmark::DoNotOptimize(x.data());
     benchmark::ClobberMemory();
   }

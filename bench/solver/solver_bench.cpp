@@ -6,10 +6,13 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <cstdio>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "direct_solver/direct_solver.h"
 #include "geometry/highpass.h"
 #include "laplacian/solver.h"
 #include "run/bench_mesh.h"
@@ -38,21 +41,40 @@ struct Solved {
   std::vector<Vec3> x;
 };
 
-template <class Make>
-Solved run(const Problem& problem, const Make& make, int cycles = 0) {
+/// `make`: gives a solver; `solve`: has it solve into x, and says whether it could.
+template <class Make, class Solve>
+Solved run(const Problem& problem, Make make, Solve solve) {
   Solved solved;
   solved.x.resize(problem.positions.size());
   const double per_vertex = 1e9 / static_cast<double>(problem.positions.size());
   const double start = processor_seconds();
-  const auto solver = make(problem.part.graph, problem.anchors);
-  if (!solver) return solved;
-  if (cycles > 0) (*solver)->set_up(cycles);
+  auto solver = make();
   const double ready = processor_seconds();
-  if ((*solver)->solve(problem.deltas, problem.targets, cycles, solved.x)) {
+  if (solve(solver, std::span(solved.x))) {
     solved.setup_ns = (ready - start) * per_vertex;
     solved.solve_ns = (processor_seconds() - ready) * per_vertex;
   }
   return solved;
+}
+
+Solved run_cycles(const Problem& problem, int cycles) {
+  const Adjacency& graph = problem.part.graph;
+  const auto make = [&] {
+    auto solver = std::make_unique<LeastSquaresSolver>(graph, find_components(graph), problem.anchors);
+    solver->set_up(cycles);
+    return solver;
+  };
+  return run(problem, make, [&](const auto& solver, std::span<Vec3> x) {
+    return solver->solve(problem.deltas, problem.targets, cycles, x).has_value();
+  });
+}
+
+Solved run_directly(const Problem& problem) {
+  const auto make = [&] { return test::DirectSolver(problem.part.graph, problem.anchors); };
+  return run(problem, make, [&](const auto& solver, std::span<Vec3> x) {
+    solver.solve(problem.deltas, problem.targets, x);
+    return true;
+  });
 }
 
 /// What an encoder makes of the problem, and what it would be without a plan.
@@ -81,15 +103,15 @@ void print_row(const std::string& name, const Problem& problem, const ProblemSet
   const auto coded = code(problem);
   if (!coded) return;
   const int cycles = coded->best.parameters.cycles;
-  const Solved settled = run(problem, make_multigrid_solver);
-  const Solved ours = run(problem, make_multigrid_solver, cycles);
+  const Solved settled = run_cycles(problem, 0);
+  const Solved ours = run_cycles(problem, cycles);
   std::printf("| %s | %zu | %d | %g | %g | %zu | %d | %.0f | %.0f | %.0f | %.0f | %.3f | %.3f ", name.c_str(),
               problem.positions.size(), how.bits, how.anchor_percent, how.diffusion, problem.anchors.size(),
               cycles, ours.setup_ns, ours.solve_ns, ours.setup_ns + ours.solve_ns,
               settled.setup_ns + settled.solve_ns, delta_bits(coded->settled, problem),
               delta_bits(coded->best, problem));
   if (problem.positions.size() <= settings.largest_direct) {
-    const Solved direct = run(problem, make_direct_solver);
+    const Solved direct = run_directly(problem);
     const std::vector<Vec3> x = problem.solved_of(coded->best.positions);
     std::printf("| %.0f | %.4f | %.4f |\n", direct.setup_ns + direct.solve_ns,
                 rms_difference(x, problem.positions) / rms_difference(direct.x, problem.positions),

@@ -14,6 +14,7 @@
 #include <span>
 #include <vector>
 
+#include "direct_solver/direct_solver.h"
 #include "laplacian/solver.h"
 #include "topology/adjacency.h"
 
@@ -79,9 +80,9 @@ double functional(const Problem& problem, std::span<const Vec3> x) {
   return sum;
 }
 
-std::vector<Vec3> solve(const Problem& problem, Result<std::unique_ptr<LeastSquaresSolver>> solver) {
+std::vector<Vec3> solve_directly(const Problem& problem) {
   std::vector<Vec3> x(problem.deltas.size());
-  if (!solver || !(*solver)->solve(problem.deltas, problem.targets, x)) std::abort();
+  test::DirectSolver(problem.graph, problem.anchors).solve(problem.deltas, problem.targets, x);
   return x;
 }
 
@@ -114,7 +115,7 @@ double expected_error(Problem problem, double least) {
   for (int trial = 0; trial < kTrials; ++trial) {
     const auto sign = [&] { return random() % 2 == 0 ? 1.0 : -1.0; };
     for (Vec3& delta : problem.deltas) delta = {sign(), sign(), sign()};
-    const double error = rms(solve(problem, make_direct_solver(problem.graph, problem.anchors)));
+    const double error = rms(solve_directly(problem));
     sum += error * error;
   }
   return std::sqrt(sum / kTrials * least / (3 * static_cast<double>(problem.anchors.size())));
@@ -126,11 +127,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   const Problem problem = make_problem({data, size});
   std::vector<Vec3> x(problem.deltas.size());
-  const auto solver = make_multigrid_solver(problem.graph, problem.anchors);
-  if (!solver) std::abort();
-  (void)(*solver)->solve(problem.deltas, problem.targets, 3, x);        // of which nothing is promised
-  if (!(*solver)->solve(problem.deltas, problem.targets, x)) return 0;  // out of reach: refused
-  const std::vector<Vec3> exact = solve(problem, make_direct_solver(problem.graph, problem.anchors));
+  LeastSquaresSolver solver(problem.graph, find_components(problem.graph), problem.anchors);
+  (void)solver.solve(problem.deltas, problem.targets, 3, x);           // of which nothing is promised
+  if (!solver.solve(problem.deltas, problem.targets, 0, x)) return 0;  // out of reach: refused
+  const std::vector<Vec3> exact = solve_directly(problem);
   const double rounding = 1e-5 * (problem.size + largest(exact));
   const double least = functional(problem, exact);
   const double allowed = 4 * least + rounding * rounding * static_cast<double>(problem.deltas.size());

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/vec3.h"
+#include "laplacian/anchors/anchor_sequence.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh::test {
@@ -34,6 +35,11 @@ inline GraphMesh finish(GraphMesh mesh) {
     }
   }
   return mesh;
+}
+
+/// So many anchors in the solved components, at least one in each, and those of the others; ascending.
+inline std::vector<std::uint32_t> anchors_of(const GraphMesh& mesh, std::uint32_t count) {
+  return AnchorSequence(mesh.graph, mesh.components).first(mesh.graph, count).vertices;
 }
 
 /// Appends a bumpy sheet of `width` x `height` vertices, 1 apart, at `corner`.

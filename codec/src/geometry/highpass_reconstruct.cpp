@@ -8,9 +8,11 @@
 
 #include "base/broken_rule.h"
 #include "base/large_vector.h"
+#include "base/task.h"
 #include "base/try.h"
 #include "format/tags.h"
 #include "geometry/highpass_symbols.h"
+#include "laplacian/solver.h"
 #include "topology/vertex_subset.h"
 
 namespace deltamesh {
@@ -146,13 +148,15 @@ Result<LargeVector<Vec3>> reconstruct_highpass_once(const ReadSymbols& read_delt
                                                     ThreadTeam* team) {
   LargeVector<Vec3> positions;
   if (part.row_count > 0) {
-    LeastSquaresProblem problem{.graph = std::exchange(part.graph, {}),
-                                .components = std::exchange(part.components, {}),
-                                .anchors = anchor_rows(anchors.anchors, part),
-                                .targets = anchor_targets(anchors, part, box, parameters),
-                                .scale = scale_of(parameters),
-                                .cycles = parameters.cycles};
-    DELTAMESH_TRY(positions, solve_once(std::move(problem), read_deltas, part.whole_count, team));
+    const Adjacency graph = std::exchange(part.graph, {});
+    Task reading(team, [&] { return read_deltas(graph); });
+    LeastSquaresSolver solver(graph, std::exchange(part.components, {}), anchor_rows(anchors.anchors, part),
+                              team);
+    solver.set_up(parameters.cycles);
+    DELTAMESH_TRY(const SymbolRows deltas, reading.get());
+    DELTAMESH_TRY(positions, solver.solve_last(DeltaView(deltas.view(), scale_of(parameters)),
+                                               anchor_targets(anchors, part, box, parameters),
+                                               parameters.cycles, part.whole_count));
   } else {
     DELTAMESH_TRY([[maybe_unused]] const auto none, read_deltas(part.graph));
     positions.resize(part.whole_count);

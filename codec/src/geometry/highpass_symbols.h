@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -16,7 +17,6 @@
 #include "laplacian/operator/solved_part.h"
 #include "laplacian/operator/symbol_rows.h"
 #include "laplacian/part_solver.h"
-#include "laplacian/solve_once.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {
@@ -64,7 +64,12 @@ Result<LargeVector<Vec3>> settle_from(std::span<const Vec3> positions, std::span
                                       PartSolver& solver, const Box& box,
                                       const HighpassParameters& parameters);
 
-/// The same positions by solve_once(), for a single use: the symbols of the deltas are read.
+/// The deltas' symbols, once; may use the graph of the solved part.
+using ReadSymbols = std::function<Result<SymbolRows>(const Adjacency&)>;
+
+/// The same positions, to the last bit, with as little memory as can be, or as soon as can be: of `team`,
+/// which may be null, one thread reads the symbols of the deltas while the others set up the solver. Errors:
+/// those of `read_deltas` too.
 Result<LargeVector<Vec3>> reconstruct_highpass_once(const ReadSymbols& read_deltas,
                                                     const HighpassSymbols& anchors, SolvedPart part,
                                                     const Box& box, const HighpassParameters& parameters,

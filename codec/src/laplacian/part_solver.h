@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// A solver that the highpass encoder uses many times. Its solutions are those of solve_once().
+// A solver that the highpass encoder uses many times.
 #pragma once
 
 #include <cstdint>
-#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,11 +27,9 @@ class PartSolver {
   void forget() noexcept { solver_.reset(); }
 
  private:
-  Result<void> make_solver(std::span<const std::uint32_t> anchors);
-
   const SolvedPart& part_;
   std::vector<std::uint32_t> anchors_;
-  std::unique_ptr<LeastSquaresSolver> solver_;
+  std::optional<LeastSquaresSolver> solver_;
 };
 
 }  // namespace deltamesh

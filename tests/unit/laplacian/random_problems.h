@@ -137,7 +137,7 @@ class RandomProblems {
   /// As many vertices in a row as there were anchors, beside one for each component.
   void gather_anchors(SolverProblem& problem) {
     const GraphMesh& m = problem.mesh;
-    std::vector<std::uint32_t> anchors = place_anchors(m.graph, m.components, {.count = 1}).vertices;
+    std::vector<std::uint32_t> anchors = anchors_of(m, 1);
     const auto count = static_cast<std::uint32_t>(problem.anchors.size());
     const auto all = static_cast<std::uint32_t>(m.positions.size());
     const std::uint32_t begin = below(all - std::min(count, all - 1));

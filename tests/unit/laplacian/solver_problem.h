@@ -9,11 +9,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <memory>
 #include <utility>
 #include <vector>
 
-#include "laplacian/anchors/anchors.h"
+#include "direct_solver/direct_solver.h"
 #include "laplacian/operator/delta.h"
 #include "laplacian/solver.h"
 #include "support/graph_mesh.h"
@@ -36,7 +35,7 @@ inline Vec3 round_to(const Vec3& v, double step) {
 inline SolverProblem quantized(GraphMesh mesh, std::uint32_t anchors, int bits) {
   SolverProblem problem{std::move(mesh), {}, {}, {}, 0};
   const GraphMesh& m = problem.mesh;
-  problem.anchors = place_anchors(m.graph, m.components, {.count = anchors}).vertices;
+  problem.anchors = anchors_of(m, anchors);
   problem.deltas = delta_coordinates(m.graph, m.positions);
   problem.step = std::ldexp(delta_range(problem.deltas), -bits);
   for (Vec3& delta : problem.deltas) delta = round_to(delta, problem.step);
@@ -56,22 +55,23 @@ inline SymbolRows symbols_of(const SolverProblem& problem) {
   return SymbolRows(planar);
 }
 
-inline std::vector<Vec3> solve(const SolverProblem& problem,
-                               Result<std::unique_ptr<LeastSquaresSolver>> solver) {
+inline LeastSquaresSolver solver_for(const SolverProblem& problem) {
+  return LeastSquaresSolver(problem.mesh.graph, problem.mesh.components, problem.anchors);
+}
+
+inline std::vector<Vec3> settle(const SolverProblem& problem) {
   std::vector<Vec3> x(problem.mesh.positions.size());
-  EXPECT_TRUE(solver);
-  if (solver) {
-    const SymbolRows symbols = symbols_of(problem);
-    const DeltaView deltas = problem.step > 0
-                                 ? DeltaView(symbols.view(), {.step = problem.step, .shifts = {}})
-                                 : DeltaView(problem.deltas);
-    EXPECT_TRUE((*solver)->solve(deltas, problem.targets, x));
-  }
+  const SymbolRows symbols = symbols_of(problem);
+  const DeltaView deltas = problem.step > 0 ? DeltaView(symbols.view(), {.step = problem.step, .shifts = {}})
+                                            : DeltaView(problem.deltas);
+  EXPECT_TRUE(solver_for(problem).solve(deltas, problem.targets, 0, x));
   return x;
 }
 
-inline std::vector<Vec3> solve_multigrid(const SolverProblem& problem) {
-  return solve(problem, make_multigrid_solver(problem.mesh.graph, problem.anchors));
+inline std::vector<Vec3> solve_directly(const SolverProblem& problem) {
+  std::vector<Vec3> x(problem.mesh.positions.size());
+  DirectSolver(problem.mesh.graph, problem.anchors).solve(problem.deltas, problem.targets, x);
+  return x;
 }
 
 struct Errors {
@@ -91,8 +91,8 @@ inline Errors errors(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
 }
 
 inline void expect_as_good_as_direct(const SolverProblem& problem) {
-  const std::vector<Vec3> x = solve_multigrid(problem);
-  const std::vector<Vec3> exact = solve(problem, make_direct_solver(problem.mesh.graph, problem.anchors));
+  const std::vector<Vec3> x = settle(problem);
+  const std::vector<Vec3> exact = solve_directly(problem);
   const Errors ours = errors(x, problem.mesh.positions);
   const Errors best = errors(exact, problem.mesh.positions);
   EXPECT_LE(errors(x, exact).rms, 0.25 * ours.rms) << "[DELT-6]";

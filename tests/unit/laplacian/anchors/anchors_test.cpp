@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "laplacian/anchors/anchors.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <vector>
 
+#include "laplacian/anchors/anchor_sequence.h"
 #include "support/graph_mesh.h"
 
 namespace deltamesh {
@@ -35,8 +34,9 @@ std::vector<std::uint32_t> hops_by_relaxation(const Adjacency& graph,
 
 TEST(Anchors, CountIsMetAndCoverageIsTheReportedDensity) {
   const GraphMesh mesh = test::sheet(30, 20);
+  AnchorSequence sequence(mesh.graph, mesh.components);
   for (const std::uint32_t count : {1U, 2U, 7U, 60U}) {
-    const Anchors anchors = place_anchors(mesh.graph, mesh.components, {.count = count});
+    const Anchors anchors = sequence.first(mesh.graph, count);
     EXPECT_EQ(anchors.vertices.size(), count);
     EXPECT_TRUE(std::is_sorted(anchors.vertices.begin(), anchors.vertices.end()));
     const auto hops = hops_by_relaxation(mesh.graph, anchors.vertices);
@@ -46,9 +46,10 @@ TEST(Anchors, CountIsMetAndCoverageIsTheReportedDensity) {
 
 TEST(Anchors, DensityIsMet) {
   const GraphMesh mesh = test::sheet(30, 20);
+  AnchorSequence sequence(mesh.graph, mesh.components);
   std::size_t fewer = 0;
   for (const std::uint32_t density : {15U, 8U, 3U, 1U}) {
-    const Anchors anchors = place_anchors(mesh.graph, mesh.components, {.density = density});
+    const Anchors anchors = sequence.first(mesh.graph, sequence.count_for_density(mesh.graph, density));
     const auto hops = hops_by_relaxation(mesh.graph, anchors.vertices);
     EXPECT_LE(*std::max_element(hops.begin(), hops.end()), density);
     EXPECT_LE(anchors.density, density);
@@ -59,29 +60,24 @@ TEST(Anchors, DensityIsMet) {
 
 TEST(Anchors, NoMoreThanThereAreVertices) {
   const GraphMesh mesh = test::sheet(4, 3);
-  const Anchors anchors = place_anchors(mesh.graph, mesh.components, {.count = 1000000});
+  const Anchors anchors = AnchorSequence(mesh.graph, mesh.components).first(mesh.graph, 1000000);
   EXPECT_EQ(anchors.vertices.size(), 12U);
   EXPECT_EQ(anchors.density, 0U);
 }
 
 TEST(Anchors, DefaultIsOneForEveryTwoHundredVertices) {
-  const GraphMesh mesh = test::sheet(41, 20);
-  EXPECT_EQ(place_anchors(mesh.graph, mesh.components, {}).vertices.size(), 5U);
+  EXPECT_EQ(default_anchor_count(820), 5U);
+  EXPECT_EQ(default_anchor_count(800), 4U);
 }
 
 TEST(Anchors, ANCH2CoverEveryComponentAndAllOfSmallOnes) {
   const GraphMesh mesh = test::fragments();
-  const Anchors anchors = place_anchors(mesh.graph, mesh.components, {.count = 0});
+  const std::vector<std::uint32_t> anchors = test::anchors_of(mesh, 0);
   std::vector<std::uint32_t> in_component(mesh.components.count, 0);
-  for (const std::uint32_t anchor : anchors.vertices) ++in_component[mesh.components.label[anchor]];
+  for (const std::uint32_t anchor : anchors) ++in_component[mesh.components.label[anchor]];
   for (std::uint32_t c = 0; c < mesh.components.count; ++c)
     EXPECT_EQ(in_component[c], mesh.components.size[c] < 8 ? mesh.components.size[c] : 1U);
-  EXPECT_EQ(place_anchors(mesh.graph, mesh.components, {.count = 5}).vertices.size(), 8U + 5U);
-}
-
-TEST(Anchors, EmptyGraphHasNone) {
-  const GraphMesh mesh = test::finish({});
-  EXPECT_TRUE(place_anchors(mesh.graph, mesh.components, {}).vertices.empty());
+  EXPECT_EQ(test::anchors_of(mesh, 5).size(), 8U + 5U);
 }
 
 }  // namespace

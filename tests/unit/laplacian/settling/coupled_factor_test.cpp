@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "direct_solver/direct_solver.h"
 #include "laplacian/operator/delta.h"
 #include "laplacian/settling/steps.h"
-#include "laplacian/solver.h"
 #include "support/graph_mesh.h"
 #include "support/random.h"
 
@@ -56,10 +56,8 @@ void expect_exact(const GraphMesh& mesh, std::uint32_t stride) {
     factor->solve();
     steps.take(factor->first());
   }
-  const auto direct = make_direct_solver(mesh.graph, problem.anchors);
-  ASSERT_TRUE(direct);
   std::vector<Vec3> exact(mesh.positions.size());
-  ASSERT_TRUE((*direct)->solve(problem.deltas, problem.targets, exact));
+  test::DirectSolver(mesh.graph, problem.anchors).solve(problem.deltas, problem.targets, exact);
   for (std::uint32_t v = 0; v < exact.size(); ++v) {
     const auto& x = steps.x()[v];
     EXPECT_LT(length(Vec3{x.xy[0], x.xy[1], x.zw[0]} - exact[v]), 1e-7) << v;

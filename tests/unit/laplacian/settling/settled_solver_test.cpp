@@ -59,9 +59,9 @@ TEST(SettledSolver, ZerosGiveTheAnchorsMean) {
     SolverProblem problem = quantized(test::sheet(90, 80), anchors, 8);
     problem.deltas.assign(problem.deltas.size(), Vec3{});
     problem.targets.assign(problem.targets.size(), Vec3{3, -4, 5});
-    for (const Vec3& x : test::solve_multigrid(problem)) EXPECT_LT(length(x - Vec3{3, -4, 5}), 1e-5);
+    for (const Vec3& x : test::settle(problem)) EXPECT_LT(length(x - Vec3{3, -4, 5}), 1e-5);
     problem.targets.assign(problem.targets.size(), Vec3{});
-    for (const Vec3& x : test::solve_multigrid(problem)) EXPECT_EQ(length(x), 0);
+    for (const Vec3& x : test::settle(problem)) EXPECT_EQ(length(x), 0);
   }
 }
 
@@ -99,16 +99,14 @@ TEST(SettledSolver, ExactDeltasGiveThePositionsBack) {
   problem.deltas = delta_coordinates(problem.mesh.graph, problem.mesh.positions);
   for (std::size_t a = 0; a < problem.anchors.size(); ++a)
     problem.targets[a] = problem.mesh.positions[problem.anchors[a]];
-  EXPECT_LT(errors(test::solve_multigrid(problem), problem.mesh.positions).largest, 1e-5);
+  EXPECT_LT(errors(test::settle(problem), problem.mesh.positions).largest, 1e-5);
 }
 
 void expect_nearly_exact(std::uint32_t seed, std::uint32_t vertices) {
   SCOPED_TRACE("seed " + std::to_string(seed) + ", " + std::to_string(vertices) + " vertices");
   const SolverProblem problem = test::RandomProblems(seed, vertices).make();
-  const std::vector<Vec3> exact =
-      test::solve(problem, make_direct_solver(problem.mesh.graph, problem.anchors));
-  EXPECT_LE(errors(test::solve_multigrid(problem), exact).rms,
-            0.25 * errors(exact, problem.mesh.positions).rms);
+  const std::vector<Vec3> exact = test::solve_directly(problem);
+  EXPECT_LE(errors(test::settle(problem), exact).rms, 0.25 * errors(exact, problem.mesh.positions).rms);
 }
 
 TEST(SettledSolver, DELT6CopesWithRandomProblems) {
@@ -124,12 +122,11 @@ TEST(SettledSolver, DELT6CopesWithLargeRandomProblems) {
 
 TEST(SettledSolver, EqualProblemsGiveEqualBits) {
   const SolverProblem problem = quantized(many_sheets(), 100, 8);
-  const std::vector<Vec3> x = test::solve_multigrid(problem);
-  auto solver = make_multigrid_solver(problem.mesh.graph, problem.anchors);
-  ASSERT_TRUE(solver);
+  const std::vector<Vec3> x = test::settle(problem);
+  auto solver = test::solver_for(problem);
   std::vector<Vec3> again(x.size());
-  ASSERT_TRUE((*solver)->solve(std::vector<Vec3>(x.size(), Vec3{1, 2, 3}), problem.targets, again));
-  ASSERT_TRUE((*solver)->solve(problem.deltas, problem.targets, again));
+  ASSERT_TRUE(solver.solve(std::vector<Vec3>(x.size(), Vec3{1, 2, 3}), problem.targets, 0, again));
+  ASSERT_TRUE(solver.solve(problem.deltas, problem.targets, 0, again));
   EXPECT_EQ(x, again);
 }
 

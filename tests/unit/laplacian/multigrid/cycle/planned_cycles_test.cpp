@@ -28,13 +28,12 @@ using test::SolverProblem;
 
 /// Cycles that leave a solution close to the exact one, also without compensation.
 void expect_few_cycles(const SolverProblem& problem, int most) {
-  const std::vector<Vec3> exact = solve(problem, make_direct_solver(problem.mesh.graph, problem.anchors));
-  const auto solver = make_multigrid_solver(problem.mesh.graph, problem.anchors);
-  ASSERT_TRUE(solver);
+  const std::vector<Vec3> exact = solve_directly(problem);
+  auto solver = solver_for(problem);
   std::vector<Vec3> x(exact.size());
   const test::Errors of_exact = errors(exact, problem.mesh.positions);
   for (const int cycles : {most, most + 3}) {
-    ASSERT_TRUE((*solver)->solve(problem.deltas, problem.targets, cycles, x));
+    ASSERT_TRUE(solver.solve(problem.deltas, problem.targets, cycles, x));
     EXPECT_LT(errors(x, exact).rms, 0.2 * of_exact.rms) << cycles;
     EXPECT_LT(errors(x, problem.mesh.positions).rms, 1.02 * of_exact.rms) << cycles;
     EXPECT_LT(errors(x, problem.mesh.positions).largest, 1.05 * of_exact.largest) << cycles;
@@ -54,10 +53,8 @@ TEST(PlannedCycles, ThreadsMakeNoDifference) {
       for (const unsigned threads : {1U, 2U, 3U, 8U}) {
         SCOPED_TRACE(threads);
         ThreadTeam team(threads);
-        const auto solver =
-            make_solver_for_components(problem.mesh.graph, problem.mesh.components, problem.anchors, &team);
-        ASSERT_TRUE(solver);
-        const auto x = (*solver)->solve_last(problem.deltas, problem.targets, cycles, problem.deltas.size());
+        LeastSquaresSolver solver(problem.mesh.graph, problem.mesh.components, problem.anchors, &team);
+        const auto x = solver.solve_last(problem.deltas, problem.targets, cycles, problem.deltas.size());
         ASSERT_TRUE(x);
         if (alone.empty()) alone.assign(x->begin(), x->end());
         EXPECT_TRUE(std::equal(x->begin(), x->end(), alone.begin(), alone.end()));
@@ -84,23 +81,21 @@ TEST(PlannedCycles, GiveExactDeltasBack) {
   problem.deltas = delta_coordinates(problem.mesh.graph, problem.mesh.positions);
   for (std::size_t a = 0; a < problem.anchors.size(); ++a)
     problem.targets[a] = problem.mesh.positions[problem.anchors[a]];
-  const auto solver = make_multigrid_solver(problem.mesh.graph, problem.anchors);
-  ASSERT_TRUE(solver);
+  auto solver = solver_for(problem);
   std::vector<Vec3> x(problem.deltas.size());
-  ASSERT_TRUE((*solver)->solve(problem.deltas, problem.targets, 32, x));
+  ASSERT_TRUE(solver.solve(problem.deltas, problem.targets, 32, x));
   EXPECT_LT(errors(x, problem.mesh.positions).largest, 7.6e-6);  // what floats of 80 can tell
 }
 
 TEST(PlannedCycles, DoNotDependOnEarlierOnes) {
   const SolverProblem problem = quantized(many_sheets(), 100, 8);
-  const auto solver = make_multigrid_solver(problem.mesh.graph, problem.anchors);
-  ASSERT_TRUE(solver);
+  auto solver = solver_for(problem);
   std::vector<Vec3> x(problem.deltas.size());
   std::vector<Vec3> again(x.size());
-  ASSERT_TRUE((*solver)->solve(problem.deltas, problem.targets, 2, x));
-  ASSERT_TRUE((*solver)->solve(std::vector<Vec3>(x.size(), Vec3{1, 2, 3}), problem.targets, 5, again));
-  ASSERT_TRUE((*solver)->solve(problem.deltas, problem.targets, 0, again));
-  ASSERT_TRUE((*solver)->solve(problem.deltas, problem.targets, 2, again));
+  ASSERT_TRUE(solver.solve(problem.deltas, problem.targets, 2, x));
+  ASSERT_TRUE(solver.solve(std::vector<Vec3>(x.size(), Vec3{1, 2, 3}), problem.targets, 5, again));
+  ASSERT_TRUE(solver.solve(problem.deltas, problem.targets, 0, again));
+  ASSERT_TRUE(solver.solve(problem.deltas, problem.targets, 2, again));
   EXPECT_EQ(x, again);
 }
 
@@ -111,16 +106,14 @@ TEST(PlannedCycles, ForgetsWhatIsNotFinite) {
     const SolverProblem problem = quantized(many_sheets(), anchors, 8);
     for (const int cycles : {0, 1, 4}) {
       SCOPED_TRACE(cycles);
-      const auto fresh = make_multigrid_solver(problem.mesh.graph, problem.anchors);
-      const auto used = make_multigrid_solver(problem.mesh.graph, problem.anchors);
-      ASSERT_TRUE(fresh);
-      ASSERT_TRUE(used);
+      auto fresh = solver_for(problem);
+      auto used = solver_for(problem);
       std::vector<Vec3> x(problem.deltas.size());
       std::vector<Vec3> again(x.size());
-      static_cast<void>((*used)->solve(std::vector<Vec3>(x.size(), Vec3{kNan, kNan, kNan}), problem.targets,
-                                       cycles, again));
-      ASSERT_TRUE((*fresh)->solve(problem.deltas, problem.targets, cycles, x));
-      ASSERT_TRUE((*used)->solve(problem.deltas, problem.targets, cycles, again));
+      static_cast<void>(
+          used.solve(std::vector<Vec3>(x.size(), Vec3{kNan, kNan, kNan}), problem.targets, cycles, again));
+      ASSERT_TRUE(fresh.solve(problem.deltas, problem.targets, cycles, x));
+      ASSERT_TRUE(used.solve(problem.deltas, problem.targets, cycles, again));
       EXPECT_EQ(x, again);
     }
   }
@@ -129,22 +122,20 @@ TEST(PlannedCycles, ForgetsWhatIsNotFinite) {
 /// Steps so small that whole numbers of them take more than 32 bits.
 TEST(PlannedCycles, DELT7TellEncodersWhereTheyLeaveTheRange) {
   const SolverProblem problem = quantized(test::sheet(80, 80), 32, 8);
-  const auto solver = make_multigrid_solver(problem.mesh.graph, problem.anchors);
-  ASSERT_TRUE(solver);
+  auto solver = solver_for(problem);
   const SymbolRows symbols(std::vector<std::int32_t>(3 * problem.deltas.size(), 0));
   std::vector<Vec3> x(problem.deltas.size());
-  EXPECT_TRUE((*solver)->solve(DeltaView(symbols.view(), {.step = 1e-6}), problem.targets, 2, x));
-  const auto solved = (*solver)->solve(DeltaView(symbols.view(), {.step = 1e-8}), problem.targets, 2, x);
+  EXPECT_TRUE(solver.solve(DeltaView(symbols.view(), {.step = 1e-6}), problem.targets, 2, x));
+  const auto solved = solver.solve(DeltaView(symbols.view(), {.step = 1e-8}), problem.targets, 2, x);
   ASSERT_FALSE(solved);
   EXPECT_STREQ(solved.error().rule, "DELT-7");
 }
 
 TEST(PlannedCycles, DELT3DoNotHideWhatIsNotFinite) {
   SolverProblem problem = quantized(many_sheets(), 100, 8);
-  const auto solver = make_multigrid_solver(problem.mesh.graph, problem.anchors);
-  ASSERT_TRUE(solver);
+  auto solver = solver_for(problem);
   problem.targets.front() = {1e300, 0, 0};  // of the first component, finite ones follow
-  const auto x = (*solver)->solve_last(problem.deltas, problem.targets, 3, problem.deltas.size());
+  const auto x = solver.solve_last(problem.deltas, problem.targets, 3, problem.deltas.size());
   ASSERT_TRUE(x);
   EXPECT_FALSE(std::all_of(x->begin(), x->end(), [](const Vec3& v) { return std::isfinite(dot(v, v)); }));
 }

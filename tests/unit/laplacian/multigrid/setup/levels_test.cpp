@@ -12,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include "laplacian/anchors/anchors.h"
 #include "laplacian/multigrid/setup/aggregates.h"
 #include "laplacian/multigrid/setup/make_interpolation.h"
 #include "support/graph_mesh.h"
@@ -28,7 +27,7 @@ bool is_seed(const multigrid::Aggregates& aggregates, std::uint32_t node) {
 
 TEST(Levels, LevelsShrinkAndKeepTheirAnchorsApart) {
   const GraphMesh mesh = test::sheet(60, 60);
-  const auto anchors = place_anchors(mesh.graph, mesh.components, {.count = 20}).vertices;
+  const auto anchors = test::anchors_of(mesh, 20);
   const auto levels = multigrid::build_levels(mesh.graph, anchors);
   ASSERT_EQ(levels.size(), 4U);
   for (std::size_t l = 0; l < levels.size(); ++l) {
@@ -50,7 +49,7 @@ TEST(Levels, LevelsShrinkAndKeepTheirAnchorsApart) {
 
 TEST(Levels, DELT7WeightsAreSumsOverThePathsBetweenSeeds) {
   const GraphMesh mesh = test::sheet(60, 60);
-  const auto anchors = place_anchors(mesh.graph, mesh.components, {.count = 20}).vertices;
+  const auto anchors = test::anchors_of(mesh, 20);
   const auto levels = multigrid::build_levels(mesh.graph, anchors);
   const multigrid::Aggregates aggregates = multigrid::aggregate(levels[0]);
   std::map<std::pair<std::uint32_t, std::uint32_t>, double> expected;
@@ -77,7 +76,7 @@ TEST(Levels, DELT7WeightsAreSumsOverThePathsBetweenSeeds) {
 /// P^T K P, dense.
 TEST(Levels, DELT7FurtherLevelsAreProducts) {
   const GraphMesh mesh = test::sheet(90, 90);
-  const auto anchors = place_anchors(mesh.graph, mesh.components, {.count = 20}).vertices;
+  const auto anchors = test::anchors_of(mesh, 20);
   const auto levels = multigrid::build_levels(mesh.graph, anchors);
   ASSERT_GE(levels.size(), 4U);
   const multigrid::Level& fine = levels[2];
@@ -117,7 +116,7 @@ TEST(Levels, DELT7ComponentsThatAreOneNodeAreOnNoFurtherLevel) {
   test::add_sheet(mesh, 80, 80, {});
   for (std::uint32_t i = 0; i < 100; ++i) test::add_sheet(mesh, 3, 3, {100, 5.0 * i, 0});
   mesh = test::finish(std::move(mesh));
-  const auto anchors = place_anchors(mesh.graph, mesh.components, {.count = 110}).vertices;
+  const auto anchors = test::anchors_of(mesh, 110);
   const auto levels = multigrid::build_levels(mesh.graph, anchors);
   EXPECT_LT(levels.back().node_count(), 200U);
   EXPECT_LT(levels.back().anchors.size(), anchors.size());

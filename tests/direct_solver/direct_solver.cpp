@@ -10,15 +10,16 @@
 //   [ L_H                   -I   ] [ r ] = [ 0 ]
 // A tiny multiple of I added to the upper left makes that matrix quasi-definite, so that it factors in any
 // order (Vanderbei 1995); the refinement takes the effect of the addition out again.
-#include "laplacian/solver.h"
+#include "direct_solver/direct_solver.h"
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <vector>
 
-namespace deltamesh {
+namespace deltamesh::test {
 namespace {
 
 using Index = Eigen::Index;
@@ -109,17 +110,18 @@ class NormalEquations {
   std::vector<std::uint32_t> rows_;
 };
 
-class DirectSolver final : public LeastSquaresSolver {
+}  // namespace
+
+class DirectSolver::Factors {
  public:
-  DirectSolver(const Adjacency& graph, std::span<const std::uint32_t> anchors)
+  Factors(const Adjacency& graph, std::span<const std::uint32_t> anchors)
       : graph_(graph),
         anchors_(anchors.begin(), anchors.end()),
-        factors_(NormalEquations(graph, anchors).assemble()) {}
+        factors_(NormalEquations(graph, anchors).assemble()) {
+    if (factors_.info() != Eigen::Success) std::abort();
+  }
 
-  bool succeeded() const { return factors_.info() == Eigen::Success; }
-
-  Result<void> solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions, int /*cycles*/,
-                     std::span<Vec3> x) override {
+  void solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions, std::span<Vec3> x) const {
     const auto n = static_cast<Index>(x.size());
     for (std::size_t axis = 0; axis < 3; ++axis) {
       Eigen::VectorXd solution = Eigen::VectorXd::Zero(n);
@@ -131,7 +133,6 @@ class DirectSolver final : public LeastSquaresSolver {
       }
       for (std::size_t i = 0; i < x.size(); ++i) x[i][axis] = solution[static_cast<Index>(i)];
     }
-    return {};
   }
 
  private:
@@ -166,16 +167,14 @@ class DirectSolver final : public LeastSquaresSolver {
   Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::AMDOrdering<Index>> factors_;
 };
 
-}  // namespace
+DirectSolver::DirectSolver(const Adjacency& graph, std::span<const std::uint32_t> anchors)
+    : factors_(std::make_unique<const Factors>(graph, anchors)) {}
 
-Result<std::unique_ptr<LeastSquaresSolver>> make_direct_solver(const Adjacency& graph,
-                                                               std::span<const std::uint32_t> anchors) {
-  auto solver = std::make_unique<DirectSolver>(graph, anchors);
-  if (!solver->succeeded())
-    return Error{.code = ErrorCode::kInvalidStream,
-                 .message = "the least-squares system is singular",
-                 .rule = "DELT-4"};
-  return std::unique_ptr<LeastSquaresSolver>(std::move(solver));
+DirectSolver::~DirectSolver() = default;
+
+void DirectSolver::solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions,
+                         std::span<Vec3> x) const {
+  factors_->solve(deltas, anchor_positions, x);
 }
 
-}  // namespace deltamesh
+}  // namespace deltamesh::test

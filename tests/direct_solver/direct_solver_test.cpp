@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "laplacian/solver.h"
+#include "direct_solver/direct_solver.h"
 
 #include <gtest/gtest.h>
 
@@ -10,13 +10,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "laplacian/anchors/anchors.h"
 #include "laplacian/operator/delta.h"
 #include "support/graph_mesh.h"
 
 namespace deltamesh {
 namespace {
 
+using test::DirectSolver;
 using test::GraphMesh;
 
 std::vector<Vec3> positions_at(const GraphMesh& mesh, const std::vector<std::uint32_t>& vertices) {
@@ -57,17 +57,16 @@ std::vector<Vec3> solve_dense(const Adjacency& graph, const std::vector<std::uin
 TEST(DirectSolver, DELT4AgreesWithDenseLeastSquares) {
   for (const GraphMesh& mesh : {test::sheet(9, 8), test::fan(30), test::sheet(40, 2), test::sheet(5, 2)}) {
     for (const std::uint32_t count : {1U, 5U}) {
-      const auto anchors = place_anchors(mesh.graph, mesh.components, {.count = count}).vertices;
+      const auto anchors = test::anchors_of(mesh, count);
       // A right-hand side that no positions satisfy: the residual is spread, not zero.
       std::vector<Vec3> deltas = delta_coordinates(mesh.graph, mesh.positions);
       for (std::size_t i = 0; i < deltas.size(); ++i) deltas[i][i % 3] += 0.1 * static_cast<double>(i % 4);
       std::vector<Vec3> targets = positions_at(mesh, anchors);
       targets.front()[1] += 0.5;
 
-      const auto solver = make_direct_solver(mesh.graph, anchors);
-      ASSERT_TRUE(solver);
+      const DirectSolver solver(mesh.graph, anchors);
       std::vector<Vec3> x(mesh.positions.size());
-      ASSERT_TRUE((*solver)->solve(deltas, targets, x));
+      solver.solve(deltas, targets, x);
       EXPECT_LT(largest_difference(x, solve_dense(mesh.graph, anchors, deltas, targets)), 1e-8);
     }
   }
@@ -83,13 +82,12 @@ TEST(DirectSolver, AgreesWithDenseLeastSquaresAroundHubs) {
   ASSERT_EQ(clique.graph.degree(0), 89U);
   for (const GraphMesh& mesh : {test::fan(300), clique}) {
     for (const std::uint32_t count : {1U, 4U}) {
-      const auto anchors = place_anchors(mesh.graph, mesh.components, {.count = count}).vertices;
+      const auto anchors = test::anchors_of(mesh, count);
       std::vector<Vec3> deltas = delta_coordinates(mesh.graph, mesh.positions);
       for (std::size_t i = 0; i < deltas.size(); ++i) deltas[i][i % 3] += 0.1 * static_cast<double>(i % 4);
-      const auto solver = make_direct_solver(mesh.graph, anchors);
-      ASSERT_TRUE(solver);
+      const DirectSolver solver(mesh.graph, anchors);
       std::vector<Vec3> x(mesh.positions.size());
-      ASSERT_TRUE((*solver)->solve(deltas, positions_at(mesh, anchors), x));
+      solver.solve(deltas, positions_at(mesh, anchors), x);
       const auto expected = solve_dense(mesh.graph, anchors, deltas, positions_at(mesh, anchors));
       EXPECT_LT(largest_difference(x, expected), 1e-9);
     }
@@ -99,36 +97,31 @@ TEST(DirectSolver, AgreesWithDenseLeastSquaresAroundHubs) {
 TEST(DirectSolver, AHubOfManyNeighboursCostsNoMoreThanItsEdges) {
   const GraphMesh mesh = test::fan(100000);
   const std::vector<std::uint32_t> anchors{17};
-  const auto solver = make_direct_solver(mesh.graph, anchors);
-  ASSERT_TRUE(solver);
+  const DirectSolver solver(mesh.graph, anchors);
   std::vector<Vec3> x(mesh.positions.size());
-  ASSERT_TRUE(
-      (*solver)->solve(delta_coordinates(mesh.graph, mesh.positions), positions_at(mesh, anchors), x));
+  solver.solve(delta_coordinates(mesh.graph, mesh.positions), positions_at(mesh, anchors), x);
   EXPECT_LT(largest_difference(x, mesh.positions), 1e-6);
 }
 
 TEST(DirectSolver, ReturnsThePositionsThatExactDeltasCameFrom) {
   const GraphMesh mesh = test::sheet(60, 50);
-  const auto anchors = place_anchors(mesh.graph, mesh.components, {}).vertices;
-  const auto solver = make_direct_solver(mesh.graph, anchors);
-  ASSERT_TRUE(solver);
+  const auto anchors = test::anchors_of(mesh, 15);
+  const DirectSolver solver(mesh.graph, anchors);
   std::vector<Vec3> x(mesh.positions.size());
-  ASSERT_TRUE(
-      (*solver)->solve(delta_coordinates(mesh.graph, mesh.positions), positions_at(mesh, anchors), x));
+  solver.solve(delta_coordinates(mesh.graph, mesh.positions), positions_at(mesh, anchors), x);
   EXPECT_LT(largest_difference(x, mesh.positions), 1e-9);
 }
 
 TEST(DirectSolver, ServesManyRightHandSides) {
   const GraphMesh mesh = test::sheet(12, 12);
   const std::vector<std::uint32_t> anchors{0, 77, 143};
-  const auto solver = make_direct_solver(mesh.graph, anchors);
-  ASSERT_TRUE(solver);
+  const DirectSolver solver(mesh.graph, anchors);
   std::vector<Vec3> x(mesh.positions.size());
   std::vector<Vec3> twice(mesh.positions.size());
   const auto deltas = delta_coordinates(mesh.graph, mesh.positions);
-  ASSERT_TRUE((*solver)->solve(std::vector<Vec3>(deltas.size()), positions_at(mesh, anchors), twice));
-  ASSERT_TRUE((*solver)->solve(deltas, positions_at(mesh, anchors), x));
-  ASSERT_TRUE((*solver)->solve(deltas, positions_at(mesh, anchors), twice));
+  solver.solve(std::vector<Vec3>(deltas.size()), positions_at(mesh, anchors), twice);
+  solver.solve(deltas, positions_at(mesh, anchors), x);
+  solver.solve(deltas, positions_at(mesh, anchors), twice);
   EXPECT_EQ(x, twice);
 }
 
