@@ -28,8 +28,8 @@ constexpr bool is_dense(std::uint64_t glued, std::uint64_t manifold_count) noexc
   return glued * kDenseShare > manifold_count;
 }
 
-/// The first face at every directed edge, over vertices of the mesh. The first edges out of a vertex are a
-/// list; a stream can give a vertex any number, so that the others are in a tree, which costs more.
+/// The faces at every directed edge, over vertices of the mesh. The first faces at a vertex are a list; a
+/// stream can give a vertex any number, so that the others are in a tree, which costs more.
 class EdgeApexes {
  public:
   /// Never more than so many vertices and edges.
@@ -44,33 +44,28 @@ class EdgeApexes {
     std::uint32_t mirrored = kNoIndex;  ///< of the first of two or more with the opposite direction
   };
 
-  Guesses guess(std::uint32_t from, std::uint32_t to) {
-    Guesses guesses;
-    if (const Edge* edge = find(from, to); edge != nullptr) guesses.same = edge->apex;
-    if (const Edge* edge = find(to, from); edge != nullptr && edge->faces > 1) guesses.mirrored = edge->apex;
-    return guesses;
+  Guesses guess(std::uint32_t from, std::uint32_t to) const {
+    const Edge opposite = find(to, from);
+    return {.same = find(from, to).apex, .mirrored = opposite.faces > 1 ? opposite.apex : kNoIndex};
   }
 
   void add(const std::array<std::uint32_t, 3>& face) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      Edge& edge = find_or_add(face[k], face[(k + 1) % 3]);
-      if (edge.faces++ == 0) edge.apex = face[(k + 2) % 3];
-    }
+    for (std::size_t k = 0; k < 3; ++k) add(face[k], face[(k + 1) % 3], face[(k + 2) % 3]);
   }
 
  private:
   static constexpr unsigned kMostListed = 24;
   struct Edge {
-    std::uint32_t apex = 0;
+    std::uint32_t apex = kNoIndex;  ///< of the first face
     std::uint32_t faces = 0;
   };
   struct Listed {
-    Edge edge;
     std::uint32_t to;
-    std::uint32_t next;  ///< of the same vertex
+    std::uint32_t apex;
+    std::uint32_t before;  ///< that of the same vertex
   };
   struct Head {
-    std::uint32_t first = kNoIndex;
+    std::uint32_t last = kNoIndex;
     std::uint32_t count = 0;
   };
 
@@ -78,24 +73,33 @@ class EdgeApexes {
     return std::uint64_t{from} << 32 | to;
   }
 
-  Edge* find(std::uint32_t from, std::uint32_t to) {
-    if (from >= heads_.size()) return nullptr;
-    for (std::uint32_t i = heads_[from].first; i != kNoIndex; i = listed_[i].next)
-      if (listed_[i].to == to) return &listed_[i].edge;
-    if (heads_[from].count < kMostListed) return nullptr;
-    const auto it = more_.find(key(from, to));
-    return it == more_.end() ? nullptr : &it->second;
+  Edge find(std::uint32_t from, std::uint32_t to) const {
+    Edge edge;
+    if (from >= heads_.size()) return edge;
+    const Head& head = heads_[from];
+    if (head.count == kMostListed) {
+      const auto it = more_.find(key(from, to));
+      if (it != more_.end()) edge = it->second;
+    }
+    for (std::uint32_t i = head.last; i != kNoIndex; i = listed_[i].before) {
+      if (listed_[i].to != to) continue;
+      edge.apex = listed_[i].apex;
+      ++edge.faces;
+    }
+    return edge;
   }
 
-  Edge& find_or_add(std::uint32_t from, std::uint32_t to) {
-    if (Edge* edge = find(from, to); edge != nullptr) return *edge;
+  void add(std::uint32_t from, std::uint32_t to, std::uint32_t apex) {
     if (from >= heads_.size()) heads_.resize(std::size_t{from} + 1, Head{});
     Head& head = heads_[from];
-    if (head.count == kMostListed) return more_[key(from, to)];
+    if (head.count == kMostListed) {
+      Edge& edge = more_[key(from, to)];
+      if (edge.faces++ == 0) edge.apex = apex;
+      return;
+    }
     ++head.count;
-    listed_.push_back({.edge = {}, .to = to, .next = head.first});
-    head.first = static_cast<std::uint32_t>(listed_.size() - 1);
-    return listed_.back().edge;
+    listed_.push_back({.to = to, .apex = apex, .before = head.last});
+    head.last = static_cast<std::uint32_t>(listed_.size() - 1);
   }
 
   LargeVector<Head> heads_;  ///< of every vertex up to the last that came
