@@ -108,12 +108,10 @@ class LatticeCoder {
       guess(first, cells);
       guess(second, cells);
     }
-    code_axis(coder, 0, first);
-    code_axis(coder, 0, second);
-    code_axis(coder, 1, first);
-    code_axis(coder, 1, second);
-    code_axis(coder, 2, first);
-    code_axis(coder, 2, second);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      code_axis(coder, axis, first);
+      code_axis(coder, axis, second);
+    }
     give_back<Coder>(coder, coder_);
     if (is_beyond(first) || is_beyond(second)) return "POSN-7";
     end(first, cells);
