@@ -29,4 +29,8 @@ bool code_coding_order(Coder& coder, CodingOrder& coding_order) {
 /// The vertex at every place of the order; empty for kAsDecoded. O(n + m).
 std::vector<std::uint32_t> ordered_vertices(const FaceList& list, CodingOrder coding_order);
 
+/// What is known of the vertex at every place when those before it are. `order`: as ordered_vertices() makes
+/// it. O(n + m).
+KnownFaces known_in_order(const FaceList& list, CodingOrder coding_order, std::vector<std::uint32_t>& order);
+
 }  // namespace deltamesh

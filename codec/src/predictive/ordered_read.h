@@ -45,18 +45,17 @@ inline std::vector<float> to_rows(std::span<const Cell> cells, const PositionLat
   });
 }
 
-/// n x 3, by vertex of `faces`. `read(reader, order)` reads what follows the coding order: n x 3, by place in
-/// `order`, which is empty where that is the vertices' own. Errors: those of `read`, kInvalidStream
+/// n x 3, by vertex. `read(reader, coding_order, order)` reads what follows the coding order and makes
+/// `order` as ordered_vertices() does: n x 3, by place in it. Errors: those of `read`, kInvalidStream
 /// [POSN-10].
 template <class Read>
-Result<std::vector<float>> read_in_order(std::span<const std::byte> bytes, const FaceList& faces,
-                                         const Read& read) {
+Result<std::vector<float>> read_in_order(std::span<const std::byte> bytes, const Read& read) {
   CompactReader reader(bytes);
   CodingOrder coding_order{};
   if (!code_coding_order(reader, coding_order))
     return broken_positions("an order of vertices that is not known", "POSN-10");
-  const auto order = ordered_vertices(faces, coding_order);
-  DELTAMESH_TRY(auto ordered, read(reader, order));
+  std::vector<std::uint32_t> order;
+  DELTAMESH_TRY(auto ordered, read(reader, coding_order, order));
   if (order.empty()) return ordered;
   std::vector<float> rows(ordered.size());
   for (std::size_t i = 0; i < order.size(); ++i)

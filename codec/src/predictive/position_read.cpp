@@ -48,9 +48,10 @@ Result<std::vector<float>> read_lattice(CompactReader& reader, const KnownFaces&
 Result<std::vector<float>> read_lattice_positions(std::span<const std::byte> bytes, const FaceList& list,
                                                   const PositionLattice& lattice,
                                                   const Learning<PositionModels>& learning) {
-  return read_in_order(bytes, list, [&](CompactReader& reader, std::span<const std::uint32_t> order) {
-    return read_lattice(reader, KnownFaces(list, order), lattice, learning);
-  });
+  return read_in_order(
+      bytes, [&](CompactReader& reader, CodingOrder coding_order, std::vector<std::uint32_t>& order) {
+        return read_lattice(reader, known_in_order(list, coding_order, order), lattice, learning);
+      });
 }
 
 }  // namespace

@@ -94,12 +94,14 @@ std::vector<std::byte> write_positions(const FaceList& faces, std::span<const Ce
                                        const PredictiveParameters& parameters, const PositionForm& form,
                                        std::span<const Patch> patches, const PositionModels* start) {
   if (cells.empty()) return {};
-  const auto order = ordered_vertices(faces, form.coding_order);
-  if (parameters.kind == PositionKind::kVoxel)
+  if (parameters.kind == PositionKind::kVoxel) {
+    const auto order = ordered_vertices(faces, form.coding_order);
     return write_voxels(VoxelFaces(faces, order, start == nullptr), in_order(cells, order), parameters,
                         form.coding_order, start);
-  return write_cells(KnownFaces(faces, order), in_order(cells, order), parameters, form,
-                     in_order(patches, order), start);
+  }
+  std::vector<std::uint32_t> order;
+  const KnownFaces known = known_in_order(faces, form.coding_order, order);
+  return write_cells(known, in_order(cells, order), parameters, form, in_order(patches, order), start);
 }
 
 std::vector<std::byte> write_floats(const FaceList& faces, std::span<const Vec3> positions, const Box& box,
@@ -109,9 +111,9 @@ std::vector<std::byte> write_floats(const FaceList& faces, std::span<const Vec3>
   for (std::size_t v = 0; v < floats.size(); ++v)
     for (std::size_t axis = 0; axis < 3; ++axis)
       floats[v][axis] = ordinal_of(static_cast<float>(positions[v][axis]));
-  const auto order = ordered_vertices(faces, form.coding_order);
-  return write_ordinals(KnownFaces(faces, order), in_order(std::span<const Ordinals>(floats), order),
-                        float_units(box), form);
+  std::vector<std::uint32_t> order;
+  const KnownFaces known = known_in_order(faces, form.coding_order, order);
+  return write_ordinals(known, in_order(std::span<const Ordinals>(floats), order), float_units(box), form);
 }
 
 }  // namespace deltamesh

@@ -51,17 +51,18 @@ Result<std::vector<float>> read_voxels(CompactReader& reader, const VoxelFaces& 
 Result<std::vector<float>> read_rare_positions(std::span<const std::byte> bytes, const FaceList& list,
                                                const PredictiveParameters& parameters, const Box& box,
                                                const Learning<PositionModels>& learning) {
-  return read_in_order(
-      bytes, list,
-      [&](CompactReader& reader, std::span<const std::uint32_t> order) -> Result<std::vector<float>> {
-        if (parameters.kind == PositionKind::kVoxel)
-          return read_voxels(reader, VoxelFaces(list, order, learning.start == nullptr), parameters,
-                             learning);
-        const KnownFaces faces(list, order);
-        BlendTable blends{};
-        code_blends(reader, blends);
-        return read_floats(reader, faces, blends, box);
-      });
+  const auto read = [&](CompactReader& reader, CodingOrder coding_order,
+                        std::vector<std::uint32_t>& order) -> Result<std::vector<float>> {
+    if (parameters.kind == PositionKind::kVoxel) {
+      order = ordered_vertices(list, coding_order);
+      return read_voxels(reader, VoxelFaces(list, order, learning.start == nullptr), parameters, learning);
+    }
+    const KnownFaces faces = known_in_order(list, coding_order, order);
+    BlendTable blends{};
+    code_blends(reader, blends);
+    return read_floats(reader, faces, blends, box);
+  };
+  return read_in_order(bytes, read);
 }
 
 }  // namespace deltamesh

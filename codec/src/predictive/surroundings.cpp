@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "predictive/turned_face.h"
-
 namespace deltamesh {
 
 std::uint32_t count_with_faces(const FaceList& list) noexcept {
@@ -22,33 +20,15 @@ std::uint32_t count_with_faces(const FaceList& list) noexcept {
   return count;
 }
 
-KnownFaces::KnownFaces(const FaceList& list, std::span<const std::uint32_t> order)
-    : vertex_count_(list.vertex_count) {
-  if (order.empty()) {
-    add_all(list.triangles);
-    return;
-  }
-  add_all(placed_corners(list.triangles, order));
-}
-
-void KnownFaces::add_all(std::span<const std::uint32_t> triangles) {
-  stars_.assign(count_with_faces({triangles, vertex_count_}), Star{});
+KnownFaces::KnownFaces(const FaceList& list)
+    : stars_(count_with_faces(list), Star{}), vertex_count_(list.vertex_count) {
   Star* const stars = stars_.data();
-  for (std::size_t i = 0; i < triangles.size(); i += 3) {
-    const std::uint32_t* const corners = triangles.data() + i;
+  for (std::size_t i = 0; i < list.triangles.size(); i += 3) {
+    const std::uint32_t* const corners = list.triangles.data() + i;
     for (std::size_t k = 0; k < 3; ++k) ++stars[corners[k]].faces;
     const TurnedFace face = turned_face(corners[0], corners[1], corners[2]);
     if (face.is_whole()) stars[face.last].add(face.a, face.b);
   }
-}
-
-std::vector<std::uint32_t> placed_corners(std::span<const std::uint32_t> triangles,
-                                          std::span<const std::uint32_t> order) {
-  std::vector<std::uint32_t> place(order.size());
-  for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
-  std::vector<std::uint32_t> placed(triangles.begin(), triangles.end());
-  for (std::uint32_t& v : placed) v = place[v];
-  return placed;
 }
 
 }  // namespace deltamesh

@@ -9,11 +9,11 @@
 #include <bit>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "base/four_ints.h"
 #include "base/large_vector.h"
 #include "base/pick_lanes.h"
+#include "predictive/turned_face.h"
 
 namespace deltamesh {
 
@@ -27,10 +27,6 @@ struct FaceList {
 std::uint32_t count_with_faces(const FaceList& list) noexcept;
 
 inline constexpr std::uint32_t kNoVertex = 0xffffffff;
-
-/// The corners, numbered by their places in `order`.
-std::vector<std::uint32_t> placed_corners(std::span<const std::uint32_t> triangles,
-                                          std::span<const std::uint32_t> order);
 
 /// A face whose two other corners come before a vertex, and what is across the edge between these.
 struct KnownFace {
@@ -68,9 +64,21 @@ struct NearCorners {
 /// The first known faces of every vertex.
 class KnownFaces {
  public:
-  /// `order`: the vertices in coding order, by which they are numbered here; empty where they are already.
-  /// O(n + m); memory for the vertices up to the last one with a face.
-  explicit KnownFaces(const FaceList& list, std::span<const std::uint32_t> order = {});
+  /// Vertices in the order of their numbers. O(n + m); memory for those up to the last one with a face.
+  explicit KnownFaces(const FaceList& list);
+
+  /// For begin() and add(), by which vertices are numbered in their order. The first `with_faces` have to
+  /// come; none after them has a face.
+  KnownFaces(std::uint32_t vertex_count, std::uint32_t with_faces)
+      : stars_(with_faces), vertex_count_(vertex_count) {}
+  /// A vertex, of which nothing is known so far. `faces`: at it, whatever their other corners.
+  void begin(std::uint32_t vertex, std::uint32_t faces) noexcept {
+    if (vertex < stars_.size()) stars_[vertex] = Star{.faces = faces};
+  }
+  /// A face of the vertex that began last, after those that come before it in the list.
+  void add(const TurnedFace& face) noexcept {
+    if (face.is_whole()) stars_[face.last].add(face.a, face.b);
+  }
 
   std::uint32_t vertex_count() const noexcept { return vertex_count_; }
   Surroundings around(std::uint32_t vertex) const noexcept;
@@ -108,7 +116,6 @@ class KnownFaces {
     }
   };
 
-  void add_all(std::span<const std::uint32_t> triangles);
   std::uint32_t across(std::uint32_t a, std::uint32_t b) const noexcept;
 
   LargeVector<Star> stars_;  ///< of vertices up to the last one with a face

@@ -3,6 +3,19 @@
 #include "predictive/voxel_faces.h"
 
 namespace deltamesh {
+namespace {
+
+/// The corners, numbered by their places in `order`.
+std::vector<std::uint32_t> placed_corners(std::span<const std::uint32_t> triangles,
+                                          std::span<const std::uint32_t> order) {
+  std::vector<std::uint32_t> place(order.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
+  std::vector<std::uint32_t> placed(triangles.begin(), triangles.end());
+  for (std::uint32_t& v : placed) v = place[v];
+  return placed;
+}
+
+}  // namespace
 
 VoxelFaces::VoxelFaces(const FaceList& list, std::span<const std::uint32_t> order, bool two_sequences)
     : vertex_count_(list.vertex_count),

@@ -100,7 +100,8 @@ TEST(CodingOrder, FindsMoreParallelograms) {
   for (std::uint32_t& v : triangles) v = number[v];
   const FaceList faces{triangles, static_cast<std::uint32_t>(number.size())};
   for (const CodingOrder coding_order : {CodingOrder::kBroad, CodingOrder::kDeep}) {
-    const KnownFaces ordered(faces, ordered_vertices(faces, coding_order));
+    std::vector<std::uint32_t> order;
+    const KnownFaces ordered = known_in_order(faces, coding_order, order);
     EXPECT_GT(parallelograms(ordered), 3 * sheet.positions.size() / 2);
     EXPECT_GT(parallelograms(ordered), parallelograms(KnownFaces(faces)));
   }

@@ -380,7 +380,7 @@ TEST(Guesses, PayWhereCoordinatesComeAgainFarFromWhatIsExpected) {
   const std::array<std::uint32_t, 3> largest = {1U << 20, 1U << 20, 1U << 20};
   EXPECT_TRUE(guesses_pay(faces, prism, largest, kUsualBlends));
   EXPECT_FALSE(guesses_pay(faces, rough, largest, kUsualBlends));
-  EXPECT_FALSE(guesses_pay(KnownFaces({{}, 0}), {}, largest, kUsualBlends));
+  EXPECT_FALSE(guesses_pay(KnownFaces(FaceList{}), {}, largest, kUsualBlends));
 }
 
 TEST(AxisValues, AscendAsNumbersDo) {

@@ -11,6 +11,7 @@
 #include <cstdlib>
 
 #include "predictive/blend.h"
+#include "predictive/coding_order.h"
 #include "predictive/pair_place.h"
 #include "predictive/residual_context.h"
 #include "support/graph_mesh.h"
@@ -102,19 +103,32 @@ TEST(Surroundings, POSN3AreAsWritten) {
 }
 
 TEST(Surroundings, POSN10OrderIsTheNumberOfAVertex) {
-  const test::GraphMesh mesh = test::sheet(9, 7);
-  std::vector<std::uint32_t> order(mesh.positions.size());
-  for (std::uint32_t i = 0; i < order.size(); ++i)
-    order[i] = static_cast<std::uint32_t>(order.size()) - 1 - i;
-  std::vector<std::uint32_t> triangles = mesh.triangles;
-  for (std::uint32_t& v : triangles) v = order[v];  // its own inverse
-  const auto count = static_cast<std::uint32_t>(order.size());
-  const KnownFaces ordered({mesh.triangles, count}, order);
-  const KnownFaces numbered({triangles, count});
-  for (std::uint32_t v = 0; v < count; ++v) {
-    EXPECT_EQ(ordered.around(v).known_count, numbered.around(v).known_count);
-    EXPECT_EQ(ordered.around(v).neighbor_count, numbered.around(v).neighbor_count);
-    EXPECT_EQ(ordered.around(v).parallelogram_count, numbered.around(v).parallelogram_count);
+  for (const test::GraphMesh& mesh : meshes()) {
+    const std::vector<std::uint32_t> faces = shuffled(mesh);
+    const auto count = static_cast<std::uint32_t>(mesh.positions.size()) + 3;
+    for (const CodingOrder coding_order :
+         {CodingOrder::kAsDecoded, CodingOrder::kBroad, CodingOrder::kDeep}) {
+      std::vector<std::uint32_t> order;
+      const KnownFaces ordered = known_in_order({faces, count}, coding_order, order);
+      ASSERT_EQ(order, ordered_vertices({faces, count}, coding_order));
+      std::vector<std::uint32_t> triangles = faces;
+      for (std::uint32_t& v : triangles)
+        if (!order.empty())
+          v = static_cast<std::uint32_t>(std::find(order.begin(), order.end(), v) - order.begin());
+      const KnownFaces numbered({triangles, count});
+      for (std::uint32_t v = 0; v < count; ++v) {
+        const Surroundings a = ordered.around(v);
+        const Surroundings b = numbered.around(v);
+        ASSERT_EQ(a.known_count, b.known_count);
+        EXPECT_EQ(a.faces, b.faces);
+        EXPECT_EQ(v > 0 && ordered.needs_previous(v), v > 0 && numbered.needs_previous(v));
+        for (unsigned i = 0; i < a.known_count; ++i) {
+          EXPECT_EQ(a.known[i].a, b.known[i].a);
+          EXPECT_EQ(a.known[i].b, b.known[i].b);
+          EXPECT_EQ(a.known[i].opposite, b.known[i].opposite);
+        }
+      }
+    }
   }
 }
 
@@ -230,9 +244,10 @@ TEST(Surroundings, TakeNoMemoryForVerticesWithoutFaces) {
 
 TEST(Surroundings, VerticesWithoutFacesMayBeAnywhere) {
   const std::vector<std::uint32_t> triangles = {1, 3, 5, 5, 3, 7};
-  const std::vector<std::uint32_t> order = {0, 9, 1, 3, 8, 5, 2, 7, 4, 6};
   const KnownFaces decoded({triangles, 10});
-  const KnownFaces ordered({triangles, 10}, order);
+  std::vector<std::uint32_t> order;
+  const KnownFaces ordered = known_in_order({triangles, 10}, CodingOrder::kBroad, order);
+  EXPECT_EQ(order, (std::vector<std::uint32_t>{0, 1, 2, 3, 5, 7, 4, 6, 8, 9}));
   for (std::uint32_t i = 0; i < 10; ++i) {
     const Surroundings around = ordered.around(i);
     EXPECT_EQ(around.known_count, decoded.around(order[i]).known_count) << i;
