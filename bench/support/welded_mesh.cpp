@@ -15,18 +15,6 @@ Vec3 position_of(const MeshView& mesh, std::uint32_t vertex) {
   return {mesh.positions[3 * vertex], mesh.positions[3 * vertex + 1], mesh.positions[3 * vertex + 2]};
 }
 
-Box box_of(const std::vector<Vec3>& positions) {
-  if (positions.empty()) return {};
-  Box box{positions.front(), positions.front()};
-  for (const Vec3& position : positions) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      box.min[axis] = std::min(box.min[axis], position[axis]);
-      box.max[axis] = std::max(box.max[axis], position[axis]);
-    }
-  }
-  return box;
-}
-
 }  // namespace
 
 WeldedMesh weld(const MeshView& mesh) {
@@ -47,7 +35,7 @@ WeldedMesh weld(const MeshView& mesh) {
     welded.triangles[corner] = number[welding.geometric[mesh.triangles[corner]]];
   welded.graph = build_adjacency(welded.triangles, static_cast<std::uint32_t>(welded.positions.size()));
   welded.components = find_components(welded.graph);
-  welded.box = box_of(welded.positions);
+  welded.box = Box::around(welded.positions);
   return welded;
 }
 

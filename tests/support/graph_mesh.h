@@ -27,13 +27,7 @@ struct GraphMesh {
 inline GraphMesh finish(GraphMesh mesh) {
   mesh.graph = build_adjacency(mesh.triangles, static_cast<std::uint32_t>(mesh.positions.size()));
   mesh.components = find_components(mesh.graph);
-  if (!mesh.positions.empty()) mesh.box = {mesh.positions.front(), mesh.positions.front()};
-  for (const Vec3& position : mesh.positions) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      mesh.box.min[axis] = std::min(mesh.box.min[axis], position[axis]);
-      mesh.box.max[axis] = std::max(mesh.box.max[axis], position[axis]);
-    }
-  }
+  mesh.box = Box::around(mesh.positions);
   return mesh;
 }
 

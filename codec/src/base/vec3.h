@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <span>
 
 namespace deltamesh {
 
@@ -48,6 +49,12 @@ struct Box {
   static constexpr Box empty() noexcept {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     return {{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+  }
+  /// Of `points`; one point at 0 where there are none.
+  static Box around(std::span<const Vec3> points) noexcept {
+    Box box = points.empty() ? Box{} : empty();
+    for (const Vec3& point : points) box.add(point);
+    return box;
   }
   bool is_empty() const noexcept { return min[0] > max[0]; }
   void add(const Vec3& p) noexcept {

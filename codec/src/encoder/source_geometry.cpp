@@ -17,13 +17,6 @@ std::vector<Vec3> gather_positions(const MeshView& mesh, const std::vector<std::
   return positions;
 }
 
-Box box_of(const std::vector<Vec3>& positions) noexcept {
-  if (positions.empty()) return {};
-  Box box = Box::empty();
-  for (const Vec3& position : positions) box.add(position);
-  return box;
-}
-
 /// All edges of the coded mesh, which the connectivity's writer has mostly met already.
 MeshEdges edges_of(const CodedTopology& topology) {
   const CodedConnectivity& coded = topology.connectivity;
@@ -39,7 +32,7 @@ MeshEdges edges_of(const CodedTopology& topology) {
 
 SourceGeometry::SourceGeometry(const MeshView& mesh, const CodedTopology& topology)
     : positions(gather_positions(mesh, topology.geometric_input)),
-      box(box_of(positions)),
+      box(Box::around(positions)),
       triangles(topology.connectivity.triangles),
       graph(triangles, topology.geometric_count()),
       edges(edges_of(topology)) {}

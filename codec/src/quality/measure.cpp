@@ -16,24 +16,12 @@ namespace {
 /// Edges count as at least this share of the diagonal, so that zero-length edges do not divide by zero.
 constexpr double kShortestEdge = 1e-9;
 
-double diagonal_of(std::span<const Vec3> positions) noexcept {
-  if (positions.empty()) return 0;
-  Box box{positions.front(), positions.front()};
-  for (const Vec3& position : positions) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      box.min[axis] = std::min(box.min[axis], position[axis]);
-      box.max[axis] = std::max(box.max[axis], position[axis]);
-    }
-  }
-  return box.diagonal();
-}
-
 /// Weighted sums over the edges at every vertex of a mesh, first lane, and of its decoded twin, second lane
 /// (eqs. 1, 2).
 class LaplacianPair {
  public:
   LaplacianPair(std::span<const Vec3> original, std::span<const Vec3> decoded)
-      : original_(original), decoded_(decoded), shortest_(kShortestEdge * diagonal_of(original)) {
+      : original_(original), decoded_(decoded), shortest_(kShortestEdge * Box::around(original).diagonal()) {
     reserve_large(sums_, original.size());
     sums_.resize(original.size());
   }
