@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "attributes/attribute_payload.h"
-#include "decoder/check_limits.h"
 #include "decoder/stream_decoder.h"
 #include "format/container.h"
 #include "outcome.h"
@@ -135,8 +134,6 @@ StreamOutcome* decode_stream(const std::byte* stream, std::size_t bytes, double 
                                          .triangles = static_cast<std::uint64_t>(triangles),
                                          .attributes = static_cast<std::uint32_t>(attributes),
                                          .attribute_bytes = static_cast<std::uint64_t>(attribute_bytes)}};
-  if (const auto checked = check_limits(kept->container.header(), options.limits); !checked)
-    return fail(checked.error());
   auto mesh = decode_container(kept->container, options, nullptr);
   if (!mesh) return fail(mesh.error());
   kept->mesh = *std::move(mesh);

@@ -4,18 +4,13 @@
 // The place of the highest bit, without the test for 0 that the standard's functions make.
 #pragma once
 
-#include <bit>
 #include <cstdint>
 
 namespace deltamesh {
 
 /// `x`: above 0.
 constexpr unsigned floor_log2(std::uint64_t x) noexcept {
-#if defined(__GNUC__)
   return 63U ^ static_cast<unsigned>(__builtin_clzll(x));
-#else
-  return static_cast<unsigned>(std::bit_width(x)) - 1;
-#endif
 }
 
 }  // namespace deltamesh

@@ -21,10 +21,22 @@
 #endif
 
 namespace deltamesh {
+namespace {
+
+/// Of what has no pages of its own: a line of the cache, and what elements of vectors ask for.
+constexpr std::align_val_t kAlignment{64};
+
+}  // namespace
 
 #if defined(__linux__) && defined(MADV_HUGEPAGE) && !defined(DELTAMESH_WATCHES_HEAP)
 
 namespace {
+
+/// Smaller than some systems' large pages, which then are not used.
+constexpr std::size_t kLargePage = std::size_t{1} << 21;
+
+/// Smaller arrays are like any others.
+constexpr bool has_own_pages(std::size_t bytes) noexcept { return bytes >= kLargePage / 2; }
 
 /// From `address` to the next large page, 0 where one begins there.
 std::size_t bytes_before_page(const void* address) noexcept {
@@ -42,7 +54,8 @@ std::size_t mapped_size(std::size_t bytes) noexcept {
 }  // namespace
 
 /// Not from the heap, which would keep much of what is freed: a decoder's peak would be a seventh higher.
-void* allocate_pages(std::size_t bytes) {
+void* allocate_large(std::size_t bytes) {
+  if (!has_own_pages(bytes)) return ::operator new(bytes, kAlignment);
   const std::size_t size = mapped_size(bytes);
   void* const mapped =
       mmap(nullptr, size + kLargePage, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
@@ -55,7 +68,13 @@ void* allocate_pages(std::size_t bytes) {
   return begin;
 }
 
-void free_pages(void* memory, std::size_t bytes) noexcept { munmap(memory, mapped_size(bytes)); }
+void free_large(void* memory, std::size_t bytes) noexcept {
+  if (has_own_pages(bytes)) {
+    munmap(memory, mapped_size(bytes));
+  } else {
+    ::operator delete(memory, kAlignment);
+  }
+}
 
 void want_large_pages(void* memory, std::size_t bytes) noexcept {
   const std::size_t before = bytes_before_page(memory);
@@ -66,8 +85,8 @@ void want_large_pages(void* memory, std::size_t bytes) noexcept {
 
 #else
 
-void* allocate_pages(std::size_t bytes) { return ::operator new (bytes, std::align_val_t{64}); }
-void free_pages(void* memory, std::size_t) noexcept { ::operator delete (memory, std::align_val_t{64}); }
+void* allocate_large(std::size_t bytes) { return ::operator new(bytes, kAlignment); }
+void free_large(void* memory, std::size_t) noexcept { ::operator delete(memory, kAlignment); }
 void want_large_pages(void*, std::size_t) noexcept {}
 
 #endif

@@ -8,13 +8,10 @@
 
 namespace deltamesh {
 
-/// Smaller than some systems' large pages, which then are not used.
-inline constexpr std::size_t kLargePage = std::size_t{1} << 21;
-
-/// `bytes`, with anything in them; throws std::bad_alloc. What is touched may take up whole large pages, but
-/// for an end of less than half a one.
-void* allocate_pages(std::size_t bytes);
-void free_pages(void* memory, std::size_t bytes) noexcept;
+/// `bytes`, aligned to 64, with anything in them; throws std::bad_alloc. For arrays that will be filled: as
+/// little as the first byte may take up a whole large page.
+void* allocate_large(std::size_t bytes);
+void free_large(void* memory, std::size_t bytes) noexcept;
 
 /// Asks for large pages where `memory`, which some other allocator gave, fills them and is untouched so far.
 /// Only a hint, as that may be refused. Most of the bytes are to be written. Memory of the heap stays so

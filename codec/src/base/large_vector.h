@@ -24,11 +24,6 @@ inline constexpr bool kHasLargeArrays = false;
 inline constexpr bool kHasLargeArrays = true;
 #endif
 
-/// At least `bytes`, from kLargeArray on, not cleared; throws std::bad_alloc. For arrays that will be filled:
-/// as little as the first byte may take up a whole large page.
-void* allocate_large(std::size_t bytes);
-void free_large(void* memory, std::size_t bytes) noexcept;
-
 /// For containers, which ask for no more than can be addressed. An element without a value is
 /// default-initialised, which leaves numbers as they are.
 template <class T>

@@ -9,12 +9,7 @@ namespace deltamesh {
 /// The lanes of `a` and then of `b` at these places, of which there are as many as a vector has lanes.
 template <int... kPlaces, class Lanes>
 constexpr Lanes pick_lanes(Lanes a, Lanes b) noexcept {
-#if __has_builtin(__builtin_shufflevector)
   return __builtin_shufflevector(a, b, kPlaces...);
-#else  // GCC 11
-  using Places = decltype(a == b);
-  return __builtin_shuffle(a, b, Places{kPlaces...});
-#endif
 }
 template <int... kPlaces, class Lanes>
 constexpr Lanes pick_lanes(Lanes lanes) noexcept {

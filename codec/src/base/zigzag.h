@@ -4,24 +4,20 @@
 // Signed integers as unsigned ones of small value: 0, -1, 1, -2, ... become 0, 1, 2, 3, ... [CON-4].
 #pragma once
 
-#include <cstdint>
+#include <type_traits>
 
 namespace deltamesh {
 
-constexpr std::uint32_t zigzag(std::int32_t value) noexcept {
-  return (static_cast<std::uint32_t>(value) << 1) ^ static_cast<std::uint32_t>(value >> 31);
+/// `T`: of 32 or 64 bits.
+template <class T>
+constexpr std::make_unsigned_t<T> zigzag(T value) noexcept {
+  using Code = std::make_unsigned_t<T>;
+  return (static_cast<Code>(value) << 1) ^ static_cast<Code>(value >> (8 * sizeof(T) - 1));
 }
 
-constexpr std::int32_t unzigzag(std::uint32_t code) noexcept {
-  return static_cast<std::int32_t>((code >> 1) ^ (~(code & 1) + 1));
-}
-
-constexpr std::uint64_t zigzag(std::int64_t value) noexcept {
-  return (static_cast<std::uint64_t>(value) << 1) ^ static_cast<std::uint64_t>(value >> 63);
-}
-
-constexpr std::int64_t unzigzag(std::uint64_t code) noexcept {
-  return static_cast<std::int64_t>((code >> 1) ^ (~(code & 1) + 1));
+template <class Code>
+constexpr std::make_signed_t<Code> unzigzag(Code code) noexcept {
+  return static_cast<std::make_signed_t<Code>>((code >> 1) ^ (~(code & 1) + 1));
 }
 
 }  // namespace deltamesh

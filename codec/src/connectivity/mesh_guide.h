@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "base/large_vector.h"
-#include "base/prefetch.h"
 #include "connectivity/border.h"
 #include "connectivity/connectivity.h"
 #include "connectivity/cut.h"
@@ -182,7 +181,7 @@ class MeshGuide {
     if (across == kNoIndex) return;
     links_[across] = kItem | item;
     // The face across is asked for soon, and lies anywhere.
-    prefetch(&triangles_[across]);
+    __builtin_prefetch(&triangles_[across]);
   }
 
   std::span<const std::uint32_t> triangles_;

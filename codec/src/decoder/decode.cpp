@@ -8,7 +8,6 @@
 #include "base/guard.h"
 #include "base/thread_team.h"
 #include "base/try.h"
-#include "decoder/check_limits.h"
 #include "decoder/stream_decoder.h"
 #include "deltamesh/stream_info.h"
 #include "format/container.h"
@@ -30,7 +29,6 @@ unsigned thread_count(const DecodeOptions& options, std::size_t bytes) {
 Result<Mesh> decode(std::span<const std::byte> stream, const DecodeOptions& options) noexcept {
   return guarded([&]() -> Result<Mesh> {
     DELTAMESH_TRY(const auto container, Container::open(stream));
-    DELTAMESH_CHECK(check_limits(container.header(), options.limits));
     std::optional<ThreadTeam> team;
     if (const unsigned threads = thread_count(options, stream.size()); threads > 1) team.emplace(threads);
     return decode_container(container, options, team ? &*team : nullptr);

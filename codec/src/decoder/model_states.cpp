@@ -6,7 +6,6 @@
 
 #include "base/guard.h"
 #include "base/try.h"
-#include "decoder/check_limits.h"
 #include "decoder/stream_decoder.h"
 #include "format/container.h"
 #include "states/stream_models.h"
@@ -19,7 +18,6 @@ Result<ModelStates> ModelStates::learn(std::span<const std::byte> stream,
                                        const DecodeOptions& options) noexcept {
   return guarded([&]() -> Result<ModelStates> {
     DELTAMESH_TRY(const auto container, Container::open(stream));
-    DELTAMESH_CHECK(check_limits(container.header(), options.limits));
     auto models = std::make_shared<StreamModels>();
     DELTAMESH_TRY([[maybe_unused]] const Mesh mesh,
                   decode_container(container, options, nullptr, models.get()));

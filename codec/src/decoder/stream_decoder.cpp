@@ -39,6 +39,19 @@ std::uint64_t max_payload(const FileHeader& header) noexcept {
   return 1024 + 160 * (std::uint64_t{header.vertices} + header.triangles);
 }
 
+Error limit_exceeded(const char* message) noexcept {
+  return {.code = ErrorCode::kLimitExceeded, .message = message};
+}
+
+/// Errors: kLimitExceeded.
+Result<void> check_limits(const FileHeader& header, const DecodeLimits& limits) noexcept {
+  if (header.vertices > limits.vertices) return limit_exceeded("more vertices than the caller's limit");
+  if (header.triangles > limits.triangles) return limit_exceeded("more triangles than the caller's limit");
+  if (header.attributes.size() > limits.attributes)
+    return limit_exceeded("more attributes than the caller's limit");
+  return {};
+}
+
 class StreamDecoder {
  public:
   StreamDecoder(const Container& container, const DecodeOptions& options, ThreadTeam* team,
@@ -222,6 +235,7 @@ class StreamDecoder {
 
 Result<Mesh> decode_container(const Container& container, const DecodeOptions& options, ThreadTeam* team,
                               StreamModels* learnt) {
+  DELTAMESH_CHECK(check_limits(container.header(), options.limits));
   return StreamDecoder(container, options, team, learnt).run();
 }
 

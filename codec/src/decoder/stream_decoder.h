@@ -14,8 +14,8 @@ namespace deltamesh {
 class ThreadTeam;
 struct StreamModels;
 
-/// The mesh in `container`, which keeps to the limits of vertices, triangles and attributes. On the threads
-/// of `team`; null: on this one. `learnt`: gets what coders learn, where it is wanted.
+/// The mesh in `container`. On the threads of `team`; null: on this one. `learnt`: gets what coders learn,
+/// where it is wanted.
 /// Errors: as decode(); throws std::bad_alloc.
 Result<Mesh> decode_container(const Container& container, const DecodeOptions& options, ThreadTeam* team,
                               StreamModels* learnt = nullptr);

@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/prefetch.h"
 #include "base/thread_team.h"
 #include "laplacian/multigrid/setup/row_sums.h"
 #include "laplacian/multigrid/setup/transposed.h"
@@ -57,7 +56,7 @@ class PathRows {
   void add_node(const std::uint32_t* member, RowSums& sums) const noexcept {
     const std::uint32_t* const offsets = fine_.offsets.data();
     const std::uint32_t* const neighbors = fine_.neighbors.data();
-    if (last_ - member > kAhead) prefetch(neighbors + offsets[member[kAhead]]);
+    if (last_ - member > kAhead) __builtin_prefetch(neighbors + offsets[member[kAhead]]);
     const std::uint32_t own = codes_[*member] / Aggregates::kSeed;
     const float shares[] = {kShares[own], kShares[own + 1]};
     const std::size_t end = offsets[*member + 1];
