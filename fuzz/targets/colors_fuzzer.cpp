@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -50,7 +51,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   if (read->size() != surface.vertex_count() * components * component_size(type)) std::abort();
-  const auto written = write_surface_colors(*read, type, components, 0, surface);
+  std::vector<std::uint32_t> order(surface.vertex_count());
+  std::iota(order.begin(), order.end(), 0U);
+  const AttributeView view{
+      .type = type, .components = static_cast<std::uint8_t>(components), .name = {}, .values = *read};
+  const auto written = write_surface_colors(type, AttributeRows(view, order), 0, surface);
   if (!written || written->values != *read) std::abort();
   const auto again = read_surface_colors(written->bytes, type, components, surface);
   if (!again || *again != *read) std::abort();

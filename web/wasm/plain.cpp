@@ -61,9 +61,8 @@ Result<void> read(const PlainCall& call, std::span<const std::byte> bytes) {
       break;
     }
     case PlainForm::kValues: {
-      Attribute attribute{.kind = call.kind, .type = call.type, .components = call.components};
-      DELTAMESH_CHECK(read_plain_values(bytes, attribute, first));
-      kept->bytes = std::move(attribute.values);
+      const Attribute shape{.kind = call.kind, .type = call.type, .components = call.components};
+      DELTAMESH_TRY(kept->bytes, read_plain_values(bytes, shape, first));
       hand_back(kept->bytes);
       break;
     }

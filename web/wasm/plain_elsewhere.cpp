@@ -75,15 +75,17 @@ Result<MeshOrder> read_plain_order(std::span<const std::byte> bytes, std::uint32
   return order;
 }
 
-Result<void> read_plain_values(std::span<const std::byte> payload, Attribute& attribute, std::uint32_t rows) {
+Result<std::vector<std::byte>> read_plain_values(std::span<const std::byte> payload, const Attribute& shape,
+                                                 std::uint32_t rows) {
   DELTAMESH_TRY(const auto returned, read({.form = PlainForm::kValues,
                                            .counts = {rows},
-                                           .kind = attribute.kind,
-                                           .type = attribute.type,
-                                           .components = attribute.components},
+                                           .kind = shape.kind,
+                                           .type = shape.type,
+                                           .components = shape.components},
                                           payload));
-  take_all(returned, attribute.values);
-  return {};
+  std::vector<std::byte> values;
+  take_all(returned, values);
+  return values;
 }
 
 }  // namespace deltamesh

@@ -3,13 +3,14 @@
 #include "attributes/attribute_error.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
-#include "attributes/attribute_payload.h"
-#include "attributes/component_lattice.h"
 #include "base/component.h"
 #include "base/portable_math.h"
+#include "format/attribute_descriptor.h"
 
 namespace deltamesh {
 namespace {
@@ -91,23 +92,19 @@ double attribute_error(const AttributeView& attribute, const AttributeRows& rows
   const bool is_angle = measures_angles(attribute);
   Row a{};
   Row b{};
-  with_fixed_size(component_size(attribute.type), [&](auto size) {
-    const std::byte* now = decoded.data();
-    for (std::size_t i = 0; i < rows.count(); ++i, now += attribute.components * size) {
-      const std::byte* source = rows.row(i);
-      bool differs = false;
-      for (std::size_t c = 0; c < attribute.components; ++c)
-        differs |= load_component(source + c * size, size) != load_component(now + c * size, size);
-      if (!differs) continue;
-      for (std::size_t c = 0; c < attribute.components; ++c) {
-        a[c] = number_of_bits(attribute.type, load_component(source + c * size, size));
-        b[c] = number_of_bits(attribute.type, load_component(now + c * size, size));
-      }
-      if (is_angle && a[3] == b[3] && !angle.may_grow(a, b)) continue;  // a normal has no sign
-      const double error = row_error(attribute, a, b);
-      if (!(error <= largest)) largest = std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
+  const std::size_t size = component_size(attribute.type);
+  const std::byte* now = decoded.data();
+  for (std::size_t i = 0; i < rows.count(); ++i, now += attribute.components * size) {
+    const std::byte* const source = rows.row(i);
+    if (std::memcmp(source, now, attribute.components * size) == 0) continue;
+    for (std::size_t c = 0; c < attribute.components; ++c) {
+      a[c] = load_component(attribute.type, source + c * size);
+      b[c] = load_component(attribute.type, now + c * size);
     }
-  });
+    if (is_angle && a[3] == b[3] && !angle.may_grow(a, b)) continue;  // a normal has no sign
+    const double error = row_error(attribute, a, b);
+    if (!(error <= largest)) largest = std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
+  }
   return largest;
 }
 

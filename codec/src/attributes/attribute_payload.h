@@ -4,10 +4,7 @@
 // How an ATTR payload codes its values [ATTR-2], and the shapes that each coding is for.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <cstring>
-#include <type_traits>
 
 #include "format/attribute_descriptor.h"
 
@@ -64,32 +61,5 @@ constexpr bool coding_fits(AttributeCoding coding, AttributeKind kind, Component
 
 /// Most bits a colour of this type is coded with.
 constexpr int max_color_bits(ComponentType type) noexcept { return type == ComponentType::kU8 ? 8 : 16; }
-
-/// Calls `copy` with `size`, 1, 2, 4 or 8, as a constant: compilers make a call of a copy of any size.
-template <class Copy>
-void with_fixed_size(std::size_t size, Copy copy) noexcept {
-  switch (size) {
-    case 1:
-      return copy(std::integral_constant<std::size_t, 1>{});
-    case 2:
-      return copy(std::integral_constant<std::size_t, 2>{});
-    case 4:
-      return copy(std::integral_constant<std::size_t, 4>{});
-    default:
-      return copy(std::integral_constant<std::size_t, 8>{});
-  }
-}
-
-/// The bits of the component at `bytes`, zero-extended. `size`: 1, 2, 4 or 8; little-endian, as machines are
-/// (base/machine.h).
-inline std::uint64_t load_component(const std::byte* bytes, std::size_t size) noexcept {
-  std::uint64_t value = 0;
-  with_fixed_size(size, [&](auto fixed) { std::memcpy(&value, bytes, fixed); });
-  return value;
-}
-
-inline void store_component(std::byte* bytes, std::size_t size, std::uint64_t value) noexcept {
-  with_fixed_size(size, [&](auto fixed) { std::memcpy(bytes, &value, fixed); });
-}
 
 }  // namespace deltamesh

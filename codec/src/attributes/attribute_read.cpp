@@ -18,46 +18,38 @@
 namespace deltamesh {
 namespace {
 
-/// What a coding may look at.
-struct Known {
-  const AttributeSurface& surface;
-  std::span<const Attribute> others;
-};
-
-Result<std::vector<float>> read_floats(AttributeCoding coding, std::span<const std::byte> bytes,
-                                       const Known& known) {
-  const AttributeSurface& surface = known.surface;
-  if (coding == AttributeCoding::kSurfaceNormals) return read_surface_normals(bytes, surface);
-  if (coding == AttributeCoding::kSurfaceUvs) return read_surface_uvs(bytes, surface);
-  return read_surface_tangents(bytes, surface, tangent_basis(known.others, surface.vertex_count()));
-}
-
-/// Of compact payloads.
-Result<void> read_on_surface(ByteReader& in, AttributeCoding coding, const Known& known,
-                             const Learning<ColorModels>& learning, Attribute& attribute) {
+/// Of a compact payload; the values of `shape`, whose own are not looked at.
+Result<std::vector<std::byte>> read_on_surface(ByteReader& in, AttributeCoding coding, const Attribute& shape,
+                                               const AttributeSurface& surface,
+                                               std::span<const Attribute> others,
+                                               const Learning<ColorModels>& learning) {
   DELTAMESH_TRY(const auto bytes, in.read_bytes(in.remaining()));
-  if (coding == AttributeCoding::kSurfaceColors) {
-    DELTAMESH_TRY(attribute.values,
-                  read_surface_colors(bytes, attribute.type, attribute.components, known.surface, learning));
-    return {};
+  std::vector<float> numbers;
+  switch (coding) {
+    case AttributeCoding::kSurfaceColors:
+      return read_surface_colors(bytes, shape.type, shape.components, surface, learning);
+    case AttributeCoding::kJoints:
+      return read_joints(bytes, shape, surface);
+    case AttributeCoding::kWeights:
+      return read_weights(bytes, shape, surface, joints_of_weights(others, surface.vertex_count()));
+    case AttributeCoding::kSurfaceNormals: {
+      DELTAMESH_TRY(numbers, read_surface_normals(bytes, surface));
+      break;
+    }
+    case AttributeCoding::kSurfaceUvs: {
+      DELTAMESH_TRY(numbers, read_surface_uvs(bytes, surface));
+      break;
+    }
+    case AttributeCoding::kSurfaceTangents: {
+      const TangentBasis basis = tangent_basis(others, surface.vertex_count());
+      DELTAMESH_TRY(numbers, read_surface_tangents(bytes, surface, basis));
+      break;
+    }
+    default:
+      return read_lattice(bytes, shape, surface);
   }
-  if (coding == AttributeCoding::kLattice) {
-    DELTAMESH_TRY(attribute.values, read_lattice(bytes, attribute, known.surface));
-    return {};
-  }
-  if (coding == AttributeCoding::kJoints) {
-    DELTAMESH_TRY(attribute.values, read_joints(bytes, attribute, known.surface));
-    return {};
-  }
-  if (coding == AttributeCoding::kWeights) {
-    const auto joints = joints_of_weights(known.others, known.surface.vertex_count());
-    DELTAMESH_TRY(attribute.values, read_weights(bytes, attribute, known.surface, joints));
-    return {};
-  }
-  DELTAMESH_TRY(const auto numbers, read_floats(coding, bytes, known));
   const auto values = std::as_bytes(std::span(numbers));
-  attribute.values.assign(values.begin(), values.end());
-  return {};
+  return std::vector<std::byte>(values.begin(), values.end());
 }
 
 /// The coding's byte, which fits shape and form of the payload [ATTR-2].
@@ -89,8 +81,9 @@ Result<Attribute> read_attribute(Payload payload, const AttributeDescriptor& des
                       .normalized = (descriptor.flags & 1) != 0,
                       .name = descriptor.name};
   DELTAMESH_TRY(const AttributeCoding coding, read_coding(in, descriptor, payload.is_compact));
-  DELTAMESH_CHECK(payload.is_compact ? read_on_surface(in, coding, {surface, others}, learning, attribute)
-                                     : read_plain_values(payload.bytes, attribute, surface.vertex_count()));
+  DELTAMESH_TRY(attribute.values, payload.is_compact
+                                      ? read_on_surface(in, coding, attribute, surface, others, learning)
+                                      : read_plain_values(payload.bytes, attribute, surface.vertex_count()));
   return attribute;
 }
 

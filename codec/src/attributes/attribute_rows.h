@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "attributes/attribute_payload.h"
+#include "attributes/attribute_values.h"
 #include "base/vec3.h"
 #include "deltamesh/mesh.h"
 

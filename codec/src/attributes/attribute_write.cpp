@@ -8,7 +8,7 @@
 #include "attributes/attribute_error.h"
 #include "attributes/attribute_payload.h"
 #include "attributes/attribute_rows.h"
-#include "attributes/coded_values.h"
+#include "attributes/attribute_values.h"
 #include "attributes/lattice_attribute.h"
 #include "attributes/plain_attribute.h"
 #include "attributes/skin.h"
@@ -112,10 +112,8 @@ std::optional<CodedAttribute> code_kind(const AttributeView& attribute, const At
     const TangentBasis basis = tangent_basis(others, surface.vertex_count());
     return code(kSurfaceTangents, write_surface_tangents(rows.gather_floats(), bound, surface, basis));
   }
-  if (fits(kSurfaceColors)) {
-    return code(kSurfaceColors, write_surface_colors(rows.gather(), attribute.type, attribute.components,
-                                                     bound, surface, settings.start));
-  }
+  if (fits(kSurfaceColors))
+    return code(kSurfaceColors, write_surface_colors(attribute.type, rows, bound, surface, settings.start));
   if (fits(kJoints)) return code(kJoints, std::optional(write_joints(attribute, rows, surface)));
   if (fits(kWeights)) {
     auto coded = code(kWeights, write_weights(attribute, rows, bound, surface, others));

@@ -4,7 +4,9 @@
 
 #include <bit>
 #include <limits>
+#include <span>
 
+#include "attributes/attribute_values.h"
 #include "base/try.h"
 #include "base/zigzag.h"
 #include "predictive/float_order.h"
@@ -36,20 +38,6 @@ Range range_of(ComponentType type) noexcept {
 }
 
 bool is_positive(float x) noexcept { return std::isfinite(x) && x > 0; }
-
-void write_value(ByteWriter& out, ComponentType type, std::uint64_t bits) {
-  for (std::size_t i = 0; i < component_size(type); ++i)
-    out.write(static_cast<std::uint8_t>(bits >> (8 * i)));
-}
-
-Result<std::uint64_t> read_value(ByteReader& in, ComponentType type) {
-  std::uint64_t bits = 0;
-  for (std::size_t i = 0; i < component_size(type); ++i) {
-    DELTAMESH_TRY(const auto byte, in.read<std::uint8_t>());
-    bits |= std::uint64_t{byte} << (8 * i);
-  }
-  return bits;
-}
 
 }  // namespace
 
@@ -92,7 +80,8 @@ void write_lattice_fields(ByteWriter& out, ComponentType type, const ComponentLa
     out.write(static_cast<std::uint8_t>(lattice.kind));
     if (lattice.is_floats()) out.write(lattice.exponent);
     if (lattice.kind == LatticeKind::kListed) out.write_varint(lattice.values.size());
-    for (const std::uint64_t bits : lattice.values) write_value(out, type, bits);
+    for (const std::uint64_t bits : lattice.values)
+      out.write_bytes(std::as_bytes(std::span(&bits, 1)).first(component_size(type)));
     return;
   }
   if (before != nullptr && before->times == lattice.times && before->over == lattice.over) {
@@ -127,8 +116,8 @@ Result<ComponentLattice> read_lattice_fields(ByteReader& in, ComponentType type,
       if (count == 0) return invalid("a list without values");
     }
     for (std::uint64_t i = 0; i < count; ++i) {
-      DELTAMESH_TRY(const auto bits, read_value(in, type));
-      lattice.values.push_back(bits);
+      DELTAMESH_TRY(const auto bytes, in.read_bytes(component_size(type)));
+      lattice.values.push_back(load_component(bytes.data(), bytes.size()));
     }
     lattice.cells = static_cast<std::uint32_t>(count - 1);
     return lattice;

@@ -62,10 +62,7 @@ std::uint64_t bits_of_number(ComponentType type, double x) noexcept;
 
 /// The number of a component with these bits.
 inline double number_of_bits(ComponentType type, std::uint64_t bits) noexcept {
-  return with_component(type, [bits](auto value) {
-    std::memcpy(&value, &bits, sizeof value);
-    return static_cast<double>(value);
-  });
+  return load_component(type, reinterpret_cast<const std::byte*>(&bits));
 }
 
 /// `before`: of the component before, or null for the first.

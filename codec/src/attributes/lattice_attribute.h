@@ -12,7 +12,7 @@
 
 #include "attributes/attribute_rows.h"
 #include "attributes/attribute_surface.h"
-#include "attributes/coded_values.h"
+#include "attributes/attribute_values.h"
 #include "deltamesh/mesh.h"
 #include "deltamesh/result.h"
 

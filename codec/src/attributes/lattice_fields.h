@@ -5,12 +5,11 @@
 // [ATTR-56].
 #pragma once
 
-#include <algorithm>
-#include <cstring>
+#include <bit>
 #include <span>
 #include <vector>
 
-#include "attributes/attribute_payload.h"
+#include "attributes/attribute_values.h"
 #include "attributes/component_lattice.h"
 #include "attributes/copies.h"
 #include "attributes/field_faces.h"
@@ -37,15 +36,10 @@ inline std::vector<FieldGroup> field_groups(std::span<const ComponentLattice> la
 class LatticeValues {
  public:
   LatticeValues(ComponentType type, std::span<const ComponentLattice> lattices, std::size_t count)
-      : type_(type),
-        size_(component_size(type)),
-        lattices_(lattices),
-        count_(count),
-        values_(count * lattices.size() * size_) {
-    for (std::size_t c = 0; c < lattices.size(); ++c) {
-      if (!lattices[c].is_constant() || lattices[c].values.front() == 0) continue;
-      for (std::size_t i = 0; i < count; ++i) set(i, c, 0);
-    }
+      : type_(type), lattices_(lattices), values_(type, lattices.size(), count) {
+    for (std::size_t c = 0; c < lattices.size(); ++c)
+      if (lattices[c].is_constant())
+        values_.set_component(c, [&](std::size_t) { return lattices[c].values.front(); });
   }
 
   void set_group(const FieldGroup& group, std::span<const Cell> cells) noexcept {
@@ -53,39 +47,31 @@ class LatticeValues {
       const ComponentLattice& lattice = lattices_[group[axis]];
       if (type_ == ComponentType::kF32 && lattice.kind == LatticeKind::kPoints) {
         set_points(group[axis], axis, cells);
-        continue;
+      } else {
+        values_.set_component(group[axis],
+                              [&](std::size_t i) { return lattice.bits_at(type_, cells[i][axis]); });
       }
-      for (std::size_t i = 0; i < count_; ++i) set(i, group[axis], cells[i][axis]);
     }
   }
 
-  std::vector<std::byte> take() noexcept { return std::move(values_); }
+  std::vector<std::byte> take() noexcept { return values_.take(); }
 
  private:
   /// Floats that are points, finite as the lattice's ends are, without a choice of kind for each of them. Of
-  /// morph targets most are zero, as all bits are at first.
+  /// morph targets most are at rest.
   void set_points(std::size_t component, std::size_t axis, std::span<const Cell> cells) noexcept {
     const ComponentLattice& lattice = lattices_[component];
     const std::int32_t rest = lattice.rest();
-    const bool rest_is_zero = lattice.bits_at(type_, rest) == 0;
-    std::size_t place = component * sizeof(float);
-    for (std::size_t i = 0; i < count_; ++i, place += lattices_.size() * sizeof(float)) {
-      if (rest_is_zero && cells[i][axis] == rest) continue;
-      const auto value = static_cast<float>(lattice.at(cells[i][axis]));
-      std::memcpy(values_.data() + place, &value, sizeof value);
-    }
-  }
-
-  void set(std::size_t row, std::size_t component, std::int32_t number) noexcept {
-    store_component(values_.data() + (row * lattices_.size() + component) * size_, size_,
-                    lattices_[component].bits_at(type_, number));
+    const std::uint64_t rest_bits = lattice.bits_at(type_, rest);
+    values_.set_component(component, [&](std::size_t i) {
+      const std::int32_t q = cells[i][axis];
+      return q == rest ? rest_bits : std::bit_cast<std::uint32_t>(static_cast<float>(lattice.at(q)));
+    });
   }
 
   ComponentType type_;
-  std::size_t size_;
   std::span<const ComponentLattice> lattices_;
-  std::size_t count_;
-  std::vector<std::byte> values_;
+  AttributeValues values_;
 };
 
 }  // namespace deltamesh

@@ -25,9 +25,9 @@ std::vector<std::byte> write_plain_attribute(const AttributeView& attribute, con
 /// The same, exact.
 std::vector<std::byte> write_exact_attribute(const AttributeView& attribute, const AttributeRows& rows);
 
-/// Reads a payload, coding included, into attribute.values; the other members say the shape, which the coding
-/// fits. `rows`: vertices, checked against a limit. Errors: kTruncated, kInvalidStream [ATTR-2, ATTR-3,
-/// ATTR-5, ATTR-7].
-Result<void> read_plain_values(std::span<const std::byte> payload, Attribute& attribute, std::uint32_t rows);
+/// The values of a payload, coding included, which fits `shape`, whose own are not looked at. `rows`:
+/// vertices, checked against a limit. Errors: kTruncated, kInvalidStream [ATTR-2, ATTR-3, ATTR-5, ATTR-7].
+Result<std::vector<std::byte>> read_plain_values(std::span<const std::byte> payload, const Attribute& shape,
+                                                 std::uint32_t rows);
 
 }  // namespace deltamesh

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <utility>
 
+#include "attributes/attribute_values.h"
 #include "attributes/levels.h"
 #include "attributes/octahedral.h"
 #include "attributes/plain_attribute.h"
 #include "attributes/symbols.h"
 #include "base/byte_reader.h"
-#include "base/large_vector.h"
 #include "base/try.h"
 #include "format/tags.h"
 
@@ -26,84 +26,50 @@ Result<int> read_bits(ByteReader& in, int min, int max) {
   return static_cast<int>(bits);
 }
 
-/// Writes decoded components into `Attribute::values`, row by row.
-class Values {
- public:
-  Values(Attribute& attribute, std::uint32_t rows)
-      : values_(attribute.values), size_(component_size(attribute.type)), components_(attribute.components) {
-    reserve_large(values_, rows * components_ * size_);
-    values_.resize(rows * components_ * size_);
-  }
-  void set(std::size_t row, std::size_t component, std::uint64_t bits) noexcept {
-    store_component(values_.data() + (row * components_ + component) * size_, size_, bits);
-  }
-  void set(std::size_t row, std::size_t component, float number) noexcept {
-    set(row, component, std::uint64_t{std::bit_cast<std::uint32_t>(number)});
-  }
-
- private:
-  std::vector<std::byte>& values_;
-  std::size_t size_;
-  std::size_t components_;
-};
-
-/// Reads all components; `store(row, c, symbol)` takes the symbols.
-template <class Store>
-Result<void> read_components(ByteReader& in, std::uint32_t rows, std::size_t components, unsigned width,
-                             Store store) {
+/// Reads all components; `bits_of(c, symbol)` is what a symbol stands for.
+template <class BitsOf>
+Result<void> read_components(ByteReader& in, const Attribute& shape, std::uint32_t rows, int bits,
+                             AttributeValues& values, BitsOf bits_of) {
   Symbols before;
-  for (std::size_t c = 0; c < components; ++c) {
-    DELTAMESH_TRY(Symbols symbols, read_symbols(in, rows, before, width));
-    for (std::size_t i = 0; i < symbols.size(); ++i) store(i, c, symbols[i]);
+  for (std::size_t c = 0; c < shape.components; ++c) {
+    DELTAMESH_TRY(Symbols symbols, read_symbols(in, rows, before, static_cast<unsigned>(bits)));
+    values.set_component(c, [&](std::size_t i) { return bits_of(c, symbols[i]); });
     before = std::move(symbols);
   }
   return {};
 }
 
-Result<void> read_exact(ByteReader& in, Attribute& attribute, std::uint32_t rows) {
-  const auto width = static_cast<unsigned>(8 * component_size(attribute.type));
-  Values values(attribute, rows);
-  return read_components(
-      in, rows, attribute.components, width,
-      [&](std::size_t i, std::size_t c, std::uint64_t symbol) { values.set(i, c, symbol); });
-}
+std::uint64_t bits_of_float(float number) noexcept { return std::bit_cast<std::uint32_t>(number); }
 
-Result<void> read_normals(ByteReader& in, Attribute& attribute, std::uint32_t rows) {
+Result<void> read_normals(ByteReader& in, std::uint32_t rows, AttributeValues& values) {
   DELTAMESH_TRY(const int bits, read_bits(in, 2, 15));
-  std::vector<OctahedralCode> codes(rows);
-  DELTAMESH_CHECK(read_components(in, rows, 2, static_cast<unsigned>(bits),
-                                  [&](std::size_t i, std::size_t c, std::uint64_t symbol) {
-                                    codes[i][c] = static_cast<std::uint32_t>(symbol);
-                                  }));
+  DELTAMESH_TRY(const Symbols u, read_symbols(in, rows, {}, static_cast<unsigned>(bits)));
+  DELTAMESH_TRY(const Symbols v, read_symbols(in, rows, u, static_cast<unsigned>(bits)));
   const std::uint32_t zero = octahedral_zero(bits);
-  Values values(attribute, rows);
-  for (std::size_t i = 0; i < codes.size(); ++i) {
-    if ((codes[i][0] == zero) != (codes[i][1] == zero))
+  for (std::size_t i = 0; i < rows; ++i) {
+    const OctahedralCode code{static_cast<std::uint32_t>(u[i]), static_cast<std::uint32_t>(v[i])};
+    if ((code[0] == zero) != (code[1] == zero))
       return in.error(ErrorCode::kInvalidStream, "octahedral code outside its square", "ATTR-5");
-    const auto normal = decode_octahedral(codes[i], bits);
-    for (std::size_t c = 0; c < 3; ++c) values.set(i, c, normal[c]);
+    const auto normal = decode_octahedral(code, bits);
+    for (std::size_t c = 0; c < 3; ++c) values.set(i, c, bits_of_float(normal[c]));
   }
   return {};
 }
 
-Result<void> read_colors(ByteReader& in, Attribute& attribute, std::uint32_t rows) {
-  const int full_bits = max_color_bits(attribute.type);
+Result<void> read_colors(ByteReader& in, const Attribute& shape, std::uint32_t rows,
+                         AttributeValues& values) {
+  const int full_bits = max_color_bits(shape.type);
   DELTAMESH_TRY(const int bits, read_bits(in, 1, full_bits));
   const std::uint32_t top = top_level(bits);
-  const bool is_float = attribute.type == ComponentType::kF32;
-  Values values(attribute, rows);
-  return read_components(in, rows, attribute.components, static_cast<unsigned>(bits),
-                         [&](std::size_t i, std::size_t c, std::uint64_t symbol) {
-                           const auto level = static_cast<std::uint32_t>(symbol);
-                           if (is_float) {
-                             values.set(i, c, value_of(level, LevelRange{}, top));
-                           } else {
-                             values.set(i, c, std::uint64_t{rescale_level(level, top, top_level(full_bits))});
-                           }
-                         });
+  const bool is_float = shape.type == ComponentType::kF32;
+  return read_components(in, shape, rows, bits, values, [&](std::size_t, std::uint64_t symbol) {
+    const auto level = static_cast<std::uint32_t>(symbol);
+    return is_float ? bits_of_float(value_of(level, LevelRange{}, top))
+                    : rescale_level(level, top, top_level(full_bits));
+  });
 }
 
-Result<void> read_uvs(ByteReader& in, Attribute& attribute, std::uint32_t rows) {
+Result<void> read_uvs(ByteReader& in, const Attribute& shape, std::uint32_t rows, AttributeValues& values) {
   DELTAMESH_TRY(const int bits, read_bits(in, 1, 24));
   std::array<LevelRange, 2> ranges;
   for (LevelRange& range : ranges) {
@@ -112,23 +78,23 @@ Result<void> read_uvs(ByteReader& in, Attribute& attribute, std::uint32_t rows) 
     if (!std::isfinite(range.min) || !std::isfinite(range.max) || range.min > range.max)
       return in.error(ErrorCode::kInvalidStream, "range of texture coordinates is not one", "ATTR-7");
   }
-  Values values(attribute, rows);
-  return read_components(
-      in, rows, 2, static_cast<unsigned>(bits), [&](std::size_t i, std::size_t c, std::uint64_t symbol) {
-        values.set(i, c, value_of(static_cast<std::uint32_t>(symbol), ranges[c], top_level(bits)));
-      });
+  return read_components(in, shape, rows, bits, values, [&](std::size_t c, std::uint64_t symbol) {
+    return bits_of_float(value_of(static_cast<std::uint32_t>(symbol), ranges[c], top_level(bits)));
+  });
 }
 
-Result<void> read_coded(ByteReader& in, AttributeCoding coding, Attribute& attribute, std::uint32_t rows) {
+Result<void> read_coded(ByteReader& in, AttributeCoding coding, const Attribute& shape, std::uint32_t rows,
+                        AttributeValues& values) {
   switch (coding) {
     case AttributeCoding::kExact:
-      return read_exact(in, attribute, rows);
+      return read_components(in, shape, rows, static_cast<int>(8 * component_size(shape.type)), values,
+                             [](std::size_t, std::uint64_t symbol) { return symbol; });
     case AttributeCoding::kOctahedral:
-      return read_normals(in, attribute, rows);
+      return read_normals(in, rows, values);
     case AttributeCoding::kColorLevels:
-      return read_colors(in, attribute, rows);
+      return read_colors(in, shape, rows, values);
     case AttributeCoding::kUvLevels:
-      return read_uvs(in, attribute, rows);
+      return read_uvs(in, shape, rows, values);
     default:
       return in.error(ErrorCode::kInvalidStream, "a compact attribute coding in a plain payload", "ATTR-2");
   }
@@ -136,11 +102,14 @@ Result<void> read_coded(ByteReader& in, AttributeCoding coding, Attribute& attri
 
 }  // namespace
 
-Result<void> read_plain_values(std::span<const std::byte> payload, Attribute& attribute, std::uint32_t rows) {
+Result<std::vector<std::byte>> read_plain_values(std::span<const std::byte> payload, const Attribute& shape,
+                                                 std::uint32_t rows) {
   ByteReader in(payload, kTagAttribute);
   DELTAMESH_TRY(const auto coding, in.read<std::uint8_t>());
-  DELTAMESH_CHECK(read_coded(in, static_cast<AttributeCoding>(coding), attribute, rows));
-  return in.finish();
+  AttributeValues values(shape.type, shape.components, rows);
+  DELTAMESH_CHECK(read_coded(in, static_cast<AttributeCoding>(coding), shape, rows, values));
+  DELTAMESH_CHECK(in.finish());
+  return values.take();
 }
 
 }  // namespace deltamesh

@@ -36,69 +36,47 @@ bool find_range(const AttributeRows& rows, std::size_t component, LevelRange& ra
   return true;
 }
 
-bool all_in_unit_range(const AttributeRows& rows, std::size_t components) {
+bool all_in_unit_range(const AttributeRows& rows) {
   LevelRange range;
-  for (std::size_t c = 0; c < components; ++c)
+  for (std::size_t c = 0; c < rows.components(); ++c)
     if (!find_range(rows, c, range) || range.min < 0 || range.max > 1) return false;
   return true;
 }
 
 using Symbols = std::vector<std::uint64_t>;
 
-template <class SymbolOfRow>
-Symbols symbols_of(const AttributeRows& rows, SymbolOfRow symbol_of_row) {
-  Symbols symbols;
-  symbols.reserve(rows.count());
-  for (std::size_t i = 0; i < rows.count(); ++i) symbols.push_back(symbol_of_row(i));
-  return symbols;
-}
-
-/// Writes all components; `make(c)` gives the symbols of component c.
-template <class MakeComponent>
-void write_components(ByteWriter& out, std::size_t components, unsigned width, MakeComponent make) {
+/// Writes all components; `symbol_of(i, c)` is what stands for component c of row i.
+template <class SymbolOf>
+void write_components(ByteWriter& out, std::size_t rows, std::size_t components, int bits,
+                      SymbolOf symbol_of) {
   Symbols before;
   for (std::size_t c = 0; c < components; ++c) {
-    Symbols symbols = make(c);
-    write_symbols(out, symbols, before, width);
+    Symbols symbols(rows);
+    for (std::size_t i = 0; i < rows; ++i) symbols[i] = symbol_of(i, c);
+    write_symbols(out, symbols, before, static_cast<unsigned>(bits));
     before = std::move(symbols);
   }
 }
 
 void write_coding(ByteWriter& out, AttributeCoding coding) { out.write(static_cast<std::uint8_t>(coding)); }
 
-void write_exact(ByteWriter& out, const AttributeView& attribute, const AttributeRows& rows) {
-  write_coding(out, AttributeCoding::kExact);
-  const auto width = static_cast<unsigned>(8 * component_size(attribute.type));
-  write_components(out, attribute.components, width, [&](std::size_t c) {
-    return symbols_of(rows, [&](std::size_t i) { return rows.bits(i, c); });
-  });
-}
-
 void write_normals(ByteWriter& out, const AttributeRows& rows, int bits) {
   write_coding(out, AttributeCoding::kOctahedral);
   out.write(static_cast<std::uint8_t>(bits));
-  std::array<Symbols, 2> codes;
-  for (std::size_t i = 0; i < rows.count(); ++i) {
-    const OctahedralCode code = encode_octahedral(rows.vector(i), bits);
-    codes[0].push_back(code[0]);
-    codes[1].push_back(code[1]);
-  }
-  write_components(out, 2, static_cast<unsigned>(bits), [&](std::size_t c) { return std::move(codes[c]); });
+  std::vector<OctahedralCode> codes(rows.count());
+  for (std::size_t i = 0; i < codes.size(); ++i) codes[i] = encode_octahedral(rows.vector(i), bits);
+  write_components(out, codes.size(), 2, bits, [&](std::size_t i, std::size_t c) { return codes[i][c]; });
 }
 
-void write_colors(ByteWriter& out, const AttributeView& attribute, const AttributeRows& rows,
-                  int asked_bits) {
-  const int bits = std::min(asked_bits, max_color_bits(attribute.type));
+void write_colors(ByteWriter& out, ComponentType type, const AttributeRows& rows, int bits) {
   write_coding(out, AttributeCoding::kColorLevels);
   out.write(static_cast<std::uint8_t>(bits));
   const std::uint32_t top = top_level(bits);
-  const std::uint32_t full = top_level(max_color_bits(attribute.type));
-  const bool is_float = attribute.type == ComponentType::kF32;
-  write_components(out, attribute.components, static_cast<unsigned>(bits), [&](std::size_t c) {
-    return symbols_of(rows, [&](std::size_t i) {
-      return is_float ? level_of(rows.number(i, c), LevelRange{}, top)
-                      : rescale_level(static_cast<std::uint32_t>(rows.bits(i, c)), full, top);
-    });
+  const std::uint32_t full = top_level(max_color_bits(type));
+  write_components(out, rows.count(), rows.components(), bits, [&](std::size_t i, std::size_t c) {
+    return type == ComponentType::kF32
+               ? level_of(rows.number(i, c), LevelRange{}, top)
+               : rescale_level(static_cast<std::uint32_t>(rows.bits(i, c)), full, top);
   });
 }
 
@@ -110,9 +88,8 @@ void write_uvs(ByteWriter& out, const AttributeRows& rows, const std::array<Leve
     out.write(range.min);
     out.write(range.max);
   }
-  write_components(out, 2, static_cast<unsigned>(bits), [&](std::size_t c) {
-    return symbols_of(rows,
-                      [&](std::size_t i) { return level_of(rows.number(i, c), ranges[c], top_level(bits)); });
+  write_components(out, rows.count(), 2, bits, [&](std::size_t i, std::size_t c) {
+    return level_of(rows.number(i, c), ranges[c], top_level(bits));
   });
 }
 
@@ -122,13 +99,13 @@ template <class Write>
 std::optional<std::vector<std::byte>> write_fewest_bits(const AttributeView& attribute,
                                                         const AttributeRows& rows, double bound, int first,
                                                         int last, Write write) {
-  Attribute back{.kind = attribute.kind, .type = attribute.type, .components = attribute.components};
+  const Attribute shape{.kind = attribute.kind, .type = attribute.type, .components = attribute.components};
   for (int bits = first; bits <= last; ++bits) {
     ByteWriter out;
     write(out, bits);
     std::vector<std::byte> payload = out.take();
-    const auto read = read_plain_values(payload, back, static_cast<std::uint32_t>(rows.count()));
-    if (read && attribute_error(attribute, rows, back.values) <= bound) return payload;
+    const auto read = read_plain_values(payload, shape, static_cast<std::uint32_t>(rows.count()));
+    if (read && attribute_error(attribute, rows, *read) <= bound) return payload;
   }
   return std::nullopt;
 }
@@ -145,9 +122,9 @@ std::optional<std::vector<std::byte>> write_levels(const AttributeView& attribut
   if (fits(AttributeCoding::kOctahedral) && all_unit_or_zero(rows))
     return fewest(2, 15, [&](ByteWriter& out, int bits) { write_normals(out, rows, bits); });
   if (fits(AttributeCoding::kColorLevels) &&
-      (attribute.type != ComponentType::kF32 || all_in_unit_range(rows, attribute.components)))
+      (attribute.type != ComponentType::kF32 || all_in_unit_range(rows)))
     return fewest(1, max_color_bits(attribute.type),
-                  [&](ByteWriter& out, int bits) { write_colors(out, attribute, rows, bits); });
+                  [&](ByteWriter& out, int bits) { write_colors(out, attribute.type, rows, bits); });
   std::array<LevelRange, 2> ranges;
   if (fits(AttributeCoding::kUvLevels) && find_range(rows, 0, ranges[0]) && find_range(rows, 1, ranges[1]))
     return fewest(1, 24, [&](ByteWriter& out, int bits) { write_uvs(out, rows, ranges, bits); });
@@ -166,7 +143,9 @@ std::vector<std::byte> write_plain_attribute(const AttributeView& attribute, con
 
 std::vector<std::byte> write_exact_attribute(const AttributeView& attribute, const AttributeRows& rows) {
   ByteWriter out;
-  write_exact(out, attribute, rows);
+  write_coding(out, AttributeCoding::kExact);
+  write_components(out, rows.count(), rows.components(), static_cast<int>(8 * component_size(attribute.type)),
+                   [&](std::size_t i, std::size_t c) { return rows.bits(i, c); });
   return out.take();
 }
 

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "attributes/attribute_payload.h"
+#include "attributes/attribute_values.h"
 #include "attributes/copies.h"
 #include "attributes/field_faces.h"
 #include "attributes/joint_coder.h"
@@ -40,13 +40,17 @@ inline std::vector<JointRow> joint_rows(std::span<const std::byte> values, Compo
   return rows;
 }
 
+/// The values whose bits are `bits_of(number)`. `rows`: n x 4 numbers.
+template <class Rows, class BitsOf>
+std::vector<std::byte> skin_values(const Rows& rows, ComponentType type, BitsOf bits_of) {
+  AttributeValues values(type, kInfluences, rows.size());
+  for (std::size_t slot = 0; slot < kInfluences; ++slot)
+    values.set_component(slot, [&](std::size_t i) { return bits_of(rows[i][slot]); });
+  return values.take();
+}
+
 inline std::vector<std::byte> joint_values(std::span<const JointRow> rows, ComponentType type) {
-  const std::size_t size = component_size(type);
-  std::vector<std::byte> values(kInfluences * size * rows.size());
-  for (std::size_t i = 0; i < kInfluences * rows.size(); ++i)
-    store_component(values.data() + i * size, size,
-                    static_cast<std::uint64_t>(rows[i / kInfluences][i % kInfluences]));
-  return values;
+  return skin_values(rows, type, [](std::int32_t joint) { return static_cast<std::uint64_t>(joint); });
 }
 
 /// The bits of `weight` of `sum`, which divides the top of an integer type [ATTR-63].
@@ -57,12 +61,7 @@ inline std::uint64_t weight_bits(std::int32_t weight, std::uint32_t sum, Compone
 
 inline std::vector<std::byte> weight_values(std::span<const WeightRow> rows, std::uint32_t sum,
                                             ComponentType type) {
-  const std::size_t size = component_size(type);
-  std::vector<std::byte> values(kInfluences * size * rows.size());
-  for (std::size_t i = 0; i < kInfluences * rows.size(); ++i)
-    store_component(values.data() + i * size, size,
-                    weight_bits(rows[i / kInfluences][i % kInfluences], sum, type));
-  return values;
+  return skin_values(rows, type, [&](std::int32_t weight) { return weight_bits(weight, sum, type); });
 }
 
 /// The joints that the next weights attribute is of: as many attributes of joints come before them as of

@@ -10,8 +10,9 @@
 #include <span>
 #include <vector>
 
+#include "attributes/attribute_rows.h"
 #include "attributes/attribute_surface.h"
-#include "attributes/coded_values.h"
+#include "attributes/attribute_values.h"
 #include "deltamesh/mesh.h"
 #include "deltamesh/result.h"
 #include "entropy/learning.h"
@@ -20,12 +21,10 @@ namespace deltamesh {
 
 struct ColorModels;
 
-/// `values`: n x `components` (1 to 4) of `type`, native byte order, in coded order. `max_error`: the largest
-/// error of a component, 255ths of its range, 0 or above. Empty for other types than u8, u16 and f32, for
-/// floats that are not in [0, 1], and for exact floats that are not all whole 255ths or whole 65535ths.
-/// `start`: null for fresh models. O(n).
-std::optional<CodedValues<std::byte>> write_surface_colors(std::span<const std::byte> values,
-                                                           ComponentType type, unsigned components,
+/// `rows`: of 1 to 4 components of `type`. `max_error`: the largest error of a component, 255ths of its
+/// range, 0 or above. Empty for other types than u8, u16 and f32, for floats that are not in [0, 1], and for
+/// exact floats that are not all whole 255ths or whole 65535ths. `start`: null for fresh models. O(n).
+std::optional<CodedValues<std::byte>> write_surface_colors(ComponentType type, const AttributeRows& rows,
                                                            double max_error, const AttributeSurface& surface,
                                                            const ColorModels* start = nullptr);
 

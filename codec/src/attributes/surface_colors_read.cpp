@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "attributes/attribute_payload.h"
 #include "attributes/color_coder.h"
 #include "attributes/color_fields.h"
 #include "attributes/surface_colors.h"
 #include "base/byte_reader.h"
-#include "base/large_vector.h"
 #include "base/try.h"
 #include "entropy/compact_reader.h"
 #include "entropy/held_coder.h"
@@ -39,31 +37,6 @@ Result<ColorFields> read_fields(ByteReader& in, ComponentType type, unsigned com
   return fields;
 }
 
-/// Writes components one after the other.
-class ColorValues {
- public:
-  ColorValues(ComponentType type, const ColorFields& fields, std::uint32_t rows)
-      : type_(type), bits_(fields.bits), components_(fields.components) {
-    const std::size_t bytes = rows * std::size_t{components_} * component_size(type);
-    reserve_large(values_, bytes);
-    values_.resize(bytes);
-    next_ = values_.data();
-  }
-  void add(const ColorLevels& levels) noexcept {
-    const std::size_t size = component_size(type_);
-    for (std::size_t c = 0; c < components_; ++c, next_ += size)
-      store_component(next_, size, color_of_level(type_, bits_, levels[c]));
-  }
-  std::vector<std::byte> take() noexcept { return std::move(values_); }
-
- private:
-  ComponentType type_;
-  unsigned bits_;
-  unsigned components_;
-  std::vector<std::byte> values_;
-  std::byte* next_;
-};
-
 }  // namespace
 
 Result<std::vector<std::byte>> read_surface_colors(std::span<const std::byte> bytes, ComponentType type,
@@ -74,10 +47,10 @@ Result<std::vector<std::byte>> read_surface_colors(std::span<const std::byte> by
   DELTAMESH_TRY(const ColorFields fields, read_fields(in, type, components));
   const ColorAxes axes = axes_of(fields);
   const std::uint32_t rows = surface.vertex_count();
-  ColorValues values(type, fields, rows);
+  AttributeValues values(type, components, rows);
   if (axes.count == 0) {
     DELTAMESH_CHECK(in.finish());
-    for (std::uint32_t v = 0; v < rows; ++v) values.add(levels_by_component(fields, axes, {}));
+    for (std::uint32_t v = 0; v < rows; ++v) set_color(values, v, type, fields, axes, {});
     return values.take();
   }
   DELTAMESH_TRY(const auto stream, in.read_bytes(in.remaining()));
@@ -88,7 +61,7 @@ Result<std::vector<std::byte>> read_surface_colors(std::span<const std::byte> by
     if (v % kVerticesAtOnce == 0 && reader.failed()) break;
     ColorLevels levels{};
     coder.code_vertex(reader, v, levels);
-    values.add(levels_by_component(fields, axes, levels));
+    set_color(values, v, type, fields, axes, levels);
   }
   DELTAMESH_CHECK(reader.finish(kTagAttribute));
   if (learning.end != nullptr) *learning.end = coder.models();

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "attributes/attribute_payload.h"
 #include "attributes/color_coder.h"
 #include "attributes/color_fields.h"
 #include "attributes/surface_colors.h"
@@ -14,33 +13,13 @@
 namespace deltamesh {
 namespace {
 
-/// Source values.
-class Colors {
- public:
-  Colors(std::span<const std::byte> values, ComponentType type, unsigned components)
-      : values_(values), type_(type), components_(components) {}
-
-  ComponentType type() const noexcept { return type_; }
-  unsigned components() const noexcept { return components_; }
-  std::size_t count() const noexcept { return values_.size() / (components_ * component_size(type_)); }
-  std::uint32_t color(std::size_t row, std::size_t component) const noexcept {
-    const std::size_t size = component_size(type_);
-    return static_cast<std::uint32_t>(
-        load_component(values_.data() + (row * components_ + component) * size, size));
-  }
-
- private:
-  std::span<const std::byte> values_;
-  ComponentType type_;
-  unsigned components_;
-};
-
 /// The levels of all rows; empty where a component has none.
-std::optional<std::vector<ColorLevels>> levels_of(const Colors& colors, unsigned bits) {
-  std::vector<ColorLevels> levels(colors.count());
+std::optional<std::vector<ColorLevels>> levels_of(ComponentType type, const AttributeRows& rows,
+                                                  unsigned bits) {
+  std::vector<ColorLevels> levels(rows.count());
   for (std::size_t i = 0; i < levels.size(); ++i) {
-    for (std::size_t c = 0; c < colors.components(); ++c) {
-      const auto level = nearest_color_level(colors.type(), bits, colors.color(i, c));
+    for (std::size_t c = 0; c < rows.components(); ++c) {
+      const auto level = nearest_color_level(type, bits, static_cast<std::uint32_t>(rows.bits(i, c)));
       if (!level) return std::nullopt;
       levels[i][c] = *level;
     }
@@ -49,10 +28,11 @@ std::optional<std::vector<ColorLevels>> levels_of(const Colors& colors, unsigned
 }
 
 /// Whether the levels stand for the colours' bits.
-bool are_exact(const Colors& colors, unsigned bits, const std::vector<ColorLevels>& levels) {
+bool are_exact(ComponentType type, const AttributeRows& rows, unsigned bits,
+               const std::vector<ColorLevels>& levels) {
   for (std::size_t i = 0; i < levels.size(); ++i)
-    for (std::size_t c = 0; c < colors.components(); ++c)
-      if (color_of_level(colors.type(), bits, levels[i][c]) != colors.color(i, c)) return false;
+    for (std::size_t c = 0; c < rows.components(); ++c)
+      if (color_of_level(type, bits, levels[i][c]) != rows.bits(i, c)) return false;
   return true;
 }
 
@@ -67,10 +47,10 @@ struct Levels {
 constexpr double kFloatRounding = 1.0 / 64;
 
 /// Empty where nothing keeps the bound. Values between levels lose up to half a level by rounding.
-std::optional<Levels> choose_levels(const Colors& colors, double max_error) {
+std::optional<Levels> choose_levels(ComponentType type, const AttributeRows& rows, double max_error) {
   for (const unsigned bits : {8U, 16U}) {
-    if (!color_bits_fit(colors.type(), bits)) continue;
-    auto levels = levels_of(colors, bits);
+    if (!color_bits_fit(type, bits)) continue;
+    auto levels = levels_of(type, rows, bits);
     if (!levels) return std::nullopt;
     const std::int32_t top = top_color_level(bits);
     const double allowed = max_error * (top / 255);
@@ -79,9 +59,8 @@ std::optional<Levels> choose_levels(const Colors& colors, double max_error) {
       return Levels{bits, static_cast<std::int32_t>(std::min(bound, most)), *std::move(levels)};
     };
     const double whole = std::floor(allowed);
-    const bool has_room =
-        whole == 0 || colors.type() != ComponentType::kF32 || allowed - whole > kFloatRounding;
-    if (has_room && are_exact(colors, bits, *levels)) return with(whole);
+    const bool has_room = whole == 0 || type != ComponentType::kF32 || allowed - whole > kFloatRounding;
+    if (has_room && are_exact(type, rows, bits, *levels)) return with(whole);
     if (bits == 16 && allowed >= 0.5 + kFloatRounding)
       return with(std::floor(allowed - (0.5 + kFloatRounding)));
   }
@@ -138,40 +117,29 @@ void write_fields(ByteWriter& out, const ColorFields& fields) {
 
 }  // namespace
 
-std::optional<CodedValues<std::byte>> write_surface_colors(std::span<const std::byte> values,
-                                                           ComponentType type, unsigned components,
+std::optional<CodedValues<std::byte>> write_surface_colors(ComponentType type, const AttributeRows& rows,
                                                            double max_error, const AttributeSurface& surface,
                                                            const ColorModels* start) {
-  if (type != ComponentType::kU8 && type != ComponentType::kU16 && type != ComponentType::kF32)
-    return std::nullopt;
-  const Colors colors(values, type, components);
-  auto source = choose_levels(colors, max_error);
+  const auto source = choose_levels(type, rows, max_error);
   if (!source) return std::nullopt;
-  const ColorFields fields = find_fields(*source, components);
+  const ColorFields fields = find_fields(*source, static_cast<unsigned>(rows.components()));
   const ColorAxes axes = axes_of(fields);
   ByteWriter out;
   write_fields(out, fields);
-  std::vector<ColorLevels>& levels = source->levels;
-  if (axes.count > 0) {
-    CompactWriter writer;
-    ColorCoder<CompactWriter> coder(writer, surface, shape_of(fields, axes),
-                                    copies_pay(levels, source->bound, surface.graph()), start);
-    for (std::uint32_t v = 0; v < levels.size(); ++v) {
-      ColorLevels by_axis{};
-      for (std::size_t a = 0; a < axes.count; ++a) by_axis[a] = levels[v][axes.components[a]];
-      coder.code_vertex(writer, v, by_axis);
-      levels[v] = levels_by_component(fields, axes, by_axis);
-    }
-    out.write_bytes(writer.finish());
+  AttributeValues values(type, rows.components(), rows.count());
+  CompactWriter writer;
+  std::optional<ColorCoder<CompactWriter>> coder;
+  if (axes.count > 0)
+    coder.emplace(writer, surface, shape_of(fields, axes),
+                  copies_pay(source->levels, source->bound, surface.graph()), start);
+  for (std::uint32_t v = 0; v < rows.count(); ++v) {
+    ColorLevels by_axis{};
+    for (std::size_t a = 0; a < axes.count; ++a) by_axis[a] = source->levels[v][axes.components[a]];
+    if (coder) coder->code_vertex(writer, v, by_axis);
+    set_color(values, v, type, fields, axes, by_axis);
   }
-  CodedValues<std::byte> coded{.bytes = out.take(), .values = {}};
-  const std::size_t size = component_size(type);
-  coded.values.resize(values.size());
-  std::byte* to = coded.values.data();
-  for (const ColorLevels& of_vertex : levels)
-    for (std::size_t c = 0; c < components; ++c, to += size)
-      store_component(to, size, color_of_level(type, fields.bits, of_vertex[c]));
-  return coded;
+  if (coder) out.write_bytes(writer.finish());
+  return CodedValues<std::byte>{.bytes = out.take(), .values = values.take()};
 }
 
 }  // namespace deltamesh

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "attributes/attribute_surface.h"
-#include "attributes/coded_values.h"
+#include "attributes/attribute_values.h"
 #include "deltamesh/result.h"
 
 namespace deltamesh {

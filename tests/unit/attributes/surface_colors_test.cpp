@@ -13,11 +13,13 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <numeric>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "attributes/color_coder.h"
-#include "attributes/color_levels.h"
+#include "attributes/color_fields.h"
 #include "entropy/compact_writer.h"
 #include "support/graph_mesh.h"
 #include "support/guarded.h"
@@ -99,10 +101,20 @@ double largest_error(ComponentType type, const Bytes& a, const Bytes& b) {
   return largest;
 }
 
+std::optional<CodedValues<std::byte>> write_colors(const Bytes& values, ComponentType type,
+                                                   unsigned components, double bound,
+                                                   const AttributeSurface& surface) {
+  std::vector<std::uint32_t> order(values.size() / (components * component_size(type)));
+  std::iota(order.begin(), order.end(), 0U);
+  const AttributeView view{
+      .type = type, .components = static_cast<std::uint8_t>(components), .name = {}, .values = values};
+  return write_surface_colors(type, AttributeRows(view, order), bound, surface);
+}
+
 /// What readers get, which must be what the writer said.
 Bytes code(const Bytes& values, ComponentType type, unsigned components, double bound,
            const AttributeSurface& surface, std::size_t* size = nullptr) {
-  const auto coded = write_surface_colors(values, type, components, bound, surface);
+  const auto coded = write_colors(values, type, components, bound, surface);
   if (!coded) {
     ADD_FAILURE() << "not coded";
     return {};
@@ -113,7 +125,7 @@ Bytes code(const Bytes& values, ComponentType type, unsigned components, double 
     return {};
   }
   EXPECT_EQ(*read, coded->values);
-  EXPECT_EQ(write_surface_colors(values, type, components, bound, surface)->bytes, coded->bytes);
+  EXPECT_EQ(write_colors(values, type, components, bound, surface)->bytes, coded->bytes);
   if (size != nullptr) *size = coded->bytes.size();
   return *read;
 }
@@ -313,7 +325,7 @@ TEST(SurfaceColors, WhatHasNoLevelsIsLeftToOthers) {
     floats[7] = odd;
     Bytes values(48);
     std::memcpy(values.data(), floats.data(), 48);
-    return write_surface_colors(values, ComponentType::kF32, 3, bound, surface.get()).has_value();
+    return write_colors(values, ComponentType::kF32, 3, bound, surface.get()).has_value();
   };
   EXPECT_FALSE(code_floats(0.5F, 0));  // between two 65535ths
   EXPECT_TRUE(code_floats(0.5F, 0.1));
@@ -321,8 +333,8 @@ TEST(SurfaceColors, WhatHasNoLevelsIsLeftToOthers) {
   for (const float odd :
        {-0.01F, 1.01F, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()})
     EXPECT_FALSE(code_floats(odd, 1));
-  EXPECT_FALSE(write_surface_colors(Bytes(4 * 3 * 8), ComponentType::kF64, 3, 1, surface.get()));
-  EXPECT_FALSE(write_surface_colors(Bytes(4 * 3), ComponentType::kI8, 3, 1, surface.get()));
+  EXPECT_FALSE(write_colors(Bytes(4 * 3 * 8), ComponentType::kF64, 3, 1, surface.get()));
+  EXPECT_FALSE(write_colors(Bytes(4 * 3), ComponentType::kI8, 3, 1, surface.get()));
 }
 
 TEST(SurfaceColors, ATTR45HeadersAreChecked) {
@@ -354,8 +366,8 @@ TEST(SurfaceColors, ATTR45DamageIsNoticedOrSurvived) {
     const Surface surface(mesh);
     for (const ComponentType type : kTypes) {
       for (const double bound : {0.0, 3.0}) {
-        const auto coded = write_surface_colors(values_of(type, waves(surface.count, 4, 0.3)), type, 4, bound,
-                                                surface.get());
+        const auto coded =
+            write_colors(values_of(type, waves(surface.count, 4, 0.3)), type, 4, bound, surface.get());
         ASSERT_TRUE(coded);
         expect_guarded(
             coded->bytes,
