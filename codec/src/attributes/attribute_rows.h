@@ -4,6 +4,7 @@
 // A source attribute's values by coded vertex.
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -50,8 +51,7 @@ class AttributeRows {
   }
   /// The first three components of an f32 attribute.
   Vec3 vector(std::size_t row) const noexcept {
-    return {static_cast<double>(number(row, 0)), static_cast<double>(number(row, 1)),
-            static_cast<double>(number(row, 2))};
+    return widen(std::array{number(row, 0), number(row, 1), number(row, 2)});
   }
 
   /// All values, n x components x size, in coded order.

@@ -12,37 +12,11 @@
 #include <vector>
 
 #include "attributes/surface_order.h"
+#include "base/vec3.h"
 #include "predictive/surroundings.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {
-
-/// What is asked for is made then, O(n + m) each. Not for several threads at once.
-class JoinedFaces {
- public:
-  /// `geometric`: of every vertex, not empty, never falling.
-  JoinedFaces(std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> geometric)
-      : vertex_count_(geometric.back() + 1) {
-    triangles_.reserve(triangles.size());
-    for (const std::uint32_t vertex : triangles) triangles_.push_back(geometric[vertex]);
-  }
-
-  std::uint32_t vertex_count() const noexcept { return vertex_count_; }
-  const KnownFaces& faces() const {
-    if (!faces_) faces_.emplace(FaceList{triangles_, vertex_count_});
-    return *faces_;
-  }
-  const Adjacency& graph() const {
-    if (!graph_) graph_ = build_adjacency(triangles_, vertex_count_);
-    return *graph_;
-  }
-
- private:
-  std::vector<std::uint32_t> triangles_;  ///< m x 3
-  std::uint32_t vertex_count_;
-  mutable std::optional<KnownFaces> faces_;
-  mutable std::optional<Adjacency> graph_;
-};
 
 /// Does not own the arrays, which must outlive it. Not for several threads at once.
 class AttributeSurface {
@@ -77,6 +51,9 @@ class AttributeSurface {
   bool has_positions() const noexcept { return !positions_.empty(); }
   /// n x 3, or empty.
   std::span<const float> positions() const noexcept { return positions_; }
+  Vec3 position(std::uint32_t vertex) const noexcept {
+    return widen(positions_.data() + std::size_t{3} * vertex);
+  }
 
   /// Which vertices share an edge; copies of one geometric vertex are apart. Made when first asked for, O(m).
   const Adjacency& graph() const {
@@ -90,10 +67,14 @@ class AttributeSurface {
     if (!faces_) faces_.emplace(FaceList{triangles_, vertex_count_});
     return *faces_;
   }
-  /// The faces over the geometric vertices, where geometric() is not empty. Likewise.
-  const JoinedFaces& joined() const {
-    if (!joined_) joined_.emplace(triangles_, geometric_);
-    return *joined_;
+  /// What is around the geometric vertices, where geometric() is not empty. Likewise, O(n + m).
+  const KnownFaces& joined_faces() const {
+    if (!joined_faces_) {
+      std::vector<std::uint32_t> triangles(triangles_.begin(), triangles_.end());
+      for (std::uint32_t& vertex : triangles) vertex = geometric_[vertex];
+      joined_faces_.emplace(FaceList{triangles, geometric_.back() + 1});
+    }
+    return *joined_faces_;
   }
 
   /// Likewise, O(n + m).
@@ -117,7 +98,7 @@ class AttributeSurface {
   mutable std::optional<VertexCorners> corners_;
   mutable std::optional<SurfaceOrder> order_;
   mutable std::optional<KnownFaces> faces_;
-  mutable std::optional<JoinedFaces> joined_;
+  mutable std::optional<KnownFaces> joined_faces_;
 };
 
 }  // namespace deltamesh

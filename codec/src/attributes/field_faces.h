@@ -10,7 +10,6 @@
 
 #include "attributes/attribute_surface.h"
 #include "predictive/surroundings.h"
-#include "topology/adjacency.h"
 
 namespace deltamesh {
 
@@ -18,17 +17,13 @@ class FieldFaces {
  public:
   /// `joined`: copies of a geometric vertex are one. `surface` must outlive it.
   FieldFaces(const AttributeSurface& surface, bool joined)
-      : surface_(surface), geometric_(joined ? surface.geometric() : std::span<const std::uint32_t>()) {}
+      : geometric_(joined ? surface.geometric() : std::span<const std::uint32_t>()),
+        faces_(geometric_.empty() ? surface.faces() : surface.joined_faces()) {}
 
-  std::uint32_t vertex_count() const {
-    return geometric_.empty() ? surface_.vertex_count() : surface_.joined().vertex_count();
-  }
+  std::uint32_t vertex_count() const noexcept { return faces_.vertex_count(); }
   /// Of every vertex of the mesh; empty where each is its own.
   std::span<const std::uint32_t> geometric() const noexcept { return geometric_; }
-
-  const KnownFaces& faces() const {
-    return geometric_.empty() ? surface_.faces() : surface_.joined().faces();
-  }
+  const KnownFaces& faces() const noexcept { return faces_; }
 
   /// The row of the first copy of every vertex.
   template <class Row>
@@ -40,8 +35,8 @@ class FieldFaces {
   }
 
  private:
-  const AttributeSurface& surface_;
   std::span<const std::uint32_t> geometric_;
+  const KnownFaces& faces_;
 };
 
 /// Whether most copies of a geometric vertex have the row of the copy before.

@@ -15,8 +15,6 @@
 
 namespace deltamesh {
 
-inline Vec3 widen(FourFloats v) noexcept { return {v[0], v[1], v[2]}; }
-
 /// Three orthogonal unit vectors; fourth lanes are not used.
 struct NormalFrame {
   FourFloats pole;  ///< the predicted normal

@@ -42,7 +42,7 @@ constexpr std::array<std::int32_t, 3> octahedral_point(std::int32_t u, std::int3
 /// Scaled to unit length. The squares and their sum are exact in a double; square root and division are
 /// correctly rounded by IEEE 754, so that every machine gets the same floats.
 inline std::array<float, 3> octahedral_direction(const std::array<std::int32_t, 3>& p) noexcept {
-  const Vec3 q{static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
+  const Vec3 q = widen(p);
   const double size = length(q);
   return {static_cast<float>(q[0] / size), static_cast<float>(q[1] / size), static_cast<float>(q[2] / size)};
 }
@@ -68,7 +68,7 @@ inline OctahedralCode encode_octahedral(const Vec3& normal, int bits) noexcept {
     const std::int32_t a = std::clamp(cell_u + (i & 1), -h, h);
     const std::int32_t b = std::clamp(cell_v + (i >> 1), -h, h);
     const auto p = octahedral_point(a, b, h);
-    const Vec3 q{static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
+    const Vec3 q = widen(p);
     const double cosine = dot(normal, q) / length(q);
     if (cosine <= best_cosine) continue;
     best_cosine = cosine;

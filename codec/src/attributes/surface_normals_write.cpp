@@ -35,7 +35,7 @@ class NormalChoice {
       : bound_(bound), lattice_(lattice) {
     reserve_large(originals_, normals.size() / 3);
     for (std::size_t i = 0; i + 2 < normals.size(); i += 3) {
-      Vec3 normal{normals[i], normals[i + 1], normals[i + 2]};
+      Vec3 normal = widen(normals.subspan(i));
       normalize(normal);
       originals_.push_back(normal);
     }
@@ -114,7 +114,7 @@ constexpr double kRounding = 1e-6;
 
 bool are_directions(std::span<const float> normals, NormalParameters& parameters) {
   for (std::size_t i = 0; i + 2 < normals.size(); i += 3) {
-    const double size = length({normals[i], normals[i + 1], normals[i + 2]});
+    const double size = length(widen(normals.subspan(i)));
     if (size == 0) {
       parameters.has_zeros = true;
     } else if (!(std::fabs(size - 1) <= kUnitTolerance)) {

@@ -21,14 +21,9 @@ constexpr double kKeptAngle = 1 - 1e-6;
 /// What arithmetic in f32 may add to a distance.
 constexpr double kStepRounding = 1e-6;
 
-Vec3 vector_of(std::span<const float> tangents, std::size_t vertex) noexcept {
-  const float* const t = tangents.data() + 4 * vertex;
-  return {static_cast<double>(t[0]), static_cast<double>(t[1]), static_cast<double>(t[2])};
-}
-
 bool are_tangents(std::span<const float> tangents) noexcept {
   for (std::size_t v = 0; 4 * v < tangents.size(); ++v) {
-    if (!(std::fabs(length(vector_of(tangents, v)) - 1) <= kUnitTolerance)) return false;
+    if (!(std::fabs(length(widen(tangents.subspan(4 * v))) - 1) <= kUnitTolerance)) return false;
     if (std::fabs(tangents[4 * v + 3]) != 1) return false;
   }
   return true;
@@ -61,13 +56,13 @@ class TangentChoice {
 
  private:
   Vec3 source(std::uint32_t vertex) const noexcept {
-    Vec3 direction = vector_of(tangents_, vertex);
+    Vec3 direction = widen(tangents_.subspan(std::size_t{4} * vertex));
     normalize(direction);
     return direction;
   }
 
   bool is_near(std::uint32_t vertex, const Tangent& tangent) const noexcept {
-    Vec3 direction = Coder::widened(tangent);
+    Vec3 direction = widen(tangent);
     normalize(direction);
     const Vec3 off = direction - source(vertex);
     return dot(off, off) <= chord_ * chord_;

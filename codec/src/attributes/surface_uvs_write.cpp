@@ -36,24 +36,18 @@ class UvChoice {
   UvChoice(std::span<const float> uvs, double bound, double step) : uvs_(uvs), bound_(bound), step_(step) {}
 
   bool is_within(std::uint32_t vertex, TwoDoubles value) const noexcept {
-    return is_near(vertex, value[0], value[1]);
+    const TwoDoubles off = value - source(vertex);
+    return std::sqrt(dot(off, off)) <= bound_;
   }
 
   NumberPair nearest(std::uint32_t vertex, TwoDoubles forecast) const noexcept {
     const TwoDoubles steps = (source(vertex) - forecast) / step_;
     return choose_pair({steps[0], steps[1]}, [&](const NumberPair& pair) {
-      return is_near(vertex, static_cast<double>(Coder::coordinate(forecast, pair, step_, 0)),
-                     static_cast<double>(Coder::coordinate(forecast, pair, step_, 1)));
+      return is_within(vertex, Coder::at(forecast, pair, step_));
     });
   }
 
  private:
-  bool is_near(std::uint32_t vertex, double u, double v) const noexcept {
-    const double off_u = u - static_cast<double>(uvs_[std::size_t{2} * vertex]);
-    const double off_v = v - static_cast<double>(uvs_[std::size_t{2} * vertex + 1]);
-    return std::sqrt(off_u * off_u + off_v * off_v) <= bound_;
-  }
-
   TwoDoubles source(std::uint32_t vertex) const noexcept {
     return TwoDoubles{static_cast<double>(uvs_[std::size_t{2} * vertex]),
                       static_cast<double>(uvs_[std::size_t{2} * vertex + 1])};

@@ -86,10 +86,6 @@ class TangentCoder {
     return true;
   }
 
-  static Vec3 widened(const Tangent& t) noexcept {
-    return {static_cast<double>(t[0]), static_cast<double>(t[1]), static_cast<double>(t[2])};
-  }
-
  private:
   static constexpr std::uint32_t kFresh = 4096;
   static constexpr std::uint32_t kMostNear = 1U << 17;

@@ -64,8 +64,7 @@ class UvCoder {
       const TwoDoubles place = cut(forecast.place);
       if constexpr (Coder::kWrites) pair = choice_.nearest(vertex, place);
       if (!code_pair(i, vertex, forecast, pair)) return false;
-      value = TwoDoubles{static_cast<double>(coordinate(place, pair, step_, 0)),
-                         static_cast<double>(coordinate(place, pair, step_, 1))};
+      value = at(place, pair, step_);
     }
     values_[std::size_t{2} * vertex] = static_cast<float>(value[0]);
     values_[std::size_t{2} * vertex + 1] = static_cast<float>(value[1]);
@@ -75,9 +74,10 @@ class UvCoder {
 
   std::vector<float>& values() noexcept { return values_; }
 
-  /// `pair` steps from `place`.
-  static float coordinate(TwoDoubles place, const NumberPair& pair, double step, std::size_t k) noexcept {
-    return rounded(place[k] + step * static_cast<double>(pair[k]));
+  /// `pair` steps from `place`, rounded to floats.
+  static TwoDoubles at(TwoDoubles place, const NumberPair& pair, double step) noexcept {
+    return TwoDoubles{static_cast<double>(rounded(place[0] + step * static_cast<double>(pair[0]))),
+                      static_cast<double>(rounded(place[1] + step * static_cast<double>(pair[1])))};
   }
 
  private:

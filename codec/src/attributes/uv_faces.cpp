@@ -67,18 +67,14 @@ void UvFaces::add(std::size_t i, const Corner& corner) {
   face.b = corner.before;
   face.across = find_across(i, corner);
   if (surface_.has_positions()) {
-    const auto position = [&](std::uint32_t vertex) {
-      const float* const p = surface_.positions().data() + std::size_t{3} * vertex;
-      return Vec3{static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
-    };
-    const Edge edge(position(face.a), position(face.b));
-    const Apex apex = edge.place(position(order_.vertices[i]));
+    const Edge edge(surface_.position(face.a), surface_.position(face.b));
+    const Apex apex = edge.place(surface_.position(order_.vertices[i]));
     face.counts = apex.is_near;
     face.x = apex.x;
     face.y = apex.y;
     face.weight = 1 / (apex.y + 0.01);
     if (face.across != kNoUvVertex) {
-      const Apex across = edge.place(position(face.across));
+      const Apex across = edge.place(surface_.position(face.across));
       face.goes_on = across.is_near;
       face.across_x = across.x;
       face.ratio = apex.y / across.y;

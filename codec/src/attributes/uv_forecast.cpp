@@ -44,26 +44,15 @@ struct UvForecaster::Sums {
 UvForecaster::UvForecaster(const AttributeSurface& surface, const SurfaceOrder& order)
     : surface_(surface), order_(order), faces_(surface, order), values_(surface.vertex_count()) {
   if (!surface.has_positions()) return;
-  Box box;
-  for (std::uint32_t v = 0; v < surface.vertex_count(); ++v) {
-    const Vec3 p = position(v);
-    for (std::size_t k = 0; k < 3; ++k) {
-      box.min[k] = v == 0 ? p[k] : std::min(box.min[k], p[k]);
-      box.max[k] = v == 0 ? p[k] : std::max(box.max[k], p[k]);
-    }
-  }
+  Box box = Box::empty();
+  for (std::uint32_t v = 0; v < surface.vertex_count(); ++v) box.add(surface.position(v));
   center_ = 0.5 * (box.min + box.max);
   const double side = box.longest_side();
   scale_ = side > 0 ? 1 / side : 1;
 }
 
-Vec3 UvForecaster::position(std::uint32_t vertex) const noexcept {
-  const float* const p = surface_.positions().data() + std::size_t{3} * vertex;
-  return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
-}
-
 Vec3 UvForecaster::place_of(std::uint32_t vertex) const noexcept {
-  return scale_ * (position(vertex) - center_);
+  return scale_ * (surface_.position(vertex) - center_);
 }
 
 void UvForecaster::add_face(const UvFace& face, Sums& sums) const noexcept {

@@ -47,7 +47,6 @@ class UvForecaster {
   void add_flat_face(const UvFace& face, Sums& sums) const noexcept;
   TwoDoubles start(std::size_t i, bool& is_linked) const noexcept;
   Vec3 place_of(std::uint32_t vertex) const noexcept;
-  Vec3 position(std::uint32_t vertex) const noexcept;
 
   const AttributeSurface& surface_;
   const SurfaceOrder& order_;

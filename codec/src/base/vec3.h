@@ -28,6 +28,11 @@ constexpr double dot(const Vec3& a, const Vec3& b) noexcept {
 constexpr Vec3 cross(const Vec3& a, const Vec3& b) noexcept {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
+/// The first three numbers, exactly. `Numbers`: floats or integers, by index.
+template <class Numbers>
+constexpr Vec3 widen(const Numbers& numbers) noexcept {
+  return {static_cast<double>(numbers[0]), static_cast<double>(numbers[1]), static_cast<double>(numbers[2])};
+}
 inline double length(const Vec3& a) noexcept { return std::sqrt(dot(a, a)); }
 
 /// Scales `v` to unit length and returns what it is multiplied by, above 0. 0 where it has no direction: then
