@@ -14,7 +14,7 @@
 #include "format/container_write.h"
 #include "format/field_io.h"
 #include "format/header.h"
-#include "format/header_flags.h"
+#include "format/header_fields.h"
 #include "map_limits.h"
 #include "part_header.h"
 

@@ -49,6 +49,9 @@ constexpr bool decoded_after_others(AttributeKind kind) noexcept {
   return kind == AttributeKind::kTangent || kind == AttributeKind::kWeights;
 }
 
+/// Without values.
+Attribute shape_of(const AttributeDescriptor& descriptor);
+
 /// Bytes of all values of `rows` vertices.
 std::uint64_t attribute_bytes(const AttributeDescriptor& descriptor, std::uint32_t rows) noexcept;
 

@@ -65,6 +65,14 @@ Result<AttributeCoding> read_coding(ByteReader& in, const AttributeDescriptor& d
 
 }  // namespace
 
+Attribute shape_of(const AttributeDescriptor& descriptor) {
+  return {.kind = descriptor.kind,
+          .type = descriptor.type,
+          .components = descriptor.components,
+          .normalized = (descriptor.flags & 1) != 0,
+          .name = descriptor.name};
+}
+
 std::uint64_t attribute_bytes(const AttributeDescriptor& descriptor, std::uint32_t rows) noexcept {
   return saturating_mul(rows, descriptor.components * component_size(descriptor.type));
 }
@@ -75,11 +83,7 @@ Result<Attribute> read_attribute(Payload payload, const AttributeDescriptor& des
   ByteReader in(payload.bytes, kTagAttribute);
   if (attribute_bytes(descriptor, surface.vertex_count()) > max_bytes)
     return in.error(ErrorCode::kLimitExceeded, "attribute values larger than allowed", "ATTR-8");
-  Attribute attribute{.kind = descriptor.kind,
-                      .type = descriptor.type,
-                      .components = descriptor.components,
-                      .normalized = (descriptor.flags & 1) != 0,
-                      .name = descriptor.name};
+  Attribute attribute = shape_of(descriptor);
   DELTAMESH_TRY(const AttributeCoding coding, read_coding(in, descriptor, payload.is_compact));
   DELTAMESH_TRY(attribute.values, payload.is_compact
                                       ? read_on_surface(in, coding, attribute, surface, others, learning)

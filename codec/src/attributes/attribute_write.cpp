@@ -65,18 +65,10 @@ double bound_of(const AttributeView& attribute, const AttributeQuality& quality)
   return 0;
 }
 
-Attribute attribute_of(const AttributeView& attribute, std::span<const std::byte> values) {
-  return {.kind = attribute.kind,
-          .type = attribute.type,
-          .components = attribute.components,
-          .normalized = attribute.normalized,
-          .name = std::string(attribute.name),
-          .values = {values.begin(), values.end()}};
-}
-
-/// The compact payload of a coding, which has no plain form; empty where the coding does not keep the bound.
+/// The compact payload of a coding, which has no plain form, and values; empty where the coding does not keep
+/// the bound.
 template <class T>
-std::optional<CodedAttribute> code_compact(const AttributeView& attribute, AttributeCoding coding,
+std::optional<CodedAttribute> code_compact(AttributeCoding coding,
                                            const std::optional<CodedValues<T>>& values) {
   if (!values) return std::nullopt;
   ByteWriter out;
@@ -84,14 +76,14 @@ std::optional<CodedAttribute> code_compact(const AttributeView& attribute, Attri
   out.write_bytes(values->bytes);
   CodedAttribute coded;
   coded.compact = out.take();
-  coded.decoded = attribute_of(attribute, std::as_bytes(std::span(values->values)));
+  const auto decoded = std::as_bytes(std::span(values->values));
+  coded.decoded.values.assign(decoded.begin(), decoded.end());
   return coded;
 }
 
 std::optional<CodedAttribute> code_on_lattices(const AttributeView& attribute, const AttributeRows& rows,
                                                double bound, int effort, const AttributeSurface& surface) {
-  return code_compact(attribute, AttributeCoding::kLattice,
-                      write_lattice(attribute, rows, bound, effort, surface));
+  return code_compact(AttributeCoding::kLattice, write_lattice(attribute, rows, bound, effort, surface));
 }
 
 /// By the coding of the attribute's kind and shape; empty where there is none, or none that keeps the bound.
@@ -102,21 +94,21 @@ std::optional<CodedAttribute> code_kind(const AttributeView& attribute, const At
   const auto fits = [&](AttributeCoding coding) {
     return coding_fits(coding, attribute.kind, attribute.type, attribute.components);
   };
-  const auto code = [&](AttributeCoding coding, const auto& values) {
-    return code_compact(attribute, coding, values);
-  };
   if (fits(kSurfaceNormals))
-    return code(kSurfaceNormals, write_surface_normals(rows.gather_floats(), bound, surface));
-  if (fits(kSurfaceUvs)) return code(kSurfaceUvs, write_surface_uvs(rows.gather_floats(), bound, surface));
+    return code_compact(kSurfaceNormals, write_surface_normals(rows.gather_floats(), bound, surface));
+  if (fits(kSurfaceUvs))
+    return code_compact(kSurfaceUvs, write_surface_uvs(rows.gather_floats(), bound, surface));
   if (fits(kSurfaceTangents)) {
     const TangentBasis basis = tangent_basis(others, surface.vertex_count());
-    return code(kSurfaceTangents, write_surface_tangents(rows.gather_floats(), bound, surface, basis));
+    return code_compact(kSurfaceTangents,
+                        write_surface_tangents(rows.gather_floats(), bound, surface, basis));
   }
   if (fits(kSurfaceColors))
-    return code(kSurfaceColors, write_surface_colors(attribute.type, rows, bound, surface, settings.start));
-  if (fits(kJoints)) return code(kJoints, std::optional(write_joints(attribute, rows, surface)));
+    return code_compact(kSurfaceColors,
+                        write_surface_colors(attribute.type, rows, bound, surface, settings.start));
+  if (fits(kJoints)) return code_compact(kJoints, std::optional(write_joints(attribute, rows, surface)));
   if (fits(kWeights)) {
-    auto coded = code(kWeights, write_weights(attribute, rows, bound, surface, others));
+    auto coded = code_compact(kWeights, write_weights(attribute, rows, bound, surface, others));
     if (coded) return coded;
   }
   switch (attribute.kind) {
@@ -153,15 +145,6 @@ AttributeDescriptor describe(const AttributeView& attribute) {
           .name = std::string(attribute.name)};
 }
 
-Result<CodedAttribute> code_plainly(const AttributeView& attribute, const AttributeRows& rows, double bound,
-                                    const AttributeSurface& surface) {
-  CodedAttribute coded;
-  coded.plain = write_plain_attribute(attribute, rows, bound);
-  DELTAMESH_TRY(coded.decoded,
-                read_attribute(coded.plain, describe(attribute), surface, {}, ~std::uint64_t{0}));
-  return coded;
-}
-
 }  // namespace
 
 Result<CodedAttribute> write_attribute(const AttributeView& attribute, std::span<const std::uint32_t> order,
@@ -172,10 +155,16 @@ Result<CodedAttribute> write_attribute(const AttributeView& attribute, std::span
   const double bound = std::min(bound_of(attribute, settings.quality), kLargestBound);
   std::optional<CodedAttribute> coded;
   if (!settings.plain) coded = write_on_surface(attribute, rows, bound, settings, surface, others);
-  if (!coded) {
-    DELTAMESH_TRY(coded, code_plainly(attribute, rows, bound, surface));
+  const AttributeDescriptor descriptor = describe(attribute);
+  Attribute decoded = shape_of(descriptor);
+  if (coded) {
+    decoded.values = std::move(coded->decoded.values);
+  } else {
+    coded.emplace().plain = write_plain_attribute(attribute, rows, bound);
+    DELTAMESH_TRY(decoded.values, read_plain_values(coded->plain, decoded, surface.vertex_count()));
   }
-  coded->descriptor = describe(attribute);
+  coded->decoded = std::move(decoded);
+  coded->descriptor = descriptor;
   coded->descriptor.error = short_float_above(attribute_error(attribute, rows, coded->decoded.values));
   return *std::move(coded);
 }

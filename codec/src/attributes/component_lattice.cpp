@@ -53,6 +53,11 @@ std::uint64_t bits_of_number(ComponentType type, double x) noexcept {
   return static_cast<std::uint64_t>(whole) & (~std::uint64_t{0} >> (64 - width));
 }
 
+std::int64_t ComponentLattice::nearest(double x) const noexcept {
+  const double place = x * static_cast<double>(over) / static_cast<double>(times);
+  return static_cast<std::int64_t>(std::floor(place + 0.5)) - base;
+}
+
 std::int32_t ComponentLattice::rest() const noexcept {
   if (kind == LatticeKind::kPoints)
     return static_cast<std::int32_t>(std::clamp(-base, std::int64_t{0}, std::int64_t{cells}));

@@ -50,6 +50,8 @@ struct ComponentLattice {
   double at(std::int64_t q) const noexcept {
     return static_cast<double>(base + q) * static_cast<double>(times) / static_cast<double>(over);
   }
+  /// Of kPoints: the number of the point that is nearest to `x`.
+  std::int64_t nearest(double x) const noexcept;
   /// The number that stands for 0, or for what is nearest to it; of a list the first whose bits are clear,
   /// else 0. Not of floats [ATTR-59].
   std::int32_t rest() const noexcept;

@@ -8,8 +8,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "attributes/lattice_numbers.h"
-
 namespace deltamesh {
 namespace {
 
@@ -67,7 +65,7 @@ bool settle(const Column& column, double bound, ComponentLattice& lattice) noexc
     if (!(std::fabs(x) * static_cast<double>(lattice.over) <
           kLargestWhole * static_cast<double>(lattice.times)))
       return false;
-    const std::int64_t q = nearest_point(lattice, x);
+    const std::int64_t q = lattice.nearest(x);
     const std::uint64_t bits = bits_of_number(column.type, lattice.at(q));
     if (bits != column.bits[i] && !(bound > 0 && std::fabs(number_of_bits(column.type, bits) - x) <= bound))
       return false;
@@ -84,7 +82,7 @@ bool settle(const Column& column, double bound, ComponentLattice& lattice) noexc
 float common_divisor(const Column& column, const ComponentLattice& lattice) noexcept {
   std::int64_t common = 0;
   for (const double x : column.numbers) {
-    common = std::gcd(common, nearest_point(lattice, x));
+    common = std::gcd(common, lattice.nearest(x));
     if (common == 1) return 1;
   }
   return common > 0 && common < (1 << 24) ? static_cast<float>(common) : 1.0F;

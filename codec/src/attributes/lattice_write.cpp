@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
+#include <algorithm>
+#include <unordered_map>
+
 #include "attributes/lattice_attribute.h"
 #include "attributes/lattice_fit.h"
 #include "attributes/lattice_group.h"
-#include "attributes/lattice_numbers.h"
 #include "entropy/compact_writer.h"
 #include "predictive/blend_fit.h"
+#include "predictive/float_order.h"
 #include "predictive/guess_forecast.h"
 
 namespace deltamesh {
@@ -13,6 +16,27 @@ namespace {
 
 /// Fields where so much rests may be sparse: one vertex in so many.
 constexpr std::size_t kSparseValues = 8;
+
+/// The numbers of a lattice, not of kConstant, for the values it was fitted to.
+class LatticeNumbers {
+ public:
+  LatticeNumbers(const ComponentLattice& lattice, ComponentType type) : lattice_(lattice), type_(type) {
+    for (const std::uint64_t value : lattice.values)
+      places_.emplace(value, static_cast<std::int32_t>(places_.size()));
+  }
+
+  /// What stands for the value with these bits.
+  std::int32_t of(std::uint64_t bits) const {
+    if (lattice_.is_floats()) return ordinal_of(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
+    if (lattice_.kind == LatticeKind::kListed) return places_.at(bits);
+    return static_cast<std::int32_t>(lattice_.nearest(number_of_bits(type_, bits)));
+  }
+
+ private:
+  const ComponentLattice& lattice_;
+  ComponentType type_;
+  std::unordered_map<std::uint64_t, std::int32_t> places_;  ///< in a list
+};
 
 std::vector<Cell> cells_of(const FieldGroup& group, std::span<const ComponentLattice> lattices,
                            ComponentType type, const AttributeRows& rows) {

@@ -2,6 +2,7 @@
 // Copyright 2026 The deltamesh authors
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "attributes/pair_choice.h"
@@ -18,14 +19,13 @@ constexpr double kMostRange = 0x1p18;
 /// Of the bound: however a distance is computed, it is kept.
 constexpr double kKeptDistance = 1 - 1e-12;
 
+/// In size; infinity where one is not finite.
 double largest(std::span<const float> uvs) noexcept {
   double most = 0;
-  for (const float x : uvs) most = std::max(most, std::fabs(static_cast<double>(x)));
+  for (const float x : uvs)
+    most = std::isnan(x) ? std::numeric_limits<double>::infinity()
+                         : std::max(most, std::fabs(static_cast<double>(x)));
   return most;
-}
-
-bool are_finite(std::span<const float> uvs) noexcept {
-  return std::all_of(uvs.begin(), uvs.end(), [](float x) { return std::isfinite(x); });
 }
 
 /// Chooses what to code so that no coordinates are farther from the source's than the bound.
@@ -62,7 +62,6 @@ class UvChoice {
 
 std::optional<CodedValues<float>> write_surface_uvs(std::span<const float> uvs, double max_distance,
                                                     const AttributeSurface& surface) {
-  if (!are_finite(uvs)) return std::nullopt;
   const double most = largest(uvs);
   // Rounding to floats takes half a unit in the last place of each coordinate.
   const double left = max_distance - most * 0x1p-23;

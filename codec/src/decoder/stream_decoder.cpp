@@ -119,13 +119,10 @@ class StreamDecoder {
 
   /// n x 3.
   Result<std::vector<float>> read_geometry(const std::vector<std::uint32_t>& triangles) {
-    if (header_.geometry == kGeometryPredictive) {
-      DELTAMESH_TRY(auto rows, read_predicted(geometric(triangles)));
-      if (is_split()) rows = copy_rows(rows, copies_);
-      return rows;
-    }
-    DELTAMESH_TRY(const auto positions, read_solved());
-    return to_float_rows(positions, copies_);
+    DELTAMESH_TRY(auto rows, header_.geometry == kGeometryPredictive ? read_predicted(geometric(triangles))
+                                                                     : read_solved());
+    if (is_split()) rows = copy_rows(rows, copies_);
+    return rows;
   }
 
   bool is_split() const noexcept { return !copies_.empty(); }
@@ -177,12 +174,14 @@ class StreamDecoder {
                  .rule = "HDR-7"};
   }
 
-  Result<LargeVector<Vec3>> read_solved() {
+  Result<std::vector<float>> read_solved() {
     Components components = runs_.components(header_.geometric_vertices);
     DELTAMESH_TRY(const auto deltas, expand_single(container_, kTagDeltas, max_payload(header_)));
     DELTAMESH_TRY(const auto anchors, expand_single(container_, kTagAnchors, max_payload(header_)));
-    return read_highpass(deltas.payload(), anchors.payload(), std::move(graph_), std::move(components),
-                         header_.box(), header_.highpass, team_);
+    DELTAMESH_TRY(const auto positions,
+                  read_highpass(deltas.payload(), anchors.payload(), std::move(graph_), std::move(components),
+                                header_.box(), header_.highpass, team_));
+    return to_float_rows(positions);
   }
 
   /// `positions`: n x 3, or empty where attributes may not know them.

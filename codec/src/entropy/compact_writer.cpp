@@ -8,27 +8,6 @@
 namespace deltamesh {
 namespace {
 
-/// x / `divisor`, x below 2^63, by the highest half of a product; what is slow, the reciprocal, need not wait
-/// for x.
-struct Quotient {
-  std::uint64_t quotient;
-  std::uint64_t rest;
-};
-inline Quotient divide(std::uint64_t x, std::uint32_t divisor) noexcept {
-#if defined(__SIZEOF_INT128__)
-  __extension__ using Wide = unsigned __int128;
-  const std::uint64_t reciprocal = ~std::uint64_t{0} / divisor;
-  std::uint64_t quotient = static_cast<std::uint64_t>((Wide{x} * reciprocal) >> 64);
-  std::uint64_t rest = x - quotient * divisor;
-  const std::uint64_t more = rest >= divisor ? 1 : 0;  // the estimate is at most 1 too small
-  quotient += more;
-  rest -= more * divisor;
-  return {quotient, rest};
-#else
-  return {x / divisor, x % divisor};
-#endif
-}
-
 /// The `count` lowest bytes of `value`, the lowest first.
 void put_number(std::vector<std::byte>& bytes, std::uint64_t value, unsigned count) {
   for (unsigned b = 0; b < count; ++b) bytes.push_back(static_cast<std::byte>(value >> (8 * b)));
@@ -63,8 +42,7 @@ bool CompactWriter::encode(std::uint64_t begin, States& states, std::size_t& fir
       state = state << (size - kBitsMark) | start;
       continue;
     }
-    const auto [quotient, rest] = divide(state, size);
-    state = (quotient << kProbabilityBits) + rest + start;
+    state = (state / size << kProbabilityBits) + state % size + start;
     if (joined == 0) continue;
     state = state << joined_count | joined >> 16;
     --i;

@@ -29,13 +29,15 @@ class FieldReader {
   }
   template <class T>
   void varint(T& field) {
-    std::uint64_t code = 0;
-    if constexpr (std::is_signed_v<T>) {
-      take_varint(std::numeric_limits<std::uint64_t>::max(), code);
-      if (first_) field = unzigzag(code);
+    constexpr bool kIsSigned = std::is_signed_v<T>;
+    if (!first_) return;
+    const auto code = in_.read_varint(kIsSigned ? ~std::uint64_t{0} : std::numeric_limits<T>::max());
+    if (!code) {
+      first_ = code.error();
+    } else if constexpr (kIsSigned) {
+      field = unzigzag(*code);
     } else {
-      take_varint(std::numeric_limits<T>::max(), code);
-      if (first_) field = static_cast<T>(code);
+      field = static_cast<T>(*code);
     }
   }
 
@@ -50,9 +52,6 @@ class FieldReader {
     } else {
       first_ = read.error();
     }
-  }
-  void take_varint(std::uint64_t most, std::uint64_t& code) {
-    if (first_) take(in_.read_varint(most), code);
   }
 
   ByteReader& in_;

@@ -9,7 +9,6 @@
 
 #include "format/field_io.h"
 #include "format/header_fields.h"
-#include "format/header_flags.h"
 
 namespace deltamesh {
 namespace {

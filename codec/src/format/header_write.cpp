@@ -3,7 +3,6 @@
 #include "base/byte_writer.h"
 #include "format/field_io.h"
 #include "format/header_fields.h"
-#include "format/header_flags.h"
 
 namespace deltamesh {
 std::vector<std::byte> write_header(const FileHeader& header) {

@@ -34,16 +34,13 @@ Result<std::vector<Vec3>> to_float_positions(std::span<const Vec3> positions) {
   return rounded;
 }
 
-Result<std::vector<float>> to_float_rows(std::span<const Vec3> positions,
-                                         std::span<const std::uint32_t> copies) {
-  const std::size_t count = copies.empty() ? positions.size() : copies.size();
+Result<std::vector<float>> to_float_rows(std::span<const Vec3> positions) {
   std::vector<float> rows;
-  reserve_large(rows, 3 * count);
-  rows.resize(3 * count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vec3& position = positions[copies.empty() ? i : copies[i]];
-    for (std::size_t axis = 0; axis < 3; ++axis) rows[3 * i + axis] = static_cast<float>(position[axis]);
-  }
+  reserve_large(rows, 3 * positions.size());
+  rows.resize(3 * positions.size());
+  auto row = rows.begin();
+  for (const Vec3& position : positions)
+    for (const double x : position) *row++ = static_cast<float>(x);
   DELTAMESH_CHECK(check_finite(rows));
   return rows;
 }

@@ -16,10 +16,8 @@ namespace deltamesh {
 /// Each coordinate rounded to the nearest float32 [GEO-1]. Errors: kInvalidStream where one does not fit.
 Result<std::vector<Vec3>> to_float_positions(std::span<const Vec3> positions);
 
-/// The same as n x 3 floats, one row for each of `copies`, which are indices into `positions`; where that is
-/// empty, one for each position.
-Result<std::vector<float>> to_float_rows(std::span<const Vec3> positions,
-                                         std::span<const std::uint32_t> copies);
+/// The same as n x 3 floats.
+Result<std::vector<float>> to_float_rows(std::span<const Vec3> positions);
 
 /// Errors: kInvalidStream where one of the coordinates, n x 3, is not finite [GEO-1].
 Result<void> check_finite(std::span<const float> rows);

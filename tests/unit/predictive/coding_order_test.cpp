@@ -118,13 +118,13 @@ TEST(CodingOrder, POSN10EveryFormComesBack) {
         const auto bytes = write_positions(faces, cells, parameters, form);
         const auto back = read_positions(Payload::compact(bytes), faces, parameters, mesh.box);
         ASSERT_TRUE(back) << back.error().message;
-        EXPECT_EQ(*back, *to_float_rows(to_positions(cells, parameters.lattice), {}));
+        EXPECT_EQ(*back, *to_float_rows(to_positions(cells, parameters.lattice)));
         const auto exact = write_floats(faces, to_positions(cells, {}), {{0, 0, 0}, {1e6, 1e6, 1e6}}, form);
         const auto floats =
             read_positions(Payload::compact(exact), faces, {.kind = PositionKind::kFloats, .lattice = {}},
                            {{0, 0, 0}, {1e6, 1e6, 1e6}});
         ASSERT_TRUE(floats) << floats.error().message;
-        EXPECT_EQ(*floats, *to_float_rows(to_positions(cells, {}), {}));
+        EXPECT_EQ(*floats, *to_float_rows(to_positions(cells, {})));
       }
     }
   }

@@ -67,7 +67,7 @@ TEST(Predictive, POSN2POSN3POSN4POSN5POSN6POSN8POSN9CellsComeBack) {
       const auto bytes = write_positions(faces, cells, {.lattice = lattice});
       const auto back = read_positions(Payload::compact(bytes), faces, {.lattice = lattice}, mesh.box);
       ASSERT_TRUE(back) << back.error().message;
-      EXPECT_EQ(*back, *to_float_rows(to_positions(cells, lattice), {}));
+      EXPECT_EQ(*back, *to_float_rows(to_positions(cells, lattice)));
       const auto guessed =
           write_positions(faces, cells, {.lattice = lattice}, {.guesses = Guessing::kAlways});
       EXPECT_EQ(*read_positions(Payload::compact(guessed), faces, {.lattice = lattice}, mesh.box), *back);
@@ -90,7 +90,7 @@ TEST(Predictive, VerticesWithoutFacesComeBack) {
         const auto bytes = write_positions(faces, cells, parameters, {.coding_order = coding_order});
         const auto back = read_positions(Payload::compact(bytes), faces, parameters, mesh.box);
         ASSERT_TRUE(back) << back.error().message;
-        EXPECT_EQ(*back, *to_float_rows(to_positions(cells, parameters.lattice), {}));
+        EXPECT_EQ(*back, *to_float_rows(to_positions(cells, parameters.lattice)));
       }
       std::vector<Vec3> floats = mesh.positions;
       for (Vec3& p : floats) p[2] = static_cast<double>(static_cast<float>(p[2]));
@@ -98,7 +98,7 @@ TEST(Predictive, VerticesWithoutFacesComeBack) {
       const auto back = read_positions(Payload::compact(bytes), faces,
                                        {.kind = PositionKind::kFloats, .lattice = {}}, mesh.box);
       ASSERT_TRUE(back) << back.error().message;
-      EXPECT_EQ(*back, *to_float_rows(floats, {}));
+      EXPECT_EQ(*back, *to_float_rows(floats));
     }
   }
 }

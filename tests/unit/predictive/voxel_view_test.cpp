@@ -436,7 +436,7 @@ TEST(VoxelCoder, POSN12AnyNumberOfVerticesComesBack) {
     const auto bytes = write_positions(list, cells, parameters);
     const auto back = read_positions(Payload::compact(bytes), list, parameters, mesh.box);
     ASSERT_TRUE(back);
-    EXPECT_EQ(*back, *to_float_rows(to_positions(cells, parameters.lattice), {}));
+    EXPECT_EQ(*back, *to_float_rows(to_positions(cells, parameters.lattice)));
   }
 }
 
