@@ -4,16 +4,18 @@
 // The largest error of a decoded attribute, in the unit of its kind (AttributeInfo::error).
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <span>
 
 #include "attributes/attribute_rows.h"
+#include "base/vec3.h"
 #include "deltamesh/mesh.h"
 
 namespace deltamesh {
 
 /// Normals and tangents of a length this far from 1 are data, not directions: they are stored exactly.
-inline constexpr double kUnitTolerance = 1e-2;
+inline bool is_direction(const Vec3& v) noexcept { return std::fabs(length(v) - 1) <= 1e-2; }
 
 /// `decoded`: rows.count() values of the shape of `attribute`, whose rows are `rows`. 0 where all bits are
 /// the same; infinity where a difference is not a number. The same on every machine. O(n).

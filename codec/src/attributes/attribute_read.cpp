@@ -57,9 +57,9 @@ Result<AttributeCoding> read_coding(ByteReader& in, const AttributeDescriptor& d
   DELTAMESH_TRY(const auto byte, in.read<std::uint8_t>());
   const auto coding = static_cast<AttributeCoding>(byte);
   if (!coding_fits(coding, descriptor.kind, descriptor.type, descriptor.components))
-    return in.error(ErrorCode::kInvalidStream, "attribute coding that its shape does not allow", "ATTR-2");
+    return in.invalid("attribute coding that its shape does not allow", "ATTR-2");
   if (is_plain_coding(coding) == is_compact)
-    return in.error(ErrorCode::kInvalidStream, "attribute coding of the other form", "ATTR-2");
+    return in.invalid("attribute coding of the other form", "ATTR-2");
   return coding;
 }
 

@@ -102,9 +102,7 @@ void write_lattice_fields(ByteWriter& out, ComponentType type, const ComponentLa
 
 Result<ComponentLattice> read_lattice_fields(ByteReader& in, ComponentType type,
                                              const ComponentLattice* before) {
-  const auto invalid = [&](const char* message) {
-    return in.error(ErrorCode::kInvalidStream, message, "ATTR-55");
-  };
+  const auto invalid = [&](const char* message) { return in.invalid(message, "ATTR-55"); };
   DELTAMESH_TRY(const auto kind, in.read<std::uint8_t>());
   ComponentLattice lattice;
   lattice.kind = static_cast<LatticeKind>(kind);

@@ -139,29 +139,13 @@ float step_within(double bound, ComponentType type, double largest) noexcept {
   return bound > 2 * spared ? round_down(std::min(2 * (bound - spared), 1e37)) : 0;
 }
 
-/// Some of the values: an exact lattice of all is one of these.
-Column sample_of(const Column& column) {
-  constexpr std::size_t kSample = 32;
-  Column sample;
-  sample.type = column.type;
-  const std::size_t stride = 1 + column.bits.size() / kSample;
-  for (std::size_t i = 0; i < column.bits.size(); i += stride) sample.add(column.bits[i]);
-  return sample;
-}
-
 std::optional<ComponentLattice> fit_points(const Column& column, double bound, float step) {
   if (!std::all_of(column.numbers.begin(), column.numbers.end(), [](double x) { return std::isfinite(x); }))
     return std::nullopt;
-  const auto is_coarse = [&](const std::optional<ComponentLattice>& exact) {
-    return exact && double{exact->times} >= double{step} * double{exact->over};
-  };
+  const auto exact = fit_exactly(column, bound);
+  if (exact && double{exact->times} >= double{step} * double{exact->over}) return exact;
   ComponentLattice within{.kind = LatticeKind::kPoints, .times = step};
-  const bool try_step = step > 0 && settle(column, bound, within);
-  // As most often a few values tell.
-  if (try_step && !is_coarse(fit_exactly(sample_of(column), bound))) return within;
-  auto exact = fit_exactly(column, bound);
-  if (try_step && !is_coarse(exact)) return within;
-  return exact;
+  return step > 0 && settle(column, bound, within) ? within : exact;
 }
 
 /// The different values, ascending (those that are not numbers last), or empty where there are too many.

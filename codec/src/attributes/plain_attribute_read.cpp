@@ -21,8 +21,7 @@ using Symbols = std::vector<std::uint64_t>;
 
 Result<int> read_bits(ByteReader& in, int min, int max) {
   DELTAMESH_TRY(const auto bits, in.read<std::uint8_t>());
-  if (bits < min || bits > max)
-    return in.error(ErrorCode::kInvalidStream, "attribute bits out of range", "ATTR-2");
+  if (bits < min || bits > max) return in.invalid("attribute bits out of range", "ATTR-2");
   return static_cast<int>(bits);
 }
 
@@ -49,7 +48,7 @@ Result<void> read_normals(ByteReader& in, std::uint32_t rows, AttributeValues& v
   for (std::size_t i = 0; i < rows; ++i) {
     const OctahedralCode code{static_cast<std::uint32_t>(u[i]), static_cast<std::uint32_t>(v[i])};
     if ((code[0] == zero) != (code[1] == zero))
-      return in.error(ErrorCode::kInvalidStream, "octahedral code outside its square", "ATTR-5");
+      return in.invalid("octahedral code outside its square", "ATTR-5");
     const auto normal = decode_octahedral(code, bits);
     for (std::size_t c = 0; c < 3; ++c) values.set(i, c, bits_of_float(normal[c]));
   }
@@ -76,7 +75,7 @@ Result<void> read_uvs(ByteReader& in, const Attribute& shape, std::uint32_t rows
     DELTAMESH_TRY(range.min, in.read<float>());
     DELTAMESH_TRY(range.max, in.read<float>());
     if (!std::isfinite(range.min) || !std::isfinite(range.max) || range.min > range.max)
-      return in.error(ErrorCode::kInvalidStream, "range of texture coordinates is not one", "ATTR-7");
+      return in.invalid("range of texture coordinates is not one", "ATTR-7");
   }
   return read_components(in, shape, rows, bits, values, [&](std::size_t c, std::uint64_t symbol) {
     return bits_of_float(value_of(static_cast<std::uint32_t>(symbol), ranges[c], top_level(bits)));
@@ -96,7 +95,7 @@ Result<void> read_coded(ByteReader& in, AttributeCoding coding, const Attribute&
     case AttributeCoding::kUvLevels:
       return read_uvs(in, shape, rows, values);
     default:
-      return in.error(ErrorCode::kInvalidStream, "a compact attribute coding in a plain payload", "ATTR-2");
+      return in.invalid("a compact attribute coding in a plain payload", "ATTR-2");
   }
 }
 

@@ -18,8 +18,8 @@ namespace {
 
 bool all_unit_or_zero(const AttributeRows& rows) {
   for (std::size_t i = 0; i < rows.count(); ++i) {
-    const double size = length(rows.vector(i));
-    if (size != 0 && !(std::fabs(size - 1) <= kUnitTolerance)) return false;
+    const Vec3 vector = rows.vector(i);
+    if (vector != Vec3{} && !is_direction(vector)) return false;
   }
   return true;
 }

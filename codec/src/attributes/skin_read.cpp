@@ -37,7 +37,7 @@ Result<std::vector<std::byte>> read_weights(std::span<const std::byte> bytes, co
   DELTAMESH_TRY(const auto coded_sum, in.read_varint(kMostWeightSum));
   const auto sum = static_cast<std::uint32_t>(coded_sum);
   if (sum == 0 || (shape.type != ComponentType::kF32 && top_of(shape.type) % sum != 0))
-    return in.error(ErrorCode::kInvalidStream, "weights that cannot add up to one", "ATTR-63");
+    return in.invalid("weights that cannot add up to one", "ATTR-63");
   DELTAMESH_TRY(const auto coded, in.read_bytes(in.remaining()));
   CompactReader reader(coded);
   const FieldFaces over(surface, reader.bits(0, 1) != 0);

@@ -13,9 +13,7 @@ namespace deltamesh {
 namespace {
 
 Result<ColorFields> read_fields(ByteReader& in, ComponentType type, unsigned components) {
-  const auto invalid = [&](const char* message) {
-    return in.error(ErrorCode::kInvalidStream, message, "ATTR-45");
-  };
+  const auto invalid = [&](const char* message) { return in.invalid(message, "ATTR-45"); };
   ColorFields fields;
   fields.components = components;
   DELTAMESH_TRY(fields.bits, in.read<std::uint8_t>());

@@ -21,18 +21,17 @@ Result<NormalParameters> read_parameters(ByteReader& in, const AttributeSurface&
   DELTAMESH_TRY(const auto form, in.read<std::uint8_t>());
   DELTAMESH_TRY(parameters.radius, in.read<float>());
   const int rule = form & kRuleMask;
-  if (rule > static_cast<int>(NormalRule::kEdges))
-    return in.error(ErrorCode::kInvalidStream, "unknown rule of normals", "ATTR-20");
+  if (rule > static_cast<int>(NormalRule::kEdges)) return in.invalid("unknown rule of normals", "ATTR-20");
   parameters.rule = static_cast<NormalRule>(rule);
   if (parameters.rule != NormalRule::kNone && !surface.has_positions())
-    return in.error(ErrorCode::kInvalidStream, "normals by a rule without positions", "ATTR-20");
+    return in.invalid("normals by a rule without positions", "ATTR-20");
   if ((form & ~(kRuleMask | kSharesFlag | kZerosFlag | kBlendsFlag)) != 0)
-    return in.error(ErrorCode::kInvalidStream, "reserved attribute flag set", "ATTR-20");
+    return in.invalid("reserved attribute flag set", "ATTR-20");
   parameters.shares = (form & kSharesFlag) != 0;
   parameters.has_zeros = (form & kZerosFlag) != 0;
   parameters.blends = (form & kBlendsFlag) != 0;
   if (!(parameters.radius >= kLeastRadius && parameters.radius <= 1))
-    return in.error(ErrorCode::kInvalidStream, "a parameter of the attribute is out of range", "ATTR-20");
+    return in.invalid("a parameter of the attribute is out of range", "ATTR-20");
   return parameters;
 }
 
@@ -47,8 +46,7 @@ Result<std::vector<float>> read_surface_normals(std::span<const std::byte> bytes
   NoSource source;
   NormalTraversal traversal(reader, source, surface, parameters);
   const bool is_valid = traversal.run([&] { return reader.failed(); });
-  if (!is_valid && !reader.failed())
-    return in.error(ErrorCode::kInvalidStream, "a normal off the sphere", "ATTR-24");
+  if (!is_valid && !reader.failed()) return in.invalid("a normal off the sphere", "ATTR-24");
   DELTAMESH_CHECK(reader.finish(kTagAttribute));
   return traversal.values();
 }

@@ -114,10 +114,10 @@ constexpr double kRounding = 1e-6;
 
 bool are_directions(std::span<const float> normals, NormalParameters& parameters) {
   for (std::size_t i = 0; i + 2 < normals.size(); i += 3) {
-    const double size = length(widen(normals.subspan(i)));
-    if (size == 0) {
+    const Vec3 normal = widen(normals.subspan(i));
+    if (normal == Vec3{}) {
       parameters.has_zeros = true;
-    } else if (!(std::fabs(size - 1) <= kUnitTolerance)) {
+    } else if (!is_direction(normal)) {
       return false;
     }
   }

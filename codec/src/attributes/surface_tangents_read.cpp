@@ -40,14 +40,14 @@ Result<std::vector<float>> read_surface_tangents(std::span<const std::byte> byte
   ByteReader in(bytes, kTagAttribute);
   DELTAMESH_TRY(const auto step, in.read<float>());
   if (!(step >= kLeastTangentStep && step <= kMostTangentStep))
-    return in.error(ErrorCode::kInvalidStream, "a parameter of the attribute is out of range", "ATTR-38");
+    return in.invalid("a parameter of the attribute is out of range", "ATTR-38");
   DELTAMESH_TRY(const auto stream, in.read_bytes(in.remaining()));
   CompactReader reader(stream);
   TangentCoder coder(reader, surface, basis.normals, basis.uvs, step, NoTangentChoice{});
   for (std::size_t i = 0; i < coder.count(); ++i) {
     const bool is_valid = coder.code(i);
     if (reader.failed()) break;
-    if (!is_valid) return in.error(ErrorCode::kInvalidStream, "a tangent beyond all directions", "ATTR-24");
+    if (!is_valid) return in.invalid("a tangent beyond all directions", "ATTR-24");
   }
   DELTAMESH_CHECK(reader.finish(kTagAttribute));
   return std::move(coder.values());

@@ -20,16 +20,14 @@ Result<std::vector<float>> read_surface_uvs(std::span<const std::byte> bytes,
   ByteReader in(bytes, kTagAttribute);
   DELTAMESH_TRY(const auto step, in.read<float>());
   if (!(step >= kLeastUvStep && step <= kMostUvStep))
-    return in.error(ErrorCode::kInvalidStream, "a parameter of the attribute is out of range", "ATTR-31");
+    return in.invalid("a parameter of the attribute is out of range", "ATTR-31");
   DELTAMESH_TRY(const auto stream, in.read_bytes(in.remaining()));
   CompactReader reader(stream);
   UvCoder coder(reader, surface, static_cast<double>(step), NoUvChoice{});
   for (std::size_t i = 0; i < coder.count(); ++i) {
     const bool is_valid = coder.code(i);
     if (reader.failed()) break;
-    if (!is_valid)
-      return in.error(ErrorCode::kInvalidStream, "texture coordinates too far from their forecast",
-                      "ATTR-37");
+    if (!is_valid) return in.invalid("texture coordinates too far from their forecast", "ATTR-37");
   }
   DELTAMESH_CHECK(reader.finish(kTagAttribute));
   return std::move(coder.values());

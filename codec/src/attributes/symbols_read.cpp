@@ -24,13 +24,12 @@ Result<std::vector<std::uint64_t>> read_symbols(ByteReader& in, std::uint64_t co
                                                 std::span<const std::uint64_t> before, unsigned width) {
   DELTAMESH_TRY(const auto choice, in.read<std::uint8_t>());
   if (choice >= (before.empty() ? kPredictComponent : kPredictions))
-    return in.error(ErrorCode::kInvalidStream, "unknown prediction", "ATTR-3");
+    return in.invalid("unknown prediction", "ATTR-3");
   DELTAMESH_TRY(auto symbols, read_words(in, count, width));
   std::uint64_t last = 0;
   for (std::size_t i = 0; i < symbols.size(); ++i) {
     std::uint64_t& symbol = symbols[i];
-    if (symbol > symbol_mask(width))
-      return in.error(ErrorCode::kInvalidStream, "symbol beyond its width", "ATTR-3");
+    if (symbol > symbol_mask(width)) return in.invalid("symbol beyond its width", "ATTR-3");
     if (choice == 0) continue;
     symbol = unfold_difference(symbol, width);
     if ((choice & kPredictVertex) != 0) symbol += last;

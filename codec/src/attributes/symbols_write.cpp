@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 #include <array>
-#include <bit>
 #include <cstddef>
 
 #include "attributes/symbols.h"
+#include "base/portable_math.h"
 #include "entropy/planes.h"
 
 namespace deltamesh {
@@ -25,24 +25,15 @@ std::vector<std::uint64_t> residuals(std::span<const std::uint64_t> symbols,
   return result;
 }
 
-/// log2 in 1/65536, linear between powers of two: integers, because the choice it steers must not depend on
-/// a mathematics library. 0 for 0.
-std::uint64_t coarse_log2(std::uint64_t value) noexcept {
-  if (value == 0) return 0;
-  const auto whole = static_cast<unsigned>(std::bit_width(value)) - 1;
-  const std::uint64_t rest = value - (std::uint64_t{1} << whole);
-  return (std::uint64_t{whole} << 16) + (whole <= 16 ? rest << (16 - whole) : rest >> (whole - 16));
-}
-
-/// Order-0 entropy of the byte planes together, in 1/65536 bit: sum over planes and bytes of
-/// count * (log2 n - log2 count).
-std::uint64_t entropy(std::span<const std::uint64_t> symbols, unsigned width) {
-  std::uint64_t total = 0;
+/// Order-0 entropy of the byte planes together, in bits.
+double entropy(std::span<const std::uint64_t> symbols, unsigned width) {
+  const auto log = [](std::size_t n) { return portable_log2(static_cast<double>(n)); };
+  double total = 0;
   for (unsigned shift = 0; shift < width; shift += 8) {
-    std::array<std::uint64_t, 256> counts{};
+    std::array<std::size_t, 256> counts{};
     for (const std::uint64_t symbol : symbols) ++counts[(symbol >> shift) & 0xff];
-    for (const std::uint64_t count : counts)
-      total += count * (coarse_log2(symbols.size()) - coarse_log2(count));
+    for (const std::size_t count : counts)
+      if (count > 0) total += static_cast<double>(count) * (log(symbols.size()) - log(count));
   }
   return total;
 }
@@ -59,10 +50,10 @@ void write_words(ByteWriter& out, std::span<const std::uint64_t> symbols, unsign
 void write_symbols(ByteWriter& out, std::span<const std::uint64_t> symbols,
                    std::span<const std::uint64_t> before, unsigned width) {
   unsigned best = 0;
-  std::uint64_t best_entropy = entropy(symbols, width);
+  double best_entropy = entropy(symbols, width);
   const unsigned choices = before.empty() ? kPredictComponent : kPredictions;
   for (unsigned choice = 1; choice < choices; ++choice) {
-    const std::uint64_t cost = entropy(residuals(symbols, before, width, choice), width);
+    const double cost = entropy(residuals(symbols, before, width, choice), width);
     if (cost >= best_entropy) continue;
     best = choice;
     best_entropy = cost;

@@ -32,7 +32,7 @@ namespace deltamesh {
       return value;
     }
   }
-  return error(ErrorCode::kInvalidStream, "varint too long or out of range", "CON-2");
+  return invalid("varint too long or out of range", "CON-2");
 }
 
 [[gnu::noinline]] Result<std::span<const std::byte>> ByteReader::read_bytes(std::uint64_t size) noexcept {
@@ -43,7 +43,7 @@ namespace deltamesh {
 }
 
 [[gnu::noinline]] Result<void> ByteReader::finish() const noexcept {
-  if (remaining() != 0) return error(ErrorCode::kInvalidStream, "bytes left over at the end", "CON-3");
+  if (remaining() != 0) return invalid("bytes left over at the end", "CON-3");
   return {};
 }
 

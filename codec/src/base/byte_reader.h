@@ -55,6 +55,10 @@ class ByteReader {
 
   /// An error at the current position.
   Error error(ErrorCode code, const char* message, const char* rule) const noexcept;
+  /// The same, kInvalidStream.
+  Error invalid(const char* message, const char* rule) const noexcept {
+    return error(ErrorCode::kInvalidStream, message, rule);
+  }
 
  private:
   /// The next `size` bytes, 8 at most, as a number. Errors: kTruncated [CON-1].

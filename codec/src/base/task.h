@@ -29,8 +29,8 @@ class Task {
   /// Once. Throws what `work` throws.
   auto get() {
     ThreadTeam* const team = std::exchange(team_, nullptr);
-    if (!kHasThreads || team == nullptr || team->take_back(job_)) {
-      result_.emplace(work_());
+    if (!kHasThreads || team == nullptr) {
+      run(this, 0);
     } else {
       team->finish(job_);
     }

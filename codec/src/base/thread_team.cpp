@@ -59,13 +59,6 @@ void ThreadTeam::finish(TeamJob& job) {
   if (job.error_) std::rethrow_exception(job.error_);
 }
 
-bool ThreadTeam::take_back(TeamJob& job) noexcept {
-  const std::lock_guard lock(mutex_);
-  if (job.next_ > 0) return false;
-  remove(job);
-  return true;
-}
-
 void ThreadTeam::withdraw(TeamJob& job) noexcept {
   std::unique_lock lock(mutex_);
   job.done_ += job.pieces_ - std::exchange(job.next_, job.pieces_);

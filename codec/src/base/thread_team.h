@@ -57,9 +57,6 @@ class ThreadTeam {
   /// are not taken by then are left out.
   void finish(TeamJob& job);
 
-  /// Cancels a job that no thread has begun. Returns false if one has.
-  bool take_back(TeamJob& job) noexcept;
-
   /// Waits for the pieces that are running; the others are left out.
   void withdraw(TeamJob& job) noexcept;
 

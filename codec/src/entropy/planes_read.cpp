@@ -7,7 +7,7 @@ namespace deltamesh {
 
 Result<std::vector<std::uint32_t>> read_planes(ByteReader& in, std::uint64_t count) {
   DELTAMESH_TRY(const auto planes, in.read<std::uint8_t>());
-  if (planes > 4) return in.error(ErrorCode::kInvalidStream, "more than four byte planes", "CON-5");
+  if (planes > 4) return in.invalid("more than four byte planes", "CON-5");
   if (planes != 0 && count > in.remaining() / planes)
     return in.error(ErrorCode::kTruncated, "bytes end inside the byte planes", "CON-5");
   std::vector<std::uint32_t> symbols(memory_size(count));

@@ -61,9 +61,7 @@ std::uint8_t row_of(const AttributeDescriptor& attribute) noexcept {
 }
 
 Result<AttributeDescriptor> read_spelled_out(ByteReader& in) {
-  const auto invalid = [&in](const char* message) {
-    return in.error(ErrorCode::kInvalidStream, message, "ATTR-1");
-  };
+  const auto invalid = [&in](const char* message) { return in.invalid(message, "ATTR-1"); };
   AttributeDescriptor a;
   DELTAMESH_TRY(const auto kind, in.read<std::uint8_t>());
   DELTAMESH_TRY(const auto type, in.read<std::uint8_t>());
@@ -101,8 +99,7 @@ void write_descriptor(ByteWriter& out, const AttributeDescriptor& attribute) {
 Result<AttributeDescriptor> read_descriptor(ByteReader& in) {
   DELTAMESH_TRY(const auto first, in.read<std::uint8_t>());
   const unsigned row = first & ~kHasError;
-  if (row > kUsual.size())
-    return in.error(ErrorCode::kInvalidStream, "no such row of usual attributes", "ATTR-1");
+  if (row > kUsual.size()) return in.invalid("no such row of usual attributes", "ATTR-1");
   AttributeDescriptor attribute;
   if (row == kSpelledOut) {
     DELTAMESH_TRY(attribute, read_spelled_out(in));
@@ -113,8 +110,7 @@ Result<AttributeDescriptor> read_descriptor(ByteReader& in) {
   if ((first & kHasError) != 0) {
     DELTAMESH_TRY(attribute.error, in.read_short_float());
     if (!std::isfinite(attribute.error) || attribute.error < 0)
-      return in.error(ErrorCode::kInvalidStream, "an attribute's error is not a number of at least 0",
-                      "ATTR-1");
+      return in.invalid("an attribute's error is not a number of at least 0", "ATTR-1");
   }
   return attribute;
 }

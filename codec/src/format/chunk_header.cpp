@@ -38,9 +38,8 @@ Result<std::uint32_t> read_tag(ByteReader& in, unsigned kind) {
                     "DIR-2");
   if (kind != kLetters) return kKinds[kind - 1];
   DELTAMESH_TRY(const auto tag, in.read<std::uint32_t>());
-  if (!is_tag(tag)) return in.error(ErrorCode::kInvalidStream, "a chunk tag is not four letters", "DIR-2");
-  if (kind_of(tag) != kLetters)
-    return in.error(ErrorCode::kInvalidStream, "letters of a tag that has a kind", "DIR-2");
+  if (!is_tag(tag)) return in.invalid("a chunk tag is not four letters", "DIR-2");
+  if (kind_of(tag) != kLetters) return in.invalid("letters of a tag that has a kind", "DIR-2");
   if (!is_skippable(tag))
     return in.error(ErrorCode::kUnsupportedFeature, "an unknown chunk that may not be skipped", "DIR-2");
   return tag;
@@ -68,7 +67,7 @@ Result<ChunkEntry> read_chunk_header(ByteReader& in) {
   if (entry.codec != ChunkCodec::kZstd) return entry;
   DELTAMESH_TRY(entry.decoded_bytes, in.read_varint());
   if (entry.decoded_bytes > saturating_mul(entry.coded_bytes, kMaxExpansion))
-    return in.error(ErrorCode::kInvalidStream, "a chunk's two lengths cannot both be", "DIR-5");
+    return in.invalid("a chunk's two lengths cannot both be", "DIR-5");
   return entry;
 }
 

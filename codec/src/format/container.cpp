@@ -53,11 +53,9 @@ Result<Container> Container::open(std::span<const std::byte> stream) {
   ByteReader in(covered);
   DELTAMESH_TRY(container.header_, read_header(in));
   if (bytes_needed(container.header_) > stream.size())
-    return in.error(ErrorCode::kInvalidStream,
-                    "more vertices and triangles than a stream of this length may hold", "CNT-5");
+    return in.invalid("more vertices and triangles than a stream of this length may hold", "CNT-5");
   while (in.remaining() > 0) {
-    if (container.entries_.size() == kMaxChunks)
-      return in.error(ErrorCode::kInvalidStream, "more than 65536 chunks", "DIR-1");
+    if (container.entries_.size() == kMaxChunks) return in.invalid("more than 65536 chunks", "DIR-1");
     DELTAMESH_TRY(ChunkEntry entry, read_chunk_header(in));
     if (entry.tag == kTagAttribute) {
       DELTAMESH_TRY(auto descriptor, read_descriptor(in));

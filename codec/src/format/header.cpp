@@ -14,32 +14,26 @@ namespace deltamesh {
 namespace {
 
 Result<void> check_counts(const FileHeader& h, const ByteReader& in) {
-  const auto invalid = [&in](const char* message, const char* rule) {
-    return in.error(ErrorCode::kInvalidStream, message, rule);
-  };
   if (h.vertices > kMaxVertices || h.triangles > kMaxTriangles)
-    return invalid("more than 2^31 - 1 vertices or 2^29 triangles", "HDR-6");
+    return in.invalid("more than 2^31 - 1 vertices or 2^29 triangles", "HDR-6");
   if ((h.geometric_vertices == 0) != (h.vertices == 0))
-    return invalid("vertices without geometric vertices", "HDR-7");
-  if (h.vertices == 0 && h.triangles != 0) return invalid("triangles without vertices", "HDR-7");
+    return in.invalid("vertices without geometric vertices", "HDR-7");
+  if (h.vertices == 0 && h.triangles != 0) return in.invalid("triangles without vertices", "HDR-7");
   if (h.components > h.geometric_vertices || (h.components == 0) != (h.vertices == 0))
-    return invalid("more components than vertices, or none", "HDR-7");
+    return in.invalid("more components than vertices, or none", "HDR-7");
   return {};
 }
 
 Result<void> check_numbers(const FileHeader& h, const ByteReader& in) {
-  const auto invalid = [&in](const char* message, const char* rule) {
-    return in.error(ErrorCode::kInvalidStream, message, rule);
-  };
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (!std::isfinite(h.origin[axis])) return invalid("the origin is not finite", "HDR-8");
+    if (!std::isfinite(h.origin[axis])) return in.invalid("the origin is not finite", "HDR-8");
     if (!std::isfinite(h.box_min[axis]) || !std::isfinite(h.box_max[axis]) ||
         h.box_min[axis] > h.box_max[axis])
-      return invalid("the bounding box is not finite and ordered", "HDR-8");
+      return in.invalid("the bounding box is not finite and ordered", "HDR-8");
   }
   for (const float figure : {h.vde_rms, h.lfe_rms, h.max_error}) {
     if (!std::isfinite(figure) || figure < 0)
-      return invalid("a quality figure is not a number of at least 0", "HDR-9");
+      return in.invalid("a quality figure is not a number of at least 0", "HDR-9");
   }
   return {};
 }
@@ -51,8 +45,7 @@ Result<void> check_highpass(const FileHeader& h, const ByteReader& in) {
   const bool in_range = (p.bits == 0 || (p.bits >= 3 && p.bits <= 16)) && is_step(p.step) &&
                         p.anchor_bits >= 4 && p.anchor_bits <= 24 && p.anchors <= h.geometric_vertices &&
                         p.anchors >= h.components && p.cycles <= kMostCycles;
-  if (!in_range)
-    return in.error(ErrorCode::kInvalidStream, "a parameter of the highpass coder is out of range", "HDR-11");
+  if (!in_range) return in.invalid("a parameter of the highpass coder is out of range", "HDR-11");
   return {};
 }
 
@@ -65,9 +58,7 @@ Result<void> check_predictive(const FileHeader& h, const ByteReader& in) {
                lattice.first[axis] >= -kMostFirst && lattice.first[axis] <= kMostFirst &&
                lattice.cells[axis] <= kMostCells;
   }
-  if (!in_range)
-    return in.error(ErrorCode::kInvalidStream, "a parameter of the predictive coder is out of range",
-                    "HDR-14");
+  if (!in_range) return in.invalid("a parameter of the predictive coder is out of range", "HDR-14");
   return {};
 }
 
@@ -102,7 +93,7 @@ Result<FileHeader> read_header(ByteReader& in) {
   FileHeader header;
   DELTAMESH_TRY(const auto flags, in.read<std::uint8_t>());
   if (are_reserved_flags_set(flags))
-    return in.error(ErrorCode::kInvalidStream, "a flag that means nothing with this geometry", "HDR-5");
+    return in.invalid("a flag that means nothing with this geometry", "HDR-5");
   apply_flags(flags, header);
   FieldReader fields(in);
   visit_fields(fields, flags, header);

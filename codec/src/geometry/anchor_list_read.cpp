@@ -21,14 +21,9 @@ Result<AnchorList> read_plain(std::span<const std::byte> bytes, std::uint32_t co
 
 Result<AnchorList> read_compact(std::span<const std::byte> bytes, std::uint32_t count) {
   CompactReader reader(bytes);
-  AnchorModels models;
   AnchorList list{.gaps = std::vector<std::uint32_t>(count),
                   .steps = std::vector<std::uint32_t>(3 * std::size_t{count})};
-  for (std::size_t i = 0; i < count && !reader.failed(); ++i) {
-    list.gaps[i] = reader.number(0, models.gaps);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      list.steps[axis * count + i] = reader.number(0, models.steps[axis]);
-  }
+  code_anchors(reader, list);
   DELTAMESH_CHECK(reader.finish(kTagAnchors));
   return list;
 }

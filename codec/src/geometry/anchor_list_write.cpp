@@ -14,15 +14,9 @@ std::vector<std::byte> write_plain_anchors(const AnchorList& list) {
   return out.take();
 }
 
-std::vector<std::byte> write_compact_anchors(const AnchorList& list) {
+std::vector<std::byte> write_compact_anchors(AnchorList list) {
   CompactWriter writer;
-  AnchorModels models;
-  const std::size_t count = list.gaps.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    writer.number(list.gaps[i], models.gaps);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      writer.number(list.steps[axis * count + i], models.steps[axis]);
-  }
+  code_anchors(writer, list);
   return writer.finish();
 }
 

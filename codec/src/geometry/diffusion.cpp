@@ -2,9 +2,9 @@
 // Copyright 2026 The deltamesh authors
 #include "geometry/diffusion.h"
 
-#include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -40,57 +40,19 @@ bool pass_over_deltas(const Adjacency& graph, std::span<const Vec3> deltas, cons
   std::vector<Vec3> carried(diffuses ? deltas.size() : 0);
   for (std::uint32_t i = 0; i < deltas.size(); ++i) {
     const Vec3 target = diffuses ? deltas[i] + carried[i] : deltas[i];
-    std::array<std::int32_t, 3> nearest{};
+    FieldNumbers nearest{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double symbol = quantizer.symbol(target[axis]);
       if (!(std::abs(symbol) <= kLargestSymbol)) return false;
       nearest[axis] = static_cast<std::int32_t>(symbol);
     }
-    const std::array<std::int32_t, 3> symbols = choose(i, nearest, target);
+    const FieldNumbers symbols = choose(i, nearest, target);
     if (!diffuses) continue;
     Vec3 left{};
     for (std::size_t axis = 0; axis < 3; ++axis) left[axis] = target[axis] - quantizer.value(symbols[axis]);
     diffuse_charge(graph, i, (strength * graph.degree(i)) * left, carried);
   }
   return true;
-}
-
-/// For every number the better of the nearest symbol and the next one towards zero: the smaller (error /
-/// step)^2 + weight * bits, where bits is what the compact coder would spend, adapted to the symbols chosen
-/// so far, in their contexts. A weight of 0.12 is near the best at all rates.
-class FrugalSymbols {
- public:
-  /// `graph` must outlive this; `weight` above 0.
-  FrugalSymbols(const Adjacency& graph, const DeltaQuantizer& quantizer, double weight)
-      : quantizer_(quantizer), weight_(weight), field_(pricer_, graph) {}
-
-  /// Vertices come in order, each once. `nearest`: of `target`, model units.
-  std::array<std::int32_t, 3> choose(std::uint32_t vertex, const std::array<std::int32_t, 3>& nearest,
-                                     const Vec3& target);
-
-  FrugalSymbols(const FrugalSymbols&) = delete;
-  FrugalSymbols& operator=(const FrugalSymbols&) = delete;
-
- private:
-  DeltaQuantizer quantizer_;
-  double weight_;
-  CompactPricer pricer_;
-  FieldCoder<CompactPricer> field_;
-};
-
-std::array<std::int32_t, 3> FrugalSymbols::choose(std::uint32_t vertex,
-                                                  const std::array<std::int32_t, 3>& nearest,
-                                                  const Vec3& target) {
-  return field_.choose_vertex(vertex, [&](unsigned axis, const auto& price) {
-    const std::int32_t symbol = nearest[axis];
-    if (symbol == 0) return symbol;
-    const std::int32_t smaller = symbol > 0 ? symbol - 1 : symbol + 1;
-    const auto cost = [&](std::int32_t q) {
-      const double error = (target[axis] - quantizer_.value(q)) / quantizer_.step;
-      return error * error + weight_ * price(q);
-    };
-    return cost(smaller) < cost(symbol) ? smaller : symbol;
-  });
 }
 
 constexpr Error kStepTooSmall{.code = ErrorCode::kInvalidArgument,
@@ -103,21 +65,30 @@ Result<std::vector<std::int32_t>> quantize_deltas(const Adjacency& graph, std::s
                                                   double rate_weight) {
   const std::size_t count = deltas.size();
   std::vector<std::int32_t> symbols(3 * count);
-  const auto store = [&](std::uint32_t i, const std::array<std::int32_t, 3>& q) {
-    for (std::size_t axis = 0; axis < 3; ++axis) symbols[axis * count + i] = q[axis];
+  CompactPricer pricer;
+  std::optional<FieldCoder<CompactPricer>> field;
+  if (rate_weight > 0) field.emplace(pricer, graph);
+  // For every number the better of the nearest symbol and the next one towards zero: the smaller (error /
+  // step)^2 + weight * bits, where bits is what the compact coder would spend, adapted to the symbols chosen
+  // so far, in their contexts. A weight of 0.12 is near the best at all rates.
+  const auto choose_frugally = [&](std::uint32_t vertex, const FieldNumbers& nearest, const Vec3& target) {
+    return field->choose_vertex(vertex, [&](unsigned axis, const auto& price) {
+      const std::int32_t symbol = nearest[axis];
+      if (symbol == 0) return symbol;
+      const std::int32_t smaller = symbol > 0 ? symbol - 1 : symbol + 1;
+      const auto cost = [&](std::int32_t q) {
+        const double error = (target[axis] - quantizer.value(q)) / quantizer.step;
+        return error * error + rate_weight * price(q);
+      };
+      return cost(smaller) < cost(symbol) ? smaller : symbol;
+    });
+  };
+  const auto choose = [&](std::uint32_t vertex, const FieldNumbers& nearest, const Vec3& target) {
+    const FieldNumbers q = field ? choose_frugally(vertex, nearest, target) : nearest;
+    for (std::size_t axis = 0; axis < 3; ++axis) symbols[axis * count + vertex] = q[axis];
     return q;
   };
-  const auto take_nearest = [&](std::uint32_t i, const std::array<std::int32_t, 3>& nearest, const Vec3&) {
-    return store(i, nearest);
-  };
-  if (!(rate_weight > 0)) {
-    if (!pass_over_deltas(graph, deltas, quantizer, strength, take_nearest)) return kStepTooSmall;
-    return symbols;
-  }
-  FrugalSymbols frugal(graph, quantizer, rate_weight);
-  const auto take_frugal = [&](std::uint32_t i, const std::array<std::int32_t, 3>& nearest,
-                               const Vec3& target) { return store(i, frugal.choose(i, nearest, target)); };
-  if (!pass_over_deltas(graph, deltas, quantizer, strength, take_frugal)) return kStepTooSmall;
+  if (!pass_over_deltas(graph, deltas, quantizer, strength, choose)) return kStepTooSmall;
   return symbols;
 }
 
