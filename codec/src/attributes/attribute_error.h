@@ -9,6 +9,7 @@
 #include <span>
 
 #include "attributes/attribute_rows.h"
+#include "base/portable_math.h"
 #include "base/vec3.h"
 #include "deltamesh/mesh.h"
 
@@ -16,6 +17,13 @@ namespace deltamesh {
 
 /// Normals and tangents of a length this far from 1 are data, not directions: they are stored exactly.
 inline bool is_direction(const Vec3& v) noexcept { return std::fabs(length(v) - 1) <= 1e-2; }
+
+/// Largest angles, degrees, that surface codings of directions can keep.
+inline constexpr double kLeastAngle = 0.002;
+inline constexpr double kMostAngle = 60;
+
+/// The distance of unit vectors at an angle.
+inline double chord_of(double degrees) noexcept { return 2 * portable_sin(degrees * (kPi / 360)); }
 
 /// `decoded`: rows.count() values of the shape of `attribute`, whose rows are `rows`. 0 where all bits are
 /// the same; infinity where a difference is not a number. The same on every machine. O(n).

@@ -5,6 +5,7 @@
 #include <bit>
 #include <limits>
 #include <span>
+#include <utility>
 
 #include "attributes/attribute_values.h"
 #include "base/try.h"
@@ -21,19 +22,11 @@ enum : std::uint8_t {
   kRatio = 3,     ///< times and over follow
 };
 
-constexpr bool is_float(ComponentType type) noexcept {
-  return type == ComponentType::kF32 || type == ComponentType::kF64;
-}
-
-struct Range {
-  double least;
-  double most;
-};
-
-Range range_of(ComponentType type) noexcept {
-  return with_component(type, [](auto value) -> Range {
+/// The least and the largest finite number.
+std::pair<double, double> range_of(ComponentType type) noexcept {
+  return with_component(type, [](auto value) {
     using Limits = std::numeric_limits<decltype(value)>;
-    return {static_cast<double>(Limits::lowest()), static_cast<double>(Limits::max())};
+    return std::pair(static_cast<double>(Limits::lowest()), static_cast<double>(Limits::max()));
   });
 }
 

@@ -59,6 +59,10 @@ struct ComponentLattice {
   std::uint64_t bits_at(ComponentType type, std::int32_t q) const noexcept;
 };
 
+constexpr bool is_float(ComponentType type) noexcept {
+  return type == ComponentType::kF32 || type == ComponentType::kF64;
+}
+
 /// The bits of a component of this type whose number is nearest to `x`, which is finite in the type.
 std::uint64_t bits_of_number(ComponentType type, double x) noexcept;
 

@@ -61,17 +61,10 @@ template <class Coder, class Row, class CodeFirst, class CodeCopy, class CountAt
 bool code_with_copies(Coder& coder, std::span<const std::uint32_t> geometric, std::size_t shared_count,
                       std::span<Row> rows, CodeFirst code_first, CodeCopy code_copy, const Row& rest = {},
                       CountAtRest count_at_rest = kNoneAtRest) {
-  const auto goes_on = []([[maybe_unused]] const auto& source) {
-    if constexpr (Coder::kWrites) {
-      return true;
-    } else {
-      return !source.failed();
-    }
-  };
   const bool has_copies = !geometric.empty();
   std::vector<Row> shared(has_copies ? shared_count : 0, rest);
   const std::span<Row> field = has_copies ? std::span<Row>(shared) : rows;
-  for (std::uint32_t v = 0; v < rows.size() && goes_on(coder); ++v) {
+  for (std::uint32_t v = 0; v < rows.size() && !coder.failed(); ++v) {
     const std::uint32_t vertex = has_copies ? geometric[v] : v;
     if (has_copies && v > 0 && geometric[v - 1] == vertex) {
       if (!code_copy(rows[v - 1], rows[v])) return false;
@@ -87,7 +80,7 @@ bool code_with_copies(Coder& coder, std::span<const std::uint32_t> geometric, st
     if (!code_first(vertex, field)) return false;
     rows[v] = field[vertex];
   }
-  return goes_on(coder);
+  return !coder.failed();
 }
 
 }  // namespace deltamesh

@@ -30,8 +30,6 @@ struct Column {
     bits.push_back(value);
     numbers.push_back(number_of_bits(type, value));
   }
-
-  bool is_integer() const noexcept { return type != ComponentType::kF32 && type != ComponentType::kF64; }
 };
 
 double largest_size(std::span<const double> numbers) noexcept {
@@ -112,7 +110,7 @@ std::optional<ComponentLattice> fit_exactly(const Column& column, double bound) 
     if (settle(column, exactly, lattice)) return lattice;
     return std::nullopt;
   };
-  if (column.is_integer()) return coarsen({});
+  if (!is_float(column.type)) return coarsen({});
   std::optional<ComponentLattice> best;
   const auto consider = [&](const ComponentLattice& lattice) {
     const auto candidate = coarsen(lattice);
@@ -133,8 +131,7 @@ std::optional<ComponentLattice> fit_exactly(const Column& column, double bound) 
 
 /// The step that keeps `bound`, whatever a component's values; 0 where there is none.
 float step_within(double bound, ComponentType type, double largest) noexcept {
-  const bool is_float = type == ComponentType::kF32 || type == ComponentType::kF64;
-  if (!is_float) return round_down(std::min(2 * std::floor(bound) + 1, 16777215.0));
+  if (!is_float(type)) return round_down(std::min(2 * std::floor(bound) + 1, 16777215.0));
   const double spared = rounding_error(type, largest + bound);
   return bound > 2 * spared ? round_down(std::min(2 * (bound - spared), 1e37)) : 0;
 }

@@ -63,11 +63,9 @@ class NormalTraversal {
     coded_.back() = CodedNormal{};
   }
 
-  /// `failed()`: asked after every geometric vertex; true ends the traversal. False where a lattice point is
-  /// off the sphere [ATTR-24].
-  template <class Failed>
-  bool run(Failed failed) {
-    for (std::uint32_t v = 0; v < surface_.vertex_count() && !failed();) {
+  /// To the end, or until the coder has failed. False where a lattice point is off the sphere [ATTR-24].
+  bool run() {
+    for (std::uint32_t v = 0; v < surface_.vertex_count() && !coder_.failed();) {
       const std::uint32_t end = surface_.copies_end(v);
       if (!code_geometric(v, end - v)) return false;
       v = end;

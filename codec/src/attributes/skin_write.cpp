@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "attributes/component_lattice.h"
 #include "attributes/skin.h"
 #include "attributes/skin_rows.h"
 #include "base/byte_writer.h"
@@ -15,9 +16,7 @@ namespace {
 using Shares = std::array<double, kInfluences>;
 
 double share_of(ComponentType type, std::uint64_t bits) noexcept {
-  if (type == ComponentType::kF32)
-    return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
-  return static_cast<double>(bits) / top_of(type);
+  return number_of_bits(type, bits) / top_of(type);
 }
 
 /// Empty where some are not 0 to 1, or do not add up to 1.

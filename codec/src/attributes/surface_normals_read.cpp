@@ -45,7 +45,7 @@ Result<std::vector<float>> read_surface_normals(std::span<const std::byte> bytes
   CompactReader reader(rest);
   NoSource source;
   NormalTraversal traversal(reader, source, surface, parameters);
-  const bool is_valid = traversal.run([&] { return reader.failed(); });
+  const bool is_valid = traversal.run();
   if (!is_valid && !reader.failed()) return in.invalid("a normal off the sphere", "ATTR-24");
   DELTAMESH_CHECK(reader.finish(kTagAttribute));
   return traversal.values();

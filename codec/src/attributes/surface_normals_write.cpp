@@ -136,9 +136,8 @@ bool any_same(const NormalChoice& choice, const AttributeSurface& surface) {
 /// How a rule's normals compare with the originals.
 struct RuleFit {
   NormalRule rule = NormalRule::kNone;
-  double bits = 0;           ///< what the distances would cost, about
-  std::size_t vertices = 0;  ///< looked at
-  std::size_t within = 0;    ///< of these, within the bound
+  double bits = 0;    ///< what the distances would cost, about
+  double within = 0;  ///< part of the vertices within the bound
 };
 
 /// Some of the vertices, the first of their copies, and the faces around these.
@@ -149,13 +148,10 @@ struct RuleSample {
 
 RuleSample sample_surface(const AttributeSurface& surface) {
   RuleSample sample;
-  for (std::uint32_t v = 0; v < surface.vertex_count(); v = surface.copies_end(v))
-    sample.vertices.push_back(v);
-  const std::size_t stride = sample.vertices.size() / kMostFitted + 1;
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < sample.vertices.size(); i += stride)
-    sample.vertices[kept++] = sample.vertices[i];
-  sample.vertices.resize(kept);
+  std::vector<std::uint32_t> firsts;
+  for (std::uint32_t v = 0; v < surface.vertex_count(); v = surface.copies_end(v)) firsts.push_back(v);
+  for (std::size_t i = 0; i < firsts.size(); i += firsts.size() / kMostFitted + 1)
+    sample.vertices.push_back(firsts[i]);
 
   std::vector<std::uint32_t> faces;
   for (const std::uint32_t first : sample.vertices)
@@ -177,12 +173,11 @@ RuleFit fit_rule(NormalRule rule, const RuleSample& sample, const NormalChoice& 
     RuleSum sum{};
     for (std::uint32_t v = first; v < surface.copies_end(first); ++v)
       if (v == first || choice.same(v, first)) sum += sums[v];
-    ++fit.vertices;
     Vec3 normal = widen(sum);
     if (!(normalize(normal) > 0)) continue;
     const Vec3 off = normal - choice.original(first);
     const double square = dot(off, off) / (4 * radius * radius);
-    fit.within += square <= 1 ? 1 : 0;
+    fit.within += square <= 1 ? 1.0 / static_cast<double>(sample.vertices.size()) : 0;
     fit.bits += portable_log2(0.1 + square);
   }
   return fit;
@@ -192,9 +187,9 @@ RuleFit fit_rule(NormalRule rule, const RuleSample& sample, const NormalChoice& 
 RuleFit find_rule(const NormalChoice& choice, const AttributeSurface& surface, double radius) {
   if (!surface.has_positions()) return {};
   const RuleSample sample = sample_surface(surface);
-  RuleFit best = fit_rule(NormalRule::kAngle, sample, choice, surface, radius);
-  for (const NormalRule rule :
-       {NormalRule::kArea, NormalRule::kPlain, NormalRule::kAreaAngle, NormalRule::kEdges}) {
+  RuleFit best{.bits = std::numeric_limits<double>::infinity()};
+  for (const NormalRule rule : {NormalRule::kAngle, NormalRule::kArea, NormalRule::kPlain,
+                                NormalRule::kAreaAngle, NormalRule::kEdges}) {
     const RuleFit fit = fit_rule(rule, sample, choice, surface, radius);
     if (fit.bits < best.bits) best = fit;
   }
@@ -206,24 +201,22 @@ RuleFit find_rule(const NormalChoice& choice, const AttributeSurface& surface, d
 std::optional<CodedValues<float>> write_surface_normals(std::span<const float> normals, double max_degrees,
                                                         const AttributeSurface& surface) {
   NormalParameters parameters;
-  if (!(max_degrees >= kLeastNormalError && max_degrees <= kMostNormalError)) return std::nullopt;
+  if (!(max_degrees >= kLeastAngle && max_degrees <= kMostAngle)) return std::nullopt;
   if (normals.size() != 3 * std::size_t{surface.vertex_count()}) return std::nullopt;
   if (!are_directions(normals, parameters)) return std::nullopt;
 
-  constexpr double kRadiansPerDegree = 0.017453292519943295;
-  const double chord = 2 * portable_sin(0.5 * kRadiansPerDegree * max_degrees);
+  const double chord = chord_of(max_degrees);
   const NormalBound bound{.chord = chord * (1 - 1e-6), .same = chord * kSamePart};
   parameters.radius = static_cast<float>(0.5 * (chord * (1 - kSamePart - 2e-6) - kRounding));
   NormalChoice choice(normals, bound, NormalLattice(parameters.radius));
   parameters.shares = any_same(choice, surface);
   const RuleFit fit = find_rule(choice, surface, static_cast<double>(parameters.radius));
   parameters.rule = fit.rule;
-  parameters.blends = fit.rule != NormalRule::kNone &&
-                      static_cast<double>(fit.within) < kSureRule * static_cast<double>(fit.vertices);
+  parameters.blends = fit.rule != NormalRule::kNone && fit.within < kSureRule;
 
   CompactWriter writer;
   NormalTraversal traversal(writer, choice, surface, parameters);
-  if (!traversal.run([] { return false; })) return std::nullopt;
+  if (!traversal.run()) return std::nullopt;
   ByteWriter out;
   out.write(static_cast<std::uint8_t>(
       static_cast<int>(parameters.rule) | (parameters.shares ? kSharesFlag : 0) |

@@ -14,8 +14,6 @@
 namespace deltamesh {
 namespace {
 
-constexpr double kLeastDegrees = 0.002;
-constexpr double kMostDegrees = 60;
 /// Of the bound: however an angle is computed, it is kept.
 constexpr double kKeptAngle = 1 - 1e-6;
 /// What arithmetic in f32 may add to a distance.
@@ -77,9 +75,9 @@ class TangentChoice {
 std::optional<CodedValues<float>> write_surface_tangents(std::span<const float> tangents, double max_degrees,
                                                          const AttributeSurface& surface,
                                                          const TangentBasis& basis) {
-  if (!(max_degrees >= kLeastDegrees && max_degrees <= kMostDegrees) || !are_tangents(tangents))
+  if (!(max_degrees >= kLeastAngle && max_degrees <= kMostAngle) || !are_tangents(tangents))
     return std::nullopt;
-  const double chord = 2 * portable_sin(max_degrees * (kPi / 360)) * kKeptAngle;
+  const double chord = chord_of(max_degrees) * kKeptAngle;
   // In the plane distances are half of those on the sphere, or less. The cell's diagonal is below twice what
   // rounding leaves.
   const auto step = static_cast<float>(1.4142 * 0.5 * (chord - kStepRounding));

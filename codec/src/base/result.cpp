@@ -2,30 +2,16 @@
 // Copyright 2026 The deltamesh authors
 #include "deltamesh/result.h"
 
+#include <array>
+#include <cstddef>
 #include <cstdio>
 
 namespace deltamesh {
 namespace {
 
-const char* unit(WhereKind kind) noexcept {
-  switch (kind) {
-    case WhereKind::kByte:
-      return "byte ";
-    case WhereKind::kLine:
-      return "line ";
-    case WhereKind::kVertex:
-      return "vertex ";
-    case WhereKind::kTriangle:
-      return "triangle ";
-    case WhereKind::kAttribute:
-      return "attribute ";
-    case WhereKind::kElement:
-      return "element ";
-    case WhereKind::kNone:
-      break;
-  }
-  return "";
-}
+/// By WhereKind.
+constexpr std::array<const char*, 7> kUnits{"",          "byte ",      "line ",   "vertex ",
+                                            "triangle ", "attribute ", "element "};
 
 /// Four significant digits.
 std::string short_number(double number) {
@@ -39,7 +25,8 @@ std::string short_number(double number) {
 std::string describe(const Error& error) {
   std::string text = error.message;
   if (error.where_kind != WhereKind::kNone)
-    text += std::string(", ") + unit(error.where_kind) + std::to_string(error.where);
+    text +=
+        std::string(", ") + kUnits[static_cast<std::size_t>(error.where_kind)] + std::to_string(error.where);
   if (error.chunk_tag != 0) {
     text += ", chunk ";
     for (unsigned i = 0; i < 4; ++i) text += static_cast<char>((error.chunk_tag >> (8 * i)) & 0x7f);

@@ -65,6 +65,8 @@ class CompactWriter {
 
   std::uint32_t number(std::uint32_t value, NumberModel& model) { return code_number(*this, value, model); }
 
+  static constexpr bool failed() noexcept { return false; }
+
   /// The stream. The writer is empty afterwards. O(symbols).
   std::vector<std::byte> finish();
 

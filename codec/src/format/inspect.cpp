@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -11,20 +12,11 @@
 namespace deltamesh {
 namespace {
 
-const char* name_of(ChunkCodec codec) noexcept {
-  switch (codec) {
-    case ChunkCodec::kRaw:
-      return "raw";
-    case ChunkCodec::kZstd:
-      return "zstd";
-    case ChunkCodec::kCompact:
-      break;
-  }
-  return "compact";
-}
+/// By ChunkCodec.
+constexpr std::array<const char*, 3> kCodecNames{"raw", "zstd", "compact"};
 
 ChunkInfo describe_chunk(const ChunkEntry& entry) {
-  ChunkInfo chunk{.codec = name_of(entry.codec),
+  ChunkInfo chunk{.codec = kCodecNames[static_cast<std::size_t>(entry.codec)],
                   .offset = entry.offset,
                   .coded_bytes = entry.coded_bytes,
                   .decoded_bytes = entry.decoded_bytes};

@@ -10,11 +10,6 @@
 #include "format/tags.h"
 
 namespace deltamesh {
-namespace {
-
-Error delta_beyond_range() noexcept { return broken_rule("a delta beyond 2^30 steps", "FLD-1", kTagDeltas); }
-
-}  // namespace
 
 std::vector<std::byte> write_compact_deltas(std::span<const std::int32_t> deltas, const Adjacency& graph) {
   const std::size_t n = graph.vertex_count();
@@ -36,7 +31,7 @@ Result<LargeVector<std::int32_t>> read_compact_deltas(std::span<const std::byte>
   FieldCoder<CompactReader> field(reader, graph);
   for (std::uint32_t v = 0; v < n && !reader.failed(); ++v) {
     FieldNumbers q{};
-    if (!field.code_vertex(v, q)) return delta_beyond_range();
+    if (!field.code_vertex(v, q)) return broken_rule("a delta beyond 2^30 steps", "FLD-1", kTagDeltas);
     for (std::size_t axis = 0; axis < q.size(); ++axis) deltas[axis * n + v] = q[axis];
   }
   DELTAMESH_CHECK(reader.finish(kTagDeltas));

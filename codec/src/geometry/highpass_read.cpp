@@ -40,11 +40,6 @@ Result<LargeVector<std::int32_t>> read_planar(Payload payload, const Adjacency& 
   return deltas;
 }
 
-Result<SymbolRows> read_deltas(Payload payload, const Adjacency& graph) {
-  DELTAMESH_TRY(const auto planar, read_planar(payload, graph));
-  return SymbolRows(planar);
-}
-
 /// Anchors from the gaps between them.
 Result<std::vector<std::uint32_t>> anchor_vertices(const AnchorList& list, std::size_t vertex_count) {
   std::vector<std::uint32_t> vertices;
@@ -103,7 +98,10 @@ Result<LargeVector<Vec3>> read_highpass(Payload deltas, Payload anchors, Adjacen
   DELTAMESH_CHECK(check_parameters(parameters, graph.vertex_count()));
   DELTAMESH_TRY(const HighpassSymbols symbols, read_anchor_symbols(anchors, components, parameters));
   SolvedPart part = extract_solved_part(std::move(graph), std::move(components));
-  const auto read = [&](const Adjacency& solved) { return read_deltas(deltas, solved); };
+  const auto read = [&](const Adjacency& solved) -> Result<SymbolRows> {
+    DELTAMESH_TRY(const auto planar, read_planar(deltas, solved));
+    return SymbolRows(planar);
+  };
   return reconstruct_highpass_once(read, symbols, std::move(part), box, parameters, team);
 }
 

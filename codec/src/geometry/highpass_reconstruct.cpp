@@ -36,6 +36,36 @@ std::vector<Vec3> anchor_targets(const HighpassSymbols& symbols, const SolvedPar
   return targets;
 }
 
+bool fits_float(const Vec3& position) noexcept {
+  constexpr auto kLargest = static_cast<double>(std::numeric_limits<float>::max());
+  bool fits = true;
+  for (const double x : position) fits &= std::abs(x) <= kLargest;
+  return fits;
+}
+
+/// Positions of all vertices from the solution, whose rows are in front: the vertices that are not among
+/// `solved` are on the lattice [ANCH-2]. Errors: kInvalidStream [DELT-3].
+Result<void> complete_positions(const HighpassSymbols& symbols, const VertexSubset& solved, const Box& box,
+                                const HighpassParameters& parameters, std::span<Vec3> positions) {
+  const Vec3 center = middle(box);
+  bool fits = true;
+  for (Vec3& x : positions.first(solved.size())) {
+    x = center + x;
+    fits &= fits_float(x);
+  }
+  spread_rows(solved, positions);
+  const AnchorLattice lattice(box, parameters.anchor_bits);
+  SubsetCursor cursor(solved);
+  for (std::size_t i = 0; i < symbols.anchors.size(); ++i) {
+    const std::uint32_t anchor = symbols.anchors[i];
+    if (cursor.row_of(anchor)) continue;
+    positions[anchor] = lattice.position_of(symbols.cells[i]);
+    if (!fits_float(positions[anchor])) fits = false;
+  }
+  if (fits) return {};
+  return broken_rule("a decoded position is not finite", "DELT-3", kTagDeltas);
+}
+
 }  // namespace
 
 AnchorLattice::AnchorLattice(const Box& box, int bits) noexcept
@@ -71,40 +101,6 @@ std::vector<std::uint32_t> anchor_rows(std::span<const std::uint32_t> anchors, c
   }
   return rows;
 }
-
-namespace {
-
-bool fits_float(const Vec3& position) noexcept {
-  constexpr auto kLargest = static_cast<double>(std::numeric_limits<float>::max());
-  bool fits = true;
-  for (const double x : position) fits &= std::abs(x) <= kLargest;
-  return fits;
-}
-
-/// Positions of all vertices from the solution, whose rows are in front: the vertices that are not among
-/// `solved` are on the lattice [ANCH-2]. Errors: kInvalidStream [DELT-3].
-Result<void> complete_positions(const HighpassSymbols& symbols, const VertexSubset& solved, const Box& box,
-                                const HighpassParameters& parameters, std::span<Vec3> positions) {
-  const Vec3 center = middle(box);
-  bool fits = true;
-  for (Vec3& x : positions.first(solved.size())) {
-    x = center + x;
-    fits &= fits_float(x);
-  }
-  spread_rows(solved, positions);
-  const AnchorLattice lattice(box, parameters.anchor_bits);
-  SubsetCursor cursor(solved);
-  for (std::size_t i = 0; i < symbols.anchors.size(); ++i) {
-    const std::uint32_t anchor = symbols.anchors[i];
-    if (cursor.row_of(anchor)) continue;
-    positions[anchor] = lattice.position_of(symbols.cells[i]);
-    if (!fits_float(positions[anchor])) fits = false;
-  }
-  if (fits) return {};
-  return broken_rule("a decoded position is not finite", "DELT-3", kTagDeltas);
-}
-
-}  // namespace
 
 Result<LargeVector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, const SolvedPart& part,
                                                PartSolver& solver, const Box& box,

@@ -133,7 +133,7 @@ std::size_t check(const Model& model, const AttributeSurface& surface, double de
 
 TEST(SurfaceNormals, KeepsEveryBound) {
   Random random(1);
-  for (const double degrees : {kLeastNormalError, 0.01, 0.1, 0.5, 2.0, 10.0, 45.0, kMostNormalError}) {
+  for (const double degrees : {kLeastAngle, 0.01, 0.1, 0.5, 2.0, 10.0, 45.0, kMostAngle}) {
     for (const double size : {0.0, 0.01, 0.3, 1e4}) {
       Model model = waves(12, NormalRule::kAngle);
       scatter_normals(model, random, size);
