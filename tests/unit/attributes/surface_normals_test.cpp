@@ -12,6 +12,7 @@
 #include <set>
 #include <vector>
 
+#include "attributes/attribute_error.h"
 #include "attributes/normal_lattice.h"
 #include "attributes/normal_rule.h"
 #include "base/portable_math.h"
