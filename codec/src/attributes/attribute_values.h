@@ -58,11 +58,9 @@ class AttributeValues {
   /// Of all rows to `bits_of(row)`.
   template <class BitsOf>
   void set_component(std::size_t component, BitsOf bits_of) noexcept {
-    with_fixed_size(size_, [&](auto size) {
-      std::byte* place = values_.data() + component * size;
-      for (std::size_t row = 0; row < rows_; ++row, place += components_ * size)
-        store_component(place, size, bits_of(row));
-    });
+    std::byte* place = values_.data() + component * size_;
+    for (std::size_t row = 0; row < rows_; ++row, place += components_ * size_)
+      store_component(place, size_, bits_of(row));
   }
 
   std::vector<std::byte> take() noexcept { return std::move(values_); }

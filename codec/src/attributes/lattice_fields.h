@@ -58,15 +58,16 @@ class LatticeValues {
 
  private:
   /// Floats that are points, finite as the lattice's ends are, without a choice of kind for each of them. Of
-  /// morph targets most are at rest.
+  /// morph targets most are zero, as all bits are at first.
   void set_points(std::size_t component, std::size_t axis, std::span<const Cell> cells) noexcept {
     const ComponentLattice& lattice = lattices_[component];
     const std::int32_t rest = lattice.rest();
-    const std::uint64_t rest_bits = lattice.bits_at(type_, rest);
-    values_.set_component(component, [&](std::size_t i) {
+    const bool rest_is_zero = lattice.bits_at(type_, rest) == 0;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
       const std::int32_t q = cells[i][axis];
-      return q == rest ? rest_bits : std::bit_cast<std::uint32_t>(static_cast<float>(lattice.at(q)));
-    });
+      if (rest_is_zero && q == rest) continue;
+      values_.set(i, component, std::bit_cast<std::uint32_t>(static_cast<float>(lattice.at(q))));
+    }
   }
 
   ComponentType type_;
