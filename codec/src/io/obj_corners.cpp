@@ -2,25 +2,13 @@
 // Copyright 2026 The deltamesh authors
 #include "io/obj_corners.h"
 
-#include <algorithm>
-#include <numeric>
+#include "io/first_equal.h"
 
 namespace deltamesh {
 
 ObjVertices split_obj_corners(std::span<const ObjCorner> corners, std::size_t positions) {
-  // Equal corners side by side, the first met of them first.
-  std::vector<std::uint32_t> order(corners.size());
-  std::iota(order.begin(), order.end(), std::uint32_t{0});
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const auto compared = corners[a] <=> corners[b];
-    return compared != 0 ? compared < 0 : a < b;
-  });
-  std::vector<std::uint32_t> first(corners.size());  // the first corner that equals this one
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool again = i > 0 && corners[order[i]] == corners[order[i - 1]];
-    first[order[i]] = again ? first[order[i - 1]] : order[i];
-  }
-
+  const std::vector<std::uint32_t> first =
+      first_equal(corners.size(), [&](std::uint32_t c) -> const ObjCorner& { return corners[c]; });
   ObjVertices result;
   result.vertices.resize(positions);
   for (std::size_t v = 0; v < positions; ++v) result.vertices[v].position = static_cast<std::int64_t>(v);

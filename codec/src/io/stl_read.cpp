@@ -3,16 +3,18 @@
 //
 // STL, ASCII and binary, told apart by size and content: binary files may begin with "solid", too.
 #include <algorithm>
+#include <array>
+#include <cstring>
 #include <limits>
 #include <string>
 #include <utility>
 
 #include "base/byte_reader.h"
 #include "base/try.h"
+#include "io/first_equal.h"
 #include "io/formats.h"
 #include "io/origin.h"
 #include "io/text_scanner.h"
-#include "io/weld_corners.h"
 
 namespace deltamesh {
 namespace {
@@ -109,21 +111,45 @@ Result<std::vector<double>> read_text(std::span<const std::byte> bytes) {
   return coordinates;
 }
 
+struct Welded {
+  std::vector<double> coordinates;       ///< n x 3, in the order in which the points are first met
+  std::vector<std::uint32_t> triangles;  ///< the point of every corner
+};
+
+/// Points are equal where their bits are, but that -0 is 0.
+Welded weld(std::vector<double> coordinates) {
+  for (double& x : coordinates) x += 0.0;
+  const auto bits_of = [&](std::size_t corner) {
+    std::array<std::uint64_t, 3> bits{};
+    std::memcpy(bits.data(), &coordinates[3 * corner], sizeof bits);
+    return bits;
+  };
+  const std::vector<std::uint32_t> first = first_equal(coordinates.size() / 3, bits_of);
+  Welded welded;
+  for (std::size_t c = 0; c < first.size(); ++c) {
+    const bool is_new = first[c] == c;
+    const auto next = static_cast<std::uint32_t>(welded.coordinates.size() / 3);
+    welded.triangles.push_back(is_new ? next : welded.triangles[first[c]]);
+    if (is_new)
+      welded.coordinates.insert(welded.coordinates.end(), &coordinates[3 * c], &coordinates[3 * c] + 3);
+  }
+  return welded;
+}
+
 }  // namespace
 
 Result<Imported> read_stl(std::span<const std::byte> bytes) {
   if (bytes.empty()) return invalid_byte("STL: the file is empty", 0);
-  DELTAMESH_TRY(const std::vector<double> coordinates,
-                is_binary(bytes) ? read_binary(bytes) : read_text(bytes));
+  DELTAMESH_TRY(std::vector<double> coordinates, is_binary(bytes) ? read_binary(bytes) : read_text(bytes));
   if (coordinates.size() / 3 > std::numeric_limits<std::uint32_t>::max())
     return invalid_file("STL: more corners than a 32-bit index can name");
-  WeldedCorners welded = weld_corners(coordinates);
+  Welded welded = weld(std::move(coordinates));
   Imported imported;
-  imported.notes.welded_corners = (coordinates.size() - welded.coordinates.size()) / 3;
+  imported.notes.welded_corners = welded.triangles.size() - welded.coordinates.size() / 3;
   PlacedPositions placed = place_origin(welded.coordinates);
   imported.mesh.origin = placed.origin;
   imported.mesh.positions = std::move(placed.positions);
-  imported.mesh.triangles = std::move(welded.corners);
+  imported.mesh.triangles = std::move(welded.triangles);
   return imported;
 }
 

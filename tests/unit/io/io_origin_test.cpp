@@ -8,7 +8,6 @@
 
 #include "io/attribute_name.h"
 #include "io/origin.h"
-#include "io/weld_corners.h"
 
 namespace deltamesh {
 namespace {
@@ -49,15 +48,6 @@ TEST(PlaceOrigin, NonFiniteAndHugeCoordinates) {
   EXPECT_EQ(placed.positions[4], std::numeric_limits<float>::infinity());
   EXPECT_EQ(placed.positions[5], -std::numeric_limits<float>::infinity());
   EXPECT_TRUE(place_origin({}).positions.empty());
-}
-
-TEST(WeldCorners, MergesEqualBitsInTheOrderMet) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  const WeldedCorners welded =
-      weld_corners(std::vector<double>{5, 0, 0, 1, 0, 0, 5, -0.0, 0, nan, 0, 0, nan, 0, 0, 1, 0, 1});
-  EXPECT_EQ(welded.corners, (std::vector<std::uint32_t>{0, 1, 0, 2, 2, 3}));
-  EXPECT_EQ(welded.coordinates.size(), 12U);
-  EXPECT_FALSE(std::signbit(welded.coordinates[1]));
 }
 
 TEST(AttributeName, IsUtf8OfLimitedLength) {

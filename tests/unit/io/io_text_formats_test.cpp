@@ -124,6 +124,13 @@ TEST(StlReader, WeldsCornersByPosition) {
   expect_robust(bytes_of(text), FileFormat::kStl);
 }
 
+TEST(StlReader, WeldsWhatIsNotANumberByItsBits) {
+  const std::string text = "solid\n" + facet("nan 0 0", "nan 0 0", "5 1 0") + "endsolid\n";
+  const auto imported = read_text(text, FileFormat::kStl);
+  ASSERT_TRUE(imported) << describe(imported.error());
+  EXPECT_EQ(imported->mesh.triangles, (std::vector<std::uint32_t>{0, 0, 1}));
+}
+
 TEST(StlReader, SeveralSolidsUpperCaseAndNoName) {
   std::string text = "solid\n" + facet("0 0 0", "1 0 0", "0 1 0") + "endsolid\nsolid b\nendsolid b\n";
   for (char& c : text) c = static_cast<char>(std::toupper(c));
