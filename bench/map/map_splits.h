@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What it takes to have a whole map in parts.
+// Bytes of maps in parts, beside those of one stream.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Results, or the end of the program with their error: a benchmark of a failure says nothing.
+// Returns the value of a result, or prints its error and exits: a benchmark of a failure says nothing.
 #pragma once
 
 #include <cstdio>

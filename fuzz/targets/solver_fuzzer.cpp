@@ -105,8 +105,8 @@ double distance(std::span<const Vec3> x, std::span<const Vec3> y) {
   return rms(difference);
 }
 
-/// Rms error of positions from random errors of deltas, of the size that `least`, the solution's functional,
-/// tells: there are three times as many equations too many as anchors.
+/// Rms error of positions from random errors of deltas. `least`, the solution's functional, tells their size:
+/// the system has 3 equations more than unknowns for each anchor.
 double expected_error(Problem problem, double least) {
   constexpr int kTrials = 8;
   std::mt19937 random(1);

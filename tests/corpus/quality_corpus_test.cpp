@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Quality requests on the corpus land where they should. Small meshes run always; the others with
-// DELTAMESH_SLOW_TESTS=1.
+// Quality requests on the corpus land where they should.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <ostream>
 #include <string>
 
 #include "deltamesh/encode.h"
@@ -20,19 +18,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Case {
-  const char* file;
-  bool slow;
-};
-
-/// For the names of tests.
-void PrintTo(const Case& tested, std::ostream* out) { *out << tested.file; }
-
-constexpr Case kCases[] = {{"paper/horse_4243.ply", false},     {"paper/laurana_6301.ply", false},
-                           {"models/fandisk.ply", false},       {"models/rocker_arm.ply", true},
-                           {"paper/armadillo_18245.ply", true}, {"paper/bunny_34834.ply", true},
-                           {"models/laurana50k.ply", true},     {"models/armadillo_43k.ply", true},
-                           {"models/nefertiti_50k.ply", true},  {"paper/happy_buddha_49990.ply", true}};
+constexpr const char* kMeshes[] = {"paper/horse_4243.ply",     "paper/laurana_6301.ply",
+                                   "models/fandisk.ply",       "models/rocker_arm.ply",
+                                   "paper/bunny_34834.ply",    "paper/armadillo_18245.ply",
+                                   "models/laurana50k.ply",    "models/armadillo_43k.ply",
+                                   "models/nefertiti_50k.ply", "paper/happy_buddha_49990.ply"};
 
 fs::path corpus() {
   const char* named = std::getenv("DELTAMESH_CORPUS");
@@ -69,13 +59,11 @@ double diagonal_of(const Mesh& mesh) {
   return std::sqrt(squares);
 }
 
-class QualityCorpus : public testing::TestWithParam<Case> {
+class QualityCorpus : public testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {
-    if (GetParam().slow && std::getenv("DELTAMESH_SLOW_TESTS") == nullptr)
-      GTEST_SKIP() << "skipped: slow; DELTAMESH_SLOW_TESTS is not set";
-    const fs::path path = corpus() / GetParam().file;
-    if (!fs::exists(path)) GTEST_SKIP() << "skipped: no corpus";
+    if (!fs::exists(corpus())) GTEST_SKIP() << "skipped: no corpus";
+    const fs::path path = corpus() / GetParam();
     auto imported = read_mesh_file(path.string());
     ASSERT_TRUE(imported) << describe(imported.error());
     mesh_ = std::move(imported->mesh);
@@ -141,11 +129,11 @@ TEST_P(QualityCorpus, MaxErrorIsKept) {
   }
 }
 
-std::string case_name(const testing::TestParamInfo<Case>& tested) {
-  return fs::path(tested.param.file).stem().string();
+std::string case_name(const testing::TestParamInfo<const char*>& tested) {
+  return fs::path(tested.param).stem().string();
 }
 
-INSTANTIATE_TEST_SUITE_P(Meshes, QualityCorpus, testing::ValuesIn(kCases), case_name);
+INSTANTIATE_TEST_SUITE_P(Meshes, QualityCorpus, testing::ValuesIn(kMeshes), case_name);
 
 }  // namespace
 }  // namespace deltamesh

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <vector>
 
 namespace deltamesh::test {
@@ -29,9 +30,12 @@ using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, Index>;
 constexpr std::uint32_t kLargestPlainDegree = 64;
 constexpr double kRegularization = 1e-13;
 
-/// Refinement ends when a correction is this small against the solution, or after so many.
+/// Refinement ends when a correction is this small against the solution, or when so many in a row have not
+/// made it smaller: then rounding is all that is left. Where hubs come with few anchors, what is added to the
+/// matrix makes it slow.
 constexpr double kSmallCorrection = 1e-13;
-constexpr int kMaxCorrections = 12;
+constexpr double kSmaller = 0.99;
+constexpr int kMostInVain = 40;
 
 /// Entry of L in row `row`, column `column`, which are equal or neighbours.
 double laplacian_entry(const Adjacency& graph, std::uint32_t row, std::uint32_t column) noexcept {
@@ -125,11 +129,16 @@ class DirectSolver::Factors {
     const auto n = static_cast<Index>(x.size());
     for (std::size_t axis = 0; axis < 3; ++axis) {
       Eigen::VectorXd solution = Eigen::VectorXd::Zero(n);
-      for (int step = 0; step < kMaxCorrections; ++step) {
+      double smallest = std::numeric_limits<double>::infinity();
+      for (int in_vain = 0; in_vain < kMostInVain; ++in_vain) {
         const Eigen::VectorXd correction =
             factors_.solve(gradient(deltas, anchor_positions, solution, axis)).head(n);
         solution += correction;
-        if (!(largest(correction) > kSmallCorrection * largest(solution))) break;
+        const double size = largest(correction);
+        if (!(size > kSmallCorrection * largest(solution))) break;
+        if (size > kSmaller * smallest) continue;
+        smallest = size;
+        in_vain = 0;
       }
       for (std::size_t i = 0; i < x.size(); ++i) x[i][axis] = solution[static_cast<Index>(i)];
     }

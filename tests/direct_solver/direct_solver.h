@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What tests and benchmarks measure the codec's solver by.
+// The reference solver of tests and benchmarks.
 #pragma once
 
 #include <cstdint>

@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "laplacian/operator/delta.h"
+#include "laplacian/solver.h"
 #include "support/graph_mesh.h"
+#include "support/random.h"
 
 namespace deltamesh {
 namespace {
@@ -92,6 +94,56 @@ TEST(DirectSolver, AgreesWithDenseLeastSquaresAroundHubs) {
       EXPECT_LT(largest_difference(x, expected), 1e-9);
     }
   }
+}
+
+/// `count` fans with a hub each, joined by strips.
+GraphMesh chain_of_hubs(std::uint32_t count) {
+  constexpr std::uint32_t kRim = 70;
+  constexpr std::uint32_t kStrip = 60;
+  GraphMesh mesh;
+  std::uint32_t next = 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (next > 0) mesh.triangles.insert(mesh.triangles.end(), {next - 1, next, next + 1});
+    for (std::uint32_t k = 0; k < kRim; ++k)
+      mesh.triangles.insert(mesh.triangles.end(), {next, next + 1 + k, next + 1 + (k + 1) % kRim});
+    next += kRim + 1;
+    mesh.triangles.insert(mesh.triangles.end(), {next - 1, next, next + 1});
+    for (std::uint32_t k = 0; k + 2 < kStrip; ++k)
+      mesh.triangles.insert(mesh.triangles.end(), {next + k, next + k + 1, next + k + 2});
+    next += kStrip;
+  }
+  for (std::uint32_t v = 0; v < next; ++v)
+    mesh.positions.push_back({0.1 * v, std::sin(0.3 * v), std::cos(0.2 * v)});
+  return test::finish(std::move(mesh));
+}
+
+/// What a solution makes least.
+double functional(const Adjacency& graph, const std::vector<std::uint32_t>& anchors,
+                  const std::vector<Vec3>& deltas, const std::vector<Vec3>& targets,
+                  const std::vector<Vec3>& x) {
+  const std::vector<Vec3> own = delta_coordinates(graph, x);
+  double sum = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) sum += dot(own[i] - deltas[i], own[i] - deltas[i]);
+  for (std::size_t a = 0; a < anchors.size(); ++a)
+    sum += dot(x[anchors[a]] - targets[a], x[anchors[a]] - targets[a]);
+  return sum;
+}
+
+/// What keeps a hub's row apart makes refinement slow where few anchors hold many hubs.
+TEST(DirectSolver, NoOtherSolutionIsBetterWithManyHubsAndOneAnchor) {
+  const GraphMesh mesh = chain_of_hubs(100);
+  const std::vector<std::uint32_t> anchors{0};
+  const std::vector<Vec3> targets{{1, 2, 3}};
+  test::RandomBits bits(7);
+  const auto random = [&] { return bits() * 0x1p-32 - 0.5; };
+  std::vector<Vec3> deltas;
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) deltas.push_back({random(), random(), random()});
+  std::vector<Vec3> x(mesh.positions.size());
+  DirectSolver(mesh.graph, anchors).solve(deltas, targets, x);
+  std::vector<Vec3> settled(x.size());
+  ASSERT_TRUE(LeastSquaresSolver(mesh.graph, mesh.components, anchors).solve(deltas, targets, 0, settled));
+  EXPECT_LE(functional(mesh.graph, anchors, deltas, targets, x),
+            functional(mesh.graph, anchors, deltas, targets, settled));
 }
 
 TEST(DirectSolver, AHubOfManyNeighboursCostsNoMoreThanItsEdges) {

@@ -37,9 +37,8 @@ std::filesystem::path corpus() {
 class GltfCorpus : public testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {
-    const auto path = corpus() / "gltf" / GetParam();
-    if (!std::filesystem::exists(path)) GTEST_SKIP() << "skipped: no corpus";
-    const auto file = read_file(path.string());
+    if (!std::filesystem::exists(corpus())) GTEST_SKIP() << "skipped: no corpus";
+    const auto file = read_file((corpus() / "gltf" / GetParam()).string());
     ASSERT_TRUE(file);
     asset_ = *file;
   }

@@ -88,7 +88,7 @@ test('decoding at once needs what is loaded', async () => {
 
 test('a stream tells which modules it needs', async () => {
   const decoder = await createDecoder();
-  const needs = { 'tetrahedron.default': [], 'grid.bits6': ['highpass'], 'grid.zstd': ['highpass', 'plain'], 'room.voxels': ['rare'], 'floats.lossless': ['rare'] };
+  const needs = { 'tetrahedron.default': [], 'grid.bits6': ['highpass'], 'grid.zstd': ['highpass', 'plain'], 'room.voxels': ['rare'], 'floats.lossless': ['rare'], 'asset.bounded': ['rare'] };
   for (const [name, modules] of Object.entries(needs)) assert.deepEqual(decoder.inspect(golden(name)).modules, modules, name);
 });
 
