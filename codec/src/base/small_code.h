@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What is otherwise where code has to be small and a compiler works while it runs (DELTAMESH_SMALL: the
-// modules in WebAssembly).
+// What differs in small builds (DELTAMESH_SMALL: the modules in WebAssembly, which are compiled while they
+// load).
 #pragma once
 
 #ifdef DELTAMESH_SMALL

@@ -166,12 +166,15 @@ Result<CodedGeometry> code_geometry(const GeometryTask& task) {
     return may_choose(options) ? code_smaller(task) : code_highpass(task);
   };
   auto coded = code();
-  // The stream of a finite mesh breaks a rule only where numbers leave the range of floats.
+  // The stream of a finite mesh breaks a rule only where numbers leave the range of floats, or where so few
+  // anchors hold so much that no solution is found.
   const bool leaves_range =
       coded ? !is_declarable(coded->quality) : coded.error().code == ErrorCode::kInvalidStream;
   if (leaves_range)
     return Error{.code = ErrorCode::kInvalidMesh,
-                 .message = "the coordinates are too large, or differ too much in size, for float32"};
+                 .message =
+                     "the coordinates are too large, or differ too much in size, for float32; or there are "
+                     "too few anchors"};
   return coded;
 }
 

@@ -25,7 +25,7 @@ class HighpassTrials final : public TrialCoder {
 
   /// Nearly settled positions, with room for what plan() may cost in quality.
   Result<TrialFigures> run(const HighpassSettings& settings) override;
-  /// From now on run() has those positions that decoders find.
+  /// From now on run() returns exactly the positions that a decoder finds.
   void be_exact() noexcept { positions_ = HighpassCoder::Positions::kDecoded; }
   Result<std::uint64_t> bytes(const HighpassSettings& settings) override;
   double delta_error(const HighpassSettings& settings) override { return coder_.delta_error(settings); }
@@ -45,9 +45,9 @@ class HighpassTrials final : public TrialCoder {
   static const CodedGeometry& geometry(const Attempt& attempt) noexcept;
 
   /// The same mesh with planned cycles that keep `bounds` in hardly more bytes than `attempt` takes, and at
-  /// most `most_bytes`: the fewest, or 4, 6 or 8 where anchors keep a largest error; the attempt itself where
-  /// no number of cycles does: its quality, as decoded, may break them. Cost: some solves; with such anchors
-  /// up to a few dozen short ones.
+  /// most `most_bytes`: the fewest, or 4, 6 or 8 where anchors keep a largest error. Where no number of
+  /// cycles does, the attempt itself, whose quality as decoded may break `bounds`. Cost: some solves; with
+  /// such anchors up to a few dozen short ones.
   Result<CodedGeometry> plan(const Attempt& attempt, const Bounds& bounds,
                              std::optional<std::uint64_t> most_bytes);
 
@@ -71,7 +71,7 @@ class HighpassTrials final : public TrialCoder {
   AnchorSequence& anchors_;
   StreamRest rest_;
   HighpassCoder coder_;
-  HighpassCoder::Positions positions_ = HighpassCoder::Positions::kAlike;
+  HighpassCoder::Positions positions_ = HighpassCoder::Positions::kApproximate;
 };
 
 }  // namespace deltamesh

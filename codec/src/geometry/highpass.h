@@ -64,8 +64,8 @@ class HighpassCoder {
   /// decides on VDE, without a solve. Infinite where the step is too small. O(n + edges).
   double delta_error(const HighpassSettings& settings);
 
-  /// Those that decoders find; or others, a few percent of the errors away, that take half the time.
-  enum class Positions { kDecoded, kAlike };
+  /// Exactly those that a decoder finds; or within a few percent of their errors, in half the time.
+  enum class Positions { kDecoded, kApproximate };
 
   /// Leaves the number of cycles to the decoder. Errors: kInvalidArgument where the step is too small for
   /// 32-bit symbols. Cost: a solve, whose set-up is kept while the anchors stay.

@@ -31,8 +31,8 @@ class ThreadTeam;
 class LeastSquaresSolver {
  public:
   /// `components`: of `graph`, which must outlive the solver; every vertex has neighbours; `anchors`:
-  /// distinct vertices, ascending, at least one in every component. Planned cycles work on the threads of
-  /// `team`, which must outlive the solver; null: on that of the caller.
+  /// distinct vertices, ascending, at least one in every component. Work is shared by the threads of `team`,
+  /// which must outlive the solver; null: the caller's does it alone.
   LeastSquaresSolver(const Adjacency& graph, Components components, std::span<const std::uint32_t> anchors,
                      ThreadTeam* team = nullptr);
   LeastSquaresSolver(const LeastSquaresSolver&) = delete;

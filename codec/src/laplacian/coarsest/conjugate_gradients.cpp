@@ -12,13 +12,6 @@ namespace {
 /// The coarsest level has a few nodes for each anchor: so many get near its solution.
 constexpr int kIterations = 12;
 
-/// Axis by axis a / b; 0 where b is not above 0.
-Double4 ratio(const Double4& a, const Double4& b) noexcept {
-  const auto divide = [](double p, double q) { return q > 0 ? p / q : 0.0; };
-  return {TwoDoubles{divide(a.xy[0], b.xy[0]), divide(a.xy[1], b.xy[1])},
-          TwoDoubles{divide(a.zw[0], b.zw[0]), divide(a.zw[1], b.zw[1])}};
-}
-
 /// Component by component and axis by axis.
 void divide(const std::vector<Double4>& a, const std::vector<Double4>& b, std::vector<Double4>& quotients) {
   for (std::size_t c = 0; c < a.size(); ++c) quotients[c] = ratio(a[c], b[c]);

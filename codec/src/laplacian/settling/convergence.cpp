@@ -8,10 +8,11 @@
 namespace deltamesh::settling {
 namespace {
 
-/// Of the errors to expect, that may be still to come.
+/// Largest error that may remain, as a share of the errors to expect.
 constexpr double kShare = 0.06;
 
-/// In units that no number of the problem is above 2 of: below the rounding of positions to floats.
+/// Of positions, where no number of the problem is above 2: smaller moves vanish when positions are rounded
+/// to floats.
 constexpr double kInvisible = 0x1p-28;
 
 /// What each step leaves of the size of the one before, at best and at worst, as far as it is believed.
@@ -26,7 +27,6 @@ double rate_of(double size, const std::array<double, 4>& last) noexcept {
   return std::min(rate, kHighestRate);
 }
 
-double sum_of_axes(const Double4& squares) noexcept { return squares.xy[0] + squares.xy[1] + squares.zw[0]; }
 double probe_of(const Double4& squares) noexcept { return squares.zw[1]; }
 
 }  // namespace
@@ -42,7 +42,7 @@ bool Convergence::see(std::span<const Progress> progress) {
   double functional = 0;
   double probe = 0;
   for (const Progress& p : progress) {
-    functional += std::max(p.functional - p.decrease, 0.0);
+    functional += std::max(p.functional - p.decrease, 0.0);  // the next step may lower it by as much again
     probe += p.probe;
   }
   const double noise = std::min(noise_, functional / (3 * anchors_));

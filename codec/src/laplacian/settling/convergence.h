@@ -16,10 +16,11 @@
 namespace deltamesh::settling {
 
 /// At the solution, the functional is what quantisation left: about the same for every anchor. That tells how
-/// large the errors of deltas are, and the probe how far these move positions. A component is settled where
-/// what x is still to move by is a small share of that, in the component or in the mean of all. How fast
-/// steps become smaller tells what is still to come: those of x or of the probe, whichever do so more slowly,
-/// as x may have hardly moved yet where convergence is slow.
+/// large the errors of deltas are, and the probe how far these move positions: the errors to expect. A
+/// component is settled when what x is estimated to move by still is a small share of the errors to expect
+/// there, or of their mean over all components. The estimate follows from how fast steps become smaller:
+/// those of x or of the probe, whichever do so more slowly, as x may have hardly moved yet where convergence
+/// is slow.
 class Convergence {
  public:
   /// `components` must outlive this; `anchors`: how many there are; `noise`: square of a delta's error that

@@ -13,7 +13,7 @@ namespace deltamesh::settling {
 namespace {
 
 /// Bounds of the factor's entries and of the work, which is the sum of the squares of its columns' counts:
-/// some 100 megabytes, and about a second. Meshes of 30,000 vertices stay below.
+/// some 200 megabytes, and one or two seconds. Meshes of 30,000 vertices stay below.
 constexpr std::uint64_t kMostEntries = std::uint64_t{1} << 24;
 constexpr std::uint64_t kMostWork = std::uint64_t{1} << 32;
 

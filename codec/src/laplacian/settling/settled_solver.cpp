@@ -21,26 +21,26 @@ namespace {
 
 using multigrid::Level;
 
-/// By cycles; most meshes take two to ten. By a factorisation, which only rounding keeps from being exact.
+/// By cycles; most meshes take four to seven. By a factorisation, which only rounding keeps from being exact.
 constexpr int kMostSteps = 60;
 constexpr int kMostDirectSteps = 8;
 
-/// Of what Convergence allows, that is tolerable where no more can be done.
-constexpr double kMostExcess = 5;
+/// After the last step, this many times what Convergence allows is still accepted: less than a quarter of
+/// the errors to expect [DELT-6].
+constexpr double kMostExcess = 4;
 
-/// A factorisation is sooner done where so many steps leave one of so many vertices, and where there are more
-/// steps, whatever they leave.
+/// Factor after step 3 if at most 1/16 of the vertices are unsettled, after step 13 in any case.
 bool is_time_to_factor(int step, std::size_t unsettled, std::size_t vertices) noexcept {
   return (step == 3 && 16 * unsettled <= vertices) || step == 13;
 }
 
 /// Levels with fewer nodes for each anchor that shares its component would tell too little of what is between
 /// them: their forces would be wrong.
-constexpr std::size_t kFewestNodesPerAnchor = 3;
+constexpr std::size_t kFewestNodesPerSharedAnchor = 3;
 
 std::span<const Level> rich_levels(std::span<const Level> levels, std::span<const std::uint8_t> holds) {
   const auto shared = static_cast<std::size_t>(std::count(holds.begin(), holds.end(), 1));
-  while (levels.size() > 1 && levels.back().node_count() < kFewestNodesPerAnchor * shared)
+  while (levels.size() > 1 && levels.back().node_count() < kFewestNodesPerSharedAnchor * shared)
     levels = levels.first(levels.size() - 1);
   return levels;
 }

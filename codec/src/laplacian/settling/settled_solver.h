@@ -29,9 +29,10 @@ class SettledSolver {
   SettledSolver(const Adjacency& graph, const Components& components, std::span<const std::uint32_t> anchors,
                 std::span<const multigrid::Level> levels, ThreadTeam* team);
 
-  /// `x`: n, overwritten. The rms distance to the exact solution that remains is a few percent of what
-  /// quantisation leaves at the most. Work for each vertex is bounded. Errors: kInvalidStream [DELT-4] where
-  /// the solution is out of reach.
+  /// `x`: n, overwritten. Over all vertices, the rms distance to the exact solution that remains is a few
+  /// percent of what quantisation leaves; it may be more in a component that is accurate beside others that
+  /// are not. Work is bounded: 60 steps of O(n + edges), and at most twice a factorisation of 2^32
+  /// multiplications and 200 MB. Errors: kInvalidStream [DELT-4] where the solution is out of reach.
   Result<void> solve(const DeltaView& deltas, std::span<const Vec3> targets, std::span<Vec3> x);
 
  private:

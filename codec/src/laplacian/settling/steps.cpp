@@ -28,22 +28,12 @@ double random_sign(std::uint64_t i) noexcept {
   return (z >> 63) != 0 ? 1.0 : -1.0;
 }
 
-/// Axis by axis; 0 where b is not above 0.
-Double4 ratio(const Double4& a, const Double4& b) noexcept {
-  const auto divide = [](double p, double q) { return q > 0 ? p / q : 0.0; };
-  return {TwoDoubles{divide(a.xy[0], b.xy[0]), divide(a.xy[1], b.xy[1])},
-          TwoDoubles{divide(a.zw[0], b.zw[0]), divide(a.zw[1], b.zw[1])}};
-}
-
 /// Axis by axis a; 0 where it is not above b.
 Double4 above(const Double4& a, const Double4& b) noexcept {
   const auto pick = [](double p, double q) { return p > q ? p : 0.0; };
   return {TwoDoubles{pick(a.xy[0], b.xy[0]), pick(a.xy[1], b.xy[1])},
           TwoDoubles{pick(a.zw[0], b.zw[0]), pick(a.zw[1], b.zw[1])}};
 }
-
-/// Of the axes, without the probe.
-double sum(const Double4& v) noexcept { return v.xy[0] + v.xy[1] + v.zw[0]; }
 
 }  // namespace
 
@@ -62,11 +52,11 @@ Steps::Steps(const Adjacency& graph, const Components& components, std::span<con
   for (std::uint32_t i = 0; i < residual_.size(); ++i) {
     const Double4 delta = to_double4((1 / unit) * deltas[i], random_sign(i));
     residual_[i] = (1.0 / graph.degree(i)) * delta;
-    progress_[components.label[i]].functional += sum(delta * delta);
+    progress_[components.label[i]].functional += sum_of_axes(delta * delta);
   }
   for (std::size_t a = 0; a < anchors.size(); ++a) {
     gaps_.push_back(to_double4((1 / unit) * targets[a], 0));
-    progress_[components.label[anchors[a]]].functional += sum(gaps_[a] * gaps_[a]);
+    progress_[components.label[anchors[a]]].functional += sum_of_axes(gaps_[a] * gaps_[a]);
   }
 }
 
@@ -130,7 +120,7 @@ void Steps::take(const Vectors& problem) {
     }
     direction.energy[c] = energy = above(energy, kLeastEnergy * sums[c].own);
     length[c] = ratio(sums[c].gain, energy);
-    const double decrease = sum(length[c] * sums[c].gain);
+    const double decrease = sum_of_axes(length[c] * sums[c].gain);
     progress_[c] = {.functional = std::max(progress_[c].functional - decrease, 0.0),
                     .decrease = decrease,
                     .proposed = sums[c].x};

@@ -21,8 +21,8 @@ namespace deltamesh::settling {
 
 using multigrid::Double4;
 
-/// How a step fared in one component: sums of squares over its vertices, and anchors. On the fourth axis
-/// there is the probe.
+/// How a step fared in one component: sums of squares over its vertices, for the functional over its anchors
+/// too. On the fourth axis there is the probe.
 struct Progress {
   double functional = 0;  ///< that is left, all three axes together
   double decrease = 0;    ///< of the functional, by the step
@@ -33,11 +33,11 @@ struct Progress {
 
 /// An iterate of the coupled problem K x + D^2 s = D delta, K s = E f, x_a - f_a = c_a, in doubles. What a
 /// solver makes of its residual is a proposed step, of x, s and f at once. It is made orthogonal to the last
-/// three in the norm of ||L x||^2 + sum_a |x_a|^2, so that what proposals are always wrong about, in some
-/// place, does not make all of them short [Vinsome, Orthomin, 1976], and taken at the length that makes the
-/// functional ||L x - delta||^2 + sum_a |x_a - c_a|^2 smallest, every component and axis by itself: the
-/// functional never rises. Beside the three axes there is a fourth one, of random deltas and targets of 0:
-/// its solution tells how errors of deltas spread. Memory: 450 bytes per vertex.
+/// three in the norm of ||L x||^2 + sum_a |x_a|^2, so that an error that all proposals share does not shorten
+/// every step [Vinsome, Orthomin, 1976], and taken at the length that makes the functional ||L x - delta||^2
+/// + sum_a |x_a - c_a|^2 smallest, every component and axis by itself: the functional never rises. Beside the
+/// three axes there is a fourth one, of random deltas and targets of 0: its solution tells how errors of
+/// deltas spread. Memory: 450 bytes per vertex.
 class Steps {
  public:
   /// From 0; `deltas`: n, `targets`: of every anchor, both over `unit`, a power of 2. References must outlive

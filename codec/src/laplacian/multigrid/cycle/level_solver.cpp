@@ -95,12 +95,6 @@ void LevelSolver::cycle(std::size_t level) {
   sweep(fine, v.b, v.u);
 }
 
-/// At which its solution is taken; sets the image of that, where there is room for it.
-Float4 LevelSolver::length_of_cycle(std::size_t level) {
-  const Float4 best = best_length(problem(level), vectors_[level].image);
-  return takes_whole_ ? Float4{1, 1, 1, 1} : best;
-}
-
 void LevelSolver::solve(std::size_t level) {
   if (level + 1 == levels_.size()) {
     coarsest_.solve(problem(level));
@@ -108,19 +102,23 @@ void LevelSolver::solve(std::size_t level) {
   }
   Vectors& v = vectors_[level];
   cycle(level);
-  Float4 length = length_of_cycle(level);
-  if (!v.first.empty()) {
-    share_each(team_, v.u.size(), [&](std::uint32_t i) { v.first[i] = scaled(length, v.u[i]); });
-    for (std::size_t a = 0; a < v.forces.size(); ++a) v.first_forces[a] = length * v.forces[a];
-    take_off(problem(level), length, v.image, team_);
-    cycle(level);
-    length = length_of_cycle(level);
-    share_each(team_, v.u.size(), [&](std::uint32_t i) { v.u[i] = v.first[i] + scaled(length, v.u[i]); });
-    for (std::size_t a = 0; a < v.forces.size(); ++a) v.forces[a] = v.first_forces[a] + length * v.forces[a];
+  constexpr Float4 kWhole{1, 1, 1, 1};
+  if (v.first.empty()) {
+    if (takes_whole_) return;
+    const Float4 length = best_length(problem(level), v.image);
+    share_each(team_, v.u.size(), [&](std::uint32_t i) { v.u[i] = scaled(length, v.u[i]); });
+    for (Float4& force : v.forces) force = length * force;
     return;
   }
-  share_each(team_, v.u.size(), [&](std::uint32_t i) { v.u[i] = scaled(length, v.u[i]); });
-  for (Float4& force : v.forces) force = length * force;
+  const Float4 best = best_length(problem(level), v.image);  // which sets the image
+  const Float4 first = takes_whole_ ? kWhole : best;
+  share_each(team_, v.u.size(), [&](std::uint32_t i) { v.first[i] = scaled(first, v.u[i]); });
+  for (std::size_t a = 0; a < v.forces.size(); ++a) v.first_forces[a] = first * v.forces[a];
+  take_off(problem(level), first, v.image, team_);
+  cycle(level);
+  const Float4 second = takes_whole_ ? kWhole : best_length(problem(level), v.image);
+  share_each(team_, v.u.size(), [&](std::uint32_t i) { v.u[i] = v.first[i] + scaled(second, v.u[i]); });
+  for (std::size_t a = 0; a < v.forces.size(); ++a) v.forces[a] = v.first_forces[a] + second * v.forces[a];
 }
 
 }  // namespace deltamesh::multigrid

@@ -51,7 +51,6 @@ class LevelSolver {
 
  private:
   CoupledProblem problem(std::size_t level) noexcept;
-  Float4 length_of_cycle(std::size_t level);
   void solve(std::size_t level);
   void cycle(std::size_t level);
 
