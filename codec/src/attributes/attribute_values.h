@@ -58,6 +58,7 @@ class AttributeValues {
   /// Of all rows to `bits_of(row)`.
   template <class BitsOf>
   void set_component(std::size_t component, BitsOf bits_of) noexcept {
+    if (rows_ == 0) return;  // there is no memory to point into
     std::byte* place = values_.data() + component * size_;
     for (std::size_t row = 0; row < rows_; ++row, place += components_ * size_)
       store_component(place, size_, bits_of(row));
