@@ -11,16 +11,15 @@
 
 namespace deltamesh {
 
-/// Calls `body` and turns a failed allocation into kOutOfMemory.
+/// Calls `body` and turns a failed allocation into kOutOfMemory with `message`.
 template <class Body>
-auto guarded(Body&& body) noexcept -> decltype(body()) {
+auto guarded(Body&& body, const char* message = "out of memory") noexcept -> decltype(body()) {
   try {
     return body();
   } catch (const std::bad_alloc&) {
-    return Error{.code = ErrorCode::kOutOfMemory, .message = "out of memory"};
   } catch (const std::length_error&) {
-    return Error{.code = ErrorCode::kOutOfMemory, .message = "out of memory"};
   }
+  return Error{.code = ErrorCode::kOutOfMemory, .message = message};
 }
 
 }  // namespace deltamesh

@@ -15,7 +15,6 @@
 #include "geometry/highpass_symbols.h"
 #include "laplacian/anchors/anchors.h"
 #include "laplacian/operator/delta.h"
-#include "laplacian/operator/hop_density.h"
 
 namespace deltamesh {
 namespace {

@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <new>
-#include <stdexcept>
 #include <utility>
 
+#include "base/guard.h"
 #include "base/try.h"
 #include "deltamesh/io.h"
 #include "io/formats.h"
@@ -16,7 +15,7 @@
 namespace deltamesh {
 namespace {
 
-constexpr Error kNoMemory{.code = ErrorCode::kOutOfMemory, .message = "the mesh does not fit into memory"};
+constexpr const char* kNoMemory = "the mesh does not fit into memory";
 
 Result<Imported> read_as(std::span<const std::byte> bytes, FileFormat format, std::string_view folder) {
   switch (format) {
@@ -103,29 +102,19 @@ Result<FileFormat> format_of_path(std::string_view path) noexcept {
 }
 
 Result<Imported> read_mesh(std::span<const std::byte> bytes, FileFormat format,
-                           std::string_view folder) noexcept try {
-  return read_as(bytes, format, folder);
-} catch (const std::bad_alloc&) {
-  return kNoMemory;
-} catch (const std::length_error&) {
-  return kNoMemory;
+                           std::string_view folder) noexcept {
+  return guarded([&] { return read_as(bytes, format, folder); }, kNoMemory);
 }
 
-Result<Imported> read_mesh_file(const std::string& path) noexcept try {
+Result<Imported> read_mesh_file(const std::string& path) noexcept {
   DELTAMESH_TRY(const FileFormat format, format_of_path(path));
   DELTAMESH_TRY(const std::vector<std::byte> bytes, read_file(path));
-  return read_mesh(bytes, format, folder_of(path));
-} catch (const std::bad_alloc&) {
-  return kNoMemory;
+  return guarded([&] { return read_as(bytes, format, folder_of(path)); }, kNoMemory);
 }
 
-Result<std::vector<std::byte>> write_mesh(const MeshView& mesh, FileFormat format) noexcept try {
+Result<std::vector<std::byte>> write_mesh(const MeshView& mesh, FileFormat format) noexcept {
   DELTAMESH_CHECK(check(mesh));
-  return write_as(mesh, format);
-} catch (const std::bad_alloc&) {
-  return kNoMemory;
-} catch (const std::length_error&) {
-  return kNoMemory;
+  return guarded([&] { return write_as(mesh, format); }, kNoMemory);
 }
 
 Result<void> write_mesh_file(const std::string& path, const MeshView& mesh) noexcept {

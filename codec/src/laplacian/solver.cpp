@@ -5,10 +5,22 @@
 #include <utility>
 
 #include "base/try.h"
-#include "laplacian/anchors/shared_components.h"
 #include "laplacian/multigrid/setup/levels.h"
 
 namespace deltamesh {
+namespace {
+
+/// Per anchor 1 if its component has another anchor, else 0. O(components + anchors).
+std::vector<std::uint8_t> shared_components(const Components& components,
+                                            std::span<const std::uint32_t> anchors) {
+  std::vector<std::uint32_t> count(components.count, 0);
+  for (const std::uint32_t anchor : anchors) ++count[components.label[anchor]];
+  std::vector<std::uint8_t> shared;
+  for (const std::uint32_t anchor : anchors) shared.push_back(count[components.label[anchor]] > 1 ? 1 : 0);
+  return shared;
+}
+
+}  // namespace
 
 LeastSquaresSolver::LeastSquaresSolver(const Adjacency& graph, Components components,
                                        std::span<const std::uint32_t> anchors, ThreadTeam* team)
@@ -21,7 +33,7 @@ void LeastSquaresSolver::set_up(int cycles) {
   if (levels_.empty()) levels_ = multigrid::build_levels(graph_, anchors_, team_);
   if (cycles == 0 && !settled_) {
     multigrid::add_weights(levels_.front());
-    settled_.emplace(graph_, components_, anchors_, levels_, team_);
+    settled_.emplace(graph_, components_, anchors_, levels_, shared_components(components_, anchors_), team_);
   }
   if (cycles > 0 && !planned_ && levels_.size() > 1)
     planned_.emplace(levels_, shared_components(components_, anchors_), team_);

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <queue>
+#include <span>
 #include <vector>
 
 #include "deltamesh/anchor_containers.h"
@@ -55,6 +56,10 @@ class AnchorSequence {
   std::uint32_t most_ = 0;
   std::uint64_t searches_ = 0;
 };
+
+/// The paper's v: largest hop distance of a vertex to the nearest of `anchors`; vertices that reach none are
+/// left out. O(n + edges).
+std::uint32_t hop_density(const Adjacency& graph, std::span<const std::uint32_t> anchors);
 
 /// What an AnchorContainers object holds: the sequence, and which graph it belongs to.
 class AnchorContainers::Impl {

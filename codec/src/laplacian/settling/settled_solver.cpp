@@ -9,7 +9,6 @@
 #include <optional>
 #include <utility>
 
-#include "laplacian/anchors/shared_components.h"
 #include "laplacian/settling/convergence.h"
 #include "laplacian/settling/coupled_factor.h"
 #include "laplacian/settling/steps.h"
@@ -90,12 +89,11 @@ VertexSubset vertices_of(const Components& components, std::span<const std::uint
 
 SettledSolver::SettledSolver(const Adjacency& graph, const Components& components,
                              std::span<const std::uint32_t> anchors, std::span<const Level> levels,
-                             ThreadTeam* team)
+                             const std::vector<std::uint8_t>& holds, ThreadTeam* team)
     : graph_(graph),
       components_(components),
       anchors_(anchors),
-      cycles_(rich_levels(levels, shared_components(components, anchors)),
-              shared_components(components, anchors), components.label, team) {}
+      cycles_(rich_levels(levels, holds), holds, components.label, team) {}
 
 Result<void> SettledSolver::solve(const DeltaView& deltas, std::span<const Vec3> targets, std::span<Vec3> x) {
   const double unit = unit_of(deltas, targets);

@@ -25,9 +25,11 @@ namespace deltamesh::settling {
 class SettledSolver {
  public:
   /// `levels`: of `graph`, the finest with weights of its own; `components`: of `graph`, at least one of the
-  /// `anchors` in each. All must outlive this. `team`: as LevelSolver.
+  /// `anchors` in each; `holds`: per anchor 1 if its component has another one. All must outlive this.
+  /// `team`: as LevelSolver.
   SettledSolver(const Adjacency& graph, const Components& components, std::span<const std::uint32_t> anchors,
-                std::span<const multigrid::Level> levels, ThreadTeam* team);
+                std::span<const multigrid::Level> levels, const std::vector<std::uint8_t>& holds,
+                ThreadTeam* team);
 
   /// `x`: n, overwritten. Over all vertices, the rms distance to the exact solution that remains is a few
   /// percent of what quantisation leaves; it may be more in a component that is accurate beside others that

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 
-#include "laplacian/operator/hop_density.h"
 #include "support/graph_mesh.h"
 
 namespace deltamesh {
