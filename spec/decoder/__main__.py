@@ -1,23 +1,17 @@
 """The reference decoder: python3 spec/decoder IN.dmsh OUT.ply [--json] [--dump]"""
 import argparse
 import json
+import logging
 import sys
 
 import numpy as np
 
 import ply
-from coder import Coder
 from container import Broken
-from mesh import decode, nothing
-
-def show(name, value):
-    """Prints an intermediate value in full."""
-    with np.printoptions(threshold=sys.maxsize, floatmode="unique"):
-        print(f"{name}: {value}")
+from mesh import decode
 
 def figures(mesh):
-    h = mesh.header
-    values = {key: value for key, value in vars(h).items() if key != "flags"}
+    values = {key: value for key, value in vars(mesh.header).items() if key != "flags"}
     values["attributes"] = [{"name": a.name.decode("utf-8", "replace"), "kind": a.kind, "type": a.type, "components": a.k,
                              "error": a.error} for a in mesh.attributes]
     return values
@@ -29,11 +23,13 @@ def main():
     parser.add_argument("--json", action="store_true", help="print the header and the figures")
     parser.add_argument("--dump", action="store_true", help="print intermediate values")
     options = parser.parse_args()
-    Coder.log = show if options.dump else None
+    if options.dump:
+        np.set_printoptions(threshold=sys.maxsize, floatmode="unique")
+        logging.basicConfig(level=logging.DEBUG, stream=sys.stdout, format="%(message)s")
     with open(options.stream, "rb") as file:
         data = file.read()
     try:
-        mesh = decode(data, show if options.dump else nothing)
+        mesh = decode(data)
     except Broken as error:
         sys.exit(f"{options.stream}: {error}")
     if options.json:

@@ -1,20 +1,17 @@
 """ANCH: anchors of highpass geometry: anch.md."""
 from coder import Coder, NumberModel
-from container import Reader, must, unzigzag
+from container import must, unzigzag
 
 def ANCH_1_read(chunk, header, n, components):
     """The anchors' positions by their vertices, in rising order."""
     count = header.anchors
     if chunk.is_compact:
-        coder = Coder(chunk.data)
-        models = [NumberModel() for _ in range(4)]
+        coder, models = Coder(chunk), [NumberModel() for _ in range(4)]
         numbers = [[model.decode(coder) for model in models] for _ in range(count)]  # [ANCH-5]
-        coder.end()
     else:
-        r = Reader(chunk.data)
-        gaps, cells = (r.planes(count), r.planes(3 * count)) if chunk.data or count else ([], [])
-        r.end()
+        gaps, cells = chunk.planes(count), chunk.planes(3 * count)
         numbers = [[gaps[i]] + cells[i::count] for i in range(count)]
+    chunk.end()
     side = max(b - a for a, b in zip(header.box_min, header.box_max)) / (2**header.anchor_bits - 1)
     anchors, v, k = {}, -1, [0, 0, 0]
     for gap, *codes in numbers:  # [ANCH-3]

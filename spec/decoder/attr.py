@@ -4,7 +4,7 @@ from importlib import import_module
 
 import numpy as np
 
-from container import Reader, must
+from container import must
 
 NORMAL, COLOUR, UV, GENERIC, TANGENT, JOINTS, WEIGHTS = range(7)
 TYPES = ["i1", "u1", "i2", "u2", "i4", "u4", "f4", "f8"]
@@ -62,25 +62,21 @@ class Surface:
             return True, self.geometric_faces, len(self.first) - 1
         return False, self.faces, self.n
 
-def f32_rows(rows, k):
-    """Doubles rounded to f32, as an array."""
-    return np.array(rows, dtype=np.float64).reshape(-1, k).astype("<f4")
-
 def ATTR_11_decode(chunks, surface):
     """All attributes: tangents and weights after all others."""
     for chunk in sorted(chunks, key=lambda chunk: chunk.descriptor.kind in (TANGENT, WEIGHTS)):
         chunk.descriptor.values = ATTR_2_values(chunk, surface)
 
 def ATTR_2_values(chunk, surface):
-    a, r = chunk.descriptor, Reader(chunk.data)
-    coding = r.u8()
+    """Rows of the attribute's type, to which numbers are rounded."""
+    a, coding = chunk.descriptor, chunk.u8()
     must(coding < len(CODINGS), "ATTR-2", f"coding {coding}")
     kind, types, counts, module, decode = CODINGS[coding]
     must(kind is None or a.is_shape(kind, types, counts), "ATTR-2", f"coding {coding} is not of this shape")
     must((coding > 3) == chunk.is_compact, "ATTR-2", f"coding {coding} in the other form")
-    values = getattr(import_module(module), decode)(r, a, surface)
-    r.end()
-    return values
+    values = getattr(import_module(module), decode)(chunk, a, surface)
+    chunk.end()
+    return np.array(values, dtype="<" + a.type).reshape(surface.n, a.k)
 
 def ATTR_3_symbols(r, n, components, w):
     """The symbol components, one list each."""
@@ -123,17 +119,13 @@ def ATTR_5_octahedral(r, a, surface):
             x, y = (-1 if u < 0 else 1) * (h - abs(v)), (-1 if v < 0 else 1) * (h - abs(u))
         length = math.sqrt(x * x + y * y + z * z)
         rows.append((x / length, y / length, z / length))
-    return f32_rows(rows, 3)
+    return rows
 
 def ATTR_6_colours(r, a, surface):
     bits = r.u8()
     must(1 <= bits <= (8 if a.type == "u1" else 16), "ATTR-2", f"{bits} bits")
-    m, symbols = 2**bits - 1, ATTR_3_symbols(r, surface.n, a.k, bits)
-    if a.type == "f4":
-        return f32_rows([[0.0 + 1.0 * s / m for s in row] for row in zip(*symbols)], a.k)
-    full = 255 if a.type == "u1" else 65535
-    rows = [[(2 * s * full + m) // (2 * m) for s in row] for row in zip(*symbols)]
-    return np.array(rows, dtype="<" + a.type).reshape(surface.n, a.k)
+    m, symbols, full = 2**bits - 1, ATTR_3_symbols(r, surface.n, a.k, bits), {"u1": 255, "u2": 65535}.get(a.type)
+    return [[(2 * s * full + m) // (2 * m) if full else s / m for s in row] for row in zip(*symbols)]
 
 def ATTR_7_uvs(r, a, surface):
     bits = r.u8()
@@ -142,4 +134,4 @@ def ATTR_7_uvs(r, a, surface):
     for low, high in ranges:
         must(math.isfinite(low) and math.isfinite(high) and low <= high, "ATTR-7", "min or max")
     m, symbols = 2**bits - 1, ATTR_3_symbols(r, surface.n, 2, bits)
-    return f32_rows([[low + (high - low) * s / m for (low, high), s in zip(ranges, row)] for row in zip(*symbols)], 2)
+    return [[low + (high - low) * s / m for (low, high), s in zip(ranges, row)] for row in zip(*symbols)]

@@ -3,11 +3,10 @@ import math
 
 import numpy as np
 
-from attr import f32_rows
-from coder import Coder, bits, clamp, mixing_weights, symbol_models
+from coder import Coder, Mixture, bits, clamp
 from container import must
 from graph import neighbours
-from scaled import ATTR_52_near, FLD_15_quantity, SYMBOL_WEIGHTS, ScaledCoder
+from scaled import FLD_15_quantity, ScaledCoder
 
 F = np.float32
 ZERO, HALF = F(0), F(0.5)
@@ -28,14 +27,10 @@ def ATTR_45_colours(r, a, surface):
     axes[:2] = axes[1::-1]
     rows = [[0] * 4] * surface.n
     if axes:
-        coder = Coder(r.rest())
-        rows = ColourCoder(coder, surface, surface.attributes.index(a), len(axes), top, bound).decode()
-        coder.end()
+        rows = ColourCoder(Coder(r), surface, surface.attributes.index(a), len(axes), top, bound).decode()
     levels = [[constants[c] if s == 255 else row[axes.index(s)] for c, s in enumerate(sources)] for row in rows]
-    if a.type == "f4":  # [ATTR-46]
-        return f32_rows([[x / top for x in row] for row in levels], a.k)
-    factor = 257 if a.type == "u2" and level_bits == 8 else 1
-    return np.array([[x * factor for x in row] for row in levels], dtype="<" + a.type).reshape(surface.n, a.k)
+    factor = 257 if a.type == "u2" and level_bits == 8 else 1  # [ATTR-46]
+    return [[x / top if a.type == "f4" else x * factor for x in row] for row in levels]
 
 class ColourCoder:
     """Colours, sizes and the like are vectors of the axes 0 to 3."""
@@ -44,8 +39,7 @@ class ColourCoder:
         self.per_step, self.unit = F(16) / F(self.width), max(F(self.width), F(top) / F(255))
         self.colours, self.sizes, self.outcomes, self.around = [], [], [], neighbours(surface.faces, surface.n)
         self.learnt = surface.states.models(
-            ("colours", attribute), copies=symbol_models((16, 6, 3, 30) + (1,) * 12), copy_weights=mixing_weights(),
-            models=symbol_models(SYMBOL_WEIGHTS), weights=mixing_weights(), scaled=ScaledCoder())
+            ("colours", attribute), copies=Mixture((16, 6, 3, 30) + (1,) * 12), numbers=ScaledCoder())
 
     def decode(self):
         copies, first = self.coder.raw(1), self.surface.first
@@ -91,9 +85,8 @@ class ColourCoder:
             farthest = max(farthest, (d[0] + d[1]) + (d[2] + d[3]))
         s, d = min(math.floor(F(8) * share), 7), min(bits(math.floor(farthest * (F(1) / self.unit))), 7)
         t = [self.outcomes[u] for u in candidates] + [3] * (3 - n)
-        models = [self.learnt.copies[0, (8 * (n - 1) + s) * 8 + d],
-                  self.learnt.copies[1, ((4 * t[0] + t[1]) * 4 + t[2]) * 3 + n - 1]]
-        symbol = self.coder.symbol(models, self.learnt.copy_weights[2 * (n - 1) + (t[0] == 0)])
+        first, second = (8 * (n - 1) + s) * 8 + d, ((4 * t[0] + t[1]) * 4 + t[2]) * 3 + n - 1
+        symbol = self.coder.symbol(*self.learnt.copies.of(first, second, 2 * (n - 1) + (t[0] == 0)))
         return (min(symbol, 1), self.colours[candidates[symbol]]) if symbol < n else (2, None)
 
     def ATTR_51_levels(self, colour, E, spread, before, has_near):
@@ -129,7 +122,7 @@ class ColourCoder:
         shift = max(bits(whole) - 6, 0)
         s, near = whole >> shift, u(abs(X - base)) >> shift
         S = FLD_15_quantity(s) + (4 if shift else 0)
-        models = [self.learnt.models[0, (6 * S + ATTR_52_near(near, s)) * 4 + a],
-                  self.learnt.models[1, (12 * (K(spread) // 2) + K(coded) // 2) * 4 + a]]
-        q = self.learnt.scaled.CMP_15_number(self.coder, models, self.learnt.weights[4 * (S // 4) + a], shift)
+        e = sum(k <= (near * (2**20 // (s + 2))) >> 16 for k in (2, 5, 10, 16, 27))
+        first, second = (6 * S + e) * 4 + a, (12 * (K(spread) // 2) + K(coded) // 2) * 4 + a
+        q = self.learnt.numbers.CMP_15_number(self.coder, first, second, 4 * (S // 4) + a, shift)
         return -q if X < base else q

@@ -61,7 +61,7 @@ def ATTR_55_lattice(r, a, surface):
     numbers = {id(c): [0] * surface.n for c in components}
     varying = [c for c in components if c.kind != CONSTANT]
     if varying:
-        coder = Coder(r.rest())
+        coder = Coder(r)
         joined = coder.raw(1)
         while varying:  # [ATTR-56] groups
             group = list(next(groupby(varying, lambda c: c.kind == FLOAT))[1])[:3]
@@ -69,27 +69,20 @@ def ATTR_55_lattice(r, a, surface):
             for c, column in zip(group, ATTR_56_group(coder, group, surface, joined)):
                 must(c.kind == FLOAT or all(0 <= q <= c.cells for q in column), "ATTR-56", "a number above its cells")
                 numbers[id(c)] = column
-        coder.end()
     data = b"".join(c.value(numbers[id(c)][v]) for v in range(surface.n) for c in components)
-    return np.frombuffer(data, dtype="<" + a.type).reshape(surface.n, a.k).copy()
+    return np.frombuffer(data, dtype="<" + a.type)
 
 def ATTR_56_group(coder, group, surface, joined):
-    """The columns of x, y and z."""
+    """[ATTR-57] The columns of x, y and z."""
     width, resting, (joined, *graph) = len(group), None, surface.joined(joined)
     if group[0].kind == FLOAT:
         units, width = [max(c.exponent, 1) - 153 for c in group] + [1 - 153] * (3 - width), 3
-        lattice = FloatCoder(coder, POSN_3_known(*graph), POSN_8_table(coder), units)
-        rows = lattice.ordinals
+        lattice = FloatCoder(coder, POSN_3_known(*graph), units)
     else:
-        cells = [c.cells for c in group] + [None] * (3 - width)
-        lattice = PredictedCoder(coder, POSN_3_known(*graph), POSN_8_table(coder), cells, coder.raw(1))
+        lattice = PredictedCoder(coder, POSN_3_known(*graph), POSN_8_table(coder), [c.cells for c in group], coder.raw(1))
         lattice.rule = "ATTR-56"
-        rows, rest = lattice.rows, [c.rest for c in group] + [0] * (3 - width)
-        resting = Resting(coder, lattice, rest, surface.n) if coder.raw(1) else None
-    def decode(v):
-        list(lattice.vertex(v))
-        return rows[v]
-    return list(zip(*ATTR_58_copies(coder, surface, joined, decode, width, resting))) or [[]] * 3
+        resting = Resting(coder, lattice, [c.rest for c in group], surface.n) if coder.raw(1) else None
+    return list(zip(*ATTR_58_copies(coder, surface, joined, lattice.decode, width, resting))) or [[]] * 3
 
 class Resting:
     """[ATTR-59] Runs of vertices at rest."""

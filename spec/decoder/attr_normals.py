@@ -3,11 +3,10 @@ import math
 
 import numpy as np
 
-from attr import f32_rows
-from coder import BitModel, Coder, bit_models, clamp, mixing_weights, symbol_models
+from coder import BitModel, Coder, bit_models, clamp
 from container import must
 from graph import corners, others
-from scaled import SYMBOL_WEIGHTS, ScaledCoder
+from scaled import ScaledCoder
 from vectors import (F, ATTR_22_corner_angles, ATTR_22_scaled, ATTR_23_frame, ATTR_24_point, cross, dot, f32_vector,
                      sum_at_corners)
 
@@ -19,10 +18,7 @@ def ATTR_20_normals(r, a, surface):
     must(rule <= 5 and form < 64, "ATTR-20", f"form {form}")
     must(rule == 0 or surface.positions is not None, "ATTR-20", "a rule without positions")
     must(float(F(1e-6)) <= radius <= 1, "ATTR-20", f"radius {radius}")
-    coder = Coder(r.rest())
-    normals = NormalCoder(coder, surface, rule, form, F(radius)).decode()
-    coder.end()
-    return f32_rows(normals, 3)
+    return NormalCoder(Coder(r), surface, rule, form, F(radius)).decode()
 
 def ATTR_22_rule(rule, surface):
     """Rule vectors and rule weights of all vertices."""
@@ -54,8 +50,7 @@ class NormalCoder:
         self.coder, self.surface, self.radius, n = coder, surface, radius, surface.n
         self.shares, self.zeros, self.blends, self.K = form & 8, form & 16, form & 32, F(0.25) / (radius * radius)
         self.vectors, self.rule_weights = ATTR_22_rule(rule, surface)
-        self.at, self.share_bits, self.zero_bit = corners(surface.faces, n), bit_models(), BitModel()
-        self.models, self.weights, self.scaled = symbol_models(SYMBOL_WEIGHTS), mixing_weights(), ScaledCoder()
+        self.at, self.share_bits, self.zero_bit, self.numbers = corners(surface.faces, n), bit_models(), BitModel(), ScaledCoder()
         self.group_of, self.normals, self.rule_normals, self.sizes = {}, {}, {}, {}
         self.last, self.X, self.Y, self.y = f32_vector(0, 0, 1), F(0), F(0), F(0)
 
@@ -168,5 +163,5 @@ class NormalCoder:
         return row, self.number(1, tuple(8 * index + g for index in indices), scale, shift)
 
     def number(self, is_place, indices, scale, shift):
-        models = [self.models[is_place, table, index] for table, index in enumerate(indices)]
-        return self.scaled.CMP_15_number(self.coder, models, self.weights[2 * scale + is_place], shift)
+        first, second = ((is_place, index) for index in indices)
+        return self.numbers.CMP_15_number(self.coder, first, second, 2 * scale + is_place, shift)

@@ -1,26 +1,22 @@
 """Joints and weights: attr_skin.md, ATTR-60 to ATTR-65."""
-import numpy as np
-
-from attr import JOINTS, WEIGHTS, f32_rows
+from attr import JOINTS, WEIGHTS
 from attr_lattice import ATTR_58_copies
-from coder import Coder, NumberModel, clamp, mixing_weights, symbol_models
+from coder import Coder, Mixture, NumberModel, clamp
 from container import must, unzigzag
 from lattice import POSN_3_known, PredictedCoder
 
 def ATTR_60_joints(r, a, surface):
-    coder, top = Coder(r.rest()), 256**int(a.type[1]) - 1
+    coder, top = Coder(r), 256**int(a.type[1]) - 1
     joined, *graph = surface.joined(coder.raw(1))
     rows = ATTR_58_copies(coder, surface, joined, JointCoder(coder, POSN_3_known(*graph), top).row, 4)
     must(all(0 <= j <= top for row in rows for j in row), "ATTR-60", "a joint of a copy is not of its type")
-    coder.end()
-    return np.array(rows, dtype="<" + a.type).reshape(surface.n, 4)
+    return rows
 
 class JointCoder:
     """[ATTR-61]"""
     def __init__(self, coder, known, top):
         self.coder, self.known, self.top, self.rows = coder, known, top, {}
-        self.row_models, self.row_weights = symbol_models((6, 12, 4, 3, 2) + (1,) * 11), mixing_weights()
-        self.models, self.weights = symbol_models((16, 6, 4, 3, 2) + (1,) * 10 + (6,)), mixing_weights()
+        self.around, self.guesses = Mixture((6, 12, 4, 3, 2) + (1,) * 11), Mixture((16, 6, 4, 3, 2) + (1,) * 10 + (6,))
         self.place, self.new, self.list, self.last = NumberModel(), NumberModel(), [], 0
 
     def row(self, v):
@@ -37,8 +33,7 @@ class JointCoder:
     def known_row(self, around, came, count):
         l = min(len(around), 7)
         d = came[around[0]] - (came[around[1]] if l > 1 else 0)
-        models = [self.row_models[0, 5 * l + min(d, 4)], self.row_models[1, 7 * l + min(count, 6)]]
-        s = self.coder.symbol(models, self.row_weights[0])
+        s = self.coder.symbol(*self.around.of(5 * l + min(d, 4), 7 * l + min(count, 6), 0))
         return around[s - 1] if 1 <= s <= l else None
 
     def new_row(self, around, came):
@@ -56,8 +51,7 @@ class JointCoder:
             c, e = len(guesses), 3
             if c >= 2:
                 e = sum(points[guesses[0]] >= k * points[guesses[1]] for k in (2, 4))
-            models = [self.models[0, 16 * s + 4 * min(c, 3) + e], self.models[1, 16 * s + symbol]]
-            symbol = self.coder.symbol(models, self.weights[0])
+            symbol = self.coder.symbol(*self.guesses.of(16 * s + 4 * min(c, 3) + e, 16 * s + symbol, 0))
             row += (guesses[symbol] if symbol < c else self.other(),)
         return row
 
@@ -83,24 +77,21 @@ def ATTR_63_weights(r, a, surface):
     total = r.varint(65536, "ATTR-63")
     full = {"u1": 255, "u2": 65535}.get(a.type)
     must(total >= 1 and (not full or full % total == 0), "ATTR-63", f"sum {total}")
-    coder, joints = Coder(r.rest()), ATTR_62_joints(a, surface)
+    coder, joints = Coder(r), ATTR_62_joints(a, surface)
     joined, *graph = surface.joined(coder.raw(1))
     joints = [joints[v] for v in surface.first[:-1]] if joined else joints
     weights = WeightCoder(coder, POSN_3_known(*graph), joints, total, coder.raw(2))
     rows = ATTR_58_copies(coder, surface, joined, weights.decode, 3)
-    coder.end()
     rows = [tuple(row) + (total - sum(row),) for row in rows]
     must(all(0 <= w <= total for row in rows for w in row), "ATTR-63", "a weight is not 0 to the sum")
-    if not full:
-        return f32_rows([[w / total for w in row] for row in rows], 4)
-    return np.array([[w * (full // total) for w in row] for row in rows], dtype="<" + a.type).reshape(surface.n, 4)
+    return [[w * (full // total) if full else w / total for w in row] for row in rows]
 
 class WeightCoder(PredictedCoder):
     """[ATTR-64, ATTR-65]"""
     def __init__(self, coder, known, joints, total, blend):
         super().__init__(coder, known, [(20 * blend, 0)] * 24, [total] * 3)
         self.joints, self.total = joints, total
-        self.end_models, self.end_weights = symbol_models((10, 6, 10) + (1,) * 13), mixing_weights()
+        self.ends = Mixture((10, 6, 10) + (1,) * 13)
 
     def row(self, u, v):
         """[ATTR-64] What u gives to the joints of v's first three slots."""
@@ -109,13 +100,9 @@ class WeightCoder(PredictedCoder):
     def weights_of(self, u):
         return self.rows[u] + [self.total - sum(self.rows[u])]
 
-    def decode(self, v):
-        list(self.vertex(v))
-        return self.rows[v]
-
     def read(self, v, x):
         """[ATTR-65]"""
-        known, s, rest, whole = self.known[v], x.axis, self.total - sum(x.row), x.whole
+        known, s, rest, whole = self.known[v], x.axis, self.total - sum(self.rows[v]), x.whole
         if s == 0:
             self.symbols = [0, 0]
         if rest == 0:
@@ -125,9 +112,8 @@ class WeightCoder(PredictedCoder):
             return (0, rest)[symbol]
         around = [self.row(u, v)[s] for face in known.faces for u in face if u is not None]
         around = [w for w in around if 0 < w < self.total]
-        w = self.FLT_4_guess(known, x, around, whole) if around else None
+        w = self.FLT_4_guess(known, x, around, whole)
         if w is None:
-            x.missed.add(s)
             w = clamp(whole, 1, max(rest - 1, 1)) + self.POSN_6_number(x)
         must(0 < w < rest, "ATTR-65", f"weight {w}")
         return w
@@ -142,7 +128,7 @@ class WeightCoder(PredictedCoder):
         e = 4 if not around else 0 if not nothing else 3 if nothing == len(around) else 1 if 2 * nothing <= len(around) else 2
         f = 0 if whole >= rest else self.share(rest - whole)
         k = 3 * self.symbols[-2] + self.symbols[-1]
-        models = [self.end_models[0, ((5 * s + e) * 5 + f) * 2 + (joints[s] in joints[:s])],
-                  self.end_models[1, (9 * s + k) * 6 + min(self.share(whole) + (whole > 0), 5)]]
-        self.symbols.append(min(self.coder.symbol(models, self.end_weights[0]), 2))
+        first = ((5 * s + e) * 5 + f) * 2 + (joints[s] in joints[:s])
+        second = (9 * s + k) * 6 + min(self.share(whole) + (whole > 0), 5)
+        self.symbols.append(min(self.coder.symbol(*self.ends.of(first, second, 0)), 2))
         return self.symbols[-1]

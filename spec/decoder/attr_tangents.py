@@ -3,7 +3,7 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from attr import NORMAL, UV, f32_rows
+from attr import NORMAL, UV
 from coder import Coder
 from container import must
 from attr_normals import ATTR_22_rule, NOWHERE
@@ -17,10 +17,8 @@ NOTHING = f32_vector(0, 0)
 def ATTR_38_tangents(r, a, surface):
     step = r.number("f")
     must(2.0**-20 <= step <= 1, "ATTR-38", f"step {step}")
-    coder = Coder(r.rest())
-    tangents = TangentCoder(coder, surface, F(step)).decode()
-    coder.end()
-    return f32_rows([tangents[v] for v in range(surface.n)], 4)
+    tangents = TangentCoder(Coder(r), surface, F(step)).decode()
+    return [tangents[v] for v in range(surface.n)]
 
 def ATTR_39_first(surface, kind, k):
     return next((a.values for a in surface.attributes if a.is_shape(kind, ["f4"], [k])), None)

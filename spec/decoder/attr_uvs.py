@@ -1,7 +1,6 @@
 """Texture coordinates off the surface: attr_uvs.md, ATTR-31 to ATTR-37."""
 import numpy as np
 
-from attr import f32_rows
 from coder import Coder
 from container import must
 from graph import corners, others
@@ -13,10 +12,8 @@ NOTHING = vector(0, 0)
 def ATTR_31_uvs(r, a, surface):
     step = r.number("f")
     must(2.0**-100 <= step <= 2.0**64, "ATTR-31", f"step {step}")
-    coder = Coder(r.rest())
-    values = UvCoder(coder, surface, step).decode()
-    coder.end()
-    return f32_rows([values[v] for v in range(surface.n)], 2)
+    values = UvCoder(Coder(r), surface, step).decode()
+    return [values[v] for v in range(surface.n)]
 
 def solve_symmetric(matrix, right):
     """[ATTR-34]"""

@@ -2,6 +2,7 @@
 import copy
 from bisect import bisect_right
 from collections import defaultdict
+from logging import debug
 from types import SimpleNamespace
 
 from container import must
@@ -13,6 +14,10 @@ def bits(x):
 
 def clamp(x, low, high):
     return min(max(x, low), high)
+
+def divide(a, b):
+    """The quotient cut towards 0."""
+    return abs(a) // abs(b) * (1 if (a < 0) == (b < 0) else -1)
 
 class SymbolModel:
     """[CMP-4, CMP-5]"""
@@ -42,23 +47,27 @@ class BitModel:
 def symbol_models(weights):
     return defaultdict(lambda: SymbolModel(weights))
 
-def bit_models(start=32768):
-    return defaultdict(lambda: BitModel(start))
+def bit_models():
+    return defaultdict(BitModel)
 
-def mixing_weights():
-    """[CMP-6] Sets of weights of mixtures, as they start."""
-    return defaultdict(lambda: [WEIGHT_SUM // 2] * 2)
+class Mixture:
+    """[CMP-6] Two tables of models, and sets of weights."""
+    def __init__(self, weights):
+        self.models, self.weights = symbol_models(weights), defaultdict(lambda: [WEIGHT_SUM // 2] * 2)
+
+    def of(self, first, second, weights):
+        """Models and weights of these indices."""
+        return [self.models[0, first], self.models[1, second]], self.weights[weights]
 
 class Coder:
-    """[CMP-1 to CMP-3, CMP-6, CMP-12] Reads the decisions of one stream; `log` is told of each where it is a function."""
-    log = None
-
-    def __init__(self, data):
-        must(data and max(data[0] & 15, data[0] >> 4) <= 8, "CMP-1", "no sizes of states, or too large ones")
-        middle = 1 + (data[0] & 15)
-        self.data, self.at, self.turn = data, middle + (data[0] >> 4), 0
-        must(self.at <= len(data), "CMP-1", "the states are cut")
-        self.states = [int.from_bytes(part, "little") for part in (data[1:middle], data[middle:self.at])]
+    """[CMP-1 to CMP-3, CMP-6, CMP-12] Reads the decisions of one stream, all that a reader has left."""
+    def __init__(self, r):
+        self.data, r.coder = r.rest(), self
+        must(self.data and max(self.data[0] & 15, self.data[0] >> 4) <= 8, "CMP-1", "no sizes of states, or too large ones")
+        middle = 1 + (self.data[0] & 15)
+        self.at, self.turn = middle + (self.data[0] >> 4), 0
+        must(self.at <= len(self.data), "CMP-1", "the states are cut")
+        self.states = [int.from_bytes(part, "little") for part in (self.data[1:middle], self.data[middle:self.at])]
         must(all(2**15 <= s < 2**63 for s in self.states), "CMP-1", "a state is out of range")
 
     def refill(self):
@@ -76,16 +85,14 @@ class Coder:
     def take(self, start, size):
         """[CMP-2] Ends a decision whose interval is [start, start + size)."""
         state = self.states[self.turn]
-        if Coder.log:
-            Coder.log("decision", f"state {self.turn} {state}, interval {start} + {size}")
+        debug("decision: state %s %s, interval %s + %s", self.turn, state, start, size)
         self.states[self.turn] = size * (state >> 15) + (state & 0x7fff) - start
         self.refill()
 
     def shift_out(self, n):
         state = self.states[self.turn]
         self.states[self.turn] = state >> n
-        if Coder.log:
-            Coder.log("bits", f"{n}: {state & (2**n - 1)}")
+        debug("bits: %s of state %s %s", n, self.turn, state)
         return state & (2**n - 1)
 
     def raw(self, n):
@@ -106,8 +113,7 @@ class Coder:
 
     def learn(self, models, weights, s, size):
         """[CMP-6] What weights and models learn from symbol s, whose interval has this size."""
-        if Coder.log:
-            Coder.log("symbol", f"{s} by weights {list(weights)} of models {[model.lanes for model in models]}")
+        debug("symbol: %s by weights %s of models %s", s, weights, [model.lanes for model in models])
         if len(models) == 2:
             lanes, w = models[0].lanes, weights[0]
             p = lanes[s] - (lanes[s - 1] if s else 0)
@@ -136,37 +142,22 @@ class Coder:
         self.learn(models, weights, s, size)
         return s, low | int(is_set) << (c - 1)
 
-    def end(self):
-        """[CMP-3]"""
+    def CMP_3_end(self):
         must(self.at == len(self.data), "CMP-3", f"{len(self.data) - self.at} bytes are left over")
         must(self.states in ([2**15] * 2, [2**31] * 2), "CMP-3", f"the states end as {self.states}")
-
-class LowBits:
-    """[CMP-8] The bits of a number below its leading one, the length being known."""
-    def __init__(self):
-        self.models = bit_models()
-
-    def decode(self, coder, length):
-        value = min(length, 1)
-        for i in range(min(length - 1, 2)):
-            value = value * 2 + self.models[length, i, value].decode(coder)
-        return value << (length - 3) | coder.raw(length - 3) if length > 3 else value
 
 class NumberModel:
     """[CMP-8]"""
     def __init__(self):
-        self.length, self.low = SymbolModel(NUMBER_WEIGHTS), LowBits()
+        self.length, self.bits = SymbolModel(NUMBER_WEIGHTS), bit_models()
 
     def decode(self, coder):
         length = coder.symbol([self.length])
-        return self.low.decode(coder, min(15 + coder.raw(5), 32) if length == 15 else length)
-
-def symbol_models_in(x):
-    """All that models are made of."""
-    if isinstance(x, SymbolModel):
-        return [x]
-    inside = x if isinstance(x, list) else (x if isinstance(x, dict) else getattr(x, "__dict__", {})).values()
-    return [model for y in inside for model in symbol_models_in(y)]
+        length = min(15 + coder.raw(5), 32) if length == 15 else length
+        value = min(length, 1)
+        for i in range(min(length - 1, 2)):
+            value = value * 2 + self.bits[length, i, value].decode(coder)
+        return value << (length - 3) | coder.raw(length - 3) if length > 3 else value
 
 class States:
     """[CMP-16] `before` has the models that another stream left, by what they are of, or is None; `after` those of this stream."""
@@ -175,7 +166,9 @@ class States:
 
     def models(self, of, **fresh):
         """The models with which a coder begins; it learns in place."""
-        models = self.after[of] = copy.deepcopy(self.before[of]) if of in self.before else SimpleNamespace(**fresh)
-        for model in symbol_models_in(models):
-            model.counter = min(model.counter, 26)
-        return models
+        copies = {}
+        self.after[of] = copy.deepcopy(self.before.get(of, SimpleNamespace(**fresh)), copies)
+        for model in copies.values():
+            if isinstance(model, SymbolModel):
+                model.counter = min(model.counter, 26)
+        return self.after[of]

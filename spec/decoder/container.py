@@ -1,7 +1,6 @@
 """Numbers, container, header and chunks: format.md, rules CON, CNT, HDR, DIR and ENT."""
 import math
 import struct
-from types import SimpleNamespace
 
 import numpy as np
 import xxhash
@@ -28,6 +27,8 @@ def unzigzag(code):
 
 class Reader:
     """[CON-1] Reads numbers one after the other."""
+    coder = None  # of the compact coding, where that reads what is left
+
     def __init__(self, data):
         self.data, self.at = data, 0
 
@@ -63,8 +64,8 @@ class Reader:
         raise Broken("CON-2", "a varint has more than 10 bytes")
 
     def planes(self, count):
-        """[CON-5]"""
-        planes, symbols = self.u8(), [0] * count
+        """[CON-5]; none where nothing is asked of an empty payload."""
+        planes, symbols = self.u8() if self.data or count else 0, [0] * count
         must(planes <= 4, "CON-5", f"{planes} byte planes")
         for plane in range(planes):
             symbols = [s | byte << 8 * plane for s, byte in zip(symbols, self.bytes(count))]
@@ -73,6 +74,8 @@ class Reader:
     def end(self):
         """[CON-3]"""
         must(self.at == len(self.data), "CON-3", f"{len(self.data) - self.at} bytes are left over")
+        if self.coder:
+            self.coder.CMP_3_end()
 
 def nearest_f32(x):
     """x rounded to the nearest finite f32."""
@@ -86,12 +89,12 @@ class Header:
     origin, vde, lfe, max_error, bits = [0.0] * 3, 0.0, 0.0, 0.0, 0
 
     def __init__(self, r):
-        flags = self.HDR_5_counts(r)
-        self.origin = [r.number("d") for _ in range(3)] if flags & 2 else [0.0] * 3
+        self.HDR_5_counts(r)
+        self.origin = [r.number("d") for _ in range(3)] if self.flags & 2 else [0.0] * 3
         must(all_finite(self.origin), "HDR-8", "the origin is not finite")
         self.vde, self.lfe, self.max_error = figures = [r.f24() for _ in range(3)]
         must(all_finite(figures) and min(figures) >= 0, "HDR-9", f"figures {figures}")
-        self.bits = r.u8() if flags & 4 else 0
+        self.bits = r.u8() if self.flags & 4 else 0
         self.geometry(r)
 
     def HDR_5_counts(self, r):
@@ -107,7 +110,6 @@ class Header:
         counts = [self.vertices, self.geometric, self.components]
         must(self.components <= self.geometric, "HDR-7", "more components than vertices")
         must(all(counts) or not any(counts) and not self.triangles, "HDR-7", f"counts {counts}")
-        return flags
 
     def geometry(self, r):
         """The fields of the geometry coder."""
@@ -161,29 +163,37 @@ def ENT_1_expand(data, length):
     must(unzip.eof and not unzip.unused_data and len(payload) == length, "ENT-1", "the frame has another length")
     return payload
 
-NO_CHUNK = SimpleNamespace(data=b"", is_compact=False)  # [DIR-8]
+class Chunk(Reader):
+    """Reads the payload of a chunk; that of one that is not there is empty [DIR-8]."""
+    def __init__(self, tag="", is_compact=False, data=b"", descriptor=None):
+        super().__init__(data)
+        self.tag, self.is_compact, self.descriptor = tag, is_compact, descriptor
 
 def DIR_2_chunk(r, header, read_descriptor):
-    """[DIR-2, DIR-4, DIR-5, DIR-7] A chunk, or None where it is skipped."""
+    """[DIR-2, DIR-4, DIR-5, DIR-7] A chunk; nobody asks for one that is skipped."""
     byte = r.u8()
     kind, coding = byte & 15, byte >> 4
     must(kind <= 8, "DIR-2", f"kind {kind}")
     tag = KINDS[kind] if kind else r.bytes(4).decode("latin-1")
-    if not kind:
-        must(tag.isascii() and tag.isalpha() and tag not in KINDS, "DIR-2", f"tag {tag!r}")
-        must(tag[3].islower(), "DIR-2", f"unknown chunk {tag} must not be skipped")
+    is_skipped = not kind and tag.isascii() and tag.isalpha() and tag not in KINDS and tag[3].islower()
+    must(kind or is_skipped, "DIR-2", f"{tag!r} is no tag, or must not be skipped")
     must(coding <= COMPACT, "DIR-4", f"coding {coding}")
     length = r.varint()
     decoded = r.varint() if coding == ZSTD else length
-    must(coding != ZSTD or decoded <= 65536 * length, "DIR-5", "a chunk expands too much")
-    must(not kind or decoded <= 1024 + 160 * (header.vertices + header.triangles), "DIR-5", "a payload is too long")
+    must(decoded <= 65536 * length, "DIR-5", "a chunk expands too much")
+    must(is_skipped or decoded <= 1024 + 160 * (header.vertices + header.triangles), "DIR-5", "a payload is too long")
     descriptor = read_descriptor(r) if tag == "ATTR" else None
     must(length <= len(r.data) - r.at, "DIR-7", "a chunk reaches beyond the checksum")
     data = r.bytes(length)
-    if not kind:
-        return None
-    data = ENT_1_expand(data, decoded) if coding == ZSTD else data
-    return SimpleNamespace(tag=tag, is_compact=coding == COMPACT, data=data, descriptor=descriptor)
+    if coding == ZSTD and not is_skipped:
+        data = ENT_1_expand(data, decoded)
+    return Chunk(tag, coding == COMPACT, data, descriptor)
+
+def CNT_2_checked(data, tag="CNT-2", seed=0, before=b""):
+    """The bytes before a checksum, which is of them and of those before."""
+    digest = xxhash.xxh3_64_intdigest(before + data[:-4], seed=seed) % 2**32
+    must(struct.pack("<I", digest) == data[-4:], tag, "the checksum does not match")
+    return data[:-4]
 
 def CNT_1_stream(data, read_descriptor):
     """[CNT-1 to CNT-5, HDR-1 to HDR-3, DIR-1, DIR-8] The header and the chunks."""
@@ -192,19 +202,16 @@ def CNT_1_stream(data, read_descriptor):
     version = r.u8()
     must(version >= 128, "HDR-2", f"version {version}")
     must(version == 128 + DRAFT, "HDR-3", f"draft {version - 128}")
-    r.data, checksum = data[:-4], struct.unpack("<I", data[-4:])[0]
-    must(checksum == xxhash.xxh3_64_intdigest(r.data) % 2**32, "CNT-2", "the checksum does not match")
+    r.data = CNT_2_checked(data)
     header = Header(r)
     must(header.vertices + header.triangles <= 2048 * len(data), "CNT-5", "more is stated than the bytes can hold")
     return header, CNT_4_chunks(r, header, read_descriptor)
 
 def CNT_4_chunks(r, header, read_descriptor):
-    chunks, count = [], 0
+    chunks = []
     while r.at < len(r.data):
-        count += 1
-        must(count <= 65536, "DIR-1", "too many chunks")
-        chunk = DIR_2_chunk(r, header, read_descriptor)
-        if chunk:
-            must(chunk.tag == "ATTR" or all(c.tag != chunk.tag for c in chunks), "DIR-8", f"{chunk.tag} comes twice")
-            chunks.append(chunk)
+        must(len(chunks) < 65536, "DIR-1", "too many chunks")
+        chunks.append(DIR_2_chunk(r, header, read_descriptor))
+        tag, before = chunks[-1].tag, (chunk.tag for chunk in chunks[:-1])
+        must(tag == "ATTR" or tag not in KINDS or tag not in before, "DIR-8", f"{tag} comes twice")
     return chunks

@@ -1,23 +1,19 @@
 """FGRP: groups of faces: fgrp.md."""
 from coder import Coder, NumberModel, SymbolModel, bit_models
-from container import Reader, must
+from container import must
 
 def FGRP_1_read(chunk, faces):
     """The group of every decoded face, or None."""
     if not chunk.data:
         return None
-    if chunk.is_compact:
-        groups = FGRP_2_compact(chunk.data, faces)
-    else:
-        r = Reader(chunk.data)
-        groups = r.planes(len(faces))
-        r.end()
+    groups = FGRP_2_compact(Coder(chunk), faces) if chunk.is_compact else chunk.planes(len(faces))
+    chunk.end()
     must(all(g < 2**16 for g in groups), "FGRP-1", "a group is not below 2^16")
     return groups
 
-def FGRP_2_compact(data, faces):
-    coder, bits, met, groups, recent = Coder(data), bit_models(), {}, [], []
-    kinds, numbers, highest = SymbolModel((8, 4, 2, 2) + (1,) * 10 + (16, 1)), NumberModel(), -1
+def FGRP_2_compact(coder, faces):
+    bits, met, groups, recent, numbers, highest = bit_models(), {}, [], [], NumberModel(), -1
+    kinds = SymbolModel((8, 4, 2, 2) + (1,) * 10 + (16, 1))
     for face in faces:
         around = [met[x] for x in face if x in met]
         group = forecast = around[0] if around else groups[-1] if groups else 0
@@ -28,5 +24,4 @@ def FGRP_2_compact(data, faces):
         groups.append(group)
         highest, recent = max(highest, group), ([group] + [g for g in recent if g != group])[:14]
         met.update((x, group) for x in face)
-    coder.end()
     return groups

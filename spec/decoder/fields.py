@@ -1,7 +1,7 @@
 """Fields, vectors of whole numbers at the vertices of a graph: compact.md, FLD-1 to FLD-15."""
-from coder import bits, clamp, mixing_weights, symbol_models
+from coder import bits, clamp
 from container import must
-from scaled import FLD_15_quantity, SYMBOL_WEIGHTS, ScaledCoder
+from scaled import FLD_15_quantity, ScaledCoder
 
 PAIRS = ((0, 1), (0, 2), (1, 2))
 
@@ -11,8 +11,7 @@ def sign(x):
 class FieldCoder:
     """`graph` has the neighbours of each vertex, ascending."""
     def __init__(self, coder, graph):
-        self.coder, self.graph = coder, graph
-        self.models, self.weights, self.scaled = symbol_models(SYMBOL_WEIGHTS), mixing_weights(), ScaledCoder()
+        self.coder, self.graph, self.numbers = coder, graph, ScaledCoder()
         self.r, self.g, self.t, self.e = {}, {}, {}, {}
 
     def FLD_13_context(self, v):
@@ -58,9 +57,9 @@ class FieldCoder:
         D = clamp(len(self.graph[v]), 3, 10) - 3
         def half(y):
             return FLD_15_quantity(y >> shift) // 2
-        models = [self.models[0, (FLD_15_quantity(scale >> shift) * 4 + sure) * 2 + near],
-                  self.models[1, (((half(coded) * 12 + half(S)) * 3 + a) * 8 + D) * 2 + near]]
-        return self.scaled.CMP_15_number(self.coder, models, self.weights[a], shift)
+        first = (FLD_15_quantity(scale >> shift) * 4 + sure) * 2 + near
+        second = (((half(coded) * 12 + half(S)) * 3 + a) * 8 + D) * 2 + near
+        return self.numbers.CMP_15_number(self.coder, first, second, a, shift)
 
 def FLD_numbers(coder, graph):
     """The numbers of a field."""

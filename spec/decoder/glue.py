@@ -1,29 +1,28 @@
 """CONN: gluing manifold vertices to geometric vertices: conn.md, CONN-8, CONN-11, CONN-13 and CONN-14."""
 from coder import NumberModel, bit_models, symbol_models
 from conn import CompactOps, PlainOps, Walk
-from container import Reader, must, unzigzag
+from container import must, unzigzag
 
 def CONN_8_faces(chunk, m, n, states):
     """The faces over geometric vertices, as triples."""
     if m == 0:
-        Reader(chunk.data).end()
+        chunk.end()
         return []
-    ops = (CompactOps if chunk.is_compact else PlainOps)(chunk.data, m, states)
+    ops = (CompactOps if chunk.is_compact else PlainOps)(chunk, m, states)
     walk = Walk(m, ops)
-    if chunk.is_compact:
-        vertex_of = CONN_13_glue(ops.coder, walk, n)
-        ops.coder.end()
-    else:
+    if not chunk.is_compact:
         ops.CONN_2_end()
-        must(ops.glued <= walk.manifold, "CONN-11", "more glued than manifold vertices")
-        pairs = list(zip(ops.reader.planes(ops.glued), ops.reader.planes(ops.glued)))
-        ops.reader.end()
-        vertex_of = CONN_11_glue(pairs, walk.manifold, n)
+    M, G = walk.manifold, NumberModel().decode(ops.coder) if chunk.is_compact else ops.glued
+    must(G <= M and M - G <= n, "CONN-11", f"{G} of {M} are glued")
+    if chunk.is_compact:
+        vertex_of = CONN_13_glue(ops.coder, walk, G)
+    else:
+        vertex_of = CONN_11_glue(zip(chunk.planes(G), chunk.planes(G)), M)
+    chunk.end()
     return [tuple(vertex_of[x] for x in face) for face in walk.faces]
 
-def CONN_11_glue(pairs, M, n):
+def CONN_11_glue(pairs, M):
     """The vertex of every manifold vertex, from gaps and targets of the glued ones."""
-    must(M - len(pairs) <= n, "CONN-11", "more vertices than stated")
     vertex_of, fresh, target = [], 0, 0
     for gap, code in pairs:
         must(len(vertex_of) + gap < M, "CONN-11", "a glued vertex is not below M")
@@ -33,13 +32,11 @@ def CONN_11_glue(pairs, M, n):
         vertex_of.append(target)
     return vertex_of + list(range(fresh, fresh + M - len(vertex_of)))
 
-def CONN_13_glue(coder, walk, n):
-    G, M = NumberModel().decode(coder), walk.manifold
-    must(G <= M and M - G <= n, "CONN-11", f"{G} of {M} are glued")
-    if 16 * G > M:
+def CONN_13_glue(coder, walk, G):
+    if 16 * G > walk.manifold:
         return CONN_14_glue(coder, walk, G)
     gaps, targets = NumberModel(), NumberModel()
-    return CONN_11_glue([(gaps.decode(coder), targets.decode(coder)) for _ in range(G)], M, n)
+    return CONN_11_glue([(gaps.decode(coder), targets.decode(coder)) for _ in range(G)], walk.manifold)
 
 def CONN_14_glue(coder, walk, G):
     edges, vertex_of, is_glued = {}, {}, {}  # edges[x, y]: the opposite vertices of the faces with this edge

@@ -24,6 +24,11 @@ def components(around):
         result.append(sorted(found))
     return result
 
+def subgraph(around, vertices):
+    """The neighbours of these vertices, which count from 0."""
+    number = {v: i for i, v in enumerate(vertices)}
+    return [[number[u] for u in around[v]] for v in vertices]
+
 def corners(faces, n):
     """The corners 3 f + k at every vertex, ascending."""
     at = [[] for _ in range(n)]

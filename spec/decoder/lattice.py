@@ -1,8 +1,10 @@
 """POSN-3 to POSN-9: what is expected of a vertex' numbers, and their coding."""
-from coder import BitModel, States, bits, clamp, mixing_weights, symbol_models
+import numpy as np
+
+from coder import BitModel, Mixture, States, bits, clamp
 from container import must
 from graph import corners, others
-from scaled import SYMBOL_WEIGHTS, ScaledCoder
+from scaled import ScaledCoder
 
 class Known:
     """[POSN-3] The known faces of a vertex as triples (a, b, o or None), its neighbours, and how many faces are at it."""
@@ -57,10 +59,13 @@ def POSN_4_expect(known, table, number, before):
         place, spread = place + ((U * (P - N) + V * (E - N)) >> 6), POSN_4_mean([abs(g - P) for g in guesses])
     return clamp(place >> 4, -2**30, 2**30) * 16 + (place & 15), min(spread, 2**30)
 
+def POSN_2_positions(rows, header):
+    return np.array([[header.POSN_2_place(a, q) for a, q in enumerate(rows[v])] for v in range(len(rows))])
+
 class Context:
     """[POSN-5] What the coding of a number depends on; `off` are the numbers of the axes before, less their `whole`."""
-    def __init__(self, axis, expected, sizes, residual, sources, off, whole):
-        self.axis, (place, self.spread), self.sources, self.whole, self.off = axis, expected, sources, whole, off
+    def __init__(self, axis, expected, sizes, residual, sources, off, whole, missed):
+        self.axis, (place, self.spread), self.sources, self.whole, self.missed = axis, expected, sources, whole, missed
         seen = [min(16 * abs(x), 2**26) for x in off]
         coded = 0 if axis == 0 else seen[0] if axis == 1 else (seen[0] + seen[1]) >> 1
         scale = (5 * sizes[axis] + 3 * (sum(sizes) // 3)) >> 3
@@ -76,87 +81,81 @@ def POSN_6_log(y):
     """W"""
     return 4 * (bits(y) - 1) + ((4 * y >> (bits(y) - 1)) & 3)
 
-def fresh_models():
-    return {"models": symbol_models(SYMBOL_WEIGHTS), "weights": mixing_weights(), "scaled": ScaledCoder(),
-            "guesses": symbol_models((8, 4, 2, 2) + (1,) * 12), "guess_weights": mixing_weights()}
-
 class PredictedCoder:
     """[POSN-4 to POSN-6, FLT-4] Numbers of vertices. What is said below of lattices, other coders say of theirs."""
     rule = "POSN-7"  # that a number out of its limits breaks
+    starts = (0,)  # vertices before which nothing is known
 
-    def __init__(self, coder, known, table, cells, guesses=False, models=None):
+    def __init__(self, coder, known, table, cells, guesses=False, states=None):
         self.coder, self.known, self.table, self.guesses = coder, known, table, guesses
-        self.limits = [(0, most or 0) for most in cells]
-        self.lacking = [most is None for most in cells]  # [ATTR-57]
+        self.limits = [(0, most) for most in cells]
         self.rows, self.residuals, self.sizes = {}, {}, {}
-        self.learnt = models or States().models(None, **fresh_models())
+        self.learnt = (states or States()).models(type(self), numbers=ScaledCoder(), guesses=Mixture((8, 4, 2, 2) + (1,) * 12))
 
     def row(self, u, v):
         """The numbers of u that the expectation for v is made of."""
         return self.rows[u]
 
     def before(self, v):
-        return self.row(v - 1, v) if v else [0, 0, 0]
+        return [0] * len(self.limits) if v in self.starts else self.row(v - 1, v)
 
     def read(self, v, x):
         """The number of a vertex on an axis."""
-        if self.lacking[x.axis]:
-            return 0
-        known, values = self.known[v], None
-        if self.guesses and known.faces:  # [POSN-9]
+        known, values = self.known[v], []
+        if self.guesses:  # [POSN-9]
             def q(u):
                 return self.rows[u][x.axis]
             values = [g for a, b, o in known.parallelograms if 0 <= (g := q(a) + q(b) - q(o)) <= self.limits[x.axis][1]]
             values += [q(u) for u in known.corners]
-        guess = self.FLT_4_guess(known, x, values, x.whole) if values else None
+        guess = self.FLT_4_guess(known, x, values, x.whole)
         return x.whole + self.POSN_6_number(x) if guess is None else guess
 
     def kept(self, v):
         """[POSN-5] G and R"""
         def mean(of):
-            sums = [[of[a][i] + of[b][i] for a, b, _ in self.known[v].faces[:2]] for i in range(3)]
+            sums = [[of[a][i] + of[b][i] for a, b, _ in self.known[v].faces[:2]] for i in range(len(self.limits))]
             return [sum(s) >> len(s) for s in sums]
         return mean(self.sizes), mean(self.residuals)
 
     def vertex(self, v):
         """A generator that decodes one number of vertex v at each step."""
-        known, (G, R) = self.known[v], self.kept(v)
-        before = [0, 0, 0] if known.faces else self.before(v)
-        row, off, self.sizes[v], self.residuals[v], missed = [], [], [], [], set()
-        for a in range(3):
+        known, (G, R), before, off, missed = self.known[v], self.kept(v), self.before(v), [], set()
+        self.rows[v], self.sizes[v], self.residuals[v] = [], [], []
+        for a, limits in enumerate(self.limits):
             expected = POSN_4_expect(known, self.table, lambda u: self.row(u, v)[a], before[a])
-            x = Context(a, expected, G, R[a], known.sources, off, clamp((expected[0] + 8) >> 4, *self.limits[a]))
-            x.row, x.missed = row, missed
+            x = Context(a, expected, G, R[a], known.sources, off, clamp((expected[0] + 8) >> 4, *limits), missed)
             q = self.read(v, x)
-            must(self.limits[a][0] <= q <= self.limits[a][1], self.rule, f"number {q} of vertex {v}")
-            row.append(q)
+            must(limits[0] <= q <= limits[1], self.rule, f"number {q} of vertex {v}")
+            self.rows[v].append(q)
             off.append(q - x.whole)
             e = clamp(16 * q - expected[0], -2**26, 2**26)
             self.residuals[v].append(e)
             self.sizes[v].append((5 * abs(e) + 3 * G[a]) >> 3 if known.sources else abs(e))
-            if a == 2:
-                self.rows[v] = row
             yield
+
+    def decode(self, v):
+        """All numbers of vertex v."""
+        list(self.vertex(v))
+        return self.rows[v]
 
     def POSN_6_number(self, x, shift=None):
         """The number less what is expected; `shift` in place of the context's in the coding, not in the indices."""
         t, S = POSN_6_log(clamp(x.spread, 1, 2**24 - 1)) - 4 * x.shift, POSN_6_log(x.scale) - 4 * x.shift
         S = S if x.shift else max(S >> 1, S - 4)
         T = clamp(max((t + 2) >> 1, t - 3), 0, 23) if x.spread else 0
-        models = [self.learnt.models[0, (S * 5 + x.sources) * 5 + x.sure], self.learnt.models[1, (T * 5 + x.sources) * 3 + x.axis]]
-        shift = x.shift if shift is None else shift
-        number = self.learnt.scaled.CMP_15_number(self.coder, models, self.learnt.weights[x.axis * 5 + x.sources], shift)
+        first, second, weights = (S * 5 + x.sources) * 5 + x.sure, (T * 5 + x.sources) * 3 + x.axis, x.axis * 5 + x.sources
+        number = self.learnt.numbers.CMP_15_number(self.coder, first, second, weights, x.shift if shift is None else shift)
         return -number if x.mean < 0 else number
 
     def FLT_4_guess(self, known, x, values, expected):
         """Which of a few values the number is, or None."""
         different = sorted(list(dict.fromkeys(values))[:6], key=lambda value: abs(value - expected))
         M, V = (0 in x.missed) + 2 * (1 in x.missed), len(different)
-        H = (0, 1 + M, 3 + M)[x.axis]
-        models = [self.learnt.guesses[0, (x.axis * 4 + M) * 7 + V],
-                  self.learnt.guesses[1, (min(len(known.parallelograms), 4) * 7 + H) * 7 + min(known.count, 6)]]
-        s = self.coder.symbol(models, self.learnt.guess_weights[0])
-        if 1 <= s <= V:
-            return different[s - 1]
+        if V:
+            H = (0, 1 + M, 3 + M)[x.axis]
+            second = (min(len(known.parallelograms), 4) * 7 + H) * 7 + min(known.count, 6)
+            s = self.coder.symbol(*self.learnt.guesses.of((x.axis * 4 + M) * 7 + V, second, 0))
+            if 1 <= s <= V:
+                return different[s - 1]
         x.missed.add(x.axis)
         return None

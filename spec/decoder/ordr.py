@@ -1,28 +1,28 @@
 """ORDR: the original order of vertices and faces: ordr.md."""
-from collections import defaultdict
+from collections import defaultdict, deque
 
-from coder import Coder, NumberModel, bits, symbol_models
-from container import Reader, must, unzigzag
+from coder import Coder, NumberModel, bits, divide, symbol_models
+from container import must, unzigzag
+from graph import others
 
 def ORDR_1_read(chunk, faces, n):
     """The places of vertices, those of faces, and the rotations."""
-    m, data = len(faces), chunk.data
     if chunk.is_compact:
-        return ORDR_5_compact(data, faces, n)
-    r, runs = Reader(data), []
-    for count in (n, m):
-        places, following = [], 0
-        for code in r.planes(count) if data or n else []:
-            places.append((following + unzigzag(code)) % 2**32)
-            following = places[-1] + 1
-        runs.append(ORDR_2_permutation(places))
-    rotations = r.planes(m) if data or n else []
+        vertices, placed, rotations = ORDR_5_compact(Coder(chunk), faces, n)
+    else:
+        vertices, placed = ORDR_1_places(chunk, n), ORDR_1_places(chunk, len(faces))
+        rotations = chunk.planes(len(faces))
+    chunk.end()
+    for places in (vertices, placed):
+        must(sorted(places) == list(range(len(places))), "ORDR-2", "the places are no permutation")
     must(all(x <= 2 for x in rotations), "ORDR-3", "a rotation above 2")
-    r.end()
-    return runs + [rotations]
+    return vertices, placed, rotations
 
-def ORDR_2_permutation(places):
-    must(sorted(places) == list(range(len(places))), "ORDR-2", "the places are no permutation")
+def ORDR_1_places(r, count):
+    places, following = [], 0
+    for code in r.planes(count):
+        places.append((following + unzigzag(code)) % 2**32)
+        following = places[-1] + 1
     return places
 
 class ORDR_4_Places:
@@ -38,36 +38,33 @@ class ORDR_4_Places:
         must(place < self.count, "ORDR-2", "a place is out of range")
         for k in range(3):
             difference = (place - guesses[k] + 2**31) % 2**32 - 2**31
-            self.costs[k] += bits(2 * difference if difference >= 0 else -2 * difference - 1) - (self.costs[k] >> 5)
+            self.costs[k] += bits(max(2 * difference, -2 * difference - 1)) - (self.costs[k] >> 5)
         self.place[i], self.following, self.length = place, place + 1, bits(code)
 
-    def all(self):
-        return ORDR_2_permutation([self.place[i] for i in range(self.count)])
-
-def ORDR_5_compact(data, faces, n):
-    coder, m = Coder(data), len(faces)
-    vertices, placed, rotations = ORDR_4_Places(coder, n), ORDR_4_Places(coder, m), []
-    rotation_models, latest = symbol_models((8, 8, 8) + (1,) * 13), defaultdict(list)  # latest corners at each vertex
+def ORDR_5_compact(coder, faces, n):
+    vertices, placed, rotations = ORDR_4_Places(coder, n), ORDR_4_Places(coder, len(faces)), []
+    models, latest = symbol_models((8, 8, 8) + (1,) * 13), defaultdict(lambda: deque(maxlen=16))
     p = vertices.place
     for f, face in enumerate(faces):
-        x, y, _ = face
-        gate = next(((g, k) for g, k in reversed(latest[y]) if faces[g][(k + 1) % 3] == x), None)
-        for k, v in enumerate(face):
+        x, y, z = face
+        gate = next((corner for corner in reversed(latest[y]) if others(faces, corner)[0] == x), None)
+        for v in (x, y):
             if v not in p:
-                by_gate = k == 2 and gate and [vertices.following, p[x] + 1, p[x] + p[y] - p[faces[gate[0]][(gate[1] + 2) % 3]]]
-                vertices.decode(v, by_gate)
+                vertices.decode(v)
+        if z not in p:
+            u = None if gate is None else others(faces, gate)[1]
+            vertices.decode(z, None if gate is None else [vertices.following, p[x] + 1, p[x] + p[y] - p[u]])
         of = [p[v] for v in face]
-        rotations.append(coder.symbol([rotation_models[3 * of.index(min(of)) + of.index(max(of))]]))
+        rotations.append(coder.symbol([models[3 * of.index(min(of)) + of.index(max(of))]]))
         must(rotations[-1] <= 2, "ORDR-3", f"rotation {rotations[-1]}")
-        placed.decode(f, f and ORDR_6_guesses(gate[0] if gate else f - 1, max(of), faces, p, placed, m, n))
+        guesses, g = None, f - 1 if gate is None else gate // 3
+        if f:  # [ORDR-6]
+            by = divide((max(of) - max(p[v] for v in faces[g])) * len(faces), n)
+            guesses = [placed.following, placed.place[g] + 1, placed.place[g] + 1 + by]
+        placed.decode(f, guesses)
         for k, v in enumerate(face):
-            latest[v] = (latest[v] + [(f, k)])[-16:]
+            latest[v].append(3 * f + k)
     for v in range(n):
         if v not in p:
             vertices.decode(v)
-    coder.end()
-    return vertices.all(), placed.all(), rotations
-
-def ORDR_6_guesses(g, largest, faces, p, placed, m, n):
-    by = (largest - max(p[v] for v in faces[g])) * m
-    return [placed.following, placed.place[g] + 1, placed.place[g] + 1 + (abs(by) // n if by >= 0 else -(abs(by) // n))]
+    return [p[v] for v in range(n)], [placed.place[f] for f in range(len(faces))], rotations

@@ -8,7 +8,8 @@ import xxhash
 
 from attr import Attribute
 from coder import BitModel, Coder, NumberModel, States
-from container import CNT_1_stream, CNT_4_chunks, DRAFT, HIGHPASS, Header, Reader, VOXELS, must, unzigzag
+from container import (CNT_1_stream, CNT_2_checked, CNT_4_chunks, DRAFT, HIGHPASS, Header, Reader, VOXELS, must,
+                       unzigzag)
 from graph import open_edges
 from mesh import decode_chunks
 from patches import MAP_17_part
@@ -17,27 +18,24 @@ class Map:
     """[MAP-5] The fields of a map's message, and [MAP-6] the primers with the states before each, and after the last."""
     def __init__(self, message):
         must(message[:5] == b"DMM" + bytes([128 + DRAFT, 1]), "MAP-1", "no map's message of this draft")
-        digest = struct.unpack("<I", message[-4:])[0]
-        must(digest == xxhash.xxh3_64_intdigest(message[:-4]) % 2**32, "MAP-1", "the checksum does not match")
-        self.hash, r = xxhash.xxh3_64_intdigest(message), Reader(message[5:-4])
+        self.hash, r = xxhash.xxh3_64_intdigest(message), Reader(CNT_2_checked(message, "MAP-1")[5:])
         self.id, self.epoch, self.frame = r.number("Q"), r.number("I"), r.bytes(r.u8())
         self.origin, self.step = [r.number("d") for _ in range(3)], 2.0**r.number("b")
         self.cell_steps, self.cell_origin = r.varint(), [unzigzag(r.varint()) for _ in range(3)]
         self.attributes = [Attribute(r) for _ in range(r.u8())]
         must(all(a.is_shortest for a in self.attributes), "MAP-5", "a descriptor that is longer than it need be")
-        self.primers, self.states, border = [], [States()], None
+        self.primers, self.states = [], [None]
         for _ in range(r.u8()):
             stream, coded_border = r.bytes(r.varint()), r.bytes(r.varint())
             self.primers.append((CNT_1_stream(stream, Attribute), coded_border))
-            self.states.append(States(self.decode(self.primers[-1], self.states[-1])[1]))
+            self.states.append(self.decode(self.primers[-1], self.states[-1])[1])
         r.end()
 
-    def decode(self, coded, states):
-        """A part's mesh [MAP-7, MAP-11], and the states that it leaves."""
-        (header, chunks), border = coded
-        states = States(states.before if states.is_next else None)
+    def decode(self, coded, before):
+        """A part's mesh [MAP-7, MAP-11], and the models that it leaves; `before` are those that it begins with."""
+        ((header, chunks), border), states = coded, States(before)
         mesh = decode_chunks(header, copy.deepcopy(chunks), states)
-        mesh.border = MAP_11_border(self, mesh, Coder(border), states) if border else {}
+        mesh.border = MAP_11_border(self, mesh, Coder(Reader(border)), states) if border else {}
         return mesh, states.after
 
     def corner(self, key):
@@ -45,17 +43,16 @@ class Map:
         level, *cell = key
         return [self.step * (x * 2**level * self.cell_steps + o) for x, o in zip(cell, self.cell_origin)]
 
-    def check(self, key, covered, stored, tag="MAP-7"):
+    def checked(self, key, octets, tag="MAP-7", before=b""):
+        """The octets before the checksum, which is of the part `key`."""
         seed = xxhash.xxh3_64_intdigest(struct.pack("<QBiii", self.hash, *key))
-        digest = xxhash.xxh3_64_intdigest(covered, seed=seed) % 2**32
-        must(struct.pack("<I", digest) == stored, tag, "the checksum does not match")
+        return CNT_2_checked(octets, tag, seed, before)
 
     def MAP_7_part(self, key, octets):
         """The mesh of a part, relative to the map's origin; `key` is (level, x, y, z)."""
         if octets[:1] == b"\4":
             return MAP_17_part(self, key, octets)
-        self.check(key, octets[:-4], octets[-4:])
-        r = Reader(octets[:-4])
+        r = Reader(self.checked(key, octets))
         if octets[0] & 1:
             must(octets[0] == 1 and octets[1] < len(self.primers) and len(octets) == 6, "MAP-7", "no primer")
             return self.decode(self.primers[octets[1]], self.states[octets[1]])[0]
@@ -107,7 +104,7 @@ def MAP_11_border(lattice, mesh, coder, states):
         ways = [unzigzag(learnt.ways[3 * loose[a] + a].decode(coder)) for a in range(3)]
         points[v] = expected + ways
         must(np.all(abs(points[v]) < 2**24), "MAP-11", f"point {points[v]}")
-    coder.end()
+    coder.CMP_3_end()
     must(points, "MAP-11", "no border vertex")
     if header.coder == HIGHPASS:
         MAP_20_move_along(mesh, {v: lattice.step * point - mesh.positions[v] for v, point in points.items()})

@@ -29,9 +29,8 @@ def MAP_17_part(described, key, octets):
     return mesh
 
 def MAP_17_apply(described, key, base, base_hash, patch):
-    described.check(key, base_hash + patch[:-4], patch[-4:], "MAP-17")
-    r = Reader(patch[:-4])
-    plan, octets = Coder(r.bytes(r.varint())), r.rest()
+    r = Reader(described.checked(key, patch, "MAP-17", base_hash))
+    plan, octets = Coder(Reader(r.bytes(r.varint()))), r.rest()
     must(octets[:1] != b"\4", "MAP-17", "the inserted part is patched")
     inserted = described.MAP_7_part(key, octets) if octets else no_part_like(base)
     must(base.groups is None and inserted.groups is None, "MAP-17", "groups of faces")
@@ -39,7 +38,7 @@ def MAP_17_apply(described, key, base, base_hash, patch):
     must(any(stays), "MAP-17", "no face stays")
     kept = [tuple(int(v) for v in face) for face, stay in zip(base.faces, stays) if stay]
     joins = MAP_17_joined(plan, base, kept, inserted)
-    plan.end()
+    plan.CMP_3_end()
     return MAP_17_put_together(base, kept, inserted, joins)
 
 def no_part_like(base):

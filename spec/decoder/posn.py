@@ -1,56 +1,44 @@
 """POSN: predictive geometry: the order of vertices, replacements: posn.md."""
-import math
-import struct
 from collections import deque
+from logging import debug
 
 import numpy as np
 
 from coder import Coder, NumberModel
-from container import LATTICE, VOXELS, must
-from floats import FLT_1_bits, FLT_1_ordinal, FLT_2_last_place, FloatCoder
+from container import FLOATS, LATTICE, VOXELS, must
+from floats import FLT_1_bits, FLT_2_last_place, FloatCoder
 from graph import corners, others
-from lattice import POSN_3_known, POSN_8_table, PredictedCoder, fresh_models
-from voxels import VOX_1_rows
+from lattice import POSN_2_positions, POSN_3_known, POSN_8_table, PredictedCoder
+from voxels import VOX_1_positions
 
-def POSN_1_positions(chunk, header, faces, states, dump):
+def POSN_1_positions(chunk, header, faces, states):
     """The positions of the geometric vertices in doubles."""
     n = header.geometric
     if n == 0:
         must(not chunk.data, "POSN-1", "a payload without vertices")
         return np.zeros((0, 3))
     must(chunk.is_compact, "POSN-1", "the payload is not compact")
-    coder = Coder(chunk.data)
+    coder = Coder(chunk)
     order = POSN_10_order(coder.raw(2), faces, n)
     number = {v: i for i, v in enumerate(order)}
     ordered = [tuple(number[v] for v in face) for face in faces]
-    dump("order", order)
-    if header.coder == VOXELS:
-        positions = POSN_2_positions(VOX_1_rows(coder, ordered, n, header, states), header)
-    elif header.coder == LATTICE:
-        positions = POSN_9_lattice(coder, ordered, n, header, states)
-    else:
-        positions = FLT_positions(coder, ordered, n, header)
-    coder.end()
-    dump("positions in this order", positions)
+    decoded_by = {LATTICE: POSN_9_positions, VOXELS: VOX_1_positions, FLOATS: FLT_positions}[header.coder]
+    positions = decoded_by(coder, ordered, n, header, states)
+    chunk.end()
+    debug("order: %s\npositions in this order: %s", order, positions)
     return positions[[number[v] for v in range(n)]]
 
-def POSN_2_positions(rows, header):
-    return np.array([[header.POSN_2_place(a, q) for a, q in enumerate(row)] for row in rows])
-
-def POSN_9_lattice(coder, faces, n, header, states):
+def POSN_9_positions(coder, faces, n, header, states):
     """[POSN-9, POSN-11, POSN-13]"""
-    table, guesses, replaces = POSN_8_table(coder), coder.raw(1), coder.raw(1)
-    known = POSN_3_known(faces, n)
-    lattice = PredictedCoder(coder, known, table, header.cells, guesses, states.models("lattice", **fresh_models()))
+    table, guesses, replaces, known = POSN_8_table(coder), coder.raw(1), coder.raw(1), POSN_3_known(faces, n)
+    lattice = PredictedCoder(coder, known, table, header.cells, guesses, states)
     v = 0
     while v < n:
         pair = v + 1 < n and known[v + 1].faces and all(v not in face[:2] for face in known[v + 1].faces)
         turns = [lattice.vertex(u) for u in ([v, v + 1] if pair else [v])]
-        for _ in range(3):
-            for turn in turns:
-                next(turn)
+        list(zip(*turns))  # one number of each in turn
         v += len(turns)
-    positions = POSN_2_positions([lattice.rows[v] for v in range(n)], header)
+    positions = POSN_2_positions(lattice.rows, header)
     if replaces:
         POSN_11_replace(coder, positions)
     return positions
@@ -61,8 +49,8 @@ def POSN_11_replace(coder, positions):
     gaps, at, flat = NumberModel(), -1, positions.reshape(-1)
     for _ in range(count):
         at += 1 + gaps.decode(coder)
-        value = struct.unpack("<f", struct.pack("<I", coder.raw(32)))[0]
-        must(at < flat.size and math.isfinite(value), "POSN-11", "a replacement is out of range or not finite")
+        value = np.uint32(coder.raw(32)).view(np.float32)
+        must(at < flat.size and np.isfinite(value), "POSN-11", "a replacement is out of range or not finite")
         flat[at] = value
 
 def POSN_10_order(order, faces, n):
@@ -90,15 +78,9 @@ def POSN_10_order(order, faces, n):
                 place(u)
     return result
 
-def FLT_positions(coder, faces, n, header):
+def FLT_positions(coder, faces, n, header, states):
     """[FLT-2] for the units"""
-    def ordinal(x):
-        return FLT_1_ordinal(struct.unpack("<I", struct.pack("<f", x))[0])
-    table = POSN_8_table(coder)
-    units = [FLT_2_last_place(ordinal(max(abs(a), abs(b)))) - 3 for a, b in zip(header.box_min, header.box_max)]
-    floats = FloatCoder(coder, POSN_3_known(faces, n), table, units)
-    patterns = []
-    for v in range(n):
-        list(floats.vertex(v))
-        patterns.append([FLT_1_bits(x) for x in floats.ordinals[v]])
+    largest = np.maximum(np.abs(header.box_min), np.abs(header.box_max)).astype("<f4").view("<u4")
+    floats = FloatCoder(coder, POSN_3_known(faces, n), [FLT_2_last_place(z) - 3 for z in largest.tolist()])
+    patterns = [[FLT_1_bits(ordinal) for ordinal in floats.decode(v)] for v in range(n)]
     return np.array(patterns, dtype="<u4").view("<f4").astype(np.float64)

@@ -1,30 +1,23 @@
 """Scaled numbers: CMP-15, and the classes of their contexts, which attributes use as well."""
-from coder import BitModel, NumberModel
+from coder import BitModel, Mixture, NumberModel, bits
 
-SYMBOL_WEIGHTS = (1, 2, 3, 4, 8, 14, 24, 40, 24, 14, 8, 4, 3, 2, 1, 3)
-
-class ScaledCoder:
-    """[CMP-15]"""
+class ScaledCoder(Mixture):
+    """[CMP-15] Numbers of one set, with all their mixtures."""
     def __init__(self):
+        super().__init__((1, 2, 3, 4, 8, 14, 24, 40, 24, 14, 8, 4, 3, 2, 1, 3))
         self.estimates, self.below, self.excess = [2**15] * 16, BitModel(), NumberModel()
 
-    def CMP_15_number(self, coder, models, weights, shift):
+    def CMP_15_number(self, coder, first, second, weights, shift):
         c = min(shift, 17)
-        s, low = coder.CMP_12_symbol(models, weights, c, self.estimates)
-        h = s - 7 if s < 15 else self.other(coder)
+        s, low = coder.CMP_12_symbol(*self.of(first, second, weights), c, self.estimates)
+        h = s - 7
+        if s == 15:
+            is_below, size = self.below.decode(coder), 8 + self.excess.decode(coder)
+            h = -size if is_below else size
         x = (h << c) + low
         return (x << (shift - c)) + coder.raw(shift - c) if shift > c else x
 
-    def other(self, coder):
-        is_below = self.below.decode(coder)
-        size = 8 + self.excess.decode(coder)
-        return -size if is_below else size
-
 def FLD_15_quantity(x):
     """Q"""
-    y = x + 4
-    return min(4 * (y.bit_length() - 3) + ((y >> (y.bit_length() - 3)) & 3), 23)
-
-def ATTR_52_near(near, s):
-    """e"""
-    return sum(k <= (near * (2**20 // (s + 2))) >> 16 for k in (2, 5, 10, 16, 27))
+    leading = bits(x + 4) - 3
+    return min(4 * leading + ((x + 4) >> leading & 3), 23)

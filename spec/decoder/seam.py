@@ -1,26 +1,26 @@
 """SEAM: which corners use which copy of a geometric vertex: seam.md."""
+from collections import Counter
 from types import SimpleNamespace
 
-from coder import Coder, NumberModel, mixing_weights, symbol_models
-from container import Reader, must
+from coder import Coder, Mixture, NumberModel, symbol_models
+from container import must
 
 def SEAM_1_read(chunk, faces, n_g, n):
     """[SEAM-5] `faces` over vertices; `first[g]`, the first copy of geometric vertex g; `geometric[v]`, that of v."""
-    data, copies, corners = chunk.data, [1] * n_g, [0] * (3 * len(faces))
-    must((n == n_g) == (not data), "SEAM-1", "the chunk is there without copies, or not with them")
-    if data:
-        copies, corners = (SEAM_6_compact if chunk.is_compact else SEAM_2_plain)(data, faces, n_g, n)
+    copies, corners = [1] * n_g, [0] * (3 * len(faces))
+    must((n == n_g) == (not chunk.data), "SEAM-1", "the chunk is there without copies, or not with them")
+    if chunk.data:
+        copies, corners = (SEAM_6_compact if chunk.is_compact else SEAM_2_plain)(chunk, faces, n_g, n)
+        chunk.end()
     first = [0]
     for count in copies:
         first.append(first[-1] + count)
     return SimpleNamespace(first=first, geometric=[g for g, count in enumerate(copies) for _ in range(count)],
                            faces=[tuple(first[g] + corners[3 * f + k] for k, g in enumerate(face)) for f, face in enumerate(faces)])
 
-def SEAM_2_plain(data, faces, n_g, n):
+def SEAM_2_plain(r, faces, n_g, n):
     """[SEAM-1 to SEAM-3] Copies of every geometric vertex, and the copy that each corner uses."""
-    r, copies, g, corners_of, choices = Reader(data), [1] * n_g, -1, [0] * n_g, 0
-    for x in (x for face in faces for x in face):
-        corners_of[x] += 1
+    copies, g, corners_of, choices = [1] * n_g, -1, Counter(x for face in faces for x in face), 0
     K = r.varint()
     must(1 <= K <= min(n_g, n - n_g), "SEAM-2", f"{K} split vertices")
     for gap, number in zip(r.planes(K), r.planes(K)):
@@ -30,9 +30,7 @@ def SEAM_2_plain(data, faces, n_g, n):
         must(corners_of[g] >= copies[g], "SEAM-3", "more copies than corners")
         choices += corners_of[g] - 1
     must(sum(copies) == n, "SEAM-3", "the numbers of copies do not add up")
-    corners = SEAM_4_corners(iter(r.planes(choices)), faces, copies)
-    r.end()
-    return copies, corners
+    return copies, SEAM_4_corners(iter(r.planes(choices)), faces, copies)
 
 def SEAM_4_corners(choices, faces, copies):
     state, corners = {}, []  # of a split vertex: present, other, used
@@ -69,10 +67,9 @@ class Vertex:
             self.split_neighbours += is_split
 
 class SEAM_6_Coder:
-    def __init__(self, data):
-        self.coder, self.met, self.large = Coder(data), {}, NumberModel()
-        self.counts = symbol_models((60, 10, 3) + (1,) * 13)
-        self.choices, self.weights = symbol_models((60, 10, 10) + (1,) * 13), mixing_weights()
+    def __init__(self, coder):
+        self.coder, self.met, self.large = coder, {}, NumberModel()
+        self.counts, self.choices = symbol_models((60, 10, 3) + (1,) * 13), Mixture((60, 10, 10) + (1,) * 13)
 
     def symbol(self, *models):
         s = self.coder.symbol(*models)
@@ -84,9 +81,9 @@ class SEAM_6_Coder:
 
     def SEAM_7_kind(self, edge, used):
         """`used` is the copy that the corner at the other end uses, or None."""
-        if edge is None or self.met[edge[0]].copies == 1:
-            return 0 if edge is None else 1
-        return 2 if used is None else 3 if used == edge[2] else 4
+        if edge is None:
+            return 0
+        return 1 if self.met[edge[0]].copies == 1 else 2 if used is None else 3 if used == edge[2] else 4
 
     def SEAM_8_corner(self, face, k, used):
         """The copy that corner k uses; `used` are those of corners 0, 1, 2, None for later ones."""
@@ -99,16 +96,15 @@ class SEAM_6_Coder:
         first = ahead[1] if ahead else second
         t = 2 * (first != second) + (v.used < v.copies)
         A, B = self.SEAM_7_kind(ahead, used[after]), self.SEAM_7_kind(behind, used[before])
-        models = [self.choices[0, 20 * A + 4 * B + t], self.choices[1, 16 * min(v.copies - 2, 3) + 4 * min(v.used - 1, 3) + t]]
-        choice = self.symbol(models, self.weights[t])
+        choice = self.symbol(*self.choices.of(20 * A + 4 * B + t, 16 * min(v.copies - 2, 3) + 4 * min(v.used - 1, 3) + t, t))
         copy = (first, second, v.used)[choice] if choice < 3 else choice - 3
         must(copy <= v.used and copy < v.copies, "SEAM-8", f"copy {copy}")
         v.used, v.last = max(v.used, copy + 1), copy
         return copy
 
-def SEAM_6_compact(data, faces, n_g, n):
+def SEAM_6_compact(chunk, faces, n_g, n):
     must(n - n_g <= 3 * len(faces), "SEAM-6", "more copies than corners")
-    c, corners, extra = SEAM_6_Coder(data), [], 0
+    c, corners, extra = SEAM_6_Coder(Coder(chunk)), [], 0
     for face in faces:
         used = [None] * 3
         for k, x in enumerate(face):
@@ -125,5 +121,4 @@ def SEAM_6_compact(data, faces, n_g, n):
                     c.met[x].SEAM_7_join(face[j], used[k], used[j], c.met[face[j]].copies > 1)
     must(extra == n - n_g, "SEAM-6", "the numbers of copies do not add up")
     must(all(v.used == v.copies for v in c.met.values()), "SEAM-8", "a copy is not used")
-    c.coder.end()
     return [c.met[g].copies if g in c.met else 1 for g in range(n_g)], corners

@@ -1,11 +1,7 @@
 """Voxel edges: posn_voxels.md, POSN-12 and VOX-1 to VOX-6. An edge is a pair of its axis and its node."""
-from coder import NumberModel, SymbolModel, clamp, symbol_models
+from coder import NumberModel, SymbolModel, clamp, divide, symbol_models
 from container import must, unzigzag
-from lattice import POSN_3_known, POSN_4_expect, POSN_8_table, PredictedCoder, fresh_models
-
-def divide(a, b):
-    """The quotient cut towards 0."""
-    return abs(a) // abs(b) * (1 if (a < 0) == (b < 0) else -1)
+from lattice import POSN_2_positions, POSN_3_known, POSN_4_expect, POSN_8_table, PredictedCoder
 
 def VOX_direction(number):
     """Where the middle of a cube's edge is from the cube's centre."""
@@ -68,19 +64,14 @@ class Cube:
         self.weights = [20 if e in likely else 1 for e in range(12)] + [1, 100 if opposite == 13 else 0, 0, 0]
 
 class VoxelCoder(PredictedCoder):
-    def __init__(self, coder, faces, n, header, states):
-        self.n, self.half, self.levels, self.width = n, n if states.is_next else (n + 1) // 2, header.levels, 2 * header.levels
-        steps = [v if v < self.half else v - self.half for v in range(n)]
-        learnt = states.models("voxels", nodes=[NumberModel() for _ in range(3)], start=SymbolModel((8,) * 4 + (1,) * 12),
-                               edges={}, **fresh_models())
-        super().__init__(coder, POSN_3_known(faces, n, steps), POSN_8_table(None), header.cells, models=learnt)
-        self.edges, self.spots = {}, {}
+    def __init__(self, coder, known, half, header, states):
+        super().__init__(coder, known, POSN_8_table(None), header.cells, states=states)
+        self.starts, self.levels, self.width, self.edges, self.spots = (0, half), header.levels, 2 * header.levels, {}, {}
+        start, nodes = SymbolModel((8,) * 4 + (1,) * 12), [NumberModel() for _ in range(3)]
+        self.voxels = states.models("voxels", start=start, nodes=nodes, edges={})
         self.low = max((header.levels - 1).bit_length() - 4, 0)  # g
         levels = symbol_models([int(h <= (header.levels - 1) >> self.low) for h in range(16)])
         self.level_models = states.models(header.levels, levels=levels).levels
-
-    def before(self, v):
-        return [0, 0, 0] if v in (0, self.half) else self.rows[v - 1]
 
     def VOX_2_corners(self, v):
         """The corners a, b, c, d and o (or None); None without a cube."""
@@ -98,7 +89,7 @@ class VoxelCoder(PredictedCoder):
         """The cube and the edge symbol."""
         for upper in (False, True):
             cube = Cube(self.edges, self.spots, corners, upper)
-            symbol = self.coder.symbol([self.learnt.edges.setdefault(cube.model, SymbolModel(cube.weights))])
+            symbol = self.coder.symbol([self.voxels.edges.setdefault(cube.model, SymbolModel(cube.weights))])
             if not (symbol == 13 and cube.open):
                 break
         must(symbol <= 12, "VOX-4", f"edge symbol {symbol}")
@@ -112,10 +103,10 @@ class VoxelCoder(PredictedCoder):
             axis, node = edge_of(number, cube.node)
             level = self.VOX_6_level(axis, cube, number)
         else:
-            axis = self.coder.symbol([self.learnt.start])
+            axis = self.coder.symbol([self.voxels.start])
             must(axis <= 3, "VOX-1", f"start symbol {axis}")
             if axis == 3:
-                list(self.vertex(v))
+                self.decode(v)
                 return
             node = [self.VOX_5_node(v, a) for a in range(3)]
             level = self.VOX_6_level(axis)
@@ -128,7 +119,7 @@ class VoxelCoder(PredictedCoder):
 
     def VOX_5_node(self, v, axis):
         place, _ = POSN_4_expect(self.known[v], self.table, lambda u: self.rows[u][axis], self.before(v)[axis])
-        node = divide(place >> 4, self.width) + unzigzag(self.learnt.nodes[axis].decode(self.coder))
+        node = divide(place >> 4, self.width) + unzigzag(self.voxels.nodes[axis].decode(self.coder))
         must(0 <= node <= self.limits[axis][1] // self.width, "VOX-5", f"node {node}")
         return node
 
@@ -145,10 +136,11 @@ class VoxelCoder(PredictedCoder):
         must(level < self.levels, "VOX-6", f"level {level}")
         return level
 
-def VOX_1_rows(coder, faces, n, header, states):
-    """[POSN-12] The lattice coordinates of all vertices, in their order."""
-    voxels = VoxelCoder(coder, faces, n, header, states)
-    for step in range(voxels.half):
-        for v in (step, step + voxels.half)[:1 + (step + voxels.half < n)]:
-            voxels.VOX_1_vertex(v)
-    return [voxels.rows[v] for v in range(n)]
+def VOX_1_positions(coder, faces, n, header, states):
+    """[POSN-12]"""
+    half = n if states.is_next else (n + 1) // 2
+    steps = [v % half for v in range(n)]
+    voxels = VoxelCoder(coder, POSN_3_known(faces, n, steps), half, header, states)
+    for v in sorted(range(n), key=lambda v: steps[v]):
+        voxels.VOX_1_vertex(v)
+    return POSN_2_positions(voxels.rows, header)

@@ -3,9 +3,9 @@ from collections import deque
 
 import numpy as np
 
-from coder import bit_models, bits, clamp, mixing_weights, symbol_models
+from coder import bit_models, bits, clamp
 from graph import corners, others
-from scaled import SYMBOL_WEIGHTS, ScaledCoder
+from scaled import ScaledCoder
 from vectors import dot
 
 def ATTR_30_order(faces, n):
@@ -75,8 +75,7 @@ def whole_part(x):
 class PairCoder:
     """[ATTR-37] Two numbers."""
     def __init__(self, coder):
-        self.coder, self.scaled, self.zero = coder, ScaledCoder(), bit_models()
-        self.models, self.weights = symbol_models(SYMBOL_WEIGHTS), mixing_weights()
+        self.coder, self.numbers, self.zero = coder, ScaledCoder(), bit_models()
 
     def decode(self, near, spread, kind):
         """`near` and `spread` are pairs."""
@@ -89,7 +88,5 @@ class PairCoder:
         scale, W = (8 * near + 6 * spread + 80 * t) >> 4, ATTR_37_log
         shift = max(bits(scale) - 7, 0)
         c = 1 + min(t >> shift, 3) if second else 0
-        models = [self.models[0, (W(near >> shift) * 5 + kind) * 5 + c],
-                  self.models[1, (W(spread >> shift) * 2 + (shift > 0)) * 5 + c]]
-        weights = self.weights[2 * W(scale >> shift) + second]
-        return self.scaled.CMP_15_number(self.coder, models, weights, shift)
+        first, other = (W(near >> shift) * 5 + kind) * 5 + c, (W(spread >> shift) * 2 + (shift > 0)) * 5 + c
+        return self.numbers.CMP_15_number(self.coder, first, other, 2 * W(scale >> shift) + second, shift)

@@ -11,13 +11,13 @@ from reference_decoder_test import ROOT
 from anch import ANCH_1_read
 from attr import ATTR_2_values, Surface, TYPES
 from coder import Coder, States
-from container import DIR_2_chunk, FLOATS, Header, LATTICE, NO_CHUNK, Reader, VOXELS
+from container import Chunk, DIR_2_chunk, FLOATS, Header, LATTICE, Reader, VOXELS
 from delt import DELT_1_positions
 from fgrp import FGRP_1_read
 from fields import FLD_numbers
 from glue import CONN_8_faces
 from graph import components, neighbours
-from mesh import decode_chunks, nothing
+from mesh import decode_chunks
 from ordr import ORDR_1_read
 from parts import Map
 from posn import POSN_1_positions
@@ -34,7 +34,7 @@ def line(file, name, kind=int):
 
 
 def chunk(file, name="compact"):
-    return SimpleNamespace(data=line(file, name, bytes), is_compact=name not in ("plain", "anchors"), descriptor=None)
+    return Chunk(is_compact=name not in ("plain", "anchors"), data=line(file, name, bytes))
 
 
 def triples(numbers):
@@ -49,16 +49,16 @@ def lattice(coder, n, **more):
 
 
 def positions(file, header, faces):
-    return POSN_1_positions(chunk(file, "payload"), header, faces, States(), nothing).astype("f4")
+    return POSN_1_positions(chunk(file, "payload"), header, faces, States()).astype("f4")
 
 
 def attribute(file, kind, type_number, k, others=(), name="payload"):
-    surface = Surface(SEAM_1_read(NO_CHUNK, TWO, 4, 4), np.array(line("posn.md", "q"), dtype="f4").reshape(4, 3), TWO, list(others), States())
+    surface = Surface(SEAM_1_read(Chunk(), TWO, 4, 4), np.array(line("posn.md", "q"), dtype="f4").reshape(4, 3), TWO, list(others), States())
     described = SimpleNamespace(kind=kind, type=TYPES[type_number], k=k, name=b"")
     described.is_shape = lambda kind, types, counts: described.kind == kind and described.type in types and described.k in counts
     surface.attributes.append(described)
     data = line(file, name, bytes)
-    described.values = ATTR_2_values(SimpleNamespace(data=data, descriptor=described, is_compact=data[0] > 3), surface)
+    described.values = ATTR_2_values(Chunk(is_compact=data[0] > 3, data=data, descriptor=described), surface)
     return described
 
 
@@ -66,7 +66,7 @@ def highpass(name):
     header = SimpleNamespace(anchors=2, anchor_bits=4, box_min=[0, 0, 0], box_max=[3, 1, 1.5], step=0.25, shift_ones=32, shift_others=16, cycles=0)
     around = neighbours(triples(line("delt.md", "faces")), 8)
     anchors = ANCH_1_read(chunk("delt.md", "anchors"), header, 8, components(around))
-    return DELT_1_positions({"DELT": chunk("delt.md", name)}, header, around, components(around), anchors, nothing)
+    return DELT_1_positions(chunk("delt.md", name), header, around, components(around), anchors)
 
 
 def stream():
@@ -88,7 +88,7 @@ def examples():
         header = SimpleNamespace(anchors=2, anchor_bits=12, box_min=[0] * 3, box_max=[4095] * 3)
         yield f"anch.md {form}", list(ANCH_1_read(chunk("anch.md", form), header, 4, []).values()), [0, 0, 100, 4095, 2000, 50]
         yield f"delt.md {form}", highpass(form), line("delt.md", "positions", float)
-    yield "compact.md", FLD_numbers(Coder(bytes.fromhex("7557588af8b4094417e8333511")), neighbours([(0, 1, 2), (1, 3, 2)], 4)), \
+    yield "compact.md", FLD_numbers(Coder(Reader(bytes.fromhex("7557588af8b4094417e8333511"))), neighbours([(0, 1, 2), (1, 3, 2)], 4)), \
         [1, 0, 3, 1, -2, 3, 1, -2, 3, 40, -80, 9]
     yield "posn.md", positions("posn.md", lattice(LATTICE, 4, cells=[4, 4, 3]), TWO), line("posn.md", "q")
     yield ("posn_voxels.md", positions("posn_voxels.md", lattice(VOXELS, 6, cells=[5, 8, 3], levels=2), triples(line("posn_voxels.md", "faces"))),
