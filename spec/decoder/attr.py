@@ -5,6 +5,7 @@ from importlib import import_module
 import numpy as np
 
 from container import must
+from graph import corners
 
 NORMAL, COLOUR, UV, GENERIC, TANGENT, JOINTS, WEIGHTS = range(7)
 TYPES = ["i1", "u1", "i2", "u2", "i4", "u4", "f4", "f8"]
@@ -55,6 +56,7 @@ class Surface:
     def __init__(self, seams, positions, geometric_faces, attributes, states):
         self.faces, self.first, self.geometric, self.positions = seams.faces, seams.first, seams.geometric, positions
         self.geometric_faces, self.attributes, self.n, self.states = geometric_faces, attributes, len(seams.geometric), states
+        self.corners = corners(self.faces, self.n)
 
     def joined(self, is_joined):
         """[ATTR-58] Whether copies are joined; the faces and the number of vertices that numbers are coded over."""

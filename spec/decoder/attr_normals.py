@@ -5,10 +5,9 @@ import numpy as np
 
 from coder import BitModel, Coder, bit_models, clamp
 from container import must
-from graph import corners, others
 from scaled import ScaledCoder
-from vectors import (F, ATTR_22_corner_angles, ATTR_22_scaled, ATTR_23_frame, ATTR_24_point, cross, dot, f32_vector,
-                     sum_at_corners)
+from vectors import (F, ATTR_22_corner_angles, ATTR_22_edges, ATTR_23_frame, ATTR_24_point, cross, dot, f32_vector,
+                     square, sum_at_corners)
 
 NOWHERE = f32_vector(0, 0, 0)
 
@@ -22,14 +21,11 @@ def ATTR_20_normals(r, a, surface):
 
 def ATTR_22_rule(rule, surface):
     """Rule vectors and rule weights of all vertices."""
-    n, faces = surface.n, np.array(surface.faces, dtype=np.int64).reshape(-1, 3)
     if rule == 0:
-        return np.zeros((n, 3), dtype=F), np.zeros(n, dtype=F)
-    places = ATTR_22_scaled(surface.positions)[faces]
-    a, b = places[:, 1] - places[:, 0], places[:, 2] - places[:, 0]
-    A, B, C, normal = dot(a, a), dot(b, b), dot(b - a, b - a), cross(a, b)
-    y, counted = np.sqrt(dot(normal, normal)), dot(normal, normal) > F(1e-36)
-    weight = np.ones((len(faces), 3), dtype=F)  # rule 1
+        return np.zeros((surface.n, 3), dtype=F), np.zeros(surface.n, dtype=F)
+    a, b = ATTR_22_edges(surface.positions, surface.faces)
+    A, B, C, normal = square(a), square(b), square(b - a), cross(a, b)
+    y, weight = np.sqrt(square(normal)), np.ones((len(surface.faces), 3), dtype=F)  # of rule 1
     if rule in (3, 4):
         weight = ATTR_22_corner_angles(a, b, y)
     if rule in (2, 4):
@@ -37,7 +33,7 @@ def ATTR_22_rule(rule, surface):
     if rule == 5:
         weight = np.stack([y / (A * B), y / (A * C), y / (B * C)], axis=1)
     directions = ((F(1) / y)[:, None] * normal)[:, None, :] * weight[:, :, None]
-    return tuple(sum_at_corners(faces, counted, x, n) for x in (directions, weight))
+    return tuple(sum_at_corners(surface, square(normal) > F(1e-36), x) for x in (directions, weight))
 
 def exponent(x):
     """[ATTR-25] L"""
@@ -47,10 +43,10 @@ def exponent(x):
 
 class NormalCoder:
     def __init__(self, coder, surface, rule, form, radius):
-        self.coder, self.surface, self.radius, n = coder, surface, radius, surface.n
+        self.coder, self.surface, self.radius = coder, surface, radius
         self.shares, self.zeros, self.blends, self.K = form & 8, form & 16, form & 32, F(0.25) / (radius * radius)
         self.vectors, self.rule_weights = ATTR_22_rule(rule, surface)
-        self.at, self.share_bits, self.zero_bit, self.numbers = corners(surface.faces, n), bit_models(), BitModel(), ScaledCoder()
+        self.share_bits, self.zero_bit, self.numbers = bit_models(), BitModel(), ScaledCoder()
         self.group_of, self.normals, self.rule_normals, self.sizes = {}, {}, {}, {}
         self.last, self.X, self.Y, self.y = f32_vector(0, 0, 1), F(0), F(0), F(0)
 
@@ -64,11 +60,13 @@ class NormalCoder:
 
     def ATTR_21_groups(self, g, copies):
         """Lists of copies."""
-        groups, few = [], sum(len(self.at[v]) for v in copies) <= 64
+        groups, few = [], sum(len(self.surface.corners[v]) for v in copies) <= 64
         for v in copies:
-            group = self.ATTR_21_earlier(g, v, groups, few) if self.shares and len(copies) > 1 else None
-            groups += [[]] if group is None else []
-            (groups[-1] if group is None else group).append(v)
+            group = self.ATTR_21_earlier(g, v, groups, few) if self.shares else None
+            if group is None:
+                groups.append([v])
+            else:
+                group.append(v)
         return groups
 
     def ATTR_21_earlier(self, g, v, groups, few):
@@ -76,7 +74,7 @@ class NormalCoder:
         ranked, a = [], self.vectors[v]
         for group in groups[-16:]:
             b = self.sum_of(self.vectors, group)
-            divisor = np.sqrt(dot(a, a)) * np.sqrt(dot(b, b))
+            divisor = np.sqrt(square(a)) * np.sqrt(square(b))
             cosine = dot(a, b) / divisor if divisor > 0 else F(0)
             tie = self.ATTR_21_tie(g, v, group) if few else 0
             ranked.append((cosine + F((0, 0, -2, 2)[tie]), cosine, tie, group))
@@ -90,24 +88,21 @@ class NormalCoder:
     def ATTR_21_tie(self, g, v, group):
         """0 apart, 1 open, 2 split, 3 joined"""
         def ends(v):
-            return [u for c in self.at[v] for u in others(self.surface.faces, c)]
+            return [u for _, *both in self.surface.corners[v] for u in both]
         geometric, theirs = self.surface.geometric, [y for u in group for y in ends(u)]
         pairs = [(x, y) for x in ends(v) for y in theirs if geometric[x] == geometric[y]]
         ties = [1 if geometric[x] >= g else 3 if self.group_of[x] is self.group_of[y] else 2 for x, y in pairs]
         return max(ties, default=0)
 
     def sum_of(self, values, group):
-        total = values[group[0]]
-        for v in group[1:]:
-            total = total + values[v]
-        return total
+        return sum((values[v] for v in group[1:]), values[group[0]])
 
     def ATTR_23_sums(self, g, group):
         """N, R, V and c"""
-        total, faces, c = np.zeros(7, dtype=F), self.surface.faces, 0
+        total, c = np.zeros(7, dtype=F), 0
         for v in group:
             part = np.zeros(7, dtype=F)
-            for u, _ in (others(faces, c) for c in self.at[v]):
+            for _, u, _ in self.surface.corners[v]:
                 if self.surface.geometric[u] < g and any(self.normals[u]):
                     part = part + np.hstack([self.normals[u], self.rule_normals[u], self.sizes[u]])
                     c += 1
@@ -117,20 +112,20 @@ class NormalCoder:
     def ATTR_23_pole(self, U, M, Q):
         """P"""
         if U is None:
-            return M if M is not None and dot(M, M) > F(1e-12) else self.last
+            return M if M is not None and square(M) > F(1e-12) else self.last
         P = U + self.y * (M - Q) if M is not None and self.blends else U
-        return P if dot(P, P) > F(1e-12) else U
+        return P if square(P) > F(1e-12) else U
 
     def ATTR_23_learn(self, n, U, M, Q, z):
         G, k, keep = M - Q, self.K / (F(1) + z), F(1 - 1 / 256)
-        self.X, self.Y = keep * self.X + k * dot(G, G), keep * self.Y + k * dot(G, n - U)
+        self.X, self.Y = keep * self.X + k * square(G), keep * self.Y + k * dot(G, n - U)
         self.y = self.Y / (self.X + F(0.5))
 
     def ATTR_23_normal(self, g, group):
         N, R, V, c = self.ATTR_23_sums(g, group)
         S, W = (self.sum_of(x, group) for x in (self.vectors, self.rule_weights))
-        u, U, M, Q, near = F(1) / np.sqrt(dot(S, S)), None, None, None, F(0)
-        if F(1e-36) < dot(S, S) < F(1e36):
+        u, U, M, Q, near = F(1) / np.sqrt(square(S)), None, None, None, F(0)
+        if F(1e-36) < square(S) < F(1e36):
             U = u * S
         if c:
             i = F(1) / F(c)
@@ -150,8 +145,8 @@ class NormalCoder:
 
     def ATTR_25_numbers(self, uW, U, M, near, c):
         """Row and place."""
-        spread = self.K * (F(1) - dot(M, M)) if c else F(0)
-        apart = F(0) if U is None or not c else self.K * dot(U - M, U - M)
+        spread = self.K * (F(1) - square(M)) if c else F(0)
+        apart = F(0) if U is None or not c else self.K * square(U - M)
         bend = F(0) if U is None else (F(2) * self.K) * (uW - F(1))
         scale = near * near if c else min(bend, F(4))
         shift = clamp((exponent(scale) - 6) // 2, 0, 24)

@@ -1,10 +1,11 @@
 """Texture coordinates off the surface: attr_uvs.md, ATTR-31 to ATTR-37."""
+from types import SimpleNamespace
+
 import numpy as np
 
 from coder import Coder
 from container import must
-from graph import corners, others
-from vectors import cross, dot, to_f32, vector
+from vectors import cross, dot, square, to_f32, vector
 from walk import ATTR_30_order, BitOfFaces, Blend, PairCoder, whole_part
 
 NOTHING = vector(0, 0)
@@ -12,8 +13,7 @@ NOTHING = vector(0, 0)
 def ATTR_31_uvs(r, a, surface):
     step = r.number("f")
     must(2.0**-100 <= step <= 2.0**64, "ATTR-31", f"step {step}")
-    values = UvCoder(Coder(r), surface, step).decode()
-    return [values[v] for v in range(surface.n)]
+    return UvCoder(Coder(r), surface, step).decode()
 
 def solve_symmetric(matrix, right):
     """[ATTR-34]"""
@@ -48,29 +48,22 @@ class Fit:
         M, V, G = self.function
         return V + (p[0] - M[0]) * G[:, 0] + (p[1] - M[1]) * G[:, 1] + (p[2] - M[2]) * G[:, 2]
 
-class Forecast:
-    """[ATTR-33] What is known of a vertex' value before it is coded; n is the number of counting faces."""
-    def __init__(self, value, n=0, is_linked=False):
-        self.value, self.n, self.is_linked, self.spread = value, n, is_linked, 0.0
-
 class UvCoder:
     def __init__(self, coder, surface, step):
-        self.coder, self.surface, self.faces, self.step = coder, surface, surface.faces, step
+        self.surface, self.step, self.values, self.kept, self.side, self.copy_of = surface, step, {}, {}, 1.0, {}
+        self.blends, self.fit, self.same, self.pairs = [Blend() for _ in range(4)], Fit(), BitOfFaces(coder), PairCoder(coder)
         self.positions = None if surface.positions is None else surface.positions.astype(np.float64)
-        self.at, self.values, self.kept, self.side = corners(surface.faces, surface.n), {}, {}, 1.0
-        self.blends, self.fit = [Blend() for _ in range(4)], Fit()
-        self.same, self.pairs, self.copy_of = BitOfFaces(coder), PairCoder(coder), {}
         if self.positions is not None:
             low, high = self.positions.min(axis=0), self.positions.max(axis=0)
             self.places = (1 / (max(high - low) or 1.0)) * (self.positions - 0.5 * (low + high))
 
     def decode(self):
         last = NOTHING
-        for v, completed in ATTR_30_order(self.faces, self.surface.n):
+        for v, completed in ATTR_30_order(self.surface):
             forecast = self.ATTR_33_forecast(v, completed, last)
-            last = self.values[v] = self.ATTR_37_value(v, [u for c in completed for u in others(self.faces, c)], forecast)
+            last = self.values[v] = self.ATTR_37_value(v, [u for _, *ends in completed for u in ends], forecast)
             self.learn(v, completed, forecast)
-        return self.values
+        return [self.values[v] for v in range(self.surface.n)]
 
     def ATTR_37_value(self, v, around, forecast):
         """[ATTR-36, ATTR-37]"""
@@ -89,23 +82,18 @@ class UvCoder:
         centre = np.where(np.isnan(forecast.value), 0.0, np.clip(forecast.value, -limit, limit))
         return to_f32(centre + self.step * vector(p, q))
 
-    def ATTR_32_across(self, own, a, b):
-        """The coded vertex across the edge from b to a, or None."""
-        ends = ((c // 3, others(self.faces, c)) for c in self.at[a])
-        return next((third for f, (third, before) in ends if f != own and before == b and third in self.values), None)
-
     def ATTR_32_over(self, a, b, c):
         """x and y of c over the edge from a to b, or None where the face does not count."""
         A, B, C = (self.positions[u] for u in (a, b, c))
         e, w = B - A, C - A
         h = 1 / dot(e, e)
         x = dot(e, w) * h
-        return (x, np.sqrt(max(dot(w, w) * h - x * x, 0.0))) if dot(w, w) * h <= 1e6 else None
+        return (x, np.sqrt(max(square(w) * h - x * x, 0.0))) if square(w) * h <= 1e6 else None
 
-    def ATTR_32_face(self, v, corner):
+    def ATTR_32_face(self, v, f, ia, ib):
         """Forecast and weight, the other forecast and weight (None where there is none); None if the face does not count."""
-        ia, ib = others(self.faces, corner)
-        a, b, across = self.values[ia], self.values[ib], self.ATTR_32_across(corner // 3, ia, ib)
+        thirds = (third for g, third, before in self.surface.corners[ia] if g != f and before == ib and third in self.values)
+        a, b, across = self.values[ia], self.values[ib], next(thirds, None)
         o, middle = self.values.get(across), 0.5 * (a + b)
         if self.positions is None:
             return ((middle, 0.25) if o is None else (a + b - o, 1.0)), (middle, 1.0)
@@ -125,36 +113,32 @@ class UvCoder:
         return (foot + (side * y) * vector(-E[1], E[0]), m), other
 
     def ATTR_33_forecast(self, v, completed, last):
-        counting = [(c, found) for c in completed if (found := self.ATTR_32_face(v, c))]
+        found = [(a, b, self.ATTR_32_face(v, f, a, b)) for f, a, b in completed]
+        counting = [(a, b, *forecasts) for a, b, forecasts in found if forecasts]
         if not counting:
-            linked = next((self.values[u] for c in self.at[v] for u in others(self.faces, c) if u in self.values), None)
-            return Forecast(last if linked is None else linked, is_linked=linked is not None)
-        n = len(counting)
+            linked = next((self.values[u] for _, *ends in self.surface.corners[v] for u in ends if u in self.values), None)
+            return SimpleNamespace(value=last if linked is None else linked, n=0, is_linked=linked is not None)
         def mean(pairs):
             return sum((w * f for f, w in pairs), NOTHING) / sum(w for _, w in pairs)
-        F, other = mean([found[0] for _, found in counting]), [found[1] for _, found in counting if found[1]]
-        forecasts, s, d1, d2 = [found[0][0] for _, found in counting], 0.0, mean(other) - F if other else NOTHING, NOTHING
-        for (c, _), f in zip(counting, forecasts):
-            a, b = (f - self.values[u] for u in others(self.faces, c))
-            s = s + (dot(a, a) + dot(b, b))
-        z = 0.5 * s / n + 1e-150
+        n, F, other = len(counting), mean([own for _, _, own, _ in counting]), [other for *_, other in counting if other]
+        d1, d2 = mean(other) - F if other else NOTHING, NOTHING
+        z = 0.5 * sum(square(f - self.values[a]) + square(f - self.values[b]) for a, b, (f, _), _ in counting) / n + 1e-150
         if self.positions is not None:
             d2 = self.fit.at(self.places[v]) - F
-            d2 = d2 if dot(d2, d2) <= 64 * z else NOTHING
-        forecast = Forecast(F + self.blends[min(n, 3)].correction(d1, d2), n)
-        forecast.spread = max(sum(np.sqrt(dot(f - F, f - F)) for f in forecasts[:8]) / min(n, 8), 0.3 * np.sqrt(dot(d1, d1)))
-        forecast.F, forecast.d1, forecast.d2, forecast.z = F, d1, d2, z
-        return forecast
+            d2 = d2 if square(d2) <= 64 * z else NOTHING
+        value = F + self.blends[min(n, 3)].correction(d1, d2)
+        far = sum(np.sqrt(square(f - F)) for _, _, (f, _), _ in counting[:8]) / min(n, 8)
+        return SimpleNamespace(value=value, n=n, is_linked=False, spread=max(far, 0.3 * np.sqrt(square(d1))), F=F, d1=d1, d2=d2, z=z)
 
     def learn(self, v, completed, forecast):
         """[ATTR-32, ATTR-34, ATTR-35] What is kept after a vertex is coded."""
         u, n = self.values[v], forecast.n
-        for c in completed:
-            a, b = (self.values[x] for x in others(self.faces, c))
+        for _, *ends in completed:
+            a, b = (self.values[x] for x in ends)
             area = cross(b - a, u - a)
             self.side = 1.0 if area > 0 else -1.0 if area < 0 else self.side
         if n:
             d1, d2, e = forecast.d1, forecast.d2, u - forecast.F
-            self.blends[min(n, 3)].learn(d1, d2, e, 1 / (0.02 * forecast.z + dot(e, e) + dot(d1, d1)))
+            self.blends[min(n, 3)].learn(d1, d2, e, 1 / (0.02 * forecast.z + square(e) + square(d1)))
         if self.positions is not None:
             self.fit.learn(self.places[v], u, not n and not forecast.is_linked)

@@ -30,17 +30,12 @@ def subgraph(around, vertices):
     return [[number[u] for u in around[v]] for v in vertices]
 
 def corners(faces, n):
-    """The corners 3 f + k at every vertex, ascending."""
+    """The corners at every vertex, ascending: the face, the vertices at its next corner and at the one before."""
     at = [[] for _ in range(n)]
-    for f, face in enumerate(faces):
-        for k, v in enumerate(face):
-            at[v].append(3 * f + k)
+    for f, (x, y, z) in enumerate(faces):
+        for v, after, before in ((x, y, z), (y, z, x), (z, x, y)):
+            at[v].append((f, after, before))
     return at
-
-def others(faces, corner):
-    """The vertices at the next corner of a corner's face and at the one before."""
-    f, k = divmod(corner, 3)
-    return faces[f][(k + 1) % 3], faces[f][(k + 2) % 3]
 
 def open_edges(faces, n):
     """[MAP-11] For every vertex the other ends of its open edges, ascending."""

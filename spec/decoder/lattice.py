@@ -3,7 +3,7 @@ import numpy as np
 
 from coder import BitModel, Mixture, States, bits, clamp
 from container import must
-from graph import corners, others
+from graph import corners
 from scaled import ScaledCoder
 
 class Known:
@@ -22,7 +22,7 @@ def POSN_3_known(faces, n, steps=None):
     """Of every vertex; with the steps of voxel edges as [POSN-12] says."""
     at, result, when = corners(faces, n), [None] * n, steps or range(n)
     for v in sorted(range(n), key=lambda v: when[v]):
-        found = [(a, b) for a, b in (others(faces, c) for c in at[v]) if max(when[a], when[b]) < when[v] and a != b]
+        found = [(a, b) for _, a, b in at[v] if max(when[a], when[b]) < when[v] and a != b]
         kept = list(dict.fromkeys(found[:1] + found[-1:])) if steps else found[:4]
         ordered = [sorted(pair, key=lambda u: when[u]) for pair in kept]
         known = [(a, b, POSN_3_other(result[high].faces, low)) for (a, b), (low, high) in zip(kept, ordered)]

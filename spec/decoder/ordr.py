@@ -3,7 +3,6 @@ from collections import defaultdict, deque
 
 from coder import Coder, NumberModel, bits, divide, symbol_models
 from container import must, unzigzag
-from graph import others
 
 def ORDR_1_read(chunk, faces, n):
     """The places of vertices, those of faces, and the rotations."""
@@ -47,23 +46,22 @@ def ORDR_5_compact(coder, faces, n):
     p = vertices.place
     for f, face in enumerate(faces):
         x, y, z = face
-        gate = next((corner for corner in reversed(latest[y]) if others(faces, corner)[0] == x), None)
+        gate = next((corner for corner in reversed(latest[y]) if corner[1] == x), None)
         for v in (x, y):
             if v not in p:
                 vertices.decode(v)
         if z not in p:
-            u = None if gate is None else others(faces, gate)[1]
-            vertices.decode(z, None if gate is None else [vertices.following, p[x] + 1, p[x] + p[y] - p[u]])
+            vertices.decode(z, gate and [vertices.following, p[x] + 1, p[x] + p[y] - p[gate[2]]])
         of = [p[v] for v in face]
         rotations.append(coder.symbol([models[3 * of.index(min(of)) + of.index(max(of))]]))
         must(rotations[-1] <= 2, "ORDR-3", f"rotation {rotations[-1]}")
-        guesses, g = None, f - 1 if gate is None else gate // 3
+        guesses, g = None, gate[0] if gate else f - 1
         if f:  # [ORDR-6]
             by = divide((max(of) - max(p[v] for v in faces[g])) * len(faces), n)
             guesses = [placed.following, placed.place[g] + 1, placed.place[g] + 1 + by]
         placed.decode(f, guesses)
-        for k, v in enumerate(face):
-            latest[v].append(3 * f + k)
+        for v, after, before in ((x, y, z), (y, z, x), (z, x, y)):
+            latest[v].append((f, after, before))
     for v in range(n):
         if v not in p:
             vertices.decode(v)

@@ -7,7 +7,7 @@ import numpy as np
 from coder import Coder, NumberModel
 from container import FLOATS, LATTICE, VOXELS, must
 from floats import FLT_1_bits, FLT_2_last_place, FloatCoder
-from graph import corners, others
+from graph import corners
 from lattice import POSN_2_positions, POSN_3_known, POSN_8_table, PredictedCoder
 from voxels import VOX_1_positions
 
@@ -63,7 +63,7 @@ def POSN_10_order(order, faces, n):
     def place(v):
         placed[v] = True
         result.append(v)
-        for a, b in (others(faces, corner) for corner in at[v]):
+        for _, a, b in at[v]:
             u = b if placed[a] else a
             if placed[a] != placed[b] and count[u] < 3:
                 count[u] += 1

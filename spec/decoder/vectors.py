@@ -20,21 +20,25 @@ def dot(x, y):
     p = (x * y).T
     return p[0] + p[1] if len(p) == 2 else p[0] + p[1] + p[2]
 
+def square(x):
+    return dot(x, x)
+
 def cross(x, y):
     """Of vectors, or of rows of vectors; of two components a number."""
     if x.shape[-1] == 2:
-        return x[0] * y[1] - x[1] * y[0]
+        return x.T[0] * y.T[1] - x.T[1] * y.T[0]
     (x0, x1, x2), (y0, y1, y2) = x.T, y.T
     return np.stack([x1 * y2 - x2 * y1, x2 * y0 - x0 * y2, x0 * y1 - x1 * y0]).T
 
 def to_f32(x):
-    return x.astype(np.float32).astype(np.float64)
+    return x.astype(F).astype(np.float64)
 
-def ATTR_22_scaled(values):
-    """Values times 2^e, in f32."""
+def ATTR_22_edges(values, faces):
+    """From the values at corner 0 of faces to those at corners 1 and 2, all times 2^e, in f32."""
     largest = float(np.abs(values).max()) if values.size else 0.0
     e = -math.frexp(largest)[1] if largest and math.isfinite(largest) else 0
-    return values.astype(np.float32) * np.float32(2.0**min(max(e, -126), 126))
+    at = (values.astype(F) * F(2.0**min(max(e, -126), 126)))[np.array(faces, dtype=int).reshape(-1, 3)]
+    return at[:, 1] - at[:, 0], at[:, 2] - at[:, 0]
 
 def ATTR_22_angle(x, y):
     z = np.abs(x)
@@ -47,21 +51,21 @@ def ATTR_22_angle(x, y):
 
 def ATTR_22_corner_angles(a, b, y):
     """The angles at the three corners of faces."""
-    f, g = ATTR_22_angle(dot(a, b), y), ATTR_22_angle(np.float32(0) - dot(a, b - a), y)
-    return np.stack([f, g, np.float32(3.14159265) - f - g], axis=1)
+    f, g = ATTR_22_angle(dot(a, b), y), ATTR_22_angle(F(0) - dot(a, b - a), y)
+    return np.stack([f, g, F(3.14159265) - f - g], axis=1)
 
-def sum_at_corners(faces, counted, values, n):
+def sum_at_corners(surface, counted, values):
     """Sums for each vertex, over its corners in ascending order, of values [face, corner] of counted faces."""
-    sums = np.zeros((n,) + values.shape[2:], dtype=np.float32)
-    np.add.at(sums, faces[counted].reshape(-1), values[counted].reshape((-1,) + values.shape[2:]))
+    sums = np.zeros((surface.n, *values.shape[2:]), dtype=F)
+    np.add.at(sums, np.array(surface.faces, dtype=int).reshape(-1, 3)[counted], values[counted])
     return sums
 
 def ATTR_23_frame(P, v):
     """Pole, first and second axis."""
     w = cross(P, v)
-    if not F(1e-12) * dot(P, P) < dot(w, w) < F(1e36):
+    if not F(1e-12) * square(P) < square(w) < F(1e36):
         w = cross(P, np.eye(3, dtype=F)[np.argmin(abs(P))])
-    pole, second = (F(1) / np.sqrt(dot(P, P))) * P, (F(1) / np.sqrt(dot(w, w))) * w
+    pole, second = (F(1) / np.sqrt(square(P))) * P, (F(1) / np.sqrt(square(w))) * w
     return pole, cross(second, pole), second
 
 def ATTR_24_point(a, b, pole, first, second):

@@ -4,35 +4,34 @@ from collections import deque
 import numpy as np
 
 from coder import bit_models, bits, clamp
-from graph import corners, others
 from scaled import ScaledCoder
 from vectors import dot
 
-def ATTR_30_order(faces, n):
+def ATTR_30_order(surface):
     """Pairs of a vertex and the corners by which it completes faces, in their order."""
-    at, visited, met, waits = corners(faces, n), [False] * n, [0] * len(faces), [0] * n
+    visited, met, waits = [False] * surface.n, [0] * len(surface.faces), [0] * surface.n
     queue, stack, result = deque(), [], []
 
     def visit(v):
         if visited[v]:
             return
         visited[v], completed = True, []
-        for corner in at[v]:
-            met[corner // 3] += 1
-            if met[corner // 3] == 3:
-                completed.append(corner)
-            elif met[corner // 3] == 2:
-                for u in (u for u in others(faces, corner) if not visited[u]):
+        for f, a, b in surface.corners[v]:
+            met[f] += 1
+            if met[f] == 3:
+                completed.append((f, a, b))
+            elif met[f] == 2:
+                for u in (u for u in (a, b) if not visited[u]):
                     (queue if waits[u] else stack).append(u)
                     waits[u] += 1
         result.append((v, completed))
 
-    for face in faces:
+    for face in surface.faces:
         for v in face:
             visit(v)
         while queue or stack:
             visit(queue.popleft() if queue else stack.pop())
-    for v in range(n):
+    for v in range(surface.n):
         visit(v)
     return result
 
