@@ -10,12 +10,6 @@ import ply
 from container import Broken
 from mesh import decode
 
-def figures(mesh):
-    values = {key: value for key, value in vars(mesh.header).items() if key != "flags"}
-    values["attributes"] = [{"name": a.name.decode("utf-8", "replace"), "kind": a.kind, "type": a.type, "components": a.k,
-                             "error": a.error} for a in mesh.attributes]
-    return values
-
 def main():
     parser = argparse.ArgumentParser(prog="decoder", description="Decodes a deltamesh stream, rule by rule.")
     parser.add_argument("stream")
@@ -33,7 +27,9 @@ def main():
     except Broken as error:
         sys.exit(f"{options.stream}: {error}")
     if options.json:
-        print(json.dumps(figures(mesh), indent=2))
+        attributes = [{"name": a.name.decode("utf-8", "replace"), "kind": a.kind, "type": a.type, "components": a.k,
+                       "error": a.error} for a in mesh.attributes]
+        print(json.dumps(vars(mesh.header) | {"attributes": attributes}, indent=2))
     if options.out:
         ply.write(options.out, mesh)
 

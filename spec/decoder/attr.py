@@ -4,16 +4,16 @@ from importlib import import_module
 
 import numpy as np
 
-from container import must
+from container import must, unzigzag
 from graph import corners
 
 NORMAL, COLOUR, UV, GENERIC, TANGENT, JOINTS, WEIGHTS = range(7)
 TYPES = ["i1", "u1", "i2", "u2", "i4", "u4", "f4", "f8"]
-USUAL = [None, ("NORMAL", 0, "f4", 3), ("TANGENT", 4, "f4", 4), ("TEXCOORD_0", 2, "f4", 2), ("TEXCOORD_1", 2, "f4", 2),
-         ("COLOR_0", 1, "u1", 4), ("COLOR_0", 1, "u1", 3), ("COLOR_0", 1, "u2", 4), ("COLOR_0", 1, "u2", 3),
-         ("COLOR_0", 1, "f4", 4), ("COLOR_0", 1, "f4", 3), ("JOINTS_0", 5, "u1", 4), ("JOINTS_0", 5, "u2", 4),
-         ("WEIGHTS_0", 6, "f4", 4), ("WEIGHTS_0", 6, "u1", 4), ("WEIGHTS_0", 6, "u2", 4), ("nx", 0, "f4", 3),
-         ("red", 1, "u1", 3), ("red", 1, "u1", 4), ("s", 2, "f4", 2), ("vn", 0, "f4", 3), ("vt", 2, "f4", 2)]
+USUAL = [None, (b"NORMAL", 0, "f4", 3), (b"TANGENT", 4, "f4", 4), (b"TEXCOORD_0", 2, "f4", 2), (b"TEXCOORD_1", 2, "f4", 2),
+         (b"COLOR_0", 1, "u1", 4), (b"COLOR_0", 1, "u1", 3), (b"COLOR_0", 1, "u2", 4), (b"COLOR_0", 1, "u2", 3),
+         (b"COLOR_0", 1, "f4", 4), (b"COLOR_0", 1, "f4", 3), (b"JOINTS_0", 5, "u1", 4), (b"JOINTS_0", 5, "u2", 4),
+         (b"WEIGHTS_0", 6, "f4", 4), (b"WEIGHTS_0", 6, "u1", 4), (b"WEIGHTS_0", 6, "u2", 4), (b"nx", 0, "f4", 3),
+         (b"red", 1, "u1", 3), (b"red", 1, "u1", 4), (b"s", 2, "f4", 2), (b"vn", 0, "f4", 3), (b"vt", 2, "f4", 2)]
 
 COLOURS = ["u1", "u2", "f4"]
 CODINGS = [(None, [], [], "attr", "ATTR_4_exact"), (NORMAL, ["f4"], [3], "attr", "ATTR_5_octahedral"),
@@ -34,7 +34,7 @@ class Attribute:
         must(row < len(USUAL), "ATTR-1", f"row {row}")
         if row:
             self.name, self.kind, self.type, self.k = USUAL[row]
-            self.name, self.flags = self.name.encode(), usual_flags(self.kind, self.type)
+            self.flags = usual_flags(self.kind, self.type)
         else:
             self.kind, type_number, self.k, self.flags = (r.u8() for _ in range(4))
             must(self.kind <= 6 and type_number <= 7, "ATTR-1", "unknown kind or type")
@@ -43,9 +43,8 @@ class Attribute:
             self.name = r.bytes(r.u8())
         self.error = r.f24() if has_error else 0.0
         must(math.isfinite(self.error) and self.error >= 0, "ATTR-1", "the error is not finite or negative")
-        has_row = any(self.name == name.encode() and (self.kind, self.type, self.k) == rest and self.flags == usual_flags(*rest[:2])
-                      for name, *rest in USUAL[1:] for rest in [tuple(rest)])
-        self.is_shortest = not has_error and bool(row) == has_row
+        is_usual = (self.name, self.kind, self.type, self.k) in USUAL and self.flags == usual_flags(self.kind, self.type)
+        self.is_shortest = not has_error and (row > 0 or not is_usual)
         self.values = None
 
     def is_shape(self, kind, types, counts):
@@ -95,9 +94,8 @@ def ATTR_3_symbols(r, n, components, w):
             continue
         symbols, last = [], 0
         for i, x in enumerate(residuals):
-            d = x // 2 if x % 2 == 0 else modulus - 1 - (x - 1) // 2
-            last = (last + d) % modulus if prediction & 1 else d
-            symbols.append((last + result[-1][i]) % modulus if prediction & 2 else last)
+            last = unzigzag(x) + (last if prediction & 1 else 0)
+            symbols.append((last + (result[-1][i] if prediction & 2 else 0)) % modulus)
         result.append(symbols)
     return result
 

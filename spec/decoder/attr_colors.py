@@ -7,8 +7,8 @@ from coder import Coder, Mixture, bits, clamp
 from container import must
 from graph import neighbours
 from scaled import FLD_15_quantity, ScaledCoder
+from vectors import F, square
 
-F = np.float32
 ZERO, HALF = F(0), F(0.5)
 
 def ATTR_45_colours(r, a, surface):
@@ -55,11 +55,9 @@ class ColourCoder:
         return np.array(self.colours, dtype=np.int64).reshape(-1, 4).tolist()
 
     def ATTR_47_shares(self, v, near):
-        distances, positions, s = [], self.surface.positions, ZERO
+        positions, s = self.surface.positions, ZERO
         if positions is not None and near:
-            for u in near:
-                x, y, z = positions[u] - positions[v]
-                distances.append((x * x + y * y) + z * z)
+            distances = [square(positions[u] - positions[v]) for u in near]
             s = sum(distances, ZERO) / F(len(near))
         if not (np.isfinite(s) and s >= F(2**-126)):
             return [F(1) / F(max(len(near), 1))] * len(near)

@@ -58,7 +58,7 @@ def ATTR_55_lattice(r, a, surface):
     components = []
     for _ in range(a.k):
         components.append(Component(r, a, components[-1] if components else None))
-    numbers = {id(c): [0] * surface.n for c in components}
+        components[-1].numbers = [0] * surface.n
     varying = [c for c in components if c.kind != CONSTANT]
     if varying:
         coder = Coder(r)
@@ -68,8 +68,8 @@ def ATTR_55_lattice(r, a, surface):
             varying = varying[len(group):]
             for c, column in zip(group, ATTR_56_group(coder, group, surface, joined)):
                 must(c.kind == FLOAT or all(0 <= q <= c.cells for q in column), "ATTR-56", "a number above its cells")
-                numbers[id(c)] = column
-    data = b"".join(c.value(numbers[id(c)][v]) for v in range(surface.n) for c in components)
+                c.numbers = column
+    data = b"".join(c.value(c.numbers[v]) for v in range(surface.n) for c in components)
     return np.frombuffer(data, dtype="<" + a.type)
 
 def ATTR_56_group(coder, group, surface, joined):

@@ -95,10 +95,8 @@ class WeightCoder(PredictedCoder):
 
     def row(self, u, v):
         """[ATTR-64] What u gives to the joints of v's first three slots."""
-        return [sum(w for w, j in zip(self.weights_of(u), self.joints[u]) if j == joint) for joint in self.joints[v][:3]]
-
-    def weights_of(self, u):
-        return self.rows[u] + [self.total - sum(self.rows[u])]
+        weights = self.rows[u] + [self.total - sum(self.rows[u])]
+        return [sum(w for w, j in zip(weights, self.joints[u]) if j == joint) for joint in self.joints[v][:3]]
 
     def read(self, v, x):
         """[ATTR-65]"""

@@ -1,6 +1,4 @@
 """DELT-7: planned cycles. `alone` tells which anchors are the only ones of their components."""
-from logging import debug
-
 import numpy as np
 
 from container import must
@@ -61,12 +59,6 @@ def DELT_7_solve(level, b, t, g, alone, is_second=False):
         total += np.vstack([x, s, f]) * l
     return np.split(total, [level.n, 2 * level.n])
 
-def dump_levels(level):
-    while level:
-        debug("level: %s nodes, of anchors %s\nedges by node: %s\nmasses: %s", level.n, level.at, level.edges, level.M[:, 0])
-        debug("interpolation by node: %s", level.next and level.P.rows)
-        level = level.next
-
 def DELT_7_positions(graph, deltas, places, cycles):
     """The positions of the solved vertices relative to the centre; `places` are those of the anchors, by their vertices."""
     at = sorted(places)
@@ -75,7 +67,6 @@ def DELT_7_positions(graph, deltas, places, cycles):
     finest = Level([dict.fromkeys(row, 1) for row in graph], np.array([[len(row)**2] for row in graph]), at)
     DELT_7_add_levels([finest])
     must(finest.next, "DELT-7", "cycles without a second level")
-    dump_levels(finest)
     d, second, P = finest.d, finest.next, finest.P
     S, F = np.zeros((second.n, 3)), np.zeros((len(at), 3))
 

@@ -1,4 +1,6 @@
 """DELT-7: the levels of planned cycles. Vectors have a row for each node and a column for each axis."""
+from logging import debug
+
 import numpy as np
 
 class Matrix:
@@ -22,6 +24,7 @@ class Level:
         self.edges, self.M, self.at, self.kept, self.n, self.next = edges, M, at, kept, len(edges), None
         self.A, self.anchors = Matrix(edges, self.n), Matrix([{i: 1} for i in at], self.n)
         self.d = self.A.times(np.ones((self.n, 1)))
+        debug("level: %s nodes, of anchors %s\nedges by node: %s\nmasses: %s", self.n, at, edges, M[:, 0])
 
     def K(self, x):
         return self.d * x - self.A.times(x)
@@ -52,6 +55,7 @@ def DELT_7_add_levels(levels):
         coarse = DELT_7_product(edges, level.d[:, 0], rows, len(seeds))
     if count_edges(coarse) > count_edges(levels[0].edges):
         return
+    debug("interpolation by node: %s", rows)
     level.P = Matrix(rows, len(seeds))
     level.next = Level(coarse, level.P.transposed_times(level.M), [home[level.at[k]] for k in kept], kept)
     DELT_7_add_levels([*levels, level.next])

@@ -25,12 +25,9 @@ def write(path, mesh):
     properties = [(axis, places[:, i]) for i, axis in enumerate("xyz")]
     for attribute, names in usual_first(mesh.attributes):
         properties += [(name, attribute.values[:, i]) for i, name in enumerate(names)]
-    rows = np.empty(len(places), dtype=[(f"c{i}", p[1].dtype.newbyteorder("<")) for i, p in enumerate(properties)])
-    for i, (_, values) in enumerate(properties):
-        rows[f"c{i}"] = values
-    faces = np.empty(len(mesh.faces), dtype=[("count", "u1"), ("of", "<i4", 3)])
-    faces["count"] = 3
-    faces["of"] = np.array(mesh.faces, dtype="<i4").reshape(-1, 3)
+    corners = np.array(mesh.faces, dtype="<i4").reshape(-1, 3)
+    rows = np.rec.fromarrays([values for _, values in properties])
+    faces = np.rec.fromarrays([np.full(len(corners), 3, dtype="u1"), *corners.T])
     lines = ["ply", "format binary_little_endian 1.0", f"element vertex {len(rows)}"]
     lines += [f"property {NAMES[values.dtype.str[1:]]} {name}" for name, values in properties]
     lines += [f"element face {len(faces)}", "property list uchar int vertex_indices", "end_header"]
