@@ -6,6 +6,7 @@ import numpy as np
 
 from container import must, unzigzag
 from graph import corners
+from lattice import POSN_3_known
 
 NORMAL, COLOUR, UV, GENERIC, TANGENT, JOINTS, WEIGHTS = range(7)
 TYPES = ["i1", "u1", "i2", "u2", "i4", "u4", "f4", "f8"]
@@ -58,10 +59,10 @@ class Surface:
         self.corners = corners(self.faces, self.n)
 
     def joined(self, is_joined):
-        """[ATTR-58] Whether copies are joined; the faces and the number of vertices that numbers are coded over."""
-        if is_joined and self.n > len(self.first) - 1:
-            return True, self.geometric_faces, len(self.first) - 1
-        return False, self.faces, self.n
+        """[ATTR-58] Of the vertices that numbers are coded over their first copies, and what is known [POSN-3]."""
+        if is_joined:
+            return self.first, POSN_3_known(self.geometric_faces, len(self.first) - 1)
+        return range(self.n + 1), POSN_3_known(self.faces, self.n)
 
 def ATTR_11_decode(chunks, surface):
     """All attributes: tangents and weights after all others."""

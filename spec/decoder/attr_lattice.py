@@ -8,7 +8,7 @@ import numpy as np
 from coder import BitModel, Coder, NumberModel, clamp
 from container import must, unzigzag
 from floats import FLT_1_bits, FloatCoder
-from lattice import POSN_3_known, POSN_8_table, PredictedCoder
+from lattice import POSN_8_table, PredictedCoder
 
 CONSTANT, AS_BEFORE, TIMES, RATIO, LISTED, FLOAT = range(6)
 
@@ -62,27 +62,27 @@ def ATTR_55_lattice(r, a, surface):
     varying = [c for c in components if c.kind != CONSTANT]
     if varying:
         coder = Coder(r)
-        joined = coder.raw(1)
+        first, known = surface.joined(coder.raw(1))
         while varying:  # [ATTR-56] groups
             group = list(next(groupby(varying, lambda c: c.kind == FLOAT))[1])[:3]
             varying = varying[len(group):]
-            for c, column in zip(group, ATTR_56_group(coder, group, surface, joined)):
+            for c, column in zip(group, ATTR_56_group(coder, group, first, known)):
                 must(c.kind == FLOAT or all(0 <= q <= c.cells for q in column), "ATTR-56", "a number above its cells")
                 c.numbers = column
     data = b"".join(c.value(c.numbers[v]) for v in range(surface.n) for c in components)
     return np.frombuffer(data, dtype="<" + a.type)
 
-def ATTR_56_group(coder, group, surface, joined):
+def ATTR_56_group(coder, group, first, known):
     """[ATTR-57] The columns of x, y and z."""
-    width, resting, (joined, *graph) = len(group), None, surface.joined(joined)
+    width, resting = len(group), None
     if group[0].kind == FLOAT:
         units, width = [max(c.exponent, 1) - 153 for c in group] + [1 - 153] * (3 - width), 3
-        lattice = FloatCoder(coder, POSN_3_known(*graph), units)
+        lattice = FloatCoder(coder, known, units)
     else:
-        lattice = PredictedCoder(coder, POSN_3_known(*graph), POSN_8_table(coder), [c.cells for c in group], coder.raw(1))
+        lattice = PredictedCoder(coder, known, POSN_8_table(coder), [c.cells for c in group], coder.raw(1))
         lattice.rule = "ATTR-56"
-        resting = Resting(coder, lattice, [c.rest for c in group], surface.n) if coder.raw(1) else None
-    return list(zip(*ATTR_58_copies(coder, surface, joined, lattice.decode, width, resting))) or [[]] * 3
+        resting = Resting(coder, lattice, [c.rest for c in group], first[-1]) if coder.raw(1) else None
+    return list(zip(*ATTR_58_copies(coder, first, lattice.decode, width, resting))) or [[]] * 3
 
 class Resting:
     """[ATTR-59] Runs of vertices at rest."""
@@ -102,9 +102,8 @@ class Resting:
     def keep(self, v):
         self.lattice.rows[v], self.lattice.sizes[v], self.lattice.residuals[v] = self.rest, [0] * 3, [0] * 3
 
-def ATTR_58_copies(coder, surface, joined, decode, width, resting=None):
-    """The rows of all vertices; `decode(v)` reads those of first copies, or of all without `joined`."""
-    first = surface.first if joined else range(surface.n + 1)
+def ATTR_58_copies(coder, first, decode, width, resting=None):
+    """The rows of all vertices; `decode(v)` reads those of first copies."""
     rows, same, last, models = [], [BitModel(), BitModel()], 1, [NumberModel() for _ in range(width)]
     for g in range(len(first) - 1):
         if resting and first[g] == len(rows):

@@ -6,10 +6,10 @@ import numpy as np
 from coder import BitModel, Coder, bit_models, clamp
 from container import must
 from scaled import ScaledCoder
-from vectors import (F, ATTR_22_corner_angles, ATTR_22_edges, ATTR_23_frame, ATTR_24_point, cross, dot, f32_vector,
-                     square, sum_at_corners)
+from vectors import (F, ATTR_22_corner_angles, ATTR_22_edges, ATTR_23_frame, ATTR_24_point, cross, dot, square,
+                     sum_at_corners)
 
-NOWHERE = f32_vector(0, 0, 0)
+NOWHERE = F([0, 0, 0])
 
 def ATTR_20_normals(r, a, surface):
     form, radius = r.u8(), r.number("f")
@@ -48,7 +48,7 @@ class NormalCoder:
         self.vectors, self.rule_weights = ATTR_22_rule(rule, surface)
         self.share_bits, self.zero_bit, self.numbers = bit_models(), BitModel(), ScaledCoder()
         self.group_of, self.normals, self.rule_normals, self.sizes = {}, {}, {}, {}
-        self.last, self.X, self.Y, self.y = f32_vector(0, 0, 1), F(0), F(0), F(0)
+        self.last, self.X, self.Y, self.y = F([0, 0, 1]), F(0), F(0), F(0)
 
     def decode(self):
         first = self.surface.first

@@ -3,12 +3,12 @@ from attr import JOINTS, WEIGHTS
 from attr_lattice import ATTR_58_copies
 from coder import Coder, Mixture, NumberModel, clamp
 from container import must, unzigzag
-from lattice import POSN_3_known, PredictedCoder
+from lattice import PredictedCoder
 
 def ATTR_60_joints(r, a, surface):
     coder, top = Coder(r), 256**int(a.type[1]) - 1
-    joined, *graph = surface.joined(coder.raw(1))
-    rows = ATTR_58_copies(coder, surface, joined, JointCoder(coder, POSN_3_known(*graph), top).row, 4)
+    first, known = surface.joined(coder.raw(1))
+    rows = ATTR_58_copies(coder, first, JointCoder(coder, known, top).row, 4)
     must(all(0 <= j <= top for row in rows for j in row), "ATTR-60", "a joint of a copy is not of its type")
     return rows
 
@@ -78,10 +78,9 @@ def ATTR_63_weights(r, a, surface):
     full = {"u1": 255, "u2": 65535}.get(a.type)
     must(total >= 1 and (not full or full % total == 0), "ATTR-63", f"sum {total}")
     coder, joints = Coder(r), ATTR_62_joints(a, surface)
-    joined, *graph = surface.joined(coder.raw(1))
-    joints = [joints[v] for v in surface.first[:-1]] if joined else joints
-    weights = WeightCoder(coder, POSN_3_known(*graph), joints, total, coder.raw(2))
-    rows = ATTR_58_copies(coder, surface, joined, weights.decode, 3)
+    first, known = surface.joined(coder.raw(1))
+    weights = WeightCoder(coder, known, [joints[v] for v in first[:-1]], total, coder.raw(2))
+    rows = ATTR_58_copies(coder, first, weights.decode, 3)
     rows = [tuple(row) + (total - sum(row),) for row in rows]
     must(all(0 <= w <= total for row in rows for w in row), "ATTR-63", "a weight is not 0 to the sum")
     return [[w * (full // total) if full else w / total for w in row] for row in rows]

@@ -7,11 +7,11 @@ from attr import NORMAL, UV
 from coder import Coder
 from container import must
 from attr_normals import ATTR_22_rule, NOWHERE
-from vectors import (F, ATTR_22_corner_angles, ATTR_22_edges, ATTR_23_frame, ATTR_24_point, cross, dot, f32_vector,
-                     square, sum_at_corners)
+from vectors import (F, ATTR_22_corner_angles, ATTR_22_edges, ATTR_23_frame, ATTR_24_point, cross, dot, square,
+                     sum_at_corners)
 from walk import ATTR_30_order, BitOfFaces, PairCoder, whole_part
 
-NOTHING = f32_vector(0, 0)
+NOTHING = F([0, 0])
 
 def ATTR_38_tangents(r, a, surface):
     step = r.number("f")
@@ -70,16 +70,16 @@ class TangentCoder:
         M = sum((self.tangents[u][:3] for u in around), NOWHERE) if faces else last
         has_rule, has_mean, d, centre, spread = rule.R is not None, square(M) > F(1e-12), NOTHING, NOTHING, NOTHING
         source = 2 + min(faces, 2) if has_rule else int(has_mean)
-        pole, second, first = ATTR_23_frame(rule.R if has_rule else M if has_mean else f32_vector(1, 0, 0), self.normals[v])
+        pole, second, first = ATTR_23_frame(rule.R if has_rule else M if has_mean else F([1, 0, 0]), self.normals[v])
         if has_rule:
             d = sum(offs, NOTHING) / F(len(offs)) if offs else NOTHING
             centre = (self.Y[source] / (self.X[source] + F(0.02))) * d
             centre = centre if square(centre) <= 1 else NOTHING
-            spread = F(0.5) * abs(d - centre) + f32_vector(F(0.25) * rule.dispersion, 0)
+            spread = F(0.5) * abs(d - centre) + F([F(0.25) * rule.dispersion, 0])
         self.tangents[v] = self.ATTR_44_value(v, around, rule, source, centre, spread, (pole, first, second))
         if has_rule:
             T = self.tangents[v][:3]
-            off = (F(1) / (F(1) + max(dot(pole, T), F(-0.5)))) * f32_vector(dot(first, T), dot(second, T))
+            off = (F(1) / (F(1) + max(dot(pole, T), F(-0.5)))) * F([dot(first, T), dot(second, T)])
             if square(off) <= 2.25:
                 self.off[v], g = off, F(1) / (F(1e-12) + square(off) + square(d))
                 self.X[source] = F(0.99) * self.X[source] + g * square(d)
@@ -96,4 +96,4 @@ class TangentCoder:
         near = tuple(sum(self.kept[u][i] for u in around) // len(around) if around else 4096 for i in (0, 1))
         numbers = self.pairs.decode(near, tuple(whole_part(x * (F(16) / self.step)) for x in spread), source)
         self.kept[v] = tuple((5 * min(16 * abs(p), 2**17) + 3 * x) >> 3 for p, x in zip(numbers, near))
-        return np.append(ATTR_24_point(*(centre + self.step * f32_vector(*numbers)), *frame), F(sign))
+        return np.append(ATTR_24_point(*(centre + self.step * F(numbers)), *frame), F(sign))

@@ -5,10 +5,10 @@ import numpy as np
 
 from coder import Coder
 from container import must
-from vectors import cross, dot, square, to_f32, vector
+from vectors import F, cross, dot, square
 from walk import ATTR_30_order, BitOfFaces, Blend, PairCoder, whole_part
 
-NOTHING = vector(0, 0)
+NOTHING = np.zeros(2)
 
 def ATTR_31_uvs(r, a, surface):
     step = r.number("f")
@@ -20,7 +20,7 @@ def solve_symmetric(matrix, right):
     (a, b, c), (_, e, f), (_, _, i) = matrix
     aa, ab, ac, bb, bc, cc = e * i - f * f, c * f - b * i, b * f - c * e, a * i - c * c, b * c - a * f, a * e - b * b
     determinant = a * aa + b * ab + c * ac
-    rows = vector(aa, ab, ac), vector(ab, bb, bc), vector(ac, bc, cc)
+    rows = np.array([[aa, ab, ac], [ab, bb, bc], [ac, bc, cc]])
     return [dot(row, right) * (1 / determinant) if determinant > 0 else 0.0 for row in rows]
 
 class Fit:
@@ -80,7 +80,7 @@ class UvCoder:
         self.kept[v] = (5 * min(8 * (abs(p) + abs(q)), 2**17) + 3 * near) >> 3 if n else 0
         limit = 2.0**22 * self.step
         centre = np.where(np.isnan(forecast.value), 0.0, np.clip(forecast.value, -limit, limit))
-        return to_f32(centre + self.step * vector(p, q))
+        return (centre + self.step * np.array([p, q])).astype(F).astype(float)
 
     def ATTR_32_over(self, a, b, c):
         """x and y of c over the edge from a to b, or None where the face does not count."""
@@ -110,7 +110,7 @@ class UvCoder:
                 t = y / beyond[1]
                 r = min(t, 4.0)
                 other = foot + t * ((a + beyond[0] * E) - o), m / (1 + r * r)
-        return (foot + (side * y) * vector(-E[1], E[0]), m), other
+        return (foot + (side * y) * np.array([-E[1], E[0]]), m), other
 
     def ATTR_33_forecast(self, v, completed, last):
         found = [(a, b, self.ATTR_32_face(v, f, a, b)) for f, a, b in completed]
@@ -127,8 +127,9 @@ class UvCoder:
             d2 = self.fit.at(self.places[v]) - F
             d2 = d2 if square(d2) <= 64 * z else NOTHING
         value = F + self.blends[min(n, 3)].correction(d1, d2)
-        far = sum(np.sqrt(square(f - F)) for _, _, (f, _), _ in counting[:8]) / min(n, 8)
-        return SimpleNamespace(value=value, n=n, is_linked=False, spread=max(far, 0.3 * np.sqrt(square(d1))), F=F, d1=d1, d2=d2, z=z)
+        spread = sum(np.sqrt(square(f - F)) for _, _, (f, _), _ in counting[:8]) / min(n, 8)
+        spread = max(spread, 0.3 * np.sqrt(square(d1)))
+        return SimpleNamespace(value=value, n=n, is_linked=False, spread=spread, F=F, d1=d1, d2=d2, z=z)
 
     def learn(self, v, completed, forecast):
         """[ATTR-32, ATTR-34, ATTR-35] What is kept after a vertex is coded."""

@@ -53,15 +53,13 @@ class Reader:
 
     def varint(self, most=2**64 - 1, tag="CON-2"):
         """[CON-2]"""
-        value = 0
-        for i in range(10):
-            byte = self.u8()
-            value |= (byte & 127) << 7 * i
-            if byte < 128:
-                must((byte or i == 0) and value < 2**64, "CON-2", "a varint is not in its shortest form, or too long")
-                must(value <= most, tag, f"{value} is above {most}")
-                return value
-        raise Broken("CON-2", "a varint has more than 10 bytes")
+        octets = [self.u8()]
+        while octets[-1] >= 128 and len(octets) < 10:
+            octets.append(self.u8())
+        value = sum((octet & 127) << 7 * i for i, octet in enumerate(octets))
+        must(octets == [0] or 0 < octets[-1] < 128 and value < 2**64, "CON-2", "a varint is not in its shortest form, or too long")
+        must(value <= most, tag, f"{value} is above {most}")
+        return value
 
     def planes(self, count):
         """[CON-5]; none where nothing is asked of an empty payload."""

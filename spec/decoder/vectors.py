@@ -7,13 +7,7 @@ from container import must
 
 np.seterr(all="ignore")
 
-F = np.float32
-
-def vector(*numbers):
-    return np.array(numbers, dtype=np.float64)
-
-def f32_vector(*numbers):
-    return np.array(numbers, dtype=F)
+F = np.float32  # of a number, or of several as a vector
 
 def dot(x, y):
     """Of vectors, or of rows of vectors."""
@@ -29,9 +23,6 @@ def cross(x, y):
         return x.T[0] * y.T[1] - x.T[1] * y.T[0]
     (x0, x1, x2), (y0, y1, y2) = x.T, y.T
     return np.stack([x1 * y2 - x2 * y1, x2 * y0 - x0 * y2, x0 * y1 - x1 * y0]).T
-
-def to_f32(x):
-    return x.astype(F).astype(np.float64)
 
 def ATTR_22_edges(values, faces):
     """From the values at corner 0 of faces to those at corners 1 and 2, all times 2^e, in f32."""
