@@ -47,7 +47,7 @@ class NormalCoder:
         self.shares, self.zeros, self.blends, self.K = form & 8, form & 16, form & 32, F(0.25) / (radius * radius)
         self.vectors, self.rule_weights = ATTR_22_rule(rule, surface)
         self.share_bits, self.zero_bit, self.numbers = bit_models(), BitModel(), ScaledCoder()
-        self.group_of, self.normals, self.rule_normals, self.sizes = {}, {}, {}, {}
+        self.group_of, self.kept = {}, {}  # of a vertex its normal, its rule normal and its size, in one vector
         self.last, self.X, self.Y, self.y = F([0, 0, 1]), F(0), F(0), F(0)
 
     def decode(self):
@@ -56,7 +56,7 @@ class NormalCoder:
             for group in self.ATTR_21_groups(g, range(first[g], first[g + 1])):
                 self.group_of.update((v, group) for v in group)
                 self.ATTR_23_normal(g, group)
-        return [self.normals[v] for v in range(self.surface.n)]
+        return [self.kept[v][:3] for v in range(self.surface.n)]
 
     def ATTR_21_groups(self, g, copies):
         """Lists of copies."""
@@ -99,14 +99,10 @@ class NormalCoder:
 
     def ATTR_23_sums(self, g, group):
         """N, R, V and c"""
-        total, c = np.zeros(7, dtype=F), 0
+        total, c, geometric = np.zeros(7, dtype=F), 0, self.surface.geometric
         for v in group:
-            part = np.zeros(7, dtype=F)
-            for _, u, _ in self.surface.corners[v]:
-                if self.surface.geometric[u] < g and any(self.normals[u]):
-                    part = part + np.hstack([self.normals[u], self.rule_normals[u], self.sizes[u]])
-                    c += 1
-            total = total + part
+            around = [self.kept[u] for _, u, _ in self.surface.corners[v] if geometric[u] < g and any(self.kept[u][:3])]
+            total, c = total + sum(around, np.zeros(7, dtype=F)), c + len(around)
         return total[:3], total[3:6], total[6], c
 
     def ATTR_23_pole(self, U, M, Q):
@@ -124,12 +120,9 @@ class NormalCoder:
     def ATTR_23_normal(self, g, group):
         N, R, V, c = self.ATTR_23_sums(g, group)
         S, W = (self.sum_of(x, group) for x in (self.vectors, self.rule_weights))
-        u, U, M, Q, near = F(1) / np.sqrt(square(S)), None, None, None, F(0)
-        if F(1e-36) < square(S) < F(1e36):
-            U = u * S
-        if c:
-            i = F(1) / F(c)
-            M, Q, near = i * N, i * R, i * V
+        u = F(1) / np.sqrt(square(S))
+        U = u * S if F(1e-36) < square(S) < F(1e36) else None
+        M, Q, near = (F(1) / F(c) * x for x in (N, R, V)) if c else (None, None, F(0))
         normal, size = NOWHERE, F(0)
         if not (self.zeros and self.zero_bit.decode(self.coder)):
             frame = ATTR_23_frame(self.ATTR_23_pole(U, M, Q), NOWHERE if U is None or M is None else U - M)
@@ -141,7 +134,7 @@ class NormalCoder:
             if self.blends and U is not None and c:
                 self.ATTR_23_learn(normal, U, M, Q, z)
         for v in group:
-            self.normals[v], self.rule_normals[v], self.sizes[v] = normal, NOWHERE if U is None else U, size
+            self.kept[v] = np.hstack([normal, NOWHERE if U is None else U, size])
 
     def ATTR_25_numbers(self, uW, U, M, near, c):
         """Row and place."""

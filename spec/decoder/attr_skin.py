@@ -1,4 +1,6 @@
 """Joints and weights: attr_skin.md, ATTR-60 to ATTR-65."""
+from collections import Counter
+
 from attr import JOINTS, WEIGHTS
 from attr_lattice import ATTR_58_copies
 from coder import Coder, Mixture, NumberModel, clamp
@@ -20,12 +22,9 @@ class JointCoder:
         self.place, self.new, self.list, self.last = NumberModel(), NumberModel(), [], 0
 
     def row(self, v):
-        known, came = self.known[v], {}
-        for face in known.faces:
-            for u in face:
-                if u is not None:
-                    came[self.rows[u]] = came.get(self.rows[u], 0) + 1
-        around = sorted(came, key=lambda row: -came[row])
+        known = self.known[v]
+        came = Counter(self.rows[u] for face in known.faces for u in face if u is not None)
+        around = [row for row, _ in came.most_common()]
         row = self.known_row(around, came, known.count) if around else None
         self.rows[v] = row or self.new_row(around, came)
         return self.rows[v]
@@ -39,15 +38,15 @@ class JointCoder:
     def new_row(self, around, came):
         row, symbol = (), 0
         for s in range(4):
-            points = {}
+            points = Counter()
             for other in around:
                 for j, joint in enumerate(other):
                     each = 4 if j != s else 48 if other[:s] == row else 16
-                    points[joint] = points.get(joint, 0) + each * came[other]
+                    points[joint] += each * came[other]
             for joint in points:
                 if joint in row and row[s - 1] != joint:
                     points[joint] //= 32
-            guesses = sorted(points, key=lambda joint: -points[joint])[:14]
+            guesses = [joint for joint, _ in points.most_common(14)]
             c, e = len(guesses), 3
             if c >= 2:
                 e = sum(points[guesses[0]] >= k * points[guesses[1]] for k in (2, 4))
