@@ -3,10 +3,10 @@ import math
 
 import numpy as np
 
-from coder import Coder, Mixture, bits, clamp
+from coder import Coder, Mixture, ScaledCoder, bits, clamp
 from container import must
+from fields import FLD_15_quantity
 from graph import neighbours
-from scaled import FLD_15_quantity, ScaledCoder
 from vectors import F, square
 
 ZERO, HALF = F(0), F(0.5)

@@ -3,9 +3,8 @@ import math
 
 import numpy as np
 
-from coder import BitModel, Coder, bit_models, clamp
+from coder import BitModel, Coder, ScaledCoder, bit_models, clamp
 from container import must
-from scaled import ScaledCoder
 from vectors import (F, ATTR_22_corner_angles, ATTR_22_edges, ATTR_23_frame, ATTR_24_point, cross, dot, square,
                      sum_at_corners)
 

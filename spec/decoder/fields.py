@@ -1,12 +1,16 @@
 """Fields, vectors of whole numbers at the vertices of a graph: compact.md, FLD-1 to FLD-15."""
-from coder import bits, clamp
+from coder import ScaledCoder, bits, clamp
 from container import must
-from scaled import FLD_15_quantity, ScaledCoder
 
 PAIRS = ((0, 1), (0, 2), (1, 2))
 
 def sign(x):
     return (x > 0) - (x < 0)
+
+def FLD_15_quantity(x):
+    """Q"""
+    leading = bits(x + 4) - 3
+    return min(4 * leading + ((x + 4) >> leading & 3), 23)
 
 class FieldCoder:
     """`graph` has the neighbours of each vertex, ascending."""

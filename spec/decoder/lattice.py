@@ -1,10 +1,9 @@
 """POSN-3 to POSN-9: what is expected of a vertex' numbers, and their coding."""
 import numpy as np
 
-from coder import BitModel, Mixture, States, bits, clamp
+from coder import BitModel, Mixture, ScaledCoder, States, bits, clamp
 from container import must
 from graph import corners
-from scaled import ScaledCoder
 
 class Known:
     """[POSN-3] The known faces of a vertex as triples (a, b, o or None), its neighbours, and how many faces are at it."""

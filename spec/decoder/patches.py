@@ -10,6 +10,7 @@ from coder import BitModel, Coder, NumberModel
 from container import Reader, must, unzigzag
 from graph import open_edges
 from mesh import Mesh
+from vectors import square
 
 MOST_PATCHES, MOST_CANDIDATES = 16, 4
 
@@ -36,7 +37,7 @@ def MAP_17_apply(described, key, base, base_hash, patch):
     must(base.groups is None and inserted.groups is None, "MAP-17", "groups of faces")
     stays = MAP_17_staying(plan, base.faces)
     must(any(stays), "MAP-17", "no face stays")
-    kept = [tuple(int(v) for v in face) for face, stay in zip(base.faces, stays) if stay]
+    kept = [face for face, stay in zip(base.faces, stays) if stay]
     joins = MAP_17_joined(plan, base, kept, inserted)
     plan.CMP_3_end()
     return MAP_17_put_together(base, kept, inserted, joins)
@@ -56,7 +57,7 @@ def MAP_17_staying(plan, faces):
     for f, face in enumerate(faces):
         count = [0, 0]
         for k in range(3):
-            edge = tuple(sorted((int(face[k]), int(face[(k + 1) % 3]))))
+            edge = tuple(sorted((face[k], face[(k + 1) % 3])))
             if last.get(edge, f) != f:
                 count[stays[last[edge]]] += 1
             last[edge] = f
@@ -74,18 +75,15 @@ def MAP_17_joined(plan, base, kept, inserted):
         on = [u for u in before if u in joins]
         if not ends or not models.joins[(len(on) < len(before)) + 2 * min(len(on), 2)].decode(plan):
             continue
-        place = [float(x) for x in inserted.positions[v]]
-        def distance(u):
-            dx, dy, dz = (a - float(b) for a, b in zip(place, base.positions[u]))
-            return dx * dx + dy * dy + dz * dz
+        place = inserted.positions[v].astype(float)
         near = edges[joins[on[-1]]][:MOST_CANDIDATES] if on else []
-        near = sorted((u for u in near if u not in taken), key=lambda u: (distance(u), u))
+        near = sorted((u for u in near if u not in taken), key=lambda u: (square(place - base.positions[u]), u))
         number = models.candidates.decode(plan) if near else 0
         must(number <= len(near), "MAP-17", f"candidate {number}")
         if number < len(near):
             to = near[number]
         else:
-            at = sum(float(base.positions[u][0]) < place[0] for u in by_x) + unzigzag(models.places.decode(plan))
+            at = sum(base.positions[u][0] < place[0] for u in by_x) + unzigzag(models.places.decode(plan))
             must(0 <= at < len(by_x), "MAP-17", f"place {at}")
             to = by_x[at]
         must(to not in taken, "MAP-17", "two vertices are joined to one")
@@ -105,7 +103,7 @@ def MAP_17_put_together(base, kept, inserted, joins):
     for mine, a, b in zip(mesh.attributes, base.attributes, inserted.attributes):
         mine.values = np.concatenate([a.values[rows], b.values[new]])
     mesh.faces = [tuple(number[v] for v in face) for face in kept]
-    mesh.faces += [tuple(new_number[int(v)] for v in face) for face in inserted.faces]
+    mesh.faces += [tuple(new_number[v] for v in face) for face in inserted.faces]
     mesh.border = {number[v]: point for v, point in base.border.items() if v in number}
     mesh.border |= {new_number[v]: point for v, point in inserted.border.items() if v not in joins}
     return mesh

@@ -3,8 +3,7 @@ from collections import deque
 
 import numpy as np
 
-from coder import bit_models, bits, clamp
-from scaled import ScaledCoder
+from coder import ScaledCoder, bit_models, bits, clamp
 from vectors import dot
 
 def ATTR_30_order(surface):
