@@ -23,6 +23,7 @@ class Component:
             self.cells = r.varint(4096, "ATTR-55") - 1 if self.kind == LISTED else 0
             must(self.cells >= 0, "ATTR-55", "an empty list")
             self.list = [r.bytes(size) for _ in range(self.cells + 1)]
+            self.rest = next((i for i, value in enumerate(self.list) if not any(value)), 0)  # [ATTR-59]
         elif self.kind == FLOAT:
             self.exponent = r.u8()
             must(self.exponent <= 254, "ATTR-55", f"exponent {self.exponent}")
@@ -33,6 +34,7 @@ class Component:
                 self.times, self.over = r.number("f"), r.number("f") if self.kind == RATIO else 1.0
             must(all(math.isfinite(x) and x > 0 for x in (self.times, self.over)), "ATTR-55", "times or over")
             self.base, self.cells = unzigzag(r.varint(2**53, "ATTR-55")), r.varint(2**28, "ATTR-55")
+            self.rest = clamp(-self.base, 0, self.cells)
             ends = np.frombuffer(self.value(0) + self.value(self.cells), dtype="<" + self.type)
             must(np.all(np.isfinite(ends)), "ATTR-55", "a point is not finite")
 
@@ -46,13 +48,6 @@ class Component:
         if self.type[0] != "f":
             x = clamp(math.floor(x + 0.5), np.iinfo(self.type).min, np.iinfo(self.type).max)
         return np.array(x).astype("<" + self.type).tobytes()
-
-    @property
-    def rest(self):
-        """[ATTR-59] The number at rest."""
-        if self.kind == LISTED:
-            return next((i for i, value in enumerate(self.list) if not any(value)), 0)
-        return clamp(-self.base, 0, self.cells)
 
 def ATTR_55_lattice(r, a, surface):
     components = []

@@ -17,7 +17,7 @@ class PlainOps:
         must(m <= 32 * sum(counts), "CONN-2", "more faces than tokens can give")
         self.ops = []  # of the last token, the next one last
 
-    def op(self, walk, t, gate, step):
+    def op(self, t, gate, step, filled):
         """[CONN-9]"""
         if not self.ops:
             if step == 1 and gate.loop_size() == 3 and t.full > 1 and not t.closed:
@@ -53,7 +53,7 @@ class CompactOps:
         self.coder, self.learnt = Coder(r), states.models("ops", reference=NumberModel(), runs=runs, rare=rare)
         self.ops, self.y = [], 1  # "rare" and "run" among the ops stand for what is read when it is their turn
 
-    def op(self, walk, t, g, step):
+    def op(self, t, g, step, filled):
         p, q = g.prev, g.next
         after, a, b, l = q.next, q.closed, p.closed, {2: 1, 3: 2, 4: 3}.get(g.loop_size(), 0)
         F, O, K, T, X = (item.full for item in (t, g if step == 1 else q, p, after, after.next))
@@ -62,7 +62,7 @@ class CompactOps:
         if step == 1:
             self.y, self.ops = 1, self.ops or ["run"]
             if self.ops == ["run"]:
-                first = ((((F - 1) * 4 + max(walk.filled, 5) - 5) * 4 + m(K, 3)) * 2 + a) * 4 + l
+                first = ((((F - 1) * 4 + max(filled, 5) - 5) * 4 + m(K, 3)) * 2 + a) * 4 + l
                 second = ((((F - 1) * 4 + m(X, 4)) * 4 + m(T, 4)) * 2 + a) * 4 + m(O, 4)
                 s = self.coder.symbol(*self.learnt.runs[F].of(first, second, 4 * (F - 1) + l))
                 self.ops = [R] + [C] * s if s < 7 else ["rare"] + [C] * (s - 7) if s < 14 else ["run"] + [C] * 7
@@ -136,13 +136,13 @@ class Walk:
 
     def CONN_6_fill(self, t):
         while not t.prev.closed:
-            full, op = t.full, self.ops.op(self, t, t.prev, 1)
+            full, op = t.full, self.ops.op(t, t.prev, 1, self.filled)
             self.CONN_6_op(op, t.prev, 1)
             if op in (R, E):
                 self.filled = min(full + 1, 8)
                 return
         while not t.closed:
-            self.CONN_6_op(self.ops.op(self, t, t, 2), t, 2)
+            self.CONN_6_op(self.ops.op(t, t, 2, self.filled), t, 2)
         self.filled = t.full
 
     def CONN_10_target(self, gate):
