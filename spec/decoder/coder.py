@@ -182,7 +182,7 @@ class States:
 
     def models(self, of, **fresh):
         """The models with which a coder begins; it learns in place."""
-        copies = {}
+        copies = {}  # of all that the models are made of
         self.after[of] = copy.deepcopy(self.before.get(of, SimpleNamespace(**fresh)), copies)
         for model in copies.values():
             if isinstance(model, SymbolModel):
