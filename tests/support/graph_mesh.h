@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -69,6 +70,22 @@ inline GraphMesh fan(std::uint32_t rim) {
     mesh.triangles.insert(mesh.triangles.end(), {0, 1 + i, 1 + (i + 1) % rim});
   }
   return finish(std::move(mesh));
+}
+
+/// The same shape with the vertices of all components mixed.
+inline GraphMesh shuffled(const GraphMesh& mesh) {
+  GraphMesh result;
+  const std::size_t n = mesh.positions.size();
+  std::size_t stride = 1009;
+  while (n % stride == 0) stride += 2;
+  std::vector<std::uint32_t> place(n);
+  result.positions.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    place[i] = static_cast<std::uint32_t>(i * stride % n);
+    result.positions[place[i]] = mesh.positions[i];
+  }
+  for (const std::uint32_t v : mesh.triangles) result.triangles.push_back(place[v]);
+  return finish(std::move(result));
 }
 
 /// Two sheets, a lone triangle, a tetrahedron and an isolated vertex.

@@ -2,26 +2,15 @@
 // Copyright 2026 The deltamesh authors
 #include "laplacian/solver.h"
 
+#include <limits>
 #include <utility>
 
 #include "base/try.h"
+#include "laplacian/anchors/anchors.h"
 #include "laplacian/multigrid/setup/levels.h"
+#include "laplacian/settling/settle.h"
 
 namespace deltamesh {
-namespace {
-
-/// Per anchor 1 if its component has another anchor, else 0. O(components + anchors).
-std::vector<std::uint8_t> shared_components(const Components& components,
-                                            std::span<const std::uint32_t> anchors) {
-  std::vector<std::uint32_t> count(components.count, 0);
-  for (const std::uint32_t anchor : anchors) ++count[components.label[anchor]];
-  std::vector<std::uint8_t> shared;
-  for (const std::uint32_t anchor : anchors) shared.push_back(count[components.label[anchor]] > 1 ? 1 : 0);
-  return shared;
-}
-
-}  // namespace
-
 LeastSquaresSolver::LeastSquaresSolver(const Adjacency& graph, Components components,
                                        std::span<const std::uint32_t> anchors, ThreadTeam* team)
     : graph_(graph),
@@ -30,13 +19,9 @@ LeastSquaresSolver::LeastSquaresSolver(const Adjacency& graph, Components compon
       team_(team) {}
 
 void LeastSquaresSolver::set_up(int cycles) {
-  if (levels_.empty()) levels_ = multigrid::build_levels(graph_, anchors_, team_);
-  if (cycles == 0 && !settled_) {
-    multigrid::add_weights(levels_.front());
-    settled_.emplace(graph_, components_, anchors_, levels_, shared_components(components_, anchors_), team_);
-  }
-  if (cycles > 0 && !planned_ && levels_.size() > 1)
-    planned_.emplace(levels_, shared_components(components_, anchors_), team_);
+  if (cycles == 0 || planned_) return;
+  levels_ = multigrid::build_levels(graph_, anchors_, team_);
+  if (levels_.size() > 1) planned_.emplace(levels_, shared_anchors(components_, anchors_), team_);
 }
 
 Result<void> LeastSquaresSolver::solve(const DeltaView& deltas, std::span<const Vec3> anchor_positions,
@@ -44,8 +29,11 @@ Result<void> LeastSquaresSolver::solve(const DeltaView& deltas, std::span<const 
   const auto broken = [](const char* message) {
     return Error{.code = ErrorCode::kInvalidStream, .message = message, .rule = "DELT-7"};
   };
+  if (cycles == 0) {
+    const double step = deltas.has_symbols() ? deltas.scale().step : std::numeric_limits<double>::infinity();
+    return settling::settle({graph_, components_, anchors_, deltas, anchor_positions, step}, team_, x);
+  }
   set_up(cycles);
-  if (cycles == 0) return settled_->solve(deltas, anchor_positions, x);
   if (!planned_) return broken("planned cycles on a mesh with one level");
   multigrid::RangeWatch watch;
   planned_->solve(deltas, anchor_positions, cycles, &watch).write(x, team_);

@@ -19,7 +19,6 @@
 #include "laplacian/multigrid/cycle/planned_cycles.h"
 #include "laplacian/multigrid/level/level.h"
 #include "laplacian/operator/delta_view.h"
-#include "laplacian/settling/settled_solver.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {
@@ -61,7 +60,6 @@ class LeastSquaresSolver {
   ThreadTeam* team_;
   std::vector<multigrid::Level> levels_;
   std::optional<multigrid::PlannedCycles> planned_;
-  std::optional<settling::SettledSolver> settled_;
 };
 
 }  // namespace deltamesh

@@ -79,18 +79,21 @@ void keep_vertices(Adjacency& graph, const VertexSubset& kept) {
 /// Kept vertices ascend, so that components are met in the order of their smallest vertices.
 Components pick_components(const Components& components, const VertexSubset& kept) {
   constexpr std::uint32_t kUnmet = 0xffffffff;
-  std::vector<std::uint32_t> label(components.count, kUnmet);
+  const std::uint32_t first = kept.empty() ? 0 : components.label[kept.vertex(0)];
+  std::vector<std::uint32_t> labels;  // by label less the first
   Components part;
   part.label.resize(kept.size());
   for (const auto& run : kept.runs()) {
     std::uint32_t* const rows = part.label.data() + run.row;
     for_each_run(components, run.begin, run.end,
                  [&](std::uint32_t begin, std::uint32_t end, std::uint32_t c) {
-                   if (label[c] == kUnmet) {
-                     label[c] = part.count++;
+                   if (labels.size() <= c - first) labels.resize(c - first + 1, kUnmet);
+                   std::uint32_t& label = labels[c - first];
+                   if (label == kUnmet) {
+                     label = part.count++;
                      part.size.push_back(components.size[c]);
                    }
-                   std::fill(rows + (begin - run.begin), rows + (end - run.begin), label[c]);
+                   std::fill(rows + (begin - run.begin), rows + (end - run.begin), label);
                  });
   }
   return part;

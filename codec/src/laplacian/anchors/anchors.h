@@ -6,7 +6,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
+
+#include "topology/adjacency.h"
 
 namespace deltamesh {
 
@@ -21,6 +24,16 @@ struct Anchors {
 /// One for every 200 vertices, rounded up.
 constexpr std::uint32_t default_anchor_count(std::size_t solved_vertices) noexcept {
   return static_cast<std::uint32_t>((solved_vertices + 199) / 200);
+}
+
+/// Per anchor 1 if its component has another one, else 0. O(components + anchors).
+inline std::vector<std::uint8_t> shared_anchors(const Components& components,
+                                                std::span<const std::uint32_t> anchors) {
+  std::vector<std::uint32_t> count(components.count, 0);
+  for (const std::uint32_t anchor : anchors) ++count[components.label[anchor]];
+  std::vector<std::uint8_t> shared;
+  for (const std::uint32_t anchor : anchors) shared.push_back(count[components.label[anchor]] > 1 ? 1 : 0);
+  return shared;
 }
 
 }  // namespace deltamesh

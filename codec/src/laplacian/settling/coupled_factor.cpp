@@ -53,8 +53,9 @@ std::vector<std::uint32_t> places(const Adjacency& graph) {
 }  // namespace
 
 std::optional<CoupledFactor> CoupledFactor::make(const Adjacency& graph,
-                                                 std::span<const std::uint32_t> anchors) {
-  auto factor = SparseFactor::make(assemble(graph, anchors), places(graph));
+                                                 std::span<const std::uint32_t> anchors,
+                                                 std::uint64_t& work_left) {
+  auto factor = SparseFactor::make(assemble(graph, anchors), places(graph), work_left);
   if (!factor) return std::nullopt;
   CoupledFactor result;
   result.anchors_.assign(anchors.begin(), anchors.end());

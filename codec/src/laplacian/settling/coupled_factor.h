@@ -21,8 +21,9 @@ namespace deltamesh::settling {
 /// or not.
 class CoupledFactor {
  public:
-  /// Nothing where the factor would be far from sparse. Every component has an anchor.
-  static std::optional<CoupledFactor> make(const Adjacency& graph, std::span<const std::uint32_t> anchors);
+  /// As SparseFactor::make. Every component has an anchor.
+  static std::optional<CoupledFactor> make(const Adjacency& graph, std::span<const std::uint32_t> anchors,
+                                           std::uint64_t& work_left);
 
   /// Room for right-hand sides and solution.
   multigrid::LevelSolver::Vectors& first() noexcept { return vectors_; }

@@ -12,10 +12,8 @@
 namespace deltamesh::settling {
 namespace {
 
-/// Bounds of the factor's entries and of the work, which is the sum of the squares of its columns' counts:
-/// some 200 megabytes, and one or two seconds. Meshes of 30,000 vertices stay below.
+/// Some 200 megabytes of the factor's entries.
 constexpr std::uint64_t kMostEntries = std::uint64_t{1} << 24;
-constexpr std::uint64_t kMostWork = std::uint64_t{1} << 32;
 
 std::vector<std::uint32_t> invert(std::span<const std::uint32_t> place) {
   std::vector<std::uint32_t> row_at(place.size());
@@ -30,18 +28,19 @@ struct EliminationTree {
 };
 
 /// Walks the tree up from every entry of a row (Davis, Direct Methods for Sparse Linear Systems, 4.2), and
-/// gives up beyond the limits.
+/// gives up beyond the limits. Work is the sum of the squares of the columns' counts.
 std::optional<EliminationTree> plan_elimination(const SymmetricMatrix& matrix,
-                                                std::span<const std::uint32_t> place) {
+                                                std::span<const std::uint32_t> place,
+                                                std::uint64_t& work_left) {
   const std::uint32_t n = matrix.size();
   const std::vector<std::uint32_t> row_at = invert(place);
   EliminationTree tree{.parent = std::vector<std::uint32_t>(n, n), .count = std::vector<std::uint32_t>(n, 0)};
   std::vector<std::uint32_t> seen(n, n);
   std::uint64_t entries = 0;
-  std::uint64_t work = 0;
   for (std::uint32_t k = 0; k < n; ++k) {
     seen[k] = k;
     const std::uint32_t i = row_at[k];
+    std::uint64_t work = 0;
     for (std::uint32_t e = matrix.offsets[i]; e < matrix.offsets[i + 1]; ++e) {
       for (std::uint32_t j = place[matrix.columns[e]]; j < k && seen[j] != k; j = tree.parent[j]) {
         if (tree.parent[j] == n) tree.parent[j] = k;
@@ -50,7 +49,9 @@ std::optional<EliminationTree> plan_elimination(const SymmetricMatrix& matrix,
         work += 2 * std::uint64_t{tree.count[j]++} + 1;  // the difference of squares
       }
     }
-    if (entries > kMostEntries || work > kMostWork) return std::nullopt;
+    const bool is_possible = entries <= kMostEntries && work <= work_left;
+    work_left -= std::min(work, work_left);
+    if (!is_possible) return std::nullopt;
   }
   return tree;
 }
@@ -94,10 +95,10 @@ LowerRows lower_rows(const SymmetricMatrix& matrix, std::span<const std::uint32_
 }  // namespace
 
 std::optional<SparseFactor> SparseFactor::make(const SymmetricMatrix& matrix,
-                                               std::vector<std::uint32_t> place) {
+                                               std::vector<std::uint32_t> place, std::uint64_t& work_left) {
   SparseFactor result;
   result.place_ = std::move(place);
-  const auto tree = plan_elimination(matrix, result.place_);
+  const auto tree = plan_elimination(matrix, result.place_, work_left);
   if (!tree) return std::nullopt;
   result.offsets_.assign(matrix.size() + 1, 0);
   std::partial_sum(tree->count.begin(), tree->count.end(), result.offsets_.begin() + 1);

@@ -37,26 +37,25 @@ Double4 above(const Double4& a, const Double4& b) noexcept {
 
 }  // namespace
 
-Steps::Steps(const Adjacency& graph, const Components& components, std::span<const std::uint32_t> anchors,
-             const DeltaView& deltas, std::span<const Vec3> targets, double unit)
-    : graph_(graph),
-      components_(components),
-      anchors_(anchors),
-      x_(graph.vertex_count(), Double4{}),
-      s_(graph.vertex_count(), Double4{}),
-      residual_(graph.vertex_count()),
-      forces_(anchors.size()),
-      image_(graph.vertex_count()),
-      progress_(components.count) {
-  for (Direction& last : last_) last = {x_, x_, x_, forces_, std::vector<Double4>(components.count)};
+Steps::Steps(const Problem& problem, double unit)
+    : graph_(problem.graph),
+      components_(problem.components),
+      anchors_(problem.anchors),
+      x_(graph_.vertex_count(), Double4{}),
+      s_(graph_.vertex_count(), Double4{}),
+      residual_(graph_.vertex_count()),
+      forces_(anchors_.size()),
+      image_(graph_.vertex_count()),
+      progress_(components_.count) {
+  for (Direction& last : last_) last = {x_, x_, x_, forces_, std::vector<Double4>(components_.count)};
   for (std::uint32_t i = 0; i < residual_.size(); ++i) {
-    const Double4 delta = to_double4((1 / unit) * deltas[i], random_sign(i));
-    residual_[i] = (1.0 / graph.degree(i)) * delta;
-    progress_[components.label[i]].functional += sum_of_axes(delta * delta);
+    const Double4 delta = to_double4((1 / unit) * problem.deltas[i], random_sign(i));
+    residual_[i] = (1.0 / graph_.degree(i)) * delta;
+    progress_[components_.label[i]].functional += sum_of_axes(delta * delta);
   }
-  for (std::size_t a = 0; a < anchors.size(); ++a) {
-    gaps_.push_back(to_double4((1 / unit) * targets[a], 0));
-    progress_[components.label[anchors[a]]].functional += sum_of_axes(gaps_[a] * gaps_[a]);
+  for (std::size_t a = 0; a < anchors_.size(); ++a) {
+    gaps_.push_back(to_double4((1 / unit) * problem.targets[a], 0));
+    progress_[components_.label[anchors_[a]]].functional += sum_of_axes(gaps_[a] * gaps_[a]);
   }
 }
 

@@ -11,10 +11,9 @@
 #include <vector>
 
 #include "base/large_vector.h"
-#include "base/vec3.h"
 #include "laplacian/multigrid/cycle/level_solver.h"
 #include "laplacian/multigrid/level/row.h"
-#include "laplacian/operator/delta_view.h"
+#include "laplacian/settling/problem.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh::settling {
@@ -40,10 +39,8 @@ struct Progress {
 /// deltas spread. Memory: 450 bytes per vertex.
 class Steps {
  public:
-  /// From 0; `deltas`: n, `targets`: of every anchor, both over `unit`, a power of 2. References must outlive
-  /// this; every vertex has neighbours.
-  Steps(const Adjacency& graph, const Components& components, std::span<const std::uint32_t> anchors,
-        const DeltaView& deltas, std::span<const Vec3> targets, double unit);
+  /// From 0; all numbers are over `unit`, a power of 2. What `problem` refers to must outlive this.
+  Steps(const Problem& problem, double unit);
 
   /// Sets b and gaps of `problem` to what is left of the coupled problem. O(n + edges).
   void set_residual(multigrid::LevelSolver::Vectors& problem) const;

@@ -19,6 +19,7 @@ namespace {
 
 using settling::CoupledFactor;
 using test::GraphMesh;
+using test::shuffled;
 
 struct Problem {
   std::vector<std::uint32_t> anchors;
@@ -48,9 +49,12 @@ Problem make_problem(const GraphMesh& mesh, std::uint32_t stride) {
 /// Three steps: what the factor finds is a float.
 void expect_exact(const GraphMesh& mesh, std::uint32_t stride) {
   const Problem problem = make_problem(mesh, stride);
-  auto factor = CoupledFactor::make(mesh.graph, problem.anchors);
+  std::uint64_t work_left = 1U << 31;
+  auto factor = CoupledFactor::make(mesh.graph, problem.anchors, work_left);
   ASSERT_TRUE(factor);
-  settling::Steps steps(mesh.graph, mesh.components, problem.anchors, problem.deltas, problem.targets, 1);
+  EXPECT_LT(work_left, 1U << 31);
+  settling::Steps steps({mesh.graph, mesh.components, problem.anchors, problem.deltas, problem.targets, 0},
+                        1);
   for (int step = 0; step < 3; ++step) {
     steps.set_residual(factor->first());
     factor->solve();
@@ -80,22 +84,6 @@ GraphMesh many_shapes() {
   return test::finish(std::move(mesh));
 }
 
-/// The same shape with the vertices of all components mixed.
-GraphMesh shuffled(const GraphMesh& mesh) {
-  GraphMesh result;
-  const std::size_t n = mesh.positions.size();
-  std::size_t stride = 1009;
-  while (n % stride == 0) stride += 2;
-  std::vector<std::uint32_t> place(n);
-  result.positions.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    place[i] = static_cast<std::uint32_t>(i * stride % n);
-    result.positions[place[i]] = mesh.positions[i];
-  }
-  for (const std::uint32_t v : mesh.triangles) result.triangles.push_back(place[v]);
-  return test::finish(std::move(result));
-}
-
 TEST(CoupledFactor, EqualsTheDirectSolver) {
   for (const std::uint32_t stride : {1U, 2U, 13U, 100000U}) {
     SCOPED_TRACE(stride);
@@ -119,7 +107,22 @@ TEST(CoupledFactor, RefusesWhatWouldBeFarFromSparse) {
     for (int k = 0; k < 4; ++k) mesh.triangles.insert(mesh.triangles.end(), {v, (v + 1) % count, any()});
   }
   mesh = test::finish(std::move(mesh));
-  EXPECT_FALSE(CoupledFactor::make(mesh.graph, std::vector<std::uint32_t>{0}));
+  std::uint64_t work_left = std::uint64_t{1} << 32;
+  EXPECT_FALSE(CoupledFactor::make(mesh.graph, std::vector<std::uint32_t>{0}, work_left));
+}
+
+TEST(CoupledFactor, TakesNoMoreWorkThanThereIs) {
+  const GraphMesh mesh = test::sheet(30, 30);
+  constexpr std::uint64_t kEnough = 1U << 31;
+  std::uint64_t work_left = kEnough;
+  ASSERT_TRUE(CoupledFactor::make(mesh.graph, std::vector<std::uint32_t>{0}, work_left));
+  const std::uint64_t work = kEnough - work_left;
+  for (const std::uint64_t missing : {0U, 1U}) {
+    work_left = work - missing;
+    EXPECT_EQ(CoupledFactor::make(mesh.graph, std::vector<std::uint32_t>{0}, work_left).has_value(),
+              missing == 0);
+    EXPECT_EQ(work_left, 0);
+  }
 }
 
 }  // namespace

@@ -23,8 +23,8 @@ using Vectors = multigrid::LevelSolver::Vectors;
 constexpr double kUnit = 64;
 
 Steps make_steps(const SolverProblem& problem) {
-  return {problem.mesh.graph, problem.mesh.components, problem.anchors,
-          problem.deltas,     problem.targets,         kUnit};
+  return {{problem.mesh.graph, problem.mesh.components, problem.anchors, problem.deltas, problem.targets, 0},
+          kUnit};
 }
 
 Vectors room_for(const SolverProblem& problem) {
