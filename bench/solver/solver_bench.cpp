@@ -58,14 +58,13 @@ Solved run(const Problem& problem, Make make, Solve solve) {
 }
 
 Solved run_cycles(const Problem& problem, int cycles) {
-  const Adjacency& graph = problem.part.graph;
   const auto make = [&] {
-    auto solver = std::make_unique<LeastSquaresSolver>(graph, find_components(graph), problem.anchors);
-    solver->set_up(cycles);
+    auto solver = std::make_unique<LeastSquaresSolver>(problem.part.graph, problem.part.components);
+    solver->set_up(problem.anchors, cycles);
     return solver;
   };
   return run(problem, make, [&](const auto& solver, std::span<Vec3> x) {
-    return solver->solve(problem.deltas, problem.targets, cycles, x).has_value();
+    return solver->solve(problem.anchors, problem.deltas, problem.targets, cycles, x).has_value();
   });
 }
 

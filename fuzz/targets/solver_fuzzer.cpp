@@ -127,9 +127,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   const Problem problem = make_problem({data, size});
   std::vector<Vec3> x(problem.deltas.size());
-  LeastSquaresSolver solver(problem.graph, find_components(problem.graph), problem.anchors);
-  (void)solver.solve(problem.deltas, problem.targets, 3, x);           // of which nothing is promised
-  if (!solver.solve(problem.deltas, problem.targets, 0, x)) return 0;  // out of reach: refused
+  const Components components = find_components(problem.graph);
+  LeastSquaresSolver solver(problem.graph, components);
+  (void)solver.solve(problem.anchors, problem.deltas, problem.targets, 3, x);  // of which nothing is promised
+  if (!solver.solve(problem.anchors, problem.deltas, problem.targets, 0, x))
+    return 0;  // out of reach: refused
   const std::vector<Vec3> exact = solve_directly(problem);
   const double rounding = 1e-5 * (problem.size + largest(exact));
   const double least = functional(problem, exact);

@@ -141,7 +141,7 @@ TEST(DirectSolver, NoOtherSolutionIsBetterWithManyHubsAndOneAnchor) {
   std::vector<Vec3> x(mesh.positions.size());
   DirectSolver(mesh.graph, anchors).solve(deltas, targets, x);
   std::vector<Vec3> settled(x.size());
-  ASSERT_TRUE(LeastSquaresSolver(mesh.graph, mesh.components, anchors).solve(deltas, targets, 0, settled));
+  ASSERT_TRUE(LeastSquaresSolver(mesh.graph, mesh.components).solve(anchors, deltas, targets, 0, settled));
   EXPECT_LE(functional(mesh.graph, anchors, deltas, targets, x),
             functional(mesh.graph, anchors, deltas, targets, settled));
 }

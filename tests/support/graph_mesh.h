@@ -73,7 +73,7 @@ inline GraphMesh fan(std::uint32_t rim) {
 }
 
 /// The same shape with the vertices of all components mixed.
-inline GraphMesh shuffled(const GraphMesh& mesh) {
+inline GraphMesh renumbered(const GraphMesh& mesh) {
   GraphMesh result;
   const std::size_t n = mesh.positions.size();
   std::size_t stride = 1009;

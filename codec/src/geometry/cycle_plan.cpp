@@ -66,7 +66,8 @@ Compensation::Compensation(const SolvedPart& part, std::span<const Vec3> positio
       shifted_(positions.begin(), positions.end()),
       deltas_(delta_coordinates(part, shifted_)) {}
 
-Result<void> Compensation::improve(PartSolver& solver, std::span<const std::uint32_t> anchors, int cycles) {
+Result<void> Compensation::improve(LeastSquaresSolver& solver, std::span<const std::uint32_t> anchors,
+                                   int cycles) {
   const double per_unit = 1 / unit_;
   std::vector<Vec3> targets;
   for (const std::uint32_t row : anchors)

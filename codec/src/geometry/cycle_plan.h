@@ -11,7 +11,7 @@
 #include "base/vec3.h"
 #include "deltamesh/result.h"
 #include "laplacian/operator/solved_part.h"
-#include "laplacian/part_solver.h"
+#include "laplacian/solver.h"
 
 namespace deltamesh {
 
@@ -65,9 +65,9 @@ class Compensation {
   /// coordinates are relative to. O(n + edges).
   Compensation(const SolvedPart& part, std::span<const Vec3> positions, const Vec3& center);
 
-  /// One step. `solver`: of the part; `anchors`: rows, ascending. Errors as PartSolver::solve, and
+  /// One step. `solver`: of the part; `anchors`: rows, ascending. Errors as LeastSquaresSolver::solve, and
   /// kInvalidStream where the cycles diverge; y is as it was then. Cost: a solve.
-  Result<void> improve(PartSolver& solver, std::span<const std::uint32_t> anchors, int cycles);
+  Result<void> improve(LeastSquaresSolver& solver, std::span<const std::uint32_t> anchors, int cycles);
 
   /// n: y. What does not belong to the part is as it was.
   std::span<const Vec3> positions() const noexcept { return shifted_; }

@@ -19,7 +19,7 @@
 #include "geometry/highpass_settings.h"
 #include "laplacian/anchors/anchor_sequence.h"
 #include "laplacian/operator/solved_part.h"
-#include "laplacian/part_solver.h"
+#include "laplacian/solver.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {
@@ -123,7 +123,7 @@ class HighpassCoder {
   std::vector<Vec3> deltas_;  ///< over the rows of part_
   double range_ = 0;
   double largest_ = 0;
-  PartSolver solver_;
+  LeastSquaresSolver solver_;
   Quantized quantized_;  ///< of deltas_
 };
 

@@ -74,7 +74,6 @@ std::optional<CodedHighpass> HighpassCoder::plan(const HighpassSettings& setting
                                                  std::span<const Vec3> settled,
                                                  const std::function<bool(const CodedHighpass&)>& accepts) {
   if (part_.row_count == 0) return std::nullopt;
-  solver_.forget();  // what settles takes other levels
   const PlanJudge judge(part_, positions_, settled, kInvisible * box_.longest_side());
   const Anchors anchors = anchors_for(settings);
   int in_vain = 0;

@@ -103,7 +103,7 @@ std::vector<std::uint32_t> anchor_rows(std::span<const std::uint32_t> anchors, c
 }
 
 Result<LargeVector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, const SolvedPart& part,
-                                               PartSolver& solver, const Box& box,
+                                               LeastSquaresSolver& solver, const Box& box,
                                                const HighpassParameters& parameters) {
   LargeVector<Vec3> positions(part.whole_count);
   if (part.row_count > 0) {
@@ -118,7 +118,7 @@ Result<LargeVector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, c
 
 Result<LargeVector<Vec3>> settle_from(std::span<const Vec3> positions, std::span<const Vec3> deltas,
                                       const HighpassSymbols& symbols, const SolvedPart& part,
-                                      PartSolver& solver, const Box& box,
+                                      LeastSquaresSolver& solver, const Box& box,
                                       const HighpassParameters& parameters) {
   LargeVector<Vec3> result(part.whole_count);
   const std::span<Vec3> x = std::span(result).first(part.row_count);
@@ -146,11 +146,12 @@ Result<LargeVector<Vec3>> reconstruct_highpass_once(const ReadSymbols& read_delt
   if (part.row_count > 0) {
     const Adjacency graph = std::exchange(part.graph, {});
     Task reading(team, [&] { return read_deltas(graph); });
-    LeastSquaresSolver solver(graph, std::exchange(part.components, {}), anchor_rows(anchors.anchors, part),
-                              team);
-    solver.set_up(parameters.cycles);
+    const Components components = std::exchange(part.components, {});
+    const std::vector<std::uint32_t> rows = anchor_rows(anchors.anchors, part);
+    LeastSquaresSolver solver(graph, components, team);
+    solver.set_up(rows, parameters.cycles);
     DELTAMESH_TRY(const SymbolRows deltas, reading.get());
-    DELTAMESH_TRY(positions, solver.solve_last(DeltaView(deltas.view(), scale_of(parameters)),
+    DELTAMESH_TRY(positions, solver.solve_last(rows, DeltaView(deltas.view(), scale_of(parameters)),
                                                anchor_targets(anchors, part, box, parameters),
                                                parameters.cycles, part.whole_count));
   } else {

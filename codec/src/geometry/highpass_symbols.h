@@ -16,7 +16,7 @@
 #include "geometry/highpass.h"
 #include "laplacian/operator/solved_part.h"
 #include "laplacian/operator/symbol_rows.h"
-#include "laplacian/part_solver.h"
+#include "laplacian/solver.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {
@@ -53,7 +53,7 @@ std::vector<std::uint32_t> anchor_rows(std::span<const std::uint32_t> anchors, c
 /// `symbols` are checked against [DELT-*] and [ANCH-*] already, apart from floats. Returns one position per
 /// vertex of the whole graph. Errors: kInvalidStream [DELT-3] where a position is not finite as float32.
 Result<LargeVector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, const SolvedPart& part,
-                                               PartSolver& solver, const Box& box,
+                                               LeastSquaresSolver& solver, const Box& box,
                                                const HighpassParameters& parameters);
 
 /// Nearly the same positions, where there are no planned cycles, in less time: rounding errors of deltas and
@@ -61,7 +61,7 @@ Result<LargeVector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, c
 /// `deltas`: theirs, over the rows of `part`.
 Result<LargeVector<Vec3>> settle_from(std::span<const Vec3> positions, std::span<const Vec3> deltas,
                                       const HighpassSymbols& symbols, const SolvedPart& part,
-                                      PartSolver& solver, const Box& box,
+                                      LeastSquaresSolver& solver, const Box& box,
                                       const HighpassParameters& parameters);
 
 /// The deltas' symbols, once; may use the graph of the solved part.

@@ -65,7 +65,7 @@ HighpassCoder::HighpassCoder(const Adjacency& graph, const Components& component
       deltas_(delta_coordinates(part_, positions)),
       range_(delta_range(deltas_)),
       largest_(largest_component(deltas_)),
-      solver_(part_) {}
+      solver_(part_.graph, part_.components) {}
 
 double HighpassCoder::step_for_bits(int bits) const noexcept {
   const double finest = std::ldexp(box_.longest_side(), -kFinestDeltaBits);

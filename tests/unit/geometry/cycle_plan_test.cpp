@@ -144,7 +144,7 @@ TEST(Compensation, DELT7CyclesGiveThePositionsBackThatItIsFor) {
   const std::vector<std::uint32_t> anchors = anchor_rows(coding.anchors(), part);
   for (const int cycles : {1, 2, 3}) {
     SCOPED_TRACE(cycles);
-    PartSolver solver(part);
+    LeastSquaresSolver solver(part.graph, part.components);
     Compensation source(part, mesh.positions, center);
     const auto error_of_cycles = [&] {
       std::vector<Vec3> targets, x(part.row_count);

@@ -275,5 +275,25 @@ TEST_F(HighpassRules, ANCH4RejectsCellsOutsideTheLattice) {
   expect_rule(read(mesh_, coded_), "ANCH-4");
 }
 
+TEST(HighpassCoder, SettingsDoNotDependOnEarlierOnes) {
+  const auto mesh = test::sheet(80, 60);
+  AnchorSequence anchors(mesh.graph, mesh.components);
+  HighpassCoder coder(mesh.graph, mesh.components, anchors, mesh.positions, mesh.box);
+  const HighpassSettings settings{
+      .step = 0.1, .rate_weight = 0.12, .centroids = true, .diffusion = 0.8, .anchors = 20};
+  ASSERT_TRUE(coder.code({.step = 0.01, .anchors = 20}));
+  const auto coded = coder.code(settings);
+  ASSERT_TRUE(coded);
+  EXPECT_NE(coded->parameters.shift, ReconstructionShift{});
+  const auto read =
+      read_highpass(coded->deltas, coded->anchors, mesh.graph, mesh.components, mesh.box, coded->parameters);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(*read, coded->positions);
+  const auto bytes_alone = coder.code_only(settings);
+  ASSERT_TRUE(bytes_alone);
+  EXPECT_EQ(bytes_alone->deltas, coded->deltas);
+  EXPECT_EQ(bytes_alone->anchors, coded->anchors);
+}
+
 }  // namespace
 }  // namespace deltamesh

@@ -56,7 +56,7 @@ inline SymbolRows symbols_of(const SolverProblem& problem) {
 }
 
 inline LeastSquaresSolver solver_for(const SolverProblem& problem) {
-  return LeastSquaresSolver(problem.mesh.graph, problem.mesh.components, problem.anchors);
+  return LeastSquaresSolver(problem.mesh.graph, problem.mesh.components);
 }
 
 inline std::vector<Vec3> settle(const SolverProblem& problem) {
@@ -64,7 +64,7 @@ inline std::vector<Vec3> settle(const SolverProblem& problem) {
   const SymbolRows symbols = symbols_of(problem);
   const DeltaView deltas = problem.step > 0 ? DeltaView(symbols.view(), {.step = problem.step, .shifts = {}})
                                             : DeltaView(problem.deltas);
-  EXPECT_TRUE(solver_for(problem).solve(deltas, problem.targets, 0, x));
+  EXPECT_TRUE(solver_for(problem).solve(problem.anchors, deltas, problem.targets, 0, x));
   return x;
 }
 

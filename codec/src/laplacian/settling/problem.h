@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -22,7 +23,8 @@ struct Problem {
   std::span<const std::uint32_t> anchors;  ///< ascending, at least one in each component
   DeltaView deltas;                        ///< n
   std::span<const Vec3> targets;           ///< one per anchor
-  double step;                             ///< that deltas were rounded to; infinite where that is not known
+  /// That deltas were rounded to, as far as that is known.
+  double step = deltas.has_symbols() ? deltas.scale().step : std::numeric_limits<double>::infinity();
 };
 
 /// Some components as a problem of their own.

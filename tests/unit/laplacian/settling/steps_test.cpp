@@ -23,7 +23,7 @@ using Vectors = multigrid::LevelSolver::Vectors;
 constexpr double kUnit = 64;
 
 Steps make_steps(const SolverProblem& problem) {
-  return {{problem.mesh.graph, problem.mesh.components, problem.anchors, problem.deltas, problem.targets, 0},
+  return {{problem.mesh.graph, problem.mesh.components, problem.anchors, problem.deltas, problem.targets},
           kUnit};
 }
 

@@ -33,7 +33,7 @@ void expect_few_cycles(const SolverProblem& problem, int most) {
   std::vector<Vec3> x(exact.size());
   const test::Errors of_exact = errors(exact, problem.mesh.positions);
   for (const int cycles : {most, most + 3}) {
-    ASSERT_TRUE(solver.solve(problem.deltas, problem.targets, cycles, x));
+    ASSERT_TRUE(solver.solve(problem.anchors, problem.deltas, problem.targets, cycles, x));
     EXPECT_LT(errors(x, exact).rms, 0.2 * of_exact.rms) << cycles;
     EXPECT_LT(errors(x, problem.mesh.positions).rms, 1.02 * of_exact.rms) << cycles;
     EXPECT_LT(errors(x, problem.mesh.positions).largest, 1.05 * of_exact.largest) << cycles;
@@ -53,8 +53,9 @@ TEST(PlannedCycles, ThreadsMakeNoDifference) {
       for (const unsigned threads : {1U, 2U, 3U, 8U}) {
         SCOPED_TRACE(threads);
         ThreadTeam team(threads);
-        LeastSquaresSolver solver(problem.mesh.graph, problem.mesh.components, problem.anchors, &team);
-        const auto x = solver.solve_last(problem.deltas, problem.targets, cycles, problem.deltas.size());
+        LeastSquaresSolver solver(problem.mesh.graph, problem.mesh.components, &team);
+        const auto x = solver.solve_last(problem.anchors, problem.deltas, problem.targets, cycles,
+                                         problem.deltas.size());
         ASSERT_TRUE(x);
         if (alone.empty()) alone.assign(x->begin(), x->end());
         EXPECT_TRUE(std::equal(x->begin(), x->end(), alone.begin(), alone.end()));
@@ -83,7 +84,7 @@ TEST(PlannedCycles, GiveExactDeltasBack) {
     problem.targets[a] = problem.mesh.positions[problem.anchors[a]];
   auto solver = solver_for(problem);
   std::vector<Vec3> x(problem.deltas.size());
-  ASSERT_TRUE(solver.solve(problem.deltas, problem.targets, 32, x));
+  ASSERT_TRUE(solver.solve(problem.anchors, problem.deltas, problem.targets, 32, x));
   EXPECT_LT(errors(x, problem.mesh.positions).largest, 7.6e-6);  // what floats of 80 can tell
 }
 
@@ -92,10 +93,11 @@ TEST(PlannedCycles, DoNotDependOnEarlierOnes) {
   auto solver = solver_for(problem);
   std::vector<Vec3> x(problem.deltas.size());
   std::vector<Vec3> again(x.size());
-  ASSERT_TRUE(solver.solve(problem.deltas, problem.targets, 2, x));
-  ASSERT_TRUE(solver.solve(std::vector<Vec3>(x.size(), Vec3{1, 2, 3}), problem.targets, 5, again));
-  ASSERT_TRUE(solver.solve(problem.deltas, problem.targets, 0, again));
-  ASSERT_TRUE(solver.solve(problem.deltas, problem.targets, 2, again));
+  ASSERT_TRUE(solver.solve(problem.anchors, problem.deltas, problem.targets, 2, x));
+  ASSERT_TRUE(
+      solver.solve(problem.anchors, std::vector<Vec3>(x.size(), Vec3{1, 2, 3}), problem.targets, 5, again));
+  ASSERT_TRUE(solver.solve(problem.anchors, problem.deltas, problem.targets, 0, again));
+  ASSERT_TRUE(solver.solve(problem.anchors, problem.deltas, problem.targets, 2, again));
   EXPECT_EQ(x, again);
 }
 
@@ -110,10 +112,10 @@ TEST(PlannedCycles, ForgetsWhatIsNotFinite) {
       auto used = solver_for(problem);
       std::vector<Vec3> x(problem.deltas.size());
       std::vector<Vec3> again(x.size());
-      static_cast<void>(
-          used.solve(std::vector<Vec3>(x.size(), Vec3{kNan, kNan, kNan}), problem.targets, cycles, again));
-      ASSERT_TRUE(fresh.solve(problem.deltas, problem.targets, cycles, x));
-      ASSERT_TRUE(used.solve(problem.deltas, problem.targets, cycles, again));
+      static_cast<void>(used.solve(problem.anchors, std::vector<Vec3>(x.size(), Vec3{kNan, kNan, kNan}),
+                                   problem.targets, cycles, again));
+      ASSERT_TRUE(fresh.solve(problem.anchors, problem.deltas, problem.targets, cycles, x));
+      ASSERT_TRUE(used.solve(problem.anchors, problem.deltas, problem.targets, cycles, again));
       EXPECT_EQ(x, again);
     }
   }
@@ -125,8 +127,10 @@ TEST(PlannedCycles, DELT7TellEncodersWhereTheyLeaveTheRange) {
   auto solver = solver_for(problem);
   const SymbolRows symbols(std::vector<std::int32_t>(3 * problem.deltas.size(), 0));
   std::vector<Vec3> x(problem.deltas.size());
-  EXPECT_TRUE(solver.solve(DeltaView(symbols.view(), {.step = 1e-6}), problem.targets, 2, x));
-  const auto solved = solver.solve(DeltaView(symbols.view(), {.step = 1e-8}), problem.targets, 2, x);
+  EXPECT_TRUE(
+      solver.solve(problem.anchors, DeltaView(symbols.view(), {.step = 1e-6}), problem.targets, 2, x));
+  const auto solved =
+      solver.solve(problem.anchors, DeltaView(symbols.view(), {.step = 1e-8}), problem.targets, 2, x);
   ASSERT_FALSE(solved);
   EXPECT_STREQ(solved.error().rule, "DELT-7");
 }
@@ -135,7 +139,8 @@ TEST(PlannedCycles, DELT3DoNotHideWhatIsNotFinite) {
   SolverProblem problem = quantized(many_sheets(), 100, 8);
   auto solver = solver_for(problem);
   problem.targets.front() = {1e300, 0, 0};  // of the first component, finite ones follow
-  const auto x = solver.solve_last(problem.deltas, problem.targets, 3, problem.deltas.size());
+  const auto x =
+      solver.solve_last(problem.anchors, problem.deltas, problem.targets, 3, problem.deltas.size());
   ASSERT_TRUE(x);
   EXPECT_FALSE(std::all_of(x->begin(), x->end(), [](const Vec3& v) { return std::isfinite(dot(v, v)); }));
 }
