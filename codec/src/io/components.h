@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Single numbers of an attribute, by component type.
+// Single numbers of an attribute, by component type, in native byte order: little-endian (base/machine.h).
 #pragma once
 
 #include <cmath>
@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "base/component.h"
+#include "base/machine.h"
 #include "deltamesh/mesh.h"
 
 namespace deltamesh {

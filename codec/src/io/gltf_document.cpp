@@ -2,9 +2,8 @@
 // Copyright 2026 The deltamesh authors
 #include "io/gltf_document.h"
 
-#include <tiny_gltf.h>
-
-#include <utility>
+#include <initializer_list>
+#include <optional>
 
 #include "base/try.h"
 #include "io/io_error.h"
@@ -12,64 +11,38 @@
 namespace deltamesh {
 namespace {
 
-constexpr std::array<std::pair<ComponentType, int>, 6> kComponentTypes{
-    {{ComponentType::kI8, TINYGLTF_COMPONENT_TYPE_BYTE},
-     {ComponentType::kU8, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE},
-     {ComponentType::kI16, TINYGLTF_COMPONENT_TYPE_SHORT},
-     {ComponentType::kU16, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT},
-     {ComponentType::kU32, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT},
-     {ComponentType::kF32, TINYGLTF_COMPONENT_TYPE_FLOAT}}};
-
 std::optional<ComponentType> component_type(int gltf) noexcept {
-  for (const auto& [type, number] : kComponentTypes)
-    if (number == gltf) return type;
+  using enum ComponentType;
+  for (const ComponentType type : {kI8, kU8, kI16, kU16, kU32, kF32})
+    if (gltf_component_type(type) == gltf) return type;
   return std::nullopt;
 }
-
-struct Shape {
-  int type;
-  std::uint8_t components;
-  bool matrix;
-};
-constexpr std::array<Shape, 7> kShapes{{{TINYGLTF_TYPE_SCALAR, 1, false},
-                                        {TINYGLTF_TYPE_VEC2, 2, false},
-                                        {TINYGLTF_TYPE_VEC3, 3, false},
-                                        {TINYGLTF_TYPE_VEC4, 4, false},
-                                        {TINYGLTF_TYPE_MAT2, 4, true},
-                                        {TINYGLTF_TYPE_MAT3, 9, true},
-                                        {TINYGLTF_TYPE_MAT4, 16, true}}};
 
 Result<GltfAccessor> from_tiny(const tinygltf::Accessor& source) {
   const auto type = component_type(source.componentType);
   if (!type) return invalid_file("glTF: an accessor of unknown component type");
-  GltfAccessor accessor;
-  accessor.view = source.bufferView;
-  accessor.offset = source.byteOffset;
-  accessor.count = source.count;
-  accessor.type = *type;
-  accessor.normalized = source.normalized;
-  for (const Shape& shape : kShapes) {
-    if (shape.type != source.type) continue;
-    accessor.components = shape.components;
-    accessor.matrix = shape.matrix;
-  }
-  if (source.sparse.isSparse) {
-    const auto index_type = component_type(source.sparse.indices.componentType);
-    if (!index_type) return invalid_file("glTF: a sparse accessor with indices of unknown component type");
-    accessor.sparse = GltfSparse{.count = source.sparse.count,
-                                 .index_view = source.sparse.indices.bufferView,
-                                 .index_offset = source.sparse.indices.byteOffset,
-                                 .index_type = *index_type,
-                                 .value_view = source.sparse.values.bufferView,
-                                 .value_offset = source.sparse.values.byteOffset};
-  }
-  return accessor;
+  const auto index_type = component_type(source.sparse.indices.componentType);
+  if (source.sparse.isSparse && !index_type)
+    return invalid_file("glTF: a sparse accessor with indices of unknown component type");
+  const int components = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(source.type));
+  return GltfAccessor{.view = source.bufferView,
+                      .offset = source.byteOffset,
+                      .count = source.count,
+                      .type = *type,
+                      .components = static_cast<std::uint8_t>(components),
+                      .matrix = source.type >= TINYGLTF_TYPE_MAT2 && source.type <= TINYGLTF_TYPE_MAT4,
+                      .normalized = source.normalized,
+                      .sparse = source.sparse,
+                      .index_type = index_type.value_or(ComponentType::kU32)};
 }
 
 /// Translation, rotation (unit quaternion x y z w) and scale as one matrix: T * R * S.
-std::array<double, 16> compose(const std::array<double, 3>& t, const std::array<double, 4>& r,
-                               const std::array<double, 3>& s) noexcept {
-  const auto [x, y, z, w] = r;
+std::vector<double> compose(const std::vector<double>& t, const std::vector<double>& r,
+                            const std::vector<double>& s) {
+  const double x = r[0];
+  const double y = r[1];
+  const double z = r[2];
+  const double w = r[3];
   return {s[0] * (1 - 2 * (y * y + z * z)),
           s[0] * 2 * (x * y + z * w),
           s[0] * 2 * (x * z - y * w),
@@ -88,69 +61,35 @@ std::array<double, 16> compose(const std::array<double, 3>& t, const std::array<
           1};
 }
 
-/// False where `source` has another number of values than `target`; an empty one leaves the default.
-template <std::size_t N>
-bool copy_numbers(const std::vector<double>& source, std::array<double, N>& target) noexcept {
-  if (source.empty()) return true;
-  if (source.size() != N) return false;
-  for (std::size_t i = 0; i < N; ++i) target[i] = source[i];
-  return true;
-}
-
-Result<GltfNode> from_tiny(const tinygltf::Node& source) {
-  GltfNode node;
-  node.mesh = source.mesh;
-  node.children = source.children;
-  std::array<double, 3> translation{};
-  std::array<double, 4> rotation{0, 0, 0, 1};
-  std::array<double, 3> scale{1, 1, 1};
-  if (!copy_numbers(source.matrix, node.matrix) || !copy_numbers(source.translation, translation) ||
-      !copy_numbers(source.rotation, rotation) || !copy_numbers(source.scale, scale))
+/// Sets the matrix of a node that is placed otherwise.
+Result<void> set_matrix(tinygltf::Node& node) {
+  const auto complete = [](std::vector<double>& numbers, std::initializer_list<double> otherwise) {
+    if (numbers.empty()) numbers = otherwise;
+    return numbers.size() == otherwise.size();
+  };
+  const bool is_complete = complete(node.translation, {0, 0, 0}) && complete(node.rotation, {0, 0, 0, 1}) &&
+                           complete(node.scale, {1, 1, 1});
+  if (is_complete && node.matrix.empty()) node.matrix = compose(node.translation, node.rotation, node.scale);
+  if (!is_complete || node.matrix.size() != 16)
     return invalid_file("glTF: a node's transform has not the right number of values");
-  if (source.matrix.empty()) node.matrix = compose(translation, rotation, scale);
-  return node;
+  return {};
 }
 
 }  // namespace
 
-int gltf_component_type(ComponentType type) noexcept {
-  for (const auto& [known, number] : kComponentTypes)
-    if (known == type) return number;
-  return 0;
-}
-
 Result<GltfDocument> parse_gltf_document(const std::string& json) {
-  tinygltf::TinyGLTF loader;
-  tinygltf::Model model;
+  GltfDocument document;
   std::string problem;
   std::string warning;
-  if (!loader.LoadASCIIFromString(&model, &problem, &warning, json.c_str(),
-                                  static_cast<unsigned>(json.size()), "") ||
+  if (!tinygltf::TinyGLTF().LoadASCIIFromString(&document.model, &problem, &warning, json.c_str(),
+                                                static_cast<unsigned>(json.size()), "") ||
       !problem.empty())
     return invalid_file("glTF: a required property is missing, or has a wrong type or value");
-
-  GltfDocument document;
-  for (const tinygltf::BufferView& view : model.bufferViews)
-    document.views.push_back({.buffer = view.buffer,
-                              .offset = view.byteOffset,
-                              .length = view.byteLength,
-                              .stride = view.byteStride});
-  for (const tinygltf::Accessor& source : model.accessors) {
-    DELTAMESH_TRY(GltfAccessor accessor, from_tiny(source));
-    document.accessors.push_back(std::move(accessor));
+  for (const tinygltf::Accessor& source : document.model.accessors) {
+    DELTAMESH_TRY(const GltfAccessor accessor, from_tiny(source));
+    document.accessors.push_back(accessor);
   }
-  for (const tinygltf::Mesh& mesh : model.meshes) {
-    auto& primitives = document.meshes.emplace_back();
-    for (const tinygltf::Primitive& primitive : mesh.primitives)
-      primitives.push_back(
-          {.attributes = primitive.attributes, .indices = primitive.indices, .mode = primitive.mode});
-  }
-  for (const tinygltf::Node& source : model.nodes) {
-    DELTAMESH_TRY(GltfNode node, from_tiny(source));
-    document.nodes.push_back(std::move(node));
-  }
-  for (const tinygltf::Scene& scene : model.scenes) document.scenes.push_back(scene.nodes);
-  document.scene = model.defaultScene;
+  for (tinygltf::Node& node : document.model.nodes) DELTAMESH_CHECK(set_matrix(node));
   return document;
 }
 

@@ -28,14 +28,12 @@ constexpr std::uint64_t kFreeElements = std::uint64_t{1} << 20;
 constexpr std::uint64_t kElementsPerByte = 16;
 
 bool is_triangles(int mode) noexcept {
-  return mode == static_cast<int>(GltfMode::kTriangles) ||
-         mode == static_cast<int>(GltfMode::kTriangleStrip) ||
-         mode == static_cast<int>(GltfMode::kTriangleFan);
+  return mode >= TINYGLTF_MODE_TRIANGLES && mode <= TINYGLTF_MODE_TRIANGLE_FAN;
 }
 
 /// One primitive of a placed mesh.
 struct Part {
-  const GltfPrimitive* primitive = nullptr;
+  const tinygltf::Primitive* primitive = nullptr;
   std::size_t set = 0;
 };
 
@@ -62,7 +60,7 @@ class Assembly {
   /// Lists the parts of a placed mesh; primitives with the same attributes share their vertices.
   Result<void> collect(const GltfPlacement& placement) {
     std::map<std::map<std::string, int>, std::size_t> known;
-    for (const GltfPrimitive& primitive : document_.meshes[placement.mesh]) {
+    for (const tinygltf::Primitive& primitive : document_.model.meshes[placement.mesh].primitives) {
       const auto position = primitive.attributes.find("POSITION");
       if (!is_triangles(primitive.mode) || position == primitive.attributes.end()) {
         ++imported_.notes.other_primitives;
@@ -83,8 +81,8 @@ class Assembly {
     return {};
   }
 
-  Result<std::uint64_t> corner_count(const GltfPrimitive& primitive, const GltfVertexSet& set) const {
-    if (primitive.indices == GltfAccessor::kNone) return set.count;
+  Result<std::uint64_t> corner_count(const tinygltf::Primitive& primitive, const GltfVertexSet& set) const {
+    if (primitive.indices == kGltfNone) return set.count;
     DELTAMESH_TRY(const GltfAccessor* accessor, find_accessor(document_, primitive.indices));
     return accessor->count;
   }
@@ -122,7 +120,7 @@ class Assembly {
   Result<void> read_triangles(const Part& part) {
     const GltfVertexSet& set = sets_[part.set];
     std::vector<std::uint32_t> corners;
-    if (part.primitive->indices == GltfAccessor::kNone) {
+    if (part.primitive->indices == kGltfNone) {
       for (std::uint32_t v = 0; v < set.count; ++v) corners.push_back(v);
     } else {
       DELTAMESH_TRY(const GltfAccessor* accessor, find_accessor(document_, part.primitive->indices));
@@ -135,8 +133,8 @@ class Assembly {
         imported_.mesh.triangles.push_back(static_cast<std::uint32_t>(set.first) + corners[i]);
     };
     // Corner orders of glTF 2.0, 3.7.2.1.
-    const bool list = part.primitive->mode == static_cast<int>(GltfMode::kTriangles);
-    const bool strip = part.primitive->mode == static_cast<int>(GltfMode::kTriangleStrip);
+    const bool list = part.primitive->mode == TINYGLTF_MODE_TRIANGLES;
+    const bool strip = part.primitive->mode == TINYGLTF_MODE_TRIANGLE_STRIP;
     if (list && corners.size() % 3 != 0) ++imported_.notes.dropped_faces;
     for (std::size_t i = 0; i + 2 < corners.size(); i += list ? 3 : 1) {
       if (list)
@@ -165,7 +163,7 @@ class Assembly {
 Result<Imported> read_gltf(std::span<const std::byte> bytes, std::string_view folder) {
   DELTAMESH_TRY(const GltfSource source, open_gltf(bytes, folder));
   DELTAMESH_TRY(const GltfDocument document, parse_gltf_document(source.json));
-  DELTAMESH_TRY(const std::vector<GltfPlacement> placements, place_meshes(document));
+  DELTAMESH_TRY(const std::vector<GltfPlacement> placements, place_meshes(document.model));
   return Assembly(document, source, placements).build();
 }
 

@@ -17,16 +17,16 @@ bool is_index(int index, std::size_t size) noexcept {
 }
 
 /// Roots in order, each once.
-Result<std::vector<int>> find_roots(const GltfDocument& document) {
-  if (document.scene != GltfAccessor::kNone) {
-    if (!is_index(document.scene, document.scenes.size()))
+Result<std::vector<int>> find_roots(const tinygltf::Model& model) {
+  if (model.defaultScene != kGltfNone) {
+    if (!is_index(model.defaultScene, model.scenes.size()))
       return invalid_file("glTF: the default scene does not exist");
-    return document.scenes[static_cast<std::size_t>(document.scene)];
+    return model.scenes[static_cast<std::size_t>(model.defaultScene)].nodes;
   }
   std::vector<int> roots;
-  if (document.scenes.empty()) {
-    std::vector<bool> is_child(document.nodes.size());
-    for (const GltfNode& node : document.nodes)
+  if (model.scenes.empty()) {
+    std::vector<bool> is_child(model.nodes.size());
+    for (const tinygltf::Node& node : model.nodes)
       for (const int child : node.children)
         if (is_index(child, is_child.size())) is_child[static_cast<std::size_t>(child)] = true;
     for (std::size_t n = 0; n < is_child.size(); ++n)
@@ -34,9 +34,9 @@ Result<std::vector<int>> find_roots(const GltfDocument& document) {
     return roots;
   }
   // Scenes may share their roots.
-  std::vector<bool> taken(document.nodes.size());
-  for (const std::vector<int>& scene : document.scenes) {
-    for (const int root : scene) {
+  std::vector<bool> taken(model.nodes.size());
+  for (const tinygltf::Scene& scene : model.scenes) {
+    for (const int root : scene.nodes) {
       if (!is_index(root, taken.size()))
         return invalid_file("glTF: a scene names a node that does not exist");
       if (!taken[static_cast<std::size_t>(root)]) roots.push_back(root);
@@ -68,18 +68,17 @@ GltfTransform operator*(const GltfTransform& a, const GltfTransform& b) noexcept
   return product;
 }
 
-Result<std::vector<GltfPlacement>> place_meshes(const GltfDocument& document) {
+Result<std::vector<GltfPlacement>> place_meshes(const tinygltf::Model& model) {
   std::vector<GltfPlacement> placements;
-  if (document.nodes.empty() && document.scenes.empty()) {
-    for (std::size_t m = 0; m < document.meshes.size(); ++m)
-      placements.push_back({.mesh = m, .transform = {}});
+  if (model.nodes.empty() && model.scenes.empty()) {
+    for (std::size_t m = 0; m < model.meshes.size(); ++m) placements.push_back({.mesh = m, .transform = {}});
     return placements;
   }
-  DELTAMESH_TRY(const std::vector<int> roots, find_roots(document));
+  DELTAMESH_TRY(const std::vector<int> roots, find_roots(model));
   // An explicit stack: depth is the file's choice.
   std::vector<std::pair<int, GltfTransform>> stack;
   for (auto root = roots.rbegin(); root != roots.rend(); ++root) stack.emplace_back(*root, GltfTransform{});
-  std::vector<bool> visited(document.nodes.size());
+  std::vector<bool> visited(model.nodes.size());
   while (!stack.empty()) {
     const auto [index, parent] = stack.back();
     stack.pop_back();
@@ -87,11 +86,12 @@ Result<std::vector<GltfPlacement>> place_meshes(const GltfDocument& document) {
     if (visited[static_cast<std::size_t>(index)])
       return invalid_file("glTF: a node with two parents, or inside itself");
     visited[static_cast<std::size_t>(index)] = true;
-    const GltfNode& node = document.nodes[static_cast<std::size_t>(index)];
-    const GltfTransform transform = parent * GltfTransform{node.matrix};
-    if (node.mesh != GltfAccessor::kNone) {
-      if (!is_index(node.mesh, document.meshes.size()))
-        return invalid_file("glTF: a mesh that does not exist");
+    const tinygltf::Node& node = model.nodes[static_cast<std::size_t>(index)];
+    GltfTransform own;
+    std::copy(node.matrix.begin(), node.matrix.end(), own.m.begin());
+    const GltfTransform transform = parent * own;
+    if (node.mesh != kGltfNone) {
+      if (!is_index(node.mesh, model.meshes.size())) return invalid_file("glTF: a mesh that does not exist");
       placements.push_back({.mesh = static_cast<std::size_t>(node.mesh), .transform = transform});
     }
     for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)

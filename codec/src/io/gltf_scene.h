@@ -32,13 +32,13 @@ struct GltfTransform {
 GltfTransform operator*(const GltfTransform& a, const GltfTransform& b) noexcept;
 
 struct GltfPlacement {
-  std::size_t mesh = 0;  ///< index into GltfDocument::meshes
+  std::size_t mesh = 0;  ///< index into the model's meshes
   GltfTransform transform;
 };
 
 /// The meshes of the default scene, or of all scenes where none is the default, or of all root nodes where
 /// there are no scenes, or all meshes where there are no nodes; in depth-first order. Errors: kInvalidFile:
 /// an index without its object, a node that is reached twice. Cost O(nodes).
-Result<std::vector<GltfPlacement>> place_meshes(const GltfDocument& document);
+Result<std::vector<GltfPlacement>> place_meshes(const tinygltf::Model& model);
 
 }  // namespace deltamesh
