@@ -90,37 +90,40 @@ class GltfBuilder {
   }
 
   void add_attribute(const AttributeView& attribute) {
+    const std::size_t components = attribute.components;
+    const bool natural = attribute.type == ComponentType::kU8 || attribute.type == ComponentType::kU16;
+    const auto add_set = [&](const char* prefix, int& sets, bool keeps_type, bool normalized) {
+      add_values(attribute, keeps_type ? attribute.type : ComponentType::kF32, normalized,
+                 prefix + std::to_string(sets++));
+    };
     switch (attribute.kind) {
       case AttributeKind::kNormal:
-        if (attribute.components == 3 && !primitive_.attributes.contains("NORMAL"))
-          return add_normals(attribute);
+        if (components == 3 && !primitive_.attributes.contains("NORMAL"))
+          return add_directions(attribute, "NORMAL", {0, 0, 1});
         break;
       case AttributeKind::kColor:
-        if (attribute.components == 3 || attribute.components == 4) return add_colors(attribute);
+        if (components == 3 || components == 4) return add_set("COLOR_", colors_, natural, natural);
         break;
       case AttributeKind::kUv:
-        if (attribute.components == 2)
-          return add_values(attribute, ComponentType::kF32, false, "TEXCOORD_" + std::to_string(uvs_++));
+        if (components == 2) return add_set("TEXCOORD_", uvs_, false, false);
         break;
       case AttributeKind::kTangent:
-        if (attribute.components == 4 && !primitive_.attributes.contains("TANGENT"))
-          return add_tangents(attribute);
+        if (components == 4 && !primitive_.attributes.contains("TANGENT"))
+          return add_directions(attribute, "TANGENT", {1, 0, 0});
         break;
       case AttributeKind::kJoints:
-        if (attribute.components == 4 && is_natural(attribute.type))
-          return add_values(attribute, attribute.type, false, "JOINTS_" + std::to_string(joints_++));
+        if (components == 4 && natural) return add_set("JOINTS_", joints_, true, false);
         break;
       case AttributeKind::kWeights:
-        if (attribute.components == 4) return add_weights(attribute);
+        if (components == 4) {
+          const bool integer = natural && attribute.normalized;
+          return add_set("WEIGHTS_", weights_, integer, integer);
+        }
         break;
       case AttributeKind::kGeneric:
         break;
     }
     add_generic(attribute);
-  }
-
-  static bool is_natural(ComponentType type) noexcept {
-    return type == ComponentType::kU8 || type == ComponentType::kU16;
   }
 
   /// Unit length is the law in glTF (3.7.2.1): others are scaled to it; zero or NaN become `otherwise`.
@@ -133,33 +136,14 @@ class GltfBuilder {
     return std::fabs(size - 1) > kTolerance ? (1 / size) * value : value;
   }
 
-  void add_normals(const AttributeView& attribute) {
-    tinygltf::Accessor accessor = begin(ComponentType::kF32, 3, false);
-    for (std::size_t v = 0; v < mesh_.vertex_count(); ++v)
-      for (const double value : unit_value(attribute, v, {0, 0, 1})) out_.write(to_float(value));
-    primitive_.attributes["NORMAL"] = end(std::move(accessor));
-  }
-
-  /// The fourth component is the side of the bitangent, 1 or -1.
-  void add_tangents(const AttributeView& attribute) {
-    tinygltf::Accessor accessor = begin(ComponentType::kF32, 4, false);
+  /// A fourth component is the side of the bitangent, 1 or -1.
+  void add_directions(const AttributeView& attribute, const char* name, const Vec3& otherwise) {
+    tinygltf::Accessor accessor = begin(ComponentType::kF32, attribute.components, false);
     for (std::size_t v = 0; v < mesh_.vertex_count(); ++v) {
-      for (const double value : unit_value(attribute, v, {1, 0, 0})) out_.write(to_float(value));
-      out_.write(attribute_value(attribute, v, 3) < 0 ? -1.0F : 1.0F);
+      for (const double value : unit_value(attribute, v, otherwise)) out_.write(to_float(value));
+      if (attribute.components == 4) out_.write(attribute_value(attribute, v, 3) < 0 ? -1.0F : 1.0F);
     }
-    primitive_.attributes["TANGENT"] = end(std::move(accessor));
-  }
-
-  void add_colors(const AttributeView& attribute) {
-    const bool integer = is_natural(attribute.type);
-    add_values(attribute, integer ? attribute.type : ComponentType::kF32, integer,
-               "COLOR_" + std::to_string(colors_++));
-  }
-
-  void add_weights(const AttributeView& attribute) {
-    const bool integer = is_natural(attribute.type) && attribute.normalized;
-    add_values(attribute, integer ? attribute.type : ComponentType::kF32, integer,
-               "WEIGHTS_" + std::to_string(weights_++));
+    primitive_.attributes[name] = end(std::move(accessor));
   }
 
   /// glTF has no 64-bit components, and forbids 32-bit integers to custom attributes (3.7.2.1): those are
