@@ -111,9 +111,7 @@ class Assembly {
         std::memcpy(&coordinates[3 * (set.first + v)], point.data(), sizeof point);
       }
     }
-    PlacedPositions placed = place_origin(coordinates);
-    imported_.mesh.origin = placed.origin;
-    imported_.mesh.positions = std::move(placed.positions);
+    imported_.mesh = place_origin(coordinates);
     return {};
   }
 

@@ -135,8 +135,12 @@ class ObjRecords {
   }
 
   Result<Imported> build() {
-    Imported imported;
     const ObjVertices split = split_obj_corners(corners_, coordinates_.size() / 3);
+    std::vector<double> coordinates;
+    coordinates.reserve(split.vertices.size() * 3);
+    for (const ObjCorner& vertex : split.vertices)
+      for (std::int64_t k = 0; k < 3; ++k) coordinates.push_back(coordinates_[3 * vertex.position + k]);
+    Imported imported{.mesh = place_origin(coordinates), .notes = {}};
     FaceCollector faces;
     std::size_t begin = 0;
     for (const std::size_t end : face_ends_) {
@@ -145,14 +149,6 @@ class ObjRecords {
     }
     faces.move_into(imported);
     imported.notes.other_primitives = lines_.other_primitives();
-
-    std::vector<double> coordinates;
-    coordinates.reserve(split.vertices.size() * 3);
-    for (const ObjCorner& vertex : split.vertices)
-      for (std::int64_t k = 0; k < 3; ++k) coordinates.push_back(coordinates_[3 * vertex.position + k]);
-    PlacedPositions placed = place_origin(coordinates);
-    imported.mesh.origin = placed.origin;
-    imported.mesh.positions = std::move(placed.positions);
     add_attributes(split.vertices, imported.mesh);
     return imported;
   }

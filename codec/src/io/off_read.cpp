@@ -72,13 +72,12 @@ class OffVertices {
     return {};
   }
 
-  void move_into(Mesh& mesh) {
-    PlacedPositions placed = place_origin(coordinates_);
-    mesh.origin = placed.origin;
-    mesh.positions = std::move(placed.positions);
+  Mesh to_mesh() const {
+    Mesh mesh = place_origin(coordinates_);
     if (header_.normal) add(mesh, AttributeKind::kNormal, ComponentType::kF32, 3, "normal", normals_);
     if (header_.color && header_.vertices > 0) add_colors(mesh);
     if (header_.uv) add(mesh, AttributeKind::kUv, ComponentType::kF32, 2, "uv", uvs_);
+    return mesh;
   }
 
  private:
@@ -168,9 +167,8 @@ Result<Imported> read_off(std::span<const std::byte> bytes) {
   DELTAMESH_CHECK(vertices.read(scanner));
   FaceCollector faces;
   DELTAMESH_CHECK(read_faces(scanner, header, faces));
-  Imported imported;
+  Imported imported{.mesh = vertices.to_mesh(), .notes = {}};
   faces.move_into(imported);
-  vertices.move_into(imported.mesh);
   return imported;
 }
 

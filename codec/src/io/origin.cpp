@@ -30,8 +30,8 @@ Box finite_box(std::span<const double> coordinates) noexcept {
 // half the longest side of the centre c, that is |x - c| < |c| / 8, and o is within a rounding step (or 0.5,
 // where the side exceeds 2 and so |c| exceeds 8) of c. Hence o/2 <= x <= 2o, x and o are both float32 numbers
 // (a whole number nearest to a float32 is one, too), and by Sterbenz's lemma x - o is a float32 number.
-PlacedPositions place_origin(std::span<const double> coordinates) {
-  PlacedPositions placed;
+Mesh place_origin(std::span<const double> coordinates) {
+  Mesh placed;
   const Box box = finite_box(coordinates);
   const double side = box.longest_side();
   for (std::size_t k = 0; k < 3; ++k) {

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 #include <algorithm>
-#include <bit>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
 #include <string_view>
-#include <type_traits>
 #include <utility>
 
 #include "base/checked.h"
@@ -33,24 +32,83 @@ class PlyBody {
         text_(as_text(bytes.subspan(header.data_offset)), false, header.data_line),
         encoding_(header.encoding) {}
 
-  /// The next value, exact. False where the bytes end, or a text is not a number that `type` holds: see
-  /// error().
-  bool next(ComponentType type, double& value) noexcept;
-
-  /// Skips one row of `element`. False as next().
-  bool skip_row(const PlyElement& element) noexcept;
+  /// `take(property, value)` for every value of a row of `element`, exact; it returns what is wrong with the
+  /// value, or null. Errors: kInvalidFile: the bytes end, a text is not a number that its type holds.
+  template <class Take>
+  Result<void> read_row(const PlyElement& element, Take take) {
+    for (std::size_t p = 0; p < element.properties.size(); ++p) {
+      const PlyProperty& property = element.properties[p];
+      double length = 1;
+      if (property.is_list && !next(property.count_type, length)) return at(problem_);
+      if (length < 0) return at("PLY: a list of negative length");
+      // Every entry takes bytes, so the loop ends with them.
+      for (double i = 0; i < length; ++i) {
+        double value = 0;
+        if (!next(property.type, value)) return at(problem_);
+        if (const char* const wrong = take(p, value)) return at(wrong);
+      }
+    }
+    return {};
+  }
 
   /// Whether `element.count` rows can be in the bytes that are left: the check before anything is allocated.
-  bool may_hold(const PlyElement& element) const noexcept;
+  bool may_hold(const PlyElement& element) const noexcept {
+    const bool text = encoding_ == PlyEncoding::kAscii;
+    std::uint64_t row = 0;  // fewest bytes of a row; in a text a value takes a digit and a blank
+    for (const PlyProperty& property : element.properties)
+      row += text ? 2 : component_size(property.is_list ? property.count_type : property.type);
+    // The last blank of a text may be missing.
+    const std::uint64_t present = text ? text_.remaining() + std::uint64_t{1} : bytes_.size() - position_;
+    return saturating_mul(row, element.count) <= present;
+  }
 
-  /// What stopped next(), and where.
-  Error error() const noexcept { return at(problem_); }
   /// `message` at the present place: the line in a text, else the byte.
-  Error at(const char* message) const noexcept;
+  Error at(const char* message) const noexcept {
+    if (encoding_ == PlyEncoding::kAscii) return text_.error(message);
+    return invalid_byte(message, position_);
+  }
 
  private:
-  bool next_text(ComponentType type, double& value) noexcept;
-  bool next_binary(ComponentType type, double& value) noexcept;
+  /// The next value. False where there is none: problem_ tells why.
+  bool next(ComponentType type, double& value) noexcept {
+    return encoding_ == PlyEncoding::kAscii ? next_text(type, value) : next_binary(type, value);
+  }
+
+  bool next_text(ComponentType type, double& value) noexcept {
+    const std::string_view token = text_.next_token();
+    if (token.empty()) {
+      problem_ = kShort;
+      return false;
+    }
+    const std::optional<double> number = parse_number(token);
+    std::byte fits[sizeof(double)];
+    if (!number || !store_component(type, *number, fits)) {
+      problem_ = "PLY: not a number, or one that its type does not hold";
+      return false;
+    }
+    value = *number;
+    return true;
+  }
+
+  bool next_binary(ComponentType type, double& value) noexcept {
+    const std::size_t size = component_size(type);
+    if (bytes_.size() - position_ < size) {
+      problem_ = kShort;
+      return false;
+    }
+    const auto bytes = bytes_.subspan(position_, size);
+    position_ += size;
+    if (encoding_ == PlyEncoding::kLittleEndian) {
+      value = load_component(type, bytes.data());
+    } else {
+      std::array<std::byte, sizeof(double)> swapped;
+      std::reverse_copy(bytes.begin(), bytes.end(), swapped.begin());
+      value = load_component(type, swapped.data());
+    }
+    return true;
+  }
+
+  static constexpr const char* kShort = "PLY: the file ends before its last value";
 
   std::span<const std::byte> bytes_;
   std::size_t position_ = 0;  // binary encodings
@@ -59,112 +117,30 @@ class PlyBody {
   const char* problem_ = "";
 };
 
-Error PlyBody::at(const char* message) const noexcept {
-  if (encoding_ == PlyEncoding::kAscii) return text_.error(message);
-  return invalid_byte(message, position_);
-}
-
-bool PlyBody::may_hold(const PlyElement& element) const noexcept {
-  const bool text = encoding_ == PlyEncoding::kAscii;
-  std::uint64_t row = 0;  // fewest bytes of a row; in a text a value takes a digit and a blank
-  for (const PlyProperty& property : element.properties)
-    row += text ? 2 : component_size(property.is_list ? property.count_type : property.type);
-  // The last blank of a text may be missing.
-  const std::uint64_t present = text ? text_.remaining() + std::uint64_t{1} : bytes_.size() - position_;
-  return saturating_mul(row, element.count) <= present;
-}
-
-bool PlyBody::next(ComponentType type, double& value) noexcept {
-  return encoding_ == PlyEncoding::kAscii ? next_text(type, value) : next_binary(type, value);
-}
-
-bool PlyBody::next_text(ComponentType type, double& value) noexcept {
-  const std::string_view token = text_.next_token();
-  if (token.empty()) {
-    problem_ = "PLY: the file ends before its last value";
-    return false;
-  }
-  const std::optional<double> number = parse_number(token);
-  std::byte fits[sizeof(double)];
-  if (!number || !store_component(type, *number, fits)) {
-    problem_ = "PLY: not a number, or one that its type does not hold";
-    return false;
-  }
-  value = *number;
-  return true;
-}
-
-bool PlyBody::next_binary(ComponentType type, double& value) noexcept {
-  const std::size_t size = component_size(type);
-  if (bytes_.size() - position_ < size) {
-    problem_ = "PLY: the file ends before its last value";
-    return false;
-  }
-  std::uint64_t bits = 0;
-  for (std::size_t i = 0; i < size; ++i) {
-    const std::size_t place = encoding_ == PlyEncoding::kLittleEndian ? i : size - 1 - i;
-    bits |= std::to_integer<std::uint64_t>(bytes_[position_ + i]) << (8 * place);
-  }
-  position_ += size;
-  value = with_component(type, [bits](auto stored) {
-    using T = decltype(stored);
-    if constexpr (std::is_same_v<T, float>) {
-      return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
-    } else if constexpr (std::is_same_v<T, double>) {
-      return std::bit_cast<double>(bits);
-    } else {
-      return static_cast<double>(static_cast<T>(bits));
-    }
-  });
-  return true;
-}
-
-bool PlyBody::skip_row(const PlyElement& element) noexcept {
-  double value = 0;
-  for (const PlyProperty& property : element.properties) {
-    double length = 1;
-    if (property.is_list && !next(property.count_type, length)) return false;
-    // Every entry takes bytes, so the loop ends with them.
-    for (double i = 0; i < length; ++i)
-      if (!next(property.type, value)) return false;
-  }
-  return true;
-}
-
-constexpr const char* kTooMany = "PLY: the file is too short for the number of elements it states";
-
 Result<void> read_vertices(PlyBody& body, const PlyElement& vertex, Imported& imported) {
   if (vertex.count > std::numeric_limits<std::uint32_t>::max()) return body.at("PLY: too many vertices");
   PlyVertexLayout layout = layout_ply_vertex(vertex);
   if (!layout.has_position) return body.at("PLY: the vertices have no x, y, z");
-  Mesh& mesh = imported.mesh;
   imported.notes.dropped_attributes = layout.unnamed;
   for (Attribute& attribute : layout.attributes)
     attribute.values.resize(vertex.count * attribute.components * component_size(attribute.type));
   std::vector<double> coordinates(vertex.count * 3);
 
-  for (std::size_t v = 0; v < vertex.count; ++v) {
-    for (std::size_t p = 0; p < vertex.properties.size(); ++p) {
-      const PlyProperty& property = vertex.properties[p];
-      double value = 0;
-      double length = 1;
-      if (property.is_list && !body.next(property.count_type, length)) return body.error();
-      for (double i = 0; i < length; ++i)
-        if (!body.next(property.type, value)) return body.error();
-      const PlyTarget& target = layout.targets[p];
-      if (target.kind == PlyTarget::Kind::kPosition) {
-        coordinates[3 * v + target.component] = value;
-      } else if (target.kind == PlyTarget::Kind::kAttribute) {
-        Attribute& attribute = layout.attributes[target.attribute];
-        const std::size_t at = (v * attribute.components + target.component) * component_size(attribute.type);
-        store_component(attribute.type, value, attribute.values.data() + at);
-      }
+  std::size_t v = 0;
+  const auto take = [&](std::size_t property, double value) -> const char* {
+    const PlyTarget& target = layout.targets[property];
+    if (target.kind == PlyTarget::Kind::kPosition) {
+      coordinates[3 * v + target.component] = value;
+    } else if (target.kind == PlyTarget::Kind::kAttribute) {
+      Attribute& attribute = layout.attributes[target.attribute];
+      const std::size_t at = (v * attribute.components + target.component) * component_size(attribute.type);
+      store_component(attribute.type, value, attribute.values.data() + at);
     }
-  }
-  PlacedPositions placed = place_origin(coordinates);
-  mesh.origin = placed.origin;
-  mesh.positions = std::move(placed.positions);
-  mesh.attributes = std::move(layout.attributes);
+    return nullptr;
+  };
+  for (; v < vertex.count; ++v) DELTAMESH_CHECK(body.read_row(vertex, take));
+  imported.mesh = place_origin(coordinates);
+  imported.mesh.attributes = std::move(layout.attributes);
   return {};
 }
 
@@ -181,23 +157,16 @@ Result<void> read_faces(PlyBody& body, const PlyElement& face, std::uint64_t ver
   const auto corner_property = corner_list(face);
   if (!corner_property) return body.at("PLY: the faces have no list vertex_indices");
   std::vector<std::uint32_t> corners;
+  const auto take = [&](std::size_t property, double value) -> const char* {
+    if (property != *corner_property) return nullptr;
+    if (!(value >= 0 && value < static_cast<double>(vertices)))
+      return "PLY: a face names a vertex that does not exist";
+    corners.push_back(static_cast<std::uint32_t>(value));
+    return nullptr;
+  };
   for (std::uint64_t f = 0; f < face.count; ++f) {
     corners.clear();
-    for (std::size_t p = 0; p < face.properties.size(); ++p) {
-      const PlyProperty& property = face.properties[p];
-      double length = 1;
-      if (property.is_list && !body.next(property.count_type, length)) return body.error();
-      if (length < 0) return body.at("PLY: a list of negative length");
-      // Every entry takes bytes, so the loop ends with them.
-      for (double i = 0; i < length; ++i) {
-        double value = 0;
-        if (!body.next(property.type, value)) return body.error();
-        if (p != *corner_property) continue;
-        if (!(value >= 0 && value < static_cast<double>(vertices)))
-          return body.at("PLY: a face names a vertex that does not exist");
-        corners.push_back(static_cast<std::uint32_t>(value));
-      }
-    }
+    DELTAMESH_CHECK(body.read_row(face, take));
     faces.add(corners);
   }
   return {};
@@ -224,14 +193,15 @@ Result<Imported> read_ply(std::span<const std::byte> bytes) {
   Imported imported;
   FaceCollector faces;
   for (const PlyElement& element : header.elements) {
-    if (!body.may_hold(element)) return body.at(kTooMany);
+    if (!body.may_hold(element))
+      return body.at("PLY: the file is too short for the number of elements it states");
     if (&element == vertex) {
       DELTAMESH_CHECK(read_vertices(body, element, imported));
     } else if (&element == face) {
       DELTAMESH_CHECK(read_faces(body, element, vertex->count, faces));
     } else if (!element.properties.empty()) {
       for (std::uint64_t row = 0; row < element.count; ++row)
-        if (!body.skip_row(element)) return body.error();
+        DELTAMESH_CHECK(body.read_row(element, [](std::size_t, double) -> const char* { return nullptr; }));
       if (element.name == "edge") imported.notes.other_primitives += element.count;
     }
   }

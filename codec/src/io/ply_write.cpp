@@ -2,9 +2,7 @@
 // Copyright 2026 The deltamesh authors
 //
 // Binary little-endian PLY.
-#include <algorithm>
 #include <array>
-#include <bit>
 #include <set>
 #include <string>
 #include <utility>
@@ -85,19 +83,11 @@ std::string header_text(const MeshView& mesh, const std::vector<Column>& columns
   return text;
 }
 
-/// One component, native byte order in the view, little-endian in the file.
+/// Values lie in memory as in the file (base/machine.h).
 void write_component(ByteWriter& out, const Column& column, std::size_t vertex) {
   const AttributeView& attribute = *column.attribute;
   const std::size_t size = component_size(attribute.type);
-  const auto value =
-      attribute.values.subspan((vertex * attribute.components + column.component) * size, size);
-  if constexpr (std::endian::native == std::endian::little) {
-    out.write_bytes(value);
-  } else {
-    std::array<std::byte, 8> swapped{};
-    std::reverse_copy(value.begin(), value.end(), swapped.begin());
-    out.write_bytes(std::span(swapped).first(size));
-  }
+  out.write_bytes(attribute.values.subspan((vertex * attribute.components + column.component) * size, size));
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 // Copyright 2026 The deltamesh authors
 //
 // STL, ASCII and binary, told apart by size and content: binary files may begin with "solid", too.
-#include <algorithm>
 #include <array>
 #include <cstring>
 #include <limits>
@@ -29,16 +28,30 @@ std::uint64_t stated_facets(std::span<const std::byte> bytes) noexcept {
   return count ? *count : 0;
 }
 
+/// Words of an ASCII file, in lower case.
+class Words {
+ public:
+  explicit Words(std::string_view text) : scanner_(text, false) {}
+  std::string_view next() {
+    word_ = scanner_.next_token();
+    for (char& c : word_)
+      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return word_;
+  }
+  TextScanner& scanner() noexcept { return scanner_; }
+
+ private:
+  TextScanner scanner_;
+  std::string word_;
+};
+
 bool is_binary(std::span<const std::byte> bytes) noexcept {
   if (bytes.size() >= kHeaderSize + 4 && bytes.size() == kHeaderSize + 4 + kFacetSize * stated_facets(bytes))
     return true;
   const std::string_view text = as_text(bytes);
-  const std::size_t start = text.find_first_not_of(" \t\r\n");
-  if (start == text.npos) return false;
-  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-  std::string word(text.substr(start, 5));
-  std::transform(word.begin(), word.end(), word.begin(), lower);
-  return word != "solid" || text.substr(0, 1024).find('\0') != text.npos;
+  const std::string word(Words(text).next());
+  if (word.empty()) return false;
+  return !word.starts_with("solid") || text.substr(0, 1024).find('\0') != text.npos;
 }
 
 Result<std::vector<double>> read_binary(std::span<const std::byte> bytes) {
@@ -57,23 +70,6 @@ Result<std::vector<double>> read_binary(std::span<const std::byte> bytes) {
   }
   return coordinates;
 }
-
-/// Words of an ASCII file, in lower case.
-class Words {
- public:
-  explicit Words(std::string_view text) : scanner_(text, false) {}
-  std::string_view next() {
-    word_ = scanner_.next_token();
-    for (char& c : word_)
-      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return word_;
-  }
-  TextScanner& scanner() noexcept { return scanner_; }
-
- private:
-  TextScanner scanner_;
-  std::string word_;
-};
 
 Result<void> read_facet(Words& words, std::vector<double>& coordinates) {
   const auto expect = [&](std::string_view word) { return words.next() == word; };
@@ -111,13 +107,9 @@ Result<std::vector<double>> read_text(std::span<const std::byte> bytes) {
   return coordinates;
 }
 
-struct Welded {
-  std::vector<double> coordinates;       ///< n x 3, in the order in which the points are first met
-  std::vector<std::uint32_t> triangles;  ///< the point of every corner
-};
-
-/// Points are equal where their bits are, but that -0 is 0.
-Welded weld(std::vector<double> coordinates) {
+/// One triangle for every three corners. Points are equal where their bits are, but that -0 is 0; they come
+/// in the order in which they are first met.
+Imported weld(std::vector<double> coordinates) {
   for (double& x : coordinates) x += 0.0;
   const auto bits_of = [&](std::size_t corner) {
     std::array<std::uint64_t, 3> bits{};
@@ -125,15 +117,17 @@ Welded weld(std::vector<double> coordinates) {
     return bits;
   };
   const std::vector<std::uint32_t> first = first_equal(coordinates.size() / 3, bits_of);
-  Welded welded;
+  std::vector<double> points;
+  std::vector<std::uint32_t> triangles;
   for (std::size_t c = 0; c < first.size(); ++c) {
     const bool is_new = first[c] == c;
-    const auto next = static_cast<std::uint32_t>(welded.coordinates.size() / 3);
-    welded.triangles.push_back(is_new ? next : welded.triangles[first[c]]);
-    if (is_new)
-      welded.coordinates.insert(welded.coordinates.end(), &coordinates[3 * c], &coordinates[3 * c] + 3);
+    triangles.push_back(is_new ? static_cast<std::uint32_t>(points.size() / 3) : triangles[first[c]]);
+    if (is_new) points.insert(points.end(), &coordinates[3 * c], &coordinates[3 * c] + 3);
   }
-  return welded;
+  Imported imported{.mesh = place_origin(points), .notes = {}};
+  imported.notes.welded_corners = triangles.size() - points.size() / 3;
+  imported.mesh.triangles = std::move(triangles);
+  return imported;
 }
 
 }  // namespace
@@ -143,14 +137,7 @@ Result<Imported> read_stl(std::span<const std::byte> bytes) {
   DELTAMESH_TRY(std::vector<double> coordinates, is_binary(bytes) ? read_binary(bytes) : read_text(bytes));
   if (coordinates.size() / 3 > std::numeric_limits<std::uint32_t>::max())
     return invalid_file("STL: more corners than a 32-bit index can name");
-  Welded welded = weld(std::move(coordinates));
-  Imported imported;
-  imported.notes.welded_corners = welded.triangles.size() - welded.coordinates.size() / 3;
-  PlacedPositions placed = place_origin(welded.coordinates);
-  imported.mesh.origin = placed.origin;
-  imported.mesh.positions = std::move(placed.positions);
-  imported.mesh.triangles = std::move(welded.triangles);
-  return imported;
+  return weld(std::move(coordinates));
 }
 
 }  // namespace deltamesh

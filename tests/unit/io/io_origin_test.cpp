@@ -14,7 +14,7 @@ namespace {
 
 TEST(PlaceOrigin, NearMeshesStayWhereTheyAre) {
   const std::vector<double> coordinates{0, 0, 10, 1, 1, 12, 3, 1, 11};
-  const PlacedPositions placed = place_origin(coordinates);
+  const Mesh placed = place_origin(coordinates);
   EXPECT_EQ(placed.origin, (std::array<double, 3>{0, 0, 0}));
   EXPECT_EQ(placed.positions[5], 12.0F);
 }
@@ -26,7 +26,7 @@ TEST(PlaceOrigin, Float32SourcesLoseNothing) {
       std::vector<double> coordinates;
       std::uniform_real_distribution<float> inside(centre - side / 2, centre + side / 2);
       for (int i = 0; i < 300; ++i) coordinates.push_back(static_cast<double>(inside(random)));
-      const PlacedPositions placed = place_origin(coordinates);
+      const Mesh placed = place_origin(coordinates);
       for (std::size_t i = 0; i < coordinates.size(); ++i)
         ASSERT_EQ(placed.origin[i % 3] + static_cast<double>(placed.positions[i]), coordinates[i]);
     }
@@ -34,7 +34,7 @@ TEST(PlaceOrigin, Float32SourcesLoseNothing) {
 }
 
 TEST(PlaceOrigin, OriginIsWholeForLargeMeshes) {
-  const PlacedPositions placed = place_origin(std::vector<double>{465000.3, 0, 0, 465003.4, 1, 1});
+  const Mesh placed = place_origin(std::vector<double>{465000.3, 0, 0, 465003.4, 1, 1});
   EXPECT_EQ(placed.origin[0], std::round(placed.origin[0]));
   EXPECT_NEAR(placed.origin[0] + static_cast<double>(placed.positions[0]), 465000.3, 1e-6);
 }
@@ -42,7 +42,7 @@ TEST(PlaceOrigin, OriginIsWholeForLargeMeshes) {
 TEST(PlaceOrigin, NonFiniteAndHugeCoordinates) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
-  const PlacedPositions placed = place_origin(std::vector<double>{1000, nan, 1e300, 1001, infinity, -1e300});
+  const Mesh placed = place_origin(std::vector<double>{1000, nan, 1e300, 1001, infinity, -1e300});
   EXPECT_EQ(placed.origin[1], 0);
   EXPECT_TRUE(std::isnan(placed.positions[1]));
   EXPECT_EQ(placed.positions[4], std::numeric_limits<float>::infinity());
