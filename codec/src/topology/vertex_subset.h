@@ -66,15 +66,6 @@ class SubsetCursor {
   std::span<const VertexSubset::Run> left_;
 };
 
-/// One value per vertex in, one per row out. `rows` may be the front of `values`. O(rows).
-template <class T>
-void gather_rows(std::span<const T> values, const VertexSubset& subset, std::span<T> rows) {
-  for (const auto& run : subset.runs()) {
-    if (rows.data() + run.row == values.data() + run.begin) continue;
-    std::copy(values.begin() + run.begin, values.begin() + run.end, rows.begin() + run.row);
-  }
-}
-
 /// One value per row in, one per vertex out, those of other vertices as they are. O(rows).
 template <class T>
 void scatter_rows(std::span<const T> rows, const VertexSubset& subset, std::span<T> values) {

@@ -88,7 +88,7 @@ TEST(LeastSquaresSolver, AnswersDoNotDependOnEarlierOnes) {
     const SolvedPart part = extract_solved_part(mesh.graph, mesh.components);
     std::vector<std::uint32_t> anchors;
     for (const std::uint32_t vertex : test::anchors_of(mesh, 12))
-      if (const auto row = part.row_of(vertex)) anchors.push_back(*row);
+      if (const auto row = part.vertices.row_of(vertex)) anchors.push_back(*row);
     std::vector<Vec3> positions;
     for (std::size_t row = 0; row < part.row_count; ++row)
       positions.push_back(mesh.positions[part.vertex(row)]);

@@ -215,16 +215,11 @@ TEST(VertexSubset, FindsRowsAndVertices) {
 
 TEST(VertexSubset, MovesRows) {
   const VertexSubset subset = subset_of({0, 1, 4, 5, 7});
-  Indices values = {10, 11, 12, 13, 14, 15, 16, 17};
-  Indices rows(subset.size());
-  gather_rows(std::span<const std::uint32_t>(values), subset, std::span(rows));
-  EXPECT_EQ(rows, (Indices{10, 11, 14, 15, 17}));
+  const Indices rows = {10, 11, 14, 15, 17};
   Indices scattered(8, 0);
   scatter_rows(std::span<const std::uint32_t>(rows), subset, std::span(scattered));
   EXPECT_EQ(scattered, (Indices{10, 11, 0, 0, 14, 15, 0, 17}));
-  gather_rows(std::span<const std::uint32_t>(values), subset, std::span(values));
-  values.resize(subset.size());
-  EXPECT_EQ(values, rows);
+  Indices values = rows;
   values.resize(8);
   spread_rows(subset, std::span(values));
   for (const std::uint32_t vertex : {0U, 1U, 4U, 5U, 7U}) EXPECT_EQ(values[vertex], 10 + vertex);

@@ -6,7 +6,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "topology/adjacency.h"
@@ -23,11 +22,10 @@ struct SolvedPart {
   VertexSubset vertices{};      ///< of the whole graph, the rows'
 
   bool is_whole() const noexcept { return row_count == whole_count; }
-  /// As those of `vertices`.
+  /// As that of `vertices`.
   std::uint32_t vertex(std::size_t row) const noexcept {
     return vertices.vertex(static_cast<std::uint32_t>(row));
   }
-  std::optional<std::uint32_t> row_of(std::uint32_t vertex) const noexcept { return vertices.row_of(vertex); }
 };
 
 /// Takes the graph apart in place. O(n + edges), or O(n) where all are solved.

@@ -2,7 +2,6 @@
 // Copyright 2026 The deltamesh authors
 #include "laplacian/operator/symbol_rows.h"
 
-#include <algorithm>
 #include <limits>
 
 namespace deltamesh {
@@ -24,13 +23,6 @@ void fill_rows(std::span<const std::int32_t> planar, LargeVector<std::array<T, 4
                0};
 }
 
-template <class T>
-void pick_rows(const LargeVector<T>& from, const VertexSubset& vertices, LargeVector<T>& rows) {
-  if (from.empty()) return;
-  rows.resize(vertices.size());
-  gather_rows(std::span<const T>(from), vertices, std::span(rows));
-}
-
 }  // namespace
 
 SymbolRows::SymbolRows(std::span<const std::int32_t> planar) {
@@ -39,13 +31,6 @@ SymbolRows::SymbolRows(std::span<const std::int32_t> planar) {
   } else {
     fill_rows(planar, long_);
   }
-}
-
-SymbolRows SymbolRows::pick(const VertexSubset& vertices) const {
-  SymbolRows rows;
-  pick_rows(short_, vertices, rows.short_);
-  pick_rows(long_, vertices, rows.long_);
-  return rows;
 }
 
 }  // namespace deltamesh

@@ -11,7 +11,6 @@
 
 #include "base/four_ints.h"
 #include "base/large_vector.h"
-#include "topology/vertex_subset.h"
 
 namespace deltamesh {
 
@@ -29,7 +28,6 @@ class SymbolView {
 
   std::size_t size() const noexcept { return size_; }
   std::span<const ShortSymbols> short_rows() const noexcept { return {short_, is_short() ? size_ : 0}; }
-  std::span<const LongSymbols> long_rows() const noexcept { return {long_, is_short() ? 0 : size_}; }
 
   FourInts operator[](std::size_t i) const noexcept {
     return is_short() ? widened(short_[i]) : std::bit_cast<FourInts>(long_[i]);
@@ -55,8 +53,6 @@ class SymbolRows {
 
   std::size_t size() const noexcept { return short_.size() + long_.size(); }
   SymbolView view() const noexcept { return short_.empty() ? SymbolView(long_) : SymbolView(short_); }
-
-  SymbolRows pick(const VertexSubset& vertices) const;
 
  private:
   LargeVector<ShortSymbols> short_;  ///< one of these is empty

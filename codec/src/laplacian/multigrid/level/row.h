@@ -52,7 +52,6 @@ inline Float4 narrow(const Double4& v) noexcept { return narrow_lanes(v.xy, v.zw
 inline Float4 to_float4(const Vec3& v) noexcept {
   return Float4{static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]), 0.0F};
 }
-inline Vec3 to_vec3(Float4 v) noexcept { return {v[0], v[1], v[2]}; }
 
 /// Both fields of a vertex side by side: one 32-byte load per neighbour serves both and all axes.
 struct alignas(32) Row {
