@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "connectivity/cut.h"
 #include "connectivity/face_groups.h"
 #include "entropy/compact_model.h"
 #include "entropy/number_model.h"
@@ -23,7 +24,7 @@ class FaceGroupCoder {
  public:
   /// `triangles`: m x 3 vertices below `vertex_count`.
   FaceGroupCoder(Coder& coder, std::span<const std::uint32_t> triangles, std::uint32_t vertex_count)
-      : coder_(coder), triangles_(triangles), group_of_(vertex_count, kNone) {}
+      : coder_(coder), triangles_(triangles), group_of_(vertex_count, kNoIndex) {}
 
   /// Codes `groups`, m numbers, which a writer reads and a reader fills in. Returns nothing, or the rule that
   /// a reader's groups break; the reader's own failure comes first. O(m).
@@ -40,7 +41,6 @@ class FaceGroupCoder {
   }
 
  private:
-  static constexpr std::uint32_t kNone = 0xffffffff;
   static constexpr std::size_t kMostRecent = 14;  ///< groups that a symbol names
   static constexpr unsigned kNext = 14;           ///< the symbol for one more than the highest group so far
   static constexpr unsigned kNamed = 15;          ///< the symbol before a number
@@ -51,16 +51,16 @@ class FaceGroupCoder {
   };
 
   Forecast forecast_for(std::span<const std::uint32_t> corners, std::uint32_t before) const noexcept {
-    std::uint32_t first = kNone;
+    std::uint32_t first = kNoIndex;
     std::size_t met = 0;
     bool disagree = false;
     for (const std::uint32_t v : corners) {
-      if (group_of_[v] == kNone) continue;
+      if (group_of_[v] == kNoIndex) continue;
       ++met;
-      if (first == kNone) first = group_of_[v];
+      if (first == kNoIndex) first = group_of_[v];
       disagree = disagree || group_of_[v] != first;
     }
-    return {first == kNone ? before : first, 2 * met + (disagree ? 1 : 0)};
+    return {first == kNoIndex ? before : first, 2 * met + (disagree ? 1 : 0)};
   }
 
   const char* code_group(std::uint32_t& group, const Forecast& forecast) {
@@ -114,7 +114,7 @@ class FaceGroupCoder {
 
   Coder& coder_;
   std::span<const std::uint32_t> triangles_;
-  std::vector<std::uint32_t> group_of_;  ///< of the last face at every vertex, or kNone
+  std::vector<std::uint32_t> group_of_;  ///< of the last face at every vertex, or kNoIndex
   std::uint32_t next_ = 0;               ///< one more than the highest group so far
   std::array<std::uint32_t, kMostRecent> recent_{};
   std::size_t recent_count_ = 0;

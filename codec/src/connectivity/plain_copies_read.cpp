@@ -6,6 +6,7 @@
 
 #include "base/byte_reader.h"
 #include "base/try.h"
+#include "connectivity/cut.h"
 #include "connectivity/plain_forms.h"
 #include "connectivity/seam_vertex.h"
 #include "entropy/planes.h"
@@ -14,39 +15,34 @@
 namespace deltamesh {
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffff;
-
 /// Geometric vertices with several copies.
 struct SeamList {
-  std::vector<std::uint32_t> slot;  ///< place in `seam` of every geometric vertex, or kNone
+  std::vector<std::uint32_t> slot;  ///< place in `seam` of every geometric vertex, or kNoIndex
   std::vector<SeamVertex> seam;
 };
 
 /// Errors: kTruncated, kInvalidStream [SEAM-2, SEAM-3].
 Result<SeamList> read_seam_list(ByteReader& in, std::uint32_t geometric_count, std::uint32_t extra_copies) {
-  const auto invalid = [&](const char* message, const char* rule) {
-    return in.error(ErrorCode::kInvalidStream, message, rule);
-  };
   DELTAMESH_TRY(const std::uint64_t count, in.read_varint());
   if (count == 0 || count > std::min(geometric_count, extra_copies))
-    return invalid("count of split vertices out of range", "SEAM-2");
+    return in.invalid("count of split vertices out of range", "SEAM-2");
   DELTAMESH_TRY(const std::vector<std::uint32_t> gaps, read_planes(in, count));
   DELTAMESH_TRY(const std::vector<std::uint32_t> extra, read_planes(in, count));
 
   SeamList list;
-  list.slot.assign(geometric_count, kNone);
+  list.slot.assign(geometric_count, kNoIndex);
   list.seam.reserve(gaps.size());
   std::uint64_t next = 0;
   std::uint64_t total = 0;
   for (std::size_t i = 0; i < gaps.size(); ++i) {
     next += gaps[i];
-    if (next >= geometric_count) return invalid("split vertex out of range", "SEAM-2");
+    if (next >= geometric_count) return in.invalid("split vertex out of range", "SEAM-2");
     list.slot[static_cast<std::size_t>(next++)] = static_cast<std::uint32_t>(i);
     total += std::uint64_t{extra[i]} + 1;
-    if (total > extra_copies) return invalid("more copies than vertices", "SEAM-3");
+    if (total > extra_copies) return in.invalid("more copies than vertices", "SEAM-3");
     list.seam.push_back({.copies = extra[i] + 2});
   }
-  if (total != extra_copies) return invalid("fewer copies than vertices", "SEAM-3");
+  if (total != extra_copies) return in.invalid("fewer copies than vertices", "SEAM-3");
   return list;
 }
 
@@ -56,13 +52,12 @@ Result<std::vector<std::uint32_t>> read_choices(ByteReader& in, const SeamList& 
   std::vector<std::uint32_t> corners(list.seam.size(), 0);
   std::uint64_t total = 0;
   for (const std::uint32_t g : geometric_triangles) {
-    if (list.slot[g] == kNone) continue;
+    if (list.slot[g] == kNoIndex) continue;
     ++corners[list.slot[g]];
     ++total;
   }
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    if (corners[i] < list.seam[i].copies)
-      return in.error(ErrorCode::kInvalidStream, "more copies than corners", "SEAM-3");
+    if (corners[i] < list.seam[i].copies) return in.invalid("more copies than corners", "SEAM-3");
   }
   return read_planes(in, total - corners.size());
 }
@@ -75,18 +70,18 @@ Result<std::vector<std::uint32_t>> follow_choices(const ByteReader& in, SeamList
   std::size_t next = 0;
   for (std::size_t c = 0; c < copies.size(); ++c) {
     const std::uint32_t s = list.slot[geometric_triangles[c]];
-    if (s == kNone) continue;
+    if (s == kNoIndex) continue;
     SeamVertex& vertex = list.seam[s];
     if (vertex.used != 0) {
       const std::optional<std::uint32_t> copy = vertex.copy_of(choices[next++]);
-      if (!copy) return in.error(ErrorCode::kInvalidStream, "no such copy", "SEAM-4");
+      if (!copy) return in.invalid("no such copy", "SEAM-4");
       copies[c] = *copy;
     }
     vertex.take(copies[c]);
   }
   const bool all_used =
       std::all_of(list.seam.begin(), list.seam.end(), [](const SeamVertex& v) { return v.used == v.copies; });
-  if (!all_used) return in.error(ErrorCode::kInvalidStream, "a copy that no corner uses", "SEAM-4");
+  if (!all_used) return in.invalid("a copy that no corner uses", "SEAM-4");
   return copies;
 }
 
@@ -103,7 +98,7 @@ Result<CornerCopies> read_plain_copies(std::span<const std::byte> bytes,
   DELTAMESH_TRY(copies.of_corner, follow_choices(in, list, choices, geometric_triangles));
   copies.of_vertex.reserve(geometric_count);
   for (const std::uint32_t slot : list.slot)
-    copies.of_vertex.push_back(slot == kNone ? 1 : list.seam[slot].copies);
+    copies.of_vertex.push_back(slot == kNoIndex ? 1 : list.seam[slot].copies);
   return copies;
 }
 

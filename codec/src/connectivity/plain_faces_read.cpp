@@ -116,15 +116,15 @@ Result<ManifoldFaces> read_plain_faces(std::span<const std::byte> bytes, std::ui
   ByteReader in(bytes, kTagConnectivity);
   DELTAMESH_TRY(const Sections sections, read_sections(in));
   if (triangle_count > saturating_mul(sections.token_count, kFacesPerToken))
-    return in.error(ErrorCode::kInvalidStream, "more faces than the ops can hold", "CONN-2");
+    return in.invalid("more faces than the ops can hold", "CONN-2");
 
   Border border(triangle_count);
   PayloadGuide guide(sections);
   if (!traverse(border, guide)) {
     const Refusal refusal = guide.refusal().value_or(refusal_of(border));
-    return in.error(ErrorCode::kInvalidStream, refusal.message, refusal.rule);
+    return in.invalid(refusal.message, refusal.rule);
   }
-  if (!guide.finished()) return in.error(ErrorCode::kInvalidStream, "ops left over at the end", "CONN-2");
+  if (!guide.finished()) return in.invalid("ops left over at the end", "CONN-2");
 
   DELTAMESH_TRY(const GlueList list,
                 read_gluing(in, sections.glue_count, border.vertex_count(), vertex_count));

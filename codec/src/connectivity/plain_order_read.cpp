@@ -17,8 +17,7 @@ Result<std::vector<std::uint32_t>> read_permutation(ByteReader& in, std::uint32_
   std::uint32_t expected = 0;
   for (std::uint32_t& place : places) {
     place = expected + static_cast<std::uint32_t>(unzigzag(place));
-    if (place >= count || seen[place] != 0)
-      return in.error(ErrorCode::kInvalidStream, "not a permutation", "ORDR-2");
+    if (place >= count || seen[place] != 0) return in.invalid("not a permutation", "ORDR-2");
     seen[place] = 1;
     expected = place + 1;
   }
@@ -37,7 +36,7 @@ Result<MeshOrder> read_plain_order(std::span<const std::byte> bytes, std::uint32
   DELTAMESH_CHECK(in.finish());
   order.rotation.reserve(rotations.size());
   for (const std::uint32_t rotation : rotations) {
-    if (rotation > 2) return in.error(ErrorCode::kInvalidStream, "rotation beyond 2", "ORDR-3");
+    if (rotation > 2) return in.invalid("rotation beyond 2", "ORDR-3");
     order.rotation.push_back(static_cast<std::uint8_t>(rotation));
   }
   return order;

@@ -25,16 +25,14 @@ SplitVertices unsplit(std::span<const std::uint32_t> geometric_triangles, std::u
 Result<CornerCopies> read_compact(const ByteReader& in, std::span<const std::byte> bytes,
                                   std::span<const std::uint32_t> geometric_triangles,
                                   std::uint32_t geometric_count, std::uint32_t extra_copies) {
-  if (extra_copies > geometric_triangles.size())
-    return in.error(ErrorCode::kInvalidStream, "more copies than corners", "SEAM-6");
+  if (extra_copies > geometric_triangles.size()) return in.invalid("more copies than corners", "SEAM-6");
   CompactReader reader(bytes);
   SeamCoder<CompactReader> coder(reader, geometric_count, extra_copies);
   CornerCopies copies{std::vector<std::uint32_t>(geometric_count, 1),
                       std::vector<std::uint32_t>(geometric_triangles.size(), 0)};
   const char* const broken = coder.code(geometric_triangles, copies);
   if (reader.failed() || broken == nullptr) DELTAMESH_CHECK(reader.finish(kTagSeams));
-  if (broken != nullptr)
-    return in.error(ErrorCode::kInvalidStream, "copies do not fit the vertices and corners", broken);
+  if (broken != nullptr) return in.invalid("copies do not fit the vertices and corners", broken);
   return copies;
 }
 
@@ -44,7 +42,7 @@ Result<SplitVertices> read_seams(Payload payload, std::span<const std::uint32_t>
                                  std::uint32_t geometric_count, std::uint32_t vertex_count) {
   ByteReader in(payload.bytes, kTagSeams);
   if (vertex_count < geometric_count || payload.bytes.empty() != (vertex_count == geometric_count))
-    return in.error(ErrorCode::kInvalidStream, "seams do not fit the vertex counts", "SEAM-1");
+    return in.invalid("seams do not fit the vertex counts", "SEAM-1");
   if (payload.bytes.empty()) return unsplit(geometric_triangles, geometric_count);
   const std::uint32_t extra_copies = vertex_count - geometric_count;
   DELTAMESH_TRY(const CornerCopies copies,

@@ -5,6 +5,7 @@
 
 #include "base/byte_writer.h"
 #include "connectivity/corner_copies.h"
+#include "connectivity/cut.h"
 #include "connectivity/seam_coder.h"
 #include "connectivity/seam_vertex.h"
 #include "connectivity/seams.h"
@@ -14,8 +15,6 @@
 namespace deltamesh {
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffff;
-
 /// Copies by first use.
 CornerCopies count_copies(std::span<const std::uint32_t> geometric_triangles, std::uint32_t geometric_count,
                           std::span<const std::uint32_t> corner_vertices) {
@@ -23,10 +22,10 @@ CornerCopies count_copies(std::span<const std::uint32_t> geometric_triangles, st
   copies.of_vertex.assign(geometric_count, 0);
   copies.of_corner.reserve(corner_vertices.size());
   const auto largest = std::max_element(corner_vertices.begin(), corner_vertices.end());
-  std::vector<std::uint32_t> copy(largest == corner_vertices.end() ? 0 : std::size_t{*largest} + 1, kNone);
+  std::vector<std::uint32_t> copy(largest == corner_vertices.end() ? 0 : std::size_t{*largest} + 1, kNoIndex);
   for (std::size_t c = 0; c < corner_vertices.size(); ++c) {
     std::uint32_t& own = copy[corner_vertices[c]];
-    if (own == kNone) own = copies.of_vertex[geometric_triangles[c]]++;
+    if (own == kNoIndex) own = copies.of_vertex[geometric_triangles[c]]++;
     copies.of_corner.push_back(own);
   }
   for (std::uint32_t& count : copies.of_vertex) count = std::max(count, 1U);  // used by no face
@@ -35,7 +34,7 @@ CornerCopies count_copies(std::span<const std::uint32_t> geometric_triangles, st
 
 std::vector<std::byte> write_plain(std::span<const std::uint32_t> geometric_triangles,
                                    const CornerCopies& copies) {
-  std::vector<std::uint32_t> slot(copies.of_vertex.size(), kNone);
+  std::vector<std::uint32_t> slot(copies.of_vertex.size(), kNoIndex);
   std::vector<SeamVertex> seam;
   std::vector<std::uint32_t> gaps;
   std::vector<std::uint32_t> extra;
@@ -52,7 +51,7 @@ std::vector<std::byte> write_plain(std::span<const std::uint32_t> geometric_tria
   std::vector<std::uint32_t> choices;
   for (std::size_t c = 0; c < geometric_triangles.size(); ++c) {
     const std::uint32_t s = slot[geometric_triangles[c]];
-    if (s == kNone) continue;
+    if (s == kNoIndex) continue;
     const std::uint32_t copy = copies.of_corner[c];
     if (seam[s].used != 0) choices.push_back(seam[s].choice_of(copy));
     seam[s].take(copy);
