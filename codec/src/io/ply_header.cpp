@@ -19,25 +19,10 @@ namespace deltamesh {
 namespace {
 
 std::optional<ComponentType> component_type(std::string_view name) noexcept {
-  using enum ComponentType;
-  constexpr std::array<std::pair<std::string_view, ComponentType>, 16> kTypes{{{"char", kI8},
-                                                                               {"int8", kI8},
-                                                                               {"uchar", kU8},
-                                                                               {"uint8", kU8},
-                                                                               {"short", kI16},
-                                                                               {"int16", kI16},
-                                                                               {"ushort", kU16},
-                                                                               {"uint16", kU16},
-                                                                               {"int", kI32},
-                                                                               {"int32", kI32},
-                                                                               {"uint", kU32},
-                                                                               {"uint32", kU32},
-                                                                               {"float", kF32},
-                                                                               {"float32", kF32},
-                                                                               {"double", kF64},
-                                                                               {"float64", kF64}}};
-  for (const auto& [known, type] : kTypes)
-    if (known == name) return type;
+  constexpr std::array<std::string_view, 8> kSizedNames{"int8",  "uint8",  "int16",   "uint16",
+                                                        "int32", "uint32", "float32", "float64"};
+  for (std::size_t i = 0; i < kPlyTypes.size(); ++i)
+    if (name == kPlyTypes[i] || name == kSizedNames[i]) return static_cast<ComponentType>(i);
   return std::nullopt;
 }
 

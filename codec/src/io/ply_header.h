@@ -4,16 +4,22 @@
 // The header of a PLY file: which elements with which properties follow, and how they are written.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "deltamesh/mesh.h"
 #include "deltamesh/result.h"
 
 namespace deltamesh {
+
+/// Names of the types of properties, by ComponentType.
+inline constexpr std::array<std::string_view, 8> kPlyTypes{"char", "uchar", "short", "ushort",
+                                                           "int",  "uint",  "float", "double"};
 
 enum class PlyEncoding : std::uint8_t { kAscii, kLittleEndian, kBigEndian };
 

@@ -9,13 +9,11 @@
 
 #include "base/byte_writer.h"
 #include "io/formats.h"
+#include "io/ply_header.h"
 #include "io/vertex_text.h"
 
 namespace deltamesh {
 namespace {
-
-constexpr std::array<const char*, 8> kTypeNames{"char", "uchar", "short", "ushort",
-                                                "int",  "uint",  "float", "double"};
 
 /// One scalar property of the vertices, apart from the position.
 struct Column {
@@ -73,8 +71,9 @@ std::string header_text(const MeshView& mesh, const std::vector<Column>& columns
   for (const char* axis : {"x", "y", "z"})
     text += std::string("property ") + (wide ? "double " : "float ") + axis + '\n';
   for (const Column& column : columns)
-    text += std::string("property ") + kTypeNames[static_cast<std::size_t>(column.attribute->type)] + ' ' +
-            column.name + '\n';
+    text.append("property ")
+        .append(kPlyTypes[static_cast<std::size_t>(column.attribute->type)])
+        .append(" " + column.name + '\n');
   text += "element face ";
   append_number(text, mesh.triangle_count());
   // Signed where that suffices: some readers know no other indices.

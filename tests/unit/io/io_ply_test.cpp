@@ -170,6 +170,8 @@ TEST(PlyReader, ErrorsNameTheirLine) {
   expect_error(with_vertices(kXyz, "0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"), kPly, WhereKind::kLine, 13);
   expect_error(with_vertices(kXyz, "0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n"), kPly, WhereKind::kLine, 13);
   expect_error(with_vertices(kXyz, "0 0 0\n1 0 0\n0 1 0\n300 0 1 2\n"), kPly, WhereKind::kLine, 13);
+  expect_error(with_vertices(kXyz + "property list char int odd\n", "0 0 0 0\n1 0 0 -1\n0 1 0 0\n3 0 1 2\n"),
+               kPly, WhereKind::kLine, 12);
   expect_error(with_vertices(kXyz, "0 0 0\n1 0 0\n0 1 0\n4 0 1 2\n"), kPly);
   expect_error(with_vertices("property float x\nproperty float y\n", "0 0\n1 0\n0 1\n3 0 1 2\n"), kPly);
   expect_error("ply\nformat ascii 1.0\nelement face 0\nproperty list uchar int vertex_indices\nend_header\n",
