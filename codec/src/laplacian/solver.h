@@ -35,7 +35,7 @@ class LeastSquaresSolver {
   LeastSquaresSolver(const LeastSquaresSolver&) = delete;
   LeastSquaresSolver& operator=(const LeastSquaresSolver&) = delete;
 
-  /// What solve() would set up first.
+  /// What solve() would set up first: for planned cycles their levels, for 0 nothing.
   void set_up(std::span<const std::uint32_t> anchors, int cycles);
 
   /// `anchors`: distinct vertices, ascending, at least one in every component; `deltas`: n; `targets`: one

@@ -23,9 +23,11 @@ namespace deltamesh::settling {
 /// is slow.
 class Convergence {
  public:
-  /// `components` must outlive this; `anchors`: how many there are; `noise`: square of a delta's error that
-  /// is to be expected on one axis, at the most.
-  Convergence(const Components& components, std::size_t anchors, double noise);
+  /// `components` must outlive this; `anchors`: at least one in each; `noise`: square of a delta's error that
+  /// is to be expected on one axis, at the most; `highest_rate`: what a step leaves of the size of the one
+  /// before, at the worst.
+  Convergence(const Components& components, std::span<const std::uint32_t> anchors, double noise,
+              double highest_rate);
 
   /// After a step: whether that holds of all components. O(components).
   bool see(std::span<const Progress> progress);
@@ -42,12 +44,13 @@ class Convergence {
     std::array<double, 4> sizes{};
     std::array<double, 4> probe_sizes{};
 
-    double see(double size, double probe_size) noexcept;
+    double see(double size, double probe_size, double highest_rate) noexcept;
   };
 
   const Components& components_;
-  double anchors_;
   double noise_;
+  double highest_rate_;
+  std::vector<double> anchors_;   ///< per component, how many
   std::vector<History> history_;  ///< per component
   std::vector<double> excess_;    ///< per component: what is to come over what is allowed
 };

@@ -29,8 +29,8 @@ struct SymmetricMatrix {
 class SparseFactor {
  public:
   /// `place`: where each row goes; `work_left`: most multiplications, from which those are taken that this
-  /// takes. Nothing where it would take more or 200 MB, or where a pivot is 0. Time and memory grow faster
-  /// than n.
+  /// takes. Nothing where it would take more, more than 2^32 or 200 MB, or where a pivot is 0. Time and
+  /// memory grow faster than n.
   static std::optional<SparseFactor> make(const SymmetricMatrix& matrix, std::vector<std::uint32_t> place,
                                           std::uint64_t& work_left);
 

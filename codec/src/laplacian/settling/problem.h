@@ -19,11 +19,11 @@ namespace deltamesh::settling {
 /// Owns nothing.
 struct Problem {
   const Adjacency& graph;                  ///< n vertices, which have neighbours
-  const Components& components;            ///< of `graph`
+  const Components& components;            ///< of `graph`, at least one
   std::span<const std::uint32_t> anchors;  ///< ascending, at least one in each component
   DeltaView deltas;                        ///< n
   std::span<const Vec3> targets;           ///< one per anchor
-  /// That deltas were rounded to, as far as that is known.
+  /// Quantisation step of the deltas; infinite where it is not known.
   double step = deltas.has_symbols() ? deltas.scale().step : std::numeric_limits<double>::infinity();
 };
 

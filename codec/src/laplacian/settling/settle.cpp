@@ -27,7 +27,12 @@ using multigrid::Level;
 constexpr int kMostSteps = 60;
 constexpr int kMostDirectSteps = 8;
 
-/// Multiplications of all factorisations: two to four seconds. Meshes of 30,000 vertices take half of them.
+/// What a step leaves of the size of the one before, at the worst, as far as it is believed. The second step
+/// by a factorisation is one of rounding, which does not become smaller.
+constexpr double kHighestRate = 0.98;
+constexpr double kHighestDirectRate = 0.5;
+
+/// Multiplications of all factorisations: twice what one may take.
 constexpr std::uint64_t kMostWork = std::uint64_t{1} << 33;
 
 /// Vertices that are solved together, unless a component has more: what is known of them fits in a cache.
@@ -37,7 +42,7 @@ constexpr std::size_t kBatch = 4096;
 /// the errors to expect [DELT-6].
 constexpr double kMostExcess = 4;
 
-/// Factor after step 3 if at most 1/16 of the vertices are unsettled, after step 13 in any case.
+/// Factor after step 3 if at most 1/16 of the vertices solved for are unsettled, after step 13 in any case.
 bool is_time_to_factor(int step, std::size_t unsettled, std::size_t vertices) noexcept {
   return (step == 3 && 16 * unsettled <= vertices) || step == 13;
 }
@@ -86,7 +91,7 @@ Error out_of_reach() {
           .rule = "DELT-4"};
 }
 
-/// Components with marks.
+/// Of the components that have marks.
 VertexSubset vertices_of(const Components& components, std::span<const std::uint8_t> marks) {
   VertexSubset vertices;
   for_each_run(components, [&](std::uint32_t begin, std::uint32_t end, std::uint32_t component) {
@@ -95,7 +100,8 @@ VertexSubset vertices_of(const Components& components, std::span<const std::uint
   return vertices;
 }
 
-/// Components, in their order, that together have kBatch vertices; fewer in the last.
+/// The vertices of components that follow each other and have at least kBatch of them together; the last ones
+/// may have fewer.
 std::vector<VertexSubset> divide(const Components& components) {
   std::vector<std::uint32_t> batch_of;
   std::uint32_t batch = 0;
@@ -121,7 +127,7 @@ bool factor_and_solve(const PartialProblem& part, double unit, double noise, std
   auto factor = CoupledFactor::make(problem.graph, problem.anchors, work_left);
   if (!factor) return false;
   Steps steps(problem, unit);
-  Convergence convergence(problem.components, problem.anchors.size(), noise);
+  Convergence convergence(problem.components, problem.anchors, noise, kHighestDirectRate);
   bool is_settled = false;
   for (int step = 0; step < kMostDirectSteps && !is_settled; ++step) {
     steps.set_residual(factor->first());
@@ -148,7 +154,7 @@ Result<void> settle_together(const Problem& problem, ThreadTeam* team, std::uint
   multigrid::LevelSolver cycles(rich_levels(levels, holds), holds, problem.components.label, team);
   Steps steps(problem, unit);
   const double noise = noise_of(problem, unit, steps);
-  Convergence convergence(problem.components, problem.anchors.size(), noise);
+  Convergence convergence(problem.components, problem.anchors, noise, kHighestRate);
   bool is_settled = false;
   bool is_left = false;  // to a factorisation
   for (int step = 1; step <= kMostSteps && !is_settled && !is_left; ++step) {
