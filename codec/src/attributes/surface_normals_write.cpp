@@ -155,7 +155,7 @@ RuleSample sample_surface(const AttributeSurface& surface) {
 
   std::vector<std::uint32_t> faces;
   for (const std::uint32_t first : sample.vertices)
-    for (std::uint32_t v = first; v < surface.copies_end(first); ++v)
+    for (std::uint32_t v = first, end = surface.copies_end(first); v < end; ++v)
       for (const Corner& corner : surface.corners().of(v)) faces.push_back(corner.face);
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
@@ -171,7 +171,7 @@ RuleFit fit_rule(NormalRule rule, const RuleSample& sample, const NormalChoice& 
   const auto sums = sum_by_rule(rule, sample.triangles, surface.positions());
   for (const std::uint32_t first : sample.vertices) {
     RuleSum sum{};
-    for (std::uint32_t v = first; v < surface.copies_end(first); ++v)
+    for (std::uint32_t v = first, end = surface.copies_end(first); v < end; ++v)
       if (v == first || choice.same(v, first)) sum += sums[v];
     Vec3 normal = widen(sum);
     if (!(normalize(normal) > 0)) continue;
