@@ -12,7 +12,7 @@
 #include "deltamesh/io.h"
 #include "support/gltf_asset.h"
 
-namespace deltamesh {
+namespace deltamesh::gltf_files_test {
 namespace {
 
 using test::GltfBuilder;
@@ -114,4 +114,4 @@ TEST_F(GltfFiles, CorpusAssetsComeBackWithTheSameCounts) {
 }
 
 }  // namespace
-}  // namespace deltamesh
+}  // namespace deltamesh::gltf_files_test

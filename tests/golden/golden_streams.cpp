@@ -9,7 +9,7 @@
 #include "scenes.h"
 #include "support/meshes.h"
 
-namespace deltamesh::testing {
+namespace deltamesh::test {
 namespace {
 
 template <class T>
@@ -206,4 +206,4 @@ Mesh rough_grid() {
   return mesh;
 }
 
-}  // namespace deltamesh::testing
+}  // namespace deltamesh::test

@@ -10,7 +10,7 @@
 #include "deltamesh/encode.h"
 #include "deltamesh/mesh.h"
 
-namespace deltamesh::testing {
+namespace deltamesh::test {
 
 struct Golden {
   const char* name;  ///< tests/golden/<name>.v1d<draft>.dmsh and .off
@@ -23,4 +23,4 @@ std::vector<Golden> golden_streams();
 /// A rough surface with smooth colours: no repetition for zstd, neighbourhoods for the compact coder.
 Mesh rough_grid();
 
-}  // namespace deltamesh::testing
+}  // namespace deltamesh::test

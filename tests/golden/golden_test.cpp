@@ -17,9 +17,9 @@
 namespace deltamesh {
 namespace {
 
-using testing::Golden;
-using testing::golden_streams;
-using testing::rough_grid;
+using test::Golden;
+using test::golden_streams;
+using test::rough_grid;
 
 bool update_golden = false;
 

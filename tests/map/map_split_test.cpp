@@ -46,7 +46,7 @@ TEST(MapSplit, MAP4EveryFaceOnceAndSharedVerticesStayShared) {
 }
 
 TEST(MapSplit, AwkwardMeshes) {
-  for (const auto& [name, mesh] : testing::awkward_meshes()) {
+  for (const auto& [name, mesh] : test::awkward_meshes()) {
     SCOPED_TRACE(name);
     MapDescription description = description_of(mesh, 512);
     if (!split(mesh, description)) continue;  // beyond the lattice, or no mesh

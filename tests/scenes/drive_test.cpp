@@ -86,7 +86,8 @@ TEST(Drive, NoCracksBetweenBlocks) {
   using Place = std::array<float, 3>;
   std::map<std::pair<Place, Place>, int> edges;
   std::size_t inner = 0;
-  for (const auto& [id, mesh] : drive.blocks()) {
+  for (const auto& block : drive.blocks()) {
+    const auto& mesh = block.second;
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
       const auto place = [&](std::size_t corner) {
         const float* p = &mesh.positions[3 * std::size_t{mesh.triangles[corner]}];

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace deltamesh {
+namespace deltamesh::chunk_header_test {
 namespace {
 
 constexpr std::uint32_t kTags[] = {kTagConnectivity, kTagSeams,     kTagFaceGroups, kTagDeltas, kTagAnchors,
@@ -76,4 +76,4 @@ TEST(ChunkHeader, DIR5RejectsLengthsThatCannotBothBe) {
 }
 
 }  // namespace
-}  // namespace deltamesh
+}  // namespace deltamesh::chunk_header_test

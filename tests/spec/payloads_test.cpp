@@ -70,7 +70,7 @@ void expect_error_or_valid(std::span<const std::byte> stream) {
 class Payloads : public ::testing::TestWithParam<std::tuple<std::size_t, Profile>> {
  protected:
   Parts parts_ = take_apart(
-      testing::awkward_meshes()[std::get<0>(GetParam())].mesh,
+      test::awkward_meshes()[std::get<0>(GetParam())].mesh,
       {.bits = 8, .profile = std::get<1>(GetParam()), .keep_order = true, .keep_unreferenced = true});
 };
 
@@ -102,8 +102,7 @@ TEST_P(Payloads, AnyShorterOrLongerPayloadIsACleanError) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Awkward, Payloads,
-                         ::testing::Combine(::testing::Range(std::size_t{0},
-                                                             testing::awkward_meshes().size()),
+                         ::testing::Combine(::testing::Range(std::size_t{0}, test::awkward_meshes().size()),
                                             ::testing::Values(Profile::kSmallest, Profile::kZstd)));
 
 std::string broken_rule(const Parts& parts) {
@@ -112,14 +111,14 @@ std::string broken_rule(const Parts& parts) {
 }
 
 TEST(Stream, HDR7RejectsAnotherNumberOfComponents) {
-  Parts parts = take_apart(testing::bumpy_grid(9, 9), {.anchors = 5});
+  Parts parts = take_apart(test::bumpy_grid(9, 9), {.anchors = 5});
   ASSERT_EQ(broken_rule(parts), "none");
   parts.header.components += 1;
   EXPECT_EQ(broken_rule(parts), "HDR-7");
 }
 
 TEST(Stream, GEO1RejectsPositionsBeyondFloat32) {
-  Parts parts = take_apart(testing::bumpy_grid(9, 9), {.bits = 8});
+  Parts parts = take_apart(test::bumpy_grid(9, 9), {.bits = 8});
   parts.header.highpass.step = 1e300;
   const auto mesh = decode(parts.assemble());
   ASSERT_FALSE(mesh);
@@ -129,7 +128,7 @@ TEST(Stream, GEO1RejectsPositionsBeyondFloat32) {
 /// A grid with normals, texture coordinates and colours as glTF names them, cut in two along a column, whose
 /// vertices have two values.
 Mesh small_primitive(std::uint32_t columns, std::uint32_t rows) {
-  Mesh mesh = testing::attributed_grid(columns, rows);
+  Mesh mesh = test::attributed_grid(columns, rows);
   mesh.attributes.pop_back();
   mesh.attributes[0].name = "NORMAL";
   mesh.attributes[1].name = "COLOR_0";
@@ -138,7 +137,7 @@ Mesh small_primitive(std::uint32_t columns, std::uint32_t rows) {
   for (std::size_t i = 0; i < mesh.positions.size(); i += 3)  // no grid is left
     for (std::size_t axis = 0; axis < 3; ++axis)
       mesh.positions[i + axis] += 0.3F * std::sin(0.7F * static_cast<float>(i + 5 * axis));
-  const std::vector<float> plain = testing::bumpy_grid(columns, rows).positions;
+  const std::vector<float> plain = test::bumpy_grid(columns, rows).positions;
   const auto seam = static_cast<float>(columns / 2);
   const std::size_t before = mesh.vertex_count();
   std::vector<std::uint32_t> copy(before, 0);
@@ -175,7 +174,7 @@ TEST(Stream, SmallPrimitivesSpendAtMost64BytesBesideTheirPayloads) {
 }
 
 TEST(Stream, LongestPayloadsOfTheEncoderKeepDIR5) {
-  for (const auto& named : testing::awkward_meshes()) {
+  for (const auto& named : test::awkward_meshes()) {
     const Parts parts = take_apart(named.mesh, {.bits = 16, .keep_order = true, .keep_unreferenced = true});
     for (const StoredPayload& p : parts.payloads)
       EXPECT_LE(p.bytes.size(), 1024 + 160 * (parts.header.vertices + parts.header.triangles)) << named.name;

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace deltamesh::testing {
+namespace deltamesh::test {
 namespace {
 
 Mesh mesh_of(std::vector<float> positions, std::vector<std::uint32_t> triangles) {
@@ -162,4 +162,4 @@ std::vector<std::array<std::uint32_t, 3>> canonical_faces(std::span<const std::u
   return faces;
 }
 
-}  // namespace deltamesh::testing
+}  // namespace deltamesh::test

@@ -10,7 +10,7 @@
 
 #include "deltamesh/mesh.h"
 
-namespace deltamesh::testing {
+namespace deltamesh::test {
 
 struct NamedMesh {
   std::string name;
@@ -33,4 +33,4 @@ std::vector<NamedMesh> awkward_meshes();
 /// the same oriented faces.
 std::vector<std::array<std::uint32_t, 3>> canonical_faces(std::span<const std::uint32_t> triangles);
 
-}  // namespace deltamesh::testing
+}  // namespace deltamesh::test

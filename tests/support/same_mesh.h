@@ -9,7 +9,7 @@
 #include "deltamesh/mesh.h"
 #include "deltamesh/result.h"
 
-namespace deltamesh::testing {
+namespace deltamesh::test {
 
 inline void expect_same(const Mesh& a, const Mesh& b) {
   EXPECT_EQ(a.origin, b.origin);
@@ -33,4 +33,4 @@ inline void expect_same(const Result<Mesh>& a, const Result<Mesh>& b) {
   }
 }
 
-}  // namespace deltamesh::testing
+}  // namespace deltamesh::test

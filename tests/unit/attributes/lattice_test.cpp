@@ -22,7 +22,7 @@
 #include "support/attribute_coding.h"
 #include "support/random.h"
 
-namespace deltamesh {
+namespace deltamesh::lattice_test {
 namespace {
 
 using test::grid_of;
@@ -523,4 +523,4 @@ TEST(Lattice, CON3PrefixesAndExtraBytesAreRefusedAndFlippedOnesEnd) {
 }
 
 }  // namespace
-}  // namespace deltamesh
+}  // namespace deltamesh::lattice_test

@@ -22,7 +22,7 @@
 #include "support/attribute_coding.h"
 #include "support/random.h"
 
-namespace deltamesh {
+namespace deltamesh::skin_test {
 namespace {
 
 using test::grid_of;
@@ -346,4 +346,4 @@ TEST(Skin, CON3PrefixesAndExtraBytesAreRefusedAndFlippedOnesEnd) {
 }
 
 }  // namespace
-}  // namespace deltamesh
+}  // namespace deltamesh::skin_test

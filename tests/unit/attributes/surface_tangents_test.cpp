@@ -16,7 +16,7 @@
 #include "base/portable_math.h"
 #include "support/soups.h"
 
-namespace deltamesh {
+namespace deltamesh::surface_tangents_test {
 namespace {
 
 /// A surface with everything that tangents are predicted from.
@@ -228,4 +228,4 @@ TEST(SurfaceTangents, WhatDoesNotSuitIsLeftToOtherCodings) {
 }
 
 }  // namespace
-}  // namespace deltamesh
+}  // namespace deltamesh::surface_tangents_test

@@ -15,7 +15,7 @@
 #include "attributes/surface_order.h"
 #include "support/soups.h"
 
-namespace deltamesh {
+namespace deltamesh::surface_uvs_test {
 namespace {
 
 /// A textured surface, and what is asked of it.
@@ -300,4 +300,4 @@ TEST(SurfaceUvs, PrefixesAndMoreBytesAreRefused) {
 }
 
 }  // namespace
-}  // namespace deltamesh
+}  // namespace deltamesh::surface_uvs_test

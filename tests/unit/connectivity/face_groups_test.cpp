@@ -20,7 +20,7 @@
 #include "support/meshes.h"
 #include "support/soups.h"
 
-namespace deltamesh {
+namespace deltamesh::face_groups_test {
 namespace {
 
 using Numbers = std::vector<std::uint32_t>;
@@ -155,7 +155,7 @@ std::map<Numbers, Numbers> groups_of_faces(const Mesh& mesh, const Numbers& orde
 }
 
 TEST(FaceGroups, FollowTheirFacesThroughAStream) {
-  for (const auto& named : testing::awkward_meshes()) {
+  for (const auto& named : test::awkward_meshes()) {
     Mesh mesh = named.mesh;
     for (std::uint32_t f = 0; f < mesh.triangle_count(); ++f) mesh.face_groups.push_back(f * f % 5);
     for (const bool keep_order : {false, true}) {
@@ -179,7 +179,7 @@ TEST(FaceGroups, FollowTheirFacesThroughAStream) {
 }
 
 TEST(FaceGroups, AStreamSaysWhetherThereAreAny) {
-  Mesh mesh = testing::bumpy_grid(5, 4);
+  Mesh mesh = test::bumpy_grid(5, 4);
   EXPECT_TRUE(decode(encode(mesh)->bytes)->face_groups.empty());
   mesh.face_groups.assign(mesh.triangle_count(), 0);
   const auto encoded = encode(mesh);
@@ -190,7 +190,7 @@ TEST(FaceGroups, AStreamSaysWhetherThereAreAny) {
 }
 
 TEST(FaceGroups, MeshesThatDoNotAddUpAreRejected) {
-  Mesh mesh = testing::tetrahedron();
+  Mesh mesh = test::tetrahedron();
   mesh.face_groups = {0, 1, 2};
   EXPECT_EQ(encode(mesh).error().code, ErrorCode::kInvalidMesh);
   mesh.face_groups = {0, 1, 2, 65536};
@@ -199,4 +199,4 @@ TEST(FaceGroups, MeshesThatDoNotAddUpAreRejected) {
 }
 
 }  // namespace
-}  // namespace deltamesh
+}  // namespace deltamesh::face_groups_test

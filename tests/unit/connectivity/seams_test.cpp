@@ -17,7 +17,7 @@
 #include "entropy/planes.h"
 #include "support/soups.h"
 
-namespace deltamesh {
+namespace deltamesh::seams_test {
 namespace {
 
 using test::Indices;
@@ -265,4 +265,4 @@ TEST(Seams, SEAM8RejectsCopiesThatAreNotThere) {
 }
 
 }  // namespace
-}  // namespace deltamesh
+}  // namespace deltamesh::seams_test

@@ -71,7 +71,7 @@ TEST(FailingAllocations, LeaveATeamWithFewerThreads) {
 }
 
 TEST(FailingAllocations, AreErrorsOfDecodingOnAnyNumberOfThreads) {
-  const Mesh mesh = testing::attributed_grid(150, 130);
+  const Mesh mesh = test::attributed_grid(150, 130);
   for (const GeometryCoder geometry : {GeometryCoder::kHighpass, GeometryCoder::kPredictive}) {
     const auto encoded = encode(mesh, {.geometry = geometry});
     ASSERT_TRUE(encoded) << describe(encoded.error());
@@ -88,7 +88,7 @@ TEST(FailingAllocations, AreErrorsOfDecodingOnAnyNumberOfThreads) {
           EXPECT_EQ(decoded.error().code, ErrorCode::kOutOfMemory);
         }
       });
-      EXPECT_TRUE(encode(testing::attributed_grid(3, 2), {}));
+      EXPECT_TRUE(encode(test::attributed_grid(3, 2), {}));
     }
   }
 }

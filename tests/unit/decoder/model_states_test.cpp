@@ -22,11 +22,11 @@ EncodeOptions options(GeometryCoder coder) {
 
 TEST(ModelStates, CMP16AStreamAfterAnotherIsShorterAndTheSame) {
   for (const GeometryCoder coder : {GeometryCoder::kPredictive, GeometryCoder::kHighpass}) {
-    const auto first = encode(testing::attributed_grid(30, 20), options(coder));
+    const auto first = encode(test::attributed_grid(30, 20), options(coder));
     ASSERT_TRUE(first);
     const auto states = ModelStates::learn(first->bytes);
     ASSERT_TRUE(states);
-    const Mesh mesh = testing::attributed_grid(14, 13);
+    const Mesh mesh = test::attributed_grid(14, 13);
     EncodeOptions after = options(coder);
     const auto fresh = encode(mesh, after);
     after.starting_states = &*states;
@@ -48,7 +48,7 @@ TEST(ModelStates, CMP16AStreamAfterAnotherIsShorterAndTheSame) {
 
 TEST(ModelStates, LearnsFromNoStreamThatIsNone) {
   EXPECT_FALSE(ModelStates::learn({}));
-  auto stream = encode(testing::tetrahedron())->bytes;
+  auto stream = encode(test::tetrahedron())->bytes;
   EXPECT_EQ(ModelStates::learn(stream, {.limits = {.triangles = 3}}).error().code, ErrorCode::kLimitExceeded);
   stream[12] ^= std::byte{1};
   EXPECT_FALSE(ModelStates::learn(stream));

@@ -20,7 +20,7 @@
 namespace deltamesh {
 namespace {
 
-using testing::expect_same;
+using test::expect_same;
 
 constexpr unsigned kCounts[] = {2, 3, 4, 0};
 
@@ -54,12 +54,12 @@ TEST(Threads, GiveTheSameBits) {
     ASSERT_TRUE(mesh);
     expect_same_for_all_counts(*mesh, {});
   }
-  for (const auto& named : testing::awkward_meshes()) {
+  for (const auto& named : test::awkward_meshes()) {
     SCOPED_TRACE(named.name);
     expect_same_for_all_counts(named.mesh, {.keep_unreferenced = true});
   }
-  expect_same_for_all_counts(testing::attributed_grid(30, 20), {.keep_order = true});
-  expect_same_for_all_counts(testing::attributed_grid(30, 20), {.geometry = GeometryCoder::kPredictive});
+  expect_same_for_all_counts(test::attributed_grid(30, 20), {.keep_order = true});
+  expect_same_for_all_counts(test::attributed_grid(30, 20), {.geometry = GeometryCoder::kPredictive});
 }
 
 /// With rows to share, and chunks of the finest level.
@@ -95,7 +95,7 @@ TEST(Threads, ADecodeMayBeMadeWithinAnother) {
 }
 
 TEST(Threads, GiveTheSameErrors) {
-  const auto encoded = encode(testing::attributed_grid(12, 9), {.profile = Profile::kZstd});
+  const auto encoded = encode(test::attributed_grid(12, 9), {.profile = Profile::kZstd});
   ASSERT_TRUE(encoded);
   for (std::size_t i = 0; i < encoded->bytes.size(); i += 7) {
     std::vector<std::byte> broken = encoded->bytes;

@@ -41,7 +41,7 @@ Mesh fragments(std::uint32_t count) {
 }
 
 Mesh flat_grid() {
-  Mesh mesh = testing::bumpy_grid(30, 30);
+  Mesh mesh = test::bumpy_grid(30, 30);
   for (std::size_t i = 2; i < mesh.positions.size(); i += 3) mesh.positions[i] = 0;
   return mesh;
 }
@@ -66,7 +66,7 @@ void expect_declared_quality(const Mesh& mesh, const Encoded& encoded) {
 
 /// A grid whose vertices are shaken by a fixed pseudo-random sequence: no two deltas are alike.
 Mesh shaken_grid() {
-  Mesh mesh = testing::bumpy_grid(70, 60);
+  Mesh mesh = test::bumpy_grid(70, 60);
   std::uint32_t state = 1;
   for (float& x : mesh.positions) {
     state = 1664525 * state + 1013904223;
@@ -93,7 +93,7 @@ TEST(QualityRequest, LandsOnAGrid) {
 }
 
 TEST(QualityRequest, UnitsAgree) {
-  const Mesh mesh = testing::bumpy_grid(30, 30);
+  const Mesh mesh = test::bumpy_grid(30, 30);
   const StreamInfo info = encode(mesh)->report.stream;
   const double vde = 0.0005 * info.diagonal;
   const PaperQuality paper = paper_form({.vde_rms = vde}, info.geometric_vertices, info.diagonal);
@@ -107,13 +107,13 @@ TEST(QualityRequest, UnitsAgree) {
 }
 
 TEST(QualityRequest, EqualRequestsGiveEqualBytes) {
-  const Mesh mesh = testing::bumpy_grid(40, 40);
+  const Mesh mesh = test::bumpy_grid(40, 40);
   const EncodeOptions options{.quality = {.vde = percent(0.05), .lfe = percent(0.1)}};
   EXPECT_EQ(encode(mesh, options)->bytes, encode(mesh, options)->bytes);
 }
 
 TEST(QualityRequest, ContainersDoNotChangeTheStream) {
-  const Mesh mesh = testing::bumpy_grid(40, 40);
+  const Mesh mesh = test::bumpy_grid(40, 40);
   EncodeOptions options{.quality = {.vde = percent(0.05), .lfe = percent(0.1)}};
   const auto alone = encode(mesh, options);
   options.anchor_containers = std::make_shared<AnchorContainers>();
@@ -128,7 +128,7 @@ TEST(QualityRequest, ContainersDoNotChangeTheStream) {
 }
 
 TEST(QualityRequest, MaxErrorIsKeptOnAwkwardMeshes) {
-  for (const auto& named : testing::awkward_meshes()) {
+  for (const auto& named : test::awkward_meshes()) {
     const auto plain = encode(named.mesh);
     ASSERT_TRUE(plain);
     const double diagonal = plain->report.stream.diagonal;
@@ -265,7 +265,7 @@ TEST(QualityRequest, BadRequestsAreRefused) {
 }
 
 TEST(QualityRequest, WithoutOptionsNothingIsLostThatOneCouldTell) {
-  for (const auto& named : testing::awkward_meshes()) {
+  for (const auto& named : test::awkward_meshes()) {
     for (const int effort : {0, 5}) {
       const auto encoded = encode(named.mesh, {.effort = effort});
       if (!encoded) continue;  // what floats cannot hold
@@ -277,7 +277,7 @@ TEST(QualityRequest, WithoutOptionsNothingIsLostThatOneCouldTell) {
     }
   }
   // A fine mesh keeps its looks too: edges of a 500th of the diagonal, and errors of a 25th of these.
-  const auto fine = encode(testing::bumpy_grid(350, 350));
+  const auto fine = encode(test::bumpy_grid(350, 350));
   EXPECT_LT(fine->report.stream.quality.max_error, 0.05 * 1.3);
 }
 
@@ -293,7 +293,7 @@ TEST(QualityRequest, WithoutOptionsThereIsAlwaysAStream) {
 
 /// Of fewer bytes than the defaults take: both positions and attributes are coarser.
 TEST(QualityRequest, BytesAreSharedBetweenPositionsAndAttributes) {
-  Mesh mesh = testing::attributed_grid(60, 50);
+  Mesh mesh = test::attributed_grid(60, 50);
   mesh.attributes.pop_back();  // the score, which stays exact
   const auto whole = encode(mesh);
   for (const int effort : {0, 5}) {
@@ -307,7 +307,7 @@ TEST(QualityRequest, BytesAreSharedBetweenPositionsAndAttributes) {
 }
 
 TEST(QualityRequest, WhatFloatsCannotHoldIsUnmet) {
-  const Mesh mesh = testing::bumpy_grid(20, 20);
+  const Mesh mesh = test::bumpy_grid(20, 20);
   for (const QualityRequest& request : {QualityRequest{.vde = QualityBound{.value = 1e-12}},
                                         QualityRequest{.lfe = QualityBound{.value = 1e-12}},
                                         QualityRequest{.max_error = QualityBound{1e-12}}}) {

@@ -16,9 +16,9 @@
 namespace deltamesh {
 namespace {
 
-using testing::awkward_meshes;
-using testing::canonical_faces;
-using testing::NamedMesh;
+using test::awkward_meshes;
+using test::canonical_faces;
+using test::NamedMesh;
 
 std::vector<std::uint32_t> referenced_vertices(const Mesh& mesh) {
   std::vector<std::uint32_t> used = mesh.triangles;
@@ -139,7 +139,7 @@ TEST(RoundTrip, GEO1CopiesOfAGeometricVertexStayTogether) {
 }
 
 TEST(RoundTrip, AttributesFollowTheirVertices) {
-  const Mesh mesh = testing::attributed_grid(12, 9);
+  const Mesh mesh = test::attributed_grid(12, 9);
   for (const bool keep_order : {false, true}) {
     const auto encoded = encode(mesh, {.keep_order = keep_order});
     const auto decoded = decode(encoded->bytes);
@@ -171,7 +171,7 @@ TEST(RoundTrip, AttributesFollowTheirVertices) {
 }
 
 TEST(RoundTrip, MoreBitsMeanLessErrorAndMoreBytes) {
-  const Mesh mesh = testing::bumpy_grid(40, 40);
+  const Mesh mesh = test::bumpy_grid(40, 40);
   const auto coarse = encode(mesh, {.bits = 5});
   const auto fine = encode(mesh, {.bits = 10});
   EXPECT_LT(fine->report.stream.quality.vde_rms, coarse->report.stream.quality.vde_rms / 16);
@@ -179,7 +179,7 @@ TEST(RoundTrip, MoreBitsMeanLessErrorAndMoreBytes) {
 }
 
 TEST(Encode, NamesTheFirstVertexThatIsNotFinite) {
-  Mesh mesh = testing::bumpy_grid(3, 3);
+  Mesh mesh = test::bumpy_grid(3, 3);
   mesh.positions[3 * 7 + 1] = std::numeric_limits<float>::quiet_NaN();
   const auto result = encode(mesh);
   ASSERT_FALSE(result);
@@ -189,7 +189,7 @@ TEST(Encode, NamesTheFirstVertexThatIsNotFinite) {
 }
 
 TEST(Encode, RejectsCoordinatesWhoseDecodedOnesAreNoFloats) {
-  Mesh mesh = testing::bumpy_grid(9, 9);
+  Mesh mesh = test::bumpy_grid(9, 9);
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) mesh.positions[i] = i % 2 == 0 ? 3.4e38F : -3.4e38F;
   for (std::size_t v = 0; v < 81; ++v) mesh.positions[3 * v] *= static_cast<float>(v) / 81;  // not all welded
   for (const EncodeOptions& options : {EncodeOptions{.bits = 3}, EncodeOptions{.step = 1e300}}) {
@@ -200,19 +200,19 @@ TEST(Encode, RejectsCoordinatesWhoseDecodedOnesAreNoFloats) {
 }
 
 TEST(Encode, RejectsMeshesThatDoNotAddUp) {
-  Mesh index = testing::tetrahedron();
+  Mesh index = test::tetrahedron();
   index.triangles[4] = 4;
   EXPECT_EQ(encode(index).error().where, 1U) << "second triangle";
-  Mesh ragged = testing::tetrahedron();
+  Mesh ragged = test::tetrahedron();
   ragged.positions.pop_back();
   EXPECT_EQ(encode(ragged).error().code, ErrorCode::kInvalidMesh);
-  Mesh values = testing::attributed_grid(2, 2);
+  Mesh values = test::attributed_grid(2, 2);
   values.attributes[2].values.pop_back();
   EXPECT_EQ(encode(values).error().where, 2U) << "third attribute";
 }
 
 TEST(Encode, RefusesMoreThanTheFormatHoldsBeforeItReadsAny) {
-  const Mesh mesh = testing::tetrahedron();
+  const Mesh mesh = test::tetrahedron();
   MeshView many = mesh;
   many.triangles = {mesh.triangles.data(), 3 * ((std::size_t{1} << 29) + 1)};
   EXPECT_EQ(encode(many).error().code, ErrorCode::kLimitExceeded);
@@ -222,7 +222,7 @@ TEST(Encode, RefusesMoreThanTheFormatHoldsBeforeItReadsAny) {
 }
 
 TEST(Encode, RejectsOptionsOutsideTheirRange) {
-  const Mesh mesh = testing::tetrahedron();
+  const Mesh mesh = test::tetrahedron();
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const EncodeOptions& options :
        {EncodeOptions{.bits = 2}, EncodeOptions{.bits = 17}, EncodeOptions{.bits = 8, .step = 0.1},
@@ -240,7 +240,7 @@ TEST(Encode, RejectsOptionsOutsideTheirRange) {
 }
 
 TEST(Decode, RefusesBeyondTheCallersLimits) {
-  const auto encoded = encode(testing::attributed_grid(10, 10));
+  const auto encoded = encode(test::attributed_grid(10, 10));
   ASSERT_TRUE(encoded);
   const auto code = [&](const DecodeLimits& limits) {
     const auto result = decode(encoded->bytes, {.limits = limits});
@@ -259,7 +259,7 @@ TEST(Decode, ReportsProgressUpToTheEnd) {
     EXPECT_GE(share, last);
     last = share;
   };
-  const auto encoded = encode(testing::bumpy_grid(10, 10), {.progress = note});
+  const auto encoded = encode(test::bumpy_grid(10, 10), {.progress = note});
   EXPECT_EQ(last, 1);
   last = 0;
   ASSERT_TRUE(decode(encoded->bytes, {.progress = note}));

@@ -8,7 +8,7 @@
 
 #include "deltamesh/io.h"
 
-namespace deltamesh {
+namespace deltamesh::files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -65,4 +65,4 @@ TEST_F(Files, ReadsOnlyFiles) {
 }
 
 }  // namespace
-}  // namespace deltamesh
+}  // namespace deltamesh::files_test

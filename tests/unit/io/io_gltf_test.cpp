@@ -17,13 +17,13 @@
 namespace deltamesh {
 namespace {
 
-using testing::expect_error;
-using testing::expect_robust;
-using testing::expect_valid;
-using testing::find;
-using testing::read_exact;
-using testing::read_text;
-using testing::values_of;
+using test::expect_error;
+using test::expect_robust;
+using test::expect_valid;
+using test::find;
+using test::read_exact;
+using test::read_text;
+using test::values_of;
 
 constexpr FileFormat kGltf = FileFormat::kGltf;
 
@@ -86,7 +86,7 @@ TEST(GltfReader, MeshesWithoutNodes) {
   EXPECT_EQ(mesh.attributes[0].name, "COLOR_0");
   EXPECT_EQ(mesh.attributes[0].kind, AttributeKind::kColor);
   EXPECT_EQ(values_of<std::uint8_t>(mesh.attributes[0])[15], 240);
-  expect_robust(testing::bytes_of(asset(kMesh)), kGltf);
+  expect_robust(test::bytes_of(asset(kMesh)), kGltf);
 }
 
 TEST(GltfReader, NodesMoveTurnAndRepeatMeshes) {
@@ -398,14 +398,14 @@ TEST(GltfReader, BuffersInOtherFiles) {
 }
 
 TEST(GltfReader, DataUris) {
-  EXPECT_EQ(testing::text_of(*decode_data_uri("data:text/plain;base64,aGVsbG8=")), "hello");
-  EXPECT_EQ(testing::text_of(*decode_data_uri("data:;base64,aGVsbG8h")), "hello!");
+  EXPECT_EQ(test::text_of(*decode_data_uri("data:text/plain;base64,aGVsbG8=")), "hello");
+  EXPECT_EQ(test::text_of(*decode_data_uri("data:;base64,aGVsbG8h")), "hello!");
   for (const char* uri : {"data:,hello", "data:;base64,a*b", "base64,aGVs", ""})
     EXPECT_FALSE(decode_data_uri(uri)) << uri;
 }
 
 TEST(GlbReader, BrokenContainersAreErrors) {
-  const auto bytes = *write_mesh(testing::small_mesh(), FileFormat::kGlb);
+  const auto bytes = *write_mesh(test::small_mesh(), FileFormat::kGlb);
   const auto changed = [&](std::size_t at, int value) {
     auto copy = bytes;
     copy[at] = static_cast<std::byte>(value);

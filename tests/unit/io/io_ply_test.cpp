@@ -12,11 +12,11 @@
 namespace deltamesh {
 namespace {
 
-using testing::expect_error;
-using testing::expect_robust;
-using testing::find;
-using testing::read_text;
-using testing::values_of;
+using test::expect_error;
+using test::expect_robust;
+using test::find;
+using test::read_text;
+using test::values_of;
 
 constexpr FileFormat kPly = FileFormat::kPly;
 
@@ -212,7 +212,7 @@ TEST(PlyReader, BinarySurvivesTruncation) {
   ASSERT_TRUE(imported) << describe(imported.error());
   EXPECT_EQ(imported->mesh.positions, (std::vector<float>{1, 2, 0, 5, 2, 0}));
   EXPECT_EQ(imported->mesh.triangles, (std::vector<std::uint32_t>{0, 1, 0}));
-  expect_robust(testing::bytes_of(text), kPly);
+  expect_robust(test::bytes_of(text), kPly);
 }
 
 }  // namespace

@@ -15,13 +15,13 @@
 namespace deltamesh {
 namespace {
 
-using testing::attribute;
-using testing::dressed_mesh;
-using testing::expect_robust;
-using testing::expect_valid;
-using testing::find;
-using testing::small_mesh;
-using testing::values_of;
+using test::attribute;
+using test::dressed_mesh;
+using test::expect_robust;
+using test::expect_valid;
+using test::find;
+using test::small_mesh;
+using test::values_of;
 
 constexpr FileFormat kFormats[] = {FileFormat::kPly, FileFormat::kObj,  FileFormat::kStl,
                                    FileFormat::kOff, FileFormat::kGltf, FileFormat::kGlb};
@@ -30,7 +30,7 @@ Mesh round_trip(const Mesh& mesh, FileFormat format) {
   const auto bytes = write_mesh(mesh, format);
   EXPECT_TRUE(bytes) << describe(bytes.error());
   if (!bytes) return {};
-  auto imported = testing::read_exact(*bytes, format);
+  auto imported = test::read_exact(*bytes, format);
   EXPECT_TRUE(imported) << describe(imported.error());
   if (!imported) return {};
   expect_valid(imported->mesh);

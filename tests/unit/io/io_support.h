@@ -15,7 +15,7 @@
 
 #include "deltamesh/io.h"
 
-namespace deltamesh::testing {
+namespace deltamesh::test {
 
 inline std::vector<std::byte> bytes_of(std::string_view text) {
   const auto bytes = std::as_bytes(std::span(text));
@@ -128,4 +128,4 @@ inline void expect_error(std::string_view text, FileFormat format, WhereKind kin
   EXPECT_EQ(imported.error().where, where) << describe(imported.error());
 }
 
-}  // namespace deltamesh::testing
+}  // namespace deltamesh::test

@@ -12,13 +12,13 @@
 namespace deltamesh {
 namespace {
 
-using testing::bytes_of;
-using testing::expect_error;
-using testing::expect_robust;
-using testing::find;
-using testing::read_exact;
-using testing::read_text;
-using testing::values_of;
+using test::bytes_of;
+using test::expect_error;
+using test::expect_robust;
+using test::find;
+using test::read_exact;
+using test::read_text;
+using test::values_of;
 
 TEST(ObjReader, SplitsVerticesAtSeamsAndKeepsTheirOrder) {
   const auto imported = read_text(
@@ -140,7 +140,7 @@ TEST(StlReader, SeveralSolidsUpperCaseAndNoName) {
 }
 
 TEST(StlReader, BinaryThatBeginsWithSolid) {
-  const Mesh mesh = testing::small_mesh();
+  const Mesh mesh = test::small_mesh();
   std::vector<std::byte> bytes = *write_mesh(mesh, FileFormat::kStl);
   const std::string title = "solid  exported as binary";
   for (std::size_t i = 0; i < title.size(); ++i) bytes[i] = static_cast<std::byte>(title[i]);

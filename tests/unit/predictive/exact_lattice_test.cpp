@@ -119,7 +119,7 @@ TEST(ExactLattice, FlatAxesHaveOnePoint) {
 }
 
 TEST(ExactLattice, LosslessStreamsOfDecimalsAreSmaller) {
-  Mesh decimal = testing::bumpy_grid(60, 50);
+  Mesh decimal = test::bumpy_grid(60, 50);
   std::uint32_t state = 1;
   for (float& x : decimal.positions) {
     const double jitter = ((state = state * 1664525 + 1013904223) >> 24) / 256.0;

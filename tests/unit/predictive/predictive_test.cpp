@@ -28,7 +28,7 @@
 #include "support/graph_mesh.h"
 #include "support/meshes.h"
 
-namespace deltamesh {
+namespace deltamesh::predictive_test {
 namespace {
 
 std::vector<test::GraphMesh> graph_meshes() {
@@ -146,7 +146,7 @@ TEST(Predictive, EveryPrefixIsTruncated) {
 }
 
 TEST(Predictive, TheAskedMaximumIsNeverExceeded) {
-  for (const auto& named : testing::awkward_meshes()) {
+  for (const auto& named : test::awkward_meshes()) {
     for (const double asked : {0.3, 0.01, 1e-4, 1e-12}) {
       for (const int effort : {0, 5}) {
         const auto encoded = encode(named.mesh, {.quality = {.max_error = QualityBound{asked}},
@@ -161,7 +161,7 @@ TEST(Predictive, TheAskedMaximumIsNeverExceeded) {
 }
 
 TEST(Predictive, LfeAndVdeLandBelowWhatIsAsked) {
-  Mesh mesh = testing::bumpy_grid(40, 30);
+  Mesh mesh = test::bumpy_grid(40, 30);
   std::uint32_t state = 1;
   for (float& x : mesh.positions)
     x += static_cast<float>((state = state * 1664525 + 1013904223) >> 8) * 1e-8F;
@@ -180,7 +180,7 @@ TEST(Predictive, LfeAndVdeLandBelowWhatIsAsked) {
 
 TEST(Predictive, AxesThatAreGridsKeepTheirSteps) {
   // A terrain of whole metres over a grid of 300 m, far from the origin.
-  Mesh mesh = testing::bumpy_grid(40, 30);
+  Mesh mesh = test::bumpy_grid(40, 30);
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
     mesh.positions[3 * v] = 560000 + 30 * std::round(mesh.positions[3 * v] * 10);
     mesh.positions[3 * v + 1] = 5100000 + 30 * std::round(mesh.positions[3 * v + 1] * 10);
@@ -218,7 +218,7 @@ TEST(Predictive, QuantisedSourcesNeedNoPlanes) {
 }
 
 TEST(Predictive, AutoIsTheSmallerOfTheTwo) {
-  const Mesh mesh = testing::bumpy_grid(50, 40);
+  const Mesh mesh = test::bumpy_grid(50, 40);
   for (const QualityRequest& request :
        {QualityRequest{.vde = QualityBound{0.01}}, QualityRequest{.max_error = QualityBound{0.01}}}) {
     std::uint64_t smallest = ~std::uint64_t{0};
@@ -261,19 +261,19 @@ void expect_lossless(const Mesh& mesh, bool keep_order) {
 }
 
 TEST(Lossless, FLT1FLT2FLT3FLT4EveryBitComesBack) {
-  for (const auto& named : testing::awkward_meshes()) {
+  for (const auto& named : test::awkward_meshes()) {
     SCOPED_TRACE(named.name);
     expect_lossless(named.mesh, false);
     expect_lossless(named.mesh, true);
   }
-  expect_lossless(testing::attributed_grid(9, 8), true);
+  expect_lossless(test::attributed_grid(9, 8), true);
   expect_lossless(room(), false);
 }
 
 TEST(Lossless, FloatsOfEverySizeComeBack) {
   std::uint32_t state = 1;
   const auto random = [&state] { return state = state * 1664525 + 1013904223; };
-  Mesh mesh = testing::bumpy_grid(12, 12);
+  Mesh mesh = test::bumpy_grid(12, 12);
   for (float& x : mesh.positions) {
     do x = std::bit_cast<float>(random());
     while (!std::isfinite(x));
@@ -340,7 +340,7 @@ TEST(Voxels, PartlyGriddedMeshesComeBack) {
 
 TEST(Predictive, QuickStreamsDeclareWhatADecoderGets) {
   std::size_t compared = 0;
-  for (const auto& [name, mesh] : testing::awkward_meshes()) {
+  for (const auto& [name, mesh] : test::awkward_meshes()) {
     for (const bool all : {false, true}) {
       const auto encoded = encode(
           mesh, {.geometry = GeometryCoder::kPredictive, .effort = 0, .bits = 7, .keep_unreferenced = all});
@@ -471,7 +471,7 @@ TEST(Predictive, POSN3ManyFacesAtOneEdgeTakeLinearTime) {
 
 TEST(Predictive, AStepTooFineForTheLatticeIsRefused) {
   const auto refused =
-      encode(testing::bumpy_grid(4, 4), {.geometry = GeometryCoder::kPredictive, .step = 1e-12});
+      encode(test::bumpy_grid(4, 4), {.geometry = GeometryCoder::kPredictive, .step = 1e-12});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::kInvalidArgument);
 }
@@ -529,4 +529,4 @@ TEST(Predictive, OptionsThatDoNotFitAreRefused) {
 }
 
 }  // namespace
-}  // namespace deltamesh
+}  // namespace deltamesh::predictive_test

@@ -19,7 +19,7 @@
 #include "predictive/residual_coder.h"
 #include "predictive/voxel_faces.h"
 
-namespace deltamesh {
+namespace deltamesh::voxel_free_test {
 namespace {
 
 using Numbers = std::array<std::int64_t, 3>;
@@ -161,4 +161,4 @@ TEST(Voxels, VOX1POSN5FreeVerticesAmongVerticesOnEdgesAreAsWritten) {
 }
 
 }  // namespace
-}  // namespace deltamesh
+}  // namespace deltamesh::voxel_free_test

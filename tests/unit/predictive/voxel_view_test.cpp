@@ -23,7 +23,7 @@
 #include "support/graph_mesh.h"
 #include "support/peak_memory.h"
 
-namespace deltamesh {
+namespace deltamesh::voxel_view_test {
 namespace {
 
 using voxel::kEdgeNodes;
@@ -500,4 +500,4 @@ TEST(VoxelPair, VOX2FacesWithoutACubeAreNone) {
 }
 
 }  // namespace
-}  // namespace deltamesh
+}  // namespace deltamesh::voxel_view_test
