@@ -21,6 +21,10 @@ inline std::uint32_t checksum_of(std::span<const std::byte> bytes) noexcept {
   return static_cast<std::uint32_t>(XXH3_64bits(bytes.data(), bytes.size()));
 }
 
+/// Whether a stored checksum is the one that was computed. Weak, so that fuzzers, which cannot guess
+/// checksums, can link one that agrees to any: what lies behind a checksum must be safe on its own.
+bool checksum_holds(std::uint32_t stored, std::uint32_t computed) noexcept;
+
 /// The stream length that [CNT-5] asks for.
 inline std::uint64_t bytes_needed(const FileHeader& header) noexcept {
   const std::uint64_t elements = std::uint64_t{header.vertices} + header.triangles;
