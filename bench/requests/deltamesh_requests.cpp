@@ -152,6 +152,11 @@ void print_acceptance(const Options& options, const std::vector<MeshSource>& sou
 
 int run(const Options& options) {
   const std::vector<MeshSource> sources = chosen_meshes(options);
+  if (sources.empty()) {
+    std::fprintf(stderr, "%s: no mesh whose name matches %s\n", options.corpus.c_str(),
+                 options.meshes.c_str());
+    return EXIT_FAILURE;
+  }
   std::printf("Processor %s, Draco %s, effort %d.\n", processor_name().c_str(), draco_version().c_str(),
               options.effort);
   if (!options.times_alone) print_acceptance(options, sources);
