@@ -21,8 +21,9 @@ inline std::uint32_t checksum_of(std::span<const std::byte> bytes) noexcept {
   return static_cast<std::uint32_t>(XXH3_64bits(bytes.data(), bytes.size()));
 }
 
-/// Whether a stored checksum is the one that was computed. Weak, so that fuzzers, which cannot guess
-/// checksums, can link one that agrees to any: what lies behind a checksum must be safe on its own.
+/// Whether a stored checksum is the one that was computed. Its definition is weak: fuzz targets, which cannot
+/// guess checksums, put one in its place that is always true, as what lies behind a checksum must be safe
+/// without it.
 bool checksum_holds(std::uint32_t stored, std::uint32_t computed) noexcept;
 
 /// The stream length that [CNT-5] asks for.
