@@ -122,6 +122,8 @@ def streams_of_assets(program, corpus, work):
 
 def main():
     program, corpus = sys.argv[1:3]
+    if corpus != "none" and not os.path.isdir(corpus):
+        sys.exit(f"{corpus}: no such folder")
     count, first = (int(x) for x in (sys.argv[3:] + ["220", "0"][len(sys.argv) - 3:]))
     alike = made = 0
     with tempfile.TemporaryDirectory() as work:
