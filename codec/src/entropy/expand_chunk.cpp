@@ -16,11 +16,10 @@ Result<ExpandedChunk> expand_chunk(const Container& container, const ChunkEntry&
   const auto coded = container.coded(entry);
   if (entry.codec != ChunkCodec::kZstd)
     return ExpandedChunk{.stored = coded, .is_compact = entry.codec == ChunkCodec::kCompact};
-  // The buffer is sized by our own checked directory, never by what the frame says of itself.
+  // The buffer is sized by the chunk's checked header, never by what the frame says of itself.
   std::vector<std::byte> bytes(memory_size(entry.decoded_bytes));
   if (!expand_frame(coded, bytes))
-    return chunk_error(ErrorCode::kInvalidStream, "not one zstd frame of the length in the directory",
-                       "ENT-1", entry);
+    return chunk_error(ErrorCode::kInvalidStream, "not one zstd frame of the decoded length", "ENT-1", entry);
   return ExpandedChunk{.expanded = std::move(bytes)};
 }
 

@@ -26,7 +26,7 @@ struct HighpassParameters {
   std::uint8_t anchor_bits = 12;     ///< 4 to 24
   std::uint32_t anchors = 0;         ///< their number
   std::uint32_t anchor_density = 0;  ///< largest hops of a vertex to its nearest anchor. For information
-  std::uint8_t cycles = 0;           ///< of the solver; 0: the decoder decides. At most kMostCycles [DELT-7]
+  std::uint8_t cycles = 0;           ///< planned [DELT-7]; 0: the least-squares solution [DELT-4]
 };
 
 }  // namespace deltamesh

@@ -15,7 +15,7 @@
 
 namespace deltamesh {
 
-/// Cycles that are tried before it is left to the decoder to decide.
+/// The most cycles that are tried; where these do not do either, positions are the least-squares solution.
 inline constexpr int kMostPlanned = 8;
 
 /// Quantised deltas of streams with planned cycles are smaller [DELT-7].

@@ -67,8 +67,9 @@ class HighpassCoder {
   /// Exactly those that a decoder finds; or within a few percent of their errors, in half the time.
   enum class Positions { kDecoded, kApproximate };
 
-  /// Leaves the number of cycles to the decoder. Errors: kInvalidArgument where the step is too small for
-  /// 32-bit symbols. Cost: a solve, whose set-up is kept while the anchors stay.
+  /// Without planned cycles: positions are the least-squares solution [DELT-4]. Errors: kInvalidArgument
+  /// where the step is too small for 32-bit symbols. Cost: a solve, whose set-up is kept while the anchors
+  /// stay.
   Result<CodedHighpass> code(const HighpassSettings& settings, Positions positions = Positions::kDecoded);
 
   /// The same without positions and without the solve.
