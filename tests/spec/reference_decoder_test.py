@@ -25,19 +25,19 @@ def read_off(path):
     return positions, np.array(words[4 + 3 * n:4 + 3 * n + 4 * m], dtype=np.int64).reshape(m, 4)[:, 1:]
 
 
-def far_off(positions, expected, header):
-    """What of the LFE the decoded positions are away from the expected ones."""
-    distances = ((positions.astype(np.float64) - expected)**2).sum(axis=1)
+def far_off(positions, expected, header, rounding):
+    """What of the LFE the decoded positions are away from the expected ones, by more than these were rounded on each axis."""
+    distances = (np.maximum(abs(positions.astype(np.float64) - expected) - rounding, 0)**2).sum(axis=1)
     rms = float(np.sqrt(distances.mean())) if len(distances) else 0.0
     return rms / header.lfe if header.lfe else 0.0 if rms == 0 else float("inf")
 
 
-def wrong_positions(mesh, expected):
-    """Why the positions are not as the specification says; an empty text if they are."""
+def wrong_positions(mesh, expected, rounding=0):
+    """Why the positions are not as the specification says; an empty text if they are. `rounding`: of `expected`, by coordinate."""
     if mesh.exact:
         count = int(np.count_nonzero(np.any(mesh.positions.view("u4") != expected.view("u4"), axis=1)))
         return f"{count} positions differ" if count else ""
-    share, most = far_off(mesh.positions, expected, mesh.header), 0.01 if mesh.header.cycles else 0.25
+    share, most = far_off(mesh.positions, expected, mesh.header, rounding), 0.01 if mesh.header.cycles else 0.25
     return f"positions are {share:.4f} of the LFE away" if share > most else ""
 
 
