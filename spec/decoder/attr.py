@@ -24,7 +24,7 @@ CODINGS = [(None, [], [], "attr", "ATTR_4_exact"), (NORMAL, ["f4"], [3], "attr",
            (COLOUR, COLOURS, [3, 4], "attr_colors", "ATTR_45_colours"), (None, [], [], "attr_lattice", "ATTR_55_lattice"),
            (WEIGHTS, COLOURS, [4], "attr_skin", "ATTR_63_weights"), (JOINTS, ["u1", "u2"], [4], "attr_skin", "ATTR_60_joints")]
 
-def usual_flags(kind, type_):
+def usual_flags(kind, type_):  # ATTR-1
     return int(kind in (COLOUR, WEIGHTS) and type_ != "f4")
 
 class Attribute:
@@ -52,7 +52,7 @@ class Attribute:
         return self.kind == kind and self.type in types and self.k in counts
 
 class Surface:
-    """What attributes may know: faces over vertices, copies, positions [ATTR-10] and attributes decoded before."""
+    """[ATTR-10] What attributes may know: faces over vertices, copies, positions and attributes decoded before."""
     def __init__(self, seams, positions, geometric_faces, attributes, states):
         self.faces, self.first, self.geometric, self.positions = seams.faces, seams.first, seams.geometric, positions
         self.geometric_faces, self.attributes, self.n, self.states = geometric_faces, attributes, len(seams.geometric), states

@@ -3,7 +3,7 @@ import math
 
 import numpy as np
 
-from coder import Coder, Mixture, ScaledCoder, bits, clamp
+from coder import Coder, Mixture, ScaledCoder, bits, clamp, log4
 from container import must
 from fields import FLD_15_quantity
 from graph import neighbours
@@ -32,7 +32,7 @@ def ATTR_45_colours(r, a, surface):
     factor = 257 if a.type == "u2" and level_bits == 8 else 1  # [ATTR-46]
     return [[x / top if a.type == "f4" else x * factor for x in row] for row in levels]
 
-class ColourCoder:
+class ColourCoder:  # ATTR-45, ATTR-47 to ATTR-52
     """Colours, sizes and the like are vectors of the axes 0 to 3."""
     def __init__(self, coder, surface, attribute, axes, top, bound):
         self.coder, self.surface, self.axes, self.top, self.width = coder, surface, axes, F(top), 2 * bound + 1
@@ -41,7 +41,7 @@ class ColourCoder:
         self.learnt = surface.states.models(
             ("colours", attribute), copies=Mixture((16, 6, 3, 30) + (1,) * 12), numbers=ScaledCoder())
 
-    def decode(self):
+    def decode(self):  # ATTR-47 to ATTR-51
         copies, first = self.coder.raw(1), self.surface.first
         for v, g in enumerate(self.surface.geometric):
             near = ([v - 1] if v > first[g] else []) + [u for u in self.around[v][:4] if u < v]  # [ATTR-47]
@@ -65,7 +65,7 @@ class ColourCoder:
         total = sum((x * x for x in h), ZERO)
         return [x * x * (F(1) / total) for x in h]
 
-    def mix(self, near, shares, of):
+    def mix(self, near, shares, of):  # ATTR-48, ATTR-49
         """The sum over the near vertices, with their shares as factors."""
         return sum((of[u] * share for u, share in zip(near, shares)), np.zeros(4, dtype=F))
 
@@ -114,8 +114,7 @@ class ColourCoder:
         def u(x):
             return math.floor(x * self.per_step)
         def K(x):
-            mantissa, exponent = math.frexp(x * self.per_step + F(4))
-            return clamp(4 * (exponent - 3) + int(mantissa * 8) - 4 - 4 * shift, 0, 23)
+            return clamp(log4(math.floor(x * self.per_step + F(4))) - 8 - 4 * shift, 0, 23)
         whole = min(u(scale), 2**21 - 1) + 1
         shift = max(bits(whole) - 6, 0)
         s, near = whole >> shift, u(abs(X - base)) >> shift

@@ -1,4 +1,4 @@
-"""Attributes on lattices: attr_lattice.md, ATTR-55 to ATTR-58 and ATTR-59."""
+"""Attributes on lattices: attr_lattice.md, ATTR-55 to ATTR-59."""
 import math
 import struct
 from itertools import groupby

@@ -40,7 +40,7 @@ def exponent(x):
         return -127
     return 128 if np.isinf(x) else math.frexp(x)[1] - 1
 
-class NormalCoder:
+class NormalCoder:  # ATTR-20 to ATTR-25
     def __init__(self, coder, surface, rule, form, radius):
         self.coder, self.surface, self.radius = coder, surface, radius
         self.shares, self.zeros, self.blends, self.K = form & 8, form & 16, form & 32, F(0.25) / (radius * radius)
@@ -49,7 +49,7 @@ class NormalCoder:
         self.group_of, self.kept = {}, {}  # of a vertex its normal, its rule normal and its size, in one vector
         self.last, self.X, self.Y, self.y = F([0, 0, 1]), F(0), F(0), F(0)
 
-    def decode(self):
+    def decode(self):  # ATTR-20, ATTR-21
         first = self.surface.first
         for g in range(len(first) - 1):
             for group in self.ATTR_21_groups(g, range(first[g], first[g + 1])):
@@ -93,7 +93,7 @@ class NormalCoder:
         ties = [1 if geometric[x] >= g else 3 if self.group_of[x] is self.group_of[y] else 2 for x, y in pairs]
         return max(ties, default=0)
 
-    def sum_of(self, values, group):
+    def sum_of(self, values, group):  # ATTR-21, ATTR-23
         return sum((values[v] for v in group[1:]), values[group[0]])
 
     def ATTR_23_sums(self, g, group):
@@ -149,6 +149,6 @@ class NormalCoder:
         indices = (8 * (scale // 2) + bend // 2, 8 * (apart // 2) + spread // 2)
         return row, self.number(1, tuple(8 * index + g for index in indices), scale, shift)
 
-    def number(self, is_place, indices, scale, shift):
+    def number(self, is_place, indices, scale, shift):  # ATTR-25
         first, second = ((is_place, index) for index in indices)
         return self.numbers.CMP_15_number(self.coder, first, second, 2 * scale + is_place, shift)

@@ -114,11 +114,10 @@ class WeightCoder(PredictedCoder):
         must(0 < w < rest, "ATTR-65", f"weight {w}")
         return w
 
-    def share(self, x):
-        """S"""
+    def share(self, x):  # ATTR-65: S(x)
         return 1 + sum(k * x > self.total for k in (64, 16, 4))
 
-    def end(self, known, v, s, whole, rest):
+    def end(self, known, v, s, whole, rest):  # ATTR-65
         around, joints = [self.row(u, v)[s] for u in known.corners], self.joints[v]
         nothing = around.count(0)
         e = 4 if not around else 0 if not nothing else 3 if nothing == len(around) else 1 if 2 * nothing <= len(around) else 2

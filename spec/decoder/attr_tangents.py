@@ -7,9 +7,9 @@ from attr import NORMAL, UV
 from coder import Coder
 from container import must
 from attr_normals import ATTR_22_rule, NOWHERE
+from surface_order import ATTR_30_order, BitOfFaces, PairCoder, whole_part
 from vectors import (F, ATTR_22_corner_angles, ATTR_22_edges, ATTR_23_frame, ATTR_24_point, cross, dot, square,
                      sum_at_corners)
-from walk import ATTR_30_order, BitOfFaces, PairCoder, whole_part
 
 NOTHING = F([0, 0])
 
@@ -50,22 +50,21 @@ def ATTR_40_rules(surface, normals):
     sums = [sum_at_corners(surface, counted, x) for x in terms]
     return [ATTR_40_rule(*rows) for rows in zip(*sums, normals)]
 
-class TangentCoder:
+class TangentCoder:  # ATTR-38 to ATTR-44
     def __init__(self, coder, surface, step):
         self.surface, self.step, self.normals = surface, step, ATTR_39_normals(surface)
         self.rules = ATTR_40_rules(surface, self.normals)
         self.X, self.Y, self.pairs = np.zeros(5, dtype=F), np.zeros(5, dtype=F), PairCoder(coder)
-        self.same, self.sign, self.copy_of = BitOfFaces(coder), BitOfFaces(coder), {}
-        self.tangents, self.off, self.kept = {}, {}, {}
+        self.same, self.sign, self.tangents, self.off, self.kept = BitOfFaces(coder), BitOfFaces(coder), {}, {}, {}
 
-    def decode(self):
+    def decode(self):  # ATTR-38
         last = NOWHERE
-        for v, completed in ATTR_30_order(self.surface):
-            self.ATTR_41_vertex(v, len(completed), [u for _, *ends in completed for u in ends], last)
+        for v, completed, around, copy in ATTR_30_order(self.surface):
+            self.ATTR_41_vertex(v, len(completed), around, copy, last)
             last = self.tangents[v][:3]
         return [self.tangents[v] for v in range(self.surface.n)]
 
-    def ATTR_41_vertex(self, v, faces, around, last):
+    def ATTR_41_vertex(self, v, faces, around, copy, last):
         rule, offs = self.rules[v], [self.off[u] for u in around if u in self.off]
         M = sum((self.tangents[u][:3] for u in around), NOWHERE) if faces else last
         has_rule, has_mean, d, centre, spread = rule.R is not None, square(M) > F(1e-12), NOTHING, NOTHING, NOTHING
@@ -76,7 +75,7 @@ class TangentCoder:
             centre = (self.Y[source] / (self.X[source] + F(0.02))) * d
             centre = centre if square(centre) <= 1 else NOTHING
             spread = F(0.5) * abs(d - centre) + F([F(0.25) * rule.dispersion, 0])
-        self.tangents[v] = self.ATTR_44_value(v, around, rule, source, centre, spread, (pole, first, second))
+        self.tangents[v] = self.ATTR_44_value(v, around, copy, rule, source, centre, spread, (pole, first, second))
         if has_rule:
             T = self.tangents[v][:3]
             off = (F(1) / (F(1) + max(dot(pole, T), F(-0.5)))) * F([dot(first, T), dot(second, T)])
@@ -85,10 +84,9 @@ class TangentCoder:
                 self.X[source] = F(0.99) * self.X[source] + g * square(d)
                 self.Y[source] = F(0.99) * self.Y[source] + g * dot(d, off)
 
-    def ATTR_44_value(self, v, around, rule, source, centre, spread, frame):
+    def ATTR_44_value(self, v, around, copy, rule, source, centre, spread, frame):
         """[ATTR-42 to ATTR-44]"""
-        g, self.kept[v] = self.surface.geometric[v], (0, 0)
-        copy, self.copy_of[g] = self.copy_of.get(g), v
+        self.kept[v] = (0, 0)
         if copy is not None and self.same.decode(v, around):
             return self.tangents[copy]
         expected = -1.0 if rule.mirrored else 1.0

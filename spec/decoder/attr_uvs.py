@@ -5,8 +5,8 @@ import numpy as np
 
 from coder import Coder
 from container import must
+from surface_order import ATTR_30_order, BitOfFaces, PairCoder, whole_part
 from vectors import F, cross, dot, square
-from walk import ATTR_30_order, BitOfFaces, Blend, PairCoder, whole_part
 
 NOTHING = np.zeros(2)
 
@@ -48,27 +48,43 @@ class Fit:
         M, V, G = self.function
         return V + (p[0] - M[0]) * G[:, 0] + (p[1] - M[1]) * G[:, 1] + (p[2] - M[2]) * G[:, 2]
 
-class UvCoder:
+class Blend:
+    """[ATTR-35]"""
+    def __init__(self):
+        self.X, self.Y = np.zeros((2, 2)), np.zeros(2)
+
+    def correction(self, d1, d2):
+        a, c, b, w1, w2 = self.X[0, 0] + 0.02, self.X[1, 1] + 0.02, self.X[0, 1], 0.0, 0.0
+        D = a * c - b * b
+        if D > 0:
+            h = 1 / D
+            w1, w2 = h * (c * self.Y[0] - b * self.Y[1]), h * (a * self.Y[1] - b * self.Y[0])
+        return w1 * d1 + w2 * d2
+
+    def learn(self, d1, d2, e, g):
+        self.X = 0.99 * self.X + g * np.array([[dot(x, y) for y in (d1, d2)] for x in (d1, d2)])
+        self.Y = 0.99 * self.Y + g * np.array([dot(x, e) for x in (d1, d2)])
+
+class UvCoder:  # ATTR-31 to ATTR-37
     def __init__(self, coder, surface, step):
-        self.surface, self.step, self.values, self.kept, self.side, self.copy_of = surface, step, {}, {}, 1.0, {}
+        self.surface, self.step, self.values, self.kept, self.side = surface, step, {}, {}, 1.0
         self.blends, self.fit, self.same, self.pairs = [Blend() for _ in range(4)], Fit(), BitOfFaces(coder), PairCoder(coder)
         self.positions = None if surface.positions is None else surface.positions.astype(np.float64)
         if self.positions is not None:
             low, high = self.positions.min(axis=0), self.positions.max(axis=0)
             self.places = (1 / (max(high - low) or 1.0)) * (self.positions - 0.5 * (low + high))
 
-    def decode(self):
+    def decode(self):  # ATTR-31
         last = NOTHING
-        for v, completed in ATTR_30_order(self.surface):
+        for v, completed, around, copy in ATTR_30_order(self.surface):
             forecast = self.ATTR_33_forecast(v, completed, last)
-            last = self.values[v] = self.ATTR_37_value(v, [u for _, *ends in completed for u in ends], forecast)
+            last = self.values[v] = self.ATTR_37_value(v, around, copy, forecast)
             self.learn(v, completed, forecast)
         return [self.values[v] for v in range(self.surface.n)]
 
-    def ATTR_37_value(self, v, around, forecast):
+    def ATTR_37_value(self, v, around, copy, forecast):
         """[ATTR-36, ATTR-37]"""
-        g, self.kept[v], n = self.surface.geometric[v], 0, forecast.n
-        copy, self.copy_of[g] = self.copy_of.get(g), v
+        self.kept[v], n = 0, forecast.n
         if copy is not None and self.same.decode(v, around):
             return self.values[copy]
         near, spread, kind = 4096, 4096, int(forecast.is_linked)

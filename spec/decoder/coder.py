@@ -19,12 +19,16 @@ def divide(a, b):
     """The quotient cut towards 0."""
     return abs(a) // abs(b) * (1 if (a < 0) == (b < 0) else -1)
 
+def log4(y):  # POSN-6, FLD-15, ATTR-37, ATTR-52
+    """4 floor(log2 y) plus the two bits below the leading one of y."""
+    return 4 * bits(y) - 4 + (4 * y >> (bits(y) - 1) & 3)
+
 class SymbolModel:
     """[CMP-4, CMP-5]"""
     def __init__(self, weights):
         self.lanes, self.counter = [sum(weights[:i + 1]) * 32512 // sum(weights) for i in range(16)], 0
 
-    def learn(self, s):
+    def learn(self, s):  # CMP-5
         n, lanes = self.counter, self.lanes
         rate = 2 if n < 2 else 3 if n < 10 else 4 if n < 26 else 5 if n < 58 else 6 if n < 122 else 7
         goal = 32512 + 2**rate - 1
@@ -44,10 +48,10 @@ class BitModel:
         self.g += (65535 * bit - self.g) >> 7
         return int(bit)
 
-def symbol_models(weights):
+def symbol_models(weights):  # CMP-4
     return defaultdict(lambda: SymbolModel(weights))
 
-def bit_models():
+def bit_models():  # CMP-7
     return defaultdict(BitModel)
 
 class Mixture:
@@ -79,7 +83,7 @@ class Coder:
         must(self.states[self.turn] >= 2**15, "CMP-3", "the stream ends within its decisions")
         self.turn ^= 1
 
-    def slot(self):
+    def slot(self):  # CMP-2
         return self.states[self.turn] & 0x7fff
 
     def take(self, start, size):
@@ -89,7 +93,7 @@ class Coder:
         self.states[self.turn] = size * (state >> 15) + (state & 0x7fff) - start
         self.refill()
 
-    def shift_out(self, n):
+    def shift_out(self, n):  # CMP-2, CMP-12
         state = self.states[self.turn]
         self.states[self.turn] = state >> n
         debug("bits: %s of state %s %s", n, self.turn, state)

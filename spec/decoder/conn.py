@@ -93,15 +93,15 @@ class Item:
             size, item = size + 1, item.next
         return size
 
-def link(*chain):
+def link(*chain):  # CONN-6
     for a, b in zip(chain, chain[1:]):
         a.next, b.prev = b, a
 
-def grow(*items):
+def grow(*items):  # CONN-6
     for item in items:
         item.full = min(item.full + 1, 8)
 
-class Walk:
+class Traversal:
     """[CONN-3 to CONN-8] The state, and the traversal that ops of either form drive."""
     def __init__(self, m, ops):
         self.m, self.ops, self.faces, self.manifold, self.filled, self.items = m, ops, [], 0, 6, []
@@ -109,11 +109,11 @@ class Walk:
         while len(self.faces) < m:
             self.CONN_4_component()
 
-    def new_item(self, origin, full=1):
+    def new_item(self, origin, full=1):  # CONN-3
         self.items.append(Item(origin, full))
         return self.items[-1]
 
-    def push(self, *items):
+    def push(self, *items):  # CONN-3
         for item in items:
             self.queues[item.full].append(item)
 

@@ -75,14 +75,14 @@ class Reader:
         if self.coder:
             self.coder.CMP_3_end()
 
-def nearest_f32(x):
+def nearest_f32(x):  # HDR-8
     """x rounded to the nearest finite f32."""
     return float(np.float32(min(max(x, -LARGEST_F32), LARGEST_F32)))
 
-def all_finite(numbers):
+def all_finite(numbers):  # HDR-8, HDR-9, HDR-11, HDR-14
     return all(map(math.isfinite, numbers))
 
-class Header:
+class Header:  # HDR-5 to HDR-14
     """The header's fields as attributes."""
     origin, vde, lfe, max_error, bits = [0.0] * 3, 0.0, 0.0, 0.0, 0
 
@@ -109,7 +109,7 @@ class Header:
         must(self.components <= self.geometric, "HDR-7", "more components than vertices")
         must(all(counts) or not any(counts) and not self.triangles, "HDR-7", f"counts {counts}")
 
-    def geometry(self, r):
+    def geometry(self, r):  # HDR-14
         """The fields of the geometry coder."""
         (self.HDR_11_highpass, self.HDR_14_lattice, self.HDR_14_lattice, self.HDR_8_box)[self.coder](r)
         must(self.coder == HIGHPASS or self.bits <= 28, "HDR-14", f"{self.bits} bits")
@@ -119,7 +119,7 @@ class Header:
         must(all_finite(self.box_min + self.box_max), "HDR-8", "the box is not finite")
         must(all(a <= b for a, b in zip(self.box_min, self.box_max)), "HDR-8", "box min is above box max")
 
-    def steps_of(self, r, count, tag):
+    def steps_of(self, r, count, tag):  # HDR-11, HDR-14
         steps = [r.number("d") if self.flags & 8 else r.f24() for _ in range(count)]
         must(all_finite(steps) and min(steps) > 0, tag, f"steps {steps}")
         return steps
@@ -145,7 +145,7 @@ class Header:
         self.box_min = [nearest_f32(self.POSN_2_place(a, 0)) for a in range(3)]
         self.box_max = [nearest_f32(self.POSN_2_place(a, self.cells[a])) for a in range(3)]
 
-    def first_point(self, r):
+    def first_point(self, r):  # HDR-14, MAP-7
         return [unzigzag(r.varint()) for _ in range(3)]
 
     def POSN_2_place(self, axis, q):
@@ -162,7 +162,7 @@ def ENT_1_expand(data, length):
     return payload
 
 class Chunk(Reader):
-    """Reads the payload of a chunk; that of one that is not there is empty [DIR-8]."""
+    """[DIR-8] Reads the payload of a chunk; that of one that is not there is empty."""
     def __init__(self, tag="", is_compact=False, data=b"", descriptor=None):
         super().__init__(data)
         self.tag, self.is_compact, self.descriptor = tag, is_compact, descriptor

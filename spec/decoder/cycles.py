@@ -5,10 +5,10 @@ from container import must
 from graph import components
 from levels import DELT_7_add_levels, Level, count_edges
 
-def dot(p, q):
+def dot(p, q):  # DELT-7
     return (p * q).sum(axis=0)
 
-def quotient(p, q):
+def quotient(p, q):  # DELT-7
     return np.divide(p, q, out=np.zeros(3), where=q > 0)
 
 def DELT_7_sweep(level, x, s, b, t, g):

@@ -1,18 +1,17 @@
 """Fields, vectors of whole numbers at the vertices of a graph: compact.md, FLD-1 to FLD-15."""
-from coder import ScaledCoder, bits, clamp
+from coder import ScaledCoder, bits, clamp, log4
 from container import must
 
 PAIRS = ((0, 1), (0, 2), (1, 2))
 
-def sign(x):
+def sign(x):  # FLD-14
     return (x > 0) - (x < 0)
 
 def FLD_15_quantity(x):
     """Q"""
-    leading = bits(x + 4) - 3
-    return min(4 * leading + ((x + 4) >> leading & 3), 23)
+    return min(log4(x + 4) - 8, 23)
 
-class FieldCoder:
+class FieldCoder:  # FLD-13 to FLD-15
     """`graph` has the neighbours of each vertex, ascending."""
     def __init__(self, coder, graph):
         self.coder, self.graph, self.numbers = coder, graph, ScaledCoder()
@@ -65,7 +64,7 @@ class FieldCoder:
         second = (((half(coded) * 12 + half(S)) * 3 + a) * 8 + D) * 2 + near
         return self.numbers.CMP_15_number(self.coder, first, second, a, shift)
 
-def FLD_numbers(coder, graph):
+def FLD_numbers(coder, graph):  # FLD-1, FLD-13 to FLD-15
     """The numbers of a field."""
     field = FieldCoder(coder, graph)
     return [field.FLD_14_vertex(v) for v in range(len(graph))]

@@ -12,7 +12,7 @@ def FLT_1_bits(ordinal):
 def FLT_2_last_place(ordinal):
     return max(max(ordinal, -1 - ordinal) >> 23, 1) - 150
 
-def shifted(x, by):
+def shifted(x, by):  # FLT-2, FLT-3
     return x << by if by >= 0 else x >> -by
 
 def FLT_2_units(ordinal, unit):
@@ -42,7 +42,7 @@ class FloatCoder(PredictedCoder):
         self.ordinals.setdefault(v, []).append(ordinal)
         return FLT_2_units(ordinal, unit)
 
-    def decode(self, v):
+    def decode(self, v):  # FLT-1
         """Ordinals."""
         super().decode(v)
         return self.ordinals[v]

@@ -1,6 +1,6 @@
 """CONN: gluing manifold vertices to geometric vertices: conn.md, CONN-8, CONN-11, CONN-13 and CONN-14."""
 from coder import NumberModel, bit_models, symbol_models
-from conn import CompactOps, PlainOps, Walk
+from conn import CompactOps, PlainOps, Traversal
 from container import must, unzigzag
 
 def CONN_8_faces(chunk, m, n, states):
@@ -9,17 +9,17 @@ def CONN_8_faces(chunk, m, n, states):
         chunk.end()
         return []
     ops = (CompactOps if chunk.is_compact else PlainOps)(chunk, m, states)
-    walk = Walk(m, ops)
+    traversal = Traversal(m, ops)
     if not chunk.is_compact:
         ops.CONN_2_end()
-    M, G = walk.manifold, NumberModel().decode(ops.coder) if chunk.is_compact else ops.glued
+    M, G = traversal.manifold, NumberModel().decode(ops.coder) if chunk.is_compact else ops.glued
     must(G <= M and M - G <= n, "CONN-11", f"{G} of {M} are glued")
     if chunk.is_compact:
-        vertex_of = CONN_13_glue(ops.coder, walk, G)
+        vertex_of = CONN_13_glue(ops.coder, traversal, G)
     else:
         vertex_of = CONN_11_glue(zip(chunk.planes(G), chunk.planes(G)), M)
     chunk.end()
-    return [tuple(vertex_of[x] for x in face) for face in walk.faces]
+    return [tuple(vertex_of[x] for x in face) for face in traversal.faces]
 
 def CONN_11_glue(pairs, M):
     """The vertex of every manifold vertex, from gaps and targets of the glued ones."""
@@ -32,17 +32,17 @@ def CONN_11_glue(pairs, M):
         vertex_of.append(target)
     return vertex_of + list(range(fresh, fresh + M - len(vertex_of)))
 
-def CONN_13_glue(coder, walk, G):
-    if 16 * G > walk.manifold:
-        return CONN_14_glue(coder, walk, G)
+def CONN_13_glue(coder, traversal, G):
+    if 16 * G > traversal.manifold:
+        return CONN_14_glue(coder, traversal, G)
     gaps, targets = NumberModel(), NumberModel()
-    return CONN_11_glue([(gaps.decode(coder), targets.decode(coder)) for _ in range(G)], walk.manifold)
+    return CONN_11_glue([(gaps.decode(coder), targets.decode(coder)) for _ in range(G)], traversal.manifold)
 
-def CONN_14_glue(coder, walk, G):
+def CONN_14_glue(coder, traversal, G):
     edges, vertex_of, is_glued = {}, {}, {}  # edges[x, y]: the opposite vertices of the faces with this edge
     glued_bits, kinds, numbers = bit_models(), symbol_models((4, 4, 4) + (1,) * 13), NumberModel()
     fresh = last = 0
-    for face in walk.faces:
+    for face in traversal.faces:
         for corner, x in enumerate(face):
             if x in vertex_of:
                 continue

@@ -1,6 +1,6 @@
 """Neighbours, components and corners of faces over vertices."""
 
-def neighbours(faces, n):
+def neighbours(faces, n):  # DELT-4, FLD-13, ATTR-47
     """N(v), ascending: the vertices that share an edge with v, each once, never v itself."""
     around = [set() for _ in range(n)]
     for a, b, c in faces:
@@ -9,7 +9,7 @@ def neighbours(faces, n):
         around[c].update((a, b))
     return [sorted(s - {v}) for v, s in enumerate(around)]
 
-def components(around):
+def components(around):  # HDR-7, ANCH-2, DELT-7
     """Lists of vertices, ascending, one for each connected component, by their first vertices."""
     seen, result = [False] * len(around), []
     for start in range(len(around)):
@@ -24,12 +24,12 @@ def components(around):
         result.append(sorted(found))
     return result
 
-def subgraph(around, vertices):
+def subgraph(around, vertices):  # DELT-4, DELT-5, DELT-7
     """The neighbours of these vertices, which count from 0."""
     number = {v: i for i, v in enumerate(vertices)}
     return [[number[u] for u in around[v]] for v in vertices]
 
-def corners(faces, n):
+def corners(faces, n):  # POSN-3, POSN-10, ATTR-21, ATTR-30
     """The corners at every vertex, ascending: the face, the vertices at its next corner and at the one before."""
     at = [[] for _ in range(n)]
     for f, (x, y, z) in enumerate(faces):

@@ -1,7 +1,7 @@
 """POSN-3 to POSN-9: what is expected of a vertex' numbers, and their coding."""
 import numpy as np
 
-from coder import BitModel, Mixture, ScaledCoder, States, bits, clamp
+from coder import BitModel, Mixture, ScaledCoder, States, bits, clamp, log4
 from container import must
 from graph import corners
 
@@ -76,10 +76,6 @@ class Context:
         if self.shift == 0:
             self.sure = min(abs(self.mean), 8) // 2
 
-def POSN_6_log(y):
-    """W"""
-    return 4 * (bits(y) - 1) + ((4 * y >> (bits(y) - 1)) & 3)
-
 class PredictedCoder:
     """[POSN-4 to POSN-6, FLT-4] Numbers of vertices. What is said below of lattices, other coders say of theirs."""
     rule = "POSN-7"  # that a number out of its limits breaks
@@ -91,14 +87,14 @@ class PredictedCoder:
         self.rows, self.residuals, self.sizes = {}, {}, {}
         self.learnt = (states or States()).models(type(self), numbers=ScaledCoder(), guesses=Mixture((8, 4, 2, 2) + (1,) * 12))
 
-    def row(self, u, v):
+    def row(self, u, v):  # POSN-4, ATTR-64
         """The numbers of u that the expectation for v is made of."""
         return self.rows[u]
 
-    def before(self, v):
+    def before(self, v):  # POSN-4, POSN-12
         return [0] * len(self.limits) if v in self.starts else self.row(v - 1, v)
 
-    def read(self, v, x):
+    def read(self, v, x):  # POSN-6, POSN-9
         """The number of a vertex on an axis."""
         known, values = self.known[v], []
         if self.guesses:  # [POSN-9]
@@ -116,7 +112,7 @@ class PredictedCoder:
             return [sum(s) >> len(s) for s in sums]
         return mean(self.sizes), mean(self.residuals)
 
-    def vertex(self, v):
+    def vertex(self, v):  # POSN-4, POSN-5, POSN-7
         """A generator that decodes one number of vertex v at each step."""
         known, (G, R), before, off, missed = self.known[v], self.kept(v), self.before(v), [], set()
         self.rows[v], self.sizes[v], self.residuals[v] = [], [], []
@@ -132,14 +128,14 @@ class PredictedCoder:
             self.sizes[v].append((5 * abs(e) + 3 * G[a]) >> 3 if known.sources else abs(e))
             yield
 
-    def decode(self, v):
+    def decode(self, v):  # POSN-13, ATTR-57
         """All numbers of vertex v."""
         list(self.vertex(v))
         return self.rows[v]
 
     def POSN_6_number(self, x, shift=None):
         """The number less what is expected; `shift` in place of the context's in the coding, not in the indices."""
-        t, S = POSN_6_log(clamp(x.spread, 1, 2**24 - 1)) - 4 * x.shift, POSN_6_log(x.scale) - 4 * x.shift
+        t, S = log4(clamp(x.spread, 1, 2**24 - 1)) - 4 * x.shift, log4(x.scale) - 4 * x.shift
         S = S if x.shift else max(S >> 1, S - 4)
         T = clamp(max((t + 2) >> 1, t - 3), 0, 23) if x.spread else 0
         first, second, weights = (S * 5 + x.sources) * 5 + x.sure, (T * 5 + x.sources) * 3 + x.axis, x.axis * 5 + x.sources

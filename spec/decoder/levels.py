@@ -3,7 +3,7 @@ from logging import debug
 
 import numpy as np
 
-class Matrix:
+class Matrix:  # DELT-7
     """A sparse matrix of n columns; each row has its entries by their columns."""
     def __init__(self, rows, n):
         self.rows, self.n = [(np.array(list(row), dtype=int), np.array(list(row.values()), dtype=float)) for row in rows], n
@@ -17,7 +17,7 @@ class Matrix:
             result[columns] += w[:, None] * value
         return result
 
-class Level:
+class Level:  # DELT-7
     """`edges[i]` has the weight of the edge to each neighbour of node i; `at[k]` is the node of the k-th anchor of the level, which is
     anchor `kept[k]` of the finer level. P interpolates from the level `next`; the coarsest has none."""
     def __init__(self, edges, M, at, kept=None):
@@ -33,7 +33,7 @@ class Level:
         """sum_a f_a e_a"""
         return self.anchors.transposed_times(f)
 
-def count_edges(edges):
+def count_edges(edges):  # DELT-7
     return sum(map(len, edges)) // 2
 
 def DELT_7_add_levels(levels):

@@ -26,10 +26,10 @@ def GEO_1_round(positions):
     must(np.all(np.isfinite(rounded)), "GEO-1", "a coordinate is not finite")
     return rounded
 
-def decode(data):
+def decode(data):  # CNT-1
     return decode_chunks(*CNT_1_stream(data, Attribute), States())
 
-def decode_chunks(header, listed, states):
+def decode_chunks(header, listed, states):  # DIR-8, HDR-7
     mesh, attributes = Mesh(), [chunk for chunk in listed if chunk.tag == "ATTR"]
     chunks = defaultdict(Chunk, {chunk.tag: chunk for chunk in listed})
     faces = CONN_8_faces(chunks["CONN"], header.triangles, header.geometric, states)

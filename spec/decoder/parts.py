@@ -16,7 +16,7 @@ from patches import MAP_17_part
 
 class Map:
     """[MAP-5] The fields of a map's message, and [MAP-6] the primers with the states before each, and after the last."""
-    def __init__(self, message):
+    def __init__(self, message):  # MAP-1, MAP-5, MAP-6
         must(message[:5] == b"DMM" + bytes([128 + DRAFT, 1]), "MAP-1", "no map's message of this draft")
         self.hash, r = xxhash.xxh3_64_intdigest(message), Reader(CNT_2_checked(message, "MAP-1")[5:])
         self.id, self.epoch, self.frame = r.number("Q"), r.number("I"), r.bytes(r.u8())
@@ -43,7 +43,7 @@ class Map:
         level, *cell = key
         return [self.step * (x * 2**level * self.cell_steps + o) for x, o in zip(cell, self.cell_origin)]
 
-    def checked(self, key, octets, tag="MAP-7", before=b""):
+    def checked(self, key, octets, tag="MAP-7", before=b""):  # MAP-7, MAP-17
         """The octets before the checksum, which is of the part `key`."""
         seed = xxhash.xxh3_64_intdigest(struct.pack("<QBiii", self.hash, *key))
         return CNT_2_checked(octets, tag, seed, before)

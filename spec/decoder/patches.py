@@ -42,7 +42,7 @@ def MAP_17_apply(described, key, base, base_hash, patch):
     plan.CMP_3_end()
     return MAP_17_put_together(base, kept, inserted, joins)
 
-def no_part_like(base):
+def no_part_like(base):  # MAP-17
     mesh = Mesh()
     mesh.positions, mesh.faces, mesh.groups, mesh.border = base.positions[:0], [], None, {}
     mesh.attributes = copy.deepcopy(base.attributes)

@@ -55,7 +55,7 @@ class Vertex:
         self.copies, self.used, self.last, self.split_neighbours = copies, 0, 0, 0
         self.open = []  # the other end, the copy here, the copy there; the oldest first
 
-    def oldest(self, other):
+    def oldest(self, other):  # SEAM-7, SEAM-8
         return next((edge for edge in self.open if edge[0] == other), None)
 
     def SEAM_7_join(self, other, here, there, is_split):

@@ -9,15 +9,15 @@ np.seterr(all="ignore")
 
 F = np.float32  # of a number, or of several as a vector
 
-def dot(x, y):
+def dot(x, y):  # ATTR-22, ATTR-32
     """Of vectors, or of rows of vectors."""
     p = (x * y).T
     return p[0] + p[1] if len(p) == 2 else p[0] + p[1] + p[2]
 
-def square(x):
+def square(x):  # ATTR-22, ATTR-32
     return dot(x, x)
 
-def cross(x, y):
+def cross(x, y):  # ATTR-22, ATTR-32
     """Of vectors, or of rows of vectors; of two components a number."""
     if x.shape[-1] == 2:
         return x.T[0] * y.T[1] - x.T[1] * y.T[0]
@@ -45,7 +45,7 @@ def ATTR_22_corner_angles(a, b, y):
     f, g = ATTR_22_angle(dot(a, b), y), ATTR_22_angle(F(0) - dot(a, b - a), y)
     return np.stack([f, g, F(3.14159265) - f - g], axis=1)
 
-def sum_at_corners(surface, counted, values):
+def sum_at_corners(surface, counted, values):  # ATTR-22, ATTR-40
     """Sums for each vertex, over its corners in ascending order, of values [face, corner] of counted faces."""
     sums = np.zeros((surface.n, *values.shape[2:]), dtype=F)
     np.add.at(sums, np.array(surface.faces, dtype=int).reshape(-1, 3)[counted], values[counted])

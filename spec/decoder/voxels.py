@@ -3,7 +3,7 @@ from coder import NumberModel, SymbolModel, clamp, divide, symbol_models
 from container import must, unzigzag
 from lattice import POSN_2_positions, POSN_3_known, POSN_4_expect, POSN_8_table, PredictedCoder
 
-def VOX_direction(number):
+def VOX_direction(number):  # VOX-2
     """Where the middle of a cube's edge is from the cube's centre."""
     (k, i), d = divmod(number, 4), [0, 0, 0]
     d[(k + 1) % 3], d[(k + 2) % 3] = 2 * (i % 2) - 1, 2 * (i // 2) - 1
@@ -11,7 +11,7 @@ def VOX_direction(number):
 
 NUMBERS = {VOX_direction(e): e for e in range(12)}
 
-def VOX_rotations():
+def VOX_rotations():  # VOX-2
     """For each of the 24 rotations the number of every edge after it."""
     for index, p in enumerate(((0, 1, 2), (1, 2, 0), (2, 0, 1), (0, 2, 1), (2, 1, 0), (1, 0, 2))):
         for signs in range(8):
@@ -20,17 +20,17 @@ def VOX_rotations():
 
 ROTATIONS = list(VOX_rotations())
 
-def edge_of(number, cube):
+def edge_of(number, cube):  # VOX-2
     return number // 4, tuple(x + (d > 0) for x, d in zip(cube, VOX_direction(number)))
 
-def cubes_of(edge):
+def cubes_of(edge):  # VOX-2, VOX-3
     """The lowest nodes of the four cubes that have an edge."""
     axis, cubes = edge[0], [edge[1]]
     for i in {0, 1, 2} - {axis}:
         cubes += [tuple(x - (j == i) for j, x in enumerate(cube)) for cube in cubes]
     return cubes
 
-def shared(x, y):
+def shared(x, y):  # VOX-2, VOX-3
     """The cubes that have both edges, the lower one first."""
     return sorted(set(cubes_of(x)) & set(cubes_of(y)))
 
@@ -63,7 +63,7 @@ class Cube:
         self.model = kind, likely, opposite  # [VOX-4]
         self.weights = [20 if e in likely else 1 for e in range(12)] + [1, 100 if opposite == 13 else 0, 0, 0]
 
-class VoxelCoder(PredictedCoder):
+class VoxelCoder(PredictedCoder):  # VOX-1 to VOX-6
     def __init__(self, coder, known, half, header, states):
         super().__init__(coder, known, POSN_8_table(None), header.cells, states=states)
         self.starts, self.levels, self.width, self.edges, self.spots = (0, half), header.levels, 2 * header.levels, {}, {}

@@ -1,15 +1,12 @@
-"""What texture coordinates and tangents share: the surface order [ATTR-30], blends [ATTR-35], pairs of numbers [ATTR-37]."""
+"""What texture coordinates and tangents share: the surface order [ATTR-30], bits [ATTR-36], pairs of numbers [ATTR-37]."""
 from collections import deque
 
-import numpy as np
-
-from coder import ScaledCoder, bit_models, bits, clamp
-from vectors import dot
+from coder import ScaledCoder, bit_models, bits, clamp, log4
 
 def ATTR_30_order(surface):
-    """Pairs of a vertex and the corners by which it completes faces, in their order."""
+    """Of each vertex in its order: it, the corners by which it completes faces, a and b of these, and the copy [ATTR-36] or None."""
     visited, met, waits = [False] * surface.n, [0] * len(surface.faces), [0] * surface.n
-    queue, stack, result = deque(), [], []
+    queue, stack, result, latest = deque(), [], [], {}
 
     def visit(v):
         if visited[v]:
@@ -23,7 +20,9 @@ def ATTR_30_order(surface):
                 for u in (u for u in (a, b) if not visited[u]):
                     (queue if waits[u] else stack).append(u)
                     waits[u] += 1
-        result.append((v, completed))
+        g, around = surface.geometric[v], [u for _, a, b in completed for u in (a, b)]
+        result.append((v, completed, around, latest.get(g)))
+        latest[g] = v
 
     for face in surface.faces:
         for v in face:
@@ -34,39 +33,20 @@ def ATTR_30_order(surface):
         visit(v)
     return result
 
-class Blend:
-    """[ATTR-35]"""
-    def __init__(self):
-        self.X, self.Y = np.zeros((2, 2)), np.zeros(2)
-
-    def correction(self, d1, d2):
-        a, c, b, w1, w2 = self.X[0, 0] + 0.02, self.X[1, 1] + 0.02, self.X[0, 1], 0.0, 0.0
-        D = a * c - b * b
-        if D > 0:
-            h = 1 / D
-            w1, w2 = h * (c * self.Y[0] - b * self.Y[1]), h * (a * self.Y[1] - b * self.Y[0])
-        return w1 * d1 + w2 * d2
-
-    def learn(self, d1, d2, e, g):
-        self.X = 0.99 * self.X + g * np.array([[dot(x, y) for y in (d1, d2)] for x in (d1, d2)])
-        self.Y = 0.99 * self.Y + g * np.array([dot(x, e) for x in (d1, d2)])
-
 class BitOfFaces:
     """[ATTR-36, ATTR-43] A bit whose model tells which values it had at the corners a and b of completed faces."""
     def __init__(self, coder):
         self.coder, self.models, self.had = coder, bit_models(), {}
 
-    def decode(self, v, around):
+    def decode(self, v, around):  # ATTR-36, ATTR-43
         had = [self.had[u] for u in around if u in self.had]
         self.had[v] = self.models[(0 in had) + 2 * (1 in had)].decode(self.coder)
         return self.had[v]
 
-def ATTR_37_log(x):
-    """W"""
-    o = bits(x + 4) - 3
-    return min(2 * o + (((x + 4) >> (o + 1)) & 1), 19)
+def ATTR_37_class(x):
+    return min((log4(x + 4) - 8) >> 1, 19)
 
-def whole_part(x):
+def whole_part(x):  # ATTR-37, ATTR-44
     """Of a number, 0 to 2^17."""
     return int(clamp(x, 0, 2**17)) if x == x else 0
 
@@ -83,8 +63,8 @@ class PairCoder:
         return p, self.number(1, near[1], spread[1], kind, abs(p))
 
     def number(self, second, near, spread, kind, t):
-        scale, W = (8 * near + 6 * spread + 80 * t) >> 4, ATTR_37_log
+        scale, of = (8 * near + 6 * spread + 80 * t) >> 4, ATTR_37_class
         shift = max(bits(scale) - 7, 0)
         c = 1 + min(t >> shift, 3) if second else 0
-        first, other = (W(near >> shift) * 5 + kind) * 5 + c, (W(spread >> shift) * 2 + (shift > 0)) * 5 + c
-        return self.numbers.CMP_15_number(self.coder, first, other, 2 * W(scale >> shift) + second, shift)
+        first, other = (of(near >> shift) * 5 + kind) * 5 + c, (of(spread >> shift) * 2 + (shift > 0)) * 5 + c
+        return self.numbers.CMP_15_number(self.coder, first, other, 2 * of(scale >> shift) + second, shift)
