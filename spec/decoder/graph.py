@@ -46,3 +46,10 @@ def open_edges(faces, n):
         result[a].append(b)
         result[b].append(a)
     return [sorted(ends) for ends in result]
+
+def MAP_11_ends(faces, n, chosen):  # MAP-11, MAP-17
+    """Of each vertex: it, the chosen ones before it at its open edges, and a number for its model, None without open edges."""
+    for v, ends in enumerate(open_edges(faces, n)):
+        before = [u for u in ends if u < v]
+        on = [u for u in before if u in chosen]
+        yield v, on, (len(on) < len(before)) + 2 * min(len(on), 2) if ends else None

@@ -10,7 +10,7 @@ from attr import Attribute
 from coder import BitModel, Coder, NumberModel, States
 from container import (CNT_1_stream, CNT_2_checked, CNT_4_chunks, DRAFT, HIGHPASS, Header, Reader, VOXELS, must,
                        unzigzag)
-from graph import open_edges
+from graph import MAP_11_ends
 from mesh import decode_chunks
 from patches import MAP_17_part
 
@@ -88,10 +88,8 @@ def MAP_11_border(lattice, mesh, coder, states):
                            ways=[NumberModel() for _ in range(6)])
     nearest = np.clip(np.floor(mesh.positions / lattice.step + 0.5), 1 - 2**24, 2**24 - 1).astype(int)
     header, points, twins = mesh.header, {}, {}
-    for v, ends in enumerate(open_edges(mesh.faces, len(nearest))):
-        before = [u for u in ends if u < v]
-        on = [u for u in before if u in points]
-        if not learnt.bits[1 + (len(on) < len(before)) + 2 * min(len(on), 2) if ends else 0].decode(coder):
+    for v, on, context in MAP_11_ends(mesh.faces, len(nearest), points):
+        if not learnt.bits[0 if context is None else 1 + context].decode(coder):
             continue
         twins[v], expected = learnt.twin.decode(coder), nearest[v]
         if header.coder == HIGHPASS and on:

@@ -8,7 +8,7 @@ import xxhash
 
 from coder import BitModel, Coder, NumberModel
 from container import Reader, must, unzigzag
-from graph import open_edges
+from graph import MAP_11_ends, open_edges
 from mesh import Mesh
 from vectors import square
 
@@ -70,10 +70,8 @@ def MAP_17_joined(plan, base, kept, inserted):
     edges = open_edges(kept, len(base.positions))
     by_x = sorted((v for v in range(len(edges)) if edges[v]), key=lambda v: (base.positions[v][0], v))
     joins, taken = {}, set()
-    for v, ends in enumerate(open_edges(inserted.faces, len(inserted.positions))):
-        before = [u for u in ends if u < v]
-        on = [u for u in before if u in joins]
-        if not ends or not models.joins[(len(on) < len(before)) + 2 * min(len(on), 2)].decode(plan):
+    for v, on, context in MAP_11_ends(inserted.faces, len(inserted.positions), joins):
+        if context is None or not models.joins[context].decode(plan):
             continue
         place = inserted.positions[v].astype(float)
         near = edges[joins[on[-1]]][:MOST_CANDIDATES] if on else []
