@@ -21,9 +21,9 @@ inline constexpr int kMostPlanned = 8;
 /// Quantised deltas of streams with planned cycles are smaller [DELT-7].
 inline constexpr std::int32_t kLargestPlannedSymbol = 1 << 23;
 
-/// Errors of a plan's positions over those of settled ones, where the solver decided itself when to stop: how
-/// far they are from the true ones, rms and at most, and rms of the delta coordinates' errors, which is what
-/// the eye sees.
+/// Errors of a plan's positions over those of settled ones, the least-squares solution [DELT-4]: how far they
+/// are from the true ones, rms and at most, and rms of the delta coordinates' errors, which is what the eye
+/// sees.
 struct PlanCost {
   double rms = 0;
   double largest = 0;
