@@ -8,6 +8,7 @@
 #include <functional>
 #include <limits>
 #include <span>
+#include <vector>
 
 namespace deltamesh {
 namespace {
@@ -71,6 +72,29 @@ TEST(Header, HDR5RejectsFlagsThatMeanNothing) {
 TEST(Header, HDR6RejectsHugeCounts) {
   EXPECT_EQ(broken_rule([](FileHeader& h) { h.vertices = 0x80000000; }), "HDR-6");
   EXPECT_EQ(broken_rule([](FileHeader& h) { h.triangles = (1U << 29) + 1; }), "HDR-6");
+}
+
+/// The tetrahedron's header where the varint at byte `at` is larger by 2^35.
+std::vector<std::byte> with_long_varint(std::size_t at) {
+  auto bytes = write_header(tetrahedron_header());
+  bytes[at] |= std::byte{0x80};
+  for (const unsigned byte : {1U, 0x80U, 0x80U, 0x80U, 0x80U})
+    bytes.insert(bytes.begin() + static_cast<std::ptrdiff_t>(at + 1), static_cast<std::byte>(byte));
+  return bytes;
+}
+
+TEST(Header, HDR6HDR7RejectCountsBeyond32Bits) {
+  for (const std::size_t at : {5U, 6U, 7U, 8U}) {  // triangles, geometric vertices, copies, components
+    const auto bytes = with_long_varint(at);
+    ByteReader in(bytes);
+    EXPECT_STREQ(read_header(in).error().rule, at == 8 ? "HDR-7" : "HDR-6") << at;
+  }
+}
+
+TEST(Header, AnAnchorDensityBeyond32BitsIsCutOff) {
+  const auto bytes = with_long_varint(write_header(tetrahedron_header()).size() - 2);
+  ByteReader in(bytes);
+  EXPECT_EQ(read_header(in)->highpass.anchor_density, 0xffffffff);
 }
 
 TEST(Header, HDR7RejectsCountsThatCannotBe) {

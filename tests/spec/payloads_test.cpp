@@ -45,7 +45,7 @@ Parts take_apart(const Mesh& mesh, const EncodeOptions& options) {
   const auto container = Container::open(encoded->bytes);
   Parts parts{.header = container->header(), .payloads = {}};
   for (const ChunkEntry& entry : container->entries()) {
-    const auto chunk = expand_chunk(*container, entry, 1U << 30);
+    const auto chunk = expand_chunk(*container, entry);
     parts.payloads.push_back({entry.tag,
                               chunk->is_compact ? ChunkCodec::kCompact : ChunkCodec::kRaw,
                               {chunk->bytes().begin(), chunk->bytes().end()}});

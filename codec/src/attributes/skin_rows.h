@@ -96,27 +96,33 @@ bool code_joints(Coder& coder, const FieldFaces& over, std::uint32_t most, std::
       });
 }
 
-/// The same. `joints`: of every vertex.
+/// The rule that the stream breaks, or null; in a reader whose bytes end, any rule. `joints`: of every
+/// vertex.
 template <class Coder>
-bool code_weights(Coder& coder, const FieldFaces& over, std::span<const JointRow> joints, std::uint32_t sum,
-                  std::size_t blend, std::span<WeightRow> rows) {
+const char* code_weights(Coder& coder, const FieldFaces& over, std::span<const JointRow> joints,
+                         std::uint32_t sum, std::size_t blend, std::span<WeightRow> rows) {
   const std::vector<JointRow> shared = over.first_copies(joints);
   WeightCoder<Coder> weights(coder, over.faces(), shared, static_cast<std::int32_t>(sum),
                              weight_blends(blend));
   CopyCoder<Coder, kInfluences> copies(coder, kInfluences - 1);
-  return code_with_copies(
+  const char* broken = "ATTR-65";
+  const bool is_valid = code_with_copies(
       coder, over.geometric(), over.vertex_count(), rows,
       [&](std::uint32_t vertex, std::span<WeightRow> all) { return weights.code_vertex(vertex, all); },
       [&](const WeightRow& before, WeightRow& row) {
         copies.code(before, row);
         std::int64_t rest = sum;
         for (std::size_t slot = 0; slot + 1 < kInfluences; ++slot) {
-          if (row[slot] < 0 || row[slot] > rest) return false;
+          if (row[slot] < 0 || row[slot] > rest) {
+            broken = "ATTR-63";
+            return false;
+          }
           rest -= row[slot];
         }
         row[kInfluences - 1] = static_cast<std::int32_t>(rest);
         return true;
       });
+  return is_valid ? nullptr : broken;
 }
 
 }  // namespace deltamesh

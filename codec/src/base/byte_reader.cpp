@@ -22,7 +22,7 @@ namespace deltamesh {
 [[gnu::noinline]] Result<std::uint64_t> ByteReader::read_varint(std::uint64_t max) noexcept {
   std::uint64_t value = 0;
   for (unsigned shift = 0; shift < 64; shift += 7) {
-    if (remaining() == 0) return error(ErrorCode::kTruncated, "bytes end inside a value", "CON-2");
+    if (remaining() == 0) return error(ErrorCode::kTruncated, "bytes end inside a value", "CON-1");
     const auto byte = std::to_integer<std::uint64_t>(bytes_[position_++]);
     if (shift == 63 && byte > 1) break;
     value |= (byte & 0x7f) << shift;

@@ -43,8 +43,8 @@ class ByteReader {
   /// A short float. Errors: kTruncated [CON-1].
   Result<float> read_short_float() noexcept;
 
-  /// LEB128, at most 10 bytes, shortest form only, value at most `max`. Errors: kTruncated, kInvalidStream
-  /// [CON-2].
+  /// LEB128, at most 10 bytes, shortest form only, value at most `max`. Errors: kTruncated [CON-1],
+  /// kInvalidStream [CON-2].
   Result<std::uint64_t> read_varint(std::uint64_t max = ~std::uint64_t{0}) noexcept;
 
   /// The next `size` bytes. Errors: kTruncated [CON-1].

@@ -34,11 +34,6 @@ void report_progress(const DecodeOptions& options, double share) {
   if (options.progress) options.progress(share);
 }
 
-/// The longest payload that any chunk may have, whatever its kind [DIR-5].
-std::uint64_t max_payload(const FileHeader& header) noexcept {
-  return 1024 + 160 * (std::uint64_t{header.vertices} + header.triangles);
-}
-
 Error limit_exceeded(const char* message) noexcept {
   return {.code = ErrorCode::kLimitExceeded, .message = message};
 }
@@ -83,7 +78,7 @@ class StreamDecoder {
       DELTAMESH_TRY(mesh.attributes, attributes.get());
     }
     if (header_.keeps_order) {
-      DELTAMESH_TRY(const auto chunk, expand_single(container_, kTagOrder, max_payload(header_)));
+      DELTAMESH_TRY(const auto chunk, expand_single(container_, kTagOrder));
       DELTAMESH_TRY(const auto order, read_order(chunk.payload(), mesh.triangles, header_.vertices));
       mesh = restore_order(mesh, order);
     }
@@ -94,7 +89,7 @@ class StreamDecoder {
  private:
   /// Faces over the mesh's vertices; where seams split some, those over the geometric vertices as well.
   Result<void> read_faces(std::vector<std::uint32_t>& triangles) {
-    DELTAMESH_TRY(const auto connectivity, expand_single(container_, kTagConnectivity, max_payload(header_)));
+    DELTAMESH_TRY(const auto connectivity, expand_single(container_, kTagConnectivity));
     DELTAMESH_TRY(auto read, read_connectivity(connectivity.payload(), header_.geometric_vertices,
                                                header_.triangles, of_ops()));
     DELTAMESH_CHECK(check_components(read.runs.count(header_.geometric_vertices)));
@@ -102,7 +97,7 @@ class StreamDecoder {
     open_edges_ = std::move(read.open_edges);
     runs_ = std::move(read.runs);
     if (triangles.capacity() / 5 > triangles.size() / 4) triangles.shrink_to_fit();
-    DELTAMESH_TRY(const auto seams, expand_single(container_, kTagSeams, max_payload(header_)));
+    DELTAMESH_TRY(const auto seams, expand_single(container_, kTagSeams));
     if (seams.bytes().empty() && header_.vertices == header_.geometric_vertices) return {};
     DELTAMESH_TRY(auto split,
                   read_seams(seams.payload(), triangles, header_.geometric_vertices, header_.vertices));
@@ -113,7 +108,7 @@ class StreamDecoder {
 
   /// m numbers, or none.
   Result<std::vector<std::uint32_t>> read_groups(std::span<const std::uint32_t> triangles) {
-    DELTAMESH_TRY(const auto chunk, expand_single(container_, kTagFaceGroups, max_payload(header_)));
+    DELTAMESH_TRY(const auto chunk, expand_single(container_, kTagFaceGroups));
     return read_face_groups(chunk.payload(), triangles, header_.vertices);
   }
 
@@ -147,7 +142,7 @@ class StreamDecoder {
   }
 
   Result<std::vector<float>> read_predicted(std::span<const std::uint32_t> triangles) {
-    DELTAMESH_TRY(const auto payload, expand_single(container_, kTagPositions, max_payload(header_)));
+    DELTAMESH_TRY(const auto payload, expand_single(container_, kTagPositions));
     Learning<PositionModels> learning;
     if (start_ != nullptr) learning.start = &start_->positions;
     if (learnt_ != nullptr) learning.end = &learnt_->positions;
@@ -176,8 +171,8 @@ class StreamDecoder {
 
   Result<std::vector<float>> read_solved() {
     Components components = runs_.components(header_.geometric_vertices);
-    DELTAMESH_TRY(const auto deltas, expand_single(container_, kTagDeltas, max_payload(header_)));
-    DELTAMESH_TRY(const auto anchors, expand_single(container_, kTagAnchors, max_payload(header_)));
+    DELTAMESH_TRY(const auto deltas, expand_single(container_, kTagDeltas));
+    DELTAMESH_TRY(const auto anchors, expand_single(container_, kTagAnchors));
     DELTAMESH_TRY(const auto positions,
                   read_highpass(deltas.payload(), anchors.payload(), std::move(graph_), std::move(components),
                                 header_.box(), header_.highpass, team_));
@@ -206,7 +201,7 @@ class StreamDecoder {
       const std::size_t now = number++;
       const AttributeDescriptor& descriptor = header_.attributes[now];
       if (decoded_after_others(descriptor.kind) != after_others) continue;
-      DELTAMESH_TRY(const auto chunk, expand_chunk(container_, entry, max_payload(header_)));
+      DELTAMESH_TRY(const auto chunk, expand_chunk(container_, entry));
       DELTAMESH_TRY(attributes[now],
                     read_attribute(chunk.payload(), descriptor, surface, attributes,
                                    options_.limits.attribute_bytes - attribute_bytes_, of_color(now)));

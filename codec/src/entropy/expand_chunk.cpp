@@ -8,11 +8,7 @@
 
 namespace deltamesh {
 
-Result<ExpandedChunk> expand_chunk(const Container& container, const ChunkEntry& entry,
-                                   std::uint64_t max_bytes) {
-  if (entry.decoded_bytes > max_bytes)
-    return chunk_error(ErrorCode::kInvalidStream, "the chunk is longer than the header's counts allow",
-                       "DIR-5", entry);
+Result<ExpandedChunk> expand_chunk(const Container& container, const ChunkEntry& entry) {
   const auto coded = container.coded(entry);
   if (entry.codec != ChunkCodec::kZstd)
     return ExpandedChunk{.stored = coded, .is_compact = entry.codec == ChunkCodec::kCompact};
@@ -23,10 +19,10 @@ Result<ExpandedChunk> expand_chunk(const Container& container, const ChunkEntry&
   return ExpandedChunk{.expanded = std::move(bytes)};
 }
 
-Result<ExpandedChunk> expand_single(const Container& container, std::uint32_t tag, std::uint64_t max_bytes) {
-  DELTAMESH_TRY(const auto* entry, container.find(tag));
+Result<ExpandedChunk> expand_single(const Container& container, std::uint32_t tag) {
+  const ChunkEntry* const entry = container.find(tag);
   if (entry == nullptr) return ExpandedChunk{};
-  return expand_chunk(container, *entry, max_bytes);
+  return expand_chunk(container, *entry);
 }
 
 }  // namespace deltamesh

@@ -25,13 +25,11 @@ struct ExpandedChunk {
   Payload payload() const noexcept { return is_compact ? Payload::compact(bytes()) : Payload(bytes()); }
 };
 
-/// Expands a chunk of `container`, which must outlive it, into a buffer of exactly entry.decoded_bytes, which
-/// may be at most `max_bytes`; raw and compact bytes stay where they are. Errors: kInvalidStream
-/// [DIR-5, ENT-1].
-Result<ExpandedChunk> expand_chunk(const Container& container, const ChunkEntry& entry,
-                                   std::uint64_t max_bytes);
+/// Expands a chunk of `container`, which must outlive it, into a buffer of exactly entry.decoded_bytes; raw
+/// and compact bytes stay where they are. Errors: kInvalidStream [ENT-1].
+Result<ExpandedChunk> expand_chunk(const Container& container, const ChunkEntry& entry);
 
 /// The same for the only chunk with `tag`; empty where there is none [DIR-8].
-Result<ExpandedChunk> expand_single(const Container& container, std::uint32_t tag, std::uint64_t max_bytes);
+Result<ExpandedChunk> expand_single(const Container& container, std::uint32_t tag);
 
 }  // namespace deltamesh

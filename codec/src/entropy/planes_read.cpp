@@ -9,7 +9,7 @@ Result<std::vector<std::uint32_t>> read_planes(ByteReader& in, std::uint64_t cou
   DELTAMESH_TRY(const auto planes, in.read<std::uint8_t>());
   if (planes > 4) return in.invalid("more than four byte planes", "CON-5");
   if (planes != 0 && count > in.remaining() / planes)
-    return in.error(ErrorCode::kTruncated, "bytes end inside the byte planes", "CON-5");
+    return in.error(ErrorCode::kTruncated, "bytes end inside the byte planes", "CON-1");
   std::vector<std::uint32_t> symbols(memory_size(count));
   for (unsigned plane = 0; plane < planes; ++plane) {
     DELTAMESH_TRY(const auto bytes, in.read_bytes(count));

@@ -2,6 +2,8 @@
 // Copyright 2026 The deltamesh authors
 #include "format/container.h"
 
+#include <algorithm>
+
 #include "format/container_frame.h"
 
 namespace deltamesh {
@@ -26,6 +28,14 @@ Result<std::span<const std::byte>> check_whole(std::span<const std::byte> stream
                .where_kind = WhereKind::kByte,
                .where = covered.size()};
 }
+
+/// Of any chunk but those that are skipped [DIR-5].
+std::uint64_t longest_payload(const FileHeader& header) noexcept {
+  return 1024 + 160 * (std::uint64_t{header.vertices} + header.triangles);
+}
+
+/// Whether there is at most one such chunk [DIR-8].
+bool is_single(std::uint32_t tag) noexcept { return tag != kTagAttribute && !is_skippable(tag); }
 
 }  // namespace
 
@@ -52,6 +62,8 @@ Result<Container> Container::open(std::span<const std::byte> stream) {
   while (in.remaining() > 0) {
     if (container.entries_.size() == kMaxChunks) return in.invalid("more than 65536 chunks", "DIR-1");
     DELTAMESH_TRY(ChunkEntry entry, read_chunk_header(in));
+    if (!is_skippable(entry.tag) && entry.decoded_bytes > longest_payload(container.header_))
+      return in.invalid("the chunk is longer than the header's counts allow", "DIR-5");
     if (entry.tag == kTagAttribute) {
       DELTAMESH_TRY(auto descriptor, read_descriptor(in));
       container.header_.attributes.push_back(std::move(descriptor));
@@ -59,6 +71,8 @@ Result<Container> Container::open(std::span<const std::byte> stream) {
     entry.offset = in.position();
     if (entry.coded_bytes > in.remaining())
       return in.error(ErrorCode::kTruncated, "bytes end inside a chunk", "DIR-7");
+    if (is_single(entry.tag) && container.find(entry.tag) != nullptr)
+      return in.invalid("the chunk appears twice", "DIR-8");
     DELTAMESH_TRY([[maybe_unused]] const auto bytes, in.read_bytes(entry.coded_bytes));
     container.entries_.push_back(entry);
   }
@@ -69,15 +83,10 @@ std::span<const std::byte> Container::coded(const ChunkEntry& entry) const noexc
   return stream_.subspan(static_cast<std::size_t>(entry.offset), static_cast<std::size_t>(entry.coded_bytes));
 }
 
-Result<const ChunkEntry*> Container::find(std::uint32_t tag) const {
-  const ChunkEntry* found = nullptr;
-  for (const ChunkEntry& entry : entries_) {
-    if (entry.tag != tag) continue;
-    if (found != nullptr)
-      return chunk_error(ErrorCode::kInvalidStream, "the chunk appears twice", "DIR-8", entry);
-    found = &entry;
-  }
-  return found;
+const ChunkEntry* Container::find(std::uint32_t tag) const noexcept {
+  const auto found =
+      std::ranges::find_if(entries_, [tag](const ChunkEntry& entry) { return entry.tag == tag; });
+  return found == entries_.end() ? nullptr : &*found;
 }
 
 }  // namespace deltamesh

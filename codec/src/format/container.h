@@ -30,8 +30,9 @@ class Container {
 
   std::span<const std::byte> coded(const ChunkEntry& entry) const noexcept;
 
-  /// The only entry with `tag`; null where there is none. Errors: kInvalidStream [DIR-8] for two of them.
-  Result<const ChunkEntry*> find(std::uint32_t tag) const;
+  /// The first entry with `tag`, the only one but of attributes and chunks that are skipped; null where there
+  /// is none.
+  const ChunkEntry* find(std::uint32_t tag) const noexcept;
 
  private:
   std::span<const std::byte> stream_;

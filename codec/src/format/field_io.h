@@ -4,6 +4,7 @@
 // Visitors of header_fields.h that read and write.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
@@ -27,17 +28,19 @@ class FieldReader {
   void short_float(float& field) {
     if (first_) take(in_.read_short_float(), field);
   }
+  /// A number that T does not hold becomes the largest: the rule of the field tells whether it may be so
+  /// large.
   template <class T>
   void varint(T& field) {
     constexpr bool kIsSigned = std::is_signed_v<T>;
     if (!first_) return;
-    const auto code = in_.read_varint(kIsSigned ? ~std::uint64_t{0} : std::numeric_limits<T>::max());
+    const auto code = in_.read_varint();
     if (!code) {
       first_ = code.error();
     } else if constexpr (kIsSigned) {
       field = unzigzag(*code);
     } else {
-      field = static_cast<T>(*code);
+      field = static_cast<T>(std::min<std::uint64_t>(*code, std::numeric_limits<T>::max()));
     }
   }
 

@@ -155,6 +155,8 @@ Result<LargeVector<Vec3>> reconstruct_highpass_once(const ReadSymbols& read_delt
                                                anchor_targets(anchors, part, box, parameters),
                                                parameters.cycles, part.whole_count));
   } else {
+    if (parameters.cycles != 0)
+      return broken_rule("planned cycles, but nothing to solve", "DELT-7", kTagDeltas);
     DELTAMESH_TRY([[maybe_unused]] const auto none, read_deltas(part.graph));
     positions.resize(part.whole_count);
   }

@@ -52,6 +52,12 @@ TEST(ByteReader, CON2RejectsLongAndPaddedVarints) {
   EXPECT_FALSE(ByteReader(small).read_varint(8));
 }
 
+TEST(ByteReader, CON1RejectsAVarintThatTheBytesEndWithin) {
+  const std::byte open[] = {std::byte{0x80}};
+  for (const std::size_t size : {0U, 1U})
+    EXPECT_STREQ(ByteReader(std::span(open).first(size)).read_varint().error().rule, "CON-1");
+}
+
 TEST(ByteReader, CON3RejectsBytesLeftOver) {
   const std::byte one[] = {std::byte{1}};
   const auto result = ByteReader(one).finish();
@@ -113,7 +119,9 @@ TEST(Planes, CON5RoundTripsWithAsFewPlanesAsNeeded) {
 TEST(Planes, CON5RejectsACountBeyondTheBytes) {
   const std::byte bytes[] = {std::byte{1}, std::byte{7}};
   ByteReader in(bytes);
-  EXPECT_EQ(read_planes(in, std::uint64_t{1} << 60).error().code, ErrorCode::kTruncated);
+  const auto read = read_planes(in, std::uint64_t{1} << 60);
+  EXPECT_EQ(read.error().code, ErrorCode::kTruncated);
+  EXPECT_STREQ(read.error().rule, "CON-1");
 }
 
 TEST(Checked, Saturates) {

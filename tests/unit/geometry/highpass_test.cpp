@@ -235,6 +235,14 @@ TEST_F(HighpassRules, DELT7RejectsCyclesOnOneLevel) {
   expect_rule(read(mesh_, coded_), "DELT-7");
 }
 
+TEST_F(HighpassRules, DELT7RejectsCyclesWithNothingToSolve) {
+  const GraphMesh mesh = test::sheet(2, 2);
+  CodedHighpass coded = *write(mesh);
+  EXPECT_TRUE(read(mesh, coded));
+  coded.parameters.cycles = 1;
+  expect_rule(read(mesh, coded), "DELT-7");
+}
+
 TEST_F(HighpassRules, ANCH1RejectsParametersOutOfRange) {
   coded_.parameters.anchor_bits = 3;
   expect_rule(read(mesh_, coded_), "ANCH-1");
