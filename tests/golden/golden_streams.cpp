@@ -3,9 +3,11 @@
 #include "golden_streams.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
+#include "base/vec3.h"
 #include "scenes.h"
 #include "support/meshes.h"
 
@@ -122,6 +124,140 @@ Mesh painted() {
   return mesh;
 }
 
+/// Numbers that look like noise, alike on every machine.
+class Noise {
+ public:
+  std::uint32_t next() noexcept { return (state_ = state_ * 1664525 + 1013904223) >> 16; }
+  /// -1 to 1.
+  float signed_part() noexcept { return static_cast<float>(next()) / 32768 - 1; }
+
+ private:
+  std::uint32_t state_ = 1;
+};
+
+std::vector<float> normals_all_around(std::size_t count) {
+  Noise noise;
+  std::vector<float> normals;
+  while (normals.size() < 3 * count) {
+    const std::array<float, 3> n{noise.signed_part(), noise.signed_part(), noise.signed_part()};
+    const float square = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+    if (square < 0.1F) continue;
+    for (const float x : n) normals.push_back(x / std::sqrt(square));
+  }
+  return normals;
+}
+
+/// The normals of faces, weighted by their angles.
+std::vector<float> normals_by_angles(const Mesh& mesh) {
+  std::vector<Vec3> sums(mesh.vertex_count());
+  const auto at = [&mesh](std::uint32_t v) {
+    return Vec3{mesh.positions[3 * v], mesh.positions[3 * v + 1], mesh.positions[3 * v + 2]};
+  };
+  for (std::size_t f = 0; f < mesh.triangle_count(); ++f) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto corner = [&](std::size_t i) { return mesh.triangles[3 * f + (k + i) % 3]; };
+      const Vec3 a = at(corner(1)) - at(corner(0));
+      const Vec3 b = at(corner(2)) - at(corner(0));
+      const Vec3 normal = cross(a, b);
+      sums[corner(0)] = sums[corner(0)] + std::atan2(length(normal), dot(a, b)) / length(normal) * normal;
+    }
+  }
+  std::vector<float> normals;
+  for (const Vec3& sum : sums)
+    for (const double x : sum) normals.push_back(static_cast<float>(length(sum) > 0 ? x / length(sum) : 0));
+  return normals;
+}
+
+/// What the other meshes lack: two rows of vertices whose copies have most in common, a face far from its
+/// shortest edge, vertices of no face, normals all around, floats of no lattice, few that move.
+Mesh odd_asset() {
+  constexpr std::uint32_t kColumns = 9;
+  constexpr std::uint32_t kFirst = 3 * kColumns;
+  Mesh mesh = bumpy_grid(kColumns - 1, 6);
+  const auto grid = static_cast<std::uint32_t>(mesh.vertex_count());
+  for (std::size_t f = mesh.triangle_count() / 2; f < mesh.triangle_count(); ++f)
+    for (std::size_t c = 3 * f; c < 3 * f + 3; ++c)
+      if (mesh.triangles[c] < kFirst + kColumns) mesh.triangles[c] += grid - kFirst;
+  for (std::uint32_t i = 0; i < 3 * kColumns; ++i)
+    mesh.positions.push_back(mesh.positions[std::size_t{3} * kFirst + i]);
+  const auto last = static_cast<std::uint32_t>(mesh.vertex_count());
+  mesh.positions.insert(mesh.positions.end(), {9, 0, 0, 9.001F, 0, 0, 60, 0, 0, 9, 9, 9, 9, 8, 9});
+  mesh.triangles.insert(mesh.triangles.end(), {last, last + 1, last + 2});
+  const std::size_t n = mesh.vertex_count();
+  std::vector<float> uvs;
+  std::vector<float> floats;
+  std::vector<float> moves;
+  std::vector<std::uint8_t> sides;
+  for (std::size_t i = 0; i < n; ++i) {
+    uvs.insert(uvs.end(), {mesh.positions[3 * i] / 8, mesh.positions[3 * i + 1] / 6});
+    const float x = mesh.positions[3 * i];
+    const float y = mesh.positions[3 * i + 1];
+    floats.push_back(std::ldexp(std::sqrt(2 + x + y / 16), 4 * static_cast<int>(std::min(x, 8.0F))));
+    moves.insert(moves.end(), {0, y > 4 && y < 7 ? (x - 4) * (x - 4) / 3 : 0, 0});
+    sides.push_back(i < grid ? 1 : 2);
+  }
+  using enum AttributeKind;
+  using enum ComponentType;
+  mesh.attributes = {attribute_of(kUv, kF32, 2, "TEXCOORD_0", uvs),
+                     attribute_of(kNormal, kF32, 3, "NORMAL", normals_all_around(n)),
+                     attribute_of(kNormal, kF32, 3, "angles", normals_by_angles(mesh)),
+                     attribute_of(kGeneric, kF32, 1, "floats", floats),
+                     attribute_of(kGeneric, kF32, 3, "move", moves),
+                     attribute_of(kGeneric, kU8, 1, "side", sides)};
+  return mesh;
+}
+
+/// Normals all around and numbers of 64 bits.
+Mesh wide_grid() {
+  Mesh mesh = bumpy_grid(4, 3);
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < mesh.vertex_count(); ++i) numbers.push_back(0.1 * static_cast<double>(i));
+  mesh.attributes = {attribute_of(AttributeKind::kNormal, ComponentType::kF32, 3, "NORMAL",
+                                  normals_all_around(mesh.vertex_count())),
+                     attribute_of(AttributeKind::kGeneric, ComponentType::kF64, 1, "wide", numbers)};
+  return mesh;
+}
+
+/// Tangents alone.
+Mesh brushed_grid() {
+  Mesh mesh = bumpy_grid(4, 3);
+  std::vector<float> tangents;
+  for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
+    const float x = static_cast<float>(i % 4) / 5;
+    tangents.insert(tangents.end(), {std::sqrt(1 - x * x), x, 0, 1});
+  }
+  mesh.attributes = {attribute_of(AttributeKind::kTangent, ComponentType::kF32, 4, "TANGENT", tangents)};
+  return mesh;
+}
+
+/// A strip, long enough for three levels; and an island of eight vertices, of which each has edges to all
+/// others: one node of the second level.
+Mesh strip_and_island() {
+  Mesh mesh;
+  constexpr std::uint32_t kStrip = 660;
+  for (std::uint32_t i = 0; i < kStrip; ++i) {
+    const float x = static_cast<float>(i) / 2;
+    mesh.positions.insert(mesh.positions.end(), {x, static_cast<float>(i % 2), std::abs(x - 160) / 4});
+    if (i >= 2) mesh.triangles.insert(mesh.triangles.end(), {i - 2 + i % 2, i - 1 - i % 2, i});
+  }
+  for (std::uint32_t i = 0; i < 8; ++i) {
+    const auto x = static_cast<float>(i);
+    mesh.positions.insert(mesh.positions.end(), {x, x * x / 8, static_cast<float>(i % 2)});
+    for (std::uint32_t j = i + 1; j < 8; ++j)
+      mesh.triangles.insert(mesh.triangles.end(), {kStrip + i, kStrip + j, kStrip + (i + j + 1) % 8});
+  }
+  return mesh;
+}
+
+/// Some vertices are off the edges of voxels.
+Mesh room_off_voxels() {
+  Mesh mesh = *generate_scene(Scene::kRooms, 100, 3);
+  mesh.attributes.clear();
+  for (std::size_t i = 30; i < mesh.positions.size(); i += 90)
+    for (std::size_t a = 0; a < 3; ++a) mesh.positions[i + a] += 0.04F;
+  return mesh;
+}
+
 /// Two groups of faces, and nothing else but positions.
 Mesh grouped_grid() {
   Mesh mesh = bumpy_grid(6, 4);
@@ -186,6 +322,21 @@ std::vector<Golden> golden_streams() {
     if (named.name == "isolated vertices")
       list.push_back({"isolated.all", named.mesh, {.keep_unreferenced = true}});
   }
+  list.push_back({"empty.lossless", {}, {.lossless = true}});
+  list.push_back({"odd.bounded",
+                  odd_asset(),
+                  {.geometry = GeometryCoder::kPredictive,
+                   .attributes = {.normal_error = 2, .uv_error = 0.01, .named = {{"move", 0.01}}},
+                   .keep_order = true,
+                   .keep_unreferenced = true}});
+  list.push_back(
+      {"wide.zstd", wide_grid(), {.bits = 8, .attributes = {.normal_error = 2}, .profile = Profile::kZstd}});
+  list.push_back({"brushed.bits6", brushed_grid(), {.bits = 6, .attributes = {.tangent_error = 2}}});
+  list.push_back(
+      {"strip.levels", strip_and_island(), {.geometry = GeometryCoder::kHighpass, .bits = 4, .anchors = 4}});
+  list.push_back({"room.off",
+                  room_off_voxels(),
+                  {.quality = {.max_error = QualityBound{0.02}}, .geometry = GeometryCoder::kPredictive}});
   return list;
 }
 
