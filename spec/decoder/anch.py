@@ -22,5 +22,6 @@ def ANCH_1_read(chunk, header, n, components):
         anchors[v] = [header.box_min[a] + side * float(k[a]) for a in range(3)]
     for component in components:  # [ANCH-2]
         held = sum(v in anchors for v in component)
-        must(held >= (1 if len(component) >= 8 else len(component)), "ANCH-2", "a component lacks an anchor")
+        must(held, "ANCH-2", "a component has no anchor")
+        must(held == len(component) or len(component) >= 8, "ANCH-2", "a vertex of a small component is no anchor")
     return anchors

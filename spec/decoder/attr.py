@@ -38,12 +38,14 @@ class Attribute:
             self.flags = usual_flags(self.kind, self.type)
         else:
             self.kind, type_number, self.k, self.flags = (r.u8() for _ in range(4))
-            must(self.kind <= 6 and type_number <= 7, "ATTR-1", "unknown kind or type")
-            must(1 <= self.k <= 16 and self.flags <= 1, "ATTR-1", "components or flags out of range")
+            must(self.kind <= 6, "ATTR-1", f"kind {self.kind}")
+            must(type_number <= 7, "ATTR-1", f"type {type_number}")
+            must(1 <= self.k <= 16, "ATTR-1", f"{self.k} components")
+            must(self.flags <= 1, "ATTR-1", f"flags {self.flags}")
             self.type = TYPES[type_number]
             self.name = r.bytes(r.u8())
         self.error = r.f24() if has_error else 0.0
-        must(math.isfinite(self.error) and self.error >= 0, "ATTR-1", "the error is not finite or negative")
+        must(0 <= self.error < math.inf, "ATTR-1", f"error {self.error}")
         is_usual = (self.name, self.kind, self.type, self.k) in USUAL and self.flags == usual_flags(self.kind, self.type)
         self.is_shortest = not has_error and (row > 0 or not is_usual)
         self.values = None
@@ -85,7 +87,8 @@ def ATTR_3_symbols(r, n, components, w):
     result, modulus = [], 2**w
     for c in range(components):
         prediction = r.u8()
-        must(prediction <= (3 if c else 1), "ATTR-3", f"prediction {prediction}")
+        must(prediction <= 3, "ATTR-3", f"prediction {prediction}")
+        must(c or prediction <= 1, "ATTR-3", f"prediction {prediction} of the first component")
         residuals = r.planes(n)
         if w == 64:
             residuals = [low | high << 32 for low, high in zip(residuals, r.planes(n))]
@@ -113,7 +116,7 @@ def ATTR_5_octahedral(r, a, surface):
         if p == q == 2**bits - 1:
             rows.append((0.0, 0.0, 0.0))
             continue
-        must(p <= 2 * h and q <= 2 * h, "ATTR-5", "a symbol above 2 h")
+        must(max(p, q) <= 2 * h, "ATTR-5", "a symbol above 2 h")
         u, v = p - h, q - h
         x, y, z = u, v, h - abs(u) - abs(v)
         if z < 0:
@@ -133,6 +136,7 @@ def ATTR_7_uvs(r, a, surface):
     must(1 <= bits <= 24, "ATTR-2", f"{bits} bits")
     ranges = [(r.number("f"), r.number("f")) for _ in range(2)]
     for low, high in ranges:
-        must(math.isfinite(low) and math.isfinite(high) and low <= high, "ATTR-7", "min or max")
+        must(math.isfinite(low + high), "ATTR-7", "min or max is not finite")
+        must(low <= high, "ATTR-7", "min is above max")
     m, symbols = 2**bits - 1, ATTR_3_symbols(r, surface.n, 2, bits)
     return [[low + (high - low) * s / m for (low, high), s in zip(ranges, row)] for row in zip(*symbols)]

@@ -17,10 +17,11 @@ class Component:
     def __init__(self, r, a, before):
         self.type, size, self.kind = a.type, int(a.type[1]), r.u8()
         self.times, self.over, self.cells = 1.0, 1.0, 0
-        must(self.kind <= FLOAT and (self.kind != FLOAT or self.type == "f4"), "ATTR-55", f"kind {self.kind}")
+        must(self.kind <= FLOAT, "ATTR-55", f"kind {self.kind}")
+        must(self.kind != FLOAT or self.type == "f4", "ATTR-55", f"floats of type {self.type}")
         must(self.kind != AS_BEFORE or before, "ATTR-55", "the first component is as none before")
         if self.kind in (CONSTANT, LISTED):
-            self.cells = r.varint(4096, "ATTR-55") - 1 if self.kind == LISTED else 0
+            self.cells = r.varint(4096, "CON-2") - 1 if self.kind == LISTED else 0
             must(self.cells >= 0, "ATTR-55", "an empty list")
             self.list = [r.bytes(size) for _ in range(self.cells + 1)]
             self.rest = next((i for i, value in enumerate(self.list) if not any(value)), 0)  # [ATTR-59]
@@ -32,8 +33,10 @@ class Component:
                 self.times, self.over = before.times, before.over
             else:
                 self.times, self.over = r.number("f"), r.number("f") if self.kind == RATIO else 1.0
-            must(all(math.isfinite(x) and x > 0 for x in (self.times, self.over)), "ATTR-55", "times or over")
-            self.base, self.cells = unzigzag(r.varint(2**53, "ATTR-55")), r.varint(2**28, "ATTR-55")
+            must(0 < self.times < math.inf, "ATTR-55", f"times {self.times}")
+            must(0 < self.over < math.inf, "ATTR-55", f"over {self.over}")
+            self.base = unzigzag(r.varint(2**53, "CON-2"))
+            self.cells = r.varint(2**28, "CON-2")
             self.rest = clamp(-self.base, 0, self.cells)
             ends = np.frombuffer(self.value(0) + self.value(self.cells), dtype="<" + self.type)
             must(np.all(np.isfinite(ends)), "ATTR-55", "a point is not finite")

@@ -13,7 +13,8 @@ NOWHERE = F([0, 0, 0])
 def ATTR_20_normals(r, a, surface):
     form, radius = r.u8(), r.number("f")
     rule = form & 7
-    must(rule <= 5 and form < 64, "ATTR-20", f"form {form}")
+    must(rule <= 5, "ATTR-20", f"rule {rule}")
+    must(form < 64, "ATTR-20", f"form {form}")
     must(rule == 0 or surface.positions is not None, "ATTR-20", "a rule without positions")
     must(float(F(1e-6)) <= radius <= 1, "ATTR-20", f"radius {radius}")
     return NormalCoder(Coder(r), surface, rule, form, F(radius)).decode()

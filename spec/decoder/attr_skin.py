@@ -73,9 +73,10 @@ def ATTR_62_joints(a, surface):
     return [(0, 1, 2, 3)] * surface.n
 
 def ATTR_63_weights(r, a, surface):
-    total = r.varint(65536, "ATTR-63")
+    total = r.varint(65536, "CON-2")
     full = {"u1": 255, "u2": 65535}.get(a.type)
-    must(total >= 1 and (not full or full % total == 0), "ATTR-63", f"sum {total}")
+    must(total >= 1, "ATTR-63", "sum 0")
+    must(not full or full % total == 0, "ATTR-63", f"sum {total} does not divide {full}")
     coder, joints = Coder(r), ATTR_62_joints(a, surface)
     first, known = surface.joined(coder.raw(1))
     weights = WeightCoder(coder, known, [joints[v] for v in first[:-1]], total, coder.raw(2))

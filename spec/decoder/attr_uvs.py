@@ -43,8 +43,6 @@ class Fit:
         self.function = M, V, np.array([solve_symmetric(C, h * q - M * value) for q, value in zip(Q, V)])
 
     def at(self, p):
-        if not self.function:
-            return NOTHING
         M, V, G = self.function
         return V + (p[0] - M[0]) * G[:, 0] + (p[1] - M[1]) * G[:, 1] + (p[2] - M[2]) * G[:, 2]
 

@@ -67,7 +67,8 @@ class Coder:
     """[CMP-1 to CMP-3, CMP-6, CMP-12] Reads the decisions of one stream, all that a reader has left."""
     def __init__(self, r):
         self.data, r.coder = r.rest(), self
-        must(self.data and max(self.data[0] & 15, self.data[0] >> 4) <= 8, "CMP-1", "no sizes of states, or too large ones")
+        must(self.data, "CMP-1", "no sizes of states")
+        must(max(self.data[0] & 15, self.data[0] >> 4) <= 8, "CMP-1", "a state of more than 8 bytes")
         middle = 1 + (self.data[0] & 15)
         self.at, self.turn = middle + (self.data[0] >> 4), 0
         must(self.at <= len(self.data), "CMP-1", "the states are cut")

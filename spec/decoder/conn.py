@@ -11,7 +11,7 @@ class PlainOps:
     def __init__(self, r, m, states):
         counts = [r.varint() for _ in range(17)]
         references = r.varint()
-        far, self.glued = r.varint(references), r.varint()
+        far, self.glued = r.varint(references, "CON-2"), r.varint()
         self.tokens = [list(r.bytes(count))[::-1] for count in counts]
         self.references, self.far = list(r.bytes(references))[::-1], r.planes(far)[::-1]
         must(m <= 32 * sum(counts), "CONN-2", "more faces than tokens can give")
@@ -26,7 +26,9 @@ class PlainOps:
                 stream = min(t.full, 7) + (8 if step == 2 or t.closed else 0)
             must(self.tokens[stream], "CONN-9", f"stream {stream} has no token left")
             code, k = divmod(self.tokens[stream].pop(), 32)
-            must(code < 7 and (k == 31) == (code == C), "CONN-9", f"code {code} with k = {k}")
+            must(code != C or k == 31, "CONN-9", f"code 0 with k = {k}")
+            must(code == C or k != 31, "CONN-9", f"code {code} with k = 31")
+            must(code < 7, "CONN-9", "code 7")
             self.ops = ([code] if code else []) + [C] * k
         return self.ops.pop()
 
@@ -38,8 +40,9 @@ class PlainOps:
         return reference, None if reference else self.far.pop()
 
     def CONN_2_end(self):
-        left = any(self.tokens) or self.references or self.far
-        must(not left, "CONN-2", "tokens, references or far targets are left over")
+        must(not any(self.tokens), "CONN-2", "tokens are left over")
+        must(not self.references, "CONN-2", "references are left over")
+        must(not self.far, "CONN-2", "far targets are left over")
 
 def CONN_12_run_weights(full):
     return [{0: 32, 1: 8, 2: 2}.get(abs(s - max(5 - full, 0)), 1) for s in range(7)] + [6, 2] + [1] * 7
@@ -167,24 +170,29 @@ class Traversal:
             grow(g, q)
         elif op == L:
             apex, pushes = p.origin, [p]
-            must(not p.closed and apex != v, "CONN-7", "L does not fit")
+            must(not p.closed, "CONN-7", "L beside a closed item")
+            must(apex != v, "CONN-7", "L in a loop of two")
             g.alive = False
             link(p, q)
             grow(q, p)
         elif op == R:
             apex, pushes = after.origin, u_push + [after]
-            must(not q.closed and apex != u, "CONN-7", "R does not fit")
+            must(not q.closed, "CONN-7", "R beside a closed item")
+            must(apex != u, "CONN-7", "R in a loop of two")
             q.alive = False
             link(g, after)
             grow(g, after)
         elif op == E:
             apex, pushes = p.origin, []
-            must(not p.closed and not q.closed and after is p and len({p, g, q}) == 3, "CONN-7", "E does not fit")
+            must(not p.closed, "CONN-7", "E after a closed item")
+            must(not q.closed, "CONN-7", "E before a closed item")
+            must(after is p, "CONN-7", "E in no loop of three")
             p.alive = g.alive = q.alive = False
         else:
             s = self.CONN_10_target(g) if op == S else after.next
             apex, r = s.origin, s.prev
-            must(s.alive and apex not in (u, v), "CONN-7", "there is no such target")
+            must(s.alive, "CONN-7", "the target was removed")
+            must(apex not in (u, v), "CONN-7", "the target begins at an end of the gate")
             grow(g, q, s)
             f = self.new_item(apex, s.full)
             pushes = u_push + [f, s] + v_push

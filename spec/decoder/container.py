@@ -51,19 +51,21 @@ class Reader:
         """[CON-6]"""
         return struct.unpack("<f", b"\0" + self.bytes(3))[0]
 
-    def varint(self, most=2**64 - 1, tag="CON-2"):
+    def varint(self, most=2**64 - 1, tag=""):
         """[CON-2]"""
         octets = [self.u8()]
         while octets[-1] >= 128 and len(octets) < 10:
             octets.append(self.u8())
         value = sum((octet & 127) << 7 * i for i, octet in enumerate(octets))
-        must(octets == [0] or 0 < octets[-1] < 128 and value < 2**64, "CON-2", "a varint is not in its shortest form, or too long")
+        must(octets == [0] or octets[-1], "CON-2", "a varint is not in its shortest form")
+        must(octets[-1] < 128, "CON-2", "a varint of more than 10 bytes")
+        must(value < 2**64, "CON-2", f"{value} has more than 64 bits")
         must(value <= most, tag, f"{value} is above {most}")
         return value
 
     def planes(self, count):
-        """[CON-5]; none where nothing is asked of an empty payload."""
-        planes, symbols = self.u8() if self.data or count else 0, [0] * count
+        """[CON-5]"""
+        planes, symbols = self.u8(), [0] * count
         must(planes <= 4, "CON-5", f"{planes} byte planes")
         for plane in range(planes):
             symbols = [s | byte << 8 * plane for s, byte in zip(symbols, self.bytes(count))]
@@ -91,7 +93,7 @@ class Header:  # HDR-5 to HDR-14
         self.origin = [r.number("d") for _ in range(3)] if self.flags & 2 else [0.0] * 3
         must(all_finite(self.origin), "HDR-8", "the origin is not finite")
         self.vde, self.lfe, self.max_error = figures = [r.f24() for _ in range(3)]
-        must(all_finite(figures) and min(figures) >= 0, "HDR-9", f"figures {figures}")
+        must(all(0 <= x < math.inf for x in figures), "HDR-9", f"figures {figures}")
         self.bits = r.u8() if self.flags & 4 else 0
         self.geometry(r)
 
@@ -99,15 +101,15 @@ class Header:  # HDR-5 to HDR-14
         """Flags and counts [HDR-5 to HDR-7]."""
         flags = self.flags = r.u8()
         self.restore_order, self.coder = bool(flags & 1), flags >> 6
-        on_lattice = self.coder in (LATTICE, VOXELS)
-        must((on_lattice or not flags & 0x30) and (self.coder != FLOATS or not flags & 8), "HDR-5", f"flags {flags}")
-        self.triangles = r.varint(2**29, "HDR-6")
-        self.geometric, self.copies = r.varint(2**31 - 1, "HDR-6"), r.varint(2**31 - 1, "HDR-6")
+        must(self.coder in (LATTICE, VOXELS) or not flags & 0x30, "HDR-5", f"flags {flags} without a lattice")
+        must(self.coder != FLOATS or not flags & 8, "HDR-5", f"flags {flags} with floats")
+        self.triangles, self.geometric, self.copies = r.varint(2**29, "HDR-6"), r.varint(), r.varint()
         self.vertices, self.components = self.geometric + self.copies, r.varint()
         must(self.vertices < 2**31, "HDR-6", "too many vertices")
         counts = [self.vertices, self.geometric, self.components]
         must(self.components <= self.geometric, "HDR-7", "more components than vertices")
-        must(all(counts) or not any(counts) and not self.triangles, "HDR-7", f"counts {counts}")
+        must(all(counts) or not any(counts), "HDR-7", f"counts {counts}")
+        must(self.vertices or not self.triangles, "HDR-7", "triangles without vertices")
 
     def geometry(self, r):  # HDR-14
         """The fields of the geometry coder."""
@@ -119,22 +121,23 @@ class Header:  # HDR-5 to HDR-14
         must(all_finite(self.box_min + self.box_max), "HDR-8", "the box is not finite")
         must(all(a <= b for a, b in zip(self.box_min, self.box_max)), "HDR-8", "box min is above box max")
 
-    def steps_of(self, r, count, tag):  # HDR-11, HDR-14
-        steps = [r.number("d") if self.flags & 8 else r.f24() for _ in range(count)]
-        must(all_finite(steps) and min(steps) > 0, tag, f"steps {steps}")
-        return steps
+    def steps_of(self, r, count):  # HDR-11, HDR-14
+        return [r.number("d") if self.flags & 8 else r.f24() for _ in range(count)]
 
     def HDR_11_highpass(self, r):
         self.HDR_8_box(r)
-        self.step, = self.steps_of(r, 1, "HDR-11")
+        self.step, = self.steps_of(r, 1)
+        must(0 < self.step < math.inf, "HDR-11", f"step {self.step}")
         self.shift_ones, self.shift_others, self.anchor_bits = r.number("b"), r.number("b"), r.u8()
         self.anchors, self.density, self.cycles = r.varint(), r.varint(), r.u8()
         must(self.bits == 0 or 3 <= self.bits <= 16, "HDR-11", f"{self.bits} bits")
-        must(4 <= self.anchor_bits <= 24 and self.cycles <= 80, "HDR-11", "bits of anchors, or cycles")
+        must(4 <= self.anchor_bits <= 24, "HDR-11", f"{self.anchor_bits} bits of anchors")
+        must(self.cycles <= 80, "HDR-11", f"{self.cycles} cycles")
         must(self.components <= self.anchors <= self.geometric, "HDR-11", f"{self.anchors} anchors")
 
     def HDR_14_lattice(self, r):
-        self.steps = self.steps_of(r, 3, "HDR-14") if self.flags & 16 else self.steps_of(r, 1, "HDR-14") * 3
+        self.steps = self.steps_of(r, 3) if self.flags & 16 else self.steps_of(r, 1) * 3
+        must(all(0 < s < math.inf for s in self.steps), "HDR-14", f"steps {self.steps}")
         self.lattice_origin = [r.number("d") for _ in range(3)] if self.flags & 32 else [0.0] * 3
         must(all_finite(self.lattice_origin), "HDR-14", "the lattice origin is not finite")
         self.first = self.first_point(r)
@@ -158,7 +161,9 @@ def ENT_1_expand(data, length):
         payload = unzip.decompress(data)
     except zstandard.ZstdError as error:
         raise Broken("ENT-1", f"not a zstd frame: {error}") from error
-    must(unzip.eof and not unzip.unused_data and len(payload) == length, "ENT-1", "the frame has another length")
+    must(unzip.eof, "ENT-1", "the frame is cut")
+    must(not unzip.unused_data, "ENT-1", "bytes after the frame")
+    must(len(payload) == length, "ENT-1", f"{len(payload)} bytes in place of {length}")
     return payload
 
 class Chunk(Reader):
@@ -171,19 +176,20 @@ def DIR_2_chunk(r, header, read_descriptor):
     """[DIR-2, DIR-4, DIR-5, DIR-7] A chunk; nobody asks for one that is skipped."""
     byte = r.u8()
     kind, coding = byte & 15, byte >> 4
+    must(coding <= COMPACT, "DIR-4", f"coding {coding}")
     must(kind <= 8, "DIR-2", f"kind {kind}")
     tag = KINDS[kind] if kind else r.bytes(4).decode("latin-1")
-    is_skipped = not kind and tag.isascii() and tag.isalpha() and tag not in KINDS and tag[3].islower()
-    must(kind or is_skipped, "DIR-2", f"{tag!r} is no tag, or must not be skipped")
-    must(coding <= COMPACT, "DIR-4", f"coding {coding}")
+    must(tag.encode().isalpha(), "DIR-2", f"{tag!r} is no tag")
+    must(kind or tag[3].islower(), "DIR-2", f"{tag} must not be skipped")
     length = r.varint()
     decoded = r.varint() if coding == ZSTD else length
     must(decoded <= 65536 * length, "DIR-5", "a chunk expands too much")
-    must(is_skipped or decoded <= 1024 + 160 * (header.vertices + header.triangles), "DIR-5", "a payload is too long")
+    must(not kind or decoded <= 1024 + 160 * (header.vertices + header.triangles), "DIR-5", "a payload is too long")
     descriptor = read_descriptor(r) if tag == "ATTR" else None
     must(length <= len(r.data) - r.at, "DIR-7", "a chunk reaches beyond the checksum")
     data = r.bytes(length)
-    if coding == ZSTD and not is_skipped:
+    unread = ["POSN"] if header.coder == HIGHPASS else ["DELT", "ANCH"]  # [DIR-8]
+    if coding == ZSTD and kind and tag not in unread + ["ORDR"] * (not header.restore_order):
         data = ENT_1_expand(data, decoded)
     return Chunk(tag, coding == COMPACT, data, descriptor)
 

@@ -46,6 +46,7 @@ def DELT_1_positions(chunk, header, around, components, anchors):
         positions[v] = place
     centre = np.array([0.5 * a + 0.5 * b for a, b in zip(header.box_min, header.box_max)])
     debug("deltas: %s", deltas)
+    must(solved or not header.cycles, "DELT-7", "cycles without solved vertices")
     for c in [solved] if header.cycles else components:
         graph, places = subgraph(around, c), {i: positions[v] - centre for i, v in enumerate(c) if v in anchors}
         if header.cycles:

@@ -7,8 +7,8 @@ def FGRP_1_read(chunk, faces):
     if not chunk.data:
         return None
     groups = FGRP_2_compact(Coder(chunk), faces) if chunk.is_compact else chunk.planes(len(faces))
+    must(chunk.is_compact or all(g < 2**16 for g in groups), "FGRP-1", "a group is not below 2^16")
     chunk.end()
-    must(all(g < 2**16 for g in groups), "FGRP-1", "a group is not below 2^16")
     return groups
 
 def FGRP_2_compact(coder, faces):
@@ -21,6 +21,7 @@ def FGRP_2_compact(coder, faces):
             s, others = coder.symbol([kinds]), [g for g in recent if g != forecast]  # [FGRP-3]
             must(s >= 14 or s < len(others), "FGRP-3", "a recent group that is not there")
             group = others[s] if s < 14 else highest + 1 if s == 14 else numbers.decode(coder)
+            must(group < 2**16, "FGRP-1", f"group {group}")
         groups.append(group)
         highest, recent = max(highest, group), ([group] + [g for g in recent if g != group])[:14]
         met.update((x, group) for x in face)

@@ -13,7 +13,8 @@ def CONN_8_faces(chunk, m, n, states):
     if not chunk.is_compact:
         ops.CONN_2_end()
     M, G = traversal.manifold, NumberModel().decode(ops.coder) if chunk.is_compact else ops.glued
-    must(G <= M and M - G <= n, "CONN-11", f"{G} of {M} are glued")
+    must(G <= M, "CONN-11", f"{G} of {M} are glued")
+    must(M - G <= n, "CONN-11", f"{M - G} geometric vertices in place of {n}")
     if chunk.is_compact:
         vertex_of = CONN_13_glue(ops.coder, traversal, G)
     else:
@@ -56,7 +57,8 @@ def CONN_14_glue(coder, traversal, G):
                 vertex_of[x], fresh = fresh, fresh + 1
                 continue
             kind = coder.symbol([kinds[k]])
-            must(kind == 2 or kind < 2 and k >> kind & 1, "CONN-14", f"kind {kind} is none, or has no guess")
+            must(kind <= 2, "CONN-14", f"kind {kind}")
+            must(kind == 2 or k >> kind & 1, "CONN-14", f"kind {kind} without a guess")
             last = (last + unzigzag(numbers.decode(coder))) % 2**32 if kind == 2 else (same, mirrored)[kind][0]
             must(last < fresh, "CONN-14", "glued to a vertex that is not there yet")
             vertex_of[x] = last

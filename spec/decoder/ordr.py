@@ -12,8 +12,8 @@ def ORDR_1_read(chunk, faces, n):
         vertices, placed = ORDR_1_places(chunk, n), ORDR_1_places(chunk, len(faces))
         rotations = chunk.planes(len(faces))
     chunk.end()
-    for places in (vertices, placed):
-        must(sorted(places) == list(range(len(places))), "ORDR-2", "the places are no permutation")
+    must(sorted(vertices) == list(range(n)), "ORDR-2", "the places of vertices are no permutation")
+    must(sorted(placed) == list(range(len(faces))), "ORDR-2", "the places of faces are no permutation")
     must(all(x <= 2 for x in rotations), "ORDR-3", "a rotation above 2")
     return vertices, placed, rotations
 

@@ -50,7 +50,8 @@ def POSN_11_replace(coder, positions):
     for _ in range(count):
         at += 1 + gaps.decode(coder)
         value = np.uint32(coder.raw(32)).view(np.float32)
-        must(at < flat.size and np.isfinite(value), "POSN-11", "a replacement is out of range or not finite")
+        must(at < flat.size, "POSN-11", "a replacement is out of range")
+        must(np.isfinite(value), "POSN-11", "a replacement is not finite")
         flat[at] = value
 
 def POSN_10_order(order, faces, n):

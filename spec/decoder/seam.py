@@ -8,7 +8,8 @@ from container import must
 def SEAM_1_read(chunk, faces, n_g, n):
     """[SEAM-5] `faces` over vertices; `first[g]`, the first copy of geometric vertex g; `geometric[v]`, that of v."""
     copies, corners = [1] * n_g, [0] * (3 * len(faces))
-    must((n == n_g) == (not chunk.data), "SEAM-1", "the chunk is there without copies, or not with them")
+    must(n > n_g or not chunk.data, "SEAM-1", "the chunk is there without copies")
+    must(n == n_g or chunk.data, "SEAM-1", "copies without the chunk")
     if chunk.data:
         copies, corners = (SEAM_6_compact if chunk.is_compact else SEAM_2_plain)(chunk, faces, n_g, n)
         chunk.end()
@@ -22,7 +23,9 @@ def SEAM_2_plain(r, faces, n_g, n):
     """[SEAM-1 to SEAM-3] Copies of every geometric vertex, and the copy that each corner uses."""
     copies, g, corners_of, choices = [1] * n_g, -1, Counter(x for face in faces for x in face), 0
     K = r.varint()
-    must(1 <= K <= min(n_g, n - n_g), "SEAM-2", f"{K} split vertices")
+    must(K >= 1, "SEAM-2", "no split vertices")
+    must(K <= n_g, "SEAM-2", f"{K} split vertices of {n_g}")
+    must(K <= n - n_g, "SEAM-2", f"{K} split vertices with {n - n_g} copies")
     for gap, number in zip(r.planes(K), r.planes(K)):
         g += gap + 1
         must(g < n_g, "SEAM-2", "a split vertex is out of range")
@@ -98,7 +101,8 @@ class SEAM_6_Coder:
         A, B = self.SEAM_7_kind(ahead, used[after]), self.SEAM_7_kind(behind, used[before])
         choice = self.symbol(*self.choices.of(20 * A + 4 * B + t, 16 * min(v.copies - 2, 3) + 4 * min(v.used - 1, 3) + t, t))
         copy = (first, second, v.used)[choice] if choice < 3 else choice - 3
-        must(copy <= v.used and copy < v.copies, "SEAM-8", f"copy {copy}")
+        must(copy <= v.used, "SEAM-8", f"copy {copy} after {v.used}")
+        must(copy < v.copies, "SEAM-8", f"copy {copy} of {v.copies}")
         v.used, v.last = max(v.used, copy + 1), copy
         return copy
 

@@ -92,6 +92,7 @@ class VoxelCoder(PredictedCoder):  # VOX-1 to VOX-6
             symbol = self.coder.symbol([self.voxels.edges.setdefault(cube.model, SymbolModel(cube.weights))])
             if not (symbol == 13 and cube.open):
                 break
+        must(not upper or symbol <= 12, "VOX-4", f"edge symbol {symbol} after 13")
         must(symbol <= 12, "VOX-4", f"edge symbol {symbol}")
         return cube, symbol
 

@@ -1,5 +1,7 @@
 """Compact chunks whose decisions are, from one on, others than an encoder's: found by decoding with decisions of chance, which are then
 encoded [CMP-1, CMP-2]."""
+import sys
+
 from reference_decoder_test import decode
 from container import Broken
 from coder import Coder
@@ -83,7 +85,11 @@ class ChanceCoder:
 
 
 def with_other_decisions(stream, payload, first, rng):
-    """The payload of a valid stream's compact chunk with other decisions from number `first` on."""
+    """The payload of a stream's compact chunk with other decisions from number `first` on; below 0: counted from the last."""
+    if first < 0:
+        coder = ChanceCoder(payload, sys.maxsize, rng)
+        coder.run(stream)
+        first = max(len(coder.decisions) - 1 + first, 0)
     coder = ChanceCoder(payload, first, rng)
     coder.run(stream)
     return coder.encoded()

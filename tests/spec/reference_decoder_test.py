@@ -106,7 +106,7 @@ def main():
     stems += [f[:-5] for f in sorted(glob.glob(os.path.join(folder, "invalid", "*.dmsh")))] * (not sys.argv[1:])
     for stem in stems:
         try:
-            wrong = (compare_invalid if "invalid" in stem else compare)(stem)
+            wrong = (compare_invalid if os.path.basename(os.path.dirname(stem)) == "invalid" else compare)(stem)
         except Exception as error:  # any failure is one of this stream
             wrong = f"{type(error).__name__} {error}"
         print(f"{os.path.basename(stem)}: {wrong or 'ok'}")

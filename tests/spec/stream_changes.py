@@ -97,6 +97,6 @@ def changed(data, rng):
     else:
         i = rng.choice(compact)
         kind, descriptor, payload = parts.chunks[i]
-        first = int(200**rng.random() - 1)
+        first = int(200**rng.random() - 1) if rng.random() < 0.7 else -int(20**rng.random())
         parts.chunks[i] = kind, descriptor, with_other_decisions(data, payload, first, rng)
     return parts.stream()

@@ -1,0 +1,260 @@
+"""Streams that break one rule each, for what changes by chance hardly reach; most are a tetrahedron with something wrong."""
+import glob
+import os
+import struct
+import subprocess
+import tempfile
+
+import zstandard
+
+from reference_decoder_test import GOLDEN
+from conn import PlainOps, Walk
+from container import Broken, COMPACT, DRAFT, KINDS, Reader, ZSTD
+from stream_changes import Parts, sealed, varint
+
+NAN, LONG_NAN = struct.pack("<f", float("nan")), struct.pack("<d", float("nan"))
+STATES = b"\x44" + struct.pack("<2I", 2**31, 2**31)  # of a compact stream without decisions
+
+
+def read(path):
+    with open(path, "rb") as file:
+        return file.read()
+
+
+def golden(name):
+    return read(glob.glob(os.path.join(GOLDEN, name + ".v1d*.dmsh"))[0])
+
+
+def generated(program, scene, vertices, options):
+    """The stream of a scene."""
+    with tempfile.TemporaryDirectory() as folder:
+        mesh, stream = os.path.join(folder, "mesh.glb"), os.path.join(folder, "stream.dmsh")
+        subprocess.run([program, "generate", scene, mesh, "--vertices", str(vertices)], check=True, stdout=subprocess.DEVNULL)
+        subprocess.run([program, "encode", mesh, stream] + options.split(), check=True, stdout=subprocess.DEVNULL)
+        return read(stream)
+
+
+def tetrahedron():
+    return Parts(golden("tetrahedron.default"))
+
+
+def f32(*numbers):
+    return struct.pack(f"<{len(numbers)}f", *numbers)
+
+
+def with_chunk(tag, payload, is_compact=False, descriptor=b"", flags=0):
+    """The tetrahedron with one more chunk."""
+    parts = tetrahedron()
+    parts.header = parts.header[:4] + bytes([parts.header[4] | flags]) + parts.header[5:]
+    parts.chunks.append((KINDS.index(tag) | is_compact * COMPACT << 4, descriptor, payload))
+    return parts.stream()
+
+
+def by_hand(program):
+    yield from containers()
+    yield from headers()
+    yield from attributes()
+    yield from faces(program)
+    yield from others(program)
+
+
+def containers():
+    valid, header = golden("tetrahedron.default"), tetrahedron().header
+    yield from (b"XMS" + valid[3:], valid[:3] + b"\1" + valid[4:], valid[:3] + bytes([127 + DRAFT]) + valid[4:],
+                valid[:-1] + bytes([valid[-1] ^ 1]), valid[:7])
+    for chunk in (b"\0AB1d\0", b"\0ABCD\0", b"\x09\0", b"\x31\0", b"\6\1"):
+        yield sealed(header + chunk)
+    yield with_chunk("POSN", b"", True)
+    yield sealed(header + b"\x11\1" + varint(65537) + b"\0")
+    yield sealed(header + b"\x11\1" + varint(3000) + b"\0")  # 8 vertices and faces have no such chunk
+    frame = zstandard.ZstdCompressor(write_checksum=False).compress(bytes(20))
+    for cut, size in ((frame[:-1], 20), (frame + b"\0", 20), (frame, 21), (b"\0" + frame, 20)):
+        yield sealed(header + bytes([1 | ZSTD << 4, len(cut), size]) + cut)
+    yield with_chunk("SEAM", b"\0")
+    for payload in (b"\5", b"\1", b"\3" + bytes(8) + b"\1" * 4, bytes(2)):
+        yield with_chunk("FGRP", payload)
+
+
+def headers():
+    start, counts, figures = b"DMS" + bytes([128 + DRAFT]), b"\4\4\0\1", bytes(9)
+
+    def stream(flags, *fields):
+        return sealed(start + bytes([flags]) + b"".join(fields))
+    for wrong in (b"\x80" * 10 + b"\1", b"\x80" * 9 + b"\2", b"\x80\0", varint(2**29 + 1) + b"\4\0\1",
+                  b"\4" + varint(2**31 - 1) + b"\1\1", b"\4\4\0\5", b"\4\4\0\0", b"\1\0\0\0"):
+        yield stream(64, wrong, b"\1\1\1"[:4 - len(wrong)], figures, f32(1)[1:], bytes(6))
+    for wrong in (f32(float("inf"))[1:], f32(-1)[1:]):
+        yield stream(64, counts, wrong, bytes(6), f32(1)[1:], bytes(6))
+    lattice, highpass = f32(1)[1:] + bytes(6), (f32(1)[1:], bytes(2), b"\4", b"\4", b"\0", b"\0")
+    for flags, fields in ((0x10, b""), (0x20, b""), (0xd0, b""), (0xc8, b"")):
+        yield stream(flags, counts, figures, fields, bytes(40))
+    yield stream(66, counts, LONG_NAN * 3, figures, lattice)
+    for box in (NAN * 6, f32(1) * 3 + f32(0) * 3):
+        yield stream(192, counts, figures, box)
+    for at, wrong in enumerate((f32(0)[1:], None, b"\3", b"\5", None, b"\x51")):
+        if wrong:
+            yield stream(0, counts, figures, f32(0) * 6, *highpass[:at], wrong, *highpass[at + 1:])
+    yield stream(4, counts, figures, b"\2", f32(0) * 6, *highpass)
+    yield stream(68, counts, figures, b"\x1d", lattice)
+    yield stream(64, counts, figures, f32(0)[1:], bytes(6))
+    yield stream(96, counts, figures, f32(1)[1:], LONG_NAN * 3, bytes(6))
+    yield stream(64, counts, figures, f32(1)[1:], varint(2**49 + 2), bytes(5))
+    yield stream(64, counts, figures, f32(1)[1:], bytes(3), varint(2**28 + 1), bytes(2))
+    for levels in (0, 2**19 + 1):
+        yield stream(128, counts, figures, lattice, varint(levels))
+    yield stream(64, bytes(4), figures, lattice, b"\6\1\0")  # no vertices, but a payload of positions
+    yield stream(64, varint(200000), b"\4\0\1", figures, lattice)
+    two = tetrahedron()
+    two.header = two.header[:8] + b"\2" + two.header[9:]  # components
+    yield two.stream()
+    large = tetrahedron()
+    large.header = large.header.replace(f32(large.fields.steps[0])[1:], b"\0\0\x7f")  # 2^127
+    yield large.stream()
+    # A component of four vertices, of which three are anchors.
+    conn = next(payload for kind, _, payload in tetrahedron().chunks if KINDS[kind & 15] == "CONN")
+    yield stream(0, counts, figures, f32(0) * 6, *highpass[:3], b"\3", bytes(2), b"\x21", bytes([len(conn)]), conn, b"\5\2\0\0")
+    # The same with cycles, but nothing to solve.
+    yield stream(0, counts, figures, f32(0) * 6, *highpass[:5], b"\1", b"\x21", bytes([len(conn)]), conn, b"\4\1\0\5\2\0\0")
+
+
+def attributes():
+    """Descriptors and fields of attributes that are out of range."""
+    byte, word, weights = b"\0\3\1\1\0\0", b"\0\3\5\1\0\0", b"\x0e"
+    for wrong in (b"\x16", b"\0\7\1\1\0\0", b"\0\3\x08\1\0\0", b"\0\3\1\0\0\0", b"\0\3\1\x11\0\0", b"\0\3\1\1\2\0",
+                  b"\x81" + f32(float("inf"))[1:], b"\x81" + f32(-1)[1:]):
+        yield with_chunk("ATTR", b"", False, wrong)
+    for payload in (b"\x0b", b"\4", b"\1", b"\x08", b"\0\2\0", b"\0\4\0", b"\0\0\2" + bytes(4) + b"\1" * 4):
+        yield with_chunk("ATTR", payload, False, byte)
+    yield with_chunk("ATTR", b"\0", True, byte)
+    yield with_chunk("ATTR", b"\0\0\0\4\0", False, b"\0\3\1\2\0\0")  # the second component
+    for payload in (b"\1\0", b"\1\2\0\1" + b"\3" * 4 + b"\0\1" + b"\2" * 4):
+        yield with_chunk("ATTR", payload, False, b"\1")
+    yield with_chunk("ATTR", b"\2\0", False, b"\5")
+    for payload in (b"\3\0", b"\3\1" + NAN * 4, b"\3\1" + f32(1, 0, 0, 1)):
+        yield with_chunk("ATTR", payload, False, b"\3")
+    for descriptor, payload in ((b"\1", b"\4\6" + f32(1)), (b"\1", b"\4\x40" + f32(1)), (b"\1", b"\4\0" + f32(2)), (b"\3", b"\5" + f32(0)),
+                                (b"\2", b"\6" + f32(0)), (weights, b"\x09\0"), (weights, b"\x09\2"),
+                                (weights, b"\x09" + varint(65537))):
+        yield with_chunk("ATTR", payload + STATES, True, descriptor)
+    for fields in (b"\x09", b"\x08\x80\0", b"\x08\0\0\2", b"\x08\0\0\xff\0\1"):
+        yield with_chunk("ATTR", b"\7" + fields + bytes(8) + STATES, True, b"\5")
+    one, base = f32(1), varint(2**53 + 1)
+    for fields in (b"\6", b"\1", b"\4\0", b"\4" + varint(4097), b"\5\0", b"\2" + NAN, b"\3" + one + NAN, b"\2" + one + base,
+                   b"\2" + one + b"\0" + varint(2**28 + 1)):
+        yield with_chunk("ATTR", b"\x08" + fields + bytes(12) + STATES, True, word)
+    for fields in (b"\5\xff", b"\2" + f32(3e38) + varint(2**50) + b"\0"):  # an exponent, and a point beyond f32
+        yield with_chunk("ATTR", b"\x08" + fields + STATES, True, b"\0\3\6\1\0\0")
+    # A rule of normals without positions.
+    highpass = Parts(golden("seam.step"))
+    highpass.chunks.append((7 | COMPACT << 4, b"\1", b"\4\1" + one + STATES))
+    yield highpass.stream()
+
+
+def conn_payload(m, tokens, references=b"", far=()):
+    """A plain CONN payload with tokens in the order in which the decoder takes them, as far as it does."""
+    rest, streams = list(tokens), [bytearray() for _ in range(17)]
+
+    class Stream:
+        """One of the token streams while the tokens are handed out."""
+        def __init__(self, taken):
+            self.taken = taken
+
+        def __bool__(self):
+            return bool(rest)
+
+        def pop(self):
+            self.taken.append(rest.pop(0))
+            return self.taken[-1]
+    ops = PlainOps.__new__(PlainOps)
+    ops.tokens, ops.references, ops.far, ops.ops = [Stream(s) for s in streams], list(references)[::-1], list(far)[::-1], []
+    try:
+        Walk(m, ops)
+    except Broken:
+        pass
+    counts = [len(s) for s in streams] + [len(references), len(far), 0]
+    return b"".join(map(varint, counts)) + b"".join(streams) + references + bytes([bool(far)]) + bytes(far) + bytes(2)
+
+
+def faces(program):
+    """CONN payloads."""
+    L, R, E, S, B = (32 * code for code in range(1, 6))
+
+    def stream(m, payload, coding=0):
+        parts = tetrahedron()
+        parts.header, parts.chunks = parts.header[:5] + varint(m) + parts.header[6:], [(1 | coding << 4, b"", payload)]
+        return parts.stream()
+    for m, tokens in ((9, [B, L]), (9, [R, L]), (9, [B, B, R]), (9, [R, R]), (9, [B, E]), (4, [B, B, B + 1, E + 1]), (9, [B + 1, E]),
+                      (9, [0]), (9, [L + 31]), (9, [7 * 32]), (1, [R])):
+        yield stream(m, conn_payload(m, tokens))
+    for references, far in ((b"\0", [0]), (b"\0", [9]), (b"\4", []), (b"\2", []), (b"\0", []), (b"", [])):
+        yield stream(9, conn_payload(9, [R, S], references, far))
+    yield stream(4, bytes(22))  # no tokens
+    yield stream(43000, b"\0", COMPACT)
+    plain = Parts(generated(program, "torus", 60, "--profile zstd"))
+    r = Reader(next(payload for kind, _, payload in plain.chunks if KINDS[kind & 15] == "CONN"))
+    counts = [r.varint() for _ in range(20)]
+    tokens, references, rest = r.bytes(sum(counts[:17])), r.bytes(counts[17]), r.rest()
+
+    def changed(at, by, tokens=tokens, references=references, rest=rest):
+        numbers = [count + by * (i == at) for i, count in enumerate(counts)]
+        return plain.replace("CONN", None, b"".join(map(varint, numbers)) + tokens + references + rest)
+    yield changed(16, 1, tokens + bytes([B]))
+    yield changed(17, 1, references=references + b"\2")
+    yield changed(18, 1)
+    for gaps in (b"\1\xff", b"\0"):  # a gap beyond M, and a target that is not there yet
+        yield changed(19, 1, rest=rest[:1] + gaps + b"\0")
+    yield changed(19, 20000)
+    few = tetrahedron()
+    few.header = few.header[:6] + b"\3" + few.header[7:]  # geometric vertices
+    yield few.stream()
+
+
+def others(program):
+    for payload in (b"", b"\x99", b"\x11\1", b"\x11\1\1", STATES + b"\0", b"\x44" + struct.pack("<2I", 2**31, 2**30)):
+        parts = tetrahedron()
+        parts.chunks[1] = parts.chunks[1][0], b"", payload
+        yield parts.stream()
+    yield tetrahedron().replace("POSN", None, b"\1")  # plain
+    for payload in (b"", b"\0", b"\4", varint(22), b"\1\1\xff\0\0", b"\1\0\1\xff\0", b"\1\0\0\0"):
+        yield Parts(golden("seam.zstd")).replace("SEAM", None, payload)
+    for places in (b"\1\2\0\0\0" + b"\0\0", b"\0" + b"\1\2\0\0\0" + b"\0", b"\0\0" + b"\1\3\0\0\0"):
+        yield with_chunk("ORDR", places, flags=1)
+    for anchors in (b"\0\0", b"\1" + b"\xff" * 4 + b"\0", b"\0\4" + b"\xff" * 48):
+        yield Parts(generated(program, "fragments", 60, "--geometry highpass")).replace("ANCH", None, anchors)
+
+
+def two_faces():
+    """The two faces with two vertices in common that are the examples of conn.md, seam.md and posn.md."""
+    header = b"DMS" + bytes([128 + DRAFT, 64]) + b"\2\4\2\1" + bytes(9) + f32(1)[1:] + b"\0\0\0\4\4\3"
+    chunks = (1, "439eeaabbbe51d02"), (2, "3361cb1d5ee536"), (6, "56189dbd3e209ec4d3bb4913")
+    return sealed(header + b"".join(bytes([kind | COMPACT << 4, len(payload) // 2]) + bytes.fromhex(payload) for kind, payload in chunks))
+
+
+def unfinished():
+    """Streams of few vertices with compact chunks that lack their decisions: only changes by chance make something of them."""
+    fields = (("FGRP", b"", b""), ("ATTR", b"\1", b"\4\x38" + f32(1e-3)), ("ATTR", b"\3", b"\5" + f32(1)), ("ATTR", b"\2", b"\6" + f32(1)),
+              ("ATTR", b"\0\3\5\1\0\0", b"\x08\2" + f32(1) + b"\0" + varint(2**28)), ("ATTR", b"\x0b", b"\x0a"), ("ATTR", b"\x0e", b"\x09\5"))
+    yield two_faces()
+    for stream in (golden("tetrahedron.default"), two_faces()):
+        for tag, descriptor, payload in fields:
+            parts = Parts(stream)
+            parts.chunks.append((KINDS.index(tag) | COMPACT << 4, descriptor, payload + STATES))
+            yield parts.stream()
+    for flags, fields in ((128, f32(1)[1:] + bytes(3) + varint(2**28) * 3 + b"\3"), (128, f32(1)[1:] + bytes(3) + varint(2**28) * 3 + b"\1"),
+                          (64, f32(1)[1:] + bytes(3) + varint(2**28) * 3), (192, bytes(24))):
+        parts = tetrahedron()
+        parts.header = parts.header[:4] + bytes([flags]) + b"\4\4\0\1" + bytes(9) + fields
+        parts.chunks[1] = parts.chunks[1][0], b"", STATES
+        yield parts.stream()
+
+
+def variants():
+    """More streams for places that have one: what the program once took in another way."""
+    def with_bytes(extra):
+        return sealed(tetrahedron().stream()[:-4] + extra)
+    yield "unread and too long", with_bytes(b"\x14\5" + varint(30000) + bytes(5))
+    yield "unread and twice", with_bytes(b"\4\0\4\0")
+    yield "a varint is cut", with_bytes(b"\4\x80")
+    yield "planes are cut", with_chunk("FGRP", b"\1\1")
+    yield "beyond 32 bits", sealed(b"DMS" + bytes([128 + DRAFT, 64]) + varint(2**35) + b"\4\0\1" + bytes(9) + f32(1)[1:] + bytes(6))
+    yield "a dictionary", with_bytes(b"\x13\x0e\4" + b"\x28\xb5\x2f\xfd\x21\1\4\x21\0\0" + b"\0\0\0\0")
