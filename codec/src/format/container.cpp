@@ -84,8 +84,8 @@ std::span<const std::byte> Container::coded(const ChunkEntry& entry) const noexc
 }
 
 const ChunkEntry* Container::find(std::uint32_t tag) const noexcept {
-  const auto found =
-      std::ranges::find_if(entries_, [tag](const ChunkEntry& entry) { return entry.tag == tag; });
+  const auto found = std::find_if(entries_.begin(), entries_.end(),
+                                  [tag](const ChunkEntry& entry) { return entry.tag == tag; });
   return found == entries_.end() ? nullptr : &*found;
 }
 
