@@ -4,7 +4,6 @@
 
 #include <bit>
 #include <limits>
-#include <span>
 #include <utility>
 
 #include "attributes/attribute_values.h"
@@ -14,13 +13,6 @@
 
 namespace deltamesh {
 namespace {
-
-/// What a component's fields begin with, beside LatticeKind [ATTR-55].
-enum : std::uint8_t {
-  kAsBefore = 1,  ///< times and over are those of the component before
-  kTimes = 2,     ///< times follows, over is 1
-  kRatio = 3,     ///< times and over follow
-};
 
 /// The least and the largest finite number.
 std::pair<double, double> range_of(ComponentType type) noexcept {
@@ -46,11 +38,6 @@ std::uint64_t bits_of_number(ComponentType type, double x) noexcept {
   return static_cast<std::uint64_t>(whole) & (~std::uint64_t{0} >> (64 - width));
 }
 
-std::int64_t ComponentLattice::nearest(double x) const noexcept {
-  const double place = x * static_cast<double>(over) / static_cast<double>(times);
-  return static_cast<std::int64_t>(std::floor(place + 0.5)) - base;
-}
-
 std::int32_t ComponentLattice::rest() const noexcept {
   if (kind == LatticeKind::kPoints)
     return static_cast<std::int32_t>(std::clamp(-base, std::int64_t{0}, std::int64_t{cells}));
@@ -70,27 +57,6 @@ std::uint64_t ComponentLattice::bits_at(ComponentType type, std::int32_t q) cons
       break;
   }
   return bits_of_number(type, at(q));
-}
-
-void write_lattice_fields(ByteWriter& out, ComponentType type, const ComponentLattice& lattice,
-                          const ComponentLattice* before) {
-  if (lattice.kind != LatticeKind::kPoints) {
-    out.write(static_cast<std::uint8_t>(lattice.kind));
-    if (lattice.is_floats()) out.write(lattice.exponent);
-    if (lattice.kind == LatticeKind::kListed) out.write_varint(lattice.values.size());
-    for (const std::uint64_t bits : lattice.values)
-      out.write_bytes(std::as_bytes(std::span(&bits, 1)).first(component_size(type)));
-    return;
-  }
-  if (before != nullptr && before->times == lattice.times && before->over == lattice.over) {
-    out.write(std::uint8_t{kAsBefore});
-  } else {
-    out.write(std::uint8_t{lattice.over == 1 ? kTimes : kRatio});
-    out.write(lattice.times);
-    if (lattice.over != 1) out.write(lattice.over);
-  }
-  out.write_varint(zigzag(lattice.base));
-  out.write_varint(lattice.cells);
 }
 
 Result<ComponentLattice> read_lattice_fields(ByteReader& in, ComponentType type,

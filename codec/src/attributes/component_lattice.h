@@ -30,6 +30,13 @@ enum class LatticeKind : std::uint8_t {
   kFloats = 5,    ///< f32 to the last bit, as ordinals [FLT-1]
 };
 
+/// The first field of a component with LatticeKind::kPoints.
+enum PointsField : std::uint8_t {
+  kAsBefore = 1,  ///< `times` and `over` are those of the component before
+  kTimes = 2,     ///< `times` follows, `over` is 1
+  kRatio = 3,     ///< `times` and `over` follow
+};
+
 /// Longer lists do not pay.
 inline constexpr std::uint32_t kMostListed = 4096;
 

@@ -2,25 +2,11 @@
 // Copyright 2026 The deltamesh authors
 #include "format/chunk_header.h"
 
-#include <algorithm>
-#include <array>
-
 #include "base/checked.h"
+#include "format/chunk_kinds.h"
 
 namespace deltamesh {
 namespace {
-
-/// The tags that a kind stands for, from kind 1 on [DIR-2].
-constexpr std::array<std::uint32_t, 8> kKinds{kTagConnectivity, kTagSeams,     kTagFaceGroups, kTagDeltas,
-                                              kTagAnchors,      kTagPositions, kTagAttribute,  kTagOrder};
-constexpr unsigned kLetters = 0;  ///< the kind of all other tags, which follow it
-constexpr unsigned kCodecShift = 4;
-constexpr unsigned kKindMask = (1U << kCodecShift) - 1;
-
-unsigned kind_of(std::uint32_t tag) noexcept {
-  const auto* const found = std::find(kKinds.begin(), kKinds.end(), tag);
-  return found == kKinds.end() ? kLetters : static_cast<unsigned>(found - kKinds.begin()) + 1;
-}
 
 bool is_letter(std::uint32_t c) noexcept { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 
@@ -46,14 +32,6 @@ Result<std::uint32_t> read_tag(ByteReader& in, unsigned kind) {
 }
 
 }  // namespace
-
-void write_chunk_header(ByteWriter& out, const ChunkEntry& entry) {
-  const unsigned kind = kind_of(entry.tag);
-  out.write(static_cast<std::uint8_t>(kind | static_cast<unsigned>(entry.codec) << kCodecShift));
-  if (kind == kLetters) out.write(entry.tag);
-  out.write_varint(entry.coded_bytes);
-  if (entry.codec == ChunkCodec::kZstd) out.write_varint(entry.decoded_bytes);
-}
 
 Result<ChunkEntry> read_chunk_header(ByteReader& in) {
   DELTAMESH_TRY(const auto first, in.read<std::uint8_t>());
