@@ -144,11 +144,11 @@ CodedGeometry PredictiveTrials::code(const LatticeTrial& trial) const {
     choice.quality.vde_rms =
         visual_error(source_.edges, source_.positions, trial.cells, trial.parameters.lattice);
   const auto write = [&](const PositionForm& form) {
-    return write_positions(faces(), trial.cells, trial.parameters, form, trial.patches, start());
+    return write_positions(faces(), trial.cells, trial.parameters, form, trial.replacements, start());
   };
   choice.chunks.add_compact(kTagPositions, write_smallest(write, trial.parameters.kind, options_.effort));
   choice.positions = to_rows(to_positions(trial.cells, trial.parameters.lattice));
-  deltamesh::apply(trial.patches, std::span<float>(choice.positions));
+  deltamesh::apply(trial.replacements, std::span<float>(choice.positions));
   return choice;
 }
 
@@ -176,7 +176,7 @@ CodedGeometry PredictiveTrials::code_exactly() const {
   const auto lattice = find_exact_lattice(source_.positions, source_.box);
   if (!lattice) return floats;
   LatticeTrial trial{.parameters = {.lattice = *lattice}, .cells = to_cells(source_.positions, *lattice)};
-  trial.patches = find_patches(source_.positions, to_positions(trial.cells, *lattice));
+  trial.replacements = find_replacements(source_.positions, to_positions(trial.cells, *lattice));
   CodedGeometry choice = code(trial);
   return rest_.bytes_with(choice) < rest_.bytes_with(floats) ? choice : floats;
 }

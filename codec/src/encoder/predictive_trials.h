@@ -11,7 +11,7 @@
 #include "encoder/coded_geometry.h"
 #include "encoder/source_geometry.h"
 #include "predictive/axis_values.h"
-#include "predictive/patches.h"
+#include "predictive/replacements.h"
 #include "predictive/voxel_fit.h"
 #include "quality/bounds.h"
 
@@ -23,8 +23,8 @@ struct PositionModels;
 struct LatticeTrial {
   PredictiveParameters parameters;
   std::vector<Cell> cells;
-  Quality quality{};             ///< with VDE only where that is bounded
-  std::vector<Patch> patches{};  ///< of an exact lattice
+  Quality quality{};                        ///< with VDE only where that is bounded
+  std::vector<Replacement> replacements{};  ///< of an exact lattice
 };
 
 class PredictiveTrials {

@@ -107,15 +107,15 @@ std::optional<PositionLattice> find_exact_lattice(std::span<const Vec3> position
   return lattice;
 }
 
-std::vector<Patch> find_patches(std::span<const Vec3> positions, std::span<const Vec3> decoded) {
-  std::vector<Patch> patches;
+std::vector<Replacement> find_replacements(std::span<const Vec3> positions, std::span<const Vec3> decoded) {
+  std::vector<Replacement> replacements;
   for (std::size_t v = 0; v < positions.size(); ++v) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (is_same_float(decoded[v][axis], positions[v][axis])) continue;
-      patches.push_back({.coordinate = 3 * v + axis, .value = static_cast<float>(positions[v][axis])});
+      replacements.push_back({.coordinate = 3 * v + axis, .value = static_cast<float>(positions[v][axis])});
     }
   }
-  return patches;
+  return replacements;
 }
 
 }  // namespace deltamesh

@@ -11,7 +11,7 @@
 
 #include "base/vec3.h"
 #include "format/predictive_parameters.h"
-#include "predictive/patches.h"
+#include "predictive/replacements.h"
 
 namespace deltamesh {
 
@@ -19,7 +19,7 @@ namespace deltamesh {
 /// little where the first vertices rule it out.
 std::optional<PositionLattice> find_exact_lattice(std::span<const Vec3> positions, const Box& box);
 
-/// Where the floats of `decoded` differ from those of `positions` in any bit.
-std::vector<Patch> find_patches(std::span<const Vec3> positions, std::span<const Vec3> decoded);
+/// One replacement for every coordinate of `positions` whose float differs in any bit from that of `decoded`.
+std::vector<Replacement> find_replacements(std::span<const Vec3> positions, std::span<const Vec3> decoded);
 
 }  // namespace deltamesh

@@ -33,15 +33,15 @@ Result<std::vector<float>> read_lattice(CompactReader& reader, const KnownFaces&
   BlendTable blends{};
   code_blends(reader, blends);
   const bool guesses = reader.bits(0, 1) != 0;
-  const bool patched = reader.bits(0, 1) != 0;
+  const bool has_replacements = reader.bits(0, 1) != 0;
   DELTAMESH_TRY(const auto cells, read_lattice_cells(reader, faces, lattice, blends, guesses, learning));
-  std::vector<Patch> patches;
-  if (patched && !reader.failed() &&
-      !code_patches(reader, patches, 3 * std::uint64_t{faces.vertex_count()}) && !reader.failed())
-    return broken_positions("a coordinate to replace that is not there, or not finite", "POSN-11");
+  std::vector<Replacement> replacements;
+  if (has_replacements && !reader.failed() &&
+      !code_replacements(reader, replacements, 3 * std::uint64_t{faces.vertex_count()}) && !reader.failed())
+    return broken_positions("a replacement is out of range or not finite", "POSN-11");
   DELTAMESH_CHECK(reader.finish(kTagPositions));
   std::vector<float> rows = to_rows(cells, lattice);
-  deltamesh::apply(patches, rows);
+  deltamesh::apply(replacements, rows);
   return rows;
 }
 

@@ -24,18 +24,19 @@ std::vector<T> in_order(std::span<const T> values, const std::vector<std::uint32
   return result;
 }
 
-/// The patches with vertices numbered by their place in `order`.
-std::vector<Patch> in_order(std::span<const Patch> patches, const std::vector<std::uint32_t>& order) {
-  std::vector<Patch> result(patches.begin(), patches.end());
-  if (order.empty() || patches.empty()) return result;
+/// The replacements with vertices numbered by their place in `order`.
+std::vector<Replacement> in_order(std::span<const Replacement> replacements,
+                                  const std::vector<std::uint32_t>& order) {
+  std::vector<Replacement> result(replacements.begin(), replacements.end());
+  if (order.empty() || replacements.empty()) return result;
   std::vector<std::uint32_t> place(order.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
-  for (Patch& patch : result) {
-    const auto vertex = static_cast<std::size_t>(patch.coordinate / 3);
-    patch.coordinate = 3 * std::uint64_t{place[vertex]} + patch.coordinate % 3;
+  for (Replacement& replacement : result) {
+    const auto vertex = static_cast<std::size_t>(replacement.coordinate / 3);
+    replacement.coordinate = 3 * std::uint64_t{place[vertex]} + replacement.coordinate % 3;
   }
   std::sort(result.begin(), result.end(),
-            [](const Patch& a, const Patch& b) { return a.coordinate < b.coordinate; });
+            [](const Replacement& a, const Replacement& b) { return a.coordinate < b.coordinate; });
   return result;
 }
 
@@ -53,7 +54,7 @@ std::vector<std::byte> write_voxels(const VoxelFaces& faces, std::vector<Cell> c
 
 std::vector<std::byte> write_cells(const KnownFaces& faces, std::vector<Cell> cells,
                                    const PredictiveParameters& parameters, const PositionForm& form,
-                                   std::vector<Patch> patches, const PositionModels* start) {
+                                   std::vector<Replacement> replacements, const PositionModels* start) {
   CompactWriter writer;
   writer.reserve(9 * std::size_t{faces.vertex_count()});
   CodingOrder coding_order = form.coding_order;
@@ -64,11 +65,11 @@ std::vector<std::byte> write_cells(const KnownFaces& faces, std::vector<Cell> ce
   const bool guesses = form.guesses == Guessing::kForecast ? guesses_pay(faces, cells, lattice.cells, blends)
                                                            : form.guesses == Guessing::kAlways;
   writer.bits(guesses ? 1 : 0, 1);
-  writer.bits(patches.empty() ? 0 : 1, 1);
+  writer.bits(replacements.empty() ? 0 : 1, 1);
   LatticeCoder coder(writer, faces, lattice.cells, blends, guesses,
                      start != nullptr ? start->of_lattice() : nullptr);
   for (std::uint32_t v = 0; v < cells.size();) coder.code_next(v, cells);
-  if (!patches.empty()) code_patches(writer, patches, 3 * cells.size());
+  if (!replacements.empty()) code_replacements(writer, replacements, 3 * cells.size());
   return writer.finish();
 }
 
@@ -92,7 +93,8 @@ std::vector<std::byte> write_ordinals(const KnownFaces& faces, std::vector<Ordin
 
 std::vector<std::byte> write_positions(const FaceList& faces, std::span<const Cell> cells,
                                        const PredictiveParameters& parameters, const PositionForm& form,
-                                       std::span<const Patch> patches, const PositionModels* start) {
+                                       std::span<const Replacement> replacements,
+                                       const PositionModels* start) {
   if (cells.empty()) return {};
   if (parameters.kind == PositionKind::kVoxel) {
     const auto order = ordered_vertices(faces, form.coding_order);
@@ -101,7 +103,7 @@ std::vector<std::byte> write_positions(const FaceList& faces, std::span<const Ce
   }
   std::vector<std::uint32_t> order;
   const KnownFaces known = known_in_order(faces, form.coding_order, order);
-  return write_cells(known, in_order(cells, order), parameters, form, in_order(patches, order), start);
+  return write_cells(known, in_order(cells, order), parameters, form, in_order(replacements, order), start);
 }
 
 std::vector<std::byte> write_floats(const FaceList& faces, std::span<const Vec3> positions, const Box& box,

@@ -17,7 +17,7 @@
 #include "predictive/blend.h"
 #include "predictive/blend_fit.h"
 #include "predictive/coding_order.h"
-#include "predictive/patches.h"
+#include "predictive/replacements.h"
 
 namespace deltamesh {
 
@@ -33,11 +33,11 @@ struct PositionForm {
 };
 
 /// The POSN payload, compact, of `cells`, one for every vertex of `faces`, within the lattice; empty for no
-/// vertices. `faces`: as decoded, whatever the coding order. `patches`: of kLattice, ascending. `start`:
+/// vertices. `faces`: as decoded, whatever the coding order. `replacements`: of kLattice, ascending. `start`:
 /// null for fresh models. O(n + m).
 std::vector<std::byte> write_positions(const FaceList& faces, std::span<const Cell> cells,
                                        const PredictiveParameters& parameters, const PositionForm& form = {},
-                                       std::span<const Patch> patches = {},
+                                       std::span<const Replacement> replacements = {},
                                        const PositionModels* start = nullptr);
 
 /// The same for positions to the last bit, PositionKind::kFloats. `box`: of `positions`, which are floats.

@@ -26,7 +26,7 @@ KnownFaces::KnownFaces(const FaceList& list)
   for (std::size_t i = 0; i < list.triangles.size(); i += 3) {
     const std::uint32_t* const corners = list.triangles.data() + i;
     for (std::size_t k = 0; k < 3; ++k) ++stars[corners[k]].faces;
-    const TurnedFace face = turned_face(corners[0], corners[1], corners[2]);
+    const RotatedFace face = rotated_face(corners[0], corners[1], corners[2]);
     if (face.is_whole()) stars[face.last].add(face.a, face.b);
   }
 }

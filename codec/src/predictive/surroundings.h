@@ -13,7 +13,7 @@
 #include "base/four_ints.h"
 #include "base/large_vector.h"
 #include "base/pick_lanes.h"
-#include "predictive/turned_face.h"
+#include "predictive/rotated_face.h"
 
 namespace deltamesh {
 
@@ -76,7 +76,7 @@ class KnownFaces {
     if (vertex < stars_.size()) stars_[vertex] = Star{.faces = faces};
   }
   /// A face of the vertex that began last, after those that come before it in the list.
-  void add(const TurnedFace& face) noexcept {
+  void add(const RotatedFace& face) noexcept {
     if (face.is_whole()) stars_[face.last].add(face.a, face.b);
   }
 

@@ -33,7 +33,7 @@ void VoxelFaces::add_all(std::span<const std::uint32_t> triangles) {
   const std::uint32_t second_sequence = second_sequence_;
   for (std::size_t i = 0; i < triangles.size(); i += 3) {
     const std::uint32_t* const corners = triangles.data() + i;
-    const TurnedFace face = turned_face(corners[0], corners[1], corners[2]);
+    const RotatedFace face = rotated_face(corners[0], corners[1], corners[2]);
     // Those of one sequence have their steps in the order of their numbers.
     if (face.last >= second_sequence && (face.a < second_sequence || face.b < second_sequence)) [[unlikely]] {
       add_across_sequences({face.last, face.a, face.b});
@@ -43,7 +43,7 @@ void VoxelFaces::add_all(std::span<const std::uint32_t> triangles) {
   }
 }
 
-[[gnu::always_inline]] inline void VoxelFaces::add(const TurnedFace& face) noexcept {
+[[gnu::always_inline]] inline void VoxelFaces::add(const RotatedFace& face) noexcept {
   Star& star = stars_[face.last];
   const bool is_first = star[0] == none();
   star[0] = choose(is_first, face.a, star[0]);
@@ -54,7 +54,7 @@ void VoxelFaces::add_all(std::span<const std::uint32_t> triangles) {
 
 void VoxelFaces::add_across_sequences(const std::array<std::uint32_t, 3>& corners) noexcept {
   for (std::size_t k = 0; k < 3; ++k) {
-    const TurnedFace face{corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3]};
+    const RotatedFace face{corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3]};
     const std::uint32_t step = step_of(face.last);
     if (step_of(face.a) < step && step_of(face.b) < step && face.a != face.b) add(face);
   }

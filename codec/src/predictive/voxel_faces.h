@@ -14,8 +14,8 @@
 
 #include "base/four_ints.h"
 #include "base/large_vector.h"
+#include "predictive/rotated_face.h"
 #include "predictive/surroundings.h"
-#include "predictive/turned_face.h"
 
 namespace deltamesh {
 
@@ -51,7 +51,7 @@ class VoxelFaces {
     return std::min(vertex, vertex - second_sequence_);
   }
   void add_all(std::span<const std::uint32_t> triangles);
-  void add(const TurnedFace& face) noexcept;
+  void add(const RotatedFace& face) noexcept;
   /// Of a face with corners in both sequences, at most one of which has a later step than the others.
   void add_across_sequences(const std::array<std::uint32_t, 3>& corners) noexcept;
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// The edges of a cube: their numbers, what turns make of them, and which have a cube in common [VOX-2]. All
-// is told by nodes: an edge by its lower one, a cube by its lowest.
+// Tables of a cube's edges: their numbers, the cube's rotations, and which edges share a cube [VOX-2]. An
+// edge is given by its lower node, a cube by its lowest node.
 #pragma once
 
 #include <array>
@@ -19,10 +19,10 @@ using Nodes = std::array<int, 3>;
 
 inline constexpr unsigned kEdges = 12;  ///< numbered by 4 axis + corner
 inline constexpr unsigned kNoEdge = 12;
-inline constexpr unsigned kTurns = 24;
+inline constexpr unsigned kRotations = 24;
 inline constexpr std::uint16_t kAllEdges = (1U << kEdges) - 1;
 
-/// From a cube's lowest node to that of every edge.
+/// The node of every edge, relative to the cube's lowest node.
 inline constexpr std::array<Nodes, kEdges> kEdgeNodes = [] {
   std::array<Nodes, kEdges> nodes{};
   for (unsigned i = 0; i < kEdges; ++i) {
@@ -43,8 +43,7 @@ inline constexpr std::array<FourShorts, kEdges> kEdgeSpots = [] {
   return spots;
 }();
 
-/// Edges by axis and node, from -kBelow to kAbove around a cube's lowest node: all that are near an edge of
-/// it. What is on no edge is of a fourth axis.
+/// Index of an edge by axis (3: on no edge) and node, -kBelow to kAbove from a cube's lowest node.
 inline constexpr int kBelow = 2;
 inline constexpr int kAbove = 3;
 inline constexpr EightShorts kNearWeights = {36, 6, 1, 216, 36, 6, 1, 216};
@@ -75,7 +74,7 @@ constexpr bool share_cube(std::size_t axis, const Nodes& node, std::size_t axis2
   return true;
 }
 
-/// By near_index(): the cube's edges that have a cube in common with the one there, but for itself.
+/// By near_index(): the set of the cube's edges that share a cube with that edge, without that edge itself.
 inline constexpr std::array<std::uint16_t, kNear> kEdgesNear = [] {
   std::array<std::uint16_t, kNear> sets{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -97,17 +96,17 @@ inline constexpr std::array<std::uint16_t, kNear> kEdgesNear = [] {
   return sets;
 }();
 
-/// Turn by turn the number that every edge gets; kNoEdge for itself and beyond.
-inline constexpr std::array<std::array<std::uint8_t, 16>, kTurns> kTurned = [] {
+/// By rotation and edge: the edge's number after the rotation; kNoEdge for kNoEdge and above.
+inline constexpr std::array<std::array<std::uint8_t, 16>, kRotations> kRotated = [] {
   constexpr std::array<Nodes, 6> kAxes = {{{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
-  std::array<std::array<std::uint8_t, 16>, kTurns> turned{};
-  std::size_t turn = 0;
+  std::array<std::array<std::uint8_t, 16>, kRotations> rotated{};
+  std::size_t rotation = 0;
   for (std::size_t axes = 0; axes < kAxes.size(); ++axes) {
     for (unsigned signs = 0; signs < 8; ++signs) {
       // Not the mirrorings: an odd number of signs goes with a swap of two axes.
       const unsigned odd = (signs ^ signs >> 1 ^ signs >> 2) & 1;
       if (odd != (axes >= 3 ? 1U : 0U)) continue;
-      turned[turn].fill(kNoEdge);
+      rotated[rotation].fill(kNoEdge);
       for (std::size_t i = 0; i < kEdges; ++i) {
         Nodes to{};
         std::size_t axis = 0;
@@ -117,76 +116,77 @@ inline constexpr std::array<std::array<std::uint8_t, 16>, kTurns> kTurned = [] {
           const bool swaps = (signs >> a & 1) != 0 && from != i / 4;
           to[a] = swaps ? 1 - kEdgeNodes[i][from] : kEdgeNodes[i][from];
         }
-        turned[turn][i] = kEdgeAt[near_index(axis, to)];
+        rotated[rotation][i] = kEdgeAt[near_index(axis, to)];
       }
-      ++turn;
+      ++rotation;
     }
   }
-  return turned;
+  return rotated;
 }();
 
-/// Turn by turn what a set of the edges of one axis becomes, axis by axis.
-inline constexpr std::array<std::array<std::array<std::uint16_t, 16>, 3>, kTurns> kTurnedSets = [] {
-  std::array<std::array<std::array<std::uint16_t, 16>, 3>, kTurns> turned{};
-  for (std::size_t turn = 0; turn < kTurns; ++turn)
+/// By rotation, axis and set of that axis' four edges: the set after the rotation.
+inline constexpr std::array<std::array<std::array<std::uint16_t, 16>, 3>, kRotations> kRotatedSets = [] {
+  std::array<std::array<std::array<std::uint16_t, 16>, 3>, kRotations> sets{};
+  for (std::size_t rotation = 0; rotation < kRotations; ++rotation)
     for (std::size_t axis = 0; axis < 3; ++axis)
       for (std::size_t set = 0; set < 16; ++set)
         for (std::size_t i = 0; i < 4; ++i)
           if ((set >> i & 1) != 0)
-            turned[turn][axis][set] |= static_cast<std::uint16_t>(1U << kTurned[turn][4 * axis + i]);
-  return turned;
+            sets[rotation][axis][set] |= static_cast<std::uint16_t>(1U << kRotated[rotation][4 * axis + i]);
+  return sets;
 }();
 
-/// What a set of edges becomes.
-constexpr unsigned turned_set(std::size_t turn, unsigned set) noexcept {
-  const auto& turned = kTurnedSets[turn];
-  return turned[0][set & 15] | turned[1][set >> 4 & 15] | turned[2][set >> 8];
+/// The set of edges `set` after the rotation; bit e stands for edge e.
+constexpr unsigned rotated_set(std::size_t rotation, unsigned set) noexcept {
+  const auto& rotated = kRotatedSets[rotation];
+  return rotated[0][set & 15] | rotated[1][set >> 4 & 15] | rotated[2][set >> 8];
 }
 
-/// Turn by turn the edge that gets a number.
-inline constexpr std::array<std::array<std::uint8_t, kEdges>, kTurns> kBeforeTurn = [] {
-  std::array<std::array<std::uint8_t, kEdges>, kTurns> before{};
-  for (std::size_t turn = 0; turn < kTurns; ++turn)
-    for (std::size_t i = 0; i < kEdges; ++i) before[turn][kTurned[turn][i]] = static_cast<std::uint8_t>(i);
+/// By rotation and number after it: the edge. The inverse of kRotated.
+inline constexpr std::array<std::array<std::uint8_t, kEdges>, kRotations> kBeforeRotation = [] {
+  std::array<std::array<std::uint8_t, kEdges>, kRotations> before{};
+  for (std::size_t rotation = 0; rotation < kRotations; ++rotation)
+    for (std::size_t i = 0; i < kEdges; ++i)
+      before[rotation][kRotated[rotation][i]] = static_cast<std::uint8_t>(i);
   return before;
 }();
 
-/// One of the cubes that two edges have in common, turned so that the first edge gets number 0 and the second
-/// the least number that it can have.
+/// One of the cubes that two edges share. Its rotation gives the first edge the number 0 and the second edge
+/// the least number possible.
 struct alignas(16) PairCube {
-  FourShorts lowest{};     ///< as a spot, from the first edge's node
-  std::uint16_t others{};  ///< the cube's edges but for the two, before the turn
-  std::uint8_t turn = 0;
-  std::uint8_t kind = 0;  ///< which of the numbers that second edges have, ascending
+  FourShorts lowest{};     ///< lowest node as a spot, relative to the first edge's node
+  std::uint16_t others{};  ///< the cube's edges except these two, before the rotation
+  std::uint8_t rotation = 0;
+  std::uint8_t kind = 0;  ///< index of the second edge's number among 1, 3, 4, 5, 6, 7
 };
 inline constexpr unsigned kPairKinds = 6;
 
-/// The cubes of two edges, the lower one first; where there is one only it is there twice.
+/// The cubes that two edges share, the lower one first; a single cube is stored twice.
 struct CubePair {
   std::array<PairCube, 2> cubes{};
-  std::uint8_t count = 0;    ///< 0: there is none
-  std::uint8_t axis = 0;     ///< of two cubes: where they lie apart
-  std::int16_t between = 0;  ///< the spot between them there, from the first edge's node
+  std::uint8_t count = 0;    ///< 0 to 2
+  std::uint8_t axis = 0;     ///< if count is 2: the axis along which the cubes differ
+  std::int16_t between = 0;  ///< spot of the face between them on that axis, from the first edge's node
 };
 
-/// The turn that gives `first` the number 0 and `second` the least.
-constexpr unsigned turn_of_pair(unsigned first, unsigned second) noexcept {
+/// The first rotation that gives `first` the number 0 and `second` the least number possible.
+constexpr unsigned rotation_of_pair(unsigned first, unsigned second) noexcept {
   unsigned best = 0;
   unsigned least = kEdges;
-  for (unsigned turn = 0; turn < kTurns; ++turn) {
-    if (kTurned[turn][first] != 0 || kTurned[turn][second] >= least) continue;
-    best = turn;
-    least = kTurned[turn][second];
+  for (unsigned rotation = 0; rotation < kRotations; ++rotation) {
+    if (kRotated[rotation][first] != 0 || kRotated[rotation][second] >= least) continue;
+    best = rotation;
+    least = kRotated[rotation][second];
   }
   return best;
 }
 
-/// Of a second edge's number, which is 1, 3, 4, 5, 6 or 7.
+/// Index of `number`, which is 1, 3, 4, 5, 6 or 7, among these.
 constexpr std::uint8_t kind_of(unsigned number) noexcept {
   return static_cast<std::uint8_t>(number == 1 ? 0 : number - 2);
 }
 
-/// `node`: the second edge's, from the first one's.
+/// `node`: the second edge's node relative to the first one's.
 constexpr CubePair make_pair(std::size_t axis, std::size_t axis2, const Nodes& node) noexcept {
   CubePair pair;
   if (axis == axis2 && node == Nodes{}) return pair;
@@ -201,8 +201,8 @@ constexpr CubePair make_pair(std::size_t axis, std::size_t axis2, const Nodes& n
     PairCube& cube = pair.cubes[pair.count++];
     for (std::size_t a = 0; a < 3; ++a) cube.lowest[a] = static_cast<std::int16_t>(kVoxelParts * lowest[a]);
     cube.others = static_cast<std::uint16_t>(kAllEdges & ~(1U << first | 1U << second));
-    cube.turn = static_cast<std::uint8_t>(turn_of_pair(first, second));
-    cube.kind = kind_of(kTurned[cube.turn][second]);
+    cube.rotation = static_cast<std::uint8_t>(rotation_of_pair(first, second));
+    cube.kind = kind_of(kRotated[cube.rotation][second]);
   }
   if (pair.count == 1) pair.cubes[1] = pair.cubes[0];
   for (std::uint8_t a = 0; a < 3; ++a)
@@ -211,10 +211,11 @@ constexpr CubePair make_pair(std::size_t axis, std::size_t axis2, const Nodes& n
   return pair;
 }
 
-/// By axes and steps between nodes that are near each other.
+/// Index of a pair of edges by their axes and the step between their nodes.
 inline constexpr EightShorts kPairWeights = {25, 5, 1, 125, 25, 5, 1, 125};  ///< 3 a + b of the axes a and b
 inline constexpr int kPairMiddle = kMostApart * (25 + 5 + 1);
-inline constexpr std::size_t kPairs = 1 + 3 * 32;  ///< none, and what every edge shares cubes with
+inline constexpr std::size_t kPairs =
+    1 + 3 * 32;  ///< "no cube", and the 32 edges that share a cube with an edge of each axis
 
 struct PairTable {
   std::array<std::uint8_t, 9 * 125> places{};
@@ -237,7 +238,7 @@ DELTAMESH_TABULATE PairTable make_pair_table() noexcept {
 }
 inline const PairTable kPairTable = make_pair_table();
 
-/// From the middle of a cube to that of an edge, but for its own axis.
+/// The middle of every edge relative to the cube's centre, in parts of a voxel; 0 on the edge's own axis.
 inline constexpr std::array<Nodes, kEdges> kEdgeMiddles = [] {
   std::array<Nodes, kEdges> middles{};
   for (std::size_t i = 0; i < kEdges; ++i)

@@ -63,8 +63,8 @@ struct VoxelCorners {
   std::uint32_t opposite;  ///< across the first one's a and b; on no edge where it is not near a
 };
 
-/// Two vertices, told by 0 and 1. Edges are told by their numbers after the cube's turn. find(), then look();
-/// where is_open(), choose() and look() again.
+/// Two vertices, told by 0 and 1. Edges are told by their numbers after the cube's rotation. find(), then
+/// look(); where is_open(), choose() and look() again.
 class VoxelPair {
  public:
   static constexpr unsigned kOpen = 13;        ///< in place of where the opposite is
@@ -90,11 +90,11 @@ class VoxelPair {
 
   /// Of a spot that is near the first corner; voxel::kNoEdge where the cube does not have its edge.
   unsigned number_of(std::size_t i, const VoxelSpot& spot) const noexcept {
-    return voxel::kTurned[cubes_[i]->turn][edge_at(i, *cubes_[i], spot)];
+    return voxel::kRotated[cubes_[i]->rotation][edge_at(i, *cubes_[i], spot)];
   }
   /// The edge of this number, below 12.
   unsigned edge_of(std::size_t i, unsigned number) const noexcept {
-    return voxel::kBeforeTurn[cubes_[i]->turn][number];
+    return voxel::kBeforeRotation[cubes_[i]->rotation][number];
   }
   /// A spot on it, at this part.
   VoxelSpot spot_on(std::size_t i, unsigned edge, std::int16_t part) const noexcept;
@@ -192,8 +192,8 @@ class VoxelPair {
   for (std::size_t i = 0; i < 2; ++i) {
     const voxel::PairCube& cube = *cubes_[i];
     const unsigned set = cube.others & voxel::kEdgesNear[places_a[i]] & voxel::kEdgesNear[places_b[i]];
-    likely_[i] = voxel::turned_set(cube.turn, set);
-    const unsigned number = voxel::kTurned[cube.turn][voxel::kEdgeAt[places_across[i]]];
+    likely_[i] = voxel::rotated_set(cube.rotation, set);
+    const unsigned number = voxel::kRotated[cube.rotation][voxel::kEdgeAt[places_across[i]]];
     opposites_[i] = is_open_[i] != 0 ? kOpen : number;
   }
   expect(wrapped_difference(corner(0), lowest) - kVoxelMiddle,

@@ -51,7 +51,7 @@ bool triangles_correspond(std::span<const std::uint32_t> a, std::size_t a_vertic
 double match_distance(const FaceGraph& a, const FaceGraph& b, std::uint32_t f, const FaceMatch& match) {
   double largest = 0;
   for (std::size_t k = 0; k < 3; ++k)
-    largest = std::max(largest, length(b.at(f, k) - a.at(match.face, (k + match.turn) % 3)));
+    largest = std::max(largest, length(b.at(f, k) - a.at(match.face, (k + match.rotation) % 3)));
   return largest;
 }
 
@@ -107,7 +107,7 @@ std::vector<std::uint32_t> order_of(const FaceGraph& a, const FaceGraph& b,
   for (std::size_t f = 0; f < matches.size(); ++f) {
     if (matches[f].face == kNoFace) continue;
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t corner = 3 * std::size_t{matches[f].face} + (k + matches[f].turn) % 3;
+      const std::size_t corner = 3 * std::size_t{matches[f].face} + (k + matches[f].rotation) % 3;
       const std::uint32_t v = b.vertices[3 * f + k];
       if (welded[v] != kUnset && welded[v] != a.corners[corner]) return {};
       welded[v] = a.corners[corner];
@@ -147,8 +147,9 @@ Correspondence by_faces(const MeshView& mesh_a, const MeshView& mesh_b, const At
     if (f < b.real_faces) ++found.faces;
     if (f >= b.real_faces && b.real_faces > 0) continue;  // vertices without a face do not count
     for (std::size_t k = 0; k < 3; ++k)
-      found.pairs.push_back({.a = a.vertices[3 * std::size_t{matches[f].face} + (k + matches[f].turn) % 3],
-                             .b = b.vertices[3 * f + k]});
+      found.pairs.push_back(
+          {.a = a.vertices[3 * std::size_t{matches[f].face} + (k + matches[f].rotation) % 3],
+           .b = b.vertices[3 * f + k]});
   }
   std::sort(found.pairs.begin(), found.pairs.end());
   found.pairs.erase(std::unique(found.pairs.begin(), found.pairs.end()), found.pairs.end());

@@ -52,14 +52,14 @@ class FaceMatcher {
     return face >= graph.real_faces;
   }
 
-  Claim claim(std::uint32_t b, std::uint32_t a, std::uint8_t turn, bool choice) const {
+  Claim claim(std::uint32_t b, std::uint32_t a, std::uint8_t rotation, bool choice) const {
     Claim made;
     made.b = b;
     made.a = a;
-    made.turn = turn;
+    made.rotation = rotation;
     made.conflicts = conflicts(made);
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t other = (k + turn) % 3;
+      const std::size_t other = (k + rotation) % 3;
       const Vec3 apart = b_.at(b, k) - a_.at(a, other);
       made.cost += dot(apart, apart);
       if (choice && difference_)
@@ -80,7 +80,7 @@ class FaceMatcher {
 
   /// A's welded vertex for corner `k` of B's face.
   std::uint32_t a_corner(const Claim& c, std::size_t k) const noexcept {
-    return a_.corners[3 * std::size_t{c.a} + (k + c.turn) % 3];
+    return a_.corners[3 * std::size_t{c.a} + (k + c.rotation) % 3];
   }
 
   /// Calls visit(claim) for what `at` says of the faces across the edge of B's corner `k`.
@@ -88,13 +88,13 @@ class FaceMatcher {
   void across(const Claim& at, std::size_t k, Visit visit) const {
     const FacesAcross of_b = b_.across(at.b, k);
     if (of_b.size == 0) return;
-    const FacesAcross of_a = a_.across(at.a, (k + at.turn) % 3);
+    const FacesAcross of_a = a_.across(at.a, (k + at.rotation) % 3);
     const bool shared = of_a.any_shared() && of_b.any_shared();
     const bool choice = of_a.size > 1 || of_b.size > 1;
     for (const FaceAcross& b : of_b)
       for (const FaceAcross& a : of_a) {
         if (a.same_way != b.same_way || (shared && !(a.shared && b.shared))) continue;
-        Claim next = claim(b.face, a.face, turn_between(b.corner, a.corner), choice);
+        Claim next = claim(b.face, a.face, rotation_between(b.corner, a.corner), choice);
         next.doubt = shared ? 0 : choice ? 2 : 1;
         visit(next);
       }
@@ -117,7 +117,7 @@ class FaceMatcher {
       if (placed_[b_.vertices[first + k]] != kNowhere)
         add_candidates(face, k, placed_[b_.vertices[first + k]], found);
     std::sort(found.begin(), found.end(), nearer);
-    const auto same = [](const Claim& x, const Claim& y) { return x.a == y.a && x.turn == y.turn; };
+    const auto same = [](const Claim& x, const Claim& y) { return x.a == y.a && x.rotation == y.rotation; };
     found.erase(std::unique(found.begin(), found.end(), same), found.end());
     // The next one is four times as far where there can be no doubt.
     while (found.size() > 1 && (found.size() > kTrials || found.back().cost > 16 * found.front().cost))
@@ -131,7 +131,7 @@ class FaceMatcher {
       if (taken_[other] != 0 || is_point(a_, other) != is_point(b_, face)) continue;
       for (std::size_t k = 0; k < 3; ++k)
         if (a_.corners[3 * std::size_t{other} + k] == vertex)
-          found.push_back(claim(face, other, turn_between(corner, k), true));
+          found.push_back(claim(face, other, rotation_between(corner, k), true));
     }
   }
 
@@ -144,7 +144,7 @@ class FaceMatcher {
       const Claim at = visited[i];
       sum += at.cost;
       for (std::size_t k = 0; k < 3; ++k) {
-        if (b_.across(at.b, k).any_shared() != a_.across(at.a, (k + at.turn) % 3).any_shared()) {
+        if (b_.across(at.b, k).any_shared() != a_.across(at.a, (k + at.rotation) % 3).any_shared()) {
           const Vec3 edge = b_.at(at.b, (k + 1) % 3) - b_.at(at.b, k);
           sum += 16 * (dot(edge, edge) + noise);
         }
@@ -204,7 +204,7 @@ class FaceMatcher {
   }
 
   void commit(const Claim& c) {
-    matches_[c.b] = {.face = c.a, .turn = c.turn};
+    matches_[c.b] = {.face = c.a, .rotation = c.rotation};
     taken_[c.a] = 1;
     --left_;
     for (std::size_t k = 0; k < 3; ++k) {

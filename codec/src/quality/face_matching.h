@@ -17,7 +17,7 @@ inline constexpr std::uint32_t kNoFace = 0xffffffff;
 
 struct FaceMatch {
   std::uint32_t face = kNoFace;  ///< of A
-  std::uint8_t turn = 0;         ///< corner k of B's face is corner (k + turn) % 3 of A's
+  std::uint8_t rotation = 0;     ///< corner k of B's face is corner (k + rotation) % 3 of A's
 };
 
 /// How different vertex `a` of A and `b` of B are beside their places, 0 or above: tells faces apart whose

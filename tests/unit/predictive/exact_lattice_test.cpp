@@ -73,16 +73,17 @@ TEST(ExactLattice, POSN11FewOthersArePatched) {
   const auto lattice = find_exact_lattice(positions, box_of(positions));
   ASSERT_TRUE(lattice);
   const auto cells = to_cells(positions, *lattice);
-  const auto patches = find_patches(positions, to_positions(cells, *lattice));
-  ASSERT_EQ(patches.size(), 3U);
-  EXPECT_EQ(patches[1].coordinate, 1501U);
+  const auto replacements = find_replacements(positions, to_positions(cells, *lattice));
+  ASSERT_EQ(replacements.size(), 3U);
+  EXPECT_EQ(replacements[1].coordinate, 1501U);
   std::vector<std::uint32_t> triangles;
   for (std::uint32_t v = 0; v + 2 < positions.size(); ++v)
     triangles.insert(triangles.end(), {v, v + 1, v + 2});
   const FaceList faces{triangles, 1000};
   for (const CodingOrder coding_order : {CodingOrder::kAsDecoded, CodingOrder::kBroad, CodingOrder::kDeep}) {
     const PredictiveParameters parameters{.lattice = *lattice};
-    const auto bytes = write_positions(faces, cells, parameters, {.coding_order = coding_order}, patches);
+    const auto bytes =
+        write_positions(faces, cells, parameters, {.coding_order = coding_order}, replacements);
     const auto back = read_positions(Payload::compact(bytes), faces, parameters, box_of(positions));
     ASSERT_TRUE(back) << back.error().message;
     const auto rows = to_float_rows(positions);
@@ -100,8 +101,8 @@ TEST(ExactLattice, POSN11RefusesWhatIsNotThere) {
     writer.bits(std::bit_cast<std::uint32_t>(value), 32);
     const auto bytes = writer.finish();
     CompactReader reader(bytes);
-    std::vector<Patch> patches;
-    return !code_patches(reader, patches, 30);
+    std::vector<Replacement> replacements;
+    return !code_replacements(reader, replacements, 30);
   };
   EXPECT_FALSE(refuses(1, 29, 1.5F));
   EXPECT_TRUE(refuses(31, 0, 1.5F));

@@ -28,7 +28,7 @@ namespace {
 
 using voxel::kEdgeNodes;
 using voxel::kEdges;
-using voxel::kTurned;
+using voxel::kRotated;
 using voxel::Nodes;
 
 class Random {
@@ -89,13 +89,13 @@ Nodes middle_of(std::size_t axis, const Nodes& node) {
   return middle;
 }
 
-TEST(VoxelTables, VOX2TurnsAreThe24RotationsOfTheEdges) {
+TEST(VoxelTables, VOX2The24RotationsOfTheEdges) {
   std::set<std::vector<std::uint8_t>> different;
-  for (std::size_t turn = 0; turn < voxel::kTurns; ++turn) {
-    std::vector<std::uint8_t> numbers(kTurned[turn].begin(), kTurned[turn].begin() + kEdges);
+  for (std::size_t rotation = 0; rotation < voxel::kRotations; ++rotation) {
+    std::vector<std::uint8_t> numbers(kRotated[rotation].begin(), kRotated[rotation].begin() + kEdges);
     different.insert(numbers);
     for (std::size_t i = 0; i < kEdges; ++i) {
-      EXPECT_EQ(voxel::kBeforeTurn[turn][kTurned[turn][i]], i);
+      EXPECT_EQ(voxel::kBeforeRotation[rotation][kRotated[rotation][i]], i);
       // Distances between edges stay.
       for (std::size_t j = 0; j < kEdges; ++j) {
         const auto apart = [](std::size_t first, std::size_t second) {
@@ -110,18 +110,18 @@ TEST(VoxelTables, VOX2TurnsAreThe24RotationsOfTheEdges) {
     }
     std::sort(numbers.begin(), numbers.end());
     for (std::size_t i = 0; i < kEdges; ++i) EXPECT_EQ(numbers[i], i);
-    EXPECT_EQ(kTurned[turn][voxel::kNoEdge], voxel::kNoEdge);
+    EXPECT_EQ(kRotated[rotation][voxel::kNoEdge], voxel::kNoEdge);
   }
-  EXPECT_EQ(different.size(), voxel::kTurns);
+  EXPECT_EQ(different.size(), voxel::kRotations);
 }
 
-TEST(VoxelTables, VOX3SetsTurnEdgeByEdge) {
-  for (std::size_t turn = 0; turn < voxel::kTurns; ++turn) {
+TEST(VoxelTables, VOX3SetsRotateEdgeByEdge) {
+  for (std::size_t rotation = 0; rotation < voxel::kRotations; ++rotation) {
     for (unsigned set = 0; set < 1U << kEdges; set += 7) {
       unsigned expected = 0;
       for (unsigned i = 0; i < kEdges; ++i)
-        if ((set >> i & 1) != 0) expected |= 1U << kTurned[turn][i];
-      EXPECT_EQ(voxel::turned_set(turn, set), expected);
+        if ((set >> i & 1) != 0) expected |= 1U << kRotated[rotation][i];
+      EXPECT_EQ(voxel::rotated_set(rotation, set), expected);
     }
   }
 }
@@ -166,9 +166,9 @@ TEST(VoxelTables, VOX2PairsShareTheirCubes) {
               voxel::kEdgeAt[voxel::near_index(axis, {-lowest[0], -lowest[1], -lowest[2]})];
           const unsigned second = voxel::kEdgeAt[voxel::near_index(
               axis2, {node[0] - lowest[0], node[1] - lowest[1], node[2] - lowest[2]})];
-          EXPECT_EQ(kTurned[cube.turn][first], 0);
+          EXPECT_EQ(kRotated[cube.rotation][first], 0);
           constexpr std::array<int, voxel::kPairKinds> kNumbers = {1, 3, 4, 5, 6, 7};
-          EXPECT_EQ(kTurned[cube.turn][second], kNumbers[cube.kind]);
+          EXPECT_EQ(kRotated[cube.rotation][second], kNumbers[cube.kind]);
           EXPECT_EQ(cube.others, voxel::kAllEdges & ~(1U << first | 1U << second));
         }
         if (pair.count == 2) {
@@ -351,14 +351,14 @@ const char* rule_of_third(std::initializer_list<std::uint32_t> said, std::vector
   return rule != nullptr ? rule : "";
 }
 
-TEST(VoxelFaces, POSN12TheFirstAndTheLastOfWhatIsKnownByEarlierTurns) {
+TEST(VoxelFaces, POSN12TheFirstAndTheLastOfWhatIsKnownByEarlierSteps) {
   const test::GraphMesh mesh = test::sheet(9, 7);
   const auto count = static_cast<std::uint32_t>(mesh.positions.size());
   const VoxelFaces faces(FaceList{mesh.triangles, count});
   const std::uint32_t second = faces.second_sequence();
   EXPECT_EQ(second, 32U);
   EXPECT_EQ(faces.steps(), second);
-  const auto turn_of = [&](std::uint32_t v) { return v < second ? v : v - second; };
+  const auto step_of = [&](std::uint32_t v) { return v < second ? v : v - second; };
   std::size_t known = 0;
   for (std::uint32_t v = 0; v < count; ++v) {
     VoxelFaces::Star expected = {{count, count, count, count}};
@@ -366,7 +366,7 @@ TEST(VoxelFaces, POSN12TheFirstAndTheLastOfWhatIsKnownByEarlierTurns) {
       for (std::size_t c = 0; c < 3; ++c) {
         const std::uint32_t a = mesh.triangles[f + (c + 1) % 3];
         const std::uint32_t b = mesh.triangles[f + (c + 2) % 3];
-        if (mesh.triangles[f + c] != v || turn_of(a) >= turn_of(v) || turn_of(b) >= turn_of(v)) continue;
+        if (mesh.triangles[f + c] != v || step_of(a) >= step_of(v) || step_of(b) >= step_of(v)) continue;
         if (expected[0] == count) expected = {{a, b}};
         expected[2] = a;
         expected[3] = b;
@@ -380,7 +380,7 @@ TEST(VoxelFaces, POSN12TheFirstAndTheLastOfWhatIsKnownByEarlierTurns) {
     for (unsigned i = 0; i < around.known_count; ++i) {
       const KnownFace& face = around.known[i];
       if (face.opposite != kNoVertex) {
-        EXPECT_LT(turn_of(face.opposite), std::max(turn_of(face.a), turn_of(face.b)));
+        EXPECT_LT(step_of(face.opposite), std::max(step_of(face.a), step_of(face.b)));
       }
     }
   }

@@ -9,7 +9,7 @@
 
 namespace deltamesh {
 
-struct TurnedFace {
+struct RotatedFace {
   std::uint32_t last;  ///< the corner with the highest number
   std::uint32_t a;     ///< the one after it
   std::uint32_t b;     ///< the one before it
@@ -25,7 +25,7 @@ constexpr std::uint32_t choose(bool is_so, std::uint32_t then, std::uint32_t oth
 
 /// Which corner is the last one is hard to guess for a branch, and a table of where the others are takes
 /// twice the time.
-constexpr TurnedFace turned_face(std::uint32_t x, std::uint32_t y, std::uint32_t z) noexcept {
+constexpr RotatedFace rotated_face(std::uint32_t x, std::uint32_t y, std::uint32_t z) noexcept {
   const bool is_y = y > x;
   const std::uint32_t later = choose(is_y, y, x);
   const bool is_z = z > later;
