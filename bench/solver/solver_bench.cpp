@@ -4,12 +4,13 @@
 // The solver of highpass streams, as Markdown tables: time per vertex, what is left of the exact solution and
 // what that does to the errors; and whole decodes beside Draco's.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "direct_solver/direct_solver.h"
@@ -59,12 +60,12 @@ Solved run(const Problem& problem, Make make, Solve solve) {
 
 Solved run_cycles(const Problem& problem, int cycles) {
   const auto make = [&] {
-    auto solver = std::make_unique<LeastSquaresSolver>(problem.part.graph, problem.part.components);
-    solver->set_up(problem.anchors, cycles);
-    return solver;
+    return SingleSolve({problem.part.graph, problem.part.components}, problem.anchors, cycles);
   };
-  return run(problem, make, [&](const auto& solver, std::span<Vec3> x) {
-    return solver->solve(problem.anchors, problem.deltas, problem.targets, cycles, x).has_value();
+  return run(problem, make, [&](SingleSolve& solver, std::span<Vec3> x) {
+    const auto solved = std::move(solver).solve(problem.deltas, problem.targets, x.size());
+    if (solved) std::ranges::copy(*solved, x.begin());
+    return solved.has_value();
   });
 }
 

@@ -148,12 +148,11 @@ Result<LargeVector<Vec3>> reconstruct_highpass_once(const ReadSymbols& read_delt
     Task reading(team, [&] { return read_deltas(graph); });
     const Components components = std::exchange(part.components, {});
     const std::vector<std::uint32_t> rows = anchor_rows(anchors.anchors, part);
-    LeastSquaresSolver solver(graph, components, team);
-    solver.set_up(rows, parameters.cycles);
+    SingleSolve solve({graph, components, team}, rows, parameters.cycles);
     DELTAMESH_TRY(const SymbolRows deltas, reading.get());
-    DELTAMESH_TRY(positions, solver.solve_last(rows, DeltaView(deltas.view(), scale_of(parameters)),
-                                               anchor_targets(anchors, part, box, parameters),
-                                               parameters.cycles, part.whole_count));
+    DELTAMESH_TRY(positions,
+                  std::move(solve).solve(DeltaView(deltas.view(), scale_of(parameters)),
+                                         anchor_targets(anchors, part, box, parameters), part.whole_count));
   } else {
     if (parameters.cycles != 0)
       return broken_rule("planned cycles, but nothing to solve", "DELT-7", kTagDeltas);

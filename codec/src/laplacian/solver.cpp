@@ -10,47 +10,63 @@
 #include "laplacian/settling/settle.h"
 
 namespace deltamesh {
+namespace {
 
-void LeastSquaresSolver::set_up(std::span<const std::uint32_t> anchors, int cycles) {
-  if (cycles == 0) return;
-  if (!levels_.empty() && std::equal(anchors.begin(), anchors.end(), anchors_.begin(), anchors_.end()))
-    return;
-  planned_.reset();
-  anchors_.assign(anchors.begin(), anchors.end());
-  levels_ = multigrid::build_levels(graph_, anchors_, team_);
-  if (levels_.size() > 1) planned_.emplace(levels_, shared_anchors(components_, anchors_), team_);
+Error broken_plan(const char* message) noexcept {
+  return {.code = ErrorCode::kInvalidStream, .message = message, .rule = "DELT-7"};
+}
+
+}  // namespace
+
+PlannedSetup::PlannedSetup(const SolverGraph& graph, std::span<const std::uint32_t> anchors)
+    : levels_(multigrid::build_levels(graph.graph, anchors, graph.team)) {
+  if (levels_.size() > 1) cycles_.emplace(levels_, shared_anchors(graph.components, anchors), graph.team);
+}
+
+bool PlannedSetup::is_for(std::span<const std::uint32_t> anchors) const noexcept {
+  return std::ranges::equal(anchors, levels_.front().anchors);
+}
+
+Result<multigrid::PlannedSolution> PlannedSetup::solve(const DeltaView& deltas, std::span<const Vec3> targets,
+                                                       int cycles, multigrid::RangeWatch* watch) {
+  if (!cycles_) return broken_plan("planned cycles on a mesh with one level");
+  return cycles_->solve(deltas, targets, cycles, watch);
 }
 
 Result<void> LeastSquaresSolver::solve(std::span<const std::uint32_t> anchors, const DeltaView& deltas,
                                        std::span<const Vec3> targets, int cycles, std::span<Vec3> x) {
-  const auto broken = [](const char* message) {
-    return Error{.code = ErrorCode::kInvalidStream, .message = message, .rule = "DELT-7"};
-  };
-  if (cycles == 0) return settling::settle({graph_, components_, anchors, deltas, targets}, team_, x);
-  set_up(anchors, cycles);
-  if (!planned_) return broken("planned cycles on a mesh with one level");
+  if (cycles == 0)
+    return settling::settle({graph_.graph, graph_.components, anchors, deltas, targets}, graph_.team, x);
+  if (!planned_ || !planned_->is_for(anchors)) {
+    planned_.reset();  // before memory is taken for the next one
+    planned_.emplace(graph_, anchors);
+  }
   multigrid::RangeWatch watch;
-  planned_->solve(deltas, targets, cycles, &watch).write(x, team_);
-  if (!watch.holds()) return broken("planned cycles leave the range of 32 bits");
+  DELTAMESH_TRY(const auto solution, planned_->solve(deltas, targets, cycles, &watch));
+  solution.write(x, graph_.team);
+  if (!watch.holds()) return broken_plan("planned cycles leave the range of 32 bits");
   return {};
 }
 
-Result<LargeVector<Vec3>> LeastSquaresSolver::solve_last(std::span<const std::uint32_t> anchors,
-                                                         const DeltaView& deltas,
-                                                         std::span<const Vec3> targets, int cycles,
-                                                         std::size_t size) {
-  set_up(anchors, cycles);
+SingleSolve::SingleSolve(const SolverGraph& graph, std::span<const std::uint32_t> anchors, int cycles)
+    : graph_(graph), anchors_(anchors), cycles_(cycles) {
+  if (cycles > 0) planned_.emplace(graph, anchors);
+}
+
+Result<LargeVector<Vec3>> SingleSolve::solve(const DeltaView& deltas, std::span<const Vec3> targets,
+                                             std::size_t size) && {
+  const std::size_t n = graph_.graph.vertex_count();
   LargeVector<Vec3> x;
-  if (cycles == 0 || !planned_) {
+  if (!planned_) {
     x.resize(size);
-    DELTAMESH_CHECK(solve(anchors, deltas, targets, cycles, std::span(x).first(deltas.size())));
+    DELTAMESH_CHECK(settling::settle({graph_.graph, graph_.components, anchors_, deltas, targets},
+                                     graph_.team, std::span(x).first(n)));
     return x;
   }
-  const multigrid::PlannedSolution solution = planned_->solve(deltas, targets, cycles, nullptr);
+  DELTAMESH_TRY(const auto solution, planned_->solve(deltas, targets, cycles_, nullptr));
   planned_.reset();
-  levels_.clear();
   x.resize(size);
-  solution.write(std::span(x).first(deltas.size()), team_);
+  solution.write(std::span(x).first(n), graph_.team);
   return x;
 }
 

@@ -3,7 +3,7 @@
 //
 // The highpass decoder's least-squares problem
 //   x = argmin ||L x - delta||^2 + w^2 sum_a ||x_a - c_a||^2,   L = I - D^-1 A,   w = 1,
-// one right-hand side per axis: settled [DELT-4], or what planned cycles make of it [DELT-7].
+// with one right-hand side per axis, solved by settling [DELT-4] or by planned cycles [DELT-7].
 #pragma once
 
 #include <cstddef>
@@ -24,40 +24,71 @@ namespace deltamesh {
 
 class ThreadTeam;
 
-/// Time and memory are linear in n. What is set up for anchors and planned cycles is kept until other anchors
-/// come.
+/// The graph and its components, both of n vertices, all of which have neighbours, and the threads that share
+/// the work (null: the calling thread works alone). A solver refers to all three, so they must outlive it.
+struct SolverGraph {
+  const Adjacency& graph;
+  const Components& components;
+  ThreadTeam* team = nullptr;
+};
+
+/// The set-up of planned cycles for one graph and one set of anchors. Memory O(n).
+class PlannedSetup {
+ public:
+  /// `anchors`: distinct vertices, ascending, at least one in every component. O(n).
+  PlannedSetup(const SolverGraph& graph, std::span<const std::uint32_t> anchors);
+
+  bool is_for(std::span<const std::uint32_t> anchors) const noexcept;
+
+  /// As PlannedCycles::solve(). Errors: kInvalidStream if the graph has one level only [DELT-7].
+  Result<multigrid::PlannedSolution> solve(const DeltaView& deltas, std::span<const Vec3> targets, int cycles,
+                                           multigrid::RangeWatch* watch);
+
+ private:
+  std::vector<multigrid::Level> levels_;            ///< at least one
+  std::optional<multigrid::PlannedCycles> cycles_;  ///< empty if there is one level only
+};
+
+/// For encoders: solves for any number of right-hand sides. A planned set-up is kept for the next call with
+/// the same anchors.
 class LeastSquaresSolver {
  public:
-  /// `graph`: n vertices, which have neighbours; `components`: its own. Both must outlive the solver. Work is
-  /// shared by the threads of `team`, which must outlive it too; null: the caller's does it alone.
   LeastSquaresSolver(const Adjacency& graph, const Components& components, ThreadTeam* team = nullptr)
-      : graph_(graph), components_(components), team_(team) {}
+      : graph_{graph, components, team} {}
   LeastSquaresSolver(const LeastSquaresSolver&) = delete;
   LeastSquaresSolver& operator=(const LeastSquaresSolver&) = delete;
 
-  /// What solve() would set up first: for planned cycles their levels, for 0 nothing.
-  void set_up(std::span<const std::uint32_t> anchors, int cycles);
-
-  /// `anchors`: distinct vertices, ascending, at least one in every component; `deltas`: n; `targets`: one
-  /// for each anchor; `cycles`: planned ones, or 0 for the least-squares solution, near enough; `x`: n,
-  /// overwritten. Errors: kInvalidStream where the solution is out of reach; for planned cycles where the
-  /// graph has one level, or where they leave the range of 32 bits [DELT-7].
+  /// `anchors`: as PlannedSetup; `deltas`: n; `targets`: one for each anchor; `cycles`: number of planned
+  /// cycles, or 0 to settle; `x`: n, overwritten. Errors: kInvalidStream if no solution is found; with
+  /// planned cycles if the graph has one level only, or if values leave the range of 32 bits [DELT-7]. Time
+  /// and memory O(n).
   Result<void> solve(std::span<const std::uint32_t> anchors, const DeltaView& deltas,
                      std::span<const Vec3> targets, int cycles, std::span<Vec3> x);
 
-  /// The same for decoders, which do not ask about that range: n rows, in memory of `size` rows, n or more,
-  /// the others not initialised. With planned cycles that memory is taken after what was set up has been
-  /// given back: the solver is of no use any more.
-  Result<LargeVector<Vec3>> solve_last(std::span<const std::uint32_t> anchors, const DeltaView& deltas,
-                                       std::span<const Vec3> targets, int cycles, std::size_t size);
+ private:
+  SolverGraph graph_;
+  std::optional<PlannedSetup> planned_;
+};
+
+/// For decoders: one problem, set up before its deltas are known and solved once.
+class SingleSolve {
+ public:
+  /// `anchors`, `cycles`: as LeastSquaresSolver::solve(); the anchors must outlive this. Planned cycles are
+  /// set up here; settling needs no set-up.
+  SingleSolve(const SolverGraph& graph, std::span<const std::uint32_t> anchors, int cycles);
+
+  /// Returns `size` rows, at least n; those from n on are not initialised. The bits are those of
+  /// LeastSquaresSolver::solve(), but the range of planned cycles is not checked. The set-up is freed before
+  /// the result is allocated. Errors: kInvalidStream if no solution is found, or the graph has one level only
+  /// [DELT-7].
+  Result<LargeVector<Vec3>> solve(const DeltaView& deltas, std::span<const Vec3> targets,
+                                  std::size_t size) &&;
 
  private:
-  const Adjacency& graph_;
-  const Components& components_;
-  ThreadTeam* team_;
-  std::vector<std::uint32_t> anchors_;    ///< that the levels are for
-  std::vector<multigrid::Level> levels_;  ///< none before they are asked for
-  std::optional<multigrid::PlannedCycles> planned_;
+  SolverGraph graph_;
+  std::span<const std::uint32_t> anchors_;
+  int cycles_;
+  std::optional<PlannedSetup> planned_;
 };
 
 }  // namespace deltamesh

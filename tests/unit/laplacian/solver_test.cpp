@@ -33,7 +33,7 @@ GraphMesh many_sizes() {
 }
 
 /// A decoder solves once, alone or with a team, and has the step and the shifts of a stream.
-TEST(LeastSquaresSolver, TheLastSolutionHasTheSameBits) {
+TEST(SingleSolve, HasTheBitsOfTheLeastSquaresSolver) {
   for (const auto& mesh : {test::sheet(90, 70), many_sizes(), test::fan(300), test::sheet(8, 3)}) {
     const std::vector<std::uint32_t> anchors = test::anchors_of(mesh, 60);
     std::vector<Vec3> targets;
@@ -61,11 +61,11 @@ TEST(LeastSquaresSolver, TheLastSolutionHasTheSameBits) {
       const std::size_t size = x.size() + static_cast<std::size_t>(7 * cycles);
       for (const unsigned threads : {1U, 2U}) {
         ThreadTeam team(threads);
-        const auto last = LeastSquaresSolver(mesh.graph, mesh.components, &team)
-                              .solve_last(anchors, view, targets, cycles, size);
-        ASSERT_TRUE(last);
-        ASSERT_EQ(last->size(), size);
-        EXPECT_TRUE(std::equal(x.begin(), x.end(), last->begin()));
+        const auto single =
+            SingleSolve({mesh.graph, mesh.components, &team}, anchors, cycles).solve(view, targets, size);
+        ASSERT_TRUE(single);
+        ASSERT_EQ(single->size(), size);
+        EXPECT_TRUE(std::equal(x.begin(), x.end(), single->begin()));
       }
     }
   }
@@ -81,8 +81,7 @@ bool leaves_range(const Result<void>& solved) {
   return !solved && std::string_view(solved.error().rule) == "DELT-7";
 }
 
-/// A decoder solves once, an encoder many times with one set-up: the answers must be the same to the last
-/// bit.
+/// An encoder solves many times with one set-up, a decoder once: the solutions must be equal to the last bit.
 TEST(LeastSquaresSolver, AnswersDoNotDependOnEarlierOnes) {
   for (const auto& mesh : {test::sheet(90, 70), test::fragments(), test::fan(300)}) {
     const SolvedPart part = extract_solved_part(mesh.graph, mesh.components);

@@ -53,9 +53,9 @@ TEST(PlannedCycles, ThreadsMakeNoDifference) {
       for (const unsigned threads : {1U, 2U, 3U, 8U}) {
         SCOPED_TRACE(threads);
         ThreadTeam team(threads);
-        LeastSquaresSolver solver(problem.mesh.graph, problem.mesh.components, &team);
-        const auto x = solver.solve_last(problem.anchors, problem.deltas, problem.targets, cycles,
-                                         problem.deltas.size());
+        const auto x =
+            SingleSolve({problem.mesh.graph, problem.mesh.components, &team}, problem.anchors, cycles)
+                .solve(problem.deltas, problem.targets, problem.deltas.size());
         ASSERT_TRUE(x);
         if (alone.empty()) alone.assign(x->begin(), x->end());
         EXPECT_TRUE(std::equal(x->begin(), x->end(), alone.begin(), alone.end()));
@@ -137,10 +137,9 @@ TEST(PlannedCycles, DELT7TellEncodersWhereTheyLeaveTheRange) {
 
 TEST(PlannedCycles, DELT3DoNotHideWhatIsNotFinite) {
   SolverProblem problem = quantized(many_sheets(), 100, 8);
-  auto solver = solver_for(problem);
   problem.targets.front() = {1e300, 0, 0};  // of the first component, finite ones follow
-  const auto x =
-      solver.solve_last(problem.anchors, problem.deltas, problem.targets, 3, problem.deltas.size());
+  const auto x = SingleSolve({problem.mesh.graph, problem.mesh.components}, problem.anchors, 3)
+                     .solve(problem.deltas, problem.targets, problem.deltas.size());
   ASSERT_TRUE(x);
   EXPECT_FALSE(std::all_of(x->begin(), x->end(), [](const Vec3& v) { return std::isfinite(dot(v, v)); }));
 }
