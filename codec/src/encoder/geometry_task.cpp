@@ -54,15 +54,17 @@ Result<CodedGeometry> code_highpass(const GeometryTask& task,
   const EncodeOptions& options = task.options;
   AnchorContainers own_containers;
   AnchorContainers& containers = options.anchor_containers ? *options.anchor_containers : own_containers;
-  const LazyGraph& graph = task.source.graph;
+  const SourceGeometry& source = task.source;
+  const LazyGraph& graph = source.graph;
   AnchorSequence& sequence = containers.impl().sequence(graph.graph(), graph.components());
-  HighpassTrials trials(options, task.source, sequence, task.rest);
-  const RateGoal goal = rate_goal(task, rival_bytes, trials);
-  Result<CodedGeometry> found = search_highpass(goal, trials);
-  if (found ? goal.bounds.load(found->quality) > 1 : found.error().code == ErrorCode::kInvalidStream) {
-    trials.be_exact();
-    found = search_highpass(goal, trials);
-  }
+  HighpassCoder coder(graph.graph(), graph.components(), sequence, source.positions, source.box);
+  const auto search = [&](HighpassCoder::Positions positions) {
+    HighpassTrials trials(options, source, sequence, coder, task.rest, positions);
+    return search_highpass(rate_goal(task, rival_bytes, trials), trials);
+  };
+  Result<CodedGeometry> found = search(HighpassCoder::Positions::kApproximate);
+  if (found ? bounds_of(task).load(found->quality) > 1 : found.error().code == ErrorCode::kInvalidStream)
+    found = search(HighpassCoder::Positions::kDecoded);
   DELTAMESH_TRY(CodedGeometry geometry, std::move(found));
   if (options.bits || (!options.step && options.quality.empty()))
     geometry.highpass.bits = static_cast<std::uint8_t>(options.bits.value_or(kDefaultBits));

@@ -48,12 +48,14 @@ Quality after_planning(const Quality& settled) noexcept {
 }  // namespace
 
 HighpassTrials::HighpassTrials(const EncodeOptions& options, const SourceGeometry& source,
-                               AnchorSequence& anchors, const StreamRest& rest)
+                               AnchorSequence& anchors, HighpassCoder& coder, const StreamRest& rest,
+                               HighpassCoder::Positions positions)
     : options_(options),
       source_(source),
       anchors_(anchors),
       rest_(rest),
-      coder_(source.graph.graph(), source.graph.components(), anchors, source.positions, source.box) {}
+      coder_(coder),
+      positions_(positions) {}
 
 Result<CodedGeometry> HighpassTrials::to_geometry(const CodedHighpass& coded) const {
   CodedGeometry geometry{.highpass = coded.parameters, .chunks = ChunkList(options_)};

@@ -19,14 +19,13 @@ namespace deltamesh {
 
 class HighpassTrials final : public TrialCoder {
  public:
-  /// `anchors`: of the source's graph. All arguments must outlive the trials.
+  /// `anchors`: of the source's graph; `coder`: of the source and `anchors`; `positions`: those that run()
+  /// measures. All references must outlive the trials.
   HighpassTrials(const EncodeOptions& options, const SourceGeometry& source, AnchorSequence& anchors,
-                 const StreamRest& rest);
+                 HighpassCoder& coder, const StreamRest& rest, HighpassCoder::Positions positions);
 
-  /// Nearly settled positions, with room for what plan() may cost in quality.
+  /// Codes without planned cycles. The quality in the figures leaves room for the errors that plan() may add.
   Result<TrialFigures> run(const HighpassSettings& settings) override;
-  /// From now on run() returns exactly the positions that a decoder finds.
-  void be_exact() noexcept { positions_ = HighpassCoder::Positions::kDecoded; }
   Result<std::uint64_t> bytes(const HighpassSettings& settings) override;
   double delta_error(const HighpassSettings& settings) override { return coder_.delta_error(settings); }
   std::vector<std::uint32_t> worst_vertices(const Attempt& attempt, double threshold,
@@ -70,8 +69,8 @@ class HighpassTrials final : public TrialCoder {
   const SourceGeometry& source_;
   AnchorSequence& anchors_;
   StreamRest rest_;
-  HighpassCoder coder_;
-  HighpassCoder::Positions positions_ = HighpassCoder::Positions::kApproximate;
+  HighpassCoder& coder_;
+  HighpassCoder::Positions positions_;
 };
 
 }  // namespace deltamesh
