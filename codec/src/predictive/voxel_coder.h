@@ -62,14 +62,13 @@ class VoxelCoder {
     Vertex first(*this, step, cells);
     Vertex second(*this, is_alone ? step : other, cells);
     Corners corners = {corners_of(first.number), corners_of(second.number)};
-    VoxelPair pair;
-    if (!pair.find(corners, places())) [[unlikely]] {
+    std::optional<VoxelCubes> cubes = VoxelCubes::find(corners, places());
+    if (!cubes) [[unlikely]] {
       first.has_cube = find_cube(corners[0]);
       second.has_cube = find_cube(corners[1]);
-      pair = VoxelPair();  // find() may have left it half filled in
-      pair.find(corners, places());
+      cubes = VoxelCubes::find(corners, places());
     }
-    pair.look(corners, spots_);
+    VoxelPair pair(*cubes, corners, spots_);
     const char* const broken = code_vertex(0, pair, corners, first, cells);
     return broken != nullptr || is_alone ? broken : code_vertex(1, pair, corners, second, cells);
   }
@@ -109,13 +108,14 @@ class VoxelCoder {
     return {star, choose(is_far, faces_.none(), across)};
   }
 
-  /// Leaves faces of which find() finds cubes; false where they are not the vertex'.
+  /// Makes `corners` such that VoxelCubes::find() succeeds. False if they are not the vertex' own corners any
+  /// more.
   [[gnu::noinline]] bool find_cube(VoxelCorners& corners) const noexcept {
     const std::uint32_t a = corners.star[0];
     const std::uint32_t b = corners.star[1];
-    if (VoxelPair().find({corners, corners}, places())) return true;
+    if (VoxelCubes::find({corners, corners}, places())) return true;
     corners.star = {{a, b, a, b}};
-    if (VoxelPair().find({corners, corners}, places())) return true;
+    if (VoxelCubes::find({corners, corners}, places())) return true;
     const std::uint32_t none = faces_.none();
     corners = {{{none + 1, none + 2, none + 1, none + 2}}, none};
     return false;
@@ -133,8 +133,7 @@ class VoxelCoder {
   [[gnu::noinline]] unsigned code_in_higher(std::size_t i, VoxelPair& pair, const Corners& corners,
                                             const Vertex& vertex) {
     if (!pair.is_open(i)) return VoxelPair::kOpen;
-    pair.choose(i);
-    pair.look(corners, spots_);
+    pair = pair.with_higher(i, corners, spots_);
     return code_number(i, pair, vertex);
   }
 

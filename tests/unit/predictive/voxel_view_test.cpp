@@ -260,9 +260,9 @@ TEST(VoxelPair, VOX2VOX3VOX6TheFaceAcrossTellsTheCube) {
   const std::uint32_t beyond = grid.add({16, 16, 3});
   // The first vertex is in the higher cube, the second in the lower one.
   const std::array<VoxelCorners, 2> corners = {one_face(a, b, across), one_face(a, b, beyond)};
-  VoxelPair pair;
-  ASSERT_TRUE(pair.find(corners, grid.places()));
-  pair.look(corners, grid.spots);
+  const auto cubes = VoxelCubes::find(corners, grid.places());
+  ASSERT_TRUE(cubes);
+  VoxelPair pair(*cubes, corners, grid.spots);
   for (const std::size_t i : {0, 1}) {
     EXPECT_FALSE(pair.is_open(i));
     const VoxelSpot to_code = grid.at({i == 0 ? 16 : 0, 16, 3});
@@ -290,10 +290,11 @@ TEST(VoxelPair, VOX3TheOtherFacesCornersLeaveFewerEdges) {
   const std::uint32_t b = grid.add({8, 16, 3});
   const std::uint32_t across = grid.add({0, 8, 3});
   const std::uint32_t last = grid.add({24, 16, 3});
-  const VoxelCorners corners = {{{a, b, b, last}}, across};
-  VoxelPair pair;
-  ASSERT_TRUE(pair.find({corners, one_face(a, b, across)}, grid.places()));
-  pair.look({corners, one_face(a, b, across)}, grid.spots);
+  const std::array<VoxelCorners, 2> corners = {VoxelCorners{{{a, b, b, last}}, across},
+                                               one_face(a, b, across)};
+  const auto cubes = VoxelCubes::find(corners, grid.places());
+  ASSERT_TRUE(cubes);
+  const VoxelPair pair(*cubes, corners, grid.spots);
   // Those of the side next to it.
   unsigned expected = 0;
   for (const Cell& cell : {Cell{16, 8, 3}, Cell{16, 16, 3}, Cell{16, 11, 0}, Cell{16, 11, 8}})
@@ -466,9 +467,9 @@ TEST(VoxelPair, VOX2WithoutAFaceAcrossBothCubesMayBe) {
   const std::uint32_t b = grid.add({8, 16, 3});
   const std::array<VoxelCorners, 2> corners = {one_face(a, b, grid.count), one_face(b, a, grid.count)};
   const VoxelSpot to_code = grid.at({16, 16, 3});
-  VoxelPair pair;
-  ASSERT_TRUE(pair.find(corners, grid.places()));
-  pair.look(corners, grid.spots);
+  const auto cubes = VoxelCubes::find(corners, grid.places());
+  ASSERT_TRUE(cubes);
+  VoxelPair pair(*cubes, corners, grid.spots);
   for (const std::size_t i : {0, 1}) {
     ASSERT_TRUE(pair.is_open(i));
     EXPECT_EQ(pair.opposite(i), VoxelPair::kOpen);
@@ -476,14 +477,13 @@ TEST(VoxelPair, VOX2WithoutAFaceAcrossBothCubesMayBe) {
     EXPECT_FALSE(pair.higher_has(i, grid.at({0, 16, 3})));
     EXPECT_EQ(pair.number_of(i, to_code), voxel::kNoEdge);
   }
-  pair.choose(0);
-  pair.look(corners, grid.spots);
+  pair = pair.with_higher(0, corners, grid.spots);
   EXPECT_LT(pair.number_of(0, to_code), kEdges);
   EXPECT_EQ(pair.opposite(0), voxel::kNoEdge);
   EXPECT_TRUE(pair.is_open(1));
 }
 
-TEST(VoxelPair, VOX2FacesWithoutACubeAreNone) {
+TEST(VoxelCubes, VOX2FacesWithoutACubeAreNone) {
   GridVertices grid;
   const std::uint32_t a = grid.add({8, 8, 3});
   const std::uint32_t good = grid.add({8, 16, 3});
@@ -493,10 +493,10 @@ TEST(VoxelPair, VOX2FacesWithoutACubeAreNone) {
   const VoxelCorners found = one_face(a, good, grid.count);
   for (const std::uint32_t b : {same, far, farther, grid.count}) {
     const VoxelCorners none = one_face(a, b, grid.count);
-    EXPECT_FALSE(VoxelPair().find({none, found}, grid.places()));
-    EXPECT_FALSE(VoxelPair().find({found, none}, grid.places()));
+    EXPECT_FALSE(VoxelCubes::find({none, found}, grid.places()));
+    EXPECT_FALSE(VoxelCubes::find({found, none}, grid.places()));
   }
-  EXPECT_TRUE(VoxelPair().find({found, found}, grid.places()));
+  EXPECT_TRUE(VoxelCubes::find({found, found}, grid.places()));
 }
 
 }  // namespace
