@@ -15,7 +15,8 @@ struct ReconstructionShift {
   bool operator==(const ReconstructionShift&) const = default;
 };
 
-/// What a stream may ask for [DELT-7]; encoders plan far fewer (geometry/cycle_plan.h).
+/// Largest number of planned cycles that a stream may have [HDR-11, DELT-7]. The encoder tries fewer:
+/// kMostCyclesTried (geometry/cycle_plan.h).
 inline constexpr std::uint8_t kMostCycles = 80;
 
 /// What the header says of a highpass stream [HDR-11].

@@ -15,10 +15,11 @@
 
 namespace deltamesh {
 
-/// The most cycles that are tried; where these do not do either, positions are the least-squares solution.
-inline constexpr int kMostPlanned = 8;
+/// Largest number of planned cycles that the encoder tries; if none serves, the stream has 0, which stands
+/// for the least-squares solution [DELT-4]. A choice of the encoder: streams may have up to kMostCycles.
+inline constexpr int kMostCyclesTried = 8;
 
-/// Quantised deltas of streams with planned cycles are smaller [DELT-7].
+/// Quantised deltas of streams with planned cycles are smaller than this in size [DELT-7].
 inline constexpr std::int32_t kLargestPlannedSymbol = 1 << 23;
 
 /// Errors of a plan's positions over those of settled ones, the least-squares solution [DELT-4]: how far they

@@ -77,7 +77,7 @@ std::optional<CodedHighpass> HighpassCoder::plan(const HighpassSettings& setting
   const PlanJudge judge(part_, positions_, settled, kInvisible * box_.longest_side());
   const Anchors anchors = anchors_for(settings);
   int in_vain = 0;
-  for (int cycles = 1; cycles <= kMostPlanned && in_vain < kMostInVain; ++cycles) {
+  for (int cycles = 1; cycles <= kMostCyclesTried && in_vain < kMostInVain; ++cycles) {
     Attempt attempt = plan_for(cycles, settings, anchors, judge, accepts);
     if (attempt.coded) return std::move(attempt.coded);
     in_vain = attempt.gains ? 0 : in_vain + 1;

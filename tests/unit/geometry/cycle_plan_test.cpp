@@ -106,7 +106,7 @@ TEST(CyclePlan, DELT7MoreCyclesAreTriedUntilOneIsAccepted) {
     return false;
   });
   EXPECT_FALSE(none);
-  EXPECT_LE(tried, kMostPlanned);  // no use in more
+  EXPECT_LE(tried, kMostCyclesTried);  // no use in more
 }
 
 /// So that errors are where they are in the settled stream: those of another rounding would be 1.4 of the LFE
