@@ -28,7 +28,7 @@ class Interpolation {
   /// The value of one node.
   explicit Interpolation(std::uint32_t node) noexcept : Interpolation({node, node, node}, 0, 0) {}
 
-  /// `second`, `third`: weights of the last two in sixteenths, together below 16; where one is 0 its node is
+  /// `second`, `third`: weights of the last two in sixteenths, together below 15; where one is 0 its node is
   /// the first.
   Interpolation(const std::array<std::uint32_t, 3>& nodes, std::uint32_t second, std::uint32_t third) noexcept
       : terms_{nodes[0] | (second + third) << kNodeBits, nodes[1] | second << kNodeBits,

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "laplacian/coarsest/coarsest.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "laplacian/coarsest/conjugate_gradients.h"
+#include "laplacian/coarsest/dense_factor.h"
+#include "laplacian/multigrid/setup/levels.h"
+#include "support/graph_mesh.h"
+#include "support/random.h"
+
+namespace deltamesh::coarsest_test {
+namespace {
+
+using multigrid::ConjugateGradients;
+using multigrid::DenseFactor;
+using multigrid::Double4;
+using multigrid::Float4;
+using multigrid::Level;
+using multigrid::Row;
+using test::GraphMesh;
+
+/// The finest level of `mesh`, with weights. Refers to its graph.
+Level level_of(const GraphMesh& mesh, const std::vector<std::uint32_t>& anchors) {
+  auto levels = multigrid::build_levels(mesh.graph, anchors);
+  multigrid::add_weights(levels.front());
+  return std::move(levels.front());
+}
+
+std::vector<std::uint32_t> every(std::uint32_t stride, const GraphMesh& mesh) {
+  std::vector<std::uint32_t> anchors;
+  for (std::uint32_t v = 0; v < mesh.positions.size(); v += stride) anchors.push_back(v);
+  return anchors;
+}
+
+std::vector<double> inverse_mass_of(const Level& level) {
+  std::vector<double> result;
+  for (const float mass : level.mass) result.push_back(1 / static_cast<double>(mass));
+  return result;
+}
+
+/// From -1 to 1, on three axes.
+std::vector<Double4> noise(std::size_t count, std::uint32_t seed) {
+  test::RandomBits random(seed);
+  const auto next = [&] { return std::ldexp(static_cast<double>(random()), -31) - 1; };
+  std::vector<Double4> result(count);
+  for (Double4& v : result) {
+    v.xy = TwoDoubles{next(), next()};
+    v.zw = TwoDoubles{next(), 0};
+  }
+  return result;
+}
+
+std::vector<double> times_k(const Level& level, const std::vector<double>& v) {
+  std::vector<double> result(v.size());
+  for (std::uint32_t i = 0; i < v.size(); ++i) {
+    result[i] = static_cast<double>(level.degree[i]) * v[i];
+    for (std::uint32_t e = level.offsets[i]; e < level.offsets[i + 1]; ++e)
+      result[i] -= static_cast<double>(level.weights[e]) * v[level.neighbors[e]];
+  }
+  return result;
+}
+
+/// N v = (K M^-1 K + E E^T) v.
+std::vector<double> times_n(const Level& level, const std::vector<double>& v) {
+  std::vector<double> result = times_k(level, v);
+  for (std::size_t i = 0; i < v.size(); ++i) result[i] /= static_cast<double>(level.mass[i]);
+  result = times_k(level, result);
+  for (const std::uint32_t anchor : level.anchors) result[anchor] += v[anchor];
+  return result;
+}
+
+double lane(const Double4& v, std::size_t axis) { return axis < 2 ? v.xy[axis] : v.zw[axis - 2]; }
+
+std::vector<double> axis_of(std::span<const Double4> values, std::size_t axis) {
+  std::vector<double> result;
+  for (const Double4& v : values) result.push_back(lane(v, axis));
+  return result;
+}
+
+/// Root mean square of N x - b over that of b, on one axis.
+double residual(const Level& level, std::span<const Double4> x, std::span<const Double4> b,
+                std::size_t axis) {
+  const std::vector<double> image = times_n(level, axis_of(x, axis));
+  double left = 0;
+  double all = 0;
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    const double wanted = lane(b[i], axis);
+    left += (image[i] - wanted) * (image[i] - wanted);
+    all += wanted * wanted;
+  }
+  return std::sqrt(left / all);
+}
+
+TEST(DenseFactor, SolvesExactly) {
+  const GraphMesh mesh = test::sheet(14, 13);
+  for (const std::uint32_t stride : {1U, 7U, 500U}) {
+    const Level level = level_of(mesh, every(stride, mesh));
+    const DenseFactor factor(level, inverse_mass_of(level));
+    const std::vector<Double4> b = noise(level.node_count(), 3);
+    std::vector<Double4> x = b;
+    factor.solve(x);
+    for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_LT(residual(level, x, b, axis), 1e-8) << stride;
+    for (const Double4& v : x) EXPECT_EQ(v.zw[1], 0);
+  }
+}
+
+/// Nodes 0 and 1 have an edge, node 0 is an anchor, node 2 has nothing: N = (3 -2 0, -2 2 0, 0 0 0).
+TEST(DenseFactor, APivotOfZeroGivesZero) {
+  const std::array<std::uint32_t, 4> offsets{0, 1, 2, 2};
+  const std::array<std::uint32_t, 2> neighbors{1, 0};
+  Level level;
+  level.offsets = offsets;
+  level.neighbors = neighbors;
+  level.weights.assign(2, 1.0F);
+  for (const float degree : {1.0F, 1.0F, 0.0F}) level.degree.push_back(degree);
+  level.mass.assign(3, 1.0F);
+  level.anchors = {0};
+  std::vector<Double4> x(3);
+  x[0].xy = TwoDoubles{1, 0};
+  x[2].xy = TwoDoubles{5, 0};
+  DenseFactor(level, inverse_mass_of(level)).solve(x);
+  EXPECT_NEAR(x[0].xy[0], 1, 1e-12);
+  EXPECT_NEAR(x[1].xy[0], 1, 1e-12);
+  EXPECT_EQ(x[2].xy[0], 0);
+}
+
+/// As many anchors as coarsest levels have.
+TEST(ConjugateGradients, ComeNearTheSolutionWhereAnchorsAreMany) {
+  for (const GraphMesh& mesh : {test::sheet(40, 30), test::sheet(300, 4)}) {
+    const Level level = level_of(mesh, every(5, mesh));
+    ConjugateGradients solver(level, inverse_mass_of(level), {});
+    const std::vector<Double4> b = noise(level.node_count(), 4);
+    std::vector<Double4> x = b;
+    solver.solve(x);
+    for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_LT(residual(level, x, b, axis), 0.05);
+  }
+}
+
+TEST(ConjugateGradients, AxesDoNotMix) {
+  const GraphMesh mesh = test::sheet(25, 20);
+  const Level level = level_of(mesh, every(5, mesh));
+  ConjugateGradients solver(level, inverse_mass_of(level), {});
+  std::vector<Double4> all = noise(level.node_count(), 5);
+  std::vector<Double4> one = all;
+  for (Double4& v : one) {
+    v.xy[1] = 0;
+    v.zw[0] *= 4;
+  }
+  solver.solve(all);
+  solver.solve(one);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    EXPECT_EQ(one[i].xy[0], all[i].xy[0]);
+    EXPECT_EQ(one[i].xy[1], 0);
+    EXPECT_EQ(one[i].zw[0], 4 * all[i].zw[0]);
+  }
+}
+
+TEST(ConjugateGradients, ComponentsDoNotMixWhereTheyAreTold) {
+  GraphMesh mesh;
+  test::add_sheet(mesh, 15, 12, {});
+  test::add_sheet(mesh, 9, 30, {50, 0, 0});
+  mesh = test::finish(std::move(mesh));
+  const Level level = level_of(mesh, every(5, mesh));
+  const std::vector<std::uint32_t> components(mesh.components.label.begin(), mesh.components.label.end());
+  const auto first = static_cast<std::ptrdiff_t>(mesh.components.size[0]);
+  const auto change_second = [&](std::vector<Double4> b) {
+    for (auto v = b.begin() + first; v != b.end(); ++v) v->xy = TwoDoubles{7, v->xy[0]};
+    return b;
+  };
+  for (const bool are_told : {true, false}) {
+    ConjugateGradients solver(level, inverse_mass_of(level),
+                              are_told ? components : std::vector<std::uint32_t>{});
+    std::vector<Double4> x = noise(level.node_count(), 6);
+    std::vector<Double4> y = change_second(x);
+    solver.solve(x);
+    solver.solve(y);
+    const bool is_same =
+        std::equal(x.begin(), x.begin() + first, y.begin(), [](const auto& a, const auto& b) {
+          return a.xy[0] == b.xy[0] && a.xy[1] == b.xy[1] && a.zw[0] == b.zw[0];
+        });
+    EXPECT_EQ(is_same, are_told);
+  }
+}
+
+/// Right-hand sides and solution of a level.
+struct Coupled {
+  std::vector<Row> b;
+  std::vector<Row> u;
+  std::vector<Float4> gaps;
+  std::vector<Float4> forces;
+
+  multigrid::CoupledProblem on(const Level& level) { return {level, b, u, gaps, forces}; }
+};
+
+Float4 to_floats(const Double4& v) { return multigrid::narrow(v); }
+
+Coupled random_problem(const Level& level) {
+  Coupled problem;
+  const std::size_t n = level.node_count();
+  const std::vector<Double4> values = noise(2 * n + level.anchors.size(), 7);
+  for (std::size_t i = 0; i < n; ++i) problem.b.push_back({to_floats(values[i]), to_floats(values[n + i])});
+  for (std::size_t a = 0; a < level.anchors.size(); ++a) problem.gaps.push_back(to_floats(values[2 * n + a]));
+  problem.u.resize(n);
+  problem.forces.resize(level.anchors.size());
+  return problem;
+}
+
+/// The largest difference of the two sides of any equation: K x + M s = b.x,  K s - E f = b.s,  x_a - f_a =
+/// g_a.
+struct Differences {
+  double of_x = 0;
+  double of_s = 0;
+  double of_gaps = 0;
+};
+
+Differences differences(const Level& level, const Coupled& problem) {
+  Differences found;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::vector<double> x;
+    std::vector<double> s;
+    for (const Row& u : problem.u) {
+      x.push_back(u.x[axis]);
+      s.push_back(u.s[axis]);
+    }
+    const std::vector<double> kx = times_k(level, x);
+    std::vector<double> ks = times_k(level, s);
+    for (std::size_t a = 0; a < level.anchors.size(); ++a) {
+      const std::uint32_t anchor = level.anchors[a];
+      const double force = problem.forces[a][axis];
+      ks[anchor] -= force;
+      found.of_gaps = std::max(found.of_gaps, std::abs(x[anchor] - force - problem.gaps[a][axis]));
+    }
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const double mass = level.mass[i];
+      found.of_x = std::max(found.of_x, std::abs(kx[i] + mass * s[i] - problem.b[i].x[axis]));
+      found.of_s = std::max(found.of_s, std::abs(ks[i] - problem.b[i].s[axis]));
+    }
+  }
+  return found;
+}
+
+TEST(CoarsestSolver, DELT7SmallLevelsAreSolvedExactly) {
+  const GraphMesh mesh = test::sheet(14, 13);
+  ASSERT_LT(mesh.positions.size(), multigrid::kFewestNodesToCoarsen);
+  const Level level = level_of(mesh, every(9, mesh));
+  multigrid::CoarsestSolver solver(level, std::vector<std::uint8_t>(level.anchors.size(), 1), {});
+  Coupled problem = random_problem(level);
+  solver.solve(problem.on(level));
+  const Differences found = differences(level, problem);
+  EXPECT_LT(found.of_x, 1e-3);
+  EXPECT_LT(found.of_s, 1e-3);
+  EXPECT_LT(found.of_gaps, 1e-5);
+}
+
+TEST(CoarsestSolver, DELT7LargerLevelsAreSolvedNearly) {
+  const GraphMesh mesh = test::sheet(25, 20);
+  ASSERT_GE(mesh.positions.size(), multigrid::kFewestNodesToCoarsen);
+  const Level level = level_of(mesh, every(5, mesh));
+  multigrid::CoarsestSolver solver(level, std::vector<std::uint8_t>(level.anchors.size(), 1), {});
+  Coupled problem = random_problem(level);
+  solver.solve(problem.on(level));
+  const Differences found = differences(level, problem);
+  EXPECT_LT(found.of_x, 1e-3) << "s follows from x";
+  EXPECT_LT(found.of_s, 0.1);
+  EXPECT_LT(found.of_gaps, 1e-5);
+}
+
+TEST(CoarsestSolver, DELT7AnAnchorThatDoesNotHoldHasNoForce) {
+  const GraphMesh mesh = test::sheet(12, 12);
+  const Level level = level_of(mesh, {70});
+  multigrid::CoarsestSolver solver(level, {0}, {});
+  Coupled problem = random_problem(level);
+  problem.forces[0] = Float4{1, 2, 3, 4};
+  solver.solve(problem.on(level));
+  for (std::size_t axis = 0; axis < 4; ++axis) EXPECT_EQ(problem.forces[0][axis], 0);
+}
+
+TEST(CoarsestSolver, SolutionsDoNotDependOnEarlierOnes) {
+  for (const GraphMesh& mesh : {test::sheet(12, 12), test::sheet(25, 20)}) {
+    const Level level = level_of(mesh, every(5, mesh));
+    multigrid::CoarsestSolver solver(level, std::vector<std::uint8_t>(level.anchors.size(), 1), {});
+    Coupled first = random_problem(level);
+    Coupled other = first;
+    for (Row& b : other.b) b.x = b.x + 1;
+    Coupled again = first;
+    solver.solve(first.on(level));
+    solver.solve(other.on(level));
+    solver.solve(again.on(level));
+    for (std::size_t i = 0; i < first.u.size(); ++i) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        EXPECT_EQ(first.u[i].x[axis], again.u[i].x[axis]);
+        EXPECT_EQ(first.u[i].s[axis], again.u[i].s[axis]);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace deltamesh::coarsest_test
