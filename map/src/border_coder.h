@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Which vertices of a decoded part are on its border, and how far from there their lattice points are
-// [MAP-11]. One template for both directions.
+// Codes which vertices of a decoded part are on its border, and the offsets of their lattice points [MAP-11].
+// One template for both directions.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@
 
 namespace deltamesh {
 
-/// What the coder knows of a stream's mesh.
+/// The decoded mesh as the coder uses it.
 struct BorderView {
   std::vector<LatticePoint> nearest;  ///< to every vertex
   /// Bit a is set where the coordinate of axis a is on no plane of voxels, as far as is known.
@@ -27,7 +27,7 @@ struct BorderView {
   bool follows = false;  ///< ways to the points are expected to be those of neighbours
 };
 
-/// What the coder learns.
+/// Adaptive models of the coder.
 struct BorderModels {
   static constexpr std::size_t kPlaces = 7;  ///< 0, and 1 + 2 * 3 by neighbours
   BorderModels() {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Which changed parts of a map go together [MAP-9].
+// Groups the changed parts of a map that must be shown together [MAP-9].
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Which borders links tell of [MAP-12].
+// The borders that a part's links name [MAP-12].
 #pragma once
 
 #include <algorithm>

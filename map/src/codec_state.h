@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What a MapCodec holds.
+// State of a MapCodec.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace deltamesh {
 
-/// Where coders begin.
+/// Models that coders start from.
 struct CodecModels {
   std::optional<ModelStates> streams{};  ///< empty: fresh models
   BorderModels border{};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Which versions of other parts a version must not be shown beside [MAP-12].
+// Finds the versions of other parts that a version must not be shown beside [MAP-12].
 #pragma once
 
 #include <vector>

@@ -12,7 +12,7 @@
 
 namespace deltamesh {
 
-/// What a cell above parts holds.
+/// The coarser copy of a cell above parts.
 struct Copy {
   std::uint64_t hash = 0;  ///< of what it was made from
   StoredBlock block{};     ///< simplified
@@ -23,8 +23,8 @@ struct Copy {
 /// By key.
 using Copies = std::map<PartKey, Copy>;
 
-/// Of the layout's parts, on levels 1 to options.copy_level. Taken from `known` where nothing that they are
-/// made from has changed. Each level costs a simplification of what is below it.
+/// Makes the coarser copies of the layout's parts, on levels 1 to options.copy_level. A copy is taken from
+/// `known` if its sources have not changed. Cost per level: a simplification of the level below.
 Copies make_copies(const Layout& layout, const MapDescription& description, const SplitOptions& options,
                    const Copies& known);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What all parts of a map share, by what is asked of it.
+// Derives the description of a map from the request.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace deltamesh {
 
 inline constexpr std::uint8_t kLevelsOfParts = 3;  ///< from the smallest to the largest
 
-/// Of x, y, z after each other; all 0 without positions.
+/// Bounding box of `positions`, n x 3; all 0 if there are none.
 Box box_of(std::span<const float> positions) noexcept;
 
 /// Bounds in model units, or those that encode() has for the whole mesh.

@@ -46,16 +46,16 @@ class Encodings {
 
   const MapCodec& codec() const noexcept { return codec_; }
 
-  /// Of the newest source of a part as the view asks for; encodes where it was not asked for before. Errors:
+  /// The encoding of a part's newest source that the view asks for; encodes on the first request. Errors:
   /// those of MapCodec::encode().
   Result<std::shared_ptr<const Encoding>> get(const SourcePart& source, const View& view);
 
-  /// Of the newest source as a patch of a version. Null where that would not be worth it. Errors: those of
+  /// The newest source as a patch of version `base`; null if a patch does not pay. Errors: those of
   /// MapCodec::encode().
   Result<std::shared_ptr<const Encoding>> patch(const SourcePart& source, const View& view,
                                                 const KnownVersion& base);
 
-  /// Whether a version is all that a view asks for of the newest source, which may be newer.
+  /// Whether a version meets the view's bounds for the newest source, which may be newer.
   bool fits(const KnownVersion& version, const SourcePart& source, const View& view);
 
   /// Forgets what is not of the newest source.

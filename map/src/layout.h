@@ -27,7 +27,7 @@ struct Layout {
   std::vector<BorderUse> uses;  ///< parts by their place
 };
 
-/// What parts are made of: blocks by their cells, in the order in which they come.
+/// The blocks of every part, in ascending order of their cells.
 using BlockLists = std::map<PartKey, std::vector<const StoredBlock*>>;
 /// Blocks must outlive the layout. O(n log n).
 Layout lay_out(BlockLists lists, const MapDescription& description);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What all messages of maps have in common: magic, kind, version and checksum [MAP-1].
+// The frame of all messages of maps: magic, kind, version and checksum [MAP-1].
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace deltamesh {
 
-/// What a message is about [MAP-1].
+/// Kinds of messages [MAP-1].
 enum class MessageKind : std::uint8_t {
   kMap = 1,
   kManifest = 2,
@@ -30,8 +30,7 @@ ByteWriter begin_message(MessageKind kind);
 /// The whole message: what `out` holds and the checksum.
 std::vector<std::byte> end_message(ByteWriter out);
 
-/// What kind of message this says it is. Errors: kBadMagic, kUnsupportedVersion, kTruncated, kInvalidStream
-/// [MAP-1].
+/// The kind in a message's frame. Errors: kBadMagic, kUnsupportedVersion, kTruncated, kInvalidStream [MAP-1].
 Result<MessageKind> kind_of_message(std::span<const std::byte> message) noexcept;
 
 /// The body of `message`. Errors: kBadMagic, kUnsupportedVersion, kTruncated, kCorrupt, kInvalidStream

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Which cell of the octree is the part of a cell of level 0.
+// Finds the part of every cell of level 0: a cell of the octree.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace deltamesh {
 
-/// Of cells of level 0 with faces.
+/// Number of triangles of every cell of level 0 that has any.
 using TriangleCounts = std::map<Cell0, std::uint64_t>;
 TriangleCounts triangle_counts(const StoredBlocks& blocks);
 

@@ -17,27 +17,28 @@
 
 namespace deltamesh {
 
-/// What a part is of.
+/// The map and the cell of a part.
 struct PartPlace {
   const MapDescription& description;
   std::uint64_t description_hash;  ///< hash_of(description)
   PartKey key;
-  /// Of the last primer, where that has voxel edges; else null.
+  /// Parameters of the last primer if it has voxel edges, else null.
   const PredictiveParameters* voxels = nullptr;
 };
 
-/// Of the part that is the description's primer of this number.
+/// Octets of a part that is the description's primer number `primer`.
 std::vector<std::byte> write_primer_part(const PartPlace& place, std::size_t primer);
 
 /// The number of the primer that a part's octets are; none if they are no primer's.
 std::optional<std::size_t> primer_of(std::span<const std::byte> octets) noexcept;
 
-/// Of a stream without an origin and an original order, whose attributes are the map's, and the coded
-/// border. Errors: those of Container::open().
+/// Octets of a part from a stream and the coded border. The stream has no origin and no original order, and
+/// its attributes are the map's. Errors: those of Container::open().
 Result<std::vector<std::byte>> write_part(const PartPlace& place, std::span<const std::byte> stream,
                                           std::span<const std::byte> border);
 
-/// Also of what the octets do not say: which part it is of which map [MAP-7]. `bytes`: all before it.
+/// Checksum of `bytes`, all octets before it, and of the map and the key, which the octets do not contain
+/// [MAP-7].
 std::uint32_t part_checksum(const PartPlace& place, std::span<const std::byte> bytes);
 
 struct OpenedPart {

@@ -18,7 +18,8 @@ inline constexpr std::uint8_t kFlagPrimer = kFlagKeepsOrder;  ///< the part is a
 inline constexpr std::uint8_t kFlagGrid = kFlagOrigin;        ///< the voxels are the last primer's
 inline constexpr std::uint8_t kFlagPatched = kFlagBits;       ///< a base and a patch follow [MAP-17]
 
-/// Where a lattice of `step` from `origin` is expected to begin: at the lowest corner of the part's cell.
+/// The expected `first` of a lattice with `step` and `origin`: the point at the lowest corner of the part's
+/// cell.
 inline std::int64_t first_of_cell(const PartPlace& place, std::size_t axis, double origin,
                                   double step) noexcept {
   const std::array<std::int32_t, 3> cell{place.key.x, place.key.y, place.key.z};

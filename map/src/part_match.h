@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Which faces of a decoded version are good enough for a newer source.
+// Finds the faces of a decoded version that are good enough for a newer source.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What a receiver's part is off from its source.
+// Measures the errors of a receiver's part against its source.
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Which faces of a base stay, and which vertices of the inserted mesh are vertices of those [MAP-17]. One
-// template for both directions.
+// Codes which faces of a base stay, and which vertices of the inserted mesh are joined to vertices of these
+// [MAP-17]. One template for both directions.
 #pragma once
 
 #include <algorithm>
@@ -133,8 +133,8 @@ class JoinCoder {
     return true;
   }
 
-  /// Of the first neighbours of the base's vertex `before` along open edges those that no vertex is joined
-  /// to, the nearest first.
+  /// The first neighbours of the base's vertex `before` along open edges that no vertex is joined to, nearest
+  /// first.
   std::vector<std::uint32_t> candidates_near(std::uint32_t vertex, std::uint32_t before) const {
     std::vector<std::uint32_t> candidates;
     if (before == kNotJoined) return candidates;

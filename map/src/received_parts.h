@@ -31,7 +31,7 @@ struct Version {
   std::shared_ptr<const PartContent> content{};  ///< null: the part is gone
 };
 
-/// What a version knows of another part; an empty link where it has none.
+/// The link of a version to another part; an empty link if it has none.
 PartLink link_to(const Version& version, const PartKey& other) noexcept;
 
 /// Whether versions of parts with these keys may be shown side by side [MAP-12].

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What a receiver knows, and how each kind of message changes it.
+// State of a receiver, and how each kind of message changes it.
 #pragma once
 
 #include <map>

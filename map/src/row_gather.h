@@ -19,9 +19,9 @@ class RowGather {
   explicit RowGather(MeshView source);
 
   void add_face(std::size_t face);
-  /// The source's vertices of what was added since the last take(), in its order.
+  /// The source's vertex of every vertex of the mesh that take() will return.
   const std::vector<std::uint32_t>& rows() const noexcept { return rows_; }
-  /// What was added since the last call.
+  /// The mesh of the faces added since the last call.
   Mesh take();
 
  private:

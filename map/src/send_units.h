@@ -10,7 +10,7 @@
 
 namespace deltamesh {
 
-/// What is shown together and so is sent together.
+/// Parts that are shown together and so are sent together.
 struct SendUnit {
   std::vector<PartKey> removed;
   std::vector<PartKey> needed;

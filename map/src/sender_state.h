@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What a sender knows of its map and of its receivers, and the messages it makes for one of them.
+// State of a sender: its map and its receivers; makes the messages for one of them.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace deltamesh {
 
-/// What to send of a part.
+/// The version of a part to send.
 struct ChosenVersion {
   KnownVersion version{};
   bool is_patch = false;  ///< of what the receiver is believed to have

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Which parts a view is about.
+// Tests whether a part is in a view.
 #pragma once
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What a sender knows of a receiver, and what it would have to send to it.
+// A sender's record of a receiver, and the plan of what to send to it.
 #pragma once
 
 #include <algorithm>
@@ -37,7 +37,7 @@ struct Extent {
   std::array<float, 3> high{};
 };
 
-/// What has been said to a receiver about a part.
+/// The last message to a receiver about a part.
 struct SentPart {
   std::uint64_t revision = 0;                              ///< of the last message
   double time = -std::numeric_limits<double>::infinity();  ///< of the last message
@@ -77,7 +77,7 @@ struct Viewer {
 
 using KnownVersions = std::map<PartKey, std::map<std::uint32_t, KnownVersion>>;
 
-/// What a receiver lacks.
+/// The parts to send to a receiver and to remove.
 struct SendPlan {
   std::set<PartKey> wanted;    ///< parts that the receiver is to have
   std::set<PartKey> unwanted;  ///< other parts in its view: coarser or finer copies of these
@@ -87,10 +87,10 @@ struct SendPlan {
   std::uint64_t kept = 0;      ///< parts with a newer source whose old version will do
 };
 
-/// Of all parts in the view: those that are missing, or beyond what is asked for, and with them those that
-/// would not fit to them any more [MAP-12]. `known` gains the newest versions where they are compared.
+/// Plans for all parts in the view: those that are missing or break the view's bounds, and those that would
+/// not fit to these any more [MAP-12]. Adds the newest versions that it compares to `known`. `waiting_since`:
+/// parts that the receiver does not show, and about which no message was sent since then, are sent again.
 /// Errors: those of MapCodec::encode().
-/// `waiting_since`: what the receiver does not show, though nothing was said of it since, is sent again.
 Result<SendPlan> plan_for(const Viewer& viewer, double waiting_since, const SourceMap& map,
                           Encodings& encodings, KnownVersions& known, bool keeps_good_enough);
 

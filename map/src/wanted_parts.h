@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Which parts a receiver is to have next: coarser copies before what they are copies of [MAP-19].
+// Chooses the parts that a receiver is to have next: coarser copies first [MAP-19].
 #pragma once
 
 #include <set>
@@ -15,9 +15,9 @@ struct WantedParts {
   std::set<PartKey> others;  ///< parts in the view besides
 };
 
-/// Of what is in the view, the coarsest where the receiver has nothing; where it has a coarser copy, or
-/// something below it, what comes below that. In the end the parts in the view that hold no others.
-/// O(n log n) for n parts.
+/// For the cells in the view: the coarsest copy if the receiver has nothing there; if it has a copy, or parts
+/// below it, the next finer ones. In the end these are the parts in the view that contain no others. O(n log
+/// n) for n parts.
 WantedParts wanted_parts(const Viewer& viewer, const SourceMap& map, const MapDescription& description);
 
 }  // namespace deltamesh

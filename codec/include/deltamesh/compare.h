@@ -16,7 +16,7 @@
 
 namespace deltamesh {
 
-/// What became of an attribute.
+/// How an attribute of A was matched with one of B.
 enum class AttributeMatch : std::uint8_t {
   kCompared,    ///< both meshes have it
   kMissingInB,  ///< B has none of this name and kind, nor another of the kind
@@ -53,7 +53,7 @@ struct Comparison {
   double normal_angle_mean = 0;  ///< degrees, between area-weighted vertex normals
   double normal_angle_p95 = 0;   ///< degrees, 95th percentile
   double diagonal = 0;           ///< of A's bounding box
-  /// Of A in its order, then those only in B; measured at the corners of matched faces.
+  /// A's attributes in its order, then those only in B. Errors are measured at the corners of matched faces.
   std::vector<AttributeComparison> attributes;
   std::vector<float>
       signed_error;  ///< per vertex of B: displacement from A along A's normal, outward positive

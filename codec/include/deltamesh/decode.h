@@ -14,7 +14,7 @@
 
 namespace deltamesh {
 
-/// What the caller is willing to receive. A stream beyond a limit is refused before anything of its size is
+/// Upper limits that the caller sets. A stream that exceeds one is refused before memory of its size is
 /// allocated.
 struct DecodeLimits {
   std::uint64_t vertices = std::uint64_t{1} << 26;
@@ -31,7 +31,7 @@ struct DecodeOptions {
   /// started, none for streams of a few kilobytes, and fewer where the system has no more. The mesh is the
   /// same for any number; each more than 1 may take 16 bytes of memory a vertex.
   unsigned threads = 1;
-  /// What the stream was encoded with (EncodeOptions::starting_states); must outlive the call.
+  /// The states that the stream was encoded with (EncodeOptions::starting_states); must outlive the call.
   const ModelStates* starting_states = nullptr;
   /// Called now and then with the share of the work done, 0 to 1; may be empty.
   std::function<void(double)> progress{};

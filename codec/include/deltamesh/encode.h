@@ -71,7 +71,7 @@ struct EncodeOptions {
   std::function<void(double)> progress{};
 };
 
-/// What the encoder did and measured.
+/// The encoder's choices and measurements.
 struct EncodeReport {
   std::uint64_t input_vertices = 0;
   std::uint64_t unreferenced_vertices = 0;  ///< dropped, or kept where asked

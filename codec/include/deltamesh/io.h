@@ -21,7 +21,7 @@ enum class FileFormat : std::uint8_t { kPly, kObj, kStl, kOff, kGltf, kGlb };
 /// From the suffix, any letter case. Errors: kUnknownFormat.
 Result<FileFormat> format_of_path(std::string_view path) noexcept;
 
-/// What an importer found and changed on the way in.
+/// What an importer found in the file and what it changed.
 struct ImportNotes {
   std::uint64_t polygons = 0;          ///< faces with more than three corners, triangulated as fans
   std::uint64_t dropped_faces = 0;     ///< faces with fewer than three corners

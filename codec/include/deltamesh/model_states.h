@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What coders learn from one stream, for streams that are coded as if they followed it.
+// The states that the coders' adaptive models have at the end of one stream. Other streams may start from
+// them.
 #pragma once
 
 #include <cstddef>

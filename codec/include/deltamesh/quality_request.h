@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What the decoded mesh must be like: the caller asks for quality, the encoder finds the settings.
+// The quality that the decoded mesh must have. The encoder finds settings that reach it.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace deltamesh {
 
-/// What a bound on positions is counted in.
+/// The unit of a bound on positions.
 enum class QualityUnit : std::uint8_t {
   kModel,     ///< model units; of VDE and LFE the root mean square
   kDiagonal,  ///< the same in percent of the bounding-box diagonal

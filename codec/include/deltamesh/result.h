@@ -13,7 +13,7 @@
 
 namespace deltamesh {
 
-/// What kind of thing went wrong. Numbers are grouped and, once released, never reused.
+/// Error codes. Numbers are grouped; a released number is never reused.
 enum class ErrorCode : std::uint16_t {
   // 1xx: the stream is bad.
   kTruncated = 100,           ///< bytes end before the structure does
@@ -38,7 +38,7 @@ enum class ErrorCode : std::uint16_t {
   kInternal = 901,  ///< a bug of ours; please report
 };
 
-/// What `Error::where` counts.
+/// The kind of place that `Error::where` gives.
 enum class WhereKind : std::uint8_t { kNone, kByte, kLine, kVertex, kTriangle, kAttribute, kElement };
 
 /// An error value. No allocation: `message` and `rule` point to static strings.
@@ -56,7 +56,7 @@ struct Error {
 /// One line for people: "what, where, chunk [rule]".
 std::string describe(const Error& error);
 
-/// What results of all types share: whether there is a value, or else which error.
+/// The part of a result that does not depend on its type: whether it has a value, else its error.
 class ResultState {
  public:
   bool has_value() const noexcept { return has_value_; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What a stream says of itself, without decoding it.
+// Information about a stream that is available without decoding it.
 #pragma once
 
 #include <array>

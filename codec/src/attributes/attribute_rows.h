@@ -45,7 +45,7 @@ class AttributeRows {
   const std::byte* row(std::size_t row) const noexcept {
     return values_.data() + order_[row] * components_ * size_;
   }
-  /// Of f32 attributes.
+  /// One component of an f32 attribute.
   float number(std::size_t row, std::size_t component) const noexcept {
     return std::bit_cast<float>(static_cast<std::uint32_t>(bits(row, component)));
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What is known of a mesh when its attributes are coded: faces, which vertices share a position, and the
-// decoded positions where every decoder has the same bits.
+// The mesh as coders of attributes may use it: faces, which vertices share a position, and the decoded
+// positions if every decoder gets the same bits.
 #pragma once
 
 #include <cstdint>
@@ -40,9 +40,9 @@ class AttributeSurface {
   std::uint32_t geometric_of(std::uint32_t vertex) const noexcept {
     return geometric_.empty() ? vertex : geometric_[vertex];
   }
-  /// Empty where each vertex is its own.
+  /// The geometric vertex of every vertex; empty if every vertex is its own.
   std::span<const std::uint32_t> geometric() const noexcept { return geometric_; }
-  /// Where the copies of a vertex end that follow it.
+  /// The vertex after the last copy of `vertex`; its copies are consecutive.
   std::uint32_t copies_end(std::uint32_t vertex) const noexcept {
     std::uint32_t end = vertex + 1;
     while (end < vertex_count_ && geometric_of(end) == geometric_of(vertex)) ++end;
@@ -55,19 +55,20 @@ class AttributeSurface {
     return widen(positions_.data() + std::size_t{3} * vertex);
   }
 
-  /// Which vertices share an edge; copies of one geometric vertex are apart. Made when first asked for, O(m).
+  /// The mesh's graph; copies of a geometric vertex are separate vertices. Computed on first use, O(m).
   const Adjacency& graph() const {
     if (!graph_)
       graph_ = open_edges_ != nullptr ? build_adjacency(triangles_, *open_edges_, vertex_count_)
                                       : build_adjacency(triangles_, vertex_count_);
     return *graph_;
   }
-  /// What is around the mesh's vertices. Likewise.
+  /// The known faces of the mesh's vertices. Computed on first use, O(n + m).
   const KnownFaces& faces() const {
     if (!faces_) faces_.emplace(FaceList{triangles_, vertex_count_});
     return *faces_;
   }
-  /// What is around the geometric vertices, where geometric() is not empty. Likewise, O(n + m).
+  /// The known faces of the geometric vertices; geometric() must not be empty. Computed on first use,
+  /// O(n + m).
   const KnownFaces& joined_faces() const {
     if (!joined_faces_) {
       std::vector<std::uint32_t> triangles(triangles_.begin(), triangles_.end());
@@ -77,12 +78,12 @@ class AttributeSurface {
     return *joined_faces_;
   }
 
-  /// Likewise, O(n + m).
+  /// The corners at every vertex of the mesh. Computed on first use, O(n + m).
   const VertexCorners& corners() const {
     if (!corners_) corners_.emplace(triangles_, vertex_count_);
     return *corners_;
   }
-  /// The order that attributes predicted from faces are coded in. Made when first asked for, O(n + m).
+  /// The order in which attributes predicted from faces are coded. Computed on first use, O(n + m).
   const SurfaceOrder& surface_order() const {
     if (!order_) order_ = make_surface_order(triangles_, vertex_count_, corners());
     return *order_;

@@ -55,7 +55,7 @@ class AttributeValues {
   void set(std::size_t row, std::size_t component, std::uint64_t bits) noexcept {
     store_component(values_.data() + (row * components_ + component) * size_, size_, bits);
   }
-  /// Of all rows to `bits_of(row)`.
+  /// Sets the component of every row to `bits_of(row)`.
   template <class BitsOf>
   void set_component(std::size_t component, BitsOf bits_of) noexcept {
     if (rows_ == 0) return;  // there is no memory to point into
@@ -73,7 +73,7 @@ class AttributeValues {
   std::vector<std::byte> values_;
 };
 
-/// What writing an attribute's values gives, in the coding of its kind.
+/// An attribute's values as written in the coding of its kind.
 template <class T>
 struct CodedValues {
   std::vector<std::byte> bytes;  ///< what follows the byte of the coding [ATTR-2]

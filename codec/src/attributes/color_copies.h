@@ -128,7 +128,7 @@ class ColorCopies {
   ColorShape shape_;
   float one_over_step_;
   ColorCopyModels models_;
-  // Of the next vertex.
+  // For the next vertex:
   unsigned count_ = 0;
   std::array<Candidate, kMost> candidates_{};
   float share_of_first_ = 0;  ///< of all with its colour

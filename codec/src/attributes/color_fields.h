@@ -49,7 +49,7 @@ inline std::optional<std::int32_t> nearest_color_level(ComponentType type, unsig
 
 inline constexpr std::uint8_t kConstantComponent = 255;
 
-/// Where a component comes from.
+/// How a component of the decoded colour is obtained.
 struct ColorSource {
   std::uint8_t component = 0;  ///< itself: coded; one before it: the same levels; or kConstantComponent
   std::uint16_t level = 0;     ///< of a constant one

@@ -22,11 +22,11 @@
 
 namespace deltamesh {
 
-/// What the surface tells of a vertex.
+/// The coded vertices that predict a colour, and their weights.
 struct ColorPlace {
   /// Coded vertices: the last copy of the vertex before, then neighbours. None for the first of a component.
   std::span<const std::uint32_t> vertices;
-  /// What these count, above 0, 1 together.
+  /// Their weights: above 0, with a sum of 1.
   std::span<const float> shares;
 };
 

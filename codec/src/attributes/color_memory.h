@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What is remembered of the colour of a coded vertex, and what is known of the next [ATTR-48, ATTR-49].
+// The record kept of a coded colour, and the context of the next one [ATTR-48, ATTR-49].
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ struct ColorShape {
   std::int32_t step() const noexcept { return 2 * bound + 1; }
 };
 
-/// What became of a vertex.
+/// Whether a vertex' colour was copied, and from which candidate.
 enum class CopyOutcome : std::uint32_t { kFirst, kOther, kNone, kNothingToCopy };
 
 constexpr bool was_copied(CopyOutcome outcome) noexcept { return outcome <= CopyOutcome::kOther; }

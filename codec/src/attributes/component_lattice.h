@@ -22,7 +22,7 @@ namespace deltamesh {
 inline constexpr std::int64_t kLargestLatticeBase = std::int64_t{1} << 52;  ///< either sign
 inline constexpr std::uint32_t kMostLatticeCells = 1U << 28;
 
-/// What the whole numbers that are coded of a component stand for [ATTR-55].
+/// How a component's coded integers map to values [ATTR-55].
 enum class LatticeKind : std::uint8_t {
   kConstant = 0,  ///< nothing is coded: one value alone
   kPoints = 1,    ///< of (base + q) * times / over
@@ -37,7 +37,7 @@ enum PointsField : std::uint8_t {
   kRatio = 3,     ///< `times` and `over` follow
 };
 
-/// Longer lists do not pay.
+/// The longest list of values. Longer lists do not pay.
 inline constexpr std::uint32_t kMostListed = 4096;
 
 struct ComponentLattice {
@@ -53,16 +53,17 @@ struct ComponentLattice {
 
   bool is_constant() const noexcept { return kind == LatticeKind::kConstant; }
   bool is_floats() const noexcept { return kind == LatticeKind::kFloats; }
-  /// Of kPoints: what `q` stands for; in this order of operations, so that all decoders have the same bits.
+  /// kPoints only: the value of `q`. The order of operations is fixed, so that all decoders get the same
+  /// bits.
   double at(std::int64_t q) const noexcept {
     return static_cast<double>(base + q) * static_cast<double>(times) / static_cast<double>(over);
   }
-  /// Of kPoints: the number of the point that is nearest to `x`.
+  /// kPoints only: the number of the point nearest to `x`. For writers.
   std::int64_t nearest(double x) const noexcept;
-  /// The number that stands for 0, or for what is nearest to it; of a list the first whose bits are clear,
-  /// else 0. Not of floats [ATTR-59].
+  /// The number of the value 0 or of the point nearest to it; in a list, of the first value whose bits are
+  /// all 0, else 0. Not for kFloats [ATTR-59].
   std::int32_t rest() const noexcept;
-  /// The component's bits that `q`, 0 to cells or a finite float's ordinal, stands for.
+  /// The bits of the value of `q`, which is 0 to `cells` or a finite float's ordinal.
   std::uint64_t bits_at(ComponentType type, std::int32_t q) const noexcept;
 };
 
@@ -78,7 +79,7 @@ inline double number_of_bits(ComponentType type, std::uint64_t bits) noexcept {
   return load_component(type, reinterpret_cast<const std::byte*>(&bits));
 }
 
-/// `before`: of the component before, or null for the first.
+/// Writes the fields. `before`: lattice of the preceding component, or null for the first.
 void write_lattice_fields(ByteWriter& out, ComponentType type, const ComponentLattice& lattice,
                           const ComponentLattice* before);
 

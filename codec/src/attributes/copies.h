@@ -48,7 +48,7 @@ class CopyCoder {
   std::array<NumberModel, N> numbers_;
 };
 
-/// Of fields whose rows are all coded.
+/// For fields in which every row is coded.
 inline constexpr auto kNoneAtRest = [](std::uint32_t, std::uint32_t) { return std::uint32_t{0}; };
 
 /// Codes `rows`, one for every vertex; a reader fills them in. `geometric`: of every vertex, never falling,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// The faces that fields of attributes go over: of the mesh's vertices, or of the geometric ones [ATTR-58].
+// The faces over which an attribute's field is coded: those of the mesh's vertices or of the geometric
+// vertices [ATTR-58].
 #pragma once
 
 #include <cstdint>
@@ -21,7 +22,7 @@ class FieldFaces {
         faces_(geometric_.empty() ? surface.faces() : surface.joined_faces()) {}
 
   std::uint32_t vertex_count() const noexcept { return faces_.vertex_count(); }
-  /// Of every vertex of the mesh; empty where each is its own.
+  /// The geometric vertex of every vertex of the mesh; empty if the field is over the mesh's vertices.
   std::span<const std::uint32_t> geometric() const noexcept { return geometric_; }
   const KnownFaces& faces() const noexcept { return faces_; }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What several forecasts of a pair of numbers are worth, learnt from what came: least squares over what the
-// others differ from the first by [ATTR-35]. The same bits on every machine.
+// Blends several forecasts of a pair of numbers. Weights are learnt by least squares on the differences of
+// the other forecasts from the first [ATTR-35]. The same bits on every machine.
 #pragma once
 
 #include <array>
@@ -14,12 +14,12 @@ namespace deltamesh {
 
 inline double dot(TwoDoubles a, TwoDoubles b) noexcept { return a[0] * b[0] + a[1] * b[1]; }
 
-/// What two forecasts differ from the first one by.
+/// The differences of two forecasts from the first one.
 using ForecastDifferences = std::array<TwoDoubles, 2>;
 
 class ForecastBlend {
  public:
-  /// What to add to the first forecast.
+  /// The correction to add to the first forecast.
   TwoDoubles correction(const ForecastDifferences& d) const noexcept {
     const double a = squares_[0] + kRidge;
     const double c = squares_[1] + kRidge;

@@ -36,8 +36,7 @@ void sort_few(std::span<T> items, Size size) noexcept {
       std::swap(items[k], items[k - 1]);
 }
 
-/// What the corners of known faces have: different rows, most frequent first, of equally frequent ones the
-/// first met.
+/// The different rows at the corners of known faces, most frequent first; ties: first met first.
 class RowsAround {
  public:
   static constexpr std::size_t kMost = std::size_t{3} * Surroundings::kMostKnown;

@@ -40,7 +40,7 @@ class RestingRuns {
     return length;
   }
 
-  /// Of a vertex that is in no run.
+  /// Called after a vertex that is in no run was coded.
   void end(std::uint32_t vertex, const Cell& cell) noexcept { moves_[vertex] = cell != rest_ ? 1 : 0; }
 
  private:

@@ -55,7 +55,7 @@ class LinearFit {
     fit();
   }
 
-  /// What was learnt hardly counts any more.
+  /// Reduces the weight of everything learnt so far by kFaded.
   void fade() noexcept {
     age_ = 0;
     count_ *= kFaded;

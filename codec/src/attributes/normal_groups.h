@@ -73,7 +73,7 @@ class NormalGroupCoder {
   static constexpr std::size_t kMostEdges = 128;
   static constexpr std::size_t kLikeness = 8;
 
-  /// What an edge that copy and group share says.
+  /// The relation of a copy to a group by an edge that they share.
   enum Tie : std::uint32_t { kApart = 0, kOpen = 1, kSplit = 2, kJoined = 3 };
 
   struct Candidate {
@@ -83,7 +83,7 @@ class NormalGroupCoder {
     float score = 0;
   };
 
-  /// Of a copy, and of those before it.
+  /// The edges of a copy, and those of the copies before it.
   struct Edges {
     std::span<const NormalEdge> own;
     std::span<const NormalEdge> before;

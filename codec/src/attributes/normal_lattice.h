@@ -45,7 +45,7 @@ inline NormalFrame make_frame(FourFloats pole, FourFloats way) noexcept {
   return frame;
 }
 
-/// Of the plane around a pole.
+/// A point of the plane that directions around a pole are projected to.
 using PlanePoint = std::array<float, 2>;
 
 /// The direction of a point of the plane. Within distance 1 of the origin the projection is stereographic
@@ -82,7 +82,7 @@ inline std::array<double, 2> point_of(const NormalFrame& frame, const Vec3& dire
   return {scale * a, scale * b};
 }
 
-/// Of a lattice point: `row` along the frame's first axis, `place` along the second.
+/// Coordinates of a lattice point: `row` along the frame's first axis, `place` along the second.
 struct LatticePoint {
   std::int32_t row = 0;
   std::int32_t place = 0;

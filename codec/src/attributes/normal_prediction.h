@@ -13,13 +13,13 @@
 
 namespace deltamesh {
 
-/// What is remembered of a coded vertex. All 0 where its normal is.
+/// The record kept of a coded vertex. All 0 if its normal is 0.
 struct CodedNormal {
   FourFloats normal{};  ///< as decoded; then the smoothed distance from the prediction, lattice radii
   FourFloats rule{};    ///< what the rule gave, unit length or 0; then 1
 };
 
-/// What is known before a normal is coded.
+/// The context of a normal before it is coded.
 struct NormalEvidence {
   RuleSum rule{};
   CodedNormal known{};  ///< sum over the coded vertices at the next corners of the faces

@@ -17,7 +17,7 @@
 
 namespace deltamesh {
 
-/// What a face counts with.
+/// The weight of a face in the normal of a vertex.
 enum class NormalRule : std::uint8_t {
   kNone = 0,       ///< normals are not predicted from faces
   kPlain = 1,      ///< 1
@@ -27,7 +27,7 @@ enum class NormalRule : std::uint8_t {
   kEdges = 5,      ///< area over the squared lengths of both edges at the vertex (Max 1999)
 };
 
-/// What the faces at a vertex add up to: three components of the normal, and the weight of all faces.
+/// Weighted sum over the faces at a vertex: three components of the normal, then the sum of the weights.
 using RuleSum = FourFloats;
 
 /// Three coordinates of four vectors.

@@ -119,7 +119,7 @@ class NormalTraversal {
     return true;
   }
 
-  /// What the faces at a vertex say of it; vertices before `first` are coded.
+  /// The evidence of the faces at a vertex; vertices below `first` are coded.
   NormalEvidence evidence_at(std::uint32_t v, std::uint32_t first) const {
     NormalEvidence evidence;
     if (!sums_.empty()) evidence.rule = sums_[v];
@@ -178,7 +178,7 @@ class NormalTraversal {
   LargeVector<RuleSum> sums_;       ///< n, or empty
   LargeVector<CodedNormal> coded_;  ///< and one of 0
   LargeVector<std::uint32_t> leaders_;
-  // Of the geometric vertex in work.
+  // For the current geometric vertex:
   std::vector<NormalEvidence> copies_;
   std::vector<NormalEdge> edges_;
   std::vector<std::uint32_t> group_;

@@ -24,7 +24,7 @@ inline constexpr std::int32_t kLargestPairNumber = 1 << 24;  ///< either sign
 inline constexpr std::uint32_t kPairUnit = 16;               ///< parts of a step
 inline constexpr std::uint32_t kPairKinds = 5;
 
-/// What is known of a pair; sizes in 1/16 steps, at most 2^20.
+/// The context of a pair; sizes in 1/16 steps, at most 2^20.
 struct PairContext {
   std::array<std::uint32_t, 2> near{};    ///< size of the numbers next to it
   std::array<std::uint32_t, 2> spread{};  ///< of the forecasts

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What vertices of a skin hang on: four joints, exact, and their weights, within a bound and with the sum
-// kept [ATTR-60 .. ATTR-65].
+// Joints and weights of skinned vertices: four joints, exact, and their weights, within a bound and with the
+// same sum [ATTR-60 .. ATTR-65].
 #pragma once
 
 #include <cstddef>

@@ -30,7 +30,7 @@ constexpr bool is_four_integers(const Attribute& a) noexcept {
   return a.components == kInfluences && (a.type == ComponentType::kU8 || a.type == ComponentType::kU16);
 }
 
-/// Of four u8 or u16 per vertex.
+/// `values`: four u8 or u16 per vertex.
 inline std::vector<JointRow> joint_rows(std::span<const std::byte> values, ComponentType type) {
   const std::size_t size = component_size(type);
   std::vector<JointRow> rows(values.size() / (kInfluences * size));

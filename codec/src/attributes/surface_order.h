@@ -19,13 +19,13 @@ struct SurfaceOrder {
   LargeVector<std::uint32_t> ends;      ///< n: how many of `complete` belong to vertices[0 .. i]
   LargeVector<Corner> complete;         ///< m: of each face the corner that comes last
 
-  /// Of the faces that vertices[i] is the last corner of.
+  /// The corners at vertices[i] of the faces whose last corner it is.
   std::span<const Corner> completed_by(std::size_t i) const noexcept {
     const std::uint32_t begin = i == 0 ? 0 : ends[i - 1];
     return {complete.data() + begin, complete.data() + ends[i]};
   }
 
-  /// Of these faces the other corners, all of which come before.
+  /// Visits the other two corners of these faces; all of them come before vertices[i].
   template <class Visit>
   void for_corners_before(std::size_t i, Visit visit) const {
     for (const Corner& corner : completed_by(i)) {

@@ -18,7 +18,7 @@
 
 namespace deltamesh {
 
-/// What decoders know of a surface when they come to its tangents. Both may be empty.
+/// The decoded normals and texture coordinates that tangents are predicted from. Both may be empty.
 struct TangentBasis {
   std::vector<float> normals;  ///< n x 3, decoded
   std::vector<float> uvs;      ///< n x 2, decoded

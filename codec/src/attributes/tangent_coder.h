@@ -27,10 +27,10 @@ inline constexpr float kMostTangentStep = 1;
 
 using Tangent = std::array<float, 4>;
 
-/// What the two directions do not share. `Choice` decides for a writer:
-/// bool will_do(std::uint32_t vertex, const Tangent& tangent): whether it is near enough, its sign the same;
-/// bool is_negative(std::uint32_t vertex): the sign;
-/// NumberPair nearest(std::uint32_t vertex, const NormalFrame& frame, PlanePoint center): the steps to code.
+/// Codes tangents in both directions. `Choice` makes a writer's decisions:
+/// bool will_do(std::uint32_t vertex, const Tangent& tangent): whether it is near enough and has the same
+/// sign; bool is_negative(std::uint32_t vertex): the sign; NumberPair nearest(std::uint32_t vertex, const
+/// NormalFrame& frame, PlanePoint center): the steps to code.
 template <class Coder, class Choice>
 class TangentCoder {
  public:
@@ -75,7 +75,8 @@ class TangentCoder {
 
   std::vector<float>& values() noexcept { return values_; }
 
-  /// Of `pair` steps from `center`; the sign is left as it is. False beyond the plane of all directions.
+  /// Computes the tangent that lies `pair` steps from `center`; leaves its sign as it is. False if that is
+  /// outside the plane's range.
   static bool tangent_at(const NormalFrame& frame, PlanePoint center, const NumberPair& pair, float step,
                          Tangent& tangent) noexcept {
     FourFloats direction{};

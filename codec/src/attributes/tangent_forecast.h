@@ -17,7 +17,7 @@
 
 namespace deltamesh {
 
-/// Of the blends and of a pair's context: what a forecast rests on.
+/// The sources of a forecast; selects the blend and the context of a pair.
 enum class TangentSource : std::uint8_t { kNothing = 0, kNeighbors, kRule, kRuleAndOne, kRuleAndMore };
 inline constexpr std::size_t kTangentSources = 5;
 
@@ -45,7 +45,7 @@ class TangentForecaster {
     FourFloats tangent{};
     FourFloats off{};  ///< its place in the plane of its own forecast, then 1; 0 where that is no rule's
   };
-  /// What part of the neighbours' mean place is the vertex' own, learnt.
+  /// Learns the factor from the mean place of the neighbours to the place of a vertex.
   class Share {
    public:
     float value() const noexcept { return products_ / (squares_ + 0.02F); }
@@ -64,7 +64,7 @@ class TangentForecaster {
   TangentRule rule_;
   std::vector<Known> known_;
   std::array<Share, kTangentSources> shares_;
-  // Of the last forecast.
+  // From the last forecast:
   NormalFrame frame_{};
   PlanePoint mean_{};
   TangentSource source_ = TangentSource::kNothing;

@@ -16,7 +16,7 @@
 
 namespace deltamesh {
 
-/// What the faces around a vertex say. Fourth lanes are not used.
+/// A vertex' normal and tangent direction by the faces around it. Fourth lanes are not used.
 struct RuledTangent {
   FourFloats normal{};     ///< 0 where nothing tells it
   FourFloats direction{};  ///< orthogonal to a normal of length 1, of any length
@@ -34,7 +34,7 @@ class TangentRule {
   RuledTangent at(std::uint32_t vertex) const noexcept;
 
  private:
-  /// What the faces at a vertex add up to.
+  /// Sums over the faces at a vertex.
   struct Sum {
     FourFloats direction{};  ///< weighted by angle; then the angles
     float area = 0;

@@ -30,8 +30,8 @@ inline constexpr float kMostUvStep = 0x1p64F;
 /// Forecasts are cut to this many steps, either sign.
 inline constexpr double kMostUvSteps = 0x1p22;
 
-/// What the two directions do not share. `Numbers` chooses for a writer:
-/// bool is_within(std::uint32_t vertex, TwoDoubles value): whether the value will do;
+/// Codes texture coordinates in both directions. `Numbers` makes a writer's decisions:
+/// bool is_within(std::uint32_t vertex, TwoDoubles value): whether the value is within the bound;
 /// NumberPair nearest(std::uint32_t vertex, TwoDoubles forecast): the steps to code.
 template <class Coder, class Numbers>
 class UvCoder {

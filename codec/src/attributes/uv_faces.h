@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What faces and positions say of texture coordinates, whatever these are: where a face's last corner lies
-// over the edge between the other two, and the face across that edge [ATTR-32]. Made for some faces at a
-// time, as divisions and roots then do not wait for each other. The same bits on every machine.
+// The part of the forecasts of texture coordinates that depends on faces and positions only: the place of a
+// face's last corner relative to the edge between the other two, and the face across that edge [ATTR-32].
+// Computed for several faces at a time, so that divisions and square roots overlap. The same bits on every
+// machine.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +30,7 @@ struct UvFace {
   double x;              ///< of the last corner
   double y;
   double weight;
-  // Of the forecast from the face across.
+  // For the forecast from the face across:
   double across_x;
   double ratio;          ///< of both faces' heights
   double across_weight;  ///< 0 where that face is too flat

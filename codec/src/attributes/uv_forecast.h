@@ -37,7 +37,7 @@ class UvForecaster {
   /// The decoded value of the vertex that was forecast last.
   void settle(std::size_t i, TwoDoubles value);
 
-  /// Of vertices that are settled.
+  /// The decoded value of a vertex for which settle() was called.
   TwoDoubles value(std::uint32_t vertex) const noexcept { return values_[vertex]; }
 
  private:
@@ -57,7 +57,7 @@ class UvForecaster {
   double side_ = 1;  ///< of the last face that has an area in the texture: 1 or -1
   LinearFit fit_;
   std::array<ForecastBlend, 3> blends_;
-  // Of the last forecast.
+  // From the last forecast:
   TwoDoubles first_{};
   ForecastDifferences differences_{};
   double size_ = 0;

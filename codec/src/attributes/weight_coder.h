@@ -22,7 +22,7 @@ namespace deltamesh {
 /// Weights of a vertex' joints, 0 or above.
 using WeightRow = std::array<std::int32_t, kInfluences>;
 
-/// What is to be blended: the share of parallelograms, in parts of kBlendUnit.
+/// Possible weights of the parallelograms in a blend, in parts of kBlendUnit.
 inline constexpr std::array<std::int8_t, 4> kWeightBlends = {0, 20, 40, 60};
 
 inline BlendTable weight_blends(std::size_t choice) noexcept {
@@ -90,7 +90,7 @@ class WeightCoder {
   enum Kind : unsigned { kZero = 0, kRest = 1, kBetween = 2 };
   static constexpr SymbolModel kFreshKind{{10, 6, 10, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
 
-  /// What the corners of known faces give a vertex' first three joints.
+  /// The weights that the corners of known faces have for a vertex' first three joints.
   struct Near {
     Surroundings around;
     std::array<Cell, std::size_t{3} * Surroundings::kMostKnown> cells{};  ///< of a, b and opposite in turn

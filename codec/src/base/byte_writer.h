@@ -31,7 +31,7 @@ class ByteWriter {
     for (std::size_t i = 0; i < sizeof(T); ++i) bytes_.push_back(static_cast<std::byte>(bits >> (8 * i)));
   }
 
-  /// Of a short float: its three upper bytes [CON-6].
+  /// Writes a short float: the three upper bytes [CON-6].
   void write_short_float(float value) {
     const auto bits = std::bit_cast<std::uint32_t>(value);
     for (unsigned i = 1; i < 4; ++i) bytes_.push_back(static_cast<std::byte>(bits >> (8 * i)));

@@ -46,7 +46,7 @@ inline double load_component(ComponentType type, const std::byte* from) noexcept
   });
 }
 
-/// What stands for 1 in normalised values: the largest of an integer type, 1 of floats.
+/// The value that stands for 1 in normalised attributes: the largest value of an integer type, 1 for floats.
 inline double normalized_one(ComponentType type) noexcept {
   return with_component(type, [](auto value) {
     using T = decltype(value);

@@ -55,7 +55,7 @@ inline EightShorts in_turns(std::int32_t of_a, std::int32_t of_b) noexcept {
   return pick_lanes<0, 8, 1, 9, 2, 10, 3, 11>(all_lanes(of_a), all_lanes(of_b));
 }
 
-/// What the first four lanes of `a` and of `b`, times the weights of both in turns, add up to.
+/// Sums of the products of the first four lanes of `a` and `b` with weights that alternate between the two.
 inline FourInts weighted_sums(EightShorts a, EightShorts b, EightShorts weights) noexcept {
   const EightShorts pairs = pick_lanes<0, 8, 1, 9, 2, 10, 3, 11>(a, b);
   return reinterpret_cast<FourInts>(

@@ -21,7 +21,7 @@ inline FourFloats square_roots(FourFloats x) noexcept {
   return reinterpret_cast<FourFloats>(simde_mm_sqrt_ps(reinterpret_cast<simde__m128>(x)));
 }
 
-/// Of the first three lanes.
+/// Dot product of the first three lanes.
 inline float dot3(FourFloats a, FourFloats b) noexcept {
   const FourFloats products = a * b;
   return products[0] + products[1] + products[2];

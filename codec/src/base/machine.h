@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What the code relies on of every machine.
+// Properties of the target machine, and checks of those that the code relies on.
 #pragma once
 
 #include <bit>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What differs in small builds (DELTAMESH_SMALL: the modules in WebAssembly, which are compiled while they
-// load).
+// Differences of small builds (DELTAMESH_SMALL: the WebAssembly modules, which are compiled while they load).
 #pragma once
 
 #ifdef DELTAMESH_SMALL

@@ -99,7 +99,7 @@ inline std::uint32_t piece_count(const ThreadTeam* team, std::size_t rows) noexc
       std::min<std::size_t>(kPiecesPerThread * team->size(), rows / kFewestRows));
 }
 
-/// Where a piece of so many begins; the last one's end is that of the next.
+/// First row of a piece when `rows` rows are divided into `pieces`; a piece ends where the next one begins.
 inline std::uint32_t piece_begin(std::size_t rows, std::uint32_t pieces, std::uint32_t piece) noexcept {
   return static_cast<std::uint32_t>(std::uint64_t{rows} * piece / pieces);
 }

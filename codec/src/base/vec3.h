@@ -55,7 +55,7 @@ struct Box {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     return {{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
   }
-  /// Of `points`; one point at 0 where there are none.
+  /// The bounding box of `points`; the point 0 if there are none.
   static Box around(std::span<const Vec3> points) noexcept {
     Box box = points.empty() ? Box{} : empty();
     for (const Vec3& point : points) box.add(point);

@@ -62,8 +62,9 @@ class Border {
     return face_room_ - face_end_ >= std::size_t{3} * ops;
   }
 
-  /// So many ops C and then R, for which there is room, at a gate that is not at the focus' own item and in a
-  /// loop of three items or more: the gap is filled. False where the rules do not allow it [CONN-7].
+  /// Applies `new_vertices` ops C and then R, which fill the gap. Preconditions: there is room for them, the
+  /// gate is not at the focus' own item, and its loop has three items or more. False if the rules do not
+  /// allow it [CONN-7].
   bool add_fan(const Gate& gate, std::uint32_t new_vertices);
 
   /// Carries any op out at gate `i`, with the target of S. False where the rules do not allow it [CONN-7], or

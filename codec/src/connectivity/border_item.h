@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What the border is made of, and the ops that change it [CONN-3, CONN-6].
+// Items of the border and the ops that change it [CONN-3, CONN-6].
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace deltamesh {
 
-/// What is found across a gate [CONN-6].
+/// Ops, by what is across the gate [CONN-6].
 enum class BorderOp : std::uint32_t {
   kNewVertex = 0,  ///< C: a face whose apex is a new manifold vertex
   kLeft = 1,       ///< L: a face that also takes the edge before the gate

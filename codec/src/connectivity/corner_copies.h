@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What every form of SEAM says: how many copies a geometric vertex has, and which one a corner uses.
+// The content of SEAM in every form: how many copies a geometric vertex has, and which one a corner uses.
 #pragma once
 
 #include <cstdint>

@@ -20,7 +20,7 @@ constexpr std::uint32_t previous_in_face(std::uint32_t h) noexcept { return h - 
 struct HalfEdges {
   /// The half-edge matched to each of the 3m, in the other direction between the same vertices, or kNoIndex.
   std::vector<std::uint32_t> opposite;
-  /// Of the half-edges between two vertices all but one and its match, vertex after vertex.
+  /// All half-edges between two vertices except one and its match, vertex by vertex.
   std::vector<std::uint32_t> repeated;
   bool degenerate = false;  ///< some face has a vertex twice
 };

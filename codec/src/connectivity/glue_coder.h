@@ -38,7 +38,7 @@ class EdgeApexes {
     listed_.reserve(edges);
   }
 
-  /// What the face across a gate may be the twin of.
+  /// Apexes that the face across a gate may have if it duplicates an earlier face.
   struct Guesses {
     std::uint32_t same = kNoIndex;      ///< apex of the first face with the edge in the same direction
     std::uint32_t mirrored = kNoIndex;  ///< of the first of two or more with the opposite direction

@@ -16,7 +16,7 @@
 
 namespace deltamesh {
 
-/// What a stream says of the glued vertices, one of each per glued vertex.
+/// Glued vertices as in the stream; both lists have one entry per glued vertex.
 struct GlueList {
   std::vector<std::uint32_t> gaps;     ///< new vertices since the glued one before
   std::vector<std::uint32_t> targets;  ///< zigzag of the difference to the target before
@@ -27,10 +27,10 @@ struct GlueList {
 Result<LargeVector<std::uint32_t>> glue_vertices(const GlueList& list, std::uint32_t manifold_count,
                                                  std::uint32_t vertex_count);
 
-/// Manifold vertices become vertices. `vertex`: as from glue_vertices().
+/// Replaces manifold vertices by vertices. `vertex`: as from glue_vertices().
 void renumber(std::span<std::uint32_t> manifold, std::span<const std::uint32_t> vertex);
 
-/// What the bytes of CONN say: faces over manifold vertices, and which of these are one vertex of the mesh.
+/// CONN as decoded: faces over manifold vertices, and the vertex of the mesh for each of these.
 struct ManifoldFaces {
   std::vector<std::uint32_t> triangles;  ///< m x 3
   LargeVector<DirectedEdge> open_edges;  ///< as Border's
@@ -38,18 +38,19 @@ struct ManifoldFaces {
   LargeVector<std::uint32_t> vertex;  ///< as from glue_vertices()
 };
 
-/// All of `border`. `starts`: first manifold vertex of every component; `vertex`: as from glue_vertices().
+/// Moves faces and open edges out of `border`. `starts`: first manifold vertex of every component; `vertex`:
+/// as from glue_vertices().
 ManifoldFaces take_faces(Border& border, std::vector<std::uint32_t> starts,
                          LargeVector<std::uint32_t> vertex);
 
-/// The same over the mesh's vertices.
+/// The faces over the mesh's vertices instead of manifold vertices.
 Connectivity glued(ManifoldFaces faces);
 
 /// Checks a list's length before anything of its size is allocated. Errors: kInvalidStream [CONN-11].
 Result<void> check_glue_count(std::uint64_t count, std::uint32_t manifold_count, std::uint32_t vertex_count);
 
-/// What write_compact_gluing() wrote, as glue_vertices(); made up where the reader failed. Errors:
-/// kInvalidStream [CONN-11].
+/// Reads what write_compact_gluing() wrote. Returns the same as glue_vertices(), or arbitrary numbers if the
+/// reader failed. Errors: kInvalidStream [CONN-11, CONN-14].
 Result<LargeVector<std::uint32_t>> read_compact_gluing(CompactReader& reader,
                                                        std::span<const std::uint32_t> faces,
                                                        std::uint32_t manifold_count,

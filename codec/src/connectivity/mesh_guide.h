@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What guides a writer's traversal over the faces: the mesh.
+// Guides a writer's traversal by the mesh.
 #pragma once
 
 #include <array>
@@ -157,7 +157,7 @@ class MeshGuide {
     if (reference == kFarReference) far_targets_.push_back(target);
   }
 
-  /// Of the manifold edges between two vertices one stands for all.
+  /// Keeps one of the manifold edges between two vertices.
   void drop_repeated_edges() {
     if (half_edges_.repeated.empty()) return;
     std::vector<std::uint8_t> repeated(face_count());

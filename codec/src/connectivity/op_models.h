@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What the coder of border ops learns [CONN-12].
+// Adaptive models of the coder of border ops [CONN-12].
 #pragma once
 
 #include <algorithm>

@@ -11,7 +11,7 @@
 
 namespace deltamesh {
 
-/// What is wrong with a stream, and the rule that it breaks.
+/// A fault in a stream and the rule that it breaks.
 struct Refusal {
   const char* message;
   const char* rule;
@@ -19,7 +19,7 @@ struct Refusal {
   Error error() const noexcept { return broken_rule(message, rule, kTagConnectivity); }
 };
 
-/// Where the guide had a step, and the border did not take it.
+/// The fault if the border rejected the guide's step.
 inline Refusal refusal_of(const Border& border) noexcept {
   if (border.is_full()) return {"more faces than declared", "CONN-2"};
   return {"op does not fit the border", "CONN-7"};

@@ -61,7 +61,7 @@ class SplitVertex {
  private:
   static constexpr std::size_t kMostOpen = 6;
 
-  /// Of an edge; count_ where it is not open.
+  /// Index of the open edge to `other`; count_ if there is none.
   std::size_t place_of(std::uint32_t other) const noexcept {
     std::size_t place = 0;
     while (place < count_ && edges_[place].other != other) ++place;
@@ -120,7 +120,7 @@ class SeamCoder {
     std::uint32_t* copy;  ///< of its three corners
   };
 
-  /// What is known across an edge at a corner: kinds of other end [SEAM-7].
+  /// State of the other end of an edge at a corner [SEAM-7].
   enum Across : std::uint32_t { kNoFace, kUnsplitEnd, kLaterEnd, kSameEnd, kSplitEnd, kAcrossKinds };
   enum Choice : std::uint32_t { kAhead, kBehind, kNew, kNamed };
 

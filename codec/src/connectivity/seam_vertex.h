@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Which copy of a geometric vertex the next corner uses: the state and the choices that seam writer and
-// reader share [SEAM-4].
+// Choice of the copy of a geometric vertex that the next corner uses; state shared by the writer and the
+// reader of seams [SEAM-4].
 #pragma once
 
 #include <cstdint>

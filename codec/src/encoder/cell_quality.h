@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What positions on a lattice are worth, and whether a voxel grid is one of marching cubes.
+// Quality of positions on a lattice, and a test whether a voxel grid comes from marching cubes.
 #pragma once
 
 #include <cstdint>

@@ -51,7 +51,7 @@ class ChunkList {
   }
 
   const std::vector<CodedChunk>& chunks() const noexcept { return chunks_; }
-  /// What they take in the stream.
+  /// Size of the chunks in the stream, bytes, with their headers.
   std::uint64_t bytes() const noexcept { return bytes_; }
 
  private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What a geometry coder gives the encoder, and the stream around it.
+// Result of a geometry coder, and the rest of the stream.
 #pragma once
 
 #include <cstdint>

@@ -19,8 +19,8 @@ struct CoderForecast {
   double highpass = 0;    ///< of delta coordinates
   double predictive = 0;  ///< of distances from where parallelograms and neighbours point
 
-  /// Where distances are hardly larger than deltas, as on flat and swept surfaces. The line was drawn through
-  /// what effort 0 takes with either coder on the corpus.
+  /// True if distances are hardly larger than deltas, as on flat and swept surfaces. The threshold was fitted
+  /// to the sizes of both coders' streams at effort 0 on the corpus.
   bool predictive_wins() const noexcept;
 };
 

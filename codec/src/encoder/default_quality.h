@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What is kept of positions where the caller asks for nothing.
+// The quality of positions if the caller asks for none.
 #pragma once
 
 #include <algorithm>
@@ -41,7 +41,7 @@ inline QualityRequest default_quality(std::span<const std::uint32_t> triangles,
   }
   double bound = kShareOfDiagonal * box.diagonal();
   if (count > 0 && sum > 0) bound = std::min(bound, kShareOfEdge * sum / static_cast<double>(count));
-  // Of a point nothing can be lost, but a bound has to be above 0.
+  // A single point loses nothing, but a bound has to be above 0.
   return {.max_error = QualityBound{bound > 0 ? bound : 1.0}};
 }
 

@@ -40,7 +40,7 @@ class HighpassTrials final : public TrialCoder {
 
   double step_for_bits(int bits) const noexcept { return coder_.step_for_bits(bits); }
 
-  /// What run() made of the attempt.
+  /// The geometry that run() coded for the attempt.
   static const CodedGeometry& geometry(const Attempt& attempt) noexcept;
 
   /// The same mesh with planned cycles that keep `bounds` in hardly more bytes than `attempt` takes, and at

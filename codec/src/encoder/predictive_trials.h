@@ -57,7 +57,7 @@ class PredictiveTrials {
 
   const SourceGeometry& source() const noexcept { return source_; }
   int effort() const noexcept { return options_.effort; }
-  /// Of the whole stream.
+  /// Size of the whole stream, bytes.
   std::uint64_t bytes_with(const CodedGeometry& geometry) const { return rest_.bytes_with(geometry); }
 
  private:

@@ -22,7 +22,8 @@ inline constexpr std::uint32_t kProbabilityOne = 1U << kProbabilityBits;
 /// Between symbols the state is in [2^31, 2^63), as long as words are left [CMP-2].
 inline constexpr std::uint64_t kRansFloor = std::uint64_t{1} << 31;
 
-/// Where writers begin, and readers end, if they can: what is above is information [CMP-3].
+/// The state in which writers start and readers end, if possible. A higher state would carry information
+/// [CMP-3].
 inline constexpr std::uint64_t kLeastState = std::uint64_t{1} << 15;
 
 /// More raw bits go in pieces [CMP-2].
@@ -40,7 +41,7 @@ struct LowBits {
   std::uint32_t value = 0;
 };
 
-/// Of the highest of the bits that follow a symbol: divides the symbol's interval [CMP-12].
+/// Model of the highest of the bits that follow a symbol; it divides the symbol's interval [CMP-12].
 class InnerBit {
  public:
   /// The part of the whole, of size 2 or more, that a set bit has; that is where the whole starts.

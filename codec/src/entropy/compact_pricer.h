@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What the compact coder would spend, for encoders that weigh bytes against quality.
+// Computes what the compact coder would spend, in bits, for encoders that trade bytes for quality.
 #pragma once
 
 #include <array>

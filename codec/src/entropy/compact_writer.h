@@ -76,7 +76,7 @@ class CompactWriter {
  private:
   /// Marks bits among intervals, whose sizes are smaller.
   static constexpr std::uint32_t kBitsMark = 0x8000;
-  /// Of these, marks those that are read with the interval that follows.
+  /// Marks those bits that are read together with the interval that follows.
   static constexpr std::uint32_t kJoinedMark = 0x4000;
 
   void put(Interval interval) { decisions_.push_back(interval.start << 16 | interval.size); }

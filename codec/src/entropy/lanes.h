@@ -18,7 +18,7 @@ inline constexpr unsigned kSymbols = 16;
 
 struct alignas(16) Lanes : std::array<std::int16_t, kSymbols> {};
 
-/// Where lanes are pulled to: those up to s to 0, the others to `goal`.
+/// Targets of the adaptation to symbol s: 0 for lanes 0 to s, `goal` for the others.
 using Pulls = std::array<Lanes, kSymbols>;
 constexpr Pulls make_pulls(std::int16_t goal) noexcept {
   Pulls pulls{};

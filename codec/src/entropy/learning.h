@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Where the models of a coder begin, and what becomes of them [CMP-16].
+// Initial and final models of a coder [CMP-16].
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace deltamesh {
 
-/// Of the symbols that a starting state was learnt from at most so many count, so that it moves by 1/32 of
-/// the way at first.
+/// Upper limit of the symbol count of a model that starts from another stream's state, so that it first
+/// adapts at a rate of 1/32.
 inline constexpr std::uint8_t kMostCountedBefore = 26;  // [CMP-16]
 
 /// `Models`: all that a coder learns. Does not own them.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What a chunk's reader is handed: bytes, and whether the compact coder wrote them.
+// A chunk's bytes as its reader gets them, and whether they are in the compact form.
 #pragma once
 
 #include <cstddef>

@@ -18,7 +18,7 @@
 
 namespace deltamesh {
 
-/// Of the symbols: 0 to 14 stand for -7 to 7, the last for all others.
+/// Initial model of the symbols: 0 to 14 stand for -7 to 7, 15 for all other numbers.
 inline constexpr SymbolModel kFreshSplit({1, 2, 3, 4, 8, 14, 24, 40, 24, 14, 8, 4, 3, 2, 1, 3});
 
 inline constexpr unsigned kMostLowBits = kMostBitsAtOnce + 1;  ///< that come with the symbol

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What reading needs of zstd. A small decoder leaves it to another module (web/wasm).
+// Expands zstd frames. A small decoder leaves this to another module (web/wasm).
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 
 namespace deltamesh {
 
-/// Expands `frame` into all of `expanded`. False where it is not one frame of zstd's [RFC 8878] of just that
-/// content size.
+/// Expands `frame` into `expanded`. False unless it is exactly one zstd frame [RFC 8878] whose content fills
+/// `expanded`.
 bool expand_frame(std::span<const std::byte> frame, std::span<std::byte> expanded) noexcept;
 
 }  // namespace deltamesh

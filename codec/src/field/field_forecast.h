@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What is expected of a vertex' numbers, axis by axis: a sign, a scale and contexts. Integers only; shared by
-// writer and reader [FLD-14, FLD-15]. Without branches on the data, which would often go wrong.
+// Forecasts of a vertex' numbers, axis by axis: sign, scale and contexts. Integers only; shared by writer and
+// reader [FLD-14, FLD-15]. No branches on the data, as they would often be mispredicted.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace deltamesh {
 inline constexpr std::size_t kFieldModels = 2;
 inline constexpr std::array<std::uint32_t, kFieldModels> kFieldContexts = {24 * 8, 12 * 12 * 3 * 8 * 2};
 
-/// Of one number.
+/// Forecast of one number.
 struct FieldForecast {
   std::int32_t base = 0;  ///< what is subtracted
   std::int32_t sign = 0;  ///< -1 where signs are swapped, else 0
@@ -29,7 +29,8 @@ struct FieldForecast {
   std::array<std::uint32_t, kFieldModels> contexts{};
 };
 
-/// Of the three numbers of a vertex in turn: of<0>(), settle<0>(), of<1>() and so on.
+/// Forecasts of the three numbers of a vertex. Call of<0>(), settle<0>(), of<1>(), settle<1>(), of<2>(),
+/// settle<2>().
 class FieldForecasts {
  public:
   [[gnu::always_inline]] explicit FieldForecasts(const FieldContext& around) noexcept : around_(around) {
@@ -74,7 +75,7 @@ class FieldForecasts {
   static std::int32_t sum_of(FourInts lanes) noexcept { return lanes[0] + lanes[1] + lanes[2]; }
   static std::int32_t sign_of(std::int32_t x) noexcept { return (x > 0 ? 1 : 0) - (x < 0 ? 1 : 0); }
 
-  /// Sixteenths of a step.
+  /// Expected number relative to the base, sixteenths of a step.
   template <unsigned kAxis>
   [[gnu::always_inline]] std::int32_t expected() const noexcept {
     const std::int32_t half = halves_[kAxis];

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What is remembered of coded vertices, and what it says of the next one. Integers only; shared by writer and
-// reader [FLD-13].
+// Records of coded vertices, and the context of the next one [FLD-13]. Integers only; shared by writer and
+// reader.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace deltamesh {
 
 inline constexpr std::int32_t kLargestRemembered = 4095;  ///< of a number: eighths fit into 16 bits
 
-/// What is known of a vertex before it is coded, by axis; means in sixteenths of a step.
+/// The context of a vertex, by axis; means in sixteenths of a step.
 struct FieldContext {
   FourInts numbers;            ///< R, over the known neighbours
   FourInts sizes;              ///< G, over the known neighbours and those before them
@@ -36,8 +36,8 @@ class FieldHistory {
     memories_[0] = Memory{};
   }
 
-  /// All vertices below `vertex` being remembered. Without branches on the degrees of neighbours, which would
-  /// often go wrong.
+  /// The context of `vertex`. Precondition: remember() was called for all vertices below it. No branches on
+  /// the degrees of neighbours, as they would often be mispredicted.
   [[gnu::always_inline]] FieldContext around(std::uint32_t vertex) const noexcept {
     const std::uint32_t* const offsets = graph_.offsets.data();
     const std::uint32_t row = offsets[vertex];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What a stream says of an attribute: its shape, its name and its achieved error [ATTR-1].
+// Descriptor of an attribute in a stream: type, name and achieved error [ATTR-1].
 #pragma once
 
 #include <cstddef>
@@ -29,10 +29,10 @@ struct AttributeDescriptor {
   bool operator==(const AttributeDescriptor&) const = default;
 };
 
-/// One byte for an attribute that is one of the usual ones, and three more for an error other than 0.
+/// Writes one byte for a usual attribute (usual_attributes.h), and three more if the error is not 0.
 void write_descriptor(ByteWriter& out, const AttributeDescriptor& attribute);
 
-/// Errors: kTruncated, kInvalidStream [ATTR-1].
+/// Reads a descriptor. Errors: kTruncated, kInvalidStream [ATTR-1].
 Result<AttributeDescriptor> read_descriptor(ByteReader& in);
 
 }  // namespace deltamesh

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What stands before the bytes of a chunk [DIR-*]: its kind, how it is coded, and its lengths.
+// Chunk headers [DIR-*]: kind, codec and lengths.
 #pragma once
 
 #include <cstddef>
@@ -34,7 +34,7 @@ struct ChunkEntry {
 /// Writes kind and lengths. An attribute's descriptor and the coded bytes follow.
 void write_chunk_header(ByteWriter& out, const ChunkEntry& entry);
 
-/// Errors: kTruncated, kInvalidStream, kUnsupportedFeature [DIR-2, DIR-4, DIR-5].
+/// Reads kind and lengths. Errors: kTruncated, kInvalidStream, kUnsupportedFeature [DIR-2, DIR-4, DIR-5].
 Result<ChunkEntry> read_chunk_header(ByteReader& in);
 
 }  // namespace deltamesh

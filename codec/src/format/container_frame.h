@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What readers and writers of containers share: the checksum, and how long a stream has to be.
+// Shared by the reader and the writer of containers: the checksum and the least length of a stream.
 #pragma once
 
 #include <xxhash.h>

@@ -27,7 +27,7 @@ struct CodedChunk {
 /// chunk.
 std::vector<std::byte> write_container(const FileHeader& header, std::span<const CodedChunk> chunks);
 
-/// What a chunk takes in a stream, with what stands before its bytes.
+/// Size of a chunk in a stream, bytes, with its header.
 std::uint64_t stored_bytes(const CodedChunk& chunk);
 
 /// The size of a stream whose chunks take `chunk_bytes`, as write_container() makes it.

@@ -38,7 +38,7 @@ inline bool has_one_step(const PositionLattice& lattice) noexcept {
   return lattice.step[0] == lattice.step[1] && lattice.step[1] == lattice.step[2];
 }
 
-/// What the fields of `h` take.
+/// The flags that the fields of `h` require.
 inline std::uint8_t flags_of(const FileHeader& h) noexcept {
   const Geometry geometry = geometry_of(h);
   const PositionLattice& lattice = h.predictive.lattice;

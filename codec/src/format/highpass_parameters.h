@@ -19,7 +19,7 @@ struct ReconstructionShift {
 /// kMostCyclesTried (geometry/cycle_plan.h).
 inline constexpr std::uint8_t kMostCycles = 80;
 
-/// What the header says of a highpass stream [HDR-11].
+/// The header's fields for a highpass stream [HDR-11].
 struct HighpassParameters {
   std::uint8_t bits = 0;  ///< asked bits, 3 to 16; 0 where a step was asked. For information
   double step = 0;        ///< quantisation step of delta coordinates, model units, finite, above 0

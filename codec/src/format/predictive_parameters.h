@@ -13,7 +13,7 @@ namespace deltamesh {
 
 inline constexpr std::uint32_t kMostCells = 1U << 28;  ///< largest lattice coordinate [HDR-14]
 
-/// Of a lattice's first point, so that whole steps from the origin stay exact doubles [HDR-14].
+/// Largest `first` of a lattice, either sign. Whole steps from the origin stay exact doubles [HDR-14].
 inline constexpr std::int64_t kMostFirst = std::int64_t{1} << 48;
 
 /// The points origin + step * (first + q), q whole and 0 to `cells` on each axis [POSN-2]. Lattices of the
@@ -29,12 +29,12 @@ struct PositionLattice {
   }
 };
 
-/// What POSN holds [POSN-1].
+/// The kind of positions in POSN [POSN-1].
 enum class PositionKind : std::uint8_t { kLattice, kVoxel, kFloats };
 
 inline constexpr std::uint32_t kMostLevels = 1U << 19;  ///< along the edge of a voxel [HDR-14]
 
-/// What the header says of a predictive stream [HDR-14].
+/// The header's fields for a predictive stream [HDR-14].
 struct PredictiveParameters {
   std::uint8_t bits = 0;  ///< asked bits, 1 to 28; 0 where something else was asked. For information
   PositionKind kind = PositionKind::kLattice;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What planned cycles may cost in quality beside those that settle, and what makes up for it [DELT-7].
+// The loss of quality by planned cycles in place of settling, and its compensation [DELT-7].
 #pragma once
 
 #include <cstdint>

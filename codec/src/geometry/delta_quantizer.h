@@ -41,12 +41,12 @@ struct DeltaQuantizer {
   double value(std::int32_t q) const noexcept { return step * reconstruction_point(q, shift); }
 };
 
-/// What symbols lose of the deltas, by the classes that reconstruction shifts know: 0, 1, larger.
+/// Errors of quantised deltas, by the classes of the reconstruction shifts: symbols of size 0, 1, and larger.
 class BinErrors {
  public:
-  /// Of the nearest symbols. O(n).
+  /// Errors of the nearest symbols. O(n).
   BinErrors(double step, std::span<const Vec3> deltas) noexcept;
-  /// Of `symbols`: x of all vertices, then y, then z. O(n).
+  /// Errors of `symbols`: x of all vertices, then y, then z. O(n).
   BinErrors(double step, std::span<const Vec3> deltas, std::span<const std::int32_t> symbols) noexcept;
 
   /// Brings the reconstruction points to the centroids of their bins.
@@ -56,7 +56,7 @@ class BinErrors {
   double largest_symbol() const noexcept { return largest_; }
 
  private:
-  /// Symbol less delta, both turned to where the symbol is positive, in steps.
+  /// Sums over symbol minus delta, both multiplied by the symbol's sign, in steps.
   struct Bin {
     double sum = 0;
     double squares = 0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What a highpass stream says as integers, between bytes and positions; shared by writer and reader so that
-// both reconstruct bit-equal positions.
+// The integers of a highpass stream, between bytes and positions. Shared by writer and reader, so that both
+// reconstruct the same bits.
 #pragma once
 
 #include <array>
@@ -43,15 +43,16 @@ class AnchorLattice {
   double side_;
 };
 
-/// Of the box: what the solver's coordinates are relative to, as doubles are densest near the origin.
+/// Centre of the box. The solver's coordinates are relative to it, as doubles are densest near 0.
 Vec3 middle(const Box& box) noexcept;
 
 /// Rows of the anchors of the solved part, ascending.
 std::vector<std::uint32_t> anchor_rows(std::span<const std::uint32_t> anchors, const SolvedPart& part);
 
-/// Solves for the vertices of `part` by `solver`, which belongs to it, takes the others from the lattice.
-/// `symbols` are checked against [DELT-*] and [ANCH-*] already, apart from floats. Returns one position per
-/// vertex of the whole graph. Errors: kInvalidStream [DELT-3] where a position is not finite as float32.
+/// Solves for the vertices of `part` with `solver`, whose graph is the part's, and takes the others from the
+/// anchor lattice. `symbols` are checked against [DELT-*] and [ANCH-*] already, apart from floats. Returns
+/// one position per vertex of the whole graph. Errors: kInvalidStream [DELT-3] where a position is not finite
+/// as float32.
 Result<LargeVector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, const SolvedPart& part,
                                                LeastSquaresSolver& solver, const Box& box,
                                                const HighpassParameters& parameters);
@@ -64,12 +65,12 @@ Result<LargeVector<Vec3>> settle_from(std::span<const Vec3> positions, std::span
                                       LeastSquaresSolver& solver, const Box& box,
                                       const HighpassParameters& parameters);
 
-/// The deltas' symbols, once; may use the graph of the solved part.
+/// Returns the deltas' symbols; called once, with the graph of the solved part.
 using ReadSymbols = std::function<Result<SymbolRows>(const Adjacency&)>;
 
-/// The same positions, to the last bit, with as little memory as can be, or as soon as can be: of `team`,
-/// which may be null, one thread reads the symbols of the deltas while the others set up the solver. Errors:
-/// those of `read_deltas` too.
+/// The same positions to the last bit, for decoders. Without a `team` (null) it takes the least memory; with
+/// one, a thread reads the symbols of the deltas while the others set up the solver. Errors: those of
+/// reconstruct_highpass() and of `read_deltas`.
 Result<LargeVector<Vec3>> reconstruct_highpass_once(const ReadSymbols& read_deltas,
                                                     const HighpassSymbols& anchors, SolvedPart part,
                                                     const Box& box, const HighpassParameters& parameters,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What may name an attribute.
+// Rules for names of attributes.
 #pragma once
 
 #include <string_view>

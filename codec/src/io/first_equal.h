@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What is equal in a list. By sorting, not by hashing: no input can make it slow, and nothing depends on a
-// hash.
+// Finds equal elements of a list. Sorts instead of hashing, so that no input can make it slow.
 #pragma once
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What of a glTF document's JSON is handed to its parser: the properties that matter here, of harmless
-// shapes.
+// Selects the part of a glTF document's JSON that its parser gets: properties that the importer uses, with
+// the types that they must have.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

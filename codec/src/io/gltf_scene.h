@@ -19,7 +19,7 @@ struct GltfTransform {
 
   bool is_identity() const noexcept { return m == GltfTransform{}.m; }
   Vec3 column(std::size_t c) const noexcept { return {m[4 * c], m[4 * c + 1], m[4 * c + 2]}; }
-  /// Of the linear part; negative: a mirror image.
+  /// Determinant of the linear part; negative if it mirrors.
   double determinant() const noexcept { return dot(column(0), cross(column(1), column(2))); }
   Vec3 point(const Vec3& p) const noexcept { return direction(p) + column(3); }
   Vec3 direction(const Vec3& d) const noexcept {

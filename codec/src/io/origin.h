@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Where a mesh keeps its origin: the one rule all importers share.
+// Choice of a mesh's origin, the same for all importers.
 #pragma once
 
 #include <span>

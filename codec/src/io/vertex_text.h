@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What the writers share: world positions, and which attribute of a view plays which part.
+// Shared by the writers of text formats: world positions, and the attributes of a view by their role.
 #pragma once
 
 #include <algorithm>

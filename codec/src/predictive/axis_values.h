@@ -31,7 +31,7 @@ class AxisValues {
   /// sort them all.
   bool has_repeats(std::size_t axis) const;
 
-  /// Of some 2000 values, how many neighbours are more than `least` and less than `most` apart.
+  /// The number of neighbouring values, among some 2000, whose distance is above `least` and below `most`.
   std::size_t count_distances(std::size_t axis, double least, double most) const;
 
   /// The sample's values of an axis, ascending. O(n).
@@ -56,7 +56,8 @@ struct AxisGrid {
   double step = 0;  ///< 0 where there is none
 };
 
-/// Of all vertices, not only those of the sample. `finest`: a smaller step is not looked for. O(n).
+/// Fits a grid to each axis, by all vertices and not only the sample. `finest`: lower limit of the steps.
+/// O(n).
 std::array<AxisGrid, 3> fit_axes(const AxisValues& values, const Box& box, double finest = 0);
 
 /// cubic_lattice(), but with the own steps of axes that have a grid not much finer.

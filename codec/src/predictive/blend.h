@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Where a vertex is expected: a blend of parallelograms, the edges they stand on, and coded neighbours, with
-// weights for each number of parallelograms and of faces [POSN-4]. Integers only.
+// Predicts a vertex: a blend of parallelograms, of their edges and of coded neighbours, with weights by the
+// numbers of parallelograms and of faces [POSN-4]. Integers only.
 #pragma once
 
 #include <algorithm>
@@ -28,7 +28,7 @@ struct Blend {
 };
 using BlendTable = std::array<Blend, kBlends>;
 
-/// What a stream has where it says nothing else: about the means over scans, CAD parts and maps [POSN-8].
+/// The default weights of a stream: about the means over scans, CAD parts and maps [POSN-8].
 extern const BlendTable kUsualBlends;
 
 /// The table's row for a vertex with `parallelograms`, at least one, and `faces`.

@@ -10,7 +10,7 @@
 
 namespace deltamesh {
 
-/// What the weights are to make small.
+/// The criterion that fitted weights minimise.
 enum class BlendFit {
   kSquares,  ///< sums of squares, far vertices weighing less
   kSample,   ///< the same of a sample of the vertices

@@ -11,7 +11,7 @@
 
 namespace deltamesh {
 
-/// As it is in the stream: two bits.
+/// Values as in the stream, two bits.
 enum class CodingOrder : std::uint8_t {
   kAsDecoded = 0,
   kBroad = 1,  ///< among equally surrounded vertices, the first in goes first
@@ -29,8 +29,8 @@ bool code_coding_order(Coder& coder, CodingOrder& coding_order) {
 /// The vertex at every place of the order; empty for kAsDecoded. O(n + m).
 std::vector<std::uint32_t> ordered_vertices(const FaceList& list, CodingOrder coding_order);
 
-/// What is known of the vertex at every place when those before it are. `order`: as ordered_vertices() makes
-/// it. O(n + m).
+/// The known faces of the vertex at every place of the order. Sets `order` as ordered_vertices() does.
+/// O(n + m).
 KnownFaces known_in_order(const FaceList& list, CodingOrder coding_order, std::vector<std::uint32_t>& order);
 
 }  // namespace deltamesh

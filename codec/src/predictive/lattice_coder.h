@@ -59,7 +59,7 @@ class LatticeCoder {
     if (guesses) matches_.emplace(coder, start != nullptr ? start->matches : MatchModels());
   }
 
-  /// What was learnt; of matches only with guesses, else what `others` has.
+  /// The models as learnt so far. Without guesses those of matches are taken from `others`.
   LatticeModels models(const LatticeModels* others) const {
     LatticeModels learnt;
     learnt.residuals = residuals_.models();
@@ -99,7 +99,7 @@ class LatticeCoder {
       return nullptr;
     }
     Held<Coder> coder = coder_;
-    // What takes long to come to is begun for both at once.
+    // Start the slow part for both at once.
     const Outlook first_outlook = look_at(vertex, cells);
     const Outlook second_outlook = look_at(vertex + 1, cells);
     Turn first(*this, vertex, first_outlook, cells);
@@ -121,7 +121,7 @@ class LatticeCoder {
   }
 
  private:
-  /// What a vertex is compared with.
+  /// The guesses that a vertex' coordinates are compared with.
   struct Matching {
     Matching(const Surroundings& surroundings, std::span<const Cell> cells, FourInts expected, FourInts most)
         : around(surroundings), guesses(guesses_around(surroundings, cells, expected, most)) {}

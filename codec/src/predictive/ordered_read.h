@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What readers of all kinds of positions share: rows in the coding order, and back in that of the faces.
+// Shared by the readers of all kinds of positions: reads rows in the coding order and puts them into decoded
+// order.
 #pragma once
 
 #include <algorithm>

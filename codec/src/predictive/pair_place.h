@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Where a vertex is expected that has one or two known faces, as most have: what expect_place() says, in one
-// go [POSN-4].
+// Predicts a vertex with one or two known faces, as most have: the same result as expect_place(), computed at
+// once [POSN-4].
 #pragma once
 
 #include <algorithm>
@@ -36,7 +36,7 @@ namespace deltamesh {
   const FourInts sum = first_sum + second_sum;
   const FourInts first_corner = first_sum - first_opposite;
   const FourInts second_corner = second_sum - second_opposite;
-  // Of corners that the faces share one counts; the first face's a is 0.
+  // Corners that the faces share count once; the first face's a is 0.
   const bool shares_first_a = first.a == second.b;
   const bool shares_second_a = second.a == first.b;
   const FourInts shared = second_a & (FourInts{} - (shares_second_a ? 1 : 0));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What the coders of positions learn.
+// Adaptive models of the coders of positions.
 #pragma once
 
 #include <cstdint>

@@ -25,7 +25,7 @@ struct PositionModels;
 
 enum class Guessing : std::uint8_t { kNever, kAlways, kForecast };  ///< kForecast: where a sample says so
 
-/// What a writer is free to choose.
+/// The choices of a writer.
 struct PositionForm {
   CodingOrder coding_order = CodingOrder::kAsDecoded;
   BlendFit fit = BlendFit::kSquares;

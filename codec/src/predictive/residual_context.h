@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What coded neighbours, and the spread of the sources of a prediction, say of how far off it is
+// Estimates the error of a prediction from the residuals of coded neighbours and the spread of its sources
 // [POSN-5, POSN-6]. Integers only; shared by writer and reader.
 #pragma once
 
@@ -44,7 +44,7 @@ inline FourInts quarter_octaves(FourInts lanes) noexcept {
   return (std::bit_cast<FourInts>(floats) >> 21) - 4 * 127;
 }
 
-/// What is kept of a coded vertex [POSN-5].
+/// The record kept of a coded vertex [POSN-5].
 struct ResidualRecord {
   FourInts residual;   ///< x, y, z in 1/16 steps, clamped; 0
   FourInts magnitude;  ///< smoothed
@@ -52,7 +52,7 @@ struct ResidualRecord {
 
 inline constexpr std::int32_t kLargestResidual = 1 << 26;  ///< 1/16 steps
 
-/// What is told of a vertex before it is coded.
+/// The prediction of a vertex and its context.
 struct Outlook {
   Expectation expected;
   ResidualRecord means;   ///< of corners of known faces
@@ -110,7 +110,7 @@ class ResidualTurn {
     f.shift = static_cast<unsigned>(shift_[axis]);
     f.contexts = {static_cast<std::uint32_t>(contexts_[axis]),
                   static_cast<std::uint32_t>(contexts_[axis + 4])};
-    // Where the place between two coordinates says nothing, how the axes before turned out does.
+    // If the place between two coordinates says nothing, use the residuals of the axes before.
     if (f.shift > 0 && axis > 0) {
       const std::int64_t scale = std::min(scale_[axis], kLargestScale);
       const std::int64_t coded = axis == 1 ? off_[0] : (off_[0] + off_[1]) >> 1;
@@ -143,7 +143,7 @@ class ResidualTurn {
   static constexpr std::int16_t kClasses = 24;
   static constexpr std::int16_t kLargestOctaves = 4 * 23 + 3;  ///< of kLargestScale
 
-  /// What the sources, 0 to 4, have to do with it.
+  /// Constants by Outlook::sources, 0 to 4.
   struct Terms {
     FourInts between;      ///< -1 where the spread's part is a half, else 0
     EightShorts contexts;  ///< and the axis
@@ -194,7 +194,7 @@ class ResidualHistory {
     return result;
   }
 
-  /// Of a vertex with these two first known faces, or twice the only one.
+  /// Mean record of the corners of a vertex' first two known faces, or of its only one, passed twice.
   [[gnu::always_inline]] ResidualRecord mean(const KnownFace& first, const KnownFace& second) const noexcept {
     const ResidualRecord a = sum(first);
     const ResidualRecord b = sum(second);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// A face as its vertex with the highest number sees it: for lists of what is known when vertices are coded by
-// number.
+// Faces rotated so that the corner with the highest number comes first: when vertices are coded by number, a
+// face is known at that corner.
 #pragma once
 
 #include <cstdint>
@@ -18,13 +18,12 @@ struct RotatedFace {
   bool is_whole() const noexcept { return a != b && a != last && b != last; }
 };
 
-/// `then` or `otherwise`, without a branch.
+/// is_so ? then : otherwise, without a branch.
 constexpr std::uint32_t choose(bool is_so, std::uint32_t then, std::uint32_t otherwise) noexcept {
   return otherwise ^ ((then ^ otherwise) & (0U - static_cast<std::uint32_t>(is_so)));
 }
 
-/// Which corner is the last one is hard to guess for a branch, and a table of where the others are takes
-/// twice the time.
+/// The face x, y, z, rotated. No branches, as they would often be mispredicted; a table takes twice the time.
 constexpr RotatedFace rotated_face(std::uint32_t x, std::uint32_t y, std::uint32_t z) noexcept {
   const bool is_y = y > x;
   const std::uint32_t later = choose(is_y, y, x);

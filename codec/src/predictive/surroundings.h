@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What the faces around a vertex say of it when all vertices before it are known [POSN-3].
+// The known faces of a vertex, whose other corners were coded before it [POSN-3].
 #pragma once
 
 #include <algorithm>
@@ -46,7 +46,7 @@ struct Surroundings {
   std::uint32_t faces = 0;           ///< at the vertex, whatever their other corners
 };
 
-/// What is around most vertices: one known face or two, each with a parallelogram.
+/// The usual case: one or two known faces, each with a parallelogram.
 struct FacePair {
   KnownFace first;
   KnownFace second;      ///< the first where there is no other

@@ -154,7 +154,7 @@ class VoxelCoder {
     return code_rest(i, pair, corners, vertex, number, cells);
   }
 
-  /// What follows the edge's number.
+  /// Codes what follows the edge's number.
   [[gnu::always_inline]] const char* code_rest(std::size_t i, const VoxelPair& pair, const Corners& corners,
                                                const Vertex& vertex, unsigned number, std::span<Cell> cells) {
     if (number >= voxel::kEdges) [[unlikely]]

@@ -18,9 +18,9 @@ inline constexpr int kVoxelBits = 7;
 inline constexpr std::int16_t kVoxelParts = 1 << kVoxelBits;  ///< of a voxel's side, for spots
 inline constexpr std::int16_t kVoxelMiddle = kVoxelParts / 2;
 
-/// Where a vertex is, in parts of a voxel, modulo 2^16, which are right between vertices that are near each
-/// other; then kVoxelParts times the axis of its edge, or kNoAxis where it is on none. Small, as every vertex
-/// is looked at many times.
+/// Position of a vertex in parts of a voxel, modulo 2^16, so that differences between near vertices are
+/// exact; then kVoxelParts times the axis of its edge, or kNoAxis if it is on no edge. Small, as each one is
+/// read many times.
 struct alignas(8) VoxelSpot {
   static constexpr std::int16_t kNoAxis = 4 * kVoxelParts;  ///< a bit that no axis has
 
@@ -30,7 +30,7 @@ struct alignas(8) VoxelSpot {
 };
 inline constexpr VoxelSpot kOffEdges{{0, 0, 0, VoxelSpot::kNoAxis}};
 
-/// The lower nodes of edges; the last lanes are 0. Of a vertex on no edge one that is near none.
+/// Lower node of an edge; the last lane is 0. A vertex on no edge has kNowhere, which is near no node.
 inline constexpr FourInts kNowhere = {-(1 << 30), -(1 << 30), -(1 << 30), 0};
 inline constexpr std::int32_t kMostApart = 2;  ///< on each axis, of nodes near each other
 
@@ -40,8 +40,8 @@ inline constexpr std::int32_t kMostApart = 2;  ///< on each axis, of nodes near 
   return (apart + kMostApart) | (kMostApart - apart);
 }
 
-/// Fine lattice coordinates of a voxel grid: a node is a multiple of 2 `levels`, and what an edge is cut into
-/// are its odd coordinates in between.
+/// Fine lattice coordinates of a voxel grid: nodes are at multiples of 2 `levels`, the levels of an edge at
+/// the odd coordinates in between.
 class VoxelGrid {
  public:
   /// An edge is told by its lower node.
@@ -52,7 +52,7 @@ class VoxelGrid {
       : voxel_(2 * static_cast<std::int32_t>(levels)),
         one_over_levels_((std::uint64_t{1} << kOneBits) / levels + 1) {}
 
-  /// In the middle of a level of an edge.
+  /// A vertex in the middle of a level of an edge.
   struct Cut {
     Node node;
     std::size_t axis;
@@ -66,7 +66,7 @@ class VoxelGrid {
         {{-1, 0, 0, 0}, {0, -1, 0, 0}, {0, 0, -1, 0}}};
     return node * voxel_ + ((FourInts{} + (2 * level + 1)) & std::bit_cast<FourInts>(kAxes[axis]));
   }
-  /// Of a level from the lower end of an edge, parts of a voxel: floor(64 (2 level + 1) / levels).
+  /// Distance of a level from the lower end of its edge, parts of a voxel: floor(64 (2 level + 1) / levels).
   std::int16_t part_of(std::int32_t level) const noexcept {
     const std::uint64_t parts = (2 * static_cast<std::uint64_t>(level) + 1) << (kVoxelBits - 1);
     return static_cast<std::int16_t>(parts * one_over_levels_ >> kOneBits);

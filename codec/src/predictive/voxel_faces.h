@@ -40,8 +40,9 @@ class VoxelFaces {
   std::uint32_t none() const noexcept { return vertex_count(); }
 
   const Star& star(std::uint32_t vertex) const noexcept { return stars_[std::min(vertex, with_faces_)]; }
-  /// What is beyond the edge of `a` and `b`: the other corner of the first face of the later one of these
-  /// that has both; or none(), as for none().
+  /// The vertex across the edge of `a` and `b`: of the later one of these, the first face in its star that
+  /// also has the earlier one gives the other corner. none() if there is no such face, or if `a` or `b` is
+  /// none().
   std::uint32_t across(std::uint32_t a, std::uint32_t b) const noexcept;
   /// The same for means of any vertices [POSN-4]; the faces that count are the known ones.
   Surroundings around(std::uint32_t vertex) const noexcept;
@@ -52,7 +53,7 @@ class VoxelFaces {
   }
   void add_all(std::span<const std::uint32_t> triangles);
   void add(const RotatedFace& face) noexcept;
-  /// Of a face with corners in both sequences, at most one of which has a later step than the others.
+  /// Adds a face with corners in both sequences, at most one of which has a later step than the others.
   void add_across_sequences(const std::array<std::uint32_t, 3>& corners) noexcept;
 
   std::uint32_t with_faces_;  ///< no vertex from there on has a face

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Which of the levels along its edge a voxel vertex is at [VOX-6].
+// Codes the level of a vertex along its voxel edge [VOX-6].
 #pragma once
 
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What the coder of voxel edges learns [VOX-*].
+// Adaptive models of the coder of voxel edges [VOX-*].
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace deltamesh {
 
-/// Made as sets of likely edges are met, as few of all there could be are.
+/// Models are created when a set of likely edges first occurs, as few of the possible sets do.
 class VoxelEdgeModels {
  public:
   VoxelEdgeModels() : places_(voxel::kPairKinds << voxel::kEdges) {}

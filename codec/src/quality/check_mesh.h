@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What the encoder, maps and compare() ask of a mesh before they start.
+// Validation of a mesh for the encoder, maps and compare().
 #pragma once
 
 #include "deltamesh/mesh.h"

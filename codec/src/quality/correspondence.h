@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Which vertices of two meshes stand for each other.
+// Matches the vertices of two meshes.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Where a decoded mesh is farthest off.
+// Finds the local maxima of a decoded mesh's errors.
 #pragma once
 
 #include <cstddef>

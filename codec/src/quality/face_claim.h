@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What the search for matching faces weighs: that a face of one mesh is a face of the other.
+// Candidates in the search for matching faces of two meshes.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace deltamesh {
 
-/// That a face of B is a face of A.
+/// The claim that a face of B is a face of A.
 struct Claim {
   std::uint8_t conflicts = 0;  ///< corners that earlier matches put elsewhere
   std::uint8_t doubt = 0;  ///< 0 across an edge of the same vertices, 1 of the same places, 2 with a choice

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Which face of one mesh is which of another, whatever the order of vertices and faces: where the faces are
-// nearly at the same place and meet the same faces.
+// Matches the faces of two meshes, whatever the order of vertices and faces: matched faces are nearly at the
+// same place and have matched neighbours.
 #pragma once
 
 #include <cstdint>

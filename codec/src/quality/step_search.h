@@ -26,14 +26,14 @@ class Trials {
   /// Errors: those of TrialCoder::run but kInvalidStream, which gives an attempt that does not decode.
   Result<Attempt> run(const HighpassSettings& settings);
 
-  /// Of the attempts that keep all bounds, the one of fewest bytes; one that comes near a bound (a load of at
-  /// least kLandedLoad) may have kLandingWorth times as many if the target allows. Empty where none keeps
-  /// them.
+  /// The smallest attempt that keeps all bounds. An attempt near a bound (load of at least kLandedLoad) is
+  /// preferred if it takes at most kLandingWorth times the bytes and the target allows them. Empty if none
+  /// keeps the bounds.
   const std::optional<Attempt>& best() const noexcept { return best_; }
   /// The attempt of smallest load, whether it keeps the bounds or not, without what was coded. Empty where
   /// none decodes.
   const std::optional<Attempt>& nearest() const noexcept { return nearest_; }
-  /// What the last attempt that does not decode breaks.
+  /// Error of the last attempt that does not decode.
   const std::optional<Error>& failure() const noexcept { return failure_; }
 
   static constexpr double kLandedLoad = 0.87;

@@ -26,7 +26,7 @@ struct Surface {
 
   /// First vertex of the same position, for every vertex.
   std::vector<std::uint32_t> weld_groups() const;
-  /// Of the box around the vertices that count; model units.
+  /// Diagonal of the bounding box of the used vertices, model units; 0 if there are none.
   double diagonal() const;
 
   std::vector<Vec3> positions;

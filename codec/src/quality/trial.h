@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What rate control sees of a geometry coder: an interface without bytes, so that rate control can be tested
-// on formulas.
+// The interface of geometry coders to rate control. It has no bytes, so that rate control can be tested with
+// formulas.
 #pragma once
 
 #include <cmath>
@@ -17,7 +17,7 @@
 
 namespace deltamesh {
 
-/// What a coder has made in a run, for itself.
+/// A coder's own record of a run.
 struct CodedTrial {
   virtual ~CodedTrial() = default;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What to tell a caller whose request cannot be kept.
+// Errors for requests that cannot be met.
 #pragma once
 
 #include "quality/step_search.h"

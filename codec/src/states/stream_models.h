@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What is learnt from a whole stream [CMP-16].
+// The adaptive models at the end of a stream [CMP-16].
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace deltamesh {
 
-/// Empty of what the stream does not have in the compact form.
+/// Members are empty for parts that the stream does not have in the compact form.
 struct StreamModels {
   std::optional<OpModels> ops;
   PositionModels positions;

@@ -23,10 +23,10 @@ class VertexRuns {
   /// The last run ends before `vertex`; from there on each is on its own.
   void end(std::uint32_t vertex) noexcept { end_ = vertex; }
 
-  /// What find_components() counts, of `vertices` in all.
+  /// The number of components among `vertices` vertices, as find_components() has it.
   std::uint32_t count(std::uint32_t vertices) const noexcept { return sets_ + (vertices - end_); }
 
-  /// What find_components() finds. O(vertices).
+  /// The components, as find_components() has them. O(vertices).
   Components components(std::uint32_t vertices) const;
 
  private:

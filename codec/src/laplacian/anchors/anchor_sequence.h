@@ -61,7 +61,7 @@ class AnchorSequence {
 /// left out. O(n + edges).
 std::uint32_t hop_density(const Adjacency& graph, std::span<const std::uint32_t> anchors);
 
-/// What an AnchorContainers object holds: the sequence, and which graph it belongs to.
+/// State of an AnchorContainers object: the sequence and the graph that it belongs to.
 class AnchorContainers::Impl {
  public:
   /// The sequence for `graph`; a new one where the graph is another than last time. O(n + edges) to tell.

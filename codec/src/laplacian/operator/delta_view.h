@@ -21,8 +21,8 @@
 
 namespace deltamesh {
 
-/// What a symbol q stands for: 0 where it is 0, else step (|q| - shift) with the sign of q, the shift being
-/// shifts[1] where |q| = 1 and shifts[2] where it is larger [DELT-2].
+/// The value of a symbol q: 0 if q = 0, else step (|q| - shift) with the sign of q, where the shift is
+/// shifts[1] for |q| = 1 and shifts[2] for larger |q| [DELT-2].
 struct DeltaScale {
   double step = 1;                 ///< model units
   std::array<double, 3> shifts{};  ///< in steps, below 1; that of 0 is 0
@@ -36,7 +36,7 @@ struct DeltaScale {
   }
 };
 
-/// Owns nothing.
+/// A view of deltas; does not own them.
 class DeltaView {
  public:
   DeltaView() = default;
@@ -66,9 +66,8 @@ class DeltaView {
   std::size_t size_ = 0;
 };
 
-/// Deltas as whole numbers of a unit that is a step over 2^bits, the step of doubles being 1. Nothing is
-/// rounded where they are symbols and `bits` is 8 or more. What exceeds 32 bits turns around, as do symbols
-/// of 2^23 or more.
+/// Deltas as integers in units of step / 2^bits; the step of doubles is 1. Exact for symbols if `bits` is 8
+/// or more. Values beyond 32 bits wrap, as do symbols of 2^23 or more.
 class DeltaCounts {
  public:
   static constexpr int kMostBits = 30;

@@ -65,7 +65,7 @@ class Steps {
     std::vector<Double4> forces;  ///< per anchor
     std::vector<Double4> energy;  ///< per component: ||L x||^2 + sum_a |x_a|^2
   };
-  /// Of one component.
+  /// Sums over one component.
   struct Sums {
     Double4 own;         ///< energy of the proposal
     PerDirection cross;  ///< its products with the last directions

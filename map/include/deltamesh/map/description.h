@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What all parts of a map share, said once [MAP-1, MAP-2].
+// The properties that all parts of a map share, sent once [MAP-1, MAP-2].
 #pragma once
 
 #include <array>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What senders and receivers of a map tell each other, as plain bytes for any transport. The map's own
-// message is that of description.h.
+// Messages between the sender and the receivers of a map, as plain bytes for any transport. The map's own
+// message is in description.h.
 #pragma once
 
 #include <array>
@@ -57,8 +57,7 @@ struct ViewBox {
   bool operator==(const ViewBox&) const = default;
 };
 
-/// What a receiver asks for. Errors are counted in model units; VDE and LFE are root mean squares over each
-/// part.
+/// A receiver's request. Errors are in model units; VDE and LFE are root mean squares over each part.
 struct View {
   std::vector<ViewBox> boxes{};  ///< at most kMostViewBoxes; none: the whole map
   std::uint8_t level = 0;        ///< no parts of lower levels
@@ -82,7 +81,7 @@ struct HeldVersion {
   bool operator==(const HeldVersion&) const = default;
 };
 
-/// Of a receiver [MAP-15].
+/// A receiver's message to the sender [MAP-15].
 struct ViewMessage {
   std::uint64_t viewer = 0;  ///< chosen by the receiver; another one after a restart
   std::uint64_t number = 0;  ///< ascending; older messages of a viewer are ignored

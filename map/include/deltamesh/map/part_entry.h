@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What is known of a version of a part without its octets.
+// Metadata of a version of a part, without its octets.
 #pragma once
 
 #include <array>
@@ -13,12 +13,12 @@
 
 namespace deltamesh {
 
-/// What a version of a part has in common with another part.
+/// The border that a version of a part has in common with another part.
 struct PartLink {
   PartKey key{};             ///< of the other part
   std::uint32_t border = 0;  ///< tells common borders apart [MAP-12]; 0: there is none
-  /// That border changed with this version: it is shown only with a version of the other part that has the
-  /// same.
+  /// The border changed with this version, which is shown only beside a version of the other part with the
+  /// same border.
   bool together = false;
   /// Versions of the other part with lower revisions are not shown beside this one; 0: any may be.
   std::uint64_t least = 0;

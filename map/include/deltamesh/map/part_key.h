@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Which part of a map: a cell of an octree.
+// Key of a part of a map: a cell of an octree.
 #pragma once
 
 #include <array>
@@ -38,8 +38,9 @@ constexpr bool overlap(const PartKey& a, const PartKey& b) noexcept {
   return a.level <= b.level ? ancestor(a, b.level) == b : ancestor(b, a.level) == a;
 }
 
-/// Of ascending keys of a map, those that show it on a level: parts of that level or above that hold no other
-/// such part. Ascending; coarser copies of what finer parts hold are left out [MAP-19]. O(n log n).
+/// The keys of the parts that show the map on a level: parts of that level or above that contain no other
+/// such part, which leaves out coarser copies [MAP-19]. `keys`: all keys of the map, ascending; the result is
+/// ascending too. O(n log n).
 std::vector<PartKey> keys_on_level(std::span<const PartKey> keys, std::uint8_t level);
 
 }  // namespace deltamesh

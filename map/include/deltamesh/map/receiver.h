@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// A map as it arrives: messages in any order, twice or never; never a crack.
+// The receiving side of a map. Messages may come in any order, twice or never; the map that is shown never
+// has a crack.
 #pragma once
 
 #include <cstddef>
@@ -17,14 +18,14 @@
 
 namespace deltamesh {
 
-/// What a receiver is willing to hold; messages beyond are refused.
+/// Upper limits of what a receiver holds. Messages that would exceed one are refused.
 struct ReceiverLimits {
   std::size_t parts = std::size_t{1} << 16;
   std::uint64_t octets = std::uint64_t{1} << 30;
   std::uint64_t vertices = std::uint64_t{1} << 26;  ///< of all parts, decoded
 };
 
-/// Which shown parts are others than at the last call, ascending.
+/// Differences of the parts shown since the last call; keys ascending.
 struct ShownChange {
   std::vector<PartKey> changed;  ///< new or with another mesh
   std::vector<PartKey> removed;
@@ -36,20 +37,20 @@ struct HeldPart {
   std::span<const std::byte> octets{};
 };
 
-/// Shows at any moment parts that fit together [MAP-12]: what has come is shown as soon as all that it is to
-/// be shown with has come. Not for two threads at a time.
+/// Shows parts that fit together at any moment [MAP-12]: a part is shown as soon as all parts that it must be
+/// shown with have arrived. Not thread-safe.
 class MapReceiver {
  public:
   /// `viewer`: a number that no other receiver of the map has, and another one after each start.
   MapReceiver(std::uint64_t viewer, std::uint64_t map_id, const ReceiverLimits& limits = {});
 
-  /// A message of a map, a start, an entry, a part or a patch. Old and known ones have no effect, nor has a
-  /// patch of a version that is not held. Errors: 1xx codes,
-  /// kInvalidArgument (of another map or epoch, or before the map's message), kLimitExceeded, kOutOfMemory;
-  /// nothing has changed then. Cost: decodes the part.
+  /// Applies a message: a map, a start, an entry, a part or a patch. Old and known messages have no effect,
+  /// nor has a patch of a version that is not held. Errors: 1xx codes, kInvalidArgument (of another map or
+  /// start, or before the map's message), kLimitExceeded, kOutOfMemory; on an error nothing has changed.
+  /// Cost: decodes the part.
   Result<void> apply(std::span<const std::byte> message) noexcept;
 
-  /// What to ask for. Parts outside stay until they are in the way. Default: all.
+  /// Sets the request. Parts outside the view stay until others take their place. Default: the whole map.
   void set_view(const View& view);
   const View& view() const noexcept;
 
@@ -63,12 +64,12 @@ class MapReceiver {
   const MapPart* find(const PartKey& key) const noexcept;
   std::vector<PartKey> shown() const;  ///< ascending
   ShownChange take_change();
-  /// Parts that entries told of and that have not come, ascending.
+  /// Parts that entries announced and that have not arrived, ascending.
   std::vector<PartKey> lacking() const;
-  /// Of the keys and octets of what is shown.
+  /// Hash of the keys and octets of the parts shown.
   std::uint64_t hash() const;
 
-  /// All that is shown, ascending by key. Spans hold until the next apply().
+  /// All parts shown, ascending by key. Spans are valid until the next apply().
   std::vector<HeldPart> held() const;
   /// Takes what held() gave once, after the map's message. Errors: as apply().
   Result<void> restore(const PartEntry& entry, std::span<const std::byte> octets) noexcept;

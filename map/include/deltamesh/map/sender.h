@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// A map for receivers who each ask for what they want to see.
+// The sending side of a map. Each receiver asks for what it wants to see.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +29,7 @@ struct SenderOptions {
   bool keeps_good_enough = true;
 };
 
-/// What a sender has done for all receivers.
+/// Counts over all receivers.
 struct SenderCounts {
   std::uint64_t parts_sent = 0;
   std::uint64_t patches_sent = 0;  ///< of these
@@ -39,13 +39,13 @@ struct SenderCounts {
   std::uint64_t kept = 0;
 };
 
-/// Keeps the source and what each receiver has. It decodes all that it sends, so that it knows the receivers'
-/// maps to the bit. Times are seconds of any steady clock. Not for two threads at a time.
+/// Keeps the source and the state of each receiver. It decodes everything that it sends, so that it knows the
+/// receivers' maps to the bit. Times are seconds of any steady clock. Not thread-safe.
 class MapSender {
  public:
   /// Errors: kInvalidArgument, those of MapCodec::open().
   static Result<MapSender> make(MapDescription description, const SenderOptions& options = {}) noexcept;
-  /// Goes on with a map that had `revision` updates and used the group numbers below `group`.
+  /// Continues a map that had `revision` updates and used the group numbers below `group`.
   void resume(std::uint64_t revision, std::uint64_t group) noexcept;
 
   /// One update of the source, as Splitter::update(). On an error nothing has changed.
@@ -57,15 +57,16 @@ class MapSender {
   void forget(std::uint64_t viewer) noexcept;
   std::vector<std::uint64_t> viewers() const;
 
-  /// What to send to a receiver now, in this order, within its bytes per second (saved up for a second at the
-  /// most; what is shown together goes together, and what that is too much is made up for later): first what
-  /// removes, then the coarsest, longest unsent and nearest to its boxes. Of a map with coarser copies the
-  /// receiver first gets the coarsest, then, call by call, what is below, down to the level of its view.
-  /// Errors: kInvalidArgument (a viewer that has not been heard), those of MapCodec::encode(), kOutOfMemory.
+  /// The messages to send to a receiver now, in this order: removals first, then parts by level (coarsest
+  /// first), time since they were last sent and distance from the view's boxes. They stay within the
+  /// receiver's bytes per second, of which at most one second's worth is saved up; parts that are shown
+  /// together are sent together, and any excess is deducted later. With coarser copies the receiver first
+  /// gets the coarsest, then, call by call, finer ones down to the level of its view. `now`: seconds. Errors:
+  /// kInvalidArgument (unknown viewer), those of MapCodec::encode(), kOutOfMemory.
   Result<std::vector<std::vector<std::byte>>> messages_for(std::uint64_t viewer, double now) noexcept;
 
-  /// Versions that the receiver has once all that was sent to it has come, ascending by key. Of parts without
-  /// a known version only the key is filled in.
+  /// Versions that the receiver has once everything sent to it has arrived, ascending by key. For parts
+  /// without a known version only the key is set.
   std::vector<PartEntry> entries_of(std::uint64_t viewer) const;
 
   const MapDescription& description() const noexcept;

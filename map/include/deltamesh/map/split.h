@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// From a mesh, or a mapper's blocks, to parts.
+// Splits a mesh, or a mapper's blocks, into parts.
 #pragma once
 
 #include <array>
@@ -34,8 +34,8 @@ struct SplitOptions {
 Result<std::vector<MapPart>> split(const MeshView& mesh, const MapDescription& description,
                                    const SplitOptions& options = {}) noexcept;
 
-/// What a mapper gives: the whole content of a cell of level 0, in place of what was there. Empty: the block
-/// is gone. Faces belong to the block that they come with, wherever they are.
+/// A mapper's block: the whole content of a cell of level 0, which replaces the previous content. An empty
+/// mesh removes the block. Faces belong to the block that they come with, wherever they lie.
 struct MapBlock {
   std::array<std::int32_t, 3> cell{};
   MeshView mesh;
@@ -58,12 +58,12 @@ struct MapChange {
   std::vector<RemovedPart> removed;  ///< ascending by key
 };
 
-/// The source of a map that changes: keeps the blocks, and tells which parts changes touch.
+/// The source of a map that changes: keeps the blocks and finds the parts that an update changes.
 class Splitter {
  public:
   /// Errors: kInvalidArgument.
   static Result<Splitter> make(MapDescription description, const SplitOptions& options = {}) noexcept;
-  /// Of a map that had `revision` updates and used the group numbers below `group`.
+  /// Continues a map that had `revision` updates and used the group numbers below `group`.
   void resume(std::uint64_t revision, std::uint64_t group) noexcept;
 
   /// One update: all blocks at once, each cell at most once. The parts after it are those that a fresh

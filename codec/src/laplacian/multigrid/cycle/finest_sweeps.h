@@ -14,8 +14,9 @@
 
 namespace deltamesh::multigrid {
 
-/// So many sweeps, each over-relaxed as `relaxation` says: `step` of the first from `residual(node, row)`,
-/// asked for once for every node, by number, which knows what keep(node, step) was told before.
+/// One Gauss-Seidel sweep per entry of `relaxation`, which is its over-relaxation factor. The first sweep
+/// computes `step` from residual(node, row), called once for every node in ascending order; keep(node, step)
+/// is called after each step and must apply it before the next residual is asked for.
 template <class Residual, class Keep>
 void sweep(const UnitEdges& edges, std::span<const float> relaxation, const Residual& residual,
            std::span<Float4> step, const Keep& keep) {

@@ -40,7 +40,7 @@ class LevelSolver {
   LevelSolver(const LevelSolver&) = delete;
   LevelSolver& operator=(const LevelSolver&) = delete;
 
-  /// Of the first level.
+  /// Vectors of the first level.
   Vectors& first() noexcept { return vectors_.front(); }
 
   /// One cycle on the first level: about its u and forces for its b and gaps. b.s grows by the forces.

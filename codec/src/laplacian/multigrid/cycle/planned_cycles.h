@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// So many cycles as the deltas were made for, each as cheap as it can be: on the finest level there are
-// positions only, the residual field begins on the second [DELT-7].
+// Planned cycles: a given number of multigrid cycles, each as cheap as possible. The finest level has
+// positions only, the residual field starts on the second level [DELT-7].
 #pragma once
 
 #include <cstdint>

@@ -15,15 +15,15 @@
 
 namespace deltamesh::multigrid {
 
-/// Below 0 are those from 2^31 on: they may turn around.
+/// Two's complement: counts from 2^31 on are negative, and may wrap.
 using Counts = FourUnsigned;
 
-/// Units are 2^-bits steps of the deltas, which these are multiples of. Sums of positions are right modulo
-/// 2^32 units, so a residual is right where it is below 2^31 units itself.
+/// A unit is 2^-bits steps of the deltas. Sums of positions are exact modulo 2^32 units, so a residual is
+/// right if it is itself below 2^31 units.
 class Units {
  public:
-  /// `reach`: steps, the largest coordinate at the start, about; what goes beyond 16 times as much turns
-  /// around. Where it is not finite no position will be.
+  /// `reach`: about the largest coordinate at the start, in steps. Coordinates above 16 times as much wrap.
+  /// If it is not finite, no position will be.
   Units(const DeltaView& deltas, float reach) noexcept
       : bits_(bits_for(deltas, reach)),
         per_step_(std::ldexp(1.0F, bits_)),
@@ -34,7 +34,7 @@ class Units {
 
   float per_step() const noexcept { return per_step_; }
 
-  /// Of units to whole ones: the nearest, of two the even one; -2^31 where there is none.
+  /// Rounds to the nearest whole number of units, ties to even; -2^31 if out of range.
   static Counts nearest(Float4 units) noexcept { return reinterpret_cast<Counts>(nearest_lanes(units)); }
   Counts count(Float4 steps) const noexcept { return nearest(per_step_ * steps); }
 
@@ -48,7 +48,7 @@ class Units {
   }
 
  private:
-  /// Of the largest coordinate at the start.
+  /// Bits of the largest coordinate at the start.
   static constexpr int kBits = 26;
 
   static int bits_for(const DeltaView& deltas, float reach) noexcept {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What a cycle on a coarse level works on, and at which length its solution serves best [DELT-7].
+// The coupled problem on a coarse level, and the best length of a cycle's solution [DELT-7].
 #pragma once
 
 #include <span>

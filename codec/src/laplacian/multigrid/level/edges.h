@@ -19,7 +19,7 @@ class Edges {
         neighbors_(level.neighbors.data()),
         weights_(level.weights.data()) {}
 
-  /// What value(neighbour) adds up to, over all neighbours, the lower or the higher ones.
+  /// Weighted sum of value(neighbour) over all neighbours, the lower or the higher ones.
   template <class Value>
   auto sum_all(std::uint32_t node, const Value& value) const noexcept {
     return sum(offsets_[node], offsets_[node + 1], value);

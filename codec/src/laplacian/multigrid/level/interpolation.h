@@ -10,15 +10,16 @@
 
 namespace deltamesh::multigrid {
 
-/// Weights are sixteenths that add up to 1: finer ones would not serve better, and sweeps wait for memory.
+/// Weights are sixteenths with a sum of 1. Finer weights do not converge faster, and sweeps are limited by
+/// memory.
 class Interpolation {
  public:
-  /// More nodes a coarser level cannot have.
+  /// Largest number of nodes of a coarser level.
   static constexpr std::uint32_t kMostNodes = std::uint32_t{1} << 28;
 
   Interpolation() = default;
 
-  /// Of nothing: 0.
+  /// A row without nodes: its value is 0.
   static Interpolation none() noexcept {
     Interpolation result;
     result.terms_ = {kAll << kNodeBits, 0, 0};
@@ -48,7 +49,7 @@ class Interpolation {
     return weight(0) * coarse[node(0)] + weight(1) * coarse[node(1)] + weight(2) * coarse[node(2)];
   }
 
-  /// The share of P^T that is the node's: adds to each(coarse node).
+  /// Adds the node's column of P^T times `fine` to each(coarse node).
   template <class Value, class Each>
   void spread(const Value& fine, const Each& each) const {
     for (std::size_t k = 0; k < 3; ++k) each(node(k)) += weight(k) * fine;

@@ -37,13 +37,13 @@ struct Double4 {
   }
 };
 
-/// Axis by axis a / b; 0 where b is not above 0.
+/// a / b by lane; 0 in lanes where b is not above 0.
 inline Double4 ratio(const Double4& a, const Double4& b) noexcept {
   const auto divide = [](double p, double q) { return q > 0 ? p / q : 0.0; };
   return {TwoDoubles{divide(a.xy[0], b.xy[0]), divide(a.xy[1], b.xy[1])},
           TwoDoubles{divide(a.zw[0], b.zw[0]), divide(a.zw[1], b.zw[1])}};
 }
-/// Of three axes, without the fourth number.
+/// Sum of the three axes, without the fourth number.
 inline double sum_of_axes(const Double4& v) noexcept { return v.xy[0] + v.xy[1] + v.zw[0]; }
 
 inline Double4 widen(Float4 v) noexcept { return Double4{TwoDoubles{v[0], v[1]}, TwoDoubles{v[2], v[3]}}; }

@@ -22,25 +22,25 @@ class UnitRow {
   float degree() const noexcept { return static_cast<float>(count_); }
   float inverse_degree() const noexcept { return 1 / degree(); }
 
-  /// Their number times `value`.
+  /// The number of neighbours times `value`.
   FourUnsigned times(FourUnsigned value) const noexcept {
     if constexpr (kIsSix) return (value << 1) + (value << 2);
     return std::uint32_t{count_} * value;
   }
 
-  /// What all neighbours add up to. `values`: floats or whole numbers.
+  /// Sum over all neighbours. `values`: floats or integers, by node.
   template <class Four>
   Four sum(const Four* values) const noexcept {
     return sum_of<Four>([=](std::uint32_t other) { return values[other]; });
   }
 
-  /// The same of value(neighbour).
+  /// Sum of value(neighbour) over all neighbours.
   template <class Value>
   Float4 sum_floats(const Value& value) const noexcept {
     return sum_of<Float4>(value);
   }
 
-  /// `first` and `factor` times what all neighbours add up to.
+  /// `first` plus `factor` times the sum over all neighbours.
   Float4 add_scaled(const Float4* values, Float4 first, float factor) const noexcept {
     if constexpr (kIsSix) {
       const auto value = [=](std::uint32_t other) { return values[other]; };
@@ -49,7 +49,7 @@ class UnitRow {
     return first + factor * sum(values);
   }
 
-  /// What higher neighbours add up to. `values`: one more than there are nodes, the last being 0.
+  /// Sum over the higher neighbours. `values`: by node, and a 0 at the end.
   Float4 upper(const Float4* values) const noexcept {
     const auto value = [=, node = node_, none = none_](std::uint32_t other) {
       return values[other > node ? other : none];
@@ -60,8 +60,8 @@ class UnitRow {
  private:
   static constexpr bool kIsSix = !std::is_same_v<Count, std::uint32_t>;
 
-  /// Of six neighbours in ascending order, half of which are mostly lower ones: then the third is the one
-  /// that was done last, and nothing but its own term waits for it.
+  /// Sum over six ascending neighbours except the third. Usually three of them are lower, so the third is the
+  /// node of the preceding step of a sweep, and only its own term waits for that step.
   template <class Four, class Value>
   Four all_but_third(const Value& value) const noexcept {
     const std::uint32_t* const n = neighbors_;
@@ -82,7 +82,7 @@ class UnitRow {
   [[no_unique_address]] Count count_;
 };
 
-/// Every node has neighbours. What Edges is for other levels.
+/// The counterpart of Edges for the finest level. Every node must have neighbours.
 class UnitEdges {
  public:
   explicit UnitEdges(const Level& level) noexcept

@@ -13,7 +13,7 @@
 
 namespace deltamesh::multigrid {
 
-/// Smaller levels stay as they are: they are solved exactly.
+/// Levels with fewer nodes are not coarsened but solved exactly.
 inline constexpr std::uint32_t kFewestNodesToCoarsen = 200;
 
 /// The finest level and all coarser ones [DELT-7]. `graph`, whose vertices have neighbours, must outlive
@@ -24,7 +24,7 @@ std::vector<Level> build_levels(const Adjacency& graph, std::span<const std::uin
 /// Gives the finest level what coarser ones have: the weights of 1, and what follows from them.
 void add_weights(Level& finest);
 
-/// Of a node of the finest level, whose weights are 1.
+/// Degree of a node of the finest level, whose weights are 1.
 inline float unit_degree(const Level& finest, std::uint32_t node) noexcept {
   return static_cast<float>(finest.offsets[node + 1] - finest.offsets[node]);
 }
