@@ -44,7 +44,7 @@ Result<CodedAttribute> write_attribute(const AttributeView& attribute, std::span
                                        const AttributeSettings& settings, const AttributeSurface& surface,
                                        std::span<const Attribute> others);
 
-/// Whether attributes of this kind are decoded after all that are not, and from what these say [ATTR-11].
+/// Whether attributes of this kind are decoded after all other kinds and predicted from these [ATTR-11].
 constexpr bool decoded_after_others(AttributeKind kind) noexcept {
   return kind == AttributeKind::kTangent || kind == AttributeKind::kWeights;
 }

@@ -35,9 +35,9 @@ class EqualCopies {
     return std::exchange(last_[surface_.geometric_of(vertex)], vertex);
   }
 
-  /// Whether the vertex that is number i of the surface order has the value of its last copy, which it has to
-  /// have; a reader's argument is ignored. In the context of what corners before said of their copies: 1 for
-  /// apart, 2 for equal, both added.
+  /// Codes whether vertex i of the surface order has the value of its last copy; there must be one. A
+  /// reader's argument is ignored. The context is the sum of what the corners before it have: 1 if some
+  /// differ from their copies, 2 if some are equal.
   bool code(std::size_t i, bool is_equal) {
     const SurfaceOrder& order = surface_.surface_order();
     unsigned context = 0;

@@ -69,7 +69,7 @@ struct GroupForm {
   Cell rest{};           ///< the numbers there
 };
 
-/// All that holds of the group's components, but how a writer chooses.
+/// Properties of the group's components, without a writer's choices.
 inline GroupForm form_of(const FieldGroup& group, std::span<const ComponentLattice> lattices) {
   GroupForm form;
   form.axes = static_cast<unsigned>(group.size());

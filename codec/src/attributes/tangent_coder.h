@@ -97,7 +97,8 @@ class TangentCoder {
     return tangent;
   }
 
-  /// Whether the sign is what the texture's orientation says, in the context of whether it was before.
+  /// Codes whether the sign agrees with the texture's orientation; the context is whether it did at the
+  /// corners before.
   bool code_sign(std::size_t i, std::uint32_t vertex, const TangentForecast& forecast) {
     unsigned context = 0;
     order_.for_corners_before(i, [&](std::uint32_t before) { context |= against_[before]; });

@@ -98,7 +98,7 @@ class alignas(16) SymbolModel {
     pull_lanes(lanes_.data(), kPulls[rate][symbol], rate);
   }
 
-  /// As if at most so many symbols had been seen: what was learnt of another mesh gives way soon [CMP-16].
+  /// Limits the count of symbols seen, so that a model learnt from another mesh adapts faster [CMP-16].
   void limit_count(std::uint8_t most) noexcept { count_ = std::min(count_, most); }
 
  private:
@@ -108,7 +108,8 @@ class alignas(16) SymbolModel {
     std::uint8_t rate;
     std::uint8_t next;  ///< how many symbols will have been seen
   };
-  /// By how many symbols were seen: rate 2 for 2 of them, 3 for 8, 4 for 16, twice as many for the next.
+  /// By number of symbols seen: rate 2 for the first 2, 3 for the next 8, 4 for the next 16, and twice as
+  /// many for each further rate.
   static constexpr std::array<Step, kMostCounted + 1> kSteps = [] {
     std::array<Step, kMostCounted + 1> steps{};
     std::uint8_t rate = 2;
@@ -118,7 +119,7 @@ class alignas(16) SymbolModel {
     }
     return steps;
   }();
-  /// By rate: the goal is as far beyond kLaneOne as rounding needs.
+  /// By rate. The goal exceeds kLaneOne by the amount that rounding takes off.
   DELTAMESH_TABULATE static std::array<Pulls, kLastRate + 1> make_pulls_by_rate() noexcept {
     std::array<Pulls, kLastRate + 1> pulls{};
     for (unsigned rate = 0; rate < pulls.size(); ++rate)

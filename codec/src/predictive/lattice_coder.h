@@ -71,7 +71,7 @@ class LatticeCoder {
     return learnt;
   }
 
-  /// Before the first vertex, where some will not be coded, as what they are is known [ATTR-59].
+  /// Call before the first vertex if some will not be coded, as their values are known [ATTR-59].
   void clear_history() noexcept { history_.clear(); }
 
   /// Codes the first `axes` coordinates, 1 to 3, of cells[vertex], those before it being coded; a reader
@@ -89,9 +89,9 @@ class LatticeCoder {
     return true;
   }
 
-  /// Codes cells[vertex], those before it being coded, and the next one's in turns with it where this can do
-  /// without it [POSN-13]; `vertex` becomes what is to be coded then. A reader fills the cells in. The rule
-  /// that a stream breaks here, or null.
+  /// Codes cells[vertex]; all cells before it are coded. If the prediction of the next vertex does not depend
+  /// on it, that one is coded as well, the axes of both alternating [POSN-13]. Advances `vertex` to the next
+  /// one to code. A reader fills the cells in. Returns the rule that the stream breaks, or null.
   DELTAMESH_LOOP_BODY const char* code_next(std::uint32_t& vertex, std::span<Cell> cells) {
     if (vertex + 1 == cells.size() || faces_.needs_previous(vertex + 1)) {
       if (!code_vertex(vertex, 3, cells)) return "POSN-7";

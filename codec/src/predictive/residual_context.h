@@ -180,7 +180,7 @@ class ResidualTurn {
 class ResidualHistory {
  public:
   explicit ResidualHistory(std::uint32_t vertex_count) : records_(vertex_count) {}
-  /// As if all had this.
+  /// Starts with `record` for every vertex.
   ResidualHistory(std::uint32_t vertex_count, const ResidualRecord& record)
       : records_(vertex_count, record) {}
 

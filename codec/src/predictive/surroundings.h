@@ -89,7 +89,7 @@ class KnownFaces {
   }
   /// False where it is something else that is around `vertex`.
   bool pair_around(std::uint32_t vertex, FacePair& pair) const noexcept;
-  /// Whether nothing can be told of `vertex`, above 0, without the one before it.
+  /// Whether the prediction of `vertex`, which is above 0, depends on the vertex before it.
   bool needs_previous(std::uint32_t vertex) const noexcept {
     if (vertex >= stars_.size()) return true;
     const Star& star = stars_[vertex];

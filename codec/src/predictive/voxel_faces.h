@@ -36,7 +36,7 @@ class VoxelFaces {
   std::uint32_t second_sequence() const noexcept { return second_sequence_; }
   /// Number of steps [POSN-12]. In each a vertex of either sequence is coded; those of lower steps are known.
   std::uint32_t steps() const noexcept { return second_sequence_; }
-  /// In place of a vertex.
+  /// Stands for "no vertex".
   std::uint32_t none() const noexcept { return vertex_count(); }
 
   const Star& star(std::uint32_t vertex) const noexcept { return stars_[std::min(vertex, with_faces_)]; }
@@ -44,7 +44,7 @@ class VoxelFaces {
   /// also has the earlier one gives the other corner. none() if there is no such face, or if `a` or `b` is
   /// none().
   std::uint32_t across(std::uint32_t a, std::uint32_t b) const noexcept;
-  /// The same for means of any vertices [POSN-4]; the faces that count are the known ones.
+  /// The known faces in the form of Surroundings, for expect_place() [POSN-4].
   Surroundings around(std::uint32_t vertex) const noexcept;
 
  private:

@@ -20,9 +20,9 @@ namespace deltamesh {
 /// trials.best() stays empty.
 Result<void> control_peaks(const HighpassSettings& settings, Trials& trials);
 
-/// From `start`, which breaks a positional bound: vertices with the largest error
-/// become anchors, in batches between runs, until the bounds are kept (the tolerance being what the bounds
-/// leave), 12 runs are made, or the stream is larger than `most_bytes` (0: no limit). Returns the last run.
+/// Improves `start`, which breaks a positional bound: makes the vertices with the largest errors anchors, in
+/// batches between runs, until the bounds are kept, 12 runs are made, or the stream is larger than
+/// `most_bytes` (0: no limit). Returns the last run.
 Result<Attempt> refine_greedily(const Attempt& start, std::uint64_t most_bytes, Trials& trials);
 
 }  // namespace deltamesh

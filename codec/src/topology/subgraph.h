@@ -23,7 +23,7 @@ void keep_vertices(Adjacency& graph, const VertexSubset& kept);
 /// The components of such a graph, without a search; `components`: of the whole graph. O(n).
 Components pick_components(const Components& components, const VertexSubset& kept);
 
-/// How many labels in front are the same; `size`: of the component, which they mostly are.
+/// Number of equal labels at the front; `size`: of the component that they belong to, usually the result.
 std::size_t run_length(std::span<const std::uint32_t> labels, std::size_t size) noexcept;
 
 /// visit(begin, end, component) for vertices begin .. end - 1, of first .. last - 1, in ascending order.

@@ -18,10 +18,10 @@
 
 namespace deltamesh::multigrid {
 
-/// Solves a coupled problem for x, s and the anchor forces f by way of
+/// Solves a coupled problem for x, s and the anchor forces f by
 ///   (K M^-1 K + E E^T) x = K M^-1 b.x - b.s + E g.
-/// In doubles: where anchors are few, what floats lose on the way is seen. Memory is allocated at setup only.
-/// O(n + edges).
+/// In doubles, as with few anchors the rounding errors of floats would show in the result. Memory is
+/// allocated by the constructor only. O(n + edges).
 class CoarsestSolver {
  public:
   /// `level` must outlive the solver. Anchor a with holds[a] = 0 is alone in its component: it only says

@@ -22,7 +22,7 @@ struct SolvedPart {
   VertexSubset vertices{};      ///< of the whole graph, the rows'
 
   bool is_whole() const noexcept { return row_count == whole_count; }
-  /// As that of `vertices`.
+  /// The vertex of the whole graph at this row.
   std::uint32_t vertex(std::size_t row) const noexcept {
     return vertices.vertex(static_cast<std::uint32_t>(row));
   }

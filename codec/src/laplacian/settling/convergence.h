@@ -15,31 +15,32 @@
 
 namespace deltamesh::settling {
 
-/// At the solution, the functional is what quantisation left: about the same for every anchor. That tells how
-/// large the errors of deltas are, and the probe how far these move positions: the errors to expect. A
-/// component is settled when what x is estimated to move by still is a small share of the errors to expect
-/// there, or of their mean over all components. The estimate follows from how fast steps become smaller:
-/// those of x or of the probe, whichever do so more slowly, as x may have hardly moved yet where convergence
-/// is slow.
+/// The convergence test of settling. At the solution the functional is the noise of quantisation, about the
+/// same for every anchor. It gives the size of the deltas' errors, and the probe gives the errors of
+/// positions that these cause: the expected errors. A component is settled when the estimated remaining
+/// movement of x is a small share of its expected errors, or of their mean over all components. The estimate
+/// extrapolates the sizes of the last steps of x or of the probe, whichever shrink more slowly: where
+/// convergence is slow, x may have hardly moved yet.
 class Convergence {
  public:
-  /// `components` must outlive this; `anchors`: at least one in each; `noise`: square of a delta's error that
-  /// is to be expected on one axis, at the most; `highest_rate`: what a step leaves of the size of the one
-  /// before, at the worst.
+  /// `components` must outlive this; `anchors`: at least one in each; `noise`: upper limit of the expected
+  /// square of a delta's error on one axis; `highest_rate`: upper limit of the ratio of a step's size to that
+  /// of the step before.
   Convergence(const Components& components, std::span<const std::uint32_t> anchors, double noise,
               double highest_rate);
 
-  /// After a step: whether that holds of all components. O(components).
+  /// Call after each step. True if all components are settled. O(components).
   bool see(std::span<const Progress> progress);
 
-  /// In components of which it did not hold after the last step. O(components).
+  /// Number of vertices in components that were not settled after the last step. O(components).
   std::size_t unsettled_vertices() const noexcept;
 
-  /// Per component 1 where more than so many times what is allowed was to come after the last step, else 0.
+  /// Per component 1 if the estimated remaining movement after the last step is above `most` times the
+  /// allowed one, else 0.
   std::vector<std::uint8_t> unsettled(double most) const;
 
  private:
-  /// Sizes of the steps before, the last one first.
+  /// Sizes of the last steps, latest first.
   struct History {
     std::array<double, 4> sizes{};
     std::array<double, 4> probe_sizes{};

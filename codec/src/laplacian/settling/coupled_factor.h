@@ -21,14 +21,14 @@ namespace deltamesh::settling {
 /// or not.
 class CoupledFactor {
  public:
-  /// As SparseFactor::make. Every component has an anchor.
+  /// Every component must have an anchor. `work_left` and empty results: as SparseFactor::make().
   static std::optional<CoupledFactor> make(const Adjacency& graph, std::span<const std::uint32_t> anchors,
                                            std::uint64_t& work_left);
 
-  /// Room for right-hand sides and solution.
+  /// Right-hand sides and solution.
   multigrid::LevelSolver::Vectors& first() noexcept { return vectors_; }
 
-  /// u and forces for b and gaps.
+  /// Computes u and forces from b and gaps of first().
   void solve();
 
  private:

@@ -28,9 +28,9 @@ struct SymmetricMatrix {
 
 class SparseFactor {
  public:
-  /// `place`: where each row goes; `work_left`: most multiplications, from which those are taken that this
-  /// takes. Nothing where it would take more, more than 2^32 or 200 MB, or where a pivot is 0. Time and
-  /// memory grow faster than n.
+  /// `place`: new place of each row; `work_left`: number of multiplications allowed, from which those used
+  /// are subtracted. Empty if it would take more than that, more than 2^32 or more than 200 MB, or if a pivot
+  /// is 0. Time and memory grow faster than n.
   static std::optional<SparseFactor> make(const SymmetricMatrix& matrix, std::vector<std::uint32_t> place,
                                           std::uint64_t& work_left);
 
@@ -38,7 +38,7 @@ class SparseFactor {
   void solve(std::span<Double4> b);
 
  private:
-  /// Fills the columns, whose places and offsets are known. False where a pivot is 0.
+  /// Computes the columns, whose places and offsets are known. False if a pivot is 0.
   bool factor(const SymmetricMatrix& matrix, std::span<const std::uint32_t> parent);
 
   std::vector<std::uint32_t> place_;    ///< n: where row i went

@@ -20,8 +20,8 @@ namespace deltamesh::settling {
 
 using multigrid::Double4;
 
-/// How a step fared in one component: sums of squares over its vertices, for the functional over its anchors
-/// too. On the fourth axis there is the probe.
+/// Figures of one step in one component: sums of squares over its vertices, and for the functional also over
+/// its anchors. The fourth axis is the probe.
 struct Progress {
   double functional = 0;  ///< that is left, all three axes together
   double decrease = 0;    ///< of the functional, by the step
@@ -30,28 +30,29 @@ struct Progress {
   double probe = 0;       ///< the probe's x
 };
 
-/// An iterate of the coupled problem K x + D^2 s = D delta, K s = E f, x_a - f_a = c_a, in doubles. What a
-/// solver makes of its residual is a proposed step, of x, s and f at once. It is made orthogonal to the last
-/// three in the norm of ||L x||^2 + sum_a |x_a|^2, so that an error that all proposals share does not shorten
-/// every step [Vinsome, Orthomin, 1976], and taken at the length that makes the functional ||L x - delta||^2
-/// + sum_a |x_a - c_a|^2 smallest, every component and axis by itself: the functional never rises. Beside the
-/// three axes there is a fourth one, of random deltas and targets of 0: its solution tells how errors of
-/// deltas spread. Memory: 450 bytes per vertex.
+/// An iterate of the coupled problem K x + D^2 s = D delta, K s = E f, x_a - f_a = c_a, in doubles. A solver
+/// proposes a step of x, s and f for the residual. The step is made orthogonal to the last three in the norm
+/// of ||L x||^2 + sum_a |x_a|^2, so that an error that all proposals share does not shorten every step
+/// [Vinsome, Orthomin, 1976]. It is taken at the length that minimises the functional ||L x - delta||^2 +
+/// sum_a |x_a - c_a|^2, for each component and axis separately, so that the functional never rises. A fourth
+/// axis, the probe, has random deltas and targets of 0: its solution shows how errors of deltas spread.
+/// Memory: 450 bytes per vertex.
 class Steps {
  public:
-  /// From 0; all numbers are over `unit`, a power of 2. What `problem` refers to must outlive this.
+  /// Starts from x = 0. All numbers are divided by `unit`, a power of 2. The objects that `problem` refers to
+  /// must outlive this.
   Steps(const Problem& problem, double unit);
 
-  /// Sets b and gaps of `problem` to what is left of the coupled problem. O(n + edges).
+  /// Sets b and gaps of `problem` to the residual of the coupled problem. O(n + edges).
   void set_residual(multigrid::LevelSolver::Vectors& problem) const;
 
-  /// Takes what `problem` has for u and forces as a proposal. O(n + edges).
+  /// Takes a step with u and forces of `problem` as the proposal. O(n + edges).
   void take(const multigrid::LevelSolver::Vectors& problem);
 
-  /// Per component, of the last step.
+  /// Figures of the last step, per component.
   std::span<const Progress> progress() const noexcept { return progress_; }
 
-  /// Over `unit`.
+  /// The iterate, divided by `unit`.
   std::span<const Double4> x() const noexcept { return x_; }
 
  private:

@@ -63,8 +63,8 @@ class Units {
   double unit_;  ///< model units
 };
 
-/// Whether all that was seen is well below 2^31 units: what is told in floats may be off by one in 2^24 of
-/// the terms that it was summed from.
+/// Checks that all values seen are well below 2^31 units. The margin is for rounding: values are floats, with
+/// errors up to 2^-24 of the terms that they are sums of.
 class RangeWatch {
  public:
   void see(Float4 units) noexcept {
