@@ -24,7 +24,8 @@ PlannedSetup::PlannedSetup(const SolverGraph& graph, std::span<const std::uint32
 }
 
 bool PlannedSetup::is_for(std::span<const std::uint32_t> anchors) const noexcept {
-  return std::ranges::equal(anchors, levels_.front().anchors);
+  const auto& own = levels_.front().anchors;
+  return std::equal(anchors.begin(), anchors.end(), own.begin(), own.end());
 }
 
 Result<multigrid::PlannedSolution> PlannedSetup::solve(const DeltaView& deltas, std::span<const Vec3> targets,
