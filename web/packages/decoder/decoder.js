@@ -144,8 +144,8 @@ export function readError(instance, address) {
   });
 }
 
-/** As AttributeOutcome. */
-function readAttribute(instance, address, vertices) {
+/** As AttributeOutcome; with values where it is of a mesh. */
+function readAttribute(instance, address, vertices, isDecoded) {
   const [name, nameBytes, kind, type, components, normalized, codedBytes, values] = instance.words(address + 8, 8);
   const attribute = {
     name: instance.text(name, nameBytes),
@@ -156,12 +156,12 @@ function readAttribute(instance, address, vertices) {
     error: instance.doubles(address, 1)[0],
   };
   const Array = ARRAYS[type];
-  if (values) attribute.values = new Array(instance.bytes(values, vertices * components * Array.BYTES_PER_ELEMENT));
+  if (isDecoded) attribute.values = new Array(instance.bytes(values, vertices * components * Array.BYTES_PER_ELEMENT));
   return attribute;
 }
 
-/** As StreamOutcome, of which the mesh may be missing. */
-export function readStream(instance, address) {
+/** As StreamOutcome; with the mesh where it is decoded. The arrays of a mesh without vertices have no address. */
+export function readStream(instance, address, isDecoded) {
   const [geometry, parts] = instance.words(address + 32, 2);
   const [vde, lfe, maxError] = instance.doubles(address + 112, 3);
   const box = instance.doubles(address + 64, 6);
@@ -177,13 +177,13 @@ export function readStream(instance, address) {
     origin: [...instance.doubles(address + 40, 3)],
     box: { min: [...box.slice(0, 3)], max: [...box.slice(3)] },
     quality: { vde, lfe, maxError },
-    attributes: Array.from({ length: attributeCount }, (_, i) => readAttribute(instance, attributes + 40 * i, vertexCount)),
+    attributes: Array.from({ length: attributeCount }, (_, i) => readAttribute(instance, attributes + 40 * i, vertexCount, isDecoded)),
     chunks: Array.from({ length: chunkCount }, (_, i) => {
       const [tag, codec, codedBytes, decodedBytes] = instance.words(chunks + 16 * i, 4);
       return { tag: tagText(tag), codec: CODECS[codec], codedBytes, decodedBytes };
     }),
   };
-  if (positions === 0 && indices === 0) return stream;
+  if (!isDecoded) return stream;
   stream.positions = new Float32Array(instance.bytes(positions, 12 * vertexCount));
   stream.indices = new Uint32Array(instance.bytes(indices, 12 * triangleCount));
   stream.groups = groups ? new Uint32Array(instance.bytes(groups, 4 * triangleCount)) : null;
@@ -210,7 +210,7 @@ class Decoder {
   }
 
   inspect(bytes) {
-    return this.#call(bytes, (core, address) => core.inspect(address, bytes.byteLength));
+    return this.#call(bytes, false, (core, address) => core.inspect(address, bytes.byteLength));
   }
 
   async decode(bytes, options) {
@@ -229,19 +229,19 @@ class Decoder {
 
   decodeSync(bytes, { limits } = {}) {
     const { vertices, triangles, attributes, attributeBytes } = { ...LIMITS, ...limits };
-    return this.#call(bytes, (core, address) =>
+    return this.#call(bytes, true, (core, address) =>
       core.decode(address, bytes.byteLength, vertices, triangles, attributes, attributeBytes),
     );
   }
 
-  #call(bytes, call) {
+  #call(bytes, isDecoded, call) {
     return settle(
       () => {
         const core = (this.#core ??= new Instance(this.#modules.core, this.#maxMemory, this.#imports()));
         this.#partError = undefined;
         const address = core.put(bytes);
         const outcome = call(core.calls, address);
-        const stream = this.#partError ?? readError(core, outcome) ?? readStream(core, outcome);
+        const stream = this.#partError ?? readError(core, outcome) ?? readStream(core, outcome, isDecoded);
         core.calls.release(address);
         core.calls.forget();
         if (core.isLarge) this.#core = undefined;

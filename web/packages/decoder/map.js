@@ -72,7 +72,7 @@ class MapDecoder {
         if (bytes.byteLength !== part.bytes) return new DeltameshError({ code: CORRUPT, what: `not as long as ${part.file}`, rule: 'MAP-10' });
         const address = instance.put(bytes);
         const outcome = instance.calls.decodePart(number, address, bytes.byteLength);
-        const result = readError(instance, outcome) ?? this.#mesh(readStream(instance, outcome), part);
+        const result = readError(instance, outcome) ?? this.#mesh(readStream(instance, outcome, true), part);
         instance.calls.release(address);
         instance.calls.forget();
         return result;
