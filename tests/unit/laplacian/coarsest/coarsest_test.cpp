@@ -18,6 +18,7 @@
 #include "laplacian/multigrid/setup/levels.h"
 #include "support/graph_mesh.h"
 #include "support/random.h"
+#include "unit/laplacian/finest_level.h"
 
 namespace deltamesh::coarsest_test {
 namespace {
@@ -29,13 +30,6 @@ using multigrid::Float4;
 using multigrid::Level;
 using multigrid::Row;
 using test::GraphMesh;
-
-/// The finest level of `mesh`, with weights. Refers to its graph.
-Level level_of(const GraphMesh& mesh, const std::vector<std::uint32_t>& anchors) {
-  auto levels = multigrid::build_levels(mesh.graph, anchors);
-  multigrid::add_weights(levels.front());
-  return std::move(levels.front());
-}
 
 std::vector<std::uint32_t> every(std::uint32_t stride, const GraphMesh& mesh) {
   std::vector<std::uint32_t> anchors;
@@ -105,7 +99,7 @@ double residual(const Level& level, std::span<const Double4> x, std::span<const 
 TEST(DenseFactor, SolvesExactly) {
   const GraphMesh mesh = test::sheet(14, 13);
   for (const std::uint32_t stride : {1U, 7U, 500U}) {
-    const Level level = level_of(mesh, every(stride, mesh));
+    const Level level = test::finest_level(mesh, every(stride, mesh));
     const DenseFactor factor(level, inverse_mass_of(level));
     const std::vector<Double4> b = noise(level.node_count(), 3);
     std::vector<Double4> x = b;
@@ -138,7 +132,7 @@ TEST(DenseFactor, APivotOfZeroGivesZero) {
 /// As many anchors as coarsest levels have.
 TEST(ConjugateGradients, ComeNearTheSolutionWhereAnchorsAreMany) {
   for (const GraphMesh& mesh : {test::sheet(40, 30), test::sheet(300, 4)}) {
-    const Level level = level_of(mesh, every(5, mesh));
+    const Level level = test::finest_level(mesh, every(5, mesh));
     ConjugateGradients solver(level, inverse_mass_of(level), {});
     const std::vector<Double4> b = noise(level.node_count(), 4);
     std::vector<Double4> x = b;
@@ -149,7 +143,7 @@ TEST(ConjugateGradients, ComeNearTheSolutionWhereAnchorsAreMany) {
 
 TEST(ConjugateGradients, AxesDoNotMix) {
   const GraphMesh mesh = test::sheet(25, 20);
-  const Level level = level_of(mesh, every(5, mesh));
+  const Level level = test::finest_level(mesh, every(5, mesh));
   ConjugateGradients solver(level, inverse_mass_of(level), {});
   std::vector<Double4> all = noise(level.node_count(), 5);
   std::vector<Double4> one = all;
@@ -171,7 +165,7 @@ TEST(ConjugateGradients, ComponentsDoNotMixWhereTheyAreTold) {
   test::add_sheet(mesh, 15, 12, {});
   test::add_sheet(mesh, 9, 30, {50, 0, 0});
   mesh = test::finish(std::move(mesh));
-  const Level level = level_of(mesh, every(5, mesh));
+  const Level level = test::finest_level(mesh, every(5, mesh));
   const std::vector<std::uint32_t> components(mesh.components.label.begin(), mesh.components.label.end());
   const auto first = static_cast<std::ptrdiff_t>(mesh.components.size[0]);
   const auto change_second = [&](std::vector<Double4> b) {
@@ -253,7 +247,7 @@ Differences differences(const Level& level, const Coupled& problem) {
 TEST(CoarsestSolver, DELT7SmallLevelsAreSolvedExactly) {
   const GraphMesh mesh = test::sheet(14, 13);
   ASSERT_LT(mesh.positions.size(), multigrid::kFewestNodesToCoarsen);
-  const Level level = level_of(mesh, every(9, mesh));
+  const Level level = test::finest_level(mesh, every(9, mesh));
   multigrid::CoarsestSolver solver(level, std::vector<std::uint8_t>(level.anchors.size(), 1), {});
   Coupled problem = random_problem(level);
   solver.solve(problem.on(level));
@@ -266,7 +260,7 @@ TEST(CoarsestSolver, DELT7SmallLevelsAreSolvedExactly) {
 TEST(CoarsestSolver, DELT7LargerLevelsAreSolvedNearly) {
   const GraphMesh mesh = test::sheet(25, 20);
   ASSERT_GE(mesh.positions.size(), multigrid::kFewestNodesToCoarsen);
-  const Level level = level_of(mesh, every(5, mesh));
+  const Level level = test::finest_level(mesh, every(5, mesh));
   multigrid::CoarsestSolver solver(level, std::vector<std::uint8_t>(level.anchors.size(), 1), {});
   Coupled problem = random_problem(level);
   solver.solve(problem.on(level));
@@ -278,7 +272,7 @@ TEST(CoarsestSolver, DELT7LargerLevelsAreSolvedNearly) {
 
 TEST(CoarsestSolver, DELT7AnAnchorThatDoesNotHoldHasNoForce) {
   const GraphMesh mesh = test::sheet(12, 12);
-  const Level level = level_of(mesh, {70});
+  const Level level = test::finest_level(mesh, {70});
   multigrid::CoarsestSolver solver(level, {0}, {});
   Coupled problem = random_problem(level);
   problem.forces[0] = Float4{1, 2, 3, 4};
@@ -288,7 +282,7 @@ TEST(CoarsestSolver, DELT7AnAnchorThatDoesNotHoldHasNoForce) {
 
 TEST(CoarsestSolver, SolutionsDoNotDependOnEarlierOnes) {
   for (const GraphMesh& mesh : {test::sheet(12, 12), test::sheet(25, 20)}) {
-    const Level level = level_of(mesh, every(5, mesh));
+    const Level level = test::finest_level(mesh, every(5, mesh));
     multigrid::CoarsestSolver solver(level, std::vector<std::uint8_t>(level.anchors.size(), 1), {});
     Coupled first = random_problem(level);
     Coupled other = first;

@@ -8,7 +8,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "laplacian/multigrid/level/coupled_problem.h"
@@ -19,6 +18,7 @@
 #include "laplacian/multigrid/setup/levels.h"
 #include "support/graph_mesh.h"
 #include "support/random.h"
+#include "unit/laplacian/finest_level.h"
 
 namespace deltamesh::level_test {
 namespace {
@@ -28,12 +28,6 @@ using multigrid::Interpolation;
 using multigrid::Level;
 using multigrid::Row;
 using test::GraphMesh;
-
-Level level_of(const GraphMesh& mesh, const std::vector<std::uint32_t>& anchors) {
-  auto levels = multigrid::build_levels(mesh.graph, anchors);
-  multigrid::add_weights(levels.front());
-  return std::move(levels.front());
-}
 
 /// From -8 to 8, on three axes.
 std::vector<Float4> whole_numbers(std::size_t count, std::uint32_t seed) {
@@ -97,7 +91,7 @@ TEST(Interpolation, SpreadIsTheTransposeOfOf) {
 
 TEST(Edges, LowerAndHigherNeighboursAreAllNeighbours) {
   for (const GraphMesh& mesh : {test::sheet(9, 6), test::fan(12)}) {
-    Level level = level_of(mesh, {0});
+    Level level = test::finest_level(mesh, {0});
     for (std::size_t e = 0; e < level.weights.size(); ++e) level.weights[e] = static_cast<float>(1 + e % 3);
     const std::vector<Float4> values = whole_numbers(level.node_count(), 2);
     const auto value = [&](std::uint32_t node) { return values[node]; };
@@ -119,7 +113,7 @@ TEST(Edges, LowerAndHigherNeighboursAreAllNeighbours) {
 /// Rows of six neighbours, and of other numbers.
 TEST(UnitEdges, AllWeightsAreOne) {
   for (const GraphMesh& mesh : {test::sheet(9, 6), test::fan(12)}) {
-    const Level level = level_of(mesh, {0});
+    const Level level = test::finest_level(mesh, {0});
     std::vector<Float4> values = whole_numbers(level.node_count(), 3);
     values.push_back(Float4{});
     const multigrid::UnitEdges edges(level);
@@ -193,7 +187,7 @@ struct Coupled {
 
 TEST(CoupledProblem, DELT7TheBestLengthLeavesNothingOfWhatACycleFoundInPart) {
   const GraphMesh mesh = test::sheet(9, 8);
-  const Level level = level_of(mesh, {3, 40, 41, 70});
+  const Level level = test::finest_level(mesh, {3, 40, 41, 70});
   for (const float share : {1.0F, 0.5F, 0.125F, 4.0F}) {
     Coupled problem(level, share);
     std::vector<Row> image(level.node_count());
@@ -215,7 +209,7 @@ TEST(CoupledProblem, DELT7TheBestLengthLeavesNothingOfWhatACycleFoundInPart) {
 /// Along the best length the functional has its least value: its slope there is 0.
 TEST(CoupledProblem, DELT7AfterTheBestLengthTheSameDirectionGivesNothing) {
   const GraphMesh mesh = test::sheet(9, 8);
-  const Level level = level_of(mesh, {3, 40, 41, 70});
+  const Level level = test::finest_level(mesh, {3, 40, 41, 70});
   Coupled problem(level, 1);
   const std::vector<Float4> off = whole_numbers(level.node_count(), 5);
   for (std::size_t i = 0; i < off.size(); ++i) problem.u[i].x += off[i];
