@@ -144,7 +144,7 @@ export function readError(instance, address) {
   });
 }
 
-/** As AttributeOutcome; with values where it is of a mesh. */
+/** Reads an AttributeOutcome, with the values if the stream was decoded. */
 function readAttribute(instance, address, vertices, isDecoded) {
   const [name, nameBytes, kind, type, components, normalized, codedBytes, values] = instance.words(address + 8, 8);
   const attribute = {
@@ -160,7 +160,7 @@ function readAttribute(instance, address, vertices, isDecoded) {
   return attribute;
 }
 
-/** As StreamOutcome; with the mesh where it is decoded. The arrays of a mesh without vertices have no address. */
+/** Reads a StreamOutcome, with the mesh if the stream was decoded. Empty arrays have address 0. */
 export function readStream(instance, address, isDecoded) {
   const [geometry, parts] = instance.words(address + 32, 2);
   const [vde, lfe, maxError] = instance.doubles(address + 112, 3);
