@@ -69,8 +69,8 @@ class VoxelCoder {
       cubes = VoxelCubes::find(corners, places());
     }
     VoxelPair pair(*cubes, corners, spots_);
-    const char* const broken = code_vertex(0, pair, corners, first, cells);
-    return broken != nullptr || is_alone ? broken : code_vertex(1, pair, corners, second, cells);
+    const char* const broken = code_vertex(0, *cubes, pair, corners, first, cells);
+    return broken != nullptr || is_alone ? broken : code_vertex(1, *cubes, pair, corners, second, cells);
   }
 
  private:
@@ -121,19 +121,20 @@ class VoxelCoder {
     return false;
   }
 
-  [[gnu::always_inline]] unsigned code_edge(std::size_t i, VoxelPair& pair, const Corners& corners,
-                                            Vertex& vertex) {
+  [[gnu::always_inline]] unsigned code_edge(std::size_t i, VoxelCubes& cubes, VoxelPair& pair,
+                                            const Corners& corners, Vertex& vertex) {
     if constexpr (Coder::kWrites)
       vertex.is_near =
           vertex.cut && set_lanes(far_lanes(four_ints(vertex.cut->node), nodes_[corners[i].star[0]])) == 0;
     const unsigned number = code_number(i, pair, vertex);
-    return number == VoxelPair::kOpen ? code_in_higher(i, pair, corners, vertex) : number;
+    return number == VoxelPair::kOpen ? code_in_higher(i, cubes, pair, corners, vertex) : number;
   }
 
-  [[gnu::noinline]] unsigned code_in_higher(std::size_t i, VoxelPair& pair, const Corners& corners,
-                                            const Vertex& vertex) {
+  [[gnu::noinline]] unsigned code_in_higher(std::size_t i, VoxelCubes& cubes, VoxelPair& pair,
+                                            const Corners& corners, const Vertex& vertex) {
     if (!pair.is_open(i)) return VoxelPair::kOpen;
-    pair = pair.with_higher(i, corners, spots_);
+    cubes = cubes.with_higher(i);
+    pair = VoxelPair(cubes, corners, spots_);
     return code_number(i, pair, vertex);
   }
 
@@ -148,9 +149,10 @@ class VoxelCoder {
     return coder_.symbol(number, Mixture<1>{{&model}});
   }
 
-  [[gnu::always_inline]] const char* code_vertex(std::size_t i, VoxelPair& pair, const Corners& corners,
-                                                 Vertex& vertex, std::span<Cell> cells) {
-    const unsigned number = vertex.has_cube ? code_edge(i, pair, corners, vertex) : voxel::kNoEdge;
+  [[gnu::always_inline]] const char* code_vertex(std::size_t i, VoxelCubes& cubes, VoxelPair& pair,
+                                                 const Corners& corners, Vertex& vertex,
+                                                 std::span<Cell> cells) {
+    const unsigned number = vertex.has_cube ? code_edge(i, cubes, pair, corners, vertex) : voxel::kNoEdge;
     return code_rest(i, pair, corners, vertex, number, cells);
   }
 

@@ -69,6 +69,13 @@ class VoxelCubes {
   [[gnu::always_inline]] static std::optional<VoxelCubes> find(const std::array<VoxelCorners, 2>& corners,
                                                                const VoxelPlaces& places) noexcept;
 
+  /// `pairs`: of the edges of `corners`' first faces, each of one or two cubes; `nodes`: of their corners a.
+  VoxelCubes(const std::array<const voxel::CubePair*, 2>& pairs, EightShorts nodes,
+             const std::array<VoxelCorners, 2>& corners, std::span<const VoxelSpot> spots) noexcept
+      : pairs_(pairs), nodes_(halves_of(nodes)) {
+    for (std::size_t i = 0; i < 2; ++i) choose(i, spots[corners[i].opposite]);
+  }
+
   /// The same with vertex i, which is open, in the higher one of its two cubes.
   VoxelCubes with_higher(std::size_t i) const noexcept {
     VoxelCubes result = *this;
@@ -89,13 +96,12 @@ class VoxelCubes {
   const FourShorts& node(std::size_t i) const noexcept { return nodes_[i]; }
 
  private:
-  VoxelCubes() = default;
   void choose(std::size_t i, const VoxelSpot& opposite) noexcept;
 
-  std::array<const voxel::CubePair*, 2> pairs_{};
+  std::array<const voxel::CubePair*, 2> pairs_;
   std::array<const voxel::PairCube*, 2> cubes_{};
   std::array<unsigned, 2> is_open_{};
-  std::array<FourShorts, 2> nodes_{};
+  std::array<FourShorts, 2> nodes_;
 };
 
 [[gnu::always_inline]] inline std::optional<VoxelCubes> VoxelCubes::find(
@@ -106,14 +112,12 @@ class VoxelCubes {
     far |= first;  // below 0 where it is on no edge
     for (std::size_t k = 1; k < 4; ++k) far |= far_lanes(places.nodes[around.star[k]], first);
   }
-  if (set_lanes(far) != 0) return std::nullopt;
+  std::optional<VoxelCubes> found;
+  if (set_lanes(far) != 0) return found;
   const EightShorts a = corner_spots(corners, places.spots, 0);
   const EightShorts nodes = a & voxel::kNodes;
-  VoxelCubes found;
-  found.nodes_ = halves_of(nodes);
-  found.pairs_ = voxel::pairs_of(a, nodes, corner_spots(corners, places.spots, 1));
-  if (found.pairs_[0]->count == 0 || found.pairs_[1]->count == 0) return std::nullopt;
-  for (std::size_t i = 0; i < 2; ++i) found.choose(i, places.spots[corners[i].opposite]);
+  const auto pairs = voxel::pairs_of(a, nodes, corner_spots(corners, places.spots, 1));
+  if (pairs[0]->count != 0 && pairs[1]->count != 0) found.emplace(pairs, nodes, corners, places.spots);
   return found;
 }
 

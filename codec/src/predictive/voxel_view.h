@@ -42,41 +42,35 @@ class VoxelPair {
   static constexpr std::int16_t kPlaces = 20;  ///< places on an edge, including some before and after it
   static constexpr std::int32_t kMiddlePlace = 10;
 
-  /// `corners`: those that `cubes` were found with; `spots`: of all vertices.
+  /// `cubes`: must outlive the pair; `corners`: those that they were found with; `spots`: of all vertices.
   VoxelPair(const VoxelCubes& cubes, const std::array<VoxelCorners, 2>& corners,
             std::span<const VoxelSpot> spots) noexcept;
 
-  /// The same with vertex i, which is open, in the higher one of its two cubes.
-  VoxelPair with_higher(std::size_t i, const std::array<VoxelCorners, 2>& corners,
-                        std::span<const VoxelSpot> spots) const noexcept {
-    return {cubes_.with_higher(i), corners, spots};
-  }
-
   /// VoxelCubes::is_open().
-  bool is_open(std::size_t i) const noexcept { return cubes_.is_open(i); }
+  bool is_open(std::size_t i) const noexcept { return cubes_->is_open(i); }
   /// Whether the higher one of two cubes has the edge of a spot that is near the first corner.
   bool higher_has(std::size_t i, const VoxelSpot& spot) const noexcept {
-    return edge_at(i, cubes_.higher(i), spot) != voxel::kNoEdge;
+    return edge_at(i, cubes_->higher(i), spot) != voxel::kNoEdge;
   }
 
   /// Number of the edge of a spot that is near the first corner; voxel::kNoEdge if the cube does not have the
   /// edge.
   unsigned number_of(std::size_t i, const VoxelSpot& spot) const noexcept {
-    return voxel::kRotated[cubes_.cube(i).rotation][edge_at(i, cubes_.cube(i), spot)];
+    return voxel::kRotated[cubes_->cube(i).rotation][edge_at(i, cubes_->cube(i), spot)];
   }
   /// The edge with this number, which is below 12.
   unsigned edge_of(std::size_t i, unsigned number) const noexcept {
-    return voxel::kBeforeRotation[cubes_.cube(i).rotation][number];
+    return voxel::kBeforeRotation[cubes_->cube(i).rotation][number];
   }
   /// The spot at a part of a voxel from the edge's lower node.
   VoxelSpot spot_on(std::size_t i, unsigned edge, std::int16_t part) const noexcept;
   /// The edge's node minus the node of the first face's corner a; the last lane is 0.
   FourInts steps_to(std::size_t i, unsigned edge) const noexcept {
-    const EightShorts spot = load_one(cubes_.cube(i).lowest) + load_one(voxel::kEdgeSpots[edge]);
+    const EightShorts spot = load_one(cubes_->cube(i).lowest) + load_one(voxel::kEdgeSpots[edge]);
     return low_ints((spot & voxel::kNodes) >> kVoxelBits);
   }
 
-  unsigned kind(std::size_t i) const noexcept { return cubes_.cube(i).kind; }  ///< below 6 [VOX-2]
+  unsigned kind(std::size_t i) const noexcept { return cubes_->cube(i).kind; }  ///< below 6 [VOX-2]
   /// The edges that the corners around allow: bit e for the edge with number e.
   unsigned likely(std::size_t i) const noexcept { return likely_[i]; }
   /// Number of the opposite's edge, voxel::kNoEdge or kOpen.
@@ -93,13 +87,13 @@ class VoxelPair {
   static constexpr std::int16_t kFirstPlace = kVoxelMiddle + kVoxelParts / 8;
 
   unsigned edge_at(std::size_t i, const voxel::PairCube& cube, const VoxelSpot& spot) const noexcept {
-    const EightShorts lowest = wrapped_sum(load_one(cubes_.node(i)), load_one(cube.lowest));
+    const EightShorts lowest = wrapped_sum(load_one(cubes_->node(i)), load_one(cube.lowest));
     return voxel::kEdgeAt[voxel::places_near(wrapped_difference(load_one(spot.at), lowest))[0]];
   }
   void expect(EightShorts a, EightShorts b, EightShorts last_a, EightShorts last_b,
               EightShorts opposite) noexcept;
 
-  VoxelCubes cubes_;
+  const VoxelCubes* cubes_;
   std::array<unsigned, 2> likely_{};
   std::array<unsigned, 2> opposites_{};
   std::array<FourShorts, 2> lowest_{};    ///< the cubes' lowest nodes, as spots
@@ -111,7 +105,7 @@ class VoxelPair {
 [[gnu::always_inline]] inline VoxelPair::VoxelPair(const VoxelCubes& cubes,
                                                    const std::array<VoxelCorners, 2>& corners,
                                                    std::span<const VoxelSpot> spots) noexcept
-    : cubes_(cubes) {
+    : cubes_(&cubes) {
   const auto corner = [&](std::size_t k) { return corner_spots(corners, spots, k); };
   const EightShorts opposite = load_two(spots[corners[0].opposite].at, spots[corners[1].opposite].at);
   const EightShorts nodes = load_two(cubes.node(0), cubes.node(1));

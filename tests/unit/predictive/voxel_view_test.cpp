@@ -467,7 +467,7 @@ TEST(VoxelPair, VOX2WithoutAFaceAcrossBothCubesMayBe) {
   const std::uint32_t b = grid.add({8, 16, 3});
   const std::array<VoxelCorners, 2> corners = {one_face(a, b, grid.count), one_face(b, a, grid.count)};
   const VoxelSpot to_code = grid.at({16, 16, 3});
-  const auto cubes = VoxelCubes::find(corners, grid.places());
+  auto cubes = VoxelCubes::find(corners, grid.places());
   ASSERT_TRUE(cubes);
   VoxelPair pair(*cubes, corners, grid.spots);
   for (const std::size_t i : {0, 1}) {
@@ -477,7 +477,8 @@ TEST(VoxelPair, VOX2WithoutAFaceAcrossBothCubesMayBe) {
     EXPECT_FALSE(pair.higher_has(i, grid.at({0, 16, 3})));
     EXPECT_EQ(pair.number_of(i, to_code), voxel::kNoEdge);
   }
-  pair = pair.with_higher(0, corners, grid.spots);
+  cubes = cubes->with_higher(0);
+  pair = VoxelPair(*cubes, corners, grid.spots);
   EXPECT_LT(pair.number_of(0, to_code), kEdges);
   EXPECT_EQ(pair.opposite(0), voxel::kNoEdge);
   EXPECT_TRUE(pair.is_open(1));
