@@ -53,7 +53,9 @@ std::size_t mapped_size(std::size_t bytes) noexcept {
 
 }  // namespace
 
-/// Not from the heap, which would keep much of what is freed: a decoder's peak would be a seventh higher.
+/// Not from the heap, which would keep much of what is freed: a decoder's peak would be a seventh higher. Nor
+/// kept for the next array of its size: a process that decodes again and again would save a twentieth of its
+/// time, and a decode's peak would be up to a quarter higher.
 void* allocate_large(std::size_t bytes) {
   if (!has_own_pages(bytes)) return ::operator new(bytes, kAlignment);
   const std::size_t size = mapped_size(bytes);
