@@ -24,7 +24,7 @@ struct PositionLattice {
   Vec3 step{1, 1, 1};                    ///< model units, finite, above 0
   std::array<std::uint32_t, 3> cells{};  ///< at most kMostCells
 
-  /// `q`: whole, 0 to `cells`; all sums are exact.
+  /// `q`: whole, 0 to `cells`; its sum with `first` is exact.
   double at(std::size_t axis, double q) const noexcept {
     return origin[axis] + step[axis] * (static_cast<double>(first[axis]) + q);
   }

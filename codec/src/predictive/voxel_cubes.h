@@ -69,7 +69,8 @@ class VoxelCubes {
   [[gnu::always_inline]] static std::optional<VoxelCubes> find(const std::array<VoxelCorners, 2>& corners,
                                                                const VoxelPlaces& places) noexcept;
 
-  /// `pairs`: of the edges of `corners`' first faces, each of one or two cubes; `nodes`: of their corners a.
+  /// `pairs`: of the edges of `corners`' first faces, each of one or two cubes, as find() makes
+  /// sure; `nodes`: of their corners a.
   VoxelCubes(const std::array<const voxel::CubePair*, 2>& pairs, EightShorts nodes,
              const std::array<VoxelCorners, 2>& corners, std::span<const VoxelSpot> spots) noexcept
       : pairs_(pairs), nodes_(halves_of(nodes)) {
