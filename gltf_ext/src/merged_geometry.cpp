@@ -8,7 +8,7 @@
 #include <cstring>
 #include <map>
 
-#include "base/vec3.h"
+#include "base/numbers/vec3.h"
 
 namespace deltamesh::gltf {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "base/vec3.h"
+#include "base/numbers/vec3.h"
 #include "io/components.h"
 #include "io/gltf_attributes.h"
 
