@@ -7,7 +7,7 @@
 #include "deltamesh/encode.h"
 #include "entropy/code_chunk.h"
 #include "entropy/expand_chunk.h"
-#include "format/tags.h"
+#include "format/chunk/tags.h"
 #include "micro/stage_input.h"
 
 namespace deltamesh::bench {
