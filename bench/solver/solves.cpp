@@ -59,10 +59,10 @@ Solved run(const Problem& problem, Make make, Solve solve) {
 
 Solved run_cycles(const Problem& problem, int cycles) {
   const auto make = [&] {
-    return SingleSolve({problem.part.graph, problem.part.components}, problem.anchors, cycles);
+    return SingleSolve({problem.part.graph, problem.part.components}, problem.anchors);
   };
   return run(problem, make, [&](SingleSolve& solver, std::span<Vec3> x) {
-    const auto solved = std::move(solver).solve(problem.deltas, problem.targets, x.size());
+    const auto solved = std::move(solver).solve(problem.deltas, problem.targets, cycles, x.size());
     if (solved) std::ranges::copy(*solved, x.begin());
     return solved.has_value();
   });
@@ -76,20 +76,12 @@ Solved run_directly(const Problem& problem) {
   });
 }
 
-/// What an encoder makes of the problem, and what it would be without a plan.
-struct Coded {
-  CodedHighpass settled;
-  CodedHighpass best;
-};
-
-std::optional<Coded> code(const Problem& problem) {
+std::optional<CodedHighpass> code(const Problem& problem) {
   const Components components = find_components(problem.whole);
   AnchorSequence anchors(problem.whole, components);
   HighpassCoder coder(problem.whole, components, anchors, problem.whole_positions, problem.box);
-  auto settled = coder.code(problem.settings);
-  if (!settled) return std::nullopt;
-  auto planned = coder.plan(problem.settings, settled->positions, [](const CodedHighpass&) { return true; });
-  return Coded{.settled = *settled, .best = planned ? *std::move(planned) : *settled};
+  auto coded = coder.code(problem.settings);
+  return coded ? std::optional(*std::move(coded)) : std::nullopt;
 }
 
 double delta_bits(const CodedHighpass& coded, const Problem& problem) {
@@ -101,8 +93,7 @@ void print_row(const std::string& name, const Problem& problem, const ProblemSet
                const Settings& settings) {
   const auto coded = code(problem);
   if (!coded) return;
-  const int cycles = coded->best.parameters.cycles;
-  const Solved settled = run_cycles(problem, 0);
+  const int cycles = coded->parameters.cycles;
   const Solved ours = run_cycles(problem, cycles);
   Cells cells{name,
               number(problem.positions.size()),
@@ -114,19 +105,17 @@ void print_row(const std::string& name, const Problem& problem, const ProblemSet
               fixed(ours.setup_ns, 0),
               fixed(ours.solve_ns, 0),
               fixed(ours.setup_ns + ours.solve_ns, 0),
-              fixed(settled.setup_ns + settled.solve_ns, 0),
-              fixed(delta_bits(coded->settled, problem), 3),
-              fixed(delta_bits(coded->best, problem), 3)};
+              fixed(delta_bits(*coded, problem), 3)};
   if (problem.positions.size() <= settings.largest_direct) {
     const Solved direct = run_directly(problem);
-    const std::vector<Vec3> x = problem.solved_of(coded->best.positions);
+    const std::vector<Vec3> x = problem.solved_of(coded->positions);
     const auto over = [&](auto difference) {
       return fixed(difference(x, problem.positions) / difference(direct.x, problem.positions), 4);
     };
     cells.insert(cells.end(), {fixed(direct.setup_ns + direct.solve_ns, 0), over(rms_difference),
                                over(largest_difference)});
   }
-  cells.resize(16);
+  cells.resize(14);
   print(table_row(cells));
 }
 
@@ -167,9 +156,8 @@ int run_benchmark(const Settings& settings) {
     return 0;
   }
   print(table_head({"mesh", "vertices", "bits", "anchors %", "diffusion", "anchors", "cycles",
-                    "setup ns/vertex", "solve", "total", "total without a plan",
-                    "bits per vertex of deltas without a plan", "with it", "direct total", "LFE over exact",
-                    "largest error over exact"}));
+                    "setup ns/vertex", "solve", "total", "bits per vertex of deltas", "direct total",
+                    "LFE over exact", "largest error over exact"}));
   for (const MeshSource& source : sources) print_solves(source, settings);
   return 0;
 }

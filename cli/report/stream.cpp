@@ -61,8 +61,7 @@ void add_settings(Summary& summary, const StreamInfo& info) {
   if (info.geometry != "highpass") return;
   summary.add("anchors", grouped(info.anchors) + ", every vertex within " +
                              counted(info.anchor_density, "edge", "edges") + " of one");
-  summary.add("solver", info.cycles > 0 ? counted(static_cast<std::uint64_t>(info.cycles), "cycle", "cycles")
-                                        : "cycles until it settles");
+  summary.add("solver", counted(static_cast<std::uint64_t>(info.cycles), "cycle", "cycles"));
 }
 
 void add_errors(Summary& summary, const Quality& quality, double diagonal) {

@@ -132,7 +132,7 @@ class Header:  # HDR-5 to HDR-14
         self.anchors, self.density, self.cycles = r.varint(), r.varint(), r.u8()
         must(self.bits == 0 or 3 <= self.bits <= 16, "HDR-11", f"{self.bits} bits")
         must(4 <= self.anchor_bits <= 24, "HDR-11", f"{self.anchor_bits} bits of anchors")
-        must(self.cycles <= 80, "HDR-11", f"{self.cycles} cycles")
+        must(1 <= self.cycles <= 80, "HDR-11", f"{self.cycles} cycles")
         must(self.components <= self.anchors <= self.geometric, "HDR-11", f"{self.anchors} anchors")
 
     def HDR_14_lattice(self, r):

@@ -1,8 +1,6 @@
-"""DELT-7: planned cycles. `alone` tells which anchors are the only ones of their components."""
+"""DELT-7: planned cycles of one component."""
 import numpy as np
 
-from container import must
-from graph import components
 from levels import DELT_7_add_levels, Level, count_edges
 
 def dot(p, q):  # DELT-7
@@ -11,23 +9,19 @@ def dot(p, q):  # DELT-7
 def quotient(p, q):  # DELT-7
     return np.divide(p, q, out=np.zeros(3), where=q > 0)
 
-def DELT_7_sweep(level, x, s, b, t, g):
+def DELT_7_sweep(level, x, s, b, t):
     for i, (near, w) in enumerate(level.A.rows):
-        if len(near):
-            s[i] = (t[i] + w @ s[near]) / level.d[i]
-            x[i] = (b[i] + w @ x[near] - level.M[i] * s[i]) / level.d[i]
-        else:
-            x[i], s[i] = g[level.at.index(i)], b[i] / level.M[i]
+        s[i] = (t[i] + w @ s[near]) / level.d[i]
+        x[i] = (b[i] + w @ x[near] - level.M[i] * s[i]) / level.d[i]
 
-def DELT_7_cycle(level, b, t, g, alone):
+def DELT_7_cycle(level, b, t, g):
     """x, s and f."""
-    x, s, f = np.zeros((level.n, 3)), np.zeros((level.n, 3)), np.zeros(g.shape)
-    DELT_7_sweep(level, x, s, b, t, g)
-    down, up, kept = level.P.transposed_times, level.P.times, level.next.kept
-    gaps, lone = (g - x[level.at])[kept], alone[kept]
-    u, v, f[kept] = DELT_7_solve(level.next, down(b - level.K(x) - level.M * s), down(t - level.K(s)), gaps, lone)
+    x, s = np.zeros((level.n, 3)), np.zeros((level.n, 3))
+    DELT_7_sweep(level, x, s, b, t)
+    down, up = level.P.transposed_times, level.P.times
+    u, v, f = DELT_7_solve(level.next, down(b - level.K(x) - level.M * s), down(t - level.K(s)), g - x[level.at])
     x, s = x + up(u), s + up(v)
-    DELT_7_sweep(level, x, s, b, t + level.pull(f), g)
+    DELT_7_sweep(level, x, s, b, t + level.pull(f))
     return x, s, f
 
 def DELT_7_conjugate_gradients(N, r):
@@ -41,18 +35,18 @@ def DELT_7_conjugate_gradients(N, r):
         p = z + p * quotient(dot(r, z), before)
     return x
 
-def DELT_7_coarsest(level, b, t, g, alone):
+def DELT_7_coarsest(level, b, t, g):
     K, E, M = level.K(np.eye(level.n)), level.pull(np.eye(len(g))), level.M
     N, right = K @ (K / M) + E @ E.T, K @ (b / M) - t + E @ g
     x = np.linalg.solve(N, right) if level.n < 200 else DELT_7_conjugate_gradients(N, right)
-    return x, (b - K @ x) / M, np.where(alone, 0, E.T @ x - g)
+    return x, (b - K @ x) / M, E.T @ x - g if len(g) > 1 else np.zeros((1, 3))
 
-def DELT_7_solve(level, b, t, g, alone, is_second=False):
+def DELT_7_solve(level, b, t, g, is_second=False):
     if not level.next:
-        return DELT_7_coarsest(level, b, t, g, alone)
+        return DELT_7_coarsest(level, b, t, g)
     total, count = 0, 1 if is_second or 2 * count_edges(level.next.edges) > count_edges(level.edges) else 2
     for _ in range(count):
-        x, s, f = DELT_7_cycle(level, b, t, g, alone)
+        x, s, f = DELT_7_cycle(level, b, t, g)
         Kx, at = level.K(x), level.at
         l = quotient(dot(Kx, b / level.M) - dot(x, t) + dot(x[at], g), dot(Kx, Kx / level.M) + dot(x[at], x[at]))
         b, t, g = b - l * (Kx + level.M * s), t - l * (level.K(s) - level.pull(f)), g - l * (x[at] - f)
@@ -60,19 +54,19 @@ def DELT_7_solve(level, b, t, g, alone, is_second=False):
     return np.split(total, [level.n, 2 * level.n])
 
 def DELT_7_positions(graph, deltas, places, cycles):
-    """The positions of the solved vertices relative to the centre; `places` are those of the anchors, by their vertices."""
+    """The positions of a component relative to the centre; `places` are those of the anchors, by their vertices."""
     at = sorted(places)
-    held = [[a for a in part if a in places] for part in components(graph)]
-    alone, c = np.isin(at, [part[0] for part in held if len(part) == 1])[:, None], np.array([places[a] for a in at])
+    c = np.array([places[a] for a in at])
     finest = Level([dict.fromkeys(row, 1) for row in graph], np.array([[len(row)**2] for row in graph]), at)
     DELT_7_add_levels([finest])
-    must(finest.next, "DELT-7", "cycles without a second level")
-    d, second, P = finest.d, finest.next, finest.P
-    S, F = np.zeros((second.n, 3)), np.zeros((len(at), 3))
+    d, second = finest.d, finest.next
+    if not second:
+        return DELT_7_coarsest(finest, d * deltas, np.zeros((finest.n, 3)), c)[0]
+    S, F, P = np.zeros((second.n, 3)), np.zeros((len(at), 3)), finest.P
 
     def correction(r, g):
         nonlocal S, F
-        u, s, f = DELT_7_solve(second, P.transposed_times(r), second.pull(F) - second.K(S), g + F, alone, True)
+        u, s, f = DELT_7_solve(second, P.transposed_times(r), second.pull(F) - second.K(S), g + F, True)
         S, F = S + s, F + f
         return P.times(u)
 

@@ -1,4 +1,4 @@
-"""DELT: highpass geometry: delt.md but for the planned cycles."""
+"""DELT: highpass geometry: delt.md but for the levels and cycles."""
 from logging import debug
 
 import numpy as np
@@ -24,18 +24,6 @@ def DELT_2_deltas(chunk, header, around, solved):
         return header.step * r
     return np.array([[delta(x) for x in row] for row in q]).reshape(s, 3)
 
-def DELT_4_least_squares(graph, deltas, places):
-    """The solution on a graph whose vertices count from 0; `places` are the anchors' positions by their vertices."""
-    n = len(graph)
-    laplacian = np.eye(n)
-    for i, around in enumerate(graph):
-        laplacian[i, around] = -1 / len(around)
-    normal, right = laplacian.T @ laplacian, laplacian.T @ deltas
-    for a, place in places.items():
-        normal[a, a] += 1
-        right[a] += place
-    return np.linalg.solve(normal, right)
-
 def DELT_1_positions(chunk, header, around, components, anchors):
     """The positions of the geometric vertices in doubles."""
     components = [c for c in components if len(c) >= 8]
@@ -46,13 +34,8 @@ def DELT_1_positions(chunk, header, around, components, anchors):
         positions[v] = place
     centre = np.array([0.5 * a + 0.5 * b for a, b in zip(header.box_min, header.box_max)])
     debug("deltas: %s", deltas)
-    must(solved or not header.cycles, "DELT-7", "cycles without solved vertices")
-    for c in [solved] if header.cycles else components:
+    for c in components:  # [DELT-4]
         graph, places = subgraph(around, c), {i: positions[v] - centre for i, v in enumerate(c) if v in anchors}
-        if header.cycles:
-            x = DELT_7_positions(graph, deltas[c], places, header.cycles)
-        else:
-            x = DELT_4_least_squares(graph, deltas[c], places)
-        positions[c] = x + centre
+        positions[c] = DELT_7_positions(graph, deltas[c], places, header.cycles) + centre
     must(np.all(np.abs(positions) <= LARGEST_F32), "DELT-3", "a coordinate is not finite as f32")
     return positions

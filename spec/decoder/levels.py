@@ -1,4 +1,4 @@
-"""DELT-7: the levels of planned cycles. Vectors have a row for each node and a column for each axis."""
+"""DELT-7: the levels of one component. Vectors have a row for each node and a column for each axis."""
 from logging import debug
 
 import numpy as np
@@ -18,10 +18,10 @@ class Matrix:  # DELT-7
         return result
 
 class Level:  # DELT-7
-    """`edges[i]` has the weight of the edge to each neighbour of node i; `at[k]` is the node of the k-th anchor of the level, which is
-    anchor `kept[k]` of the finer level. P interpolates from the level `next`; the coarsest has none."""
-    def __init__(self, edges, M, at, kept=None):
-        self.edges, self.M, self.at, self.kept, self.n, self.next = edges, M, at, kept, len(edges), None
+    """`edges[i]` has the weight of the edge to each neighbour of node i; `at[k]` is the node of the k-th anchor. P interpolates from the
+    level `next`; the coarsest has none."""
+    def __init__(self, edges, M, at):
+        self.edges, self.M, self.at, self.n, self.next = edges, M, at, len(edges), None
         self.A, self.anchors = Matrix(edges, self.n), Matrix([{i: 1} for i in at], self.n)
         self.d = self.A.times(np.ones((self.n, 1)))
         debug("level: %s nodes, of anchors %s\nedges by node: %s\nmasses: %s", self.n, at, edges, M[:, 0])
@@ -38,26 +38,25 @@ def count_edges(edges):  # DELT-7
 
 def DELT_7_add_levels(levels):
     """Adds all that are coarser than the last of these."""
-    level = levels[-1]
-    edges, kept = level.edges, [k for k, i in enumerate(level.at) if level.edges[i]]
-    seeds = {level.at[k] for k in kept}
+    level, is_finest = levels[-1], len(levels) == 1
+    edges, seeds = level.edges, {*level.at, *(i for i, row in enumerate(level.edges) if is_finest and len(row) > 24)}
     for i, row in enumerate(edges):
-        if row and seeds.isdisjoint([i, *row]):
+        if seeds.isdisjoint([i, *row]):
             seeds.add(i)
-    if level.n < max(200, 5 * len(kept)) or not 0 < 5 * len(seeds) <= min(4 * level.n, 5 * 2**28):
+    if level.n < 200 or not is_finest and (level.n < 5 * len(level.at) or 5 * len(seeds) > 4 * level.n):
         return
     number = {i: c for c, i in enumerate(sorted(seeds))}
-    home = [number[i if i in seeds else min(seeds.intersection(row))] if row else None for i, row in enumerate(edges)]
+    home = [number[i if i in seeds else min(seeds.intersection(row))] for i, row in enumerate(edges)]
     rows = [DELT_7_interpolation([i] if i in seeds else row, seeds, home) for i, row in enumerate(edges)]
     if len(levels) < 3:
-        coarse = DELT_7_paths(edges, seeds, home, 1 / 5 if len(levels) == 1 else 0.185)
+        coarse = DELT_7_paths(edges, seeds, home, 1 / 5 if is_finest else 0.185)
     else:
         coarse = DELT_7_product(edges, level.d[:, 0], rows, len(seeds))
     if count_edges(coarse) > count_edges(levels[0].edges):
         return
     debug("interpolation by node: %s", rows)
     level.P = Matrix(rows, len(seeds))
-    level.next = Level(coarse, level.P.transposed_times(level.M), [home[level.at[k]] for k in kept], kept)
+    level.next = Level(coarse, level.P.transposed_times(level.M), [home[i] for i in level.at])
     DELT_7_add_levels([*levels, level.next])
 
 def DELT_7_paths(edges, seeds, home, unit):
@@ -82,11 +81,11 @@ def DELT_7_product(edges, d, rows, n):
     return sums
 
 def DELT_7_interpolation(neighbours, seeds, home):
-    """The weights of nodes of the next level in a node with these neighbours, none where it has none; a seed counts as its own."""
+    """The weights of nodes of the next level in a node with these neighbours; a seed counts as its own."""
     w = {}
     for j in neighbours:
         w[home[j]] = w.get(home[j], 0) + (4 if j in seeds else 1)
     best = sorted(w, key=lambda c: (-w[c], c))[:3]
     W = sum(w[c] for c in best)
     others = {c: (32 * w[c] + W) // (2 * W) / 16 for c in best[1:]}
-    return {c: p for c, p in ({c: 1 - sum(others.values()) for c in best[:1]} | others).items() if p > 0}
+    return {c: p for c, p in ({best[0]: 1 - sum(others.values())} | others).items() if p > 0}

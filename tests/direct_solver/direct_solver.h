@@ -14,7 +14,7 @@
 
 namespace deltamesh::test {
 
-/// The problem of LeastSquaresSolver by a sparse factorisation of the normal equations: exact up to rounding.
+/// The problem of PlannedSolver by a sparse factorisation of the normal equations: exact up to rounding.
 /// Time and memory grow faster than n. Ends the program where the system is singular, as none with an anchor
 /// in every component is.
 class DirectSolver {

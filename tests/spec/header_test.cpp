@@ -127,6 +127,7 @@ TEST(Header, HDR11RejectsHighpassParametersOutOfRange) {
   EXPECT_EQ(broken_rule([](FileHeader& h) { h.highpass.anchors = 5; }), "HDR-11");
   EXPECT_EQ(broken_rule([](FileHeader& h) { h.highpass.anchors = 0; }), "HDR-11");
   EXPECT_EQ(broken_rule([](FileHeader& h) { h.highpass.cycles = kMostCycles + 1; }), "HDR-11");
+  EXPECT_EQ(broken_rule([](FileHeader& h) { h.highpass.cycles = 0; }), "HDR-11");
 }
 
 FileHeader predictive_header() {

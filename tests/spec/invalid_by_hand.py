@@ -85,7 +85,7 @@ def headers():
         yield stream(64, wrong, b"\1\1\1"[:4 - len(wrong)], figures, f32(1)[1:], bytes(6))
     for wrong in (f32(float("inf"))[1:], f32(-1)[1:]):
         yield stream(64, counts, wrong, bytes(6), f32(1)[1:], bytes(6))
-    lattice, highpass = f32(1)[1:] + bytes(6), (f32(1)[1:], bytes(2), b"\4", b"\4", b"\0", b"\0")
+    lattice, highpass = f32(1)[1:] + bytes(6), (f32(1)[1:], bytes(2), b"\4", b"\4", b"\0", b"\1")
     for flags, fields in ((0x10, b""), (0x20, b""), (0xd0, b""), (0xc8, b"")):
         yield stream(flags, counts, figures, fields, bytes(40))
     yield stream(66, counts, LONG_NAN * 3, figures, lattice)
@@ -112,9 +112,7 @@ def headers():
     yield large.stream()
     # A component of four vertices, of which three are anchors.
     conn = next(payload for kind, _, payload in tetrahedron().chunks if KINDS[kind & 15] == "CONN")
-    yield stream(0, counts, figures, f32(0) * 6, *highpass[:3], b"\3", bytes(2), b"\x21", bytes([len(conn)]), conn, b"\5\2\0\0")
-    # The same with cycles, but nothing to solve.
-    yield stream(0, counts, figures, f32(0) * 6, *highpass[:5], b"\1", b"\x21", bytes([len(conn)]), conn, b"\4\1\0\5\2\0\0")
+    yield stream(0, counts, figures, f32(0) * 6, *highpass[:3], b"\3\0\1", b"\x21", bytes([len(conn)]), conn, b"\5\2\0\0")
 
 
 def attributes():

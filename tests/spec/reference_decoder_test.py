@@ -37,7 +37,7 @@ def wrong_positions(mesh, expected, rounding=0):
     if mesh.exact:
         count = int(np.count_nonzero(np.any(mesh.positions.view("u4") != expected.view("u4"), axis=1)))
         return f"{count} positions differ" if count else ""
-    share, most = far_off(mesh.positions, expected, mesh.header, rounding), 0.01 if mesh.header.cycles else 0.25
+    share, most = far_off(mesh.positions, expected, mesh.header, rounding), 0.01
     return f"positions are {share:.4f} of the LFE away" if share > most else ""
 
 

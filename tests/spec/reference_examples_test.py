@@ -63,7 +63,7 @@ def attribute(file, kind, type_number, k, others=(), name="payload"):
 
 
 def highpass(name):
-    header = SimpleNamespace(anchors=2, anchor_bits=4, box_min=[0, 0, 0], box_max=[3, 1, 1.5], step=0.25, shift_ones=32, shift_others=16, cycles=0)
+    header = SimpleNamespace(anchors=2, anchor_bits=4, box_min=[0, 0, 0], box_max=[3, 1, 1.5], step=0.25, shift_ones=32, shift_others=16, cycles=1)
     around = neighbours(triples(line("delt.md", "faces")), 8)
     anchors = ANCH_1_read(chunk("delt.md", "anchors"), header, 8, components(around))
     return DELT_1_positions(chunk("delt.md", name), header, around, components(around), anchors)

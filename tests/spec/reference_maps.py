@@ -88,8 +88,7 @@ def compare(folder, joined):
         if len(its) != len(own):
             return count, f"part {key}: {len(own) // 3} faces"
         far = np.sqrt(((own - its)**2).sum(axis=1).mean())
-        # Without cycles a border point may be another one, and what is near it moves along: within DELT-6 all the same.
-        if not np.array_equal(own, its) and (mesh.exact or far > (0.01 if mesh.header.cycles else 0.25) * mesh.header.lfe):
+        if not np.array_equal(own, its) and (mesh.exact or far > 0.01 * mesh.header.lfe):
             return count, f"part {key}: positions are {far / mesh.header.lfe} of the LFE away"
         inside = ~np.isin(np.array(mesh.faces).reshape(-1), list(mesh.border))
         if len(own_others) != len(others) or not all(

@@ -62,7 +62,7 @@ struct StreamInfo {
   double step = 0;           ///< quantisation step of delta coordinates, or of positions, model units
   std::uint64_t anchors = 0;
   std::uint32_t anchor_density = 0;  ///< largest hop distance of a vertex to its nearest anchor
-  int cycles = 0;                    ///< planned; 0: the least-squares solution
+  int cycles = 0;                    ///< of the solver, for highpass streams
   Quality quality;
   std::vector<AttributeInfo> attributes;
   std::vector<ChunkInfo> chunks;

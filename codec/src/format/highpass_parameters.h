@@ -15,8 +15,7 @@ struct ReconstructionShift {
   bool operator==(const ReconstructionShift&) const = default;
 };
 
-/// Largest number of planned cycles that a stream may have [HDR-11, DELT-7]. The encoder tries fewer:
-/// kMostCyclesTried (geometry/cycle_plan.h).
+/// Largest number of planned cycles that a stream may have [HDR-11, DELT-7]. The encoder tries fewer.
 inline constexpr std::uint8_t kMostCycles = 80;
 
 /// The header's fields for a highpass stream [HDR-11].
@@ -27,7 +26,7 @@ struct HighpassParameters {
   std::uint8_t anchor_bits = 12;     ///< 4 to 24
   std::uint32_t anchors = 0;         ///< their number
   std::uint32_t anchor_density = 0;  ///< largest hops of a vertex to its nearest anchor. For information
-  std::uint8_t cycles = 0;           ///< planned [DELT-7]; 0: the least-squares solution [DELT-4]
+  std::uint8_t cycles = 1;           ///< planned, 1 to kMostCycles [DELT-7]
 };
 
 }  // namespace deltamesh

@@ -11,8 +11,24 @@
 namespace deltamesh {
 namespace {
 
-/// In model units.
-PlanCost errors(const SolvedPart& part, std::span<const Vec3> a, std::span<const Vec3> b) {
+/// Of the best one's.
+constexpr double kFairRms = 1.012;
+constexpr double kFairLargest = 1.25;  // one vertex's, by chance
+constexpr double kFairRoughness = 1.008;
+
+double unit_for(std::span<const Vec3> positions, const Vec3& center) noexcept {
+  double largest = 0;
+  for (const Vec3& position : positions) largest = std::max(largest, length(position - center));
+  return largest > 0 ? std::ldexp(1.0, std::ilogb(largest)) : 1.0;
+}
+
+bool is_finite(const Vec3& v) noexcept {
+  return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
+}
+
+}  // namespace
+
+PlanErrors errors_between(const SolvedPart& part, std::span<const Vec3> a, std::span<const Vec3> b) {
   const auto error = [&](std::uint32_t row) { return a[part.vertex(row)] - b[part.vertex(row)]; };
   double squares = 0;
   double largest = 0;
@@ -32,58 +48,43 @@ PlanCost errors(const SolvedPart& part, std::span<const Vec3> a, std::span<const
           .roughness = std::sqrt(delta_squares / count)};
 }
 
-double unit_for(std::span<const Vec3> positions, const Vec3& center) noexcept {
-  double largest = 0;
-  for (const Vec3& position : positions) largest = std::max(largest, length(position - center));
-  return largest > 0 ? std::ldexp(1.0, std::ilogb(largest)) : 1.0;
-}
-
-bool is_finite(const Vec3& v) noexcept {
-  return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
-}
-
-}  // namespace
-
-PlanJudge::PlanJudge(const SolvedPart& part, std::span<const Vec3> positions, std::span<const Vec3> settled,
-                     double invisible)
-    : part_(part), positions_(positions), invisible_(invisible), settled_(errors(part, positions, settled)) {}
-
-PlanCost PlanJudge::cost(std::span<const Vec3> solution) const {
-  const PlanCost now = errors(part_, positions_, solution);
-  const auto ratio = [&](double figure, double settled) {
-    return figure <= invisible_ ? 0 : figure / settled;
+bool PlanErrors::are_fair(const PlanErrors& best, double invisible) const noexcept {
+  const auto is_fair = [&](double own, double other, double most) {
+    return own <= invisible || own <= most * other;
   };
-  return {.rms = ratio(now.rms, settled_.rms),
-          .largest = ratio(now.largest, settled_.largest),
-          .roughness = ratio(now.roughness, settled_.roughness)};
+  return is_fair(rms, best.rms, kFairRms) && is_fair(largest, best.largest, kFairLargest) &&
+         is_fair(roughness, best.roughness, kFairRoughness);
 }
 
 Compensation::Compensation(const SolvedPart& part, std::span<const Vec3> positions, const Vec3& center)
-    : part_(part),
+    : part_(&part),
       positions_(positions),
       center_(center),
       unit_(unit_for(positions, center)),
       shifted_(positions.begin(), positions.end()),
       deltas_(delta_coordinates(part, shifted_)) {}
 
-Result<void> Compensation::improve(LeastSquaresSolver& solver, std::span<const std::uint32_t> anchors,
-                                   int cycles) {
+Result<double> Compensation::improve(PlannedSolver& solver, std::span<const std::uint32_t> anchors,
+                                     int cycles) {
   const double per_unit = 1 / unit_;
   std::vector<Vec3> targets;
   for (const std::uint32_t row : anchors)
-    targets.push_back(per_unit * (shifted_[part_.vertex(row)] - center_));
+    targets.push_back(per_unit * (shifted_[part_->vertex(row)] - center_));
   std::vector<Vec3> deltas;
   for (const Vec3& delta : deltas_) deltas.push_back(per_unit * delta);
-  std::vector<Vec3> x(part_.row_count);
+  std::vector<Vec3> x(part_->row_count);
   DELTAMESH_CHECK(solver.solve(anchors, deltas, targets, cycles, x));
   if (!std::all_of(x.begin(), x.end(), is_finite))
     return Error{.code = ErrorCode::kInvalidStream, .message = "planned cycles diverge", .rule = "DELT-7"};
+  double largest = 0;
   for (std::size_t row = 0; row < x.size(); ++row) {
-    const std::uint32_t v = part_.vertex(row);
-    shifted_[v] = shifted_[v] + (positions_[v] - (center_ + unit_ * x[row]));
+    const std::uint32_t v = part_->vertex(row);
+    const Vec3 left = positions_[v] - (center_ + unit_ * x[row]);
+    largest = std::max(largest, dot(left, left));
+    shifted_[v] = shifted_[v] + left;
   }
-  deltas_ = delta_coordinates(part_, shifted_);
-  return {};
+  deltas_ = delta_coordinates(*part_, shifted_);
+  return std::sqrt(largest);
 }
 
 }  // namespace deltamesh

@@ -25,7 +25,7 @@ inline double reconstruction_point(std::int32_t q, const ReconstructionShift& sh
 }
 
 /// Largest magnitude of a symbol that an encoder makes.
-inline constexpr double kLargestSymbol = 1 << 30;
+inline constexpr double kLargestSymbol = (1 << 23) - 1;
 
 struct DeltaQuantizer {
   double step = 1;  ///< model units

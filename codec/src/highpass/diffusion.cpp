@@ -56,7 +56,7 @@ bool pass_over_deltas(const Adjacency& graph, std::span<const Vec3> deltas, cons
 }
 
 constexpr Error kStepTooSmall{.code = ErrorCode::kInvalidArgument,
-                              .message = "the step is too small for this mesh: deltas exceed 2^30 steps"};
+                              .message = "the step is too small for this mesh: deltas reach 2^23 steps"};
 
 }  // namespace
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// DELT and ANCH: quantised delta coordinates and anchors, reconstructed by least squares (Yang, Li et al.,
+// DELT and ANCH: quantised delta coordinates and anchors, reconstructed by planned cycles (Yang, Li et al.,
 // section 3).
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -16,6 +15,7 @@
 #include "deltamesh/result.h"
 #include "entropy/payload.h"
 #include "format/highpass_parameters.h"
+#include "highpass/cycle_plan.h"
 #include "highpass/settings.h"
 #include "laplacian/anchors/anchor_sequence.h"
 #include "laplacian/operator/solved_part.h"
@@ -27,7 +27,6 @@ namespace deltamesh {
 class ThreadTeam;
 
 struct HighpassSymbols;
-class PlanJudge;
 
 struct CodedHighpass {
   HighpassParameters parameters;
@@ -35,8 +34,7 @@ struct CodedHighpass {
   std::vector<std::byte> compact_deltas;   ///< the same in the compact form
   std::vector<std::byte> anchors;          ///< ANCH payload, plain
   std::vector<std::byte> compact_anchors;  ///< the same in the compact form
-  /// n: what read_highpass will return, or nearly that.
-  LargeVector<Vec3> positions{};
+  LargeVector<Vec3> positions{};           ///< n: what read_highpass() will return
 };
 
 /// Codes one mesh under any settings, one after the other.
@@ -64,29 +62,24 @@ class HighpassCoder {
   /// decides on VDE, without a solve. Infinite where the step is too small. O(n + edges).
   double delta_error(const HighpassSettings& settings);
 
-  /// Exactly those that a decoder finds; or within a few percent of their errors, in half the time.
-  enum class Positions { kDecoded, kApproximate };
+  /// The fewest cycles, `from` or more, that serve `settings`: with more of them, errors would hardly be
+  /// smaller. What they leave out of positions, before deltas and anchors make up for it, is `most_left_out`
+  /// at most. Cost: a few times as many solves as cycles that are tried.
+  int fewest_cycles(const HighpassSettings& settings, double most_left_out, int from);
 
-  /// Without planned cycles: positions are the least-squares solution [DELT-4]. Errors: kInvalidArgument
-  /// where the step is too small for 32-bit symbols. Cost: a solve, whose set-up is kept while the anchors
-  /// stay.
-  Result<CodedHighpass> code(const HighpassSettings& settings, Positions positions = Positions::kDecoded);
+  /// Deltas and anchors for so many planned cycles, 1 or more, make up for what these leave out
+  /// (Compensation); with the positions that a decoder finds. settings.more_anchors change nothing but the
+  /// anchors: errors stay where they are, so that anchors at the largest serve, if little is left out.
+  /// Errors: kInvalidArgument where the step is too small for the symbols, kInvalidStream where the cycles
+  /// diverge or numbers leave their range. Cost: a solve; for other anchors or cycles than before some solves
+  /// besides.
+  Result<CodedHighpass> code(const HighpassSettings& settings, int cycles);
 
-  /// The same without positions and without the solve.
+  /// The same with the fewest cycles that serve, whatever they leave out.
+  Result<CodedHighpass> code(const HighpassSettings& settings);
+
+  /// Nearly the same without positions and without a solve.
   Result<CodedHighpass> code_only(const HighpassSettings& settings);
-
-  /// The same mesh coded for the fewest planned cycles [DELT-7] whose positions are about as good as
-  /// `settled`, those of code(settings), and that `accepts`; none where that takes too many. Deltas and
-  /// anchors make up for what the cycles leave out (Compensation). Cost: at most five solves for each number
-  /// of cycles.
-  std::optional<CodedHighpass> plan(const HighpassSettings& settings, std::span<const Vec3> settled,
-                                    const std::function<bool(const CodedHighpass&)>& accepts);
-
-  /// The same mesh coded for so many planned cycles, 1 or more, with the deltas that code(settings) has:
-  /// errors are where they are there, so that anchors at the largest serve here too. Anchors alone make up
-  /// for what the cycles leave out, which takes more cycles than plan() does. Errors: kInvalidArgument,
-  /// kInvalidStream where the mesh cannot be planned so. Cost: three solves.
-  Result<CodedHighpass> code_planned(const HighpassSettings& settings, int cycles);
 
   HighpassCoder(const HighpassCoder&) = delete;
   HighpassCoder& operator=(const HighpassCoder&) = delete;
@@ -98,18 +91,26 @@ class HighpassCoder {
     std::vector<std::int32_t> symbols{};
     ReconstructionShift shift{};
   };
-  Result<Quantized> quantize(const HighpassSettings& settings, std::span<const Vec3> deltas) const;
-  /// Sets quantized_.
-  Result<void> quantize_own(const HighpassSettings& settings);
+  /// Into `kept`, which may hold it already: symbols of `deltas`, always the same.
+  Result<void> quantize(const HighpassSettings& settings, std::span<const Vec3> deltas,
+                        Quantized& kept) const;
+  /// Positions whose deltas and anchors are coded.
+  struct Source {
+    std::vector<std::uint32_t> rows{};  ///< of the sequence's anchors
+    int cycles = 0;
+    Compensation compensation;
+    int rounds = 0;
+    double left_out_at_first = 0;  ///< before the first round
+    double left_out = 0;           ///< before the last round
+    Quantized quantized{};
+  };
+  /// Sets source_.
+  Result<void> compensate(const HighpassSettings& settings, int cycles);
   /// `positions`: n, of which those of the anchors count.
   HighpassSymbols symbols_for(const Quantized& quantized, const Anchors& anchors, int anchor_bits,
                               std::span<const Vec3> positions) const;
-  struct Attempt {
-    std::optional<CodedHighpass> coded{};
-    bool gains = false;  ///< whether compensation makes a difference
-  };
-  Attempt plan_for(int cycles, const HighpassSettings& settings, const Anchors& anchors,
-                   const PlanJudge& judge, const std::function<bool(const CodedHighpass&)>& accepts);
+  /// Errors at so many cycles where these leave nothing out but what rounding adds.
+  Result<PlanErrors> least_errors(const HighpassSettings& settings, int cycles);
   static HighpassParameters parameters_for(const HighpassSettings& settings, const Anchors& anchors,
                                            const ReconstructionShift& shift, int cycles);
   /// All but positions.
@@ -124,8 +125,9 @@ class HighpassCoder {
   std::vector<Vec3> deltas_;  ///< over the rows of part_
   double range_ = 0;
   double largest_ = 0;
-  LeastSquaresSolver solver_;
+  PlannedSolver solver_;
   Quantized quantized_;  ///< of deltas_
+  std::optional<Source> source_;
 };
 
 /// Returns n finite positions. `graph`, `components`: of the decoded faces; given away, they are freed when

@@ -24,7 +24,8 @@ Result<void> check_parameters(const HighpassParameters& parameters, std::size_t 
     return broken_rule("the step is not a finite number above 0", "DELT-1", kTagDeltas);
   if (parameters.anchor_bits < 4 || parameters.anchor_bits > 24)
     return broken_rule("anchor bits outside 4 to 24", "ANCH-1", kTagAnchors);
-  if (parameters.cycles > kMostCycles) return broken_rule("too many cycles", "DELT-7", kTagDeltas);
+  if (parameters.cycles < 1 || parameters.cycles > kMostCycles)
+    return broken_rule("no cycles, or too many", "DELT-7", kTagDeltas);
   if (parameters.anchors > vertex_count)
     return broken_rule("more anchors than vertices", "ANCH-1", kTagAnchors);
   return {};

@@ -103,7 +103,7 @@ std::vector<std::uint32_t> anchor_rows(std::span<const std::uint32_t> anchors, c
 }
 
 Result<LargeVector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, const SolvedPart& part,
-                                               LeastSquaresSolver& solver, const Box& box,
+                                               PlannedSolver& solver, const Box& box,
                                                const HighpassParameters& parameters) {
   LargeVector<Vec3> positions(part.whole_count);
   if (part.row_count > 0) {
@@ -116,25 +116,23 @@ Result<LargeVector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, c
   return positions;
 }
 
-Result<LargeVector<Vec3>> settle_from(std::span<const Vec3> positions, std::span<const Vec3> deltas,
-                                      const HighpassSymbols& symbols, const SolvedPart& part,
-                                      LeastSquaresSolver& solver, const Box& box,
-                                      const HighpassParameters& parameters) {
-  LargeVector<Vec3> result(part.whole_count);
-  const std::span<Vec3> x = std::span(result).first(part.row_count);
-  if (part.row_count > 0) {
-    const Vec3 center = middle(box);
-    const DeltaView rounded(symbols.deltas.view(), scale_of(parameters));
-    std::vector<Vec3> errors(part.row_count);
-    for (std::size_t row = 0; row < errors.size(); ++row) errors[row] = rounded[row] - deltas[row];
-    const std::vector<std::uint32_t> anchors = anchor_rows(symbols.anchors, part);
-    std::vector<Vec3> targets = anchor_targets(symbols, part, box, parameters);
-    for (std::size_t a = 0; a < anchors.size(); ++a)
-      targets[a] = targets[a] - (positions[part.vertex(anchors[a])] - center);
-    DELTAMESH_CHECK(solver.solve(anchors, errors, targets, 0, x));
-    for (std::size_t row = 0; row < x.size(); ++row) x[row] = x[row] + (positions[part.vertex(row)] - center);
-  }
-  DELTAMESH_CHECK(complete_positions(symbols, part.vertices, box, parameters, result));
+Result<LargeVector<Vec3>> reconstruct_errors(std::span<const Vec3> positions, std::span<const Vec3> deltas,
+                                             const HighpassSymbols& symbols, const SolvedPart& part,
+                                             PlannedSolver& solver, const Box& box,
+                                             const HighpassParameters& parameters) {
+  const double per_step = 1 / parameters.step;
+  const DeltaView rounded(symbols.deltas.view(), scale_of(parameters));
+  std::vector<Vec3> errors(part.row_count);
+  for (std::size_t row = 0; row < errors.size(); ++row) errors[row] = per_step * (rounded[row] - deltas[row]);
+  const std::vector<std::uint32_t> anchors = anchor_rows(symbols.anchors, part);
+  std::vector<Vec3> targets = anchor_targets(symbols, part, box, parameters);
+  for (std::size_t a = 0; a < anchors.size(); ++a)
+    targets[a] = per_step * (targets[a] - (positions[part.vertex(anchors[a])] - middle(box)));
+  std::vector<Vec3> x(part.row_count);
+  DELTAMESH_CHECK(solver.solve(anchors, errors, targets, parameters.cycles, x));
+  for (Vec3& error : x) error = parameters.step * error;
+  LargeVector<Vec3> result(part.whole_count, Vec3{});
+  scatter_rows(std::span<const Vec3>(x), part.vertices, std::span(result));
   return result;
 }
 
@@ -148,14 +146,12 @@ Result<LargeVector<Vec3>> reconstruct_highpass_once(const ReadSymbols& read_delt
     Task reading(team, [&] { return read_deltas(graph); });
     const Components components = std::exchange(part.components, {});
     const std::vector<std::uint32_t> rows = anchor_rows(anchors.anchors, part);
-    SingleSolve solve({graph, components, team}, rows, parameters.cycles);
+    SingleSolve solve({graph, components, team}, rows);
     DELTAMESH_TRY(const SymbolRows deltas, reading.get());
-    DELTAMESH_TRY(positions,
-                  std::move(solve).solve(DeltaView(deltas.view(), scale_of(parameters)),
-                                         anchor_targets(anchors, part, box, parameters), part.whole_count));
+    DELTAMESH_TRY(positions, std::move(solve).solve(DeltaView(deltas.view(), scale_of(parameters)),
+                                                    anchor_targets(anchors, part, box, parameters),
+                                                    parameters.cycles, part.whole_count));
   } else {
-    if (parameters.cycles != 0)
-      return broken_rule("planned cycles, but nothing to solve", "DELT-7", kTagDeltas);
     DELTAMESH_TRY([[maybe_unused]] const auto none, read_deltas(part.graph));
     positions.resize(part.whole_count);
   }

@@ -54,16 +54,16 @@ std::vector<std::uint32_t> anchor_rows(std::span<const std::uint32_t> anchors, c
 /// one position per vertex of the whole graph. Errors: kInvalidStream [DELT-3] where a position is not finite
 /// as float32.
 Result<LargeVector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, const SolvedPart& part,
-                                               LeastSquaresSolver& solver, const Box& box,
+                                               PlannedSolver& solver, const Box& box,
                                                const HighpassParameters& parameters);
 
-/// Nearly the same positions, where there are no planned cycles, in less time: rounding errors of deltas and
-/// anchors lead to those of positions, which are small from the start. `positions`: n, before coding;
-/// `deltas`: theirs, over the rows of `part`.
-Result<LargeVector<Vec3>> settle_from(std::span<const Vec3> positions, std::span<const Vec3> deltas,
-                                      const HighpassSymbols& symbols, const SolvedPart& part,
-                                      LeastSquaresSolver& solver, const Box& box,
-                                      const HighpassParameters& parameters);
+/// What rounding alone adds to the positions, whatever the cycles leave out: those of the errors of deltas
+/// and anchors, which are small, so that nothing is lost. `positions`: n, before coding; `deltas`: theirs,
+/// over the rows of `part`. Returns n. Errors: as PlannedSolver::solve().
+Result<LargeVector<Vec3>> reconstruct_errors(std::span<const Vec3> positions, std::span<const Vec3> deltas,
+                                             const HighpassSymbols& symbols, const SolvedPart& part,
+                                             PlannedSolver& solver, const Box& box,
+                                             const HighpassParameters& parameters);
 
 /// Returns the deltas' symbols; called once, with the graph of the solved part.
 using ReadSymbols = std::function<Result<SymbolRows>(const Adjacency&)>;

@@ -22,6 +22,19 @@ namespace {
 /// Deltas of float32 positions carry no more than this many bits below the longest side.
 constexpr int kFinestDeltaBits = 40;
 
+/// Of compensation: each leaves a tenth or less.
+constexpr int kMostRounds = 4;
+/// Of the longest side: above it what is left out is more than rounding.
+constexpr double kConverged = 0x1p-12;
+
+/// A choice of the encoder: streams may have up to kMostCycles. And how many are as good as any, mostly.
+constexpr int kMostCyclesTried = 16;
+constexpr int kBestCycles = 10;
+constexpr double kFairBytes = 1.002;  ///< of deltas, over those that make up for nothing
+
+/// Distance that is small against the rounding of positions to floats, over the longest side.
+constexpr double kInvisible = 0x1p-26;
+
 double largest_component(std::span<const Vec3> deltas) noexcept {
   double largest = 0;
   for (const Vec3& delta : deltas)
@@ -86,8 +99,10 @@ Anchors HighpassCoder::anchors_for(const HighpassSettings& settings) {
 
 /// Symbols chosen by price have other centroids than the nearest ones: theirs are found afterwards. Diffusion
 /// must know the shift in advance, and takes that of the nearest.
-Result<HighpassCoder::Quantized> HighpassCoder::quantize(const HighpassSettings& settings,
-                                                         std::span<const Vec3> deltas) const {
+Result<void> HighpassCoder::quantize(const HighpassSettings& settings, std::span<const Vec3> deltas,
+                                     Quantized& kept) const {
+  if (kept.settings.has_same_deltas(settings)) return {};
+  kept = {};
   const bool shifts_afterwards = settings.rate_weight > 0 && !(settings.diffusion > 0);
   DeltaQuantizer quantizer{.step = settings.step};
   if (settings.centroids && !shifts_afterwards)
@@ -96,13 +111,7 @@ Result<HighpassCoder::Quantized> HighpassCoder::quantize(const HighpassSettings&
                 quantize_deltas(part_.graph, deltas, quantizer, settings.diffusion, settings.rate_weight));
   if (settings.centroids && shifts_afterwards)
     quantizer.shift = BinErrors(settings.step, deltas, symbols).centroids();
-  return Quantized{.settings = settings, .symbols = std::move(symbols), .shift = quantizer.shift};
-}
-
-Result<void> HighpassCoder::quantize_own(const HighpassSettings& settings) {
-  if (quantized_.settings.has_same_deltas(settings)) return {};
-  quantized_ = {};
-  DELTAMESH_TRY(quantized_, quantize(settings, deltas_));
+  kept = {.settings = settings, .symbols = std::move(symbols), .shift = quantizer.shift};
   return {};
 }
 
@@ -112,7 +121,7 @@ double HighpassCoder::delta_error(const HighpassSettings& settings) {
     if (!(errors.largest_symbol() <= kLargestSymbol)) return std::numeric_limits<double>::infinity();
     return errors.rms(settings.centroids ? errors.centroids() : ReconstructionShift{});
   }
-  if (!quantize_own(settings)) return std::numeric_limits<double>::infinity();
+  if (!quantize(settings, deltas_, quantized_)) return std::numeric_limits<double>::infinity();
   return BinErrors(settings.step, deltas_, quantized_.symbols).rms(quantized_.shift);
 }
 
@@ -148,23 +157,77 @@ HighpassParameters HighpassCoder::parameters_for(const HighpassSettings& setting
 
 Result<CodedHighpass> HighpassCoder::code_only(const HighpassSettings& settings) {
   const Anchors anchors = anchors_for(settings);
-  DELTAMESH_CHECK(quantize_own(settings));
-  return coded(parameters_for(settings, anchors, quantized_.shift, 0), quantized_,
+  DELTAMESH_CHECK(quantize(settings, deltas_, quantized_));
+  return coded(parameters_for(settings, anchors, quantized_.shift, 1), quantized_,
                symbols_for(quantized_, anchors, settings.anchor_bits, positions_));
 }
 
-Result<CodedHighpass> HighpassCoder::code(const HighpassSettings& settings, Positions positions) {
-  const Anchors anchors = anchors_for(settings);
-  DELTAMESH_CHECK(quantize_own(settings));
-  const HighpassSymbols symbols = symbols_for(quantized_, anchors, settings.anchor_bits, positions_);
-  CodedHighpass result = coded(parameters_for(settings, anchors, quantized_.shift, 0), quantized_, symbols);
-  if (positions == Positions::kDecoded) {
-    DELTAMESH_TRY(result.positions, reconstruct_highpass(symbols, part_, solver_, box_, result.parameters));
-  } else {
-    DELTAMESH_TRY(result.positions,
-                  settle_from(positions_, deltas_, symbols, part_, solver_, box_, result.parameters));
+Result<void> HighpassCoder::compensate(const HighpassSettings& settings, int cycles) {
+  std::vector<std::uint32_t> rows = anchor_rows(anchors_.first(graph_, settings.anchors).vertices, part_);
+  if (!source_ || source_->cycles != cycles || source_->rows != rows) {
+    source_.reset();
+    source_ = Source{.rows = std::move(rows),
+                     .cycles = cycles,
+                     .compensation = Compensation(part_, positions_, middle(box_))};
   }
+  while (source_->rounds == 0 || (source_->rounds < kMostRounds && source_->left_out > settings.step)) {
+    DELTAMESH_TRY(const double left_out, source_->compensation.improve(solver_, source_->rows, cycles));
+    if (source_->rounds == 0) source_->left_out_at_first = left_out;
+    source_->left_out = left_out;
+    source_->quantized = {};
+    ++source_->rounds;
+  }
+  if (source_->left_out > source_->left_out_at_first && source_->left_out > kConverged * box_.longest_side())
+    return Error{
+        .code = ErrorCode::kInvalidStream, .message = "planned cycles do not converge", .rule = "DELT-7"};
+  return {};
+}
+
+Result<CodedHighpass> HighpassCoder::code(const HighpassSettings& settings, int cycles) {
+  DELTAMESH_CHECK(compensate(settings, cycles));
+  DELTAMESH_CHECK(quantize(settings, source_->compensation.deltas(), source_->quantized));
+  const Quantized& quantized = source_->quantized;
+  const Anchors anchors = anchors_for(settings);
+  const HighpassSymbols symbols =
+      symbols_for(quantized, anchors, settings.anchor_bits, source_->compensation.positions());
+  CodedHighpass result =
+      coded(parameters_for(settings, anchors, quantized.shift, cycles), quantized, symbols);
+  DELTAMESH_TRY(result.positions, reconstruct_highpass(symbols, part_, solver_, box_, result.parameters));
   return result;
+}
+
+Result<CodedHighpass> HighpassCoder::code(const HighpassSettings& settings) {
+  return code(settings, fewest_cycles(settings, std::numeric_limits<double>::infinity(), 1));
+}
+
+Result<PlanErrors> HighpassCoder::least_errors(const HighpassSettings& settings, int cycles) {
+  const Anchors anchors = anchors_for(settings);
+  DELTAMESH_CHECK(quantize(settings, deltas_, quantized_));
+  const HighpassSymbols symbols = symbols_for(quantized_, anchors, settings.anchor_bits, positions_);
+  const HighpassParameters parameters = parameters_for(settings, anchors, quantized_.shift, cycles);
+  DELTAMESH_TRY(const auto errors,
+                reconstruct_errors(positions_, deltas_, symbols, part_, solver_, box_, parameters));
+  const LargeVector<Vec3> none(errors.size(), Vec3{});
+  return errors_between(part_, errors, none);
+}
+
+int HighpassCoder::fewest_cycles(const HighpassSettings& settings, double most_left_out, int from) {
+  if (part_.row_count == 0) return 1;
+  const double invisible = kInvisible * box_.longest_side();
+  const auto best = least_errors(settings, kBestCycles);
+  if (!best) return kMostCyclesTried;
+  const auto plain = code_only(settings);
+  if (!plain) return kMostCyclesTried;
+  const auto most_bytes =
+      static_cast<std::size_t>(kFairBytes * static_cast<double>(plain->compact_deltas.size()));
+  for (int cycles = from; cycles < kMostCyclesTried; ++cycles) {
+    const auto result = code(settings, cycles);
+    if (result && source_->left_out_at_first <= most_left_out &&
+        result->compact_deltas.size() <= most_bytes &&
+        errors_between(part_, positions_, result->positions).are_fair(*best, invisible))
+      return cycles;
+  }
+  return kMostCyclesTried;
 }
 
 }  // namespace deltamesh

@@ -3,71 +3,107 @@
 #include "laplacian/solver.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/try.h"
-#include "laplacian/anchors/anchors.h"
+#include "laplacian/coarsest/solve_directly.h"
 #include "laplacian/multigrid/setup/levels.h"
-#include "laplacian/settling/settle.h"
+#include "topology/subgraph.h"
 
 namespace deltamesh {
 namespace {
 
-Error broken_plan(const char* message) noexcept {
-  return {.code = ErrorCode::kInvalidStream, .message = message, .rule = "DELT-7"};
+bool is_cycled(const ComponentProblem& problem) noexcept {
+  return problem.vertices.size() >= multigrid::kFewestNodesToCoarsen;
+}
+
+/// Of a component into the whole: in place where its rows follow each other.
+template <class Write>
+void write_rows(const VertexSubset& vertices, std::span<Vec3> x, std::vector<Vec3>& rows,
+                const Write& write) {
+  const auto& runs = vertices.runs();
+  if (runs.size() == 1) return write(x.subspan(runs.front().begin, runs.front().size()));
+  rows.resize(vertices.size());
+  write(std::span<Vec3>(rows));
+  scatter_rows(std::span<const Vec3>(rows), vertices, x);
 }
 
 }  // namespace
 
 PlannedSetup::PlannedSetup(const SolverGraph& graph, std::span<const std::uint32_t> anchors)
-    : levels_(multigrid::build_levels(graph.graph, anchors, graph.team)) {
-  if (levels_.size() > 1) cycles_.emplace(levels_, shared_anchors(graph.components, anchors), graph.team);
+    : graph_(graph),
+      anchors_(anchors.begin(), anchors.end()),
+      problems_(split_components(graph.components, anchors)) {
+  for (const ComponentProblem& problem : problems_) {
+    if (!is_cycled(problem)) continue;
+    const bool is_whole = problems_.size() == 1;
+    Cycled& cycled = cycled_.emplace_back();
+    cycled.problem = &problem;
+    if (!is_whole) cycled.graph = copy_vertices(graph.graph, problem.vertices);
+    cycled.levels =
+        multigrid::build_levels(is_whole ? graph.graph : cycled.graph, problem.anchors, graph.team);
+    if (cycled.levels.size() > 1) cycled.cycles.emplace(cycled.levels, graph.team);
+  }
 }
 
 bool PlannedSetup::is_for(std::span<const std::uint32_t> anchors) const noexcept {
-  const auto& own = levels_.front().anchors;
-  return std::equal(anchors.begin(), anchors.end(), own.begin(), own.end());
+  return std::equal(anchors.begin(), anchors.end(), anchors_.begin(), anchors_.end());
 }
 
-Result<multigrid::PlannedSolution> PlannedSetup::solve(const DeltaView& deltas, std::span<const Vec3> targets,
-                                                       int cycles, multigrid::RangeWatch* watch) {
-  if (!cycles_) return broken_plan("planned cycles on a mesh with one level");
-  return cycles_->solve(deltas, targets, cycles, watch);
+Result<std::vector<PlannedSetup::Part>> PlannedSetup::run_cycles(const DeltaView& deltas,
+                                                                 std::span<const Vec3> targets, int cycles,
+                                                                 multigrid::RangeWatch* watch) {
+  std::vector<Part> parts;
+  for (Cycled& cycled : cycled_) {
+    if (!cycled.cycles)
+      return Error{.code = ErrorCode::kLimitExceeded, .message = "more vertices than can be solved for"};
+    const ComponentDeltas own(deltas, cycled.problem->vertices);
+    parts.push_back({cycled.problem,
+                     cycled.cycles->solve(own.view(), cycled.problem->pick_targets(targets), cycles, watch)});
+  }
+  return parts;
 }
 
-Result<void> LeastSquaresSolver::solve(std::span<const std::uint32_t> anchors, const DeltaView& deltas,
-                                       std::span<const Vec3> targets, int cycles, std::span<Vec3> x) {
-  if (cycles == 0)
-    return settling::settle({graph_.graph, graph_.components, anchors, deltas, targets}, graph_.team, x);
+void PlannedSetup::write(std::span<const Part> parts, const DeltaView& deltas, std::span<const Vec3> targets,
+                         std::span<Vec3> x) const {
+  std::vector<Vec3> rows;
+  for (const Part& part : parts) {
+    write_rows(part.problem->vertices, x, rows,
+               [&](std::span<Vec3> own) { part.solution.write(own, graph_.team); });
+  }
+  multigrid::EnvelopeFactor factor;
+  for (const ComponentProblem& problem : problems_) {
+    if (is_cycled(problem)) continue;
+    const Adjacency graph = copy_vertices(graph_.graph, problem.vertices);
+    const multigrid::Level level = multigrid::finest_level(graph, problem.anchors);
+    const ComponentDeltas own(deltas, problem.vertices);
+    write_rows(problem.vertices, x, rows, [&](std::span<Vec3> solved) {
+      multigrid::solve_directly(level, own.view(), problem.pick_targets(targets), factor, solved);
+    });
+  }
+}
+
+Result<void> PlannedSolver::solve(std::span<const std::uint32_t> anchors, const DeltaView& deltas,
+                                  std::span<const Vec3> targets, int cycles, std::span<Vec3> x) {
   if (!planned_ || !planned_->is_for(anchors)) {
     planned_.reset();  // before memory is taken for the next one
     planned_.emplace(graph_, anchors);
   }
   multigrid::RangeWatch watch;
-  DELTAMESH_TRY(const auto solution, planned_->solve(deltas, targets, cycles, &watch));
-  solution.write(x, graph_.team);
-  if (!watch.holds()) return broken_plan("planned cycles leave the range of 32 bits");
-  return {};
-}
-
-SingleSolve::SingleSolve(const SolverGraph& graph, std::span<const std::uint32_t> anchors, int cycles)
-    : graph_(graph), anchors_(anchors), cycles_(cycles) {
-  if (cycles > 0) planned_.emplace(graph, anchors);
+  DELTAMESH_TRY(const auto parts, planned_->run_cycles(deltas, targets, cycles, &watch));
+  planned_->write(parts, deltas, targets, x);
+  if (watch.holds()) return {};
+  return Error{.code = ErrorCode::kInvalidStream,
+               .message = "planned cycles leave the range of 32 bits",
+               .rule = "DELT-7"};
 }
 
 Result<LargeVector<Vec3>> SingleSolve::solve(const DeltaView& deltas, std::span<const Vec3> targets,
-                                             std::size_t size) && {
-  const std::size_t n = graph_.graph.vertex_count();
-  LargeVector<Vec3> x;
-  if (!planned_) {
-    x.resize(size);
-    DELTAMESH_CHECK(settling::settle({graph_.graph, graph_.components, anchors_, deltas, targets},
-                                     graph_.team, std::span(x).first(n)));
-    return x;
-  }
-  DELTAMESH_TRY(const auto solution, planned_->solve(deltas, targets, cycles_, nullptr));
-  planned_.reset();
-  x.resize(size);
-  solution.write(std::span(x).first(n), graph_.team);
+                                             int cycles, std::size_t size) && {
+  DELTAMESH_TRY(const auto parts, setup_.run_cycles(deltas, targets, cycles, nullptr));
+  setup_.drop_levels();
+  LargeVector<Vec3> x(size);
+  setup_.write(parts, deltas, targets, std::span(x).first(deltas.size()));
   return x;
 }
 

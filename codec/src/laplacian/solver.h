@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// The highpass decoder's least-squares problem
-//   x = argmin ||L x - delta||^2 + w^2 sum_a ||x_a - c_a||^2,   L = I - D^-1 A,   w = 1,
-// with one right-hand side per axis, solved by settling [DELT-4] or by planned cycles [DELT-7].
+// The highpass decoder's problem: positions x of which planned cycles [DELT-7] make
+//   ||L x - delta||^2 + sum_a ||x_a - c_a||^2,   L = I - D^-1 A,
+// small, for each axis by itself; of components of few vertices, the smallest possible.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <span>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "base/memory/large_vector.h"
 #include "base/numbers/vec3.h"
 #include "deltamesh/result.h"
+#include "laplacian/component_problem.h"
 #include "laplacian/multigrid/cycle/planned_cycles.h"
 #include "laplacian/multigrid/level/level.h"
 #include "laplacian/operator/delta_view.h"
@@ -32,7 +34,7 @@ struct SolverGraph {
   ThreadTeam* team = nullptr;
 };
 
-/// The set-up of planned cycles for one graph and one set of anchors. Memory O(n).
+/// The set-up for one graph and one set of anchors. Memory O(n).
 class PlannedSetup {
  public:
   /// `anchors`: distinct vertices, ascending, at least one in every component. O(n).
@@ -40,28 +42,49 @@ class PlannedSetup {
 
   bool is_for(std::span<const std::uint32_t> anchors) const noexcept;
 
-  /// As PlannedCycles::solve(). Errors: kInvalidStream if the graph has one level only [DELT-7].
-  Result<multigrid::PlannedSolution> solve(const DeltaView& deltas, std::span<const Vec3> targets, int cycles,
-                                           multigrid::RangeWatch* watch);
+  /// What the cycles find in one component.
+  struct Part {
+    const ComponentProblem* problem;
+    multigrid::PlannedSolution solution;
+  };
+  /// Of components of many vertices. `deltas`: n; `targets`: one for each anchor; `cycles`, `watch`: as
+  /// PlannedCycles::solve(). Errors: kLimitExceeded where a component has too many vertices. O(n cycles).
+  Result<std::vector<Part>> run_cycles(const DeltaView& deltas, std::span<const Vec3> targets, int cycles,
+                                       multigrid::RangeWatch* watch);
+
+  /// Frees what run_cycles() needs.
+  void drop_levels() noexcept { cycled_.clear(); }
+
+  /// `x`: n, overwritten: the components of `parts` with these, the others with the solutions of problems of
+  /// few vertices. O(n).
+  void write(std::span<const Part> parts, const DeltaView& deltas, std::span<const Vec3> targets,
+             std::span<Vec3> x) const;
 
  private:
-  std::vector<multigrid::Level> levels_;            ///< at least one
-  std::optional<multigrid::PlannedCycles> cycles_;  ///< empty if there is one level only
+  struct Cycled {
+    const ComponentProblem* problem;
+    Adjacency graph;                                   ///< empty where the whole graph is one component
+    std::vector<multigrid::Level> levels{};            ///< at least one
+    std::optional<multigrid::PlannedCycles> cycles{};  ///< empty if there is one level only
+  };
+
+  SolverGraph graph_;
+  std::vector<std::uint32_t> anchors_;
+  std::vector<ComponentProblem> problems_;
+  std::deque<Cycled> cycled_;
 };
 
-/// For encoders: solves for any number of right-hand sides. A planned set-up is kept for the next call with
-/// the same anchors.
-class LeastSquaresSolver {
+/// For encoders: solves for any number of right-hand sides. The set-up is kept for the next call with the
+/// same anchors.
+class PlannedSolver {
  public:
-  LeastSquaresSolver(const Adjacency& graph, const Components& components, ThreadTeam* team = nullptr)
+  PlannedSolver(const Adjacency& graph, const Components& components, ThreadTeam* team = nullptr)
       : graph_{graph, components, team} {}
-  LeastSquaresSolver(const LeastSquaresSolver&) = delete;
-  LeastSquaresSolver& operator=(const LeastSquaresSolver&) = delete;
+  PlannedSolver(const PlannedSolver&) = delete;
+  PlannedSolver& operator=(const PlannedSolver&) = delete;
 
-  /// `anchors`: as PlannedSetup; `deltas`: n; `targets`: one for each anchor; `cycles`: number of planned
-  /// cycles, or 0 to settle; `x`: n, overwritten. Errors: kInvalidStream if no solution is found; with
-  /// planned cycles if the graph has one level only, or if values leave the range of 32 bits [DELT-7]. Time
-  /// and memory O(n).
+  /// `anchors`, `deltas`, `targets`: as PlannedSetup; `cycles`: above 0; `x`: n, overwritten. Errors:
+  /// kInvalidStream where values leave the range of 32 bits [DELT-7]. Time and memory O(n).
   Result<void> solve(std::span<const std::uint32_t> anchors, const DeltaView& deltas,
                      std::span<const Vec3> targets, int cycles, std::span<Vec3> x);
 
@@ -73,22 +96,17 @@ class LeastSquaresSolver {
 /// For decoders: one problem, set up before its deltas are known and solved once.
 class SingleSolve {
  public:
-  /// `anchors`, `cycles`: as LeastSquaresSolver::solve(); the anchors must outlive this. Planned cycles are
-  /// set up here; settling needs no set-up.
-  SingleSolve(const SolverGraph& graph, std::span<const std::uint32_t> anchors, int cycles);
+  /// `anchors`: as PlannedSetup.
+  SingleSolve(const SolverGraph& graph, std::span<const std::uint32_t> anchors) : setup_(graph, anchors) {}
 
   /// Returns `size` rows, at least n; those from n on are not initialised. The bits are those of
-  /// LeastSquaresSolver::solve(), but the range of planned cycles is not checked. The set-up is freed before
-  /// the result is allocated. Errors: kInvalidStream if no solution is found, or the graph has one level only
-  /// [DELT-7].
-  Result<LargeVector<Vec3>> solve(const DeltaView& deltas, std::span<const Vec3> targets,
+  /// PlannedSolver::solve(), but the range is not checked. The set-up is freed before the result is
+  /// allocated. Errors: as PlannedSetup::run_cycles().
+  Result<LargeVector<Vec3>> solve(const DeltaView& deltas, std::span<const Vec3> targets, int cycles,
                                   std::size_t size) &&;
 
  private:
-  SolverGraph graph_;
-  std::span<const std::uint32_t> anchors_;
-  int cycles_;
-  std::optional<PlannedSetup> planned_;
+  PlannedSetup setup_;
 };
 
 }  // namespace deltamesh

@@ -2,6 +2,7 @@
 // Copyright 2026 The deltamesh authors
 #include "search/geometry_task.h"
 
+#include <limits>
 #include <optional>
 
 #include "base/try.h"
@@ -16,6 +17,7 @@ namespace {
 
 constexpr int kDefaultBits = 8;
 constexpr int kDefaultLatticeBits = 12;
+constexpr double kShareLeftOut = 0.05;  ///< of a largest error
 
 Bounds bounds_of(const GeometryTask& task) {
   const SourceGeometry& source = task.source;
@@ -41,11 +43,10 @@ RateGoal rate_goal(const GeometryTask& task, std::optional<std::uint64_t> rival_
   return goal;
 }
 
-/// What is larger than the rival has no plan: it will not be written.
-Result<CodedGeometry> search_highpass(const RateGoal& goal, HighpassTrials& trials) {
-  DELTAMESH_TRY(const Attempt best, control_rate(goal, trials));
-  if (goal.loses(best.figures.bytes, 1)) return HighpassTrials::geometry(best);
-  return trials.plan(best, goal.bounds, goal.target_bytes);
+/// Anchors at the largest errors leave the deltas as they are, so that these must not have to make up for
+/// much.
+double most_left_out(const Bounds& bounds) noexcept {
+  return bounds.max_error ? kShareLeftOut * *bounds.max_error : std::numeric_limits<double>::infinity();
 }
 
 /// `rival_bytes`: RateGoal::rival_bytes.
@@ -58,14 +59,9 @@ Result<CodedGeometry> code_highpass(const GeometryTask& task,
   const LazyGraph& graph = source.graph;
   AnchorSequence& sequence = containers.impl().sequence(graph.graph(), graph.components());
   HighpassCoder coder(graph.graph(), graph.components(), sequence, source.positions, source.box);
-  const auto search = [&](HighpassCoder::Positions positions) {
-    HighpassTrials trials(options, source, sequence, coder, task.rest, positions);
-    return search_highpass(rate_goal(task, rival_bytes, trials), trials);
-  };
-  Result<CodedGeometry> found = search(HighpassCoder::Positions::kApproximate);
-  if (found ? bounds_of(task).load(found->quality) > 1 : found.error().code == ErrorCode::kInvalidStream)
-    found = search(HighpassCoder::Positions::kDecoded);
-  DELTAMESH_TRY(CodedGeometry geometry, std::move(found));
+  HighpassTrials trials(options, source, sequence, coder, task.rest, most_left_out(bounds_of(task)));
+  DELTAMESH_TRY(const Attempt best, control_rate(rate_goal(task, rival_bytes, trials), trials));
+  CodedGeometry geometry = HighpassTrials::geometry(best);
   if (options.bits || (!options.step && options.quality.empty()))
     geometry.highpass.bits = static_cast<std::uint8_t>(options.bits.value_or(kDefaultBits));
   return geometry;
@@ -168,15 +164,15 @@ Result<CodedGeometry> code_geometry(const GeometryTask& task) {
     return may_choose(options) ? code_smaller(task) : code_highpass(task);
   };
   auto coded = code();
-  // The stream of a finite mesh breaks a rule only where numbers leave the range of floats, or where so few
-  // anchors hold so much that no solution is found.
+  // The stream of a finite mesh breaks a rule only where numbers leave the range of floats, or where cycles
+  // do not converge.
   const bool leaves_range =
       coded ? !is_declarable(coded->quality) : coded.error().code == ErrorCode::kInvalidStream;
   if (leaves_range)
     return Error{.code = ErrorCode::kInvalidMesh,
                  .message =
-                     "the coordinates are too large, or differ too much in size, for float32; or there are "
-                     "too few anchors"};
+                     "the coordinates are too large, or differ too much in size, for float32; or the "
+                     "highpass coder's cycles do not converge, as around vertices of very many neighbours"};
   return coded;
 }
 

@@ -13,8 +13,8 @@ namespace deltamesh {
 namespace {
 
 /// Steps below this share of the longest side are beyond float32 positions.
-constexpr int kFinestStepBits = 36;
-constexpr int kMostSymbolBits = 28;  // of the largest symbol
+constexpr int kFinestStepBits = 26;
+constexpr int kMostSymbolBits = 22;  // of the largest symbol
 constexpr int kMoreAnchorBits = 3;
 
 constexpr int kModelSteps = 12;

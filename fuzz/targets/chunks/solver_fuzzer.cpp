@@ -2,15 +2,13 @@
 // Copyright 2026 The deltamesh authors
 //
 // The solver of highpass streams on a graph, anchors and numbers made from the input: a chain whose length
-// the first byte sets, then pairs of bytes that add edges, anchors or deltas of any size. The solution's
-// functional must come near that of the factorisation, unless it is refused, rounding alone can explain the
-// difference, or positions are within a quarter of the errors to expect, as DELT-6 allows.
+// the first byte sets, then pairs of bytes that add edges, anchors or deltas of any size. The solutions of
+// graphs with few vertices are those of the factorisation, as far as rounding lets them.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <random>
 #include <span>
 #include <vector>
 
@@ -32,7 +30,7 @@ struct Problem {
 
 Problem make_problem(std::span<const std::uint8_t> data) {
   Problem problem;
-  const std::uint32_t count = 70 + 8U * data[0];
+  const std::uint32_t count = 70 + 2U * data[0];
   std::vector<std::uint32_t> triangles;  // of an edge each
   const auto add_edge = [&](std::uint32_t a, std::uint32_t b) {
     triangles.insert(triangles.end(), {a, b, b});
@@ -92,35 +90,6 @@ double largest(std::span<const Vec3> x) {
   return result;
 }
 
-/// Root mean square, over vertices.
-double rms(std::span<const Vec3> x) {
-  double sum = 0;
-  for (const Vec3& v : x) sum += dot(v, v);
-  return std::sqrt(sum / static_cast<double>(x.size()));
-}
-
-double distance(std::span<const Vec3> x, std::span<const Vec3> y) {
-  std::vector<Vec3> difference;
-  for (std::size_t i = 0; i < x.size(); ++i) difference.push_back(x[i] - y[i]);
-  return rms(difference);
-}
-
-/// Rms error of positions from random errors of deltas. `least`, the solution's functional, tells their size:
-/// the system has 3 equations more than unknowns for each anchor.
-double expected_error(Problem problem, double least) {
-  constexpr int kTrials = 8;
-  std::mt19937 random(1);
-  std::fill(problem.targets.begin(), problem.targets.end(), Vec3{});
-  double sum = 0;
-  for (int trial = 0; trial < kTrials; ++trial) {
-    const auto sign = [&] { return random() % 2 == 0 ? 1.0 : -1.0; };
-    for (Vec3& delta : problem.deltas) delta = {sign(), sign(), sign()};
-    const double error = rms(solve_directly(problem));
-    sum += error * error;
-  }
-  return std::sqrt(sum / kTrials * least / (3 * static_cast<double>(problem.anchors.size())));
-}
-
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -128,15 +97,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const Problem problem = make_problem({data, size});
   std::vector<Vec3> x(problem.deltas.size());
   const Components components = find_components(problem.graph);
-  LeastSquaresSolver solver(problem.graph, components);
-  (void)solver.solve(problem.anchors, problem.deltas, problem.targets, 3, x);  // of which nothing is promised
-  if (!solver.solve(problem.anchors, problem.deltas, problem.targets, 0, x))
-    return 0;  // out of reach: refused
+  PlannedSolver solver(problem.graph, components);
+  const bool solved = solver.solve(problem.anchors, problem.deltas, problem.targets, 3, x).has_value();
+  if (x.size() >= 200) return 0;  // by cycles, of which nothing is promised
+  if (!solved) std::abort();
   const std::vector<Vec3> exact = solve_directly(problem);
   const double rounding = 1e-5 * (problem.size + largest(exact));
-  const double least = functional(problem, exact);
-  const double allowed = 4 * least + rounding * rounding * static_cast<double>(problem.deltas.size());
-  if (functional(problem, x) <= allowed) return 0;
-  if (!(distance(x, exact) <= 0.25 * expected_error(problem, least))) std::abort();
+  const double allowed =
+      4 * functional(problem, exact) + rounding * rounding * static_cast<double>(problem.deltas.size());
+  if (!(functional(problem, x) <= allowed)) std::abort();
   return 0;
 }

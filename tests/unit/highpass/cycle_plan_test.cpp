@@ -9,6 +9,7 @@
 #include <limits>
 #include <vector>
 
+#include "direct_solver/direct_solver.h"
 #include "highpass/highpass.h"
 #include "highpass/symbols.h"
 #include "laplacian/operator/delta.h"
@@ -32,12 +33,10 @@ class Coding {
     settings_.anchors = anchors;
   }
 
-  Result<CodedHighpass> settled() { return coder_.code(settings_); }
-  Result<CodedHighpass> planned(int cycles) { return coder_.code_planned(settings_, cycles); }
-  template <class Accepts>
-  std::optional<CodedHighpass> plan(const CodedHighpass& settled, const Accepts& accepts) {
-    return coder_.plan(settings_, settled.positions, accepts);
-  }
+  Result<CodedHighpass> coded(int cycles) { return coder_.code(settings_, cycles); }
+  Result<CodedHighpass> coded() { return coder_.code(settings_); }
+  int fewest_cycles(double most_left_out) { return coder_.fewest_cycles(settings_, most_left_out, 1); }
+  HighpassSettings& settings() { return settings_; }
 
   Result<LargeVector<Vec3>> read(const CodedHighpass& coded) const {
     return read_highpass(coded.deltas, coded.anchors, mesh_.graph, mesh_.components, mesh_.box,
@@ -56,83 +55,66 @@ class Coding {
   HighpassCoder coder_;
 };
 
-bool always(const CodedHighpass&) { return true; }
-
-/// Root mean square of the distances.
-double errors_apart(const CodedHighpass& a, const CodedHighpass& b) {
-  double squares = 0;
-  for (std::size_t v = 0; v < a.positions.size(); ++v) {
-    const Vec3 difference = a.positions[v] - b.positions[v];
-    squares += dot(difference, difference);
+/// Errors of the exact least-squares solution of deltas and anchors that are rounded as the coder does it.
+Quality exact_quality(Coding& coding, const HighpassSettings& settings) {
+  const GraphMesh& mesh = coding.mesh();
+  std::vector<Vec3> deltas = delta_coordinates(mesh.graph, mesh.positions);
+  for (Vec3& delta : deltas) {
+    for (double& x : delta) x = settings.step * std::round(x / settings.step);
   }
-  return std::sqrt(squares / static_cast<double>(a.positions.size()));
+  const AnchorLattice lattice(mesh.box, settings.anchor_bits);
+  const std::vector<std::uint32_t> anchors = coding.anchors();
+  std::vector<Vec3> targets;
+  for (const std::uint32_t anchor : anchors)
+    targets.push_back(lattice.position_of(lattice.cell_of(mesh.positions[anchor])));
+  std::vector<Vec3> x(deltas.size());
+  test::DirectSolver(mesh.graph, anchors).solve(deltas, targets, x);
+  return measure_quality(mesh.graph, mesh.positions, x);
 }
 
-TEST(CyclePlan, DELT7PlansAreAsGoodAsSettledStreams) {
+TEST(HighpassCoder, DELT7FewCyclesAreAsGoodAsTheExactSolution) {
   for (const int bits : {6, 8, 12}) {
-    for (const double diffusion : {0.0, 1.0}) {
-      SCOPED_TRACE(testing::Message() << bits << " bits, diffusion " << diffusion);
-      Coding coding(test::sheet(90, 80), bits, 40, diffusion);
-      const auto settled = coding.settled();
-      ASSERT_TRUE(settled);
-      const auto planned = coding.plan(*settled, always);
-      ASSERT_TRUE(planned);
-      EXPECT_GE(planned->parameters.cycles, 1);
-      EXPECT_LE(planned->parameters.cycles, 7);
-      const Quality before = coding.quality(*settled);
-      const Quality after = coding.quality(*planned);
-      EXPECT_LT(after.lfe_rms, 1.02 * before.lfe_rms);
-      EXPECT_LT(after.max_error, 1.05 * before.max_error);
-      EXPECT_LT(after.vde_rms, 1.02 * before.vde_rms);
-      const auto decoded = coding.read(*planned);
-      ASSERT_TRUE(decoded);
-      EXPECT_EQ(*decoded, planned->positions);
-    }
+    SCOPED_TRACE(bits);
+    Coding coding(test::sheet(90, 80), bits, 40);
+    const auto coded = coding.coded();
+    ASSERT_TRUE(coded);
+    EXPECT_GE(coded->parameters.cycles, 1);
+    EXPECT_LE(coded->parameters.cycles, 7);
+    const Quality exact = exact_quality(coding, coding.settings());
+    const Quality ours = coding.quality(*coded);
+    EXPECT_LT(ours.lfe_rms, 1.03 * exact.lfe_rms);
+    EXPECT_LT(ours.vde_rms, 1.02 * exact.vde_rms);
+    EXPECT_LT(ours.max_error, 1.3 * exact.max_error);
+    const auto decoded = coding.read(*coded);
+    ASSERT_TRUE(decoded);
+    EXPECT_EQ(*decoded, coded->positions);
   }
 }
 
-TEST(CyclePlan, DELT7MoreCyclesAreTriedUntilOneIsAccepted) {
+TEST(HighpassCoder, DELT7MoreCyclesWhereLittleMayBeLeftOut) {
   Coding coding(test::sheet(90, 80), 8, 40);
-  const auto settled = coding.settled();
-  ASSERT_TRUE(settled);
-  const auto planned =
-      coding.plan(*settled, [](const CodedHighpass& coded) { return coded.parameters.cycles >= 3; });
-  ASSERT_TRUE(planned);
-  EXPECT_GE(planned->parameters.cycles, 3);
-  EXPECT_LE(planned->parameters.cycles, 5);
-  int tried = 0;
-  const auto none = coding.plan(*settled, [&](const CodedHighpass& coded) {
-    tried = std::max<int>(tried, coded.parameters.cycles);
-    return false;
-  });
-  EXPECT_FALSE(none);
-  EXPECT_LE(tried, kMostCyclesTried);  // no use in more
+  const int few = coding.fewest_cycles(std::numeric_limits<double>::infinity());
+  const int more = coding.fewest_cycles(1e-4);
+  EXPECT_GT(more, few);
+  EXPECT_LT(more, 16);
 }
 
-/// So that errors are where they are in the settled stream: those of another rounding would be 1.4 of the LFE
-/// away.
-TEST(CyclePlan, DELT7CodePlannedKeepsTheDeltas) {
+/// Errors stay where they are, but for those that the anchors mend.
+TEST(HighpassCoder, MoreAnchorsLeaveTheDeltasAsTheyAre) {
   for (const double diffusion : {0.0, 1.0}) {
     Coding coding(test::sheet(90, 80), 8, 40, diffusion);
-    const auto settled = coding.settled();
-    const auto planned = coding.planned(6);
-    ASSERT_TRUE(settled);
-    ASSERT_TRUE(planned);
-    EXPECT_EQ(planned->parameters.cycles, 6);
-    EXPECT_EQ(planned->compact_deltas, settled->compact_deltas);
-    EXPECT_LT(coding.quality(*planned).lfe_rms, 1.05 * coding.quality(*settled).lfe_rms);
-    EXPECT_LT(errors_apart(*planned, *settled), 0.5 * coding.quality(*settled).lfe_rms);
-    const auto decoded = coding.read(*planned);
+    const auto before = coding.coded(8);
+    ASSERT_TRUE(before);
+    coding.settings().more_anchors = {777, 3000};
+    const auto after = coding.coded(8);
+    ASSERT_TRUE(after);
+    EXPECT_EQ(after->compact_deltas, before->compact_deltas);
+    EXPECT_EQ(after->parameters.anchors, before->parameters.anchors + 2);
+    EXPECT_LT(coding.quality(*after).lfe_rms, coding.quality(*before).lfe_rms);
+    const auto decoded = coding.read(*after);
     ASSERT_TRUE(decoded);
-    EXPECT_EQ(*decoded, planned->positions);
+    EXPECT_EQ(*decoded, after->positions);
   }
-}
-
-TEST(CyclePlan, DELT7CodePlannedAsksForTwoLevels) {
-  Coding coding(test::sheet(10, 9), 8, 4);
-  const auto planned = coding.planned(4);
-  ASSERT_FALSE(planned);
-  EXPECT_STREQ(planned.error().rule, "DELT-7");
 }
 
 /// One cycle leaves out several times the error of quantisation; two steps of compensation make up for it.
@@ -144,7 +126,7 @@ TEST(Compensation, DELT7CyclesGiveThePositionsBackThatItIsFor) {
   const std::vector<std::uint32_t> anchors = anchor_rows(coding.anchors(), part);
   for (const int cycles : {1, 2, 3}) {
     SCOPED_TRACE(cycles);
-    LeastSquaresSolver solver(part.graph, part.components);
+    PlannedSolver solver(part.graph, part.components);
     Compensation source(part, mesh.positions, center);
     const auto error_of_cycles = [&] {
       std::vector<Vec3> targets, x(part.row_count);
@@ -169,27 +151,27 @@ TEST(Compensation, DELT7CyclesGiveThePositionsBackThatItIsFor) {
   }
 }
 
-TEST(CyclePlan, DELT7SizeMakesNoDifference) {
+TEST(HighpassCoder, DELT7SizeMakesNoDifference) {
   int cycles = 0;
   for (const double size : {1.0, 0x1p80, 0x1p-80}) {
     SCOPED_TRACE(size);
     GraphMesh mesh = test::sheet(60, 50);
     for (Vec3& position : mesh.positions) position = size * position;
     Coding coding(test::finish(std::move(mesh)), 8, 20);
-    const auto settled = coding.settled();
-    ASSERT_TRUE(settled);
-    const auto planned = coding.plan(*settled, always);
-    ASSERT_TRUE(planned);
-    if (cycles == 0) cycles = planned->parameters.cycles;
-    EXPECT_EQ(planned->parameters.cycles, cycles);
+    const auto coded = coding.coded();
+    ASSERT_TRUE(coded);
+    if (cycles == 0) cycles = coded->parameters.cycles;
+    EXPECT_EQ(coded->parameters.cycles, cycles);
   }
 }
 
-TEST(CyclePlan, NothingIsPlannedWhereNothingIsSolved) {
-  Coding coding(test::sheet(1, 1), 8, 1);
-  const auto settled = coding.settled();
-  ASSERT_TRUE(settled);
-  EXPECT_FALSE(coding.plan(*settled, always));
+TEST(HighpassCoder, OneCycleWhereNothingIsSolvedByCycles) {
+  for (GraphMesh mesh : {test::sheet(1, 1), test::fragments()}) {
+    Coding coding(std::move(mesh), 8, 1);
+    const auto coded = coding.coded();
+    ASSERT_TRUE(coded);
+    EXPECT_EQ(coded->parameters.cycles, 1);
+  }
 }
 
 TEST(Compensation, StartsFromThePositionsThemselves) {
@@ -202,41 +184,26 @@ TEST(Compensation, StartsFromThePositionsThemselves) {
   EXPECT_TRUE(std::equal(source.deltas().begin(), source.deltas().end(), deltas.begin(), deltas.end()));
 }
 
-TEST(PlanJudge, TellsErrorsOverTheSettledOnes) {
+TEST(PlanErrors, AreFairWhereHardlyLarger) {
   const GraphMesh mesh = test::sheet(12, 9);
   const SolvedPart part = extract_solved_part(mesh.graph, mesh.components);
-  const auto moved = [&](double all, double one) {
+  const auto of = [&](double all, double one) {
     std::vector<Vec3> positions = mesh.positions;
     for (Vec3& position : positions) position[0] += all;
     positions[30][1] += one;
-    return positions;
+    return errors_between(part, mesh.positions, positions);
   };
-  const std::vector<Vec3> settled = moved(0.5, 1.5);
-  const PlanJudge judge(part, mesh.positions, settled, 1e-9);
-  const PlanCost same = judge.cost(settled);
-  EXPECT_DOUBLE_EQ(same.rms, 1);
-  EXPECT_DOUBLE_EQ(same.largest, 1);
-  EXPECT_DOUBLE_EQ(same.roughness, 1);
-  EXPECT_TRUE(same.is_fair());
-  const PlanCost twice = judge.cost(moved(1, 3));
-  EXPECT_NEAR(twice.rms, 2, 1e-12);
-  EXPECT_NEAR(twice.largest, 2, 1e-12);
-  EXPECT_NEAR(twice.roughness, 2, 1e-12);
-  EXPECT_FALSE(twice.is_close());
-  const PlanCost further = judge.cost(moved(0.5, 1.6));  // one vertex only
-  EXPECT_GT(further.largest, 1.02);
-  EXPECT_FALSE(further.is_fair());
-  const PlanCost shifted = judge.cost(moved(0.6, 1.5));  // no rougher
-  EXPECT_GT(shifted.rms, 1.019);
-  EXPECT_NEAR(shifted.roughness, 1, 1e-12);
-  EXPECT_FALSE(shifted.is_fair());
-  const PlanCost none = judge.cost(mesh.positions);
-  EXPECT_EQ(none.rms, 0);
-  EXPECT_TRUE(none.is_fair());
-  std::vector<Vec3> lost = settled;
-  lost[3][2] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(judge.cost(lost).is_fair());
-  EXPECT_FALSE(judge.cost(lost).is_close());
+  const PlanErrors best = of(0.5, 1.5);
+  EXPECT_DOUBLE_EQ(best.largest, std::sqrt(0.25 + 2.25));
+  EXPECT_TRUE(best.are_fair(best, 1e-9));
+  const PlanErrors twice = of(1, 3);
+  EXPECT_NEAR(twice.rms, 2 * best.rms, 1e-12);
+  EXPECT_NEAR(twice.roughness, 2 * best.roughness, 1e-12);
+  EXPECT_FALSE(twice.are_fair(best, 1e-9));
+  EXPECT_TRUE(twice.are_fair(best, 10)) << "nobody sees that";
+  EXPECT_FALSE(of(0.6, 1.5).are_fair(best, 1e-9)) << "no rougher, but farther away";
+  EXPECT_TRUE(of(0, 0).are_fair(best, 1e-9));
+  EXPECT_FALSE(of(0, std::numeric_limits<double>::quiet_NaN()).are_fair(best, 1e-9));
 }
 
 }  // namespace

@@ -4,8 +4,6 @@
 // Least-squares problems as streams have them, and what solvers make of them.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -44,28 +42,8 @@ inline SolverProblem quantized(GraphMesh mesh, std::uint32_t anchors, int bits) 
   return problem;
 }
 
-/// As a stream has them, if there is a step.
-inline SymbolRows symbols_of(const SolverProblem& problem) {
-  const std::size_t n = problem.step > 0 ? problem.deltas.size() : 0;
-  std::vector<std::int32_t> planar(3 * n);
-  for (std::size_t v = 0; v < n; ++v) {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      planar[axis * n + v] = static_cast<std::int32_t>(std::lround(problem.deltas[v][axis] / problem.step));
-  }
-  return SymbolRows(planar);
-}
-
-inline LeastSquaresSolver solver_for(const SolverProblem& problem) {
-  return LeastSquaresSolver(problem.mesh.graph, problem.mesh.components);
-}
-
-inline std::vector<Vec3> settle(const SolverProblem& problem) {
-  std::vector<Vec3> x(problem.mesh.positions.size());
-  const SymbolRows symbols = symbols_of(problem);
-  const DeltaView deltas = problem.step > 0 ? DeltaView(symbols.view(), {.step = problem.step, .shifts = {}})
-                                            : DeltaView(problem.deltas);
-  EXPECT_TRUE(solver_for(problem).solve(problem.anchors, deltas, problem.targets, 0, x));
-  return x;
+inline PlannedSolver solver_for(const SolverProblem& problem) {
+  return PlannedSolver(problem.mesh.graph, problem.mesh.components);
 }
 
 inline std::vector<Vec3> solve_directly(const SolverProblem& problem) {
@@ -88,16 +66,6 @@ inline Errors errors(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   }
   result.rms = std::sqrt(result.rms);
   return result;
-}
-
-inline void expect_as_good_as_direct(const SolverProblem& problem) {
-  const std::vector<Vec3> x = settle(problem);
-  const std::vector<Vec3> exact = solve_directly(problem);
-  const Errors ours = errors(x, problem.mesh.positions);
-  const Errors best = errors(exact, problem.mesh.positions);
-  EXPECT_LE(errors(x, exact).rms, 0.25 * ours.rms) << "[DELT-6]";
-  EXPECT_LE(ours.rms, 1.02 * best.rms);
-  EXPECT_LE(ours.largest, 1.05 * best.largest);
 }
 
 inline GraphMesh many_sheets() {

@@ -3,7 +3,6 @@
 #include "laplacian/coarsest/coarsest.h"
 
 #include <cstddef>
-#include <utility>
 
 #include "laplacian/multigrid/level/edges.h"
 #include "laplacian/multigrid/setup/levels.h"
@@ -19,17 +18,15 @@ std::vector<double> inverses(const LargeVector<float>& masses) {
 
 }  // namespace
 
-CoarsestSolver::CoarsestSolver(const Level& level, std::vector<std::uint8_t> holds,
-                               std::vector<std::uint32_t> components)
+CoarsestSolver::CoarsestSolver(const Level& level)
     : level_(level),
-      holds_(std::move(holds)),
       inverse_mass_(inverses(level.mass)),
       x_(level.node_count()),
       scaled_(level.node_count()) {
   if (level.node_count() < kFewestNodesToCoarsen) {
-    factor_.emplace(level, inverse_mass_);
+    factor_.emplace().factor(level);
   } else {
-    conjugate_gradients_.emplace(level, inverse_mass_, std::move(components));
+    conjugate_gradients_.emplace(level, inverse_mass_);
   }
 }
 
@@ -43,7 +40,7 @@ void CoarsestSolver::solve(const CoupledProblem& problem) {
   const std::uint32_t n = level_.node_count();
   for (std::uint32_t i = 0; i < n; ++i) scaled_[i] = inverse_mass_[i] * widen(problem.b[i].x);
   for (std::uint32_t i = 0; i < n; ++i) x_[i] = row_of_k(i, scaled_) - widen(problem.b[i].s);
-  for (std::size_t a = 0; a < holds_.size(); ++a) x_[level_.anchors[a]] += widen(problem.gaps[a]);
+  for (std::size_t a = 0; a < level_.anchors.size(); ++a) x_[level_.anchors[a]] += widen(problem.gaps[a]);
   if (factor_) {
     factor_->solve(x_);
   } else {
@@ -53,10 +50,9 @@ void CoarsestSolver::solve(const CoupledProblem& problem) {
     const Double4 s = inverse_mass_[i] * (widen(problem.b[i].x) - row_of_k(i, x_));
     problem.u[i] = {narrow(x_[i]), narrow(s)};
   }
-  for (std::size_t a = 0; a < holds_.size(); ++a) {
-    const Double4& x = x_[level_.anchors[a]];
-    problem.forces[a] = holds_[a] != 0 ? narrow(x - widen(problem.gaps[a])) : Float4{};
-  }
+  const bool is_alone = level_.anchors.size() == 1;
+  for (std::size_t a = 0; a < level_.anchors.size(); ++a)
+    problem.forces[a] = is_alone ? Float4{} : narrow(x_[level_.anchors[a]] - widen(problem.gaps[a]));
 }
 
 }  // namespace deltamesh::multigrid

@@ -11,7 +11,7 @@
 
 #include "base/memory/large_vector.h"
 #include "laplacian/coarsest/conjugate_gradients.h"
-#include "laplacian/coarsest/dense_factor.h"
+#include "laplacian/coarsest/envelope_factor.h"
 #include "laplacian/multigrid/level/coupled_problem.h"
 #include "laplacian/multigrid/level/level.h"
 #include "laplacian/multigrid/level/row.h"
@@ -24,20 +24,19 @@ namespace deltamesh::multigrid {
 /// allocated by the constructor only. O(n + edges).
 class CoarsestSolver {
  public:
-  /// `level` must outlive the solver. Anchor a with holds[a] = 0 is alone in its component: it only says
-  /// where that is, its force is 0. `components`: as ConjugateGradients.
-  CoarsestSolver(const Level& level, std::vector<std::uint8_t> holds, std::vector<std::uint32_t> components);
+  /// `level` must outlive the solver.
+  explicit CoarsestSolver(const Level& level);
 
-  /// Overwrites `u` and `forces`.
+  /// Overwrites `u` and `forces`. An anchor that is the only one says where the component is, no more: its
+  /// force is 0.
   void solve(const CoupledProblem& problem);
 
  private:
   Double4 row_of_k(std::uint32_t i, const LargeVector<Double4>& values) const noexcept;
 
   const Level& level_;
-  std::vector<std::uint8_t> holds_;
   std::vector<double> inverse_mass_;
-  std::optional<DenseFactor> factor_;                      ///< where there are few nodes
+  std::optional<EnvelopeFactor> factor_;                   ///< where there are few nodes
   std::optional<ConjugateGradients> conjugate_gradients_;  ///< where there are more
   LargeVector<Double4> x_, scaled_;
 };

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace deltamesh::multigrid {
 namespace {
@@ -12,19 +11,10 @@ namespace {
 /// The coarsest level has a few nodes for each anchor: so many get near its solution.
 constexpr int kIterations = 12;
 
-/// Component by component and axis by axis.
-void divide(const std::vector<Double4>& a, const std::vector<Double4>& b, std::vector<Double4>& quotients) {
-  for (std::size_t c = 0; c < a.size(); ++c) quotients[c] = ratio(a[c], b[c]);
-}
-
 }  // namespace
 
-ConjugateGradients::ConjugateGradients(const Level& level, std::span<const double> inverse_mass,
-                                       std::vector<std::uint32_t> components)
-    : components_(std::move(components)) {
+ConjugateGradients::ConjugateGradients(const Level& level, std::span<const double> inverse_mass) {
   const std::uint32_t n = level.node_count();
-  components_.resize(n, 0);
-  component_count_ = 1 + *std::max_element(components_.begin(), components_.end());
   std::vector<double> is_anchor(n, 0.0);
   for (const std::uint32_t anchor : level.anchors) is_anchor[anchor] = 1;
   entries_.reserve(n + level.neighbors.size());
@@ -65,60 +55,60 @@ void ConjugateGradients::add_to_image(std::size_t i, const Double4& z) noexcept 
   for (const auto& [row, value] : column(i)) image_[row] += value * z;
 }
 
-/// y for the right-hand side x, which becomes 0; its square.
-void ConjugateGradients::begin(std::span<Double4> x, Sums& energy) {
-  std::fill(energy.begin(), energy.end(), Double4{});
+/// y for the right-hand side x, which becomes 0; returns its square.
+Double4 ConjugateGradients::begin(std::span<Double4> x) {
+  Double4 energy{};
   std::fill(image_.begin(), image_.end(), Double4{});
   for (std::size_t i = 0; i < x.size(); ++i) {
     residual_[i] = nodes_[i].scale * x[i] - row_of_image(i);
     add_to_image(i, residual_[i]);
-    energy[components_[i]] += residual_[i] * residual_[i];
+    energy += residual_[i] * residual_[i];
   }
   std::fill(x.begin(), x.end(), Double4{});
   std::fill(turned_.begin(), turned_.end(), Double4{});
+  return energy;
 }
 
 /// The direction becomes the preconditioned residual and `share` of what it was, the image its own.
-void ConjugateGradients::turn(const Sums& share) {
+void ConjugateGradients::turn(const Double4& share) {
   std::fill(image_.begin(), image_.end(), Double4{});
   for (std::size_t i = turned_.size(); i-- > 0;) {
-    turned_[i] = residual_[i] + share[components_[i]] * turned_[i];
+    turned_[i] = residual_[i] + share * turned_[i];
     direction_[i] = turned_[i] - row_of_image(i);
     add_to_image(i, direction_[i]);
   }
 }
 
-/// (I + L)^-1 A d from the direction's image, which is used up; d A d.
-void ConjugateGradients::multiply(Sums& energy) {
-  std::fill(energy.begin(), energy.end(), Double4{});
+/// (I + L)^-1 A d from the direction's image, which is used up; returns d A d.
+Double4 ConjugateGradients::multiply() {
+  Double4 energy{};
   for (std::size_t i = 0; i < product_.size(); ++i) {
     product_[i] = row_of_image(i) + nodes_[i].anchor * direction_[i];
     add_to_image(i, -1.0 * product_[i]);
-    energy[components_[i]] += turned_[i] * product_[i];
+    energy += turned_[i] * product_[i];
   }
+  return energy;
 }
 
-/// The square of what y becomes.
-void ConjugateGradients::step(const Sums& length, std::span<Double4> x, Sums& energy) {
-  std::fill(energy.begin(), energy.end(), Double4{});
+/// Returns the square of what y becomes.
+Double4 ConjugateGradients::step(const Double4& length, std::span<Double4> x) {
+  Double4 energy{};
   for (std::size_t i = 0; i < x.size(); ++i) {
-    const std::uint32_t component = components_[i];
-    x[i] += length[component] * direction_[i];
-    residual_[i] -= length[component] * product_[i];
-    energy[component] += residual_[i] * residual_[i];
+    x[i] += length * direction_[i];
+    residual_[i] -= length * product_[i];
+    energy += residual_[i] * residual_[i];
   }
+  return energy;
 }
 
 void ConjugateGradients::solve(std::span<Double4> x) {
-  Sums energy(component_count_), left(component_count_), factor(component_count_);
-  begin(x, energy);
+  Double4 energy = begin(x);
+  Double4 share{};
   for (int iteration = 0; iteration < kIterations; ++iteration) {
-    turn(factor);
-    multiply(left);
-    divide(energy, left, factor);
-    step(factor, x, left);
-    divide(left, energy, factor);
-    energy.swap(left);
+    turn(share);
+    const Double4 left = step(ratio(energy, multiply()), x);
+    share = ratio(left, energy);
+    energy = left;
   }
   for (std::size_t i = 0; i < x.size(); ++i) x[i] = nodes_[i].scale * x[i];
 }

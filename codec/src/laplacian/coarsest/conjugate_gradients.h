@@ -22,10 +22,7 @@ namespace deltamesh::multigrid {
 /// preconditioned conjugate gradient methods, 1981].
 class ConjugateGradients {
  public:
-  /// `components`: of each of at least one node the one that it belongs to, whose steps have lengths of their
-  /// own then. Empty: all have the same [DELT-7].
-  ConjugateGradients(const Level& level, std::span<const double> inverse_mass,
-                     std::vector<std::uint32_t> components);
+  ConjugateGradients(const Level& level, std::span<const double> inverse_mass);
 
   /// `x`: n, the right-hand side, overwritten with what a fixed number of iterations from 0 finds. All axes
   /// at once, each by itself. O(n + edges).
@@ -46,14 +43,11 @@ class ConjugateGradients {
   std::span<const Entry> column(std::size_t i) const noexcept;
   Double4 row_of_image(std::size_t i) const noexcept;
   void add_to_image(std::size_t i, const Double4& z) noexcept;
-  using Sums = std::vector<Double4>;  ///< per component
-  void begin(std::span<Double4> x, Sums& energy);
-  void turn(const Sums& share);
-  void multiply(Sums& energy);
-  void step(const Sums& length, std::span<Double4> x, Sums& energy);
+  Double4 begin(std::span<Double4> x);
+  void turn(const Double4& share);
+  Double4 multiply();
+  Double4 step(const Double4& length, std::span<Double4> x);
 
-  std::vector<std::uint32_t> components_;  ///< n; all 0 where steps have one length
-  std::uint32_t component_count_ = 0;
   std::vector<Node> nodes_;  ///< and one for the end
   LargeVector<Entry> entries_;
   LargeVector<Double4> residual_;            ///< y

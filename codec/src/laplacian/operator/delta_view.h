@@ -49,6 +49,12 @@ class DeltaView {
 
   std::size_t size() const noexcept { return size_; }
 
+  /// Some that follow each other.
+  DeltaView part(std::size_t first, std::size_t count) const noexcept {
+    return has_symbols() ? DeltaView(symbols_.part(first, count), scale_)
+                         : DeltaView(values_.subspan(first, count));
+  }
+
   Vec3 operator[](std::size_t i) const noexcept {
     if (!has_symbols()) return values_[i];
     const FourInts q = symbols_[i];

@@ -29,6 +29,12 @@ class SymbolView {
   std::size_t size() const noexcept { return size_; }
   std::span<const ShortSymbols> short_rows() const noexcept { return {short_, is_short() ? size_ : 0}; }
 
+  /// Some rows that follow each other.
+  SymbolView part(std::size_t first, std::size_t count) const noexcept {
+    return is_short() ? SymbolView(std::span(short_ + first, count))
+                      : SymbolView(std::span(long_ + first, count));
+  }
+
   FourInts operator[](std::size_t i) const noexcept {
     return is_short() ? widened(short_[i]) : std::bit_cast<FourInts>(long_[i]);
   }

@@ -10,11 +10,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
+#include "direct_solver/direct_solver.h"
 #include "laplacian/coarsest/conjugate_gradients.h"
-#include "laplacian/coarsest/dense_factor.h"
+#include "laplacian/coarsest/envelope_factor.h"
+#include "laplacian/coarsest/solve_directly.h"
 #include "laplacian/multigrid/setup/levels.h"
 #include "support/graph_mesh.h"
 #include "support/random.h"
@@ -24,8 +25,8 @@ namespace deltamesh::coarsest_test {
 namespace {
 
 using multigrid::ConjugateGradients;
-using multigrid::DenseFactor;
 using multigrid::Double4;
+using multigrid::EnvelopeFactor;
 using multigrid::Float4;
 using multigrid::Level;
 using multigrid::Row;
@@ -96,11 +97,13 @@ double residual(const Level& level, std::span<const Double4> x, std::span<const 
   return std::sqrt(left / all);
 }
 
-TEST(DenseFactor, SolvesExactly) {
+TEST(EnvelopeFactor, SolvesExactly) {
   const GraphMesh mesh = test::sheet(14, 13);
   for (const std::uint32_t stride : {1U, 7U, 500U}) {
     const Level level = test::finest_level(mesh, every(stride, mesh));
-    const DenseFactor factor(level, inverse_mass_of(level));
+    EnvelopeFactor factor;
+    factor.factor(test::finest_level(test::fan(40), {0}));  // no matter
+    factor.factor(level);
     const std::vector<Double4> b = noise(level.node_count(), 3);
     std::vector<Double4> x = b;
     factor.solve(x);
@@ -110,7 +113,7 @@ TEST(DenseFactor, SolvesExactly) {
 }
 
 /// Nodes 0 and 1 have an edge, node 0 is an anchor, node 2 has nothing: N = (3 -2 0, -2 2 0, 0 0 0).
-TEST(DenseFactor, APivotOfZeroGivesZero) {
+TEST(EnvelopeFactor, APivotOfZeroGivesZero) {
   const std::array<std::uint32_t, 4> offsets{0, 1, 2, 2};
   const std::array<std::uint32_t, 2> neighbors{1, 0};
   Level level;
@@ -123,7 +126,9 @@ TEST(DenseFactor, APivotOfZeroGivesZero) {
   std::vector<Double4> x(3);
   x[0].xy = TwoDoubles{1, 0};
   x[2].xy = TwoDoubles{5, 0};
-  DenseFactor(level, inverse_mass_of(level)).solve(x);
+  EnvelopeFactor factor;
+  factor.factor(level);
+  factor.solve(x);
   EXPECT_NEAR(x[0].xy[0], 1, 1e-12);
   EXPECT_NEAR(x[1].xy[0], 1, 1e-12);
   EXPECT_EQ(x[2].xy[0], 0);
@@ -133,7 +138,7 @@ TEST(DenseFactor, APivotOfZeroGivesZero) {
 TEST(ConjugateGradients, ComeNearTheSolutionWhereAnchorsAreMany) {
   for (const GraphMesh& mesh : {test::sheet(40, 30), test::sheet(300, 4)}) {
     const Level level = test::finest_level(mesh, every(5, mesh));
-    ConjugateGradients solver(level, inverse_mass_of(level), {});
+    ConjugateGradients solver(level, inverse_mass_of(level));
     const std::vector<Double4> b = noise(level.node_count(), 4);
     std::vector<Double4> x = b;
     solver.solve(x);
@@ -144,7 +149,7 @@ TEST(ConjugateGradients, ComeNearTheSolutionWhereAnchorsAreMany) {
 TEST(ConjugateGradients, AxesDoNotMix) {
   const GraphMesh mesh = test::sheet(25, 20);
   const Level level = test::finest_level(mesh, every(5, mesh));
-  ConjugateGradients solver(level, inverse_mass_of(level), {});
+  ConjugateGradients solver(level, inverse_mass_of(level));
   std::vector<Double4> all = noise(level.node_count(), 5);
   std::vector<Double4> one = all;
   for (Double4& v : one) {
@@ -157,33 +162,6 @@ TEST(ConjugateGradients, AxesDoNotMix) {
     EXPECT_EQ(one[i].xy[0], all[i].xy[0]);
     EXPECT_EQ(one[i].xy[1], 0);
     EXPECT_EQ(one[i].zw[0], 4 * all[i].zw[0]);
-  }
-}
-
-TEST(ConjugateGradients, ComponentsDoNotMixWhereTheyAreTold) {
-  GraphMesh mesh;
-  test::add_sheet(mesh, 15, 12, {});
-  test::add_sheet(mesh, 9, 30, {50, 0, 0});
-  mesh = test::finish(std::move(mesh));
-  const Level level = test::finest_level(mesh, every(5, mesh));
-  const std::vector<std::uint32_t> components(mesh.components.label.begin(), mesh.components.label.end());
-  const auto first = static_cast<std::ptrdiff_t>(mesh.components.size[0]);
-  const auto change_second = [&](std::vector<Double4> b) {
-    for (auto v = b.begin() + first; v != b.end(); ++v) v->xy = TwoDoubles{7, v->xy[0]};
-    return b;
-  };
-  for (const bool are_told : {true, false}) {
-    ConjugateGradients solver(level, inverse_mass_of(level),
-                              are_told ? components : std::vector<std::uint32_t>{});
-    std::vector<Double4> x = noise(level.node_count(), 6);
-    std::vector<Double4> y = change_second(x);
-    solver.solve(x);
-    solver.solve(y);
-    const bool is_same =
-        std::equal(x.begin(), x.begin() + first, y.begin(), [](const auto& a, const auto& b) {
-          return a.xy[0] == b.xy[0] && a.xy[1] == b.xy[1] && a.zw[0] == b.zw[0];
-        });
-    EXPECT_EQ(is_same, are_told);
   }
 }
 
@@ -244,11 +222,28 @@ Differences differences(const Level& level, const Coupled& problem) {
   return found;
 }
 
+/// A finest level without arrays of its own, as decoders have it.
+TEST(SolveDirectly, DELT7IsTheLeastSquaresSolution) {
+  EnvelopeFactor factor;
+  for (const GraphMesh& mesh : {test::sheet(14, 13), test::sheet(60, 2), test::fan(90)}) {
+    const std::vector<std::uint32_t> anchors = every(31, mesh);
+    std::vector<Vec3> deltas(mesh.positions.size());
+    for (std::size_t i = 0; i < deltas.size(); ++i)
+      deltas[i] = {i % 3 == 0 ? 0.1 : 0.0, i % 5 == 0 ? 0.2 : -0.1, -0.3};
+    std::vector<Vec3> targets;
+    for (const std::uint32_t anchor : anchors) targets.push_back(mesh.positions[anchor]);
+    std::vector<Vec3> exact(deltas.size()), x(deltas.size());
+    test::DirectSolver(mesh.graph, anchors).solve(deltas, targets, exact);
+    multigrid::solve_directly(multigrid::finest_level(mesh.graph, anchors), deltas, targets, factor, x);
+    for (std::size_t i = 0; i < x.size(); ++i) EXPECT_LT(length(x[i] - exact[i]), 1e-6);
+  }
+}
+
 TEST(CoarsestSolver, DELT7SmallLevelsAreSolvedExactly) {
   const GraphMesh mesh = test::sheet(14, 13);
   ASSERT_LT(mesh.positions.size(), multigrid::kFewestNodesToCoarsen);
   const Level level = test::finest_level(mesh, every(9, mesh));
-  multigrid::CoarsestSolver solver(level, std::vector<std::uint8_t>(level.anchors.size(), 1), {});
+  multigrid::CoarsestSolver solver(level);
   Coupled problem = random_problem(level);
   solver.solve(problem.on(level));
   const Differences found = differences(level, problem);
@@ -261,7 +256,7 @@ TEST(CoarsestSolver, DELT7LargerLevelsAreSolvedNearly) {
   const GraphMesh mesh = test::sheet(25, 20);
   ASSERT_GE(mesh.positions.size(), multigrid::kFewestNodesToCoarsen);
   const Level level = test::finest_level(mesh, every(5, mesh));
-  multigrid::CoarsestSolver solver(level, std::vector<std::uint8_t>(level.anchors.size(), 1), {});
+  multigrid::CoarsestSolver solver(level);
   Coupled problem = random_problem(level);
   solver.solve(problem.on(level));
   const Differences found = differences(level, problem);
@@ -270,10 +265,10 @@ TEST(CoarsestSolver, DELT7LargerLevelsAreSolvedNearly) {
   EXPECT_LT(found.of_gaps, 1e-5);
 }
 
-TEST(CoarsestSolver, DELT7AnAnchorThatDoesNotHoldHasNoForce) {
+TEST(CoarsestSolver, DELT7AnAnchorThatIsTheOnlyOneHasNoForce) {
   const GraphMesh mesh = test::sheet(12, 12);
   const Level level = test::finest_level(mesh, {70});
-  multigrid::CoarsestSolver solver(level, {0}, {});
+  multigrid::CoarsestSolver solver(level);
   Coupled problem = random_problem(level);
   problem.forces[0] = Float4{1, 2, 3, 4};
   solver.solve(problem.on(level));
@@ -283,7 +278,7 @@ TEST(CoarsestSolver, DELT7AnAnchorThatDoesNotHoldHasNoForce) {
 TEST(CoarsestSolver, SolutionsDoNotDependOnEarlierOnes) {
   for (const GraphMesh& mesh : {test::sheet(12, 12), test::sheet(25, 20)}) {
     const Level level = test::finest_level(mesh, every(5, mesh));
-    multigrid::CoarsestSolver solver(level, std::vector<std::uint8_t>(level.anchors.size(), 1), {});
+    multigrid::CoarsestSolver solver(level);
     Coupled first = random_problem(level);
     Coupled other = first;
     for (Row& b : other.b) b.x = b.x + 1;

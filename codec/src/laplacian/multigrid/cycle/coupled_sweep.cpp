@@ -9,11 +9,9 @@
 namespace deltamesh::multigrid {
 namespace {
 
-/// Solves the equations of a node, given what its neighbours add up to. `x`: kept by nodes without
-/// neighbours.
-Row relax(const Level& level, std::uint32_t i, const Row& b, const Row& sum, Float4 x) noexcept {
+/// Solves the equations of a node, given what its neighbours add up to.
+Row relax(const Level& level, std::uint32_t i, const Row& b, const Row& sum) noexcept {
   const float inverse = level.inverse_degree[i];
-  if (inverse == 0) return {x, 1 / level.mass[i] * b.x};
   const Float4 s = inverse * (sum.s + b.s);
   return {inverse * (sum.x + b.x - level.mass[i] * s), s};
 }
@@ -24,7 +22,7 @@ void sweep(const Level& level, std::span<const Row> b, std::span<Row> u) {
   const Edges edges(level);
   for (std::uint32_t i = 0; i < level.node_count(); ++i) {
     const Row sum = edges.sum_all(i, [&](std::uint32_t other) { return u[other]; });
-    u[i] = relax(level, i, b[i], sum, u[i].x);
+    u[i] = relax(level, i, b[i], sum);
   }
 }
 
@@ -32,17 +30,15 @@ void sweep_from_zero(const Level& level, std::span<const Row> b, std::span<Row> 
   const Edges edges(level);
   for (std::uint32_t i = 0; i < level.node_count(); ++i) {
     const Row sum = edges.sum_lower(i, [&](std::uint32_t other) { return u[other]; });
-    u[i] = relax(level, i, b[i], sum, Float4{});
+    u[i] = relax(level, i, b[i], sum);
   }
 }
 
-void restrict_from_zero(const Level& level, std::span<const Row> b, std::span<const Row> u,
-                        std::span<Row> coarse) {
+void restrict_from_zero(const Level& level, std::span<const Row> u, std::span<Row> coarse) {
   const Edges edges(level);
   std::fill(coarse.begin(), coarse.end(), Row{});
   for (std::uint32_t i = 0; i < level.node_count(); ++i) {
-    Row residual = edges.sum_higher(i, [&](std::uint32_t other) { return u[other]; });
-    if (level.inverse_degree[i] == 0) residual.s = b[i].s;
+    const Row residual = edges.sum_higher(i, [&](std::uint32_t other) { return u[other]; });
     level.interpolation[i].spread(residual, [&](std::uint32_t node) -> Row& { return coarse[node]; });
   }
 }

@@ -20,7 +20,6 @@ void sweep_from_zero(const Level& level, std::span<const Row> b, std::span<Row> 
 
 /// coarse = P^T (b - [K M; 0 K] u) right after sweep_from_zero(): of every equation only what the higher
 /// neighbours changed since is left. Half the work again.
-void restrict_from_zero(const Level& level, std::span<const Row> b, std::span<const Row> u,
-                        std::span<Row> coarse);
+void restrict_from_zero(const Level& level, std::span<const Row> u, std::span<Row> coarse);
 
 }  // namespace deltamesh::multigrid

@@ -2,8 +2,6 @@
 // Copyright 2026 The deltamesh authors
 #include "laplacian/multigrid/cycle/level_solver.h"
 
-#include <utility>
-
 #include "base/threads/thread_team.h"
 #include "laplacian/multigrid/cycle/coupled_sweep.h"
 
@@ -16,43 +14,12 @@ bool takes_two_cycles(const Level& level, const Level& next) noexcept {
   return 2 * next.edge_count() <= level.edge_count();
 }
 
-/// Which anchors of the coarsest level hold, from those of the first.
-std::vector<std::uint8_t> on_coarsest(std::span<const Level> levels, std::vector<std::uint8_t> holds) {
-  for (const Level& level : levels.subspan(1)) {
-    std::vector<std::uint8_t> coarser;
-    for (const std::uint32_t anchor : level.finer_anchors) coarser.push_back(holds[anchor]);
-    holds = std::move(coarser);
-  }
-  return holds;
-}
-
-/// Of each of the coarsest level's nodes the component, from those of the first.
-std::vector<std::uint32_t> on_coarsest(std::span<const Level> levels,
-                                       std::span<const std::uint32_t> components) {
-  std::vector<std::uint32_t> result(components.begin(), components.end());
-  if (components.empty()) return result;
-  for (std::size_t k = 0; k + 1 < levels.size(); ++k) {
-    std::vector<std::uint32_t> coarser(levels[k + 1].node_count());
-    for (std::size_t i = 0; i < result.size(); ++i) {
-      const Interpolation& row = levels[k].interpolation[i];
-      if (row.weight(0) > 0) coarser[row.node(0)] = result[i];
-    }
-    result = std::move(coarser);
-  }
-  return result;
-}
-
 Row scaled(Float4 length, const Row& row) noexcept { return {length * row.x, length * row.s}; }
 
 }  // namespace
 
-LevelSolver::LevelSolver(std::span<const Level> levels, std::vector<std::uint8_t> holds,
-                         std::span<const std::uint32_t> components, ThreadTeam* team)
-    : levels_(levels),
-      vectors_(levels.size()),
-      takes_whole_(!components.empty()),
-      coarsest_(levels.back(), on_coarsest(levels, std::move(holds)), on_coarsest(levels, components)),
-      team_(team) {
+LevelSolver::LevelSolver(std::span<const Level> levels, ThreadTeam* team)
+    : levels_(levels), vectors_(levels.size()), coarsest_(levels.back()), team_(team) {
   for (std::size_t k = 0; k < levels_.size(); ++k) {
     const Level& level = levels_[k];
     Vectors& v = vectors_[k];
@@ -78,19 +45,13 @@ void LevelSolver::cycle(std::size_t level) {
   Vectors& v = vectors_[level];
   Vectors& next = vectors_[level + 1];
   sweep_from_zero(fine, v.b, v.u);
-  for (std::size_t a = 0; a < v.gaps.size(); ++a) {
-    Row& u = v.u[fine.anchors[a]];
-    if (fine.inverse_degree[fine.anchors[a]] == 0) u.x = v.gaps[a];
-    v.forces[a] = Float4{};
-  }
-  restrict_from_zero(fine, v.b, v.u, next.b);
-  const auto& kept = levels_[level + 1].finer_anchors;
-  for (std::size_t a = 0; a < kept.size(); ++a) next.gaps[a] = v.gaps[kept[a]] - v.u[fine.anchors[kept[a]]].x;
+  restrict_from_zero(fine, v.u, next.b);
+  for (std::size_t a = 0; a < v.gaps.size(); ++a) next.gaps[a] = v.gaps[a] - v.u[fine.anchors[a]].x;
   solve(level + 1);
   share_each(team_, v.u.size(), [&](std::uint32_t i) { v.u[i] += fine.interpolation[i].of(next.u); });
-  for (std::size_t a = 0; a < kept.size(); ++a) {
-    v.forces[kept[a]] = next.forces[a];
-    v.b[fine.anchors[kept[a]]].s += next.forces[a];
+  for (std::size_t a = 0; a < v.gaps.size(); ++a) {
+    v.forces[a] = next.forces[a];
+    v.b[fine.anchors[a]].s += next.forces[a];
   }
   sweep(fine, v.b, v.u);
 }
@@ -102,21 +63,17 @@ void LevelSolver::solve(std::size_t level) {
   }
   Vectors& v = vectors_[level];
   cycle(level);
-  constexpr Float4 kWhole{1, 1, 1, 1};
+  const Float4 first = best_length(problem(level), v.image);
   if (v.first.empty()) {
-    if (takes_whole_) return;
-    const Float4 length = best_length(problem(level), v.image);
-    share_each(team_, v.u.size(), [&](std::uint32_t i) { v.u[i] = scaled(length, v.u[i]); });
-    for (Float4& force : v.forces) force = length * force;
+    share_each(team_, v.u.size(), [&](std::uint32_t i) { v.u[i] = scaled(first, v.u[i]); });
+    for (Float4& force : v.forces) force = first * force;
     return;
   }
-  const Float4 best = best_length(problem(level), v.image);  // which sets the image
-  const Float4 first = takes_whole_ ? kWhole : best;
   share_each(team_, v.u.size(), [&](std::uint32_t i) { v.first[i] = scaled(first, v.u[i]); });
   for (std::size_t a = 0; a < v.forces.size(); ++a) v.first_forces[a] = first * v.forces[a];
   take_off(problem(level), first, v.image, team_);
   cycle(level);
-  const Float4 second = takes_whole_ ? kWhole : best_length(problem(level), v.image);
+  const Float4 second = best_length(problem(level), v.image);
   share_each(team_, v.u.size(), [&](std::uint32_t i) { v.u[i] = v.first[i] + scaled(second, v.u[i]); });
   for (std::size_t a = 0; a < v.forces.size(); ++a) v.forces[a] = v.first_forces[a] + second * v.forces[a];
 }

@@ -31,20 +31,14 @@ class LevelSolver {
     std::vector<Float4> first_forces;  ///< likewise
   };
 
-  /// `levels`: the one to solve for and all that are coarser; must outlive this. `holds`: as CoarsestSolver,
-  /// for the anchors of the first. `components`: of its nodes; then no component depends on others: cycles on
-  /// coarser levels are taken whole, and the coarsest is solved component by component. Empty: all are solved
-  /// together, and cycles taken at their best length [DELT-7]. `team`: of the thread that solves, or null.
-  LevelSolver(std::span<const Level> levels, std::vector<std::uint8_t> holds,
-              std::span<const std::uint32_t> components, ThreadTeam* team);
+  /// `levels`: the one to solve for and all that are coarser; must outlive this. `team`: of the thread that
+  /// solves, or null.
+  LevelSolver(std::span<const Level> levels, ThreadTeam* team);
   LevelSolver(const LevelSolver&) = delete;
   LevelSolver& operator=(const LevelSolver&) = delete;
 
   /// Vectors of the first level.
   Vectors& first() noexcept { return vectors_.front(); }
-
-  /// One cycle on the first level: about its u and forces for its b and gaps. b.s grows by the forces.
-  void cycle() { levels_.size() > 1 ? cycle(0) : solve(0); }
 
   /// Its u and forces for its b and gaps, which are used up.
   void solve() { solve(0); }
@@ -56,7 +50,6 @@ class LevelSolver {
 
   std::span<const Level> levels_;
   std::vector<Vectors> vectors_;  ///< per level
-  bool takes_whole_;              ///< cycles on coarser levels
   CoarsestSolver coarsest_;
   ThreadTeam* team_;
 };

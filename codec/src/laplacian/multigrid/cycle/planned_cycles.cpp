@@ -48,10 +48,10 @@ float largest_coordinate(std::span<const Row> rows) noexcept {
 
 }  // namespace
 
-PlannedCycles::PlannedCycles(std::span<const Level> levels, std::vector<std::uint8_t> holds, ThreadTeam* team)
+PlannedCycles::PlannedCycles(std::span<const Level> levels, ThreadTeam* team)
     : finest_(levels[0]),
       second_(levels[1]),
-      coarse_(levels.subspan(1), std::move(holds), std::span<const std::uint32_t>{}, team),
+      coarse_(levels.subspan(1), team),
       step_(finest_.node_count() + 1),
       s_(second_.node_count()),
       forces_(finest_.anchors.size()),
@@ -105,16 +105,25 @@ void PlannedCycles::start(const DeltaView& deltas, std::span<const Vec3> targets
 template <bool kIsWatched>
 void PlannedCycles::sweep_finest(const DeltaView& deltas, std::span<const float> relaxation) {
   const DeltaCounts counts(deltas, units_.bits());
-  // D (delta - L x) - D^2 s in units, of whole numbers as far as these go.
-  const auto residual = [&](std::uint32_t i, const auto& row) {
-    const Counts charge = row.sum(x_.data()) + row.times(counts[i] - x_[i]);
-    const float degree = row.degree();
+  // D (delta - L x) in units, of whole numbers as far as these go.
+  const auto charge = [&](std::uint32_t i, const auto& row) {
+    if (row.is_long()) {
+      const auto delta = reinterpret_cast<FourInts>(counts[i]);
+      const double degree = row.degree();
+      const Double4 sum = row.sum_of_differences(x_.data(), x_[i]);
+      return narrow({sum.xy + degree * TwoDoubles{1.0 * delta[0], 1.0 * delta[1]},
+                     sum.zw + degree * TwoDoubles{1.0 * delta[2], 1.0 * delta[3]}});
+    }
     if constexpr (kIsWatched) {
       const Float4 around = row.sum_floats([&](std::uint32_t other) { return Units::floats(x_[other]); });
       const Float4 delta = units_.per_step() * in_steps(deltas[i], deltas);
-      watch_->see(around + degree * (delta - Units::floats(x_[i])));
+      watch_->see(around + row.degree() * (delta - Units::floats(x_[i])));
     }
-    return Units::floats(charge) - units_.per_step() * degree * degree * finest_.interpolation[i].of(s_);
+    return Units::floats(row.sum(x_.data()) + row.times(counts[i] - x_[i]));
+  };
+  const auto residual = [&](std::uint32_t i, const auto& row) {
+    const float degree = row.degree();
+    return charge(i, row) - units_.per_step() * degree * degree * finest_.interpolation[i].of(s_);
   };
   sweep(UnitEdges(finest_), relaxation, residual, step_, [&](std::uint32_t i, Float4 step) {
     if constexpr (kIsWatched) watch_->see(Units::floats(x_[i]) + step);

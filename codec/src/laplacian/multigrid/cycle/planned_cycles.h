@@ -32,8 +32,8 @@ struct PlannedSolution {
 /// numbers; corrections are floats, in steps of the deltas.
 class PlannedCycles {
  public:
-  /// `levels`: at least two; must outlive this; `holds`: as CoarsestSolver; `team`: as LevelSolver.
-  PlannedCycles(std::span<const Level> levels, std::vector<std::uint8_t> holds, ThreadTeam* team);
+  /// `levels`: at least two; must outlive this; `team`: as LevelSolver.
+  PlannedCycles(std::span<const Level> levels, ThreadTeam* team);
 
   /// `targets`: c_a, one for each anchor; `cycles`: above 0. The result is anything, also not finite, where
   /// that is not what the deltas were made for. O(cycles (n + edges)).

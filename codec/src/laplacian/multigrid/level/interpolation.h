@@ -19,13 +19,6 @@ class Interpolation {
 
   Interpolation() = default;
 
-  /// A row without nodes: its value is 0.
-  static Interpolation none() noexcept {
-    Interpolation result;
-    result.terms_ = {kAll << kNodeBits, 0, 0};
-    return result;
-  }
-
   /// The value of one node.
   explicit Interpolation(std::uint32_t node) noexcept : Interpolation({node, node, node}, 0, 0) {}
 
@@ -40,7 +33,7 @@ class Interpolation {
     return (k == 0 ? kLeftOfOne : kSixteenths)[terms_[k] >> kNodeBits];
   }
 
-  /// Whether that weight is above 0, of other rows than none().
+  /// Whether that weight is above 0.
   bool counts(std::size_t k) const noexcept { return k == 0 || terms_[k] >= kMostNodes; }
 
   /// `coarse`: of one field or both.
@@ -57,8 +50,7 @@ class Interpolation {
 
  private:
   static constexpr unsigned kNodeBits = 28;
-  static constexpr std::uint32_t kAll = 15;  ///< more than the sixteenths of two nodes can be
-  using Weights = std::array<float, 16>;     ///< of every code
+  using Weights = std::array<float, 16>;  ///< of every code
   static constexpr Weights kSixteenths = [] {
     Weights values{};
     for (std::size_t code = 0; code < values.size(); ++code) values[code] = static_cast<float>(code) / 16;
@@ -66,7 +58,7 @@ class Interpolation {
   }();
   static constexpr Weights kLeftOfOne = [] {
     Weights values{};
-    for (std::size_t code = 0; code < kAll; ++code) values[code] = 1 - kSixteenths[code];
+    for (std::size_t code = 0; code < values.size(); ++code) values[code] = 1 - kSixteenths[code];
     return values;
   }();
 

@@ -17,8 +17,7 @@
 namespace deltamesh::multigrid {
 
 /// The equations  K x + M s = b,  K s = t  on a graph, K = D - A with edge weights A [DELT-7]. The finest
-/// level has weights of 1 and, before add_weights(), no arrays for them: D and M follow from the numbers of
-/// neighbours.
+/// level has weights of 1 and no arrays for them: D and M follow from the numbers of neighbours.
 struct Level {
   std::span<const std::uint32_t> offsets;    ///< n + 1
   std::span<const std::uint32_t> neighbors;  ///< two entries per edge; on coarse levels first the lower ones
@@ -28,12 +27,16 @@ struct Level {
   LargeVector<float> degree;          ///< n: D, the sum of a node's weights, 0 without edges; empty likewise
   LargeVector<float> inverse_degree;  ///< n: 1 / D, or 0; empty likewise
   LargeVector<float> mass;            ///< n: M, above 0; empty likewise
-  std::vector<std::uint32_t> anchors;        ///< node of every anchor of the level; distinct
-  std::vector<std::uint32_t> finer_anchors;  ///< beside `anchors`: which one of the finer level's it is
+  std::vector<std::uint32_t> anchors;  ///< node of every anchor, on all levels in the same order; distinct
   LargeVector<Interpolation> interpolation;  ///< n: rows of P; empty on the coarsest level
 
   std::uint32_t node_count() const noexcept { return static_cast<std::uint32_t>(offsets.size() - 1); }
   std::size_t edge_count() const noexcept { return neighbors.size() / 2; }
 };
+
+/// Degree of a node of the finest level, whose weights are 1.
+inline float unit_degree(const Level& finest, std::uint32_t node) noexcept {
+  return static_cast<float>(finest.offsets[node + 1] - finest.offsets[node]);
+}
 
 }  // namespace deltamesh::multigrid

@@ -20,6 +20,9 @@ class UnitRow {
   UnitRow(std::uint32_t node, std::uint32_t none, const std::uint32_t* neighbors, Count count) noexcept
       : node_(node), none_(none), neighbors_(neighbors), count_(count) {}
 
+  /// Whether sums over the neighbours may be beyond 32 bits.
+  bool is_long() const noexcept { return count_ > kMostShort; }
+
   float degree() const noexcept { return static_cast<float>(count_); }
   float inverse_degree() const noexcept { return 1 / degree(); }
 
@@ -33,6 +36,17 @@ class UnitRow {
   template <class Four>
   Four sum(const Four* values) const noexcept {
     return sum_of<Four>([=](std::uint32_t other) { return values[other]; });
+  }
+
+  /// Sum over all neighbours of what each has more than `own`, in doubles, as it may be beyond 32 bits.
+  Double4 sum_of_differences(const FourUnsigned* values, FourUnsigned own) const noexcept {
+    Double4 sum{};
+    for (std::uint32_t k = 0; k < count_; ++k) {
+      const auto more = reinterpret_cast<FourInts>(values[neighbors_[k]] - own);
+      sum.xy += TwoDoubles{1.0 * more[0], 1.0 * more[1]};
+      sum.zw += TwoDoubles{1.0 * more[2], 1.0 * more[3]};
+    }
+    return sum;
   }
 
   /// Sum of value(neighbour) over all neighbours.
@@ -59,6 +73,8 @@ class UnitRow {
   }
 
  private:
+  /// So many positions below 2^27 have a sum below 2^31.
+  static constexpr std::uint32_t kMostShort = 12;
   static constexpr bool kIsSix = !std::is_same_v<Count, std::uint32_t>;
 
   /// Sum over six ascending neighbours except the third. Usually three of them are lower, so the third is the

@@ -2,13 +2,18 @@
 // Copyright 2026 The deltamesh authors
 #include "laplacian/multigrid/setup/aggregates.h"
 
+#include <vector>
+
 namespace deltamesh::multigrid {
 namespace {
 
 /// Codes of nodes that belong to no seed yet.
-constexpr std::uint32_t kFree = Aggregates::kNone;
-constexpr std::uint32_t kNearAnchor = kFree - 1;  ///< has an anchor for a neighbour: no seed
-constexpr std::uint32_t kAnchor = kFree - 2;
+constexpr std::uint32_t kFree = ~std::uint32_t{0};
+constexpr std::uint32_t kNearFirst = kFree - 1;  ///< has one of the first seeds for a neighbour: no seed
+constexpr std::uint32_t kFirst = kFree - 2;      ///< one of the first seeds
+
+/// Of a node of the finest level that is no seed in any case.
+constexpr std::uint32_t kMostNeighbors = 24;
 
 /// Gives the neighbours of `node` that belong to no seed yet, and are none, to seed `number`; lists them from
 /// `place` on, whose end it returns; what comes next there may be overwritten. Written without a branch,
@@ -19,7 +24,7 @@ std::uint32_t* claim_neighbors(const Level& fine, std::uint32_t node, std::uint3
   for (const std::uint32_t* e = fine.neighbors.data() + fine.offsets[node]; e != end; ++e) {
     const std::uint32_t neighbor = *e;
     const std::uint32_t old = codes[neighbor];
-    const bool is_unclaimed = old >= kNearAnchor;
+    const bool is_unclaimed = old >= kNearFirst;
     codes[neighbor] = is_unclaimed ? number : old;
     *place = neighbor;
     place += is_unclaimed ? 1 : 0;
@@ -27,12 +32,22 @@ std::uint32_t* claim_neighbors(const Level& fine, std::uint32_t node, std::uint3
   return place;
 }
 
-void mark_anchors(const Level& fine, std::uint32_t* codes) noexcept {
-  for (const std::uint32_t anchor : fine.anchors) {
-    for (std::uint32_t e = fine.offsets[anchor]; e < fine.offsets[anchor + 1]; ++e)
-      codes[fine.neighbors[e]] = kNearAnchor;
+/// Anchors, and hubs: the mass of these is so large that what they are interpolated from would be wrong.
+std::vector<std::uint32_t> first_seeds(const Level& fine) {
+  std::vector<std::uint32_t> seeds = fine.anchors;
+  if (!fine.weights.empty()) return seeds;
+  for (std::uint32_t node = 0; node < fine.node_count(); ++node) {
+    if (fine.offsets[node + 1] - fine.offsets[node] > kMostNeighbors) seeds.push_back(node);
   }
-  for (const std::uint32_t anchor : fine.anchors) codes[anchor] = kAnchor;
+  return seeds;
+}
+
+void mark(std::span<const std::uint32_t> seeds, const Level& fine, std::uint32_t* codes) noexcept {
+  for (const std::uint32_t seed : seeds) {
+    for (std::uint32_t e = fine.offsets[seed]; e < fine.offsets[seed + 1]; ++e)
+      codes[fine.neighbors[e]] = kNearFirst;
+  }
+  for (const std::uint32_t seed : seeds) codes[seed] = kFirst;
 }
 
 }  // namespace
@@ -43,15 +58,11 @@ Aggregates aggregate(const Level& fine) {
   result.codes.resize(n, kFree);
   result.members.resize(n + 1);
   std::uint32_t* const codes = result.codes.data();
-  mark_anchors(fine, codes);
+  mark(first_seeds(fine), fine, codes);
   std::uint32_t* const members = result.members.data();
   std::uint32_t* member = members;
   for (std::uint32_t node = 0; node < n; ++node) {
-    if (codes[node] != kFree && codes[node] != kAnchor) continue;
-    if (fine.offsets[node] == fine.offsets[node + 1]) {
-      codes[node] = Aggregates::kNone;
-      continue;
-    }
+    if (codes[node] != kFree && codes[node] != kFirst) continue;
     const auto number = static_cast<std::uint32_t>(result.start.size());
     result.start.push_back(static_cast<std::uint32_t>(member - members));
     codes[node] = Aggregates::kSeed + number;

@@ -14,12 +14,11 @@
 namespace deltamesh::multigrid {
 
 struct Aggregates {
-  LargeVector<std::uint32_t> codes;  ///< n: a node's aggregate, plus kSeed for the seed; kNone without edges
+  LargeVector<std::uint32_t> codes;    ///< n: a node's aggregate, plus kSeed for the seed
   LargeVector<std::uint32_t> members;  ///< of one aggregate after the other, the seed first
   LargeVector<std::uint32_t> start;    ///< count() + 1: in `members`
 
   static constexpr std::uint32_t kSeed = std::uint32_t{1} << 31;
-  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
   /// Numbered as their seeds are.
   std::uint32_t count() const noexcept { return static_cast<std::uint32_t>(start.size() - 1); }
@@ -29,9 +28,9 @@ struct Aggregates {
   }
 };
 
-/// Seeds are all anchors and then, by number, every node without a seed among its neighbours; any other node
-/// belongs to the lowest seed among its neighbours [DELT-7]. Nodes without edges belong to none, anchors or
-/// not. O(n + edges).
+/// Seeds are all anchors, on the finest level all nodes of many neighbours, and then, by number, every node
+/// without a seed among its neighbours; any other node belongs to the lowest seed among its neighbours
+/// [DELT-7]. O(n + edges).
 Aggregates aggregate(const Level& fine);
 
 }  // namespace deltamesh::multigrid

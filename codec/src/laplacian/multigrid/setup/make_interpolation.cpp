@@ -76,9 +76,7 @@ LargeVector<Interpolation> make_interpolation(const Level& fine, const Aggregate
     for (std::uint32_t node = begin; node < end; ++node) {
       const std::uint32_t code = aggregates.codes[node];
       const bool is_seed = code >= Aggregates::kSeed;
-      result[node] = code == Aggregates::kNone ? Interpolation::none()
-                     : is_seed                 ? Interpolation(aggregates.of(node))
-                                               : interpolator.of(node);
+      result[node] = is_seed ? Interpolation(aggregates.of(node)) : interpolator.of(node);
     }
   });
   return result;

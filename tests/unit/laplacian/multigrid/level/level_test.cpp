@@ -61,13 +61,9 @@ TEST(Interpolation, WeightsAreSixteenthsThatAddUpToOne) {
   }
 }
 
-TEST(Interpolation, OneNodeOrNone) {
+TEST(Interpolation, OneNode) {
   const std::vector<float> coarse{3, 4, 5};
   EXPECT_EQ(Interpolation(2).of(coarse), 5);
-  EXPECT_EQ(Interpolation::none().of(coarse), 0);
-  std::vector<float> sums(3);
-  Interpolation::none().spread(16.0F, [&](std::uint32_t node) -> float& { return sums[node]; });
-  EXPECT_EQ(sums, std::vector<float>(3));
 }
 
 /// <P c, f> = <c, P^T f>.

@@ -111,34 +111,40 @@ TEST(Levels, DELT7FurtherLevelsAreProducts) {
   }
 }
 
-TEST(Levels, DELT7ComponentsThatAreOneNodeAreOnNoFurtherLevel) {
-  GraphMesh mesh;
-  test::add_sheet(mesh, 80, 80, {});
-  for (std::uint32_t i = 0; i < 100; ++i) test::add_sheet(mesh, 3, 3, {100, 5.0 * i, 0});
-  mesh = test::finish(std::move(mesh));
-  const auto anchors = test::anchors_of(mesh, 110);
-  const auto levels = multigrid::build_levels(mesh.graph, anchors);
-  EXPECT_LT(levels.back().node_count(), 200U);
-  EXPECT_LT(levels.back().anchors.size(), anchors.size());
-  for (std::size_t l = 0; l + 1 < levels.size(); ++l) {
-    const multigrid::Level& level = levels[l];
-    const multigrid::Level& next = levels[l + 1];
-    std::vector<std::uint32_t> kept;
-    for (std::uint32_t a = 0; a < level.anchors.size(); ++a) {
-      const std::uint32_t node = level.anchors[a];
-      const bool has_edges = level.offsets[node] < level.offsets[node + 1];
-      EXPECT_EQ(level.interpolation[node].weight(0), has_edges ? 1 : 0);
-      if (has_edges) kept.push_back(a);
-    }
-    EXPECT_EQ(next.finer_anchors, kept);
-  }
-}
-
-TEST(Levels, DELT7ThereIsOneWhereAnchorsAreMany) {
+TEST(Levels, DELT7ThereAreTwoAtLeast) {
   const GraphMesh mesh = test::sheet(40, 40);
   std::vector<std::uint32_t> anchors(400);
   for (std::uint32_t a = 0; a < anchors.size(); ++a) anchors[a] = 2 * a;
-  EXPECT_EQ(multigrid::build_levels(mesh.graph, anchors).size(), 1U) << "fewer than five nodes for each";
+  EXPECT_EQ(multigrid::build_levels(mesh.graph, anchors).size(), 2U) << "fewer than five nodes for each";
+  anchors.resize(mesh.positions.size());
+  for (std::uint32_t a = 0; a < anchors.size(); ++a) anchors[a] = a;
+  const auto levels = multigrid::build_levels(mesh.graph, anchors);
+  ASSERT_EQ(levels.size(), 2U);
+  EXPECT_EQ(levels[1].node_count(), mesh.positions.size());
+}
+
+TEST(Levels, DELT7FewNodesAreNotCoarsened) {
+  for (const std::uint32_t width : {20U, 19U}) {  // of 200 and 190 nodes
+    const GraphMesh mesh = test::sheet(width, 10);
+    const std::vector<std::uint32_t> anchors{0};
+    EXPECT_EQ(multigrid::build_levels(mesh.graph, anchors).size(), width == 20 ? 2U : 1U);
+  }
+}
+
+TEST(Levels, DELT7AnchorsAreOnAllLevels) {
+  const GraphMesh mesh = test::sheet(80, 80);
+  const auto anchors = test::anchors_of(mesh, 30);
+  const auto levels = multigrid::build_levels(mesh.graph, anchors);
+  EXPECT_LT(levels.back().node_count(), 200U);
+  for (std::size_t l = 0; l + 1 < levels.size(); ++l) {
+    const multigrid::Level& level = levels[l];
+    ASSERT_EQ(levels[l + 1].anchors.size(), anchors.size());
+    for (std::size_t a = 0; a < anchors.size(); ++a) {
+      const auto& row = level.interpolation[level.anchors[a]];
+      EXPECT_EQ(row.weight(0), 1);
+      EXPECT_EQ(row.node(0), levels[l + 1].anchors[a]);
+    }
+  }
 }
 
 TEST(Levels, AggregatesAreASeedAndItsNeighbours) {
@@ -200,23 +206,6 @@ TEST(Levels, NodesAreInterpolatedFromTheAggregatesNextToThem) {
       if (interpolation[v].weight(k) > 0) {
         EXPECT_EQ(interpolation[v].node(k), heaviest[k].first) << v;
       }
-    }
-  }
-}
-
-TEST(Levels, TheFinestGetsWeightsOfOne) {
-  const GraphMesh mesh = test::fan(30);
-  auto levels = multigrid::build_levels(mesh.graph, std::vector<std::uint32_t>{0});
-  multigrid::Level& finest = levels.front();
-  multigrid::add_weights(finest);
-  for (std::uint32_t v = 0; v < finest.node_count(); ++v) {
-    const auto degree = static_cast<float>(mesh.graph.degree(v));
-    EXPECT_EQ(finest.degree[v], degree);
-    EXPECT_EQ(finest.inverse_degree[v], 1 / degree);
-    EXPECT_EQ(finest.mass[v], degree * degree);
-    for (std::uint32_t e = finest.offsets[v]; e < finest.offsets[v + 1]; ++e) {
-      EXPECT_EQ(finest.weights[e], 1);
-      EXPECT_EQ(finest.neighbors[e] > v, e >= finest.middle[v]);
     }
   }
 }
