@@ -67,11 +67,10 @@ Row time_connectivity(const WeldedMesh& welded, const CodedConnectivity& coded, 
   const auto vertices = static_cast<std::uint32_t>(welded.positions.size());
   const auto faces = static_cast<std::uint32_t>(welded.triangles.size() / 3);
   return {.what = "CONN",
-          .bytes = coded.compact.size(),
+          .bytes = coded.payload.size(),
           .encode = least_seconds(repeats, [&] { write_connectivity(welded.triangles, vertices); }),
-          .decode = least_seconds(repeats, [&] {
-            value_or_exit(read_connectivity(Payload::compact(coded.compact), vertices, faces));
-          })};
+          .decode = least_seconds(repeats,
+                                  [&] { value_or_exit(read_connectivity(coded.payload, vertices, faces)); })};
 }
 
 Row time_deltas(std::span<const std::byte> bytes, const Adjacency& graph, int repeats) {
@@ -83,12 +82,11 @@ Row time_deltas(std::span<const std::byte> bytes, const Adjacency& graph, int re
 }
 
 Row time_anchors(std::span<const std::byte> bytes, std::uint32_t count, int repeats) {
-  const Payload payload = Payload::compact(bytes);
-  const AnchorList list = value_or_exit(read_anchors(payload, count));
+  const AnchorList list = value_or_exit(read_anchors(bytes, count));
   return {.what = "ANCH",
           .bytes = bytes.size(),
           .encode = least_seconds(repeats, [&] { write_compact_anchors(list); }),
-          .decode = least_seconds(repeats, [&] { value_or_exit(read_anchors(payload, count)); })};
+          .decode = least_seconds(repeats, [&] { value_or_exit(read_anchors(bytes, count)); })};
 }
 
 Row time_draco(const Mesh& mesh, int repeats) {
@@ -129,10 +127,9 @@ void run_mesh(const std::string& name, const Mesh& loaded, const Settings& setti
       "| chunk | bytes | bits/vertex | encode ns/vertex | decode ns/vertex | encode M/s | decode M/s |\n");
   std::printf("|---|---|---|---|---|---|---|\n");
   Row all{.what = "all three"};
-  for (const Row& row :
-       {time_connectivity(welded, coded, settings.repeats),
-        time_deltas(geometry.compact_deltas, part.graph, settings.repeats),
-        time_anchors(geometry.compact_anchors, geometry.parameters.anchors, settings.repeats)}) {
+  for (const Row& row : {time_connectivity(welded, coded, settings.repeats),
+                         time_deltas(geometry.deltas, part.graph, settings.repeats),
+                         time_anchors(geometry.anchors, geometry.parameters.anchors, settings.repeats)}) {
     print(row, vertices);
     add(all, row);
   }

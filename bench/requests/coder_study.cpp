@@ -37,7 +37,7 @@ class Study {
     DELTAMESH_TRY(const CodedHighpass coded, coder_.code(settings));
     DELTAMESH_TRY(const auto positions, to_float_positions(coded.positions));
     return CodedFigures{.quality = measure_quality(mesh_.graph, mesh_.positions, positions),
-                        .bytes = coded.compact_deltas.size() + coded.compact_anchors.size()};
+                        .bytes = coded.deltas.size() + coded.anchors.size()};
   }
 
   std::size_t vertices() const noexcept { return mesh_.positions.size(); }

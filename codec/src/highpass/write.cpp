@@ -7,11 +7,11 @@
 
 #include "base/numbers/zigzag.h"
 #include "base/try.h"
-#include "entropy/planes.h"
 #include "highpass/anchor_list.h"
 #include "highpass/delta_symbols.h"
 #include "highpass/diffusion.h"
 #include "highpass/highpass.h"
+#include "highpass/plain.h"
 #include "highpass/symbols.h"
 #include "laplacian/anchors/anchors.h"
 #include "laplacian/operator/delta.h"
@@ -27,14 +27,6 @@ double largest_component(std::span<const Vec3> deltas) noexcept {
   for (const Vec3& delta : deltas)
     for (const double x : delta) largest = std::max(largest, std::abs(x));
   return largest;
-}
-
-std::vector<std::byte> write_deltas(std::span<const std::int32_t> deltas) {
-  std::vector<std::uint32_t> codes(deltas.size());
-  for (std::size_t i = 0; i < deltas.size(); ++i) codes[i] = zigzag(deltas[i]);
-  ByteWriter out;
-  write_planes(out, codes);
-  return out.take();
 }
 
 AnchorList list_anchors(const HighpassSymbols& symbols) {
@@ -56,11 +48,12 @@ AnchorList list_anchors(const HighpassSymbols& symbols) {
 }  // namespace
 
 HighpassCoder::HighpassCoder(const Adjacency& graph, const Components& components, AnchorSequence& anchors,
-                             std::span<const Vec3> positions, const Box& box)
+                             std::span<const Vec3> positions, const Box& box, bool is_plain)
     : graph_(graph),
       anchors_(anchors),
       positions_(positions),
       box_(box),
+      is_plain_(is_plain),
       part_(extract_solved_part(graph, components)),
       deltas_(delta_coordinates(part_, positions)),
       range_(delta_range(deltas_)),
@@ -128,12 +121,11 @@ HighpassSymbols HighpassCoder::symbols_for(const Quantized& quantized, const Anc
 
 CodedHighpass HighpassCoder::coded(const HighpassParameters& parameters, const Quantized& quantized,
                                    const HighpassSymbols& symbols) const {
-  const AnchorList list = list_anchors(symbols);
   return {.parameters = parameters,
-          .deltas = write_deltas(quantized.symbols),
-          .compact_deltas = write_compact_deltas(quantized.symbols, part_.graph),
-          .anchors = write_plain_anchors(list),
-          .compact_anchors = write_compact_anchors(list)};
+          .deltas = is_plain_ ? write_plain_deltas(quantized.symbols)
+                              : write_compact_deltas(quantized.symbols, part_.graph),
+          .anchors = is_plain_ ? write_plain_anchors(symbols.anchors, symbols.cells)
+                               : write_compact_anchors(list_anchors(symbols))};
 }
 
 HighpassParameters HighpassCoder::parameters_for(const HighpassSettings& settings, const Anchors& anchors,

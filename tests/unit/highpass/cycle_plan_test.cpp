@@ -40,8 +40,8 @@ class Coding {
   }
 
   Result<LargeVector<Vec3>> read(const CodedHighpass& coded) const {
-    return read_highpass(coded.deltas, coded.anchors, mesh_.graph, mesh_.components, mesh_.box,
-                         coded.parameters);
+    return read_highpass(Payload::compact(coded.deltas), Payload::compact(coded.anchors), mesh_.graph,
+                         mesh_.components, mesh_.box, coded.parameters);
   }
   Quality quality(const CodedHighpass& coded) const {
     return measure_quality(mesh_.graph, mesh_.positions, coded.positions);
@@ -119,7 +119,7 @@ TEST(CyclePlan, DELT7CodePlannedKeepsTheDeltas) {
     ASSERT_TRUE(settled);
     ASSERT_TRUE(planned);
     EXPECT_EQ(planned->parameters.cycles, 6);
-    EXPECT_EQ(planned->compact_deltas, settled->compact_deltas);
+    EXPECT_EQ(planned->deltas, settled->deltas);
     EXPECT_LT(coding.quality(*planned).lfe_rms, 1.05 * coding.quality(*settled).lfe_rms);
     EXPECT_LT(errors_apart(*planned, *settled), 0.5 * coding.quality(*settled).lfe_rms);
     const auto decoded = coding.read(*planned);

@@ -15,7 +15,7 @@ namespace {
 /// Bounds of the factor's entries and of the work, which is the sum of the squares of its columns' counts:
 /// some 200 megabytes, and one to three seconds. Meshes of 60,000 vertices stay below.
 constexpr std::uint64_t kMostEntries = std::uint64_t{1} << 24;
-constexpr std::uint64_t kMostWork = std::uint64_t{1} << 32;
+constexpr std::uint64_t kMostFactorWork = std::uint64_t{1} << 32;
 
 std::vector<std::uint32_t> invert(std::span<const std::uint32_t> place) {
   std::vector<std::uint32_t> row_at(place.size());
@@ -39,7 +39,7 @@ std::optional<EliminationTree> plan_elimination(const SymmetricMatrix& matrix,
   EliminationTree tree{.parent = std::vector<std::uint32_t>(n, n), .count = std::vector<std::uint32_t>(n, 0)};
   std::vector<std::uint32_t> seen(n, n);
   std::uint64_t entries = 0;
-  const std::uint64_t fewest_left = work_left - std::min(work_left, kMostWork);
+  const std::uint64_t fewest_left = work_left - std::min(work_left, kMostFactorWork);
   for (std::uint32_t k = 0; k < n; ++k) {
     seen[k] = k;
     const std::uint32_t i = row_at[k];
