@@ -2,7 +2,7 @@
 // Copyright 2026 The deltamesh authors
 //
 // The plain form of a stream: spec/plain.md.
-#include "highpass/plain.h"
+#include "highpass/plain/plain.h"
 
 #include <gtest/gtest.h>
 

@@ -20,7 +20,7 @@
 #include "decoder/restore_order.h"
 #include "deltamesh/model_states.h"
 #include "entropy/expand_chunk.h"
-#include "format/chunk_kinds.h"
+#include "format/chunk/kinds.h"
 #include "format/vertex_positions.h"
 #include "highpass/highpass.h"
 #include "positions/plain.h"

@@ -11,7 +11,7 @@
 
 #include "deltamesh/encode.h"
 #include "entropy/code_chunk.h"
-#include "format/tags.h"
+#include "format/chunk/tags.h"
 
 namespace deltamesh {
 

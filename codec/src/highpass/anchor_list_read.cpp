@@ -2,7 +2,7 @@
 // Copyright 2026 The deltamesh authors
 #include "base/try.h"
 #include "entropy/coder/reader.h"
-#include "format/tags.h"
+#include "format/chunk/tags.h"
 #include "highpass/anchor_list.h"
 
 namespace deltamesh {

@@ -7,11 +7,11 @@
 #include "base/memory/large_vector.h"
 #include "base/numbers/zigzag.h"
 #include "base/try.h"
-#include "format/tags.h"
+#include "format/chunk/tags.h"
 #include "highpass/anchor_list.h"
 #include "highpass/delta_symbols.h"
 #include "highpass/highpass.h"
-#include "highpass/plain.h"
+#include "highpass/plain/plain.h"
 #include "highpass/symbols.h"
 #include "laplacian/anchors/anchors.h"
 

@@ -11,7 +11,7 @@
 #include "highpass/delta_symbols.h"
 #include "highpass/diffusion.h"
 #include "highpass/highpass.h"
-#include "highpass/plain.h"
+#include "highpass/plain/plain.h"
 #include "highpass/symbols.h"
 #include "laplacian/anchors/anchors.h"
 #include "laplacian/operator/delta.h"

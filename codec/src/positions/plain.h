@@ -12,7 +12,7 @@
 #include "base/numbers/vec3.h"
 #include "deltamesh/result.h"
 #include "format/predictive_parameters.h"
-#include "positions/blend.h"
+#include "positions/blend/blend.h"
 
 namespace deltamesh {
 

@@ -6,7 +6,7 @@
 #include "base/memory/large_vector.h"
 #include "base/try.h"
 #include "entropy/arrays.h"
-#include "format/tags.h"
+#include "format/chunk/tags.h"
 #include "format/vertex_positions.h"
 #include "positions/plain.h"
 

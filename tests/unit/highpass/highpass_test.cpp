@@ -13,7 +13,7 @@
 
 #include "base/byte_writer.h"
 #include "highpass/anchor_list.h"
-#include "highpass/plain.h"
+#include "highpass/plain/plain.h"
 #include "measure/measure.h"
 #include "support/graph_mesh.h"
 

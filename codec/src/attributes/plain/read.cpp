@@ -11,7 +11,7 @@
 #include "base/byte_reader.h"
 #include "base/try.h"
 #include "entropy/arrays.h"
-#include "format/tags.h"
+#include "format/chunk/tags.h"
 
 namespace deltamesh {
 namespace {

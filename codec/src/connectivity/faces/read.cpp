@@ -18,7 +18,7 @@
 #include "connectivity/faces/refusal.h"
 #include "connectivity/faces/traversal.h"
 #include "entropy/coder/reader.h"
-#include "format/tags.h"
+#include "format/chunk/tags.h"
 
 namespace deltamesh {
 namespace {

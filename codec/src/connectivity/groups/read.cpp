@@ -5,7 +5,7 @@
 #include "connectivity/groups/coder.h"
 #include "connectivity/groups/groups.h"
 #include "entropy/coder/reader.h"
-#include "format/tags.h"
+#include "format/chunk/tags.h"
 
 namespace deltamesh {
 Result<std::vector<std::uint32_t>> read_face_groups(std::span<const std::byte> payload,

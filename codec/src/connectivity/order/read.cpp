@@ -5,7 +5,7 @@
 #include "connectivity/order/coder.h"
 #include "connectivity/order/order.h"
 #include "entropy/coder/reader.h"
-#include "format/tags.h"
+#include "format/chunk/tags.h"
 
 namespace deltamesh {
 Result<MeshOrder> read_order(std::span<const std::byte> payload, std::span<const std::uint32_t> triangles,

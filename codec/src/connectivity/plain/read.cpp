@@ -7,7 +7,7 @@
 #include "connectivity/groups/groups.h"
 #include "connectivity/plain/topology.h"
 #include "entropy/arrays.h"
-#include "format/tags.h"
+#include "format/chunk/tags.h"
 
 namespace deltamesh {
 namespace {
