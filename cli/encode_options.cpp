@@ -131,7 +131,7 @@ void add_coders(CLI::App& command, EncodeOptions& options) {
           [&options](const std::string& name) {
             options.profile = name == "zstd" ? Profile::kZstd : Profile::kSmallest;
           },
-          "codings the stream may use: zstd is easier for others to read")
+          "form of the stream: zstd is plain arrays, larger, which others read in a page")
       ->check(CLI::IsMember({"smallest", "zstd"}))
       ->default_str("smallest");
   command.add_flag("--keep-order", options.keep_order, "restore the order of vertices and faces exactly");

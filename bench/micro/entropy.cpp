@@ -26,7 +26,7 @@ void run(benchmark::State& state, const StageInput& input, std::size_t bytes, Wo
 void connectivity_write(benchmark::State& state) {
   const StageInput& input = stage_input(state);
   const auto write = [&] { return write_connectivity(input.welded.triangles, input.vertex_count()); };
-  run(state, input, write().compact.size(), write);
+  run(state, input, write().payload.size(), write);
 }
 BENCHMARK(connectivity_write)->Apply(use_scenes);
 
@@ -34,16 +34,15 @@ void connectivity_read(benchmark::State& state) {
   const StageInput& input = stage_input(state);
   const auto coded = write_connectivity(input.welded.triangles, input.vertex_count());
   const auto faces = static_cast<std::uint32_t>(input.welded.triangle_count());
-  run(state, input, coded.compact.size(), [&] {
-    return value_or_exit(read_connectivity(Payload::compact(coded.compact), input.vertex_count(), faces));
-  });
+  run(state, input, coded.payload.size(),
+      [&] { return value_or_exit(read_connectivity(coded.payload, input.vertex_count(), faces)); });
 }
 BENCHMARK(connectivity_read)->Apply(use_scenes);
 
 void deltas_write(benchmark::State& state) {
   const StageInput& input = stage_input(state);
   const SolvedPart part = extract_solved_part(input.graph, input.components);
-  const auto bytes = value_or_exit(code_highpass(input)).compact_deltas;
+  const auto bytes = value_or_exit(code_highpass(input)).deltas;
   const auto deltas = value_or_exit(read_compact_deltas(bytes, part.graph));
   run(state, input, bytes.size(), [&] { return write_compact_deltas(deltas, part.graph); });
 }
@@ -52,7 +51,7 @@ BENCHMARK(deltas_write)->Apply(use_scenes);
 void deltas_read(benchmark::State& state) {
   const StageInput& input = stage_input(state);
   const SolvedPart part = extract_solved_part(input.graph, input.components);
-  const auto bytes = value_or_exit(code_highpass(input)).compact_deltas;
+  const auto bytes = value_or_exit(code_highpass(input)).deltas;
   run(state, input, bytes.size(), [&] { return value_or_exit(read_compact_deltas(bytes, part.graph)); });
 }
 BENCHMARK(deltas_read)->Apply(use_scenes);
@@ -60,18 +59,16 @@ BENCHMARK(deltas_read)->Apply(use_scenes);
 void anchors_write(benchmark::State& state) {
   const StageInput& input = stage_input(state);
   const CodedHighpass coded = value_or_exit(code_highpass(input));
-  const auto list =
-      value_or_exit(read_anchors(Payload::compact(coded.compact_anchors), coded.parameters.anchors));
-  run(state, input, coded.compact_anchors.size(), [&] { return write_compact_anchors(list); });
+  const auto list = value_or_exit(read_anchors(coded.anchors, coded.parameters.anchors));
+  run(state, input, coded.anchors.size(), [&] { return write_compact_anchors(list); });
 }
 BENCHMARK(anchors_write)->Apply(use_scenes);
 
 void anchors_read(benchmark::State& state) {
   const StageInput& input = stage_input(state);
   const CodedHighpass coded = value_or_exit(code_highpass(input));
-  run(state, input, coded.compact_anchors.size(), [&] {
-    return value_or_exit(read_anchors(Payload::compact(coded.compact_anchors), coded.parameters.anchors));
-  });
+  run(state, input, coded.anchors.size(),
+      [&] { return value_or_exit(read_anchors(coded.anchors, coded.parameters.anchors)); });
 }
 BENCHMARK(anchors_read)->Apply(use_scenes);
 

@@ -72,8 +72,9 @@ void highpass_read(benchmark::State& state) {
   const StageInput& input = stage_input(state);
   const auto coded = value_or_exit(code_highpass(input));
   for (auto _ : state)
-    benchmark::DoNotOptimize(value_or_exit(read_highpass(coded.deltas, coded.anchors, input.graph,
-                                                         input.components, input.box, coded.parameters)));
+    benchmark::DoNotOptimize(
+        value_or_exit(read_highpass(Payload::compact(coded.deltas), Payload::compact(coded.anchors),
+                                    input.graph, input.components, input.box, coded.parameters)));
   count_vertices(state, input);
 }
 BENCHMARK(highpass_read)->Apply(use_scenes);

@@ -85,8 +85,7 @@ std::optional<CodedHighpass> code(const Problem& problem) {
 }
 
 double delta_bits(const CodedHighpass& coded, const Problem& problem) {
-  return 8.0 * static_cast<double>(coded.compact_deltas.size()) /
-         static_cast<double>(problem.positions.size());
+  return 8.0 * static_cast<double>(coded.deltas.size()) / static_cast<double>(problem.positions.size());
 }
 
 void print_row(const std::string& name, const Problem& problem, const ProblemSettings& how,

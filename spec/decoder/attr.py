@@ -1,12 +1,13 @@
-"""ATTR: one per-vertex attribute; its descriptor, the order, the plain codings: attr.md."""
+"""ATTR: one per-vertex attribute; its descriptor, the order: attr.md."""
 import math
 from importlib import import_module
 
 import numpy as np
 
-from container import must, unzigzag
+from container import must
 from graph import corners
 from lattice import POSN_3_known
+from plain import PLN_6_values
 
 NORMAL, COLOUR, UV, GENERIC, TANGENT, JOINTS, WEIGHTS = range(7)
 TYPES = ["i1", "u1", "i2", "u2", "i4", "u4", "f4", "f8"]
@@ -17,12 +18,10 @@ USUAL = [None, (b"NORMAL", 0, "f4", 3), (b"TANGENT", 4, "f4", 4), (b"TEXCOORD_0"
          (b"red", 1, "u1", 3), (b"red", 1, "u1", 4), (b"s", 2, "f4", 2), (b"vn", 0, "f4", 3), (b"vt", 2, "f4", 2)]
 
 COLOURS = ["u1", "u2", "f4"]
-CODINGS = [(None, [], [], "attr", "ATTR_4_exact"), (NORMAL, ["f4"], [3], "attr", "ATTR_5_octahedral"),
-           (COLOUR, COLOURS, [3, 4], "attr", "ATTR_6_colours"), (UV, ["f4"], [2], "attr", "ATTR_7_uvs"),
-           (NORMAL, ["f4"], [3], "attr_normals", "ATTR_20_normals"), (UV, ["f4"], [2], "attr_uvs", "ATTR_31_uvs"),
-           (TANGENT, ["f4"], [4], "attr_tangents", "ATTR_38_tangents"),
-           (COLOUR, COLOURS, [3, 4], "attr_colors", "ATTR_45_colours"), (None, [], [], "attr_lattice", "ATTR_55_lattice"),
-           (WEIGHTS, COLOURS, [4], "attr_skin", "ATTR_63_weights"), (JOINTS, ["u1", "u2"], [4], "attr_skin", "ATTR_60_joints")]
+CODINGS = {4: (NORMAL, ["f4"], [3], "attr_normals", "ATTR_20_normals"), 5: (UV, ["f4"], [2], "attr_uvs", "ATTR_31_uvs"),
+           6: (TANGENT, ["f4"], [4], "attr_tangents", "ATTR_38_tangents"),
+           7: (COLOUR, COLOURS, [3, 4], "attr_colors", "ATTR_45_colours"), 8: (None, [], [], "attr_lattice", "ATTR_55_lattice"),
+           9: (WEIGHTS, COLOURS, [4], "attr_skin", "ATTR_63_weights"), 10: (JOINTS, ["u1", "u2"], [4], "attr_skin", "ATTR_60_joints")}
 
 def usual_flags(kind, type_):  # ATTR-1
     return int(kind in (COLOUR, WEIGHTS) and type_ != "f4")
@@ -73,70 +72,14 @@ def ATTR_11_decode(chunks, surface):
 
 def ATTR_2_values(chunk, surface):
     """Rows of the attribute's type, to which numbers are rounded."""
-    a, coding = chunk.descriptor, chunk.u8()
-    must(coding < len(CODINGS), "ATTR-2", f"coding {coding}")
-    kind, types, counts, module, decode = CODINGS[coding]
-    must(kind is None or a.is_shape(kind, types, counts), "ATTR-2", f"coding {coding} is not of this shape")
-    must((coding > 3) == chunk.is_compact, "ATTR-2", f"coding {coding} in the other form")
-    values = getattr(import_module(module), decode)(chunk, a, surface)
+    a = chunk.descriptor
+    if chunk.is_compact:
+        coding = chunk.u8()
+        must(coding in CODINGS, "ATTR-2", f"coding {coding}")
+        kind, types, counts, module, decode = CODINGS[coding]
+        must(kind is None or a.is_shape(kind, types, counts), "ATTR-2", f"coding {coding} is not of this shape")
+        values = getattr(import_module(module), decode)(chunk, a, surface)
+    else:
+        values = PLN_6_values(chunk, a, surface.n)
     chunk.end()
     return np.array(values, dtype="<" + a.type).reshape(surface.n, a.k)
-
-def ATTR_3_symbols(r, n, components, w):
-    """The symbol components, one list each."""
-    result, modulus = [], 2**w
-    for c in range(components):
-        prediction = r.u8()
-        must(prediction <= 3, "ATTR-3", f"prediction {prediction}")
-        must(c or prediction <= 1, "ATTR-3", f"prediction {prediction} of the first component")
-        residuals = r.planes(n)
-        if w == 64:
-            residuals = [low | high << 32 for low, high in zip(residuals, r.planes(n))]
-        must(all(x < modulus for x in residuals), "ATTR-3", "a residual is too large")
-        if prediction == 0:
-            result.append(residuals)
-            continue
-        symbols, last = [], 0
-        for i, x in enumerate(residuals):
-            last = unzigzag(x) + (last if prediction & 1 else 0)
-            symbols.append((last + (result[-1][i] if prediction & 2 else 0)) % modulus)
-        result.append(symbols)
-    return result
-
-def ATTR_4_exact(r, a, surface):
-    size = int(a.type[1])
-    symbols = ATTR_3_symbols(r, surface.n, a.k, 8 * size)
-    return np.array(symbols, dtype=f"<u{size}").reshape(a.k, surface.n).T.copy().view("<" + a.type)
-
-def ATTR_5_octahedral(r, a, surface):
-    bits = r.u8()
-    must(2 <= bits <= 15, "ATTR-2", f"{bits} bits")
-    h, rows = 2**(bits - 1) - 1, []
-    for p, q in zip(*ATTR_3_symbols(r, surface.n, 2, bits)):
-        if p == q == 2**bits - 1:
-            rows.append((0.0, 0.0, 0.0))
-            continue
-        must(max(p, q) <= 2 * h, "ATTR-5", "a symbol above 2 h")
-        u, v = p - h, q - h
-        x, y, z = u, v, h - abs(u) - abs(v)
-        if z < 0:
-            x, y = (-1 if u < 0 else 1) * (h - abs(v)), (-1 if v < 0 else 1) * (h - abs(u))
-        length = math.sqrt(x * x + y * y + z * z)
-        rows.append((x / length, y / length, z / length))
-    return rows
-
-def ATTR_6_colours(r, a, surface):
-    bits = r.u8()
-    must(1 <= bits <= (8 if a.type == "u1" else 16), "ATTR-2", f"{bits} bits")
-    m, symbols, full = 2**bits - 1, ATTR_3_symbols(r, surface.n, a.k, bits), {"u1": 255, "u2": 65535}.get(a.type)
-    return [[(2 * s * full + m) // (2 * m) if full else s / m for s in row] for row in zip(*symbols)]
-
-def ATTR_7_uvs(r, a, surface):
-    bits = r.u8()
-    must(1 <= bits <= 24, "ATTR-2", f"{bits} bits")
-    ranges = [(r.number("f"), r.number("f")) for _ in range(2)]
-    for low, high in ranges:
-        must(math.isfinite(low + high), "ATTR-7", "min or max is not finite")
-        must(low <= high, "ATTR-7", "min is above max")
-    m, symbols = 2**bits - 1, ATTR_3_symbols(r, surface.n, 2, bits)
-    return [[low + (high - low) * s / m for (low, high), s in zip(ranges, row)] for row in zip(*symbols)]

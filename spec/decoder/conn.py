@@ -6,49 +6,11 @@ from container import must
 
 C, L, R, E, S, B, N = range(7)
 
-class PlainOps:
-    """[CONN-1, CONN-2, CONN-9, CONN-10] Ops and references of the plain form."""
-    def __init__(self, r, m, states):
-        counts = [r.varint() for _ in range(17)]
-        references = r.varint()
-        far, self.glued = r.varint(references, "CON-2"), r.varint()
-        self.tokens = [list(r.bytes(count))[::-1] for count in counts]
-        self.references, self.far = list(r.bytes(references))[::-1], r.planes(far)[::-1]
-        must(m <= 32 * sum(counts), "CONN-2", "more faces than tokens can give")
-        self.ops = []  # of the last token, the next one last
-
-    def op(self, t, gate, step, filled):
-        """[CONN-9]"""
-        if not self.ops:
-            if step == 1 and gate.loop_size() == 3 and t.full > 1 and not t.closed:
-                stream = 16
-            else:
-                stream = min(t.full, 7) + (8 if step == 2 or t.closed else 0)
-            must(self.tokens[stream], "CONN-9", f"stream {stream} has no token left")
-            code, k = divmod(self.tokens[stream].pop(), 32)
-            must(code != C or k == 31, "CONN-9", f"code 0 with k = {k}")
-            must(code == C or k != 31, "CONN-9", f"code {code} with k = 31")
-            must(code < 7, "CONN-9", "code 7")
-            self.ops = ([code] if code else []) + [C] * k
-        return self.ops.pop()
-
-    def target(self, items):
-        """[CONN-10] A reference, and the item's number where that is 0."""
-        must(self.references, "CONN-10", "no reference left")
-        reference = self.references.pop()
-        must(reference or self.far, "CONN-10", "no far target left")
-        return reference, None if reference else self.far.pop()
-
-    def CONN_2_end(self):
-        must(not any(self.tokens), "CONN-2", "tokens are left over")
-        must(not self.references, "CONN-2", "references are left over")
-        must(not self.far, "CONN-2", "far targets are left over")
-
 def CONN_12_run_weights(full):
     return [{0: 32, 1: 8, 2: 2}.get(abs(s - max(5 - full, 0)), 1) for s in range(7)] + [6, 2] + [1] * 7
 
-class CompactOps:
-    """[CONN-12] Ops and references of the compact form."""
+class Ops:
+    """[CONN-10, CONN-12] Ops and references."""
     def __init__(self, r, m, states):
         must(m <= 42400 * len(r.data), "CONN-2", "more faces than the bytes can give")
         rare = [Mixture((0, 8, 0, 8, 1, 6, 5) + (0,) * 9), Mixture((8, 1, 1, 0, 1, 8, 1) + (0,) * 9)]
@@ -105,7 +67,7 @@ def grow(*items):  # CONN-6
         item.full = min(item.full + 1, 8)
 
 class Traversal:
-    """[CONN-3 to CONN-8] The state, and the traversal that ops of either form drive."""
+    """[CONN-3 to CONN-8] The state, and the traversal that ops drive."""
     def __init__(self, m, ops):
         self.m, self.ops, self.faces, self.manifold, self.filled, self.items = m, ops, [], 0, 6, []
         self.queues = [deque() for _ in range(9)]

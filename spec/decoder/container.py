@@ -63,14 +63,6 @@ class Reader:
         must(value <= most, tag, f"{value} is above {most}")
         return value
 
-    def planes(self, count):
-        """[CON-5]"""
-        planes, symbols = self.u8(), [0] * count
-        must(planes <= 4, "CON-5", f"{planes} byte planes")
-        for plane in range(planes):
-            symbols = [s | byte << 8 * plane for s, byte in zip(symbols, self.bytes(count))]
-        return symbols
-
     def end(self):
         """[CON-3]"""
         must(self.at == len(self.data), "CON-3", f"{len(self.data) - self.at} bytes are left over")

@@ -4,19 +4,19 @@ from logging import debug
 import numpy as np
 
 from coder import Coder
-from container import LARGEST_F32, must, unzigzag
+from container import LARGEST_F32, must
 from cycles import DELT_7_positions
 from fields import FLD_numbers
 from graph import subgraph
+from plain import PLN_4_deltas
 
-def DELT_2_deltas(chunk, header, around, solved):
+def DELT_2_deltas(chunk, header, around, solved, is_plain):
     """The delta coordinates of the solved vertices in model units, in numbers of `solved`: s rows of x, y, z."""
     s = len(solved)
-    if chunk.is_compact:
-        q = FLD_numbers(Coder(chunk), subgraph(around, solved))  # [DELT-5]
+    if is_plain:
+        q = PLN_4_deltas(chunk, s)
     else:
-        codes = chunk.planes(3 * s)
-        q = [[unzigzag(codes[a * s + i]) for a in range(3)] for i in range(s)]
+        q = FLD_numbers(Coder(chunk), subgraph(around, solved))  # [DELT-5]
     chunk.end()
     def delta(q):
         shift = header.shift_ones if abs(q) == 1 else header.shift_others
@@ -24,12 +24,12 @@ def DELT_2_deltas(chunk, header, around, solved):
         return header.step * r
     return np.array([[delta(x) for x in row] for row in q]).reshape(s, 3)
 
-def DELT_1_positions(chunk, header, around, components, anchors):
+def DELT_1_positions(chunk, header, around, components, anchors, is_plain):
     """The positions of the geometric vertices in doubles."""
     components = [c for c in components if len(c) >= 8]
     solved = sorted(v for c in components for v in c)
     deltas, positions = np.zeros((len(around), 3)), np.zeros((len(around), 3))
-    deltas[solved] = DELT_2_deltas(chunk, header, around, solved)
+    deltas[solved] = DELT_2_deltas(chunk, header, around, solved, is_plain)
     for v, place in anchors.items():
         positions[v] = place
     centre = np.array([0.5 * a + 0.5 * b for a, b in zip(header.box_min, header.box_max)])

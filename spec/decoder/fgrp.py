@@ -6,8 +6,7 @@ def FGRP_1_read(chunk, faces):
     """The group of every decoded face, or None."""
     if not chunk.data:
         return None
-    groups = FGRP_2_compact(Coder(chunk), faces) if chunk.is_compact else chunk.planes(len(faces))
-    must(chunk.is_compact or all(g < 2**16 for g in groups), "FGRP-1", "a group is not below 2^16")
+    groups = FGRP_2_compact(Coder(chunk), faces)
     chunk.end()
     return groups
 

@@ -1,6 +1,6 @@
 """CONN: gluing manifold vertices to geometric vertices: conn.md, CONN-8, CONN-11, CONN-13 and CONN-14."""
 from coder import NumberModel, bit_models, symbol_models
-from conn import CompactOps, PlainOps, Traversal
+from conn import Ops, Traversal
 from container import must, unzigzag
 
 def CONN_8_faces(chunk, m, n, states):
@@ -8,17 +8,12 @@ def CONN_8_faces(chunk, m, n, states):
     if m == 0:
         chunk.end()
         return []
-    ops = (CompactOps if chunk.is_compact else PlainOps)(chunk, m, states)
+    ops = Ops(chunk, m, states)
     traversal = Traversal(m, ops)
-    if not chunk.is_compact:
-        ops.CONN_2_end()
-    M, G = traversal.manifold, NumberModel().decode(ops.coder) if chunk.is_compact else ops.glued
+    M, G = traversal.manifold, NumberModel().decode(ops.coder)
     must(G <= M, "CONN-11", f"{G} of {M} are glued")
     must(M - G <= n, "CONN-11", f"{M - G} geometric vertices in place of {n}")
-    if chunk.is_compact:
-        vertex_of = CONN_13_glue(ops.coder, traversal, G)
-    else:
-        vertex_of = CONN_11_glue(zip(chunk.planes(G), chunk.planes(G)), M)
+    vertex_of = CONN_13_glue(ops.coder, traversal, G)
     chunk.end()
     return [tuple(vertex_of[x] for x in face) for face in traversal.faces]
 

@@ -13,6 +13,7 @@ from fgrp import FGRP_1_read
 from glue import CONN_8_faces
 from graph import components, neighbours
 from ordr import ORDR_1_read
+from plain import FGRP_1_plain, PLN_1_is_plain, PLN_2_faces, PLN_5_positions
 from posn import POSN_1_positions
 from seam import SEAM_1_read
 
@@ -32,24 +33,30 @@ def decode(data):  # CNT-1
 def decode_chunks(header, listed, states):  # DIR-8, HDR-7
     mesh, attributes = Mesh(), [chunk for chunk in listed if chunk.tag == "ATTR"]
     chunks = defaultdict(Chunk, {chunk.tag: chunk for chunk in listed})
-    faces = CONN_8_faces(chunks["CONN"], header.triangles, header.geometric, states)
+    is_plain, seams = PLN_1_is_plain(listed), None
+    if is_plain:
+        faces, seams = PLN_2_faces(chunks["CONN"], chunks["SEAM"], header)
+    else:
+        faces = CONN_8_faces(chunks["CONN"], header.triangles, header.geometric, states)
     around = neighbours(faces, header.geometric)
     parts = components(around)
     must(len(parts) == header.components, "HDR-7", f"{len(parts)} components in place of {header.components}")
-    seams = SEAM_1_read(chunks["SEAM"], faces, header.geometric, header.vertices)
+    seams = seams or SEAM_1_read(chunks["SEAM"], faces, header.geometric, header.vertices)
     debug("faces: %s\nseams: %s", faces, seams.faces)
-    mesh.header, mesh.faces, mesh.groups = header, seams.faces, FGRP_1_read(chunks["FGRP"], seams.faces)
+    mesh.header, mesh.faces = header, seams.faces
+    mesh.groups = FGRP_1_plain(chunks["FGRP"], header.triangles) if is_plain else FGRP_1_read(chunks["FGRP"], seams.faces)
     mesh.exact = header.coder != HIGHPASS
     if mesh.exact:
-        positions = POSN_1_positions(chunks["POSN"], header, faces, states)
+        chunk = chunks["POSN"]
+        positions = PLN_5_positions(chunk, header) if is_plain else POSN_1_positions(chunk, header, faces, states)
     else:
-        anchors = ANCH_1_read(chunks["ANCH"], header, header.geometric, parts)
-        positions = DELT_1_positions(chunks["DELT"], header, around, parts, anchors)
+        anchors = ANCH_1_read(chunks["ANCH"], header, header.geometric, parts, is_plain)
+        positions = DELT_1_positions(chunks["DELT"], header, around, parts, anchors, is_plain)
     mesh.positions = GEO_1_round(positions)[seams.geometric]
     known = mesh.positions if mesh.exact else None  # [ATTR-10]
     mesh.attributes = [chunk.descriptor for chunk in attributes]
     ATTR_11_decode(attributes, Surface(seams, known, faces, mesh.attributes, states))
-    if header.restore_order:
+    if header.restore_order and not is_plain:
         restore(mesh, *ORDR_1_read(chunks["ORDR"], seams.faces, header.vertices))
     return mesh
 

@@ -6,23 +6,12 @@ from container import must, unzigzag
 
 def ORDR_1_read(chunk, faces, n):
     """The places of vertices, those of faces, and the rotations."""
-    if chunk.is_compact:
-        vertices, placed, rotations = ORDR_5_compact(Coder(chunk), faces, n)
-    else:
-        vertices, placed = ORDR_1_places(chunk, n), ORDR_1_places(chunk, len(faces))
-        rotations = chunk.planes(len(faces))
+    vertices, placed, rotations = ORDR_5_compact(Coder(chunk), faces, n)
     chunk.end()
     must(sorted(vertices) == list(range(n)), "ORDR-2", "the places of vertices are no permutation")
     must(sorted(placed) == list(range(len(faces))), "ORDR-2", "the places of faces are no permutation")
     must(all(x <= 2 for x in rotations), "ORDR-3", "a rotation above 2")
     return vertices, placed, rotations
-
-def ORDR_1_places(r, count):
-    places, following = [], 0
-    for code in r.planes(count):
-        places.append((following + unzigzag(code)) % 2**32)
-        following = places[-1] + 1
-    return places
 
 class ORDR_4_Places:
     """The places of vertices, or those of faces."""

@@ -17,7 +17,6 @@ def POSN_1_positions(chunk, header, faces, states):
     if n == 0:
         must(not chunk.data, "POSN-1", "a payload without vertices")
         return np.zeros((0, 3))
-    must(chunk.is_compact, "POSN-1", "the payload is not compact")
     coder = Coder(chunk)
     order = POSN_10_order(coder.raw(2), faces, n)
     number = {v: i for i, v in enumerate(order)}

@@ -1,5 +1,4 @@
 """SEAM: which corners use which copy of a geometric vertex: seam.md."""
-from collections import Counter
 from types import SimpleNamespace
 
 from coder import Coder, Mixture, NumberModel, symbol_models
@@ -11,46 +10,13 @@ def SEAM_1_read(chunk, faces, n_g, n):
     must(n > n_g or not chunk.data, "SEAM-1", "the chunk is there without copies")
     must(n == n_g or chunk.data, "SEAM-1", "copies without the chunk")
     if chunk.data:
-        copies, corners = (SEAM_6_compact if chunk.is_compact else SEAM_2_plain)(chunk, faces, n_g, n)
+        copies, corners = SEAM_6_compact(chunk, faces, n_g, n)
         chunk.end()
     first = [0]
     for count in copies:
         first.append(first[-1] + count)
     return SimpleNamespace(first=first, geometric=[g for g, count in enumerate(copies) for _ in range(count)],
                            faces=[tuple(first[g] + corners[3 * f + k] for k, g in enumerate(face)) for f, face in enumerate(faces)])
-
-def SEAM_2_plain(r, faces, n_g, n):
-    """[SEAM-1 to SEAM-3] Copies of every geometric vertex, and the copy that each corner uses."""
-    copies, g, corners_of, choices = [1] * n_g, -1, Counter(x for face in faces for x in face), 0
-    K = r.varint()
-    must(K >= 1, "SEAM-2", "no split vertices")
-    must(K <= n_g, "SEAM-2", f"{K} split vertices of {n_g}")
-    must(K <= n - n_g, "SEAM-2", f"{K} split vertices with {n - n_g} copies")
-    for gap, number in zip(r.planes(K), r.planes(K)):
-        g += gap + 1
-        must(g < n_g, "SEAM-2", "a split vertex is out of range")
-        copies[g] = number + 2
-        must(corners_of[g] >= copies[g], "SEAM-3", "more copies than corners")
-        choices += corners_of[g] - 1
-    must(sum(copies) == n, "SEAM-3", "the numbers of copies do not add up")
-    return copies, SEAM_4_corners(iter(r.planes(choices)), faces, copies)
-
-def SEAM_4_corners(choices, faces, copies):
-    state, corners = {}, []  # of a split vertex: present, other, used
-    for x in (x for face in faces for x in face):
-        copy = 0
-        if x in state:
-            present, other, used = state[x]
-            choice = next(choices)
-            must(choice != 1 or used < copies[x], "SEAM-4", "a copy more than stated")
-            must(choice < 3 or choice - 3 < used, "SEAM-4", "a copy that was not used yet")
-            copy = (present, used, other)[choice] if choice < 3 else choice - 3
-            state[x] = (copy, present if copy != present else other, max(used, copy + 1))
-        elif copies[x] > 1:
-            state[x] = (0, 0, 1)
-        corners.append(copy)
-    must(all(used == copies[x] for x, (_, _, used) in state.items()), "SEAM-4", "a copy is not used")
-    return corners
 
 class Vertex:
     """[SEAM-6, SEAM-7] What is known of a geometric vertex that was met."""

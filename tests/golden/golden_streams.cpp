@@ -295,11 +295,14 @@ std::vector<Golden> golden_streams() {
   list.push_back({"asset.lossless", asset(), {.lossless = true}});
   list.push_back({"cut.bounded", cut_asset(), {.attributes = {.named = {{"move", 0.01}}}}});
   list.push_back({"cut.lossless", cut_asset(), {.lossless = true}});
-  list.push_back({"groups.zstd", grouped_grid(), {.bits = 8, .profile = Profile::kZstd}});
+  list.push_back({"groups.zstd",
+                  grouped_grid(),
+                  {.geometry = GeometryCoder::kPredictive, .bits = 8, .profile = Profile::kZstd}});
   Mesh floats = bumpy_grid(12, 10);  // of no lattice
   for (std::size_t i = 0; i < floats.positions.size(); ++i)
     floats.positions[i] = std::ldexp(floats.positions[i] + 1.1F, -static_cast<int>(i % 31));
   list.push_back({"floats.lossless", floats, {.lossless = true}});
+  list.push_back({"floats.zstd", floats, {.lossless = true, .profile = Profile::kZstd}});
   EncodeOptions walked{.geometry = GeometryCoder::kPredictive, .effort = 9};
   walked.bits = 12;
   list.push_back({"sphere.walked", *generate_scene(Scene::kSphere, 500, 1), walked});

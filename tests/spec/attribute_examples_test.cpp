@@ -38,7 +38,7 @@ class AttributeExamples : public ::testing::Test {
     const auto coded =
         write_attribute(test::view(source), test::identity(4), {.quality = quality}, surface, others_);
     ASSERT_TRUE(coded);
-    EXPECT_EQ(coded->compact, payload) << file;
+    EXPECT_EQ(coded->payload, payload) << file;
     const auto read = read_attribute(Payload::compact(payload), coded->descriptor, surface, others_, 1000);
     ASSERT_TRUE(read) << describe(read.error());
     EXPECT_EQ(read->values, expected.values) << file;
@@ -48,18 +48,6 @@ class AttributeExamples : public ::testing::Test {
   std::vector<float> positions_ = line_of<float>("posn.md", "q");
   std::vector<Attribute> others_;
 };
-
-TEST_F(AttributeExamples, ATTR3ATTR4TwoNumbersInPlainForm) {
-  const auto payload = bytes_of("attr.md", "payload");
-  const Attribute values =
-      attribute(AttributeKind::kGeneric, ComponentType::kU16, 2, line_of<std::uint16_t>("attr.md", "values"));
-  const auto coded = test::write_plain(values, test::identity(4));
-  ASSERT_TRUE(coded);
-  EXPECT_EQ(coded->plain, payload);
-  const auto read = test::read_plain(payload, coded->descriptor, 4);
-  ASSERT_TRUE(read) << describe(read.error());
-  EXPECT_EQ(read->values, values.values);
-}
 
 TEST_F(AttributeExamples, ATTR55ATTR56ATTR57Heights) {
   const Attribute values = attribute(AttributeKind::kGeneric, ComponentType::kU16, 1,

@@ -31,7 +31,7 @@ FileHeader sample_header() {
 }
 
 CodedChunk chunk(std::uint32_t tag, std::vector<std::byte> payload) {
-  return *code_chunk(tag, std::move(payload));
+  return code_plain_chunk(tag, std::move(payload));
 }
 
 std::vector<std::byte> sample_stream() {

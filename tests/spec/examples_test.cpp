@@ -50,78 +50,55 @@ TEST(Examples, CNT1HDR14DIR2AWholeStream) {
   EXPECT_EQ(encoded->bytes, stream.take());
 }
 
-TEST(Examples, CONN1CONN4CONN5CONN6CONN9CONN12CONN13TwoTriangles) {
-  const auto plain = bytes_of("conn.md", "plain");
+TEST(Examples, CONN1CONN4CONN5CONN6CONN12CONN13TwoTriangles) {
   const auto compact = bytes_of("conn.md", "compact");
   const auto faces = line_of<std::uint32_t>("conn.md", "faces");
-  for (const Payload& payload : {Payload(plain), Payload::compact(compact)}) {
-    const auto read = read_connectivity(payload, 4, 2);
-    ASSERT_TRUE(read) << describe(read.error());
-    EXPECT_EQ(read->triangles, faces);
-    EXPECT_EQ(read->open_edges.size(), 4U);
-  }
-  const CodedConnectivity coded = write_connectivity(faces, 4);
-  EXPECT_EQ(coded.payload, plain);
-  EXPECT_EQ(coded.compact, compact);
+  const auto read = read_connectivity(compact, 4, 2);
+  ASSERT_TRUE(read) << describe(read.error());
+  EXPECT_EQ(read->triangles, faces);
+  EXPECT_EQ(read->open_edges.size(), 4U);
+  EXPECT_EQ(write_connectivity(faces, 4).payload, compact);
 }
 
 const std::vector<std::uint32_t> kTwoTriangles = {0, 1, 2, 2, 1, 3};
 
-TEST(Examples, SEAM2SEAM3SEAM4SEAM5SEAM6SEAM7SEAM8ATornEdge) {
-  const auto plain = bytes_of("seam.md", "plain");
+TEST(Examples, SEAM5SEAM6SEAM7SEAM8ATornEdge) {
   const auto compact = bytes_of("seam.md", "compact");
   const auto faces = line_of<std::uint32_t>("seam.md", "faces");
-  for (const Payload& payload : {Payload(plain), Payload::compact(compact)}) {
-    const auto read = read_seams(payload, kTwoTriangles, 4, 6);
-    ASSERT_TRUE(read) << describe(read.error());
-    EXPECT_EQ(read->triangles, faces);
-  }
-  const CodedSeams coded = write_seams(kTwoTriangles, 4, faces, {});
-  EXPECT_EQ(coded.payload, plain);
-  EXPECT_EQ(coded.compact, compact);
+  const auto read = read_seams(compact, kTwoTriangles, 4, 6);
+  ASSERT_TRUE(read) << describe(read.error());
+  EXPECT_EQ(read->triangles, faces);
+  EXPECT_EQ(write_seams(kTwoTriangles, 4, faces, {}).payload, compact);
 }
 
 TEST(Examples, FGRP1FGRP2FGRP3TwoGroups) {
-  const auto plain = bytes_of("fgrp.md", "plain");
   const auto compact = bytes_of("fgrp.md", "compact");
   const auto groups = line_of<std::uint32_t>("fgrp.md", "groups");
-  for (const Payload& payload : {Payload(plain), Payload::compact(compact)})
-    EXPECT_EQ(*read_face_groups(payload, kTwoTriangles, 4), groups);
-  const CodedFaceGroups coded = write_face_groups(groups, kTwoTriangles, 4);
-  EXPECT_EQ(coded.payload, plain);
-  EXPECT_EQ(coded.compact, compact);
+  EXPECT_EQ(*read_face_groups(compact, kTwoTriangles, 4), groups);
+  EXPECT_EQ(write_face_groups(groups, kTwoTriangles, 4), compact);
 }
 
-TEST(Examples, ORDR1ORDR2ORDR3ORDR4ORDR5ORDR6TwoTriangles) {
-  const auto plain = bytes_of("ordr.md", "plain");
+TEST(Examples, ORDR2ORDR3ORDR4ORDR5ORDR6TwoTriangles) {
   const auto compact = bytes_of("ordr.md", "compact");
   const MeshOrder order{.vertices = line_of<std::uint32_t>("ordr.md", "vertices"),
                         .faces = line_of<std::uint32_t>("ordr.md", "faces"),
                         .rotation = line_of<std::uint8_t>("ordr.md", "rotations")};
-  for (const Payload& payload : {Payload(plain), Payload::compact(compact)}) {
-    const auto read = read_order(payload, kTwoTriangles, 4);
-    ASSERT_TRUE(read) << describe(read.error());
-    EXPECT_EQ(read->vertices, order.vertices);
-    EXPECT_EQ(read->faces, order.faces);
-    EXPECT_EQ(read->rotation, order.rotation);
-  }
-  const CodedOrder coded = write_order(order, kTwoTriangles);
-  EXPECT_EQ(coded.payload, plain);
-  EXPECT_EQ(coded.compact, compact);
+  const auto read = read_order(compact, kTwoTriangles, 4);
+  ASSERT_TRUE(read) << describe(read.error());
+  EXPECT_EQ(read->vertices, order.vertices);
+  EXPECT_EQ(read->faces, order.faces);
+  EXPECT_EQ(read->rotation, order.rotation);
+  EXPECT_EQ(write_order(order, kTwoTriangles), compact);
 }
 
 TEST(Examples, ANCH1ANCH3ANCH4ANCH5TwoAnchors) {
-  const auto plain = bytes_of("anch.md", "plain");
   const auto compact = bytes_of("anch.md", "compact");
   const AnchorList list{.gaps = line_of<std::uint32_t>("anch.md", "gaps"),
                         .steps = line_of<std::uint32_t>("anch.md", "cells")};
-  for (const Payload& payload : {Payload(plain), Payload::compact(compact)}) {
-    const auto read = read_anchors(payload, 2);
-    ASSERT_TRUE(read) << describe(read.error());
-    EXPECT_EQ(read->gaps, list.gaps);
-    EXPECT_EQ(read->steps, list.steps);
-  }
-  EXPECT_EQ(write_plain_anchors(list), plain);
+  const auto read = read_anchors(compact, 2);
+  ASSERT_TRUE(read) << describe(read.error());
+  EXPECT_EQ(read->gaps, list.gaps);
+  EXPECT_EQ(read->steps, list.steps);
   EXPECT_EQ(write_compact_anchors(list), compact);
 }
 
@@ -130,7 +107,7 @@ TEST(Examples, POSN1POSN2POSN3POSN4POSN5POSN6POSN8FourPoints) {
   const auto q = line_of<std::int32_t>("posn.md", "q");
   const std::vector<std::uint32_t> triangles = {0, 1, 2, 2, 1, 3};
   const PredictiveParameters parameters{.kind = PositionKind::kLattice, .lattice = {.cells = {4, 4, 3}}};
-  const auto read = read_positions(Payload::compact(payload), {triangles, 4}, parameters, {});
+  const auto read = read_positions(payload, {triangles, 4}, parameters, {});
   ASSERT_TRUE(read);
   EXPECT_EQ(*read, std::vector<float>(q.begin(), q.end()));
   std::vector<Cell> cells;

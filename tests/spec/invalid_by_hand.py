@@ -8,8 +8,7 @@ import tempfile
 import zstandard
 
 from reference_decoder_test import GOLDEN
-from conn import PlainOps, Walk
-from container import Broken, COMPACT, DRAFT, KINDS, Reader, ZSTD
+from container import COMPACT, DRAFT, KINDS, ZSTD
 from stream_changes import Parts, sealed, varint
 
 NAN, LONG_NAN = struct.pack("<f", float("nan")), struct.pack("<d", float("nan"))
@@ -54,7 +53,8 @@ def by_hand(program):
     yield from containers()
     yield from headers()
     yield from attributes()
-    yield from faces(program)
+    yield from faces()
+    yield from plain(program)
     yield from others(program)
 
 
@@ -71,8 +71,6 @@ def containers():
     for cut, size in ((frame[:-1], 20), (frame + b"\0", 20), (frame, 21), (b"\0" + frame, 20)):
         yield sealed(header + bytes([1 | ZSTD << 4, len(cut), size]) + cut)
     yield with_chunk("SEAM", b"\0")
-    for payload in (b"\5", b"\1", b"\3" + bytes(8) + b"\1" * 4, bytes(2)):
-        yield with_chunk("FGRP", payload)
 
 
 def headers():
@@ -102,7 +100,7 @@ def headers():
     yield stream(64, counts, figures, f32(1)[1:], bytes(3), varint(2**28 + 1), bytes(2))
     for levels in (0, 2**19 + 1):
         yield stream(128, counts, figures, lattice, varint(levels))
-    yield stream(64, bytes(4), figures, lattice, b"\6\1\0")  # no vertices, but a payload of positions
+    yield stream(64, bytes(4), figures, lattice, b"\x26\1\0")  # no vertices, but a payload of positions
     yield stream(64, varint(200000), b"\4\0\1", figures, lattice)
     two = tetrahedron()
     two.header = two.header[:8] + b"\2" + two.header[9:]  # components
@@ -111,8 +109,8 @@ def headers():
     large.header = large.header.replace(f32(large.fields.steps[0])[1:], b"\0\0\x7f")  # 2^127
     yield large.stream()
     # A component of four vertices, of which three are anchors.
-    conn = next(payload for kind, _, payload in tetrahedron().chunks if KINDS[kind & 15] == "CONN")
-    yield stream(0, counts, figures, f32(0) * 6, *highpass[:3], b"\3\0\1", b"\x21", bytes([len(conn)]), conn, b"\5\2\0\0")
+    conn = bytes.fromhex("010d 01 000000 030100 040103 020301")
+    yield stream(0, counts, figures, f32(0) * 6, *highpass[:3], b"\3\0\1", conn, b"\5\7\1\0\2\2" + bytes(3))
 
 
 def attributes():
@@ -121,15 +119,8 @@ def attributes():
     for wrong in (b"\x16", b"\0\7\1\1\0\0", b"\0\3\x08\1\0\0", b"\0\3\1\0\0\0", b"\0\3\1\x11\0\0", b"\0\3\1\1\2\0",
                   b"\x81" + f32(float("inf"))[1:], b"\x81" + f32(-1)[1:]):
         yield with_chunk("ATTR", b"", False, wrong)
-    for payload in (b"\x0b", b"\4", b"\1", b"\x08", b"\0\2\0", b"\0\4\0", b"\0\0\2" + bytes(4) + b"\1" * 4):
-        yield with_chunk("ATTR", payload, False, byte)
-    yield with_chunk("ATTR", b"\0", True, byte)
-    yield with_chunk("ATTR", b"\0\0\0\4\0", False, b"\0\3\1\2\0\0")  # the second component
-    for payload in (b"\1\0", b"\1\2\0\1" + b"\3" * 4 + b"\0\1" + b"\2" * 4):
-        yield with_chunk("ATTR", payload, False, b"\1")
-    yield with_chunk("ATTR", b"\2\0", False, b"\5")
-    for payload in (b"\3\0", b"\3\1" + NAN * 4, b"\3\1" + f32(1, 0, 0, 1)):
-        yield with_chunk("ATTR", payload, False, b"\3")
+    for payload in (b"\x0b", b"\4", b"\0"):
+        yield with_chunk("ATTR", payload, True, byte)
     for descriptor, payload in ((b"\1", b"\4\6" + f32(1)), (b"\1", b"\4\x40" + f32(1)), (b"\1", b"\4\0" + f32(2)), (b"\3", b"\5" + f32(0)),
                                 (b"\2", b"\6" + f32(0)), (weights, b"\x09\0"), (weights, b"\x09\2"),
                                 (weights, b"\x09" + varint(65537))):
@@ -148,63 +139,49 @@ def attributes():
     yield highpass.stream()
 
 
-def conn_payload(m, tokens, references=b"", far=()):
-    """A plain CONN payload with tokens in the order in which the decoder takes them, as far as it does."""
-    rest, streams = list(tokens), [bytearray() for _ in range(17)]
-
-    class Stream:
-        """One of the token streams while the tokens are handed out."""
-        def __init__(self, taken):
-            self.taken = taken
-
-        def __bool__(self):
-            return bool(rest)
-
-        def pop(self):
-            self.taken.append(rest.pop(0))
-            return self.taken[-1]
-    ops = PlainOps.__new__(PlainOps)
-    ops.tokens, ops.references, ops.far, ops.ops = [Stream(s) for s in streams], list(references)[::-1], list(far)[::-1], []
-    try:
-        Walk(m, ops)
-    except Broken:
-        pass
-    counts = [len(s) for s in streams] + [len(references), len(far), 0]
-    return b"".join(map(varint, counts)) + b"".join(streams) + references + bytes([bool(far)]) + bytes(far) + bytes(2)
-
-
-def faces(program):
-    """CONN payloads."""
-    L, R, E, S, B = (32 * code for code in range(1, 6))
-
-    def stream(m, payload, coding=0):
-        parts = tetrahedron()
-        parts.header, parts.chunks = parts.header[:5] + varint(m) + parts.header[6:], [(1 | coding << 4, b"", payload)]
-        return parts.stream()
-    for m, tokens in ((9, [B, L]), (9, [R, L]), (9, [B, B, R]), (9, [R, R]), (9, [B, E]), (4, [B, B, B + 1, E + 1]), (9, [B + 1, E]),
-                      (9, [0]), (9, [L + 31]), (9, [7 * 32]), (1, [R])):
-        yield stream(m, conn_payload(m, tokens))
-    for references, far in ((b"\0", [0]), (b"\0", [9]), (b"\4", []), (b"\2", []), (b"\0", []), (b"", [])):
-        yield stream(9, conn_payload(9, [R, S], references, far))
-    yield stream(4, bytes(22))  # no tokens
-    yield stream(43000, b"\0", COMPACT)
-    plain = Parts(generated(program, "torus", 60, "--profile zstd"))
-    r = Reader(next(payload for kind, _, payload in plain.chunks if KINDS[kind & 15] == "CONN"))
-    counts = [r.varint() for _ in range(20)]
-    tokens, references, rest = r.bytes(sum(counts[:17])), r.bytes(counts[17]), r.rest()
-
-    def changed(at, by, tokens=tokens, references=references, rest=rest):
-        numbers = [count + by * (i == at) for i, count in enumerate(counts)]
-        return plain.replace("CONN", None, b"".join(map(varint, numbers)) + tokens + references + rest)
-    yield changed(16, 1, tokens + bytes([B]))
-    yield changed(17, 1, references=references + b"\2")
-    yield changed(18, 1)
-    for gaps in (b"\1\xff", b"\0"):  # a gap beyond M, and a target that is not there yet
-        yield changed(19, 1, rest=rest[:1] + gaps + b"\0")
-    yield changed(19, 20000)
+def faces():
+    """CONN payloads with too many faces, or too few vertices for them."""
+    parts = tetrahedron()
+    parts.header, parts.chunks = parts.header[:5] + varint(43000) + parts.header[6:], [(1 | COMPACT << 4, b"", b"\0")]
+    yield parts.stream()
     few = tetrahedron()
     few.header = few.header[:6] + b"\3" + few.header[7:]  # geometric vertices
     yield few.stream()
+
+
+def plain(program):
+    """Streams of the plain form."""
+    def changed(parts, tag, payload):
+        return Parts(parts.stream()).replace(tag, None, payload)
+    seam, groups = Parts(golden("seam.zstd")), Parts(golden("groups.zstd"))
+    yield changed(seam, "CONN", b"\1" + b"\xff" * (3 * seam.fields.triangles))
+    yield changed(seam, "CONN", b"")
+    for code in (0, 1, 255):  # too many geometric vertices, too few, and one out of turn
+        yield changed(seam, "SEAM", b"\1" + bytes([code]) * seam.fields.vertices)
+    yield changed(seam, "SEAM", b"\1\0" + bytes([1]) * (seam.fields.vertices - 1))
+    yield changed(groups, "FGRP", b"\3" + b"\1" * (3 * groups.fields.triangles))
+    yield changed(groups, "FGRP", b"\5" + b"\1" * (5 * groups.fields.triangles))
+    yield with_chunk("FGRP", b"\0")  # plain in a compact stream
+    torus = Parts(generated(program, "torus", 60, "--profile zstd"))
+    yield changed(torus, "POSN", (b"\4" + b"\xff" * (4 * torus.fields.geometric)) * 3)
+    fragments = Parts(generated(program, "fragments", 60, "--geometry highpass --profile zstd"))
+    count = fragments.fields.anchors
+    for anchors in (b"\0", b"\1" + b"\2" * count, b"\1" + b"\xfe" * count, b"\4" + b"\xfe" * (4 * count)):
+        yield changed(fragments, "ANCH", anchors + b"\0\0\0")
+    ascending = b"\1\0" + b"\2" * (count - 1)
+    yield changed(fragments, "ANCH", ascending + b"\4" + b"\xfe" * (4 * count) + b"\0\0")
+    yield changed(fragments, "ANCH", ascending + b"\0\0\0")  # not in all components
+    large = Parts(golden("grid.zstd"))
+    large.header = large.header.replace(f32(large.fields.step)[1:], b"\0\0\x7f")  # 2^127
+    yield large.stream()
+    for coding in (b"\1", b"\2"):
+        yield with_chunk("ATTR", coding + struct.pack("<dq", 1, 0) + b"\0", False, b"\0\3\6\1\0\0")
+    for step in (-1, float("inf"), float("nan")):
+        yield with_chunk("ATTR", b"\0" + struct.pack("<d", step) + b"\0", False, b"\0\3\6\1\0\0")
+    for first in (2**52 + 1, -2**52 - 1):
+        yield with_chunk("ATTR", b"\0" + struct.pack("<dq", 1, first) + b"\0", False, b"\0\3\6\1\0\0")
+    for step in (struct.pack("<dq", 2, 0), struct.pack("<d", 0)):  # of directions
+        yield with_chunk("ATTR", b"\1" + step + b"\0", False, b"\1")
 
 
 def others(program):
@@ -212,13 +189,6 @@ def others(program):
         parts = tetrahedron()
         parts.chunks[1] = parts.chunks[1][0], b"", payload
         yield parts.stream()
-    yield tetrahedron().replace("POSN", None, b"\1")  # plain
-    for payload in (b"", b"\0", b"\4", varint(22), b"\1\1\xff\0\0", b"\1\0\1\xff\0", b"\1\0\0\0"):
-        yield Parts(golden("seam.zstd")).replace("SEAM", None, payload)
-    for places in (b"\1\2\0\0\0" + b"\0\0", b"\0" + b"\1\2\0\0\0" + b"\0", b"\0\0" + b"\1\3\0\0\0"):
-        yield with_chunk("ORDR", places, flags=1)
-    for anchors in (b"\0\0", b"\1" + b"\xff" * 4 + b"\0", b"\0\4" + b"\xff" * 48):
-        yield Parts(generated(program, "fragments", 60, "--geometry highpass")).replace("ANCH", None, anchors)
 
 
 def two_faces():
@@ -253,6 +223,6 @@ def variants():
     yield "unread and too long", with_bytes(b"\x14\5" + varint(30000) + bytes(5))
     yield "unread and twice", with_bytes(b"\4\0\4\0")
     yield "a varint is cut", with_bytes(b"\4\x80")
-    yield "planes are cut", with_chunk("FGRP", b"\1\1")
+    yield "planes are cut", sealed(Parts(golden("grid.zstd")).stream()[:-4] + b"\3\2\1\1")
     yield "beyond 32 bits", sealed(b"DMS" + bytes([128 + DRAFT, 64]) + varint(2**35) + b"\4\0\1" + bytes(9) + f32(1)[1:] + bytes(6))
-    yield "a dictionary", with_bytes(b"\x13\x0e\4" + b"\x28\xb5\x2f\xfd\x21\1\4\x21\0\0" + b"\0\0\0\0")
+    yield "a dictionary", sealed(Parts(golden("grid.zstd")).stream()[:-4] + b"\x13\x0e\4" + b"\x28\xb5\x2f\xfd\x21\1\4\x21\0\0" + b"\0\0\0\0")

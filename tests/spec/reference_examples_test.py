@@ -20,6 +20,7 @@ from graph import components, neighbours
 from mesh import decode_chunks
 from ordr import ORDR_1_read
 from parts import Map
+from plain import FGRP_1_plain, PLN_2_faces, PLN_5_positions, PLN_6_values
 from posn import POSN_1_positions
 from seam import SEAM_1_read
 
@@ -34,7 +35,7 @@ def line(file, name, kind=int):
 
 
 def chunk(file, name="compact"):
-    return Chunk(is_compact=name not in ("plain", "anchors"), data=line(file, name, bytes))
+    return Chunk(is_compact=file != "plain.md" and name != "anchors", data=line(file, name, bytes))
 
 
 def triples(numbers):
@@ -58,15 +59,33 @@ def attribute(file, kind, type_number, k, others=(), name="payload"):
     described.is_shape = lambda kind, types, counts: described.kind == kind and described.type in types and described.k in counts
     surface.attributes.append(described)
     data = line(file, name, bytes)
-    described.values = ATTR_2_values(Chunk(is_compact=data[0] > 3, data=data, descriptor=described), surface)
+    described.values = ATTR_2_values(Chunk(is_compact=file != "plain.md", data=data, descriptor=described), surface)
     return described
 
 
-def highpass(name):
+def highpass():
     header = SimpleNamespace(anchors=2, anchor_bits=4, box_min=[0, 0, 0], box_max=[3, 1, 1.5], step=0.25, shift_ones=32, shift_others=16, cycles=1)
     around = neighbours(triples(line("delt.md", "faces")), 8)
-    anchors = ANCH_1_read(chunk("delt.md", "anchors"), header, 8, components(around))
-    return DELT_1_positions(chunk("delt.md", name), header, around, components(around), anchors)
+    anchors = ANCH_1_read(chunk("delt.md", "anchors"), header, 8, components(around), True)
+    return DELT_1_positions(chunk("delt.md"), header, around, components(around), anchors, False)
+
+
+def plain():
+    """The examples of plain.md."""
+    header = SimpleNamespace(triangles=2, vertices=5, geometric=4)
+    faces, seams = PLN_2_faces(chunk("plain.md", "conn"), chunk("plain.md", "seam"), header)
+    yield "plain.md faces", seams.faces, line("plain.md", "faces")
+    yield "plain.md geometric", seams.geometric, line("plain.md", "geometric")
+    yield "plain.md geometric faces", faces, [0, 1, 2, 2, 1, 3]
+    yield "plain.md groups", FGRP_1_plain(chunk("plain.md", "fgrp"), 2), line("plain.md", "groups")
+    yield "plain.md positions", PLN_5_positions(chunk("plain.md", "posn"), lattice(LATTICE, 4, cells=[4, 4, 3])), line("plain.md", "q")
+    for name, kind, number, values in (("exact", "u1", int, "bytes"), ("steps", "f4", np.float32, "values")):
+        described = SimpleNamespace(type=kind, k=1)
+        yield f"plain.md {name}", PLN_6_values(chunk("plain.md", name), described, 5), line("plain.md", values, number)
+    header = SimpleNamespace(anchors=2, anchor_bits=12, box_min=[0] * 3, box_max=[4095] * 3)
+    anchors = ANCH_1_read(chunk("plain.md", "anch"), header, 4, [], True)
+    yield "plain.md anchors", list(anchors), line("plain.md", "anchors")
+    yield "plain.md cells", list(anchors.values()), line("plain.md", "cells")
 
 
 def stream():
@@ -79,15 +98,15 @@ def stream():
 
 def examples():
     """Names, decoded values and those of the text."""
-    for form in ("plain", "compact"):
-        yield f"conn.md {form}", CONN_8_faces(chunk("conn.md", form), 2, 4, States()), line("conn.md", "faces")
-        yield f"seam.md {form}", SEAM_1_read(chunk("seam.md", form), TWO, 4, 6).faces, line("seam.md", "faces")
-        yield f"fgrp.md {form}", FGRP_1_read(chunk("fgrp.md", form), TWO), line("fgrp.md", "groups")
-        yield (f"ordr.md {form}", np.hstack(ORDR_1_read(chunk("ordr.md", form), TWO, 4)),
-               line("ordr.md", "vertices") + line("ordr.md", "faces") + line("ordr.md", "rotations"))
-        header = SimpleNamespace(anchors=2, anchor_bits=12, box_min=[0] * 3, box_max=[4095] * 3)
-        yield f"anch.md {form}", list(ANCH_1_read(chunk("anch.md", form), header, 4, []).values()), [0, 0, 100, 4095, 2000, 50]
-        yield f"delt.md {form}", highpass(form), line("delt.md", "positions", float)
+    yield from plain()
+    yield "conn.md", CONN_8_faces(chunk("conn.md"), 2, 4, States()), line("conn.md", "faces")
+    yield "seam.md", SEAM_1_read(chunk("seam.md"), TWO, 4, 6).faces, line("seam.md", "faces")
+    yield "fgrp.md", FGRP_1_read(chunk("fgrp.md"), TWO), line("fgrp.md", "groups")
+    yield ("ordr.md", np.hstack(ORDR_1_read(chunk("ordr.md"), TWO, 4)),
+           line("ordr.md", "vertices") + line("ordr.md", "faces") + line("ordr.md", "rotations"))
+    header = SimpleNamespace(anchors=2, anchor_bits=12, box_min=[0] * 3, box_max=[4095] * 3)
+    yield "anch.md", list(ANCH_1_read(chunk("anch.md"), header, 4, [], False).values()), [0, 0, 100, 4095, 2000, 50]
+    yield "delt.md", highpass(), line("delt.md", "positions", float)
     yield "compact.md", FLD_numbers(Coder(Reader(bytes.fromhex("7557588af8b4094417e8333511"))), neighbours([(0, 1, 2), (1, 3, 2)], 4)), \
         [1, 0, 3, 1, -2, 3, 1, -2, 3, 40, -80, 9]
     yield "posn.md", positions("posn.md", lattice(LATTICE, 4, cells=[4, 4, 3]), TWO), line("posn.md", "q")
@@ -96,7 +115,6 @@ def examples():
     box_max = [1.0, struct.unpack("<f", struct.pack("<f", 1.1))[0], 0.5]
     yield ("posn_floats.md", positions("posn_floats.md", lattice(FLOATS, 4, box_min=[0.0] * 3, box_max=box_max), TWO),
            line("posn_floats.md", "values", np.float32))
-    yield "attr.md", attribute("attr.md", 3, 3, 2).values, line("attr.md", "values")
     yield "attr_lattice.md", attribute("attr_lattice.md", 3, 3, 1).values, line("attr_lattice.md", "values")
     yield "attr_colors.md", attribute("attr_colors.md", 1, 1, 3).values, line("attr_colors.md", "values")
     yield "attr_normals.md", attribute("attr_normals.md", 0, 6, 3).values, line("attr_normals.md", "values", np.float32)

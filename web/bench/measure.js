@@ -20,9 +20,9 @@ async function openDeltamesh(files) {
   };
 }
 
-/** `modules`: { core, highpass, plain, rare, draco }, bytes. */
-function openCodec(codec, { core, highpass, plain, rare, draco }) {
-  return codec === 'draco' ? openDraco(draco) : openDeltamesh({ core, highpass, plain, rare });
+/** `modules`: { core, highpass, rare, zstd, draco }, bytes. */
+function openCodec(codec, { core, highpass, rare, zstd, draco }) {
+  return codec === 'draco' ? openDraco(draco) : openDeltamesh({ core, highpass, rare, zstd });
 }
 
 function timeOf(decode, streams) {

@@ -11,7 +11,7 @@ const dist = new URL('dist/', here);
 const WASM = [
   '@deltamesh/decoder/core.wasm',
   '@deltamesh/decoder/highpass.wasm',
-  '@deltamesh/decoder/plain.wasm',
+  '@deltamesh/decoder/zstd.wasm',
   '@deltamesh/decoder/rare.wasm',
   '@deltamesh/decoder/map.wasm',
   '@deltamesh/encoder/encoder.wasm',

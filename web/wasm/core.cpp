@@ -39,7 +39,7 @@ bool is_rare(std::span<const std::byte> values) noexcept {
          coding == AttributeCoding::kWeights;
 }
 
-/// Which parts the stream needs, if it is valid: bits by number. Raw chunks of `highpass` are its own.
+/// Which parts the stream needs, if it is valid: bits by number.
 std::uint32_t parts_of(const Container& container) noexcept {
   const auto bit = [](Part part, bool is_needed) {
     return is_needed ? 1U << static_cast<std::uint32_t>(part) : 0;
@@ -49,9 +49,7 @@ std::uint32_t parts_of(const Container& container) noexcept {
   std::uint32_t parts = bit(Part::kHighpass, is_highpass) |
                         bit(Part::kRare, !is_highpass && header.predictive.kind != PositionKind::kLattice);
   for (const ChunkEntry& entry : container.entries()) {
-    const bool is_its_own = entry.tag == kTagDeltas || entry.tag == kTagAnchors;
-    parts |= bit(Part::kPlain,
-                 entry.codec == ChunkCodec::kZstd || (entry.codec == ChunkCodec::kRaw && !is_its_own));
+    parts |= bit(Part::kZstd, entry.codec == ChunkCodec::kZstd);
     parts |= bit(Part::kRare, entry.tag == kTagAttribute && entry.codec == ChunkCodec::kCompact &&
                                   is_rare(container.coded(entry)));
   }

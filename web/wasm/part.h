@@ -2,7 +2,7 @@
 // Copyright 2026 The deltamesh authors
 //
 // What `core` and its parts hand to each other by way of JavaScript (packages/decoder/decoder.js): the
-// modules `highpass`, `plain` and `rare`, whose memories are others. All are built alike, so structures are
+// modules `highpass`, `zstd` and `rare`, whose memories are others. All are built alike, so structures are
 // copied as they are.
 #pragma once
 
@@ -59,25 +59,10 @@ struct HighpassCall {
   HandedArray sizes;
 };
 
-/// What `plain` reads, and which arrays it returns.
-enum class PlainForm : std::uint32_t {
-  kFrame,   ///< expand_frame(): bytes, or nothing where it is false
-  kFaces,   ///< read_plain_faces(): the members of ManifoldFaces
-  kCopies,  ///< read_plain_copies(): those of CornerCopies
-  kGroups,  ///< read_plain_groups()
-  kOrder,   ///< read_plain_order(): those of MeshOrder
-  kValues,  ///< read_plain_values()
-};
-
-/// The arguments of these.
-struct PlainCall {
-  PlainForm form = PlainForm::kFrame;
-  std::array<std::uint32_t, 2> counts{};  ///< as they come; of kFrame the bytes to expand to
-  AttributeKind kind = AttributeKind::kGeneric;
-  ComponentType type = ComponentType::kF32;
-  std::uint8_t components = 1;
-  HandedArray bytes{};
-  HandedArray triangles{};
+/// The arguments of expand_frame(). Returns an array of bytes, or none where it is false.
+struct ZstdCall {
+  std::uint32_t expanded_bytes = 0;
+  HandedArray frame{};
 };
 
 /// What `rare` reads: an array of floats for positions, else of bytes.

@@ -22,8 +22,8 @@ namespace deltamesh {
 
 /// Which codings a chunk may use.
 enum class Profile : std::uint8_t {
-  kSmallest,  ///< raw, zstd or compact, whatever is smallest
-  kZstd,      ///< raw and zstd only: quick to support for other implementations
+  kSmallest,  ///< the compact form: an entropy coder of its own
+  kZstd,      ///< the plain form: arrays under zstd, which a page of any language reads (spec/plain.md)
 };
 
 /// How positions are coded.
@@ -65,7 +65,7 @@ struct EncodeOptions {
   /// Models begin as here, not fresh; must outlive the call. Decoders need the same
   /// (deltamesh/model_states.h).
   const ModelStates* starting_states = nullptr;
-  bool keep_order = false;         ///< store the input's vertex and face order and restore it
+  bool keep_order = false;         ///< the decoded mesh has the input's order of vertices and faces
   bool keep_unreferenced = false;  ///< keep vertices that no face uses
   /// Called now and then with the share of the work done, 0 to 1; may be empty.
   std::function<void(double)> progress{};

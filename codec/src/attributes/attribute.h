@@ -23,23 +23,26 @@ struct ColorModels;
 
 struct AttributeSettings {
   const AttributeQuality& quality;
-  bool plain = false;                  ///< no compact coding
+  bool plain = false;                  ///< the plain form
   int effort = 5;                      ///< 0 to 9
   const ColorModels* start = nullptr;  ///< of colours; null for fresh models
 };
 
 /// A coded attribute and what a decoder gets.
 struct CodedAttribute {
-  std::vector<std::byte> plain;    ///< the payload; empty where it has a compact form only
-  std::vector<std::byte> compact;  ///< the same values in the compact form; empty where it has none
+  std::vector<std::byte> payload;
+  bool is_compact = false;
+  /// Of compact values that may repeat as zstd alone finds out: the same in the plain form; else empty.
+  std::vector<std::byte> plain;
   AttributeDescriptor descriptor;
   Attribute decoded;
 };
 
 /// `order`: the row of `attribute` for every coded vertex. `others`: the decoded attributes that decoders
 /// know before this one, see decoded_after_others(). An attribute of a known kind whose shape does not fit
-/// the kind (a colour of doubles, say), or that is not finite, is exact. Errors: kInvalidMesh (sizes that
-/// disagree).
+/// the kind (a colour of doubles, say), or that is not finite, is exact. What no compact coding suits
+/// (doubles that are on no lattice, numbers that are not finite) is in the plain form, whatever is asked for.
+/// Errors: kInvalidMesh (sizes that disagree).
 Result<CodedAttribute> write_attribute(const AttributeView& attribute, std::span<const std::uint32_t> order,
                                        const AttributeSettings& settings, const AttributeSurface& surface,
                                        std::span<const Attribute> others);

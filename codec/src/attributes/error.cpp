@@ -15,12 +15,6 @@
 namespace deltamesh {
 namespace {
 
-/// What one 255th of a colour's range is in its type.
-double color_unit(ComponentType type) noexcept {
-  if (type == ComponentType::kU8) return 1;
-  return type == ComponentType::kU16 ? 257 : 1.0 / 255;
-}
-
 /// A row's values as numbers, as far as an error needs them.
 using Row = std::array<double, kMaxComponents>;
 
@@ -72,6 +66,11 @@ double cosine_square(const Row& a, const Row& b) noexcept {
 }
 
 }  // namespace
+
+double color_unit(ComponentType type) noexcept {
+  if (type == ComponentType::kU8) return 1;
+  return type == ComponentType::kU16 ? 257 : 1.0 / 255;
+}
 
 double attribute_error(const AttributeView& attribute, const AttributeRows& rows,
                        std::span<const std::byte> decoded) {

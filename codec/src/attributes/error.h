@@ -25,6 +25,9 @@ inline constexpr double kMostAngle = 60;
 /// The distance of unit vectors at an angle.
 inline double chord_of(double degrees) noexcept { return 2 * portable_sin(degrees * (kPi / 360)); }
 
+/// What one 255th of a colour's range is in its type.
+double color_unit(ComponentType type) noexcept;
+
 /// `decoded`: rows.count() values of the shape of `attribute`, whose rows are `rows`. 0 where all bits are
 /// the same; infinity where a difference is not a number. The same on every machine. O(n).
 double attribute_error(const AttributeView& attribute, const AttributeRows& rows,

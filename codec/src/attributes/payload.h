@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// How an ATTR payload codes its values [ATTR-2], and the shapes that each coding is for.
+// How a compact ATTR payload codes its values [ATTR-2], and the shapes that each coding is for.
 #pragma once
 
 #include <cstdint>
@@ -12,10 +12,6 @@ namespace deltamesh {
 
 /// How the values became symbols [ATTR-2].
 enum class AttributeCoding : std::uint8_t {
-  kExact = 0,            ///< the bits of every component [ATTR-4]
-  kOctahedral = 1,       ///< normals [ATTR-5]
-  kColorLevels = 2,      ///< colours, levels over the full range [ATTR-6]
-  kUvLevels = 3,         ///< texture coordinates, levels over their own range [ATTR-7]
   kSurfaceNormals = 4,   ///< normals, predicted from the surface [ATTR-20]
   kSurfaceUvs = 5,       ///< texture coordinates, predicted from the surface [ATTR-31]
   kSurfaceTangents = 6,  ///< tangents, predicted from the surface [ATTR-38]
@@ -25,19 +21,12 @@ enum class AttributeCoding : std::uint8_t {
   kJoints = 10,          ///< from those of the vertices around [ATTR-60]
 };
 
-/// Whether payloads of the coding are plain; all others are compact [ATTR-2].
-constexpr bool is_plain_coding(AttributeCoding coding) noexcept {
-  return coding <= AttributeCoding::kUvLevels;
-}
-
 /// True where values of this shape may be coded so [ATTR-2].
 constexpr bool coding_fits(AttributeCoding coding, AttributeKind kind, ComponentType type,
                            unsigned components) noexcept {
   switch (coding) {
-    case AttributeCoding::kExact:
     case AttributeCoding::kLattice:
       return true;
-    case AttributeCoding::kOctahedral:
     case AttributeCoding::kSurfaceNormals:
       return kind == AttributeKind::kNormal && type == ComponentType::kF32 && components == 3;
     case AttributeCoding::kWeights:
@@ -46,11 +35,9 @@ constexpr bool coding_fits(AttributeCoding coding, AttributeKind kind, Component
     case AttributeCoding::kJoints:
       return kind == AttributeKind::kJoints && components == 4 &&
              (type == ComponentType::kU8 || type == ComponentType::kU16);
-    case AttributeCoding::kColorLevels:
     case AttributeCoding::kSurfaceColors:
       return kind == AttributeKind::kColor && (components == 3 || components == 4) &&
              (type == ComponentType::kU8 || type == ComponentType::kU16 || type == ComponentType::kF32);
-    case AttributeCoding::kUvLevels:
     case AttributeCoding::kSurfaceUvs:
       return kind == AttributeKind::kUv && type == ComponentType::kF32 && components == 2;
     case AttributeCoding::kSurfaceTangents:
@@ -58,8 +45,5 @@ constexpr bool coding_fits(AttributeCoding coding, AttributeKind kind, Component
   }
   return false;
 }
-
-/// Most bits a colour of this type is coded with.
-constexpr int max_color_bits(ComponentType type) noexcept { return type == ComponentType::kU8 ? 8 : 16; }
 
 }  // namespace deltamesh

@@ -52,14 +52,12 @@ Result<std::vector<std::byte>> read_on_surface(ByteReader& in, AttributeCoding c
   return std::vector<std::byte>(values.begin(), values.end());
 }
 
-/// The coding's byte, which fits shape and form of the payload [ATTR-2].
-Result<AttributeCoding> read_coding(ByteReader& in, const AttributeDescriptor& descriptor, bool is_compact) {
+/// The coding's byte, which fits the shape [ATTR-2].
+Result<AttributeCoding> read_coding(ByteReader& in, const AttributeDescriptor& descriptor) {
   DELTAMESH_TRY(const auto byte, in.read<std::uint8_t>());
   const auto coding = static_cast<AttributeCoding>(byte);
   if (!coding_fits(coding, descriptor.kind, descriptor.type, descriptor.components))
     return in.invalid("attribute coding that its shape does not allow", "ATTR-2");
-  if (is_plain_coding(coding) == is_compact)
-    return in.invalid("attribute coding of the other form", "ATTR-2");
   return coding;
 }
 
@@ -84,10 +82,12 @@ Result<Attribute> read_attribute(Payload payload, const AttributeDescriptor& des
   if (attribute_bytes(descriptor, surface.vertex_count()) > max_bytes)
     return in.error(ErrorCode::kLimitExceeded, "attribute values larger than allowed", "ATTR-8");
   Attribute attribute = shape_of(descriptor);
-  DELTAMESH_TRY(const AttributeCoding coding, read_coding(in, descriptor, payload.is_compact));
-  DELTAMESH_TRY(attribute.values, payload.is_compact
-                                      ? read_on_surface(in, coding, attribute, surface, others, learning)
-                                      : read_plain_values(payload.bytes, attribute, surface.vertex_count()));
+  if (payload.is_compact) {
+    DELTAMESH_TRY(const AttributeCoding coding, read_coding(in, descriptor));
+    DELTAMESH_TRY(attribute.values, read_on_surface(in, coding, attribute, surface, others, learning));
+  } else {
+    DELTAMESH_TRY(attribute.values, read_plain_values(payload.bytes, attribute, surface.vertex_count()));
+  }
   return attribute;
 }
 

@@ -65,7 +65,7 @@ double bound_of(const AttributeView& attribute, const AttributeQuality& quality)
   return 0;
 }
 
-/// The compact payload of a coding, which has no plain form, and values; empty where the coding does not keep
+/// The compact payload of a coding, and values; empty where the coding does not keep
 /// the bound.
 template <class T>
 std::optional<CodedAttribute> code_compact(AttributeCoding coding,
@@ -75,7 +75,8 @@ std::optional<CodedAttribute> code_compact(AttributeCoding coding,
   out.write(static_cast<std::uint8_t>(coding));
   out.write_bytes(values->bytes);
   CodedAttribute coded;
-  coded.compact = out.take();
+  coded.payload = out.take();
+  coded.is_compact = true;
   const auto decoded = std::as_bytes(std::span(values->values));
   coded.decoded.values.assign(decoded.begin(), decoded.end());
   return coded;
@@ -130,10 +131,13 @@ std::optional<CodedAttribute> write_on_surface(const AttributeView& attribute, c
                                                std::span<const Attribute> others) {
   auto coded = code_kind(attribute, rows, bound, settings, surface, others);
   if (!coded) coded = code_on_lattices(attribute, rows, 0, settings.effort, surface);
-  // Exact wide values may repeat in a way that only the plain form's codec finds, as in copies of parts.
+  // Exact wide values may repeat in a way that only zstd finds, as in copies of parts. In large arrays it
+  // never won.
+  constexpr std::size_t kMostBytes = 1U << 16;
   const bool is_wide = component_size(attribute.type) >= 4;
-  if (coded && is_wide && settings.effort > 0 && coded->decoded.values == rows.gather())
-    coded->plain = write_exact_attribute(attribute, rows);
+  if (coded && is_wide && settings.effort > 0 && coded->decoded.values.size() < kMostBytes &&
+      coded->decoded.values == rows.gather())
+    coded->plain = write_plain_attribute(attribute, rows, 0);
   return coded;
 }
 
@@ -160,8 +164,8 @@ Result<CodedAttribute> write_attribute(const AttributeView& attribute, std::span
   if (coded) {
     decoded.values = std::move(coded->decoded.values);
   } else {
-    coded.emplace().plain = write_plain_attribute(attribute, rows, bound);
-    DELTAMESH_TRY(decoded.values, read_plain_values(coded->plain, decoded, surface.vertex_count()));
+    coded.emplace().payload = write_plain_attribute(attribute, rows, bound);
+    DELTAMESH_TRY(decoded.values, read_plain_values(coded->payload, decoded, surface.vertex_count()));
   }
   coded->decoded = std::move(decoded);
   coded->descriptor = descriptor;

@@ -24,10 +24,12 @@ class UnionFind {
     return i;
   }
 
-  void unite(std::size_t a, std::size_t b) {
+  /// Returns whether they were of different sets.
+  bool unite(std::size_t a, std::size_t b) {
     a = find(a);
     b = find(b);
     parents_[std::max(a, b)] = std::min(a, b);
+    return a != b;
   }
 
  private:

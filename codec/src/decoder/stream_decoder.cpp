@@ -15,12 +15,15 @@
 #include "base/try.h"
 #include "connectivity/faces/faces.h"
 #include "connectivity/groups/groups.h"
+#include "connectivity/plain/topology.h"
 #include "connectivity/seams/seams.h"
 #include "decoder/restore_order.h"
 #include "deltamesh/model_states.h"
 #include "entropy/expand_chunk.h"
+#include "format/chunk/kinds.h"
 #include "format/vertex_positions.h"
 #include "highpass/highpass.h"
+#include "positions/plain.h"
 #include "positions/positions.h"
 #include "states/stream_models.h"
 #include "topology/adjacency.h"
@@ -63,7 +66,8 @@ class StreamDecoder {
   Result<Mesh> run() {
     Mesh mesh;
     mesh.origin = header_.origin;
-    DELTAMESH_CHECK(read_faces(mesh.triangles));
+    DELTAMESH_CHECK(check_form());
+    DELTAMESH_CHECK(is_plain_ ? read_plain(mesh.triangles) : read_faces(mesh.triangles));
     DELTAMESH_TRY(mesh.face_groups, read_groups(mesh.triangles));
     if (header_.geometry != kGeometryPredictive) build_graphs(mesh.triangles);
     if (header_.geometry == kGeometryPredictive) {
@@ -77,9 +81,9 @@ class StreamDecoder {
       report_progress(options_, kGeometryDone);
       DELTAMESH_TRY(mesh.attributes, attributes.get());
     }
-    if (header_.keeps_order) {
+    if (header_.keeps_order && !is_plain_) {
       DELTAMESH_TRY(const auto chunk, expand_single(container_, kTagOrder));
-      DELTAMESH_TRY(const auto order, read_order(chunk.payload(), mesh.triangles, header_.vertices));
+      DELTAMESH_TRY(const auto order, read_order(chunk.bytes(), mesh.triangles, header_.vertices));
       mesh = restore_order(mesh, order);
     }
     report_progress(options_, 1);
@@ -87,10 +91,40 @@ class StreamDecoder {
   }
 
  private:
+  /// Sets is_plain_. Errors: kInvalidStream [PLN-1].
+  Result<void> check_form() {
+    bool is_compact = false;
+    for (const ChunkEntry& entry : container_.entries()) {
+      is_compact |= entry.codec == ChunkCodec::kCompact;
+      const bool has_form = entry.tag != kTagAttribute && kind_of(entry.tag) != kLetters;
+      is_plain_ |= entry.codec != ChunkCodec::kCompact && has_form;
+    }
+    if (!is_plain_ || !is_compact) {
+      is_plain_ = !is_compact;
+      return {};
+    }
+    return Error{.code = ErrorCode::kInvalidStream,
+                 .message = "chunks of the plain form beside those of the compact form",
+                 .rule = "PLN-1"};
+  }
+
+  /// The same as read_faces().
+  Result<void> read_plain(std::vector<std::uint32_t>& triangles) {
+    DELTAMESH_TRY(const auto connectivity, expand_single(container_, kTagConnectivity));
+    DELTAMESH_TRY(triangles, read_plain_faces(connectivity.bytes(), header_.triangles, header_.vertices));
+    DELTAMESH_TRY(const auto seams, expand_single(container_, kTagSeams));
+    DELTAMESH_TRY(copies_, read_plain_seams(seams.bytes(), header_.geometric_vertices, header_.vertices));
+    if (is_split()) {
+      geometric_triangles_.reserve(triangles.size());
+      for (const std::uint32_t v : triangles) geometric_triangles_.push_back(copies_[v]);
+    }
+    return check_components(count_components(geometric(triangles), header_.geometric_vertices));
+  }
+
   /// Faces over the mesh's vertices; where seams split some, those over the geometric vertices as well.
   Result<void> read_faces(std::vector<std::uint32_t>& triangles) {
     DELTAMESH_TRY(const auto connectivity, expand_single(container_, kTagConnectivity));
-    DELTAMESH_TRY(auto read, read_connectivity(connectivity.payload(), header_.geometric_vertices,
+    DELTAMESH_TRY(auto read, read_connectivity(connectivity.bytes(), header_.geometric_vertices,
                                                header_.triangles, of_ops()));
     DELTAMESH_CHECK(check_components(read.runs.count(header_.geometric_vertices)));
     triangles = std::move(read.triangles);
@@ -100,7 +134,7 @@ class StreamDecoder {
     DELTAMESH_TRY(const auto seams, expand_single(container_, kTagSeams));
     if (seams.bytes().empty() && header_.vertices == header_.geometric_vertices) return {};
     DELTAMESH_TRY(auto split,
-                  read_seams(seams.payload(), triangles, header_.geometric_vertices, header_.vertices));
+                  read_seams(seams.bytes(), triangles, header_.geometric_vertices, header_.vertices));
     geometric_triangles_ = std::exchange(triangles, std::move(split.triangles));
     copies_ = std::move(split.geometric);
     return {};
@@ -109,7 +143,8 @@ class StreamDecoder {
   /// m numbers, or none.
   Result<std::vector<std::uint32_t>> read_groups(std::span<const std::uint32_t> triangles) {
     DELTAMESH_TRY(const auto chunk, expand_single(container_, kTagFaceGroups));
-    return read_face_groups(chunk.payload(), triangles, header_.vertices);
+    return is_plain_ ? read_plain_groups(chunk.bytes(), header_.triangles)
+                     : read_face_groups(chunk.bytes(), triangles, header_.vertices);
   }
 
   /// n x 3.
@@ -130,7 +165,9 @@ class StreamDecoder {
   /// For the solution, which takes its graph apart. Where another thread may read attributes meanwhile these
   /// have their own.
   void build_graphs(const std::vector<std::uint32_t>& triangles) {
-    graph_ = build_adjacency(geometric(triangles), open_edges_, header_.geometric_vertices, team_);
+    graph_ = is_plain_
+                 ? build_adjacency(geometric(triangles), header_.geometric_vertices)
+                 : build_adjacency(geometric(triangles), open_edges_, header_.geometric_vertices, team_);
     geometric_triangles_ = std::vector<std::uint32_t>();  // which {} would not free
     if (header_.attributes.empty()) open_edges_ = LargeVector<DirectedEdge>();
     const auto takes_graph = [](const ChunkEntry& entry) {
@@ -143,12 +180,14 @@ class StreamDecoder {
 
   Result<std::vector<float>> read_predicted(std::span<const std::uint32_t> triangles) {
     DELTAMESH_TRY(const auto payload, expand_single(container_, kTagPositions));
+    if (is_plain_)
+      return read_plain_positions(payload.bytes(), header_.geometric_vertices, header_.predictive);
     Learning<PositionModels> learning;
     if (start_ != nullptr) learning.start = &start_->positions;
     if (learnt_ != nullptr) learning.end = &learnt_->positions;
     if (learnt_ != nullptr && header_.predictive.kind == PositionKind::kVoxel)
       learnt_->voxels = header_.predictive;
-    return read_positions(payload.payload(), {triangles, header_.geometric_vertices}, header_.predictive,
+    return read_positions(payload.bytes(), {triangles, header_.geometric_vertices}, header_.predictive,
                           header_.box(), learning);
   }
 
@@ -169,13 +208,19 @@ class StreamDecoder {
                  .rule = "HDR-7"};
   }
 
+  /// Of DELT or ANCH, which may be empty.
+  Payload payload_of(const ExpandedChunk& chunk) const noexcept {
+    return is_plain_ ? Payload(chunk.bytes()) : Payload::compact(chunk.bytes());
+  }
+
   Result<std::vector<float>> read_solved() {
-    Components components = runs_.components(header_.geometric_vertices);
+    Components components =
+        is_plain_ ? find_components(graph_) : runs_.components(header_.geometric_vertices);
     DELTAMESH_TRY(const auto deltas, expand_single(container_, kTagDeltas));
     DELTAMESH_TRY(const auto anchors, expand_single(container_, kTagAnchors));
     DELTAMESH_TRY(const auto positions,
-                  read_highpass(deltas.payload(), anchors.payload(), std::move(graph_), std::move(components),
-                                header_.box(), header_.highpass, team_));
+                  read_highpass(payload_of(deltas), payload_of(anchors), std::move(graph_),
+                                std::move(components), header_.box(), header_.highpass, team_));
     return to_float_rows(positions);
   }
 
@@ -213,6 +258,7 @@ class StreamDecoder {
   const Container& container_;
   const FileHeader& header_;
   const DecodeOptions& options_;
+  bool is_plain_ = false;                           ///< the form of all chunks but attributes
   ThreadTeam* team_;                                ///< null: this thread alone
   const StreamModels* start_;                       ///< null: fresh models
   StreamModels* learnt_;                            ///< null where they are not wanted

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "base/try.h"
 #include "deltamesh/encode.h"
 #include "entropy/code_chunk.h"
+#include "format/chunk/tags.h"
 
 namespace deltamesh {
 
@@ -21,29 +21,21 @@ class ChunkList {
   explicit ChunkList(const EncodeOptions& options) noexcept
       : profile_(options.profile), zstd_level_(options.effort == 0 ? kQuickZstdLevel : kBestZstdLevel) {}
 
-  /// `compact`: the same payload in the compact form, where it has one. An empty payload has this form only;
-  /// if both are empty, there is no chunk. `attribute`: of ATTR.
-  Result<void> add(std::uint32_t tag, std::vector<std::byte> payload, std::vector<std::byte> compact,
-                   AttributeDescriptor attribute = {}) {
-    if (payload.empty()) {
-      add_compact(tag, std::move(compact), std::move(attribute));
-      return {};
-    }
-    if (profile_ == Profile::kZstd) compact.clear();
-    DELTAMESH_TRY(CodedChunk chunk, code_chunk(tag, std::move(payload), std::move(compact), zstd_level_));
-    chunk.attribute = std::move(attribute);
-    append(std::move(chunk));
-    return {};
+  /// `payload`: in the form of the profile; if it is empty, there is no chunk.
+  void add(std::uint32_t tag, std::vector<std::byte> payload) {
+    if (payload.empty()) return;
+    append(is_plain() ? code_plain_chunk(tag, std::move(payload), zstd_level_)
+                      : code_compact_chunk(tag, std::move(payload)));
   }
-  /// A payload that has the compact form only.
-  void add_compact(std::uint32_t tag, std::vector<std::byte> compact, AttributeDescriptor attribute = {}) {
-    if (compact.empty()) return;
-    const std::uint64_t size = compact.size();
-    append(CodedChunk{.tag = tag,
-                      .codec = ChunkCodec::kCompact,
-                      .bytes = std::move(compact),
-                      .decoded_bytes = size,
-                      .attribute = std::move(attribute)});
+  /// The smaller of both forms of an attribute, of which one may be empty.
+  void add_attribute(std::vector<std::byte> compact, std::vector<std::byte> plain,
+                     const AttributeDescriptor& attribute) {
+    CodedChunk chunk;
+    if (!plain.empty()) chunk = code_plain_chunk(kTagAttribute, std::move(plain), zstd_level_);
+    if (chunk.bytes.empty() || (!compact.empty() && compact.size() < chunk.bytes.size()))
+      chunk = code_compact_chunk(kTagAttribute, std::move(compact));
+    chunk.attribute = attribute;
+    append(std::move(chunk));
   }
   void append(ChunkList other) {
     bytes_ += other.bytes_;
@@ -51,6 +43,8 @@ class ChunkList {
   }
 
   const std::vector<CodedChunk>& chunks() const noexcept { return chunks_; }
+  /// Whether payloads are to be in the plain form.
+  bool is_plain() const noexcept { return profile_ == Profile::kZstd; }
   /// Size of the chunks in the stream, bytes, with their headers.
   std::uint64_t bytes() const noexcept { return bytes_; }
 

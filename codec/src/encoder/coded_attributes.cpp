@@ -48,9 +48,10 @@ Result<ChunkList> code_attributes(const MeshView& mesh, const CodedTopology& top
     }
   }
   ChunkList chunks(options);
-  for (CodedAttribute& attribute : coded)
-    DELTAMESH_CHECK(chunks.add(kTagAttribute, std::move(attribute.plain), std::move(attribute.compact),
-                               std::move(attribute.descriptor)));
+  for (CodedAttribute& attribute : coded) {
+    if (!attribute.is_compact) std::swap(attribute.payload, attribute.plain);
+    chunks.add_attribute(std::move(attribute.payload), std::move(attribute.plain), attribute.descriptor);
+  }
   return chunks;
 }
 

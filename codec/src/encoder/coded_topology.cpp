@@ -4,47 +4,10 @@
 
 #include <utility>
 
-#include "topology/weld.h"
+#include "encoder/welded_mesh.h"
 
 namespace deltamesh {
 namespace {
-
-constexpr std::uint32_t kDropped = 0xffffffff;
-
-std::vector<std::uint8_t> find_referenced(const MeshView& mesh) {
-  std::vector<std::uint8_t> referenced(mesh.vertex_count());
-  for (const std::uint32_t v : mesh.triangles) referenced[v] = 1;
-  return referenced;
-}
-
-/// The input's faces over geometric vertices without the dropped ones.
-struct WeldedMesh {
-  std::vector<std::uint32_t> renumbered;      ///< empty where all vertices are kept, each alone
-  std::span<const std::uint32_t> triangles;   ///< the input's, or those that are renumbered
-  std::vector<std::uint32_t> representative;  ///< input vertex of every geometric vertex
-  bool has_seams = false;
-};
-
-WeldedMesh weld_mesh(const MeshView& mesh, const std::vector<std::uint8_t>& referenced, bool drops) {
-  Weld weld = weld_by_position(mesh.positions, referenced);
-  WeldedMesh welded;
-  welded.has_seams = weld.representative.size() < referenced.size();
-  if (!welded.has_seams && !drops) {
-    welded.triangles = mesh.triangles;
-    welded.representative = std::move(weld.representative);
-    return welded;
-  }
-  std::vector<std::uint32_t> number(weld.representative.size(), kDropped);
-  for (std::uint32_t g = 0; g < number.size(); ++g) {
-    if (drops && referenced[weld.representative[g]] == 0) continue;
-    number[g] = static_cast<std::uint32_t>(welded.representative.size());
-    welded.representative.push_back(weld.representative[g]);
-  }
-  welded.renumbered.reserve(mesh.triangles.size());
-  for (const std::uint32_t v : mesh.triangles) welded.renumbered.push_back(number[weld.geometric[v]]);
-  welded.triangles = welded.renumbered;
-  return welded;
-}
 
 /// The input vertex at every corner of the coded faces.
 std::vector<std::uint32_t> corner_vertices(const MeshView& mesh, const CodedConnectivity& coded) {
@@ -59,8 +22,7 @@ std::vector<std::uint32_t> corner_vertices(const MeshView& mesh, const CodedConn
 
 }  // namespace
 
-CodedTopology code_topology(const MeshView& mesh, bool keep_unreferenced, PayloadForms forms,
-                            const OpModels* start) {
+CodedTopology code_topology(const MeshView& mesh, bool keep_unreferenced, const OpModels* start) {
   CodedTopology topology;
   const std::vector<std::uint8_t> referenced = find_referenced(mesh);
   for (const std::uint8_t flag : referenced) topology.unreferenced += flag == 0;
@@ -69,7 +31,7 @@ CodedTopology code_topology(const MeshView& mesh, bool keep_unreferenced, Payloa
 
   const WeldedMesh welded = weld_mesh(mesh, referenced, topology.unreferenced > topology.unreferenced_kept);
   const auto geometric_count = static_cast<std::uint32_t>(welded.representative.size());
-  topology.connectivity = write_connectivity(welded.triangles, geometric_count, forms, start);
+  topology.connectivity = write_connectivity(welded.triangles, geometric_count, start);
 
   topology.geometric_input.reserve(geometric_count);
   for (const std::uint32_t g : topology.connectivity.vertex_order)

@@ -17,11 +17,12 @@
 namespace deltamesh {
 
 struct CodedTopology {
-  std::uint64_t unreferenced = 0;              ///< input vertices that no face uses
-  std::uint64_t unreferenced_kept = 0;         ///< as many of them as are coded, last of all
-  CodedConnectivity connectivity;              ///< over geometric vertices
-  bool has_seams = false;                      ///< some vertices were welded
-  CodedSeams seams;                            ///< over the vertices that are kept; empty without seams
+  std::uint64_t unreferenced = 0;  ///< input vertices that no face uses
+  std::uint64_t unreferenced_kept =
+      0;                           ///< as many of them as are coded; last of all but in the input's order
+  CodedConnectivity connectivity;  ///< over geometric vertices
+  bool has_seams = false;          ///< some vertices were welded
+  CodedSeams seams;                ///< over the vertices that are kept; empty without seams
   std::vector<std::uint32_t> geometric_input;  ///< an input vertex of every coded geometric vertex
 
   /// m x 3, over the vertices of the decoded mesh.
@@ -39,8 +40,11 @@ struct CodedTopology {
 };
 
 /// `mesh` has passed check_mesh. `start`: as write_connectivity() has it. O(n + m) expected.
-CodedTopology code_topology(const MeshView& mesh, bool keep_unreferenced,
-                            PayloadForms forms = PayloadForms::kBoth, const OpModels* start = nullptr);
+CodedTopology code_topology(const MeshView& mesh, bool keep_unreferenced, const OpModels* start = nullptr);
+
+/// The same in the plain form, whose vertices and faces are in the input's order or in one that takes few
+/// bytes.
+CodedTopology code_plain_topology(const MeshView& mesh, bool keep_unreferenced, bool keep_order);
 
 /// The ORDR contents that restore the input's order (without dropped vertices). `input_vertices`: of the
 /// mesh.

@@ -11,6 +11,7 @@
 #include "base/try.h"
 #include "connectivity/check_mesh.h"
 #include "connectivity/groups/groups.h"
+#include "connectivity/plain/topology.h"
 #include "deltamesh/model_states.h"
 #include "encoder/chunk_list.h"
 #include "encoder/coded_topology.h"
@@ -25,9 +26,12 @@ namespace {
 /// End of the first stage as a share of the whole time, for the progress callback.
 constexpr double kTopologyDone = 0.15;
 
-/// A quick encode does not look whether another form is smaller.
-bool is_compact_alone(const EncodeOptions& options) noexcept {
-  return options.effort == 0 && options.profile == Profile::kSmallest;
+CodedTopology topology_of(const MeshView& mesh, const EncodeOptions& options) {
+  if (options.profile == Profile::kZstd)
+    return code_plain_topology(mesh, options.keep_unreferenced, options.keep_order);
+  return code_topology(
+      mesh, options.keep_unreferenced,
+      options.starting_states != nullptr ? options.starting_states->models().of_ops() : nullptr);
 }
 
 /// The input vertex of every decoded vertex; in the input's order where that is kept.
@@ -54,34 +58,29 @@ FileHeader header_of(const MeshView& mesh, const EncodeOptions& options, const C
   return header;
 }
 
-CodedFaceGroups code_face_groups(const MeshView& mesh, const CodedTopology& topology) {
+std::vector<std::byte> code_face_groups(const MeshView& mesh, const CodedTopology& topology, bool is_plain) {
   std::vector<std::uint32_t> groups;
   groups.reserve(mesh.face_groups.size());
   for (const std::uint32_t face : topology.connectivity.face_order) groups.push_back(mesh.face_groups[face]);
+  if (is_plain) return write_plain_groups(groups);
   return write_face_groups(std::move(groups), topology.triangles(), topology.vertex_count());
 }
 
 /// Faces, seams and groups.
-Result<ChunkList> code_faces(const MeshView& mesh, const EncodeOptions& options,
-                             const CodedTopology& topology) {
+ChunkList code_faces(const MeshView& mesh, const EncodeOptions& options, const CodedTopology& topology) {
   ChunkList chunks(options);
-  const CodedConnectivity& connectivity = topology.connectivity;
-  DELTAMESH_CHECK(chunks.add(kTagConnectivity, connectivity.payload, connectivity.compact));
-  DELTAMESH_CHECK(chunks.add(kTagSeams, topology.seams.payload, topology.seams.compact));
-  if (mesh.face_groups.empty()) return chunks;
-  CodedFaceGroups groups = code_face_groups(mesh, topology);
-  if (is_compact_alone(options)) groups.payload.clear();
-  DELTAMESH_CHECK(chunks.add(kTagFaceGroups, std::move(groups.payload), std::move(groups.compact)));
+  chunks.add(kTagConnectivity, topology.connectivity.payload);
+  chunks.add(kTagSeams, topology.seams.payload);
+  if (!mesh.face_groups.empty())
+    chunks.add(kTagFaceGroups, code_face_groups(mesh, topology, chunks.is_plain()));
   return chunks;
 }
 
-/// The input's order, if it is kept.
-Result<ChunkList> code_order(const MeshView& mesh, const EncodeOptions& options,
-                             const CodedTopology& topology) {
+/// The input's order, if it is kept; plain payloads are in that order.
+ChunkList code_order(const MeshView& mesh, const EncodeOptions& options, const CodedTopology& topology) {
   ChunkList chunks(options);
-  if (!options.keep_order) return chunks;
-  CodedOrder order = write_order(original_order(topology, mesh.vertex_count()), topology.triangles());
-  DELTAMESH_CHECK(chunks.add(kTagOrder, std::move(order.payload), std::move(order.compact)));
+  if (!options.keep_order || chunks.is_plain()) return chunks;
+  chunks.add(kTagOrder, write_order(original_order(topology, mesh.vertex_count()), topology.triangles()));
   return chunks;
 }
 
@@ -97,16 +96,13 @@ Result<Encoded> encode_checked(const MeshView& mesh, const EncodeOptions& option
   const auto report_progress = [&](double share) {
     if (options.progress) options.progress(share);
   };
-  const CodedTopology topology = code_topology(
-      mesh, options.keep_unreferenced,
-      is_compact_alone(options) ? PayloadForms::kCompact : PayloadForms::kBoth,
-      options.starting_states != nullptr ? options.starting_states->models().of_ops() : nullptr);
+  const CodedTopology topology = topology_of(mesh, options);
   const SourceGeometry source(mesh, topology);
   report_progress(kTopologyDone);
 
   FileHeader header = header_of(mesh, options, topology, source.box);
-  DELTAMESH_TRY(ChunkList chunks, code_faces(mesh, options, topology));
-  DELTAMESH_TRY(ChunkList order, code_order(mesh, options, topology));
+  ChunkList chunks = code_faces(mesh, options, topology);
+  ChunkList order = code_order(mesh, options, topology);
   DELTAMESH_TRY(CodedParts parts,
                 code_parts({options, mesh, topology, source, header, chunks.bytes() + order.bytes()}));
   declare(parts.geometry, header);

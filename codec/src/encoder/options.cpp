@@ -39,12 +39,8 @@ Result<void> check_steps(const EncodeOptions& o) noexcept {
     return invalid_option("lossless excludes a quality, bits, step and anchors");
   if (o.lossless && o.geometry == GeometryCoder::kHighpass)
     return invalid_option("the highpass coder is never lossless");
-  if (o.lossless && o.profile == Profile::kZstd)
-    return invalid_option("lossless has a compact form only, which the zstd profile excludes");
   if (predictive && (o.anchors || o.anchor_density))
     return invalid_option("the predictive coder has no anchors");
-  if (predictive && o.profile == Profile::kZstd)
-    return invalid_option("the predictive coder has a compact form only, which the zstd profile excludes");
   return {};
 }
 

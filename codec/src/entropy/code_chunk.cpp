@@ -4,24 +4,19 @@
 
 #include <zstd.h>
 
+#include <new>
 #include <utility>
 
 #include "base/checked.h"
-#include "base/try.h"
 
 namespace deltamesh {
-namespace {
 
-/// Payloads of this size and up that have a compact form below raw are not tried with zstd.
-constexpr std::size_t kTryEverything = 1U << 16;
-
-Result<CodedChunk> code_plain(std::uint32_t tag, std::vector<std::byte> payload, int zstd_level) {
+CodedChunk code_plain_chunk(std::uint32_t tag, std::vector<std::byte> payload, int zstd_level) {
   CodedChunk chunk{.tag = tag, .codec = ChunkCodec::kZstd, .decoded_bytes = payload.size()};
   chunk.bytes.resize(ZSTD_compressBound(payload.size()));
   const std::size_t size =
       ZSTD_compress(chunk.bytes.data(), chunk.bytes.size(), payload.data(), payload.size(), zstd_level);
-  if (ZSTD_isError(size) != 0)
-    return Error{.code = ErrorCode::kOutOfMemory, .message = "zstd cannot compress"};
+  if (ZSTD_isError(size) != 0) throw std::bad_alloc();  // into a buffer of that bound nothing else goes wrong
   if (size >= payload.size() || payload.size() > saturating_mul(size, kMaxExpansion)) {
     chunk.codec = ChunkCodec::kRaw;
     chunk.bytes = std::move(payload);
@@ -32,18 +27,9 @@ Result<CodedChunk> code_plain(std::uint32_t tag, std::vector<std::byte> payload,
   return chunk;
 }
 
-}  // namespace
-
-Result<CodedChunk> code_chunk(std::uint32_t tag, std::vector<std::byte> payload,
-                              std::vector<std::byte> compact, int zstd_level) {
-  CodedChunk chunk{.tag = tag, .codec = ChunkCodec::kCompact, .decoded_bytes = compact.size()};
-  if (!compact.empty() && payload.size() >= kTryEverything && compact.size() < payload.size()) {
-    chunk.bytes = std::move(compact);
-    return chunk;
-  }
-  DELTAMESH_TRY(CodedChunk plain, code_plain(tag, std::move(payload), zstd_level));
-  if (compact.empty() || plain.bytes.size() <= compact.size()) return plain;
-  chunk.bytes = std::move(compact);
+CodedChunk code_compact_chunk(std::uint32_t tag, std::vector<std::byte> payload) {
+  CodedChunk chunk{.tag = tag, .codec = ChunkCodec::kCompact, .decoded_bytes = payload.size()};
+  chunk.bytes = std::move(payload);
   return chunk;
 }
 

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// The numbers of an ANCH payload, in the plain and in the compact form [ANCH-3, ANCH-4, ANCH-5].
+// The numbers of a compact ANCH payload [ANCH-3, ANCH-4, ANCH-5].
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "deltamesh/result.h"
 #include "entropy/coder/number_model.h"
-#include "entropy/payload.h"
 
 namespace deltamesh {
 
@@ -20,7 +20,7 @@ struct AnchorList {
   std::vector<std::uint32_t> steps;  ///< zigzag of cell differences: x of all anchors, then y, then z
 };
 
-/// The compact form: `Coder` is CompactWriter, or CompactReader, which fills `list` in.
+/// `Coder` is CompactWriter, or CompactReader, which fills `list` in.
 template <class Coder>
 void code_anchors(Coder& coder, AnchorList& list) {
   NumberModel gaps;
@@ -35,10 +35,9 @@ void code_anchors(Coder& coder, AnchorList& list) {
   }
 }
 
-std::vector<std::byte> write_plain_anchors(const AnchorList& list);
 std::vector<std::byte> write_compact_anchors(AnchorList list);
 
-/// `count` is at most the number of vertices. Errors: kTruncated, kInvalidStream [CON-1, CON-5, CMP-3].
-Result<AnchorList> read_anchors(Payload payload, std::uint32_t count);
+/// `count` is at most the number of vertices. Errors: kTruncated, kInvalidStream [CMP-3].
+Result<AnchorList> read_anchors(std::span<const std::byte> payload, std::uint32_t count);
 
 }  // namespace deltamesh

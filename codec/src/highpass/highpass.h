@@ -30,21 +30,19 @@ struct HighpassSymbols;
 
 struct CodedHighpass {
   HighpassParameters parameters;
-  std::vector<std::byte> deltas;           ///< DELT payload, plain
-  std::vector<std::byte> compact_deltas;   ///< the same in the compact form
-  std::vector<std::byte> anchors;          ///< ANCH payload, plain
-  std::vector<std::byte> compact_anchors;  ///< the same in the compact form
-  LargeVector<Vec3> positions{};           ///< n: what read_highpass() will return
+  std::vector<std::byte> deltas;   ///< DELT payload
+  std::vector<std::byte> anchors;  ///< ANCH payload
+  LargeVector<Vec3> positions{};   ///< n: what read_highpass() will return
 };
 
 /// Codes one mesh under any settings, one after the other.
 class HighpassCoder {
  public:
   /// `positions`: n, relative to the mesh's origin, in coding order; `graph`, `components`: of the decoded
-  /// faces, same order; `anchors`: of `graph`; `box`: of `positions`. All but `components` must outlive the
-  /// coder. O(n + edges).
+  /// faces, same order; `anchors`: of `graph`; `box`: of `positions`; `is_plain`: the form of payloads. All
+  /// but `components` must outlive the coder. O(n + edges).
   HighpassCoder(const Adjacency& graph, const Components& components, AnchorSequence& anchors,
-                std::span<const Vec3> positions, const Box& box);
+                std::span<const Vec3> positions, const Box& box, bool is_plain = false);
 
   /// Largest minus smallest delta over all axes.
   double range() const noexcept { return range_; }
@@ -121,6 +119,7 @@ class HighpassCoder {
   AnchorSequence& anchors_;
   std::span<const Vec3> positions_;
   Box box_;
+  bool is_plain_;
   SolvedPart part_;
   std::vector<Vec3> deltas_;  ///< over the rows of part_
   double range_ = 0;

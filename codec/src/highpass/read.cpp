@@ -7,11 +7,11 @@
 #include "base/memory/large_vector.h"
 #include "base/numbers/zigzag.h"
 #include "base/try.h"
-#include "entropy/planes.h"
 #include "format/chunk/tags.h"
 #include "highpass/anchor_list.h"
 #include "highpass/delta_symbols.h"
 #include "highpass/highpass.h"
+#include "highpass/plain/plain.h"
 #include "highpass/symbols.h"
 #include "laplacian/anchors/anchors.h"
 
@@ -29,16 +29,6 @@ Result<void> check_parameters(const HighpassParameters& parameters, std::size_t 
   if (parameters.anchors > vertex_count)
     return broken_rule("more anchors than vertices", "ANCH-1", kTagAnchors);
   return {};
-}
-
-Result<LargeVector<std::int32_t>> read_planar(Payload payload, const Adjacency& graph) {
-  if (payload.is_compact) return read_compact_deltas(payload.bytes, graph);
-  ByteReader in(payload.bytes, kTagDeltas);
-  DELTAMESH_TRY(const auto codes, read_planes(in, 3 * std::uint64_t{graph.vertex_count()}));
-  DELTAMESH_CHECK(in.finish());
-  LargeVector<std::int32_t> deltas(codes.size());
-  for (std::size_t i = 0; i < codes.size(); ++i) deltas[i] = unzigzag(codes[i]);
-  return deltas;
 }
 
 /// Anchors from the gaps between them.
@@ -84,9 +74,13 @@ Result<void> check_coverage(std::span<const std::uint32_t> anchors, const Compon
 Result<HighpassSymbols> read_anchor_symbols(Payload anchors, const Components& components,
                                             const HighpassParameters& parameters) {
   HighpassSymbols symbols;
-  DELTAMESH_TRY(const AnchorList list, read_anchors(anchors, parameters.anchors));
-  DELTAMESH_TRY(symbols.anchors, anchor_vertices(list, components.label.size()));
-  DELTAMESH_TRY(symbols.cells, anchor_cells(list, parameters.anchor_bits));
+  if (anchors.is_compact) {
+    DELTAMESH_TRY(const AnchorList list, read_anchors(anchors.bytes, parameters.anchors));
+    DELTAMESH_TRY(symbols.anchors, anchor_vertices(list, components.label.size()));
+    DELTAMESH_TRY(symbols.cells, anchor_cells(list, parameters.anchor_bits));
+  } else {
+    DELTAMESH_CHECK(read_plain_anchors(anchors.bytes, components.label.size(), parameters, symbols));
+  }
   DELTAMESH_CHECK(check_coverage(symbols.anchors, components));
   return symbols;
 }
@@ -100,7 +94,9 @@ Result<LargeVector<Vec3>> read_highpass(Payload deltas, Payload anchors, Adjacen
   DELTAMESH_TRY(const HighpassSymbols symbols, read_anchor_symbols(anchors, components, parameters));
   SolvedPart part = extract_solved_part(std::move(graph), std::move(components));
   const auto read = [&](const Adjacency& solved) -> Result<SymbolRows> {
-    DELTAMESH_TRY(const auto planar, read_planar(deltas, solved));
+    DELTAMESH_TRY(const auto planar, deltas.is_compact
+                                         ? read_compact_deltas(deltas.bytes, solved)
+                                         : read_plain_deltas(deltas.bytes, solved.vertex_count()));
     return SymbolRows(planar);
   };
   return reconstruct_highpass_once(read, symbols, std::move(part), box, parameters, team);

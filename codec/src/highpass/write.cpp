@@ -7,11 +7,11 @@
 
 #include "base/numbers/zigzag.h"
 #include "base/try.h"
-#include "entropy/planes.h"
 #include "highpass/anchor_list.h"
 #include "highpass/delta_symbols.h"
 #include "highpass/diffusion.h"
 #include "highpass/highpass.h"
+#include "highpass/plain/plain.h"
 #include "highpass/symbols.h"
 #include "laplacian/anchors/anchors.h"
 #include "laplacian/operator/delta.h"
@@ -42,14 +42,6 @@ double largest_component(std::span<const Vec3> deltas) noexcept {
   return largest;
 }
 
-std::vector<std::byte> write_deltas(std::span<const std::int32_t> deltas) {
-  std::vector<std::uint32_t> codes(deltas.size());
-  for (std::size_t i = 0; i < deltas.size(); ++i) codes[i] = zigzag(deltas[i]);
-  ByteWriter out;
-  write_planes(out, codes);
-  return out.take();
-}
-
 AnchorList list_anchors(const HighpassSymbols& symbols) {
   const std::size_t count = symbols.anchors.size();
   AnchorList list{.gaps = std::vector<std::uint32_t>(count), .steps = std::vector<std::uint32_t>(3 * count)};
@@ -69,11 +61,12 @@ AnchorList list_anchors(const HighpassSymbols& symbols) {
 }  // namespace
 
 HighpassCoder::HighpassCoder(const Adjacency& graph, const Components& components, AnchorSequence& anchors,
-                             std::span<const Vec3> positions, const Box& box)
+                             std::span<const Vec3> positions, const Box& box, bool is_plain)
     : graph_(graph),
       anchors_(anchors),
       positions_(positions),
       box_(box),
+      is_plain_(is_plain),
       part_(extract_solved_part(graph, components)),
       deltas_(delta_coordinates(part_, positions)),
       range_(delta_range(deltas_)),
@@ -137,12 +130,11 @@ HighpassSymbols HighpassCoder::symbols_for(const Quantized& quantized, const Anc
 
 CodedHighpass HighpassCoder::coded(const HighpassParameters& parameters, const Quantized& quantized,
                                    const HighpassSymbols& symbols) const {
-  const AnchorList list = list_anchors(symbols);
   return {.parameters = parameters,
-          .deltas = write_deltas(quantized.symbols),
-          .compact_deltas = write_compact_deltas(quantized.symbols, part_.graph),
-          .anchors = write_plain_anchors(list),
-          .compact_anchors = write_compact_anchors(list)};
+          .deltas = is_plain_ ? write_plain_deltas(quantized.symbols)
+                              : write_compact_deltas(quantized.symbols, part_.graph),
+          .anchors = is_plain_ ? write_plain_anchors(symbols.anchors, symbols.cells)
+                               : write_compact_anchors(list_anchors(symbols))};
 }
 
 HighpassParameters HighpassCoder::parameters_for(const HighpassSettings& settings, const Anchors& anchors,
@@ -219,11 +211,11 @@ int HighpassCoder::fewest_cycles(const HighpassSettings& settings, double most_l
   const auto plain = code_only(settings);
   if (!plain) return kMostCyclesTried;
   const auto most_bytes =
-      static_cast<std::size_t>(kFairBytes * static_cast<double>(plain->compact_deltas.size()));
+      static_cast<std::size_t>(kFairBytes * static_cast<double>(plain->deltas.size()));
   for (int cycles = from; cycles < kMostCyclesTried; ++cycles) {
     const auto result = code(settings, cycles);
     if (result && source_->left_out_at_first <= most_left_out &&
-        result->compact_deltas.size() <= most_bytes &&
+        result->deltas.size() <= most_bytes &&
         errors_between(part_, positions_, result->positions).are_fair(*best, invisible))
       return cycles;
   }

@@ -12,7 +12,6 @@
 #include "base/numbers/vec3.h"
 #include "deltamesh/result.h"
 #include "entropy/coder/learning.h"
-#include "entropy/payload.h"
 #include "format/predictive_parameters.h"
 #include "positions/blend/blend.h"
 #include "positions/blend/fit.h"
@@ -32,7 +31,7 @@ struct PositionForm {
   Guessing guesses = Guessing::kNever;  ///< of kLattice: suits flat and swept surfaces [POSN-9]
 };
 
-/// The POSN payload, compact, of `cells`, one for every vertex of `faces`, within the lattice; empty for no
+/// The compact POSN payload of `cells`, one for every vertex of `faces`, within the lattice; empty for no
 /// vertices. `faces`: as decoded, whatever the coding order. `replacements`: of kLattice, ascending. `start`:
 /// null for fresh models. O(n + m).
 std::vector<std::byte> write_positions(const FaceList& faces, std::span<const Cell> cells,
@@ -44,9 +43,9 @@ std::vector<std::byte> write_positions(const FaceList& faces, std::span<const Ce
 std::vector<std::byte> write_floats(const FaceList& faces, std::span<const Vec3> positions, const Box& box,
                                     const PositionForm& form = {});
 
-/// n x 3. `box`: the header's. `learning`: not of floats. Errors: kTruncated, kInvalidStream [POSN-1, POSN-7,
-/// POSN-10, POSN-11, VOX-4, FLT-1, CMP-3, GEO-1].
-Result<std::vector<float>> read_positions(Payload payload, const FaceList& faces,
+/// n x 3, from a compact payload. `box`: the header's. `learning`: not of floats. Errors: kTruncated,
+/// kInvalidStream [POSN-1, POSN-7, POSN-10, POSN-11, VOX-4, FLT-1, CMP-3, GEO-1].
+Result<std::vector<float>> read_positions(std::span<const std::byte> payload, const FaceList& faces,
                                           const PredictiveParameters& parameters, const Box& box,
                                           const Learning<PositionModels>& learning = {});
 

@@ -56,17 +56,16 @@ Result<std::vector<float>> read_lattice_positions(std::span<const std::byte> byt
 
 }  // namespace
 
-Result<std::vector<float>> read_positions(Payload payload, const FaceList& faces,
+Result<std::vector<float>> read_positions(std::span<const std::byte> payload, const FaceList& faces,
                                           const PredictiveParameters& parameters, const Box& box,
                                           const Learning<PositionModels>& learning) {
   if (faces.vertex_count == 0) {
-    if (!payload.bytes.empty()) return broken_positions("positions without vertices", "POSN-1");
+    if (!payload.empty()) return broken_positions("positions without vertices", "POSN-1");
     return std::vector<float>{};
   }
-  if (!payload.is_compact) return broken_positions("positions that are not in the compact form", "POSN-1");
   DELTAMESH_TRY(auto rows, parameters.kind == PositionKind::kLattice
-                               ? read_lattice_positions(payload.bytes, faces, parameters.lattice, learning)
-                               : read_rare_positions(payload.bytes, faces, parameters, box, learning));
+                               ? read_lattice_positions(payload, faces, parameters.lattice, learning)
+                               : read_rare_positions(payload, faces, parameters, box, learning));
   DELTAMESH_CHECK(check_finite(rows));
   return rows;
 }

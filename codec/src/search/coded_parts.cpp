@@ -143,8 +143,7 @@ Result<CodedParts> share_bytes(const PartsTask& task, const EncodeOptions& asked
     fewest = std::min(fewest, bytes);
     if (search.tell(bytes)) best = std::move(parts);
   }
-  if (search.has_room() && asked.profile == Profile::kSmallest &&
-      asked.geometry != GeometryCoder::kHighpass) {
+  if (search.has_room() && asked.geometry != GeometryCoder::kHighpass) {
     EncodeOptions options = asked;
     options.quality = {};
     options.lossless = true;
@@ -196,7 +195,7 @@ Result<CodedParts> code_parts(const PartsTask& task) {
   options.quality = default_request(task);
   auto parts = code_asked(task, options);
   if (parts || parts.error().code != ErrorCode::kUnmetRequest) return parts;
-  // A highpass stream, where the profile asks for one, may not reach the default: the best that it can do.
+  // A highpass stream may not reach the default: the best that it can do.
   options.quality = {};
   options.bits = 16;
   return code_asked(task, options);

@@ -58,7 +58,8 @@ Result<CodedGeometry> code_highpass(const GeometryTask& task,
   const SourceGeometry& source = task.source;
   const LazyGraph& graph = source.graph;
   AnchorSequence& sequence = containers.impl().sequence(graph.graph(), graph.components());
-  HighpassCoder coder(graph.graph(), graph.components(), sequence, source.positions, source.box);
+  HighpassCoder coder(graph.graph(), graph.components(), sequence, source.positions, source.box,
+                      options.profile == Profile::kZstd);
   HighpassTrials trials(options, source, sequence, coder, task.rest, most_left_out(bounds_of(task)));
   DELTAMESH_TRY(const Attempt best, control_rate(rate_goal(task, rival_bytes, trials), trials));
   CodedGeometry geometry = HighpassTrials::geometry(best);
@@ -92,8 +93,7 @@ Result<CodedGeometry> code_predictive(const GeometryTask& task, const Predictive
 /// Whether the request leaves the coder open.
 bool may_choose(const EncodeOptions& options) noexcept {
   return options.geometry == GeometryCoder::kAuto && !options.quality.empty() && !options.bits &&
-         !options.step && !options.anchors && !options.anchor_density &&
-         options.profile == Profile::kSmallest;
+         !options.step && !options.anchors && !options.anchor_density;
 }
 
 /// Error::best_bytes.
@@ -161,7 +161,11 @@ Result<CodedGeometry> code_geometry(const GeometryTask& task) {
   const auto code = [&]() -> Result<CodedGeometry> {
     if (options.geometry == GeometryCoder::kPredictive || options.lossless)
       return code_predictive(task, PredictiveTrials(options, task.source, task.rest));
-    return may_choose(options) ? code_smaller(task) : code_highpass(task);
+    if (!may_choose(options)) return code_highpass(task);
+    // In plain form places take about as much as deltas, without a search for their settings.
+    if (options.profile == Profile::kZstd)
+      return code_predictive(task, PredictiveTrials(options, task.source, task.rest));
+    return code_smaller(task);
   };
   auto coded = code();
   // The stream of a finite mesh breaks a rule only where numbers leave the range of floats, or where cycles

@@ -39,8 +39,8 @@ HighpassTrials::HighpassTrials(const EncodeOptions& options, const SourceGeometr
 
 Result<CodedGeometry> HighpassTrials::to_geometry(const CodedHighpass& coded) const {
   CodedGeometry geometry{.highpass = coded.parameters, .chunks = ChunkList(options_)};
-  DELTAMESH_CHECK(geometry.chunks.add(kTagDeltas, coded.deltas, coded.compact_deltas));
-  DELTAMESH_CHECK(geometry.chunks.add(kTagAnchors, coded.anchors, coded.compact_anchors));
+  geometry.chunks.add(kTagDeltas, coded.deltas);
+  geometry.chunks.add(kTagAnchors, coded.anchors);
   return geometry;
 }
 

@@ -12,6 +12,7 @@
 #include "deltamesh/model_states.h"
 #include "positions/lattice/exact_lattice.h"
 #include "positions/lattice/lattice.h"
+#include "positions/plain.h"
 #include "positions/positions.h"
 #include "search/cell_quality.h"
 #include "states/stream_models.h"
@@ -146,7 +147,9 @@ CodedGeometry PredictiveTrials::code(const LatticeTrial& trial) const {
   const auto write = [&](const PositionForm& form) {
     return write_positions(faces(), trial.cells, trial.parameters, form, trial.replacements, start());
   };
-  choice.chunks.add_compact(kTagPositions, write_smallest(write, trial.parameters.kind, options_.effort));
+  choice.chunks.add(kTagPositions, choice.chunks.is_plain()
+                                       ? write_plain_cells(trial.cells)
+                                       : write_smallest(write, trial.parameters.kind, options_.effort));
   choice.positions = to_rows(to_positions(trial.cells, trial.parameters.lattice));
   deltamesh::apply(trial.replacements, std::span<float>(choice.positions));
   return choice;
@@ -166,13 +169,16 @@ CodedGeometry PredictiveTrials::code_floats() const {
   const auto write = [&](const PositionForm& form) {
     return write_floats(faces(), source_.positions, source_.box, form);
   };
-  choice.chunks.add_compact(kTagPositions, write_smallest(write, PositionKind::kFloats, options_.effort));
+  choice.chunks.add(kTagPositions, choice.chunks.is_plain()
+                                       ? write_plain_floats(source_.positions)
+                                       : write_smallest(write, PositionKind::kFloats, options_.effort));
   choice.positions = to_rows(source_.positions);
   return choice;
 }
 
 CodedGeometry PredictiveTrials::code_exactly() const {
   CodedGeometry floats = code_floats();
+  if (floats.chunks.is_plain()) return floats;
   const auto lattice = find_exact_lattice(source_.positions, source_.box);
   if (!lattice) return floats;
   LatticeTrial trial{.parameters = {.lattice = *lattice}, .cells = to_cells(source_.positions, *lattice)};
@@ -182,6 +188,8 @@ CodedGeometry PredictiveTrials::code_exactly() const {
 }
 
 const std::optional<VoxelFit>& PredictiveTrials::voxels() const {
+  // A plain payload gains nothing by voxels.
+  if (!voxels_ && options_.profile == Profile::kZstd) voxels_.emplace();
   if (!voxels_) voxels_ = has_usual_voxels() ? fit_usual_voxels() : fit_voxels(values_, source_.box);
   return *voxels_;
 }

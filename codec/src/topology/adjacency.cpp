@@ -8,6 +8,7 @@
 #include <cstddef>
 
 #include "base/threads/thread_team.h"
+#include "base/union_find.h"
 
 namespace deltamesh {
 namespace {
@@ -217,6 +218,14 @@ Components find_components(const Adjacency& graph) {
     components.size.push_back(static_cast<std::uint32_t>(queue.size()));
   }
   return components;
+}
+
+std::uint32_t count_components(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count) {
+  UnionFind sets(vertex_count);
+  std::uint32_t count = vertex_count;
+  for (std::size_t corner = 0; corner < triangles.size(); ++corner)
+    count -= sets.unite(triangles[corner - corner % 3], triangles[corner]) ? 1U : 0U;
+  return count;
 }
 
 }  // namespace deltamesh

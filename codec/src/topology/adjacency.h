@@ -49,4 +49,7 @@ struct Components {
 };
 Components find_components(const Adjacency& graph);
 
+/// Their number, without the graph. `triangles`: m x 3 indices below `vertex_count`.
+std::uint32_t count_components(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count);
+
 }  // namespace deltamesh

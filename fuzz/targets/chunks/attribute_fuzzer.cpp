@@ -38,7 +38,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const AttributeQuality quality;
   const auto written = write_attribute(exact, order, {.quality = quality, .plain = true}, surface, {});
   if (!written) std::abort();
-  const auto again = read_attribute(written->plain, written->descriptor, surface, {}, 1 << 16);
+  const auto again = read_attribute(written->payload, written->descriptor, surface, {}, 1 << 16);
   if (!again || again->values != read->values) std::abort();
   return 0;
 }

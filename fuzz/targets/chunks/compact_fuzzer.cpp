@@ -71,7 +71,7 @@ void fuzz_coder(std::span<const std::byte> bytes) {
 
 void fuzz_connectivity(std::span<const std::byte> bytes, std::uint32_t faces) {
   constexpr std::uint32_t kVertices = 60;
-  const auto read = read_connectivity(Payload::compact(bytes), kVertices, faces);
+  const auto read = read_connectivity(bytes, kVertices, faces);
   require_clean(read);
   if (!read) return;
   require(read->triangles.size() == std::size_t{3} * faces);
@@ -81,7 +81,7 @@ void fuzz_connectivity(std::span<const std::byte> bytes, std::uint32_t faces) {
   require(quick.offsets == graph.offsets && quick.neighbors == graph.neighbors);
   require(read->runs.components(kVertices).label == find_components(graph).label);
   const auto coded = write_connectivity(read->triangles, kVertices);
-  const auto again = read_connectivity(Payload::compact(coded.compact), kVertices, faces);
+  const auto again = read_connectivity(coded.payload, kVertices, faces);
   require(faces == 0 || (again && again->triangles == coded.triangles));
 }
 
@@ -95,10 +95,10 @@ void fuzz_deltas(std::span<const std::byte> bytes) {
 }
 
 void fuzz_anchors(std::span<const std::byte> bytes, std::uint32_t count) {
-  const auto read = read_anchors(Payload::compact(bytes), count);
+  const auto read = read_anchors(bytes, count);
   require_clean(read);
   if (!read) return;
-  const auto again = read_anchors(Payload::compact(write_compact_anchors(*read)), count);
+  const auto again = read_anchors(write_compact_anchors(*read), count);
   require(again && again->gaps == read->gaps && again->steps == read->steps);
 }
 

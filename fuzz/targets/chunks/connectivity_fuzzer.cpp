@@ -3,6 +3,7 @@
 //
 // CONN payloads from anywhere, and any triangle soup through writer and reader. The last three bytes are the
 // vertex count and the face count; the lowest bit of the face count chooses which of the two it is.
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "connectivity/faces/faces.h"
+#include "connectivity/plain/topology.h"
 
 namespace {
 
@@ -41,6 +43,8 @@ void check_round_trip(std::span<const std::uint32_t> triangles, std::uint32_t ve
   const auto read = read_connectivity(coded.payload, vertex_count, face_count);
   if (!read || read->triangles != coded.triangles) std::abort();
   check_graph(*read, vertex_count);
+  const auto plain = read_plain_faces(write_plain_faces(triangles), face_count, vertex_count);
+  if (!plain || !std::ranges::equal(*plain, triangles)) std::abort();
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "connectivity/groups/groups.h"
+#include "connectivity/plain/topology.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace deltamesh;
@@ -20,19 +21,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::vector<std::uint32_t> triangles;
   for (std::uint32_t corner = 0; corner < 3 * faces; ++corner)
     triangles.push_back((corner / 3 + corner % 3 * (1 + faces % 7)) % vertices);
-  Payload payload(std::as_bytes(std::span(data, size - 2)));
-  payload.is_compact = data[size - 2] >= 128;
-  const auto groups = read_face_groups(payload, triangles, vertices);
+  const auto payload = std::as_bytes(std::span(data, size - 2));
+  const auto groups = data[size - 2] >= 128 ? read_face_groups(payload, triangles, vertices)
+                                            : read_plain_groups(payload, faces);
   if (!groups) {
     if (groups.error().code == ErrorCode::kInternal) std::abort();
     return 0;
   }
   if (!groups->empty() && groups->size() != faces) std::abort();
   if (std::ranges::any_of(*groups, [](std::uint32_t g) { return g >= kMostGroups; })) std::abort();
-  const CodedFaceGroups coded = write_face_groups(*groups, triangles, vertices);
-  for (const Payload& form : {Payload(coded.payload), Payload::compact(coded.compact)}) {
-    const auto again = read_face_groups(form, triangles, vertices);
-    if (!again || *again != *groups) std::abort();
-  }
+  const auto again = read_face_groups(write_face_groups(*groups, triangles, vertices), triangles, vertices);
+  if (!again || *again != *groups) std::abort();
+  const auto plain = read_plain_groups(write_plain_groups(*groups), faces);
+  if (!plain || *plain != *groups) std::abort();
   return 0;
 }

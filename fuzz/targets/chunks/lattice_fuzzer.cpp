@@ -47,7 +47,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto written = write_attribute(exact, order, {.quality = quality}, surface, {});
   if (!written || written->decoded.values != read->values) std::abort();
   const Payload payload =
-      written->compact.empty() ? Payload(written->plain) : Payload::compact(written->compact);
+      written->is_compact ? Payload::compact(written->payload) : Payload(written->payload);
   const auto again = read_attribute(payload, written->descriptor, surface, {}, 1 << 16);
   if (!again || again->values != read->values) std::abort();
   return 0;

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <span>
 
+#include "positions/plain.h"
 #include "positions/positions.h"
 #include "support/graph_mesh.h"
 
@@ -44,8 +45,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                                         .lattice = {.cells = {cells, cells, cells}},
                                         .levels = levels};
   const FaceList faces{mesh.triangles, static_cast<std::uint32_t>(mesh.positions.size())};
-  const Payload payload = choice[2] % 8 == 0 ? Payload(bytes) : Payload::compact(bytes);
-  const auto positions = read_positions(payload, faces, parameters, mesh.box);
+  const auto positions = choice[2] % 8 == 0 ? read_plain_positions(bytes, faces.vertex_count, parameters)
+                                            : read_positions(bytes, faces, parameters, mesh.box);
   if (!positions) {
     if (positions.error().code == ErrorCode::kInternal) std::abort();
     return 0;

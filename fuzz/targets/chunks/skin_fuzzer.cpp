@@ -52,11 +52,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const AttributeView view{read->kind, read->type, 4, false, {}, read->values};
   const AttributeQuality quality{.weight_error = 1.0 / 1024};
   const auto written = write_attribute(view, order, {.quality = quality}, surface, others);
-  if (!written || written->compact.empty()) std::abort();
+  if (!written || !written->is_compact) std::abort();
   if (is_joints && written->decoded.values != read->values) std::abort();
   if (written->descriptor.error > 1.0F / 1024) std::abort();
   const auto again =
-      read_attribute(Payload::compact(written->compact), written->descriptor, surface, others, 1 << 16);
+      read_attribute(Payload::compact(written->payload), written->descriptor, surface, others, 1 << 16);
   if (!again || again->values != written->decoded.values) std::abort();
   return 0;
 }

@@ -84,7 +84,7 @@ CodedAttribute code(const Attribute& a, double bound, const AttributeSurface& su
   auto coded = write_attribute(test::view(a), identity(rows(a)), {.quality = quality}, surface, others);
   EXPECT_TRUE(coded);
   const auto back =
-      read_attribute(Payload::compact(coded->compact), coded->descriptor, surface, others, 1 << 24);
+      read_attribute(Payload::compact(coded->payload), coded->descriptor, surface, others, 1 << 24);
   EXPECT_TRUE(back) << (back ? "" : describe(back.error()));
   if (back) {
     EXPECT_EQ(back->values, coded->decoded.values);
@@ -98,7 +98,7 @@ CodedAttribute code(const Attribute& a, double bound = 0, std::span<const Attrib
 }
 
 AttributeCoding coding_of(const CodedAttribute& coded) {
-  return static_cast<AttributeCoding>(coded.compact.at(0));
+  return static_cast<AttributeCoding>(coded.payload.at(0));
 }
 
 TEST(Skin, ATTR60JointsAreExactInTheirOrder) {
@@ -106,7 +106,7 @@ TEST(Skin, ATTR60JointsAreExactInTheirOrder) {
   const CodedAttribute coded = code(smooth);
   EXPECT_EQ(coding_of(coded), AttributeCoding::kJoints);
   EXPECT_EQ(coded.decoded.values, smooth.values);
-  EXPECT_LT(coded.compact.size(), kVertices / 4);
+  EXPECT_LT(coded.payload.size(), kVertices / 4);
 
   test::RandomBits random(1);
   std::vector<std::uint8_t> any;
@@ -125,7 +125,7 @@ TEST(Skin, ATTR61RowsOfTheNeighboursCostLittle) {
     const auto part = static_cast<std::uint16_t>(v / kSide / 10 * 900);
     for (const int step : {7, 3, 0, 1}) joints.push_back(static_cast<std::uint16_t>(part + step));
   }
-  EXPECT_LT(code(make(AttributeKind::kJoints, ComponentType::kU16, "JOINTS_0", joints)).compact.size(),
+  EXPECT_LT(code(make(AttributeKind::kJoints, ComponentType::kU16, "JOINTS_0", joints)).payload.size(),
             kVertices / 12);
 }
 
@@ -163,7 +163,7 @@ TEST(Skin, ATTR63WeightsOfFourJointsKeepTheirSum) {
       code(make(AttributeKind::kWeights, ComponentType::kF32, "WEIGHTS_0", source), 1.0 / 1024);
   EXPECT_EQ(coding_of(coded), AttributeCoding::kWeights);
   EXPECT_LE(coded.descriptor.error, short_float_above(1.0F / 1024));
-  EXPECT_LT(coded.compact.size(), 4 * kVertices);
+  EXPECT_LT(coded.payload.size(), 4 * kVertices);
 }
 
 template <class T>
@@ -178,7 +178,7 @@ void expect_exact_integers(ComponentType type, double top) {
   EXPECT_EQ(exact.decoded.values, a.values);
   const CodedAttribute coarse = code(a, 0.05, others);
   EXPECT_LE(coarse.descriptor.error, short_float_above(0.05F));
-  EXPECT_LT(coarse.compact.size(), exact.compact.size());
+  EXPECT_LT(coarse.payload.size(), exact.payload.size());
   const auto back = numbers<T>(coarse.decoded);
   for (std::size_t i = 0; i < back.size(); i += 4)
     EXPECT_EQ(back[i] + back[i + 1] + back[i + 2] + back[i + 3], static_cast<int>(top));
@@ -203,13 +203,13 @@ TEST(Skin, ATTR62ATTR64JointsTellWhichWeightIsWhose) {
   const std::vector<Attribute> others{joints_attribute()};
   const std::vector<Attribute> wrong{
       make(AttributeKind::kJoints, ComponentType::kF32, "JOINTS_0", bent_weights())};
-  const std::size_t with = code(weights, 1e-3, others).compact.size();
-  EXPECT_LT(10 * with, 9 * code(weights, 1e-3, none).compact.size());
-  EXPECT_EQ(code(weights, 1e-3, wrong).compact, code(weights, 1e-3, none).compact);
+  const std::size_t with = code(weights, 1e-3, others).payload.size();
+  EXPECT_LT(10 * with, 9 * code(weights, 1e-3, none).payload.size());
+  EXPECT_EQ(code(weights, 1e-3, wrong).payload, code(weights, 1e-3, none).payload);
   // The second set of weights has the second set of joints.
   std::vector<Attribute> two{joints_attribute(), weights, joints_attribute()};
   two[0].values.assign(two[0].values.size(), std::byte{3});
-  EXPECT_EQ(code(weights, 1e-3, two).compact.size(), with);
+  EXPECT_EQ(code(weights, 1e-3, two).payload.size(), with);
 }
 
 TEST(Skin, ATTR65WeightsThatFollowTheirNeighboursCostLittle) {
@@ -218,7 +218,7 @@ TEST(Skin, ATTR65WeightsThatFollowTheirNeighboursCostLittle) {
   for (std::uint32_t v = 0; v < kVertices; ++v)
     for (const float x : {1.0F, 0.0F, 0.0F, 0.0F}) source.push_back(x);
   EXPECT_LT(
-      code(make(AttributeKind::kWeights, ComponentType::kF32, "W", source), 1e-3, others).compact.size(),
+      code(make(AttributeKind::kWeights, ComponentType::kF32, "W", source), 1e-3, others).payload.size(),
       50U);
 }
 
@@ -239,8 +239,8 @@ TEST(Skin, ATTR58CopiesOfAVertexCostNearlyNothing) {
   }
   auto copied_joints = make(AttributeKind::kJoints, ComponentType::kU16, "JOINTS_0", joints);
   auto copied_weights = make(AttributeKind::kWeights, ComponentType::kF32, "WEIGHTS_0", weights);
-  const std::size_t once = code(joints_attribute()).compact.size();
-  EXPECT_LT(code(copied_joints, 0, surface).compact.size(), once + 30);
+  const std::size_t once = code(joints_attribute()).payload.size();
+  EXPECT_LT(code(copied_joints, 0, surface).payload.size(), once + 30);
   code(copied_weights, 1e-3, surface, std::vector{copied_joints});
   joints[4 * 101] = 77;
   weights[4 * 101] = 0;
@@ -331,13 +331,13 @@ TEST(Skin, CON3PrefixesAndExtraBytesAreRefusedAndFlippedOnesEnd) {
     const auto read = [&](const std::vector<std::byte>& bytes) {
       return read_attribute(Payload::compact(bytes), coded.descriptor, surface, others, 1 << 20);
     };
-    for (std::size_t size = 0; size < coded.compact.size(); ++size)
-      EXPECT_FALSE(read({coded.compact.begin(), coded.compact.begin() + static_cast<std::ptrdiff_t>(size)}));
-    auto longer = coded.compact;
+    for (std::size_t size = 0; size < coded.payload.size(); ++size)
+      EXPECT_FALSE(read({coded.payload.begin(), coded.payload.begin() + static_cast<std::ptrdiff_t>(size)}));
+    auto longer = coded.payload;
     longer.push_back(std::byte{0});
     EXPECT_FALSE(read(longer));
-    for (std::size_t i = 0; i < coded.compact.size(); ++i) {
-      auto bad = coded.compact;
+    for (std::size_t i = 0; i < coded.payload.size(); ++i) {
+      auto bad = coded.payload;
       bad[i] ^= static_cast<std::byte>(1 + random() % 255);
       const auto back = read(bad);
       EXPECT_TRUE(!back || rows(*back) == rows(a));

@@ -11,7 +11,7 @@
 #include "base/checked.h"
 #include "base/numbers/short_float.h"
 #include "base/numbers/zigzag.h"
-#include "entropy/planes.h"
+#include "entropy/arrays.h"
 
 namespace deltamesh {
 namespace {
@@ -105,23 +105,58 @@ TEST(Zigzag, CON4RoundTrips) {
   EXPECT_EQ(zigzag(1), 2U);
 }
 
-TEST(Planes, CON5RoundTripsWithAsFewPlanesAsNeeded) {
+TEST(Arrays, CON5RoundTripsWithAsFewPlanesAsNeeded) {
   for (const std::uint32_t top : {0U, 200U, 70000U, 0xffffffffU}) {
-    const std::vector<std::uint32_t> symbols{0, top, top / 3};
+    const std::vector<std::uint32_t> numbers{0, top, top / 3};
     ByteWriter out;
-    write_planes(out, symbols);
+    write_array(out, numbers);
     ByteReader in(out.bytes());
-    EXPECT_EQ(*read_planes(in, symbols.size()), symbols);
+    EXPECT_EQ(*read_array(in, numbers.size()), numbers);
     EXPECT_TRUE(in.finish());
   }
+  ByteWriter out;
+  write_array(out, {});
+  EXPECT_TRUE(out.bytes().empty());
 }
 
-TEST(Planes, CON5RejectsACountBeyondTheBytes) {
+TEST(Arrays, CON5RejectsACountBeyondTheBytesAndPlanesBeyondTheNumbers) {
   const std::byte bytes[] = {std::byte{1}, std::byte{7}};
   ByteReader in(bytes);
-  const auto read = read_planes(in, std::uint64_t{1} << 60);
+  const auto read = read_array(in, std::uint64_t{1} << 60);
   EXPECT_EQ(read.error().code, ErrorCode::kTruncated);
   EXPECT_STREQ(read.error().rule, "CON-1");
+  const std::vector<std::byte> planes(9, std::byte{5});
+  ByteReader five(planes);
+  EXPECT_STREQ(read_array(five, 1).error().rule, "CON-5");
+  ByteReader wide(planes);
+  EXPECT_TRUE(read_differences(wide, 1, 64));
+}
+
+TEST(Arrays, CON7DifferencesWrapAtEveryWidth) {
+  for (const unsigned width : {8U, 16U, 32U, 64U}) {
+    const std::uint64_t top = ~std::uint64_t{0} >> (64 - width);
+    const std::vector<std::uint64_t> numbers{0, top, 1, top / 2, top / 2 + 1, 0, 3, 2};
+    ByteWriter out;
+    write_differences(out, numbers, width);
+    ByteReader in(out.bytes());
+    EXPECT_EQ(*read_differences(in, numbers.size(), width), numbers);
+    EXPECT_TRUE(in.finish());
+  }
+  ByteWriter near;
+  write_differences(near, std::vector<std::uint64_t>{0, 255, 254, 0}, 8);  // by -1, -1, 2
+  EXPECT_EQ(near.take(),
+            (std::vector<std::byte>{std::byte{1}, std::byte{0}, std::byte{1}, std::byte{1}, std::byte{4}}));
+}
+
+TEST(Arrays, CON8NewIndicesAreZeros) {
+  const std::vector<std::uint32_t> indices{0, 1, 2, 2, 1, 3, 9, 0};
+  ByteWriter out;
+  write_indices(out, indices);
+  ByteReader in(out.bytes());
+  EXPECT_EQ(*read_indices(in, indices.size()), indices);
+  ByteWriter fresh;
+  write_indices(fresh, std::span(indices).first(3));
+  EXPECT_EQ(fresh.bytes().size(), 1U);
 }
 
 TEST(Checked, Saturates) {

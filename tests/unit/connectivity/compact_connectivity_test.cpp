@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// The compact form of CONN: what was written comes back, nothing else gets through.
+// CONN: what was written comes back, nothing else gets through.
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -30,11 +30,11 @@ TEST(CompactConnectivity, CONN12CONN13CONN14ReadsEverySoup) {
     const CodedConnectivity coded = write_connectivity(soup.triangles, soup.vertex_count);
     if (soup.triangles.empty()) continue;
     const auto faces = static_cast<std::uint32_t>(soup.triangles.size() / 3);
-    const auto read = read_connectivity(Payload::compact(coded.compact), soup.vertex_count, faces);
+    const auto read = read_connectivity(coded.payload, soup.vertex_count, faces);
     ASSERT_TRUE(read) << soup.name << " " << read.error().message;
     EXPECT_EQ(read->triangles, coded.triangles) << soup.name;
-    EXPECT_FALSE(read_connectivity(Payload::compact(coded.compact), soup.vertex_count, faces + 1));
-    EXPECT_FALSE(read_connectivity(Payload::compact(coded.compact), soup.vertex_count, faces - 1));
+    EXPECT_FALSE(read_connectivity(coded.payload, soup.vertex_count, faces + 1));
+    EXPECT_FALSE(read_connectivity(coded.payload, soup.vertex_count, faces - 1));
   }
 }
 
@@ -43,7 +43,7 @@ TEST(CompactConnectivity, CONN12ReadsRunsOfEveryLength) {
     for (const bool is_closed : {false, true}) {
       const test::Soup soup = test::fan(blades, is_closed);
       const CodedConnectivity coded = write_connectivity(soup.triangles, soup.vertex_count);
-      const auto read = read_connectivity(Payload::compact(coded.compact), soup.vertex_count, blades);
+      const auto read = read_connectivity(coded.payload, soup.vertex_count, blades);
       ASSERT_TRUE(read) << blades << " " << read.error().message;
       EXPECT_EQ(read->triangles, coded.triangles) << blades;
     }
@@ -58,7 +58,7 @@ TEST(CompactConnectivity, CONN12RejectsCodesThatAreNoOps) {
     border.start();
     ops.code({static_cast<BorderOp>(code)}, border, border.gate_at<false>(2));
     const auto bytes = writer.finish();
-    const auto read = read_connectivity(Payload::compact(bytes), 10, 2);
+    const auto read = read_connectivity(bytes, 10, 2);
     ASSERT_FALSE(read) << code;
     EXPECT_STREQ(read.error().rule, "CONN-7") << code;
   }
@@ -69,14 +69,14 @@ TEST(CompactConnectivity, CMP3PrefixesAndFlipsAreErrorsOrValidFaces) {
     if (soup.triangles.empty() || soup.triangles.size() > 200) continue;
     const CodedConnectivity coded = write_connectivity(soup.triangles, soup.vertex_count);
     const auto read = [&](const Bytes& bytes) {
-      const auto faces = read_connectivity(Payload::compact(bytes), soup.vertex_count,
-                                           static_cast<std::uint32_t>(soup.triangles.size() / 3));
+      const auto faces =
+          read_connectivity(bytes, soup.vertex_count, static_cast<std::uint32_t>(soup.triangles.size() / 3));
       if (!faces) return false;
       EXPECT_EQ(faces->triangles.size(), soup.triangles.size());
       for (const std::uint32_t v : faces->triangles) EXPECT_LT(v, soup.vertex_count);
       return true;
     };
-    expect_guarded(coded.compact, read, soup.name);
+    expect_guarded(coded.payload, read, soup.name);
   }
 }
 
@@ -89,10 +89,10 @@ TEST(CompactConnectivity, CONN7SplitsStayWithinTheComponent) {
 }
 
 TEST(CompactConnectivity, CONN2FacesAreBoundedByTheBytes) {
-  const auto refused = read_connectivity(Payload::compact(Bytes(8)), 10, 8 * 42400 + 1);
+  const auto refused = read_connectivity(Bytes(8), 10, 8 * 42400 + 1);
   ASSERT_FALSE(refused);
   EXPECT_STREQ(refused.error().rule, "CONN-2");
-  const auto read = read_connectivity(Payload::compact(Bytes(8)), 10, 8 * 42400);
+  const auto read = read_connectivity(Bytes(8), 10, 8 * 42400);
   ASSERT_FALSE(read);
   EXPECT_STRNE(read.error().message, refused.error().message);
 }

@@ -10,12 +10,13 @@
 #include <utility>
 #include <vector>
 
-#include "base/byte_reader.h"
-#include "base/byte_writer.h"
+#include "connectivity/faces/border.h"
 #include "connectivity/faces/cut.h"
 #include "connectivity/faces/faces.h"
-#include "connectivity/faces/op_tokens.h"
-#include "entropy/planes.h"
+#include "connectivity/faces/gluing.h"
+#include "connectivity/faces/op_coder.h"
+#include "connectivity/faces/traversal.h"
+#include "entropy/coder/writer.h"
 #include "support/soups.h"
 #include "topology/adjacency.h"
 #include "topology/mesh_edges.h"
@@ -109,16 +110,6 @@ TEST(Connectivity, HalfEdgesBesidesOneAndItsMatchAreRepeated) {
   EXPECT_EQ(match_half_edges(Indices{0, 1, 2, 2, 1, 3, 2, 1, 4}, 5).repeated, Indices{3});
   EXPECT_FALSE(match_half_edges(Indices{0, 1, 2, 1, 2, 3}, 4).degenerate);
   EXPECT_TRUE(match_half_edges(Indices{0, 1, 1}, 2).degenerate);
-}
-
-TEST(Connectivity, TheCompactFormAloneIsTheSame) {
-  for (const Soup& soup : test::awkward_soups()) {
-    const auto both = write_connectivity(soup.triangles, soup.vertex_count);
-    const auto compact = write_connectivity(soup.triangles, soup.vertex_count, PayloadForms::kCompact);
-    EXPECT_TRUE(compact.payload.empty());
-    EXPECT_EQ(compact.compact, both.compact) << soup.name;
-    EXPECT_EQ(compact.triangles, both.triangles) << soup.name;
-  }
 }
 
 TEST(Connectivity, UnreferencedVerticesComeLastAscending) {
@@ -234,43 +225,54 @@ TEST(Connectivity, FlippedBytesGiveAnErrorOrValidFaces) {
   }
 }
 
+using Op = BorderOp;
+
+/// Hands out given steps, to a border that may refuse them.
+class GivenSteps {
+ public:
+  GivenSteps(CompactWriter& writer, const std::vector<BorderStep>& steps) : ops_(writer), steps_(steps) {}
+
+  static void start(const Border&) {}
+  BorderStep next(const Border& border, const Gate& gate) {
+    if (next_ == steps_.size()) return {};
+    const BorderStep step = steps_[next_++];
+    ops_.code(step, border, gate);
+    return step;
+  }
+  static bool failed() { return false; }
+
+ private:
+  OpCoder<CompactWriter> ops_;
+  const std::vector<BorderStep>& steps_;
+  std::size_t next_ = 0;
+};
+
 /// A payload put together by hand.
 struct Parts {
-  std::vector<std::pair<std::size_t, std::uint8_t>> tokens{};  ///< (stream, token)
-  std::vector<std::uint8_t> references{};
-  Indices far_targets{};
+  std::vector<BorderStep> steps{};
+  std::uint32_t faces = 1;  ///< that the border holds while it is written
   Indices gaps{};
   Indices targets{};
 
   std::vector<std::byte> assemble() const {
-    ByteWriter out;
-    for (std::size_t s = 0; s < kTokenStreams; ++s)
-      out.write_varint(
-          std::count_if(tokens.begin(), tokens.end(), [&](const auto& t) { return t.first == s; }));
-    out.write_varint(references.size());
-    out.write_varint(far_targets.size());
-    out.write_varint(gaps.size());
-    for (std::size_t s = 0; s < kTokenStreams; ++s) {
-      for (const auto& [stream, token] : tokens) {
-        if (stream == s) out.write(token);
-      }
+    CompactWriter writer;
+    Border border(faces);
+    GivenSteps guide(writer, steps);
+    traverse(border, guide);
+    NumberModel counts;
+    NumberModel gap_models;
+    NumberModel target_models;
+    writer.number(static_cast<std::uint32_t>(gaps.size()), counts);
+    for (std::size_t i = 0; i < gaps.size(); ++i) {
+      writer.number(gaps[i], gap_models);
+      writer.number(targets[i], target_models);
     }
-    for (const std::uint8_t reference : references) out.write(reference);
-    write_planes(out, far_targets);
-    write_planes(out, gaps);
-    write_planes(out, targets);
-    return out.take();
+    return writer.finish();
   }
 };
 
-constexpr std::uint8_t token(BorderOp op, std::uint8_t run = 0) {
-  return static_cast<std::uint8_t>(static_cast<std::uint8_t>(op) * 32 + run);
-}
-constexpr std::uint8_t kB = token(BorderOp::kBoundary);
-constexpr std::size_t kClosed = 8;
-
 /// One triangle by itself.
-Parts lone_triangle() { return {.tokens = {{1, kB}, {kClosed + 1, kB}, {kClosed + 1, kB}}}; }
+const std::vector<BorderStep> kLoneTriangle = {{Op::kBoundary}, {Op::kBoundary}, {Op::kBoundary}};
 
 void expect_rule(const Parts& parts, std::uint32_t vertices, std::uint32_t faces, const char* rule) {
   const auto read = read_connectivity(parts.assemble(), vertices, faces);
@@ -285,76 +287,51 @@ TEST(Connectivity, CONN1NoFacesNoBytes) {
 }
 
 TEST(Connectivity, CONN4StartsAComponent) {
-  const auto read = read_connectivity(lone_triangle().assemble(), 3, 1);
+  const auto read = read_connectivity(Parts{.steps = kLoneTriangle}.assemble(), 3, 1);
   ASSERT_TRUE(read) << describe(read.error());
   EXPECT_EQ(read->triangles, (Indices{0, 1, 2}));
 }
 
-TEST(Connectivity, CONN2RejectsCountsThatDoNotFit) {
-  expect_rule(lone_triangle(), 3, 97, "CONN-2");  // more than 32 faces per token
-  Parts bubble{.tokens = {{1, token(BorderOp::kEnd)}}};
+TEST(Connectivity, CONN2RejectsFacesThatAreTooMany) {
+  const Parts bubble{.steps = {{Op::kEnd}}, .faces = 2};
   ASSERT_TRUE(read_connectivity(bubble.assemble(), 3, 2));
-  expect_rule(bubble, 3, 1, "CONN-2");  // one face too many
-  bubble.tokens.emplace_back(5, kB);
-  expect_rule(bubble, 3, 2, "CONN-2");  // a token left over
-  bubble.tokens.pop_back();
-  bubble.references.push_back(2);
-  expect_rule(bubble, 3, 2, "CONN-2");  // a reference left over
+  expect_rule(bubble, 3, 1, "CONN-2");
 }
 
 TEST(Connectivity, CONN7RejectsOpsThatDoNotFitTheBorder) {
   // The item after the gate is a known boundary edge.
-  expect_rule({.tokens = {{1, kB}, {kClosed + 1, token(BorderOp::kEnd)}}}, 9, 2, "CONN-7");
-  expect_rule({.tokens = {{1, kB}, {kClosed + 1, token(BorderOp::kLeft)}}}, 9, 2, "CONN-7");
-  expect_rule({.tokens = {{1, kB}, {kClosed + 1, kB}, {kClosed + 1, token(BorderOp::kRight)}}}, 9, 2,
-              "CONN-7");
+  expect_rule({.steps = {{Op::kBoundary}, {Op::kEnd}}, .faces = 9}, 9, 2, "CONN-7");
+  expect_rule({.steps = {{Op::kBoundary}, {Op::kLeft}}, .faces = 9}, 9, 2, "CONN-7");
+  expect_rule({.steps = {{Op::kBoundary}, {Op::kBoundary}, {Op::kRight}}, .faces = 9}, 9, 2, "CONN-7");
   // E in a loop of four.
-  expect_rule({.tokens = {{1, token(BorderOp::kEnd, 1)}}}, 9, 3, "CONN-7");
+  expect_rule({.steps = {{Op::kNewVertex}, {Op::kEnd}}, .faces = 9}, 9, 3, "CONN-7");
   // L in a loop of two would make a face with a repeated vertex.
-  expect_rule({.tokens = {{1, token(BorderOp::kLeft)}, {2, token(BorderOp::kLeft)}}}, 9, 3, "CONN-7");
+  expect_rule({.steps = {{Op::kLeft}, {Op::kLeft}}, .faces = 9}, 9, 3, "CONN-7");
   // N in a loop of three comes back to the gate.
-  expect_rule({.tokens = {{1, token(BorderOp::kNearSplit)}}}, 9, 2, "CONN-7");
-  // S onto the gate's own end.
-  expect_rule({.tokens = {{1, token(BorderOp::kSplit)}}, .references = {0}, .far_targets = {0}}, 9, 2,
-              "CONN-7");
-  // S onto an item that does not exist.
-  expect_rule({.tokens = {{1, token(BorderOp::kSplit)}}, .references = {0}, .far_targets = {3}}, 9, 2,
-              "CONN-7");
-}
-
-TEST(Connectivity, CONN9RejectsTokensThatAreNone) {
-  for (const int bad : {0, 30, 7 * 32, 7 * 32 + 1, 255, 63})
-    expect_rule({.tokens = {{1, static_cast<std::uint8_t>(bad)}, {1, kB}}}, 9, 2, "CONN-9");
-  expect_rule({.tokens = {{2, kB}}}, 9, 1, "CONN-9");  // the stream that is asked for is empty
-}
-
-TEST(Connectivity, CONN10RejectsSplitsWithoutATarget) {
-  expect_rule({.tokens = {{1, token(BorderOp::kSplit)}}}, 9, 2, "CONN-10");
-  expect_rule({.tokens = {{1, token(BorderOp::kSplit)}}, .references = {0}}, 9, 2, "CONN-10");
+  expect_rule({.steps = {{Op::kNearSplit}}, .faces = 9}, 9, 2, "CONN-7");
+  // S onto the gate's own end, and onto an item that does not exist.
+  expect_rule({.steps = {{Op::kSplit, 0}}, .faces = 9}, 9, 2, "CONN-7");
+  expect_rule({.steps = {{Op::kSplit, 3}}, .faces = 9}, 9, 2, "CONN-7");
 }
 
 TEST(Connectivity, CONN11RejectsGluingOutOfRange) {
-  Parts parts = lone_triangle();
-  parts.gaps = {2};
-  parts.targets = {0};
-  const auto degenerate = read_connectivity(parts.assemble(), 2, 1);
-  ASSERT_TRUE(degenerate) << describe(degenerate.error());
-  EXPECT_EQ(degenerate->triangles, (Indices{0, 1, 0}));
-  expect_rule(parts, 1, 1, "CONN-11");  // two vertices, one declared
-  parts.targets = {4};
-  expect_rule(parts, 9, 1, "CONN-11");  // vertex 2 is yet to come
-  parts.targets = {1};
-  expect_rule(parts, 9, 1, "CONN-11");  // vertex -1
-  parts.gaps = {3};
-  expect_rule(parts, 9, 1, "CONN-11");  // the fourth of three
-  parts.gaps = {0, 0, 0, 0};
-  parts.targets = {0, 0, 0, 0};
-  expect_rule(parts, 9, 1, "CONN-11");  // four of three
+  const auto glue = [](const Indices& gaps, const Indices& targets) {
+    return *glue_vertices({.gaps = gaps, .targets = targets}, 3, 2);
+  };
+  EXPECT_EQ(glue({2}, {0}), (LargeVector<std::uint32_t>{0, 1, 0}));
+  const auto rule = [](const Indices& gaps, const Indices& targets, std::uint32_t vertices) {
+    return std::string(glue_vertices({.gaps = gaps, .targets = targets}, 3, vertices).error().rule);
+  };
+  EXPECT_EQ(rule({2}, {0}, 1), "CONN-11");                    // two vertices, one declared
+  EXPECT_EQ(rule({2}, {4}, 9), "CONN-11");                    // vertex 2 is yet to come
+  EXPECT_EQ(rule({2}, {1}, 9), "CONN-11");                    // vertex -1
+  EXPECT_EQ(rule({3}, {0}, 9), "CONN-11");                    // the fourth of three
+  EXPECT_EQ(rule({0, 0, 0, 0}, {0, 0, 0, 0}, 9), "CONN-11");  // four of three
 }
 
 TEST(Connectivity, CONN3CONN5CONN6TetrahedronByHand) {
   // One new vertex, then the focus closes; the rest is a loop of three at a vertex of degree 2.
-  const Parts parts{.tokens = {{1, token(BorderOp::kRight, 1)}, {16, token(BorderOp::kEnd)}}};
+  const Parts parts{.steps = {{Op::kNewVertex}, {Op::kRight}, {Op::kEnd}}, .faces = 4};
   const auto read = read_connectivity(parts.assemble(), 4, 4);
   ASSERT_TRUE(read) << describe(read.error());
   EXPECT_EQ(read->triangles, (Indices{0, 1, 2, 0, 2, 3, 0, 3, 1, 2, 1, 3}));
@@ -363,29 +340,24 @@ TEST(Connectivity, CONN3CONN5CONN6TetrahedronByHand) {
 TEST(Connectivity, CONN6NearSplitByHand) {
   // Splits a loop of four into one of two, which stays open, and one of three, which ends.
   const Parts parts{
-      .tokens = {
-          {1, token(BorderOp::kNearSplit, 1)}, {16, token(BorderOp::kEnd)}, {3, kB}, {kClosed + 3, kB}}};
+      .steps = {{Op::kNewVertex}, {Op::kNearSplit}, {Op::kEnd}, {Op::kBoundary}, {Op::kBoundary}},
+      .faces = 4};
   const auto read = read_connectivity(parts.assemble(), 4, 4);
   ASSERT_TRUE(read) << describe(read.error());
   EXPECT_EQ(read->triangles, (Indices{0, 1, 2, 0, 2, 3, 0, 3, 2, 0, 2, 1}));
 }
 
 TEST(Connectivity, CONN10FarTargetsRoundTrip) {
-  const Soup soup = test::grid(150, 150, true, true, 0, 1);
+  const Soup soup = test::grid(150, 150, true, true, 0, 1);  // whose border comes together far away
   const CodedConnectivity coded = write_connectivity(soup.triangles, soup.vertex_count);
-  ByteReader in(coded.payload);
-  for (std::size_t i = 0; i < kTokenStreams + 1; ++i) ASSERT_TRUE(in.read_varint());
-  const auto far_targets = in.read_varint();
-  ASSERT_TRUE(far_targets);
-  EXPECT_GT(*far_targets, 0U);
   expect_same_faces(soup, coded);
   const auto read = read_back(coded.payload, soup);
   ASSERT_TRUE(read) << describe(read.error());
   EXPECT_EQ(read->triangles, coded.triangles);
 }
 
-TEST(Connectivity, CONN9LongRunsRoundTrip) {
-  // Closed fans of every length around the token limits: the hub's run of new vertices is one long run.
+TEST(Connectivity, LongRunsRoundTrip) {
+  // Closed fans: the hub's run of new vertices is one long run.
   for (std::uint32_t blades = 28; blades < 100; ++blades) {
     const Soup soup = test::fan(blades, true);
     const auto read = read_back(write_connectivity(soup.triangles, soup.vertex_count).payload, soup);

@@ -10,12 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "base/byte_writer.h"
 #include "connectivity/groups/groups.h"
+#include "connectivity/plain/topology.h"
 #include "deltamesh/decode.h"
 #include "deltamesh/encode.h"
 #include "entropy/coder/writer.h"
-#include "entropy/planes.h"
 #include "support/meshes.h"
 #include "support/soups.h"
 
@@ -52,43 +51,43 @@ std::vector<Case> cases() {
   return result;
 }
 
-CodedFaceGroups write(const Case& c) { return write_face_groups(c.groups, c.triangles, c.vertex_count); }
-
-/// Reads from a copy, so that a sanitizer sees the bounds.
-Result<Numbers> read(Payload payload, const Case& c) {
-  const std::vector<std::byte> copy(payload.bytes.begin(), payload.bytes.end());
-  payload.bytes = copy;
-  return read_face_groups(payload, c.triangles, c.vertex_count);
+std::vector<std::byte> write(const Case& c) {
+  return write_face_groups(c.groups, c.triangles, c.vertex_count);
 }
 
-std::string broken_rule(Payload payload, const Case& c) {
+/// Reads from a copy, so that a sanitizer sees the bounds.
+Result<Numbers> read(std::span<const std::byte> payload, const Case& c) {
+  const std::vector<std::byte> copy(payload.begin(), payload.end());
+  return read_face_groups(copy, c.triangles, c.vertex_count);
+}
+
+std::string broken_rule(std::span<const std::byte> payload, const Case& c) {
   const auto groups = read(payload, c);
   return groups ? "none" : groups.error().rule;
 }
 
 TEST(FaceGroups, FGRP1ComeBackFromBothForms) {
   for (const Case& c : cases()) {
-    const CodedFaceGroups coded = write(c);
-    for (const Payload& form : {Payload(coded.payload), Payload::compact(coded.compact)}) {
-      const auto groups = read(form, c);
-      ASSERT_TRUE(groups) << c.name << ": " << describe(groups.error());
-      EXPECT_EQ(*groups, c.groups) << c.name;
-    }
+    const auto groups = read(write(c), c);
+    ASSERT_TRUE(groups) << c.name << ": " << describe(groups.error());
+    EXPECT_EQ(*groups, c.groups) << c.name;
+    const auto plain =
+        read_plain_groups(write_plain_groups(c.groups), static_cast<std::uint32_t>(c.triangles.size() / 3));
+    ASSERT_TRUE(plain) << c.name << ": " << describe(plain.error());
+    EXPECT_EQ(*plain, c.groups) << c.name;
   }
 }
 
 TEST(FaceGroups, FGRP1NoBytesAreNoGroups) {
   const Case c{"two", {0, 1, 2, 2, 1, 3}, 4, {}};
-  EXPECT_TRUE(write(c).payload.empty());
-  EXPECT_TRUE(write(c).compact.empty());
-  EXPECT_TRUE(read(Payload(), c)->empty());
+  EXPECT_TRUE(write(c).empty());
+  EXPECT_TRUE(read({}, c)->empty());
+  EXPECT_TRUE(read_plain_groups({}, 2)->empty());
 }
 
 TEST(FaceGroups, FGRP1RejectsGroupsFrom65536On) {
   const Case c{"two", {0, 1, 2, 2, 1, 3}, 4, {}};
-  ByteWriter out;
-  write_planes(out, Numbers{7, 65536});
-  EXPECT_EQ(broken_rule(out.bytes(), c), "FGRP-1");
+  EXPECT_STREQ(read_plain_groups(write_plain_groups(Numbers{7, 65536}), 2).error().rule, "FGRP-1");
 
   CompactWriter writer;
   std::array<BitModel, 8> as_prediction;
@@ -97,7 +96,7 @@ TEST(FaceGroups, FGRP1RejectsGroupsFrom65536On) {
   writer.bit(false, as_prediction[0]);
   writer.symbol(15, Mixture<1>{{&choices}});
   writer.number(65536, names);
-  EXPECT_EQ(broken_rule(Payload::compact(writer.finish()), c), "FGRP-1");
+  EXPECT_EQ(broken_rule(writer.finish(), c), "FGRP-1");
 }
 
 TEST(FaceGroups, FGRP3RejectsAPlaceBeyondTheRecentGroups) {
@@ -107,7 +106,7 @@ TEST(FaceGroups, FGRP3RejectsAPlaceBeyondTheRecentGroups) {
   SymbolModel choices{{8, 4, 2, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 16, 1}};
   writer.bit(false, as_prediction);
   writer.symbol(0, Mixture<1>{{&choices}});
-  EXPECT_EQ(broken_rule(Payload::compact(writer.finish()), c), "FGRP-3");
+  EXPECT_EQ(broken_rule(writer.finish(), c), "FGRP-3");
 }
 
 TEST(FaceGroups, FGRP2KnowsAFaceFromItsVertices) {
@@ -116,24 +115,17 @@ TEST(FaceGroups, FGRP2KnowsAFaceFromItsVertices) {
   Case c{"sheets", sheet.triangles, 2 * sheet.vertex_count, Numbers(sheet.triangles.size() / 3, 4)};
   for (const std::uint32_t v : sheet.triangles) c.triangles.push_back(v + sheet.vertex_count);
   c.groups.resize(c.triangles.size() / 3, 900);
-  EXPECT_LE(write(c).compact.size(), 32U);
+  EXPECT_LE(write(c).size(), 32U);
 }
 
 TEST(FaceGroups, PrefixesAndBytesLeftOverAreErrors) {
   for (const Case& c : cases()) {
     if (c.groups.size() > 300) continue;
-    const CodedFaceGroups coded = write(c);
-    for (std::size_t size = 1; size < coded.payload.size(); ++size)
-      EXPECT_FALSE(read(std::span(coded.payload).first(size), c)) << c.name;
-    for (std::size_t size = 1; size < coded.compact.size(); ++size)
-      EXPECT_FALSE(read(Payload::compact(std::span(coded.compact).first(size)), c)) << c.name;
-    for (const auto& bytes : {coded.payload, coded.compact}) {
-      std::vector<std::byte> longer = bytes;
-      longer.push_back(std::byte{0});
-      Payload payload(longer);
-      payload.is_compact = bytes == coded.compact;
-      EXPECT_FALSE(read(payload, c)) << c.name;
-    }
+    std::vector<std::byte> coded = write(c);
+    for (std::size_t size = 1; size < coded.size(); ++size)
+      EXPECT_FALSE(read(std::span(coded).first(size), c)) << c.name;
+    coded.push_back(std::byte{0});
+    EXPECT_FALSE(read(coded, c)) << c.name;
   }
 }
 

@@ -133,7 +133,7 @@ TEST(CompactAnchors, ANCH5ReadsWhatWasWritten) {
     for (std::size_t i = 0; i < count; ++i) list.gaps.push_back(random() % 300);
     for (std::size_t i = 0; i < 3 * count; ++i) list.steps.push_back(random() >> (random() % 32));
     const auto read = [&](const Bytes& bytes) {
-      const auto back = read_anchors(Payload::compact(bytes), static_cast<std::uint32_t>(count));
+      const auto back = read_anchors(bytes, static_cast<std::uint32_t>(count));
       if (!back) return false;
       EXPECT_EQ(back->gaps.size(), count);
       EXPECT_EQ(back->steps.size(), 3 * count);
@@ -141,9 +141,8 @@ TEST(CompactAnchors, ANCH5ReadsWhatWasWritten) {
     };
     const Bytes bytes = write_compact_anchors(list);
     expect_guarded(bytes, read, "anchors");
-    EXPECT_EQ(read_anchors(Payload::compact(bytes), static_cast<std::uint32_t>(count))->gaps, list.gaps);
-    EXPECT_EQ(read_anchors(Payload::compact(bytes), static_cast<std::uint32_t>(count))->steps, list.steps);
-    EXPECT_EQ(read_anchors(write_plain_anchors(list), static_cast<std::uint32_t>(count))->steps, list.steps);
+    EXPECT_EQ(read_anchors(bytes, static_cast<std::uint32_t>(count))->gaps, list.gaps);
+    EXPECT_EQ(read_anchors(bytes, static_cast<std::uint32_t>(count))->steps, list.steps);
   }
 }
 
@@ -171,49 +170,45 @@ Attribute make_attribute(const Shape& shape, std::size_t rows) {
   return attribute;
 }
 
-/// Codes the attribute in the order of its rows on the mesh's faces; the compact form equals the plain one.
-void expect_forms_agree(const test::GraphMesh& mesh, const Shape& shape) {
+/// Codes the attribute in the order of its rows on the mesh's faces.
+void expect_round_trip(const test::GraphMesh& mesh, const Shape& shape) {
   const auto rows = static_cast<std::uint32_t>(mesh.graph.vertex_count());
   std::vector<std::uint32_t> order(rows);
   for (std::uint32_t i = 0; i < rows; ++i) order[i] = rows - 1 - i;
   const Attribute attribute = make_attribute(shape, rows);
   const AttributeSurface surface({}, rows, {}, {}, nullptr, mesh.graph);
   const auto coded = write_attribute(test::view(attribute), order, {.quality = test::kExactly}, surface, {});
-  ASSERT_TRUE(coded && !coded->compact.empty());
-  if (!coded->plain.empty()) {
-    EXPECT_EQ(read_attribute(coded->plain, coded->descriptor, surface, {}, 1 << 20)->values,
-              coded->decoded.values);
-  }
+  ASSERT_TRUE(coded && coded->is_compact);
   const auto read = [&](const Bytes& bytes) {
     const auto back = read_attribute(Payload::compact(bytes), coded->descriptor, surface, {}, 1 << 20);
     if (!back) return false;
     EXPECT_EQ(back->values.size(), rows * back->components * component_size(back->type));
     return true;
   };
-  EXPECT_EQ(read_attribute(Payload::compact(coded->compact), coded->descriptor, surface, {}, 1 << 20)->values,
+  EXPECT_EQ(read_attribute(Payload::compact(coded->payload), coded->descriptor, surface, {}, 1 << 20)->values,
             coded->decoded.values);
-  expect_guarded(coded->compact, read, "attribute");
+  expect_guarded(coded->payload, read, "attribute");
 }
 
-TEST(CompactAttributes, ATTR9EqualsThePlainForm) {
+TEST(CompactAttributes, ATTR8ExactShapesComeBack) {
   const auto mesh = test::sheet(7, 6);
   using enum AttributeKind;
   using enum ComponentType;
   for (const Shape& shape : {Shape{kColor, kU8, 3}, Shape{kColor, kU8, 4}, Shape{kColor, kU16, 3},
                              Shape{kGeneric, kU8, 1}, Shape{kGeneric, kI16, 5}})
-    expect_forms_agree(mesh, shape);
+    expect_round_trip(mesh, shape);
 }
 
-TEST(CompactAttributes, ATTR2PlainCodingsHaveNoCompactForm) {
-  const Attribute attribute = make_attribute({AttributeKind::kGeneric, ComponentType::kF64, 1}, 9);
-  const auto coded = test::write_plain(attribute, test::identity(9));
+TEST(CompactAttributes, ATTR2RejectsCodingsOfNoShapeOrNone) {
+  const AttributeDescriptor doubles{
+      .kind = AttributeKind::kGeneric, .type = ComponentType::kF64, .components = 1};
   const AttributeSurface surface({}, 9);
-  const auto read = read_attribute(Payload::compact(coded->plain), coded->descriptor, surface, {}, 1 << 20);
-  ASSERT_FALSE(read);
-  EXPECT_STREQ(read.error().rule, "ATTR-2");
-  const std::vector<std::byte> lattice{std::byte{8}};
-  EXPECT_STREQ(read_attribute(Payload(lattice), coded->descriptor, surface, {}, 1 << 20).error().rule,
-               "ATTR-2");
+  for (const unsigned coding : {0U, 3U, 4U, 9U, 11U, 255U}) {
+    const std::vector<std::byte> payload{static_cast<std::byte>(coding)};
+    const auto read = read_attribute(Payload::compact(payload), doubles, surface, {}, 1 << 20);
+    ASSERT_FALSE(read);
+    EXPECT_STREQ(read.error().rule, "ATTR-2") << coding;
+  }
 }
 
 /// What a decoder parses of attributes in a highpass stream must not depend on solved positions, which may

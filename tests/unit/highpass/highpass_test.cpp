@@ -12,7 +12,8 @@
 #include <vector>
 
 #include "base/byte_writer.h"
-#include "entropy/planes.h"
+#include "highpass/anchor_list.h"
+#include "highpass/plain/plain.h"
 #include "measure/measure.h"
 #include "support/graph_mesh.h"
 
@@ -40,7 +41,8 @@ Result<LargeVector<Vec3>> read(const GraphMesh& mesh, const CodedHighpass& coded
   // Exact-size copies, so that a sanitizer sees any read past the end.
   const Bytes deltas(coded.deltas);
   const Bytes anchors(coded.anchors);
-  return read_highpass(deltas, anchors, mesh.graph, mesh.components, mesh.box, coded.parameters);
+  return read_highpass(Payload::compact(deltas), Payload::compact(anchors), mesh.graph, mesh.components,
+                       mesh.box, coded.parameters);
 }
 
 void expect_rule(const Result<LargeVector<Vec3>>& result, const char* rule) {
@@ -151,7 +153,7 @@ TEST(Highpass, EveryPrefixAndEveryExtraByteFails) {
   for (Bytes CodedHighpass::*payload : {&CodedHighpass::deltas, &CodedHighpass::anchors}) {
     CodedHighpass bad = *coded;
     (bad.*payload).push_back(std::byte{0});
-    expect_rule(read(mesh, bad), "CON-3");
+    expect_rule(read(mesh, bad), "CMP-3");
     for (std::size_t size = ((*coded).*payload).size(); size-- > 0;) {
       (bad.*payload)
           .assign(((*coded).*payload).begin(),
@@ -185,12 +187,9 @@ class HighpassRules : public ::testing::Test {
 
   /// Anchors at `vertices`, all in the corner of the lattice.
   void set_anchors(const std::vector<std::uint32_t>& gaps, std::uint32_t first_step = 0) {
-    ByteWriter out;
-    write_planes(out, gaps);
     std::vector<std::uint32_t> steps(3 * gaps.size(), 0);
     if (!steps.empty()) steps.front() = first_step;
-    write_planes(out, steps);
-    coded_.anchors = out.take();
+    coded_.anchors = write_compact_anchors({.gaps = gaps, .steps = steps});
     coded_.parameters.anchors = static_cast<std::uint32_t>(gaps.size());
   }
 
@@ -265,6 +264,41 @@ TEST_F(HighpassRules, ANCH4RejectsCellsOutsideTheLattice) {
   expect_rule(read(mesh_, coded_), "ANCH-4");
 }
 
+TEST(Highpass, PLN4PlainPayloadsSayTheSame) {
+  for (const GraphMesh& mesh :
+       {test::sheet(25, 17), test::fragments(), test::sheet(1, 1), test::finish({})}) {
+    AnchorSequence anchors(mesh.graph, mesh.components);
+    HighpassCoder coder(mesh.graph, mesh.components, anchors, mesh.positions, mesh.box, true);
+    const auto coded =
+        coder.code_only({.step = coder.step_for_bits(8), .anchors = default_anchor_count(anchors.most())});
+    ASSERT_TRUE(coded);
+    const auto compact = write(mesh);
+    ASSERT_TRUE(compact);
+    const auto plain = read_highpass(coded->deltas, coded->anchors, mesh.graph, mesh.components, mesh.box,
+                                     coded->parameters);
+    ASSERT_TRUE(plain) << describe(plain.error());
+    EXPECT_EQ(plain->size(), compact->positions.size());
+    for (std::size_t size = 0; size < coded->anchors.size(); ++size)
+      EXPECT_FALSE(read_plain_anchors(std::span(coded->anchors).first(size), mesh.positions.size(),
+                                      coded->parameters, *std::make_unique<HighpassSymbols>()));
+  }
+}
+
+TEST(Highpass, PLN4RejectsAnchorsThatDoNotAscendOrLeaveTheirLattice) {
+  const auto rule = [](const std::vector<std::uint32_t>& anchors, std::uint32_t cell) {
+    HighpassSymbols symbols;
+    const auto read = read_plain_anchors(
+        write_plain_anchors(anchors, std::vector<AnchorCell>(anchors.size(), {0, cell, 0})), 9,
+        {.anchor_bits = 4, .anchors = static_cast<std::uint32_t>(anchors.size())}, symbols);
+    return std::string(read ? "none" : read.error().rule);
+  };
+  EXPECT_EQ(rule({0, 3, 8}, 15), "none");
+  EXPECT_EQ(rule({0, 3, 3}, 0), "ANCH-3");
+  EXPECT_EQ(rule({3, 0}, 0), "ANCH-3");
+  EXPECT_EQ(rule({0, 9}, 0), "ANCH-3");
+  EXPECT_EQ(rule({0}, 16), "ANCH-4");
+}
+
 TEST(HighpassCoder, SettingsDoNotDependOnEarlierOnes) {
   const auto mesh = test::sheet(80, 60);
   AnchorSequence anchors(mesh.graph, mesh.components);
@@ -275,8 +309,8 @@ TEST(HighpassCoder, SettingsDoNotDependOnEarlierOnes) {
   const auto coded = coder.code(settings);
   ASSERT_TRUE(coded);
   EXPECT_NE(coded->parameters.shift, ReconstructionShift{});
-  const auto read =
-      read_highpass(coded->deltas, coded->anchors, mesh.graph, mesh.components, mesh.box, coded->parameters);
+  const auto read = read_highpass(Payload::compact(coded->deltas), Payload::compact(coded->anchors),
+                                  mesh.graph, mesh.components, mesh.box, coded->parameters);
   ASSERT_TRUE(read);
   EXPECT_EQ(*read, coded->positions);
   const auto bytes_alone = coder.code_only(settings);

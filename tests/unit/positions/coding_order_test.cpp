@@ -116,13 +116,12 @@ TEST(CodingOrder, POSN10EveryFormComesBack) {
       for (const BlendFit fit : {BlendFit::kSquares, BlendFit::kBits}) {
         const PositionForm form{.coding_order = coding_order, .fit = fit};
         const auto bytes = write_positions(faces, cells, parameters, form);
-        const auto back = read_positions(Payload::compact(bytes), faces, parameters, mesh.box);
+        const auto back = read_positions(bytes, faces, parameters, mesh.box);
         ASSERT_TRUE(back) << back.error().message;
         EXPECT_EQ(*back, *to_float_rows(to_positions(cells, parameters.lattice)));
         const auto exact = write_floats(faces, to_positions(cells, {}), {{0, 0, 0}, {1e6, 1e6, 1e6}}, form);
-        const auto floats =
-            read_positions(Payload::compact(exact), faces, {.kind = PositionKind::kFloats, .lattice = {}},
-                           {{0, 0, 0}, {1e6, 1e6, 1e6}});
+        const auto floats = read_positions(exact, faces, {.kind = PositionKind::kFloats, .lattice = {}},
+                                           {{0, 0, 0}, {1e6, 1e6, 1e6}});
         ASSERT_TRUE(floats) << floats.error().message;
         EXPECT_EQ(*floats, *to_float_rows(to_positions(cells, {})));
       }
@@ -136,7 +135,7 @@ TEST(CodingOrder, POSN10RefusesAnUnknownOrder) {
   CompactWriter writer;
   writer.bits(3, 2);
   const auto bytes = writer.finish();
-  const auto refused = read_positions(Payload::compact(bytes), faces_of(mesh), parameters, mesh.box);
+  const auto refused = read_positions(bytes, faces_of(mesh), parameters, mesh.box);
   ASSERT_FALSE(refused);
   EXPECT_STREQ(refused.error().rule, "POSN-10");
 }

@@ -84,7 +84,7 @@ TEST(ExactLattice, POSN11FewOthersArePatched) {
     const PredictiveParameters parameters{.lattice = *lattice};
     const auto bytes =
         write_positions(faces, cells, parameters, {.coding_order = coding_order}, replacements);
-    const auto back = read_positions(Payload::compact(bytes), faces, parameters, box_of(positions));
+    const auto back = read_positions(bytes, faces, parameters, box_of(positions));
     ASSERT_TRUE(back) << back.error().message;
     const auto rows = to_float_rows(positions);
     EXPECT_EQ(std::memcmp(back->data(), rows->data(), rows->size() * sizeof(float)), 0);

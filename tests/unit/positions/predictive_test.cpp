@@ -65,12 +65,12 @@ TEST(Predictive, POSN2POSN3POSN4POSN5POSN6POSN8POSN9CellsComeBack) {
       const PositionLattice lattice = cubic_lattice(mesh.box, step);
       const auto cells = to_cells(mesh.positions, lattice);
       const auto bytes = write_positions(faces, cells, {.lattice = lattice});
-      const auto back = read_positions(Payload::compact(bytes), faces, {.lattice = lattice}, mesh.box);
+      const auto back = read_positions(bytes, faces, {.lattice = lattice}, mesh.box);
       ASSERT_TRUE(back) << back.error().message;
       EXPECT_EQ(*back, *to_float_rows(to_positions(cells, lattice)));
       const auto guessed =
           write_positions(faces, cells, {.lattice = lattice}, {.guesses = Guessing::kAlways});
-      EXPECT_EQ(*read_positions(Payload::compact(guessed), faces, {.lattice = lattice}, mesh.box), *back);
+      EXPECT_EQ(*read_positions(guessed, faces, {.lattice = lattice}, mesh.box), *back);
     }
   }
 }
@@ -88,15 +88,15 @@ TEST(Predictive, VerticesWithoutFacesComeBack) {
             .kind = kind, .lattice = cubic_lattice(mesh.box, 0.5), .levels = 2};
         const auto cells = to_cells(mesh.positions, parameters.lattice);
         const auto bytes = write_positions(faces, cells, parameters, {.coding_order = coding_order});
-        const auto back = read_positions(Payload::compact(bytes), faces, parameters, mesh.box);
+        const auto back = read_positions(bytes, faces, parameters, mesh.box);
         ASSERT_TRUE(back) << back.error().message;
         EXPECT_EQ(*back, *to_float_rows(to_positions(cells, parameters.lattice)));
       }
       std::vector<Vec3> floats = mesh.positions;
       for (Vec3& p : floats) p[2] = static_cast<double>(static_cast<float>(p[2]));
       const auto bytes = write_floats(faces, floats, mesh.box, {.coding_order = coding_order});
-      const auto back = read_positions(Payload::compact(bytes), faces,
-                                       {.kind = PositionKind::kFloats, .lattice = {}}, mesh.box);
+      const auto back =
+          read_positions(bytes, faces, {.kind = PositionKind::kFloats, .lattice = {}}, mesh.box);
       ASSERT_TRUE(back) << back.error().message;
       EXPECT_EQ(*back, *to_float_rows(floats));
     }
@@ -112,16 +112,13 @@ TEST(Predictive, ParallelogramsPredictAPlaneExactly) {
   EXPECT_LT(8 * bytes.size(), mesh.positions.size());
 }
 
-TEST(Predictive, POSN1RefusesOtherPayloads) {
+TEST(Predictive, POSN1RefusesPayloadsWithoutVertices) {
   const test::GraphMesh mesh = test::sheet(5, 5);
   const PositionLattice lattice = cubic_lattice(mesh.box, 0.1);
   const auto bytes = write_positions(faces_of(mesh), to_cells(mesh.positions, lattice), {.lattice = lattice});
-  EXPECT_STREQ(rule_of(read_positions(Payload(bytes), faces_of(mesh), {.lattice = lattice}, mesh.box)),
-               "POSN-1");
   const FaceList none;
-  EXPECT_STREQ(rule_of(read_positions(Payload::compact(bytes), none, {.lattice = lattice}, mesh.box)),
-               "POSN-1");
-  EXPECT_TRUE(read_positions(Payload{}, none, {.lattice = lattice}, mesh.box));
+  EXPECT_STREQ(rule_of(read_positions(bytes, none, {.lattice = lattice}, mesh.box)), "POSN-1");
+  EXPECT_TRUE(read_positions({}, none, {.lattice = lattice}, mesh.box));
 }
 
 TEST(Predictive, POSN7RefusesCoordinatesBeyondTheLattice) {
@@ -129,9 +126,7 @@ TEST(Predictive, POSN7RefusesCoordinatesBeyondTheLattice) {
   PositionLattice lattice = cubic_lattice(mesh.box, 0.1);
   const auto bytes = write_positions(faces_of(mesh), to_cells(mesh.positions, lattice), {.lattice = lattice});
   lattice.cells[1] -= 1;
-  EXPECT_STREQ(
-      rule_of(read_positions(Payload::compact(bytes), faces_of(mesh), {.lattice = lattice}, mesh.box)),
-      "POSN-7");
+  EXPECT_STREQ(rule_of(read_positions(bytes, faces_of(mesh), {.lattice = lattice}, mesh.box)), "POSN-7");
 }
 
 TEST(Predictive, EveryPrefixIsTruncated) {
@@ -140,8 +135,7 @@ TEST(Predictive, EveryPrefixIsTruncated) {
   const auto bytes = write_positions(faces_of(mesh), to_cells(mesh.positions, lattice), {.lattice = lattice});
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     const std::vector<std::byte> prefix(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
-    EXPECT_FALSE(read_positions(Payload::compact(prefix), faces_of(mesh), {.lattice = lattice}, mesh.box))
-        << size;
+    EXPECT_FALSE(read_positions(prefix, faces_of(mesh), {.lattice = lattice}, mesh.box)) << size;
   }
 }
 
@@ -303,9 +297,8 @@ TEST(Lossless, FLT1RefusesWhatIsNotFinite) {
     for (std::byte& b : bytes) b = static_cast<std::byte>((state = state * 1664525 + 1013904223) >> 24);
     bytes[0] = std::byte{0x88};  // two states of 8 bytes
     bytes[8] = bytes[16] = std::byte{0x3f};
-    const auto back =
-        read_positions(Payload::compact(bytes), faces_of(mesh),
-                       {.kind = PositionKind::kFloats, .lattice = {}}, {{0, 0, 0}, {3e38, 3e38, 3e38}});
+    const auto back = read_positions(bytes, faces_of(mesh), {.kind = PositionKind::kFloats, .lattice = {}},
+                                     {{0, 0, 0}, {3e38, 3e38, 3e38}});
     if (!back) refused += std::string(back.error().rule) == "FLT-1" ? 1 : 0;
   }
   EXPECT_GT(refused, 0U);
@@ -439,7 +432,7 @@ TEST(Voxels, VOX1VOX5POSN7RefuseWhatIsNotThere) {
     for (std::byte& b : bytes) b = static_cast<std::byte>((state = state * 1664525 + 1013904223) >> 24);
     bytes[0] = std::byte{0x88};  // two states of 8 bytes
     bytes[8] = bytes[16] = std::byte{0x3f};
-    const auto back = read_positions(Payload::compact(bytes), faces_of(mesh), parameters, mesh.box);
+    const auto back = read_positions(bytes, faces_of(mesh), parameters, mesh.box);
     ++refused[rule_of(back)];
     if (!back) continue;
     for (const float x : *back) {
@@ -521,7 +514,7 @@ TEST(Predictive, OptionsThatDoNotFitAreRefused) {
   EXPECT_FALSE(validate({.geometry = predictive, .bits = 29}));
   EXPECT_FALSE(validate({.geometry = predictive, .anchors = 3}));
   EXPECT_FALSE(validate({.geometry = predictive, .anchor_density = 3}));
-  EXPECT_FALSE(validate({.geometry = predictive, .profile = Profile::kZstd}));
+  EXPECT_TRUE(validate({.geometry = predictive, .lossless = true, .profile = Profile::kZstd}));
   EXPECT_TRUE(validate({.geometry = predictive, .lossless = true}));
   EXPECT_FALSE(validate({.geometry = GeometryCoder::kHighpass, .lossless = true}));
   EXPECT_FALSE(validate({.quality = {.max_error = QualityBound{1}}, .lossless = true}));

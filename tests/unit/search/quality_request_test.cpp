@@ -281,12 +281,12 @@ TEST(QualityRequest, WithoutOptionsNothingIsLostThatOneCouldTell) {
   EXPECT_LT(fine->report.stream.quality.max_error, 0.05 * 1.3);
 }
 
-/// A highpass stream, which the profile asks for, cannot keep 0.02 % of a mesh of such uneven scale.
+/// Deltas cannot keep 0.02 % of a mesh of such uneven scale.
 TEST(QualityRequest, WithoutOptionsThereIsAlwaysAStream) {
   Mesh mesh;
   mesh.positions = {0, 0, 0, 1e-6F, 0, 0, 0, 1e-6F, 0, 1e6F, 0, 0, 1e6F, 0.1F, 0, 1000000.125F, 0, 0};
   mesh.triangles = {0, 1, 2, 3, 4, 5};
-  const auto encoded = encode(mesh, {.profile = Profile::kZstd});
+  const auto encoded = encode(mesh, {.geometry = GeometryCoder::kHighpass});
   ASSERT_TRUE(encoded) << describe(encoded.error());
   EXPECT_TRUE(decode(encoded->bytes));
 }

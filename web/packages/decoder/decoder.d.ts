@@ -2,7 +2,7 @@
 // Copyright 2026 The deltamesh authors
 
 /** The modules beside `core`. */
-export type PartName = 'highpass' | 'plain' | 'rare';
+export type PartName = 'highpass' | 'zstd' | 'rare';
 
 /** Where a module's bytes come from; a string or URL is fetched, or read where it is a file's in node. */
 export type ModuleSource = string | URL | BufferSource | WebAssembly.Module | Promise<BufferSource | WebAssembly.Module>;
@@ -10,7 +10,7 @@ export type ModuleSource = string | URL | BufferSource | WebAssembly.Module | Pr
 export interface DecoderOptions {
   /**
    * The modules; each is loaded when it is first needed. Default: the files beside this one. `core` decodes containers, faces,
-   * predictive positions and most attributes, `highpass` the positions of highpass streams, `plain` chunks in their plain form
+   * predictive positions and most attributes, `highpass` the positions of highpass streams, `zstd` chunks that zstd coded
    * (the profile zstd; in others a chunk that is smaller so), `rare` positions of voxels or to the last bit, joints, weights, and
    * attributes of any kind that are coded as numbers (morph targets).
    */

@@ -7,17 +7,17 @@
 const FILES = {
   core: new URL('./core.wasm', import.meta.url),
   highpass: new URL('./highpass.wasm', import.meta.url),
-  plain: new URL('./plain.wasm', import.meta.url),
+  zstd: new URL('./zstd.wasm', import.meta.url),
   rare: new URL('./rare.wasm', import.meta.url),
 };
 const FILES_WITHOUT_SIMD = {
   core: new URL('./core-scalar.wasm', import.meta.url),
   highpass: new URL('./highpass-scalar.wasm', import.meta.url),
-  plain: FILES.plain,
+  zstd: FILES.zstd,
   rare: new URL('./rare-scalar.wasm', import.meta.url),
 };
 /** As parts.h numbers them. */
-const PARTS = ['highpass', 'plain', 'rare'];
+const PARTS = ['highpass', 'zstd', 'rare'];
 const LIMITS = { vertices: 2 ** 26, triangles: 2 ** 27, attributes: 1024, attributeBytes: 2 ** 31 };
 
 /** Memory never shrinks: an instance that has taken more than this is replaced when its call is over. */

@@ -30,7 +30,7 @@ async function bundles() {
 /** `files`: path to bytes, which are served beside what the pages need. */
 export async function openBrowser(files) {
   const all = new Map([...(await bundles()), ...files]);
-  for (const name of ['core', 'highpass', 'plain', 'rare']) all.set(`/${name}.wasm`, readFileSync(new URL(`${name}.wasm`, DECODER)));
+  for (const name of ['core', 'highpass', 'rare', 'zstd']) all.set(`/${name}.wasm`, readFileSync(new URL(`${name}.wasm`, DECODER)));
   for (const loader of LOADERS)
     all.set(`/${loader}.html`, `<!doctype html><link rel="icon" href="data:,"><body><script type="module" src="${loader}.js"></script>`);
   const server = await serveFiles(all);

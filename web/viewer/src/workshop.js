@@ -11,7 +11,7 @@ function startWorker(name, message) {
 
 /** Compiled once, for all workers that come and go. */
 async function compileModules() {
-  const names = ['core', 'highpass', 'plain', 'rare', 'encoder'];
+  const names = ['core', 'highpass', 'rare', 'zstd', 'encoder'];
   const modules = await Promise.all(
     names.map((name) => WebAssembly.compileStreaming(fetch(new URL(`./${name}.wasm`, import.meta.url)))),
   );

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Codings that have a plain form only, for zstd: bits of values, and levels of normals, colours and texture
-// coordinates [ATTR-3 to ATTR-7].
+// ATTR in the plain form: every component as whole numbers of steps, or as the bits of its values [PLN-6,
+// PLN-7].
 #pragma once
 
 #include <cstddef>
@@ -10,23 +10,25 @@
 #include <span>
 #include <vector>
 
-#include "attributes/payload.h"
 #include "attributes/rows.h"
 #include "deltamesh/mesh.h"
 #include "deltamesh/result.h"
 
 namespace deltamesh {
 
-/// The payload, coding included, of the fewest bits that keep `bound` (AttributeInfo::error); exact where
-/// that is 0 or no coding of the kind keeps it. O(n) for each number of bits tried.
+/// The first byte of a payload.
+enum class PlainCoding : std::uint8_t {
+  kNumbers = 0,     ///< components are what they are
+  kDirections = 1,  ///< f32, 3 components or more, of which the first three are made a vector of length 1
+};
+
+/// The payload whose values are within `bound` (AttributeInfo::error); exact where that is 0, no lattice
+/// keeps it, or the kind has none (joints, weights). O(n).
 std::vector<std::byte> write_plain_attribute(const AttributeView& attribute, const AttributeRows& rows,
                                              double bound);
 
-/// The same, exact.
-std::vector<std::byte> write_exact_attribute(const AttributeView& attribute, const AttributeRows& rows);
-
-/// The values of a payload, coding included, which fits `shape`, whose own are not looked at. `rows`:
-/// vertices, checked against a limit. Errors: kTruncated, kInvalidStream [ATTR-2, ATTR-3, ATTR-5, ATTR-7].
+/// The values of a payload for `shape`, whose own are not looked at. `rows`: vertices, checked against a
+/// limit. Errors: kTruncated, kInvalidStream [PLN-6, PLN-7].
 Result<std::vector<std::byte>> read_plain_values(std::span<const std::byte> payload, const Attribute& shape,
                                                  std::uint32_t rows);
 

@@ -1,22 +1,77 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
-#include <utility>
 
 #include "attributes/error.h"
-#include "attributes/plain/levels.h"
-#include "attributes/plain/octahedral.h"
 #include "attributes/plain/plain.h"
-#include "attributes/plain/symbols.h"
+#include "attributes/plain/steps.h"
 #include "base/byte_writer.h"
+#include "base/component.h"
+#include "entropy/arrays.h"
 
 namespace deltamesh {
 namespace {
 
-bool all_unit_or_zero(const AttributeRows& rows) {
+/// How all components of an attribute are coded.
+struct PlainPlan {
+  PlainCoding coding = PlainCoding::kNumbers;
+  double step = 0;             ///< 0: exact
+  std::size_t on_lattice = 0;  ///< components, the first ones; the others are exact
+};
+
+double number_at(const AttributeView& attribute, const AttributeRows& rows, std::size_t row,
+                 std::size_t component) noexcept {
+  return load_component(attribute.type, rows.row(row) + component * component_size(attribute.type));
+}
+
+void write_exact(ByteWriter& out, const AttributeView& attribute, const AttributeRows& rows,
+                 std::size_t component) {
+  std::vector<std::uint64_t> numbers;
+  numbers.reserve(rows.count());
+  rows.for_each(component, [&](std::size_t, std::uint64_t bits) { numbers.push_back(bits); });
+  out.write(0.0);
+  write_differences(out, numbers, static_cast<unsigned>(8 * component_size(attribute.type)));
+}
+
+/// False where a value is too many steps from 0, or from another, or is not finite.
+bool write_points(ByteWriter& out, const AttributeView& attribute, const AttributeRows& rows,
+                  std::size_t component, double step) {
+  std::vector<std::int64_t> points;
+  points.reserve(rows.count());
+  for (std::size_t i = 0; i < rows.count(); ++i) {
+    const double point = std::floor(number_at(attribute, rows, i, component) / step + 0.5);
+    if (!(std::fabs(point) <= static_cast<double>(kLargestPlainFirst))) return false;
+    points.push_back(static_cast<std::int64_t>(point));
+  }
+  const auto [least, most] = std::minmax_element(points.begin(), points.end());
+  const PlainSteps steps{.step = step, .first = points.empty() ? 0 : *least};
+  if (!points.empty() && *most - *least > std::numeric_limits<std::uint32_t>::max()) return false;
+  std::vector<std::uint64_t> numbers;
+  numbers.reserve(points.size());
+  for (const std::int64_t point : points) numbers.push_back(static_cast<std::uint64_t>(point - steps.first));
+  out.write(steps.step);
+  out.write(steps.first);
+  write_differences(out, numbers, 32);
+  return true;
+}
+
+std::optional<std::vector<std::byte>> write_planned(const AttributeView& attribute, const AttributeRows& rows,
+                                                    const PlainPlan& plan) {
+  ByteWriter out;
+  out.write(static_cast<std::uint8_t>(plan.coding));
+  for (std::size_t c = 0; c < rows.components(); ++c) {
+    if (c >= plan.on_lattice)
+      write_exact(out, attribute, rows, c);
+    else if (!write_points(out, attribute, rows, c, plan.step))
+      return std::nullopt;
+  }
+  return out.take();
+}
+
+bool all_directions(const AttributeRows& rows) {
   for (std::size_t i = 0; i < rows.count(); ++i) {
     const Vec3 vector = rows.vector(i);
     if (vector != Vec3{} && !is_direction(vector)) return false;
@@ -24,129 +79,56 @@ bool all_unit_or_zero(const AttributeRows& rows) {
   return true;
 }
 
-/// Smallest and largest value of a component. False where one is not finite.
-bool find_range(const AttributeRows& rows, std::size_t component, LevelRange& range) {
-  if (rows.count() != 0) range = {rows.number(0, component), rows.number(0, component)};
-  for (std::size_t i = 0; i < rows.count(); ++i) {
-    const float value = rows.number(i, component);
-    if (!std::isfinite(value)) return false;
-    range.min = std::min(range.min, value);
-    range.max = std::max(range.max, value);
-  }
-  return true;
+/// The step of components that may be off by `bound`: of integers a whole one.
+double step_within(ComponentType type, double bound) noexcept {
+  const bool is_float = type == ComponentType::kF32 || type == ComponentType::kF64;
+  if (is_float) return 2 * bound;
+  return bound >= 1 ? 2 * std::floor(std::min(bound, 0x1p30)) + 1 : 0;
 }
 
-bool all_in_unit_range(const AttributeRows& rows) {
-  LevelRange range;
-  for (std::size_t c = 0; c < rows.components(); ++c)
-    if (!find_range(rows, c, range) || range.min < 0 || range.max > 1) return false;
-  return true;
-}
-
-using Symbols = std::vector<std::uint64_t>;
-
-/// Writes all components; `symbol_of(i, c)` is what stands for component c of row i.
-template <class SymbolOf>
-void write_components(ByteWriter& out, std::size_t rows, std::size_t components, int bits,
-                      SymbolOf symbol_of) {
-  Symbols before;
-  for (std::size_t c = 0; c < components; ++c) {
-    Symbols symbols(rows);
-    for (std::size_t i = 0; i < rows; ++i) symbols[i] = symbol_of(i, c);
-    write_symbols(out, symbols, before, static_cast<unsigned>(bits));
-    before = std::move(symbols);
-  }
-}
-
-void write_coding(ByteWriter& out, AttributeCoding coding) { out.write(static_cast<std::uint8_t>(coding)); }
-
-void write_normals(ByteWriter& out, const AttributeRows& rows, int bits) {
-  write_coding(out, AttributeCoding::kOctahedral);
-  out.write(static_cast<std::uint8_t>(bits));
-  std::vector<OctahedralCode> codes(rows.count());
-  for (std::size_t i = 0; i < codes.size(); ++i) codes[i] = encode_octahedral(rows.vector(i), bits);
-  write_components(out, codes.size(), 2, bits, [&](std::size_t i, std::size_t c) { return codes[i][c]; });
-}
-
-void write_colors(ByteWriter& out, ComponentType type, const AttributeRows& rows, int bits) {
-  write_coding(out, AttributeCoding::kColorLevels);
-  out.write(static_cast<std::uint8_t>(bits));
-  const std::uint32_t top = top_level(bits);
-  const std::uint32_t full = top_level(max_color_bits(type));
-  write_components(out, rows.count(), rows.components(), bits, [&](std::size_t i, std::size_t c) {
-    return type == ComponentType::kF32
-               ? level_of(rows.number(i, c), LevelRange{}, top)
-               : rescale_level(static_cast<std::uint32_t>(rows.bits(i, c)), full, top);
-  });
-}
-
-void write_uvs(ByteWriter& out, const AttributeRows& rows, const std::array<LevelRange, 2>& ranges,
-               int bits) {
-  write_coding(out, AttributeCoding::kUvLevels);
-  out.write(static_cast<std::uint8_t>(bits));
-  for (const LevelRange& range : ranges) {
-    out.write(range.min);
-    out.write(range.max);
-  }
-  write_components(out, rows.count(), 2, bits, [&](std::size_t i, std::size_t c) {
-    return level_of(rows.number(i, c), ranges[c], top_level(bits));
-  });
-}
-
-/// Of the payloads that `write(out, bits)` makes, that with the fewest bits from `first` to `last` whose
-/// values, as a reader gets them, keep the bound.
-template <class Write>
-std::optional<std::vector<std::byte>> write_fewest_bits(const AttributeView& attribute,
-                                                        const AttributeRows& rows, double bound, int first,
-                                                        int last, Write write) {
-  const Attribute shape{.kind = attribute.kind, .type = attribute.type, .components = attribute.components};
-  for (int bits = first; bits <= last; ++bits) {
-    ByteWriter out;
-    write(out, bits);
-    std::vector<std::byte> payload = out.take();
-    const auto read = read_plain_values(payload, shape, static_cast<std::uint32_t>(rows.count()));
-    if (read && attribute_error(attribute, rows, *read) <= bound) return payload;
-  }
-  return std::nullopt;
-}
-
-/// Within `bound`, above 0; empty where no coding of the kind does that.
-std::optional<std::vector<std::byte>> write_levels(const AttributeView& attribute, const AttributeRows& rows,
-                                                   double bound) {
-  const auto fits = [&](AttributeCoding coding) {
-    return coding_fits(coding, attribute.kind, attribute.type, attribute.components);
+/// The coarsest plan of the attribute's kind that may keep `bound`.
+PlainPlan plan_within(const AttributeView& attribute, const AttributeRows& rows, double bound) {
+  const auto numbers = [&](double of_component) {
+    const double step = step_within(attribute.type, of_component);
+    return PlainPlan{.step = step, .on_lattice = step > 0 ? rows.components() : 0};
   };
-  const auto fewest = [&](int first, int last, auto write) {
-    return write_fewest_bits(attribute, rows, bound, first, last, write);
-  };
-  if (fits(AttributeCoding::kOctahedral) && all_unit_or_zero(rows))
-    return fewest(2, 15, [&](ByteWriter& out, int bits) { write_normals(out, rows, bits); });
-  if (fits(AttributeCoding::kColorLevels) &&
-      (attribute.type != ComponentType::kF32 || all_in_unit_range(rows)))
-    return fewest(1, max_color_bits(attribute.type),
-                  [&](ByteWriter& out, int bits) { write_colors(out, attribute.type, rows, bits); });
-  std::array<LevelRange, 2> ranges;
-  if (fits(AttributeCoding::kUvLevels) && find_range(rows, 0, ranges[0]) && find_range(rows, 1, ranges[1]))
-    return fewest(1, 24, [&](ByteWriter& out, int bits) { write_uvs(out, rows, ranges, bits); });
-  return std::nullopt;
+  switch (attribute.kind) {
+    case AttributeKind::kNormal:
+    case AttributeKind::kTangent: {
+      const bool has_shape = attribute.type == ComponentType::kF32 &&
+                             rows.components() == (attribute.kind == AttributeKind::kNormal ? 3 : 4);
+      if (!has_shape || !all_directions(rows)) return {};
+      // All three may be off at once, and directions are a little shorter than 1.
+      const double step = 2 * 0.985 * chord_of(std::min(bound, kMostAngle)) / std::sqrt(3.0);
+      return {.coding = PlainCoding::kDirections, .step = step, .on_lattice = 3};
+    }
+    case AttributeKind::kUv:
+      return numbers(rows.components() == 2 ? bound / std::sqrt(2.0) : bound);
+    case AttributeKind::kColor:
+      return numbers(bound * color_unit(attribute.type));
+    case AttributeKind::kGeneric:
+      return numbers(bound);
+    case AttributeKind::kJoints:
+    case AttributeKind::kWeights:
+      break;
+  }
+  return {};
 }
 
 }  // namespace
 
 std::vector<std::byte> write_plain_attribute(const AttributeView& attribute, const AttributeRows& rows,
                                              double bound) {
-  if (bound > 0) {
-    if (auto levels = write_levels(attribute, rows, bound)) return *std::move(levels);
+  PlainPlan plan = bound > 0 ? plan_within(attribute, rows, bound) : PlainPlan{};
+  const Attribute shape{.kind = attribute.kind, .type = attribute.type, .components = attribute.components};
+  // Rounding to the type may take a little more than the bound: then once more with a little less.
+  for (int i = 0; i < 2 && plan.on_lattice > 0; ++i, plan.step *= 0.99) {
+    const auto payload = write_planned(attribute, rows, plan);
+    if (!payload) break;
+    const auto read = read_plain_values(*payload, shape, static_cast<std::uint32_t>(rows.count()));
+    if (read && attribute_error(attribute, rows, *read) <= bound) return *payload;
   }
-  return write_exact_attribute(attribute, rows);
-}
-
-std::vector<std::byte> write_exact_attribute(const AttributeView& attribute, const AttributeRows& rows) {
-  ByteWriter out;
-  write_coding(out, AttributeCoding::kExact);
-  write_components(out, rows.count(), rows.components(), static_cast<int>(8 * component_size(attribute.type)),
-                   [&](std::size_t i, std::size_t c) { return rows.bits(i, c); });
-  return out.take();
+  return *write_planned(attribute, rows, {});
 }
 
 }  // namespace deltamesh

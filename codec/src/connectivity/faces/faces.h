@@ -13,19 +13,14 @@
 #include "base/memory/large_vector.h"
 #include "deltamesh/result.h"
 #include "entropy/coder/learning.h"
-#include "entropy/payload.h"
 #include "topology/vertex_runs.h"
 
 namespace deltamesh {
 
 struct OpModels;
 
-/// Which forms of a payload to write.
-enum class PayloadForms : std::uint8_t { kBoth, kCompact };
-
 struct CodedConnectivity {
-  std::vector<std::byte> payload;        ///< plain; empty where not asked for
-  std::vector<std::byte> compact;        ///< the same in the compact form
+  std::vector<std::byte> payload;        ///< empty where there are no faces
   std::vector<std::uint32_t> triangles;  ///< m x 3: what read_connectivity will return
   std::vector<std::uint32_t>
       vertex_order;  ///< n: input vertex of every coded vertex; unreferenced ones last, ascending
@@ -40,9 +35,8 @@ struct CodedConnectivity {
 };
 
 /// `triangles`: m x 3 indices below `vertex_count`; anything goes: non-manifold, duplicate, degenerate,
-/// either orientation. `start`: of the compact form; null for fresh models. O(n + m) expected, no recursion.
+/// either orientation. `start`: null for fresh models. O(n + m) expected, no recursion.
 CodedConnectivity write_connectivity(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count,
-                                     PayloadForms forms = PayloadForms::kBoth,
                                      const OpModels* start = nullptr);
 
 struct Connectivity {
@@ -55,7 +49,7 @@ struct Connectivity {
 /// Indices are below `vertex_count`. The caller has checked both counts against its limits;
 /// they are checked here against the bytes present before anything of their size is allocated. Errors:
 /// kTruncated, kInvalidStream [CONN-*].
-Result<Connectivity> read_connectivity(Payload payload, std::uint32_t vertex_count,
+Result<Connectivity> read_connectivity(std::span<const std::byte> payload, std::uint32_t vertex_count,
                                        std::uint32_t triangle_count, const Learning<OpModels>& learning = {});
 
 }  // namespace deltamesh

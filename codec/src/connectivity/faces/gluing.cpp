@@ -15,7 +15,7 @@ namespace {
 
 Error broken_gluing(const char* message) noexcept { return Refusal{message, "CONN-11"}.error(); }
 
-/// Runs of connected vertices. `starts` and `vertex`: as in ManifoldFaces.
+/// Runs of connected vertices. `starts`: first manifold vertex of every component, and the end of the last.
 VertexRuns connected_runs(std::span<const std::uint32_t> starts, std::span<const std::uint32_t> vertex) {
   VertexRuns runs;
   if (vertex.empty()) {
@@ -38,13 +38,14 @@ VertexRuns connected_runs(std::span<const std::uint32_t> starts, std::span<const
   return runs;
 }
 
-}  // namespace
-
+/// Before anything of the list's size is allocated. Errors: kInvalidStream [CONN-11].
 Result<void> check_glue_count(std::uint64_t count, std::uint32_t manifold_count, std::uint32_t vertex_count) {
   if (count > manifold_count) return broken_gluing("more glued vertices than vertices");
   if (manifold_count - count > vertex_count) return broken_gluing("more vertices than declared");
   return {};
 }
+
+}  // namespace
 
 Result<LargeVector<std::uint32_t>> glue_vertices(const GlueList& list, std::uint32_t manifold_count,
                                                  std::uint32_t vertex_count) {
@@ -76,27 +77,18 @@ void renumber(std::span<std::uint32_t> manifold, std::span<const std::uint32_t> 
   for (std::uint32_t& m : manifold) m = vertex[m];
 }
 
-ManifoldFaces take_faces(Border& border, std::vector<std::uint32_t> starts,
-                         LargeVector<std::uint32_t> vertex) {
+Connectivity glued(Border& border, std::vector<std::uint32_t> starts, std::span<const std::uint32_t> vertex) {
   starts.push_back(border.vertex_count());
-  return {.triangles = border.take_faces(),
-          .open_edges = border.take_open_edges(),
-          .starts = std::move(starts),
-          .vertex = std::move(vertex)};
+  Connectivity connectivity{.triangles = border.take_faces(),
+                            .open_edges = border.take_open_edges(),
+                            .runs = connected_runs(starts, vertex)};
+  renumber(connectivity.triangles, vertex);
+  for (DirectedEdge& edge : connectivity.open_edges) renumber(edge, vertex);
+  return connectivity;
 }
 
-Connectivity glued(ManifoldFaces faces) {
-  renumber(faces.triangles, faces.vertex);
-  for (DirectedEdge& edge : faces.open_edges) renumber(edge, faces.vertex);
-  return {.triangles = std::move(faces.triangles),
-          .open_edges = std::move(faces.open_edges),
-          .runs = connected_runs(faces.starts, faces.vertex)};
-}
-
-Result<LargeVector<std::uint32_t>> read_compact_gluing(CompactReader& reader,
-                                                       std::span<const std::uint32_t> faces,
-                                                       std::uint32_t manifold_count,
-                                                       std::uint32_t vertex_count) {
+Result<LargeVector<std::uint32_t>> read_gluing(CompactReader& reader, std::span<const std::uint32_t> faces,
+                                               std::uint32_t manifold_count, std::uint32_t vertex_count) {
   NumberModel counts;
   const std::uint32_t count = reader.number(0, counts);
   DELTAMESH_CHECK(check_glue_count(count, manifold_count, vertex_count));

@@ -17,8 +17,6 @@
 #include "connectivity/faces/cut.h"
 #include "connectivity/faces/faces.h"
 #include "connectivity/faces/op_coder.h"
-#include "connectivity/faces/op_tokens.h"
-#include "connectivity/faces/split_reference.h"
 #include "connectivity/faces/traversal.h"
 #include "connectivity/faces/vertex_numbers.h"
 #include "entropy/coder/writer.h"
@@ -28,12 +26,11 @@ namespace deltamesh {
 /// Finds every op in the mesh and writes it down.
 class MeshGuide {
  public:
-  MeshGuide(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count, PayloadForms forms)
+  MeshGuide(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count)
       : triangles_(triangles),
         half_edges_(match_half_edges(triangles, vertex_count)),
         links_(half_edges_.opposite),
         vertices_(vertex_count),
-        has_plain_form_(forms == PayloadForms::kBoth),
         face_done_(triangles.size() / 3, 0) {
     across_.reserve(std::size_t{vertex_count} + vertex_count / 8);
     reserve_large(face_order_, face_done_.size());
@@ -66,17 +63,10 @@ class MeshGuide {
   [[gnu::always_inline]] BorderStep next(const Border& border, const Gate& gate) {
     const BorderStep step = find_step(border, gate);
     ops_->code(step, border, gate);
-    if (has_plain_form_) {
-      tokens_.put(step.op, gate);
-      if (step.op == BorderOp::kSplit) put_reference(border, gate.item, step.target);
-    }
     return step;
   }
   static constexpr bool failed() noexcept { return false; }
 
-  const TokenWriter& tokens() const noexcept { return tokens_; }
-  const std::vector<std::byte>& references() const noexcept { return references_; }
-  const std::vector<std::uint32_t>& far_targets() const noexcept { return far_targets_; }
   VertexNumbers& vertices() noexcept { return vertices_; }
   std::vector<std::uint32_t> take_face_order() noexcept { return std::move(face_order_); }
   std::vector<std::uint8_t> take_face_rotation() noexcept { return std::move(face_rotation_); }
@@ -151,12 +141,6 @@ class MeshGuide {
     return kNoIndex;
   }
 
-  void put_reference(const Border& border, std::uint32_t gate, std::uint32_t target) {
-    const std::uint32_t reference = find_reference(border, gate, target);
-    references_.push_back(static_cast<std::byte>(reference));
-    if (reference == kFarReference) far_targets_.push_back(target);
-  }
-
   /// Keeps one of the manifold edges between two vertices.
   void drop_repeated_edges() {
     if (half_edges_.repeated.empty()) return;
@@ -189,13 +173,9 @@ class MeshGuide {
   std::vector<std::uint32_t>& links_;  ///< across every half-edge: a half-edge, an item, or nothing
   VertexNumbers vertices_;
   std::optional<OpCoder<CompactWriter>> ops_;
-  bool has_plain_form_;
   std::vector<std::uint8_t> face_done_;
   std::vector<std::uint32_t> across_;  ///< the half-edge across every item's edge
   std::uint32_t next_face_ = 0;
-  TokenWriter tokens_;
-  std::vector<std::byte> references_;
-  std::vector<std::uint32_t> far_targets_;
   std::vector<std::uint32_t> face_order_;
   std::vector<std::uint8_t> face_rotation_;
   std::vector<std::uint8_t> new_edges_;

@@ -17,7 +17,6 @@
 #include "connectivity/faces/op_models.h"
 #include "connectivity/faces/refusal.h"
 #include "connectivity/faces/traversal.h"
-#include "connectivity/plain_forms.h"
 #include "entropy/coder/reader.h"
 #include "format/chunk/tags.h"
 
@@ -61,39 +60,28 @@ Result<void> check_face_count(std::uint32_t faces, std::size_t bytes) {
   return Refusal{"more faces than the ops can hold", "CONN-2"}.error();
 }
 
-/// The compact form of CONN [CONN-12 to CONN-14]. `triangle_count`: above 0. `learning`: of ops. Errors: as
-/// read_connectivity().
-Result<ManifoldFaces> read_compact_faces(std::span<const std::byte> bytes, std::uint32_t vertex_count,
-                                         std::uint32_t triangle_count, const Learning<OpModels>& learning) {
-  DELTAMESH_CHECK(check_face_count(triangle_count, bytes.size()));
-  CompactReader reader(bytes);
+}  // namespace
+
+Result<Connectivity> read_connectivity(std::span<const std::byte> payload, std::uint32_t vertex_count,
+                                       std::uint32_t triangle_count, const Learning<OpModels>& learning) {
+  if (triangle_count == 0) {
+    DELTAMESH_CHECK(ByteReader(payload, kTagConnectivity).finish());
+    return Connectivity{};
+  }
+  DELTAMESH_CHECK(check_face_count(triangle_count, payload.size()));
+  CompactReader reader(payload);
   Border border(triangle_count);
-  border.reserve(reserved_at_once(vertex_count, bytes.size()),
-                 reserved_at_once(triangle_count, bytes.size()));
+  border.reserve(reserved_at_once(vertex_count, payload.size()),
+                 reserved_at_once(triangle_count, payload.size()));
   CompactGuide guide(reader, learning.start);
   if (!traverse(border, guide)) {
     if (reader.failed()) DELTAMESH_CHECK(reader.finish(kTagConnectivity));
     return refusal_of(border).error();
   }
-  DELTAMESH_TRY(auto vertex,
-                read_compact_gluing(reader, border.faces(), border.vertex_count(), vertex_count));
+  DELTAMESH_TRY(const auto vertex, read_gluing(reader, border.faces(), border.vertex_count(), vertex_count));
   DELTAMESH_CHECK(reader.finish(kTagConnectivity));
   if (learning.end != nullptr) *learning.end = guide.models();
-  return take_faces(border, guide.take_starts(), std::move(vertex));
-}
-
-}  // namespace
-
-Result<Connectivity> read_connectivity(Payload payload, std::uint32_t vertex_count,
-                                       std::uint32_t triangle_count, const Learning<OpModels>& learning) {
-  if (triangle_count == 0) {
-    DELTAMESH_CHECK(ByteReader(payload.bytes, kTagConnectivity).finish());
-    return Connectivity{};
-  }
-  DELTAMESH_TRY(auto faces, payload.is_compact
-                                ? read_compact_faces(payload.bytes, vertex_count, triangle_count, learning)
-                                : read_plain_faces(payload.bytes, vertex_count, triangle_count));
-  return glued(std::move(faces));
+  return glued(border, guide.take_starts(), vertex);
 }
 
 }  // namespace deltamesh

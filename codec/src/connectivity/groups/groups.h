@@ -10,24 +10,21 @@
 #include <vector>
 
 #include "deltamesh/result.h"
-#include "entropy/payload.h"
 
 namespace deltamesh {
 
 inline constexpr std::uint32_t kMostGroups = 1U << 16;  ///< every group's number is below [FGRP-1]
 
-struct CodedFaceGroups {
-  std::vector<std::byte> payload;  ///< empty where there are no groups
-  std::vector<std::byte> compact;  ///< the same by the compact coder
-};
-
 /// `groups`: m numbers below kMostGroups, one for each coded face, or empty; `triangles`: m x 3 vertices of
 /// the decoded mesh, below `vertex_count`. O(n + m).
-CodedFaceGroups write_face_groups(std::vector<std::uint32_t> groups, std::span<const std::uint32_t> triangles,
-                                  std::uint32_t vertex_count);
+/// Empty where there are no groups.
+std::vector<std::byte> write_face_groups(std::vector<std::uint32_t> groups,
+                                         std::span<const std::uint32_t> triangles,
+                                         std::uint32_t vertex_count);
 
 /// m group numbers; none from an empty payload. Errors: kTruncated, kInvalidStream [FGRP-*, CMP-3].
-Result<std::vector<std::uint32_t>> read_face_groups(Payload payload, std::span<const std::uint32_t> triangles,
+Result<std::vector<std::uint32_t>> read_face_groups(std::span<const std::byte> payload,
+                                                    std::span<const std::uint32_t> triangles,
                                                     std::uint32_t vertex_count);
 
 }  // namespace deltamesh

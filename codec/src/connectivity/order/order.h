@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "deltamesh/result.h"
-#include "entropy/payload.h"
 
 namespace deltamesh {
 
@@ -21,16 +20,11 @@ struct MeshOrder {
   std::vector<std::uint8_t> rotation;  ///< m: which corner of the original face is the coded face's corner 0
 };
 
-struct CodedOrder {
-  std::vector<std::byte> payload;
-  std::vector<std::byte> compact;  ///< the same by the compact coder
-};
-
 /// `triangles`: m x 3, as coded. O(n + m).
-CodedOrder write_order(MeshOrder order, std::span<const std::uint32_t> triangles);
+std::vector<std::byte> write_order(MeshOrder order, std::span<const std::uint32_t> triangles);
 
 /// Errors: kTruncated, kInvalidStream where not a permutation [ORDR-*].
-Result<MeshOrder> read_order(Payload payload, std::span<const std::uint32_t> triangles,
+Result<MeshOrder> read_order(std::span<const std::byte> payload, std::span<const std::uint32_t> triangles,
                              std::uint32_t vertex_count);
 
 }  // namespace deltamesh

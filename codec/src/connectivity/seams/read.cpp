@@ -2,7 +2,6 @@
 // Copyright 2026 The deltamesh authors
 #include "base/byte_reader.h"
 #include "base/try.h"
-#include "connectivity/plain_forms.h"
 #include "connectivity/seams/coder.h"
 #include "connectivity/seams/corner_copies.h"
 #include "connectivity/seams/seams.h"
@@ -22,9 +21,9 @@ SplitVertices unsplit(std::span<const std::uint32_t> geometric_triangles, std::u
 }
 
 /// Errors: kTruncated, kInvalidStream [SEAM-6 .. 8, CMP-3].
-Result<CornerCopies> read_compact(const ByteReader& in, std::span<const std::byte> bytes,
-                                  std::span<const std::uint32_t> geometric_triangles,
-                                  std::uint32_t geometric_count, std::uint32_t extra_copies) {
+Result<CornerCopies> read_copies(const ByteReader& in, std::span<const std::byte> bytes,
+                                 std::span<const std::uint32_t> geometric_triangles,
+                                 std::uint32_t geometric_count, std::uint32_t extra_copies) {
   if (extra_copies > geometric_triangles.size()) return in.invalid("more copies than corners", "SEAM-6");
   CompactReader reader(bytes);
   SeamCoder<CompactReader> coder(reader, geometric_count, extra_copies);
@@ -38,17 +37,16 @@ Result<CornerCopies> read_compact(const ByteReader& in, std::span<const std::byt
 
 }  // namespace
 
-Result<SplitVertices> read_seams(Payload payload, std::span<const std::uint32_t> geometric_triangles,
+Result<SplitVertices> read_seams(std::span<const std::byte> payload,
+                                 std::span<const std::uint32_t> geometric_triangles,
                                  std::uint32_t geometric_count, std::uint32_t vertex_count) {
-  ByteReader in(payload.bytes, kTagSeams);
-  if (vertex_count < geometric_count || payload.bytes.empty() != (vertex_count == geometric_count))
+  ByteReader in(payload, kTagSeams);
+  if (vertex_count < geometric_count || payload.empty() != (vertex_count == geometric_count))
     return in.invalid("seams do not fit the vertex counts", "SEAM-1");
-  if (payload.bytes.empty()) return unsplit(geometric_triangles, geometric_count);
+  if (payload.empty()) return unsplit(geometric_triangles, geometric_count);
   const std::uint32_t extra_copies = vertex_count - geometric_count;
   DELTAMESH_TRY(const CornerCopies copies,
-                payload.is_compact
-                    ? read_compact(in, payload.bytes, geometric_triangles, geometric_count, extra_copies)
-                    : read_plain_copies(payload.bytes, geometric_triangles, geometric_count, extra_copies));
+                read_copies(in, payload, geometric_triangles, geometric_count, extra_copies));
   return split_vertices(geometric_triangles, copies);
 }
 

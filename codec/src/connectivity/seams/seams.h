@@ -10,12 +10,11 @@
 #include <vector>
 
 #include "deltamesh/result.h"
-#include "entropy/payload.h"
 
 namespace deltamesh {
 
-/// Faces over vertices, and what each vertex is a copy of. Vertices are numbered by geometric vertex, then by
-/// copy, so that `geometric` never falls.
+/// Faces over vertices, and what each vertex is a copy of. Out of this chunk vertices are numbered by
+/// geometric vertex, then by copy, so that `geometric` never falls.
 struct SplitVertices {
   std::vector<std::uint32_t> triangles;  ///< m x 3 vertex indices
   std::vector<std::uint32_t> geometric;  ///< geometric vertex of every vertex
@@ -23,7 +22,6 @@ struct SplitVertices {
 
 struct CodedSeams {
   std::vector<std::byte> payload;           ///< empty where every geometric vertex has one copy
-  std::vector<std::byte> compact;           ///< the same by the compact coder
   SplitVertices split;                      ///< what read_seams will return
   std::vector<std::uint32_t> vertex_order;  ///< input vertex of every coded vertex
 };
@@ -37,7 +35,8 @@ CodedSeams write_seams(std::span<const std::uint32_t> geometric_triangles, std::
 
 /// `vertex_count`: what the header declares, at least `geometric_count`. An empty payload stands for no
 /// seams. Errors: kTruncated, kInvalidStream [SEAM-*].
-Result<SplitVertices> read_seams(Payload payload, std::span<const std::uint32_t> geometric_triangles,
+Result<SplitVertices> read_seams(std::span<const std::byte> payload,
+                                 std::span<const std::uint32_t> geometric_triangles,
                                  std::uint32_t geometric_count, std::uint32_t vertex_count);
 
 }  // namespace deltamesh

@@ -88,7 +88,7 @@ test('decoding at once needs what is loaded', async () => {
 
 test('a stream tells which modules it needs', async () => {
   const decoder = await createDecoder();
-  const needs = { 'tetrahedron.default': [], 'grid.bits6': ['highpass'], 'grid.zstd': ['highpass', 'plain'], 'room.voxels': ['rare'], 'floats.lossless': ['rare'], 'asset.bounded': ['rare'] };
+  const needs = { 'tetrahedron.default': [], 'grid.bits6': ['highpass'], 'grid.zstd': ['highpass', 'zstd'], 'room.voxels': ['rare'], 'floats.lossless': ['rare'], 'asset.bounded': ['rare'] };
   for (const [name, modules] of Object.entries(needs)) assert.deepEqual(decoder.inspect(golden(name)).modules, modules, name);
 });
 
@@ -100,7 +100,7 @@ test('a module that cannot be loaded is an error', async () => {
   assert.equal(error.code, 300);
   const withoutRare = await createDecoder({ files: { rare: missing } });
   assert.equal((await withoutRare.decode(golden('room.voxels'))).code, 300);
-  const withoutPlain = await createDecoder({ files: { plain: missing } });
-  assert.equal((await withoutPlain.decode(golden('grid.zstd'))).code, 300);
+  const withoutZstd = await createDecoder({ files: { zstd: missing } });
+  assert.equal((await withoutZstd.decode(golden('grid.zstd'))).code, 300);
   assert.equal((await decoder.decode(golden('grid.predictive'))).code, undefined);
 });
