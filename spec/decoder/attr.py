@@ -73,14 +73,34 @@ def ATTR_11_decode(chunks, surface):
 
 def ATTR_2_values(chunk, surface):
     """Rows of the attribute's type, to which numbers are rounded."""
-    a, coding = chunk.descriptor, chunk.u8()
+    a, coding, exceptions = chunk.descriptor, chunk.u8(), []
+    if chunk.is_compact and coding >= 128:
+        coding -= 128
+        exceptions = ATTR_12_exceptions(chunk, a, surface.n)
     must(coding < len(CODINGS), "ATTR-2", f"coding {coding}")
     kind, types, counts, module, decode = CODINGS[coding]
     must(kind is None or a.is_shape(kind, types, counts), "ATTR-2", f"coding {coding} is not of this shape")
     must((coding > 3) == chunk.is_compact, "ATTR-2", f"coding {coding} in the other form")
     values = getattr(import_module(module), decode)(chunk, a, surface)
     chunk.end()
-    return np.array(values, dtype="<" + a.type).reshape(surface.n, a.k)
+    values = np.array(values, dtype="<" + a.type).reshape(surface.n, a.k)
+    for begin, end, value in exceptions:
+        values[begin:end] = value
+    return values
+
+def ATTR_12_exceptions(r, a, n):
+    """Begin, end and value of each run."""
+    m = r.varint(n, "CON-2")
+    must(m >= 1, "ATTR-12", "no value")
+    rows = np.frombuffer(r.bytes(m * a.k * int(a.type[1])), dtype="<" + a.type).reshape(m, a.k)
+    count, end, runs = r.varint(n, "CON-2"), 0, []
+    must(count >= 1, "ATTR-12", "no run")
+    for _ in range(count):
+        must(end < n, "ATTR-12", "a run beyond the last vertex")
+        begin = end + r.varint(n - end - 1, "CON-2")
+        end = begin + 1 + r.varint(n - begin - 1, "CON-2")
+        runs.append((begin, end, rows[r.varint(m - 1, "CON-2") if m > 1 else 0]))
+    return runs
 
 def ATTR_3_symbols(r, n, components, w):
     """The symbol components, one list each."""

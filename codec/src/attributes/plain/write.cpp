@@ -19,7 +19,7 @@ namespace {
 bool all_unit_or_zero(const AttributeRows& rows) {
   for (std::size_t i = 0; i < rows.count(); ++i) {
     const Vec3 vector = rows.vector(i);
-    if (vector != Vec3{} && !is_direction(vector)) return false;
+    if (vector != Vec3{} && !is_unit(vector)) return false;
   }
   return true;
 }
