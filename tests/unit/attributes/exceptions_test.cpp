@@ -13,6 +13,7 @@
 #include "attributes/attribute.h"
 #include "attributes/payload.h"
 #include "base/numbers/short_float.h"
+#include "deltamesh/encode.h"
 #include "support/attribute_coding.h"
 #include "support/random.h"
 
@@ -217,7 +218,25 @@ TEST(Exceptions, DirectionsMayHaveAnyLength) {
   }
 }
 
-/// A height of 1 vertices of `count` behind exceptions that `write` tells of.
+TEST(Exceptions, LengthsThatAreDroppedAreCounted) {
+  const Sheet sheet;
+  Case normals = cases()[0];
+  normals.values[0] = kNan;
+  for (std::size_t i = 3; i < 9; ++i) normals.values[i] = 0;
+  Mesh mesh;
+  mesh.positions = sheet.positions;
+  mesh.triangles = sheet.triangles;
+  mesh.attributes = {make(normals)};
+  EXPECT_EQ(encode(mesh)->report.dropped_lengths, kVertices - 3);
+  EXPECT_EQ(encode(mesh, {.lossless = true})->report.dropped_lengths, 0U);
+  mesh.attributes = {make(cases()[1])};
+  EXPECT_EQ(encode(mesh)->report.dropped_lengths, kVertices);
+  EXPECT_EQ(encode(mesh, {.attributes = {.tangent_error = 0}})->report.dropped_lengths, 0U);
+  mesh.attributes = {make(cases()[2])};
+  EXPECT_EQ(encode(mesh)->report.dropped_lengths, 0U);
+}
+
+/// A byte for each of `count` vertices, all 5, behind exceptions that `write` tells of.
 template <class Write>
 const char* broken_rule(std::uint32_t count, Write write) {
   ByteWriter out;
