@@ -63,6 +63,7 @@ void print_summary(const EncodeArguments& arguments, const ImportNotes& notes, c
   summary.add("components", grouped(stream.components));
   add_sizes(summary, stream);
   add_attributes(summary, stream);
+  add_dropped_lengths(summary, report.dropped_lengths);
   add_settings(summary, stream);
   add_errors(summary, stream.quality, stream.diagonal);
   summary.add("time", brief(seconds) + " s");
@@ -73,6 +74,7 @@ void print_object(const EncodeReport& report, double seconds) {
   nlohmann::ordered_json object;
   object["input_vertices"] = report.input_vertices;
   object["unreferenced_vertices"] = report.unreferenced_vertices;
+  object["dropped_lengths"] = report.dropped_lengths;
   add_stream(object, report.stream);
   object["encode_seconds"] = seconds;
   print_json(object);

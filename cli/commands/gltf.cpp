@@ -68,6 +68,7 @@ void print_summary(const GltfArguments& arguments, const char* converted, const 
                 counted(attribute.bytes, "byte", "bytes") +
                     (attribute.error == 0 ? ", exact"
                                           : ", max error " + error_text(attribute.kind, attribute.error)));
+  add_dropped_lengths(summary, report.dropped_lengths);
   if (report.max_error > 0)
     summary.add("max error", brief(report.max_error) + " (" + brief(report.max_error_percent) +
                                  " % of the diagonal of its mesh)");
@@ -93,6 +94,7 @@ void print_object(const GltfReport& report, bool packed) {
   object["input_bytes"] = report.input_bytes;
   object["output_bytes"] = report.output_bytes;
   if (packed) {
+    object["dropped_lengths"] = report.dropped_lengths;
     object["max_error"] = report.max_error;
     object["max_error_percent"] = report.max_error_percent;
     object["attributes"] = attributes_object(report);

@@ -106,6 +106,12 @@ nlohmann::ordered_json attributes_object(const StreamInfo& info) {
   return list;
 }
 
+void add_dropped_lengths(Summary& summary, std::uint64_t count) {
+  if (count == 0) return;
+  summary.add("left out", counted(count, "length of a normal or tangent", "lengths of normals or tangents") +
+                              " other than 1 (--lossless keeps them)");
+}
+
 void add_attributes(Summary& summary, const Comparison& result) {
   for (const AttributeComparison& attribute : result.attributes)
     summary.add("  " + attribute.name, kind_text(attribute.kind) + ", " + comparison_text(attribute));

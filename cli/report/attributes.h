@@ -27,6 +27,8 @@ std::string error_text(AttributeKind kind, double error);
 
 /// A line for every attribute.
 void add_attributes(Summary& summary, const StreamInfo& info);
+/// Of EncodeReport; nothing where it is 0.
+void add_dropped_lengths(Summary& summary, std::uint64_t count);
 void add_attributes(Summary& summary, const Comparison& result);
 
 /// The same as an array of objects.

@@ -44,6 +44,7 @@ void count_stream(GltfReport& report, const StreamMesh& merged, const Encoded& e
   report.unreferenced_vertices += merged.unreferenced_vertices;
   report.degenerate_triangles += merged.degenerate_triangles;
   report.welded_vertices += merged.welded_vertices;
+  report.dropped_lengths += encoded.report.dropped_lengths;
   GltfStreamReport stream{.info = info};
   report.max_error = std::max(report.max_error, info.quality.max_error);
   if (info.diagonal > 0)

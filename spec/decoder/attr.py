@@ -74,12 +74,32 @@ def ATTR_2_values(chunk, surface):
     """Rows of the attribute's type, to which numbers are rounded."""
     a = chunk.descriptor
     if chunk.is_compact:
-        coding = chunk.u8()
+        coding, exceptions = chunk.u8(), []
+        if coding >= 128:
+            coding -= 128
+            exceptions = ATTR_12_exceptions(chunk, a, surface.n)
         must(coding in CODINGS, "ATTR-2", f"coding {coding}")
         kind, types, counts, module, decode = CODINGS[coding]
         must(kind is None or a.is_shape(kind, types, counts), "ATTR-2", f"coding {coding} is not of this shape")
         values = getattr(import_module(module), decode)(chunk, a, surface)
     else:
-        values = PLN_6_values(chunk, a, surface.n)
+        values, exceptions = PLN_6_values(chunk, a, surface.n), []
     chunk.end()
-    return np.array(values, dtype="<" + a.type).reshape(surface.n, a.k)
+    values = np.array(values, dtype="<" + a.type).reshape(surface.n, a.k)
+    for begin, end, value in exceptions:
+        values[begin:end] = value
+    return values
+
+def ATTR_12_exceptions(r, a, n):
+    """Begin, end and value of each run."""
+    m = r.varint(n, "CON-2")
+    must(m >= 1, "ATTR-12", "no value")
+    rows = np.frombuffer(r.bytes(m * a.k * int(a.type[1])), dtype="<" + a.type).reshape(m, a.k)
+    count, end, runs = r.varint(n, "CON-2"), 0, []
+    must(count >= 1, "ATTR-12", "no run")
+    for _ in range(count):
+        must(end < n, "ATTR-12", "a run beyond the last vertex")
+        begin = end + r.varint(n - end - 1, "CON-2")
+        end = begin + 1 + r.varint(n - begin - 1, "CON-2")
+        runs.append((begin, end, rows[r.varint(m - 1, "CON-2") if m > 1 else 0]))
+    return runs

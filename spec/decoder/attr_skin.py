@@ -19,7 +19,7 @@ class JointCoder:
     def __init__(self, coder, known, top):
         self.coder, self.known, self.top, self.rows = coder, known, top, {}
         self.around, self.guesses = Mixture((6, 12, 4, 3, 2) + (1,) * 11), Mixture((16, 6, 4, 3, 2) + (1,) * 10 + (6,))
-        self.place, self.new, self.list, self.last = NumberModel(), NumberModel(), [], 0
+        self.steps, self.last = NumberModel(), 0
 
     def row(self, v):
         known = self.known[v]
@@ -55,14 +55,9 @@ class JointCoder:
         return row
 
     def other(self):
-        place = self.place.decode(self.coder)
-        if place < len(self.list):
-            joint = self.list.pop(place)
-        else:
-            joint = self.last = self.last + unzigzag(self.new.decode(self.coder))
-            must(0 <= joint <= self.top, "ATTR-60", f"joint {joint}")
-        self.list = [joint] + self.list[:255]
-        return joint
+        self.last += unzigzag(self.steps.decode(self.coder))
+        must(0 <= self.last <= self.top, "ATTR-60", f"joint {self.last}")
+        return self.last
 
 def ATTR_62_joints(a, surface):
     """The joints of every vertex that go with these weights."""
@@ -79,7 +74,7 @@ def ATTR_63_weights(r, a, surface):
     must(not full or full % total == 0, "ATTR-63", f"sum {total} does not divide {full}")
     coder, joints = Coder(r), ATTR_62_joints(a, surface)
     first, known = surface.joined(coder.raw(1))
-    weights = WeightCoder(coder, known, [joints[v] for v in first[:-1]], total, coder.raw(2))
+    weights = WeightCoder(coder, known, [joints[v] for v in first[:-1]], total)
     rows = ATTR_58_copies(coder, first, weights.decode, 3)
     rows = [tuple(row) + (total - sum(row),) for row in rows]
     must(all(0 <= w <= total for row in rows for w in row), "ATTR-63", "a weight is not 0 to the sum")
@@ -87,8 +82,8 @@ def ATTR_63_weights(r, a, surface):
 
 class WeightCoder(PredictedCoder):
     """[ATTR-64, ATTR-65]"""
-    def __init__(self, coder, known, joints, total, blend):
-        super().__init__(coder, known, [(20 * blend, 0)] * 24, [total] * 3)
+    def __init__(self, coder, known, joints, total):
+        super().__init__(coder, known, [(60, 0)] * 24, [total] * 3)
         self.joints, self.total = joints, total
         self.ends = Mixture((10, 6, 10) + (1,) * 13)
 

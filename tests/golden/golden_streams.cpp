@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "base/numbers/vec3.h"
@@ -169,7 +170,8 @@ std::vector<float> normals_by_angles(const Mesh& mesh) {
 }
 
 /// What the other meshes lack: two rows of vertices whose copies have most in common, a face far from its
-/// shortest edge, vertices of no face, normals all around, floats of no lattice, few that move.
+/// shortest edge, vertices of no face, normals all around, some that are none, floats of no lattice, few that
+/// move.
 Mesh odd_asset() {
   constexpr std::uint32_t kColumns = 9;
   constexpr std::uint32_t kFirst = 3 * kColumns;
@@ -196,11 +198,15 @@ Mesh odd_asset() {
     moves.insert(moves.end(), {0, y > 4 && y < 7 ? (x - 4) * (x - 4) / 3 : 0, 0});
     sides.push_back(i < grid ? 1 : 2);
   }
+  std::vector<float> angles = normals_by_angles(mesh);
+  angles[std::size_t{3} * 20] = std::numeric_limits<float>::quiet_NaN();
+  for (const std::size_t v : {30U, 31U, 32U})
+    for (std::size_t k = 0; k < 3; ++k) angles[3 * v + k] = std::numeric_limits<float>::infinity();
   using enum AttributeKind;
   using enum ComponentType;
   mesh.attributes = {attribute_of(kUv, kF32, 2, "TEXCOORD_0", uvs),
                      attribute_of(kNormal, kF32, 3, "NORMAL", normals_all_around(n)),
-                     attribute_of(kNormal, kF32, 3, "angles", normals_by_angles(mesh)),
+                     attribute_of(kNormal, kF32, 3, "angles", angles),
                      attribute_of(kGeneric, kF32, 1, "floats", floats),
                      attribute_of(kGeneric, kF32, 3, "move", moves),
                      attribute_of(kGeneric, kU8, 1, "side", sides)};

@@ -65,11 +65,55 @@ double cosine_square(const Row& a, const Row& b) noexcept {
   return product * std::fabs(product) / lengths;
 }
 
+/// The largest error that a descriptor can tell; larger bounds are cut to it.
+constexpr double kLargestBound = 0x1p127;
+
+double uncut_bound(const AttributeView& attribute, const AttributeQuality& quality) noexcept {
+  switch (attribute.kind) {
+    case AttributeKind::kNormal:
+      return quality.normal_error;
+    case AttributeKind::kTangent:
+      return quality.tangent_error.value_or(quality.normal_error);
+    case AttributeKind::kUv:
+      return quality.uv_error;
+    case AttributeKind::kColor:
+      return quality.color_error;
+    case AttributeKind::kWeights:
+      return quality.weight_error;
+    case AttributeKind::kJoints:
+      return 0;
+    case AttributeKind::kGeneric:
+      break;
+  }
+  for (const NamedBound& named : quality.named)
+    if (named.name == attribute.name) return named.error;
+  return 0;
+}
+
 }  // namespace
 
 double color_unit(ComponentType type) noexcept {
   if (type == ComponentType::kU8) return 1;
   return type == ComponentType::kU16 ? 257 : 1.0 / 255;
+}
+
+double bound_of(const AttributeView& attribute, const AttributeQuality& quality) noexcept {
+  return std::min(uncut_bound(attribute, quality), kLargestBound);
+}
+
+std::uint64_t count_dropped_lengths(const AttributeView& attribute, const AttributeQuality& quality) {
+  const double bound = bound_of(attribute, quality);
+  const bool is_angle = measures_angles(attribute) && attribute.type == ComponentType::kF32;
+  if (!is_angle || !(bound >= kLeastAngle && bound <= kMostAngle)) return 0;
+  std::uint64_t count = 0;
+  const std::size_t row = attribute.components * sizeof(float);
+  for (std::size_t at = 0; at + row <= attribute.values.size(); at += row) {
+    std::array<float, 3> vector{};
+    std::memcpy(vector.data(), attribute.values.data() + at, sizeof(vector));
+    const Vec3 wide = widen(vector);
+    count += is_direction(wide) && !is_unit(wide) ? 1 : 0;
+  }
+  return count;
 }
 
 double attribute_error(const AttributeView& attribute, const AttributeRows& rows,

@@ -6,17 +6,25 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "attributes/rows.h"
 #include "base/numbers/portable_math.h"
 #include "base/numbers/vec3.h"
+#include "deltamesh/attribute_quality.h"
 #include "deltamesh/mesh.h"
 
 namespace deltamesh {
 
-/// Normals and tangents of a length this far from 1 are data, not directions: they are stored exactly.
-inline bool is_direction(const Vec3& v) noexcept { return std::fabs(length(v) - 1) <= 1e-2; }
+/// Whether the length of a normal or tangent is 1 about, so that only its direction is anything to keep.
+inline bool is_unit(const Vec3& v) noexcept { return std::fabs(length(v) - 1) <= 1e-2; }
+
+/// Whether it has a direction.
+inline bool is_direction(const Vec3& v) noexcept { return v != Vec3{} && std::isfinite(dot(v, v)); }
+
+/// Whether it has a direction and a side.
+inline bool is_tangent(const Vec3& v, float side) noexcept { return is_direction(v) && std::fabs(side) == 1; }
 
 /// Largest angles, degrees, that surface codings of directions can keep.
 inline constexpr double kLeastAngle = 0.002;
@@ -27,6 +35,12 @@ inline double chord_of(double degrees) noexcept { return 2 * portable_sin(degree
 
 /// What one 255th of a colour's range is in its type.
 double color_unit(ComponentType type) noexcept;
+/// The bound on the error of `attribute`; 0: exact.
+double bound_of(const AttributeView& attribute, const AttributeQuality& quality) noexcept;
+
+/// How many normals or tangents have a length other than 1, which a bound on their angle does not keep; 0
+/// where they are exact.
+std::uint64_t count_dropped_lengths(const AttributeView& attribute, const AttributeQuality& quality);
 
 /// `decoded`: rows.count() values of the shape of `attribute`, whose rows are `rows`. 0 where all bits are
 /// the same; infinity where a difference is not a number. The same on every machine. O(n).

@@ -3,6 +3,7 @@
 
 #include "attributes/attribute.h"
 #include "attributes/colors/colors.h"
+#include "attributes/exceptions/exceptions.h"
 #include "attributes/lattice/lattice.h"
 #include "attributes/normals/normals.h"
 #include "attributes/payload.h"
@@ -52,13 +53,21 @@ Result<std::vector<std::byte>> read_on_surface(ByteReader& in, AttributeCoding c
   return std::vector<std::byte>(values.begin(), values.end());
 }
 
-/// The coding's byte, which fits the shape [ATTR-2].
-Result<AttributeCoding> read_coding(ByteReader& in, const AttributeDescriptor& descriptor) {
-  DELTAMESH_TRY(const auto byte, in.read<std::uint8_t>());
+/// The first byte of a payload [ATTR-2].
+struct CodingByte {
+  AttributeCoding coding;
+  bool has_exceptions;  ///< [ATTR-12]
+};
+
+/// Which fits the shape of the values.
+Result<CodingByte> read_coding(ByteReader& in, const AttributeDescriptor& descriptor) {
+  DELTAMESH_TRY(auto byte, in.read<std::uint8_t>());
+  const bool has_exceptions = (byte & kExceptionsFlag) != 0;
+  if (has_exceptions) byte = static_cast<std::uint8_t>(byte & ~kExceptionsFlag);
   const auto coding = static_cast<AttributeCoding>(byte);
   if (!coding_fits(coding, descriptor.kind, descriptor.type, descriptor.components))
     return in.invalid("attribute coding that its shape does not allow", "ATTR-2");
-  return coding;
+  return CodingByte{coding, has_exceptions};
 }
 
 }  // namespace
@@ -82,12 +91,18 @@ Result<Attribute> read_attribute(Payload payload, const AttributeDescriptor& des
   if (attribute_bytes(descriptor, surface.vertex_count()) > max_bytes)
     return in.error(ErrorCode::kLimitExceeded, "attribute values larger than allowed", "ATTR-8");
   Attribute attribute = shape_of(descriptor);
-  if (payload.is_compact) {
-    DELTAMESH_TRY(const AttributeCoding coding, read_coding(in, descriptor));
-    DELTAMESH_TRY(attribute.values, read_on_surface(in, coding, attribute, surface, others, learning));
-  } else {
+  if (!payload.is_compact) {
     DELTAMESH_TRY(attribute.values, read_plain_values(payload.bytes, attribute, surface.vertex_count()));
+    return attribute;
   }
+  DELTAMESH_TRY(const CodingByte first, read_coding(in, descriptor));
+  const std::size_t row_size = descriptor.components * component_size(descriptor.type);
+  Exceptions exceptions;
+  if (first.has_exceptions) {
+    DELTAMESH_TRY(exceptions, read_exceptions(in, row_size, surface.vertex_count()));
+  }
+  DELTAMESH_TRY(attribute.values, read_on_surface(in, first.coding, attribute, surface, others, learning));
+  put_exceptions(exceptions, row_size, attribute.values);
   return attribute;
 }
 

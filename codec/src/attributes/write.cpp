@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <string>
 
 #include "attributes/attribute.h"
 #include "attributes/colors/colors.h"
 #include "attributes/error.h"
+#include "attributes/exceptions/exceptions.h"
 #include "attributes/lattice/lattice.h"
 #include "attributes/normals/normals.h"
 #include "attributes/payload.h"
@@ -37,32 +39,6 @@ Result<void> check_shape(const AttributeView& attribute, std::span<const std::ui
   if (std::any_of(order.begin(), order.end(), [rows](std::uint32_t vertex) { return vertex >= rows; }))
     return sizes_disagree("an attribute has fewer values than the mesh has vertices");
   return {};
-}
-
-/// The largest error that a descriptor can tell; larger bounds are cut to it.
-constexpr double kLargestBound = 0x1p127;
-
-/// The bound on the error of `attribute`; 0: exact.
-double bound_of(const AttributeView& attribute, const AttributeQuality& quality) noexcept {
-  switch (attribute.kind) {
-    case AttributeKind::kNormal:
-      return quality.normal_error;
-    case AttributeKind::kTangent:
-      return quality.tangent_error.value_or(quality.normal_error);
-    case AttributeKind::kUv:
-      return quality.uv_error;
-    case AttributeKind::kColor:
-      return quality.color_error;
-    case AttributeKind::kWeights:
-      return quality.weight_error;
-    case AttributeKind::kJoints:
-      return 0;
-    case AttributeKind::kGeneric:
-      break;
-  }
-  for (const NamedBound& named : quality.named)
-    if (named.name == attribute.name) return named.error;
-  return 0;
 }
 
 /// The compact payload of a coding, and values; empty where the coding does not keep
@@ -108,20 +84,44 @@ std::optional<CodedAttribute> code_kind(const AttributeView& attribute, const At
     return code_compact(kSurfaceColors,
                         write_surface_colors(attribute.type, rows, bound, surface, settings.start));
   if (fits(kJoints)) return code_compact(kJoints, std::optional(write_joints(attribute, rows, surface)));
-  if (fits(kWeights)) {
-    auto coded = code_compact(kWeights, write_weights(attribute, rows, bound, surface, others));
-    if (coded) return coded;
-  }
-  switch (attribute.kind) {
-    case AttributeKind::kGeneric:
-    case AttributeKind::kJoints:
-      return code_on_lattices(attribute, rows, bound, settings.effort, surface);
-    case AttributeKind::kWeights:
-      return code_on_lattices(attribute, rows, bound * normalized_one(attribute.type), settings.effort,
-                              surface);
-    default:
-      return std::nullopt;
-  }
+  if (fits(kWeights)) return code_compact(kWeights, write_weights(attribute, rows, bound, surface, others));
+  if (attribute.kind != AttributeKind::kGeneric && attribute.kind != AttributeKind::kJoints)
+    return std::nullopt;
+  return code_on_lattices(attribute, rows, bound, settings.effort, surface);
+}
+
+/// What a coding of the attribute's kind cannot keep: exactly, but weights within the bound.
+std::optional<CodedAttribute> code_as_numbers(const AttributeView& attribute, const AttributeRows& rows,
+                                              double bound, const AttributeSettings& settings,
+                                              const AttributeSurface& surface) {
+  const double each = attribute.kind == AttributeKind::kWeights ? bound * normalized_one(attribute.type) : 0;
+  return code_on_lattices(attribute, rows, each, settings.effort, surface);
+}
+
+/// With the values that no coding holds beside [ATTR-12]; empty where there are none, or too many.
+std::optional<CodedAttribute> code_with_exceptions(const AttributeView& attribute, const AttributeRows& rows,
+                                                   double bound, const AttributeSettings& settings,
+                                                   const AttributeSurface& surface,
+                                                   std::span<const Attribute> others) {
+  const Exceptions exceptions = find_exceptions(attribute, rows);
+  if (exceptions.empty()) return std::nullopt;
+  const std::size_t row_size = attribute.components * component_size(attribute.type);
+  const std::vector<std::byte> values = without_exceptions(rows, row_size, exceptions);
+  AttributeView rest = attribute;
+  rest.values = values;
+  std::vector<std::uint32_t> order(rows.count());
+  std::iota(order.begin(), order.end(), 0U);
+  const AttributeRows rest_rows(rest, order);
+  auto coded = code_kind(rest, rest_rows, bound, settings, surface, others);
+  if (!coded) coded = code_as_numbers(rest, rest_rows, bound, settings, surface);
+  if (!coded) return std::nullopt;
+  ByteWriter out;
+  out.write(static_cast<std::uint8_t>(static_cast<std::uint8_t>(coded->payload[0]) | kExceptionsFlag));
+  write_exceptions(out, exceptions, row_size);
+  out.write_bytes(std::span(coded->payload).subspan(1));
+  coded->payload = out.take();
+  put_exceptions(exceptions, row_size, coded->decoded.values);
+  return coded;
 }
 
 /// Empty where no coding of the surface suits the attribute.
@@ -130,7 +130,8 @@ std::optional<CodedAttribute> write_on_surface(const AttributeView& attribute, c
                                                const AttributeSurface& surface,
                                                std::span<const Attribute> others) {
   auto coded = code_kind(attribute, rows, bound, settings, surface, others);
-  if (!coded) coded = code_on_lattices(attribute, rows, 0, settings.effort, surface);
+  if (!coded) coded = code_with_exceptions(attribute, rows, bound, settings, surface, others);
+  if (!coded) coded = code_as_numbers(attribute, rows, bound, settings, surface);
   // Exact wide values may repeat in a way that only zstd finds, as in copies of parts. In large arrays it
   // never won.
   constexpr std::size_t kMostBytes = 1U << 16;
@@ -156,7 +157,7 @@ Result<CodedAttribute> write_attribute(const AttributeView& attribute, std::span
                                        std::span<const Attribute> others) {
   DELTAMESH_CHECK(check_shape(attribute, order));
   const AttributeRows rows(attribute, order);
-  const double bound = std::min(bound_of(attribute, settings.quality), kLargestBound);
+  const double bound = bound_of(attribute, settings.quality);
   std::optional<CodedAttribute> coded;
   if (!settings.plain) coded = write_on_surface(attribute, rows, bound, settings, surface, others);
   const AttributeDescriptor descriptor = describe(attribute);

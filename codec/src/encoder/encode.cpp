@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "attributes/error.h"
 #include "base/guard.h"
 #include "base/numbers/short_float.h"
 #include "base/try.h"
@@ -39,6 +40,14 @@ std::vector<std::uint32_t> decoded_order(const CodedTopology& topology, bool kee
   std::vector<std::uint32_t> order = topology.vertex_order();
   if (keep_order) std::sort(order.begin(), order.end());
   return order;
+}
+
+std::uint64_t count_dropped_lengths(const MeshView& mesh, const EncodeOptions& options) {
+  if (options.lossless || options.profile != Profile::kSmallest) return 0;
+  std::uint64_t count = 0;
+  for (const AttributeView& attribute : mesh.attributes)
+    count += count_dropped_lengths(attribute, options.attributes);
+  return count;
 }
 
 /// All that does not depend on how the geometry is coded.
@@ -115,6 +124,7 @@ Result<Encoded> encode_checked(const MeshView& mesh, const EncodeOptions& option
   encoded.order = decoded_order(topology, options.keep_order);
   encoded.report.input_vertices = mesh.vertex_count();
   encoded.report.unreferenced_vertices = topology.unreferenced;
+  encoded.report.dropped_lengths = count_dropped_lengths(mesh, options);
   DELTAMESH_TRY(encoded.report.stream, inspect(encoded.bytes));
   report_progress(1);
   return encoded;

@@ -2,7 +2,8 @@
 // Copyright 2026 The deltamesh authors
 //
 // Attributes on lattices from anywhere. The last four bytes are vertices (with a bit for copies), faces, type
-// and components. What is read must be whole, and must come back unchanged when written exactly.
+// (with a bit for exceptions) and components. What is read must be whole, and must come back unchanged when
+// written exactly.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "attributes/attribute.h"
+#include "attributes/exceptions/exceptions.h"
 #include "attributes/payload.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -30,7 +32,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       .type = static_cast<ComponentType>(shape[2] % 8),
       .components = static_cast<std::uint8_t>(1 + shape[3] % kMaxComponents)};
 
-  std::vector<std::byte> bytes{static_cast<std::byte>(AttributeCoding::kLattice)};
+  const auto exceptions = static_cast<std::byte>(shape[2] & kExceptionsFlag);
+  std::vector<std::byte> bytes{static_cast<std::byte>(AttributeCoding::kLattice) | exceptions};
   for (const std::uint8_t* byte = data; byte != shape; ++byte) bytes.push_back(static_cast<std::byte>(*byte));
   const auto read = read_attribute(Payload::compact(bytes), descriptor, surface, {}, 1 << 16);
   if (!read) {

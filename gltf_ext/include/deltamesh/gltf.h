@@ -74,6 +74,7 @@ struct GltfReport {
   /// Dropped because two corners are at one place, so that they draw nothing; kept by lossless, keep_order
   /// and keep_unreferenced.
   std::uint64_t degenerate_triangles = 0;
+  std::uint64_t dropped_lengths = 0;  ///< see EncodeReport
   std::uint64_t welded_vertices = 0;  ///< dropped because another vertex is equal in all attributes
   std::uint64_t stream_bytes = 0;
   std::uint64_t input_bytes = 0;   ///< asset and external buffers

@@ -34,4 +34,12 @@ quiet info quad.dmsh --json
 grep -B 6 '"255ths"' .out | grep max_error
 run encode quad.ply none.dmsh --attribute-error Intensity=1
 run encode quad.ply none.dmsh --attribute-error normal=1
+# Normals of any length keep their directions alone, and that is said; lossless keeps all.
+sed 's/^0 0 0 0 0 1 /0 0 0 0 0 2 /; s/^1 1 0 0.6 0 0.8 /1 1 0 6 0 8 /' quad.ply >long.ply
+quiet encode long.ply long.dmsh
+grep -E '^  left out' .out
+quiet encode long.ply long.dmsh --lossless
+grep -E '^  left out' .out
+quiet encode long.ply long.dmsh --json
+grep dropped_lengths .out
 list

@@ -4,7 +4,7 @@ stream="vertices triangles components bytes bits_per_vertex connectivity_bytes g
 quiet generate torus torus.ply --vertices 800
 quiet encode torus.ply torus.dmsh --json
 cp .out encode.json
-has_keys encode.json input_vertices unreferenced_vertices encode_seconds $stream
+has_keys encode.json input_vertices unreferenced_vertices dropped_lengths encode_seconds $stream
 quiet info torus.dmsh --json
 cp .out info.json
 has_keys info.json chunks origin keeps_order format_version $stream

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <set>
 #include <vector>
@@ -192,7 +193,7 @@ TEST(Attribute, ATTR20RefusesWhatIsNoDirection) {
   EXPECT_FALSE(write_surface_normals(model.normals, 0, model.surface()));
   EXPECT_FALSE(write_surface_normals(model.normals, 90, model.surface()));
   EXPECT_FALSE(write_surface_normals(model.normals, std::nan(""), model.surface()));
-  model.normals[7] = 1.5F;
+  model.normals[7] = std::numeric_limits<float>::infinity();
   EXPECT_FALSE(write_surface_normals(model.normals, 1, model.surface()));
   model.normals[7] = std::nanf("");
   EXPECT_FALSE(write_surface_normals(model.normals, 1, model.surface()));

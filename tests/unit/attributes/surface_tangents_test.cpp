@@ -220,7 +220,7 @@ TEST(SurfaceTangents, WhatDoesNotSuitIsLeftToOtherCodings) {
   mesh.tangents[3] = 0;
   EXPECT_FALSE(write_surface_tangents(mesh.tangents, 1, mesh.surface(), mesh.basis));
   mesh.tangents[3] = 1;
-  mesh.tangents[0] = 3;
+  for (std::size_t i = 0; i < 3; ++i) mesh.tangents[i] = 0;
   EXPECT_FALSE(write_surface_tangents(mesh.tangents, 1, mesh.surface(), mesh.basis));
   mesh.tangents[0] = std::numeric_limits<float>::quiet_NaN();
   EXPECT_FALSE(write_surface_tangents(mesh.tangents, 1, mesh.surface(), mesh.basis));

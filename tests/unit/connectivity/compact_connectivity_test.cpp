@@ -83,9 +83,10 @@ TEST(CompactConnectivity, CMP3PrefixesAndFlipsAreErrorsOrValidFaces) {
 TEST(CompactConnectivity, CONN7SplitsStayWithinTheComponent) {
   Border border(4);
   border.start();
-  for (std::uint32_t i = 0; i < 3; ++i) EXPECT_TRUE(border.apply<true>(i, BorderOp::kBoundary, kNoIndex));
+  for (std::uint32_t i = 0; i < 3; ++i)
+    EXPECT_TRUE(border.apply({BorderOp::kBoundary}, border.gate_at<true>(i)));
   border.start();
-  EXPECT_FALSE(border.apply<true>(3, BorderOp::kSplit, 1));
+  EXPECT_FALSE(border.apply({BorderOp::kSplit, 1}, border.gate_at<true>(3)));
 }
 
 TEST(CompactConnectivity, CONN2FacesAreBoundedByTheBytes) {

@@ -16,10 +16,10 @@
 
 namespace deltamesh {
 
-/// `normals`: n x 3, by coded vertex. Every decoded normal is at most `max_degrees` from its original; zero
-/// vectors stay zero. `surface.geometric()` must not fall from vertex to vertex. Empty where a normal is not
-/// finite or, not being zero, has a length more than 1 % off 1, where no lattice point stands for one, or
-/// where `max_degrees` is not between kLeastAngle and kMostAngle. O(n + m).
+/// `normals`: n x 3, by coded vertex, of any length. Every decoded normal has length 1 and is at most
+/// `max_degrees` from its original; zero vectors stay zero. `surface.geometric()` must not fall from vertex
+/// to vertex. Empty where a normal is not finite, where no lattice point stands for one, or where
+/// `max_degrees` is not between kLeastAngle and kMostAngle. O(n + m).
 std::optional<CodedValues<float>> write_surface_normals(std::span<const float> normals, double max_degrees,
                                                         const AttributeSurface& surface);
 

@@ -74,7 +74,7 @@ std::optional<std::vector<std::byte>> write_planned(const AttributeView& attribu
 bool all_directions(const AttributeRows& rows) {
   for (std::size_t i = 0; i < rows.count(); ++i) {
     const Vec3 vector = rows.vector(i);
-    if (vector != Vec3{} && !is_direction(vector)) return false;
+    if (vector != Vec3{} && !is_unit(vector)) return false;
   }
   return true;
 }

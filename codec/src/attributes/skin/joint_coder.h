@@ -10,7 +10,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "attributes/skin/joint_guesses.h"
 #include "base/numbers/zigzag.h"
@@ -20,47 +19,12 @@
 
 namespace deltamesh {
 
-/// Joints by how lately they were coded so; new ones by their difference to the one before.
-template <class Coder>
-class RecentJoints {
- public:
-  explicit RecentJoints(Coder& coder) : coder_(coder) {}
-
-  /// A joint, which a reader gets; any value where the stream is invalid.
-  std::int64_t code(std::int32_t joint) {
-    const auto found =
-        static_cast<std::uint32_t>(std::find(recent_.begin(), recent_.end(), joint) - recent_.begin());
-    const std::uint32_t place = coder_.number(found, places_);
-    if (place < recent_.size()) {
-      const auto at = recent_.begin() + place;
-      std::rotate(recent_.begin(), at, at + 1);
-      return recent_.front();
-    }
-    const std::int32_t step = unzigzag(coder_.number(zigzag(joint - last_new_), news_));
-    const std::int64_t result = std::int64_t{last_new_} + step;
-    if (result < 0 || result > 0xffff) return -1;
-    last_new_ = static_cast<std::int32_t>(result);
-    if (recent_.size() == kKept) recent_.pop_back();
-    recent_.insert(recent_.begin(), last_new_);
-    return result;
-  }
-
- private:
-  static constexpr std::size_t kKept = 256;
-
-  Coder& coder_;
-  std::vector<std::int32_t> recent_;
-  std::int32_t last_new_ = 0;
-  NumberModel places_;
-  NumberModel news_;
-};
-
 template <class Coder>
 class JointCoder {
  public:
   /// `most`: what a joint may be.
   JointCoder(Coder& coder, const KnownFaces& faces, std::uint32_t most)
-      : coder_(coder), faces_(faces), most_(most), recent_(coder) {}
+      : coder_(coder), faces_(faces), most_(most) {}
 
   /// Codes rows[vertex], those before it being coded; a reader fills it in. False where a joint is too large.
   bool code_vertex(std::uint32_t vertex, std::span<JointRow> rows) {
@@ -111,9 +75,10 @@ class JointCoder {
         row[slot] = guesses.at(symbol);
         continue;
       }
-      const std::int64_t joint = recent_.code(row[slot]);
+      const std::int64_t joint =
+          std::int64_t{last_} + unzigzag(coder_.number(zigzag(row[slot] - last_), steps_));
       if (joint < 0 || joint > std::int64_t{most_}) return false;
-      row[slot] = static_cast<std::int32_t>(joint);
+      last_ = row[slot] = static_cast<std::int32_t>(joint);
     }
     return true;
   }
@@ -121,7 +86,8 @@ class JointCoder {
   Coder& coder_;
   const KnownFaces& faces_;
   std::uint32_t most_;
-  RecentJoints<Coder> recent_;
+  std::int32_t last_ = 0;  ///< the last joint that was no guess
+  NumberModel steps_;
   std::array<SymbolModels, 2> row_models_{SymbolModels(kRowContexts * 5, kFreshRow),
                                           SymbolModels(kRowContexts * 7, kFreshRow)};
   std::array<SymbolModels, 2> slot_models_{SymbolModels(kInfluences * 16, kFreshSlot),

@@ -41,9 +41,8 @@ Result<std::vector<std::byte>> read_weights(std::span<const std::byte> bytes, co
   DELTAMESH_TRY(const auto coded, in.read_bytes(in.remaining()));
   CompactReader reader(coded);
   const FieldFaces over(surface, reader.bits(0, 1) != 0);
-  const std::uint32_t blend = reader.bits(0, 2);
   std::vector<WeightRow> weights(surface.vertex_count(), WeightRow{});
-  if (const char* const broken = code_weights(reader, over, joints, sum, blend, weights))
+  if (const char* const broken = code_weights(reader, over, joints, sum, weights))
     DELTAMESH_CHECK(fault(reader, "a weight beyond what the others leave", broken));
   DELTAMESH_CHECK(reader.finish(kTagAttribute));
   return weight_values(weights, sum, shape.type);

@@ -100,10 +100,9 @@ bool code_joints(Coder& coder, const FieldFaces& over, std::uint32_t most, std::
 /// vertex.
 template <class Coder>
 const char* code_weights(Coder& coder, const FieldFaces& over, std::span<const JointRow> joints,
-                         std::uint32_t sum, std::size_t blend, std::span<WeightRow> rows) {
+                         std::uint32_t sum, std::span<WeightRow> rows) {
   const std::vector<JointRow> shared = over.first_copies(joints);
-  WeightCoder<Coder> weights(coder, over.faces(), shared, static_cast<std::int32_t>(sum),
-                             weight_blends(blend));
+  WeightCoder<Coder> weights(coder, over.faces(), shared, static_cast<std::int32_t>(sum));
   CopyCoder<Coder, kInfluences> copies(coder, kInfluences - 1);
   const char* broken = "ATTR-65";
   const bool is_valid = code_with_copies(

@@ -22,12 +22,10 @@ namespace deltamesh {
 /// Weights of a vertex' joints, 0 or above.
 using WeightRow = std::array<std::int32_t, kInfluences>;
 
-/// Possible weights of the parallelograms in a blend, in parts of kBlendUnit.
-inline constexpr std::array<std::int8_t, 4> kWeightBlends = {0, 20, 40, 60};
-
-inline BlendTable weight_blends(std::size_t choice) noexcept {
+/// Of parallelograms alone, a little less than the whole.
+inline BlendTable weight_blends() noexcept {
   BlendTable table;
-  table.fill({.parallelogram = kWeightBlends[choice], .edge = 0});
+  table.fill({.parallelogram = 60, .edge = 0});
   return table;
 }
 
@@ -35,13 +33,12 @@ template <class Coder>
 class WeightCoder {
  public:
   /// `joints`: of every vertex of `faces`; `sum`: of every vertex' weights, at least 1.
-  WeightCoder(Coder& coder, const KnownFaces& faces, std::span<const JointRow> joints, std::int32_t sum,
-              const BlendTable& blends)
+  WeightCoder(Coder& coder, const KnownFaces& faces, std::span<const JointRow> joints, std::int32_t sum)
       : coder_(coder),
         faces_(faces),
         joints_(joints),
         sum_(sum),
-        blends_(blends),
+        blends_(weight_blends()),
         history_(faces.vertex_count()),
         residuals_(coder),
         matches_(coder) {}

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "attributes/lattice/component_lattice.h"
 #include "attributes/skin/rows.h"
+#include "attributes/skin/shares.h"
 #include "attributes/skin/skin.h"
 #include "base/byte_writer.h"
 #include "entropy/coder/writer.h"
@@ -12,26 +12,12 @@
 namespace deltamesh {
 namespace {
 
-/// Weights of a source, as parts of 1.
-using Shares = std::array<double, kInfluences>;
-
-double share_of(ComponentType type, std::uint64_t bits) noexcept {
-  return number_of_bits(type, bits) / top_of(type);
-}
-
 /// Empty where some are not 0 to 1, or do not add up to 1.
 std::vector<Shares> read_shares(const AttributeView& attribute, const AttributeRows& rows) {
-  constexpr double kTolerance = 1e-3;
   std::vector<Shares> result(rows.count());
   for (std::size_t i = 0; i < result.size(); ++i) {
-    double sum = 0;
-    for (std::size_t slot = 0; slot < kInfluences; ++slot) {
-      const double share = share_of(attribute.type, rows.bits(i, slot));
-      if (!(share >= 0 && share <= 1)) return {};
-      result[i][slot] = share;
-      sum += share;
-    }
-    if (!(std::fabs(sum - 1) <= kTolerance)) return {};
+    result[i] = shares_at(attribute.type, rows, i);
+    if (!are_shares(result[i])) return {};
   }
   return result;
 }
@@ -139,18 +125,12 @@ std::optional<CodedValues<std::byte>> write_weights(const AttributeView& attribu
   const std::vector<JointRow> joints = joints_of_weights(others, rows.count());
   const bool joined = copies_agree(surface.geometric(), std::span<const WeightRow>(rounded->rows));
   const FieldFaces over(surface, joined);
-  std::vector<std::byte> smallest;
-  for (std::uint32_t blend = 0; blend < kWeightBlends.size(); ++blend) {
-    CompactWriter writer;
-    writer.bits(joined ? 1 : 0, 1);
-    writer.bits(blend, 2);
-    code_weights(writer, over, joints, rounded->sum, blend, rounded->rows);
-    auto bytes = writer.finish();
-    if (smallest.empty() || bytes.size() < smallest.size()) smallest = std::move(bytes);
-  }
+  CompactWriter writer;
+  writer.bits(joined ? 1 : 0, 1);
+  code_weights(writer, over, joints, rounded->sum, rounded->rows);
   ByteWriter out;
   out.write_varint(rounded->sum);
-  out.write_bytes(smallest);
+  out.write_bytes(writer.finish());
   return CodedValues<std::byte>{.bytes = out.take(),
                                 .values = weight_values(rounded->rows, rounded->sum, attribute.type)};
 }

@@ -27,9 +27,9 @@ struct TangentBasis {
 /// The first normals and texture coordinates of floats among the decoded attributes [ATTR-39].
 TangentBasis tangent_basis(std::span<const Attribute> decoded, std::uint32_t vertex_count);
 
-/// `tangents`: n x 4, by coded vertex: a vector and a sign, 1 or -1. Every decoded vector is at most
-/// `max_degrees` from its original, signs are the same. Empty where a vector is not finite or has a length
-/// more than 1 % off 1, another sign occurs, or `max_degrees` is not between 0.002 and 60. O(n + m).
+/// `tangents`: n x 4, by coded vertex: a vector of any length and a sign, 1 or -1. Every decoded vector has
+/// length 1 and is at most `max_degrees` from its original, signs are the same. Empty where a vector is 0 or
+/// not finite, another sign occurs, or `max_degrees` is not between 0.002 and 60. O(n + m).
 std::optional<CodedValues<float>> write_surface_tangents(std::span<const float> tangents, double max_degrees,
                                                          const AttributeSurface& surface,
                                                          const TangentBasis& basis);

@@ -21,7 +21,7 @@ constexpr double kStepRounding = 1e-6;
 
 bool are_tangents(std::span<const float> tangents) noexcept {
   for (std::size_t v = 0; 4 * v < tangents.size(); ++v) {
-    if (!is_direction(widen(tangents.subspan(4 * v))) || std::fabs(tangents[4 * v + 3]) != 1) return false;
+    if (!is_tangent(widen(tangents.subspan(4 * v)), tangents[4 * v + 3])) return false;
   }
   return true;
 }

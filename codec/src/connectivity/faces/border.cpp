@@ -52,20 +52,6 @@ void Border::start() {
   for (std::uint32_t k = 0; k < 3; ++k) push_gap(i + k);
 }
 
-/// A new item's gap is not pushed: the gaps on both sides are, and it has more faces or is finished once
-/// these are filled.
-bool Border::add_vertex(const Gate& gate) {
-  const std::uint32_t apex = vertex_count_++;
-  add_face(gate.end, gate.origin, apex);
-  const std::uint32_t fresh = add_item(apex, gate.item, gate.after);
-  items_[gate.item].next = fresh;
-  items_[gate.after].previous = fresh;
-  count_face(gate.item);
-  count_face(gate.after);
-  push_gap(gate.at_origin ? gate.after : gate.item);
-  return true;
-}
-
 bool Border::add_left(const Gate& gate) {
   const std::uint32_t apex = items_[gate.before].origin;
   if (gate.before_closed || apex == gate.end) return false;
@@ -75,19 +61,6 @@ bool Border::add_left(const Gate& gate) {
   count_face(gate.before);
   count_face(gate.after);
   push_gap(gate.before);
-  return true;
-}
-
-bool Border::add_right(const Gate& gate) {
-  const std::uint32_t apex = items_[gate.beyond].origin;
-  if (gate.after_closed || apex == gate.origin) return false;
-  add_face(gate.end, gate.origin, apex);
-  link(gate.item, gate.beyond);
-  remove(gate.after);
-  count_face(gate.item);
-  count_face(gate.beyond);
-  if (!gate.at_origin) push_gap(gate.item);
-  push_gap(gate.beyond);
   return true;
 }
 
@@ -128,24 +101,20 @@ bool Border::split(std::uint32_t target, const Gate& gate) {
   return true;
 }
 
-bool Border::carry_out(BorderOp op, std::uint32_t target, const Gate& gate) {
-  if (op == BorderOp::kBoundary) {
+bool Border::apply_rare(const BorderStep& step, const Gate& gate) {
+  if (step.op == BorderOp::kBoundary) {
     items_[gate.item].closed = true;
     open_edges_.push_back({gate.origin, gate.end});
     return true;
   }
   if (is_full()) return false;
-  switch (op) {
-    case BorderOp::kNewVertex:
-      return add_vertex(gate);
+  switch (step.op) {
     case BorderOp::kLeft:
       return add_left(gate);
-    case BorderOp::kRight:
-      return add_right(gate);
     case BorderOp::kEnd:
       return add_end(gate);
     case BorderOp::kSplit:
-      return split(target, gate);
+      return split(step.target, gate);
     case BorderOp::kNearSplit:
       return split(gate.past, gate);
     default:

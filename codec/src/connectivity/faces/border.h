@@ -48,13 +48,13 @@ class Border {
   template <bool AtOrigin>
   Gate gate_at(std::uint32_t i) const noexcept;
 
-  /// Op C at a gate that is not at the focus' own item and whose loop is long: the gate becomes the new item.
-  /// False where the border is full.
-  bool add_vertex_and_advance(Gate& gate);
+  /// Carries a step out at a gate. False where the rules do not allow it [CONN-7], or the border is full. The
+  /// usual ops are inline, rare ones are not.
+  bool apply(const BorderStep& step, const Gate& gate);
 
-  /// Op R at a gate that is not at the focus' own item: the gap is filled. False where the rules do not allow
-  /// it [CONN-7], or the border is full.
-  bool add_right_and_leave(const Gate& gate);
+  /// The gate of step 1 [CONN-6] after op C at `gate`: what gate_at() would give for the new item, without
+  /// looking at items again. Precondition: the loop was long.
+  void advance(Gate& gate) const noexcept;
 
   /// Whether there is room for so many ops that add a face. Where there is none, one by one they make some,
   /// as far as the border is not full.
@@ -67,13 +67,6 @@ class Border {
   /// allow it [CONN-7].
   bool add_fan(const Gate& gate, std::uint32_t new_vertices);
 
-  /// Carries any op out at gate `i`, with the target of S. False where the rules do not allow it [CONN-7], or
-  /// the border is full.
-  template <bool AtOrigin>
-  [[gnu::noinline]] bool apply(std::uint32_t i, BorderOp op, std::uint32_t target) {
-    return carry_out(op, target, gate_at<AtOrigin>(i));
-  }
-
   /// Takes the next gap that is not finished off the queue, kNoIndex when there is none [CONN-5]. Amortised
   /// O(1).
   std::uint32_t pop_gap() {
@@ -84,7 +77,7 @@ class Border {
   void leave_focus(std::uint32_t faces) noexcept { last_focus_faces_ = faces; }
 
  private:
-  bool carry_out(BorderOp op, std::uint32_t target, const Gate& gate);
+  bool apply_rare(const BorderStep& step, const Gate& gate);
   bool is_finished(std::uint32_t i) const noexcept {
     const BorderItem& item = items_[i];
     return !item.alive || (item.closed && items_[item.previous].closed);
@@ -94,8 +87,11 @@ class Border {
     items_[b].previous = a;
   }
   void remove(std::uint32_t i) noexcept { items_[i].alive = false; }
-  void count_face(std::uint32_t i) noexcept {
-    items_[i].faces = static_cast<std::uint8_t>(one_more_face(items_[i].faces));
+  /// Returns how many it has then.
+  std::uint32_t count_face(std::uint32_t i) noexcept {
+    const std::uint32_t faces = one_more_face(items_[i].faces);
+    items_[i].faces = static_cast<std::uint8_t>(faces);
+    return faces;
   }
   bool add_vertex(const Gate& gate);
   bool add_left(const Gate& gate);
@@ -164,23 +160,48 @@ template <bool AtOrigin>
   return gate;
 }
 
-[[gnu::always_inline]] inline bool Border::add_right_and_leave(const Gate& gate) {
+/// A new item's gap is not pushed: the gaps on both sides are, and it has more faces or is finished once
+/// these are filled.
+[[gnu::always_inline]] inline bool Border::add_vertex(const Gate& gate) {
+  if (!add_face(gate.end, gate.origin, vertex_count_)) return false;
+  const std::uint32_t fresh = add_item(vertex_count_++, gate.item, gate.after);
+  items_[gate.item].next = fresh;
+  items_[gate.after].previous = fresh;
+  const std::uint32_t faces = count_face(gate.item);
+  const std::uint32_t after_faces = count_face(gate.after);
+  if (gate.at_origin) {
+    push_gap(gate.after, after_faces);
+  } else {
+    push_gap(gate.item, faces);
+  }
+  return true;
+}
+
+/// Where the focus is the gate's end, it fills the gap.
+[[gnu::always_inline]] inline bool Border::add_right(const Gate& gate) {
   const std::uint32_t apex = items_[gate.beyond].origin;
   if (gate.after_closed || apex == gate.origin) return false;
   if (!add_face(gate.end, gate.origin, apex)) return false;
-  BorderItem& beyond = items_[gate.beyond];
-  const std::uint32_t faces = one_more_face(gate.other_faces);
-  const std::uint32_t beyond_faces = one_more_face(gate.right_faces);
-  BorderItem& item = items_[gate.item];
-  item.next = gate.beyond;
-  item.faces = static_cast<std::uint8_t>(faces);
-  beyond.previous = gate.item;
-  beyond.faces = static_cast<std::uint8_t>(beyond_faces);
+  link(gate.item, gate.beyond);
   remove(gate.after);
-  push_gap(gate.item, faces);
+  const std::uint32_t faces = count_face(gate.item);
+  const std::uint32_t beyond_faces = count_face(gate.beyond);
+  if (!gate.at_origin) {
+    push_gap(gate.item, faces);
+    leave_focus(one_more_face(gate.focus_faces));
+  }
   push_gap(gate.beyond, beyond_faces);
-  leave_focus(one_more_face(gate.focus_faces));
   return true;
+}
+
+[[gnu::always_inline]] inline void Border::advance(Gate& gate) const noexcept {
+  gate.before = gate.item;
+  gate.before_closed = false;
+  gate.item = item_count_ - 1;
+  gate.origin = vertex_count_ - 1;
+  gate.focus_faces = one_more_face(gate.focus_faces);
+  gate.left_faces = one_more_face(gate.other_faces);
+  gate.other_faces = 1;
 }
 
 [[gnu::always_inline]] inline bool Border::add_fan(const Gate& gate, std::uint32_t new_vertices) {
@@ -218,25 +239,10 @@ template <bool AtOrigin>
   return true;
 }
 
-[[gnu::always_inline]] inline bool Border::add_vertex_and_advance(Gate& gate) {
-  const std::uint32_t apex = vertex_count_;
-  if (!add_face(gate.end, gate.origin, apex)) return false;
-  ++vertex_count_;
-  gate.other_faces = one_more_face(gate.other_faces);
-  gate.focus_faces = one_more_face(gate.focus_faces);
-  const std::uint32_t fresh = add_item(apex, gate.item, gate.after);
-  items_[gate.item].next = fresh;
-  items_[gate.item].faces = static_cast<std::uint8_t>(gate.other_faces);
-  items_[gate.after].previous = fresh;
-  items_[gate.after].faces = static_cast<std::uint8_t>(gate.focus_faces);
-  push_gap(gate.item, gate.other_faces);
-  gate.before = gate.item;
-  gate.before_closed = false;
-  gate.item = fresh;
-  gate.origin = apex;
-  gate.left_faces = gate.other_faces;
-  gate.other_faces = 1;
-  return true;
+[[gnu::always_inline]] inline bool Border::apply(const BorderStep& step, const Gate& gate) {
+  if (step.op == BorderOp::kNewVertex) return add_vertex(gate);
+  if (step.op == BorderOp::kRight) return add_right(gate);
+  return apply_rare(step, gate);
 }
 
 }  // namespace deltamesh

@@ -17,8 +17,8 @@ namespace deltamesh {
 template <class Guide>
 [[gnu::noinline]] bool fill_from_item(Border& border, std::uint32_t gap, Guide& guide) {
   while (!border.item(gap).closed) {
-    const BorderStep step = guide.next(border, border.gate_at<true>(gap));
-    if (!border.apply<true>(gap, step.op, step.target)) return false;
+    const Gate gate = border.gate_at<true>(gap);
+    if (!border.apply(guide.next(border, gate), gate)) return false;
   }
   border.leave_focus(border.item(gap).faces);
   return true;
@@ -37,15 +37,13 @@ DELTAMESH_LOOP_BODY bool fill_gap(Border& border, std::uint32_t gap, Guide& guid
         return border.add_fan(gate, run.new_vertices);
       guide.begin(run);
     }
-    BorderStep step;
-    for (;;) {
-      step = guide.next(border, gate);
-      if (step.op != BorderOp::kNewVertex || gate.loop != 0) break;
-      if (!border.add_vertex_and_advance(gate)) return false;
+    BorderStep step = guide.next(border, gate);
+    for (; step.op == BorderOp::kNewVertex && gate.loop == 0; step = guide.next(border, gate)) {
+      if (!border.apply(step, gate)) return false;
+      border.advance(gate);
     }
-    if (step.op == BorderOp::kRight) return border.add_right_and_leave(gate);
-    if (!border.apply<false>(gate.item, step.op, step.target)) return false;
-    if (step.op == BorderOp::kEnd) return true;
+    if (!border.apply(step, gate)) return false;
+    if (step.op == BorderOp::kRight || step.op == BorderOp::kEnd) return true;
   }
   return fill_from_item(border, gap, guide);
 }
