@@ -16,7 +16,7 @@
 #include "base/numbers/vec3.h"
 #include "io/formats.h"
 #include "io/gltf_document.h"
-#include "io/vertex_text.h"
+#include "io/text/vertices.h"
 
 namespace deltamesh {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "io/formats.h"
-#include "io/vertex_text.h"
+#include "io/text/vertices.h"
 
 namespace deltamesh {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "io/obj_corners.h"
+#include "io/obj/corners.h"
 
 #include "io/first_equal.h"
 

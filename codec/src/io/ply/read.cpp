@@ -15,10 +15,10 @@
 #include "io/components.h"
 #include "io/faces.h"
 #include "io/formats.h"
-#include "io/number_text.h"
 #include "io/origin.h"
-#include "io/ply_header.h"
-#include "io/text_scanner.h"
+#include "io/ply/header.h"
+#include "io/text/numbers.h"
+#include "io/text/scanner.h"
 
 namespace deltamesh {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "io/obj_lines.h"
+#include "io/obj/lines.h"
 
 namespace deltamesh {
 

@@ -9,7 +9,7 @@
 #include "base/byte_writer.h"
 #include "base/numbers/vec3.h"
 #include "io/formats.h"
-#include "io/vertex_text.h"
+#include "io/text/vertices.h"
 
 namespace deltamesh {
 namespace {

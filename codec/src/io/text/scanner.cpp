@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "io/text_scanner.h"
+#include "io/text/scanner.h"
 
 #include <charconv>
 
-#include "io/number_text.h"
+#include "io/text/numbers.h"
 
 namespace deltamesh {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "deltamesh/mesh.h"
 #include "io/components.h"
-#include "io/number_text.h"
+#include "io/text/numbers.h"
 
 namespace deltamesh {
 

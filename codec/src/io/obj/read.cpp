@@ -17,11 +17,11 @@
 #include "io/components.h"
 #include "io/faces.h"
 #include "io/formats.h"
-#include "io/number_text.h"
-#include "io/obj_corners.h"
-#include "io/obj_lines.h"
+#include "io/obj/corners.h"
+#include "io/obj/lines.h"
 #include "io/origin.h"
-#include "io/text_scanner.h"
+#include "io/text/numbers.h"
+#include "io/text/scanner.h"
 
 namespace deltamesh {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "io/ply_header.h"
+#include "io/ply/header.h"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@
 #include "base/try.h"
 #include "io/attribute_name.h"
 #include "io/components.h"
-#include "io/text_scanner.h"
+#include "io/text/scanner.h"
 
 namespace deltamesh {
 namespace {

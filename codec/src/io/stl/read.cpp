@@ -13,7 +13,7 @@
 #include "io/first_equal.h"
 #include "io/formats.h"
 #include "io/origin.h"
-#include "io/text_scanner.h"
+#include "io/text/scanner.h"
 
 namespace deltamesh {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "base/byte_writer.h"
 #include "io/formats.h"
-#include "io/ply_header.h"
-#include "io/vertex_text.h"
+#include "io/ply/header.h"
+#include "io/text/vertices.h"
 
 namespace deltamesh {
 namespace {
