@@ -39,7 +39,7 @@ std::vector<std::byte> order_bytes(const std::vector<std::uint32_t>& order) {
   return bytes;
 }
 
-void print_summary(const EncodeArguments& arguments, const ImportNotes& notes, const EncodeReport& report,
+void print_summary(const EncodeArguments& arguments, const ReadReport& read, const EncodeReport& report,
                    double seconds) {
   const StreamInfo& stream = report.stream;
   Summary summary(arguments.in + " -> " + arguments.out);
@@ -51,15 +51,9 @@ void print_summary(const EncodeArguments& arguments, const ImportNotes& notes, c
                 (arguments.options.keep_unreferenced ? "kept)" : "dropped)");
   summary.add("vertices", vertices);
   std::string triangles = grouped(stream.triangles);
-  if (notes.polygons > 0) triangles += " (" + counted(notes.polygons, "polygon", "polygons") + " split)";
-  if (notes.dropped_faces > 0)
-    triangles += " (" + counted(notes.dropped_faces, "face", "faces") + " of under three corners dropped)";
+  if (read.polygons > 0) triangles += " (" + counted(read.polygons, "polygon", "polygons") + " split)";
   summary.add("triangles", triangles);
-  if (notes.other_primitives > 0)
-    summary.add("left out", counted(notes.other_primitives, "point or line", "points or lines"));
-  if (notes.dropped_attributes > 0)
-    summary.add("left out", counted(notes.dropped_attributes, "attribute", "attributes") +
-                                " (bad name, or not alike in all primitives)");
+  for (const LeftOut& entry : read.left_out) summary.add("left out", describe(entry));
   summary.add("components", grouped(stream.components));
   add_sizes(summary, stream);
   add_attributes(summary, stream);
@@ -139,7 +133,7 @@ int run_encode(const EncodeArguments& arguments) {
   if (arguments.json)
     print_object(encoded->report, elapsed.count());
   else
-    print_summary(arguments, imported->notes, encoded->report, elapsed.count());
+    print_summary(arguments, imported->report, encoded->report, elapsed.count());
   return kOk;
 }
 

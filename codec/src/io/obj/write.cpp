@@ -32,10 +32,10 @@ void append_corner(std::string& out, std::uint64_t vertex, bool uv, bool normal)
 
 }  // namespace
 
-std::vector<std::byte> write_obj(const MeshView& mesh) {
-  const AttributeView* const normal = first_of(mesh, AttributeKind::kNormal, 3);
-  const AttributeView* const color = first_of(mesh, AttributeKind::kColor, 3);
-  const AttributeView* const uv = first_of(mesh, AttributeKind::kUv, 2);
+std::vector<std::byte> write_obj(const MeshView& mesh, WriteReport& report) {
+  const auto [normal, color, uv] = choose_values(mesh, report);
+  if (color != nullptr && color->components > 3)
+    report.leave_out(LeftOutKind::kVertexValues, "alpha", mesh.vertex_count());
   std::string out;
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
     out += "v ";
@@ -46,6 +46,11 @@ std::vector<std::byte> write_obj(const MeshView& mesh) {
   if (uv != nullptr) append_records(out, "vt", *uv, 2, mesh.vertex_count());
   if (normal != nullptr) append_records(out, "vn", *normal, 3, mesh.vertex_count());
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    if (!mesh.face_groups.empty() && (t == 0 || mesh.face_groups[t] != mesh.face_groups[t - 1])) {
+      out += "g group_";
+      append_number(out, mesh.face_groups[t]);
+      out += '\n';
+    }
     out += 'f';
     for (std::size_t k = 0; k < 3; ++k) {
       out += ' ';

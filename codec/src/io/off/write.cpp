@@ -29,10 +29,9 @@ void append_color(std::string& out, const AttributeView& color, std::size_t vert
 
 }  // namespace
 
-std::vector<std::byte> write_off(const MeshView& mesh) {
-  const AttributeView* const normal = first_of(mesh, AttributeKind::kNormal, 3);
-  const AttributeView* const color = first_of(mesh, AttributeKind::kColor, 3);
-  const AttributeView* const uv = first_of(mesh, AttributeKind::kUv, 2);
+std::vector<std::byte> write_off(const MeshView& mesh, WriteReport& report) {
+  const auto [normal, color, uv] = choose_values(mesh, report);
+  leave_out_groups(mesh, report);
   std::string out;
   if (uv != nullptr) out += "ST";
   if (color != nullptr) out += 'C';

@@ -54,19 +54,40 @@ Result<PlyProperty> parse_property(TextScanner& line) {
     type_name = line.next_token_on_line();
   }
   const auto type = component_type(type_name);
-  if (!type) return line.error("PLY: a property of unknown type");
+  if (!type) return line.error("PLY: a property of unknown type", type_name);
   property.type = *type;
   property.name = line.next_token_on_line();
   if (property.name.empty()) return line.error("PLY: a property without a name");
   return property;
 }
 
-/// Header lines end in LF, CR LF or CR; as the first one does, so do all.
-std::string_view line_end_of(std::string_view text) noexcept {
-  const std::size_t end = text.find_first_of("\r\n");
-  if (end == text.npos || text[end] == '\n') return "\n";
-  return end + 1 < text.size() && text[end + 1] == '\n' ? "\r\n" : "\r";
-}
+/// The header's lines, which end in LF, CR LF or CR. Where the first ends in CR alone all do: the data of a
+/// binary file may begin with LF.
+class HeaderLines {
+ public:
+  explicit HeaderLines(std::string_view text) : text_(text) {
+    if (text.starts_with(kByteOrderMark)) position_ = kByteOrderMark.size();
+  }
+
+  std::optional<std::string_view> next() noexcept {
+    const std::size_t end = text_.find_first_of("\r\n", position_);
+    if (end == text_.npos) return std::nullopt;
+    const bool pair = text_.substr(end, 2) == "\r\n";
+    if (++number_ == 1) lone_returns_ = !pair && text_[end] == '\r';
+    const std::string_view line = text_.substr(position_, end - position_);
+    position_ = end + (pair && !lone_returns_ ? 2 : 1);
+    return line;
+  }
+  /// Of the last line, from 1.
+  std::uint64_t number() const noexcept { return number_; }
+  std::size_t position() const noexcept { return position_; }
+
+ private:
+  std::string_view text_;
+  std::size_t position_ = 0;
+  std::uint64_t number_ = 0;
+  bool lone_returns_ = false;
+};
 
 using Names = std::span<const std::string_view>;
 
@@ -81,14 +102,14 @@ constexpr std::array<std::array<std::string_view, 2>, 4> kUvs{
 
 class LayoutBuilder {
  public:
-  explicit LayoutBuilder(const PlyElement& vertex) : properties_(vertex.properties) {
+  explicit LayoutBuilder(const PlyElement& element) : properties_(element.properties) {
     layout_.targets.resize(properties_.size());
     claimed_.resize(properties_.size());
     for (std::size_t i = 0; i < properties_.size(); ++i)
       if (!properties_[i].is_list) first_.emplace(properties_[i].name, i);
   }
 
-  PlyVertexLayout build() {
+  PlyLayout build() {
     layout_.has_position = claim(kPosition, PlyTarget::Kind::kPosition);
     if (has_all(kNormal)) add(AttributeKind::kNormal, ComponentType::kF32, kNormal);
     for (const auto& names : kColors) add_color(names);
@@ -142,11 +163,8 @@ class LayoutBuilder {
 
   void add_generic(std::size_t i) {
     const PlyProperty& property = properties_[i];
-    if (claimed_[i] || property.is_list || find(property.name) != i) return;
-    if (!is_attribute_name(property.name)) {
-      ++layout_.unnamed;
+    if (claimed_[i] || property.is_list || find(property.name) != i || !is_attribute_name(property.name))
       return;
-    }
     const std::string_view name = property.name;
     add(AttributeKind::kGeneric, property.type, Names(&name, 1));
   }
@@ -154,24 +172,20 @@ class LayoutBuilder {
   const std::vector<PlyProperty>& properties_;
   std::map<std::string_view, std::size_t> first_;  // first scalar property of a name
   std::vector<bool> claimed_;
-  PlyVertexLayout layout_;
+  PlyLayout layout_;
 };
 
 }  // namespace
 
 Result<PlyHeader> read_ply_header(std::span<const std::byte> bytes) {
-  const std::string_view text = as_text(bytes);
-  const std::string_view line_end = line_end_of(text);
+  constexpr const char* kGoesOn = "PLY: a line of the header goes on behind its end";
+  HeaderLines lines(as_text(bytes));
   PlyHeader header;
   bool has_format = false;
-  std::size_t position = 0;
-  for (std::uint64_t number = 1;; ++number) {
-    const std::size_t end = text.find(line_end, position);
-    if (end == text.npos) return invalid_line("PLY: the file ends inside its header", number);
-    TextScanner line(text.substr(position, end - position), false, number);
-    position = end + line_end.size();
+  while (const auto text = lines.next()) {
+    TextScanner line(*text, {}, lines.number());
     const std::string_view keyword = line.next_token_on_line();
-    if (number == 1) {
+    if (lines.number() == 1) {
       if (keyword != "ply") return line.error("PLY: the file does not begin with 'ply'");
     } else if (keyword == "format") {
       DELTAMESH_TRY(header.encoding, parse_format(line));
@@ -184,16 +198,22 @@ Result<PlyHeader> read_ply_header(std::span<const std::byte> bytes) {
       DELTAMESH_TRY(PlyProperty property, parse_property(line));
       header.elements.back().properties.push_back(std::move(property));
     } else if (keyword == "end_header") {
+      DELTAMESH_CHECK(line.end_line(kGoesOn));
       if (!has_format) return line.error("PLY: the header states no format");
-      header.data_offset = position;
-      header.data_line = number + 1;
+      header.data_offset = lines.position();
+      header.data_line = lines.number() + 1;
       return header;
-    } else if (!keyword.empty() && keyword != "comment" && keyword != "obj_info") {
-      return line.error("PLY: an unknown word in the header");
+    } else if (keyword == "comment" || keyword == "obj_info") {
+      if (line.next_token_on_line() == "TextureFile") ++header.textures;
+      continue;
+    } else if (!keyword.empty()) {
+      return line.error("PLY: an unknown word in the header", keyword);
     }
+    DELTAMESH_CHECK(line.end_line(kGoesOn));
   }
+  return invalid_line("PLY: the file ends inside its header", lines.number() + 1);
 }
 
-PlyVertexLayout layout_ply_vertex(const PlyElement& vertex) { return LayoutBuilder(vertex).build(); }
+PlyLayout layout_ply_element(const PlyElement& element) { return LayoutBuilder(element).build(); }
 
 }  // namespace deltamesh

@@ -41,6 +41,7 @@ struct PlyHeader {
   std::vector<PlyElement> elements;
   std::size_t data_offset = 0;  ///< first byte after the header
   std::uint64_t data_line = 1;  ///< its line
+  std::uint64_t textures = 0;   ///< comments that name an image
 };
 
 /// Errors: kInvalidFile with the line. Allocates no more than a constant times the header's bytes.
@@ -49,21 +50,20 @@ Result<PlyHeader> read_ply_header(std::span<const std::byte> bytes);
 struct PlyTarget {
   enum class Kind : std::uint8_t { kSkip, kPosition, kAttribute };
   Kind kind = Kind::kSkip;
-  std::size_t attribute = 0;   ///< index into PlyVertexLayout::attributes
+  std::size_t attribute = 0;   ///< index into PlyLayout::attributes
   std::uint8_t component = 0;  ///< of the position or attribute
 };
 
-struct PlyVertexLayout {
+struct PlyLayout {
   bool has_position = false;
   std::vector<PlyTarget> targets;     ///< one per property
   std::vector<Attribute> attributes;  ///< without values
-  std::size_t unnamed = 0;            ///< scalar properties that are skipped for their name
 };
 
 /// Finds x y z, normals (nx ny nz), colours (red green blue [alpha], also r g b [a] and diffuse_red ...;
 /// uchar, ushort, float or double), texture coordinates (s t, u v, texture_u texture_v, texture_s texture_t);
 /// every other scalar property becomes a generic attribute of its own type. Lists, and properties whose name
 /// repeats an earlier one or is no attribute name (over 255 bytes, not UTF-8), are skipped.
-PlyVertexLayout layout_ply_vertex(const PlyElement& vertex);
+PlyLayout layout_ply_element(const PlyElement& element);
 
 }  // namespace deltamesh

@@ -1,136 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
 
-#include "base/checked.h"
 #include "base/try.h"
 #include "io/components.h"
-#include "io/faces.h"
 #include "io/formats.h"
-#include "io/origin.h"
+#include "io/ply/body.h"
+#include "io/ply/faces.h"
 #include "io/ply/header.h"
-#include "io/text/numbers.h"
-#include "io/text/scanner.h"
+#include "io/polygons/mesh.h"
 
 namespace deltamesh {
 namespace {
 
-class PlyBody {
- public:
-  /// `bytes`: the whole file.
-  PlyBody(std::span<const std::byte> bytes, const PlyHeader& header) noexcept
-      : bytes_(bytes),
-        position_(header.data_offset),
-        text_(as_text(bytes.subspan(header.data_offset)), false, header.data_line),
-        encoding_(header.encoding) {}
-
-  /// `take(property, value)` for every value of a row of `element`, exact; it returns what is wrong with the
-  /// value, or null. Errors: kInvalidFile: the bytes end, a text is not a number that its type holds.
-  template <class Take>
-  Result<void> read_row(const PlyElement& element, Take take) {
-    for (std::size_t p = 0; p < element.properties.size(); ++p) {
-      const PlyProperty& property = element.properties[p];
-      double length = 1;
-      if (property.is_list && !next(property.count_type, length)) return at(problem_);
-      if (length < 0) return at("PLY: a list of negative length");
-      // Every entry takes bytes, so the loop ends with them.
-      for (double i = 0; i < length; ++i) {
-        double value = 0;
-        if (!next(property.type, value)) return at(problem_);
-        if (const char* const wrong = take(p, value)) return at(wrong);
-      }
-    }
-    return {};
-  }
-
-  /// Whether `element.count` rows can be in the bytes that are left: the check before anything is allocated.
-  bool may_hold(const PlyElement& element) const noexcept {
-    const bool text = encoding_ == PlyEncoding::kAscii;
-    std::uint64_t row = 0;  // fewest bytes of a row; in a text a value takes a digit and a blank
-    for (const PlyProperty& property : element.properties)
-      row += text ? 2 : component_size(property.is_list ? property.count_type : property.type);
-    // The last blank of a text may be missing.
-    const std::uint64_t present = text ? text_.remaining() + std::uint64_t{1} : bytes_.size() - position_;
-    return saturating_mul(row, element.count) <= present;
-  }
-
-  /// `message` at the present place: the line in a text, else the byte.
-  Error at(const char* message) const noexcept {
-    if (encoding_ == PlyEncoding::kAscii) return text_.error(message);
-    return invalid_byte(message, position_);
-  }
-
- private:
-  /// The next value. False where there is none: problem_ tells why.
-  bool next(ComponentType type, double& value) noexcept {
-    return encoding_ == PlyEncoding::kAscii ? next_text(type, value) : next_binary(type, value);
-  }
-
-  bool next_text(ComponentType type, double& value) noexcept {
-    const std::string_view token = text_.next_token();
-    if (token.empty()) {
-      problem_ = kShort;
-      return false;
-    }
-    const std::optional<double> number = parse_number(token);
-    std::byte fits[sizeof(double)];
-    if (!number || !store_component(type, *number, fits)) {
-      problem_ = "PLY: not a number, or one that its type does not hold";
-      return false;
-    }
-    value = *number;
-    return true;
-  }
-
-  bool next_binary(ComponentType type, double& value) noexcept {
-    const std::size_t size = component_size(type);
-    if (bytes_.size() - position_ < size) {
-      problem_ = kShort;
-      return false;
-    }
-    const auto bytes = bytes_.subspan(position_, size);
-    position_ += size;
-    if (encoding_ == PlyEncoding::kLittleEndian) {
-      value = load_component(type, bytes.data());
-    } else {
-      std::array<std::byte, sizeof(double)> swapped;
-      std::reverse_copy(bytes.begin(), bytes.end(), swapped.begin());
-      value = load_component(type, swapped.data());
-    }
-    return true;
-  }
-
-  static constexpr const char* kShort = "PLY: the file ends before its last value";
-
-  std::span<const std::byte> bytes_;
-  std::size_t position_ = 0;  // binary encodings
-  TextScanner text_;          // kAscii
-  PlyEncoding encoding_;
-  const char* problem_ = "";
-};
-
-Result<void> read_vertices(PlyBody& body, const PlyElement& vertex, Imported& imported) {
+Result<void> read_vertices(PlyBody& body, const PlyElement& vertex, PolygonMesh& mesh, ReadReport& report) {
   if (vertex.count > std::numeric_limits<std::uint32_t>::max()) return body.at("PLY: too many vertices");
-  PlyVertexLayout layout = layout_ply_vertex(vertex);
+  PlyLayout layout = layout_ply_element(vertex);
   if (!layout.has_position) return body.at("PLY: the vertices have no x, y, z");
-  imported.notes.dropped_attributes = layout.unnamed;
+  for (std::size_t p = 0; p < layout.targets.size(); ++p)
+    if (layout.targets[p].kind == PlyTarget::Kind::kSkip)
+      report.leave_out(LeftOutKind::kVertexValues, vertex.properties[p].name, vertex.count);
   for (Attribute& attribute : layout.attributes)
     attribute.values.resize(vertex.count * attribute.components * component_size(attribute.type));
-  std::vector<double> coordinates(vertex.count * 3);
+  mesh.coordinates.resize(vertex.count * 3);
 
   std::size_t v = 0;
   const auto take = [&](std::size_t property, double value) -> const char* {
     const PlyTarget& target = layout.targets[property];
     if (target.kind == PlyTarget::Kind::kPosition) {
-      coordinates[3 * v + target.component] = value;
+      mesh.coordinates[3 * v + target.component] = value;
     } else if (target.kind == PlyTarget::Kind::kAttribute) {
       Attribute& attribute = layout.attributes[target.attribute];
       const std::size_t at = (v * attribute.components + target.component) * component_size(attribute.type);
@@ -139,36 +43,7 @@ Result<void> read_vertices(PlyBody& body, const PlyElement& vertex, Imported& im
     return nullptr;
   };
   for (; v < vertex.count; ++v) DELTAMESH_CHECK(body.read_row(vertex, take));
-  imported.mesh = place_origin(coordinates);
-  imported.mesh.attributes = std::move(layout.attributes);
-  return {};
-}
-
-/// The property that lists the corners of a face.
-std::optional<std::size_t> corner_list(const PlyElement& face) noexcept {
-  for (std::size_t i = 0; i < face.properties.size(); ++i) {
-    const PlyProperty& property = face.properties[i];
-    if (property.is_list && (property.name == "vertex_indices" || property.name == "vertex_index")) return i;
-  }
-  return std::nullopt;
-}
-
-Result<void> read_faces(PlyBody& body, const PlyElement& face, std::uint64_t vertices, FaceCollector& faces) {
-  const auto corner_property = corner_list(face);
-  if (!corner_property) return body.at("PLY: the faces have no list vertex_indices");
-  std::vector<std::uint32_t> corners;
-  const auto take = [&](std::size_t property, double value) -> const char* {
-    if (property != *corner_property) return nullptr;
-    if (!(value >= 0 && value < static_cast<double>(vertices)))
-      return "PLY: a face names a vertex that does not exist";
-    corners.push_back(static_cast<std::uint32_t>(value));
-    return nullptr;
-  };
-  for (std::uint64_t f = 0; f < face.count; ++f) {
-    corners.clear();
-    DELTAMESH_CHECK(body.read_row(face, take));
-    faces.add(corners);
-  }
+  mesh.attributes = std::move(layout.attributes);
   return {};
 }
 
@@ -190,23 +65,29 @@ Result<Imported> read_ply(std::span<const std::byte> bytes) {
   if (strips != nullptr && strips->count > 0 && (face == nullptr || face->count == 0))
     return body.at("PLY: triangle strips are not supported; save the mesh with faces");
 
-  Imported imported;
-  FaceCollector faces;
+  PolygonMesh mesh;
+  PlyFaces faces;
+  ReadReport report;
+  report.leave_out(LeftOutKind::kElements, "TextureFile", header.textures);
   for (const PlyElement& element : header.elements) {
     if (!body.may_hold(element))
       return body.at("PLY: the file is too short for the number of elements it states");
     if (&element == vertex) {
-      DELTAMESH_CHECK(read_vertices(body, element, imported));
+      DELTAMESH_CHECK(read_vertices(body, element, mesh, report));
     } else if (&element == face) {
-      DELTAMESH_CHECK(read_faces(body, element, vertex->count, faces));
+      DELTAMESH_CHECK(faces.read(body, element, vertex->count));
     } else if (!element.properties.empty()) {
       for (std::uint64_t row = 0; row < element.count; ++row)
         DELTAMESH_CHECK(body.read_row(element, [](std::size_t, double) -> const char* { return nullptr; }));
-      if (element.name == "edge") imported.notes.other_primitives += element.count;
+      const bool edges = element.name == "edge";
+      report.leave_out(edges ? LeftOutKind::kPrimitives : LeftOutKind::kElements,
+                       edges ? "edges" : element.name, element.count);
     }
   }
-  faces.move_into(imported);
-  return imported;
+  DELTAMESH_TRY(const std::uint64_t behind, body.end());
+  report.leave_out(LeftOutKind::kElements, "bytes behind the last element", behind);
+  faces.move_into(mesh, report);
+  return to_triangles(std::move(mesh), std::move(report));
 }
 
 }  // namespace deltamesh

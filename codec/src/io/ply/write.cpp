@@ -32,7 +32,7 @@ std::string ply_name(std::string_view name) {
 
 class Columns {
  public:
-  explicit Columns(const MeshView& mesh) {
+  Columns(const MeshView& mesh, WriteReport& report) {
     const AttributeView* const normal = first_of(mesh, AttributeKind::kNormal, 3);
     const AttributeView* const color = first_of(mesh, AttributeKind::kColor, 3);
     const AttributeView* const uv = first_of(mesh, AttributeKind::kUv, 2);
@@ -41,23 +41,29 @@ class Columns {
     if (color != nullptr)
       add_named(*color, {"red", "green", "blue", "alpha"}, color->components >= 4 ? std::size_t{4} : 3);
     for (const AttributeView& attribute : mesh.attributes)
-      if (&attribute != normal && &attribute != color && &attribute != uv) add_generic(attribute);
+      if (&attribute != normal && &attribute != color && &attribute != uv && !add_generic(attribute))
+        report.leave_out(LeftOutKind::kNames, attribute.name);
   }
 
   std::vector<Column> take() { return std::move(columns_); }
 
  private:
-  void add(std::string name, const AttributeView& attribute, std::size_t component) {
-    while (!used_.insert(name).second) name += '_';
-    columns_.push_back({std::move(name), &attribute, component});
+  /// Whether the name could stay as it is.
+  bool add(const std::string& name, const AttributeView& attribute, std::size_t component) {
+    std::string unique = name;
+    while (!used_.insert(unique).second) unique += '_';
+    columns_.push_back({unique, &attribute, component});
+    return unique == name;
   }
   void add_named(const AttributeView& attribute, const std::array<const char*, 4>& names, std::size_t count) {
     for (std::size_t c = 0; c < count; ++c) add(names[c], attribute, c);
   }
-  void add_generic(const AttributeView& attribute) {
+  bool add_generic(const AttributeView& attribute) {
     const std::string name = ply_name(attribute.name);
+    bool same = name == attribute.name;
     for (std::size_t c = 0; c < attribute.components; ++c)
-      add(attribute.components == 1 ? name : name + '_' + std::to_string(c), attribute, c);
+      same &= add(attribute.components == 1 ? name : name + '_' + std::to_string(c), attribute, c);
+    return same;
   }
 
   std::set<std::string> used_{"x", "y", "z"};
@@ -91,9 +97,10 @@ void write_component(ByteWriter& out, const Column& column, std::size_t vertex) 
 
 }  // namespace
 
-std::vector<std::byte> write_ply(const MeshView& mesh) {
+std::vector<std::byte> write_ply(const MeshView& mesh, WriteReport& report) {
+  leave_out_groups(mesh, report);
   const bool wide = has_origin(mesh);
-  const std::vector<Column> columns = Columns(mesh).take();
+  const std::vector<Column> columns = Columns(mesh, report).take();
   ByteWriter out;
   const std::string header = header_text(mesh, columns, wide);
   out.write_bytes(std::as_bytes(std::span(header)));

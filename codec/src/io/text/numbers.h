@@ -5,21 +5,19 @@
 #pragma once
 
 #include <charconv>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace deltamesh {
 
-/// The whole of `text` as a decimal number, "nan" or "inf", with or without a sign. Nothing where it is not
-/// one, or does not fit a double.
-inline std::optional<double> parse_number(std::string_view text) noexcept {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
+/// The whole of `text` as a decimal number, "nan" or "inf", with or without a sign; what is too small for a
+/// double is 0. Nothing where it is not a number, or too large for a double.
+std::optional<double> parse_number(std::string_view text) noexcept;
+
+/// The whole of `text` as an integer of 64 bits, which may have a minus in front.
+std::optional<std::int64_t> parse_integer(std::string_view text) noexcept;
 
 /// Appends the shortest text that reads back to the same value.
 template <class T>

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <string>
 
-#include "deltamesh/mesh.h"
+#include "deltamesh/io.h"
 #include "io/components.h"
 #include "io/text/numbers.h"
 
@@ -44,6 +44,31 @@ inline const AttributeView* first_of(const MeshView& mesh, AttributeKind kind,
         return attribute.kind == kind && attribute.components >= components;
       });
   return found == mesh.attributes.end() ? nullptr : &*found;
+}
+
+/// The attributes that text formats have places for.
+struct VertexValues {
+  const AttributeView* normal = nullptr;
+  const AttributeView* color = nullptr;
+  const AttributeView* uv = nullptr;
+};
+
+/// The first of each; `report` gets all others, and what loses digits.
+inline VertexValues choose_values(const MeshView& mesh, WriteReport& report) {
+  const VertexValues chosen{first_of(mesh, AttributeKind::kNormal, 3),
+                            first_of(mesh, AttributeKind::kColor, 3), first_of(mesh, AttributeKind::kUv, 2)};
+  for (const AttributeView& attribute : mesh.attributes) {
+    const bool taken = &attribute == chosen.normal || &attribute == chosen.color || &attribute == chosen.uv;
+    if (!taken) report.leave_out(LeftOutKind::kVertexValues, attribute.name, mesh.vertex_count());
+    if (taken && attribute.type == ComponentType::kF64)
+      report.leave_out(LeftOutKind::kPrecision, attribute.name, mesh.vertex_count());
+  }
+  return chosen;
+}
+
+/// For formats that have no groups of faces.
+inline void leave_out_groups(const MeshView& mesh, WriteReport& report) {
+  report.leave_out(LeftOutKind::kFaceValues, "groups", mesh.face_groups.size());
 }
 
 /// Component `c` of a vertex, integers of a normalized attribute scaled to [0, 1] or [-1, 1].
