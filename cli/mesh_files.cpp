@@ -3,10 +3,12 @@
 #include "mesh_files.h"
 
 #include <filesystem>
+#include <iostream>
 #include <system_error>
 
 #include "deltamesh/decode.h"
 #include "report/console.h"
+#include "report/losses.h"
 #include "report/progress.h"
 
 namespace deltamesh::cli {
@@ -14,17 +16,37 @@ namespace {
 
 bool is_stream(const std::string& path) { return path.size() >= 5 && path.ends_with(".dmsh"); }
 
-int fail_with_suffixes(const std::string& path, const Error& error) {
-  if (error.code != ErrorCode::kUnknownFormat) return fail(path, error);
-  print_error(path, is_stream(path)
-                        ? "this is a stream, not a mesh file; `deltamesh decode` makes a mesh of it"
-                        : std::string("no mesh format has this suffix; known are ") + kMeshSuffixes);
-  return kUsage;
+/// Of a mesh file; prints what is wrong with its name or --format.
+std::optional<FileFormat> mesh_format(const std::string& path, const FileOptions& options, int& status) {
+  const Result<FileFormat> format = format_of_path(options.format.empty() ? path : '.' + options.format);
+  if (format) return *format;
+  status = kUsage;
+  const std::string suffix = std::filesystem::path(path).extension();
+  if (is_standard(path))
+    print_error(path, "--format must say what is piped: ply, obj, stl, off, gltf or glb");
+  else if (is_stream(path))
+    print_error(path, "this is a stream, not a mesh file; `deltamesh decode` makes a mesh of it");
+  else
+    print_error(path,
+                (suffix.empty() ? "the name has no suffix" : "no mesh format has the suffix " + suffix) +
+                    "; known are " + kMeshSuffixes +
+                    (options.are_options ? ", and --format can say which it is" : ""));
+  return std::nullopt;
 }
 
-Result<Imported> read_showing_progress(const std::string& path) {
+/// False, and an error on the terminal, where something is left out that may not be.
+bool accept_losses(const std::string& path, const LossReport& report, const FileOptions& options) {
+  if (!options.strict || report.left_out.empty()) return true;
+  print_error(path, "left out, which --strict forbids: " + left_out_text(report));
+  return false;
+}
+
+Result<Imported> read_showing_progress(const std::string& path, const ReadOptions& options) {
   const Progress progress("reading");
-  return read_mesh_file(path);
+  if (!is_standard(path)) return read_mesh_file(path, options);
+  const Result<std::vector<std::byte>> bytes = read_input(path);
+  if (!bytes) return bytes.error();
+  return read_mesh(*bytes, *options.format, {}, options);
 }
 
 Result<Mesh> decode_showing_progress(const std::vector<std::byte>& bytes, unsigned threads) {
@@ -32,22 +54,72 @@ Result<Mesh> decode_showing_progress(const std::vector<std::byte>& bytes, unsign
   return decode(bytes, {.limits = {}, .threads = threads, .progress = progress.callback()});
 }
 
-Result<void> write_showing_progress(const std::string& path, const MeshView& mesh) {
+Result<std::vector<std::byte>> write_showing_progress(const MeshView& mesh, FileFormat format,
+                                                      WriteReport& report) {
   const Progress progress("writing");
-  return write_mesh_file(path, mesh);
+  return write_mesh(mesh, format, &report);
 }
 
 }  // namespace
 
-std::optional<Imported> load_mesh(const std::string& path, int& status) {
-  Result<Imported> imported = read_showing_progress(path);
-  if (imported) return *std::move(imported);
-  status = fail_with_suffixes(path, imported.error());
+void add_file_options(CLI::App& command, FileOptions& options, bool reads) {
+  options.are_options = true;
+  command
+      .add_option("--format", options.format,
+                  "format of the mesh file, in place of its suffix: ply, obj, stl, off, gltf or glb")
+      ->check(CLI::IsMember({"ply", "obj", "stl", "off", "gltf", "glb"}));
+  command.add_flag("--strict", options.strict, "fail where anything of a mesh file is left out");
+  if (reads)
+    command.add_flag("--drop-invalid", options.drop_invalid,
+                     "drop faces at vertices that are NaN or infinite");
+}
+
+std::ostream& report_stream(const std::string& output) { return is_standard(output) ? std::cerr : std::cout; }
+
+Result<std::vector<std::byte>> read_input(const std::string& path) {
+  return read_file(is_standard(path) ? "/dev/stdin" : path);
+}
+
+Result<void> write_output(const std::string& path, std::span<const std::byte> bytes) {
+  if (!is_standard(path)) return write_file(path, bytes);
+  std::cout.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  std::cout.flush();
+  if (std::cout) return {};
+  return Error{.code = ErrorCode::kFileWrite, .message = "standard output cannot be written"};
+}
+
+std::optional<Imported> load_mesh(const std::string& path, int& status, const FileOptions& options) {
+  const std::optional<FileFormat> format = mesh_format(path, options, status);
+  if (!format) return std::nullopt;
+  Result<Imported> imported =
+      read_showing_progress(path, {.drop_invalid = options.drop_invalid, .format = format});
+  if (!imported) {
+    status = fail(path, imported.error());
+    return std::nullopt;
+  }
+  if (accept_losses(path, imported->report, options)) return *std::move(imported);
+  status = kBadInput;
   return std::nullopt;
 }
 
+std::optional<Imported> load_faces(const std::string& path, int& status, const FileOptions& options) {
+  std::optional<Imported> imported = load_mesh(path, status, options);
+  if (!imported || !imported->mesh.triangles.empty() || imported->mesh.positions.empty()) return imported;
+  print_error(path,
+              counted(imported->mesh.vertex_count(), "point", "points") + " and no faces: nothing to code");
+  status = kBadInput;
+  return std::nullopt;
+}
+
+ExitCode fail_coding(const std::string& path, const Error& error) {
+  if (error.code != ErrorCode::kInvalidMesh || error.where_kind != WhereKind::kVertex)
+    return fail(path, error);
+  print_error(path, describe(error) + "; --drop-invalid drops the faces at such vertices");
+  return kBadInput;
+}
+
 std::optional<Mesh> load_stream(const std::string& path, int& status, unsigned threads) {
-  const Result<std::vector<std::byte>> bytes = read_file(path);
+  const Result<std::vector<std::byte>> bytes = read_input(path);
   if (!bytes) {
     status = fail(path, bytes.error());
     return std::nullopt;
@@ -58,33 +130,41 @@ std::optional<Mesh> load_stream(const std::string& path, int& status, unsigned t
   return std::nullopt;
 }
 
-std::optional<Mesh> load_mesh_or_stream(const std::string& path, int& status) {
-  if (is_stream(path)) return load_stream(path, status);
-  std::optional<Imported> imported = load_mesh(path, status);
-  if (!imported) return std::nullopt;
-  return std::move(imported->mesh);
+std::optional<Imported> load_mesh_or_stream(const std::string& path, int& status,
+                                            const FileOptions& options) {
+  FileOptions own = options;
+  if (format_of_path(path)) own.format.clear();
+  if (!is_stream(path) && !(is_standard(path) && own.format.empty())) return load_mesh(path, status, own);
+  std::optional<Mesh> mesh = load_stream(path, status);
+  if (!mesh) return std::nullopt;
+  return Imported{.mesh = *std::move(mesh), .report = {}};
 }
 
-bool check_mesh_suffix(const std::string& path, int& status) {
-  const Result<FileFormat> format = format_of_path(path);
-  if (format) return true;
-  print_error(path, std::string("cannot write a mesh under this suffix; known are ") + kMeshSuffixes);
-  status = exit_code_of(format.error().code);
-  return false;
+bool check_mesh_suffix(const std::string& path, int& status, const FileOptions& options) {
+  return mesh_format(path, options, status).has_value();
 }
 
 bool names_same_file(const std::string& a, const std::string& b) {
   namespace fs = std::filesystem;
-  if (a.empty() || b.empty()) return false;
+  if (a.empty() || b.empty() || is_standard(a) || is_standard(b)) return false;
   std::error_code absent;
   if (fs::exists(a, absent)) return fs::is_regular_file(a, absent) && fs::equivalent(a, b, absent);
   return fs::weakly_canonical(fs::absolute(a, absent), absent) ==
          fs::weakly_canonical(fs::absolute(b, absent), absent);
 }
 
-int save_mesh(const std::string& path, const MeshView& mesh) {
-  if (const Result<void> written = write_showing_progress(path, mesh); !written)
-    return fail(path, written.error());
+int save_mesh(const std::string& path, const MeshView& mesh, const FileOptions& options,
+              WriteReport* report) {
+  int status = kOk;
+  const std::optional<FileFormat> format = mesh_format(path, options, status);
+  if (!format) return status;
+  WriteReport own;
+  WriteReport& losses = report != nullptr ? *report : own;
+  const Result<std::vector<std::byte>> bytes = write_showing_progress(mesh, *format, losses);
+  if (!bytes) return fail(path, bytes.error());
+  if (!accept_losses(path, losses, options)) return kCannotWrite;
+  if (const Result<void> written = write_output(path, *bytes); !written) return fail(path, written.error());
+  if (report == nullptr) print_left_out(losses, report_stream(path));
   return kOk;
 }
 

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Meshes in and out of files, with messages for people.
+// Meshes and streams in and out of files, with messages for people. "-" stands for standard input or output.
 #pragma once
 
+#include <CLI/CLI.hpp>
+#include <iosfwd>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "deltamesh/io.h"
 #include "exit_codes.h"
@@ -15,23 +19,53 @@ namespace deltamesh::cli {
 /// Known suffixes, for help and messages.
 inline constexpr const char* kMeshSuffixes = ".ply .obj .stl .off .gltf .glb";
 
+/// How mesh files are read and written.
+struct FileOptions {
+  std::string format;         ///< of the mesh file, a suffix without its point; empty: as the suffix says
+  bool strict = false;        ///< what is left out is an error
+  bool drop_invalid = false;  ///< as ReadOptions
+  bool are_options = false;   ///< the command has the options, so that messages may name them
+};
+
+/// Adds --format and --strict, and --drop-invalid for commands that read meshes.
+void add_file_options(CLI::App& command, FileOptions& options, bool reads);
+
+inline bool is_standard(const std::string& path) { return path == "-"; }
+
+/// Where to report to while `output` is written: standard output, or standard error where it is the output.
+std::ostream& report_stream(const std::string& output);
+
+/// Whole files, or standard input and output.
+Result<std::vector<std::byte>> read_input(const std::string& path);
+Result<void> write_output(const std::string& path, std::span<const std::byte> bytes);
+
 /// Reads a mesh; on failure prints why and leaves the exit code in `status`.
-std::optional<Imported> load_mesh(const std::string& path, int& status);
+std::optional<Imported> load_mesh(const std::string& path, int& status, const FileOptions& options = {});
+
+/// The same for what is about to be coded: a file that has points alone is refused.
+std::optional<Imported> load_faces(const std::string& path, int& status, const FileOptions& options);
+
+/// Prints an error of coding the mesh of `path`; one about a vertex that is not finite with the option that
+/// helps.
+ExitCode fail_coding(const std::string& path, const Error& error);
 
 /// Reads and decodes a stream, likewise. `threads`: as DecodeOptions.
 std::optional<Mesh> load_stream(const std::string& path, int& status, unsigned threads = 1);
 
-/// Either of them, by the suffix.
-std::optional<Mesh> load_mesh_or_stream(const std::string& path, int& status);
+/// Either of them, by the suffix; the format counts where there is none, and standard input without a format
+/// is a stream.
+std::optional<Imported> load_mesh_or_stream(const std::string& path, int& status, const FileOptions& options);
 
 /// Whether a mesh can be written under this name; if not, says so and which names will do.
-bool check_mesh_suffix(const std::string& path, int& status);
+bool check_mesh_suffix(const std::string& path, int& status, const FileOptions& options = {});
 
 /// Whether both paths lead to one regular file, or to one that is yet to be made; an empty path leads
 /// nowhere.
 bool names_same_file(const std::string& a, const std::string& b);
 
-/// Writes a mesh, whole or not at all; returns the exit code.
-int save_mesh(const std::string& path, const MeshView& mesh);
+/// Writes a mesh, whole or not at all; returns the exit code. `report` gets what the format cannot hold;
+/// without one it is printed.
+int save_mesh(const std::string& path, const MeshView& mesh, const FileOptions& options = {},
+              WriteReport* report = nullptr);
 
 }  // namespace deltamesh::cli

@@ -3,6 +3,7 @@
 #include "deltamesh/compare.h"
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <memory>
 #include <string>
 
@@ -12,6 +13,7 @@
 #include "report/attributes.h"
 #include "report/console.h"
 #include "report/heatmap.h"
+#include "report/losses.h"
 #include "report/progress.h"
 #include "report/stream.h"
 
@@ -24,7 +26,11 @@ struct CompareArguments {
   std::string order;
   std::string heatmap;
   bool json = false;
+  FileOptions files;
 };
+
+/// Of A and B.
+using Losses = std::array<ReadReport, 2>;
 
 /// Little-endian uint32, as `encode --order-out` writes them; empty with `status` set where the file is bad.
 std::vector<std::uint32_t> load_order(const std::string& path, int& status) {
@@ -50,7 +56,8 @@ std::string attributes_headline(const Comparison& result) {
              : "not measured, for no faces correspond";
 }
 
-void print_summary(const CompareArguments& arguments, const Comparison& result, float scale) {
+void print_summary(const CompareArguments& arguments, const Losses& losses, const Comparison& result,
+                   float scale) {
   Summary summary(arguments.a + " and " + arguments.b);
   if (result.corresponding) {
     summary.add("vertices", std::string("correspond") + (result.reordered ? ", in another order" : "") +
@@ -71,10 +78,14 @@ void print_summary(const CompareArguments& arguments, const Comparison& result, 
   if (!arguments.heatmap.empty())
     summary.add("heat map", arguments.heatmap + ", red is " + of_diagonal(scale, result.diagonal) +
                                 " outward, blue inward");
+  for (std::size_t m = 0; m < losses.size(); ++m)
+    if (!losses[m].left_out.empty())
+      summary.add(m == 0 ? "left out of A" : "left out of B", left_out_text(losses[m]));
   summary.print();
 }
 
-void print_object(const CompareArguments& arguments, const Comparison& result, float scale) {
+void print_object(const CompareArguments& arguments, const Losses& losses, const Comparison& result,
+                  float scale) {
   nlohmann::ordered_json object;
   const nlohmann::ordered_json none = nullptr;
   const bool pairs = result.corresponding;
@@ -99,6 +110,8 @@ void print_object(const CompareArguments& arguments, const Comparison& result, f
   object["diagonal"] = result.diagonal;
   object["measured_vertices"] = pairs ? nlohmann::ordered_json(result.measured_vertices) : none;
   object["attributes"] = attributes_object(result);
+  object["left_out_a"] = left_out_array(losses[0]);
+  object["left_out_b"] = left_out_array(losses[1]);
   if (!arguments.heatmap.empty()) object["heatmap_scale"] = scale;
   print_json(object);
 }
@@ -124,25 +137,26 @@ int run_compare(const CompareArguments& arguments) {
     print_error(arguments.heatmap, "the heat map would replace a mesh that it compares");
     return kUsage;
   }
-  const std::optional<Mesh> a = load_mesh_or_stream(arguments.a, status);
+  const std::optional<Imported> a = load_mesh_or_stream(arguments.a, status, arguments.files);
   if (!a) return status;
-  const std::optional<Mesh> b = load_mesh_or_stream(arguments.b, status);
+  const std::optional<Imported> b = load_mesh_or_stream(arguments.b, status, arguments.files);
   if (!b) return status;
   std::vector<std::uint32_t> order;
   if (!arguments.order.empty()) order = load_order(arguments.order, status);
   if (status != kOk) return status;
 
-  const Result<Comparison> result = compare_showing_progress(*a, *b, order);
+  const Result<Comparison> result = compare_showing_progress(a->mesh, b->mesh, order);
   if (!result) return fail_comparison(arguments, result.error());
   const float scale = heatmap_scale(result->signed_error);
   if (!arguments.heatmap.empty()) {
-    status = save_mesh(arguments.heatmap, heatmap(*b, result->signed_error, scale));
+    status = save_mesh(arguments.heatmap, heatmap(b->mesh, result->signed_error, scale));
     if (status != kOk) return status;
   }
+  const Losses losses{a->report, b->report};
   if (arguments.json)
-    print_object(arguments, *result, scale);
+    print_object(arguments, losses, *result, scale);
   else
-    print_summary(arguments, *result, scale);
+    print_summary(arguments, losses, *result, scale);
   if (order.empty() || result->corresponding) return kOk;
   print_error(arguments.b, "its triangles are not those of " + arguments.a + " under the given order");
   return kBadStream;
@@ -159,6 +173,7 @@ void add_compare_command(CLI::App& app, int& status) {
                       "file of `encode --order-out`: the vertex of A for every vertex of B");
   command->add_option("--heatmap", arguments->heatmap,
                       "write B coloured by signed error: green none, red outward, blue inward");
+  add_file_options(*command, arguments->files, true);
   command->add_flag("--json", arguments->json, "print one JSON object to standard output");
   command->footer(
       "Vertices correspond where both meshes have the same triangles. They may come in another order: faces "

@@ -9,6 +9,7 @@
 #include "commands/commands.h"
 #include "mesh_files.h"
 #include "report/console.h"
+#include "report/losses.h"
 
 namespace deltamesh::cli {
 namespace {
@@ -17,18 +18,30 @@ struct DecodeArguments {
   std::string in;
   std::string out;
   unsigned threads = 1;
+  bool json = false;
+  FileOptions files;
 };
 
 int run_decode(const DecodeArguments& arguments) {
   int status = kOk;
-  if (!check_mesh_suffix(arguments.out, status)) return status;
+  if (!check_mesh_suffix(arguments.out, status, arguments.files)) return status;
   const std::optional<Mesh> mesh = load_stream(arguments.in, status, arguments.threads);
   if (!mesh) return status;
-  status = save_mesh(arguments.out, *mesh);
-  if (status == kOk)
-    std::cout << arguments.in << " -> " << arguments.out << ": "
-              << counted(mesh->vertex_count(), "vertex", "vertices") << ", "
-              << counted(mesh->triangle_count(), "triangle", "triangles") << '\n';
+  WriteReport report;
+  status = save_mesh(arguments.out, *mesh, arguments.files, &report);
+  if (status != kOk) return status;
+  std::ostream& out = report_stream(arguments.out);
+  if (arguments.json) {
+    print_json({{"vertices", mesh->vertex_count()},
+                {"triangles", mesh->triangle_count()},
+                {"left_out", left_out_array(report)}},
+               out);
+    return status;
+  }
+  out << arguments.in << " -> " << arguments.out << ": "
+      << counted(mesh->vertex_count(), "vertex", "vertices") << ", "
+      << counted(mesh->triangle_count(), "triangle", "triangles") << '\n';
+  print_left_out(report, out);
   return status;
 }
 
@@ -37,8 +50,13 @@ int run_decode(const DecodeArguments& arguments) {
 void add_decode_command(CLI::App& app, int& status) {
   const auto arguments = std::make_shared<DecodeArguments>();
   CLI::App* command = app.add_subcommand("decode", "Turn a .dmsh stream back into a mesh file");
-  command->add_option("IN", arguments->in, "stream, .dmsh")->required();
-  command->add_option("OUT", arguments->out, std::string("mesh file to write: ") + kMeshSuffixes)->required();
+  command->add_option("IN", arguments->in, "stream, .dmsh; - is standard input")->required();
+  command
+      ->add_option("OUT", arguments->out,
+                   std::string("mesh file to write: ") + kMeshSuffixes + "; - is standard output")
+      ->required();
+  add_file_options(*command, arguments->files, false);
+  command->add_flag("--json", arguments->json, "print one JSON object to standard output");
   command
       ->add_option("--threads", arguments->threads,
                    "threads to decode on; 0: as many as the machine runs at once; the mesh is the same")

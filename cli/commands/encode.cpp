@@ -15,6 +15,7 @@
 #include "mesh_files.h"
 #include "report/attributes.h"
 #include "report/console.h"
+#include "report/losses.h"
 #include "report/progress.h"
 #include "report/stream.h"
 
@@ -26,6 +27,7 @@ struct EncodeArguments {
   std::string out;
   std::string order_out;
   bool json = false;
+  FileOptions files;
   EncodeOptions options;
 };
 
@@ -39,7 +41,7 @@ std::vector<std::byte> order_bytes(const std::vector<std::uint32_t>& order) {
   return bytes;
 }
 
-void print_summary(const EncodeArguments& arguments, const ImportNotes& notes, const EncodeReport& report,
+void print_summary(const EncodeArguments& arguments, const ReadReport& read, const EncodeReport& report,
                    double seconds) {
   const StreamInfo& stream = report.stream;
   Summary summary(arguments.in + " -> " + arguments.out);
@@ -51,15 +53,9 @@ void print_summary(const EncodeArguments& arguments, const ImportNotes& notes, c
                 (arguments.options.keep_unreferenced ? "kept)" : "dropped)");
   summary.add("vertices", vertices);
   std::string triangles = grouped(stream.triangles);
-  if (notes.polygons > 0) triangles += " (" + counted(notes.polygons, "polygon", "polygons") + " split)";
-  if (notes.dropped_faces > 0)
-    triangles += " (" + counted(notes.dropped_faces, "face", "faces") + " of under three corners dropped)";
+  if (read.polygons > 0) triangles += " (" + counted(read.polygons, "polygon", "polygons") + " split)";
   summary.add("triangles", triangles);
-  if (notes.other_primitives > 0)
-    summary.add("left out", counted(notes.other_primitives, "point or line", "points or lines"));
-  if (notes.dropped_attributes > 0)
-    summary.add("left out", counted(notes.dropped_attributes, "attribute", "attributes") +
-                                " (bad name, or not alike in all primitives)");
+  if (!read.left_out.empty()) summary.add("left out", left_out_text(read));
   summary.add("components", grouped(stream.components));
   add_sizes(summary, stream);
   add_attributes(summary, stream);
@@ -67,17 +63,19 @@ void print_summary(const EncodeArguments& arguments, const ImportNotes& notes, c
   add_settings(summary, stream);
   add_errors(summary, stream.quality, stream.diagonal);
   summary.add("time", brief(seconds) + " s");
-  summary.print();
+  summary.print(report_stream(arguments.out));
 }
 
-void print_object(const EncodeReport& report, double seconds) {
+void print_object(const EncodeArguments& arguments, const ReadReport& read, const EncodeReport& report,
+                  double seconds) {
   nlohmann::ordered_json object;
   object["input_vertices"] = report.input_vertices;
   object["unreferenced_vertices"] = report.unreferenced_vertices;
   object["dropped_lengths"] = report.dropped_lengths;
+  object["left_out"] = left_out_array(read);
   add_stream(object, report.stream);
   object["encode_seconds"] = seconds;
-  print_json(object);
+  print_json(object, report_stream(arguments.out));
 }
 
 Result<Encoded> encode_showing_progress(const Mesh& mesh, EncodeOptions options) {
@@ -125,23 +123,25 @@ int run_encode(const EncodeArguments& arguments) {
   if (const Result<void> valid = validate(arguments.options); !valid) return fail("encode", valid.error());
   int status = kOk;
   if (!check_outputs(arguments, status)) return status;
-  const std::optional<Imported> imported = load_mesh(arguments.in, status);
+  const std::optional<Imported> imported = arguments.options.keep_unreferenced
+                                               ? load_mesh(arguments.in, status, arguments.files)
+                                               : load_faces(arguments.in, status, arguments.files);
   if (!imported || !check_named_bounds(arguments, imported->mesh, status)) return status;
 
   const auto start = std::chrono::steady_clock::now();
   const Result<Encoded> encoded = encode_showing_progress(imported->mesh, arguments.options);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  if (!encoded) return fail(arguments.in, encoded.error());
+  if (!encoded) return fail_coding(arguments.in, encoded.error());
 
-  if (const Result<void> written = write_file(arguments.out, encoded->bytes); !written)
+  if (const Result<void> written = write_output(arguments.out, encoded->bytes); !written)
     return fail(arguments.out, written.error());
   if (!arguments.order_out.empty())
     if (const Result<void> written = write_file(arguments.order_out, order_bytes(encoded->order)); !written)
       return fail(arguments.order_out, written.error());
   if (arguments.json)
-    print_object(encoded->report, elapsed.count());
+    print_object(arguments, imported->report, encoded->report, elapsed.count());
   else
-    print_summary(arguments, imported->notes, encoded->report, elapsed.count());
+    print_summary(arguments, imported->report, encoded->report, elapsed.count());
   return kOk;
 }
 
@@ -150,8 +150,14 @@ int run_encode(const EncodeArguments& arguments) {
 void add_encode_command(CLI::App& app, int& status) {
   const auto arguments = std::make_shared<EncodeArguments>();
   CLI::App* command = app.add_subcommand("encode", "Compress a mesh file into a .dmsh stream");
-  command->add_option("IN", arguments->in, std::string("mesh file: ") + kMeshSuffixes)->required();
-  command->add_option("OUT", arguments->out, "stream to write, .dmsh")->required();
+  command
+      ->add_option("IN", arguments->in, std::string("mesh file: ") + kMeshSuffixes + "; - is standard input")
+      ->required();
+  command
+      ->add_option("OUT", arguments->out,
+                   "stream to write, .dmsh; - is standard output, reports go to standard error then")
+      ->required();
+  add_file_options(*command, arguments->files, true);
   add_encode_options(*command, arguments->options);
   command->add_option("--order-out", arguments->order_out,
                       "write the input vertex of every decoded vertex, as little-endian uint32");

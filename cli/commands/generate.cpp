@@ -12,6 +12,7 @@
 #include "mesh_files.h"
 #include "option_numbers.h"
 #include "report/console.h"
+#include "report/losses.h"
 #include "report/progress.h"
 #include "scenes/scenes.h"
 
@@ -47,11 +48,13 @@ int run_generate(const GenerateArguments& arguments) {
   if (!check_mesh_suffix(arguments.out, status)) return status;
   const Result<Mesh> mesh = generate_showing_progress(arguments);
   if (!mesh) return fail(arguments.scene, mesh.error());
-  status = save_mesh(arguments.out, *mesh);
-  if (status == kOk)
-    std::cout << arguments.scene << " -> " << arguments.out << ": "
-              << counted(mesh->vertex_count(), "vertex", "vertices") << ", "
-              << counted(mesh->triangle_count(), "triangle", "triangles") << '\n';
+  WriteReport report;
+  status = save_mesh(arguments.out, *mesh, {}, &report);
+  if (status != kOk) return status;
+  std::cout << arguments.scene << " -> " << arguments.out << ": "
+            << counted(mesh->vertex_count(), "vertex", "vertices") << ", "
+            << counted(mesh->triangle_count(), "triangle", "triangles") << '\n';
+  print_left_out(report, std::cout);
   return status;
 }
 

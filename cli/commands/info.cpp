@@ -7,8 +7,8 @@
 #include <string>
 
 #include "commands/commands.h"
-#include "deltamesh/io.h"
 #include "deltamesh/stream_info.h"
+#include "mesh_files.h"
 #include "report/attributes.h"
 #include "report/console.h"
 #include "report/stream.h"
@@ -92,7 +92,7 @@ void print_object(const StreamInfo& info) {
 }
 
 int run_info(const InfoArguments& arguments) {
-  const Result<std::vector<std::byte>> bytes = read_file(arguments.file);
+  const Result<std::vector<std::byte>> bytes = read_input(arguments.file);
   if (!bytes) return fail(arguments.file, bytes.error());
   const Result<StreamInfo> info = inspect(*bytes);
   if (!info) return fail(arguments.file, info.error());
@@ -111,7 +111,7 @@ void add_info_command(CLI::App& app, int& status) {
   const auto arguments = std::make_shared<InfoArguments>();
   CLI::App* command =
       app.add_subcommand("info", "Tell what a stream holds: counts, sizes, achieved errors, chunks");
-  command->add_option("FILE", arguments->file, "stream, .dmsh")->required();
+  command->add_option("FILE", arguments->file, "stream, .dmsh; - is standard input")->required();
   command->add_flag("--json", arguments->json, "print one JSON object to standard output");
   command->footer("Headers and the checksum are checked, nothing is decoded; `verify` checks everything.\n");
   command->callback([arguments, &status] { status = run_info(*arguments); });

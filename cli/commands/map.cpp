@@ -18,6 +18,7 @@
 #include "mesh_files.h"
 #include "option_numbers.h"
 #include "report/console.h"
+#include "report/losses.h"
 #include "report/progress.h"
 
 namespace deltamesh::cli {
@@ -27,6 +28,7 @@ struct Splitting {
   std::string in;
   std::string folder;
   MapSettings settings;
+  FileOptions files;
   bool json = false;
 };
 
@@ -34,6 +36,7 @@ struct Folders {
   std::string first;
   std::string second;
   std::uint8_t level = 0;
+  FileOptions files;
   bool json = false;
 };
 
@@ -68,7 +71,7 @@ int run_split(const Splitting& splitting) {
   if (const Result<void> valid = validate(splitting.settings); !valid)
     return fail("map split", valid.error());
   int status = kOk;
-  const auto imported = load_mesh(splitting.in, status);
+  const auto imported = load_faces(splitting.in, status, splitting.files);
   if (!imported) return status;
   std::optional<MapState> before;
   if (is_map(splitting.folder)) {
@@ -80,7 +83,7 @@ int run_split(const Splitting& splitting) {
     return encode_map(imported->mesh, splitting.settings, before ? &*before : nullptr);
   };
   const Result<MapState> state = encode();
-  if (!state) return fail(splitting.in, state.error());
+  if (!state) return fail_coding(splitting.in, state.error());
   std::vector<NewPart> parts;
   for (std::size_t i = 0; i < state->octets.size(); ++i) {
     const PartEntry& entry = state->manifest.entries[i];
@@ -91,33 +94,33 @@ int run_split(const Splitting& splitting) {
     return fail(splitting.folder, saved.error());
   if (splitting.json) {
     auto object = map_object(state->manifest);
-    object["new_parts"] = parts.size();
+    object.update({{"new_parts", parts.size()}, {"left_out", left_out_array(imported->report)}});
     print_json(object);
   } else {
     print_map(splitting.in + " -> " + splitting.folder, state->manifest, parts.size());
+    print_left_out(imported->report, report_stream({}));
   }
   return kOk;
 }
 
 int run_join(const Folders& folders) {
   int status = kOk;
-  if (!check_mesh_suffix(folders.second, status)) return status;
+  if (!check_mesh_suffix(folders.second, status, folders.files)) return status;
   const auto state = load_state(folders.first, status);
   if (!state) return status;
   const Result<Mesh> mesh = decode_map(*state, {}, folders.level);
   if (!mesh) return fail(folders.first, mesh.error());
-  return save_mesh(folders.second, *mesh);
+  return save_mesh(folders.second, *mesh, folders.files);
 }
 
 int run_map_info(const Folders& folders) {
   int status = kOk;
   const auto manifest = load_manifest(folders.first, status);
   if (!manifest) return status;
-  if (folders.json) {
+  if (folders.json)
     print_json(map_object(*manifest));
-  } else {
+  else
     print_map(folders.first + ": deltamesh map", *manifest);
-  }
   return kOk;
 }
 
@@ -165,10 +168,7 @@ int run_diff(const Folders& folders) {
             (is_removed ? "" : ", " + counted(entry->bytes, "byte", "bytes")) + '\n';
   }
   object["bytes"] = bytes;
-  if (folders.json) {
-    print_json(object);
-    return kOk;
-  }
+  if (folders.json) return print_json(object), kOk;
   Summary summary(folders.first + " -> " + folders.second);
   summary.add("what all parts share", is_same_epoch ? "is the same" : "is not the same");
   summary.add("differences", counted(list.size(), "part", "parts") + ", " + counted(bytes, "byte", "bytes"));
@@ -203,6 +203,7 @@ void add_split(CLI::App& map, int& status) {
       ->capture_default_str();
   command->add_option("--frame", splitting->settings.frame, "name of the coordinate frame")
       ->capture_default_str();
+  add_file_options(*command, splitting->files, true);
   add_part_quality(*command, splitting->settings.quality);
   command->add_flag("--json", splitting->json, "print one JSON object to standard output");
   command->footer(
@@ -224,6 +225,7 @@ void add_folders(CLI::App& map, int& status, const char* name, const char* what,
         ->add_option("--level", folders->level,
                      "make it of parts of this level and above, as coarse as they are (see `map info`)")
         ->check(CLI::Range(0, int{kMostPartLevel}));
+    add_file_options(*command, folders->files, false);
   } else {
     command->add_flag("--json", folders->json, "print one JSON object to standard output");
   }

@@ -17,8 +17,8 @@ ExitCode fail(std::string_view subject, const Error& error) {
   return exit_code_of(error.code);
 }
 
-void print_json(const nlohmann::ordered_json& object) {
-  std::cout << object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+void print_json(const nlohmann::ordered_json& object, std::ostream& out) {
+  out << object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
 }
 
 std::string grouped(std::uint64_t number) {
@@ -43,12 +43,12 @@ std::string of_diagonal(double length, double diagonal) {
   return brief(length) + " (" + brief(100 * length / diagonal) + " % of the diagonal)";
 }
 
-void Summary::print() const {
+void Summary::print(std::ostream& out) const {
   std::size_t width = 0;
   for (const Line& line : lines_) width = std::max(width, line.label.size());
-  std::cout << headline_ << '\n';
+  out << headline_ << '\n';
   for (const Line& line : lines_)
-    std::cout << "  " << line.label << std::string(width - line.label.size() + 2, ' ') << line.value << '\n';
+    out << "  " << line.label << std::string(width - line.label.size() + 2, ' ') << line.value << '\n';
 }
 
 }  // namespace deltamesh::cli

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -21,8 +22,8 @@ void print_error(std::string_view subject, std::string_view what);
 /// The same for an error of the library; returns the program's exit code for it.
 ExitCode fail(std::string_view subject, const Error& error);
 
-/// Prints one object to stdout. NaN and infinity become null.
-void print_json(const nlohmann::ordered_json& object);
+/// Prints one object, to standard output where nothing else is said. NaN and infinity become null.
+void print_json(const nlohmann::ordered_json& object, std::ostream& out = std::cout);
 
 /// 1234567 as "1,234,567".
 std::string grouped(std::uint64_t number);
@@ -36,12 +37,12 @@ std::string brief(double number);
 /// "0.01234 (0.05 % of the diagonal)"; the length alone where the diagonal is 0.
 std::string of_diagonal(double length, double diagonal);
 
-/// A headline and aligned lines of label and value, printed to stdout.
+/// A headline and aligned lines of label and value.
 class Summary {
  public:
   explicit Summary(std::string headline) : headline_(std::move(headline)) {}
   void add(std::string label, std::string value) { lines_.push_back({std::move(label), std::move(value)}); }
-  void print() const;
+  void print(std::ostream& out = std::cout) const;
 
  private:
   struct Line {

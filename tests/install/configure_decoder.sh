@@ -3,7 +3,7 @@
 set -euo pipefail
 source=$1 scratch=$2 compiler=$3
 disabled=()
-for package in Eigen3 nlohmann_json tinyobjloader TinyGLTF CLI11 GTest benchmark draco meshoptimizer; do
+for package in Eigen3 nlohmann_json TinyGLTF CLI11 GTest benchmark draco meshoptimizer; do
   disabled+=("-DCMAKE_DISABLE_FIND_PACKAGE_$package=ON")
 done
 rm -rf "$scratch"

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,39 +22,82 @@ enum class FileFormat : std::uint8_t { kPly, kObj, kStl, kOff, kGltf, kGlb };
 /// From the suffix, any letter case. Errors: kUnknownFormat.
 Result<FileFormat> format_of_path(std::string_view path) noexcept;
 
-/// What an importer found in the file and what it changed.
-struct ImportNotes {
-  std::uint64_t polygons = 0;          ///< faces with more than three corners, triangulated as fans
-  std::uint64_t dropped_faces = 0;     ///< faces with fewer than three corners
-  std::uint64_t welded_corners = 0;    ///< STL: corners merged by equal position
-  std::uint64_t other_primitives = 0;  ///< glTF: points, lines; PLY, OBJ: edges and the like, left out
-  std::uint64_t dropped_attributes =
-      0;  ///< name not UTF-8 of 1 to 255 bytes, or glTF primitives differ in it
+/// What a reader left out or guessed, or what a format cannot hold.
+enum class LeftOutKind : std::uint8_t {
+  kVertexValues,  ///< an attribute or property of vertices; `count` vertices
+  kFaceValues,    ///< of faces or their corners; `count` faces
+  kFaces,         ///< `name` tells why
+  kPrimitives,    ///< points, lines, curves and the like
+  kElements,      ///< PLY: elements that are neither vertices nor faces; OBJ: statements; glTF: parts of the
+                  ///< asset
+  kNames,      ///< of groups, objects or materials; what had them is kept as far as face groups can tell it
+  kPrecision,  ///< digits of values
+  kGuesses,    ///< the file contradicts itself or does not say; `name` tells what was taken
+};
+
+/// One word for machines: "vertex_values", "face_values", "faces", "primitives", "elements", "names",
+/// "precision", "guesses".
+std::string_view word_of(LeftOutKind kind) noexcept;
+
+struct LeftOut {
+  LeftOutKind kind = LeftOutKind::kElements;
+  std::string name;  ///< the file's name for it, or plain words
+  std::uint64_t count = 1;
+};
+
+/// One phrase for people: "vertex values confidence (1200)".
+std::string describe(const LeftOut& entry);
+
+/// What did not get from one side to the other. Empty: nothing is lost.
+struct LossReport {
+  std::vector<LeftOut> left_out;
+
+  /// Adds to the entry of this kind and name; nothing where `count` is 0.
+  void leave_out(LeftOutKind kind, std::string_view name, std::uint64_t count = 1);
+};
+
+/// What a reader found in a file, beside the mesh. What makes triangles of a file is no loss, and counted
+/// apart.
+struct ReadReport : LossReport {
+  std::uint64_t polygons = 0;        ///< faces with more than three corners, triangulated
+  std::uint64_t welded_corners = 0;  ///< STL: corners merged by equal position
+};
+
+struct WriteReport : LossReport {};
+
+struct ReadOptions {
+  bool drop_invalid = false;  ///< drops faces at vertices that are not finite, in place of keeping them
+  std::optional<FileFormat> format{};  ///< of files whose suffix does not say it
 };
 
 struct Imported {
   Mesh mesh;
-  ImportNotes notes;
+  ReadReport report;
 };
 
 /// Reads a mesh from bytes; for kGltf external buffers are resolved against `folder` (never outside it).
-/// Coordinates that do not fit float32 keep their precision through Mesh::origin.
-/// Errors: kInvalidFile with line or byte, kFileOpen and kFileRead (external buffers), kOutOfMemory.
-Result<Imported> read_mesh(std::span<const std::byte> bytes, FileFormat format,
-                           std::string_view folder = {}) noexcept;
+/// Vertices that are not finite are dropped where no face uses them. Coordinates that do not fit float32 keep
+/// their precision through Mesh::origin. Errors: kInvalidFile with line or byte, kFileOpen and kFileRead
+/// (external buffers), kOutOfMemory.
+Result<Imported> read_mesh(std::span<const std::byte> bytes, FileFormat format, std::string_view folder = {},
+                           const ReadOptions& options = {}) noexcept;
 
-/// Reads the file at `path`; format by suffix. Errors: as above, kFileOpen, kFileRead, kUnknownFormat.
-Result<Imported> read_mesh_file(const std::string& path) noexcept;
+/// Reads the file at `path`; format by suffix, where `options` does not say it. Errors: as above, kFileOpen,
+/// kFileRead, kUnknownFormat.
+Result<Imported> read_mesh_file(const std::string& path, const ReadOptions& options = {}) noexcept;
 
 /// Writes a mesh to bytes (kGltf: one self-contained JSON with embedded buffers). A mesh with an origin is
 /// written with double coordinates where the format has them (PLY, OBJ, OFF), as a node translation in glTF;
-/// STL is float32 only. Errors: kInvalidMesh (sizes that disagree, index out of range; glTF: a coordinate
-/// that is not finite), kLimitExceeded (more than the format can hold), kOutOfMemory, kUnknownFormat.
-Result<std::vector<std::byte>> write_mesh(const MeshView& mesh, FileFormat format) noexcept;
+/// STL is float32 only. `report`: where to put what the format cannot hold; may be null. Errors: kInvalidMesh
+/// (sizes that disagree, index out of range; glTF: a coordinate that is not finite), kLimitExceeded (more
+/// than the format can hold), kOutOfMemory, kUnknownFormat.
+Result<std::vector<std::byte>> write_mesh(const MeshView& mesh, FileFormat format,
+                                          WriteReport* report = nullptr) noexcept;
 
 /// Writes to `path`, whole or not at all: to a temporary file beside it, then a rename. Format by suffix.
 /// Errors: kUnknownFormat, kFileWrite.
-Result<void> write_mesh_file(const std::string& path, const MeshView& mesh) noexcept;
+Result<void> write_mesh_file(const std::string& path, const MeshView& mesh,
+                             WriteReport* report = nullptr) noexcept;
 
 /// Whole file in, whole file out (same all-or-nothing promise). Errors: kFileOpen, kFileRead, kFileWrite.
 Result<std::vector<std::byte>> read_file(const std::string& path) noexcept;

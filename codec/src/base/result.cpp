@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdio>
+#include <string_view>
 
 namespace deltamesh {
 namespace {
@@ -12,6 +13,13 @@ namespace {
 /// By WhereKind.
 constexpr std::array<const char*, 7> kUnits{"",          "byte ",      "line ",   "vertex ",
                                             "triangle ", "attribute ", "element "};
+
+/// In quotes; bytes that a terminal may not show as they are become '?'.
+std::string quoted(std::string_view bytes) {
+  std::string text = "'";
+  for (const char c : bytes) text += c >= ' ' && c <= '~' ? c : '?';
+  return text + "'";
+}
 
 /// Four significant digits.
 std::string short_number(double number) {
@@ -24,6 +32,7 @@ std::string short_number(double number) {
 
 std::string describe(const Error& error) {
   std::string text = error.message;
+  if (error.found[0] != '\0') text += ": " + quoted(error.found.data());
   if (error.where_kind != WhereKind::kNone)
     text +=
         std::string(", ") + kUnits[static_cast<std::size_t>(error.where_kind)] + std::to_string(error.where);

@@ -188,12 +188,12 @@ Result<void> fill(const GltfDocument& document, GltfBuffers buffers, const GltfV
 
 Result<std::vector<Attribute>> merge_attributes(const GltfDocument& document, GltfBuffers buffers,
                                                 const std::vector<GltfVertexSet>& sets,
-                                                std::uint64_t vertices, std::uint64_t& dropped) {
+                                                std::uint64_t vertices, ReadReport& report) {
   DELTAMESH_TRY(const Layouts layouts, find_layouts(document, sets));
   std::vector<Attribute> attributes;
   for (const auto& [semantic, layout] : layouts) {
     if (!is_kept(semantic, layout, sets.size())) {
-      ++dropped;
+      report.leave_out(LeftOutKind::kVertexValues, semantic, vertices);
       continue;
     }
     Attribute attribute = make_attribute(layout.kind, layout.type, layout.components, semantic, vertices);

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "deltamesh/io.h"
 #include "io/gltf_accessor.h"
 #include "io/gltf_scene.h"
 
@@ -27,11 +28,11 @@ struct GltfVertexSet {
 /// normals and tangents are turned with their node. Where the sets differ: a colour that some lack is filled
 /// with opaque white, tangents with x, the rest with 0 (normals are add_missing_normals()'s to find); colours
 /// and weights of several types become float32, joints u16. A custom attribute that a set lacks, or has in
-/// another type, and one whose name is not UTF-8 of 1 to 255 bytes, is left out and counted in `dropped`.
+/// another type, and one whose name is not UTF-8 of 1 to 255 bytes, is left out and told to `report`.
 /// Errors: kInvalidFile: a semantic with a wrong type or count, accessors out of range.
 Result<std::vector<Attribute>> merge_attributes(const GltfDocument& document, GltfBuffers buffers,
                                                 const std::vector<GltfVertexSet>& sets,
-                                                std::uint64_t vertices, std::uint64_t& dropped);
+                                                std::uint64_t vertices, ReadReport& report);
 
 /// Gives the vertices of sets without NORMAL the normals of `mesh`, weighted by area, where it has the
 /// attribute for others. `mesh` is complete but for them.

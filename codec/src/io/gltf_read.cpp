@@ -49,8 +49,8 @@ class Assembly {
   Result<Imported> build() {
     for (const GltfPlacement& placement : placements_) DELTAMESH_CHECK(collect(placement));
     DELTAMESH_CHECK(read_positions());
-    DELTAMESH_TRY(imported_.mesh.attributes, merge_attributes(document_, buffers_, sets_, vertices_,
-                                                              imported_.notes.dropped_attributes));
+    DELTAMESH_TRY(imported_.mesh.attributes,
+                  merge_attributes(document_, buffers_, sets_, vertices_, imported_.report));
     for (const Part& part : parts_) DELTAMESH_CHECK(read_triangles(part));
     add_missing_normals(sets_, imported_.mesh);
     return std::move(imported_);
@@ -63,7 +63,7 @@ class Assembly {
     for (const tinygltf::Primitive& primitive : document_.model.meshes[placement.mesh].primitives) {
       const auto position = primitive.attributes.find("POSITION");
       if (!is_triangles(primitive.mode) || position == primitive.attributes.end()) {
-        ++imported_.notes.other_primitives;
+        imported_.report.leave_out(LeftOutKind::kPrimitives, "primitives that are not triangles");
         continue;
       }
       const auto [set, is_new] = known.emplace(primitive.attributes, sets_.size());
@@ -133,7 +133,8 @@ class Assembly {
     // Corner orders of glTF 2.0, 3.7.2.1.
     const bool list = part.primitive->mode == TINYGLTF_MODE_TRIANGLES;
     const bool strip = part.primitive->mode == TINYGLTF_MODE_TRIANGLE_STRIP;
-    if (list && corners.size() % 3 != 0) ++imported_.notes.dropped_faces;
+    if (list && corners.size() % 3 != 0)
+      imported_.report.leave_out(LeftOutKind::kFaces, "of fewer than three corners");
     for (std::size_t i = 0; i + 2 < corners.size(); i += list ? 3 : 1) {
       if (list)
         add(i, i + 1, i + 2);

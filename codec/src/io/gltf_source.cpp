@@ -16,7 +16,7 @@
 #include "io/gltf_filter.h"
 #include "io/gltf_uri.h"
 #include "io/io_error.h"
-#include "io/text_scanner.h"
+#include "io/text/scanner.h"
 
 namespace deltamesh {
 namespace {

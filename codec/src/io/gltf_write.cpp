@@ -16,14 +16,14 @@
 #include "base/numbers/vec3.h"
 #include "io/formats.h"
 #include "io/gltf_document.h"
-#include "io/vertex_text.h"
+#include "io/text/vertices.h"
 
 namespace deltamesh {
 namespace {
 
 class GltfBuilder {
  public:
-  explicit GltfBuilder(const MeshView& mesh) : mesh_(mesh) {}
+  GltfBuilder(const MeshView& mesh, WriteReport& report) : mesh_(mesh), report_(report) {}
 
   tinygltf::Model build() {
     model_.asset.version = "2.0";
@@ -150,7 +150,8 @@ class GltfBuilder {
   /// left out, as are shapes that no accessor has.
   void add_generic(const AttributeView& attribute) {
     const bool type_fits = component_size(attribute.type) <= 2 || attribute.type == ComponentType::kF32;
-    if (!type_fits || attribute.components > 4) return;
+    if (!type_fits || attribute.components > 4)
+      return report_.leave_out(LeftOutKind::kVertexValues, attribute.name, mesh_.vertex_count());
     std::string name(attribute.name.empty() ? "ATTRIBUTE" : attribute.name);
     if (!name.starts_with('_')) name.insert(0, 1, '_');
     while (primitive_.attributes.contains(name)) name += '_';
@@ -198,6 +199,7 @@ class GltfBuilder {
   }
 
   const MeshView& mesh_;
+  WriteReport& report_;
   tinygltf::Model model_;
   tinygltf::Primitive primitive_;
   ByteWriter out_;
@@ -209,14 +211,14 @@ class GltfBuilder {
 
 }  // namespace
 
-Result<std::vector<std::byte>> write_gltf(const MeshView& mesh, bool binary) {
+Result<std::vector<std::byte>> write_gltf(const MeshView& mesh, bool binary, WriteReport& report) {
   for (std::size_t i = 0; i < mesh.positions.size(); ++i)
     if (!std::isfinite(mesh.positions[i]))
       return Error{.code = ErrorCode::kInvalidMesh,
                    .message = "glTF cannot hold a coordinate that is not finite",
                    .where_kind = WhereKind::kVertex,
                    .where = i / 3};
-  tinygltf::Model model = GltfBuilder(mesh).build();
+  tinygltf::Model model = GltfBuilder(mesh, report).build();
   constexpr std::size_t kDescription = std::size_t{1} << 20;  // more than the JSON of one primitive takes
   if (binary && !model.buffers.empty() &&
       model.buffers[0].data.size() > std::numeric_limits<std::uint32_t>::max() - kDescription)

@@ -11,6 +11,7 @@
 #include "base/try.h"
 #include "deltamesh/io.h"
 #include "io/formats.h"
+#include "io/invalid_vertices.h"
 
 namespace deltamesh {
 namespace {
@@ -34,20 +35,28 @@ Result<Imported> read_as(std::span<const std::byte> bytes, FileFormat format, st
   return Error{.code = ErrorCode::kUnknownFormat, .message = "no importer for this format"};
 }
 
-Result<std::vector<std::byte>> write_as(const MeshView& mesh, FileFormat format) {
+Result<Imported> read_with(std::span<const std::byte> bytes, FileFormat format, std::string_view folder,
+                           const ReadOptions& options) {
+  DELTAMESH_TRY(Imported imported, read_as(bytes, format, folder));
+  if (options.drop_invalid) drop_invalid_faces(imported);
+  drop_invalid_unused(imported);
+  return imported;
+}
+
+Result<std::vector<std::byte>> write_as(const MeshView& mesh, FileFormat format, WriteReport& report) {
   switch (format) {
     case FileFormat::kPly:
-      return write_ply(mesh);
+      return write_ply(mesh, report);
     case FileFormat::kObj:
-      return write_obj(mesh);
+      return write_obj(mesh, report);
     case FileFormat::kStl:
-      return write_stl(mesh);
+      return write_stl(mesh, report);
     case FileFormat::kOff:
-      return write_off(mesh);
+      return write_off(mesh, report);
     case FileFormat::kGltf:
-      return write_gltf(mesh, false);
+      return write_gltf(mesh, false, report);
     case FileFormat::kGlb:
-      return write_gltf(mesh, true);
+      return write_gltf(mesh, true, report);
   }
   return Error{.code = ErrorCode::kUnknownFormat, .message = "no exporter for this format"};
 }
@@ -65,6 +74,8 @@ Result<void> check(const MeshView& mesh) noexcept {
                    .message = "a triangle names a vertex that does not exist",
                    .where_kind = WhereKind::kTriangle,
                    .where = i / 3};
+  if (!mesh.face_groups.empty() && mesh.face_groups.size() != mesh.triangle_count())
+    return Error{.code = ErrorCode::kInvalidMesh, .message = "there is not one group for every triangle"};
   for (std::size_t a = 0; a < mesh.attributes.size(); ++a) {
     const AttributeView& attribute = mesh.attributes[a];
     if (attribute.values.size() != n * attribute.components * component_size(attribute.type))
@@ -101,25 +112,35 @@ Result<FileFormat> format_of_path(std::string_view path) noexcept {
                .message = "the file name must end in .ply, .obj, .stl, .off, .gltf or .glb"};
 }
 
-Result<Imported> read_mesh(std::span<const std::byte> bytes, FileFormat format,
-                           std::string_view folder) noexcept {
-  return guarded([&] { return read_as(bytes, format, folder); }, kNoMemory);
+Result<Imported> read_mesh(std::span<const std::byte> bytes, FileFormat format, std::string_view folder,
+                           const ReadOptions& options) noexcept {
+  return guarded([&] { return read_with(bytes, format, folder, options); }, kNoMemory);
 }
 
-Result<Imported> read_mesh_file(const std::string& path) noexcept {
-  DELTAMESH_TRY(const FileFormat format, format_of_path(path));
+Result<Imported> read_mesh_file(const std::string& path, const ReadOptions& options) noexcept {
+  FileFormat format{};
+  if (options.format) {
+    format = *options.format;
+  } else {
+    DELTAMESH_TRY(format, format_of_path(path));
+  }
   DELTAMESH_TRY(const std::vector<std::byte> bytes, read_file(path));
-  return guarded([&] { return read_as(bytes, format, folder_of(path)); }, kNoMemory);
+  return guarded([&] { return read_with(bytes, format, folder_of(path), options); }, kNoMemory);
 }
 
-Result<std::vector<std::byte>> write_mesh(const MeshView& mesh, FileFormat format) noexcept {
+Result<std::vector<std::byte>> write_mesh(const MeshView& mesh, FileFormat format,
+                                          WriteReport* report) noexcept {
   DELTAMESH_CHECK(check(mesh));
-  return guarded([&] { return write_as(mesh, format); }, kNoMemory);
+  const auto write = [&] {
+    WriteReport unwanted;
+    return write_as(mesh, format, report != nullptr ? *report : unwanted);
+  };
+  return guarded(write, kNoMemory);
 }
 
-Result<void> write_mesh_file(const std::string& path, const MeshView& mesh) noexcept {
+Result<void> write_mesh_file(const std::string& path, const MeshView& mesh, WriteReport* report) noexcept {
   DELTAMESH_TRY(const FileFormat format, format_of_path(path));
-  DELTAMESH_TRY(const std::vector<std::byte> bytes, write_mesh(mesh, format));
+  DELTAMESH_TRY(const std::vector<std::byte> bytes, write_mesh(mesh, format, report));
   return write_file(path, bytes);
 }
 

@@ -26,6 +26,7 @@ inline void fuzz_import(const std::uint8_t* data, std::size_t size, FileFormat f
   const Mesh& mesh = imported->mesh;
   require(mesh.positions.size() % 3 == 0 && mesh.triangles.size() % 3 == 0);
   for (const std::uint32_t index : mesh.triangles) require(index < mesh.vertex_count());
+  require(mesh.face_groups.empty() || mesh.face_groups.size() == mesh.triangle_count());
   for (const Attribute& attribute : mesh.attributes) {
     require(attribute.components >= 1 && attribute.components <= 16);
     require(!attribute.name.empty() && attribute.name.size() <= 255);

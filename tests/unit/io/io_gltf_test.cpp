@@ -21,6 +21,7 @@ using test::expect_error;
 using test::expect_robust;
 using test::expect_valid;
 using test::find;
+using test::left_out;
 using test::read_exact;
 using test::read_text;
 using test::values_of;
@@ -147,8 +148,8 @@ TEST(GltfReader, StripsFansAndOtherPrimitives) {
   const auto imported = read_text(with_mode("4"), kGltf);
   ASSERT_TRUE(imported);
   EXPECT_EQ(imported->mesh.triangles, (std::vector<std::uint32_t>{0, 1, 2}));
-  EXPECT_EQ(imported->notes.other_primitives, 2U);
-  EXPECT_EQ(imported->notes.dropped_faces, 1U);
+  EXPECT_EQ(left_out(imported->report, LeftOutKind::kPrimitives), 2U);
+  EXPECT_EQ(left_out(imported->report, LeftOutKind::kFaces), 1U);
 }
 
 TEST(GltfReader, PrimitivesOfOneMeshShareTheirVertices) {
@@ -366,7 +367,7 @@ TEST(GltfReader, CountsAttributesThatItLeavesOut) {
                 kGltf);
   ASSERT_TRUE(imported) << describe(imported.error());
   EXPECT_TRUE(imported->mesh.attributes.empty());
-  EXPECT_EQ(imported->notes.dropped_attributes, 2U);
+  EXPECT_EQ(imported->report.left_out.size(), 2U);
 }
 
 TEST(GltfReader, BuffersInOtherFiles) {

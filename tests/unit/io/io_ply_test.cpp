@@ -15,6 +15,7 @@ namespace {
 using test::expect_error;
 using test::expect_robust;
 using test::find;
+using test::left_out;
 using test::read_text;
 using test::values_of;
 
@@ -35,8 +36,8 @@ TEST(PlyReader, TriangulatesPolygonsAsFans) {
   ASSERT_TRUE(imported) << describe(imported.error());
   EXPECT_EQ(imported->mesh.triangles,
             (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 1, 2, 4, 3, 2, 4, 2, 1}));
-  EXPECT_EQ(imported->notes.polygons, 2U);
-  EXPECT_EQ(imported->notes.dropped_faces, 1U);
+  EXPECT_EQ(imported->report.polygons, 2U);
+  EXPECT_EQ(left_out(imported->report, LeftOutKind::kFaces), 1U);
 }
 
 TEST(PlyReader, SkipsWhatItDoesNotKnow) {
@@ -44,16 +45,16 @@ TEST(PlyReader, SkipsWhatItDoesNotKnow) {
       "ply\nformat ascii 1.0\ncomment made by hand\nelement camera 2\nproperty list uchar float matrix\n"
       "element vertex 3\nproperty list uchar int neighbours\n" +
           kXyz +
-          "element empty 4000000000\nelement face 1\nproperty list uchar float texcoord\nproperty uchar "
+          "element empty 4000000000\nelement face 1\nproperty list uchar float weights\nproperty uchar "
           "flags\n"
           "property list short uint vertex_indices\nelement edge 2\nproperty int a\nend_header\n"
-          "2 0.5 1 0\n0 0 0 0\n1 7 1 0 0\n2 1 2 0 1 0\n2 9 9 1 3 0 1 2\n5 6\n",
+          "2 0.5 1\n0\n0 0 0 0\n1 7 1 0 0\n2 1 2 0 1 0\n2 9 9 1 3 0 1 2\n5\n6\n",
       kPly);
   ASSERT_TRUE(imported) << describe(imported.error());
   EXPECT_EQ(imported->mesh.positions, (std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}));
   EXPECT_EQ(imported->mesh.triangles, (std::vector<std::uint32_t>{0, 1, 2}));
   EXPECT_TRUE(imported->mesh.attributes.empty());
-  EXPECT_EQ(imported->notes.other_primitives, 2U);
+  EXPECT_EQ(left_out(imported->report, LeftOutKind::kPrimitives), 2U);
 }
 
 TEST(PlyReader, CountsAttributesWhoseNamesAStreamCannotHold) {
@@ -64,7 +65,8 @@ TEST(PlyReader, CountsAttributesWhoseNamesAStreamCannotHold) {
   ASSERT_TRUE(imported) << describe(imported.error());
   ASSERT_EQ(imported->mesh.attributes.size(), 1U);
   EXPECT_EQ(imported->mesh.attributes[0].name, "ok");
-  EXPECT_EQ(imported->notes.dropped_attributes, 2U);
+  EXPECT_EQ(imported->report.left_out.size(), 2U);
+  EXPECT_EQ(left_out(imported->report, LeftOutKind::kVertexValues, "caf\xe9"), 3U);
 }
 
 TEST(PlyReader, KnowsTheNamesOfColorsAndTextureCoordinates) {

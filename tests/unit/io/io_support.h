@@ -44,6 +44,14 @@ std::vector<T> values_of(const Attribute& attribute) {
   return values;
 }
 
+/// All that a report lists of a kind; of one name where one is given.
+inline std::uint64_t left_out(const LossReport& report, LeftOutKind kind, std::string_view name = {}) {
+  std::uint64_t count = 0;
+  for (const LeftOut& entry : report.left_out)
+    if (entry.kind == kind && (name.empty() || entry.name == name)) count += entry.count;
+  return count;
+}
+
 inline const Attribute* find(const Mesh& mesh, AttributeKind kind) {
   for (const Attribute& candidate : mesh.attributes)
     if (candidate.kind == kind) return &candidate;

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// What readers and writers of mesh files leave out, for people and machines.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <string>
+
+#include "deltamesh/io.h"
+
+namespace deltamesh::cli {
+
+/// "names of materials (2), face values flags (12)"; empty where nothing is left out.
+std::string left_out_text(const LossReport& report);
+
+/// A line with it under a headline; nothing where nothing is left out.
+void print_left_out(const LossReport& report, std::ostream& out);
+
+/// [{"kind": "names", "name": "materials", "count": 2}, ...]
+nlohmann::ordered_json left_out_array(const LossReport& report);
+
+}  // namespace deltamesh::cli
