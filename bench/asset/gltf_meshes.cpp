@@ -4,24 +4,24 @@
 
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <set>
 #include <string>
 #include <unordered_map>
 #include <utility>
 
-#include "accessor.h"
 #include "base/try.h"
-#include "compact.h"
-#include "document.h"
-#include "structure.h"
+#include "document/compact.h"
+#include "document/save.h"
+#include "io/gltf/accessor.h"
+#include "io/gltf/structure.h"
+#include "io/gltf/triangles.h"
 
 namespace deltamesh::bench {
 namespace {
 
 using gltf::Document;
 using gltf::Json;
-
-constexpr std::uint64_t kTriangleList = 4;
 
 Error invalid_asset(const char* message) { return {.code = ErrorCode::kInvalidFile, .message = message}; }
 
@@ -47,7 +47,7 @@ Json without_looks(const Json& mesh, bool) {
 /// A GLB that shows `mesh` alone.
 Result<std::vector<std::byte>> single_mesh_asset(std::span<const std::byte> bytes, const GltfIo& io,
                                                  const Json& mesh) {
-  DELTAMESH_TRY(Document document, gltf::load_document(bytes, io));
+  DELTAMESH_TRY(Document document, gltf::load_document(bytes, io.resolve));
   Json& json = document.json;
   for (const char* key : {"materials", "textures", "images", "samplers", "skins", "animations", "cameras",
                           "extensions", "extensionsUsed", "extensionsRequired"})
@@ -70,23 +70,6 @@ Result<std::vector<std::byte>> dense_rows(const gltf::AccessorRows& rows) {
     dense.insert(dense.end(), row.begin(), row.end());
   }
   return dense;
-}
-
-Result<std::vector<std::uint32_t>> read_corners(const Document& document, const Json& primitive,
-                                                std::uint64_t vertices) {
-  std::vector<std::uint32_t> corners;
-  const Json* indices = gltf::find(primitive, "indices");
-  if (indices == nullptr) {
-    for (std::uint32_t i = 0; i < vertices / 3 * 3; ++i) corners.push_back(i);
-    return corners;
-  }
-  DELTAMESH_TRY(const auto rows, gltf::read_accessor(document, indices->get<std::size_t>(), 0));
-  if (!rows) return invalid_asset("indices are not plain");
-  for (std::uint64_t i = 0; i < rows->shape().count / 3 * 3; ++i) {
-    corners.push_back(gltf::read_index(rows->row(i)));
-    if (corners.back() >= vertices) return invalid_asset("a vertex index beyond the primitive's vertices");
-  }
-  return corners;
 }
 
 /// Keeps the vertices that corners use, equal ones once where `weld`.
@@ -125,15 +108,21 @@ Mesh compacted(const Mesh& mesh, bool weld) {
 
 /// Whether the primitive was read; false where it is no list of triangles with float positions.
 Result<bool> read_primitive(const Document& document, const Json& primitive, Primitive& result) {
-  const Json* position = gltf::find(primitive["attributes"], "POSITION");
-  if (primitive.value("mode", kTriangleList) != kTriangleList || position == nullptr) return false;
-  DELTAMESH_TRY(const auto rows, gltf::read_accessor(document, position->get<std::size_t>(), 0));
+  DELTAMESH_TRY(const auto triangles, gltf::triangle_primitive(primitive, 0));
+  if (!triangles || triangles->mode != gltf::TriangleMode::kList) return false;
+  DELTAMESH_TRY(const auto rows, gltf::read_accessor(document, triangles->position, 0));
   if (!rows || rows->shape().type != ComponentType::kF32 || rows->shape().components != 3) return false;
   Mesh mesh;
   DELTAMESH_TRY(const auto positions, dense_rows(*rows));
   mesh.positions.resize(positions.size() / sizeof(float));
   std::memcpy(mesh.positions.data(), positions.data(), positions.size());
-  DELTAMESH_TRY(mesh.triangles, read_corners(document, primitive, mesh.vertex_count()));
+  std::optional<gltf::AccessorRows> indices;
+  if (triangles->indices) {
+    DELTAMESH_TRY(indices, gltf::read_accessor(document, *triangles->indices, 0));
+    if (!indices) return invalid_asset("indices are not plain");
+  }
+  DELTAMESH_TRY(mesh.triangles,
+                gltf::triangle_corners(*triangles, mesh.vertex_count(), indices ? &*indices : nullptr));
   if (mesh.triangles.empty()) return false;
   for (const auto& [semantic, accessor] : primitive["attributes"].items()) {
     if (semantic == "POSITION") continue;
@@ -190,7 +179,7 @@ Result<std::uint64_t> morph_bytes(const Document& document, const Json& mesh) {
 }  // namespace
 
 Result<Asset> meshes_of_asset(std::span<const std::byte> bytes, const GltfIo& io) {
-  DELTAMESH_TRY(const Document document, gltf::load_document(bytes, io));
+  DELTAMESH_TRY(const Document document, gltf::load_document(bytes, io.resolve));
   Asset asset;
   std::set<std::string> known;
   if (gltf::array_size(document.json, "meshes") == 0) return asset;

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Codes the streams of an asset, and says what its primitives refer to then.
+#pragma once
+
+#include <set>
+#include <vector>
+
+#include "document/column.h"
+#include "document/edits.h"
+#include "document/extension.h"
+#include "stream/mesh.h"
+
+namespace deltamesh::gltf {
+
+class StreamPacker {
+ public:
+  /// All arguments must outlive the packer. `kept`: accessors that stay as they are.
+  StreamPacker(Document& document, const AccessorStore& store, const std::vector<PrimitiveSource>& sources,
+               const GltfPackOptions& options, std::set<std::uint64_t> kept)
+      : document_(document),
+        store_(store),
+        sources_(sources),
+        options_(options),
+        edits_(document.json, std::move(kept)) {}
+
+  /// Codes one stream as `asked` and counts it in `report`; returns what the plan's primitives become.
+  /// Errors: as pack_gltf().
+  Result<std::vector<PackedPrimitive>> pack(const StreamPlan& plan, const EncodeOptions& asked,
+                                            GltfReport& report);
+
+  /// Bytes of a stream that is coded as `asked`. Errors: as pack_gltf().
+  Result<std::uint64_t> measure(const StreamPlan& plan, const EncodeOptions& asked) const;
+
+  /// Writes the accessors of all streams: until then the originals are still read.
+  void write_accessors() { edits_.apply(); }
+
+ private:
+  struct Coded {
+    StreamMesh merged;
+    Encoded encoded;
+  };
+  Result<Coded> code(const StreamPlan& plan, const EncodeOptions& asked) const;
+  std::vector<PackedPrimitive> describe(const StreamPlan& plan, const StreamMesh& merged,
+                                        const Mesh& decoded);
+  Json described(Json accessor, const Column& column, bool bounds);
+
+  Document& document_;
+  const AccessorStore& store_;
+  const std::vector<PrimitiveSource>& sources_;
+  const GltfPackOptions& options_;
+  AccessorEdits edits_;
+};
+
+}  // namespace deltamesh::gltf
