@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "connectivity/connectivity.h"
+#include "connectivity/faces/faces.h"
 #include "deltamesh/io.h"
-#include "geometry/anchor_list.h"
-#include "geometry/delta_symbols.h"
-#include "geometry/highpass.h"
+#include "highpass/anchor_list.h"
+#include "highpass/delta_symbols.h"
+#include "highpass/highpass.h"
 #include "peers/peer.h"
 #include "run/bench_mesh.h"
 #include "scenes.h"

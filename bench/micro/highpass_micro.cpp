@@ -3,12 +3,12 @@
 #include <cmath>
 
 #include "direct_solver/direct_solver.h"
-#include "geometry/highpass.h"
+#include "highpass/highpass.h"
 #include "laplacian/anchors/anchors.h"
 #include "laplacian/operator/delta.h"
 #include "laplacian/operator/solved_part.h"
+#include "measure/measure.h"
 #include "micro/stage_input.h"
-#include "quality/measure.h"
 
 namespace deltamesh::bench {
 namespace {

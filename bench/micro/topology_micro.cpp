@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "connectivity/connectivity.h"
+#include "connectivity/faces/faces.h"
 #include "micro/stage_input.h"
 #include "topology/weld.h"
 

@@ -3,8 +3,8 @@
 #include "paper/paper_rows.h"
 
 #include "base/try.h"
-#include "geometry/highpass.h"
-#include "quality/measure.h"
+#include "highpass/highpass.h"
+#include "measure/measure.h"
 
 namespace deltamesh::bench {
 namespace {

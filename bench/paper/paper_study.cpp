@@ -7,9 +7,9 @@
 
 #include "base/try.h"
 #include "format/vertex_positions.h"
-#include "geometry/highpass.h"
+#include "highpass/highpass.h"
 #include "laplacian/anchors/anchor_sequence.h"
-#include "quality/measure.h"
+#include "measure/measure.h"
 
 namespace deltamesh::bench {
 namespace {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "connectivity/connectivity.h"
-#include "geometry/diffusion.h"
-#include "geometry/highpass_symbols.h"
+#include "connectivity/faces/faces.h"
+#include "highpass/diffusion.h"
+#include "highpass/symbols.h"
 #include "laplacian/operator/delta.h"
 #include "support/welded_mesh.h"
 

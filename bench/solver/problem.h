@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
-#include "base/vec3.h"
+#include "base/numbers/vec3.h"
 #include "deltamesh/mesh.h"
-#include "geometry/highpass.h"
+#include "highpass/highpass.h"
 #include "laplacian/operator/solved_part.h"
 
 namespace deltamesh::bench {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "direct_solver/direct_solver.h"
-#include "geometry/highpass.h"
+#include "highpass/highpass.h"
 #include "laplacian/solver.h"
 #include "run/bench_mesh.h"
 #include "scenes.h"

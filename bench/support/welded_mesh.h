@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "base/vec3.h"
+#include "base/numbers/vec3.h"
 #include "deltamesh/mesh.h"
 #include "deltamesh/result.h"
 #include "topology/adjacency.h"

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "attributes/surface_colors.h"
+#include "attributes/colors/colors.h"
 #include "support/graph_mesh.h"
 
 namespace {

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "attributes/attribute.h"
-#include "connectivity/connectivity.h"
-#include "entropy/compact_reader.h"
-#include "entropy/compact_writer.h"
-#include "geometry/anchor_list.h"
-#include "geometry/delta_symbols.h"
+#include "connectivity/faces/faces.h"
+#include "entropy/coder/reader.h"
+#include "entropy/coder/writer.h"
+#include "highpass/anchor_list.h"
+#include "highpass/delta_symbols.h"
 #include "support/graph_mesh.h"
 
 namespace {

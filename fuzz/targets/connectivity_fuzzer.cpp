@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "connectivity/connectivity.h"
+#include "connectivity/faces/faces.h"
 
 namespace {
 

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "connectivity/face_groups.h"
+#include "connectivity/groups/groups.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace deltamesh;

@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <span>
 
-#include "geometry/highpass.h"
+#include "highpass/highpass.h"
 #include "support/graph_mesh.h"
 
 namespace {

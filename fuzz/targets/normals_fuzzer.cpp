@@ -13,9 +13,9 @@
 #include <span>
 #include <vector>
 
-#include "attributes/surface_normals.h"
-#include "base/portable_math.h"
-#include "base/vec3.h"
+#include "attributes/normals/normals.h"
+#include "base/numbers/portable_math.h"
+#include "base/numbers/vec3.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace deltamesh;

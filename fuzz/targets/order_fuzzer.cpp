@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "connectivity/order.h"
+#include "connectivity/order/order.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace deltamesh;

@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <span>
 
-#include "predictive/positions.h"
+#include "positions/positions.h"
 #include "support/graph_mesh.h"
 
 namespace {

@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "connectivity/connectivity.h"
-#include "connectivity/seams.h"
+#include "connectivity/faces/faces.h"
+#include "connectivity/seams/seams.h"
 #include "support/soups.h"
 
 namespace {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "attributes/attribute.h"
-#include "attributes/attribute_payload.h"
+#include "attributes/payload.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace deltamesh;

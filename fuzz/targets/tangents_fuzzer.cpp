@@ -10,8 +10,8 @@
 #include <cstdlib>
 #include <span>
 
-#include "attributes/surface_tangents.h"
-#include "base/portable_math.h"
+#include "attributes/tangents/tangents.h"
+#include "base/numbers/portable_math.h"
 #include "support/fuzzed_surface.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <span>
 
-#include "attributes/surface_uvs.h"
+#include "attributes/uvs/uvs.h"
 #include "support/fuzzed_surface.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

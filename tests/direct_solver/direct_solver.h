@@ -8,7 +8,7 @@
 #include <memory>
 #include <span>
 
-#include "base/vec3.h"
+#include "base/numbers/vec3.h"
 #include "laplacian/operator/delta_view.h"
 #include "topology/adjacency.h"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <span>
 
-#include "base/vec3.h"
+#include "base/numbers/vec3.h"
 #include "scenes.h"
 #include "support/meshes.h"
 

@@ -4,10 +4,10 @@
 // The coded border of a part.
 #include <gtest/gtest.h>
 
-#include "border_payload.h"
-#include "entropy/compact_writer.h"
+#include "entropy/coder/writer.h"
+#include "lattice/border_payload.h"
+#include "lattice/place_border.h"
 #include "map/map_meshes.h"
-#include "place_border.h"
 
 namespace deltamesh {
 namespace {

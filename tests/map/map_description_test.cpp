@@ -9,7 +9,7 @@
 
 #include "deltamesh/map/description.h"
 #include "deltamesh/map/part_key.h"
-#include "message_frame.h"
+#include "message/frame.h"
 
 namespace deltamesh {
 namespace {

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 #include <xxhash.h>
 
-#include "codec_state.h"
 #include "deltamesh/map/folder.h"
 #include "deltamesh/map/map_codec.h"
 #include "deltamesh/map/receiver.h"
@@ -13,7 +12,8 @@
 #include "deltamesh/map/split.h"
 #include "map/map_meshes.h"
 #include "map/map_world.h"
-#include "part_container.h"
+#include "part/codec_state.h"
+#include "part/container.h"
 #include "support/counted_memory.h"
 
 namespace deltamesh {

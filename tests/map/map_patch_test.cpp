@@ -11,10 +11,10 @@
 #include "deltamesh/map/receiver.h"
 #include "deltamesh/map/sender.h"
 #include "map/map_meshes.h"
-#include "message_frame.h"
-#include "part_decode.h"
-#include "part_fitness.h"
-#include "patch_container.h"
+#include "message/frame.h"
+#include "part/decode.h"
+#include "part/fitness.h"
+#include "patch/container.h"
 
 namespace deltamesh {
 namespace {

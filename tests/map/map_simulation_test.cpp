@@ -19,8 +19,8 @@
 #include "deltamesh/map/receiver.h"
 #include "deltamesh/map/sender.h"
 #include "map/map_world.h"
-#include "part_fitness.h"
-#include "view_cells.h"
+#include "part/fitness.h"
+#include "send/view_cells.h"
 
 namespace deltamesh {
 namespace {

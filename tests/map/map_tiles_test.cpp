@@ -6,10 +6,10 @@
 
 #include "deltamesh/map/split.h"
 #include "deltamesh/map/tiles.h"
-#include "link_table.h"
 #include "map/map_meshes.h"
-#include "row_gather.h"
+#include "patch/row_gather.h"
 #include "scenes.h"
+#include "send/link_table.h"
 
 namespace deltamesh {
 namespace {

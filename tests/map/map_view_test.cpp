@@ -13,7 +13,7 @@
 #include "deltamesh/map/sender.h"
 #include "map/map_meshes.h"
 #include "scenes.h"
-#include "view_cells.h"
+#include "send/view_cells.h"
 
 namespace deltamesh {
 namespace {

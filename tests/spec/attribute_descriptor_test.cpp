@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "base/short_float.h"
+#include "base/numbers/short_float.h"
 
 namespace deltamesh {
 namespace {

@@ -10,15 +10,15 @@
 #include <vector>
 
 #include "base/byte_writer.h"
-#include "connectivity/connectivity.h"
-#include "connectivity/face_groups.h"
-#include "connectivity/order.h"
-#include "connectivity/seams.h"
+#include "connectivity/faces/faces.h"
+#include "connectivity/groups/groups.h"
+#include "connectivity/order/order.h"
+#include "connectivity/seams/seams.h"
 #include "deltamesh/decode.h"
 #include "deltamesh/encode.h"
 #include "deltamesh/version.h"
-#include "geometry/anchor_list.h"
-#include "predictive/positions.h"
+#include "highpass/anchor_list.h"
+#include "positions/positions.h"
 #include "spec/example_lines.h"
 
 namespace deltamesh {

@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/delta_symbols.h"
-#include "geometry/highpass.h"
-#include "predictive/positions.h"
+#include "highpass/delta_symbols.h"
+#include "highpass/highpass.h"
+#include "positions/positions.h"
 #include "spec/example_lines.h"
 #include "topology/adjacency.h"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/try.h"
-#include "quality/trial.h"
+#include "search/trial.h"
 
 namespace deltamesh::test {
 

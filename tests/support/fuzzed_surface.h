@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "attributes/attribute_surface.h"
+#include "attributes/surface.h"
 
 namespace deltamesh::test {
 

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/vec3.h"
+#include "base/numbers/vec3.h"
 #include "laplacian/anchors/anchor_sequence.h"
 #include "topology/adjacency.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "attributes/attribute_payload.h"
+#include "attributes/payload.h"
 #include "decoder/stream_decoder.h"
 #include "format/container.h"
 #include "outcome.h"

@@ -2,7 +2,7 @@
 // Copyright 2026 The deltamesh authors
 //
 // The solver's exports.
-#include "geometry/highpass.h"
+#include "highpass/highpass.h"
 
 #include <algorithm>
 #include <optional>

@@ -3,7 +3,7 @@
 //
 // read_highpass() for `core`: the module `highpass` does it.
 #include "base/try.h"
-#include "geometry/highpass.h"
+#include "highpass/highpass.h"
 #include "parts.h"
 
 namespace deltamesh {

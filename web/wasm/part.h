@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <span>
 
-#include "base/vec3.h"
+#include "base/numbers/vec3.h"
 #include "deltamesh/mesh.h"
 #include "format/highpass_parameters.h"
 #include "format/predictive_parameters.h"

@@ -2,11 +2,12 @@
 // Copyright 2026 The deltamesh authors
 //
 // The exports of `plain`, for chunks in their plain form, and for what zstd coded.
+#include "attributes/plain/plain.h"
+
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "attributes/plain_attribute.h"
 #include "base/try.h"
 #include "connectivity/plain_forms.h"
 #include "entropy/zstd_frame.h"

@@ -2,7 +2,7 @@
 // Copyright 2026 The deltamesh authors
 //
 // Frames of zstd's and plain forms for `core`: the module `plain` reads them.
-#include "attributes/plain_attribute.h"
+#include "attributes/plain/plain.h"
 #include "base/try.h"
 #include "connectivity/plain_forms.h"
 #include "entropy/zstd_frame.h"

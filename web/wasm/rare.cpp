@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "attributes/lattice_attribute.h"
-#include "attributes/skin.h"
+#include "attributes/lattice/lattice.h"
+#include "attributes/skin/skin.h"
 #include "base/try.h"
 #include "part.h"
-#include "predictive/positions.h"
+#include "positions/positions.h"
 
 namespace deltamesh::web {
 namespace {

@@ -2,11 +2,11 @@
 // Copyright 2026 The deltamesh authors
 //
 // Codings that few streams have, for `core`: the module `rare` reads them.
-#include "attributes/lattice_attribute.h"
-#include "attributes/skin.h"
+#include "attributes/lattice/lattice.h"
+#include "attributes/skin/skin.h"
 #include "base/try.h"
 #include "parts.h"
-#include "predictive/positions.h"
+#include "positions/positions.h"
 
 namespace deltamesh {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "base/large_vector.h"
+#include "base/memory/large_vector.h"
 #include "runtime.h"
 
 namespace {

@@ -9,11 +9,11 @@
 #include <span>
 #include <vector>
 
-#include "attributes/attribute_surface.h"
+#include "attributes/surface.h"
 #include "deltamesh/attribute_quality.h"
 #include "deltamesh/mesh.h"
 #include "deltamesh/result.h"
-#include "entropy/learning.h"
+#include "entropy/coder/learning.h"
 #include "entropy/payload.h"
 #include "format/attribute_descriptor.h"
 

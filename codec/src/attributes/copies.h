@@ -11,8 +11,8 @@
 #include <span>
 #include <vector>
 
-#include "base/zigzag.h"
-#include "entropy/number_model.h"
+#include "base/numbers/zigzag.h"
+#include "entropy/coder/number_model.h"
 
 namespace deltamesh {
 

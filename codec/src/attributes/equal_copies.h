@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "attributes/attribute_surface.h"
+#include "attributes/surface.h"
 #include "attributes/surface_order.h"
-#include "entropy/compact_model.h"
+#include "entropy/coder/model.h"
 
 namespace deltamesh {
 

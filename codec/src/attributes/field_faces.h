@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "attributes/attribute_surface.h"
-#include "predictive/surroundings.h"
+#include "attributes/surface.h"
+#include "positions/surroundings.h"
 
 namespace deltamesh {
 

@@ -9,8 +9,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "base/two_doubles.h"
-#include "base/vec3.h"
+#include "base/numbers/vec3.h"
+#include "base/simd/two_doubles.h"
 
 namespace deltamesh {
 

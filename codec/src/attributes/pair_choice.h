@@ -18,9 +18,9 @@
 
 namespace deltamesh {
 
-/// Chooses one of the four lattice points around a place, in steps from the forecast: the one nearest to the
-/// forecast for which will_do() is true. The circle of the bound contains at least one of them, as the cell's
-/// diagonal is its diameter; if none passes because of rounding, the one nearest to the place.
+/// Chooses one of the four lattice points around a place, in steps from the prediction: the one nearest to
+/// the prediction for which will_do() is true. The circle of the bound contains at least one of them, as the
+/// cell's diagonal is its diameter; if none passes because of rounding, the one nearest to the place.
 template <class WillDo>
 NumberPair choose_pair(const std::array<double, 2>& steps, WillDo will_do) {
   const auto whole = [](double x) { return static_cast<std::int32_t>(x); };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Pairs of small integers, what forecasts were off by, in the context of how far apart the forecasts are and
-// of what was coded next to them [ATTR-37]. One template for both directions.
+// Pairs of small integers, what predictions were off by, in the context of how far apart the predictions are
+// and of what was coded next to them [ATTR-37]. One template for both directions.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,8 @@
 #include <cstdlib>
 #include <vector>
 
-#include "entropy/held_coder.h"
-#include "entropy/split_number.h"
+#include "entropy/coder/held_coder.h"
+#include "entropy/coder/split_number.h"
 
 namespace deltamesh {
 
@@ -27,7 +27,7 @@ inline constexpr std::uint32_t kPairKinds = 5;
 /// The context of a pair; sizes in 1/16 steps, at most 2^20.
 struct PairContext {
   std::array<std::uint32_t, 2> near{};    ///< size of the numbers next to it
-  std::array<std::uint32_t, 2> spread{};  ///< of the forecasts
+  std::array<std::uint32_t, 2> spread{};  ///< of the predictions
   std::uint32_t kind = 0;                 ///< below kPairKinds; 0 where nothing is known
 };
 

@@ -10,7 +10,7 @@
 #include <span>
 
 #include "attributes/vertex_corners.h"
-#include "base/large_vector.h"
+#include "base/memory/large_vector.h"
 
 namespace deltamesh {
 

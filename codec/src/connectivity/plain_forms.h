@@ -10,9 +10,9 @@
 #include <span>
 #include <vector>
 
-#include "connectivity/corner_copies.h"
-#include "connectivity/gluing.h"
-#include "connectivity/order.h"
+#include "connectivity/faces/gluing.h"
+#include "connectivity/order/order.h"
+#include "connectivity/seams/corner_copies.h"
 #include "deltamesh/result.h"
 
 namespace deltamesh {

@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "base/guard.h"
-#include "base/thread_team.h"
+#include "base/threads/thread_team.h"
 #include "base/try.h"
 #include "decoder/stream_decoder.h"
 #include "deltamesh/stream_info.h"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "base/large_vector.h"
+#include "base/memory/large_vector.h"
 
 namespace deltamesh {
 namespace {

@@ -4,7 +4,7 @@
 // From coded order back to the input's.
 #pragma once
 
-#include "connectivity/order.h"
+#include "connectivity/order/order.h"
 #include "deltamesh/mesh.h"
 
 namespace deltamesh {

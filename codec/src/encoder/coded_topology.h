@@ -9,9 +9,9 @@
 #include <span>
 #include <vector>
 
-#include "connectivity/connectivity.h"
-#include "connectivity/order.h"
-#include "connectivity/seams.h"
+#include "connectivity/faces/faces.h"
+#include "connectivity/order/order.h"
+#include "connectivity/seams/seams.h"
 #include "deltamesh/mesh.h"
 
 namespace deltamesh {

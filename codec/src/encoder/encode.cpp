@@ -7,16 +7,16 @@
 #include <vector>
 
 #include "base/guard.h"
-#include "base/short_float.h"
+#include "base/numbers/short_float.h"
 #include "base/try.h"
-#include "connectivity/face_groups.h"
+#include "connectivity/check_mesh.h"
+#include "connectivity/groups/groups.h"
 #include "deltamesh/model_states.h"
 #include "encoder/chunk_list.h"
-#include "encoder/coded_parts.h"
 #include "encoder/coded_topology.h"
 #include "encoder/source_geometry.h"
 #include "format/container_write.h"
-#include "quality/check_mesh.h"
+#include "search/coded_parts.h"
 #include "states/stream_models.h"
 
 namespace deltamesh {

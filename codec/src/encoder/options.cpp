@@ -4,7 +4,7 @@
 
 #include "base/try.h"
 #include "deltamesh/encode.h"
-#include "quality/bounds.h"
+#include "search/bounds.h"
 
 namespace deltamesh {
 namespace {

@@ -2,7 +2,7 @@
 // Copyright 2026 The deltamesh authors
 #include "encoder/source_geometry.h"
 
-#include "base/large_vector.h"
+#include "base/memory/large_vector.h"
 
 namespace deltamesh {
 namespace {

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "base/vec3.h"
+#include "base/numbers/vec3.h"
 #include "deltamesh/mesh.h"
 #include "encoder/coded_topology.h"
 #include "topology/adjacency.h"

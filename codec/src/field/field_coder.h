@@ -10,9 +10,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "entropy/held_coder.h"
-#include "entropy/split_number.h"
-#include "field/field_forecast.h"
+#include "entropy/coder/held_coder.h"
+#include "entropy/coder/split_number.h"
+#include "field/field_prediction.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {
@@ -33,12 +33,12 @@ class FieldCoder {
   /// one is beyond kLargestFieldValue [FLD-1].
   [[gnu::always_inline]] bool code_vertex(std::uint32_t vertex, FieldNumbers& q) {
     const FieldContext around = history_.around(vertex);
-    FieldForecasts forecasts(around);
+    FieldPredictions predictions(around);
     Held<Coder> coder = coder_;
-    const bool is_valid = code_axis<0>(coder, forecasts, q) && code_axis<1>(coder, forecasts, q) &&
-                          code_axis<2>(coder, forecasts, q);
+    const bool is_valid = code_axis<0>(coder, predictions, q) && code_axis<1>(coder, predictions, q) &&
+                          code_axis<2>(coder, predictions, q);
     give_back<Coder>(coder, coder_);
-    history_.remember(vertex, forecasts.numbers(), around);
+    history_.remember(vertex, predictions.numbers(), around);
     return is_valid;
   }
 
@@ -47,38 +47,38 @@ class FieldCoder {
   template <class Choose>
   FieldNumbers choose_vertex(std::uint32_t vertex, Choose choose) {
     const FieldContext around = history_.around(vertex);
-    FieldForecasts forecasts(around);
-    const FieldNumbers q = {choose_axis<0>(forecasts, choose), choose_axis<1>(forecasts, choose),
-                            choose_axis<2>(forecasts, choose)};
-    history_.remember(vertex, forecasts.numbers(), around);
+    FieldPredictions predictions(around);
+    const FieldNumbers q = {choose_axis<0>(predictions, choose), choose_axis<1>(predictions, choose),
+                            choose_axis<2>(predictions, choose)};
+    history_.remember(vertex, predictions.numbers(), around);
     return q;
   }
 
  private:
   template <unsigned kAxis>
-  [[gnu::always_inline]] bool code_axis(Coder& coder, FieldForecasts& forecasts, FieldNumbers& q) {
-    const std::int64_t coded = code(coder, q[kAxis], forecasts.template of<kAxis>(), mixes_[kAxis]);
+  [[gnu::always_inline]] bool code_axis(Coder& coder, FieldPredictions& predictions, FieldNumbers& q) {
+    const std::int64_t coded = code(coder, q[kAxis], predictions.template of<kAxis>(), mixes_[kAxis]);
     if (coded < -kLargestFieldValue || coded > kLargestFieldValue) return false;
     q[kAxis] = static_cast<std::int32_t>(coded);
-    forecasts.template settle<kAxis>(q[kAxis]);
+    predictions.template settle<kAxis>(q[kAxis]);
     return true;
   }
 
   template <unsigned kAxis, class Choose>
-  std::int32_t choose_axis(FieldForecasts& forecasts, Choose& choose) {
-    const FieldForecast forecast = forecasts.template of<kAxis>();
+  std::int32_t choose_axis(FieldPredictions& predictions, Choose& choose) {
+    const FieldPrediction prediction = predictions.template of<kAxis>();
     const std::int32_t q = choose(kAxis, [&](std::int32_t candidate) {
       const auto trial = coder_.trial();
-      code(coder_, candidate, forecast, mixes_[kAxis]);
+      code(coder_, candidate, prediction, mixes_[kAxis]);
       return trial.bits();
     });
-    code(coder_, q, forecast, mixes_[kAxis]);
-    forecasts.template settle<kAxis>(q);
+    code(coder_, q, prediction, mixes_[kAxis]);
+    predictions.template settle<kAxis>(q);
     return q;
   }
 
   /// Returns the number, of any size where the stream lies.
-  [[gnu::always_inline]] std::int64_t code(Coder& coder, std::int64_t q, const FieldForecast& f,
+  [[gnu::always_inline]] std::int64_t code(Coder& coder, std::int64_t q, const FieldPrediction& f,
                                            MixWeights& weights) {
     if (f.shift > kMostLowBits) __builtin_unreachable();  // no scale is above 2^16
     const Mixture<kFieldModels> mixture{{&models_[0][f.contexts[0]], &models_[1][f.contexts[1]]}, &weights};

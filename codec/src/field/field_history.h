@@ -10,8 +10,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "base/eight_shorts.h"
-#include "base/large_vector.h"
+#include "base/memory/large_vector.h"
+#include "base/simd/eight_shorts.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {

@@ -11,8 +11,8 @@
 
 #include "base/byte_reader.h"
 #include "base/byte_writer.h"
+#include "base/numbers/zigzag.h"
 #include "base/try.h"
-#include "base/zigzag.h"
 
 namespace deltamesh {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/byte_reader.h"
-#include "base/vec3.h"
+#include "base/numbers/vec3.h"
 #include "deltamesh/result.h"
 #include "deltamesh/version.h"
 #include "format/attribute_descriptor.h"

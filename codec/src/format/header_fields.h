@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "base/short_float.h"
+#include "base/numbers/short_float.h"
 #include "format/header.h"
 
 namespace deltamesh {

@@ -7,7 +7,7 @@
 #include <array>
 #include <cstdint>
 
-#include "base/vec3.h"
+#include "base/numbers/vec3.h"
 
 namespace deltamesh {
 

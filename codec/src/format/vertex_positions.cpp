@@ -6,7 +6,7 @@
 #include <bit>
 #include <cmath>
 
-#include "base/large_vector.h"
+#include "base/memory/large_vector.h"
 #include "base/try.h"
 
 namespace deltamesh {

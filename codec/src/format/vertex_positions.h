@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "base/vec3.h"
+#include "base/numbers/vec3.h"
 #include "deltamesh/result.h"
 
 namespace deltamesh {

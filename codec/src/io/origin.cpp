@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "base/vec3.h"
+#include "base/numbers/vec3.h"
 #include "io/components.h"
 
 namespace deltamesh {

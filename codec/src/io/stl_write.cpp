@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "base/byte_writer.h"
-#include "base/vec3.h"
+#include "base/numbers/vec3.h"
 #include "io/formats.h"
 #include "io/vertex_text.h"
 

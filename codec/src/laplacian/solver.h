@@ -12,8 +12,8 @@
 #include <span>
 #include <vector>
 
-#include "base/large_vector.h"
-#include "base/vec3.h"
+#include "base/memory/large_vector.h"
+#include "base/numbers/vec3.h"
 #include "deltamesh/result.h"
 #include "laplacian/multigrid/cycle/planned_cycles.h"
 #include "laplacian/multigrid/level/level.h"

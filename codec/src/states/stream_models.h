@@ -8,11 +8,11 @@
 #include <optional>
 #include <vector>
 
-#include "attributes/color_coder.h"
-#include "connectivity/op_models.h"
-#include "entropy/learning.h"
+#include "attributes/colors/coder.h"
+#include "connectivity/faces/op_models.h"
+#include "entropy/coder/learning.h"
 #include "format/predictive_parameters.h"
-#include "predictive/position_models.h"
+#include "positions/models.h"
 
 namespace deltamesh {
 

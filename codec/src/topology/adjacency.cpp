@@ -7,7 +7,7 @@
 #include <atomic>
 #include <cstddef>
 
-#include "base/thread_team.h"
+#include "base/threads/thread_team.h"
 
 namespace deltamesh {
 namespace {

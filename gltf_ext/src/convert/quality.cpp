@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/numbers/vec3.h"
 #include "base/try.h"
-#include "base/vec3.h"
-#include "encoder/default_quality.h"
+#include "search/default_quality.h"
 
 namespace deltamesh::gltf {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "base/vec3.h"
+#include "base/numbers/vec3.h"
 
 namespace deltamesh::gltf {
 

@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
-#include "attributes/attribute_payload.h"
-#include "attributes/levels.h"
-#include "attributes/octahedral.h"
-#include "attributes/symbols.h"
+#include "attributes/payload.h"
+#include "attributes/plain/levels.h"
+#include "attributes/plain/octahedral.h"
+#include "attributes/plain/symbols.h"
 #include "base/byte_reader.h"
 #include "base/byte_writer.h"
 #include "support/attribute_coding.h"

@@ -11,14 +11,14 @@
 #include <vector>
 
 #include "attributes/attribute.h"
-#include "attributes/attribute_payload.h"
-#include "attributes/component_lattice.h"
+#include "attributes/lattice/component_lattice.h"
+#include "attributes/payload.h"
 #include "base/byte_reader.h"
 #include "base/byte_writer.h"
-#include "base/short_float.h"
-#include "entropy/compact_reader.h"
-#include "entropy/compact_writer.h"
-#include "predictive/lattice_coder.h"
+#include "base/numbers/short_float.h"
+#include "entropy/coder/reader.h"
+#include "entropy/coder/writer.h"
+#include "positions/lattice/coder.h"
 #include "support/attribute_coding.h"
 #include "support/random.h"
 

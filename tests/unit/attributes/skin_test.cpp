@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "attributes/skin.h"
+#include "attributes/skin/skin.h"
 
 #include <gtest/gtest.h>
 
@@ -13,12 +13,12 @@
 #include <vector>
 
 #include "attributes/attribute.h"
-#include "attributes/attribute_payload.h"
+#include "attributes/payload.h"
 #include "base/byte_writer.h"
-#include "base/short_float.h"
+#include "base/numbers/short_float.h"
 #include "deltamesh/decode.h"
 #include "deltamesh/encode.h"
-#include "entropy/compact_writer.h"
+#include "entropy/coder/writer.h"
 #include "support/attribute_coding.h"
 #include "support/random.h"
 

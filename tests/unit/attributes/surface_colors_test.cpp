@@ -2,8 +2,6 @@
 // Copyright 2026 The deltamesh authors
 //
 // Colours of a surface: exact or within the bound, whatever their type, and nothing else gets through.
-#include "attributes/surface_colors.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
@@ -18,9 +16,10 @@
 #include <string>
 #include <vector>
 
-#include "attributes/color_coder.h"
-#include "attributes/color_fields.h"
-#include "entropy/compact_writer.h"
+#include "attributes/colors/coder.h"
+#include "attributes/colors/colors.h"
+#include "attributes/colors/fields.h"
+#include "entropy/coder/writer.h"
 #include "support/graph_mesh.h"
 #include "support/guarded.h"
 #include "support/random.h"

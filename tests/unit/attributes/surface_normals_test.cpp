@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "attributes/surface_normals.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,10 +10,11 @@
 #include <set>
 #include <vector>
 
-#include "attributes/attribute_error.h"
-#include "attributes/normal_lattice.h"
-#include "attributes/normal_rule.h"
-#include "base/portable_math.h"
+#include "attributes/error.h"
+#include "attributes/normals/lattice.h"
+#include "attributes/normals/normals.h"
+#include "attributes/normals/rule.h"
+#include "base/numbers/portable_math.h"
 
 namespace deltamesh::surface_normals_test {
 namespace {

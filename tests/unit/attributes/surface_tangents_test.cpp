@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "attributes/surface_tangents.h"
-
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -10,10 +8,11 @@
 #include <limits>
 #include <vector>
 
-#include "attributes/normal_lattice.h"
+#include "attributes/normals/lattice.h"
 #include "attributes/surface_order.h"
-#include "attributes/tangent_rule.h"
-#include "base/portable_math.h"
+#include "attributes/tangents/rule.h"
+#include "attributes/tangents/tangents.h"
+#include "base/numbers/portable_math.h"
 #include "support/soups.h"
 
 namespace deltamesh::surface_tangents_test {

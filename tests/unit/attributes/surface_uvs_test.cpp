@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "attributes/surface_uvs.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
@@ -10,9 +8,10 @@
 #include <limits>
 #include <vector>
 
-#include "attributes/forecast_blend.h"
 #include "attributes/linear_fit.h"
+#include "attributes/prediction_blend.h"
 #include "attributes/surface_order.h"
+#include "attributes/uvs/uvs.h"
 #include "support/soups.h"
 
 namespace deltamesh::surface_uvs_test {
@@ -182,9 +181,9 @@ TEST(LinearFit, ATTR34FindsALinearFunction) {
   EXPECT_NEAR(fit.at(z)[0], -function(z)[0], 0.05);
 }
 
-TEST(ForecastBlend, ATTR35LearnsWhatForecastsAreWorth) {
-  ForecastBlend blend;
-  ForecastDifferences d{};
+TEST(PredictionBlend, ATTR35LearnsWhatPredictionsAreWorth) {
+  PredictionBlend blend;
+  PredictionDifferences d{};
   for (std::uint32_t i = 0; i < 400; ++i) {
     for (std::uint32_t k = 0; k < 2; ++k) d[k] = TwoDoubles{noise(6 * i + 2 * k), noise(6 * i + 2 * k + 1)};
     blend.learn(d, 0.75 * d[0] - 0.25 * d[1], 1);

@@ -9,8 +9,8 @@
 #include "base/byte_reader.h"
 #include "base/byte_writer.h"
 #include "base/checked.h"
-#include "base/short_float.h"
-#include "base/zigzag.h"
+#include "base/numbers/short_float.h"
+#include "base/numbers/zigzag.h"
 #include "entropy/planes.h"
 
 namespace deltamesh {

@@ -11,8 +11,8 @@
 #include <cstdint>
 #include <limits>
 
-#include "base/eight_shorts.h"
-#include "base/four_ints.h"
+#include "base/simd/eight_shorts.h"
+#include "base/simd/four_ints.h"
 #include "support/random.h"
 
 namespace deltamesh {

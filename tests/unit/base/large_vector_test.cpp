@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "base/large_vector.h"
+#include "base/memory/large_vector.h"
 
 #include <gtest/gtest.h>
 

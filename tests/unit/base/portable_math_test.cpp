@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "base/portable_math.h"
+#include "base/numbers/portable_math.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <limits>
 
-#include "base/portable_math.h"
-#include "base/two_doubles.h"
+#include "base/numbers/portable_math.h"
+#include "base/simd/two_doubles.h"
 
 namespace deltamesh {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "base/thread_team.h"
+#include "base/threads/thread_team.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <new>
 #include <vector>
 
-#include "base/task.h"
+#include "base/threads/task.h"
 
 namespace deltamesh {
 namespace {

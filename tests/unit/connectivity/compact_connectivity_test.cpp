@@ -10,12 +10,12 @@
 #include <utility>
 #include <vector>
 
-#include "connectivity/border.h"
-#include "connectivity/connectivity.h"
-#include "connectivity/op_coder.h"
-#include "connectivity/traversal.h"
-#include "entropy/compact_reader.h"
-#include "entropy/compact_writer.h"
+#include "connectivity/faces/border.h"
+#include "connectivity/faces/faces.h"
+#include "connectivity/faces/op_coder.h"
+#include "connectivity/faces/traversal.h"
+#include "entropy/coder/reader.h"
+#include "entropy/coder/writer.h"
 #include "support/guarded.h"
 #include "support/soups.h"
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "connectivity/connectivity.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,8 +12,9 @@
 
 #include "base/byte_reader.h"
 #include "base/byte_writer.h"
-#include "connectivity/cut.h"
-#include "connectivity/op_tokens.h"
+#include "connectivity/faces/cut.h"
+#include "connectivity/faces/faces.h"
+#include "connectivity/faces/op_tokens.h"
 #include "entropy/planes.h"
 #include "support/soups.h"
 #include "topology/adjacency.h"

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "connectivity/face_groups.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,9 +11,10 @@
 #include <vector>
 
 #include "base/byte_writer.h"
+#include "connectivity/groups/groups.h"
 #include "deltamesh/decode.h"
 #include "deltamesh/encode.h"
-#include "entropy/compact_writer.h"
+#include "entropy/coder/writer.h"
 #include "entropy/planes.h"
 #include "support/meshes.h"
 #include "support/soups.h"
@@ -92,10 +91,10 @@ TEST(FaceGroups, FGRP1RejectsGroupsFrom65536On) {
   EXPECT_EQ(broken_rule(out.bytes(), c), "FGRP-1");
 
   CompactWriter writer;
-  std::array<BitModel, 8> as_forecast;
+  std::array<BitModel, 8> as_prediction;
   SymbolModel choices{{8, 4, 2, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 16, 1}};
   NumberModel names;
-  writer.bit(false, as_forecast[0]);
+  writer.bit(false, as_prediction[0]);
   writer.symbol(15, Mixture<1>{{&choices}});
   writer.number(65536, names);
   EXPECT_EQ(broken_rule(Payload::compact(writer.finish()), c), "FGRP-1");
@@ -104,9 +103,9 @@ TEST(FaceGroups, FGRP1RejectsGroupsFrom65536On) {
 TEST(FaceGroups, FGRP3RejectsAPlaceBeyondTheRecentGroups) {
   const Case c{"one", {0, 1, 2}, 3, {}};
   CompactWriter writer;
-  BitModel as_forecast;
+  BitModel as_prediction;
   SymbolModel choices{{8, 4, 2, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 16, 1}};
-  writer.bit(false, as_forecast);
+  writer.bit(false, as_prediction);
   writer.symbol(0, Mixture<1>{{&choices}});
   EXPECT_EQ(broken_rule(Payload::compact(writer.finish()), c), "FGRP-3");
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "connectivity/order.h"
+#include "connectivity/order/order.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "base/byte_writer.h"
-#include "connectivity/connectivity.h"
+#include "connectivity/faces/faces.h"
 #include "entropy/planes.h"
 #include "support/soups.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "connectivity/seams.h"
+#include "connectivity/seams/seams.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "base/byte_writer.h"
-#include "connectivity/seam_coder.h"
-#include "entropy/compact_writer.h"
+#include "connectivity/seams/coder.h"
+#include "entropy/coder/writer.h"
 #include "entropy/planes.h"
 #include "support/soups.h"
 

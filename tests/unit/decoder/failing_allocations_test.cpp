@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "base/thread_team.h"
+#include "base/threads/thread_team.h"
 #include "deltamesh/decode.h"
 #include "deltamesh/encode.h"
 #include "support/meshes.h"

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "base/thread_team.h"
+#include "base/threads/thread_team.h"
 #include "decoder/stream_decoder.h"
 #include "deltamesh/decode.h"
 #include "deltamesh/encode.h"

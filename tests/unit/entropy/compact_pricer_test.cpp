@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "entropy/compact_pricer.h"
-
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 
+#include "entropy/coder/pricer.h"
 #include "field/field_coder.h"
-#include "geometry/delta_symbols.h"
+#include "highpass/delta_symbols.h"
 #include "support/graph_mesh.h"
 #include "support/random.h"
 

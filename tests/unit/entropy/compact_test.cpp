@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "entropy/compact_reader.h"
-#include "entropy/compact_writer.h"
-#include "entropy/split_number.h"
+#include "entropy/coder/reader.h"
+#include "entropy/coder/split_number.h"
+#include "entropy/coder/writer.h"
 #include "support/random.h"
 
 namespace deltamesh {

@@ -8,11 +8,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "entropy/compact_reader.h"
-#include "entropy/compact_writer.h"
+#include "entropy/coder/reader.h"
+#include "entropy/coder/writer.h"
 #include "field/field_coder.h"
-#include "field/field_forecast.h"
 #include "field/field_history.h"
+#include "field/field_prediction.h"
 #include "field/octave_class.h"
 #include "format/tags.h"
 #include "support/graph_mesh.h"
@@ -127,16 +127,16 @@ FieldContext context(FourInts numbers, FourInts last_peer, FourInts errors) {
 }
 
 /// With small errors numbers are coded as differences to the last peer.
-TEST(FieldForecasts, FLD14FLD15AMirroredFieldHasTheSameContexts) {
+TEST(FieldPredictions, FLD14FLD15AMirroredFieldHasTheSameContexts) {
   for (const std::int32_t error : {1, 1000}) {
     const FourInts numbers{320, -640, 128, 0};
     const FourInts last{25, -30, 7, 0};
     const FourInts errors = FourInts{1, 1, 1, 0} * error;
     const FieldContext around = context(numbers, last, errors);
     const FieldContext mirrored = context(-numbers, -last, errors);
-    FieldForecasts plain(around);
-    FieldForecasts other(mirrored);
-    const auto compare = [&](const FieldForecast& a, const FieldForecast& b) {
+    FieldPredictions plain(around);
+    FieldPredictions other(mirrored);
+    const auto compare = [&](const FieldPrediction& a, const FieldPrediction& b) {
       EXPECT_EQ(a.base, -b.base);
       EXPECT_EQ(a.base != 0, error == 1);
       EXPECT_EQ(a.sign, -1 - b.sign);

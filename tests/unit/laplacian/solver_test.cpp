@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "base/thread_team.h"
-#include "geometry/delta_quantizer.h"
+#include "base/threads/thread_team.h"
+#include "highpass/delta_quantizer.h"
 #include "laplacian/multigrid/setup/levels.h"
 #include "laplacian/operator/delta.h"
 #include "laplacian/operator/solved_part.h"

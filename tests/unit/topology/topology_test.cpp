@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/thread_team.h"
+#include "base/threads/thread_team.h"
 #include "topology/adjacency.h"
 #include "topology/mesh_edges.h"
 #include "topology/subgraph.h"

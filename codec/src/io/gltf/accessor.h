@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "base/vec3.h"
+#include "base/numbers/vec3.h"
 #include "deltamesh/mesh.h"
 #include "deltamesh/result.h"
 #include "io/gltf/document.h"

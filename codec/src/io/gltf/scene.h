@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "base/vec3.h"
+#include "base/numbers/vec3.h"
 #include "io/gltf/document.h"
 
 namespace deltamesh::gltf {

@@ -8,8 +8,8 @@
 #include <map>
 #include <numeric>
 
+#include "base/numbers/vec3.h"
 #include "base/try.h"
-#include "base/vec3.h"
 
 namespace deltamesh::gltf {
 namespace {

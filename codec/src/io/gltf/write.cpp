@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "base/byte_writer.h"
-#include "base/vec3.h"
+#include "base/numbers/vec3.h"
 #include "io/formats.h"
 #include "io/gltf/accessor.h"
 #include "io/vertex_text.h"

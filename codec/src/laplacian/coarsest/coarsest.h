@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/large_vector.h"
+#include "base/memory/large_vector.h"
 #include "laplacian/coarsest/conjugate_gradients.h"
 #include "laplacian/coarsest/dense_factor.h"
 #include "laplacian/multigrid/level/coupled_problem.h"

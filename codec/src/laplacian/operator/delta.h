@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "base/vec3.h"
+#include "base/numbers/vec3.h"
 #include "laplacian/operator/solved_part.h"
 #include "topology/adjacency.h"
 

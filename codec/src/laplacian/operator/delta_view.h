@@ -13,10 +13,10 @@
 #include <span>
 #include <vector>
 
-#include "base/eight_shorts.h"
-#include "base/four_ints.h"
-#include "base/two_doubles.h"
-#include "base/vec3.h"
+#include "base/numbers/vec3.h"
+#include "base/simd/eight_shorts.h"
+#include "base/simd/four_ints.h"
+#include "base/simd/two_doubles.h"
 #include "laplacian/operator/symbol_rows.h"
 
 namespace deltamesh {

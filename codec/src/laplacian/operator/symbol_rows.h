@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <span>
 
-#include "base/four_ints.h"
-#include "base/large_vector.h"
+#include "base/memory/large_vector.h"
+#include "base/simd/four_ints.h"
 
 namespace deltamesh {
 

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "base/large_vector.h"
+#include "base/memory/large_vector.h"
 #include "laplacian/multigrid/level/row.h"
 
 namespace deltamesh::settling {

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "base/vec3.h"
+#include "base/numbers/vec3.h"
 #include "laplacian/operator/delta_view.h"
 #include "topology/adjacency.h"
 #include "topology/vertex_subset.h"

@@ -7,7 +7,7 @@
 
 #include <span>
 
-#include "base/vec3.h"
+#include "base/numbers/vec3.h"
 #include "deltamesh/result.h"
 #include "laplacian/settling/problem.h"
 

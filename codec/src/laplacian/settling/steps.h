@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "base/large_vector.h"
+#include "base/memory/large_vector.h"
 #include "laplacian/multigrid/cycle/level_solver.h"
 #include "laplacian/multigrid/level/row.h"
 #include "laplacian/settling/problem.h"

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "base/four_ints.h"
+#include "base/simd/four_ints.h"
 #include "laplacian/multigrid/cycle/units.h"
 #include "laplacian/operator/delta_view.h"
 

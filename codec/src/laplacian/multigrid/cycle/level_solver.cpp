@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "base/thread_team.h"
+#include "base/threads/thread_team.h"
 #include "laplacian/multigrid/cycle/coupled_sweep.h"
 
 namespace deltamesh::multigrid {

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "base/thread_team.h"
+#include "base/threads/thread_team.h"
 #include "laplacian/multigrid/cycle/finest_sweeps.h"
 #include "laplacian/multigrid/level/edges.h"
 #include "laplacian/multigrid/level/row.h"

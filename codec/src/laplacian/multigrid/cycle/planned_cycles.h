@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "base/large_vector.h"
-#include "base/vec3.h"
+#include "base/memory/large_vector.h"
+#include "base/numbers/vec3.h"
 #include "laplacian/multigrid/cycle/level_solver.h"
 #include "laplacian/multigrid/cycle/units.h"
 #include "laplacian/multigrid/level/level.h"

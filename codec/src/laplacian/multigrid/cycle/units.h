@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/four_ints.h"
-#include "base/vec3.h"
+#include "base/numbers/vec3.h"
+#include "base/simd/four_ints.h"
 #include "laplacian/multigrid/level/row.h"
 #include "laplacian/operator/delta_view.h"
 

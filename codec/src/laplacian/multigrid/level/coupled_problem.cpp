@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "base/thread_team.h"
+#include "base/threads/thread_team.h"
 #include "laplacian/multigrid/level/edges.h"
 
 namespace deltamesh::multigrid {

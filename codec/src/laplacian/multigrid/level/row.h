@@ -6,9 +6,9 @@
 
 #include <vector>
 
-#include "base/four_floats.h"
-#include "base/two_doubles.h"
-#include "base/vec3.h"
+#include "base/numbers/vec3.h"
+#include "base/simd/four_floats.h"
+#include "base/simd/two_doubles.h"
 
 namespace deltamesh::multigrid {
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "base/four_ints.h"
+#include "base/simd/four_ints.h"
 #include "laplacian/multigrid/level/level.h"
 #include "laplacian/multigrid/level/row.h"
 

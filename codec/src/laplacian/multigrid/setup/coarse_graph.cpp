@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/thread_team.h"
+#include "base/threads/thread_team.h"
 #include "laplacian/multigrid/setup/row_sums.h"
 #include "laplacian/multigrid/setup/transposed.h"
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-#include "base/thread_team.h"
+#include "base/threads/thread_team.h"
 
 namespace deltamesh::multigrid {
 namespace {

@@ -4,7 +4,7 @@
 // Interpolation of a level from its aggregates.
 #pragma once
 
-#include "base/large_vector.h"
+#include "base/memory/large_vector.h"
 #include "laplacian/multigrid/level/interpolation.h"
 #include "laplacian/multigrid/level/level.h"
 #include "laplacian/multigrid/setup/aggregates.h"

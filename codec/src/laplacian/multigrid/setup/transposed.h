@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <span>
 
-#include "base/large_vector.h"
+#include "base/memory/large_vector.h"
 #include "laplacian/multigrid/level/interpolation.h"
 
 namespace deltamesh::multigrid {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/thread_team.h"
+#include "base/threads/thread_team.h"
 #include "laplacian/anchors/anchors.h"
 #include "laplacian/operator/delta.h"
 #include "laplacian/solver.h"

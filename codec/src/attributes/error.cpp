@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "attributes/error.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "base/component.h"
+#include "base/numbers/portable_math.h"
+#include "format/attribute_descriptor.h"
+
+namespace deltamesh {
+namespace {
+
+/// What one 255th of a colour's range is in its type.
+double color_unit(ComponentType type) noexcept {
+  if (type == ComponentType::kU8) return 1;
+  return type == ComponentType::kU16 ? 257 : 1.0 / 255;
+}
+
+/// A row's values as numbers, as far as an error needs them.
+using Row = std::array<double, kMaxComponents>;
+
+double angle_between(const Row& a, const Row& b) noexcept {
+  return portable_degrees_between({a[0], a[1], a[2]}, {b[0], b[1], b[2]});
+}
+
+double largest_difference(const Row& a, const Row& b, std::size_t components) noexcept {
+  double largest = 0;
+  for (std::size_t c = 0; c < components; ++c) largest = std::max(largest, std::fabs(a[c] - b[c]));
+  return largest;
+}
+
+double row_error(const AttributeView& attribute, const Row& a, const Row& b) noexcept {
+  const std::size_t components = attribute.components;
+  switch (attribute.kind) {
+    case AttributeKind::kNormal:
+      if (components == 3) return angle_between(a, b);
+      break;
+    case AttributeKind::kTangent:
+      if (components == 4 && a[3] == b[3]) return angle_between(a, b);
+      if (components == 4) return 180;
+      break;
+    case AttributeKind::kUv:
+      if (components == 2) return length({a[0] - b[0], a[1] - b[1], 0});
+      break;
+    case AttributeKind::kColor:
+      return largest_difference(a, b, components) / color_unit(attribute.type);
+    case AttributeKind::kWeights:
+      return largest_difference(a, b, components) / normalized_one(attribute.type);
+    case AttributeKind::kGeneric:
+    case AttributeKind::kJoints:
+      break;
+  }
+  return largest_difference(a, b, components);
+}
+
+constexpr bool measures_angles(const AttributeView& attribute) noexcept {
+  return (attribute.kind == AttributeKind::kNormal && attribute.components == 3) ||
+         (attribute.kind == AttributeKind::kTangent && attribute.components == 4);
+}
+
+/// The square of the angle's cosine, with its sign: falls where the angle grows. Cheaper than that.
+double cosine_square(const Row& a, const Row& b) noexcept {
+  const double product = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  const double lengths =
+      (a[0] * a[0] + a[1] * a[1] + a[2] * a[2]) * (b[0] * b[0] + b[1] * b[1] + b[2] * b[2]);
+  return product * std::fabs(product) / lengths;
+}
+
+}  // namespace
+
+double attribute_error(const AttributeView& attribute, const AttributeRows& rows,
+                       std::span<const std::byte> decoded) {
+  double largest = 0;
+  constexpr double kRounding = 1e-12;  // far more than cosines are off by
+  double least_cosine = 2;             // its square
+  const bool is_angle = measures_angles(attribute);
+  Row a{};
+  Row b{};
+  const std::size_t size = component_size(attribute.type);
+  const std::byte* now = decoded.data();
+  for (std::size_t i = 0; i < rows.count(); ++i, now += attribute.components * size) {
+    const std::byte* const source = rows.row(i);
+    if (std::memcmp(source, now, attribute.components * size) == 0) continue;
+    for (std::size_t c = 0; c < attribute.components; ++c) {
+      a[c] = load_component(attribute.type, source + c * size);
+      b[c] = load_component(attribute.type, now + c * size);
+    }
+    if (is_angle && a[3] == b[3]) {  // a normal has no sign
+      const double cosine = cosine_square(a, b);
+      if (cosine > least_cosine + kRounding) continue;
+      least_cosine = std::fmin(least_cosine, cosine);
+    }
+    const double error = row_error(attribute, a, b);
+    if (!(error <= largest)) largest = std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
+  }
+  return largest;
+}
+
+}  // namespace deltamesh

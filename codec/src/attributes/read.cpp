@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+
+#include "attributes/attribute.h"
+#include "attributes/colors/colors.h"
+#include "attributes/lattice/lattice.h"
+#include "attributes/normals/normals.h"
+#include "attributes/payload.h"
+#include "attributes/plain/plain.h"
+#include "attributes/skin/rows.h"
+#include "attributes/skin/skin.h"
+#include "attributes/tangents/tangents.h"
+#include "attributes/uvs/uvs.h"
+#include "base/byte_reader.h"
+#include "base/checked.h"
+#include "format/tags.h"
+
+namespace deltamesh {
+namespace {
+
+/// Of a compact payload; the values of `shape`, whose own are not looked at.
+Result<std::vector<std::byte>> read_on_surface(ByteReader& in, AttributeCoding coding, const Attribute& shape,
+                                               const AttributeSurface& surface,
+                                               std::span<const Attribute> others,
+                                               const Learning<ColorModels>& learning) {
+  DELTAMESH_TRY(const auto bytes, in.read_bytes(in.remaining()));
+  std::vector<float> numbers;
+  switch (coding) {
+    case AttributeCoding::kSurfaceColors:
+      return read_surface_colors(bytes, shape.type, shape.components, surface, learning);
+    case AttributeCoding::kJoints:
+      return read_joints(bytes, shape, surface);
+    case AttributeCoding::kWeights:
+      return read_weights(bytes, shape, surface, joints_of_weights(others, surface.vertex_count()));
+    case AttributeCoding::kSurfaceNormals: {
+      DELTAMESH_TRY(numbers, read_surface_normals(bytes, surface));
+      break;
+    }
+    case AttributeCoding::kSurfaceUvs: {
+      DELTAMESH_TRY(numbers, read_surface_uvs(bytes, surface));
+      break;
+    }
+    case AttributeCoding::kSurfaceTangents: {
+      const TangentBasis basis = tangent_basis(others, surface.vertex_count());
+      DELTAMESH_TRY(numbers, read_surface_tangents(bytes, surface, basis));
+      break;
+    }
+    default:
+      return read_lattice(bytes, shape, surface);
+  }
+  const auto values = std::as_bytes(std::span(numbers));
+  return std::vector<std::byte>(values.begin(), values.end());
+}
+
+/// The coding's byte, which fits shape and form of the payload [ATTR-2].
+Result<AttributeCoding> read_coding(ByteReader& in, const AttributeDescriptor& descriptor, bool is_compact) {
+  DELTAMESH_TRY(const auto byte, in.read<std::uint8_t>());
+  const auto coding = static_cast<AttributeCoding>(byte);
+  if (!coding_fits(coding, descriptor.kind, descriptor.type, descriptor.components))
+    return in.invalid("attribute coding that its shape does not allow", "ATTR-2");
+  if (is_plain_coding(coding) == is_compact)
+    return in.invalid("attribute coding of the other form", "ATTR-2");
+  return coding;
+}
+
+}  // namespace
+
+Attribute shape_of(const AttributeDescriptor& descriptor) {
+  return {.kind = descriptor.kind,
+          .type = descriptor.type,
+          .components = descriptor.components,
+          .normalized = (descriptor.flags & 1) != 0,
+          .name = descriptor.name};
+}
+
+std::uint64_t attribute_bytes(const AttributeDescriptor& descriptor, std::uint32_t rows) noexcept {
+  return saturating_mul(rows, descriptor.components * component_size(descriptor.type));
+}
+
+Result<Attribute> read_attribute(Payload payload, const AttributeDescriptor& descriptor,
+                                 const AttributeSurface& surface, std::span<const Attribute> others,
+                                 std::uint64_t max_bytes, const Learning<ColorModels>& learning) {
+  ByteReader in(payload.bytes, kTagAttribute);
+  if (attribute_bytes(descriptor, surface.vertex_count()) > max_bytes)
+    return in.error(ErrorCode::kLimitExceeded, "attribute values larger than allowed", "ATTR-8");
+  Attribute attribute = shape_of(descriptor);
+  DELTAMESH_TRY(const AttributeCoding coding, read_coding(in, descriptor, payload.is_compact));
+  DELTAMESH_TRY(attribute.values, payload.is_compact
+                                      ? read_on_surface(in, coding, attribute, surface, others, learning)
+                                      : read_plain_values(payload.bytes, attribute, surface.vertex_count()));
+  return attribute;
+}
+
+}  // namespace deltamesh

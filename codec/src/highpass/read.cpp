@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include <cmath>
+#include <utility>
+
+#include "base/broken_rule.h"
+#include "base/memory/large_vector.h"
+#include "base/numbers/zigzag.h"
+#include "base/try.h"
+#include "entropy/planes.h"
+#include "format/tags.h"
+#include "highpass/anchor_list.h"
+#include "highpass/delta_symbols.h"
+#include "highpass/highpass.h"
+#include "highpass/symbols.h"
+#include "laplacian/anchors/anchors.h"
+
+namespace deltamesh {
+namespace {
+
+/// Ranges of the parameters that the arithmetic below relies on.
+Result<void> check_parameters(const HighpassParameters& parameters, std::size_t vertex_count) {
+  if (!(parameters.step > 0 && std::isfinite(parameters.step)))
+    return broken_rule("the step is not a finite number above 0", "DELT-1", kTagDeltas);
+  if (parameters.anchor_bits < 4 || parameters.anchor_bits > 24)
+    return broken_rule("anchor bits outside 4 to 24", "ANCH-1", kTagAnchors);
+  if (parameters.cycles > kMostCycles) return broken_rule("too many cycles", "DELT-7", kTagDeltas);
+  if (parameters.anchors > vertex_count)
+    return broken_rule("more anchors than vertices", "ANCH-1", kTagAnchors);
+  return {};
+}
+
+Result<LargeVector<std::int32_t>> read_planar(Payload payload, const Adjacency& graph) {
+  if (payload.is_compact) return read_compact_deltas(payload.bytes, graph);
+  ByteReader in(payload.bytes, kTagDeltas);
+  DELTAMESH_TRY(const auto codes, read_planes(in, 3 * std::uint64_t{graph.vertex_count()}));
+  DELTAMESH_CHECK(in.finish());
+  LargeVector<std::int32_t> deltas(codes.size());
+  for (std::size_t i = 0; i < codes.size(); ++i) deltas[i] = unzigzag(codes[i]);
+  return deltas;
+}
+
+/// Anchors from the gaps between them.
+Result<std::vector<std::uint32_t>> anchor_vertices(const AnchorList& list, std::size_t vertex_count) {
+  std::vector<std::uint32_t> vertices;
+  vertices.reserve(list.gaps.size());
+  std::uint64_t expected = 0;
+  for (const std::uint32_t gap : list.gaps) {
+    expected += gap;
+    if (expected >= vertex_count) return broken_rule("anchor beyond the last vertex", "ANCH-3", kTagAnchors);
+    vertices.push_back(static_cast<std::uint32_t>(expected++));
+  }
+  return vertices;
+}
+
+Result<std::vector<AnchorCell>> anchor_cells(const AnchorList& list, int bits) {
+  const std::size_t count = list.gaps.size();
+  std::vector<AnchorCell> cells(count);
+  AnchorCell cell{};
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      cell[axis] += static_cast<std::uint32_t>(unzigzag(list.steps[axis * count + i]));  // wraps; caught next
+      if (cell[axis] >> bits != 0) return broken_rule("anchor outside its lattice", "ANCH-4", kTagAnchors);
+    }
+    cells[i] = cell;
+  }
+  return cells;
+}
+
+/// Every solved component has an anchor, and every vertex of the others is one [ANCH-2].
+Result<void> check_coverage(std::span<const std::uint32_t> anchors, const Components& components) {
+  std::vector<std::uint32_t> anchors_in(components.count, 0);
+  for (const std::uint32_t anchor : anchors) ++anchors_in[components.label[anchor]];
+  for (std::uint32_t c = 0; c < components.count; ++c) {
+    const bool small = components.size[c] < kSmallestSolvedComponent;
+    if (anchors_in[c] < (small ? components.size[c] : 1))
+      return broken_rule("a component with too few anchors", "ANCH-2", kTagAnchors);
+  }
+  return {};
+}
+
+/// Everything but the deltas. Errors: kTruncated, kInvalidStream [ANCH-*].
+Result<HighpassSymbols> read_anchor_symbols(Payload anchors, const Components& components,
+                                            const HighpassParameters& parameters) {
+  HighpassSymbols symbols;
+  DELTAMESH_TRY(const AnchorList list, read_anchors(anchors, parameters.anchors));
+  DELTAMESH_TRY(symbols.anchors, anchor_vertices(list, components.label.size()));
+  DELTAMESH_TRY(symbols.cells, anchor_cells(list, parameters.anchor_bits));
+  DELTAMESH_CHECK(check_coverage(symbols.anchors, components));
+  return symbols;
+}
+
+}  // namespace
+
+Result<LargeVector<Vec3>> read_highpass(Payload deltas, Payload anchors, Adjacency graph,
+                                        Components components, const Box& box,
+                                        const HighpassParameters& parameters, ThreadTeam* team) {
+  DELTAMESH_CHECK(check_parameters(parameters, graph.vertex_count()));
+  DELTAMESH_TRY(const HighpassSymbols symbols, read_anchor_symbols(anchors, components, parameters));
+  SolvedPart part = extract_solved_part(std::move(graph), std::move(components));
+  const auto read = [&](const Adjacency& solved) -> Result<SymbolRows> {
+    DELTAMESH_TRY(const auto planar, read_planar(deltas, solved));
+    return SymbolRows(planar);
+  };
+  return reconstruct_highpass_once(read, symbols, std::move(part), box, parameters, team);
+}
+
+}  // namespace deltamesh

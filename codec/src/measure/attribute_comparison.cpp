@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "measure/attribute_comparison.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+#include "base/component.h"
+#include "base/numbers/portable_math.h"
+#include "deltamesh/mesh.h"
+#include "format/attribute_descriptor.h"
+
+namespace deltamesh {
+namespace {
+
+/// Bytes of one value.
+inline std::size_t value_size(const AttributeView& attribute) noexcept {
+  return attribute.components * component_size(attribute.type);
+}
+
+using Value = std::array<double, kMaxComponents>;
+
+/// What the number 1 of the kind's unit is in this type.
+double unit_of(const AttributeView& attribute) noexcept {
+  const double one = normalized_one(attribute.type);
+  switch (attribute.kind) {
+    case AttributeKind::kColor:
+      return one / 255;
+    case AttributeKind::kWeights:
+      return one;
+    case AttributeKind::kUv:
+      return attribute.normalized ? one : 1;
+    default:
+      return 1;
+  }
+}
+
+void load(const AttributeView& attribute, std::uint32_t vertex, Value& value) noexcept {
+  const std::size_t size = component_size(attribute.type);
+  const std::byte* const from = attribute.values.data() + std::size_t{vertex} * value_size(attribute);
+  const double unit = unit_of(attribute);
+  for (std::size_t c = 0; c < attribute.components; ++c)
+    value[c] = load_component(attribute.type, from + c * size) / unit;
+}
+
+double degrees_between(const Value& a, const Value& b) noexcept {
+  return portable_degrees_between({a[0], a[1], a[2]}, {b[0], b[1], b[2]});
+}
+
+double error_between(AttributeKind kind, std::size_t components, const Value& a, const Value& b) noexcept {
+  if (kind == AttributeKind::kNormal && components == 3) return degrees_between(a, b);
+  if (kind == AttributeKind::kTangent && components == 4) return a[3] == b[3] ? degrees_between(a, b) : 180;
+  if (kind == AttributeKind::kUv && components == 2) return length({a[0] - b[0], a[1] - b[1], 0});
+  double largest = 0;
+  for (std::size_t c = 0; c < components; ++c) {
+    const double apart = std::fabs(a[c] - b[c]);
+    if (std::isnan(apart)) return apart;
+    largest = std::max(largest, apart);
+  }
+  return largest;
+}
+
+/// Value `i` of `a` against value `j` of `b`, which has as many components, in the unit of Comparison:
+/// degrees, distance of texture coordinates, 255ths of a colour's range, else the largest difference of a
+/// component, where weights of integer types are parts of 1. 0 where all bits are the same, infinity where
+/// the difference is not a number. O(1).
+double value_error(const AttributeView& a, std::uint32_t i, const AttributeView& b,
+                   std::uint32_t j) noexcept {
+  const std::byte* const from_a = a.values.data() + std::size_t{i} * value_size(a);
+  const std::byte* const from_b = b.values.data() + std::size_t{j} * value_size(b);
+  if (a.type == b.type && std::memcmp(from_a, from_b, value_size(a)) == 0) return 0;
+  Value of_a{};
+  Value of_b{};
+  load(a, i, of_a);
+  load(b, j, of_b);
+  const double error = error_between(a.kind, a.components, of_a, of_b);
+  return std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
+}
+
+bool comparable(const AttributeView& a, const AttributeView& b) noexcept {
+  return a.kind == b.kind && a.components == b.components && a.normalized == b.normalized;
+}
+
+/// A difference that is clearly visible or otherwise large, in the kind's unit.
+double large_difference(AttributeKind kind) noexcept {
+  switch (kind) {
+    case AttributeKind::kNormal:
+    case AttributeKind::kTangent:
+      return 30;
+    case AttributeKind::kColor:
+      return 64;
+    case AttributeKind::kUv:
+    case AttributeKind::kWeights:
+      return 0.1;
+    case AttributeKind::kGeneric:
+    case AttributeKind::kJoints:
+      break;
+  }
+  return 1;
+}
+
+bool stand_for_each_other(const AttributeView& a, const AttributeView& b, bool by_name) noexcept {
+  if (by_name) return a.name == b.name && !a.name.empty();
+  return a.kind == b.kind && a.kind != AttributeKind::kGeneric;
+}
+
+AttributeComparison without_errors(const AttributeView& attribute, AttributeMatch match) {
+  return {.name = std::string(attribute.name), .kind = attribute.kind, .match = match};
+}
+
+}  // namespace
+
+AttributeComparer::AttributeComparer(const MeshView& a, const MeshView& b) {
+  std::vector<const AttributeView*> partner(a.attributes.size());
+  std::vector<bool> taken(b.attributes.size());
+  for (const bool by_name : {true, false})
+    for (std::size_t i = 0; i < partner.size(); ++i)
+      for (std::size_t j = 0; j < taken.size() && partner[i] == nullptr; ++j) {
+        if (taken[j] || !stand_for_each_other(a.attributes[i], b.attributes[j], by_name)) continue;
+        partner[i] = &b.attributes[j];
+        taken[j] = true;
+      }
+  for (std::size_t i = 0; i < partner.size(); ++i) {
+    const AttributeView& of_a = a.attributes[i];
+    if (partner[i] == nullptr)
+      pairs_.push_back({of_a, {}, without_errors(of_a, AttributeMatch::kMissingInB)});
+    else
+      pairs_.push_back({of_a, *partner[i],
+                        without_errors(of_a, comparable(of_a, *partner[i]) ? AttributeMatch::kCompared
+                                                                           : AttributeMatch::kOtherType)});
+  }
+  for (std::size_t j = 0; j < taken.size(); ++j)
+    if (!taken[j])
+      pairs_.push_back({{}, b.attributes[j], without_errors(b.attributes[j], AttributeMatch::kOnlyInB)});
+}
+
+double AttributeComparer::difference(std::uint32_t a, std::uint32_t b) const {
+  double sum = 0;
+  for (const Pair& pair : pairs_) {
+    if (pair.result.match != AttributeMatch::kCompared) continue;
+    const double apart = value_error(pair.a, a, pair.b, b);
+    const double large = large_difference(pair.a.kind);
+    sum += std::isfinite(apart) ? apart / (apart + large) : 1;
+  }
+  return sum;
+}
+
+std::vector<AttributeComparison> AttributeComparer::compare(std::span<const VertexPair> vertices) const {
+  std::vector<AttributeComparison> results;
+  for (const Pair& pair : pairs_) {
+    AttributeComparison result = pair.result;
+    if (result.match == AttributeMatch::kCompared && !vertices.empty()) {
+      double sum = 0;
+      double squares = 0;
+      for (const VertexPair& vertex : vertices) {
+        const double error = value_error(pair.a, vertex.a, pair.b, vertex.b);
+        result.max_error = std::max(result.max_error, error);
+        sum += error;
+        squares += error * error;
+      }
+      result.measured = vertices.size();
+      const auto count = static_cast<double>(vertices.size());
+      result.mean = sum / count;
+      result.rms = std::sqrt(squares / count);
+    }
+    results.push_back(std::move(result));
+  }
+  return results;
+}
+
+}  // namespace deltamesh

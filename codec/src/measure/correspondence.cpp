@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "measure/correspondence.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "measure/face_matching.h"
+
+namespace deltamesh {
+namespace {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// The smallest of the three rotations; equal for two triangles exactly when one is a rotation of the other.
+Triangle canonical(const Triangle& t) {
+  return std::min({t, Triangle{t[1], t[2], t[0]}, Triangle{t[2], t[0], t[1]}});
+}
+
+template <class Map>
+std::vector<Triangle> sorted_triangles(std::span<const std::uint32_t> triangles, Map map) {
+  std::vector<Triangle> sorted(triangles.size() / 3);
+  for (std::size_t i = 0; i < sorted.size(); ++i)
+    sorted[i] = canonical({map(triangles[3 * i]), map(triangles[3 * i + 1]), map(triangles[3 * i + 2])});
+  std::sort(sorted.begin(), sorted.end());
+  return sorted;
+}
+
+bool all_distinct(std::span<const std::uint32_t> order, std::size_t bound) {
+  std::vector<bool> seen(bound);
+  for (const std::uint32_t v : order) {
+    if (seen[v]) return false;
+    seen[v] = true;
+  }
+  return true;
+}
+
+/// Whether the triangles of `b`, their indices mapped by `order`, are exactly those of `a`: the same
+/// orientation, any rotation within a triangle, any sequence of triangles, each as often. `order`: one vertex
+/// of `a` for every vertex of `b`, every index below `a_vertices`; each at most once, or the answer is no.
+/// Cost O(m log m).
+bool triangles_correspond(std::span<const std::uint32_t> a, std::size_t a_vertices,
+                          std::span<const std::uint32_t> b, std::span<const std::uint32_t> order) {
+  if (a.size() != b.size() || !all_distinct(order, a_vertices)) return false;
+  return sorted_triangles(a, [](std::uint32_t v) { return v; }) ==
+         sorted_triangles(b, [order](std::uint32_t v) { return order[v]; });
+}
+
+/// Largest distance of a corner of face `f` of `b` from that of its match.
+double match_distance(const FaceGraph& a, const FaceGraph& b, std::uint32_t f, const FaceMatch& match) {
+  double largest = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    largest = std::max(largest, length(b.at(f, k) - a.at(match.face, (k + match.rotation) % 3)));
+  return largest;
+}
+
+/// 0 of none.
+double median(std::vector<double>& values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Drops matches whose corners are too far apart to be the same face; all of them where most are. For meshes
+/// whose faces do not correspond one to one. O(m).
+void drop_far_matches(const FaceGraph& a, const FaceGraph& b, std::vector<FaceMatch>& matches) {
+  constexpr double kCredible = 0.25;  // of an edge: less cannot be chance where neighbours meet neighbours
+  std::vector<double> distances;
+  std::vector<double> edges;
+  for (std::uint32_t f = 0; f < b.real_faces; ++f) {
+    if (matches[f].face == kNoFace) continue;
+    distances.push_back(match_distance(a, b, f, matches[f]));
+    edges.push_back(a.longest_edge(matches[f].face));
+  }
+  const double typical = median(distances);
+  const bool credible = typical <= kCredible * median(edges);
+  for (std::uint32_t f = 0; f < matches.size(); ++f) {
+    FaceMatch& match = matches[f];
+    if (match.face == kNoFace) continue;
+    const double most = std::max(4 * typical, kCredible * a.longest_edge(match.face));
+    if (!credible || match_distance(a, b, f, match) > most) match = {};
+  }
+}
+
+Correspondence by_order(const MeshView& a, const MeshView& b, std::span<const std::uint32_t> order) {
+  Correspondence found;
+  found.whole = order.size() == b.vertex_count() &&
+                triangles_correspond(a.triangles, a.vertex_count(), b.triangles, order);
+  if (!found.whole) return found;
+  found.order.assign(order.begin(), order.end());
+  found.faces = b.triangle_count();
+  std::vector<std::uint8_t> used(b.vertex_count(), b.triangles.empty() ? 1 : 0);
+  for (const std::uint32_t v : b.triangles) used[v] = 1;
+  for (std::uint32_t v = 0; v < used.size(); ++v)
+    if (used[v] != 0) found.pairs.push_back({.a = order[v], .b = v});
+  return found;
+}
+
+/// The vertex of A for every vertex of B; empty where a vertex of B has none, or is at several places of A.
+std::vector<std::uint32_t> order_of(const FaceGraph& a, const FaceGraph& b,
+                                    std::span<const FaceMatch> matches) {
+  constexpr std::uint32_t kUnset = 0xffffffff;
+  std::vector<std::uint32_t> welded(b.positions.size(), kUnset);
+  std::vector<std::uint32_t> order(b.positions.size());
+  for (std::size_t f = 0; f < matches.size(); ++f) {
+    if (matches[f].face == kNoFace) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t corner = 3 * std::size_t{matches[f].face} + (k + matches[f].rotation) % 3;
+      const std::uint32_t v = b.vertices[3 * f + k];
+      if (welded[v] != kUnset && welded[v] != a.corners[corner]) return {};
+      welded[v] = a.corners[corner];
+      order[v] = a.vertices[corner];
+    }
+  }
+  if (std::find(welded.begin(), welded.end(), kUnset) != welded.end()) return {};
+  return order;
+}
+
+/// Whether both have the same faces, but for those that draw nothing as two corners are at one place.
+bool all_match(const FaceGraph& a, const FaceGraph& b, std::span<const FaceMatch> matches) {
+  std::vector<std::uint8_t> taken(a.face_count());
+  for (std::uint32_t f = 0; f < b.real_faces; ++f) {
+    if (matches[f].face != kNoFace)
+      taken[matches[f].face] = 1;
+    else if (!b.is_degenerate(f))
+      return false;
+  }
+  for (std::uint32_t f = 0; f < a.real_faces; ++f)
+    if (taken[f] == 0 && !a.is_degenerate(f)) return false;
+  return true;
+}
+
+Correspondence by_faces(const MeshView& mesh_a, const MeshView& mesh_b, const AttributeComparer& attributes) {
+  const FaceGraph a(mesh_a, mesh_a.origin);
+  const FaceGraph b(mesh_b, mesh_a.origin);
+  std::vector<FaceMatch> matches = match_faces(
+      a, b, [&](std::uint32_t of_a, std::uint32_t of_b) { return attributes.difference(of_a, of_b); });
+  Correspondence found;
+  if (all_match(a, b, matches)) found.order = order_of(a, b, matches);
+  found.whole = !found.order.empty();
+  found.reordered = found.whole;
+  if (!found.whole) drop_far_matches(a, b, matches);
+  for (std::size_t f = 0; f < matches.size(); ++f) {
+    if (matches[f].face == kNoFace) continue;
+    if (f < b.real_faces) ++found.faces;
+    if (f >= b.real_faces && b.real_faces > 0) continue;  // vertices without a face do not count
+    for (std::size_t k = 0; k < 3; ++k)
+      found.pairs.push_back(
+          {.a = a.vertices[3 * std::size_t{matches[f].face} + (k + matches[f].rotation) % 3],
+           .b = b.vertices[3 * f + k]});
+  }
+  std::sort(found.pairs.begin(), found.pairs.end());
+  found.pairs.erase(std::unique(found.pairs.begin(), found.pairs.end()), found.pairs.end());
+  return found;
+}
+
+}  // namespace
+
+Correspondence correspondence_of(const MeshView& a, const MeshView& b, std::span<const std::uint32_t> order,
+                                 const AttributeComparer& attributes) {
+  if (!order.empty() || b.vertex_count() == 0) return by_order(a, b, order);
+  if (a.vertex_count() == b.vertex_count()) {
+    std::vector<std::uint32_t> identity(b.vertex_count());
+    std::iota(identity.begin(), identity.end(), 0U);
+    Correspondence found = by_order(a, b, identity);
+    if (found.whole) return found;
+  }
+  return by_faces(a, b, attributes);
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Matches the vertices of two meshes.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "measure/attribute_comparison.h"
+
+namespace deltamesh {
+
+/// Vertices of A and B that stand for each other.
+struct Correspondence {
+  bool whole = false;  ///< all faces of both, and every vertex of B
+  bool reordered = false;
+  std::vector<std::uint32_t> order;  ///< a vertex of A at the place of each of B's; only where whole
+  std::vector<VertexPair> pairs;     ///< at the corners of matched faces, each once
+  std::uint64_t faces = 0;           ///< matched ones
+};
+
+/// By `order`, a vertex of A for every vertex of B; where it is empty by the vertices' numbers if these fit,
+/// else by the places of faces, `attributes` telling apart what is at one place. Both meshes have passed
+/// check_mesh(). O((n + m) log(n + m)).
+Correspondence correspondence_of(const MeshView& a, const MeshView& b, std::span<const std::uint32_t> order,
+                                 const AttributeComparer& attributes);
+
+}  // namespace deltamesh

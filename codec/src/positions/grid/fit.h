@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Finds the voxel grid that a mesh was cut from, by the planes on which coordinates pile up. Encoder only.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/numbers/vec3.h"
+#include "format/predictive_parameters.h"
+#include "positions/blend.h"
+#include "positions/lattice/axis_values.h"
+
+namespace deltamesh {
+
+struct VoxelFit {
+  Vec3 origin{};          ///< a node at or below the smallest coordinate
+  Vec3 voxel{};           ///< edge lengths, model units
+  double noise = 0;       ///< how far from a plane a coordinate on it may be
+  double share = 0;       ///< of the vertices on an edge
+  bool is_given = false;  ///< `origin` stays that of the lattice, wherever the mesh is
+};
+
+/// Empty where fewer than a fifth of the sampled vertices are on the edges of one grid. O(n).
+std::optional<VoxelFit> fit_voxels(const AxisValues& values, const Box& box);
+
+/// `grid`, of which origin and voxels are given, as the fit of the mesh; empty as above. O(n).
+std::optional<VoxelFit> fit_to_grid(const VoxelFit& grid, const AxisValues& values, const Box& box);
+
+/// The fine lattice of `fit` with this many levels per edge, and the vertices on it. Empty where it would
+/// exceed kMostCells.
+struct VoxelCells {
+  PositionLattice lattice;
+  std::vector<Cell> cells;
+};
+std::optional<VoxelCells> to_voxel_cells(std::span<const Vec3> positions, const Box& box, const VoxelFit& fit,
+                                         std::uint32_t levels);
+
+}  // namespace deltamesh

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Quality of positions on a lattice, and a test whether a voxel grid comes from marching cubes.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "base/numbers/vec3.h"
+#include "deltamesh/stream_info.h"
+#include "format/predictive_parameters.h"
+#include "positions/blend.h"
+#include "topology/mesh_edges.h"
+
+namespace deltamesh {
+
+/// LFE and the largest error; not finite where a decoder would not give floats. `positions`, `cells`: n.
+/// O(n).
+Quality positional_quality(std::span<const Vec3> positions, std::span<const Cell> cells,
+                           const PositionLattice& lattice, const MeshEdges& edges) noexcept;
+
+/// VDE, rms. O(n + edges).
+double visual_error(const MeshEdges& edges, std::span<const Vec3> positions, std::span<const Cell> cells,
+                    const PositionLattice& lattice);
+
+/// Whether most faces, of a sample, are no larger than a voxel's cube: marching cubes leave such, a lattice
+/// of decimals under any mesh does not. `triangles`: m x 3 indices into `positions`; `voxel`: its side.
+bool faces_fit_cubes(std::span<const std::uint32_t> triangles, std::span<const Vec3> positions,
+                     double voxel) noexcept;
+
+}  // namespace deltamesh

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "lattice/border_payload.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/try.h"
+#include "entropy/coder/reader.h"
+#include "entropy/coder/writer.h"
+#include "format/container.h"
+#include "format/header_fields.h"
+
+namespace deltamesh {
+namespace {
+
+constexpr std::uint8_t kAllLoose = 7;
+
+Error broken_border(const char* message) noexcept {
+  return {.code = ErrorCode::kInvalidStream, .message = message, .rule = "MAP-11"};
+}
+
+/// Positions beyond the lattice have its outermost points.
+LatticePoint nearest_point(const float* position, const MapLattice& lattice) noexcept {
+  const auto most = static_cast<float>(kMostLatticeSteps * lattice.step());
+  std::array<float, 3> within{};
+  for (std::size_t k = 0; k < 3; ++k) within[k] = std::clamp(position[k], -most, most);
+  return lattice.nearest(within);
+}
+
+/// Of a vertex of voxel edges: odd coordinates are between two planes of voxels.
+std::uint8_t loose_axes(const float* position, const PositionLattice& lattice) noexcept {
+  constexpr double kMostSteps = 0x1p50;
+  std::uint8_t loose = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double steps = std::floor((position[axis] - lattice.origin[axis]) / lattice.step[axis] + 0.5);
+    const bool is_even = std::abs(steps) < kMostSteps && (static_cast<std::int64_t>(steps) & 1) == 0;
+    if (!is_even) loose = static_cast<std::uint8_t>(loose | 1U << axis);
+  }
+  return loose;
+}
+
+}  // namespace
+
+Result<BorderView> view_border(std::span<const std::byte> stream, const Mesh& mesh,
+                               const MapLattice& lattice) {
+  DELTAMESH_TRY(const Container container, Container::open(stream));
+  const Geometry geometry = geometry_of(container.header());
+  BorderView view{.nearest = {}, .loose = {}, .follows = geometry == Geometry::kHighpass};
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    const float* const position = mesh.positions.data() + 3 * v;
+    view.nearest.push_back(nearest_point(position, lattice));
+    view.loose.push_back(geometry == Geometry::kVoxel
+                             ? loose_axes(position, container.header().predictive.lattice)
+                             : kAllLoose);
+  }
+  return view;
+}
+
+std::vector<std::byte> write_border(const Mesh& mesh, const BorderView& view,
+                                    std::vector<BorderVertex> border, const BorderModels& start) {
+  if (border.empty()) return {};
+  const OpenEdges edges(mesh.triangles, mesh.vertex_count());
+  CompactWriter writer;
+  BorderModels models = start;
+  BorderCoder coder(writer, models, view, edges);
+  std::size_t next = 0;
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) coder.code(v, border, next);
+  return writer.finish();
+}
+
+Result<std::vector<BorderVertex>> read_border(std::span<const std::byte> bytes, const Mesh& mesh,
+                                              const BorderView& view,
+                                              const Learning<BorderModels>& learning) {
+  std::vector<BorderVertex> border;
+  if (learning.end != nullptr) *learning.end = *learning.start;
+  if (bytes.empty()) return border;
+  const OpenEdges edges(mesh.triangles, mesh.vertex_count());
+  CompactReader reader(bytes);
+  BorderModels models = *learning.start;
+  BorderCoder coder(reader, models, view, edges);
+  std::size_t next = 0;
+  for (std::uint32_t v = 0; v < mesh.vertex_count() && !reader.failed(); ++v)
+    if (!coder.code(v, border, next) && !reader.failed())
+      return broken_border("a border vertex beyond the lattice");
+  DELTAMESH_CHECK(reader.finish(0));
+  if (border.empty()) return broken_border("a coded border without vertices");
+  if (learning.end != nullptr) *learning.end = models;
+  return border;
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// State of a MapCodec.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "deltamesh/map/map_codec.h"
+#include "deltamesh/model_states.h"
+#include "lattice/border_coder.h"
+#include "part/container.h"
+#include "states/stream_models.h"
+
+namespace deltamesh {
+
+/// Models that coders start from.
+struct CodecModels {
+  std::optional<ModelStates> streams{};  ///< empty: fresh models
+  BorderModels border{};
+
+  const ModelStates* start() const noexcept { return streams ? &*streams : nullptr; }
+};
+
+struct MapCodec::State {
+  MapDescription description;
+  std::uint64_t description_hash = 0;
+  /// Before each primer, and after the last one: without primers fresh models, once.
+  std::vector<CodecModels> models = std::vector<CodecModels>(1);
+  std::vector<StreamInfo> primers{};  ///< what they say of themselves
+
+  PartPlace place_of(const PartKey& key) const noexcept {
+    const auto& streams = models.back().streams;
+    const auto* const voxels = streams && streams->models().voxels ? &*streams->models().voxels : nullptr;
+    return {description, description_hash, key, voxels};
+  }
+};
+
+}  // namespace deltamesh

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Derives the description of a map from the request.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "base/numbers/vec3.h"
+#include "deltamesh/map/encode_map.h"
+
+namespace deltamesh {
+
+inline constexpr std::uint8_t kLevelsOfParts = 3;  ///< from the smallest to the largest
+
+/// Bounding box of `positions`, n x 3; all 0 if there are none.
+Box box_of(std::span<const float> positions) noexcept;
+
+/// Bounds in model units, or those that encode() has for the whole mesh.
+QualityRequest request_of(const MeshView& mesh, const QualityRequest& asked);
+
+/// Without primers. `request`: in model units, not empty. Errors: kInvalidArgument.
+Result<MapDescription> describe_map(const std::array<double, 3>& origin,
+                                    std::span<const AttributeView> attributes, const MapSettings& settings,
+                                    const QualityRequest& request);
+
+}  // namespace deltamesh

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "part/encode.h"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "base/guard.h"
+#include "base/try.h"
+#include "deltamesh/encode.h"
+#include "errors.h"
+#include "lattice/border_order.h"
+#include "lattice/border_payload.h"
+#include "lattice/place_border.h"
+#include "part/as_primer.h"
+#include "part/codec_state.h"
+#include "part/measure.h"
+#include "part/options.h"
+#include "search/bounds.h"
+
+namespace deltamesh {
+namespace {
+
+constexpr int kMostAttempts = 6;
+
+Result<void> check_part(const MapPart& part, const MapDescription& description) {
+  const MapLattice& lattice = description.lattice;
+  if (part.key.level > kMostPartLevel) return invalid_mesh("a part's level is above 24");
+  if (part.mesh.origin != lattice.origin) return invalid_mesh("a part's origin is not that of its map");
+  if (part.mesh.triangles.empty()) return invalid_mesh("a part without faces");
+  if (!std::ranges::equal(part.mesh.attributes, description.attributes,
+                          [](const Attribute& a, const MapAttribute& b) {
+                            return a.kind == b.kind && a.type == b.type && a.components == b.components &&
+                                   a.normalized == b.normalized && a.name == b.name;
+                          }))
+    return invalid_mesh("a part's attributes are not those of its map");
+  std::uint64_t least = 0;
+  for (const BorderVertex& border : part.border) {
+    if (border.vertex < least || border.vertex >= part.mesh.vertex_count())
+      return invalid_mesh("border vertices that are not ascending vertices of the mesh", WhereKind::kVertex,
+                          border.vertex);
+    least = std::uint64_t{border.vertex} + 1;
+    if (!std::ranges::all_of(
+            border.point, [](std::int32_t x) { return x >= -kMostLatticeSteps && x <= kMostLatticeSteps; }))
+      return invalid_mesh("a border vertex beyond the lattice", WhereKind::kVertex, border.vertex);
+  }
+  return {};
+}
+
+/// One way to code a part, and what a receiver gets.
+struct Attempt {
+  DecodedPart result;
+  double load = 0;  ///< the worst achieved error over its bound
+};
+
+class PartEncoder {
+ public:
+  PartEncoder(const MapCodec::State& state, const MapPart& part, const PartQuality& quality)
+      : state_(state), part_(part), quality_(quality), measure_(part.mesh) {
+    source_ = MeshView(part.mesh);
+    source_.origin = {};  // which all parts share
+    bounds_ = bounds_in_model_units(quality.bounds, measure_.geometric_count(), measure_.diagonal());
+  }
+
+  /// Border vertices are where their lattice points are, whatever was asked of the stream, so that it may
+  /// have to be better than asked.
+  Result<DecodedPart> run() {
+    EncodeOptions options = options_for(quality_);
+    std::optional<Attempt> best;
+    for (int i = 0; i < kMostAttempts; ++i) {
+      DELTAMESH_TRY(Attempt attempt, code(options));
+      if (attempt.load <= 1) return std::move(attempt.result);
+      tighten(options.quality, attempt.load);
+      if (i == kMostAttempts / 2) options.geometry = GeometryCoder::kPredictive;
+      if (!best || attempt.load < best->load) best = std::move(attempt);
+    }
+    const Quality& achieved = best->result.coded.quality;
+    return Error{.code = ErrorCode::kUnmetRequest,
+                 .message = "the map's lattice is too coarse for the quality asked of a part",
+                 .rule = "MAP-8",
+                 .best_value = bounds_.vde   ? achieved.vde_rms
+                               : bounds_.lfe ? achieved.lfe_rms
+                                             : achieved.max_error,
+                 .best_bytes = best->result.coded.bytes.size()};
+  }
+
+ private:
+  /// A part that is one of the primers costs no more than its number.
+  Result<Attempt> code(EncodeOptions options) {
+    for (std::size_t i = 0; i < state_.primers.size(); ++i) {
+      if (!may_be(state_.primers[i])) continue;
+      options.starting_states = state_.models[i].start();
+      DELTAMESH_TRY(Encoded encoded, encode(source_, options));
+      if (encoded.bytes != state_.description.primers[i].stream) continue;
+      DELTAMESH_TRY(Attempt attempt, finish(std::move(encoded), i));
+      if (!attempt.result.coded.bytes.empty()) return attempt;
+    }
+    options.starting_states = state_.models.back().start();
+    DELTAMESH_TRY(Encoded encoded, encode(source_, options));
+    return finish(std::move(encoded), std::nullopt);
+  }
+
+  bool may_be(const StreamInfo& primer) const noexcept {
+    return primer.triangles == part_.mesh.triangle_count() &&
+           primer.geometric_vertices == measure_.geometric_count();
+  }
+
+  /// `primer`: which one `encoded` is, if any. No bytes where the border is not the primer's.
+  Result<Attempt> finish(Encoded encoded, std::optional<std::size_t> primer) {
+    const CodecModels& models = primer ? state_.models[*primer] : state_.models.back();
+    DELTAMESH_TRY(Mesh decoded, decode(encoded.bytes, {.starting_states = models.start()}));
+    auto border = border_in_order(part_, encoded.order);
+    const MapLattice& lattice = state_.description.lattice;
+    DELTAMESH_TRY(const BorderView view, view_border(encoded.bytes, decoded, lattice));
+    const auto payload = write_border(decoded, view, border, models.border);
+    Attempt attempt;
+    const PartPlace place = state_.place_of(part_.key);
+    if (primer && payload != state_.description.primers[*primer].border) return attempt;
+    if (primer) {
+      attempt.result.coded.bytes = write_primer_part(place, *primer);
+    } else {
+      DELTAMESH_TRY(attempt.result.coded.bytes, write_part(place, encoded.bytes, payload));
+    }
+    place_border(decoded, border, lattice, view.follows);
+    attempt.result.coded.quality = measure_.compare(decoded.positions, encoded.order);
+    attempt.load = bounds_.load(attempt.result.coded.quality);
+    for (const AttributeInfo& attribute : encoded.report.stream.attributes)
+      attempt.result.coded.attribute_errors.push_back(attribute.error);
+    decoded.origin = lattice.origin;
+    attempt.result.part = {part_.key, std::move(decoded), std::move(border)};
+    attempt.result.order = std::move(encoded.order);
+    return attempt;
+  }
+
+  static void tighten(QualityRequest& request, double load) noexcept {
+    constexpr double kMargin = 0.97;
+    for (auto* bound : {&request.vde, &request.lfe, &request.max_error})
+      if (*bound) (*bound)->value *= kMargin / std::min(load, 8.0);
+  }
+
+  const MapCodec::State& state_;
+  const MapPart& part_;
+  const PartQuality& quality_;
+  PartMeasure measure_;
+  MeshView source_;
+  Bounds bounds_;
+};
+
+}  // namespace
+
+Result<MapPrimer> make_primer(const MapCodec& codec, const MapPart& part, const PartQuality& quality) {
+  const MapCodec::State& state = codec.state();
+  DELTAMESH_CHECK(check_part(part, state.description));
+  const CodecModels& models = state.models.back();
+  EncodeOptions options = options_for(quality);
+  options.starting_states = models.start();
+  MeshView source(part.mesh);
+  source.origin = {};
+  DELTAMESH_TRY(Encoded encoded, encode(source, options));
+  DELTAMESH_TRY(const Mesh decoded, decode(encoded.bytes, {.starting_states = models.start()}));
+  DELTAMESH_TRY(const BorderView view, view_border(encoded.bytes, decoded, state.description.lattice));
+  auto border = write_border(decoded, view, border_in_order(part, encoded.order), models.border);
+  return MapPrimer{std::move(encoded.bytes), std::move(border)};
+}
+
+Result<DecodedPart> encode_part(const MapCodec::State& state, const MapPart& part,
+                                const PartQuality& quality) {
+  if (quality.bounds.target_bytes)
+    return Error{.code = ErrorCode::kInvalidArgument,
+                 .message = "a part cannot be asked for a number of bytes"};
+  DELTAMESH_CHECK(check_part(part, state.description));
+  DELTAMESH_TRY(DecodedPart result, PartEncoder(state, part, quality).run());
+  if (result.coded.bytes.size() > kMostPartBytes)
+    return Error{.code = ErrorCode::kLimitExceeded,
+                 .message = "a part of more than 65536 bytes; split the map into smaller ones",
+                 .rule = "MAP-7",
+                 .best_bytes = result.coded.bytes.size()};
+  return result;
+}
+
+Result<CodedPart> MapCodec::encode(const MapPart& part, const PartQuality& quality) const noexcept {
+  return guarded([&]() -> Result<CodedPart> {
+    DELTAMESH_TRY(DecodedPart result, encode_part(*state_, part, quality));
+    return std::move(result.coded);
+  });
+}
+
+}  // namespace deltamesh

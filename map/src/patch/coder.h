@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Codes which faces of a base stay, and which vertices of the inserted mesh are joined to vertices of these
+// [MAP-17]. One template for both directions.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "base/numbers/zigzag.h"
+#include "deltamesh/mesh.h"
+#include "entropy/coder/number_model.h"
+#include "patch/face_neighbors.h"
+#include "patch/open_edges.h"
+
+namespace deltamesh {
+
+inline constexpr std::uint32_t kNotJoined = std::numeric_limits<std::uint32_t>::max();
+
+struct PatchModels {
+  /// By how many of a face's earlier neighbours stay, and how many go: most faces do as their neighbours.
+  PatchModels() {
+    for (std::size_t stay = 0; stay < 4; ++stay)
+      for (std::size_t go = 0; go < 4; ++go)
+        stays[4 * stay + go] = BitModel(stay == go ? 1U << 15 : stay > go ? 15U << 12 : 1U << 12);
+  }
+
+  std::array<BitModel, 16> stays;
+  std::array<BitModel, 6> joins;  ///< by earlier neighbours: 1 if one is not joined, plus 2 for each that is
+  NumberModel candidates;
+  NumberModel places;
+};
+
+/// `stays`: for every face of `base`, 1 or 0; a reader fills it in.
+template <class Coder>
+void code_staying(Coder& coder, PatchModels& models, const Mesh& base, std::vector<std::uint8_t>& stays) {
+  const auto neighbors = earlier_neighbors(base.triangles, base.vertex_count());
+  stays.resize(neighbors.size());
+  for (std::size_t face = 0; face < neighbors.size(); ++face) {
+    std::size_t stay = 0;
+    std::size_t go = 0;
+    for (const std::uint32_t other : neighbors[face])
+      if (other != kNoFace) ++(stays[other] != 0 ? stay : go);
+    stays[face] = coder.bit(Coder::kWrites && stays[face] != 0, models.stays[4 * stay + go]) ? 1 : 0;
+  }
+}
+
+/// Joins the vertices of an inserted mesh to those of the base's staying faces, both on open edges.
+template <class Coder>
+class JoinCoder {
+ public:
+  /// `staying`: triangles of `base`. All arguments must outlive the coder.
+  JoinCoder(Coder& coder, PatchModels& models, const Mesh& base, std::span<const std::uint32_t> staying,
+            const Mesh& inserted)
+      : coder_(coder),
+        models_(models),
+        base_(base),
+        inserted_(inserted),
+        base_edges_(staying, base.vertex_count()),
+        inserted_edges_(inserted.triangles, inserted.vertex_count()),
+        is_taken_(base.vertex_count(), 0),
+        place_(base.vertex_count(), 0) {
+    for (std::uint32_t v = 0; v < base.vertex_count(); ++v)
+      if (!base_edges_.of(v).empty()) open_.push_back(v);
+    std::ranges::stable_sort(open_, {}, [&](std::uint32_t v) { return x_of(v); });
+    for (std::size_t i = 0; i < open_.size(); ++i) place_[open_[i]] = static_cast<std::uint32_t>(i);
+  }
+
+  /// `joins`: for every inserted vertex the base's, or kNotJoined; a reader fills it in. False where there is
+  /// no such vertex.
+  bool code(std::vector<std::uint32_t>& joins) {
+    joins.resize(inserted_.vertex_count(), kNotJoined);
+    for (std::uint32_t v = 0; v < joins.size(); ++v) {
+      const auto neighbors = inserted_edges_.of(v);
+      if (neighbors.empty()) continue;
+      const auto [context, before] = look_around(neighbors, v, joins);
+      if (!coder_.bit(Coder::kWrites && joins[v] != kNotJoined, models_.joins[context])) continue;
+      if (!code_vertex(v, before, joins[v]) || is_taken_[joins[v]] != 0) return false;
+      is_taken_[joins[v]] = 1;
+    }
+    return true;
+  }
+
+ private:
+  static constexpr std::size_t kMostCandidates = 4;
+
+  float x_of(std::uint32_t vertex) const noexcept { return base_.positions[3 * std::size_t{vertex}]; }
+
+  static std::pair<std::size_t, std::uint32_t> look_around(std::span<const std::uint32_t> neighbors,
+                                                           std::uint32_t vertex,
+                                                           const std::vector<std::uint32_t>& joins) noexcept {
+    std::size_t on = 0;
+    std::size_t off = 0;
+    std::uint32_t before = kNotJoined;
+    for (const std::uint32_t other : neighbors) {
+      if (other >= vertex) continue;
+      if (joins[other] == kNotJoined) {
+        off = 1;
+      } else {
+        on = std::min<std::size_t>(on + 1, 2);
+        before = joins[other];
+      }
+    }
+    return {off + 2 * on, before};
+  }
+
+  bool code_vertex(std::uint32_t vertex, std::uint32_t before, std::uint32_t& join) {
+    const auto candidates = candidates_near(vertex, before);
+    if (!candidates.empty()) {
+      const auto found = std::ranges::find(candidates, join);
+      const std::uint32_t number =
+          coder_.number(static_cast<std::uint32_t>(found - candidates.begin()), models_.candidates);
+      if (number > candidates.size()) return false;
+      if (number < candidates.size()) {
+        join = candidates[number];
+        return true;
+      }
+    }
+    const float x = inserted_.positions[3 * std::size_t{vertex}];
+    const auto expected = static_cast<std::int32_t>(
+        std::ranges::lower_bound(open_, x, {}, [&](std::uint32_t v) { return x_of(v); }) - open_.begin());
+    const std::int32_t way =
+        Coder::kWrites && !open_.empty() ? static_cast<std::int32_t>(place_[join]) - expected : 0;
+    const std::int64_t place = std::int64_t{expected} + unzigzag(coder_.number(zigzag(way), models_.places));
+    if (place < 0 || place >= static_cast<std::int64_t>(open_.size())) return false;
+    join = open_[static_cast<std::size_t>(place)];
+    return true;
+  }
+
+  /// The first neighbours of the base's vertex `before` along open edges that no vertex is joined to, nearest
+  /// first.
+  std::vector<std::uint32_t> candidates_near(std::uint32_t vertex, std::uint32_t before) const {
+    std::vector<std::uint32_t> candidates;
+    if (before == kNotJoined) return candidates;
+    const auto neighbors = base_edges_.of(before);
+    for (const std::uint32_t other : neighbors.first(std::min(neighbors.size(), kMostCandidates)))
+      if (is_taken_[other] == 0) candidates.push_back(other);
+    std::ranges::stable_sort(candidates, {}, [&](std::uint32_t v) { return squared_distance(vertex, v); });
+    return candidates;
+  }
+
+  double squared_distance(std::uint32_t inserted, std::uint32_t base) const noexcept {
+    double sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double way = double{inserted_.positions[3 * std::size_t{inserted} + k]} -
+                         double{base_.positions[3 * std::size_t{base} + k]};
+      sum += way * way;
+    }
+    return sum;
+  }
+
+  Coder& coder_;
+  PatchModels& models_;
+  const Mesh& base_;
+  const Mesh& inserted_;
+  OpenEdges base_edges_;
+  OpenEdges inserted_edges_;
+  std::vector<std::uint8_t> is_taken_;
+  std::vector<std::uint32_t> open_;   ///< the base's vertices on open edges of staying faces, ascending by x
+  std::vector<std::uint32_t> place_;  ///< of each in open_
+};
+
+}  // namespace deltamesh

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "patch/encode.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/try.h"
+#include "part/measure.h"
+#include "patch/coder.h"
+#include "patch/color_value.h"
+#include "patch/container.h"
+#include "patch/payload.h"
+#include "patch/row_gather.h"
+#include "search/bounds.h"
+
+namespace deltamesh {
+namespace {
+
+/// The new faces as a part; `rows`: its vertices in the source.
+MapPart new_part(const MapPart& source, const PartMatch& match, std::vector<std::uint32_t>& rows) {
+  RowGather gather{MeshView(source.mesh)};
+  for (const std::uint32_t face : match.new_faces) gather.add_face(face);
+  rows = gather.rows();
+  MapPart part{source.key, gather.take(), {}};
+  std::vector<std::uint32_t> border(source.mesh.vertex_count(), kNotJoined);
+  for (std::uint32_t i = 0; i < source.border.size(); ++i) border[source.border[i].vertex] = i;
+  for (std::uint32_t v = 0; v < rows.size(); ++v) {
+    if (border[rows[v]] == kNotJoined || match.base_of[rows[v]] != kNotJoined) continue;
+    part.border.push_back(source.border[border[rows[v]]]);
+    part.border.back().vertex = v;
+  }
+  return part;
+}
+
+double color_error(const Attribute& a, std::size_t vertex_a, const Attribute& b, std::size_t vertex_b) {
+  double most = 0;
+  for (std::size_t c = 0; c < a.components; ++c)
+    most = std::max(most, std::abs(color_value(a, vertex_a, c) - color_value(b, vertex_b, c)));
+  return most;
+}
+
+}  // namespace
+
+Result<std::optional<DecodedPart>> encode_patch(const MapCodec::State& state, const MapPart& source,
+                                                const BaseVersion& base, std::uint64_t base_hash,
+                                                const PartMatch& match, const PartQuality& quality) {
+  std::vector<std::uint32_t> rows;
+  DecodedPart inserted;
+  if (!match.new_faces.empty()) {
+    const MapPart part = new_part(source, match, rows);
+    DELTAMESH_TRY(inserted, encode_part(state, part, quality));
+  }
+  PatchPlan plan{.stays = match.stays, .joins = {}};
+  DecodedPart patched;
+  patched.order = match.source_of;
+  for (const std::uint32_t v : inserted.order) {
+    plan.joins.push_back(match.base_of[rows[v]]);
+    if (plan.joins.back() == kNotJoined) patched.order.push_back(rows[v]);
+  }
+  patched.part = put_together(source.key, base.part, inserted.part, plan);
+  const PartMeasure measure(source.mesh);
+  patched.coded.quality = measure.compare(patched.part.mesh.positions, patched.order);
+  const Bounds bounds = bounds_in_model_units(quality.bounds, measure.geometric_count(), measure.diagonal());
+  if (bounds.load(patched.coded.quality) > 1) return std::optional<DecodedPart>();
+  for (std::size_t a = 0; a < source.mesh.attributes.size(); ++a) {
+    double most = 0;
+    for (std::size_t v = 0; v < patched.order.size(); ++v)
+      most = std::max(
+          most, color_error(source.mesh.attributes[a], patched.order[v], patched.part.mesh.attributes[a], v));
+    patched.coded.attribute_errors.push_back(most);
+  }
+  const auto coded_plan = write_patch_plan(base.part.mesh, inserted.part.mesh, std::move(plan));
+  patched.coded.bytes = write_body(state.place_of(source.key), base_hash, {coded_plan, inserted.coded.bytes});
+  return std::optional(std::move(patched));
+}
+
+}  // namespace deltamesh

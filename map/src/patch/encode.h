@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// A newer source as a patch of the version that a receiver has [MAP-17].
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "deltamesh/map/part.h"
+#include "deltamesh/result.h"
+#include "part/codec_state.h"
+#include "part/encode.h"
+#include "patch/match.h"
+
+namespace deltamesh {
+
+/// `match`: what match_part() gave for `source` and `base`, whose octets have the hash `base_hash`. The
+/// result's bytes are the patch alone. Empty where the receiver's part would be beyond the quality. Errors:
+/// as MapCodec::encode().
+Result<std::optional<DecodedPart>> encode_patch(const MapCodec::State& state, const MapPart& source,
+                                                const BaseVersion& base, std::uint64_t base_hash,
+                                                const PartMatch& match, const PartQuality& quality);
+
+}  // namespace deltamesh

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "receive/received_parts.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "message/limits.h"
+
+namespace deltamesh {
+
+PartLink link_to(const Version& version, const PartKey& other) noexcept {
+  const auto found = std::ranges::lower_bound(version.links, other, {}, &PartLink::key);
+  return found != version.links.end() && found->key == other ? *found : PartLink{.key = other};
+}
+
+bool fit(const PartKey& a, const Version& version_a, const PartKey& b, const Version& version_b) noexcept {
+  const PartLink to_a = link_to(version_b, a);
+  const PartLink to_b = link_to(version_a, b);
+  return to_a.border == to_b.border && version_a.revision >= to_a.least && version_b.revision >= to_b.least;
+}
+
+const ReceivedPart* ReceivedParts::find(const PartKey& key) const noexcept {
+  const auto found = parts_.find(key);
+  return found == parts_.end() ? nullptr : &found->second;
+}
+
+void ReceivedParts::put(const PartKey& key, Version version) {
+  ReceivedPart& part = parts_[key];
+  drop(key, part.next);
+  for (const PartLink& link : version.links) linkers_[link.key].insert(key);
+  part.newest = std::max(part.newest, version.revision);
+  part.next = std::move(version);
+  waiting_.insert(key);
+}
+
+/// Forgets one of the part's versions, with the links that no other has.
+void ReceivedParts::drop(const PartKey& key, std::optional<Version>& version) {
+  if (!version) return;
+  const std::vector<PartLink> links = std::move(version->links);
+  version.reset();
+  const ReceivedPart& part = parts_.at(key);
+  for (const PartLink& link : links) {
+    const auto has_it = [&](const std::optional<Version>& other) {
+      return other && std::ranges::binary_search(other->links, link.key, {}, &PartLink::key);
+    };
+    if (has_it(part.shown) || has_it(part.next)) continue;
+    const auto linkers = linkers_.find(link.key);
+    if (linkers == linkers_.end()) continue;
+    linkers->second.erase(key);
+    if (linkers->second.empty()) linkers_.erase(linkers);
+  }
+}
+
+void ReceivedParts::forget(const PartKey& key, std::uint64_t revision) {
+  ReceivedPart& part = parts_[key];
+  drop(key, part.next);
+  waiting_.erase(key);
+  part.newest = std::max(part.newest, revision);
+}
+
+/// What would be shown of a part if all accepted versions were; null: nothing.
+const Version* ReceivedParts::effective(const PartKey& key) const noexcept {
+  const ReceivedPart* part = find(key);
+  if (part == nullptr || evicted_.contains(key)) return nullptr;
+  const auto& version = accepted_.contains(key) ? part->next : part->shown;
+  return version && version->content ? &*version : nullptr;
+}
+
+/// Parts whose cells overlap that of `key`, other than itself.
+std::vector<PartKey> ReceivedParts::overlapping(const PartKey& key) const {
+  std::vector<PartKey> keys;
+  for (auto it = parts_.begin(); it != parts_.end() && it->first.level < key.level; ++it)
+    if (overlap(it->first, key)) keys.push_back(it->first);
+  for (int level = key.level + 1; level <= kMostPartLevel; ++level) {
+    const PartKey above = ancestor(key, static_cast<std::uint8_t>(level));
+    if (parts_.contains(above)) keys.push_back(above);
+  }
+  return keys;
+}
+
+/// A part that does not go with others is taken away if no view asks for it.
+bool ReceivedParts::makes_room(const PartKey& other, const std::function<bool(const PartKey&)>& is_wanted) {
+  if (is_wanted(other)) return false;
+  if (accepted_.erase(other) != 0) is_stable_ = false;
+  evicted_.insert(other);
+  return true;
+}
+
+bool ReceivedParts::fits(const PartKey& key, const Version& version,
+                         const std::function<bool(const PartKey&)>& is_wanted) {
+  if (!version.content) return fits_gone(key, version, is_wanted);
+  const bool is_asked_for = is_wanted(key);
+  const auto gives_way = [&](const PartKey& other) { return is_asked_for && makes_room(other, is_wanted); };
+  for (const PartLink& link : version.links) {
+    const Version* other = effective(link.key);
+    if (other == nullptr) {
+      if (link.together && is_wanted(link.key)) return false;
+    } else if (!fit(key, version, link.key, *other) && !gives_way(link.key)) {
+      return false;
+    }
+  }
+  if (const auto linkers = linkers_.find(key); linkers != linkers_.end()) {
+    for (const PartKey& linker : linkers->second) {
+      const Version* other = effective(linker);
+      if (other != nullptr && !fit(key, version, linker, *other) && !gives_way(linker)) return false;
+    }
+  }
+  return std::ranges::all_of(overlapping(key), [&](const PartKey& other) {
+    return effective(other) == nullptr || gives_way(other);
+  });
+}
+
+/// A part goes when what comes in its place is there, and no neighbour has a border with it, unless these are
+/// copies, which have the same border [MAP-13].
+bool ReceivedParts::fits_gone(const PartKey& key, const Version& version,
+                              const std::function<bool(const PartKey&)>& is_wanted) {
+  for (const PartLink& link : version.links)
+    if (link.together && is_wanted(link.key) && effective(link.key) == nullptr) return false;
+  const auto linkers = linkers_.find(key);
+  if (linkers == linkers_.end() || (!version.links.empty() && version.links[0].border == kCopiesInPlace))
+    return true;
+  return std::ranges::all_of(linkers->second, [&](const PartKey& linker) {
+    const Version* other = effective(linker);
+    return other == nullptr || link_to(*other, key).border == 0 || makes_room(linker, is_wanted);
+  });
+}
+
+void ReceivedParts::settle(const std::function<bool(const PartKey&)>& is_wanted, std::set<PartKey>& touched) {
+  accepted_ = waiting_;
+  evicted_.clear();
+  // Newest first: where two versions do not fit, the newer one knows of a change that the older one lacks.
+  std::vector<PartKey> order(waiting_.begin(), waiting_.end());
+  std::ranges::stable_sort(order, std::greater(),
+                           [&](const PartKey& key) { return parts_.at(key).next->revision; });
+  for (is_stable_ = false; !is_stable_;) {
+    is_stable_ = true;
+    for (const PartKey& key : order) {
+      if (!accepted_.contains(key) || fits(key, *parts_.at(key).next, is_wanted)) continue;
+      accepted_.erase(key);
+      evicted_.clear();  // perhaps for this version alone
+      is_stable_ = false;
+    }
+  }
+  for (const PartKey& key : evicted_) {
+    ReceivedPart& part = parts_.at(key);
+    // It may come back.
+    if (!part.next) part.newest = std::max(part.shown->revision, std::uint64_t{1}) - 1;
+    drop(key, part.shown);
+  }
+  touched.insert(evicted_.begin(), evicted_.end());
+  for (const PartKey& key : accepted_) {
+    ReceivedPart& part = parts_.at(key);
+    std::optional<Version> before = std::exchange(part.shown, std::exchange(part.next, std::nullopt));
+    if (!before || before->content != part.shown->content) touched.insert(key);
+    drop(key, before);
+    if (!part.shown->content) drop(key, part.shown);
+    waiting_.erase(key);
+  }
+  accepted_.clear();
+  evicted_.clear();
+}
+
+void ReceivedParts::limit_removals(std::size_t most) {
+  const auto is_removal = [](const auto& entry) { return !entry.second.shown && !entry.second.next; };
+  if (static_cast<std::size_t>(std::ranges::count_if(parts_, is_removal)) > most)
+    std::erase_if(parts_, is_removal);
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// State of a receiver, and how each kind of message changes it.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+
+#include "deltamesh/map/map_codec.h"
+#include "deltamesh/map/receiver.h"
+#include "errors.h"
+#include "receive/received_parts.h"
+
+namespace deltamesh {
+
+/// The error of a message or a call that does not fit the state.
+struct MapReceiver::State {
+  std::uint64_t viewer = 0;
+  std::uint64_t map_id = 0;
+  ReceiverLimits limits{};
+  View view{};
+  std::uint64_t number = 0;
+  std::optional<MapCodec> codec{};
+  std::uint64_t map = 0;  ///< hash of the codec's description
+  ReceivedParts parts{};
+  std::uint64_t start = 0;                       ///< of the sender
+  std::map<PartKey, std::uint64_t> announced{};  ///< revisions of entries without octets
+  std::set<PartKey> touched{};                   ///< since the last take_change()
+
+  Result<void> apply_description(std::span<const std::byte> message);
+  Result<void> apply_start(std::span<const std::byte> message);
+  Result<void> apply_entry(std::span<const std::byte> message);
+  Result<void> apply_part(std::span<const std::byte> message);
+  Result<void> apply_patch(std::span<const std::byte> message);
+  Result<void> take(const PartKey& key, Version version, std::span<const std::byte> octets);
+  void take(const PartKey& key, Version version);
+  Result<DecodeOptions> options_for(const PartKey& key, std::size_t octets) const;
+  std::shared_ptr<const PartContent> known_content(const PartKey& key, std::uint64_t hash) const;
+  Result<void> check_map(std::uint64_t hash) const;
+  bool is_new(const PartKey& key, std::uint64_t revision) const;
+  void settle();
+};
+
+}  // namespace deltamesh

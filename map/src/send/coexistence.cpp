@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "send/coexistence.h"
+
+#include <algorithm>
+
+namespace deltamesh {
+namespace {
+
+/// By how much boxes are taken apart and still touch, of their size: what two versions of one border differ
+/// by.
+constexpr float kMargin = 0.0625F;
+
+bool touch(const Extent& a, const Extent& b) noexcept {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const float margin = kMargin * std::max(a.high[k] - a.low[k], b.high[k] - b.low[k]);
+    if (a.low[k] > b.high[k] + margin || b.low[k] > a.high[k] + margin) return false;
+  }
+  return true;
+}
+
+/// 0: whatever the receiver may get to see of the part goes with what it gets now.
+std::uint64_t least_of(const PartKey& key, const SentPart& sent, const Viewer& viewer, const SendPlan& plan) {
+  const auto has = viewer.has.find(key);
+  const bool is_there = has != viewer.has.end() && has->second.is_confirmed();
+  // While a version waits, an older one may be shown.
+  if (is_there && plan.staying.contains(key)) return has->second.is_waiting ? has->second.since : 0;
+  if (is_there || plan.needed.contains(key) || plan.removed.contains(key)) return sent.revision + 1;
+  if (has != viewer.has.end()) return has->second.since;
+  return sent.is_removal ? sent.revision : sent.revision + 1;  // an older version may still be on its way
+}
+
+}  // namespace
+
+Extent extent_of(const Mesh& mesh) {
+  Extent extent;
+  for (std::size_t k = 0; k < 3; ++k) extent.low[k] = extent.high[k] = mesh.positions[k];
+  for (std::size_t i = 3; i < mesh.positions.size(); ++i) {
+    extent.low[i % 3] = std::min(extent.low[i % 3], mesh.positions[i]);
+    extent.high[i % 3] = std::max(extent.high[i % 3], mesh.positions[i]);
+  }
+  return extent;
+}
+
+std::vector<PartLink> links_for(const SourcePart& source, const Mesh& mesh, const Viewer& viewer,
+                                const SendPlan& plan) {
+  const Extent extent = extent_of(mesh);
+  std::vector<PartLink> links;
+  auto border = source.links.begin();
+  for (const auto& [key, sent] : viewer.sent) {
+    for (; border != source.links.end() && border->key < key; ++border) links.push_back(*border);
+    const bool is_border = border != source.links.end() && border->key == key;
+    const bool is_near = sent.is_everywhere || (sent.extent && touch(*sent.extent, extent));
+    const std::uint64_t least =
+        key != source.part.key && (is_near || is_border) ? least_of(key, sent, viewer, plan) : 0;
+    if (!is_border && least == 0) continue;
+    PartLink link = is_border ? *border++ : PartLink{.key = key};
+    link.least = least;
+    links.push_back(link);
+  }
+  links.insert(links.end(), border, source.links.end());
+  // What the receiver is not to have is not waited for.
+  for (PartLink& link : links) link.together = link.together && !plan.unwanted.contains(link.key);
+  return links;
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "send/encodings.h"
+
+#include <xxhash.h>
+
+#include <algorithm>
+
+#include "base/try.h"
+#include "part/encode.h"
+#include "patch/container.h"
+#include "patch/encode.h"
+
+namespace deltamesh {
+namespace {
+
+/// A patch with a larger share of new faces, or of the bytes of the whole, is not worth it. Below 1: a patch
+/// is of something.
+constexpr double kMostNewFaces = 0.97;
+constexpr double kWorthPatch = 0.97;
+
+/// The view's quality, without places and rate.
+View quality_of(const View& view) {
+  View quality;
+  quality.vde = view.vde;
+  quality.lfe = view.lfe;
+  quality.max_error = view.max_error;
+  quality.color_error = view.color_error;
+  return quality;
+}
+
+PartQuality part_quality(const View& view, const SenderOptions& options) {
+  PartQuality quality;
+  if (view.vde) quality.bounds.vde = QualityBound{*view.vde};
+  if (view.lfe) quality.bounds.lfe = QualityBound{*view.lfe};
+  if (view.max_error) quality.bounds.max_error = QualityBound{*view.max_error};
+  quality.attributes.color_error = view.color_error;
+  quality.effort = options.effort;
+  quality.geometry = options.geometry;
+  return quality;
+}
+
+PartErrors errors_of_coded(const CodedPart& coded, const MapDescription& description) {
+  PartErrors errors{
+      .vde = coded.quality.vde_rms, .lfe = coded.quality.lfe_rms, .max_error = coded.quality.max_error};
+  for (std::size_t i = 0; i < coded.attribute_errors.size(); ++i)
+    if (description.attributes[i].kind == AttributeKind::kColor)
+      errors.color_error = std::max(errors.color_error, coded.attribute_errors[i]);
+  return errors;
+}
+
+/// Without what is said of patches.
+Encoding encoding_of(DecodedPart part, const MapPart& source, const MapDescription& description) {
+  Encoding encoding;
+  encoding.errors = errors_of_coded(part.coded, description);
+  encoding.octets = std::move(part.coded.bytes);
+  encoding.hash = XXH3_64bits(encoding.octets.data(), encoding.octets.size());
+  encoding.decoded = std::move(part.part);
+  encoding.quality = part.coded.quality;
+  encoding.attribute_errors = std::move(part.coded.attribute_errors);
+  encoding.sources.reserve(3 * part.order.size());
+  for (const std::uint32_t v : part.order) {
+    const auto position = source.mesh.positions.begin() + static_cast<std::ptrdiff_t>(3 * std::size_t{v});
+    encoding.sources.insert(encoding.sources.end(), position, position + 3);
+  }
+  return encoding;
+}
+
+/// What the part would take if it were no primer.
+double whole_bytes(const Encoding& encoding, const MapDescription& description) {
+  const auto primer = primer_of(encoding.octets);
+  return static_cast<double>(primer ? description.primers.at(*primer).stream.size() : encoding.octets.size());
+}
+
+}  // namespace
+
+std::vector<Encodings::Asked>& Encodings::asked_of(const SourcePart& source) {
+  std::vector<Asked>& asked = asked_[source.part.key];
+  std::erase_if(asked, [&](const Asked& a) { return a.content_revision != source.content_revision; });
+  return asked;
+}
+
+Result<std::shared_ptr<const Encoding>> Encodings::get(const SourcePart& source, const View& view) {
+  const View quality = quality_of(view);
+  std::vector<Asked>& asked = asked_of(source);
+  for (const Asked& a : asked)
+    if (a.view == quality && a.base_hash == 0) return a.encoding;
+  DELTAMESH_TRY(DecodedPart part, encode_part(codec_.state(), source.part, part_quality(quality, options_)));
+  auto encoding = std::make_shared<Encoding>(encoding_of(std::move(part), source.part, codec_.description()));
+  encoding->whole_rate =
+      whole_bytes(*encoding, codec_.description()) / static_cast<double>(source.part.mesh.triangle_count());
+  ++encoded_;
+  asked.push_back({quality, source.content_revision, 0, encoding});
+  return std::shared_ptr<const Encoding>(std::move(encoding));
+}
+
+Result<std::shared_ptr<const Encoding>> Encodings::patch(const SourcePart& source, const View& view,
+                                                         const KnownVersion& base) {
+  const View quality = quality_of(view);
+  std::vector<Asked>& asked = asked_of(source);
+  for (const Asked& a : asked)
+    if (a.view == quality && a.base_hash == base.encoding->hash) return a.encoding;
+  DELTAMESH_TRY(auto encoding, make_patch(source, quality, *base.encoding));
+  asked.push_back({quality, source.content_revision, base.encoding->hash, encoding});
+  return encoding;
+}
+
+Result<std::shared_ptr<const Encoding>> Encodings::make_patch(const SourcePart& source, const View& quality,
+                                                              const Encoding& base) {
+  std::shared_ptr<const Encoding> none;
+  if (!quality.max_error || count_patches(base.octets) >= kMostPatches) return none;
+  const auto matched = match(source, quality, base);
+  const auto triangles = static_cast<double>(source.part.mesh.triangle_count());
+  if (static_cast<double>(matched->new_faces.size()) > kMostNewFaces * triangles) return none;
+  DELTAMESH_TRY(auto part, encode_patch(codec_.state(), source.part, {base.decoded, base.sources}, base.hash,
+                                        *matched, part_quality(quality, options_)));
+  ++encoded_;
+  if (!part || static_cast<double>(part->coded.bytes.size()) > kWorthPatch * base.whole_rate * triangles)
+    return none;
+  std::vector<std::byte> patch = std::move(part->coded.bytes);
+  part->coded.bytes = join_patched({base.decoded.key, base.octets, patch});
+  if (part->coded.bytes.size() > kMostPartBytes) return none;
+  auto encoding =
+      std::make_shared<Encoding>(encoding_of(*std::move(part), source.part, codec_.description()));
+  encoding->patch = std::move(patch);
+  encoding->base_key = base.decoded.key;
+  encoding->base_hash = base.hash;
+  encoding->whole_rate = base.whole_rate;
+  return std::shared_ptr<const Encoding>(std::move(encoding));
+}
+
+std::shared_ptr<const PartMatch> Encodings::match(const SourcePart& source, const View& quality,
+                                                  const Encoding& base) {
+  std::vector<Matched>& matched = matched_[source.part.key];
+  std::erase_if(matched, [&](const Matched& m) { return m.content_revision != source.content_revision; });
+  for (const Matched& m : matched)
+    if (m.view == quality && m.hash == base.hash) return m.match;
+  const MatchBounds bounds{*quality.max_error, quality.color_error};
+  matched.push_back(
+      {quality, source.content_revision, base.hash,
+       std::make_shared<const PartMatch>(match_part(source.part, {base.decoded, base.sources}, bounds))});
+  return matched.back().match;
+}
+
+bool Encodings::fits(const KnownVersion& version, const SourcePart& source, const View& view) {
+  if (version.content_revision == source.content_revision) return satisfies(version.encoding->errors, view);
+  if (!view.max_error || view.vde || view.lfe) return false;
+  return match(source, quality_of(view), *version.encoding)->is_whole();
+}
+
+void Encodings::prune(const SourceMap& map) {
+  const auto is_gone = [&](const auto& entry) { return map.find(entry.first) == nullptr; };
+  std::erase_if(asked_, is_gone);
+  std::erase_if(matched_, is_gone);
+}
+
+}  // namespace deltamesh

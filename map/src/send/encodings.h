@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Parts as they were encoded for views, and what receivers make of them.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "deltamesh/map/map_codec.h"
+#include "deltamesh/map/messages.h"
+#include "deltamesh/map/sender.h"
+#include "part/fitness.h"
+#include "patch/match.h"
+#include "send/source_map.h"
+
+namespace deltamesh {
+
+struct Encoding {
+  std::vector<std::byte> octets;
+  std::uint64_t hash = 0;
+  MapPart decoded;
+  Quality quality{};
+  std::vector<double> attribute_errors{};
+  PartErrors errors{};             ///< against the source that was encoded
+  std::vector<float> sources{};    ///< of every decoded vertex the position in that source, n x 3
+  std::vector<std::byte> patch{};  ///< the octets without those of the base; empty: there is none
+  PartKey base_key{};
+  std::uint64_t base_hash = 0;  ///< of the base's octets
+  double whole_rate = 0;        ///< bytes per triangle of the part without patches
+};
+
+/// A version that was sent, or would be.
+struct KnownVersion {
+  std::uint64_t content_revision = 0;  ///< of the source that was encoded
+  std::vector<PartLink> links{};
+  std::shared_ptr<const Encoding> encoding{};
+};
+
+class Encodings {
+ public:
+  Encodings(MapCodec codec, const SenderOptions& options) : codec_(std::move(codec)), options_(options) {}
+
+  const MapCodec& codec() const noexcept { return codec_; }
+
+  /// The encoding of a part's newest source that the view asks for; encodes on the first request. Errors:
+  /// those of MapCodec::encode().
+  Result<std::shared_ptr<const Encoding>> get(const SourcePart& source, const View& view);
+
+  /// The newest source as a patch of version `base`; null if a patch does not pay. Errors: those of
+  /// MapCodec::encode().
+  Result<std::shared_ptr<const Encoding>> patch(const SourcePart& source, const View& view,
+                                                const KnownVersion& base);
+
+  /// Whether a version meets the view's bounds for the newest source, which may be newer.
+  bool fits(const KnownVersion& version, const SourcePart& source, const View& view);
+
+  /// Forgets what is not of the newest source.
+  void prune(const SourceMap& map);
+
+  std::uint64_t encoded() const noexcept { return encoded_; }
+
+ private:
+  struct Asked {
+    View view;  ///< its quality alone
+    std::uint64_t content_revision = 0;
+    std::uint64_t base_hash = 0;                 ///< 0: not as a patch
+    std::shared_ptr<const Encoding> encoding{};  ///< null: a patch is not worth it
+  };
+  struct Matched {
+    View view;                           ///< its quality alone
+    std::uint64_t content_revision = 0;  ///< of the source
+    std::uint64_t hash = 0;              ///< of the version's octets
+    std::shared_ptr<const PartMatch> match{};
+  };
+
+  std::vector<Asked>& asked_of(const SourcePart& source);
+  Result<std::shared_ptr<const Encoding>> make_patch(const SourcePart& source, const View& quality,
+                                                     const Encoding& base);
+  std::shared_ptr<const PartMatch> match(const SourcePart& source, const View& quality, const Encoding& base);
+
+  MapCodec codec_;
+  SenderOptions options_;
+  std::map<PartKey, std::vector<Asked>> asked_;
+  std::map<PartKey, std::vector<Matched>> matched_;
+  std::uint64_t encoded_ = 0;
+};
+
+}  // namespace deltamesh

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include <algorithm>
+
+#include "base/try.h"
+#include "lattice/borders_of_links.h"
+#include "send/viewer_state.h"
+#include "send/wanted_parts.h"
+
+namespace deltamesh {
+namespace {
+
+class Planner {
+ public:
+  Planner(const Viewer& viewer, double waiting_since, const SourceMap& map, Encodings& encodings,
+          KnownVersions& known, bool keeps_good_enough)
+      : viewer_(viewer),
+        waiting_since_(waiting_since),
+        map_(map),
+        encodings_(encodings),
+        known_(known),
+        keeps_good_enough_(keeps_good_enough) {}
+
+  Result<SendPlan> run() {
+    WantedParts parts = wanted_parts(viewer_, map_, encodings_.codec().description());
+    for (const PartKey& key : parts.wanted) DELTAMESH_CHECK(look_at(key, *map_.find(key)));
+    for (const auto& [key, believed] : viewer_.has)
+      if (!believed.is_gone && (map_.find(key) == nullptr || parts.others.contains(key)))
+        plan_.removed.insert(key);
+    plan_.wanted = std::move(parts.wanted);
+    plan_.unwanted = std::move(parts.others);
+    add_what_does_not_fit();
+    for (const auto& [key, version] : kept_) plan_.staying.insert(key);
+    for (const auto& [key, believed] : viewer_.has)
+      if (is_newest(key, believed) && !plan_.unwanted.contains(key)) plan_.staying.insert(key);
+    for (const auto& [key, version] : kept_)
+      if (version->content_revision != map_.find(key)->content_revision) ++plan_.kept;
+    return std::move(plan_);
+  }
+
+ private:
+  /// Decides whether the receiver's version may stay.
+  Result<void> look_at(const PartKey& key, const SourcePart& source) {
+    const auto has = viewer_.has.find(key);
+    if (has == viewer_.has.end() || has->second.is_gone) {
+      plan_.needed.insert(key);
+      return {};
+    }
+    const KnownVersion* version = find_version(known_, key, has->second.version);
+    if (version == nullptr) {  // from before this sender was started: perhaps what it would send
+      DELTAMESH_TRY(const std::uint32_t newest, newest_version(source, viewer_.view, encodings_, known_));
+      if (newest == has->second.version) version = find_version(known_, key, newest);
+    }
+    const bool is_of_newest = version != nullptr && version->content_revision == source.content_revision;
+    const bool may_stay = is_of_newest || (version != nullptr && keeps_good_enough_);
+    if (may_stay && !waits_too_long(key, has->second) && encodings_.fits(*version, source, viewer_.view)) {
+      kept_.emplace(key, version);
+    } else {
+      plan_.needed.insert(key);
+    }
+    return {};
+  }
+
+  bool is_newest(const PartKey& key, const Believed& believed) const {
+    const SourcePart* source = map_.find(key);
+    const KnownVersion* version = find_version(known_, key, believed.version);
+    return source != nullptr && version != nullptr && version->content_revision == source->content_revision;
+  }
+
+  bool waits_too_long(const PartKey& key, const Believed& believed) const {
+    return believed.is_waiting && viewer_.sent.at(key).time <= waiting_since_;
+  }
+
+  /// The links of a part as it will be with the receiver; null: nothing is there.
+  const std::vector<PartLink>* links_of(const PartKey& key) const {
+    const auto kept = kept_.find(key);
+    if (kept != kept_.end()) return &kept->second->links;
+    return plan_.needed.contains(key) ? &map_.find(key)->links : nullptr;
+  }
+
+  bool must_go(const PartKey& key) {
+    const SourcePart* source = map_.find(key);
+    const auto kept = kept_.find(key);
+    if (source == nullptr || kept == kept_.end() || same_borders(kept->second->links, source->links))
+      return false;
+    kept_.erase(kept);
+    plan_.needed.insert(key);
+    return true;
+  }
+
+  /// Newest versions fit to each other, so that it ends at the latest when nothing is kept.
+  void add_what_does_not_fit() {
+    for (bool is_stable = false; !is_stable;) {
+      is_stable = true;
+      std::vector<PartKey> keys(plan_.needed.begin(), plan_.needed.end());
+      for (const auto& [key, version] : kept_) keys.push_back(key);
+      for (const PartKey& key : keys)
+        if (!fits(key)) is_stable = false;
+    }
+  }
+
+  bool fits(const PartKey& key) {
+    bool all_fit = true;
+    const std::vector<PartLink> links = *links_of(key);
+    for (const PartLink& link : links) {
+      const std::vector<PartLink>* other = links_of(link.key);
+      if (other == nullptr) {
+        // It has a border with what goes.
+        if (plan_.removed.contains(link.key) && must_go(key)) all_fit = false;
+      } else if (border_in(*other, key) != link.border) {
+        if (must_go(key)) all_fit = false;
+        if (must_go(link.key)) all_fit = false;
+      }
+    }
+    return all_fit;
+  }
+
+  const Viewer& viewer_;
+  double waiting_since_;
+  const SourceMap& map_;
+  Encodings& encodings_;
+  KnownVersions& known_;
+  bool keeps_good_enough_;
+  SendPlan plan_;
+  std::map<PartKey, const KnownVersion*> kept_;
+};
+
+}  // namespace
+
+const KnownVersion* find_version(const KnownVersions& known, const PartKey& key,
+                                 std::uint32_t version) noexcept {
+  const auto versions = known.find(key);
+  if (versions == known.end()) return nullptr;
+  const auto found = versions->second.find(version);
+  return found == versions->second.end() ? nullptr : &found->second;
+}
+
+Result<std::uint32_t> newest_version(const SourcePart& source, const View& view, Encodings& encodings,
+                                     KnownVersions& known) {
+  DELTAMESH_TRY(const auto encoding, encodings.get(source, view));
+  const std::uint32_t version = version_hash(encoding->hash, source.links);
+  known[source.part.key][version] = {source.content_revision, source.links, encoding};
+  return version;
+}
+
+Result<SendPlan> plan_for(const Viewer& viewer, double waiting_since, const SourceMap& map,
+                          Encodings& encodings, KnownVersions& known, bool keeps_good_enough) {
+  return Planner(viewer, waiting_since, map, encodings, known, keeps_good_enough).run();
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "send/source_map.h"
+
+#include <algorithm>
+#include <map>
+
+#include "base/try.h"
+#include "lattice/borders_of_links.h"
+#include "message/limits.h"
+
+namespace deltamesh {
+namespace {
+
+/// Above all revisions of messages that were sent after the last update that was saved.
+constexpr std::uint64_t kRevisionsBetweenStarts = std::uint64_t{1} << 20;
+
+}  // namespace
+
+void SourceMap::resume(std::uint64_t revision, std::uint64_t group) noexcept {
+  splitter_.resume(revision + kRevisionsBetweenStarts, group);
+  next_group_ = group;
+}
+
+const SourcePart* SourceMap::find(const PartKey& key) const noexcept {
+  const auto found = parts_.find(key);
+  return found == parts_.end() ? nullptr : &found->second;
+}
+
+Result<void> SourceMap::update(std::span<const MapBlock> blocks) {
+  DELTAMESH_TRY(MapChange change, splitter_.update(blocks));
+  std::set<PartKey> known_before;
+  std::set<PartKey> changed;
+  for (const RemovedPart& removed : change.removed) {
+    table_.remove(removed.key);
+    known_before.insert(removed.key);
+    parts_.erase(removed.key);
+  }
+  for (ChangedPart& part : change.changed) {
+    const PartKey key = part.part.key;
+    table_.put(part.part);
+    changed.insert(key);
+    const auto [place, is_new] = parts_.try_emplace(key);
+    if (!is_new) known_before.insert(key);
+    place->second.part = std::move(part.part);
+    place->second.content_revision = place->second.revision = revision();
+  }
+  const std::set<PartKey> touched = table_.take_touched();
+  for (const PartKey& key : touched)
+    if (parts_.contains(key) && !changed.contains(key)) known_before.insert(key);
+  relink(touched, changed, known_before);
+  return {};
+}
+
+/// Gives new links to what was touched, and marks those whose border changed.
+void SourceMap::relink(const std::set<PartKey>& touched, const std::set<PartKey>& changed,
+                       const std::set<PartKey>& known_before) {
+  std::set<PartKey> members = changed;
+  Pairs pairs;
+  for (const PartKey& key : touched) {
+    const auto found = parts_.find(key);
+    if (found == parts_.end()) continue;
+    SourcePart& part = found->second;
+    std::vector<PartLink> links = table_.links_of(key);
+    if (!changed.contains(key) && same_borders(links, part.links)) continue;
+    part.revision = revision();
+    members.insert(key);
+    for (PartLink& link : links) {
+      const bool is_known = known_before.contains(key) || known_before.contains(link.key);
+      link.together = is_known && border_in(part.links, link.key) != link.border;
+      if (link.together) pairs.emplace_back(key, link.key);
+    }
+    for (const PartLink& before : part.links)
+      if (border_in(links, before.key) == 0 && parts_.contains(before.key))
+        pairs.emplace_back(key, before.key);
+    part.links = std::move(links);
+  }
+  number_groups(members, pairs);
+}
+
+/// Members with a changed border get one number.
+void SourceMap::number_groups(const std::set<PartKey>& members, const Pairs& pairs) {
+  std::map<PartKey, PartKey> parent;
+  for (const PartKey& key : members) parent[key] = key;
+  const auto find_root = [&](PartKey key) {
+    while (parent.at(key) != key) key = parent[key] = parent.at(parent.at(key));
+    return key;
+  };
+  for (const auto& [a, b] : pairs) {
+    if (!parent.contains(a) || !parent.contains(b)) continue;
+    const PartKey root = find_root(a);
+    const PartKey other = find_root(b);
+    parent[std::max(root, other)] = std::min(root, other);
+  }
+  std::map<PartKey, std::uint64_t> numbers;
+  for (const PartKey& key : members) {
+    const auto [number, is_new] = numbers.try_emplace(find_root(key), next_group_);
+    if (is_new) ++next_group_;
+    parts_.at(key).group = number->second;
+  }
+}
+
+std::vector<PartLink> SourceMap::replacements_of(const PartKey& key) const {
+  std::vector<PartLink> links;
+  for (const auto& [other, part] : parts_)
+    if (overlap(other, key)) links.push_back({.key = other, .border = kOthersInPlace, .together = true});
+  return links;
+}
+
+std::vector<PartLink> SourceMap::copies_in_place_of(const PartKey& key,
+                                                    const std::set<PartKey>& wanted) const {
+  std::vector<PartLink> links;
+  for (const PartKey& other : wanted)
+    if (overlap(other, key)) links.push_back({.key = other, .border = kCopiesInPlace, .together = true});
+  if (!links.empty()) return links;
+  const auto other = std::ranges::find_if(
+      parts_, [&](const auto& part) { return part.first != key && overlap(part.first, key); });
+  if (other != parts_.end()) links.push_back({.key = other->first, .border = kCopiesInPlace});
+  return links;
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "send/state.h"
+
+#include <set>
+
+#include "base/try.h"
+#include "deltamesh/map/messages.h"
+#include "send/coexistence.h"
+
+namespace deltamesh {
+
+/// Versions that no receiver has and that are not the newest.
+void MapSender::State::forget_versions() {
+  std::set<std::pair<PartKey, std::uint32_t>> used;
+  for (const auto& [number, viewer] : viewers)
+    for (const auto& [key, believed] : viewer.has) used.emplace(key, believed.version);
+  for (auto& [key, versions] : known)
+    std::erase_if(versions, [&, &k = key](const auto& entry) { return !used.contains({k, entry.first}); });
+  std::erase_if(known, [](const auto& entry) { return entry.second.empty(); });
+  encodings.prune(map);
+}
+
+/// What the receiver has, or that with a patch, or else the newest source as a whole.
+Result<ChosenVersion> MapSender::State::choose_version(const SourcePart& source, const Viewer& viewer) {
+  const KnownVersion* before = believed_version(viewer, source.part.key);
+  if (before != nullptr &&
+      (options.keeps_good_enough || before->content_revision == source.content_revision) &&
+      encodings.fits(*before, source, viewer.view))
+    return ChosenVersion{{before->content_revision, source.links, before->encoding}};
+  if (const KnownVersion* base = base_for(viewer, source.part.key); base != nullptr) {
+    DELTAMESH_TRY(auto patched, encodings.patch(source, viewer.view, *base));
+    if (patched != nullptr)
+      return ChosenVersion{{source.content_revision, source.links, std::move(patched)}, true};
+  }
+  DELTAMESH_TRY(auto whole, encodings.get(source, viewer.view));
+  return ChosenVersion{{source.content_revision, source.links, std::move(whole)}};
+}
+
+Result<std::vector<std::byte>> MapSender::State::newest_message(const PartKey& key, ChosenVersion chosen,
+                                                                const SendPlan& plan, Viewer& viewer,
+                                                                double now) {
+  const SourcePart& source = *map.find(key);
+  const auto encoding = chosen.version.encoding;
+  const KnownVersion* had = believed_version(viewer, key);
+  const bool is_the_same = had != nullptr && had->encoding->hash == encoding->hash;
+  const Believed before = is_the_same ? viewer.has.at(key) : Believed{};
+  const std::uint32_t told = version_hash(encoding->hash, chosen.version.links);
+  known[key][told] = std::move(chosen.version);
+  const std::uint64_t revision = viewer.next_revision(key, source.revision, now);
+  std::vector<PartLink> links = links_for(source, encoding->decoded.mesh, viewer, plan);
+  viewer.sent[key].add(extent_of(encoding->decoded.mesh));
+  const std::uint64_t since = is_the_same ? before.since : revision;
+  viewer.has[key] = {.revision = revision, .since = since, .version = told, .sent = now};
+  if (is_the_same && before.is_confirmed()) {
+    ++counts.entries_sent;
+    return write_entry({.map = description_hash,
+                        .start = start,
+                        .entry = entry_of(source, *encoding, revision, std::move(links))});
+  }
+  ++counts.parts_sent;
+  PartMessage message{.map = description_hash,
+                      .start = start,
+                      .key = key,
+                      .revision = revision,
+                      .group = source.group,
+                      .links = std::move(links)};
+  if (chosen.is_patch) {
+    ++counts.patches_sent;
+    return write_patch({std::move(message), encoding->base_key, encoding->base_hash, encoding->patch});
+  }
+  message.octets = encoding->octets;
+  return write_part(message);
+}
+
+/// What the receiver is believed to have of a part; null: nothing, or it is not known what.
+const KnownVersion* MapSender::State::believed_version(const Viewer& viewer, const PartKey& key) const {
+  const auto has = viewer.has.find(key);
+  if (has == viewer.has.end() || has->second.is_gone) return nullptr;
+  return find_version(known, key, has->second.version);
+}
+
+/// What a patch may be of: the version that the receiver has of the part, or else the largest of those in
+/// whose place it comes. Null: nothing.
+const KnownVersion* MapSender::State::base_for(const Viewer& viewer, const PartKey& key) const {
+  if (!options.keeps_good_enough) return nullptr;
+  const KnownVersion* largest = believed_version(viewer, key);
+  if (largest != nullptr) return largest;
+  const auto size = [](const KnownVersion& v) { return v.encoding->decoded.mesh.triangle_count(); };
+  for (const auto& [other, believed] : viewer.has) {
+    if (!overlap(key, other)) continue;
+    const KnownVersion* version = believed_version(viewer, other);
+    if (version != nullptr && (largest == nullptr || size(*version) > size(*largest))) largest = version;
+  }
+  return largest;
+}
+
+Result<std::vector<std::byte>> MapSender::State::removal_message(const PartKey& key, const SendPlan& plan,
+                                                                 Viewer& viewer, double now) {
+  const std::uint64_t revision = viewer.next_revision(key, map.revision(), now);
+  viewer.sent[key].is_removal = true;
+  viewer.has[key] = {.revision = revision, .since = revision, .is_gone = true, .sent = now};
+  ++counts.entries_sent;
+  std::vector<PartLink> links =
+      map.find(key) == nullptr ? map.replacements_of(key) : map.copies_in_place_of(key, plan.wanted);
+  // What the receiver is not to have is not waited for.
+  std::erase_if(links,
+                [&](const PartLink& link) { return link.together && plan.unwanted.contains(link.key); });
+  return write_entry({.map = description_hash,
+                      .start = start,
+                      .entry = {.key = key, .revision = revision, .links = std::move(links)}});
+}
+
+Result<void> MapSender::State::send(const SendUnit& unit, SendPlan& plan, Viewer& viewer, double now,
+                                    std::vector<std::vector<std::byte>>& messages) {
+  std::vector<ChosenVersion> chosen;  // while it is known what the removed ones were
+  for (const PartKey& key : unit.needed) {
+    DELTAMESH_TRY(chosen.emplace_back(), choose_version(*map.find(key), viewer));
+  }
+  for (const PartKey& key : unit.removed) {
+    DELTAMESH_TRY(messages.emplace_back(), removal_message(key, plan, viewer, now));
+    plan.removed.erase(key);
+    viewer.allowance -= static_cast<double>(messages.back().size());
+  }
+  for (std::size_t i = 0; i < unit.needed.size(); ++i) {
+    const PartKey& key = unit.needed[i];
+    DELTAMESH_TRY(messages.emplace_back(), newest_message(key, std::move(chosen[i]), plan, viewer, now));
+    plan.needed.erase(key);
+    viewer.allowance -= static_cast<double>(messages.back().size());
+    viewer.due.erase(key);
+  }
+  return {};
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// State of a sender: its map and its receivers; makes the messages for one of them.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "deltamesh/map/sender.h"
+#include "send/units.h"
+#include "send/viewer_state.h"
+
+namespace deltamesh {
+
+/// The version of a part to send.
+struct ChosenVersion {
+  KnownVersion version{};
+  bool is_patch = false;  ///< of what the receiver is believed to have
+};
+
+struct MapSender::State {
+  State(SourceMap source, MapCodec codec, const SenderOptions& o)
+      : options(o), map(std::move(source)), encodings(std::move(codec), o) {}
+
+  SenderOptions options;
+  std::uint64_t description_hash = 0;
+  std::uint64_t start = 0;  ///< the map's revision when this sender was started
+  SourceMap map;
+  Encodings encodings;
+  KnownVersions known{};
+  std::map<std::uint64_t, Viewer> viewers{};
+  SenderCounts counts{};
+
+  void forget_versions();
+  Result<void> send(const SendUnit& unit, SendPlan& plan, Viewer& viewer, double now,
+                    std::vector<std::vector<std::byte>>& messages);
+  const KnownVersion* believed_version(const Viewer& viewer, const PartKey& key) const;
+  const KnownVersion* base_for(const Viewer& viewer, const PartKey& key) const;
+  Result<ChosenVersion> choose_version(const SourcePart& source, const Viewer& viewer);
+  Result<std::vector<std::byte>> newest_message(const PartKey& key, ChosenVersion chosen,
+                                                const SendPlan& plan, Viewer& viewer, double now);
+  Result<std::vector<std::byte>> removal_message(const PartKey& key, const SendPlan& plan, Viewer& viewer,
+                                                 double now);
+};
+
+}  // namespace deltamesh

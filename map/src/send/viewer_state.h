@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// A sender's record of a receiver, and the plan of what to send to it.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "deltamesh/map/messages.h"
+#include "send/encodings.h"
+#include "send/source_map.h"
+
+namespace deltamesh {
+
+/// A version that a receiver has told of, or that is on its way.
+struct Believed {
+  bool is_confirmed() const noexcept { return !is_gone && sent == -std::numeric_limits<double>::infinity(); }
+
+  std::uint64_t revision = 0;
+  std::uint64_t since = 0;  ///< the first revision with these octets, as far as it is known
+  std::uint32_t version = 0;
+  bool is_waiting = false;  ///< the receiver has it and does not show it
+  bool is_gone = false;     ///< its removal is on its way
+  double sent =
+      -std::numeric_limits<double>::infinity();  ///< seconds; minus infinity: the receiver told of it
+};
+
+struct Extent {
+  std::array<float, 3> low{};
+  std::array<float, 3> high{};
+};
+
+/// The last message to a receiver about a part.
+struct SentPart {
+  std::uint64_t revision = 0;                              ///< of the last message
+  double time = -std::numeric_limits<double>::infinity();  ///< of the last message
+  bool is_removal = false;
+  bool is_everywhere = false;      ///< told of by the receiver, and unknown
+  std::optional<Extent> extent{};  ///< of all versions that were sent
+
+  void add(const Extent& version) noexcept {
+    if (!extent) extent = version;
+    for (std::size_t k = 0; k < 3; ++k) {
+      extent->low[k] = std::min(extent->low[k], version.low[k]);
+      extent->high[k] = std::max(extent->high[k], version.high[k]);
+    }
+  }
+};
+
+struct Viewer {
+  View view{};
+  std::uint64_t number = 0;
+  std::uint64_t map = 0;  ///< hash of the description that it has
+  std::uint64_t start = 0;
+  std::map<PartKey, Believed> has{};
+  std::map<PartKey, SentPart> sent{};      ///< all parts that it may have or that may be on their way
+  std::map<PartKey, std::uint64_t> due{};  ///< what it lacks, and the map's revision since when
+  double allowance = 0;                    ///< bytes that may be sent now
+  double asked = -std::numeric_limits<double>::infinity();      ///< last messages_for()
+  double described = -std::numeric_limits<double>::infinity();  ///< when the map's message was sent
+
+  /// For a message about a version of `least` or later: above all that came before it.
+  std::uint64_t next_revision(const PartKey& key, std::uint64_t least, double now) {
+    SentPart& part = sent[key];
+    part.time = now;
+    part.is_removal = false;
+    return part.revision = std::max(part.revision + 1, least);
+  }
+};
+
+using KnownVersions = std::map<PartKey, std::map<std::uint32_t, KnownVersion>>;
+
+/// The parts to send to a receiver and to remove.
+struct SendPlan {
+  std::set<PartKey> wanted;    ///< parts that the receiver is to have
+  std::set<PartKey> unwanted;  ///< other parts in its view: coarser or finer copies of these
+  std::set<PartKey> needed;    ///< parts whose newest version is to be sent
+  std::set<PartKey> removed;   ///< parts that are to go
+  std::set<PartKey> staying;   ///< parts that go with all newest ones as the receiver has them
+  std::uint64_t kept = 0;      ///< parts with a newer source whose old version will do
+};
+
+/// Plans for all parts in the view: those that are missing or break the view's bounds, and those that would
+/// not fit to these any more [MAP-12]. Adds the newest versions that it compares to `known`. `waiting_since`:
+/// parts that the receiver does not show, and about which no message was sent since then, are sent again.
+/// Errors: those of MapCodec::encode().
+Result<SendPlan> plan_for(const Viewer& viewer, double waiting_since, const SourceMap& map,
+                          Encodings& encodings, KnownVersions& known, bool keeps_good_enough);
+
+/// The newest version for a view, which `known` gains. Errors: those of MapCodec::encode().
+Result<std::uint32_t> newest_version(const SourcePart& source, const View& view, Encodings& encodings,
+                                     KnownVersions& known);
+
+const KnownVersion* find_version(const KnownVersions& known, const PartKey& key,
+                                 std::uint32_t version) noexcept;
+
+}  // namespace deltamesh

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "split/stored_block.h"
+
+#include <span>
+#include <utility>
+
+#include "base/try.h"
+#include "connectivity/check_mesh.h"
+#include "errors.h"
+#include "patch/row_gather.h"
+#include "send/content_hash.h"
+
+namespace deltamesh {
+namespace {
+
+Result<void> check_attributes(const MeshView& mesh, const MapDescription& description) {
+  if (mesh.attributes.size() != description.attributes.size())
+    return invalid_mesh("the mesh has not as many attributes as the map");
+  for (std::size_t i = 0; i < mesh.attributes.size(); ++i) {
+    const AttributeView& a = mesh.attributes[i];
+    const MapAttribute& b = description.attributes[i];
+    if (a.kind != b.kind || a.type != b.type || a.components != b.components ||
+        a.normalized != b.normalized || a.name != b.name)
+      return invalid_mesh("an attribute of the mesh is not that of the map", WhereKind::kAttribute, i);
+  }
+  return {};
+}
+
+/// a / b rounded down; b above 0.
+std::int64_t floor_div(std::int64_t a, std::int64_t b) noexcept {
+  return a / b - (a % b != 0 && a < 0 ? 1 : 0);
+}
+
+Cell0 cell_of_face(const Mesh& mesh, std::size_t face, const MapDescription& description) noexcept {
+  std::array<std::int64_t, 3> sum{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const float* p = mesh.positions.data() + 3 * std::size_t{mesh.triangles[3 * face + c]};
+    const LatticePoint point = description.lattice.nearest({p[0], p[1], p[2]});
+    for (std::size_t k = 0; k < 3; ++k) sum[k] += point[k];
+  }
+  Cell0 cell{};
+  for (std::size_t k = 0; k < 3; ++k)
+    cell[k] = static_cast<std::int32_t>(floor_div(sum[k] - 3 * std::int64_t{description.cell_origin[k]},
+                                                  3 * std::int64_t{description.cell_steps}));
+  return cell;
+}
+
+std::uint64_t hash_of_mesh(const Mesh& mesh) {
+  ContentHash hash;
+  hash.add(std::span<const float>(mesh.positions));
+  hash.add(std::span<const std::uint32_t>(mesh.triangles));
+  hash.add(std::span<const std::uint32_t>(mesh.face_groups));
+  for (const Attribute& attribute : mesh.attributes) hash.add(std::span<const std::byte>(attribute.values));
+  return hash.digest();
+}
+
+}  // namespace
+
+Result<Mesh> to_map(const MeshView& mesh, const MapDescription& description) {
+  DELTAMESH_CHECK(check_mesh(mesh));
+  DELTAMESH_CHECK(check_attributes(mesh, description));
+  RowGather gather(mesh);
+  for (std::size_t f = 0; f < mesh.triangle_count(); ++f) gather.add_face(f);
+  Mesh moved = gather.take();
+  moved.origin = description.lattice.origin;
+  for (std::size_t v = 0; v < moved.vertex_count(); ++v) {
+    float* p = moved.positions.data() + 3 * v;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double shift = mesh.origin[k] - description.lattice.origin[k];
+      p[k] = static_cast<float>(double{p[k]} + shift) + 0.0F;  // one zero
+    }
+    if (!description.lattice.is_within({p[0], p[1], p[2]}))
+      return invalid_mesh(
+          "a position is 2^24 steps of the map's lattice or more from its origin; ask for a larger error",
+          WhereKind::kVertex, v);
+  }
+  return moved;
+}
+
+StoredBlock store_block(Mesh mesh) {
+  const std::uint64_t hash = hash_of_mesh(mesh);
+  return {std::move(mesh), hash};
+}
+
+StoredBlocks blocks_of(const Mesh& mesh, const MapDescription& description) {
+  std::map<Cell0, std::vector<std::size_t>> faces;
+  for (std::size_t f = 0; f < mesh.triangle_count(); ++f)
+    faces[cell_of_face(mesh, f, description)].push_back(f);
+  StoredBlocks blocks;
+  RowGather gather{MeshView(mesh)};
+  for (const auto& [cell, list] : faces) {
+    for (const std::size_t f : list) gather.add_face(f);
+    blocks.emplace(cell, store_block(gather.take()));
+  }
+  return blocks;
+}
+
+}  // namespace deltamesh
