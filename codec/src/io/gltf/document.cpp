@@ -24,7 +24,7 @@ Result<std::vector<std::byte>> resolve_uri(const std::string& uri, const Resolve
   }
   const auto path = relative_path_of(uri);
   if (!path)
-    return element_error("the buffer's URI leads out of the asset's folder, where nothing is read", number);
+    return element_error("the buffer's URI is unsafe: it is no path inside the asset's folder", number);
   if (!resolve)
     return Error{.code = ErrorCode::kFileOpen,
                  .message = "the asset has an external buffer, which cannot be reached from here",

@@ -161,7 +161,7 @@ Result<void> check_required_extensions(const Json& json) {
       return invalid_file("glTF: meshes compressed by Draco are not supported");
     if (name == "EXT_meshopt_compression" || name == "KHR_meshopt_compression")
       return invalid_file("glTF: buffers compressed by meshoptimizer are not supported");
-    if (!is_harmless_extension(name))
+    if (!is_harmless_extension(name) && name != "EXT_mesh_gpu_instancing")
       return invalid_file("glTF: the file requires an extension that is not supported");
   }
   return {};
@@ -177,7 +177,7 @@ Result<Imported> read_gltf(std::span<const std::byte> bytes, std::string_view fo
   };
   DELTAMESH_TRY(const gltf::Document document, gltf::load_document(bytes, resolve));
   DELTAMESH_CHECK(gltf::check_required_extensions(document.json));
-  DELTAMESH_TRY(const std::vector<gltf::Placement> placements, gltf::place_meshes(document.json));
+  DELTAMESH_TRY(const std::vector<gltf::Placement> placements, gltf::place_meshes(document));
   return gltf::Assembly(document).build(placements);
 }
 

@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <utility>
 
 #include "base/try.h"
+#include "io/components.h"
+#include "io/gltf/accessor.h"
 
 namespace deltamesh::gltf {
 namespace {
@@ -80,26 +83,69 @@ Result<void> read_numbers(const Json& node, const char* key, std::span<double> n
   return {};
 }
 
-/// Translation, rotation (unit quaternion x y z w) and scale as one matrix: T * R * S.
-Transform compose(const std::array<double, 3>& t, const std::array<double, 4>& r,
-                  const std::array<double, 3>& s) noexcept {
-  const auto [x, y, z, w] = r;
-  return {.m = {s[0] * (1 - 2 * (y * y + z * z)), s[0] * 2 * (x * y + z * w), s[0] * 2 * (x * z - y * w), 0,
-                s[1] * 2 * (x * y - z * w), s[1] * (1 - 2 * (x * x + z * z)), s[1] * 2 * (y * z + x * w), 0,
-                s[2] * 2 * (x * z + y * w), s[2] * 2 * (y * z - x * w), s[2] * (1 - 2 * (x * x + y * y)), 0,
-                t[0], t[1], t[2], 1}};
-}
-
-Result<Transform> node_transform(const Json& node) {
+/// Translation, rotation (unit quaternion x y z w) and scale.
+struct Placing {
   std::array<double, 3> translation{0, 0, 0};
   std::array<double, 4> rotation{0, 0, 0, 1};
   std::array<double, 3> scale{1, 1, 1};
-  DELTAMESH_CHECK(read_numbers(node, "translation", translation));
-  DELTAMESH_CHECK(read_numbers(node, "rotation", rotation));
-  DELTAMESH_CHECK(read_numbers(node, "scale", scale));
-  Transform transform = compose(translation, rotation, scale);
+
+  /// T * R * S.
+  Transform matrix() const noexcept {
+    const auto& [x, y, z, w] = rotation;
+    const auto& s = scale;
+    const auto& t = translation;
+    return {.m = {s[0] * (1 - 2 * (y * y + z * z)), s[0] * 2 * (x * y + z * w), s[0] * 2 * (x * z - y * w), 0,
+                  s[1] * 2 * (x * y - z * w), s[1] * (1 - 2 * (x * x + z * z)), s[1] * 2 * (y * z + x * w), 0,
+                  s[2] * 2 * (x * z + y * w), s[2] * 2 * (y * z - x * w), s[2] * (1 - 2 * (x * x + y * y)), 0,
+                  t[0], t[1], t[2], 1}};
+  }
+};
+
+Result<Transform> node_transform(const Json& node) {
+  Placing placing;
+  DELTAMESH_CHECK(read_numbers(node, "translation", placing.translation));
+  DELTAMESH_CHECK(read_numbers(node, "rotation", placing.rotation));
+  DELTAMESH_CHECK(read_numbers(node, "scale", placing.scale));
+  Transform transform = placing.matrix();
   DELTAMESH_CHECK(read_numbers(node, "matrix", transform.m));
   return transform;
+}
+
+/// The numbers of row `i`; those there are where the node does not give them.
+template <std::size_t kSize>
+void read_row(const std::optional<AccessorRows>& rows, std::uint64_t i, std::array<double, kSize>& numbers) {
+  for (std::size_t k = 0; rows && k < kSize; ++k)
+    numbers[k] = load_normalized(rows->shape().type, rows->shape().normalized,
+                                 rows->row(i).data() + k * component_size(rows->shape().type));
+}
+
+/// Where the node shows its mesh, relative to itself: once, unless EXT_mesh_gpu_instancing says otherwise.
+Result<std::vector<Transform>> instances_of(const Document& document, const Json& node) {
+  const Error bad{.code = ErrorCode::kInvalidFile, .message = "the instances of a node are malformed"};
+  const Json* extensions = find(node, "extensions");
+  const Json* instancing = extensions ? find(*extensions, "EXT_mesh_gpu_instancing") : nullptr;
+  const Json* attributes = instancing ? find(*instancing, "attributes") : nullptr;
+  if (!attributes) return std::vector<Transform>(1);
+  std::array<std::optional<AccessorRows>, 3> columns;
+  std::optional<std::uint64_t> count;
+  for (std::size_t c = 0; c < 3; ++c) {
+    constexpr std::array<const char*, 3> kNames{"TRANSLATION", "ROTATION", "SCALE"};
+    DELTAMESH_TRY(const auto accessor, element_member(document.json, *attributes, kNames[c], "accessors"));
+    if (accessor == kNone) continue;
+    DELTAMESH_TRY(columns[c], read_accessor(document, accessor, 0));
+    if (!columns[c] || columns[c]->shape().components != (c == 1 ? 4 : 3)) return bad;
+    if (count.value_or(columns[c]->shape().count) != columns[c]->shape().count) return bad;
+    count = columns[c]->shape().count;
+  }
+  std::vector<Transform> instances;
+  for (std::uint64_t i = 0; i < count.value_or(0); ++i) {
+    Placing placing;
+    read_row(columns[0], i, placing.translation);
+    read_row(columns[1], i, placing.rotation);
+    read_row(columns[2], i, placing.scale);
+    instances.push_back(placing.matrix());
+  }
+  return instances;
 }
 
 }  // namespace
@@ -124,7 +170,9 @@ Transform Transform::operator*(const Transform& b) const noexcept {
   return product;
 }
 
-Result<std::vector<Placement>> place_meshes(const Json& json) {
+Result<std::vector<Placement>> place_meshes(const Document& document) {
+  constexpr std::uint64_t kFreePlaces = 4096;
+  const Json& json = document.json;
   std::vector<Placement> placements;
   if (array_size(json, "nodes") == 0 && array_size(json, "scenes") == 0) {
     for (std::size_t m = 0; m < array_size(json, "meshes"); ++m)
@@ -145,7 +193,14 @@ Result<std::vector<Placement>> place_meshes(const Json& json) {
     DELTAMESH_TRY(const Transform own, node_transform(node));
     const Transform transform = parent * own;
     DELTAMESH_TRY(const std::size_t mesh, element_member(json, node, "mesh", "meshes"));
-    if (mesh != kNone) placements.push_back({.mesh = mesh, .transform = transform});
+    if (mesh != kNone) {
+      DELTAMESH_TRY(const auto instances, instances_of(document, node));
+      if (placements.size() + instances.size() > kFreePlaces + document.input_bytes)
+        return element_error("a node repeats its mesh more often than the size of the file suggests", number);
+      for (const Transform& instance : instances)
+        placements.push_back(
+            {.mesh = mesh, .transform = node.contains("skin") ? Transform{} : transform * instance});
+    }
     DELTAMESH_TRY(const auto children, node_numbers(json, node, "children"));
     for (auto child = children.rbegin(); child != children.rend(); ++child)
       stack.emplace_back(*child, transform);

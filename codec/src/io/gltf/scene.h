@@ -36,10 +36,11 @@ struct Placement {
   Transform transform;
 };
 
-/// Precondition: check_structure(). The meshes of the default scene, or of all scenes where none is the
-/// default, or of all root nodes where there are no scenes, or all meshes where there are no nodes; in
-/// depth-first order. Errors: kInvalidFile: an index without its object, a node that is reached twice, a
-/// malformed node. Cost O(nodes).
-Result<std::vector<Placement>> place_meshes(const Json& json);
+/// The meshes of the default scene, or of all scenes where none is the default, or of all root nodes where
+/// there are no scenes, or all meshes where there are no nodes; in depth-first order. Instances
+/// (EXT_mesh_gpu_instancing) are placed one by one; the node of a skinned mesh does not move it (glTF 2.0,
+/// 3.7.3.3). Errors: kInvalidFile: an index without its object, a node that is reached twice, a malformed
+/// node, more places than bytes. Cost O(nodes and instances).
+Result<std::vector<Placement>> place_meshes(const Document& document);
 
 }  // namespace deltamesh::gltf

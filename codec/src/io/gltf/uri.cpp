@@ -25,18 +25,14 @@ int hex_value(char c) noexcept {
   return -1;
 }
 
-std::optional<std::string> percent_decoded(std::string_view uri) {
+/// A percent sign that begins no escape stands for itself, as viewers read it.
+std::string percent_decoded(std::string_view uri) {
   std::string decoded;
   for (std::size_t i = 0; i < uri.size(); ++i) {
-    if (uri[i] != '%') {
-      decoded += uri[i];
-      continue;
-    }
-    const int high = i + 2 < uri.size() ? hex_value(uri[i + 1]) : -1;
-    const int low = i + 2 < uri.size() ? hex_value(uri[i + 2]) : -1;
-    if (high < 0 || low < 0) return std::nullopt;
-    decoded += static_cast<char>(high * 16 + low);
-    i += 2;
+    const bool escape =
+        uri[i] == '%' && i + 2 < uri.size() && hex_value(uri[i + 1]) >= 0 && hex_value(uri[i + 2]) >= 0;
+    decoded += escape ? static_cast<char>(hex_value(uri[i + 1]) * 16 + hex_value(uri[i + 2])) : uri[i];
+    if (escape) i += 2;
   }
   return decoded;
 }
@@ -67,14 +63,14 @@ std::optional<std::vector<std::byte>> decode_data_uri(std::string_view uri) {
 
 std::optional<std::string> relative_path_of(std::string_view uri) {
   if (uri.find(':') != uri.npos) return std::nullopt;  // a scheme; as part of a name it would be %3A
-  std::optional<std::string> path = percent_decoded(uri);
-  if (!path || path->empty() || path->front() == '/') return std::nullopt;
-  for (const char c : *path)
+  std::string path = percent_decoded(uri);
+  if (path.empty() || path.front() == '/') return std::nullopt;
+  for (const char c : path)
     if (c == '\\' || static_cast<unsigned char>(c) < ' ') return std::nullopt;
-  for (std::size_t begin = 0; begin <= path->size();) {
-    std::size_t end = path->find('/', begin);
-    if (end == path->npos) end = path->size();
-    if (std::string_view(*path).substr(begin, end - begin) == "..") return std::nullopt;
+  for (std::size_t begin = 0; begin <= path.size();) {
+    std::size_t end = path.find('/', begin);
+    if (end == path.npos) end = path.size();
+    if (std::string_view(path).substr(begin, end - begin) == "..") return std::nullopt;
     begin = end + 1;
   }
   return path;
