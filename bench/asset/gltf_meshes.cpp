@@ -143,25 +143,12 @@ Result<bool> read_primitive(const Document& document, const Json& primitive, Pri
   return true;
 }
 
-/// Bytes that an accessor has in buffers; 0 for one that is in a stream.
-Result<std::uint64_t> plain_bytes(const Document& document, std::size_t accessor) {
-  DELTAMESH_TRY(const auto shape, gltf::accessor_shape(document, accessor));
-  if (!shape) return std::uint64_t{0};
-  const Json& json = document.json["accessors"][accessor];
-  std::uint64_t bytes = json.contains("bufferView") ? shape->count * shape->row_size() : 0;
-  if (const Json* sparse = gltf::find(json, "sparse")) {
-    constexpr std::uint64_t kIndexBytes = 4;
-    bytes += (*sparse)["count"].get<std::uint64_t>() * (kIndexBytes + shape->row_size());
-  }
-  return bytes;
-}
-
-/// Adds each accessor of `numbers` that is not known yet. Errors: plain_bytes()'s.
+/// Adds each accessor of `numbers` that is not known yet. Errors: stored_bytes()'s.
 Result<void> add_plain(const Document& document, const Json& numbers, std::set<std::size_t>& known,
                        std::uint64_t& bytes) {
   for (const Json& accessor : numbers) {
     if (!known.insert(accessor.get<std::size_t>()).second) continue;
-    DELTAMESH_TRY(const std::uint64_t plain, plain_bytes(document, accessor.get<std::size_t>()));
+    DELTAMESH_TRY(const std::uint64_t plain, gltf::stored_bytes(document, accessor.get<std::size_t>()));
     bytes += plain;
   }
   return {};

@@ -44,6 +44,7 @@ Result<std::vector<PackedPrimitive>> pack_streams(StreamPacker& packer, const st
   if (most_bytes && plans.size() > 1) {
     DELTAMESH_TRY(weights, natural_bytes(packer, plans, asked));
   }
+  if (!most_bytes) DELTAMESH_CHECK(packer.choose_lattices(plans, asked));
   double weight = std::accumulate(weights.begin(), weights.end(), 0.0);
   std::vector<PackedPrimitive> packed;
   for (std::size_t i = 0; i < plans.size(); ++i) {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
+#include <algorithm>
 #include <filesystem>
 #include <string>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 #include "base/guard.h"
 #include "base/try.h"
@@ -30,12 +33,62 @@ Result<GltfIo> file_io(const std::filesystem::path& in, const std::string& out, 
   return io;
 }
 
+struct NamedFile {
+  std::filesystem::path path;
+  std::vector<std::byte> bytes;
+};
+
+bool is_same_folder(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code ignored;
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(a).parent_path(), ignored) ==
+         std::filesystem::weakly_canonical(std::filesystem::absolute(b).parent_path(), ignored);
+}
+
+/// The files that have to be written so that relative URIs of an asset that was at `in` hold at `out`.
+/// `taken`: what is written besides.
+Result<std::vector<NamedFile>> files_to_copy(const std::vector<std::string>& uris,
+                                             const std::filesystem::path& in,
+                                             const std::filesystem::path& out,
+                                             const std::vector<std::filesystem::path>& taken) {
+  std::vector<NamedFile> files;
+  if (is_same_folder(in, out)) return files;
+  for (const std::string& uri : uris) {
+    const auto path = gltf::relative_path_of(uri);
+    if (!path)
+      return Error{
+          .code = ErrorCode::kInvalidFile,
+          .message = "the asset names a file outside its folder, which cannot go with it to another one"};
+    const auto source = read_file((in.parent_path() / *path).string());
+    if (!source)
+      return Error{.code = source.error().code,
+                   .message = "a file that the asset names, such as an image, cannot be read"};
+    const std::filesystem::path target = out.parent_path() / *path;
+    const auto there = read_file(target.string());
+    const bool is_taken = std::find(taken.begin(), taken.end(), target) != taken.end();
+    if (is_taken || (there && *there != *source))
+      return Error{
+          .code = ErrorCode::kFileWrite,
+          .message = "a file that the asset names, such as an image, would replace another one there"};
+    if (!there) files.push_back({target, *source});
+  }
+  return files;
+}
+
+Result<void> write_copy(const NamedFile& file) {
+  std::error_code failed;
+  std::filesystem::create_directories(file.path.parent_path(), failed);
+  return write_file(file.path.string(), file.bytes);
+}
+
 template <class Convert>
 Result<GltfReport> convert_file(const std::string& in, const std::string& out, Convert&& convert) {
   std::string buffer_path;
   DELTAMESH_TRY(const GltfIo io, file_io(in, out, buffer_path));
   DELTAMESH_TRY(const auto asset, read_file(in));
-  DELTAMESH_TRY(const GltfOutput output, convert(asset, io));
+  DELTAMESH_TRY(GltfOutput output, convert(asset, io));
+  DELTAMESH_TRY(const auto files, files_to_copy(output.uris, in, out, {out, buffer_path}));
+  for (const NamedFile& file : files) DELTAMESH_CHECK(write_copy(file));
+  output.report.copied_files = files.size();
   if (!output.buffer.empty()) DELTAMESH_CHECK(write_file(buffer_path, output.buffer));
   DELTAMESH_CHECK(write_file(out, output.asset));
   return output.report;

@@ -66,12 +66,15 @@ void count_stream(GltfReport& report, const StreamMesh& merged, const Encoded& e
 
 Result<StreamPacker::Coded> StreamPacker::code(const StreamPlan& plan, const EncodeOptions& wanted) const {
   const std::size_t first = sources_[plan.primitives.front()].number;
-  const EncodeOptions asked = plan.exact_positions ? lossless_options(wanted) : wanted;
+  const auto lattice = plan.lattice ? lattice_steps_.find(*plan.lattice) : lattice_steps_.end();
+  const bool exact = lattice != lattice_steps_.end() && lattice->second == 0;
+  const EncodeOptions asked = exact ? lossless_options(wanted) : wanted;
   const bool keep_order = asked.keep_order || plan.exact_order;
   Coded coded;
   DELTAMESH_TRY(coded.merged, merge_primitives(store_, sources_, plan, merge_options(asked, plan)));
   auto options = stream_options(asked, coded.merged);
   if (!options) return primitive_error(options.error(), first);
+  if (lattice != lattice_steps_.end() && !exact) *options = lattice_options(*options, lattice->second);
   options->keep_order = keep_order;
   options->keep_unreferenced = true;  // merge_primitives() has chosen
   auto encoded = encode(coded.merged.mesh, *options);
@@ -85,9 +88,61 @@ Result<std::uint64_t> StreamPacker::measure(const StreamPlan& plan, const Encode
   return std::uint64_t{coded.encoded.bytes.size()};
 }
 
+Result<void> StreamPacker::choose_lattices(const std::vector<StreamPlan>& plans, const EncodeOptions& asked) {
+  if (asked.lossless) return {};
+  for (const StreamPlan& plan : plans) {
+    if (!plan.lattice) continue;
+    const std::size_t first = sources_[plan.primitives.front()].number;
+    DELTAMESH_TRY(const StreamMesh merged,
+                  merge_primitives(store_, sources_, plan, merge_options(asked, plan)));
+    const auto options = stream_options(asked, merged);
+    if (!options) return primitive_error(options.error(), first);
+    const auto step = lattice_step(*options, merged.mesh);
+    if (!step) return primitive_error(step.error(), first);
+    double& finest = lattice_steps_.try_emplace(*plan.lattice, *step).first->second;
+    finest = std::min(finest, *step);
+  }
+  return {};
+}
+
+/// Counted are bytes in buffers and the JSON that primitives grow by, about.
+Result<bool> StreamPacker::pays(const StreamPlan& plan, std::uint64_t stream_bytes) const {
+  constexpr std::uint64_t kExtensionText = 64;
+  constexpr std::uint64_t kAttributeText = 6;  // and the name
+  constexpr std::uint64_t kViewText = 50;      // of buffer views that go
+  std::set<const std::byte*> places;
+  std::uint64_t plain = 0;
+  std::uint64_t packed = stream_bytes + kViewText;
+  const auto add = [&](std::size_t accessor) -> Result<void> {
+    const AccessorRows& rows = store_.rows(accessor);
+    if (edits_.is_taken(accessor) || rows.shape().count == 0 || !places.insert(rows.row(0).data()).second)
+      return {};
+    DELTAMESH_TRY(const std::uint64_t bytes, stored_bytes(document_, accessor));
+    plain += bytes + kViewText;
+    return {};
+  };
+  for (const std::size_t primitive : plan.primitives) {
+    const PrimitiveSource& source = sources_[primitive];
+    DELTAMESH_CHECK(add(source.position));
+    if (source.indices) DELTAMESH_CHECK(add(*source.indices));
+    packed += kExtensionText;
+    for (const SourceAttribute& attribute : source.attributes) {
+      DELTAMESH_CHECK(add(attribute.accessor));
+      packed += kAttributeText + attribute.semantic.name.size();
+    }
+  }
+  return packed < plain;
+}
+
 Result<std::vector<PackedPrimitive>> StreamPacker::pack(const StreamPlan& plan, const EncodeOptions& asked,
                                                         GltfReport& report) {
   DELTAMESH_TRY(Coded coded, code(plan, asked));
+  DELTAMESH_TRY(const bool worthwhile, pays(plan, coded.encoded.bytes.size()));
+  if (!options_.fallback && !worthwhile) {
+    report.not_smaller += plan.primitives.size();
+    report.converted -= plan.primitives.size();
+    return std::vector<PackedPrimitive>();
+  }
   DELTAMESH_TRY(const Mesh decoded, decode(coded.encoded.bytes));
   DELTAMESH_ENSURE(decoded.attributes.size() == coded.merged.attributes.size());
   count_stream(report, coded.merged, coded.encoded);

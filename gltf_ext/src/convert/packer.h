@@ -4,6 +4,7 @@
 // Codes the streams of an asset, and says what its primitives refer to then.
 #pragma once
 
+#include <map>
 #include <set>
 #include <vector>
 
@@ -25,7 +26,12 @@ class StreamPacker {
         options_(options),
         edits_(document.json, std::move(kept)) {}
 
-  /// Codes one stream as `asked` and counts it in `report`; returns what the plan's primitives become.
+  /// Chooses the steps of the lattices that streams share, so that all of them are as `asked`. Errors: as
+  /// pack_gltf().
+  Result<void> choose_lattices(const std::vector<StreamPlan>& plans, const EncodeOptions& asked);
+
+  /// Codes one stream as `asked` and counts it in `report`; returns what the plan's primitives become:
+  /// nothing where they stay as they are, as that takes fewer bytes.
   /// Errors: as pack_gltf().
   Result<std::vector<PackedPrimitive>> pack(const StreamPlan& plan, const EncodeOptions& asked,
                                             GltfReport& report);
@@ -41,6 +47,8 @@ class StreamPacker {
     StreamMesh merged;
     Encoded encoded;
   };
+  /// Whether the asset gets smaller by the stream.
+  Result<bool> pays(const StreamPlan& plan, std::uint64_t stream_bytes) const;
   Result<Coded> code(const StreamPlan& plan, const EncodeOptions& asked) const;
   std::vector<PackedPrimitive> describe(const StreamPlan& plan, const StreamMesh& merged,
                                         const Mesh& decoded);
@@ -51,6 +59,7 @@ class StreamPacker {
   const std::vector<PrimitiveSource>& sources_;
   const GltfPackOptions& options_;
   AccessorEdits edits_;
+  std::map<std::size_t, double> lattice_steps_;  ///< by lattice; 0: positions are exact
 };
 
 }  // namespace deltamesh::gltf

@@ -101,6 +101,7 @@ Result<EncodeOptions> stream_options(const EncodeOptions& asked, const StreamMes
     named.push_back({"d" + name, named_bound(quality, name).value_or(otherwise)});
   };
   if (options.lossless) return options;
+  options.attributes.uv_error /= stream.uv_scale;
   if (has("POSITION")) {
     double error = 0;
     if (!named_bound(quality, "POSITION")) {
@@ -117,6 +118,34 @@ Result<EncodeOptions> stream_options(const EncodeOptions& asked, const StreamMes
         bound && is_displacement(attribute, attribute.semantic.name))
       bound_displacement(attribute.semantic.name, *bound);
   return options;
+}
+
+Result<double> lattice_step(const EncodeOptions& options, const Mesh& mesh) {
+  constexpr double kMostSteps = 1U << 27;  // along a side, well within what a lattice can have
+  EncodeOptions trial = options;
+  trial.geometry = GeometryCoder::kPredictive;
+  trial.anchors.reset();
+  trial.anchor_density.reset();
+  // A bound on distances says nothing of what is seen: the lattice that keeps it has to be found.
+  if (trial.quality.vde) trial.quality.max_error.reset();
+  if (trial.quality.vde) trial.quality.lfe.reset();
+  DELTAMESH_TRY(double error, position_error(trial, mesh));
+  if (options.quality.vde && (options.quality.max_error || options.quality.lfe)) {
+    trial.quality = options.quality;
+    trial.quality.vde.reset();
+    DELTAMESH_TRY(const double other, position_error(trial, mesh));
+    error = std::min(error, other);
+  }
+  const double step = 2 * kComponentShare * error;
+  return step * kMostSteps < Box::around(places(mesh)).longest_side() ? 0 : step;
+}
+
+EncodeOptions lattice_options(const EncodeOptions& options, double step) {
+  EncodeOptions on_lattice = lossless_options(options);
+  on_lattice.lossless = false;
+  on_lattice.geometry = GeometryCoder::kPredictive;
+  on_lattice.step = step;
+  return on_lattice;
 }
 
 EncodeOptions lossless_options(const EncodeOptions& asked) {

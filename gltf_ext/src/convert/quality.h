@@ -18,6 +18,14 @@ MergeOptions merge_options(const EncodeOptions& asked, const StreamPlan& plan) n
 /// encoding); of normals and tangents the angle's. Errors: as encode().
 Result<EncodeOptions> stream_options(const EncodeOptions& asked, const StreamMesh& stream);
 
+/// The step of a lattice on which positions are within what `options`, which are from stream_options(), ask:
+/// 0 where only exact ones are. Equal positions are at equal points of lattices of one step, whatever the
+/// stream. May take one encoding. Errors: as encode().
+Result<double> lattice_step(const EncodeOptions& options, const Mesh& mesh);
+
+/// `options` with positions on the lattice of this step, above 0, instead of a quality.
+EncodeOptions lattice_options(const EncodeOptions& options, double step);
+
 /// Positions and attributes to the last bit, and nothing else that contradicts this.
 EncodeOptions lossless_options(const EncodeOptions& asked);
 

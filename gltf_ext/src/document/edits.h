@@ -22,6 +22,8 @@ class AccessorEdits {
   AccessorEdits(Json& json, std::set<std::uint64_t> kept);
 
   const Json& original(std::size_t accessor) const { return (*json_)["accessors"][accessor]; }
+  /// Whether something else refers to the accessor, or an array has it already.
+  bool is_taken(std::size_t accessor) const { return taken_.count(accessor) != 0; }
   std::size_t replace(std::size_t accessor, Json described);
   std::size_t append(Json described);
   void apply();

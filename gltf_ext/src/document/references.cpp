@@ -35,9 +35,9 @@ void collect(const Json& root, std::set<std::uint64_t>& numbers) {
 
 }  // namespace
 
-std::set<std::uint64_t> numbers_in_unknown_extensions(Json& json) {
+std::set<std::uint64_t> numbers_in_unknown_extensions(const Json& json) {
   std::set<std::uint64_t> numbers;
-  for_each_object(json, [&](Json& object, std::string_view) {
+  for_each_object(json, [&](const Json& object, std::string_view) {
     const Json* extensions = find(object, "extensions");
     if (!extensions || !extensions->is_object()) return;
     for (auto item = extensions->begin(); item != extensions->end(); ++item)

@@ -13,7 +13,7 @@ namespace deltamesh::gltf {
 
 /// Every whole number inside an extension that is not harmless, except members named "bufferView" and extras.
 /// An accessor or buffer view with such a number must keep number and content: any of them may be meant.
-std::set<std::uint64_t> numbers_in_unknown_extensions(Json& json);
+std::set<std::uint64_t> numbers_in_unknown_extensions(const Json& json);
 
 /// Calls `visit(accessor number)`, a Json, for every reference to an accessor that core glTF makes outside
 /// primitives: inverse bind matrices and animation samplers.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Borders between streams of one mesh.
+// Borders between streams.
 #pragma once
 
 #include <vector>
@@ -10,9 +10,9 @@
 
 namespace deltamesh::gltf {
 
-/// Sets `exact_positions` of streams that have a position in common with another stream of the same mesh:
-/// coded apart, and with loss, they would come apart there. Meshes have several streams only where an exact
-/// order asks for it. Errors: as read_corners().
+/// Sets `lattice` of streams that have a position in common, to the bit, with another stream of the same mesh
+/// or of a mesh that a node with the same transform shows: coded with loss, each on its own, they would come
+/// apart there. Errors: as read_corners(), place_meshes().
 Result<void> mark_borders(const AccessorStore& store, const std::vector<PrimitiveSource>& sources,
                           std::vector<StreamPlan>& plans);
 

@@ -42,6 +42,8 @@ class Merger {
     for (std::size_t g = 0; g < plan_.groups.size(); ++g) add_group(g);
     split_rows(pool);
     fill_normals();
+    for (const std::size_t primitive : plan_.primitives)
+      result_.uv_scale = std::max(result_.uv_scale, sources_[primitive].uv_scale);
     result_.smallest_diagonal = smallest_diagonal_share(result_.mesh, corners_, sources_, plan_);
     return std::move(result_);
   }

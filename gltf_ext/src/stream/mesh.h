@@ -24,6 +24,7 @@ struct StreamMesh {
   std::uint64_t unreferenced_vertices = 0;  ///< left out
   std::uint64_t degenerate_triangles = 0;   ///< left out, for they draw nothing
   std::uint64_t welded_vertices = 0;        ///< left out, for they equal another in all that they have
+  double uv_scale = 1;                      ///< the largest of the primitives
   double smallest_diagonal = 1;             ///< see smallest_diagonal_share()
 };
 

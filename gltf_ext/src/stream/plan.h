@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "stream/source.h"
@@ -30,7 +31,9 @@ struct StreamPlan {
   std::vector<std::uint32_t> group_of;  ///< of every one of `primitives`: number in `groups`
   /// One vertex source, whose vertices keep their numbers, for something outside counts on them.
   bool exact_order = false;
-  bool exact_positions = false;  ///< see mark_borders()
+  /// Number of the lattice on which all streams that border on each other have their positions; see
+  /// mark_borders().
+  std::optional<std::size_t> lattice{};
 };
 
 /// Primitives of one mesh share a stream, so that vertices at equal places stay together whatever is coded

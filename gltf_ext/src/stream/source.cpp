@@ -2,6 +2,9 @@
 // Copyright 2026 The deltamesh authors
 #include "stream/source.h"
 
+#include <algorithm>
+#include <cmath>
+#include <string_view>
 #include <utility>
 
 #include "base/try.h"
@@ -25,6 +28,27 @@ bool has_unknown_extension(const Json& object) {
   for (auto item = extensions->begin(); item != extensions->end(); ++item)
     if (!is_harmless_extension(item.key())) return true;
   return false;
+}
+
+/// See PrimitiveSource::uv_scale. Materials are those that the primitive or an extension of it names.
+double uv_scale_of(const Json& json, const Json& primitive) {
+  double largest = 1;
+  const auto add_transform = [&](const Json& object, std::string_view key) {
+    const Json* scale = key == "KHR_texture_transform" ? find(object, "scale") : nullptr;
+    if (!scale || !scale->is_array()) return;
+    for (const Json& factor : *scale)
+      if (factor.is_number() && std::isfinite(factor.get<double>()))
+        largest = std::max(largest, std::fabs(factor.get<double>()));
+  };
+  for_each_object(primitive, [&](const Json& object, std::string_view key) {
+    const Json* material = key == "attributes" ? nullptr : find(object, "material");
+    const Error none{.code = ErrorCode::kInvalidFile};
+    if (!material) return;
+    const auto number = to_unsigned(*material, kNoLimit, none);
+    if (number && *number < array_size(json, "materials"))
+      for_each_object(json["materials"][static_cast<std::size_t>(*number)], add_transform);
+  });
+  return largest;
 }
 
 class SourceFinder {
@@ -55,6 +79,7 @@ class SourceFinder {
     }
     if (corners < 3) return leave(report_.not_triangles);
     source.exact_order = has_unknown_extension(primitive);
+    source.uv_scale = uv_scale_of(document_.json, primitive);
     DELTAMESH_TRY(const bool readable, add_attributes(primitive, shape->count, source));
     if (!readable) return leave(report_.otherwise_compressed);
     return std::optional(std::move(source));

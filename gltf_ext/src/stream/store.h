@@ -20,6 +20,8 @@ class AccessorStore {
   /// `document` must outlive the store, and its accessors not change.
   explicit AccessorStore(const Document& document) : document_(document) {}
 
+  const Document& document() const noexcept { return document_; }
+
   /// As read_accessor(); null for its nothing, and where a buffer view has an extension. The rows stay where
   /// they are as long as the store. Errors: kInvalidFile, kLimitExceeded (2^29 rows in all accessors, 1 GiB
   /// of sparse ones).

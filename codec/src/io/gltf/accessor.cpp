@@ -136,6 +136,20 @@ Result<std::optional<AccessorShape>> accessor_shape(const Document& document, st
                                      .count = count});
 }
 
+Result<std::uint64_t> stored_bytes(const Document& document, std::size_t accessor) {
+  DELTAMESH_TRY(const auto shape, accessor_shape(document, accessor));
+  if (!shape) return std::uint64_t{0};
+  const Json& json = document.json["accessors"][accessor];
+  std::uint64_t bytes = json.contains("bufferView") ? saturating_mul(shape->count, shape->row_size()) : 0;
+  if (const Json* sparse = find(json, "sparse")) {
+    constexpr std::uint64_t kIndexBytes = 4;
+    const Error bad = element_error("the accessor's sparse part is malformed", accessor);
+    DELTAMESH_TRY(const auto count, unsigned_member(*sparse, "count", 0, kNoLimit, bad));
+    bytes = saturating_add(bytes, saturating_mul(count, kIndexBytes + shape->row_size()));
+  }
+  return bytes;
+}
+
 Result<std::optional<ViewBytes>> view_bytes(const Document& document, std::uint64_t view) {
   if (view >= array_size(document.json, "bufferViews"))
     return element_error("a reference to a buffer view that does not exist", view);

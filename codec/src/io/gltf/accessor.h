@@ -40,6 +40,9 @@ int gltf_component_type(ComponentType type) noexcept;
 /// kInvalidFile.
 Result<std::optional<AccessorShape>> accessor_shape(const Document& document, std::size_t accessor);
 
+/// Bytes that the accessor has in buffers. Errors: kInvalidFile.
+Result<std::uint64_t> stored_bytes(const Document& document, std::size_t accessor);
+
 /// Bytes of a buffer view; `stride` 0: rows are packed.
 struct ViewBytes {
   std::span<const std::byte> bytes;

@@ -54,9 +54,9 @@ Result<std::uint64_t> unsigned_member(const Json& object, const char* key, std::
 /// Calls `visit(object, key)` for every object inside `root`, root included, but for those below a member
 /// "extras", which is the application's. `key` is the member that the object is, or is in the array of; empty
 /// for root. No recursion; `visit` may change members, not add or remove objects below.
-template <class Visit>
-void for_each_object(Json& root, Visit&& visit) {
-  std::vector<std::pair<Json*, std::string_view>> pending{{&root, {}}};
+template <class JsonType, class Visit>
+void for_each_object(JsonType& root, Visit&& visit) {
+  std::vector<std::pair<JsonType*, std::string_view>> pending{{&root, {}}};
   while (!pending.empty()) {
     const auto [value, key] = pending.back();
     pending.pop_back();
