@@ -3,15 +3,17 @@
 #include "asset/gltf_meshes.h"
 
 #include <cstring>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
 
-#include "accessor.h"
 #include "base/try.h"
-#include "compact.h"
-#include "document.h"
-#include "structure.h"
+#include "document/compact.h"
+#include "document/save.h"
+#include "io/gltf/accessor.h"
+#include "io/gltf/structure.h"
+#include "io/gltf/triangles.h"
 #include "support/vertex_picker.h"
 
 namespace deltamesh::bench {
@@ -19,8 +21,6 @@ namespace {
 
 using gltf::Document;
 using gltf::Json;
-
-constexpr std::uint64_t kTriangleList = 4;
 
 Error invalid_asset(const char* message) { return {.code = ErrorCode::kInvalidFile, .message = message}; }
 
@@ -46,7 +46,7 @@ Json without_looks(const Json& mesh, bool) {
 /// A GLB that shows `mesh` alone.
 Result<std::vector<std::byte>> single_mesh_asset(std::span<const std::byte> bytes, const GltfIo& io,
                                                  const Json& mesh) {
-  DELTAMESH_TRY(Document document, gltf::load_document(bytes, io));
+  DELTAMESH_TRY(Document document, gltf::load_document(bytes, io.resolve));
   Json& json = document.json;
   for (const char* key : {"materials", "textures", "images", "samplers", "skins", "animations", "cameras",
                           "extensions", "extensionsUsed", "extensionsRequired"})
@@ -71,34 +71,23 @@ Result<std::vector<std::byte>> dense_rows(const gltf::AccessorRows& rows) {
   return dense;
 }
 
-Result<std::vector<std::uint32_t>> read_corners(const Document& document, const Json& primitive,
-                                                std::uint64_t vertices) {
-  std::vector<std::uint32_t> corners;
-  const Json* indices = gltf::find(primitive, "indices");
-  if (indices == nullptr) {
-    for (std::uint32_t i = 0; i < vertices / 3 * 3; ++i) corners.push_back(i);
-    return corners;
-  }
-  DELTAMESH_TRY(const auto rows, gltf::read_accessor(document, indices->get<std::size_t>(), 0));
-  if (!rows) return invalid_asset("indices are not plain");
-  for (std::uint64_t i = 0; i < rows->shape().count / 3 * 3; ++i) {
-    corners.push_back(gltf::read_index(rows->row(i)));
-    if (corners.back() >= vertices) return invalid_asset("a vertex index beyond the primitive's vertices");
-  }
-  return corners;
-}
-
 /// Whether the primitive was read; false where it is no list of triangles with float positions.
 Result<bool> read_primitive(const Document& document, const Json& primitive, Primitive& result) {
-  const Json* position = gltf::find(primitive["attributes"], "POSITION");
-  if (primitive.value("mode", kTriangleList) != kTriangleList || position == nullptr) return false;
-  DELTAMESH_TRY(const auto rows, gltf::read_accessor(document, position->get<std::size_t>(), 0));
+  DELTAMESH_TRY(const auto triangles, gltf::triangle_primitive(primitive, 0));
+  if (!triangles || triangles->mode != gltf::TriangleMode::kList) return false;
+  DELTAMESH_TRY(const auto rows, gltf::read_accessor(document, triangles->position, 0));
   if (!rows || rows->shape().type != ComponentType::kF32 || rows->shape().components != 3) return false;
   Mesh mesh;
   DELTAMESH_TRY(const auto positions, dense_rows(*rows));
   mesh.positions.resize(positions.size() / sizeof(float));
   std::memcpy(mesh.positions.data(), positions.data(), positions.size());
-  DELTAMESH_TRY(mesh.triangles, read_corners(document, primitive, mesh.vertex_count()));
+  std::optional<gltf::AccessorRows> indices;
+  if (triangles->indices) {
+    DELTAMESH_TRY(indices, gltf::read_accessor(document, *triangles->indices, 0));
+    if (!indices) return invalid_asset("indices are not plain");
+  }
+  DELTAMESH_TRY(mesh.triangles,
+                gltf::triangle_corners(*triangles, mesh.vertex_count(), indices ? &*indices : nullptr));
   if (mesh.triangles.empty()) return false;
   for (const auto& [semantic, accessor] : primitive["attributes"].items()) {
     if (semantic == "POSITION") continue;
@@ -121,25 +110,12 @@ Result<bool> read_primitive(const Document& document, const Json& primitive, Pri
   return true;
 }
 
-/// Bytes that an accessor has in buffers; 0 for one that is in a stream.
-Result<std::uint64_t> plain_bytes(const Document& document, std::size_t accessor) {
-  DELTAMESH_TRY(const auto shape, gltf::accessor_shape(document, accessor));
-  if (!shape) return std::uint64_t{0};
-  const Json& json = document.json["accessors"][accessor];
-  std::uint64_t bytes = json.contains("bufferView") ? shape->count * shape->row_size() : 0;
-  if (const Json* sparse = gltf::find(json, "sparse")) {
-    constexpr std::uint64_t kIndexBytes = 4;
-    bytes += (*sparse)["count"].get<std::uint64_t>() * (kIndexBytes + shape->row_size());
-  }
-  return bytes;
-}
-
-/// Adds each accessor of `numbers` that is not known yet. Errors: plain_bytes()'s.
+/// Adds each accessor of `numbers` that is not known yet. Errors: stored_bytes()'s.
 Result<void> add_plain(const Document& document, const Json& numbers, std::set<std::size_t>& known,
                        std::uint64_t& bytes) {
   for (const Json& accessor : numbers) {
     if (!known.insert(accessor.get<std::size_t>()).second) continue;
-    DELTAMESH_TRY(const std::uint64_t plain, plain_bytes(document, accessor.get<std::size_t>()));
+    DELTAMESH_TRY(const std::uint64_t plain, gltf::stored_bytes(document, accessor.get<std::size_t>()));
     bytes += plain;
   }
   return {};
@@ -157,7 +133,7 @@ Result<std::uint64_t> morph_bytes(const Document& document, const Json& mesh) {
 }  // namespace
 
 Result<Asset> meshes_of_asset(std::span<const std::byte> bytes, const GltfIo& io) {
-  DELTAMESH_TRY(const Document document, gltf::load_document(bytes, io));
+  DELTAMESH_TRY(const Document document, gltf::load_document(bytes, io.resolve));
   Asset asset;
   std::set<std::string> known;
   if (gltf::array_size(document.json, "meshes") == 0) return asset;

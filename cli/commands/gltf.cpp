@@ -51,7 +51,8 @@ void print_summary(const GltfArguments& arguments, const char* converted, const 
   if (left > 0)
     summary.add("left as is", grouped(report.not_triangles) + " without a triangle list, " +
                                   grouped(report.not_float_positions) + " with quantised positions, " +
-                                  grouped(report.otherwise_compressed) + " otherwise compressed");
+                                  grouped(report.otherwise_compressed) + " otherwise compressed, " +
+                                  grouped(report.not_smaller) + " that packing would not make smaller");
   summary.add("vertices", grouped(report.vertices));
   summary.add("triangles", grouped(report.triangles));
   if (report.unreferenced_vertices > 0)
@@ -73,6 +74,10 @@ void print_summary(const GltfArguments& arguments, const char* converted, const 
     summary.add("max error", brief(report.max_error) + " (" + brief(report.max_error_percent) +
                                  " % of the diagonal of its mesh)");
   summary.add("asset", grouped(report.input_bytes) + " -> " + counted(report.output_bytes, "byte", "bytes"));
+  if (report.copied_files > 0)
+    summary.add("copied", counted(report.copied_files, "file", "files") + " that the asset names");
+  if (report.missing_files > 0)
+    summary.add("missing", counted(report.missing_files, "file", "files") + " that the asset names");
   summary.print();
 }
 
@@ -85,6 +90,7 @@ void print_object(const GltfReport& report, bool packed) {
   object["not_triangles"] = report.not_triangles;
   object["not_float_positions"] = report.not_float_positions;
   object["otherwise_compressed"] = report.otherwise_compressed;
+  object["not_smaller"] = report.not_smaller;
   object["vertices"] = report.vertices;
   object["triangles"] = report.triangles;
   object["unreferenced_vertices"] = report.unreferenced_vertices;
@@ -93,6 +99,8 @@ void print_object(const GltfReport& report, bool packed) {
   object["stream_bytes"] = report.stream_bytes;
   object["input_bytes"] = report.input_bytes;
   object["output_bytes"] = report.output_bytes;
+  object["copied_files"] = report.copied_files;
+  object["missing_files"] = report.missing_files;
   if (packed) {
     object["dropped_lengths"] = report.dropped_lengths;
     object["max_error"] = report.max_error;
@@ -142,12 +150,17 @@ int run_pack(const GltfArguments& arguments) {
     return fail("gltf pack", valid.error());
   const Result<GltfReport> report = pack_showing_progress(arguments);
   if (report) note_unused_bounds(arguments, *report);
+  if (report && report->converted == 0 && report->not_smaller > 0)
+    print_error("gltf pack", "note: packing does not pay for this asset, which stays as it is");
   return report_result(arguments, "compressed", report);
 }
 
 void add_paths(CLI::App& command, GltfArguments& arguments) {
   command.add_option("IN", arguments.in, "asset, .glb or .gltf")->required();
-  command.add_option("OUT", arguments.out, "asset to write, .glb or .gltf (with a .bin beside it)")
+  command
+      .add_option("OUT", arguments.out,
+                  "asset to write, .glb or .gltf (with a .bin beside it); images and the like are copied to "
+                  "its folder")
       ->required();
   command.add_flag("--json", arguments.json, "print one JSON object to standard output");
 }

@@ -6,9 +6,9 @@
 
 #include <string>
 
-#include "compact.h"
-#include "document.h"
-#include "references.h"
+#include "document/compact.h"
+#include "document/references.h"
+#include "io/gltf/document.h"
 #include "support/gltf_asset.h"
 
 namespace deltamesh::gltf {

@@ -6,12 +6,12 @@
 
 #include <string>
 
-#include "document.h"
-#include "glb.h"
-#include "io/gltf_uri.h"
-#include "json.h"
+#include "document/references.h"
+#include "io/gltf/document.h"
+#include "io/gltf/glb.h"
+#include "io/gltf/json.h"
+#include "io/gltf/uri.h"
 #include "support/gltf_asset.h"
-#include "uri.h"
 
 namespace deltamesh::gltf {
 namespace {
@@ -91,7 +91,7 @@ TEST(Glb, RoundTripsWithUnknownChunks) {
   EXPECT_TRUE(std::equal(extra.begin(), extra.end(), glb->others[0].bytes.begin()));
 }
 
-TEST(Glb, EveryPrefixAndOneByteMoreFail) {
+TEST(Glb, EveryPrefixFailsAndBytesBehindTheEndAreLeftAlone) {
   GltfBuilder builder;
   builder.sheet_mesh(test::make_sheet(3));
   const Bytes file = builder.glb();
@@ -102,7 +102,9 @@ TEST(Glb, EveryPrefixAndOneByteMoreFail) {
   }
   Bytes longer = file;
   longer.push_back(std::byte{0});
-  EXPECT_FALSE(parse_glb(longer));
+  const auto glb = parse_glb(longer);
+  ASSERT_TRUE(glb);
+  EXPECT_TRUE(glb->others.empty());
 }
 
 TEST(Glb, RefusesOtherVersionsAndOrders) {
@@ -133,7 +135,7 @@ TEST(Document, RefusesMalformedStructure) {
                            R"("buffers":[{"byteLength":1,"uri":7}]})",
                            R"("buffers":[{"byteLength":1,"uri":"../x.bin"}]})",
                            R"("meshes":[{}]})",
-                           R"("meshes":[{"primitives":[]}]})",
+                           R"("nodes":[1]})",
                            R"("meshes":[{"primitives":{}}]})",
                            R"("meshes":[{"primitives":[{}]}]})",
                            R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}]})",
@@ -142,15 +144,21 @@ TEST(Document, RefusesMalformedStructure) {
                            R"("meshes":[{"primitives":[{"attributes":{},"targets":[1]}]}]})",
                            R"("meshes":[{"primitives":[{"attributes":{},"targets":[{"POSITION":5}]}]}]})",
                            R"("meshes":[{"primitives":[{"attributes":{},"extensions":[]}]}]})",
-                           R"("skins":[{"inverseBindMatrices":3}]})",
-                           R"("animations":[{"samplers":[{"input":0}]}]})",
-                           R"("animations":[{"samplers":[1]}]})",
                            R"("extensionsUsed":{}})",
                            R"("extensionsUsed":[1]})"}) {
     EXPECT_EQ(load_error(asset + rest).code, ErrorCode::kInvalidFile) << rest;
   }
   for (const char* text : {"[]", "{}", R"({"asset":{"version":"1.0"}})", R"({"asset":{"version":2}})", "7"})
     EXPECT_EQ(load_error(text).code, ErrorCode::kInvalidFile) << text;
+}
+
+TEST(References, RefusesMalformedSkinsAndAnimations) {
+  for (const char* text :
+       {R"({"skins":[{"inverseBindMatrices":3}]})", R"({"skins":"none"})",
+        R"({"animations":[{"samplers":[{"input":0}]}]})", R"({"animations":[{"samplers":[1]}]})"})
+    EXPECT_FALSE(check_other_accessors(Json::parse(text))) << text;
+  EXPECT_TRUE(
+      check_other_accessors(Json::parse(R"({"skins":[{"inverseBindMatrices":0}],"accessors":[{}]})")));
 }
 
 TEST(Document, AsksForExternalBuffersOnce) {
@@ -160,26 +168,25 @@ TEST(Document, AsksForExternalBuffersOnce) {
   EXPECT_EQ(load_document(text, {}).error().code, ErrorCode::kFileOpen);
 
   std::vector<std::string> asked;
-  GltfIo io;
-  io.resolve = [&](std::string_view uri) -> Result<std::vector<std::byte>> {
+  Resolver resolve = [&](std::string_view uri) -> Result<std::vector<std::byte>> {
     asked.emplace_back(uri);
     return builder.bin;
   };
-  const auto document = load_document(text, io);
+  const auto document = load_document(text, resolve);
   ASSERT_TRUE(document);
   EXPECT_EQ(asked, std::vector<std::string>{"my buffer.bin"});
   EXPECT_EQ(document->input_bytes, text.size() + builder.bin.size());
 
   const std::string twice = R"({"asset":{"version":"2.0"},"buffers":[{"uri":"a.bin","byteLength":2},)"
                             R"({"uri":"a.bin","byteLength":3}]})";
-  const auto shared = load_document(std::as_bytes(std::span(twice)), io);
+  const auto shared = load_document(std::as_bytes(std::span(twice)), resolve);
   ASSERT_TRUE(shared);
   EXPECT_EQ(asked, (std::vector<std::string>{"my buffer.bin", "a.bin"}));
   EXPECT_EQ(shared->buffers[1].bytes.data(), shared->buffers[0].bytes.data());
   EXPECT_EQ(shared->buffers[1].bytes.size(), 3U);
 
-  io.resolve = [](std::string_view) -> Result<std::vector<std::byte>> { return Bytes(3); };
-  EXPECT_EQ(load_document(text, io).error().code, ErrorCode::kInvalidFile);
+  resolve = [](std::string_view) -> Result<std::vector<std::byte>> { return Bytes(3); };
+  EXPECT_EQ(load_document(text, resolve).error().code, ErrorCode::kInvalidFile);
 }
 
 }  // namespace

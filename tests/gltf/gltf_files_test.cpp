@@ -113,5 +113,78 @@ TEST_F(GltfFiles, CorpusAssetsComeBackWithTheSameCounts) {
   }
 }
 
+/// An asset beside which the image "textures/my image.png" lies.
+class GltfImages : public GltfFiles {
+ protected:
+  void SetUp() override {
+    GltfFiles::SetUp();
+    std::filesystem::create_directories(folder_ / "in/textures");
+    ASSERT_TRUE(write_file(path("in/textures/my image.png"), test::bytes_of(std::string("pixels"))));
+    write_asset("textures/my%20image.png");
+  }
+  void write_asset(const std::string& uri) {
+    GltfBuilder builder;
+    builder.sheet_mesh(make_sheet(8));
+    builder.push("images", {{"uri", uri}});
+    builder.push("images", {{"uri", "data:image/png;base64,AA=="}});
+    builder.push("images", {{"uri", "https://example.org/a.png"}});
+    ASSERT_TRUE(write_file(path("in/a.glb"), builder.glb()));
+  }
+  Result<GltfReport> pack_to(const std::string& out) const {
+    return pack_gltf_file(path("in/a.glb"), path(out));
+  }
+  std::string text_at(const std::string& name) const {
+    const auto bytes = read_file(path(name));
+    return bytes ? std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size()) : "none";
+  }
+};
+
+TEST_F(GltfImages, GoWithTheAssetToAnotherFolder) {
+  std::filesystem::create_directories(folder_ / "out");
+  const auto packed = pack_to("out/b.glb");
+  ASSERT_TRUE(packed) << describe(packed.error());
+  EXPECT_EQ(packed->copied_files, 1U);
+  EXPECT_EQ(text_at("out/textures/my image.png"), "pixels");
+  const auto again = pack_to("out/c.gltf");  // it is there already
+  ASSERT_TRUE(again) << describe(again.error());
+  EXPECT_EQ(again->copied_files, 0U);
+  std::filesystem::create_directories(folder_ / "plain");
+  const auto unpacked = unpack_gltf_file(path("out/c.gltf"), path("plain/d.glb"));
+  ASSERT_TRUE(unpacked) << describe(unpacked.error());
+  EXPECT_EQ(text_at("plain/textures/my image.png"), "pixels");
+}
+
+TEST_F(GltfImages, AreNeitherCopiedNorAskedForInTheSameFolder) {
+  std::filesystem::remove(path("in/textures/my image.png"));
+  const auto packed = pack_to("in/../in/b.glb");
+  ASSERT_TRUE(packed) << describe(packed.error());
+  EXPECT_EQ(packed->copied_files, 0U);
+}
+
+TEST_F(GltfImages, ThatCannotGoWithTheAssetAreErrors) {
+  std::filesystem::create_directories(folder_ / "out/textures");
+  const auto expect_refused = [&](ErrorCode code) {
+    const auto packed = pack_to("out/b.glb");
+    ASSERT_FALSE(packed);
+    EXPECT_EQ(packed.error().code, code) << packed.error().message;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "out/b.glb"));
+  };
+  ASSERT_TRUE(write_file(path("out/textures/my image.png"), test::bytes_of(std::string("others"))));
+  expect_refused(ErrorCode::kFileWrite);
+  EXPECT_EQ(text_at("out/textures/my image.png"), "others");
+  std::filesystem::remove(path("out/textures/my image.png"));
+  std::filesystem::remove(path("in/textures/my image.png"));
+  const auto missing = pack_to("c.glb");  // a link that was broken before
+  ASSERT_TRUE(missing) << describe(missing.error());
+  EXPECT_EQ(missing->missing_files, 1U);
+  EXPECT_EQ(missing->copied_files, 0U);
+  ASSERT_TRUE(write_file(path("b.png"), test::bytes_of(std::string("pixels"))));
+  write_asset("../b.png");
+  expect_refused(ErrorCode::kInvalidFile);
+  ASSERT_TRUE(write_file(path("in/b.glb"), test::bytes_of(std::string("pixels"))));
+  write_asset("b.glb");  // the name of the result
+  expect_refused(ErrorCode::kFileWrite);
+}
+
 }  // namespace
 }  // namespace deltamesh::gltf_files_test

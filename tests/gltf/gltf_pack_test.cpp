@@ -259,7 +259,7 @@ TEST(GltfPack, TinyMeshesWork) {
   const std::size_t point = builder.floats({2, 2, 2, 2, 2, 2, 2, 2, 2}, 3, true);  // a degenerate triangle
   builder.push("meshes", {{"primitives", Json::array({Json{{"attributes", {{"POSITION", triangle}}}},
                                                       Json{{"attributes", {{"POSITION", point}}}}})}});
-  const GltfOutput packed = pack_ok(builder.glb());
+  const GltfOutput packed = pack_ok(builder.glb(), with_fallback());
   EXPECT_EQ(packed.report.converted, 2U);
   const OpenedGlb plain(unpack_ok(packed.asset).asset);
   EXPECT_NEAR(signed_area(plain, plain.primitive(0, 0)), 1.0, 1e-2);
@@ -273,12 +273,12 @@ TEST(GltfPack, UnreferencedVerticesAreDroppedUnlessAskedFor) {
   const std::size_t position = builder.floats({9, 9, 9, 0, 0, 0, 1, 0, 0, 0, 1, 0, 8, 8, 8}, 3, true);
   builder.push("meshes", {{"primitives", Json::array({Json{{"attributes", {{"POSITION", position}}},
                                                            {"indices", builder.indices({1, 2, 3})}}})}});
-  const GltfOutput packed = pack_ok(builder.glb());
+  const GltfOutput packed = pack_ok(builder.glb(), with_fallback());
   EXPECT_EQ(packed.report.unreferenced_vertices, 2U);
   EXPECT_EQ(packed.report.vertices, 3U);
   EXPECT_EQ(packed.report.welded_vertices, 0U);
   EXPECT_EQ(OpenedGlb(packed.asset).json["accessors"][position]["count"], 3);
-  GltfPackOptions options;
+  GltfPackOptions options = with_fallback();
   options.encode.keep_unreferenced = true;
   EXPECT_EQ(pack_ok(builder.glb(), options).report.vertices, 5U);
 }

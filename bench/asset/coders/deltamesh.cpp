@@ -8,10 +8,10 @@
 
 #include "asset/gltf_meshes.h"
 #include "base/try.h"
+#include "convert/quality.h"
 #include "deltamesh/decode.h"
 #include "deltamesh/gltf.h"
-#include "stream_plan.h"
-#include "stream_quality.h"
+#include "stream/plan.h"
 #include "support/errors.h"
 
 namespace deltamesh::bench {

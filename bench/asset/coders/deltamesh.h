@@ -10,7 +10,7 @@
 #include "asset/source.h"
 #include "deltamesh/encode.h"
 #include "deltamesh/result.h"
-#include "stream_mesh.h"
+#include "stream/mesh.h"
 
 namespace deltamesh::bench {
 

@@ -77,8 +77,8 @@ struct Imported {
 
 /// Reads a mesh from bytes; for kGltf external buffers are resolved against `folder` (never outside it).
 /// Vertices that are not finite are dropped where no face uses them. Coordinates that do not fit float32 keep
-/// their precision through Mesh::origin. Errors: kInvalidFile with line or byte, kFileOpen and kFileRead
-/// (external buffers), kOutOfMemory.
+/// their precision through Mesh::origin. Errors: kInvalidFile with line, byte or element, kLimitExceeded
+/// (glTF: JSON nested deeper than 128), kFileOpen and kFileRead (external buffers), kOutOfMemory.
 Result<Imported> read_mesh(std::span<const std::byte> bytes, FileFormat format, std::string_view folder = {},
                            const ReadOptions& options = {}) noexcept;
 

@@ -4,6 +4,7 @@
 // The border between internals, whose containers may throw, and the public interface, which does not.
 #pragma once
 
+#include <exception>
 #include <new>
 #include <stdexcept>
 
@@ -11,13 +12,16 @@
 
 namespace deltamesh {
 
-/// Calls `body` and turns a failed allocation into kOutOfMemory with `message`.
+/// Calls `body` and turns a failed allocation into kOutOfMemory with `message`, and whatever else a library
+/// below may throw into kInternal.
 template <class Body>
 auto guarded(Body&& body, const char* message = "out of memory") noexcept -> decltype(body()) {
   try {
     return body();
   } catch (const std::bad_alloc&) {
   } catch (const std::length_error&) {
+  } catch (const std::exception&) {
+    return Error{.code = ErrorCode::kInternal, .message = "an exception that should not be"};
   }
   return Error{.code = ErrorCode::kOutOfMemory, .message = message};
 }

@@ -20,7 +20,8 @@ inline void fuzz_import(const std::uint8_t* data, std::size_t size, FileFormat f
   };
   const auto imported = read_mesh({reinterpret_cast<const std::byte*>(data), size}, format);
   if (!imported) {
-    require(imported.error().code == ErrorCode::kInvalidFile);
+    require(imported.error().code == ErrorCode::kInvalidFile ||
+            imported.error().code == ErrorCode::kLimitExceeded);
     return;
   }
   const Mesh& mesh = imported->mesh;

@@ -40,7 +40,10 @@ struct GltfPackOptions {
   /// For every mesh; percentages count in its own diagonal. Bounds by name are by semantic ("_HEAT"); those
   /// of POSITION, NORMAL and TANGENT hold for the displacements of morph targets, which get the bounds on
   /// positions, normals (as lengths of the displacement, 1 for 57 degrees) and tangents where none is named.
-  /// `progress` tells of the whole asset.
+  /// `progress` tells of the whole asset. The bound on texture coordinates counts behind
+  /// KHR_texture_transform. Streams that have positions in common, to the bit, in meshes whose nodes have the
+  /// same transform, have them in common decoded too: all get the predictive coder, on a lattice that keeps
+  /// the finest bound of theirs; not with `target_bytes`, where meshes may come apart.
   EncodeOptions encode;
   bool fallback = false;  ///< keep plain accessors, holding what the streams decode to, beside the streams
 };
@@ -68,6 +71,7 @@ struct GltfReport {
   std::uint64_t not_float_positions = 0;  ///< left as they are: positions of a type that glTF does not have
   std::uint64_t otherwise_compressed =
       0;  ///< left as they are: their data is in another extension's or already in this extension's streams
+  std::uint64_t not_smaller = 0;            ///< left as they are: packed, they would take more bytes
   std::uint64_t vertices = 0;               ///< in the streams
   std::uint64_t triangles = 0;              ///< in the streams
   std::uint64_t unreferenced_vertices = 0;  ///< of converted primitives, dropped because no face uses them
@@ -79,6 +83,9 @@ struct GltfReport {
   std::uint64_t stream_bytes = 0;
   std::uint64_t input_bytes = 0;   ///< asset and external buffers
   std::uint64_t output_bytes = 0;  ///< asset and external buffer
+  // Only of pack_gltf_file() and unpack_gltf_file(), of what else the asset names, such as images:
+  std::uint64_t copied_files = 0;
+  std::uint64_t missing_files = 0;  ///< not there to be copied
   // Only of packing:
   double max_error = 0;          ///< largest distance of a vertex from its original, model units of its mesh
   double max_error_percent = 0;  ///< the same in percent of the diagonal of its mesh
@@ -89,12 +96,14 @@ struct GltfReport {
 struct GltfOutput {
   std::vector<std::byte> asset;   ///< the .glb or .gltf file
   std::vector<std::byte> buffer;  ///< what belongs at GltfIo::buffer_uri; empty unless that is used
+  std::vector<std::string> uris;  ///< relative ones of what else the asset names, such as images
   GltfReport report;
 };
 
 /// Compresses every primitive of triangles of `asset` (GLB or JSON, recognised by content), one stream for
 /// each mesh; everything else stays as it is, apart from numbers of accessors and buffer views and places in
-/// the buffer, and all buffers become one; GLB chunks that glTF does not define are kept where the result is
+/// the buffer, and all buffers become one. Primitives whose stream would not save bytes stay plain, unless
+/// there is a fallback; GLB chunks that glTF does not define are kept where the result is
 /// a GLB. Positions of integers (KHR_mesh_quantization) become floats of the same value; integers of other
 /// attributes stay what they are. Triangles of converted primitives may change order, vertices that are equal
 /// in all attributes become one unless order or unreferenced vertices are kept, and without `fallback` only a
@@ -112,8 +121,10 @@ Result<GltfOutput> unpack_gltf(std::span<const std::byte> asset, const DecodeOpt
                                const GltfIo& io = {}) noexcept;
 
 /// The same from file to file. Suffix of `out`: .glb, or .gltf, which gets its buffer in a .bin file of the
-/// same name beside it. Files that the asset names, such as images, are neither copied nor renamed. Errors:
-/// as above, kFileRead, kFileWrite, kUnknownFormat.
+/// same name beside it. Where `out` is in another folder than `in`, files that the asset names, such as
+/// images, are copied there. Errors: as above, kFileRead, kFileWrite, kUnknownFormat; none is written where a
+/// file that the asset names is outside the asset's folder (kInvalidFile), or would replace
+/// another file (kFileWrite).
 Result<GltfReport> pack_gltf_file(const std::string& in, const std::string& out,
                                   const GltfPackOptions& options = {}) noexcept;
 Result<GltfReport> unpack_gltf_file(const std::string& in, const std::string& out,

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "base/guard.h"
+#include "base/try.h"
+#include "deltamesh/gltf.h"
+#include "deltamesh/io.h"
+#include "io/gltf/uri.h"
+
+namespace deltamesh {
+namespace {
+
+/// Where the bytes of an asset at `in` are, and those of its converted copy at `out` go.
+Result<GltfIo> file_io(const std::filesystem::path& in, const std::string& out, std::string& buffer_path) {
+  GltfIo io;
+  io.resolve = [folder = in.parent_path()](std::string_view uri) {
+    return read_file((folder / uri).string());
+  };
+  DELTAMESH_TRY(const auto format, format_of_path(out));
+  if (format == FileFormat::kGlb) return io;
+  if (format != FileFormat::kGltf)
+    return Error{.code = ErrorCode::kUnknownFormat, .message = "the suffix is neither .glb nor .gltf"};
+  const auto buffer = std::filesystem::path(out).replace_extension(".bin");
+  io.container = GltfContainer::kGltf;
+  io.buffer_uri = gltf::uri_of_name(buffer.filename().string());
+  buffer_path = buffer.string();
+  return io;
+}
+
+struct NamedFile {
+  std::filesystem::path path;
+  std::vector<std::byte> bytes;
+};
+
+bool is_same_folder(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code ignored;
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(a).parent_path(), ignored) ==
+         std::filesystem::weakly_canonical(std::filesystem::absolute(b).parent_path(), ignored);
+}
+
+/// The files that have to be written so that relative URIs of an asset that was at `in` hold at `out`.
+/// `taken`: what is written besides.
+Result<std::vector<NamedFile>> files_to_copy(const std::vector<std::string>& uris,
+                                             const std::filesystem::path& in,
+                                             const std::filesystem::path& out,
+                                             const std::vector<std::filesystem::path>& taken,
+                                             GltfReport& report) {
+  std::vector<NamedFile> files;
+  if (is_same_folder(in, out)) return files;
+  for (const std::string& uri : uris) {
+    const auto path = gltf::relative_path_of(uri);
+    if (!path)
+      return Error{
+          .code = ErrorCode::kInvalidFile,
+          .message = "the asset names a file outside its folder, which cannot go with it to another one"};
+    const auto source = read_file((in.parent_path() / *path).string());
+    if (!source && source.error().code == ErrorCode::kFileOpen) {
+      ++report.missing_files;  // the link was broken before
+      continue;
+    }
+    if (!source) return source.error();
+    const std::filesystem::path target = out.parent_path() / *path;
+    const auto there = read_file(target.string());
+    const bool is_taken = std::find(taken.begin(), taken.end(), target) != taken.end();
+    if (is_taken || (there && *there != *source))
+      return Error{
+          .code = ErrorCode::kFileWrite,
+          .message = "a file that the asset names, such as an image, would replace another one there"};
+    if (!there) files.push_back({target, *source});
+  }
+  return files;
+}
+
+Result<void> write_copy(const NamedFile& file) {
+  std::error_code failed;
+  std::filesystem::create_directories(file.path.parent_path(), failed);
+  return write_file(file.path.string(), file.bytes);
+}
+
+template <class Convert>
+Result<GltfReport> convert_file(const std::string& in, const std::string& out, Convert&& convert) {
+  std::string buffer_path;
+  DELTAMESH_TRY(const GltfIo io, file_io(in, out, buffer_path));
+  DELTAMESH_TRY(const auto asset, read_file(in));
+  DELTAMESH_TRY(GltfOutput output, convert(asset, io));
+  DELTAMESH_TRY(const auto files, files_to_copy(output.uris, in, out, {out, buffer_path}, output.report));
+  for (const NamedFile& file : files) DELTAMESH_CHECK(write_copy(file));
+  output.report.copied_files = files.size();
+  if (!output.buffer.empty()) DELTAMESH_CHECK(write_file(buffer_path, output.buffer));
+  DELTAMESH_CHECK(write_file(out, output.asset));
+  return output.report;
+}
+
+}  // namespace
+
+Result<GltfReport> pack_gltf_file(const std::string& in, const std::string& out,
+                                  const GltfPackOptions& options) noexcept {
+  return guarded([&] {
+    return convert_file(in, out, [&](std::span<const std::byte> asset, const GltfIo& io) {
+      return pack_gltf(asset, options, io);
+    });
+  });
+}
+
+Result<GltfReport> unpack_gltf_file(const std::string& in, const std::string& out,
+                                    const DecodeOptions& options) noexcept {
+  return guarded([&] {
+    return convert_file(in, out, [&](std::span<const std::byte> asset, const GltfIo& io) {
+      return unpack_gltf(asset, options, io);
+    });
+  });
+}
+
+}  // namespace deltamesh
