@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "commands.h"
-#include "console.h"
+#include "commands/commands.h"
 #include "deltamesh/version.h"
 #include "exit_codes.h"
+#include "report/console.h"
 
 namespace deltamesh::cli {
 namespace {

@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <system_error>
 
-#include "console.h"
 #include "deltamesh/decode.h"
-#include "progress.h"
+#include "report/console.h"
+#include "report/progress.h"
 
 namespace deltamesh::cli {
 namespace {

@@ -15,7 +15,7 @@
 #include "deltamesh/map/messages.h"
 #include "deltamesh/map/receiver.h"
 #include "map/map_world.h"
-#include "targets/map_part_codec.h"
+#include "targets/map/map_part_codec.h"
 
 namespace {
 

@@ -3,11 +3,9 @@
 #include "asset/gltf_meshes.h"
 
 #include <cstring>
-#include <limits>
 #include <optional>
 #include <set>
 #include <string>
-#include <unordered_map>
 #include <utility>
 
 #include "base/try.h"
@@ -16,6 +14,7 @@
 #include "io/gltf/accessor.h"
 #include "io/gltf/structure.h"
 #include "io/gltf/triangles.h"
+#include "support/vertex_picker.h"
 
 namespace deltamesh::bench {
 namespace {
@@ -72,40 +71,6 @@ Result<std::vector<std::byte>> dense_rows(const gltf::AccessorRows& rows) {
   return dense;
 }
 
-/// Keeps the vertices that corners use, equal ones once where `weld`.
-Mesh compacted(const Mesh& mesh, bool weld) {
-  constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-  Mesh result;
-  for (const Attribute& attribute : mesh.attributes) {
-    result.attributes.push_back(attribute);
-    result.attributes.back().values.clear();
-  }
-  const auto row_size = [&](std::size_t a) { return mesh.attributes[a].values.size() / mesh.vertex_count(); };
-  std::vector<std::uint32_t> number(mesh.vertex_count(), kNone);
-  std::unordered_map<std::string, std::uint32_t> known;
-  for (const std::uint32_t v : mesh.triangles) {
-    if (number[v] == kNone) {
-      const auto next = static_cast<std::uint32_t>(result.vertex_count());
-      std::string key(reinterpret_cast<const char*>(mesh.positions.data() + std::size_t{3} * v), 12);
-      for (std::size_t a = 0; a < mesh.attributes.size(); ++a)
-        key.append(reinterpret_cast<const char*>(mesh.attributes[a].values.data() + v * row_size(a)),
-                   row_size(a));
-      number[v] = weld ? known.try_emplace(std::move(key), next).first->second : next;
-      if (number[v] == next) {
-        const auto position = mesh.positions.begin() + std::ptrdiff_t{3} * v;
-        result.positions.insert(result.positions.end(), position, position + 3);
-        for (std::size_t a = 0; a < mesh.attributes.size(); ++a) {
-          const auto row = mesh.attributes[a].values.begin() + static_cast<std::ptrdiff_t>(v * row_size(a));
-          result.attributes[a].values.insert(result.attributes[a].values.end(), row,
-                                             row + static_cast<std::ptrdiff_t>(row_size(a)));
-        }
-      }
-    }
-    result.triangles.push_back(number[v]);
-  }
-  return result;
-}
-
 /// Whether the primitive was read; false where it is no list of triangles with float positions.
 Result<bool> read_primitive(const Document& document, const Json& primitive, Primitive& result) {
   DELTAMESH_TRY(const auto triangles, gltf::triangle_primitive(primitive, 0));
@@ -139,7 +104,9 @@ Result<bool> read_primitive(const Document& document, const Json& primitive, Pri
                                .values = std::move(values)});
   }
   result.has_targets = gltf::array_size(primitive, "targets") != 0;
-  result.mesh = compacted(mesh, !result.has_targets);
+  VertexPicker picker(mesh, !result.has_targets);
+  for (const std::uint32_t v : mesh.triangles) picker.add_corner(v);
+  result.mesh = picker.take();
   return true;
 }
 
@@ -201,7 +168,11 @@ Result<PackedAsset> take_packed_apart(std::span<const std::byte> bytes) {
       DELTAMESH_CHECK(add_plain(document, primitive["attributes"], attributes, result.plain_bytes));
       const Json* extensions = gltf::find(primitive, "extensions");
       const Json* extension = extensions ? gltf::find(*extensions, gltf::kExtensionName) : nullptr;
-      if (extension == nullptr) return invalid_asset("a primitive was not packed");
+      if (extension == nullptr) {  // packing would not have made it smaller
+        if (const Json* indices = gltf::find(primitive, "indices"))
+          DELTAMESH_CHECK(add_plain(document, Json::array({*indices}), attributes, result.plain_bytes));
+        continue;
+      }
       const auto view = (*extension)["bufferView"].get<std::uint64_t>();
       if (!views.insert(view).second) continue;
       DELTAMESH_TRY(const auto stream, gltf::view_bytes(document, view));

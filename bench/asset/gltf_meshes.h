@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "asset/asset_source.h"
 #include "asset/part.h"
+#include "asset/source.h"
 #include "deltamesh/gltf.h"
 
 namespace deltamesh::bench {

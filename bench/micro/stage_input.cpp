@@ -6,8 +6,9 @@
 #include <string>
 #include <utility>
 
-#include "run/bench_mesh.h"
+#include "laplacian/anchors/anchors.h"
 #include "scenes.h"
+#include "support/corpus.h"
 
 namespace deltamesh::bench {
 namespace {
@@ -17,9 +18,8 @@ constexpr std::uint64_t kSeed = 1;
 StageInput make_input(Scene scene, std::uint64_t vertices) {
   StageInput input;
   input.mesh = value_or_exit(generate_scene(scene, vertices, kSeed));
-  Mesh welded = welded_geometry(input.mesh);
-  static_cast<WeldedMesh&>(input) = weld(welded);
-  input.triangles = std::move(welded.triangles);
+  input.welded = welded_geometry(input.mesh);
+  static_cast<WeldedMesh&>(input) = in_coding_order(weld(input.welded));
   return input;
 }
 
@@ -33,6 +33,13 @@ const StageInput& stage_input(benchmark::State& state) {
   state.SetLabel(std::string(scene_names()[static_cast<std::size_t>(key.first)].name));
   if (found != inputs.end()) return found->second;
   return inputs.emplace(key, make_input(scene, static_cast<std::uint64_t>(key.second))).first->second;
+}
+
+Result<CodedHighpass> code_highpass(const StageInput& input) {
+  AnchorSequence anchors(input.graph, input.components);
+  HighpassCoder coder(input.graph, input.components, anchors, input.positions, input.box);
+  return coder.code(
+      {.step = coder.step_for_bits(kDeltaBits), .anchors = default_anchor_count(anchors.most())});
 }
 
 void use_scenes(benchmark::internal::Benchmark* benchmark) {

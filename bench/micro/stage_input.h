@@ -7,17 +7,18 @@
 #include <benchmark/benchmark.h>
 
 #include <cstdint>
-#include <vector>
 
 #include "deltamesh/mesh.h"
-#include "support/or_exit.h"
+#include "highpass/highpass.h"
+#include "support/errors.h"
 #include "support/welded_mesh.h"
 
 namespace deltamesh::bench {
 
+/// In coding order.
 struct StageInput : WeldedMesh {
-  Mesh mesh;                             ///< as generated
-  std::vector<std::uint32_t> triangles;  ///< over the welded vertices
+  Mesh mesh;    ///< as generated
+  Mesh welded;  ///< in the order of that
 
   std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(positions.size()); }
 };
@@ -25,6 +26,10 @@ struct StageInput : WeldedMesh {
 /// The scene that `state`'s first argument names and the size its second asks for; made once per program.
 /// Ends the program where a scene cannot be generated.
 const StageInput& stage_input(benchmark::State& state);
+
+/// Highpass streams at kDeltaBits, and at the default share of anchors.
+Result<CodedHighpass> code_highpass(const StageInput& input);
+inline constexpr int kDeltaBits = 8;
 
 /// Registers rooms, sphere and cad at 4,000 and 20,000 vertices.
 void use_scenes(benchmark::internal::Benchmark* benchmark);

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 #include "deltamesh/mesh.h"
 
@@ -15,6 +17,14 @@ namespace deltamesh::bench {
 struct Lattice {
   std::array<float, 3> origin{};  ///< model units, relative to Mesh::origin
   double cell = 0;                ///< model units
+
+  std::uint16_t symbol(float x, std::size_t axis) const {
+    return static_cast<std::uint16_t>(
+        std::lround((static_cast<double>(x) - static_cast<double>(origin[axis])) / cell));
+  }
+  float value(std::uint16_t symbol, std::size_t axis) const {
+    return static_cast<float>(static_cast<double>(origin[axis]) + cell * symbol);
+  }
 };
 
 /// 2^bits points along the longest side; cell 1 for a box without extent. `mesh` has a vertex.

@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "deltamesh/mesh.h"
@@ -37,17 +38,21 @@ struct ByteShares {
 /// and are what is timed, so they do nothing that a user of the peer would not have to do.
 class Peer {
  public:
-  Peer() = default;
+  /// Peers of one `name` form one curve: "Draco cl 10"; `setting`: the place on the curve: "qp 11".
+  Peer(std::string name, std::string setting) : name_(std::move(name)), setting_(std::move(setting)) {}
   Peer(const Peer&) = delete;
   Peer& operator=(const Peer&) = delete;
   virtual ~Peer() = default;
 
-  virtual std::string name() const = 0;     ///< peers of one name form one curve: "Draco cl 10"
-  virtual std::string setting() const = 0;  ///< the place on the curve: "qp 11"
+  const std::string& name() const noexcept { return name_; }
+  const std::string& setting() const noexcept { return setting_; }
 
   /// Takes `mesh` over in the peer's own form. It has no attributes, no two vertices at one place, no
   /// degenerate face and no unused vertex, and outlives the peer. Errors: kInternal, kOutOfMemory.
-  virtual Result<void> load(const Mesh& mesh) = 0;
+  virtual Result<void> load(const Mesh& mesh) {
+    mesh_ = &mesh;
+    return {};
+  }
   /// Errors: kInternal where the peer refuses the mesh.
   virtual Result<std::vector<std::byte>> encode() = 0;
   /// Decodes into the peer's own form. Errors: kInternal.
@@ -57,6 +62,13 @@ class Peer {
 
   /// Where the bytes of an encoded mesh go; nothing where the peer does not say.
   virtual std::optional<ByteShares> shares(std::span<const std::byte>) const { return std::nullopt; }
+
+ protected:
+  const Mesh* mesh_ = nullptr;
+
+ private:
+  std::string name_;
+  std::string setting_;
 };
 
 /// Draco, positions quantised to `position_bits` over the longest side; speed = 10 - `compression_level`.
@@ -67,10 +79,6 @@ std::unique_ptr<Peer> make_deltamesh_peer(int bits, double anchor_share);
 
 /// Ours, asked for a quality. `label`: the place on the curve.
 std::unique_ptr<Peer> make_deltamesh_peer(const QualityRequest& quality, std::string label);
-
-/// zstd level 19 on plain buffers: positions as 16-bit lattice indices of `position_bits` over the longest
-/// side, triangles as 32-bit indices. What a sender without a mesh codec does.
-std::unique_ptr<Peer> make_zstd_peer(int position_bits);
 
 /// meshoptimizer's vertex and index codecs on the lattice of `position_bits`, then zstd level 19.
 std::unique_ptr<Peer> make_meshoptimizer_peer(int position_bits);

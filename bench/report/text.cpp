@@ -21,8 +21,14 @@ std::string join(std::initializer_list<std::string_view> pieces) {
   return text;
 }
 
+std::string number(std::uint64_t value) { return std::to_string(value); }
+
 std::string fixed(double value, int digits) { return format("%.*f", digits, value); }
 
 std::string significant(double value, int digits) { return format("%.*g", digits, value); }
+
+double ratio(std::uint64_t a, std::uint64_t b) {
+  return b == 0 ? 0 : static_cast<double>(a) / static_cast<double>(b);
+}
 
 }  // namespace deltamesh::bench

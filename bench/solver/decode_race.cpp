@@ -18,7 +18,9 @@
 
 #include "deltamesh/decode.h"
 #include "peers/peer.h"
-#include "support/processor_seconds.h"
+#include "report/table.h"
+#include "report/text.h"
+#include "support/timing.h"
 
 namespace deltamesh::bench {
 namespace {
@@ -44,19 +46,7 @@ double wall_seconds() {
 }
 
 /// One figure of every round.
-using Rounds = std::array<double, kRounds>;
-
-double median(Rounds values) {
-  std::nth_element(values.begin(), values.begin() + kRounds / 2, values.end());
-  return values[kRounds / 2];
-}
-
-/// Of the two that each round has, which share what else went on.
-double median_ratio(const Rounds& ours, const Rounds& theirs) {
-  Rounds ratios{};
-  for (std::size_t r = 0; r < kRounds; ++r) ratios[r] = ours[r] / theirs[r];
-  return median(ratios);
-}
+using Rounds = std::vector<double>;
 
 /// What a process has in memory, without the pages of files, which are those of the program itself: a child
 /// begins without most of these and takes them as it comes to them.
@@ -125,20 +115,16 @@ std::optional<Racer> prepare(std::unique_ptr<Peer> peer, const Mesh& mesh) {
 }  // namespace
 
 void print_decode_race_header() {
-  std::printf(
-      "| mesh | vertices | ours ns/vertex | Draco cl 7 qp 12 ns/vertex | ratio "
-      "| of ours the system's | of Draco's | ours, two threads, wall ns/vertex | Draco wall ns/vertex | "
-      "ratio "
-      "| ours MB | Draco MB | ratio |\n"
-      "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+  print(table_head({"mesh", "vertices", "ours ns/vertex", "Draco cl 7 qp 12 ns/vertex", "ratio",
+                    "of ours the system's", "of Draco's", "ours, two threads, wall ns/vertex",
+                    "Draco wall ns/vertex", "ratio", "ours MB", "Draco MB", "ratio"}));
 }
 
 void print_decode_race(const std::string& name, const Mesh& mesh) {
   const auto ours = prepare(make_deltamesh_peer(kBits, kAnchorShare), mesh);
   const auto draco = prepare(make_draco_peer(kDracoLevel, kDracoBits), mesh);
   if (!ours || !draco) {
-    std::printf("| %s | does not take part |\n", name.c_str());
-    return;
+    return print(table_row({name, "does not take part"}));
   }
   const auto decode_by_two = [&] { return decode(ours->bytes, {.threads = 2}).has_value(); };
   bool has_failed = !decode_by_two();
@@ -147,7 +133,8 @@ void print_decode_race(const std::string& name, const Mesh& mesh) {
     has_failed |= !decode();
     return clock() - start;
   };
-  Rounds alone{}, system{}, by_two{}, of_draco{}, system_of_draco{}, wall_of_draco{};
+  Rounds alone(kRounds), system(kRounds), by_two(kRounds);
+  Rounds of_draco(kRounds), system_of_draco(kRounds), wall_of_draco(kRounds);
   for (std::size_t r = 0; r < kRounds; ++r) {
     const auto run_draco = [&] {
       const double before = system_seconds();
@@ -168,17 +155,15 @@ void print_decode_race(const std::string& name, const Mesh& mesh) {
     if (r % 2 == 1) run_draco();
   }
   if (has_failed) {
-    std::printf("| %s | does not take part |\n", name.c_str());
-    return;
+    return print(table_row({name, "does not take part"}));
   }
   const double scale = 1e9 / static_cast<double>(mesh.vertex_count());
-  std::printf("| %s | %zu | %.0f | %.0f | %.2f | %.0f | %.0f | %.0f | %.0f | %.2f | %.0f | %.0f | %.2f |\n",
-              name.c_str(), static_cast<std::size_t>(mesh.vertex_count()), scale * median(alone),
-              scale * median(of_draco), median_ratio(alone, of_draco), scale * median(system),
-              scale * median(system_of_draco), scale * median(by_two), scale * median(wall_of_draco),
-              median_ratio(by_two, wall_of_draco), ours->megabytes, draco->megabytes,
-              ours->megabytes / draco->megabytes);
-  std::fflush(stdout);
+  const auto ns = [&](const Rounds& seconds) { return fixed(scale * median(seconds), 0); };
+  print(
+      table_row({name, number(mesh.vertex_count()), ns(alone), ns(of_draco),
+                 fixed(median_ratio(alone, of_draco), 2), ns(system), ns(system_of_draco), ns(by_two),
+                 ns(wall_of_draco), fixed(median_ratio(by_two, wall_of_draco), 2), fixed(ours->megabytes, 0),
+                 fixed(draco->megabytes, 0), fixed(ours->megabytes / draco->megabytes, 2)}));
 }
 
 }  // namespace deltamesh::bench

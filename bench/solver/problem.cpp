@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "connectivity/faces/faces.h"
 #include "highpass/diffusion.h"
 #include "highpass/symbols.h"
 #include "laplacian/operator/delta.h"
@@ -36,14 +36,12 @@ std::vector<Vec3> Problem::solved_of(std::span<const Vec3> all) const {
 }
 
 Problem make_problem(const MeshView& mesh, const ProblemSettings& settings) {
-  const WeldedMesh welded = weld(mesh);
-  const auto vertex_count = static_cast<std::uint32_t>(welded.positions.size());
-  const CodedConnectivity coded = write_connectivity(welded.triangles, vertex_count);
+  WeldedMesh coded = in_coding_order(weld(mesh));
   Problem problem;
-  problem.whole = build_adjacency(coded.triangles, vertex_count);
-  problem.box = welded.box;
-  for (const std::uint32_t v : coded.vertex_order) problem.whole_positions.push_back(welded.positions[v]);
-  const Components components = find_components(problem.whole);
+  problem.whole = std::move(coded.graph);
+  problem.box = coded.box;
+  problem.whole_positions = std::move(coded.positions);
+  const Components& components = coded.components;
   problem.part = extract_solved_part(problem.whole, components);
   problem.positions = problem.solved_of(problem.whole_positions);
 

@@ -2,9 +2,10 @@
 // Copyright 2026 The deltamesh authors
 #include "support/welded_mesh.h"
 
-#include <algorithm>
+#include <utility>
 
 #include "base/try.h"
+#include "connectivity/faces/faces.h"
 #include "deltamesh/io.h"
 #include "topology/weld.h"
 
@@ -37,6 +38,18 @@ WeldedMesh weld(const MeshView& mesh) {
   welded.components = find_components(welded.graph);
   welded.box = Box::around(welded.positions);
   return welded;
+}
+
+WeldedMesh in_coding_order(const WeldedMesh& welded) {
+  const auto vertices = static_cast<std::uint32_t>(welded.positions.size());
+  CodedConnectivity connectivity = write_connectivity(welded.triangles, vertices);
+  WeldedMesh coded;
+  for (const std::uint32_t v : connectivity.vertex_order) coded.positions.push_back(welded.positions[v]);
+  coded.triangles = std::move(connectivity.triangles);
+  coded.graph = build_adjacency(coded.triangles, vertices);
+  coded.components = find_components(coded.graph);
+  coded.box = welded.box;
+  return coded;
 }
 
 Result<WeldedMesh> load_welded(const std::string& path) {

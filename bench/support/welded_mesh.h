@@ -25,6 +25,9 @@ struct WeldedMesh {
 /// Welds `mesh`; vertices keep their order of first appearance.
 WeldedMesh weld(const MeshView& mesh);
 
+/// `welded` with its faces and vertices in the order in which connectivity is coded.
+WeldedMesh in_coding_order(const WeldedMesh& welded);
+
 /// Reads the file at `path` and welds it. Errors: those of read_mesh_file.
 Result<WeldedMesh> load_welded(const std::string& path);
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "report/curve.h"
-
 #include <gtest/gtest.h>
 
 #include <limits>
+
+#include "curves/hull.h"
 
 namespace deltamesh::bench {
 namespace {

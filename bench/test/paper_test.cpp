@@ -6,29 +6,31 @@
 #include <filesystem>
 #include <string>
 
-#include "paper/paper_rows.h"
+#include "paper/rows.h"
+#include "paper/study.h"
+#include "support/corpus.h"
 
 namespace deltamesh::bench {
 namespace {
 
-std::filesystem::path corpus() {
-  const char* given = std::getenv("DELTAMESH_CORPUS");
-  return given != nullptr ? given : DELTAMESH_SOURCE_DIR "/../shared/corpus";
+std::string corpus() {
+  return std::getenv("DELTAMESH_CORPUS") != nullptr ? default_corpus()
+                                                    : DELTAMESH_SOURCE_DIR "/../shared/corpus";
 }
 
 TEST(PaperTable, FollowsThePaper) {
   if (!std::filesystem::is_directory(corpus())) GTEST_SKIP() << "skipped: no corpus";
-  for (const PaperRow& row : paper_rows()) {
+  for (const PaperRow& row : kPaperRows) {
     SCOPED_TRACE(std::string(row.model) + ", " + std::to_string(row.bits) + " bits, " +
                  std::to_string(row.anchors) + " anchors");
-    const auto mesh = load_welded((corpus() / "paper" / row.model).string() + ".ply");
+    const auto mesh = load_welded(corpus() + "/paper/" + row.model + ".ply");
     ASSERT_TRUE(mesh) << describe(mesh.error());
-    const auto figures = measure_paper_row(*mesh, row);
-    ASSERT_TRUE(figures) << describe(figures.error());
-    EXPECT_GT(figures->vde_over_step, 0.36);
-    EXPECT_LT(figures->vde_over_step, 0.41);
+    const auto point = PaperStudy(*mesh).code(row.bits, row.anchors);
+    ASSERT_TRUE(point) << describe(point.error());
+    EXPECT_GT(point->vde_over_step, 0.36);
+    EXPECT_LT(point->vde_over_step, 0.41);
     if (row.paper_ratio > 0) {
-      EXPECT_NEAR(figures->ratio / row.paper_ratio, 1, 0.2);
+      EXPECT_NEAR(point->lfe / point->vde / row.paper_ratio, 1, 0.2);
     }
   }
 }

@@ -7,10 +7,10 @@
 #include <span>
 #include <utility>
 
+#include "field/noise.h"
+#include "field/scan.h"
 #include "generators.h"
-#include "noise.h"
 #include "rooms.h"
-#include "scan.h"
 #include "scenes.h"
 
 namespace deltamesh {

@@ -10,10 +10,10 @@
 #include <set>
 #include <vector>
 
-#include "building.h"
 #include "deltamesh/mesh.h"
 #include "deltamesh/result.h"
-#include "marching_cubes.h"
+#include "field/building.h"
+#include "field/marching_cubes.h"
 
 namespace deltamesh {
 

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <vector>
 
-#include "building.h"
+#include "field/building.h"
+#include "field/marching_cubes.h"
+#include "field/noise.h"
+#include "field/scan.h"
 #include "generators.h"
-#include "marching_cubes.h"
-#include "noise.h"
-#include "scan.h"
 
 namespace deltamesh::scenes {
 namespace {

@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "building.h"
-#include "marching_cubes.h"
+#include "field/building.h"
+#include "field/marching_cubes.h"
 
 namespace deltamesh::scenes {
 

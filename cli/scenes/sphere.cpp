@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "field/noise.h"
 #include "generators.h"
-#include "noise.h"
 
 namespace deltamesh::scenes {
 namespace {

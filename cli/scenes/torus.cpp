@@ -2,8 +2,8 @@
 // Copyright 2026 The deltamesh authors
 #include <algorithm>
 
+#include "field/noise.h"
 #include "generators.h"
-#include "noise.h"
 
 namespace deltamesh::scenes {
 

@@ -12,9 +12,9 @@
 #include "deltamesh/map/sender.h"
 #include "map/map_meshes.h"
 #include "message/frame.h"
-#include "part/decode.h"
 #include "part/fitness.h"
 #include "patch/container.h"
+#include "patch/part_or_patch.h"
 
 namespace deltamesh {
 namespace {

@@ -20,7 +20,7 @@
 #include "deltamesh/map/sender.h"
 #include "map/map_world.h"
 #include "part/fitness.h"
-#include "send/view_cells.h"
+#include "part/view_cells.h"
 
 namespace deltamesh {
 namespace {

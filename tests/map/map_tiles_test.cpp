@@ -7,9 +7,9 @@
 #include "deltamesh/map/split.h"
 #include "deltamesh/map/tiles.h"
 #include "map/map_meshes.h"
-#include "patch/row_gather.h"
+#include "part/link_table.h"
 #include "scenes.h"
-#include "send/link_table.h"
+#include "support/row_gather.h"
 
 namespace deltamesh {
 namespace {

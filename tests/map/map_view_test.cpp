@@ -12,8 +12,8 @@
 #include "deltamesh/map/receiver.h"
 #include "deltamesh/map/sender.h"
 #include "map/map_meshes.h"
+#include "part/view_cells.h"
 #include "scenes.h"
-#include "send/view_cells.h"
 
 namespace deltamesh {
 namespace {

@@ -13,8 +13,8 @@
 #include <set>
 #include <vector>
 
-#include "cube_cases.h"
-#include "marching_cubes.h"
+#include "field/cube_cases.h"
+#include "field/marching_cubes.h"
 #include "point.h"
 #include "random.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "format/attribute_descriptor.h"
+#include "format/chunk/attribute_descriptor.h"
 
 #include <gtest/gtest.h>
 

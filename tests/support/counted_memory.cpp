@@ -28,7 +28,7 @@ void* take_or_throw(std::size_t size) {
   throw std::bad_alloc();
 }
 
-void give_back(void* memory) noexcept {
+void write_back(void* memory) noexcept {
   taken -= malloc_usable_size(memory);
   std::free(memory);
 }
@@ -39,12 +39,12 @@ void* operator new(std::size_t size) { return take_or_throw(size); }
 void* operator new[](std::size_t size) { return take_or_throw(size); }
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return take(size); }
 void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return take(size); }
-void operator delete(void* memory) noexcept { give_back(memory); }
-void operator delete[](void* memory) noexcept { give_back(memory); }
-void operator delete(void* memory, std::size_t) noexcept { give_back(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { give_back(memory); }
-void operator delete(void* memory, const std::nothrow_t&) noexcept { give_back(memory); }
-void operator delete[](void* memory, const std::nothrow_t&) noexcept { give_back(memory); }
+void operator delete(void* memory) noexcept { write_back(memory); }
+void operator delete[](void* memory) noexcept { write_back(memory); }
+void operator delete(void* memory, std::size_t) noexcept { write_back(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { write_back(memory); }
+void operator delete(void* memory, const std::nothrow_t&) noexcept { write_back(memory); }
+void operator delete[](void* memory, const std::nothrow_t&) noexcept { write_back(memory); }
 
 namespace deltamesh::test {
 

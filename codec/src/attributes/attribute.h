@@ -15,7 +15,7 @@
 #include "deltamesh/result.h"
 #include "entropy/coder/learning.h"
 #include "entropy/payload.h"
-#include "format/attribute_descriptor.h"
+#include "format/chunk/attribute_descriptor.h"
 
 namespace deltamesh {
 

@@ -10,7 +10,7 @@
 
 #include "base/component.h"
 #include "base/numbers/portable_math.h"
-#include "format/attribute_descriptor.h"
+#include "format/chunk/attribute_descriptor.h"
 
 namespace deltamesh {
 namespace {

@@ -43,7 +43,7 @@ class PairCoder {
     const bool is_valid =
         (context.near[0] + context.near[1] < kMostlyZero && code_zero(coder, pair, context)) ||
         (code_axis(coder, pair[0], 0, 0, context) && code_axis(coder, pair[1], 1, pair[0], context));
-    give_back<Coder>(coder, coder_);
+    write_back<Coder>(coder, coder_);
     return is_valid;
   }
 

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-#include "format/attribute_descriptor.h"
+#include "format/chunk/attribute_descriptor.h"
 
 namespace deltamesh {
 

@@ -13,7 +13,7 @@
 #include "attributes/uvs/uvs.h"
 #include "base/byte_reader.h"
 #include "base/checked.h"
-#include "format/tags.h"
+#include "format/chunk/tags.h"
 
 namespace deltamesh {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "base/try.h"
 #include "connectivity/groups/groups.h"
-#include "format/attribute_descriptor.h"
+#include "format/chunk/attribute_descriptor.h"
 #include "format/header.h"
 
 namespace deltamesh {

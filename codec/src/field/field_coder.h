@@ -37,7 +37,7 @@ class FieldCoder {
     Held<Coder> coder = coder_;
     const bool is_valid = code_axis<0>(coder, predictions, q) && code_axis<1>(coder, predictions, q) &&
                           code_axis<2>(coder, predictions, q);
-    give_back<Coder>(coder, coder_);
+    write_back<Coder>(coder, coder_);
     history_.remember(vertex, predictions.numbers(), around);
     return is_valid;
   }

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "deltamesh/result.h"
-#include "format/chunk_header.h"
+#include "format/chunk/header.h"
 #include "format/header.h"
 
 namespace deltamesh {

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "format/chunk_header.h"
+#include "format/chunk/header.h"
 #include "format/header.h"
 
 namespace deltamesh {

@@ -13,10 +13,10 @@
 #include "base/numbers/vec3.h"
 #include "deltamesh/result.h"
 #include "deltamesh/version.h"
-#include "format/attribute_descriptor.h"
+#include "format/chunk/attribute_descriptor.h"
+#include "format/chunk/tags.h"
 #include "format/highpass_parameters.h"
 #include "format/predictive_parameters.h"
-#include "format/tags.h"
 
 namespace deltamesh {
 

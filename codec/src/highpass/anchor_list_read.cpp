@@ -4,7 +4,7 @@
 #include "base/try.h"
 #include "entropy/coder/reader.h"
 #include "entropy/planes.h"
-#include "format/tags.h"
+#include "format/chunk/tags.h"
 #include "highpass/anchor_list.h"
 
 namespace deltamesh {

@@ -4,7 +4,7 @@
 #include "base/try.h"
 #include "entropy/coder/reader.h"
 #include "field/field_coder.h"
-#include "format/tags.h"
+#include "format/chunk/tags.h"
 #include "highpass/delta_symbols.h"
 
 namespace deltamesh {

@@ -8,7 +8,7 @@
 #include "base/numbers/zigzag.h"
 #include "base/try.h"
 #include "entropy/planes.h"
-#include "format/tags.h"
+#include "format/chunk/tags.h"
 #include "highpass/anchor_list.h"
 #include "highpass/delta_symbols.h"
 #include "highpass/highpass.h"

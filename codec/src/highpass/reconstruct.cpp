@@ -10,7 +10,7 @@
 #include "base/memory/large_vector.h"
 #include "base/threads/task.h"
 #include "base/try.h"
-#include "format/tags.h"
+#include "format/chunk/tags.h"
 #include "highpass/symbols.h"
 #include "laplacian/solver.h"
 #include "topology/vertex_subset.h"

@@ -13,7 +13,7 @@
 #include "base/component.h"
 #include "base/numbers/portable_math.h"
 #include "deltamesh/mesh.h"
-#include "format/attribute_descriptor.h"
+#include "format/chunk/attribute_descriptor.h"
 
 namespace deltamesh {
 namespace {

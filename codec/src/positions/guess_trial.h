@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <span>
 
-#include "positions/blend.h"
+#include "positions/blend/blend.h"
 
 namespace deltamesh {
 

@@ -15,8 +15,8 @@
 #include "base/memory/large_vector.h"
 #include "base/try.h"
 #include "entropy/coder/reader.h"
+#include "format/chunk/tags.h"
 #include "format/predictive_parameters.h"
-#include "format/tags.h"
 #include "positions/coding_order.h"
 
 namespace deltamesh {

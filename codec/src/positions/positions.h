@@ -14,8 +14,8 @@
 #include "entropy/coder/learning.h"
 #include "entropy/payload.h"
 #include "format/predictive_parameters.h"
-#include "positions/blend.h"
-#include "positions/blend_fit.h"
+#include "positions/blend/blend.h"
+#include "positions/blend/fit.h"
 #include "positions/coding_order.h"
 #include "positions/lattice/replacements.h"
 

@@ -16,7 +16,7 @@
 #include "base/simd/eight_shorts.h"
 #include "base/simd/four_floats.h"
 #include "base/simd/four_ints.h"
-#include "positions/blend.h"
+#include "positions/blend/blend.h"
 
 namespace deltamesh {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "entropy/coder/writer.h"
-#include "positions/blend_fit.h"
+#include "positions/blend/fit.h"
 #include "positions/floats/coder.h"
 #include "positions/grid/coder.h"
 #include "positions/guess_trial.h"

@@ -10,7 +10,7 @@
 #include "base/numbers/vec3.h"
 #include "deltamesh/stream_info.h"
 #include "format/predictive_parameters.h"
-#include "positions/blend.h"
+#include "positions/blend/blend.h"
 #include "topology/mesh_edges.h"
 
 namespace deltamesh {

@@ -15,7 +15,7 @@
 #include "base/numbers/zigzag.h"
 #include "deltamesh/map/part.h"
 #include "entropy/coder/number_model.h"
-#include "patch/open_edges.h"
+#include "support/open_edges.h"
 
 namespace deltamesh {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "deltamesh/map/description.h"
-#include "message/limits.h"
+#include "support/limits.h"
 
 namespace deltamesh {
 namespace {

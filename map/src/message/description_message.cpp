@@ -11,9 +11,9 @@
 #include "base/numbers/zigzag.h"
 #include "base/try.h"
 #include "deltamesh/map/description.h"
-#include "format/attribute_descriptor.h"
+#include "format/chunk/attribute_descriptor.h"
 #include "message/frame.h"
-#include "message/limits.h"
+#include "support/limits.h"
 
 namespace deltamesh {
 namespace {

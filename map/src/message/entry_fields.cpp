@@ -10,8 +10,8 @@
 
 #include "base/numbers/zigzag.h"
 #include "deltamesh/map/part.h"
-#include "errors.h"
-#include "message/limits.h"
+#include "support/errors.h"
+#include "support/limits.h"
 
 namespace deltamesh {
 namespace {

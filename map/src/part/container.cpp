@@ -15,8 +15,8 @@
 #include "format/field_io.h"
 #include "format/header.h"
 #include "format/header_fields.h"
-#include "message/limits.h"
 #include "part/header.h"
+#include "support/limits.h"
 
 namespace deltamesh {
 namespace {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "errors.h"
-#include "format/attribute_descriptor.h"
-#include "message/limits.h"
+#include "format/chunk/attribute_descriptor.h"
+#include "support/errors.h"
+#include "support/limits.h"
 
 namespace deltamesh {
 namespace {}  // namespace

@@ -10,7 +10,6 @@
 #include "base/guard.h"
 #include "base/try.h"
 #include "deltamesh/encode.h"
-#include "errors.h"
 #include "lattice/border_order.h"
 #include "lattice/border_payload.h"
 #include "lattice/place_border.h"
@@ -19,6 +18,7 @@
 #include "part/measure.h"
 #include "part/options.h"
 #include "search/bounds.h"
+#include "support/errors.h"
 
 namespace deltamesh {
 namespace {

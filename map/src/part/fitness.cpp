@@ -9,7 +9,7 @@
 
 #include "measure/surface.h"
 #include "measure/triangle_tree.h"
-#include "patch/color_value.h"
+#include "support/color_value.h"
 
 namespace deltamesh {
 namespace {

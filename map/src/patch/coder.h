@@ -16,8 +16,8 @@
 #include "base/numbers/zigzag.h"
 #include "deltamesh/mesh.h"
 #include "entropy/coder/number_model.h"
-#include "patch/face_neighbors.h"
-#include "patch/open_edges.h"
+#include "support/face_neighbors.h"
+#include "support/open_edges.h"
 
 namespace deltamesh {
 

@@ -9,11 +9,11 @@
 #include "base/try.h"
 #include "part/measure.h"
 #include "patch/coder.h"
-#include "patch/color_value.h"
 #include "patch/container.h"
 #include "patch/payload.h"
-#include "patch/row_gather.h"
 #include "search/bounds.h"
+#include "support/color_value.h"
+#include "support/row_gather.h"
 
 namespace deltamesh {
 namespace {

@@ -10,8 +10,8 @@
 
 #include "lattice/border_table.h"
 #include "patch/coder.h"
-#include "patch/color_value.h"
-#include "patch/open_edges.h"
+#include "support/color_value.h"
+#include "support/open_edges.h"
 
 namespace deltamesh {
 namespace {

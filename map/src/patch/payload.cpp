@@ -8,8 +8,8 @@
 #include "base/try.h"
 #include "entropy/coder/reader.h"
 #include "entropy/coder/writer.h"
-#include "errors.h"
 #include "patch/coder.h"
+#include "support/errors.h"
 
 namespace deltamesh {
 namespace {

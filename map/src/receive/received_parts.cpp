@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "message/limits.h"
+#include "support/limits.h"
 
 namespace deltamesh {
 

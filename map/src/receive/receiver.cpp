@@ -12,8 +12,8 @@
 #include "base/try.h"
 #include "message/entry_fields.h"
 #include "message/frame.h"
+#include "part/view_cells.h"
 #include "receive/state.h"
-#include "send/view_cells.h"
 
 namespace deltamesh {
 

@@ -10,9 +10,9 @@
 #include "base/try.h"
 #include "message/entry_fields.h"
 #include "message/frame.h"
-#include "part/decode.h"
+#include "part/view_cells.h"
 #include "patch/container.h"
-#include "send/view_cells.h"
+#include "patch/part_or_patch.h"
 
 namespace deltamesh {
 namespace {

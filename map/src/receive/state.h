@@ -11,8 +11,8 @@
 
 #include "deltamesh/map/map_codec.h"
 #include "deltamesh/map/receiver.h"
-#include "errors.h"
 #include "receive/received_parts.h"
+#include "support/errors.h"
 
 namespace deltamesh {
 

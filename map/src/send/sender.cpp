@@ -18,6 +18,7 @@ namespace deltamesh {
 
 namespace {
 
+constexpr double kLongestOnTheWay = 60;  // seconds: what a link holds for longer is taken to be lost
 constexpr double kLeastSavings = 65536;  // bytes: a part is never too large to be sent
 
 Error refused(ErrorCode code, const char* message) { return {.code = code, .message = message}; }
@@ -50,6 +51,16 @@ void take_held(Viewer& viewer, const std::vector<HeldVersion>& held, double on_i
                 .version = version.version,
                 .is_waiting = version.is_waiting};
   }
+}
+
+/// Drops the records of parts that the map and the receiver no longer have, once no message about them can be
+/// on its way. A later part of the same key has a higher revision, so that it needs no record.
+void forget_gone_parts(Viewer& viewer, const SourceMap& map, double now) {
+  std::erase_if(viewer.sent, [&](const auto& entry) {
+    const auto& [key, sent] = entry;
+    return map.find(key) == nullptr && !viewer.has.contains(key) && sent.revision < map.revision() &&
+           now - sent.time > kLongestOnTheWay;
+  });
 }
 
 void save_up(Viewer& viewer, double now) {
@@ -114,6 +125,7 @@ Result<void> MapSender::hear(std::span<const std::byte> view_message, double now
     viewer.map = message.map;
     viewer.start = message.start;
     take_held(viewer, message.held, now - state_->options.resend_seconds);
+    forget_gone_parts(viewer, state_->map, now);
     return {};
   });
 }
@@ -183,9 +195,10 @@ const MapDescription& MapSender::description() const noexcept {
 }
 std::uint64_t MapSender::revision() const noexcept { return state_->map.revision(); }
 std::uint64_t MapSender::next_group() const noexcept { return state_->map.next_group(); }
-const SenderCounts& MapSender::counts() const noexcept {
-  state_->counts.encoded = state_->encodings.encoded();
-  return state_->counts;
+SenderCounts MapSender::counts() const noexcept {
+  SenderCounts counts = state_->counts;
+  counts.encoded = state_->encodings.encoded();
+  return counts;
 }
 const MapPart* MapSender::source(const PartKey& key) const noexcept {
   const SourcePart* part = state_->map.find(key);

@@ -7,7 +7,7 @@
 
 #include "base/try.h"
 #include "lattice/borders_of_links.h"
-#include "message/limits.h"
+#include "support/limits.h"
 
 namespace deltamesh {
 namespace {

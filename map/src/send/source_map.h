@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "deltamesh/map/split.h"
-#include "send/link_table.h"
+#include "part/link_table.h"
 
 namespace deltamesh {
 

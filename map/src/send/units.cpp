@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "lattice/borders_of_links.h"
+#include "part/view_cells.h"
 #include "send/coexistence.h"
-#include "send/view_cells.h"
 
 namespace deltamesh {
 namespace {

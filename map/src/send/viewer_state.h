@@ -60,7 +60,8 @@ struct Viewer {
   std::uint64_t map = 0;  ///< hash of the description that it has
   std::uint64_t start = 0;
   std::map<PartKey, Believed> has{};
-  std::map<PartKey, SentPart> sent{};      ///< all parts that it may have or that may be on their way
+  std::map<PartKey, SentPart>
+      sent{};  ///< all parts that it may have or that may be on their way; shrinks by hear()
   std::map<PartKey, std::uint64_t> due{};  ///< what it lacks, and the map's revision since when
   double allowance = 0;                    ///< bytes that may be sent now
   double asked = -std::numeric_limits<double>::infinity();      ///< last messages_for()

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "send/view_cells.h"
+#include "part/view_cells.h"
 
 namespace deltamesh {
 namespace {

@@ -8,9 +8,9 @@
 #include <span>
 #include <utility>
 
-#include "send/content_hash.h"
 #include "split/assemble.h"
 #include "split/simplify.h"
+#include "support/content_hash.h"
 
 namespace deltamesh {
 namespace {

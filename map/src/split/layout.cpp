@@ -5,8 +5,8 @@
 #include <span>
 #include <utility>
 
-#include "send/content_hash.h"
 #include "split/octree.h"
+#include "support/content_hash.h"
 
 namespace deltamesh {
 namespace {

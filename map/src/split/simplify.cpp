@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "lattice/border_table.h"
-#include "patch/row_gather.h"
 #include "split/assemble.h"
+#include "support/row_gather.h"
 
 namespace deltamesh {
 namespace {

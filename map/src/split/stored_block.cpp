@@ -7,9 +7,9 @@
 
 #include "base/try.h"
 #include "connectivity/check_mesh.h"
-#include "errors.h"
-#include "patch/row_gather.h"
-#include "send/content_hash.h"
+#include "support/content_hash.h"
+#include "support/errors.h"
+#include "support/row_gather.h"
 
 namespace deltamesh {
 namespace {

@@ -17,7 +17,7 @@
 #include "entropy/coder/reader.h"
 #include "entropy/coder/writer.h"
 #include "field/field_coder.h"
-#include "format/tags.h"
+#include "format/chunk/tags.h"
 #include "highpass/anchor_list.h"
 #include "highpass/delta_symbols.h"
 #include "support/attribute_coding.h"

@@ -81,7 +81,7 @@ std::vector<std::byte> write(const Script& script) {
 }
 
 /// A symbol with its bits takes as many states as one without.
-TEST(Compact, CMP12IsOneDecision) {
+TEST(Compact, CMP12IsOneStep) {
   constexpr SymbolModel kFresh({1, 1, 1, 1, 1, 1, 1, 9, 1, 1, 1, 1, 1, 1, 1, 1});
   CompactWriter writer;
   SymbolModel model = kFresh;
@@ -91,7 +91,7 @@ TEST(Compact, CMP12IsOneDecision) {
     writer.symbol_and_bits(7, low, Mixture<1>{{&model}}, inner);
     writer.bits(0, 0);
   }
-  // The second state takes part in nothing but the empty decisions.
+  // The second state takes part in nothing but the empty symbols.
   const auto bytes = writer.finish();
   const std::size_t second = 1 + (std::to_integer<std::size_t>(bytes[0]) & 15);
   const bool is_long = std::to_integer<unsigned>(bytes[0]) >> 4 == 4;  // 2^31, else 2^15
@@ -179,7 +179,7 @@ TEST(Compact, CMP1RejectsStatesOfMoreThanEightBytes) {
   }
 }
 
-/// Decisions of which one state has all that cost anything: the other is still small when words are due.
+/// Symbols of which one state has all that cost anything: the other is still small when words are due.
 TEST(Compact, CMP3StatesEndHighWhereOneAloneGivesWords) {
   for (const unsigned costly : {0U, 1U}) {
     CompactWriter writer;
@@ -272,11 +272,11 @@ TEST(Compact, VectorLoopsEqualPlainOnes) {
     std::sort(lanes.begin(), lanes.end());
     const auto symbol = static_cast<unsigned>(random() % kSymbols);
     const auto rate = static_cast<unsigned>(2 + random() % 6);
-    const Pulls pulls = make_pulls(static_cast<std::int16_t>(32512 + (1 << rate) - 1));
+    const CdfTargets targets = make_targets(static_cast<std::int16_t>(32512 + (1 << rate) - 1));
     Lanes pulled = lanes;
-    pull_lanes(pulled.data(), pulls[symbol], rate);
+    adapt_lanes(pulled.data(), targets[symbol], rate);
     for (unsigned i = 0; i < kSymbols; ++i)
-      EXPECT_EQ(pulled[i], lanes[i] + ((pulls[symbol][i] - lanes[i]) >> rate));
+      EXPECT_EQ(pulled[i], lanes[i] + ((targets[symbol][i] - lanes[i]) >> rate));
 
     const auto weight = static_cast<std::uint16_t>(512 + random() % 31971);
     const std::array<std::uint16_t, 2> weights = {weight, static_cast<std::uint16_t>(32994 - weight)};

@@ -14,7 +14,7 @@
 #include "field/field_history.h"
 #include "field/field_prediction.h"
 #include "field/octave_class.h"
-#include "format/tags.h"
+#include "format/chunk/tags.h"
 #include "support/graph_mesh.h"
 #include "support/random.h"
 

@@ -10,7 +10,7 @@
 #include <bit>
 #include <cstdlib>
 
-#include "positions/blend.h"
+#include "positions/blend/blend.h"
 #include "positions/coding_order.h"
 #include "positions/grid/pair_place.h"
 #include "positions/residual_context.h"

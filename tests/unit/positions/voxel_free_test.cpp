@@ -13,7 +13,7 @@
 
 #include "base/numbers/zigzag.h"
 #include "entropy/coder/reader.h"
-#include "format/tags.h"
+#include "format/chunk/tags.h"
 #include "positions/grid/faces.h"
 #include "positions/lattice/coder.h"
 #include "positions/positions.h"

@@ -7,7 +7,7 @@
 #include "base/try.h"
 #include "entropy/coder/held_coder.h"
 #include "entropy/coder/reader.h"
-#include "format/tags.h"
+#include "format/chunk/tags.h"
 
 namespace deltamesh {
 namespace {

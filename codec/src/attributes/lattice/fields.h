@@ -13,7 +13,7 @@
 #include "attributes/field_faces.h"
 #include "attributes/lattice/component_lattice.h"
 #include "attributes/values.h"
-#include "positions/blend.h"
+#include "positions/blend/blend.h"
 
 namespace deltamesh {
 

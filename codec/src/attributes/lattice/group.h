@@ -14,7 +14,7 @@
 
 #include "attributes/lattice/fields.h"
 #include "entropy/coder/number_model.h"
-#include "positions/blend.h"
+#include "positions/blend/blend.h"
 #include "positions/floats/coder.h"
 #include "positions/lattice/coder.h"
 #include "positions/surroundings.h"

@@ -7,7 +7,7 @@
 #include "attributes/lattice/group.h"
 #include "attributes/lattice/lattice.h"
 #include "entropy/coder/writer.h"
-#include "positions/blend_fit.h"
+#include "positions/blend/fit.h"
 #include "positions/floats/order.h"
 #include "positions/guess_trial.h"
 

@@ -44,7 +44,7 @@ class NormalResidualCoder {
     const std::int64_t place =
         code_number(coder, point.place, shift, scale, 1, kRows + (scale / 2 * 8 + bend / 2) * kKinds + kind,
                     kRows + (apart / 2 * 8 + spread / 2) * kKinds + kind);
-    give_back<Coder>(coder, coder_);
+    write_back<Coder>(coder, coder_);
     if (row < -kMost || row > kMost || place < -kMost || place > kMost) return false;
     point = {static_cast<std::int32_t>(row), static_cast<std::int32_t>(place)};
     return true;

@@ -12,7 +12,7 @@
 #include "attributes/values.h"
 #include "base/byte_reader.h"
 #include "base/try.h"
-#include "format/tags.h"
+#include "format/chunk/tags.h"
 
 namespace deltamesh {
 namespace {

@@ -6,7 +6,7 @@
 #include "base/byte_reader.h"
 #include "base/try.h"
 #include "entropy/coder/reader.h"
-#include "format/tags.h"
+#include "format/chunk/tags.h"
 
 namespace deltamesh {
 namespace {

@@ -18,7 +18,7 @@
 #include "connectivity/faces/traversal.h"
 #include "connectivity/plain_forms.h"
 #include "entropy/planes.h"
-#include "format/tags.h"
+#include "format/chunk/tags.h"
 
 namespace deltamesh {
 namespace {

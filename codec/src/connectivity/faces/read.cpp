@@ -19,7 +19,7 @@
 #include "connectivity/faces/traversal.h"
 #include "connectivity/plain_forms.h"
 #include "entropy/coder/reader.h"
-#include "format/tags.h"
+#include "format/chunk/tags.h"
 
 namespace deltamesh {
 namespace {

@@ -7,7 +7,7 @@
 #include "base/broken_rule.h"
 #include "connectivity/faces/border.h"
 #include "deltamesh/result.h"
-#include "format/tags.h"
+#include "format/chunk/tags.h"
 
 namespace deltamesh {
 

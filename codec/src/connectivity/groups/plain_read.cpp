@@ -8,7 +8,7 @@
 #include "connectivity/groups/groups.h"
 #include "connectivity/plain_forms.h"
 #include "entropy/planes.h"
-#include "format/tags.h"
+#include "format/chunk/tags.h"
 
 namespace deltamesh {
 

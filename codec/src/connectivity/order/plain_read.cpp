@@ -5,7 +5,7 @@
 #include "base/try.h"
 #include "connectivity/plain_forms.h"
 #include "entropy/planes.h"
-#include "format/tags.h"
+#include "format/chunk/tags.h"
 
 namespace deltamesh {
 namespace {

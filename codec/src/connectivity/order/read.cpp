@@ -6,7 +6,7 @@
 #include "connectivity/order/order.h"
 #include "connectivity/plain_forms.h"
 #include "entropy/coder/reader.h"
-#include "format/tags.h"
+#include "format/chunk/tags.h"
 
 namespace deltamesh {
 namespace {

@@ -10,7 +10,7 @@
 #include "connectivity/plain_forms.h"
 #include "connectivity/seams/vertex.h"
 #include "entropy/planes.h"
-#include "format/tags.h"
+#include "format/chunk/tags.h"
 
 namespace deltamesh {
 namespace {

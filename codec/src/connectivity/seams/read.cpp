@@ -7,7 +7,7 @@
 #include "connectivity/seams/corner_copies.h"
 #include "connectivity/seams/seams.h"
 #include "entropy/coder/reader.h"
-#include "format/tags.h"
+#include "format/chunk/tags.h"
 
 namespace deltamesh {
 namespace {

@@ -8,7 +8,7 @@
 
 namespace deltamesh {
 
-/// Loops have a copy of a reader, whose decisions are inlined: a compiler can keep it in registers.
+/// Loops have a copy of a reader, whose functions are inlined: a compiler can keep it in registers.
 template <class Coder>
 inline constexpr bool kHoldsCopy = !Coder::kWrites;
 
@@ -17,7 +17,7 @@ using Held = std::conditional_t<kHoldsCopy<Coder>, Coder, Coder&>;
 
 /// Afterwards `coder` is where `held` is.
 template <class Coder>
-[[gnu::always_inline]] inline void give_back(const Coder& held, Coder& coder) noexcept {
+[[gnu::always_inline]] inline void write_back(const Coder& held, Coder& coder) noexcept {
   if constexpr (kHoldsCopy<Coder>) coder = held;
 }
 

@@ -19,12 +19,12 @@ inline constexpr unsigned kSymbols = 16;
 struct alignas(16) Lanes : std::array<std::int16_t, kSymbols> {};
 
 /// Targets of the adaptation to symbol s: 0 for lanes 0 to s, `goal` for the others.
-using Pulls = std::array<Lanes, kSymbols>;
-constexpr Pulls make_pulls(std::int16_t goal) noexcept {
-  Pulls pulls{};
+using CdfTargets = std::array<Lanes, kSymbols>;
+constexpr CdfTargets make_targets(std::int16_t goal) noexcept {
+  CdfTargets targets{};
   for (unsigned s = 0; s < kSymbols; ++s)
-    for (unsigned i = s + 1; i < kSymbols; ++i) pulls[s][i] = goal;
-  return pulls;
+    for (unsigned i = s + 1; i < kSymbols; ++i) targets[s][i] = goal;
+  return targets;
 }
 
 /// Lanes are aligned to 16 bytes; eight of them, from 8 * half on.
@@ -38,11 +38,11 @@ inline void store_lanes(void* lanes, std::size_t half, EightShorts values) noexc
               sizeof(values));
 }
 
-/// lane += (pull - lane) >> rate
-inline void pull_lanes(std::int16_t* lanes, const Lanes& pull, unsigned rate) noexcept {
+/// lane += (target - lane) >> rate
+inline void adapt_lanes(std::int16_t* lanes, const Lanes& target, unsigned rate) noexcept {
   for (std::size_t half = 0; half < 2; ++half) {
     const EightShorts now = load_lanes(lanes, half);
-    const EightShorts way = load_lanes(pull.data(), half) - now;
+    const EightShorts way = load_lanes(target.data(), half) - now;
     store_lanes(lanes, half, now + (way >> static_cast<std::int16_t>(rate)));
   }
 }

@@ -68,7 +68,16 @@ constexpr Interval part_for_bit(Interval whole, std::uint32_t size_of_set, std::
 /// Full scale of a model's lanes: leaves room for the rounding term of the update below 2^15.
 inline constexpr std::int16_t kLaneOne = 32512;
 
-/// Distribution of one symbol in one context. Lane i holds the probability of a symbol below i.
+/// Distribution of one symbol in one context, an adaptive CDF: lane i holds the probability of a symbol below
+/// i. With four symbols in place of 16, and a full scale of 32512, three times symbol 1 from an even start:
+///
+///   symbols seen   rate   lane 0   lane 1   lane 2   lane 3   (full)   share of symbol 1
+///   0              2      0        8128     16256    24384    32512    1/4
+///   1              2      0        6096     20320    26416    32512    7/16
+///   2              3      0        4572     23368    27940    32512    37/64
+///   3              3      0        4000     24511    28512    32512    0.63
+///
+/// Each lane above the symbol moves to the full scale, each other lane to 0, by 2^-rate of its way.
 class alignas(16) SymbolModel {
  public:
   SymbolModel() = default;  ///< to be set before it is used
@@ -95,7 +104,7 @@ class alignas(16) SymbolModel {
   [[gnu::always_inline]] void learn(unsigned symbol) noexcept {
     const auto [rate, next] = kSteps[count_];
     count_ = next;
-    pull_lanes(lanes_.data(), kPulls[rate][symbol], rate);
+    adapt_lanes(lanes_.data(), kTargets[rate][symbol], rate);
   }
 
   /// Limits the count of symbols seen, so that a model learnt from another mesh adapts faster [CMP-16].
@@ -120,18 +129,19 @@ class alignas(16) SymbolModel {
     return steps;
   }();
   /// By rate. The goal exceeds kLaneOne by the amount that rounding takes off.
-  DELTAMESH_TABULATE static std::array<Pulls, kLastRate + 1> make_pulls_by_rate() noexcept {
-    std::array<Pulls, kLastRate + 1> pulls{};
-    for (unsigned rate = 0; rate < pulls.size(); ++rate)
-      pulls[rate] = make_pulls(static_cast<std::int16_t>(kLaneOne + (1 << rate) - 1));
-    return pulls;
+  DELTAMESH_TABULATE static std::array<CdfTargets, kLastRate + 1> make_targets_by_rate() noexcept {
+    std::array<CdfTargets, kLastRate + 1> targets{};
+    for (unsigned rate = 0; rate < targets.size(); ++rate)
+      targets[rate] = make_targets(static_cast<std::int16_t>(kLaneOne + (1 << rate) - 1));
+    return targets;
   }
-  static const std::array<Pulls, kLastRate + 1> kPulls;
+  static const std::array<CdfTargets, kLastRate + 1> kTargets;
 
   std::array<std::int16_t, kSymbols + 1> lanes_;  ///< the last is after all symbols and stays
   std::uint8_t count_;                            ///< symbols seen, to kMostCounted
 };
-inline const std::array<Pulls, SymbolModel::kLastRate + 1> SymbolModel::kPulls = make_pulls_by_rate();
+inline const std::array<CdfTargets, SymbolModel::kLastRate + 1> SymbolModel::kTargets =
+    make_targets_by_rate();
 
 /// Weights of two models, learnt [CMP-6].
 class MixWeights {

@@ -35,7 +35,7 @@ class CompactReader {
     return symbol;
   }
 
-  /// A symbol and the bits that follow it, in one decision [CMP-12].
+  /// A symbol and the bits that follow it, in one step [CMP-12].
   template <std::size_t K>
   [[gnu::always_inline]] unsigned symbol_and_bits(unsigned, LowBits& low, const Mixture<K>& mixture,
                                                   SymbolBits& bit_models) noexcept {
@@ -118,8 +118,8 @@ class CompactReader {
 
   std::span<const std::byte> bytes_;
   std::size_t position_ = 0;
-  std::uint64_t state_ = kLeastState;       ///< the next decision's
-  std::uint64_t next_state_ = kLeastState;  ///< that of the one after
+  std::uint64_t state_ = kLeastState;       ///< of the next symbol
+  std::uint64_t next_state_ = kLeastState;  ///< of the symbol after it
   bool failed_ = false;
 };
 

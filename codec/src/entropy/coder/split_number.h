@@ -92,9 +92,9 @@ class SplitNumberCoder {
   }
   template <class Code>
   [[gnu::always_inline]] auto with(Coder& coder, Code code) {
-    give_back<Coder>(coder, coder_);
+    write_back<Coder>(coder, coder_);
     const auto result = code();
-    give_back<Coder>(coder_, coder);
+    write_back<Coder>(coder_, coder);
     return result;
   }
 

@@ -14,7 +14,7 @@
 
 namespace deltamesh {
 
-/// Collects decisions, which finish() turns into one rANS stream. The functions have the names and the
+/// Collects symbols, which finish() turns into one rANS stream. The functions have the names and the
 /// results of CompactReader's, so that one template serves both directions; here each returns its first
 /// argument. Memory: 4 bytes per symbol until finish().
 class CompactWriter {
@@ -70,8 +70,8 @@ class CompactWriter {
   /// The stream. The writer is empty afterwards. O(symbols).
   std::vector<std::byte> finish();
 
-  /// Room for this many decisions, so that nothing moves while they come.
-  void reserve(std::size_t decisions) { decisions_.reserve(decisions); }
+  /// Room for this many symbols, so that nothing moves while they come.
+  void reserve(std::size_t symbols) { symbols_.reserve(symbols); }
 
  private:
   /// Marks bits among intervals, whose sizes are smaller.
@@ -79,23 +79,21 @@ class CompactWriter {
   /// Marks those bits that are read together with the interval that follows.
   static constexpr std::uint32_t kJoinedMark = 0x4000;
 
-  void put(Interval interval) { decisions_.push_back(interval.start << 16 | interval.size); }
-  void put_bits(std::uint32_t value, unsigned count) {
-    decisions_.push_back(value << 16 | kBitsMark | count);
-  }
+  void put(Interval interval) { symbols_.push_back(interval.start << 16 | interval.size); }
+  void put_bits(std::uint32_t value, unsigned count) { symbols_.push_back(value << 16 | kBitsMark | count); }
   void put_joined(std::uint32_t value, unsigned count) {
-    decisions_.push_back(value << 16 | kBitsMark | kJoinedMark | count);
+    symbols_.push_back(value << 16 | kBitsMark | kJoinedMark | count);
     ++joined_;
   }
 
   using States = std::array<std::uint64_t, 2>;
-  /// Turns decisions into words, which take the place of the last ones, from `first` on, and the states that
+  /// Turns symbols into words, which take the place of the last ones, from `first` on, and the states that
   /// a reader begins with. False, with nothing changed, where small states would need words at different
   /// times.
   bool encode(std::uint64_t begin, States& states, std::size_t& first);
 
-  std::vector<std::uint32_t> decisions_;  ///< intervals and bits
-  std::size_t joined_ = 0;                ///< how many of them go with the next
+  std::vector<std::uint32_t> symbols_;  ///< intervals and bits
+  std::size_t joined_ = 0;              ///< how many of them go with the next
 };
 
 }  // namespace deltamesh

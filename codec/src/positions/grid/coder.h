@@ -15,7 +15,7 @@
 #include "base/memory/large_vector.h"
 #include "base/numbers/zigzag.h"
 #include "base/small_code.h"
-#include "positions/blend.h"
+#include "positions/blend/blend.h"
 #include "positions/grid/faces.h"
 #include "positions/grid/level_coder.h"
 #include "positions/grid/models.h"

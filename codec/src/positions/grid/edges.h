@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "positions/blend.h"
+#include "positions/blend/blend.h"
 #include "positions/grid/lanes.h"
 
 namespace deltamesh {

@@ -11,7 +11,7 @@
 
 #include "base/numbers/vec3.h"
 #include "format/predictive_parameters.h"
-#include "positions/blend.h"
+#include "positions/blend/blend.h"
 #include "positions/lattice/axis_values.h"
 
 namespace deltamesh {

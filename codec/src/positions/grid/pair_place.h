@@ -10,7 +10,7 @@
 #include <span>
 
 #include "base/simd/four_ints.h"
-#include "positions/blend.h"
+#include "positions/blend/blend.h"
 #include "positions/surroundings.h"
 
 namespace deltamesh {

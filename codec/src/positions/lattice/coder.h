@@ -83,7 +83,7 @@ class LatticeCoder {
     code_axis(coder, 0, turn);
     if (axes > 1) code_axis(coder, 1, turn);
     if (axes > 2) code_axis(coder, 2, turn);
-    give_back<Coder>(coder, coder_);
+    write_back<Coder>(coder, coder_);
     if (is_beyond(turn)) return false;
     end(turn, cells);
     return true;
@@ -112,7 +112,7 @@ class LatticeCoder {
       code_axis(coder, axis, first);
       code_axis(coder, axis, second);
     }
-    give_back<Coder>(coder, coder_);
+    write_back<Coder>(coder, coder_);
     if (is_beyond(first) || is_beyond(second)) return "POSN-7";
     end(first, cells);
     end(second, cells);
@@ -190,9 +190,9 @@ class LatticeCoder {
 
   [[gnu::always_inline]] bool code_match(Coder& coder, std::size_t axis, Matching& matching,
                                          std::int32_t& value) {
-    give_back<Coder>(coder, coder_);
+    write_back<Coder>(coder, coder_);
     const bool matches = code_match(axis, matching, value);
-    give_back<Coder>(coder_, coder);
+    write_back<Coder>(coder_, coder);
     return matches;
   }
   [[gnu::noinline]] bool code_match(std::size_t axis, Matching& matching, std::int32_t& value) {

@@ -10,7 +10,7 @@
 #include "base/memory/large_vector.h"
 #include "base/numbers/vec3.h"
 #include "format/predictive_parameters.h"
-#include "positions/blend.h"
+#include "positions/blend/blend.h"
 
 namespace deltamesh {
 

@@ -40,7 +40,8 @@ struct SenderCounts {
 };
 
 /// Keeps the source and the state of each receiver. It decodes everything that it sends, so that it knows the
-/// receivers' maps to the bit. Times are seconds of any steady clock. Not thread-safe.
+/// receivers' maps to the bit. Times are seconds of any steady clock. A message arrives within 60 seconds or
+/// not at all: then what is known of parts that no longer exist is forgotten. Not thread-safe.
 class MapSender {
  public:
   /// Errors: kInvalidArgument, those of MapCodec::open().
@@ -72,7 +73,7 @@ class MapSender {
   const MapDescription& description() const noexcept;
   std::uint64_t revision() const noexcept;
   std::uint64_t next_group() const noexcept;
-  const SenderCounts& counts() const noexcept;
+  SenderCounts counts() const noexcept;
   /// The newest source of a part; null if there is none.
   const MapPart* source(const PartKey& key) const noexcept;
   std::vector<PartKey> keys() const;  ///< ascending

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "deltamesh/compare.h"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+
+#include "commands/commands.h"
+#include "deltamesh/io.h"
+#include "mesh_files.h"
+#include "report/attributes.h"
+#include "report/console.h"
+#include "report/heatmap.h"
+#include "report/progress.h"
+#include "report/stream.h"
+
+namespace deltamesh::cli {
+namespace {
+
+struct CompareArguments {
+  std::string a;
+  std::string b;
+  std::string order;
+  std::string heatmap;
+  bool json = false;
+};
+
+/// Little-endian uint32, as `encode --order-out` writes them; empty with `status` set where the file is bad.
+std::vector<std::uint32_t> load_order(const std::string& path, int& status) {
+  const Result<std::vector<std::byte>> bytes = read_file(path);
+  if (!bytes) {
+    status = fail(path, bytes.error());
+    return {};
+  }
+  if (bytes->empty() || bytes->size() % 4 != 0) {
+    print_error(path, "not an order file: its size must be a multiple of four bytes and not zero");
+    status = kBadInput;
+    return {};
+  }
+  std::vector<std::uint32_t> order(bytes->size() / 4);
+  for (std::size_t i = 0; i < bytes->size(); ++i)
+    order[i / 4] |= std::to_integer<std::uint32_t>((*bytes)[i]) << (8 * (i % 4));
+  return order;
+}
+
+std::string attributes_headline(const Comparison& result) {
+  return result.matched_faces > 0 || result.corresponding
+             ? "at the corners of " + counted(result.matched_faces, "face", "faces")
+             : "not measured, for no faces correspond";
+}
+
+void print_summary(const CompareArguments& arguments, const Comparison& result, float scale) {
+  Summary summary(arguments.a + " and " + arguments.b);
+  if (result.corresponding) {
+    summary.add("vertices", std::string("correspond") + (result.reordered ? ", in another order" : "") +
+                                "; measured on " + grouped(result.measured_vertices));
+    add_errors(summary, result.quality, result.diagonal);
+  } else {
+    summary.add("vertices", "do not correspond; distances of vertices to the other surface, both ways");
+    summary.add("faces", grouped(result.matched_faces) + " in both, " + grouped(result.unmatched_faces_a) +
+                             " only in A, " + grouped(result.unmatched_faces_b) + " only in B");
+    summary.add("rms", of_diagonal(result.surface_rms, result.diagonal));
+    summary.add("max", of_diagonal(result.surface_max, result.diagonal));
+  }
+  summary.add("normals", brief(result.normal_angle_mean) + " degrees apart on average, " +
+                             brief(result.normal_angle_p95) + " at the 95th percentile");
+  summary.add("diagonal", brief(result.diagonal));
+  if (!result.attributes.empty()) summary.add("attributes", attributes_headline(result));
+  add_attributes(summary, result);
+  if (!arguments.heatmap.empty())
+    summary.add("heat map", arguments.heatmap + ", red is " + of_diagonal(scale, result.diagonal) +
+                                " outward, blue inward");
+  summary.print();
+}
+
+void print_object(const CompareArguments& arguments, const Comparison& result, float scale) {
+  nlohmann::ordered_json object;
+  const nlohmann::ordered_json none = nullptr;
+  const bool pairs = result.corresponding;
+  const PaperQuality paper = paper_form(result.quality, result.measured_vertices, result.diagonal);
+  const auto where = [&none](bool applies, double value) {
+    return applies ? nlohmann::ordered_json(value) : none;
+  };
+  object["corresponding"] = pairs;
+  object["reordered"] = result.reordered;
+  object["matched_faces"] = result.matched_faces;
+  object["unmatched_faces_a"] = result.unmatched_faces_a;
+  object["unmatched_faces_b"] = result.unmatched_faces_b;
+  object["vde_rms"] = where(pairs, result.quality.vde_rms);
+  object["lfe_rms"] = where(pairs, result.quality.lfe_rms);
+  object["max_error"] = where(pairs, result.quality.max_error);
+  object["vde_paper"] = where(pairs, paper.vde);
+  object["lfe_paper"] = where(pairs, paper.lfe);
+  object["surface_rms"] = where(!pairs, result.surface_rms);
+  object["surface_max"] = where(!pairs, result.surface_max);
+  object["normal_angle_mean"] = result.normal_angle_mean;
+  object["normal_angle_p95"] = result.normal_angle_p95;
+  object["diagonal"] = result.diagonal;
+  object["measured_vertices"] = pairs ? nlohmann::ordered_json(result.measured_vertices) : none;
+  object["attributes"] = attributes_object(result);
+  if (!arguments.heatmap.empty()) object["heatmap_scale"] = scale;
+  print_json(object);
+}
+
+/// An error of compare() can be due to the order file or to either mesh.
+int fail_comparison(const CompareArguments& arguments, const Error& error) {
+  if (error.code != ErrorCode::kInvalidArgument) return fail(arguments.a + ", " + arguments.b, error);
+  fail(arguments.order.empty() ? arguments.b : arguments.order, error);
+  return kBadInput;
+}
+
+Result<Comparison> compare_showing_progress(const Mesh& a, const Mesh& b,
+                                            const std::vector<std::uint32_t>& order) {
+  const Progress progress("comparing");
+  return compare(a, b, order);
+}
+
+int run_compare(const CompareArguments& arguments) {
+  int status = kOk;
+  if (!arguments.heatmap.empty() && !check_mesh_suffix(arguments.heatmap, status)) return status;
+  for (const std::string& mesh : {arguments.a, arguments.b}) {
+    if (!names_same_file(arguments.heatmap, mesh)) continue;
+    print_error(arguments.heatmap, "the heat map would replace a mesh that it compares");
+    return kUsage;
+  }
+  const std::optional<Mesh> a = load_mesh_or_stream(arguments.a, status);
+  if (!a) return status;
+  const std::optional<Mesh> b = load_mesh_or_stream(arguments.b, status);
+  if (!b) return status;
+  std::vector<std::uint32_t> order;
+  if (!arguments.order.empty()) order = load_order(arguments.order, status);
+  if (status != kOk) return status;
+
+  const Result<Comparison> result = compare_showing_progress(*a, *b, order);
+  if (!result) return fail_comparison(arguments, result.error());
+  const float scale = heatmap_scale(result->signed_error);
+  if (!arguments.heatmap.empty()) {
+    status = save_mesh(arguments.heatmap, heatmap(*b, result->signed_error, scale));
+    if (status != kOk) return status;
+  }
+  if (arguments.json)
+    print_object(arguments, *result, scale);
+  else
+    print_summary(arguments, *result, scale);
+  if (order.empty() || result->corresponding) return kOk;
+  print_error(arguments.b, "its triangles are not those of " + arguments.a + " under the given order");
+  return kBadStream;
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app, int& status) {
+  const auto arguments = std::make_shared<CompareArguments>();
+  CLI::App* command = app.add_subcommand("compare", "Measure how far mesh B is from mesh A");
+  command->add_option("A", arguments->a, std::string("original: ") + kMeshSuffixes + " .dmsh")->required();
+  command->add_option("B", arguments->b, "approximation, the same kinds")->required();
+  command->add_option("--order", arguments->order,
+                      "file of `encode --order-out`: the vertex of A for every vertex of B");
+  command->add_option("--heatmap", arguments->heatmap,
+                      "write B coloured by signed error: green none, red outward, blue inward");
+  command->add_flag("--json", arguments->json, "print one JSON object to standard output");
+  command->footer(
+      "Vertices correspond where both meshes have the same triangles. They may come in another order: faces "
+      "are\n"
+      "found by place and neighbours, or --order says which vertex is which. Then the visual (VDE),\n"
+      "low-frequency (LFE) and largest vertex errors are measured, otherwise the distances of the vertices "
+      "of\n"
+      "both meshes to the surface of the other. Attributes are compared at the corners of the faces that "
+      "were\n"
+      "found.\n\n"
+      "Examples:\n"
+      "  deltamesh compare bunny.ply bunny.dmsh\n"
+      "  deltamesh encode bunny.ply bunny.dmsh --order-out bunny.order\n"
+      "  deltamesh compare bunny.ply bunny.dmsh --order bunny.order --heatmap errors.ply\n"
+      "  deltamesh compare helmet.glb helmet_unpacked.glb\n");
+  command->callback([arguments, &status] { status = run_compare(*arguments); });
+}
+
+}  // namespace deltamesh::cli

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "deltamesh/encode.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "commands/commands.h"
+#include "deltamesh/io.h"
+#include "encode_options.h"
+#include "mesh_files.h"
+#include "report/attributes.h"
+#include "report/console.h"
+#include "report/progress.h"
+#include "report/stream.h"
+
+namespace deltamesh::cli {
+namespace {
+
+struct EncodeArguments {
+  std::string in;
+  std::string out;
+  std::string order_out;
+  bool json = false;
+  EncodeOptions options;
+};
+
+/// Little-endian uint32, one per decoded vertex.
+std::vector<std::byte> order_bytes(const std::vector<std::uint32_t>& order) {
+  std::vector<std::byte> bytes;
+  bytes.reserve(4 * order.size());
+  for (const std::uint32_t index : order)
+    for (unsigned shift = 0; shift < 32; shift += 8)
+      bytes.push_back(static_cast<std::byte>((index >> shift) & 0xff));
+  return bytes;
+}
+
+void print_summary(const EncodeArguments& arguments, const ImportNotes& notes, const EncodeReport& report,
+                   double seconds) {
+  const StreamInfo& stream = report.stream;
+  Summary summary(arguments.in + " -> " + arguments.out);
+  std::string vertices = grouped(stream.vertices);
+  if (report.unreferenced_vertices > 0)
+    vertices += " (" +
+                counted(report.unreferenced_vertices, "vertex that no face uses was ",
+                        "vertices that no face uses were ") +
+                (arguments.options.keep_unreferenced ? "kept)" : "dropped)");
+  summary.add("vertices", vertices);
+  std::string triangles = grouped(stream.triangles);
+  if (notes.polygons > 0) triangles += " (" + counted(notes.polygons, "polygon", "polygons") + " split)";
+  if (notes.dropped_faces > 0)
+    triangles += " (" + counted(notes.dropped_faces, "face", "faces") + " of under three corners dropped)";
+  summary.add("triangles", triangles);
+  if (notes.other_primitives > 0)
+    summary.add("left out", counted(notes.other_primitives, "point or line", "points or lines"));
+  if (notes.dropped_attributes > 0)
+    summary.add("left out", counted(notes.dropped_attributes, "attribute", "attributes") +
+                                " (bad name, or not alike in all primitives)");
+  summary.add("components", grouped(stream.components));
+  add_sizes(summary, stream);
+  add_attributes(summary, stream);
+  add_settings(summary, stream);
+  add_errors(summary, stream.quality, stream.diagonal);
+  summary.add("time", brief(seconds) + " s");
+  summary.print();
+}
+
+void print_object(const EncodeReport& report, double seconds) {
+  nlohmann::ordered_json object;
+  object["input_vertices"] = report.input_vertices;
+  object["unreferenced_vertices"] = report.unreferenced_vertices;
+  add_stream(object, report.stream);
+  object["encode_seconds"] = seconds;
+  print_json(object);
+}
+
+Result<Encoded> encode_showing_progress(const Mesh& mesh, EncodeOptions options) {
+  Progress progress("encoding");
+  options.progress = progress.callback();
+  return encode(mesh, options);
+}
+
+/// A stream or an order under a mesh's suffix is a slip: written, it would most often replace the mesh.
+bool check_outputs(const EncodeArguments& arguments, int& status) {
+  for (const std::string& path : {arguments.out, arguments.order_out}) {
+    if (!format_of_path(path)) continue;
+    print_error(path, "this suffix is a mesh file's; `encode` writes a stream, .dmsh");
+    status = kUsage;
+    return false;
+  }
+  if (!names_same_file(arguments.out, arguments.order_out)) return true;
+  print_error(arguments.out, "OUT and --order-out are one file");
+  status = kUsage;
+  return false;
+}
+
+/// A bound for a name that the mesh does not have, or whose kind has an option of its own, is a slip.
+bool check_named_bounds(const EncodeArguments& arguments, const Mesh& mesh, int& status) {
+  for (const NamedBound& bound : arguments.options.attributes.named) {
+    const auto has_name = [&](const Attribute& attribute) { return attribute.name == bound.name; };
+    const auto found = std::find_if(mesh.attributes.begin(), mesh.attributes.end(), has_name);
+    if (found != mesh.attributes.end() && found->kind == AttributeKind::kGeneric) continue;
+    if (found != mesh.attributes.end()) {
+      print_error("--attribute-error",
+                  bound.name + " is " + kind_text(found->kind) + ", for which there is an option of its own");
+    } else {
+      std::string names;
+      for (const Attribute& attribute : mesh.attributes) names += ' ' + attribute.name;
+      print_error("--attribute-error", arguments.in + " has no attribute " + bound.name + "; it has" +
+                                           (names.empty() ? " none" : ':' + names));
+    }
+    status = kUsage;
+    return false;
+  }
+  return true;
+}
+
+int run_encode(const EncodeArguments& arguments) {
+  if (const Result<void> valid = validate(arguments.options); !valid) return fail("encode", valid.error());
+  int status = kOk;
+  if (!check_outputs(arguments, status)) return status;
+  const std::optional<Imported> imported = load_mesh(arguments.in, status);
+  if (!imported || !check_named_bounds(arguments, imported->mesh, status)) return status;
+
+  const auto start = std::chrono::steady_clock::now();
+  const Result<Encoded> encoded = encode_showing_progress(imported->mesh, arguments.options);
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  if (!encoded) return fail(arguments.in, encoded.error());
+
+  if (const Result<void> written = write_file(arguments.out, encoded->bytes); !written)
+    return fail(arguments.out, written.error());
+  if (!arguments.order_out.empty())
+    if (const Result<void> written = write_file(arguments.order_out, order_bytes(encoded->order)); !written)
+      return fail(arguments.order_out, written.error());
+  if (arguments.json)
+    print_object(encoded->report, elapsed.count());
+  else
+    print_summary(arguments, imported->notes, encoded->report, elapsed.count());
+  return kOk;
+}
+
+}  // namespace
+
+void add_encode_command(CLI::App& app, int& status) {
+  const auto arguments = std::make_shared<EncodeArguments>();
+  CLI::App* command = app.add_subcommand("encode", "Compress a mesh file into a .dmsh stream");
+  command->add_option("IN", arguments->in, std::string("mesh file: ") + kMeshSuffixes)->required();
+  command->add_option("OUT", arguments->out, "stream to write, .dmsh")->required();
+  add_encode_options(*command, arguments->options);
+  command->add_option("--order-out", arguments->order_out,
+                      "write the input vertex of every decoded vertex, as little-endian uint32");
+  command->add_flag("--json", arguments->json, "print one JSON object to standard output");
+  command->footer(
+      "Without options no vertex is off by more than 0.02 % of the diagonal of its mesh or 4 % of the mean\n"
+      "edge, whichever is less, and attributes keep the errors above.\n\n"
+      "Examples:\n"
+      "  deltamesh encode bunny.ply bunny.dmsh\n"
+      "  deltamesh encode map.ply map.dmsh --max-error 0.02 --color-error 4\n"
+      "  deltamesh encode map.ply map.dmsh --target-bytes 100000\n"
+      "  deltamesh encode helmet.glb helmet.dmsh --max-error 0.01% --normal-error 1 --uv-error 1/2048\n"
+      "  deltamesh encode scan.ply scan.dmsh --vde 0.01% --lfe 0.1% --attribute-error intensity=0.5\n"
+      "  deltamesh encode bunny.ply bunny.dmsh --bits 6 --json > figures.json\n");
+  command->callback([arguments, &status] { status = run_encode(*arguments); });
+}
+
+}  // namespace deltamesh::cli

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "report/attributes.h"
+
+#include <array>
+
+#include "report/stream.h"
+
+namespace deltamesh::cli {
+namespace {
+
+std::string type_text(ComponentType type) {
+  constexpr std::array kNames{"i8", "u8", "i16", "u16", "i32", "u32", "f32", "f64"};
+  return kNames[static_cast<std::size_t>(type)];
+}
+
+const char* match_name(AttributeMatch match) {
+  switch (match) {
+    case AttributeMatch::kMissingInB:
+      return "missing_in_b";
+    case AttributeMatch::kOnlyInB:
+      return "only_in_b";
+    case AttributeMatch::kOtherType:
+      return "other_type";
+    case AttributeMatch::kCompared:
+      break;
+  }
+  return "compared";
+}
+
+std::string comparison_text(const AttributeComparison& attribute) {
+  switch (attribute.match) {
+    case AttributeMatch::kMissingInB:
+      return "missing in B";
+    case AttributeMatch::kOnlyInB:
+      return "only in B";
+    case AttributeMatch::kOtherType:
+      return "of another type in B";
+    case AttributeMatch::kCompared:
+      break;
+  }
+  if (attribute.measured == 0) return "not measured";
+  if (attribute.max_error == 0) return "exact";
+  return "max error " + error_text(attribute.kind, attribute.max_error) + ", mean " + brief(attribute.mean) +
+         ", rms " + brief(attribute.rms);
+}
+
+}  // namespace
+
+std::string kind_text(AttributeKind kind) {
+  constexpr std::array kNames{"normal", "color", "uv", "generic", "tangent", "joints", "weights"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+std::string shape_text(ComponentType type, int components) {
+  return std::to_string(components) + " x " + type_text(type);
+}
+
+const char* unit_name(AttributeKind kind) {
+  switch (kind) {
+    case AttributeKind::kNormal:
+    case AttributeKind::kTangent:
+      return "degrees";
+    case AttributeKind::kUv:
+      return "uv";
+    case AttributeKind::kColor:
+      return "255ths";
+    case AttributeKind::kGeneric:
+    case AttributeKind::kJoints:
+    case AttributeKind::kWeights:
+      break;
+  }
+  return "value";
+}
+
+std::string error_text(AttributeKind kind, double error) {
+  if (error == 0) return "exact";
+  std::string text = brief(error);
+  if (kind == AttributeKind::kNormal || kind == AttributeKind::kTangent) text += " degrees";
+  if (kind == AttributeKind::kColor) text += " of 255";
+  return text;
+}
+
+void add_attributes(Summary& summary, const StreamInfo& info) {
+  for (const AttributeInfo& attribute : info.attributes)
+    summary.add("    " + attribute.name,
+                kind_text(attribute.kind) + ", " + shape_text(attribute.type, attribute.components) + ", " +
+                    size_text(attribute.coded_bytes, info) +
+                    (attribute.error == 0 ? ", exact"
+                                          : ", max error " + error_text(attribute.kind, attribute.error)));
+}
+
+nlohmann::ordered_json attributes_object(const StreamInfo& info) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const AttributeInfo& attribute : info.attributes) {
+    nlohmann::ordered_json entry;
+    entry["name"] = attribute.name;
+    entry["kind"] = kind_text(attribute.kind);
+    entry["type"] = shape_text(attribute.type, attribute.components);
+    entry["bytes"] = attribute.coded_bytes;
+    entry["bits_per_vertex"] = bits_per_vertex(attribute.coded_bytes, info);
+    entry["max_error"] = attribute.error;
+    entry["unit"] = unit_name(attribute.kind);
+    list.push_back(entry);
+  }
+  return list;
+}
+
+void add_attributes(Summary& summary, const Comparison& result) {
+  for (const AttributeComparison& attribute : result.attributes)
+    summary.add("  " + attribute.name, kind_text(attribute.kind) + ", " + comparison_text(attribute));
+}
+
+nlohmann::ordered_json attributes_object(const Comparison& result) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const AttributeComparison& attribute : result.attributes) {
+    const bool measured = attribute.measured > 0;
+    const auto figure = [measured](double value) {
+      return measured ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+    };
+    nlohmann::ordered_json entry;
+    entry["name"] = attribute.name;
+    entry["kind"] = kind_text(attribute.kind);
+    entry["match"] = match_name(attribute.match);
+    entry["measured"] = attribute.measured;
+    entry["max_error"] = figure(attribute.max_error);
+    entry["mean"] = figure(attribute.mean);
+    entry["rms"] = figure(attribute.rms);
+    entry["unit"] = unit_name(attribute.kind);
+    list.push_back(entry);
+  }
+  return list;
+}
+
+}  // namespace deltamesh::cli

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "report/map.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+
+#include "deltamesh/map/description.h"
+#include "report/console.h"
+
+namespace deltamesh::cli {
+namespace {
+
+struct Totals {
+  std::size_t parts = 0;
+  std::uint64_t bytes = 0;
+  std::uint32_t least = std::numeric_limits<std::uint32_t>::max();
+  std::uint32_t most = 0;
+  std::uint64_t vertices = 0;
+  std::uint64_t triangles = 0;
+  double max_error = 0;
+};
+
+std::vector<PartKey> keys_of(const MapManifest& manifest) {
+  std::vector<PartKey> keys;
+  for (const PartEntry& entry : manifest.entries) keys.push_back(entry.key);
+  return keys;
+}
+
+/// Of the parts that show the map on a level.
+Totals totals_on(const MapManifest& manifest, std::uint8_t level) {
+  const auto keys = keys_on_level(keys_of(manifest), level);
+  Totals totals;
+  for (const PartEntry& entry : manifest.entries) {
+    if (!std::ranges::binary_search(keys, entry.key)) continue;
+    ++totals.parts;
+    totals.bytes += entry.bytes;
+    totals.least = std::min(totals.least, entry.bytes);
+    totals.most = std::max(totals.most, entry.bytes);
+    totals.vertices += entry.vertices;
+    totals.triangles += entry.triangles;
+    totals.max_error = std::max(totals.max_error, entry.quality.max_error);
+  }
+  if (totals.parts == 0) totals.least = 0;
+  return totals;
+}
+
+/// `finest`: what shows the map on level 0.
+bool has_copies(const MapManifest& manifest, const Totals& finest) noexcept {
+  return manifest.entries.size() > finest.parts;
+}
+
+std::uint64_t primer_bytes(const MapDescription& description) noexcept {
+  std::uint64_t bytes = 0;
+  for (const MapPrimer& primer : description.primers) bytes += primer.stream.size() + primer.border.size();
+  return bytes;
+}
+
+}  // namespace
+
+std::string key_text(const PartKey& key) {
+  return "level " + std::to_string(key.level) + ", " + std::to_string(key.x) + ' ' + std::to_string(key.y) +
+         ' ' + std::to_string(key.z);
+}
+
+nlohmann::ordered_json key_object(const PartKey& key) {
+  nlohmann::ordered_json object;
+  object["level"] = key.level;
+  object["cell"] = {key.x, key.y, key.z};
+  return object;
+}
+
+void print_map(const std::string& headline, const MapManifest& manifest,
+               std::optional<std::size_t> new_parts) {
+  const MapDescription& description = manifest.description;
+  const Totals totals = totals_on(manifest, 0);
+  Summary summary(headline);
+  summary.add("map", std::to_string(description.id) + " in frame " + description.frame + ", epoch " +
+                         std::to_string(description.epoch) + ", revision " +
+                         std::to_string(manifest.revision));
+  summary.add("lattice", "2^" + std::to_string(description.lattice.step_exponent) + " = " +
+                             brief(description.lattice.step()));
+  summary.add("smallest cell", brief(description.cell_steps * description.lattice.step()));
+  std::string parts = grouped(totals.parts);
+  if (totals.parts != 0)
+    parts += " of " + grouped(totals.least) + " to " + counted(totals.most, "byte", "bytes") + ", mean " +
+             grouped(totals.bytes / totals.parts);
+  summary.add("parts", parts);
+  if (new_parts) summary.add("new or changed", counted(*new_parts, "part", "parts"));
+  summary.add("vertices", grouped(totals.vertices) + ", those of borders in each of their parts");
+  summary.add("triangles", grouped(totals.triangles));
+  summary.add("bytes", grouped(totals.bytes + primer_bytes(description)) + ", of which " +
+                           grouped(primer_bytes(description)) + " are primers");
+  summary.add("max error", brief(totals.max_error));
+  if (has_copies(manifest, totals)) {
+    for (int level = 1; level <= manifest.entries.back().key.level; ++level) {
+      const Totals shown = totals_on(manifest, static_cast<std::uint8_t>(level));
+      summary.add("seen on level " + std::to_string(level),
+                  counted(shown.parts, "part", "parts") + ", " + counted(shown.bytes, "byte", "bytes") +
+                      ", " + counted(shown.triangles, "triangle", "triangles") + ", max error " +
+                      brief(shown.max_error));
+    }
+  }
+  summary.print();
+}
+
+nlohmann::ordered_json map_object(const MapManifest& manifest) {
+  const MapDescription& description = manifest.description;
+  const Totals totals = totals_on(manifest, 0);
+  nlohmann::ordered_json object;
+  object["map_id"] = description.id;
+  object["frame"] = description.frame;
+  object["epoch"] = description.epoch;
+  object["revision"] = manifest.revision;
+  object["origin"] = description.lattice.origin;
+  object["lattice_step"] = description.lattice.step();
+  object["cell_edge"] = description.cell_steps * description.lattice.step();
+  object["parts"] = totals.parts;
+  object["part_bytes"] = totals.bytes;
+  object["primer_bytes"] = primer_bytes(description);
+  object["vertices"] = totals.vertices;
+  object["triangles"] = totals.triangles;
+  object["max_error"] = totals.max_error;
+  if (!has_copies(manifest, totals)) return object;
+  for (int level = 1; level <= manifest.entries.back().key.level; ++level) {
+    const Totals shown = totals_on(manifest, static_cast<std::uint8_t>(level));
+    object["levels"].push_back({{"level", level},
+                                {"parts", shown.parts},
+                                {"part_bytes", shown.bytes},
+                                {"triangles", shown.triangles},
+                                {"max_error", shown.max_error}});
+  }
+  return object;
+}
+
+}  // namespace deltamesh::cli

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "part/link_table.h"
+
+#include <xxhash.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "base/byte_writer.h"
+
+namespace deltamesh {
+namespace {
+
+std::uint32_t hash_of(std::span<const SharedPoint> points) {
+  ByteWriter out;
+  for (const SharedPoint& shared : points) {
+    for (const std::int32_t x : shared.point) out.write(x);
+    out.write(shared.twin);
+  }
+  return static_cast<std::uint32_t>(XXH3_64bits(out.bytes().data(), out.size()));
+}
+
+}  // namespace
+
+void LinkTable::put(const MapPart& part) {
+  remove(part.key);
+  std::vector<SharedPoint> points;
+  for (const BorderVertex& vertex : part.border) points.push_back({vertex.point, vertex.twin});
+  std::ranges::sort(points);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  for (const SharedPoint& shared : points) {
+    std::vector<PartKey>& users = users_[shared];
+    touched_.insert(users.begin(), users.end());
+    users.push_back(part.key);
+  }
+  borders_[part.key] = std::move(points);
+}
+
+void LinkTable::remove(const PartKey& key) {
+  touched_.insert(key);
+  const auto known = borders_.find(key);
+  if (known == borders_.end()) return;
+  for (const SharedPoint& shared : known->second) {
+    const auto users = users_.find(shared);
+    std::erase(users->second, key);
+    touched_.insert(users->second.begin(), users->second.end());
+    if (users->second.empty()) users_.erase(users);
+  }
+  borders_.erase(known);
+}
+
+std::vector<PartLink> LinkTable::links_of(const PartKey& key) const {
+  std::map<PartKey, std::vector<SharedPoint>> common;
+  const auto known = borders_.find(key);
+  if (known == borders_.end()) return {};
+  for (const SharedPoint& shared : known->second)
+    for (const PartKey& user : users_.at(shared))
+      if (!overlap(user, key)) common[user].push_back(shared);
+  std::vector<PartLink> links;
+  for (const auto& [other, points] : common)
+    links.push_back({.key = other, .border = std::max(hash_of(points), 1U)});
+  return links;
+}
+
+std::set<PartKey> LinkTable::take_touched() { return std::exchange(touched_, {}); }
+
+}  // namespace deltamesh

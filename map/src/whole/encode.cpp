@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include <algorithm>
+#include <utility>
+
+#include "base/guard.h"
+#include "base/try.h"
+#include "connectivity/check_mesh.h"
+#include "deltamesh/map/encode_map.h"
+#include "deltamesh/map/join.h"
+#include "deltamesh/map/map_codec.h"
+#include "deltamesh/map/split.h"
+#include "part/link_table.h"
+#include "whole/coded_parts.h"
+#include "whole/describe.h"
+
+namespace deltamesh {
+namespace {
+
+/// Whether parts of the one are parts of the other, whatever the primers.
+bool share_lattice(MapDescription a, const MapDescription& b) {
+  a.epoch = b.epoch;
+  a.primers = b.primers;
+  return a == b;
+}
+
+std::vector<PartKey> keys_of(std::span<const MapPart> parts) {
+  std::vector<PartKey> keys;
+  for (const MapPart& part : parts) keys.push_back(part.key);
+  return keys;
+}
+
+/// The parts that are not coarser copies.
+std::vector<MapPart> finest_of(std::span<const MapPart> parts) {
+  const auto keys = keys_on_level(keys_of(parts), 0);
+  std::vector<MapPart> finest;
+  for (const MapPart& part : parts)
+    if (std::ranges::binary_search(keys, part.key)) finest.push_back(part);
+  return finest;
+}
+
+const PartEntry* find_entry(const MapManifest& manifest, const PartKey& key) noexcept {
+  const auto found = std::ranges::lower_bound(manifest.entries, key, {}, &PartEntry::key);
+  return found != manifest.entries.end() && found->key == key ? &*found : nullptr;
+}
+
+std::uint32_t border_with(const PartEntry& entry, const PartKey& key) noexcept {
+  const auto found = std::ranges::find(entry.links, key, &PartLink::key);
+  return found == entry.links.end() ? 0 : found->border;
+}
+
+/// Links, and what a version has from the state before. All that changes is one group.
+void number_versions(std::span<const MapPart> parts, const MapState* before, MapState& state) {
+  MapManifest& manifest = state.manifest;
+  manifest.revision = before != nullptr ? before->manifest.revision + 1 : 1;
+  const std::uint64_t group = before != nullptr ? before->manifest.next_group : 0;
+  manifest.next_group = group + 1;
+  const bool is_same_epoch = before != nullptr && before->manifest.description == manifest.description;
+  LinkTable links;
+  for (const MapPart& part : parts) links.put(part);
+  for (PartEntry& entry : manifest.entries) {
+    entry.links = links.links_of(entry.key);
+    const PartEntry* old = is_same_epoch ? find_entry(before->manifest, entry.key) : nullptr;
+    if (old != nullptr && version_hash(old->hash, old->links) == version_hash(entry.hash, entry.links)) {
+      entry.revision = old->revision;
+      entry.group = old->group;
+      entry.links = old->links;
+      continue;
+    }
+    entry.revision = manifest.revision;
+    entry.group = group;
+    for (PartLink& link : entry.links)
+      link.together = is_same_epoch &&
+                      (old != nullptr || find_entry(before->manifest, link.key) != nullptr) &&
+                      (old == nullptr || border_with(*old, link.key) != link.border);
+  }
+}
+
+Result<MapState> encode_as(const MeshView& mesh, MapDescription description,
+                           const SplitOptions& split_options, const PartQuality& quality,
+                           const MapState* before) {
+  DELTAMESH_TRY(const auto parts, split(mesh, description, split_options));
+  const std::vector<MapPart> finest = finest_of(parts);
+  if (before != nullptr && share_lattice(description, before->manifest.description)) {
+    description = before->manifest.description;
+  } else {
+    description.epoch = before != nullptr ? before->manifest.description.epoch + 1 : 0;
+    DELTAMESH_TRY(description, with_primers(std::move(description), finest, quality));
+  }
+  DELTAMESH_TRY(const MapCodec codec, MapCodec::open(std::move(description)));
+  DELTAMESH_TRY(MapState state, code_parts(codec, parts, finest, quality));
+  number_versions(parts, before, state);
+  return state;
+}
+
+}  // namespace
+
+Result<MapState> encode_map(const MeshView& mesh, const MapSettings& settings,
+                            const MapState* before) noexcept {
+  return guarded([&]() -> Result<MapState> {
+    DELTAMESH_CHECK(validate(settings));
+    DELTAMESH_CHECK(check_mesh(mesh));
+    PartQuality quality = settings.quality;
+    quality.bounds = request_of(mesh, settings.quality.bounds);
+    DELTAMESH_TRY(const MapDescription description,
+                  describe_map(mesh.origin, mesh.attributes, settings, quality.bounds));
+    SplitOptions options{.most_triangles = settings.most_triangles, .most_level = kLevelsOfParts};
+    if (settings.levels > 0) options.copy_level = static_cast<std::uint8_t>(kLevelsOfParts + settings.levels);
+    for (;; options.most_triangles /= 2) {
+      auto state = encode_as(mesh, description, options, quality, before);
+      const bool is_too_large = !state && state.error().code == ErrorCode::kLimitExceeded;
+      if (!is_too_large || options.most_triangles == 1) return state;
+    }
+  });
+}
+
+Result<Mesh> decode_map(const MapState& state, const DecodeOptions& options, std::uint8_t level) noexcept {
+  return guarded([&]() -> Result<Mesh> {
+    const auto& entries = state.manifest.entries;
+    if (entries.size() != state.octets.size())
+      return Error{.code = ErrorCode::kInvalidArgument, .message = "not as many octets as entries"};
+    DELTAMESH_TRY(const MapCodec codec, MapCodec::open(state.manifest.description, options.limits));
+    std::vector<PartKey> keys;
+    for (const PartEntry& entry : entries) keys.push_back(entry.key);
+    keys = keys_on_level(keys, level);
+    std::vector<MapPart> parts;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      if (!std::ranges::binary_search(keys, entries[i].key)) continue;
+      DELTAMESH_TRY(MapPart part, codec.decode(entries[i].key, state.octets[i], options));
+      parts.push_back(std::move(part));
+    }
+    return join(parts);
+  });
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "base/guard.h"
+#include "base/try.h"
+#include "deltamesh/map/tiles.h"
+#include "part/view_cells.h"
+#include "split/octree.h"
+#include "split/stored_block.h"
+#include "support/errors.h"
+#include "whole/describe.h"
+
+namespace deltamesh {
+
+/// Where a mesh is.
+struct MeshReach {
+  Box box;
+  double longest = 0;  ///< largest extent of a face along an axis
+};
+
+namespace {
+
+MeshReach reach_of(const Mesh& mesh) {
+  MeshReach reach{.box = box_of(mesh.positions)};
+  for (std::size_t f = 0; f < mesh.triangle_count(); ++f) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [low, high] = std::minmax({mesh.positions[3 * std::size_t{mesh.triangles[3 * f]} + k],
+                                            mesh.positions[3 * std::size_t{mesh.triangles[3 * f + 1]} + k],
+                                            mesh.positions[3 * std::size_t{mesh.triangles[3 * f + 2]} + k]});
+      reach.longest = std::max(reach.longest, double{high} - low);
+    }
+  }
+  return reach;
+}
+
+bool touches(const Box& box, const CellCube& cell, double margin) noexcept {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (box.min[k] > cell.low[k] + cell.edge + margin || box.max[k] < cell.low[k] - margin) return false;
+  return true;
+}
+
+}  // namespace
+
+struct TilePlanner::State {
+  MapSettings settings;
+  std::uint64_t tile_triangles = 0;
+  MapDescription description{};
+  std::vector<MeshReach> reaches{};  ///< of every mesh
+  TriangleCounts counts{};
+
+  /// Faces in the tile come from meshes that touch it, and reach out of it by no more than they are long;
+  /// what has positions at the same lattice points touches that.
+  std::vector<std::uint32_t> meshes_of(const PartKey& cell) const {
+    const CellCube cube = cube_of(cell, description);
+    const double step = description.lattice.step();
+    double longest = 0;
+    for (const MeshReach& reach : reaches)
+      if (touches(reach.box, cube, step)) longest = std::max(longest, reach.longest);
+    std::vector<std::uint32_t> meshes;
+    for (std::uint32_t i = 0; i < reaches.size(); ++i)
+      if (touches(reaches[i].box, cube, longest + 2 * step)) meshes.push_back(i);
+    return meshes;
+  }
+};
+
+TilePlanner::TilePlanner(std::unique_ptr<State> state) noexcept : state_(std::move(state)) {}
+TilePlanner::TilePlanner(TilePlanner&&) noexcept = default;
+TilePlanner& TilePlanner::operator=(TilePlanner&&) noexcept = default;
+TilePlanner::~TilePlanner() = default;
+
+Result<TilePlanner> TilePlanner::make(const MapSettings& settings, std::uint64_t tile_triangles) noexcept {
+  return guarded([&]() -> Result<TilePlanner> {
+    DELTAMESH_CHECK(validate(settings));
+    const QualityRequest& bounds = settings.quality.bounds;
+    if (bounds.empty()) return invalid_argument("tiles need a bound on positions, such as a largest error");
+    for (const auto& bound : {bounds.vde, bounds.lfe, bounds.max_error})
+      if (bound && bound->unit != QualityUnit::kModel)
+        return invalid_argument(
+            "bounds of tiles are in model units: no tile knows the diagonal of the whole map");
+    if (settings.levels != 0) return invalid_argument("tiles have no coarser levels");
+    if (tile_triangles < settings.most_triangles)
+      return invalid_argument("tiles are smaller than their parts");
+    auto state = std::make_unique<State>();
+    state->settings = settings;
+    state->tile_triangles = tile_triangles;
+    return TilePlanner(std::move(state));
+  });
+}
+
+Result<void> TilePlanner::add(const MeshView& mesh) noexcept {
+  return guarded([&]() -> Result<void> {
+    State& state = *state_;
+    MapDescription description = state.description;
+    if (state.reaches.empty()) {
+      DELTAMESH_TRY(description, describe_map(mesh.origin, mesh.attributes, state.settings,
+                                              state.settings.quality.bounds));
+    }
+    DELTAMESH_TRY(const Mesh moved, to_map(mesh, description));
+    for (const auto& [cell, block] : blocks_of(moved, description))
+      state.counts[cell] += block.mesh.triangle_count();
+    state.description = std::move(description);
+    state.reaches.push_back(reach_of(moved));
+    return {};
+  });
+}
+
+Result<TilePlan> TilePlanner::plan() const noexcept {
+  return guarded([&]() -> Result<TilePlan> {
+    const State& state = *state_;
+    if (state.reaches.empty()) return invalid_argument("no meshes to plan tiles of");
+    TilePlan plan{.description = state.description, .quality = state.settings.quality};
+    for (const auto& [cell, key] :
+         parts_of_cells(state.counts, state.settings.most_triangles, kLevelsOfParts))
+      plan.parts.push_back(key);
+    std::ranges::sort(plan.parts);
+    plan.parts.erase(std::unique(plan.parts.begin(), plan.parts.end()), plan.parts.end());
+    std::map<PartKey, std::uint64_t> triangles;
+    for (const auto& [cell, key] : parts_of_cells(state.counts, state.tile_triangles, kMostPartLevel))
+      triangles[key] += state.counts.at(cell);
+    for (const auto& [cell, count] : triangles) plan.tiles.push_back({cell, count, state.meshes_of(cell)});
+    return plan;
+  });
+}
+
+}  // namespace deltamesh
