@@ -75,6 +75,8 @@ void print_summary(const GltfArguments& arguments, const char* converted, const 
   summary.add("asset", grouped(report.input_bytes) + " -> " + counted(report.output_bytes, "byte", "bytes"));
   if (report.copied_files > 0)
     summary.add("copied", counted(report.copied_files, "file", "files") + " that the asset names");
+  if (report.missing_files > 0)
+    summary.add("missing", counted(report.missing_files, "file", "files") + " that the asset names");
   summary.print();
 }
 
@@ -97,6 +99,7 @@ void print_object(const GltfReport& report, bool packed) {
   object["input_bytes"] = report.input_bytes;
   object["output_bytes"] = report.output_bytes;
   object["copied_files"] = report.copied_files;
+  object["missing_files"] = report.missing_files;
   if (packed) {
     object["max_error"] = report.max_error;
     object["max_error_percent"] = report.max_error_percent;

@@ -82,8 +82,9 @@ struct GltfReport {
   std::uint64_t stream_bytes = 0;
   std::uint64_t input_bytes = 0;   ///< asset and external buffers
   std::uint64_t output_bytes = 0;  ///< asset and external buffer
-  std::uint64_t copied_files =
-      0;  ///< pack_gltf_file() and unpack_gltf_file(): what the asset names, such as images
+  // Only of pack_gltf_file() and unpack_gltf_file(), of what else the asset names, such as images:
+  std::uint64_t copied_files = 0;
+  std::uint64_t missing_files = 0;  ///< not there to be copied
   // Only of packing:
   double max_error = 0;          ///< largest distance of a vertex from its original, model units of its mesh
   double max_error_percent = 0;  ///< the same in percent of the diagonal of its mesh
@@ -121,7 +122,7 @@ Result<GltfOutput> unpack_gltf(std::span<const std::byte> asset, const DecodeOpt
 /// The same from file to file. Suffix of `out`: .glb, or .gltf, which gets its buffer in a .bin file of the
 /// same name beside it. Where `out` is in another folder than `in`, files that the asset names, such as
 /// images, are copied there. Errors: as above, kFileRead, kFileWrite, kUnknownFormat; none is written where a
-/// file that the asset names cannot be read, is outside the asset's folder (kInvalidFile), or would replace
+/// file that the asset names is outside the asset's folder (kInvalidFile), or would replace
 /// another file (kFileWrite).
 Result<GltfReport> pack_gltf_file(const std::string& in, const std::string& out,
                                   const GltfPackOptions& options = {}) noexcept;

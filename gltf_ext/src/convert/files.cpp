@@ -49,7 +49,8 @@ bool is_same_folder(const std::filesystem::path& a, const std::filesystem::path&
 Result<std::vector<NamedFile>> files_to_copy(const std::vector<std::string>& uris,
                                              const std::filesystem::path& in,
                                              const std::filesystem::path& out,
-                                             const std::vector<std::filesystem::path>& taken) {
+                                             const std::vector<std::filesystem::path>& taken,
+                                             GltfReport& report) {
   std::vector<NamedFile> files;
   if (is_same_folder(in, out)) return files;
   for (const std::string& uri : uris) {
@@ -59,9 +60,11 @@ Result<std::vector<NamedFile>> files_to_copy(const std::vector<std::string>& uri
           .code = ErrorCode::kInvalidFile,
           .message = "the asset names a file outside its folder, which cannot go with it to another one"};
     const auto source = read_file((in.parent_path() / *path).string());
-    if (!source)
-      return Error{.code = source.error().code,
-                   .message = "a file that the asset names, such as an image, cannot be read"};
+    if (!source && source.error().code == ErrorCode::kFileOpen) {
+      ++report.missing_files;  // the link was broken before
+      continue;
+    }
+    if (!source) return source.error();
     const std::filesystem::path target = out.parent_path() / *path;
     const auto there = read_file(target.string());
     const bool is_taken = std::find(taken.begin(), taken.end(), target) != taken.end();
@@ -86,7 +89,7 @@ Result<GltfReport> convert_file(const std::string& in, const std::string& out, C
   DELTAMESH_TRY(const GltfIo io, file_io(in, out, buffer_path));
   DELTAMESH_TRY(const auto asset, read_file(in));
   DELTAMESH_TRY(GltfOutput output, convert(asset, io));
-  DELTAMESH_TRY(const auto files, files_to_copy(output.uris, in, out, {out, buffer_path}));
+  DELTAMESH_TRY(const auto files, files_to_copy(output.uris, in, out, {out, buffer_path}, output.report));
   for (const NamedFile& file : files) DELTAMESH_CHECK(write_copy(file));
   output.report.copied_files = files.size();
   if (!output.buffer.empty()) DELTAMESH_CHECK(write_file(buffer_path, output.buffer));

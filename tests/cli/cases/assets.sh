@@ -26,8 +26,10 @@ cmp t.png there/t.png && say "the image is there"
 printf 'other pixels' >there/t.png
 run gltf unpack image.gltf there/again.glb
 # Where packing does not pay.
-cube cube.obj
-quiet encode cube.obj cube.dmsh
-quiet decode cube.dmsh cube.glb
-figures gltf pack cube.glb small.glb
-[ "$(stat -c %s small.glb)" -le "$(stat -c %s cube.glb)" ] && say "not larger"
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >triangle.obj
+quiet encode triangle.obj triangle.dmsh
+quiet decode triangle.dmsh triangle.glb
+figures gltf pack triangle.glb small.glb
+[ "$(stat -c %s small.glb)" -le "$(stat -c %s triangle.glb)" ] && say "not larger"
+quiet gltf pack plain.glb packed.glb --json
+has_keys .out not_smaller copied_files missing_files
