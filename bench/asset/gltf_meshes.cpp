@@ -168,7 +168,11 @@ Result<PackedAsset> take_packed_apart(std::span<const std::byte> bytes) {
       DELTAMESH_CHECK(add_plain(document, primitive["attributes"], attributes, result.plain_bytes));
       const Json* extensions = gltf::find(primitive, "extensions");
       const Json* extension = extensions ? gltf::find(*extensions, gltf::kExtensionName) : nullptr;
-      if (extension == nullptr) return invalid_asset("a primitive was not packed");
+      if (extension == nullptr) {  // packing would not have made it smaller
+        if (const Json* indices = gltf::find(primitive, "indices"))
+          DELTAMESH_CHECK(add_plain(document, Json::array({*indices}), attributes, result.plain_bytes));
+        continue;
+      }
       const auto view = (*extension)["bufferView"].get<std::uint64_t>();
       if (!views.insert(view).second) continue;
       DELTAMESH_TRY(const auto stream, gltf::view_bytes(document, view));
