@@ -14,12 +14,12 @@ def ANCH_5_anchors(chunk, count):
 def ANCH_1_read(chunk, header, n, components, is_plain):
     """The anchors' positions by their vertices, in rising order."""
     side = max(b - a for a, b in zip(header.box_min, header.box_max)) / (2**header.anchor_bits - 1)
-    anchors = {}
-    for v, k in (PLN_4_anchors if is_plain else ANCH_5_anchors)(chunk, header.anchors):
+    anchors, listed = {}, list((PLN_4_anchors if is_plain else ANCH_5_anchors)(chunk, header.anchors))
+    chunk.end()
+    for v, k in listed:
         must(v < n, "ANCH-3", f"anchor {v} is out of range")
         must(max(k) < 2**header.anchor_bits, "ANCH-4", f"cell {max(k)}")
         anchors[v] = [header.box_min[a] + side * float(k[a]) for a in range(3)]
-    chunk.end()
     for component in components:  # [ANCH-2]
         held = sum(v in anchors for v in component)
         must(held, "ANCH-2", "a component has no anchor")

@@ -1,6 +1,7 @@
 """Streams that break one rule each, for what changes by chance hardly reach; most are a tetrahedron with something wrong."""
 import glob
 import os
+import random
 import struct
 import subprocess
 import tempfile
@@ -9,6 +10,7 @@ import zstandard
 
 from reference_decoder_test import GOLDEN
 from container import COMPACT, DRAFT, KINDS, ZSTD
+from other_decisions import with_other_decisions
 from stream_changes import Parts, sealed, varint
 
 NAN, LONG_NAN = struct.pack("<f", float("nan")), struct.pack("<d", float("nan"))
@@ -55,6 +57,7 @@ def by_hand(program):
     yield from attributes()
     yield from faces()
     yield from plain(program)
+    yield from by_chance(program)
     yield from others(program)
 
 
@@ -149,6 +152,19 @@ def faces():
     yield few.stream()
 
 
+def by_chance(program):
+    """Faces and orders with other decisions."""
+    rng = random.Random(5)
+    torus = generated(program, "torus", 60, "--geometry predictive --keep-order")
+    for stream, tag, firsts, tries in ((golden("tetrahedron.default"), "CONN", range(4), 400), (two_faces(), "CONN", range(4), 200),
+                                       (torus, "CONN", range(20), 150), (torus, "ORDR", range(-8, 0), 80)):
+        i, parts = next((i, Parts(stream)) for i, chunk in enumerate(Parts(stream).chunks) if KINDS[chunk[0] & 15] == tag)
+        kind, descriptor, payload = parts.chunks[i]
+        for _ in range(tries):
+            parts.chunks[i] = kind, descriptor, with_other_decisions(stream, payload, rng.choice(firsts), rng)
+            yield parts.stream()
+
+
 def plain(program):
     """Streams of the plain form."""
     def changed(parts, tag, payload):
@@ -170,9 +186,11 @@ def plain(program):
         yield changed(fragments, "ANCH", anchors + b"\0\0\0")
     ascending = b"\1\0" + b"\2" * (count - 1)
     yield changed(fragments, "ANCH", ascending + b"\4" + b"\xfe" * (4 * count) + b"\0\0")
-    yield changed(fragments, "ANCH", ascending + b"\0\0\0")  # not in all components
+    last = bytes([2 * (fragments.fields.geometric - count)])  # not in all components
+    yield changed(fragments, "ANCH", b"\1" + last + ascending[2:] + b"\0\0\0")
     large = Parts(golden("grid.zstd"))
-    large.header = large.header.replace(f32(large.fields.step)[1:], b"\0\0\x7f")  # 2^127
+    for step, larger in ((f32(large.fields.step)[1:], b"\0\0\x7f"), (struct.pack("<d", large.fields.step), struct.pack("<d", 1e300))):
+        large.header = large.header.replace(step, larger)
     yield large.stream()
     for coding in (b"\1", b"\2"):
         yield with_chunk("ATTR", coding + struct.pack("<dq", 1, 0) + b"\0", False, b"\0\3\6\1\0\0")

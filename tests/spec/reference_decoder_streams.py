@@ -2,8 +2,7 @@
 """Makes streams with the program, of scenes, meshes and packed assets, over its options, and compares what the reference decoder and the
 program decode.
 
-reference_decoder_streams.py PROGRAM CORPUS [COUNT [FIRST]], CORPUS being "none" for scenes alone; 220 tries of meshes make more than 200 streams, as the zstd profile refuses
-what has a compact form only. Takes about five minutes.
+reference_decoder_streams.py PROGRAM CORPUS [COUNT [FIRST]], CORPUS being "none" for scenes alone; 220 tries of meshes make more than 200 streams. Takes about five minutes.
 """
 import itertools
 import json
