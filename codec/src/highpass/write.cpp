@@ -30,7 +30,8 @@ constexpr double kConverged = 0x1p-12;
 /// A choice of the encoder: streams may have up to kMostCycles. And how many are as good as any, mostly.
 constexpr int kMostCyclesTried = 16;
 constexpr int kBestCycles = 10;
-constexpr double kFairBytes = 1.002;  ///< of deltas, over those that make up for nothing
+constexpr std::size_t kFewBytes = 16;  ///< differ by chance
+constexpr double kFairBytes = 1.002;   ///< of deltas, over those that make up for nothing
 
 /// Distance that is small against the rounding of positions to floats, over the longest side.
 constexpr double kInvisible = 0x1p-26;
@@ -211,11 +212,10 @@ int HighpassCoder::fewest_cycles(const HighpassSettings& settings, double most_l
   const auto plain = code_only(settings);
   if (!plain) return kMostCyclesTried;
   const auto most_bytes =
-      static_cast<std::size_t>(kFairBytes * static_cast<double>(plain->deltas.size()));
+      static_cast<std::size_t>(kFairBytes * static_cast<double>(plain->deltas.size())) + kFewBytes;
   for (int cycles = from; cycles < kMostCyclesTried; ++cycles) {
     const auto result = code(settings, cycles);
-    if (result && source_->left_out_at_first <= most_left_out &&
-        result->deltas.size() <= most_bytes &&
+    if (result && source_->left_out_at_first <= most_left_out && result->deltas.size() <= most_bytes &&
         errors_between(part_, positions_, result->positions).are_fair(*best, invisible))
       return cycles;
   }

@@ -9,6 +9,7 @@
 #include "format/vertex_positions.h"
 #include "measure/error_peaks.h"
 #include "measure/measure.h"
+#include "search/bounds.h"
 
 namespace deltamesh {
 namespace {
