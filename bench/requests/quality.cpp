@@ -88,7 +88,7 @@ Result<void> print_efforts(const MeshSource& source) {
   DELTAMESH_TRY(const Mesh mesh, source.load());
   for (const auto& [name, request] : usual_requests()) {
     DELTAMESH_TRY(const Loads quick, measure_request(mesh, {.quality = request, .effort = 0}));
-    DELTAMESH_TRY(const Loads usual, measure_request(mesh, {.quality = request, .effort = 5}));
+    DELTAMESH_TRY(const Loads usual, measure_request(mesh, {.quality = request, .effort = 1}));
     print(table_row({name, fixed(quick.seconds, 2), fixed(usual.seconds, 2),
                      fixed(usual.seconds / quick.seconds, 1), number(quick.bytes), number(usual.bytes)}));
   }

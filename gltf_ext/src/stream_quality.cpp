@@ -3,6 +3,7 @@
 #include "stream_quality.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,7 +11,7 @@
 
 #include "base/numbers/vec3.h"
 #include "base/try.h"
-#include "search/default_quality.h"
+#include "search/request.h"
 
 namespace deltamesh::gltf {
 namespace {
@@ -49,7 +50,7 @@ double default_error(const Mesh& mesh) {
   std::vector<Vec3> positions;
   positions.reserve(mesh.vertex_count());
   for (std::size_t i = 0; i < mesh.vertex_count(); ++i) positions.push_back(place(mesh, i));
-  return default_quality(mesh.triangles, positions, bounds(mesh)).max_error->value;
+  return deltamesh::default_error(mesh.triangles, positions, bounds(mesh).diagonal());
 }
 
 /// About the largest distance of a decoded position from its source, without coding where a rule tells it.
@@ -59,13 +60,13 @@ Result<double> position_error(const EncodeOptions& options, const Mesh& mesh) {
     return bound.unit == QualityUnit::kDiagonal ? bound.value / 100 * bounds(mesh).diagonal() : bound.value;
   };
   const auto& most = options.quality.max_error;
-  if (most && most->unit != QualityUnit::kPaper) return in_model(*most);
+  if (most && std::isfinite(most->value) && most->unit != QualityUnit::kPaper) return in_model(*most);
   // Of places anywhere in the cells of a lattice, the farthest are as many times as far off as their rms.
   const auto& mean = options.quality.lfe;
   if (mean && mean->unit != QualityUnit::kPaper) return in_model(*mean) / kComponentShare;
   EncodeOptions trial = options;
   trial.quality.target_bytes.reset();  // shared by scaling all bounds
-  if (asks_for_nothing(trial)) return default_error(mesh);
+  if (says_nothing_of_positions(trial)) return default_error(mesh);
   trial.progress = {};
   MeshView positions(mesh);
   positions.attributes.clear();

@@ -47,7 +47,7 @@ Result<ChunkList> code_attributes(const MeshView& mesh, const CodedTopology& top
       decoded[i] = std::move(coded[i].decoded);
     }
   }
-  ChunkList chunks(options);
+  ChunkList chunks(options.profile, options.effort);
   for (CodedAttribute& attribute : coded)
     DELTAMESH_CHECK(chunks.add(kTagAttribute, std::move(attribute.plain), std::move(attribute.compact),
                                std::move(attribute.descriptor)));

@@ -13,6 +13,7 @@
 #include "connectivity/order/order.h"
 #include "connectivity/seams/seams.h"
 #include "deltamesh/mesh.h"
+#include "topology/source_geometry.h"
 
 namespace deltamesh {
 
@@ -41,6 +42,9 @@ struct CodedTopology {
 /// `mesh` has passed check_mesh. `start`: as write_connectivity() has it. O(n + m) expected.
 CodedTopology code_topology(const MeshView& mesh, bool keep_unreferenced,
                             PayloadForms forms = PayloadForms::kBoth, const OpModels* start = nullptr);
+
+/// What geometry coders get; `topology` must outlive it.
+SourceGeometry source_geometry(const MeshView& mesh, const CodedTopology& topology);
 
 /// The ORDR contents that restore the input's order (without dropped vertices). `input_vertices`: of the
 /// mesh.

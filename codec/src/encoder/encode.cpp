@@ -8,15 +8,15 @@
 
 #include "base/guard.h"
 #include "base/numbers/short_float.h"
+#include "base/progress.h"
 #include "base/try.h"
 #include "connectivity/check_mesh.h"
 #include "connectivity/groups/groups.h"
 #include "deltamesh/model_states.h"
-#include "encoder/chunk_list.h"
+#include "encoder/coded_parts.h"
 #include "encoder/coded_topology.h"
-#include "encoder/source_geometry.h"
+#include "entropy/chunk_list.h"
 #include "format/container_write.h"
-#include "search/coded_parts.h"
 #include "states/stream_models.h"
 
 namespace deltamesh {
@@ -24,6 +24,7 @@ namespace {
 
 /// End of the first stage as a share of the whole time, for the progress callback.
 constexpr double kTopologyDone = 0.15;
+constexpr double kPartsDone = 0.95;
 
 /// A quick encode does not look whether another form is smaller.
 bool is_compact_alone(const EncodeOptions& options) noexcept {
@@ -64,7 +65,7 @@ CodedFaceGroups code_face_groups(const MeshView& mesh, const CodedTopology& topo
 /// Faces, seams and groups.
 Result<ChunkList> code_faces(const MeshView& mesh, const EncodeOptions& options,
                              const CodedTopology& topology) {
-  ChunkList chunks(options);
+  ChunkList chunks(options.profile, options.effort);
   const CodedConnectivity& connectivity = topology.connectivity;
   DELTAMESH_CHECK(chunks.add(kTagConnectivity, connectivity.payload, connectivity.compact));
   DELTAMESH_CHECK(chunks.add(kTagSeams, topology.seams.payload, topology.seams.compact));
@@ -78,14 +79,14 @@ Result<ChunkList> code_faces(const MeshView& mesh, const EncodeOptions& options,
 /// The input's order, if it is kept.
 Result<ChunkList> code_order(const MeshView& mesh, const EncodeOptions& options,
                              const CodedTopology& topology) {
-  ChunkList chunks(options);
+  ChunkList chunks(options.profile, options.effort);
   if (!options.keep_order) return chunks;
   CodedOrder order = write_order(original_order(topology, mesh.vertex_count()), topology.triangles());
   DELTAMESH_CHECK(chunks.add(kTagOrder, std::move(order.payload), std::move(order.compact)));
   return chunks;
 }
 
-void declare(const CodedGeometry& geometry, FileHeader& header) noexcept {
+void declare(const Candidate& geometry, FileHeader& header) noexcept {
   geometry.set_parameters(header);
   header.vde_rms = short_float_above(geometry.quality.vde_rms);
   header.lfe_rms = short_float_above(geometry.quality.lfe_rms);
@@ -94,21 +95,20 @@ void declare(const CodedGeometry& geometry, FileHeader& header) noexcept {
 
 /// `mesh` and `options` have been checked.
 Result<Encoded> encode_checked(const MeshView& mesh, const EncodeOptions& options) {
-  const auto report_progress = [&](double share) {
-    if (options.progress) options.progress(share);
-  };
+  Progress progress(options.progress);
+  progress.reach(0, kTopologyDone);
   const CodedTopology topology = code_topology(
       mesh, options.keep_unreferenced,
       is_compact_alone(options) ? PayloadForms::kCompact : PayloadForms::kBoth,
       options.starting_states != nullptr ? options.starting_states->models().of_ops() : nullptr);
-  const SourceGeometry source(mesh, topology);
-  report_progress(kTopologyDone);
+  const SourceGeometry source = source_geometry(mesh, topology);
+  progress.reach(kTopologyDone, kPartsDone);
 
   FileHeader header = header_of(mesh, options, topology, source.box);
   DELTAMESH_TRY(ChunkList chunks, code_faces(mesh, options, topology));
   DELTAMESH_TRY(ChunkList order, code_order(mesh, options, topology));
-  DELTAMESH_TRY(CodedParts parts,
-                code_parts({options, mesh, topology, source, header, chunks.bytes() + order.bytes()}));
+  DELTAMESH_TRY(CodedParts parts, code_parts({options, mesh, topology, source, header,
+                                              chunks.bytes() + order.bytes(), progress}));
   declare(parts.geometry, header);
   chunks.append(std::move(parts.geometry.chunks));
   chunks.append(std::move(parts.attributes));
@@ -120,7 +120,7 @@ Result<Encoded> encode_checked(const MeshView& mesh, const EncodeOptions& option
   encoded.report.input_vertices = mesh.vertex_count();
   encoded.report.unreferenced_vertices = topology.unreferenced;
   DELTAMESH_TRY(encoded.report.stream, inspect(encoded.bytes));
-  report_progress(1);
+  progress.reach(1, 1);
   return encoded;
 }
 
@@ -130,7 +130,12 @@ Result<Encoded> encode(const MeshView& mesh, const EncodeOptions& options) noexc
   return guarded([&]() -> Result<Encoded> {
     DELTAMESH_CHECK(validate(options));
     DELTAMESH_CHECK(check_mesh(mesh));
-    return encode_checked(mesh, options);
+    try {
+      return encode_checked(mesh, options);
+    } catch (const ProgressFailed&) {
+      return Error{.code = ErrorCode::kInvalidArgument,
+                   .message = "the progress callback threw an exception"};
+    }
   });
 }
 
