@@ -36,7 +36,8 @@ void add_paper_bound(CLI::App& command, const std::string& name, std::optional<Q
 void add_bounds(CLI::App& command, QualityRequest& request) {
   add_bound(command, "--max-error",
             "largest distance of a vertex from its place: model units, or percent of the diagonal with a % "
-            "behind; 0.02% where nothing else is asked for",
+            "behind; 0.02% where nothing else is asked for, 1% for --vde without --lfe; \"none\" for no "
+            "limit there",
             request.max_error)
       ->group(kPositions);
   add_bound(command, "--vde", "largest visual distortion error (rms), in the same units", request.vde)
@@ -119,7 +120,9 @@ void add_search(CLI::App& command, GeometryCoder& coder, int& effort) {
           "fastest; auto takes the smaller for the quality asked for")
       ->check(CLI::IsMember({"auto", "highpass", "predictive"}))
       ->default_str("auto");
-  command.add_option("--effort", effort, "how hard to look for a smaller stream, 0 to 9")
+  command
+      .add_option("--effort", effort,
+                  "how hard to look for a smaller stream: 0 (one pass, for a robot's computer), 1, or 2")
       ->capture_default_str();
 }
 

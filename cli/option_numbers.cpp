@@ -65,7 +65,7 @@ CLI::Option* add_bound(CLI::App& command, const std::string& name, const std::st
       .add_option_function<std::string>(
           name,
           [&bound, name](const std::string& text) {
-            bound = parse_bound(text);
+            bound = name == "--max-error" && text == "none" ? kNoBound : parse_bound(text);
             if (!bound) throw CLI::ValidationError(name, "not a number, nor a number and %: " + text);
           },
           what)

@@ -27,7 +27,7 @@ struct Options {
   std::vector<std::string> files;
   std::string setting = "both";
   std::string out;
-  int effort = 5;
+  int effort = 1;
   bool with_times = true;
 };
 
@@ -90,7 +90,7 @@ int main(int argc, char** argv) {
   app.add_option("--setting", options.setting, "Draco's position bits: 12, 14 or both")
       ->check(CLI::IsMember({"12", "14", "both"}))
       ->capture_default_str();
-  app.add_option("--effort", options.effort, "Of our encoder")->check(CLI::Range(0, 9));
+  app.add_option("--effort", options.effort, "Of our encoder")->check(CLI::Range(0, 2));
   app.add_option("--out", options.out, "Folder for assets.csv and assets.md");
   app.add_flag("!--no-times", options.with_times, "Leave out the times");
   return parse_and_run(app, argc, argv, [&] { return run(options); });

@@ -154,7 +154,7 @@ int main(int argc, char** argv) {
   app.add_option("--steps", settings.steps, "Of the generated drive; 0: none")->capture_default_str();
   app.add_option("--most-triangles", settings.exchange.most_triangles, "Of a part of several blocks")
       ->capture_default_str();
-  app.add_option("--effort", settings.effort, "Of encoding, 0 to 9")->capture_default_str();
+  app.add_option("--effort", settings.effort, "Of encoding, 0 to 2")->capture_default_str();
   app.add_option("--rounds", settings.rounds, "Of which times are the medians")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);

@@ -27,7 +27,7 @@ namespace {
 struct Options {
   Choice choice;
   std::vector<int> bits = {10, 11, 12, 14};
-  int effort = 5;
+  int effort = 1;
   bool times_alone = false;
   bool all = false;
 };
@@ -141,10 +141,10 @@ int main(int argc, char** argv) {
   CLI::App app("Asks deltamesh for what Draco reaches, and prints what that takes.");
   add_choice(app, options.choice, "--meshes", "Eight meshes only");
   app.add_option("--bits", options.bits, "Draco's position bits")->check(CLI::Range(4, 24));
-  app.add_option("--effort", options.effort, "Of our encoder")->check(CLI::Range(0, 9));
+  app.add_option("--effort", options.effort, "Of our encoder")->check(CLI::Range(0, 2));
   app.add_flag("--times", options.times_alone, "Lossless streams and times alone");
   app.fallthrough();
-  auto* quality = app.add_subcommand("quality", "How near requests are met, at efforts 0 and 5");
+  auto* quality = app.add_subcommand("quality", "How near requests are met, at efforts 0 and 1");
   quality->add_flag("--all", options.all, "Instead: a largest error on every mesh file of the corpus");
   return parse_and_run(app, argc, argv, [&] { return *quality ? run_quality(options) : run(options); });
 }

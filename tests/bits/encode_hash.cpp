@@ -18,7 +18,7 @@ int main(int argc, char** argv) {
       {.quality = {.max_error = per_mille}},
       {.lossless = true, .keep_order = true},
       {.geometry = GeometryCoder::kHighpass, .bits = 6, .profile = Profile::kZstd},
-      {.geometry = GeometryCoder::kPredictive, .effort = 9},
+      {.geometry = GeometryCoder::kPredictive, .effort = 2},
   };
   for (int i = 1; i < argc; ++i) {
     const std::vector<char> file = test::read_file(argv[i]);

@@ -309,7 +309,7 @@ std::vector<Golden> golden_streams() {
     floats.positions[i] = std::ldexp(floats.positions[i] + 1.1F, -static_cast<int>(i % 31));
   list.push_back({"floats.lossless", floats, {.lossless = true}});
   list.push_back({"floats.zstd", floats, {.lossless = true, .profile = Profile::kZstd}});
-  EncodeOptions walked{.geometry = GeometryCoder::kPredictive, .effort = 9};
+  EncodeOptions walked{.geometry = GeometryCoder::kPredictive, .effort = 2};
   walked.bits = 12;
   list.push_back({"sphere.walked", *generate_scene(Scene::kSphere, 500, 1), walked});
   // Planned cycles on four levels, and on a coarsest level that takes iterations.

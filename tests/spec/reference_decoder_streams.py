@@ -26,7 +26,7 @@ FILES = ["formats/suzanne.obj", "gltf/ClearCoatTest.glb", "formats/fuze.obj", "g
 OPTIONS = ["", "--lossless", "--geometry highpass", "--geometry predictive", "--profile zstd", "--geometry highpass --bits 6",
            "--lossless --keep-order --keep-unreferenced", "--geometry predictive --bits 9 --color-error 4 --normal-error 2",
            "--effort 0", "--geometry highpass --profile zstd --keep-order", "--max-error 0.5% --color-error 8 --uv-error 1/512",
-           "--effort 9 --max-error 0.1%", "--vde 0.05%", "--lfe 0.1% --normal-error 0.1 --tangent-error 1",
+           "--effort 2 --max-error 0.1%", "--vde 0.05%", "--lfe 0.1% --normal-error 0.1 --tangent-error 1",
            "--geometry predictive --profile zstd --color-error 2", "--geometry highpass --bits 10 --anchors 40 --anchor-bits 16",
            "--geometry predictive --max-error 0.002% --normal-error 0 --uv-error 0", "--target-bytes 4000",
            "--geometry highpass --step 0.01 --anchor-density 3 --keep-order", "--lossless --profile zstd",

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 namespace deltamesh {
@@ -16,19 +17,25 @@ enum class QualityUnit : std::uint8_t {
   kPaper,     ///< the paper's sum (eqs. 1, 2), mesh scaled to a diagonal of 1
 };
 
-/// An upper bound, finite and above 0.
+/// An upper bound, above 0; finite but for kNoBound.
 struct QualityBound {
   double value = 0;
   QualityUnit unit = QualityUnit::kModel;
 };
 
+/// Of QualityRequest::max_error alone: none, not even the one that a VDE implies.
+inline constexpr QualityBound kNoBound{std::numeric_limits<double>::infinity()};
+
 /// Every member that is set must be kept; the encoder looks for the smallest stream that keeps them all. A
 /// figure may come out better than asked where nothing is left to be saved: all deltas are coded as zero, or
 /// one anchor per component is there already.
 struct QualityRequest {
-  std::optional<QualityBound> vde = std::nullopt;  ///< visual distortion error, eq. 2
+  /// Visual distortion error, eq. 2. It bounds local shape only: a mesh of many vertices may bend by more
+  /// than its own size. So without `lfe` and `max_error` it implies a largest error of 1 % of the
+  /// bounding-box diagonal.
+  std::optional<QualityBound> vde = std::nullopt;
   std::optional<QualityBound> lfe = std::nullopt;  ///< low-frequency error, eq. 1
-  /// No vertex is farther off; not in the paper's unit.
+  /// No vertex is farther off; not in the paper's unit. Or kNoBound.
   std::optional<QualityBound> max_error = std::nullopt;
   /// The whole stream has no more bytes. Alone: the lowest VDE that fits.
   std::optional<std::uint64_t> target_bytes = std::nullopt;

@@ -24,7 +24,7 @@ struct ColorModels;
 struct AttributeSettings {
   const AttributeQuality& quality;
   bool plain = false;                  ///< the plain form
-  int effort = 5;                      ///< 0 to 9
+  int effort = 1;                      ///< 0 to 2
   const ColorModels* start = nullptr;  ///< of colours; null for fresh models
 };
 

@@ -47,7 +47,7 @@ Result<ChunkList> code_attributes(const MeshView& mesh, const CodedTopology& top
       decoded[i] = std::move(coded[i].decoded);
     }
   }
-  ChunkList chunks(options);
+  ChunkList chunks(options.profile, options.effort);
   for (CodedAttribute& attribute : coded) {
     if (!attribute.is_compact) std::swap(attribute.payload, attribute.plain);
     chunks.add_attribute(std::move(attribute.payload), std::move(attribute.plain), attribute.descriptor);

@@ -8,8 +8,8 @@
 
 #include "deltamesh/encode.h"
 #include "deltamesh/result.h"
-#include "encoder/chunk_list.h"
 #include "encoder/coded_topology.h"
+#include "entropy/chunk_list.h"
 
 namespace deltamesh {
 

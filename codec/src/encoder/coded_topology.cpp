@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "base/memory/large_vector.h"
 #include "encoder/welded_mesh.h"
 
 namespace deltamesh {
@@ -18,6 +19,27 @@ std::vector<std::uint32_t> corner_vertices(const MeshView& mesh, const CodedConn
       corners[3 * f + c] = mesh.triangles[face + (coded.face_rotation[f] + c) % 3];
   }
   return corners;
+}
+
+std::vector<Vec3> gather_positions(const MeshView& mesh, const std::vector<std::uint32_t>& input_vertices) {
+  std::vector<Vec3> positions;
+  reserve_large(positions, input_vertices.size());
+  for (const std::uint32_t v : input_vertices) {
+    const float* p = mesh.positions.data() + 3 * std::size_t{v};
+    positions.push_back({p[0], p[1], p[2]});
+  }
+  return positions;
+}
+
+/// All edges of the coded mesh, which the connectivity's writer has mostly met already.
+MeshEdges edges_of(const CodedTopology& topology) {
+  const CodedConnectivity& coded = topology.connectivity;
+  const std::uint32_t count = topology.geometric_count();
+  if (coded.new_edges.empty()) return find_edges(coded.triangles, count);
+  MeshEdges edges{.triangles = coded.triangles, .visited = coded.new_edges};
+  for (auto v = static_cast<std::uint32_t>(count - topology.unreferenced_kept); v < count; ++v)
+    edges.lone_vertices.push_back(v);
+  return edges;
 }
 
 }  // namespace
@@ -45,6 +67,10 @@ CodedTopology code_topology(const MeshView& mesh, bool keep_unreferenced, const 
   topology.seams = write_seams(topology.connectivity.triangles, geometric_count,
                                corner_vertices(mesh, topology.connectivity), lone_vertices);
   return topology;
+}
+
+SourceGeometry source_geometry(const MeshView& mesh, const CodedTopology& topology) {
+  return {gather_positions(mesh, topology.geometric_input), edges_of(topology)};
 }
 
 MeshOrder original_order(const CodedTopology& topology, std::size_t input_vertices) {

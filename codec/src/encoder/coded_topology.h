@@ -13,6 +13,7 @@
 #include "connectivity/order/order.h"
 #include "connectivity/seams/seams.h"
 #include "deltamesh/mesh.h"
+#include "topology/source_geometry.h"
 
 namespace deltamesh {
 
@@ -45,6 +46,9 @@ CodedTopology code_topology(const MeshView& mesh, bool keep_unreferenced, const 
 /// The same in the plain form, whose vertices and faces are in the input's order or in one that takes few
 /// bytes.
 CodedTopology code_plain_topology(const MeshView& mesh, bool keep_unreferenced, bool keep_order);
+
+/// What geometry coders get; `topology` must outlive it.
+SourceGeometry source_geometry(const MeshView& mesh, const CodedTopology& topology);
 
 /// The ORDR contents that restore the input's order (without dropped vertices). `input_vertices`: of the
 /// mesh.

@@ -9,16 +9,16 @@
 #include "attributes/error.h"
 #include "base/guard.h"
 #include "base/numbers/short_float.h"
+#include "base/progress.h"
 #include "base/try.h"
 #include "connectivity/check_mesh.h"
 #include "connectivity/groups/groups.h"
 #include "connectivity/plain/topology.h"
 #include "deltamesh/model_states.h"
-#include "encoder/chunk_list.h"
+#include "encoder/coded_parts.h"
 #include "encoder/coded_topology.h"
-#include "encoder/source_geometry.h"
+#include "entropy/chunk_list.h"
 #include "format/container_write.h"
-#include "search/coded_parts.h"
 #include "states/stream_models.h"
 
 namespace deltamesh {
@@ -26,6 +26,7 @@ namespace {
 
 /// End of the first stage as a share of the whole time, for the progress callback.
 constexpr double kTopologyDone = 0.15;
+constexpr double kPartsDone = 0.95;
 
 CodedTopology topology_of(const MeshView& mesh, const EncodeOptions& options) {
   if (options.profile == Profile::kZstd)
@@ -77,7 +78,7 @@ std::vector<std::byte> code_face_groups(const MeshView& mesh, const CodedTopolog
 
 /// Faces, seams and groups.
 ChunkList code_faces(const MeshView& mesh, const EncodeOptions& options, const CodedTopology& topology) {
-  ChunkList chunks(options);
+  ChunkList chunks(options.profile, options.effort);
   chunks.add(kTagConnectivity, topology.connectivity.payload);
   chunks.add(kTagSeams, topology.seams.payload);
   if (!mesh.face_groups.empty())
@@ -87,13 +88,13 @@ ChunkList code_faces(const MeshView& mesh, const EncodeOptions& options, const C
 
 /// The input's order, if it is kept; plain payloads are in that order.
 ChunkList code_order(const MeshView& mesh, const EncodeOptions& options, const CodedTopology& topology) {
-  ChunkList chunks(options);
+  ChunkList chunks(options.profile, options.effort);
   if (!options.keep_order || chunks.is_plain()) return chunks;
   chunks.add(kTagOrder, write_order(original_order(topology, mesh.vertex_count()), topology.triangles()));
   return chunks;
 }
 
-void declare(const CodedGeometry& geometry, FileHeader& header) noexcept {
+void declare(const Candidate& geometry, FileHeader& header) noexcept {
   geometry.set_parameters(header);
   header.vde_rms = short_float_above(geometry.quality.vde_rms);
   header.lfe_rms = short_float_above(geometry.quality.lfe_rms);
@@ -102,18 +103,17 @@ void declare(const CodedGeometry& geometry, FileHeader& header) noexcept {
 
 /// `mesh` and `options` have been checked.
 Result<Encoded> encode_checked(const MeshView& mesh, const EncodeOptions& options) {
-  const auto report_progress = [&](double share) {
-    if (options.progress) options.progress(share);
-  };
+  Progress progress(options.progress);
+  progress.reach(0, kTopologyDone);
   const CodedTopology topology = topology_of(mesh, options);
-  const SourceGeometry source(mesh, topology);
-  report_progress(kTopologyDone);
+  const SourceGeometry source = source_geometry(mesh, topology);
+  progress.reach(kTopologyDone, kPartsDone);
 
   FileHeader header = header_of(mesh, options, topology, source.box);
   ChunkList chunks = code_faces(mesh, options, topology);
   ChunkList order = code_order(mesh, options, topology);
-  DELTAMESH_TRY(CodedParts parts,
-                code_parts({options, mesh, topology, source, header, chunks.bytes() + order.bytes()}));
+  DELTAMESH_TRY(CodedParts parts, code_parts({options, mesh, topology, source, header,
+                                              chunks.bytes() + order.bytes(), progress}));
   declare(parts.geometry, header);
   chunks.append(std::move(parts.geometry.chunks));
   chunks.append(std::move(parts.attributes));
@@ -126,7 +126,7 @@ Result<Encoded> encode_checked(const MeshView& mesh, const EncodeOptions& option
   encoded.report.unreferenced_vertices = topology.unreferenced;
   encoded.report.dropped_lengths = count_dropped_lengths(mesh, options);
   DELTAMESH_TRY(encoded.report.stream, inspect(encoded.bytes));
-  report_progress(1);
+  progress.reach(1, 1);
   return encoded;
 }
 
@@ -136,7 +136,12 @@ Result<Encoded> encode(const MeshView& mesh, const EncodeOptions& options) noexc
   return guarded([&]() -> Result<Encoded> {
     DELTAMESH_CHECK(validate(options));
     DELTAMESH_CHECK(check_mesh(mesh));
-    return encode_checked(mesh, options);
+    try {
+      return encode_checked(mesh, options);
+    } catch (const ProgressFailed&) {
+      return Error{.code = ErrorCode::kInvalidArgument,
+                   .message = "the progress callback threw an exception"};
+    }
   });
 }
 

@@ -4,7 +4,7 @@
 
 #include "base/try.h"
 #include "deltamesh/encode.h"
-#include "search/bounds.h"
+#include "search/request.h"
 
 namespace deltamesh {
 namespace {
@@ -67,7 +67,7 @@ Result<void> check_attributes(const AttributeQuality& q) noexcept {
 
 Result<void> validate(const EncodeOptions& o) noexcept {
   DELTAMESH_CHECK(check_quality(o));
-  if (!within(o.effort, 0, 9)) return invalid_option("effort must be 0 to 9");
+  if (!within(o.effort, 0, 2)) return invalid_option("effort must be 0 to 2");
   DELTAMESH_CHECK(check_steps(o));
   if (o.anchors && *o.anchors == 0) return invalid_option("at least one anchor is needed");
   if (o.anchor_density && (*o.anchor_density < 1 || *o.anchor_density > 65535))

@@ -18,6 +18,7 @@ struct HighpassSettings {
   std::vector<std::uint32_t> more_anchors{};  ///< vertices that are anchors besides
   int anchor_bits = 12;                       ///< 4 to 24
 
+  bool operator==(const HighpassSettings& other) const = default;
   bool has_same_deltas(const HighpassSettings& other) const noexcept {
     return step == other.step && rate_weight == other.rate_weight && diffusion == other.diffusion &&
            centroids == other.centroids;

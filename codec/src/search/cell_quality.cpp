@@ -50,22 +50,4 @@ double visual_error(const MeshEdges& edges, std::span<const Vec3> positions, std
   return measure_vde(edges, positions, decoded);
 }
 
-bool faces_fit_cubes(std::span<const std::uint32_t> triangles, std::span<const Vec3> positions,
-                     double voxel) noexcept {
-  constexpr std::size_t kSampled = 1024;
-  constexpr double kMostVoxels = 2;  // a cube's diagonal, and some room
-  std::size_t seen = 0;
-  std::size_t fit = 0;
-  const std::size_t faces = triangles.size() / 3;
-  for (std::size_t f = 0; f < faces; f += 1 + faces / kSampled) {
-    const std::uint32_t* const corner = triangles.data() + 3 * f;
-    double longest = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      longest = std::max(longest, length(positions[corner[k]] - positions[corner[(k + 1) % 3]]));
-    fit += longest <= kMostVoxels * voxel ? 1 : 0;
-    ++seen;
-  }
-  return 2 * fit > seen;
-}
-
 }  // namespace deltamesh

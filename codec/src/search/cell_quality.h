@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Quality of positions on a lattice, and a test whether a voxel grid comes from marching cubes.
+// Quality of positions on a lattice.
 #pragma once
 
 #include <cstdint>
@@ -23,10 +23,5 @@ Quality positional_quality(std::span<const Vec3> positions, std::span<const Cell
 /// VDE, rms. O(n + edges).
 double visual_error(const MeshEdges& edges, std::span<const Vec3> positions, std::span<const Cell> cells,
                     const PositionLattice& lattice);
-
-/// Whether most faces, of a sample, are no larger than a voxel's cube: marching cubes leave such, a lattice
-/// of decimals under any mesh does not. `triangles`: m x 3 indices into `positions`; `voxel`: its side.
-bool faces_fit_cubes(std::span<const std::uint32_t> triangles, std::span<const Vec3> positions,
-                     double voxel) noexcept;
 
 }  // namespace deltamesh

@@ -3,94 +3,116 @@
 #include "search/highpass_trials.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
+#include "base/progress.h"
 #include "base/try.h"
 #include "format/vertex_positions.h"
 #include "measure/error_peaks.h"
 #include "measure/measure.h"
-#include "search/bounds.h"
 
 namespace deltamesh {
 namespace {
 
-struct HighpassTrial final : CodedTrial {
-  HighpassTrial(CodedGeometry coded, LargeVector<Vec3> decoded)
-      : geometry(std::move(coded)), positions(std::move(decoded)) {}
-
-  CodedGeometry geometry;
-  LargeVector<Vec3> positions;  ///< n
-};
-
-const HighpassTrial& trial_of(const Attempt& attempt) noexcept {
-  return static_cast<const HighpassTrial&>(*attempt.figures.coded);
-}
+/// Of a largest error: anchors at the largest errors leave the deltas as they are, so that these must not
+/// have to make up for much.
+constexpr double kShareLeftOut = 0.05;
 
 }  // namespace
 
-HighpassTrials::HighpassTrials(const EncodeOptions& options, const SourceGeometry& source,
-                               AnchorSequence& anchors, HighpassCoder& coder, const StreamRest& rest,
-                               double most_left_out)
-    : options_(options),
-      source_(source),
-      anchors_(anchors),
-      rest_(rest),
-      coder_(coder),
-      most_left_out_(most_left_out) {}
-
-Result<CodedGeometry> HighpassTrials::to_geometry(const CodedHighpass& coded) const {
-  CodedGeometry geometry{.highpass = coded.parameters, .chunks = ChunkList(options_)};
-  geometry.chunks.add(kTagDeltas, coded.deltas);
-  geometry.chunks.add(kTagAnchors, coded.anchors);
-  return geometry;
+Result<Loads> HighpassRecord::make(const HighpassSettings& settings) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (made_ && made_->first == settings) return made_->second;
+  made_.emplace(settings, Loads{kInfinity, kInfinity});
+  auto made = trials_.make(settings);
+  if (!made) {
+    const Error& error = made.error();
+    if (error.code != ErrorCode::kInvalidStream && error.code != ErrorCode::kInvalidArgument) return error;
+    failure_ = error;
+    return made_->second;
+  }
+  last_ = std::make_shared<const Candidate>(*std::move(made));
+  const Quality& quality = last_->quality;
+  const double load = request_.bounds.load(quality);
+  if (!nearest_ || load < nearest_load_) {
+    nearest_ = {quality, last_->bytes};
+    nearest_load_ = load;
+  }
+  if (load <= 1 && (!best_ || last_->bytes < best_->bytes)) best_ = last_;
+  made_->second = {request_.bounds.visual_load(quality), request_.bounds.positional_load(quality)};
+  return made_->second;
 }
 
-Result<TrialFigures> HighpassTrials::run(const HighpassSettings& settings) {
+Result<Candidate> HighpassRecord::result() const {
+  if (!best_ && !nearest_) return *failure_;
+  if (!best_) return unmet_bounds(request_.bounds, nearest_->quality, nearest_->bytes);
+  if (request_.target_bytes && best_->bytes > *request_.target_bytes)
+    return too_few_bytes_for_bounds(best_->bytes);
+  Candidate best = *best_;
+  const bool is_default = !request_.step && !request_.has_bounds() && !request_.target_bytes;
+  best.highpass.bits = static_cast<std::uint8_t>(request_.bits.value_or(is_default ? kDefaultDeltaBits : 0));
+  return best;
+}
+
+MeshHighpassTrials::MeshHighpassTrials(const Request& request, const SourceGeometry& source,
+                                       const StreamRest& rest)
+    : request_(request),
+      source_(source),
+      rest_(rest),
+      anchors_((request.containers != nullptr ? *request.containers : own_containers_)
+                   .impl()
+                   .sequence(source.graph.graph(), source.graph.components())),
+      coder_(source.graph.graph(), source.graph.components(), anchors_, source.positions, source.box,
+             request.profile == Profile::kZstd) {}
+
+Candidate MeshHighpassTrials::without_quality(const CodedHighpass& coded,
+                                              const HighpassSettings& settings) const {
+  Candidate candidate{.settings = settings,
+                      .highpass = coded.parameters,
+                      .chunks = ChunkList(request_.profile, request_.effort)};
+  candidate.chunks.add(kTagDeltas, coded.deltas);
+  candidate.chunks.add(kTagAnchors, coded.anchors);
+  candidate.bytes = rest_.bytes_with(candidate);
+  if (request_.progress != nullptr) request_.progress->tick();
+  return candidate;
+}
+
+Result<Candidate> MeshHighpassTrials::make(const HighpassSettings& settings) {
   if (cycles_ == 0 || settings.anchors != anchors_of_cycles_) {
-    cycles_ = coder_.fewest_cycles(settings, most_left_out_, std::max(cycles_ - 1, 1));
+    const auto& bound = request_.bounds.max_error;
+    const double most_left_out = bound ? kShareLeftOut * *bound : std::numeric_limits<double>::infinity();
+    cycles_ = coder_.fewest_cycles(settings, most_left_out, std::max(cycles_ - 1, 1));
     anchors_of_cycles_ = settings.anchors;
   }
   DELTAMESH_TRY(CodedHighpass coded, coder_.code(settings, cycles_));
   DELTAMESH_TRY(const auto decoded, to_float_positions(coded.positions));
-  DELTAMESH_TRY(CodedGeometry geometry, to_geometry(coded));
-  geometry.quality = measure_quality(source_.graph.graph(), source_.positions, decoded);
-  if (!is_declarable(geometry.quality))
+  Candidate candidate = without_quality(coded, settings);
+  candidate.quality = measure_quality(source_.graph.graph(), source_.positions, decoded);
+  if (!is_declarable(candidate.quality))
     return Error{.code = ErrorCode::kInvalidStream,
                  .message = "an error of the decoded positions is not a finite float32",
                  .rule = "HDR-9"};
-  TrialFigures figures{.quality = geometry.quality,
-                       .bytes = rest_.bytes_with(geometry),
-                       .density = geometry.highpass.anchor_density};
-  figures.coded = std::make_shared<const HighpassTrial>(std::move(geometry), std::move(coded.positions));
-  return figures;
+  candidate.solution = std::move(coded.positions);
+  return candidate;
 }
 
-const CodedGeometry& HighpassTrials::geometry(const Attempt& attempt) noexcept {
-  return trial_of(attempt).geometry;
-}
-
-Result<std::uint64_t> HighpassTrials::bytes(const HighpassSettings& settings) {
+Result<std::uint64_t> MeshHighpassTrials::bytes(const HighpassSettings& settings) {
   DELTAMESH_TRY(const CodedHighpass coded, coder_.code_only(settings));
-  DELTAMESH_TRY(const CodedGeometry geometry, to_geometry(coded));
-  return rest_.bytes_with(geometry);
+  return without_quality(coded, settings).bytes;
 }
 
-std::vector<std::uint32_t> HighpassTrials::worst_vertices(const Attempt& attempt, double threshold,
-                                                          std::size_t count) {
-  const std::span<const Vec3> positions = trial_of(attempt).positions;
-  std::vector<double> errors(positions.size());
+std::vector<std::uint32_t> MeshHighpassTrials::worst_vertices(const Candidate& candidate, double threshold,
+                                                              std::size_t count) {
+  std::vector<double> errors(candidate.solution.size());
   for (std::size_t v = 0; v < errors.size(); ++v) {
-    Vec3 decoded = positions[v];
+    Vec3 decoded = candidate.solution[v];
     for (double& x : decoded) x = static_cast<float>(x);
     errors[v] = length(decoded - source_.positions[v]);
   }
   std::vector<std::uint8_t> excluded(errors.size(), 0);
-  for (const std::uint32_t anchor : coder_.anchors_for(attempt.settings).vertices) excluded[anchor] = 1;
+  for (const std::uint32_t anchor : coder_.anchors_for(candidate.settings).vertices) excluded[anchor] = 1;
   return error_peaks(source_.graph.graph(), errors, excluded, threshold, count);
-}
-
-std::uint32_t HighpassTrials::anchors_for_density(std::uint32_t density) {
-  return anchors_.count_for_density(source_.graph.graph(), density);
 }
 
 }  // namespace deltamesh

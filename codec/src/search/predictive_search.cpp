@@ -4,27 +4,212 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
 
-#include "base/numbers/portable_math.h"
 #include "base/numbers/short_float.h"
+#include "base/try.h"
 #include "positions/lattice/lattice.h"
-#include "search/cell_quality.h"
-#include "search/coder_forecast.h"
-#include "search/unmet.h"
+#include "search/bracket.h"
 
 namespace deltamesh {
 namespace {
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kMostTrials = 10;
-constexpr double kCloseEnough = 0.997;  ///< share of a bound that needs no better trial
+constexpr int kDefaultLatticeBits = 12;
+constexpr int kFirstLevels = 8;
+
+/// Loads of 0.9995 and 0.997.
+constexpr double kLatticeAim = -0.0007;
+constexpr double kLatticeTight = -0.0043;
+/// Bits per coordinate that a budget may leave.
+constexpr double kTightBits = -0.003;
 
 /// Whether an axis has a grid, and grid_lattice() at `step` or a little above would take it.
 bool has_grid(const std::array<AxisGrid, 3>& axes, double step) noexcept {
   return std::any_of(axes.begin(), axes.end(), [step](const AxisGrid& axis) { return axis.step > step / 2; });
 }
 
-/// A step near which the bounds are just kept.
-double first_step(const Bounds& bounds, const Box& box) noexcept {
+/// Whether most faces, of a sample, are no larger than a voxel's cube: marching cubes leave such, a lattice
+/// of decimals under any mesh does not.
+bool faces_fit_cubes(const SourceGeometry& source, double voxel) noexcept {
+  constexpr std::size_t kSampled = 1024;
+  constexpr double kMostVoxels = 2;  // a cube's diagonal, and some room
+  std::size_t seen = 0;
+  std::size_t fit = 0;
+  const std::size_t faces = source.triangles.size() / 3;
+  for (std::size_t f = 0; f < faces; f += 1 + faces / kSampled) {
+    double longest = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      longest = std::max(longest, length(source.positions[source.triangles[3 * f + k]] -
+                                         source.positions[source.triangles[3 * f + (k + 1) % 3]]));
+    fit += longest <= kMostVoxels * voxel ? 1 : 0;
+    ++seen;
+  }
+  return 2 * fit > seen;
+}
+
+double largest_side(const VoxelFit& fit) noexcept {
+  return *std::max_element(fit.voxel.begin(), fit.voxel.end());
+}
+
+/// The coarsest lattice or the fewest levels that keep the bounds; see search_predictive().
+class BoundSearch {
+ public:
+  explicit BoundSearch(const PredictiveTrials& trials)
+      : trials_(trials), bounds_(trials.request().bounds), box_(trials.source().box) {}
+
+  Candidate run() {
+    const bool is_quick = trials_.request().effort < kSearchEffort;
+    const double step = lattice_step_for(bounds_, box_);
+    const auto& voxels = trials_.voxels();
+    const bool enough = voxels && are_voxels_enough(trials_);
+    if (voxels && (!is_quick || enough)) {
+      keep_smaller(on_voxels(*voxels));
+      keep_smaller(on_usual_levels(*voxels));
+    } else if (const auto axes = trials_.axes(step / 8); has_grid(axes, step)) {
+      keep_smaller(on_lattice(axes));
+    }
+    const bool compares = trials_.request().effort >= kThoroughEffort || (!is_quick && !enough);
+    if (!best_ || compares) keep_smaller(on_lattice({}));
+    // Lattices end where floats do.
+    return best_ ? *std::move(best_) : trials_.code_exactly();
+  }
+
+ private:
+  void keep_smaller(const std::optional<LatticeTrial>& trial) {
+    if (!trial) return;
+    Candidate candidate = trials_.code(*trial);
+    if (!best_ || candidate.bytes < best_->bytes) best_ = std::move(candidate);
+  }
+
+  double tolerance() const noexcept {
+    return trials_.request().effort < kSearchEffort ? -kInfinity : kLatticeTight;
+  }
+
+  /// On a cubic lattice but for `axes` with steps of their own; empty where none keeps the bounds.
+  std::optional<LatticeTrial> on_lattice(const std::array<AxisGrid, 3>& axes) const {
+    Bracket bracket({.first = lattice_step_for(bounds_, box_),
+                     .aim = kLatticeAim,
+                     .tolerance = tolerance(),
+                     .trials = kMostTrials});
+    std::optional<LatticeTrial> best;
+    std::array<double, 3> last_steps{};
+    while (!bracket.is_done()) {
+      const PositionLattice lattice = grid_lattice(box_, axes, short_float_below(bracket.setting()));
+      if (lattice.step == last_steps) break;
+      last_steps = lattice.step;
+      LatticeTrial trial = trials_.try_lattice(lattice, bounds_);
+      const double load = bounds_.load(trial.quality);
+      if (bracket.tell(excess_of_load(load))) best = std::move(trial);
+      if (load == 0) break;
+    }
+    return best;
+  }
+
+  std::optional<LatticeTrial> on_voxels(const VoxelFit& fit) const {
+    // A vertex is off along its edge only, which is 2 levels' halves; see lattice_step_for().
+    const double step = lattice_step_for(bounds_, box_) * std::sqrt(3.0);
+    Bracket bracket({.first = std::max(std::ceil(largest_side(fit) / step), 1.0),
+                     .least = 1,
+                     .most = kMostLevels,
+                     .whole = true,
+                     .slope = -1,
+                     .tolerance = tolerance(),
+                     .trials = kMostTrials});
+    std::optional<LatticeTrial> best;
+    while (!bracket.is_done()) {
+      auto trial = trials_.try_levels(fit, static_cast<std::uint32_t>(bracket.setting()), bounds_);
+      // More than the grid has room for would be good enough.
+      if (bracket.tell(trial ? excess_of_load(bounds_.load(trial->quality)) : -kInfinity))
+        best = std::move(trial);
+    }
+    return best;
+  }
+
+  /// As many levels as the starting states know, if these keep the bounds.
+  std::optional<LatticeTrial> on_usual_levels(const VoxelFit& fit) const {
+    if (trials_.usual_levels() == 0) return std::nullopt;
+    auto trial = trials_.try_levels(fit, trials_.usual_levels(), bounds_);
+    if (trial && bounds_.load(trial->quality) > 1) trial.reset();
+    return trial;
+  }
+
+  const PredictiveTrials& trials_;
+  const Bounds& bounds_;
+  const Box& box_;
+  std::optional<Candidate> best_;
+};
+
+/// The finest lattice or the most levels that fit a number of bytes.
+class BudgetSearch {
+ public:
+  explicit BudgetSearch(const PredictiveTrials& trials) : trials_(trials) {}
+
+  Result<Candidate> run() {
+    if (trials_.voxels()) fit_levels(*trials_.voxels());
+    fit_lattice();
+    consider(trials_.code_exactly());
+    if (!best_) return too_few_bytes(fewest_);
+    return *std::move(best_);
+  }
+
+ private:
+  /// What `trial` takes over the budget, in bits per coordinate. The first one says in which form all are.
+  double excess(const LatticeTrial& trial) {
+    Candidate candidate = form_ ? trials_.code(trial, *form_) : trials_.code(trial);
+    form_ = candidate.form;
+    return consider(std::move(candidate));
+  }
+
+  double consider(Candidate candidate) {
+    const std::uint64_t bytes = candidate.bytes;
+    const std::uint64_t budget = *trials_.request().target_bytes;
+    fewest_ = std::min(fewest_, bytes);
+    if (bytes <= budget && (!best_ || candidate.quality.vde_rms < best_->quality.vde_rms))
+      best_ = std::move(candidate);
+    return excess_of_bytes(bytes, budget, trials_.source().positions.size());
+  }
+
+  void fit_lattice() {
+    const Box& box = trials_.source().box;
+    form_.reset();
+    Bracket bracket({.first = trials_.step_for_bits(kDefaultLatticeBits),
+                     .least = std::max(finest_step(box), 1e-30),
+                     .most = 2 * std::max(box.longest_side(), 1e-30),  // all coordinates are 0
+                     .slope = -1,
+                     .aim = kTightBits / 2,
+                     .tolerance = kTightBits,
+                     .trials = kMostTrials});
+    while (!bracket.is_done())
+      bracket.tell(excess(trials_.try_lattice(cubic_lattice(box, short_float_below(bracket.setting())))));
+  }
+
+  void fit_levels(const VoxelFit& fit) {
+    Bracket bracket({.first = kFirstLevels,
+                     .least = 1,
+                     .most = kMostLevels,
+                     .whole = true,
+                     .slope = 1.0 / 3,  // one coordinate costs a bit more where the levels double
+                     .tolerance = kTightBits,
+                     .trials = kMostTrials});
+    while (!bracket.is_done()) {
+      const auto trial = trials_.try_levels(fit, static_cast<std::uint32_t>(bracket.setting()));
+      bracket.tell(trial ? excess(*trial) : kInfinity);
+    }
+  }
+
+  const PredictiveTrials& trials_;
+  std::optional<PositionForm> form_;
+  std::optional<Candidate> best_;
+  std::uint64_t fewest_ = std::numeric_limits<std::uint64_t>::max();
+};
+
+}  // namespace
+
+double lattice_step_for(const Bounds& bounds, const Box& box) noexcept {
   double step = std::max(box.longest_side(), 1e-30);
   // Half a step per axis is the most; a uniform error of one step has a variance of 1/12, and a vertex's
   // neighbours add a little to what is seen at it.
@@ -34,186 +219,30 @@ double first_step(const Bounds& bounds, const Box& box) noexcept {
   return step > 0 ? step : 1.0;  // a bound in percent of nothing
 }
 
-/// On a cubic lattice but for `axes` with steps of their own; empty where none keeps the bounds.
-std::optional<LatticeTrial> keep_on_lattice(const Bounds& bounds, const std::array<AxisGrid, 3>& axes,
-                                            const PredictiveTrials& trials) {
-  std::optional<LatticeTrial> best;
-  double best_step = 0;
-  double step = first_step(bounds, trials.source().box);
-  std::array<double, 3> last_steps{};
-  for (int i = 0; i < kMostTrials; ++i) {
-    const PositionLattice lattice = grid_lattice(trials.source().box, axes, short_float_below(step));
-    if (lattice.step == last_steps) break;
-    last_steps = lattice.step;
-    LatticeTrial trial = trials.try_lattice(lattice, bounds);
-    const double load = bounds.load(trial.quality);
-    const bool kept = load <= 1;
-    if (kept && step > best_step) {
-      best = std::move(trial);
-      best_step = step;
-    }
-    if (kept && (load > kCloseEnough || load == 0 || trials.effort() == 0)) break;
-    // A bound far off asks for bold steps, since coordinates rounded to floats add to the error.
-    step *= std::clamp(0.9995 / std::max(load, 1e-9), 0.25, 4.0);
-  }
-  return best;
-}
-
-std::optional<LatticeTrial> keep_on_voxels(const Bounds& bounds, const VoxelFit& fit,
-                                           const PredictiveTrials& trials) {
-  const double voxel = *std::max_element(fit.voxel.begin(), fit.voxel.end());
-  // A vertex is off along its edge only, which is 2 levels' halves; see first_step().
-  const double step = first_step(bounds, trials.source().box) * std::sqrt(3.0);
-  std::uint32_t enough = kMostLevels + 1;
-  std::uint32_t too_few = 0;
-  std::optional<LatticeTrial> best;
-  double levels = std::ceil(voxel / step);
-  for (int i = 0; i < kMostTrials && enough - too_few > 1; ++i) {
-    const auto now = static_cast<std::uint32_t>(std::clamp(levels, too_few + 1.0, enough - 1.0));
-    auto trial = trials.try_levels(fit, now, bounds);
-    if (!trial) {  // more than the grid has room for
-      enough = now;
-      levels = too_few + (now - too_few) / 2.0;
-      continue;
-    }
-    const double load = bounds.load(trial->quality);
-    if (load <= 1) {
-      best = std::move(trial);
-      enough = now;
-      levels = std::max(std::ceil(now * load), now / 4.0);
-      if (trials.effort() == 0 && levels >= now) break;
-    } else {
-      too_few = now;
-      levels = std::ceil(now * std::min(load, 4.0));
-    }
-    if (levels == now) levels = now + (load <= 1 ? -1.0 : 1.0);
-  }
-  return best;
-}
-
-/// As many levels as the starting states know, if these keep the bounds.
-std::optional<LatticeTrial> keep_usual_levels(const Bounds& bounds, const VoxelFit& fit,
-                                              const PredictiveTrials& trials) {
-  if (trials.usual_levels() == 0) return std::nullopt;
-  auto trial = trials.try_levels(fit, trials.usual_levels(), bounds);
-  if (trial && bounds.load(trial->quality) > 1) trial.reset();
-  return trial;
-}
-
-/// Whether most vertices are on edges of voxels that are not much finer than the bounds' lattice, and faces
-/// no larger.
-bool are_voxels_enough(const Bounds& bounds, const PredictiveTrials& trials) {
+bool are_voxels_enough(const PredictiveTrials& trials) {
   constexpr double kMostly = 0.5;      // of the vertices on edges
   constexpr double kMuchFiner = 0.25;  // than the lattice: then a plane of voxels means nothing
   if (!trials.voxels() || trials.voxels()->share <= kMostly) return false;
-  const double voxel = *std::max_element(trials.voxels()->voxel.begin(), trials.voxels()->voxel.end());
-  return voxel > kMuchFiner * first_step(bounds, trials.source().box) &&
-         faces_fit_cubes(trials.source().triangles, trials.source().positions, voxel);
+  const double voxel = largest_side(*trials.voxels());
+  return voxel > kMuchFiner * lattice_step_for(trials.request().bounds, trials.source().box) &&
+         faces_fit_cubes(trials.source(), voxel);
 }
 
-Result<CodedGeometry> fit_lattice(std::uint64_t bytes, const PredictiveTrials& trials) {
-  const Box& box = trials.source().box;
-  const double count = static_cast<double>(std::max<std::size_t>(trials.source().positions.size(), 1));
-  const double finest = std::max(finest_step(box), 1e-30);
-  const double coarsest = 2 * std::max(box.longest_side(), 1e-30);  // all coordinates are 0
-  std::optional<CodedGeometry> best;
-  double fit = coarsest * 2;
-  double too_fine = finest / 2;
-  double step = trials.step_for_bits(12);
-  std::uint64_t fewest = ~std::uint64_t{0};
-  for (int i = 0; i < kMostTrials; ++i) {
-    if (i + 1 == kMostTrials && !best) step = coarsest;
-    auto choice = trials.code(trials.try_lattice(cubic_lattice(box, short_float_below(step))));
-    const std::uint64_t size = trials.bytes_with(choice);
-    fewest = std::min(fewest, size);
-    const bool fits = size <= bytes;
-    if (fits && step < fit) {
-      best = std::move(choice);
-      fit = step;
-    }
-    if (!fits) too_fine = std::max(too_fine, step);
-    // Three coordinates cost a bit less each where the step doubles.
-    const double bits = 8 * (static_cast<double>(size) - static_cast<double>(bytes)) / (3 * count);
-    if ((fits && (bits > -0.003 || step <= finest)) || (!fits && step >= coarsest)) break;
-    step *= portable_exp2(std::clamp(bits + (fits ? 0 : 0.002), -6.0, 6.0));
-    // Never back to where it is known how it ends; where bits are few they say little.
-    if (step >= fit || step <= too_fine) step = std::sqrt(fit * too_fine);
-    step = std::clamp(step, finest, coarsest);
+Result<Candidate> search_predictive(const PredictiveTrials& trials) {
+  const Request& request = trials.request();
+  if (request.lossless) return trials.code_exactly();
+  if (request.has_bounds()) {
+    Candidate candidate = BoundSearch(trials).run();
+    if (request.target_bytes && candidate.bytes > *request.target_bytes)
+      return too_few_bytes_for_bounds(candidate.bytes);
+    return candidate;
   }
-  if (!best) return too_few_bytes(fewest);
-  return *std::move(best);
-}
-
-std::optional<CodedGeometry> fit_voxel_levels(std::uint64_t bytes, const VoxelFit& voxels,
-                                              const PredictiveTrials& trials) {
-  const double count = static_cast<double>(std::max<std::size_t>(trials.source().positions.size(), 1));
-  std::optional<CodedGeometry> best;
-  std::uint32_t fit = 0;
-  std::uint32_t too_many = kMostLevels + 1;
-  double levels = 8;
-  for (int i = 0; i < kMostTrials && too_many - fit > 1; ++i) {
-    const auto now = static_cast<std::uint32_t>(std::clamp(std::round(levels), fit + 1.0, too_many - 1.0));
-    const auto trial = trials.try_levels(voxels, now);
-    if (!trial) {  // more than the grid has room for
-      too_many = now;
-      levels = fit + (now - fit) / 2.0;
-      continue;
-    }
-    auto choice = trials.code(*trial);
-    const std::uint64_t size = trials.bytes_with(choice);
-    if (size <= bytes) {
-      best = std::move(choice);
-      fit = now;
-    } else {
-      too_many = now;
-    }
-    // One coordinate costs a bit more where the levels double.
-    const double bits = 8 * (static_cast<double>(bytes) - static_cast<double>(size)) / count;
-    levels = now * portable_exp2(std::clamp(bits, -6.0, 6.0));
-  }
-  return best;
-}
-
-}  // namespace
-
-bool suits_predictive(const Bounds& bounds, const PredictiveTrials& trials) {
-  const SourceGeometry& source = trials.source();
-  if (!bounds.vde || first_step(bounds, source.box) < first_step({.vde = bounds.vde}, source.box))
-    return true;
-  const FaceList faces{source.triangles, static_cast<std::uint32_t>(source.positions.size())};
-  return are_voxels_enough(bounds, trials) ||
-         forecast_coders(source.graph.graph(), faces, source.positions, *bounds.vde).predictive_wins();
-}
-
-CodedGeometry keep_bounds(const Bounds& bounds, const PredictiveTrials& trials) {
-  std::optional<CodedGeometry> best;
-  const auto keep_smaller = [&](const std::optional<LatticeTrial>& trial) {
-    if (!trial) return;
-    CodedGeometry geometry = trials.code(*trial);
-    if (!best || trials.bytes_with(geometry) < trials.bytes_with(*best)) best = std::move(geometry);
-  };
-  const double step = first_step(bounds, trials.source().box);
-  if (trials.voxels() && (trials.effort() > 0 || are_voxels_enough(bounds, trials))) {
-    keep_smaller(keep_on_voxels(bounds, *trials.voxels(), trials));
-    keep_smaller(keep_usual_levels(bounds, *trials.voxels(), trials));
-  } else if (const auto axes = trials.axes(step / 8); has_grid(axes, step)) {
-    // Axes of their own come first: effort 0 takes them, others compare.
-    keep_smaller(keep_on_lattice(bounds, axes, trials));
-  }
-  if (best && trials.effort() == 0) return *std::move(best);
-  keep_smaller(keep_on_lattice(bounds, {}, trials));
-  // Lattices end where floats do.
-  return best ? *std::move(best) : trials.code_exactly();
-}
-
-Result<CodedGeometry> fit_bytes(std::uint64_t bytes, const PredictiveTrials& trials) {
-  if (auto exact = trials.code_exactly(); trials.bytes_with(exact) <= bytes) return exact;
-  auto on_lattice = fit_lattice(bytes, trials);
-  if (!trials.voxels()) return on_lattice;
-  auto on_voxels = fit_voxel_levels(bytes, *trials.voxels(), trials);
-  if (!on_voxels) return on_lattice;
-  if (!on_lattice || on_voxels->quality.vde_rms < on_lattice->quality.vde_rms) return *std::move(on_voxels);
-  return on_lattice;
+  if (request.target_bytes) return BudgetSearch(trials).run();
+  if (request.step) return trials.code_step(*request.step);
+  const int bits = request.bits.value_or(kDefaultLatticeBits);
+  DELTAMESH_TRY(Candidate candidate, trials.code_step(trials.step_for_bits(bits)));
+  candidate.predictive.bits = static_cast<std::uint8_t>(bits);
+  return candidate;
 }
 
 }  // namespace deltamesh

@@ -1,24 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// The coarsest lattice or voxels that keep bounds on the error, and the finest that fit a number of bytes.
+// From a request to the lattice or the voxels of the predictive coder.
 #pragma once
-
-#include <cstdint>
 
 #include "search/predictive_trials.h"
 
 namespace deltamesh {
 
-/// The smallest stream found that keeps `bounds`, at least one of which is set; there always is one. At
-/// effort 0 the first lattice that does.
-CodedGeometry keep_bounds(const Bounds& bounds, const PredictiveTrials& trials);
+/// The smallest candidate found that keeps the request, or the best that fits its bytes; for bounds alone
+/// there always is one. At effort 0 the first one that keeps them. Errors: kUnmetRequest, kInvalidArgument.
+Result<Candidate> search_predictive(const PredictiveTrials& trials);
 
-/// Whether keep_bounds() is likely to find a smaller stream than highpass coding, from statistics of the
-/// mesh.
-bool suits_predictive(const Bounds& bounds, const PredictiveTrials& trials);
+/// A step of a lattice near which `bounds` are just kept.
+double lattice_step_for(const Bounds& bounds, const Box& box) noexcept;
 
-/// The best stream found that is not longer. Errors: kUnmetRequest.
-Result<CodedGeometry> fit_bytes(std::uint64_t bytes, const PredictiveTrials& trials);
+/// Whether most vertices are on edges of voxels that are not much finer than the bounds' lattice, and faces
+/// no larger.
+bool are_voxels_enough(const PredictiveTrials& trials);
 
 }  // namespace deltamesh

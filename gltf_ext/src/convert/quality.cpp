@@ -3,6 +3,7 @@
 #include "convert/quality.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,7 +11,7 @@
 
 #include "base/numbers/vec3.h"
 #include "base/try.h"
-#include "search/default_quality.h"
+#include "search/request.h"
 
 namespace deltamesh::gltf {
 namespace {
@@ -36,7 +37,7 @@ std::vector<Vec3> places(const Mesh& mesh) {
 /// What the encoder keeps of positions that nothing is asked of.
 double default_error(const Mesh& mesh) {
   const std::vector<Vec3> points = places(mesh);
-  return default_quality(mesh.triangles, points, Box::around(points)).max_error->value;
+  return deltamesh::default_error(mesh.triangles, points, Box::around(points).diagonal());
 }
 
 /// About the largest distance of a decoded position from its source, without coding where a rule tells it.
@@ -47,13 +48,13 @@ Result<double> position_error(const EncodeOptions& options, const Mesh& mesh) {
                                                 : bound.value;
   };
   const auto& most = options.quality.max_error;
-  if (most && most->unit != QualityUnit::kPaper) return in_model(*most);
+  if (most && std::isfinite(most->value) && most->unit != QualityUnit::kPaper) return in_model(*most);
   // Of places anywhere in the cells of a lattice, the farthest are as many times as far off as their rms.
   const auto& mean = options.quality.lfe;
   if (mean && mean->unit != QualityUnit::kPaper) return in_model(*mean) / kComponentShare;
   EncodeOptions trial = options;
   trial.quality.target_bytes.reset();  // shared by scaling all bounds
-  if (asks_for_nothing(trial)) return default_error(mesh);
+  if (says_nothing_of_positions(trial)) return default_error(mesh);
   trial.progress = {};
   MeshView positions(mesh);
   positions.attributes.clear();

@@ -3,6 +3,7 @@
 #include "part/encode.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -17,13 +18,17 @@
 #include "part/codec_state.h"
 #include "part/measure.h"
 #include "part/options.h"
-#include "search/bounds.h"
+#include "search/bracket.h"
+#include "search/request.h"
 #include "support/errors.h"
 
 namespace deltamesh {
 namespace {
 
-constexpr int kMostAttempts = 6;
+/// Of the bounds, that a stream is asked for at least; 0.97 of what would just do; and how often.
+constexpr double kFinestShare = 1.0 / 512;
+constexpr double kAim = -0.044;
+constexpr int kTrials = 2;
 
 Result<void> check_part(const MapPart& part, const MapDescription& description) {
   const MapLattice& lattice = description.lattice;
@@ -50,7 +55,7 @@ Result<void> check_part(const MapPart& part, const MapDescription& description) 
 }
 
 /// One way to code a part, and what a receiver gets.
-struct Attempt {
+struct PartCandidate {
   DecodedPart result;
   double load = 0;  ///< the worst achieved error over its bound
 };
@@ -68,13 +73,19 @@ class PartEncoder {
   /// have to be better than asked.
   Result<DecodedPart> run() {
     EncodeOptions options = options_for(quality_);
-    std::optional<Attempt> best;
-    for (int i = 0; i < kMostAttempts; ++i) {
-      DELTAMESH_TRY(Attempt attempt, code(options));
-      if (attempt.load <= 1) return std::move(attempt.result);
-      tighten(options.quality, attempt.load);
-      if (i == kMostAttempts / 2) options.geometry = GeometryCoder::kPredictive;
-      if (!best || attempt.load < best->load) best = std::move(attempt);
+    Bracket bracket({.first = 1,
+                     .least = kFinestShare,
+                     .most = 1,
+                     .aim = kAim,
+                     .tolerance = -std::numeric_limits<double>::infinity(),
+                     .trials = kTrials});
+    std::optional<PartCandidate> best;
+    for (int i = 0; !bracket.is_done(); ++i) {
+      options.quality = scaled(quality_.bounds, bracket.setting());
+      if (i > kTrials) options.geometry = GeometryCoder::kPredictive;
+      DELTAMESH_TRY(PartCandidate candidate, code(options));
+      if (bracket.tell(excess_of_load(candidate.load))) return std::move(candidate.result);
+      if (!best || candidate.load < best->load) best = std::move(candidate);
     }
     const Quality& achieved = best->result.coded.quality;
     return Error{.code = ErrorCode::kUnmetRequest,
@@ -88,14 +99,14 @@ class PartEncoder {
 
  private:
   /// A part that is one of the primers costs no more than its number.
-  Result<Attempt> code(EncodeOptions options) {
+  Result<PartCandidate> code(EncodeOptions options) {
     for (std::size_t i = 0; i < state_.primers.size(); ++i) {
       if (!may_be(state_.primers[i])) continue;
       options.starting_states = state_.models[i].start();
       DELTAMESH_TRY(Encoded encoded, encode(source_, options));
       if (encoded.bytes != state_.description.primers[i].stream) continue;
-      DELTAMESH_TRY(Attempt attempt, finish(std::move(encoded), i));
-      if (!attempt.result.coded.bytes.empty()) return attempt;
+      DELTAMESH_TRY(PartCandidate candidate, finish(std::move(encoded), i));
+      if (!candidate.result.coded.bytes.empty()) return candidate;
     }
     options.starting_states = state_.models.back().start();
     DELTAMESH_TRY(Encoded encoded, encode(source_, options));
@@ -108,36 +119,36 @@ class PartEncoder {
   }
 
   /// `primer`: which one `encoded` is, if any. No bytes where the border is not the primer's.
-  Result<Attempt> finish(Encoded encoded, std::optional<std::size_t> primer) {
+  Result<PartCandidate> finish(Encoded encoded, std::optional<std::size_t> primer) {
     const CodecModels& models = primer ? state_.models[*primer] : state_.models.back();
     DELTAMESH_TRY(Mesh decoded, decode(encoded.bytes, {.starting_states = models.start()}));
     auto border = border_in_order(part_, encoded.order);
     const MapLattice& lattice = state_.description.lattice;
     DELTAMESH_TRY(const BorderView view, view_border(encoded.bytes, decoded, lattice));
     const auto payload = write_border(decoded, view, border, models.border);
-    Attempt attempt;
+    PartCandidate candidate;
     const PartPlace place = state_.place_of(part_.key);
-    if (primer && payload != state_.description.primers[*primer].border) return attempt;
+    if (primer && payload != state_.description.primers[*primer].border) return candidate;
     if (primer) {
-      attempt.result.coded.bytes = write_primer_part(place, *primer);
+      candidate.result.coded.bytes = write_primer_part(place, *primer);
     } else {
-      DELTAMESH_TRY(attempt.result.coded.bytes, write_part(place, encoded.bytes, payload));
+      DELTAMESH_TRY(candidate.result.coded.bytes, write_part(place, encoded.bytes, payload));
     }
     place_border(decoded, border, lattice, view.follows);
-    attempt.result.coded.quality = measure_.compare(decoded.positions, encoded.order);
-    attempt.load = bounds_.load(attempt.result.coded.quality);
+    candidate.result.coded.quality = measure_.compare(decoded.positions, encoded.order);
+    candidate.load = bounds_.load(candidate.result.coded.quality);
     for (const AttributeInfo& attribute : encoded.report.stream.attributes)
-      attempt.result.coded.attribute_errors.push_back(attribute.error);
+      candidate.result.coded.attribute_errors.push_back(attribute.error);
     decoded.origin = lattice.origin;
-    attempt.result.part = {part_.key, std::move(decoded), std::move(border)};
-    attempt.result.order = std::move(encoded.order);
-    return attempt;
+    candidate.result.part = {part_.key, std::move(decoded), std::move(border)};
+    candidate.result.order = std::move(encoded.order);
+    return candidate;
   }
 
-  static void tighten(QualityRequest& request, double load) noexcept {
-    constexpr double kMargin = 0.97;
+  static QualityRequest scaled(QualityRequest request, double share) noexcept {
     for (auto* bound : {&request.vde, &request.lfe, &request.max_error})
-      if (*bound) (*bound)->value *= kMargin / std::min(load, 8.0);
+      if (*bound) (*bound)->value *= share;
+    return request;
   }
 
   const MapCodec::State& state_;

@@ -11,7 +11,7 @@
 #include "patch/coder.h"
 #include "patch/container.h"
 #include "patch/payload.h"
-#include "search/bounds.h"
+#include "search/request.h"
 #include "support/color_value.h"
 #include "support/row_gather.h"
 

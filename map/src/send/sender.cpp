@@ -24,8 +24,8 @@ constexpr double kLeastSavings = 65536;  // bytes: a part is never too large to 
 Error refused(ErrorCode code, const char* message) { return {.code = code, .message = message}; }
 
 Result<void> check_options(const SenderOptions& options) {
-  if (options.effort < 0 || options.effort > 9)
-    return refused(ErrorCode::kInvalidArgument, "an effort out of 0 to 9");
+  if (options.effort < 0 || options.effort > 2)
+    return refused(ErrorCode::kInvalidArgument, "an effort out of 0 to 2");
   if (!(options.resend_seconds > 0) || !std::isfinite(options.resend_seconds))
     return refused(ErrorCode::kInvalidArgument, "a time to send again that is not above 0");
   return {};

@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-#include "search/default_quality.h"
+#include "search/request.h"
 #include "support/limits.h"
 
 namespace deltamesh {
@@ -39,7 +39,7 @@ QualityRequest request_of(const MeshView& mesh, const QualityRequest& asked) {
     std::vector<Vec3> positions;
     for (std::size_t v = 0; v < mesh.vertex_count(); ++v)
       positions.push_back({mesh.positions[3 * v], mesh.positions[3 * v + 1], mesh.positions[3 * v + 2]});
-    return default_quality(mesh.triangles, positions, box);
+    return {.max_error = QualityBound{default_error(mesh.triangles, positions, box.diagonal())}};
   }
   QualityRequest request = asked;
   for (auto* bound : {&request.vde, &request.lfe, &request.max_error})

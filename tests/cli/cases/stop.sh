@@ -4,6 +4,6 @@ for pause in 0.05 0.3; do
   say "exit $?"
 done
 quiet generate sphere sphere.ply --vertices 200000
-timeout --signal=INT 0.5 "$program" encode sphere.ply sphere.dmsh --lfe 0.001% --effort 9 --order-out sphere.order >/dev/null 2>&1
+timeout --signal=INT 0.5 "$program" encode sphere.ply sphere.dmsh --lfe 0.001% --effort 2 --order-out sphere.order >/dev/null 2>&1
 say "exit $?"
 list

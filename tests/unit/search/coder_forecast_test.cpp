@@ -57,14 +57,14 @@ TEST(CoderForecast, EffortZeroTakesVoxelsForMaps) {
   const Mesh map = *generate_scene(Scene::kRooms, 6000, 3);
   const QualityRequest request{.vde = QualityBound{.value = 0.02, .unit = QualityUnit::kDiagonal}};
   EXPECT_EQ(coder_at(map, 0, request), "predictive");
-  EXPECT_EQ(coder_at(map, 5, request), "predictive");
+  EXPECT_EQ(coder_at(map, 1, request), "predictive");
 }
 
 TEST(CoderForecast, EffortZeroTakesDeltasForSmoothScans) {
   const Mesh scan = *generate_scene(Scene::kSphere, 6000, 3);
   const QualityRequest request{.vde = QualityBound{.value = 0.05, .unit = QualityUnit::kDiagonal}};
   EXPECT_EQ(coder_at(scan, 0, request), "highpass");
-  EXPECT_EQ(coder_at(scan, 5, request), "highpass");
+  EXPECT_EQ(coder_at(scan, 1, request), "highpass");
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ const NUMBERS = [
   ['targetBytes', NaN],
   ['geometry', 'auto', GEOMETRIES],
   ['lossless', false],
-  ['effort', 5],
+  ['effort', 1],
   ['bits', NaN],
   ['step', NaN],
   ['anchors', NaN],

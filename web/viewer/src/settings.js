@@ -19,7 +19,7 @@ export const BOUNDS = [
 /** Settings that are one of a few: values with their labels. */
 export const CHOICES = {
   geometry: { label: 'Coder', values: { auto: 'The smaller', highpass: 'Highpass', predictive: 'Predictive' } },
-  effort: { label: 'Effort', values: { 0: 'Least', 2: 'Low', 5: 'Usual', 9: 'Most' } },
+  effort: { label: 'Effort', values: { 0: 'Least', 1: 'Usual', 2: 'Most' } },
   view: { label: 'Layout', values: { side: 'Side by side', split: 'Split', original: 'Original', result: 'Result' } },
   shading: { label: 'Shading', values: { smooth: 'Smooth', flat: 'Flat', wire: 'Wireframe' } },
   color: {
@@ -39,7 +39,7 @@ export const DEFAULTS = {
   colors: 0,
   uvs: 1 / 4096,
   geometry: 'auto',
-  effort: '5',
+  effort: '1',
   view: 'side',
   shading: 'smooth',
   color: 'none',

@@ -174,7 +174,7 @@ test('what was dropped last is shown, whatever was being read', { skip }, async 
 });
 
 test('what is being done can be cancelled', { skip }, async () => {
-  await page.$eval('input[name="effort"][value="9"]', (input) => input.click());
+  await page.$eval('input[name="effort"][value="2"]', (input) => input.click());
   const status = await page.evaluate(async () => {
     const [status, cancel, example] = ['status', 'cancel', 'example'].map((id) => document.getElementById(id));
     const begun = new Promise((resolve) => {

@@ -28,5 +28,5 @@ test('options of the encoder leave out what is off', () => {
   const options = encodeOptions({ ...DEFAULTS, size: 9000, maxError: null });
   assert.equal(options.maxError, undefined);
   assert.equal(options.targetBytes, 9000);
-  assert.equal(options.effort, 5);
+  assert.equal(options.effort, 1);
 });

@@ -43,7 +43,7 @@ struct PartQuality {
   QualityRequest bounds{};
   AttributeQuality attributes{};
   GeometryCoder geometry = GeometryCoder::kAuto;
-  int effort = 5;  ///< 0 to 9
+  int effort = 1;  ///< 0 to 2
 };
 
 struct CodedPart {

@@ -20,7 +20,7 @@ namespace deltamesh {
 
 struct SenderOptions {
   SplitOptions split{};
-  int effort = 0;  ///< of encoding, 0 to 9: what is more costs several times the time for hardly fewer bytes
+  int effort = 0;  ///< of encoding, 0 to 2: what is more costs several times the time for hardly fewer bytes
   GeometryCoder geometry = GeometryCoder::kAuto;
   double resend_seconds = 1;      ///< what a receiver does not tell of after so long is sent again; above 0
   std::size_t most_viewers = 64;  ///< views of more are refused

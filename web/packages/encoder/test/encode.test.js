@@ -30,7 +30,7 @@ const WAYS = [
   { maxError: PER_MILLE },
   { lossless: true, keepOrder: true },
   { geometry: 'highpass', bits: 6, profile: 'zstd' },
-  { geometry: 'predictive', effort: 9 },
+  { geometry: 'predictive', effort: 2 },
 ];
 
 test('streams have the bytes of the native encoder', async (t) => {

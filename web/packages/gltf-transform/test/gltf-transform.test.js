@@ -139,7 +139,7 @@ const WAYS = [
     { vde: { value: 0.05, unit: 'diagonal' }, lfe: { value: 0.1, unit: 'diagonal' }, effort: 0 },
     (info) => info.quality.vde <= 0.0005 * diagonalOf(info) && info.quality.lfe <= 0.001 * diagonalOf(info),
   ],
-  [{ targetBytes: 6000, geometry: 'predictive', effort: 9 }, (info, size) => info.geometry === 'predictive' && size <= 6000],
+  [{ targetBytes: 6000, geometry: 'predictive', effort: 2 }, (info, size) => info.geometry === 'predictive' && size <= 6000],
   [
     { geometry: 'highpass', bits: 6, anchors: 20, anchorBits: 10, profile: 'zstd' },
     (info) => info.geometry === 'highpass' && info.quality.maxError > 0 && !codecsOf(info).has('compact'),

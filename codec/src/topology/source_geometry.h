@@ -7,11 +7,10 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/numbers/vec3.h"
-#include "deltamesh/mesh.h"
-#include "encoder/coded_topology.h"
 #include "topology/adjacency.h"
 #include "topology/mesh_edges.h"
 
@@ -40,9 +39,15 @@ class LazyGraph {
   mutable std::optional<Components> components_;
 };
 
-/// Not for several threads at once. The topology must outlive it.
+/// Not for several threads at once.
 struct SourceGeometry {
-  SourceGeometry(const MeshView& mesh, const CodedTopology& topology);
+  /// `mesh_edges`: of all faces, whose triangles must outlive this.
+  SourceGeometry(std::vector<Vec3> vertex_positions, MeshEdges mesh_edges)
+      : positions(std::move(vertex_positions)),
+        box(Box::around(positions)),
+        triangles(mesh_edges.triangles),
+        graph(triangles, static_cast<std::uint32_t>(positions.size())),
+        edges(std::move(mesh_edges)) {}
 
   std::vector<Vec3> positions;               ///< n, relative to the mesh's origin
   Box box;                                   ///< of `positions`; empty if there are none

@@ -15,11 +15,12 @@
 
 namespace deltamesh {
 
-/// Codes payloads as the options ask, collects them and counts their bytes.
+/// Codes payloads as a profile and an effort ask, collects them and counts their bytes.
 class ChunkList {
  public:
-  explicit ChunkList(const EncodeOptions& options) noexcept
-      : profile_(options.profile), zstd_level_(options.effort == 0 ? kQuickZstdLevel : kBestZstdLevel) {}
+  ChunkList() = default;
+  ChunkList(Profile profile, int effort) noexcept
+      : profile_(profile), zstd_level_(effort == 0 ? kQuickZstdLevel : kBestZstdLevel) {}
 
   /// `payload`: in the form of the profile; if it is empty, there is no chunk.
   void add(std::uint32_t tag, std::vector<std::byte> payload) {
@@ -56,8 +57,8 @@ class ChunkList {
 
   static constexpr int kQuickZstdLevel = 3;
 
-  Profile profile_;
-  int zstd_level_;
+  Profile profile_ = Profile::kSmallest;
+  int zstd_level_ = kBestZstdLevel;
   std::vector<CodedChunk> chunks_;
   std::uint64_t bytes_ = 0;
 };

@@ -6,11 +6,11 @@
 
 #include <cstdint>
 
+#include "base/progress.h"
 #include "deltamesh/encode.h"
 #include "deltamesh/result.h"
 #include "encoder/coded_topology.h"
-#include "encoder/source_geometry.h"
-#include "search/coded_geometry.h"
+#include "search/candidate.h"
 
 namespace deltamesh {
 
@@ -21,15 +21,16 @@ struct PartsTask {
   const SourceGeometry& source;
   const FileHeader& header;   ///< but for what depends on the geometry
   std::uint64_t chunk_bytes;  ///< of all other chunks
+  Progress& progress;
 };
 
 struct CodedParts {
-  CodedGeometry geometry;
+  Candidate geometry;
   ChunkList attributes;
 };
 
-/// The smallest that keeps the request, or the best that fits the bytes asked for; where nothing is asked,
-/// default_quality(). Errors: kUnmetRequest, kInvalidMesh.
+/// The smallest that keeps the request, or the best that fits the bytes asked for. Errors: kUnmetRequest,
+/// kInvalidMesh.
 Result<CodedParts> code_parts(const PartsTask& task);
 
 }  // namespace deltamesh

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "encoder/coded_parts.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "base/try.h"
+#include "deltamesh/attribute_quality.h"
+#include "encoder/coded_attributes.h"
+#include "search/bracket.h"
+#include "search/geometry.h"
+#include "search/request.h"
+
+namespace deltamesh {
+namespace {
+
+constexpr double kLargestAngle = 45;     // degrees
+constexpr double kLargestUv = 1.0 / 16;  // texture coordinate units
+constexpr double kLargestColor = 64;     // 255ths
+constexpr double kLargestWeight = 1.0 / 8;
+
+/// At most `largest`, unless more was asked for.
+double scaled_to(double bound, double scale, double largest) noexcept {
+  return std::min(bound * scale, std::max(bound, largest));
+}
+
+/// `quality` with every bound `scale` times as large, at most to where an attribute would mean nothing any
+/// more. Exact colours stay exact up to a scale of 1; then they may be off by `scale` - 1 255ths. `scale`:
+/// above 0.
+AttributeQuality scaled(const AttributeQuality& quality, double scale) {
+  AttributeQuality result = quality;
+  result.normal_error = scaled_to(quality.normal_error, scale, kLargestAngle);
+  if (quality.tangent_error) result.tangent_error = scaled_to(*quality.tangent_error, scale, kLargestAngle);
+  result.uv_error = scaled_to(quality.uv_error, scale, kLargestUv);
+  result.color_error = std::min(quality.color_error * scale + std::max(scale - 1, 0.0),
+                                std::max(quality.color_error, kLargestColor));
+  result.weight_error = scaled_to(quality.weight_error, scale, kLargestWeight);
+  for (NamedBound& bound : result.named) bound.error *= scale;
+  return result;
+}
+
+/// No attribute loses a bit.
+const AttributeQuality kExactly{.normal_error = 0, .tangent_error = 0, .uv_error = 0, .weight_error = 0};
+
+struct Parts {
+  CodedParts coded;
+  std::uint64_t bytes = 0;  ///< of the whole stream
+};
+
+/// Attributes within their bounds, on the geometry that keeps `request`.
+Result<Parts> code_both(const PartsTask& task, const Request& request, const AttributeQuality& bounds) {
+  EncodeOptions options = task.options;
+  options.attributes = bounds;
+  options.effort = request.effort;
+  const StreamRest rest{task.header, task.chunk_bytes};
+  DELTAMESH_TRY(Candidate geometry, code_geometry(request, task.source, rest));
+  task.progress.tick();
+  DELTAMESH_TRY(ChunkList attributes, code_attributes(task.mesh, task.topology, options, geometry.positions));
+  task.progress.tick();
+  Parts parts{{std::move(geometry), std::move(attributes)}};
+  parts.bytes = StreamRest{task.header, task.chunk_bytes + parts.coded.attributes.bytes()}.bytes_with(
+      parts.coded.geometry);
+  return parts;
+}
+
+/// All errors grow and shrink together until the stream has the bytes asked for.
+class SharedBudget {
+ public:
+  SharedBudget(const PartsTask& task, const Request& request)
+      : task_(task),
+        request_(request),
+        budget_(*request.target_bytes),
+        unit_(default_error(task.source.triangles, task.source.positions, task.source.box.diagonal())) {
+    request_.target_bytes.reset();
+  }
+
+  /// A quick search first: the stream of a whole one is smaller, but not by much.
+  Result<CodedParts> run() {
+    double scale = 1;
+    if (request_.effort >= kSearchEffort) {
+      const int effort = std::exchange(request_.effort, 0);
+      DELTAMESH_TRY(scale, search(scale, kQuickTrials));
+      request_.effort = effort;
+      best_.reset();
+    }
+    DELTAMESH_TRY(scale, search(scale, kTrials));
+    if (best_ && scale <= kFinest) DELTAMESH_CHECK(try_exactly());
+    if (!best_) return too_few_bytes(fewest_);
+    return std::move(best_->coded);
+  }
+
+ private:
+  static constexpr double kFinest = 1.0 / 4096;
+  static constexpr double kCoarsest = 4096;
+  static constexpr int kQuickTrials = 6;
+  static constexpr int kTrials = 5;
+
+  /// Returns the best scale.
+  Result<double> search(double first, int trials) {
+    const std::uint64_t vertices = task_.source.positions.size();
+    Bracket bracket({.first = first,
+                     .least = kFinest,
+                     .most = kCoarsest,
+                     .slope = -1,
+                     .aim = excess_of_bytes(budget_, budget_ + budget_ / 300, vertices),
+                     .tolerance = excess_of_bytes(budget_, budget_ + budget_ / 100, vertices),
+                     .trials = trials});
+    while (!bracket.is_done()) {
+      DELTAMESH_TRY(Parts parts, code(bracket.setting()));
+      fewest_ = std::min(fewest_, parts.bytes);
+      if (bracket.tell(excess_of_bytes(parts.bytes, budget_, vertices))) best_ = std::move(parts);
+    }
+    return bracket.best();
+  }
+
+  Result<Parts> code(double scale) const {
+    Request request = request_;
+    // A step needs no search of its own, and leaves about such an error.
+    constexpr double kStepOfError = 0.22;
+    if (request.coder == GeometryCoder::kHighpass)
+      request.step = kStepOfError * scale * unit_;
+    else
+      request.bounds.max_error = scale * unit_;
+    return code_both(task_, request, scaled(task_.options.attributes, scale));
+  }
+
+  Result<void> try_exactly() {
+    if (request_.coder == GeometryCoder::kHighpass) return {};
+    Request request = request_;
+    request.lossless = true;
+    DELTAMESH_TRY(Parts exact, code_both(task_, request, kExactly));
+    if (exact.bytes <= budget_) best_ = std::move(exact);
+    return {};
+  }
+
+  const PartsTask& task_;
+  Request request_;
+  std::uint64_t budget_;
+  double unit_;  ///< the largest error at a scale of 1
+  std::optional<Parts> best_;
+  std::uint64_t fewest_ = std::numeric_limits<std::uint64_t>::max();
+};
+
+}  // namespace
+
+Result<CodedParts> code_parts(const PartsTask& task) {
+  Request request = make_request(task.options, task.source);
+  request.progress = &task.progress;
+  request.attributes_use_positions = attributes_use_positions(task.mesh, task.options);
+  if (request.target_bytes && !request.has_bounds() && !task.mesh.attributes.empty())
+    return SharedBudget(task, request).run();
+  const auto budget =
+      std::exchange(request.target_bytes, request.has_bounds() ? std::nullopt : request.target_bytes);
+  DELTAMESH_TRY(Parts parts, code_both(task, request, request.lossless ? kExactly : task.options.attributes));
+  if (budget && parts.bytes > *budget) return too_few_bytes_for_bounds(parts.bytes);
+  return std::move(parts.coded);
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// One way to code the positions of a mesh: what a coder makes from settings, and what a decoder makes of it.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/memory/large_vector.h"
+#include "base/numbers/vec3.h"
+#include "deltamesh/stream_info.h"
+#include "entropy/chunk_list.h"
+#include "format/header.h"
+#include "highpass/settings.h"
+#include "positions/positions.h"
+
+namespace deltamesh {
+
+struct Candidate {
+  std::uint8_t coder = kGeometryHighpass;
+  HighpassSettings settings{};        ///< of the highpass coder, which made it from these
+  HighpassParameters highpass{};      ///< for the header; so is the next
+  PredictiveParameters predictive{};  ///< settings of the predictive coder; so is the next
+  PositionForm form{};
+  ChunkList chunks{};
+  Quality quality{};        ///< as decoded
+  std::uint64_t bytes = 0;  ///< of the whole stream
+  /// n x 3 floats as decoded, of geometric vertices; empty where decoders may differ in their last bits.
+  std::vector<float> positions{};
+  LargeVector<Vec3> solution{};  ///< n: of the highpass coder, before it is rounded to floats
+
+  void set_parameters(FileHeader& header) const {
+    header.geometry = coder;
+    header.highpass = highpass;
+    header.predictive = predictive;
+  }
+};
+
+/// The rest of the stream, so that its size is known.
+struct StreamRest {
+  const FileHeader& header;
+  std::uint64_t chunk_bytes;  ///< of the chunks that are not the geometry's
+
+  std::uint64_t bytes_with(const Candidate& candidate) const {
+    FileHeader whole = header;
+    candidate.set_parameters(whole);
+    return stream_bytes(whole, chunk_bytes + candidate.chunks.bytes());
+  }
+};
+
+}  // namespace deltamesh
