@@ -96,7 +96,7 @@ CodedAttribute code(const Attribute& a, const AttributeQuality& quality,
   auto coded = write_attribute(test::view(a), identity(rows(a)), {.quality = quality}, surface, others);
   EXPECT_TRUE(coded);
   const auto back =
-      read_attribute(Payload::compact(coded->compact), coded->descriptor, surface, others, 1 << 24);
+      read_attribute(Payload::compact(coded->payload), coded->descriptor, surface, others, 1 << 24);
   EXPECT_TRUE(back) << (back ? "" : describe(back.error()));
   if (back) {
     EXPECT_EQ(back->values, coded->decoded.values);
@@ -104,7 +104,7 @@ CodedAttribute code(const Attribute& a, const AttributeQuality& quality,
   return *std::move(coded);
 }
 
-int coding_byte(const CodedAttribute& coded) { return std::to_integer<int>(coded.compact.at(0)); }
+int coding_byte(const CodedAttribute& coded) { return std::to_integer<int>(coded.payload.at(0)); }
 
 void expect_bits(const CodedAttribute& coded, const std::vector<float>& source, std::size_t components,
                  std::size_t vertex) {
@@ -121,7 +121,7 @@ TEST(Exceptions, ATTR12OneBadValueCostsOneValue) {
     c.values[500 * c.components + c.components - 1] = -kInfinity;
     const CodedAttribute coded = code(make(c), bounds());
     EXPECT_EQ(coding_byte(coded), static_cast<int>(c.coding) | kExceptionsFlag);
-    EXPECT_LT(coded.compact.size(), good.compact.size() + 8 * c.components + 60);
+    EXPECT_LT(coded.payload.size(), good.payload.size() + 8 * c.components + 60);
     EXPECT_GT(coded.descriptor.error, 0);
     EXPECT_LE(coded.descriptor.error, 1.01 * good.descriptor.error + 1e-6);
     expect_bits(coded, c.values, c.components, 100);
@@ -143,10 +143,10 @@ TEST(Exceptions, ATTR12TheFirstAndTheLastVerticesMayBeExceptions) {
 
 TEST(Exceptions, ATTR12EqualValuesThatAreManyCostLittle) {
   Case c{AttributeKind::kGeneric, 1, AttributeCoding::kLattice, Sheet().heights};
-  const std::size_t good = code(make(c), bounds()).compact.size();
+  const std::size_t good = code(make(c), bounds()).payload.size();
   for (std::size_t v = 0; v < kVertices; ++v)
     if (v % 100 < 30) c.values[v] = kNan;
-  EXPECT_LT(code(make(c), bounds()).compact.size(), good + 2 * (kVertices * 3 / 10));
+  EXPECT_LT(code(make(c), bounds()).payload.size(), good + 2 * (kVertices * 3 / 10));
 }
 
 TEST(Exceptions, ATTR12MostlyBadValuesAreExact) {
@@ -213,7 +213,7 @@ TEST(Exceptions, DirectionsMayHaveAnyLength) {
       EXPECT_GT(coded.descriptor.error, 0);
       EXPECT_LE(coded.descriptor.error, short_float_above(0.5));
       // As many bytes as unit vectors take, up to rounding.
-      EXPECT_LT(coded.compact.size(), code(make(cases()[k]), bounds()).compact.size() * 101 / 100 + 2);
+      EXPECT_LT(coded.payload.size(), code(make(cases()[k]), bounds()).payload.size() * 101 / 100 + 2);
     }
   }
 }
