@@ -136,6 +136,9 @@ def attributes():
         yield with_chunk("ATTR", b"\x08" + fields + bytes(12) + STATES, True, word)
     for fields in (b"\5\xff", b"\2" + f32(3e38) + varint(2**50) + b"\0"):  # an exponent, and a point beyond f32
         yield with_chunk("ATTR", b"\x08" + fields + STATES, True, b"\0\3\6\1\0\0")
+    # Exceptions: no value, too many, no run, too many, a run that begins or ends too late or comes behind the last vertex, a value too far.
+    for fields in (b"\0", b"\5", b"\1\7\0", b"\1\7\5", b"\1\7\1\4", b"\1\7\1\0\4", b"\1\7\2\0\3", b"\2\7\x08\1\0\0\2"):
+        yield with_chunk("ATTR", b"\x88" + fields + bytes(12) + STATES, True, byte)
     # A rule of normals without positions.
     highpass = Parts(golden("seam.step"))
     highpass.chunks.append((7 | COMPACT << 4, b"\1", b"\4\1" + one + STATES))
