@@ -166,6 +166,11 @@ def by_chance(program):
         for _ in range(tries):
             parts.chunks[i] = kind, descriptor, with_other_decisions(stream, payload, rng.choice(firsts), rng)
             yield parts.stream()
+    i, parts = next((i, Parts(torus)) for i, chunk in enumerate(Parts(torus).chunks) if KINDS[chunk[0] & 15] == "ORDR")
+    kind, descriptor, payload = parts.chunks[i]
+    for _ in range(200):  # to their ends: no permutation
+        parts.chunks[i] = kind, descriptor, with_other_decisions(torus, payload, rng.choice(range(-40, 0)), rng, ends=True)
+        yield parts.stream()
 
 
 def plain(program):
