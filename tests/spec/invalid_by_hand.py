@@ -139,6 +139,12 @@ def attributes():
     # Exceptions: no value, too many, no run, too many, a run that begins or ends too late or comes behind the last vertex, a value too far.
     for fields in (b"\0", b"\5", b"\1\7\0", b"\1\7\5", b"\1\7\1\4", b"\1\7\1\0\4", b"\1\7\2\0\3", b"\2\7\x08\1\0\0\2"):
         yield with_chunk("ATTR", b"\x88" + fields + bytes(12) + STATES, True, byte)
+    # A joint and a weight of a copy that are out of range.
+    for descriptor, payload in ((b"\x0c", "0a771b40a056a2aabbea88056cd6ecc5afb6a64c81e400a15ebc83217fe867b6f784730681029dd3b0567ab5"),
+                                (b"\x0e", "090f77c10755ad4b9b61d827bd6ec9d76147f0ba92013f56ea2725c312d14c6409")):
+        copies = Parts(two_faces())
+        copies.chunks.append((7 | COMPACT << 4, descriptor, bytes.fromhex(payload)))
+        yield copies.stream()
     # A rule of normals without positions.
     highpass = Parts(golden("seam.step"))
     highpass.chunks.append((7 | COMPACT << 4, b"\1", b"\4\1" + one + STATES))
