@@ -10,7 +10,7 @@ def CONN_12_run_weights(full):
     return [{0: 32, 1: 8, 2: 2}.get(abs(s - max(5 - full, 0)), 1) for s in range(7)] + [6, 2] + [1] * 7
 
 class Ops:
-    """[CONN-10, CONN-12] Ops and references."""
+    """[CONN-1, CONN-10, CONN-12] Ops and references."""
     def __init__(self, r, m, states):
         must(m <= 42400 * len(r.data), "CONN-2", "more faces than the bytes can give")
         rare = [Mixture((0, 8, 0, 8, 1, 6, 5) + (0,) * 9), Mixture((8, 1, 1, 0, 1, 8, 1) + (0,) * 9)]
@@ -19,6 +19,7 @@ class Ops:
         self.ops, self.y = [], 1  # "rare" and "run" among the ops stand for what is read when it is their turn
 
     def op(self, t, g, step, filled):
+        """[CONN-12]"""
         p, q = g.prev, g.next
         after, a, b, l = q.next, q.closed, p.closed, {2: 1, 3: 2, 4: 3}.get(g.loop_size(), 0)
         F, O, K, T, X = (item.full for item in (t, g if step == 1 else q, p, after, after.next))
@@ -42,6 +43,7 @@ class Ops:
         return op
 
     def target(self, items):
+        """[CONN-10]"""
         reference = self.learnt.reference.decode(self.coder)
         must(reference <= 255, "CONN-7", f"reference {reference}")
         return reference, None if reference else self.coder.raw(bits(items))

@@ -14,9 +14,8 @@ from voxels import VOX_1_positions
 def POSN_1_positions(chunk, header, faces, states):
     """The positions of the geometric vertices in doubles."""
     n = header.geometric
-    if n == 0:
-        must(not chunk.data, "POSN-1", "a payload without vertices")
-        return np.zeros((0, 3))
+    must(n or not chunk.data, "POSN-1", "a payload without vertices")
+    if n == 0: return np.zeros((0, 3))
     coder = Coder(chunk)
     order = POSN_10_order(coder.raw(2), faces, n)
     number = {v: i for i, v in enumerate(order)}

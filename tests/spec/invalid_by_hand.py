@@ -136,6 +136,15 @@ def attributes():
         yield with_chunk("ATTR", b"\x08" + fields + bytes(12) + STATES, True, word)
     for fields in (b"\5\xff", b"\2" + f32(3e38) + varint(2**50) + b"\0"):  # an exponent, and a point beyond f32
         yield with_chunk("ATTR", b"\x08" + fields + STATES, True, b"\0\3\6\1\0\0")
+    # Exceptions: no value, too many, no run, too many, a run that begins or ends too late or comes behind the last vertex, a value too far.
+    for fields in (b"\0", b"\5", b"\1\7\0", b"\1\7\5", b"\1\7\1\4", b"\1\7\1\0\4", b"\1\7\2\0\3", b"\2\7\x08\1\0\0\2"):
+        yield with_chunk("ATTR", b"\x88" + fields + bytes(12) + STATES, True, byte)
+    # A joint and a weight of a copy that are out of range.
+    for descriptor, payload in ((b"\x0c", "0a771b40a056a2aabbea88056cd6ecc5afb6a64c81e400a15ebc83217fe867b6f784730681029dd3b0567ab5"),
+                                (b"\x0e", "090f77c10755ad4b9b61d827bd6ec9d76147f0ba92013f56ea2725c312d14c6409")):
+        copies = Parts(two_faces())
+        copies.chunks.append((7 | COMPACT << 4, descriptor, bytes.fromhex(payload)))
+        yield copies.stream()
     # A rule of normals without positions.
     highpass = Parts(golden("seam.step"))
     highpass.chunks.append((7 | COMPACT << 4, b"\1", b"\4\1" + one + STATES))
@@ -163,6 +172,11 @@ def by_chance(program):
         for _ in range(tries):
             parts.chunks[i] = kind, descriptor, with_other_decisions(stream, payload, rng.choice(firsts), rng)
             yield parts.stream()
+    i, parts = next((i, Parts(torus)) for i, chunk in enumerate(Parts(torus).chunks) if KINDS[chunk[0] & 15] == "ORDR")
+    kind, descriptor, payload = parts.chunks[i]
+    for _ in range(200):  # to their ends: no permutation
+        parts.chunks[i] = kind, descriptor, with_other_decisions(torus, payload, rng.choice(range(-40, 0)), rng, ends=True)
+        yield parts.stream()
 
 
 def plain(program):

@@ -66,11 +66,11 @@ class ChanceCoder:
             for name, method in self.real.items():
                 setattr(Coder, name, method)
 
-    def encoded(self):
-        """The payload with these decisions, which go on with others of chance."""
+    def encoded(self, ends):
+        """The payload with these decisions; behind them it ends, or goes on with others of chance."""
         if self.fields == self.payload:
             return self.payload
-        states, words = [self.rng.randrange(LOW, HIGH) for _ in range(2)], []
+        states, words = [2**15 if ends else self.rng.randrange(LOW, HIGH) for _ in range(2)], []
         for number in range(len(self.decisions) - 1, -1, -1):
             x, parts = states[number % 2], self.decisions[number]
             if parts and x >= parts[-1][2] << (63 - sum(n for n, _, _ in parts)):
@@ -84,12 +84,13 @@ class ChanceCoder:
             b"".join(word.to_bytes(4, "little") for word in reversed(words))
 
 
-def with_other_decisions(stream, payload, first, rng):
-    """The payload of a stream's compact chunk with other decisions from number `first` on; below 0: counted from the last."""
+def with_other_decisions(stream, payload, first, rng, ends=False):
+    """The payload of a stream's compact chunk with other decisions from number `first` on; below 0: counted from the last. Where it `ends`, it
+    does so behind the last that the decoder asks for."""
     if first < 0:
         coder = ChanceCoder(payload, sys.maxsize, rng)
         coder.run(stream)
         first = max(len(coder.decisions) - 1 + first, 0)
     coder = ChanceCoder(payload, first, rng)
     coder.run(stream)
-    return coder.encoded()
+    return coder.encoded(ends)

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "attributes/exceptions/exceptions.h"
 #include "attributes/payload.h"
 #include "decoder/stream_decoder.h"
 #include "format/container.h"
@@ -31,10 +32,13 @@ StreamOutcome* fail(const Error& error) {
 
 std::uint32_t count_of(std::uint64_t bytes) noexcept { return static_cast<std::uint32_t>(bytes); }
 
-/// Whether `rare` reads the compact values of an attribute, which begin with their coding [ATTR-2].
-bool is_rare(std::span<const std::byte> values) noexcept {
+/// Whether `rare` reads the values of an attribute: plain ones, and some compact ones, which begin with their
+/// coding [ATTR-2].
+bool is_rare(ChunkCodec codec, std::span<const std::byte> values) noexcept {
+  if (codec != ChunkCodec::kCompact) return true;
   if (values.empty()) return false;
-  const auto coding = static_cast<AttributeCoding>(values.front());
+  const auto byte = std::to_integer<std::uint8_t>(values.front());
+  const auto coding = static_cast<AttributeCoding>(byte & ~kExceptionsFlag);
   return coding == AttributeCoding::kLattice || coding == AttributeCoding::kJoints ||
          coding == AttributeCoding::kWeights;
 }
@@ -50,8 +54,7 @@ std::uint32_t parts_of(const Container& container) noexcept {
                         bit(Part::kRare, !is_highpass && header.predictive.kind != PositionKind::kLattice);
   for (const ChunkEntry& entry : container.entries()) {
     parts |= bit(Part::kZstd, entry.codec == ChunkCodec::kZstd);
-    parts |= bit(Part::kRare, entry.tag == kTagAttribute && entry.codec == ChunkCodec::kCompact &&
-                                  is_rare(container.coded(entry)));
+    parts |= bit(Part::kRare, entry.tag == kTagAttribute && is_rare(entry.codec, container.coded(entry)));
   }
   return parts;
 }

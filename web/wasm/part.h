@@ -71,6 +71,7 @@ enum class RareForm : std::uint32_t {
   kLattice,    ///< read_lattice()
   kJoints,     ///< read_joints()
   kWeights,    ///< read_weights()
+  kPlain,      ///< read_plain_values()
 };
 
 /// The arguments of these.

@@ -2,13 +2,14 @@
 // Copyright 2026 The deltamesh authors
 //
 // The exports of `rare`, for codings that few streams have: positions of voxels and exact ones, attributes on
-// lattices, joints and weights.
+// lattices and in plain form, joints and weights.
 #include <algorithm>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "attributes/lattice/lattice.h"
+#include "attributes/plain/plain.h"
 #include "attributes/skin/skin.h"
 #include "base/try.h"
 #include "part.h"
@@ -59,9 +60,10 @@ Result<void> read_positions_of(const RareCall& call, std::span<const std::byte> 
 Result<void> read_values_of(const RareCall& call, std::span<const std::byte> bytes) {
   const Attribute shape{
       .kind = call.kind, .type = call.type, .components = static_cast<std::uint8_t>(call.components)};
-  const AttributeSurface& surface = surface_of(call);
-  const auto joints = take_array<std::vector<JointRow>>(call.joints);
   const auto read = [&] {
+    if (call.form == RareForm::kPlain) return read_plain_values(bytes, shape, call.vertex_count);
+    const AttributeSurface& surface = surface_of(call);
+    const auto joints = take_array<std::vector<JointRow>>(call.joints);
     if (call.form == RareForm::kJoints) return read_joints(bytes, shape, surface);
     if (call.form == RareForm::kWeights) return read_weights(bytes, shape, surface, joints);
     return read_lattice(bytes, shape, surface);

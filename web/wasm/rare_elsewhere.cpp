@@ -3,6 +3,7 @@
 //
 // Codings that few streams have, for `core`: the module `rare` reads them.
 #include "attributes/lattice/lattice.h"
+#include "attributes/plain/plain.h"
 #include "attributes/skin/skin.h"
 #include "base/try.h"
 #include "parts.h"
@@ -69,6 +70,16 @@ Result<std::vector<std::byte>> read_weights(std::span<const std::byte> bytes, co
                                             const AttributeSurface& surface,
                                             std::span<const JointRow> joints) {
   return read_values(RareForm::kWeights, bytes, shape, surface, joints);
+}
+
+Result<std::vector<std::byte>> read_plain_values(std::span<const std::byte> payload, const Attribute& shape,
+                                                 std::uint32_t rows) {
+  return read<std::vector<std::byte>>({.form = RareForm::kPlain,
+                                       .vertex_count = rows,
+                                       .bytes = hand_over(payload),
+                                       .kind = shape.kind,
+                                       .type = shape.type,
+                                       .components = shape.components});
 }
 
 }  // namespace deltamesh

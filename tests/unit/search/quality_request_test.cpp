@@ -18,7 +18,7 @@ namespace deltamesh {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kInf = std::numeric_limits<double>::infinity();
 
 QualityBound percent(double value) { return {.value = value, .unit = QualityUnit::kDiagonal}; }
 
@@ -246,7 +246,7 @@ TEST(QualityRequest, BadRequestsAreRefused) {
     const auto valid = validate(options);
     return !valid && valid.error().code == ErrorCode::kInvalidArgument;
   };
-  for (const double bad : {0.0, -1.0, kNan, kInfinity}) {
+  for (const double bad : {0.0, -1.0, kNan, kInf}) {
     EXPECT_TRUE(refused({.quality = {.vde = percent(bad)}})) << bad;
     EXPECT_TRUE(refused({.quality = {.lfe = QualityBound{.value = bad}}})) << bad;
     EXPECT_TRUE(refused({.quality = {.max_error = QualityBound{bad}}}) || bad == kNoBound.value) << bad;

@@ -223,7 +223,7 @@ Differences differences(const Level& level, const Coupled& problem) {
 }
 
 /// A finest level without arrays of its own, as decoders have it.
-TEST(SolveDirectly, DELT7IsTheLeastSquaresSolution) {
+TEST(SolveDirectly, DELT6DELT7IsTheLeastSquaresSolution) {
   EnvelopeFactor factor;
   for (const GraphMesh& mesh : {test::sheet(14, 13), test::sheet(60, 2), test::fan(90)}) {
     const std::vector<std::uint32_t> anchors = every(31, mesh);
