@@ -213,13 +213,30 @@ int HighpassCoder::fewest_cycles(const HighpassSettings& settings, double most_l
   if (!plain) return kMostCyclesTried;
   const auto most_bytes =
       static_cast<std::size_t>(kFairBytes * static_cast<double>(plain->deltas.size())) + kFewBytes;
-  for (int cycles = from; cycles < kMostCyclesTried; ++cycles) {
+  const auto serves = [&](int cycles) {
     const auto result = code(settings, cycles);
-    if (result && source_->left_out_at_first <= most_left_out && result->deltas.size() <= most_bytes &&
-        errors_between(part_, positions_, result->positions).are_fair(*best, invisible))
-      return cycles;
+    return result && source_->left_out_at_first <= most_left_out && result->deltas.size() <= most_bytes &&
+           errors_between(part_, positions_, result->positions).are_fair(*best, invisible);
+  };
+  // More cycles serve better, and take longer to try: up in growing strides, then between the last two.
+  int least = from;
+  int most = kMostCyclesTried;
+  for (int stride = 1; least + stride - 1 < most; stride *= 2) {
+    const int cycles = least + stride - 1;
+    if (serves(cycles)) {
+      most = cycles;
+      break;
+    }
+    least = cycles + 1;
   }
-  return kMostCyclesTried;
+  while (least < most) {
+    const int cycles = (least + most) / 2;
+    if (serves(cycles))
+      most = cycles;
+    else
+      least = cycles + 1;
+  }
+  return most;
 }
 
 }  // namespace deltamesh
