@@ -75,15 +75,25 @@ Result<TimeRow> compare_times(const Mesh& mesh) {
                               .effort = 0};
   DELTAMESH_TRY(const Encoded ours, encode(mesh, options));
   DELTAMESH_TRY(const auto theirs, peer->encode());
+  const auto slow_peer = make_draco_peer(10, 12);
+  DELTAMESH_CHECK(slow_peer->load(mesh));
+  const EncodeOptions by_vde{.quality = {.vde = QualityBound{.value = draco.quality.vde_rms}}};
   DELTAMESH_TRY(const auto times,
                 time_in_turn(
                     {.rounds = 5}, [&] { return encode(mesh, options); }, [&] { return peer->encode(); },
                     [&] { return decode(ours.bytes); }, [&] { return peer->decode(theirs); }));
+  DELTAMESH_TRY(const auto slow_times,
+                time_in_turn(
+                    {.rounds = 3}, [&] { return encode(mesh, {}); }, [&] { return encode(mesh, by_vde); },
+                    [&] { return slow_peer->encode(); }));
   const auto vertices = static_cast<double>(mesh.vertex_count());
   return TimeRow{.encode_ns = nanoseconds(times[0], mesh),
                  .draco_encode_ns = nanoseconds(times[1], mesh),
                  .decode_ns = nanoseconds(times[2], mesh),
                  .draco_decode_ns = nanoseconds(times[3], mesh),
+                 .default_encode_ns = nanoseconds(slow_times[0], mesh),
+                 .vde_encode_ns = nanoseconds(slow_times[1], mesh),
+                 .slow_draco_encode_ns = nanoseconds(slow_times[2], mesh),
                  .bytes_per_vertex = static_cast<double>(ours.bytes.size()) / vertices,
                  .draco_bytes_per_vertex = static_cast<double>(theirs.size()) / vertices};
 }

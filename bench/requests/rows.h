@@ -40,6 +40,9 @@ struct TimeRow {
   double draco_encode_ns = 0;
   double decode_ns = 0;
   double draco_decode_ns = 0;
+  double default_encode_ns = 0;     ///< without options
+  double vde_encode_ns = 0;         ///< for Draco's VDE, at the default effort
+  double slow_draco_encode_ns = 0;  ///< level 10
   double bytes_per_vertex = 0;
   double draco_bytes_per_vertex = 0;
 };

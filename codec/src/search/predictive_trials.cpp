@@ -81,7 +81,8 @@ Candidate PredictiveTrials::in_smallest_form(Candidate candidate, const WritePos
   if (request_.effort < kSearchEffort) {
     candidate.form = {.fit = BlendFit::kSample,
                       .guesses = may_guess ? Guessing::kPrediction : Guessing::kNever};
-    return finished(std::move(candidate), write(candidate.form));
+    std::vector<std::byte> payload = write(candidate.form);
+    return finished(std::move(candidate), std::move(payload));
   }
   std::vector<std::byte> best = write(candidate.form);
   if (best.empty()) return finished(std::move(candidate), {});

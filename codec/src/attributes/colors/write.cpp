@@ -53,9 +53,9 @@ std::optional<Levels> choose_levels(ComponentType type, const AttributeRows& row
     auto levels = levels_of(type, rows, bits);
     if (!levels) return std::nullopt;
     const std::int32_t top = top_color_level(bits);
-    const double allowed = max_error * (top / 255);
+    const double allowed = max_error * (top / 255.0);
     const auto with = [&](double bound) {
-      const double most = top / 2;
+      const double most = top / 2.0;
       return Levels{bits, static_cast<std::int32_t>(std::min(bound, most)), *std::move(levels)};
     };
     const double whole = std::floor(allowed);

@@ -139,7 +139,7 @@ float step_within(double bound, ComponentType type, double largest) noexcept {
 std::optional<ComponentLattice> fit_points(const Column& column, double bound, float step) {
   if (!std::all_of(column.numbers.begin(), column.numbers.end(), [](double x) { return std::isfinite(x); }))
     return std::nullopt;
-  const auto exact = fit_exactly(column, bound);
+  auto exact = fit_exactly(column, bound);
   if (exact && double{exact->times} >= double{step} * double{exact->over}) return exact;
   ComponentLattice within{.kind = LatticeKind::kPoints, .times = step};
   return step > 0 && settle(column, bound, within) ? within : exact;
@@ -174,7 +174,7 @@ bool list_pays(const Column& column, std::span<const std::uint64_t> values,
 
 std::optional<ComponentLattice> fit_component(const Column& column, double bound, float step) {
   if (column.bits.size() < 2) return ComponentLattice{.values = {column.bits.empty() ? 0 : column.bits[0]}};
-  const auto points = fit_points(column, bound, step);
+  auto points = fit_points(column, bound, step);
   std::vector<std::uint64_t> values;
   if (!points || bound == 0) values = list_values(column);
   if (list_pays(column, values, points, bound)) {

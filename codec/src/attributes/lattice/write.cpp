@@ -101,6 +101,7 @@ std::optional<CodedValues<std::byte>> write_lattice(const AttributeView& attribu
   LatticeValues values(attribute.type, *lattices, rows.count());
   if (!groups.empty()) {
     std::vector<std::vector<Cell>> cells;
+    cells.reserve(groups.size());
     for (const FieldGroup& group : groups) cells.push_back(cells_of(group, *lattices, attribute.type, rows));
     const bool joined = std::all_of(cells.begin(), cells.end(), [&](const std::vector<Cell>& group) {
       return copies_agree(surface.geometric(), std::span<const Cell>(group));
