@@ -82,11 +82,14 @@ class SharedBudget {
     double scale = 1;
     if (request_.effort >= kSearchEffort) {
       const int effort = std::exchange(request_.effort, 0);
-      DELTAMESH_TRY(scale, search(scale, kQuickTrials));
+      DELTAMESH_TRY(scale, search({.first = scale, .trials = kQuickTrials}));
       request_.effort = effort;
       best_.reset();
     }
-    DELTAMESH_TRY(scale, search(scale, kTrials));
+    DELTAMESH_TRY(scale, search({.first = scale, .trials = kTrials}));
+    // Exact colours take far more than those that are off by 1: what lies between is for places.
+    if (best_ && static_cast<double>(best_->bytes) < kWellUsed * static_cast<double>(budget_))
+      DELTAMESH_CHECK(search({.first = scale / 2, .most = scale, .trials = kTrials, .of_attributes = scale}));
     if (best_ && scale <= kFinest) DELTAMESH_CHECK(try_exactly());
     if (!best_) return too_few_bytes(fewest_);
     return std::move(best_->coded);
@@ -97,26 +100,35 @@ class SharedBudget {
   static constexpr double kCoarsest = 4096;
   static constexpr int kQuickTrials = 6;
   static constexpr int kTrials = 5;
+  static constexpr double kWellUsed = 0.97;  ///< of the bytes
+
+  struct Range {
+    double first = 1;
+    double most = kCoarsest;
+    int trials = kTrials;
+    std::optional<double> of_attributes = std::nullopt;  ///< a scale that attributes keep
+  };
 
   /// Returns the best scale.
-  Result<double> search(double first, int trials) {
+  Result<double> search(const Range& range) {
     const std::uint64_t vertices = task_.source.positions.size();
-    Bracket bracket({.first = first,
+    Bracket bracket({.first = range.first,
                      .least = kFinest,
-                     .most = kCoarsest,
+                     .most = range.most,
                      .slope = -1,
                      .aim = excess_of_bytes(budget_, budget_ + budget_ / 300, vertices),
                      .tolerance = excess_of_bytes(budget_, budget_ + budget_ / 100, vertices),
-                     .trials = trials});
+                     .trials = range.trials});
     while (!bracket.is_done()) {
-      DELTAMESH_TRY(Parts parts, code(bracket.setting()));
+      const double scale = bracket.setting();
+      DELTAMESH_TRY(Parts parts, code(scale, range.of_attributes.value_or(scale)));
       fewest_ = std::min(fewest_, parts.bytes);
       if (bracket.tell(excess_of_bytes(parts.bytes, budget_, vertices))) best_ = std::move(parts);
     }
     return bracket.best();
   }
 
-  Result<Parts> code(double scale) const {
+  Result<Parts> code(double scale, double of_attributes) const {
     Request request = request_;
     // A step needs no search of its own, and leaves about such an error.
     constexpr double kStepOfError = 0.22;
@@ -124,7 +136,7 @@ class SharedBudget {
       request.step = kStepOfError * scale * unit_;
     else
       request.bounds.max_error = scale * unit_;
-    return code_both(task_, request, scaled(task_.options.attributes, scale));
+    return code_both(task_, request, scaled(task_.options.attributes, of_attributes));
   }
 
   Result<void> try_exactly() {

@@ -191,6 +191,23 @@ TEST(QualityRequest, TargetBytesIsNearlyUsedUp) {
   }
 }
 
+/// All colours are within 1 of each other: exact ones take many bytes, those that may be off by 1 none.
+TEST(QualityRequest, BytesThatColorsNeedNoMoreGoToPlaces) {
+  Mesh mesh = shaken_grid();
+  Attribute colors{.kind = AttributeKind::kColor, .type = ComponentType::kU8, .components = 3, .name = "red"};
+  for (std::uint32_t i = 0; i < 3 * mesh.vertex_count(); ++i)
+    colors.values.push_back(static_cast<std::byte>(100 + (i * 2654435761U >> 8) % 3));
+  mesh.attributes = {colors};
+  const auto usual = encode(mesh);
+  ASSERT_TRUE(usual);
+  const StreamInfo& stream = usual->report.stream;
+  const std::uint64_t target = stream.bytes - stream.attribute_bytes * 9 / 10;
+  const auto encoded = encode(mesh, {.quality = {.target_bytes = target}});
+  ASSERT_TRUE(encoded) << describe(encoded.error());
+  EXPECT_LE(encoded->bytes.size(), target);
+  EXPECT_GE(static_cast<double>(encoded->bytes.size()), 0.95 * static_cast<double>(target));
+}
+
 TEST(QualityRequest, ABudgetBelowBothCodersTellsTheSmallerSize) {
   const Mesh mesh = shaken_grid();
   for (const int effort : {0, 1}) {
