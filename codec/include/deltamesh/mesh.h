@@ -42,6 +42,8 @@ struct Attribute {
   bool normalized = false;      ///< integers stand for [0, 1] or [-1, 1], as in glTF
   std::string name{};  ///< the source's name ("nx", "TEXCOORD_0", "confidence"); UTF-8, at most 255 bytes
   std::vector<std::byte> values{};  ///< vertices x components x component_size(type) bytes
+  /// Colours only: linear light, as in glTF; else what a screen shows (sRGB), as in PLY, OBJ, OFF and STL.
+  bool linear = false;
 };
 
 /// An owned triangle mesh. World position of vertex i = origin + positions[3i .. 3i+2].
@@ -65,6 +67,7 @@ struct AttributeView {
   bool normalized = false;
   std::string_view name{};
   std::span<const std::byte> values{};
+  bool linear = false;
 };
 
 /// As Mesh, without ownership of the arrays; they must outlive the view.

@@ -34,6 +34,7 @@ struct AttributeInfo {
   /// Largest error that the encoder measured: normals and tangents: degrees; texture coordinates: distance;
   /// colours: difference of a component in 255ths of its range; all others: difference of a component.
   double error = 0;
+  bool linear = false;  ///< colours: linear light; else what a screen shows
 };
 
 struct ChunkInfo {

@@ -142,14 +142,6 @@ std::optional<CodedAttribute> write_on_surface(const AttributeView& attribute, c
   return coded;
 }
 
-AttributeDescriptor describe(const AttributeView& attribute) {
-  return {.kind = attribute.kind,
-          .type = attribute.type,
-          .components = attribute.components,
-          .flags = static_cast<std::uint8_t>(attribute.normalized ? 1 : 0),
-          .name = std::string(attribute.name)};
-}
-
 }  // namespace
 
 Result<CodedAttribute> write_attribute(const AttributeView& attribute, std::span<const std::uint32_t> order,
@@ -160,7 +152,7 @@ Result<CodedAttribute> write_attribute(const AttributeView& attribute, std::span
   const double bound = bound_of(attribute, settings.quality);
   std::optional<CodedAttribute> coded;
   if (!settings.plain) coded = write_on_surface(attribute, rows, bound, settings, surface, others);
-  const AttributeDescriptor descriptor = describe(attribute);
+  const AttributeDescriptor descriptor = descriptor_of(attribute);
   Attribute decoded = shape_of(descriptor);
   if (coded) {
     decoded.values = std::move(coded->decoded.values);

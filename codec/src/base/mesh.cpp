@@ -11,7 +11,7 @@ MeshView::MeshView(const Mesh& mesh)
       face_groups(mesh.face_groups) {
   attributes.reserve(mesh.attributes.size());
   for (const Attribute& a : mesh.attributes)
-    attributes.push_back({a.kind, a.type, a.components, a.normalized, a.name, a.values});
+    attributes.push_back({a.kind, a.type, a.components, a.normalized, a.name, a.values, a.linear});
 }
 
 }  // namespace deltamesh

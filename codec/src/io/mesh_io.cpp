@@ -10,6 +10,7 @@
 #include "base/guard.h"
 #include "base/try.h"
 #include "deltamesh/io.h"
+#include "io/colors.h"
 #include "io/formats.h"
 #include "io/invalid_vertices.h"
 
@@ -44,19 +45,20 @@ Result<Imported> read_with(std::span<const std::byte> bytes, FileFormat format, 
 }
 
 Result<std::vector<std::byte>> write_as(const MeshView& mesh, FileFormat format, WriteReport& report) {
+  std::vector<Attribute> colors;
   switch (format) {
     case FileFormat::kPly:
-      return write_ply(mesh, report);
+      return write_ply(with_shown_colors(mesh, colors, report), report);
     case FileFormat::kObj:
-      return write_obj(mesh, report);
+      return write_obj(with_shown_colors(mesh, colors, report), report);
     case FileFormat::kStl:
       return write_stl(mesh, report);
     case FileFormat::kOff:
-      return write_off(mesh, report);
+      return write_off(with_shown_colors(mesh, colors, report), report);
     case FileFormat::kGltf:
-      return write_gltf(mesh, false, report);
+      return write_gltf(with_linear_colors(mesh, colors), false, report);
     case FileFormat::kGlb:
-      return write_gltf(mesh, true, report);
+      return write_gltf(with_linear_colors(mesh, colors), true, report);
   }
   return Error{.code = ErrorCode::kUnknownFormat, .message = "no exporter for this format"};
 }

@@ -38,7 +38,7 @@ Result<void> check_part(const MapPart& part, const MapDescription& description) 
   if (!std::ranges::equal(part.mesh.attributes, description.attributes,
                           [](const Attribute& a, const MapAttribute& b) {
                             return a.kind == b.kind && a.type == b.type && a.components == b.components &&
-                                   a.normalized == b.normalized && a.name == b.name;
+                                   a.normalized == b.normalized && a.name == b.name && a.linear == b.linear;
                           }))
     return invalid_mesh("a part's attributes are not those of its map");
   std::uint64_t least = 0;

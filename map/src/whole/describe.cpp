@@ -75,7 +75,8 @@ Result<MapDescription> describe_map(const std::array<double, 3>& origin,
   const std::int64_t third = (std::int64_t{description.cell_steps} << kLevelsOfParts) / 3;
   description.cell_origin.fill(-static_cast<std::int32_t>(std::min<std::int64_t>(third, kMostLatticeSteps)));
   for (const AttributeView& a : attributes)
-    description.attributes.push_back({a.kind, a.type, a.components, a.normalized, std::string(a.name)});
+    description.attributes.push_back(
+        {a.kind, a.type, a.components, a.normalized, std::string(a.name), a.linear});
   return description;
 }
 

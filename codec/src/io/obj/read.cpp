@@ -214,10 +214,7 @@ class ObjReader {
       return report_.leave_out(LeftOutKind::kVertexValues, "colours, which not all vertices have",
                                colors_.size() / 3);
     if (colors_.empty()) return;
-    const bool in_range =
-        std::all_of(colors_.begin(), colors_.end(), [](float c) { return c >= 0 && c <= 1; });
-    mesh.attributes.push_back(
-        attribute(in_range ? AttributeKind::kColor : AttributeKind::kGeneric, "rgb", 3, colors_));
+    mesh.attributes.push_back(attribute(AttributeKind::kColor, "rgb", 3, colors_));
   }
 
   Result<Imported> build() {
