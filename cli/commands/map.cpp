@@ -71,8 +71,9 @@ int run_split(const Splitting& splitting) {
   if (const Result<void> valid = validate(splitting.settings); !valid)
     return fail("map split", valid.error());
   int status = kOk;
-  const auto imported = load_faces(splitting.in, status, splitting.files);
+  auto imported = load_faces(splitting.in, status, splitting.files);
   if (!imported) return status;
+  imported->report.leave_out(LeftOutKind::kNames, "groups", imported->mesh.group_names.size());
   std::optional<MapState> before;
   if (is_map(splitting.folder)) {
     before = load_state(splitting.folder, status);

@@ -56,7 +56,11 @@ struct StreamInfo {
   std::array<double, 3> origin{};
   std::array<float, 3> box_min{};  ///< bounding box relative to `origin`; of a lattice, where there is one
   std::array<float, 3> box_max{};
-  double diagonal = 0;       ///< of that box
+  double diagonal = 0;  ///< of that box
+  /// Vertices far from all others, as of a sensor's failed reading, and the diagonal of the rest, which
+  /// percents were of; the same as `diagonal` without strays.
+  std::uint64_t stray_vertices = 0;
+  double extent = 0;
   bool keeps_order = false;  ///< the decoded mesh is in the input's vertex and face order
   std::string geometry;      ///< geometry coder: "highpass" or "predictive"
   int bits = 0;              ///< asked bits of deltas or positions; 0 when something else was asked

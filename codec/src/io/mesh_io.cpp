@@ -78,6 +78,13 @@ Result<void> check(const MeshView& mesh) noexcept {
                    .where = i / 3};
   if (!mesh.face_groups.empty() && mesh.face_groups.size() != mesh.triangle_count())
     return Error{.code = ErrorCode::kInvalidMesh, .message = "there is not one group for every triangle"};
+  const auto too_large = std::find_if(mesh.face_groups.begin(), mesh.face_groups.end(),
+                                      [](std::uint32_t group) { return group >= (1U << 16); });
+  if (too_large != mesh.face_groups.end())
+    return Error{.code = ErrorCode::kInvalidMesh,
+                 .message = "a group of 2^16 or above",
+                 .where_kind = WhereKind::kTriangle,
+                 .where = static_cast<std::uint64_t>(too_large - mesh.face_groups.begin())};
   for (std::size_t a = 0; a < mesh.attributes.size(); ++a) {
     const AttributeView& attribute = mesh.attributes[a];
     if (attribute.values.size() != n * attribute.components * component_size(attribute.type))

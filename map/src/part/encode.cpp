@@ -66,7 +66,8 @@ class PartEncoder {
       : state_(state), part_(part), quality_(quality), measure_(part.mesh) {
     source_ = MeshView(part.mesh);
     source_.origin = {};  // which all parts share
-    bounds_ = bounds_in_model_units(quality.bounds, measure_.geometric_count(), measure_.diagonal());
+    bounds_ = bounds_in_model_units(quality.bounds, measure_.geometric_count(), measure_.diagonal(),
+                                    measure_.diagonal());
   }
 
   /// Border vertices are where their lattice points are, whatever was asked of the stream, so that it may

@@ -206,7 +206,7 @@ TEST(IoGlb, CustomAttributesKeepTypeAndName) {
   mesh.attributes.push_back(
       attribute<std::uint32_t>(AttributeKind::kGeneric, ComponentType::kU32, 1, "too_wide", {1, 2, 3, 4}));
   const Mesh back = round_trip(mesh, FileFormat::kGlb);
-  ASSERT_EQ(back.attributes.size(), 2U);
+  ASSERT_EQ(back.attributes.size(), 3U);
   EXPECT_EQ(back.attributes[0].name, "_FLOW");
   EXPECT_EQ(back.attributes[0].values, mesh.attributes[1].values);
   EXPECT_EQ(back.attributes[1].name, "_confidence");

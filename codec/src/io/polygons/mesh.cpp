@@ -141,6 +141,8 @@ Result<Imported> to_triangles(PolygonMesh mesh, ReadReport report) {
     apply(split, mesh);
   }
   Imported imported{.mesh = place_origin(mesh.coordinates), .report = std::move(report)};
+  imported.report.position_error = rounding_of(mesh.coordinates, imported.mesh);
+  imported.mesh.group_names = std::move(mesh.group_names);
   imported.report.leave_out(LeftOutKind::kFaces, "of fewer than three corners", mesh.faces.dropped());
   std::vector<std::uint32_t> vertices =
       mesh.corner_values.empty() ? mesh.faces.take_corners() : std::move(split.vertices);
