@@ -103,7 +103,7 @@ std::optional<CodedAttribute> code_with_exceptions(const AttributeView& attribut
                                                    double bound, const AttributeSettings& settings,
                                                    const AttributeSurface& surface,
                                                    std::span<const Attribute> others) {
-  const Exceptions exceptions = find_exceptions(attribute, rows);
+  const Exceptions exceptions = find_exceptions(attribute, rows, bound);
   if (exceptions.empty()) return std::nullopt;
   const std::size_t row_size = attribute.components * component_size(attribute.type);
   const std::vector<std::byte> values = without_exceptions(rows, row_size, exceptions);
