@@ -89,6 +89,7 @@ TEST_P(Payloads, AnyFlippedByteIsACleanErrorOrAValidMesh) {
 
 TEST_P(Payloads, AnyShorterOrLongerPayloadIsACleanError) {
   for (StoredPayload& payload : parts_.payloads) {
+    if (is_skippable(payload.tag)) continue;
     const std::vector<std::byte> whole = payload.bytes;
     while (!payload.bytes.empty()) {
       payload.bytes.pop_back();

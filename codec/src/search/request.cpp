@@ -50,8 +50,9 @@ double in_model_units(const QualityBound& bound, std::uint64_t vertices, double 
 
 /// False where nothing is left.
 bool take_off(std::optional<double>& bound, double error) noexcept {
-  if (bound) *bound -= error;
-  return !bound || *bound > 0;
+  if (!bound || error == 0) return true;
+  *bound -= error;
+  return *bound > 0;
 }
 
 bool is_positive(double value) noexcept { return std::isfinite(value) && value > 0; }

@@ -29,7 +29,7 @@ namespace deltamesh {
 namespace gltf {
 namespace {
 
-constexpr std::uint64_t kFreeElements = std::uint64_t{1} << 20;
+constexpr std::uint64_t kFreeElements = std::uint64_t{1} << 15;
 constexpr std::uint64_t kElementsPerByte = 16;
 
 /// One primitive of a placed mesh.
