@@ -12,7 +12,7 @@ constexpr std::size_t kSample = std::size_t{1} << 15;
 constexpr std::size_t kTrimmed =
     1000;  ///< one in so many is no part of the inner box, at either end of an axis
 constexpr std::uint64_t kMostShare = 100;  ///< strays are at most one in so many
-constexpr std::size_t kFewest = 16;        ///< vertices
+constexpr std::size_t kFewest = 500;       ///< vertices
 
 /// The box that has all but a thousandth at either end of every axis, but at least the two outermost.
 Box inner_box(std::span<const Vec3> positions) {

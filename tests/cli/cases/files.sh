@@ -33,8 +33,8 @@ printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty dou
 run encode wide.ply wide.dmsh --lossless | grep -E 'lossless|max error|exit'
 run encode wide.ply wide.dmsh --lossless --strict
 run encode wide.ply wide.dmsh --max-error 0.00005
-quiet generate terrain hills.obj --vertices 400
-(echo 'v 1e7 0 0'; cat hills.obj; echo 'f -1 -2 -400') >stray.obj
+quiet generate terrain hills.obj --vertices 900
+(echo 'v 1e7 0 0'; cat hills.obj; echo 'f -1 -2 -900') >stray.obj
 quiet encode stray.obj stray.dmsh
 figures info stray.dmsh | grep -E 'stray|exit'
 say "compare, map:"

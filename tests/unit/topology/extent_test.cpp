@@ -27,7 +27,7 @@ TEST(Extent, SIZ1IsTheBoxWithoutStrays) {
 }
 
 TEST(Extent, LeavesAFewFarVerticesOut) {
-  for (const int side : {5, 20, 300}) {
+  for (const int side : {30, 300}) {
     std::vector<Vec3> points = grid(side);
     const double diagonal = Box::around(points).diagonal();
     points.insert(points.begin() + 7, {1e6, 0, 0});

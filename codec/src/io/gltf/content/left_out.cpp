@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "io/gltf/left_out.h"
+#include "io/gltf/content/left_out.h"
 
 #include "io/gltf/structure.h"
 

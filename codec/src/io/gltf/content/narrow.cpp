@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "io/gltf/narrow.h"
+#include "io/gltf/content/narrow.h"
 
 #include <algorithm>
 #include <array>
