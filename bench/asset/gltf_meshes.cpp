@@ -101,7 +101,8 @@ Result<bool> read_primitive(const Document& document, const Json& primitive, Pri
                                .components = attribute->shape().components,
                                .normalized = attribute->shape().normalized,
                                .name = semantic,
-                               .values = std::move(values)});
+                               .values = std::move(values),
+                               .linear = kind_of(semantic) == AttributeKind::kColor});
   }
   result.has_targets = gltf::array_size(primitive, "targets") != 0;
   VertexPicker picker(mesh, !result.has_targets);

@@ -31,7 +31,7 @@ MapDescription description_of(const MapUpdates& updates, double max_error) {
   description.cell_steps =
       static_cast<std::uint32_t>(std::lround(updates.block_metres / description.lattice.step()));
   for (const Attribute& a : updates.steps.front().changed.front().mesh.attributes)
-    description.attributes.push_back({a.kind, a.type, a.components, a.normalized, a.name});
+    description.attributes.push_back({a.kind, a.type, a.components, a.normalized, a.name, a.linear});
   return description;
 }
 

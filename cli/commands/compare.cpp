@@ -112,6 +112,8 @@ void print_object(const CompareArguments& arguments, const Losses& losses, const
   object["attributes"] = attributes_object(result);
   object["left_out_a"] = left_out_array(losses[0]);
   object["left_out_b"] = left_out_array(losses[1]);
+  object["position_error_a"] = losses[0].position_error;
+  object["position_error_b"] = losses[1].position_error;
   if (!arguments.heatmap.empty()) object["heatmap_scale"] = scale;
   print_json(object);
 }

@@ -56,12 +56,15 @@ void print_summary(const EncodeArguments& arguments, const ReadReport& read, con
   if (read.polygons > 0) triangles += " (" + counted(read.polygons, "polygon", "polygons") + " split)";
   summary.add("triangles", triangles);
   if (!read.left_out.empty()) summary.add("left out", left_out_text(read));
+  if (read.position_error > 0 && arguments.options.lossless)
+    summary.add("not lossless", "coordinates became float32, off by up to " + brief(read.position_error));
   summary.add("components", grouped(stream.components));
+  add_extent(summary, stream);
   add_sizes(summary, stream);
   add_attributes(summary, stream);
   add_dropped_lengths(summary, report.dropped_lengths);
   add_settings(summary, stream);
-  add_errors(summary, stream.quality, stream.diagonal);
+  add_errors(summary, stream.quality, stream.extent);
   summary.add("time", brief(seconds) + " s");
   summary.print(report_stream(arguments.out));
 }
@@ -73,6 +76,7 @@ void print_object(const EncodeArguments& arguments, const ReadReport& read, cons
   object["unreferenced_vertices"] = report.unreferenced_vertices;
   object["dropped_lengths"] = report.dropped_lengths;
   object["left_out"] = left_out_array(read);
+  object["position_error"] = read.position_error;
   add_stream(object, report.stream);
   object["encode_seconds"] = seconds;
   print_json(object, report_stream(arguments.out));
@@ -128,8 +132,16 @@ int run_encode(const EncodeArguments& arguments) {
                                                : load_faces(arguments.in, status, arguments.files);
   if (!imported || !check_named_bounds(arguments, imported->mesh, status)) return status;
 
+  if (arguments.options.lossless && arguments.files.strict && imported->report.position_error > 0) {
+    print_error(arguments.in,
+                "coordinates are no float32 numbers, which --lossless with --strict forbids: off by up to " +
+                    brief(imported->report.position_error));
+    return kBadInput;
+  }
+  EncodeOptions options = arguments.options;
+  options.source_error = imported->report.position_error;
   const auto start = std::chrono::steady_clock::now();
-  const Result<Encoded> encoded = encode_showing_progress(imported->mesh, arguments.options);
+  const Result<Encoded> encoded = encode_showing_progress(imported->mesh, options);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   if (!encoded) return fail_coding(arguments.in, encoded.error());
 

@@ -59,11 +59,12 @@ void print_summary(const InfoArguments& arguments, const StreamInfo& info) {
   const std::array<float, 3> sides{info.box_max[0] - info.box_min[0], info.box_max[1] - info.box_min[1],
                                    info.box_max[2] - info.box_min[2]};
   summary.add("box", brief_list(sides, " x ") + ", diagonal " + brief(info.diagonal));
+  add_extent(summary, info);
   summary.add("origin", brief_list(info.origin, " "));
   summary.add("checksums", "all match");  // inspect() fails where one does not
   summary.add("order", info.keeps_order ? "the input's" : "the coder's own");
   add_settings(summary, info);
-  add_errors(summary, info.quality, info.diagonal);
+  add_errors(summary, info.quality, info.extent);
   add_sizes(summary, info);
   add_attributes(summary, info);
   summary.print();

@@ -15,6 +15,7 @@
 #include "deltamesh/map/encode_map.h"
 #include "deltamesh/map/folder.h"
 #include "encode_options.h"
+#include "map_bounds_file.h"
 #include "mesh_files.h"
 #include "option_numbers.h"
 #include "report/console.h"
@@ -55,7 +56,7 @@ std::optional<MapManifest> load_manifest(const std::string& folder, int& status)
 std::optional<MapState> load_state(const std::string& folder, int& status) {
   auto manifest = load_manifest(folder, status);
   if (!manifest) return std::nullopt;
-  MapState state{*std::move(manifest), {}};
+  MapState state{.manifest = *std::move(manifest), .bounds = load_bounds(folder)};
   for (const PartEntry& entry : state.manifest.entries) {
     auto octets = load_part(folder, entry);
     if (!octets) {
@@ -71,8 +72,9 @@ int run_split(const Splitting& splitting) {
   if (const Result<void> valid = validate(splitting.settings); !valid)
     return fail("map split", valid.error());
   int status = kOk;
-  const auto imported = load_faces(splitting.in, status, splitting.files);
+  auto imported = load_faces(splitting.in, status, splitting.files);
   if (!imported) return status;
+  imported->report.leave_out(LeftOutKind::kNames, "groups", imported->mesh.group_names.size());
   std::optional<MapState> before;
   if (is_map(splitting.folder)) {
     before = load_state(splitting.folder, status);
@@ -85,13 +87,13 @@ int run_split(const Splitting& splitting) {
   const Result<MapState> state = encode();
   if (!state) return fail_coding(splitting.in, state.error());
   std::vector<NewPart> parts;
-  for (std::size_t i = 0; i < state->octets.size(); ++i) {
-    const PartEntry& entry = state->manifest.entries[i];
-    if (!before || entry.revision == state->manifest.revision)
+  for (std::size_t i = 0; i < state->octets.size(); ++i)
+    if (const PartEntry& entry = state->manifest.entries[i];
+        !before || entry.revision == state->manifest.revision)
       parts.push_back({entry.key, entry.revision, state->octets[i]});
-  }
-  if (const auto saved = save_map(splitting.folder, state->manifest, parts); !saved)
-    return fail(splitting.folder, saved.error());
+  auto saved = save_map(splitting.folder, state->manifest, parts);
+  if (saved) saved = save_bounds(splitting.folder, state->bounds);
+  if (!saved) return fail(splitting.folder, saved.error());
   if (splitting.json) {
     auto object = map_object(state->manifest);
     object.update({{"new_parts", parts.size()}, {"left_out", left_out_array(imported->report)}});

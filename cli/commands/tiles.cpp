@@ -18,6 +18,7 @@
 #include "mesh_files.h"
 #include "option_numbers.h"
 #include "report/console.h"
+#include "report/losses.h"
 #include "report/map.h"
 #include "tile_plan_file.h"
 
@@ -31,6 +32,7 @@ struct Planning {
   std::vector<std::string> files;
   MapSettings settings;
   std::uint64_t tile_triangles = 2'000'000;
+  FileOptions options;
 };
 
 struct Encoding {
@@ -71,10 +73,14 @@ int run_plan(const Planning& planning) {
   auto planner = TilePlanner::make(planning.settings, planning.tile_triangles);
   if (!planner) return fail("tiles plan", planner.error());
   FiledPlan plan;
+  LossReport losses;
   for (const std::string& file : planning.files) {
     int status = kOk;
-    const auto imported = load_mesh(file, status);
+    const auto imported = load_mesh(file, status, planning.options);
     if (!imported) return status;
+    for (const LeftOut& entry : imported->report.left_out)
+      losses.leave_out(entry.kind, entry.name, entry.count);
+    losses.leave_out(LeftOutKind::kNames, "groups", imported->mesh.group_names.size());
     if (const auto added = planner->add(imported->mesh); !added) return fail(file, added.error());
     std::error_code failed;
     plan.files.push_back(fs::absolute(file, failed).string());
@@ -91,6 +97,7 @@ int run_plan(const Planning& planning) {
     return fail(planning.folder, saved.error());
   std::cout << planning.folder << ": " << counted(plan.plan.tiles.size(), "tile", "tiles")
             << ", numbered from 0, " << counted(plan.plan.parts.size(), "part", "parts") << '\n';
+  print_left_out(losses, std::cout);
   return kOk;
 }
 
@@ -186,6 +193,7 @@ void add_plan(CLI::App& tiles, int& status) {
   command->add_option("--frame", planning->settings.frame, "name of the coordinate frame")
       ->capture_default_str();
   add_part_quality(*command, planning->settings.quality);
+  command->add_flag("--strict", planning->options.strict, "fail where anything of a mesh file is left out");
   command->footer(
       "Reads every file once, and those of the largest tile again. Files fit together where they have the "
       "same "

@@ -45,6 +45,15 @@ std::string comparison_text(const AttributeComparison& attribute) {
          ", rms " + brief(attribute.rms);
 }
 
+/// "normals (nx)", "colours (red)"; generic attributes by their name.
+std::string label(AttributeKind kind, const std::string& name) {
+  constexpr std::array kPlural{"normals", "colours", "texture coordinates", "", "tangents",
+                               "joints",  "weights"};
+  const std::string plural = kPlural[static_cast<std::size_t>(kind)];
+  if (plural.empty()) return name;
+  return plural + " (" + name + ')';
+}
+
 }  // namespace
 
 std::string kind_text(AttributeKind kind) {
@@ -83,8 +92,8 @@ std::string error_text(AttributeKind kind, double error) {
 
 void add_attributes(Summary& summary, const StreamInfo& info) {
   for (const AttributeInfo& attribute : info.attributes)
-    summary.add("    " + attribute.name,
-                kind_text(attribute.kind) + ", " + shape_text(attribute.type, attribute.components) + ", " +
+    summary.add("    " + label(attribute.kind, attribute.name),
+                shape_text(attribute.type, attribute.components) + ", " +
                     size_text(attribute.coded_bytes, info) +
                     (attribute.error == 0 ? ", exact"
                                           : ", max error " + error_text(attribute.kind, attribute.error)));
@@ -114,7 +123,7 @@ void add_dropped_lengths(Summary& summary, std::uint64_t count) {
 
 void add_attributes(Summary& summary, const Comparison& result) {
   for (const AttributeComparison& attribute : result.attributes)
-    summary.add("  " + attribute.name, kind_text(attribute.kind) + ", " + comparison_text(attribute));
+    summary.add("  " + label(attribute.kind, attribute.name), comparison_text(attribute));
 }
 
 nlohmann::ordered_json attributes_object(const Comparison& result) {

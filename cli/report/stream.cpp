@@ -43,7 +43,16 @@ void add_stream(nlohmann::ordered_json& object, const StreamInfo& info) {
   object["vde_paper"] = paper.vde;
   object["lfe_paper"] = paper.lfe;
   object["diagonal"] = info.diagonal;
+  object["extent"] = info.extent;
+  object["stray_vertices"] = info.stray_vertices;
   object["attributes"] = attributes_object(info);
+}
+
+void add_extent(Summary& summary, const StreamInfo& info) {
+  if (info.stray_vertices == 0) return;
+  summary.add("stray", counted(info.stray_vertices, "vertex", "vertices") +
+                           " far from all others; percents are of " + brief(info.extent) +
+                           ", the diagonal of the rest");
 }
 
 void add_sizes(Summary& summary, const StreamInfo& info) {

@@ -21,6 +21,7 @@ std::string size_text(std::uint64_t bytes, const StreamInfo& info);
 void add_stream(nlohmann::ordered_json& object, const StreamInfo& info);
 
 /// The same for people.
+void add_extent(Summary& summary, const StreamInfo& info);  ///< where there are stray vertices
 void add_sizes(Summary& summary, const StreamInfo& info);
 void add_settings(Summary& summary, const StreamInfo& info);
 void add_errors(Summary& summary, const Quality& quality, double diagonal);

@@ -202,7 +202,7 @@ Mesh Drive::mesh_of(const DriveBlockId& id) const {
     for (const std::uint8_t c : building_.color_at(p, seed_))
       colors.push_back(static_cast<std::uint8_t>(std::clamp(c + light, 0.0, 255.0)));
   }
-  scenes::add_attribute<std::uint8_t>(mesh, AttributeKind::kColor, ComponentType::kU8, 3, "COLOR_0", colors);
+  scenes::add_attribute<std::uint8_t>(mesh, AttributeKind::kColor, ComponentType::kU8, 3, "red", colors);
   return mesh;
 }
 

@@ -96,7 +96,7 @@ Mesh make_rooms(std::uint64_t target, std::uint64_t seed) {
   mesh.positions = std::move(best.positions);
   mesh.triangles = std::move(best.triangles);
   const auto colors = color_vertices(building, mesh.positions, noise_seed);
-  add_attribute<std::uint8_t>(mesh, AttributeKind::kColor, ComponentType::kU8, 3, "COLOR_0", colors);
+  add_attribute<std::uint8_t>(mesh, AttributeKind::kColor, ComponentType::kU8, 3, "red", colors);
   return mesh;
 }
 

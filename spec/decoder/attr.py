@@ -23,8 +23,8 @@ CODINGS = {4: (NORMAL, ["f4"], [3], "attr_normals", "ATTR_20_normals"), 5: (UV, 
            7: (COLOUR, COLOURS, [3, 4], "attr_colors", "ATTR_45_colours"), 8: (None, [], [], "attr_lattice", "ATTR_55_lattice"),
            9: (WEIGHTS, COLOURS, [4], "attr_skin", "ATTR_63_weights"), 10: (JOINTS, ["u1", "u2"], [4], "attr_skin", "ATTR_60_joints")}
 
-def usual_flags(kind, type_):  # ATTR-1
-    return int(kind in (COLOUR, WEIGHTS) and type_ != "f4")
+def usual_flags(name, kind, type_):  # ATTR-1
+    return int(kind in (COLOUR, WEIGHTS) and type_ != "f4") + (2 if name == b"COLOR_0" else 0)
 
 class Attribute:
     """[ATTR-1] The descriptor; `values`, when it is decoded, is an array of n rows and k columns of `type`."""
@@ -34,18 +34,18 @@ class Attribute:
         must(row < len(USUAL), "ATTR-1", f"row {row}")
         if row:
             self.name, self.kind, self.type, self.k = USUAL[row]
-            self.flags = usual_flags(self.kind, self.type)
+            self.flags = usual_flags(self.name, self.kind, self.type)
         else:
             self.kind, type_number, self.k, self.flags = (r.u8() for _ in range(4))
             must(self.kind <= 6, "ATTR-1", f"kind {self.kind}")
             must(type_number <= 7, "ATTR-1", f"type {type_number}")
             must(1 <= self.k <= 16, "ATTR-1", f"{self.k} components")
-            must(self.flags <= 1, "ATTR-1", f"flags {self.flags}")
+            must(self.flags <= (3 if self.kind == COLOUR else 1), "ATTR-1", f"flags {self.flags}")
             self.type = TYPES[type_number]
             self.name = r.bytes(r.u8())
         self.error = r.f24() if has_error else 0.0
         must(0 <= self.error < math.inf, "ATTR-1", f"error {self.error}")
-        is_usual = (self.name, self.kind, self.type, self.k) in USUAL and self.flags == usual_flags(self.kind, self.type)
+        is_usual = (self.name, self.kind, self.type, self.k) in USUAL and self.flags == usual_flags(self.name, self.kind, self.type)
         self.is_shortest = not has_error and (row > 0 or not is_usual)
         self.values = None
 

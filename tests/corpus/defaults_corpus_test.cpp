@@ -54,26 +54,17 @@ double largest_difference(const Attribute& a, std::size_t i, const Attribute& b,
   return largest;
 }
 
-bool all_unit(const Attribute& a, std::size_t vertices) {
-  for (std::size_t i = 0; i < vertices; ++i) {
-    const double size = std::hypot(number(a, i, 0), number(a, i, 1), number(a, i, 2));
-    if (size != 0 && !(std::abs(size - 1) < 0.01)) return false;
-  }
-  return true;
-}
-
-/// `order`: the row of `before` for every row of `after`.
+/// Directions may have any length, here in the files that MeshLab wrote: within the angle, whatever the
+/// lengths. `order`: the row of `before` for every row of `after`.
 void expect_default_bounds(const Attribute& before, const Attribute& after,
                            const std::vector<std::uint32_t>& order) {
   const bool is_direction = before.kind == AttributeKind::kNormal || before.kind == AttributeKind::kTangent;
   const bool is_uv = before.kind == AttributeKind::kUv;
   const bool floats = before.type == ComponentType::kF32;
-  const std::size_t rows = before.values.size() / (before.components * component_size(before.type));
-  const bool is_angle = floats && is_direction && all_unit(before, rows);
   const std::size_t row = before.components * component_size(before.type);
   double worst = 0;
   for (std::size_t i = 0; i < order.size(); ++i) {
-    if (is_angle) {
+    if (floats && is_direction) {
       worst = std::max(worst, degrees_apart(before, order[i], after, i) / 0.5);
     } else if (floats && (is_uv || before.kind == AttributeKind::kWeights)) {
       worst = std::max(worst, largest_difference(before, order[i], after, i) * (is_uv ? 4096 : 1024));

@@ -3,9 +3,10 @@
 //
 // read_many FORMAT: reads files from standard input, each behind its size as 4 bytes, low byte first, and
 // prints a line for each: "refused MESSAGE", or its numbers of vertices and triangles, the coordinates and
-// the indices.
+// the indices. At the end, on standard error, the most memory it had (VmHWM of Linux).
 #include <cstdint>
 #include <cstdio>
+#include <fstream>
 #include <iostream>
 #include <iterator>
 #include <string>
@@ -33,5 +34,8 @@ int main(int argc, char** argv) {
     for (const std::uint32_t index : mesh.triangles) std::printf(" %u", index);
     std::printf("\n");
   }
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with("VmHWM:")) std::fprintf(stderr, "%s\n", line.c_str());
   return 0;
 }

@@ -114,6 +114,16 @@ TEST(GltfBorders, OfNineMeshesAndUnderNodesWithOneTransform) {
   expect_whole(builder, {});
 }
 
+TEST(GltfBorders, OfAHundredMeshes) {
+  GltfBuilder builder = plain_of(10, 10);
+  GltfPackOptions options;
+  options.encode.effort = 0;
+  expect_whole(builder, options);
+  for (Json& node : builder.json["nodes"]) node["scale"] = {2, 2, -1};
+  options.encode.quality.max_error = QualityBound{0.003};
+  expect_whole(builder, options);
+}
+
 TEST(GltfBorders, MeshesElsewhereAreCodedEachOnItsOwn) {
   GltfBuilder apart = plain_of(2, 1);
   apart.json["nodes"][1]["translation"] = {4, 5, 6};

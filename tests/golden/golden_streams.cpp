@@ -22,6 +22,7 @@ Attribute attribute_of(AttributeKind kind, ComponentType type, int components, c
       .kind = kind, .type = type, .components = static_cast<std::uint8_t>(components), .name = name};
   const auto bytes = std::as_bytes(std::span(numbers));
   attribute.values.assign(bytes.begin(), bytes.end());
+  attribute.linear = kind == AttributeKind::kColor;  // named as in glTF
   return attribute;
 }
 

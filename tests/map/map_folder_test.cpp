@@ -39,7 +39,7 @@ std::vector<NewPart> parts_of(const MapState& state) {
 Result<MapState> load_state(const std::string& folder) {
   auto manifest = load_map(folder);
   if (!manifest) return manifest.error();
-  MapState state{*std::move(manifest), {}};
+  MapState state{.manifest = *std::move(manifest)};
   for (const PartEntry& entry : state.manifest.entries) {
     auto octets = load_part(folder, entry);
     if (!octets) return octets.error();

@@ -48,7 +48,7 @@ TEST(AttributeDescriptor, ATTR1KnowsTheNamesOfGltfAndOfReaders) {
   const AttributeDescriptor color{.kind = AttributeKind::kColor,
                                   .type = ComponentType::kU8,
                                   .components = 4,
-                                  .flags = 1,
+                                  .flags = 3,
                                   .name = "COLOR_0"};
   EXPECT_EQ(write(color), std::vector{std::byte{5}});
   AttributeDescriptor plain = color;
@@ -57,6 +57,20 @@ TEST(AttributeDescriptor, ATTR1KnowsTheNamesOfGltfAndOfReaders) {
   AttributeDescriptor other = color;
   other.name = "COLOR_7";
   EXPECT_EQ(write(other).size(), 6U + other.name.size());
+}
+
+TEST(AttributeDescriptor, ATTR1OnlyColorsAreLinear) {
+  Attribute shape{.kind = AttributeKind::kColor, .linear = true};
+  EXPECT_TRUE(descriptor_of(shape).is_linear());
+  std::vector<std::byte> bytes = write(descriptor_of(shape));
+  ByteReader in(bytes);
+  const auto back = read_descriptor(in);
+  ASSERT_TRUE(back);
+  EXPECT_TRUE(back->is_linear());
+  bytes[1] = static_cast<std::byte>(AttributeKind::kGeneric);
+  EXPECT_EQ(broken_rule(bytes), "ATTR-1");
+  shape.kind = AttributeKind::kGeneric;
+  EXPECT_FALSE(descriptor_of(shape).is_linear());
 }
 
 TEST(AttributeDescriptor, ATTR1RoundTrips) {

@@ -15,7 +15,7 @@
 namespace deltamesh::test {
 
 inline AttributeView view(const Attribute& a) {
-  return {a.kind, a.type, a.components, a.normalized, a.name, a.values};
+  return {a.kind, a.type, a.components, a.normalized, a.name, a.values, a.linear};
 }
 
 inline std::uint32_t rows(const Attribute& a) {

@@ -40,6 +40,7 @@ async function readGlb(path) {
         kind: KINDS[semantic.split('_')[0]] ?? 'generic',
         components: accessor.getElementSize(),
         normalized: accessor.getNormalized(),
+        linear: semantic.startsWith('COLOR_'),
         values: accessor.getArray(),
       };
     }),

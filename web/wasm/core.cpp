@@ -74,7 +74,7 @@ void describe_chunks() {
                                 .kind = static_cast<std::uint32_t>(a.kind),
                                 .type = static_cast<std::uint32_t>(a.type),
                                 .components = a.components,
-                                .normalized = a.flags & 1U,
+                                .flags = a.flags,
                                 .coded_bytes = count_of(entry.coded_bytes)});
   }
 }

@@ -51,9 +51,10 @@ MeshView view_of(const MeshCall& mesh) {
     view.attributes.push_back({.kind = static_cast<AttributeKind>(a.kind),
                                .type = static_cast<ComponentType>(a.type),
                                .components = static_cast<std::uint8_t>(a.components),
-                               .normalized = a.normalized != 0,
+                               .normalized = (a.flags & 1U) != 0,
                                .name = {a.name, a.name_bytes},
-                               .values = {a.values, a.value_bytes}});
+                               .values = {a.values, a.value_bytes},
+                               .linear = (a.flags & 2U) != 0});
   }
   return view;
 }

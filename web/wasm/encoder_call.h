@@ -18,7 +18,7 @@ struct AttributeCall {
   std::uint32_t kind;
   std::uint32_t type;
   std::uint32_t components;
-  std::uint32_t normalized;
+  std::uint32_t flags;  ///< 1 normalized, 2 linear light
   const std::byte* values;
   std::uint32_t value_bytes;
 };

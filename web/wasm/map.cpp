@@ -64,7 +64,7 @@ AttributeOutcome outcome_of(const Attribute& attribute) {
           .kind = static_cast<std::uint32_t>(attribute.kind),
           .type = static_cast<std::uint32_t>(attribute.type),
           .components = attribute.components,
-          .normalized = attribute.normalized,
+          .flags = (attribute.normalized ? 1U : 0U) | (attribute.linear ? 2U : 0U),
           .values = attribute.values.data()};
 }
 

@@ -38,7 +38,7 @@ struct AttributeOutcome {
   std::uint32_t kind = 0;
   std::uint32_t type = 0;
   std::uint32_t components = 0;
-  std::uint32_t normalized = 0;
+  std::uint32_t flags = 0;  ///< [ATTR-1]: 1 normalized, 2 linear light
   std::uint32_t coded_bytes = 0;
   const void* values = nullptr;  ///< where decoded
 };

@@ -21,7 +21,7 @@ enum class AttributeMatch : std::uint8_t {
   kCompared,    ///< both meshes have it
   kMissingInB,  ///< B has none of this name and kind, nor another of the kind
   kOnlyInB,
-  kOtherType,  ///< B's has other components, or only one of them is normalized
+  kOtherType,  ///< B's has other components, or only one is normalized (colours apart)
 };
 
 /// An attribute of both meshes. Errors in degrees (normals, tangents; 180 where a tangent's sign differs),

@@ -45,6 +45,9 @@ struct EncodeOptions {
   GeometryCoder geometry = GeometryCoder::kAuto;
   /// Decoded positions and attributes have the input's bits. Excludes a quality, bits, step and anchors.
   bool lossless = false;
+  /// How far positions may be from what they stand for, model units: coordinates in double that became
+  /// float32 (ReadReport::position_error). Counts in all bounds and figures.
+  double source_error = 0;
   /// How hard to look for a smaller stream: 0 takes as few passes as keep the request, 1 looks for what
   /// nearly always pays, 2 for what seldom does. README has a table of times and sizes.
   int effort = 1;

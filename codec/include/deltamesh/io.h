@@ -61,6 +61,9 @@ struct LossReport {
 struct ReadReport : LossReport {
   std::uint64_t polygons = 0;        ///< faces with more than three corners, triangulated
   std::uint64_t welded_corners = 0;  ///< STL: corners merged by equal position
+  /// Largest distance of a vertex from the file's coordinates, which may be double; see
+  /// EncodeOptions::source_error.
+  double position_error = 0;
 };
 
 struct WriteReport : LossReport {};
@@ -75,10 +78,11 @@ struct Imported {
   ReadReport report;
 };
 
-/// Reads a mesh from bytes; for kGltf external buffers are resolved against `folder` (never outside it).
-/// Vertices that are not finite are dropped where no face uses them. Coordinates that do not fit float32 keep
-/// their precision through Mesh::origin. Errors: kInvalidFile with line, byte or element, kLimitExceeded
-/// (glTF: JSON nested deeper than 128), kFileOpen and kFileRead (external buffers), kOutOfMemory.
+/// Reads a mesh from bytes; objects, groups and materials become groups of faces with names; for kGltf
+/// external buffers are resolved against `folder` (never outside it). Vertices that are not finite are
+/// dropped where no face uses them. Coordinates that do not fit float32 keep their precision through
+/// Mesh::origin. Errors: kInvalidFile with line, byte or element, kLimitExceeded (glTF: JSON nested deeper
+/// than 128), kFileOpen and kFileRead (external buffers), kOutOfMemory.
 Result<Imported> read_mesh(std::span<const std::byte> bytes, FileFormat format, std::string_view folder = {},
                            const ReadOptions& options = {}) noexcept;
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -42,6 +43,18 @@ struct Attribute {
   bool normalized = false;      ///< integers stand for [0, 1] or [-1, 1], as in glTF
   std::string name{};  ///< the source's name ("nx", "TEXCOORD_0", "confidence"); UTF-8, at most 255 bytes
   std::vector<std::byte> values{};  ///< vertices x components x component_size(type) bytes
+  /// Colours only: linear light, as in glTF; else what a screen shows (sRGB), as in PLY, OBJ, OFF and STL.
+  bool linear = false;
+};
+
+/// What files call a group of faces; UTF-8, at most 255 bytes each, empty where they say nothing.
+struct GroupName {
+  std::string object{};    ///< OBJ: o; glTF: the mesh
+  std::string group{};     ///< OBJ: g
+  std::string material{};  ///< OBJ: usemtl; glTF: the material
+
+  bool operator==(const GroupName&) const = default;
+  auto operator<=>(const GroupName&) const = default;
 };
 
 /// An owned triangle mesh. World position of vertex i = origin + positions[3i .. 3i+2].
@@ -52,6 +65,8 @@ struct Mesh {
   std::vector<Attribute> attributes;
   /// m: number of the group (material, primitive) of every triangle, below 2^16; or empty: one group.
   std::vector<std::uint32_t> face_groups;
+  /// By the group's number; or fewer, or none. At most 2^16.
+  std::vector<GroupName> group_names{};
 
   std::size_t vertex_count() const noexcept { return positions.size() / 3; }
   std::size_t triangle_count() const noexcept { return triangles.size() / 3; }
@@ -65,6 +80,7 @@ struct AttributeView {
   bool normalized = false;
   std::string_view name{};
   std::span<const std::byte> values{};
+  bool linear = false;
 };
 
 /// As Mesh, without ownership of the arrays; they must outlive the view.
@@ -77,6 +93,7 @@ struct MeshView {
   std::span<const std::uint32_t> triangles;
   std::vector<AttributeView> attributes;
   std::span<const std::uint32_t> face_groups;
+  std::span<const GroupName> group_names;
 
   std::size_t vertex_count() const noexcept { return positions.size() / 3; }
   std::size_t triangle_count() const noexcept { return triangles.size() / 3; }

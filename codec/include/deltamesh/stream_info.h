@@ -34,6 +34,7 @@ struct AttributeInfo {
   /// Largest error that the encoder measured: normals and tangents: degrees; texture coordinates: distance;
   /// colours: difference of a component in 255ths of its range; all others: difference of a component.
   double error = 0;
+  bool linear = false;  ///< colours: linear light; else what a screen shows
 };
 
 struct ChunkInfo {
@@ -55,7 +56,11 @@ struct StreamInfo {
   std::array<double, 3> origin{};
   std::array<float, 3> box_min{};  ///< bounding box relative to `origin`; of a lattice, where there is one
   std::array<float, 3> box_max{};
-  double diagonal = 0;       ///< of that box
+  double diagonal = 0;  ///< of that box
+  /// Vertices far from all others, as of a sensor's failed reading, and the diagonal of the rest, which
+  /// percents were of; the same as `diagonal` without strays.
+  std::uint64_t stray_vertices = 0;
+  double extent = 0;
   bool keeps_order = false;  ///< the decoded mesh is in the input's vertex and face order
   std::string geometry;      ///< geometry coder: "highpass" or "predictive"
   int bits = 0;              ///< asked bits of deltas or positions; 0 when something else was asked

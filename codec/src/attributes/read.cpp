@@ -76,8 +76,9 @@ Attribute shape_of(const AttributeDescriptor& descriptor) {
   return {.kind = descriptor.kind,
           .type = descriptor.type,
           .components = descriptor.components,
-          .normalized = (descriptor.flags & 1) != 0,
-          .name = descriptor.name};
+          .normalized = descriptor.is_normalized(),
+          .name = descriptor.name,
+          .linear = descriptor.is_linear()};
 }
 
 std::uint64_t attribute_bytes(const AttributeDescriptor& descriptor, std::uint32_t rows) noexcept {

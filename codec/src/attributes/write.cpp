@@ -103,7 +103,7 @@ std::optional<CodedAttribute> code_with_exceptions(const AttributeView& attribut
                                                    double bound, const AttributeSettings& settings,
                                                    const AttributeSurface& surface,
                                                    std::span<const Attribute> others) {
-  const Exceptions exceptions = find_exceptions(attribute, rows);
+  const Exceptions exceptions = find_exceptions(attribute, rows, bound);
   if (exceptions.empty()) return std::nullopt;
   const std::size_t row_size = attribute.components * component_size(attribute.type);
   const std::vector<std::byte> values = without_exceptions(rows, row_size, exceptions);
@@ -142,14 +142,6 @@ std::optional<CodedAttribute> write_on_surface(const AttributeView& attribute, c
   return coded;
 }
 
-AttributeDescriptor describe(const AttributeView& attribute) {
-  return {.kind = attribute.kind,
-          .type = attribute.type,
-          .components = attribute.components,
-          .flags = static_cast<std::uint8_t>(attribute.normalized ? 1 : 0),
-          .name = std::string(attribute.name)};
-}
-
 }  // namespace
 
 Result<CodedAttribute> write_attribute(const AttributeView& attribute, std::span<const std::uint32_t> order,
@@ -160,7 +152,7 @@ Result<CodedAttribute> write_attribute(const AttributeView& attribute, std::span
   const double bound = bound_of(attribute, settings.quality);
   std::optional<CodedAttribute> coded;
   if (!settings.plain) coded = write_on_surface(attribute, rows, bound, settings, surface, others);
-  const AttributeDescriptor descriptor = describe(attribute);
+  const AttributeDescriptor descriptor = descriptor_of(attribute);
   Attribute decoded = shape_of(descriptor);
   if (coded) {
     decoded.values = std::move(coded->decoded.values);

@@ -27,6 +27,7 @@ std::vector<T> scatter_rows(const std::vector<T>& values, const std::vector<std:
 Mesh restore_order(const Mesh& mesh, const MeshOrder& order) {
   Mesh restored;
   restored.origin = mesh.origin;
+  restored.group_names = mesh.group_names;
   restored.positions = scatter_rows(mesh.positions, order.vertices, 3);
   reserve_large(restored.triangles, mesh.triangles.size());
   restored.triangles.resize(mesh.triangles.size());

@@ -15,6 +15,7 @@
 #include "base/try.h"
 #include "connectivity/faces/faces.h"
 #include "connectivity/groups/groups.h"
+#include "connectivity/groups/names.h"
 #include "connectivity/plain/topology.h"
 #include "connectivity/seams/seams.h"
 #include "decoder/restore_order.h"
@@ -69,6 +70,7 @@ class StreamDecoder {
     DELTAMESH_CHECK(check_form());
     DELTAMESH_CHECK(is_plain_ ? read_plain(mesh.triangles) : read_faces(mesh.triangles));
     DELTAMESH_TRY(mesh.face_groups, read_groups(mesh.triangles));
+    DELTAMESH_TRY(mesh.group_names, read_names());
     if (header_.geometry != kGeometryPredictive) build_graphs(mesh.triangles);
     if (header_.geometry == kGeometryPredictive) {
       DELTAMESH_TRY(mesh.positions, read_geometry(mesh.triangles));
@@ -145,6 +147,13 @@ class StreamDecoder {
     DELTAMESH_TRY(const auto chunk, expand_single(container_, kTagFaceGroups));
     return is_plain_ ? read_plain_groups(chunk.bytes(), header_.triangles)
                      : read_face_groups(chunk.bytes(), triangles, header_.vertices);
+  }
+
+  Result<std::vector<GroupName>> read_names() const {
+    const ChunkEntry* const entry = container_.find(kTagGroupNames);
+    if (entry == nullptr || entry->decoded_bytes > kMostNamesBytes) return std::vector<GroupName>();
+    DELTAMESH_TRY(const auto chunk, expand_chunk(container_, *entry));
+    return read_group_names(chunk.bytes());
   }
 
   /// n x 3.

@@ -73,7 +73,7 @@ class SharedBudget {
       : task_(task),
         request_(request),
         budget_(*request.target_bytes),
-        unit_(default_error(task.source.triangles, task.source.positions, task.source.box.diagonal())) {
+        unit_(default_error(task.source.triangles, task.source.positions, task.source.extent)) {
     request_.target_bytes.reset();
   }
 
@@ -159,7 +159,7 @@ class SharedBudget {
 }  // namespace
 
 Result<CodedParts> code_parts(const PartsTask& task) {
-  Request request = make_request(task.options, task.source);
+  DELTAMESH_TRY(Request request, make_request(task.options, task.source));
   request.progress = &task.progress;
   request.attributes_use_positions = attributes_use_positions(task.mesh, task.options);
   if (request.target_bytes && !request.has_bounds() && !task.mesh.attributes.empty())

@@ -7,12 +7,14 @@
 #include <vector>
 
 #include "attributes/error.h"
+#include "base/byte_writer.h"
 #include "base/guard.h"
 #include "base/numbers/short_float.h"
 #include "base/progress.h"
 #include "base/try.h"
 #include "connectivity/check_mesh.h"
 #include "connectivity/groups/groups.h"
+#include "connectivity/groups/names.h"
 #include "connectivity/plain/topology.h"
 #include "deltamesh/model_states.h"
 #include "encoder/coded_parts.h"
@@ -87,6 +89,15 @@ ChunkList code_faces(const MeshView& mesh, const EncodeOptions& options, const C
 }
 
 /// The input's order, if it is kept; plain payloads are in that order.
+/// Of a mesh with stray vertices [SIZ-1].
+std::vector<std::byte> write_extent(const Extent& extent) {
+  ByteWriter out;
+  if (extent.strays == 0) return {};
+  out.write(extent.diagonal);
+  out.write_varint(extent.strays);
+  return out.take();
+}
+
 ChunkList code_order(const MeshView& mesh, const EncodeOptions& options, const CodedTopology& topology) {
   ChunkList chunks(options.profile, options.effort);
   if (!options.keep_order || chunks.is_plain()) return chunks;
@@ -94,11 +105,12 @@ ChunkList code_order(const MeshView& mesh, const EncodeOptions& options, const C
   return chunks;
 }
 
-void declare(const Candidate& geometry, FileHeader& header) noexcept {
+void declare(const Candidate& geometry, double source_error, FileHeader& header) noexcept {
   geometry.set_parameters(header);
-  header.vde_rms = short_float_above(geometry.quality.vde_rms);
-  header.lfe_rms = short_float_above(geometry.quality.lfe_rms);
-  header.max_error = short_float_above(geometry.quality.max_error);
+  const Quality quality = with_source_error(geometry.quality, source_error);
+  header.vde_rms = short_float_above(quality.vde_rms);
+  header.lfe_rms = short_float_above(quality.lfe_rms);
+  header.max_error = short_float_above(quality.max_error);
 }
 
 /// `mesh` and `options` have been checked.
@@ -112,9 +124,11 @@ Result<Encoded> encode_checked(const MeshView& mesh, const EncodeOptions& option
   FileHeader header = header_of(mesh, options, topology, source.box);
   ChunkList chunks = code_faces(mesh, options, topology);
   ChunkList order = code_order(mesh, options, topology);
+  order.add_plain(kTagExtent, write_extent(source.extent));
+  order.add_plain(kTagGroupNames, write_group_names(mesh.group_names));
   DELTAMESH_TRY(CodedParts parts, code_parts({options, mesh, topology, source, header,
                                               chunks.bytes() + order.bytes(), progress}));
-  declare(parts.geometry, header);
+  declare(parts.geometry, options.source_error, header);
   chunks.append(std::move(parts.geometry.chunks));
   chunks.append(std::move(parts.attributes));
   chunks.append(std::move(order));

@@ -68,6 +68,8 @@ Result<void> check_attributes(const AttributeQuality& q) noexcept {
 Result<void> validate(const EncodeOptions& o) noexcept {
   DELTAMESH_CHECK(check_quality(o));
   if (!within(o.effort, 0, 2)) return invalid_option("effort must be 0 to 2");
+  if (!is_bound(o.source_error))
+    return invalid_option("the source's error must be a finite number of at least 0");
   DELTAMESH_CHECK(check_steps(o));
   if (o.anchors && *o.anchors == 0) return invalid_option("at least one anchor is needed");
   if (o.anchor_density && (*o.anchor_density < 1 || *o.anchor_density > 65535))

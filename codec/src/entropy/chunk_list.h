@@ -29,6 +29,10 @@ class ChunkList {
     append(is_plain() ? code_plain_chunk(tag, std::move(payload), zstd_level_)
                       : code_compact_chunk(tag, std::move(payload)));
   }
+  /// Whatever the profile: `payload` as it is, or under zstd.
+  void add_plain(std::uint32_t tag, std::vector<std::byte> payload) {
+    if (!payload.empty()) append(code_plain_chunk(tag, std::move(payload), zstd_level_));
+  }
   /// The smaller of both forms of an attribute, of which one may be empty.
   void add_attribute(std::vector<std::byte> compact, std::vector<std::byte> plain,
                      const AttributeDescriptor& attribute) {

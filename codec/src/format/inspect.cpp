@@ -5,8 +5,10 @@
 #include <cmath>
 #include <cstring>
 
+#include "base/byte_reader.h"
 #include "base/guard.h"
 #include "deltamesh/stream_info.h"
+#include "format/chunk/tags.h"
 #include "format/container.h"
 
 namespace deltamesh {
@@ -47,10 +49,23 @@ void add_sizes(StreamInfo& info, const ChunkEntry& entry) {
   }
 }
 
+/// [SIZ-1]; for information, so that a chunk of another form changes nothing.
+void read_extent(StreamInfo& info, const Container& container) {
+  info.extent = info.diagonal;
+  const ChunkEntry* const entry = container.find(kTagExtent);
+  if (entry == nullptr || entry->codec != ChunkCodec::kRaw) return;
+  ByteReader in(container.coded(*entry), kTagExtent);
+  const auto diagonal = in.read<double>();
+  const auto strays = in.read_varint();
+  if (!diagonal || !strays || !std::isfinite(*diagonal) || *diagonal < 0) return;
+  info.extent = *diagonal;
+  info.stray_vertices = *strays;
+}
+
 /// The header's descriptors with the sizes of their chunks, as far as there are any.
 void add_attributes(StreamInfo& info, const Container& container) {
   for (const AttributeDescriptor& a : container.header().attributes)
-    info.attributes.push_back({a.name, a.kind, a.type, a.components, 0, a.error});
+    info.attributes.push_back({a.name, a.kind, a.type, a.components, 0, a.error, a.is_linear()});
   std::size_t next = 0;
   for (const ChunkEntry& entry : container.entries())
     if (entry.tag == kTagAttribute && next < info.attributes.size())
@@ -71,6 +86,7 @@ StreamInfo summarize(const Container& container) {
   info.box_min = h.box_min;
   info.box_max = h.box_max;
   info.diagonal = h.box().diagonal();
+  read_extent(info, container);
   info.keeps_order = h.keeps_order;
   if (h.geometry == kGeometryPredictive) {
     info.geometry = "predictive";

@@ -10,6 +10,7 @@
 #include "base/guard.h"
 #include "base/try.h"
 #include "deltamesh/io.h"
+#include "io/colors.h"
 #include "io/formats.h"
 #include "io/invalid_vertices.h"
 
@@ -44,19 +45,20 @@ Result<Imported> read_with(std::span<const std::byte> bytes, FileFormat format, 
 }
 
 Result<std::vector<std::byte>> write_as(const MeshView& mesh, FileFormat format, WriteReport& report) {
+  std::vector<Attribute> colors;
   switch (format) {
     case FileFormat::kPly:
-      return write_ply(mesh, report);
+      return write_ply(with_shown_colors(mesh, colors, report), report);
     case FileFormat::kObj:
-      return write_obj(mesh, report);
+      return write_obj(with_shown_colors(mesh, colors, report), report);
     case FileFormat::kStl:
       return write_stl(mesh, report);
     case FileFormat::kOff:
-      return write_off(mesh, report);
+      return write_off(with_shown_colors(mesh, colors, report), report);
     case FileFormat::kGltf:
-      return write_gltf(mesh, false, report);
+      return write_gltf(with_linear_colors(mesh, colors), false, report);
     case FileFormat::kGlb:
-      return write_gltf(mesh, true, report);
+      return write_gltf(with_linear_colors(mesh, colors), true, report);
   }
   return Error{.code = ErrorCode::kUnknownFormat, .message = "no exporter for this format"};
 }
@@ -76,6 +78,13 @@ Result<void> check(const MeshView& mesh) noexcept {
                    .where = i / 3};
   if (!mesh.face_groups.empty() && mesh.face_groups.size() != mesh.triangle_count())
     return Error{.code = ErrorCode::kInvalidMesh, .message = "there is not one group for every triangle"};
+  const auto too_large = std::find_if(mesh.face_groups.begin(), mesh.face_groups.end(),
+                                      [](std::uint32_t group) { return group >= (1U << 16); });
+  if (too_large != mesh.face_groups.end())
+    return Error{.code = ErrorCode::kInvalidMesh,
+                 .message = "a group of 2^16 or above",
+                 .where_kind = WhereKind::kTriangle,
+                 .where = static_cast<std::uint64_t>(too_large - mesh.face_groups.begin())};
   for (std::size_t a = 0; a < mesh.attributes.size(); ++a) {
     const AttributeView& attribute = mesh.attributes[a];
     if (attribute.values.size() != n * attribute.components * component_size(attribute.type))

@@ -47,4 +47,16 @@ Mesh place_origin(std::span<const double> coordinates) {
   return placed;
 }
 
+double rounding_of(std::span<const double> coordinates, const Mesh& placed) noexcept {
+  double largest = 0;
+  for (std::size_t i = 0; i + 2 < coordinates.size(); i += 3) {
+    Vec3 apart{};
+    for (std::size_t k = 0; k < 3; ++k)
+      apart[k] = coordinates[i + k] - placed.origin[k] - static_cast<double>(placed.positions[i + k]);
+    const double distance = length(apart);
+    if (distance > largest && std::isfinite(distance)) largest = distance;
+  }
+  return largest;
+}
+
 }  // namespace deltamesh

@@ -16,4 +16,7 @@ namespace deltamesh {
 /// exceeds 2. NaN and infinities stay what they are and do not count for the box. Cost O(n).
 Mesh place_origin(std::span<const double> coordinates);
 
+/// Largest distance of a vertex of `placed` from its coordinates, those that are finite.
+double rounding_of(std::span<const double> coordinates, const Mesh& placed) noexcept;
+
 }  // namespace deltamesh

@@ -12,6 +12,7 @@
 
 #include "base/component.h"
 #include "base/numbers/portable_math.h"
+#include "base/numbers/srgb.h"
 #include "deltamesh/mesh.h"
 #include "format/chunk/attribute_descriptor.h"
 
@@ -40,12 +41,16 @@ double unit_of(const AttributeView& attribute) noexcept {
   }
 }
 
-void load(const AttributeView& attribute, std::uint32_t vertex, Value& value) noexcept {
+/// `shown`: a linear colour as a screen shows it.
+void load(const AttributeView& attribute, std::uint32_t vertex, bool shown, Value& value) noexcept {
   const std::size_t size = component_size(attribute.type);
   const std::byte* const from = attribute.values.data() + std::size_t{vertex} * value_size(attribute);
   const double unit = unit_of(attribute);
   for (std::size_t c = 0; c < attribute.components; ++c)
     value[c] = load_component(attribute.type, from + c * size) / unit;
+  if (!shown || !attribute.linear) return;
+  for (std::size_t c = 0; c < std::min<std::size_t>(attribute.components, 3); ++c)
+    value[c] = 255 * shown_of_linear(value[c] / 255);
 }
 
 double degrees_between(const Value& a, const Value& b) noexcept {
@@ -73,17 +78,19 @@ double value_error(const AttributeView& a, std::uint32_t i, const AttributeView&
                    std::uint32_t j) noexcept {
   const std::byte* const from_a = a.values.data() + std::size_t{i} * value_size(a);
   const std::byte* const from_b = b.values.data() + std::size_t{j} * value_size(b);
-  if (a.type == b.type && std::memcmp(from_a, from_b, value_size(a)) == 0) return 0;
+  const bool shown = a.kind == AttributeKind::kColor && a.linear != b.linear;
+  if (!shown && a.type == b.type && std::memcmp(from_a, from_b, value_size(a)) == 0) return 0;
   Value of_a{};
   Value of_b{};
-  load(a, i, of_a);
-  load(b, j, of_b);
+  load(a, i, shown, of_a);
+  load(b, j, shown, of_b);
   const double error = error_between(a.kind, a.components, of_a, of_b);
   return std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
 }
 
 bool comparable(const AttributeView& a, const AttributeView& b) noexcept {
-  return a.kind == b.kind && a.components == b.components && a.normalized == b.normalized;
+  const bool of_one_range = a.kind == AttributeKind::kColor || a.normalized == b.normalized;
+  return a.kind == b.kind && a.components == b.components && of_one_range;
 }
 
 /// A difference that is clearly visible or otherwise large, in the kind's unit.

@@ -36,16 +36,23 @@ double load_of(double achieved, const std::optional<double>& bound) noexcept {
   return declared_above ? std::max(load, std::nextafter(1.0, 2.0)) : load;
 }
 
-double in_model_units(const QualityBound& bound, std::uint64_t vertices, double diagonal) noexcept {
+double in_model_units(const QualityBound& bound, std::uint64_t vertices, double box, double extent) noexcept {
   switch (bound.unit) {
     case QualityUnit::kDiagonal:
-      return bound.value / 100 * diagonal;
+      return bound.value / 100 * extent;
     case QualityUnit::kPaper:  // inverse of paper_form()
-      return bound.value * diagonal / std::sqrt(static_cast<double>(std::max<std::uint64_t>(vertices, 1)));
+      return bound.value * box / std::sqrt(static_cast<double>(std::max<std::uint64_t>(vertices, 1)));
     case QualityUnit::kModel:
       break;
   }
   return bound.value;
+}
+
+/// False where nothing is left.
+bool take_off(std::optional<double>& bound, double error) noexcept {
+  if (!bound || error == 0) return true;
+  *bound -= error;
+  return *bound > 0;
 }
 
 bool is_positive(double value) noexcept { return std::isfinite(value) && value > 0; }
@@ -67,13 +74,20 @@ double Bounds::load(const Quality& quality) const noexcept {
   return std::max(visual_load(quality), positional_load(quality));
 }
 
-Bounds bounds_in_model_units(const QualityRequest& request, std::uint64_t vertices,
-                             double diagonal) noexcept {
+Quality with_source_error(Quality quality, double error) noexcept {
+  quality.vde_rms += 2 * error;
+  quality.lfe_rms += error;
+  quality.max_error += error;
+  return quality;
+}
+
+Bounds bounds_in_model_units(const QualityRequest& request, std::uint64_t vertices, double box,
+                             double extent) noexcept {
   Bounds bounds;
-  if (request.vde) bounds.vde = in_model_units(*request.vde, vertices, diagonal);
-  if (request.lfe) bounds.lfe = in_model_units(*request.lfe, vertices, diagonal);
+  if (request.vde) bounds.vde = in_model_units(*request.vde, vertices, box, extent);
+  if (request.lfe) bounds.lfe = in_model_units(*request.lfe, vertices, box, extent);
   if (request.max_error && request.max_error->value != kNoBound.value)
-    bounds.max_error = in_model_units(*request.max_error, vertices, diagonal);
+    bounds.max_error = in_model_units(*request.max_error, vertices, box, extent);
   return bounds;
 }
 
@@ -103,7 +117,7 @@ bool says_nothing_of_positions(const EncodeOptions& options) noexcept {
 }
 
 double default_error(std::span<const std::uint32_t> triangles, std::span<const Vec3> positions,
-                     double diagonal) noexcept {
+                     const Extent& extent) noexcept {
   const std::size_t faces = triangles.size() / 3;
   double sum = 0;
   std::size_t count = 0;
@@ -111,34 +125,43 @@ double default_error(std::span<const std::uint32_t> triangles, std::span<const V
     const Vec3& a = positions[triangles[3 * f]];
     const Vec3& b = positions[triangles[3 * f + 1]];
     const Vec3& c = positions[triangles[3 * f + 2]];
+    if (extent.is_stray(a) || extent.is_stray(b) || extent.is_stray(c)) continue;
     sum += length(a - b) + length(b - c) + length(c - a);
     count += 3;
   }
-  double bound = kShareOfDiagonal * diagonal;
+  double bound = kShareOfDiagonal * extent.diagonal;
   if (count > 0 && sum > 0) bound = std::min(bound, kShareOfEdge * sum / static_cast<double>(count));
   return bound > 0 ? bound : 1.0;  // a single point loses nothing
 }
 
-Request make_request(const EncodeOptions& options, const SourceGeometry& source) {
-  Request request{
-      .bounds = bounds_in_model_units(options.quality, source.positions.size(), source.box.diagonal()),
-      .target_bytes = options.quality.target_bytes,
-      .step = options.step,
-      .bits = options.bits,
-      .anchors = options.anchors,
-      .anchor_density = options.anchor_density,
-      .anchor_bits = options.anchor_bits,
-      .lossless = options.lossless,
-      .coder = options.geometry,
-      .profile = options.profile,
-      .effort = options.effort,
-      .containers = options.anchor_containers ? options.anchor_containers.get() : nullptr,
-      .start = options.starting_states != nullptr ? &options.starting_states->models() : nullptr};
+Result<Request> make_request(const EncodeOptions& options, const SourceGeometry& source) {
+  Request request{.bounds = bounds_in_model_units(options.quality, source.positions.size(),
+                                                  source.box.diagonal(), source.extent.diagonal),
+                  .target_bytes = options.quality.target_bytes,
+                  .step = options.step,
+                  .bits = options.bits,
+                  .anchors = options.anchors,
+                  .anchor_density = options.anchor_density,
+                  .anchor_bits = options.anchor_bits,
+                  .lossless = options.lossless,
+                  .coder = options.geometry,
+                  .profile = options.profile,
+                  .effort = options.effort,
+                  .containers = options.anchor_containers ? options.anchor_containers.get() : nullptr,
+                  .start = options.starting_states != nullptr ? &options.starting_states->models() : nullptr};
+  // Of what nobody asked for, as much as the source's own error allows.
+  const auto but = [&](double bound) { return std::max(bound - options.source_error, bound / 2); };
+  const bool keeps = take_off(request.bounds.vde, 2 * options.source_error) &&
+                     take_off(request.bounds.lfe, options.source_error) &&
+                     take_off(request.bounds.max_error, options.source_error);
+  if (!keeps)
+    return unmet("the bound asked for is less than what coordinates lost as they became float32",
+                 options.source_error, 0);
   if (says_nothing_of_positions(options))
-    request.bounds.max_error = default_error(source.triangles, source.positions, source.box.diagonal());
-  const double implied = kImpliedError * source.box.diagonal();
+    request.bounds.max_error = but(default_error(source.triangles, source.positions, source.extent));
+  const double implied = kImpliedError * source.extent.diagonal;
   if (options.quality.vde && !options.quality.lfe && !options.quality.max_error && implied > 0)
-    request.bounds.max_error = implied;
+    request.bounds.max_error = but(implied);
   return request;
 }
 

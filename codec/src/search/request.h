@@ -12,6 +12,7 @@
 #include "deltamesh/quality_request.h"
 #include "deltamesh/result.h"
 #include "deltamesh/stream_info.h"
+#include "topology/extent.h"
 #include "topology/source_geometry.h"
 
 namespace deltamesh {
@@ -21,6 +22,10 @@ struct StreamModels;
 
 /// Whether every figure is a finite float, as the header wants [HDR-9].
 bool is_declarable(const Quality& quality) noexcept;
+
+/// Figures against what positions stand for, where they are up to `error` from it. A vertex and its
+/// neighbours may both be off: VDE counts twice.
+Quality with_source_error(Quality quality, double error) noexcept;
 
 /// Upper bounds, model units.
 struct Bounds {
@@ -36,8 +41,10 @@ struct Bounds {
   double load(const Quality& quality) const noexcept;  ///< the worst of all; infinite if not declarable
 };
 
-/// `vertices`: position-welded vertices, what the paper's sums run over; `diagonal`: of the bounding box.
-Bounds bounds_in_model_units(const QualityRequest& request, std::uint64_t vertices, double diagonal) noexcept;
+/// `vertices`: position-welded vertices, what the paper's sums run over; `box`: the diagonal of all vertices,
+/// for the paper's unit; `extent`: that without stray ones, for percents.
+Bounds bounds_in_model_units(const QualityRequest& request, std::uint64_t vertices, double box,
+                             double extent) noexcept;
 
 /// Whether every number is finite and above 0. Errors: kInvalidArgument.
 Result<void> validate(const QualityRequest& request) noexcept;
@@ -71,17 +78,20 @@ struct Request {
 };
 
 /// `options`, checked, for `source`. Where they say nothing of positions, the default: a largest error of
-/// 0.02 % of the diagonal, and of 4 % of the mean edge, so that the surface's own normals stay within about a
-/// degree on average, however fine the mesh is. A VDE without a positional bound implies a largest error of
-/// kImpliedError of the diagonal, unless the caller wants none. O(1): a sample of the faces tells of edges.
-Request make_request(const EncodeOptions& options, const SourceGeometry& source);
+/// 0.02 % of the extent's diagonal, and of 4 % of the mean edge, so that the surface's own normals stay
+/// within about a degree on average, however fine the mesh is. A VDE without a positional bound implies a
+/// largest error of kImpliedError of the diagonal, unless the caller wants none. `source_error` is taken off
+/// all bounds. O(1): a sample of the faces tells of edges. Errors: kUnmetRequest where a bound is not above
+/// `source_error`.
+Result<Request> make_request(const EncodeOptions& options, const SourceGeometry& source);
 
 /// Whether `options` say nothing of how positions are to be coded.
 bool says_nothing_of_positions(const EncodeOptions& options) noexcept;
 
-/// The default largest error, model units, above 0. `triangles`: m x 3 indices into `positions`.
+/// The default largest error, model units, above 0. `triangles`: m x 3 indices into `positions`, whose extent
+/// `extent` is: faces at stray vertices do not count.
 double default_error(std::span<const std::uint32_t> triangles, std::span<const Vec3> positions,
-                     double diagonal) noexcept;
+                     const Extent& extent) noexcept;
 
 /// kUnmetRequest with the best figure and size that can be had. `quality`: of the stream that comes nearest
 /// to `bounds`, which it breaks.

@@ -12,6 +12,7 @@
 
 #include "base/numbers/vec3.h"
 #include "topology/adjacency.h"
+#include "topology/extent.h"
 #include "topology/mesh_edges.h"
 
 namespace deltamesh {
@@ -45,12 +46,14 @@ struct SourceGeometry {
   SourceGeometry(std::vector<Vec3> vertex_positions, MeshEdges mesh_edges)
       : positions(std::move(vertex_positions)),
         box(Box::around(positions)),
+        extent(extent_of(positions, box)),
         triangles(mesh_edges.triangles),
         graph(triangles, static_cast<std::uint32_t>(positions.size())),
         edges(std::move(mesh_edges)) {}
 
   std::vector<Vec3> positions;               ///< n, relative to the mesh's origin
   Box box;                                   ///< of `positions`; empty if there are none
+  Extent extent;                             ///< of the mesh without stray vertices
   std::span<const std::uint32_t> triangles;  ///< m x 3
   LazyGraph graph;                           ///< of `triangles`
   MeshEdges edges;                           ///< likewise

@@ -37,15 +37,16 @@ std::vector<Vec3> places(const Mesh& mesh) {
 /// What the encoder keeps of positions that nothing is asked of.
 double default_error(const Mesh& mesh) {
   const std::vector<Vec3> points = places(mesh);
-  return deltamesh::default_error(mesh.triangles, points, Box::around(points).diagonal());
+  return deltamesh::default_error(mesh.triangles, points, extent_of(points, Box::around(points)));
 }
 
 /// About the largest distance of a decoded position from its source, without coding where a rule tells it.
 Result<double> position_error(const EncodeOptions& options, const Mesh& mesh) {
   if (options.lossless) return 0.0;
   const auto in_model = [&](const QualityBound& bound) {
-    return bound.unit == QualityUnit::kDiagonal ? bound.value / 100 * Box::around(places(mesh)).diagonal()
-                                                : bound.value;
+    if (bound.unit != QualityUnit::kDiagonal) return bound.value;
+    const std::vector<Vec3> points = places(mesh);
+    return bound.value / 100 * extent_of(points, Box::around(points)).diagonal;
   };
   const auto& most = options.quality.max_error;
   if (most && std::isfinite(most->value) && most->unit != QualityUnit::kPaper) return in_model(*most);

@@ -155,6 +155,7 @@ class Merger {
       attribute.type = shape.type;
       attribute.components = shape.components;
       attribute.normalized = shape.normalized;
+      attribute.linear = attribute.kind == AttributeKind::kColor;
       attribute.name = stream_name(semantic, shape);
       attribute.values.resize(pool.size() * size);
       for (std::uint32_t i = 0; i < pool.size(); ++i)

@@ -31,14 +31,6 @@ Result<std::string> read_text(ByteReader& in) {
   return text;
 }
 
-AttributeDescriptor descriptor_of(const MapAttribute& attribute) {
-  return {.kind = attribute.kind,
-          .type = attribute.type,
-          .components = attribute.components,
-          .flags = static_cast<std::uint8_t>(attribute.normalized ? 1 : 0),
-          .name = attribute.name};
-}
-
 /// Only the shortest form is valid, so that a description has one message and one hash.
 Result<MapAttribute> read_attribute(ByteReader& in) {
   const std::size_t start = in.position();
@@ -53,8 +45,9 @@ Result<MapAttribute> read_attribute(ByteReader& in) {
   return MapAttribute{.kind = descriptor.kind,
                       .type = descriptor.type,
                       .components = descriptor.components,
-                      .normalized = (descriptor.flags & 1) != 0,
-                      .name = std::move(descriptor.name)};
+                      .normalized = descriptor.is_normalized(),
+                      .name = std::move(descriptor.name),
+                      .linear = descriptor.is_linear()};
 }
 
 std::vector<std::byte> message_of(const MapDescription& description) {

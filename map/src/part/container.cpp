@@ -86,12 +86,7 @@ Result<std::vector<CodedChunk>> read_chunks(const PartPlace& place, ByteReader& 
     CodedChunk chunk = read_bytes_of(entry, bytes);
     if (entry.tag == kTagAttribute) {
       if (attributes == shapes.size()) return broken_part(in, "more attributes than the map has");
-      const MapAttribute& shape = shapes[attributes++];
-      chunk.attribute = {.kind = shape.kind,
-                         .type = shape.type,
-                         .components = shape.components,
-                         .flags = static_cast<std::uint8_t>(shape.normalized ? 1 : 0),
-                         .name = shape.name};
+      chunk.attribute = descriptor_of(shapes[attributes++]);
     }
     if (entry.tag != kTagFiller) chunks.push_back(std::move(chunk));
   }

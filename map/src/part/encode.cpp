@@ -38,7 +38,7 @@ Result<void> check_part(const MapPart& part, const MapDescription& description) 
   if (!std::ranges::equal(part.mesh.attributes, description.attributes,
                           [](const Attribute& a, const MapAttribute& b) {
                             return a.kind == b.kind && a.type == b.type && a.components == b.components &&
-                                   a.normalized == b.normalized && a.name == b.name;
+                                   a.normalized == b.normalized && a.name == b.name && a.linear == b.linear;
                           }))
     return invalid_mesh("a part's attributes are not those of its map");
   std::uint64_t least = 0;
@@ -66,7 +66,8 @@ class PartEncoder {
       : state_(state), part_(part), quality_(quality), measure_(part.mesh) {
     source_ = MeshView(part.mesh);
     source_.origin = {};  // which all parts share
-    bounds_ = bounds_in_model_units(quality.bounds, measure_.geometric_count(), measure_.diagonal());
+    bounds_ = bounds_in_model_units(quality.bounds, measure_.geometric_count(), measure_.diagonal(),
+                                    measure_.diagonal());
   }
 
   /// Border vertices are where their lattice points are, whatever was asked of the stream, so that it may

@@ -62,7 +62,8 @@ Result<std::optional<DecodedPart>> encode_patch(const MapCodec::State& state, co
   patched.part = put_together(source.key, base.part, inserted.part, plan);
   const PartMeasure measure(source.mesh);
   patched.coded.quality = measure.compare(patched.part.mesh.positions, patched.order);
-  const Bounds bounds = bounds_in_model_units(quality.bounds, measure.geometric_count(), measure.diagonal());
+  const Bounds bounds = bounds_in_model_units(quality.bounds, measure.geometric_count(), measure.diagonal(),
+                                              measure.diagonal());
   if (bounds.load(patched.coded.quality) > 1) return std::optional<DecodedPart>();
   for (std::size_t a = 0; a < source.mesh.attributes.size(); ++a) {
     double most = 0;

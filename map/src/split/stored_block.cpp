@@ -21,7 +21,7 @@ Result<void> check_attributes(const MeshView& mesh, const MapDescription& descri
     const AttributeView& a = mesh.attributes[i];
     const MapAttribute& b = description.attributes[i];
     if (a.kind != b.kind || a.type != b.type || a.components != b.components ||
-        a.normalized != b.normalized || a.name != b.name)
+        a.normalized != b.normalized || a.name != b.name || a.linear != b.linear)
       return invalid_mesh("an attribute of the mesh is not that of the map", WhereKind::kAttribute, i);
   }
   return {};

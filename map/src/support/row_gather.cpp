@@ -42,7 +42,8 @@ Mesh RowGather::take() {
                         .type = view.type,
                         .components = view.components,
                         .normalized = view.normalized,
-                        .name = std::string(view.name)};
+                        .name = std::string(view.name),
+                        .linear = view.linear};
     const std::size_t size = view.components * component_size(view.type);
     attribute.values.reserve(size * rows_.size());
     for (const std::uint32_t row : rows_) {

@@ -34,17 +34,15 @@ Box box_of(std::span<const float> positions) noexcept {
 }
 
 QualityRequest request_of(const MeshView& mesh, const QualityRequest& asked) {
-  const Box box = box_of(mesh.positions);
-  if (asked.empty()) {
-    std::vector<Vec3> positions;
-    for (std::size_t v = 0; v < mesh.vertex_count(); ++v)
-      positions.push_back({mesh.positions[3 * v], mesh.positions[3 * v + 1], mesh.positions[3 * v + 2]});
-    return {.max_error = QualityBound{default_error(mesh.triangles, positions, box.diagonal())}};
-  }
+  std::vector<Vec3> positions;
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v)
+    positions.push_back({mesh.positions[3 * v], mesh.positions[3 * v + 1], mesh.positions[3 * v + 2]});
+  const Extent extent = extent_of(positions, Box::around(positions));
+  if (asked.empty()) return {.max_error = QualityBound{default_error(mesh.triangles, positions, extent)}};
   QualityRequest request = asked;
   for (auto* bound : {&request.vde, &request.lfe, &request.max_error})
     if (*bound && (*bound)->unit == QualityUnit::kDiagonal)
-      *bound = QualityBound{(*bound)->value / 100 * box.diagonal()};
+      *bound = QualityBound{(*bound)->value / 100 * extent.diagonal};
   return request;
 }
 
@@ -75,7 +73,8 @@ Result<MapDescription> describe_map(const std::array<double, 3>& origin,
   const std::int64_t third = (std::int64_t{description.cell_steps} << kLevelsOfParts) / 3;
   description.cell_origin.fill(-static_cast<std::int32_t>(std::min<std::int64_t>(third, kMostLatticeSteps)));
   for (const AttributeView& a : attributes)
-    description.attributes.push_back({a.kind, a.type, a.components, a.normalized, std::string(a.name)});
+    description.attributes.push_back(
+        {a.kind, a.type, a.components, a.normalized, std::string(a.name), a.linear});
   return description;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <utility>
 
 #include "base/guard.h"
@@ -76,6 +78,35 @@ void number_versions(std::span<const MapPart> parts, const MapState* before, Map
   }
 }
 
+bool is_in_model_units(const QualityRequest& request) noexcept {
+  const auto in_model = [](const std::optional<QualityBound>& bound) {
+    return !bound || bound->unit == QualityUnit::kModel;
+  };
+  return !request.empty() && in_model(request.vde) && in_model(request.lfe) && in_model(request.max_error);
+}
+
+/// The positions of `mesh` relative to `origin`; none where they are already, or where that would round more
+/// of them than readers do: an origin as near to the mesh's as the mesh is large.
+Mesh moved_to(const std::array<double, 3>& origin, const MeshView& mesh) {
+  Mesh moved;
+  if (origin == mesh.origin) return moved;
+  const Box box = box_of(mesh.positions);
+  for (std::size_t k = 0; k < 3; ++k)
+    if (!(std::fabs(mesh.origin[k] - origin[k]) <= 16 * box.longest_side())) return moved;
+  moved.origin = origin;
+  moved.positions.reserve(mesh.positions.size());
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+    moved.positions.push_back(
+        static_cast<float>(mesh.origin[i % 3] + double{mesh.positions[i]} - origin[i % 3]));
+  return moved;
+}
+
+MeshView with_positions_of(const Mesh& moved, MeshView mesh) {
+  mesh.origin = moved.origin;
+  mesh.positions = moved.positions;
+  return mesh;
+}
+
 Result<MapState> encode_as(const MeshView& mesh, MapDescription description,
                            const SplitOptions& split_options, const PartQuality& quality,
                            const MapState* before) {
@@ -100,14 +131,23 @@ Result<MapState> encode_map(const MeshView& mesh, const MapSettings& settings,
   return guarded([&]() -> Result<MapState> {
     DELTAMESH_CHECK(validate(settings));
     DELTAMESH_CHECK(check_mesh(mesh));
+    const bool keeps =
+        before != nullptr && !before->bounds.empty() && !is_in_model_units(settings.quality.bounds);
     PartQuality quality = settings.quality;
-    quality.bounds = request_of(mesh, settings.quality.bounds);
+    quality.bounds = keeps ? before->bounds
+                     : mesh.triangles.empty()
+                         ? QualityRequest{.max_error = QualityBound{settings.part_edge / 1024}}
+                         : request_of(mesh, settings.quality.bounds);
+    const Mesh moved =
+        before != nullptr ? moved_to(before->manifest.description.lattice.origin, mesh) : Mesh();
+    const MeshView placed = moved.positions.empty() ? mesh : with_positions_of(moved, mesh);
     DELTAMESH_TRY(const MapDescription description,
-                  describe_map(mesh.origin, mesh.attributes, settings, quality.bounds));
+                  describe_map(placed.origin, mesh.attributes, settings, quality.bounds));
     SplitOptions options{.most_triangles = settings.most_triangles, .most_level = kLevelsOfParts};
     if (settings.levels > 0) options.copy_level = static_cast<std::uint8_t>(kLevelsOfParts + settings.levels);
     for (;; options.most_triangles /= 2) {
-      auto state = encode_as(mesh, description, options, quality, before);
+      auto state = encode_as(placed, description, options, quality, before);
+      if (state && (keeps || !mesh.triangles.empty())) state->bounds = quality.bounds;
       const bool is_too_large = !state && state.error().code == ErrorCode::kLimitExceeded;
       if (!is_too_large || options.most_triangles == 1) return state;
     }

@@ -21,7 +21,7 @@ Error invalid_part(const char* message, std::uint64_t part) noexcept {
 
 bool has_same_shape(const Attribute& a, const Attribute& b) noexcept {
   return a.kind == b.kind && a.type == b.type && a.components == b.components &&
-         a.normalized == b.normalized && a.name == b.name;
+         a.normalized == b.normalized && a.name == b.name && a.linear == b.linear;
 }
 
 Result<void> check_part(const MapPart& part, const MapPart& first, std::uint64_t number) {

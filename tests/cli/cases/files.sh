@@ -11,15 +11,40 @@ for format in ply obj off stl glb; do
   run decode properties.dmsh "out.$format"
 done
 run decode materials.dmsh groups.obj
-grep -c '^g ' groups.obj
+grep -c '^usemtl ' groups.obj
 run decode properties.dmsh lost.off --strict
 run decode properties.dmsh out.obj --json
+say "names of groups, through streams and glTF:"
+run decode materials.dmsh named.glb
+status encode named.glb named.dmsh --strict
+quiet decode named.dmsh named.obj
+grep usemtl named.obj
+say "colours as a screen shows them, and as linear light:"
+printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0 188 1 254\n1 0 0 0 255 2\n0 1 0 188 77 3\n3 0 1 2\n' >grey.ply
+quiet encode grey.ply grey.dmsh --keep-order
+run decode grey.dmsh grey.glb
+quiet encode grey.glb light.dmsh --keep-order
+run decode light.dmsh back.off
+sed -n '3,5p' back.off
+quiet compare grey.ply grey.glb
+grep colours .out
+say "doubles, and a vertex far away:"
+printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\nproperty double z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n10000.0001 0 0\n0 10000.0001 0\n3 0 1 2\n' >wide.ply
+run encode wide.ply wide.dmsh --lossless | grep -E 'lossless|max error|exit'
+run encode wide.ply wide.dmsh --lossless --strict
+run encode wide.ply wide.dmsh --max-error 0.00005
+quiet generate terrain hills.obj --vertices 900
+(echo 'v 1e7 0 0'; cat hills.obj; echo 'f -1 -2 -900') >stray.obj
+quiet encode stray.obj stray.dmsh
+figures info stray.dmsh | grep -E 'stray|exit'
 say "compare, map:"
 run compare materials.obj properties.ply | grep -E 'left out|exit'
 quiet compare materials.obj properties.ply --json
 cp .out compare.json
 has_keys compare.json left_out_a left_out_b
 run map split materials.obj small.map --part-edge 10 --max-error 0.01 | grep -E 'left out|exit'
+run tiles plan tiles.map materials.obj --part-edge 10 --max-error 0.01
+run tiles plan tiles.map materials.obj --part-edge 10 --max-error 0.01 --strict
 run map split materials.obj other.map --part-edge 10 --max-error 0.01 --strict
 status map join small.map joined.stl
 say "points, and vertices that are not finite:"

@@ -22,6 +22,16 @@ grep -E '"(new_parts|revision|epoch)"' .out
 figures map diff rooms.map again.map
 quiet map split rooms.ply other.map --part-edge 1 --max-error 0.004 --color-error 4
 status map diff rooms.map other.map --json
+# Without bounds in model units a map keeps those that it began with.
+printf 'ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\nelement face 0\nproperty list uchar int vertex_indices\nend_header\n' >none.ply
+quiet map split none.ply kept.map --part-edge 2
+quiet map split rooms.ply kept.map --part-edge 2
+cp kept.map/bounds.json kept.json
+quiet generate rooms more.ply --vertices 9000
+quiet map split more.ply kept.map --part-edge 2 --json
+grep -E '"(revision|epoch)"' .out
+cmp kept.json kept.map/bounds.json && say "the same bounds"
+rm -r kept.map kept.json none.ply more.ply
 status map split rooms.ply other.map --part-edge 0
 status map split rooms.ply other.map
 status map split rooms.ply other.map --part-edge 1 --target-bytes 1000

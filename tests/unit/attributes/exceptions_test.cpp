@@ -129,6 +129,20 @@ TEST(Exceptions, ATTR12OneBadValueCostsOneValue) {
   }
 }
 
+TEST(Exceptions, ATTR12OneHugeTextureCoordinateCostsOneValue) {
+  for (Case c : cases()) {
+    if (c.kind != AttributeKind::kUv) continue;
+    const CodedAttribute good = code(make(c), bounds());
+    for (const float huge : {1e6F, -1e12F, 3e38F}) {
+      c.values[100 * c.components] = huge;
+      const CodedAttribute coded = code(make(c), bounds());
+      EXPECT_EQ(coding_byte(coded), static_cast<int>(c.coding) | kExceptionsFlag) << huge;
+      EXPECT_LT(coded.payload.size(), good.payload.size() + 8 * c.components + 60);
+      expect_bits(coded, c.values, c.components, 100);
+    }
+  }
+}
+
 TEST(Exceptions, ATTR12TheFirstAndTheLastVerticesMayBeExceptions) {
   for (Case c : cases()) {
     SCOPED_TRACE(static_cast<int>(c.kind));

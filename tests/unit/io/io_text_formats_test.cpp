@@ -80,8 +80,9 @@ TEST(ObjReader, ColorsOnlyWhereEveryVertexHasThem) {
   EXPECT_TRUE(some->mesh.attributes.empty());
   const auto bytes = read_text("v 0 0 0 255 0 9\nv 1 0 0 1 2 3\nv 0 1 0 0 0 1\n" + face, FileFormat::kObj);
   ASSERT_TRUE(bytes);
-  EXPECT_EQ(find(bytes->mesh, AttributeKind::kColor), nullptr);
-  EXPECT_NE(find(bytes->mesh, AttributeKind::kGeneric), nullptr);
+  ASSERT_NE(find(bytes->mesh, AttributeKind::kColor), nullptr);
+  EXPECT_EQ(values_of<std::uint8_t>(*find(bytes->mesh, AttributeKind::kColor))[2], 9);
+  EXPECT_EQ(left_out(bytes->report, LeftOutKind::kGuesses), 3U);
 }
 
 TEST(ObjReader, CoordinatesAreReadToTheLastDigit) {

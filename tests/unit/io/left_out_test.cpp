@@ -64,8 +64,10 @@ TEST(LeftOut, ObjGroupsAndMaterialsBecomeFaceGroups) {
           "f 1 2 3\no two\ng right\nusemtl blue\ns 1\nf 2 4 3\nusemtl red\nf 1 3 2\no one\ng left\nf 1 2 4\n",
       FileFormat::kObj);
   EXPECT_EQ(both.mesh.face_groups, (Groups{0, 1, 2, 0}));
-  EXPECT_EQ(left_out(both.report, LeftOutKind::kNames, "materials"), 2U);
-  EXPECT_EQ(left_out(both.report, LeftOutKind::kNames, "objects"), 2U);
+  EXPECT_EQ(left_out(both.report, LeftOutKind::kNames), 0U);
+  EXPECT_EQ(
+      both.mesh.group_names,
+      (std::vector<GroupName>{{"one", "left", "red"}, {"two", "right", "blue"}, {"two", "right", "red"}}));
   EXPECT_EQ(left_out(both.report, LeftOutKind::kElements, "smoothing groups"), 1U);
   EXPECT_EQ(left_out(both.report, LeftOutKind::kElements, "mtllib"), 1U);
   EXPECT_TRUE(read("o one\ng a b\n" + kSquare + "f 1 2 3\n", FileFormat::kObj).mesh.face_groups.empty());

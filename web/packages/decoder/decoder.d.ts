@@ -46,6 +46,8 @@ export interface AttributeInfo {
   components: number;
   /** Integers stand for [0, 1] or [-1, 1], as in glTF. */
   normalized: boolean;
+  /** Colours: linear light, as glTF has them; else what a screen shows (sRGB). */
+  linear: boolean;
   codedBytes: number;
   /**
    * Largest error that the encoder measured: of normals and tangents in degrees, of texture coordinates a distance, of colours in

@@ -146,12 +146,13 @@ export function readError(instance, address) {
 
 /** Reads an AttributeOutcome, with the values if the stream was decoded. */
 function readAttribute(instance, address, vertices, isDecoded) {
-  const [name, nameBytes, kind, type, components, normalized, codedBytes, values] = instance.words(address + 8, 8);
+  const [name, nameBytes, kind, type, components, flags, codedBytes, values] = instance.words(address + 8, 8);
   const attribute = {
     name: instance.text(name, nameBytes),
     kind: KINDS[kind],
     components,
-    normalized: normalized !== 0,
+    normalized: (flags & 1) !== 0,
+    linear: (flags & 2) !== 0,
     codedBytes,
     error: instance.doubles(address, 1)[0],
   };

@@ -31,7 +31,7 @@ export interface MapPartMesh {
   positions: Float32Array;
   indices: Uint32Array;
   groups: Uint32Array | null;
-  attributes: { name: string; kind: string; components: number; normalized: boolean; values: AttributeArray }[];
+  attributes: { name: string; kind: string; components: number; normalized: boolean; linear: boolean; values: AttributeArray }[];
 }
 
 export interface DeltameshMap {

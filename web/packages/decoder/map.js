@@ -82,7 +82,7 @@ class MapDecoder {
   }
 
   #mesh({ vertexCount, triangleCount, origin, positions, indices, groups, attributes }, { quality, box }) {
-    const own = attributes.map(({ name, kind, components, normalized, values }) => ({ name, kind, components, normalized, values }));
+    const own = attributes.map(({ name, kind, components, normalized, linear, values }) => ({ name, kind, components, normalized, linear, values }));
     return { vertexCount, triangleCount, origin, box, quality, positions, indices, groups, attributes: own };
   }
 

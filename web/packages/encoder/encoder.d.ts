@@ -25,6 +25,8 @@ export interface MeshInput {
     components: number;
     /** Integers stand for [0, 1] or [-1, 1]; default false. */
     normalized?: boolean;
+    /** Colours: linear light, as glTF has them; else what a screen shows (sRGB). */
+    linear?: boolean;
     /** n x components */
     values: AttributeArray;
   }[];

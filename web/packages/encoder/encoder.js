@@ -77,7 +77,7 @@ class Arguments {
   }
 
   /** As AttributeCall. */
-  attribute({ name = '', kind, components, normalized = false, values }) {
+  attribute({ name = '', kind, components, normalized = false, linear = false, values }) {
     const type = ARRAYS.findIndex((Array) => values instanceof Array);
     if (type < 0) invalid(`attribute ${name}: values of a type that attributes do not have`);
     return [
@@ -85,7 +85,7 @@ class Arguments {
       indexIn(KINDS, kind, 'kind of attribute'),
       type,
       components,
-      normalized ? 1 : 0,
+      (normalized ? 1 : 0) | (linear ? 2 : 0),
       this.put(values),
       values.byteLength,
     ];

@@ -108,6 +108,7 @@ class Merged {
         kind: name.includes('/') ? 'generic' : kindOf(name, accessor),
         components: accessor.getElementSize(),
         normalized: accessor.getNormalized(),
+        linear: !name.includes('/') && kindOf(name, accessor) === 'color',
         values: this.#valuesOf(accessor.getArray().constructor, accessor.getElementSize(), parts),
       })),
     };

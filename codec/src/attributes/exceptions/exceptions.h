@@ -44,9 +44,10 @@ Result<Exceptions> read_exceptions(ByteReader& in, std::size_t row_size, std::ui
 void write_exceptions(ByteWriter& out, const Exceptions& exceptions, std::size_t row_size);
 
 /// What no coding of the attribute's kind holds: values with a component that is not finite; tangents without
-/// direction or side; weights that do not add up to 1; floating-point colours beyond 0 to 1. Empty where
-/// there is none, or where it is so much that the list does not pay.
-Exceptions find_exceptions(const AttributeView& attribute, const AttributeRows& rows);
+/// direction or side; weights that do not add up to 1; floating-point colours beyond 0 to 1; texture
+/// coordinates so large that float32 has few digits left beside `bound`. Empty where there is none, or where
+/// it is so much that the list does not pay.
+Exceptions find_exceptions(const AttributeView& attribute, const AttributeRows& rows, double bound);
 
 /// The rows in coded order, but those of exceptions are as a vertex before them, or else behind. Not for
 /// exceptions that are all there is.

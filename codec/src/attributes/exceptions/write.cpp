@@ -20,11 +20,14 @@ namespace {
 /// The list may take one byte in so many of the raw values.
 constexpr std::size_t kLeastGain = 4;
 
+/// Texture coordinates beyond as many bounds have three bits left of a float32's 24 beside the bound.
+constexpr double kMostUvBounds = 1U << 20;
+
 /// Tells which rows of an attribute are exceptions.
 class ExceptionTest {
  public:
-  ExceptionTest(const AttributeView& attribute, const AttributeRows& rows)
-      : attribute_(attribute), rows_(rows) {}
+  ExceptionTest(const AttributeView& attribute, const AttributeRows& rows, double bound)
+      : attribute_(attribute), rows_(rows), most_uv_(kMostUvBounds * bound) {}
 
   bool operator()(std::size_t row) const noexcept {
     if (is_float(attribute_.type) && !is_finite(row)) return true;
@@ -37,7 +40,9 @@ class ExceptionTest {
                            attribute_.components) &&
                !are_shares(shares_at(attribute_.type, rows_, row));
       case AttributeKind::kColor:
-        return attribute_.type == ComponentType::kF32 && !is_color(row);
+        return attribute_.type == ComponentType::kF32 && !is_within(row, 0, 1);
+      case AttributeKind::kUv:
+        return attribute_.type == ComponentType::kF32 && most_uv_ > 0 && !is_within(row, -most_uv_, most_uv_);
       default:
         return false;
     }
@@ -52,14 +57,15 @@ class ExceptionTest {
       if (!std::isfinite(component(row, c))) return false;
     return true;
   }
-  bool is_color(std::size_t row) const noexcept {
+  bool is_within(std::size_t row, double least, double most) const noexcept {
     for (std::size_t c = 0; c < rows_.components(); ++c)
-      if (!(component(row, c) >= 0 && component(row, c) <= 1)) return false;
+      if (!(component(row, c) >= least && component(row, c) <= most)) return false;
     return true;
   }
 
   const AttributeView& attribute_;
   const AttributeRows& rows_;
+  double most_uv_;
 };
 
 }  // namespace
@@ -78,9 +84,9 @@ void write_exceptions(ByteWriter& out, const Exceptions& exceptions, std::size_t
   }
 }
 
-Exceptions find_exceptions(const AttributeView& attribute, const AttributeRows& rows) {
+Exceptions find_exceptions(const AttributeView& attribute, const AttributeRows& rows, double bound) {
   const std::size_t row_size = attribute.components * component_size(attribute.type);
-  const ExceptionTest is_exception(attribute, rows);
+  const ExceptionTest is_exception(attribute, rows, bound);
   Exceptions exceptions;
   std::map<std::string_view, std::uint32_t> known;
   for (std::uint32_t v = 0; v < rows.count(); ++v) {

@@ -20,8 +20,10 @@ Result<AttributeDescriptor> read_spelled_out(ByteReader& in) {
   if (kind >= kAttributeKinds) return invalid("unknown attribute kind");
   if (type > static_cast<std::uint8_t>(ComponentType::kF64)) return invalid("unknown component type");
   if (a.components == 0 || a.components > kMaxComponents) return invalid("component count out of range");
-  if (a.flags > 1) return invalid("reserved attribute flag set");
   a.kind = static_cast<AttributeKind>(kind);
+  const bool is_color = a.kind == AttributeKind::kColor;
+  if (a.flags > (is_color ? kFlagNormalized | kFlagLinear : kFlagNormalized))
+    return invalid("reserved attribute flag set");
   a.type = static_cast<ComponentType>(type);
   DELTAMESH_TRY(const auto size, in.read<std::uint8_t>());
   DELTAMESH_TRY(const auto letters, in.read_bytes(size));

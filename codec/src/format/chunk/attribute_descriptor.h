@@ -18,16 +18,34 @@ namespace deltamesh {
 inline constexpr unsigned kMaxComponents = 16;
 inline constexpr std::size_t kMaxAttributeName = 255;
 
+// Bits of the flags.
+inline constexpr std::uint8_t kFlagNormalized = 1;  ///< integers stand for [0, 1] or [-1, 1]
+inline constexpr std::uint8_t kFlagLinear = 2;      ///< colours only: linear light
+
 struct AttributeDescriptor {
   AttributeKind kind = AttributeKind::kGeneric;
   ComponentType type = ComponentType::kF32;
   std::uint8_t components = 1;
-  std::uint8_t flags = 0;  ///< bit 0: normalised integers
+  std::uint8_t flags = 0;
   std::string name{};
   float error = 0;  ///< largest, in the unit of its kind, a short float, rounded up
 
+  bool is_normalized() const noexcept { return (flags & kFlagNormalized) != 0; }
+  bool is_linear() const noexcept { return (flags & kFlagLinear) != 0; }
   bool operator==(const AttributeDescriptor&) const = default;
 };
+
+/// Of an Attribute or what else has its members. Only colours can be linear.
+template <class Shape>
+AttributeDescriptor descriptor_of(const Shape& a) {
+  const bool linear = a.linear && a.kind == AttributeKind::kColor;
+  return {
+      .kind = a.kind,
+      .type = a.type,
+      .components = a.components,
+      .flags = static_cast<std::uint8_t>((a.normalized ? kFlagNormalized : 0) | (linear ? kFlagLinear : 0)),
+      .name = std::string(a.name)};
+}
 
 /// Writes one byte for a usual attribute (usual_attributes.h), and three more if the error is not 0.
 void write_descriptor(ByteWriter& out, const AttributeDescriptor& attribute);

@@ -23,6 +23,8 @@ inline constexpr std::uint32_t kTagDeltas = chunk_tag("DELT");
 inline constexpr std::uint32_t kTagAnchors = chunk_tag("ANCH");
 inline constexpr std::uint32_t kTagPositions = chunk_tag("POSN");
 inline constexpr std::uint32_t kTagAttribute = chunk_tag("ATTR");
+inline constexpr std::uint32_t kTagGroupNames = chunk_tag("NAMe");
+inline constexpr std::uint32_t kTagExtent = chunk_tag("SIZe");
 inline constexpr std::uint32_t kTagFiller = chunk_tag("FILl");
 
 }  // namespace deltamesh

@@ -207,6 +207,7 @@ Result<std::vector<Attribute>> merge_attributes(const Document& document, const 
     }
     Attribute attribute = make_attribute(layout.kind, layout.type, layout.components, semantic, vertices);
     attribute.normalized = layout.normalized;
+    attribute.linear = layout.kind == AttributeKind::kColor;
     for (const VertexSet& set : sets) {
       const auto own = set.semantics.find(semantic);
       if (own == set.semantics.end()) {

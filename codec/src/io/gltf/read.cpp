@@ -16,6 +16,8 @@
 #include "deltamesh/io.h"
 #include "io/formats.h"
 #include "io/gltf/attributes.h"
+#include "io/gltf/content/groups.h"
+#include "io/gltf/content/left_out.h"
 #include "io/gltf/document.h"
 #include "io/gltf/scene.h"
 #include "io/gltf/structure.h"
@@ -27,19 +29,21 @@ namespace deltamesh {
 namespace gltf {
 namespace {
 
-constexpr std::uint64_t kFreeElements = std::uint64_t{1} << 20;
+constexpr std::uint64_t kFreeElements = std::uint64_t{1} << 15;
 constexpr std::uint64_t kElementsPerByte = 16;
 
 /// One primitive of a placed mesh.
 struct Part {
   TrianglePrimitive primitive;
   std::size_t set = 0;
+  std::uint32_t group = 0;
 };
 
 class Assembly {
  public:
   explicit Assembly(const Document& document)
       : document_(document),
+        groups_(document.json),
         limit_(saturating_add(kFreeElements, saturating_mul(kElementsPerByte, document.input_bytes))) {
     std::size_t first = 0;
     for (std::size_t i = 0; i < array_size(document.json, "meshes"); ++i) {
@@ -54,6 +58,8 @@ class Assembly {
     DELTAMESH_TRY(imported_.mesh.attributes, merge_attributes(document_, sets_, vertices_, imported_.report));
     for (const Part& part : parts_) DELTAMESH_CHECK(read_triangles(part));
     fill_normals();
+    groups_.move_into(imported_);
+    leave_out_parts(document_.json, imported_.report);
     return std::move(imported_);
   }
 
@@ -83,7 +89,7 @@ class Assembly {
       if (primitive->mode == TriangleMode::kList && corners % 3 != 0)
         imported_.report.leave_out(LeftOutKind::kFaces, "of fewer than three corners");
       DELTAMESH_CHECK(reserve(corners_, corners));
-      parts_.push_back({*primitive, set->second});
+      parts_.push_back({*primitive, set->second, groups_.number_of(json, placement.mesh)});
     }
     return {};
   }
@@ -114,6 +120,7 @@ class Assembly {
       }
     }
     imported_.mesh = place_origin(coordinates);
+    imported_.report.position_error = rounding_of(coordinates, imported_.mesh);
     return {};
   }
 
@@ -129,6 +136,7 @@ class Assembly {
     for (std::uint32_t& corner : corners) corner += static_cast<std::uint32_t>(set.first);
     std::vector<std::uint32_t>& all = imported_.mesh.triangles;
     all.insert(all.end(), corners.begin(), corners.end());
+    groups_.add_faces(part.group, corners.size() / 3);
     if (!set.semantics.contains("NORMAL")) bare_.insert(bare_.end(), corners.begin(), corners.end());
     return {};
   }
@@ -141,6 +149,7 @@ class Assembly {
   }
 
   const Document& document_;
+  PrimitiveGroups groups_;
   std::uint64_t limit_;
   std::vector<std::size_t> first_primitive_;  ///< by mesh: its number over all meshes
   std::vector<VertexSet> sets_;

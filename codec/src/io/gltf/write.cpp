@@ -1,21 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// glTF and GLB: one node, one mesh, one primitive. The origin becomes the node's translation.
+// glTF and GLB: one node, one mesh, one primitive for each group of faces. The origin becomes the node's
+// translation.
 #include <tiny_gltf.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <map>
+#include <span>
 #include <sstream>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/byte_writer.h"
 #include "base/numbers/vec3.h"
+#include "base/try.h"
 #include "io/formats.h"
 #include "io/gltf/accessor.h"
+#include "io/gltf/content/narrow.h"
+#include "io/group_names.h"
 #include "io/text/vertices.h"
 
 namespace deltamesh {
@@ -31,8 +39,7 @@ class GltfBuilder {
     if (mesh_.vertex_count() == 0) return std::move(model_);  // an accessor cannot be empty
     add_positions();
     for (const AttributeView& attribute : mesh_.attributes) add_attribute(attribute);
-    add_triangles();
-    model_.meshes.emplace_back().primitives.push_back(std::move(primitive_));
+    model_.meshes.emplace_back().primitives = primitives();
     tinygltf::Node& node = model_.nodes.emplace_back();
     node.mesh = 0;
     if (has_origin(mesh_)) node.translation.assign(mesh_.origin.begin(), mesh_.origin.end());
@@ -126,37 +133,25 @@ class GltfBuilder {
     add_generic(attribute);
   }
 
-  /// Unit length is the law in glTF (3.7.2.1): others are scaled to it; zero or NaN become `otherwise`.
-  Vec3 unit_value(const AttributeView& attribute, std::size_t vertex, const Vec3& otherwise) const {
-    constexpr double kTolerance = 1e-4;
-    Vec3 value{};
-    for (std::size_t k = 0; k < 3; ++k) value[k] = attribute_value(attribute, vertex, k);
-    const double size = length(value);
-    if (!(size > 0) || !std::isfinite(size)) return otherwise;
-    return std::fabs(size - 1) > kTolerance ? (1 / size) * value : value;
-  }
-
   /// A fourth component is the side of the bitangent, 1 or -1.
   void add_directions(const AttributeView& attribute, const char* name, const Vec3& otherwise) {
     tinygltf::Accessor accessor = begin(ComponentType::kF32, attribute.components, false);
     for (std::size_t v = 0; v < mesh_.vertex_count(); ++v) {
-      for (const double value : unit_value(attribute, v, otherwise)) out_.write(to_float(value));
+      for (const double value : unit_direction(attribute, v, otherwise)) out_.write(to_float(value));
       if (attribute.components == 4) out_.write(attribute_value(attribute, v, 3) < 0 ? -1.0F : 1.0F);
     }
     primitive_.attributes[name] = end(std::move(accessor));
   }
 
-  /// glTF has no 64-bit components, and forbids 32-bit integers to custom attributes (3.7.2.1): those are
-  /// left out, as are shapes that no accessor has.
+  /// glTF forbids 32-bit integers to custom attributes (3.7.2.1). Shapes that no accessor has are left out.
   void add_generic(const AttributeView& attribute) {
-    const bool type_fits = component_size(attribute.type) <= 2 || attribute.type == ComponentType::kF32;
-    if (!type_fits || attribute.components > 4)
+    if (attribute.components > 4)
       return report_.leave_out(LeftOutKind::kVertexValues, attribute.name, mesh_.vertex_count());
-    std::string name(attribute.name.empty() ? "ATTRIBUTE" : attribute.name);
-    if (!name.starts_with('_')) name.insert(0, 1, '_');
+    std::string name((attribute.name.starts_with('_') ? "" : "_") + std::string(attribute.name));
     while (primitive_.attributes.contains(name)) name += '_';
-    const bool integer = attribute.type != ComponentType::kF32;
-    add_values(attribute, attribute.type, attribute.normalized && integer, name);
+    std::vector<Attribute> narrowed;
+    const AttributeView values = with_gltf_type(attribute, narrowed, report_);
+    add_values(values, values.type, values.normalized && values.type != ComponentType::kF32, name);
   }
 
   /// Values as they are where `type` is the attribute's own, else as real numbers.
@@ -182,26 +177,53 @@ class GltfBuilder {
     primitive_.attributes[name] = end(std::move(accessor));
   }
 
-  void add_triangles() {
+  /// One for every group of faces, all with the same vertices.
+  std::vector<tinygltf::Primitive> primitives() {
     primitive_.mode = mesh_.triangles.empty() ? TINYGLTF_MODE_POINTS : TINYGLTF_MODE_TRIANGLES;
-    if (mesh_.triangles.empty()) return;
+    if (mesh_.triangles.empty()) return {primitive_};
+    const std::vector<GroupName> names = distinct_names(mesh_);
+    const auto corners = corners_by_group(mesh_, std::max<std::size_t>(names.size(), 1));
+    std::vector<tinygltf::Primitive> made;
+    for (std::size_t g = 0; g < corners.size(); ++g) {
+      if (corners[g].empty()) continue;
+      made.push_back(primitive_);
+      made.back().indices = add_indices(corners[g]);
+      if (!names.empty()) name_primitive(names[g], made.back());
+    }
+    return made;
+  }
+
+  /// glTF names materials, but no primitives: object and group go to extras.
+  void name_primitive(const GroupName& name, tinygltf::Primitive& primitive) {
+    tinygltf::Value::Object extras;
+    if (!name.object.empty()) extras["object"] = tinygltf::Value(name.object);
+    if (!name.group.empty()) extras["group"] = tinygltf::Value(name.group);
+    if (!extras.empty()) primitive.extras = tinygltf::Value(extras);
+    if (name.material.empty()) return;
+    const auto [known, is_new] = materials_.emplace(name.material, static_cast<int>(materials_.size()));
+    if (is_new) model_.materials.emplace_back().name = name.material;
+    primitive.material = known->second;
+  }
+
+  int add_indices(std::span<const std::uint32_t> corners) {
     // 65535 itself restarts a primitive on some devices, so that index may not occur (glTF 2.0, 3.7.2.1).
     const bool small = mesh_.vertex_count() <= std::numeric_limits<std::uint16_t>::max();
     tinygltf::Accessor accessor = begin(small ? ComponentType::kU16 : ComponentType::kU32, 1, true);
-    accessor.count = mesh_.triangles.size();
-    for (const std::uint32_t index : mesh_.triangles) {
+    accessor.count = corners.size();
+    for (const std::uint32_t index : corners) {
       if (small)
         out_.write(static_cast<std::uint16_t>(index));
       else
         out_.write(index);
     }
-    primitive_.indices = end(std::move(accessor));
+    return end(std::move(accessor));
   }
 
   const MeshView& mesh_;
   WriteReport& report_;
   tinygltf::Model model_;
   tinygltf::Primitive primitive_;
+  std::map<std::string, int> materials_;
   ByteWriter out_;
   int colors_ = 0;
   int uvs_ = 0;
@@ -212,12 +234,7 @@ class GltfBuilder {
 }  // namespace
 
 Result<std::vector<std::byte>> write_gltf(const MeshView& mesh, bool binary, WriteReport& report) {
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i)
-    if (!std::isfinite(mesh.positions[i]))
-      return Error{.code = ErrorCode::kInvalidMesh,
-                   .message = "glTF cannot hold a coordinate that is not finite",
-                   .where_kind = WhereKind::kVertex,
-                   .where = i / 3};
+  DELTAMESH_CHECK(check_finite(mesh));
   tinygltf::Model model = GltfBuilder(mesh, report).build();
   constexpr std::size_t kDescription = std::size_t{1} << 20;  // more than the JSON of one primitive takes
   if (binary && !model.buffers.empty() &&

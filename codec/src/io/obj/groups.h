@@ -4,26 +4,25 @@
 // OBJ's objects, groups and materials as groups of faces.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <map>
-#include <set>
-#include <string>
 #include <string_view>
 #include <vector>
 
 #include "deltamesh/io.h"
+#include "io/attribute_name.h"
+#include "io/polygons/mesh.h"
 
 namespace deltamesh {
 
 /// Faces of the same object, group and material are one group, numbered as they are met.
 class ObjGroups {
  public:
-  enum Level : std::uint8_t { kObject, kGroup, kMaterial };
-
-  /// For the faces to come.
-  void begin(Level level, std::string_view name) {
-    now_[level] = name;
+  /// For the faces to come. Names that are not UTF-8 of at most 255 bytes are left out.
+  void begin(std::string GroupName::*level, std::string_view name, ReadReport& report) {
+    const bool fits = name.empty() || is_attribute_name(name);
+    if (!fits) report.leave_out(LeftOutKind::kNames, "groups, too long or not UTF-8");
+    now_.*level = fits ? name : "";
     known_ = false;
   }
 
@@ -33,25 +32,23 @@ class ObjGroups {
     of_faces_.push_back(group_);
   }
 
-  /// The group of every face; empty where all have the same, or where there are more than a mesh can have.
-  std::vector<std::uint32_t> take(ReadReport& report) {
+  /// Groups and their names; no numbers where all faces have the same group, or where there are more groups
+  /// than a mesh can have.
+  void move_into(PolygonMesh& mesh, ReadReport& report) {
     constexpr std::size_t kMostGroups = 1 << 16;
-    constexpr std::array<const char*, 3> kNames{"objects", "groups", "materials"};
-    for (std::size_t level = 0; level < kNames.size(); ++level) {
-      std::set<std::string_view> names;
-      for (const auto& [group, number] : groups_) names.insert(group[level]);
-      names.erase("");
-      report.leave_out(LeftOutKind::kNames, kNames[level], names.size());
-    }
     if (groups_.size() > kMostGroups)
-      report.leave_out(LeftOutKind::kFaceValues, "groups, more than 65,536", of_faces_.size());
-    if (groups_.size() > kMostGroups || groups_.size() < 2) of_faces_.clear();
-    return std::move(of_faces_);
+      return report.leave_out(LeftOutKind::kFaceValues, "groups, more than 65,536", of_faces_.size());
+    const bool has_names =
+        groups_.size() > 1 || (groups_.size() == 1 && groups_.begin()->first != GroupName{});
+    if (has_names) mesh.group_names.resize(groups_.size());
+    if (has_names)
+      for (const auto& [name, number] : groups_) mesh.group_names[number] = name;
+    if (groups_.size() > 1) mesh.face_groups = std::move(of_faces_);
   }
 
  private:
-  std::array<std::string, 3> now_;
-  std::map<std::array<std::string, 3>, std::uint32_t> groups_;
+  GroupName now_;
+  std::map<GroupName, std::uint32_t> groups_;
   bool known_ = false;
   std::uint32_t group_ = 0;
   std::vector<std::uint32_t> of_faces_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// OBJ: vertices, texture coordinates, normals and polygons; groups as far as numbers tell them apart.
+// OBJ: vertices, texture coordinates, normals and polygons; objects, groups and materials as groups of faces.
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -67,9 +67,9 @@ class ObjReader {
     if (word == "vt") return read_uv();
     if (word == "vn") return read_normal();
     if (word == "f" || word == "fo") return read_face();
-    if (word == "o") return begin(ObjGroups::kObject);
-    if (word == "g") return begin(ObjGroups::kGroup);
-    if (word == "usemtl") return begin(ObjGroups::kMaterial);
+    if (word == "o") return begin(&GroupName::object);
+    if (word == "g") return begin(&GroupName::group);
+    if (word == "usemtl") return begin(&GroupName::material);
     const std::string_view rest = rest_of_statement();
     if (word == "l" || word == "p") {
       report_.leave_out(LeftOutKind::kPrimitives, word == "l" ? "lines" : "points");
@@ -91,11 +91,11 @@ class ObjReader {
     return first;
   }
 
-  Result<void> begin(ObjGroups::Level level) {
+  Result<void> begin(std::string GroupName::*level) {
     std::string name;
     for (auto word = scanner_.next_token_on_line(); !word.empty(); word = scanner_.next_token_on_line())
       (name += name.empty() ? "" : " ") += word;
-    groups_.begin(level, name);
+    groups_.begin(level, name, report_);
     return {};
   }
 
@@ -214,10 +214,7 @@ class ObjReader {
       return report_.leave_out(LeftOutKind::kVertexValues, "colours, which not all vertices have",
                                colors_.size() / 3);
     if (colors_.empty()) return;
-    const bool in_range =
-        std::all_of(colors_.begin(), colors_.end(), [](float c) { return c >= 0 && c <= 1; });
-    mesh.attributes.push_back(
-        attribute(in_range ? AttributeKind::kColor : AttributeKind::kGeneric, "rgb", 3, colors_));
+    mesh.attributes.push_back(attribute(AttributeKind::kColor, "rgb", 3, colors_));
   }
 
   Result<Imported> build() {
@@ -227,7 +224,7 @@ class ObjReader {
     add_corner_values(mesh, AttributeKind::kUv, "vt", uvs_, std::move(uv_index_));
     mesh.coordinates = std::move(positions_.values);
     mesh.faces = std::move(faces_);
-    mesh.face_groups = groups_.take(report_);
+    groups_.move_into(mesh, report_);
     return to_triangles(std::move(mesh), std::move(report_));
   }
 

@@ -3,8 +3,10 @@
 //
 // OBJ text. Colours follow the position on its line, as many programs read them.
 #include <string>
+#include <vector>
 
 #include "io/formats.h"
+#include "io/group_names.h"
 #include "io/text/vertices.h"
 
 namespace deltamesh {
@@ -30,6 +32,20 @@ void append_corner(std::string& out, std::uint64_t vertex, bool uv, bool normal)
   append_number(out, index);
 }
 
+/// The statements that lead from the names `now` to `name`.
+void change_group(std::string& out, const GroupName& name, GroupName& now) {
+  const auto change = [&](const char* keyword, std::string GroupName::*level) {
+    if (name.*level == now.*level) return;
+    out += keyword;
+    if (!(name.*level).empty()) out += ' ' + name.*level;
+    out += '\n';
+  };
+  change("o", &GroupName::object);
+  change("g", &GroupName::group);
+  change("usemtl", &GroupName::material);
+  now = name;
+}
+
 }  // namespace
 
 std::vector<std::byte> write_obj(const MeshView& mesh, WriteReport& report) {
@@ -45,12 +61,10 @@ std::vector<std::byte> write_obj(const MeshView& mesh, WriteReport& report) {
   }
   if (uv != nullptr) append_records(out, "vt", *uv, 2, mesh.vertex_count());
   if (normal != nullptr) append_records(out, "vn", *normal, 3, mesh.vertex_count());
+  const std::vector<GroupName> names = distinct_names(mesh);
+  GroupName now;
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
-    if (!mesh.face_groups.empty() && (t == 0 || mesh.face_groups[t] != mesh.face_groups[t - 1])) {
-      out += "g group_";
-      append_number(out, mesh.face_groups[t]);
-      out += '\n';
-    }
+    if (!names.empty()) change_group(out, names[mesh.face_groups.empty() ? 0 : mesh.face_groups[t]], now);
     out += 'f';
     for (std::size_t k = 0; k < 3; ++k) {
       out += ' ';

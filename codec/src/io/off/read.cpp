@@ -112,11 +112,8 @@ struct Colors {
     const bool bytes = !fraction && std::all_of(values.begin(), values.end(), [](double c) {
       return c >= 0 && c <= 255 && c == std::floor(c);
     });
-    const bool in_range =
-        std::all_of(values.begin(), values.end(), [](double c) { return c >= 0 && c <= 1; });
-    return deltamesh::to_attribute(bytes || in_range ? AttributeKind::kColor : AttributeKind::kGeneric,
-                                   bytes ? ComponentType::kU8 : ComponentType::kF32, components, "color",
-                                   values);
+    return deltamesh::to_attribute(AttributeKind::kColor, bytes ? ComponentType::kU8 : ComponentType::kF32,
+                                   components, "color", values);
   }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -30,6 +31,7 @@ Result<void> read_vertices(PlyBody& body, const PlyElement& vertex, PolygonMesh&
     attribute.values.resize(vertex.count * attribute.components * component_size(attribute.type));
   mesh.coordinates.resize(vertex.count * 3);
 
+  std::vector<std::uint64_t> rounded(vertex.properties.size());
   std::size_t v = 0;
   const auto take = [&](std::size_t property, double value) -> const char* {
     const PlyTarget& target = layout.targets[property];
@@ -39,10 +41,14 @@ Result<void> read_vertices(PlyBody& body, const PlyElement& vertex, PolygonMesh&
       Attribute& attribute = layout.attributes[target.attribute];
       const std::size_t at = (v * attribute.components + target.component) * component_size(attribute.type);
       store_component(attribute.type, value, attribute.values.data() + at);
+      if (attribute.type == ComponentType::kF32 && vertex.properties[property].type == ComponentType::kF64)
+        rounded[property] += static_cast<double>(to_float(value)) == value || std::isnan(value) ? 0 : 1;
     }
     return nullptr;
   };
   for (; v < vertex.count; ++v) DELTAMESH_CHECK(body.read_row(vertex, take));
+  for (std::size_t p = 0; p < rounded.size(); ++p)
+    report.leave_out(LeftOutKind::kPrecision, vertex.properties[p].name, rounded[p]);
   mesh.attributes = std::move(layout.attributes);
   return {};
 }

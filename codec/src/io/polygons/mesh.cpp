@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/try.h"
+#include "io/colors.h"
 #include "io/components.h"
 #include "io/first_equal.h"
 #include "io/io_error.h"
@@ -132,12 +133,16 @@ Result<Imported> to_triangles(PolygonMesh mesh, ReadReport report) {
   const std::span<const std::uint32_t> corners = mesh.faces.corners();
   if (mesh.coordinates.size() / 3 + corners.size() > std::numeric_limits<std::uint32_t>::max())
     return invalid_file("more corners than a 32-bit index can name");
+  for (Attribute& attribute : mesh.attributes) settle_range(attribute, report);
+  for (CornerValues& values : mesh.corner_values) settle_range(values.records, report);
   Split split;
   if (!mesh.corner_values.empty()) {
     split = split_corners(mesh);
     apply(split, mesh);
   }
   Imported imported{.mesh = place_origin(mesh.coordinates), .report = std::move(report)};
+  imported.report.position_error = rounding_of(mesh.coordinates, imported.mesh);
+  imported.mesh.group_names = std::move(mesh.group_names);
   imported.report.leave_out(LeftOutKind::kFaces, "of fewer than three corners", mesh.faces.dropped());
   std::vector<std::uint32_t> vertices =
       mesh.corner_values.empty() ? mesh.faces.take_corners() : std::move(split.vertices);

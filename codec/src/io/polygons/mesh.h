@@ -62,6 +62,7 @@ struct PolygonMesh {
   Faces faces;                              ///
   std::vector<CornerValues> corner_values;  ///< at most three
   std::vector<std::uint32_t> face_groups;   ///< of every face; or empty
+  std::vector<GroupName> group_names;       ///< by group
 };
 
 /// One vertex per distinct corner. The first combination met of a position takes the position's own index, so

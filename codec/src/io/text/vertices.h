@@ -69,6 +69,7 @@ inline VertexValues choose_values(const MeshView& mesh, WriteReport& report) {
 /// For formats that have no groups of faces.
 inline void leave_out_groups(const MeshView& mesh, WriteReport& report) {
   report.leave_out(LeftOutKind::kFaceValues, "groups", mesh.face_groups.size());
+  report.leave_out(LeftOutKind::kNames, "groups", mesh.group_names.size());
 }
 
 /// Component `c` of a vertex, integers of a normalized attribute scaled to [0, 1] or [-1, 1].

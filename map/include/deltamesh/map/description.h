@@ -48,7 +48,8 @@ struct MapAttribute {
   ComponentType type = ComponentType::kF32;
   std::uint8_t components = 1;  ///< 1 to 16
   bool normalized = false;
-  std::string name{};  ///< UTF-8, at most 255 bytes
+  std::string name{};   ///< UTF-8, at most 255 bytes
+  bool linear = false;  ///< see Attribute
 
   bool operator==(const MapAttribute&) const = default;
 };

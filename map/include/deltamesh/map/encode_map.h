@@ -21,6 +21,10 @@ namespace deltamesh {
 struct MapState {
   MapManifest manifest{};
   std::vector<std::vector<std::byte>> octets{};  ///< of every entry
+  /// What was asked of positions, in model units. A state before with it keeps these bounds, and so its
+  /// lattice, where settings say nothing or percents: however the mesh has grown. Empty: not known, or no
+  /// faces yet.
+  QualityRequest bounds{};
 };
 
 struct MapSettings {
@@ -33,8 +37,8 @@ struct MapSettings {
   /// Levels above that of the largest parts. With any, there are coarser copies on all levels above 0
   /// [MAP-19].
   std::uint8_t levels = 0;
-  /// Percentages count in the diagonal of the whole mesh. Without bounds as encode() has it, for the whole
-  /// mesh.
+  /// Percentages count in the diagonal of the whole mesh, without stray vertices. Without bounds as encode()
+  /// has it, for the whole mesh. A mesh without faces has bounds for which any will do.
   PartQuality quality{};
 };
 

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Groups of faces from an asset's primitives: those of the same mesh and material are one.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "deltamesh/io.h"
+#include "io/attribute_name.h"
+#include "io/gltf/json.h"
+
+namespace deltamesh::gltf {
+
+class PrimitiveGroups {
+ public:
+  explicit PrimitiveGroups(const Json& json) : json_(json) {}
+
+  /// Of a primitive of mesh number `mesh`. Groups are numbered as they are met.
+  std::uint32_t number_of(const Json& primitive, std::size_t mesh) {
+    Key key{.mesh = mesh, .name = {}};
+    key.name.object = text_of(json_["meshes"][mesh], "name");
+    if (const Json* const extras = find(primitive, "extras"); extras != nullptr) {
+      if (const std::string object = text_of(*extras, "object"); !object.empty()) key.name.object = object;
+      key.name.group = text_of(*extras, "group");
+    }
+    const Json* const materials = find(json_, "materials");
+    if (const Json* const index = find(primitive, "material");
+        index != nullptr && index->is_number_unsigned()) {
+      key.material = index->get<std::uint64_t>() + 1;
+      if (materials != nullptr && materials->is_array() && key.material <= materials->size())
+        key.name.material = text_of((*materials)[key.material - 1], "name");
+    }
+    return groups_.emplace(key, static_cast<std::uint32_t>(groups_.size())).first->second;
+  }
+
+  void add_faces(std::uint32_t group, std::size_t count) { of_faces_.insert(of_faces_.end(), count, group); }
+
+  /// As ObjGroups does.
+  void move_into(Imported& imported) {
+    constexpr std::size_t kMostGroups = 1 << 16;
+    if (groups_.size() > kMostGroups)
+      return imported.report.leave_out(LeftOutKind::kFaceValues, "groups, more than 65,536",
+                                       of_faces_.size());
+    bool has_names = false;
+    for (const auto& [key, number] : groups_) has_names = has_names || key.name != GroupName{};
+    if (has_names) imported.mesh.group_names.resize(groups_.size());
+    if (has_names)
+      for (const auto& [key, number] : groups_) imported.mesh.group_names[number] = key.name;
+    if (groups_.size() > 1) imported.mesh.face_groups = std::move(of_faces_);
+  }
+
+ private:
+  struct Key {
+    std::size_t mesh = 0;
+    std::uint64_t material = 0;  ///< its number and 1; or 0
+    GroupName name;
+    auto operator<=>(const Key&) const = default;
+  };
+
+  static std::string text_of(const Json& object, const char* key) {
+    const Json* const text = find(object, key);
+    if (text == nullptr || !text->is_string()) return {};
+    const auto& name = text->get_ref<const std::string&>();
+    return is_attribute_name(name) ? name : std::string();
+  }
+
+  const Json& json_;
+  std::map<Key, std::uint32_t> groups_;
+  std::vector<std::uint32_t> of_faces_;
+};
+
+}  // namespace deltamesh::gltf
