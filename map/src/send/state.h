@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -35,6 +36,7 @@ struct MapSender::State {
   SenderCounts counts{};
 
   void forget_versions();
+  Result<void> hear_receipt(std::span<const std::byte> bytes, double now);
   Result<void> send(const SendUnit& unit, SendPlan& plan, Viewer& viewer, double now,
                     std::vector<std::vector<std::byte>>& messages);
   const KnownVersion* believed_version(const Viewer& viewer, const PartKey& key) const;

@@ -14,23 +14,12 @@
 #include <vector>
 
 #include "deltamesh/map/messages.h"
+#include "send/believed.h"
+#include "send/delivery.h"
 #include "send/encodings.h"
 #include "send/source_map.h"
 
 namespace deltamesh {
-
-/// A version that a receiver has told of, or that is on its way.
-struct Believed {
-  bool is_confirmed() const noexcept { return !is_gone && sent == -std::numeric_limits<double>::infinity(); }
-
-  std::uint64_t revision = 0;
-  std::uint64_t since = 0;  ///< the first revision with these octets, as far as it is known
-  std::uint32_t version = 0;
-  bool is_waiting = false;  ///< the receiver has it and does not show it
-  bool is_gone = false;     ///< its removal is on its way
-  double sent =
-      -std::numeric_limits<double>::infinity();  ///< seconds; minus infinity: the receiver told of it
-};
 
 struct Extent {
   std::array<float, 3> low{};
@@ -42,6 +31,7 @@ struct SentPart {
   std::uint64_t revision = 0;                              ///< of the last message
   double time = -std::numeric_limits<double>::infinity();  ///< of the last message
   bool is_removal = false;
+  bool was_lost = false;           ///< that message
   bool is_everywhere = false;      ///< told of by the receiver, and unknown
   std::optional<Extent> extent{};  ///< of all versions that were sent
 
@@ -59,6 +49,7 @@ struct Viewer {
   std::uint64_t number = 0;
   std::uint64_t map = 0;  ///< hash of the description that it has
   std::uint64_t start = 0;
+  Delivery delivery{};
   std::map<PartKey, Believed> has{};
   std::map<PartKey, SentPart>
       sent{};  ///< all parts that it may have or that may be on their way; shrinks by hear()
@@ -66,6 +57,22 @@ struct Viewer {
   double allowance = 0;                    ///< bytes that may be sent now
   double asked = -std::numeric_limits<double>::infinity();      ///< last messages_for()
   double described = -std::numeric_limits<double>::infinity();  ///< when the map's message was sent
+
+  bool may_get_more() const noexcept { return view.bytes_per_second == 0 || allowance > 0; }
+
+  /// Adds a message; one that replaces a lost one twice where there is no time to lose another.
+  void post(std::vector<std::byte> message, bool replaces_lost,
+            std::vector<std::vector<std::byte>>& messages) {
+    for (int copies = replaces_lost && delivery.is_slow() ? 2 : 1; copies > 0; --copies) {
+      allowance -= static_cast<double>(message.size());
+      messages.push_back(message);
+    }
+  }
+
+  std::optional<Believed> believed(const PartKey& key) const {
+    const auto found = has.find(key);
+    return found == has.end() ? std::nullopt : std::optional(found->second);
+  }
 
   /// For a message about a version of `least` or later: above all that came before it.
   std::uint64_t next_revision(const PartKey& key, std::uint64_t least, double now) {
@@ -75,6 +82,16 @@ struct Viewer {
     return part.revision = std::max(part.revision + 1, least);
   }
 };
+
+/// Takes what a receiver tells of its messages.
+void take_receipt(Viewer& viewer, const Receipt& receipt, double now);
+/// Takes what it tells of its parts, with the receipt. `waiting_since`: removals that were sent before, and
+/// that still wait, are taken for not sent.
+void take_held(Viewer& viewer, const std::vector<HeldVersion>& held, double waiting_since);
+
+/// Sends again what later messages of a part are made from, and takes back what was believed of all others
+/// that were lost, so that the next plan sends something newer.
+void recover(Viewer& viewer, double now, std::vector<std::vector<std::byte>>& messages);
 
 using KnownVersions = std::map<PartKey, std::map<std::uint32_t, KnownVersion>>;
 

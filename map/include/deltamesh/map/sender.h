@@ -22,7 +22,6 @@ struct SenderOptions {
   SplitOptions split{};
   int effort = 0;  ///< of encoding, 0 to 2: what is more costs several times the time for hardly fewer bytes
   GeometryCoder geometry = GeometryCoder::kAuto;
-  double resend_seconds = 1;      ///< what a receiver does not tell of after so long is sent again; above 0
   std::size_t most_viewers = 64;  ///< views of more are refused
   /// Whether a receiver keeps faces of older versions that are within its bounds of the newest source: whole
   /// parts, or those that a patch leaves.
@@ -40,7 +39,8 @@ struct SenderCounts {
 };
 
 /// Keeps the source and the state of each receiver. It decodes everything that it sends, so that it knows the
-/// receivers' maps to the bit. Times are seconds of any steady clock. A message arrives within 60 seconds or
+/// receivers' maps to the bit. What is lost on the way is sent again within one exchange, if nothing newer
+/// takes its place. Times are seconds of any steady clock. A message arrives within 60 seconds or
 /// not at all: then what is known of parts that no longer exist is forgotten. Not thread-safe.
 class MapSender {
  public:
@@ -52,9 +52,10 @@ class MapSender {
   /// One update of the source, as Splitter::update(). On an error nothing has changed.
   Result<void> update(std::span<const MapBlock> blocks) noexcept;
 
-  /// Takes a view's message. Errors: 1xx codes, kInvalidArgument (of another map), kLimitExceeded (too many
-  /// viewers), kUnmetRequest (a largest error below what the lattice allows), kOutOfMemory.
-  Result<void> hear(std::span<const std::byte> view_message, double now) noexcept;
+  /// Takes a message of a receiver: a view or a receipt. Receipts of unknown viewers have no effect. Errors:
+  /// 1xx codes, kInvalidArgument (of another map), kLimitExceeded (too many viewers), kUnmetRequest (a
+  /// largest error below what the lattice allows), kOutOfMemory.
+  Result<void> hear(std::span<const std::byte> message, double now) noexcept;
   void forget(std::uint64_t viewer) noexcept;
   std::vector<std::uint64_t> viewers() const;
 
