@@ -23,7 +23,8 @@ enum class MessageKind : std::uint8_t {
   kView = 5,
   kStart = 6,
   kPatch = 7,
-  kReceipt = 8
+  kReceipt = 8,
+  kFault = 9
 };
 
 /// Begins a message; the body's fields are to follow.

@@ -93,6 +93,13 @@ std::vector<PartKey> MapReceiver::lacking() const {
   return keys;
 }
 
+std::vector<PartFault> MapReceiver::faults() const {
+  std::vector<PartFault> faults;
+  for (const auto& [key, fault] : state_->faults)
+    if (fault.code != 0) faults.push_back({.key = key, .code = static_cast<ErrorCode>(fault.code)});
+  return faults;
+}
+
 std::uint64_t MapReceiver::hash() const {
   ByteWriter out;
   for (const auto& [key, part] : state_->parts.all()) {

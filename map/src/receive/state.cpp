@@ -17,35 +17,6 @@
 namespace deltamesh {
 namespace {
 
-constexpr std::size_t kLinksPerPart = 64;  // on average, at the most
-
-/// All that counts for limits.
-struct Sums {
-  std::size_t parts = 0;
-  std::uint64_t octets = 0;
-  std::uint64_t vertices = 0;
-  std::size_t links = 0;
-
-  void add(const PartContent& content) {
-    octets += content.octets.size();
-    vertices += content.part.mesh.vertex_count();
-  }
-  void add(const Version& version) {
-    links += version.links.size();
-    if (version.content) add(*version.content);
-  }
-};
-
-Sums sums_of(const ReceivedParts& parts) {
-  Sums sums;
-  for (const auto& [key, part] : parts.all()) {
-    if (part.shown || !part.waiting.empty()) ++sums.parts;
-    if (part.shown) sums.add(*part.shown);
-    for (const Version& version : part.waiting) sums.add(version);
-  }
-  return sums;
-}
-
 std::shared_ptr<const PartContent> content_of(std::vector<std::byte> octets, MapPart part) {
   const std::uint64_t hash = XXH3_64bits(octets.data(), octets.size());
   return std::make_shared<const PartContent>(PartContent{std::move(octets), hash, std::move(part)});
@@ -72,6 +43,8 @@ Result<void> MapReceiver::State::apply(std::span<const std::byte> message) {
       return apply_part(message);
     case MessageKind::kPatch:
       return apply_patch(message);
+    case MessageKind::kFault:
+      return apply_fault(message);
     default:
       return invalid_argument("not a message for receivers", "MAP-1");
   }
@@ -109,6 +82,7 @@ bool MapReceiver::State::is_mine(std::uint64_t of_start, std::uint64_t message_n
 void MapReceiver::State::forget_arrivals() {
   arrivals = {};
   early.clear();
+  faults.clear();
   talk.want_view();
 }
 
@@ -135,23 +109,6 @@ Result<void> MapReceiver::State::apply_description(std::span<const std::byte> me
   map = hash;
   talk.want_view();
   return {};
-}
-
-/// For one more part of so many octets. What was replaced is kept while all takes less than half of what it
-/// may. Errors: kLimitExceeded.
-Result<DecodeOptions> MapReceiver::State::options_for(const PartKey& key, std::size_t octets) {
-  const Sums sums = sums_of(parts);
-  Sums all = sums;
-  for (const auto& content : parts.replaced()) all.add(*content);
-  if (2 * all.octets > limits.octets || 2 * all.vertices > limits.vertices) parts.forget_replaced();
-  const ReceivedPart* part = parts.find(key);
-  const bool is_held = part != nullptr && (part->shown || !part->waiting.empty());
-  if ((!is_held && sums.parts >= limits.parts) || sums.octets + octets > limits.octets ||
-      sums.vertices >= limits.vertices || sums.links > kLinksPerPart * limits.parts)
-    return Error{.code = ErrorCode::kLimitExceeded, .message = "more parts than the receiver may hold"};
-  DecodeOptions options;
-  options.limits.vertices = std::min(limits.vertices - sums.vertices, options.limits.vertices);
-  return options;
 }
 
 Result<void> MapReceiver::State::take(const PartKey& key, Version version,
@@ -239,27 +196,15 @@ Result<void> MapReceiver::State::apply_entry(std::span<const std::byte> message)
   return {};
 }
 
-Result<std::vector<std::byte>> MapReceiver::State::view_message() {
-  ViewMessage message{.viewer = viewer,
-                      .number = ++number,
-                      .map_id = map_id,
-                      .map = codec ? map : 0,
-                      .start = start,
-                      .receipt = arrivals.receipt(),
-                      .view = view,
-                      .held = {}};
-  for (const auto& [key, part] : parts.all()) {
-    const Version* newest = part.shown ? &*part.shown : nullptr;
-    if (!part.waiting.empty() && part.waiting.back().content) newest = &part.waiting.back();
-    if (newest == nullptr) continue;
-    message.held.push_back(
-        {key, newest->revision, version_hash(newest->content->hash, newest->links), !part.waiting.empty()});
-  }
-  return write_view(message);
-}
-
-Result<std::vector<std::byte>> MapReceiver::State::receipt_message() {
-  return write_receipt({viewer, ++number, map_id, start, arrivals.receipt()});
+Result<void> MapReceiver::State::apply_fault(std::span<const std::byte> message) {
+  DELTAMESH_TRY(const FaultMessage told, read_fault(message));
+  DELTAMESH_CHECK(check_map(told.map));
+  if (!is_mine(told.start, told.number)) return {};
+  if (faults.size() >= limits.parts) std::erase_if(faults, [](const auto& f) { return f.second.code == 0; });
+  if (faults.size() >= limits.parts) return {};
+  ToldFault& fault = faults[told.key];
+  if (told.number >= fault.number) fault = {told.number, told.code};
+  return {};
 }
 
 }  // namespace deltamesh

@@ -20,7 +20,11 @@
 
 namespace deltamesh {
 
-/// The error of a message or a call that does not fit the state.
+struct ToldFault {
+  std::uint64_t number = 0;  ///< of the message
+  std::uint16_t code = 0;    ///< 0: none any more
+};
+
 struct MapReceiver::State {
   std::uint64_t viewer = 0;
   std::uint64_t map_id = 0;
@@ -35,6 +39,7 @@ struct MapReceiver::State {
   EarlyMessages early{};
   Talk talk{};
   std::map<PartKey, std::uint64_t> announced{};  ///< revisions of entries without octets
+  std::map<PartKey, ToldFault> faults{};         ///< as the sender told
   std::set<PartKey> touched{};                   ///< since the last take_change()
 
   Result<void> apply(std::span<const std::byte> message);
@@ -43,6 +48,7 @@ struct MapReceiver::State {
   Result<void> apply_entry(std::span<const std::byte> message);
   Result<void> apply_part(std::span<const std::byte> message);
   Result<void> apply_patch(std::span<const std::byte> message);
+  Result<void> apply_fault(std::span<const std::byte> message);
   Result<void> take(const PartKey& key, Version version, std::span<const std::byte> octets);
   void take(const PartKey& key, Version version);
   Result<DecodeOptions> options_for(const PartKey& key, std::size_t octets);

@@ -161,17 +161,14 @@ Result<std::vector<std::vector<std::byte>>> MapSender::messages_for(std::uint64_
     }
     if (viewer.delivery.is_silent(now)) return messages;
     recover(viewer, now, messages);
-    DELTAMESH_TRY(SendPlan plan, plan_for(viewer, waiting_since(viewer, now), state_->map, state_->encodings,
-                                          state_->known, state_->options.keeps_good_enough));
-    state_->counts.kept += plan.kept;
-    for (const PartKey& key : plan.needed) viewer.due.try_emplace(key, state_->map.revision());
-    std::erase_if(viewer.due, [&](const auto& entry) { return !plan.needed.contains(entry.first); });
-    for (const SendUnit& unit : units_of(plan, viewer, state_->map, state_->known, description())) {
-      if (!viewer.may_get_more()) break;
-      DELTAMESH_CHECK(state_->send(unit, plan, viewer, now, messages));
-    }
+    DELTAMESH_CHECK(state_->send_what_is_due(viewer, waiting_since(viewer, now), now, messages));
     return messages;
   });
+}
+
+std::vector<PartFault> MapSender::faults_of(std::uint64_t number) const {
+  const auto viewer = state_->viewers.find(number);
+  return viewer == state_->viewers.end() ? std::vector<PartFault>() : viewer->second.faults;
 }
 
 std::vector<PartEntry> MapSender::entries_of(std::uint64_t number) const {

@@ -2,6 +2,8 @@
 // Copyright 2026 The deltamesh authors
 #include "send/state.h"
 
+#include <algorithm>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -135,11 +137,50 @@ Result<std::vector<std::byte>> MapSender::State::removal_message(const PartKey& 
   return message;
 }
 
-Result<void> MapSender::State::send(const SendUnit& unit, SendPlan& plan, Viewer& viewer, double now,
+Result<void> MapSender::State::send_what_is_due(Viewer& viewer, double waiting_since, double now,
+                                                std::vector<std::vector<std::byte>>& messages) {
+  for (bool is_complete = false; !is_complete;) {
+    is_complete = true;
+    DELTAMESH_TRY(SendPlan plan,
+                  plan_for(viewer, waiting_since, map, encodings, known, options.keeps_good_enough));
+    for (const PartKey& key : plan.needed) viewer.due.try_emplace(key, map.revision());
+    std::erase_if(viewer.due, [&](const auto& entry) { return !plan.needed.contains(entry.first); });
+    for (const SendUnit& unit : units_of(plan, viewer, map, known, encodings.codec().description())) {
+      if (!viewer.may_get_more()) break;
+      DELTAMESH_TRY(is_complete, send(unit, plan, viewer, now, messages));
+      if (!is_complete) break;
+    }
+    if (!is_complete) continue;
+    counts.kept += plan.kept;
+    DELTAMESH_CHECK(tell_faults(std::move(plan.faults), viewer, now, messages));
+  }
+  return {};
+}
+
+/// Tells the receiver what is new of faults.
+Result<void> MapSender::State::tell_faults(std::vector<PartFault> faults, Viewer& viewer, double now,
+                                           std::vector<std::vector<std::byte>>& messages) {
+  std::map<PartKey, std::uint16_t> told;
+  for (const PartFault& fault : viewer.faults) told[fault.key] = 0;
+  for (const PartFault& fault : faults) told[fault.key] = static_cast<std::uint16_t>(fault.code);
+  for (const auto& [key, code] : told) {
+    const auto before = std::ranges::find(viewer.faults, key, &PartFault::key);
+    if (before != viewer.faults.end() && static_cast<std::uint16_t>(before->code) == code) continue;
+    const std::uint64_t number = viewer.delivery.next_number();
+    DELTAMESH_TRY(auto message, write_fault({description_hash, start, number, key, code}));
+    viewer.delivery.add({key, message, viewer.believed(key), false, false, now});
+    viewer.post(std::move(message), false, messages);
+  }
+  viewer.faults = std::move(faults);
+  return {};
+}
+
+Result<bool> MapSender::State::send(const SendUnit& unit, SendPlan& plan, Viewer& viewer, double now,
                                     std::vector<std::vector<std::byte>>& messages) {
   std::vector<ChosenVersion> chosen;  // while it is known what the removed ones were
   for (const PartKey& key : unit.needed) {
     DELTAMESH_TRY(chosen.emplace_back(), choose_version(*map.find(key), viewer));
+    if (chosen.back().version.encoding == nullptr) return false;
   }
   for (const PartKey& key : unit.removed) {
     DELTAMESH_TRY(auto message, removal_message(key, plan, viewer, now));
@@ -153,7 +194,7 @@ Result<void> MapSender::State::send(const SendUnit& unit, SendPlan& plan, Viewer
     viewer.post(std::move(message), std::exchange(viewer.sent[key].was_lost, false), messages);
     viewer.due.erase(key);
   }
-  return {};
+  return true;
 }
 
 }  // namespace deltamesh

@@ -37,8 +37,14 @@ struct MapSender::State {
 
   void forget_versions();
   Result<void> hear_receipt(std::span<const std::byte> bytes, double now);
-  Result<void> send(const SendUnit& unit, SendPlan& plan, Viewer& viewer, double now,
+  /// Plans and sends within the allowance.
+  Result<void> send_what_is_due(Viewer& viewer, double waiting_since, double now,
+                                std::vector<std::vector<std::byte>>& messages);
+  /// False: a part of the unit cannot be encoded, which another plan takes into account; nothing was sent.
+  Result<bool> send(const SendUnit& unit, SendPlan& plan, Viewer& viewer, double now,
                     std::vector<std::vector<std::byte>>& messages);
+  Result<void> tell_faults(std::vector<PartFault> faults, Viewer& viewer, double now,
+                           std::vector<std::vector<std::byte>>& messages);
   const KnownVersion* believed_version(const Viewer& viewer, const PartKey& key) const;
   const KnownVersion* base_for(const Viewer& viewer, const PartKey& key) const;
   Result<ChosenVersion> choose_version(const SourcePart& source, const Viewer& viewer);

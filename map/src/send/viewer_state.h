@@ -54,6 +54,7 @@ struct Viewer {
   std::map<PartKey, SentPart>
       sent{};  ///< all parts that it may have or that may be on their way; shrinks by hear()
   std::map<PartKey, std::uint64_t> due{};  ///< what it lacks, and the map's revision since when
+  std::vector<PartFault> faults{};         ///< as the receiver was told last; ascending by key
   double allowance = 0;                    ///< bytes that may be sent now
   double asked = -std::numeric_limits<double>::infinity();      ///< last messages_for()
   double described = -std::numeric_limits<double>::infinity();  ///< when the map's message was sent
@@ -102,19 +103,21 @@ struct SendPlan {
   std::set<PartKey> needed;    ///< parts whose newest version is to be sent
   std::set<PartKey> removed;   ///< parts that are to go
   std::set<PartKey> staying;   ///< parts that go with all newest ones as the receiver has them
-  std::uint64_t kept = 0;      ///< parts with a newer source whose old version will do
+  std::vector<PartFault>
+      faults{};            ///< parts that do not come as the view asks; those without any are unwanted
+  std::uint64_t kept = 0;  ///< parts with a newer source whose old version will do
 };
 
 /// Plans for all parts in the view: those that are missing or break the view's bounds, and those that would
 /// not fit to these any more [MAP-12]. Adds the newest versions that it compares to `known`. `waiting_since`:
 /// parts that the receiver does not show, and about which no message was sent since then, are sent again.
-/// Errors: those of MapCodec::encode().
+/// Errors: as Encodings::get().
 Result<SendPlan> plan_for(const Viewer& viewer, double waiting_since, const SourceMap& map,
                           Encodings& encodings, KnownVersions& known, bool keeps_good_enough);
 
-/// The newest version for a view, which `known` gains. Errors: those of MapCodec::encode().
-Result<std::uint32_t> newest_version(const SourcePart& source, const View& view, Encodings& encodings,
-                                     KnownVersions& known);
+/// The newest version for a view, which `known` gains; null: there is none. Errors: as Encodings::get().
+Result<std::optional<std::uint32_t>> newest_version(const SourcePart& source, const View& view,
+                                                    Encodings& encodings, KnownVersions& known);
 
 const KnownVersion* find_version(const KnownVersions& known, const PartKey& key,
                                  std::uint32_t version) noexcept;

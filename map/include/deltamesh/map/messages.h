@@ -51,6 +51,16 @@ struct PatchMessage {
   std::vector<std::byte> body{};  ///< what makes octets of those; 1 to kMostPartBytes
 };
 
+/// Says that a receiver does not get a part as it asked [MAP-22].
+struct FaultMessage {
+  std::uint64_t map = 0;     ///< hash_of() the map's description
+  std::uint64_t start = 0;   ///< as StartMessage::start
+  std::uint64_t number = 0;  ///< as EntryMessage::number
+  PartKey key{};
+  /// kUnmetRequest: it is sent as well as can be; others: it is not sent; 0: nothing is wrong any more.
+  std::uint16_t code = 0;
+};
+
 /// Relative to the map's origin; model units.
 struct ViewBox {
   std::array<float, 3> low{};
@@ -122,15 +132,17 @@ Result<std::vector<std::byte>> write_start(const StartMessage& message) noexcept
 Result<std::vector<std::byte>> write_entry(const EntryMessage& message) noexcept;
 Result<std::vector<std::byte>> write_part(const PartMessage& message) noexcept;
 Result<std::vector<std::byte>> write_patch(const PatchMessage& message) noexcept;
+Result<std::vector<std::byte>> write_fault(const FaultMessage& message) noexcept;
 Result<std::vector<std::byte>> write_view(const ViewMessage& message) noexcept;
 Result<std::vector<std::byte>> write_receipt(const ReceiptMessage& message) noexcept;
 
-/// `attributes`: how many the map has. Errors of all: 1xx codes [MAP-1, MAP-12 to MAP-17, MAP-21],
+/// `attributes`: how many the map has. Errors of all: 1xx codes [MAP-1, MAP-12 to MAP-17, MAP-21, MAP-22],
 /// kOutOfMemory. Takes memory in proportion to the bytes.
 Result<StartMessage> read_start(std::span<const std::byte> message) noexcept;
 Result<EntryMessage> read_entry(std::span<const std::byte> message, std::size_t attributes) noexcept;
 Result<PartMessage> read_part(std::span<const std::byte> message) noexcept;
 Result<PatchMessage> read_patch(std::span<const std::byte> message) noexcept;
+Result<FaultMessage> read_fault(std::span<const std::byte> message) noexcept;
 Result<ViewMessage> read_view(std::span<const std::byte> message) noexcept;
 Result<ReceiptMessage> read_receipt(std::span<const std::byte> message) noexcept;
 

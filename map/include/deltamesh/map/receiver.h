@@ -72,6 +72,8 @@ class MapReceiver {
   ShownChange take_change();
   /// Parts that entries announced and that have not arrived, ascending.
   std::vector<PartKey> lacking() const;
+  /// Parts that the sender cannot send as the view asks, ascending by key.
+  std::vector<PartFault> faults() const;
   /// Hash of the keys and octets of the parts shown.
   std::uint64_t hash() const;
 

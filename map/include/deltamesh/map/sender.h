@@ -49,7 +49,8 @@ class MapSender {
   /// Continues a map that had `revision` updates and used the group numbers below `group`.
   void resume(std::uint64_t revision, std::uint64_t group) noexcept;
 
-  /// One update of the source, as Splitter::update(). On an error nothing has changed.
+  /// One update of the source, as Splitter::update(). On an error nothing has changed; Error::found names the
+  /// block at fault.
   Result<void> update(std::span<const MapBlock> blocks) noexcept;
 
   /// Takes a message of a receiver: a view or a receipt. Receipts of unknown viewers have no effect. Errors:
@@ -64,8 +65,12 @@ class MapSender {
   /// receiver's bytes per second, of which at most one second's worth is saved up; parts that are shown
   /// together are sent together, and any excess is deducted later. With coarser copies the receiver first
   /// gets the coarsest, then, call by call, finer ones down to the level of its view. `now`: seconds. Errors:
-  /// kInvalidArgument (unknown viewer), those of MapCodec::encode(), kOutOfMemory.
+  /// kInvalidArgument (unknown viewer), kOutOfMemory; parts that cannot be encoded are faults_of().
   Result<std::vector<std::vector<std::byte>>> messages_for(std::uint64_t viewer, double now) noexcept;
+
+  /// Parts that the receiver does not get as it asked, as of the last messages_for(); ascending by key. The
+  /// receiver is told as well. All other parts come as if these were not there.
+  std::vector<PartFault> faults_of(std::uint64_t viewer) const;
 
   /// Versions that the receiver has once everything sent to it has arrived, ascending by key. For parts
   /// without a known version only the key is set.
