@@ -63,6 +63,8 @@ class Planner {
       kept_.emplace(key, version);
     } else {
       plan_.needed.insert(key);
+      if (is_of_newest && same_borders(version->links, source.links) && !has->second.is_waiting)
+        plan_.refined.emplace(key, has->second.since);
     }
     return {};
   }

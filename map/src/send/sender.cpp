@@ -21,7 +21,6 @@ namespace {
 constexpr double kLongestOnTheWay = 60;  // seconds: what a link holds for longer is taken to be lost
 constexpr double kLeastWait = 1;         // seconds; in which parts of a group are to come together
 constexpr double kFirstWait = 0.2;       // seconds; for a reply to the map's message
-constexpr double kLeastSavings = 65536;  // bytes: a part is never too large to be sent
 
 Error refused(ErrorCode code, const char* message) { return {.code = code, .message = message}; }
 
@@ -44,14 +43,6 @@ void forget_gone_parts(Viewer& viewer, const SourceMap& map, double now) {
 /// What was sent by then and still waits is not waited for any longer.
 double waiting_since(const Viewer& viewer, double now) {
   return now - std::max(kLeastWait, 4 * viewer.delivery.timeout());
-}
-
-void save_up(Viewer& viewer, double now) {
-  const double rate = viewer.view.bytes_per_second;
-  const double most = std::max(rate, kLeastSavings);
-  const double passed = std::isfinite(viewer.asked) ? std::max(now - viewer.asked, 0.0) : 1;
-  viewer.allowance = std::min(viewer.allowance + rate * passed, most);
-  viewer.asked = now;
 }
 
 }  // namespace
@@ -147,13 +138,13 @@ Result<std::vector<std::vector<std::byte>>> MapSender::messages_for(std::uint64_
       return refused(ErrorCode::kInvalidArgument, "a viewer that has not been heard");
     Viewer& viewer = found->second;
     std::vector<std::vector<std::byte>> messages;
-    save_up(viewer, now);
+    viewer.allowance.begin(viewer.view.bytes_per_second, now);
     if (viewer.map != state_->description_hash || viewer.start != state_->start) {
-      if (now - viewer.described < kFirstWait || !viewer.may_get_more()) return messages;
+      if (now - viewer.described < kFirstWait || !viewer.allowance.may_spend()) return messages;
       viewer.described = now;
       if (viewer.map != state_->description_hash) {
         DELTAMESH_TRY(messages.emplace_back(), write_description(description()));
-        viewer.allowance -= static_cast<double>(messages.back().size());
+        viewer.allowance.spend(messages.back().size());
       }
       DELTAMESH_TRY(messages.emplace_back(),
                     write_start({.map = state_->description_hash, .start = state_->start}));

@@ -146,7 +146,7 @@ Result<void> MapSender::State::send_what_is_due(Viewer& viewer, double waiting_s
     for (const PartKey& key : plan.needed) viewer.due.try_emplace(key, map.revision());
     std::erase_if(viewer.due, [&](const auto& entry) { return !plan.needed.contains(entry.first); });
     for (const SendUnit& unit : units_of(plan, viewer, map, known, encodings.codec().description())) {
-      if (!viewer.may_get_more()) break;
+      if (!viewer.allowance.may_spend()) break;
       DELTAMESH_TRY(is_complete, send(unit, plan, viewer, now, messages));
       if (!is_complete) break;
     }
@@ -177,22 +177,28 @@ Result<void> MapSender::State::tell_faults(std::vector<PartFault> faults, Viewer
 
 Result<bool> MapSender::State::send(const SendUnit& unit, SendPlan& plan, Viewer& viewer, double now,
                                     std::vector<std::vector<std::byte>>& messages) {
-  std::vector<ChosenVersion> chosen;  // while it is known what the removed ones were
-  for (const PartKey& key : unit.needed) {
-    DELTAMESH_TRY(chosen.emplace_back(), choose_version(*map.find(key), viewer));
-    if (chosen.back().version.encoding == nullptr) return false;
+  std::vector<ChosenVersion> chosen;  // all that may be sent, before any links to what cannot be had
+  double room = viewer.allowance.room();
+  for (auto key = unit.needed.begin(); key != unit.needed.end() && room > 0; ++key) {
+    DELTAMESH_TRY(chosen.emplace_back(), choose_version(*map.find(*key), viewer));
+    const auto& encoding = chosen.back().version.encoding;
+    if (encoding == nullptr) return false;
+    room -= static_cast<double>(chosen.back().is_patch ? encoding->patch.size() : encoding->octets.size());
   }
-  for (const PartKey& key : unit.removed) {
-    DELTAMESH_TRY(auto message, removal_message(key, plan, viewer, now));
-    plan.removed.erase(key);
-    viewer.post(std::move(message), std::exchange(viewer.sent[key].was_lost, false), messages);
-  }
-  for (std::size_t i = 0; i < unit.needed.size(); ++i) {
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    if (!viewer.allowance.may_spend()) return true;
     const PartKey& key = unit.needed[i];
     DELTAMESH_TRY(auto message, newest_message(key, std::move(chosen[i]), plan, viewer, now));
     plan.needed.erase(key);
-    viewer.post(std::move(message), std::exchange(viewer.sent[key].was_lost, false), messages);
     viewer.due.erase(key);
+    viewer.post(std::move(message), std::exchange(viewer.sent[key].was_lost, false), messages);
+  }
+  // Last, as the parts in their place may be patches of them.
+  for (const PartKey& key : unit.removed) {
+    if (!viewer.allowance.may_spend()) return true;
+    DELTAMESH_TRY(auto message, removal_message(key, plan, viewer, now));
+    plan.removed.erase(key);
+    viewer.post(std::move(message), std::exchange(viewer.sent[key].was_lost, false), messages);
   }
   return true;
 }

@@ -40,7 +40,8 @@ struct MapSender::State {
   /// Plans and sends within the allowance.
   Result<void> send_what_is_due(Viewer& viewer, double waiting_since, double now,
                                 std::vector<std::vector<std::byte>>& messages);
-  /// False: a part of the unit cannot be encoded, which another plan takes into account; nothing was sent.
+  /// As much of the unit as may be sent now; the rest is planned again. False: a part of it cannot be
+  /// encoded, which another plan takes into account.
   Result<bool> send(const SendUnit& unit, SendPlan& plan, Viewer& viewer, double now,
                     std::vector<std::vector<std::byte>>& messages);
   Result<void> tell_faults(std::vector<PartFault> faults, Viewer& viewer, double now,

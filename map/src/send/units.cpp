@@ -71,7 +71,7 @@ std::vector<SendUnit> units_of(const SendPlan& plan, const Viewer& viewer, const
     for (const PartLink& link : map.find(key)->links)
       if (link.together || (before != nullptr && border_in(*before, link.key) != link.border))
         sets.unite(key, link.key);
-    if (before == nullptr) continue;
+    if (before == nullptr || plan.refined.contains(key)) continue;
     for (const PartLink& link : *before) sets.unite(key, link.key);
   }
   for (const PartKey& key : plan.removed)

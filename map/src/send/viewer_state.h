@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "deltamesh/map/messages.h"
+#include "send/allowance.h"
 #include "send/believed.h"
 #include "send/delivery.h"
 #include "send/encodings.h"
@@ -55,17 +56,14 @@ struct Viewer {
       sent{};  ///< all parts that it may have or that may be on their way; shrinks by hear()
   std::map<PartKey, std::uint64_t> due{};  ///< what it lacks, and the map's revision since when
   std::vector<PartFault> faults{};         ///< as the receiver was told last; ascending by key
-  double allowance = 0;                    ///< bytes that may be sent now
-  double asked = -std::numeric_limits<double>::infinity();      ///< last messages_for()
+  Allowance allowance{};
   double described = -std::numeric_limits<double>::infinity();  ///< when the map's message was sent
-
-  bool may_get_more() const noexcept { return view.bytes_per_second == 0 || allowance > 0; }
 
   /// Adds a message; one that replaces a lost one twice where there is no time to lose another.
   void post(std::vector<std::byte> message, bool replaces_lost,
             std::vector<std::vector<std::byte>>& messages) {
     for (int copies = replaces_lost && delivery.is_slow() ? 2 : 1; copies > 0; --copies) {
-      allowance -= static_cast<double>(message.size());
+      allowance.spend(message.size());
       messages.push_back(message);
     }
   }
@@ -101,8 +99,10 @@ struct SendPlan {
   std::set<PartKey> wanted;    ///< parts that the receiver is to have
   std::set<PartKey> unwanted;  ///< other parts in its view: coarser or finer copies of these
   std::set<PartKey> needed;    ///< parts whose newest version is to be sent
-  std::set<PartKey> removed;   ///< parts that are to go
-  std::set<PartKey> staying;   ///< parts that go with all newest ones as the receiver has them
+  /// Of these, what is needed for its quality alone: the first revision of what the receiver has.
+  std::map<PartKey, std::uint64_t> refined;
+  std::set<PartKey> removed;  ///< parts that are to go
+  std::set<PartKey> staying;  ///< parts that go with all newest ones as the receiver has them
   std::vector<PartFault>
       faults{};            ///< parts that do not come as the view asks; those without any are unwanted
   std::uint64_t kept = 0;  ///< parts with a newer source whose old version will do

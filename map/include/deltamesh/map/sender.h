@@ -61,11 +61,11 @@ class MapSender {
   std::vector<std::uint64_t> viewers() const;
 
   /// The messages to send to a receiver now, in this order: removals first, then parts by level (coarsest
-  /// first), time since they were last sent and distance from the view's boxes. They stay within the
-  /// receiver's bytes per second, of which at most one second's worth is saved up; parts that are shown
-  /// together are sent together, and any excess is deducted later. With coarser copies the receiver first
-  /// gets the coarsest, then, call by call, finer ones down to the level of its view. `now`: seconds. Errors:
-  /// kInvalidArgument (unknown viewer), kOutOfMemory; parts that cannot be encoded are faults_of().
+  /// first), time since they were last sent and distance from the view's boxes. In any second
+  /// they have at most the receiver's bytes per second and one message more; parts that are shown together
+  /// are sent after each other. With coarser copies the receiver first gets the coarsest, then, call by call,
+  /// finer ones down to the level of its view. `now`: seconds. Errors: kInvalidArgument (unknown viewer),
+  /// kOutOfMemory; parts that cannot be encoded are faults_of().
   Result<std::vector<std::vector<std::byte>>> messages_for(std::uint64_t viewer, double now) noexcept;
 
   /// Parts that the receiver does not get as it asked, as of the last messages_for(); ascending by key. The
