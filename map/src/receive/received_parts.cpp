@@ -183,6 +183,14 @@ void ReceivedParts::settle(const std::function<bool(const PartKey&)>& is_wanted,
   show_accepted(touched);
 }
 
+void ReceivedParts::drop(const PartKey& key, std::set<PartKey>& touched) {
+  if (find(key) == nullptr) return;
+  forget(key, 0);
+  evicted_.insert(key);
+  evict(touched);
+  parts_.erase(key);
+}
+
 void ReceivedParts::evict(std::set<PartKey>& touched) {
   for (const PartKey& key : evicted_) {
     ReceivedPart& part = parts_.at(key);

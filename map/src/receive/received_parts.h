@@ -65,6 +65,8 @@ class ReceivedParts {
   /// Drops the waiting versions; nothing of an older revision is taken from now on. Precondition: nothing of
   /// the part is shown.
   void forget(const PartKey& key, std::uint64_t revision);
+  /// Drops all versions of a part, which may come again.
+  void drop(const PartKey& key, std::set<PartKey>& touched);
   /// Forgets removals beyond `most`, all of them.
   void limit_removals(std::size_t most);
   const std::deque<std::shared_ptr<const PartContent>>& replaced() const noexcept { return replaced_; }

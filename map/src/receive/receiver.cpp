@@ -52,6 +52,11 @@ Result<std::vector<std::vector<std::byte>>> MapReceiver::messages(double now) no
   });
 }
 
+void MapReceiver::drop(const PartKey& key) {
+  state_->parts.drop(key, state_->touched);
+  state_->talk.want_view();
+}
+
 void MapReceiver::set_view(const View& view) {
   if (view != state_->view) state_->talk.want_view();
   state_->view = view;

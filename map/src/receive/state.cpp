@@ -93,11 +93,11 @@ void MapReceiver::State::settle() {
 Result<void> MapReceiver::State::apply_description(std::span<const std::byte> message) {
   DELTAMESH_TRY(auto description, read_description(message));
   if (description.id != map_id) return invalid_argument("another map", "MAP-5");
-  if (codec && description.epoch <= codec->description().epoch) return {};
+  const std::uint64_t hash = hash_of(description);
+  if (codec && (description.epoch < codec->description().epoch || hash == map)) return {};
   const bool is_same_lattice = codec && codec->description().lattice == description.lattice &&
                                codec->description().cell_steps == description.cell_steps &&
                                codec->description().attributes == description.attributes;
-  const std::uint64_t hash = hash_of(description);
   DELTAMESH_TRY(auto opened, MapCodec::open(std::move(description)));
   if (codec && !is_same_lattice) {
     for (const auto& [key, part] : parts.all())

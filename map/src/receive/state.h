@@ -51,6 +51,8 @@ struct MapReceiver::State {
   Result<void> apply_fault(std::span<const std::byte> message);
   Result<void> take(const PartKey& key, Version version, std::span<const std::byte> octets);
   void take(const PartKey& key, Version version);
+  /// Drops the part outside of the view that is farthest from it; false: there is none.
+  bool make_room(const PartKey& but);
   Result<DecodeOptions> options_for(const PartKey& key, std::size_t octets);
   /// Whether a message is of the start whose messages are taken; takes note of its number.
   bool is_mine(std::uint64_t of_start, std::uint64_t message_number);

@@ -51,6 +51,7 @@ void Delivery::hear(const Receipt& receipt, double now) {
     measure(now - newest->second.time);
   notice_late(receipt);
   told_ = receipt.highest;
+  last_ = std::max(last_, told_);
   auto missing = receipt.missing.begin();
   for (auto it = on_the_way_.begin(); it != on_the_way_.end() && it->first <= receipt.highest;) {
     const std::uint64_t number = it->first;

@@ -20,13 +20,17 @@ namespace {
 
 constexpr double kLongestOnTheWay = 60;  // seconds: what a link holds for longer is taken to be lost
 constexpr double kLeastWait = 1;         // seconds; in which parts of a group are to come together
-constexpr double kFirstWait = 0.2;       // seconds; for a reply to the map's message
+constexpr double kMakesRoom = 5;         // seconds; after which a viewer makes room for another
+constexpr double kReuse = 0.5;      // seconds; in which a number's earlier receiver is not heard any more
+constexpr double kFirstWait = 0.2;  // seconds; for a reply to the map's message
 
 Error refused(ErrorCode code, const char* message) { return {.code = code, .message = message}; }
 
 Result<void> check_options(const SenderOptions& options) {
   if (options.effort < 0 || options.effort > 2)
     return refused(ErrorCode::kInvalidArgument, "an effort out of 0 to 2");
+  if (!(options.viewer_seconds > 0))
+    return refused(ErrorCode::kInvalidArgument, "a time to forget viewers after that is not above 0");
   return {};
 }
 
@@ -91,13 +95,11 @@ Result<void> MapSender::hear(std::span<const std::byte> message, double now) noe
       error.best_value = least;
       return error;
     }
-    const auto known = state_->viewers.find(told.viewer);
-    const bool is_new = known == state_->viewers.end();
-    if (is_new && state_->viewers.size() >= state_->options.most_viewers)
-      return refused(ErrorCode::kLimitExceeded, "too many viewers");
-    Viewer& viewer = state_->viewers[told.viewer];
-    if (told.number <= viewer.number && !is_new) return {};
-    if (is_new || viewer.start != told.start) viewer.delivery = Delivery(told.receipt.highest);
+    DELTAMESH_TRY(Viewer* const found, state_->viewer_of(told, now));
+    if (found == nullptr) return {};
+    Viewer& viewer = *found;
+    if (viewer.number == 0 || viewer.start != told.start) viewer.delivery = Delivery(told.receipt.highest);
+    viewer.heard = now;
     viewer.number = told.number;
     viewer.view = told.view;
     viewer.map = told.map;
@@ -117,6 +119,26 @@ std::vector<std::uint64_t> MapSender::viewers() const {
   return numbers;
 }
 
+/// The record of the receiver that sent a view; null: the view is old. Errors: kLimitExceeded.
+Result<Viewer*> MapSender::State::viewer_of(const ViewMessage& message, double now) {
+  std::erase_if(viewers, [&](const auto& v) { return now - v.second.heard > options.viewer_seconds; });
+  if (const auto found = viewers.find(message.viewer); found != viewers.end()) {
+    Viewer& viewer = found->second;
+    if (message.number > viewer.number) return &viewer;
+    // Another receiver with its number, which has not heard of this sender yet.
+    const bool begins_anew = message.start == 0 && viewer.start != 0 && now - viewer.heard > kReuse;
+    if (!begins_anew) return nullptr;
+    viewers.erase(found);
+  }
+  if (viewers.size() >= options.most_viewers) {
+    const auto longest = std::ranges::min_element(viewers, {}, [](const auto& v) { return v.second.heard; });
+    if (longest == viewers.end() || now - longest->second.heard <= kMakesRoom)
+      return refused(ErrorCode::kLimitExceeded, "too many viewers");
+    viewers.erase(longest);
+  }
+  return &viewers[message.viewer];
+}
+
 Result<void> MapSender::State::hear_receipt(std::span<const std::byte> bytes, double now) {
   DELTAMESH_TRY(const ReceiptMessage message, read_receipt(bytes));
   if (message.map_id != encodings.codec().description().id)
@@ -126,6 +148,7 @@ Result<void> MapSender::State::hear_receipt(std::span<const std::byte> bytes, do
       message.start != found->second.start)
     return {};
   found->second.number = message.number;
+  found->second.heard = now;
   take_receipt(found->second, message.receipt, now);
   return {};
 }

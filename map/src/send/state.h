@@ -36,6 +36,7 @@ struct MapSender::State {
   SenderCounts counts{};
 
   void forget_versions();
+  Result<Viewer*> viewer_of(const ViewMessage& message, double now);
   Result<void> hear_receipt(std::span<const std::byte> bytes, double now);
   /// Plans and sends within the allowance.
   Result<void> send_what_is_due(Viewer& viewer, double waiting_since, double now,

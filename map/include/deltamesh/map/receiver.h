@@ -18,7 +18,8 @@
 
 namespace deltamesh {
 
-/// Upper limits of what a receiver holds. Messages that would exceed one are refused.
+/// Upper limits of what a receiver holds. Parts outside of the view, the farthest first, make room for those
+/// in it; messages that would still exceed a limit are refused.
 struct ReceiverLimits {
   std::size_t parts = std::size_t{1} << 16;
   std::uint64_t octets = std::uint64_t{1} << 30;
@@ -50,7 +51,11 @@ class MapReceiver {
   /// kLimitExceeded, kOutOfMemory; on an error nothing has changed. Cost: decodes the part.
   Result<void> apply(std::span<const std::byte> message) noexcept;
 
-  /// Sets the request. Parts outside the view stay until others take their place. Default: the whole map.
+  /// Drops a part. The sender sends it again only if it is in the view.
+  void drop(const PartKey& key);
+
+  /// Sets the request. Parts outside the view stay until others take their place or need their room. Default:
+  /// the whole map.
   void set_view(const View& view);
   const View& view() const noexcept;
 

@@ -22,7 +22,9 @@ struct SenderOptions {
   SplitOptions split{};
   int effort = 0;  ///< of encoding, 0 to 2: what is more costs several times the time for hardly fewer bytes
   GeometryCoder geometry = GeometryCoder::kAuto;
-  std::size_t most_viewers = 64;  ///< views of more are refused
+  /// Views of more are refused, unless another viewer has been silent for 5 seconds and makes room.
+  std::size_t most_viewers = 64;
+  double viewer_seconds = 60;  ///< a viewer that is not heard for so long is forgotten; above 0
   /// Whether a receiver keeps faces of older versions that are within its bounds of the newest source: whole
   /// parts, or those that a patch leaves.
   bool keeps_good_enough = true;
@@ -57,6 +59,8 @@ class MapSender {
   /// 1xx codes, kInvalidArgument (of another map), kLimitExceeded (too many viewers), kUnmetRequest (a
   /// largest error below what the lattice allows), kOutOfMemory.
   Result<void> hear(std::span<const std::byte> message, double now) noexcept;
+  /// Drops a viewer; its next view begins anew. So does one that is silent for too long, and a number that is
+  /// used again by a receiver that has nothing yet.
   void forget(std::uint64_t viewer) noexcept;
   std::vector<std::uint64_t> viewers() const;
 
