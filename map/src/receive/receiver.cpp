@@ -2,12 +2,9 @@
 // Copyright 2026 The deltamesh authors
 #include "deltamesh/map/receiver.h"
 
-#include <xxhash.h>
-
 #include <algorithm>
 #include <utility>
 
-#include "base/byte_writer.h"
 #include "base/guard.h"
 #include "base/try.h"
 #include "message/entry_fields.h"
@@ -106,13 +103,10 @@ std::vector<PartFault> MapReceiver::faults() const {
 }
 
 std::uint64_t MapReceiver::hash() const {
-  ByteWriter out;
-  for (const auto& [key, part] : state_->parts.all()) {
-    if (!part.shown) continue;
-    write_key(out, key);
-    out.write(part.shown->content->hash);
-  }
-  return XXH3_64bits(out.bytes().data(), out.size());
+  std::vector<std::pair<PartKey, std::uint64_t>> shown;
+  for (const auto& [key, part] : state_->parts.all())
+    if (part.shown) shown.emplace_back(key, part.shown->content->hash);
+  return hash_of_shown(shown);
 }
 
 std::vector<HeldPart> MapReceiver::held() const {

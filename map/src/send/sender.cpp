@@ -11,6 +11,7 @@
 #include "base/guard.h"
 #include "base/try.h"
 #include "deltamesh/map/messages.h"
+#include "message/entry_fields.h"
 #include "message/frame.h"
 #include "send/state.h"
 
@@ -201,6 +202,12 @@ std::vector<PartEntry> MapSender::entries_of(std::uint64_t number) const {
     entries.push_back(std::move(entry));
   }
   return entries;
+}
+
+std::uint64_t MapSender::hash(std::uint64_t viewer) const {
+  std::vector<std::pair<PartKey, std::uint64_t>> shown;
+  for (const PartEntry& entry : entries_of(viewer)) shown.emplace_back(entry.key, entry.hash);
+  return hash_of_shown(shown);
 }
 
 const MapDescription& MapSender::description() const noexcept {

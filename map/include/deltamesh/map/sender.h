@@ -80,6 +80,9 @@ class MapSender {
   /// without a known version only the key is set.
   std::vector<PartEntry> entries_of(std::uint64_t viewer) const;
 
+  /// Of entries_of(): equal to MapReceiver::hash() once everything has arrived and is shown.
+  std::uint64_t hash(std::uint64_t viewer) const;
+
   const MapDescription& description() const noexcept;
   std::uint64_t revision() const noexcept;
   std::uint64_t next_group() const noexcept;
