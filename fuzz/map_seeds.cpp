@@ -24,7 +24,7 @@ using Bytes = std::vector<std::byte>;
 
 constexpr std::size_t kKind = 4;               ///< where a message has its kind [MAP-1]
 constexpr int kOfAKind = 2;                    ///< messages that are kept
-constexpr std::size_t kHighestByteOfVde = 36;  ///< of a view of varints below 128, without boxes [MAP-15]
+constexpr std::size_t kHighestByteOfVde = 38;  ///< of a view of varints below 128, without boxes [MAP-15]
 
 template <class T>
 T check(Result<T> result) {
@@ -76,6 +76,10 @@ void write_talk(const std::string& folder) {
       write(folder + "/map_messages/kind_" + std::to_string(kind) + "_" + std::to_string(place), message);
   }
   write(folder + "/map_receiver/talk", all);
+  write(folder + "/map_messages/receipt",
+        check(write_receipt({.viewer = 1, .number = 2, .map_id = 3, .start = 4, .receipt = {30, {5, 29}}})));
+  write(folder + "/map_messages/fault",
+        check(write_fault({.map = 1, .start = 2, .number = 3, .key = {0, 1, 2, 3}, .code = 203})));
   EntryMessage entry{.map = 1, .start = 1};
   entry.entry = {
       .key = {0, 1, 2, 3}, .revision = 3, .group = 1, .bytes = 100, .hash = 5, .vertices = 4, .triangles = 2};

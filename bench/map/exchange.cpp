@@ -3,7 +3,6 @@
 #include "map/exchange.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "deltamesh/compare.h"
@@ -25,19 +24,9 @@ void add_seconds(double& sum, Work&& work) {
   sum += processor_seconds() - start;
 }
 
-MapDescription description_of(const MapUpdates& updates, double max_error) {
-  MapDescription description{.id = 1, .epoch = 1, .frame = "map"};
-  description.lattice = {.origin = updates.origin, .step_exponent = step_exponent_for(max_error)};
-  description.cell_steps =
-      static_cast<std::uint32_t>(std::lround(updates.block_metres / description.lattice.step()));
-  for (const Attribute& a : updates.steps.front().changed.front().mesh.attributes)
-    description.attributes.push_back({a.kind, a.type, a.components, a.normalized, a.name, a.linear});
-  return description;
-}
-
 /// With primers from the parts of the first update.
 MapDescription primed(const MapUpdates& updates, const Bounds& bounds, const SenderOptions& options) {
-  const MapDescription description = description_of(updates, bounds.max_error);
+  const MapDescription description = map_description(updates, bounds.max_error);
   Splitter splitter = value_or_exit(Splitter::make(description, options.split));
   std::vector<MapBlock> blocks;
   for (const SequenceBlock& block : updates.steps.front().changed) blocks.push_back({block.id, block.mesh});

@@ -110,4 +110,14 @@ Result<MapUpdates> drive_updates(std::uint64_t vertices, std::uint32_t steps) {
   return updates;
 }
 
+MapDescription map_description(const MapUpdates& updates, double max_error) {
+  MapDescription description{.id = 1, .epoch = 1, .frame = "map"};
+  description.lattice = {.origin = updates.origin, .step_exponent = step_exponent_for(max_error)};
+  description.cell_steps =
+      static_cast<std::uint32_t>(std::lround(updates.block_metres / description.lattice.step()));
+  for (const Attribute& a : updates.steps.front().changed.front().mesh.attributes)
+    description.attributes.push_back({a.kind, a.type, a.components, a.normalized, a.name, a.linear});
+  return description;
+}
+
 }  // namespace deltamesh::bench

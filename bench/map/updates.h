@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "deltamesh/map/description.h"
 #include "deltamesh/mesh.h"
 #include "deltamesh/result.h"
 #include "sequence.h"
@@ -33,5 +34,8 @@ Result<MapUpdates> cut_wholes(const std::string& folder, const std::string& name
 
 /// A generated drive.
 Result<MapUpdates> drive_updates(std::uint64_t vertices, std::uint32_t steps);
+
+/// For updates with this largest error, model units; without primers.
+MapDescription map_description(const MapUpdates& updates, double max_error);
 
 }  // namespace deltamesh::bench

@@ -32,13 +32,14 @@ PartEntry example_entry() {
 
 PartMessage example_part() {
   const PartEntry entry = example_entry();
-  PartMessage part{.map = 5, .key = entry.key, .revision = 9, .group = 1, .links = entry.links};
+  PartMessage part{.map = 5, .number = 3, .key = entry.key, .revision = 9, .group = 1, .links = entry.links};
   part.octets.assign(20, std::byte{7});
   return part;
 }
 
 ViewMessage example_view() {
   ViewMessage message{.viewer = 4, .number = 1000, .map_id = 6, .map = 7, .start = 8};
+  message.receipt = {.highest = 30, .missing = {5, 29}};
   message.view.boxes = {{{-1, -1, -1}, {1, 2, 3}}, {}};
   message.view.level = 2;
   message.view.vde = 0.5F;
@@ -155,6 +156,7 @@ TEST(MapMessages, MAP13MAP15RangesAreChecked) {
   EXPECT_EQ(rule_of([](ViewMessage& m) { m.view.lfe = std::nanf(""); }), "MAP-15");
   EXPECT_EQ(rule_of([](ViewMessage& m) { m.view.color_error = -1; }), "MAP-15");
   EXPECT_EQ(rule_of([](ViewMessage& m) { m.view.level = 25; }), "MAP-15");
+  EXPECT_EQ(rule_of([](ViewMessage& m) { m.receipt.missing = {30}; }), "MAP-15");
   EXPECT_EQ(rule_of([](ViewMessage& m) { m.view.boxes.resize(65); }), "MAP-15");
   EXPECT_EQ(rule_of([](ViewMessage& m) { m.view.boxes[0].high[1] = -2; }), "MAP-15");
   EXPECT_EQ(rule_of([](ViewMessage& m) { std::swap(m.held[0], m.held[1]); }), "MAP-15");

@@ -60,6 +60,7 @@ TEST_F(MapTalk, MAP14AllPartsComeAndNothingIsSentTwice) {
   EXPECT_TRUE(ask().empty());
   const std::uint64_t hash = receiver_.hash();
   EXPECT_NE(hash, MapReceiver(2, 9).hash());
+  EXPECT_EQ(hash, sender_->hash(1));
 }
 
 TEST_F(MapTalk, MAP15AnotherViewIsAnsweredWithWhatIsMissing) {

@@ -237,7 +237,13 @@ class Schedule {
   void talk(int number, int tick) {
     const Client& client = clients_[static_cast<std::size_t>(number)];
     if (!client.receiver) return;
-    if ((tick + number) % 4 == 0) post(-1, *client.receiver->view_message());
+    if (number % 2 == 0) {  // at times of its own
+      if ((tick + number) % 4 == 0) post(-1, *client.receiver->view_message());
+    } else {
+      const auto said = client.receiver->messages(now_);
+      ASSERT_TRUE(said);
+      for (const Bytes& message : *said) post(-1, message);
+    }
     const auto viewers = sender_->viewers();
     if (std::find(viewers.begin(), viewers.end(), client.viewer) == viewers.end()) return;
     const auto messages = sender_->messages_for(client.viewer, now_);

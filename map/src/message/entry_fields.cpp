@@ -111,6 +111,15 @@ Result<void> check_links(const PartKey& key, const std::vector<PartLink>& links)
   return {};
 }
 
+std::uint64_t hash_of_shown(std::span<const std::pair<PartKey, std::uint64_t>> parts) {
+  ByteWriter out;
+  for (const auto& [key, hash] : parts) {
+    write_key(out, key);
+    out.write(hash);
+  }
+  return XXH3_64bits(out.bytes().data(), out.size());
+}
+
 void write_links(ByteWriter& out, const PartKey& key, std::uint64_t revision,
                  const std::vector<PartLink>& links) {
   out.write_varint(links.size());

@@ -5,6 +5,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "base/byte_reader.h"
@@ -20,6 +23,9 @@ Result<PartKey> read_key(ByteReader& in);
 
 /// Errors: kInvalidArgument (a level above 24, links that do not ascend, to itself, or too many) [MAP-12].
 Result<void> check_links(const PartKey& key, const std::vector<PartLink>& links) noexcept;
+
+/// Hash of keys and octets' hashes of parts, ascending by key: of what a receiver shows.
+std::uint64_t hash_of_shown(std::span<const std::pair<PartKey, std::uint64_t>> parts);
 
 /// `links` of a version of the part with the key `key`, which check_links() has passed.
 void write_links(ByteWriter& out, const PartKey& key, std::uint64_t revision,

@@ -22,7 +22,9 @@ enum class MessageKind : std::uint8_t {
   kPart = 4,
   kView = 5,
   kStart = 6,
-  kPatch = 7
+  kPatch = 7,
+  kReceipt = 8,
+  kFault = 9
 };
 
 /// Begins a message; the body's fields are to follow.

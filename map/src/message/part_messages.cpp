@@ -18,6 +18,7 @@ Result<EntryMessage> read_entry_body(ByteReader in, std::size_t attributes) {
   EntryMessage message;
   DELTAMESH_TRY(message.map, in.read<std::uint64_t>());
   DELTAMESH_TRY(message.start, in.read_varint());
+  DELTAMESH_TRY(message.number, in.read_varint());
   DELTAMESH_TRY(message.entry, read_entry_fields(in, attributes));
   DELTAMESH_CHECK(in.finish());
   return message;
@@ -28,6 +29,7 @@ Result<PartMessage> read_part_fields(ByteReader& in) {
   PartMessage message;
   DELTAMESH_TRY(message.map, in.read<std::uint64_t>());
   DELTAMESH_TRY(message.start, in.read_varint());
+  DELTAMESH_TRY(message.number, in.read_varint());
   DELTAMESH_TRY(message.key, read_key(in));
   DELTAMESH_TRY(message.revision, in.read_varint());
   DELTAMESH_TRY(message.group, in.read_varint());
@@ -46,6 +48,7 @@ Result<std::vector<std::byte>> read_octets(ByteReader& in, const char* rule) {
 void write_part_fields(ByteWriter& out, const PartMessage& message) {
   out.write(message.map);
   out.write_varint(message.start);
+  out.write_varint(message.number);
   write_key(out, message.key);
   out.write_varint(message.revision);
   out.write_varint(message.group);
@@ -87,6 +90,7 @@ Result<std::vector<std::byte>> write_entry(const EntryMessage& message) noexcept
     ByteWriter out = begin_message(MessageKind::kEntry);
     out.write(message.map);
     out.write_varint(message.start);
+    out.write_varint(message.number);
     write_entry_fields(out, message.entry);
     return end_message(std::move(out));
   });

@@ -10,6 +10,7 @@
 #include "deltamesh/map/messages.h"
 #include "message/entry_fields.h"
 #include "message/frame.h"
+#include "message/receipt.h"
 
 namespace deltamesh {
 namespace {
@@ -27,6 +28,7 @@ bool is_box(const ViewBox& box) noexcept {
 /// The reason why not, or null.
 const char* what_is_wrong(const ViewMessage& message) noexcept {
   const View& view = message.view;
+  if (const char* wrong = what_is_wrong(message.receipt)) return wrong;
   if (view.boxes.size() > kMostViewBoxes) return "a view of more than 64 boxes";
   if (!std::ranges::all_of(view.boxes, is_box)) return "a box that is none";
   if (view.level > kMostPartLevel) return "a level of parts above 24";
@@ -82,6 +84,7 @@ Result<ViewMessage> read_view_body(ByteReader in) {
   DELTAMESH_TRY(message.map_id, in.read<std::uint64_t>());
   DELTAMESH_TRY(message.map, in.read<std::uint64_t>());
   DELTAMESH_TRY(message.start, in.read_varint());
+  DELTAMESH_TRY(message.receipt, read_receipt_fields(in));
   DELTAMESH_TRY(message.view, read_view_fields(in));
   while (in.remaining() != 0) {
     HeldVersion held;
@@ -109,6 +112,7 @@ Result<std::vector<std::byte>> write_view(const ViewMessage& message) noexcept {
     out.write(message.map_id);
     out.write(message.map);
     out.write_varint(message.start);
+    write_receipt_fields(out, message.receipt);
     write_view_fields(out, message.view);
     for (const HeldVersion& held : message.held) {
       out.write(static_cast<std::uint8_t>(held.is_waiting ? 1 : 0));

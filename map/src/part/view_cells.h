@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "deltamesh/map/description.h"
 #include "deltamesh/map/messages.h"
@@ -25,6 +26,22 @@ inline CellCube cube_of(const PartKey& key, const MapDescription& description) n
   const LatticePoint& origin = description.cell_origin;
   return {{origin[0] * step + key.x * edge, origin[1] * step + key.y * edge, origin[2] * step + key.z * edge},
           edge};
+}
+
+/// Squared, from the middle of the cell to the middle of the nearest box; 0 without boxes.
+inline double way_to(const PartKey& key, const View& view, const MapDescription& description) noexcept {
+  if (view.boxes.empty()) return 0;
+  const CellCube cube = cube_of(key, description);
+  double least = std::numeric_limits<double>::infinity();
+  for (const ViewBox& box : view.boxes) {
+    double sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double way = cube.low[k] + cube.edge / 2 - (double{box.low[k]} + box.high[k]) / 2;
+      sum += way * way;
+    }
+    least = std::min(least, sum);
+  }
+  return least;
 }
 
 /// Whether the part's cell touches a box of the view. The same in senders and receivers.

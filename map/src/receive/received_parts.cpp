@@ -8,6 +8,11 @@
 #include "support/limits.h"
 
 namespace deltamesh {
+namespace {
+
+constexpr std::size_t kMostReplaced = 32;
+
+}  // namespace
 
 PartLink link_to(const Version& version, const PartKey& other) noexcept {
   const auto found = std::ranges::lower_bound(version.links, other, {}, &PartLink::key);
@@ -25,36 +30,56 @@ const ReceivedPart* ReceivedParts::find(const PartKey& key) const noexcept {
   return found == parts_.end() ? nullptr : &found->second;
 }
 
+std::shared_ptr<const PartContent> ReceivedParts::content(const PartKey& key, std::uint64_t hash) const {
+  const auto is_it = [&](const std::shared_ptr<const PartContent>& content) {
+    return content && content->hash == hash && content->part.key == key;
+  };
+  if (const ReceivedPart* part = find(key); part != nullptr) {
+    if (part->shown && is_it(part->shown->content)) return part->shown->content;
+    for (const Version& version : part->waiting)
+      if (is_it(version.content)) return version.content;
+  }
+  const auto found = std::ranges::find_if(replaced_, is_it);
+  return found == replaced_.end() ? nullptr : *found;
+}
+
 void ReceivedParts::put(const PartKey& key, Version version) {
   ReceivedPart& part = parts_[key];
-  drop(key, part.next);
+  if (part.waiting.size() == kMostWaiting) {
+    Version oldest = std::move(part.waiting.front());
+    part.waiting.erase(part.waiting.begin());
+    drop(key, std::move(oldest));
+  }
   for (const PartLink& link : version.links) linkers_[link.key].insert(key);
   part.newest = std::max(part.newest, version.revision);
-  part.next = std::move(version);
+  part.waiting.push_back(std::move(version));
   waiting_.insert(key);
 }
 
-/// Forgets one of the part's versions, with the links that no other has.
-void ReceivedParts::drop(const PartKey& key, std::optional<Version>& version) {
-  if (!version) return;
-  const std::vector<PartLink> links = std::move(version->links);
-  version.reset();
+/// Forgets a version that was the part's, with the links that no other has.
+void ReceivedParts::drop(const PartKey& key, Version version) {
   const ReceivedPart& part = parts_.at(key);
-  for (const PartLink& link : links) {
-    const auto has_it = [&](const std::optional<Version>& other) {
-      return other && std::ranges::binary_search(other->links, link.key, {}, &PartLink::key);
+  for (const PartLink& link : version.links) {
+    const auto has_it = [&](const Version& other) {
+      return std::ranges::binary_search(other.links, link.key, {}, &PartLink::key);
     };
-    if (has_it(part.shown) || has_it(part.next)) continue;
+    if ((part.shown && has_it(*part.shown)) || std::ranges::any_of(part.waiting, has_it)) continue;
     const auto linkers = linkers_.find(link.key);
     if (linkers == linkers_.end()) continue;
     linkers->second.erase(key);
     if (linkers->second.empty()) linkers_.erase(linkers);
   }
+  if (version.content) remember(std::move(version.content));
+}
+
+void ReceivedParts::remember(std::shared_ptr<const PartContent> content) {
+  replaced_.push_front(std::move(content));
+  if (replaced_.size() > kMostReplaced) replaced_.pop_back();
 }
 
 void ReceivedParts::forget(const PartKey& key, std::uint64_t revision) {
   ReceivedPart& part = parts_[key];
-  drop(key, part.next);
+  for (Version& version : std::exchange(part.waiting, {})) drop(key, std::move(version));
   waiting_.erase(key);
   part.newest = std::max(part.newest, revision);
 }
@@ -63,8 +88,10 @@ void ReceivedParts::forget(const PartKey& key, std::uint64_t revision) {
 const Version* ReceivedParts::effective(const PartKey& key) const noexcept {
   const ReceivedPart* part = find(key);
   if (part == nullptr || evicted_.contains(key)) return nullptr;
-  const auto& version = accepted_.contains(key) ? part->next : part->shown;
-  return version && version->content ? &*version : nullptr;
+  const auto accepted = accepted_.find(key);
+  if (accepted == accepted_.end()) return part->shown ? &*part->shown : nullptr;
+  const Version& version = part->waiting[accepted->second];
+  return version.content ? &version : nullptr;
 }
 
 /// Parts whose cells overlap that of `key`, other than itself.
@@ -127,42 +154,76 @@ bool ReceivedParts::fits_gone(const PartKey& key, const Version& version,
 }
 
 void ReceivedParts::settle(const std::function<bool(const PartKey&)>& is_wanted, std::set<PartKey>& touched) {
-  accepted_ = waiting_;
   evicted_.clear();
+  for (const PartKey& key : waiting_) accepted_[key] = parts_.at(key).waiting.size() - 1;
   // Newest first: where two versions do not fit, the newer one knows of a change that the older one lacks.
-  std::vector<PartKey> order(waiting_.begin(), waiting_.end());
-  std::ranges::stable_sort(order, std::greater(),
-                           [&](const PartKey& key) { return parts_.at(key).next->revision; });
+  using Turn = std::pair<std::uint64_t, PartKey>;
+  const auto turn_of = [&](const PartKey& key, std::size_t version) {
+    return Turn{~parts_.at(key).waiting[version].revision, key};
+  };
   for (is_stable_ = false; !is_stable_;) {
     is_stable_ = true;
-    for (const PartKey& key : order) {
-      if (!accepted_.contains(key) || fits(key, *parts_.at(key).next, is_wanted)) continue;
-      accepted_.erase(key);
+    std::set<Turn> turns;
+    for (const auto& [key, version] : accepted_) turns.insert(turn_of(key, version));
+    while (!turns.empty()) {
+      const PartKey key = turns.extract(turns.begin()).value().second;
+      const auto accepted = accepted_.find(key);
+      if (accepted == accepted_.end() || fits(key, parts_.at(key).waiting[accepted->second], is_wanted))
+        continue;
       evicted_.clear();  // perhaps for this version alone
       is_stable_ = false;
+      if (accepted->second == 0) {
+        accepted_.erase(accepted);
+      } else {
+        turns.insert(turn_of(key, --accepted->second));
+      }
     }
   }
+  evict(touched);
+  show_accepted(touched);
+}
+
+void ReceivedParts::drop(const PartKey& key, std::set<PartKey>& touched) {
+  if (find(key) == nullptr) return;
+  forget(key, 0);
+  evicted_.insert(key);
+  evict(touched);
+  parts_.erase(key);
+}
+
+void ReceivedParts::evict(std::set<PartKey>& touched) {
   for (const PartKey& key : evicted_) {
     ReceivedPart& part = parts_.at(key);
+    if (!part.shown) continue;
+    touched.insert(key);
     // It may come back.
-    if (!part.next) part.newest = std::max(part.shown->revision, std::uint64_t{1}) - 1;
-    drop(key, part.shown);
+    if (part.waiting.empty()) part.newest = std::max(part.shown->revision, std::uint64_t{1}) - 1;
+    Version version = *std::exchange(part.shown, std::nullopt);
+    drop(key, std::move(version));
   }
-  touched.insert(evicted_.begin(), evicted_.end());
-  for (const PartKey& key : accepted_) {
-    ReceivedPart& part = parts_.at(key);
-    std::optional<Version> before = std::exchange(part.shown, std::exchange(part.next, std::nullopt));
-    if (!before || before->content != part.shown->content) touched.insert(key);
-    drop(key, before);
-    if (!part.shown->content) drop(key, part.shown);
-    waiting_.erase(key);
-  }
-  accepted_.clear();
   evicted_.clear();
 }
 
+void ReceivedParts::show_accepted(std::set<PartKey>& touched) {
+  for (const auto& [key, place] : accepted_) {
+    ReceivedPart& part = parts_.at(key);
+    const auto end = part.waiting.begin() + static_cast<std::ptrdiff_t>(place);
+    std::vector<Version> gone(std::make_move_iterator(part.waiting.begin()), std::make_move_iterator(end));
+    std::optional<Version> before = std::exchange(part.shown, std::move(*end));
+    part.waiting.erase(part.waiting.begin(), end + 1);
+    if (part.waiting.empty()) waiting_.erase(key);
+    if (!before || before->content != part.shown->content) touched.insert(key);
+    if (before) gone.push_back(*std::move(before));
+    if (!part.shown->content) gone.push_back(*std::exchange(part.shown, std::nullopt));
+    for (Version& version : gone) drop(key, std::move(version));
+  }
+  accepted_.clear();
+}
+
 void ReceivedParts::limit_removals(std::size_t most) {
-  const auto is_removal = [](const auto& entry) { return !entry.second.shown && !entry.second.next; };
+  const auto is_removal = [](const auto& entry) {
+    return !entry.second.shown && entry.second.waiting.empty();
+  };
   if (static_cast<std::size_t>(std::ranges::count_if(parts_, is_removal)) > most)
     std::erase_if(parts_, is_removal);
 }

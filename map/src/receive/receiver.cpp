@@ -2,12 +2,9 @@
 // Copyright 2026 The deltamesh authors
 #include "deltamesh/map/receiver.h"
 
-#include <xxhash.h>
-
 #include <algorithm>
 #include <utility>
 
-#include "base/byte_writer.h"
 #include "base/guard.h"
 #include "base/try.h"
 #include "message/entry_fields.h"
@@ -29,47 +26,43 @@ MapReceiver::~MapReceiver() = default;
 
 Result<void> MapReceiver::apply(std::span<const std::byte> message) noexcept {
   return guarded([&]() -> Result<void> {
-    DELTAMESH_TRY(const MessageKind kind, kind_of_message(message));
-    switch (kind) {
-      case MessageKind::kMap:
-        return state_->apply_description(message);
-      case MessageKind::kStart:
-        return state_->apply_start(message);
-      case MessageKind::kEntry:
-        return state_->apply_entry(message);
-      case MessageKind::kPart:
-        return state_->apply_part(message);
-      case MessageKind::kPatch:
-        return state_->apply_patch(message);
-      default:
-        return invalid_argument("not a message for receivers", "MAP-1");
-    }
+    DELTAMESH_CHECK(state_->apply(message));
+    const auto is_known = [&](const PartKey& key, std::uint64_t hash) {
+      return state_->parts.content(key, hash) != nullptr;
+    };
+    while (const auto early = state_->early.take(is_known)) DELTAMESH_CHECK(state_->apply(*early));
+    return {};
   });
 }
 
+Result<std::vector<std::vector<std::byte>>> MapReceiver::messages(double now) noexcept {
+  return guarded([&]() -> Result<std::vector<std::vector<std::byte>>> {
+    std::vector<std::vector<std::byte>> messages;
+    const Talk::Turn turn = state_->talk.turn(now, state_->arrivals.has_any());
+    if (turn == Talk::Turn::kView) {
+      DELTAMESH_TRY(messages.emplace_back(), state_->view_message());
+    } else if (turn == Talk::Turn::kReceipt) {
+      DELTAMESH_TRY(messages.emplace_back(), state_->receipt_message());
+    }
+    if (turn != Talk::Turn::kNothing) state_->talk.said(turn, now);
+    return messages;
+  });
+}
+
+void MapReceiver::drop(const PartKey& key) {
+  state_->parts.drop(key, state_->touched);
+  state_->talk.want_view();
+}
+
 void MapReceiver::set_view(const View& view) {
+  if (view != state_->view) state_->talk.want_view();
   state_->view = view;
   if (state_->codec) state_->settle();
 }
 const View& MapReceiver::view() const noexcept { return state_->view; }
 
 Result<std::vector<std::byte>> MapReceiver::view_message() noexcept {
-  return guarded([&]() -> Result<std::vector<std::byte>> {
-    ViewMessage message{.viewer = state_->viewer,
-                        .number = ++state_->number,
-                        .map_id = state_->map_id,
-                        .map = state_->codec ? state_->map : 0,
-                        .start = state_->start,
-                        .view = state_->view,
-                        .held = {}};
-    for (const auto& [key, part] : state_->parts.all()) {
-      const auto& version = part.next && part.next->content ? part.next : part.shown;
-      if (!version) continue;
-      message.held.push_back({key, version->revision, version_hash(version->content->hash, version->links),
-                              part.next.has_value()});
-    }
-    return write_view(message);
-  });
+  return guarded([&] { return state_->view_message(); });
 }
 
 const MapDescription* MapReceiver::description() const noexcept {
@@ -102,14 +95,18 @@ std::vector<PartKey> MapReceiver::lacking() const {
   return keys;
 }
 
+std::vector<PartFault> MapReceiver::faults() const {
+  std::vector<PartFault> faults;
+  for (const auto& [key, fault] : state_->faults)
+    if (fault.code != 0) faults.push_back({.key = key, .code = static_cast<ErrorCode>(fault.code)});
+  return faults;
+}
+
 std::uint64_t MapReceiver::hash() const {
-  ByteWriter out;
-  for (const auto& [key, part] : state_->parts.all()) {
-    if (!part.shown) continue;
-    write_key(out, key);
-    out.write(part.shown->content->hash);
-  }
-  return XXH3_64bits(out.bytes().data(), out.size());
+  std::vector<std::pair<PartKey, std::uint64_t>> shown;
+  for (const auto& [key, part] : state_->parts.all())
+    if (part.shown) shown.emplace_back(key, part.shown->content->hash);
+  return hash_of_shown(shown);
 }
 
 std::vector<HeldPart> MapReceiver::held() const {

@@ -17,34 +17,6 @@
 namespace deltamesh {
 namespace {
 
-constexpr std::size_t kLinksPerPart = 64;  // on average, at the most
-
-/// All that counts for limits.
-struct Sums {
-  std::size_t parts = 0;
-  std::uint64_t octets = 0;
-  std::uint64_t vertices = 0;
-  std::size_t links = 0;
-
-  void add(const std::optional<Version>& version) {
-    if (!version) return;
-    links += version->links.size();
-    if (!version->content) return;
-    octets += version->content->octets.size();
-    vertices += version->content->part.mesh.vertex_count();
-  }
-};
-
-Sums sums_of(const ReceivedParts& parts) {
-  Sums sums;
-  for (const auto& [key, part] : parts.all()) {
-    if (part.shown || part.next) ++sums.parts;
-    sums.add(part.shown);
-    sums.add(part.next);
-  }
-  return sums;
-}
-
 std::shared_ptr<const PartContent> content_of(std::vector<std::byte> octets, MapPart part) {
   const std::uint64_t hash = XXH3_64bits(octets.data(), octets.size());
   return std::make_shared<const PartContent>(PartContent{std::move(octets), hash, std::move(part)});
@@ -58,18 +30,60 @@ Result<void> MapReceiver::State::check_map(std::uint64_t hash) const {
   return {};
 }
 
+Result<void> MapReceiver::State::apply(std::span<const std::byte> message) {
+  DELTAMESH_TRY(const MessageKind kind, kind_of_message(message));
+  switch (kind) {
+    case MessageKind::kMap:
+      return apply_description(message);
+    case MessageKind::kStart:
+      return apply_start(message);
+    case MessageKind::kEntry:
+      return apply_entry(message);
+    case MessageKind::kPart:
+      return apply_part(message);
+    case MessageKind::kPatch:
+      return apply_patch(message);
+    case MessageKind::kFault:
+      return apply_fault(message);
+    default:
+      return invalid_argument("not a message for receivers", "MAP-1");
+  }
+}
+
 /// What earlier senders said may not go with what this one says.
 Result<void> MapReceiver::State::apply_start(std::span<const std::byte> message) {
   DELTAMESH_TRY(const StartMessage told, read_start(message));
   DELTAMESH_CHECK(check_map(told.map));
-  start = std::max(start, told.start);
+  if (told.start <= start) return {};
+  start = told.start;
+  forget_arrivals();
   return {};
 }
 
 /// Newer than all that is known of the part.
 bool MapReceiver::State::is_new(const PartKey& key, std::uint64_t revision) const {
   const ReceivedPart* part = parts.find(key);
-  return part == nullptr || revision > part->newest || (revision == 0 && !part->shown && !part->next);
+  return part == nullptr || revision > part->newest ||
+         (revision == 0 && !part->shown && part->waiting.empty());
+}
+
+/// New, or what messages are made from that came early.
+bool MapReceiver::State::is_of_use(const PartKey& key, std::uint64_t revision) const {
+  return is_new(key, revision) || early.need(key);
+}
+
+bool MapReceiver::State::is_mine(std::uint64_t of_start, std::uint64_t message_number) {
+  if (of_start != start) return false;
+  if (message_number != 0) talk.came(arrivals.add(message_number));
+  return true;
+}
+
+/// Numbers begin anew.
+void MapReceiver::State::forget_arrivals() {
+  arrivals = {};
+  early.clear();
+  faults.clear();
+  talk.want_view();
 }
 
 void MapReceiver::State::settle() {
@@ -79,11 +93,11 @@ void MapReceiver::State::settle() {
 Result<void> MapReceiver::State::apply_description(std::span<const std::byte> message) {
   DELTAMESH_TRY(auto description, read_description(message));
   if (description.id != map_id) return invalid_argument("another map", "MAP-5");
-  if (codec && description.epoch <= codec->description().epoch) return {};
+  const std::uint64_t hash = hash_of(description);
+  if (codec && (description.epoch < codec->description().epoch || hash == map)) return {};
   const bool is_same_lattice = codec && codec->description().lattice == description.lattice &&
                                codec->description().cell_steps == description.cell_steps &&
                                codec->description().attributes == description.attributes;
-  const std::uint64_t hash = hash_of(description);
   DELTAMESH_TRY(auto opened, MapCodec::open(std::move(description)));
   if (codec && !is_same_lattice) {
     for (const auto& [key, part] : parts.all())
@@ -93,34 +107,13 @@ Result<void> MapReceiver::State::apply_description(std::span<const std::byte> me
   announced.clear();
   codec = std::move(opened);
   map = hash;
+  talk.want_view();
   return {};
-}
-
-std::shared_ptr<const PartContent> MapReceiver::State::known_content(const PartKey& key,
-                                                                     std::uint64_t hash) const {
-  const ReceivedPart* part = parts.find(key);
-  if (part == nullptr) return nullptr;
-  for (const auto* version : {&part->next, &part->shown})
-    if (*version && (*version)->content && (*version)->content->hash == hash) return (*version)->content;
-  return nullptr;
-}
-
-/// For one more part of so many octets. Errors: kLimitExceeded.
-Result<DecodeOptions> MapReceiver::State::options_for(const PartKey& key, std::size_t octets) const {
-  const Sums sums = sums_of(parts);
-  const ReceivedPart* part = parts.find(key);
-  const bool is_held = part != nullptr && (part->shown || part->next);
-  if ((!is_held && sums.parts >= limits.parts) || sums.octets + octets > limits.octets ||
-      sums.vertices >= limits.vertices || sums.links > kLinksPerPart * limits.parts)
-    return Error{.code = ErrorCode::kLimitExceeded, .message = "more parts than the receiver may hold"};
-  DecodeOptions options;
-  options.limits.vertices = std::min(limits.vertices - sums.vertices, options.limits.vertices);
-  return options;
 }
 
 Result<void> MapReceiver::State::take(const PartKey& key, Version version,
                                       std::span<const std::byte> octets) {
-  version.content = known_content(key, XXH3_64bits(octets.data(), octets.size()));
+  version.content = parts.content(key, XXH3_64bits(octets.data(), octets.size()));
   if (!version.content) {
     DELTAMESH_TRY(const DecodeOptions options, options_for(key, octets.size()));
     DELTAMESH_TRY(MapPart part, codec->decode(key, octets, options));
@@ -133,6 +126,7 @@ Result<void> MapReceiver::State::take(const PartKey& key, Version version,
 /// A version with its content.
 void MapReceiver::State::take(const PartKey& key, Version version) {
   const std::uint64_t revision = version.revision;
+  if (!is_new(key, revision)) return parts.remember(std::move(version.content));
   parts.put(key, std::move(version));
   if (const auto told = announced.find(key); told != announced.end() && told->second <= revision)
     announced.erase(told);
@@ -142,18 +136,22 @@ void MapReceiver::State::take(const PartKey& key, Version version) {
 Result<void> MapReceiver::State::apply_part(std::span<const std::byte> message) {
   DELTAMESH_TRY(PartMessage part, read_part(message));
   DELTAMESH_CHECK(check_map(part.map));
-  if (part.start != start || !is_new(part.key, part.revision)) return {};
+  if (!is_mine(part.start, part.number) || !is_of_use(part.key, part.revision)) return {};
   return take(part.key, {part.revision, part.group, std::move(part.links), nullptr}, part.octets);
 }
 
-/// Without the version that the patch is for it has no effect: the sender hears that it has not come.
+/// Without the version that the patch is for it is kept until that comes.
 Result<void> MapReceiver::State::apply_patch(std::span<const std::byte> message) {
   DELTAMESH_TRY(PatchMessage patch, read_patch(message));
   DELTAMESH_CHECK(check_map(patch.part.map));
   const PartKey& key = patch.part.key;
-  if (patch.part.start != start || !is_new(key, patch.part.revision)) return {};
-  const auto base = known_content(patch.base_key, patch.base);
-  if (base == nullptr) return {};
+  if (!is_mine(patch.part.start, patch.part.number) || !is_of_use(key, patch.part.revision)) return {};
+  const auto base = parts.content(patch.base_key, patch.base);
+  if (base == nullptr) {
+    if (patch.part.number != 0)
+      early.keep(patch.part.number, {patch.base_key, patch.base, {message.begin(), message.end()}});
+    return {};
+  }
   std::vector<std::byte> octets = join_patched({patch.base_key, base->octets, patch.body});
   if (octets.size() > kMostPartBytes || count_patches(octets) > kMostPatches)
     return Error{.code = ErrorCode::kInvalidStream, .message = "too many patches", .rule = "MAP-17"};
@@ -170,15 +168,17 @@ Result<void> MapReceiver::State::apply_entry(std::span<const std::byte> message)
   DELTAMESH_TRY(EntryMessage told, read_entry(message, codec->description().attributes.size()));
   DELTAMESH_CHECK(check_map(told.map));
   PartEntry& entry = told.entry;
-  if (told.start != start || !is_new(entry.key, entry.revision)) return {};
+  if (!is_mine(told.start, told.number) || !is_new(entry.key, entry.revision)) return {};
   Version version{entry.revision, entry.group, std::move(entry.links), nullptr};
   if (entry.bytes != 0) {
-    version.content = known_content(entry.key, entry.hash);
+    version.content = parts.content(entry.key, entry.hash);
     if (!version.content) {
       if (announced.size() >= limits.parts)
         return Error{.code = ErrorCode::kLimitExceeded, .message = "more parts than the receiver may hold"};
       std::uint64_t& revision = announced[entry.key];
       revision = std::max(revision, entry.revision);
+      if (told.number != 0)
+        early.keep(told.number, {entry.key, entry.hash, {message.begin(), message.end()}});
       return {};
     }
   }
@@ -193,6 +193,17 @@ Result<void> MapReceiver::State::apply_entry(std::span<const std::byte> message)
     announced.erase(found);
   settle();
   parts.limit_removals(limits.parts);
+  return {};
+}
+
+Result<void> MapReceiver::State::apply_fault(std::span<const std::byte> message) {
+  DELTAMESH_TRY(const FaultMessage told, read_fault(message));
+  DELTAMESH_CHECK(check_map(told.map));
+  if (!is_mine(told.start, told.number)) return {};
+  if (faults.size() >= limits.parts) std::erase_if(faults, [](const auto& f) { return f.second.code == 0; });
+  if (faults.size() >= limits.parts) return {};
+  ToldFault& fault = faults[told.key];
+  if (told.number >= fault.number) fault = {told.number, told.code};
   return {};
 }
 

@@ -8,15 +8,23 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
+#include <vector>
 
 #include "deltamesh/map/map_codec.h"
 #include "deltamesh/map/receiver.h"
+#include "receive/arrivals.h"
+#include "receive/early_messages.h"
 #include "receive/received_parts.h"
 #include "support/errors.h"
 
 namespace deltamesh {
 
-/// The error of a message or a call that does not fit the state.
+struct ToldFault {
+  std::uint64_t number = 0;  ///< of the message
+  std::uint16_t code = 0;    ///< 0: none any more
+};
+
 struct MapReceiver::State {
   std::uint64_t viewer = 0;
   std::uint64_t map_id = 0;
@@ -26,21 +34,34 @@ struct MapReceiver::State {
   std::optional<MapCodec> codec{};
   std::uint64_t map = 0;  ///< hash of the codec's description
   ReceivedParts parts{};
-  std::uint64_t start = 0;                       ///< of the sender
+  std::uint64_t start = 0;  ///< of the sender
+  Arrivals arrivals{};      ///< of its numbered messages
+  EarlyMessages early{};
+  Talk talk{};
   std::map<PartKey, std::uint64_t> announced{};  ///< revisions of entries without octets
+  std::map<PartKey, ToldFault> faults{};         ///< as the sender told
   std::set<PartKey> touched{};                   ///< since the last take_change()
 
+  Result<void> apply(std::span<const std::byte> message);
   Result<void> apply_description(std::span<const std::byte> message);
   Result<void> apply_start(std::span<const std::byte> message);
   Result<void> apply_entry(std::span<const std::byte> message);
   Result<void> apply_part(std::span<const std::byte> message);
   Result<void> apply_patch(std::span<const std::byte> message);
+  Result<void> apply_fault(std::span<const std::byte> message);
   Result<void> take(const PartKey& key, Version version, std::span<const std::byte> octets);
   void take(const PartKey& key, Version version);
-  Result<DecodeOptions> options_for(const PartKey& key, std::size_t octets) const;
-  std::shared_ptr<const PartContent> known_content(const PartKey& key, std::uint64_t hash) const;
+  /// Drops the part outside of the view that is farthest from it; false: there is none.
+  bool make_room(const PartKey& but);
+  Result<DecodeOptions> options_for(const PartKey& key, std::size_t octets);
+  /// Whether a message is of the start whose messages are taken; takes note of its number.
+  bool is_mine(std::uint64_t of_start, std::uint64_t message_number);
+  void forget_arrivals();
+  Result<std::vector<std::byte>> view_message();
+  Result<std::vector<std::byte>> receipt_message();
   Result<void> check_map(std::uint64_t hash) const;
   bool is_new(const PartKey& key, std::uint64_t revision) const;
+  bool is_of_use(const PartKey& key, std::uint64_t revision) const;
   void settle();
 };
 

@@ -21,8 +21,11 @@ bool touch(const Extent& a, const Extent& b) noexcept {
 
 /// 0: whatever the receiver may get to see of the part goes with what it gets now.
 std::uint64_t least_of(const PartKey& key, const SentPart& sent, const Viewer& viewer, const SendPlan& plan) {
+  // Both versions have the same content.
+  if (const auto refined = plan.refined.find(key); refined != plan.refined.end()) return refined->second;
   const auto has = viewer.has.find(key);
-  const bool is_there = has != viewer.has.end() && has->second.is_confirmed();
+  const bool is_there =
+      has != viewer.has.end() && has->second.stage == Believed::Stage::kTold && !has->second.is_gone;
   // While a version waits, an older one may be shown.
   if (is_there && plan.staying.contains(key)) return has->second.is_waiting ? has->second.since : 0;
   if (is_there || plan.needed.contains(key) || plan.removed.contains(key)) return sent.revision + 1;

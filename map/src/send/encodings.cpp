@@ -5,6 +5,7 @@
 #include <xxhash.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/try.h"
 #include "part/encode.h"
@@ -66,6 +67,16 @@ Encoding encoding_of(DecodedPart part, const MapPart& source, const MapDescripti
   return encoding;
 }
 
+/// The smallest largest error that may be asked for [MAP-8].
+float finest_error(const MapLattice& lattice) {
+  return std::nextafter(static_cast<float>(std::sqrt(3.0) / 2 * lattice.step()), 1e30F);
+}
+
+/// Not of the part: other parts fail as well.
+bool is_ours(const Error& error) noexcept {
+  return error.code == ErrorCode::kOutOfMemory || error.code == ErrorCode::kInternal;
+}
+
 /// What the part would take if it were no primer.
 double whole_bytes(const Encoding& encoding, const MapDescription& description) {
   const auto primer = primer_of(encoding.octets);
@@ -80,18 +91,47 @@ std::vector<Encodings::Asked>& Encodings::asked_of(const SourcePart& source) {
   return asked;
 }
 
-Result<std::shared_ptr<const Encoding>> Encodings::get(const SourcePart& source, const View& view) {
+const Encodings::Asked* Encodings::find(const SourcePart& source, const View& view) const {
+  const auto asked = asked_.find(source.part.key);
+  if (asked == asked_.end()) return nullptr;
   const View quality = quality_of(view);
-  std::vector<Asked>& asked = asked_of(source);
-  for (const Asked& a : asked)
-    if (a.view == quality && a.base_hash == 0) return a.encoding;
+  const auto found = std::ranges::find_if(asked->second, [&](const Asked& a) {
+    return a.content_revision == source.content_revision && a.view == quality && a.base_hash == 0;
+  });
+  return found == asked->second.end() ? nullptr : &*found;
+}
+
+const Error* Encodings::fault(const SourcePart& source, const View& view) const {
+  const Asked* asked = find(source, view);
+  return asked != nullptr && asked->fault ? &*asked->fault : nullptr;
+}
+
+Result<std::shared_ptr<const Encoding>> Encodings::make(const SourcePart& source, const View& quality) const {
   DELTAMESH_TRY(DecodedPart part, encode_part(codec_.state(), source.part, part_quality(quality, options_)));
   auto encoding = std::make_shared<Encoding>(encoding_of(std::move(part), source.part, codec_.description()));
   encoding->whole_rate =
       whole_bytes(*encoding, codec_.description()) / static_cast<double>(source.part.mesh.triangle_count());
-  ++encoded_;
-  asked.push_back({quality, source.content_revision, 0, encoding});
   return std::shared_ptr<const Encoding>(std::move(encoding));
+}
+
+Result<std::shared_ptr<const Encoding>> Encodings::get(const SourcePart& source, const View& view) {
+  if (const Asked* asked = find(source, view); asked != nullptr) return asked->encoding;
+  Asked asked{quality_of(view), source.content_revision, 0};
+  auto made = make(source, asked.view);
+  if (!made && is_ours(made.error())) return made.error();
+  if (!made) asked.fault = made.error();
+  if (!made && made.error().code == ErrorCode::kUnmetRequest) {
+    View finest;
+    finest.max_error = finest_error(codec_.description().lattice);
+    finest.color_error = asked.view.color_error;
+    made = make(source, finest);
+    if (!made && is_ours(made.error())) return made.error();
+    if (!made) asked.fault = made.error();
+  }
+  if (made) asked.encoding = *std::move(made);
+  ++encoded_;
+  asked_of(source).push_back(asked);
+  return asked.encoding;
 }
 
 Result<std::shared_ptr<const Encoding>> Encodings::patch(const SourcePart& source, const View& view,
@@ -112,9 +152,11 @@ Result<std::shared_ptr<const Encoding>> Encodings::make_patch(const SourcePart& 
   const auto matched = match(source, quality, base);
   const auto triangles = static_cast<double>(source.part.mesh.triangle_count());
   if (static_cast<double>(matched->new_faces.size()) > kMostNewFaces * triangles) return none;
-  DELTAMESH_TRY(auto part, encode_patch(codec_.state(), source.part, {base.decoded, base.sources}, base.hash,
-                                        *matched, part_quality(quality, options_)));
+  auto made = encode_patch(codec_.state(), source.part, {base.decoded, base.sources}, base.hash, *matched,
+                           part_quality(quality, options_));
   ++encoded_;
+  if (!made) return is_ours(made.error()) ? Result<std::shared_ptr<const Encoding>>(made.error()) : none;
+  auto part = *std::move(made);
   if (!part || static_cast<double>(part->coded.bytes.size()) > kWorthPatch * base.whole_rate * triangles)
     return none;
   std::vector<std::byte> patch = std::move(part->coded.bytes);
@@ -143,7 +185,11 @@ std::shared_ptr<const PartMatch> Encodings::match(const SourcePart& source, cons
 }
 
 bool Encodings::fits(const KnownVersion& version, const SourcePart& source, const View& view) {
-  if (version.content_revision == source.content_revision) return satisfies(version.encoding->errors, view);
+  if (version.content_revision == source.content_revision) {
+    const Asked* asked = find(source, view);
+    const bool is_the_best = asked != nullptr && asked->fault && version.encoding == asked->encoding;
+    return is_the_best || satisfies(version.encoding->errors, view);
+  }
   if (!view.max_error || view.vde || view.lfe) return false;
   return match(source, quality_of(view), *version.encoding)->is_whole();
 }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -46,12 +47,15 @@ class Encodings {
 
   const MapCodec& codec() const noexcept { return codec_; }
 
-  /// The encoding of a part's newest source that the view asks for; encodes on the first request. Errors:
-  /// those of MapCodec::encode().
+  /// The encoding of a part's newest source that the view asks for, or else the best that can be had; null if
+  /// there is none. Encodes on the first request. Errors: kOutOfMemory, kInternal.
   Result<std::shared_ptr<const Encoding>> get(const SourcePart& source, const View& view);
 
-  /// The newest source as a patch of version `base`; null if a patch does not pay. Errors: those of
-  /// MapCodec::encode().
+  /// What is wrong with the encoding that get() gave; null: nothing, or it has not been asked for.
+  const Error* fault(const SourcePart& source, const View& view) const;
+
+  /// The newest source as a patch of version `base`; null if a patch does not pay or cannot be had. Errors:
+  /// kOutOfMemory, kInternal.
   Result<std::shared_ptr<const Encoding>> patch(const SourcePart& source, const View& view,
                                                 const KnownVersion& base);
 
@@ -68,7 +72,8 @@ class Encodings {
     View view;  ///< its quality alone
     std::uint64_t content_revision = 0;
     std::uint64_t base_hash = 0;                 ///< 0: not as a patch
-    std::shared_ptr<const Encoding> encoding{};  ///< null: a patch is not worth it
+    std::shared_ptr<const Encoding> encoding{};  ///< null: a patch is not worth it, or there is none
+    std::optional<Error> fault{};                ///< why it is not as the view asks
   };
   struct Matched {
     View view;                           ///< its quality alone
@@ -78,6 +83,8 @@ class Encodings {
   };
 
   std::vector<Asked>& asked_of(const SourcePart& source);
+  const Asked* find(const SourcePart& source, const View& view) const;
+  Result<std::shared_ptr<const Encoding>> make(const SourcePart& source, const View& quality) const;
   Result<std::shared_ptr<const Encoding>> make_patch(const SourcePart& source, const View& quality,
                                                      const Encoding& base);
   std::shared_ptr<const PartMatch> match(const SourcePart& source, const View& quality, const Encoding& base);

@@ -23,6 +23,12 @@ class Planner {
 
   Result<SendPlan> run() {
     WantedParts parts = wanted_parts(viewer_, map_, encodings_.codec().description());
+    for (const PartKey& key : parts.wanted) {
+      if (const Error* fault = encodings_.fault(*map_.find(key), viewer_.view); fault != nullptr)
+        plan_.faults.push_back({key, fault->code, fault->message, fault->best_value});
+    }
+    for (const PartFault& fault : plan_.faults)
+      if (fault.code != ErrorCode::kUnmetRequest) parts.others.insert(parts.wanted.extract(fault.key));
     for (const PartKey& key : parts.wanted) DELTAMESH_CHECK(look_at(key, *map_.find(key)));
     for (const auto& [key, believed] : viewer_.has)
       if (!believed.is_gone && (map_.find(key) == nullptr || parts.others.contains(key)))
@@ -48,8 +54,8 @@ class Planner {
     }
     const KnownVersion* version = find_version(known_, key, has->second.version);
     if (version == nullptr) {  // from before this sender was started: perhaps what it would send
-      DELTAMESH_TRY(const std::uint32_t newest, newest_version(source, viewer_.view, encodings_, known_));
-      if (newest == has->second.version) version = find_version(known_, key, newest);
+      DELTAMESH_TRY(const auto newest, newest_version(source, viewer_.view, encodings_, known_));
+      if (newest == has->second.version) version = find_version(known_, key, *newest);
     }
     const bool is_of_newest = version != nullptr && version->content_revision == source.content_revision;
     const bool may_stay = is_of_newest || (version != nullptr && keeps_good_enough_);
@@ -57,6 +63,8 @@ class Planner {
       kept_.emplace(key, version);
     } else {
       plan_.needed.insert(key);
+      if (is_of_newest && same_borders(version->links, source.links) && !has->second.is_waiting)
+        plan_.refined.emplace(key, has->second.since);
     }
     return {};
   }
@@ -135,12 +143,13 @@ const KnownVersion* find_version(const KnownVersions& known, const PartKey& key,
   return found == versions->second.end() ? nullptr : &found->second;
 }
 
-Result<std::uint32_t> newest_version(const SourcePart& source, const View& view, Encodings& encodings,
-                                     KnownVersions& known) {
+Result<std::optional<std::uint32_t>> newest_version(const SourcePart& source, const View& view,
+                                                    Encodings& encodings, KnownVersions& known) {
   DELTAMESH_TRY(const auto encoding, encodings.get(source, view));
+  if (encoding == nullptr) return std::optional<std::uint32_t>();
   const std::uint32_t version = version_hash(encoding->hash, source.links);
   known[source.part.key][version] = {source.content_revision, source.links, encoding};
-  return version;
+  return std::optional(version);
 }
 
 Result<SendPlan> plan_for(const Viewer& viewer, double waiting_since, const SourceMap& map,

@@ -11,7 +11,8 @@
 #include "base/guard.h"
 #include "base/try.h"
 #include "deltamesh/map/messages.h"
-#include "send/coexistence.h"
+#include "message/entry_fields.h"
+#include "message/frame.h"
 #include "send/state.h"
 
 namespace deltamesh {
@@ -19,38 +20,19 @@ namespace deltamesh {
 namespace {
 
 constexpr double kLongestOnTheWay = 60;  // seconds: what a link holds for longer is taken to be lost
-constexpr double kLeastSavings = 65536;  // bytes: a part is never too large to be sent
+constexpr double kLeastWait = 1;         // seconds; in which parts of a group are to come together
+constexpr double kMakesRoom = 5;         // seconds; after which a viewer makes room for another
+constexpr double kReuse = 0.5;      // seconds; in which a number's earlier receiver is not heard any more
+constexpr double kFirstWait = 0.2;  // seconds; for a reply to the map's message
 
 Error refused(ErrorCode code, const char* message) { return {.code = code, .message = message}; }
 
 Result<void> check_options(const SenderOptions& options) {
   if (options.effort < 0 || options.effort > 2)
     return refused(ErrorCode::kInvalidArgument, "an effort out of 0 to 2");
-  if (!(options.resend_seconds > 0) || !std::isfinite(options.resend_seconds))
-    return refused(ErrorCode::kInvalidArgument, "a time to send again that is not above 0");
+  if (!(options.viewer_seconds > 0))
+    return refused(ErrorCode::kInvalidArgument, "a time to forget viewers after that is not above 0");
   return {};
-}
-
-/// What the receiver says it has takes the place of what was believed, but for what may be on its way.
-void take_held(Viewer& viewer, const std::vector<HeldVersion>& held, double on_its_way_since) {
-  const std::map<PartKey, Believed> before = viewer.has;
-  std::erase_if(viewer.has, [&](const auto& entry) { return entry.second.sent < on_its_way_since; });
-  for (const HeldVersion& version : held) {
-    SentPart& sent = viewer.sent[version.key];
-    if (sent.revision == 0) sent = {.revision = version.revision, .is_everywhere = true};
-    Believed& believed = viewer.has[version.key];
-    const bool is_on_its_way = std::isfinite(believed.sent);
-    if (is_on_its_way && believed.revision > version.revision) continue;
-    if (is_on_its_way && believed.is_gone && believed.revision == version.revision) continue;
-    const auto known = before.find(version.key);
-    const bool is_the_same = known != before.end() && !known->second.is_gone &&
-                             known->second.version == version.version &&
-                             known->second.since <= version.revision;
-    believed = {.revision = version.revision,
-                .since = is_the_same ? known->second.since : version.revision,
-                .version = version.version,
-                .is_waiting = version.is_waiting};
-  }
 }
 
 /// Drops the records of parts that the map and the receiver no longer have, once no message about them can be
@@ -63,12 +45,9 @@ void forget_gone_parts(Viewer& viewer, const SourceMap& map, double now) {
   });
 }
 
-void save_up(Viewer& viewer, double now) {
-  const double rate = viewer.view.bytes_per_second;
-  const double most = std::max(rate, kLeastSavings);
-  const double passed = std::isfinite(viewer.asked) ? std::max(now - viewer.asked, 0.0) : 1;
-  viewer.allowance = std::min(viewer.allowance + rate * passed, most);
-  viewer.asked = now;
+/// What was sent by then and still waits is not waited for any longer.
+double waiting_since(const Viewer& viewer, double now) {
+  return now - std::max(kLeastWait, 4 * viewer.delivery.timeout());
 }
 
 }  // namespace
@@ -104,27 +83,30 @@ Result<void> MapSender::update(std::span<const MapBlock> blocks) noexcept {
   });
 }
 
-Result<void> MapSender::hear(std::span<const std::byte> view_message, double now) noexcept {
+Result<void> MapSender::hear(std::span<const std::byte> message, double now) noexcept {
   return guarded([&]() -> Result<void> {
-    DELTAMESH_TRY(const ViewMessage message, read_view(view_message));
+    DELTAMESH_TRY(const MessageKind kind, kind_of_message(message));
+    if (kind == MessageKind::kReceipt) return state_->hear_receipt(message, now);
+    DELTAMESH_TRY(const ViewMessage told, read_view(message));
     const MapDescription& of = description();
-    if (message.map_id != of.id) return refused(ErrorCode::kInvalidArgument, "a view of another map");
+    if (told.map_id != of.id) return refused(ErrorCode::kInvalidArgument, "a view of another map");
     const double least = std::sqrt(3.0) / 2 * of.lattice.step();
-    if (message.view.max_error && *message.view.max_error < least) {
+    if (told.view.max_error && *told.view.max_error < least) {
       Error error = refused(ErrorCode::kUnmetRequest, "a largest error below half a lattice cell's diagonal");
       error.best_value = least;
       return error;
     }
-    const auto known = state_->viewers.find(message.viewer);
-    if (known == state_->viewers.end() && state_->viewers.size() >= state_->options.most_viewers)
-      return refused(ErrorCode::kLimitExceeded, "too many viewers");
-    Viewer& viewer = state_->viewers[message.viewer];
-    if (message.number <= viewer.number && known != state_->viewers.end()) return {};
-    viewer.number = message.number;
-    viewer.view = message.view;
-    viewer.map = message.map;
-    viewer.start = message.start;
-    take_held(viewer, message.held, now - state_->options.resend_seconds);
+    DELTAMESH_TRY(Viewer* const found, state_->viewer_of(told, now));
+    if (found == nullptr) return {};
+    Viewer& viewer = *found;
+    if (viewer.number == 0 || viewer.start != told.start) viewer.delivery = Delivery(told.receipt.highest);
+    viewer.heard = now;
+    viewer.number = told.number;
+    viewer.view = told.view;
+    viewer.map = told.map;
+    viewer.start = told.start;
+    take_receipt(viewer, told.receipt, now);
+    take_held(viewer, told.held, waiting_since(viewer, now));
     forget_gone_parts(viewer, state_->map, now);
     return {};
   });
@@ -138,6 +120,40 @@ std::vector<std::uint64_t> MapSender::viewers() const {
   return numbers;
 }
 
+/// The record of the receiver that sent a view; null: the view is old. Errors: kLimitExceeded.
+Result<Viewer*> MapSender::State::viewer_of(const ViewMessage& message, double now) {
+  std::erase_if(viewers, [&](const auto& v) { return now - v.second.heard > options.viewer_seconds; });
+  if (const auto found = viewers.find(message.viewer); found != viewers.end()) {
+    Viewer& viewer = found->second;
+    if (message.number > viewer.number) return &viewer;
+    // Another receiver with its number, which has not heard of this sender yet.
+    const bool begins_anew = message.start == 0 && viewer.start != 0 && now - viewer.heard > kReuse;
+    if (!begins_anew) return nullptr;
+    viewers.erase(found);
+  }
+  if (viewers.size() >= options.most_viewers) {
+    const auto longest = std::ranges::min_element(viewers, {}, [](const auto& v) { return v.second.heard; });
+    if (longest == viewers.end() || now - longest->second.heard <= kMakesRoom)
+      return refused(ErrorCode::kLimitExceeded, "too many viewers");
+    viewers.erase(longest);
+  }
+  return &viewers[message.viewer];
+}
+
+Result<void> MapSender::State::hear_receipt(std::span<const std::byte> bytes, double now) {
+  DELTAMESH_TRY(const ReceiptMessage message, read_receipt(bytes));
+  if (message.map_id != encodings.codec().description().id)
+    return refused(ErrorCode::kInvalidArgument, "a receipt of another map");
+  const auto found = viewers.find(message.viewer);
+  if (found == viewers.end() || message.number <= found->second.number ||
+      message.start != found->second.start)
+    return {};
+  found->second.number = message.number;
+  found->second.heard = now;
+  take_receipt(found->second, message.receipt, now);
+  return {};
+}
+
 Result<std::vector<std::vector<std::byte>>> MapSender::messages_for(std::uint64_t number,
                                                                     double now) noexcept {
   return guarded([&]() -> Result<std::vector<std::vector<std::byte>>> {
@@ -146,30 +162,28 @@ Result<std::vector<std::vector<std::byte>>> MapSender::messages_for(std::uint64_
       return refused(ErrorCode::kInvalidArgument, "a viewer that has not been heard");
     Viewer& viewer = found->second;
     std::vector<std::vector<std::byte>> messages;
-    save_up(viewer, now);
+    viewer.allowance.begin(viewer.view.bytes_per_second, now);
     if (viewer.map != state_->description_hash || viewer.start != state_->start) {
-      if (now - viewer.described < state_->options.resend_seconds) return messages;
+      if (now - viewer.described < kFirstWait || !viewer.allowance.may_spend()) return messages;
       viewer.described = now;
       if (viewer.map != state_->description_hash) {
         DELTAMESH_TRY(messages.emplace_back(), write_description(description()));
-        viewer.allowance -= static_cast<double>(messages.back().size());
+        viewer.allowance.spend(messages.back().size());
       }
       DELTAMESH_TRY(messages.emplace_back(),
                     write_start({.map = state_->description_hash, .start = state_->start}));
       return messages;
     }
-    DELTAMESH_TRY(SendPlan plan,
-                  plan_for(viewer, now - state_->options.resend_seconds, state_->map, state_->encodings,
-                           state_->known, state_->options.keeps_good_enough));
-    state_->counts.kept += plan.kept;
-    for (const PartKey& key : plan.needed) viewer.due.try_emplace(key, state_->map.revision());
-    std::erase_if(viewer.due, [&](const auto& entry) { return !plan.needed.contains(entry.first); });
-    for (const SendUnit& unit : units_of(plan, viewer, state_->map, state_->known, description())) {
-      if (viewer.view.bytes_per_second != 0 && viewer.allowance <= 0) break;
-      DELTAMESH_CHECK(state_->send(unit, plan, viewer, now, messages));
-    }
+    if (viewer.delivery.is_silent(now)) return messages;
+    recover(viewer, now, messages);
+    DELTAMESH_CHECK(state_->send_what_is_due(viewer, waiting_since(viewer, now), now, messages));
     return messages;
   });
+}
+
+std::vector<PartFault> MapSender::faults_of(std::uint64_t number) const {
+  const auto viewer = state_->viewers.find(number);
+  return viewer == state_->viewers.end() ? std::vector<PartFault>() : viewer->second.faults;
 }
 
 std::vector<PartEntry> MapSender::entries_of(std::uint64_t number) const {
@@ -188,6 +202,12 @@ std::vector<PartEntry> MapSender::entries_of(std::uint64_t number) const {
     entries.push_back(std::move(entry));
   }
   return entries;
+}
+
+std::uint64_t MapSender::hash(std::uint64_t viewer) const {
+  std::vector<std::pair<PartKey, std::uint64_t>> shown;
+  for (const PartEntry& entry : entries_of(viewer)) shown.emplace_back(entry.key, entry.hash);
+  return hash_of_shown(shown);
 }
 
 const MapDescription& MapSender::description() const noexcept {

@@ -115,7 +115,11 @@ std::vector<PartLink> SourceMap::copies_in_place_of(const PartKey& key,
   if (!links.empty()) return links;
   const auto other = std::ranges::find_if(
       parts_, [&](const auto& part) { return part.first != key && overlap(part.first, key); });
-  if (other != parts_.end()) links.push_back({.key = other->first, .border = kCopiesInPlace});
+  // Where there is no other either, that of a cell around it will do [MAP-22].
+  const PartKey around = key.level < kMostPartLevel
+                             ? ancestor(key, key.level + 1)
+                             : PartKey{kMostPartLevel - 1, 2 * key.x, 2 * key.y, 2 * key.z};
+  links.push_back({.key = other != parts_.end() ? other->first : around, .border = kCopiesInPlace});
   return links;
 }
 

@@ -2,7 +2,10 @@
 // Copyright 2026 The deltamesh authors
 #include "send/state.h"
 
+#include <algorithm>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "base/try.h"
 #include "deltamesh/map/messages.h"
@@ -44,33 +47,45 @@ Result<std::vector<std::byte>> MapSender::State::newest_message(const PartKey& k
   const auto encoding = chosen.version.encoding;
   const KnownVersion* had = believed_version(viewer, key);
   const bool is_the_same = had != nullptr && had->encoding->hash == encoding->hash;
-  const Believed before = is_the_same ? viewer.has.at(key) : Believed{};
+  const std::optional<Believed> before = viewer.believed(key);
   const std::uint32_t told = version_hash(encoding->hash, chosen.version.links);
   known[key][told] = std::move(chosen.version);
   const std::uint64_t revision = viewer.next_revision(key, source.revision, now);
   std::vector<PartLink> links = links_for(source, encoding->decoded.mesh, viewer, plan);
   viewer.sent[key].add(extent_of(encoding->decoded.mesh));
-  const std::uint64_t since = is_the_same ? before.since : revision;
-  viewer.has[key] = {.revision = revision, .since = since, .version = told, .sent = now};
-  if (is_the_same && before.is_confirmed()) {
+  const std::uint64_t number = viewer.delivery.next_number();
+  viewer.has[key] = {.revision = revision,
+                     .since = is_the_same ? before->since : revision,
+                     .version = told,
+                     .stage = Believed::Stage::kSent,
+                     .number = number,
+                     .base = chosen.is_patch ? encoding->base_key : key};
+  const bool is_whole = !is_the_same && !chosen.is_patch;
+  const auto post = [&](Result<std::vector<std::byte>> message) {
+    if (message) viewer.delivery.add({key, *message, before, is_whole, false, now});
+    return message;
+  };
+  if (is_the_same) {
     ++counts.entries_sent;
-    return write_entry({.map = description_hash,
-                        .start = start,
-                        .entry = entry_of(source, *encoding, revision, std::move(links))});
+    return post(write_entry({.map = description_hash,
+                             .start = start,
+                             .number = number,
+                             .entry = entry_of(source, *encoding, revision, std::move(links))}));
   }
   ++counts.parts_sent;
   PartMessage message{.map = description_hash,
                       .start = start,
+                      .number = number,
                       .key = key,
                       .revision = revision,
                       .group = source.group,
                       .links = std::move(links)};
   if (chosen.is_patch) {
     ++counts.patches_sent;
-    return write_patch({std::move(message), encoding->base_key, encoding->base_hash, encoding->patch});
+    return post(write_patch({std::move(message), encoding->base_key, encoding->base_hash, encoding->patch}));
   }
   message.octets = encoding->octets;
-  return write_part(message);
+  return post(write_part(message));
 }
 
 /// What the receiver is believed to have of a part; null: nothing, or it is not known what.
@@ -99,37 +114,93 @@ Result<std::vector<std::byte>> MapSender::State::removal_message(const PartKey& 
                                                                  Viewer& viewer, double now) {
   const std::uint64_t revision = viewer.next_revision(key, map.revision(), now);
   viewer.sent[key].is_removal = true;
-  viewer.has[key] = {.revision = revision, .since = revision, .is_gone = true, .sent = now};
+  const std::optional<Believed> before = viewer.believed(key);
+  const std::uint64_t number = viewer.delivery.next_number();
+  viewer.has[key] = {.revision = revision,
+                     .since = revision,
+                     .stage = Believed::Stage::kSent,
+                     .is_gone = true,
+                     .number = number,
+                     .base = key};
   ++counts.entries_sent;
   std::vector<PartLink> links =
       map.find(key) == nullptr ? map.replacements_of(key) : map.copies_in_place_of(key, plan.wanted);
   // What the receiver is not to have is not waited for.
   std::erase_if(links,
                 [&](const PartLink& link) { return link.together && plan.unwanted.contains(link.key); });
-  return write_entry({.map = description_hash,
-                      .start = start,
-                      .entry = {.key = key, .revision = revision, .links = std::move(links)}});
+  DELTAMESH_TRY(auto message,
+                write_entry({.map = description_hash,
+                             .start = start,
+                             .number = number,
+                             .entry = {.key = key, .revision = revision, .links = std::move(links)}}));
+  viewer.delivery.add({key, message, before, false, false, now});
+  return message;
 }
 
-Result<void> MapSender::State::send(const SendUnit& unit, SendPlan& plan, Viewer& viewer, double now,
-                                    std::vector<std::vector<std::byte>>& messages) {
-  std::vector<ChosenVersion> chosen;  // while it is known what the removed ones were
-  for (const PartKey& key : unit.needed) {
-    DELTAMESH_TRY(chosen.emplace_back(), choose_version(*map.find(key), viewer));
-  }
-  for (const PartKey& key : unit.removed) {
-    DELTAMESH_TRY(messages.emplace_back(), removal_message(key, plan, viewer, now));
-    plan.removed.erase(key);
-    viewer.allowance -= static_cast<double>(messages.back().size());
-  }
-  for (std::size_t i = 0; i < unit.needed.size(); ++i) {
-    const PartKey& key = unit.needed[i];
-    DELTAMESH_TRY(messages.emplace_back(), newest_message(key, std::move(chosen[i]), plan, viewer, now));
-    plan.needed.erase(key);
-    viewer.allowance -= static_cast<double>(messages.back().size());
-    viewer.due.erase(key);
+Result<void> MapSender::State::send_what_is_due(Viewer& viewer, double waiting_since, double now,
+                                                std::vector<std::vector<std::byte>>& messages) {
+  for (bool is_complete = false; !is_complete;) {
+    is_complete = true;
+    DELTAMESH_TRY(SendPlan plan,
+                  plan_for(viewer, waiting_since, map, encodings, known, options.keeps_good_enough));
+    for (const PartKey& key : plan.needed) viewer.due.try_emplace(key, map.revision());
+    std::erase_if(viewer.due, [&](const auto& entry) { return !plan.needed.contains(entry.first); });
+    for (const SendUnit& unit : units_of(plan, viewer, map, known, encodings.codec().description())) {
+      if (!viewer.allowance.may_spend()) break;
+      DELTAMESH_TRY(is_complete, send(unit, plan, viewer, now, messages));
+      if (!is_complete) break;
+    }
+    if (!is_complete) continue;
+    counts.kept += plan.kept;
+    DELTAMESH_CHECK(tell_faults(std::move(plan.faults), viewer, now, messages));
   }
   return {};
+}
+
+/// Tells the receiver what is new of faults.
+Result<void> MapSender::State::tell_faults(std::vector<PartFault> faults, Viewer& viewer, double now,
+                                           std::vector<std::vector<std::byte>>& messages) {
+  std::map<PartKey, std::uint16_t> told;
+  for (const PartFault& fault : viewer.faults) told[fault.key] = 0;
+  for (const PartFault& fault : faults) told[fault.key] = static_cast<std::uint16_t>(fault.code);
+  for (const auto& [key, code] : told) {
+    const auto before = std::ranges::find(viewer.faults, key, &PartFault::key);
+    if (before != viewer.faults.end() && static_cast<std::uint16_t>(before->code) == code) continue;
+    const std::uint64_t number = viewer.delivery.next_number();
+    DELTAMESH_TRY(auto message, write_fault({description_hash, start, number, key, code}));
+    viewer.delivery.add({key, message, viewer.believed(key), false, false, now});
+    viewer.post(std::move(message), false, messages);
+  }
+  viewer.faults = std::move(faults);
+  return {};
+}
+
+Result<bool> MapSender::State::send(const SendUnit& unit, SendPlan& plan, Viewer& viewer, double now,
+                                    std::vector<std::vector<std::byte>>& messages) {
+  std::vector<ChosenVersion> chosen;  // all that may be sent, before any links to what cannot be had
+  double room = viewer.allowance.room();
+  for (auto key = unit.needed.begin(); key != unit.needed.end() && room > 0; ++key) {
+    DELTAMESH_TRY(chosen.emplace_back(), choose_version(*map.find(*key), viewer));
+    const auto& encoding = chosen.back().version.encoding;
+    if (encoding == nullptr) return false;
+    room -= static_cast<double>(chosen.back().is_patch ? encoding->patch.size() : encoding->octets.size());
+  }
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    if (!viewer.allowance.may_spend()) return true;
+    const PartKey& key = unit.needed[i];
+    DELTAMESH_TRY(auto message, newest_message(key, std::move(chosen[i]), plan, viewer, now));
+    plan.needed.erase(key);
+    viewer.due.erase(key);
+    viewer.post(std::move(message), std::exchange(viewer.sent[key].was_lost, false), messages);
+  }
+  // Last, as the parts in their place may be patches of them.
+  for (const PartKey& key : unit.removed) {
+    if (!viewer.allowance.may_spend()) return true;
+    DELTAMESH_TRY(auto message, removal_message(key, plan, viewer, now));
+    plan.removed.erase(key);
+    viewer.post(std::move(message), std::exchange(viewer.sent[key].was_lost, false), messages);
+  }
+  return true;
 }
 
 }  // namespace deltamesh

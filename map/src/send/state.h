@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -35,8 +36,17 @@ struct MapSender::State {
   SenderCounts counts{};
 
   void forget_versions();
-  Result<void> send(const SendUnit& unit, SendPlan& plan, Viewer& viewer, double now,
+  Result<Viewer*> viewer_of(const ViewMessage& message, double now);
+  Result<void> hear_receipt(std::span<const std::byte> bytes, double now);
+  /// Plans and sends within the allowance.
+  Result<void> send_what_is_due(Viewer& viewer, double waiting_since, double now,
+                                std::vector<std::vector<std::byte>>& messages);
+  /// As much of the unit as may be sent now; the rest is planned again. False: a part of it cannot be
+  /// encoded, which another plan takes into account.
+  Result<bool> send(const SendUnit& unit, SendPlan& plan, Viewer& viewer, double now,
                     std::vector<std::vector<std::byte>>& messages);
+  Result<void> tell_faults(std::vector<PartFault> faults, Viewer& viewer, double now,
+                           std::vector<std::vector<std::byte>>& messages);
   const KnownVersion* believed_version(const Viewer& viewer, const PartKey& key) const;
   const KnownVersion* base_for(const Viewer& viewer, const PartKey& key) const;
   Result<ChosenVersion> choose_version(const SourcePart& source, const Viewer& viewer);

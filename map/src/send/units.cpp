@@ -35,22 +35,6 @@ class KeySets {
   std::map<PartKey, PartKey> parent_;
 };
 
-/// Squared, from the middle of the cell to the middle of the nearest box; 0 without boxes.
-double way_to(const PartKey& key, const View& view, const MapDescription& description) noexcept {
-  if (view.boxes.empty()) return 0;
-  const CellCube cube = cube_of(key, description);
-  double least = std::numeric_limits<double>::infinity();
-  for (const ViewBox& box : view.boxes) {
-    double sum = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double way = cube.low[k] + cube.edge / 2 - (double{box.low[k]} + box.high[k]) / 2;
-      sum += way * way;
-    }
-    least = std::min(least, sum);
-  }
-  return least;
-}
-
 const std::vector<PartLink>* held_links(const PartKey& key, const Viewer& viewer,
                                         const KnownVersions& known) {
   const auto has = viewer.has.find(key);
@@ -71,7 +55,7 @@ std::vector<SendUnit> units_of(const SendPlan& plan, const Viewer& viewer, const
     for (const PartLink& link : map.find(key)->links)
       if (link.together || (before != nullptr && border_in(*before, link.key) != link.border))
         sets.unite(key, link.key);
-    if (before == nullptr) continue;
+    if (before == nullptr || plan.refined.contains(key)) continue;
     for (const PartLink& link : *before) sets.unite(key, link.key);
   }
   for (const PartKey& key : plan.removed)

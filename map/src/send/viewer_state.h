@@ -14,23 +14,13 @@
 #include <vector>
 
 #include "deltamesh/map/messages.h"
+#include "send/allowance.h"
+#include "send/believed.h"
+#include "send/delivery.h"
 #include "send/encodings.h"
 #include "send/source_map.h"
 
 namespace deltamesh {
-
-/// A version that a receiver has told of, or that is on its way.
-struct Believed {
-  bool is_confirmed() const noexcept { return !is_gone && sent == -std::numeric_limits<double>::infinity(); }
-
-  std::uint64_t revision = 0;
-  std::uint64_t since = 0;  ///< the first revision with these octets, as far as it is known
-  std::uint32_t version = 0;
-  bool is_waiting = false;  ///< the receiver has it and does not show it
-  bool is_gone = false;     ///< its removal is on its way
-  double sent =
-      -std::numeric_limits<double>::infinity();  ///< seconds; minus infinity: the receiver told of it
-};
 
 struct Extent {
   std::array<float, 3> low{};
@@ -42,6 +32,7 @@ struct SentPart {
   std::uint64_t revision = 0;                              ///< of the last message
   double time = -std::numeric_limits<double>::infinity();  ///< of the last message
   bool is_removal = false;
+  bool was_lost = false;           ///< that message
   bool is_everywhere = false;      ///< told of by the receiver, and unknown
   std::optional<Extent> extent{};  ///< of all versions that were sent
 
@@ -59,13 +50,29 @@ struct Viewer {
   std::uint64_t number = 0;
   std::uint64_t map = 0;  ///< hash of the description that it has
   std::uint64_t start = 0;
+  Delivery delivery{};
   std::map<PartKey, Believed> has{};
   std::map<PartKey, SentPart>
       sent{};  ///< all parts that it may have or that may be on their way; shrinks by hear()
   std::map<PartKey, std::uint64_t> due{};  ///< what it lacks, and the map's revision since when
-  double allowance = 0;                    ///< bytes that may be sent now
-  double asked = -std::numeric_limits<double>::infinity();      ///< last messages_for()
+  std::vector<PartFault> faults{};         ///< as the receiver was told last; ascending by key
+  Allowance allowance{};
+  double heard = 0;                                             ///< when it spoke last, seconds
   double described = -std::numeric_limits<double>::infinity();  ///< when the map's message was sent
+
+  /// Adds a message; one that replaces a lost one twice where there is no time to lose another.
+  void post(std::vector<std::byte> message, bool replaces_lost,
+            std::vector<std::vector<std::byte>>& messages) {
+    for (int copies = replaces_lost && delivery.is_slow() ? 2 : 1; copies > 0; --copies) {
+      allowance.spend(message.size());
+      messages.push_back(message);
+    }
+  }
+
+  std::optional<Believed> believed(const PartKey& key) const {
+    const auto found = has.find(key);
+    return found == has.end() ? std::nullopt : std::optional(found->second);
+  }
 
   /// For a message about a version of `least` or later: above all that came before it.
   std::uint64_t next_revision(const PartKey& key, std::uint64_t least, double now) {
@@ -76,6 +83,16 @@ struct Viewer {
   }
 };
 
+/// Takes what a receiver tells of its messages.
+void take_receipt(Viewer& viewer, const Receipt& receipt, double now);
+/// Takes what it tells of its parts, with the receipt. `waiting_since`: removals that were sent before, and
+/// that still wait, are taken for not sent.
+void take_held(Viewer& viewer, const std::vector<HeldVersion>& held, double waiting_since);
+
+/// Sends again what later messages of a part are made from, and takes back what was believed of all others
+/// that were lost, so that the next plan sends something newer.
+void recover(Viewer& viewer, double now, std::vector<std::vector<std::byte>>& messages);
+
 using KnownVersions = std::map<PartKey, std::map<std::uint32_t, KnownVersion>>;
 
 /// The parts to send to a receiver and to remove.
@@ -83,21 +100,25 @@ struct SendPlan {
   std::set<PartKey> wanted;    ///< parts that the receiver is to have
   std::set<PartKey> unwanted;  ///< other parts in its view: coarser or finer copies of these
   std::set<PartKey> needed;    ///< parts whose newest version is to be sent
-  std::set<PartKey> removed;   ///< parts that are to go
-  std::set<PartKey> staying;   ///< parts that go with all newest ones as the receiver has them
-  std::uint64_t kept = 0;      ///< parts with a newer source whose old version will do
+  /// Of these, what is needed for its quality alone: the first revision of what the receiver has.
+  std::map<PartKey, std::uint64_t> refined;
+  std::set<PartKey> removed;  ///< parts that are to go
+  std::set<PartKey> staying;  ///< parts that go with all newest ones as the receiver has them
+  std::vector<PartFault>
+      faults{};            ///< parts that do not come as the view asks; those without any are unwanted
+  std::uint64_t kept = 0;  ///< parts with a newer source whose old version will do
 };
 
 /// Plans for all parts in the view: those that are missing or break the view's bounds, and those that would
 /// not fit to these any more [MAP-12]. Adds the newest versions that it compares to `known`. `waiting_since`:
 /// parts that the receiver does not show, and about which no message was sent since then, are sent again.
-/// Errors: those of MapCodec::encode().
+/// Errors: as Encodings::get().
 Result<SendPlan> plan_for(const Viewer& viewer, double waiting_since, const SourceMap& map,
                           Encodings& encodings, KnownVersions& known, bool keeps_good_enough);
 
-/// The newest version for a view, which `known` gains. Errors: those of MapCodec::encode().
-Result<std::uint32_t> newest_version(const SourcePart& source, const View& view, Encodings& encodings,
-                                     KnownVersions& known);
+/// The newest version for a view, which `known` gains; null: there is none. Errors: as Encodings::get().
+Result<std::optional<std::uint32_t>> newest_version(const SourcePart& source, const View& view,
+                                                    Encodings& encodings, KnownVersions& known);
 
 const KnownVersion* find_version(const KnownVersions& known, const PartKey& key,
                                  std::uint32_t version) noexcept;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 #include <algorithm>
+#include <cstdio>
 #include <map>
 #include <set>
 #include <utility>
@@ -30,19 +31,27 @@ struct Splitter::State {
 
 namespace {
 
+/// Names the block: "block x y z", as far as there is room.
+Error at_block(Error error, const MapBlock& block) {
+  (void)std::snprintf(error.found.data(), error.found.size(), "block %d %d %d", block.cell[0], block.cell[1],
+                      block.cell[2]);
+  return error;
+}
+
 /// `blocks` after the update.
 Result<StoredBlocks> updated(StoredBlocks blocks, std::span<const MapBlock> update,
                              const MapDescription& description) {
   std::set<Cell0> seen;
   for (const MapBlock& block : update) {
     if (!seen.insert(block.cell).second)
-      return Error{.code = ErrorCode::kInvalidArgument, .message = "an update has a cell twice"};
+      return at_block({.code = ErrorCode::kInvalidArgument, .message = "an update has a cell twice"}, block);
     if (block.mesh.triangles.empty()) {
       blocks.erase(block.cell);
       continue;
     }
-    DELTAMESH_TRY(Mesh mesh, to_map(block.mesh, description));
-    blocks[block.cell] = store_block(std::move(mesh));
+    auto mesh = to_map(block.mesh, description);
+    if (!mesh) return at_block(mesh.error(), block);
+    blocks[block.cell] = store_block(*std::move(mesh));
   }
   return blocks;
 }

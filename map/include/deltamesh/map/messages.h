@@ -25,15 +25,17 @@ struct StartMessage {
 
 /// Tells that there is a version of a part, or that a part is gone [MAP-13].
 struct EntryMessage {
-  std::uint64_t map = 0;    ///< hash_of() the map's description
-  std::uint64_t start = 0;  ///< as StartMessage::start
+  std::uint64_t map = 0;     ///< hash_of() the map's description
+  std::uint64_t start = 0;   ///< as StartMessage::start
+  std::uint64_t number = 0;  ///< of the messages to a receiver, which are counted from 1; 0: not counted
   PartEntry entry{};
 };
 
 /// A version of a part [MAP-14].
 struct PartMessage {
-  std::uint64_t map = 0;    ///< hash_of() the map's description
-  std::uint64_t start = 0;  ///< as StartMessage::start
+  std::uint64_t map = 0;     ///< hash_of() the map's description
+  std::uint64_t start = 0;   ///< as StartMessage::start
+  std::uint64_t number = 0;  ///< as EntryMessage::number
   PartKey key{};
   std::uint64_t revision = 0;
   std::uint64_t group = 0;
@@ -47,6 +49,16 @@ struct PatchMessage {
   PartKey base_key{};             ///< of the part that the base is a version of
   std::uint64_t base = 0;         ///< xxh3-64 of the earlier version's octets
   std::vector<std::byte> body{};  ///< what makes octets of those; 1 to kMostPartBytes
+};
+
+/// Says that a receiver does not get a part as it asked [MAP-22].
+struct FaultMessage {
+  std::uint64_t map = 0;     ///< hash_of() the map's description
+  std::uint64_t start = 0;   ///< as StartMessage::start
+  std::uint64_t number = 0;  ///< as EntryMessage::number
+  PartKey key{};
+  /// kUnmetRequest: it is sent as well as can be; others: it is not sent; 0: nothing is wrong any more.
+  std::uint16_t code = 0;
 };
 
 /// Relative to the map's origin; model units.
@@ -81,6 +93,26 @@ struct HeldVersion {
   bool operator==(const HeldVersion&) const = default;
 };
 
+/// Which messages of a start a receiver has got, by their numbers [MAP-21].
+struct Receipt {
+  std::uint64_t highest = 0;             ///< 0: none
+  std::vector<std::uint64_t> missing{};  ///< of the kReceiptNumbers numbers before; ascending, above 0
+
+  bool operator==(const Receipt&) const = default;
+};
+inline constexpr std::uint64_t kReceiptNumbers = 256;  // [MAP-21]
+
+/// A receiver's short message to the sender: what has come and what has not [MAP-21].
+struct ReceiptMessage {
+  std::uint64_t viewer = 0;  ///< as ViewMessage::viewer
+  std::uint64_t number = 0;  ///< counted along with those of views
+  std::uint64_t map_id = 0;
+  std::uint64_t start = 0;  ///< as ViewMessage::start
+  Receipt receipt{};
+
+  bool operator==(const ReceiptMessage&) const = default;
+};
+
 /// A receiver's message to the sender [MAP-15].
 struct ViewMessage {
   std::uint64_t viewer = 0;  ///< chosen by the receiver; another one after a restart
@@ -88,6 +120,7 @@ struct ViewMessage {
   std::uint64_t map_id = 0;
   std::uint64_t map = 0;    ///< hash of the description that the receiver has; 0: none
   std::uint64_t start = 0;  ///< of the sender that the receiver takes messages of; 0: of none yet
+  Receipt receipt{};
   View view{};
   std::vector<HeldVersion> held{};  ///< ascending by key
 
@@ -99,14 +132,18 @@ Result<std::vector<std::byte>> write_start(const StartMessage& message) noexcept
 Result<std::vector<std::byte>> write_entry(const EntryMessage& message) noexcept;
 Result<std::vector<std::byte>> write_part(const PartMessage& message) noexcept;
 Result<std::vector<std::byte>> write_patch(const PatchMessage& message) noexcept;
+Result<std::vector<std::byte>> write_fault(const FaultMessage& message) noexcept;
 Result<std::vector<std::byte>> write_view(const ViewMessage& message) noexcept;
+Result<std::vector<std::byte>> write_receipt(const ReceiptMessage& message) noexcept;
 
-/// `attributes`: how many the map has. Errors of all: 1xx codes [MAP-1, MAP-12 to MAP-17], kOutOfMemory.
-/// Takes memory in proportion to the bytes.
+/// `attributes`: how many the map has. Errors of all: 1xx codes [MAP-1, MAP-12 to MAP-17, MAP-21, MAP-22],
+/// kOutOfMemory. Takes memory in proportion to the bytes.
 Result<StartMessage> read_start(std::span<const std::byte> message) noexcept;
 Result<EntryMessage> read_entry(std::span<const std::byte> message, std::size_t attributes) noexcept;
 Result<PartMessage> read_part(std::span<const std::byte> message) noexcept;
 Result<PatchMessage> read_patch(std::span<const std::byte> message) noexcept;
+Result<FaultMessage> read_fault(std::span<const std::byte> message) noexcept;
 Result<ViewMessage> read_view(std::span<const std::byte> message) noexcept;
+Result<ReceiptMessage> read_receipt(std::span<const std::byte> message) noexcept;
 
 }  // namespace deltamesh

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "deltamesh/map/part_key.h"
+#include "deltamesh/result.h"
 #include "deltamesh/stream_info.h"
 
 namespace deltamesh {
@@ -42,6 +43,17 @@ struct PartEntry {
   std::vector<float> attribute_errors{};  ///< of every attribute of the map
 
   bool operator==(const PartEntry& other) const noexcept;
+};
+
+/// A part that a receiver does not get as it asked.
+struct PartFault {
+  PartKey key{};
+  ErrorCode code =
+      ErrorCode::kUnmetRequest;  ///< kUnmetRequest: it comes as well as can be; others: it does not
+  const char* message = "";      ///< the sender's reason; empty at the receiver
+  double best_value = 0;         ///< as Error::best_value; 0 at the receiver
+
+  bool operator==(const PartFault&) const = default;
 };
 
 /// Tells versions of a part apart by what they show: of the octets' hash and of the borders, but not of

@@ -18,7 +18,8 @@
 
 namespace deltamesh {
 
-/// Upper limits of what a receiver holds. Messages that would exceed one are refused.
+/// Upper limits of what a receiver holds. Parts outside of the view, the farthest first, make room for those
+/// in it; messages that would still exceed a limit are refused.
 struct ReceiverLimits {
   std::size_t parts = std::size_t{1} << 16;
   std::uint64_t octets = std::uint64_t{1} << 30;
@@ -44,18 +45,28 @@ class MapReceiver {
   /// `viewer`: a number that no other receiver of the map has, and another one after each start.
   MapReceiver(std::uint64_t viewer, std::uint64_t map_id, const ReceiverLimits& limits = {});
 
-  /// Applies a message: a map, a start, an entry, a part or a patch. Old and known messages have no effect,
-  /// nor has a patch of a version that is not held. Errors: 1xx codes, kInvalidArgument (of another map or
-  /// start, or before the map's message), kLimitExceeded, kOutOfMemory; on an error nothing has changed.
-  /// Cost: decodes the part.
+  /// Applies a message: a map, a start, an entry, a part or a patch. Old and known messages have no effect. A
+  /// patch of a version that is not held waits for it, and so may an entry; then errors may be theirs.
+  /// Errors: 1xx codes, kInvalidArgument (of another map or start, or before the map's message),
+  /// kLimitExceeded, kOutOfMemory; on an error nothing has changed. Cost: decodes the part.
   Result<void> apply(std::span<const std::byte> message) noexcept;
 
-  /// Sets the request. Parts outside the view stay until others take their place. Default: the whole map.
+  /// Drops a part. The sender sends it again only if it is in the view.
+  void drop(const PartKey& key);
+
+  /// Sets the request. Parts outside the view stay until others take their place or need their room. Default:
+  /// the whole map.
   void set_view(const View& view);
   const View& view() const noexcept;
 
-  /// The message for the sender: the view and what is held. To be sent now and then, and after each change of
-  /// the view. Errors: kInvalidArgument (the view), kOutOfMemory.
+  /// What is to be sent to the sender now: the view once a second and after each change, and receipts of a
+  /// few dozen bytes: at once where a message is missing, else 20 times a second at the most. To be called
+  /// after apply(), and 20 times a second. `now`: seconds of any steady clock. Errors: as view_message().
+  Result<std::vector<std::vector<std::byte>>> messages(double now) noexcept;
+
+  /// The view alone, with what is held and what has come, for callers who choose the time themselves: at
+  /// least every few seconds, and after each change of the view. Errors: kInvalidArgument (the view),
+  /// kOutOfMemory.
   Result<std::vector<std::byte>> view_message() noexcept;
 
   /// Null before the map's message.
@@ -66,6 +77,8 @@ class MapReceiver {
   ShownChange take_change();
   /// Parts that entries announced and that have not arrived, ascending.
   std::vector<PartKey> lacking() const;
+  /// Parts that the sender cannot send as the view asks, ascending by key.
+  std::vector<PartFault> faults() const;
   /// Hash of the keys and octets of the parts shown.
   std::uint64_t hash() const;
 

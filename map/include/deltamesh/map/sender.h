@@ -22,8 +22,9 @@ struct SenderOptions {
   SplitOptions split{};
   int effort = 0;  ///< of encoding, 0 to 2: what is more costs several times the time for hardly fewer bytes
   GeometryCoder geometry = GeometryCoder::kAuto;
-  double resend_seconds = 1;      ///< what a receiver does not tell of after so long is sent again; above 0
-  std::size_t most_viewers = 64;  ///< views of more are refused
+  /// Views of more are refused, unless another viewer has been silent for 5 seconds and makes room.
+  std::size_t most_viewers = 64;
+  double viewer_seconds = 60;  ///< a viewer that is not heard for so long is forgotten; above 0
   /// Whether a receiver keeps faces of older versions that are within its bounds of the newest source: whole
   /// parts, or those that a patch leaves.
   bool keeps_good_enough = true;
@@ -40,7 +41,8 @@ struct SenderCounts {
 };
 
 /// Keeps the source and the state of each receiver. It decodes everything that it sends, so that it knows the
-/// receivers' maps to the bit. Times are seconds of any steady clock. A message arrives within 60 seconds or
+/// receivers' maps to the bit. What is lost on the way is sent again within one exchange, if nothing newer
+/// takes its place. Times are seconds of any steady clock. A message arrives within 60 seconds or
 /// not at all: then what is known of parts that no longer exist is forgotten. Not thread-safe.
 class MapSender {
  public:
@@ -49,26 +51,37 @@ class MapSender {
   /// Continues a map that had `revision` updates and used the group numbers below `group`.
   void resume(std::uint64_t revision, std::uint64_t group) noexcept;
 
-  /// One update of the source, as Splitter::update(). On an error nothing has changed.
+  /// One update of the source, as Splitter::update(). On an error nothing has changed; Error::found names the
+  /// block at fault.
   Result<void> update(std::span<const MapBlock> blocks) noexcept;
 
-  /// Takes a view's message. Errors: 1xx codes, kInvalidArgument (of another map), kLimitExceeded (too many
-  /// viewers), kUnmetRequest (a largest error below what the lattice allows), kOutOfMemory.
-  Result<void> hear(std::span<const std::byte> view_message, double now) noexcept;
+  /// Takes a message of a receiver: a view or a receipt. Receipts of unknown viewers have no effect. Errors:
+  /// 1xx codes, kInvalidArgument (of another map), kLimitExceeded (too many viewers), kUnmetRequest (a
+  /// largest error below what the lattice allows), kOutOfMemory.
+  Result<void> hear(std::span<const std::byte> message, double now) noexcept;
+  /// Drops a viewer; its next view begins anew. So does one that is silent for too long, and a number that is
+  /// used again by a receiver that has nothing yet.
   void forget(std::uint64_t viewer) noexcept;
   std::vector<std::uint64_t> viewers() const;
 
   /// The messages to send to a receiver now, in this order: removals first, then parts by level (coarsest
-  /// first), time since they were last sent and distance from the view's boxes. They stay within the
-  /// receiver's bytes per second, of which at most one second's worth is saved up; parts that are shown
-  /// together are sent together, and any excess is deducted later. With coarser copies the receiver first
-  /// gets the coarsest, then, call by call, finer ones down to the level of its view. `now`: seconds. Errors:
-  /// kInvalidArgument (unknown viewer), those of MapCodec::encode(), kOutOfMemory.
+  /// first), time since they were last sent and distance from the view's boxes. In any second
+  /// they have at most the receiver's bytes per second and one message more; parts that are shown together
+  /// are sent after each other. With coarser copies the receiver first gets the coarsest, then, call by call,
+  /// finer ones down to the level of its view. `now`: seconds. Errors: kInvalidArgument (unknown viewer),
+  /// kOutOfMemory; parts that cannot be encoded are faults_of().
   Result<std::vector<std::vector<std::byte>>> messages_for(std::uint64_t viewer, double now) noexcept;
+
+  /// Parts that the receiver does not get as it asked, as of the last messages_for(); ascending by key. The
+  /// receiver is told as well. All other parts come as if these were not there.
+  std::vector<PartFault> faults_of(std::uint64_t viewer) const;
 
   /// Versions that the receiver has once everything sent to it has arrived, ascending by key. For parts
   /// without a known version only the key is set.
   std::vector<PartEntry> entries_of(std::uint64_t viewer) const;
+
+  /// Of entries_of(): equal to MapReceiver::hash() once everything has arrived and is shown.
+  std::uint64_t hash(std::uint64_t viewer) const;
 
   const MapDescription& description() const noexcept;
   std::uint64_t revision() const noexcept;

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// How long the display of a receiver stands still over a link that loses messages, and what the map takes
+// there beside a link that loses none. Deterministic: simulated time, and random numbers of a seed.
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "live/run.h"
+#include "report/table.h"
+#include "report/text.h"
+#include "support/command_line.h"
+#include "support/errors.h"
+
+namespace deltamesh::bench {
+namespace {
+
+struct Settings {
+  std::vector<std::string> folders;
+  std::uint64_t vertices = 60'000;
+  std::uint32_t steps = 150;
+  std::vector<double> losses = {0.02, 0.05, 0.1};
+  std::vector<double> round_trips = {0.02, 0.3};
+  std::uint32_t seeds = 3;
+  double rate = 125'000;
+  bool checks = false;
+};
+
+/// The bars: longest freeze in seconds, bytes over those without loss.
+struct Bar {
+  double freeze;
+  double bytes;
+};
+constexpr double kLongFreeze = 1;  // seconds
+Bar bar_of(double loss) { return loss <= 0.05 ? Bar{1, 1.15} : Bar{2, 1.35}; }
+
+/// Of runs that differ in their random numbers alone.
+struct Figures {
+  double longest = 0;     ///< of all freezes, seconds
+  double frozen = 0;      ///< share of the time in freezes above kLongFreeze
+  double bytes = 0;       ///< mean
+  double bytes_back = 0;  ///< mean
+  double settled = 0;     ///< longest; negative: one has not
+};
+
+Figures figures_of(const std::vector<LiveResult>& results, const LiveResult& whole) {
+  Figures sums;
+  const auto count = static_cast<double>(results.size());
+  for (const LiveResult& result : results) {
+    for (const double time : freezes(result, whole)) {
+      sums.longest = std::max(sums.longest, time);
+      sums.frozen += time > kLongFreeze ? time / result.seconds / count : 0;
+    }
+    sums.bytes += static_cast<double>(result.bytes) / count;
+    sums.bytes_back += static_cast<double>(result.bytes_back) / count;
+    sums.settled = result.settled < 0 || sums.settled < 0 ? -1 : std::max(sums.settled, result.settled);
+  }
+  return sums;
+}
+
+std::string row(const MapUpdates& updates, double round_trip, double loss, const LiveResult& whole,
+                const std::vector<LiveResult>& results) {
+  const Figures figures = figures_of(results, whole);
+  return table_row({updates.name, fixed(1e3 * round_trip, 0), fixed(100 * loss, 0), fixed(figures.longest, 2),
+                    fixed(100 * figures.frozen, 0),
+                    fixed(figures.bytes / 1e3 / static_cast<double>(updates.steps.size()), 2),
+                    fixed(figures.bytes / static_cast<double>(whole.bytes), 3),
+                    fixed(figures.bytes_back / 1e3 / whole.seconds, 2), fixed(figures.settled, 2)});
+}
+
+/// Whether all bars are met.
+bool run_updates(const MapUpdates& updates, const Settings& settings) {
+  bool is_met = true;
+  for (const double round_trip : settings.round_trips) {
+    LiveSettings live;
+    live.link = {.delay = round_trip / 2, .bytes_per_second = settings.rate};
+    live.view_rate = static_cast<std::uint32_t>(settings.rate);
+    const LiveResult whole = run_live(updates, live);
+    print(row(updates, round_trip, 0, whole, {whole}));
+    for (const double loss : settings.losses) {
+      live.link.loss = loss;
+      std::vector<LiveResult> results;
+      for (live.seed = 1; live.seed <= settings.seeds; ++live.seed)
+        results.push_back(run_live(updates, live));
+      print(row(updates, round_trip, loss, whole, results));
+      const Figures figures = figures_of(results, whole);
+      const Bar bar = bar_of(loss);
+      is_met = is_met && figures.longest <= bar.freeze &&
+               figures.bytes <= bar.bytes * static_cast<double>(whole.bytes) && figures.settled >= 0;
+    }
+  }
+  return is_met;
+}
+
+int run(const Settings& settings) {
+  print(table_head({"sequence", "round trip, ms", "loss, %", "longest freeze, s",
+                    "time in freezes above 1 s, %", "kB an update", "over those without loss", "kB/s back",
+                    "settled after, s"}));
+  bool is_met = true;
+  for (const std::string& folder : settings.folders)
+    is_met &= run_updates(value_or_exit(read_updates(folder, folder.substr(folder.find_last_of('/') + 1))),
+                          settings);
+  if (settings.steps > 0)
+    is_met &= run_updates(value_or_exit(drive_updates(settings.vertices, settings.steps)), settings);
+  return is_met || !settings.checks ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace deltamesh::bench
+
+int main(int argc, char** argv) {
+  using namespace deltamesh::bench;
+  Settings settings;
+  CLI::App app("Freezes and bytes of a map over links that lose messages, in simulated time.");
+  app.add_option("--sequence", settings.folders, "Folders with sequence.json");
+  app.add_option("--vertices", settings.vertices, "Of the generated drive")->capture_default_str();
+  app.add_option("--steps", settings.steps, "Of the generated drive; 0: none")->capture_default_str();
+  app.add_option("--loss", settings.losses, "Shares of messages")->delimiter(',')->capture_default_str();
+  app.add_option("--round-trip", settings.round_trips, "Seconds")->delimiter(',')->capture_default_str();
+  app.add_option("--seeds", settings.seeds, "Runs of each")->capture_default_str();
+  app.add_option("--rate", settings.rate, "Of the link, bytes per second")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  app.add_flag("--check", settings.checks, "Fail where a bar is missed");
+  return parse_and_run(app, argc, argv, [&] { return run(settings); });
+}

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "live/run.h"
+
+#include <algorithm>
+
+#include "deltamesh/map/receiver.h"
+#include "deltamesh/map/sender.h"
+#include "support/errors.h"
+
+namespace deltamesh::bench {
+namespace {
+
+constexpr double kTick = 0.005;
+constexpr double kSenderPeriod = 0.05;  // between calls without an occasion
+constexpr double kMostIdle = 0.2;       // that the map itself may take from change to change
+constexpr double kMostSettling = 60;
+
+class LiveRun {
+ public:
+  LiveRun(const MapUpdates& updates, const LiveSettings& settings)
+      : updates_(updates),
+        settings_(settings),
+        sender_(value_or_exit(MapSender::make(map_description(updates, settings.max_error * updates.voxel)))),
+        receiver_(1, sender_.description().id),
+        down_(settings.link, settings.seed),
+        up_(settings.link, settings.seed + 1000) {
+    View view;
+    view.max_error = static_cast<float>(settings.max_error * updates.voxel);
+    view.color_error = 4;
+    view.bytes_per_second = settings.view_rate;
+    receiver_.set_view(view);
+  }
+
+  LiveResult run() {
+    const auto updates = updates_.steps.size();
+    result_.seconds = static_cast<double>(updates) * settings_.seconds_between_updates;
+    std::size_t next = 0;
+    result_.settled = -1;
+    for (std::uint64_t tick = 0;; ++tick) {
+      const double now = kTick * static_cast<double>(tick);
+      if (now > result_.seconds + kMostSettling) break;
+      bool has_occasion = false;
+      if (next < updates && now >= static_cast<double>(next) * settings_.seconds_between_updates) {
+        update(updates_.steps[next++]);
+        has_occasion = true;
+      }
+      for (const auto& message : up_.take(now)) {
+        check_or_exit(sender_.hear(message, now));
+        has_occasion = true;
+      }
+      if (has_occasion || now - called_ >= kSenderPeriod) send(now);
+      receive(now);
+      if (now >= result_.seconds && is_settled()) {
+        result_.settled = now - result_.seconds;
+        break;
+      }
+    }
+    result_.bytes = down_.bytes();
+    result_.bytes_back = up_.bytes();
+    return result_;
+  }
+
+ private:
+  void update(const SequenceStep& step) {
+    const Mesh nothing;
+    std::vector<MapBlock> blocks;
+    for (const SequenceBlock& block : step.changed) blocks.push_back({block.id, block.mesh});
+    for (const SequenceBlockId& id : step.removed) blocks.push_back({id, nothing});
+    check_or_exit(sender_.update(blocks));
+  }
+
+  void send(double now) {
+    called_ = now;
+    if (sender_.viewers().empty()) return;
+    for (auto& message : value_or_exit(sender_.messages_for(1, now))) down_.send(std::move(message), now);
+  }
+
+  void receive(double now) {
+    for (const auto& message : down_.take(now)) (void)receiver_.apply(message).has_value();
+    const ShownChange change = receiver_.take_change();
+    if ((!change.changed.empty() || !change.removed.empty()) && now <= result_.seconds)
+      result_.changes.push_back(now);
+    for (auto& message : value_or_exit(receiver_.messages(now))) up_.send(std::move(message), now);
+  }
+
+  bool is_settled() const {
+    std::vector<PartKey> keys;
+    for (const PartEntry& entry : sender_.entries_of(1)) {
+      const MapPart* shown = receiver_.find(entry.key);
+      if (shown == nullptr) return false;
+      keys.push_back(entry.key);
+    }
+    return keys == receiver_.shown() && keys == sender_.keys() && hashes_are_equal();
+  }
+
+  bool hashes_are_equal() const {
+    const auto entries = sender_.entries_of(1);
+    const auto held = receiver_.held();
+    return std::ranges::equal(entries, held, [](const PartEntry& a, const HeldPart& b) {
+      return a.key == b.entry.key && a.hash == b.entry.hash;
+    });
+  }
+
+  const MapUpdates& updates_;
+  LiveSettings settings_;
+  MapSender sender_;
+  MapReceiver receiver_;
+  Link down_;
+  Link up_;
+  double called_ = -1;
+  LiveResult result_;
+};
+
+}  // namespace
+
+std::vector<double> freezes(const LiveResult& result, const LiveResult& reference) {
+  std::vector<double> freezes;
+  std::vector<double> ends = result.changes;
+  ends.push_back(result.seconds);
+  double begin = 0;
+  for (const double end : ends) {
+    // Where the map itself stands still, nobody waits.
+    const auto due = std::ranges::upper_bound(reference.changes, begin);
+    const double last_idle =
+        due == reference.changes.end() ? end : *due - (due == reference.changes.begin() ? *due : kMostIdle);
+    freezes.push_back(std::max(end - std::max(begin, last_idle), 0.0));
+    begin = end;
+  }
+  return freezes;
+}
+
+LiveResult run_live(const MapUpdates& updates, const LiveSettings& settings) {
+  return LiveRun(updates, settings).run();
+}
+
+}  // namespace deltamesh::bench

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// A map that changes, from a sender to a receiver over a link, in simulated time.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "live/link.h"
+#include "map/updates.h"
+
+namespace deltamesh::bench {
+
+struct LiveSettings {
+  LinkSettings link{};
+  double seconds_between_updates = 0.2;
+  double max_error = 0.05;            ///< voxels
+  std::uint32_t view_rate = 125'000;  ///< bytes per second that the view asks for
+  std::uint32_t seed = 1;
+};
+
+struct LiveResult {
+  std::vector<double> changes;  ///< seconds at which the receiver showed something else
+  double seconds = 0;           ///< of the updates
+  std::uint64_t bytes = 0;      ///< to the receiver
+  std::uint64_t bytes_back = 0;
+  double settled = 0;  ///< seconds from the last update until the receiver has all; negative: it never has
+};
+
+/// Times in which the receiver showed nothing new although a receiver without loss (`reference`) did,
+/// seconds.
+std::vector<double> freezes(const LiveResult& result, const LiveResult& reference);
+
+/// Library with default options. Exits where sender or receiver fails.
+LiveResult run_live(const MapUpdates& updates, const LiveSettings& settings);
+
+}  // namespace deltamesh::bench

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "receive/arrivals.h"
+
+#include <algorithm>
+
+namespace deltamesh {
+namespace {
+
+constexpr double kViewPeriod = 1;  // seconds, all of these
+constexpr double kSoon = 0.25;
+constexpr double kReceiptPeriod = 0.05;  // as receipts can be lost, what comes is told of twice
+constexpr int kReceipts = 2;
+
+}  // namespace
+
+bool Arrivals::add(std::uint64_t number) {
+  if (number <= highest_) {
+    missing_.erase(number);
+    return false;
+  }
+  const std::uint64_t first = std::max(highest_ + 1, number - std::min(number - 1, kReceiptNumbers));
+  for (std::uint64_t between = first; between < number; ++between) missing_.insert(missing_.end(), between);
+  highest_ = number;
+  std::erase_if(missing_, [&](std::uint64_t old) { return highest_ - old > kReceiptNumbers; });
+  return first < number;
+}
+
+void Talk::came(bool is_gap) noexcept {
+  wants_receipt_ = wants_receipt_ || is_gap;
+  receipts_ = kReceipts;
+}
+
+Talk::Turn Talk::turn(double now, bool has_parts) const noexcept {
+  if (wants_view_ || now - view_ >= (has_parts && views_ == 0 ? kViewPeriod : kSoon)) return Turn::kView;
+  if (wants_receipt_ || (receipts_ > 0 && now - receipt_ >= kReceiptPeriod)) return Turn::kReceipt;
+  return Turn::kNothing;
+}
+
+void Talk::said(Turn turn, double now) noexcept {
+  receipt_ = now;
+  wants_receipt_ = false;
+  receipts_ = std::max(receipts_ - 1, 0);
+  if (turn != Turn::kView) return;
+  view_ = now;
+  wants_view_ = false;
+  views_ = std::max(views_ - 1, 0);
+}
+
+}  // namespace deltamesh

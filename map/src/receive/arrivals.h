@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Which numbered messages have come, and when a receiver should speak [MAP-21].
+#pragma once
+
+#include <cstdint>
+#include <set>
+
+#include "deltamesh/map/messages.h"
+
+namespace deltamesh {
+
+class Arrivals {
+ public:
+  /// A message with this number has come; 0: one without. Whether others before it have not, as is seen now.
+  bool add(std::uint64_t number);
+
+  bool has_any() const noexcept { return highest_ != 0; }
+  Receipt receipt() const { return {highest_, {missing_.begin(), missing_.end()}}; }
+
+ private:
+  std::uint64_t highest_ = 0;
+  std::set<std::uint64_t> missing_;
+};
+
+/// What to say when.
+class Talk {
+ public:
+  enum class Turn : std::uint8_t { kNothing, kReceipt, kView };
+
+  /// The view or what the receiver accepts has changed.
+  void want_view() noexcept {
+    wants_view_ = true;
+    views_ = kViews;
+  }
+  /// A message has come; `is_gap`: others before it have not.
+  void came(bool is_gap) noexcept;
+  /// `has_parts`: messages about parts have come.
+  Turn turn(double now, bool has_parts) const noexcept;
+  void said(Turn turn, double now) noexcept;
+
+ private:
+  static constexpr int kViews = 2;  // after a change, as one may be lost
+
+  bool wants_view_ = true;      ///< at once
+  int views_ = kViews;          ///< that are still to be sent soon
+  bool wants_receipt_ = false;  ///< at once
+  int receipts_ = 0;            ///< that are still to be sent, one by one
+  double view_ = 0;             ///< when the last one was sent, seconds
+  double receipt_ = 0;
+};
+
+}  // namespace deltamesh

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// What a receiver tells its sender [MAP-15, MAP-21].
+#include "receive/state.h"
+
+namespace deltamesh {
+
+Result<std::vector<std::byte>> MapReceiver::State::view_message() {
+  ViewMessage message{.viewer = viewer,
+                      .number = ++number,
+                      .map_id = map_id,
+                      .map = codec ? map : 0,
+                      .start = start,
+                      .receipt = arrivals.receipt(),
+                      .view = view,
+                      .held = {}};
+  for (const auto& [key, part] : parts.all()) {
+    const Version* newest = part.shown ? &*part.shown : nullptr;
+    if (!part.waiting.empty() && part.waiting.back().content) newest = &part.waiting.back();
+    if (newest == nullptr) continue;
+    message.held.push_back(
+        {key, newest->revision, version_hash(newest->content->hash, newest->links), !part.waiting.empty()});
+  }
+  return write_view(message);
+}
+
+Result<std::vector<std::byte>> MapReceiver::State::receipt_message() {
+  return write_receipt({viewer, ++number, map_id, start, arrivals.receipt()});
+}
+
+}  // namespace deltamesh

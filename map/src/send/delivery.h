@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// The numbered messages to one receiver: which have arrived, which are lost, and how long a round trip takes
+// [MAP-21].
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "deltamesh/map/messages.h"
+#include "send/believed.h"
+
+namespace deltamesh {
+
+/// A message that the receiver has not told of yet.
+struct SentMessage {
+  PartKey key{};
+  std::vector<std::byte> bytes{};
+  std::optional<Believed> before{};  ///< what the receiver was believed to have of the part
+  bool is_whole = false;             ///< of use without earlier messages about the part
+  bool is_superseded = false;        ///< a later message about the part is whole
+  double time = 0;                   ///< when it was sent last, seconds
+  std::uint64_t after = 0;           ///< the highest number that was used by then
+  unsigned times = 1;                ///< how often it was sent
+};
+
+class Delivery {
+ public:
+  /// Numbers follow that of the highest message that the receiver has of this start.
+  explicit Delivery(std::uint64_t highest = 0) noexcept : last_(highest), told_(highest) {}
+
+  std::uint64_t next_number() noexcept { return ++last_; }
+  /// Remembers a message with the last number.
+  void add(SentMessage message);
+  /// The message is to be sent once more.
+  const SentMessage& send_again(std::uint64_t number, double now);
+  void forget(std::uint64_t number) { on_the_way_.erase(number); }
+  /// Forgets a lost message that nothing is made from.
+  void skip(std::uint64_t number);
+
+  /// Takes what the receiver tells. O(messages on the way).
+  void hear(const Receipt& receipt, double now);
+
+  const std::map<std::uint64_t, SentMessage>& on_the_way() const noexcept { return on_the_way_; }
+  const SentMessage& at(std::uint64_t number) const { return on_the_way_.at(number); }
+  bool is_on_the_way(std::uint64_t number) const { return on_the_way_.contains(number); }
+  /// Numbers of messages that are taken to be lost, ascending: later ones have come, or a reply is overdue.
+  std::vector<std::uint64_t> lost(double now) const;
+  /// Whether receipts still tell of a message of this number.
+  bool is_told_of(std::uint64_t number) const noexcept { return number + kReceiptNumbers >= told_; }
+
+  /// Seconds after which a message without a reply is taken to be lost (RFC 6298).
+  double timeout() const noexcept;
+  /// Whether a message that is lost once more would be late.
+  bool is_slow() const noexcept { return round_trip_ && *round_trip_ > kSlow; }
+  /// Whether the receiver has not been heard for so long that nothing is worth sending.
+  bool is_silent(double now) const noexcept;
+
+ private:
+  static constexpr double kSlow = 0.1;  // seconds
+  bool is_lost(std::uint64_t number, const SentMessage& message, double now) const noexcept;
+  void measure(double round_trip) noexcept;
+  void notice_late(const Receipt& receipt);
+
+  std::map<std::uint64_t, SentMessage> on_the_way_;  ///< by number
+  std::uint64_t last_ = 0;                           ///< the last number that was used
+  std::uint64_t told_ = 0;                           ///< the highest number that the receiver has told of
+  std::vector<std::uint64_t> missing_{};             ///< as the receiver told last
+  std::uint64_t disorder_ = 0;  ///< by how many numbers a message that seemed lost came late
+  double heard_ = 0;
+  std::optional<double> round_trip_{};  ///< smoothed, seconds
+  double variation_ = 0;                ///< of it
+};
+
+}  // namespace deltamesh
