@@ -31,7 +31,7 @@ await build({
   sourcemap: true,
   format: 'esm',
   target: 'es2022',
-  external: ['node:*', 'fs', 'path'], // of modules that run in node, too
+  external: ['node:*', 'fs', 'path', './text/*'], // of modules that run in node, too; texts of modules that are there as files
   logLevel: 'warning',
 });
 for (const name of ['index.html', 'style.css']) await copyFile(new URL(name, here), new URL(name, dist));

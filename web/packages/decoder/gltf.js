@@ -2,18 +2,17 @@
 // Copyright 2026 The deltamesh authors
 //
 // The glTF extension DELTAMESH_mesh_compression, whatever the loader. See gltf.d.ts.
-import { DeltameshError } from './decoder.js';
+import { CODES, DeltameshError } from './errors.js';
 
 export const EXTENSION_NAME = 'DELTAMESH_mesh_compression';
 
-const INVALID = 304;
 const TRIANGLES = 4;
 const INDEX_ARRAYS = { 5121: Uint8Array, 5123: Uint16Array, 5125: Uint32Array };
 const ARRAYS = { 5120: Int8Array, 5122: Int16Array, 5126: Float32Array, ...INDEX_ARRAYS };
 const COMPONENTS = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 };
 
 function check(condition, rule, what) {
-  if (!condition) throw new DeltameshError({ code: INVALID, what, rule });
+  if (!condition) throw new DeltameshError({ code: CODES.invalidAsset, what, rule });
 }
 
 /** The accessors' numbers, with what each of them stands for. */

@@ -12,8 +12,7 @@ const DECODER = new URL('../../packages/decoder/', import.meta.url);
 export const LOADERS = ['three', 'babylon'];
 
 async function bundles() {
-  const scripts = { worker: new URL('worker.js', DECODER) };
-  for (const loader of LOADERS) scripts[loader] = new URL(`in-${loader}.js`, import.meta.url);
+  const scripts = Object.fromEntries(LOADERS.map((loader) => [loader, new URL(`in-${loader}.js`, import.meta.url)]));
   const { outputFiles } = await build({
     entryPoints: Object.entries(scripts).map(([out, url]) => ({ in: fileURLToPath(url), out })),
     outdir: '/',
@@ -21,7 +20,7 @@ async function bundles() {
     write: false,
     format: 'esm',
     target: 'es2022',
-    external: ['node:*'],
+    splitting: true,
     logLevel: 'error',
   });
   return outputFiles.map(({ path, contents }) => [path, contents]);

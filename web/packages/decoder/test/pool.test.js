@@ -7,16 +7,13 @@ import { test } from 'node:test';
 import { DeltameshError } from '@deltamesh/decoder';
 import { DecoderPool } from '@deltamesh/decoder/pool';
 
-import { NodeWorker } from '../../../test/node-worker.js';
 import { goldenStreams, meshHash } from './streams.js';
 
 const streams = goldenStreams();
 
 for (const workers of [0, 2]) {
-  const options = () => (workers > 0 ? { workers, createWorker: () => new NodeWorker(new URL('../worker.js', import.meta.url)) } : { workers });
-
   test(`a pool of ${workers} workers decodes, refuses, cancels and ends`, async () => {
-    const pool = new DecoderPool(options());
+    const pool = new DecoderPool({ workers });
     const meshes = await Promise.all(streams.map(({ bytes }) => pool.decode(bytes)));
     for (const mesh of meshes) assert.ok(!(mesh instanceof DeltameshError), mesh.message);
     const alone = new DecoderPool({ workers: 0 });
