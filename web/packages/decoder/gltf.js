@@ -2,7 +2,7 @@
 // Copyright 2026 The deltamesh authors
 //
 // The glTF extension DELTAMESH_mesh_compression, whatever the loader. See gltf.d.ts.
-import { CODES, DeltameshError } from './errors.js';
+import { CODES, DeltameshError, errorIn } from './errors.js';
 
 export const EXTENSION_NAME = 'DELTAMESH_mesh_compression';
 
@@ -40,20 +40,34 @@ function* standIns(primitive, extension) {
   }
 }
 
+/** `work`'s result; what it throws is thrown as an error in `source`. */
+function within(source, work) {
+  try {
+    return work();
+  } catch (error) {
+    throw errorIn(source, error);
+  }
+}
+
+function findInPrimitive(json, primitive, source, found) {
+  const extension = primitive.extensions[EXTENSION_NAME];
+  check(json.bufferViews?.[extension.bufferView], 'GLTF-1', 'a stream in a buffer view that is not there');
+  for (const [accessor, what] of standIns(primitive, extension)) {
+    check(json.accessors?.[accessor], 'GLTF-5', 'an accessor that is not there');
+    const standIn = { bufferView: extension.bufferView, ...what };
+    const { source: first, ...other } = found.get(accessor) ?? { ...standIn, source };
+    check(JSON.stringify(other) === JSON.stringify(standIn), 'GLTF-6', 'an accessor that stands for two arrays');
+    found.set(accessor, { ...standIn, source: first });
+  }
+}
+
 export function findCompressed(json) {
   const found = new Map();
-  for (const { primitives = [] } of json.meshes ?? []) {
-    for (const primitive of primitives) {
-      const extension = primitive.extensions?.[EXTENSION_NAME];
-      if (!extension) continue;
-      check(json.bufferViews?.[extension.bufferView], 'GLTF-1', 'a stream in a buffer view that is not there');
-      for (const [accessor, what] of standIns(primitive, extension)) {
-        check(json.accessors?.[accessor], 'GLTF-5', 'an accessor that is not there');
-        const standIn = { bufferView: extension.bufferView, ...what };
-        const other = found.get(accessor);
-        check(!other || JSON.stringify(other) === JSON.stringify(standIn), 'GLTF-6', 'an accessor that stands for two arrays');
-        found.set(accessor, standIn);
-      }
+  for (const [m, { name, primitives = [] }] of (json.meshes ?? []).entries()) {
+    for (const [p, primitive] of primitives.entries()) {
+      if (!primitive.extensions?.[EXTENSION_NAME]) continue;
+      const source = `mesh ${m}${name ? ` (${name})` : ''}, primitive ${p}`;
+      within(source, () => findInPrimitive(json, primitive, source, found));
     }
   }
   return found;
@@ -79,6 +93,10 @@ function fitsAccessor(accessor, components, Type, values) {
 }
 
 export function arrayOf(mesh, standIn, accessor) {
+  return within(standIn.source, () => arrayIn(mesh, standIn, accessor));
+}
+
+function arrayIn(mesh, standIn, accessor) {
   check(mesh.origin.every((x) => x === 0), 'GLTF-7', 'a stream with an origin');
   if (standIn.kind === 'indices') {
     const indices = indicesOf(mesh, standIn.group);

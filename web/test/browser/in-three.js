@@ -67,3 +67,8 @@ window.tryToLoad = async (url) => {
     return error.message;
   }
 };
+
+/** What goes wrong with each of many loaders that are all kept. */
+window.loadByMany = (count, url) =>
+  Promise.all(Array.from({ length: count }, () => new DeltameshLoader().loadAsync(url).then(() => '', (error) => error.message)));
+window.isReady = true;

@@ -10,9 +10,10 @@ import { launch, serveFiles } from '../chromium.js';
 
 const DECODER = new URL('../../packages/decoder/', import.meta.url);
 export const LOADERS = ['three', 'babylon'];
+const PAGES = [...LOADERS, 'babylon-readme'];
 
 async function bundles() {
-  const scripts = Object.fromEntries(LOADERS.map((loader) => [loader, new URL(`in-${loader}.js`, import.meta.url)]));
+  const scripts = Object.fromEntries(PAGES.map((name) => [name, new URL(`in-${name}.js`, import.meta.url)]));
   const { outputFiles } = await build({
     entryPoints: Object.entries(scripts).map(([out, url]) => ({ in: fileURLToPath(url), out })),
     outdir: '/',
@@ -30,8 +31,8 @@ async function bundles() {
 export async function openBrowser(files) {
   const all = new Map([...(await bundles()), ...files]);
   for (const name of ['core', 'highpass', 'rare', 'zstd']) all.set(`/${name}.wasm`, readFileSync(new URL(`${name}.wasm`, DECODER)));
-  for (const loader of LOADERS)
-    all.set(`/${loader}.html`, `<!doctype html><link rel="icon" href="data:,"><body><script type="module" src="${loader}.js"></script>`);
+  for (const name of PAGES)
+    all.set(`/${name}.html`, `<!doctype html><link rel="icon" href="data:,"><body><script type="module" src="${name}.js"></script>`);
   const server = await serveFiles(all);
   const browser = await launch();
   return {
@@ -42,7 +43,7 @@ export async function openBrowser(files) {
       const problems = [];
       page.on('pageerror', (error) => problems.push(String(error)));
       await page.goto(`${server.origin}/${loader}.html`);
-      await page.waitForFunction(() => 'compareAssets' in window);
+      await page.waitForFunction(() => window.isReady);
       return { page, problems };
     },
     async close() {

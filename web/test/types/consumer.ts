@@ -51,12 +51,12 @@ export async function encode(positions: Float32Array, indices: Uint32Array): Pro
 export const compressInWorker = (mesh: Parameters<EncoderWorker['encode']>[0]) => new EncoderWorker().encode(mesh, { effort: 0 });
 
 export async function load(url: string): Promise<void> {
-  const loader = new DeltameshLoader().setLimits({ triangles: 1e6 });
+  const loader = new DeltameshLoader().setLimits({ triangles: 1e6 }).preload();
   const geometry = await loader.loadAsync(url);
   const gltf = await new GLTFLoader().register(gltfDeltameshExtension(loader)).loadAsync(url);
   gltf.scene.add();
   geometry.dispose();
-  loader.dispose();
+  loader.abort().dispose();
   registerDeltamesh({ pool: { workers: 1 } }).dispose();
 }
 
