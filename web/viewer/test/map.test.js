@@ -218,10 +218,10 @@ function crack({ positions, indices, attributes: [color] }, share) {
 }
 
 test('holes are seen, and cracks of a tenth of an edge', { skip }, async (t) => {
-  const terrain = makeExample('terrain');
+  const terrain = makeExample('terrain').mesh;
   const counts = [];
   for (const share of [0, 0.1, 0.3]) {
-    const damaged = share > 0 ? crack(makeExample('terrain'), share) : terrain;
+    const damaged = share > 0 ? crack(makeExample('terrain').mesh, share) : terrain;
     await drop(page, 'damaged.glb', writeGlb({ ...terrain, ...damaged }));
     await choose(page, 'view', 'original');
     counts.push(await countHoles(page));

@@ -35,7 +35,7 @@ test('every edge comes once', () => {
 
 test('examples have vertices that faces use, and finite coordinates', () => {
   for (const name of Object.keys(EXAMPLES)) {
-    const { positions, indices } = makeExample(name);
+    const { positions, indices } = makeExample(name).mesh;
     assert.ok(positions.every(Number.isFinite), name);
     assert.equal(new Set(indices).size, positions.length / 3, name);
   }

@@ -22,7 +22,7 @@ let open;
 let page;
 before(async () => {
   if (!hasChromium) return;
-  open = await openPage();
+  open = await openPage({ hash: '#example=knot&view=side' });
   ({ page } = open);
   await waitUntilDone(page);
 });
@@ -91,6 +91,24 @@ test('a size in bytes is kept', { skip }, async () => {
   await page.$eval('#size-on', (check) => check.click());
   await page.$eval('#maxError-on', (check) => check.click());
   await slide(page, 'maxError', [115]);
+});
+
+test('what people ask for becomes smaller and smaller, or exact, and a headline says so', { skip }, async () => {
+  const sizes = {};
+  for (const preset of ['same', 'small', 'tiny', 'exact']) {
+    await page.evaluate(() => (document.body.dataset.state = 'busy'));
+    await choose(page, 'preset', preset);
+    await waitUntilDone(page);
+    sizes[preset] = await shownBytes(page);
+    assert.match(await textOf(page, 'headline'), /^1.2 MB → \d+(\.\d+)? kB, and /);
+    assert.match(page.url(), preset === 'same' ? /knot&view=side$/ : new RegExp(`preset=${preset}`));
+  }
+  assert.ok(sizes.tiny < sizes.small && sizes.small < sizes.same && sizes.same < sizes.exact, JSON.stringify(sizes));
+  assert.match(await textOf(page, 'errors'), /Largest00 %/);
+  await choose(page, 'preset', 'same');
+  await slide(page, 'maxError', [115]);
+  assert.equal(await page.$eval('input[name="preset"][value="own"]', (input) => input.checked), true);
+  assert.match(await textOf(page, 'headline'), /times smaller$/);
 });
 
 test('views, shadings and heat maps draw', { skip }, async () => {
@@ -167,6 +185,8 @@ test('all is done by keys: a mesh is compressed, turned and coloured', { skip },
   assert.equal(await page.$eval('#scale', (scale) => scale.hidden), false);
   await page.keyboard.press('ArrowLeft');
   const before = await shownBytes(page);
+  await reach('#details > summary');
+  await page.keyboard.press('Enter');
   await reach('#maxError-slider');
   for (let i = 0; i < 20; ++i) await page.keyboard.press('ArrowRight');
   const isSmaller = (before) => Number(document.querySelector('#bytes tbody tr:last-child td').textContent.replaceAll(/\D/g, '')) < before;
@@ -184,6 +204,28 @@ test('every input has a name', { skip }, async () => {
 });
 
 test('nothing went wrong on the console', { skip }, () => assert.deepEqual(open.problems, []));
+
+test('a room is seen first, in its materials, split', { skip }, async () => {
+  const first = await openPage();
+  await waitUntilDone(first.page);
+  assert.match(await textOf(first.page, 'headline'), /^2\.\d+ MB → \d\d(\.\d)? kB, and you cannot see it$/);
+  assert.equal(await first.page.$eval('#divider', (divider) => divider.hidden), false);
+  const own = await picture(first.page);
+  await choose(first.page, 'look', 'clay');
+  assert.notEqual(await picture(first.page), own);
+  await choose(first.page, 'look', 'own');
+  assert.equal(await picture(first.page), own);
+  assert.deepEqual(first.problems, []);
+  await first.close();
+});
+
+test('without WebGL the page says so, and compresses', { skip }, async () => {
+  const plain = await openPage({ hash: '#example=terrain&effort=0', before: () => (HTMLCanvasElement.prototype.getContext = () => null) });
+  await waitUntilDone(plain.page);
+  assert.equal(await plain.page.$eval('#no-picture', (element) => element.hidden), false);
+  assert.ok((await shownBytes(plain.page)) > 0);
+  await plain.close();
+});
 
 test('on a phone, in the dark, from a link', { skip }, async () => {
   const phone = await openPage({ width: 390, height: 844, dark: true, hash: '#example=terrain&view=split&color=signed&maxError=0.2' });

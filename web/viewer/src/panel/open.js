@@ -35,9 +35,43 @@ export function openFiles({ input, folderInput, hint }, { onFiles, onFolder, onF
   });
 }
 
+/** Files, or a URL, from the clipboard; not where a person types. `onUrl`: gets a URL. */
+export function openPasted({ onFiles, onUrl }) {
+  document.addEventListener('paste', (event) => {
+    if (event.target.matches?.('input, textarea')) return;
+    const files = [...event.clipboardData.files];
+    const text = event.clipboardData.getData('text/plain').trim();
+    if (files.length > 0) onFiles(files);
+    else if (/^https?:\/\/\S+$/.test(text)) onUrl(text);
+  });
+}
+
+/** A file of another place; throws what a person can read. */
+export async function fetchFile(url) {
+  const name = decodeURIComponent(new URL(url, location.href).pathname.split('/').pop()) || 'file';
+  let response;
+  try {
+    response = await fetch(url);
+  } catch {
+    throw new Error(`${url} could not be fetched: there is no way to it, or its server does not allow other pages to read it (CORS)`);
+  }
+  if (!response.ok) throw new Error(`${url} could not be fetched: ${response.status} ${response.statusText}`);
+  return new File([await response.arrayBuffer()], name);
+}
+
 export function download(bytes, name, type) {
   const url = URL.createObjectURL(new Blob([bytes], { type }));
   const link = Object.assign(document.createElement('a'), { href: url, download: name });
   link.click();
   setTimeout(() => URL.revokeObjectURL(url), 10000);
+}
+
+/** The page's link, to the clipboard. Returns where it is. */
+export async function copyLink() {
+  try {
+    await navigator.clipboard.writeText(location.href);
+    return 'The link is in the clipboard';
+  } catch {
+    return 'The link is in the address bar';
+  }
 }
