@@ -82,7 +82,7 @@ export class Picture {
     this.#settings = settings;
     const { view, look, up, shading, color } = settings;
     this.#stage.setUp(up === 'file' ? this.#up : up);
-    this.#stage.showMaterials(this.#hasMaterials && look === 'own' && shading === 'smooth');
+    this.#stage.showMaterials(this.#hasMaterials && look === 'own' && shading === 'smooth' && color === 'none');
     this.#stage.setView(view);
     this.#find('divider').hidden = view !== 'split';
     this.#find('label-original').hidden = view === 'result';

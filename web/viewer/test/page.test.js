@@ -144,6 +144,8 @@ test('others are computed beside', { skip }, async () => {
   const sizes = await page.$$eval('#peers tbody td:nth-child(2)', (cells) => cells.map((cell) => cell.textContent));
   const [own, draco, meshopt, deflated] = sizes.map((text) => Number(text.replaceAll(/\D/g, '')));
   assert.ok(own < draco && draco < deflated && deflated <= meshopt, sizes.join());
+  assert.ok((await page.$$('#chart circle')).length >= 7);
+  assert.equal((await page.$$('#chart circle[r="6"]')).length, 1);
 });
 
 test('a mesh of 100,000 vertices is compressed and shown in time, and sliders do not stop the page', { skip }, async (t) => {

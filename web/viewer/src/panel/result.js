@@ -20,7 +20,7 @@ export function showResult(find, { bytes, info }, source, name) {
 }
 
 export function forgetResult(find) {
-  for (const id of ['bytes', 'errors', 'peers']) find(id).replaceChildren();
+  for (const id of ['bytes', 'errors', 'peers', 'chart']) find(id).replaceChildren();
   for (const id of ['summary', 'headline']) find(id).textContent = '';
   find('download').hidden = find('download-glb').hidden = true;
 }
