@@ -32,7 +32,7 @@ function addAttribute(draco, { builder, mesh, encoder }, { kind, components, val
   encoder.SetAttributeQuantization(type, bits);
 }
 
-function encodeAt(draco, { positions, indices, attributes }, bits) {
+export function encodeAt(draco, { positions, indices, attributes }, bits) {
   const encoder = new draco.Encoder();
   const builder = new draco.MeshBuilder();
   const mesh = new draco.Mesh();
