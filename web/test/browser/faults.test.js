@@ -96,3 +96,10 @@ test("Babylon.js draws a stream with the README's imports alone", { skip }, asyn
   assert.deepEqual(problems, []);
   await page.close();
 });
+
+test('a page that allows no worker from a text says what to give, and takes a worker of its own', { skip }, async () => {
+  const { page } = await browser.openPage('three-strict');
+  assert.match(await load(page, '/good.dmsh'), /createWorker/);
+  assert.equal(await page.evaluate(() => window.loadByOwnWorker('/good.dmsh')), '');
+  await page.close();
+});

@@ -14,6 +14,7 @@ const PAGES = [...LOADERS, 'babylon-readme'];
 
 async function bundles() {
   const scripts = Object.fromEntries(PAGES.map((name) => [name, new URL(`in-${name}.js`, import.meta.url)]));
+  scripts['decoder-worker'] = new URL('worker.js', DECODER); // for pages that allow no worker from a text
   const { outputFiles } = await build({
     entryPoints: Object.entries(scripts).map(([out, url]) => ({ in: fileURLToPath(url), out })),
     outdir: '/',
@@ -33,6 +34,8 @@ export async function openBrowser(files) {
   for (const name of ['core', 'highpass', 'rare', 'zstd']) all.set(`/${name}.wasm`, readFileSync(new URL(`${name}.wasm`, DECODER)));
   for (const name of PAGES)
     all.set(`/${name}.html`, `<!doctype html><link rel="icon" href="data:,"><body><script type="module" src="${name}.js"></script>`);
+  const policy = "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'self' data: 'wasm-unsafe-eval'\">";
+  all.set('/three-strict.html', `${all.get('/three.html').replace('<link', `${policy}<link`)}`);
   const server = await serveFiles(all);
   const browser = await launch();
   return {
