@@ -7,8 +7,9 @@ import { EXAMPLES } from './mesh/examples.js';
 import { isMeshName } from './mesh/mesh-names.js';
 import { Controls } from './panel/controls.js';
 import { makeDivider } from './panel/divider.js';
+import { copyLink, offerDownloads } from './panel/downloads.js';
 import { headlineOf } from './panel/headline.js';
-import { copyLink, download, fetchFile, openFiles, openPasted } from './panel/open.js';
+import { fetchFile, listExamples, openFiles, openPasted } from './panel/open.js';
 import { compareWithOthers } from './panel/others.js';
 import { forgetResult, rawBytes, showResult } from './panel/result.js';
 import { Status } from './panel/status.js';
@@ -40,10 +41,7 @@ class Page {
     );
     this.controls.show(this.#settings);
     this.#showMapPanel(false);
-    for (const [name, { label }] of Object.entries(EXAMPLES)) find('example').add(new Option(label, name));
-    find('example').add(new Option('Own file', 'file'));
-    find('example').options[find('example').options.length - 1].hidden = true;
-    find('example').addEventListener('change', ({ target }) => this.openExample(target.value));
+    listExamples(find('example'), (name) => this.openExample(name));
     openFiles({ input: find('file'), folderInput: find('folder'), hint: find('drop-hint') }, {
       onFiles: (files) => this.openFiles(files),
       onFolder: (files) => this.openMap(files),
@@ -53,7 +51,12 @@ class Page {
     makeDivider(find('divider'), (share) => this.picture.setSplit(share));
     find('panel').addEventListener('submit', (event) => event.preventDefault());
     find('cancel').addEventListener('click', () => this.cancel());
-    find('download-glb').addEventListener('click', () => this.downloadGlb());
+    offerDownloads(find, workshop, this.status, () => ({
+      bytes: this.#result.bytes,
+      name: this.#name,
+      file: this.#source.file,
+      options: encodeOptions(this.#settings),
+    }));
     find('copy-link').addEventListener('click', async () => {
       this.keepLink();
       find('status').textContent = await copyLink();
@@ -108,7 +111,7 @@ class Page {
     const [file] = meshes;
     const others = files.filter((other) => other !== file);
     const materials = (numbers) => gltfMaterials(file, others, numbers);
-    return this.#open('file', file.name, () => this.workshop.read(file, others), materials);
+    return this.#open('file', file.name, () => this.workshop.read(file, others), materials, file);
   }
 
   /** A mesh of another place. */
@@ -171,15 +174,15 @@ class Page {
   }
 
   /** `example`: what the list of examples says then. `toMaterials`: from what `read` says of them to those of three.js. */
-  async #open(example, name, read, toMaterials) {
+  async #open(example, name, read, toMaterials, file) {
     this.#stop();
     this.status.tell(`Reading ${name}`);
     try {
-      const { mesh, frame, display, up, materials } = await read();
+      const { mesh, frame, display, up, materials, isGlb = false } = await read();
       find('example').value = example;
       this.map.close();
       this.#showMapPanel(false);
-      this.#source = { mesh, frame };
+      this.#source = { mesh, frame, file: isGlb ? file : null };
       this.#name = name.replace(/\.[^.]*$/, '').toLowerCase();
       this.workshop.setSource(this.#source);
       this.#forgetResult();
@@ -242,14 +245,6 @@ class Page {
     find('headline').textContent = headlineOf(this.#settings.preset, raw, bytes.length);
     showResult(find, result, this.#source, this.#name);
     this.status.tell(`Done${this.#note}`, false);
-  }
-
-  async downloadGlb() {
-    try {
-      download(await this.workshop.glb(this.#result.bytes), `${this.#name}.glb`, 'model/gltf-binary');
-    } catch (error) {
-      this.status.fail(error);
-    }
   }
 
   #forgetResult() {

@@ -8,7 +8,7 @@ import { after, before, test } from 'node:test';
 
 import { DeltameshError, createDecoder } from '@deltamesh/decoder';
 
-import { EXAMPLES } from '../src/mesh/examples.js';
+import { EXAMPLES, makeExample } from '../src/mesh/examples.js';
 import { writeGlb } from '../src/mesh/write-glb.js';
 import { hasChromium, openPage, waitUntilDone } from './browser.js';
 import { choose, countColors, drop, longestTask, picture, shownBytes, slide, textOf, watchTasks } from './use.js';
@@ -31,7 +31,7 @@ after(() => open?.close());
 async function downloaded(selector, ending) {
   const known = new Set(readdirSync(open.downloads));
   await page.$eval(selector, (element) => element.click());
-  for (let attempt = 0; attempt < 100; ++attempt) {
+  for (let attempt = 0; attempt < 300; ++attempt) {
     const name = readdirSync(open.downloads).find((file) => !known.has(file) && file.endsWith(ending));
     if (name) return join(open.downloads, name);
     await new Promise((resolve) => setTimeout(resolve, 100));
@@ -57,6 +57,42 @@ test('GLB is downloaded', { skip }, async () => {
   const glb = readFileSync(await downloaded('#download-glb', '.glb'));
   assert.equal(glb.toString('latin1', 0, 4), 'glTF');
   assert.equal(glb.readUInt32LE(8), glb.length);
+});
+
+/** A GLB file whose JSON is changed. */
+function withJson(glb, change) {
+  const size = glb.readUInt32LE(12);
+  const json = JSON.parse(glb.toString('utf8', 20, 20 + size));
+  change(json);
+  const text = Buffer.from(JSON.stringify(json));
+  const padded = Buffer.concat([text, Buffer.alloc((4 - (text.length % 4)) % 4, 0x20)]);
+  const head = Buffer.from(glb.subarray(0, 20));
+  head.writeUInt32LE(20 + padded.length + glb.length - 20 - size, 8);
+  head.writeUInt32LE(padded.length, 12);
+  return Buffer.concat([head, padded, glb.subarray(20 + size)]);
+}
+
+test('a GLB file is downloaded with its meshes packed and all else as it was', { skip }, async () => {
+  const { mesh } = makeExample('knot');
+  const glb = withJson(Buffer.from(writeGlb(mesh)), (json) => {
+    json.materials = [{ name: 'gold', pbrMetallicRoughness: { metallicFactor: 1 }, extensions: { KHR_materials_clearcoat: { clearcoatFactor: 1 } } }];
+    json.extensionsUsed = ['KHR_materials_clearcoat'];
+    json.meshes[0].primitives[0].material = 0;
+  });
+  await drop(page, 'gold.glb', glb);
+  const packed = readFileSync(await downloaded('#download-packed', '.packed.glb'));
+  assert.ok(packed.length < glb.length / 10, `${packed.length}`);
+  withJson(packed, ({ materials, extensionsUsed, extensionsRequired, meshes }) => {
+    assert.equal(materials[0].name, 'gold');
+    assert.equal(materials[0].extensions.KHR_materials_clearcoat.clearcoatFactor, 1);
+    assert.deepEqual(extensionsUsed.toSorted(), ['DELTAMESH_mesh_compression', 'KHR_materials_clearcoat']);
+    assert.deepEqual(extensionsRequired, ['DELTAMESH_mesh_compression']);
+    assert.ok(meshes[0].primitives[0].extensions.DELTAMESH_mesh_compression);
+  });
+  assert.match(await textOf(page, 'status'), /^Packed: .* kB, materials/);
+  await page.select('#example', 'knot');
+  await page.waitForFunction(() => document.getElementById('mesh-name').textContent.startsWith('Knot'));
+  await waitUntilDone(page);
 });
 
 test('tasks that are too long are seen', { skip }, async () => {

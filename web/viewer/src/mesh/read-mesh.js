@@ -88,8 +88,8 @@ const READERS = { __proto__: null, ply: readPly, stl: readStl, obj: readObj, glb
 /** First letters of files that may have any name. */
 const MAGICS = { glTF: 'glb', DMSH: 'dmsh', 'ply\n': 'ply', 'ply\r': 'ply' };
 
-const typeOf = (name, buffer) =>
-  MAGICS[new TextDecoder('latin1').decode(buffer.slice(0, 4))] ?? suffixOf(name);
+const magicOf = (buffer) => new TextDecoder('latin1').decode(buffer.slice(0, 4));
+const typeOf = (name, buffer) => MAGICS[magicOf(buffer)] ?? suffixOf(name);
 
 /** Throws where a mesh is none that can be drawn and encoded. */
 function check({ positions, indices }) {
@@ -101,7 +101,7 @@ function check({ positions, indices }) {
 
 /**
  * `others`: files that a .gltf may need. `modules`: the decoder's. With the mesh come `up`, the axis, and of glTF `materials`, their numbers
- * by groups; -1 for none. Throws what a person can read.
+ * by groups, -1 for none, and `isGlb`. Throws what a person can read.
  */
 export async function readMesh(file, { others = [], modules }) {
   const { name, size } = file;
@@ -112,7 +112,7 @@ export async function readMesh(file, { others = [], modules }) {
   try {
     const { up = 'z', materials = null, ...mesh } = await READERS[type](buffer, { others, modules });
     check(mesh);
-    return { mesh: { origin: [0, 0, 0], ...mesh }, up, materials };
+    return { mesh: { origin: [0, 0, 0], ...mesh }, up, materials, isGlb: type === 'glb' && magicOf(buffer) === 'glTF' };
   } catch (error) {
     const what = error instanceof RangeError ? `it is cut off, damaged or too large (${error.message})` : error.message;
     throw new Error(`${name} cannot be opened as ${type.toUpperCase()}: ${what}`);

@@ -2,6 +2,7 @@
 // Copyright 2026 The deltamesh authors
 // Files from the buttons or dropped on the page, and folders.
 import { filesOfFolders } from '../map/map-files.js';
+import { EXAMPLES } from '../mesh/examples.js';
 
 /** `onFiles`: gets files that are chosen or dropped together; `onFolder`: those of a folder; `onFailure`: why one cannot be read. */
 export function openFiles({ input, folderInput, hint }, { onFiles, onFolder, onFailure }) {
@@ -59,19 +60,11 @@ export async function fetchFile(url) {
   return new File([await response.arrayBuffer()], name);
 }
 
-export function download(bytes, name, type) {
-  const url = URL.createObjectURL(new Blob([bytes], { type }));
-  const link = Object.assign(document.createElement('a'), { href: url, download: name });
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(url), 10000);
-}
-
-/** The page's link, to the clipboard. Returns where it is. */
-export async function copyLink() {
-  try {
-    await navigator.clipboard.writeText(location.href);
-    return 'The link is in the clipboard';
-  } catch {
-    return 'The link is in the address bar';
-  }
+/** `onChoice`: gets the name of an example. */
+export function listExamples(select, onChoice) {
+  for (const [name, { label }] of Object.entries(EXAMPLES)) select.add(new Option(label, name));
+  const own = new Option('Own file', 'file');
+  own.hidden = true;
+  select.add(own);
+  select.addEventListener('change', () => onChoice(select.value));
 }

@@ -4,7 +4,7 @@
 import { formatBytes, formatNumber } from '../units.js';
 import { showBytes, showErrors } from './report.js';
 
-/** `source`: { mesh, frame }; `name`: of files. */
+/** `source`: { mesh, frame, file }; `name`: of files. */
 export function showResult(find, { bytes, info }, source, name) {
   showBytes(find('bytes'), info, bytes.length);
   showErrors(find('errors'), info, source.frame.diagonal);
@@ -17,12 +17,13 @@ export function showResult(find, { bytes, info }, source, name) {
   link.href = URL.createObjectURL(new Blob([bytes], { type: 'application/octet-stream' }));
   link.download = `${name}.dmsh`;
   link.hidden = find('download-glb').hidden = false;
+  find('download-packed').hidden = !source.file;
 }
 
 export function forgetResult(find) {
   for (const id of ['bytes', 'errors', 'peers', 'chart']) find(id).replaceChildren();
   for (const id of ['summary', 'headline']) find(id).textContent = '';
-  find('download').hidden = find('download-glb').hidden = true;
+  for (const id of ['download', 'download-glb', 'download-packed']) find(id).hidden = true;
 }
 
 /** Of the mesh's arrays, as they are in memory. */
