@@ -7,8 +7,7 @@ import {
   unregisterGLTFExtension,
 } from '@babylonjs/loaders/glTF/2.0/glTFLoaderExtensionRegistry.js';
 import { DeltameshError } from '@deltamesh/decoder';
-import { EXTENSION_NAME, arrayOf, findCompressed } from '@deltamesh/decoder/gltf';
-import { errorIn } from '@deltamesh/decoder/internal.js';
+import { EXTENSION_NAME, arrayOf, errorIn, findCompressed } from '@deltamesh/decoder/gltf';
 import { DecoderPool } from '@deltamesh/decoder/pool';
 
 import { registerStreamLoader } from './stream-loader.js';

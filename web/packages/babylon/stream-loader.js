@@ -9,7 +9,7 @@ import { VertexData } from '@babylonjs/core/Meshes/mesh.vertexData.js';
 import { SubMesh } from '@babylonjs/core/Meshes/subMesh.js';
 import '@babylonjs/core/Materials/standardMaterial.js'; // what a mesh without a material is drawn with
 import { DeltameshError } from '@deltamesh/decoder';
-import { errorIn } from '@deltamesh/decoder/internal.js';
+import { errorIn } from '@deltamesh/decoder/gltf';
 
 const KINDS = { normal: 'normal', tangent: 'tangent', color: 'color', joints: 'matricesIndices', weights: 'matricesWeights' };
 const MOST_UVS = 6;

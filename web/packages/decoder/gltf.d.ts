@@ -20,3 +20,6 @@ export function arrayOf(
   standIn: StandIn,
   accessor: { type: string; componentType: number; count: number },
 ): AttributeArray;
+
+/** The same error in `source`, which its message then begins with: a file, a primitive. What is no DeltameshError stays as it is. */
+export function errorIn<Kind>(source: string, error: Kind): Kind;

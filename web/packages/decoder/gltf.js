@@ -4,6 +4,7 @@
 // The glTF extension DELTAMESH_mesh_compression, whatever the loader. See gltf.d.ts.
 import { CODES, DeltameshError, errorIn } from './errors.js';
 
+export { errorIn };
 export const EXTENSION_NAME = 'DELTAMESH_mesh_compression';
 
 const TRIANGLES = 4;

@@ -2,7 +2,7 @@
 // Copyright 2026 The deltamesh authors
 //
 // What the other packages share with this one, and nobody else.
-export { CODES, DeltameshError, errorIn, plainError } from './errors.js';
+export { CODES, DeltameshError, plainError } from './errors.js';
 export { Instance, settle } from './instance.js';
 export { compileGiven, compileOwn } from './modules.js';
 export { ARRAYS, KINDS, readError } from './outcome.js';

@@ -3,8 +3,7 @@
 //
 // .dmsh streams and glTF assets with DELTAMESH_mesh_compression in three.js. See deltamesh-loader.d.ts.
 import { DeltameshError } from '@deltamesh/decoder';
-import { EXTENSION_NAME, arrayOf, findCompressed } from '@deltamesh/decoder/gltf';
-import { errorIn } from '@deltamesh/decoder/internal.js';
+import { EXTENSION_NAME, arrayOf, errorIn, findCompressed } from '@deltamesh/decoder/gltf';
 import { DecoderPool } from '@deltamesh/decoder/pool';
 import { BufferAttribute, BufferGeometry, FileLoader, Loader } from 'three';
 
