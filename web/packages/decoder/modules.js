@@ -82,7 +82,7 @@ export async function compileGiven(source) {
     return once(compiled, url.href, () => fetchModule(url));
   }
   if (typeof Response !== 'undefined' && given instanceof Response) return WebAssembly.compile(await given.arrayBuffer());
-  return once(compiledBytes, given.buffer ?? given, () => WebAssembly.compile(given));
+  return once(compiledBytes, given, () => WebAssembly.compile(given)); // views of one buffer may be several modules
 }
 
 /** From a module's name to a promise of it. */
