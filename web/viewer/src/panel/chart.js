@@ -19,8 +19,10 @@ function axis(values, from, to) {
   return { low, high, at: (value) => from + ((to - from) * Math.log(value / low)) / Math.log(high / low) };
 }
 
-/** `series`: { name, points: { error, bytes }, isOwn, inUse }. */
-export function drawChart(svg, series) {
+/** `all`: { name, points: { error, bytes }, isOwn, inUse }. What is exact, as a square on a lattice, has no place here. */
+export function drawChart(svg, all) {
+  const placed = all.map((each) => ({ ...each, points: each.points.filter(({ error }) => error > 0) }));
+  const series = placed.filter(({ points }) => points.length > 0);
   const points = series.flatMap((each) => each.points);
   const x = axis(points.map(({ error }) => error), LEFT, WIDTH - 8);
   const y = axis(points.map(({ bytes }) => bytes), HEIGHT - BOTTOM, TOP);
