@@ -12,7 +12,7 @@ async function bundle() {
     write: false,
     format: 'esm',
     target: 'es2022',
-    external: ['node:*', 'fs', 'path'], // of modules that run in node, too
+    external: ['node:*', 'fs', 'path', './text/*'], // of modules that run in node, too; texts of modules that are handed over
     logLevel: 'warning',
   });
   return outputFiles[0].contents;

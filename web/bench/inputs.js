@@ -53,5 +53,5 @@ export async function* inputs(paths) {
   const files = paths.length > 0 ? paths : FILES.map((file) => join(corpus ?? '', file)).filter(existsSync);
   for (const file of files)
     yield { name: basename(file), meshes: file.endsWith('.glb') ? await readGlb(file) : readPly(file) };
-  if (files.length === 0) yield { name: 'knot', meshes: [makeExample('knot')] };
+  if (files.length === 0) yield { name: 'knot', meshes: [makeExample('knot').mesh] };
 }

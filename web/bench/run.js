@@ -3,11 +3,13 @@
 // Sizes of the modules, and times of decoding beside Draco's module: node run.js [--quick] [FILE...]. See README.md.
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
+import { fileURLToPath } from 'node:url';
 import { brotliCompressSync } from 'node:zlib';
 
 import { DeltameshError, createDecoder } from '@deltamesh/decoder';
 import { createEncoder } from '@deltamesh/encoder';
 import createEncoderModule from 'draco3d/draco_encoder_nodejs.js';
+import { buildSync } from 'esbuild';
 
 import { hasChromium } from '../test/chromium.js';
 import { encodeDraco } from './draco.js';
@@ -18,7 +20,7 @@ import { median } from './measure.js';
 
 const require = createRequire(import.meta.url);
 const FILES = {
-  decoder: '@deltamesh/decoder',
+  'core, JavaScript': '@deltamesh/decoder',
   core: '@deltamesh/decoder/core.wasm',
   highpass: '@deltamesh/decoder/highpass.wasm',
   zstd: '@deltamesh/decoder/zstd.wasm',
@@ -36,9 +38,15 @@ const args = process.argv.slice(2);
 const isQuick = args.includes('--quick');
 const COLD_TURNS = isQuick ? 1 : 5;
 
+/** Of @deltamesh/decoder what a bundler makes, without the texts of modules. */
+function bundleOf(name) {
+  const entryPoints = [fileURLToPath(import.meta.resolve(name))];
+  return buildSync({ entryPoints, bundle: true, minify: true, write: false, format: 'esm', target: 'es2022', external: ['./text/*'] }).outputFiles[0].contents;
+}
+
 const fileOf = (name) => {
   const path = FILES[name];
-  return readFileSync(path.startsWith('@') && !path.endsWith('.wasm') ? new URL(import.meta.resolve(path)) : require.resolve(path));
+  return path.startsWith('@') && !path.endsWith('.wasm') ? bundleOf(path) : readFileSync(require.resolve(path));
 };
 const bytesOf = (name) => new Uint8Array(fileOf(name));
 

@@ -21,7 +21,7 @@ const WASM = [
 await rm(dist, { recursive: true, force: true });
 await mkdir(dist, { recursive: true });
 await build({
-  entryPoints: ['main', 'workers/read-worker', 'workers/codec-worker', 'workers/map-worker', 'workers/peers-worker'].map(
+  entryPoints: ['main', 'workers/read-worker', 'workers/codec-worker', 'workers/map-worker', 'workers/pack-worker', 'workers/peers-worker'].map(
     (name) => new URL(`src/${name}.js`, here).pathname,
   ),
   outdir: dist.pathname,
@@ -31,7 +31,7 @@ await build({
   sourcemap: true,
   format: 'esm',
   target: 'es2022',
-  external: ['node:*', 'fs', 'path'], // of modules that run in node, too
+  external: ['node:*', 'fs', 'path', './text/*'], // of modules that run in node, too; texts of modules that are there as files
   logLevel: 'warning',
 });
 for (const name of ['index.html', 'style.css']) await copyFile(new URL(name, here), new URL(name, dist));
@@ -42,9 +42,11 @@ for (const name of WASM) await copyFile(new URL(import.meta.resolve(name)), new 
 const three = new URL('../LICENSE', import.meta.resolve('three')); // of build/three.module.js
 const meshoptimizer = new URL('LICENSE.md', import.meta.resolve('meshoptimizer'));
 const notice = new URL('NOTICE', import.meta.resolve('@deltamesh/encoder'));
-const licences = await Promise.all([three, meshoptimizer, notice].map((file) => readFile(file, 'utf8')));
-const [ofThree, ofMeshoptimizer, ofModules] = licences;
+const modules = new URL('../node_modules/', here);
+const [core, graph, ktx] = ['@gltf-transform/core/LICENSE.md', 'property-graph/LICENSE', 'ktx-parse/LICENSE'].map((path) => new URL(path, modules));
+const licences = await Promise.all([three, meshoptimizer, notice, core, graph, ktx].map((file) => readFile(file, 'utf8')));
+const [ofThree, ofMeshoptimizer, ofModules, ofTransform, ofGraph, ofKtx] = licences;
 await writeFile(
   new URL('NOTICE', dist),
-  `=== three.js\n\n${ofThree}\n=== meshoptimizer\n\n${ofMeshoptimizer}\n=== Draco\n\nApache License 2.0, see LICENSE. Copyright The Draco Authors.\n\n${ofModules}`,
+  `=== three.js\n\n${ofThree}\n=== meshoptimizer\n\n${ofMeshoptimizer}\n=== glTF-Transform\n\n${ofTransform}\n=== property-graph\n\n${ofGraph}\n=== ktx-parse\n\n${ofKtx}\n=== Draco\n\nApache License 2.0, see LICENSE. Copyright The Draco Authors.\n\n${ofModules}`,
 );

@@ -7,7 +7,7 @@ import {
   unregisterGLTFExtension,
 } from '@babylonjs/loaders/glTF/2.0/glTFLoaderExtensionRegistry.js';
 import { DeltameshError } from '@deltamesh/decoder';
-import { EXTENSION_NAME, arrayOf, findCompressed } from '@deltamesh/decoder/gltf';
+import { EXTENSION_NAME, arrayOf, errorIn, findCompressed } from '@deltamesh/decoder/gltf';
 import { DecoderPool } from '@deltamesh/decoder/pool';
 
 import { registerStreamLoader } from './stream-loader.js';
@@ -49,13 +49,13 @@ class DeltameshExtension {
   }
 
   async #decode({ standIn, accessor }) {
-    const { bufferView } = standIn;
-    if (!this.#meshes.has(bufferView)) this.#meshes.set(bufferView, this.#decodeStream(bufferView));
+    const { bufferView, source } = standIn;
+    if (!this.#meshes.has(bufferView)) this.#meshes.set(bufferView, this.#decodeStream(bufferView, source));
     const values = arrayOf(await this.#meshes.get(bufferView), standIn, accessor);
     return new Uint8Array(values.buffer, values.byteOffset, values.byteLength);
   }
 
-  async #decodeStream(bufferView) {
+  async #decodeStream(bufferView, source) {
     const { buffer, byteOffset = 0, byteLength } = this.loader.gltf.bufferViews[bufferView];
     const data = await this.loader.loadBufferViewAsync(`/bufferViews/${bufferView}`, {
       index: bufferView,
@@ -63,9 +63,8 @@ class DeltameshExtension {
       byteOffset,
       byteLength,
     });
-    const bytes = new Uint8Array(data.buffer, data.byteOffset, data.byteLength);
-    const mesh = await this.pool.decode(bytes, { limits: this.limits });
-    if (mesh instanceof DeltameshError) throw mesh;
+    const mesh = await this.pool.decode(data, { limits: this.limits });
+    if (mesh instanceof DeltameshError) throw errorIn(source, mesh);
     return mesh;
   }
 }
@@ -75,6 +74,7 @@ export function registerDeltamesh({ pool, limits } = {}) {
   registerGLTFExtension(EXTENSION_NAME, true, (loader) => new DeltameshExtension(loader, decoders, limits));
   registerStreamLoader((bytes) => decoders.decode(bytes, { limits }));
   return {
+    preload: () => decoders.preload(),
     dispose() {
       unregisterGLTFExtension(EXTENSION_NAME);
       decoders.dispose();

@@ -7,7 +7,9 @@ import { AssetContainer } from '@babylonjs/core/assetContainer.js';
 import { Mesh } from '@babylonjs/core/Meshes/mesh.js';
 import { VertexData } from '@babylonjs/core/Meshes/mesh.vertexData.js';
 import { SubMesh } from '@babylonjs/core/Meshes/subMesh.js';
+import '@babylonjs/core/Materials/standardMaterial.js'; // what a mesh without a material is drawn with
 import { DeltameshError } from '@deltamesh/decoder';
+import { errorIn } from '@deltamesh/decoder/gltf';
 
 const KINDS = { normal: 'normal', tangent: 'tangent', color: 'color', joints: 'matricesIndices', weights: 'matricesWeights' };
 const MOST_UVS = 6;
@@ -26,6 +28,12 @@ function fourOf(values, components) {
   const four = new Float32Array((values.length / components) * 4).fill(1);
   for (let i = 0; i < values.length; ++i) four[4 * Math.floor(i / components) + (i % components)] = values[i];
   return four;
+}
+
+/** StandardMaterial takes sRGB. Alpha stays as it is. */
+function srgbOf(floats) {
+  const encode = (value) => (value <= 0.0031308 ? 12.92 * value : 1.055 * value ** (1 / 2.4) - 0.055);
+  return floats.map((value, i) => (i % 4 === 3 ? value : encode(value)));
 }
 
 function kindOf(kind, count) {
@@ -55,11 +63,16 @@ function toMesh(stream, name, scene) {
   data.indices = sorted;
   data.applyToMesh(mesh);
   const counts = {};
-  for (const { kind, components, normalized, values } of stream.attributes) {
+  for (const { kind, components, normalized, linear, values } of stream.attributes) {
     const babylonKind = kindOf(kind, (counts[kind] = (counts[kind] ?? -1) + 1));
     if (!babylonKind) continue;
     const floats = floatsOf(values, normalized || kind === 'color');
-    mesh.setVerticesData(babylonKind, kind === 'color' ? fourOf(floats, components) : floats, false, kind === 'color' ? 4 : components);
+    if (kind !== 'color') {
+      mesh.setVerticesData(babylonKind, floats, false, components);
+      continue;
+    }
+    const four = fourOf(floats, components);
+    mesh.setVerticesData(babylonKind, linear ? srgbOf(four) : four, false, 4);
   }
   if (stream.groups) {
     mesh.subMeshes = [];
@@ -75,9 +88,8 @@ function toMesh(stream, name, scene) {
 /** `decode`: from bytes to a stream or a DeltameshError. Babylon.js keeps it until another takes its place. */
 export function registerStreamLoader(decode) {
   const load = async (scene, data, fileName) => {
-    const bytes = ArrayBuffer.isView(data) ? new Uint8Array(data.buffer, data.byteOffset, data.byteLength) : new Uint8Array(data);
-    const stream = await decode(bytes);
-    if (stream instanceof DeltameshError) throw stream;
+    const stream = await decode(data);
+    if (stream instanceof DeltameshError) throw errorIn(fileName, stream);
     return toMesh(stream, (fileName || 'deltamesh').replace(/\.dmsh$/, ''), scene);
   };
   registerSceneLoaderPlugin({

@@ -4,12 +4,37 @@
 /** The modules beside `core`. */
 export type PartName = 'highpass' | 'zstd' | 'rare';
 
-/** Where a module's bytes come from; a string or URL is fetched, or read where it is a file's in node. */
-export type ModuleSource = string | URL | BufferSource | WebAssembly.Module | Promise<BufferSource | WebAssembly.Module>;
+/**
+ * A module in WebAssembly: a URL (absolute, or relative to the page), which is fetched, or read where it is a file's in node; its bytes;
+ * a Response; a WebAssembly.Module; a promise of one of these; or a function that returns one, which is asked again where that failed.
+ * These types need no more than `lib: es2022`.
+ */
+export type ModuleSource = string | object | (() => string | object);
+
+/** A stream's bytes. */
+export type StreamBytes = ArrayBuffer | ArrayBufferView | SharedArrayBuffer;
+
+/** As AbortSignal. */
+export interface SignalLike {
+  readonly aborted: boolean;
+  readonly reason: any;
+  throwIfAborted(): void;
+  addEventListener(type: 'abort', listener: () => void): void;
+  removeEventListener(type: 'abort', listener: () => void): void;
+}
+
+/** As a browser's Worker. */
+export interface WorkerLike {
+  onmessage: ((event: any) => any) | null;
+  onerror: ((event: any) => any) | null;
+  postMessage(message: any, transfer: any[]): void;
+  terminate(): void;
+}
 
 export interface DecoderOptions {
   /**
-   * The modules; each is loaded when it is first needed. Default: the files beside this one. `core` decodes containers, faces,
+   * The modules; each is loaded when it is first needed, and compiled once for all decoders and workers of a page. Default: the files
+   * beside this one, or where a bundler has not kept these, their texts, which are bundled. `core` decodes containers, faces,
    * predictive positions and most attributes, `highpass` the positions of highpass streams, `zstd` chunks that zstd coded
    * (the profile zstd; in others a chunk that is smaller so), `rare` positions of voxels or to the last bit, joints, weights, and
    * attributes of any kind that are coded as numbers (morph targets).
@@ -30,14 +55,14 @@ export interface DecodeLimits {
 }
 
 export type AttributeArray =
-  | Int8Array
-  | Uint8Array
-  | Int16Array
-  | Uint16Array
-  | Int32Array
-  | Uint32Array
-  | Float32Array
-  | Float64Array;
+  | Int8Array<ArrayBuffer>
+  | Uint8Array<ArrayBuffer>
+  | Int16Array<ArrayBuffer>
+  | Uint16Array<ArrayBuffer>
+  | Int32Array<ArrayBuffer>
+  | Uint32Array<ArrayBuffer>
+  | Float32Array<ArrayBuffer>
+  | Float64Array<ArrayBuffer>;
 
 export interface AttributeInfo {
   /** As in the source: "nx", "TEXCOORD_0", "confidence". */
@@ -98,18 +123,21 @@ export interface StreamInfo {
 
 export interface DecodedMesh extends StreamInfo {
   /** vertexCount x 3, relative to the origin. */
-  positions: Float32Array;
+  positions: Float32Array<ArrayBuffer>;
   /** triangleCount x 3, each below vertexCount. */
-  indices: Uint32Array;
+  indices: Uint32Array<ArrayBuffer>;
   /** For each triangle the number of its group (material, primitive); null where there is one group. */
-  groups: Uint32Array | null;
+  groups: Uint32Array<ArrayBuffer> | null;
   attributes: Attribute[];
 }
 
 /** What is wrong, where, and which rule of the specification it breaks. Returned as a value; throw it if you like. */
 export class DeltameshError extends Error {
-  constructor(init: Pick<DeltameshError, 'code' | 'what'> & Partial<Pick<DeltameshError, 'rule' | 'where' | 'chunk'>>);
-  /** 1xx: the stream is bad; 2xx: beyond a limit; 3xx: a module could not be loaded, or a glTF asset is bad; 900: out of memory; 901: a bug of ours. */
+  constructor(
+    init: Pick<DeltameshError, 'code' | 'what'> & Partial<Pick<DeltameshError, 'rule' | 'where' | 'chunk' | 'source'>>,
+    options?: { cause?: unknown },
+  );
+  /** 1xx: the stream is bad; 200: not a stream's bytes, or a bad option; 202: beyond a limit; 3xx: a module could not be loaded, or a glTF asset is bad; 900: out of memory; 901: a bug of ours. */
   code: number;
   what: string;
   /** Such as "DIR-4"; or empty. */
@@ -117,6 +145,8 @@ export class DeltameshError extends Error {
   where: { unit: 'byte' | 'line' | 'vertex' | 'triangle' | 'attribute' | 'element'; position: number } | null;
   /** Tag of the chunk concerned, or empty. */
   chunk: string;
+  /** The file, and in assets the mesh and primitive, where a loader knows them; or empty. */
+  source: string;
 }
 
 export interface Decoder {
@@ -124,11 +154,11 @@ export interface Decoder {
    * The mesh in `bytes`, in arrays of its own that may be transferred. Bytes are not trusted. Memory that a large mesh took is given
    * back afterwards. Does not throw.
    */
-  decode(bytes: Uint8Array, options?: { limits?: DecodeLimits }): Promise<DecodedMesh | DeltameshError>;
+  decode(bytes: StreamBytes, options?: { limits?: DecodeLimits }): Promise<DecodedMesh | DeltameshError>;
   /** The same at once: the modules that inspect() tells must have been loaded; load() loads all. */
-  decodeSync(bytes: Uint8Array, options?: { limits?: DecodeLimits }): DecodedMesh | DeltameshError;
+  decodeSync(bytes: StreamBytes, options?: { limits?: DecodeLimits }): DecodedMesh | DeltameshError;
   /** What the stream says of itself, without decoding it. */
-  inspect(bytes: Uint8Array): StreamInfo | DeltameshError;
+  inspect(bytes: StreamBytes): StreamInfo | DeltameshError;
   /** Loads a module before it is needed, or all. Rejects where that fails. */
   load(module?: 'core' | PartName): Promise<void>;
   /** Gives back all memory; the decoder may be used again. */

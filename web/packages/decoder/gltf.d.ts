@@ -4,8 +4,8 @@ import type { AttributeArray, DecodedMesh } from './decoder.js';
 
 export const EXTENSION_NAME: 'DELTAMESH_mesh_compression';
 
-/** What an accessor of a compressed primitive stands for. */
-export type StandIn = { bufferView: number } & (
+/** What an accessor of a compressed primitive stands for. `source`: that primitive, as errors name it. */
+export type StandIn = { bufferView: number; source: string } & (
   | { kind: 'positions' }
   | { kind: 'indices'; group: number }
   | { kind: 'attribute'; number: number }
@@ -20,3 +20,6 @@ export function arrayOf(
   standIn: StandIn,
   accessor: { type: string; componentType: number; count: number },
 ): AttributeArray;
+
+/** The same error in `source`, which its message then begins with: a file, a primitive. What is no DeltameshError stays as it is. */
+export function errorIn<Kind>(source: string, error: Kind): Kind;

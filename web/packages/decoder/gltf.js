@@ -2,18 +2,18 @@
 // Copyright 2026 The deltamesh authors
 //
 // The glTF extension DELTAMESH_mesh_compression, whatever the loader. See gltf.d.ts.
-import { DeltameshError } from './decoder.js';
+import { CODES, DeltameshError, errorIn } from './errors.js';
 
+export { errorIn };
 export const EXTENSION_NAME = 'DELTAMESH_mesh_compression';
 
-const INVALID = 304;
 const TRIANGLES = 4;
 const INDEX_ARRAYS = { 5121: Uint8Array, 5123: Uint16Array, 5125: Uint32Array };
 const ARRAYS = { 5120: Int8Array, 5122: Int16Array, 5126: Float32Array, ...INDEX_ARRAYS };
 const COMPONENTS = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 };
 
 function check(condition, rule, what) {
-  if (!condition) throw new DeltameshError({ code: INVALID, what, rule });
+  if (!condition) throw new DeltameshError({ code: CODES.invalidAsset, what, rule });
 }
 
 /** The accessors' numbers, with what each of them stands for. */
@@ -41,20 +41,34 @@ function* standIns(primitive, extension) {
   }
 }
 
+/** `work`'s result; what it throws is thrown as an error in `source`. */
+function within(source, work) {
+  try {
+    return work();
+  } catch (error) {
+    throw errorIn(source, error);
+  }
+}
+
+function findInPrimitive(json, primitive, source, found) {
+  const extension = primitive.extensions[EXTENSION_NAME];
+  check(json.bufferViews?.[extension.bufferView], 'GLTF-1', 'a stream in a buffer view that is not there');
+  for (const [accessor, what] of standIns(primitive, extension)) {
+    check(json.accessors?.[accessor], 'GLTF-5', 'an accessor that is not there');
+    const standIn = { bufferView: extension.bufferView, ...what };
+    const { source: first, ...other } = found.get(accessor) ?? { ...standIn, source };
+    check(JSON.stringify(other) === JSON.stringify(standIn), 'GLTF-6', 'an accessor that stands for two arrays');
+    found.set(accessor, { ...standIn, source: first });
+  }
+}
+
 export function findCompressed(json) {
   const found = new Map();
-  for (const { primitives = [] } of json.meshes ?? []) {
-    for (const primitive of primitives) {
-      const extension = primitive.extensions?.[EXTENSION_NAME];
-      if (!extension) continue;
-      check(json.bufferViews?.[extension.bufferView], 'GLTF-1', 'a stream in a buffer view that is not there');
-      for (const [accessor, what] of standIns(primitive, extension)) {
-        check(json.accessors?.[accessor], 'GLTF-5', 'an accessor that is not there');
-        const standIn = { bufferView: extension.bufferView, ...what };
-        const other = found.get(accessor);
-        check(!other || JSON.stringify(other) === JSON.stringify(standIn), 'GLTF-6', 'an accessor that stands for two arrays');
-        found.set(accessor, standIn);
-      }
+  for (const [m, { name, primitives = [] }] of (json.meshes ?? []).entries()) {
+    for (const [p, primitive] of primitives.entries()) {
+      if (!primitive.extensions?.[EXTENSION_NAME]) continue;
+      const source = `mesh ${m}${name ? ` (${name})` : ''}, primitive ${p}`;
+      within(source, () => findInPrimitive(json, primitive, source, found));
     }
   }
   return found;
@@ -80,6 +94,10 @@ function fitsAccessor(accessor, components, Type, values) {
 }
 
 export function arrayOf(mesh, standIn, accessor) {
+  return within(standIn.source, () => arrayIn(mesh, standIn, accessor));
+}
+
+function arrayIn(mesh, standIn, accessor) {
   check(mesh.origin.every((x) => x === 0), 'GLTF-7', 'a stream with an origin');
   if (standIn.kind === 'indices') {
     const indices = indicesOf(mesh, standIn.group);

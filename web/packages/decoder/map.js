@@ -2,12 +2,14 @@
 // Copyright 2026 The deltamesh authors
 //
 // Maps on disk: a manifest and parts that are decoded one by one. See map.d.ts.
-import { DeltameshError, Instance, compile, readError, readStream, settle } from './decoder.js';
+import { CODES, DeltameshError } from './errors.js';
+import { Instance, settle } from './instance.js';
+import { compileGiven, compileOwn } from './modules.js';
+import { readError, readStream } from './outcome.js';
 
-const FILE = new URL('./map.wasm', import.meta.url);
+const MODULE = { url: () => new URL('./map.wasm', import.meta.url), text: () => import('./text/map.js') };
 const PART_SIZE = 96;
 
-const CORRUPT = 103;
 const wide = ([low, high]) => (BigInt(high) << 32n) | BigInt(low);
 
 /** As PartOutcome in map_outcome.h. */
@@ -69,7 +71,7 @@ class MapDecoder {
     return settle(
       () => {
         const instance = this.#instance;
-        if (bytes.byteLength !== part.bytes) return new DeltameshError({ code: CORRUPT, what: `not as long as ${part.file}`, rule: 'MAP-10' });
+        if (bytes.byteLength !== part.bytes) return new DeltameshError({ code: CODES.corrupt, what: `not as long as ${part.file}`, rule: 'MAP-10' });
         const address = instance.put(bytes);
         const outcome = instance.calls.decodePart(number, address, bytes.byteLength);
         const result = readError(instance, outcome) ?? this.#mesh(readStream(instance, outcome, true), part);
@@ -91,6 +93,6 @@ class MapDecoder {
   }
 }
 
-export async function openMap(manifest, { file = FILE } = {}) {
-  return new MapDecoder(await compile(file), manifest).open();
+export async function openMap(manifest, { file } = {}) {
+  return new MapDecoder(await (file === undefined ? compileOwn(MODULE) : compileGiven(file)), manifest).open();
 }

@@ -2,118 +2,84 @@
 // Copyright 2026 The deltamesh authors
 //
 // Decoders in workers. See pool.d.ts.
+import { crewOf } from './crew.js';
+import { bytesOf } from './decode.js';
 import { DeltameshError, createDecoder } from './decoder.js';
+import { moduleLoader } from './modules.js';
+import { hasWorkers, startWorker } from './start-worker.js';
+import WORKER from './worker-text.js';
 
-/** A worker with one task at a time; what waits stays in the pool, where it can be cancelled. */
-class Helper {
-  task = null;
-
-  constructor(worker, onFree) {
-    this.worker = worker;
-    worker.onmessage = ({ data }) => {
-      const { resolve } = this.task;
-      this.task = null;
-      resolve(data.error ? new DeltameshError(data.error) : data.mesh);
-      onFree();
-    };
-    worker.onerror = (event) => {
-      this.task?.reject(new Error(event.message ?? 'the worker could not be started'));
-      this.task = null;
-      this.hasFailed = true;
-      worker.terminate();
-      onFree();
-    };
-  }
-
-  run(task) {
-    this.task = task;
-    const bytes = new Uint8Array(task.bytes);
-    this.worker.postMessage({ bytes, limits: task.limits }, [bytes.buffer]);
-  }
-}
+const startOwn = () => startWorker(WORKER);
+let pools = 0;
 
 export class DecoderPool {
-  #limit;
   #options;
-  #createWorker;
-  #helpers = [];
-  #waiting = [];
-  #here = new Set();
+  #loadModule;
+  #crew;
+  #key;
+  #place;
+  #tasks = new Set();
   #own;
   #isDisposed = false;
 
-  constructor({ workers = 4, decoder, createWorker } = {}) {
-    this.#limit = createWorker || typeof Worker !== 'undefined' ? workers : 0;
+  constructor({ workers = 4, decoder = {}, createWorker } = {}) {
     this.#options = decoder;
-    this.#createWorker =
-      createWorker ?? (() => new Worker(new URL('./worker.js', import.meta.url), { type: 'module' }));
+    this.#loadModule = moduleLoader(decoder);
+    this.#place = { limit: createWorker || hasWorkers() ? workers : 0, running: 0 };
+    this.#crew = crewOf(createWorker ?? startOwn);
+    // Workers keep a decoder for one set of options.
+    this.#key = decoder.files ? `pool ${pools++}` : JSON.stringify([decoder.simd, decoder.maxMemory]);
   }
 
-  decode(bytes, { limits, signal } = {}) {
+  async decode(given, { limits, signal } = {}) {
+    const bytes = bytesOf(given);
+    return bytes instanceof DeltameshError ? bytes : this.#do({ bytes, limits }, signal);
+  }
+
+  async preload() {
+    const result = await this.#do({}, undefined);
+    if (result instanceof DeltameshError) throw result;
+  }
+
+  #do({ bytes, limits }, signal) {
     return new Promise((resolve, reject) => {
       if (this.#isDisposed) throw new Error('the pool is disposed of');
       signal?.throwIfAborted();
-      const abort = () => this.#cancel(task, signal.reason);
+      const abort = () => {
+        this.#crew.cancel(task);
+        task.reject(signal.reason);
+      };
       const end = (settle) => (value) => {
         signal?.removeEventListener('abort', abort); // signals may live longer than tasks
+        this.#tasks.delete(task);
         settle(value);
       };
-      const task = { bytes, limits, resolve: end(resolve), reject: end(reject) };
-      this.#waiting.push(task);
+      const task = { pool: this.#place, key: this.#key, loadModule: this.#loadModule, maxMemory: this.#options.maxMemory, bytes, limits };
+      Object.assign(task, { resolve: end(resolve), reject: end(reject) });
+      this.#tasks.add(task);
       signal?.addEventListener('abort', abort);
-      this.#next();
+      if (this.#place.limit > 0) this.#crew.add(task);
+      else this.#decodeHere(task);
     });
   }
 
-  /** A task that is being worked on is given up: its mesh goes nowhere. */
-  #cancel(task, reason) {
-    this.#waiting = this.#waiting.filter((other) => other !== task);
-    task.reject(reason);
-  }
-
-  #next() {
-    this.#helpers = this.#helpers.filter((helper) => !helper.hasFailed);
-    while (this.#waiting.length > 0) {
-      if (this.#limit === 0) return this.#decodeHere(this.#waiting.shift());
-      const helper = this.#helpers.find(({ task }) => task === null) ?? this.#hire();
-      if (!helper) return;
-      helper.run(this.#waiting.shift());
-    }
-  }
-
-  #hire() {
-    if (this.#helpers.length >= this.#limit) return undefined;
-    const helper = new Helper(this.#createWorker(), () => this.#next());
-    helper.worker.postMessage({ options: this.#options });
-    this.#helpers.push(helper);
-    return helper;
-  }
-
   /** Where there are no workers. */
-  async #decodeHere(task) {
-    const { bytes, limits, resolve, reject } = task;
-    this.#here.add(task);
+  async #decodeHere({ bytes, limits, resolve, reject }) {
     try {
       this.#own ??= createDecoder(this.#options);
-      resolve(await (await this.#own).decode(bytes, { limits }));
+      const decoder = await this.#own;
+      resolve(bytes ? await decoder.decode(bytes, { limits }) : null);
     } catch (error) {
       this.#own = undefined;
       reject(error);
     }
-    this.#here.delete(task);
-    this.#next();
   }
 
   dispose() {
     this.#isDisposed = true;
     const reason = new Error('the pool was disposed of');
-    for (const { worker, task } of this.#helpers) {
-      worker.terminate();
-      task?.reject(reason);
-    }
-    for (const task of [...this.#waiting, ...this.#here]) task.reject(reason);
-    this.#helpers = [];
-    this.#waiting = [];
+    this.#crew.leave(this.#place, reason);
+    for (const { reject } of this.#tasks) reject(reason);
     this.#own = undefined;
   }
 }

@@ -1,30 +1,43 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// A worker of a DecoderPool: first come the decoder's options, then streams, one at a time.
-import { DeltameshError, createDecoder } from './decoder.js';
+// A worker of a DecoderPool: streams come one at a time; modules come from the page, compiled, when they are asked for.
+import { Decoder, noModule } from './decode.js';
+import { DeltameshError, plainError } from './errors.js';
+import { listen, post } from './port.js';
 
+const asked = new Map();
 let decoder;
+/** Of the options that the decoder has: where they change, its memory goes. */
+let current;
 
-async function decode({ bytes, limits }) {
-  const result = await (await decoder).decode(bytes, { limits });
-  if (!(result instanceof DeltameshError)) return result;
-  const { code, what, rule, where, chunk } = result;
-  return { failed: { code, what, rule, where, chunk } };
+function askFor(name) {
+  return new Promise((resolve, reject) => {
+    asked.set(name, { resolve, reject });
+    post({ need: name });
+  });
 }
 
-self.onmessage = async ({ data }) => {
-  if ('options' in data) {
-    decoder = createDecoder(data.options);
-    decoder.catch(() => {});
-    return;
-  }
+function answer({ name, module, failure }) {
+  const { resolve, reject } = asked.get(name);
+  if (module) resolve(module);
+  else reject(new Error(failure));
+}
+
+async function decode({ key, maxMemory, bytes, limits }) {
+  if (key !== current) [decoder, current] = [new Decoder(askFor, maxMemory), key];
   try {
-    const { failed, ...mesh } = await decode(data);
-    const arrays = failed ? [] : [mesh.positions, mesh.indices, mesh.groups, ...mesh.attributes.map(({ values }) => values)];
-    const buffers = arrays.filter(Boolean).map(({ buffer }) => buffer);
-    self.postMessage(failed ? { error: failed } : { mesh }, buffers);
+    await decoder.load('core');
   } catch (error) {
-    self.postMessage({ error: { code: 300, what: `the decoder could not be started: ${error.message}` } });
+    return noModule('core', error);
   }
-};
+  return bytes ? decoder.decode(bytes, { limits }) : null;
+}
+
+listen(async (message) => {
+  if (message.name) return answer(message);
+  const result = await decode(message);
+  if (result instanceof DeltameshError) return post({ error: plainError(result) });
+  const arrays = result ? [result.positions, result.indices, result.groups, ...result.attributes.map(({ values }) => values)] : [];
+  post({ mesh: result }, arrays.filter(Boolean).map(({ buffer }) => buffer));
+});

@@ -1,34 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// The worker of an EncoderWorker: first come the encoder's options, then calls, one at a time.
-import { DeltameshError } from '@deltamesh/decoder';
+// The worker of an EncoderWorker: first come the module, compiled, and its most memory; then calls, one at a time.
+import { CODES, DeltameshError, listen, plainError, post } from '@deltamesh/decoder/internal.js';
 
-import { createEncoder } from './encoder.js';
+import { Encoder } from './encode.js';
 
 let encoder;
 
-function run(encoder, { call, mesh, other, order, options }) {
+function run({ call, mesh, other, order, options }) {
   if (call === 'compare') return encoder.compare(mesh, other, order ?? undefined);
-  const onProgress = (share) => self.postMessage({ share });
+  const onProgress = (share) => post({ share });
   return encoder.encode(mesh, { ...options, onProgress });
 }
 
-function failureOf({ code, what, rule, where, chunk, best }) {
-  return { failure: { code, what, rule, where, chunk }, best };
-}
-
-self.onmessage = async ({ data }) => {
-  if ('start' in data) {
-    encoder = createEncoder(data.start);
-    encoder.catch(() => {});
+listen((message) => {
+  if (message.module) {
+    encoder = new Encoder(message.module, message.maxMemory);
     return;
   }
   try {
-    const result = run(await encoder, data);
-    if (result instanceof DeltameshError) return self.postMessage(failureOf(result));
-    self.postMessage({ result }, [(result.bytes ?? result.signedError).buffer]);
+    const result = run(message);
+    if (result instanceof DeltameshError) return post({ failure: plainError(result), best: result.best });
+    post({ result }, [(result.bytes ?? result.signedError).buffer]);
   } catch (error) {
-    self.postMessage(failureOf({ code: 300, what: `the encoder could not be started: ${error.message}` }));
+    post({ failure: { code: CODES.internal, what: `the encoder failed: ${error.message}` } });
   }
-};
+});

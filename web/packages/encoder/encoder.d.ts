@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-import type { AttributeArray, AttributeInfo, DeltameshError, ModuleSource, Quality } from '@deltamesh/decoder';
+import type { AttributeInfo, DeltameshError, ModuleSource, Quality } from '@deltamesh/decoder';
 
 export interface EncoderOptions {
   /** The module; default: the file beside this one. */
@@ -28,7 +28,7 @@ export interface MeshInput {
     /** Colours: linear light, as glTF has them; else what a screen shows (sRGB). */
     linear?: boolean;
     /** n x components */
-    values: AttributeArray;
+    values: Int8Array | Uint8Array | Int16Array | Uint16Array | Int32Array | Uint32Array | Float32Array | Float64Array;
   }[];
 }
 
@@ -76,9 +76,9 @@ export interface EncodeOptions {
 
 export interface EncodedMesh {
   /** The .dmsh stream; `inspect()` of @deltamesh/decoder tells its quality and parts. */
-  bytes: Uint8Array;
+  bytes: Uint8Array<ArrayBuffer>;
   /** Input vertex of every decoded vertex. */
-  order: Uint32Array;
+  order: Uint32Array<ArrayBuffer>;
 }
 
 /** Where a request cannot be met the error says what can be had. */
@@ -97,7 +97,7 @@ export interface MeshComparison {
   /** Of the first mesh's bounding box. */
   diagonal: number;
   /** Per vertex of the second mesh: how far it is from the first along its normal, outward positive. */
-  signedError: Float32Array;
+  signedError: Float32Array<ArrayBuffer>;
 }
 
 export interface Encoder {

@@ -2,7 +2,10 @@
 // Copyright 2026 The deltamesh authors
 //
 // An encoder in a worker. See worker.d.ts.
-import { DeltameshError } from '@deltamesh/decoder';
+import { CODES, DeltameshError, startWorker, workerError } from '@deltamesh/decoder/internal.js';
+
+import { loadEncoder } from './encoder.js';
+import WORKER from './worker-text.js';
 
 export class EncoderWorker {
   #options;
@@ -12,10 +15,14 @@ export class EncoderWorker {
   #last = Promise.resolve();
   #isDisposed = false;
 
-  constructor({ encoder, createWorker } = {}) {
+  constructor({ encoder = {}, createWorker = () => startWorker(WORKER) } = {}) {
     this.#options = encoder;
-    this.#createWorker =
-      createWorker ?? (() => new Worker(new URL('./encode-worker.js', import.meta.url), { type: 'module' }));
+    this.#createWorker = createWorker;
+  }
+
+  /** Starts the worker before it is needed. */
+  async preload() {
+    await this.#start();
   }
 
   encode(mesh, { onProgress, signal, ...options } = {}) {
@@ -33,15 +40,22 @@ export class EncoderWorker {
     return result;
   }
 
-  #run(message, signal, onProgress) {
+  async #run(message, signal, onProgress) {
+    try {
+      await this.#start();
+    } catch (error) {
+      const what = `the module encoder could not be loaded: ${error.message}`;
+      return new DeltameshError({ code: CODES.noFile, what }, { cause: error });
+    }
     return new Promise((resolve, reject) => {
       if (this.#isDisposed) throw new Error('the encoder is disposed of');
       signal?.throwIfAborted();
-      const worker = (this.#worker ??= this.#start());
+      const worker = this.#worker;
       const abort = () => this.#end(signal.reason); // nothing else stops a module at work
       const end = (settle, value) => {
         signal?.removeEventListener('abort', abort);
         this.#fail = undefined;
+        worker.setBusy?.(false);
         settle(value);
       };
       this.#fail = (reason) => end(reject, reason);
@@ -51,15 +65,17 @@ export class EncoderWorker {
         if (!failure) return end(resolve, result);
         end(resolve, Object.assign(new DeltameshError(failure), best ? { best } : {}));
       };
-      worker.onerror = (event) => this.#end(new Error(event.message ?? 'the worker failed'));
+      worker.onerror = (event) => this.#end(workerError(event));
+      worker.setBusy?.(true);
       worker.postMessage(message);
     });
   }
 
-  #start() {
-    const worker = this.#createWorker();
-    worker.postMessage({ start: this.#options });
-    return worker;
+  async #start() {
+    const module = await loadEncoder(this.#options.files);
+    if (this.#worker || this.#isDisposed) return;
+    this.#worker = this.#createWorker();
+    this.#worker.postMessage({ module, maxMemory: this.#options.maxMemory });
   }
 
   #end(reason) {

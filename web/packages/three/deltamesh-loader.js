@@ -3,9 +3,11 @@
 //
 // .dmsh streams and glTF assets with DELTAMESH_mesh_compression in three.js. See deltamesh-loader.d.ts.
 import { DeltameshError } from '@deltamesh/decoder';
-import { EXTENSION_NAME, arrayOf, findCompressed } from '@deltamesh/decoder/gltf';
+import { EXTENSION_NAME, arrayOf, errorIn, findCompressed } from '@deltamesh/decoder/gltf';
 import { DecoderPool } from '@deltamesh/decoder/pool';
 import { BufferAttribute, BufferGeometry, FileLoader, Loader } from 'three';
+
+import { linearFromSrgb } from './colors.js';
 
 const NAMES = { normal: 'normal', color: 'color', tangent: 'tangent', joints: 'skinIndex', weights: 'skinWeight' };
 
@@ -36,8 +38,10 @@ export function toBufferGeometry(mesh) {
   geometry.setAttribute('position', new BufferAttribute(mesh.positions, 3));
   const numbers = {};
   for (const attribute of mesh.attributes) {
-    const { values, components, normalized, kind } = attribute;
-    const isPart = normalized || (kind === 'color' && !(values instanceof Float32Array));
+    const { components, normalized, kind } = attribute;
+    const isColor = kind === 'color';
+    const values = isColor && !attribute.linear ? linearFromSrgb(attribute) : attribute.values;
+    const isPart = normalized || (isColor && !(values instanceof Float32Array));
     geometry.setAttribute(nameOf(attribute, numbers), new BufferAttribute(values, components, isPart));
   }
   geometry.setIndex(new BufferAttribute(mesh.groups ? addGroups(geometry, mesh) : mesh.indices, 1));
@@ -48,6 +52,8 @@ export function toBufferGeometry(mesh) {
 }
 
 export class DeltameshLoader extends Loader {
+  #abort = new AbortController();
+
   /** `pool`: DecoderPoolOptions. */
   constructor(manager, pool) {
     super(manager);
@@ -60,23 +66,51 @@ export class DeltameshLoader extends Loader {
     return this;
   }
 
-  load(url, onLoad, onProgress, onError) {
+  /** Starts a worker and loads the first module before they are needed; where that fails the next load tries again. */
+  preload() {
+    this.pool.preload().catch(() => {});
+    return this;
+  }
+
+  /** Aborted by abort(). */
+  get signal() {
+    return this.#abort.signal;
+  }
+
+  /** Of all that is being loaded, assets of the plugin too. */
+  abort() {
+    this.#abort.abort();
+    this.#abort = new AbortController();
+    return this;
+  }
+
+  load(url, onLoad, onProgress, onError = console.error) {
+    const { signal } = this;
     const loader = new FileLoader(this.manager);
     loader.setPath(this.path);
     loader.setResponseType('arraybuffer');
     loader.setRequestHeader(this.requestHeader);
     loader.setWithCredentials(this.withCredentials);
-    const fail = (error) => {
-      if (onError) onError(error);
-      else console.error(error);
-      this.manager.itemError(url);
+    const abort = () => loader.abort?.(); // three.js has it since r179
+    signal.addEventListener('abort', abort, { once: true });
+    const decode = async (buffer) => {
+      this.manager.itemStart(url); // the manager waits for the geometry, not only for the file
+      try {
+        onLoad(await this.parseAsync(buffer, { signal }).catch((error) => Promise.reject(errorIn(url, error))));
+      } catch (error) {
+        this.manager.itemError(url);
+        onError(error);
+      } finally {
+        signal.removeEventListener('abort', abort);
+        this.manager.itemEnd(url);
+      }
     };
-    loader.load(url, (buffer) => this.parseAsync(buffer).then(onLoad).catch(fail), onProgress, fail);
+    loader.load(url, decode, onProgress, onError);
   }
 
   /** Rejects with a DeltameshError, or with the signal's reason. */
-  async parseAsync(buffer, { signal } = {}) {
-    const mesh = await this.pool.decode(new Uint8Array(buffer), { limits: this.limits, signal });
+  async parseAsync(buffer, { signal = this.signal } = {}) {
+    const mesh = await this.pool.decode(buffer, { limits: this.limits, signal });
     if (mesh instanceof DeltameshError) throw mesh;
     return toBufferGeometry(mesh);
   }
@@ -116,16 +150,16 @@ class GltfDeltameshExtension {
   }
 
   async #decode({ standIn, accessor }) {
-    const { bufferView } = standIn;
-    if (!this.#meshes.has(bufferView)) this.#meshes.set(bufferView, this.#decodeStream(bufferView));
+    const { bufferView, source } = standIn;
+    if (!this.#meshes.has(bufferView)) this.#meshes.set(bufferView, this.#decodeStream(bufferView, source));
     const values = arrayOf(await this.#meshes.get(bufferView), standIn, accessor);
     return values.buffer.byteLength === values.byteLength ? values.buffer : values.slice().buffer;
   }
 
-  async #decodeStream(bufferView) {
-    const bytes = new Uint8Array(await this.parser.getDependency('bufferView', bufferView));
-    const mesh = await this.loader.pool.decode(bytes, { limits: this.loader.limits });
-    if (mesh instanceof DeltameshError) throw mesh;
+  async #decodeStream(bufferView, source) {
+    const { pool, limits, signal } = this.loader;
+    const mesh = await pool.decode(await this.parser.getDependency('bufferView', bufferView), { limits, signal });
+    if (mesh instanceof DeltameshError) throw errorIn(source, mesh);
     return mesh;
   }
 }

@@ -84,3 +84,4 @@ window.tryToLoad = async (url) => {
     scene.dispose();
   }
 };
+window.isReady = true;

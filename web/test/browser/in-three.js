@@ -67,3 +67,13 @@ window.tryToLoad = async (url) => {
     return error.message;
   }
 };
+
+/** What goes wrong with each of many loaders that are all kept. */
+window.loadByMany = (count, url) =>
+  Promise.all(Array.from({ length: count }, () => new DeltameshLoader().loadAsync(url).then(() => '', (error) => error.message)));
+/** The same of one whose worker is a file of the page's. */
+window.loadByOwnWorker = (url) => {
+  const createWorker = () => new Worker('/decoder-worker.js', { type: 'module' });
+  return new DeltameshLoader(undefined, { createWorker }).loadAsync(url).then(() => '', (error) => error.message);
+};
+window.isReady = true;

@@ -10,10 +10,11 @@ import { launch, serveFiles } from '../chromium.js';
 
 const DECODER = new URL('../../packages/decoder/', import.meta.url);
 export const LOADERS = ['three', 'babylon'];
+const PAGES = [...LOADERS, 'babylon-readme'];
 
 async function bundles() {
-  const scripts = { worker: new URL('worker.js', DECODER) };
-  for (const loader of LOADERS) scripts[loader] = new URL(`in-${loader}.js`, import.meta.url);
+  const scripts = Object.fromEntries(PAGES.map((name) => [name, new URL(`in-${name}.js`, import.meta.url)]));
+  scripts['decoder-worker'] = new URL('worker.js', DECODER); // for pages that allow no worker from a text
   const { outputFiles } = await build({
     entryPoints: Object.entries(scripts).map(([out, url]) => ({ in: fileURLToPath(url), out })),
     outdir: '/',
@@ -21,7 +22,7 @@ async function bundles() {
     write: false,
     format: 'esm',
     target: 'es2022',
-    external: ['node:*'],
+    splitting: true,
     logLevel: 'error',
   });
   return outputFiles.map(({ path, contents }) => [path, contents]);
@@ -31,8 +32,10 @@ async function bundles() {
 export async function openBrowser(files) {
   const all = new Map([...(await bundles()), ...files]);
   for (const name of ['core', 'highpass', 'rare', 'zstd']) all.set(`/${name}.wasm`, readFileSync(new URL(`${name}.wasm`, DECODER)));
-  for (const loader of LOADERS)
-    all.set(`/${loader}.html`, `<!doctype html><link rel="icon" href="data:,"><body><script type="module" src="${loader}.js"></script>`);
+  for (const name of PAGES)
+    all.set(`/${name}.html`, `<!doctype html><link rel="icon" href="data:,"><body><script type="module" src="${name}.js"></script>`);
+  const policy = "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'self' data: 'wasm-unsafe-eval'\">";
+  all.set('/three-strict.html', `${all.get('/three.html').replace('<link', `${policy}<link`)}`);
   const server = await serveFiles(all);
   const browser = await launch();
   return {
@@ -43,7 +46,7 @@ export async function openBrowser(files) {
       const problems = [];
       page.on('pageerror', (error) => problems.push(String(error)));
       await page.goto(`${server.origin}/${loader}.html`);
-      await page.waitForFunction(() => 'compareAssets' in window);
+      await page.waitForFunction(() => window.isReady);
       return { page, problems };
     },
     async close() {

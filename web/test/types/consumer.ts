@@ -25,7 +25,7 @@ export async function decode(bytes: Uint8Array): Promise<Float32Array> {
 }
 
 export async function decodeInWorkers(bytes: Uint8Array, signal: AbortSignal): Promise<number> {
-  const pool = new DecoderPool({ workers: 2 });
+  const pool = new DecoderPool({ workers: 2, createWorker: () => new Worker('worker.js', { type: 'module' }) });
   const mesh = await pool.decode(bytes, { signal });
   pool.dispose();
   return mesh instanceof DeltameshError ? mesh.code : mesh.triangleCount;
@@ -45,17 +45,18 @@ export async function encode(positions: Float32Array, indices: Uint32Array): Pro
     { vde: { value: 0.02, unit: 'diagonal' }, geometry: 'auto', onProgress: (share: number) => console.log(share) },
   );
   if (encoded instanceof DeltameshError) throw new Error(`${encoded.message} ${encoded.best?.bytes}`);
+  console.log(new Blob([encoded.bytes]), await WebAssembly.compile(encoded.bytes), await createDecoder({ files: { core: fetch('core.wasm') } }));
   return encoded.bytes;
 }
 export const compressInWorker = (mesh: Parameters<EncoderWorker['encode']>[0]) => new EncoderWorker().encode(mesh, { effort: 0 });
 
 export async function load(url: string): Promise<void> {
-  const loader = new DeltameshLoader().setLimits({ triangles: 1e6 });
+  const loader = new DeltameshLoader().setLimits({ triangles: 1e6 }).preload();
   const geometry = await loader.loadAsync(url);
   const gltf = await new GLTFLoader().register(gltfDeltameshExtension(loader)).loadAsync(url);
   gltf.scene.add();
   geometry.dispose();
-  loader.dispose();
+  loader.abort().dispose();
   registerDeltamesh({ pool: { workers: 1 } }).dispose();
 }
 

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 // The page: settings in, streams and pictures out.
-import { Superseded } from './latest-job.js';
 import { mapOf } from './map/map-files.js';
 import { MapView } from './map/map-view.js';
 import { EXAMPLES } from './mesh/examples.js';
 import { isMeshName } from './mesh/mesh-names.js';
 import { Controls } from './panel/controls.js';
 import { makeDivider } from './panel/divider.js';
-import { download, openFiles } from './panel/open.js';
-import { showBytes, showErrors, showPeers } from './panel/report.js';
-import { requestOf } from './peers/request.js';
+import { copyLink, offerDownloads } from './panel/downloads.js';
+import { headlineOf } from './panel/headline.js';
+import { fetchFile, listExamples, openFiles, openPasted } from './panel/open.js';
+import { compareWithOthers } from './panel/others.js';
+import { forgetResult, rawBytes, showResult } from './panel/result.js';
+import { Status } from './panel/status.js';
 import { Picture } from './picture.js';
-import { ENCODING, encodeOptions, fromHash, toHash } from './settings.js';
-import { formatBytes, formatNumber } from './units.js';
+import { gltfMaterials, plainMaterials } from './stage/materials.js';
+import { BOUNDS, DEFAULTS, ENCODING, encodeOptions, fromHash, toHash, withPreset } from './settings.js';
 import { Workshop } from './workshop.js';
 
 /** A slider on the move does not start work at each step. */
@@ -27,35 +29,46 @@ class Page {
   #result = null;
   #name = '';
   #timer = 0;
+  #note = ''; // what is wrong and does not stop anything
 
   constructor(workshop) {
     this.workshop = workshop;
+    this.status = new Status(find);
     this.picture = new Picture(find, workshop);
     this.map = new MapView(find, workshop.map, this.picture.stage);
-    this.controls = new Controls({ quality: find('quality'), coder: find('coder'), view: find('view') }, (id, value) =>
+    this.controls = new Controls({ quality: find('quality'), bounds: find('bounds'), coder: find('coder'), view: find('view') }, (id, value) =>
       this.change(id, value),
     );
     this.controls.show(this.#settings);
     this.#showMapPanel(false);
-    for (const [name, { label }] of Object.entries(EXAMPLES)) find('example').add(new Option(label, name));
-    find('example').add(new Option('Own file', 'file'));
-    find('example').options[2].hidden = true;
-    find('example').addEventListener('change', ({ target }) => this.openExample(target.value));
+    listExamples(find('example'), (name) => this.openExample(name));
     openFiles({ input: find('file'), folderInput: find('folder'), hint: find('drop-hint') }, {
       onFiles: (files) => this.openFiles(files),
       onFolder: (files) => this.openMap(files),
-      onFailure: (error) => this.#fail(error),
+      onFailure: (error) => this.status.fail(error),
     });
+    openPasted({ onFiles: (files) => this.openFiles(files), onUrl: (url) => this.openUrl(url) });
     makeDivider(find('divider'), (share) => this.picture.setSplit(share));
     find('panel').addEventListener('submit', (event) => event.preventDefault());
     find('cancel').addEventListener('click', () => this.cancel());
-    find('download-glb').addEventListener('click', () => this.downloadGlb());
-    find('copy-link').addEventListener('click', () => this.copyLink());
+    offerDownloads(find, workshop, this.status, () => ({
+      bytes: this.#result.bytes,
+      name: this.#name,
+      file: this.#source.file,
+      options: encodeOptions(this.#settings),
+    }));
+    find('copy-link').addEventListener('click', async () => {
+      this.keepLink();
+      find('status').textContent = await copyLink();
+    });
     window.addEventListener('hashchange', () => this.followLink());
   }
 
   change(id, value) {
-    this.#settings[id] = value;
+    if (id === 'preset') this.#settings = withPreset(this.#settings, value);
+    else this.#settings[id] = value;
+    if (BOUNDS.some((bound) => bound.id === id)) this.#settings.preset = 'own';
+    this.controls.show(this.#settings);
     this.keepLink();
     if (ENCODING.includes(id)) this.encodeSoon();
     else this.#showPicture();
@@ -74,16 +87,6 @@ class Page {
     else this.encodeSoon();
   }
 
-  async copyLink() {
-    this.keepLink();
-    try {
-      await navigator.clipboard.writeText(location.href);
-      find('status').textContent = 'The link is in the clipboard';
-    } catch {
-      find('status').textContent = 'The link is in the address bar';
-    }
-  }
-
   /** Ends what is being done; what is shown stays. */
   #stop() {
     clearTimeout(this.#timer);
@@ -93,7 +96,7 @@ class Page {
 
   cancel() {
     this.#stop();
-    this.#tell('Cancelled', false);
+    this.status.tell('Cancelled', false);
   }
 
   /** One mesh, with the files that it needs. */
@@ -102,17 +105,30 @@ class Page {
     if (meshes.length !== 1) {
       this.#stop();
       const names = files.map(({ name }) => name).join(', ');
-      this.#fail(new Error(`${meshes.length === 0 ? 'None of these is a mesh' : 'Open one mesh at a time'}: ${names}`));
+      this.status.fail(new Error(`${meshes.length === 0 ? 'None of these is a mesh' : 'Open one mesh at a time'}: ${names}`));
       return undefined;
     }
     const [file] = meshes;
-    return this.#open('file', file.name, () => this.workshop.read(file, files.filter((other) => other !== file)));
+    const others = files.filter((other) => other !== file);
+    const materials = (numbers) => gltfMaterials(file, others, numbers);
+    return this.#open('file', file.name, () => this.workshop.read(file, others), materials, file);
+  }
+
+  /** A mesh of another place. */
+  async openUrl(url) {
+    this.#stop();
+    this.status.tell(`Fetching ${url}`);
+    try {
+      await this.openFiles([await fetchFile(url)]);
+    } catch (error) {
+      this.status.fail(error);
+    }
   }
 
   /** The folder of a map; of one that is open the parts that changed. */
   async openMap(files) {
     this.#stop();
-    this.#tell('Reading the map');
+    this.status.tell('Reading the map');
     try {
       const map = mapOf(files);
       if (!map) throw new Error('this folder has no map: there is no map.dmm');
@@ -127,9 +143,9 @@ class Page {
       const { title, summary } = this.map.describe();
       find('mesh-name').textContent = `Map: ${title}`;
       find('summary').textContent = summary;
-      this.#tell('Done', false);
+      this.status.tell('Done', false);
     } catch (error) {
-      this.#fail(error);
+      this.status.fail(error);
     }
   }
 
@@ -140,7 +156,7 @@ class Page {
   }
 
   #showMapPanel(isMap) {
-    for (const id of ['quality', 'coder', 'others']) find(id).hidden = isMap;
+    for (const id of ['quality', 'details', 'others']) find(id).hidden = isMap;
     find('copy-link').hidden = isMap;
     for (const id of ['label-original', 'label-result', 'divider']) if (isMap) find(id).hidden = true;
     this.controls.showMap(isMap);
@@ -152,33 +168,47 @@ class Page {
   }
 
   openExample(name) {
-    this.#settings.example = Object.hasOwn(EXAMPLES, name) ? name : 'knot';
+    this.#settings.example = Object.hasOwn(EXAMPLES, name) ? name : DEFAULTS.example;
     this.keepLink();
-    return this.#open(this.#settings.example, EXAMPLES[this.#settings.example].label, () => this.workshop.example(this.#settings.example));
+    return this.#open(this.#settings.example, EXAMPLES[this.#settings.example].label, () => this.workshop.example(this.#settings.example), plainMaterials);
   }
 
-  /** `example`: what the list of examples says then. */
-  async #open(example, name, read) {
+  /** `example`: what the list of examples says then. `toMaterials`: from what `read` says of them to those of three.js. */
+  async #open(example, name, read, toMaterials, file) {
     this.#stop();
-    this.#tell(`Reading ${name}`);
+    this.status.tell(`Reading ${name}`);
     try {
-      const { mesh, frame, display } = await read();
+      const { mesh, frame, display, up, materials, isGlb = false } = await read();
       find('example').value = example;
       this.map.close();
       this.#showMapPanel(false);
-      this.#source = { mesh, frame };
+      this.#source = { mesh, frame, file: isGlb ? file : null };
       this.#name = name.replace(/\.[^.]*$/, '').toLowerCase();
       this.workshop.setSource(this.#source);
       this.#forgetResult();
-      this.picture.setOriginal(display, frame);
+      this.picture.setOriginal(display, frame, up);
       this.picture.show(this.#settings);
+      this.#note = '';
+      if (materials) await this.#showMaterials(toMaterials, materials);
       this.controls.showKinds(new Set(mesh.attributes.map(({ kind }) => kind)));
       const [vertices, triangles] = [mesh.positions.length / 3, mesh.indices.length / 3];
       find('mesh-name').textContent =
         `${name}: ${vertices.toLocaleString('en')} vertices, ${triangles.toLocaleString('en')} triangles`;
       await this.encode();
     } catch (error) {
-      this.#fail(error);
+      this.status.fail(error);
+    }
+  }
+
+  async #showMaterials(toMaterials, materials) {
+    const source = this.#source;
+    try {
+      const made = await toMaterials(materials);
+      if (source !== this.#source) return;
+      this.picture.setMaterials(made.materials);
+      if (made.missing.length > 0) this.#note = `; choose or drop these, too: ${made.missing.join(', ')}`;
+    } catch (error) {
+      this.#note = `; its materials could not be read: ${error.message}`;
     }
   }
 
@@ -191,7 +221,7 @@ class Page {
     if (!this.#source) return;
     clearTimeout(this.#timer);
     const source = this.#source;
-    this.#tell('Compressing');
+    this.status.tell('Compressing');
     try {
       const result = await this.workshop.encode(encodeOptions(this.#settings), ({ step, share }) => {
         find('progress').value = share;
@@ -199,84 +229,33 @@ class Page {
       });
       if (source !== this.#source) return;
       this.#show(result);
-      await this.#compareWithOthers(result);
+      await compareWithOthers(find, this.workshop, source, result);
     } catch (error) {
-      this.#fail(error);
+      this.status.fail(error);
     }
   }
 
   #show(result) {
-    const { bytes, info, display, errors } = result;
+    const { bytes, display, errors } = result;
     this.#result = { bytes };
     this.picture.setResult(display, errors);
     this.picture.show(this.#settings);
-    const { mesh, frame } = this.#source;
-    const raw = mesh.positions.byteLength + mesh.indices.byteLength + mesh.attributes.reduce((sum, a) => sum + a.values.byteLength, 0);
+    const raw = rawBytes(this.#source.mesh);
     this.picture.setSizes(raw, bytes.length);
-    showBytes(find('bytes'), info, bytes.length);
-    showErrors(find('errors'), info, frame.diagonal);
-    const bits = formatNumber((8 * bytes.length) / info.vertexCount);
-    find('summary').textContent =
-      `${formatBytes(bytes.length)}, ${bits} bits per vertex, ${info.geometry}; ` +
-      `compressed in ${formatNumber(info.encodeMilliseconds / 1000)} s, decoded in ${formatNumber(info.decodeMilliseconds)} ms`;
-    const link = find('download');
-    if (link.href) URL.revokeObjectURL(link.href);
-    link.href = URL.createObjectURL(new Blob([bytes], { type: 'application/octet-stream' }));
-    link.download = `${this.#name}.dmsh`;
-    link.hidden = find('download-glb').hidden = false;
-    this.#tell('Done', false);
-  }
-
-  async #compareWithOthers({ bytes, info }) {
-    const isExact = !(info.quality.maxError > 0);
-    find('peers-status').textContent = isExact ? 'The result is exact: there is no error to compare at.' : 'Computing';
-    find('peers').replaceChildren(); // those of an earlier result
-    if (isExact) return;
-    try {
-      const request = requestOf(this.#source.mesh, info, bytes.length);
-      showPeers(find('peers'), request, await this.workshop.compare(request));
-      find('peers-status').textContent = `${request.names.join(', ')}.`;
-    } catch (error) {
-      if (!(error instanceof Superseded)) find('peers-status').textContent = `This could not be computed: ${error.message}`;
-    }
-  }
-
-  async downloadGlb() {
-    try {
-      download(await this.workshop.glb(this.#result.bytes), `${this.#name}.glb`, 'model/gltf-binary');
-    } catch (error) {
-      this.#fail(error);
-    }
+    find('headline').textContent = headlineOf(this.#settings.preset, raw, bytes.length);
+    showResult(find, result, this.#source, this.#name);
+    this.status.tell(`Done${this.#note}`, false);
   }
 
   #forgetResult() {
     this.#result = null;
     this.picture.forgetResult();
-    for (const id of ['bytes', 'errors', 'peers']) find(id).replaceChildren();
-    find('summary').textContent = '';
-    find('download').hidden = find('download-glb').hidden = true;
-  }
-
-  #tell(text, isBusy = true) {
-    find('status').textContent = text;
-    find('error').textContent = '';
-    find('error').hidden = true;
-    find('progress').style.visibility = isBusy ? 'visible' : 'hidden';
-    if (!isBusy && document.activeElement === find('cancel')) find('canvas').focus(); // what is hidden loses it
-    find('cancel').hidden = !isBusy;
-    find('progress').value = 0;
-    document.body.dataset.state = isBusy ? 'busy' : 'done';
-  }
-
-  #fail(error) {
-    if (error instanceof Superseded) return;
-    this.#tell('', false);
-    document.body.dataset.state = 'failed';
-    find('error').textContent = error.message;
-    find('error').hidden = false;
+    forgetResult(find);
   }
 }
 
 const page = new Page(await Workshop.open());
 window.viewer = { replacePart: (place, bytes) => page.replacePart(place, bytes) };
-page.openExample(fromHash(location.hash).example);
+const url = new URLSearchParams(location.search).get('url');
+if (url) page.openUrl(url);
+else page.openExample(fromHash(location.hash).example);

@@ -3,9 +3,20 @@
 // What is seen of the meshes: views, shading, heat, and what stands on them.
 import { showScale } from './panel/scale.js';
 import { HEATS, heatLimit, heatTexture } from './stage/heat.js';
+import { NoStage } from './stage/no-stage.js';
 import { Stage } from './stage/stage.js';
 import { Superseded } from './latest-job.js';
 import { formatSize } from './units.js';
+
+/** Without WebGL the page works, but for pictures, and says so. */
+function makeStage(find) {
+  try {
+    return new Stage(find('canvas'));
+  } catch {
+    find('no-picture').hidden = false;
+    return new NoStage();
+  }
+}
 
 export class Picture {
   #find;
@@ -14,11 +25,13 @@ export class Picture {
   #settings;
   #errors = null;
   #textures = {};
+  #up = 'z';
+  #hasMaterials = false;
 
   constructor(find, workshop) {
     this.#find = find;
     this.#workshop = workshop;
-    this.#stage = new Stage(find('canvas'));
+    this.#stage = makeStage(find);
     const theme = () => this.#stage.setBackground(getComputedStyle(find('stage')).backgroundColor);
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', theme);
     theme();
@@ -29,9 +42,19 @@ export class Picture {
     return this.#stage;
   }
 
-  setOriginal(display, { diagonal }) {
+  /** `up`: the file's. */
+  setOriginal(display, { diagonal }, up) {
+    this.#up = up;
     this.#stage.original.setDisplay(display, diagonal / 2);
     this.#stage.frame(diagonal);
+    this.setMaterials(null);
+  }
+
+  /** Of three.js, by groups, or null. */
+  setMaterials(materials) {
+    this.#hasMaterials = materials !== null;
+    for (const which of ['original', 'result']) this.#stage[which].setMaterials(materials);
+    if (materials) this.show(this.#settings);
   }
 
   setResult(display, errors) {
@@ -57,7 +80,9 @@ export class Picture {
 
   show(settings) {
     this.#settings = settings;
-    const { view, shading, color } = settings;
+    const { view, look, up, shading, color } = settings;
+    this.#stage.setUp(up === 'file' ? this.#up : up);
+    this.#stage.showMaterials(this.#hasMaterials && look === 'own' && shading === 'smooth' && color === 'none');
     this.#stage.setView(view);
     this.#find('divider').hidden = view !== 'split';
     this.#find('label-original').hidden = view === 'result';

@@ -16,11 +16,28 @@ export const BOUNDS = [
   { id: 'uvs', label: 'Texture coordinates', unit: '', min: 0.00002, max: 0.02, scale: 'log', start: 1 / 4096, kind: 'uv' },
 ];
 
+/** What people ask for, as bounds; `words`: what is said of the result, after its size. Looking the same is what the encoder does by itself. */
+export const PRESETS = {
+  same: { words: 'and you cannot see it', bounds: { maxError: null, normals: 0.5, colors: 0, uvs: 1 / 4096 } },
+  small: { words: 'and you have to search for it', bounds: { maxError: 0.1, normals: 2, colors: 4, uvs: 1 / 1024 } },
+  tiny: { words: 'and it is still the same thing', bounds: { maxError: 0.4, normals: 6, colors: 12, uvs: 1 / 512 } },
+  exact: { words: 'and not one bit is lost', bounds: { maxError: null, normals: 0.5, colors: 0, uvs: 1 / 4096 } },
+};
+const NO_BOUNDS = { vde: null, lfe: null, size: null };
+
+/** The settings of a preset; `own` has those that there are. */
+export function withPreset(settings, preset) {
+  return { ...settings, preset, ...(PRESETS[preset] ? { ...NO_BOUNDS, ...PRESETS[preset].bounds } : {}) };
+}
+
 /** Settings that are one of a few: values with their labels. */
 export const CHOICES = {
+  preset: { label: 'The result is', values: { same: 'Looks the same', small: 'Small', tiny: 'Tiny', exact: 'Exact', own: 'My bounds' } },
   geometry: { label: 'Coder', values: { auto: 'The smaller', highpass: 'Highpass', predictive: 'Predictive' } },
   effort: { label: 'Effort', values: { 0: 'Least', 1: 'Usual', 2: 'Most' } },
   view: { label: 'Layout', values: { side: 'Side by side', split: 'Split', original: 'Original', result: 'Result' } },
+  look: { label: 'Look', values: { own: 'Its own', clay: 'Clay' } },
+  up: { label: 'Up', values: { file: 'As the file', y: 'Y', z: 'Z' } },
   shading: { label: 'Shading', values: { smooth: 'Smooth', flat: 'Flat', wire: 'Wireframe' } },
   color: {
     label: 'Colour by',
@@ -30,28 +47,29 @@ export const CHOICES = {
 };
 
 export const DEFAULTS = {
-  example: 'knot',
-  vde: null,
-  lfe: null,
-  maxError: 0.05,
-  size: null,
-  normals: 0.5,
-  colors: 0,
-  uvs: 1 / 4096,
+  example: 'room',
+  preset: 'same',
+  ...NO_BOUNDS,
+  ...PRESETS.same.bounds,
   geometry: 'auto',
   effort: '1',
-  view: 'side',
+  view: 'split',
+  look: 'own',
+  up: 'file',
   shading: 'smooth',
   color: 'none',
   mapColor: 'own',
 };
 
 /** A change of these needs another stream. */
-export const ENCODING = [...BOUNDS.map(({ id }) => id), 'geometry', 'effort'];
+export const ENCODING = ['preset', ...BOUNDS.map(({ id }) => id), 'geometry', 'effort'];
 
-/** For the link: what differs from the defaults. */
+const isBound = (key) => BOUNDS.some(({ id }) => id === key);
+
+/** For the link: what differs from the defaults; of a preset its name alone. */
 export function toHash(settings) {
-  const different = Object.entries(settings).filter(([key, value]) => value !== DEFAULTS[key]);
+  const isTold = (key) => settings.preset === 'own' || !isBound(key);
+  const different = Object.entries(settings).filter(([key, value]) => isTold(key) && value !== DEFAULTS[key]);
   return new URLSearchParams(different.map(([key, value]) => [key, value ?? 'off'])).toString();
 }
 
@@ -64,16 +82,17 @@ function readBound({ min, max, optional }, text) {
 /** What is not understood keeps its default. */
 export function fromHash(hash) {
   const given = new URLSearchParams(hash.replace(/^#/, ''));
-  const settings = { ...DEFAULTS };
+  let settings = { ...DEFAULTS };
   const example = given.get('example');
   if (example && /^[a-z]+$/.test(example)) settings.example = example;
-  for (const bound of BOUNDS) {
-    const value = given.has(bound.id) ? readBound(bound, given.get(bound.id)) : undefined;
-    if (value !== undefined) settings[bound.id] = value;
-  }
   for (const [id, { values }] of Object.entries(CHOICES)) {
     const value = given.get(id);
     if (value !== null && Object.hasOwn(values, value)) settings[id] = value;
+  }
+  settings = withPreset(settings, settings.preset);
+  for (const bound of BOUNDS) {
+    const value = given.has(bound.id) ? readBound(bound, given.get(bound.id)) : undefined;
+    if (value !== undefined) Object.assign(settings, { [bound.id]: value, preset: 'own' });
   }
   return settings;
 }
@@ -82,6 +101,7 @@ export function fromHash(hash) {
 export function encodeOptions(settings) {
   const share = (value) => (value === null ? undefined : { value, unit: 'diagonal' });
   return {
+    lossless: settings.preset === 'exact',
     vde: share(settings.vde),
     lfe: share(settings.lfe),
     maxError: share(settings.maxError),

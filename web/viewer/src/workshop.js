@@ -32,6 +32,7 @@ export class Workshop {
     this.wires = { original: new LatestJob(reader), result: new LatestJob(reader) };
     this.codec = new LatestJob(() => startWorker('codec-worker', { modules, ...this.#source }));
     this.map = new LatestJob(() => startWorker('map-worker', {}));
+    this.packer = new LatestJob(() => startWorker('pack-worker', { modules }));
     this.peers = new LatestJob(() => startWorker('peers-worker', {}));
   }
 
@@ -44,7 +45,7 @@ export class Workshop {
 
   /** Ends reading, compressing and comparing. */
   cancel() {
-    for (const job of [this.reader, this.codec, this.peers]) job.cancel();
+    for (const job of [this.reader, this.codec, this.packer, this.peers]) job.cancel();
   }
 
   /** `others`: files that a .gltf may need. */
@@ -67,6 +68,11 @@ export class Workshop {
 
   edges(which, { index, attributes }) {
     return this.wires[which].run({ call: 'edges', indices: index.array, count: attributes.position.count });
+  }
+
+  /** The GLB file with its meshes packed, and all else as it is. */
+  pack(file, options) {
+    return this.packer.run({ call: 'pack', file, options });
   }
 
   glb(bytes) {

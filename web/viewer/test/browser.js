@@ -10,8 +10,8 @@ import { serve } from '../serve.js';
 
 export { hasChromium } from '../../test/chromium.js';
 
-/** Everything that a test needs, and `close()`. `problems`: errors of the console and of requests. */
-export async function openPage({ width = 1280, height = 800, hash = '', dark = false } = {}) {
+/** Everything that a test needs, and `close()`. `hash`: or a query; `before`: runs in the page before its scripts. `problems`: errors of the console and of requests. */
+export async function openPage({ width = 1280, height = 800, hash = '', dark = false, before } = {}) {
   const server = await serve();
   const downloads = await mkdtemp(join(tmpdir(), 'deltamesh-viewer-'));
   const browser = await launch();
@@ -24,6 +24,7 @@ export async function openPage({ width = 1280, height = 800, hash = '', dark = f
   await client.send('Browser.setDownloadBehavior', { behavior: 'allow', downloadPath: downloads });
   await page.setViewport({ width, height, deviceScaleFactor: 1 });
   await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: dark ? 'dark' : 'light' }]);
+  if (before) await page.evaluateOnNewDocument(before);
   await page.goto(`http://localhost:${server.address().port}/${hash}`);
   return {
     page,

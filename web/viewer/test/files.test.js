@@ -3,12 +3,13 @@
 // Files that people open: good ones of every kind, and odd ones.
 import assert from 'node:assert/strict';
 import { readFileSync, readdirSync } from 'node:fs';
+import { createServer } from 'node:http';
 import { after, before, test } from 'node:test';
 
 import { makeExample } from '../src/mesh/examples.js';
 import { writeGlb } from '../src/mesh/write-glb.js';
 import { hasChromium, openPage, waitUntilDone } from './browser.js';
-import { countColors, drop, dropFiles, textOf } from './use.js';
+import { boxesOfColors, choose, countColors, drop, dropFiles, textOf } from './use.js';
 
 const skip = hasChromium ? false : 'Chromium is not installed (scripts/setup web)';
 const root = new URL('../../../', import.meta.url);
@@ -35,7 +36,7 @@ property float z\nelement face ${indices.length / 3}\nproperty list uchar int ve
 }
 
 test('files are opened: PLY, GLB with and without the extension, DMSH', { skip }, async () => {
-  const terrain = makeExample('terrain');
+  const terrain = makeExample('terrain').mesh;
   await drop(page, 'hill.ply', plyOf(terrain));
   assert.match(await textOf(page, 'mesh-name'), /^hill.ply: 32,761 vertices/);
   await drop(page, 'hill.glb', writeGlb(terrain));
@@ -94,10 +95,11 @@ test('STL of both kinds, OBJ of quads, PLY of text, and glTF in two files are op
   }
   await dropFiles(page, gltfInFiles());
   assert.equal(await textOf(page, 'mesh-name'), 'square.gltf: 4 vertices, 2 triangles');
+  assert.equal(await textOf(page, 'status'), 'Done; choose or drop these, too: nowhere.png');
 });
 
 test('the contents tell what a file is where its name is wrong', { skip }, async () => {
-  await drop(page, 'hill.obj', plyOf(makeExample('terrain')));
+  await drop(page, 'hill.obj', plyOf(makeExample('terrain').mesh));
   assert.match(await textOf(page, 'mesh-name'), /^hill.obj: 32,761 vertices/);
 });
 
@@ -122,12 +124,12 @@ const ODD = [
   [/^letter.txt is none of PLY, OBJ/, ['letter.txt', 'hello']],
   [/^empty.ply is empty$/, ['empty.ply', '']],
   [/letter.glb cannot be opened as GLB: it is neither a GLB file nor JSON/, ['letter.glb', 'hello, this is a letter']],
-  [/cut.glb cannot be opened as GLB: it is cut off, damaged or too large/, ['cut.glb', writeGlb(makeExample('knot')).subarray(0, 1000)]],
+  [/cut.glb cannot be opened as GLB: it is cut off, damaged or too large/, ['cut.glb', writeGlb(makeExample('knot').mesh).subarray(0, 1000)]],
   [/far.glb cannot be opened as GLB: it needs http:\/\/localhost:9\/far.bin, which is not a part of it/, ['far.glb', glbOfElsewhere()]],
   [/old.gltf cannot be opened as GLTF: .*versions >=2.0/, ['old.gltf', '{"asset":{"version":"1.0"}}']],
   [/square.gltf cannot be opened as GLTF: its buffer square data.bin is a file of its own/, gltfInFiles()[0]],
   [/letter.ply cannot be opened as PLY: its header has no end/, ['letter.ply', 'hello, this is a letter']],
-  [/cut.ply cannot be opened as PLY: it is cut off, damaged or too large/, ['cut.ply', plyOf(makeExample('knot')).subarray(0, 1000)]],
+  [/cut.ply cannot be opened as PLY: it is cut off, damaged or too large/, ['cut.ply', plyOf(makeExample('knot').mesh).subarray(0, 1000)]],
   [/cloud.ply cannot be opened as PLY: it has no faces/, ['cloud.ply', asciiPly(SQUARE)]],
   [/no faces.ply cannot be opened as PLY: it has no faces/, ['no faces.ply', asciiPly(SQUARE, [])]],
   [/wild.ply cannot be opened as PLY: a face has a vertex that is none of its 4/, ['wild.ply', asciiPly(SQUARE, [[0, 1, 9]])]],
@@ -167,7 +169,7 @@ test('what was dropped last is shown, whatever was being read', { skip }, async 
       dataTransfer.items.add(new File([decode(base64)], name));
       document.body.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
     }
-  }, plyOf(makeExample('knot')).toString('base64'), binaryStl().toString('base64'));
+  }, plyOf(makeExample('knot').mesh).toString('base64'), binaryStl().toString('base64'));
   await page.waitForFunction(() => document.getElementById('mesh-name').textContent.startsWith('last.stl'));
   await waitUntilDone(page);
   assert.equal(await textOf(page, 'error'), '');
@@ -190,6 +192,67 @@ test('what is being done can be cancelled', { skip }, async () => {
   assert.equal(await page.$eval('#cancel', (button) => button.hidden), true);
   await page.$eval('input[name="effort"][value="0"]', (input) => input.click());
   await page.waitForFunction(() => document.getElementById('status').textContent === 'Done');
+});
+
+/** A triangle that stands on its side where y is up, of two materials. */
+function gltfWithMaterials() {
+  const positions = Buffer.from(new Float32Array([0, 0, 0, 1, 0, 0, 0, 3, 0]).buffer);
+  const primitive = (material) => ({ attributes: { POSITION: 0 }, material });
+  const color = (baseColorFactor) => ({ pbrMetallicRoughness: { baseColorFactor }, doubleSided: true });
+  return Buffer.from(JSON.stringify({
+    asset: { version: '2.0' }, scene: 0, scenes: [{ nodes: [0, 1] }],
+    nodes: [{ mesh: 0 }, { mesh: 1, translation: [1.5, 0, 0] }],
+    meshes: [{ primitives: [primitive(0)] }, { primitives: [primitive(1)] }],
+    materials: [color([1, 0, 0, 1]), color([0, 0, 1, 1])],
+    accessors: [{ bufferView: 0, componentType: 5126, count: 3, type: 'VEC3', min: [0, 0, 0], max: [1, 3, 0] }],
+    bufferViews: [{ buffer: 0, byteLength: 36 }],
+    buffers: [{ byteLength: 36, uri: `data:application/octet-stream;base64,${positions.toString('base64')}` }],
+  }));
+}
+
+test('glTF is seen in its materials, y up, and otherwise by choice', { skip }, async () => {
+  await drop(page, 'two.gltf', gltfWithMaterials());
+  assert.equal(await textOf(page, 'error'), '');
+  await choose(page, 'view', 'original');
+  const extents = async () => boxesOfColors(page);
+  const { red, blue } = await extents();
+  assert.ok(red.count > 200 && blue.count > 200, JSON.stringify({ red, blue }));
+  assert.ok(red.height > red.width, 'it stands');
+  await choose(page, 'up', 'z');
+  const lying = (await extents()).red;
+  assert.ok(lying.height < red.height, 'it lies');
+  await choose(page, 'up', 'file');
+  await choose(page, 'view', 'split');
+});
+
+test('a mesh of another place is opened by ?url=, and by a pasted address; what is not there is said', { skip }, async () => {
+  const good = new Map([['/hill.ply', plyOf(makeExample('terrain').mesh)]]);
+  const server = createServer(({ url }, response) => {
+    response.writeHead(good.has(url) ? 200 : 404, { 'access-control-allow-origin': '*' }).end(good.get(url));
+  });
+  await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
+  const origin = `http://127.0.0.1:${server.address().port}`;
+  const linked = await openPage({ hash: `?url=${encodeURIComponent(`${origin}/hill.ply`)}#effort=0` });
+  await waitUntilDone(linked.page);
+  assert.match(await textOf(linked.page, 'mesh-name'), /^hill.ply: 32,761 vertices/);
+  const paste = (text) =>
+    linked.page.evaluate((text) => {
+      const clipboardData = new DataTransfer();
+      clipboardData.setData('text/plain', text);
+      document.body.dataset.state = 'busy';
+      document.body.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true }));
+    }, text);
+  await paste(`${origin}/no.ply`);
+  await waitUntilDone(linked.page);
+  assert.match(await textOf(linked.page, 'error'), /no\.ply could not be fetched: 404/);
+  await linked.page.select('#example', 'terrain');
+  await linked.page.waitForFunction(() => document.getElementById('mesh-name').textContent.startsWith('Terrain'));
+  await paste(`${origin}/hill.ply`);
+  await waitUntilDone(linked.page);
+  assert.match(await textOf(linked.page, 'mesh-name'), /^hill.ply/);
+  await linked.close();
+  server.closeAllConnections();
+  server.close();
 });
 
 test('nothing went wrong on the console but what OBJLoader tells of a letter', { skip }, () => {

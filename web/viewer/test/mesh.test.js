@@ -7,6 +7,7 @@ import { test } from 'node:test';
 import { frameOf } from '../src/mesh/display.js';
 import { uniqueEdges } from '../src/mesh/edges.js';
 import { EXAMPLES, makeExample } from '../src/mesh/examples.js';
+import { sizeAt } from '../src/peers/at-error.js';
 import { vertexErrors } from '../src/mesh/vertex-errors.js';
 import { weld } from '../src/mesh/weld.js';
 import { writeGlb } from '../src/mesh/write-glb.js';
@@ -35,7 +36,7 @@ test('every edge comes once', () => {
 
 test('examples have vertices that faces use, and finite coordinates', () => {
   for (const name of Object.keys(EXAMPLES)) {
-    const { positions, indices } = makeExample(name);
+    const { positions, indices } = makeExample(name).mesh;
     assert.ok(positions.every(Number.isFinite), name);
     assert.equal(new Set(indices).size, positions.length / 3, name);
   }
@@ -89,4 +90,13 @@ test('GLB has rows at multiples of four bytes and a primitive for each group', (
 
 test('the frame is that of the bounding box', () => {
   assert.deepEqual(frameOf(square.positions), { center: [0.5, 0.5, 0], diagonal: Math.SQRT2 });
+});
+
+test('a size at an error lies on the line between two points, or is the nearest', () => {
+  const points = [{ error: 4, bytes: 100 }, { error: 1, bytes: 400 }];
+  assert.equal(sizeAt(points, 4), 100);
+  assert.equal(sizeAt(points, 2), 200);
+  assert.equal(sizeAt(points, 1), 400);
+  assert.equal(sizeAt(points, 9), 100);
+  assert.equal(sizeAt(points, 0.5), 400);
 });

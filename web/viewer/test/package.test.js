@@ -14,7 +14,7 @@ test('the package has the page, its workers, the modules and the server', (t) =>
   const folder = new URL('../', import.meta.url);
   const [{ files, size }] = JSON.parse(execFileSync('npm', ['pack', '--dry-run', '--json', '--ignore-scripts'], { cwd: folder, encoding: 'utf8' }));
   const modules = ['core', 'highpass', 'rare', 'zstd', 'map', 'encoder', 'draco_encoder'].map((name) => `dist/${name}.wasm`);
-  const scripts = ['main', 'read-worker', 'codec-worker', 'map-worker', 'peers-worker'].map((name) => `dist/${name}.js`);
+  const scripts = ['main', 'read-worker', 'codec-worker', 'map-worker', 'pack-worker', 'peers-worker'].map((name) => `dist/${name}.js`);
   const own = ['LICENSE', 'README.md', 'dist/LICENSE', 'dist/NOTICE', 'dist/index.html', 'dist/style.css', 'package.json', 'serve.js'];
   assert.deepEqual(files.map(({ path }) => path).sort(), [...modules, ...scripts, ...own].sort());
   t.diagnostic(`${size} bytes`);

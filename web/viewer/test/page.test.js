@@ -8,7 +8,7 @@ import { after, before, test } from 'node:test';
 
 import { DeltameshError, createDecoder } from '@deltamesh/decoder';
 
-import { EXAMPLES } from '../src/mesh/examples.js';
+import { EXAMPLES, makeExample } from '../src/mesh/examples.js';
 import { writeGlb } from '../src/mesh/write-glb.js';
 import { hasChromium, openPage, waitUntilDone } from './browser.js';
 import { choose, countColors, drop, longestTask, picture, shownBytes, slide, textOf, watchTasks } from './use.js';
@@ -22,7 +22,7 @@ let open;
 let page;
 before(async () => {
   if (!hasChromium) return;
-  open = await openPage();
+  open = await openPage({ hash: '#example=knot&view=side' });
   ({ page } = open);
   await waitUntilDone(page);
 });
@@ -31,7 +31,7 @@ after(() => open?.close());
 async function downloaded(selector, ending) {
   const known = new Set(readdirSync(open.downloads));
   await page.$eval(selector, (element) => element.click());
-  for (let attempt = 0; attempt < 100; ++attempt) {
+  for (let attempt = 0; attempt < 300; ++attempt) {
     const name = readdirSync(open.downloads).find((file) => !known.has(file) && file.endsWith(ending));
     if (name) return join(open.downloads, name);
     await new Promise((resolve) => setTimeout(resolve, 100));
@@ -57,6 +57,42 @@ test('GLB is downloaded', { skip }, async () => {
   const glb = readFileSync(await downloaded('#download-glb', '.glb'));
   assert.equal(glb.toString('latin1', 0, 4), 'glTF');
   assert.equal(glb.readUInt32LE(8), glb.length);
+});
+
+/** A GLB file whose JSON is changed. */
+function withJson(glb, change) {
+  const size = glb.readUInt32LE(12);
+  const json = JSON.parse(glb.toString('utf8', 20, 20 + size));
+  change(json);
+  const text = Buffer.from(JSON.stringify(json));
+  const padded = Buffer.concat([text, Buffer.alloc((4 - (text.length % 4)) % 4, 0x20)]);
+  const head = Buffer.from(glb.subarray(0, 20));
+  head.writeUInt32LE(20 + padded.length + glb.length - 20 - size, 8);
+  head.writeUInt32LE(padded.length, 12);
+  return Buffer.concat([head, padded, glb.subarray(20 + size)]);
+}
+
+test('a GLB file is downloaded with its meshes packed and all else as it was', { skip }, async () => {
+  const { mesh } = makeExample('knot');
+  const glb = withJson(Buffer.from(writeGlb(mesh)), (json) => {
+    json.materials = [{ name: 'gold', pbrMetallicRoughness: { metallicFactor: 1 }, extensions: { KHR_materials_clearcoat: { clearcoatFactor: 1 } } }];
+    json.extensionsUsed = ['KHR_materials_clearcoat'];
+    json.meshes[0].primitives[0].material = 0;
+  });
+  await drop(page, 'gold.glb', glb);
+  const packed = readFileSync(await downloaded('#download-packed', '.packed.glb'));
+  assert.ok(packed.length < glb.length / 10, `${packed.length}`);
+  withJson(packed, ({ materials, extensionsUsed, extensionsRequired, meshes }) => {
+    assert.equal(materials[0].name, 'gold');
+    assert.equal(materials[0].extensions.KHR_materials_clearcoat.clearcoatFactor, 1);
+    assert.deepEqual(extensionsUsed.toSorted(), ['DELTAMESH_mesh_compression', 'KHR_materials_clearcoat']);
+    assert.deepEqual(extensionsRequired, ['DELTAMESH_mesh_compression']);
+    assert.ok(meshes[0].primitives[0].extensions.DELTAMESH_mesh_compression);
+  });
+  assert.match(await textOf(page, 'status'), /^Packed: .* kB, materials/);
+  await page.select('#example', 'knot');
+  await page.waitForFunction(() => document.getElementById('mesh-name').textContent.startsWith('Knot'));
+  await waitUntilDone(page);
 });
 
 test('tasks that are too long are seen', { skip }, async () => {
@@ -93,6 +129,24 @@ test('a size in bytes is kept', { skip }, async () => {
   await slide(page, 'maxError', [115]);
 });
 
+test('what people ask for becomes smaller and smaller, or exact, and a headline says so', { skip }, async () => {
+  const sizes = {};
+  for (const preset of ['same', 'small', 'tiny', 'exact']) {
+    await page.evaluate(() => (document.body.dataset.state = 'busy'));
+    await choose(page, 'preset', preset);
+    await waitUntilDone(page);
+    sizes[preset] = await shownBytes(page);
+    assert.match(await textOf(page, 'headline'), /^1.2 MB → \d+(\.\d+)? kB, and /);
+    assert.match(page.url(), preset === 'same' ? /knot&view=side$/ : new RegExp(`preset=${preset}`));
+  }
+  assert.ok(sizes.tiny < sizes.small && sizes.small < sizes.same && sizes.same < sizes.exact, JSON.stringify(sizes));
+  assert.match(await textOf(page, 'errors'), /Largest00 %/);
+  await choose(page, 'preset', 'same');
+  await slide(page, 'maxError', [115]);
+  assert.equal(await page.$eval('input[name="preset"][value="own"]', (input) => input.checked), true);
+  assert.match(await textOf(page, 'headline'), /times smaller$/);
+});
+
 test('views, shadings and heat maps draw', { skip }, async () => {
   for (const view of ['split', 'original', 'result', 'side']) {
     await choose(page, 'view', view);
@@ -126,6 +180,8 @@ test('others are computed beside', { skip }, async () => {
   const sizes = await page.$$eval('#peers tbody td:nth-child(2)', (cells) => cells.map((cell) => cell.textContent));
   const [own, draco, meshopt, deflated] = sizes.map((text) => Number(text.replaceAll(/\D/g, '')));
   assert.ok(own < draco && draco < deflated && deflated <= meshopt, sizes.join());
+  assert.ok((await page.$$('#chart circle')).length >= 7);
+  assert.equal((await page.$$('#chart circle[r="6"]')).length, 1);
 });
 
 test('a mesh of 100,000 vertices is compressed and shown in time, and sliders do not stop the page', { skip }, async (t) => {
@@ -167,6 +223,8 @@ test('all is done by keys: a mesh is compressed, turned and coloured', { skip },
   assert.equal(await page.$eval('#scale', (scale) => scale.hidden), false);
   await page.keyboard.press('ArrowLeft');
   const before = await shownBytes(page);
+  await reach('#details > summary');
+  await page.keyboard.press('Enter');
   await reach('#maxError-slider');
   for (let i = 0; i < 20; ++i) await page.keyboard.press('ArrowRight');
   const isSmaller = (before) => Number(document.querySelector('#bytes tbody tr:last-child td').textContent.replaceAll(/\D/g, '')) < before;
@@ -184,6 +242,28 @@ test('every input has a name', { skip }, async () => {
 });
 
 test('nothing went wrong on the console', { skip }, () => assert.deepEqual(open.problems, []));
+
+test('a room is seen first, in its materials, split', { skip }, async () => {
+  const first = await openPage();
+  await waitUntilDone(first.page);
+  assert.match(await textOf(first.page, 'headline'), /^2\.\d+ MB → \d\d(\.\d)? kB, and you cannot see it$/);
+  assert.equal(await first.page.$eval('#divider', (divider) => divider.hidden), false);
+  const own = await picture(first.page);
+  await choose(first.page, 'look', 'clay');
+  assert.notEqual(await picture(first.page), own);
+  await choose(first.page, 'look', 'own');
+  assert.equal(await picture(first.page), own);
+  assert.deepEqual(first.problems, []);
+  await first.close();
+});
+
+test('without WebGL the page says so, and compresses', { skip }, async () => {
+  const plain = await openPage({ hash: '#example=terrain&effort=0', before: () => (HTMLCanvasElement.prototype.getContext = () => null) });
+  await waitUntilDone(plain.page);
+  assert.equal(await plain.page.$eval('#no-picture', (element) => element.hidden), false);
+  assert.ok((await shownBytes(plain.page)) > 0);
+  await plain.close();
+});
 
 test('on a phone, in the dark, from a link', { skip }, async () => {
   const phone = await openPage({ width: 390, height: 844, dark: true, hash: '#example=terrain&view=split&color=signed&maxError=0.2' });

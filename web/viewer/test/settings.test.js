@@ -4,12 +4,21 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { BOUNDS, DEFAULTS, encodeOptions, fromHash, toHash } from '../src/settings.js';
+import { BOUNDS, DEFAULTS, encodeOptions, fromHash, toHash, withPreset } from '../src/settings.js';
 
 test('a link holds what differs from the defaults, and gives it back', () => {
   assert.equal(toHash(DEFAULTS), '');
-  const settings = { ...DEFAULTS, vde: 0.03, maxError: null, view: 'split', effort: '0', example: 'terrain' };
+  const settings = { ...DEFAULTS, preset: 'own', vde: 0.03, maxError: null, view: 'side', effort: '0', example: 'terrain' };
   assert.deepEqual(fromHash(`#${toHash(settings)}`), settings);
+});
+
+test('a link has the name of a preset alone; bounds in a link are one’s own', () => {
+  const tiny = withPreset(DEFAULTS, 'tiny');
+  assert.equal(toHash(tiny), 'preset=tiny');
+  assert.deepEqual(fromHash('#preset=tiny'), tiny);
+  assert.deepEqual(fromHash('#preset=tiny&maxError=0.1'), { ...tiny, preset: 'own', maxError: 0.1 });
+  assert.equal(encodeOptions(withPreset(tiny, 'exact')).lossless, true);
+  assert.equal(encodeOptions(tiny).lossless, false);
 });
 
 test('what a link says wrongly is ignored', () => {

@@ -59,6 +59,29 @@ export async function countColors(page, from = 0, to = 1) {
   }, png);
 }
 
+/** Of a picture of the canvas: how many pixels are red, and blue, and the sides of the boxes around them. */
+export async function boxesOfColors(page) {
+  const png = await picture(page);
+  return page.evaluate(async (base64) => {
+    const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+    const image = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+    const context = new OffscreenCanvas(image.width, image.height).getContext('2d');
+    context.drawImage(image, 0, 0);
+    const { data } = context.getImageData(0, 0, image.width, image.height);
+    const boxOf = (isIn) => {
+      const [columns, rows] = [[], []];
+      for (let i = 0; i < data.length; i += 4) {
+        if (!isIn(data[i], data[i + 1], data[i + 2])) continue;
+        columns.push((i / 4) % image.width);
+        rows.push(Math.floor(i / 4 / image.width));
+      }
+      const side = (values) => values.reduce((most, value) => Math.max(most, value), 0) - values.reduce((least, value) => Math.min(least, value), Infinity);
+      return { count: rows.length, width: side(columns), height: side(rows) };
+    };
+    return { red: boxOf((r, g, b) => r > 2 * g && r > 2 * b), blue: boxOf((r, g, b) => b > 2 * r && b > 2.5 * g) };
+  }, png);
+}
+
 /** The page's theme is read anew, with this background behind meshes, or the theme's own. */
 async function setBackground(page, color) {
   await page.$eval('#stage', (stage, color) => (stage.style.backgroundColor = color), color);

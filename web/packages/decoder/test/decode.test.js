@@ -104,3 +104,19 @@ test('a module that cannot be loaded is an error', async () => {
   assert.equal((await withoutZstd.decode(golden('grid.zstd'))).code, 300);
   assert.equal((await decoder.decode(golden('grid.predictive'))).code, undefined);
 });
+
+test('modules may be views of one buffer', async () => {
+  const names = ['core', 'highpass', 'rare', 'zstd'];
+  const parts = names.map((name) => readFileSync(new URL(`../${name}.wasm`, import.meta.url)));
+  const all = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0));
+  const files = {};
+  let at = 0;
+  for (const [i, part] of parts.entries()) {
+    all.set(part, at);
+    files[names[i]] = all.subarray(at, at + part.length);
+    at += part.length;
+  }
+  const decoder = await createDecoder({ files });
+  const [given, usual] = [await decoder.decode(golden('attributes.zstd')), await (await createDecoder()).decode(golden('attributes.zstd'))];
+  assert.equal(meshHash(given), meshHash(usual));
+});

@@ -8,7 +8,6 @@ import { createEncoder } from '@deltamesh/encoder';
 import { EncoderWorker } from '@deltamesh/encoder/worker';
 
 import { goldenStreams, hashOf, nativeEncodedHashes } from '../../decoder/test/streams.js';
-import { NodeWorker } from '../../../test/node-worker.js';
 
 function wavyGrid(size) {
   const positions = [];
@@ -106,7 +105,7 @@ test('bad options and meshes are errors, as requests that cannot be met', async 
 });
 
 test('a worker encodes, tells of its progress, is cancelled, and goes on', async () => {
-  const worker = new EncoderWorker({ createWorker: () => new NodeWorker(new URL('../encode-worker.js', import.meta.url)) });
+  const worker = new EncoderWorker();
   const mesh = wavyGrid(30);
   const shares = [];
   const { bytes, order } = await worker.encode(mesh, { maxError: 0.01, onProgress: (share) => shares.push(share) });

@@ -36,7 +36,7 @@ export class MapSurface extends Group {
     geometry.setAttribute('normal', new BufferAttribute(normals, 3));
     if (colors) geometry.setAttribute('color', new BufferAttribute(colors, 4, true));
     geometry.setIndex(new BufferAttribute(indices, 1));
-    const mesh = new Mesh(geometry, new MeshLambertMaterial({ side: DoubleSide }));
+    const mesh = new Mesh(geometry, new MeshLambertMaterial({ side: DoubleSide, toneMapped: false }));
     this.#shade(mesh.material);
     this.#parts.set(key, { file, mesh });
     this.add(mesh);

@@ -21,28 +21,46 @@ export function frameOf(positions) {
 const toLinear = (value) => (value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4);
 
 /** n x 4, 16 bits, linear. */
-function displayColors({ name, components, values }, count) {
+function displayColors({ linear, components, values }, count) {
   const colors = new Uint16Array(4 * count).fill(65535);
   const largest = values instanceof Float32Array ? 1 : 2 ** (8 * values.BYTES_PER_ELEMENT) - 1;
-  const isLinear = name.startsWith('COLOR');
   for (let i = 0; i < count; ++i) {
     for (let c = 0; c < Math.min(components, 3); ++c) {
       const share = Math.min(1, Math.max(0, values[i * components + c] / largest));
-      colors[4 * i + c] = 65535 * (isLinear ? share : toLinear(share));
+      colors[4 * i + c] = 65535 * (linear ? share : toLinear(share));
     }
   }
   return colors;
 }
 
+/** Faces of a group together; `ranges`: { group, start, count } in corners, or null where there is one group. */
+function facesByGroup(indices, groups) {
+  if (!groups) return { indices: indices.slice(), ranges: null };
+  const counts = [];
+  for (const group of groups) counts[group] = (counts[group] ?? 0) + 3;
+  const ranges = [];
+  const next = [];
+  for (let group = 0, at = 0; group < counts.length; ++group) {
+    if (!counts[group]) continue;
+    ranges.push({ group, start: at, count: counts[group] });
+    next[group] = at;
+    at += counts[group];
+  }
+  const sorted = new Uint32Array(indices.length);
+  for (let i = 0; i < indices.length; ++i) sorted[next[groups[Math.floor(i / 3)]]++] = indices[i];
+  return { indices: sorted, ranges };
+}
+
 /** `frame`: of the original. Arrays of its own. */
-export function displayOf({ positions, indices, attributes }, frame) {
+export function displayOf({ positions, indices, groups, attributes }, frame) {
   const near = new Float32Array(positions.length);
   for (let i = 0; i < positions.length; ++i) near[i] = positions[i] - frame.center[i % 3];
   const color = attributes.find(({ kind, components }) => kind === 'color' && components >= 3);
   const own = attributes.find(({ kind, values }) => kind === 'normal' && values instanceof Float32Array);
   return {
     positions: near,
-    indices: indices.slice(),
+    ...facesByGroup(indices, groups),
+    uvs: attributes.find(({ kind, components, values }) => kind === 'uv' && components === 2 && values instanceof Float32Array)?.values.slice() ?? null,
     normals: own ? own.values.slice() : vertexNormals(near, indices),
     colors: color ? displayColors(color, positions.length / 3) : null,
   };

@@ -2,50 +2,8 @@
 // Copyright 2026 The deltamesh authors
 // Meshes that are generated, so that something is seen at once.
 
-/** A grid of `rows` x `columns` quads over (u, v); where it is closed its last vertices are its first. */
-function gridIndices(rows, columns, isClosed) {
-  const indices = new Uint32Array(6 * rows * columns);
-  const [height, width] = isClosed ? [rows, columns] : [rows + 1, columns + 1];
-  let at = 0;
-  for (let row = 0; row < rows; ++row) {
-    for (let column = 0; column < columns; ++column) {
-      const vertex = (r, c) => (r % height) * width + (c % width);
-      const [a, b, c, d] = [vertex(row, column), vertex(row, column + 1), vertex(row + 1, column + 1), vertex(row + 1, column)];
-      indices.set([a, b, c, a, c, d], at);
-      at += 6;
-    }
-  }
-  return indices;
-}
-
-function knotCurve(t) {
-  const radius = 2 + Math.cos(3 * t);
-  return [radius * Math.cos(2 * t), radius * Math.sin(2 * t), 1.2 * Math.sin(3 * t)];
-}
-
-const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-const unit = (a) => a.map((x) => x / Math.hypot(...a));
-
-/** A trefoil knot with a twisted relief. */
-function knot(rows = 520, columns = 64) {
-  const positions = new Float32Array(3 * rows * columns);
-  for (let row = 0; row < rows; ++row) {
-    const t = (2 * Math.PI * row) / rows;
-    const center = knotCurve(t);
-    const along = unit(minus(knotCurve(t + 1e-4), center));
-    const side = unit(cross(along, [0, 0, 1]));
-    const up = cross(side, along);
-    for (let column = 0; column < columns; ++column) {
-      const angle = (2 * Math.PI * column) / columns;
-      const relief = 0.05 * Math.cos(6 * angle + 24 * t) + 0.012 * Math.cos(90 * t) * Math.cos(12 * angle);
-      const radius = 0.52 + relief;
-      const [x, y] = [radius * Math.cos(angle), radius * Math.sin(angle)];
-      positions.set(center.map((value, i) => value + x * side[i] + y * up[i]), 3 * (row * columns + column));
-    }
-  }
-  return { positions, indices: gridIndices(rows, columns, true), attributes: [] };
-}
+import { room } from './room.js';
+import { gridIndices, knot } from './shapes.js';
 
 function noise(x, y) {
   let height = 0;
@@ -74,13 +32,18 @@ function terrain(rows = 180, columns = 180) {
     }
   }
   const color = { kind: 'color', name: 'color', components: 3, normalized: true, values: colors };
-  return { positions, indices: gridIndices(rows, columns, false), attributes: [color] };
+  return { positions, indices: gridIndices(rows, columns), attributes: [color] };
 }
 
 /** Their names in links, with those that people see. */
-export const EXAMPLES = { knot: { label: 'Knot', make: knot }, terrain: { label: 'Terrain', make: terrain } };
+export const EXAMPLES = {
+  room: { label: 'Room', make: room },
+  knot: { label: 'Knot', make: (rows = 520, columns = 64) => ({ ...knot(rows, columns), attributes: [] }) },
+  terrain: { label: 'Terrain', make: terrain },
+};
 
+/** As readMesh(), but `materials` are what three.js is told of them. */
 export function makeExample(name) {
-  const { make } = EXAMPLES[name] ?? EXAMPLES.knot;
-  return { origin: [0, 0, 0], groups: null, ...make() };
+  const { materials = null, ...mesh } = (EXAMPLES[name] ?? EXAMPLES.room).make();
+  return { mesh: { origin: [0, 0, 0], groups: null, ...mesh }, up: 'z', materials };
 }

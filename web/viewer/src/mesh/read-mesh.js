@@ -10,7 +10,8 @@ import { OBJLoader } from 'three/addons/loaders/OBJLoader.js';
 import { PLYLoader } from 'three/addons/loaders/PLYLoader.js';
 import { STLLoader } from 'three/addons/loaders/STLLoader.js';
 
-import { joinMeshes, meshOfGeometry } from './from-geometry.js';
+import { meshOfGeometry } from './from-geometry.js';
+import { joinMeshes } from './join.js';
 import { MESH_SUFFIXES, suffixOf } from './mesh-names.js';
 import { withOtherFiles } from './other-files.js';
 
@@ -31,11 +32,13 @@ function readStl(buffer) {
   return meshOfGeometry(geometry);
 }
 
-function meshesOf(object, options) {
+/** `onMesh`: gets those of three.js, in the groups' order. */
+function meshesOf(object, options, onMesh) {
   const meshes = [];
   object.updateMatrixWorld(true);
   object.traverse((child) => {
     if (!child.isMesh) return;
+    onMesh?.(child);
     meshes.push(meshOfGeometry(child.geometry.clone().applyMatrix4(child.matrixWorld), options));
   });
   if (meshes.length === 0) throw new Error('it has no triangles');
@@ -47,10 +50,10 @@ function readObj(buffer) {
   const group = new OBJLoader().parse(text);
   // Without normals in the file the loader makes those of faces.
   if (!/^\s*vn\s/m.test(text)) group.traverse(({ geometry }) => geometry?.deleteAttribute('normal'));
-  return meshesOf(group);
+  return { ...meshesOf(group), up: 'y' };
 }
 
-/** Of materials nothing is kept, so that their textures need not be read. */
+/** The page reads materials with their textures itself. */
 const withoutTextures = () => ({ name: 'without textures', loadTexture: async () => null });
 
 /** Nothing is fetched: what a file names must be within it. */
@@ -63,24 +66,30 @@ async function readGltf(buffer, { others }) {
   const deltamesh = new DeltameshLoader(undefined, { workers: 0 });
   const manager = new LoadingManager().setURLModifier(withinFile);
   const loader = new GLTFLoader(manager).setMeshoptDecoder(MeshoptDecoder).register(gltfDeltameshExtension(deltamesh)).register(withoutTextures);
-  const { scene } = await loader.parseAsync(withOtherFiles(buffer, others), '');
+  const { scene, parser } = await loader.parseAsync(withOtherFiles(buffer, others), '');
   deltamesh.dispose();
-  return meshesOf(scene, { isLinear: true });
+  const materials = [];
+  const mesh = meshesOf(scene, { isLinear: true }, (child) => {
+    const { meshes, primitives = 0 } = parser.associations.get(child) ?? {};
+    materials.push(parser.json.meshes[meshes]?.primitives[primitives].material ?? -1);
+  });
+  return { ...mesh, up: 'y', materials };
 }
 
 async function readDmsh(buffer, { modules }) {
   const decoder = await createDecoder({ files: modules });
   const mesh = await decoder.decode(new Uint8Array(buffer));
   if (mesh instanceof DeltameshError) throw mesh;
-  return mesh;
+  const isFromGltf = mesh.attributes.some(({ name }) => /^(NORMAL|TANGENT|(TEXCOORD|COLOR)_\d+)$/.test(name));
+  return { ...mesh, up: isFromGltf ? 'y' : 'z' };
 }
 
 const READERS = { __proto__: null, ply: readPly, stl: readStl, obj: readObj, glb: readGltf, gltf: readGltf, dmsh: readDmsh };
 /** First letters of files that may have any name. */
 const MAGICS = { glTF: 'glb', DMSH: 'dmsh', 'ply\n': 'ply', 'ply\r': 'ply' };
 
-const typeOf = (name, buffer) =>
-  MAGICS[new TextDecoder('latin1').decode(buffer.slice(0, 4))] ?? suffixOf(name);
+const magicOf = (buffer) => new TextDecoder('latin1').decode(buffer.slice(0, 4));
+const typeOf = (name, buffer) => MAGICS[magicOf(buffer)] ?? suffixOf(name);
 
 /** Throws where a mesh is none that can be drawn and encoded. */
 function check({ positions, indices }) {
@@ -90,7 +99,10 @@ function check({ positions, indices }) {
   if (!positions.every(Number.isFinite)) throw new Error('a coordinate is not a finite number');
 }
 
-/** `others`: files that a .gltf may need. `modules`: the decoder's. Throws what a person can read. */
+/**
+ * `others`: files that a .gltf may need. `modules`: the decoder's. With the mesh come `up`, the axis, and of glTF `materials`, their numbers
+ * by groups, -1 for none, and `isGlb`. Throws what a person can read.
+ */
 export async function readMesh(file, { others = [], modules }) {
   const { name, size } = file;
   if (size === 0) throw new Error(`${name} is empty`);
@@ -98,9 +110,9 @@ export async function readMesh(file, { others = [], modules }) {
   const type = typeOf(name, buffer);
   if (!READERS[type]) throw new Error(`${name} is none of ${MESH_SUFFIXES.join(', ').toUpperCase()}`);
   try {
-    const mesh = await READERS[type](buffer, { others, modules });
+    const { up = 'z', materials = null, ...mesh } = await READERS[type](buffer, { others, modules });
     check(mesh);
-    return { origin: [0, 0, 0], ...mesh };
+    return { mesh: { origin: [0, 0, 0], ...mesh }, up, materials, isGlb: type === 'glb' && magicOf(buffer) === 'glTF' };
   } catch (error) {
     const what = error instanceof RangeError ? `it is cut off, damaged or too large (${error.message})` : error.message;
     throw new Error(`${name} cannot be opened as ${type.toUpperCase()}: ${what}`);

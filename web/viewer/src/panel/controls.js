@@ -83,21 +83,19 @@ function choiceRow(id, onChange) {
   };
 }
 
-/** Fills `quality` and `view`, elements of the page. `onChange`: gets a setting's name and its new value. */
+/** Fills elements of the page. `onChange`: gets a setting's name and its new value. */
 export class Controls {
   #rows = {};
 
-  constructor({ quality, coder, view }, onChange) {
-    for (const bound of BOUNDS) {
-      this.#rows[bound.id] = boundRow(bound, onChange);
-      quality.append(this.#rows[bound.id].row);
-    }
-    for (const [place, ids] of [[coder, ['geometry', 'effort']], [view, ['view', 'shading', 'color', 'mapColor']]]) {
-      for (const id of ids) {
-        this.#rows[id] = choiceRow(id, onChange);
-        place.append(this.#rows[id].row);
-      }
-    }
+  constructor({ quality, bounds, coder, view }, onChange) {
+    const add = (place, id, row) => {
+      this.#rows[id] = row;
+      place.append(row.row);
+    };
+    add(quality, 'preset', choiceRow('preset', onChange));
+    for (const bound of BOUNDS) add(bound.id === 'size' ? quality : bounds, bound.id, boundRow(bound, onChange));
+    for (const id of ['geometry', 'effort']) add(coder, id, choiceRow(id, onChange));
+    for (const id of ['view', 'look', 'shading', 'color', 'up', 'mapColor']) add(view, id, choiceRow(id, onChange));
   }
 
   show(settings) {
@@ -106,7 +104,7 @@ export class Controls {
 
   /** A map has no original to compare with. */
   showMap(isMap) {
-    for (const id of ['view', 'color']) this.#rows[id].row.hidden = isMap;
+    for (const id of ['view', 'color', 'look', 'up']) this.#rows[id].row.hidden = isMap;
     this.#rows.mapColor.row.hidden = !isMap;
   }
 

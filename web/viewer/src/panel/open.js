@@ -2,6 +2,7 @@
 // Copyright 2026 The deltamesh authors
 // Files from the buttons or dropped on the page, and folders.
 import { filesOfFolders } from '../map/map-files.js';
+import { EXAMPLES } from '../mesh/examples.js';
 
 /** `onFiles`: gets files that are chosen or dropped together; `onFolder`: those of a folder; `onFailure`: why one cannot be read. */
 export function openFiles({ input, folderInput, hint }, { onFiles, onFolder, onFailure }) {
@@ -35,9 +36,35 @@ export function openFiles({ input, folderInput, hint }, { onFiles, onFolder, onF
   });
 }
 
-export function download(bytes, name, type) {
-  const url = URL.createObjectURL(new Blob([bytes], { type }));
-  const link = Object.assign(document.createElement('a'), { href: url, download: name });
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(url), 10000);
+/** Files, or a URL, from the clipboard; not where a person types. `onUrl`: gets a URL. */
+export function openPasted({ onFiles, onUrl }) {
+  document.addEventListener('paste', (event) => {
+    if (event.target.matches?.('input, textarea')) return;
+    const files = [...event.clipboardData.files];
+    const text = event.clipboardData.getData('text/plain').trim();
+    if (files.length > 0) onFiles(files);
+    else if (/^https?:\/\/\S+$/.test(text)) onUrl(text);
+  });
+}
+
+/** A file of another place; throws what a person can read. */
+export async function fetchFile(url) {
+  const name = decodeURIComponent(new URL(url, location.href).pathname.split('/').pop()) || 'file';
+  let response;
+  try {
+    response = await fetch(url);
+  } catch {
+    throw new Error(`${url} could not be fetched: there is no way to it, or its server does not allow other pages to read it (CORS)`);
+  }
+  if (!response.ok) throw new Error(`${url} could not be fetched: ${response.status} ${response.statusText}`);
+  return new File([await response.arrayBuffer()], name);
+}
+
+/** `onChoice`: gets the name of an example. */
+export function listExamples(select, onChoice) {
+  for (const [name, { label }] of Object.entries(EXAMPLES)) select.add(new Option(label, name));
+  const own = new Option('Own file', 'file');
+  own.hidden = true;
+  select.add(own);
+  select.addEventListener('change', () => onChoice(select.value));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 // What came out: bytes of every chunk, achieved errors, and what others take.
+import { sizeAt } from '../peers/at-error.js';
 import { formatBytes, formatNumber, formatPercent } from '../units.js';
 
 const CHUNKS = {
@@ -60,17 +61,17 @@ export function showErrors(table, { quality, attributes }, diagonal) {
   fill(table, rows, ['Error', 'Model units', 'Of diagonal']);
 }
 
-/** `request`: of requestOf(). */
+/** `request`: of requestOf(); the others: of dracoPoints() and meshoptPoints(), as they are at the request's error. */
 export function showPeers(table, { own, maxError }, { draco, meshopt }) {
-  const row = (name, bytes, error) => [name, formatBytes(bytes), `${formatNumber(bytes / own)} ×`, formatNumber(error)];
+  const row = (name, bytes) => [name, formatBytes(bytes), `${formatNumber(bytes / own)} ×`];
   fill(
     table,
     [
-      row('deltamesh', own, maxError),
-      row(`Draco, ${draco.bits} bits`, draco.bytes, draco.error),
-      row('meshoptimizer', meshopt.bytes, meshopt.error),
-      row('the same, deflated', meshopt.deflated, meshopt.error),
+      row('deltamesh', own),
+      row('Draco', sizeAt(draco, maxError)),
+      row('meshoptimizer', sizeAt(meshopt, maxError)),
+      row('the same, deflated', sizeAt(meshopt, maxError, 'deflated')),
     ],
-    ['Codec', 'Size', 'Ratio', 'Largest error'],
+    ['Codec', 'Size', 'Ratio'],
   );
 }

@@ -32,10 +32,7 @@ function addAttribute(draco, { builder, mesh, encoder }, { kind, components, val
   encoder.SetAttributeQuantization(type, bits);
 }
 
-/** `request`: of requestOf(). */
-export async function dracoBytes({ positions, indices, attributes, maxError }) {
-  const draco = await (module ??= load());
-  const bits = latticeBits(positions, 3, maxError);
+export function encodeAt(draco, { positions, indices, attributes }, bits) {
   const encoder = new draco.Encoder();
   const builder = new draco.MeshBuilder();
   const mesh = new draco.Mesh();
@@ -49,5 +46,12 @@ export async function dracoBytes({ positions, indices, attributes, maxError }) {
   const bytes = encoder.EncodeMeshToDracoBuffer(mesh, output);
   for (const object of [output, mesh, builder, encoder]) draco.destroy(object);
   if (bytes <= 0) throw new Error('Draco could not encode this mesh');
-  return { bytes, bits, error: latticeError(positions, boxOf(positions, 3), 2 ** bits - 1) };
+  return { bits, bytes, error: latticeError(positions, boxOf(positions, 3), 2 ** bits - 1) };
+}
+
+/** Around the request's largest error, from coarse to fine: { bits, bytes, error }. `request`: of requestOf(). */
+export async function dracoPoints(request) {
+  const draco = await (module ??= load());
+  const bits = latticeBits(request.positions, 3, request.maxError);
+  return [bits - 1, bits, bits + 1].filter((each) => each >= 1 && each <= MOST_BITS).map((each) => encodeAt(draco, request, each));
 }

@@ -61,18 +61,21 @@ async function deflatedSize(arrays) {
   return (await new Response(stream).arrayBuffer()).byteLength;
 }
 
-/** `request`: of requestOf(). */
-export async function meshoptBytes({ positions, indices, attributes, maxError }) {
+const FACTORS = [2, 1, 0.5];
+
+/** Around the request's largest error, from coarse to fine: { steps, bytes, deflated, error }. `request`: of requestOf(). */
+export async function meshoptPoints({ positions, indices, attributes, maxError }) {
   await MeshoptEncoder.ready;
   const faces = indices.slice(); // reorderMesh() writes the new order here
   const [remap, count] = MeshoptEncoder.reorderMesh(faces, true, true);
-  const places = latticeRows(positions, 3, maxError);
-  const parts = [places, ...attributes.map(rowsOf)].map((rows) => encodeRows(rows, remap, count));
-  parts.push(MeshoptEncoder.encodeIndexBuffer(new Uint8Array(faces.buffer), faces.length, 4));
-  return {
-    bytes: parts.reduce((sum, { length }) => sum + length, 0),
-    deflated: await deflatedSize(parts),
-    steps: places.steps,
-    error: places.error,
-  };
+  const others = [...attributes.map((attribute) => encodeRows(rowsOf(attribute), remap, count))];
+  others.push(MeshoptEncoder.encodeIndexBuffer(new Uint8Array(faces.buffer), faces.length, 4));
+  const points = [];
+  for (const factor of FACTORS) {
+    const places = latticeRows(positions, 3, factor * maxError);
+    const parts = [encodeRows(places, remap, count), ...others];
+    const bytes = parts.reduce((sum, { length }) => sum + length, 0);
+    points.push({ steps: places.steps, bytes, deflated: await deflatedSize(parts), error: places.error });
+  }
+  return points;
 }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 // The canvas: original and result with one camera, side by side or split.
-import { Color, DirectionalLight, HemisphereLight, PerspectiveCamera, Scene, WebGLRenderer } from 'three';
+import { Color, NeutralToneMapping, PerspectiveCamera, Scene, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
 import { MapSurface } from '../map/map-surface.js';
 import { moveByKeys } from './keys.js';
+import { Lights } from './lights.js';
 import { Surface } from './surface.js';
 
 const FIELD_OF_VIEW = 40;
@@ -42,19 +43,19 @@ export class Stage {
   #camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.01, 100);
   #renderer;
   #controls;
+  #lights;
   #view = 'side';
   #split = 0.5;
   #isWaiting = false;
   #fence = null; // behind the last drawing, in the queue of the graphics card
 
   constructor(canvas) {
-    this.#renderer = new WebGLRenderer({ canvas, antialias: !isDrawnBySoftware() });
+    const isSoftware = isDrawnBySoftware();
+    this.#renderer = new WebGLRenderer({ canvas, antialias: !isSoftware });
+    this.#renderer.toneMapping = NeutralToneMapping; // of materials alone
     this.#renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
-    const light = new DirectionalLight(0xffffff, 2.4);
-    light.position.set(-0.4, 0.6, 1);
-    this.#camera.add(light, light.target);
-    light.target.position.set(0, 0, -1);
-    this.#scene.add(this.#camera, new HemisphereLight(0xffffff, 0x8090a0, 1.1), this.original, this.result, this.map);
+    this.#lights = new Lights(this.#renderer, this.#scene, this.#camera, { hasShadows: !isSoftware });
+    this.#scene.add(this.#camera, this.original, this.result, this.map);
     this.#controls = new OrbitControls(this.#camera, canvas);
     this.#controls.addEventListener('change', () => this.draw());
     moveByKeys(canvas, this.#camera, this.#controls, () => this.frame());
@@ -73,6 +74,19 @@ export class Stage {
     this.draw();
   }
 
+  /** 'y' or 'z': of the meshes; the scene's is z. */
+  setUp(up) {
+    for (const surface of [this.original, this.result]) surface.rotation.x = up === 'y' ? Math.PI / 2 : 0;
+    this.draw();
+  }
+
+  /** Materials in the light that they were made for, or clay in that of a workshop. */
+  showMaterials(isShown) {
+    for (const surface of [this.original, this.result]) surface.showMaterials(isShown);
+    this.#lights.setAuthored(isShown, this.diagonal);
+    this.draw();
+  }
+
   setBackground(color) {
     this.#scene.background = new Color(color);
     this.draw();
@@ -81,7 +95,7 @@ export class Stage {
   /** The camera sees all of a mesh with this diagonal, around 0. */
   frame(diagonal = this.diagonal) {
     this.diagonal = diagonal;
-    const distance = (0.5 * diagonal) / Math.tan((FIELD_OF_VIEW * Math.PI) / 360);
+    const distance = (0.46 * diagonal) / Math.tan((FIELD_OF_VIEW * Math.PI) / 360); // few meshes reach the corners of their box
     this.#camera.near = distance / 200;
     this.#camera.far = distance * 20;
     this.#camera.position.set(0.35, -0.75, 0.55).setLength(distance);

@@ -41,35 +41,70 @@ function addHeat(material, uniforms) {
 
 export class Surface extends Group {
   #geometry = null;
-  #material = new MeshLambertMaterial({ side: DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
+  #material = new MeshLambertMaterial({ side: DoubleSide, toneMapped: false, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
   #wires = null;
+  #mesh = null;
+  #authored = null;
+  #isAuthored = false;
   #uniforms = { heatMap: { value: null }, heatRange: { value: new Vector2() }, heatOn: { value: false } };
-  #wireMaterial = new LineBasicMaterial({ color: 0x10161d, transparent: true, opacity: 0.4 });
+  #wireMaterial = new LineBasicMaterial({ color: 0x10161d, toneMapped: false, transparent: true, opacity: 0.4 });
 
   constructor() {
     super();
     addHeat(this.#material, this.#uniforms);
   }
 
+  /** `materials`: of the groups' numbers, or null. */
+  setMaterials(materials) {
+    for (const material of this.#authored ?? []) material.dispose();
+    this.#authored = materials?.map((material) => material.clone()) ?? null;
+    this.#choose();
+  }
+
+  /** Whether materials are seen where there are any, and no heat. */
+  showMaterials(isShown) {
+    this.#isAuthored = isShown;
+    this.#choose();
+  }
+
+  #choose() {
+    if (!this.#mesh) return;
+    const isAuthored = this.#isAuthored && this.#authored && !this.#uniforms.heatOn.value;
+    this.#mesh.material = isAuthored ? this.#ofGroups() : this.#material;
+  }
+
+  #ofGroups() {
+    for (const material of this.#authored) {
+      material.vertexColors = Boolean(this.#geometry.attributes.color);
+      material.needsUpdate = true;
+    }
+    return this.#geometry.groups.length > 0 ? this.#authored : this.#authored[0];
+  }
+
   /** `display`: of displayOf(). */
-  setDisplay({ positions, indices, normals, colors }, radius) {
+  setDisplay({ positions, indices, normals, colors, uvs, ranges }, radius) {
     this.empty();
     const geometry = (this.#geometry = new BufferGeometry());
     geometry.setAttribute('position', new BufferAttribute(positions, 3));
     geometry.setAttribute('normal', new BufferAttribute(normals, 3));
     if (colors) geometry.setAttribute('color', new BufferAttribute(colors, 4, true));
+    if (uvs) geometry.setAttribute('uv', new BufferAttribute(uvs, 2));
     geometry.setIndex(new BufferAttribute(indices, 1));
+    for (const { group, start, count } of ranges ?? []) geometry.addGroup(start, count, group);
     geometry.boundingSphere = new Sphere(undefined, radius);
     this.#material.vertexColors = Boolean(colors);
     this.#material.color.set(colors ? 0xffffff : COLOR);
     this.#material.needsUpdate = true;
-    this.add(new Mesh(geometry, this.#material));
+    this.#mesh = new Mesh(geometry, this.#material);
+    this.#mesh.castShadow = this.#mesh.receiveShadow = true;
+    this.add(this.#mesh);
+    this.#choose();
   }
 
   empty() {
     this.#geometry?.dispose();
     this.#wires?.geometry.dispose();
-    this.#geometry = this.#wires = null;
+    this.#geometry = this.#wires = this.#mesh = null;
     this.clear();
   }
 
@@ -104,6 +139,7 @@ export class Surface extends Group {
   /** `values`: one per vertex, or null for the own colour. `limit`: end of the scale. */
   setHeat(values, { texture, isSigned, limit } = {}) {
     this.#uniforms.heatOn.value = values !== null;
+    this.#choose();
     if (values === null) return;
     const isNew = this.#geometry.attributes.value?.array !== values;
     if (isNew) this.#geometry.setAttribute('value', new BufferAttribute(values, 1));

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 // Sizes that Draco and meshoptimizer take.
-import { dracoBytes } from '../peers/draco.js';
-import { meshoptBytes } from '../peers/meshopt.js';
+import { dracoPoints } from '../peers/draco.js';
+import { meshoptPoints } from '../peers/meshopt.js';
 import { answerCalls } from './answer.js';
 
 answerCalls({
   setup: () => {},
-  compare: async ({ request }) => ({ result: { draco: await dracoBytes(request), meshopt: await meshoptBytes(request) } }),
+  compare: async ({ request }) => ({ result: { draco: await dracoPoints(request), meshopt: await meshoptPoints(request) } }),
 });

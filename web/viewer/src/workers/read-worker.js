@@ -12,12 +12,12 @@ import { answerCalls } from './answer.js';
 
 let modules;
 
-function shown(mesh) {
+function shown({ mesh, ...about }) {
   const frame = frameOf(mesh.positions);
   const display = displayOf(mesh, frame);
   const own = [mesh.positions, mesh.indices, mesh.groups, ...mesh.attributes.map(({ values }) => values)];
   const buffers = [...own.filter(Boolean).map(({ buffer }) => buffer), ...buffersOf(display)];
-  return { result: { mesh, frame, display }, transfer: [...new Set(buffers)] };
+  return { result: { mesh, frame, display, ...about }, transfer: [...new Set(buffers)] };
 }
 
 answerCalls({

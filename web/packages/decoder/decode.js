@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Decodes streams by the modules, wherever these come from.
+import { CODES, DeltameshError } from './errors.js';
+import { Instance, settle } from './instance.js';
+import { PARTS, readError, readStream } from './outcome.js';
+
+const LIMITS = { vertices: 2 ** 26, triangles: 2 ** 27, attributes: 1024, attributeBytes: 2 ** 31 };
+/** Of PartArrays. */
+const RETURNED_BYTES = 36;
+
+/** What a stream was given as, as bytes; or an error that tells what to pass. */
+export function bytesOf(given) {
+  if (given instanceof Uint8Array) return given;
+  if (ArrayBuffer.isView(given)) return new Uint8Array(given.buffer, given.byteOffset, given.byteLength);
+  // Also of another realm: an iframe's, a worker's.
+  if (Object.prototype.toString.call(given).endsWith('ArrayBuffer]')) return new Uint8Array(given);
+  const kind = given?.constructor?.name ?? String(given);
+  return new DeltameshError({ code: CODES.invalidArgument, what: `a stream is given as Uint8Array or ArrayBuffer, not as ${kind}` });
+}
+
+export function noModule(name, error) {
+  return new DeltameshError({ code: CODES.noFile, what: `the module ${name} could not be loaded: ${error.message}` }, { cause: error });
+}
+
+/** `loadModule`: from a module's name to a promise of it; asked again where that failed. */
+export class Decoder {
+  #loadModule;
+  #maxMemory;
+  #modules = {};
+  #core;
+  #parts = {};
+  #partError;
+
+  constructor(loadModule, maxMemory) {
+    this.#loadModule = loadModule;
+    this.#maxMemory = maxMemory;
+  }
+
+  async load(part) {
+    if (part === undefined) return void (await Promise.all(['core', ...PARTS].map((each) => this.load(each))));
+    this.#modules[part] ??= await this.#loadModule(part);
+  }
+
+  inspect(given) {
+    const bytes = bytesOf(given);
+    if (bytes instanceof DeltameshError) return bytes;
+    return this.#call(bytes, false, (core, address) => core.inspect(address, bytes.byteLength));
+  }
+
+  async decode(bytes, options) {
+    const stream = this.inspect(bytes);
+    if (stream instanceof DeltameshError) return stream;
+    for (const part of stream.modules) {
+      try {
+        await this.load(part);
+      } catch (error) {
+        return noModule(part, error);
+      }
+    }
+    return this.decodeSync(bytes, options);
+  }
+
+  decodeSync(given, { limits } = {}) {
+    const bytes = bytesOf(given);
+    if (bytes instanceof DeltameshError) return bytes;
+    const { vertices, triangles, attributes, attributeBytes } = { ...LIMITS, ...limits };
+    return this.#call(bytes, true, (core, address) =>
+      core.decode(address, bytes.byteLength, vertices, triangles, attributes, attributeBytes),
+    );
+  }
+
+  #call(bytes, isDecoded, call) {
+    return settle(
+      () => {
+        const core = (this.#core ??= new Instance(this.#modules.core, this.#maxMemory, this.#imports()));
+        this.#partError = undefined;
+        const address = core.put(bytes);
+        const outcome = call(core.calls, address);
+        const stream = this.#partError ?? readError(core, outcome) ?? readStream(core, outcome, isDecoded);
+        core.calls.release(address);
+        core.calls.forget();
+        if (core.isLarge) this.#core = undefined;
+        for (const [name, part] of Object.entries(this.#parts)) {
+          part.calls.forget();
+          if (part.isLarge) delete this.#parts[name];
+        }
+        return stream;
+      },
+      () => this.release(),
+    );
+  }
+
+  #part(number) {
+    const name = PARTS[number];
+    if (!this.#modules[name])
+      throw new DeltameshError({ code: CODES.noFile, what: `the module ${name} is not loaded` });
+    return (this.#parts[name] ??= new Instance(this.#modules[name], this.#maxMemory, {}));
+  }
+
+  /** As in parts.h. */
+  #imports() {
+    const bytes = ({ memory }, address, size) => new Uint8Array(memory.buffer, address, size);
+    return {
+      give: (number, from, size) => this.#part(number).put(bytes(this.#core, from, size)),
+      call: (number, address, returned) => {
+        const part = this.#part(number);
+        const outcome = part.calls.call(address);
+        this.#partError = readError(part, outcome) ?? undefined;
+        bytes(this.#core, returned, RETURNED_BYTES).set(bytes(part, outcome + 32, RETURNED_BYTES));
+        return this.#partError?.code ?? 0;
+      },
+      take: (number, to, from, size) => bytes(this.#core, to, size).set(bytes(this.#part(number), from, size)),
+    };
+  }
+
+  release() {
+    this.#core = undefined;
+    this.#parts = {};
+  }
+}
