@@ -84,7 +84,11 @@ test('GLB has rows at multiples of four bytes and a primitive for each group', (
   const json = JSON.parse(new TextDecoder().decode(glb.subarray(20, 20 + view.getUint32(12, true))));
   assert.equal(json.meshes[0].primitives.length, 2);
   const color = json.accessors[json.meshes[0].primitives[0].attributes.COLOR_0];
-  assert.equal(json.bufferViews[color.bufferView].byteStride, 4);
+  // As linear light, in 16 bits.
+  assert.equal(color.componentType, 5123);
+  const { byteStride, byteOffset } = json.bufferViews[color.bufferView];
+  assert.equal(byteStride, 8);
+  assert.equal(view.getUint16(28 + view.getUint32(12, true) + byteOffset, true), Math.round(65535 / 255 / 12.92));
   assert.deepEqual(json.accessors[0].max, [1, 1, 0]);
 });
 

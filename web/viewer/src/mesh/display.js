@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 // What the graphics card gets of a mesh: arrays near its origin. For workers.
+import { toLinear } from './colors.js';
 import { vertexNormals } from './normals.js';
 
 /** Centre and radius of the bounding box. */
@@ -17,8 +18,6 @@ export function frameOf(positions) {
   const diagonal = Math.hypot(...max.map((value, axis) => value - min[axis]));
   return { center: max.map((value, axis) => (value + min[axis]) / 2), diagonal };
 }
-
-const toLinear = (value) => (value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4);
 
 /** n x 4, 16 bits, linear. */
 function displayColors({ linear, components, values }, count) {

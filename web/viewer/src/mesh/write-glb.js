@@ -2,6 +2,8 @@
 // Copyright 2026 The deltamesh authors
 // A decoded mesh as GLB, with its attributes and a primitive for each group.
 
+import { toLinear } from './colors.js';
+
 const COMPONENT_TYPES = new Map([
   [Int8Array, 5120], [Uint8Array, 5121], [Int16Array, 5122], [Uint16Array, 5123], [Uint32Array, 5125], [Float32Array, 5126],
 ]);
@@ -61,6 +63,14 @@ function boundsOf(positions) {
   return { min, max };
 }
 
+/** glTF's colours are linear: numbers of 16 bits, where the source's are bytes or 16 bits. Alpha stays as it is. */
+function linearColors({ values, components }) {
+  const isFloat = values instanceof Float32Array;
+  const largest = isFloat ? 1 : 2 ** (8 * values.BYTES_PER_ELEMENT) - 1;
+  const linear = Float64Array.from(values, (value, i) => (i % components === 3 ? value / largest : toLinear(value / largest)));
+  return isFloat ? Float32Array.from(linear) : Uint16Array.from(linear, (value) => Math.round(65535 * value));
+}
+
 function semantics(attributes) {
   const numbers = {};
   return attributes.flatMap((attribute) => {
@@ -71,7 +81,8 @@ function semantics(attributes) {
     if (!isNumbered && number > 0) return [];
     // Colours of bytes stand for parts of 1 in glTF, whatever the source says.
     const normalized = attribute.normalized || (isNumbered && !(attribute.values instanceof Float32Array));
-    return [{ ...attribute, normalized, semantic: isNumbered ? `${base}_${number}` : base }];
+    const values = attribute.kind === 'color' && !attribute.linear ? linearColors(attribute) : attribute.values;
+    return [{ ...attribute, values, normalized, semantic: isNumbered ? `${base}_${number}` : base }];
   });
 }
 
