@@ -160,10 +160,12 @@ Result<PrimitivesOfView> find_packed(const Json& json, GltfReport& report) {
     ++report.primitives;
     if (!result) return;
     auto packed = read_extension(primitive, number);
-    if (!packed)
+    if (!packed) {
       result = packed.error();
-    else if (*packed)
-      streams[(*packed)->view].push_back(**std::move(packed));
+    } else if (*packed) {
+      auto& of_view = streams[(*packed)->view];
+      of_view.push_back(**std::move(packed));
+    }
   });
   if (!result) return result.error();
   return streams;

@@ -58,6 +58,7 @@ std::vector<PartLink> LinkTable::links_of(const PartKey& key) const {
     for (const PartKey& user : users_.at(shared))
       if (!overlap(user, key)) common[user].push_back(shared);
   std::vector<PartLink> links;
+  links.reserve(common.size());
   for (const auto& [other, points] : common)
     links.push_back({.key = other, .border = std::max(hash_of(points), 1U)});
   return links;

@@ -13,7 +13,7 @@ constexpr std::size_t kMostMessages = 256;
 
 }  // namespace
 
-void EarlyMessages::keep(std::uint64_t number, EarlyMessage message) {
+void EarlyMessages::keep(std::uint64_t number, EarlyMessage&& message) {
   const auto [place, is_new] = messages_.try_emplace(number, std::move(message));
   if (!is_new) return;
   octets_ += place->second.bytes.size();

@@ -26,7 +26,7 @@ struct EarlyMessage {
 class EarlyMessages {
  public:
   /// Keeps a message, in place of the earliest where they become too many.
-  void keep(std::uint64_t number, EarlyMessage message);
+  void keep(std::uint64_t number, EarlyMessage&& message);
   /// Takes out the earliest whose octets have come; null if there is none.
   std::optional<std::vector<std::byte>> take(
       const std::function<bool(const PartKey&, std::uint64_t)>& is_known);

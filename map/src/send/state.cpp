@@ -169,7 +169,7 @@ Result<void> MapSender::State::tell_faults(std::vector<PartFault> faults, Viewer
     const std::uint64_t number = viewer.delivery.next_number();
     DELTAMESH_TRY(auto message, write_fault({description_hash, start, number, key, code}));
     viewer.delivery.add({key, message, viewer.believed(key), false, false, now});
-    viewer.post(std::move(message), false, messages);
+    viewer.post(message, false, messages);
   }
   viewer.faults = std::move(faults);
   return {};
@@ -191,14 +191,14 @@ Result<bool> MapSender::State::send(const SendUnit& unit, SendPlan& plan, Viewer
     DELTAMESH_TRY(auto message, newest_message(key, std::move(chosen[i]), plan, viewer, now));
     plan.needed.erase(key);
     viewer.due.erase(key);
-    viewer.post(std::move(message), std::exchange(viewer.sent[key].was_lost, false), messages);
+    viewer.post(message, std::exchange(viewer.sent[key].was_lost, false), messages);
   }
   // Last, as the parts in their place may be patches of them.
   for (const PartKey& key : unit.removed) {
     if (!viewer.allowance.may_spend()) return true;
     DELTAMESH_TRY(auto message, removal_message(key, plan, viewer, now));
     plan.removed.erase(key);
-    viewer.post(std::move(message), std::exchange(viewer.sent[key].was_lost, false), messages);
+    viewer.post(message, std::exchange(viewer.sent[key].was_lost, false), messages);
   }
   return true;
 }

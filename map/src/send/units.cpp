@@ -83,9 +83,11 @@ std::vector<SendUnit> units_of(const SendPlan& plan, const Viewer& viewer, const
     unit.removed.push_back(key);
   }
   std::vector<std::pair<Urgency, SendUnit>> order;
+  order.reserve(units.size());
   for (auto& [root, unit] : units) order.push_back(std::move(unit));
   std::ranges::sort(order, {}, [](const auto& unit) { return unit.first; });
   std::vector<SendUnit> sorted;
+  sorted.reserve(order.size());
   for (auto& [urgency, unit] : order) sorted.push_back(std::move(unit));
   return sorted;
 }

@@ -61,7 +61,7 @@ struct Viewer {
   double described = -std::numeric_limits<double>::infinity();  ///< when the map's message was sent
 
   /// Adds a message; one that replaces a lost one twice where there is no time to lose another.
-  void post(std::vector<std::byte> message, bool replaces_lost,
+  void post(const std::vector<std::byte>& message, bool replaces_lost,
             std::vector<std::vector<std::byte>>& messages) {
     for (int copies = replaces_lost && delivery.is_slow() ? 2 : 1; copies > 0; --copies) {
       allowance.spend(message.size());

@@ -26,16 +26,16 @@ Layout lay_out(const StoredBlocks& blocks, const MapDescription& description, co
   for (const auto& [cell, key] :
        parts_of_cells(triangle_counts(blocks), options.most_triangles, options.most_level))
     lists[key].push_back(&blocks.at(cell));
-  return lay_out(std::move(lists), description);
+  return lay_out(lists, description);
 }
 
-Layout lay_out(BlockLists lists, const MapDescription& description) {
+Layout lay_out(const BlockLists& lists, const MapDescription& description) {
   Layout layout;
   BorderTable table(description.lattice);
-  for (auto& [key, list] : lists) {
+  for (const auto& [key, list] : lists) {
     const auto number = static_cast<std::uint32_t>(layout.parts.size());
     for (const StoredBlock* block : list) table.add(block->mesh, number);
-    layout.parts.push_back({key, std::move(list), {}, 0});
+    layout.parts.push_back({key, list, {}, 0});
   }
   layout.uses = table.finish();
   auto borders = borders_of_parts(layout.uses, layout.parts.size());

@@ -30,7 +30,7 @@ struct Layout {
 /// The blocks of every part, in ascending order of their cells.
 using BlockLists = std::map<PartKey, std::vector<const StoredBlock*>>;
 /// Blocks must outlive the layout. O(n log n).
-Layout lay_out(BlockLists lists, const MapDescription& description);
+Layout lay_out(const BlockLists& lists, const MapDescription& description);
 /// The same, each block in the part that the options make of its cell.
 Layout lay_out(const StoredBlocks& blocks, const MapDescription& description, const SplitOptions& options);
 

@@ -126,6 +126,7 @@ MapPart simplify(const MapPart& part, double max_error) {
     blocks.push_back({gather.take(), 0});
   }
   std::vector<const StoredBlock*> list;
+  list.reserve(blocks.size());
   for (const StoredBlock& block : blocks) list.push_back(&block);
   const std::vector<BorderPosition> border = border_of(part);
   MapPart coarse = assemble(part.key, list, border);

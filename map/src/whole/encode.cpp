@@ -161,6 +161,7 @@ Result<Mesh> decode_map(const MapState& state, const DecodeOptions& options, std
       return Error{.code = ErrorCode::kInvalidArgument, .message = "not as many octets as entries"};
     DELTAMESH_TRY(const MapCodec codec, MapCodec::open(state.manifest.description, options.limits));
     std::vector<PartKey> keys;
+    keys.reserve(entries.size());
     for (const PartEntry& entry : entries) keys.push_back(entry.key);
     keys = keys_on_level(keys, level);
     std::vector<MapPart> parts;

@@ -61,7 +61,7 @@ Result<std::vector<TilePart>> split_tile(const TilePlan& plan, const Tile& tile,
       auto& list = lists[place.first];
       list.insert(list.end(), some.begin(), some.end());
     }
-    const Layout layout = lay_out(std::move(lists), plan.description);
+    const Layout layout = lay_out(lists, plan.description);
     LinkTable table;
     std::vector<TilePart> parts;
     for (const LaidPart& part : layout.parts) {
