@@ -11,6 +11,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 namespace deltamesh {
@@ -54,7 +55,9 @@ struct GroupName {
   std::string material{};  ///< OBJ: usemtl; glTF: the material
 
   bool operator==(const GroupName&) const = default;
-  auto operator<=>(const GroupName&) const = default;
+  bool operator<(const GroupName& other) const noexcept {
+    return std::tie(object, group, material) < std::tie(other.object, other.group, other.material);
+  }
 };
 
 /// An owned triangle mesh. World position of vertex i = origin + positions[3i .. 3i+2].
