@@ -13,7 +13,7 @@ namespace {
 void write_name(ByteWriter& out, std::string_view name) {
   name = name.substr(0, kMostNameBytes);
   out.write(static_cast<std::uint8_t>(name.size()));
-  out.write_bytes(std::as_bytes(std::span(name)));
+  out.write_bytes(std::as_bytes(std::span(name.data(), name.size())));
 }
 
 }  // namespace
