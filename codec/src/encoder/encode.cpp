@@ -21,6 +21,7 @@
 #include "encoder/coded_topology.h"
 #include "entropy/chunk_list.h"
 #include "format/container_write.h"
+#include "search/request.h"
 #include "states/stream_models.h"
 
 namespace deltamesh {
