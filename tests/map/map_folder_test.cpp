@@ -97,12 +97,14 @@ TEST_F(MapFolder, AMeshWithoutExtentNeedsBoundsInModelUnits) {
   Mesh point;
   point.positions = {1, 2, 3};
   point.triangles = {0, 0, 0};
+  MapSettings settings{.part_edge = 1};
+  settings.quality.bounds.max_error = QualityBound{0.02, QualityUnit::kDiagonal};
+  EXPECT_STREQ(encode_map(point, settings).error().message,
+               "a mesh without extent needs bounds in model units, not in percent");
+  // One that begins empty is bounded by the size of its parts.
+  EXPECT_TRUE(encode_map(Mesh(), settings));
+  settings.quality.bounds.max_error = QualityBound{0.01};
   for (const Mesh& mesh : {Mesh(), point}) {
-    MapSettings settings{.part_edge = 1};
-    settings.quality.bounds.max_error = QualityBound{0.02, QualityUnit::kDiagonal};
-    EXPECT_STREQ(encode_map(mesh, settings).error().message,
-                 "a mesh without extent needs bounds in model units, not in percent");
-    settings.quality.bounds.max_error = QualityBound{0.01};
     const auto state = encode_map(mesh, settings);
     ASSERT_TRUE(state) << describe(state.error());
     EXPECT_EQ(state->octets.size(), mesh.triangle_count());
