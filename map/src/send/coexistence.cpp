@@ -29,7 +29,10 @@ std::uint64_t least_of(const PartKey& key, const SentPart& sent, const Viewer& v
   // While a version waits, an older one may be shown.
   if (is_there && plan.staying.contains(key)) return has->second.is_waiting ? has->second.since : 0;
   if (is_there || plan.needed.contains(key) || plan.removed.contains(key)) return sent.revision + 1;
-  if (has != viewer.has.end()) return has->second.since;
+  // What has been sent is not the newest where the part is out of the view.
+  if (has != viewer.has.end() && (has->second.is_gone || plan.staying.contains(key)))
+    return has->second.since;
+  if (has != viewer.has.end()) return sent.revision + 1;
   return sent.is_removal ? sent.revision : sent.revision + 1;  // an older version may still be on its way
 }
 

@@ -190,6 +190,7 @@ Result<bool> MapSender::State::send(const SendUnit& unit, SendPlan& plan, Viewer
     const PartKey& key = unit.needed[i];
     DELTAMESH_TRY(auto message, newest_message(key, std::move(chosen[i]), plan, viewer, now));
     plan.needed.erase(key);
+    plan.staying.insert(key);
     viewer.due.erase(key);
     viewer.post(message, std::exchange(viewer.sent[key].was_lost, false), messages);
   }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "deltamesh/io.h"
@@ -58,7 +59,9 @@ class PrimitiveGroups {
     std::size_t mesh = 0;
     std::uint64_t material = 0;  ///< its number and 1; or 0
     GroupName name;
-    auto operator<=>(const Key&) const = default;
+    bool operator<(const Key& other) const noexcept {
+      return std::tie(mesh, material, name) < std::tie(other.mesh, other.material, other.name);
+    }
   };
 
   static std::string text_of(const Json& object, const char* key) {
