@@ -10,6 +10,7 @@
 
 #include "attributes/attribute.h"
 #include "base/memory/large_vector.h"
+#include "base/small_code.h"
 #include "base/threads/task.h"
 #include "base/threads/thread_team.h"
 #include "base/try.h"
@@ -150,6 +151,7 @@ class StreamDecoder {
   }
 
   Result<std::vector<GroupName>> read_names() const {
+    if constexpr (kSmallCode) return std::vector<GroupName>();  // no module hands them out
     const ChunkEntry* const entry = container_.find(kTagGroupNames);
     if (entry == nullptr || entry->decoded_bytes > kMostNamesBytes) return std::vector<GroupName>();
     DELTAMESH_TRY(const auto chunk, expand_chunk(container_, *entry));
