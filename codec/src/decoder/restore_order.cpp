@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/memory/large_vector.h"
+#include "base/small_code.h"
 
 namespace deltamesh {
 namespace {
@@ -27,7 +28,7 @@ std::vector<T> scatter_rows(const std::vector<T>& values, const std::vector<std:
 Mesh restore_order(const Mesh& mesh, const MeshOrder& order) {
   Mesh restored;
   restored.origin = mesh.origin;
-  restored.group_names = mesh.group_names;
+  if constexpr (!kSmallCode) restored.group_names = mesh.group_names;
   restored.positions = scatter_rows(mesh.positions, order.vertices, 3);
   reserve_large(restored.triangles, mesh.triangles.size());
   restored.triangles.resize(mesh.triangles.size());

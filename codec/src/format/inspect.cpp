@@ -7,6 +7,7 @@
 
 #include "base/byte_reader.h"
 #include "base/guard.h"
+#include "base/small_code.h"
 #include "deltamesh/stream_info.h"
 #include "format/chunk/tags.h"
 #include "format/container.h"
@@ -52,6 +53,7 @@ void add_sizes(StreamInfo& info, const ChunkEntry& entry) {
 /// [SIZ-1]; for information, so that a chunk of another form changes nothing.
 void read_extent(StreamInfo& info, const Container& container) {
   info.extent = info.diagonal;
+  if constexpr (kSmallCode) return;  // no module hands it out
   const ChunkEntry* const entry = container.find(kTagExtent);
   if (entry == nullptr || entry->codec != ChunkCodec::kRaw) return;
   ByteReader in(container.coded(*entry), kTagExtent);
