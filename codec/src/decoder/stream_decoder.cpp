@@ -71,7 +71,9 @@ class StreamDecoder {
     DELTAMESH_CHECK(check_form());
     DELTAMESH_CHECK(is_plain_ ? read_plain(mesh.triangles) : read_faces(mesh.triangles));
     DELTAMESH_TRY(mesh.face_groups, read_groups(mesh.triangles));
-    DELTAMESH_TRY(mesh.group_names, read_names());
+    if constexpr (!kSmallCode) {  // no module hands them out
+      DELTAMESH_TRY(mesh.group_names, read_names());
+    }
     if (header_.geometry != kGeometryPredictive) build_graphs(mesh.triangles);
     if (header_.geometry == kGeometryPredictive) {
       DELTAMESH_TRY(mesh.positions, read_geometry(mesh.triangles));
@@ -151,7 +153,6 @@ class StreamDecoder {
   }
 
   Result<std::vector<GroupName>> read_names() const {
-    if constexpr (kSmallCode) return std::vector<GroupName>();  // no module hands them out
     const ChunkEntry* const entry = container_.find(kTagGroupNames);
     if (entry == nullptr || entry->decoded_bytes > kMostNamesBytes) return std::vector<GroupName>();
     DELTAMESH_TRY(const auto chunk, expand_chunk(container_, *entry));
