@@ -21,9 +21,8 @@ Result<AttributeDescriptor> read_spelled_out(ByteReader& in) {
   if (type > static_cast<std::uint8_t>(ComponentType::kF64)) return invalid("unknown component type");
   if (a.components == 0 || a.components > kMaxComponents) return invalid("component count out of range");
   a.kind = static_cast<AttributeKind>(kind);
-  const bool is_color = a.kind == AttributeKind::kColor;
-  if (a.flags > (is_color ? kFlagNormalized | kFlagLinear : kFlagNormalized))
-    return invalid("reserved attribute flag set");
+  const unsigned flags = a.kind == AttributeKind::kColor ? kFlagNormalized | kFlagLinear : kFlagNormalized;
+  if (a.flags > flags) return invalid("reserved attribute flag set");
   a.type = static_cast<ComponentType>(type);
   DELTAMESH_TRY(const auto size, in.read<std::uint8_t>());
   DELTAMESH_TRY(const auto letters, in.read_bytes(size));
