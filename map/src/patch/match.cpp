@@ -16,8 +16,6 @@
 namespace deltamesh {
 namespace {
 
-constexpr std::uint32_t kNone = kNotJoined;
-
 std::uint64_t hash_of(const std::array<std::uint32_t, 3>& numbers) noexcept {
   std::uint64_t hash = 0;
   for (const std::uint32_t n : numbers) hash = (hash ^ n) * 0x9e3779b97f4a7c15U;
@@ -27,7 +25,8 @@ std::uint64_t hash_of(const std::array<std::uint32_t, 3>& numbers) noexcept {
 /// Lists of rows by hash.
 class RowLists {
  public:
-  explicit RowLists(std::size_t rows) : first_(std::bit_ceil(rows + 1), kNone), next_(rows, kNone) {}
+  explicit RowLists(std::size_t rows)
+      : first_(std::bit_ceil(rows + 1), kNotJoined), next_(rows, kNotJoined) {}
 
   void add(std::uint64_t hash, std::uint32_t row) {
     std::uint32_t& first = first_[hash & (first_.size() - 1)];
@@ -61,14 +60,14 @@ class NearRows {
   }
 
   std::uint32_t nearest(const float* place) const noexcept {
-    std::uint32_t best = kNone;
+    std::uint32_t best = kNotJoined;
     double least = edge_ * edge_ / 4;
     std::array<std::uint32_t, 3> low{};
     for (std::size_t k = 0; k < 3; ++k) low[k] = step_of(double{place[k]} - edge_ / 2);
     for (unsigned corner = 0; corner < 8; ++corner) {
       std::array<std::uint32_t, 3> cell = low;
       for (std::size_t k = 0; k < 3; ++k) cell[k] += corner >> k & 1U;
-      for (std::uint32_t v = cells_.first(hash_of(cell)); v != kNone; v = cells_.next(v)) {
+      for (std::uint32_t v = cells_.first(hash_of(cell)); v != kNotJoined; v = cells_.next(v)) {
         const double squared = squared_distance(place, positions_.data() + 3 * std::size_t{v});
         if (squared < least || (squared == least && v < best)) {
           least = squared;
@@ -96,7 +95,7 @@ std::vector<std::uint8_t> shared_positions(const Mesh& mesh) {
   RowLists lists(mesh.vertex_count());
   for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
     const PositionBits bits = bits_of(mesh, v);
-    for (std::uint32_t u = lists.first(hash_of(bits)); u != kNone; u = lists.next(u))
+    for (std::uint32_t u = lists.first(hash_of(bits)); u != kNotJoined; u = lists.next(u))
       if (bits_of(mesh, u) == bits) is_shared[u] = is_shared[v] = 1;
     lists.add(hash_of(bits), v);
   }
@@ -120,7 +119,7 @@ std::vector<std::array<std::uint32_t, 3>> neighbors_of_faces(const Mesh& mesh) {
 class Matcher {
  public:
   Matcher(const MapPart& source, const BaseVersion& base, const MatchBounds& bounds)
-      : source_(source), base_(base), bounds_(bounds), base_of_(source.mesh.vertex_count(), kNone) {}
+      : source_(source), base_(base), bounds_(bounds), base_of_(source.mesh.vertex_count(), kNotJoined) {}
 
   PartMatch run() {
     match_vertices();
@@ -137,18 +136,18 @@ class Matcher {
     const auto base_border = border_by_vertex(base_.part);
     const NearRows rows(base_.sources, bounds_.max_error);
     const auto is_shared = shared_positions(source_.mesh);
-    std::vector<std::uint32_t> taken(base_.part.mesh.vertex_count(), kNone);
+    std::vector<std::uint32_t> taken(base_.part.mesh.vertex_count(), kNotJoined);
     for (std::uint32_t v = 0; v < base_of_.size(); ++v) {
       if (is_shared[v] != 0) continue;  // a position of vertices with several colours
       const float* const position = source_.mesh.positions.data() + 3 * std::size_t{v};
       const std::uint32_t near = rows.nearest(position);
-      if (near == kNone || !is_good_enough(v, near) || source_border[v] != base_border[near]) continue;
-      if (const std::uint32_t other = taken[near]; other != kNone) {
+      if (near == kNotJoined || !is_good_enough(v, near) || source_border[v] != base_border[near]) continue;
+      if (const std::uint32_t other = taken[near]; other != kNotJoined) {
         const float* const place = base_.sources.data() + 3 * std::size_t{near};
         if (squared_distance(source_.mesh.positions.data() + 3 * std::size_t{other}, place) <=
             squared_distance(position, place))
           continue;
-        base_of_[other] = kNone;
+        base_of_[other] = kNotJoined;
       }
       base_of_[v] = near;
       taken[near] = v;
@@ -192,16 +191,16 @@ class Matcher {
     for (std::uint32_t f = 0; f < theirs.size() / 3; ++f) faces.add(hash_of(rotated(face_at(theirs, f))), f);
     std::vector<std::uint8_t> is_taken(theirs.size() / 3, 0);
     const auto& ours = source_.mesh.triangles;
-    face_of_.assign(ours.size() / 3, kNone);
+    face_of_.assign(ours.size() / 3, kNotJoined);
     for (std::size_t f = 0; f < face_of_.size(); ++f) {
       auto face = face_at(ours, f);
       for (std::uint32_t& v : face) v = base_of_[v];
-      if (std::ranges::find(face, kNone) != face.end()) continue;
+      if (std::ranges::find(face, kNotJoined) != face.end()) continue;
       face = rotated(face);
       std::uint32_t found = faces.first(hash_of(face));
-      while (found != kNone && (is_taken[found] != 0 || rotated(face_at(theirs, found)) != face))
+      while (found != kNotJoined && (is_taken[found] != 0 || rotated(face_at(theirs, found)) != face))
         found = faces.next(found);
-      if (found == kNone) continue;
+      if (found == kNotJoined) continue;
       face_of_[f] = found;
       is_taken[found] = 1;
     }
@@ -221,11 +220,11 @@ class Matcher {
     while (!list.empty()) {
       const std::uint32_t f = list.back();
       list.pop_back();
-      if (face_of_[f] == kNone || std::ranges::count_if(neighbors[f], [&](std::uint32_t g) {
-                                    return g != kNoFace && face_of_[g] == kNone;
-                                  }) < 2)
+      if (face_of_[f] == kNotJoined || std::ranges::count_if(neighbors[f], [&](std::uint32_t g) {
+                                         return g != kNoFace && face_of_[g] == kNotJoined;
+                                       }) < 2)
         continue;
-      face_of_[f] = kNone;
+      face_of_[f] = kNotJoined;
       for (const std::uint32_t g : neighbors[f])
         if (g != kNoFace) list.push_back(g);
     }
@@ -237,7 +236,7 @@ class Matcher {
     std::array<std::vector<std::uint8_t>, 2> uses;
     for (auto& use : uses) use.assign(base_of_.size(), 0);
     for (std::size_t f = 0; f < face_of_.size(); ++f) {
-      const std::size_t kind = face_of_[f] != kNone ? 1 : 0;
+      const std::size_t kind = face_of_[f] != kNotJoined ? 1 : 0;
       for (std::size_t c = 0; c < 3; ++c) {
         const std::uint32_t v = source_.mesh.triangles[3 * f + c];
         triangles[kind].push_back(v);
@@ -255,17 +254,17 @@ class Matcher {
     }
     for (std::size_t f = 0; any && f < face_of_.size(); ++f)
       for (std::size_t c = 0; c < 3; ++c)
-        if (is_bad[source_.mesh.triangles[3 * f + c]] != 0) face_of_[f] = kNone;
+        if (is_bad[source_.mesh.triangles[3 * f + c]] != 0) face_of_[f] = kNotJoined;
     return any;
   }
 
   PartMatch result() const {
     PartMatch match;
     match.stays.assign(base_.part.mesh.triangle_count(), 0);
-    match.base_of.assign(base_of_.size(), kNone);
-    std::vector<std::uint32_t> source_of(base_.part.mesh.vertex_count(), kNone);
+    match.base_of.assign(base_of_.size(), kNotJoined);
+    std::vector<std::uint32_t> source_of(base_.part.mesh.vertex_count(), kNotJoined);
     for (std::uint32_t f = 0; f < face_of_.size(); ++f) {
-      if (face_of_[f] == kNone) {
+      if (face_of_[f] == kNotJoined) {
         match.new_faces.push_back(f);
         continue;
       }
@@ -278,7 +277,7 @@ class Matcher {
     }
     match.is_base_whole = std::ranges::find(match.stays, 0) == match.stays.end();
     for (std::uint32_t v = 0; v < source_of.size(); ++v) {
-      if (source_of[v] == kNone) continue;
+      if (source_of[v] == kNotJoined) continue;
       match.source_of.push_back(source_of[v]);
     }
     return match;
@@ -299,7 +298,7 @@ PartMatch match_part(const MapPart& source, const BaseVersion& base, const Match
   if (are_fit) return Matcher(source, base, bounds).run();
   PartMatch match;
   match.stays.assign(base.part.mesh.triangle_count(), 0);
-  match.base_of.assign(source.mesh.vertex_count(), kNone);
+  match.base_of.assign(source.mesh.vertex_count(), kNotJoined);
   for (std::uint32_t f = 0; f < source.mesh.triangle_count(); ++f) match.new_faces.push_back(f);
   return match;
 }
