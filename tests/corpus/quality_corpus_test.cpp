@@ -97,7 +97,9 @@ TEST_P(QualityCorpus, VdeLands) {
       // The lattice that the source lies on may take the fewest bytes and leave no error.
       const bool is_exact = achieved.max_error < 1e-6 * diagonal_;
       if (asked < 0.9 * worst_vde_ && !is_exact) {
-        EXPECT_GE(achieved.vde_rms, 0.9 * asked) << percent;
+        // Towards the VDE of a mesh without any deltas, coarser steps change it less and less.
+        EXPECT_GE(achieved.vde_rms, (asked < 0.3 * worst_vde_ ? 0.9 : 0.6) * asked)
+            << percent << ' ' << worst_vde_;
       }
     }
   }
