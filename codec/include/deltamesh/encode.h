@@ -49,7 +49,7 @@ struct EncodeOptions {
   /// float32 (ReadReport::position_error). Counts in all bounds and figures.
   double source_error = 0;
   /// How hard to look for a smaller stream: 0 takes as few passes as keep the request, 1 looks for what
-  /// nearly always pays, 2 for what seldom does. README has a table of times and sizes.
+  /// nearly always pays, 2 for what seldom does. docs/benchmarks.md has a table of times and sizes.
   int effort = 1;
   /// Anchors found by earlier calls for this mesh, and by this one; may be null.
   std::shared_ptr<AnchorContainers> anchor_containers{};
