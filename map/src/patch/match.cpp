@@ -4,90 +4,17 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <utility>
 
 #include "lattice/border_table.h"
 #include "patch/coder.h"
+#include "patch/row_lists.h"
 #include "support/color_value.h"
 #include "support/open_edges.h"
 
 namespace deltamesh {
 namespace {
-
-std::uint64_t hash_of(const std::array<std::uint32_t, 3>& numbers) noexcept {
-  std::uint64_t hash = 0;
-  for (const std::uint32_t n : numbers) hash = (hash ^ n) * 0x9e3779b97f4a7c15U;
-  return hash ^ hash >> 32;
-}
-
-/// Lists of rows by hash.
-class RowLists {
- public:
-  explicit RowLists(std::size_t rows)
-      : first_(std::bit_ceil(rows + 1), kNotJoined), next_(rows, kNotJoined) {}
-
-  void add(std::uint64_t hash, std::uint32_t row) {
-    std::uint32_t& first = first_[hash & (first_.size() - 1)];
-    next_[row] = std::exchange(first, row);
-  }
-  /// All rows of the hash, and perhaps others, descending where they were added ascending.
-  std::uint32_t first(std::uint64_t hash) const noexcept { return first_[hash & (first_.size() - 1)]; }
-  std::uint32_t next(std::uint32_t row) const noexcept { return next_[row]; }
-
- private:
-  std::vector<std::uint32_t> first_;
-  std::vector<std::uint32_t> next_;
-};
-
-double squared_distance(const float* a, const float* b) noexcept {
-  double sum = 0;
-  for (std::size_t k = 0; k < 3; ++k) sum += (double{a[k]} - b[k]) * (double{a[k]} - b[k]);
-  return sum;
-}
-
-/// Finds the vertex nearest to a place within a radius.
-class NearRows {
- public:
-  NearRows(std::span<const float> positions, double radius)
-      : positions_(positions), edge_(2 * radius), cells_(positions.size() / 3) {
-    for (std::uint32_t v = 0; v < positions.size() / 3; ++v) {
-      std::array<std::uint32_t, 3> cell{};
-      for (std::size_t k = 0; k < 3; ++k) cell[k] = step_of(double{positions_[3 * std::size_t{v} + k]});
-      cells_.add(hash_of(cell), v);
-    }
-  }
-
-  std::uint32_t nearest(const float* place) const noexcept {
-    std::uint32_t best = kNotJoined;
-    double least = edge_ * edge_ / 4;
-    std::array<std::uint32_t, 3> low{};
-    for (std::size_t k = 0; k < 3; ++k) low[k] = step_of(double{place[k]} - edge_ / 2);
-    for (unsigned corner = 0; corner < 8; ++corner) {
-      std::array<std::uint32_t, 3> cell = low;
-      for (std::size_t k = 0; k < 3; ++k) cell[k] += corner >> k & 1U;
-      for (std::uint32_t v = cells_.first(hash_of(cell)); v != kNotJoined; v = cells_.next(v)) {
-        const double squared = squared_distance(place, positions_.data() + 3 * std::size_t{v});
-        if (squared < least || (squared == least && v < best)) {
-          least = squared;
-          best = v;
-        }
-      }
-    }
-    return best;
-  }
-
- private:
-  std::uint32_t step_of(double x) const noexcept {
-    return static_cast<std::uint32_t>(
-        static_cast<std::int32_t>(std::clamp(std::floor(x / edge_), -2e9, 2e9)));
-  }
-
-  std::span<const float> positions_;
-  double edge_;
-  RowLists cells_;
-};
 
 /// Whether several vertices have the position.
 std::vector<std::uint8_t> shared_positions(const Mesh& mesh) {
@@ -95,7 +22,7 @@ std::vector<std::uint8_t> shared_positions(const Mesh& mesh) {
   RowLists lists(mesh.vertex_count());
   for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
     const PositionBits bits = bits_of(mesh, v);
-    for (std::uint32_t u = lists.first(hash_of(bits)); u != kNotJoined; u = lists.next(u))
+    for (std::uint32_t u = lists.first(hash_of(bits)); u != kNoRow; u = lists.next(u))
       if (bits_of(mesh, u) == bits) is_shared[u] = is_shared[v] = 1;
     lists.add(hash_of(bits), v);
   }
@@ -141,7 +68,7 @@ class Matcher {
       if (is_shared[v] != 0) continue;  // a position of vertices with several colours
       const float* const position = source_.mesh.positions.data() + 3 * std::size_t{v};
       const std::uint32_t near = rows.nearest(position);
-      if (near == kNotJoined || !is_good_enough(v, near) || source_border[v] != base_border[near]) continue;
+      if (near == kNoRow || !is_good_enough(v, near) || source_border[v] != base_border[near]) continue;
       if (const std::uint32_t other = taken[near]; other != kNotJoined) {
         const float* const place = base_.sources.data() + 3 * std::size_t{near};
         if (squared_distance(source_.mesh.positions.data() + 3 * std::size_t{other}, place) <=
@@ -198,9 +125,9 @@ class Matcher {
       if (std::ranges::find(face, kNotJoined) != face.end()) continue;
       face = rotated(face);
       std::uint32_t found = faces.first(hash_of(face));
-      while (found != kNotJoined && (is_taken[found] != 0 || rotated(face_at(theirs, found)) != face))
+      while (found != kNoRow && (is_taken[found] != 0 || rotated(face_at(theirs, found)) != face))
         found = faces.next(found);
-      if (found == kNotJoined) continue;
+      if (found == kNoRow) continue;
       face_of_[f] = found;
       is_taken[found] = 1;
     }
