@@ -38,8 +38,7 @@ const StageInput& stage_input(benchmark::State& state) {
 Result<CodedHighpass> code_highpass(const StageInput& input) {
   AnchorSequence anchors(input.graph, input.components);
   HighpassCoder coder(input.graph, input.components, anchors, input.positions, input.box);
-  return coder.code(
-      {.step = coder.step_for_bits(kDeltaBits), .anchors = default_anchor_count(anchors.most())});
+  return coder.code({.step = coder.step_for_bits(kDeltaBits), .anchors = anchors.most() / 200 + 1});
 }
 
 void use_scenes(benchmark::internal::Benchmark* benchmark) {

@@ -27,7 +27,7 @@ Result<CodedHighpass> write(const GraphMesh& mesh, int bits = 8, HighpassSetting
   AnchorSequence anchors(mesh.graph, mesh.components);
   HighpassCoder coder(mesh.graph, mesh.components, anchors, mesh.positions, mesh.box);
   settings.step = coder.step_for_bits(bits);
-  if (settings.anchors == 0) settings.anchors = default_anchor_count(anchors.most());
+  if (settings.anchors == 0) settings.anchors = anchors.most() / 200 + 1;
   return coder.code(settings);
 }
 
@@ -269,8 +269,7 @@ TEST(Highpass, PLN4PlainPayloadsSayTheSame) {
        {test::sheet(25, 17), test::fragments(), test::sheet(1, 1), test::finish({})}) {
     AnchorSequence anchors(mesh.graph, mesh.components);
     HighpassCoder coder(mesh.graph, mesh.components, anchors, mesh.positions, mesh.box, true);
-    const auto coded =
-        coder.code_only({.step = coder.step_for_bits(8), .anchors = default_anchor_count(anchors.most())});
+    const auto coded = coder.code_only({.step = coder.step_for_bits(8), .anchors = anchors.most() / 200 + 1});
     ASSERT_TRUE(coded);
     const auto compact = write(mesh);
     ASSERT_TRUE(compact);

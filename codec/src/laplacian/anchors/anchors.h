@@ -4,7 +4,6 @@
 // Vertices whose positions a highpass stream tells.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -20,11 +19,6 @@ struct Anchors {
   std::vector<std::uint32_t> vertices;  ///< ascending
   std::uint32_t density = 0;            ///< largest hop distance of a vertex to its nearest anchor
 };
-
-/// One for every 200 vertices, rounded up.
-constexpr std::uint32_t default_anchor_count(std::size_t solved_vertices) noexcept {
-  return static_cast<std::uint32_t>((solved_vertices + 199) / 200);
-}
 
 /// Per anchor 1 if its component has another one, else 0. O(components + anchors).
 inline std::vector<std::uint8_t> shared_anchors(const Components& components,

@@ -65,11 +65,6 @@ TEST(Anchors, NoMoreThanThereAreVertices) {
   EXPECT_EQ(anchors.density, 0U);
 }
 
-TEST(Anchors, DefaultIsOneForEveryTwoHundredVertices) {
-  EXPECT_EQ(default_anchor_count(820), 5U);
-  EXPECT_EQ(default_anchor_count(800), 4U);
-}
-
 TEST(Anchors, ANCH2CoverEveryComponentAndAllOfSmallOnes) {
   const GraphMesh mesh = test::fragments();
   const std::vector<std::uint32_t> anchors = test::anchors_of(mesh, 0);
