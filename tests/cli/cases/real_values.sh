@@ -47,6 +47,9 @@ for file in utm.obj ecef.obj utm.off utm.ply; do
   awk -v told="$told" -v found="$(number max_error)" -v name="$file" \
     'BEGIN { print name (told <= 0.0005 && found <= told * 1.001 ? ": within what is told" : ": told " told ", found " found) }'
 done
+figures compare utm.ply utm.off | grep rounding
+figures map split utm.ply utm.map --part-edge 100 --max-error 0.01 | grep rounding
+figures tiles plan utm.tiles utm.ply --part-edge 100 --max-error 0.01 | grep rounding
 say "colours, through linear light and back:"
 (ply_head 256 'float x' 'float y' 'float z' 'uchar red' 'uchar green' 'uchar blue' | sed 's/face 1/face 254/'
  for ((i = 0; i < 256; ++i)); do echo "$((i % 16)) $((i / 16)) 0 $i $((255 - i)) 188"; done

@@ -95,7 +95,9 @@ export class Merged {
         block = { key, columns, positions: columns.find(isPosition).accessor.getArray(), values: new Map() };
         this.#blocks.push(block);
       }
-      this.#groups.push({ block, indices: primitive.getIndices().getArray() });
+      const count = block.positions.length / 3;
+      const indices = primitive.getIndices()?.getArray() ?? Uint32Array.from({ length: count }, (_, i) => i);
+      this.#groups.push({ block, indices: indices.subarray(0, indices.length - (indices.length % 3)) });
       for (const column of columns.filter((one) => !isPosition(one))) {
         const name = this.keyOf(columns, column);
         if (!this.#columns.has(name)) this.#columns.set(name, column);

@@ -14,15 +14,15 @@ const ATTRIBUTE_TEXT = 6;
 const VIEW_TEXT = 50;
 
 function accessorsOf(primitive) {
-  return [primitive.getIndices(), ...columnsOf(primitive).map(({ accessor }) => accessor)];
+  return [...columnsOf(primitive).map(({ accessor }) => accessor), ...(primitive.getIndices() ? [primitive.getIndices()] : [])];
 }
 
 /** Whether all that is compressed is floats for positions, and used by nothing but primitives that are compressed too. */
 function canPack(primitive) {
   const positions = primitive.getAttribute('POSITION');
-  if (!primitive.getIndices() || primitive.getMode() !== TRIANGLES) return false;
+  if (primitive.getMode() !== TRIANGLES) return false;
   if (!(positions?.getArray() instanceof Float32Array) || positions.getNormalized()) return false;
-  if (primitive.getIndices().getCount() === 0) return false;
+  if ((primitive.getIndices() ?? positions).getCount() < 3) return false;
   return columnsOf(primitive).every(({ accessor }) => accessor.getCount() === positions.getCount());
 }
 
@@ -69,7 +69,7 @@ class StandIns {
   #add(key, accessor, definition) {
     const { accessors } = this.context.jsonDoc.json;
     if (!this.#numbers.has(key)) this.#numbers.set(key, accessors.push({ ...definition() }) - 1);
-    this.context.accessorIndexMap.set(accessor, this.#numbers.get(key));
+    if (accessor) this.context.accessorIndexMap.set(accessor, this.#numbers.get(key));
     return this.#numbers.get(key);
   }
 
@@ -163,7 +163,7 @@ export function packMeshes(document, context, options, encode) {
     const primitives = mesh.listPrimitives().filter((primitive) => toPack.has(primitive) && !packed.has(primitive));
     if (primitives.length === 0) continue;
     const keyOf = (primitive) => [
-      contents.of(primitive.getIndices()),
+      primitive.getIndices() && contents.of(primitive.getIndices()),
       ...columnsOf(primitive).flatMap(({ semantic, target, accessor }) => [semantic, target, contents.of(accessor)]),
     ];
     const key = primitives.flatMap(keyOf);

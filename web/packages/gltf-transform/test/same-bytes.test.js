@@ -18,11 +18,12 @@ import { Document, Logger, NodeIO } from '@gltf-transform/core';
 const PROGRAM = fileURLToPath(new URL('../../../../build/release/deltamesh', import.meta.url));
 const NAME = 'DELTAMESH_mesh_compression';
 
-/** A wavy grid at `offset`; `twice`: with a second copy of its first row of vertices and a triangle that draws nothing. */
-function addGrid(document, mesh, { size = 24, offset = 0, targets = 0, uvs = false, twice = false }) {
+/** A wavy grid at `offset`; `twice`: with a second copy of its first row of vertices and a triangle that draws nothing;
+ * `flat`: without indices. */
+function addGrid(document, mesh, { size = 24, offset = 0, targets = 0, uvs = false, twice = false, flat = false }) {
   const buffer = document.getRoot().listBuffers()[0] ?? document.createBuffer();
   const column = (type, array) => document.createAccessor().setType(type).setArray(array).setBuffer(buffer);
-  const rows = [];
+  let rows = [];
   for (let y = 0; y < size; ++y) for (let x = 0; x < size; ++x) rows.push([x + offset, y, Math.sin((x + offset) / 3) * Math.cos(y / 4)]);
   const indices = [];
   for (let y = 0; y + 1 < size; ++y)
@@ -35,13 +36,14 @@ function addGrid(document, mesh, { size = 24, offset = 0, targets = 0, uvs = fal
     for (let i = 0; i < 30; ++i) if (indices[i] < size) indices[i] += size * size;
     indices.push(0, 0, 5);
   }
+  if (flat) rows = indices.map((index) => rows[index]);
   const normals = rows.map(([x, y]) => {
     const [nx, ny] = [-Math.cos(x / 3) * Math.cos(y / 4) / 3, Math.sin(x / 3) * Math.sin(y / 4) / 4];
     return [nx, ny, 1].map((k) => k / Math.hypot(nx, ny, 1));
   });
   const primitive = document
     .createPrimitive()
-    .setIndices(column('SCALAR', new Uint16Array(indices)))
+    .setIndices(flat ? null : column('SCALAR', new Uint16Array(indices)))
     .setAttribute('POSITION', column('VEC3', new Float32Array(rows.flat())))
     .setAttribute('NORMAL', column('VEC3', new Float32Array(normals.flat())))
     .setAttribute('_HEAT', column('SCALAR', new Float32Array(rows.map(([x]) => x / 7))));
@@ -81,6 +83,7 @@ function streamsOf(glb) {
 const ASSETS = {
   'morph targets': [[{ targets: 3 }]],
   'several primitives, of which one has texture coordinates': [[{ uvs: true }, { offset: 23 }, { offset: 46, twice: true }]],
+  'no indices': [[{ flat: true, uvs: true }]],
   'equal meshes': [[{ uvs: true, targets: 1 }], [{ size: 9, offset: 300 }], [{ uvs: true, targets: 1 }]],
 };
 const WAYS = [
@@ -97,7 +100,7 @@ for (const [name, meshes] of Object.entries(ASSETS)) {
       try {
         const plain = await new NodeIO().setLogger(new Logger(Logger.Verbosity.SILENT)).writeBinary(makeDocument(meshes));
         writeFileSync(join(folder, 'plain.glb'), plain);
-        execFileSync(PROGRAM, ['gltf', 'pack', 'plain.glb', 'packed.glb', ...options], { cwd: folder });
+        execFileSync(PROGRAM, ['gltf', 'pack', 'plain.glb', 'packed.glb', ...options], { cwd: folder, stdio: 'ignore' });
         const decoder = await createDecoder();
         await decoder.load();
         const io = new NodeIO()
