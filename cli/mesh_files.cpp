@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <iostream>
+#include <string_view>
 #include <system_error>
 
 #include "deltamesh/decode.h"
