@@ -73,6 +73,10 @@ void print_summary(const CompareArguments& arguments, const Losses& losses, cons
   summary.add("normals", brief(result.normal_angle_mean) + " degrees apart on average, " +
                              brief(result.normal_angle_p95) + " at the 95th percentile");
   summary.add("diagonal", brief(result.diagonal));
+  if (losses[0].position_error > 0 || losses[1].position_error > 0)
+    summary.add("rounding", "coordinates became float32, off by up to " + brief(losses[0].position_error) +
+                                " in A and " + brief(losses[1].position_error) +
+                                " in B, which adds to the errors");
   if (!result.attributes.empty()) summary.add("attributes", attributes_headline(result));
   add_attributes(summary, result);
   if (!arguments.heatmap.empty())

@@ -62,6 +62,9 @@ void print_summary(const EncodeArguments& arguments, const ReadReport& read, con
   add_extent(summary, stream);
   add_sizes(summary, stream);
   add_attributes(summary, stream);
+  if (read.uv_scale > 1)
+    summary.add("textures", "stretched " + brief(read.uv_scale) +
+                                " times by KHR_texture_transform, for which the bound is divided");
   add_dropped_lengths(summary, report.dropped_lengths);
   add_settings(summary, stream);
   add_errors(summary, stream.quality, stream.extent);
@@ -77,6 +80,7 @@ void print_object(const EncodeArguments& arguments, const ReadReport& read, cons
   object["dropped_lengths"] = report.dropped_lengths;
   object["left_out"] = left_out_array(read);
   object["position_error"] = read.position_error;
+  object["uv_scale"] = read.uv_scale;
   add_stream(object, report.stream);
   object["encode_seconds"] = seconds;
   print_json(object, report_stream(arguments.out));
@@ -140,6 +144,7 @@ int run_encode(const EncodeArguments& arguments) {
   }
   EncodeOptions options = arguments.options;
   options.source_error = imported->report.position_error;
+  options.attributes.uv_error /= imported->report.uv_scale;
   const auto start = std::chrono::steady_clock::now();
   const Result<Encoded> encoded = encode_showing_progress(imported->mesh, options);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;

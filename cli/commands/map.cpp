@@ -94,12 +94,17 @@ int run_split(const Splitting& splitting) {
   auto saved = save_map(splitting.folder, state->manifest, parts);
   if (saved) saved = save_bounds(splitting.folder, state->bounds);
   if (!saved) return fail(splitting.folder, saved.error());
+  const double rounding =
+      imported->report.position_error + rounding_in_map(imported->mesh, state->manifest.description);
   if (splitting.json) {
     auto object = map_object(state->manifest);
-    object.update({{"new_parts", parts.size()}, {"left_out", left_out_array(imported->report)}});
+    object.update({{"new_parts", parts.size()},
+                   {"left_out", left_out_array(imported->report)},
+                   {"position_error", rounding}});
     print_json(object);
   } else {
     print_map(splitting.in + " -> " + splitting.folder, state->manifest, parts.size());
+    print_rounding(rounding, report_stream({}));
     print_left_out(imported->report, report_stream({}));
   }
   return kOk;

@@ -74,12 +74,14 @@ int run_plan(const Planning& planning) {
   if (!planner) return fail("tiles plan", planner.error());
   FiledPlan plan;
   LossReport losses;
+  double rounding = 0;
   for (const std::string& file : planning.files) {
     int status = kOk;
     const auto imported = load_mesh(file, status, planning.options);
     if (!imported) return status;
     for (const LeftOut& entry : imported->report.left_out)
       losses.leave_out(entry.kind, entry.name, entry.count);
+    rounding = std::max(rounding, imported->report.position_error);
     losses.leave_out(LeftOutKind::kNames, "groups", imported->mesh.group_names.size());
     if (const auto added = planner->add(imported->mesh); !added) return fail(file, added.error());
     std::error_code failed;
@@ -97,6 +99,7 @@ int run_plan(const Planning& planning) {
     return fail(planning.folder, saved.error());
   std::cout << planning.folder << ": " << counted(plan.plan.tiles.size(), "tile", "tiles")
             << ", numbered from 0, " << counted(plan.plan.parts.size(), "part", "parts") << '\n';
+  print_rounding(rounding, std::cout);
   print_left_out(losses, std::cout);
   return kOk;
 }

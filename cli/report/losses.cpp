@@ -2,6 +2,8 @@
 // Copyright 2026 The deltamesh authors
 #include "report/losses.h"
 
+#include "report/console.h"
+
 namespace deltamesh::cli {
 
 std::string left_out_text(const LossReport& report) {
@@ -12,6 +14,12 @@ std::string left_out_text(const LossReport& report) {
 
 void print_left_out(const LossReport& report, std::ostream& out) {
   if (!report.left_out.empty()) out << "  left out  " << left_out_text(report) << '\n';
+}
+
+void print_rounding(double most, std::ostream& out) {
+  if (most > 0)
+    out << "  rounding  coordinates became float32, off by up to " << brief(most)
+        << ", which adds to the max error\n";
 }
 
 nlohmann::ordered_json left_out_array(const LossReport& report) {

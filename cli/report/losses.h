@@ -18,6 +18,10 @@ std::string left_out_text(const LossReport& report);
 /// A line with it under a headline; nothing where nothing is left out.
 void print_left_out(const LossReport& report, std::ostream& out);
 
+/// How far coordinates of the mesh file were moved as they became float32, which figures of decoded meshes do
+/// not count; nothing for 0.
+void print_rounding(double most, std::ostream& out);
+
 /// [{"kind": "names", "name": "materials", "count": 2}, ...]
 nlohmann::ordered_json left_out_array(const LossReport& report);
 

@@ -3,6 +3,8 @@
 #include "report/map.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -103,6 +105,19 @@ void print_map(const std::string& headline, const MapManifest& manifest,
     }
   }
   summary.print();
+}
+
+double rounding_in_map(const Mesh& mesh, const MapDescription& description) {
+  double most = 0;
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    std::array<double, 3> off{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double place = mesh.positions[3 * v + k] + (mesh.origin[k] - description.lattice.origin[k]);
+      off[k] = place - double{static_cast<float>(place)};
+    }
+    most = std::max(most, std::hypot(off[0], off[1], off[2]));
+  }
+  return most;
 }
 
 nlohmann::ordered_json map_object(const MapManifest& manifest) {

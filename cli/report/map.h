@@ -20,6 +20,9 @@ void print_map(const std::string& headline, const MapManifest& manifest,
 /// The same figures.
 nlohmann::ordered_json map_object(const MapManifest& manifest);
 
+/// Largest distance by which vertices of `mesh` are moved as they become float32 beside the map's origin.
+double rounding_in_map(const Mesh& mesh, const MapDescription& description);
+
 /// "level 0, 3 -1 2".
 std::string key_text(const PartKey& key);
 nlohmann::ordered_json key_object(const PartKey& key);

@@ -64,6 +64,9 @@ struct ReadReport : LossReport {
   /// Largest distance of a vertex from the file's coordinates, which may be double; see
   /// EncodeOptions::source_error.
   double position_error = 0;
+  /// glTF: the largest factor by which a KHR_texture_transform stretches texture coordinates: a bound that is
+  /// to hold on textures has to be divided by it.
+  double uv_scale = 1;
 };
 
 struct WriteReport : LossReport {};

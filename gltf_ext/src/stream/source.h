@@ -24,8 +24,7 @@ struct PrimitiveSource : TrianglePrimitive {
   /// Those that go into the stream, in the order of the primitive; then those of its morph targets. POSITION
   /// itself is not among them.
   std::vector<SourceAttribute> attributes{};
-  /// The largest factor by which a material's KHR_texture_transform stretches texture coordinates, at
-  /// least 1.
+  /// See uv_scale_of().
   double uv_scale = 1;
   /// Something outside the stream counts on the vertices' numbers: attributes that are not coded, or unknown
   /// extensions.

@@ -58,10 +58,11 @@ export class DeltameshMeshCompression extends Extension {
   }
 
   prewrite(context) {
-    this.#packed = packMeshes(this.document, context, (mesh) => {
-      const encoded = this.#dependency(ENCODER).encode(mesh, this.#options);
+    this.#packed = packMeshes(this.document, context, this.#options, (mesh, options) => {
+      const encoded = this.#dependency(ENCODER).encode(mesh, options);
       if (encoded instanceof DeltameshError) throw encoded;
-      return { ...encoded, mesh: decode(this.#dependency(DECODER), encoded.bytes) };
+      const decoded = decode(this.#dependency(DECODER), encoded.bytes);
+      return { bytes: encoded.bytes, decoded, maxError: decoded.quality.maxError };
     });
     return this;
   }

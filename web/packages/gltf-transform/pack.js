@@ -4,35 +4,26 @@
 // From a document's meshes to streams, one for each mesh, with accessors that stand for what is in them.
 import { PropertyType } from '@gltf-transform/core';
 
+import { streamOptions, stretchOf } from './bounds.js';
+import { Contents, Merged, columnsOf } from './merge.js';
+
 const TRIANGLES = 4;
-const KINDS = { NORMAL: 'normal', TANGENT: 'tangent', TEXCOORD: 'uv', COLOR: 'color', JOINTS: 'joints', WEIGHTS: 'weights' };
-
-function kindOf(semantic, accessor) {
-  const kind = KINDS[semantic.split('_')[0]] ?? 'generic';
-  const isFloat = accessor.getArray() instanceof Float32Array;
-  return (kind === 'normal' || kind === 'tangent' || kind === 'uv') && !isFloat ? 'generic' : kind;
-}
-
-/** Every array of a primitive that a stream can hold, by name: of its attributes, and of its morph targets as "0/NORMAL". */
-function columnsOf(primitive) {
-  const columns = new Map();
-  for (const semantic of primitive.listSemantics()) columns.set(semantic, primitive.getAttribute(semantic));
-  for (const [t, target] of primitive.listTargets().entries())
-    for (const semantic of target.listSemantics()) columns.set(`${t}/${semantic}`, target.getAttribute(semantic));
-  return columns;
-}
+/** About what JSON grows by: of a primitive, of an attribute beside its name; what goes with a buffer view. */
+const EXTENSION_TEXT = 64;
+const ATTRIBUTE_TEXT = 6;
+const VIEW_TEXT = 50;
 
 function accessorsOf(primitive) {
-  return [primitive.getIndices(), ...columnsOf(primitive).values()];
+  return [...columnsOf(primitive).map(({ accessor }) => accessor), ...(primitive.getIndices() ? [primitive.getIndices()] : [])];
 }
 
 /** Whether all that is compressed is floats for positions, and used by nothing but primitives that are compressed too. */
 function canPack(primitive) {
   const positions = primitive.getAttribute('POSITION');
-  if (!primitive.getIndices() || primitive.getMode() !== TRIANGLES) return false;
+  if (primitive.getMode() !== TRIANGLES) return false;
   if (!(positions?.getArray() instanceof Float32Array) || positions.getNormalized()) return false;
-  if (primitive.getIndices().getCount() === 0) return false;
-  return [...columnsOf(primitive).values()].every((accessor) => accessor.getCount() === positions.getCount());
+  if ((primitive.getIndices() ?? positions).getCount() < 3) return false;
+  return columnsOf(primitive).every(({ accessor }) => accessor.getCount() === positions.getCount());
 }
 
 function primitivesToPack(document) {
@@ -47,72 +38,6 @@ function primitivesToPack(document) {
     packed = new Set([...packed].filter((primitive) => accessorsOf(primitive).every((a) => a.listParents().every(isOurs))));
   }
   return packed;
-}
-
-/** Two columns of one name and type are one attribute of the stream. */
-function columnKey(name, accessor) {
-  return [name, accessor.getArray().constructor.name, accessor.getElementSize(), accessor.getNormalized()].join(' ');
-}
-
-/** All primitives of a mesh as one, each a group; those with the same arrays share vertices. */
-class Merged {
-  #vertices = 0;
-  #blocks = new Map();
-  #columns = new Map();
-  #positions = [];
-  #indices = [];
-  #groups = [];
-
-  add(primitive, group) {
-    const columns = columnsOf(primitive);
-    const first = this.#placeOf(columns);
-    const indices = primitive.getIndices().getArray();
-    for (const index of indices) this.#indices.push(first + index);
-    for (let face = 0; face < indices.length / 3; ++face) this.#groups.push(group);
-  }
-
-  #placeOf(columns) {
-    const block = [...columns.values()];
-    const known = [...this.#blocks.keys()].find((other) => other.length === block.length && other.every((a, i) => a === block[i]));
-    if (known) return this.#blocks.get(known);
-    const first = this.#vertices;
-    this.#blocks.set(block, first);
-    this.#vertices += columns.get('POSITION').getCount();
-    this.#positions.push([first, columns.get('POSITION')]);
-    for (const [name, accessor] of columns) {
-      if (name === 'POSITION') continue;
-      const key = columnKey(name, accessor);
-      if (!this.#columns.has(key)) this.#columns.set(key, { name, accessor, parts: [] });
-      this.#columns.get(key).parts.push([first, accessor]);
-    }
-    return first;
-  }
-
-  #valuesOf(Array, components, parts) {
-    const values = new Array(this.#vertices * components);
-    for (const [first, accessor] of parts) values.set(accessor.getArray(), first * components);
-    return values;
-  }
-
-  keys() {
-    return [...this.#columns.keys()];
-  }
-
-  mesh() {
-    return {
-      positions: this.#valuesOf(Float32Array, 3, this.#positions),
-      indices: Uint32Array.from(this.#indices),
-      groups: this.#groups.at(-1) > 0 ? this.#groups : null,
-      attributes: [...this.#columns.values()].map(({ name, accessor, parts }) => ({
-        name,
-        kind: name.includes('/') ? 'generic' : kindOf(name, accessor),
-        components: accessor.getElementSize(),
-        normalized: accessor.getNormalized(),
-        linear: !name.includes('/') && kindOf(name, accessor) === 'color',
-        values: this.#valuesOf(accessor.getArray().constructor, accessor.getElementSize(), parts),
-      })),
-    };
-  }
 }
 
 /** As arrays of indices: the narrowest type whose largest value is no index. */
@@ -144,7 +69,7 @@ class StandIns {
   #add(key, accessor, definition) {
     const { accessors } = this.context.jsonDoc.json;
     if (!this.#numbers.has(key)) this.#numbers.set(key, accessors.push({ ...definition() }) - 1);
-    this.context.accessorIndexMap.set(accessor, this.#numbers.get(key));
+    if (accessor) this.context.accessorIndexMap.set(accessor, this.#numbers.get(key));
     return this.#numbers.get(key);
   }
 
@@ -178,23 +103,22 @@ class StandIns {
 }
 
 /** What write() puts into the primitive's definition. */
-function describe(primitive, group, keys, standIns) {
+function describe(primitive, group, merged, standIns) {
+  const columns = columnsOf(primitive);
   const accessors = { attributes: {}, indices: standIns.indices(primitive.getIndices(), group), mode: TRIANGLES };
   const attributes = {};
   const targets = primitive.listTargets().map(() => ({}));
   if (targets.length > 0) accessors.targets = primitive.listTargets().map(() => ({}));
-  for (const [name, accessor] of columnsOf(primitive)) {
-    const number = keys.indexOf(columnKey(name, accessor));
-    const [target, semantic] = name.includes('/') ? name.split('/') : [null, name];
-    if (target !== null) {
-      targets[target][semantic] = number;
-      accessors.targets[target][semantic] = standIns.attribute(accessor, number, semantic === 'POSITION');
-    } else if (name === 'POSITION') {
+  for (const column of columns) {
+    const { semantic, target, accessor } = column;
+    if (semantic === 'POSITION' && target === null) {
       accessors.attributes.POSITION = standIns.positions(accessor);
-    } else {
-      attributes[name] = number;
-      accessors.attributes[name] = standIns.attribute(accessor, number, false);
+      continue;
     }
+    const number = merged.keys.indexOf(merged.keyOf(columns, column));
+    const standIn = standIns.attribute(accessor, number, target !== null && semantic === 'POSITION');
+    (target === null ? attributes : targets[target])[semantic] = number;
+    (target === null ? accessors.attributes : accessors.targets[target])[semantic] = standIn;
   }
   const extension = {
     ...(group > 0 ? { group } : {}),
@@ -204,33 +128,60 @@ function describe(primitive, group, keys, standIns) {
   return { accessors, extension };
 }
 
-/** What stands for the primitives, in their order. `encode`: from a mesh to its stream's bytes and what they decode to. */
-function packTogether(primitives, context, encode) {
-  const merged = new Merged();
-  primitives.forEach((primitive, group) => merged.add(primitive, group));
-  const { bytes, mesh } = encode(merged.mesh());
-  const standIns = new StandIns(context, mesh);
-  return primitives.map((primitive, group) => ({ bytes, ...describe(primitive, group, merged.keys(), standIns) }));
+/** Whether the asset gets smaller by the stream. */
+function pays(primitives, streamBytes, contents) {
+  const plain = new Set();
+  let packed = streamBytes + VIEW_TEXT;
+  for (const primitive of primitives) {
+    for (const accessor of accessorsOf(primitive)) plain.add(contents.of(accessor));
+    packed += EXTENSION_TEXT;
+    for (const { semantic, target } of columnsOf(primitive))
+      if (semantic !== 'POSITION' || target !== null) packed += ATTRIBUTE_TEXT + semantic.length;
+  }
+  return packed < [...plain].reduce((sum, { bytes }) => sum + bytes.length + VIEW_TEXT, 0);
 }
 
-/** What is packed, by primitive. Meshes of the same arrays, as those of other materials are, share a stream. */
-export function packMeshes(document, context, encode) {
+/** What stands for the primitives, in their order; nothing where that would take more bytes. */
+function packTogether(primitives, document, context, { options, encode, contents }) {
+  const merged = new Merged(primitives, contents);
+  const mesh = merged.mesh(options);
+  const measure = (other, trial) => encode(other, trial).maxError;
+  const wanted = streamOptions(options, mesh, stretchOf(primitives, document.getGraph()), measure);
+  const { bytes, decoded } = encode(mesh, { ...wanted, keepUnreferenced: true });
+  if (!pays(primitives, bytes.length, contents)) return null;
+  const standIns = new StandIns(context, decoded);
+  return primitives.map((primitive, group) => ({ bytes, ...describe(primitive, group, merged, standIns) }));
+}
+
+/** What is packed, by primitive, as `options` ask. Meshes of equal arrays share a stream. `encode`: from a mesh and options to bytes. */
+export function packMeshes(document, context, options, encode) {
   const toPack = primitivesToPack(document);
+  const contents = new Contents();
   const packed = new Map();
   const streams = [];
   for (const mesh of document.getRoot().listMeshes()) {
     const primitives = mesh.listPrimitives().filter((primitive) => toPack.has(primitive) && !packed.has(primitive));
     if (primitives.length === 0) continue;
-    const key = primitives.flatMap((primitive) => [primitive.getIndices(), ...[...columnsOf(primitive)].flat()]);
+    const keyOf = (primitive) => [
+      primitive.getIndices() && contents.of(primitive.getIndices()),
+      ...columnsOf(primitive).flatMap(({ semantic, target, accessor }) => [semantic, target, contents.of(accessor)]),
+    ];
+    const key = primitives.flatMap(keyOf);
     let stream = streams.find((other) => other.key.length === key.length && other.key.every((one, i) => one === key[i]));
     if (!stream) {
-      stream = { key, parts: packTogether(primitives, context, encode) };
+      stream = { key, primitives, parts: packTogether(primitives, document, context, { options, encode, contents }) };
       streams.push(stream);
+      if (stream.parts === null) continue;
       const buffer = primitives[0].getAttribute('POSITION').getBuffer() ?? document.getRoot().listBuffers()[0];
       if (!context.otherBufferViews.has(buffer)) context.otherBufferViews.set(buffer, []);
       context.otherBufferViews.get(buffer).push(stream.parts[0].bytes);
     }
-    primitives.forEach((primitive, group) => packed.set(primitive, stream.parts[group]));
+    if (stream.parts === null) continue;
+    primitives.forEach((primitive, group) => {
+      packed.set(primitive, stream.parts[group]);
+      const others = accessorsOf(stream.primitives[group]);
+      accessorsOf(primitive).forEach((accessor, i) => context.accessorIndexMap.set(accessor, context.accessorIndexMap.get(others[i])));
+    });
   }
   return packed;
 }

@@ -18,6 +18,7 @@
 #include "io/gltf/attributes.h"
 #include "io/gltf/content/groups.h"
 #include "io/gltf/content/left_out.h"
+#include "io/gltf/content/texture_transform.h"
 #include "io/gltf/document.h"
 #include "io/gltf/scene.h"
 #include "io/gltf/structure.h"
@@ -89,6 +90,7 @@ class Assembly {
       if (primitive->mode == TriangleMode::kList && corners % 3 != 0)
         imported_.report.leave_out(LeftOutKind::kFaces, "of fewer than three corners");
       DELTAMESH_CHECK(reserve(corners_, corners));
+      imported_.report.uv_scale = std::max(imported_.report.uv_scale, uv_scale_of(document_.json, json));
       parts_.push_back({*primitive, set->second, groups_.number_of(json, placement.mesh)});
     }
     return {};

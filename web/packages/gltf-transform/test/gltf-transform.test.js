@@ -146,8 +146,8 @@ const WAYS = [
   ],
   [{ geometry: 'highpass', step: 0.01, anchorDensity: 4, keepOrder: true }, (info) => info.geometry === 'highpass' && info.keepsOrder],
   [
-    { keepUnreferenced: true, tangentError: 2, weightError: 0.01, attributeErrors: { '0/POSITION': 0.01 } },
-    ({ attributes }) => attributes.find(({ name }) => name === '0/POSITION').error <= 0.01,
+    { keepUnreferenced: true, tangentError: 2, weightError: 0.01, attributeErrors: { POSITION: 0.01 } },
+    ({ attributes }) => attributes.find(({ name }) => name === 'dPOSITION').error <= 0.01,
   ],
 ];
 
