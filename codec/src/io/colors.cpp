@@ -99,7 +99,8 @@ MeshView with_shown_colors(const MeshView& mesh, std::vector<Attribute>& kept, W
 }
 
 void settle_range(Attribute& color, ReadReport& report) {
-  if (color.kind != AttributeKind::kColor || color.type != ComponentType::kF32) return;
+  if (color.kind != AttributeKind::kColor || color.type != ComponentType::kF32 || color.values.empty())
+    return;
   constexpr float kBrightest = 16;
   std::vector<float> numbers(color.values.size() / sizeof(float));
   std::memcpy(numbers.data(), color.values.data(), color.values.size());
