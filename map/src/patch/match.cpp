@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "lattice/border_table.h"
+#include "lattice/positions.h"
 #include "patch/coder.h"
 #include "support/color_value.h"
 #include "support/open_edges.h"
