@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "live/mission.h"
 #include "live/run.h"
+#include "live/update_cost.h"
 #include "report/table.h"
 #include "report/text.h"
 #include "support/command_line.h"
@@ -24,6 +26,9 @@ struct Settings {
   std::vector<double> round_trips = {0.02, 0.3};
   std::uint32_t seeds = 3;
   double rate = 125'000;
+  std::uint32_t mission = 0;  ///< updates; 0: none
+  std::vector<std::uint64_t> update_costs;
+  std::vector<std::uint8_t> copy_levels = {0};
   bool checks = false;
 };
 
@@ -93,7 +98,48 @@ bool run_updates(const MapUpdates& updates, const Settings& settings) {
   return is_met;
 }
 
+/// Whether the bar is met: the update's median is at most kUpdateBar.
+bool print_update_costs(const Settings& settings) {
+  constexpr double kUpdateBar = 3;  // milliseconds
+  bool is_met = true;
+  print(table_head({"vertices", "blocks", "parts", "copies up to level", "update of all, ms",
+                    "of one block, median, ms", "largest, ms"}));
+  for (const std::uint64_t vertices : settings.update_costs) {
+    const MapUpdates map = value_or_exit(rooms_at_once(vertices));
+    for (const std::uint8_t level : settings.copy_levels) {
+      const UpdateCost cost = measure_update_cost(map, level);
+      print(table_row({number(cost.vertices), number(cost.blocks), number(cost.parts), number(level),
+                       fixed(cost.first, 0), fixed(cost.median, 2), fixed(cost.largest, 2)}));
+      is_met = is_met && cost.median <= kUpdateBar;
+    }
+  }
+  return is_met;
+}
+
+/// Whether the bars are met: memory and time of the last quarter beside the third.
+bool print_mission(const Settings& settings) {
+  constexpr double kMemoryBar = 1.05;
+  constexpr double kTimeBar = 1.5;  // processor time depends on what else runs
+  const MissionResult result = run_mission(value_or_exit(drive_updates(settings.vertices, settings.steps)),
+                                           {.updates = settings.mission});
+  print(table_head({"quarter of the updates", "MB", "ms an update", "kB an update"}));
+  for (std::size_t i = 0; i < result.quarters.size(); ++i) {
+    const MissionQuarter& quarter = result.quarters[i];
+    print(table_row({number(i + 1), fixed(quarter.megabytes, 2), fixed(quarter.milliseconds, 2),
+                     fixed(quarter.kilobytes, 2)}));
+  }
+  const MissionQuarter& third = result.quarters[2];
+  const MissionQuarter& last = result.quarters[3];
+  print(join({"last quarter over the third: memory ", fixed(last.megabytes / third.megabytes, 3), ", time ",
+              fixed(last.milliseconds / third.milliseconds, 3),
+              result.has_all ? "; all receivers have all\n" : "; NOT all receivers have all\n"}));
+  return result.has_all && last.megabytes <= kMemoryBar * third.megabytes &&
+         last.milliseconds <= kTimeBar * third.milliseconds;
+}
+
 int run(const Settings& settings) {
+  if (settings.mission > 0) return print_mission(settings) || !settings.checks ? 0 : 1;
+  if (!settings.update_costs.empty()) return print_update_costs(settings) || !settings.checks ? 0 : 1;
   print(table_head({"sequence", "round trip, ms", "loss, %", "longest freeze, s",
                     "time in freezes above 1 s, %", "kB an update", "over those without loss", "kB/s back",
                     "settled after, s"}));
@@ -122,6 +168,14 @@ int main(int argc, char** argv) {
   app.add_option("--rate", settings.rate, "Of the link, bytes per second")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
+  app.add_option("--mission", settings.mission,
+                 "Instead: memory and processor time over so many updates, with ten viewers");
+  app.add_option("--update-cost", settings.update_costs,
+                 "Instead: what an update of one block takes in rooms of so many vertices")
+      ->delimiter(',');
+  app.add_option("--copy-levels", settings.copy_levels, "Of coarser copies, with --update-cost")
+      ->delimiter(',')
+      ->capture_default_str();
   app.add_flag("--check", settings.checks, "Fail where a bar is missed");
   return parse_and_run(app, argc, argv, [&] { return run(settings); });
 }

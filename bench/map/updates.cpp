@@ -12,6 +12,8 @@
 #include "deltamesh/io.h"
 #include "drive.h"
 #include "report/text.h"
+#include "rooms.h"
+#include "scenes.h"
 #include "support/vertex_picker.h"
 
 namespace deltamesh::bench {
@@ -87,6 +89,18 @@ Result<MapUpdates> cut_wholes(const std::string& folder, const std::string& name
     before = std::move(blocks);
   }
   if (updates.steps.empty()) return Error{.code = ErrorCode::kFileOpen, .message = "no step_00.ply"};
+  return updates;
+}
+
+Result<MapUpdates> rooms_at_once(std::uint64_t vertices) {
+  auto mesh = generate_scene(Scene::kRooms, vertices, 1);
+  if (!mesh) return mesh.error();
+  const double voxel = scenes::plan_rooms(vertices).voxel;
+  MapUpdates updates{"rooms", voxel, kDriveBlockVoxels * voxel, mesh->origin, {}, {}};
+  SequenceStep& step = updates.steps.emplace_back();
+  for (auto& [id, block] : cut_in_blocks(*mesh, updates.block_metres))
+    step.changed.push_back({id, std::move(block)});
+  updates.wholes.push_back(*std::move(mesh));
   return updates;
 }
 

@@ -32,6 +32,9 @@ Result<MapUpdates> read_updates(const std::string& folder, const std::string& na
 Result<MapUpdates> cut_wholes(const std::string& folder, const std::string& name, double voxel,
                               int block_voxels);
 
+/// One update: all blocks of generated rooms.
+Result<MapUpdates> rooms_at_once(std::uint64_t vertices);
+
 /// A generated drive.
 Result<MapUpdates> drive_updates(std::uint64_t vertices, std::uint32_t steps);
 

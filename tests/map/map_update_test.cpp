@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <random>
 #include <set>
+#include <tuple>
 
 #include "deltamesh/map/join.h"
 #include "deltamesh/map/split.h"
@@ -162,6 +164,93 @@ TEST(MapUpdate, AnySequenceEndsWithWhatAFreshSplitterGives) {
       }
     }
   }
+}
+
+/// The border that each part has by definition.
+std::map<PartKey, std::set<std::tuple<std::array<float, 3>, LatticePoint, std::uint32_t>>> borders_of(
+    const Parts& parts, const MapLattice& lattice) {
+  const auto position_of = [](const Mesh& mesh, std::size_t v) {
+    return std::array{mesh.positions[3 * v], mesh.positions[3 * v + 1], mesh.positions[3 * v + 2]};
+  };
+  std::map<std::array<float, 3>, std::set<PartKey>> users;
+  for (const auto& [key, part] : parts)
+    for (std::size_t v = 0; v < part.mesh.vertex_count(); ++v) users[position_of(part.mesh, v)].insert(key);
+  std::erase_if(users, [](const auto& entry) { return entry.second.size() < 2; });
+  std::map<LatticePoint, std::uint32_t> twins;
+  std::map<PartKey, std::set<std::tuple<std::array<float, 3>, LatticePoint, std::uint32_t>>> borders;
+  for (const auto& [position, keys] : users) {  // positive coordinates: bits ascend as they do
+    const LatticePoint point = lattice.nearest(position);
+    const std::uint32_t twin = twins[point]++;
+    for (const PartKey& key : keys) borders[key].emplace(position, point, twin);
+  }
+  return borders;
+}
+
+TEST(MapUpdate, MAP8BordersAreThePositionsOfSeveralPartsWhateverTheBlocks) {
+  for (std::uint32_t seed = 0; seed < 12; ++seed) {
+    std::mt19937 random(seed);
+    MapDescription description{.cell_steps = 4};
+    description.lattice.step_exponent = seed % 2 == 0 ? -2 : 1;  // coarse: many positions at a point
+    auto splitter = Splitter::make(description, {10 + 8 * (seed % 3), static_cast<std::uint8_t>(seed % 5)});
+    ASSERT_TRUE(splitter);
+    Parts parts;
+    for (int step = 0; step < 15; ++step) {
+      // Triangles of a few positions, wherever the block is.
+      std::map<Cell, Mesh> meshes;
+      for (int i = 0; i < 4; ++i) {
+        Mesh& mesh = meshes[{static_cast<int>(random() % 4) - 1, static_cast<int>(random() % 4) - 1, 0}];
+        mesh = {};
+        const std::uint32_t corners = 3 * static_cast<std::uint32_t>(random() % 5);
+        for (std::uint32_t v = 0; v < corners; ++v) {
+          for (int k = 0; k < 3; ++k) mesh.positions.push_back(static_cast<float>(1 + random() % 4) / 2);
+          mesh.triangles.push_back(v);
+        }
+      }
+      std::vector<MapBlock> blocks;
+      for (const auto& [cell, mesh] : meshes) blocks.push_back({cell, mesh});
+      const auto change = splitter->update(blocks);
+      ASSERT_TRUE(change);
+      apply(*change, parts);
+      auto expected = borders_of(parts, description.lattice);
+      for (const auto& [key, part] : parts) {
+        std::set<std::tuple<std::array<float, 3>, LatticePoint, std::uint32_t>> own;
+        for (const BorderVertex& b : part.border) {
+          const float* p = part.mesh.positions.data() + 3 * std::size_t{b.vertex};
+          own.emplace(std::array{p[0], p[1], p[2]}, b.point, b.twin);
+        }
+        EXPECT_EQ(own, expected[key]) << seed << ' ' << step;
+      }
+    }
+  }
+}
+
+TEST(MapUpdate, PartsThatStayAsTheyAreAreNotTold) {
+  auto splitter = Splitter::make(unit_cells(), {.most_triangles = 8, .most_level = 3, .copy_level = 2});
+  ASSERT_TRUE(splitter);
+  std::mt19937 random(5);
+  Parts parts;
+  for (int step = 0; step < 40; ++step) {
+    std::map<Cell, Mesh> meshes;
+    for (int i = 0; i < 3; ++i) {
+      const int x = static_cast<int>(random() % 8) - 4;
+      const int y = static_cast<int>(random() % 8) - 4;
+      meshes[{x, y, 0}] =
+          random() % 5 == 0 ? Mesh() : square(x, y, {{{x, y}, static_cast<float>(random() % 4) / 8}});
+    }
+    std::vector<MapBlock> blocks;
+    for (const auto& [cell, mesh] : meshes) blocks.push_back({cell, mesh});
+    const auto change = splitter->update(blocks);
+    ASSERT_TRUE(change);
+    for (const ChangedPart& changed : change->changed) {
+      const auto known = parts.find(changed.part.key);
+      EXPECT_TRUE(known == parts.end() || known->second.mesh.positions != changed.part.mesh.positions ||
+                  known->second.mesh.triangles != changed.part.mesh.triangles ||
+                  known->second.border != changed.part.border ||
+                  changed.part.key.level > 0);  // a copy of what it may have been made of before
+    }
+    apply(*change, parts);
+  }
+  EXPECT_GT(parts.size(), 10U);
 }
 
 TEST(MapUpdate, AnErrorLeavesTheMapAsItWas) {

@@ -5,6 +5,7 @@
 #include <xxhash.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "base/byte_writer.h"
@@ -24,30 +25,40 @@ std::uint32_t hash_of(std::span<const SharedPoint> points) {
 }  // namespace
 
 void LinkTable::put(const MapPart& part) {
-  remove(part.key);
   std::vector<SharedPoint> points;
   for (const BorderVertex& vertex : part.border) points.push_back({vertex.point, vertex.twin});
   std::ranges::sort(points);
   points.erase(std::unique(points.begin(), points.end()), points.end());
-  for (const SharedPoint& shared : points) {
-    std::vector<PartKey>& users = users_[shared];
-    touched_.insert(users.begin(), users.end());
-    users.push_back(part.key);
-  }
+  set(part.key, points);
   borders_[part.key] = std::move(points);
 }
 
 void LinkTable::remove(const PartKey& key) {
+  set(key, {});
+  borders_.erase(key);
+}
+
+/// Only parts that have a point which comes or goes are touched.
+void LinkTable::set(const PartKey& key, const std::vector<SharedPoint>& points) {
   touched_.insert(key);
   const auto known = borders_.find(key);
-  if (known == borders_.end()) return;
-  for (const SharedPoint& shared : known->second) {
+  const std::vector<SharedPoint> before =
+      known == borders_.end() ? std::vector<SharedPoint>() : known->second;
+  std::vector<SharedPoint> different;
+  std::ranges::set_difference(before, points, std::back_inserter(different));
+  for (const SharedPoint& shared : different) {
     const auto users = users_.find(shared);
     std::erase(users->second, key);
     touched_.insert(users->second.begin(), users->second.end());
     if (users->second.empty()) users_.erase(users);
   }
-  borders_.erase(known);
+  different.clear();
+  std::ranges::set_difference(points, before, std::back_inserter(different));
+  for (const SharedPoint& shared : different) {
+    std::vector<PartKey>& users = users_[shared];
+    touched_.insert(users.begin(), users.end());
+    users.push_back(key);
+  }
 }
 
 std::vector<PartLink> LinkTable::links_of(const PartKey& key) const {

@@ -4,14 +4,18 @@
 // The links of a map's parts [MAP-12], kept as parts change.
 #pragma once
 
+#include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <set>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "deltamesh/map/part.h"
 #include "deltamesh/map/part_entry.h"
+#include "lattice/positions.h"
 
 namespace deltamesh {
 
@@ -22,9 +26,15 @@ struct SharedPoint {
   auto operator<=>(const SharedPoint&) const = default;
 };
 
+struct SharedPointHash {
+  std::size_t operator()(const SharedPoint& shared) const noexcept {
+    return PositionHash{}(shared.point) ^ shared.twin;
+  }
+};
+
 class LinkTable {
  public:
-  /// Puts a part in the place of the one with its key. O(b log n) for b border vertices.
+  /// Puts a part in the place of the one with its key. O(b log b) for b border vertices.
   void put(const MapPart& part);
   void remove(const PartKey& key);
 
@@ -34,8 +44,10 @@ class LinkTable {
   std::set<PartKey> take_touched();
 
  private:
+  void set(const PartKey& key, const std::vector<SharedPoint>& points);
+
   std::map<PartKey, std::vector<SharedPoint>> borders_;  ///< ascending, without duplicates
-  std::map<SharedPoint, std::vector<PartKey>> users_;
+  std::unordered_map<SharedPoint, std::vector<PartKey>, SharedPointHash> users_;
   std::set<PartKey> touched_;
 };
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "lattice/border_table.h"
+#include "lattice/positions.h"
 #include "patch/coder.h"
 #include "patch/row_lists.h"
 #include "support/color_value.h"
@@ -22,9 +22,9 @@ std::vector<std::uint8_t> shared_positions(const Mesh& mesh) {
   RowLists lists(mesh.vertex_count());
   for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
     const PositionBits bits = bits_of(mesh, v);
-    for (std::uint32_t u = lists.first(hash_of(bits)); u != kNoRow; u = lists.next(u))
+    for (std::uint32_t u = lists.first(row_hash(bits)); u != kNoRow; u = lists.next(u))
       if (bits_of(mesh, u) == bits) is_shared[u] = is_shared[v] = 1;
-    lists.add(hash_of(bits), v);
+    lists.add(row_hash(bits), v);
   }
   return is_shared;
 }
@@ -115,7 +115,7 @@ class Matcher {
     };
     const auto& theirs = base_.part.mesh.triangles;
     RowLists faces(theirs.size() / 3);
-    for (std::uint32_t f = 0; f < theirs.size() / 3; ++f) faces.add(hash_of(rotated(face_at(theirs, f))), f);
+    for (std::uint32_t f = 0; f < theirs.size() / 3; ++f) faces.add(row_hash(rotated(face_at(theirs, f))), f);
     std::vector<std::uint8_t> is_taken(theirs.size() / 3, 0);
     const auto& ours = source_.mesh.triangles;
     face_of_.assign(ours.size() / 3, kNotJoined);
@@ -124,7 +124,7 @@ class Matcher {
       for (std::uint32_t& v : face) v = base_of_[v];
       if (std::ranges::find(face, kNotJoined) != face.end()) continue;
       face = rotated(face);
-      std::uint32_t found = faces.first(hash_of(face));
+      std::uint32_t found = faces.first(row_hash(face));
       while (found != kNoRow && (is_taken[found] != 0 || rotated(face_at(theirs, found)) != face))
         found = faces.next(found);
       if (found == kNoRow) continue;

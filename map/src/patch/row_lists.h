@@ -19,7 +19,7 @@ namespace deltamesh {
 
 inline constexpr std::uint32_t kNoRow = std::numeric_limits<std::uint32_t>::max();
 
-inline std::uint64_t hash_of(const std::array<std::uint32_t, 3>& numbers) noexcept {
+inline std::uint64_t row_hash(const std::array<std::uint32_t, 3>& numbers) noexcept {
   std::uint64_t hash = 0;
   for (const std::uint32_t n : numbers) hash = (hash ^ n) * 0x9e3779b97f4a7c15U;
   return hash ^ hash >> 32;
@@ -57,7 +57,7 @@ class NearRows {
     for (std::uint32_t v = 0; v < positions.size() / 3; ++v) {
       std::array<std::uint32_t, 3> cell{};
       for (std::size_t k = 0; k < 3; ++k) cell[k] = step_of(double{positions_[3 * std::size_t{v} + k]});
-      cells_.add(hash_of(cell), v);
+      cells_.add(row_hash(cell), v);
     }
   }
 
@@ -69,7 +69,7 @@ class NearRows {
     for (unsigned corner = 0; corner < 8; ++corner) {
       std::array<std::uint32_t, 3> cell = low;
       for (std::size_t k = 0; k < 3; ++k) cell[k] += corner >> k & 1U;
-      for (std::uint32_t v = cells_.first(hash_of(cell)); v != kNoRow; v = cells_.next(v)) {
+      for (std::uint32_t v = cells_.first(row_hash(cell)); v != kNoRow; v = cells_.next(v)) {
         const double squared = squared_distance(place, positions_.data() + 3 * std::size_t{v});
         if (squared < least || (squared == least && v < best)) {
           least = squared;

@@ -194,10 +194,9 @@ bool Encodings::fits(const KnownVersion& version, const SourcePart& source, cons
   return match(source, quality_of(view), *version.encoding)->is_whole();
 }
 
-void Encodings::prune(const SourceMap& map) {
-  const auto is_gone = [&](const auto& entry) { return map.find(entry.first) == nullptr; };
-  std::erase_if(asked_, is_gone);
-  std::erase_if(matched_, is_gone);
+void Encodings::forget(const PartKey& key) {
+  asked_.erase(key);
+  matched_.erase(key);
 }
 
 }  // namespace deltamesh

@@ -62,8 +62,8 @@ class Encodings {
   /// Whether a version meets the view's bounds for the newest source, which may be newer.
   bool fits(const KnownVersion& version, const SourcePart& source, const View& view);
 
-  /// Forgets what is not of the newest source.
-  void prune(const SourceMap& map);
+  /// Of a part that is gone.
+  void forget(const PartKey& key);
 
   std::uint64_t encoded() const noexcept { return encoded_; }
 

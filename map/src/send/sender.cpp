@@ -77,7 +77,8 @@ void MapSender::resume(std::uint64_t revision, std::uint64_t group) noexcept {
 
 Result<void> MapSender::update(std::span<const MapBlock> blocks) noexcept {
   return guarded([&]() -> Result<void> {
-    DELTAMESH_CHECK(state_->map.update(blocks));
+    DELTAMESH_TRY(const std::vector<PartKey> gone, state_->map.update(blocks));
+    for (const PartKey& key : gone) state_->encodings.forget(key);
     state_->forget_versions();
     return {};
   });

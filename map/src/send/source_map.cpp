@@ -27,11 +27,13 @@ const SourcePart* SourceMap::find(const PartKey& key) const noexcept {
   return found == parts_.end() ? nullptr : &found->second;
 }
 
-Result<void> SourceMap::update(std::span<const MapBlock> blocks) {
+Result<std::vector<PartKey>> SourceMap::update(std::span<const MapBlock> blocks) {
   DELTAMESH_TRY(MapChange change, splitter_.update(blocks));
   std::set<PartKey> known_before;
   std::set<PartKey> changed;
+  std::vector<PartKey> gone;
   for (const RemovedPart& removed : change.removed) {
+    gone.push_back(removed.key);
     table_.remove(removed.key);
     known_before.insert(removed.key);
     parts_.erase(removed.key);
@@ -49,7 +51,7 @@ Result<void> SourceMap::update(std::span<const MapBlock> blocks) {
   for (const PartKey& key : touched)
     if (parts_.contains(key) && !changed.contains(key)) known_before.insert(key);
   relink(touched, changed, known_before);
-  return {};
+  return gone;
 }
 
 /// Gives new links to what was touched, and marks those whose border changed.

@@ -30,7 +30,8 @@ class SourceMap {
   explicit SourceMap(Splitter splitter) : splitter_(std::move(splitter)) {}
 
   void resume(std::uint64_t revision, std::uint64_t group) noexcept;
-  Result<void> update(std::span<const MapBlock> blocks);
+  /// Returns the parts that are gone.
+  Result<std::vector<PartKey>> update(std::span<const MapBlock> blocks);
 
   const std::map<PartKey, SourcePart>& parts() const noexcept { return parts_; }
   const SourcePart* find(const PartKey& key) const noexcept;

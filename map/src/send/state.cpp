@@ -3,8 +3,8 @@
 #include "send/state.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
-#include <set>
 #include <utility>
 
 #include "base/try.h"
@@ -13,15 +13,25 @@
 
 namespace deltamesh {
 
-/// Versions that no receiver has and that are not the newest.
+/// Versions that no receiver has and that are not the newest, of some parts: the next ones at each update, so
+/// that an update does not take longer the larger the map is.
 void MapSender::State::forget_versions() {
-  std::set<std::pair<PartKey, std::uint32_t>> used;
-  for (const auto& [number, viewer] : viewers)
-    for (const auto& [key, believed] : viewer.has) used.emplace(key, believed.version);
-  for (auto& [key, versions] : known)
-    std::erase_if(versions, [&, &k = key](const auto& entry) { return !used.contains({k, entry.first}); });
-  std::erase_if(known, [](const auto& entry) { return entry.second.empty(); });
-  encodings.prune(map);
+  constexpr std::size_t kPartsAtOnce = 256;
+  auto next = known.lower_bound(look_at_next);
+  for (std::size_t count = std::min(kPartsAtOnce, known.size()); count > 0; --count) {
+    if (next == known.end()) next = known.begin();
+    const PartKey key = next->first;
+    std::erase_if(next->second, [&](const auto& entry) { return !has_viewer(key, entry.first); });
+    next = next->second.empty() ? known.erase(next) : std::next(next);
+  }
+  look_at_next = next == known.end() ? PartKey{} : next->first;
+}
+
+bool MapSender::State::has_viewer(const PartKey& key, std::uint32_t version) const {
+  return std::ranges::any_of(viewers, [&](const auto& viewer) {
+    const auto has = viewer.second.has.find(key);
+    return has != viewer.second.has.end() && has->second.version == version;
+  });
 }
 
 /// What the receiver has, or that with a patch, or else the newest source as a whole.

@@ -32,10 +32,12 @@ struct MapSender::State {
   SourceMap map;
   Encodings encodings;
   KnownVersions known{};
+  PartKey look_at_next{};  ///< for versions to forget
   std::map<std::uint64_t, Viewer> viewers{};
   SenderCounts counts{};
 
   void forget_versions();
+  bool has_viewer(const PartKey& key, std::uint32_t version) const;
   Result<Viewer*> viewer_of(const ViewMessage& message, double now);
   Result<void> hear_receipt(std::span<const std::byte> bytes, double now);
   /// Plans and sends within the allowance.

@@ -2,83 +2,123 @@
 // Copyright 2026 The deltamesh authors
 #include "split/assemble.h"
 
+#include <xxhash.h>
+
 #include <algorithm>
+#include <bit>
 #include <cstddef>
-#include <string>
-#include <unordered_map>
+#include <cstring>
+#include <limits>
+#include <vector>
 
 namespace deltamesh {
 namespace {
 
-/// Position and attributes of a vertex, as bytes.
-std::string row_of(const Mesh& mesh, std::size_t vertex) {
-  const auto* position = reinterpret_cast<const char*>(mesh.positions.data() + 3 * vertex);
-  std::string row(position, 3 * sizeof(float));
-  for (const Attribute& attribute : mesh.attributes) {
-    const std::size_t size = attribute.components * component_size(attribute.type);
-    row.append(reinterpret_cast<const char*>(attribute.values.data()) + size * vertex, size);
-  }
-  return row;
-}
+constexpr std::uint32_t kNoNumber = std::numeric_limits<std::uint32_t>::max();
 
-/// Makes one mesh of several.
+/// Makes one mesh of several. Positions and attributes of a vertex are its row; a hash table with open
+/// addresses finds equal ones.
 class Assembly {
  public:
-  explicit Assembly(bool has_groups) : has_groups_(has_groups) {}
-
-  void add(const Mesh& block) {
-    if (mesh_.attributes.empty()) {
-      mesh_.origin = block.origin;
-      for (Attribute attribute : block.attributes) {
-        attribute.values.clear();
-        mesh_.attributes.push_back(std::move(attribute));
-      }
+  explicit Assembly(std::span<const StoredBlock* const> blocks) {
+    std::size_t vertices = 0;
+    for (const StoredBlock* block : blocks) {
+      vertices += block->mesh.vertex_count();
+      has_groups_ = has_groups_ || !block->mesh.face_groups.empty();
     }
+    places_.assign(std::bit_ceil(2 * vertices + 1), kNoNumber);
+    mesh_.origin = blocks.front()->mesh.origin;
+    for (const Attribute& from : blocks.front()->mesh.attributes) {
+      Attribute& attribute = mesh_.attributes.emplace_back(from);
+      attribute.values.clear();
+      sizes_.push_back(from.components * component_size(from.type));
+      row_size_ += sizes_.back();
+    }
+    for (const StoredBlock* block : blocks) add(block->mesh);
+    mesh_.positions.resize(3 * count_);
+    for (std::size_t i = 0; i < sizes_.size(); ++i) mesh_.attributes[i].values.resize(sizes_[i] * count_);
+    take_rows();
+  }
+  Mesh take() { return std::move(mesh_); }
+
+ private:
+  void add(const Mesh& block) {
     std::vector<std::uint32_t> numbers;
+    numbers.reserve(block.vertex_count());
     for (std::size_t v = 0; v < block.vertex_count(); ++v) numbers.push_back(number_of(block, v));
     for (const std::uint32_t v : block.triangles) mesh_.triangles.push_back(numbers[v]);
     if (!has_groups_) return;
     mesh_.face_groups.insert(mesh_.face_groups.end(), block.face_groups.begin(), block.face_groups.end());
     mesh_.face_groups.resize(mesh_.triangle_count(), 0);
   }
-  Mesh take() { return std::move(mesh_); }
 
- private:
   std::uint32_t number_of(const Mesh& block, std::size_t vertex) {
-    const auto next = static_cast<std::uint32_t>(mesh_.vertex_count());
-    const auto [found, is_new] = known_.try_emplace(row_of(block, vertex), next);
-    if (!is_new) return found->second;
-    const float* p = block.positions.data() + 3 * vertex;
-    mesh_.positions.insert(mesh_.positions.end(), p, p + 3);
-    for (std::size_t i = 0; i < mesh_.attributes.size(); ++i) {
-      const Attribute& from = block.attributes[i];
-      const std::size_t size = from.components * component_size(from.type);
-      const auto value = from.values.begin() + static_cast<std::ptrdiff_t>(size * vertex);
-      mesh_.attributes[i].values.insert(mesh_.attributes[i].values.end(), value,
-                                        value + static_cast<std::ptrdiff_t>(size));
+    rows_.resize((count_ + 1) * row_size_);
+    std::byte* const row = rows_.data() + count_ * row_size_;
+    std::byte* to = row;
+    std::memcpy(to, block.positions.data() + 3 * vertex, kPositionSize);
+    to += kPositionSize;
+    for (std::size_t i = 0; i < sizes_.size(); to += sizes_[i++])
+      std::memcpy(to, block.attributes[i].values.data() + sizes_[i] * vertex, sizes_[i]);
+    const std::size_t mask = places_.size() - 1;
+    for (std::size_t place = XXH3_64bits(row, row_size_) & mask;; place = (place + 1) & mask) {
+      std::uint32_t& number = places_[place];
+      if (number == kNoNumber) return number = count_++;
+      if (std::memcmp(rows_.data() + number * row_size_, row, row_size_) == 0) return number;
     }
-    return next;
   }
 
-  bool has_groups_;
+  void take_rows() {
+    for (std::size_t v = 0; v < count_; ++v) {
+      const std::byte* row = rows_.data() + v * row_size_;
+      std::memcpy(mesh_.positions.data() + 3 * v, row, kPositionSize);
+      row += kPositionSize;
+      for (std::size_t i = 0; i < sizes_.size(); row += sizes_[i++])
+        std::memcpy(mesh_.attributes[i].values.data() + sizes_[i] * v, row, sizes_[i]);
+    }
+  }
+
+  static constexpr std::size_t kPositionSize = 3 * sizeof(float);
+
+  bool has_groups_ = false;
   Mesh mesh_;
-  std::unordered_map<std::string, std::uint32_t> known_;
+  std::vector<std::size_t> sizes_;  ///< of every attribute, octets a vertex
+  std::size_t row_size_ = kPositionSize;
+  std::vector<std::byte> rows_;
+  std::uint32_t count_ = 0;
+  std::vector<std::uint32_t> places_;  ///< numbers of rows by hash
 };
+
+/// The vertices that have a position of the border.
+std::vector<BorderVertex> border_vertices(const Mesh& mesh, std::span<const BorderPosition> border) {
+  std::vector<BorderVertex> vertices;
+  if (border.empty()) return vertices;
+  std::vector<std::uint32_t> first(std::bit_ceil(2 * border.size()), kNoNumber);  // places of border by hash
+  const std::size_t mask = first.size() - 1;
+  for (std::uint32_t i = 0; i < border.size(); ++i) {
+    std::size_t place = PositionHash{}(border[i].position) & mask;
+    while (first[place] != kNoNumber) place = (place + 1) & mask;
+    first[place] = i;
+  }
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+    const PositionBits position = bits_of(mesh, v);
+    for (std::size_t place = PositionHash{}(position)&mask; first[place] != kNoNumber;
+         place = (place + 1) & mask) {
+      const BorderPosition& found = border[first[place]];
+      if (found.position != position) continue;
+      vertices.push_back({v, found.point, found.twin});
+      break;
+    }
+  }
+  return vertices;
+}
 
 }  // namespace
 
 MapPart assemble(const PartKey& key, std::span<const StoredBlock* const> blocks,
                  std::span<const BorderPosition> border) {
-  Assembly assembly(
-      std::ranges::any_of(blocks, [](const StoredBlock* block) { return !block->mesh.face_groups.empty(); }));
-  for (const StoredBlock* block : blocks) assembly.add(block->mesh);
-  MapPart part{key, assembly.take(), {}};
-  for (std::size_t v = 0; v < part.mesh.vertex_count(); ++v) {
-    const PositionBits position = bits_of(part.mesh, v);
-    const auto found = std::ranges::lower_bound(border, position, {}, &BorderPosition::position);
-    if (found != border.end() && found->position == position)
-      part.border.push_back({static_cast<std::uint32_t>(v), found->point, found->twin});
-  }
+  MapPart part{key, Assembly(blocks).take(), {}};
+  part.border = border_vertices(part.mesh, border);
   return part;
 }
 

@@ -3,6 +3,7 @@
 #include "split/copies.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <span>
@@ -20,51 +21,26 @@ constexpr double kErrorOfEdge = 1.0 / 64;
 /// Too many triangles are made fewer with twice the error, so many times.
 constexpr int kMostDoublings = 3;
 
+static_assert(sizeof(BorderPosition) == 28);  // nothing between members that has no value
+
 struct Sources {
   std::vector<const StoredBlock*> blocks;
   ContentHash hash;
 };
 
-/// The cell of level `level` that a part is in; a part of that level or above is where it is.
-PartKey cell_on(const PartKey& part, std::uint8_t level) noexcept {
-  return part.level < level ? ancestor(part, level) : part;
-}
-
-/// For every cell of `level` that holds parts of lower ones: the positions that faces outside of it have too.
-std::map<PartKey, std::vector<BorderPosition>> borders_on(const Layout& layout, std::uint8_t level) {
-  std::map<PartKey, std::vector<BorderPosition>> borders;
-  std::set<PartKey> cells;
-  for (auto first = layout.uses.begin(); first != layout.uses.end();) {
-    cells.clear();
-    auto use = first;
-    for (; use != layout.uses.end() && use->position == first->position; ++use)
-      cells.insert(cell_on(layout.parts[use->part].key, level));
-    if (cells.size() > 1)
-      for (const PartKey& cell : cells) borders[cell].push_back({first->position, first->point, first->twin});
-    first = use;
-  }
-  for (auto& [cell, border] : borders) std::ranges::sort(border);
-  return borders;
-}
-
-/// What the cells of a level are made from.
-std::map<PartKey, Sources> sources_on(std::uint8_t level, const Layout& layout, const Copies& copies) {
-  const auto below = static_cast<std::uint8_t>(level - 1);
-  std::map<PartKey, Sources> sources;
-  for (const auto& [key, copy] : copies) {
-    if (key.level != below) continue;
-    Sources& cell = sources[ancestor(key, level)];
-    cell.blocks.push_back(&copy.block);
-    cell.hash.add(std::span(&copy.block.hash, 1));
-  }
-  for (const LaidPart& part : layout.parts) {
-    if (part.key.level != below) continue;
-    Sources& cell = sources[ancestor(part.key, level)];
-    for (const StoredBlock* block : part.blocks) {
-      cell.blocks.push_back(block);
-      cell.hash.add(std::span(&block->hash, 1));
-    }
-  }
+/// What a copy is made from: the copies and the parts one level below.
+Sources sources_of(const PartKey& cell, const Layout& layout, const Copies& copies) {
+  Sources sources;
+  const auto add = [&](const StoredBlock& block) {
+    sources.blocks.push_back(&block);
+    sources.hash.add(std::span(&block.hash, 1));
+  };
+  const std::array<PartKey, 8> below = children_of(cell);
+  for (const PartKey& key : below)
+    if (const auto copy = copies.find(key); copy != copies.end()) add(copy->second.block);
+  for (const PartKey& key : below)
+    if (layout.parts().contains(key))
+      for (const StoredBlock* block : layout.blocks_in(key)) add(*block);
   return sources;
 }
 
@@ -86,26 +62,34 @@ Copy make_copy(const PartKey& key, const Sources& sources, std::vector<BorderPos
 
 }  // namespace
 
-Copies make_copies(const Layout& layout, const MapDescription& description, const SplitOptions& options,
-                   const Copies& known) {
-  Copies copies;
+CopyChange update_copies(const std::set<PartKey>& touched, const Layout& layout,
+                         const MapDescription& description, const SplitOptions& options, Copies& copies) {
+  CopyChange change;
   for (std::uint8_t level = 1; level <= options.copy_level; ++level) {
-    auto borders = borders_on(layout, level);
-    Copies made;
-    for (auto& [key, sources] : sources_on(level, layout, copies)) {
-      std::vector<BorderPosition>& border = borders[key];
+    std::set<PartKey> cells;
+    for (const PartKey& key : touched)
+      if (key.level < level) cells.insert(ancestor(key, level));
+    for (const PartKey& cell : cells) {
+      const auto known = copies.find(cell);
+      const bool was_part = known != copies.end() && known->second.is_part;
+      Sources sources = sources_of(cell, layout, copies);
+      if (sources.blocks.empty()) {
+        if (was_part) change.removed.insert(cell);
+        if (known != copies.end()) copies.erase(known);
+        continue;
+      }
+      std::vector<BorderPosition> border = layout.border_of(cell);
       sources.hash.add(std::span<const BorderPosition>(border));
       const std::uint64_t hash = sources.hash.digest();
-      const auto before = known.find(key);
-      Copy& copy = made[key];
-      copy = before != known.end() && before->second.hash == hash
-                 ? before->second
-                 : make_copy(key, sources, std::move(border), description, options);
+      if (known != copies.end() && known->second.hash == hash) continue;
+      Copy& copy = copies[cell];
+      copy = make_copy(cell, sources, std::move(border), description, options);
       copy.hash = hash;
+      if (copy.is_part) change.changed.insert(cell);
+      if (was_part && !copy.is_part) change.removed.insert(cell);
     }
-    copies.merge(made);
   }
-  return copies;
+  return change;
 }
 
 MapPart part_of(const PartKey& key, const Copy& copy) {

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <vector>
 
 #include "split/layout.h"
@@ -23,10 +24,16 @@ struct Copy {
 /// By key.
 using Copies = std::map<PartKey, Copy>;
 
-/// Makes the coarser copies of the layout's parts, on levels 1 to options.copy_level. A copy is taken from
-/// `known` if its sources have not changed. Cost per level: a simplification of the level below.
-Copies make_copies(const Layout& layout, const MapDescription& description, const SplitOptions& options,
-                   const Copies& known);
+struct CopyChange {
+  std::set<PartKey> changed;  ///< new copies that are parts, and those that are not as before
+  std::set<PartKey> removed;  ///< copies that were parts
+};
+
+/// Makes the coarser copies above these parts anew, on levels 1 to options.copy_level; those whose sources
+/// have not changed stay. `touched`: of the layout's last changes. Cost per level: a simplification of what
+/// is in their cells one level below.
+CopyChange update_copies(const std::set<PartKey>& touched, const Layout& layout,
+                         const MapDescription& description, const SplitOptions& options, Copies& copies);
 
 /// A copy that is a part. Precondition: is_part.
 MapPart part_of(const PartKey& key, const Copy& copy);

@@ -2,48 +2,125 @@
 // Copyright 2026 The deltamesh authors
 #include "split/layout.h"
 
+#include <algorithm>
 #include <span>
 #include <utility>
 
-#include "split/octree.h"
-#include "support/content_hash.h"
+#include "split/assemble.h"
 
 namespace deltamesh {
-namespace {
 
-std::uint64_t hash_of_part(const LaidPart& part) {
-  static_assert(sizeof(BorderPosition) == 28);  // nothing between members that has no value
-  ContentHash hash;
-  for (const StoredBlock* block : part.blocks) hash.add(std::span(&block->hash, 1));
-  hash.add(std::span<const BorderPosition>(part.border));
-  return hash.digest();
+void Layout::leave_out_known(StoredBlocks& blocks) const {
+  std::erase_if(blocks, [&](const auto& entry) {
+    const auto known = blocks_.find(entry.first);
+    if (known == blocks_.end()) return entry.second.mesh.triangles.empty();
+    return known->second.block.hash == entry.second.hash;
+  });
 }
 
-}  // namespace
-
-Layout lay_out(const StoredBlocks& blocks, const MapDescription& description, const SplitOptions& options) {
-  BlockLists lists;
-  for (const auto& [cell, key] :
-       parts_of_cells(triangle_counts(blocks), options.most_triangles, options.most_level))
-    lists[key].push_back(&blocks.at(cell));
-  return lay_out(lists, description);
+/// Parts that the blocks replace, split or join, once the octree has counted them.
+std::set<PartKey> Layout::parts_before(const StoredBlocks& blocks) const {
+  std::set<PartKey> parts;
+  std::set<PartKey> places;
+  for (const auto& [cell, block] : blocks) {
+    for (std::uint8_t level = 0; level <= size_.most_level; ++level)
+      if (const PartKey above = ancestor(key_of(cell), level); parts_.contains(above)) parts.insert(above);
+    places.insert(octree_.part_of(cell, size_));
+  }
+  std::vector<Cell0> cells;
+  for (const PartKey& place : places) octree_.add_cells_in(place, cells);
+  for (const Cell0& cell : cells)
+    if (const auto known = blocks_.find(cell); known != blocks_.end()) parts.insert(known->second.part);
+  return parts;
 }
 
-Layout lay_out(const BlockLists& lists, const MapDescription& description) {
-  Layout layout;
-  BorderTable table(description.lattice);
-  for (const auto& [key, list] : lists) {
-    const auto number = static_cast<std::uint32_t>(layout.parts.size());
-    for (const StoredBlock* block : list) table.add(block->mesh, number);
-    layout.parts.push_back({key, list, {}, 0});
+/// The cells that have blocks after an update and are in these parts, or new.
+std::set<Cell0> Layout::cells_of(const std::set<PartKey>& parts, const StoredBlocks& blocks) const {
+  std::vector<Cell0> cells;
+  for (const PartKey& part : parts) octree_.add_cells_in(part, cells);
+  for (const auto& [cell, block] : blocks)
+    if (!block.mesh.triangles.empty()) cells.push_back(cell);
+  return {cells.begin(), cells.end()};
+}
+
+void Layout::replace(StoredBlocks blocks) {
+  for (auto& [cell, block] : blocks) {
+    const auto known = blocks_.find(cell);
+    if (known != blocks_.end()) borders_.remove(known->second);
+    if (block.mesh.triangles.empty()) {
+      blocks_.erase(known);
+      continue;
+    }
+    PlacedBlock& placed = known != blocks_.end() ? known->second : blocks_[cell];
+    placed.block = std::move(block);
+    borders_.add(placed);
   }
-  layout.uses = table.finish();
-  auto borders = borders_of_parts(layout.uses, layout.parts.size());
-  for (std::size_t i = 0; i < layout.parts.size(); ++i) {
-    layout.parts[i].border = std::move(borders[i]);
-    layout.parts[i].hash = hash_of_part(layout.parts[i]);
+}
+
+LayoutChange Layout::update(StoredBlocks blocks) {
+  LayoutChange change;
+  leave_out_known(blocks);
+  std::vector<const Mesh*> meshes;  // whose positions may be on other borders than before
+  for (const auto& [cell, block] : blocks) {
+    if (const auto known = blocks_.find(cell); known != blocks_.end()) {
+      octree_.remove(cell, known->second.block.mesh.triangle_count());
+      meshes.push_back(&known->second.block.mesh);
+    }
+    octree_.add(cell, block.mesh.triangle_count());
+    meshes.push_back(&block.mesh);
   }
-  return layout;
+  const std::set<PartKey> before = parts_before(blocks);
+  std::map<Cell0, PartKey> places;
+  for (const Cell0& cell : cells_of(before, blocks)) {
+    places[cell] = octree_.part_of(cell, size_);
+    change.changed.insert(places[cell]);
+    const auto known = blocks_.find(cell);
+    if (known != blocks_.end() && known->second.part != places[cell] && !blocks.contains(cell))
+      meshes.push_back(&known->second.block.mesh);
+  }
+  std::ranges::set_difference(before, change.changed, std::inserter(change.removed, change.removed.end()));
+
+  const std::vector<LatticePoint> points = points_of(meshes, lattice_);
+  const std::vector<BorderUse> uses = borders_.at(points);
+  replace(std::move(blocks));
+  for (const auto& [cell, part] : places) blocks_.at(cell).part = part;
+  BorderChange borders = borders_.change(uses, borders_.at(points));
+
+  for (const PartKey& key : change.removed) parts_.erase(key);
+  parts_.insert(change.changed.begin(), change.changed.end());
+  for (const PartKey& key : borders.changed)
+    if (parts_.contains(key)) change.changed.insert(key);
+  change.touched = std::move(borders.touched);
+  change.touched.insert(change.changed.begin(), change.changed.end());
+  change.touched.insert(change.removed.begin(), change.removed.end());
+  change.pairs = std::move(borders.pairs);
+  return change;
+}
+
+std::vector<const StoredBlock*> Layout::blocks_in(const PartKey& key) const {
+  std::vector<Cell0> cells;
+  octree_.add_cells_in(key, cells);
+  std::ranges::sort(cells);
+  std::vector<const StoredBlock*> blocks;
+  for (const Cell0& cell : cells) blocks.push_back(&blocks_.at(cell).block);
+  return blocks;
+}
+
+MapPart Layout::part(const PartKey& key) const { return assemble(key, blocks_in(key), borders_.of(key)); }
+
+std::vector<BorderPosition> Layout::border_of(const PartKey& cell) const {
+  std::vector<Cell0> cells;
+  octree_.add_cells_in(cell, cells);
+  std::set<PartKey> parts;
+  for (const Cell0& c : cells) parts.insert(blocks_.at(c).part);
+  std::vector<BorderPosition> border;
+  for (const PartKey& part : parts) {
+    const std::vector<BorderPosition> own = borders_.outside(part, cell);
+    border.insert(border.end(), own.begin(), own.end());
+  }
+  std::ranges::sort(border);
+  border.erase(std::unique(border.begin(), border.end()), border.end());
+  return border;
 }
 
 }  // namespace deltamesh

@@ -4,31 +4,52 @@
 
 namespace deltamesh {
 
-TriangleCounts triangle_counts(const StoredBlocks& blocks) {
-  TriangleCounts counts;
-  for (const auto& [cell, block] : blocks) counts[cell] = block.mesh.triangle_count();
-  return counts;
+void Octree::add(const Cell0& cell, std::uint64_t triangles) {
+  if (triangles == 0) return;
+  for (std::uint8_t level = 0; level <= kMostPartLevel; ++level)
+    triangles_[ancestor(key_of(cell), level)] += triangles;
 }
 
-std::map<Cell0, PartKey> parts_of_cells(const TriangleCounts& cells, std::uint64_t most_triangles,
-                                        std::uint8_t most_level) {
-  std::map<Cell0, PartKey> parts;
-  TriangleCounts counts;  // of the cells of a level that may still be parts
-  for (const auto& [cell, count] : cells) parts[cell] = {0, cell[0], cell[1], cell[2]};
-  for (std::uint8_t level = 1; level <= most_level; ++level) {
-    counts.clear();
-    for (const auto& [cell, count] : cells)
-      counts[{cell[0] >> level, cell[1] >> level, cell[2] >> level}] += count;
-    bool any = false;
-    for (auto& [cell, key] : parts) {
-      const Cell0 above{cell[0] >> level, cell[1] >> level, cell[2] >> level};
-      if (counts[above] > most_triangles) continue;
-      key = {level, above[0], above[1], above[2]};
-      any = true;
-    }
-    if (!any) break;  // what holds too much holds it on all levels above
+void Octree::remove(const Cell0& cell, std::uint64_t triangles) {
+  if (triangles == 0) return;
+  for (std::uint8_t level = 0; level <= kMostPartLevel; ++level) {
+    const auto found = triangles_.find(ancestor(key_of(cell), level));
+    found->second -= triangles;
+    if (found->second == 0) triangles_.erase(found);
   }
-  return parts;
+}
+
+std::uint64_t Octree::triangles_in(const PartKey& key) const {
+  const auto found = triangles_.find(key);
+  return found == triangles_.end() ? 0 : found->second;
+}
+
+PartKey Octree::part_of(const Cell0& cell, const PartSize& size) const {
+  PartKey key = key_of(cell);
+  while (key.level < size.most_level) {  // what holds too much holds it on all levels above
+    const PartKey above = ancestor(key, static_cast<std::uint8_t>(key.level + 1));
+    if (triangles_in(above) > size.most_triangles) break;
+    key = above;
+  }
+  return key;
+}
+
+void Octree::add_cells_in(const PartKey& key, std::vector<Cell0>& cells) const {
+  if (!triangles_.contains(key)) return;
+  if (key.level == 0) {
+    cells.push_back({key.x, key.y, key.z});
+    return;
+  }
+  for (const PartKey& child : children_of(key)) add_cells_in(child, cells);
+}
+
+std::map<Cell0, std::uint64_t> Octree::cells() const {
+  std::map<Cell0, std::uint64_t> cells;
+  for (const auto& [key, count] : triangles_) {
+    if (key.level > 0) break;
+    cells[{key.x, key.y, key.z}] = count;
+  }
+  return cells;
 }
 
 }  // namespace deltamesh

@@ -10,7 +10,7 @@
 #include <map>
 #include <utility>
 
-#include "lattice/border_table.h"
+#include "lattice/positions.h"
 #include "split/assemble.h"
 #include "support/row_gather.h"
 

@@ -6,7 +6,6 @@
 
 #include "base/guard.h"
 #include "base/try.h"
-#include "split/assemble.h"
 #include "split/copies.h"
 #include "split/layout.h"
 #include "split/options.h"
@@ -20,11 +19,13 @@ Result<std::vector<MapPart>> split(const MeshView& mesh, const MapDescription& d
     DELTAMESH_CHECK(validate(description));
     DELTAMESH_CHECK(check_options(options));
     DELTAMESH_TRY(const Mesh moved, to_map(mesh, description));
-    const StoredBlocks blocks = blocks_of(moved, description);
-    const Layout layout = lay_out(blocks, description, options);
+    Layout layout(description, options);
+    const LayoutChange change = layout.update(blocks_of(moved, description));
+    Copies copies;
+    update_copies(change.touched, layout, description, options, copies);
     std::vector<MapPart> parts;
-    for (const LaidPart& part : layout.parts) parts.push_back(assemble(part.key, part.blocks, part.border));
-    for (const auto& [key, copy] : make_copies(layout, description, options, {}))
+    for (const PartKey& key : layout.parts()) parts.push_back(layout.part(key));
+    for (const auto& [key, copy] : copies)
       if (copy.is_part) parts.push_back(part_of(key, copy));
     std::ranges::sort(parts, {}, &MapPart::key);
     return parts;

@@ -2,14 +2,12 @@
 // Copyright 2026 The deltamesh authors
 #include <algorithm>
 #include <cstdio>
-#include <map>
 #include <set>
 #include <utility>
 
 #include "base/guard.h"
 #include "base/try.h"
 #include "deltamesh/map/split.h"
-#include "split/assemble.h"
 #include "split/border_groups.h"
 #include "split/copies.h"
 #include "split/layout.h"
@@ -19,12 +17,13 @@
 namespace deltamesh {
 
 struct Splitter::State {
+  State(MapDescription d, const SplitOptions& o)
+      : description(std::move(d)), options(o), layout(description, o) {}
+
   MapDescription description;
   SplitOptions options;
-  StoredBlocks blocks;
-  std::vector<KnownPart> parts;  ///< as they were told last
-  Copies copies;
-  SharedBorders borders;  ///< of these
+  Layout layout;
+  Copies copies{};
   std::uint64_t revision = 0;
   std::uint64_t next_group = 0;
 };
@@ -38,20 +37,17 @@ Error at_block(Error error, const MapBlock& block) {
   return error;
 }
 
-/// `blocks` after the update.
-Result<StoredBlocks> updated(StoredBlocks blocks, std::span<const MapBlock> update,
-                             const MapDescription& description) {
-  std::set<Cell0> seen;
+/// By cell; those without triangles are to go.
+Result<StoredBlocks> checked(std::span<const MapBlock> update, const MapDescription& description) {
+  StoredBlocks blocks;
   for (const MapBlock& block : update) {
-    if (!seen.insert(block.cell).second)
+    const auto [place, is_new] = blocks.try_emplace(block.cell);
+    if (!is_new)
       return at_block({.code = ErrorCode::kInvalidArgument, .message = "an update has a cell twice"}, block);
-    if (block.mesh.triangles.empty()) {
-      blocks.erase(block.cell);
-      continue;
-    }
+    if (block.mesh.triangles.empty()) continue;
     auto mesh = to_map(block.mesh, description);
     if (!mesh) return at_block(mesh.error(), block);
-    blocks[block.cell] = store_block(*std::move(mesh));
+    place->second = store_block(*std::move(mesh));
   }
   return blocks;
 }
@@ -67,10 +63,7 @@ Result<Splitter> Splitter::make(MapDescription description, const SplitOptions& 
   return guarded([&]() -> Result<Splitter> {
     DELTAMESH_CHECK(validate(description));
     DELTAMESH_CHECK(check_options(options));
-    auto state = std::make_unique<State>();
-    state->description = std::move(description);
-    state->options = options;
-    return Splitter(std::move(state));
+    return Splitter(std::make_unique<State>(std::move(description), options));
   });
 }
 
@@ -84,34 +77,27 @@ std::uint64_t Splitter::revision() const noexcept { return state_->revision; }
 Result<MapChange> Splitter::update(std::span<const MapBlock> update) noexcept {
   return guarded([&]() -> Result<MapChange> {
     State& state = *state_;
-    DELTAMESH_TRY(StoredBlocks blocks, updated(state.blocks, update, state.description));
-    const Layout layout = lay_out(blocks, state.description, state.options);
-    Copies copies = make_copies(layout, state.description, state.options, state.copies);
-    std::vector<KnownPart> parts;
-    for (const LaidPart& part : layout.parts) parts.push_back({part.key, part.hash});
-    for (const auto& [key, copy] : copies)
-      if (copy.is_part) parts.push_back({key, copy.hash});
-    std::ranges::sort(parts, {}, &KnownPart::key);
-    SharedBorders borders = shared_borders(layout);
-    const PartDifference difference = compare_parts(state.parts, parts);
-    const GroupNumbers groups = group_changes(difference, state.borders, borders, state.next_group);
+    DELTAMESH_TRY(StoredBlocks blocks, checked(update, state.description));
+    const LayoutChange laid = state.layout.update(std::move(blocks));
+    const CopyChange copied =
+        update_copies(laid.touched, state.layout, state.description, state.options, state.copies);
+
+    std::set<PartKey> changed = laid.changed;
+    changed.insert(copied.changed.begin(), copied.changed.end());
+    std::set<PartKey> removed = laid.removed;
+    removed.insert(copied.removed.begin(), copied.removed.end());
+    for (const PartKey& key : changed) removed.erase(key);  // copies become parts, and parts copies
+    const GroupNumbers groups = group_changes(changed, removed, laid.pairs, state.next_group);
 
     MapChange change;
-    const std::uint64_t revision = state.revision + 1;
-    for (const LaidPart& part : layout.parts)
-      if (const auto group = groups.numbers.find(part.key); difference.changed.contains(part.key))
-        change.changed.push_back({revision, group->second, assemble(part.key, part.blocks, part.border)});
-    for (const auto& [key, copy] : copies)
-      if (copy.is_part && difference.changed.contains(key))
-        change.changed.push_back({revision, groups.numbers.at(key), part_of(key, copy)});
-    std::ranges::sort(change.changed, {}, [](const ChangedPart& changed) { return changed.part.key; });
-    for (const PartKey& key : difference.removed)
-      change.removed.push_back({key, revision, groups.numbers.at(key)});
-    state.blocks = std::move(blocks);
-    state.parts = std::move(parts);
-    state.copies = std::move(copies);
-    state.borders = std::move(borders);
-    state.revision = revision;
+    const std::uint64_t revision = ++state.revision;
+    for (const PartKey& key : changed) {
+      const auto copy = state.copies.find(key);
+      change.changed.push_back(
+          {revision, groups.numbers.at(key),
+           copy == state.copies.end() ? state.layout.part(key) : part_of(key, copy->second)});
+    }
+    for (const PartKey& key : removed) change.removed.push_back({key, revision, groups.numbers.at(key)});
     state.next_group = groups.next;
     return change;
   });

@@ -49,7 +49,7 @@ struct TilePlanner::State {
   std::uint64_t tile_triangles = 0;
   MapDescription description{};
   std::vector<MeshReach> reaches{};  ///< of every mesh
-  TriangleCounts counts{};
+  Octree octree{};
 
   /// Faces in the tile come from meshes that touch it, and reach out of it by no more than they are long;
   /// what has positions at the same lattice points touches that.
@@ -100,7 +100,7 @@ Result<void> TilePlanner::add(const MeshView& mesh) noexcept {
     }
     DELTAMESH_TRY(const Mesh moved, to_map(mesh, description));
     for (const auto& [cell, block] : blocks_of(moved, description))
-      state.counts[cell] += block.mesh.triangle_count();
+      state.octree.add(cell, block.mesh.triangle_count());
     state.description = std::move(description);
     state.reaches.push_back(reach_of(moved));
     return {};
@@ -112,14 +112,15 @@ Result<TilePlan> TilePlanner::plan() const noexcept {
     const State& state = *state_;
     if (state.reaches.empty()) return invalid_argument("no meshes to plan tiles of");
     TilePlan plan{.description = state.description, .quality = state.settings.quality};
-    for (const auto& [cell, key] :
-         parts_of_cells(state.counts, state.settings.most_triangles, kLevelsOfParts))
-      plan.parts.push_back(key);
+    const PartSize part{state.settings.most_triangles, kLevelsOfParts};
+    const PartSize tile{state.tile_triangles, kMostPartLevel};
+    std::map<PartKey, std::uint64_t> triangles;  // of tiles
+    for (const auto& [cell, count] : state.octree.cells()) {
+      plan.parts.push_back(state.octree.part_of(cell, part));
+      triangles[state.octree.part_of(cell, tile)] += count;
+    }
     std::ranges::sort(plan.parts);
     plan.parts.erase(std::unique(plan.parts.begin(), plan.parts.end()), plan.parts.end());
-    std::map<PartKey, std::uint64_t> triangles;
-    for (const auto& [cell, key] : parts_of_cells(state.counts, state.tile_triangles, kMostPartLevel))
-      triangles[key] += state.counts.at(cell);
     for (const auto& [cell, count] : triangles) plan.tiles.push_back({cell, count, state.meshes_of(cell)});
     return plan;
   });

@@ -10,7 +10,7 @@
 #include "base/try.h"
 #include "part/link_table.h"
 #include "split/assemble.h"
-#include "split/layout.h"
+#include "split/borders.h"
 #include "split/stored_block.h"
 #include "support/errors.h"
 #include "whole/coded_parts.h"
@@ -31,11 +31,23 @@ const PartKey* find_part(const TilePlan& plan, const Cell0& cell) noexcept {
 }
 
 /// A part that is not of the tile: its border alone.
-MapPart neighbour(const LaidPart& part) {
-  MapPart border{part.key, {}, {}};
-  for (const BorderPosition& position : part.border)
+MapPart neighbour(const PartKey& key, const std::vector<BorderPosition>& positions) {
+  MapPart border{key, {}, {}};
+  for (const BorderPosition& position : positions)
     border.border.push_back({0, position.point, position.twin});
   return border;
+}
+
+/// The borders of parts of these blocks.
+Borders borders_between(const std::vector<PlacedBlock>& blocks, const MapLattice& lattice) {
+  Borders borders(lattice);
+  std::vector<const Mesh*> meshes;
+  for (const PlacedBlock& block : blocks) {
+    borders.add(block);
+    meshes.push_back(&block.block.mesh);
+  }
+  borders.change({}, borders.at(points_of(meshes, lattice)));
+  return borders;
 }
 
 }  // namespace
@@ -43,34 +55,30 @@ MapPart neighbour(const LaidPart& part) {
 Result<std::vector<TilePart>> split_tile(const TilePlan& plan, const Tile& tile,
                                          std::span<const MeshView> meshes) noexcept {
   return guarded([&]() -> Result<std::vector<TilePart>> {
-    std::vector<StoredBlocks> blocks;
+    std::vector<PlacedBlock> blocks;
+    std::map<PartKey, std::map<Cell0, std::vector<std::size_t>>> places;
     for (const MeshView& mesh : meshes) {
       DELTAMESH_TRY(const Mesh moved, to_map(mesh, plan.description));
-      blocks.push_back(blocks_of(moved, plan.description));
-    }
-    std::map<std::pair<PartKey, Cell0>, std::vector<const StoredBlock*>> by_cell;
-    for (const StoredBlocks& some : blocks) {
-      for (const auto& [cell, block] : some) {
+      for (auto& [cell, block] : blocks_of(moved, plan.description)) {
         const PartKey* key = find_part(plan, cell);
         if (key == nullptr) return invalid_argument("meshes are not those that tiles were planned with");
-        by_cell[{*key, cell}].push_back(&block);
+        places[*key][cell].push_back(blocks.size());
+        blocks.push_back({std::move(block), *key});
       }
     }
-    BlockLists lists;
-    for (const auto& [place, some] : by_cell) {
-      auto& list = lists[place.first];
-      list.insert(list.end(), some.begin(), some.end());
-    }
-    const Layout layout = lay_out(lists, plan.description);
+    const Borders borders = borders_between(blocks, plan.description.lattice);
     LinkTable table;
     std::vector<TilePart> parts;
-    for (const LaidPart& part : layout.parts) {
-      if (overlap(part.key, tile.cell)) {
-        parts.push_back({assemble(part.key, part.blocks, part.border), {}});
-        table.put(parts.back().part);
-      } else {
-        table.put(neighbour(part));
+    for (const auto& [key, cells] : places) {
+      if (!overlap(key, tile.cell)) {
+        table.put(neighbour(key, borders.of(key)));
+        continue;
       }
+      std::vector<const StoredBlock*> list;
+      for (const auto& [cell, some] : cells)
+        for (const std::size_t i : some) list.push_back(&blocks[i].block);
+      parts.push_back({assemble(key, list, borders.of(key)), {}});
+      table.put(parts.back().part);
     }
     for (TilePart& part : parts) part.links = table.links_of(part.part.key);
     return parts;

@@ -51,8 +51,8 @@ class MapSender {
   /// Continues a map that had `revision` updates and used the group numbers below `group`.
   void resume(std::uint64_t revision, std::uint64_t group) noexcept;
 
-  /// One update of the source, as Splitter::update(). On an error nothing has changed; Error::found names the
-  /// block at fault.
+  /// One update of the source, as Splitter::update(), also in its errors and its cost; parts with the same
+  /// borders get new links.
   Result<void> update(std::span<const MapBlock> blocks) noexcept;
 
   /// Takes a message of a receiver: a view or a receipt. Receipts of unknown viewers have no effect. Errors:

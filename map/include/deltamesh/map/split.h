@@ -67,8 +67,10 @@ class Splitter {
   void resume(std::uint64_t revision, std::uint64_t group) noexcept;
 
   /// One update: all blocks at once, each cell at most once. The parts after it are those that a fresh
-  /// splitter makes of all blocks; `changed` has only those whose mesh or border is not as before. On an
-  /// error nothing has changed. Errors: as split(); Error::found is the cell of the block at fault.
+  /// splitter makes of all blocks; `changed` has only those whose mesh or border is not as before. Takes time
+  /// in proportion to the blocks' parts and those with a changed border, not to the map. On an error nothing
+  /// has changed, but after kOutOfMemory the source is undefined. Errors: as split(); Error::found is the
+  /// cell of the block at fault.
   Result<MapChange> update(std::span<const MapBlock> blocks) noexcept;
 
   std::uint64_t revision() const noexcept;
