@@ -9,9 +9,9 @@ import { Superseded } from './latest-job.js';
 import { formatSize } from './units.js';
 
 /** Without WebGL the page works, but for pictures, and says so. */
-function makeStage(find) {
+async function makeStage(find) {
   try {
-    return new Stage(find('canvas'));
+    return await Stage.open(find('canvas'));
   } catch {
     find('no-picture').hidden = false;
     return new NoStage();
@@ -28,10 +28,14 @@ export class Picture {
   #up = 'z';
   #hasMaterials = false;
 
-  constructor(find, workshop) {
+  static async open(find, workshop) {
+    return new Picture(find, workshop, await makeStage(find));
+  }
+
+  constructor(find, workshop, stage) {
     this.#find = find;
     this.#workshop = workshop;
-    this.#stage = makeStage(find);
+    this.#stage = stage;
     const theme = () => this.#stage.setBackground(getComputedStyle(find('stage')).backgroundColor);
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', theme);
     theme();
@@ -57,9 +61,19 @@ export class Picture {
     if (materials) this.show(this.#settings);
   }
 
-  setResult(display, errors) {
-    this.#errors = errors;
+  setResult(display) {
+    this.#errors = null;
     this.#stage.result.setDisplay(display, this.#stage.diagonal / 2);
+  }
+
+  /** Of the result, by vertices. */
+  setErrors(errors) {
+    this.#errors = errors;
+  }
+
+  /** When what is set is seen, or a second later. */
+  whenSeen() {
+    return Promise.race([this.#stage.whenDrawn(), new Promise((resolve) => setTimeout(resolve, 1000))]);
   }
 
   forgetResult() {
@@ -90,7 +104,7 @@ export class Picture {
     this.#find('stage').dataset.view = view;
     for (const which of ['original', 'result']) this.#shade(which, shading);
     this.#showHeat(color);
-    this.#stage.draw();
+    this.#stage.drawNew();
   }
 
   #shade(which, shading) {
@@ -115,7 +129,7 @@ export class Picture {
       surface.setWires(edges);
       surface.showWires(this.#settings.shading === 'wire');
       this.#tellWires();
-      this.#stage.draw();
+      this.#stage.drawNew();
     } catch (error) {
       if (!(error instanceof Superseded)) throw error;
     }

@@ -64,6 +64,9 @@ export const DEFAULTS = {
 /** A change of these needs another stream. */
 export const ENCODING = ['preset', ...BOUNDS.map(({ id }) => id), 'geometry', 'effort'];
 
+/** Whether streams that are made beforehand are what is asked for. */
+export const asPrepared = (settings) => ENCODING.every((key) => settings[key] === DEFAULTS[key]);
+
 const isBound = (key) => BOUNDS.some(({ id }) => id === key);
 
 /** For the link: what differs from the defaults; of a preset its name alone. */

@@ -8,12 +8,9 @@ import { WebIO } from '@gltf-transform/core';
 import { ALL_EXTENSIONS, EXTMeshoptCompression } from '@gltf-transform/extensions';
 import { MeshoptDecoder } from 'meshoptimizer/decoder';
 
-import { answerCalls } from './answer.js';
-
-let modules;
+import { answerCalls, modules } from './answer.js';
 
 answerCalls({
-  setup: (message) => ({ modules } = message),
   pack: async ({ file, options }) => {
     const [decoder, encoder] = await Promise.all([createDecoder({ files: modules }), createEncoder({ files: modules }), MeshoptDecoder.ready]);
     await decoder.load();
