@@ -15,7 +15,7 @@ import { DEFAULTS, encodeOptions } from './src/settings.js';
 const here = new URL('./', import.meta.url);
 const dist = new URL('dist/', here);
 
-const WASM = [
+const FILES = [
   '@deltamesh/decoder/core.wasm',
   '@deltamesh/decoder/highpass.wasm',
   '@deltamesh/decoder/zstd.wasm',
@@ -23,12 +23,13 @@ const WASM = [
   '@deltamesh/decoder/map.wasm',
   '@deltamesh/encoder/encoder.wasm',
   'draco3d/draco_encoder.wasm',
+  'draco3d/draco_decoder.wasm',
 ];
 
 await rm(dist, { recursive: true, force: true });
 await mkdir(dist, { recursive: true });
 await build({
-  entryPoints: ['main', 'page', 'workers/read-worker', 'workers/codec-worker', 'workers/map-worker', 'workers/pack-worker', 'workers/peers-worker'].map(
+  entryPoints: ['main', 'page', 'workers/read-worker', 'workers/codec-worker', 'workers/decode-worker', 'workers/map-worker', 'workers/pack-worker', 'workers/peers-worker'].map(
     (name) => new URL(`src/${name}.js`, here).pathname,
   ),
   outdir: dist.pathname,
@@ -45,7 +46,8 @@ await build({
 });
 for (const name of ['index.html', 'style.css']) await copyFile(new URL(name, here), new URL(name, dist));
 await copyFile(new URL('../../LICENSE', here), new URL('LICENSE', dist));
-for (const name of WASM) await copyFile(new URL(import.meta.resolve(name)), new URL(name.split('/').pop(), dist));
+for (const name of FILES) await copyFile(new URL(import.meta.resolve(name)), new URL(name.split('/').pop(), dist));
+await copyFile(new URL(import.meta.resolve('draco3d/draco_decoder_nodejs.js')), new URL('draco_wasm_wrapper.js', dist)); // by DRACOLoader's name
 
 // What the page has parts of.
 const three = new URL('../LICENSE', import.meta.resolve('three')); // of build/three.module.js

@@ -14,7 +14,7 @@ import { compareWithOthers } from './panel/others.js';
 import { forgetResult, rawBytes, showResult } from './panel/result.js';
 import { Status } from './panel/status.js';
 import { Picture } from './picture.js';
-import { gltfMaterials, plainMaterials } from './stage/materials.js';
+import { gltfScene, plainMaterials } from './stage/materials.js';
 import { BOUNDS, ENCODING, asPrepared, encodeOptions, fromHash, toHash, withPreset } from './settings.js';
 
 /** A slider on the move does not start work at each step. */
@@ -113,9 +113,8 @@ export class Page {
     }
     const [file] = meshes;
     const others = files.filter((other) => other !== file);
-    const materials = (numbers) => gltfMaterials(file, others, numbers);
     this.#stop();
-    return this.#open('file', file.name, () => this.workshop.read(file, others), materials, file);
+    return this.#open('file', file.name, () => this.workshop.read(file, others), file, others);
   }
 
   /** A mesh of another place. */
@@ -176,14 +175,14 @@ export class Page {
     const example = (this.#settings.example = exampleOf(name));
     this.keepLink();
     if (!begun) this.#stop();
-    return this.#open(example, EXAMPLES[example].label, () => begun ?? this.workshop.example(example), plainMaterials);
+    return this.#open(example, EXAMPLES[example].label, () => begun ?? this.workshop.example(example));
   }
 
-  /** `example`: what the list of examples says then. `toMaterials`: from what `read` says of them to those of three.js. */
-  async #open(example, name, read, toMaterials, file) {
+  /** `example`: what the list of examples says then. `file`, `others`: what is read, where it is no example. */
+  async #open(example, name, read, file, others) {
     this.status.tell(`Reading ${name}`);
     try {
-      const { mesh, frame, display, up, materials, prepared, isGlb = false } = await read();
+      const { mesh, frame, display, up, materials, places, prepared, isGlb = false } = await read();
       find('example').value = example;
       this.map.close();
       this.#showMapPanel(false);
@@ -194,7 +193,8 @@ export class Page {
       this.picture.setOriginal(display, frame, up);
       this.picture.show(this.#settings);
       this.#note = '';
-      if (materials) await this.#showMaterials(toMaterials, materials);
+      if (materials) this.picture.setMaterials(plainMaterials(materials));
+      if (places) await this.#showModel(file, others, { places, count: mesh.positions.length / 3 });
       this.controls.showKinds(new Set(mesh.attributes.map(({ kind }) => kind)));
       const [vertices, triangles] = [mesh.positions.length / 3, mesh.indices.length / 3];
       find('mesh-name').textContent =
@@ -206,13 +206,13 @@ export class Page {
     }
   }
 
-  async #showMaterials(toMaterials, materials) {
+  async #showModel(file, others, about) {
     const source = this.#source;
     try {
-      const made = await toMaterials(materials);
+      const { missing, ...asset } = await gltfScene(file, others);
       if (source !== this.#source) return;
-      this.picture.setMaterials(made.materials);
-      if (made.missing.length > 0) this.#note = `; choose or drop these, too: ${made.missing.join(', ')}`;
+      this.picture.setModel(asset, about);
+      if (missing.length > 0) this.#note = `; choose or drop these, too: ${missing.join(', ')}`;
     } catch (error) {
       this.#note = `; its materials could not be read: ${error.message}`;
     }
@@ -256,9 +256,9 @@ export class Page {
   }
 
   #show(result) {
-    const { bytes, display } = result;
+    const { bytes } = result;
     this.#result = { bytes };
-    this.picture.setResult(display);
+    this.picture.setResult(result);
     this.picture.show(this.#settings);
     const raw = rawBytes(this.#source.mesh);
     this.picture.setSizes(raw, bytes.length);
