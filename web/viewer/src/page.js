@@ -4,18 +4,17 @@
 import { mapOf } from './map/map-files.js';
 import { MapView } from './map/map-view.js';
 import { EXAMPLES, exampleOf } from './mesh/examples.js';
-import { isMeshName } from './mesh/mesh-names.js';
 import { Controls } from './panel/controls.js';
 import { makeDivider } from './panel/divider.js';
 import { copyLink, offerDownloads } from './panel/downloads.js';
 import { headlineOf } from './panel/headline.js';
-import { fetchFile, listExamples, openFiles, openPasted } from './panel/open.js';
+import { fetchFile, listExamples, oneMeshOf, openFiles, openPasted } from './panel/open.js';
 import { compareWithOthers } from './panel/others.js';
 import { forgetResult, rawBytes, showResult } from './panel/result.js';
 import { Status } from './panel/status.js';
 import { Picture } from './picture.js';
 import { gltfScene, plainMaterials } from './stage/materials.js';
-import { BOUNDS, ENCODING, asPrepared, encodeOptions, fromHash, toHash, withPreset } from './settings.js';
+import { ENCODING, asPrepared, changed, encodeOptions, fromHash, toHash } from './settings.js';
 
 /** A slider on the move does not start work at each step. */
 const PAUSE_MILLISECONDS = 200;
@@ -39,11 +38,9 @@ export class Page {
     this.status = new Status(find);
     this.picture = picture;
     this.map = new MapView(find, workshop.map, this.picture.stage);
-    this.controls = new Controls({ quality: find('quality'), bounds: find('bounds'), coder: find('coder'), view: find('view') }, (id, value) =>
-      this.change(id, value),
-    );
+    this.controls = new Controls(find, (id, value) => this.change(id, value));
     this.controls.show(this.#settings);
-    this.#showMapPanel(false);
+    this.controls.showMap(find, false);
     listExamples(find('example'), (name) => this.openExample(name));
     openFiles({ input: find('file'), folderInput: find('folder'), hint: find('drop-hint') }, {
       onFiles: (files) => this.openFiles(files),
@@ -54,27 +51,23 @@ export class Page {
     makeDivider(find('divider'), (share) => this.picture.setSplit(share));
     find('panel').addEventListener('submit', (event) => event.preventDefault());
     find('cancel').addEventListener('click', () => this.cancel());
-    offerDownloads(find, workshop, this.status, () => ({
-      bytes: this.#result.bytes,
-      name: this.#name,
-      file: this.#source.file,
-      options: encodeOptions(this.#settings),
-    }));
-    find('copy-link').addEventListener('click', async () => {
-      this.keepLink();
-      find('status').textContent = await copyLink();
-    });
+    const current = () => ({ bytes: this.#result.bytes, name: this.#name, file: this.#source.file, options: encodeOptions(this.#settings) });
+    offerDownloads(find, workshop, this.status, current);
+    find('copy-link').addEventListener('click', () => this.copyLink());
     window.addEventListener('hashchange', () => this.followLink());
   }
 
   change(id, value) {
-    if (id === 'preset') this.#settings = withPreset(this.#settings, value);
-    else this.#settings[id] = value;
-    if (BOUNDS.some((bound) => bound.id === id)) this.#settings.preset = 'own';
+    this.#settings = changed(this.#settings, id, value);
     this.controls.show(this.#settings);
     this.keepLink();
     if (ENCODING.includes(id)) this.encodeSoon();
     else this.#showPicture();
+  }
+
+  async copyLink() {
+    this.keepLink();
+    find('status').textContent = await copyLink();
   }
 
   keepLink() {
@@ -104,16 +97,9 @@ export class Page {
 
   /** One mesh, with the files that it needs. */
   openFiles(files) {
-    const meshes = files.length === 1 ? files : files.filter(({ name }) => isMeshName(name));
-    if (meshes.length !== 1) {
-      this.#stop();
-      const names = files.map(({ name }) => name).join(', ');
-      this.status.fail(new Error(`${meshes.length === 0 ? 'None of these is a mesh' : 'Open one mesh at a time'}: ${names}`));
-      return undefined;
-    }
-    const [file] = meshes;
-    const others = files.filter((other) => other !== file);
     this.#stop();
+    const { file, others, failure } = oneMeshOf(files);
+    if (failure) return this.status.fail(failure);
     return this.#open('file', file.name, () => this.workshop.read(file, others), file, others);
   }
 
@@ -140,7 +126,7 @@ export class Page {
       this.workshop.cancel();
       this.#source = null;
       this.#forgetResult();
-      this.#showMapPanel(true);
+      this.controls.showMap(find, true);
       find('example').value = 'file';
       this.#showPicture();
       const { title, summary } = this.map.describe();
@@ -156,13 +142,6 @@ export class Page {
   async replacePart(place, bytes) {
     await this.map.replace(place, bytes);
     this.#showPicture();
-  }
-
-  #showMapPanel(isMap) {
-    for (const id of ['quality', 'details', 'others']) find(id).hidden = isMap;
-    find('copy-link').hidden = isMap;
-    for (const id of ['label-original', 'label-result', 'divider']) if (isMap) find(id).hidden = true;
-    this.controls.showMap(isMap);
   }
 
   #showPicture() {
@@ -185,7 +164,7 @@ export class Page {
       const { mesh, frame, display, up, materials, places, prepared, isGlb = false } = await read();
       find('example').value = example;
       this.map.close();
-      this.#showMapPanel(false);
+      this.controls.showMap(find, false);
       this.#source = { mesh, frame, file: isGlb ? file : null };
       this.#name = name.replace(/\.[^.]*$/, '').toLowerCase();
       this.workshop.setSource(this.#source);

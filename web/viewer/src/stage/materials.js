@@ -32,6 +32,13 @@ function managerOf(others) {
   return { manager, missing, release: () => urls.forEach((url) => URL.revokeObjectURL(url)) };
 }
 
+/** What would shine white. */
+function darken(scene) {
+  scene.traverse(({ material }) => {
+    for (const each of [material ?? []].flat()) if (each.emissiveMap?.image?.width === 1) each.emissive.set(0);
+  });
+}
+
 const startWorker = () => new Worker(new URL('./decode-worker.js', import.meta.url), { type: 'module' });
 
 /** { scene, animations } of three.js, and the names of files that were not given. */
@@ -40,6 +47,7 @@ export async function gltfScene(file, others) {
   const { loader, dispose } = gltfLoader(manager, { workers: 1, createWorker: startWorker });
   try {
     const { scene, animations } = await loader.parseAsync(await file.arrayBuffer(), '');
+    if (missing.size > 0) darken(scene);
     return { scene, animations, missing: [...missing] };
   } finally {
     dispose();

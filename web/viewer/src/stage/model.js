@@ -44,6 +44,9 @@ class Vertices {
   }
 }
 
+/** Of which several poses are measured. */
+const MOST_VERTICES = 200000;
+
 const meshesIn = (scene) => {
   const meshes = [];
   scene.traverse((child) => child.isMesh && meshes.push(child));
@@ -70,16 +73,23 @@ export class Model extends Group {
     this.#fit();
   }
 
-  /** Skins may stand elsewhere than their vertices do. */
+  /** As large as its frame, with its instances and where its first animation takes it. */
   #fit() {
     const { center, diagonal } = this.frame;
-    this.#scene.updateMatrixWorld(true);
-    const isSkinned = meshesIn(this.#scene).some(({ isSkinnedMesh }) => isSkinnedMesh);
-    const box = isSkinned ? new Box3().setFromObject(this.#scene) : null;
-    const scale = box ? diagonal / (box.getSize(new Vector3()).length() || diagonal) : 1;
-    const middle = box ? box.getCenter(new Vector3()) : new Vector3(...center);
-    this.scale.setScalar(scale);
-    this.position.copy(middle).multiplyScalar(-scale);
+    const vertices = meshesIn(this.#scene).reduce((sum, { geometry }) => sum + geometry.attributes.position.count, 0);
+    const times = this.#animations.length > 0 && vertices < MOST_VERTICES ? [0, 0.25, 0.5, 0.75] : [0];
+    const box = new Box3();
+    for (const share of times) {
+      this.pose(0, share * (this.#animations[0]?.duration ?? 0));
+      this.#scene.updateMatrixWorld(true);
+      box.expandByObject(this.#scene, true);
+    }
+    this.pose(-1);
+    const scale = diagonal / (box.getSize(new Vector3()).length() || diagonal);
+    const isSame = Math.abs(scale - 1) < 0.001;
+    this.scale.setScalar(isSame ? 1 : scale);
+    const middle = isSame ? new Vector3(...center) : box.getCenter(new Vector3());
+    this.position.copy(middle).multiplyScalar(-this.scale.x);
   }
 
   get clips() {
