@@ -203,15 +203,12 @@ export class Page {
   }
 
   async encode() {
-    if (!this.#source) return;
     clearTimeout(this.#timer);
+    if (!this.#source) return;
     const source = this.#source;
     this.status.tell('Compressing');
     try {
-      const result = await this.workshop.encode(encodeOptions(this.#settings), ({ step, share }) => {
-        find('progress').value = share;
-        if (find('status').textContent !== step) find('status').textContent = step; // it is read out
-      });
+      const result = await this.workshop.encode(encodeOptions(this.#settings), (progress) => this.status.follow(progress));
       if (source === this.#source) await this.#showMeasured(result);
     } catch (error) {
       this.status.fail(error);
