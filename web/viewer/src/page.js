@@ -176,8 +176,7 @@ export class Page {
       if (places) await this.#showModel(file, others, { places, count: mesh.positions.length / 3 });
       this.controls.showKinds(new Set(mesh.attributes.map(({ kind }) => kind)));
       const [vertices, triangles] = [mesh.positions.length / 3, mesh.indices.length / 3];
-      find('mesh-name').textContent =
-        `${name}: ${vertices.toLocaleString('en')} vertices, ${triangles.toLocaleString('en')} triangles`;
+      find('mesh-name').textContent = `${name}: ${vertices.toLocaleString('en')} vertices, ${triangles.toLocaleString('en')} triangles`;
       if (prepared && asPrepared(this.#settings)) await this.#showMeasured(prepared);
       else await this.encode();
     } catch (error) {
