@@ -41,6 +41,11 @@ export class Decoder {
   async load(part) {
     if (part === undefined) return void (await Promise.all(['core', ...PARTS].map((each) => this.load(each))));
     this.#modules[part] ??= await this.#loadModule(part);
+    if (part === 'core') settle(() => this.#instance(), () => this.release()); // the first decode need not; it tells what is wrong
+  }
+
+  #instance() {
+    return (this.#core ??= new Instance(this.#modules.core, this.#maxMemory, this.#imports()));
   }
 
   inspect(given) {
@@ -74,7 +79,7 @@ export class Decoder {
   #call(bytes, isDecoded, call) {
     return settle(
       () => {
-        const core = (this.#core ??= new Instance(this.#modules.core, this.#maxMemory, this.#imports()));
+        const core = this.#instance();
         this.#partError = undefined;
         const address = core.put(bytes);
         const outcome = call(core.calls, address);

@@ -35,7 +35,7 @@ export class LatestJob {
       worker.onmessage = ({ data }) => {
         if ('progress' in data) onProgress?.(data.progress);
         else if ('error' in data) end(reject, new Error(data.error));
-        else end(resolve, data.result);
+        else if ('result' in data) end(resolve, data.result);
       };
       worker.onerror = (event) => {
         this.#worker = null;

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 // What is seen of the meshes: views, shading, heat, and what stands on them.
+import { Player } from './panel/player.js';
 import { showScale } from './panel/scale.js';
 import { HEATS, heatLimit, heatTexture } from './stage/heat.js';
+import { Model } from './stage/model.js';
 import { NoStage } from './stage/no-stage.js';
 import { Stage } from './stage/stage.js';
 import { Superseded } from './latest-job.js';
 import { formatSize } from './units.js';
 
 /** Without WebGL the page works, but for pictures, and says so. */
-function makeStage(find) {
+async function makeStage(find) {
   try {
-    return new Stage(find('canvas'));
+    return await Stage.open(find('canvas'));
   } catch {
     find('no-picture').hidden = false;
     return new NoStage();
@@ -27,11 +29,19 @@ export class Picture {
   #textures = {};
   #up = 'z';
   #hasMaterials = false;
+  #frame;
+  #source = null; // of the model: { places, count }
+  #player;
 
-  constructor(find, workshop) {
+  static async open(find, workshop) {
+    return new Picture(find, workshop, await makeStage(find));
+  }
+
+  constructor(find, workshop, stage) {
     this.#find = find;
     this.#workshop = workshop;
-    this.#stage = makeStage(find);
+    this.#stage = stage;
+    this.#player = new Player(find, (number, time) => this.#pose(number, time));
     const theme = () => this.#stage.setBackground(getComputedStyle(find('stage')).backgroundColor);
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', theme);
     theme();
@@ -43,8 +53,10 @@ export class Picture {
   }
 
   /** `up`: the file's. */
-  setOriginal(display, { diagonal }, up) {
-    this.#up = up;
+  setOriginal(display, frame, up) {
+    const { diagonal } = frame;
+    [this.#up, this.#frame, this.#source] = [up, frame, null];
+    this.#player.show([]);
     this.#stage.original.setDisplay(display, diagonal / 2);
     this.#stage.frame(diagonal);
     this.setMaterials(null);
@@ -57,9 +69,39 @@ export class Picture {
     if (materials) this.show(this.#settings);
   }
 
-  setResult(display, errors) {
-    this.#errors = errors;
+  /** An asset's { scene, animations }; `source`: { places, count } of its mesh. */
+  setModel({ scene, animations }, source) {
+    this.#source = source;
+    this.#hasMaterials = true;
+    const model = new Model(scene, animations, this.#frame);
+    this.#stage.original.setModel(model);
+    this.#player.show(model.clips);
+    this.show(this.#settings);
+  }
+
+  #pose(number, time) {
+    for (const which of ['original', 'result']) this.#stage[which].model?.pose(number, time);
+    this.#stage.draw();
+  }
+
+  /** `display`, `order`: of the result. */
+  setResult({ display, order }) {
+    this.#errors = null;
     this.#stage.result.setDisplay(display, this.#stage.diagonal / 2);
+    const { model } = this.#stage.original;
+    if (!model) return;
+    this.#stage.result.setModel(model.withVertices({ display, order }, this.#source.places, this.#source.count));
+    this.#player.again();
+  }
+
+  /** Of the result, by vertices. */
+  setErrors(errors) {
+    this.#errors = errors;
+  }
+
+  /** When what is set is seen, or a second later. */
+  whenSeen() {
+    return Promise.race([this.#stage.whenDrawn(), new Promise((resolve) => setTimeout(resolve, 1000))]);
   }
 
   forgetResult() {
@@ -90,7 +132,7 @@ export class Picture {
     this.#find('stage').dataset.view = view;
     for (const which of ['original', 'result']) this.#shade(which, shading);
     this.#showHeat(color);
-    this.#stage.draw();
+    this.#stage.drawNew();
   }
 
   #shade(which, shading) {
@@ -115,7 +157,7 @@ export class Picture {
       surface.setWires(edges);
       surface.showWires(this.#settings.shading === 'wire');
       this.#tellWires();
-      this.#stage.draw();
+      this.#stage.drawNew();
     } catch (error) {
       if (!(error instanceof Superseded)) throw error;
     }

@@ -30,6 +30,13 @@ export function withPreset(settings, preset) {
   return { ...settings, preset, ...(PRESETS[preset] ? { ...NO_BOUNDS, ...PRESETS[preset].bounds } : {}) };
 }
 
+/** After a person has chosen `value` for a setting; a bound of one's own is no preset's. */
+export function changed(settings, id, value) {
+  if (id === 'preset') return withPreset(settings, value);
+  const isBound = BOUNDS.some((bound) => bound.id === id);
+  return { ...settings, [id]: value, ...(isBound ? { preset: 'own' } : {}) };
+}
+
 /** Settings that are one of a few: values with their labels. */
 export const CHOICES = {
   preset: { label: 'The result is', values: { same: 'Looks the same', small: 'Small', tiny: 'Tiny', exact: 'Exact', own: 'My bounds' } },
@@ -63,6 +70,9 @@ export const DEFAULTS = {
 
 /** A change of these needs another stream. */
 export const ENCODING = ['preset', ...BOUNDS.map(({ id }) => id), 'geometry', 'effort'];
+
+/** Whether streams that are made beforehand are what is asked for. */
+export const asPrepared = (settings) => ENCODING.every((key) => settings[key] === DEFAULTS[key]);
 
 const isBound = (key) => BOUNDS.some(({ id }) => id === key);
 

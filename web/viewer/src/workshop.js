@@ -3,37 +3,43 @@
 // The workers: reading, compressing, comparing with others.
 import { LatestJob } from './latest-job.js';
 
-function startWorker(name, message) {
-  const worker = new Worker(new URL(`./${name}.js`, import.meta.url), { type: 'module' });
-  worker.postMessage(message);
-  return worker;
+const compiled = {};
+
+/** Compiled when first asked for, once for all workers that come and go. */
+function moduleOf(name) {
+  const compile = () => WebAssembly.compileStreaming(fetch(new URL(`./${name}.wasm`, import.meta.url)));
+  return (compiled[name] ??= compile().catch((error) => {
+    delete compiled[name];
+    throw error;
+  }));
 }
 
-/** Compiled once, for all workers that come and go. */
-async function compileModules() {
-  const names = ['core', 'highpass', 'rare', 'zstd', 'encoder'];
-  const modules = await Promise.all(
-    names.map((name) => WebAssembly.compileStreaming(fetch(new URL(`./${name}.wasm`, import.meta.url)))),
-  );
-  return Object.fromEntries(names.map((name, i) => [name, modules[i]]));
+function startWorker(name, message) {
+  const worker = new Worker(new URL(`./${name}.js`, import.meta.url), { type: 'module' });
+  worker.addEventListener('message', async ({ data: { wanted } }) => {
+    if (!wanted) return;
+    try {
+      worker.postMessage({ name: wanted, module: await moduleOf(wanted) });
+    } catch (error) {
+      worker.postMessage({ name: wanted, failure: `the module ${wanted} could not be loaded: ${error.message}` });
+    }
+  });
+  if (message) worker.postMessage(message);
+  return worker;
 }
 
 export class Workshop {
   #source;
 
-  static async open() {
-    return new Workshop(await compileModules());
-  }
-
-  constructor(modules) {
-    const reader = () => startWorker('read-worker', { modules });
+  constructor() {
+    const reader = () => startWorker('read-worker');
     this.reader = new LatestJob(reader);
     this.exporter = new LatestJob(reader);
     this.wires = { original: new LatestJob(reader), result: new LatestJob(reader) };
-    this.codec = new LatestJob(() => startWorker('codec-worker', { modules, ...this.#source }));
+    this.codec = new LatestJob(() => startWorker('codec-worker', this.#source));
     this.map = new LatestJob(() => startWorker('map-worker', {}));
-    this.packer = new LatestJob(() => startWorker('pack-worker', { modules }));
-    this.peers = new LatestJob(() => startWorker('peers-worker', {}));
+    this.packer = new LatestJob(() => startWorker('pack-worker'));
+    this.peers = new LatestJob(() => startWorker('peers-worker'));
   }
 
   /** `source`: { mesh, frame }, from the reader. */
@@ -41,6 +47,11 @@ export class Workshop {
     this.#source = { mesh, frame };
     this.codec.reset();
     this.peers.cancel();
+  }
+
+  /** What the next work needs, before it comes. */
+  prepare() {
+    for (const name of ['encoder', 'core', 'highpass']) moduleOf(name).catch(() => {}); // who needs it will ask again
   }
 
   /** Ends reading, compressing and comparing. */
@@ -53,12 +64,20 @@ export class Workshop {
     return this.reader.run({ call: 'read', file, others });
   }
 
+  /** With `prepared`, the result that is a part of the page: { bytes, order, info, display }. */
   example(name) {
+    moduleOf('core').catch(() => {}); // the worker asks for it
     return this.reader.run({ call: 'example', name });
   }
 
+  /** As `prepared` of example(). */
   encode(options, onProgress) {
     return this.codec.run({ call: 'encode', options }, { onProgress });
+  }
+
+  /** Of a result, for every vertex: see vertexErrors(). */
+  errors({ bytes, order }) {
+    return this.codec.run({ call: 'errors', bytes, order });
   }
 
   /** `request`: of requestOf(). */

@@ -25,7 +25,7 @@ export async function openPage({ width = 1280, height = 800, hash = '', dark = f
   await page.setViewport({ width, height, deviceScaleFactor: 1 });
   await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: dark ? 'dark' : 'light' }]);
   if (before) await page.evaluateOnNewDocument(before);
-  await page.goto(`http://localhost:${server.address().port}/${hash}`);
+  await page.goto(`http://localhost:${server.address().port}/${hash}`, { waitUntil: 'domcontentloaded', timeout: 120000 });
   return {
     page,
     problems,

@@ -3,7 +3,11 @@
 // What a person does with the page.
 import { waitUntilDone } from './browser.js';
 
-const frames = (page) => page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+/** Until what was last asked for is drawn. */
+async function frames(page) {
+  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+  await page.waitForFunction(() => document.getElementById('canvas').dataset.picture === 'drawn', { timeout: 60000 });
+}
 
 /** Chooses one of a few. */
 export function choose(page, id, value) {

@@ -100,6 +100,7 @@ export class MapView {
     }
     this.#find('stage').dataset.view = 'map';
     this.#stage.setView('map');
+    this.#stage.drawNew();
   }
 
   describe() {

@@ -42,8 +42,11 @@ export const EXAMPLES = {
   terrain: { label: 'Terrain', make: terrain },
 };
 
+/** The name, or where no example has it that of the first. */
+export const exampleOf = (name) => (Object.hasOwn(EXAMPLES, name) ? name : 'room');
+
 /** As readMesh(), but `materials` are what three.js is told of them. */
 export function makeExample(name) {
-  const { materials = null, ...mesh } = (EXAMPLES[name] ?? EXAMPLES.room).make();
+  const { materials = null, ...mesh } = EXAMPLES[exampleOf(name)].make();
   return { mesh: { origin: [0, 0, 0], groups: null, ...mesh }, up: 'z', materials };
 }

@@ -12,7 +12,7 @@ const KEPT = {
   tangent: { kind: 'tangent', name: 'TANGENT', components: 4 },
 };
 
-function floatsOf(attribute, components) {
+export function floatsOf(attribute, components) {
   const values = new Float32Array(attribute.count * components);
   for (let i = 0; i < attribute.count; ++i) {
     for (let c = 0; c < components; ++c) values[i * components + c] = attribute.getComponent(i, c);
@@ -47,7 +47,7 @@ function colorOf(attribute, isLinear) {
   };
 }
 
-/** `isLinear`: colours are, as glTF's. */
+/** `isLinear`: colours are, as glTF's. Of a geometry without index also `corners`: the mesh's vertex for each of the geometry's. */
 export function meshOfGeometry(geometry, { isLinear = false } = {}) {
   const { position, color } = geometry.attributes;
   const positions = floatsOf(position, 3);
@@ -67,7 +67,8 @@ function weldCorners({ positions, attributes }) {
   const { rows, numbers } = weld([{ values: positions, components: 3 }, ...attributes], count);
   return {
     positions: pickRows(positions, 3, rows),
-    indices: numbers.subarray(0, 3 * Math.floor(count / 3)),
+    indices: numbers.slice(0, 3 * Math.floor(count / 3)),
+    corners: numbers,
     groups: null,
     attributes: attributes.map((a) => ({ ...a, values: pickRows(a.values, a.components, rows) })),
   };

@@ -2,15 +2,13 @@
 // Copyright 2026 The deltamesh authors
 // Files become meshes that the encoder takes, by the loaders of three.js. For workers.
 import { DeltameshError, createDecoder } from '@deltamesh/decoder';
-import { DeltameshLoader, gltfDeltameshExtension } from '@deltamesh/three';
-import { MeshoptDecoder } from 'meshoptimizer/decoder';
-import { LoadingManager } from 'three';
-import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { BufferAttribute, LoadingManager } from 'three';
 import { OBJLoader } from 'three/addons/loaders/OBJLoader.js';
 import { PLYLoader } from 'three/addons/loaders/PLYLoader.js';
 import { STLLoader } from 'three/addons/loaders/STLLoader.js';
 
-import { meshOfGeometry } from './from-geometry.js';
+import { floatsOf, meshOfGeometry } from './from-geometry.js';
+import { gltfLoader } from './gltf-loader.js';
 import { joinMeshes } from './join.js';
 import { MESH_SUFFIXES, suffixOf } from './mesh-names.js';
 import { withOtherFiles } from './other-files.js';
@@ -32,17 +30,32 @@ function readStl(buffer) {
   return meshOfGeometry(geometry);
 }
 
-/** `onMesh`: gets those of three.js, in the groups' order. */
-function meshesOf(object, options, onMesh) {
+/** In the world's coordinates, which whole numbers would not hold. */
+function inWorld({ geometry, matrixWorld }) {
+  const moved = geometry.clone();
+  moved.morphAttributes = {};
+  for (const name of ['position', 'normal', 'tangent']) {
+    const attribute = moved.attributes[name];
+    if (attribute) moved.setAttribute(name, new BufferAttribute(floatsOf(attribute, attribute.itemSize), attribute.itemSize));
+  }
+  return moved.applyMatrix4(matrixWorld);
+}
+
+/** One mesh; `places`, for each mesh of three.js: { start, corners }, its first vertex there and, where it has no index, numbers of its vertices. */
+function meshesOf(object, options) {
   const meshes = [];
+  const places = [];
+  let start = 0;
   object.updateMatrixWorld(true);
   object.traverse((child) => {
     if (!child.isMesh) return;
-    onMesh?.(child);
-    meshes.push(meshOfGeometry(child.geometry.clone().applyMatrix4(child.matrixWorld), options));
+    const { corners = null, ...mesh } = meshOfGeometry(inWorld(child), options);
+    places.push({ start, corners });
+    start += mesh.positions.length / 3;
+    meshes.push(mesh);
   });
   if (meshes.length === 0) throw new Error('it has no triangles');
-  return joinMeshes(meshes);
+  return { mesh: joinMeshes(meshes), places };
 }
 
 function readObj(buffer) {
@@ -50,7 +63,7 @@ function readObj(buffer) {
   const group = new OBJLoader().parse(text);
   // Without normals in the file the loader makes those of faces.
   if (!/^\s*vn\s/m.test(text)) group.traverse(({ geometry }) => geometry?.deleteAttribute('normal'));
-  return { ...meshesOf(group), up: 'y' };
+  return { ...meshesOf(group).mesh, up: 'y' };
 }
 
 /** The page reads materials with their textures itself. */
@@ -62,18 +75,16 @@ function withinFile(url) {
   return url;
 }
 
-async function readGltf(buffer, { others }) {
-  const deltamesh = new DeltameshLoader(undefined, { workers: 0 });
+async function readGltf(buffer, { others, modules }) {
   const manager = new LoadingManager().setURLModifier(withinFile);
-  const loader = new GLTFLoader(manager).setMeshoptDecoder(MeshoptDecoder).register(gltfDeltameshExtension(deltamesh)).register(withoutTextures);
-  const { scene, parser } = await loader.parseAsync(withOtherFiles(buffer, others), '');
-  deltamesh.dispose();
-  const materials = [];
-  const mesh = meshesOf(scene, { isLinear: true }, (child) => {
-    const { meshes, primitives = 0 } = parser.associations.get(child) ?? {};
-    materials.push(parser.json.meshes[meshes]?.primitives[primitives].material ?? -1);
-  });
-  return { ...mesh, up: 'y', materials };
+  const { loader, dispose } = gltfLoader(manager, { workers: 0, files: modules });
+  try {
+    const { scene } = await loader.register(withoutTextures).parseAsync(withOtherFiles(buffer, others), '');
+    const { mesh, places } = meshesOf(scene, { isLinear: true });
+    return { ...mesh, up: 'y', places };
+  } finally {
+    dispose();
+  }
 }
 
 async function readDmsh(buffer, { modules }) {
@@ -100,8 +111,8 @@ function check({ positions, indices }) {
 }
 
 /**
- * `others`: files that a .gltf may need. `modules`: the decoder's. With the mesh come `up`, the axis, and of glTF `materials`, their numbers
- * by groups, -1 for none, and `isGlb`. Throws what a person can read.
+ * `others`: files that a .gltf may need. `modules`: the decoder's. With the mesh come `up`, the axis, and of glTF `places`, see meshesOf(), and
+ * `isGlb`. Throws what a person can read.
  */
 export async function readMesh(file, { others = [], modules }) {
   const { name, size } = file;
@@ -110,9 +121,9 @@ export async function readMesh(file, { others = [], modules }) {
   const type = typeOf(name, buffer);
   if (!READERS[type]) throw new Error(`${name} is none of ${MESH_SUFFIXES.join(', ').toUpperCase()}`);
   try {
-    const { up = 'z', materials = null, ...mesh } = await READERS[type](buffer, { others, modules });
+    const { up = 'z', places = null, corners, ...mesh } = await READERS[type](buffer, { others, modules });
     check(mesh);
-    return { mesh: { origin: [0, 0, 0], ...mesh }, up, materials, isGlb: type === 'glb' && magicOf(buffer) === 'glTF' };
+    return { mesh: { origin: [0, 0, 0], ...mesh }, up, places, isGlb: type === 'glb' && magicOf(buffer) === 'glTF' };
   } catch (error) {
     const what = error instanceof RangeError ? `it is cut off, damaged or too large (${error.message})` : error.message;
     throw new Error(`${name} cannot be opened as ${type.toUpperCase()}: ${what}`);

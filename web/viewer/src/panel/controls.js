@@ -87,7 +87,8 @@ function choiceRow(id, onChange) {
 export class Controls {
   #rows = {};
 
-  constructor({ quality, bounds, coder, view }, onChange) {
+  constructor(find, onChange) {
+    const [quality, bounds, coder, view] = ['quality', 'bounds', 'coder', 'view'].map(find);
     const add = (place, id, row) => {
       this.#rows[id] = row;
       place.append(row.row);
@@ -102,8 +103,10 @@ export class Controls {
     for (const [id, row] of Object.entries(this.#rows)) row.set(settings[id]);
   }
 
-  /** A map has no original to compare with. */
-  showMap(isMap) {
+  /** A map has no original to compare with, and is not encoded. */
+  showMap(find, isMap) {
+    for (const id of ['quality', 'details', 'others', 'copy-link']) find(id).hidden = isMap;
+    for (const id of ['label-original', 'label-result', 'divider']) if (isMap) find(id).hidden = true;
     for (const id of ['view', 'color', 'look', 'up']) this.#rows[id].row.hidden = isMap;
     this.#rows.mapColor.row.hidden = !isMap;
   }

@@ -3,6 +3,16 @@
 // Files from the buttons or dropped on the page, and folders.
 import { filesOfFolders } from '../map/map-files.js';
 import { EXAMPLES } from '../mesh/examples.js';
+import { isMeshName } from '../mesh/mesh-names.js';
+
+/** One mesh among files, with the others; or a `failure`, which says why there is none. */
+export function oneMeshOf(files) {
+  const meshes = files.length === 1 ? files : files.filter(({ name }) => isMeshName(name));
+  const [file] = meshes;
+  if (meshes.length === 1) return { file, others: files.filter((other) => other !== file) };
+  const names = files.map(({ name }) => name).join(', ');
+  return { failure: new Error(`${meshes.length === 0 ? 'None of these is a mesh' : 'Open one mesh at a time'}: ${names}`) };
+}
 
 /** `onFiles`: gets files that are chosen or dropped together; `onFolder`: those of a folder; `onFailure`: why one cannot be read. */
 export function openFiles({ input, folderInput, hint }, { onFiles, onFolder, onFailure }) {

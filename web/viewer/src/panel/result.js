@@ -11,7 +11,7 @@ export function showResult(find, { bytes, info }, source, name) {
   const bits = formatNumber((8 * bytes.length) / info.vertexCount);
   find('summary').textContent =
     `${formatBytes(bytes.length)}, ${bits} bits per vertex, ${info.geometry}; ` +
-    `compressed in ${formatNumber(info.encodeMilliseconds / 1000)} s, decoded in ${formatNumber(info.decodeMilliseconds)} ms`;
+    `compressed ${info.encodeMilliseconds ? `in ${formatNumber(info.encodeMilliseconds / 1000)} s` : 'beforehand'}, decoded in ${formatNumber(info.decodeMilliseconds)} ms`;
   const link = find('download');
   if (link.href) URL.revokeObjectURL(link.href);
   link.href = URL.createObjectURL(new Blob([bytes], { type: 'application/octet-stream' }));

@@ -22,6 +22,12 @@ export class Status {
     document.body.dataset.state = isBusy ? 'busy' : 'done';
   }
 
+  /** `step`: what is done; it is read out where it changes. */
+  follow({ step, share }) {
+    this.#find('progress').value = share;
+    if (this.#find('status').textContent !== step) this.#find('status').textContent = step;
+  }
+
   /** Work that was given up for other work is no failure. */
   fail(error) {
     if (error instanceof Superseded) return;

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-// Materials as the author of an asset meant them, for each group of faces.
-import { EXTENSION_NAME } from '@deltamesh/decoder/gltf';
-import { DoubleSide, FrontSide, Group, LoadingManager, MeshStandardMaterial } from 'three';
-import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+// Assets as their authors meant them: materials, textures, animations.
+import { DoubleSide, FrontSide, LoadingManager, MeshStandardMaterial } from 'three';
+
+import { gltfLoader } from '../mesh/gltf-loader.js';
 
 /** Of an example. */
 export function plainMaterials(descriptions) {
   const make = ({ hasTwoSides, ...rest }) => new MeshStandardMaterial({ ...rest, side: hasTwoSides ? DoubleSide : FrontSide });
-  return { materials: descriptions.map(make), missing: [] };
+  return descriptions.map(make);
 }
-
-/** Meshes are the worker's: here they need not be read. */
-const withoutMeshes = () => ({ name: 'without meshes', loadMesh: async () => new Group() });
 
 /** White, in place of a texture that is not there. */
 const BLANK =
@@ -35,16 +32,25 @@ function managerOf(others) {
   return { manager, missing, release: () => urls.forEach((url) => URL.revokeObjectURL(url)) };
 }
 
-/** `numbers`: of the groups' materials, -1 for none. Returns these, and the names of files that were not given. */
-export async function gltfMaterials(file, others, numbers) {
+/** What would shine white. */
+function darken(scene) {
+  scene.traverse(({ material }) => {
+    for (const each of [material ?? []].flat()) if (each.emissiveMap?.image?.width === 1) each.emissive.set(0);
+  });
+}
+
+const startWorker = () => new Worker(new URL('./decode-worker.js', import.meta.url), { type: 'module' });
+
+/** { scene, animations } of three.js, and the names of files that were not given. */
+export async function gltfScene(file, others) {
   const { manager, missing, release } = managerOf(others);
+  const { loader, dispose } = gltfLoader(manager, { workers: 1, createWorker: startWorker });
   try {
-    const loader = new GLTFLoader(manager).register(withoutMeshes).register(() => ({ name: EXTENSION_NAME }));
-    const { parser } = await loader.parseAsync(await file.arrayBuffer(), '');
-    const known = new Map();
-    for (const number of new Set(numbers)) known.set(number, number < 0 ? new MeshStandardMaterial() : await parser.getDependency('material', number));
-    return { materials: numbers.map((number) => known.get(number)), missing: [...missing] };
+    const { scene, animations } = await loader.parseAsync(await file.arrayBuffer(), '');
+    if (missing.size > 0) darken(scene);
+    return { scene, animations, missing: [...missing] };
   } finally {
+    dispose();
     release();
   }
 }

@@ -19,4 +19,6 @@ export class NoStage {
   setBackground() {}
   showMaterials() {}
   draw() {}
+  drawNew() {}
+  whenDrawn() {}
 }

@@ -47,14 +47,22 @@ export class Stage {
   #view = 'side';
   #split = 0.5;
   #isWaiting = false;
+  #isNew = true; // programs may be missing
+  #seen = []; // who waits for the picture
   #fence = null; // behind the last drawing, in the queue of the graphics card
 
-  constructor(canvas) {
+  /** In steps: each may wait for the graphics card's process. */
+  static async open(canvas) {
     const isSoftware = isDrawnBySoftware();
+    await new Promise((resolve) => setTimeout(resolve));
+    return new Stage(canvas, isSoftware);
+  }
+
+  constructor(canvas, isSoftware) {
     this.#renderer = new WebGLRenderer({ canvas, antialias: !isSoftware });
     this.#renderer.toneMapping = NeutralToneMapping; // of materials alone
     this.#renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
-    this.#lights = new Lights(this.#renderer, this.#scene, this.#camera, { hasShadows: !isSoftware });
+    this.#lights = new Lights(this.#renderer, this.#scene, this.#camera, { isSoftware });
     this.#scene.add(this.#camera, this.original, this.result, this.map);
     this.#controls = new OrbitControls(this.#camera, canvas);
     this.#controls.addEventListener('change', () => this.draw());
@@ -95,7 +103,7 @@ export class Stage {
   /** The camera sees all of a mesh with this diagonal, around 0. */
   frame(diagonal = this.diagonal) {
     this.diagonal = diagonal;
-    const distance = (0.46 * diagonal) / Math.tan((FIELD_OF_VIEW * Math.PI) / 360); // few meshes reach the corners of their box
+    const distance = (0.5 * diagonal) / Math.tan((FIELD_OF_VIEW * Math.PI) / 360); // few meshes reach the corners of their box
     this.#camera.near = distance / 200;
     this.#camera.far = distance * 20;
     this.#camera.position.set(0.35, -0.75, 0.55).setLength(distance);
@@ -105,19 +113,61 @@ export class Stage {
     this.draw();
   }
 
+  /** As draw(), of what has not been seen before: first the graphics card makes its programs, while the page goes on. */
+  drawNew() {
+    this.#isNew = true;
+    this.draw();
+  }
+
   /** With the next frame for which the graphics card is free: to hand more to one that is busy would stop the page. */
   draw() {
     if (this.#isWaiting) return;
     this.#isWaiting = true;
+    this.#tell('waiting');
     const attempt = () => {
       if (this.#isBusy()) return requestAnimationFrame(attempt);
+      if (this.#isNew) {
+        this.#isNew = false;
+        this.#renderer.compile(this.#scene, this.#camera);
+        this.#setFence();
+        return requestAnimationFrame(attempt);
+      }
       this.#isWaiting = false;
       this.#drawNow();
-      const gl = this.#renderer.getContext();
-      this.#fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
-      return gl.flush();
+      this.#setFence();
+      return this.#tellWhenDrawn();
     };
     requestAnimationFrame(attempt);
+  }
+
+  #setFence() {
+    const gl = this.#renderer.getContext();
+    this.#fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+  }
+
+  #tellWhenDrawn() {
+    if (this.#isWaiting) return;
+    if (this.#isBusy()) {
+      requestAnimationFrame(() => this.#tellWhenDrawn());
+      return;
+    }
+    this.#tell('drawn');
+    if (this.result.geometry && this.#lights.finish()) this.drawNew();
+  }
+
+  /** When what was last asked for is seen; at once where nobody sees the page. */
+  whenDrawn() {
+    if (!this.#isWaiting || document.hidden) return undefined;
+    return new Promise((resolve) => this.#seen.push(resolve));
+  }
+
+  /** In the page, whether the picture is that of what was last asked for. */
+  #tell(state) {
+    this.#renderer.domElement.dataset.picture = state;
+    if (state === 'drawn') for (const resolve of this.#seen.splice(0)) resolve();
+    const isFirst = state === 'drawn' && this.result.geometry && performance.getEntriesByName('first picture').length === 0;
+    if (isFirst) performance.mark('first picture');
   }
 
   #isBusy() {

@@ -46,6 +46,7 @@ export class Surface extends Group {
   #mesh = null;
   #authored = null;
   #isAuthored = false;
+  #model = null;
   #uniforms = { heatMap: { value: null }, heatRange: { value: new Vector2() }, heatOn: { value: false } };
   #wireMaterial = new LineBasicMaterial({ color: 0x10161d, toneMapped: false, transparent: true, opacity: 0.4 });
 
@@ -67,9 +68,25 @@ export class Surface extends Group {
     this.#choose();
   }
 
+  /** What is seen in place of the mesh where materials are: a Model, or null. */
+  setModel(model) {
+    this.#model?.removeFromParent();
+    this.#model?.dispose();
+    this.#model = model;
+    if (model) this.add(model);
+    this.#choose();
+  }
+
+  get model() {
+    return this.#model;
+  }
+
   #choose() {
     if (!this.#mesh) return;
-    const isAuthored = this.#isAuthored && this.#authored && !this.#uniforms.heatOn.value;
+    const isOwn = this.#isAuthored && !this.#uniforms.heatOn.value;
+    const isAuthored = isOwn && this.#authored;
+    if (this.#model) this.#model.visible = isOwn;
+    this.#mesh.visible = !(isOwn && this.#model);
     this.#mesh.material = isAuthored ? this.#ofGroups() : this.#material;
   }
 
@@ -105,6 +122,7 @@ export class Surface extends Group {
     this.#geometry?.dispose();
     this.#wires?.geometry.dispose();
     this.#geometry = this.#wires = this.#mesh = null;
+    this.setModel(null);
     this.clear();
   }
 

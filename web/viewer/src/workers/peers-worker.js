@@ -6,6 +6,5 @@ import { meshoptPoints } from '../peers/meshopt.js';
 import { answerCalls } from './answer.js';
 
 answerCalls({
-  setup: () => {},
   compare: async ({ request }) => ({ result: { draco: await dracoPoints(request), meshopt: await meshoptPoints(request) } }),
 });

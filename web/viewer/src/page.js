@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+// The page: settings in, streams and pictures out.
+import { mapOf } from './map/map-files.js';
+import { MapView } from './map/map-view.js';
+import { EXAMPLES, exampleOf } from './mesh/examples.js';
+import { Controls } from './panel/controls.js';
+import { makeDivider } from './panel/divider.js';
+import { copyLink, offerDownloads } from './panel/downloads.js';
+import { headlineOf } from './panel/headline.js';
+import { fetchFile, listExamples, oneMeshOf, openFiles, openPasted } from './panel/open.js';
+import { compareWithOthers } from './panel/others.js';
+import { forgetResult, rawBytes, showResult } from './panel/result.js';
+import { Status } from './panel/status.js';
+import { Picture } from './picture.js';
+import { gltfScene, plainMaterials } from './stage/materials.js';
+import { ENCODING, asPrepared, changed, encodeOptions, fromHash, toHash } from './settings.js';
+
+/** A slider on the move does not start work at each step. */
+const PAUSE_MILLISECONDS = 200;
+
+const find = (id) => document.getElementById(id);
+
+export class Page {
+  #settings = fromHash(location.hash);
+  #source = null;
+  #result = null;
+  #name = '';
+  #timer = 0;
+  #note = ''; // what is wrong and does not stop anything
+
+  static async open(workshop) {
+    return new Page(workshop, await Picture.open(find, workshop));
+  }
+
+  constructor(workshop, picture) {
+    this.workshop = workshop;
+    this.status = new Status(find);
+    this.picture = picture;
+    this.map = new MapView(find, workshop.map, this.picture.stage);
+    this.controls = new Controls(find, (id, value) => this.change(id, value));
+    this.controls.show(this.#settings);
+    this.controls.showMap(find, false);
+    listExamples(find('example'), (name) => this.openExample(name));
+    openFiles({ input: find('file'), folderInput: find('folder'), hint: find('drop-hint') }, {
+      onFiles: (files) => this.openFiles(files),
+      onFolder: (files) => this.openMap(files),
+      onFailure: (error) => this.status.fail(error),
+    });
+    openPasted({ onFiles: (files) => this.openFiles(files), onUrl: (url) => this.openUrl(url) });
+    makeDivider(find('divider'), (share) => this.picture.setSplit(share));
+    find('panel').addEventListener('submit', (event) => event.preventDefault());
+    find('cancel').addEventListener('click', () => this.cancel());
+    const current = () => ({ bytes: this.#result.bytes, name: this.#name, file: this.#source.file, options: encodeOptions(this.#settings) });
+    offerDownloads(find, workshop, this.status, current);
+    find('copy-link').addEventListener('click', () => this.copyLink());
+    window.addEventListener('hashchange', () => this.followLink());
+  }
+
+  change(id, value) {
+    this.#settings = changed(this.#settings, id, value);
+    this.controls.show(this.#settings);
+    this.keepLink();
+    if (ENCODING.includes(id)) this.encodeSoon();
+    else this.#showPicture();
+  }
+
+  async copyLink() {
+    this.keepLink();
+    find('status').textContent = await copyLink();
+  }
+
+  keepLink() {
+    history.replaceState(null, '', `#${toHash(this.#settings)}`);
+  }
+
+  followLink() {
+    const before = this.#settings.example;
+    this.#settings = fromHash(location.hash);
+    this.controls.show(this.#settings);
+    this.#showPicture();
+    if (this.#settings.example !== before) this.openExample(this.#settings.example);
+    else this.encodeSoon();
+  }
+
+  /** Ends what is being done; what is shown stays. */
+  #stop() {
+    clearTimeout(this.#timer);
+    this.workshop.cancel();
+    this.map.cancel();
+  }
+
+  cancel() {
+    this.#stop();
+    this.status.tell('Cancelled', false);
+  }
+
+  /** One mesh, with the files that it needs. */
+  openFiles(files) {
+    this.#stop();
+    const { file, others, failure } = oneMeshOf(files);
+    if (failure) return this.status.fail(failure);
+    return this.#open('file', file.name, () => this.workshop.read(file, others), file, others);
+  }
+
+  /** A mesh of another place. */
+  async openUrl(url) {
+    this.#stop();
+    this.status.tell(`Fetching ${url}`);
+    try {
+      await this.openFiles([await fetchFile(url)]);
+    } catch (error) {
+      this.status.fail(error);
+    }
+  }
+
+  /** The folder of a map; of one that is open the parts that changed. */
+  async openMap(files) {
+    this.#stop();
+    this.status.tell('Reading the map');
+    try {
+      const map = mapOf(files);
+      if (!map) throw new Error('this folder has no map: there is no map.dmm');
+      await this.map.open(map, (share) => (find('progress').value = share));
+      clearTimeout(this.#timer); // a slider may have been moved meanwhile
+      this.workshop.cancel();
+      this.#source = null;
+      this.#forgetResult();
+      this.controls.showMap(find, true);
+      find('example').value = 'file';
+      this.#showPicture();
+      const { title, summary } = this.map.describe();
+      find('mesh-name').textContent = `Map: ${title}`;
+      find('summary').textContent = summary;
+      this.status.tell('Done', false);
+    } catch (error) {
+      this.status.fail(error);
+    }
+  }
+
+  /** For scripts that follow a map: the part `place` from other bytes. */
+  async replacePart(place, bytes) {
+    await this.map.replace(place, bytes);
+    this.#showPicture();
+  }
+
+  #showPicture() {
+    if (this.map.isOpen) this.map.show(this.#settings);
+    else this.picture.show(this.#settings);
+  }
+
+  /** `begun`: what Workshop.example() gave already. */
+  openExample(name, begun) {
+    const example = (this.#settings.example = exampleOf(name));
+    this.keepLink();
+    if (!begun) this.#stop();
+    return this.#open(example, EXAMPLES[example].label, () => begun ?? this.workshop.example(example));
+  }
+
+  /** `example`: what the list of examples says then. `file`, `others`: what is read, where it is no example. */
+  async #open(example, name, read, file, others) {
+    this.status.tell(`Reading ${name}`);
+    try {
+      const { mesh, frame, display, up, materials, places, prepared, isGlb = false } = await read();
+      find('example').value = example;
+      this.map.close();
+      this.controls.showMap(find, false);
+      this.#source = { mesh, frame, file: isGlb ? file : null };
+      this.#name = name.replace(/\.[^.]*$/, '').toLowerCase();
+      this.workshop.setSource(this.#source);
+      this.#forgetResult();
+      this.picture.setOriginal(display, frame, up);
+      this.picture.show(this.#settings);
+      this.#note = '';
+      if (materials) this.picture.setMaterials(plainMaterials(materials));
+      if (places) await this.#showModel(file, others, { places, count: mesh.positions.length / 3 });
+      this.controls.showKinds(new Set(mesh.attributes.map(({ kind }) => kind)));
+      const [vertices, triangles] = [mesh.positions.length / 3, mesh.indices.length / 3];
+      find('mesh-name').textContent = `${name}: ${vertices.toLocaleString('en')} vertices, ${triangles.toLocaleString('en')} triangles`;
+      if (prepared && asPrepared(this.#settings)) await this.#showMeasured(prepared);
+      else await this.encode();
+    } catch (error) {
+      this.status.fail(error);
+    }
+  }
+
+  async #showModel(file, others, about) {
+    const source = this.#source;
+    try {
+      const { missing, ...asset } = await gltfScene(file, others);
+      if (source !== this.#source) return;
+      this.picture.setModel(asset, about);
+      if (missing.length > 0) this.#note = `; choose or drop these, too: ${missing.join(', ')}`;
+    } catch (error) {
+      this.#note = `; its materials could not be read: ${error.message}`;
+    }
+  }
+
+  encodeSoon() {
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => this.encode(), PAUSE_MILLISECONDS);
+  }
+
+  async encode() {
+    clearTimeout(this.#timer);
+    if (!this.#source) return;
+    const source = this.#source;
+    this.status.tell('Compressing');
+    try {
+      const result = await this.workshop.encode(encodeOptions(this.#settings), (progress) => this.status.follow(progress));
+      if (source === this.#source) await this.#showMeasured(result);
+    } catch (error) {
+      this.status.fail(error);
+    }
+  }
+
+  /** The result at once, then what is known of it. */
+  async #showMeasured(result) {
+    const source = this.#source;
+    this.#show(result);
+    this.status.tell('Measuring');
+    await this.picture.whenSeen();
+    if (source !== this.#source) return;
+    const errors = await this.workshop.errors(result);
+    if (source !== this.#source || result.bytes !== this.#result?.bytes) return;
+    this.picture.setErrors(errors);
+    this.picture.show(this.#settings);
+    this.status.tell(`Done${this.#note}`, false);
+    this.workshop.prepare();
+    await compareWithOthers(find, this.workshop, source, result);
+  }
+
+  #show(result) {
+    const { bytes } = result;
+    this.#result = { bytes };
+    this.picture.setResult(result);
+    this.picture.show(this.#settings);
+    const raw = rawBytes(this.#source.mesh);
+    this.picture.setSizes(raw, bytes.length);
+    find('headline').textContent = headlineOf(this.#settings.preset, raw, bytes.length);
+    showResult(find, result, this.#source, this.#name);
+  }
+
+  #forgetResult() {
+    this.#result = null;
+    this.picture.forgetResult();
+    forgetResult(find);
+  }
+}
+

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+// A stream as the page shows it. For workers.
+import { DeltameshError, createDecoder } from '@deltamesh/decoder';
+
+import { displayOf } from '../mesh/display.js';
+import { modules } from './answer.js';
+
+let decoder;
+
+/** Throws what a person can read. */
+export function check(outcome) {
+  if (!(outcome instanceof DeltameshError)) return outcome;
+  const { best } = outcome;
+  const can = best ? `; the best that can be had is ${best.value > 0 ? best.value.toPrecision(4) : `${best.bytes} bytes`}` : '';
+  throw new Error(outcome.message + can);
+}
+
+export async function decode(bytes) {
+  decoder ??= createDecoder({ files: modules });
+  return check(await (await decoder).decode(bytes));
+}
+
+/** { info, display, bytes, order } of a stream; `frame`: of the original; `order`: the encoder's; `about`: goes to the info. */
+export async function resultOf({ bytes, order }, frame, about = {}) {
+  const begin = performance.now();
+  const decoded = await decode(bytes);
+  const decodeMilliseconds = performance.now() - begin;
+  const { geometry, vertexCount, triangleCount, quality, chunks } = decoded;
+  const attributes = decoded.attributes.map(({ values, ...rest }) => rest);
+  const info = { geometry, vertexCount, triangleCount, quality, attributes, chunks, decodeMilliseconds, ...about };
+  return { bytes, order, info, display: displayOf(decoded, frame) };
+}
