@@ -8,6 +8,7 @@ import { frameOf } from '../src/mesh/display.js';
 import { uniqueEdges } from '../src/mesh/edges.js';
 import { EXAMPLES, makeExample } from '../src/mesh/examples.js';
 import { sizeAt } from '../src/peers/at-error.js';
+import { packOrder, unpackOrder } from '../src/mesh/prepared.js';
 import { vertexErrors } from '../src/mesh/vertex-errors.js';
 import { weld } from '../src/mesh/weld.js';
 import { writeGlb } from '../src/mesh/write-glb.js';
@@ -103,4 +104,9 @@ test('a size at an error lies on the line between two points, or is the nearest'
   assert.equal(sizeAt(points, 1), 400);
   assert.equal(sizeAt(points, 9), 100);
   assert.equal(sizeAt(points, 0.5), 400);
+});
+
+test('an order is packed and unpacked', () => {
+  const order = Uint32Array.from([5, 0, 4294967295, 7]);
+  assert.deepEqual(unpackOrder(packOrder(order)), order);
 });
