@@ -116,10 +116,10 @@ bool print_update_costs(const Settings& settings) {
   return is_met;
 }
 
-/// Whether the bars are met: memory and time of the last quarter beside the third.
+/// Whether the bar is met: memory of the last quarter beside the third, and all receivers have the map. Time
+/// is told alone: it depends on what else runs.
 bool print_mission(const Settings& settings) {
   constexpr double kMemoryBar = 1.05;
-  constexpr double kTimeBar = 1.5;  // processor time depends on what else runs
   const MissionResult result = run_mission(value_or_exit(drive_updates(settings.vertices, settings.steps)),
                                            {.updates = settings.mission});
   print(table_head({"quarter of the updates", "MB", "ms an update", "kB an update"}));
@@ -133,8 +133,7 @@ bool print_mission(const Settings& settings) {
   print(join({"last quarter over the third: memory ", fixed(last.megabytes / third.megabytes, 3), ", time ",
               fixed(last.milliseconds / third.milliseconds, 3),
               result.has_all ? "; all receivers have all\n" : "; NOT all receivers have all\n"}));
-  return result.has_all && last.megabytes <= kMemoryBar * third.megabytes &&
-         last.milliseconds <= kTimeBar * third.milliseconds;
+  return result.has_all && last.megabytes <= kMemoryBar * third.megabytes;
 }
 
 int run(const Settings& settings) {
