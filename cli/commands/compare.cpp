@@ -73,10 +73,6 @@ void print_summary(const CompareArguments& arguments, const Losses& losses, cons
   summary.add("normals", brief(result.normal_angle_mean) + " degrees apart on average, " +
                              brief(result.normal_angle_p95) + " at the 95th percentile");
   summary.add("diagonal", brief(result.diagonal));
-  if (losses[0].position_error > 0 || losses[1].position_error > 0)
-    summary.add("rounding", "coordinates became float32, off by up to " + brief(losses[0].position_error) +
-                                " in A and " + brief(losses[1].position_error) +
-                                " in B, which adds to the errors");
   if (!result.attributes.empty()) summary.add("attributes", attributes_headline(result));
   add_attributes(summary, result);
   if (!arguments.heatmap.empty())
@@ -116,8 +112,6 @@ void print_object(const CompareArguments& arguments, const Losses& losses, const
   object["attributes"] = attributes_object(result);
   object["left_out_a"] = left_out_array(losses[0]);
   object["left_out_b"] = left_out_array(losses[1]);
-  object["position_error_a"] = losses[0].position_error;
-  object["position_error_b"] = losses[1].position_error;
   if (!arguments.heatmap.empty()) object["heatmap_scale"] = scale;
   print_json(object);
 }
@@ -129,10 +123,10 @@ int fail_comparison(const CompareArguments& arguments, const Error& error) {
   return kBadInput;
 }
 
-Result<Comparison> compare_showing_progress(const Mesh& a, const Mesh& b,
+Result<Comparison> compare_showing_progress(const Imported& a, const Imported& b,
                                             const std::vector<std::uint32_t>& order) {
   const Progress progress("comparing");
-  return compare(a, b, order);
+  return compare(a.mesh, b.mesh, order, {.a = a.roundings, .b = b.roundings});
 }
 
 int run_compare(const CompareArguments& arguments) {
@@ -151,7 +145,7 @@ int run_compare(const CompareArguments& arguments) {
   if (!arguments.order.empty()) order = load_order(arguments.order, status);
   if (status != kOk) return status;
 
-  const Result<Comparison> result = compare_showing_progress(a->mesh, b->mesh, order);
+  const Result<Comparison> result = compare_showing_progress(*a, *b, order);
   if (!result) return fail_comparison(arguments, result.error());
   const float scale = heatmap_scale(result->signed_error);
   if (!arguments.heatmap.empty()) {

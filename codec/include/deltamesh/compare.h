@@ -59,6 +59,13 @@ struct Comparison {
       signed_error;  ///< per vertex of B: displacement from A along A's normal, outward positive
 };
 
+/// What the positions of two meshes lack of those that are to be compared, as Imported::roundings: 3 for each
+/// vertex, or empty where they lack nothing.
+struct Roundings {
+  std::span<const float> a{};
+  std::span<const float> b{};
+};
+
 /// Compares `b` (the approximation) with `a` (the original). `order`: the vertex of `a` for every vertex of
 /// `b`; vertices correspond when the counts fit and every triangle of `b` is a triangle of `a` (same
 /// orientation, any rotation, any order) under it. Empty: the same index; where that does not correspond,
@@ -66,8 +73,9 @@ struct Comparison {
 /// and the meshes correspond where this finds all faces of both. Otherwise distances to the surface are used.
 /// Attributes stand for each other by name and kind, else by kind in their order. Cost O(n log n). Errors:
 /// kInvalidMesh, kLimitExceeded (what a stream cannot hold, such as more than 1024 attributes),
-/// kInvalidArgument (`order` with an index out of range or of a wrong length), kOutOfMemory.
-Result<Comparison> compare(const MeshView& a, const MeshView& b,
-                           std::span<const std::uint32_t> order = {}) noexcept;
+/// kInvalidArgument (`order` with an index out of range or of a wrong length; `roundings` of a wrong length),
+/// kOutOfMemory.
+Result<Comparison> compare(const MeshView& a, const MeshView& b, std::span<const std::uint32_t> order = {},
+                           const Roundings& roundings = {}) noexcept;
 
 }  // namespace deltamesh

@@ -77,8 +77,11 @@ struct ReadOptions {
 };
 
 struct Imported {
-  Mesh mesh;
-  ReadReport report;
+  Mesh mesh{};
+  ReadReport report{};
+  /// What the mesh's float32 positions lack of the file's coordinates (ReadReport::position_error is the
+  /// largest): n x 3, model units, 0 where they are not finite; empty where they lack nothing. For compare().
+  std::vector<float> roundings{};
 };
 
 /// Reads a mesh from bytes; objects, groups and materials become groups of faces with names; for kGltf

@@ -46,12 +46,14 @@ void drop_invalid_unused(Imported& imported) {
   imported.report.leave_out(LeftOutKind::kElements, "vertices that are not finite and that no face uses",
                             drops);
 
+  std::vector<float>& roundings = imported.roundings;
   std::vector<std::uint32_t> renamed(count);
   std::size_t kept = 0;
   for (std::size_t v = 0; v < count; ++v) {
     if (dropped[v]) continue;
     renamed[v] = static_cast<std::uint32_t>(kept);
     std::copy_n(&mesh.positions[3 * v], 3, &mesh.positions[3 * kept]);
+    if (!roundings.empty()) std::copy_n(&roundings[3 * v], 3, &roundings[3 * kept]);
     for (Attribute& attribute : mesh.attributes) {
       const std::size_t size = attribute.components * component_size(attribute.type);
       std::memmove(&attribute.values[kept * size], &attribute.values[v * size], size);
@@ -59,6 +61,7 @@ void drop_invalid_unused(Imported& imported) {
     ++kept;
   }
   mesh.positions.resize(3 * kept);
+  if (!roundings.empty()) roundings.resize(3 * kept);
   for (Attribute& attribute : mesh.attributes)
     attribute.values.resize(kept * attribute.components * component_size(attribute.type));
   for (std::uint32_t& v : mesh.triangles) v = renamed[v];

@@ -2,9 +2,12 @@
 // Copyright 2026 The deltamesh authors
 #include "io/origin.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "base/numbers/vec3.h"
 #include "io/components.h"
@@ -47,16 +50,22 @@ Mesh place_origin(std::span<const double> coordinates) {
   return placed;
 }
 
-double rounding_of(std::span<const double> coordinates, const Mesh& placed) noexcept {
+void place_origin(std::span<const double> coordinates, Imported& imported) {
+  imported.mesh = place_origin(coordinates);
+  const Mesh& mesh = imported.mesh;
+  std::vector<float> roundings(coordinates.size());
   double largest = 0;
   for (std::size_t i = 0; i + 2 < coordinates.size(); i += 3) {
     Vec3 apart{};
     for (std::size_t k = 0; k < 3; ++k)
-      apart[k] = coordinates[i + k] - placed.origin[k] - static_cast<double>(placed.positions[i + k]);
+      apart[k] = coordinates[i + k] - mesh.origin[k] - static_cast<double>(mesh.positions[i + k]);
     const double distance = length(apart);
-    if (distance > largest && std::isfinite(distance)) largest = distance;
+    if (!std::isfinite(distance)) continue;
+    for (std::size_t k = 0; k < 3; ++k) roundings[i + k] = static_cast<float>(apart[k]);
+    largest = std::max(largest, distance);
   }
-  return largest;
+  imported.report.position_error = largest;
+  if (largest > 0) imported.roundings = std::move(roundings);
 }
 
 }  // namespace deltamesh

@@ -6,7 +6,7 @@
 
 #include <span>
 
-#include "deltamesh/mesh.h"
+#include "deltamesh/io.h"
 
 namespace deltamesh {
 
@@ -16,7 +16,7 @@ namespace deltamesh {
 /// exceeds 2. NaN and infinities stay what they are and do not count for the box. Cost O(n).
 Mesh place_origin(std::span<const double> coordinates);
 
-/// Largest distance of a vertex of `placed` from its coordinates, those that are finite.
-double rounding_of(std::span<const double> coordinates, const Mesh& placed) noexcept;
+/// The same, with what the rounding to float32 took away: Imported::roundings, ReadReport::position_error.
+void place_origin(std::span<const double> coordinates, Imported& imported);
 
 }  // namespace deltamesh

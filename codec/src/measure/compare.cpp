@@ -84,9 +84,10 @@ Vec3 normal_at(const Surface& surface, const SurfacePoint& point) {
 
 /// Sets the distances, the angles of normals, the diagonal and the signed errors. Both meshes have passed
 /// check_mesh(). O((n + m) log m). Errors: kInvalidArgument where one mesh is empty.
-Result<void> compare_surfaces(const MeshView& a, const MeshView& b, Comparison& result) {
-  const Surface original(a, a.origin);
-  const Surface approximation(b, a.origin);
+Result<void> compare_surfaces(const MeshView& a, const MeshView& b, const Roundings& roundings,
+                              Comparison& result) {
+  const Surface original(a, a.origin, roundings.a);
+  const Surface approximation(b, a.origin, roundings.b);
   result.diagonal = original.diagonal();
   if (original.triangles.empty() || approximation.triangles.empty())
     return Error{.code = ErrorCode::kInvalidArgument, .message = "one mesh is empty, the other is not"};
@@ -109,11 +110,9 @@ Result<void> compare_surfaces(const MeshView& a, const MeshView& b, Comparison& 
 
 /// A's vertices in B's sequence, with B's triangles: the mesh that B approximates vertex by vertex.
 struct Reordered {
-  Reordered(const MeshView& a, const MeshView& b, std::span<const std::uint32_t> order)
-      : positions(3 * order.size()) {
-    for (std::size_t v = 0; v < order.size(); ++v)
-      std::copy_n(a.positions.begin() + 3 * static_cast<std::ptrdiff_t>(order[v]), 3,
-                  positions.begin() + 3 * static_cast<std::ptrdiff_t>(v));
+  Reordered(const MeshView& a, const MeshView& b, std::span<const float> rounded,
+            std::span<const std::uint32_t> order)
+      : positions(reordered(a.positions, order)), roundings(reordered(rounded, order)) {
     view.origin = a.origin;
     view.positions = positions;
     view.triangles = b.triangles;
@@ -121,16 +120,29 @@ struct Reordered {
   Reordered(const Reordered&) = delete;
   Reordered& operator=(const Reordered&) = delete;
 
+  /// Rows of three, or none.
+  static std::vector<float> reordered(std::span<const float> rows, std::span<const std::uint32_t> order) {
+    std::vector<float> result;
+    if (rows.empty()) return result;
+    result.reserve(3 * order.size());
+    for (const std::uint32_t v : order) {
+      const auto row = rows.subspan(std::size_t{3} * v, 3);
+      result.insert(result.end(), row.begin(), row.end());
+    }
+    return result;
+  }
+
   std::vector<float> positions;
+  std::vector<float> roundings;
   MeshView view;
 };
 
 void compare_vertices(const MeshView& a, const MeshView& b, std::span<const std::uint32_t> order,
-                      Comparison& result) {
-  const Reordered reordered(a, b, order);
-  const Surface original(reordered.view, a.origin);
+                      const Roundings& roundings, Comparison& result) {
+  const Reordered reordered(a, b, roundings.a, order);
+  const Surface original(reordered.view, a.origin, reordered.roundings);
   result.diagonal = original.diagonal();
-  const std::vector<Vec3> decoded = positions_relative_to(a.origin, b);
+  const std::vector<Vec3> decoded = positions_relative_to(a.origin, b, roundings.b);
   const std::vector<Vec3> decoded_normals = vertex_normals(decoded, b.triangles, original.weld_groups());
 
   const std::vector<std::uint32_t>& representative = original.weld.representative;
@@ -173,13 +185,20 @@ Result<void> check_order(std::span<const std::uint32_t> order, std::size_t a_ver
   return {};
 }
 
+Result<void> check_roundings(std::span<const float> roundings, const MeshView& mesh) {
+  if (roundings.empty() || roundings.size() == mesh.positions.size()) return {};
+  return Error{.code = ErrorCode::kInvalidArgument, .message = "roundings must be three for each vertex"};
+}
+
 }  // namespace
 
-Result<Comparison> compare(const MeshView& a, const MeshView& b,
-                           std::span<const std::uint32_t> order) noexcept try {
+Result<Comparison> compare(const MeshView& a, const MeshView& b, std::span<const std::uint32_t> order,
+                           const Roundings& roundings) noexcept try {
   DELTAMESH_CHECK(check_mesh(a));
   DELTAMESH_CHECK(check_mesh(b));
   if (!order.empty()) DELTAMESH_CHECK(check_order(order, a.vertex_count(), b.vertex_count()));
+  DELTAMESH_CHECK(check_roundings(roundings.a, a));
+  DELTAMESH_CHECK(check_roundings(roundings.b, b));
   const AttributeComparer attributes(a, b);
   const Correspondence found = correspondence_of(a, b, order, attributes);
   Comparison result;
@@ -191,9 +210,9 @@ Result<Comparison> compare(const MeshView& a, const MeshView& b,
   result.unmatched_faces_b = b.triangle_count() - found.faces;
   result.attributes = attributes.compare(found.pairs);
   if (result.corresponding)
-    compare_vertices(a, b, found.order, result);
+    compare_vertices(a, b, found.order, roundings, result);
   else
-    DELTAMESH_CHECK(compare_surfaces(a, b, result));
+    DELTAMESH_CHECK(compare_surfaces(a, b, roundings, result));
   return result;
 } catch (const std::bad_alloc&) {
   return Error{.code = ErrorCode::kOutOfMemory, .message = "out of memory while comparing"};

@@ -9,16 +9,18 @@
 
 namespace deltamesh {
 
-std::vector<Vec3> positions_relative_to(const std::array<double, 3>& origin, const MeshView& mesh) {
+std::vector<Vec3> positions_relative_to(const std::array<double, 3>& origin, const MeshView& mesh,
+                                        std::span<const float> roundings) {
   const Vec3 offset = mesh.origin - origin;
   std::vector<Vec3> positions(mesh.vertex_count());
-  for (std::size_t v = 0; v < positions.size(); ++v)
-    positions[v] = offset + Vec3{mesh.positions[3 * v], mesh.positions[3 * v + 1], mesh.positions[3 * v + 2]};
+  for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = offset + widen(&mesh.positions[3 * v]);
+  for (std::size_t v = 0; 3 * v < roundings.size(); ++v)
+    positions[v] = positions[v] + widen(&roundings[3 * v]);
   return positions;
 }
 
-Surface::Surface(const MeshView& mesh, const std::array<double, 3>& origin)
-    : positions(positions_relative_to(origin, mesh)),
+Surface::Surface(const MeshView& mesh, const std::array<double, 3>& origin, std::span<const float> roundings)
+    : positions(positions_relative_to(origin, mesh, roundings)),
       used(mesh.vertex_count()),
       triangles(mesh.triangles.begin(), mesh.triangles.end()) {
   if (triangles.empty())

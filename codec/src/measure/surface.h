@@ -15,14 +15,15 @@
 
 namespace deltamesh {
 
-/// World positions less `origin`, n.
-std::vector<Vec3> positions_relative_to(const std::array<double, 3>& origin, const MeshView& mesh);
+/// World positions less `origin`, n. `roundings`: what the mesh's positions lack (3 n), or empty.
+std::vector<Vec3> positions_relative_to(const std::array<double, 3>& origin, const MeshView& mesh,
+                                        std::span<const float> roundings = {});
 
 /// Vertices without a face belong to the surface only where there is no face at all: a point cloud is the
 /// surface made of its points.
 struct Surface {
-  /// `mesh` has passed check_mesh(); positions are taken relative to `origin`.
-  Surface(const MeshView& mesh, const std::array<double, 3>& origin);
+  /// `mesh` has passed check_mesh(); the other arguments are as those of positions_relative_to().
+  Surface(const MeshView& mesh, const std::array<double, 3>& origin, std::span<const float> roundings = {});
 
   /// First vertex of the same position, for every vertex.
   std::vector<std::uint32_t> weld_groups() const;

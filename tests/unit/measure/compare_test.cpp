@@ -249,6 +249,20 @@ TEST(Compare, AddsTheOrigins) {
   EXPECT_LT(result->quality.max_error, 1e-7);
 }
 
+TEST(Compare, CountsWhatBecameFloat32) {
+  const Mesh mesh = grid(4, 0);
+  std::vector<float> higher(mesh.positions.size(), 0);
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) higher[3 * v + 2] = 1e-5F;
+  std::vector<std::uint32_t> order;
+  const Mesh other = shuffled(mesh, order);
+  EXPECT_FLOAT_EQ(static_cast<float>(compare(mesh, mesh, {}, {.a = higher})->quality.max_error), 1e-5F);
+  EXPECT_FLOAT_EQ(static_cast<float>(compare(mesh, other, order, {.b = higher})->quality.max_error), 1e-5F);
+  EXPECT_EQ(compare(mesh, other, order, {.a = higher, .b = higher})->quality.max_error, 0);
+  EXPECT_FLOAT_EQ(static_cast<float>(compare(mesh, grid(4, 0, true), {}, {.b = higher})->surface_max), 1e-5F);
+  higher.pop_back();
+  EXPECT_EQ(compare(mesh, mesh, {}, {.a = higher}).error().code, ErrorCode::kInvalidArgument);
+}
+
 TEST(Compare, RejectsBadOrders) {
   const Mesh a = octahedron();
   const std::vector<std::uint32_t> outside{0, 1, 2, 3, 4, 6};

@@ -121,8 +121,7 @@ class Assembly {
         std::memcpy(&coordinates[3 * (set.first + v)], point.data(), sizeof point);
       }
     }
-    imported_.mesh = place_origin(coordinates);
-    imported_.report.position_error = rounding_of(coordinates, imported_.mesh);
+    place_origin(coordinates, imported_);
     return {};
   }
 

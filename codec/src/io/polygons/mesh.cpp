@@ -140,8 +140,8 @@ Result<Imported> to_triangles(PolygonMesh mesh, ReadReport report) {
     split = split_corners(mesh);
     apply(split, mesh);
   }
-  Imported imported{.mesh = place_origin(mesh.coordinates), .report = std::move(report)};
-  imported.report.position_error = rounding_of(mesh.coordinates, imported.mesh);
+  Imported imported{.report = std::move(report)};
+  place_origin(mesh.coordinates, imported);
   imported.mesh.group_names = std::move(mesh.group_names);
   imported.report.leave_out(LeftOutKind::kFaces, "of fewer than three corners", mesh.faces.dropped());
   std::vector<std::uint32_t> vertices =
