@@ -43,7 +43,7 @@ std::set<Cell0> Layout::cells_of(const std::set<PartKey>& parts, const StoredBlo
   return {cells.begin(), cells.end()};
 }
 
-void Layout::replace(StoredBlocks blocks) {
+void Layout::replace(StoredBlocks&& blocks) {
   for (auto& [cell, block] : blocks) {
     const auto known = blocks_.find(cell);
     if (known != blocks_.end()) borders_.remove(known->second);
@@ -102,6 +102,7 @@ std::vector<const StoredBlock*> Layout::blocks_in(const PartKey& key) const {
   octree_.add_cells_in(key, cells);
   std::ranges::sort(cells);
   std::vector<const StoredBlock*> blocks;
+  blocks.reserve(cells.size());
   for (const Cell0& cell : cells) blocks.push_back(&blocks_.at(cell).block);
   return blocks;
 }

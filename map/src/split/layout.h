@@ -46,7 +46,7 @@ class Layout {
   void leave_out_known(StoredBlocks& blocks) const;
   std::set<PartKey> parts_before(const StoredBlocks& blocks) const;
   std::set<Cell0> cells_of(const std::set<PartKey>& parts, const StoredBlocks& blocks) const;
-  void replace(StoredBlocks blocks);
+  void replace(StoredBlocks&& blocks);
 
   MapLattice lattice_;
   PartSize size_;
