@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 #include <algorithm>
-#include <cstdio>
 #include <set>
 #include <utility>
 
@@ -13,6 +12,7 @@
 #include "split/layout.h"
 #include "split/options.h"
 #include "split/stored_block.h"
+#include "support/at_block.h"
 
 namespace deltamesh {
 
@@ -29,13 +29,6 @@ struct Splitter::State {
 };
 
 namespace {
-
-/// Names the block: "block x y z", as far as there is room.
-Error at_block(Error error, const MapBlock& block) {
-  (void)std::snprintf(error.found.data(), error.found.size(), "block %d %d %d", block.cell[0], block.cell[1],
-                      block.cell[2]);
-  return error;
-}
 
 /// By cell; those without triangles are to go.
 Result<StoredBlocks> checked(std::span<const MapBlock> update, const MapDescription& description) {
