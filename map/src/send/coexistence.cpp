@@ -11,7 +11,7 @@ namespace {
 /// by.
 constexpr float kMargin = 0.0625F;
 
-bool touch(const Extent& a, const Extent& b) noexcept {
+bool touch(const PartBox& a, const PartBox& b) noexcept {
   for (std::size_t k = 0; k < 3; ++k) {
     const float margin = kMargin * std::max(a.high[k] - a.low[k], b.high[k] - b.low[k]);
     if (a.low[k] > b.high[k] + margin || b.low[k] > a.high[k] + margin) return false;
@@ -38,8 +38,8 @@ std::uint64_t least_of(const PartKey& key, const SentPart& sent, const Viewer& v
 
 }  // namespace
 
-Extent extent_of(const Mesh& mesh) {
-  Extent extent;
+PartBox part_box(const Mesh& mesh) {
+  PartBox extent;
   for (std::size_t k = 0; k < 3; ++k) extent.low[k] = extent.high[k] = mesh.positions[k];
   for (std::size_t i = 3; i < mesh.positions.size(); ++i) {
     extent.low[i % 3] = std::min(extent.low[i % 3], mesh.positions[i]);
@@ -50,7 +50,7 @@ Extent extent_of(const Mesh& mesh) {
 
 std::vector<PartLink> links_for(const SourcePart& source, const Mesh& mesh, const Viewer& viewer,
                                 const SendPlan& plan) {
-  const Extent extent = extent_of(mesh);
+  const PartBox extent = part_box(mesh);
   std::vector<PartLink> links;
   auto border = source.links.begin();
   for (const auto& [key, sent] : viewer.sent) {

@@ -10,7 +10,7 @@
 
 namespace deltamesh {
 
-Extent extent_of(const Mesh& mesh);
+PartBox part_box(const Mesh& mesh);
 
 /// The links of the newest version of a part, for a receiver: with least revisions of what is near and may be
 /// there in an older version, or be on its way. `mesh`: as the receiver gets it.

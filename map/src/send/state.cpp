@@ -62,7 +62,7 @@ Result<std::vector<std::byte>> MapSender::State::newest_message(const PartKey& k
   known[key][told] = std::move(chosen.version);
   const std::uint64_t revision = viewer.next_revision(key, source.revision, now);
   std::vector<PartLink> links = links_for(source, encoding->decoded.mesh, viewer, plan);
-  viewer.sent[key].add(extent_of(encoding->decoded.mesh));
+  viewer.sent[key].add(part_box(encoding->decoded.mesh));
   const std::uint64_t number = viewer.delivery.next_number();
   viewer.has[key] = {.revision = revision,
                      .since = is_the_same ? before->since : revision,

@@ -101,7 +101,7 @@ PartEntry entry_of(const SourcePart& source, const Encoding& encoding, std::uint
   entry.hash = encoding.hash;
   entry.vertices = static_cast<std::uint32_t>(mesh.vertex_count());
   entry.triangles = static_cast<std::uint32_t>(mesh.triangle_count());
-  const Extent extent = extent_of(mesh);
+  const PartBox extent = part_box(mesh);
   entry.box_min = extent.low;
   entry.box_max = extent.high;
   entry.quality = encoding.quality;

@@ -22,7 +22,8 @@
 
 namespace deltamesh {
 
-struct Extent {
+/// Around the vertices of a part.
+struct PartBox {
   std::array<float, 3> low{};
   std::array<float, 3> high{};
 };
@@ -32,11 +33,11 @@ struct SentPart {
   std::uint64_t revision = 0;                              ///< of the last message
   double time = -std::numeric_limits<double>::infinity();  ///< of the last message
   bool is_removal = false;
-  bool was_lost = false;           ///< that message
-  bool is_everywhere = false;      ///< told of by the receiver, and unknown
-  std::optional<Extent> extent{};  ///< of all versions that were sent
+  bool was_lost = false;            ///< that message
+  bool is_everywhere = false;       ///< told of by the receiver, and unknown
+  std::optional<PartBox> extent{};  ///< of all versions that were sent
 
-  void add(const Extent& version) noexcept {
+  void add(const PartBox& version) noexcept {
     if (!extent) extent = version;
     for (std::size_t k = 0; k < 3; ++k) {
       extent->low[k] = std::min(extent->low[k], version.low[k]);
