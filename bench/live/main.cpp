@@ -168,7 +168,8 @@ int main(int argc, char** argv) {
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
   app.add_option("--mission", settings.mission,
-                 "Instead: memory and processor time over so many updates, with ten viewers");
+                 "Instead: memory and processor time over so many updates, with ten viewers")
+      ->check(CLI::Range(4U, 10'000'000U));
   app.add_option("--update-cost", settings.update_costs,
                  "Instead: what an update of one block takes in rooms of so many vertices")
       ->delimiter(',');

@@ -65,7 +65,8 @@ void place_origin(std::span<const double> coordinates, Imported& imported) {
     largest = std::max(largest, distance);
   }
   imported.report.position_error = largest;
-  if (largest > 0) imported.roundings = std::move(roundings);
+  if (!(largest > 0)) roundings.clear();
+  imported.roundings = std::move(roundings);
 }
 
 }  // namespace deltamesh

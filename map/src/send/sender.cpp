@@ -79,7 +79,7 @@ Result<void> MapSender::update(std::span<const MapBlock> blocks) noexcept {
   return guarded([&]() -> Result<void> {
     DELTAMESH_TRY(const std::vector<PartKey> gone, state_->map.update(blocks));
     for (const PartKey& key : gone) state_->encodings.forget(key);
-    state_->forget_versions();
+    state_->forget_versions(2 * blocks.size());
     return {};
   });
 }

@@ -15,15 +15,16 @@ namespace deltamesh {
 
 /// Versions that no receiver has and that are not the newest, of some parts: the next ones at each update, so
 /// that an update does not take longer the larger the map is.
-void MapSender::State::forget_versions() {
+void MapSender::State::forget_versions(std::size_t changed) {
   constexpr std::size_t kPartsAtOnce = 256;
   auto next = known.lower_bound(look_at_next);
-  for (std::size_t count = std::min(kPartsAtOnce, known.size()); count > 0; --count) {
+  for (std::size_t count = std::min(std::max(kPartsAtOnce, changed), known.size()); count > 0; --count) {
     if (next == known.end()) next = known.begin();
     const PartKey key = next->first;
     std::erase_if(next->second, [&](const auto& entry) { return !has_viewer(key, entry.first); });
     next = next->second.empty() ? known.erase(next) : std::next(next);
   }
+  if (next == known.end()) next = known.begin();
   look_at_next = next == known.end() ? PartKey{} : next->first;
 }
 

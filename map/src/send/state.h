@@ -36,7 +36,8 @@ struct MapSender::State {
   std::map<std::uint64_t, Viewer> viewers{};
   SenderCounts counts{};
 
-  void forget_versions();
+  /// Of so many parts, at least, as an update may bring new versions of.
+  void forget_versions(std::size_t changed);
   bool has_viewer(const PartKey& key, std::uint32_t version) const;
   Result<Viewer*> viewer_of(const ViewMessage& message, double now);
   Result<void> hear_receipt(std::span<const std::byte> bytes, double now);

@@ -21,7 +21,8 @@ struct PlacedBlock {
   PartKey part{};
 };
 
-/// A hash table with open addresses: of 1 million positions it takes 50 MB at most.
+/// A hash table with open addresses: of 1 million positions it takes 50 MB, just above a power of two twice
+/// as much.
 class PositionTable {
  public:
   /// Calls `visit` with every block that has the position.

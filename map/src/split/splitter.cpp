@@ -26,6 +26,7 @@ struct Splitter::State {
   Copies copies{};
   std::uint64_t revision = 0;
   std::uint64_t next_group = 0;
+  bool is_broken = false;  ///< an update ended for want of memory
 };
 
 namespace {
@@ -70,7 +71,12 @@ std::uint64_t Splitter::revision() const noexcept { return state_->revision; }
 Result<MapChange> Splitter::update(std::span<const MapBlock> update) noexcept {
   return guarded([&]() -> Result<MapChange> {
     State& state = *state_;
+    if (state.is_broken)
+      return Error{
+          .code = ErrorCode::kOutOfMemory,
+          .message = "an update before ended for want of memory: its splitter is of no use any more"};
     DELTAMESH_TRY(StoredBlocks blocks, checked(update, state.description));
+    state.is_broken = true;
     const LayoutChange laid = state.layout.update(std::move(blocks));
     const CopyChange copied =
         update_copies(laid.touched, state.layout, state.description, state.options, state.copies);
@@ -92,6 +98,7 @@ Result<MapChange> Splitter::update(std::span<const MapBlock> update) noexcept {
     }
     for (const PartKey& key : removed) change.removed.push_back({key, revision, groups.numbers.at(key)});
     state.next_group = groups.next;
+    state.is_broken = false;
     return change;
   });
 }

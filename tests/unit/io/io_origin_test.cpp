@@ -71,6 +71,7 @@ TEST(Origin, RoundingsAreWhatIsLost) {
   EXPECT_GT(imported.report.position_error, 0);
   place_origin(std::vector<double>{0.5, 1, 2}, imported);
   EXPECT_EQ(imported.report.position_error, 0);
+  EXPECT_TRUE(imported.roundings.empty());
 }
 
 }  // namespace

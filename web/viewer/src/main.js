@@ -9,8 +9,14 @@ const url = new URLSearchParams(location.search).get('url');
 const { example } = fromHash(location.hash);
 const first = url ? null : workshop.example(example);
 first?.catch(() => {}); // the page tells of it
-const { Page } = await import('./page.js');
-const page = await Page.open(workshop);
-window.viewer = { replacePart: (place, bytes) => page.replacePart(place, bytes) };
-if (url) page.openUrl(url);
-else page.openExample(example, first);
+try {
+  const { Page } = await import('./page.js');
+  const page = await Page.open(workshop);
+  window.viewer = { replacePart: (place, bytes) => page.replacePart(place, bytes) };
+  if (url) page.openUrl(url);
+  else page.openExample(example, first);
+} catch (error) {
+  const line = document.getElementById('error');
+  line.textContent = `The page could not be loaded: ${error.message}`;
+  line.hidden = false;
+}

@@ -27,6 +27,8 @@ export class Page {
   #result = null;
   #name = '';
   #timer = 0;
+  #opening = 0; // counts what was opened, and what was asked of it: what comes of an older one is not shown
+  #request = 0;
   #note = ''; // what is wrong and does not stop anything
 
   static async open(workshop) {
@@ -86,6 +88,8 @@ export class Page {
   /** Ends what is being done; what is shown stays. */
   #stop() {
     clearTimeout(this.#timer);
+    ++this.#opening;
+    ++this.#request;
     this.workshop.cancel();
     this.map.cancel();
   }
@@ -160,8 +164,10 @@ export class Page {
   /** `example`: what the list of examples says then. `file`, `others`: what is read, where it is no example. */
   async #open(example, name, read, file, others) {
     this.status.tell(`Reading ${name}`);
+    const opening = ++this.#opening;
     try {
       const { mesh, frame, display, up, materials, places, prepared, isGlb = false } = await read();
+      if (opening !== this.#opening) return;
       find('example').value = example;
       this.map.close();
       this.controls.showMap(find, false);
@@ -173,7 +179,9 @@ export class Page {
       this.picture.show(this.#settings);
       this.#note = '';
       if (materials) this.picture.setMaterials(plainMaterials(materials));
+      const source = this.#source;
       if (places) await this.#showModel(file, others, { places, count: mesh.positions.length / 3 });
+      if (source !== this.#source) return;
       this.controls.showKinds(new Set(mesh.attributes.map(({ kind }) => kind)));
       const [vertices, triangles] = [mesh.positions.length / 3, mesh.indices.length / 3];
       find('mesh-name').textContent = `${name}: ${vertices.toLocaleString('en')} vertices, ${triangles.toLocaleString('en')} triangles`;
@@ -192,12 +200,13 @@ export class Page {
       this.picture.setModel(asset, about);
       if (missing.length > 0) this.#note = `; choose or drop these, too: ${missing.join(', ')}`;
     } catch (error) {
-      this.#note = `; its materials could not be read: ${error.message}`;
+      if (source === this.#source) this.#note = `; its materials could not be read: ${error.message}`;
     }
   }
 
   encodeSoon() {
     clearTimeout(this.#timer);
+    ++this.#request;
     this.#timer = setTimeout(() => this.encode(), PAUSE_MILLISECONDS);
   }
 
@@ -217,12 +226,13 @@ export class Page {
   /** The result at once, then what is known of it. */
   async #showMeasured(result) {
     const source = this.#source;
+    const request = this.#request;
     this.#show(result);
     this.status.tell('Measuring');
     await this.picture.whenSeen();
-    if (source !== this.#source) return;
+    if (source !== this.#source || request !== this.#request) return;
     const errors = await this.workshop.errors(result);
-    if (source !== this.#source || result.bytes !== this.#result?.bytes) return;
+    if (source !== this.#source || request !== this.#request) return;
     this.picture.setErrors(errors);
     this.picture.show(this.#settings);
     this.status.tell(`Done${this.#note}`, false);

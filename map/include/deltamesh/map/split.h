@@ -68,8 +68,9 @@ class Splitter {
 
   /// One update: all blocks at once, each cell at most once. The parts after it are those that a fresh
   /// splitter makes of all blocks; `changed` has only those whose mesh or border is not as before. Takes time
-  /// in proportion to the blocks' parts and those with a changed border, not to the map. On an error nothing
-  /// has changed, but after kOutOfMemory the source is undefined. Errors: as split(); Error::found is the
+  /// in proportion to the blocks' parts and those with a changed border, not to the map; coarser copies
+  /// take as much as what lies below their top cells. On an error nothing has changed, but after kOutOfMemory
+  /// every further update fails with it. Errors: as split(); Error::found is the
   /// cell of the block at fault.
   Result<MapChange> update(std::span<const MapBlock> blocks) noexcept;
 

@@ -22,6 +22,7 @@ export const modules = Object.fromEntries(NAMES.map((name) => [name, () => ask(n
 function takeModule({ name, module, failure }) {
   if (module) waiting.get(name).resolve(module);
   else waiting.get(name).reject(new Error(failure));
+  if (!module) waiting.delete(name); // whoever needs it next asks again
 }
 
 /**

@@ -15,7 +15,10 @@ const tell = (step, share) => self.postMessage({ progress: { step, share } });
 
 async function encode({ options }) {
   tell('Compressing', 0);
-  encoder ??= createEncoder({ files: modules });
+  encoder ??= createEncoder({ files: modules }).catch((error) => {
+    encoder = undefined; // the next one tries again
+    throw error;
+  });
   const ready = await encoder;
   const begin = performance.now();
   const encoded = check(ready.encode(source.mesh, { ...options, onProgress: (share) => tell('Compressing', share) }));

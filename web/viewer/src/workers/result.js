@@ -17,7 +17,10 @@ export function check(outcome) {
 }
 
 export async function decode(bytes) {
-  decoder ??= createDecoder({ files: modules });
+  decoder ??= createDecoder({ files: modules }).catch((error) => {
+    decoder = undefined; // the next one tries again
+    throw error;
+  });
   return check(await (await decoder).decode(bytes));
 }
 
