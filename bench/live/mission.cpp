@@ -12,6 +12,7 @@
 
 #include "deltamesh/map/receiver.h"
 #include "deltamesh/map/sender.h"
+#include "live/take_step.h"
 #include "support/errors.h"
 
 namespace deltamesh::bench {
@@ -46,7 +47,7 @@ class Mission {
     for (std::uint32_t i = 0; i < 4 * quarter; ++i) {
       MissionQuarter& sums = result.quarters.at(i / quarter);
       const std::clock_t begin = std::clock();
-      update(updates_.steps[i % updates_.steps.size()]);
+      take_step(updates_.steps[i % updates_.steps.size()], sender_);
       for (std::uint32_t k = 0; k < kExchanges; ++k) exchange(settings_.loss);
       sums.milliseconds += 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC / quarter;
       sums.megabytes += (heap_megabytes() - before) / quarter;
@@ -71,14 +72,6 @@ class Mission {
     }
     if (i % 2 == 1) view.bytes_per_second = 25'000 * (1 + i);
     return view;
-  }
-
-  void update(const SequenceStep& step) {
-    const Mesh nothing;
-    std::vector<MapBlock> blocks;
-    for (const SequenceBlock& block : step.changed) blocks.push_back({block.id, block.mesh});
-    for (const SequenceBlockId& id : step.removed) blocks.push_back({id, nothing});
-    check_or_exit(sender_.update(blocks));
   }
 
   /// Messages arrive at once or never.

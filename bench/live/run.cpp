@@ -6,6 +6,7 @@
 
 #include "deltamesh/map/receiver.h"
 #include "deltamesh/map/sender.h"
+#include "live/take_step.h"
 #include "support/errors.h"
 
 namespace deltamesh::bench {
@@ -42,7 +43,7 @@ class LiveRun {
       if (now > result_.seconds + kMostSettling) break;
       bool has_occasion = false;
       if (next < updates && now >= static_cast<double>(next) * settings_.seconds_between_updates) {
-        update(updates_.steps[next++]);
+        take_step(updates_.steps[next++], sender_);
         has_occasion = true;
       }
       for (const auto& message : up_.take(now)) {
@@ -62,14 +63,6 @@ class LiveRun {
   }
 
  private:
-  void update(const SequenceStep& step) {
-    const Mesh nothing;
-    std::vector<MapBlock> blocks;
-    for (const SequenceBlock& block : step.changed) blocks.push_back({block.id, block.mesh});
-    for (const SequenceBlockId& id : step.removed) blocks.push_back({id, nothing});
-    check_or_exit(sender_.update(blocks));
-  }
-
   void send(double now) {
     called_ = now;
     if (sender_.viewers().empty()) return;

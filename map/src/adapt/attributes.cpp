@@ -5,51 +5,25 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <type_traits>
 #include <utility>
 
+#include "base/component.h"
 #include "base/try.h"
 #include "support/errors.h"
 
 namespace deltamesh {
 namespace {
 
-/// Calls `body` with a zero of the C++ type.
-template <class Body>
-auto with_number(ComponentType type, Body body) {
-  switch (type) {
-    case ComponentType::kI8:
-      return body(std::int8_t{});
-    case ComponentType::kU8:
-      return body(std::uint8_t{});
-    case ComponentType::kI16:
-      return body(std::int16_t{});
-    case ComponentType::kU16:
-      return body(std::uint16_t{});
-    case ComponentType::kI32:
-      return body(std::int32_t{});
-    case ComponentType::kU32:
-      return body(std::uint32_t{});
-    case ComponentType::kF32:
-      return body(float{});
-    default:
-      return body(double{});
-  }
-}
-
 double number_at(const AttributeView& from, std::size_t i) {
-  return with_number(from.type, [&](auto number) {
-    std::memcpy(&number, from.values.data() + i * sizeof number, sizeof number);
-    return static_cast<double>(number);
-  });
+  return load_component(from.type, from.values.data() + i * component_size(from.type));
 }
 
 /// False where the number is none of the type.
 bool put_number(double value, Attribute& to, std::size_t i) {
-  return with_number(to.type, [&](auto number) {
+  return with_component(to.type, [&](auto number) {
     using T = decltype(number);
     if constexpr (std::is_integral_v<T>) {
       const bool fits = value >= double{std::numeric_limits<T>::lowest()} &&
@@ -66,12 +40,6 @@ bool put_number(double value, Attribute& to, std::size_t i) {
 
 bool is_float(ComponentType type) { return type == ComponentType::kF32 || type == ComponentType::kF64; }
 
-/// The largest value of a colour's component.
-double full_of(ComponentType type) {
-  if (is_float(type)) return 1;
-  return type == ComponentType::kU8 ? 255 : 65535;
-}
-
 bool is_color_type(ComponentType type) {
   return is_float(type) || type == ComponentType::kU8 || type == ComponentType::kU16;
 }
@@ -82,11 +50,11 @@ const char* take_colors(const AttributeView& from, Attribute& to, std::size_t ve
   if (!is_color_type(from.type) || !is_color_type(to.type)) return "colours are u8, u16, f32 or f64";
   if (from.components < 3 || from.components > 4 || to.components < 3 || to.components > 4)
     return "colours have 3 or 4 components";
-  const double full = full_of(to.type);
+  const double full = normalized_one(to.type);
   for (std::size_t v = 0; v < vertices; ++v) {
     for (std::size_t c = 0; c < to.components; ++c) {
       double value = 1;
-      if (c < from.components) value = number_at(from, v * from.components + c) / full_of(from.type);
+      if (c < from.components) value = number_at(from, v * from.components + c) / normalized_one(from.type);
       if (std::isnan(value)) return "a colour is NaN";
       value = full * std::clamp(value, 0.0, 1.0);
       put_number(is_float(to.type) ? value : std::floor(value + 0.5), to, v * to.components + c);
