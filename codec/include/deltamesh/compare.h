@@ -59,8 +59,8 @@ struct Comparison {
       signed_error;  ///< per vertex of B: displacement from A along A's normal, outward positive
 };
 
-/// What the positions of two meshes lack of those that are to be compared, as Imported::roundings: 3 for each
-/// vertex, or empty where they lack nothing.
+/// Added to the positions of two meshes before they are compared, as Imported::roundings: 3 for each vertex,
+/// or empty.
 struct Roundings {
   std::span<const float> a{};
   std::span<const float> b{};

@@ -79,8 +79,8 @@ struct ReadOptions {
 struct Imported {
   Mesh mesh{};
   ReadReport report{};
-  /// What the mesh's float32 positions lack of the file's coordinates (ReadReport::position_error is the
-  /// largest): n x 3, model units, 0 where they are not finite; empty where they lack nothing. For compare().
+  /// The file's coordinates less the mesh's, where rounding to float32 changed any: n x 3, model units, 0 at
+  /// vertices that are not finite. For compare(); ReadReport::position_error is the longest.
   std::vector<float> roundings{};
 };
 

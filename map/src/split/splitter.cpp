@@ -72,9 +72,8 @@ Result<MapChange> Splitter::update(std::span<const MapBlock> update) noexcept {
   return guarded([&]() -> Result<MapChange> {
     State& state = *state_;
     if (state.is_broken)
-      return Error{
-          .code = ErrorCode::kOutOfMemory,
-          .message = "an update before ended for want of memory: its splitter is of no use any more"};
+      return Error{.code = ErrorCode::kOutOfMemory,
+                   .message = "an earlier update ran out of memory: make a new splitter"};
     DELTAMESH_TRY(StoredBlocks blocks, checked(update, state.description));
     state.is_broken = true;
     const LayoutChange laid = state.layout.update(std::move(blocks));
