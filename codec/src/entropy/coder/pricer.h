@@ -55,7 +55,8 @@ class CompactPricer {
     }
     return value;
   }
-  bool bit(bool value, BitModel& model) noexcept {
+  template <class Model>
+  bool bit(bool value, Model& model) noexcept {
     if (!spend(model.interval(value))) model.learn(value);
     return value;
   }

@@ -61,7 +61,9 @@ class CompactReader {
     return symbol;
   }
 
-  [[gnu::always_inline]] bool bit(bool, BitModel& model) noexcept {
+  /// `model`: BitModel or CountedBit.
+  template <class Model>
+  [[gnu::always_inline]] bool bit(bool, Model& model) noexcept {
     const bool value = slot_of_state() < model.probability();
     take(model.interval(value));
     model.learn(value);

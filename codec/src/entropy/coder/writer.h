@@ -46,7 +46,9 @@ class CompactWriter {
     return value;
   }
 
-  bool bit(bool value, BitModel& model) {
+  /// `model`: BitModel or CountedBit.
+  template <class Model>
+  bool bit(bool value, Model& model) {
     put(model.interval(value));
     model.learn(value);
     return value;

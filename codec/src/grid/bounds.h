@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// What a grid may hold [GRD-1, GRD-8].
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "format/predictive_parameters.h"
+#include "grid/surface.h"
+
+namespace deltamesh::grid {
+
+/// A brick takes some 20 kB.
+inline Limits limits_of(const PredictiveParameters& parameters, std::uint32_t vertices,
+                        std::uint32_t triangles) noexcept {
+  Limits limits{.vertices = vertices, .triangles = triangles, .voxel = 2 * parameters.levels};
+  // Of all cubes with a corner that is a node of the lattice.
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    limits.bricks[axis] = (parameters.lattice.cells[axis] / limits.voxel + kSide + 1) / kSide;
+  limits.most_bricks = std::min(kMostBricks, 64 + vertices / 4);
+  return limits;
+}
+
+}  // namespace deltamesh::grid

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// What the faces of one cube are: triangles over its edges and a vertex inside it [GRD-5].
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "grid/cube/cube.h"
+
+namespace deltamesh::grid {
+
+/// Edges, or kInside, at the corners of a face.
+using Triangle = std::array<std::uint8_t, 3>;
+
+/// `triangle`, beginning with its least corner, and how many corners that is turned by.
+struct TurnedTriangle {
+  Triangle corners;
+  std::uint8_t turn;
+};
+constexpr TurnedTriangle with_least_first(const Triangle& t) noexcept {
+  std::uint8_t turn = 0;
+  if (t[1] < t[0]) turn = 1;
+  if (t[2] < t[turn]) turn = 2;
+  return {{t[turn], t[(turn + 1) % 3], t[(turn + 2) % 3]}, turn};
+}
+
+class Pattern {
+ public:
+  static constexpr unsigned kMostTriangles = 15;
+
+  std::span<const Triangle> triangles() const noexcept { return std::span(triangles_).first(count_); }
+  /// A bit for every edge with a vertex; bit kInside for a vertex inside.
+  unsigned used() const noexcept { return used_; }
+  bool has_inner() const noexcept { return (used_ >> kInside & 1) != 0; }
+
+  /// Precondition: fewer than kMostTriangles.
+  void add(const Triangle& triangle) noexcept {
+    triangles_[count_++] = with_least_first(triangle).corners;
+    for (const unsigned edge : triangle) used_ = static_cast<std::uint16_t>(used_ | 1U << edge);
+  }
+  /// Their order, which is that of the mesh's faces.
+  void sort() noexcept { std::sort(triangles_.begin(), triangles_.begin() + count_); }
+
+  bool operator==(const Pattern&) const = default;
+
+ private:
+  std::array<Triangle, kMostTriangles> triangles_{};
+  std::uint8_t count_ = 0;
+  std::uint16_t used_ = 0;
+};
+
+}  // namespace deltamesh::grid

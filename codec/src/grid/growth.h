@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// From seeds the surface grows from cube to cube: which cubes have faces, which of their corners are outside
+// and what the faces are [GRD-2 .. GRD-7]. One template for both directions.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <utility>
+
+#include "base/memory/large_vector.h"
+#include "entropy/coder/held_coder.h"
+#include "grid/bricks.h"
+#include "grid/models.h"
+#include "grid/pattern_coder.h"
+#include "grid/surface.h"
+#include "grid/window.h"
+
+namespace deltamesh::grid {
+
+/// `Source`: what a writer codes; a reader's has no members that are used.
+template <class Coder, class Source>
+class Growth {
+ public:
+  Growth(Coder& coder, GrowthModels& models, const Source& source, const Limits& limits, Surface& surface)
+      : coder_(coder), models_(models), source_(source), limits_(limits), surface_(surface) {}
+
+  /// All of the surface. Null, or the rule that a stream breaks.
+  const char* grow() {
+    for (std::size_t seed = 0;; ++seed) {
+      bool is_seed = false;
+      if constexpr (Coder::kWrites) {
+        const auto& seeds = source_.cubes();
+        while (seed < seeds.size() && is_seen(seeds[seed])) ++seed;
+        is_seed = seed < seeds.size();
+        if (is_seed) next_seed_ = seeds[seed];
+      }
+      if (!coder_.bit(is_seed, models_.is_seed) || broken_ != nullptr || coder_.failed()) return broken_;
+      code_seed();
+      code_waiting();
+    }
+  }
+
+ private:
+  /// Where a cube is: number of a brick and place there.
+  using CubeId = std::uint32_t;
+  static constexpr unsigned kPlaceBits = 12;
+  static constexpr std::size_t kAhead = 6;  ///< cubes that are soon coded are fetched
+
+  bool is_seen(const CubePlace& cube) const noexcept {
+    const Brick* const brick = surface_.bricks.find(cube.brick);
+    return brick != nullptr && (brick->cubes[cube.place] & Brick::kSeen) != 0;
+  }
+
+  /// The place of a cube with faces, as a difference to the last such place [GRD-7].
+  void code_seed() {
+    const auto& size = limits_.bricks;
+    const auto index_of = [&](const Bricks::Place& at) {
+      return (static_cast<std::uint32_t>(at[2]) * size[1] + static_cast<std::uint32_t>(at[1])) * size[0] +
+             static_cast<std::uint32_t>(at[0]);
+    };
+    const std::uint32_t brick_step =
+        coder_.number(Coder::kWrites ? index_of(next_seed_.brick) - seed_brick_ : 0, models_.seed_brick);
+    seed_brick_ += brick_step;
+    if (brick_step != 0) seed_place_ = 0;
+    seed_place_ += coder_.number(Coder::kWrites ? next_seed_.place - seed_place_ : 0, models_.seed_cube);
+    if (seed_place_ >= kPlaces || seed_brick_ / size[0] / size[1] >= size[2]) return refuse("GRD-7");
+    Brick& brick = surface_.bricks.get({static_cast<std::int32_t>(seed_brick_ % size[0]),
+                                        static_cast<std::int32_t>(seed_brick_ / size[0] % size[1]),
+                                        static_cast<std::int32_t>(seed_brick_ / size[0] / size[1])});
+    if ((brick.cubes[seed_place_] & Brick::kSeen) != 0) return refuse("GRD-7");
+    brick.cubes[seed_place_] |= Brick::kSeen;
+    code_with_faces(coder_, brick, seed_place_, Window(brick, spot_of(seed_place_)));
+  }
+
+  void code_waiting() {
+    Held<Coder> coder = coder_;
+    while (next_ < waiting_end_ && broken_ == nullptr && !coder.failed()) {
+      const CubeId ahead = waiting_[std::min(next_ + kAhead, waiting_end_ - 1)];
+      const Brick& soon = surface_.bricks[ahead >> kPlaceBits];
+      const Spot soon_at = spot_of(ahead % kPlaces);
+      for (int z = -1; z < 3; ++z)
+        __builtin_prefetch(&soon.rows[Brick::row_at(soon_at[1] - 1, soon_at[2] + z)]);
+      const CubeId cube = waiting_[next_++];
+      code_cube(coder, surface_.bricks[cube >> kPlaceBits], cube % kPlaces);
+    }
+    write_back<Coder>(coder, coder_);
+  }
+
+  [[gnu::always_inline]] void code_cube(Coder& coder, Brick& brick, unsigned place) {
+    const Window window(brick, spot_of(place));
+    const unsigned known = window.outside() | window.inside();
+    bool has_faces = false;
+    if constexpr (Coder::kWrites) has_faces = source_.find(brick.at, place) != Source::kNone;
+    CountedBit& model = models_.flags[known << 6 | (brick.cubes[place] & Brick::kFaceless)];
+    if (!coder.bit(has_faces, model)) return count_faceless(brick, spot_of(place));
+    code_with_faces(coder, brick, place, window);
+  }
+
+  [[gnu::always_inline]] void code_with_faces(Coder& coder, Brick& brick, unsigned place, Window window) {
+    const Spot spot = spot_of(place);
+    if constexpr (Coder::kWrites) cube_ = source_.find(brick.at, place);
+    const Signs signs = code_signs(coder, brick, spot, window);
+    const Pattern& pattern = code_pattern(coder, signs);
+    if constexpr (Coder::kWrites) surface_.cubes.push_back(cube_);
+    surface_.add_faces(brick, spot, pattern);
+    if (pattern.has_inner()) [[unlikely]]
+      code_inner(coder, brick, spot);
+    if (is_too_large()) [[unlikely]]
+      refuse("GRD-8");
+    for (unsigned crossed = kCrossedFaces[signs]; crossed != 0; crossed &= crossed - 1)
+      wait_for(brick, place, static_cast<unsigned>(std::countr_zero(crossed)));
+  }
+
+  /// Those of the corners that are not known [GRD-4].
+  [[gnu::always_inline]] Signs code_signs(Coder& coder, Brick& brick, const Spot& spot, Window& window) {
+    Signs outside = window.outside();
+    Signs inside = window.inside();
+    for (unsigned unknown = ~(outside | inside) & 255; unknown != 0; unknown &= unknown - 1) {
+      const auto corner = static_cast<unsigned>(std::countr_zero(unknown));
+      const unsigned thirds = kThirds[corner][inside] + 2U * kThirds[corner][outside];
+      bool is_outside = false;
+      if constexpr (Coder::kWrites) is_outside = (source_.signs(cube_) >> corner & 1) != 0;
+      is_outside = coder.bit(is_outside, models_.signs[3 * thirds + window.majority(corner)]);
+      outside |= (is_outside ? 1U : 0U) << corner;
+      inside |= (is_outside ? 0U : 1U) << corner;
+      window.set(corner, is_outside);
+      surface_.bricks.set_node(brick, Surface::corner_at(spot, corner), is_outside);
+    }
+    return outside;
+  }
+
+  [[gnu::always_inline]] const Pattern& code_pattern(Coder& coder, Signs signs) {
+    KnownPatterns& known = models_.known[signs];
+    std::uint32_t rank = 0;
+    if constexpr (Coder::kWrites) {
+      while (rank < known.count && models_.patterns[known.numbers[rank]] != source_.pattern(cube_)) ++rank;
+    }
+    if (known.count > 0 && !coder.bit(rank != 0, known.is_other)) [[likely]]
+      return models_.patterns[known.numbers[0]];
+    return rarely(coder, [&]() -> const Pattern& { return code_other_pattern(signs, rank); });
+  }
+
+  /// Not the first one that is known.
+  [[gnu::noinline]] const Pattern& code_other_pattern(Signs signs, std::uint32_t rank) {
+    KnownPatterns& known = models_.known[signs];
+    if (known.count > 0) {
+      const unsigned symbol = rank < known.count ? rank : KnownPatterns::kMost;
+      rank = coder_.symbol(symbol, Mixture<1>{{&models_.rank}});
+      if (rank == 0) refuse("GRD-5");
+    }
+    if (known.count > 0 && rank < known.count) {
+      std::swap(known.numbers[rank], known.numbers[rank - (rank > 0 ? 1 : 0)]);
+      return models_.patterns[known.numbers[rank - (rank > 0 ? 1 : 0)]];
+    }
+    Pattern wanted;
+    if constexpr (Coder::kWrites) wanted = source_.pattern(cube_);
+    auto coded = code_new_pattern(coder_, signs, wanted, models_.pattern);
+    if (!coded) refuse("GRD-6");
+    return models_.add(signs, coded.value_or(Pattern{}));
+  }
+
+  /// Where the vertex inside a cube is: raw bits [GRD-6].
+  [[gnu::noinline]] void code_inner(const Brick& brick, const Spot& spot) {
+    InnerVertex inner{.vertex = surface_.vertex_count - 1, .brick = brick.at, .spot = spot};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      std::uint32_t offset = 0;
+      if constexpr (Coder::kWrites) offset = source_.inner_offset(cube_, axis);
+      inner.offset[axis] = coder_.bits(offset, static_cast<unsigned>(std::bit_width(limits_.voxel - 1)));
+      if (inner.offset[axis] >= limits_.voxel) refuse("GRD-6");
+    }
+    surface_.inner.push_back(inner);
+  }
+  void code_inner(Coder& coder, const Brick& brick, const Spot& spot) {
+    rarely(coder, [&] { return code_inner(brick, spot), 0; });
+  }
+
+  [[gnu::always_inline]] void wait_for(Brick& brick, unsigned place, unsigned face) {
+    static constexpr std::array<int, kFaces> kSteps = {-1, 1, -16, 16, -256, 256};
+    const unsigned axis_shift = 4 * (face / 2);
+    const unsigned end = (face & 1) != 0 ? 15 : 0;
+    if ((place >> axis_shift & 15) == end) [[unlikely]]
+      return wait_beyond(brick, place, face);
+    add_waiting(brick, place + static_cast<unsigned>(kSteps[face]));
+  }
+  [[gnu::noinline]] void wait_beyond(Brick& brick, unsigned place, unsigned face) {
+    Spot spot = spot_of(place);
+    spot[face / 2] += (face & 1) != 0 ? 1 : -1;
+    Brick& other = surface_.bricks.home(brick, spot);
+    add_waiting(other, place_of(spot));
+  }
+  [[gnu::always_inline]] void add_waiting(Brick& brick, unsigned place) {
+    if (waiting_end_ == waiting_.size()) [[unlikely]]
+      waiting_.resize(2 * waiting_.size() + 256);
+    std::uint8_t& cube = brick.cubes[place];
+    waiting_[waiting_end_] = brick.number << kPlaceBits | place;
+    waiting_end_ += (cube & Brick::kSeen) == 0 ? 1 : 0;
+    cube |= Brick::kSeen;
+  }
+
+  /// Tells the cubes around [GRD-3].
+  [[gnu::noinline]] void count_faceless(Brick& brick, const Spot& spot) {
+    for (int way = 0; way < 27; ++way) {
+      const Spot step = {way % 3 - 1, way / 3 % 3 - 1, way / 9 - 1};
+      const int apart = std::abs(step[0]) + std::abs(step[1]) + std::abs(step[2]);
+      if (apart != 1 && apart != 2) continue;
+      Spot other = {spot[0] + step[0], spot[1] + step[1], spot[2] + step[2]};
+      Brick& own = surface_.bricks.home(brick, other);
+      std::uint8_t& cube = own.cubes[place_of(other)];
+      if (apart == 1) cube = static_cast<std::uint8_t>(cube + 8);
+      if (apart == 2 && cube % 8 < 7) ++cube;
+    }
+  }
+
+  /// A rare step, on `coder_` itself.
+  template <class Code>
+  [[gnu::always_inline]] decltype(auto) rarely(Coder& coder, Code code) {
+    write_back<Coder>(coder, coder_);
+    decltype(auto) result = code();
+    write_back<Coder>(coder_, coder);
+    return result;
+  }
+
+  bool is_too_large() const noexcept {
+    return surface_.triangles.size() > limits_.triangles || surface_.vertex_count > limits_.vertices ||
+           surface_.bricks.count() > limits_.most_bricks;
+  }
+  void refuse(const char* rule) noexcept {
+    if (broken_ == nullptr) broken_ = rule;
+  }
+
+  Coder& coder_;
+  GrowthModels& models_;
+  const Source& source_;
+  const Limits& limits_;
+  Surface& surface_;
+  const char* broken_ = nullptr;
+  LargeVector<CubeId> waiting_;
+  std::size_t next_ = 0;
+  std::size_t waiting_end_ = 0;
+  std::uint32_t seed_brick_ = 0;
+  std::uint32_t seed_place_ = 0;
+  CubePlace next_seed_{};   ///< a writer's
+  std::uint32_t cube_ = 0;  ///< of a writer's source, with faces
+};
+
+}  // namespace deltamesh::grid

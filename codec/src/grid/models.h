@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// All that the grid coder learns.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "entropy/coder/counted_bit.h"
+#include "entropy/coder/model.h"
+#include "entropy/coder/number_model.h"
+#include "entropy/coder/symbol_models.h"
+#include "grid/cube/cube.h"
+#include "grid/cube/pattern.h"
+
+namespace deltamesh::grid {
+
+/// A model of symbols below `count`, all alike.
+constexpr SymbolModel even_model(unsigned count) noexcept {
+  std::array<std::uint8_t, kSymbols> weights{};
+  for (unsigned i = 0; i < count; ++i) weights[i] = 1;
+  return SymbolModel(weights);
+}
+
+/// Patterns that cubes with the same signs had, the usual ones first [GRD-5].
+struct KnownPatterns {
+  static constexpr unsigned kMost = 15;
+
+  CountedBit is_other{1500};  ///< than the first one
+  std::uint8_t count = 0;
+  std::array<std::uint16_t, kMost> numbers;  ///< of `count` patterns
+};
+
+/// Models of new patterns [GRD-6].
+struct PatternModels {
+  CountedBit is_any{6000};
+  CountedBit around_outside;
+  std::array<SymbolModel, kEdges + 1> apex = [] {  // by corners of the polygon
+    std::array<SymbolModel, kEdges + 1> models{};
+    for (unsigned corners = 4; corners <= kEdges; ++corners) models[corners] = even_model(corners - 2);
+    return models;
+  }();
+  SymbolModel count = even_model(kSymbols);
+  std::array<SymbolModel, 3> corner = {even_model(kEdges + 1), even_model(kEdges + 1),
+                                       even_model(kEdges + 1)};
+};
+
+struct GrowthModels {
+  static constexpr std::size_t kFlags = 256 * 64;
+  static constexpr std::size_t kSigns = 3 * 2187;
+  static constexpr SymbolModel kFreshRank{{0, 4, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 4}};
+
+  std::vector<CountedBit> flags = std::vector<CountedBit>(kFlags);
+  std::vector<CountedBit> signs = std::vector<CountedBit>(kSigns);
+  std::array<KnownPatterns, 256> known;  ///< by signs
+  std::vector<Pattern> patterns;
+  SymbolModel rank = kFreshRank;
+  PatternModels pattern;
+  CountedBit is_seed;
+  NumberModel seed_brick;
+  NumberModel seed_cube;
+
+  /// `fresh`, as the last one that is known for cubes with these signs.
+  const Pattern& add(Signs of_cubes, const Pattern& fresh) {
+    KnownPatterns& list = known[of_cubes];
+    if (list.count < KnownPatterns::kMost) {
+      list.numbers[list.count++] = static_cast<std::uint16_t>(patterns.size());
+      return patterns.emplace_back(fresh);
+    }
+    return patterns[list.numbers[list.count - 1]] = fresh;
+  }
+};
+
+}  // namespace deltamesh::grid

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// The grid coder: what it writes comes back, and what it cannot read it refuses.
+#include "grid/grid.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "connectivity/faces/faces.h"
+#include "grid_meshes.h"
+#include "positions/positions.h"
+#include "support/random.h"
+
+namespace deltamesh::grid_test {
+namespace {
+
+using test::CellMesh;
+
+std::uint32_t face_count(const CellMesh& mesh) {
+  return static_cast<std::uint32_t>(mesh.triangles.size() / 3);
+}
+std::uint32_t vertex_count(const CellMesh& mesh) { return static_cast<std::uint32_t>(mesh.cells.size()); }
+
+CodedGrid write(const CellMesh& mesh) { return write_grid(mesh.triangles, mesh.cells, mesh.parameters); }
+Result<GridMesh> read(const CellMesh& mesh, std::span<const std::byte> payload) {
+  return read_grid(payload, mesh.parameters, vertex_count(mesh), face_count(mesh));
+}
+
+/// That `coded` has the mesh's faces, each once, and comes back.
+void expect_back(const CellMesh& mesh, const CodedGrid& coded) {
+  ASSERT_EQ(coded.face_order.size() + coded.left_faces.size(), face_count(mesh));
+  std::vector<std::uint32_t> faces = coded.face_order;
+  faces.insert(faces.end(), coded.left_faces.begin(), coded.left_faces.end());
+  std::sort(faces.begin(), faces.end());
+  for (std::uint32_t f = 0; f < faces.size(); ++f) ASSERT_EQ(faces[f], f);
+  for (std::size_t f = 0; f < coded.face_order.size(); ++f)
+    for (std::size_t c = 0; c < 3; ++c)
+      ASSERT_EQ(coded.vertex_order[coded.triangles[3 * f + c]],
+                mesh.triangles[std::size_t{3} * coded.face_order[f] + (coded.face_rotation[f] + c) % 3]);
+  std::vector<std::uint32_t> vertices = coded.vertex_order;
+  std::sort(vertices.begin(), vertices.end());
+  ASSERT_TRUE(std::adjacent_find(vertices.begin(), vertices.end()) == vertices.end());
+
+  const auto back = read(mesh, coded.payload);
+  ASSERT_TRUE(back) << back.error().message << back.error().rule;
+  ASSERT_EQ(back->triangles.size(), coded.face_order.size());
+  for (std::size_t i = 0; i < coded.triangles.size(); ++i)
+    ASSERT_EQ(back->triangles[i / 3][i % 3], coded.triangles[i]);
+  ASSERT_EQ(back->cells.size(), coded.vertex_order.size());
+  for (std::size_t v = 0; v < back->cells.size(); ++v)
+    ASSERT_EQ(back->cells[v], mesh.cells[coded.vertex_order[v]]);
+}
+
+TEST(Grid, MarchingCubesComeBack) {
+  for (const std::uint32_t levels : {1U, 2U, 10U, 16U, 17U, 300U, 100000U}) {
+    const CellMesh mesh = test::wavy_surface(40, levels);
+    const CodedGrid coded = write(mesh);
+    EXPECT_TRUE(coded.left_faces.empty());
+    EXPECT_EQ(coded.vertex_order.size(), mesh.cells.size());
+    expect_back(mesh, coded);
+  }
+}
+
+TEST(Grid, AnyFacesInCubesComeBack) {
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    const CellMesh mesh = test::random_faces(seed, 3 + 2 * seed, 1 + seed % 4, 10 + 80 * (seed % 7));
+    expect_back(mesh, write(mesh));
+  }
+}
+
+TEST(Grid, FacesInNoCubeAreLeft) {
+  CellMesh mesh = test::wavy_surface(24, 4);
+  const std::uint32_t far = mesh.triangles[mesh.triangles.size() / 2];
+  const std::size_t before = mesh.triangles.size() / 3;
+  mesh.triangles.insert(mesh.triangles.end(), {mesh.triangles[0], mesh.triangles[1], far});
+  mesh.triangles.insert(mesh.triangles.end(), {far, far, mesh.triangles[1]});
+  // A second vertex on an edge.
+  mesh.cells.push_back(mesh.cells[mesh.triangles[0]]);
+  mesh.triangles.insert(mesh.triangles.end(), {vertex_count(mesh) - 1, mesh.triangles[1], mesh.triangles[2]});
+  const CodedGrid coded = write(mesh);
+  std::vector<std::uint32_t> expected;
+  for (std::uint32_t f = 0; f < 3; ++f) expected.push_back(static_cast<std::uint32_t>(before) + f);
+  EXPECT_EQ(coded.left_faces, expected);
+  expect_back(mesh, coded);
+}
+
+TEST(Grid, NothingComesBack) {
+  const CellMesh mesh{{}, {}, test::voxel_parameters(5, 2)};
+  const CodedGrid coded = write(mesh);
+  expect_back(mesh, coded);
+  EXPECT_LT(coded.payload.size(), 8U);
+}
+
+TEST(Grid, TakesLessThanFacesAndPlacesApart) {
+  const CellMesh mesh = test::wavy_surface(60, 10);
+  const CodedGrid coded = write(mesh);
+  const auto faces = write_connectivity(mesh.triangles, vertex_count(mesh));
+  std::vector<Cell> cells;
+  for (const std::uint32_t v : faces.vertex_order) cells.push_back(mesh.cells[v]);
+  const auto positions = write_positions({faces.triangles, vertex_count(mesh)}, cells, mesh.parameters);
+  EXPECT_LT(static_cast<double>(coded.payload.size()),
+            0.72 * static_cast<double>(faces.payload.size() + positions.size()));
+}
+
+TEST(Grid, TheSameMeshGivesTheSameBytes) {
+  const CellMesh mesh = test::wavy_surface(30, 3);
+  EXPECT_EQ(write(mesh).payload, write(mesh).payload);
+}
+
+TEST(Grid, GRD8RefusesMoreThanIsAllowed) {
+  const CellMesh mesh = test::wavy_surface(24, 4);
+  const auto payload = write(mesh).payload;
+  const auto vertices = read_grid(payload, mesh.parameters, vertex_count(mesh) - 1, face_count(mesh));
+  ASSERT_FALSE(vertices);
+  EXPECT_STREQ(vertices.error().rule, "GRD-8");
+  const auto faces = read_grid(payload, mesh.parameters, vertex_count(mesh), face_count(mesh) - 1);
+  ASSERT_FALSE(faces);
+  EXPECT_STREQ(faces.error().rule, "GRD-8");
+}
+
+TEST(Grid, GRD9RefusesVerticesBeyondTheLattice) {
+  CellMesh mesh = test::wavy_surface(24, 4);
+  const auto payload = write(mesh).payload;
+  mesh.parameters.lattice.cells[0] -= 9;
+  const auto back = read(mesh, payload);
+  ASSERT_FALSE(back);
+  EXPECT_STREQ(back.error().rule, "GRD-9");
+}
+
+TEST(Grid, GRD1RefusesTooManyBricks) {
+  const CellMesh mesh{{}, {}, test::voxel_parameters(100000000, 1)};
+  EXPECT_FALSE(fits_grid_coder(mesh.parameters));
+  const auto back = read(mesh, write({{}, {}, test::voxel_parameters(5, 1)}).payload);
+  ASSERT_FALSE(back);
+  EXPECT_STREQ(back.error().rule, "GRD-1");
+}
+
+TEST(Grid, CutStreamsAreRefused) {
+  const CellMesh mesh = test::random_faces(3, 6, 2, 40);
+  const auto payload = write(mesh).payload;
+  for (std::size_t size = 0; size < payload.size(); ++size)
+    EXPECT_FALSE(read(mesh, std::span(payload).first(size))) << size;
+}
+
+TEST(Grid, BrokenStreamsAreRefusedOrInRange) {
+  test::RandomBits random(5);
+  for (const bool is_soup : {false, true}) {
+    const CellMesh mesh = is_soup ? test::random_faces(4, 20, 3, 400) : test::wavy_surface(20, 20);
+    const auto payload = write(mesh).payload;
+    for (int round = 0; round < 400; ++round) {
+      auto broken = payload;
+      for (int i = 0; i <= round % 3; ++i)
+        broken[random() % std::min<std::size_t>(broken.size(), round % 2 == 0 ? 40 : broken.size())] ^=
+            static_cast<std::byte>(1U << random() % 8);
+      const auto back = read(mesh, broken);
+      if (!back) continue;
+      for (const auto& face : back->triangles)
+        for (const std::uint32_t v : face) ASSERT_LT(v, back->cells.size());
+      for (const Cell& cell : back->cells)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          ASSERT_LE(static_cast<std::uint32_t>(cell[axis]), mesh.parameters.lattice.cells[axis]);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace deltamesh::grid_test
