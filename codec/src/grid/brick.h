@@ -26,6 +26,9 @@ constexpr unsigned place_of(const Spot& spot) noexcept {
   return static_cast<unsigned>(spot[0] + kSide * spot[1] + kSide * kSide * spot[2]);
 }
 
+/// From a cube's lowest node to its corners, in the same brick.
+inline constexpr std::array<std::uint16_t, 8> kCornerSteps = {0, 1, 16, 17, 256, 257, 272, 273};
+
 /// Nodes of one brick that are known, in groups whose vertices stand side by side.
 inline constexpr unsigned kGroup = 64;
 
@@ -33,6 +36,9 @@ struct Brick {
   /// Place in `rows` of the nodes with these y and z, -2 to 17.
   static constexpr std::size_t row_at(int y, int z) noexcept {
     return static_cast<std::size_t>((z + kMargin) * kReach + y + kMargin);
+  }
+  static constexpr std::size_t row_at(unsigned place) noexcept {
+    return (place >> 8) * kReach + (place >> 4 & 15) + kMargin * (kReach + 1);
   }
   static constexpr unsigned kInsideShift = 32;
 

@@ -3,6 +3,7 @@
 #include "grid/bricks.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace deltamesh::grid {
 namespace {
@@ -101,28 +102,38 @@ Brick& Bricks::get(const Place& at) {
 Brick& Bricks::get_near(Brick& brick, unsigned way) { return get(sum(brick.at, way_to(way))); }
 
 void Bricks::set_outer_node(Brick& brick, Spot spot, bool is_outside) {
-  Brick& own = home(brick, spot);
+  Brick& own = ((spot[0] | spot[1] | spot[2]) & kSide) != 0 ? home(brick, spot) : brick;
   give_rank(own, place_of(spot));
-  // Everywhere else it is in a margin.
-  const auto first = [&](std::size_t axis) { return spot[axis] < kMargin ? 0U : 1U; };
-  const auto last = [&](std::size_t axis) { return spot[axis] >= kSide - kMargin ? 2U : 1U; };
-  for (unsigned k = first(2); k <= last(2); ++k) {
-    for (unsigned j = first(1); j <= last(1); ++j) {
-      for (unsigned i = first(0); i <= last(0); ++i) {
-        Brick* const other = own.near[i + 3 * j + 9 * k];
-        if (other == nullptr) continue;
-        const auto shifted = [&](std::size_t axis, unsigned way) {
-          return spot[axis] - kSide * (static_cast<int>(way) - 1);
-        };
-        other->rows[Brick::row_at(shifted(1, j), shifted(2, k))] |= node_bit(shifted(0, i), is_outside);
-      }
-    }
+  // Elsewhere it is in a margin: in bricks on the low side if it is one of the first, and so on.
+  struct Copy {
+    int near;
+    int row;
+    int x;
+  };
+  static constexpr std::array<Copy, 3> kSteps = {{{1, 0, -kSide}, {3, -kSide, 0}, {9, -kSide * kReach, 0}}};
+  std::array<Copy, 8> copies;
+  copies[0] = {13, static_cast<int>(Brick::row_at(spot[1], spot[2])), spot[0]};
+  unsigned count = 1;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const int side = spot[axis] < kMargin ? -1 : 1;
+    if (spot[axis] >= kMargin && spot[axis] < kSide - kMargin) continue;
+    const Copy& step = kSteps[axis];
+    for (unsigned i = 0; i < count; ++i)
+      copies[count + i] = {copies[i].near + side * step.near, copies[i].row + side * step.row,
+                           copies[i].x + side * step.x};
+    count *= 2;
   }
+  for (unsigned i = 0; i < count; ++i)
+    if (Brick* const other = own.near[static_cast<std::size_t>(copies[i].near)])
+      other->rows[static_cast<std::size_t>(copies[i].row)] |= node_bit(copies[i].x, is_outside);
 }
 
 void Bricks::add_group(Brick& brick, unsigned rank) {
-  brick.groups[rank / kGroup] = static_cast<std::uint32_t>(vertices_.size());
-  vertices_.resize(vertices_.size() + kGroup, {kNoVertex, kNoVertex, kNoVertex});
+  if (vertices_.size() - vertex_end_ < kGroup) vertices_.resize(2 * vertices_.size() + 16 * kGroup);
+  brick.groups[rank / kGroup] = vertex_end_;
+  static_assert(kNoVertex == 0xffffffff);
+  std::memset(&vertices_[vertex_end_], 0xff, kGroup * sizeof(vertices_[0]));
+  vertex_end_ += kGroup;
 }
 
 std::vector<Brick*> Bricks::in_order() const {

@@ -40,10 +40,8 @@ class Bricks {
 
   /// Says where the node at `spot` of `brick` is, each coordinate 0 to 16.
   [[gnu::always_inline]] void set_node(Brick& brick, const Spot& spot, bool is_outside) {
-    constexpr unsigned kInner = kSide - 2 * kMargin;
-    const bool is_inner = static_cast<unsigned>(spot[0] - kMargin) < kInner &&
-                          static_cast<unsigned>(spot[1] - kMargin) < kInner &&
-                          static_cast<unsigned>(spot[2] - kMargin) < kInner;
+    constexpr unsigned kInner = (1U << (kSide - kMargin)) - (1U << kMargin);
+    const bool is_inner = (kInner >> spot[0] & kInner >> spot[1] & kInner >> spot[2] & 1) != 0;
     if (!is_inner) return set_outer_node(brick, spot, is_outside);
     brick.rows[Brick::row_at(spot[1], spot[2])] |= node_bit(spot[0], is_outside);
     give_rank(brick, place_of(spot));
@@ -63,7 +61,7 @@ class Bricks {
 
  private:
   static std::uint64_t node_bit(int x, bool is_outside) noexcept {
-    return std::uint64_t{1} << (x + kMargin + (is_outside ? 0 : static_cast<int>(Brick::kInsideShift)));
+    return (is_outside ? 1 : std::uint64_t{1} << Brick::kInsideShift) << (x + kMargin);
   }
   [[gnu::always_inline]] void give_rank(Brick& brick, unsigned place) {
     const unsigned rank = brick.known_nodes++;
@@ -83,6 +81,7 @@ class Bricks {
   std::vector<LargeVector<Brick>> memory_;
   std::size_t left_ = 0;  ///< bricks in the last piece of it
   LargeVector<std::array<std::uint32_t, 3>> vertices_;
+  std::uint32_t vertex_end_ = 0;  ///< of those that are in use
 };
 
 }  // namespace deltamesh::grid

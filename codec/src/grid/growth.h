@@ -5,20 +5,18 @@
 // and what the faces are [GRD-2 .. GRD-7]. One template for both directions.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <utility>
 
-#include "base/memory/large_vector.h"
 #include "entropy/coder/held_coder.h"
 #include "grid/bricks.h"
 #include "grid/models.h"
 #include "grid/pattern_coder.h"
 #include "grid/surface.h"
+#include "grid/waiting_cubes.h"
 #include "grid/window.h"
 
 namespace deltamesh::grid {
@@ -47,11 +45,6 @@ class Growth {
   }
 
  private:
-  /// Where a cube is: number of a brick and place there.
-  using CubeId = std::uint32_t;
-  static constexpr unsigned kPlaceBits = 12;
-  static constexpr std::size_t kAhead = 6;  ///< cubes that are soon coded are fetched
-
   bool is_seen(const CubePlace& cube) const noexcept {
     const Brick* const brick = surface_.bricks.find(cube.brick);
     return brick != nullptr && (brick->cubes[cube.place] & Brick::kSeen) != 0;
@@ -75,30 +68,26 @@ class Growth {
                                         static_cast<std::int32_t>(seed_brick_ / size[0] / size[1])});
     if ((brick.cubes[seed_place_] & Brick::kSeen) != 0) return refuse("GRD-7");
     brick.cubes[seed_place_] |= Brick::kSeen;
-    code_with_faces(coder_, brick, seed_place_, Window(brick, spot_of(seed_place_)));
+    code_with_faces(coder_, brick, seed_place_, Window(brick, seed_place_));
   }
 
-  void code_waiting() {
+  /// First in, first out.
+  [[gnu::noinline]] void code_waiting() {
     Held<Coder> coder = coder_;
-    while (next_ < waiting_end_ && broken_ == nullptr && !coder.failed()) {
-      const CubeId ahead = waiting_[std::min(next_ + kAhead, waiting_end_ - 1)];
-      const Brick& soon = surface_.bricks[ahead >> kPlaceBits];
-      const Spot soon_at = spot_of(ahead % kPlaces);
-      for (int z = -1; z < 3; ++z)
-        __builtin_prefetch(&soon.rows[Brick::row_at(soon_at[1] - 1, soon_at[2] + z)]);
-      const CubeId cube = waiting_[next_++];
-      code_cube(coder, surface_.bricks[cube >> kPlaceBits], cube % kPlaces);
+    while (!waiting_.empty() && broken_ == nullptr && !coder.failed()) {
+      const auto [brick, place] = waiting_.take();
+      code_cube(coder, *brick, place);
     }
     write_back<Coder>(coder, coder_);
   }
 
   [[gnu::always_inline]] void code_cube(Coder& coder, Brick& brick, unsigned place) {
-    const Window window(brick, spot_of(place));
+    const Window window(brick, place);
     const unsigned known = window.outside() | window.inside();
     bool has_faces = false;
     if constexpr (Coder::kWrites) has_faces = source_.find(brick.at, place) != Source::kNone;
     CountedBit& model = models_.flags[known << 6 | (brick.cubes[place] & Brick::kFaceless)];
-    if (!coder.bit(has_faces, model)) return count_faceless(brick, spot_of(place));
+    if (!coder.bit(has_faces, model)) return waiting_.count_faceless(brick, place);
     code_with_faces(coder, brick, place, window);
   }
 
@@ -108,13 +97,12 @@ class Growth {
     const Signs signs = code_signs(coder, brick, spot, window);
     const Pattern& pattern = code_pattern(coder, signs);
     if constexpr (Coder::kWrites) surface_.cubes.push_back(cube_);
-    surface_.add_faces(brick, spot, pattern);
+    surface_.add_faces(brick, place, pattern);
     if (pattern.has_inner()) [[unlikely]]
       code_inner(coder, brick, spot);
     if (is_too_large()) [[unlikely]]
       refuse("GRD-8");
-    for (unsigned crossed = kCrossedFaces[signs]; crossed != 0; crossed &= crossed - 1)
-      wait_for(brick, place, static_cast<unsigned>(std::countr_zero(crossed)));
+    waiting_.add_across(brick, place, kCrossedFaces[signs]);
   }
 
   /// Those of the corners that are not known [GRD-4].
@@ -180,43 +168,6 @@ class Growth {
     rarely(coder, [&] { return code_inner(brick, spot), 0; });
   }
 
-  [[gnu::always_inline]] void wait_for(Brick& brick, unsigned place, unsigned face) {
-    static constexpr std::array<int, kFaces> kSteps = {-1, 1, -16, 16, -256, 256};
-    const unsigned axis_shift = 4 * (face / 2);
-    const unsigned end = (face & 1) != 0 ? 15 : 0;
-    if ((place >> axis_shift & 15) == end) [[unlikely]]
-      return wait_beyond(brick, place, face);
-    add_waiting(brick, place + static_cast<unsigned>(kSteps[face]));
-  }
-  [[gnu::noinline]] void wait_beyond(Brick& brick, unsigned place, unsigned face) {
-    Spot spot = spot_of(place);
-    spot[face / 2] += (face & 1) != 0 ? 1 : -1;
-    Brick& other = surface_.bricks.home(brick, spot);
-    add_waiting(other, place_of(spot));
-  }
-  [[gnu::always_inline]] void add_waiting(Brick& brick, unsigned place) {
-    if (waiting_end_ == waiting_.size()) [[unlikely]]
-      waiting_.resize(2 * waiting_.size() + 256);
-    std::uint8_t& cube = brick.cubes[place];
-    waiting_[waiting_end_] = brick.number << kPlaceBits | place;
-    waiting_end_ += (cube & Brick::kSeen) == 0 ? 1 : 0;
-    cube |= Brick::kSeen;
-  }
-
-  /// Tells the cubes around [GRD-3].
-  [[gnu::noinline]] void count_faceless(Brick& brick, const Spot& spot) {
-    for (int way = 0; way < 27; ++way) {
-      const Spot step = {way % 3 - 1, way / 3 % 3 - 1, way / 9 - 1};
-      const int apart = std::abs(step[0]) + std::abs(step[1]) + std::abs(step[2]);
-      if (apart != 1 && apart != 2) continue;
-      Spot other = {spot[0] + step[0], spot[1] + step[1], spot[2] + step[2]};
-      Brick& own = surface_.bricks.home(brick, other);
-      std::uint8_t& cube = own.cubes[place_of(other)];
-      if (apart == 1) cube = static_cast<std::uint8_t>(cube + 8);
-      if (apart == 2 && cube % 8 < 7) ++cube;
-    }
-  }
-
   /// A rare step, on `coder_` itself.
   template <class Code>
   [[gnu::always_inline]] decltype(auto) rarely(Coder& coder, Code code) {
@@ -240,9 +191,7 @@ class Growth {
   const Limits& limits_;
   Surface& surface_;
   const char* broken_ = nullptr;
-  LargeVector<CubeId> waiting_;
-  std::size_t next_ = 0;
-  std::size_t waiting_end_ = 0;
+  WaitingCubes waiting_{surface_.bricks};
   std::uint32_t seed_brick_ = 0;
   std::uint32_t seed_place_ = 0;
   CubePlace next_seed_{};   ///< a writer's

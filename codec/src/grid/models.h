@@ -48,13 +48,14 @@ struct PatternModels {
                                        even_model(kEdges + 1)};
 };
 
+/// Some 100 kB.
 struct GrowthModels {
   static constexpr std::size_t kFlags = 256 * 64;
   static constexpr std::size_t kSigns = 3 * 2187;
   static constexpr SymbolModel kFreshRank{{0, 4, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 4}};
 
-  std::vector<CountedBit> flags = std::vector<CountedBit>(kFlags);
-  std::vector<CountedBit> signs = std::vector<CountedBit>(kSigns);
+  std::array<CountedBit, kFlags> flags;
+  std::array<CountedBit, kSigns> signs;
   std::array<KnownPatterns, 256> known;  ///< by signs
   std::vector<Pattern> patterns;
   SymbolModel rank = kFreshRank;

@@ -8,6 +8,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <utility>
 
 #include "grid/place_window.h"
 
@@ -24,13 +26,13 @@ struct Column {
   std::int16_t height = 0;  ///< of that edge's middle; or far beyond the ends
 };
 
-/// By the edge's first node (inside: 0, outside: 1) and the states of the four nodes: s0 + 3 s1 + 9 s2 + 27
+/// By the edge's first node (inside: 0, outside: 1) and the states of the four nodes: s0 + 4 s1 + 16 s2 + 64
 /// s3.
-inline constexpr std::array<std::array<Column, 81>, 2> kColumns = [] {
-  std::array<std::array<Column, 81>, 2> columns{};
+inline constexpr std::array<std::array<Column, 256>, 2> kColumns = [] {
+  std::array<std::array<Column, 256>, 2> columns{};
   for (int first = 1; first <= 2; ++first) {
-    for (int i = 0; i < 81; ++i) {
-      const int s[4] = {i % 3, i / 3 % 3, i / 9 % 3, i / 27};
+    for (int i = 0; i < 256; ++i) {
+      const int s[4] = {i & 3, i >> 2 & 3, i >> 4 & 3, i >> 6};
       Column column;
       const auto is_last = [&](int state) { return state == 3 - first; };
       if (s[1] == first && is_last(s[2])) {
@@ -77,24 +79,19 @@ class PlaceSurroundings {
     const Height west = height(-kNext);
     const Height north = height(-kLast);
     int mean = (weighted(west) + weighted(height(kNext)) + weighted(north) + weighted(height(kLast))) >> 3;
+    // All are looked at, known or not: branches would go wrong often.
+    const Height beyond_west = height(-2 * kNext);
+    const Height beyond_north = height(-2 * kLast);
+    const Height between = height(-kNext - kLast);
+    const Height across = height(kNext < kLast ? kNext - kLast : kLast - kNext);
+    const int turn = west.value - north.value;
     Candidates candidates;
-    if (west.is_known) {
-      const Height beyond = height(-2 * kNext);
-      if (beyond.is_known) candidates.add(2 * west.value - beyond.value);
-      if (north.is_known) {
-        const Height between = height(-kNext - kLast);
-        if (between.is_known) candidates.add(west.value + north.value - between.value);
-        // Of the two across, the one that comes earlier.
-        const Height across = height(kNext < kLast ? kNext - kLast : kLast - kNext);
-        if (across.is_known)
-          candidates.add(across.value +
-                         (kNext < kLast ? west.value - north.value : north.value - west.value));
-      }
-    }
-    if (north.is_known) {
-      const Height beyond = height(-2 * kLast);
-      if (beyond.is_known) candidates.add(2 * north.value - beyond.value);
-    }
+    candidates.add(2 * west.value - beyond_west.value, west.is_known & beyond_west.is_known);
+    candidates.add(2 * north.value - beyond_north.value, north.is_known & beyond_north.is_known);
+    const bool both = west.is_known & north.is_known;
+    candidates.add(west.value + north.value - between.value, both & between.is_known);
+    // Of the two across, the one that comes earlier.
+    candidates.add(across.value + (kNext < kLast ? turn : -turn), both & across.is_known);
     int smooth = candidates.mean();
     End first = end(0);
     End last = end(kOwn);
@@ -131,11 +128,11 @@ class PlaceSurroundings {
 
   class Candidates {
    public:
-    [[gnu::always_inline]] void add(int height) noexcept {
-      least_ = std::min(least_, height);
-      most_ = std::max(most_, height);
-      sum_ += height;
-      ++count_;
+    [[gnu::always_inline]] void add(int height, bool is_known) noexcept {
+      least_ = std::min(least_, is_known ? height : kFar);
+      most_ = std::max(most_, is_known ? height : -kFar);
+      sum_ += is_known ? height : 0;
+      count_ += is_known ? 1 : 0;
     }
     unsigned count() const noexcept { return count_; }
     int mean() const noexcept { return sum_ * kOneOver[count_] >> 8; }
@@ -146,8 +143,9 @@ class PlaceSurroundings {
 
    private:
     static constexpr int kOneOver[5] = {0, 256, 128, 85, 64};
-    int least_ = 1 << 20;
-    int most_ = -(1 << 20);
+    static constexpr int kFar = 1 << 20;
+    int least_ = kFar;
+    int most_ = -kFar;
     int sum_ = 0;
     unsigned count_ = 0;
   };
@@ -159,11 +157,20 @@ class PlaceSurroundings {
     bool is_known = false;
   };
 
+  /// Of the four nodes of a column, two bits each.
+  [[gnu::always_inline]] static std::size_t states(const std::uint8_t* node) noexcept {
+    if constexpr (kAxis == 0) {
+      std::uint32_t four = 0;
+      std::memcpy(&four, node - 1, sizeof(four));
+      return four * (1U << 24 | 1U << 18 | 1U << 12 | 1U << 6) >> 24;
+    }
+    return node[-kOwn] + 4U * node[0] + 16U * node[kOwn] + 64U * node[2 * kOwn];
+  }
+
   [[gnu::always_inline]] Height height(int away) const noexcept {
-    const std::uint8_t* const node = nodes_ + away;
-    const Column& column = columns_[node[-kOwn] + 3 * node[0] + 9 * node[kOwn] + 27 * node[2 * kOwn]];
+    const Column& column = columns_[states(nodes_ + away)];
     const std::int8_t place = own_[away + column.step * kOwn];
-    const bool is_known = column.is_cut && place != PlaceWindow::kNoPlace;
+    const bool is_known = column.is_cut & (place != PlaceWindow::kNoPlace);
     return {column.height + (is_known ? place : 0), is_known};
   }
   static int weighted(const Height& height) noexcept {
@@ -179,7 +186,7 @@ class PlaceSurroundings {
     const auto look = [&](const std::int8_t* places, int edge, int other, bool begins) {
       const bool is_cut = node[other] + node[0] == 3;
       const std::int8_t place = places[away + edge];
-      const bool is_known = is_cut && place != PlaceWindow::kNoPlace;
+      const bool is_known = is_cut & (place != PlaceWindow::kNoPlace);
       cut += is_cut ? 1 : 0;
       known += is_known ? 1 : 0;
       sum += is_known ? kHalfEdge + (begins ? place : -place) : 0;

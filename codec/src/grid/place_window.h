@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <cstring>
 #include <span>
-#include <vector>
 
 #include "grid/brick.h"
 #include "grid/bricks.h"
@@ -30,34 +29,29 @@ class PlaceWindow {
   /// Of a place on an edge that is not known.
   static constexpr std::int8_t kNoPlace = 127;
 
-  PlaceWindow() noexcept {
-    for (auto& places : places_) places.fill(kNoPlace);
-  }
+  PlaceWindow() noexcept { places_.fill(kNoPlace); }
 
   /// `places`: of vertices; those of bricks before `brick` [GRD-9] are known.
   void load(const Brick& brick, const Bricks& bricks, std::span<const std::int8_t> places) {
-    for (const auto& [axis, index] : known_) places_[axis][index] = kNoPlace;
-    known_.clear();
+    for (std::size_t i = 0; i < known_count_; ++i) places_[known_[i]] = kNoPlace;
+    known_count_ = 0;
     for (std::size_t row = 0; row < brick.rows.size(); ++row) load_row(brick.rows[row], row);
     // Those before are lower in z, else in y, else in x: the first 13 of those around.
     for (unsigned way = 0; way < 13; ++way)
       if (brick.near[way] != nullptr) load_places(*brick.near[way], way, bricks, places);
   }
 
-  void set(unsigned axis, int index, std::int8_t place) {
-    places_[axis][static_cast<std::size_t>(index)] = place;
-    known_.push_back({static_cast<std::uint16_t>(axis), static_cast<std::uint16_t>(index)});
+  /// Of an edge that had none.
+  void set(unsigned axis, int index, std::int8_t place) noexcept {
+    const std::size_t at_edge = axis * kSize + static_cast<std::size_t>(index);
+    places_[at_edge] = place;
+    known_[known_count_++] = static_cast<std::uint16_t>(at_edge);
   }
 
   const std::uint8_t* nodes() const noexcept { return nodes_.data(); }
-  const std::int8_t* places(unsigned axis) const noexcept { return places_[axis].data(); }
+  const std::int8_t* places(unsigned axis) const noexcept { return places_.data() + axis * kSize; }
 
  private:
-  struct Known {
-    std::uint16_t axis;
-    std::uint16_t index;
-  };
-
   /// Eight bits as eight bytes.
   static constexpr std::array<std::uint64_t, 256> kSpread = [] {
     std::array<std::uint64_t, 256> spread{};
@@ -101,8 +95,9 @@ class PlaceWindow {
   }
 
   std::array<std::uint8_t, kSize + 8> nodes_{};
-  std::array<std::array<std::int8_t, kSize>, 3> places_;
-  std::vector<Known> known_;
+  std::array<std::int8_t, 3 * kSize> places_;
+  std::array<std::uint16_t, 3 * kSize> known_;  ///< where `places_` has some
+  std::size_t known_count_ = 0;
 };
 
 }  // namespace deltamesh::grid

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
+#include <memory>
+
 #include "base/broken_rule.h"
 #include "base/try.h"
 #include "entropy/coder/reader.h"
@@ -44,9 +46,9 @@ Result<GridMesh> read_grid(std::span<const std::byte> payload, const PredictiveP
   if (!fits_grid_coder(parameters)) return broken("GRD-1");
   const auto limits = grid::limits_of(parameters, most_vertices, most_triangles);
   CompactReader reader(payload);
-  grid::GrowthModels models;
+  const auto models = std::make_unique<grid::GrowthModels>();
   grid::Surface surface;
-  if (const char* rule = grid::Growth(reader, models, NoSource{}, limits, surface).grow()) {
+  if (const char* rule = grid::Growth(reader, *models, NoSource{}, limits, surface).grow()) {
     if (!reader.failed()) return broken(rule);
   }
   GridMesh mesh;
@@ -59,7 +61,7 @@ Result<GridMesh> read_grid(std::span<const std::byte> payload, const PredictiveP
   }
   DELTAMESH_CHECK(reader.finish(kTagPositions));
   if (!place_inner(surface, parameters, mesh.cells)) return broken("GRD-8");
-  mesh.triangles = std::move(surface.triangles);
+  mesh.triangles = surface.triangles.take();
   return mesh;
 }
 

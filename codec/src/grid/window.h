@@ -16,10 +16,10 @@ namespace deltamesh::grid {
 /// A bit for every node: x + 4 y + 16 z, from the one that is one below the cube's lowest on each axis.
 class Window {
  public:
-  /// Around the cube at `spot` of `brick`.
-  [[gnu::always_inline]] Window(const Brick& brick, const Spot& spot) noexcept {
-    const std::uint64_t* const first = brick.rows.data() + Brick::row_at(spot[1] - 1, spot[2] - 1);
-    const int shift = spot[0] + kMargin - 1;
+  /// Around the cube at `place` of `brick`.
+  [[gnu::always_inline]] Window(const Brick& brick, unsigned place) noexcept {
+    const std::uint64_t* const first = brick.rows.data() + Brick::row_at(place) - kReach - 1;
+    const int shift = static_cast<int>(place & 15) + kMargin - 1;
     const TwoLongs low = plane(first, shift) | plane(first + kReach, shift) << 16;
     const TwoLongs high = plane(first + 2 * kReach, shift) | plane(first + 3 * kReach, shift) << 16;
     const std::uint64_t lower = low[0] | low[1] << 4;
@@ -42,8 +42,13 @@ class Window {
   /// 0 if more are inside than outside, 1 if as many, else 2.
   [[gnu::always_inline]] unsigned majority(unsigned corner) const noexcept {
     const std::uint64_t around = kAround[corner];
-    const int more = ones(outside_ & around) - ones(inside_ & around);
-    return static_cast<unsigned>((more > 0 ? 1 : 0) + (more >= 0 ? 1 : 0));
+    // The difference of two sums of 16 digits of 4 bits, which are 4 at most.
+    constexpr std::uint64_t kFours = 0x4444'4444'4444'4444;
+    const std::uint64_t more = fours(outside_ & around) + kFours - fours(inside_ & around);
+    constexpr std::uint64_t kBytes = 0x0f0f'0f0f'0f0f'0f0f;
+    const auto sum =
+        static_cast<unsigned>(((more & kBytes) + (more >> 4 & kBytes)) * 0x0101'0101'0101'0101 >> 56);
+    return (sum > 64 ? 1U : 0U) + (sum >= 64 ? 1U : 0U);
   }
 
  private:
@@ -65,12 +70,10 @@ class Window {
     return static_cast<Signs>((corners | corners >> 12) & 0xff);
   }
 
-  /// How many bits are set, of 27 at most. Processors may have no instruction for that.
-  static int ones(std::uint64_t bits) noexcept {
+  /// How many bits are set, in each four. Processors may have no instruction that counts them.
+  static std::uint64_t fours(std::uint64_t bits) noexcept {
     bits -= bits >> 1 & 0x5555'5555'5555'5555;
-    bits = (bits & 0x3333'3333'3333'3333) + (bits >> 2 & 0x3333'3333'3333'3333);
-    bits = (bits + (bits >> 4)) & 0x0f0f'0f0f'0f0f'0f0f;
-    return static_cast<int>(bits * 0x0101'0101'0101'0101 >> 56);
+    return (bits & 0x3333'3333'3333'3333) + (bits >> 2 & 0x3333'3333'3333'3333);
   }
 
   static constexpr std::array<std::uint8_t, kCorners> kCornerBit = {21, 22, 25, 26, 37, 38, 41, 42};

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
+#include <memory>
+
 #include "entropy/coder/writer.h"
 #include "grid/bounds.h"
 #include "grid/grid.h"
@@ -41,9 +43,9 @@ CodedGrid write_grid(std::span<const std::uint32_t> triangles, std::span<const C
   const grid::SourceCubes source(triangles, cells, parameters.levels, limits.bricks);
   CompactWriter writer;
   writer.reserve(6 * cells.size());
-  grid::GrowthModels models;
+  const auto models = std::make_unique<grid::GrowthModels>();
   grid::Surface surface;
-  grid::Growth(writer, models, source, limits, surface).grow();
+  grid::Growth(writer, *models, source, limits, surface).grow();
   CodedGrid coded = in_coded_order(surface, source, triangles);
   std::vector<Cell> in_order;
   in_order.reserve(surface.vertex_count);

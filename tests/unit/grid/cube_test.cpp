@@ -92,7 +92,7 @@ TEST(Window, SeesNodesOfAllBricks) {
     for (int y = 1; y < 36; ++y) {
       for (int x = 1; x < 36; ++x) {
         const Brick& brick = bricks.get({x / 16, y / 16, z / 16});
-        const Window window(brick, {x % 16, y % 16, z % 16});
+        const Window window(brick, place_of({x % 16, y % 16, z % 16}));
         for (unsigned corner = 0; corner < kCorners; ++corner) {
           const Spot at = {x + static_cast<int>(corner & 1), y + static_cast<int>(corner >> 1 & 1),
                            z + static_cast<int>(corner >> 2)};

@@ -25,10 +25,15 @@ inline constexpr unsigned kInside = kEdges;  ///< stands for a vertex inside the
 using Signs = unsigned;
 
 /// Corner at which an edge begins; it ends at the one 1 << axis after it.
-constexpr unsigned first_corner(unsigned edge) noexcept {
-  const unsigned k = edge / 4;
-  return (edge & 1) << (k + 1) % 3 | (edge >> 1 & 1) << (k + 2) % 3;
-}
+inline constexpr std::array<std::uint8_t, kEdges> kFirstCorners = [] {
+  std::array<std::uint8_t, kEdges> corners{};
+  for (unsigned edge = 0; edge < kEdges; ++edge) {
+    const unsigned k = edge / 4;
+    corners[edge] = static_cast<std::uint8_t>((edge & 1) << (k + 1) % 3 | (edge >> 1 & 1) << (k + 2) % 3);
+  }
+  return corners;
+}();
+constexpr unsigned first_corner(unsigned edge) noexcept { return kFirstCorners[edge]; }
 constexpr unsigned last_corner(unsigned edge) noexcept { return first_corner(edge) | 1U << edge / 4; }
 
 /// The edge between two corners that differ in one bit.

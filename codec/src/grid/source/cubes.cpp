@@ -161,7 +161,8 @@ void SourceCubes::vote(std::uint32_t cube) {
 void SourceCubes::settle_signs(std::uint32_t cube) {
   std::array<std::int8_t, kCorners> sign{};
   for (unsigned corner = 0; corner < kCorners; ++corner) sign[corner] = sign_at(cube, corner);
-  for (unsigned round = 0; round < kCorners; ++round) {
+  const auto is_open = [&] { return std::find(sign.begin(), sign.end(), 0) != sign.end(); };
+  for (unsigned round = 0; round < kCorners && is_open(); ++round) {
     for (unsigned edge = 0; edge < kEdges; ++edge) {
       if ((patterns_[cube].used() >> edge & 1) != 0) continue;
       std::int8_t& first = sign[first_corner(edge)];
