@@ -79,13 +79,12 @@ class PlaceCoder {
       for (int y = 0; y < kSide; ++y) {
         const auto row = static_cast<std::size_t>(y + kSide * z);
         const unsigned cut[3] = {brick.cut[0][row], brick.cut[1][row], brick.cut[2][row]};
-        for (unsigned bits = cut[0] | cut[1] | cut[2]; bits != 0; bits &= bits - 1) {
-          const int x = std::countr_zero(bits);
-          const Spot spot = {x, y, z};
-          if ((cut[0] >> x & 1) != 0) code_edge<0>(coder, brick, spot, window, cells);
-          if ((cut[1] >> x & 1) != 0) code_edge<1>(coder, brick, spot, window, cells);
-          if ((cut[2] >> x & 1) != 0) code_edge<2>(coder, brick, spot, window, cells);
-        }
+        for (unsigned bits = cut[0]; bits != 0; bits &= bits - 1)
+          code_edge<0>(coder, brick, {std::countr_zero(bits), y, z}, window, cells);
+        for (unsigned bits = cut[1]; bits != 0; bits &= bits - 1)
+          code_edge<1>(coder, brick, {std::countr_zero(bits), y, z}, window, cells);
+        for (unsigned bits = cut[2]; bits != 0; bits &= bits - 1)
+          code_edge<2>(coder, brick, {std::countr_zero(bits), y, z}, window, cells);
       }
     }
     write_back<Coder>(coder, coder_);
