@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -22,6 +23,11 @@ inline Limits limits_of(const PredictiveParameters& parameters, std::uint32_t ve
     limits.bricks[axis] = (parameters.lattice.cells[axis] / limits.voxel + kSide + 1) / kSide;
   limits.most_bricks = std::min(kMostBricks, 64 + vertices / 4);
   return limits;
+}
+
+/// Whether bricks can be numbered.
+inline bool are_few(const std::array<std::uint32_t, 3>& bricks) noexcept {
+  return std::uint64_t{bricks[0]} * bricks[1] < (std::uint64_t{1} << 32) / bricks[2];
 }
 
 }  // namespace deltamesh::grid

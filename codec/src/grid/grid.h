@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// The grid coder: a mesh whose faces lie in the cubes of a grid, faces and positions at once [GRD-*].
+// The grid coder: a mesh most of whose faces lie in the cubes of a grid, faces and positions at once [GRD-*].
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,31 +18,38 @@
 
 namespace deltamesh {
 
+/// Faces that lie in no cube are an ordinary mesh, which is glued to the others.
+struct GridPayloads {
+  std::vector<std::byte> surface;
+  std::vector<std::byte> rest_faces;      ///< as CONN's; empty where there are none
+  std::vector<std::byte> rest_positions;  ///< as POSN's on the grid's lattice, of these and of lone vertices
+
+  std::size_t bytes() const noexcept { return surface.size() + rest_faces.size() + rest_positions.size(); }
+};
+
 struct CodedGrid {
-  std::vector<std::byte> payload;
+  GridPayloads payloads;
   std::vector<std::uint32_t> triangles;     ///< m x 3: what read_grid() will return
   std::vector<std::uint32_t> vertex_order;  ///< n: input vertex of every coded vertex
   std::vector<std::uint32_t> face_order;    ///< m: input face of every coded face
   std::vector<std::uint8_t> face_rotation;  ///< m: which corner of the input face is the coded one's corner 0
-  std::vector<std::uint32_t> left_faces;    ///< input faces that lie in no cube, which are not coded
+  std::uint32_t rest_triangles = 0;         ///< of `triangles`, the last ones: those in no cube
 };
 
-/// Whether a grid of this size can be coded [GRD-1].
-bool fits_grid_coder(const PredictiveParameters& parameters) noexcept;
-
-/// The faces of a mesh that lie in cubes, and their vertices. `triangles`: m x 3; `cells`: of its vertices,
-/// on the lattice of `parameters`, which are of PositionKind::kVoxel and fit. O(n + m).
-CodedGrid write_grid(std::span<const std::uint32_t> triangles, std::span<const Cell> cells,
-                     const PredictiveParameters& parameters);
+/// `triangles`: m x 3; `cells`: of its n vertices, on the lattice of `parameters`, which are of
+/// PositionKind::kVoxel. Nothing where the grid is too large [GRD-1], or where faces that lie in no cube have
+/// one too large [GRD-11]. O(n + m).
+std::optional<CodedGrid> write_grid(std::span<const std::uint32_t> triangles, std::span<const Cell> cells,
+                                    const PredictiveParameters& parameters);
 
 struct GridMesh {
   LargeVector<std::array<std::uint32_t, 3>> triangles;
   LargeVector<Cell> cells;  ///< of the vertices, on the lattice
 };
 
-/// A payload of write_grid(), of no more vertices and triangles than the caller allows. Errors: kTruncated,
-/// kInvalidStream [GRD-*, CMP-3].
-Result<GridMesh> read_grid(std::span<const std::byte> payload, const PredictiveParameters& parameters,
+/// What write_grid() wrote, of no more vertices and triangles than the caller allows. Errors: kTruncated,
+/// kInvalidStream [GRD-*, CONN-*, POSN-*, CMP-3].
+Result<GridMesh> read_grid(const GridPayloads& payloads, const PredictiveParameters& parameters,
                            std::uint32_t most_vertices, std::uint32_t most_triangles);
 
 }  // namespace deltamesh

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <string>
+#include <numeric>
 #include <vector>
 
 #include "connectivity/faces/faces.h"
@@ -25,27 +25,32 @@ std::uint32_t face_count(const CellMesh& mesh) {
 }
 std::uint32_t vertex_count(const CellMesh& mesh) { return static_cast<std::uint32_t>(mesh.cells.size()); }
 
-CodedGrid write(const CellMesh& mesh) { return write_grid(mesh.triangles, mesh.cells, mesh.parameters); }
-Result<GridMesh> read(const CellMesh& mesh, std::span<const std::byte> payload) {
-  return read_grid(payload, mesh.parameters, vertex_count(mesh), face_count(mesh));
+CodedGrid write(const CellMesh& mesh) {
+  return write_grid(mesh.triangles, mesh.cells, mesh.parameters).value_or(CodedGrid{});
+}
+Result<GridMesh> read(const CellMesh& mesh, const GridPayloads& payloads) {
+  return read_grid(payloads, mesh.parameters, vertex_count(mesh), face_count(mesh));
 }
 
-/// That `coded` has the mesh's faces, each once, and comes back.
+std::vector<std::uint32_t> ascending(std::vector<std::uint32_t> numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  return numbers;
+}
+std::vector<std::uint32_t> all_below(std::uint32_t count) {
+  std::vector<std::uint32_t> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), 0U);
+  return numbers;
+}
+
+/// That `coded` has the mesh's faces and vertices, each once, and comes back.
 void expect_back(const CellMesh& mesh, const CodedGrid& coded) {
-  ASSERT_EQ(coded.face_order.size() + coded.left_faces.size(), face_count(mesh));
-  std::vector<std::uint32_t> faces = coded.face_order;
-  faces.insert(faces.end(), coded.left_faces.begin(), coded.left_faces.end());
-  std::sort(faces.begin(), faces.end());
-  for (std::uint32_t f = 0; f < faces.size(); ++f) ASSERT_EQ(faces[f], f);
+  ASSERT_EQ(ascending(coded.face_order), all_below(face_count(mesh)));
+  ASSERT_EQ(ascending(coded.vertex_order), all_below(vertex_count(mesh)));
   for (std::size_t f = 0; f < coded.face_order.size(); ++f)
     for (std::size_t c = 0; c < 3; ++c)
       ASSERT_EQ(coded.vertex_order[coded.triangles[3 * f + c]],
                 mesh.triangles[std::size_t{3} * coded.face_order[f] + (coded.face_rotation[f] + c) % 3]);
-  std::vector<std::uint32_t> vertices = coded.vertex_order;
-  std::sort(vertices.begin(), vertices.end());
-  ASSERT_TRUE(std::adjacent_find(vertices.begin(), vertices.end()) == vertices.end());
-
-  const auto back = read(mesh, coded.payload);
+  const auto back = read(mesh, coded.payloads);
   ASSERT_TRUE(back) << back.error().message << back.error().rule;
   ASSERT_EQ(back->triangles.size(), coded.face_order.size());
   for (std::size_t i = 0; i < coded.triangles.size(); ++i)
@@ -59,8 +64,8 @@ TEST(Grid, MarchingCubesComeBack) {
   for (const std::uint32_t levels : {1U, 2U, 10U, 16U, 17U, 300U, 100000U}) {
     const CellMesh mesh = test::wavy_surface(40, levels);
     const CodedGrid coded = write(mesh);
-    EXPECT_TRUE(coded.left_faces.empty());
-    EXPECT_EQ(coded.vertex_order.size(), mesh.cells.size());
+    EXPECT_EQ(coded.rest_triangles, 0U);
+    EXPECT_EQ(coded.payloads.bytes(), coded.payloads.surface.size());
     expect_back(mesh, coded);
   }
 }
@@ -72,27 +77,64 @@ TEST(Grid, AnyFacesInCubesComeBack) {
   }
 }
 
-TEST(Grid, FacesInNoCubeAreLeft) {
+TEST(Grid, FacesInNoCubeComeBack) {
   CellMesh mesh = test::wavy_surface(24, 4);
   const std::uint32_t far = mesh.triangles[mesh.triangles.size() / 2];
-  const std::size_t before = mesh.triangles.size() / 3;
   mesh.triangles.insert(mesh.triangles.end(), {mesh.triangles[0], mesh.triangles[1], far});
   mesh.triangles.insert(mesh.triangles.end(), {far, far, mesh.triangles[1]});
-  // A second vertex on an edge.
+  // A second vertex on an edge, at the same point, and one without faces.
   mesh.cells.push_back(mesh.cells[mesh.triangles[0]]);
   mesh.triangles.insert(mesh.triangles.end(), {vertex_count(mesh) - 1, mesh.triangles[1], mesh.triangles[2]});
+  mesh.cells.push_back({3, 4, 5});
   const CodedGrid coded = write(mesh);
-  std::vector<std::uint32_t> expected;
-  for (std::uint32_t f = 0; f < 3; ++f) expected.push_back(static_cast<std::uint32_t>(before) + f);
-  EXPECT_EQ(coded.left_faces, expected);
+  EXPECT_EQ(coded.rest_triangles, 3U);
   expect_back(mesh, coded);
+}
+
+TEST(Grid, MeshesThatAreHalfOfCubesComeBack) {
+  test::RandomBits random(4);
+  for (const bool has_inner : {false, true}) {
+    CellMesh mesh = has_inner ? test::random_faces(1, 12, 3, 500) : test::wavy_surface(24, 4);
+    const std::uint32_t before = vertex_count(mesh);
+    for (std::uint32_t i = 0; i < 300; ++i) {
+      Cell& cell = mesh.cells.emplace_back();
+      for (std::int32_t& at : cell) at = static_cast<std::int32_t>(random() % 60);
+      for (int c = 0; c < 3; ++c)
+        mesh.triangles.push_back(random() % 4 == 0 ? random() % before : before + random() % (i + 1));
+    }
+    const CodedGrid coded = write(mesh);
+    EXPECT_GT(coded.rest_triangles, 200U);
+    expect_back(mesh, coded);
+  }
+}
+
+TEST(Grid, GRD11RefusesARestThatDoesNotFit) {
+  CellMesh mesh = test::wavy_surface(24, 4);
+  GridPayloads payloads = write(mesh).payloads;
+  payloads.rest_faces.resize(3);
+  EXPECT_STREQ(read(mesh, payloads).error().rule, "GRD-11");
+  mesh.triangles.insert(mesh.triangles.end(), {0, 1, mesh.triangles[mesh.triangles.size() / 2]});
+  payloads = write(mesh).payloads;
+  ASSERT_TRUE(read(mesh, payloads));
+  GridPayloads without = payloads;
+  without.rest_positions.clear();
+  EXPECT_FALSE(read(mesh, without));
+  // Points where the surface has no vertices.
+  without = payloads;
+  const auto faces = write_connectivity(std::vector<std::uint32_t>{0, 1, 2}, 3);
+  const std::vector<Cell> points{{1, 1, 1}, {1, 1, 3}, {1, 3, 1}};
+  without.rest_positions =
+      write_positions({faces.triangles, 3}, points, {.lattice = mesh.parameters.lattice});
+  const auto back = read(mesh, without);
+  ASSERT_FALSE(back);
+  EXPECT_STREQ(back.error().rule, "GRD-11");
 }
 
 TEST(Grid, NothingComesBack) {
   const CellMesh mesh{{}, {}, test::voxel_parameters(5, 2)};
   const CodedGrid coded = write(mesh);
   expect_back(mesh, coded);
-  EXPECT_LT(coded.payload.size(), 8U);
+  EXPECT_LT(coded.payloads.bytes(), 8U);
 }
 
 TEST(Grid, TakesLessThanFacesAndPlacesApart) {
@@ -102,59 +144,63 @@ TEST(Grid, TakesLessThanFacesAndPlacesApart) {
   std::vector<Cell> cells;
   for (const std::uint32_t v : faces.vertex_order) cells.push_back(mesh.cells[v]);
   const auto positions = write_positions({faces.triangles, vertex_count(mesh)}, cells, mesh.parameters);
-  EXPECT_LT(static_cast<double>(coded.payload.size()),
+  EXPECT_LT(static_cast<double>(coded.payloads.bytes()),
             0.72 * static_cast<double>(faces.payload.size() + positions.size()));
 }
 
 TEST(Grid, TheSameMeshGivesTheSameBytes) {
   const CellMesh mesh = test::wavy_surface(30, 3);
-  EXPECT_EQ(write(mesh).payload, write(mesh).payload);
+  EXPECT_EQ(write(mesh).payloads.surface, write(mesh).payloads.surface);
 }
 
 TEST(Grid, GRD8RefusesMoreThanIsAllowed) {
   const CellMesh mesh = test::wavy_surface(24, 4);
-  const auto payload = write(mesh).payload;
-  const auto vertices = read_grid(payload, mesh.parameters, vertex_count(mesh) - 1, face_count(mesh));
+  const GridPayloads payloads = write(mesh).payloads;
+  const auto vertices = read_grid(payloads, mesh.parameters, vertex_count(mesh) - 1, face_count(mesh));
   ASSERT_FALSE(vertices);
   EXPECT_STREQ(vertices.error().rule, "GRD-8");
-  const auto faces = read_grid(payload, mesh.parameters, vertex_count(mesh), face_count(mesh) - 1);
+  const auto faces = read_grid(payloads, mesh.parameters, vertex_count(mesh), face_count(mesh) - 1);
   ASSERT_FALSE(faces);
   EXPECT_STREQ(faces.error().rule, "GRD-8");
 }
 
 TEST(Grid, GRD9RefusesVerticesBeyondTheLattice) {
   CellMesh mesh = test::wavy_surface(24, 4);
-  const auto payload = write(mesh).payload;
+  const GridPayloads payloads = write(mesh).payloads;
   mesh.parameters.lattice.cells[0] -= 9;
-  const auto back = read(mesh, payload);
+  const auto back = read(mesh, payloads);
   ASSERT_FALSE(back);
   EXPECT_STREQ(back.error().rule, "GRD-9");
 }
 
 TEST(Grid, GRD1RefusesTooManyBricks) {
   const CellMesh mesh{{}, {}, test::voxel_parameters(100000000, 1)};
-  EXPECT_FALSE(fits_grid_coder(mesh.parameters));
-  const auto back = read(mesh, write({{}, {}, test::voxel_parameters(5, 1)}).payload);
+  EXPECT_FALSE(write_grid(mesh.triangles, mesh.cells, mesh.parameters));
+  const auto back = read(mesh, write({{}, {}, test::voxel_parameters(5, 1)}).payloads);
   ASSERT_FALSE(back);
   EXPECT_STREQ(back.error().rule, "GRD-1");
 }
 
 TEST(Grid, CutStreamsAreRefused) {
   const CellMesh mesh = test::random_faces(3, 6, 2, 40);
-  const auto payload = write(mesh).payload;
-  for (std::size_t size = 0; size < payload.size(); ++size)
-    EXPECT_FALSE(read(mesh, std::span(payload).first(size))) << size;
+  const GridPayloads payloads = write(mesh).payloads;
+  for (std::size_t size = 0; size < payloads.surface.size(); ++size) {
+    GridPayloads cut = payloads;
+    cut.surface.resize(size);
+    EXPECT_FALSE(read(mesh, cut)) << size;
+  }
 }
 
 TEST(Grid, BrokenStreamsAreRefusedOrInRange) {
   test::RandomBits random(5);
   for (const bool is_soup : {false, true}) {
     const CellMesh mesh = is_soup ? test::random_faces(4, 20, 3, 400) : test::wavy_surface(20, 20);
-    const auto payload = write(mesh).payload;
+    const GridPayloads payloads = write(mesh).payloads;
     for (int round = 0; round < 400; ++round) {
-      auto broken = payload;
+      GridPayloads broken = payloads;
+      auto& bytes = broken.surface;
       for (int i = 0; i <= round % 3; ++i)
-        broken[random() % std::min<std::size_t>(broken.size(), round % 2 == 0 ? 40 : broken.size())] ^=
+        bytes[random() % std::min<std::size_t>(bytes.size(), round % 2 == 0 ? 40 : bytes.size())] ^=
             static_cast<std::byte>(1U << random() % 8);
       const auto back = read(mesh, broken);
       if (!back) continue;
