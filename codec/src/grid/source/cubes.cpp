@@ -54,7 +54,7 @@ SourceCubes::Address SourceCubes::address_of(const Node& node) {
   const std::uint32_t brick = (at(2) * bricks_[1] + at(1)) * bricks_[0] + at(0);
   if (brick != last_brick_) {
     const auto [found, is_new] = part_numbers_.try_emplace(brick, static_cast<std::uint32_t>(parts_.size()));
-    if (is_new) parts_.emplace_back().cubes.fill(fresh_);
+    if (is_new) parts_.emplace_back(std::make_unique<Part>())->cubes.fill(fresh_);
     last_brick_ = brick;
     last_part_ = found->second;
   }
@@ -70,16 +70,16 @@ void SourceCubes::find_cubes(const EdgeVertices& vertices) {
     if (cubes.count == 2) open.push_back(static_cast<std::uint32_t>(f));
     if (cubes.count != 1) continue;
     homes[f] = address_of(cubes.lowest[0]);
-    ++parts_[homes[f].part].cubes[homes[f].place];
+    ++parts_[homes[f].part]->cubes[homes[f].place];
   }
   // A face between two cubes goes to the one that has others.
   for (const std::uint32_t f : open) {
     const auto cubes = vertices.cubes_of(corners_of(triangles_, f));
     const auto& low = cubes.lowest[0];
     homes[f] = address_of(cubes.lowest[1]);
-    if (std::min({low[0], low[1], low[2]}) >= 0 && parts_[homes[f].part].cubes[homes[f].place] == 0)
+    if (std::min({low[0], low[1], low[2]}) >= 0 && parts_[homes[f].part]->cubes[homes[f].place] == 0)
       homes[f] = address_of(low);
-    ++parts_[homes[f].part].cubes[homes[f].place];
+    ++parts_[homes[f].part]->cubes[homes[f].place];
   }
   place_faces(vertices, homes);
 }
@@ -93,7 +93,7 @@ void SourceCubes::place_faces(const EdgeVertices& vertices, std::span<const Addr
                               static_cast<std::int32_t>(brick / bricks_[0] % bricks_[1]),
                               static_cast<std::int32_t>(brick / bricks_[0] / bricks_[1])};
     for (std::uint32_t place = 0; place < kPlaces; ++place) {
-      std::uint32_t& cube = parts_[part].cubes[place];
+      std::uint32_t& cube = parts_[part]->cubes[place];
       if (cube != 0) first_face_.push_back(first_face_.back() + cube);
       if (cube != 0) cubes_.push_back({at, place});
       cube = cube != 0 ? static_cast<std::uint32_t>(cubes_.size() - 1) : kNone;
@@ -107,7 +107,7 @@ void SourceCubes::place_faces(const EdgeVertices& vertices, std::span<const Addr
       left_faces_.push_back(f);
       continue;
     }
-    const std::uint32_t cube = parts_[homes[f].part].cubes[homes[f].place];
+    const std::uint32_t cube = parts_[homes[f].part]->cubes[homes[f].place];
     if (next[cube] - first_face_[cube] == Pattern::kMostTriangles) {
       left_faces_.push_back(f);
       continue;
@@ -127,13 +127,20 @@ void SourceCubes::place_faces(const EdgeVertices& vertices, std::span<const Addr
   }
 }
 
-std::int8_t& SourceCubes::sign_at(std::uint32_t cube, unsigned corner) {
-  Node node{};
+std::array<std::int8_t*, kCorners> SourceCubes::signs_around(std::uint32_t cube) {
+  Node lowest{};
   for (std::size_t axis = 0; axis < 3; ++axis)
-    node[axis] = cubes_[cube].brick[axis] * kSide + spot_of(cubes_[cube].place)[axis] +
-                 static_cast<std::int32_t>(corner >> axis & 1);
-  const Address address = address_of(node);
-  return parts_[address.part].signs[address.place];
+    lowest[axis] = cubes_[cube].brick[axis] * kSide + spot_of(cubes_[cube].place)[axis];
+  std::array<std::int8_t*, kCorners> signs{};
+  const bool is_inner = !Surface::reaches_beyond(cubes_[cube].place);
+  const Address first = address_of(lowest);
+  for (unsigned corner = 0; corner < kCorners; ++corner) {
+    const Spot node = Surface::corner_at(lowest, corner);
+    const Address address =
+        is_inner ? Address{first.part, first.place + kCornerSteps[corner]} : address_of(node);
+    signs[corner] = &parts_[address.part]->signs[address.place];
+  }
+  return signs;
 }
 
 /// Outside is where the faces at an edge look.
@@ -147,12 +154,13 @@ void SourceCubes::vote(std::uint32_t cube) {
       votes[edge] += (way > 0 ? 1 : 0) - (way < 0 ? 1 : 0);
     }
   }
+  const auto signs = signs_around(cube);
   for (unsigned edge = 0; edge < kEdges; ++edge) {
     if (votes[edge] == 0) continue;
     const int way = votes[edge] > 0 ? 1 : -1;
-    std::int8_t& first = sign_at(cube, first_corner(edge));
+    std::int8_t& first = *signs[first_corner(edge)];
     first = static_cast<std::int8_t>(first - way);
-    std::int8_t& last = sign_at(cube, last_corner(edge));
+    std::int8_t& last = *signs[last_corner(edge)];
     last = static_cast<std::int8_t>(last + way);
   }
 }
@@ -160,7 +168,8 @@ void SourceCubes::vote(std::uint32_t cube) {
 /// Corners without a vote are on the side of those along edges that are not cut.
 void SourceCubes::settle_signs(std::uint32_t cube) {
   std::array<std::int8_t, kCorners> sign{};
-  for (unsigned corner = 0; corner < kCorners; ++corner) sign[corner] = sign_at(cube, corner);
+  const auto signs = signs_around(cube);
+  for (unsigned corner = 0; corner < kCorners; ++corner) sign[corner] = *signs[corner];
   const auto is_open = [&] { return std::find(sign.begin(), sign.end(), 0) != sign.end(); };
   for (unsigned round = 0; round < kCorners && is_open(); ++round) {
     for (unsigned edge = 0; edge < kEdges; ++edge) {
@@ -172,7 +181,7 @@ void SourceCubes::settle_signs(std::uint32_t cube) {
     }
   }
   for (unsigned corner = 0; corner < kCorners; ++corner) {
-    std::int8_t& kept = sign_at(cube, corner);
+    std::int8_t& kept = *signs[corner];
     if (kept == 0) kept = sign[corner] != 0 ? sign[corner] : std::int8_t{1};
     signs_[cube] |= (kept > 0 ? 1U : 0U) << corner;
   }
@@ -183,7 +192,7 @@ std::uint32_t SourceCubes::find(const Bricks::Place& brick, std::uint32_t place)
     if (static_cast<std::uint32_t>(brick[axis]) >= bricks_[axis]) return kNone;
   const auto at = [&](std::size_t axis) { return static_cast<std::uint32_t>(brick[axis]); };
   const auto found = part_numbers_.find((at(2) * bricks_[1] + at(1)) * bricks_[0] + at(0));
-  return found == part_numbers_.end() ? kNone : parts_[found->second].cubes[place];
+  return found == part_numbers_.end() ? kNone : parts_[found->second]->cubes[place];
 }
 
 std::uint32_t SourceCubes::inner_offset(std::uint32_t cube, std::size_t axis) const noexcept {

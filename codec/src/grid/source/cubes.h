@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -65,7 +66,7 @@ class SourceCubes {
   };
 
   Address address_of(const EdgeVertices::Node& node);
-  std::int8_t& sign_at(std::uint32_t cube, unsigned corner);
+  std::array<std::int8_t*, kCorners> signs_around(std::uint32_t cube);
   void find_cubes(const EdgeVertices& vertices);
   void place_faces(const EdgeVertices& vertices, std::span<const Address> homes);
   void vote(std::uint32_t cube);
@@ -75,7 +76,7 @@ class SourceCubes {
   std::span<const Cell> cells_;
   std::int32_t voxel_;
   std::array<std::uint32_t, 3> bricks_;
-  std::vector<Part> parts_;
+  std::vector<std::unique_ptr<Part>> parts_;
   std::uint32_t fresh_ = 0;                                        ///< of the cubes of a new part
   std::unordered_map<std::uint32_t, std::uint32_t> part_numbers_;  ///< by the brick's number in the grid
   std::uint32_t last_brick_ = kNone;                               ///< that was looked up, and its part
