@@ -20,6 +20,9 @@ class Bricks {
  public:
   using Place = std::array<std::int32_t, 3>;
 
+  /// So that nothing moves while about so many vertices come.
+  void reserve(std::size_t vertices) { vertices_.resize(kNodesOfVertex * vertices); }
+
   std::uint32_t count() const noexcept { return static_cast<std::uint32_t>(bricks_.size()); }
   Brick& operator[](std::uint32_t number) noexcept { return *bricks_[number]; }
   const Brick& operator[](std::uint32_t number) const noexcept { return *bricks_[number]; }
@@ -60,6 +63,8 @@ class Bricks {
   std::vector<Brick*> in_order() const;
 
  private:
+  static constexpr std::size_t kNodesOfVertex = 3;  ///< at most, usually; with room in groups
+
   static std::uint64_t node_bit(int x, bool is_outside) noexcept {
     return (is_outside ? 1 : std::uint64_t{1} << Brick::kInsideShift) << (x + kMargin);
   }

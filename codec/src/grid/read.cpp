@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
+#include <algorithm>
 #include <memory>
 
 #include "base/broken_rule.h"
@@ -90,6 +91,10 @@ Result<GridMesh> read_grid(const GridPayloads& payloads, const PredictiveParamet
   grid::Surface surface;
   if (!reader.failed()) {
     limits.triangles -= rest.triangles;
+    // The usual share of a byte is far less; what comes beyond that moves.
+    const std::uint64_t likely = 16 * std::uint64_t{payloads.surface.size()};
+    surface.triangles.reserve(std::min<std::uint64_t>(limits.triangles, likely));
+    surface.bricks.reserve(std::min<std::uint64_t>(limits.vertices, likely));
     const char* const rule = read_surface(reader, parameters, limits, surface, mesh.cells);
     if (rule != nullptr && !reader.failed()) return broken(rule);
   }

@@ -45,6 +45,8 @@ struct InnerVertex {
 /// Faces of vertices, added cube by cube.
 class Triangles {
  public:
+  /// So that nothing moves while about so many come.
+  void reserve(std::size_t count) { list_.resize(count + Pattern::kMostTriangles); }
   /// For those of one more cube.
   [[gnu::always_inline]] void make_room() {
     if (list_.size() - count_ < Pattern::kMostTriangles) [[unlikely]]
