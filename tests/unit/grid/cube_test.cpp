@@ -30,7 +30,7 @@ TEST(Cube, EdgesAreBetweenCorners) {
   }
 }
 
-TEST(Cube, LoopsPassEveryCutEdgeOnce) {
+TEST(Cube, GRD6LoopsPassEveryCutEdgeOnce) {
   for (Signs signs = 0; signs < 256; ++signs) {
     std::set<unsigned> cut;
     for (unsigned edge = 0; edge < kEdges; ++edge)
@@ -66,7 +66,7 @@ TEST(Cube, ATableOfMarchingCubesFillsLoops) {
   }
 }
 
-TEST(Window, SeesNodesOfAllBricks) {
+TEST(Window, GRD4SeesNodesOfAllBricks) {
   Bricks bricks;
   test::RandomBits random(2);
   const auto state = [](int x, int y, int z) { return (x * 7 + y * 5 + z * 3 + x * y * z) % 3; };

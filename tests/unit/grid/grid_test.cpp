@@ -60,7 +60,7 @@ void expect_back(const CellMesh& mesh, const CodedGrid& coded) {
     ASSERT_EQ(back->cells[v], mesh.cells[coded.vertex_order[v]]);
 }
 
-TEST(Grid, MarchingCubesComeBack) {
+TEST(Grid, GRD3GRD4GRD5GRD7GRD10MarchingCubesComeBack) {
   for (const std::uint32_t levels : {1U, 2U, 10U, 16U, 17U, 300U, 100000U}) {
     const CellMesh mesh = test::wavy_surface(40, levels);
     const CodedGrid coded = write(mesh);
@@ -70,7 +70,7 @@ TEST(Grid, MarchingCubesComeBack) {
   }
 }
 
-TEST(Grid, AnyFacesInCubesComeBack) {
+TEST(Grid, GRD5GRD6AnyFacesInCubesComeBack) {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     const CellMesh mesh = test::random_faces(seed, 3 + 2 * seed, 1 + seed % 4, 10 + 80 * (seed % 7));
     expect_back(mesh, write(mesh));
