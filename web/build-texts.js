@@ -14,7 +14,7 @@ const HEAD = '// SPDX-License-Identifier: Apache-2.0\n// Copyright 2026 The delt
 
 /** Of each package: the modules, and the worker's script. */
 const TEXTS = {
-  decoder: { modules: ['core', 'highpass', 'rare', 'zstd', 'map'], worker: 'worker.js' },
+  decoder: { modules: ['core', 'highpass', 'rare', 'grid', 'zstd', 'map'], worker: 'worker.js' },
   encoder: { modules: ['encoder'], worker: 'encode-worker.js' },
 };
 

@@ -52,7 +52,7 @@ std::string ErrorTable::rows() const {
     if (cell.column == 0) line = {cell.mesh};
     line.push_back(cell.failure != nullptr
                        ? cell.failure
-                       : join({three(cell.ratio), cell.row.geometry == "predictive" ? " p" : " h",
+                       : join({three(cell.ratio), cell.row.geometry == "highpass" ? " h" : " p",
                                cell.row.agrees_at_effort_0 ? "" : "*", cell.row.kept ? "" : " EXCEEDED"}));
     if (cell.column + 1 == bits_.size()) text += table_row(line);
     if (cell.failure != nullptr) continue;

@@ -7,7 +7,7 @@ import xxhash
 import zstandard
 
 DRAFT, LARGEST_F32 = 17, 3.4028234663852886e38
-KINDS = ["", "CONN", "SEAM", "FGRP", "DELT", "ANCH", "POSN", "ATTR", "ORDR"]
+KINDS = ["", "CONN", "SEAM", "FGRP", "DELT", "ANCH", "POSN", "ATTR", "ORDR", "GRID"]
 ZSTD, COMPACT = 1, 2
 HIGHPASS, LATTICE, VOXELS, FLOATS = range(4)
 
@@ -169,7 +169,7 @@ def DIR_2_chunk(r, header, read_descriptor):
     byte = r.u8()
     kind, coding = byte & 15, byte >> 4
     must(coding <= COMPACT, "DIR-4", f"coding {coding}")
-    must(kind <= 8, "DIR-2", f"kind {kind}")
+    must(kind <= 9, "DIR-2", f"kind {kind}")
     tag = KINDS[kind] if kind else r.bytes(4).decode("latin-1")
     must(tag.encode().isalpha(), "DIR-2", f"{tag!r} is no tag")
     must(kind or tag[3].islower(), "DIR-2", f"{tag} must not be skipped")
@@ -181,7 +181,7 @@ def DIR_2_chunk(r, header, read_descriptor):
     must(length <= len(r.data) - r.at, "DIR-7", "a chunk reaches beyond the checksum")
     data = r.bytes(length)
     unread = ["POSN"] if header.coder == HIGHPASS else ["DELT", "ANCH"]  # [DIR-8]
-    if coding == ZSTD and kind and tag not in unread + ["ORDR"] * (not header.restore_order):
+    if coding == ZSTD and kind and tag not in unread + ["GRID"] + ["ORDR"] * (not header.restore_order):
         data = ENT_1_expand(data, decoded)
     return Chunk(tag, coding == COMPACT, data, descriptor)
 

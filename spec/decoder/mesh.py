@@ -11,6 +11,7 @@ from container import CNT_1_stream, Chunk, HIGHPASS, must
 from delt import DELT_1_positions
 from fgrp import FGRP_1_read
 from glue import CONN_8_faces
+from grid import GRD_12_is_grid, GRD_12_read
 from graph import components, neighbours
 from ordr import ORDR_1_read
 from plain import FGRP_1_plain, PLN_1_is_plain, PLN_2_faces, PLN_5_positions
@@ -33,8 +34,10 @@ def decode(data):  # CNT-1
 def decode_chunks(header, listed, states):  # DIR-8, HDR-7
     mesh, attributes = Mesh(), [chunk for chunk in listed if chunk.tag == "ATTR"]
     chunks = defaultdict(Chunk, {chunk.tag: chunk for chunk in listed})
-    is_plain, seams = PLN_1_is_plain(listed), None
-    if is_plain:
+    is_plain, seams, positions = PLN_1_is_plain(listed), None, None
+    if GRD_12_is_grid(header, chunks["GRID"]):
+        faces, positions = GRD_12_read(chunks, header)
+    elif is_plain:
         faces, seams = PLN_2_faces(chunks["CONN"], chunks["SEAM"], header)
     else:
         faces = CONN_8_faces(chunks["CONN"], header.triangles, header.geometric, states)
@@ -46,10 +49,10 @@ def decode_chunks(header, listed, states):  # DIR-8, HDR-7
     mesh.header, mesh.faces = header, seams.faces
     mesh.groups = FGRP_1_plain(chunks["FGRP"], header.triangles) if is_plain else FGRP_1_read(chunks["FGRP"], seams.faces)
     mesh.exact = header.coder != HIGHPASS
-    if mesh.exact:
+    if mesh.exact and positions is None:
         chunk = chunks["POSN"]
         positions = PLN_5_positions(chunk, header) if is_plain else POSN_1_positions(chunk, header, faces, states)
-    else:
+    elif not mesh.exact:
         anchors = ANCH_1_read(chunks["ANCH"], header, header.geometric, parts, is_plain)
         positions = DELT_1_positions(chunks["DELT"], header, around, parts, anchors, is_plain)
     mesh.positions = GEO_1_round(positions)[seams.geometric]

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// The worked examples of positions: deltas and anchors, voxel edges, floats. Their bytes decode to their
-// values, and are what the encoder writes.
+// The worked examples of positions: deltas and anchors, voxel edges, grids, floats. Their bytes decode to
+// their values, and are what the encoder writes.
 #include <gtest/gtest.h>
 
 #include <cstdint>
 #include <vector>
 
+#include "grid/grid.h"
 #include "highpass/delta_symbols.h"
 #include "highpass/highpass.h"
 #include "positions/positions.h"
@@ -49,6 +50,29 @@ TEST(GeometryExamples, POSN12VOX1VOX2VOX3VOX4VOX5VOX6SixVertices) {
   std::vector<Cell> cells;
   for (std::size_t i = 0; i < q.size(); i += 3) cells.push_back({q[i], q[i + 1], q[i + 2]});
   EXPECT_EQ(write_positions({faces, 6}, cells, parameters), payload);
+}
+
+TEST(GeometryExamples, GRD11GRD12ACornerInsideAndAFaceBesideIt) {
+  const auto faces = line_of<std::uint32_t>("grid.md", "faces");
+  const auto q = line_of<std::int32_t>("grid.md", "q");
+  const GridPayloads payloads{.surface = bytes_of("grid.md", "payload"),
+                              .rest_faces = bytes_of("grid.md", "conn"),
+                              .rest_positions = bytes_of("grid.md", "posn")};
+  const PredictiveParameters parameters{
+      .kind = PositionKind::kVoxel, .lattice = {.cells = {8, 8, 8}}, .levels = 2};
+  const auto read = read_grid(payloads, parameters, 7, 9);
+  ASSERT_TRUE(read) << describe(read.error());
+  std::vector<std::uint32_t> corners;
+  for (const auto& face : read->triangles) corners.insert(corners.end(), face.begin(), face.end());
+  EXPECT_EQ(corners, faces);
+  std::vector<Cell> cells;
+  for (std::size_t i = 0; i < q.size(); i += 3) cells.push_back({q[i], q[i + 1], q[i + 2]});
+  EXPECT_EQ(std::vector<Cell>(read->cells.begin(), read->cells.end()), cells);
+  const auto written = write_grid(faces, cells, parameters);
+  ASSERT_TRUE(written);
+  EXPECT_EQ(written->payloads.surface, payloads.surface);
+  EXPECT_EQ(written->payloads.rest_faces, payloads.rest_faces);
+  EXPECT_EQ(written->payloads.rest_positions, payloads.rest_positions);
 }
 
 TEST(GeometryExamples, FLT1FLT2FLT3FLT4FourPoints) {

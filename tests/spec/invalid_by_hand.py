@@ -65,7 +65,7 @@ def containers():
     valid, header = golden("tetrahedron.default"), tetrahedron().header
     yield from (b"XMS" + valid[3:], valid[:3] + b"\1" + valid[4:], valid[:3] + bytes([127 + DRAFT]) + valid[4:],
                 valid[:-1] + bytes([valid[-1] ^ 1]), valid[:7])
-    for chunk in (b"\0AB1d\0", b"\0ABCD\0", b"\x09\0", b"\x31\0", b"\6\1"):
+    for chunk in (b"\0AB1d\0", b"\0ABCD\0", b"\x0a\0", b"\x31\0", b"\6\1"):
         yield sealed(header + chunk)
     yield with_chunk("POSN", b"", True)
     yield sealed(header + b"\x11\1" + varint(65537) + b"\0")

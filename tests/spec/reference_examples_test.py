@@ -16,6 +16,7 @@ from delt import DELT_1_positions
 from fgrp import FGRP_1_read
 from fields import FLD_numbers
 from glue import CONN_8_faces
+from grid import GRD_12_read
 from graph import components, neighbours
 from mesh import decode_chunks
 from ordr import ORDR_1_read
@@ -112,6 +113,10 @@ def examples():
     yield "posn.md", positions("posn.md", lattice(LATTICE, 4, cells=[4, 4, 3]), TWO), line("posn.md", "q")
     yield ("posn_voxels.md", positions("posn_voxels.md", lattice(VOXELS, 6, cells=[5, 8, 3], levels=2), triples(line("posn_voxels.md", "faces"))),
            line("posn_voxels.md", "q"))
+    chunks = {tag: chunk("grid.md", name) for tag, name in (("GRID", "payload"), ("CONN", "conn"), ("POSN", "posn"))}
+    faces, points = GRD_12_read(chunks, lattice(VOXELS, 8, cells=[8, 8, 8], levels=2, triangles=10))
+    yield "grid.md faces", faces, line("grid.md", "faces")
+    yield "grid.md positions", points, line("grid.md", "q")
     box_max = [1.0, struct.unpack("<f", struct.pack("<f", 1.1))[0], 0.5]
     yield ("posn_floats.md", positions("posn_floats.md", lattice(FLOATS, 4, box_min=[0.0] * 3, box_max=box_max), TWO),
            line("posn_floats.md", "values", np.float32))

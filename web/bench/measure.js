@@ -20,9 +20,9 @@ async function openDeltamesh(files) {
   };
 }
 
-/** `modules`: { core, highpass, rare, zstd, draco }, bytes. */
-function openCodec(codec, { core, highpass, rare, zstd, draco }) {
-  return codec === 'draco' ? openDraco(draco) : openDeltamesh({ core, highpass, rare, zstd });
+/** `modules`: { core, highpass, rare, grid, zstd, draco }, bytes. */
+function openCodec(codec, { draco, ...modules }) {
+  return codec === 'draco' ? openDraco(draco) : openDeltamesh(modules);
 }
 
 function timeOf(decode, streams) {

@@ -25,6 +25,7 @@ const FILES = {
   highpass: '@deltamesh/decoder/highpass.wasm',
   zstd: '@deltamesh/decoder/zstd.wasm',
   rare: '@deltamesh/decoder/rare.wasm',
+  grid: '@deltamesh/decoder/grid.wasm',
   draco: 'draco3d/draco_decoder.wasm',
   'draco, JavaScript': 'draco3d/draco_decoder_nodejs.js',
 };
@@ -117,7 +118,7 @@ const draco = await createEncoderModule();
 const meshes = new Map();
 for await (const { name, meshes: parts } of inputs(args.filter((arg) => !arg.startsWith('--'))))
   meshes.set(name, await streamsOf(parts, encoder, decoder, draco));
-const modules = Object.fromEntries(['core', 'highpass', 'rare', 'zstd', 'draco'].map((name) => [name, bytesOf(name)]));
+const modules = Object.fromEntries(['core', 'highpass', 'rare', 'grid', 'zstd', 'draco'].map((name) => [name, bytesOf(name)]));
 await printTimes(`node ${process.version}`, measureInNode, meshes, modules);
 if (hasChromium && !args.includes('--node')) {
   const chromium = await new Chromium().open();

@@ -20,6 +20,7 @@ const FILES = [
   '@deltamesh/decoder/highpass.wasm',
   '@deltamesh/decoder/zstd.wasm',
   '@deltamesh/decoder/rare.wasm',
+  '@deltamesh/decoder/grid.wasm',
   '@deltamesh/decoder/map.wasm',
   '@deltamesh/encoder/encoder.wasm',
   'draco3d/draco_encoder.wasm',

@@ -16,6 +16,8 @@
 namespace deltamesh::web {
 namespace {
 
+constexpr std::uint32_t kGeometryOfGrid = 3;  ///< of StreamOutcome
+
 struct Kept {
   Container container;
   std::vector<AttributeOutcome> attributes;
@@ -50,8 +52,10 @@ std::uint32_t parts_of(const Container& container) noexcept {
   };
   const FileHeader& header = container.header();
   const bool is_highpass = header.geometry == kGeometryHighpass;
-  std::uint32_t parts = bit(Part::kHighpass, is_highpass) |
-                        bit(Part::kRare, !is_highpass && header.predictive.kind != PositionKind::kLattice);
+  const bool is_grid = is_of_grid(container);
+  const bool is_lattice = header.predictive.kind == PositionKind::kLattice;
+  std::uint32_t parts = bit(Part::kHighpass, is_highpass) | bit(Part::kGrid, is_grid) |
+                        bit(Part::kRare, !is_highpass && !is_grid && !is_lattice);
   for (const ChunkEntry& entry : container.entries()) {
     parts |= bit(Part::kZstd, entry.codec == ChunkCodec::kZstd);
     parts |= bit(Part::kRare, entry.tag == kTagAttribute && is_rare(entry.codec, container.coded(entry)));
@@ -83,7 +87,7 @@ void describe_stream() {
   const FileHeader& header = kept->container.header();
   describe_chunks();
   StreamOutcome& outcome = kept->outcome;
-  outcome.geometry = header.geometry;
+  outcome.geometry = is_of_grid(kept->container) ? kGeometryOfGrid : header.geometry;
   outcome.parts = parts_of(kept->container);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     outcome.origin[axis] = header.origin[axis];

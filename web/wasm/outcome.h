@@ -52,7 +52,7 @@ struct ChunkOutcome {
 
 struct StreamOutcome {
   ErrorOutcome error;
-  std::uint32_t geometry = 0;  ///< 1 highpass, 2 predictive
+  std::uint32_t geometry = 0;  ///< 1 highpass, 2 predictive, 3 grid
   std::uint32_t parts = 0;     ///< that it needs beside core, bits by Part (parts.h)
   double origin[3]{};
   double box[6]{};

@@ -2,7 +2,7 @@
 // Copyright 2026 The deltamesh authors
 //
 // What `core` and its parts hand to each other by way of JavaScript (packages/decoder/decoder.js): the
-// modules `highpass`, `zstd` and `rare`, whose memories are others. All are built alike, so structures are
+// modules `highpass`, `zstd`, `rare` and `grid`, whose memories are others. All are built alike, so structures are
 // copied as they are.
 #pragma once
 
@@ -87,6 +87,16 @@ struct RareCall {
   std::uint32_t components = 1;
   PredictiveParameters parameters{};  ///< of kPositions, as the next
   Box box{};
+};
+
+/// The arguments of read_grid(). Returns an array of faces and one of lattice points.
+struct GridCall {
+  PredictiveParameters parameters{};
+  std::uint32_t most_vertices = 0;
+  std::uint32_t most_triangles = 0;
+  HandedArray surface{};
+  HandedArray rest_faces{};
+  HandedArray rest_positions{};
 };
 
 /// In a part: copies an array that was handed over, and releases it.

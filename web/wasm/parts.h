@@ -14,7 +14,7 @@
 namespace deltamesh::web {
 
 /// As decoder.js numbers them.
-enum class Part : std::uint32_t { kHighpass, kZstd, kRare };
+enum class Part : std::uint32_t { kHighpass, kZstd, kRare, kGrid };
 
 extern "C" {
 /// Copies bytes into the memory of a part, which releases them; returns their address there.

@@ -62,7 +62,7 @@ struct StreamInfo {
   std::uint64_t stray_vertices = 0;
   double extent = 0;
   bool keeps_order = false;  ///< the decoded mesh is in the input's vertex and face order
-  std::string geometry;      ///< geometry coder: "highpass" or "predictive"
+  std::string geometry;      ///< geometry coder: "highpass", "predictive" or "grid"
   int bits = 0;              ///< asked bits of deltas or positions; 0 when something else was asked
   double step = 0;           ///< quantisation step of delta coordinates, or of positions, model units
   std::uint64_t anchors = 0;
@@ -73,7 +73,7 @@ struct StreamInfo {
   std::vector<ChunkInfo> chunks;
   std::uint64_t bytes = 0;
   std::uint64_t connectivity_bytes = 0;  ///< coded CONN, SEAM, FGRP and ORDR
-  std::uint64_t geometry_bytes = 0;      ///< coded DELT or POSN
+  std::uint64_t geometry_bytes = 0;      ///< coded DELT or POSN, or GRID, which has faces as well
   std::uint64_t anchor_bytes = 0;        ///< coded ANCH
   std::uint64_t attribute_bytes = 0;     ///< coded ATTR
   std::uint64_t container_bytes = 0;     ///< everything else: headers, descriptors, checksum

@@ -19,6 +19,7 @@
 #include "connectivity/groups/names.h"
 #include "connectivity/plain/topology.h"
 #include "connectivity/seams/seams.h"
+#include "decoder/grid_surface.h"
 #include "decoder/restore_order.h"
 #include "deltamesh/model_states.h"
 #include "entropy/expand_chunk.h"
@@ -128,6 +129,26 @@ class StreamDecoder {
 
   /// Faces over the mesh's vertices; where seams split some, those over the geometric vertices as well.
   Result<void> read_faces(std::vector<std::uint32_t>& triangles) {
+    DELTAMESH_CHECK(is_of_grid(container_) ? read_faces_of_grid(triangles)
+                                           : read_faces_of_connectivity(triangles));
+    DELTAMESH_TRY(const auto seams, expand_single(container_, kTagSeams));
+    if (seams.bytes().empty() && header_.vertices == header_.geometric_vertices) return {};
+    DELTAMESH_TRY(auto split,
+                  read_seams(seams.bytes(), triangles, header_.geometric_vertices, header_.vertices));
+    geometric_triangles_ = std::exchange(triangles, std::move(split.triangles));
+    copies_ = std::move(split.geometric);
+    return {};
+  }
+
+  /// With the positions, which wait.
+  Result<void> read_faces_of_grid(std::vector<std::uint32_t>& triangles) {
+    DELTAMESH_TRY(auto surface, read_grid_surface(container_));
+    triangles = std::move(surface.triangles);
+    grid_positions_ = std::move(surface.positions);
+    return check_components(count_components(triangles, header_.geometric_vertices));
+  }
+
+  Result<void> read_faces_of_connectivity(std::vector<std::uint32_t>& triangles) {
     DELTAMESH_TRY(const auto connectivity, expand_single(container_, kTagConnectivity));
     DELTAMESH_TRY(auto read, read_connectivity(connectivity.bytes(), header_.geometric_vertices,
                                                header_.triangles, of_ops()));
@@ -136,12 +157,6 @@ class StreamDecoder {
     open_edges_ = std::move(read.open_edges);
     runs_ = std::move(read.runs);
     if (triangles.capacity() / 5 > triangles.size() / 4) triangles.shrink_to_fit();
-    DELTAMESH_TRY(const auto seams, expand_single(container_, kTagSeams));
-    if (seams.bytes().empty() && header_.vertices == header_.geometric_vertices) return {};
-    DELTAMESH_TRY(auto split,
-                  read_seams(seams.bytes(), triangles, header_.geometric_vertices, header_.vertices));
-    geometric_triangles_ = std::exchange(triangles, std::move(split.triangles));
-    copies_ = std::move(split.geometric);
     return {};
   }
 
@@ -191,14 +206,15 @@ class StreamDecoder {
   }
 
   Result<std::vector<float>> read_predicted(std::span<const std::uint32_t> triangles) {
+    if (learnt_ != nullptr && header_.predictive.kind == PositionKind::kVoxel)
+      learnt_->voxels = header_.predictive;
+    if (is_of_grid(container_)) return std::move(grid_positions_);
     DELTAMESH_TRY(const auto payload, expand_single(container_, kTagPositions));
     if (is_plain_)
       return read_plain_positions(payload.bytes(), header_.geometric_vertices, header_.predictive);
     Learning<PositionModels> learning;
     if (start_ != nullptr) learning.start = &start_->positions;
     if (learnt_ != nullptr) learning.end = &learnt_->positions;
-    if (learnt_ != nullptr && header_.predictive.kind == PositionKind::kVoxel)
-      learnt_->voxels = header_.predictive;
     return read_positions(payload.bytes(), {triangles, header_.geometric_vertices}, header_.predictive,
                           header_.box(), learning);
   }
@@ -241,7 +257,7 @@ class StreamDecoder {
                                                  std::span<const float> positions) {
     if (header_.attributes.empty()) return std::vector<Attribute>();
     const AttributeSurface surface(triangles, header_.vertices, copies_, positions,
-                                   is_split() ? nullptr : &open_edges_,
+                                   is_split() || is_of_grid(container_) ? nullptr : &open_edges_,
                                    std::exchange(attribute_graph_, std::nullopt));
     std::vector<Attribute> attributes(header_.attributes.size());
     DELTAMESH_CHECK(read_attributes_of(surface, false, attributes));
@@ -276,6 +292,7 @@ class StreamDecoder {
   StreamModels* learnt_;                            ///< null where they are not wanted
   std::vector<std::uint32_t> geometric_triangles_;  ///< empty where no vertex is split
   LargeVector<DirectedEdge> open_edges_;            ///< of the geometric faces
+  std::vector<float> grid_positions_;               ///< n x 3 of a grid, until they are handed out
   VertexRuns runs_;                                 ///< of the geometric vertices
   std::vector<std::uint32_t> copies_;               ///< geometric vertex of every vertex; likewise
   Adjacency graph_;                                 ///< of the geometric vertices, until they are solved for

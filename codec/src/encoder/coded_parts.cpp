@@ -55,15 +55,23 @@ Result<Parts> code_both(const PartsTask& task, const Request& request, const Att
   EncodeOptions options = task.options;
   options.attributes = bounds;
   options.effort = request.effort;
-  const StreamRest rest{task.header, task.chunk_bytes};
+  const TopologyChunks* chunks = &task.topology_chunks;
+  StreamRest rest{task.header, task.other_bytes + chunks->other_bytes(), chunks->faces.bytes()};
   DELTAMESH_TRY(Candidate geometry, code_geometry(request, task.source, rest));
   task.progress.tick();
-  DELTAMESH_TRY(ChunkList attributes, code_attributes(task.mesh, task.topology, options, geometry.positions));
+  const CodedTopology* topology = &task.topology;
+  std::optional<GridTopology> in_grid;
+  if (geometry.grid) {
+    in_grid.emplace(in_grid_order(task.mesh, task.topology, *geometry.grid));
+    in_grid->chunks = code_topology_chunks(task.mesh, task.options, in_grid->topology);
+    topology = &in_grid->topology;
+    chunks = &in_grid->chunks;
+  }
+  DELTAMESH_TRY(ChunkList attributes, code_attributes(task.mesh, *topology, options, geometry.positions));
   task.progress.tick();
-  Parts parts{{std::move(geometry), std::move(attributes)}};
-  parts.bytes = StreamRest{task.header, task.chunk_bytes + parts.coded.attributes.bytes()}.bytes_with(
-      parts.coded.geometry);
-  return parts;
+  rest.chunk_bytes = task.other_bytes + chunks->other_bytes() + attributes.bytes();
+  const std::uint64_t bytes = rest.bytes_with(geometry);
+  return Parts{{std::move(geometry), std::move(attributes), std::move(in_grid)}, bytes};
 }
 
 /// All errors grow and shrink together until the stream has the bytes asked for.

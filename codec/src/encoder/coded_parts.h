@@ -5,11 +5,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "base/progress.h"
 #include "deltamesh/encode.h"
 #include "deltamesh/result.h"
 #include "encoder/coded_topology.h"
+#include "encoder/topology_chunks.h"
 #include "search/candidate.h"
 
 namespace deltamesh {
@@ -18,15 +20,23 @@ struct PartsTask {
   const EncodeOptions& options;
   const MeshView& mesh;
   const CodedTopology& topology;
+  const TopologyChunks& topology_chunks;  ///< of `topology`
   const SourceGeometry& source;
   const FileHeader& header;   ///< but for what depends on the geometry
-  std::uint64_t chunk_bytes;  ///< of all other chunks
+  std::uint64_t other_bytes;  ///< of all other chunks
   Progress& progress;
+};
+
+/// Of a geometry that has the faces, and brings them into an order of its own.
+struct GridTopology {
+  CodedTopology topology;
+  TopologyChunks chunks;
 };
 
 struct CodedParts {
   Candidate geometry;
   ChunkList attributes;
+  std::optional<GridTopology> in_grid;  ///< in place of the task's
 };
 
 /// The smallest that keeps the request, or the best that fits the bytes asked for. Errors: kUnmetRequest,

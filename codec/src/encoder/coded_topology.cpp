@@ -21,6 +21,15 @@ std::vector<std::uint32_t> corner_vertices(const MeshView& mesh, const CodedConn
   return corners;
 }
 
+CodedSeams seams_of(const MeshView& mesh, const CodedTopology& topology,
+                    const std::vector<std::uint8_t>& referenced) {
+  std::vector<std::uint32_t> lone_vertices;
+  for (const std::uint32_t input : topology.geometric_input)
+    if (referenced[input] == 0) lone_vertices.push_back(input);
+  return write_seams(topology.connectivity.triangles, topology.geometric_count(),
+                     corner_vertices(mesh, topology.connectivity), lone_vertices);
+}
+
 std::vector<Vec3> gather_positions(const MeshView& mesh, const std::vector<std::uint32_t>& input_vertices) {
   std::vector<Vec3> positions;
   reserve_large(positions, input_vertices.size());
@@ -59,14 +68,31 @@ CodedTopology code_topology(const MeshView& mesh, bool keep_unreferenced, const 
   for (const std::uint32_t g : topology.connectivity.vertex_order)
     topology.geometric_input.push_back(welded.representative[g]);
   topology.has_seams = welded.has_seams;
-  if (!welded.has_seams) return topology;
-
-  std::vector<std::uint32_t> lone_vertices;
-  for (const std::uint32_t input : topology.geometric_input)
-    if (referenced[input] == 0) lone_vertices.push_back(input);
-  topology.seams = write_seams(topology.connectivity.triangles, geometric_count,
-                               corner_vertices(mesh, topology.connectivity), lone_vertices);
+  if (welded.has_seams) topology.seams = seams_of(mesh, topology, referenced);
   return topology;
+}
+
+CodedTopology in_grid_order(const MeshView& mesh, const CodedTopology& topology, const CodedGrid& grid) {
+  CodedTopology ordered;
+  ordered.unreferenced = topology.unreferenced;
+  ordered.unreferenced_kept = topology.unreferenced_kept;
+  ordered.has_seams = topology.has_seams;
+  const CodedConnectivity& before = topology.connectivity;
+  CodedConnectivity& coded = ordered.connectivity;
+  coded.components = before.components;
+  coded.triangles = grid.triangles;
+  for (std::size_t f = 0; f < grid.face_order.size(); ++f) {
+    const std::uint32_t face = grid.face_order[f];
+    coded.face_order.push_back(before.face_order[face]);
+    coded.face_rotation.push_back(
+        static_cast<std::uint8_t>((before.face_rotation[face] + grid.face_rotation[f]) % 3));
+  }
+  for (const std::uint32_t v : grid.vertex_order) {
+    coded.vertex_order.push_back(before.vertex_order[v]);
+    ordered.geometric_input.push_back(topology.geometric_input[v]);
+  }
+  if (ordered.has_seams) ordered.seams = seams_of(mesh, ordered, find_referenced(mesh));
+  return ordered;
 }
 
 SourceGeometry source_geometry(const MeshView& mesh, const CodedTopology& topology) {

@@ -13,6 +13,7 @@
 #include "connectivity/order/order.h"
 #include "connectivity/seams/seams.h"
 #include "deltamesh/mesh.h"
+#include "grid/grid.h"
 #include "topology/source_geometry.h"
 
 namespace deltamesh {
@@ -46,6 +47,10 @@ CodedTopology code_topology(const MeshView& mesh, bool keep_unreferenced, const 
 /// The same in the plain form, whose vertices and faces are in the input's order or in one that takes few
 /// bytes.
 CodedTopology code_plain_topology(const MeshView& mesh, bool keep_unreferenced, bool keep_order);
+
+/// `topology` of `mesh` in the order of `grid`, whose vertices and faces are the topology's geometric ones.
+/// It has no payload of faces.
+CodedTopology in_grid_order(const MeshView& mesh, const CodedTopology& topology, const CodedGrid& grid);
 
 /// What geometry coders get; `topology` must outlive it.
 SourceGeometry source_geometry(const MeshView& mesh, const CodedTopology& topology);

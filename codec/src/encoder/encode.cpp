@@ -13,12 +13,11 @@
 #include "base/progress.h"
 #include "base/try.h"
 #include "connectivity/check_mesh.h"
-#include "connectivity/groups/groups.h"
 #include "connectivity/groups/names.h"
-#include "connectivity/plain/topology.h"
 #include "deltamesh/model_states.h"
 #include "encoder/coded_parts.h"
 #include "encoder/coded_topology.h"
+#include "encoder/topology_chunks.h"
 #include "entropy/chunk_list.h"
 #include "format/container_write.h"
 #include "search/request.h"
@@ -71,25 +70,6 @@ FileHeader header_of(const MeshView& mesh, const EncodeOptions& options, const C
   return header;
 }
 
-std::vector<std::byte> code_face_groups(const MeshView& mesh, const CodedTopology& topology, bool is_plain) {
-  std::vector<std::uint32_t> groups;
-  groups.reserve(mesh.face_groups.size());
-  for (const std::uint32_t face : topology.connectivity.face_order) groups.push_back(mesh.face_groups[face]);
-  if (is_plain) return write_plain_groups(groups);
-  return write_face_groups(std::move(groups), topology.triangles(), topology.vertex_count());
-}
-
-/// Faces, seams and groups.
-ChunkList code_faces(const MeshView& mesh, const EncodeOptions& options, const CodedTopology& topology) {
-  ChunkList chunks(options.profile, options.effort);
-  chunks.add(kTagConnectivity, topology.connectivity.payload);
-  chunks.add(kTagSeams, topology.seams.payload);
-  if (!mesh.face_groups.empty())
-    chunks.add(kTagFaceGroups, code_face_groups(mesh, topology, chunks.is_plain()));
-  return chunks;
-}
-
-/// The input's order, if it is kept; plain payloads are in that order.
 /// Of a mesh with stray vertices [SIZ-1].
 std::vector<std::byte> write_extent(const Extent& extent) {
   ByteWriter out;
@@ -99,10 +79,11 @@ std::vector<std::byte> write_extent(const Extent& extent) {
   return out.take();
 }
 
-ChunkList code_order(const MeshView& mesh, const EncodeOptions& options, const CodedTopology& topology) {
+/// What depends on no order.
+ChunkList code_informative(const MeshView& mesh, const EncodeOptions& options, const Extent& extent) {
   ChunkList chunks(options.profile, options.effort);
-  if (!options.keep_order || chunks.is_plain()) return chunks;
-  chunks.add(kTagOrder, write_order(original_order(topology, mesh.vertex_count()), topology.triangles()));
+  chunks.add_plain(kTagExtent, write_extent(extent));
+  chunks.add_plain(kTagGroupNames, write_group_names(mesh.group_names));
   return chunks;
 }
 
@@ -123,20 +104,22 @@ Result<Encoded> encode_checked(const MeshView& mesh, const EncodeOptions& option
   progress.reach(kTopologyDone, kPartsDone);
 
   FileHeader header = header_of(mesh, options, topology, source.box);
-  ChunkList chunks = code_faces(mesh, options, topology);
-  ChunkList order = code_order(mesh, options, topology);
-  order.add_plain(kTagExtent, write_extent(source.extent));
-  order.add_plain(kTagGroupNames, write_group_names(mesh.group_names));
-  DELTAMESH_TRY(CodedParts parts, code_parts({options, mesh, topology, source, header,
-                                              chunks.bytes() + order.bytes(), progress}));
+  TopologyChunks topology_chunks = code_topology_chunks(mesh, options, topology);
+  ChunkList informative = code_informative(mesh, options, source.extent);
+  DELTAMESH_TRY(CodedParts parts, code_parts({options, mesh, topology, topology_chunks, source, header,
+                                              informative.bytes(), progress}));
   declare(parts.geometry, options.source_error, header);
+  if (parts.in_grid) topology_chunks = std::move(parts.in_grid->chunks);
+  ChunkList chunks = std::move(topology_chunks.faces);
+  chunks.append(std::move(topology_chunks.splits));
   chunks.append(std::move(parts.geometry.chunks));
   chunks.append(std::move(parts.attributes));
-  chunks.append(std::move(order));
+  chunks.append(std::move(topology_chunks.order));
+  chunks.append(std::move(informative));
 
   Encoded encoded;
   encoded.bytes = write_container(header, chunks.chunks());
-  encoded.order = decoded_order(topology, options.keep_order);
+  encoded.order = decoded_order(parts.in_grid ? parts.in_grid->topology : topology, options.keep_order);
   encoded.report.input_vertices = mesh.vertex_count();
   encoded.report.unreferenced_vertices = topology.unreferenced;
   encoded.report.dropped_lengths = count_dropped_lengths(mesh, options);

@@ -37,6 +37,7 @@ void add_sizes(StreamInfo& info, const ChunkEntry& entry) {
       break;
     case kTagDeltas:
     case kTagPositions:
+    case kTagGrid:
       info.geometry_bytes += entry.coded_bytes;
       break;
     case kTagAnchors:
@@ -91,7 +92,7 @@ StreamInfo summarize(const Container& container) {
   read_extent(info, container);
   info.keeps_order = h.keeps_order;
   if (h.geometry == kGeometryPredictive) {
-    info.geometry = "predictive";
+    info.geometry = is_of_grid(container) ? "grid" : "predictive";
     info.bits = h.predictive.bits;
     info.step = *std::max_element(h.predictive.lattice.step.begin(), h.predictive.lattice.step.end());
     if (h.predictive.kind == PositionKind::kFloats) info.step = 0;

@@ -37,8 +37,8 @@ struct CodedGrid {
 };
 
 /// `triangles`: m x 3; `cells`: of its n vertices, on the lattice of `parameters`, which are of
-/// PositionKind::kVoxel. Nothing where the grid is too large [GRD-1], or where faces that lie in no cube have
-/// one too large [GRD-11]. O(n + m).
+/// PositionKind::kVoxel. Nothing where the grid is too large [GRD-1], where faces that lie in no cube have
+/// one too large [GRD-11], or where they are most. O(n + m).
 std::optional<CodedGrid> write_grid(std::span<const std::uint32_t> triangles, std::span<const Cell> cells,
                                     const PredictiveParameters& parameters);
 

@@ -20,7 +20,7 @@ namespace {
 struct NoSource {};
 
 Error broken(const char* rule) noexcept {
-  return broken_rule("a surface that does not fit its grid", rule, kTagPositions);
+  return broken_rule("a surface that does not fit its grid", rule, kTagGrid);
 }
 
 /// False where one is beyond the lattice.
@@ -48,7 +48,7 @@ const char* read_surface(CompactReader& reader, const PredictiveParameters& para
   rule = grid::PlaceCoder(reader, place_models, parameters.levels, surface, parameters.lattice.cells)
              .code(cells);
   if (rule != nullptr || reader.failed()) return rule;
-  return place_inner(surface, parameters, cells) ? nullptr : "GRD-8";
+  return place_inner(surface, parameters, cells) ? nullptr : "GRD-9";
 }
 
 /// Adds the faces in no cube, and the vertices that only they have.
@@ -104,7 +104,7 @@ Result<GridMesh> read_grid(const GridPayloads& payloads, const PredictiveParamet
     rest.positions = payloads.rest_positions;
     DELTAMESH_CHECK(read_rest(reader, rest, rest_models, parameters, surface, most_vertices, mesh));
   }
-  DELTAMESH_CHECK(reader.finish(kTagPositions));
+  DELTAMESH_CHECK(reader.finish(kTagGrid));
   return mesh;
 }
 

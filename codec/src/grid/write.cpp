@@ -118,6 +118,8 @@ std::optional<CodedGrid> write_grid(std::span<const std::uint32_t> triangles, st
                                       static_cast<std::uint32_t>(triangles.size() / 3));
   if (!grid::are_few(limits.bricks)) return std::nullopt;
   const grid::SourceCubes source(triangles, cells, parameters.levels, limits.bricks);
+  // Then other coders take fewer bytes.
+  if (4 * source.left_faces().size() > triangles.size()) return std::nullopt;
   const Rest rest(triangles, static_cast<std::uint32_t>(cells.size()), source);
   const auto& most = parameters.lattice.cells;
   if (rest.vertex_count() > 0 && std::max({most[0], most[1], most[2]}) > grid::kMostRestCells)

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "base/memory/large_vector.h"
@@ -12,6 +13,7 @@
 #include "deltamesh/stream_info.h"
 #include "entropy/chunk_list.h"
 #include "format/header.h"
+#include "grid/grid.h"
 #include "highpass/settings.h"
 #include "positions/positions.h"
 
@@ -29,6 +31,9 @@ struct Candidate {
   /// n x 3 floats as decoded, of geometric vertices; empty where decoders may differ in their last bits.
   std::vector<float> positions{};
   LargeVector<Vec3> solution{};  ///< n: of the highpass coder, before it is rounded to floats
+  /// Of the grid coder, whose chunks have the faces as well: their order and that of vertices, in which
+  /// `positions` are. Its payloads are in `chunks`.
+  std::optional<CodedGrid> grid{};
 
   void set_parameters(FileHeader& header) const {
     header.geometry = coder;
@@ -40,12 +45,14 @@ struct Candidate {
 /// The rest of the stream, so that its size is known.
 struct StreamRest {
   const FileHeader& header;
-  std::uint64_t chunk_bytes;  ///< of the chunks that are not the geometry's
+  std::uint64_t chunk_bytes;  ///< of the chunks that are neither the geometry's nor the faces'
+  std::uint64_t face_bytes;   ///< of the chunk of faces, unless the geometry has them
 
   std::uint64_t bytes_with(const Candidate& candidate) const {
     FileHeader whole = header;
     candidate.set_parameters(whole);
-    return stream_bytes(whole, chunk_bytes + candidate.chunks.bytes());
+    const std::uint64_t faces = candidate.grid ? 0 : face_bytes;
+    return stream_bytes(whole, chunk_bytes + faces + candidate.chunks.bytes());
   }
 };
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/progress.h"
+#include "grid/grid.h"
 #include "positions/lattice/exact_lattice.h"
 #include "positions/lattice/lattice.h"
 #include "positions/plain.h"
@@ -21,6 +22,9 @@ constexpr std::size_t kQuickSample = 1U << 15;  ///< vertices that effort 0 look
 constexpr double kOrderWorth = 0.97;     ///< of the bytes without one, at most: an order costs decoders time
 constexpr double kDeepHopeless = 0.985;  ///< of the bytes without one: orders hardly matter to this mesh
 
+/// Of the faces: up to so many in no cube, the other coder takes more bytes, and is not tried.
+constexpr double kFewInNoCube = 0.01;
+
 /// n x 3.
 std::vector<float> to_rows(std::span<const Vec3> positions) {
   std::vector<float> rows;
@@ -28,6 +32,15 @@ std::vector<float> to_rows(std::span<const Vec3> positions) {
   for (const Vec3& position : positions)
     for (const double x : position) rows.push_back(static_cast<float>(x));
   return rows;
+}
+
+/// `rows`, n x 3, by the numbers in `order`.
+std::vector<float> rows_in_order(std::span<const float> rows, std::span<const std::uint32_t> order) {
+  std::vector<float> ordered;
+  ordered.reserve(rows.size());
+  for (const std::uint32_t v : order)
+    for (std::size_t axis = 0; axis < 3; ++axis) ordered.push_back(rows[3 * std::size_t{v} + axis]);
+  return ordered;
 }
 
 const PositionModels* start_of(const Request& request) noexcept {
@@ -138,16 +151,46 @@ PredictiveTrials::WritePositions PredictiveTrials::writer(const LatticeTrial& tr
   };
 }
 
+std::optional<Candidate> PredictiveTrials::in_cubes(const LatticeTrial& trial) const {
+  if (trial.parameters.kind != PositionKind::kVoxel) return std::nullopt;
+  if (request_.progress != nullptr) request_.progress->tick();
+  auto grid = write_grid(source_.triangles, trial.cells, trial.parameters);
+  if (!grid) return std::nullopt;
+  Candidate candidate = shell(trial);
+  candidate.positions = rows_in_order(candidate.positions, grid->vertex_order);
+  candidate.chunks = ChunkList(request_.profile, request_.effort);
+  candidate.chunks.add(kTagGrid, std::exchange(grid->payloads.surface, {}));
+  candidate.chunks.add(kTagConnectivity, std::exchange(grid->payloads.rest_faces, {}));
+  candidate.chunks.add(kTagPositions, std::exchange(grid->payloads.rest_positions, {}));
+  candidate.grid = std::move(grid);
+  candidate.bytes = rest_.bytes_with(candidate);
+  return candidate;
+}
+
+template <class CodeOthers>
+Candidate PredictiveTrials::in_cubes_or(const LatticeTrial& trial, const CodeOthers& code_others) const {
+  auto grid = in_cubes(trial);
+  if (!grid) return code_others();
+  const auto faces = static_cast<double>(source_.triangles.size() / 3);
+  // What other streams have taught helps the other coder alone.
+  if (request_.start == nullptr && grid->grid->rest_triangles <= kFewInNoCube * faces)
+    return *std::move(grid);
+  Candidate other = code_others();
+  return grid->bytes < other.bytes ? *std::move(grid) : std::move(other);
+}
+
 Candidate PredictiveTrials::code(const LatticeTrial& trial) const {
   if (is_plain()) return finished(shell(trial), write_plain_cells(trial.cells));
-  return in_smallest_form(shell(trial), writer(trial));
+  return in_cubes_or(trial, [&] { return in_smallest_form(shell(trial), writer(trial)); });
 }
 
 Candidate PredictiveTrials::code(const LatticeTrial& trial, const PositionForm& form) const {
   if (is_plain()) return code(trial);
-  Candidate candidate = shell(trial);
-  candidate.form = form;
-  return finished(std::move(candidate), writer(trial)(form));
+  return in_cubes_or(trial, [&] {
+    Candidate candidate = shell(trial);
+    candidate.form = form;
+    return finished(std::move(candidate), writer(trial)(form));
+  });
 }
 
 Result<Candidate> PredictiveTrials::code_step(double step) const {

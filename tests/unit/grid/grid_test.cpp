@@ -7,10 +7,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <numeric>
 #include <vector>
 
 #include "connectivity/faces/faces.h"
+#include "entropy/coder/writer.h"
+#include "grid/bounds.h"
+#include "grid/growth.h"
+#include "grid/rest/rest.h"
+#include "grid/source/cubes.h"
 #include "grid_meshes.h"
 #include "positions/positions.h"
 #include "support/random.h"
@@ -162,6 +168,40 @@ TEST(Grid, GRD8RefusesMoreThanIsAllowed) {
   const auto faces = read_grid(payloads, mesh.parameters, vertex_count(mesh), face_count(mesh) - 1);
   ASSERT_FALSE(faces);
   EXPECT_STREQ(faces.error().rule, "GRD-8");
+}
+
+/// One face in each of `count` cubes at the corners of bricks, eight to a cube.
+CellMesh faces_at_corners_of_bricks(std::uint32_t count) {
+  CellMesh mesh{{}, {}, test::voxel_parameters(40 * count, 1)};
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const auto at = static_cast<std::int32_t>(2 * (32 * i + 15));
+    const std::uint32_t first = vertex_count(mesh);
+    for (const Cell& cell : {Cell{at + 1, at, at}, Cell{at, at + 1, at}, Cell{at, at, at + 1}})
+      mesh.cells.push_back(cell);
+    mesh.triangles.insert(mesh.triangles.end(), {first, first + 1, first + 2});
+  }
+  return mesh;
+}
+
+TEST(Grid, GRD8RefusesTooManyBricks) {
+  const CellMesh few = faces_at_corners_of_bricks(8);
+  expect_back(few, write(few));
+  const CellMesh mesh = faces_at_corners_of_bricks(20);
+  EXPECT_FALSE(write_grid(mesh.triangles, mesh.cells, mesh.parameters));
+  // As a writer with other limits would have it.
+  auto limits = grid::limits_of(mesh.parameters, vertex_count(mesh), face_count(mesh));
+  const grid::SourceCubes source(mesh.triangles, mesh.cells, 1, limits.bricks);
+  limits.most_bricks = 1000;
+  CompactWriter writer;
+  grid::RestModels rest_models;
+  grid::RestPayloads rest;
+  code_rest_size(writer, rest, rest_models);
+  const auto models = std::make_unique<grid::GrowthModels>();
+  grid::Surface surface;
+  ASSERT_EQ(grid::Growth(writer, *models, source, limits, surface).grow(), nullptr);
+  const auto back = read(mesh, {.surface = writer.finish(), .rest_faces = {}, .rest_positions = {}});
+  ASSERT_FALSE(back);
+  EXPECT_STREQ(back.error().rule, "GRD-8");
 }
 
 TEST(Grid, GRD9RefusesVerticesBeyondTheLattice) {

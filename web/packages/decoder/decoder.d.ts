@@ -2,7 +2,7 @@
 // Copyright 2026 The deltamesh authors
 
 /** The modules beside `core`. */
-export type PartName = 'highpass' | 'zstd' | 'rare';
+export type PartName = 'highpass' | 'zstd' | 'rare' | 'grid';
 
 /**
  * A module in WebAssembly: a URL (absolute, or relative to the page), which is fetched, or read where it is a file's in node; its bytes;
@@ -36,7 +36,7 @@ export interface DecoderOptions {
    * The modules; each is loaded when it is first needed, and compiled once for all decoders and workers of a page. Default: the files
    * beside this one, or where a bundler has not kept these, their texts, which are bundled. `core` decodes containers, faces,
    * predictive positions and most attributes, `highpass` the positions of highpass streams, `zstd` chunks that zstd coded
-   * (the profile zstd; in others a chunk that is smaller so), `rare` positions of voxels or to the last bit, joints, weights, and
+   * (the profile zstd; in others a chunk that is smaller so), `grid` maps from voxels, `rare` positions to the last bit, joints, weights, and
    * attributes of any kind that are coded as numbers (morph targets).
    */
   files?: { [module in 'core' | PartName]?: ModuleSource };
@@ -105,7 +105,7 @@ export interface Quality {
 }
 
 export interface StreamInfo {
-  geometry: 'highpass' | 'predictive';
+  geometry: 'highpass' | 'predictive' | 'grid';
   /** The modules that its decoding needs beside `core`. */
   modules: PartName[];
   vertexCount: number;

@@ -11,12 +11,14 @@ const MODULES = {
   highpass: { url: () => new URL('./highpass.wasm', import.meta.url), text: () => import('./text/highpass.js') },
   zstd: { url: () => new URL('./zstd.wasm', import.meta.url), text: () => import('./text/zstd.js') },
   rare: { url: () => new URL('./rare.wasm', import.meta.url), text: () => import('./text/rare.js') },
+  grid: { url: () => new URL('./grid.wasm', import.meta.url), text: () => import('./text/grid.js') },
 };
 const MODULES_WITHOUT_SIMD = {
   core: { url: () => new URL('./core-scalar.wasm', import.meta.url) },
   highpass: { url: () => new URL('./highpass-scalar.wasm', import.meta.url) },
   zstd: MODULES.zstd,
   rare: { url: () => new URL('./rare-scalar.wasm', import.meta.url) },
+  grid: { url: () => new URL('./grid-scalar.wasm', import.meta.url) },
 };
 
 /** Whether there are vectors of 128 bits: a function of one such instruction is valid. */

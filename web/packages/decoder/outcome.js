@@ -5,12 +5,12 @@
 import { DeltameshError } from './errors.js';
 
 /** As parts.h numbers them. */
-export const PARTS = ['highpass', 'zstd', 'rare'];
+export const PARTS = ['highpass', 'zstd', 'rare', 'grid'];
 
 const WHERE = ['', 'byte', 'line', 'vertex', 'triangle', 'attribute', 'element'];
 export const KINDS = ['normal', 'color', 'uv', 'generic', 'tangent', 'joints', 'weights'];
 const CODECS = ['raw', 'zstd', 'compact'];
-const GEOMETRIES = ['', 'highpass', 'predictive'];
+const GEOMETRIES = ['', 'highpass', 'predictive', 'grid'];
 export const ARRAYS = [
   Int8Array, Uint8Array, Int16Array, Uint16Array, Int32Array, Uint32Array, Float32Array, Float64Array,
 ];

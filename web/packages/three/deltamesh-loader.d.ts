@@ -10,7 +10,7 @@ export interface DeltameshUserData {
   /** World position = origin + position: give it to the object, or subtract that of another. */
   origin: [number, number, number];
   quality: Quality;
-  geometry: 'highpass' | 'predictive';
+  geometry: 'highpass' | 'predictive' | 'grid';
   attributes: AttributeInfo[];
   chunks: ChunkInfo[];
 }

@@ -31,7 +31,7 @@ async function bundles() {
 /** `files`: path to bytes, which are served beside what the pages need. */
 export async function openBrowser(files) {
   const all = new Map([...(await bundles()), ...files]);
-  for (const name of ['core', 'highpass', 'rare', 'zstd']) all.set(`/${name}.wasm`, readFileSync(new URL(`${name}.wasm`, DECODER)));
+  for (const name of ['core', 'highpass', 'rare', 'grid', 'zstd']) all.set(`/${name}.wasm`, readFileSync(new URL(`${name}.wasm`, DECODER)));
   for (const name of PAGES)
     all.set(`/${name}.html`, `<!doctype html><link rel="icon" href="data:,"><body><script type="module" src="${name}.js"></script>`);
   const policy = "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'self' data: 'wasm-unsafe-eval'\">";

@@ -13,7 +13,7 @@ const MOST_BYTES = 2000000;
 test('the package has the page, its workers, the modules and the server', (t) => {
   const folder = new URL('../', import.meta.url);
   const [{ files, size }] = JSON.parse(execFileSync('npm', ['pack', '--dry-run', '--json', '--ignore-scripts'], { cwd: folder, encoding: 'utf8' }));
-  const modules = ['core', 'highpass', 'rare', 'zstd', 'map', 'encoder', 'draco_encoder', 'draco_decoder'].map((name) => `dist/${name}.wasm`);
+  const modules = ['core', 'highpass', 'rare', 'grid', 'zstd', 'map', 'encoder', 'draco_encoder', 'draco_decoder'].map((name) => `dist/${name}.wasm`);
   const examples = ['room', 'knot', 'terrain'].flatMap((name) => [`dist/${name}.dmsh`, `dist/${name}.order.gz`]);
   const scripts = ['main', 'page', 'draco_wasm_wrapper', 'read-worker', 'codec-worker', 'decode-worker', 'map-worker', 'pack-worker', 'peers-worker'].map((name) => `dist/${name}.js`);
   const own = ['LICENSE', 'README.md', 'dist/LICENSE', 'dist/NOTICE', 'dist/index.html', 'dist/style.css', 'package.json', 'serve.js'];

@@ -13,9 +13,9 @@
 namespace deltamesh {
 
 /// The tags that a kind stands for, from kind 1 on [DIR-2].
-inline constexpr std::array<std::uint32_t, 8> kKinds{kTagConnectivity, kTagSeams,   kTagFaceGroups,
+inline constexpr std::array<std::uint32_t, 9> kKinds{kTagConnectivity, kTagSeams,   kTagFaceGroups,
                                                      kTagDeltas,       kTagAnchors, kTagPositions,
-                                                     kTagAttribute,    kTagOrder};
+                                                     kTagAttribute,    kTagOrder,   kTagGrid};
 inline constexpr unsigned kLetters = 0;  ///< the kind of all other tags, which follow it
 inline constexpr unsigned kCodecShift = 4;
 inline constexpr unsigned kKindMask = (1U << kCodecShift) - 1;

@@ -22,6 +22,7 @@ inline constexpr std::uint32_t kTagOrder = chunk_tag("ORDR");
 inline constexpr std::uint32_t kTagDeltas = chunk_tag("DELT");
 inline constexpr std::uint32_t kTagAnchors = chunk_tag("ANCH");
 inline constexpr std::uint32_t kTagPositions = chunk_tag("POSN");
+inline constexpr std::uint32_t kTagGrid = chunk_tag("GRID");
 inline constexpr std::uint32_t kTagAttribute = chunk_tag("ATTR");
 inline constexpr std::uint32_t kTagGroupNames = chunk_tag("NAMe");
 inline constexpr std::uint32_t kTagExtent = chunk_tag("SIZe");

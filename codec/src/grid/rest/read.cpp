@@ -14,7 +14,7 @@ namespace deltamesh::grid {
 Result<RestMesh> read_rest(const RestPayloads& payloads, const PositionLattice& lattice) {
   const std::uint32_t largest = std::max({lattice.cells[0], lattice.cells[1], lattice.cells[2]});
   if (largest > kMostRestCells)
-    return broken_rule("a lattice too large for faces in no cube", "GRD-11", kTagPositions);
+    return broken_rule("a lattice too large for faces in no cube", "GRD-11", kTagGrid);
   RestMesh rest;
   DELTAMESH_TRY(auto faces, read_connectivity(payloads.faces, payloads.vertices, payloads.triangles));
   rest.triangles = std::move(faces.triangles);
@@ -23,7 +23,14 @@ Result<RestMesh> read_rest(const RestPayloads& payloads, const PositionLattice& 
   DELTAMESH_TRY(const auto rows,
                 read_positions(payloads.positions, {rest.triangles, payloads.vertices}, whole, {}));
   rest.cells.resize(payloads.vertices);
-  for (std::size_t i = 0; i < rows.size(); ++i) rest.cells[i / 3][i % 3] = static_cast<std::int32_t>(rows[i]);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    // Replacements may be any finite numbers [POSN-11].
+    const bool is_on_lattice = rows[i] >= 0 && rows[i] <= static_cast<float>(lattice.cells[i % 3]);
+    const std::int32_t at = is_on_lattice ? static_cast<std::int32_t>(rows[i]) : -1;
+    if (static_cast<float>(at) != rows[i])
+      return broken_rule("a vertex that is not on the lattice", "GRD-11", kTagGrid);
+    rest.cells[i / 3][i % 3] = at;
+  }
   return rest;
 }
 

@@ -88,7 +88,7 @@ test('decoding at once needs what is loaded', async () => {
 
 test('a stream tells which modules it needs', async () => {
   const decoder = await createDecoder();
-  const needs = { 'tetrahedron.default': [], 'grid.bits6': ['highpass'], 'grid.zstd': ['highpass', 'zstd'], 'room.voxels': ['rare'], 'floats.lossless': ['rare'], 'asset.bounded': ['rare'] };
+  const needs = { 'tetrahedron.default': [], 'grid.bits6': ['highpass'], 'grid.zstd': ['highpass', 'zstd'], 'room.voxels': ['grid'], 'floats.lossless': ['rare'], 'asset.bounded': ['rare'] };
   for (const [name, modules] of Object.entries(needs)) assert.deepEqual(decoder.inspect(golden(name)).modules, modules, name);
 });
 
@@ -99,14 +99,16 @@ test('a module that cannot be loaded is an error', async () => {
   const error = await decoder.decode(golden('grid.bits6'));
   assert.equal(error.code, 300);
   const withoutRare = await createDecoder({ files: { rare: missing } });
-  assert.equal((await withoutRare.decode(golden('room.voxels'))).code, 300);
+  assert.equal((await withoutRare.decode(golden('floats.lossless'))).code, 300);
+  const withoutGrid = await createDecoder({ files: { grid: missing } });
+  assert.equal((await withoutGrid.decode(golden('room.voxels'))).code, 300);
   const withoutZstd = await createDecoder({ files: { zstd: missing } });
   assert.equal((await withoutZstd.decode(golden('grid.zstd'))).code, 300);
   assert.equal((await decoder.decode(golden('grid.predictive'))).code, undefined);
 });
 
 test('modules may be views of one buffer', async () => {
-  const names = ['core', 'highpass', 'rare', 'zstd'];
+  const names = ['core', 'highpass', 'rare', 'grid', 'zstd'];
   const parts = names.map((name) => readFileSync(new URL(`../${name}.wasm`, import.meta.url)));
   const all = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0));
   const files = {};

@@ -2,7 +2,7 @@
 // Copyright 2026 The deltamesh authors
 // How a worker answers a LatestJob, and gets modules from the page.
 
-const NAMES = ['core', 'highpass', 'rare', 'zstd', 'encoder'];
+const NAMES = ['core', 'highpass', 'rare', 'grid', 'zstd', 'encoder'];
 const waiting = new Map();
 
 /** Asks the page, which compiles a module once for all workers, and only where one needs it. */

@@ -1,0 +1,307 @@
+"""GRID: surfaces in the cubes of a grid: grid.md. Nodes, and cubes by their lowest nodes, are triples; an edge is a pair of its axis and its first node."""
+import copy
+from collections import defaultdict, deque
+from logging import debug
+
+from coder import Coder, Mixture, NumberModel, States, SymbolModel, bits, clamp
+from container import LATTICE, VOXELS, must
+from glue import CONN_8_faces
+from lattice import POSN_2_positions
+from posn import POSN_1_positions
+
+INSIDE, ONE_OVER = 12, (0, 256, 128, 85, 64)
+
+def GRD_12_is_grid(header, chunk):
+    """Whether a stream has its faces and positions in this chunk."""
+    return header.coder == VOXELS and chunk.tag == "GRID" and chunk.is_compact
+
+def moved(node, axis, by):  # GRD-1
+    return tuple(x + by * (a == axis) for a, x in enumerate(node))
+
+def corner_of(cube, i):  # GRD-1
+    return cube[0] + (i & 1), cube[1] + (i >> 1 & 1), cube[2] + (i >> 2)
+
+def brick_of(node):  # GRD-1
+    return tuple(x >> 4 for x in node)
+
+def edge_of(cube, number):  # GRD-1
+    """The edge of a cube that has this number."""
+    k, i = divmod(number, 4)
+    return k, moved(moved(cube, (k + 1) % 3, i & 1), (k + 2) % 3, i >> 1)
+
+def first_corner(number):  # GRD-1
+    k, i = divmod(number, 4)
+    return (i & 1) << (k + 1) % 3 | (i >> 1) << (k + 2) % 3
+
+def edge_between(a, b):  # GRD-1
+    return next(e for e in range(12) if {a, b} == {first_corner(e), first_corner(e) | 1 << e // 4})
+
+def face_corners(axis, high):  # GRD-6
+    """Around a face of the cube, seen from outside."""
+    i, j, base = 1 << (axis + 1) % 3, 1 << (axis + 2) % 3, high << axis
+    return [base, base | (i if high else j), base | i | j, base | (j if high else i)]
+
+FACES = [face_corners(axis, high) for axis in range(3) for high in (0, 1)]
+
+class CountedBit:
+    """[GRD-2]"""
+    def __init__(self, first=32768):
+        self.f, self.used = first, 0
+
+    def decode(self, coder):
+        p = clamp(self.f >> 1, 32, 32736)
+        bit = coder.slot() < p
+        coder.take(*((0, p) if bit else (p, 2**15 - p)))
+        self.f += (65535 * bit - self.f) >> (min(bits(self.used + 1), 6) if self.used < 80 else 7)
+        self.used += 1
+        return int(bit)
+
+def even_model(count):  # GRD-6, GRD-10
+    return SymbolModel([int(s < count) for s in range(16)])
+
+class Patterns:
+    """[GRD-5, GRD-6] Patterns that are known, and the models of new ones."""
+    def __init__(self):
+        self.known, self.is_other, self.rank = defaultdict(list), defaultdict(lambda: CountedBit(1500)), SymbolModel((0, 4, 2) + (1,) * 12 + (4,))
+        self.is_any, self.joins, self.apex = CountedBit(6000), CountedBit(), {k: even_model(k - 2) for k in range(4, 13)}
+        self.count, self.corners = even_model(16), [even_model(13) for _ in range(3)]
+
+    def GRD_5_pattern(self, coder, signs):
+        """The triangles of a cube with these signs."""
+        known = self.known[signs]
+        if known and not self.is_other[signs].decode(coder):
+            return known[0]
+        place = coder.symbol([self.rank]) if known else 0
+        must(place or not known, "GRD-5", "place 0 of a pattern that is not the first")
+        if place < len(known):
+            known[place - 1], known[place] = known[place], known[place - 1]
+            return known[place - 1]
+        fresh = self.GRD_6_any(coder) if self.is_any.decode(coder) else self.GRD_6_loops(coder, signs)
+        must(fresh, "GRD-6", "a pattern without triangles")
+        turns = [min((t[i:] + t[:i] for i in range(3)), key=lambda turn: turn[0]) for t in fresh]
+        known[min(len(known), 14):] = [sorted(turns)]
+        return known[-1]
+
+    def GRD_6_any(self, coder):
+        triangles = [tuple(coder.symbol([model]) for model in self.corners) for _ in range(coder.symbol([self.count]))]
+        must(all(len({*t}) == 3 and max(t) <= INSIDE for t in triangles), "GRD-6", f"triangles {triangles}")
+        return triangles
+
+    def GRD_6_loops(self, coder, signs):
+        follows, triangles = {}, []
+        for around in FACES:
+            out = [signs >> corner & 1 for corner in around]
+            ambiguous = out in ([0, 1, 0, 1], [1, 0, 1, 0])
+            joins_outside = self.joins.decode(coder) if ambiguous else 1
+            edge = [edge_between(around[i], around[(i + 1) % 4]) for i in range(4)]
+            ends = [i for i in range(4) if out[i] and not out[(i + 1) % 4]]
+            for i in range(4):
+                if not out[i] and out[(i + 1) % 4]:
+                    after = min(ends, key=lambda j: (j - i) % 4) if joins_outside else max(ends, key=lambda j: (j - i) % 4)
+                    follows[edge[after]] = edge[i]
+        polygons = deque()
+        while follows:
+            polygon = [min(follows)]
+            while (edge := follows.pop(polygon[-1])) != polygon[0]:
+                polygon.append(edge)
+            polygons.append(polygon)
+        while polygons:
+            v = polygons.popleft()
+            k = len(v)
+            if k >= 3:
+                j = 1 + (coder.symbol([self.apex[k]]) if k > 3 else 0)
+                must(j <= k - 2, "GRD-6", f"corner {j} of {k}")
+                triangles.append((v[-1], v[0], v[j]))
+                polygons.extendleft([v[j:], v[:j + 1]])
+        return triangles
+
+class Surface:
+    """[GRD-3 to GRD-8] `nodes`, which are outside; `faces`; `edges`, the vertices on them; `inner`, where vertices inside cubes are."""
+    def __init__(self, coder, header, most_faces):
+        self.coder, self.header, self.most_faces, self.width = coder, header, most_faces, 2 * header.levels
+        self.nodes, self.faces, self.edges, self.inner, self.count, self.bricks = {}, [], {}, {}, 0, set()
+        self.flags, self.signs, self.patterns = defaultdict(CountedBit), defaultdict(CountedBit), Patterns()
+        self.without, self.seen, self.waiting = defaultdict(lambda: [0, 0]), set(), deque()
+        self.GRD_7_grow()
+
+    def GRD_7_grow(self):
+        size = [(cells // self.width + 17) // 16 for cells in self.header.cells]  # [GRD-1]
+        must(size[0] * size[1] * size[2] < 2**32, "GRD-1", f"{size} bricks")
+        is_seed, brick_step, place_step, brick, place = CountedBit(), NumberModel(), NumberModel(), 0, 0
+        while is_seed.decode(self.coder):
+            step = brick_step.decode(self.coder)
+            brick, place = (brick + step) % 2**32, 0 if step else place
+            place = (place + place_step.decode(self.coder)) % 2**32
+            must(place < 4096, "GRD-7", f"place {place}")
+            at = brick % size[0], brick // size[0] % size[1], brick // size[0] // size[1]
+            must(at[2] < size[2], "GRD-7", f"brick {brick}")
+            cube = tuple(16 * b + (place >> 4 * a & 15) for a, b in enumerate(at))
+            must(cube not in self.seen, "GRD-7", f"cube {cube} is known")
+            self.seen.add(cube)
+            self.with_faces(cube)
+            while self.waiting:
+                cube = self.waiting.popleft()
+                if self.GRD_3_flag(cube):
+                    self.with_faces(cube)
+
+    def GRD_3_flag(self, cube):
+        known = sum((corner_of(cube, i) in self.nodes) << i for i in range(8))
+        F, E = self.without[cube]
+        if self.flags[64 * known + 8 * F + min(E, 7)].decode(self.coder):
+            return True
+        for d in [(x, y, z) for x in (-1, 0, 1) for y in (-1, 0, 1) for z in (-1, 0, 1)]:
+            apart = sum(map(abs, d))
+            if apart in (1, 2):
+                other = tuple(c + x for c, x in zip(cube, d))
+                self.without[other][apart - 1] += 1
+                self.bricks.add(brick_of(other))  # [GRD-8]
+        return False
+
+    def with_faces(self, cube):  # GRD-4 to GRD-8
+        """A cube that has faces."""
+        signs = self.GRD_4_signs(cube)
+        pattern = self.patterns.GRD_5_pattern(self.coder, signs)
+        used, numbers = sorted({e for triangle in pattern for e in triangle}), {}
+        for e in used:  # [GRD-8]
+            numbers[e] = self.count if e == INSIDE else self.edges.setdefault(edge_of(cube, e), self.count)
+            self.count += numbers[e] == self.count
+        self.faces += [tuple(numbers[e] for e in triangle) for triangle in pattern]
+        if INSIDE in used:  # [GRD-6]
+            offset = [self.coder.raw(bits(self.width - 1)) for _ in range(3)]
+            must(max(offset) < self.width, "GRD-6", f"a vertex at {offset} in its cube")
+            self.inner[numbers[INSIDE]] = [self.width * x + q for x, q in zip(cube, offset)]
+        n = self.header.geometric
+        must(self.count <= n, "GRD-8", "too many vertices")
+        must(len(self.faces) <= self.most_faces, "GRD-8", "too many faces")
+        must(len(self.bricks) <= min(64 + n // 4, 2**20 - 64), "GRD-8", "too many bricks")
+        for axis in range(3):  # [GRD-7]
+            for high in (0, 1):
+                other = moved(cube, axis, 2 * high - 1)
+                if 0 < sum(signs >> i & 1 for i in FACES[2 * axis + high]) < 4:
+                    self.bricks.add(brick_of(other))
+                    if other not in self.seen:
+                        self.seen.add(other)
+                        self.waiting.append(other)
+
+    def GRD_4_signs(self, cube):
+        self.bricks.add(brick_of(cube))
+        own = [corner_of(cube, i) for i in range(8)]
+        for j in range(8):
+            if own[j] in self.nodes:
+                continue
+            T = sum((1 + self.nodes[own[j ^ t]]) * 3**(t - 1) for t in range(1, 8) if own[j ^ t] in self.nodes)
+            around = [tuple(c + d for c, d in zip(own[j], (x, y, z))) for x in (-1, 0, 1) for y in (-1, 0, 1) for z in (-1, 0, 1)]
+            sides = [self.nodes[node] for node in around if node in self.nodes and node not in own]
+            M = 1 + clamp(2 * sum(sides) - len(sides), -1, 1)
+            self.nodes[own[j]] = self.signs[3 * T + M].decode(self.coder)
+            self.bricks.add(brick_of(own[j]))
+        return sum(self.nodes[corner] << i for i, corner in enumerate(own))
+
+class Levels:
+    """[GRD-9, GRD-10] Where vertices are on their edges: `rows`."""
+    def __init__(self, coder, header, surface):
+        self.nodes, self.cuts, self.levels, self.rows = surface.nodes, {}, header.levels, {}
+        g = max(bits(self.levels - 1) - 4, 0)
+        models = Mixture([int(h <= (self.levels - 1) >> g) for h in range(16)])
+        def place(edge):
+            (x, y, z), (bx, by, bz) = edge[1], brick_of(edge[1])
+            return bz, by, bx, z, y, edge[0], x
+        for k, r in sorted(surface.edges, key=place):  # [GRD-9]
+            level = 0
+            if self.levels > 1:
+                level = coder.symbol(*models.of(*self.GRD_10_contexts(k, r)))
+                level = level << g | coder.raw(g) if g else level
+                must(level < self.levels, "GRD-9", f"level {level}")
+                level = self.levels - 1 - level if self.nodes[r] else level
+            self.cuts[k, r] = 32 * (2 * level + 1) // self.levels - 32
+            row = [2 * self.levels * x + (2 * level + 1) * (a == k) for a, x in enumerate(r)]
+            must(all(0 <= q <= most for q, most in zip(row, header.cells)), "GRD-9", f"coordinates {row}")
+            self.rows[surface.edges[k, r]] = row
+
+    def GRD_10_column(self, k, r, d):
+        """The height of the column at a step d, and whether it is known."""
+        at = tuple(x + y for x, y in zip(r, d))
+        s = [self.nodes.get(moved(at, k, by)) for by in (-1, 0, 1, 2)]
+        F, height, cut = self.nodes[r], 0, None
+        L = 1 - F
+        if s[1:3] == [F, L]:
+            cut = 0
+        elif s[1:3] == [F, F]:
+            height, cut = (64, 1) if s[3] == L else (58 if s[3] is None else 108, None)
+        elif s[1:3] == [L, L]:
+            height, cut = (-64, -1) if s[0] == F else (-58 if s[0] is None else -108, None)
+        place = None if cut is None else self.cuts.get((k, moved(at, k, cut)))
+        return height + (place or 0), place is not None
+
+    def GRD_10_end(self, k, e):
+        """Distance and kind of an edge's end at the node e, and whether the distance is known."""
+        distances, is_cut = [], False
+        for axis in {0, 1, 2} - {k}:
+            for first, other in ((e, moved(e, axis, 1)), (moved(e, axis, -1), moved(e, axis, -1))):
+                if self.nodes.get(other) == 1 - self.nodes[e]:
+                    is_cut, cut = True, self.cuts.get((axis, first))
+                    distances += [] if cut is None else [32 + (cut if first == e else -cut)]
+        distance = (sum(distances) * ONE_OVER[len(distances)]) >> 8
+        return distance, 2 + min(5, 6 * distance // 64) if distances else int(is_cut), bool(distances)
+
+    def GRD_10_contexts(self, k, r):
+        """The two models and the set of weights."""
+        a, b = (k + 1) % 3, (k + 2) % 3
+        def column(along_a, along_b):
+            return self.GRD_10_column(k, r, [along_a * (i == a) + along_b * (i == b) for i in range(3)])
+        sides = W, E, N, S = column(-1, 0), column(1, 0), column(0, -1), column(0, 1)
+        mean = sum(height * (3 if known else 1) for height, known in sides) >> 3
+        turn = 1 if a < b else -1
+        guesses = [[(2, W), (-1, column(-2, 0))], [(2, N), (-1, column(0, -2))], [(1, W), (1, N), (-1, column(-1, -1))],
+                   [(1, column(turn, -turn)), (turn, W), (-turn, N)]]
+        known = [sum(by * height for by, (height, _) in terms) for terms in guesses if all(is_known for _, (_, is_known) in terms)]
+        smooth = (sum(known) * ONE_OVER[len(known)]) >> 8
+        span = max(known) - min(known) if known else 0
+        spread = 0 if len(known) < 2 else 1 + (span >= 10) + (span >= 40)
+        first, last = self.GRD_10_end(k, r), self.GRD_10_end(k, moved(r, k, 1))
+        if self.nodes[r]:
+            mean, smooth, first, last = -mean, -smooth, last, first
+        line = mean
+        if first[2] or last[2]:
+            line = (mean + (((first[0] if first[2] else 32) - (last[0] if last[2] else 32)) >> 1)) >> 1
+        c = 1 + clamp((smooth + 40) >> 2, 0, 19) if known else 0
+        return ((8 * first[1] + last[1]) * 6 + clamp((mean + 48) >> 4, 0, 5),
+                (4 * c + spread) * 6 + clamp((line + 24) >> 3, 0, 5), 4 * (first[2] + 2 * last[2]) + spread)
+
+def GRD_11_rest(coder, chunks, header, rows, inner, count, faces):
+    """The rest: adds to the faces, returns its own vertices."""
+    must(max(header.cells) <= 2**24, "GRD-11", f"cells {header.cells}")
+    rest, found, added, numbers, is_shared = copy.copy(header), {}, [], [], CountedBit()
+    rest.geometric, rest.coder, rest.steps, rest.first, rest.lattice_origin = count[1], LATTICE, [1.0] * 3, [0] * 3, [0.0] * 3
+    own_faces = CONN_8_faces(chunks["CONN"], count[0], count[1], States())
+    points = [tuple(q) for q in POSN_1_positions(chunks["POSN"], rest, own_faces, States()).tolist()]
+    for v in sorted(rows, key=lambda v: (v not in inner, v)):
+        found.setdefault(tuple(rows[v]), v)
+    for point in points:
+        must(all(q == int(q) and 0 <= q <= most for q, most in zip(point, header.cells)), "GRD-11", f"a point at {point}")
+        if is_shared.decode(coder):
+            must(point in found, "GRD-11", f"the surface has no vertex at {point}")
+            numbers.append(found[point])
+        else:
+            numbers.append(len(rows) + len(added))
+            added.append(point)
+    faces += [tuple(numbers[v] for v in face) for face in own_faces]
+    return added
+
+def GRD_12_read(chunks, header):
+    """Faces and positions of the geometric vertices, in doubles."""
+    coder = Coder(chunks["GRID"])
+    count = NumberModel().decode(coder), NumberModel().decode(coder)
+    must(count[0] <= header.triangles, "GRD-8", f"{count[0]} faces of the rest")
+    must(count[1] <= 3 * count[0] + header.geometric, "GRD-8", f"{count[1]} vertices of the rest")
+    must(count[1] or not (count[0] or chunks["CONN"].data or chunks["POSN"].data), "GRD-11", "a rest without vertices")
+    surface = Surface(coder, header, header.triangles - count[0])
+    rows, faces = Levels(coder, header, surface).rows | surface.inner, surface.faces
+    inner = surface.inner.values()
+    must(all(0 <= q <= most for row in inner for q, most in zip(row, header.cells)), "GRD-9", "a vertex beyond the lattice")
+    debug("grid: nodes %s\nfaces %s\nlattice points %s", surface.nodes, faces, rows)
+    added = GRD_11_rest(coder, chunks, header, rows, surface.inner, count, faces) if count[1] else []
+    chunks["GRID"].end()
+    must(len(faces) == header.triangles, "GRD-8", f"{len(faces)} faces")
+    must(len(rows) + len(added) == header.geometric, "GRD-8", f"{len(rows) + len(added)} vertices")
+    return faces, POSN_2_positions([rows[v] for v in range(len(rows))] + added, header)

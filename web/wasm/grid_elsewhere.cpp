@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Surfaces in the cubes of a grid for `core`: the module `grid` reads them.
+#include "base/try.h"
+#include "grid/grid.h"
+#include "parts.h"
+
+namespace deltamesh {
+
+Result<GridMesh> read_grid(const GridPayloads& payloads, const PredictiveParameters& parameters,
+                           std::uint32_t most_vertices, std::uint32_t most_triangles) {
+  constexpr auto kPart = web::Part::kGrid;
+  const web::GridCall call{.parameters = parameters,
+                           .most_vertices = most_vertices,
+                           .most_triangles = most_triangles,
+                           .surface = web::hand_over(kPart, payloads.surface),
+                           .rest_faces = web::hand_over(kPart, payloads.rest_faces),
+                           .rest_positions = web::hand_over(kPart, payloads.rest_positions)};
+  DELTAMESH_TRY(const auto returned, web::call_part(kPart, call));
+  GridMesh mesh;
+  web::take_array(kPart, returned.arrays[0], mesh.triangles);
+  web::take_array(kPart, returned.arrays[1], mesh.cells);
+  return mesh;
+}
+
+}  // namespace deltamesh
