@@ -265,6 +265,41 @@ Mesh room_off_voxels() {
   return mesh;
 }
 
+/// One face in four has an edge collapsed, so that most faces lie in no cube.
+Mesh simplified_room() {
+  Mesh mesh = *generate_scene(Scene::kRooms, 600, 3);
+  std::vector<std::uint32_t> becomes(mesh.vertex_count());
+  for (std::uint32_t v = 0; v < becomes.size(); ++v) becomes[v] = v;
+  for (std::size_t i = 0; i < mesh.triangles.size(); i += 12)
+    becomes[mesh.triangles[i]] = mesh.triangles[i + 1];
+  for (std::uint32_t& v : mesh.triangles) v = becomes[v];
+  return mesh;
+}
+
+/// Some faces are flipped, some divided at a vertex inside their cubes, some lie in no cube; a vertex has
+/// none.
+Mesh odd_room() {
+  Mesh mesh = *generate_scene(Scene::kRooms, 600, 3);
+  mesh.attributes.clear();
+  const std::size_t faces = mesh.triangle_count();
+  for (std::size_t f = 0; f < faces; f += 25) std::swap(mesh.triangles[3 * f], mesh.triangles[3 * f + 1]);
+  for (std::size_t f = 7; f < faces; f += 40) {
+    const std::array<std::uint32_t, 3> face{mesh.triangles[3 * f], mesh.triangles[3 * f + 1],
+                                            mesh.triangles[3 * f + 2]};
+    const auto middle = static_cast<std::uint32_t>(mesh.vertex_count());
+    for (std::size_t a = 0; a < 3; ++a)
+      mesh.positions.push_back((mesh.positions[3 * face[0] + a] + mesh.positions[3 * face[1] + a] +
+                                mesh.positions[3 * face[2] + a]) /
+                               3);
+    mesh.triangles[3 * f + 2] = middle;
+    mesh.triangles.insert(mesh.triangles.end(), {face[1], face[2], middle, face[2], face[0], middle});
+  }
+  for (std::uint32_t v = 0; v < 9; v += 3) mesh.triangles.insert(mesh.triangles.end(), {v, 60 + v, 121});
+  mesh.positions.insert(mesh.positions.end(), mesh.positions.begin() + 300, mesh.positions.begin() + 303);
+  mesh.positions.back() += 0.05F;
+  return mesh;
+}
+
 /// Two groups of faces, and nothing else but positions.
 Mesh grouped_grid() {
   Mesh mesh = bumpy_grid(6, 4);
@@ -324,6 +359,14 @@ std::vector<Golden> golden_streams() {
   list.push_back({"room.voxels",
                   *generate_scene(Scene::kRooms, 600, 3),
                   {.quality = {.max_error = QualityBound{0.02}}, .geometry = GeometryCoder::kPredictive}});
+  list.push_back({"room.simplified",
+                  simplified_room(),
+                  {.quality = {.max_error = QualityBound{0.02}}, .geometry = GeometryCoder::kPredictive}});
+  list.push_back({"room.odd",
+                  odd_room(),
+                  {.quality = {.max_error = QualityBound{0.003}},
+                   .geometry = GeometryCoder::kPredictive,
+                   .keep_unreferenced = true}});
   for (const auto& named : awkward_meshes()) {
     if (named.name == "seam") list.push_back({"seam.step", named.mesh, {.step = 0.01}});
     if (named.name == "seam")
