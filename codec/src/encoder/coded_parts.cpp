@@ -62,8 +62,9 @@ Result<Parts> code_both(const PartsTask& task, const Request& request, const Att
   const CodedTopology* topology = &task.topology;
   std::optional<GridTopology> in_grid;
   if (geometry.grid) {
-    in_grid.emplace(in_grid_order(task.mesh, task.topology, *geometry.grid));
-    in_grid->chunks = code_topology_chunks(task.mesh, task.options, in_grid->topology);
+    CodedTopology ordered = in_grid_order(task.mesh, task.topology, *geometry.grid);
+    TopologyChunks ordered_chunks = code_topology_chunks(task.mesh, task.options, ordered);
+    in_grid = GridTopology{std::move(ordered), std::move(ordered_chunks)};
     topology = &in_grid->topology;
     chunks = &in_grid->chunks;
   }
