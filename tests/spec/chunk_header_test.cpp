@@ -12,7 +12,7 @@ namespace deltamesh::chunk_header_test {
 namespace {
 
 constexpr std::uint32_t kTags[] = {kTagConnectivity, kTagSeams,     kTagFaceGroups, kTagDeltas, kTagAnchors,
-                                   kTagPositions,    kTagAttribute, kTagOrder,      kTagFiller};
+                                   kTagPositions,    kTagAttribute, kTagOrder,      kTagGrid,   kTagFiller};
 
 std::vector<std::byte> bytes_of(std::initializer_list<unsigned> values) {
   std::vector<std::byte> bytes;
@@ -63,7 +63,7 @@ TEST(ChunkHeader, DIR2SpellsOutOtherTagsOfWhichOnlySkippableOnesAreRead) {
   EXPECT_TRUE(is_skippable(chunk_tag("NEWs")));
 }
 
-TEST(ChunkHeader, DIR2RejectsUnknownKinds) { EXPECT_EQ(broken_rule(bytes_of({0x09, 5})), "DIR-2"); }
+TEST(ChunkHeader, DIR2RejectsUnknownKinds) { EXPECT_EQ(broken_rule(bytes_of({0x0a, 5})), "DIR-2"); }
 
 TEST(ChunkHeader, DIR4RejectsUnknownCodecs) { EXPECT_EQ(broken_rule(bytes_of({0x31, 5})), "DIR-4"); }
 

@@ -118,7 +118,8 @@ TEST(Container, DIR7RejectsAChunkBeyondTheEnd) {
 
 TEST(Container, DIR5BoundsAPayloadByTheHeadersCounts) {
   const std::size_t most = 1024 + 160 * 8;
-  for (const std::uint32_t tag : {kTagDeltas, kTagPositions, kTagOrder}) {  // the last two mean nothing here
+  for (const std::uint32_t tag :
+       {kTagDeltas, kTagPositions, kTagOrder, kTagGrid}) {  // the last three mean nothing here
     const auto of_size = [tag](std::size_t size) {
       return write_container(sample_header(), std::vector{chunk(tag, std::vector<std::byte>(size))});
     };
@@ -143,7 +144,8 @@ TEST(Container, DIR8RejectsASecondChunkOfASingleKind) {
                            std::vector{chunk(tag, bytes_of(5, 1)), chunk(kTagConnectivity, bytes_of(5, 1)),
                                        chunk(tag, bytes_of(5, 2))});
   };
-  for (const std::uint32_t tag : {kTagDeltas, kTagPositions, kTagOrder})  // the last two mean nothing here
+  for (const std::uint32_t tag :
+       {kTagDeltas, kTagPositions, kTagOrder, kTagGrid})  // the last three mean nothing here
     EXPECT_EQ(open_rule(twice(tag)), "DIR-8");
   for (const std::uint32_t tag : {kTagAttribute, kTagFiller}) EXPECT_EQ(open_rule(twice(tag)), "none");
 }

@@ -56,8 +56,8 @@ TEST(CoderForecast, PlanesAreForParallelograms) {
 TEST(CoderForecast, EffortZeroTakesVoxelsForMaps) {
   const Mesh map = *generate_scene(Scene::kRooms, 6000, 3);
   const QualityRequest request{.vde = QualityBound{.value = 0.02, .unit = QualityUnit::kDiagonal}};
-  EXPECT_EQ(coder_at(map, 0, request), "predictive");
-  EXPECT_EQ(coder_at(map, 1, request), "predictive");
+  EXPECT_EQ(coder_at(map, 0, request), "grid");
+  EXPECT_EQ(coder_at(map, 1, request), "grid");
 }
 
 TEST(CoderForecast, EffortZeroTakesDeltasForSmoothScans) {
