@@ -15,7 +15,7 @@
 namespace deltamesh {
 namespace {
 
-Result<std::vector<std::byte>> payload_of(const Container& container, std::uint32_t tag) {
+Result<std::vector<std::byte>> copy_of_payload(const Container& container, std::uint32_t tag) {
   DELTAMESH_TRY(const auto chunk, expand_single(container, tag));
   return std::vector<std::byte>(chunk.bytes().begin(), chunk.bytes().end());
 }
@@ -32,9 +32,9 @@ std::vector<std::uint32_t> to_corners(const LargeVector<std::array<std::uint32_t
 Result<GridSurface> read_grid_surface(const Container& container) {
   const FileHeader& header = container.header();
   GridPayloads payloads;
-  DELTAMESH_TRY(payloads.surface, payload_of(container, kTagGrid));
-  DELTAMESH_TRY(payloads.rest_faces, payload_of(container, kTagConnectivity));
-  DELTAMESH_TRY(payloads.rest_positions, payload_of(container, kTagPositions));
+  DELTAMESH_TRY(payloads.surface, copy_of_payload(container, kTagGrid));
+  DELTAMESH_TRY(payloads.rest_faces, copy_of_payload(container, kTagConnectivity));
+  DELTAMESH_TRY(payloads.rest_positions, copy_of_payload(container, kTagPositions));
   GridSurface surface;
   DELTAMESH_TRY(const GridMesh mesh,
                 read_grid(payloads, header.predictive, header.geometric_vertices, header.triangles));
