@@ -60,7 +60,7 @@ TEST(GeometryExamples, GRD11GRD12ACornerInsideAndAFaceBesideIt) {
                               .rest_positions = bytes_of("grid.md", "posn")};
   const PredictiveParameters parameters{
       .kind = PositionKind::kVoxel, .lattice = {.cells = {8, 8, 8}}, .levels = 2};
-  const auto read = read_grid(payloads, parameters, 7, 9);
+  const auto read = read_grid(payloads, parameters, 8, 10);
   ASSERT_TRUE(read) << describe(read.error());
   std::vector<std::uint32_t> corners;
   for (const auto& face : read->triangles) corners.insert(corners.end(), face.begin(), face.end());

@@ -2,8 +2,8 @@
 // Copyright 2026 The deltamesh authors
 //
 // What `core` and its parts hand to each other by way of JavaScript (packages/decoder/decoder.js): the
-// modules `highpass`, `zstd`, `rare` and `grid`, whose memories are others. All are built alike, so structures are
-// copied as they are.
+// modules `highpass`, `zstd`, `rare` and `grid`, whose memories are others. All are built alike, so
+// structures are copied as they are.
 #pragma once
 
 #include <array>
