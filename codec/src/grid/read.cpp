@@ -92,9 +92,9 @@ Result<GridMesh> read_grid(const GridPayloads& payloads, const PredictiveParamet
   if (!reader.failed()) {
     limits.triangles -= rest.triangles;
     // The usual share of a byte is far less; what comes beyond that moves.
-    const std::uint64_t likely = 16 * std::uint64_t{payloads.surface.size()};
-    surface.triangles.reserve(std::min<std::uint64_t>(limits.triangles, likely));
-    surface.bricks.reserve(std::min<std::uint64_t>(limits.vertices, likely));
+    const auto likely = [&](std::size_t most) { return std::min(most / 16, payloads.surface.size()) * 16; };
+    surface.triangles.reserve(likely(limits.triangles));
+    surface.bricks.reserve(likely(limits.vertices));
     const char* const rule = read_surface(reader, parameters, limits, surface, mesh.cells);
     if (rule != nullptr && !reader.failed()) return broken(rule);
   }
