@@ -22,8 +22,8 @@ constexpr std::size_t kQuickSample = 1U << 15;  ///< vertices that effort 0 look
 constexpr double kOrderWorth = 0.97;     ///< of the bytes without one, at most: an order costs decoders time
 constexpr double kDeepHopeless = 0.985;  ///< of the bytes without one: orders hardly matter to this mesh
 
-/// Of the faces: up to so many in no cube, the other coder takes more bytes, and is not tried.
-constexpr double kFewInNoCube = 0.01;
+/// With one face of so many in no cube, or fewer, the other coder takes more bytes, and is not tried.
+constexpr std::size_t kOneInNoCube = 100;
 
 /// n x 3.
 std::vector<float> to_rows(std::span<const Vec3> positions) {
@@ -171,9 +171,9 @@ template <class CodeOthers>
 Candidate PredictiveTrials::in_cubes_or(const LatticeTrial& trial, const CodeOthers& code_others) const {
   auto grid = in_cubes(trial);
   if (!grid) return code_others();
-  const auto faces = static_cast<double>(source_.triangles.size() / 3);
+  const std::size_t faces = source_.triangles.size() / 3;
   // What other streams have taught helps the other coder alone.
-  if (request_.start == nullptr && grid->grid->rest_triangles <= kFewInNoCube * faces)
+  if (request_.start == nullptr && grid->grid->rest_triangles <= faces / kOneInNoCube)
     return *std::move(grid);
   Candidate other = code_others();
   return grid->bytes < other.bytes ? *std::move(grid) : std::move(other);
