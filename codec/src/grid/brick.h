@@ -12,7 +12,8 @@ namespace deltamesh::grid {
 
 inline constexpr int kSide = 16;              ///< of a brick, nodes
 inline constexpr std::size_t kPlaces = 4096;  ///< nodes of a brick; the one at (x, y, z) is x + 16 y + 256 z
-inline constexpr int kMargin = 2;             ///< nodes of other bricks that it knows, too, on each side
+/// Nodes of other bricks that it knows, too, on each side: two, and one more that may be wrong.
+inline constexpr int kMargin = 3;
 inline constexpr int kReach = kSide + 2 * kMargin;
 
 inline constexpr std::uint32_t kNoVertex = 0xffffffff;
@@ -29,11 +30,25 @@ constexpr unsigned place_of(const Spot& spot) noexcept {
 /// From a cube's lowest node to its corners, in the same brick.
 inline constexpr std::array<std::uint16_t, 8> kCornerSteps = {0, 1, 16, 17, 256, 257, 272, 273};
 
-/// Nodes of one brick that are known, in groups whose vertices stand side by side.
-inline constexpr unsigned kGroup = 64;
+/// What is beyond the brick of a cube: a bit for every axis on which it has corners in the next brick.
+constexpr unsigned beyond(unsigned place) noexcept {
+  // A digit of 15 carries into the bit above it.
+  const unsigned carries = (place & 0xf) + 1 | (place & 0xf0) + 0x10 << 1 | (place & 0xf00) + 0x100 << 2;
+  return (carries >> 4 & 1) | (carries >> 8 & 2) | (carries >> 12 & 4);
+}
+
+/// Vertices on edges that begin at 4 x 4 x 4 nodes of a brick stand side by side.
+inline constexpr std::size_t kBlocks = 64;
+inline constexpr std::size_t kBlockNodes = kPlaces / kBlocks;
+constexpr unsigned block_of(unsigned place) noexcept {
+  return (place >> 2 & 3) | (place >> 4 & 0xc) | (place >> 6 & 0x30);
+}
+constexpr unsigned place_in_block(unsigned place) noexcept {
+  return (place & 3) | (place >> 2 & 0xc) | (place >> 4 & 0x30);
+}
 
 struct Brick {
-  /// Place in `rows` of the nodes with these y and z, -2 to 17.
+  /// Place in `rows` of the nodes with these y and z, -3 to 18.
   static constexpr std::size_t row_at(int y, int z) noexcept {
     return static_cast<std::size_t>((z + kMargin) * kReach + y + kMargin);
   }
@@ -45,19 +60,21 @@ struct Brick {
   static constexpr std::uint8_t kSeen = 0x80;  ///< of a cube that is coded or waits for it
   static constexpr std::uint8_t kFaceless = 0x3f;
 
+  static constexpr std::uint64_t cut_bit(unsigned x, unsigned axis) noexcept {
+    return std::uint64_t{1} << (kSide * axis + x);
+  }
+
   std::array<std::int32_t, 3> at;  ///< in bricks
   std::uint32_t number;            ///< of all bricks
   std::array<Brick*, 27> near;     ///< null, or that at d - 1 from here, for d[0] + 3 d[1] + 9 d[2]
 
-  /// Known nodes: bit x + 2 is set if one is outside, bit x + 34 if it is inside.
+  /// Known nodes: bit x + 3 is set if one is outside, bit x + 35 if it is inside.
   std::array<std::uint64_t, kReach * kReach> rows;
   /// kSeen, and how many cubes without faces share with it a face (times 8) or an edge (7 at most).
   std::array<std::uint8_t, kPlaces> cubes;
-  /// Edges with vertices, by axis, y + 16 z and bit x.
-  std::array<std::array<std::uint16_t, kSide * kSide>, 3> cut;
-  std::uint32_t known_nodes;
-  std::array<std::uint32_t, kPlaces / kGroup> groups;  ///< places of the vertices of a group
-  std::array<std::uint16_t, kPlaces> ranks;            ///< of known nodes: how many were known before
+  /// Edges with vertices: bit x + 16 axis, by y + 16 z.
+  std::array<std::uint64_t, kSide * kSide> cut;
+  std::array<std::uint32_t, kBlocks> blocks;  ///< numbers of those with vertices, others 0
 };
 
 }  // namespace deltamesh::grid

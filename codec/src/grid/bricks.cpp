@@ -23,15 +23,16 @@ struct Range {
   int end;
 };
 Range in_margin(int way) noexcept {
-  if (way < 0) return {kSide - kMargin, kSide};
-  return {0, way > 0 ? kMargin : kSide};
+  constexpr int kRight = kMargin - 1;  // of which are right
+  if (way < 0) return {kSide - kRight, kSide};
+  return {0, way > 0 ? kRight : kSide};
 }
 
 /// What `from`, at `way` from `to`, has itself and `to` has in its margin.
 void copy_margin(const Brick& from, const Bricks::Place& way, Brick& to) noexcept {
-  constexpr std::uint64_t kOwn = 0x0003'fffc'0003'fffcULL;
-  constexpr std::uint64_t kFirstTwo = 0x0000'000c'0000'000cULL;
-  constexpr std::uint64_t kLastTwo = 0x0003'0000'0003'0000ULL;
+  constexpr std::uint64_t kOwn = 0x0007'fff8'0007'fff8ULL;
+  constexpr std::uint64_t kFirstTwo = 0x0000'0018'0000'0018ULL;
+  constexpr std::uint64_t kLastTwo = 0x0006'0000'0006'0000ULL;
   const Range ys = in_margin(way[1]);
   const Range zs = in_margin(way[2]);
   for (int z = zs.first; z < zs.end; ++z) {
@@ -85,8 +86,8 @@ Brick& Bricks::get(const Place& at) {
   brick.number = count();
   brick.rows.fill(0);
   brick.cubes.fill(0);
-  for (auto& cut : brick.cut) cut.fill(0);
-  brick.known_nodes = 0;
+  brick.cut.fill(0);
+  brick.blocks.fill(0);
   table_[slot_of(at)] = brick.number + 1;
   bricks_.push_back(&brick);
   for (unsigned way = 0; way < brick.near.size(); ++way) {
@@ -101,39 +102,19 @@ Brick& Bricks::get(const Place& at) {
 
 Brick& Bricks::get_near(Brick& brick, unsigned way) { return get(sum(brick.at, way_to(way))); }
 
-void Bricks::set_outer_node(Brick& brick, Spot spot, bool is_outside) {
-  Brick& own = ((spot[0] | spot[1] | spot[2]) & kSide) != 0 ? home(brick, spot) : brick;
-  give_rank(own, place_of(spot));
-  // Elsewhere it is in a margin: in bricks on the low side if it is one of the first, and so on.
-  struct Copy {
-    int near;
-    int row;
-    int x;
-  };
-  static constexpr std::array<Copy, 3> kSteps = {{{1, 0, -kSide}, {3, -kSide, 0}, {9, -kSide * kReach, 0}}};
-  std::array<Copy, 8> copies;
-  copies[0] = {13, static_cast<int>(Brick::row_at(spot[1], spot[2])), spot[0]};
-  unsigned count = 1;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const int side = spot[axis] < kMargin ? -1 : 1;
-    if (spot[axis] >= kMargin && spot[axis] < kSide - kMargin) continue;
-    const Copy& step = kSteps[axis];
-    for (unsigned i = 0; i < count; ++i)
-      copies[count + i] = {copies[i].near + side * step.near, copies[i].row + side * step.row,
-                           copies[i].x + side * step.x};
-    count *= 2;
+void Bricks::get_beyond(Brick& brick, unsigned place) {
+  for (unsigned over = beyond(place), corner = over; corner != 0; corner = (corner - 1) & over) {
+    const unsigned way = 13 + (corner & 1) + 3 * (corner >> 1 & 1) + 9 * (corner >> 2);
+    if (brick.near[way] == nullptr) get_near(brick, way);
   }
-  for (unsigned i = 0; i < count; ++i)
-    if (Brick* const other = own.near[static_cast<std::size_t>(copies[i].near)])
-      other->rows[static_cast<std::size_t>(copies[i].row)] |= node_bit(copies[i].x, is_outside);
 }
 
-void Bricks::add_group(Brick& brick, unsigned rank) {
-  if (vertices_.size() - vertex_end_ < kGroup) vertices_.resize(2 * vertices_.size() + 16 * kGroup);
-  brick.groups[rank / kGroup] = vertex_end_;
+void Bricks::add_block(std::uint32_t& block) {
+  block = block_count_++;
+  const std::size_t first = block * kBlockNodes;
+  if (vertices_.size() < first + kBlockNodes) vertices_.resize(2 * first + 16 * kBlockNodes);
   static_assert(kNoVertex == 0xffffffff);
-  std::memset(&vertices_[vertex_end_], 0xff, kGroup * sizeof(vertices_[0]));
-  vertex_end_ += kGroup;
+  std::memset(&vertices_[first], 0xff, kBlockNodes * sizeof(vertices_[0]));
 }
 
 std::vector<Brick*> Bricks::in_order() const {

@@ -13,6 +13,8 @@
 
 #include "base/memory/large_vector.h"
 #include "grid/brick.h"
+#include "grid/corner_copies.h"
+#include "grid/cube/cube.h"
 
 namespace deltamesh::grid {
 
@@ -21,7 +23,7 @@ class Bricks {
   using Place = std::array<std::int32_t, 3>;
 
   /// So that nothing moves while about so many vertices come.
-  void reserve(std::size_t vertices) { vertices_.resize(kNodesOfVertex * vertices); }
+  void reserve(std::size_t vertices) { vertices_.resize(kNodesOfVertex * vertices + kBlockNodes); }
 
   std::uint32_t count() const noexcept { return static_cast<std::uint32_t>(bricks_.size()); }
   Brick& operator[](std::uint32_t number) noexcept { return *bricks_[number]; }
@@ -31,6 +33,8 @@ class Bricks {
   /// The brick there, empty if it was not there.
   Brick& get(const Place& at);
 
+  /// That at `way` from `brick`, an index of Brick::near.
+  Brick& get_near(Brick& brick, unsigned way);
   /// The one that has the node at `spot` of `brick`, each coordinate -1 to 16, which becomes one of its own.
   Brick& home(Brick& brick, Spot& spot) {
     unsigned way = 13;
@@ -41,43 +45,65 @@ class Bricks {
     return brick.near[way] != nullptr ? *brick.near[way] : get_near(brick, way);
   }
 
-  /// Says where the node at `spot` of `brick` is, each coordinate 0 to 16.
-  [[gnu::always_inline]] void set_node(Brick& brick, const Spot& spot, bool is_outside) {
-    constexpr unsigned kInner = (1U << (kSide - kMargin)) - (1U << kMargin);
-    const bool is_inner = (kInner >> spot[0] & kInner >> spot[1] & kInner >> spot[2] & 1) != 0;
-    if (!is_inner) return set_outer_node(brick, spot, is_outside);
-    brick.rows[Brick::row_at(spot[1], spot[2])] |= node_bit(spot[0], is_outside);
-    give_rank(brick, place_of(spot));
+  /// A node by its brick and its place there.
+  struct Node {
+    Brick& brick;
+    unsigned place;
+  };
+  /// The corner of the cube at `place` of `brick`, all of whose corners are known; `over` is what is beyond.
+  [[gnu::always_inline]] static Node corner(Brick& brick, unsigned place, unsigned over,
+                                            unsigned corner) noexcept {
+    static constexpr std::array<std::uint8_t, 8> kWays = {13, 14, 16, 17, 22, 23, 25, 26};
+    const unsigned crossed = over & corner;
+    return {*brick.near[kWays[crossed]], place + kCornerSteps[corner] - kSide * kCornerSteps[crossed]};
   }
 
-  /// The vertex on the edge of `axis` that begins at the known node `place`, or kNoVertex.
-  [[gnu::always_inline]] std::uint32_t& vertex(const Brick& brick, unsigned place, unsigned axis) noexcept {
-    const unsigned rank = brick.ranks[place];
-    return vertices_[std::size_t{brick.groups[rank / kGroup]} + rank % kGroup][axis];
+  /// Says which corners of the cube at `place` of `brick` are outside and which inside, of new ones and of
+  /// such that are known. Bricks that have one are there afterwards.
+  [[gnu::always_inline]] void set_corners(Brick& brick, unsigned place, Signs outside, Signs inside) {
+    if (beyond(place) != 0) [[unlikely]]
+      get_beyond(brick, place);
+    const auto pair = [&](unsigned first) {
+      return std::uint64_t{outside >> first & 3} | std::uint64_t{inside >> first & 3} << Brick::kInsideShift;
+    };
+    const std::uint64_t pairs[4] = {pair(0), pair(2), pair(4), pair(6)};
+    const std::size_t row = Brick::row_at(place);
+    // In margins of other bricks they are, too.
+    const CornerCopies& copies = copies_of(place);
+    for (unsigned i = 0; i < copies.count; ++i) {
+      const CornerCopy& copy = copies.list[i];
+      Brick* const other = brick.near[copy.near];
+      if (other == nullptr) continue;
+      std::uint64_t* const rows = &other->rows[row + static_cast<std::size_t>(std::ptrdiff_t{copy.row})];
+      const int shift = static_cast<int>(place & 15) + copy.shift;
+      rows[0] |= pairs[0] << shift;
+      rows[1] |= pairs[1] << shift;
+      rows[kReach] |= pairs[2] << shift;
+      rows[kReach + 1] |= pairs[3] << shift;
+    }
   }
-  std::uint32_t vertex(const Brick& brick, unsigned place, unsigned axis) const noexcept {
-    return const_cast<Bricks&>(*this).vertex(brick, place, axis);
+
+  /// The vertex on the edge of `axis` that begins at the known node `place`; kNoVertex if there is none yet.
+  [[gnu::always_inline]] std::uint32_t& vertex(Brick& brick, unsigned place, unsigned axis) {
+    std::uint32_t& block = brick.blocks[block_of(place)];
+    if (block == 0) [[unlikely]]
+      add_block(block);
+    return vertices_[std::size_t{block} * kBlockNodes + place_in_block(place)][axis];
+  }
+  /// There is one.
+  [[gnu::always_inline]] std::uint32_t vertex(const Brick& brick, unsigned place,
+                                              unsigned axis) const noexcept {
+    return vertices_[std::size_t{brick.blocks[block_of(place)]} * kBlockNodes + place_in_block(place)][axis];
   }
 
   /// By place: lowest z first, then y, then x.
   std::vector<Brick*> in_order() const;
 
  private:
-  static constexpr std::size_t kNodesOfVertex = 3;  ///< at most, usually; with room in groups
+  static constexpr std::size_t kNodesOfVertex = 4;  ///< at most, usually, of blocks
 
-  static std::uint64_t node_bit(int x, bool is_outside) noexcept {
-    return (is_outside ? 1 : std::uint64_t{1} << Brick::kInsideShift) << (x + kMargin);
-  }
-  [[gnu::always_inline]] void give_rank(Brick& brick, unsigned place) {
-    const unsigned rank = brick.known_nodes++;
-    brick.ranks[place] = static_cast<std::uint16_t>(rank);
-    if (rank % kGroup == 0) [[unlikely]]
-      add_group(brick, rank);
-  }
-
-  Brick& get_near(Brick& brick, unsigned way);
-  void set_outer_node(Brick& brick, Spot spot, bool is_outside);
-  void add_group(Brick& brick, unsigned rank);
+  void get_beyond(Brick& brick, unsigned place);
+  void add_block(std::uint32_t& block);
   void make_room();
   std::size_t slot_of(const Place& at) const noexcept;
 
@@ -86,7 +112,7 @@ class Bricks {
   std::vector<LargeVector<Brick>> memory_;
   std::size_t left_ = 0;  ///< bricks in the last piece of it
   LargeVector<std::array<std::uint32_t, 3>> vertices_;
-  std::uint32_t vertex_end_ = 0;  ///< of those that are in use
+  std::uint32_t block_count_ = 1;  ///< of those that are in use; number 0 is none
 };
 
 }  // namespace deltamesh::grid

@@ -68,7 +68,7 @@ class Growth {
                                         static_cast<std::int32_t>(seed_brick_ / size[0] / size[1])});
     if ((brick.cubes[seed_place_] & Brick::kSeen) != 0) return refuse("GRD-7");
     brick.cubes[seed_place_] |= Brick::kSeen;
-    code_with_faces(coder_, brick, seed_place_, Window(brick, seed_place_));
+    code_with_faces(coder_, brick, seed_place_, Corners(brick, seed_place_));
   }
 
   /// First in, first out.
@@ -82,60 +82,58 @@ class Growth {
   }
 
   [[gnu::always_inline]] void code_cube(Coder& coder, Brick& brick, unsigned place) {
-    const Window window(brick, place);
-    const unsigned known = window.outside() | window.inside();
+    const Corners corners(brick, place);
     bool has_faces = false;
     if constexpr (Coder::kWrites) has_faces = source_.find(brick.at, place) != Source::kNone;
-    CountedBit& model = models_.flags[known << 6 | (brick.cubes[place] & Brick::kFaceless)];
+    CountedBit& model = models_.flags[corners.known() << 6 | (brick.cubes[place] & Brick::kFaceless)];
     if (!coder.bit(has_faces, model)) return waiting_.count_faceless(brick, place);
-    code_with_faces(coder, brick, place, window);
+    code_with_faces(coder, brick, place, corners);
   }
 
-  [[gnu::always_inline]] void code_with_faces(Coder& coder, Brick& brick, unsigned place, Window window) {
-    const Spot spot = spot_of(place);
+  [[gnu::always_inline]] void code_with_faces(Coder& coder, Brick& brick, unsigned place,
+                                              const Corners& corners) {
     if constexpr (Coder::kWrites) cube_ = source_.find(brick.at, place);
-    const Signs signs = code_signs(coder, brick, spot, window);
-    const Pattern& pattern = code_pattern(coder, signs);
+    const Signs signs =
+        corners.known() == 255 ? corners.outside : code_signs(coder, brick, place, corners);
+    const ListedPattern& pattern = code_pattern(coder, signs);
     if constexpr (Coder::kWrites) surface_.cubes.push_back(cube_);
     surface_.add_faces(brick, place, pattern);
-    if (pattern.has_inner()) [[unlikely]]
-      code_inner(coder, brick, spot);
+    if (pattern.pattern.has_inner()) [[unlikely]]
+      code_inner(coder, brick, spot_of(place));
     if (is_too_large()) [[unlikely]]
       refuse("GRD-8");
     waiting_.add_across(brick, place, kCrossedFaces[signs]);
   }
 
   /// Those of the corners that are not known [GRD-4].
-  [[gnu::always_inline]] Signs code_signs(Coder& coder, Brick& brick, const Spot& spot, Window& window) {
-    Signs outside = window.outside();
-    Signs inside = window.inside();
-    for (unsigned unknown = ~(outside | inside) & 255; unknown != 0; unknown &= unknown - 1) {
+  [[gnu::always_inline]] Signs code_signs(Coder& coder, Brick& brick, unsigned place, Corners corners) {
+    const Window window(brick, place);
+    for (unsigned unknown = ~corners.known() & 255; unknown != 0; unknown &= unknown - 1) {
       const auto corner = static_cast<unsigned>(std::countr_zero(unknown));
-      const unsigned thirds = kThirds[corner][inside] + 2U * kThirds[corner][outside];
+      const unsigned thirds = kThirds[corner][corners.inside] + 2U * kThirds[corner][corners.outside];
       bool is_outside = false;
       if constexpr (Coder::kWrites) is_outside = (source_.signs(cube_) >> corner & 1) != 0;
       is_outside = coder.bit(is_outside, models_.signs[3 * thirds + window.majority(corner)]);
-      outside |= (is_outside ? 1U : 0U) << corner;
-      inside |= (is_outside ? 0U : 1U) << corner;
-      window.set(corner, is_outside);
-      surface_.bricks.set_node(brick, Surface::corner_at(spot, corner), is_outside);
+      corners.outside |= (is_outside ? 1U : 0U) << corner;
+      corners.inside |= (is_outside ? 0U : 1U) << corner;
     }
-    return outside;
+    surface_.bricks.set_corners(brick, place, corners.outside, corners.inside);
+    return corners.outside;
   }
 
-  [[gnu::always_inline]] const Pattern& code_pattern(Coder& coder, Signs signs) {
+  [[gnu::always_inline]] const ListedPattern& code_pattern(Coder& coder, Signs signs) {
     KnownPatterns& known = models_.known[signs];
     std::uint32_t rank = 0;
     if constexpr (Coder::kWrites) {
-      while (rank < known.count && models_.patterns[known.numbers[rank]] != source_.pattern(cube_)) ++rank;
+      while (rank < known.count && models_.patterns[known.numbers[rank]].pattern != source_.pattern(cube_)) ++rank;
     }
     if (known.count > 0 && !coder.bit(rank != 0, known.is_other)) [[likely]]
       return models_.patterns[known.numbers[0]];
-    return rarely(coder, [&]() -> const Pattern& { return code_other_pattern(signs, rank); });
+    return rarely(coder, [&]() -> const ListedPattern& { return code_other_pattern(signs, rank); });
   }
 
   /// Not the first one that is known.
-  [[gnu::noinline]] const Pattern& code_other_pattern(Signs signs, std::uint32_t rank) {
+  [[gnu::noinline]] const ListedPattern& code_other_pattern(Signs signs, std::uint32_t rank) {
     KnownPatterns& known = models_.known[signs];
     if (known.count > 0) {
       const unsigned symbol = rank < known.count ? rank : KnownPatterns::kMost;

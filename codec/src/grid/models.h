@@ -57,7 +57,7 @@ struct GrowthModels {
   std::array<CountedBit, kFlags> flags;
   std::array<CountedBit, kSigns> signs;
   std::array<KnownPatterns, 256> known;  ///< by signs
-  std::vector<Pattern> patterns;
+  std::vector<ListedPattern> patterns;
   SymbolModel rank = kFreshRank;
   PatternModels pattern;
   CountedBit is_seed;
@@ -65,13 +65,13 @@ struct GrowthModels {
   NumberModel seed_cube;
 
   /// `fresh`, as the last one that is known for cubes with these signs.
-  const Pattern& add(Signs of_cubes, const Pattern& fresh) {
+  const ListedPattern& add(Signs of_cubes, const Pattern& fresh) {
     KnownPatterns& list = known[of_cubes];
     if (list.count < KnownPatterns::kMost) {
       list.numbers[list.count++] = static_cast<std::uint16_t>(patterns.size());
       return patterns.emplace_back(fresh);
     }
-    return patterns[list.numbers[list.count - 1]] = fresh;
+    return patterns[list.numbers[list.count - 1]] = ListedPattern(fresh);
   }
 };
 

@@ -18,10 +18,12 @@ namespace deltamesh::grid {
 
 class PlaceWindow {
  public:
-  static constexpr int kStep[3] = {1, kReach, kReach* kReach};
-  static constexpr std::size_t kSize = std::size_t{kReach} * kReach * kReach;
+  static constexpr int kAround = 2;  ///< nodes and edges on each side of the brick
+  static constexpr int kWidth = kSide + 2 * kAround;
+  static constexpr int kStep[3] = {1, kWidth, kWidth* kWidth};
+  static constexpr std::size_t kSize = std::size_t{kWidth} * kWidth * kWidth;
   static constexpr int at(const Spot& spot) noexcept {
-    return spot[0] + kMargin + kReach * (spot[1] + kMargin + kReach * (spot[2] + kMargin));
+    return spot[0] + kAround + kWidth * (spot[1] + kAround + kWidth * (spot[2] + kAround));
   }
 
   /// Of a node.
@@ -35,7 +37,10 @@ class PlaceWindow {
   void load(const Brick& brick, const Bricks& bricks, std::span<const std::int8_t> places) {
     for (std::size_t i = 0; i < known_count_; ++i) places_[known_[i]] = kNoPlace;
     known_count_ = 0;
-    for (std::size_t row = 0; row < brick.rows.size(); ++row) load_row(brick.rows[row], row);
+    std::uint8_t* nodes = nodes_.data();
+    for (int z = -kAround; z < kSide + kAround; ++z)
+      for (int y = -kAround; y < kSide + kAround; ++y, nodes += kWidth)
+        load_row(brick.rows[Brick::row_at(y, z)] >> (kMargin - kAround), nodes);
     // Those before are lower in z, else in y, else in x: the first 13 of those around.
     for (unsigned way = 0; way < 13; ++way)
       if (brick.near[way] != nullptr) load_places(*brick.near[way], way, bricks, places);
@@ -60,35 +65,32 @@ class PlaceWindow {
     return spread;
   }();
 
-  [[gnu::always_inline]] void load_row(std::uint64_t row, std::size_t number) noexcept {
-    std::uint8_t* const to = nodes_.data() + number * kReach;
+  [[gnu::always_inline]] static void load_row(std::uint64_t row, std::uint8_t* nodes) noexcept {
     std::array<std::uint64_t, 3> states{};
     if (row != 0) {
       for (unsigned i = 0; i < 3; ++i)
         states[i] = kSpread[row >> (Brick::kInsideShift + 8 * i) & 255] + 2 * kSpread[row >> 8 * i & 255];
     }
-    std::memcpy(to, states.data(), kReach);
+    std::memcpy(nodes, states.data(), kWidth);
   }
 
   void load_places(const Brick& other, unsigned way, const Bricks& bricks,
                    std::span<const std::int8_t> places) {
     const Spot shift = {(static_cast<int>(way % 3) - 1) * kSide, (static_cast<int>(way / 3 % 3) - 1) * kSide,
                         (static_cast<int>(way / 9) - 1) * kSide};
-    const auto first = [&](std::size_t axis) { return shift[axis] < 0 ? kSide - kMargin : 0; };
-    const auto end = [&](std::size_t axis) { return shift[axis] > 0 ? kMargin : kSide; };
-    const unsigned in_x = (1U << end(0)) - (1U << first(0));
+    const auto first = [&](std::size_t axis) { return shift[axis] < 0 ? kSide - kAround : 0; };
+    const auto end = [&](std::size_t axis) { return shift[axis] > 0 ? kAround : kSide; };
+    constexpr std::uint64_t kAxes = Brick::cut_bit(0, 0) | Brick::cut_bit(0, 1) | Brick::cut_bit(0, 2);
+    const std::uint64_t in_x = ((std::uint64_t{1} << end(0)) - (std::uint64_t{1} << first(0))) * kAxes;
     for (int z = first(2); z < end(2); ++z) {
       for (int y = first(1); y < end(1); ++y) {
-        const auto row = static_cast<std::size_t>(y + kSide * z);
-        const unsigned cut[3] = {other.cut[0][row] & in_x, other.cut[1][row] & in_x,
-                                 other.cut[2][row] & in_x};
-        if ((cut[0] | cut[1] | cut[2]) == 0) continue;
-        for (unsigned axis = 0; axis < 3; ++axis) {
-          for (unsigned bits = cut[axis]; bits != 0; bits &= bits - 1) {
-            const int x = std::countr_zero(bits);
-            const std::uint32_t vertex = bricks.vertex(other, place_of({x, y, z}), axis);
-            set(axis, at({x + shift[0], y + shift[1], z + shift[2]}), places[vertex]);
-          }
+        for (std::uint64_t bits = other.cut[static_cast<std::size_t>(y + kSide * z)] & in_x; bits != 0;
+             bits &= bits - 1) {
+          const int bit = std::countr_zero(bits);
+          const auto axis = static_cast<unsigned>(bit / kSide);
+          const int x = bit % kSide;
+          const std::uint32_t vertex = bricks.vertex(other, place_of({x, y, z}), axis);
+          set(axis, at({x + shift[0], y + shift[1], z + shift[2]}), places[vertex]);
         }
       }
     }

@@ -67,24 +67,23 @@ class PlaceCoder {
   static constexpr unsigned kOneBits = 46;
 
   static bool has_cuts(const Brick& brick) noexcept {
-    for (const auto& cut : brick.cut)
-      for (const std::uint16_t row : cut)
-        if (row != 0) return true;
-    return false;
+    std::uint64_t any = 0;
+    for (const std::uint64_t cut : brick.cut) any |= cut;
+    return any != 0;
   }
 
   void code_brick(const Brick& brick, PlaceWindow& window, std::span<Cell> cells) {
     Held<Coder> coder = coder_;
     for (int z = 0; z < kSide; ++z) {
       for (int y = 0; y < kSide; ++y) {
-        const auto row = static_cast<std::size_t>(y + kSide * z);
-        const unsigned cut[3] = {brick.cut[0][row], brick.cut[1][row], brick.cut[2][row]};
-        for (unsigned bits = cut[0]; bits != 0; bits &= bits - 1)
-          code_edge<0>(coder, brick, {std::countr_zero(bits), y, z}, window, cells);
-        for (unsigned bits = cut[1]; bits != 0; bits &= bits - 1)
-          code_edge<1>(coder, brick, {std::countr_zero(bits), y, z}, window, cells);
-        for (unsigned bits = cut[2]; bits != 0; bits &= bits - 1)
-          code_edge<2>(coder, brick, {std::countr_zero(bits), y, z}, window, cells);
+        const std::uint64_t row = brick.cut[static_cast<std::size_t>(y + kSide * z)];
+        constexpr std::uint64_t kOfAxis = 0xffff;
+        for (std::uint64_t cut = row & kOfAxis; cut != 0; cut &= cut - 1)
+          code_edge<0>(coder, brick, {std::countr_zero(cut), y, z}, window, cells);
+        for (std::uint64_t cut = row >> kSide & kOfAxis; cut != 0; cut &= cut - 1)
+          code_edge<1>(coder, brick, {std::countr_zero(cut), y, z}, window, cells);
+        for (std::uint64_t cut = row >> 2 * kSide; cut != 0; cut &= cut - 1)
+          code_edge<2>(coder, brick, {std::countr_zero(cut), y, z}, window, cells);
       }
     }
     write_back<Coder>(coder, coder_);

@@ -4,6 +4,7 @@
 // A surface as it grows: nodes that are known, faces, and the vertices that these brought in [GRD-8].
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -47,13 +48,22 @@ class Triangles {
  public:
   /// So that nothing moves while about so many come.
   void reserve(std::size_t count) { list_.resize(count + Pattern::kMostTriangles); }
-  /// For those of one more cube.
-  [[gnu::always_inline]] void make_room() {
+  /// Those of one more cube. `vertices`: on its edges and inside.
+  [[gnu::always_inline]] void add(const Pattern& pattern,
+                                  const std::array<std::uint32_t, kEdges + 4>& vertices) {
     if (list_.size() - count_ < Pattern::kMostTriangles) [[unlikely]]
       list_.resize(2 * list_.size() + 1024);
+    const Triangle* const triangles = pattern.triangles().data();
+    const auto add = [&](std::size_t i) {
+      const Triangle& triangle = triangles[i];
+      list_[count_ + i] = {vertices[triangle[0]], vertices[triangle[1]], vertices[triangle[2]]};
+    };
+    // Most have up to four, and others are overwritten.
+    for (std::size_t i = 0; i < 4; ++i) add(i);
+    const std::size_t count = pattern.triangles().size();
+    for (std::size_t i = 4; i < count; ++i) add(i);
+    count_ += count;
   }
-  /// Precondition: there is room.
-  void add(const std::array<std::uint32_t, 3>& triangle) noexcept { list_[count_++] = triangle; }
 
   std::size_t size() const noexcept { return count_; }
   const std::array<std::uint32_t, 3>& operator[](std::size_t i) const noexcept { return list_[i]; }
@@ -75,51 +85,31 @@ struct Surface {
   std::vector<std::uint32_t> cubes;  ///< a writer's: those of its source, in the order of `triangles`
 
   /// The faces of the cube at `place` of `brick`, all of whose corners are known.
-  [[gnu::always_inline]] void add_faces(Brick& brick, unsigned place, const Pattern& pattern) {
-    std::array<std::uint32_t, kEdges + 1> vertices;
-    unsigned used = pattern.used() & ((1U << kEdges) - 1);
-    if (!reaches_beyond(place)) [[likely]] {
-      for (; used != 0; used &= used - 1) {
-        const auto edge = static_cast<unsigned>(std::countr_zero(used));
-        vertices[edge] = vertex_on(brick, place + kCornerSteps[first_corner(edge)], edge / 4);
-      }
-    } else {
-      for (; used != 0; used &= used - 1) {
-        const auto edge = static_cast<unsigned>(std::countr_zero(used));
-        Spot node = corner_at(spot_of(place), first_corner(edge));
-        Brick& own = bricks.home(brick, node);
-        vertices[edge] = vertex_on(own, place_of(node), edge / 4);
-      }
-    }
-    if (pattern.has_inner()) [[unlikely]]
+  [[gnu::always_inline]] void add_faces(Brick& brick, unsigned place, const ListedPattern& pattern) {
+    std::array<std::uint32_t, kEdges + 4> vertices{};
+    const unsigned over = beyond(place);
+    const auto add_edge = [&](unsigned i) {
+      const unsigned edge = pattern.edges[i];
+      const Bricks::Node node = Bricks::corner(brick, place, over, first_corner(edge));
+      vertices[edge] = vertex_on(node.brick, node.place, edge / 4);
+    };
+    // Loops of another number of turns each time would go wrong often.
+    for (unsigned i = 0; i < ListedPattern::kUsual; ++i) add_edge(i);
+    for (unsigned i = ListedPattern::kUsual; i < pattern.edge_count; ++i) add_edge(i);
+    if (pattern.pattern.has_inner()) [[unlikely]]
       vertices[kInside] = vertex_count++;
-    triangles.make_room();
-    for (const Triangle& triangle : pattern.triangles())
-      triangles.add({vertices[triangle[0]], vertices[triangle[1]], vertices[triangle[2]]});
-  }
-
-  static Spot corner_at(const Spot& spot, unsigned corner) noexcept {
-    return {spot[0] + static_cast<int>(corner & 1), spot[1] + static_cast<int>(corner >> 1 & 1),
-            spot[2] + static_cast<int>(corner >> 2)};
-  }
-  /// Whether some corner of the cube is not in its brick.
-  static bool reaches_beyond(unsigned place) noexcept {
-    // A digit of 15 carries into the bit above it.
-    const unsigned digits = (place & 0xf) | (place & 0xf0) << 1 | (place & 0xf00) << 2;
-    return ((digits + 0x421) & 0x4210) != 0;
+    triangles.add(pattern.pattern, vertices);
   }
 
  private:
   /// The vertex on the edge of `axis` that begins at this node, which is a new one if there was none.
-  [[gnu::always_inline]] std::uint32_t vertex_on(Brick& brick, unsigned node, unsigned axis) noexcept {
+  [[gnu::always_inline]] std::uint32_t vertex_on(Brick& brick, unsigned node, unsigned axis) {
     std::uint32_t& vertex = bricks.vertex(brick, node, axis);
-    // Without a branch, which would go wrong every other time.
-    const bool is_new = vertex == kNoVertex;
-    const std::uint32_t result = is_new ? vertex_count : vertex;
+    static_assert(kNoVertex == 0xffffffff);
+    const std::uint32_t result = std::min(vertex, vertex_count);
     vertex = result;
-    vertex_count += is_new ? 1 : 0;
-    std::uint16_t& row = brick.cut[axis][node >> 4];
-    row = static_cast<std::uint16_t>(row | 1U << (node & 15));
+    vertex_count += result == vertex_count ? 1 : 0;
+    brick.cut[node >> 4] |= Brick::cut_bit(node & 15, axis);
     return result;
   }
 };

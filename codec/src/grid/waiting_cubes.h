@@ -75,7 +75,7 @@ class WaitingCubes {
     const Brick& brick = bricks_[cube >> kPlaceBits];
     const std::uint64_t* const rows = brick.rows.data() + Brick::row_at(cube % kPlaces);
     for (int z = -1; z < 3; ++z) __builtin_prefetch(rows + kReach * z);
-    __builtin_prefetch(&brick.ranks[cube % kPlaces]);
+    __builtin_prefetch(&brick.cubes[cube % kPlaces]);
   }
 
   [[gnu::always_inline]] void wait_for(Brick& brick, unsigned place, unsigned face) {
@@ -83,23 +83,20 @@ class WaitingCubes {
       std::uint16_t digit;  ///< of the place, and what it is at the end of the brick
       std::uint16_t end;
       std::int16_t step;
+      std::uint16_t near;  ///< brick after that
     };
-    static constexpr std::array<Way, kFaces> kWays = {{{0xf, 0, -1},
-                                                       {0xf, 0xf, 1},
-                                                       {0xf0, 0, -16},
-                                                       {0xf0, 0xf0, 16},
-                                                       {0xf00, 0, -256},
-                                                       {0xf00, 0xf00, 256}}};
+    static constexpr std::array<Way, kFaces> kWays = {{{0xf, 0, -1, 12},
+                                                       {0xf, 0xf, 1, 14},
+                                                       {0xf0, 0, -16, 10},
+                                                       {0xf0, 0xf0, 16, 16},
+                                                       {0xf00, 0, -256, 4},
+                                                       {0xf00, 0xf00, 256, 22}}};
     const Way& way = kWays[face];
-    if ((place & way.digit) == way.end) [[unlikely]]
-      return wait_beyond(brick, place, face);
-    add_waiting(brick, place + static_cast<unsigned>(way.step));
-  }
-  [[gnu::noinline]] void wait_beyond(Brick& brick, unsigned place, unsigned face) {
-    Spot spot = spot_of(place);
-    spot[face / 2] += (face & 1) != 0 ? 1 : -1;
-    Brick& other = bricks_.home(brick, spot);
-    add_waiting(other, place_of(spot));
+    const unsigned near = (place & way.digit) == way.end ? way.near : 13;
+    Brick* const other = brick.near[near];
+    const unsigned digit = (place + static_cast<unsigned>(way.step)) & way.digit;
+    const unsigned next = (place & ~unsigned{way.digit}) | digit;
+    add_waiting(other != nullptr ? *other : bricks_.get_near(brick, near), next);
   }
   /// There is room for one more, which is written even if it is there already.
   [[gnu::always_inline]] void add_waiting(Brick& brick, unsigned place) noexcept {

@@ -13,6 +13,25 @@
 
 namespace deltamesh::grid {
 
+/// What is known of a cube's corners.
+struct Corners {
+  /// Of the cube at `place` of `brick`.
+  [[gnu::always_inline]] Corners(const Brick& brick, unsigned place) noexcept {
+    const std::uint64_t* const rows = brick.rows.data() + Brick::row_at(place);
+    const unsigned shift = (place & 15) + kMargin;
+    constexpr std::uint64_t kTwo = 0x3'0000'0003;
+    const std::uint64_t low = (rows[0] >> shift & kTwo) | (rows[1] >> shift & kTwo) << 2;
+    const std::uint64_t high = (rows[kReach] >> shift & kTwo) | (rows[kReach + 1] >> shift & kTwo) << 2;
+    const std::uint64_t both = low | high << 4;
+    outside = static_cast<Signs>(both & 0xff);
+    inside = static_cast<Signs>(both >> Brick::kInsideShift);
+  }
+  unsigned known() const noexcept { return outside | inside; }
+
+  Signs outside;
+  Signs inside;
+};
+
 /// A bit for every node: x + 4 y + 16 z, from the one that is one below the cube's lowest on each axis.
 class Window {
  public:
@@ -29,15 +48,6 @@ class Window {
     inside_ = lower >> 32 | (upper & ~kHalf);
   }
 
-  Signs outside() const noexcept { return corners_of(outside_); }
-  Signs inside() const noexcept { return corners_of(inside_); }
-
-  void set(unsigned corner, bool is_outside) noexcept {
-    const std::uint64_t bit = std::uint64_t{1} << kCornerBit[corner];
-    outside_ |= is_outside ? bit : 0;
-    inside_ |= is_outside ? 0 : bit;
-  }
-
   /// Of the 19 nodes that are next to the corner, or across a square or a cube from it, and not the cube's:
   /// 0 if more are inside than outside, 1 if as many, else 2.
   [[gnu::always_inline]] unsigned majority(unsigned corner) const noexcept {
@@ -48,7 +58,7 @@ class Window {
     constexpr std::uint64_t kBytes = 0x0f0f'0f0f'0f0f'0f0f;
     const auto sum =
         static_cast<unsigned>(((more & kBytes) + (more >> 4 & kBytes)) * 0x0101'0101'0101'0101 >> 56);
-    return (sum > 64 ? 1U : 0U) + (sum >= 64 ? 1U : 0U);
+    return (sum >> 6) + ((sum + 63) >> 7);  // 64 if as many
   }
 
  private:
@@ -62,12 +72,6 @@ class Window {
     std::memcpy(&first, rows, sizeof(first));
     std::memcpy(&next, rows + 2, sizeof(next));
     return (first >> shift & kFour) | (next >> shift & kFour) << 8;
-  }
-
-  static Signs corners_of(std::uint64_t nodes) noexcept {
-    std::uint64_t corners = nodes >> kCornerBit[0] & 0x33'0033;
-    corners = (corners | corners >> 2) & 0xf'000f;
-    return static_cast<Signs>((corners | corners >> 12) & 0xff);
   }
 
   /// How many bits are set, in each four. Processors may have no instruction that counts them.

@@ -29,7 +29,7 @@ class CountedBit {
   void learn(bool bit) noexcept {
     const auto [rate, next] = kSteps[count_];
     count_ = next;
-    const std::int32_t goal = bit ? 65535 : 0;
+    const std::int32_t goal = -static_cast<std::int32_t>(bit) & 65535;
     estimate_ = static_cast<std::uint16_t>(estimate_ + ((goal - estimate_) >> rate));
   }
   /// As SymbolModel's [CMP-16].

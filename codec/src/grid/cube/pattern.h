@@ -53,4 +53,20 @@ class Pattern {
   std::uint16_t used_ = 0;
 };
 
+/// With its edges one after the other.
+struct ListedPattern {
+  static constexpr unsigned kUsual = 4;
+
+  ListedPattern() = default;
+  explicit ListedPattern(const Pattern& listed) noexcept : pattern(listed) {
+    for (unsigned edge = 0; edge < kEdges; ++edge)
+      if ((listed.used() >> edge & 1) != 0) edges[edge_count++] = static_cast<std::uint8_t>(edge);
+    for (unsigned i = std::max(edge_count, 1U); i < kUsual; ++i) edges[i] = edges[i - 1];
+  }
+
+  Pattern pattern;
+  std::array<std::uint8_t, kEdges> edges{};  ///< ascending; to the number kUsual the last is repeated
+  unsigned edge_count = 0;
+};
+
 }  // namespace deltamesh::grid

@@ -55,7 +55,7 @@ std::uint32_t VertexFinder::find(const Cell& cell) const noexcept {
   const Brick* const brick = surface_.bricks.find(at);
   if (axis > 2 || brick == nullptr) return kNoVertex;
   const unsigned place = place_of(spot);
-  if ((brick->cut[axis][place >> 4] >> (place & 15) & 1) == 0) return kNoVertex;
+  if ((brick->cut[place >> 4] & Brick::cut_bit(place & 15, axis)) == 0) return kNoVertex;
   const std::uint32_t vertex = surface_.bricks.vertex(*brick, place, axis);
   return cells_[vertex] == cell ? vertex : kNoVertex;
 }

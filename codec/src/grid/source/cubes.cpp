@@ -132,10 +132,11 @@ std::array<std::int8_t*, kCorners> SourceCubes::signs_around(std::uint32_t cube)
   for (std::size_t axis = 0; axis < 3; ++axis)
     lowest[axis] = cubes_[cube].brick[axis] * kSide + spot_of(cubes_[cube].place)[axis];
   std::array<std::int8_t*, kCorners> signs{};
-  const bool is_inner = !Surface::reaches_beyond(cubes_[cube].place);
+  const bool is_inner = beyond(cubes_[cube].place) == 0;
   const Address first = address_of(lowest);
   for (unsigned corner = 0; corner < kCorners; ++corner) {
-    const Spot node = Surface::corner_at(lowest, corner);
+    const Node node = {lowest[0] + static_cast<int>(corner & 1), lowest[1] + static_cast<int>(corner >> 1 & 1),
+                       lowest[2] + static_cast<int>(corner >> 2)};
     const Address address =
         is_inner ? Address{first.part, first.place + kCornerSteps[corner]} : address_of(node);
     signs[corner] = &parts_[address.part]->signs[address.place];
