@@ -37,14 +37,21 @@ constexpr unsigned beyond(unsigned place) noexcept {
   return (carries >> 4 & 1) | (carries >> 8 & 2) | (carries >> 12 & 4);
 }
 
-/// Vertices on edges that begin at 4 x 4 x 4 nodes of a brick stand side by side.
-inline constexpr std::size_t kBlocks = 64;
-inline constexpr std::size_t kBlockNodes = kPlaces / kBlocks;
-constexpr unsigned block_of(unsigned place) noexcept {
-  return (place >> 2 & 3) | (place >> 4 & 0xc) | (place >> 6 & 0x30);
-}
-constexpr unsigned place_in_block(unsigned place) noexcept {
-  return (place & 3) | (place >> 2 & 0xc) | (place >> 4 & 0x30);
+/// Vertices on edges that begin at 4 x 4 x 2 nodes of a brick stand side by side, in a block.
+inline constexpr unsigned kBlockNodes = 32;
+inline constexpr std::size_t kBlocks = kPlaces / kBlockNodes;
+/// Nodes in the order of their blocks: the sum of these of x, y and z; 16 is 0, of the brick beyond.
+inline constexpr std::array<std::array<std::uint16_t, kSide + 1>, 3> kSlots = [] {
+  std::array<std::array<std::uint16_t, kSide + 1>, 3> slots{};
+  for (unsigned i = 0; i < kSide; ++i) {
+    slots[0][i] = static_cast<std::uint16_t>(i % 4 + i / 4 * kBlockNodes);
+    slots[1][i] = static_cast<std::uint16_t>(i % 4 * 4 + i / 4 * 4 * kBlockNodes);
+    slots[2][i] = static_cast<std::uint16_t>(i % 2 * 16 + i / 2 * 16 * kBlockNodes);
+  }
+  return slots;
+}();
+constexpr unsigned row_slot(int y, int z) noexcept {
+  return kSlots[1][static_cast<std::size_t>(y)] + kSlots[2][static_cast<std::size_t>(z)];
 }
 
 struct Brick {
@@ -74,7 +81,7 @@ struct Brick {
   std::array<std::uint8_t, kPlaces> cubes;
   /// Edges with vertices: bit x + 16 axis, by y + 16 z.
   std::array<std::uint64_t, kSide * kSide> cut;
-  std::array<std::uint32_t, kBlocks> blocks;  ///< numbers of those with vertices, others 0
+  std::array<std::uint32_t, kBlocks> blocks;  ///< numbers of those that have vertices, others 0
 };
 
 }  // namespace deltamesh::grid

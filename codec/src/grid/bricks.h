@@ -45,17 +45,10 @@ class Bricks {
     return brick.near[way] != nullptr ? *brick.near[way] : get_near(brick, way);
   }
 
-  /// A node by its brick and its place there.
-  struct Node {
-    Brick& brick;
-    unsigned place;
-  };
-  /// The corner of the cube at `place` of `brick`, all of whose corners are known; `over` is what is beyond.
-  [[gnu::always_inline]] static Node corner(Brick& brick, unsigned place, unsigned over,
-                                            unsigned corner) noexcept {
-    static constexpr std::array<std::uint8_t, 8> kWays = {13, 14, 16, 17, 22, 23, 25, 26};
-    const unsigned crossed = over & corner;
-    return {*brick.near[kWays[crossed]], place + kCornerSteps[corner] - kSide * kCornerSteps[crossed]};
+  /// The brick that has this corner of a cube of `brick`, if it is known; `over`: see beyond().
+  static Brick& brick_of(Brick& brick, unsigned over, unsigned corner) noexcept {
+    static constexpr std::array<std::uint8_t, kCorners> kWays = {13, 14, 16, 17, 22, 23, 25, 26};
+    return *brick.near[kWays[over & corner]];
   }
 
   /// Says which corners of the cube at `place` of `brick` are outside and which inside, of new ones and of
@@ -83,24 +76,24 @@ class Bricks {
     }
   }
 
-  /// The vertex on the edge of `axis` that begins at the known node `place`; kNoVertex if there is none yet.
-  [[gnu::always_inline]] std::uint32_t& vertex(Brick& brick, unsigned place, unsigned axis) {
-    std::uint32_t& block = brick.blocks[block_of(place)];
+  /// The vertex on the edge of `axis` that begins at the node `slot` [kSlots]; kNoVertex if there was none.
+  [[gnu::always_inline]] std::uint32_t& vertex(Brick& brick, unsigned slot, unsigned axis) {
+    std::uint32_t& block = brick.blocks[slot / kBlockNodes];
     if (block == 0) [[unlikely]]
       add_block(block);
-    return vertices_[std::size_t{block} * kBlockNodes + place_in_block(place)][axis];
+    return vertices_[std::size_t{block} * kBlockNodes + slot % kBlockNodes][axis];
   }
-  /// There is one.
-  [[gnu::always_inline]] std::uint32_t vertex(const Brick& brick, unsigned place,
+  /// Precondition: there is one.
+  [[gnu::always_inline]] std::uint32_t vertex(const Brick& brick, unsigned slot,
                                               unsigned axis) const noexcept {
-    return vertices_[std::size_t{brick.blocks[block_of(place)]} * kBlockNodes + place_in_block(place)][axis];
+    return vertices_[std::size_t{brick.blocks[slot / kBlockNodes]} * kBlockNodes + slot % kBlockNodes][axis];
   }
 
   /// By place: lowest z first, then y, then x.
   std::vector<Brick*> in_order() const;
 
  private:
-  static constexpr std::size_t kNodesOfVertex = 4;  ///< at most, usually, of blocks
+  static constexpr std::size_t kNodesOfVertex = 5;  ///< at most, usually, of blocks
 
   void get_beyond(Brick& brick, unsigned place);
   void add_block(std::uint32_t& block);

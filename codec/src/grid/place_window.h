@@ -84,12 +84,13 @@ class PlaceWindow {
     const std::uint64_t in_x = ((std::uint64_t{1} << end(0)) - (std::uint64_t{1} << first(0))) * kAxes;
     for (int z = first(2); z < end(2); ++z) {
       for (int y = first(1); y < end(1); ++y) {
+        const unsigned slot_of_row = row_slot(y, z);
         for (std::uint64_t bits = other.cut[static_cast<std::size_t>(y + kSide * z)] & in_x; bits != 0;
              bits &= bits - 1) {
           const int bit = std::countr_zero(bits);
           const auto axis = static_cast<unsigned>(bit / kSide);
           const int x = bit % kSide;
-          const std::uint32_t vertex = bricks.vertex(other, place_of({x, y, z}), axis);
+          const std::uint32_t vertex = bricks.vertex(other, slot_of_row + kSlots[0][x], axis);
           set(axis, at({x + shift[0], y + shift[1], z + shift[2]}), places[vertex]);
         }
       }

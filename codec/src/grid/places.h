@@ -72,33 +72,58 @@ class PlaceCoder {
     return any != 0;
   }
 
+  /// What edges of a brick have in common that begin at nodes with the same y and z.
+  struct Row {
+    const Brick& brick;
+    unsigned slot;
+    int index;  ///< in the window
+    Cell cell;
+  };
+
   void code_brick(const Brick& brick, PlaceWindow& window, std::span<Cell> cells) {
     Held<Coder> coder = coder_;
     for (int z = 0; z < kSide; ++z) {
       for (int y = 0; y < kSide; ++y) {
-        const std::uint64_t row = brick.cut[static_cast<std::size_t>(y + kSide * z)];
-        constexpr std::uint64_t kOfAxis = 0xffff;
-        for (std::uint64_t cut = row & kOfAxis; cut != 0; cut &= cut - 1)
-          code_edge<0>(coder, brick, {std::countr_zero(cut), y, z}, window, cells);
-        for (std::uint64_t cut = row >> kSide & kOfAxis; cut != 0; cut &= cut - 1)
-          code_edge<1>(coder, brick, {std::countr_zero(cut), y, z}, window, cells);
-        for (std::uint64_t cut = row >> 2 * kSide; cut != 0; cut &= cut - 1)
-          code_edge<2>(coder, brick, {std::countr_zero(cut), y, z}, window, cells);
+        const std::uint64_t cut = brick.cut[static_cast<std::size_t>(y + kSide * z)];
+        if (cut == 0) continue;
+        const Row row{.brick = brick,
+                      .slot = row_slot(y, z),
+                      .index = PlaceWindow::at({0, y, z}),
+                      .cell = {brick.at[0] * kSide * 2 * levels_, (brick.at[1] * kSide + y) * 2 * levels_,
+                               (brick.at[2] * kSide + z) * 2 * levels_}};
+        for (std::size_t axis = 1; axis < 3; ++axis) check(row.cell, axis);
+        code_row<0>(coder, row, cut & 0xffff, window, cells);
+        code_row<1>(coder, row, cut >> kSide & 0xffff, window, cells);
+        code_row<2>(coder, row, cut >> 2 * kSide, window, cells);
       }
     }
     write_back<Coder>(coder, coder_);
   }
 
+  void check(const Cell& cell, std::size_t axis) noexcept {
+    is_beyond_ |= static_cast<std::uint32_t>(cell[axis]) > most_[axis];
+  }
+
+  /// `cut`: a bit for every x.
   template <unsigned kAxis>
-  [[gnu::always_inline]] void code_edge(Coder& coder, const Brick& brick, const Spot& spot,
-                                        PlaceWindow& window, std::span<Cell> cells) {
-    const std::uint32_t vertex = surface_.bricks.vertex(brick, place_of(spot), kAxis);
-    const int index = PlaceWindow::at(spot);
+  [[gnu::always_inline]] void code_row(Coder& coder, const Row& row, std::uint64_t cut, PlaceWindow& window,
+                                       std::span<Cell> cells) {
+    for (; cut != 0; cut &= cut - 1) code_edge<kAxis>(coder, row, std::countr_zero(cut), window, cells);
+  }
+
+  template <unsigned kAxis>
+  [[gnu::always_inline]] void code_edge(Coder& coder, const Row& row, int x, PlaceWindow& window,
+                                        std::span<Cell> cells) {
+    const unsigned slot = row.slot + kSlots[0][static_cast<std::size_t>(x)];
+    const std::uint32_t vertex = surface_.bricks.vertex(row.brick, slot, kAxis);
+    const int index = row.index + x;
     std::int32_t level = 0;
     if constexpr (Coder::kWrites) level = cells[vertex][kAxis] % (2 * levels_) / 2;
     if (levels_ > 1) {
       const PlaceSurroundings<kAxis> around(window, index);
-      const auto seen = [&](std::int32_t l) { return around.is_outside() ? levels_ - 1 - l : l; };
+      // -1 if the edge is seen from its other end.
+      const std::int32_t turned = around.is_outside();
+      const auto seen = [&](std::int32_t l) { return (l ^ turned) + (levels_ & turned); };
       level = seen(code_level(coder, around.context(), seen(level)));
       if (static_cast<std::uint32_t>(level) >= static_cast<std::uint32_t>(levels_)) [[unlikely]] {
         is_beyond_ = true;
@@ -108,12 +133,11 @@ class PlaceCoder {
     const auto place = static_cast<std::int8_t>(place_of_level(level) - kHalfEdge);
     places_[vertex] = place;
     window.set(kAxis, index, place);
-    Cell cell{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      cell[axis] = (brick.at[axis] * kSide + spot[axis]) * 2 * levels_;
-      if (axis == kAxis) cell[axis] += 2 * level + 1;
-      is_beyond_ |= static_cast<std::uint32_t>(cell[axis]) > most_[axis];
-    }
+    Cell cell = row.cell;
+    cell[0] += x * 2 * levels_;
+    cell[kAxis] += 2 * level + 1;
+    check(cell, 0);
+    if (kAxis != 0) check(cell, kAxis);
     cells[vertex] = cell;
   }
 

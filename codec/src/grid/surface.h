@@ -88,10 +88,14 @@ struct Surface {
   [[gnu::always_inline]] void add_faces(Brick& brick, unsigned place, const ListedPattern& pattern) {
     std::array<std::uint32_t, kEdges + 4> vertices{};
     const unsigned over = beyond(place);
+    const std::array<std::uint16_t, kCorners> slots = corner_slots(place);
     const auto add_edge = [&](unsigned i) {
       const unsigned edge = pattern.edges[i];
-      const Bricks::Node node = Bricks::corner(brick, place, over, first_corner(edge));
-      vertices[edge] = vertex_on(node.brick, node.place, edge / 4);
+      const unsigned corner = first_corner(edge);
+      Brick& own = Bricks::brick_of(brick, over, corner);
+      const unsigned node = place + kCornerSteps[corner] - kSide * kCornerSteps[over & corner];
+      own.cut[node >> 4] |= Brick::cut_bit(node & 15, edge / 4);
+      vertices[edge] = add_vertex(bricks.vertex(own, slots[corner], edge / 4));
     };
     // Loops of another number of turns each time would go wrong often.
     for (unsigned i = 0; i < ListedPattern::kUsual; ++i) add_edge(i);
@@ -102,15 +106,23 @@ struct Surface {
   }
 
  private:
-  /// The vertex on the edge of `axis` that begins at this node, which is a new one if there was none.
-  [[gnu::always_inline]] std::uint32_t vertex_on(Brick& brick, unsigned node, unsigned axis) {
-    std::uint32_t& vertex = bricks.vertex(brick, node, axis);
+  [[gnu::always_inline]] static std::array<std::uint16_t, kCorners> corner_slots(unsigned place) noexcept {
+    const std::uint16_t* const x = &kSlots[0][place & 15];
+    const std::uint16_t* const y = &kSlots[1][place >> 4 & 15];
+    const std::uint16_t* const z = &kSlots[2][place >> 8];
+    std::array<std::uint16_t, kCorners> slots;
+    for (unsigned i = 0; i < kCorners; ++i)
+      slots[i] = static_cast<std::uint16_t>(x[i & 1] + y[i >> 1 & 1] + z[i >> 2]);
+    return slots;
+  }
+
+  /// A new one if `vertex` is none.
+  [[gnu::always_inline]] std::uint32_t add_vertex(std::uint32_t& vertex) noexcept {
+    // Without a branch, which would go wrong every other time.
     static_assert(kNoVertex == 0xffffffff);
-    const std::uint32_t result = std::min(vertex, vertex_count);
-    vertex = result;
-    vertex_count += result == vertex_count ? 1 : 0;
-    brick.cut[node >> 4] |= Brick::cut_bit(node & 15, axis);
-    return result;
+    vertex = std::min(vertex, vertex_count);
+    vertex_count += vertex == vertex_count ? 1 : 0;
+    return vertex;
   }
 };
 

@@ -56,7 +56,8 @@ std::uint32_t VertexFinder::find(const Cell& cell) const noexcept {
   if (axis > 2 || brick == nullptr) return kNoVertex;
   const unsigned place = place_of(spot);
   if ((brick->cut[place >> 4] & Brick::cut_bit(place & 15, axis)) == 0) return kNoVertex;
-  const std::uint32_t vertex = surface_.bricks.vertex(*brick, place, axis);
+  const unsigned slot = kSlots[0][static_cast<std::size_t>(spot[0])] + row_slot(spot[1], spot[2]);
+  const std::uint32_t vertex = surface_.bricks.vertex(*brick, slot, axis);
   return cells_[vertex] == cell ? vertex : kNoVertex;
 }
 
