@@ -173,7 +173,7 @@ class Surface:
         n = self.header.geometric
         must(self.count <= n, "GRD-8", "too many vertices")
         must(len(self.faces) <= self.most_faces, "GRD-8", "too many faces")
-        must(len(self.bricks) <= min(64 + n // 4, 2**20 - 64), "GRD-8", "too many bricks")
+        must(len(self.bricks) <= min(64 + n // 16, 2**20 - 64), "GRD-8", "too many bricks")
         for axis in range(3):  # [GRD-7]
             for high in (0, 1):
                 other = moved(cube, axis, 2 * high - 1)

@@ -31,14 +31,14 @@ DELTAMESH_EXPORT(call) PartOutcome* call(GridCall* handed) {
                               .rest_faces = take_array<Bytes>(call.rest_faces),
                               .rest_positions = take_array<Bytes>(call.rest_positions)};
   kept.emplace();
-  auto mesh = read_grid(payloads, call.parameters, call.most_vertices, call.most_triangles);
+  auto mesh = read_grid(chunks_of(payloads), call.parameters, call.vertices, call.triangles);
   if (!mesh) {
     kept->outcome.error = outcome_of(mesh.error());
     return &kept->outcome;
   }
   kept->mesh = *std::move(mesh);
   kept->outcome.returned.add(kept->mesh.triangles);
-  kept->outcome.returned.add(kept->mesh.cells);
+  kept->outcome.returned.add(kept->mesh.positions);
   return &kept->outcome;
 }
 

@@ -8,19 +8,19 @@
 
 namespace deltamesh {
 
-Result<GridMesh> read_grid(const GridPayloads& payloads, const PredictiveParameters& parameters,
-                           std::uint32_t most_vertices, std::uint32_t most_triangles) {
+Result<GridMesh> read_grid(const GridChunks& chunks, const PredictiveParameters& parameters,
+                           std::uint32_t vertices, std::uint32_t triangles) {
   constexpr auto kPart = web::Part::kGrid;
   const web::GridCall call{.parameters = parameters,
-                           .most_vertices = most_vertices,
-                           .most_triangles = most_triangles,
-                           .surface = web::hand_over(kPart, payloads.surface),
-                           .rest_faces = web::hand_over(kPart, payloads.rest_faces),
-                           .rest_positions = web::hand_over(kPart, payloads.rest_positions)};
+                           .vertices = vertices,
+                           .triangles = triangles,
+                           .surface = web::hand_over(kPart, chunks.surface),
+                           .rest_faces = web::hand_over(kPart, chunks.rest_faces),
+                           .rest_positions = web::hand_over(kPart, chunks.rest_positions)};
   DELTAMESH_TRY(const auto returned, web::call_part(kPart, call));
   GridMesh mesh;
   web::take_array(kPart, returned.arrays[0], mesh.triangles);
-  web::take_array(kPart, returned.arrays[1], mesh.cells);
+  web::take_array(kPart, returned.arrays[1], mesh.positions);
   return mesh;
 }
 

@@ -89,11 +89,11 @@ struct RareCall {
   Box box{};
 };
 
-/// The arguments of read_grid(). Returns an array of faces and one of lattice points.
+/// The arguments of read_grid(). Returns an array of faces and one of floats for positions.
 struct GridCall {
   PredictiveParameters parameters{};
-  std::uint32_t most_vertices = 0;
-  std::uint32_t most_triangles = 0;
+  std::uint32_t vertices = 0;
+  std::uint32_t triangles = 0;
   HandedArray surface{};
   HandedArray rest_faces{};
   HandedArray rest_positions{};

@@ -19,12 +19,12 @@
 #include "connectivity/groups/names.h"
 #include "connectivity/plain/topology.h"
 #include "connectivity/seams/seams.h"
-#include "decoder/grid_surface.h"
 #include "decoder/restore_order.h"
 #include "deltamesh/model_states.h"
 #include "entropy/expand_chunk.h"
 #include "format/chunk/kinds.h"
 #include "format/vertex_positions.h"
+#include "grid/grid.h"
 #include "highpass/highpass.h"
 #include "positions/plain.h"
 #include "positions/positions.h"
@@ -142,9 +142,13 @@ class StreamDecoder {
 
   /// With the positions, which wait.
   Result<void> read_faces_of_grid(std::vector<std::uint32_t>& triangles) {
-    DELTAMESH_TRY(auto surface, read_grid_surface(container_));
-    triangles = std::move(surface.triangles);
-    grid_positions_ = std::move(surface.positions);
+    DELTAMESH_TRY(const auto surface, expand_single(container_, kTagGrid));
+    DELTAMESH_TRY(const auto rest_faces, expand_single(container_, kTagConnectivity));
+    DELTAMESH_TRY(const auto rest_positions, expand_single(container_, kTagPositions));
+    DELTAMESH_TRY(auto mesh, read_grid({surface.bytes(), rest_faces.bytes(), rest_positions.bytes()},
+                                       header_.predictive, header_.geometric_vertices, header_.triangles));
+    triangles = std::move(mesh.triangles);
+    grid_positions_ = std::move(mesh.positions);
     return check_components(count_components(triangles, header_.geometric_vertices));
   }
 

@@ -14,14 +14,14 @@
 
 namespace deltamesh::grid {
 
-/// A brick takes some 20 kB.
+/// A brick takes some 11 kB. Maps have 80 vertices or more in each.
 inline Limits limits_of(const PredictiveParameters& parameters, std::uint32_t vertices,
                         std::uint32_t triangles) noexcept {
   Limits limits{.vertices = vertices, .triangles = triangles, .voxel = 2 * parameters.levels};
   // Of all cubes with a corner that is a node of the lattice.
   for (std::size_t axis = 0; axis < 3; ++axis)
     limits.bricks[axis] = (parameters.lattice.cells[axis] / limits.voxel + kSide + 1) / kSide;
-  limits.most_bricks = std::min(kMostBricks, 64 + vertices / 4);
+  limits.most_bricks = std::min(kMostBricks, 64 + vertices / 16);
   return limits;
 }
 

@@ -23,8 +23,10 @@ struct CornerCopies {
   std::array<CornerCopy, 8> list;
 };
 
-/// Of a cube's coordinates: 1 if its corners are in the margin of the brick on the low side, 2 on the high side.
-inline constexpr std::array<std::uint8_t, kSide> kBrickEnds = {1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 2, 2};
+/// Of a cube's coordinates: 1 if its corners are in the margin of the brick on the low side, 2 on the high
+/// side.
+inline constexpr std::array<std::uint8_t, kSide> kBrickEnds = {1, 1, 0, 0, 0, 0, 0, 0,
+                                                               0, 0, 0, 0, 0, 2, 2, 2};
 
 /// By the ends on each axis.
 inline constexpr std::array<CornerCopies, 27> kCornerCopies = [] {
@@ -47,7 +49,8 @@ inline constexpr std::array<CornerCopies, 27> kCornerCopies = [] {
 }();
 
 inline const CornerCopies& copies_of(unsigned place) noexcept {
-  return kCornerCopies[kBrickEnds[place & 15] + 3U * kBrickEnds[place >> 4 & 15] + 9U * kBrickEnds[place >> 8]];
+  return kCornerCopies[kBrickEnds[place & 15] + 3U * kBrickEnds[place >> 4 & 15] +
+                       9U * kBrickEnds[place >> 8]];
 }
 
 }  // namespace deltamesh::grid

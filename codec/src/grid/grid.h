@@ -4,14 +4,12 @@
 // The grid coder: a mesh most of whose faces lie in the cubes of a grid, faces and positions at once [GRD-*].
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "base/memory/large_vector.h"
 #include "deltamesh/result.h"
 #include "format/predictive_parameters.h"
 #include "positions/blend/blend.h"
@@ -26,6 +24,16 @@ struct GridPayloads {
 
   std::size_t bytes() const noexcept { return surface.size() + rest_faces.size() + rest_positions.size(); }
 };
+
+/// Such payloads, whoever has them.
+struct GridChunks {
+  std::span<const std::byte> surface;
+  std::span<const std::byte> rest_faces;
+  std::span<const std::byte> rest_positions;
+};
+inline GridChunks chunks_of(const GridPayloads& payloads) noexcept {
+  return {payloads.surface, payloads.rest_faces, payloads.rest_positions};
+}
 
 struct CodedGrid {
   GridPayloads payloads;
@@ -43,13 +51,13 @@ std::optional<CodedGrid> write_grid(std::span<const std::uint32_t> triangles, st
                                     const PredictiveParameters& parameters);
 
 struct GridMesh {
-  LargeVector<std::array<std::uint32_t, 3>> triangles;
-  LargeVector<Cell> cells;  ///< of the vertices, on the lattice
+  std::vector<std::uint32_t> triangles;  ///< m x 3
+  std::vector<float> positions;          ///< n x 3
 };
 
-/// What write_grid() wrote, of no more vertices and triangles than the caller allows. Errors: kTruncated,
-/// kInvalidStream [GRD-*, CONN-*, POSN-*, CMP-3].
-Result<GridMesh> read_grid(const GridPayloads& payloads, const PredictiveParameters& parameters,
-                           std::uint32_t most_vertices, std::uint32_t most_triangles);
+/// What write_grid() wrote, of `vertices` and `triangles` in number. Errors: kTruncated, kInvalidStream
+/// [GRD-*, CONN-*, POSN-*, CMP-3, GEO-1].
+Result<GridMesh> read_grid(const GridChunks& chunks, const PredictiveParameters& parameters,
+                           std::uint32_t vertices, std::uint32_t triangles);
 
 }  // namespace deltamesh

@@ -93,8 +93,7 @@ class Growth {
   [[gnu::always_inline]] void code_with_faces(Coder& coder, Brick& brick, unsigned place,
                                               const Corners& corners) {
     if constexpr (Coder::kWrites) cube_ = source_.find(brick.at, place);
-    const Signs signs =
-        corners.known() == 255 ? corners.outside : code_signs(coder, brick, place, corners);
+    const Signs signs = corners.known() == 255 ? corners.outside : code_signs(coder, brick, place, corners);
     const ListedPattern& pattern = code_pattern(coder, signs);
     if constexpr (Coder::kWrites) surface_.cubes.push_back(cube_);
     surface_.add_faces(brick, place, pattern);
@@ -125,7 +124,8 @@ class Growth {
     KnownPatterns& known = models_.known[signs];
     std::uint32_t rank = 0;
     if constexpr (Coder::kWrites) {
-      while (rank < known.count && models_.patterns[known.numbers[rank]].pattern != source_.pattern(cube_)) ++rank;
+      while (rank < known.count && models_.patterns[known.numbers[rank]].pattern != source_.pattern(cube_))
+        ++rank;
     }
     if (known.count > 0 && !coder.bit(rank != 0, known.is_other)) [[likely]]
       return models_.patterns[known.numbers[0]];

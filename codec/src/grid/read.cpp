@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 #include <algorithm>
+#include <array>
 #include <memory>
 
 #include "base/broken_rule.h"
+#include "base/memory/large_vector.h"
 #include "base/try.h"
 #include "entropy/coder/reader.h"
 #include "format/chunk/tags.h"
+#include "format/vertex_positions.h"
 #include "grid/bounds.h"
 #include "grid/grid.h"
 #include "grid/growth.h"
 #include "grid/places.h"
 #include "grid/rest/rest.h"
+#include "positions/ordered_read.h"
 
 namespace deltamesh {
 namespace {
@@ -51,18 +55,21 @@ const char* read_surface(CompactReader& reader, const PredictiveParameters& para
   return place_inner(surface, parameters, cells) ? nullptr : "GRD-9";
 }
 
+/// A mesh on the lattice.
+struct GridCells {
+  LargeVector<std::array<std::uint32_t, 3>> triangles;
+  LargeVector<Cell> cells;  ///< of the vertices
+};
+
 /// Adds the faces in no cube, and the vertices that only they have.
-Result<void> read_rest(CompactReader& reader, const grid::RestPayloads& payloads, grid::RestModels& models,
-                       const PredictiveParameters& parameters, const grid::Surface& surface,
-                       std::uint32_t most_vertices, GridMesh& mesh) {
-  DELTAMESH_TRY(const grid::RestMesh rest, grid::read_rest(payloads, parameters.lattice));
-  const std::uint32_t own = surface.vertex_count;
-  const grid::VertexFinder finder(surface, mesh.cells, parameters.levels);
+Result<void> add_rest(CompactReader& reader, const grid::RestMesh& rest, grid::RestModels& models,
+                      const grid::VertexFinder& finder, std::uint32_t own, std::uint32_t vertices,
+                      GridCells& mesh) {
   std::vector<std::uint32_t> numbers;
   if (!code_shared(reader, rest.cells, finder, own, numbers, models)) return broken("GRD-11");
   std::size_t added = 0;
   for (const std::uint32_t number : numbers) added += number >= own ? 1 : 0;
-  if (added > most_vertices - own) return broken("GRD-8");
+  if (added > vertices - own) return broken("GRD-8");
   mesh.cells.resize(own + added);
   for (std::size_t v = 0; v < numbers.size(); ++v) mesh.cells[numbers[v]] = rest.cells[v];
   for (std::size_t i = 0; i < rest.triangles.size(); i += 3)
@@ -71,40 +78,54 @@ Result<void> read_rest(CompactReader& reader, const grid::RestPayloads& payloads
   return {};
 }
 
-}  // namespace
-
-Result<GridMesh> read_grid(const GridPayloads& payloads, const PredictiveParameters& parameters,
-                           std::uint32_t most_vertices, std::uint32_t most_triangles) {
-  auto limits = grid::limits_of(parameters, most_vertices, most_triangles);
+Result<GridCells> read_cells(const GridChunks& chunks, const PredictiveParameters& parameters,
+                             grid::Limits& limits) {
   if (!grid::are_few(limits.bricks)) return broken("GRD-1");
-  CompactReader reader(payloads.surface);
+  CompactReader reader(chunks.surface);
   grid::RestModels rest_models;
-  grid::RestPayloads rest;
-  code_rest_size(reader, rest, rest_models);
+  grid::RestSize size;
+  code_rest_size(reader, size, rest_models);
   // Every vertex of the rest is a face's, or is not the surface's.
-  const bool is_too_large =
-      rest.triangles > most_triangles || rest.vertices > std::uint64_t{3} * rest.triangles + most_vertices;
+  const bool is_too_large = size.triangles > limits.triangles ||
+                            size.vertices > std::uint64_t{3} * size.triangles + limits.vertices;
   if (is_too_large && !reader.failed()) return broken("GRD-8");
-  const bool has_rest = !payloads.rest_faces.empty() || !payloads.rest_positions.empty();
-  if (rest.vertices == 0 && (rest.triangles > 0 || has_rest) && !reader.failed()) return broken("GRD-11");
-  GridMesh mesh;
+  const bool has_rest = !chunks.rest_faces.empty() || !chunks.rest_positions.empty();
+  if (size.vertices == 0 && (size.triangles > 0 || has_rest) && !reader.failed()) return broken("GRD-11");
+  GridCells mesh;
   grid::Surface surface;
   if (!reader.failed()) {
-    limits.triangles -= rest.triangles;
+    limits.triangles -= size.triangles;
     // The usual share of a byte is far less; what comes beyond that moves.
-    const auto likely = [&](std::size_t most) { return std::min(most / 16, payloads.surface.size()) * 16; };
+    const auto likely = [&](std::size_t most) { return std::min(most / 16, chunks.surface.size()) * 16; };
     surface.triangles.reserve(likely(limits.triangles));
     surface.bricks.reserve(likely(limits.vertices));
     const char* const rule = read_surface(reader, parameters, limits, surface, mesh.cells);
     if (rule != nullptr && !reader.failed()) return broken(rule);
   }
   mesh.triangles = surface.triangles.take();
-  if (rest.vertices > 0 && !reader.failed()) {
-    rest.faces = payloads.rest_faces;
-    rest.positions = payloads.rest_positions;
-    DELTAMESH_CHECK(read_rest(reader, rest, rest_models, parameters, surface, most_vertices, mesh));
+  if (size.vertices > 0 && !reader.failed()) {
+    DELTAMESH_TRY(const auto rest,
+                  grid::read_rest(chunks.rest_faces, chunks.rest_positions, size, parameters.lattice));
+    const grid::VertexFinder finder(surface, mesh.cells, parameters.levels);
+    DELTAMESH_CHECK(add_rest(reader, rest, rest_models, finder, surface.vertex_count, limits.vertices, mesh));
   }
   DELTAMESH_CHECK(reader.finish(kTagGrid));
+  return mesh;
+}
+
+}  // namespace
+
+Result<GridMesh> read_grid(const GridChunks& chunks, const PredictiveParameters& parameters,
+                           std::uint32_t vertices, std::uint32_t triangles) {
+  auto limits = grid::limits_of(parameters, vertices, triangles);
+  DELTAMESH_TRY(const auto read, read_cells(chunks, parameters, limits));
+  if (read.cells.size() != vertices || read.triangles.size() != triangles) return broken("GRD-8");
+  GridMesh mesh;
+  reserve_large(mesh.triangles, 3 * read.triangles.size());
+  for (const auto& triangle : read.triangles)
+    mesh.triangles.insert(mesh.triangles.end(), triangle.begin(), triangle.end());
+  mesh.positions = to_rows(read.cells, parameters.lattice);
+  DELTAMESH_CHECK(check_finite(mesh.positions));
   return mesh;
 }
 

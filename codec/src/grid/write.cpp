@@ -128,8 +128,7 @@ std::optional<CodedGrid> write_grid(std::span<const std::uint32_t> triangles, st
   CompactWriter writer;
   writer.reserve(6 * cells.size());
   grid::RestModels rest_models;
-  grid::RestPayloads rest_size{
-      .vertices = rest.vertex_count(), .triangles = rest.face_count(), .faces = {}, .positions = {}};
+  grid::RestSize rest_size{.vertices = rest.vertex_count(), .triangles = rest.face_count()};
   code_rest_size(writer, rest_size, rest_models);
   const auto models = std::make_unique<grid::GrowthModels>();
   grid::Surface surface;

@@ -35,7 +35,7 @@ CodedGrid write(const CellMesh& mesh) {
   return write_grid(mesh.triangles, mesh.cells, mesh.parameters).value_or(CodedGrid{});
 }
 Result<GridMesh> read(const CellMesh& mesh, const GridPayloads& payloads) {
-  return read_grid(payloads, mesh.parameters, vertex_count(mesh), face_count(mesh));
+  return read_grid(chunks_of(payloads), mesh.parameters, vertex_count(mesh), face_count(mesh));
 }
 
 std::vector<std::uint32_t> ascending(std::vector<std::uint32_t> numbers) {
@@ -58,12 +58,12 @@ void expect_back(const CellMesh& mesh, const CodedGrid& coded) {
                 mesh.triangles[std::size_t{3} * coded.face_order[f] + (coded.face_rotation[f] + c) % 3]);
   const auto back = read(mesh, coded.payloads);
   ASSERT_TRUE(back) << back.error().message << back.error().rule;
-  ASSERT_EQ(back->triangles.size(), coded.face_order.size());
-  for (std::size_t i = 0; i < coded.triangles.size(); ++i)
-    ASSERT_EQ(back->triangles[i / 3][i % 3], coded.triangles[i]);
-  ASSERT_EQ(back->cells.size(), coded.vertex_order.size());
-  for (std::size_t v = 0; v < back->cells.size(); ++v)
-    ASSERT_EQ(back->cells[v], mesh.cells[coded.vertex_order[v]]);
+  ASSERT_EQ(back->triangles, coded.triangles);
+  std::vector<float> positions;
+  for (const std::uint32_t v : coded.vertex_order)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      positions.push_back(static_cast<float>(mesh.parameters.lattice.at(axis, mesh.cells[v][axis])));
+  ASSERT_EQ(back->positions, positions);
 }
 
 TEST(Grid, GRD3GRD4GRD5GRD7GRD10MarchingCubesComeBack) {
@@ -159,15 +159,19 @@ TEST(Grid, TheSameMeshGivesTheSameBytes) {
   EXPECT_EQ(write(mesh).payloads.surface, write(mesh).payloads.surface);
 }
 
-TEST(Grid, GRD8RefusesMoreThanIsAllowed) {
+TEST(Grid, GRD8RefusesMoreOrLessThanTheHeaderSays) {
   const CellMesh mesh = test::wavy_surface(24, 4);
   const GridPayloads payloads = write(mesh).payloads;
-  const auto vertices = read_grid(payloads, mesh.parameters, vertex_count(mesh) - 1, face_count(mesh));
-  ASSERT_FALSE(vertices);
-  EXPECT_STREQ(vertices.error().rule, "GRD-8");
-  const auto faces = read_grid(payloads, mesh.parameters, vertex_count(mesh), face_count(mesh) - 1);
-  ASSERT_FALSE(faces);
-  EXPECT_STREQ(faces.error().rule, "GRD-8");
+  for (const int step : {-1, 1}) {
+    const auto vertices =
+        read_grid(chunks_of(payloads), mesh.parameters, vertex_count(mesh) + step, face_count(mesh));
+    ASSERT_FALSE(vertices);
+    EXPECT_STREQ(vertices.error().rule, "GRD-8");
+    const auto faces =
+        read_grid(chunks_of(payloads), mesh.parameters, vertex_count(mesh), face_count(mesh) + step);
+    ASSERT_FALSE(faces);
+    EXPECT_STREQ(faces.error().rule, "GRD-8");
+  }
 }
 
 /// One face in each of `count` cubes at the corners of bricks, eight to a cube.
@@ -194,7 +198,7 @@ TEST(Grid, GRD8RefusesTooManyBricks) {
   limits.most_bricks = 1000;
   CompactWriter writer;
   grid::RestModels rest_models;
-  grid::RestPayloads rest;
+  grid::RestSize rest;
   code_rest_size(writer, rest, rest_models);
   const auto models = std::make_unique<grid::GrowthModels>();
   grid::Surface surface;
@@ -244,11 +248,12 @@ TEST(Grid, BrokenStreamsAreRefusedOrInRange) {
             static_cast<std::byte>(1U << random() % 8);
       const auto back = read(mesh, broken);
       if (!back) continue;
-      for (const auto& face : back->triangles)
-        for (const std::uint32_t v : face) ASSERT_LT(v, back->cells.size());
-      for (const Cell& cell : back->cells)
-        for (std::size_t axis = 0; axis < 3; ++axis)
-          ASSERT_LE(static_cast<std::uint32_t>(cell[axis]), mesh.parameters.lattice.cells[axis]);
+      for (const std::uint32_t v : back->triangles) ASSERT_LT(v, vertex_count(mesh));
+      for (std::size_t i = 0; i < back->positions.size(); ++i) {
+        ASSERT_GE(back->positions[i], mesh.parameters.lattice.at(i % 3, 0));
+        ASSERT_LE(back->positions[i],
+                  mesh.parameters.lattice.at(i % 3, mesh.parameters.lattice.cells[i % 3]));
+      }
     }
   }
 }

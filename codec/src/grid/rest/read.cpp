@@ -11,18 +11,18 @@
 
 namespace deltamesh::grid {
 
-Result<RestMesh> read_rest(const RestPayloads& payloads, const PositionLattice& lattice) {
+Result<RestMesh> read_rest(std::span<const std::byte> faces, std::span<const std::byte> positions,
+                           const RestSize& size, const PositionLattice& lattice) {
   const std::uint32_t largest = std::max({lattice.cells[0], lattice.cells[1], lattice.cells[2]});
   if (largest > kMostRestCells)
     return broken_rule("a lattice too large for faces in no cube", "GRD-11", kTagGrid);
   RestMesh rest;
-  DELTAMESH_TRY(auto faces, read_connectivity(payloads.faces, payloads.vertices, payloads.triangles));
-  rest.triangles = std::move(faces.triangles);
+  DELTAMESH_TRY(auto connectivity, read_connectivity(faces, size.vertices, size.triangles));
+  rest.triangles = std::move(connectivity.triangles);
   const PredictiveParameters whole{.kind = PositionKind::kLattice,
                                    .lattice = {.step = {1, 1, 1}, .cells = lattice.cells}};
-  DELTAMESH_TRY(const auto rows,
-                read_positions(payloads.positions, {rest.triangles, payloads.vertices}, whole, {}));
-  rest.cells.resize(payloads.vertices);
+  DELTAMESH_TRY(const auto rows, read_positions(positions, {rest.triangles, size.vertices}, whole, {}));
+  rest.cells.resize(size.vertices);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     // Replacements may be any finite numbers [POSN-11].
     const bool is_on_lattice = rows[i] >= 0 && rows[i] <= static_cast<float>(lattice.cells[i % 3]);

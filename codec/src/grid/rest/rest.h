@@ -20,24 +20,24 @@
 
 namespace deltamesh::grid {
 
-/// A mesh of its own on the lattice of the grid.
-struct RestPayloads {
+struct RestSize {
   std::uint32_t vertices = 0;
   std::uint32_t triangles = 0;
-  std::vector<std::byte> faces;      ///< as CONN's
-  std::vector<std::byte> positions;  ///< as POSN's, of PositionKind::kLattice
 };
 
 /// Coordinates of the rest are whole floats while they are decoded.
 inline constexpr std::uint32_t kMostRestCells = 1U << 24;
 
+/// A mesh of its own on the lattice of the grid.
 struct RestMesh {
   std::vector<std::uint32_t> triangles;  ///< m x 3
   std::vector<Cell> cells;               ///< of the vertices
 };
 
-/// Errors: kTruncated, kInvalidStream [CONN-*, POSN-*, GRD-11].
-Result<RestMesh> read_rest(const RestPayloads& payloads, const PositionLattice& lattice);
+/// `faces`: as CONN's; `positions`: as POSN's, of PositionKind::kLattice. Errors: kTruncated, kInvalidStream
+/// [CONN-*, POSN-*, GRD-11].
+Result<RestMesh> read_rest(std::span<const std::byte> faces, std::span<const std::byte> positions,
+                           const RestSize& size, const PositionLattice& lattice);
 
 /// Finds the vertices of a surface by where they are.
 class VertexFinder {
@@ -63,9 +63,9 @@ struct RestModels {
 
 /// The numbers of vertices and faces of the rest.
 template <class Coder>
-void code_rest_size(Coder& coder, RestPayloads& rest, RestModels& models) {
-  rest.triangles = coder.number(rest.triangles, models.triangles);
-  rest.vertices = coder.number(rest.vertices, models.vertices);
+void code_rest_size(Coder& coder, RestSize& size, RestModels& models) {
+  size.triangles = coder.number(size.triangles, models.triangles);
+  size.vertices = coder.number(size.vertices, models.vertices);
 }
 
 /// Which of the rest's vertices are the surface's at the same point. `numbers`: of them all, in the whole

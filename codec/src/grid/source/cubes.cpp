@@ -135,7 +135,8 @@ std::array<std::int8_t*, kCorners> SourceCubes::signs_around(std::uint32_t cube)
   const bool is_inner = beyond(cubes_[cube].place) == 0;
   const Address first = address_of(lowest);
   for (unsigned corner = 0; corner < kCorners; ++corner) {
-    const Node node = {lowest[0] + static_cast<int>(corner & 1), lowest[1] + static_cast<int>(corner >> 1 & 1),
+    const Node node = {lowest[0] + static_cast<int>(corner & 1),
+                       lowest[1] + static_cast<int>(corner >> 1 & 1),
                        lowest[2] + static_cast<int>(corner >> 2)};
     const Address address =
         is_inner ? Address{first.part, first.place + kCornerSteps[corner]} : address_of(node);
