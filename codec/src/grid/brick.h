@@ -33,7 +33,8 @@ inline constexpr std::array<std::uint16_t, 8> kCornerSteps = {0, 1, 16, 17, 256,
 /// What is beyond the brick of a cube: a bit for every axis on which it has corners in the next brick.
 constexpr unsigned beyond(unsigned place) noexcept {
   // A digit of 15 carries into the bit above it.
-  const unsigned carries = (place & 0xf) + 1 | (place & 0xf0) + 0x10 << 1 | (place & 0xf00) + 0x100 << 2;
+  const unsigned carries =
+      ((place & 0xf) + 1) | ((place & 0xf0) + 0x10) << 1 | ((place & 0xf00) + 0x100) << 2;
   return (carries >> 4 & 1) | (carries >> 8 & 2) | (carries >> 12 & 4);
 }
 
