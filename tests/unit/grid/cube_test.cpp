@@ -86,19 +86,31 @@ TEST(Window, GRD4SeesNodesOfAllBricks) {
       at[axis] = node[axis] / 16 - back;
       spot[axis] = node[axis] - 16 * at[axis];
     }
-    bricks.set_node(bricks.get(at), spot, state(node[0], node[1], node[2]) == 1);
+    // As a corner of the cube that begins there, or of the last one of the brick before.
+    unsigned corner = 0;
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      if (spot[axis] < kSide) continue;
+      spot[axis] = kSide - 1;
+      corner |= 1U << axis;
+    }
+    const auto own = static_cast<Signs>(1U << corner);
+    const bool is_outside = state(node[0], node[1], node[2]) == 1;
+    bricks.set_corners(bricks.get(at), place_of(spot), is_outside ? own : Signs{},
+                       is_outside ? Signs{} : own);
   }
   for (int z = 1; z < 36; ++z) {
     for (int y = 1; y < 36; ++y) {
       for (int x = 1; x < 36; ++x) {
         const Brick& brick = bricks.get({x / 16, y / 16, z / 16});
-        const Window window(brick, place_of({x % 16, y % 16, z % 16}));
+        const unsigned place = place_of({x % 16, y % 16, z % 16});
+        const Window window(brick, place);
+        const Corners corners(brick, place);
         for (unsigned corner = 0; corner < kCorners; ++corner) {
           const Spot at = {x + static_cast<int>(corner & 1), y + static_cast<int>(corner >> 1 & 1),
                            z + static_cast<int>(corner >> 2)};
           const int own = state(at[0], at[1], at[2]);
-          ASSERT_EQ(window.outside() >> corner & 1, own == 1 ? 1U : 0U);
-          ASSERT_EQ(window.inside() >> corner & 1, own == 2 ? 1U : 0U);
+          ASSERT_EQ(corners.outside >> corner & 1, own == 1 ? 1U : 0U);
+          ASSERT_EQ(corners.inside >> corner & 1, own == 2 ? 1U : 0U);
           int more = 0;
           for (int i = 0; i < 27; ++i) {
             const Spot other = {at[0] + i % 3 - 1, at[1] + i / 3 % 3 - 1, at[2] + i / 9 - 1};
