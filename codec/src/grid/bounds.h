@@ -14,7 +14,7 @@
 
 namespace deltamesh::grid {
 
-/// A brick takes some 11 kB. Maps have 80 vertices or more in each.
+/// A brick takes some 11 kB. Maps have 150 vertices or more in each, tenfold what is asked here.
 inline Limits limits_of(const PredictiveParameters& parameters, std::uint32_t vertices,
                         std::uint32_t triangles) noexcept {
   Limits limits{.vertices = vertices, .triangles = triangles, .voxel = 2 * parameters.levels};
