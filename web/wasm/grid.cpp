@@ -5,6 +5,7 @@
 #include "grid/grid.h"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "part.h"
@@ -27,9 +28,9 @@ DELTAMESH_EXPORT(call) PartOutcome* call(GridCall* handed) {
   const GridCall call = *handed;
   release(handed);
   using Bytes = std::vector<std::byte>;
-  const GridPayloads payloads{.surface = take_array<Bytes>(call.surface),
-                              .rest_faces = take_array<Bytes>(call.rest_faces),
-                              .rest_positions = take_array<Bytes>(call.rest_positions)};
+  const GridPayloads payloads{.surface = take_array<Bytes>(call.chunks[0]),
+                              .rest_faces = take_array<Bytes>(call.chunks[1]),
+                              .rest_positions = take_array<Bytes>(call.chunks[2])};
   kept.emplace();
   auto mesh = read_grid(chunks_of(payloads), call.parameters, call.vertices, call.triangles);
   if (!mesh) {
@@ -39,6 +40,7 @@ DELTAMESH_EXPORT(call) PartOutcome* call(GridCall* handed) {
   kept->mesh = *std::move(mesh);
   kept->outcome.returned.add(kept->mesh.triangles);
   kept->outcome.returned.add(kept->mesh.positions);
+  kept->outcome.returned.add(std::span(&kept->mesh.components, 1));
   return &kept->outcome;
 }
 

@@ -11,16 +11,13 @@ namespace deltamesh {
 Result<GridMesh> read_grid(const GridChunks& chunks, const PredictiveParameters& parameters,
                            std::uint32_t vertices, std::uint32_t triangles) {
   constexpr auto kPart = web::Part::kGrid;
-  const web::GridCall call{.parameters = parameters,
-                           .vertices = vertices,
-                           .triangles = triangles,
-                           .surface = web::hand_over(kPart, chunks.surface),
-                           .rest_faces = web::hand_over(kPart, chunks.rest_faces),
-                           .rest_positions = web::hand_over(kPart, chunks.rest_positions)};
+  web::GridCall call{.parameters = parameters, .vertices = vertices, .triangles = triangles};
+  for (std::size_t k = 0; k < chunks.size(); ++k) call.chunks[k] = web::hand_over(kPart, chunks[k]);
   DELTAMESH_TRY(const auto returned, web::call_part(kPart, call));
   GridMesh mesh;
   web::take_array(kPart, returned.arrays[0], mesh.triangles);
   web::take_array(kPart, returned.arrays[1], mesh.positions);
+  web::take(kPart, &mesh.components, returned.arrays[2].address, sizeof(mesh.components));
   return mesh;
 }
 

@@ -89,14 +89,13 @@ struct RareCall {
   Box box{};
 };
 
-/// The arguments of read_grid(). Returns an array of faces and one of floats for positions.
+/// The arguments of read_grid(). Returns an array of faces and one of floats for positions; the number of
+/// components is an array of one.
 struct GridCall {
   PredictiveParameters parameters{};
   std::uint32_t vertices = 0;
   std::uint32_t triangles = 0;
-  HandedArray surface{};
-  HandedArray rest_faces{};
-  HandedArray rest_positions{};
+  std::array<HandedArray, 3> chunks{};  ///< GridChunks
 };
 
 /// In a part: copies an array that was handed over, and releases it.

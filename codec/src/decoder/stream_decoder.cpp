@@ -19,12 +19,12 @@
 #include "connectivity/groups/names.h"
 #include "connectivity/plain/topology.h"
 #include "connectivity/seams/seams.h"
+#include "decoder/read_grid_chunks.h"
 #include "decoder/restore_order.h"
 #include "deltamesh/model_states.h"
 #include "entropy/expand_chunk.h"
 #include "format/chunk/kinds.h"
 #include "format/vertex_positions.h"
-#include "grid/grid.h"
 #include "highpass/highpass.h"
 #include "positions/plain.h"
 #include "positions/positions.h"
@@ -62,7 +62,8 @@ class StreamDecoder {
         options_(options),
         team_(team),
         start_(options.starting_states != nullptr ? &options.starting_states->models() : nullptr),
-        learnt_(learnt) {
+        learnt_(learnt),
+        is_of_grid_(is_of_grid(container)) {
     if (learnt != nullptr) learnt->colors.resize(header_.attributes.size());
   }
 
@@ -129,7 +130,7 @@ class StreamDecoder {
 
   /// Faces over the mesh's vertices; where seams split some, those over the geometric vertices as well.
   Result<void> read_faces(std::vector<std::uint32_t>& triangles) {
-    DELTAMESH_CHECK(is_of_grid(container_) ? read_faces_of_grid(triangles)
+    DELTAMESH_CHECK(is_of_grid_ ? read_faces_of_grid(triangles)
                                            : read_faces_of_connectivity(triangles));
     DELTAMESH_TRY(const auto seams, expand_single(container_, kTagSeams));
     if (seams.bytes().empty() && header_.vertices == header_.geometric_vertices) return {};
@@ -142,14 +143,10 @@ class StreamDecoder {
 
   /// With the positions, which wait.
   Result<void> read_faces_of_grid(std::vector<std::uint32_t>& triangles) {
-    DELTAMESH_TRY(const auto surface, expand_single(container_, kTagGrid));
-    DELTAMESH_TRY(const auto rest_faces, expand_single(container_, kTagConnectivity));
-    DELTAMESH_TRY(const auto rest_positions, expand_single(container_, kTagPositions));
-    DELTAMESH_TRY(auto mesh, read_grid({surface.bytes(), rest_faces.bytes(), rest_positions.bytes()},
-                                       header_.predictive, header_.geometric_vertices, header_.triangles));
+    DELTAMESH_TRY(auto mesh, read_grid_chunks(container_));
     triangles = std::move(mesh.triangles);
     grid_positions_ = std::move(mesh.positions);
-    return check_components(count_components(triangles, header_.geometric_vertices));
+    return check_components(mesh.components);
   }
 
   Result<void> read_faces_of_connectivity(std::vector<std::uint32_t>& triangles) {
@@ -212,7 +209,7 @@ class StreamDecoder {
   Result<std::vector<float>> read_predicted(std::span<const std::uint32_t> triangles) {
     if (learnt_ != nullptr && header_.predictive.kind == PositionKind::kVoxel)
       learnt_->voxels = header_.predictive;
-    if (is_of_grid(container_)) return std::move(grid_positions_);
+    if (is_of_grid_) return std::move(grid_positions_);
     DELTAMESH_TRY(const auto payload, expand_single(container_, kTagPositions));
     if (is_plain_)
       return read_plain_positions(payload.bytes(), header_.geometric_vertices, header_.predictive);
@@ -261,7 +258,7 @@ class StreamDecoder {
                                                  std::span<const float> positions) {
     if (header_.attributes.empty()) return std::vector<Attribute>();
     const AttributeSurface surface(triangles, header_.vertices, copies_, positions,
-                                   is_split() || is_of_grid(container_) ? nullptr : &open_edges_,
+                                   is_split() || is_of_grid_ ? nullptr : &open_edges_,
                                    std::exchange(attribute_graph_, std::nullopt));
     std::vector<Attribute> attributes(header_.attributes.size());
     DELTAMESH_CHECK(read_attributes_of(surface, false, attributes));
@@ -294,6 +291,7 @@ class StreamDecoder {
   ThreadTeam* team_;                                ///< null: this thread alone
   const StreamModels* start_;                       ///< null: fresh models
   StreamModels* learnt_;                            ///< null where they are not wanted
+  bool is_of_grid_;                                 ///< GRID has faces and positions
   std::vector<std::uint32_t> geometric_triangles_;  ///< empty where no vertex is split
   LargeVector<DirectedEdge> open_edges_;            ///< of the geometric faces
   std::vector<float> grid_positions_;               ///< n x 3 of a grid, until they are handed out

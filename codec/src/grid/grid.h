@@ -4,6 +4,7 @@
 // The grid coder: a mesh most of whose faces lie in the cubes of a grid, faces and positions at once [GRD-*].
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "deltamesh/result.h"
+#include "format/chunk/tags.h"
 #include "format/predictive_parameters.h"
 #include "positions/blend/blend.h"
 
@@ -25,12 +27,9 @@ struct GridPayloads {
   std::size_t bytes() const noexcept { return surface.size() + rest_faces.size() + rest_positions.size(); }
 };
 
-/// Such payloads, whoever has them.
-struct GridChunks {
-  std::span<const std::byte> surface;
-  std::span<const std::byte> rest_faces;
-  std::span<const std::byte> rest_positions;
-};
+/// Such payloads in their order, whoever has them, and the tags of their chunks.
+using GridChunks = std::array<std::span<const std::byte>, 3>;
+inline constexpr std::array kGridTags{kTagGrid, kTagConnectivity, kTagPositions};
 inline GridChunks chunks_of(const GridPayloads& payloads) noexcept {
   return {payloads.surface, payloads.rest_faces, payloads.rest_positions};
 }
@@ -53,6 +52,7 @@ std::optional<CodedGrid> write_grid(std::span<const std::uint32_t> triangles, st
 struct GridMesh {
   std::vector<std::uint32_t> triangles;  ///< m x 3
   std::vector<float> positions;          ///< n x 3
+  std::uint32_t components = 0;          ///< connected ones
 };
 
 /// What write_grid() wrote, of `vertices` and `triangles` in number. Errors: kTruncated, kInvalidStream

@@ -16,6 +16,7 @@
 #include "grid/places.h"
 #include "grid/rest/rest.h"
 #include "positions/ordered_read.h"
+#include "topology/adjacency.h"
 
 namespace deltamesh {
 namespace {
@@ -81,7 +82,8 @@ Result<void> add_rest(CompactReader& reader, const grid::RestMesh& rest, grid::R
 Result<GridCells> read_cells(const GridChunks& chunks, const PredictiveParameters& parameters,
                              grid::Limits& limits) {
   if (!grid::are_few(limits.bricks)) return broken("GRD-1");
-  CompactReader reader(chunks.surface);
+  const auto& [surface_bytes, rest_faces, rest_positions] = chunks;
+  CompactReader reader(surface_bytes);
   grid::RestModels rest_models;
   grid::RestSize size;
   code_rest_size(reader, size, rest_models);
@@ -89,14 +91,16 @@ Result<GridCells> read_cells(const GridChunks& chunks, const PredictiveParameter
   const bool is_too_large = size.triangles > limits.triangles ||
                             size.vertices > std::uint64_t{3} * size.triangles + limits.vertices;
   if (is_too_large && !reader.failed()) return broken("GRD-8");
-  const bool has_rest = !chunks.rest_faces.empty() || !chunks.rest_positions.empty();
+  const bool has_rest = !rest_faces.empty() || !rest_positions.empty();
   if (size.vertices == 0 && (size.triangles > 0 || has_rest) && !reader.failed()) return broken("GRD-11");
   GridCells mesh;
   grid::Surface surface;
   if (!reader.failed()) {
     limits.triangles -= size.triangles;
     // The usual share of a byte is far less; what comes beyond that moves.
-    const auto likely = [&](std::size_t most) { return std::min(most / 16, chunks.surface.size()) * 16; };
+    const auto likely = [bytes = surface_bytes.size()](std::size_t most) {
+      return std::min(most / 16, bytes) * 16;
+    };
     surface.triangles.reserve(likely(limits.triangles));
     surface.bricks.reserve(likely(limits.vertices));
     const char* const rule = read_surface(reader, parameters, limits, surface, mesh.cells);
@@ -104,8 +108,7 @@ Result<GridCells> read_cells(const GridChunks& chunks, const PredictiveParameter
   }
   mesh.triangles = surface.triangles.take();
   if (size.vertices > 0 && !reader.failed()) {
-    DELTAMESH_TRY(const auto rest,
-                  grid::read_rest(chunks.rest_faces, chunks.rest_positions, size, parameters.lattice));
+    DELTAMESH_TRY(const auto rest, grid::read_rest(rest_faces, rest_positions, size, parameters.lattice));
     const grid::VertexFinder finder(surface, mesh.cells, parameters.levels);
     DELTAMESH_CHECK(add_rest(reader, rest, rest_models, finder, surface.vertex_count, limits.vertices, mesh));
   }
@@ -126,6 +129,7 @@ Result<GridMesh> read_grid(const GridChunks& chunks, const PredictiveParameters&
     mesh.triangles.insert(mesh.triangles.end(), triangle.begin(), triangle.end());
   mesh.positions = to_rows(read.cells, parameters.lattice);
   DELTAMESH_CHECK(check_finite(mesh.positions));
+  mesh.components = count_components(mesh.triangles, vertices);
   return mesh;
 }
 
