@@ -130,8 +130,7 @@ class StreamDecoder {
 
   /// Faces over the mesh's vertices; where seams split some, those over the geometric vertices as well.
   Result<void> read_faces(std::vector<std::uint32_t>& triangles) {
-    DELTAMESH_CHECK(is_of_grid_ ? read_faces_of_grid(triangles)
-                                           : read_faces_of_connectivity(triangles));
+    DELTAMESH_CHECK(is_of_grid_ ? read_faces_of_grid(triangles) : read_faces_of_connectivity(triangles));
     DELTAMESH_TRY(const auto seams, expand_single(container_, kTagSeams));
     if (seams.bytes().empty() && header_.vertices == header_.geometric_vertices) return {};
     DELTAMESH_TRY(auto split,
