@@ -1,13 +1,11 @@
 """GRID: surfaces in the cubes of a grid: grid.md. Nodes, and cubes by their lowest nodes, are triples; an edge is a pair of its axis and its first node."""
-import copy
 from collections import defaultdict, deque
 from logging import debug
 
 from coder import Coder, Mixture, NumberModel, States, SymbolModel, bits, clamp
-from container import LATTICE, VOXELS, must
+from container import VOXELS, must, unzigzag
 from glue import CONN_8_faces
-from lattice import POSN_2_positions
-from posn import POSN_1_positions
+from lattice import POSN_2_positions, POSN_3_known, POSN_8_table, PredictedCoder
 
 INSIDE, ONE_OVER = 12, (0, 256, 128, 85, 64)
 
@@ -268,25 +266,43 @@ class Levels:
         return ((8 * first[1] + last[1]) * 6 + clamp((mean + 48) >> 4, 0, 5),
                 (4 * c + spread) * 6 + clamp((line + 24) >> 3, 0, 5), 4 * (first[2] + 2 * last[2]) + spread)
 
-def GRD_11_rest(coder, chunks, header, rows, inner, count, faces):
-    """The rest: adds to the faces, returns its own vertices."""
-    must(max(header.cells) <= 2**24, "GRD-11", f"cells {header.cells}")
-    rest, found, added, numbers, is_shared = copy.copy(header), {}, [], [], CountedBit()
-    rest.geometric, rest.coder, rest.steps, rest.first, rest.lattice_origin = count[1], LATTICE, [1.0] * 3, [0] * 3, [0.0] * 3
-    own_faces = CONN_8_faces(chunks["CONN"], count[0], count[1], States())
-    points = [tuple(q) for q in POSN_1_positions(chunks["POSN"], rest, own_faces, States()).tolist()]
-    for v in sorted(rows, key=lambda v: (v not in inner, v)):
-        found.setdefault(tuple(rows[v]), v)
-    for point in points:
-        must(all(q == int(q) and 0 <= q <= most for q, most in zip(point, header.cells)), "GRD-11", f"a point at {point}")
-        if is_shared.decode(coder):
-            must(point in found, "GRD-11", f"the surface has no vertex at {point}")
-            numbers.append(found[point])
-        else:
-            numbers.append(len(rows) + len(added))
-            added.append(point)
-    faces += [tuple(numbers[v] for v in face) for face in own_faces]
-    return added
+class Rest:
+    """[GRD-11] `faces` in no cube; coordinates of vertices that are not the surface's, `added`. Places are nodes with kinds."""
+    INSIDE, FREE = 3, 4
+
+    def __init__(self, coder, chunk, header, surface, rows, count):
+        self.coder, self.rows, self.places, numbers, self.added = coder, rows, [], [], []
+        self.at = {v: (node, axis) for (axis, node), v in surface.edges.items()}
+        self.at |= {v: (tuple(q // surface.width for q in row), self.INSIDE) for v, row in surface.inner.items()}
+        self.vertices, self.last = {place: v for v, place in self.at.items()}, 0
+        faces = CONN_8_faces(chunk, *count, States())
+        self.known, is_shared = POSN_3_known(faces, count[1]), [CountedBit() for _ in range(4)]
+        self.number, self.kinds, self.steps = NumberModel(), [even_model(4) for _ in range(5)], defaultdict(NumberModel)
+        field = PredictedCoder(coder, self.known, POSN_8_table(coder), header.cells, coder.raw(1))
+        for v, known in enumerate(self.known):
+            free = [self.places[u][1] == self.FREE for u in known.faces[0][:2]] if known.faces else []
+            if is_shared[1 + sum(free) if free else 0].decode(coder):
+                number = self.told_by_step(self.places[known.faces[0][0]], header) if free else self.told_by_number()
+                field.rows[v], field.sizes[v], field.residuals[v] = rows[number], [0] * 3, [0] * 3
+                self.places.append(self.at[number])
+            else:
+                number = len(rows) + len(self.added)
+                self.added.append(field.decode(v))
+                self.places.append((tuple(q // surface.width for q in field.rows[v]), self.FREE))
+            numbers.append(number)
+        self.faces = [tuple(numbers[v] for v in face) for face in faces]
+
+    def told_by_number(self):
+        self.last = (self.last + unzigzag(self.number.decode(self.coder))) % 2**32
+        must(self.last < len(self.rows), "GRD-11", f"vertex {self.last}")
+        return self.last
+
+    def told_by_step(self, near, header):
+        kind = self.coder.symbol([self.kinds[near[1]]])
+        node = tuple(x + unzigzag(self.steps[near[1], kind, axis].decode(self.coder)) for axis, x in enumerate(near[0]))
+        must(all(0 <= x <= most for x, most in zip(node, header.cells)), "GRD-11", f"node {node}")
+        must((node, kind) in self.vertices, "GRD-11", f"the surface has no vertex of kind {kind} at {node}")
+        return self.vertices[node, kind]
 
 def GRD_12_read(chunks, header):
     """Faces and positions of the geometric vertices, in doubles."""
@@ -294,13 +310,14 @@ def GRD_12_read(chunks, header):
     count = NumberModel().decode(coder), NumberModel().decode(coder)
     must(count[0] <= header.triangles, "GRD-8", f"{count[0]} faces of the rest")
     must(count[1] <= 3 * count[0] + header.geometric, "GRD-8", f"{count[1]} vertices of the rest")
-    must(count[1] or not (count[0] or chunks["CONN"].data or chunks["POSN"].data), "GRD-11", "a rest without vertices")
+    must(count[1] or not (count[0] or chunks["CONN"].data), "GRD-11", "a rest without vertices")
     surface = Surface(coder, header, header.triangles - count[0])
     rows, faces = Levels(coder, header, surface).rows | surface.inner, surface.faces
     inner = surface.inner.values()
     must(all(0 <= q <= most for row in inner for q, most in zip(row, header.cells)), "GRD-9", "a vertex beyond the lattice")
     debug("grid: nodes %s\nfaces %s\nlattice points %s", surface.nodes, faces, rows)
-    added = GRD_11_rest(coder, chunks, header, rows, surface.inner, count, faces) if count[1] else []
+    rest = Rest(coder, chunks["CONN"], header, surface, rows, count) if count[1] else None
+    faces, added = (faces + rest.faces, rest.added) if rest else (faces, [])
     chunks["GRID"].end()
     must(len(faces) == header.triangles, "GRD-8", f"{len(faces)} faces")
     must(len(rows) + len(added) == header.geometric, "GRD-8", f"{len(rows) + len(added)} vertices")

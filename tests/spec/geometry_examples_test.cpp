@@ -56,8 +56,7 @@ TEST(GeometryExamples, GRD11GRD12ACornerInsideAndAFaceBesideIt) {
   const auto faces = line_of<std::uint32_t>("grid.md", "faces");
   const auto q = line_of<std::int32_t>("grid.md", "q");
   const GridPayloads payloads{.surface = bytes_of("grid.md", "payload"),
-                              .rest_faces = bytes_of("grid.md", "conn"),
-                              .rest_positions = bytes_of("grid.md", "posn")};
+                              .rest_faces = bytes_of("grid.md", "conn")};
   const PredictiveParameters parameters{
       .kind = PositionKind::kVoxel, .lattice = {.cells = {8, 8, 8}}, .levels = 2};
   const auto read = read_grid(chunks_of(payloads), parameters, 8, 10);
@@ -70,7 +69,6 @@ TEST(GeometryExamples, GRD11GRD12ACornerInsideAndAFaceBesideIt) {
   ASSERT_TRUE(written);
   EXPECT_EQ(written->payloads.surface, payloads.surface);
   EXPECT_EQ(written->payloads.rest_faces, payloads.rest_faces);
-  EXPECT_EQ(written->payloads.rest_positions, payloads.rest_positions);
 }
 
 TEST(GeometryExamples, FLT1FLT2FLT3FLT4FourPoints) {

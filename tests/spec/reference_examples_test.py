@@ -113,7 +113,7 @@ def examples():
     yield "posn.md", positions("posn.md", lattice(LATTICE, 4, cells=[4, 4, 3]), TWO), line("posn.md", "q")
     yield ("posn_voxels.md", positions("posn_voxels.md", lattice(VOXELS, 6, cells=[5, 8, 3], levels=2), triples(line("posn_voxels.md", "faces"))),
            line("posn_voxels.md", "q"))
-    chunks = {tag: chunk("grid.md", name) for tag, name in (("GRID", "payload"), ("CONN", "conn"), ("POSN", "posn"))}
+    chunks = {tag: chunk("grid.md", name) for tag, name in (("GRID", "payload"), ("CONN", "conn"))}
     faces, points = GRD_12_read(chunks, lattice(VOXELS, 8, cells=[8, 8, 8], levels=2, triangles=10))
     yield "grid.md faces", faces, line("grid.md", "faces")
     yield "grid.md positions", points, line("grid.md", "q")

@@ -29,8 +29,7 @@ DELTAMESH_EXPORT(call) PartOutcome* call(GridCall* handed) {
   release(handed);
   using Bytes = std::vector<std::byte>;
   const GridPayloads payloads{.surface = take_array<Bytes>(call.chunks[0]),
-                              .rest_faces = take_array<Bytes>(call.chunks[1]),
-                              .rest_positions = take_array<Bytes>(call.chunks[2])};
+                              .rest_faces = take_array<Bytes>(call.chunks[1])};
   kept.emplace();
   auto mesh = read_grid(chunks_of(payloads), call.parameters, call.vertices, call.triangles);
   if (!mesh) {

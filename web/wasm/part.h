@@ -95,7 +95,7 @@ struct GridCall {
   PredictiveParameters parameters{};
   std::uint32_t vertices = 0;
   std::uint32_t triangles = 0;
-  std::array<HandedArray, 3> chunks{};  ///< GridChunks
+  std::array<HandedArray, 2> chunks{};  ///< GridChunks
 };
 
 /// In a part: copies an array that was handed over, and releases it.

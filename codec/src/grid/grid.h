@@ -21,17 +21,16 @@ namespace deltamesh {
 /// Faces that lie in no cube are an ordinary mesh, which is glued to the others.
 struct GridPayloads {
   std::vector<std::byte> surface;
-  std::vector<std::byte> rest_faces;      ///< as CONN's; empty where there are none
-  std::vector<std::byte> rest_positions;  ///< as POSN's on the grid's lattice, of these and of lone vertices
+  std::vector<std::byte> rest_faces;  ///< as CONN's; empty where there are none
 
-  std::size_t bytes() const noexcept { return surface.size() + rest_faces.size() + rest_positions.size(); }
+  std::size_t bytes() const noexcept { return surface.size() + rest_faces.size(); }
 };
 
 /// Such payloads in their order, whoever has them, and the tags of their chunks.
-using GridChunks = std::array<std::span<const std::byte>, 3>;
-inline constexpr std::array kGridTags{kTagGrid, kTagConnectivity, kTagPositions};
+using GridChunks = std::array<std::span<const std::byte>, 2>;
+inline constexpr std::array kGridTags{kTagGrid, kTagConnectivity};
 inline GridChunks chunks_of(const GridPayloads& payloads) noexcept {
-  return {payloads.surface, payloads.rest_faces, payloads.rest_positions};
+  return {payloads.surface, payloads.rest_faces};
 }
 
 struct CodedGrid {
@@ -44,8 +43,8 @@ struct CodedGrid {
 };
 
 /// `triangles`: m x 3; `cells`: of its n vertices, on the lattice of `parameters`, which are of
-/// PositionKind::kVoxel. Nothing where the grid is too large [GRD-1], where faces that lie in no cube have
-/// one too large [GRD-11], or where they are most. O(n + m).
+/// PositionKind::kVoxel. Nothing where the grid is too large [GRD-1], or where most faces lie in no cube.
+/// O(n + m log m).
 std::optional<CodedGrid> write_grid(std::span<const std::uint32_t> triangles, std::span<const Cell> cells,
                                     const PredictiveParameters& parameters);
 

@@ -7,6 +7,7 @@
 #include "base/broken_rule.h"
 #include "base/memory/large_vector.h"
 #include "base/try.h"
+#include "connectivity/faces/faces.h"
 #include "entropy/coder/reader.h"
 #include "format/chunk/tags.h"
 #include "format/vertex_positions.h"
@@ -62,27 +63,29 @@ struct GridCells {
   LargeVector<Cell> cells;  ///< of the vertices
 };
 
-/// Adds the faces in no cube, and the vertices that only they have.
-Result<void> add_rest(CompactReader& reader, const grid::RestMesh& rest, grid::RestModels& models,
-                      const grid::VertexFinder& finder, std::uint32_t own, std::uint32_t vertices,
-                      GridCells& mesh) {
-  std::vector<std::uint32_t> numbers;
-  if (!code_shared(reader, rest.cells, finder, own, numbers, models)) return broken("GRD-11");
-  std::size_t added = 0;
-  for (const std::uint32_t number : numbers) added += number >= own ? 1 : 0;
-  if (added > vertices - own) return broken("GRD-8");
-  mesh.cells.resize(own + added);
-  for (std::size_t v = 0; v < numbers.size(); ++v) mesh.cells[numbers[v]] = rest.cells[v];
-  for (std::size_t i = 0; i < rest.triangles.size(); i += 3)
-    mesh.triangles.push_back(
-        {numbers[rest.triangles[i]], numbers[rest.triangles[i + 1]], numbers[rest.triangles[i + 2]]});
+/// Adds the faces in no cube, and the vertices that only they have. `triangles`: over those of the rest.
+Result<void> add_rest(CompactReader& reader, std::span<const std::uint32_t> triangles,
+                      const grid::RestSize& size, grid::RestModels& models, const grid::Surface& surface,
+                      const PredictiveParameters& parameters, GridCells& mesh) {
+  const KnownFaces faces({triangles, size.vertices});
+  std::vector<std::uint32_t> numbers(size.vertices);
+  std::vector<Cell> cells(size.vertices);
+  const grid::VertexFinder finder(surface, mesh.cells, parameters.levels);
+  if (!grid::RestCoder(reader, models, faces, finder, parameters.lattice.cells).code({}, numbers, cells) ||
+      reader.failed())
+    return broken("GRD-11");
+  const std::size_t of_surface = mesh.cells.size();
+  for (std::size_t v = 0; v < numbers.size(); ++v)
+    if (numbers[v] >= of_surface) mesh.cells.push_back(cells[v]);
+  for (std::size_t i = 0; i < triangles.size(); i += 3)
+    mesh.triangles.push_back({numbers[triangles[i]], numbers[triangles[i + 1]], numbers[triangles[i + 2]]});
   return {};
 }
 
 Result<GridCells> read_cells(const GridChunks& chunks, const PredictiveParameters& parameters,
                              grid::Limits& limits) {
   if (!grid::are_few(limits.bricks)) return broken("GRD-1");
-  const auto& [surface_bytes, rest_faces, rest_positions] = chunks;
+  const auto& [surface_bytes, rest_faces] = chunks;
   CompactReader reader(surface_bytes);
   grid::RestModels rest_models;
   grid::RestSize size;
@@ -91,8 +94,8 @@ Result<GridCells> read_cells(const GridChunks& chunks, const PredictiveParameter
   const bool is_too_large = size.triangles > limits.triangles ||
                             size.vertices > std::uint64_t{3} * size.triangles + limits.vertices;
   if (is_too_large && !reader.failed()) return broken("GRD-8");
-  const bool has_rest = !rest_faces.empty() || !rest_positions.empty();
-  if (size.vertices == 0 && (size.triangles > 0 || has_rest) && !reader.failed()) return broken("GRD-11");
+  if (size.vertices == 0 && (size.triangles > 0 || !rest_faces.empty()) && !reader.failed())
+    return broken("GRD-11");
   GridCells mesh;
   grid::Surface surface;
   if (!reader.failed()) {
@@ -108,9 +111,8 @@ Result<GridCells> read_cells(const GridChunks& chunks, const PredictiveParameter
   }
   mesh.triangles = surface.triangles.take();
   if (size.vertices > 0 && !reader.failed()) {
-    DELTAMESH_TRY(const auto rest, grid::read_rest(rest_faces, rest_positions, size, parameters.lattice));
-    const grid::VertexFinder finder(surface, mesh.cells, parameters.levels);
-    DELTAMESH_CHECK(add_rest(reader, rest, rest_models, finder, surface.vertex_count, limits.vertices, mesh));
+    DELTAMESH_TRY(const auto faces, read_connectivity(rest_faces, size.vertices, size.triangles));
+    DELTAMESH_CHECK(add_rest(reader, faces.triangles, size, rest_models, surface, parameters, mesh));
   }
   DELTAMESH_CHECK(reader.finish(kTagGrid));
   return mesh;

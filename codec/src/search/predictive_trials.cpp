@@ -161,7 +161,6 @@ std::optional<Candidate> PredictiveTrials::in_cubes(const LatticeTrial& trial) c
   candidate.chunks = ChunkList(request_.profile, request_.effort);
   candidate.chunks.add(kTagGrid, std::exchange(grid->payloads.surface, {}));
   candidate.chunks.add(kTagConnectivity, std::exchange(grid->payloads.rest_faces, {}));
-  candidate.chunks.add(kTagPositions, std::exchange(grid->payloads.rest_positions, {}));
   candidate.grid = std::move(grid);
   candidate.bytes = rest_.bytes_with(candidate);
   return candidate;

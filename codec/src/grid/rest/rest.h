@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Faces that lie in no cube of a grid, as an ordinary mesh, some of whose vertices are the surface's
-// [GRD-11].
+// Vertices of faces that lie in no cube of a grid: some are the surface's, the others have places of their
+// own [GRD-11]. One template for both directions.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
-#include "deltamesh/result.h"
+#include "base/numbers/zigzag.h"
 #include "entropy/coder/counted_bit.h"
 #include "entropy/coder/number_model.h"
-#include "format/predictive_parameters.h"
-#include "grid/surface.h"
-#include "positions/blend/blend.h"
+#include "grid/models.h"
+#include "grid/rest/vertex_finder.h"
+#include "positions/lattice/coder.h"
 
 namespace deltamesh::grid {
 
@@ -25,40 +25,17 @@ struct RestSize {
   std::uint32_t triangles = 0;
 };
 
-/// Coordinates of the rest are whole floats while they are decoded.
-inline constexpr std::uint32_t kMostRestCells = 1U << 24;
-
-/// A mesh of its own on the lattice of the grid.
-struct RestMesh {
-  std::vector<std::uint32_t> triangles;  ///< m x 3
-  std::vector<Cell> cells;               ///< of the vertices
-};
-
-/// `faces`: as CONN's; `positions`: as POSN's, of PositionKind::kLattice. Errors: kTruncated, kInvalidStream
-/// [CONN-*, POSN-*, GRD-11].
-Result<RestMesh> read_rest(std::span<const std::byte> faces, std::span<const std::byte> positions,
-                           const RestSize& size, const PositionLattice& lattice);
-
-/// Finds the vertices of a surface by where they are.
-class VertexFinder {
- public:
-  /// `cells`: of the surface's vertices. Both must outlive it.
-  VertexFinder(const Surface& surface, std::span<const Cell> cells, std::uint32_t levels);
-
-  /// The vertex at this point of the lattice, or kNoVertex.
-  std::uint32_t find(const Cell& cell) const noexcept;
-
- private:
-  const Surface& surface_;
-  std::span<const Cell> cells_;
-  std::int32_t voxel_;
-  std::vector<std::pair<Cell, std::uint32_t>> inner_;  ///< vertices inside cubes, ascending
-};
-
 struct RestModels {
   NumberModel vertices;
   NumberModel triangles;
-  CountedBit is_shared;
+  std::array<CountedBit, 4> is_shared;
+  NumberModel number;
+  std::array<SymbolModel, VertexPlace::kFree + 1> axis = [] {
+    std::array<SymbolModel, VertexPlace::kFree + 1> models{};
+    models.fill(even_model(VertexPlace::kInCube + 1));
+    return models;
+  }();
+  std::array<std::array<std::array<NumberModel, 3>, VertexPlace::kInCube + 1>, VertexPlace::kFree + 1> steps;
 };
 
 /// The numbers of vertices and faces of the rest.
@@ -68,21 +45,93 @@ void code_rest_size(Coder& coder, RestSize& size, RestModels& models) {
   size.vertices = coder.number(size.vertices, models.vertices);
 }
 
-/// Which of the rest's vertices are the surface's at the same point. `numbers`: of them all, in the whole
-/// mesh: those of the surface, then the rest's own. A writer knows `numbers`. False where the surface has
-/// none at a point.
+/// How places of its own are coded.
+struct RestForm {
+  BlendTable blends = kUsualBlends;
+  bool guesses = false;
+};
+
 template <class Coder>
-bool code_shared(Coder& coder, std::span<const Cell> rest, const VertexFinder& finder, std::uint32_t own,
-                 std::vector<std::uint32_t>& numbers, RestModels& models) {
-  numbers.resize(rest.size());
-  std::uint32_t next = own;
-  for (std::size_t v = 0; v < rest.size(); ++v) {
-    const bool is_shared = coder.bit(Coder::kWrites && numbers[v] < own, models.is_shared);
-    const std::uint32_t number = is_shared ? finder.find(rest[v]) : next++;
-    if (number == kNoVertex || (Coder::kWrites && number != numbers[v])) return false;
-    numbers[v] = number;
+class RestCoder {
+ public:
+  /// `faces`: of the rest; `finder`: of the surface's vertices; `largest`: the most that a coordinate may be.
+  RestCoder(Coder& coder, RestModels& models, const KnownFaces& faces, const VertexFinder& finder,
+            const std::array<std::uint32_t, 3>& largest)
+      : coder_(coder),
+        models_(models),
+        faces_(faces),
+        finder_(finder),
+        largest_(largest),
+        places_(faces.vertex_count()) {}
+
+  /// `numbers`: of the rest's vertices, in the whole mesh: those of the surface, then the rest's own;
+  /// `cells`: where they are. A writer's are read, a reader's made. False where the surface has no such
+  /// vertex, or a coordinate is beyond the largest.
+  bool code(RestForm form, std::span<std::uint32_t> numbers, std::span<Cell> cells) {
+    code_blends(coder_, form.blends);
+    form.guesses = coder_.bits(form.guesses ? 1 : 0, 1) != 0;
+    LatticeCoder<Coder> field(coder_, faces_, largest_, form.blends, form.guesses);
+    field.clear_history();
+    const auto of_surface = static_cast<std::uint32_t>(finder_.cells().size());
+    std::uint32_t next = of_surface;
+    for (std::uint32_t v = 0; v < numbers.size(); ++v) {
+      const NearCorners near = faces_.near(v);
+      const bool is_shared = Coder::kWrites && numbers[v] < of_surface;
+      if (coder_.bit(is_shared, models_.is_shared[surrounding(near)])) {
+        if (!(near.known_count == 0 ? code_number(numbers[v]) : code_step(places_[near.a[0]], numbers[v])))
+          return false;
+        cells[v] = finder_.cells()[numbers[v]];
+        places_[v] = finder_.place_of(numbers[v]);
+      } else {
+        if (!field.code_vertex(v, 3, cells)) return false;
+        numbers[v] = next++;
+        places_[v] = {finder_.node_of(cells[v]), VertexPlace::kFree};
+      }
+    }
+    return true;
   }
-  return true;
-}
+
+ private:
+  /// Of the first known face's corners, which are the surface's: 1 both, 2 one, 3 none; 0 without a face.
+  std::size_t surrounding(const NearCorners& near) const noexcept {
+    if (near.known_count == 0) return 0;
+    const auto is_free = [&](std::uint32_t v) { return places_[v].axis == VertexPlace::kFree ? 1U : 0U; };
+    return 1 + is_free(near.a[0]) + is_free(near.b[0]);
+  }
+
+  /// As the difference to the last vertex that was coded so.
+  bool code_number(std::uint32_t& number) {
+    const auto step = static_cast<std::int32_t>(number - last_number_);
+    const std::uint32_t code = coder_.number(zigzag(step), models_.number);
+    last_number_ += static_cast<std::uint32_t>(unzigzag(code));
+    number = last_number_;
+    return number < finder_.cells().size();
+  }
+
+  /// By its place beside another vertex'.
+  bool code_step(const VertexPlace& near, std::uint32_t& number) {
+    VertexPlace place;
+    if constexpr (Coder::kWrites) place = finder_.place_of(number);
+    place.axis = coder_.symbol(place.axis, Mixture<1>{{&models_.axis[near.axis]}});
+    if (place.axis > VertexPlace::kInCube) return false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t code =
+          coder_.number(zigzag(place.node[k] - near.node[k]), models_.steps[near.axis][place.axis][k]);
+      const std::int64_t node = std::int64_t{near.node[k]} + unzigzag(code);
+      if (node < 0 || node > std::int64_t{largest_[k]}) return false;
+      place.node[k] = static_cast<std::int32_t>(node);
+    }
+    number = finder_.find(place);
+    return number != kNoVertex;
+  }
+
+  Coder& coder_;
+  RestModels& models_;
+  const KnownFaces& faces_;
+  const VertexFinder& finder_;
+  std::array<std::uint32_t, 3> largest_;
+  std::vector<VertexPlace> places_;  ///< of the vertices so far
+  std::uint32_t last_number_ = 0;
+};
 
 }  // namespace deltamesh::grid
