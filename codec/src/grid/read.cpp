@@ -71,9 +71,10 @@ Result<void> add_rest(CompactReader& reader, std::span<const std::uint32_t> tria
   std::vector<std::uint32_t> numbers(size.vertices);
   std::vector<Cell> cells(size.vertices);
   const grid::VertexFinder finder(surface, mesh.cells, parameters.levels);
-  if (!grid::RestCoder(reader, models, faces, finder, parameters.lattice.cells).code({}, numbers, cells) ||
-      reader.failed())
-    return broken("GRD-11");
+  const char* const rule =
+      grid::RestCoder(reader, models, faces, finder, parameters.lattice.cells).code({}, numbers, cells);
+  if (reader.failed()) return {};
+  if (rule != nullptr) return broken(rule);
   const std::size_t of_surface = mesh.cells.size();
   for (std::size_t v = 0; v < numbers.size(); ++v)
     if (numbers[v] >= of_surface) mesh.cells.push_back(cells[v]);

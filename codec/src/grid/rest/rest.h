@@ -65,9 +65,8 @@ class RestCoder {
         places_(faces.vertex_count()) {}
 
   /// `numbers`: of the rest's vertices, in the whole mesh: those of the surface, then the rest's own;
-  /// `cells`: where they are. A writer's are read, a reader's made. False where the surface has no such
-  /// vertex, or a coordinate is beyond the largest.
-  bool code(RestForm form, std::span<std::uint32_t> numbers, std::span<Cell> cells) {
+  /// `cells`: where they are. A writer's are read, a reader's made. Null, or the rule that a stream breaks.
+  const char* code(RestForm form, std::span<std::uint32_t> numbers, std::span<Cell> cells) {
     code_blends(coder_, form.blends);
     form.guesses = coder_.bits(form.guesses ? 1 : 0, 1) != 0;
     LatticeCoder<Coder> field(coder_, faces_, largest_, form.blends, form.guesses);
@@ -79,16 +78,16 @@ class RestCoder {
       const bool is_shared = Coder::kWrites && numbers[v] < of_surface;
       if (coder_.bit(is_shared, models_.is_shared[surrounding(near)])) {
         if (!(near.known_count == 0 ? code_number(numbers[v]) : code_step(places_[near.a[0]], numbers[v])))
-          return false;
+          return "GRD-11";
         cells[v] = finder_.cells()[numbers[v]];
         places_[v] = finder_.place_of(numbers[v]);
       } else {
-        if (!field.code_vertex(v, 3, cells)) return false;
+        if (!field.code_vertex(v, 3, cells)) return "POSN-7";
         numbers[v] = next++;
         places_[v] = {finder_.node_of(cells[v]), VertexPlace::kFree};
       }
     }
-    return true;
+    return nullptr;
   }
 
  private:
