@@ -54,11 +54,18 @@ SourceCubes::Address SourceCubes::address_of(const Node& node) {
   const std::uint32_t brick = (at(2) * bricks_[1] + at(1)) * bricks_[0] + at(0);
   if (brick != last_brick_) {
     const auto [found, is_new] = part_numbers_.try_emplace(brick, static_cast<std::uint32_t>(parts_.size()));
-    if (is_new) parts_.emplace_back(std::make_unique<Part>())->cubes.fill(fresh_);
+    if (is_new) parts_.push_back(std::make_unique<Part>());
+    if (is_new && !cubes_.empty()) parts_.back()->cubes.fill(Part::kNoCube);
     last_brick_ = brick;
     last_part_ = found->second;
   }
   return {last_part_, place_of({node[0] % kSide, node[1] % kSide, node[2] % kSide})};
+}
+
+/// No cube takes more than a pattern has.
+void SourceCubes::count_face(const Address& home) noexcept {
+  std::uint16_t& faces = parts_[home.part]->cubes[home.place];
+  faces = static_cast<std::uint16_t>(faces + (faces < Pattern::kMostTriangles ? 1 : 0));
 }
 
 void SourceCubes::find_cubes(const EdgeVertices& vertices) {
@@ -70,7 +77,7 @@ void SourceCubes::find_cubes(const EdgeVertices& vertices) {
     if (cubes.count == 2) open.push_back(static_cast<std::uint32_t>(f));
     if (cubes.count != 1) continue;
     homes[f] = address_of(cubes.lowest[0]);
-    ++parts_[homes[f].part]->cubes[homes[f].place];
+    count_face(homes[f]);
   }
   // A face between two cubes goes to the one that has others.
   for (const std::uint32_t f : open) {
@@ -79,7 +86,7 @@ void SourceCubes::find_cubes(const EdgeVertices& vertices) {
     homes[f] = address_of(cubes.lowest[1]);
     if (std::min({low[0], low[1], low[2]}) >= 0 && parts_[homes[f].part]->cubes[homes[f].place] == 0)
       homes[f] = address_of(low);
-    ++parts_[homes[f].part]->cubes[homes[f].place];
+    count_face(homes[f]);
   }
   place_faces(vertices, homes);
 }
@@ -87,19 +94,22 @@ void SourceCubes::find_cubes(const EdgeVertices& vertices) {
 void SourceCubes::place_faces(const EdgeVertices& vertices, std::span<const Address> homes) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> order(part_numbers_.begin(), part_numbers_.end());
   std::sort(order.begin(), order.end());
+  cubes_.reserve(homes.size() / 2);  // about what most grids have
+  first_face_.reserve(homes.size() / 2);
   first_face_.push_back(0);
   for (const auto& [brick, part] : order) {
     const Bricks::Place at = {static_cast<std::int32_t>(brick % bricks_[0]),
                               static_cast<std::int32_t>(brick / bricks_[0] % bricks_[1]),
                               static_cast<std::int32_t>(brick / bricks_[0] / bricks_[1])};
+    const auto first = static_cast<std::uint32_t>(cubes_.size());
+    parts_[part]->first_cube = first;
     for (std::uint32_t place = 0; place < kPlaces; ++place) {
-      std::uint32_t& cube = parts_[part]->cubes[place];
+      std::uint16_t& cube = parts_[part]->cubes[place];
       if (cube != 0) first_face_.push_back(first_face_.back() + cube);
       if (cube != 0) cubes_.push_back({at, place});
-      cube = cube != 0 ? static_cast<std::uint32_t>(cubes_.size() - 1) : kNone;
+      cube = cube != 0 ? static_cast<std::uint16_t>(cubes_.size() - 1 - first) : Part::kNoCube;
     }
   }
-  fresh_ = kNone;
   faces_.resize(first_face_.back());
   std::vector<std::uint32_t> next(first_face_.begin(), first_face_.end() - 1);
   for (std::uint32_t f = 0; f < homes.size(); ++f) {
@@ -107,7 +117,7 @@ void SourceCubes::place_faces(const EdgeVertices& vertices, std::span<const Addr
       left_faces_.push_back(f);
       continue;
     }
-    const std::uint32_t cube = parts_[homes[f].part]->cubes[homes[f].place];
+    const std::uint32_t cube = parts_[homes[f].part]->cube(homes[f].place);
     if (next[cube] - first_face_[cube] == Pattern::kMostTriangles) {
       left_faces_.push_back(f);
       continue;
@@ -194,7 +204,7 @@ std::uint32_t SourceCubes::find(const Bricks::Place& brick, std::uint32_t place)
     if (static_cast<std::uint32_t>(brick[axis]) >= bricks_[axis]) return kNone;
   const auto at = [&](std::size_t axis) { return static_cast<std::uint32_t>(brick[axis]); };
   const auto found = part_numbers_.find((at(2) * bricks_[1] + at(1)) * bricks_[0] + at(0));
-  return found == part_numbers_.end() ? kNone : parts_[found->second]->cubes[place];
+  return found == part_numbers_.end() ? kNone : parts_[found->second]->cube(place);
 }
 
 std::uint32_t SourceCubes::inner_offset(std::uint32_t cube, std::size_t axis) const noexcept {

@@ -54,10 +54,17 @@ class SourceCubes {
   const std::vector<std::uint32_t>& left_faces() const noexcept { return left_faces_; }
 
  private:
-  /// Of one brick, by place.
+  /// Of one brick, by place. Its cubes are numbered one after the other.
   struct Part {
-    std::array<std::uint32_t, kPlaces> cubes;  ///< their faces, then their numbers
-    std::array<std::int8_t, kPlaces> signs{};  ///< of nodes: above 0 outside, below 0 inside
+    static constexpr std::uint16_t kNoCube = 0xffff;
+
+    std::uint32_t first_cube = 0;
+    std::array<std::uint16_t, kPlaces> cubes{};  ///< their faces, then their numbers from the first one's
+    std::array<std::int8_t, kPlaces> signs{};    ///< of nodes: above 0 outside, below 0 inside
+
+    std::uint32_t cube(std::uint32_t place) const noexcept {
+      return cubes[place] == kNoCube ? kNone : first_cube + cubes[place];
+    }
   };
   /// A cube by the number of its part and its place.
   struct Address {
@@ -68,6 +75,7 @@ class SourceCubes {
   Address address_of(const EdgeVertices::Node& node);
   std::array<std::int8_t*, kCorners> signs_around(std::uint32_t cube);
   void find_cubes(const EdgeVertices& vertices);
+  void count_face(const Address& home) noexcept;
   void place_faces(const EdgeVertices& vertices, std::span<const Address> homes);
   void vote(std::uint32_t cube);
   void settle_signs(std::uint32_t cube);
@@ -77,7 +85,6 @@ class SourceCubes {
   std::int32_t voxel_;
   std::array<std::uint32_t, 3> bricks_;
   std::vector<std::unique_ptr<Part>> parts_;
-  std::uint32_t fresh_ = 0;                                        ///< of the cubes of a new part
   std::unordered_map<std::uint32_t, std::uint32_t> part_numbers_;  ///< by the brick's number in the grid
   std::uint32_t last_brick_ = kNone;                               ///< that was looked up, and its part
   std::uint32_t last_part_ = kNone;

@@ -12,15 +12,19 @@ namespace deltamesh::grid {
 SourceRest::SourceRest(std::span<const std::uint32_t> triangles, std::uint32_t vertex_count,
                        const SourceCubes& source)
     : triangles_(triangles), faces_(source.left_faces()) {
-  std::vector<bool> is_left(triangles.size() / 3);
-  for (const std::uint32_t face : faces_) is_left[face] = true;
-  std::vector<bool> is_own(vertex_count, true);
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-    if (!is_left[i / 3]) is_own[triangles[i]] = false;
+  std::vector<std::uint8_t> is_of_rest(vertex_count, 1);
+  std::size_t next = 0;
+  for (std::uint32_t face = 0; 3 * std::size_t{face} < triangles.size(); ++face) {
+    if (next < faces_.size() && faces_[next] == face) {
+      ++next;
+    } else {
+      for (std::size_t c = 0; c < 3; ++c) is_of_rest[triangles[3 * std::size_t{face} + c]] = 0;
+    }
+  }
   for (const std::uint32_t face : faces_)
-    for (std::size_t c = 0; c < 3; ++c) is_own[triangles[3 * std::size_t{face} + c]] = true;
+    for (std::size_t c = 0; c < 3; ++c) is_of_rest[triangles[3 * std::size_t{face} + c]] = 1;
   for (std::uint32_t v = 0; v < vertex_count; ++v)
-    if (is_own[v]) vertices_.push_back(v);
+    if (is_of_rest[v] != 0) vertices_.push_back(v);
 }
 
 /// By their first vertices, so that faces side by side are coded one soon after the other.
