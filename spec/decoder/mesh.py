@@ -43,7 +43,7 @@ def decode_chunks(header, listed, states):  # DIR-8, HDR-7
         faces = CONN_8_faces(chunks["CONN"], header.triangles, header.geometric, states)
     around = neighbours(faces, header.geometric)
     parts = components(around)
-    must(len(parts) == header.components, "HDR-7", f"{len(parts)} components in place of {header.components}")
+    must(len(parts) == header.components or positions is not None, "HDR-7", f"{len(parts)} components in place of {header.components}")
     seams = seams or SEAM_1_read(chunks["SEAM"], faces, header.geometric, header.vertices)
     debug("faces: %s\nseams: %s", faces, seams.faces)
     mesh.header, mesh.faces = header, seams.faces

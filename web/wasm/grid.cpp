@@ -5,7 +5,6 @@
 #include "grid/grid.h"
 
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "part.h"
@@ -39,7 +38,6 @@ DELTAMESH_EXPORT(call) PartOutcome* call(GridCall* handed) {
   kept->mesh = *std::move(mesh);
   kept->outcome.returned.add(kept->mesh.triangles);
   kept->outcome.returned.add(kept->mesh.positions);
-  kept->outcome.returned.add(std::span(&kept->mesh.components, 1));
   return &kept->outcome;
 }
 

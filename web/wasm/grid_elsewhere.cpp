@@ -17,7 +17,6 @@ Result<GridMesh> read_grid(const GridChunks& chunks, const PredictiveParameters&
   GridMesh mesh;
   web::take_array(kPart, returned.arrays[0], mesh.triangles);
   web::take_array(kPart, returned.arrays[1], mesh.positions);
-  web::take(kPart, &mesh.components, returned.arrays[2].address, sizeof(mesh.components));
   return mesh;
 }
 

@@ -89,8 +89,7 @@ struct RareCall {
   Box box{};
 };
 
-/// The arguments of read_grid(). Returns an array of faces and one of floats for positions; the number of
-/// components is an array of one.
+/// The arguments of read_grid(). Returns an array of faces and one of floats for positions.
 struct GridCall {
   PredictiveParameters parameters{};
   std::uint32_t vertices = 0;

@@ -145,7 +145,7 @@ class StreamDecoder {
     DELTAMESH_TRY(auto mesh, read_grid_chunks(container_));
     triangles = std::move(mesh.triangles);
     grid_positions_ = std::move(mesh.positions);
-    return check_components(mesh.components);
+    return {};
   }
 
   Result<void> read_faces_of_connectivity(std::vector<std::uint32_t>& triangles) {

@@ -51,7 +51,6 @@ std::optional<CodedGrid> write_grid(std::span<const std::uint32_t> triangles, st
 struct GridMesh {
   std::vector<std::uint32_t> triangles;  ///< m x 3
   std::vector<float> positions;          ///< n x 3
-  std::uint32_t components = 0;          ///< connected ones
 };
 
 /// What write_grid() wrote, of `vertices` and `triangles` in number. Errors: kTruncated, kInvalidStream

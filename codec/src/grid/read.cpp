@@ -17,7 +17,6 @@
 #include "grid/places.h"
 #include "grid/rest/rest.h"
 #include "positions/ordered_read.h"
-#include "topology/adjacency.h"
 
 namespace deltamesh {
 namespace {
@@ -132,7 +131,6 @@ Result<GridMesh> read_grid(const GridChunks& chunks, const PredictiveParameters&
     mesh.triangles.insert(mesh.triangles.end(), triangle.begin(), triangle.end());
   mesh.positions = to_rows(read.cells, parameters.lattice);
   DELTAMESH_CHECK(check_finite(mesh.positions));
-  mesh.components = count_components(mesh.triangles, vertices);
   return mesh;
 }
 
