@@ -4,16 +4,12 @@ from collections import defaultdict, deque
 from logging import debug
 
 from coder import Coder, Mixture, NumberModel, States, SymbolModel, bits, clamp
-from container import LATTICE, VOXELS, must
+from container import LATTICE, must
 from glue import CONN_8_faces
 from lattice import POSN_2_positions
 from posn import POSN_1_positions
 
 INSIDE, ONE_OVER = 12, (0, 256, 128, 85, 64)
-
-def GRD_12_is_grid(header, chunk):
-    """Whether a stream has its faces and positions in this chunk."""
-    return header.coder == VOXELS and chunk.tag == "GRID" and chunk.is_compact
 
 def moved(node, axis, by):  # GRD-1
     return tuple(x + by * (a == axis) for a, x in enumerate(node))

@@ -20,6 +20,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kMostTrials = 10;
 constexpr int kDefaultLatticeBits = 12;
 constexpr int kFirstLevels = 8;
+/// With one face of so many in no cube, or fewer, the grid coder takes fewer bytes than a lattice.
+constexpr std::size_t kOneInNoCube = 100;
 
 /// Loads of 0.9995 and 0.997.
 constexpr double kLatticeAim = -0.0007;
@@ -73,16 +75,16 @@ class BoundSearch {
       keep_smaller(on_lattice(axes));
     }
     const bool compares = trials_.request().effort >= kThoroughEffort || (!is_quick && !enough);
-    if (!best_ || compares) keep_smaller(on_lattice({}));
+    const auto faces_in_no_cube = best_ && best_->grid ? best_->grid->rest_triangles : 0;
+    if (!best_ || compares || faces_in_no_cube > trials_.source().triangles.size() / 3 / kOneInNoCube)
+      keep_smaller(on_lattice({}));
     // Lattices end where floats do.
     return best_ ? *std::move(best_) : trials_.code_exactly();
   }
 
  private:
-  void keep_smaller(const std::optional<LatticeTrial>& trial) {
-    if (!trial) return;
-    Candidate candidate = trials_.code(*trial);
-    if (!best_ || candidate.bytes < best_->bytes) best_ = std::move(candidate);
+  void keep_smaller(std::optional<Candidate> candidate) {
+    if (candidate && (!best_ || candidate->bytes < best_->bytes)) best_ = std::move(candidate);
   }
 
   double tolerance() const noexcept {
@@ -90,7 +92,7 @@ class BoundSearch {
   }
 
   /// On a cubic lattice but for `axes` with steps of their own; empty where none keeps the bounds.
-  std::optional<LatticeTrial> on_lattice(const std::array<AxisGrid, 3>& axes) const {
+  std::optional<Candidate> on_lattice(const std::array<AxisGrid, 3>& axes) const {
     Bracket bracket({.first = lattice_step_for(bounds_, box_),
                      .aim = kLatticeAim,
                      .tolerance = tolerance(),
@@ -106,10 +108,10 @@ class BoundSearch {
       if (bracket.tell(excess_of_load(load))) best = std::move(trial);
       if (load == 0) break;
     }
-    return best;
+    return best ? std::optional(trials_.code(*best)) : std::nullopt;
   }
 
-  std::optional<LatticeTrial> on_voxels(const VoxelFit& fit) const {
+  std::optional<Candidate> on_voxels(const VoxelFit& fit) const {
     // A vertex is off along its edge only, which is 2 levels' halves; see lattice_step_for().
     const double step = lattice_step_for(bounds_, box_) * std::sqrt(3.0);
     Bracket bracket({.first = std::max(std::ceil(largest_side(fit) / step), 1.0),
@@ -126,15 +128,15 @@ class BoundSearch {
       if (bracket.tell(trial ? excess_of_load(bounds_.load(trial->quality)) : -kInfinity))
         best = std::move(trial);
     }
-    return best;
+    return best ? trials_.code_in_cubes(*best) : std::nullopt;
   }
 
   /// As many levels as the starting states know, if these keep the bounds.
-  std::optional<LatticeTrial> on_usual_levels(const VoxelFit& fit) const {
+  std::optional<Candidate> on_usual_levels(const VoxelFit& fit) const {
     if (trials_.usual_levels() == 0) return std::nullopt;
-    auto trial = trials_.try_levels(fit, trials_.usual_levels(), bounds_);
-    if (trial && bounds_.load(trial->quality) > 1) trial.reset();
-    return trial;
+    const auto trial = trials_.try_levels(fit, trials_.usual_levels(), bounds_);
+    if (!trial || bounds_.load(trial->quality) > 1) return std::nullopt;
+    return trials_.code_in_cubes(*trial);
   }
 
   const PredictiveTrials& trials_;
@@ -175,7 +177,6 @@ class BudgetSearch {
 
   void fit_lattice() {
     const Box& box = trials_.source().box;
-    form_.reset();
     Bracket bracket({.first = trials_.step_for_bits(kDefaultLatticeBits),
                      .least = std::max(finest_step(box), 1e-30),
                      .most = 2 * std::max(box.longest_side(), 1e-30),  // all coordinates are 0
@@ -197,7 +198,8 @@ class BudgetSearch {
                      .trials = kMostTrials});
     while (!bracket.is_done()) {
       const auto trial = trials_.try_levels(fit, static_cast<std::uint32_t>(bracket.setting()));
-      bracket.tell(trial ? excess(*trial) : kInfinity);
+      auto candidate = trial ? trials_.code_in_cubes(*trial) : std::nullopt;
+      bracket.tell(candidate ? consider(*std::move(candidate)) : kInfinity);
     }
   }
 

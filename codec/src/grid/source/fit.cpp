@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "positions/grid/fit.h"
+#include "grid/source/fit.h"
 
 #include <algorithm>
 #include <cmath>
