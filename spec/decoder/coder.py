@@ -183,7 +183,7 @@ class ScaledCoder(Mixture):
 class States:
     """[CMP-16] `before` has the models that another stream left, by what they are of, or is None; `after` those of this stream."""
     def __init__(self, before=None):
-        self.before, self.after, self.is_next = before or {}, {}, before is not None
+        self.before, self.after = before or {}, {}
 
     def models(self, of, **fresh):
         """The models with which a coder begins; it learns in place."""

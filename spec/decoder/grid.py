@@ -3,15 +3,11 @@ from collections import defaultdict, deque
 from logging import debug
 
 from coder import Coder, Mixture, NumberModel, States, SymbolModel, bits, clamp
-from container import VOXELS, must, unzigzag
+from container import must, unzigzag
 from glue import CONN_8_faces
 from lattice import POSN_2_positions, POSN_3_known, POSN_8_table, PredictedCoder
 
 INSIDE, ONE_OVER = 12, (0, 256, 128, 85, 64)
-
-def GRD_12_is_grid(header, chunk):
-    """Whether a stream has its faces and positions in this chunk."""
-    return header.coder == VOXELS and chunk.tag == "GRID" and chunk.is_compact
 
 def moved(node, axis, by):  # GRD-1
     return tuple(x + by * (a == axis) for a, x in enumerate(node))

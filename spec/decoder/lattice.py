@@ -17,15 +17,13 @@ def POSN_3_other(faces, low):
     """The corner across the edge from a vertex with these known faces to the vertex `low`, or None."""
     return next((y if x == low else x for x, y, _ in faces if low in (x, y)), None)
 
-def POSN_3_known(faces, n, steps=None):
-    """Of every vertex; with the steps of voxel edges as [POSN-12] says."""
-    at, result, when = corners(faces, n), [None] * n, steps or range(n)
-    for v in sorted(range(n), key=lambda v: when[v]):
-        found = [(a, b) for _, a, b in at[v] if max(when[a], when[b]) < when[v] and a != b]
-        kept = list(dict.fromkeys(found[:1] + found[-1:])) if steps else found[:4]
-        ordered = [sorted(pair, key=lambda u: when[u]) for pair in kept]
-        known = [(a, b, POSN_3_other(result[high].faces, low)) for (a, b), (low, high) in zip(kept, ordered)]
-        result[v] = Known(known, len(kept) if steps else len(at[v]))
+def POSN_3_known(faces, n):
+    """Of every vertex."""
+    at, result = corners(faces, n), []
+    for v in range(n):
+        pairs = [(a, b) for _, a, b in at[v] if max(a, b) < v and a != b][:4]
+        known = [(a, b, POSN_3_other(result[max(a, b)].faces, min(a, b))) for a, b in pairs]
+        result.append(Known(known, len(at[v])))
     return result
 
 def POSN_4_mean(numbers):
@@ -33,11 +31,11 @@ def POSN_4_mean(numbers):
     return (sum(numbers) * ((65536 + c // 2) // c)) >> 16
 
 def POSN_8_table(coder):
-    """The blend table as rows (U, V); without a coder that of voxel edges."""
+    """The blend table as rows (U, V)."""
     differs, rows = BitModel(), []
     for row in range(24):
         U, V = (45, 55, 50, 45)[row // 6], 0
-        if coder and differs.decode(coder):
+        if differs.decode(coder):
             U, V = (coder.raw(8) ^ 128) - 128, (coder.raw(8) ^ 128) - 128
         rows.append((U, V))
     return rows
@@ -79,7 +77,6 @@ class Context:
 class PredictedCoder:
     """[POSN-4 to POSN-6, FLT-4] Numbers of vertices. What is said below of lattices, other coders say of theirs."""
     rule = "POSN-7"  # that a number out of its limits breaks
-    starts = (0,)  # vertices before which nothing is known
 
     def __init__(self, coder, known, table, cells, guesses=False, states=None):
         self.coder, self.known, self.table, self.guesses = coder, known, table, guesses
@@ -91,8 +88,8 @@ class PredictedCoder:
         """The numbers of u that the expectation for v is made of."""
         return self.rows[u]
 
-    def before(self, v):  # POSN-4, POSN-12
-        return [0] * len(self.limits) if v in self.starts else self.row(v - 1, v)
+    def before(self, v):  # POSN-4
+        return [0] * len(self.limits) if v == 0 else self.row(v - 1, v)
 
     def read(self, v, x):  # POSN-6, POSN-9
         """The number of a vertex on an axis."""

@@ -7,11 +7,11 @@ import numpy as np
 from coder import States
 from attr import ATTR_11_decode, Attribute, Surface
 from anch import ANCH_1_read
-from container import CNT_1_stream, Chunk, HIGHPASS, must
+from container import CNT_1_stream, Chunk, HIGHPASS, VOXELS, must
 from delt import DELT_1_positions
 from fgrp import FGRP_1_read
 from glue import CONN_8_faces
-from grid import GRD_12_is_grid, GRD_12_read
+from grid import GRD_12_read
 from graph import components, neighbours
 from ordr import ORDR_1_read
 from plain import FGRP_1_plain, PLN_1_is_plain, PLN_2_faces, PLN_5_positions
@@ -34,8 +34,8 @@ def decode(data):  # CNT-1
 def decode_chunks(header, listed, states):  # DIR-8, HDR-7
     mesh, attributes = Mesh(), [chunk for chunk in listed if chunk.tag == "ATTR"]
     chunks = defaultdict(Chunk, {chunk.tag: chunk for chunk in listed})
-    is_plain, seams, positions = PLN_1_is_plain(listed), None, None
-    if GRD_12_is_grid(header, chunks["GRID"]):
+    is_plain, seams, positions = PLN_1_is_plain(header, listed), None, None
+    if header.coder == VOXELS:
         faces, positions = GRD_12_read(chunks, header)
     elif is_plain:
         faces, seams = PLN_2_faces(chunks["CONN"], chunks["SEAM"], header)

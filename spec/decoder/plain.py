@@ -4,13 +4,14 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from container import FLOATS, KINDS, must, unzigzag
+from container import FLOATS, KINDS, VOXELS, must, unzigzag
 
-def PLN_1_is_plain(chunks):
+def PLN_1_is_plain(header, chunks):
     """Of all chunks of a stream."""
     forms = {chunk.is_compact for chunk in chunks if chunk.tag in KINDS and chunk.tag != "ATTR"}
     is_plain = not any(chunk.is_compact for chunk in chunks)
     must(is_plain or forms <= {True}, "PLN-1", "chunks of both forms")
+    must(not is_plain or header.coder != VOXELS, "PLN-1", "voxel edges in the plain form")
     return is_plain
 
 def CON_5_array(r, count, width=32):

@@ -5,11 +5,10 @@ from logging import debug
 import numpy as np
 
 from coder import Coder, NumberModel
-from container import FLOATS, LATTICE, VOXELS, must
+from container import LATTICE, must
 from floats import FLT_1_bits, FLT_2_last_place, FloatCoder
 from graph import corners
 from lattice import POSN_2_positions, POSN_3_known, POSN_8_table, PredictedCoder
-from voxels import VOX_1_positions
 
 def POSN_1_positions(chunk, header, faces, states):
     """The positions of the geometric vertices in doubles."""
@@ -20,8 +19,8 @@ def POSN_1_positions(chunk, header, faces, states):
     order = POSN_10_order(coder.raw(2), faces, n)
     number = {v: i for i, v in enumerate(order)}
     ordered = [tuple(number[v] for v in face) for face in faces]
-    decoded_by = {LATTICE: POSN_9_positions, VOXELS: VOX_1_positions, FLOATS: FLT_positions}[header.coder]
-    positions = decoded_by(coder, ordered, n, header, states)
+    decode = POSN_9_positions if header.coder == LATTICE else FLT_positions
+    positions = decode(coder, ordered, n, header, states)
     chunk.end()
     debug("order: %s\npositions in this order: %s", order, positions)
     return positions[[number[v] for v in range(n)]]

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// The worked examples of positions: deltas and anchors, voxel edges, grids, floats. Their bytes decode to
+// The worked examples of positions: deltas and anchors, grids, floats. Their bytes decode to
 // their values, and are what the encoder writes.
 #include <gtest/gtest.h>
 
@@ -36,20 +36,6 @@ TEST(GeometryExamples, DELT2DELT4DELT5AStripOfEightVertices) {
                                   box, parameters);
   ASSERT_TRUE(read) << describe(read.error());
   for (std::size_t i = 0; i < 24; ++i) EXPECT_NEAR((*read)[i / 3][i % 3], positions[i], 1e-5);
-}
-
-TEST(GeometryExamples, POSN12VOX1VOX2VOX3VOX4VOX5VOX6SixVertices) {
-  const auto payload = bytes_of("posn_voxels.md", "payload");
-  const auto q = line_of<std::int32_t>("posn_voxels.md", "q");
-  const auto faces = line_of<std::uint32_t>("posn_voxels.md", "faces");
-  const PredictiveParameters parameters{
-      .kind = PositionKind::kVoxel, .lattice = {.cells = {5, 8, 3}}, .levels = 2};
-  const auto read = read_positions(payload, {faces, 6}, parameters, {});
-  ASSERT_TRUE(read) << describe(read.error());
-  EXPECT_EQ(*read, std::vector<float>(q.begin(), q.end()));
-  std::vector<Cell> cells;
-  for (std::size_t i = 0; i < q.size(); i += 3) cells.push_back({q[i], q[i + 1], q[i + 2]});
-  EXPECT_EQ(write_positions({faces, 6}, cells, parameters), payload);
 }
 
 TEST(GeometryExamples, GRD11GRD12ACornerInsideAndAFaceBesideIt) {

@@ -184,6 +184,7 @@ def grids():
     yield grid(cells=(6, 8, 8))
     yield grid((9, 7), (6, 6, 6), payloads=(INNER, b""))
     yield grid((9, 7), payloads=(INNER, CONN))
+    yield grid(payloads=(b"",) * 2)  # no chunk is compact
 
 
 def by_chance(program):
@@ -267,8 +268,7 @@ def unfinished():
             parts = Parts(stream)
             parts.chunks.append((KINDS.index(tag) | COMPACT << 4, descriptor, payload + STATES))
             yield parts.stream()
-    for flags, fields in ((128, f32(1)[1:] + bytes(3) + varint(2**28) * 3 + b"\3"), (128, f32(1)[1:] + bytes(3) + varint(2**28) * 3 + b"\1"),
-                          (64, f32(1)[1:] + bytes(3) + varint(2**28) * 3), (192, bytes(24))):
+    for flags, fields in ((64, f32(1)[1:] + bytes(3) + varint(2**28) * 3), (192, bytes(24))):
         parts = tetrahedron()
         parts.header = parts.header[:4] + bytes([flags]) + b"\4\4\0\1" + bytes(9) + fields
         parts.chunks[1] = parts.chunks[1][0], b"", STATES

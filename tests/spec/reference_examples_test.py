@@ -111,8 +111,6 @@ def examples():
     yield "compact.md", FLD_numbers(Coder(Reader(bytes.fromhex("7557588af8b4094417e8333511"))), neighbours([(0, 1, 2), (1, 3, 2)], 4)), \
         [1, 0, 3, 1, -2, 3, 1, -2, 3, 40, -80, 9]
     yield "posn.md", positions("posn.md", lattice(LATTICE, 4, cells=[4, 4, 3]), TWO), line("posn.md", "q")
-    yield ("posn_voxels.md", positions("posn_voxels.md", lattice(VOXELS, 6, cells=[5, 8, 3], levels=2), triples(line("posn_voxels.md", "faces"))),
-           line("posn_voxels.md", "q"))
     chunks = {tag: chunk("grid.md", name) for tag, name in (("GRID", "payload"), ("CONN", "conn"))}
     faces, points = GRD_12_read(chunks, lattice(VOXELS, 8, cells=[8, 8, 8], levels=2, triangles=10))
     yield "grid.md faces", faces, line("grid.md", "faces")

@@ -52,7 +52,7 @@ std::uint32_t parts_of(const Container& container) noexcept {
   };
   const FileHeader& header = container.header();
   const bool is_highpass = header.geometry == kGeometryHighpass;
-  const bool is_grid = is_of_grid(container);
+  const bool is_grid = is_of_grid(header);
   const bool is_lattice = header.predictive.kind == PositionKind::kLattice;
   std::uint32_t parts = bit(Part::kHighpass, is_highpass) | bit(Part::kGrid, is_grid) |
                         bit(Part::kRare, !is_highpass && !is_grid && !is_lattice);
@@ -87,7 +87,7 @@ void describe_stream() {
   const FileHeader& header = kept->container.header();
   describe_chunks();
   StreamOutcome& outcome = kept->outcome;
-  outcome.geometry = is_of_grid(kept->container) ? kGeometryOfGrid : header.geometry;
+  outcome.geometry = is_of_grid(header) ? kGeometryOfGrid : header.geometry;
   outcome.parts = parts_of(kept->container);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     outcome.origin[axis] = header.origin[axis];

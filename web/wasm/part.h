@@ -67,7 +67,7 @@ struct ZstdCall {
 
 /// What `rare` reads: an array of floats for positions, else of bytes.
 enum class RareForm : std::uint32_t {
-  kPositions,  ///< read_rare_positions()
+  kPositions,  ///< read_float_positions()
   kLattice,    ///< read_lattice()
   kJoints,     ///< read_joints()
   kWeights,    ///< read_weights()
@@ -85,8 +85,7 @@ struct RareCall {
   AttributeKind kind = AttributeKind::kGeneric;
   ComponentType type = ComponentType::kF32;
   std::uint32_t components = 1;
-  PredictiveParameters parameters{};  ///< of kPositions, as the next
-  Box box{};
+  Box box{};  ///< of kPositions
 };
 
 /// The arguments of read_grid(). Returns an array of faces and one of floats for positions.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// The exports of `rare`, for codings that few streams have: positions of voxels and exact ones, attributes on
-// lattices and in plain form, joints and weights.
+// The exports of `rare`, for codings that few streams have: exact positions, attributes on lattices and in
+// plain form, joints and weights.
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -51,8 +51,7 @@ const AttributeSurface& surface_of(const RareCall& call) {
 
 Result<void> read_positions_of(const RareCall& call, std::span<const std::byte> bytes) {
   const auto triangles = take_array<Indices>(call.triangles);
-  DELTAMESH_TRY(positions,
-                read_rare_positions(bytes, {triangles, call.vertex_count}, call.parameters, call.box, {}));
+  DELTAMESH_TRY(positions, read_float_positions(bytes, {triangles, call.vertex_count}, call.box));
   outcome.returned.add(positions);
   return {};
 }

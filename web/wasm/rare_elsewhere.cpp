@@ -45,14 +45,12 @@ Result<std::vector<std::byte>> read_values(RareForm form, std::span<const std::b
 
 }  // namespace
 
-Result<std::vector<float>> read_rare_positions(std::span<const std::byte> bytes, const FaceList& faces,
-                                               const PredictiveParameters& parameters, const Box& box,
-                                               const Learning<PositionModels>&) {
+Result<std::vector<float>> read_float_positions(std::span<const std::byte> bytes, const FaceList& faces,
+                                                const Box& box) {
   return read<std::vector<float>>({.form = RareForm::kPositions,
                                    .vertex_count = faces.vertex_count,
                                    .bytes = hand_over(bytes),
                                    .triangles = hand_over(faces.triangles),
-                                   .parameters = parameters,
                                    .box = box});
 }
 

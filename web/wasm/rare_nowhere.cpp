@@ -6,9 +6,7 @@
 
 namespace deltamesh {
 
-Result<std::vector<float>> read_rare_positions(std::span<const std::byte>, const FaceList&,
-                                               const PredictiveParameters&, const Box&,
-                                               const Learning<PositionModels>&) {
+Result<std::vector<float>> read_float_positions(std::span<const std::byte>, const FaceList&, const Box&) {
   return Error{.code = ErrorCode::kInternal};
 }
 

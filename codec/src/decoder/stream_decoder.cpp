@@ -63,7 +63,7 @@ class StreamDecoder {
         team_(team),
         start_(options.starting_states != nullptr ? &options.starting_states->models() : nullptr),
         learnt_(learnt),
-        is_of_grid_(is_of_grid(container)) {
+        is_of_grid_(is_of_grid(container.header())) {
     if (learnt != nullptr) learnt->colors.resize(header_.attributes.size());
   }
 
@@ -106,6 +106,8 @@ class StreamDecoder {
       const bool has_form = entry.tag != kTagAttribute && kind_of(entry.tag) != kLetters;
       is_plain_ |= entry.codec != ChunkCodec::kCompact && has_form;
     }
+    if (is_of_grid_ && !is_compact)
+      return Error{.code = ErrorCode::kInvalidStream, .message = "a grid in the plain form", .rule = "PLN-1"};
     if (!is_plain_ || !is_compact) {
       is_plain_ = !is_compact;
       return {};
@@ -206,22 +208,25 @@ class StreamDecoder {
   }
 
   Result<std::vector<float>> read_predicted(std::span<const std::uint32_t> triangles) {
-    if (learnt_ != nullptr && header_.predictive.kind == PositionKind::kVoxel)
-      learnt_->voxels = header_.predictive;
-    if (is_of_grid_) return std::move(grid_positions_);
+    if (is_of_grid_) {
+      if (learnt_ != nullptr) learnt_->voxels = header_.predictive;
+      return std::move(grid_positions_);
+    }
     DELTAMESH_TRY(const auto payload, expand_single(container_, kTagPositions));
     if (is_plain_)
       return read_plain_positions(payload.bytes(), header_.geometric_vertices, header_.predictive);
-    Learning<PositionModels> learning;
-    if (start_ != nullptr) learning.start = &start_->positions;
-    if (learnt_ != nullptr) learning.end = &learnt_->positions;
     return read_positions(payload.bytes(), {triangles, header_.geometric_vertices}, header_.predictive,
-                          header_.box(), learning);
+                          header_.box(), of_lattice());
   }
 
   Learning<OpModels> of_ops() const {
     return {start_ != nullptr ? start_->of_ops() : nullptr,
             learnt_ != nullptr ? &learnt_->ops.emplace() : nullptr};
+  }
+  Learning<LatticeModels> of_lattice() const {
+    const bool learns = learnt_ != nullptr && header_.predictive.kind == PositionKind::kLattice;
+    return {start_ != nullptr ? start_->of_lattice() : nullptr,
+            learns ? &learnt_->lattice.emplace() : nullptr};
   }
   Learning<ColorModels> of_color(std::size_t attribute) const {
     const bool learns = learnt_ != nullptr && header_.attributes[attribute].kind == AttributeKind::kColor;

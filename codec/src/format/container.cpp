@@ -79,13 +79,6 @@ Result<Container> Container::open(std::span<const std::byte> stream) {
   return container;
 }
 
-bool is_of_grid(const Container& container) noexcept {
-  const FileHeader& header = container.header();
-  const ChunkEntry* const grid = container.find(kTagGrid);
-  return header.geometry == kGeometryPredictive && header.predictive.kind == PositionKind::kVoxel &&
-         grid != nullptr && grid->codec == ChunkCodec::kCompact;
-}
-
 std::span<const std::byte> Container::coded(const ChunkEntry& entry) const noexcept {
   return stream_.subspan(static_cast<std::size_t>(entry.offset), static_cast<std::size_t>(entry.coded_bytes));
 }

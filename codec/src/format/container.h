@@ -40,7 +40,4 @@ class Container {
   std::vector<ChunkEntry> entries_;
 };
 
-/// Whether faces and positions are in a chunk of their own for both [GRD-12].
-bool is_of_grid(const Container& container) noexcept;
-
 }  // namespace deltamesh

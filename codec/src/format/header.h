@@ -53,6 +53,11 @@ struct FileHeader {
   Box box() const noexcept;
 };
 
+/// Whether faces and positions are in one chunk [GRD-12].
+inline bool is_of_grid(const FileHeader& header) noexcept {
+  return header.geometry == kGeometryPredictive && header.predictive.kind == PositionKind::kVoxel;
+}
+
 /// The header's bytes, of the current format version. Attributes are not among them.
 std::vector<std::byte> write_header(const FileHeader& header);
 

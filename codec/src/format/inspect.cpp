@@ -92,12 +92,11 @@ StreamInfo summarize(const Container& container) {
   read_extent(info, container);
   info.keeps_order = h.keeps_order;
   if (h.geometry == kGeometryPredictive) {
-    info.geometry = is_of_grid(container) ? "grid" : "predictive";
+    info.geometry = is_of_grid(h) ? "grid" : "predictive";
     info.bits = h.predictive.bits;
     info.step = *std::max_element(h.predictive.lattice.step.begin(), h.predictive.lattice.step.end());
     if (h.predictive.kind == PositionKind::kFloats) info.step = 0;
-    // Along the edges of voxels a level is two steps.
-    if (h.predictive.kind == PositionKind::kVoxel) info.step *= 2;
+    if (is_of_grid(h)) info.step *= 2;  // a level along an edge
   } else {
     info.geometry = "highpass";
     info.bits = h.highpass.bits;

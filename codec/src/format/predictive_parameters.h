@@ -30,7 +30,7 @@ struct PositionLattice {
   }
 };
 
-/// The kind of positions in POSN [POSN-1].
+/// The kind of positions: of POSN [POSN-1], or kVoxel, of GRID [GRD-12].
 enum class PositionKind : std::uint8_t { kLattice, kVoxel, kFloats };
 
 inline constexpr std::uint32_t kMostLevels = 1U << 19;  ///< along the edge of a voxel [HDR-14]

@@ -77,14 +77,14 @@ class WaitingVertices {
   std::array<List, kClasses> lists_;
 };
 
-/// Any order but kAsDecoded. `known`: told of every vertex and its known faces, if not null.
+/// Any order but kAsDecoded. `known` is told of every vertex and its known faces.
 std::vector<std::uint32_t> placed_vertices(const FaceList& list, CodingOrder coding_order,
-                                           KnownFaces* known) {
+                                           KnownFaces& known) {
   constexpr std::uint8_t kPlaced = 255;
   const FaceStars stars(list);
   std::vector<std::uint32_t> order;
   order.reserve(list.vertex_count);
-  std::vector<std::uint32_t> places(known != nullptr ? list.vertex_count : 0);
+  std::vector<std::uint32_t> places(list.vertex_count);
   std::vector<std::uint8_t> faces(list.vertex_count);  // with two placed corners, to kClasses; or kPlaced
   WaitingVertices waiting(coding_order);
   const auto rise = [&](std::uint32_t v) {
@@ -95,15 +95,13 @@ std::vector<std::uint32_t> placed_vertices(const FaceList& list, CodingOrder cod
     order.push_back(v);
     faces[v] = kPlaced;
     const std::span<const FaceStars::Wing> wings = stars.of(v);
-    if (known != nullptr) {
-      places[v] = now;
-      known->begin(now, static_cast<std::uint32_t>(wings.size()));
-    }
+    places[v] = now;
+    known.begin(now, static_cast<std::uint32_t>(wings.size()));
     for (const FaceStars::Wing& wing : wings) {
       const bool has_next = faces[wing.next] == kPlaced;
       const bool has_previous = faces[wing.previous] == kPlaced;
       if (has_next && has_previous) {
-        if (known != nullptr) known->add({now, places[wing.next], places[wing.previous]});
+        known.add({now, places[wing.next], places[wing.previous]});
       } else if (has_next) {
         rise(wing.previous);
       } else if (has_previous) {
@@ -122,16 +120,11 @@ std::vector<std::uint32_t> placed_vertices(const FaceList& list, CodingOrder cod
 
 }  // namespace
 
-std::vector<std::uint32_t> ordered_vertices(const FaceList& list, CodingOrder coding_order) {
-  if (coding_order == CodingOrder::kAsDecoded) return {};
-  return placed_vertices(list, coding_order, nullptr);
-}
-
 KnownFaces known_in_order(const FaceList& list, CodingOrder coding_order, std::vector<std::uint32_t>& order) {
   order.clear();
   if (coding_order == CodingOrder::kAsDecoded) return KnownFaces(list);
   KnownFaces known(list.vertex_count, count_with_faces(list));
-  order = placed_vertices(list, coding_order, &known);
+  order = placed_vertices(list, coding_order, known);
   return known;
 }
 

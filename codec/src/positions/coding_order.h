@@ -26,11 +26,8 @@ bool code_coding_order(Coder& coder, CodingOrder& coding_order) {
   return coded <= static_cast<std::uint32_t>(CodingOrder::kDeep);
 }
 
-/// The vertex at every place of the order; empty for kAsDecoded. O(n + m).
-std::vector<std::uint32_t> ordered_vertices(const FaceList& list, CodingOrder coding_order);
-
-/// The known faces of the vertex at every place of the order. Sets `order` as ordered_vertices() does.
-/// O(n + m).
+/// The known faces of the vertex at every place of the order. Sets `order` to the vertex at every place;
+/// empty for kAsDecoded. O(n + m).
 KnownFaces known_in_order(const FaceList& list, CodingOrder coding_order, std::vector<std::uint32_t>& order);
 
 }  // namespace deltamesh

@@ -47,7 +47,7 @@ inline std::vector<float> to_rows(std::span<const Cell> cells, const PositionLat
 }
 
 /// n x 3, by vertex. `read(reader, coding_order, order)` reads what follows the coding order and makes
-/// `order` as ordered_vertices() does: n x 3, by place in it. Errors: those of `read`, kInvalidStream
+/// `order` as known_in_order() does: n x 3, by place in it. Errors: those of `read`, kInvalidStream
 /// [POSN-10].
 template <class Read>
 Result<std::vector<float>> read_in_order(std::span<const std::byte> bytes, const Read& read) {

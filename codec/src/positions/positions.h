@@ -20,7 +20,7 @@
 
 namespace deltamesh {
 
-struct PositionModels;
+struct LatticeModels;
 
 enum class Guessing : std::uint8_t { kNever, kAlways, kPrediction };  ///< kPrediction: where a sample says so
 
@@ -37,22 +37,21 @@ struct PositionForm {
 std::vector<std::byte> write_positions(const FaceList& faces, std::span<const Cell> cells,
                                        const PredictiveParameters& parameters, const PositionForm& form = {},
                                        std::span<const Replacement> replacements = {},
-                                       const PositionModels* start = nullptr);
+                                       const LatticeModels* start = nullptr);
 
 /// The same for positions to the last bit, PositionKind::kFloats. `box`: of `positions`, which are floats.
 std::vector<std::byte> write_floats(const FaceList& faces, std::span<const Vec3> positions, const Box& box,
                                     const PositionForm& form = {});
 
-/// n x 3, from a compact payload. `box`: the header's. `learning`: not of floats. Errors: kTruncated,
-/// kInvalidStream [POSN-1, POSN-7, POSN-10, POSN-11, VOX-4, FLT-1, CMP-3, GEO-1].
+/// n x 3, from a compact payload of PositionKind::kLattice or kFloats. `box`: the header's. `learning`: not
+/// of floats. Errors: kTruncated, kInvalidStream [POSN-1, POSN-7, POSN-10, POSN-11, FLT-1, CMP-3, GEO-1].
 Result<std::vector<float>> read_positions(std::span<const std::byte> payload, const FaceList& faces,
                                           const PredictiveParameters& parameters, const Box& box,
-                                          const Learning<PositionModels>& learning = {});
+                                          const Learning<LatticeModels>& learning = {});
 
-/// The same of PositionKind::kVoxel and kFloats, which few streams have: small decoders leave them to another
-/// module (web/wasm). `bytes`: compact; `faces` has vertices. Errors: those of these kinds.
-Result<std::vector<float>> read_rare_positions(std::span<const std::byte> bytes, const FaceList& faces,
-                                               const PredictiveParameters& parameters, const Box& box,
-                                               const Learning<PositionModels>& learning);
+/// The same of kFloats, which few streams have: small decoders leave them to another module (web/wasm).
+/// `bytes`: compact; `faces` has vertices. Errors: those of this kind.
+Result<std::vector<float>> read_float_positions(std::span<const std::byte> bytes, const FaceList& faces,
+                                                const Box& box);
 
 }  // namespace deltamesh

@@ -4,7 +4,6 @@
 #include "base/try.h"
 #include "format/vertex_positions.h"
 #include "positions/lattice/coder.h"
-#include "positions/models.h"
 #include "positions/ordered_read.h"
 #include "positions/positions.h"
 
@@ -13,9 +12,8 @@ namespace {
 
 Result<LargeVector<Cell>> read_lattice_cells(CompactReader& reader, const KnownFaces& faces,
                                              const PositionLattice& lattice, const BlendTable& blends,
-                                             bool guesses, const Learning<PositionModels>& learning) {
-  const LatticeModels* const start = learning.start != nullptr ? learning.start->of_lattice() : nullptr;
-  LatticeCoder coder(reader, faces, lattice.cells, blends, guesses, start);
+                                             bool guesses, const Learning<LatticeModels>& learning) {
+  LatticeCoder coder(reader, faces, lattice.cells, blends, guesses, learning.start);
   LargeVector<Cell> cells(faces.vertex_count());
   for (std::uint32_t v = 0; v < cells.size() && !reader.failed();) {
     const char* broken = coder.code_next(v, cells);
@@ -23,13 +21,13 @@ Result<LargeVector<Cell>> read_lattice_cells(CompactReader& reader, const KnownF
     if (!reader.failed()) return broken_positions("a coordinate beyond the lattice", broken);
     break;
   }
-  if (learning.end != nullptr) learning.end->lattice = coder.models(start);
+  if (learning.end != nullptr) *learning.end = coder.models(learning.start);
   return cells;
 }
 
 Result<std::vector<float>> read_lattice(CompactReader& reader, const KnownFaces& faces,
                                         const PositionLattice& lattice,
-                                        const Learning<PositionModels>& learning) {
+                                        const Learning<LatticeModels>& learning) {
   BlendTable blends{};
   code_blends(reader, blends);
   const bool guesses = reader.bits(0, 1) != 0;
@@ -47,7 +45,7 @@ Result<std::vector<float>> read_lattice(CompactReader& reader, const KnownFaces&
 
 Result<std::vector<float>> read_lattice_positions(std::span<const std::byte> bytes, const FaceList& list,
                                                   const PositionLattice& lattice,
-                                                  const Learning<PositionModels>& learning) {
+                                                  const Learning<LatticeModels>& learning) {
   return read_in_order(
       bytes, [&](CompactReader& reader, CodingOrder coding_order, std::vector<std::uint32_t>& order) {
         return read_lattice(reader, known_in_order(list, coding_order, order), lattice, learning);
@@ -58,14 +56,14 @@ Result<std::vector<float>> read_lattice_positions(std::span<const std::byte> byt
 
 Result<std::vector<float>> read_positions(std::span<const std::byte> payload, const FaceList& faces,
                                           const PredictiveParameters& parameters, const Box& box,
-                                          const Learning<PositionModels>& learning) {
+                                          const Learning<LatticeModels>& learning) {
   if (faces.vertex_count == 0) {
     if (!payload.empty()) return broken_positions("positions without vertices", "POSN-1");
     return std::vector<float>{};
   }
   DELTAMESH_TRY(auto rows, parameters.kind == PositionKind::kLattice
                                ? read_lattice_positions(payload, faces, parameters.lattice, learning)
-                               : read_rare_positions(payload, faces, parameters, box, learning));
+                               : read_float_positions(payload, faces, box));
   DELTAMESH_CHECK(check_finite(rows));
   return rows;
 }

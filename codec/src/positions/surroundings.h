@@ -13,7 +13,7 @@
 #include "base/memory/large_vector.h"
 #include "base/simd/four_ints.h"
 #include "base/simd/pick_lanes.h"
-#include "positions/grid/rotated_face.h"
+#include "positions/rotated_face.h"
 
 namespace deltamesh {
 

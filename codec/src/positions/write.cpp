@@ -5,10 +5,8 @@
 #include "entropy/coder/writer.h"
 #include "positions/blend/fit.h"
 #include "positions/floats/coder.h"
-#include "positions/grid/coder.h"
 #include "positions/guess_trial.h"
 #include "positions/lattice/coder.h"
-#include "positions/models.h"
 #include "positions/positions.h"
 
 namespace deltamesh {
@@ -40,21 +38,9 @@ std::vector<Replacement> in_order(std::span<const Replacement> replacements,
   return result;
 }
 
-std::vector<std::byte> write_voxels(const VoxelFaces& faces, std::vector<Cell> cells,
-                                    const PredictiveParameters& parameters, CodingOrder coding_order,
-                                    const PositionModels* start) {
-  CompactWriter writer;
-  writer.reserve(9 * std::size_t{faces.vertex_count()});
-  code_coding_order(writer, coding_order);
-  VoxelCoder coder(writer, faces, parameters.lattice.cells, parameters.levels,
-                   start != nullptr ? start->of_voxels() : nullptr);
-  for (std::uint32_t step = 0; step < faces.steps(); ++step) coder.code_step(step, cells);
-  return writer.finish();
-}
-
 std::vector<std::byte> write_cells(const KnownFaces& faces, std::vector<Cell> cells,
                                    const PredictiveParameters& parameters, const PositionForm& form,
-                                   std::vector<Replacement> replacements, const PositionModels* start) {
+                                   std::vector<Replacement> replacements, const LatticeModels* start) {
   CompactWriter writer;
   writer.reserve(9 * std::size_t{faces.vertex_count()});
   CodingOrder coding_order = form.coding_order;
@@ -67,8 +53,7 @@ std::vector<std::byte> write_cells(const KnownFaces& faces, std::vector<Cell> ce
                            : form.guesses == Guessing::kAlways;
   writer.bits(guesses ? 1 : 0, 1);
   writer.bits(replacements.empty() ? 0 : 1, 1);
-  LatticeCoder coder(writer, faces, lattice.cells, blends, guesses,
-                     start != nullptr ? start->of_lattice() : nullptr);
+  LatticeCoder coder(writer, faces, lattice.cells, blends, guesses, start);
   for (std::uint32_t v = 0; v < cells.size();) coder.code_next(v, cells);
   if (!replacements.empty()) code_replacements(writer, replacements, 3 * cells.size());
   return writer.finish();
@@ -95,13 +80,8 @@ std::vector<std::byte> write_ordinals(const KnownFaces& faces, std::vector<Ordin
 std::vector<std::byte> write_positions(const FaceList& faces, std::span<const Cell> cells,
                                        const PredictiveParameters& parameters, const PositionForm& form,
                                        std::span<const Replacement> replacements,
-                                       const PositionModels* start) {
+                                       const LatticeModels* start) {
   if (cells.empty()) return {};
-  if (parameters.kind == PositionKind::kVoxel) {
-    const auto order = ordered_vertices(faces, form.coding_order);
-    return write_voxels(VoxelFaces(faces, order, start == nullptr), in_order(cells, order), parameters,
-                        form.coding_order, start);
-  }
   std::vector<std::uint32_t> order;
   const KnownFaces known = known_in_order(faces, form.coding_order, order);
   return write_cells(known, in_order(cells, order), parameters, form, in_order(replacements, order), start);

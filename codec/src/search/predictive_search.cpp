@@ -20,6 +20,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kMostTrials = 10;
 constexpr int kDefaultLatticeBits = 12;
 constexpr int kFirstLevels = 8;
+/// With one face of so many in no cube, or fewer, the grid coder takes fewer bytes than a lattice.
+constexpr std::size_t kOneInNoCube = 100;
 
 /// Loads of 0.9995 and 0.997.
 constexpr double kLatticeAim = -0.0007;
@@ -30,25 +32,6 @@ constexpr double kTightBits = -0.003;
 /// Whether an axis has a grid, and grid_lattice() at `step` or a little above would take it.
 bool has_grid(const std::array<AxisGrid, 3>& axes, double step) noexcept {
   return std::any_of(axes.begin(), axes.end(), [step](const AxisGrid& axis) { return axis.step > step / 2; });
-}
-
-/// Whether most faces, of a sample, are no larger than a voxel's cube: marching cubes leave such, a lattice
-/// of decimals under any mesh does not.
-bool faces_fit_cubes(const SourceGeometry& source, double voxel) noexcept {
-  constexpr std::size_t kSampled = 1024;
-  constexpr double kMostVoxels = 2;  // a cube's diagonal, and some room
-  std::size_t seen = 0;
-  std::size_t fit = 0;
-  const std::size_t faces = source.triangles.size() / 3;
-  for (std::size_t f = 0; f < faces; f += 1 + faces / kSampled) {
-    double longest = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      longest = std::max(longest, length(source.positions[source.triangles[3 * f + k]] -
-                                         source.positions[source.triangles[3 * f + (k + 1) % 3]]));
-    fit += longest <= kMostVoxels * voxel ? 1 : 0;
-    ++seen;
-  }
-  return 2 * fit > seen;
 }
 
 double largest_side(const VoxelFit& fit) noexcept {
@@ -73,16 +56,16 @@ class BoundSearch {
       keep_smaller(on_lattice(axes));
     }
     const bool compares = trials_.request().effort >= kThoroughEffort || (!is_quick && !enough);
-    if (!best_ || compares) keep_smaller(on_lattice({}));
+    const auto faces_in_no_cube = best_ && best_->grid ? best_->grid->rest_triangles : 0;
+    if (!best_ || compares || faces_in_no_cube > trials_.source().triangles.size() / 3 / kOneInNoCube)
+      keep_smaller(on_lattice({}));
     // Lattices end where floats do.
     return best_ ? *std::move(best_) : trials_.code_exactly();
   }
 
  private:
-  void keep_smaller(const std::optional<LatticeTrial>& trial) {
-    if (!trial) return;
-    Candidate candidate = trials_.code(*trial);
-    if (!best_ || candidate.bytes < best_->bytes) best_ = std::move(candidate);
+  void keep_smaller(std::optional<Candidate> candidate) {
+    if (candidate && (!best_ || candidate->bytes < best_->bytes)) best_ = std::move(candidate);
   }
 
   double tolerance() const noexcept {
@@ -90,7 +73,7 @@ class BoundSearch {
   }
 
   /// On a cubic lattice but for `axes` with steps of their own; empty where none keeps the bounds.
-  std::optional<LatticeTrial> on_lattice(const std::array<AxisGrid, 3>& axes) const {
+  std::optional<Candidate> on_lattice(const std::array<AxisGrid, 3>& axes) const {
     Bracket bracket({.first = lattice_step_for(bounds_, box_),
                      .aim = kLatticeAim,
                      .tolerance = tolerance(),
@@ -106,10 +89,10 @@ class BoundSearch {
       if (bracket.tell(excess_of_load(load))) best = std::move(trial);
       if (load == 0) break;
     }
-    return best;
+    return best ? std::optional(trials_.code(*best)) : std::nullopt;
   }
 
-  std::optional<LatticeTrial> on_voxels(const VoxelFit& fit) const {
+  std::optional<Candidate> on_voxels(const VoxelFit& fit) const {
     // A vertex is off along its edge only, which is 2 levels' halves; see lattice_step_for().
     const double step = lattice_step_for(bounds_, box_) * std::sqrt(3.0);
     Bracket bracket({.first = std::max(std::ceil(largest_side(fit) / step), 1.0),
@@ -126,15 +109,15 @@ class BoundSearch {
       if (bracket.tell(trial ? excess_of_load(bounds_.load(trial->quality)) : -kInfinity))
         best = std::move(trial);
     }
-    return best;
+    return best ? trials_.code_in_cubes(*best) : std::nullopt;
   }
 
   /// As many levels as the starting states know, if these keep the bounds.
-  std::optional<LatticeTrial> on_usual_levels(const VoxelFit& fit) const {
+  std::optional<Candidate> on_usual_levels(const VoxelFit& fit) const {
     if (trials_.usual_levels() == 0) return std::nullopt;
-    auto trial = trials_.try_levels(fit, trials_.usual_levels(), bounds_);
-    if (trial && bounds_.load(trial->quality) > 1) trial.reset();
-    return trial;
+    const auto trial = trials_.try_levels(fit, trials_.usual_levels(), bounds_);
+    if (!trial || bounds_.load(trial->quality) > 1) return std::nullopt;
+    return trials_.code_in_cubes(*trial);
   }
 
   const PredictiveTrials& trials_;
@@ -175,7 +158,6 @@ class BudgetSearch {
 
   void fit_lattice() {
     const Box& box = trials_.source().box;
-    form_.reset();
     Bracket bracket({.first = trials_.step_for_bits(kDefaultLatticeBits),
                      .least = std::max(finest_step(box), 1e-30),
                      .most = 2 * std::max(box.longest_side(), 1e-30),  // all coordinates are 0
@@ -197,7 +179,8 @@ class BudgetSearch {
                      .trials = kMostTrials});
     while (!bracket.is_done()) {
       const auto trial = trials_.try_levels(fit, static_cast<std::uint32_t>(bracket.setting()));
-      bracket.tell(trial ? excess(*trial) : kInfinity);
+      auto candidate = trial ? trials_.code_in_cubes(*trial) : std::nullopt;
+      bracket.tell(candidate ? consider(*std::move(candidate)) : kInfinity);
     }
   }
 
@@ -220,12 +203,11 @@ double lattice_step_for(const Bounds& bounds, const Box& box) noexcept {
 }
 
 bool are_voxels_enough(const PredictiveTrials& trials) {
-  constexpr double kMostly = 0.5;      // of the vertices on edges
+  constexpr double kMostly = 0.5;      // of the vertices on edges, of the faces in cubes
   constexpr double kMuchFiner = 0.25;  // than the lattice: then a plane of voxels means nothing
-  if (!trials.voxels() || trials.voxels()->share <= kMostly) return false;
-  const double voxel = largest_side(*trials.voxels());
-  return voxel > kMuchFiner * lattice_step_for(trials.request().bounds, trials.source().box) &&
-         faces_fit_cubes(trials.source(), voxel);
+  const auto& voxels = trials.voxels();
+  return voxels && std::min(voxels->share, voxels->in_cubes) > kMostly &&
+         largest_side(*voxels) > kMuchFiner * lattice_step_for(trials.request().bounds, trials.source().box);
 }
 
 Result<Candidate> search_predictive(const PredictiveTrials& trials) {

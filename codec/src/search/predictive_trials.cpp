@@ -22,9 +22,6 @@ constexpr std::size_t kQuickSample = 1U << 15;  ///< vertices that effort 0 look
 constexpr double kOrderWorth = 0.97;     ///< of the bytes without one, at most: an order costs decoders time
 constexpr double kDeepHopeless = 0.985;  ///< of the bytes without one: orders hardly matter to this mesh
 
-/// With one face of so many in no cube, or fewer, the other coder takes more bytes, and is not tried.
-constexpr std::size_t kOneInNoCube = 100;
-
 /// n x 3.
 std::vector<float> to_rows(std::span<const Vec3> positions) {
   std::vector<float> rows;
@@ -43,8 +40,8 @@ std::vector<float> rows_in_order(std::span<const float> rows, std::span<const st
   return ordered;
 }
 
-const PositionModels* start_of(const Request& request) noexcept {
-  return request.start != nullptr ? &request.start->positions : nullptr;
+const LatticeModels* start_of(const Request& request) noexcept {
+  return request.start != nullptr ? request.start->of_lattice() : nullptr;
 }
 
 }  // namespace
@@ -126,7 +123,7 @@ Candidate PredictiveTrials::in_smallest_form(Candidate candidate, const WritePos
   if (may_guess && form.coding_order != CodingOrder::kAsDecoded) consider(form, any);
   form = candidate.form;
   form.fit = BlendFit::kBits;
-  if (candidate.predictive.kind != PositionKind::kVoxel) consider(form, any);
+  consider(form, any);
   return finished(std::move(candidate), std::move(best));
 }
 
@@ -151,8 +148,7 @@ PredictiveTrials::WritePositions PredictiveTrials::writer(const LatticeTrial& tr
   };
 }
 
-std::optional<Candidate> PredictiveTrials::in_cubes(const LatticeTrial& trial) const {
-  if (trial.parameters.kind != PositionKind::kVoxel) return std::nullopt;
+std::optional<Candidate> PredictiveTrials::code_in_cubes(const LatticeTrial& trial) const {
   if (request_.progress != nullptr) request_.progress->tick();
   auto grid = write_grid(source_.triangles, trial.cells, trial.parameters);
   if (!grid) return std::nullopt;
@@ -166,30 +162,16 @@ std::optional<Candidate> PredictiveTrials::in_cubes(const LatticeTrial& trial) c
   return candidate;
 }
 
-template <class CodeOthers>
-Candidate PredictiveTrials::in_cubes_or(const LatticeTrial& trial, const CodeOthers& code_others) const {
-  auto grid = in_cubes(trial);
-  if (!grid) return code_others();
-  const std::size_t faces = source_.triangles.size() / 3;
-  // What other streams have taught helps the other coder alone.
-  if (request_.start == nullptr && grid->grid->rest_triangles <= faces / kOneInNoCube)
-    return *std::move(grid);
-  Candidate other = code_others();
-  return grid->bytes < other.bytes ? *std::move(grid) : std::move(other);
-}
-
 Candidate PredictiveTrials::code(const LatticeTrial& trial) const {
   if (is_plain()) return finished(shell(trial), write_plain_cells(trial.cells));
-  return in_cubes_or(trial, [&] { return in_smallest_form(shell(trial), writer(trial)); });
+  return in_smallest_form(shell(trial), writer(trial));
 }
 
 Candidate PredictiveTrials::code(const LatticeTrial& trial, const PositionForm& form) const {
   if (is_plain()) return code(trial);
-  return in_cubes_or(trial, [&] {
-    Candidate candidate = shell(trial);
-    candidate.form = form;
-    return finished(std::move(candidate), writer(trial)(form));
-  });
+  Candidate candidate = shell(trial);
+  candidate.form = form;
+  return finished(std::move(candidate), writer(trial)(form));
 }
 
 Result<Candidate> PredictiveTrials::code_step(double step) const {
@@ -223,7 +205,10 @@ Candidate PredictiveTrials::code_exactly() const {
 
 const std::optional<VoxelFit>& PredictiveTrials::voxels() const {
   if (!voxels_ && is_plain()) voxels_.emplace();
-  if (!voxels_) voxels_ = has_usual_voxels() ? fit_usual_voxels() : fit_voxels(values_, source_.box);
+  if (!voxels_) {
+    voxels_ = has_usual_voxels() ? fit_usual_voxels() : fit_voxels(values_, source_.box);
+    if (*voxels_) *voxels_ = for_most_faces(**voxels_, values_, source_.triangles);
+  }
   return *voxels_;
 }
 

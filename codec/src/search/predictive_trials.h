@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "positions/grid/fit.h"
+#include "grid/source/fit.h"
 #include "positions/lattice/axis_values.h"
 #include "positions/lattice/replacements.h"
 #include "positions/positions.h"
@@ -38,10 +38,11 @@ class PredictiveTrials {
   std::optional<LatticeTrial> try_levels(const VoxelFit& fit, std::uint32_t levels,
                                          const Bounds& bounds = {}) const;
 
-  /// In the smallest of the forms that the effort allows; in a given one. The plain form is but one. On
-  /// voxels by the grid coder, where that takes fewer bytes.
+  /// In the smallest of the forms that the effort allows; in a given one. The plain form is but one.
   Candidate code(const LatticeTrial& trial) const;
   Candidate code(const LatticeTrial& trial, const PositionForm& form) const;
+  /// Of try_levels(): faces and positions at once; empty where the grid coder is no use (write_grid()).
+  std::optional<Candidate> code_in_cubes(const LatticeTrial& trial) const;
   /// The cubic lattice of this step, model units, above 0. Errors: kInvalidArgument where that takes more
   /// than kMostCells.
   Result<Candidate> code_step(double step) const;
@@ -71,11 +72,6 @@ class PredictiveTrials {
   /// All but the chunk.
   Candidate shell(const LatticeTrial& trial) const;
   WritePositions writer(const LatticeTrial& trial) const;
-  /// Faces and positions at once; nothing where most faces lie in no cube of the voxels.
-  std::optional<Candidate> in_cubes(const LatticeTrial& trial) const;
-  /// That, or what `code_others` makes, whichever is smaller.
-  template <class CodeOthers>
-  Candidate in_cubes_or(const LatticeTrial& trial, const CodeOthers& code_others) const;
   Candidate code_floats() const;
   bool is_plain() const noexcept { return request_.profile == Profile::kZstd; }
   bool has_usual_voxels() const noexcept;

@@ -12,25 +12,26 @@
 #include "connectivity/faces/op_models.h"
 #include "entropy/coder/learning.h"
 #include "format/predictive_parameters.h"
-#include "positions/models.h"
+#include "positions/lattice/coder.h"
 
 namespace deltamesh {
 
 /// Members are empty for parts that the stream does not have in the compact form.
 struct StreamModels {
   std::optional<OpModels> ops;
-  PositionModels positions;
+  std::optional<LatticeModels> lattice;
   std::vector<std::optional<ColorModels>> colors;  ///< by attribute
   std::optional<PredictiveParameters> voxels;      ///< of a stream with voxel edges
 
   const OpModels* of_ops() const noexcept { return ops ? &*ops : nullptr; }
+  const LatticeModels* of_lattice() const noexcept { return lattice ? &*lattice : nullptr; }
   const ColorModels* of_color(std::size_t attribute) const noexcept {
     return attribute < colors.size() && colors[attribute] ? &*colors[attribute] : nullptr;
   }
 
   void limit_counts(std::uint8_t most) noexcept {
     if (ops) ops->limit_counts(most);
-    positions.limit_counts(most);
+    if (lattice) lattice->limit_counts(most);
     for (auto& models : colors)
       if (models) models->limit_counts(most);
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// read_positions on arbitrary payloads over a small mesh. The last six bytes choose mesh, lattice, form and
-// levels.
+// read_positions on arbitrary payloads over a small mesh. The last three bytes choose mesh, lattice, kind
+// and form.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -33,17 +33,14 @@ test::GraphMesh choose_mesh(unsigned choice) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  if (size < 6) return 0;
-  const std::uint8_t* choice = data + size - 6;
-  const auto bytes = std::as_bytes(std::span(data, size - 6));
+  if (size < 3) return 0;
+  const std::uint8_t* choice = data + size - 3;
+  const auto bytes = std::as_bytes(std::span(data, size - 3));
   const test::GraphMesh mesh = choose_mesh(choice[0]);
   const auto cells = static_cast<std::uint32_t>((std::uint64_t{1} << (choice[1] % 29)) - choice[1] / 128);
-  // Any number of levels, of any size.
-  const std::uint32_t raw = choice[3] + 256U * choice[4] + 65536U * choice[5];
-  const std::uint32_t levels = 1 + ((raw % kMostLevels) >> (choice[2] / 8 % 20));
-  const PredictiveParameters parameters{.kind = static_cast<PositionKind>(choice[0] / 64 % 3),
-                                        .lattice = {.cells = {cells, cells, cells}},
-                                        .levels = levels};
+  const PredictiveParameters parameters{
+      .kind = choice[0] < 128 ? PositionKind::kLattice : PositionKind::kFloats,
+      .lattice = {.cells = {cells, cells, cells}}};
   const FaceList faces{mesh.triangles, static_cast<std::uint32_t>(mesh.positions.size())};
   const auto positions = choice[2] % 8 == 0 ? read_plain_positions(bytes, faces.vertex_count, parameters)
                                             : read_positions(bytes, faces, parameters, mesh.box);

@@ -139,7 +139,8 @@ TEST(Grid, TakesLessThanFacesAndPlacesApart) {
   const auto faces = write_connectivity(mesh.triangles, vertex_count(mesh));
   std::vector<Cell> cells;
   for (const std::uint32_t v : faces.vertex_order) cells.push_back(mesh.cells[v]);
-  const auto positions = write_positions({faces.triangles, vertex_count(mesh)}, cells, mesh.parameters);
+  const auto positions =
+      write_positions({faces.triangles, vertex_count(mesh)}, cells, {.lattice = mesh.parameters.lattice});
   EXPECT_LT(static_cast<double>(coded.payloads.bytes()),
             0.72 * static_cast<double>(faces.payload.size() + positions.size()));
 }

@@ -31,6 +31,12 @@ std::vector<test::GraphMesh> graph_meshes() {
   return {test::sheet(14, 9), test::fragments(), test::fan(40), test::sheet(1, 1)};
 }
 
+std::vector<std::uint32_t> order_of(const FaceList& faces, CodingOrder coding_order) {
+  std::vector<std::uint32_t> order;
+  known_in_order(faces, coding_order, order);
+  return order;
+}
+
 /// Parallelograms that end at the vertices.
 std::size_t parallelograms(const KnownFaces& faces) {
   std::size_t count = 0;
@@ -75,17 +81,17 @@ std::vector<std::uint32_t> order_by_the_letter(const FaceList& faces, bool from_
 TEST(CodingOrder, POSN10PlacesAsItIsWritten) {
   for (const test::GraphMesh& mesh : graph_meshes()) {
     const FaceList faces = faces_of(mesh);
-    EXPECT_TRUE(ordered_vertices(faces, CodingOrder::kAsDecoded).empty());
-    EXPECT_EQ(ordered_vertices(faces, CodingOrder::kBroad), order_by_the_letter(faces, true));
-    EXPECT_EQ(ordered_vertices(faces, CodingOrder::kDeep), order_by_the_letter(faces, false));
+    EXPECT_TRUE(order_of(faces, CodingOrder::kAsDecoded).empty());
+    EXPECT_EQ(order_of(faces, CodingOrder::kBroad), order_by_the_letter(faces, true));
+    EXPECT_EQ(order_of(faces, CodingOrder::kDeep), order_by_the_letter(faces, false));
   }
 }
 
 TEST(CodingOrder, CornersThatRepeatAreLeftOut) {
   const std::vector<std::uint32_t> triangles = {0, 0, 1, 2, 2, 2, 1, 0, 1, 3, 1, 4};
   const FaceList faces{triangles, 6};
-  EXPECT_EQ(ordered_vertices(faces, CodingOrder::kBroad), order_by_the_letter(faces, true));
-  EXPECT_EQ(ordered_vertices(faces, CodingOrder::kDeep), order_by_the_letter(faces, false));
+  EXPECT_EQ(order_of(faces, CodingOrder::kBroad), order_by_the_letter(faces, true));
+  EXPECT_EQ(order_of(faces, CodingOrder::kDeep), order_by_the_letter(faces, false));
 }
 
 TEST(CodingOrder, FindsMoreParallelograms) {

@@ -11,7 +11,7 @@
 
 #include "base/small_code.h"
 #include "entropy/coder/held_coder.h"
-#include "positions/grid/pair_place.h"
+#include "positions/lattice/pair_place.h"
 #include "positions/match_coder.h"
 #include "positions/residual_coder.h"
 

@@ -21,6 +21,7 @@ struct VoxelFit {
   Vec3 voxel{};           ///< edge lengths, model units
   double noise = 0;       ///< how far from a plane a coordinate on it may be
   double share = 0;       ///< of the vertices on an edge
+  double in_cubes = 0;    ///< share of the faces that lie in a cube, their corners on its edges
   bool is_given = false;  ///< `origin` stays that of the lattice, wherever the mesh is
 };
 
@@ -29,6 +30,12 @@ std::optional<VoxelFit> fit_voxels(const AxisValues& values, const Box& box);
 
 /// `grid`, of which origin and voxels are given, as the fit of the mesh; empty as above. O(n).
 std::optional<VoxelFit> fit_to_grid(const VoxelFit& grid, const AxisValues& values, const Box& box);
+
+/// `fit` with its share of faces, or, unless it is given, the same with cubes of twice the size, in whichever
+/// more faces lie: an octree's are of several sizes, and planes on which coordinates pile up are those of the
+/// smallest. `triangles`: m x 3, of which some are looked at. O(n).
+VoxelFit for_most_faces(const VoxelFit& fit, const AxisValues& values,
+                        std::span<const std::uint32_t> triangles);
 
 /// The fine lattice of `fit` with this many levels per edge, and the vertices on it. Empty where it would
 /// exceed kMostCells.

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "positions/grid/fit.h"
+#include "grid/source/fit.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "base/memory/large_vector.h"
 #include "positions/lattice/value_planes.h"
@@ -95,6 +97,59 @@ std::optional<VoxelFit> with_share(VoxelFit fit, const AxisValues& values) {
   return fit;
 }
 
+/// Of the two such grids the one on whose planes more coordinates are.
+VoxelFit twice_as_large(const VoxelFit& fit, const AxisValues& values) {
+  std::array<std::array<std::size_t, 2>, 3> on_planes{};
+  const std::span<const Vec3> positions = values.positions();
+  for (std::size_t v = 0; v < positions.size(); v += values.stride()) {
+    const Placement placement = place_vertex(positions[v], fit);
+    if (placement.on_planes < 2) continue;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (axis != placement.free_axis)
+        ++on_planes[axis][static_cast<std::size_t>(std::abs(nearest(placement.turns[axis]))) % 2];
+  }
+  VoxelFit large = fit;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (on_planes[axis][1] > on_planes[axis][0]) large.origin[axis] -= fit.voxel[axis];
+    large.voxel[axis] = 2 * fit.voxel[axis];
+  }
+  return large;
+}
+
+/// Whether a cube of `fit` has these corners of a face on its edges.
+bool is_in_cube(const VoxelFit& fit, const std::array<Vec3, 3>& corners) noexcept {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Vec3 least = {kInfinity, kInfinity, kInfinity};
+  Vec3 most = {-kInfinity, -kInfinity, -kInfinity};
+  for (const Vec3& corner : corners) {
+    const Placement placement = place_vertex(corner, fit);
+    if (placement.on_planes < 2) return false;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const bool is_on_plane = axis != placement.free_axis;
+      const double turns = is_on_plane ? nearest(placement.turns[axis]) : placement.turns[axis];
+      least[axis] = std::min(least[axis], turns);
+      most[axis] = std::max(most[axis], turns);
+    }
+  }
+  bool is_inside = true;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    is_inside = is_inside && std::ceil(most[axis]) - 1 <= std::floor(least[axis]);
+  return is_inside;
+}
+
+double share_in_cubes(const VoxelFit& fit, std::span<const Vec3> positions,
+                      std::span<const std::uint32_t> triangles) noexcept {
+  constexpr std::size_t kSampled = 2048;
+  const std::size_t faces = triangles.size() / 3;
+  std::size_t seen = 0;
+  std::size_t inside = 0;
+  for (std::size_t f = 0; f < faces; f += 1 + faces / kSampled, ++seen) {
+    const auto at = [&](std::size_t c) { return positions[triangles[3 * f + c]]; };
+    inside += is_in_cube(fit, {at(0), at(1), at(2)}) ? 1 : 0;
+  }
+  return seen > 0 ? static_cast<double>(inside) / static_cast<double>(seen) : 0;
+}
+
 }  // namespace
 
 std::optional<VoxelFit> fit_to_grid(const VoxelFit& grid, const AxisValues& values, const Box& box) {
@@ -139,6 +194,16 @@ std::optional<VoxelFit> fit_voxels(const AxisValues& values, const Box& box) {
         comb.origin + comb.distance * (std::floor((box.min[axis] - comb.origin) / comb.distance) - 1);
   }
   return with_share(fit, values);
+}
+
+VoxelFit for_most_faces(const VoxelFit& fit, const AxisValues& values,
+                        std::span<const std::uint32_t> triangles) {
+  VoxelFit usual = fit;
+  usual.in_cubes = share_in_cubes(fit, values.positions(), triangles);
+  if (fit.is_given) return usual;
+  VoxelFit large = twice_as_large(fit, values);
+  large.in_cubes = share_in_cubes(large, values.positions(), triangles);
+  return large.in_cubes > usual.in_cubes ? large : usual;
 }
 
 std::optional<VoxelCells> to_voxel_cells(std::span<const Vec3> positions, const Box& box, const VoxelFit& fit,
