@@ -16,7 +16,6 @@
 #include "entropy/coder/writer.h"
 #include "format/container.h"
 #include "format/vertex_positions.h"
-#include "grid/source/fit.h"
 #include "positions/floats/order.h"
 #include "positions/guess_trial.h"
 #include "positions/lattice/axis_values.h"
@@ -395,25 +394,6 @@ TEST(AxisValues, AscendAsNumbersDo) {
   EXPECT_TRUE(all.has_repeats(1));
   EXPECT_TRUE(all.has_repeats(2));
   EXPECT_EQ(all.count_distances(2, 0.5, 1.5), 8U);
-}
-
-TEST(Voxels, TheGridIsFound) {
-  const Mesh mesh = room();
-  std::vector<Vec3> positions;
-  Box box{{1e9, 1e9, 1e9}, {-1e9, -1e9, -1e9}};
-  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
-    positions.push_back({mesh.positions[3 * v], mesh.positions[3 * v + 1], mesh.positions[3 * v + 2]});
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      box.min[axis] = std::min(box.min[axis], positions.back()[axis]);
-      box.max[axis] = std::max(box.max[axis], positions.back()[axis]);
-    }
-  }
-  const auto fit = fit_voxels(AxisValues(positions), box);
-  ASSERT_TRUE(fit);
-  EXPECT_GT(fit->share, 0.95);
-  const test::GraphMesh sheet = test::sheet(20, 20);
-  EXPECT_FALSE(fit_voxels(AxisValues(sheet.positions), sheet.box));
-  EXPECT_FALSE(fit_voxels(AxisValues({}), {}));
 }
 
 TEST(Predictive, POSN3ManyFacesAtOneEdgeTakeLinearTime) {
