@@ -190,6 +190,6 @@ class States:
         copies = {}  # of all that the models are made of
         self.after[of] = copy.deepcopy(self.before.get(of, SimpleNamespace(**fresh)), copies)
         for model in copies.values():
-            if isinstance(model, SymbolModel):
+            if hasattr(model, "counter"):
                 model.counter = min(model.counter, 26)
         return self.after[of]

@@ -40,14 +40,14 @@ FACES = [face_corners(axis, high) for axis in range(3) for high in (0, 1)]
 class CountedBit:
     """[GRD-2]"""
     def __init__(self, first=32768):
-        self.f, self.used = first, 0
+        self.f, self.counter = first, 0
 
     def decode(self, coder):
         p = clamp(self.f >> 1, 32, 32736)
         bit = coder.slot() < p
         coder.take(*((0, p) if bit else (p, 2**15 - p)))
-        self.f += (65535 * bit - self.f) >> (min(bits(self.used + 1), 6) if self.used < 80 else 7)
-        self.used += 1
+        self.f += (65535 * bit - self.f) >> (min(bits(self.counter + 1), 6) if self.counter < 80 else 7)
+        self.counter += 1
         return int(bit)
 
 def even_model(count):  # GRD-6, GRD-10
@@ -111,10 +111,11 @@ class Patterns:
 
 class Surface:
     """[GRD-3 to GRD-8] `nodes`, which are outside; `faces`; `edges`, the vertices on them; `inner`, where vertices inside cubes are."""
-    def __init__(self, coder, header, most_faces):
+    def __init__(self, coder, header, most_faces, states):
         self.coder, self.header, self.most_faces, self.width = coder, header, most_faces, 2 * header.levels
         self.nodes, self.faces, self.edges, self.inner, self.count, self.bricks = {}, [], {}, {}, 0, set()
-        self.flags, self.signs, self.patterns = defaultdict(CountedBit), defaultdict(CountedBit), Patterns()
+        learnt = states.models("grid", flags=defaultdict(CountedBit), signs=defaultdict(CountedBit), patterns=Patterns())
+        self.flags, self.signs, self.patterns = learnt.flags, learnt.signs, learnt.patterns
         self.without, self.seen, self.waiting = defaultdict(lambda: [0, 0]), set(), deque()
         self.GRD_7_grow()
 
@@ -193,10 +194,11 @@ class Surface:
 
 class Levels:
     """[GRD-9, GRD-10] Where vertices are on their edges: `rows`."""
-    def __init__(self, coder, header, surface):
+    def __init__(self, coder, header, surface, states):
         self.nodes, self.cuts, self.levels, self.rows = surface.nodes, {}, header.levels, {}
         g = max(bits(self.levels - 1) - 4, 0)
-        models = Mixture([int(h <= (self.levels - 1) >> g) for h in range(16)])
+        fresh = Mixture([int(h <= (self.levels - 1) >> g) for h in range(16)])
+        models = states.models(("levels", self.levels), places=fresh).places
         def place(edge):
             (x, y, z), (bx, by, bz) = edge[1], brick_of(edge[1])
             return bz, by, bx, z, y, edge[0], x
@@ -300,15 +302,15 @@ class Rest:
         must((node, kind) in self.vertices, "GRD-11", f"the surface has no vertex of kind {kind} at {node}")
         return self.vertices[node, kind]
 
-def GRD_12_read(chunks, header):
+def GRD_12_read(chunks, header, states):
     """Faces and positions of the geometric vertices, in doubles."""
     coder = Coder(chunks["GRID"])
     count = NumberModel().decode(coder), NumberModel().decode(coder)
     must(count[0] <= header.triangles, "GRD-8", f"{count[0]} faces of the rest")
     must(count[1] <= 3 * count[0] + header.geometric, "GRD-8", f"{count[1]} vertices of the rest")
     must(count[1] or not (count[0] or chunks["CONN"].data), "GRD-11", "a rest without vertices")
-    surface = Surface(coder, header, header.triangles - count[0])
-    rows, faces = Levels(coder, header, surface).rows | surface.inner, surface.faces
+    surface = Surface(coder, header, header.triangles - count[0], states)
+    rows, faces = Levels(coder, header, surface, states).rows | surface.inner, surface.faces
     inner = surface.inner.values()
     must(all(0 <= q <= most for row in inner for q, most in zip(row, header.cells)), "GRD-9", "a vertex beyond the lattice")
     debug("grid: nodes %s\nfaces %s\nlattice points %s", surface.nodes, faces, rows)

@@ -36,7 +36,7 @@ def decode_chunks(header, listed, states):  # DIR-8, HDR-7
     chunks = defaultdict(Chunk, {chunk.tag: chunk for chunk in listed})
     is_plain, seams, positions = PLN_1_is_plain(header, listed), None, None
     if header.coder == VOXELS:
-        faces, positions = GRD_12_read(chunks, header)
+        faces, positions = GRD_12_read(chunks, header, states)
     elif is_plain:
         faces, seams = PLN_2_faces(chunks["CONN"], chunks["SEAM"], header)
     else:

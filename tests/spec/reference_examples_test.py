@@ -112,7 +112,7 @@ def examples():
         [1, 0, 3, 1, -2, 3, 1, -2, 3, 40, -80, 9]
     yield "posn.md", positions("posn.md", lattice(LATTICE, 4, cells=[4, 4, 3]), TWO), line("posn.md", "q")
     chunks = {tag: chunk("grid.md", name) for tag, name in (("GRID", "payload"), ("CONN", "conn"))}
-    faces, points = GRD_12_read(chunks, lattice(VOXELS, 8, cells=[8, 8, 8], levels=2, triangles=10))
+    faces, points = GRD_12_read(chunks, lattice(VOXELS, 8, cells=[8, 8, 8], levels=2, triangles=10), States())
     yield "grid.md faces", faces, line("grid.md", "faces")
     yield "grid.md positions", points, line("grid.md", "q")
     box_max = [1.0, struct.unpack("<f", struct.pack("<f", 1.1))[0], 0.5]

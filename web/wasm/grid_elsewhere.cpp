@@ -9,7 +9,8 @@
 namespace deltamesh {
 
 Result<GridMesh> read_grid(const GridChunks& chunks, const PredictiveParameters& parameters,
-                           std::uint32_t vertices, std::uint32_t triangles) {
+                           std::uint32_t vertices, std::uint32_t triangles,
+                           const Learning<GridModels>& /*none*/) {
   constexpr auto kPart = web::Part::kGrid;
   web::GridCall call{.parameters = parameters, .vertices = vertices, .triangles = triangles};
   for (std::size_t k = 0; k < chunks.size(); ++k) call.chunks[k] = web::hand_over(kPart, chunks[k]);

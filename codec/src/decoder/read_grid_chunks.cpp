@@ -7,7 +7,7 @@
 
 namespace deltamesh {
 
-Result<GridMesh> read_grid_chunks(const Container& container) {
+Result<GridMesh> read_grid_chunks(const Container& container, const Learning<GridModels>& learning) {
   std::array<ExpandedChunk, kGridTags.size()> expanded;
   GridChunks chunks;
   for (std::size_t k = 0; k < chunks.size(); ++k) {
@@ -15,7 +15,7 @@ Result<GridMesh> read_grid_chunks(const Container& container) {
     chunks[k] = expanded[k].bytes();
   }
   const FileHeader& header = container.header();
-  return read_grid(chunks, header.predictive, header.geometric_vertices, header.triangles);
+  return read_grid(chunks, header.predictive, header.geometric_vertices, header.triangles, learning);
 }
 
 }  // namespace deltamesh

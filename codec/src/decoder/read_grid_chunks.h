@@ -10,6 +10,6 @@
 namespace deltamesh {
 
 /// What GRID, CONN and POSN hold together [GRD-*]. Errors: as read_grid() and expand_single().
-Result<GridMesh> read_grid_chunks(const Container& container);
+Result<GridMesh> read_grid_chunks(const Container& container, const Learning<GridModels>& learning);
 
 }  // namespace deltamesh

@@ -144,7 +144,7 @@ class StreamDecoder {
 
   /// With the positions, which wait.
   Result<void> read_faces_of_grid(std::vector<std::uint32_t>& triangles) {
-    DELTAMESH_TRY(auto mesh, read_grid_chunks(container_));
+    DELTAMESH_TRY(auto mesh, read_grid_chunks(container_, of_grid()));
     triangles = std::move(mesh.triangles);
     grid_positions_ = std::move(mesh.positions);
     return {};
@@ -219,6 +219,11 @@ class StreamDecoder {
                           header_.box(), of_lattice());
   }
 
+  Learning<GridModels> of_grid() const {
+    if (learnt_ != nullptr) learnt_->grid = std::make_unique<GridModels>(header_.predictive.levels);
+    return {start_ != nullptr ? start_->grid.get() : nullptr,
+            learnt_ != nullptr ? learnt_->grid.get() : nullptr};
+  }
   Learning<OpModels> of_ops() const {
     return {start_ != nullptr ? start_->of_ops() : nullptr,
             learnt_ != nullptr ? &learnt_->ops.emplace() : nullptr};

@@ -12,11 +12,14 @@
 #include <vector>
 
 #include "deltamesh/result.h"
+#include "entropy/coder/learning.h"
 #include "format/chunk/tags.h"
 #include "format/predictive_parameters.h"
 #include "positions/blend/blend.h"
 
 namespace deltamesh {
+
+struct GridModels;
 
 /// Faces that lie in no cube are an ordinary mesh, which is glued to the others.
 struct GridPayloads {
@@ -45,8 +48,10 @@ struct CodedGrid {
 /// `triangles`: m x 3; `cells`: of its n vertices, on the lattice of `parameters`, which are of
 /// PositionKind::kVoxel. Nothing where the grid is too large [GRD-1], or where most faces lie in no cube.
 /// O(n + m log m).
+/// `start`: null for fresh models.
 std::optional<CodedGrid> write_grid(std::span<const std::uint32_t> triangles, std::span<const Cell> cells,
-                                    const PredictiveParameters& parameters);
+                                    const PredictiveParameters& parameters,
+                                    const GridModels* start = nullptr);
 
 struct GridMesh {
   std::vector<std::uint32_t> triangles;  ///< m x 3
@@ -56,6 +61,7 @@ struct GridMesh {
 /// What write_grid() wrote, of `vertices` and `triangles` in number. Errors: kTruncated, kInvalidStream
 /// [GRD-*, CONN-*, POSN-*, CMP-3, GEO-1].
 Result<GridMesh> read_grid(const GridChunks& chunks, const PredictiveParameters& parameters,
-                           std::uint32_t vertices, std::uint32_t triangles);
+                           std::uint32_t vertices, std::uint32_t triangles,
+                           const Learning<GridModels>& learning = {});
 
 }  // namespace deltamesh

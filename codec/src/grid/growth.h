@@ -38,7 +38,8 @@ class Growth {
         is_seed = seed < seeds.size();
         if (is_seed) next_seed_ = seeds[seed];
       }
-      if (!coder_.bit(is_seed, models_.is_seed) || broken_ != nullptr || coder_.failed()) return broken_;
+      if (!coder_.bit(is_seed, models_.seeds.is_seed) || broken_ != nullptr || coder_.failed())
+        return broken_;
       code_seed();
       code_waiting();
     }
@@ -58,10 +59,10 @@ class Growth {
              static_cast<std::uint32_t>(at[0]);
     };
     const std::uint32_t brick_step =
-        coder_.number(Coder::kWrites ? index_of(next_seed_.brick) - seed_brick_ : 0, models_.seed_brick);
+        coder_.number(Coder::kWrites ? index_of(next_seed_.brick) - seed_brick_ : 0, models_.seeds.brick);
     seed_brick_ += brick_step;
     if (brick_step != 0) seed_place_ = 0;
-    seed_place_ += coder_.number(Coder::kWrites ? next_seed_.place - seed_place_ : 0, models_.seed_cube);
+    seed_place_ += coder_.number(Coder::kWrites ? next_seed_.place - seed_place_ : 0, models_.seeds.cube);
     if (seed_place_ >= kPlaces || seed_brick_ / size[0] / size[1] >= size[2]) return refuse("GRD-7");
     Brick& brick = surface_.bricks.get({static_cast<std::int32_t>(seed_brick_ % size[0]),
                                         static_cast<std::int32_t>(seed_brick_ / size[0] % size[1]),

@@ -46,6 +46,21 @@ struct PatternModels {
   SymbolModel count = even_model(kSymbols);
   std::array<SymbolModel, 3> corner = {even_model(kEdges + 1), even_model(kEdges + 1),
                                        even_model(kEdges + 1)};
+
+  void limit_counts(std::uint8_t most) noexcept {
+    is_any.limit_count(most);
+    around_outside.limit_count(most);
+    for (SymbolModel& model : apex) model.limit_count(most);
+    count.limit_count(most);
+    for (SymbolModel& model : corner) model.limit_count(most);
+  }
+};
+
+/// Where surfaces begin [GRD-7].
+struct SeedModels {
+  CountedBit is_seed;
+  NumberModel brick;
+  NumberModel cube;
 };
 
 /// Some 100 kB.
@@ -60,9 +75,17 @@ struct GrowthModels {
   std::vector<ListedPattern> patterns;
   SymbolModel rank = kFreshRank;
   PatternModels pattern;
-  CountedBit is_seed;
-  NumberModel seed_brick;
-  NumberModel seed_cube;
+  SeedModels seeds;
+
+  /// All but those of seeds.
+  void limit_counts(std::uint8_t most) noexcept {
+    for (CountedBit& bit : flags) bit.limit_count(most);
+    for (CountedBit& bit : signs) bit.limit_count(most);
+    for (KnownPatterns& list : known) list.is_other.limit_count(most);
+    rank.limit_count(most);
+    pattern.limit_counts(most);
+  }
+  void forget_seeds() { seeds = SeedModels{}; }
 
   /// `fresh`, as the last one that is known for cubes with these signs.
   const ListedPattern& add(Signs of_cubes, const Pattern& fresh) {

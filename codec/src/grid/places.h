@@ -31,6 +31,11 @@ struct PlaceModels {
       : ends(kEndContexts, even_model(((levels - 1) >> raw_bits(levels)) + 1)),
         smooth(kSmoothContexts, even_model(((levels - 1) >> raw_bits(levels)) + 1)) {}
 
+  void limit_counts(std::uint8_t most) noexcept {
+    ends.limit_counts(most);
+    smooth.limit_counts(most);
+  }
+
   SymbolModels ends;
   SymbolModels smooth;
   std::array<MixWeights, kPlaceWeights> weights;

@@ -13,6 +13,7 @@
 #include "format/vertex_positions.h"
 #include "grid/bounds.h"
 #include "grid/grid.h"
+#include "grid/grid_models.h"
 #include "grid/growth.h"
 #include "grid/places.h"
 #include "grid/rest/rest.h"
@@ -44,13 +45,12 @@ bool place_inner(const grid::Surface& surface, const PredictiveParameters& param
 
 /// Faces in cubes, and their vertices. Null, or the rule that a stream breaks.
 const char* read_surface(CompactReader& reader, const PredictiveParameters& parameters,
-                         const grid::Limits& limits, grid::Surface& surface, LargeVector<Cell>& cells) {
-  const auto models = std::make_unique<grid::GrowthModels>();
-  const char* rule = grid::Growth(reader, *models, NoSource{}, limits, surface).grow();
+                         const grid::Limits& limits, GridModels& models, grid::Surface& surface,
+                         LargeVector<Cell>& cells) {
+  const char* rule = grid::Growth(reader, models.growth, NoSource{}, limits, surface).grow();
   if (rule != nullptr || reader.failed()) return rule;
   cells.resize(surface.vertex_count);
-  grid::PlaceModels place_models(parameters.levels);
-  rule = grid::PlaceCoder(reader, place_models, parameters.levels, surface, parameters.lattice.cells)
+  rule = grid::PlaceCoder(reader, models.places, parameters.levels, surface, parameters.lattice.cells)
              .code(cells);
   if (rule != nullptr || reader.failed()) return rule;
   return place_inner(surface, parameters, cells) ? nullptr : "GRD-9";
@@ -83,7 +83,7 @@ Result<void> add_rest(CompactReader& reader, std::span<const std::uint32_t> tria
 }
 
 Result<GridCells> read_cells(const GridChunks& chunks, const PredictiveParameters& parameters,
-                             grid::Limits& limits) {
+                             grid::Limits& limits, GridModels& models) {
   if (!grid::are_few(limits.bricks)) return broken("GRD-1");
   const auto& [surface_bytes, rest_faces] = chunks;
   CompactReader reader(surface_bytes);
@@ -106,7 +106,7 @@ Result<GridCells> read_cells(const GridChunks& chunks, const PredictiveParameter
     };
     surface.triangles.reserve(likely(limits.triangles));
     surface.bricks.reserve(likely(limits.vertices));
-    const char* const rule = read_surface(reader, parameters, limits, surface, mesh.cells);
+    const char* const rule = read_surface(reader, parameters, limits, models, surface, mesh.cells);
     if (rule != nullptr && !reader.failed()) return broken(rule);
   }
   mesh.triangles = surface.triangles.take();
@@ -121,9 +121,11 @@ Result<GridCells> read_cells(const GridChunks& chunks, const PredictiveParameter
 }  // namespace
 
 Result<GridMesh> read_grid(const GridChunks& chunks, const PredictiveParameters& parameters,
-                           std::uint32_t vertices, std::uint32_t triangles) {
+                           std::uint32_t vertices, std::uint32_t triangles,
+                           const Learning<GridModels>& learning) {
   auto limits = grid::limits_of(parameters, vertices, triangles);
-  DELTAMESH_TRY(const auto read, read_cells(chunks, parameters, limits));
+  const auto models = GridModels::begin(parameters.levels, learning.start);
+  DELTAMESH_TRY(const auto read, read_cells(chunks, parameters, limits, *models));
   if (read.cells.size() != vertices || read.triangles.size() != triangles) return broken("GRD-8");
   GridMesh mesh;
   reserve_large(mesh.triangles, 3 * read.triangles.size());
@@ -131,6 +133,7 @@ Result<GridMesh> read_grid(const GridChunks& chunks, const PredictiveParameters&
     mesh.triangles.insert(mesh.triangles.end(), triangle.begin(), triangle.end());
   mesh.positions = to_rows(read.cells, parameters.lattice);
   DELTAMESH_CHECK(check_finite(mesh.positions));
+  if (learning.end != nullptr) *learning.end = std::move(*models);
   return mesh;
 }
 

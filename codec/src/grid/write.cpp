@@ -6,6 +6,7 @@
 #include "entropy/coder/writer.h"
 #include "grid/bounds.h"
 #include "grid/grid.h"
+#include "grid/grid_models.h"
 #include "grid/growth.h"
 #include "grid/places.h"
 #include "grid/source/cubes.h"
@@ -45,7 +46,7 @@ std::vector<Cell> in_order(std::span<const Cell> cells, std::span<const std::uin
 }  // namespace
 
 std::optional<CodedGrid> write_grid(std::span<const std::uint32_t> triangles, std::span<const Cell> cells,
-                                    const PredictiveParameters& parameters) {
+                                    const PredictiveParameters& parameters, const GridModels* start) {
   const auto limits = grid::limits_of(parameters, static_cast<std::uint32_t>(cells.size()),
                                       static_cast<std::uint32_t>(triangles.size() / 3));
   if (!grid::are_few(limits.bricks)) return std::nullopt;
@@ -58,13 +59,12 @@ std::optional<CodedGrid> write_grid(std::span<const std::uint32_t> triangles, st
   grid::RestModels rest_models;
   grid::RestSize rest_size = rest.size();
   code_rest_size(writer, rest_size, rest_models);
-  const auto models = std::make_unique<grid::GrowthModels>();
+  const auto models = GridModels::begin(parameters.levels, start);
   grid::Surface surface;
-  if (grid::Growth(writer, *models, source, limits, surface).grow() != nullptr) return std::nullopt;
+  if (grid::Growth(writer, models->growth, source, limits, surface).grow() != nullptr) return std::nullopt;
   CodedGrid coded = in_coded_order(surface, source, triangles);
   std::vector<Cell> surface_cells = in_order(cells, coded.vertex_order);
-  grid::PlaceModels place_models(parameters.levels);
-  grid::PlaceCoder(writer, place_models, parameters.levels, surface, parameters.lattice.cells)
+  grid::PlaceCoder(writer, models->places, parameters.levels, surface, parameters.lattice.cells)
       .code(surface_cells);
   if (rest_size.vertices > 0)
     rest.write(writer, rest_models, {surface, surface_cells, parameters.levels}, cells, parameters, coded);

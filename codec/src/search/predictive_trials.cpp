@@ -150,7 +150,8 @@ PredictiveTrials::WritePositions PredictiveTrials::writer(const LatticeTrial& tr
 
 std::optional<Candidate> PredictiveTrials::code_in_cubes(const LatticeTrial& trial) const {
   if (request_.progress != nullptr) request_.progress->tick();
-  auto grid = write_grid(source_.triangles, trial.cells, trial.parameters);
+  auto grid = write_grid(source_.triangles, trial.cells, trial.parameters,
+                         request_.start != nullptr ? request_.start->grid.get() : nullptr);
   if (!grid) return std::nullopt;
   Candidate candidate = shell(trial);
   candidate.positions = rows_in_order(candidate.positions, grid->vertex_order);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "connectivity/faces/op_models.h"
 #include "entropy/coder/learning.h"
 #include "format/predictive_parameters.h"
+#include "grid/grid_models.h"
 #include "positions/lattice/coder.h"
 
 namespace deltamesh {
@@ -20,6 +22,7 @@ namespace deltamesh {
 struct StreamModels {
   std::optional<OpModels> ops;
   std::optional<LatticeModels> lattice;
+  std::unique_ptr<GridModels> grid;
   std::vector<std::optional<ColorModels>> colors;  ///< by attribute
   std::optional<PredictiveParameters> voxels;      ///< of a stream with voxel edges
 
@@ -32,6 +35,7 @@ struct StreamModels {
   void limit_counts(std::uint8_t most) noexcept {
     if (ops) ops->limit_counts(most);
     if (lattice) lattice->limit_counts(most);
+    if (grid) grid->limit_counts(most);
     for (auto& models : colors)
       if (models) models->limit_counts(most);
   }
