@@ -194,7 +194,8 @@ def by_chance(program):
     for stream, tag, firsts, tries in ((golden("tetrahedron.default"), "CONN", range(4), 400), (two_faces(), "CONN", range(4), 200),
                                        (torus, "CONN", range(20), 150), (torus, "ORDR", range(-8, 0), 80),
                                        (grid(), "GRID", range(60), 1200), (golden("room.odd"), "GRID", range(2000), 150),
-                                       (golden("room.odd"), "GRID", range(-200, 0), 300)):
+                                       (golden("room.odd"), "GRID", range(-200, 0), 300),
+                                       (golden("room.step"), "CONN", range(-30, 0), 300)):
         i, parts = next((i, Parts(stream)) for i, chunk in enumerate(Parts(stream).chunks) if KINDS[chunk[0] & 15] == tag)
         kind, descriptor, payload = parts.chunks[i]
         for _ in range(tries):
