@@ -195,7 +195,7 @@ def by_chance(program):
                                        (torus, "CONN", range(20), 150), (torus, "ORDR", range(-8, 0), 80),
                                        (grid(), "GRID", range(60), 1200), (golden("room.odd"), "GRID", range(2000), 150),
                                        (golden("room.odd"), "GRID", range(-200, 0), 300),
-                                       (golden("room.step"), "CONN", range(-30, 0), 300)):
+                                       (golden("room.glued"), "CONN", range(-30, 0), 300)):
         i, parts = next((i, Parts(stream)) for i, chunk in enumerate(Parts(stream).chunks) if KINDS[chunk[0] & 15] == tag)
         kind, descriptor, payload = parts.chunks[i]
         for _ in range(tries):
