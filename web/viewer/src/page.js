@@ -21,6 +21,9 @@ const PAUSE_MILLISECONDS = 200;
 
 const find = (id) => document.getElementById(id);
 
+/** What takes long is done in several tasks, between which people are heard. */
+const nextTask = () => new Promise((resolve) => setTimeout(resolve));
+
 export class Page {
   #settings = fromHash(location.hash);
   #source = null;
@@ -31,14 +34,11 @@ export class Page {
   #request = 0;
   #note = ''; // what is wrong and does not stop anything
 
-  static async open(workshop) {
-    return new Page(workshop, await Picture.open(find, workshop));
-  }
-
-  constructor(workshop, picture) {
+  /** `drawing`: see Stage. */
+  constructor(workshop, drawing) {
     this.workshop = workshop;
     this.status = new Status(find);
-    this.picture = picture;
+    this.picture = new Picture(find, workshop, drawing);
     this.map = new MapView(find, workshop.map, this.picture.stage);
     this.controls = new Controls(find, (id, value) => this.change(id, value));
     this.controls.show(this.#settings);
@@ -178,6 +178,8 @@ export class Page {
       this.picture.setOriginal(display, frame, up);
       this.picture.show(this.#settings);
       this.#note = '';
+      await nextTask();
+      if (opening !== this.#opening) return;
       if (materials) this.picture.setMaterials(plainMaterials(materials));
       const source = this.#source;
       if (places) await this.#showModel(file, others, { places, count: mesh.positions.length / 3 });

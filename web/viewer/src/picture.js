@@ -11,9 +11,9 @@ import { Superseded } from './latest-job.js';
 import { formatSize } from './units.js';
 
 /** Without WebGL the page works, but for pictures, and says so. */
-async function makeStage(find) {
+function makeStage(find, drawing) {
   try {
-    return await Stage.open(find('canvas'));
+    return new Stage(find('canvas'), drawing);
   } catch {
     find('no-picture').hidden = false;
     return new NoStage();
@@ -33,14 +33,11 @@ export class Picture {
   #source = null; // of the model: { places, count }
   #player;
 
-  static async open(find, workshop) {
-    return new Picture(find, workshop, await makeStage(find));
-  }
-
-  constructor(find, workshop, stage) {
+  /** `drawing`: see Stage. */
+  constructor(find, workshop, drawing) {
     this.#find = find;
     this.#workshop = workshop;
-    this.#stage = stage;
+    this.#stage = makeStage(find, drawing);
     this.#player = new Player(find, (number, time) => this.#pose(number, time));
     const theme = () => this.#stage.setBackground(getComputedStyle(find('stage')).backgroundColor);
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', theme);

@@ -7,6 +7,7 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { MapSurface } from '../map/map-surface.js';
 import { moveByKeys } from './keys.js';
 import { Lights } from './lights.js';
+import { studioTexture } from './studio.js';
 import { Surface } from './surface.js';
 
 const FIELD_OF_VIEW = 40;
@@ -21,18 +22,6 @@ function panesOf(view, split) {
     return [{ name: 'result', from: split, to: 1, isWhole: true }, { name: 'original', from: 0, to: split, isWhole: true }];
   }
   return [{ name: view, from: 0, to: 1 }];
-}
-
-/**
- * Whether the processor draws, as no graphics card does: then several samples for each pixel would take most of the time. Only the name
- * tells: Chromium makes a context for `failIfMajorPerformanceCaveat`, too.
- */
-function isDrawnBySoftware() {
-  const gl = document.createElement('canvas').getContext('webgl2');
-  const names = gl?.getExtension('WEBGL_debug_renderer_info');
-  const name = names ? gl.getParameter(names.UNMASKED_RENDERER_WEBGL) : '';
-  gl?.getExtension('WEBGL_lose_context')?.loseContext();
-  return /swiftshader|llvmpipe|softpipe|basic render|software/i.test(name);
 }
 
 export class Stage {
@@ -51,18 +40,12 @@ export class Stage {
   #seen = []; // who waits for the picture
   #fence = null; // behind the last drawing, in the queue of the graphics card
 
-  /** In steps: each may wait for the graphics card's process. */
-  static async open(canvas) {
-    const isSoftware = isDrawnBySoftware();
-    await new Promise((resolve) => setTimeout(resolve));
-    return new Stage(canvas, isSoftware);
-  }
-
-  constructor(canvas, isSoftware) {
+  /** `isSoftware`: whether the processor draws; `studio`: of fetchStudio(), or null. */
+  constructor(canvas, { isSoftware, studio }) {
     this.#renderer = new WebGLRenderer({ canvas, antialias: !isSoftware });
     this.#renderer.toneMapping = NeutralToneMapping; // of materials alone
     this.#renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
-    this.#lights = new Lights(this.#renderer, this.#scene, this.#camera, { isSoftware });
+    this.#lights = new Lights(this.#renderer, this.#scene, this.#camera, { isSoftware, studio: studio && studioTexture(studio) });
     this.#scene.add(this.#camera, this.original, this.result, this.map);
     this.#controls = new OrbitControls(this.#camera, canvas);
     this.#controls.addEventListener('change', () => this.draw());
