@@ -32,10 +32,12 @@ export class Picture {
   #frame;
   #source = null; // of the model: { places, count }
   #player;
+  #onFailure;
 
-  /** `drawing`: see Stage. */
-  constructor(find, workshop, drawing) {
+  /** `drawing`: see Stage. `onFailure(error)`: of what the picture asks the workshop for. */
+  constructor(find, workshop, drawing, onFailure) {
     this.#find = find;
+    this.#onFailure = onFailure;
     this.#workshop = workshop;
     this.#stage = makeStage(find, drawing);
     this.#player = new Player(find, (number, time) => this.#pose(number, time));
@@ -156,7 +158,7 @@ export class Picture {
       this.#tellWires();
       this.#stage.drawNew();
     } catch (error) {
-      if (!(error instanceof Superseded)) throw error;
+      if (!(error instanceof Superseded)) this.#onFailure(error);
     }
   }
 

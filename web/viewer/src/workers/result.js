@@ -8,7 +8,7 @@ import { modules } from './answer.js';
 
 /** A mesh of readMesh() or makeExample(), with its frame and display, as a worker answers with it. */
 export function shown({ mesh, ...about }) {
-  const frame = frameOf(mesh.positions);
+  const frame = frameOf(mesh);
   const display = displayOf(mesh, frame);
   const own = [mesh.positions, mesh.indices, mesh.groups, ...mesh.attributes.map(({ values }) => values)];
   const buffers = [...own.filter(Boolean).map(({ buffer }) => buffer), ...buffersOf(display)];
