@@ -151,7 +151,7 @@ export class Picture {
   async #makeWires(which, surface) {
     const { geometry } = surface;
     try {
-      const edges = await this.#workshop.edges(which, geometry);
+      const edges = await this.#workshop.edges(which, surface);
       if (surface.geometry !== geometry || surface.hasWires) return;
       surface.setWires(edges);
       surface.showWires(this.#settings.shading === 'wire');

@@ -99,8 +99,9 @@ export class Workshop {
     return this.peers.run({ call: 'compare', request });
   }
 
-  edges(which, { index, attributes }) {
-    return this.wires[which].run({ call: 'edges', indices: index.array, count: attributes.position.count });
+  /** `which`: 'original' or 'result', a Surface. */
+  edges(which, { geometry: { index, attributes }, copies }) {
+    return this.wires[which].run({ call: 'edges', indices: index.array, count: attributes.position.count, copies });
   }
 
   /** The GLB file with its meshes packed, and all else as it is. */

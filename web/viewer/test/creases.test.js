@@ -3,8 +3,9 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { creasedNormals, hasCreases, withCopies } from '../src/mesh/creases.js';
+import { creasedNormals, hasCreases, withCopies, withoutCopies } from '../src/mesh/creases.js';
 import { displayOf, frameOf } from '../src/mesh/display.js';
+import { uniqueEdges } from '../src/mesh/edges.js';
 import { knot } from '../src/mesh/shapes.js';
 
 const box = {
@@ -41,6 +42,12 @@ test('a box has a normal for each of its sides at each corner', () => {
       assert.deepEqual(at(indices[i + corner], all), at(box.indices[i + corner], box.positions));
     }
   }
+});
+
+test('edges of a box come once, whatever its vertices are split into', () => {
+  const { indices, copies } = creasedNormals(box.positions, box.indices);
+  const count = 8 + copies.length;
+  assert.equal(uniqueEdges(indices, count, withoutCopies(count, copies)).length, 2 * 18);
 });
 
 test('what is round stays smooth beside what is flat', () => {

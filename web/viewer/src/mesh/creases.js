@@ -6,8 +6,8 @@
 const CREASE = Math.cos((40 * Math.PI) / 180);
 /** Between these are few angles where edges are designed, and many where a sensor or a generator made them. */
 const [CLEARLY_SMOOTH, CLEARLY_SHARP] = [25, 55].map((degrees) => Math.cos((degrees * Math.PI) / 180));
-/** Of angles that are not smooth, how many may be unclear. */
-const MOST_UNCLEAR = 0.1;
+/** Of angles that are not smooth, how many may be unclear: of parts up to 42 % are, of what was scanned 64 % and more. */
+const MOST_UNCLEAR = 0.5;
 /** At vertices of more faces all share one normal: the time would grow with the square. */
 const MOST_FACES = 256;
 
@@ -101,6 +101,13 @@ export function creasedNormals(positions, indices) {
     if (first === last) normals[3 * v + 2] = 1;
   }
   return { normals: Float32Array.from(normals), indices: made, copies: Uint32Array.from(copies) };
+}
+
+/** Each vertex, with copies behind those that they are copies of. */
+export function withoutCopies(count, copies) {
+  const numbers = Uint32Array.from({ length: count }, (_, vertex) => vertex);
+  numbers.set(copies, count - copies.length);
+  return numbers;
 }
 
 /** Rows of `values` with those of copies behind. */

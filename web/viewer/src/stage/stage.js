@@ -87,7 +87,7 @@ export class Stage {
   /** The camera sees all of a mesh with this diagonal, around 0. */
   frame(diagonal = this.diagonal) {
     this.diagonal = diagonal;
-    const distance = (0.5 * diagonal) / Math.tan((FIELD_OF_VIEW * Math.PI) / 360); // few meshes reach the corners of their box
+    const distance = (0.55 * diagonal) / Math.tan((FIELD_OF_VIEW * Math.PI) / 360); // some meshes reach the corners of their box, and the nearest are larger
     this.#camera.near = distance / 200;
     this.#camera.far = distance * 20;
     this.#camera.position.set(0.35, -0.75, 0.55).setLength(distance);

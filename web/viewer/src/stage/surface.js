@@ -135,6 +135,11 @@ export class Surface extends Group {
     return this.#geometry;
   }
 
+  /** Vertices of the geometry that are there once more: see creasedNormals(); or null. */
+  get copies() {
+    return this.#copies;
+  }
+
   setShading(isFlat) {
     if (this.#material.flatShading === isFlat) return;
     this.#material.flatShading = isFlat;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 // Reads files, and prepares what the graphics card gets. What reads files comes when it is needed: edges need little.
+import { withoutCopies } from '../mesh/creases.js';
 import { uniqueEdges } from '../mesh/edges.js';
 import { writeGlb } from '../mesh/write-glb.js';
 import { answerCalls, modules } from './answer.js';
@@ -11,8 +12,8 @@ answerCalls({
     const { readMesh } = await import('../mesh/read-mesh.js');
     return shown(await readMesh(file, { others, modules }));
   },
-  edges: ({ indices, count }) => {
-    const edges = uniqueEdges(indices, count);
+  edges: ({ indices, count, copies }) => {
+    const edges = uniqueEdges(indices, count, copies && withoutCopies(count, copies));
     return { result: edges, transfer: [edges.buffer] };
   },
   glb: async ({ bytes }) => {
