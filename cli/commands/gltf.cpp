@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string>
 
@@ -42,6 +43,20 @@ nlohmann::ordered_json attributes_object(const GltfReport& report) {
   return list;
 }
 
+/// What is no mesh, and what makes it smaller. Those tools do not know the extension.
+void add_others(Summary& summary, const GltfReport& report, bool packed) {
+  const auto add = [&](const char* what, std::uint64_t bytes, const char* advice) {
+    if (bytes == 0) return;
+    const double share = 100.0 * static_cast<double>(bytes) / static_cast<double>(report.output_bytes);
+    summary.add(what, counted(bytes, "byte", "bytes") + ", " + brief(std::round(share)) + " % of the asset" +
+                          (packed ? advice : ""));
+  };
+  add("  animations", report.animation_bytes,
+      "; smaller by \"gltf-transform resample\" or gltfpack, before packing");
+  add("  textures", report.image_bytes,
+      "; smaller by \"gltf-transform webp\" or \"gltf-transform etc1s\", before packing");
+}
+
 /// `converted`: "compressed" or "decompressed".
 void print_summary(const GltfArguments& arguments, const char* converted, const GltfReport& report) {
   Summary summary(arguments.in + " -> " + arguments.out);
@@ -74,6 +89,7 @@ void print_summary(const GltfArguments& arguments, const char* converted, const 
     summary.add("max error", brief(report.max_error) + " (" + brief(report.max_error_percent) +
                                  " % of the diagonal of its mesh)");
   summary.add("asset", grouped(report.input_bytes) + " -> " + counted(report.output_bytes, "byte", "bytes"));
+  add_others(summary, report, converted == std::string("compressed"));
   if (report.copied_files > 0)
     summary.add("copied", counted(report.copied_files, "file", "files") + " that the asset names");
   if (report.missing_files > 0)
@@ -99,6 +115,8 @@ void print_object(const GltfReport& report, bool packed) {
   object["stream_bytes"] = report.stream_bytes;
   object["input_bytes"] = report.input_bytes;
   object["output_bytes"] = report.output_bytes;
+  object["animation_bytes"] = report.animation_bytes;
+  object["image_bytes"] = report.image_bytes;
   object["copied_files"] = report.copied_files;
   object["missing_files"] = report.missing_files;
   if (packed) {

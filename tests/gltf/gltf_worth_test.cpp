@@ -66,6 +66,26 @@ TEST(GltfWorth, FewMeshesOfOneSheetArePacked) {
   EXPECT_LT(packed.report.output_bytes, packed.report.input_bytes);
 }
 
+TEST(GltfWorth, BytesOfAnimationsAndImagesAreTold) {
+  GltfBuilder builder;
+  builder.sheet_mesh(make_sheet(20));
+  const std::size_t times = builder.floats({0, 1, 2}, 1, true, 0);
+  const std::size_t turns = builder.floats(std::vector<float>(12, 0.5F), 4, false, 0);
+  const Json sampler{{"input", times}, {"output", turns}};
+  builder.push("nodes", {{"mesh", 0}});
+  builder.push("animations",
+               {{"samplers", {sampler, sampler}},
+                {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "rotation"}}}}}}});
+  const std::size_t pixels = builder.view(Bytes(1000));
+  builder.push("images", {{"bufferView", pixels}, {"mimeType", "image/png"}});
+  builder.push("images", {{"bufferView", pixels}, {"mimeType", "image/png"}});
+  builder.push("images", {{"uri", "data:image/png;base64,AAAA"}});
+  builder.push("images", {{"uri", "beside.png"}});
+  const GltfReport packed = pack_ok(builder.glb()).report;
+  EXPECT_EQ(packed.animation_bytes, 3 * 4U + 12 * 4U);
+  EXPECT_EQ(packed.image_bytes, 1000U + 26U);
+}
+
 TEST(GltfWorth, WhoAsksForAFallbackGetsAllStreams) {
   EXPECT_EQ(pack_ok(many_of_one(100).glb(), test::with_fallback()).report.converted, 100U);
 }

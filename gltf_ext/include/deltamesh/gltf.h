@@ -83,6 +83,10 @@ struct GltfReport {
   std::uint64_t stream_bytes = 0;
   std::uint64_t input_bytes = 0;   ///< asset and external buffers
   std::uint64_t output_bytes = 0;  ///< asset and external buffer
+  // In the result, of what neither packing nor unpacking changes; images that are files of their own do not
+  // count:
+  std::uint64_t animation_bytes = 0;
+  std::uint64_t image_bytes = 0;
   // Only of pack_gltf_file() and unpack_gltf_file(), of what else the asset names, such as images:
   std::uint64_t copied_files = 0;
   std::uint64_t missing_files = 0;  ///< not there to be copied

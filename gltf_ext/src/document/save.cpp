@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/try.h"
+#include "document/others.h"
 #include "io/gltf/uri.h"
 
 namespace deltamesh::gltf {
@@ -29,6 +30,9 @@ Result<GltfOutput> save_document(Document document, const GltfIo& io, const Gltf
   GltfOutput output;
   output.report = report;
   output.uris = relative_uris(document.json);
+  const OtherBytes others = count_others(document);
+  output.report.animation_bytes = others.animations;
+  output.report.image_bytes = others.images;
   std::span<const std::byte> data;
   if (!document.buffers.empty() && !document.buffers[0].opaque) {
     data = document.buffers[0].bytes;

@@ -11,8 +11,8 @@ namespace deltamesh::gltf {
 
 inline constexpr const char* kNoMemory = "the asset does not fit into memory";
 
-/// Writes the asset and completes `report` with the sizes before and after. Precondition: compact_document()
-/// ran. Errors: kLimitExceeded.
+/// Writes the asset and completes `report` with the sizes before and after. Preconditions: compact_document()
+/// ran, check_other_accessors(). Errors: kLimitExceeded.
 Result<GltfOutput> save_document(Document document, const GltfIo& io, const GltfReport& report);
 
 }  // namespace deltamesh::gltf

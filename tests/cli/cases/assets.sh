@@ -32,4 +32,6 @@ quiet decode triangle.dmsh triangle.glb
 figures gltf pack triangle.glb small.glb
 [ "$(stat -c %s small.glb)" -le "$(stat -c %s triangle.glb)" ] && say "not larger"
 quiet gltf pack plain.glb packed.glb --json
-has_keys .out not_smaller copied_files missing_files
+has_keys .out not_smaller copied_files missing_files animation_bytes image_bytes
+sed 's/"asset": *{/"images":[{"uri":"data:image\/png;base64,AAAA"}],"asset":{/' plain.gltf >textured.gltf
+figures gltf pack textured.gltf textured.glb

@@ -7,8 +7,6 @@ const MOST_DIFFERENCE = 8;
 
 /** Directions from an asset to the cameras that see it: the last is below, where terrains cannot be seen. */
 export const VIEWS = [[0.4, 0.5, 0.9], [-0.9, 0.6, 0.3], [0.2, -0.9, -0.5]];
-/** Share of an animation after which its asset is seen. */
-export const POSE = 0.4;
 
 function isFar(a, b) {
   for (let c = 0; c < 3; ++c) if (Math.abs(a[c] - b[c]) > MOST_DIFFERENCE) return true;

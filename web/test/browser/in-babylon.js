@@ -13,7 +13,7 @@ import { Scene } from '@babylonjs/core/scene.js';
 import '@babylonjs/core/Helpers/sceneHelpers.js';
 import '@babylonjs/loaders/glTF/2.0/index.js';
 
-import { POSE, SIDE, VIEWS, comparePictures, pixelsOf } from './compare.js';
+import { SIDE, VIEWS, comparePictures, pixelsOf } from './compare.js';
 
 const canvas = document.body.appendChild(Object.assign(document.createElement('canvas'), { width: SIDE, height: SIDE }));
 const engine = new Engine(canvas, true, { preserveDrawingBuffer: true });
@@ -40,13 +40,16 @@ async function open(url) {
   for (const { morphTargetManager: targets } of meshes)
     for (let i = 0; i < (targets?.numTargets ?? 0); ++i) targets.getTarget(i).influence = 0.5 / targets.numTargets;
   for (const group of scene.animationGroups) group.stop();
-  const group = scene.animationGroups.at(-1);
-  if (group) {
-    group.start();
-    group.pause();
-    group.goToFrame(group.from + POSE * (group.to - group.from));
-  }
   return scene;
+}
+
+/** `share`: of the last animation. */
+function pose(scene, share) {
+  const group = scene.animationGroups.at(-1);
+  if (!group) return;
+  group.start();
+  group.pause();
+  group.goToFrame(group.from + share * (group.to - group.from));
 }
 
 /** A picture for each of VIEWS. */
@@ -59,17 +62,21 @@ async function draw(scene, box) {
     pictures.push(pixelsOf(canvas));
     camera.dispose();
   }
-  scene.dispose();
   return pictures;
 }
 
-/** comparePictures() for each of VIEWS; `packed` is left on the canvas. */
-window.compareAssets = async (plain, packed) => {
-  const first = await open(plain);
-  const box = first.getWorldExtends();
-  const before = await draw(first, box);
-  const after = await draw(await open(packed), box);
-  return before.map((picture, view) => comparePictures(picture, after[view]));
+/** comparePictures() for each of `poses`, shares of the animation, and of VIEWS; `packed` is left on the canvas. */
+window.compareAssets = async (plain, packed, poses) => {
+  const scenes = [await open(plain), await open(packed)];
+  const box = scenes[0].getWorldExtends();
+  const compared = [];
+  for (const share of poses) {
+    for (const scene of scenes) pose(scene, share);
+    const [before, after] = [await draw(scenes[0], box), await draw(scenes[1], box)];
+    compared.push(...before.map((picture, view) => comparePictures(picture, after[view])));
+  }
+  for (const scene of scenes) scene.dispose();
+  return compared;
 };
 
 /** The message of what goes wrong, or ''. */

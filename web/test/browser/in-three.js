@@ -4,8 +4,9 @@
 import { DeltameshLoader, gltfDeltameshExtension } from '@deltamesh/three';
 import { AnimationMixer, Box3, Color, DirectionalLight, HemisphereLight, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { PLYLoader } from 'three/addons/loaders/PLYLoader.js';
 
-import { POSE, SIDE, VIEWS, comparePictures, pixelsOf } from './compare.js';
+import { SIDE, VIEWS, comparePictures, pixelsOf } from './compare.js';
 
 const canvas = document.body.appendChild(Object.assign(document.createElement('canvas'), { width: SIDE, height: SIDE }));
 const renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
@@ -33,14 +34,15 @@ async function open(url) {
   shown.add(scene, sun, new HemisphereLight(0xffffff, 0x808080, 1));
   // Half of each morph target, so that they are seen, too.
   scene.traverse((object) => object.morphTargetInfluences?.fill(0.5 / object.morphTargetInfluences.length));
-  if (animations.length > 0) {
-    const clip = animations.at(-1);
-    const mixer = new AnimationMixer(scene);
-    mixer.clipAction(clip).play();
-    mixer.setTime(POSE * clip.duration);
-  }
-  shown.updateMatrixWorld(true);
-  return shown;
+  const clip = animations.at(-1);
+  const mixer = new AnimationMixer(scene);
+  if (clip) mixer.clipAction(clip).play();
+  /** `share`: of the last animation. */
+  const pose = (share) => {
+    if (clip) mixer.setTime(share * clip.duration);
+    shown.updateMatrixWorld(true);
+  };
+  return { shown, pose };
 }
 
 function draw(scene) {
@@ -48,13 +50,25 @@ function draw(scene) {
   return pixelsOf(canvas);
 }
 
-/** comparePictures() for each of VIEWS; `packed` is left on the canvas. */
-window.compareAssets = async (plain, packed) => {
-  const scenes = await Promise.all([plain, packed].map(open));
-  const box = new Box3().setFromObject(scenes[0].children[0]);
-  return VIEWS.map((direction) => {
-    aim(box, direction);
-    return comparePictures(...scenes.map(draw));
+/** comparePictures() for each of `poses`, shares of the animation, and of VIEWS; `packed` is left on the canvas. */
+window.compareAssets = async (plain, packed, poses) => {
+  const assets = await Promise.all([plain, packed].map(open));
+  return poses.flatMap((share) => {
+    for (const { pose } of assets) pose(share);
+    const box = new Box3().setFromObject(assets[0].shown.children[0]);
+    return VIEWS.map((direction) => {
+      aim(box, direction);
+      return comparePictures(...assets.map(({ shown }) => draw(shown)));
+    });
+  });
+};
+
+/** Colours of a PLY file as PLYLoader has them, and of a stream of it: numbers, a row for each vertex, sorted. */
+window.colorsOf = async (ply, stream) => {
+  const geometries = [await new PLYLoader().loadAsync(ply), await streams.loadAsync(stream)];
+  return geometries.map(({ attributes: { color } }) => {
+    const rows = Array.from({ length: color.count }, (_, i) => [color.getX(i), color.getY(i), color.getZ(i)]);
+    return rows.sort((a, b) => a[0] - b[0] || a[1] - b[1] || a[2] - b[2]).flat();
   });
 };
 

@@ -2,7 +2,8 @@
 // Copyright 2026 The deltamesh authors
 // Begins with what is seen first, while the page itself is still on its way.
 import { fromHash } from './settings.js';
-import { Workshop } from './workshop.js';
+import { fetchStudio } from './stage/studio-file.js';
+import { Workshop, isDrawnBySoftware } from './workshop.js';
 
 const workshop = new Workshop();
 const url = new URLSearchParams(location.search).get('url');
@@ -10,8 +11,10 @@ const { example } = fromHash(location.hash);
 const first = url ? null : workshop.example(example);
 first?.catch(() => {}); // the page tells of it
 try {
+  const drawing = Promise.all([isDrawnBySoftware(), fetchStudio()]);
   const { Page } = await import('./page.js');
-  const page = await Page.open(workshop);
+  const [isSoftware, studio] = await drawing;
+  const page = new Page(workshop, { isSoftware, studio });
   window.viewer = { replacePart: (place, bytes) => page.replacePart(place, bytes) };
   if (url) page.openUrl(url);
   else page.openExample(example, first);

@@ -21,6 +21,9 @@ const PAUSE_MILLISECONDS = 200;
 
 const find = (id) => document.getElementById(id);
 
+/** What takes long is done in several tasks, between which people are heard. */
+const nextTask = () => new Promise((resolve) => setTimeout(resolve));
+
 export class Page {
   #settings = fromHash(location.hash);
   #source = null;
@@ -31,14 +34,11 @@ export class Page {
   #request = 0;
   #note = ''; // what is wrong and does not stop anything
 
-  static async open(workshop) {
-    return new Page(workshop, await Picture.open(find, workshop));
-  }
-
-  constructor(workshop, picture) {
+  /** `drawing`: see Stage. */
+  constructor(workshop, drawing) {
     this.workshop = workshop;
     this.status = new Status(find);
-    this.picture = picture;
+    this.picture = new Picture(find, workshop, drawing, (error) => this.status.fail(error));
     this.map = new MapView(find, workshop.map, this.picture.stage);
     this.controls = new Controls(find, (id, value) => this.change(id, value));
     this.controls.show(this.#settings);
@@ -178,6 +178,8 @@ export class Page {
       this.picture.setOriginal(display, frame, up);
       this.picture.show(this.#settings);
       this.#note = '';
+      await nextTask();
+      if (opening !== this.#opening) return;
       if (materials) this.picture.setMaterials(plainMaterials(materials));
       const source = this.#source;
       if (places) await this.#showModel(file, others, { places, count: mesh.positions.length / 3 });
@@ -200,7 +202,7 @@ export class Page {
       this.picture.setModel(asset, about);
       if (missing.length > 0) this.#note = `; choose or drop these, too: ${missing.join(', ')}`;
     } catch (error) {
-      if (source === this.#source) this.#note = `; its materials could not be read: ${error.message}`;
+      if (source === this.#source) this.#note = `; the materials of ${file.name} could not be read: ${error.message}`;
     }
   }
 
@@ -213,20 +215,19 @@ export class Page {
   async encode() {
     clearTimeout(this.#timer);
     if (!this.#source) return;
-    const source = this.#source;
+    const [source, request] = [this.#source, this.#request];
     this.status.tell('Compressing');
     try {
       const result = await this.workshop.encode(encodeOptions(this.#settings), (progress) => this.status.follow(progress));
-      if (source === this.#source) await this.#showMeasured(result);
+      if (source === this.#source) await this.#showMeasured(result, request);
     } catch (error) {
       this.status.fail(error);
     }
   }
 
-  /** The result at once, then what is known of it. */
-  async #showMeasured(result) {
+  /** The result at once, then, where nothing else has been asked for since `request`, what is known of it. */
+  async #showMeasured(result, request = this.#request) {
     const source = this.#source;
-    const request = this.#request;
     this.#show(result);
     this.status.tell('Measuring');
     await this.picture.whenSeen();

@@ -11,9 +11,9 @@ import { Superseded } from './latest-job.js';
 import { formatSize } from './units.js';
 
 /** Without WebGL the page works, but for pictures, and says so. */
-async function makeStage(find) {
+function makeStage(find, drawing) {
   try {
-    return await Stage.open(find('canvas'));
+    return new Stage(find('canvas'), drawing);
   } catch {
     find('no-picture').hidden = false;
     return new NoStage();
@@ -32,15 +32,14 @@ export class Picture {
   #frame;
   #source = null; // of the model: { places, count }
   #player;
+  #onFailure;
 
-  static async open(find, workshop) {
-    return new Picture(find, workshop, await makeStage(find));
-  }
-
-  constructor(find, workshop, stage) {
+  /** `drawing`: see Stage. `onFailure(error)`: of what the picture asks the workshop for. */
+  constructor(find, workshop, drawing, onFailure) {
     this.#find = find;
+    this.#onFailure = onFailure;
     this.#workshop = workshop;
-    this.#stage = stage;
+    this.#stage = makeStage(find, drawing);
     this.#player = new Player(find, (number, time) => this.#pose(number, time));
     const theme = () => this.#stage.setBackground(getComputedStyle(find('stage')).backgroundColor);
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', theme);
@@ -152,14 +151,14 @@ export class Picture {
   async #makeWires(which, surface) {
     const { geometry } = surface;
     try {
-      const edges = await this.#workshop.edges(which, geometry);
+      const edges = await this.#workshop.edges(which, surface);
       if (surface.geometry !== geometry || surface.hasWires) return;
       surface.setWires(edges);
       surface.showWires(this.#settings.shading === 'wire');
       this.#tellWires();
       this.#stage.drawNew();
     } catch (error) {
-      if (!(error instanceof Superseded)) throw error;
+      if (!(error instanceof Superseded)) this.#onFailure(error);
     }
   }
 

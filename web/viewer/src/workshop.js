@@ -28,11 +28,25 @@ function startWorker(name, message) {
   return worker;
 }
 
+/** Where it cannot be told, false. */
+export function isDrawnBySoftware() {
+  return new Promise((resolve) => {
+    const worker = new Worker(new URL('./renderer-worker.js', import.meta.url), { type: 'module' });
+    const end = (isSoftware) => {
+      worker.terminate();
+      resolve(isSoftware);
+    };
+    worker.onmessage = ({ data }) => end(data);
+    worker.onerror = () => end(false); // of browsers whose workers do not draw
+  });
+}
+
 export class Workshop {
   #source;
 
   constructor() {
     const reader = () => startWorker('read-worker');
+    this.examples = new LatestJob(() => startWorker('example-worker'));
     this.reader = new LatestJob(reader);
     this.exporter = new LatestJob(reader);
     this.wires = { original: new LatestJob(reader), result: new LatestJob(reader) };
@@ -56,7 +70,7 @@ export class Workshop {
 
   /** Ends reading, compressing and comparing. */
   cancel() {
-    for (const job of [this.reader, this.codec, this.packer, this.peers]) job.cancel();
+    for (const job of [this.examples, this.reader, this.codec, this.packer, this.peers]) job.cancel();
   }
 
   /** `others`: files that a .gltf may need. */
@@ -67,7 +81,7 @@ export class Workshop {
   /** With `prepared`, the result that is a part of the page: { bytes, order, info, display }. */
   example(name) {
     moduleOf('core').catch(() => {}); // the worker asks for it
-    return this.reader.run({ call: 'example', name });
+    return this.examples.run({ call: 'example', name });
   }
 
   /** As `prepared` of example(). */
@@ -85,8 +99,9 @@ export class Workshop {
     return this.peers.run({ call: 'compare', request });
   }
 
-  edges(which, { index, attributes }) {
-    return this.wires[which].run({ call: 'edges', indices: index.array, count: attributes.position.count });
+  /** `which`: 'original' or 'result', a Surface. */
+  edges(which, { geometry: { index, attributes }, copies }) {
+    return this.wires[which].run({ call: 'edges', indices: index.array, count: attributes.position.count, copies });
   }
 
   /** The GLB file with its meshes packed, and all else as it is. */

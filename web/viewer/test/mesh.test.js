@@ -94,7 +94,7 @@ test('GLB has rows at multiples of four bytes and a primitive for each group', (
 });
 
 test('the frame is that of the bounding box', () => {
-  assert.deepEqual(frameOf(square.positions), { center: [0.5, 0.5, 0], diagonal: Math.SQRT2 });
+  assert.deepEqual(frameOf({ attributes: [], ...square }), { center: [0.5, 0.5, 0], diagonal: Math.SQRT2, isCreased: false });
 });
 
 test('a size at an error lies on the line between two points, or is the nearest', () => {

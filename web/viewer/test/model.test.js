@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { AnimationClip, Bone, BufferAttribute, BufferGeometry, Group, Mesh, MeshStandardMaterial, NumberKeyframeTrack, Skeleton, SkinnedMesh, Vector3, VectorKeyframeTrack } from 'three';
+import { AnimationClip, Bone, BufferAttribute, BufferGeometry, Group, Mesh, MeshStandardMaterial, NumberKeyframeTrack, Skeleton, SkinnedMesh, Texture, Vector3, VectorKeyframeTrack } from 'three';
 
 import { Model } from '../src/stage/model.js';
 
@@ -38,6 +38,27 @@ const LIFTED = {
   display: { positions: new Float32Array([2, 1, 0.25, 2, 0, 0.25, 3, 0, 0.25]), normals: new Float32Array([0, 0, 1, 0, 0, 1, 0, 0, 1]), uvs: null },
   order: new Uint32Array([2, 0, 1]),
 };
+
+test('what the graphics card holds goes with the models: materials and textures with the first', () => {
+  const map = new Texture();
+  const scene = new Group().add(new Mesh(triangle(), new MeshStandardMaterial({ map })), new Mesh(triangle(), new MeshStandardMaterial({ map, emissiveMap: map })));
+  const gone = [];
+  for (const mesh of scene.children) {
+    mesh.material.addEventListener('dispose', () => gone.push('material'));
+    mesh.geometry.addEventListener('dispose', () => gone.push('geometry'));
+  }
+  let isClosed = false;
+  map.source.data = { close: () => (isClosed = true) };
+  map.addEventListener('dispose', () => gone.push('texture'));
+  const model = new Model(scene, [], frameOf(1, 1));
+  const result = model.withVertices(LIFTED, [{ start: 0, corners: null }, { start: 0, corners: null }], 3);
+  result.dispose();
+  assert.deepEqual(gone, [], 'the first model still has them');
+  model.dispose();
+  assert.deepEqual([...new Set(gone)].sort(), ['geometry', 'material', 'texture']);
+  assert.equal(gone.filter((what) => what === 'material').length, 2);
+  assert.ok(isClosed);
+});
 
 test('decoded vertices stand where the scene has them, and move with its animation', () => {
   const node = new Group();

@@ -214,7 +214,7 @@ test('nothing went wrong on the console', { skip }, () => assert.deepEqual(open.
 test('a room is seen first, in its materials, split', { skip }, async () => {
   const first = await openPage();
   await waitUntilDone(first.page);
-  assert.match(await textOf(first.page, 'headline'), /^2\.\d+ MB → \d\d(\.\d)? kB, and you cannot see it$/);
+  assert.match(await textOf(first.page, 'headline'), /^1\.\d+ MB → \d\d(\.\d)? kB, and you cannot see it$/);
   assert.equal(await first.page.$eval('#divider', (divider) => divider.hidden), false);
   const own = await picture(first.page);
   await choose(first.page, 'look', 'clay');

@@ -2,10 +2,11 @@
 // Copyright 2026 The deltamesh authors
 // What the graphics card gets of a mesh: arrays near its origin. For workers.
 import { toLinear } from './colors.js';
+import { creasedNormals, hasCreases, withCopies } from './creases.js';
 import { vertexNormals } from './normals.js';
 
-/** Centre and radius of the bounding box. */
-export function frameOf(positions) {
+/** Centre and diagonal of the bounding box; `isCreased`: whether sharp edges are shown as such, see hasCreases(). */
+export function frameOf({ positions, indices, attributes }) {
   const min = [Infinity, Infinity, Infinity];
   const max = [-Infinity, -Infinity, -Infinity];
   for (let i = 0; i < positions.length; i += 3) {
@@ -16,7 +17,8 @@ export function frameOf(positions) {
     }
   }
   const diagonal = Math.hypot(...max.map((value, axis) => value - min[axis]));
-  return { center: max.map((value, axis) => (value + min[axis]) / 2), diagonal };
+  const isCreased = !ownNormals(attributes) && hasCreases(positions, indices);
+  return { center: max.map((value, axis) => (value + min[axis]) / 2), diagonal, isCreased };
 }
 
 /** n x 4, 16 bits, linear. */
@@ -50,19 +52,30 @@ function facesByGroup(indices, groups) {
   return { indices: sorted, ranges };
 }
 
+/** With those vertices added that sharp edges need: `copies`, for each its vertex. */
+function creased({ positions, indices, normals, uvs, colors, ...rest }) {
+  const { copies, ...made } = creasedNormals(positions, indices);
+  const all = (values, components) => values && withCopies(values, components, copies);
+  return { ...rest, ...made, copies, positions: all(positions, 3), uvs: all(uvs, 2), colors: all(colors, 4) };
+}
+
+const ownNormals = (attributes) => attributes.find(({ kind, values }) => kind === 'normal' && values instanceof Float32Array);
+
 /** `frame`: of the original. Arrays of its own. */
 export function displayOf({ positions, indices, groups, attributes }, frame) {
   const near = new Float32Array(positions.length);
   for (let i = 0; i < positions.length; ++i) near[i] = positions[i] - frame.center[i % 3];
   const color = attributes.find(({ kind, components }) => kind === 'color' && components >= 3);
-  const own = attributes.find(({ kind, values }) => kind === 'normal' && values instanceof Float32Array);
-  return {
+  const own = ownNormals(attributes);
+  const display = {
     positions: near,
     ...facesByGroup(indices, groups),
     uvs: attributes.find(({ kind, components, values }) => kind === 'uv' && components === 2 && values instanceof Float32Array)?.values.slice() ?? null,
-    normals: own ? own.values.slice() : vertexNormals(near, indices),
+    normals: own ? own.values.slice() : frame.isCreased ? null : vertexNormals(near, indices),
+    copies: null,
     colors: color ? displayColors(color, positions.length / 3) : null,
   };
+  return display.normals ? display : creased(display);
 }
 
 export function buffersOf(display) {

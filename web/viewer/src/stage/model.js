@@ -65,15 +65,25 @@ const meshesIn = (scene) => {
   return meshes;
 };
 
+function disposeMaterial(material) {
+  for (const value of Object.values(material)) {
+    if (!value?.isTexture) continue;
+    value.dispose();
+    value.source.data?.close?.(); // of an ImageBitmap
+  }
+  material.dispose();
+}
+
 export class Model extends Group {
   #scene;
+  #isOwner;
   #mixer;
   #animations;
 
   /** `frame`: of the flattened mesh, whose size and place it takes; `like`: a Model that has them already. */
   constructor(scene, animations, frame, like) {
     super();
-    [this.#scene, this.#animations, this.frame] = [scene, animations, frame];
+    [this.#scene, this.#animations, this.frame, this.#isOwner] = [scene, animations, frame, !like];
     // Tracks find unnamed nodes by their UUID, which copies do not have.
     scene.traverse((child) => (child.name ||= child.uuid));
     for (const mesh of meshesIn(scene)) {
@@ -133,7 +143,14 @@ export class Model extends Group {
     return new Model(scene, this.#animations, this.frame, this);
   }
 
+  /** Materials and their textures go with the model that was there first: others have been disposed of by then. */
   dispose() {
-    for (const { geometry } of meshesIn(this.#scene)) geometry.dispose();
+    const meshes = meshesIn(this.#scene);
+    for (const mesh of meshes) {
+      mesh.geometry.dispose();
+      mesh.skeleton?.dispose();
+      if (mesh.isInstancedMesh) mesh.dispose();
+    }
+    if (this.#isOwner) new Set(meshes.flatMap(({ material }) => material)).forEach(disposeMaterial);
   }
 }

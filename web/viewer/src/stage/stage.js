@@ -7,6 +7,7 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { MapSurface } from '../map/map-surface.js';
 import { moveByKeys } from './keys.js';
 import { Lights } from './lights.js';
+import { studioTexture } from './studio.js';
 import { Surface } from './surface.js';
 
 const FIELD_OF_VIEW = 40;
@@ -23,18 +24,6 @@ function panesOf(view, split) {
   return [{ name: view, from: 0, to: 1 }];
 }
 
-/**
- * Whether the processor draws, as no graphics card does: then several samples for each pixel would take most of the time. Only the name
- * tells: Chromium makes a context for `failIfMajorPerformanceCaveat`, too.
- */
-function isDrawnBySoftware() {
-  const gl = document.createElement('canvas').getContext('webgl2');
-  const names = gl?.getExtension('WEBGL_debug_renderer_info');
-  const name = names ? gl.getParameter(names.UNMASKED_RENDERER_WEBGL) : '';
-  gl?.getExtension('WEBGL_lose_context')?.loseContext();
-  return /swiftshader|llvmpipe|softpipe|basic render|software/i.test(name);
-}
-
 export class Stage {
   original = new Surface();
   result = new Surface();
@@ -48,21 +37,16 @@ export class Stage {
   #split = 0.5;
   #isWaiting = false;
   #isNew = true; // programs may be missing
-  #seen = []; // who waits for the picture
-  #fence = null; // behind the last drawing, in the queue of the graphics card
+  #waiting = []; // who waits for a picture that is not begun
+  #drawing = null; // who waits for the picture that is being drawn
+  #fence = null; // behind what was last given to the graphics card
 
-  /** In steps: each may wait for the graphics card's process. */
-  static async open(canvas) {
-    const isSoftware = isDrawnBySoftware();
-    await new Promise((resolve) => setTimeout(resolve));
-    return new Stage(canvas, isSoftware);
-  }
-
-  constructor(canvas, isSoftware) {
+  /** `isSoftware`: whether the processor draws; `studio`: of fetchStudio(), or null. */
+  constructor(canvas, { isSoftware, studio }) {
     this.#renderer = new WebGLRenderer({ canvas, antialias: !isSoftware });
     this.#renderer.toneMapping = NeutralToneMapping; // of materials alone
     this.#renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
-    this.#lights = new Lights(this.#renderer, this.#scene, this.#camera, { isSoftware });
+    this.#lights = new Lights(this.#renderer, this.#scene, this.#camera, { isSoftware, studio: studio && studioTexture(studio) });
     this.#scene.add(this.#camera, this.original, this.result, this.map);
     this.#controls = new OrbitControls(this.#camera, canvas);
     this.#controls.addEventListener('change', () => this.draw());
@@ -103,7 +87,7 @@ export class Stage {
   /** The camera sees all of a mesh with this diagonal, around 0. */
   frame(diagonal = this.diagonal) {
     this.diagonal = diagonal;
-    const distance = (0.5 * diagonal) / Math.tan((FIELD_OF_VIEW * Math.PI) / 360); // few meshes reach the corners of their box
+    const distance = (0.55 * diagonal) / Math.tan((FIELD_OF_VIEW * Math.PI) / 360); // some meshes reach the corners of their box, and the nearest are larger
     this.#camera.near = distance / 200;
     this.#camera.far = distance * 20;
     this.#camera.position.set(0.35, -0.75, 0.55).setLength(distance);
@@ -123,21 +107,23 @@ export class Stage {
   draw() {
     if (this.#isWaiting) return;
     this.#isWaiting = true;
-    this.#tell('waiting');
-    const attempt = () => {
-      if (this.#isBusy()) return requestAnimationFrame(attempt);
-      if (this.#isNew) {
-        this.#isNew = false;
-        this.#renderer.compile(this.#scene, this.#camera);
-        this.#setFence();
-        return requestAnimationFrame(attempt);
-      }
-      this.#isWaiting = false;
-      this.#drawNow();
+    this.#renderer.domElement.dataset.picture = 'waiting';
+    requestAnimationFrame(() => this.#attempt());
+  }
+
+  #attempt() {
+    if (this.#isBusy()) return requestAnimationFrame(() => this.#attempt());
+    if (this.#isNew) {
+      this.#isNew = false;
+      this.#renderer.compile(this.#scene, this.#camera);
       this.#setFence();
-      return this.#tellWhenDrawn();
-    };
-    requestAnimationFrame(attempt);
+      return requestAnimationFrame(() => this.#attempt());
+    }
+    this.#isWaiting = false;
+    this.#drawNow();
+    this.#drawing = this.#waiting.splice(0);
+    this.#setFence();
+    return this.#follow();
   }
 
   #setFence() {
@@ -146,38 +132,37 @@ export class Stage {
     gl.flush();
   }
 
-  #tellWhenDrawn() {
-    if (this.#isWaiting) return;
-    if (this.#isBusy()) {
-      requestAnimationFrame(() => this.#tellWhenDrawn());
-      return;
-    }
-    this.#tell('drawn');
-    if (this.result.geometry && this.#lights.finish()) this.drawNew();
+  /** Until what is drawn is seen; where more is to be drawn, #attempt() does the same. */
+  #follow() {
+    if (!this.#isWaiting && this.#isBusy()) requestAnimationFrame(() => this.#follow());
   }
 
   /** When what was last asked for is seen; at once where nobody sees the page. */
   whenDrawn() {
-    if (!this.#isWaiting || document.hidden) return undefined;
-    return new Promise((resolve) => this.#seen.push(resolve));
-  }
-
-  /** In the page, whether the picture is that of what was last asked for. */
-  #tell(state) {
-    this.#renderer.domElement.dataset.picture = state;
-    if (state === 'drawn') for (const resolve of this.#seen.splice(0)) resolve();
-    const isFirst = state === 'drawn' && this.result.geometry && performance.getEntriesByName('first picture').length === 0;
-    if (isFirst) performance.mark('first picture');
+    const list = this.#isWaiting ? this.#waiting : this.#drawing;
+    if (!list || document.hidden) return undefined;
+    return new Promise((resolve) => list.push(resolve));
   }
 
   #isBusy() {
     const gl = this.#renderer.getContext();
-    if (!this.#fence || gl.isContextLost()) return false;
     // A fence of a context that was lost and restored has no status.
-    if (gl.getSyncParameter(this.#fence, gl.SYNC_STATUS) === gl.UNSIGNALED) return true;
-    gl.deleteSync(this.#fence);
+    if (this.#fence && !gl.isContextLost() && gl.getSyncParameter(this.#fence, gl.SYNC_STATUS) === gl.UNSIGNALED) return true;
+    if (this.#fence) gl.deleteSync(this.#fence);
     this.#fence = null;
+    this.#tellDrawn();
     return false;
+  }
+
+  /** In the page, too, whether the picture is that of what was last asked for. */
+  #tellDrawn() {
+    if (!this.#drawing) return;
+    for (const resolve of this.#drawing) resolve();
+    this.#drawing = null;
+    if (!this.#isWaiting) this.#renderer.domElement.dataset.picture = 'drawn';
+    if (!this.result.geometry) return;
+    if (performance.getEntriesByName('first picture').length === 0) performance.mark('first picture');
+    if (this.#lights.finish()) this.drawNew();
   }
 
   #resize() {

@@ -14,6 +14,8 @@ import {
   Vector2,
 } from 'three';
 
+import { withCopies } from '../mesh/creases.js';
+
 const COLOR = 0xc9b48f;
 
 /** Replaces the colour by that of `value` in the heat map, where that is on. */
@@ -47,6 +49,8 @@ export class Surface extends Group {
   #authored = null;
   #isAuthored = false;
   #model = null;
+  #copies = null;
+  #values = null;
   #uniforms = { heatMap: { value: null }, heatRange: { value: new Vector2() }, heatOn: { value: false } };
   #wireMaterial = new LineBasicMaterial({ color: 0x10161d, toneMapped: false, transparent: true, opacity: 0.4 });
 
@@ -99,8 +103,9 @@ export class Surface extends Group {
   }
 
   /** `display`: of displayOf(). */
-  setDisplay({ positions, indices, normals, colors, uvs, ranges }, radius) {
+  setDisplay({ positions, indices, normals, colors, uvs, ranges, copies }, radius) {
     this.empty();
+    this.#copies = copies;
     const geometry = (this.#geometry = new BufferGeometry());
     geometry.setAttribute('position', new BufferAttribute(positions, 3));
     geometry.setAttribute('normal', new BufferAttribute(normals, 3));
@@ -121,13 +126,18 @@ export class Surface extends Group {
   empty() {
     this.#geometry?.dispose();
     this.#wires?.geometry.dispose();
-    this.#geometry = this.#wires = this.#mesh = null;
+    this.#geometry = this.#wires = this.#mesh = this.#copies = this.#values = null;
     this.setModel(null);
     this.clear();
   }
 
   get geometry() {
     return this.#geometry;
+  }
+
+  /** Vertices of the geometry that are there once more: see creasedNormals(); or null. */
+  get copies() {
+    return this.#copies;
   }
 
   setShading(isFlat) {
@@ -159,8 +169,8 @@ export class Surface extends Group {
     this.#uniforms.heatOn.value = values !== null;
     this.#choose();
     if (values === null) return;
-    const isNew = this.#geometry.attributes.value?.array !== values;
-    if (isNew) this.#geometry.setAttribute('value', new BufferAttribute(values, 1));
+    if (this.#values !== values) this.#geometry.setAttribute('value', new BufferAttribute(this.#copies ? withCopies(values, 1, this.#copies) : values, 1));
+    this.#values = values;
     this.#uniforms.heatMap.value = texture;
     this.#uniforms.heatRange.value.set(isSigned ? -limit : 0, limit);
   }

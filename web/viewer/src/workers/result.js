@@ -1,10 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-// A stream as the page shows it. For workers.
+// Meshes and streams as the page shows them. For workers.
 import { DeltameshError, createDecoder } from '@deltamesh/decoder';
 
-import { displayOf } from '../mesh/display.js';
+import { buffersOf, displayOf, frameOf } from '../mesh/display.js';
 import { modules } from './answer.js';
+
+/** A mesh of readMesh() or makeExample(), with its frame and display, as a worker answers with it. */
+export function shown({ mesh, ...about }) {
+  const frame = frameOf(mesh);
+  const display = displayOf(mesh, frame);
+  const own = [mesh.positions, mesh.indices, mesh.groups, ...mesh.attributes.map(({ values }) => values)];
+  const buffers = [...own.filter(Boolean).map(({ buffer }) => buffer), ...buffersOf(display)];
+  return { result: { mesh, frame, display, ...about }, transfer: [...new Set(buffers)] };
+}
 
 let decoder;
 
