@@ -9,6 +9,7 @@
 
 #include "base/try.h"
 #include "part/encode.h"
+#include "part/view_cells.h"
 #include "patch/container.h"
 #include "patch/encode.h"
 
@@ -20,13 +21,24 @@ namespace {
 constexpr double kMostNewFaces = 0.97;
 constexpr double kWorthPatch = 0.97;
 
-/// The view's quality, without places and rate.
-View quality_of(const View& view) {
+/// A copy that is seen before what the view asks for need not be much better than its simplification: the
+/// largest error of a cell's edge, and that of colours in 255ths. Larger errors cost more at border vertices,
+/// which are on the lattice all the same, than they save elsewhere.
+constexpr double kFirstSight = 1.0 / 1024;
+constexpr float kFirstSightColor = 8;
+
+/// The view's quality for a part, without places and rate.
+View quality_of(const View& view, const SourcePart& source, const MapDescription& description) {
   View quality;
   quality.vde = view.vde;
   quality.lfe = view.lfe;
   quality.max_error = view.max_error;
   quality.color_error = view.color_error;
+  if (!source.is_copy || source.part.key.level <= view.level) return quality;
+  quality.vde = quality.lfe = {};
+  const double edge = cube_of(source.part.key, description).edge;
+  quality.max_error = std::max(view.max_error.value_or(0), static_cast<float>(kFirstSight * edge));
+  quality.color_error = std::max(view.color_error, kFirstSightColor);
   return quality;
 }
 
@@ -94,7 +106,7 @@ std::vector<Encodings::Asked>& Encodings::asked_of(const SourcePart& source) {
 const Encodings::Asked* Encodings::find(const SourcePart& source, const View& view) const {
   const auto asked = asked_.find(source.part.key);
   if (asked == asked_.end()) return nullptr;
-  const View quality = quality_of(view);
+  const View quality = quality_of(view, source, codec_.description());
   const auto found = std::ranges::find_if(asked->second, [&](const Asked& a) {
     return a.content_revision == source.content_revision && a.view == quality && a.base_hash == 0;
   });
@@ -116,7 +128,7 @@ Result<std::shared_ptr<const Encoding>> Encodings::make(const SourcePart& source
 
 Result<std::shared_ptr<const Encoding>> Encodings::get(const SourcePart& source, const View& view) {
   if (const Asked* asked = find(source, view); asked != nullptr) return asked->encoding;
-  Asked asked{quality_of(view), source.content_revision, 0};
+  Asked asked{quality_of(view, source, codec_.description()), source.content_revision, 0};
   auto made = make(source, asked.view);
   if (!made && is_ours(made.error())) return made.error();
   if (!made) asked.fault = made.error();
@@ -136,7 +148,7 @@ Result<std::shared_ptr<const Encoding>> Encodings::get(const SourcePart& source,
 
 Result<std::shared_ptr<const Encoding>> Encodings::patch(const SourcePart& source, const View& view,
                                                          const KnownVersion& base) {
-  const View quality = quality_of(view);
+  const View quality = quality_of(view, source, codec_.description());
   std::vector<Asked>& asked = asked_of(source);
   for (const Asked& a : asked)
     if (a.view == quality && a.base_hash == base.encoding->hash) return a.encoding;
@@ -185,13 +197,14 @@ std::shared_ptr<const PartMatch> Encodings::match(const SourcePart& source, cons
 }
 
 bool Encodings::fits(const KnownVersion& version, const SourcePart& source, const View& view) {
+  const View quality = quality_of(view, source, codec_.description());
   if (version.content_revision == source.content_revision) {
     const Asked* asked = find(source, view);
     const bool is_the_best = asked != nullptr && asked->fault && version.encoding == asked->encoding;
-    return is_the_best || satisfies(version.encoding->errors, view);
+    return is_the_best || satisfies(version.encoding->errors, quality);
   }
-  if (!view.max_error || view.vde || view.lfe) return false;
-  return match(source, quality_of(view), *version.encoding)->is_whole();
+  if (!quality.max_error || quality.vde || quality.lfe) return false;
+  return match(source, quality, *version.encoding)->is_whole();
 }
 
 void Encodings::forget(const PartKey& key) {

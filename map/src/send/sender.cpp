@@ -63,7 +63,8 @@ Result<MapSender> MapSender::make(MapDescription description, const SenderOption
     DELTAMESH_TRY(Splitter splitter, Splitter::make(description, options.split));
     const std::uint64_t hash = hash_of(description);
     DELTAMESH_TRY(MapCodec codec, MapCodec::open(std::move(description)));
-    auto state = std::make_unique<State>(SourceMap(std::move(splitter)), std::move(codec), options);
+    auto state = std::make_unique<State>(SourceMap(std::move(splitter), options.split.copy_level),
+                                         std::move(codec), options);
     state->description_hash = hash;
     state->start = 1;
     return MapSender(std::move(state));
@@ -177,6 +178,7 @@ Result<std::vector<std::vector<std::byte>>> MapSender::messages_for(std::uint64_
     }
     if (viewer.delivery.is_silent(now)) return messages;
     recover(viewer, now, messages);
+    DELTAMESH_CHECK(state_->make_copies(viewer, now));
     DELTAMESH_CHECK(state_->send_what_is_due(viewer, waiting_since(viewer, now), now, messages));
     return messages;
   });

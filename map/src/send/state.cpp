@@ -10,6 +10,7 @@
 #include "base/try.h"
 #include "deltamesh/map/messages.h"
 #include "send/coexistence.h"
+#include "send/wanted_parts.h"
 
 namespace deltamesh {
 
@@ -114,7 +115,8 @@ const KnownVersion* MapSender::State::base_for(const Viewer& viewer, const PartK
   if (largest != nullptr) return largest;
   const auto size = [](const KnownVersion& v) { return v.encoding->decoded.mesh.triangle_count(); };
   for (const auto& [other, believed] : viewer.has) {
-    if (!overlap(key, other)) continue;
+    if (!overlap(key, other) || map.is_copy(key) || map.is_copy(other) || map.outdated_since(other) > 0)
+      continue;  // copies have hardly a face in common with what they are of
     const KnownVersion* version = believed_version(viewer, other);
     if (version != nullptr && (largest == nullptr || size(*version) > size(*largest))) largest = version;
   }
@@ -146,6 +148,17 @@ Result<std::vector<std::byte>> MapSender::State::removal_message(const PartKey& 
                              .entry = {.key = key, .revision = revision, .links = std::move(links)}}));
   viewer.delivery.add({key, message, before, false, false, now});
   return message;
+}
+
+Result<void> MapSender::State::make_copies(Viewer& viewer, double now) {
+  constexpr double kLongest =
+      2;  // seconds: a map that changes faster than copies of it are made goes without
+  if (options.split.copy_level == 0) return {};
+  DELTAMESH_TRY(const bool is_complete, make_copies_for(viewer, map, encodings.codec().description()));
+  if (is_complete) viewer.copies_due_since.reset();
+  if (!is_complete && !viewer.copies_due_since) viewer.copies_due_since = now;
+  viewer.waits_for_copies = !is_complete && now - *viewer.copies_due_since < kLongest;
+  return {};
 }
 
 Result<void> MapSender::State::send_what_is_due(Viewer& viewer, double waiting_since, double now,

@@ -41,6 +41,8 @@ struct MapSender::State {
   bool has_viewer(const PartKey& key, std::uint32_t version) const;
   Result<Viewer*> viewer_of(const ViewMessage& message, double now);
   Result<void> hear_receipt(std::span<const std::byte> bytes, double now);
+  /// Some of those that the viewer needs.
+  Result<void> make_copies(Viewer& viewer, double now);
   /// Plans and sends within the allowance.
   Result<void> send_what_is_due(Viewer& viewer, double waiting_since, double now,
                                 std::vector<std::vector<std::byte>>& messages);

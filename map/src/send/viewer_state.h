@@ -58,7 +58,9 @@ struct Viewer {
   std::map<PartKey, std::uint64_t> due{};  ///< what it lacks, and the map's revision since when
   std::vector<PartFault> faults{};         ///< as the receiver was told last; ascending by key
   Allowance allowance{};
-  double heard = 0;                                             ///< when it spoke last, seconds
+  bool waits_for_copies = false;             ///< that it is to see first, and that are still to be made
+  std::optional<double> copies_due_since{};  ///< when the first of those that are to be made was missed
+  double heard = 0;                          ///< when it spoke last, seconds
   double described = -std::numeric_limits<double>::infinity();  ///< when the map's message was sent
 
   /// Adds a message; one that replaces a lost one twice where there is no time to lose another.
