@@ -10,6 +10,7 @@
 #include "base/try.h"
 #include "part/encode.h"
 #include "part/view_cells.h"
+#include "part/view_quality.h"
 #include "patch/container.h"
 #include "patch/encode.h"
 
@@ -34,6 +35,7 @@ View quality_of(const View& view, const SourcePart& source, const MapDescription
   quality.lfe = view.lfe;
   quality.max_error = view.max_error;
   quality.color_error = view.color_error;
+  quality.attribute_errors = view.attribute_errors;
   if (!source.is_copy || source.part.key.level <= view.level) return quality;
   quality.vde = quality.lfe = {};
   const double edge = cube_of(source.part.key, description).edge;
@@ -42,12 +44,8 @@ View quality_of(const View& view, const SourcePart& source, const MapDescription
   return quality;
 }
 
-PartQuality part_quality(const View& view, const SenderOptions& options) {
-  PartQuality quality;
-  if (view.vde) quality.bounds.vde = QualityBound{*view.vde};
-  if (view.lfe) quality.bounds.lfe = QualityBound{*view.lfe};
-  if (view.max_error) quality.bounds.max_error = QualityBound{*view.max_error};
-  quality.attributes.color_error = view.color_error;
+PartQuality asked_quality(const View& view, const MapDescription& description, const SenderOptions& options) {
+  PartQuality quality = part_quality(view, description);
   quality.effort = options.effort;
   quality.geometry = options.geometry;
   return quality;
@@ -119,7 +117,8 @@ const Error* Encodings::fault(const SourcePart& source, const View& view) const 
 }
 
 Result<std::shared_ptr<const Encoding>> Encodings::make(const SourcePart& source, const View& quality) const {
-  DELTAMESH_TRY(DecodedPart part, encode_part(codec_.state(), source.part, part_quality(quality, options_)));
+  DELTAMESH_TRY(DecodedPart part, encode_part(codec_.state(), source.part,
+                                              asked_quality(quality, codec_.description(), options_)));
   auto encoding = std::make_shared<Encoding>(encoding_of(std::move(part), source.part, codec_.description()));
   encoding->whole_rate =
       whole_bytes(*encoding, codec_.description()) / static_cast<double>(source.part.mesh.triangle_count());
@@ -136,6 +135,7 @@ Result<std::shared_ptr<const Encoding>> Encodings::get(const SourcePart& source,
     View finest;
     finest.max_error = finest_error(codec_.description().lattice);
     finest.color_error = asked.view.color_error;
+    finest.attribute_errors = asked.view.attribute_errors;
     made = make(source, finest);
     if (!made && is_ours(made.error())) return made.error();
     if (!made) asked.fault = made.error();
@@ -165,7 +165,7 @@ Result<std::shared_ptr<const Encoding>> Encodings::make_patch(const SourcePart& 
   const auto triangles = static_cast<double>(source.part.mesh.triangle_count());
   if (static_cast<double>(matched->new_faces.size()) > kMostNewFaces * triangles) return none;
   auto made = encode_patch(codec_.state(), source.part, {base.decoded, base.sources}, base.hash, *matched,
-                           part_quality(quality, options_));
+                           asked_quality(quality, codec_.description(), options_));
   ++encoded_;
   if (!made) return is_ours(made.error()) ? Result<std::shared_ptr<const Encoding>>(made.error()) : none;
   auto part = *std::move(made);
@@ -201,7 +201,9 @@ bool Encodings::fits(const KnownVersion& version, const SourcePart& source, cons
   if (version.content_revision == source.content_revision) {
     const Asked* asked = find(source, view);
     const bool is_the_best = asked != nullptr && asked->fault && version.encoding == asked->encoding;
-    return is_the_best || satisfies(version.encoding->errors, quality);
+    return is_the_best ||
+           (satisfies(version.encoding->errors, quality) &&
+            keeps_attributes(version.encoding->attribute_errors, quality, codec_.description()));
   }
   if (!quality.max_error || quality.vde || quality.lfe) return false;
   return match(source, quality, *version.encoding)->is_whole();

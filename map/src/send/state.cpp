@@ -10,7 +10,6 @@
 #include "base/try.h"
 #include "deltamesh/map/messages.h"
 #include "send/coexistence.h"
-#include "send/wanted_parts.h"
 
 namespace deltamesh {
 
@@ -150,17 +149,6 @@ Result<std::vector<std::byte>> MapSender::State::removal_message(const PartKey& 
   return message;
 }
 
-Result<void> MapSender::State::make_copies(Viewer& viewer, double now) {
-  constexpr double kLongest =
-      2;  // seconds: a map that changes faster than copies of it are made goes without
-  if (options.split.copy_level == 0) return {};
-  DELTAMESH_TRY(const bool is_complete, make_copies_for(viewer, map, encodings.codec().description()));
-  if (is_complete) viewer.copies_due_since.reset();
-  if (!is_complete && !viewer.copies_due_since) viewer.copies_due_since = now;
-  viewer.waits_for_copies = !is_complete && now - *viewer.copies_due_since < kLongest;
-  return {};
-}
-
 Result<void> MapSender::State::send_what_is_due(Viewer& viewer, double waiting_since, double now,
                                                 std::vector<std::vector<std::byte>>& messages) {
   for (bool is_complete = false; !is_complete;) {
@@ -170,7 +158,7 @@ Result<void> MapSender::State::send_what_is_due(Viewer& viewer, double waiting_s
     for (const PartKey& key : plan.needed) viewer.due.try_emplace(key, map.revision());
     std::erase_if(viewer.due, [&](const auto& entry) { return !plan.needed.contains(entry.first); });
     for (const SendUnit& unit : units_of(plan, viewer, map, known, encodings.codec().description())) {
-      if (!viewer.allowance.may_spend()) break;
+      if (!viewer.allowance.may_spend() || is_call_over(!messages.empty())) break;
       DELTAMESH_TRY(is_complete, send(unit, plan, viewer, now, messages));
       if (!is_complete) break;
     }
@@ -204,6 +192,7 @@ Result<bool> MapSender::State::send(const SendUnit& unit, SendPlan& plan, Viewer
   std::vector<ChosenVersion> chosen;  // all that may be sent, before any links to what cannot be had
   double room = viewer.allowance.room();
   for (auto key = unit.needed.begin(); key != unit.needed.end() && room > 0; ++key) {
+    if (is_call_over(!chosen.empty() || !messages.empty())) break;
     DELTAMESH_TRY(chosen.emplace_back(), choose_version(*map.find(*key), viewer));
     const auto& encoding = chosen.back().version.encoding;
     if (encoding == nullptr) return false;

@@ -4,6 +4,7 @@
 // State of a sender: its map and its receivers; makes the messages for one of them.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <map>
 #include <span>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "deltamesh/map/sender.h"
+#include "send/link/allowance.h"
 #include "send/units.h"
 #include "send/viewer_state.h"
 
@@ -35,12 +37,23 @@ struct MapSender::State {
   PartKey look_at_next{};  ///< for versions to forget
   std::map<std::uint64_t, Viewer> viewers{};
   SenderCounts counts{};
+  Allowance total{};                                 ///< of all viewers together
+  std::chrono::steady_clock::time_point deadline{};  ///< of the call of messages_for() that runs
+  unsigned epochs = 0;                               ///< that began because of receivers
 
   /// Of so many parts, at least, as an update may bring new versions of.
   void forget_versions(std::size_t changed);
   bool has_viewer(const PartKey& key, std::uint32_t version) const;
   Result<Viewer*> viewer_of(const ViewMessage& message, double now);
   Result<void> hear_receipt(std::span<const std::byte> bytes, double now);
+  /// Begins a call of messages_for().
+  void begin_call(Viewer& viewer, double now);
+  /// Whether it is to end. `has_any`: whether it has done something; the next one would not come farther.
+  bool is_call_over(bool has_any) const;
+  Result<void> add_messages(Viewer& viewer, double now, std::vector<std::vector<std::byte>>& messages);
+  /// Begins one above that of the receiver's description, which is not the sender's. Errors:
+  /// kInvalidArgument.
+  Result<void> begin_epoch(std::uint32_t of_receiver);
   /// Some of those that the viewer needs.
   Result<void> make_copies(Viewer& viewer, double now);
   /// Plans and sends within the allowance.

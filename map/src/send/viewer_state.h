@@ -14,10 +14,10 @@
 #include <vector>
 
 #include "deltamesh/map/messages.h"
-#include "send/allowance.h"
-#include "send/believed.h"
-#include "send/delivery.h"
 #include "send/encodings.h"
+#include "send/link/allowance.h"
+#include "send/link/believed.h"
+#include "send/link/delivery.h"
 #include "send/source_map.h"
 
 namespace deltamesh {

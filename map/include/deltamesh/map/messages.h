@@ -76,12 +76,17 @@ struct View {
   std::optional<float> vde{};    ///< above 0
   std::optional<float> lfe{};
   std::optional<float> max_error{};
-  float color_error = 0;               ///< 255ths; 0: exact
+  float color_error = 0;  ///< 255ths; 0: exact
+  /// Of the map's attributes, in their order; 0: exact. Normals and tangents in degrees, texture coordinates,
+  /// weights, and generic ones (labels, intensities) in their unit. Colours and joints: 0. Where this ends:
+  /// 0.5 degrees, 1/4096, 1/1024 and 0.
+  std::vector<float> attribute_errors{};
   std::uint32_t bytes_per_second = 0;  ///< 0: no limit
 
   bool operator==(const View&) const = default;
 };
-inline constexpr std::size_t kMostViewBoxes = 64;  // [MAP-15]
+inline constexpr std::size_t kMostViewBoxes = 64;    // [MAP-15]
+inline constexpr std::size_t kMostViewErrors = 255;  // [MAP-15]
 
 /// A version that a receiver has.
 struct HeldVersion {
@@ -119,6 +124,7 @@ struct ViewMessage {
   std::uint64_t number = 0;  ///< ascending; older messages of a viewer are ignored
   std::uint64_t map_id = 0;
   std::uint64_t map = 0;    ///< hash of the description that the receiver has; 0: none
+  std::uint32_t epoch = 0;  ///< of that description
   std::uint64_t start = 0;  ///< of the sender that the receiver takes messages of; 0: of none yet
   Receipt receipt{};
   View view{};
