@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What a call of messages_for() may take, and what a sender does beside sending: copies and epochs.
+// What a call of messages_for() may take, and what a sender does beside sending parts: copies, epochs, poses.
 #include <algorithm>
 #include <limits>
 #include <utility>
 
+#include "base/guard.h"
 #include "base/try.h"
+#include "deltamesh/map/messages.h"
 #include "send/state.h"
 #include "send/wanted_parts.h"
 
@@ -42,6 +44,25 @@ Result<void> MapSender::State::begin_epoch(std::uint32_t of_receiver) {
   known.clear();
   viewers.clear();
   ++epochs;
+  return {};
+}
+
+Result<void> MapSender::set_pose(const MapPose& pose) noexcept {
+  return guarded([&]() -> Result<void> {
+    DELTAMESH_CHECK(write_pose({.pose = pose}));
+    state_->pose = pose;
+    return {};
+  });
+}
+
+Result<void> MapSender::State::tell_pose(Viewer& viewer, double now,
+                                         std::vector<std::vector<std::byte>>& messages) {
+  if (!pose || viewer.pose == pose || !viewer.allowance.may_spend()) return {};
+  const std::uint64_t number = viewer.delivery.next_number();
+  DELTAMESH_TRY(auto message, write_pose({description_hash, start, number, *pose}));
+  viewer.delivery.add({.key = kPoseKey, .bytes = message, .is_whole = true, .time = now});
+  viewer.post(message, false, messages);
+  viewer.pose = pose;
   return {};
 }
 

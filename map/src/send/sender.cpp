@@ -100,7 +100,10 @@ Result<void> MapSender::hear(std::span<const std::byte> message, double now) noe
     DELTAMESH_TRY(Viewer* const found, state_->viewer_of(told, now));
     if (found == nullptr) return {};
     Viewer& viewer = *found;
-    if (viewer.number == 0 || viewer.start != told.start) viewer.delivery = Delivery(told.receipt.highest);
+    if (viewer.number == 0 || viewer.start != told.start) {
+      viewer.delivery = Delivery(told.receipt.highest);
+      viewer.pose.reset();
+    }
     viewer.heard = now;
     viewer.number = told.number;
     viewer.view = told.view;
@@ -185,6 +188,7 @@ Result<void> MapSender::State::add_messages(Viewer& viewer, double now,
   }
   if (viewer.delivery.is_silent(now)) return {};
   recover(viewer, now, messages);
+  DELTAMESH_CHECK(tell_pose(viewer, now, messages));
   DELTAMESH_CHECK(make_copies(viewer, now));
   return send_what_is_due(viewer, waiting_since(viewer, now), now, messages);
 }

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -37,6 +38,7 @@ struct MapSender::State {
   PartKey look_at_next{};  ///< for versions to forget
   std::map<std::uint64_t, Viewer> viewers{};
   SenderCounts counts{};
+  std::optional<MapPose> pose{};
   Allowance total{};                                 ///< of all viewers together
   std::chrono::steady_clock::time_point deadline{};  ///< of the call of messages_for() that runs
   unsigned epochs = 0;                               ///< that began because of receivers
@@ -63,6 +65,7 @@ struct MapSender::State {
   /// encoded, which another plan takes into account.
   Result<bool> send(const SendUnit& unit, SendPlan& plan, Viewer& viewer, double now,
                     std::vector<std::vector<std::byte>>& messages);
+  Result<void> tell_pose(Viewer& viewer, double now, std::vector<std::vector<std::byte>>& messages);
   Result<void> tell_faults(std::vector<PartFault> faults, Viewer& viewer, double now,
                            std::vector<std::vector<std::byte>>& messages);
   const KnownVersion* believed_version(const Viewer& viewer, const PartKey& key) const;

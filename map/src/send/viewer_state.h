@@ -46,6 +46,9 @@ struct SentPart {
   }
 };
 
+/// In place of a part's key, of messages about the pose.
+inline constexpr PartKey kPoseKey{kMostPartLevel + 1, 0, 0, 0};
+
 struct Viewer {
   View view{};
   std::uint64_t number = 0;
@@ -58,6 +61,7 @@ struct Viewer {
   std::map<PartKey, std::uint64_t> due{};  ///< what it lacks, and the map's revision since when
   std::vector<PartFault> faults{};         ///< as the receiver was told last; ascending by key
   Allowance allowance{};
+  std::optional<MapPose> pose{};             ///< as it was sent last
   bool waits_for_copies = false;             ///< that it is to see first, and that are still to be made
   std::optional<double> copies_due_since{};  ///< when the first of those that are to be made was missed
   double heard = 0;                          ///< when it spoke last, seconds

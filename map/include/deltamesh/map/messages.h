@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "deltamesh/map/part_entry.h"
+#include "deltamesh/map/pose.h"
 #include "deltamesh/result.h"
 
 namespace deltamesh {
@@ -59,6 +60,14 @@ struct FaultMessage {
   PartKey key{};
   /// kUnmetRequest: it is sent as well as can be; others: it is not sent; 0: nothing is wrong any more.
   std::uint16_t code = 0;
+};
+
+/// Says where the map is [MAP-23].
+struct PoseMessage {
+  std::uint64_t map = 0;     ///< hash_of() the map's description
+  std::uint64_t start = 0;   ///< as StartMessage::start
+  std::uint64_t number = 0;  ///< as EntryMessage::number; a later one replaces earlier ones
+  MapPose pose{};
 };
 
 /// Relative to the map's origin; model units.
@@ -139,16 +148,18 @@ Result<std::vector<std::byte>> write_entry(const EntryMessage& message) noexcept
 Result<std::vector<std::byte>> write_part(const PartMessage& message) noexcept;
 Result<std::vector<std::byte>> write_patch(const PatchMessage& message) noexcept;
 Result<std::vector<std::byte>> write_fault(const FaultMessage& message) noexcept;
+Result<std::vector<std::byte>> write_pose(const PoseMessage& message) noexcept;
 Result<std::vector<std::byte>> write_view(const ViewMessage& message) noexcept;
 Result<std::vector<std::byte>> write_receipt(const ReceiptMessage& message) noexcept;
 
-/// `attributes`: how many the map has. Errors of all: 1xx codes [MAP-1, MAP-12 to MAP-17, MAP-21, MAP-22],
+/// `attributes`: how many the map has. Errors of all: 1xx codes [MAP-1, MAP-12 to MAP-17, MAP-21 to MAP-23],
 /// kOutOfMemory. Takes memory in proportion to the bytes.
 Result<StartMessage> read_start(std::span<const std::byte> message) noexcept;
 Result<EntryMessage> read_entry(std::span<const std::byte> message, std::size_t attributes) noexcept;
 Result<PartMessage> read_part(std::span<const std::byte> message) noexcept;
 Result<PatchMessage> read_patch(std::span<const std::byte> message) noexcept;
 Result<FaultMessage> read_fault(std::span<const std::byte> message) noexcept;
+Result<PoseMessage> read_pose(std::span<const std::byte> message) noexcept;
 Result<ViewMessage> read_view(std::span<const std::byte> message) noexcept;
 Result<ReceiptMessage> read_receipt(std::span<const std::byte> message) noexcept;
 

@@ -15,6 +15,7 @@
 #include "deltamesh/map/description.h"
 #include "deltamesh/map/part.h"
 #include "deltamesh/map/part_entry.h"
+#include "deltamesh/map/pose.h"
 #include "deltamesh/map/split.h"
 #include "deltamesh/result.h"
 
@@ -66,6 +67,10 @@ class MapSender {
   /// One update of the source, as Splitter::update(), also in its errors and its cost; parts with the same
   /// borders get new links.
   Result<void> update(std::span<const MapBlock> blocks) noexcept;
+
+  /// Tells all receivers where the map is, in one message of about 90 bytes each, before anything else.
+  /// Errors: kInvalidArgument, kOutOfMemory.
+  Result<void> set_pose(const MapPose& pose) noexcept;
 
   /// Takes a message of a receiver: a view or a receipt. Receipts of unknown viewers have no effect. Errors:
   /// 1xx codes, kInvalidArgument (of another map, or of too many epochs), kLimitExceeded (too many viewers),
