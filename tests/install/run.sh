@@ -29,8 +29,16 @@ cmake --build "$scratch/consumer"
 "$scratch/consumer/all_libraries"
 "$scratch/consumer/decoder_alone" "$source"/tests/golden/grid.bits6.*.dmsh
 
+# The example of maps needs nothing but its component, which needs no library of glTF.
+cmake -S "$source/examples/map_udp" -B "$scratch/map_udp" -DCMAKE_PREFIX_PATH="$scratch/prefix" -DCMAKE_CXX_COMPILER="$compiler" \
+  -DCMAKE_BUILD_TYPE=Release -DCMAKE_DISABLE_FIND_PACKAGE_TinyGLTF=ON -DCMAKE_DISABLE_FIND_PACKAGE_nlohmann_json=ON >/dev/null
+cmake --build "$scratch/map_udp"
+"$source/examples/map_udp/run.sh" "$scratch/map_udp/map_udp_publisher" "$scratch/map_udp/map_udp_subscriber"
+
 PKG_CONFIG_PATH=$(find "$scratch/prefix" -name pkgconfig -type d | head -n 1)
 export PKG_CONFIG_PATH
 # shellcheck disable=SC2046
 "$compiler" -std=c++20 "$scratch/main.cpp" -o "$scratch/pkg_consumer" $(pkg-config --cflags --libs deltamesh)
 "$scratch/pkg_consumer"
+# shellcheck disable=SC2046
+"$compiler" -std=c++20 "$source/examples/map_udp/publisher.cpp" -o "$scratch/pkg_publisher" $(pkg-config --cflags --libs deltamesh-map)

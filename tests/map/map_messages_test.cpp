@@ -44,6 +44,7 @@ ViewMessage example_view() {
   message.view.level = 2;
   message.view.vde = 0.5F;
   message.view.max_error = 0.125F;
+  message.view.attribute_errors = {0, 0.25F};
   message.view.color_error = 4;
   message.view.bytes_per_second = 100000;
   message.held = {{{0, 1, 2, 3}, 5, 77, true}, {{2, -9, 2, 3}, 500, 78, false}};
@@ -155,6 +156,8 @@ TEST(MapMessages, MAP13MAP15RangesAreChecked) {
   EXPECT_EQ(rule_of([](ViewMessage& m) { m.view.vde = -1.0F; }), "MAP-15");
   EXPECT_EQ(rule_of([](ViewMessage& m) { m.view.lfe = std::nanf(""); }), "MAP-15");
   EXPECT_EQ(rule_of([](ViewMessage& m) { m.view.color_error = -1; }), "MAP-15");
+  EXPECT_EQ(rule_of([](ViewMessage& m) { m.view.attribute_errors = {0, -1}; }), "MAP-15");
+  EXPECT_EQ(rule_of([](ViewMessage& m) { m.view.attribute_errors.resize(256); }), "MAP-15");
   EXPECT_EQ(rule_of([](ViewMessage& m) { m.view.level = 25; }), "MAP-15");
   EXPECT_EQ(rule_of([](ViewMessage& m) { m.receipt.missing = {30}; }), "MAP-15");
   EXPECT_EQ(rule_of([](ViewMessage& m) { m.view.boxes.resize(65); }), "MAP-15");

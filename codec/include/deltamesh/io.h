@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "deltamesh/files.h"
 #include "deltamesh/mesh.h"
 #include "deltamesh/result.h"
 
@@ -108,9 +109,5 @@ Result<std::vector<std::byte>> write_mesh(const MeshView& mesh, FileFormat forma
 /// Errors: kUnknownFormat, kFileWrite.
 Result<void> write_mesh_file(const std::string& path, const MeshView& mesh,
                              WriteReport* report = nullptr) noexcept;
-
-/// Whole file in, whole file out (same all-or-nothing promise). Errors: kFileOpen, kFileRead, kFileWrite.
-Result<std::vector<std::byte>> read_file(const std::string& path) noexcept;
-Result<void> write_file(const std::string& path, std::span<const std::byte> bytes) noexcept;
 
 }  // namespace deltamesh

@@ -38,6 +38,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   check(read_start, write_start, bytes);
   check(read_view, write_view, bytes);
   check(read_fault, write_fault, bytes);
+  check(read_pose, write_pose, bytes);
   check(read_receipt, write_receipt, bytes);
   for (const std::size_t attributes : {0U, 1U}) {
     const auto read = [&](std::span<const std::byte> entry) { return read_entry(entry, attributes); };

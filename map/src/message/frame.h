@@ -24,7 +24,8 @@ enum class MessageKind : std::uint8_t {
   kStart = 6,
   kPatch = 7,
   kReceipt = 8,
-  kFault = 9
+  kFault = 9,
+  kPose = 10
 };
 
 /// Begins a message; the body's fields are to follow.

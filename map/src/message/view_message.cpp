@@ -36,6 +36,9 @@ const char* what_is_wrong(const ViewMessage& message) noexcept {
     return "an error asked for is negative or not finite";
   if (!std::isfinite(view.color_error) || view.color_error < 0)
     return "an error asked for is negative or not finite";
+  if (view.attribute_errors.size() > kMostViewErrors) return "errors of more than 255 attributes";
+  if (std::ranges::any_of(view.attribute_errors, [](float e) { return !std::isfinite(e) || e < 0; }))
+    return "an error asked for is negative or not finite";
   const auto out_of_order = [](const HeldVersion& a, const HeldVersion& b) { return a.key >= b.key; };
   if (std::ranges::adjacent_find(message.held, out_of_order) != message.held.end())
     return "parts that do not ascend";
@@ -53,6 +56,8 @@ void write_view_fields(ByteWriter& out, const View& view) {
   out.write(view.level);
   for (const auto& bound : {view.vde, view.lfe, view.max_error}) out.write(bound.value_or(0.0F));
   out.write(view.color_error);
+  out.write(static_cast<std::uint8_t>(view.attribute_errors.size()));
+  for (const float error : view.attribute_errors) out.write(error);
   out.write_varint(view.bytes_per_second);
 }
 
@@ -72,6 +77,10 @@ Result<View> read_view_fields(ByteReader& in) {
     if (value != 0) *bound = value;
   }
   DELTAMESH_TRY(view.color_error, in.read<float>());
+  DELTAMESH_TRY(const auto errors, in.read<std::uint8_t>());
+  for (unsigned i = 0; i < errors; ++i) {
+    DELTAMESH_TRY(view.attribute_errors.emplace_back(), in.read<float>());
+  }
   DELTAMESH_TRY(const auto rate, in.read_varint(0xffffffffU));
   view.bytes_per_second = static_cast<std::uint32_t>(rate);
   return view;
@@ -83,6 +92,7 @@ Result<ViewMessage> read_view_body(ByteReader in) {
   DELTAMESH_TRY(message.number, in.read_varint());
   DELTAMESH_TRY(message.map_id, in.read<std::uint64_t>());
   DELTAMESH_TRY(message.map, in.read<std::uint64_t>());
+  DELTAMESH_TRY(message.epoch, in.read<std::uint32_t>());
   DELTAMESH_TRY(message.start, in.read_varint());
   DELTAMESH_TRY(message.receipt, read_receipt_fields(in));
   DELTAMESH_TRY(message.view, read_view_fields(in));
@@ -111,6 +121,7 @@ Result<std::vector<std::byte>> write_view(const ViewMessage& message) noexcept {
     out.write_varint(message.number);
     out.write(message.map_id);
     out.write(message.map);
+    out.write(message.epoch);
     out.write_varint(message.start);
     write_receipt_fields(out, message.receipt);
     write_view_fields(out, message.view);

@@ -75,6 +75,17 @@ std::vector<PartLink> LinkTable::links_of(const PartKey& key) const {
   return links;
 }
 
+std::size_t LinkTable::count_between_cells(std::uint8_t level, const std::set<PartKey>& without) const {
+  std::size_t count = 0;
+  for (const auto& [point, users] : users_) {
+    std::set<PartKey> cells;
+    for (const PartKey& user : users)
+      if (user.level <= level && !without.contains(user)) cells.insert(ancestor(user, level));
+    if (cells.size() > 1) count += cells.size();
+  }
+  return count;
+}
+
 std::set<PartKey> LinkTable::take_touched() { return std::exchange(touched_, {}); }
 
 }  // namespace deltamesh

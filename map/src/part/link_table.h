@@ -40,6 +40,9 @@ class LinkTable {
 
   /// With every border, none marked; without parts whose cells overlap. O(b log n).
   std::vector<PartLink> links_of(const PartKey& key) const;
+  /// How many points users of different cells of `level` have in common; of parts up to that level. O(b log
+  /// b).
+  std::size_t count_between_cells(std::uint8_t level, const std::set<PartKey>& without) const;
   /// Parts whose links may be others than at the last call, ascending; also those that are gone.
   std::set<PartKey> take_touched();
 

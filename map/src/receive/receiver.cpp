@@ -69,6 +69,8 @@ const MapDescription* MapReceiver::description() const noexcept {
   return state_->codec ? &state_->codec->description() : nullptr;
 }
 
+const MapPose* MapReceiver::pose() const noexcept { return state_->pose ? &state_->pose->pose : nullptr; }
+
 const MapPart* MapReceiver::find(const PartKey& key) const noexcept {
   const ReceivedPart* part = state_->parts.find(key);
   return part != nullptr && part->shown ? &part->shown->content->part : nullptr;

@@ -11,6 +11,7 @@ Result<std::vector<std::byte>> MapReceiver::State::view_message() {
                       .number = ++number,
                       .map_id = map_id,
                       .map = codec ? map : 0,
+                      .epoch = codec ? codec->description().epoch : 0,
                       .start = start,
                       .receipt = arrivals.receipt(),
                       .view = view,

@@ -45,6 +45,8 @@ Result<void> MapReceiver::State::apply(std::span<const std::byte> message) {
       return apply_patch(message);
     case MessageKind::kFault:
       return apply_fault(message);
+    case MessageKind::kPose:
+      return apply_pose(message);
     default:
       return invalid_argument("not a message for receivers", "MAP-1");
   }
@@ -204,6 +206,14 @@ Result<void> MapReceiver::State::apply_fault(std::span<const std::byte> message)
   if (faults.size() >= limits.parts) return {};
   ToldFault& fault = faults[told.key];
   if (told.number >= fault.number) fault = {told.number, told.code};
+  return {};
+}
+
+Result<void> MapReceiver::State::apply_pose(std::span<const std::byte> message) {
+  DELTAMESH_TRY(const PoseMessage told, read_pose(message));
+  DELTAMESH_CHECK(check_map(told.map));
+  if (!is_mine(told.start, told.number)) return {};
+  if (!pose || pose->start != told.start || pose->number <= told.number) pose = told;
   return {};
 }
 

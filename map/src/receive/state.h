@@ -40,6 +40,7 @@ struct MapReceiver::State {
   Talk talk{};
   std::map<PartKey, std::uint64_t> announced{};  ///< revisions of entries without octets
   std::map<PartKey, ToldFault> faults{};         ///< as the sender told
+  std::optional<PoseMessage> pose{};             ///< the last one
   std::set<PartKey> touched{};                   ///< since the last take_change()
 
   Result<void> apply(std::span<const std::byte> message);
@@ -49,6 +50,7 @@ struct MapReceiver::State {
   Result<void> apply_part(std::span<const std::byte> message);
   Result<void> apply_patch(std::span<const std::byte> message);
   Result<void> apply_fault(std::span<const std::byte> message);
+  Result<void> apply_pose(std::span<const std::byte> message);
   Result<void> take(const PartKey& key, Version version, std::span<const std::byte> octets);
   void take(const PartKey& key, Version version);
   /// Drops the part outside of the view that is farthest from it; false: there is none.

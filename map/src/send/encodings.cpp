@@ -9,6 +9,8 @@
 
 #include "base/try.h"
 #include "part/encode.h"
+#include "part/view_cells.h"
+#include "part/view_quality.h"
 #include "patch/container.h"
 #include "patch/encode.h"
 
@@ -20,22 +22,30 @@ namespace {
 constexpr double kMostNewFaces = 0.97;
 constexpr double kWorthPatch = 0.97;
 
-/// The view's quality, without places and rate.
-View quality_of(const View& view) {
+/// A copy that is seen before what the view asks for need not be much better than its simplification: the
+/// largest error of a cell's edge, and that of colours in 255ths. Larger errors cost more at border vertices,
+/// which are on the lattice all the same, than they save elsewhere.
+constexpr double kFirstSight = 1.0 / 1024;
+constexpr float kFirstSightColor = 8;
+
+/// The view's quality for a part, without places and rate.
+View quality_of(const View& view, const SourcePart& source, const MapDescription& description) {
   View quality;
   quality.vde = view.vde;
   quality.lfe = view.lfe;
   quality.max_error = view.max_error;
   quality.color_error = view.color_error;
+  quality.attribute_errors = view.attribute_errors;
+  if (!source.is_copy || source.part.key.level <= view.level) return quality;
+  quality.vde = quality.lfe = {};
+  const double edge = cube_of(source.part.key, description).edge;
+  quality.max_error = std::max(view.max_error.value_or(0), static_cast<float>(kFirstSight * edge));
+  quality.color_error = std::max(view.color_error, kFirstSightColor);
   return quality;
 }
 
-PartQuality part_quality(const View& view, const SenderOptions& options) {
-  PartQuality quality;
-  if (view.vde) quality.bounds.vde = QualityBound{*view.vde};
-  if (view.lfe) quality.bounds.lfe = QualityBound{*view.lfe};
-  if (view.max_error) quality.bounds.max_error = QualityBound{*view.max_error};
-  quality.attributes.color_error = view.color_error;
+PartQuality asked_quality(const View& view, const MapDescription& description, const SenderOptions& options) {
+  PartQuality quality = part_quality(view, description);
   quality.effort = options.effort;
   quality.geometry = options.geometry;
   return quality;
@@ -94,7 +104,7 @@ std::vector<Encodings::Asked>& Encodings::asked_of(const SourcePart& source) {
 const Encodings::Asked* Encodings::find(const SourcePart& source, const View& view) const {
   const auto asked = asked_.find(source.part.key);
   if (asked == asked_.end()) return nullptr;
-  const View quality = quality_of(view);
+  const View quality = quality_of(view, source, codec_.description());
   const auto found = std::ranges::find_if(asked->second, [&](const Asked& a) {
     return a.content_revision == source.content_revision && a.view == quality && a.base_hash == 0;
   });
@@ -107,7 +117,8 @@ const Error* Encodings::fault(const SourcePart& source, const View& view) const 
 }
 
 Result<std::shared_ptr<const Encoding>> Encodings::make(const SourcePart& source, const View& quality) const {
-  DELTAMESH_TRY(DecodedPart part, encode_part(codec_.state(), source.part, part_quality(quality, options_)));
+  DELTAMESH_TRY(DecodedPart part, encode_part(codec_.state(), source.part,
+                                              asked_quality(quality, codec_.description(), options_)));
   auto encoding = std::make_shared<Encoding>(encoding_of(std::move(part), source.part, codec_.description()));
   encoding->whole_rate =
       whole_bytes(*encoding, codec_.description()) / static_cast<double>(source.part.mesh.triangle_count());
@@ -116,7 +127,7 @@ Result<std::shared_ptr<const Encoding>> Encodings::make(const SourcePart& source
 
 Result<std::shared_ptr<const Encoding>> Encodings::get(const SourcePart& source, const View& view) {
   if (const Asked* asked = find(source, view); asked != nullptr) return asked->encoding;
-  Asked asked{quality_of(view), source.content_revision, 0};
+  Asked asked{quality_of(view, source, codec_.description()), source.content_revision, 0};
   auto made = make(source, asked.view);
   if (!made && is_ours(made.error())) return made.error();
   if (!made) asked.fault = made.error();
@@ -124,6 +135,7 @@ Result<std::shared_ptr<const Encoding>> Encodings::get(const SourcePart& source,
     View finest;
     finest.max_error = finest_error(codec_.description().lattice);
     finest.color_error = asked.view.color_error;
+    finest.attribute_errors = asked.view.attribute_errors;
     made = make(source, finest);
     if (!made && is_ours(made.error())) return made.error();
     if (!made) asked.fault = made.error();
@@ -136,7 +148,7 @@ Result<std::shared_ptr<const Encoding>> Encodings::get(const SourcePart& source,
 
 Result<std::shared_ptr<const Encoding>> Encodings::patch(const SourcePart& source, const View& view,
                                                          const KnownVersion& base) {
-  const View quality = quality_of(view);
+  const View quality = quality_of(view, source, codec_.description());
   std::vector<Asked>& asked = asked_of(source);
   for (const Asked& a : asked)
     if (a.view == quality && a.base_hash == base.encoding->hash) return a.encoding;
@@ -153,7 +165,7 @@ Result<std::shared_ptr<const Encoding>> Encodings::make_patch(const SourcePart& 
   const auto triangles = static_cast<double>(source.part.mesh.triangle_count());
   if (static_cast<double>(matched->new_faces.size()) > kMostNewFaces * triangles) return none;
   auto made = encode_patch(codec_.state(), source.part, {base.decoded, base.sources}, base.hash, *matched,
-                           part_quality(quality, options_));
+                           asked_quality(quality, codec_.description(), options_));
   ++encoded_;
   if (!made) return is_ours(made.error()) ? Result<std::shared_ptr<const Encoding>>(made.error()) : none;
   auto part = *std::move(made);
@@ -185,13 +197,16 @@ std::shared_ptr<const PartMatch> Encodings::match(const SourcePart& source, cons
 }
 
 bool Encodings::fits(const KnownVersion& version, const SourcePart& source, const View& view) {
+  const View quality = quality_of(view, source, codec_.description());
   if (version.content_revision == source.content_revision) {
     const Asked* asked = find(source, view);
     const bool is_the_best = asked != nullptr && asked->fault && version.encoding == asked->encoding;
-    return is_the_best || satisfies(version.encoding->errors, view);
+    return is_the_best ||
+           (satisfies(version.encoding->errors, quality) &&
+            keeps_attributes(version.encoding->attribute_errors, quality, codec_.description()));
   }
-  if (!view.max_error || view.vde || view.lfe) return false;
-  return match(source, quality_of(view), *version.encoding)->is_whole();
+  if (!quality.max_error || quality.vde || quality.lfe) return false;
+  return match(source, quality, *version.encoding)->is_whole();
 }
 
 void Encodings::forget(const PartKey& key) {

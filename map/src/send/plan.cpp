@@ -4,6 +4,7 @@
 
 #include "base/try.h"
 #include "lattice/borders_of_links.h"
+#include "part/view_cells.h"
 #include "send/viewer_state.h"
 #include "send/wanted_parts.h"
 
@@ -31,7 +32,8 @@ class Planner {
       if (fault.code != ErrorCode::kUnmetRequest) parts.others.insert(parts.wanted.extract(fault.key));
     for (const PartKey& key : parts.wanted) DELTAMESH_CHECK(look_at(key, *map_.find(key)));
     for (const auto& [key, believed] : viewer_.has)
-      if (!believed.is_gone && (map_.find(key) == nullptr || parts.others.contains(key)))
+      if (!believed.is_gone && !will_be_made_anew(key) &&
+          (map_.find(key) == nullptr || parts.others.contains(key)))
         plan_.removed.insert(key);
     plan_.wanted = std::move(parts.wanted);
     plan_.unwanted = std::move(parts.others);
@@ -69,14 +71,34 @@ class Planner {
     return {};
   }
 
+  /// A copy of the view's level whose newer version is still to come.
+  bool will_be_made_anew(const PartKey& key) const {
+    return map_.outdated_since(key) > 0 && key.level == viewer_.view.level &&
+           is_in_view(key, viewer_.view, encodings_.codec().description());
+  }
+
   bool is_newest(const PartKey& key, const Believed& believed) const {
     const SourcePart* source = map_.find(key);
     const KnownVersion* version = find_version(known_, key, believed.version);
     return source != nullptr && version != nullptr && version->content_revision == source->content_revision;
   }
 
+  /// Parts in place of a copy wait for the last one of them.
   bool waits_too_long(const PartKey& key, const Believed& believed) const {
-    return believed.is_waiting && viewer_.sent.at(key).time <= waiting_since_;
+    if (!believed.is_waiting || viewer_.sent.at(key).time > waiting_since_) return false;
+    for (int level = key.level + 1; level <= kMostPartLevel; ++level) {
+      const PartKey around = ancestor(key, static_cast<std::uint8_t>(level));
+      const auto has = viewer_.has.find(around);
+      if (has == viewer_.has.end()) continue;
+      if (has->second.is_gone && viewer_.sent.at(around).time <= waiting_since_) continue;
+      if (has->second.is_gone) return false;
+      const auto is_inside = [&](const auto& entry) { return overlap(entry.first, around); };
+      if (std::ranges::any_of(viewer_.due, is_inside)) return false;
+      return std::ranges::none_of(viewer_.sent, [&](const auto& entry) {
+        return is_inside(entry) && entry.second.time > waiting_since_;
+      });
+    }
+    return true;
   }
 
   /// The links of a part as it will be with the receiver; null: nothing is there.

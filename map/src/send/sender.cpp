@@ -3,7 +3,6 @@
 #include "deltamesh/map/sender.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "deltamesh/map/messages.h"
 #include "message/entry_fields.h"
 #include "message/frame.h"
+#include "part/view_quality.h"
 #include "send/state.h"
 
 namespace deltamesh {
@@ -32,6 +32,8 @@ Result<void> check_options(const SenderOptions& options) {
     return refused(ErrorCode::kInvalidArgument, "an effort out of 0 to 2");
   if (!(options.viewer_seconds > 0))
     return refused(ErrorCode::kInvalidArgument, "a time to forget viewers after that is not above 0");
+  if (!(options.call_seconds > 0))
+    return refused(ErrorCode::kInvalidArgument, "a time for a call that is not above 0");
   return {};
 }
 
@@ -63,7 +65,8 @@ Result<MapSender> MapSender::make(MapDescription description, const SenderOption
     DELTAMESH_TRY(Splitter splitter, Splitter::make(description, options.split));
     const std::uint64_t hash = hash_of(description);
     DELTAMESH_TRY(MapCodec codec, MapCodec::open(std::move(description)));
-    auto state = std::make_unique<State>(SourceMap(std::move(splitter)), std::move(codec), options);
+    auto state = std::make_unique<State>(SourceMap(std::move(splitter), options.split.copy_level),
+                                         std::move(codec), options);
     state->description_hash = hash;
     state->start = 1;
     return MapSender(std::move(state));
@@ -91,16 +94,16 @@ Result<void> MapSender::hear(std::span<const std::byte> message, double now) noe
     DELTAMESH_TRY(const ViewMessage told, read_view(message));
     const MapDescription& of = description();
     if (told.map_id != of.id) return refused(ErrorCode::kInvalidArgument, "a view of another map");
-    const double least = std::sqrt(3.0) / 2 * of.lattice.step();
-    if (told.view.max_error && *told.view.max_error < least) {
-      Error error = refused(ErrorCode::kUnmetRequest, "a largest error below half a lattice cell's diagonal");
-      error.best_value = least;
-      return error;
-    }
+    DELTAMESH_CHECK(check_view(told.view, of));
+    if (told.map != 0 && told.map != state_->description_hash && told.epoch >= of.epoch)
+      DELTAMESH_CHECK(state_->begin_epoch(told.epoch));
     DELTAMESH_TRY(Viewer* const found, state_->viewer_of(told, now));
     if (found == nullptr) return {};
     Viewer& viewer = *found;
-    if (viewer.number == 0 || viewer.start != told.start) viewer.delivery = Delivery(told.receipt.highest);
+    if (viewer.number == 0 || viewer.start != told.start) {
+      viewer.delivery = Delivery(told.receipt.highest);
+      viewer.pose.reset();
+    }
     viewer.heard = now;
     viewer.number = told.number;
     viewer.view = told.view;
@@ -163,23 +166,31 @@ Result<std::vector<std::vector<std::byte>>> MapSender::messages_for(std::uint64_
       return refused(ErrorCode::kInvalidArgument, "a viewer that has not been heard");
     Viewer& viewer = found->second;
     std::vector<std::vector<std::byte>> messages;
-    viewer.allowance.begin(viewer.view.bytes_per_second, now);
-    if (viewer.map != state_->description_hash || viewer.start != state_->start) {
-      if (now - viewer.described < kFirstWait || !viewer.allowance.may_spend()) return messages;
-      viewer.described = now;
-      if (viewer.map != state_->description_hash) {
-        DELTAMESH_TRY(messages.emplace_back(), write_description(description()));
-        viewer.allowance.spend(messages.back().size());
-      }
-      DELTAMESH_TRY(messages.emplace_back(),
-                    write_start({.map = state_->description_hash, .start = state_->start}));
-      return messages;
-    }
-    if (viewer.delivery.is_silent(now)) return messages;
-    recover(viewer, now, messages);
-    DELTAMESH_CHECK(state_->send_what_is_due(viewer, waiting_since(viewer, now), now, messages));
+    state_->begin_call(viewer, now);
+    const auto added = state_->add_messages(viewer, now, messages);
+    for (const auto& message : messages) state_->total.spend(message.size());
+    DELTAMESH_CHECK(added);
     return messages;
   });
+}
+
+Result<void> MapSender::State::add_messages(Viewer& viewer, double now,
+                                            std::vector<std::vector<std::byte>>& messages) {
+  if (viewer.map != description_hash || viewer.start != start) {
+    if (now - viewer.described < kFirstWait || !viewer.allowance.may_spend()) return {};
+    viewer.described = now;
+    if (viewer.map != description_hash) {
+      DELTAMESH_TRY(messages.emplace_back(), write_description(encodings.codec().description()));
+      viewer.allowance.spend(messages.back().size());
+    }
+    DELTAMESH_TRY(messages.emplace_back(), write_start({.map = description_hash, .start = start}));
+    return {};
+  }
+  if (viewer.delivery.is_silent(now)) return {};
+  recover(viewer, now, messages);
+  DELTAMESH_CHECK(tell_pose(viewer, now, messages));
+  DELTAMESH_CHECK(make_copies(viewer, now));
+  return send_what_is_due(viewer, waiting_since(viewer, now), now, messages);
 }
 
 std::vector<PartFault> MapSender::faults_of(std::uint64_t number) const {

@@ -3,7 +3,9 @@
 #include "send/source_map.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <utility>
 
 #include "base/try.h"
 #include "lattice/borders_of_links.h"
@@ -27,6 +29,23 @@ const SourcePart* SourceMap::find(const PartKey& key) const noexcept {
   return found == parts_.end() ? nullptr : &found->second;
 }
 
+void SourceMap::put(ChangedPart part, std::uint64_t revision, std::set<PartKey>& known_before) {
+  const PartKey key = part.part.key;
+  table_.put(part.part);
+  const auto [place, is_new] = parts_.try_emplace(key);
+  if (!is_new) known_before.insert(key);
+  place->second.part = std::move(part.part);
+  place->second.content_revision = part.revision;
+  place->second.revision = revision;
+  place->second.is_copy = false;
+}
+
+void SourceMap::take_out(const PartKey& key) {
+  table_.remove(key);
+  parts_.erase(key);
+  copies_.erase(key);
+}
+
 Result<std::vector<PartKey>> SourceMap::update(std::span<const MapBlock> blocks) {
   DELTAMESH_TRY(MapChange change, splitter_.update(blocks));
   std::set<PartKey> known_before;
@@ -34,24 +53,78 @@ Result<std::vector<PartKey>> SourceMap::update(std::span<const MapBlock> blocks)
   std::vector<PartKey> gone;
   for (const RemovedPart& removed : change.removed) {
     gone.push_back(removed.key);
-    table_.remove(removed.key);
     known_before.insert(removed.key);
-    parts_.erase(removed.key);
+    outdated_.erase(removed.key);
+    take_out(removed.key);
+  }
+  for (const PartKey& key : change.outdated) {
+    take_out(key);
+    outdated_[key] = revision();
   }
   for (ChangedPart& part : change.changed) {
     const PartKey key = part.part.key;
-    table_.put(part.part);
     changed.insert(key);
-    const auto [place, is_new] = parts_.try_emplace(key);
-    if (!is_new) known_before.insert(key);
-    place->second.part = std::move(part.part);
-    place->second.content_revision = place->second.revision = revision();
+    copies_.erase(key);
+    outdated_.erase(key);
+    put(std::move(part), revision(), known_before);
   }
   const std::set<PartKey> touched = table_.take_touched();
   for (const PartKey& key : touched)
     if (parts_.contains(key) && !changed.contains(key)) known_before.insert(key);
   relink(touched, changed, known_before);
+  if (copy_level_ > 0) choose_first_sight();
   return gone;
+}
+
+Result<bool> SourceMap::make_copies(std::span<const PartKey> cells, std::uint64_t most_triangles) {
+  std::vector<PartKey> missing;
+  for (const PartKey& key : cells)
+    if (!parts_.contains(key)) missing.push_back(key);
+  DELTAMESH_TRY(MadeCopies made, splitter_.make_copies(missing, most_triangles));
+  for (std::size_t i = 0; i < made.done; ++i) outdated_.erase(missing[i]);
+  std::set<PartKey> known_before;
+  std::set<PartKey> changed;
+  for (ChangedPart& part : made.copies) {
+    const PartKey key = part.part.key;
+    changed.insert(key);
+    copies_.insert(key);
+    put(std::move(part), revision(), known_before);
+    parts_.at(key).is_copy = true;
+  }
+  // Its neighbours' borders are as they were: what fits to parts in its cell fits to it.
+  relink(table_.take_touched(), changed, {});
+  return made.done == missing.size();
+}
+
+/// The lowest level whose copies take few bytes beside the map: a copy has about a quarter of the triangles
+/// below it, each with four times the bytes, and all vertices of its border. Chosen again as the map grows.
+void SourceMap::choose_first_sight() {
+  constexpr double kPays = 0.1;
+  constexpr double kTriangle = 4;      // bytes, of a triangle's of a part
+  constexpr double kBorderVertex = 4;  // so too
+  constexpr double kGrown = 1.25;
+  std::array<double, kMostPartLevel + 1> triangles{};
+  double all = 0;
+  for (const auto& [key, part] : parts_) {
+    if (part.is_copy) continue;
+    const auto count = static_cast<double>(part.part.mesh.triangle_count());
+    triangles[key.level] += count;
+    all += count;
+  }
+  if (all < kGrown * chosen_for_ && chosen_for_ < kGrown * all) return;
+  chosen_for_ = all;
+  first_sight_ = 0;
+  double in_copies = 0;
+  double above = all;
+  for (std::uint8_t level = 0; level <= copy_level_; ++level) {
+    in_copies = in_copies / 4 + triangles[level];
+    above -= triangles[level];
+    if (level == 0 || kTriangle * in_copies + above > kPays * all) continue;
+    const auto border = static_cast<double>(table_.count_between_cells(level, copies_));
+    if (kTriangle * in_copies + kBorderVertex * border + above > kPays * all) continue;
+    first_sight_ = level;
+    return;
+  }
 }
 
 /// Gives new links to what was touched, and marks those whose border changed.

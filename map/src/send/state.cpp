@@ -114,7 +114,8 @@ const KnownVersion* MapSender::State::base_for(const Viewer& viewer, const PartK
   if (largest != nullptr) return largest;
   const auto size = [](const KnownVersion& v) { return v.encoding->decoded.mesh.triangle_count(); };
   for (const auto& [other, believed] : viewer.has) {
-    if (!overlap(key, other)) continue;
+    if (!overlap(key, other) || map.is_copy(key) || map.is_copy(other) || map.outdated_since(other) > 0)
+      continue;  // copies have hardly a face in common with what they are of
     const KnownVersion* version = believed_version(viewer, other);
     if (version != nullptr && (largest == nullptr || size(*version) > size(*largest))) largest = version;
   }
@@ -157,7 +158,7 @@ Result<void> MapSender::State::send_what_is_due(Viewer& viewer, double waiting_s
     for (const PartKey& key : plan.needed) viewer.due.try_emplace(key, map.revision());
     std::erase_if(viewer.due, [&](const auto& entry) { return !plan.needed.contains(entry.first); });
     for (const SendUnit& unit : units_of(plan, viewer, map, known, encodings.codec().description())) {
-      if (!viewer.allowance.may_spend()) break;
+      if (!viewer.allowance.may_spend() || is_call_over(!messages.empty())) break;
       DELTAMESH_TRY(is_complete, send(unit, plan, viewer, now, messages));
       if (!is_complete) break;
     }
@@ -191,6 +192,7 @@ Result<bool> MapSender::State::send(const SendUnit& unit, SendPlan& plan, Viewer
   std::vector<ChosenVersion> chosen;  // all that may be sent, before any links to what cannot be had
   double room = viewer.allowance.room();
   for (auto key = unit.needed.begin(); key != unit.needed.end() && room > 0; ++key) {
+    if (is_call_over(!chosen.empty() || !messages.empty())) break;
     DELTAMESH_TRY(chosen.emplace_back(), choose_version(*map.find(*key), viewer));
     const auto& encoding = chosen.back().version.encoding;
     if (encoding == nullptr) return false;

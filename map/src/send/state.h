@@ -4,13 +4,16 @@
 // State of a sender: its map and its receivers; makes the messages for one of them.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "deltamesh/map/sender.h"
+#include "send/link/allowance.h"
 #include "send/units.h"
 #include "send/viewer_state.h"
 
@@ -35,12 +38,26 @@ struct MapSender::State {
   PartKey look_at_next{};  ///< for versions to forget
   std::map<std::uint64_t, Viewer> viewers{};
   SenderCounts counts{};
+  std::optional<MapPose> pose{};
+  Allowance total{};                                 ///< of all viewers together
+  std::chrono::steady_clock::time_point deadline{};  ///< of the call of messages_for() that runs
+  unsigned epochs = 0;                               ///< that began because of receivers
 
   /// Of so many parts, at least, as an update may bring new versions of.
   void forget_versions(std::size_t changed);
   bool has_viewer(const PartKey& key, std::uint32_t version) const;
   Result<Viewer*> viewer_of(const ViewMessage& message, double now);
   Result<void> hear_receipt(std::span<const std::byte> bytes, double now);
+  /// Begins a call of messages_for().
+  void begin_call(Viewer& viewer, double now);
+  /// Whether it is to end. `has_any`: whether it has done something; the next one would not come farther.
+  bool is_call_over(bool has_any) const;
+  Result<void> add_messages(Viewer& viewer, double now, std::vector<std::vector<std::byte>>& messages);
+  /// Begins one above that of the receiver's description, which is not the sender's. Errors:
+  /// kInvalidArgument.
+  Result<void> begin_epoch(std::uint32_t of_receiver);
+  /// Some of those that the viewer needs.
+  Result<void> make_copies(Viewer& viewer, double now);
   /// Plans and sends within the allowance.
   Result<void> send_what_is_due(Viewer& viewer, double waiting_since, double now,
                                 std::vector<std::vector<std::byte>>& messages);
@@ -48,6 +65,7 @@ struct MapSender::State {
   /// encoded, which another plan takes into account.
   Result<bool> send(const SendUnit& unit, SendPlan& plan, Viewer& viewer, double now,
                     std::vector<std::vector<std::byte>>& messages);
+  Result<void> tell_pose(Viewer& viewer, double now, std::vector<std::vector<std::byte>>& messages);
   Result<void> tell_faults(std::vector<PartFault> faults, Viewer& viewer, double now,
                            std::vector<std::vector<std::byte>>& messages);
   const KnownVersion* believed_version(const Viewer& viewer, const PartKey& key) const;

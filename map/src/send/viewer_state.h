@@ -14,10 +14,10 @@
 #include <vector>
 
 #include "deltamesh/map/messages.h"
-#include "send/allowance.h"
-#include "send/believed.h"
-#include "send/delivery.h"
 #include "send/encodings.h"
+#include "send/link/allowance.h"
+#include "send/link/believed.h"
+#include "send/link/delivery.h"
 #include "send/source_map.h"
 
 namespace deltamesh {
@@ -46,6 +46,9 @@ struct SentPart {
   }
 };
 
+/// In place of a part's key, of messages about the pose.
+inline constexpr PartKey kPoseKey{kMostPartLevel + 1, 0, 0, 0};
+
 struct Viewer {
   View view{};
   std::uint64_t number = 0;
@@ -58,7 +61,10 @@ struct Viewer {
   std::map<PartKey, std::uint64_t> due{};  ///< what it lacks, and the map's revision since when
   std::vector<PartFault> faults{};         ///< as the receiver was told last; ascending by key
   Allowance allowance{};
-  double heard = 0;                                             ///< when it spoke last, seconds
+  std::optional<MapPose> pose{};             ///< as it was sent last
+  bool waits_for_copies = false;             ///< that it is to see first, and that are still to be made
+  std::optional<double> copies_due_since{};  ///< when the first of those that are to be made was missed
+  double heard = 0;                          ///< when it spoke last, seconds
   double described = -std::numeric_limits<double>::infinity();  ///< when the map's message was sent
 
   /// Adds a message; one that replaces a lost one twice where there is no time to lose another.

@@ -2,41 +2,58 @@
 // Copyright 2026 The deltamesh authors
 #include "send/wanted_parts.h"
 
+#include <algorithm>
+#include <tuple>
 #include <vector>
 
+#include "base/try.h"
 #include "part/view_cells.h"
 
 namespace deltamesh {
 namespace {
 
-class Wants {
+constexpr std::uint64_t kTrianglesAtOnce = std::uint64_t{1} << 16;  // that a call simplifies
+
+/// Cells in which a viewer has something.
+class Begun {
  public:
-  Wants(const Viewer& viewer, const SourceMap& map, const MapDescription& description) {
-    for (const auto& [key, part] : map.parts())
-      if (is_in_view(key, viewer.view, description)) in_view_.insert(key);
+  explicit Begun(const Viewer& viewer) {
     for (const auto& [key, believed] : viewer.has) {
       if (believed.is_gone) continue;
-      for (int level = key.level; level <= highest(); ++level)
-        if (const PartKey above = ancestor(key, static_cast<std::uint8_t>(level)); in_view_.contains(above))
-          begun_.insert(above);
+      keys_.insert(key);
+      for (int level = key.level; level <= kMostPartLevel; ++level)
+        if (!above_.insert(ancestor(key, static_cast<std::uint8_t>(level))).second) break;
     }
+  }
+  bool has(const PartKey& key) const { return keys_.contains(key); }
+  bool contains(const PartKey& cell) const {
+    if (above_.contains(cell)) return true;
+    for (int level = cell.level + 1; level <= kMostPartLevel; ++level)
+      if (has(ancestor(cell, static_cast<std::uint8_t>(level)))) return true;
+    return false;
+  }
+
+ private:
+  std::set<PartKey> keys_;
+  std::set<PartKey> above_;  ///< these and all cells around them
+};
+
+class Wants {
+ public:
+  Wants(const Viewer& viewer, const SourceMap& map, const MapDescription& description)
+      : first_sight_(map.first_sight()), waits_(viewer.waits_for_copies), begun_(viewer) {
+    for (const auto& [key, part] : map.parts())
+      if (is_in_view(key, viewer.view, description)) in_view_.insert(key);
   }
 
   WantedParts run() {
     // From the finest on, each is found by what is nearest above it.
     for (const PartKey& key : in_view_) inside_[holder_of(key)].push_back(key);
     WantedParts parts;
-    std::vector<PartKey> open = inside_[kNone];
-    while (!open.empty()) {
-      const PartKey key = open.back();
-      open.pop_back();
-      const auto inside = inside_.find(key);
-      if (inside == inside_.end() || !begun_.contains(key)) {
-        parts.wanted.insert(key);
-      } else {
-        open.insert(open.end(), inside->second.begin(), inside->second.end());
-      }
-    }
+    parts.wanted = cover(waits_);
+    // What is seen first fits together, so that all of it comes before any of it goes.
+    if (!waits_ && std::ranges::any_of(parts.wanted, [&](const PartKey& key) { return is_new_copy(key); }))
+      parts.wanted = cover(true);
     for (const PartKey& key : in_view_)
       if (!parts.wanted.contains(key)) parts.others.insert(key);
     return parts;
@@ -54,15 +71,80 @@ class Wants {
     return kNone;
   }
 
+  /// A copy that is to be seen before what is inside.
+  bool is_new_copy(const PartKey& key) const {
+    return key.level <= first_sight_ && inside_.contains(key) && !begun_.contains(key);
+  }
+
+  std::set<PartKey> cover(bool keeps_copies) const {
+    std::set<PartKey> wanted;
+    const auto top = inside_.find(kNone);
+    std::vector<PartKey> open = top == inside_.end() ? std::vector<PartKey>() : top->second;
+    while (!open.empty()) {
+      const PartKey key = open.back();
+      open.pop_back();
+      const auto inside = inside_.find(key);
+      const bool stays = keeps_copies && key.level <= first_sight_ && begun_.has(key);
+      if (inside != inside_.end() && !stays && !is_new_copy(key)) {
+        open.insert(open.end(), inside->second.begin(), inside->second.end());
+      } else if (!is_to_come_later(key)) {
+        wanted.insert(key);
+      }
+    }
+    return wanted;
+  }
+
+  /// A copy of it that is still to be made is to come first.
+  bool is_to_come_later(const PartKey& key) const {
+    return waits_ && key.level < first_sight_ && !begun_.contains(ancestor(key, first_sight_));
+  }
+
+  std::uint8_t first_sight_;
+  bool waits_;
+  Begun begun_;
   std::set<PartKey> in_view_;
-  std::set<PartKey> begun_;  ///< the receiver has it, or something in its cell
   std::map<PartKey, std::vector<PartKey>> inside_;
 };
+
+/// Those of `cells` that have waited longest first, then the nearest.
+std::vector<PartKey> in_order(const std::set<PartKey>& cells, const Viewer& viewer, const SourceMap& map,
+                              const MapDescription& description) {
+  std::vector<std::tuple<std::uint64_t, double, PartKey>> order;
+  for (const PartKey& cell : cells)
+    order.emplace_back(map.outdated_since(cell), way_to(cell, viewer.view, description), cell);
+  std::ranges::sort(order);
+  std::vector<PartKey> keys;
+  for (const auto& [since, way, cell] : order) keys.push_back(cell);
+  return keys;
+}
 
 }  // namespace
 
 WantedParts wanted_parts(const Viewer& viewer, const SourceMap& map, const MapDescription& description) {
   return Wants(viewer, map, description).run();
+}
+
+Result<bool> make_copies_for(const Viewer& viewer, SourceMap& map, const MapDescription& description) {
+  const Begun begun(viewer);
+  // From the level of the first sight on: where a copy has too many triangles to be a part, those below it.
+  for (int level = std::max(map.first_sight(), viewer.view.level); level > 0 && level >= viewer.view.level;
+       --level) {
+    std::set<PartKey> cells;
+    for (const auto& [key, part] : map.parts()) {
+      if (key.level >= level || map.is_copy(key)) continue;
+      const PartKey cell = ancestor(key, static_cast<std::uint8_t>(level));
+      if (!is_in_view(cell, viewer.view, description)) continue;
+      bool is_covered = level > viewer.view.level && begun.contains(cell);
+      for (int above = level + 1; above <= map.first_sight() && level > viewer.view.level; ++above)
+        is_covered = is_covered || map.find(ancestor(cell, static_cast<std::uint8_t>(above))) != nullptr;
+      if (!is_covered && map.find(cell) == nullptr) cells.insert(cell);
+    }
+    if (cells.empty()) continue;
+    DELTAMESH_TRY(const bool is_complete,
+                  map.make_copies(in_order(cells, viewer, map, description), kTrianglesAtOnce));
+    if (!is_complete) return false;
+  }
+  return true;
 }
 
 }  // namespace deltamesh

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Chooses the parts that a receiver is to have next: coarser copies first [MAP-19].
+// Which parts a viewer is to have: those of its level; first, where it has nothing, coarser copies.
 #pragma once
 
 #include <set>
@@ -15,9 +15,12 @@ struct WantedParts {
   std::set<PartKey> others;  ///< parts in the view besides
 };
 
-/// For the cells in the view: the coarsest copy if the receiver has nothing there; if it has a copy, or parts
-/// below it, the next finer ones. In the end these are the parts in the view that contain no others. O(n log
-/// n) for n parts.
+/// While copies that it is to see first are still to be made (`viewer.waits_for_copies`), nothing is wanted
+/// where they come, and those that it has stay. O(n log n) for all parts and what the viewer has.
 WantedParts wanted_parts(const Viewer& viewer, const SourceMap& map, const MapDescription& description);
+
+/// Makes what a viewer needs of coarser copies, or some of it. False: some are still to be made. Takes a few
+/// dozen milliseconds at the most, or what the simplification of one cell takes.
+Result<bool> make_copies_for(const Viewer& viewer, SourceMap& map, const MapDescription& description);
 
 }  // namespace deltamesh

@@ -62,34 +62,48 @@ Copy make_copy(const PartKey& key, const Sources& sources, std::vector<BorderPos
 
 }  // namespace
 
-CopyChange update_copies(const std::set<PartKey>& touched, const Layout& layout,
-                         const MapDescription& description, const SplitOptions& options, Copies& copies) {
-  CopyChange change;
-  for (std::uint8_t level = 1; level <= options.copy_level; ++level) {
-    std::set<PartKey> cells;
+OutdatedCopies outdate_copies(const std::set<PartKey>& touched, const Layout& layout, Copies& copies) {
+  OutdatedCopies outdated;
+  std::set<PartKey> cells;
+  if (!copies.empty())
     for (const PartKey& key : touched)
-      if (key.level < level) cells.insert(ancestor(key, level));
-    for (const PartKey& cell : cells) {
-      const auto known = copies.find(cell);
-      const bool was_part = known != copies.end() && known->second.is_part;
-      Sources sources = sources_of(cell, layout, copies);
-      if (sources.blocks.empty()) {
-        if (was_part) change.removed.insert(cell);
-        if (known != copies.end()) copies.erase(known);
-        continue;
-      }
-      std::vector<BorderPosition> border = layout.border_of(cell);
-      sources.hash.add(std::span<const BorderPosition>(border));
-      const std::uint64_t hash = sources.hash.digest();
-      if (known != copies.end() && known->second.hash == hash) continue;
-      Copy& copy = copies[cell];
-      copy = make_copy(cell, sources, std::move(border), description, options);
-      copy.hash = hash;
-      if (copy.is_part) change.changed.insert(cell);
-      if (was_part && !copy.is_part) change.removed.insert(cell);
+      for (int level = std::max<int>(key.level, 1); level <= copies.rbegin()->first.level; ++level)
+        cells.insert(ancestor(key, static_cast<std::uint8_t>(level)));
+  for (const PartKey& cell : cells) {
+    const auto known = copies.find(cell);
+    if (known == copies.end()) continue;
+    Copy& copy = known->second;
+    if (!layout.is_above_parts(cell)) {
+      if (copy.is_part) outdated.removed.push_back(cell);
+      copies.erase(known);
+      continue;
     }
+    if (copy.is_told) outdated.outdated.push_back(cell);
+    copy.is_newest = copy.is_told = false;
   }
-  return change;
+  return outdated;
+}
+
+Copy* CopyMaker::make(const PartKey& cell) {
+  const auto known = copies_.find(cell);
+  if (known != copies_.end() && known->second.is_newest) return &known->second;
+  if (cell.level > 1)
+    for (const PartKey& below : children_of(cell))
+      if (layout_.is_above_parts(below) && make(below) == nullptr) return nullptr;
+  if (seen_ > 0 && seen_ >= most_triangles_) return nullptr;
+  Sources sources = sources_of(cell, layout_, copies_);
+  std::vector<BorderPosition> border = layout_.border_of(cell);
+  sources.hash.add(std::span<const BorderPosition>(border));
+  const std::uint64_t hash = sources.hash.digest();
+  if (known != copies_.end() && known->second.hash == hash) {
+    known->second.is_newest = true;
+    return &known->second;
+  }
+  for (const StoredBlock* block : sources.blocks) seen_ += block->mesh.triangle_count();
+  Copy copy = make_copy(cell, sources, std::move(border), description_, options_);
+  copy.hash = hash;
+  copy.revision = revision_;
+  return &copies_.insert_or_assign(cell, std::move(copy)).first->second;
 }
 
 MapPart part_of(const PartKey& key, const Copy& copy) {

@@ -97,6 +97,13 @@ LayoutChange Layout::update(StoredBlocks blocks) {
   return change;
 }
 
+bool Layout::is_above_parts(const PartKey& cell) const {
+  if (cell.level == 0 || !octree_.contains(cell)) return false;
+  for (std::uint8_t level = cell.level; level <= kMostPartLevel; ++level)
+    if (parts_.contains(ancestor(cell, level))) return false;
+  return true;
+}
+
 std::vector<const StoredBlock*> Layout::blocks_in(const PartKey& key) const {
   std::vector<Cell0> cells;
   octree_.add_cells_in(key, cells);

@@ -37,6 +37,8 @@ class Layout {
 
   const std::set<PartKey>& parts() const noexcept { return parts_; }
   MapPart part(const PartKey& key) const;
+  /// Whether the cell holds parts of lower levels.
+  bool is_above_parts(const PartKey& cell) const;
   /// By cell.
   std::vector<const StoredBlock*> blocks_in(const PartKey& key) const;
   /// The positions in a cell that parts outside of it have too, ascending.

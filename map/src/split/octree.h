@@ -28,6 +28,7 @@ class Octree {
   void add(const Cell0& cell, std::uint64_t triangles);
   void remove(const Cell0& cell, std::uint64_t triangles);
 
+  bool contains(const PartKey& key) const { return triangles_.contains(key); }
   /// The largest cell of up to `most_level` that holds `cell` and has at most `most_triangles`, or itself.
   PartKey part_of(const Cell0& cell, const PartSize& size) const;
   /// Cells of level 0 with triangles. O(levels * log n) for each.

@@ -77,28 +77,41 @@ Result<MapChange> Splitter::update(std::span<const MapBlock> update) noexcept {
     DELTAMESH_TRY(StoredBlocks blocks, checked(update, state.description));
     state.is_broken = true;
     const LayoutChange laid = state.layout.update(std::move(blocks));
-    const CopyChange copied =
-        update_copies(laid.touched, state.layout, state.description, state.options, state.copies);
-
-    std::set<PartKey> changed = laid.changed;
-    changed.insert(copied.changed.begin(), copied.changed.end());
+    const OutdatedCopies copies = outdate_copies(laid.touched, state.layout, state.copies);
     std::set<PartKey> removed = laid.removed;
-    removed.insert(copied.removed.begin(), copied.removed.end());
-    for (const PartKey& key : changed) removed.erase(key);  // copies become parts, and parts copies
-    const GroupNumbers groups = group_changes(changed, removed, laid.pairs, state.next_group);
+    removed.insert(copies.removed.begin(), copies.removed.end());
+    for (const PartKey& key : laid.changed) removed.erase(key);  // copies become parts
+    const GroupNumbers groups = group_changes(laid.changed, removed, laid.pairs, state.next_group);
 
     MapChange change;
     const std::uint64_t revision = ++state.revision;
-    for (const PartKey& key : changed) {
-      const auto copy = state.copies.find(key);
-      change.changed.push_back(
-          {revision, groups.numbers.at(key),
-           copy == state.copies.end() ? state.layout.part(key) : part_of(key, copy->second)});
-    }
+    for (const PartKey& key : laid.changed)
+      change.changed.push_back({revision, groups.numbers.at(key), state.layout.part(key)});
     for (const PartKey& key : removed) change.removed.push_back({key, revision, groups.numbers.at(key)});
+    change.outdated = copies.outdated;
     state.next_group = groups.next;
     state.is_broken = false;
     return change;
+  });
+}
+
+Result<MadeCopies> Splitter::make_copies(std::span<const PartKey> cells,
+                                         std::uint64_t most_triangles) noexcept {
+  return guarded([&]() -> Result<MadeCopies> {
+    State& state = *state_;
+    CopyMaker maker(state.layout, state.description, state.options, state.revision, most_triangles,
+                    state.copies);
+    MadeCopies made;
+    for (const PartKey& cell : cells) {
+      const bool has_one = cell.level <= state.options.copy_level && state.layout.is_above_parts(cell);
+      Copy* const copy = has_one ? maker.make(cell) : nullptr;
+      if (has_one && copy == nullptr) break;
+      ++made.done;
+      if (!has_one || !copy->is_part || copy->is_told) continue;
+      made.copies.push_back({copy->revision, state.next_group++, part_of(cell, *copy)});
+      copy->is_told = true;
+    }
+    return made;
   });
 }
 

@@ -13,7 +13,7 @@
 
 #include "base/guard.h"
 #include "base/try.h"
-#include "deltamesh/io.h"
+#include "deltamesh/files.h"
 
 namespace deltamesh {
 namespace {

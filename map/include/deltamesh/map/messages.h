@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "deltamesh/map/part_entry.h"
+#include "deltamesh/map/pose.h"
 #include "deltamesh/result.h"
 
 namespace deltamesh {
@@ -61,6 +62,14 @@ struct FaultMessage {
   std::uint16_t code = 0;
 };
 
+/// Says where the map is [MAP-23].
+struct PoseMessage {
+  std::uint64_t map = 0;     ///< hash_of() the map's description
+  std::uint64_t start = 0;   ///< as StartMessage::start
+  std::uint64_t number = 0;  ///< as EntryMessage::number; a later one replaces earlier ones
+  MapPose pose{};
+};
+
 /// Relative to the map's origin; model units.
 struct ViewBox {
   std::array<float, 3> low{};
@@ -76,12 +85,17 @@ struct View {
   std::optional<float> vde{};    ///< above 0
   std::optional<float> lfe{};
   std::optional<float> max_error{};
-  float color_error = 0;               ///< 255ths; 0: exact
+  float color_error = 0;  ///< 255ths; 0: exact
+  /// Of the map's attributes, in their order; 0: exact. Normals and tangents in degrees, texture coordinates,
+  /// weights, and generic ones (labels, intensities) in their unit. Colours and joints: 0. Where this ends:
+  /// 0.5 degrees, 1/4096, 1/1024 and 0.
+  std::vector<float> attribute_errors{};
   std::uint32_t bytes_per_second = 0;  ///< 0: no limit
 
   bool operator==(const View&) const = default;
 };
-inline constexpr std::size_t kMostViewBoxes = 64;  // [MAP-15]
+inline constexpr std::size_t kMostViewBoxes = 64;    // [MAP-15]
+inline constexpr std::size_t kMostViewErrors = 255;  // [MAP-15]
 
 /// A version that a receiver has.
 struct HeldVersion {
@@ -119,6 +133,7 @@ struct ViewMessage {
   std::uint64_t number = 0;  ///< ascending; older messages of a viewer are ignored
   std::uint64_t map_id = 0;
   std::uint64_t map = 0;    ///< hash of the description that the receiver has; 0: none
+  std::uint32_t epoch = 0;  ///< of that description
   std::uint64_t start = 0;  ///< of the sender that the receiver takes messages of; 0: of none yet
   Receipt receipt{};
   View view{};
@@ -133,16 +148,18 @@ Result<std::vector<std::byte>> write_entry(const EntryMessage& message) noexcept
 Result<std::vector<std::byte>> write_part(const PartMessage& message) noexcept;
 Result<std::vector<std::byte>> write_patch(const PatchMessage& message) noexcept;
 Result<std::vector<std::byte>> write_fault(const FaultMessage& message) noexcept;
+Result<std::vector<std::byte>> write_pose(const PoseMessage& message) noexcept;
 Result<std::vector<std::byte>> write_view(const ViewMessage& message) noexcept;
 Result<std::vector<std::byte>> write_receipt(const ReceiptMessage& message) noexcept;
 
-/// `attributes`: how many the map has. Errors of all: 1xx codes [MAP-1, MAP-12 to MAP-17, MAP-21, MAP-22],
+/// `attributes`: how many the map has. Errors of all: 1xx codes [MAP-1, MAP-12 to MAP-17, MAP-21 to MAP-23],
 /// kOutOfMemory. Takes memory in proportion to the bytes.
 Result<StartMessage> read_start(std::span<const std::byte> message) noexcept;
 Result<EntryMessage> read_entry(std::span<const std::byte> message, std::size_t attributes) noexcept;
 Result<PartMessage> read_part(std::span<const std::byte> message) noexcept;
 Result<PatchMessage> read_patch(std::span<const std::byte> message) noexcept;
 Result<FaultMessage> read_fault(std::span<const std::byte> message) noexcept;
+Result<PoseMessage> read_pose(std::span<const std::byte> message) noexcept;
 Result<ViewMessage> read_view(std::span<const std::byte> message) noexcept;
 Result<ReceiptMessage> read_receipt(std::span<const std::byte> message) noexcept;
 

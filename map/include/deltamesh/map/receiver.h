@@ -71,6 +71,8 @@ class MapReceiver {
 
   /// Null before the map's message.
   const MapDescription* description() const noexcept;
+  /// Where the map is; null: the sender has not said it.
+  const MapPose* pose() const noexcept;
   /// The part as it is shown, ready to draw, until the next apply(); null if it is not shown.
   const MapPart* find(const PartKey& key) const noexcept;
   std::vector<PartKey> shown() const;  ///< ascending

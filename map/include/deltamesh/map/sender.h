@@ -4,8 +4,10 @@
 // The sending side of a map. Each receiver asks for what it wants to see.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -13,6 +15,7 @@
 #include "deltamesh/map/description.h"
 #include "deltamesh/map/part.h"
 #include "deltamesh/map/part_entry.h"
+#include "deltamesh/map/pose.h"
 #include "deltamesh/map/split.h"
 #include "deltamesh/result.h"
 
@@ -25,6 +28,14 @@ struct SenderOptions {
   /// Views of more are refused, unless another viewer has been silent for 5 seconds and makes room.
   std::size_t most_viewers = 64;
   double viewer_seconds = 60;  ///< a viewer that is not heard for so long is forgotten; above 0
+  /// To all receivers together, in any second; 0: no limit. A call of messages_for() takes its share of what
+  /// is left: one of as many as there are viewers.
+  std::uint64_t bytes_per_second = 0;
+  /// After so many seconds of its own messages_for() gives what it has and goes on at the next call; above 0.
+  /// It ends between parts: one takes up to 0.1 s, at effort 0.
+  double call_seconds = std::numeric_limits<double>::infinity();
+  const std::atomic<bool>* cancel =
+      nullptr;  ///< ends messages_for() in the same way when true; must outlive it
   /// Whether a receiver keeps faces of older versions that are within its bounds of the newest source: whole
   /// parts, or those that a patch leaves.
   bool keeps_good_enough = true;
@@ -43,7 +54,9 @@ struct SenderCounts {
 /// Keeps the source and the state of each receiver. It decodes everything that it sends, so that it knows the
 /// receivers' maps to the bit. What is lost on the way is sent again within one exchange, if nothing newer
 /// takes its place. Times are seconds of any steady clock. A message arrives within 60 seconds or
-/// not at all: then what is known of parts that no longer exist is forgotten. Not thread-safe.
+/// not at all: then what is known of parts that no longer exist is forgotten. Where a receiver has another
+/// description of the map, of another lattice, say, and of an epoch that is not older, a new epoch begins,
+/// and all parts are encoded and sent anew: up to 8 times, then such views are refused. Not thread-safe.
 class MapSender {
  public:
   /// Errors: kInvalidArgument, those of MapCodec::open().
@@ -55,9 +68,15 @@ class MapSender {
   /// borders get new links.
   Result<void> update(std::span<const MapBlock> blocks) noexcept;
 
+  /// Tells all receivers where the map is, in one message of about 90 bytes each, before anything else.
+  /// Errors: kInvalidArgument, kOutOfMemory.
+  Result<void> set_pose(const MapPose& pose) noexcept;
+
   /// Takes a message of a receiver: a view or a receipt. Receipts of unknown viewers have no effect. Errors:
-  /// 1xx codes, kInvalidArgument (of another map), kLimitExceeded (too many viewers), kUnmetRequest (a
-  /// largest error below what the lattice allows), kOutOfMemory.
+  /// 1xx codes, kInvalidArgument (of another map, or of too many epochs), kLimitExceeded (too many viewers),
+  /// kUnmetRequest (a largest error below what the lattice allows), kOutOfMemory. Of bounds that the map's
+  /// attributes do not have Error::where is the attribute; parts that cannot keep a bound are named by
+  /// faults_of().
   Result<void> hear(std::span<const std::byte> message, double now) noexcept;
   /// Drops a viewer; its next view begins anew. So does one that is silent for too long, and a number that is
   /// used again by a receiver that has nothing yet.
@@ -67,9 +86,11 @@ class MapSender {
   /// The messages to send to a receiver now, in this order: removals first, then parts by level (coarsest
   /// first), time since they were last sent and distance from the view's boxes. In any second
   /// they have at most the receiver's bytes per second and one message more; parts that are shown together
-  /// are sent after each other. With coarser copies the receiver first gets the coarsest, then, call by call,
-  /// finer ones down to the level of its view. `now`: seconds. Errors: kInvalidArgument (unknown viewer),
-  /// kOutOfMemory; parts that cannot be encoded are faults_of().
+  /// are sent after each other. Coarser copies are made here, for viewers who ask for their level, up to
+  /// 65,536 triangles a call (about 0.1 s); those of earlier content stay until then. Where a receiver has
+  /// nothing, it gets copies first, if the map has a level of them that takes few bytes beside the map, and
+  /// then what it asks for. `now`: seconds. Errors: kInvalidArgument (unknown viewer), kOutOfMemory; parts
+  /// that cannot be encoded are faults_of().
   Result<std::vector<std::vector<std::byte>>> messages_for(std::uint64_t viewer, double now) noexcept;
 
   /// Parts that the receiver does not get as it asked, as of the last messages_for(); ascending by key. The
@@ -89,7 +110,7 @@ class MapSender {
   SenderCounts counts() const noexcept;
   /// The newest source of a part; null if there is none.
   const MapPart* source(const PartKey& key) const noexcept;
-  std::vector<PartKey> keys() const;  ///< ascending
+  std::vector<PartKey> keys() const;  ///< ascending; of copies those that somebody has asked for
 
   MapSender(MapSender&&) noexcept;
   MapSender& operator=(MapSender&&) noexcept;

@@ -21,9 +21,11 @@ namespace deltamesh {
 struct SplitOptions {
   std::uint32_t most_triangles = 16384;      ///< above 0; about a byte each with colours
   std::uint8_t most_level = kMostPartLevel;  ///< 0: all parts are cells of level 0
-  /// Coarser copies of what is below are made in the cells of levels 1 to this one, for views of those levels
-  /// and as a first sight [MAP-19]; at most kMostPartLevel. Where a copy would have more than
-  /// `most_triangles` there is none.
+  /// Coarser copies of what is below can be had in the cells of levels 1 to this one, for views of those
+  /// levels and as a first sight [MAP-19]; at most kMostPartLevel. Where a copy would have more than
+  /// `most_triangles` there is none. They pay as a first sight where few border vertices are between the
+  /// large cells: cells on both sides of 0 are in no common one, so that blocks are better counted from a
+  /// corner below the map than from a floor in the middle of it.
   std::uint8_t copy_level = 0;
 };
 
@@ -55,7 +57,13 @@ struct RemovedPart {
 };
 struct MapChange {
   std::vector<ChangedPart> changed;  ///< ascending by key
-  std::vector<RemovedPart> removed;  ///< ascending by key
+  std::vector<RemovedPart> removed;  ///< ascending by key; also copies with nothing below any more
+  std::vector<PartKey> outdated{};   ///< copies, made before, of what has changed; ascending
+};
+
+struct MadeCopies {
+  std::vector<ChangedPart> copies;  ///< with the map's revision when they became as they are
+  std::size_t done = 0;             ///< of so many of the cells
 };
 
 /// The source of a map that changes: keeps the blocks and finds the parts that an update changes.
@@ -68,11 +76,16 @@ class Splitter {
 
   /// One update: all blocks at once, each cell at most once. The parts after it are those that a fresh
   /// splitter makes of all blocks; `changed` has only those whose mesh or border is not as before. Takes time
-  /// in proportion to the blocks' parts and those with a changed border, not to the map; coarser copies
-  /// take as much as what lies below their top cells. On an error nothing has changed, but after kOutOfMemory
-  /// every further update fails with it. Errors: as split(); Error::found is the
-  /// cell of the block at fault.
+  /// in proportion to the blocks' parts and those with a changed border, not to the map. On an error nothing
+  /// has changed, but after kOutOfMemory every further update fails with it. Errors: as split(); Error::found
+  /// is the cell of the block at fault.
   Result<MapChange> update(std::span<const MapBlock> blocks) noexcept;
+
+  /// Makes the coarser copies of these cells, and gives those that were not given since they became outdated.
+  /// Cells above SplitOptions::copy_level and those that hold no parts of lower levels have none. Ends once
+  /// it has simplified `most_triangles`, which takes about a microsecond each, or one cell if that has more.
+  /// Errors: kOutOfMemory.
+  Result<MadeCopies> make_copies(std::span<const PartKey> cells, std::uint64_t most_triangles) noexcept;
 
   std::uint64_t revision() const noexcept;
 

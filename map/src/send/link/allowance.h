@@ -17,8 +17,10 @@ namespace deltamesh {
 /// for later.
 class Allowance {
  public:
-  /// Counts the time up to `now`, seconds. `rate`: bytes per second; 0: no limit.
-  void begin(std::uint32_t rate, double now) {
+  /// Counts the time up to `now`, seconds. `rate`: bytes per second; 0: no limit. `most`: bytes until the
+  /// next time.
+  void begin(double rate, double now, double most = std::numeric_limits<double>::infinity()) {
+    most_ = most;
     const double passed = has_begun_ ? std::max(now - now_, 0.0) : 1;
     has_begun_ = true;
     now_ = now;
@@ -32,13 +34,14 @@ class Allowance {
 
   /// How many bytes may be sent now; a message that begins below it may be longer.
   double room() const noexcept {
-    return rate_ == 0 ? std::numeric_limits<double>::infinity() : std::min(saved_, rate_ - in_a_second_);
+    return rate_ == 0 ? most_ : std::min({saved_, rate_ - in_a_second_, most_});
   }
   bool may_spend() const noexcept { return room() > 0; }
 
   void spend(std::size_t bytes) {
-    if (rate_ == 0) return;
     const auto size = static_cast<double>(bytes);
+    most_ -= size;
+    if (rate_ == 0) return;
     saved_ -= size;
     in_a_second_ += size;
     spent_.emplace_back(now_, size);
@@ -49,6 +52,7 @@ class Allowance {
   double in_a_second_ = 0;                       ///< their sum
   double saved_ = 0;                             ///< bytes; below 0: debts
   double rate_ = 0;
+  double most_ = std::numeric_limits<double>::infinity();
   double now_ = 0;
   bool has_begun_ = false;
 };

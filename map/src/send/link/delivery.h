@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "deltamesh/map/messages.h"
-#include "send/believed.h"
+#include "send/link/believed.h"
 
 namespace deltamesh {
 

@@ -3,6 +3,8 @@
 //
 // Whole files: read at once, written to a temporary beside the target and renamed, so that no half-written
 // file remains.
+#include "deltamesh/files.h"
+
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/stat.h>
@@ -14,9 +16,6 @@
 #include <memory>
 #include <new>
 #include <optional>
-
-#include "base/try.h"
-#include "deltamesh/io.h"
 
 namespace deltamesh {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "send/delivery.h"
+#include "send/link/delivery.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Whole files. Library target deltamesh::files.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "deltamesh/result.h"
+
+namespace deltamesh {
+
+/// Errors: kFileOpen, kFileRead, kOutOfMemory.
+Result<std::vector<std::byte>> read_file(const std::string& path) noexcept;
+
+/// Whole or not at all: to a temporary file beside it, then a rename. Devices and pipes are written in place,
+/// and what a link points to is replaced. Errors: kFileWrite, kOutOfMemory.
+Result<void> write_file(const std::string& path, std::span<const std::byte> bytes) noexcept;
+
+}  // namespace deltamesh
