@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "attributes/haar/haar.h"
 #include "spec/example_lines.h"
 #include "support/attribute_coding.h"
 
@@ -59,6 +60,20 @@ TEST_F(AttributeExamples, ATTR45ATTR47ATTR51Colours) {
   const Attribute values = attribute(AttributeKind::kColor, ComponentType::kU8, 3,
                                      line_of<std::uint8_t>("attr_colors.md", "values"));
   check("attr_colors.md", values, values);
+}
+
+TEST_F(AttributeExamples, HAAR6HAAR7HAAR13ColoursAtAMeanError) {
+  const AttributeSurface surface(triangles_, 4, {}, positions_);
+  const auto levels = make_haar_levels(surface);
+  ASSERT_EQ(levels.size(), 3U);
+  EXPECT_EQ(levels[1].children[0].second, 1U);
+  const auto coded = write_haar_colors(line_of<std::uint8_t>("attr_haar.md", "source"), levels, 64);
+  EXPECT_EQ(coded.bytes, bytes_of("attr_haar.md", "payload"));
+  const auto values = line_of<std::uint8_t>("attr_haar.md", "values");
+  const auto expected = std::as_bytes(std::span(values));
+  const auto read = read_haar_colors(coded.bytes, surface);
+  ASSERT_TRUE(read) << describe(read.error());
+  EXPECT_EQ(*read, std::vector<std::byte>(expected.begin(), expected.end()));
 }
 
 TEST_F(AttributeExamples, ATTR31ATTR32ATTR37TextureCoordinates) {
