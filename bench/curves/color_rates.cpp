@@ -11,7 +11,7 @@
 #include <optional>
 #include <span>
 
-#include "attributes/haar/haar.h"
+#include "attributes/haar/writer.h"
 #include "deltamesh/decode.h"
 #include "deltamesh/encode.h"
 #include "report/geometric_mean.h"
@@ -92,8 +92,9 @@ std::optional<Curves> curves_of(Mesh mesh) {
   const AttributeSurface surface(exact.triangles, static_cast<std::uint32_t>(colors.size() / 3), {},
                                  exact.positions);
   const auto levels = make_haar_levels(surface);
+  const HaarWriter writer({.levels = colors}, levels);
   for (const std::uint32_t step : kRateSteps) {
-    const auto written = write_haar_colors(colors, levels, 64 * step);
+    const auto written = writer.code(64 * step, ComponentType::kU8);
     curves.transformed.push_back({psnr_of_luma(colors, levels_of(written.values, 3)), written.bytes.size()});
   }
   return curves;

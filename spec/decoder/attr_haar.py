@@ -1,8 +1,9 @@
-"""Colours by a transform over the mesh: attr_haar.md, HAAR-1 to HAAR-14. No chunk carries them yet."""
+"""Colours by a transform over the mesh: attr_haar.md, HAAR-1 to HAAR-14."""
 import math
 
 import numpy as np
 
+from attr_colors import ATTR_46_value
 from coder import Coder, Mixture, ScaledCoder, bits, clamp
 from container import must
 from graph import neighbours
@@ -91,14 +92,25 @@ def HAAR_5_next(fine, mates):
         lists.append([u for u in around if u != i][:16])
     return Level(places, weights, lists, children, g)
 
-def HAAR_6_colours(r, surface):
-    """Rows of red, green and blue."""
-    axes, step = r.u8(), r.number("H")
+def HAAR_6_colours(r, a, surface):
+    """Rows of red, green and blue, and alpha."""
+    axes, alpha, level = r.u8(), 0, None
     must(axes in (1, 3), "HAAR-6", f"{axes} axes")
+    if a.k == 4:
+        alpha = r.u8()
+        must(alpha in (1, 2), "HAAR-6", f"alpha {alpha}")
+        level = r.u8() if alpha == 1 else None
+    step = r.number("H")
     must(step >= 1, "HAAR-6", "step 0")
     if surface.n == 0:
         return []
-    return [HAAR_14_colour(value) for value in HaarCoder(Coder(r), HAAR_3_levels(surface), axes, step).decode()]
+    coder, levels = Coder(r), HAAR_3_levels(surface)
+    rows = [HAAR_14_colour(value) for value in HaarCoder(coder, levels, axes, step).decode()]
+    if alpha == 1:
+        rows = [row + [level] for row in rows]
+    if alpha == 2:
+        rows = [row + HAAR_14_colour(value)[:1] for row, value in zip(rows, HaarCoder(coder, levels, 1, step).decode())]
+    return [[ATTR_46_value(x, a.type, 8) for x in row] for row in rows]
 
 class HaarCoder:  # HAAR-7 to HAAR-13
     def __init__(self, coder, levels, axes, step):
@@ -124,14 +136,14 @@ class HaarCoder:  # HAAR-7 to HAAR-13
             if u != sibling:
                 d = max(squared(finer[u][0], fine.places[child]), 1)
                 i = clamp(HAAR_1_log(4, d) - unit + 64, 0, 127)
-                yield u, 2**23 // (((16 + i % 16) << (i // 16)) + 64)**2
+                yield u, 2**23 // (((16 + i % 16) << (i // 16)) + 192)**2
 
     def HAAR_9_around(self, t, near, parent, finer):
         """E, spread, around of axis t; `near`: the neighbours with their shares of each child."""
         s = [sum(share for _, share in shares) for shares in near]
         ways = [[(share, finer[u][1][t] - parent[1][t]) for u, share in shares] for shares in near]
         V = [sum(share * way for share, way in of) for of in ways]
-        E = 154 * (V[0] * (2**26 // (s[0] + 38)) - V[1] * (2**26 // (s[1] + 38))) >> 34
+        E = 182 * (V[0] * (2**26 // (s[0] + 38)) - V[1] * (2**26 // (s[1] + 38))) >> 34
         if sum(s) == 0:
             return E, 0, parent[2][t]
         A, R = sum(share * abs(way) for of in ways for share, way in of), 2**26 // sum(s)
@@ -150,11 +162,11 @@ class HaarCoder:  # HAAR-7 to HAAR-13
             q = self.HAAR_11_number(t, size, spread * (2**20 // f) >> 16, coded, sum(w))
             q_size = 16 * min(abs(q), 2047)
             coded = q_size if t == 0 else (coded + q_size) >> 1
-            x = clamp(E + q * f - ((q > 0) - (q < 0)) * (f >> 5), -2**16, 2**16)
+            x = clamp(E + q * f, -2**16, 2**16)
             low = parent[1][t] - (x * g >> 16)
             for of, value in zip(values, (low + x, low)):
                 of.append(clamp(value, -8192, 24575))
-            sizes.append((3 * q_size + size) >> 2)
+            sizes.append((5 * q_size + 3 * size) >> 3)
         for child, value in zip(pair, values):
             finer[child] = fine.places[child], value, sizes
 

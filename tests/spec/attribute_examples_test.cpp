@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "attributes/haar/haar.h"
+#include "attributes/haar/writer.h"
 #include "spec/example_lines.h"
 #include "support/attribute_coding.h"
 
@@ -67,13 +67,16 @@ TEST_F(AttributeExamples, HAAR6HAAR7HAAR13ColoursAtAMeanError) {
   const auto levels = make_haar_levels(surface);
   ASSERT_EQ(levels.size(), 3U);
   EXPECT_EQ(levels[1].children[0].second, 1U);
-  const auto coded = write_haar_colors(line_of<std::uint8_t>("attr_haar.md", "source"), levels, 64);
-  EXPECT_EQ(coded.bytes, bytes_of("attr_haar.md", "payload"));
-  const auto values = line_of<std::uint8_t>("attr_haar.md", "values");
-  const auto expected = std::as_bytes(std::span(values));
-  const auto read = read_haar_colors(coded.bytes, surface);
+  const HaarWriter writer({.levels = line_of<std::uint8_t>("attr_haar.md", "source")}, levels);
+  auto payload = writer.code(64, ComponentType::kU8).bytes;
+  payload.insert(payload.begin(), std::byte{11});
+  EXPECT_EQ(payload, bytes_of("attr_haar.md", "payload"));
+  const Attribute expected = attribute(AttributeKind::kColor, ComponentType::kU8, 3,
+                                       line_of<std::uint8_t>("attr_haar.md", "values"));
+  const auto read =
+      read_attribute(Payload::compact(payload), descriptor_of(expected), surface, others_, 1000);
   ASSERT_TRUE(read) << describe(read.error());
-  EXPECT_EQ(*read, std::vector<std::byte>(expected.begin(), expected.end()));
+  EXPECT_EQ(read->values, expected.values);
 }
 
 TEST_F(AttributeExamples, ATTR31ATTR32ATTR37TextureCoordinates) {

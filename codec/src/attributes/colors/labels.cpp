@@ -11,6 +11,7 @@ namespace deltamesh {
 ColorEdges count_color_edges(std::span<const std::uint8_t> colors, unsigned components,
                              const Adjacency& graph) {
   constexpr int kNearLevels = 8;
+  constexpr int kFarLevels = 32;
   ColorEdges edges;
   for (std::uint32_t v = 0; v < graph.vertex_count(); ++v) {
     for (const std::uint32_t u : graph.of(v)) {
@@ -21,15 +22,14 @@ ColorEdges count_color_edges(std::span<const std::uint8_t> colors, unsigned comp
                                                    colors[std::size_t{components} * u + c]));
       edges.equal += difference == 0 ? 1 : 0;
       edges.near += difference > 0 && difference <= kNearLevels ? 1 : 0;
-      edges.different += difference > 0 ? 1 : 0;
+      edges.far += difference > kFarLevels ? 1 : 0;
     }
   }
   return edges;
 }
 
 bool are_labels(const ColorEdges& edges) noexcept {
-  if (edges.different == 0) return true;
-  return 100 * edges.equal > 55 * (edges.equal + edges.different) || 100 * edges.near < 5 * edges.different;
+  return edges.near == 0 || 4 * edges.near < 2 * edges.equal + 3 * edges.far;
 }
 
 }  // namespace deltamesh

@@ -114,15 +114,13 @@ class HaarCoder {
             source_.choose(id.level, id.node, t, around.difference[t], step.size, context.shift, mixture);
       number = std::clamp<std::int64_t>(numbers_.code(held, number, context.shift, mixture), -kMost, kMost);
       const auto whole = static_cast<std::uint32_t>(number < 0 ? -number : number);
-      const std::int64_t pulled =
-          number < 0 ? (step.size >> 5) : (number > 0 ? -std::int64_t{step.size >> 5} : 0);
       const std::int64_t difference =
-          std::clamp<std::int64_t>(around.difference[t] + number * step.size + pulled, -kMost, kMost);
+          std::clamp<std::int64_t>(around.difference[t] + number * step.size, -kMost, kMost);
       const std::int64_t low = parent.value(t) - ((difference * pair.share_of_first) >> 16);
       of_first[t] = clamp_haar_value(low + difference);
       of_second[t] = clamp_haar_value(low);
       const std::uint32_t size_now = 16 * std::min(whole, kMostSize);
-      of_first[HaarRecord::kSizes + t] = static_cast<std::int16_t>((3 * size_now + size) >> 2);
+      of_first[HaarRecord::kSizes + t] = static_cast<std::int16_t>((5 * size_now + 3 * size) >> 3);
       of_second[HaarRecord::kSizes + t] = of_first[HaarRecord::kSizes + t];
       coded = t == 0 ? size_now : (coded + size_now) >> 1;
     }

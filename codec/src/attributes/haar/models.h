@@ -32,18 +32,12 @@ struct HaarModels {
       symbols[1].fill(around * kPerAround, kPerAround, fresh(2 * around));
   }
 
-  void limit_counts(std::uint8_t most) noexcept {
-    for (SymbolModels& models : symbols) models.limit_counts(most);
-    numbers.limit_counts(most);
-  }
-
   static constexpr std::size_t kPerScale = kHaarWeightClasses * kHaarAxes;
   static constexpr std::size_t kPerAround = kHaarAroundClasses * kHaarAxes;
 
   std::array<SymbolModels, 2> symbols{SymbolModels(kHaarScaleClasses * kPerScale),
                                       SymbolModels(kHaarAroundClasses* kPerAround)};
   std::array<MixWeights, (kHaarScaleClasses + 3) / 4 * kHaarAxes> weights;
-  SplitNumberModels numbers;
 
  private:
   /// Falls by size / (size + 12) from number to number on both sides of 0, sizes being the class's; 1 at

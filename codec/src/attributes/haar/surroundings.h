@@ -31,14 +31,14 @@ struct HaarRecord {
   std::int16_t size(std::size_t axis) const noexcept { return lanes[kSizes + axis]; }
 };
 
-/// Shares of neighbours by the octaves of squared distances over that of the children: 128 / (d + 1/4)^2,
+/// Shares of neighbours by the octaves of squared distances over that of the children: 128 / (d + 3/4)^2,
 /// rounded down [HAAR-8].
 inline constexpr std::uint32_t kHaarShareReach = 64;  ///< 16ths of an octave to both sides
 inline constexpr auto kHaarShares = [] {
   std::array<std::uint16_t, 2 * kHaarShareReach> shares{};
   for (std::uint32_t i = 0; i < shares.size(); ++i) {
     const std::uint64_t d = std::uint64_t{16 + i % 16} << (i / 16);  // 256 times the ratio
-    shares[i] = static_cast<std::uint16_t>((std::uint64_t{128} << 16) / ((d + 64) * (d + 64)));
+    shares[i] = static_cast<std::uint16_t>((std::uint64_t{128} << 16) / ((d + 192) * (d + 192)));
   }
   return shares;
 }();
@@ -82,13 +82,13 @@ class HaarNeighborhood {
  private:
   static constexpr unsigned kOneBits = 26;
   static constexpr std::uint32_t kOne = 1U << kOneBits;
-  static constexpr std::int64_t kDamping = 154;  ///< 256ths
+  static constexpr std::int64_t kDamping = 182;  ///< 256ths
 
   static std::uint32_t mean(std::int32_t sum, std::uint64_t of_all) noexcept {
     return static_cast<std::uint32_t>((static_cast<std::uint32_t>(sum) * of_all) >> kOneBits);
   }
 
-  /// Over the neighbours of a child, with their shares. 16 neighbours at most, shares of at most 1310 and
+  /// Over the neighbours of a child, with their shares. 16 neighbours at most, shares of at most 193 and
   /// differences below 2^15: sums are below 2^30.
   struct Sums {
     std::uint32_t shares = 0;

@@ -7,26 +7,20 @@
 #include <utility>
 
 #include "attributes/haar/coder.h"
-#include "attributes/haar/haar.h"
 #include "attributes/haar/values.h"
+#include "attributes/haar/writer.h"
 #include "base/byte_writer.h"
 #include "entropy/coder/writer.h"
 
 namespace deltamesh {
 namespace {
 
-/// Means of the values of every node, and the choice of numbers.
+/// The choice of numbers.
 template <unsigned kAxes>
 class HaarSource {
  public:
-  HaarSource(std::span<const std::uint8_t> colors, std::span<const HaarLevel> levels)
-      : means_(levels.size()) {
-    means_[0].resize(levels[0].nodes.size());
-    for (std::size_t v = 0; v < means_[0].size(); ++v) {
-      const HaarValue value = haar_value_of({colors[3 * v], colors[3 * v + 1], colors[3 * v + 2]});
-      for (std::size_t t = 0; t < kAxes; ++t) means_[0][v][t] = value[t];
-    }
-    for (std::size_t l = 1; l < levels.size(); ++l) join(levels[l - 1], levels[l], l);
+  /// Both must outlive the source.
+  HaarSource(const HaarMeans& means, std::span<const HaarLevel> levels) : means_(means) {
     children_.reserve(levels.size());
     for (const HaarLevel& level : levels) children_.push_back(level.children.data());
   }
@@ -57,22 +51,6 @@ class HaarSource {
   }
 
  private:
-  using Mean = std::array<float, kAxes>;
-
-  void join(const HaarLevel& fine, const HaarLevel& coarse, std::size_t l) {
-    means_[l].resize(coarse.nodes.size());
-    for (std::size_t i = 0; i < coarse.nodes.size(); ++i) {
-      const HaarChildren& pair = coarse.children[i];
-      means_[l][i] = means_[l - 1][pair.first];
-      if (pair.second == HaarChildren::kNone) continue;
-      const auto a = static_cast<float>(fine.nodes[pair.first].weight);
-      const auto b = static_cast<float>(fine.nodes[pair.second].weight);
-      const Mean& other = means_[l - 1][pair.second];
-      for (std::size_t t = 0; t < kAxes; ++t)
-        means_[l][i][t] = (means_[l][i][t] * a + other[t] * b) / (a + b);
-    }
-  }
-
   static float cost(float steps, std::int64_t number, const Mixture<2>& mixture) noexcept {
     constexpr float kPerBit = 0.1F;
     const float error = steps - static_cast<float>(number);
@@ -90,40 +68,100 @@ class HaarSource {
   }
   static float log2_of(std::uint64_t x) noexcept { return static_cast<float>(log_class<8>(x)) / 256; }
 
-  std::vector<LargeVector<Mean>> means_;
+  const HaarMeans& means_;
   std::vector<const HaarChildren*> children_;
 };
 
-template <unsigned kAxes>
-CodedValues<std::byte> write_haar_axes(std::span<const std::uint8_t> colors,
-                                       std::span<const HaarLevel> levels, std::uint32_t step,
-                                       ByteWriter& out) {
-  CompactWriter writer;
-  writer.reserve(kAxes * levels[0].nodes.size());
-  const HaarSource<kAxes> source(colors, levels);
-  HaarCoder<CompactWriter, kAxes, HaarSource<kAxes>> coder(writer, levels, step, source);
-  const auto records = coder.run();
-  out.write_bytes(writer.finish());
-  return {.bytes = out.take(), .values = haar_colors(records, kAxes)};
+void join_means(HaarMeans& means, std::span<const HaarLevel> levels, std::size_t l) {
+  const HaarLevel& fine = levels[l - 1];
+  const HaarLevel& coarse = levels[l];
+  means[l].resize(coarse.nodes.size());
+  for (std::size_t i = 0; i < coarse.nodes.size(); ++i) {
+    const HaarChildren& pair = coarse.children[i];
+    means[l][i] = means[l - 1][pair.first];
+    if (pair.second == HaarChildren::kNone) continue;
+    const auto a = static_cast<float>(fine.nodes[pair.first].weight);
+    const auto b = static_cast<float>(fine.nodes[pair.second].weight);
+    for (std::size_t t = 0; t < kHaarAxes; ++t)
+      means[l][i][t] = (means[l][i][t] * a + means[l - 1][pair.second][t] * b) / (a + b);
+  }
 }
 
-bool is_grey(std::span<const std::uint8_t> colors) noexcept {
+/// `color_of`: of a vertex.
+template <class ColorOf>
+HaarMeans means_of(std::span<const HaarLevel> levels, ColorOf color_of) {
+  HaarMeans means(levels.size());
+  means[0].resize(levels[0].nodes.size());
+  for (std::size_t v = 0; v < means[0].size(); ++v) {
+    const HaarValue value = haar_value_of(color_of(v));
+    for (std::size_t t = 0; t < kHaarAxes; ++t) means[0][v][t] = value[t];
+  }
+  for (std::size_t l = 1; l < levels.size(); ++l) join_means(means, levels, l);
+  return means;
+}
+
+template <unsigned kAxes>
+LargeVector<HaarRecord> write_haar_axes(CompactWriter& writer, const HaarMeans& means,
+                                        std::span<const HaarLevel> levels, std::uint32_t step) {
+  const HaarSource<kAxes> source(means, levels);
+  return HaarCoder<CompactWriter, kAxes, HaarSource<kAxes>>(writer, levels, step, source).run();
+}
+
+bool is_grey(const HaarPicture& picture) noexcept {
   bool grey = true;
-  for (std::size_t i = 0; i + 2 < colors.size() && grey; i += 3)
-    grey = colors[i] == colors[i + 1] && colors[i] == colors[i + 2];
+  for (std::size_t i = 0; i < picture.levels.size() && grey; i += picture.components)
+    grey = picture.levels[i] == picture.levels[i + 1] && picture.levels[i] == picture.levels[i + 2];
   return grey;
+}
+
+bool has_constant_alpha(const HaarPicture& picture) noexcept {
+  bool constant = true;
+  for (std::size_t i = kHaarAxes; i < picture.levels.size() && constant; i += picture.components)
+    constant = picture.levels[i] == picture.levels[kHaarAxes];
+  return constant;
 }
 
 }  // namespace
 
-CodedValues<std::byte> write_haar_colors(std::span<const std::uint8_t> colors,
-                                         std::span<const HaarLevel> levels, std::uint32_t step) {
-  const bool grey = is_grey(colors);
+HaarWriter::HaarWriter(const HaarPicture& picture, std::span<const HaarLevel> levels) : levels_(levels) {
+  const auto& all = picture.levels;
+  const std::size_t size = picture.components;
+  fields_.axes = is_grey(picture) ? 1 : kHaarAxes;
+  colors_ = means_of(levels, [&](std::size_t v) {
+    return Rgb{all[v * size], all[v * size + 1], all[v * size + 2]};
+  });
+  if (size <= kHaarAxes) return;
+  if (has_constant_alpha(picture)) {
+    fields_.alpha = HaarAlpha::kConstant;
+    fields_.alpha_level = all.empty() ? 0 : all[kHaarAxes];
+    return;
+  }
+  fields_.alpha = HaarAlpha::kCoded;
+  alpha_ = means_of(levels, [&](std::size_t v) {
+    const std::uint8_t level = all[v * size + kHaarAxes];
+    return Rgb{level, level, level};
+  });
+}
+
+CodedValues<std::byte> HaarWriter::code(std::uint32_t step, ComponentType type) const {
+  HaarFields fields = fields_;
+  fields.step = step;
   ByteWriter out;
-  out.write(static_cast<std::uint8_t>(grey ? 1 : kHaarAxes));
-  out.write(static_cast<std::uint16_t>(step));
-  if (levels[0].nodes.empty()) return {.bytes = out.take(), .values = {}};
-  return grey ? write_haar_axes<1>(colors, levels, step, out) : write_haar_axes<3>(colors, levels, step, out);
+  write_haar_fields(out, fields);
+  const auto rows = static_cast<std::uint32_t>(levels_[0].nodes.size());
+  HaarValues values(type, fields_.alpha == HaarAlpha::kNone ? kHaarAxes : kHaarAxes + 1, rows);
+  if (rows > 0) {
+    CompactWriter writer;
+    writer.reserve(std::size_t{fields_.axes} * rows);
+    values.set_colors(fields_.axes == 1 ? write_haar_axes<1>(writer, colors_, levels_, step)
+                                        : write_haar_axes<kHaarAxes>(writer, colors_, levels_, step),
+                      fields_.axes);
+    if (fields_.alpha == HaarAlpha::kConstant) values.set_alpha(fields_.alpha_level);
+    if (fields_.alpha == HaarAlpha::kCoded)
+      values.set_alpha(write_haar_axes<1>(writer, alpha_, levels_, step));
+    out.write_bytes(writer.finish());
+  }
+  return {.bytes = out.take(), .values = values.take()};
 }
 
 }  // namespace deltamesh

@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -15,12 +17,15 @@
 #include <string>
 #include <vector>
 
+#include "attributes/attribute.h"
+#include "attributes/colors/fields.h"
 #include "attributes/haar/color_axes.h"
 #include "attributes/haar/models.h"
 #include "attributes/haar/steps.h"
 #include "attributes/haar/surroundings.h"
+#include "attributes/haar/writer.h"
 #include "haar/meshes.h"
-#include "search/bracket.h"
+#include "support/attribute_coding.h"
 #include "support/guarded.h"
 
 namespace deltamesh::haar_test {
@@ -28,11 +33,25 @@ namespace {
 
 using test::Bytes;
 
+constexpr unsigned kBytesPerColor = 3;
+
+CodedValues<std::byte> write_colors(const Colored& mesh, const std::vector<HaarLevel>& levels,
+                                    std::uint32_t step) {
+  return HaarWriter({.levels = mesh.colors, .components = kBytesPerColor}, levels)
+      .code(step, ComponentType::kU8);
+}
+
+Result<Bytes> read_colors(std::span<const std::byte> bytes, const Colored& mesh) {
+  const Attribute shape{
+      .kind = AttributeKind::kColor, .type = ComponentType::kU8, .components = kBytesPerColor};
+  return read_haar_colors(bytes, shape, mesh.surface());
+}
+
 /// The coded colours, which a reader gets back.
 CodedValues<std::byte> coded(const Colored& mesh, const std::vector<HaarLevel>& levels, std::uint32_t step) {
-  auto coded = write_haar_colors(mesh.colors, levels, step);
+  auto coded = write_colors(mesh, levels, step);
   EXPECT_EQ(coded.values.size(), mesh.colors.size());
-  const auto read = read_haar_colors(coded.bytes, mesh.surface());
+  const auto read = read_colors(coded.bytes, mesh);
   if (!read) {
     ADD_FAILURE() << read.error().message;
   } else {
@@ -93,7 +112,7 @@ TEST(HaarColors, HAAR6RejectsOtherAxesAndNoStep) {
   const auto rule_of = [&](std::size_t at, std::vector<std::uint8_t> values) {
     Bytes changed = bytes;
     for (std::size_t i = 0; i < values.size(); ++i) changed[at + i] = static_cast<std::byte>(values[i]);
-    const auto read = read_haar_colors(changed, mesh.surface());
+    const auto read = read_colors(changed, mesh);
     return read ? std::string() : std::string(read.error().rule);
   };
   for (const std::uint8_t axes : std::to_array<std::uint8_t>({0, 2, 4, 255}))
@@ -106,7 +125,7 @@ TEST(HaarColors, HAAR6BytesThatAreCutOrChangedDoNoHarm) {
     const Colored mesh = colored(test::sheet(7, 6), grey);
     const Bytes bytes = coded(mesh, make_haar_levels(mesh.surface()), 300).bytes;
     test::expect_guarded(
-        bytes, [&](const Bytes& b) { return read_haar_colors(b, mesh.surface()).has_value(); }, "colours");
+        bytes, [&](const Bytes& b) { return read_colors(b, mesh).has_value(); }, "colours");
   }
 }
 
@@ -120,14 +139,14 @@ TEST(HaarColors, HAAR9WhateverIsCodedSumsFit) {
     bytes.push_back(std::byte{0x88});
     for (int i = 0; i < 4000; ++i) bytes.push_back(static_cast<std::byte>(random()));
     bytes[11] = bytes[19] = std::byte{0x7f};
-    const auto read = read_haar_colors(bytes, mesh.surface());
+    const auto read = read_colors(bytes, mesh);
     EXPECT_FALSE(read.has_value());
   }
 }
 
 TEST(HaarColors, HAAR8SharesFallWithTheDistance) {
-  EXPECT_EQ(kHaarShares[0], 1310U);
-  EXPECT_EQ(kHaarShares[kHaarShareReach], 81U);
+  EXPECT_EQ(kHaarShares[0], 193U);
+  EXPECT_EQ(kHaarShares[kHaarShareReach], 41U);
   for (std::size_t i = 1; i < kHaarShares.size(); ++i) EXPECT_LE(kHaarShares[i], kHaarShares[i - 1]);
   EXPECT_EQ(kHaarShares.back(), 0U);
 }
@@ -143,8 +162,8 @@ TEST(HaarColors, HAAR9AWayUpIsExpectedToGoOn) {
   records[0].lanes = EightShorts{0, 0, 0, 0, 32};
   records[3].lanes = EightShorts{640, 0, 0, 0, 32};
   const auto around = HaarNeighborhood(level, records.data()).look<3>({1, 2, 32768}, parent);
-  // share 81 of 81 + 38: 2 * 320 * 81 / 119 * 154 / 256
-  EXPECT_NEAR(around.difference[0], -262, 2);
+  // share 41 of 41 + 38: 2 * 320 * 41 / 79 * 182 / 256
+  EXPECT_NEAR(around.difference[0], -236, 2);
   EXPECT_NEAR(around.spread[0], 320, 1);
   EXPECT_NEAR(around.sizes[0], 32, 1);
   EXPECT_EQ(around.difference[1], 0);
@@ -211,35 +230,98 @@ TEST(HaarColors, SmoothColoursTakeFewBytes) {
   EXPECT_LT(rms(mesh, smooth.values), 3);
 }
 
-/// From 24 to 50 dB within 1 %, by the step alone.
+Attribute attribute_of(const Colored& mesh, ComponentType type, std::uint8_t components) {
+  const std::size_t size = component_size(type);
+  Attribute a{.kind = AttributeKind::kColor, .type = type, .components = components, .normalized = true};
+  a.values.resize(mesh.count * size * components);
+  for (std::uint32_t v = 0; v < mesh.count; ++v)
+    for (std::size_t c = 0; c < components; ++c) {
+      const std::int32_t level =
+          c < kBytesPerColor ? mesh.colors[kBytesPerColor * v + c] : static_cast<std::int32_t>(v / 7 % 200);
+      store_component(&a.values[(components * v + c) * size], size, color_of_level(type, 8, level));
+    }
+  return a;
+}
+
+/// From 24 to 50 dB within 1 %.
 TEST(HaarColors, HAAR10AnyMeanErrorIsMetByTheStep) {
   for (const std::uint64_t seed : {1, 2}) {
     const Colored mesh = rooms(seed == 1 ? 20000 : 6000, seed);
-    const auto levels = make_haar_levels(mesh.surface());
+    const Attribute source = attribute_of(mesh, ComponentType::kU8, kBytesPerColor);
+    const auto order = test::identity(mesh.count);
+    const AttributeRows rows(test::view(source), order);
     std::size_t before = mesh.colors.size();
     for (const double decibels : {50.0, 44.0, 38.0, 31.0, 24.0}) {
       const double wanted = 255 / std::pow(10, decibels / 20);
-      Bracket bracket({.first = 64 * 3.5 * wanted,
-                       .least = 1,
-                       .most = kMostHaarStep,
-                       .whole = true,
-                       .tolerance = -0.01,
-                       .trials = 12});
-      CodedValues<std::byte> best;
-      while (!bracket.is_done()) {
-        auto trial = write_haar_colors(mesh.colors, levels, static_cast<std::uint32_t>(bracket.setting()));
-        if (bracket.tell(excess_of_load(rms(mesh, trial.values) / wanted))) best = std::move(trial);
-      }
-      const double reached = rms(mesh, best.values);
+      const auto best = write_haar_colors(ComponentType::kU8, rows, wanted, mesh.surface());
+      ASSERT_TRUE(best.has_value()) << decibels;
+      const double reached = rms(mesh, best->values);
       EXPECT_LE(reached, wanted) << decibels;
       EXPECT_GE(reached, 0.99 * wanted) << decibels;
-      EXPECT_LT(best.bytes.size(), before) << decibels;
-      before = best.bytes.size();
-      const auto read = read_haar_colors(best.bytes, mesh.surface());
+      EXPECT_LT(best->bytes.size(), before) << decibels;
+      before = best->bytes.size();
+      const auto read = read_colors(best->bytes, mesh);
       ASSERT_TRUE(read.has_value());
-      EXPECT_EQ(*read, best.values);
+      EXPECT_EQ(*read, best->values);
     }
   }
+}
+
+TEST(HaarColors, HAAR6OtherTypesAndAlpha) {
+  const Colored mesh = colored(test::sheet(30, 40));
+  const auto order = test::identity(mesh.count);
+  for (const ComponentType type : {ComponentType::kU8, ComponentType::kU16, ComponentType::kF32}) {
+    for (const std::uint8_t components : std::to_array<std::uint8_t>({3, 4})) {
+      Attribute source = attribute_of(mesh, type, components);
+      for (const bool constant : {false, true}) {
+        const std::size_t row = source.values.size() / mesh.count;
+        const std::size_t alpha = component_size(type) * 3;
+        for (std::size_t v = 1; v < mesh.count && constant; ++v)
+          std::copy(&source.values[alpha], source.values.data() + row, &source.values[v * row + alpha]);
+        const AttributeQuality quality{.color_rms = 3};
+        const AttributeSurface surface = mesh.surface();
+        const auto coded = write_attribute(test::view(source), order, {.quality = quality}, surface, {});
+        ASSERT_TRUE(coded);
+        EXPECT_EQ(coded->payload[0], std::byte{11});
+        EXPECT_NEAR(coded->descriptor.rms, 3, 0.031);
+        const auto read =
+            read_attribute(Payload::compact(coded->payload), coded->descriptor, surface, {}, 1 << 20);
+        ASSERT_TRUE(read) << describe(read.error());
+        EXPECT_EQ(read->values, coded->decoded.values);
+        for (std::size_t v = 0; v < mesh.count && constant; ++v)
+          EXPECT_TRUE(
+              std::equal(&source.values[alpha], source.values.data() + row, &read->values[v * row + alpha]));
+      }
+    }
+  }
+}
+
+TEST(HaarColors, HAAR6FloatsThatAreNoColoursAreExceptions) {
+  const Colored mesh = colored(test::sheet(30, 40));
+  Attribute source = attribute_of(mesh, ComponentType::kF32, kBytesPerColor);
+  store_component(source.values.data(), sizeof(float), std::bit_cast<std::uint32_t>(2.5F));
+  const AttributeQuality quality{.color_rms = 3};
+  const AttributeSurface surface = mesh.surface();
+  const auto coded =
+      write_attribute(test::view(source), test::identity(mesh.count), {.quality = quality}, surface, {});
+  ASSERT_TRUE(coded);
+  EXPECT_EQ(coded->payload[0], std::byte{128 + 11});
+  EXPECT_GT(coded->descriptor.rms, 2.9);
+  const auto read = read_attribute(Payload::compact(coded->payload), coded->descriptor, surface, {}, 1 << 20);
+  ASSERT_TRUE(read) << describe(read.error());
+  EXPECT_TRUE(
+      std::equal(source.values.begin(), source.values.begin() + 3 * sizeof(float), read->values.begin()));
+}
+
+TEST(HaarColors, MeanErrorsThatLevelsCannotKeepAreExact) {
+  const Colored mesh = colored(test::sheet(30, 40));
+  const Attribute source = attribute_of(mesh, ComponentType::kU8, kBytesPerColor);
+  const AttributeQuality quality{.color_rms = 1e-6};
+  const auto coded = write_attribute(test::view(source), test::identity(mesh.count), {.quality = quality},
+                                     mesh.surface(), {});
+  ASSERT_TRUE(coded);
+  EXPECT_EQ(coded->descriptor.error, 0);
+  EXPECT_EQ(coded->decoded.values, source.values);
 }
 
 }  // namespace
