@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,9 @@ namespace {
 
 constexpr const char* kPositions = "Quality of positions";
 constexpr const char* kAttributes = "Quality of attributes (largest errors; 0 is exact)";
-constexpr std::array kAttributeOptions{"--normal-error", "--tangent-error", "--uv-error",
-                                       "--color-error",  "--weight-error",  "--attribute-error"};
+constexpr std::array kAttributeOptions{"--normal-error", "--tangent-error",  "--uv-error",
+                                       "--color-error",  "--color-rms",      "--color-psnr",
+                                       "--weight-error", "--attribute-error"};
 constexpr const char* kSettings = "Settings for experiments";
 
 GeometryCoder geometry_coder(const std::string& name) {
@@ -75,6 +77,14 @@ void add_attribute_quality(CLI::App& command, AttributeQuality& quality) {
       [&](double x) { quality.uv_error = x; });
   add("--color-error", "of a component of a colour: 255ths of its range", "0",
       [&](double x) { quality.color_error = x; });
+  CLI::Option* const rms = add_number(command, "--color-rms",
+                                      "instead: root mean square of the errors of red, green and blue, "
+                                      "255ths",
+                                      [&](double x) { quality.color_rms = x; });
+  CLI::Option* const psnr = add_number(command, "--color-psnr", "the same in decibels: 20 log10(255 / rms)",
+                                       [&](double x) { quality.color_rms = 255 * std::pow(10, -x / 20); });
+  for (CLI::Option* option : {rms, psnr}) option->excludes("--color-error")->group(kAttributes);
+  psnr->excludes(rms);
   add("--weight-error", "of a skinning weight; their sum stays 1", "1/1024",
       [&](double x) { quality.weight_error = x; });
   command

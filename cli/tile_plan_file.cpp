@@ -40,6 +40,7 @@ Json json_of(const PartQuality& quality) {
   if (attributes.tangent_error) json["tangent_error"] = *attributes.tangent_error;
   json["uv_error"] = attributes.uv_error;
   json["color_error"] = attributes.color_error;
+  if (attributes.color_rms) json["color_rms"] = *attributes.color_rms;
   json["weight_error"] = attributes.weight_error;
   json["named"] = Json::array();
   for (const NamedBound& bound : attributes.named) json["named"].push_back({bound.name, bound.error});
@@ -61,6 +62,7 @@ PartQuality quality_of(const Json& json) {
   if (json.contains("tangent_error")) attributes.tangent_error = json.at("tangent_error").get<double>();
   attributes.uv_error = json.at("uv_error");
   attributes.color_error = json.at("color_error");
+  if (json.contains("color_rms")) attributes.color_rms = json.at("color_rms").get<double>();
   attributes.weight_error = json.at("weight_error");
   for (const Json& bound : json.at("named")) attributes.named.push_back({bound.at(0), bound.at(1)});
   quality.geometry = static_cast<GeometryCoder>(json.at("geometry").get<int>());

@@ -3,6 +3,7 @@
 #include "report/attributes.h"
 
 #include <array>
+#include <cmath>
 
 #include "report/stream.h"
 
@@ -28,6 +29,13 @@ const char* match_name(AttributeMatch match) {
   return "compared";
 }
 
+double decibels_of(double rms) { return 20 * std::log10(255 / rms); }
+
+/// Of the values of red, green and blue, 255ths.
+std::string rms_text(double rms) {
+  return "of red, green, blue rms " + brief(rms) + " (" + brief(decibels_of(rms)) + " dB)";
+}
+
 std::string comparison_text(const AttributeComparison& attribute) {
   switch (attribute.match) {
     case AttributeMatch::kMissingInB:
@@ -41,8 +49,11 @@ std::string comparison_text(const AttributeComparison& attribute) {
   }
   if (attribute.measured == 0) return "not measured";
   if (attribute.max_error == 0) return "exact";
-  return "max error " + error_text(attribute.kind, attribute.max_error) + ", mean " + brief(attribute.mean) +
-         ", rms " + brief(attribute.rms);
+  std::string text = "max error " + error_text(attribute.kind, attribute.max_error) + ", mean " +
+                     brief(attribute.mean) + ", rms " + brief(attribute.rms);
+  if (attribute.color_rms > 0)
+    text += "; " + rms_text(attribute.color_rms) + ", mean CIEDE2000 " + brief(attribute.color_difference);
+  return text;
 }
 
 /// "normals (nx)", "colours (red)"; generic attributes by their name.
@@ -96,7 +107,8 @@ void add_attributes(Summary& summary, const StreamInfo& info) {
                 shape_text(attribute.type, attribute.components) + ", " +
                     size_text(attribute.coded_bytes, info) +
                     (attribute.error == 0 ? ", exact"
-                                          : ", max error " + error_text(attribute.kind, attribute.error)));
+                                          : ", max error " + error_text(attribute.kind, attribute.error)) +
+                    (attribute.rms == 0 ? "" : ", " + rms_text(attribute.rms)));
 }
 
 nlohmann::ordered_json attributes_object(const StreamInfo& info) {
@@ -109,6 +121,10 @@ nlohmann::ordered_json attributes_object(const StreamInfo& info) {
     entry["bytes"] = attribute.coded_bytes;
     entry["bits_per_vertex"] = bits_per_vertex(attribute.coded_bytes, info);
     entry["max_error"] = attribute.error;
+    if (attribute.rms > 0) {
+      entry["rms"] = attribute.rms;
+      entry["psnr"] = decibels_of(attribute.rms);
+    }
     entry["unit"] = unit_name(attribute.kind);
     list.push_back(entry);
   }
@@ -141,6 +157,10 @@ nlohmann::ordered_json attributes_object(const Comparison& result) {
     entry["max_error"] = figure(attribute.max_error);
     entry["mean"] = figure(attribute.mean);
     entry["rms"] = figure(attribute.rms);
+    if (attribute.kind == AttributeKind::kColor) {
+      entry["color_rms"] = figure(attribute.color_rms);
+      entry["ciede2000"] = figure(attribute.color_difference);
+    }
     entry["unit"] = unit_name(attribute.kind);
     list.push_back(entry);
   }

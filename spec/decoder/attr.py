@@ -21,7 +21,8 @@ COLOURS = ["u1", "u2", "f4"]
 CODINGS = {4: (NORMAL, ["f4"], [3], "attr_normals", "ATTR_20_normals"), 5: (UV, ["f4"], [2], "attr_uvs", "ATTR_31_uvs"),
            6: (TANGENT, ["f4"], [4], "attr_tangents", "ATTR_38_tangents"),
            7: (COLOUR, COLOURS, [3, 4], "attr_colors", "ATTR_45_colours"), 8: (None, [], [], "attr_lattice", "ATTR_55_lattice"),
-           9: (WEIGHTS, COLOURS, [4], "attr_skin", "ATTR_63_weights"), 10: (JOINTS, ["u1", "u2"], [4], "attr_skin", "ATTR_60_joints")}
+           9: (WEIGHTS, COLOURS, [4], "attr_skin", "ATTR_63_weights"), 10: (JOINTS, ["u1", "u2"], [4], "attr_skin", "ATTR_60_joints"),
+           11: (COLOUR, COLOURS, [3, 4], "attr_haar", "HAAR_6_colours")}
 
 def usual_flags(name, kind, type_):  # ATTR-1
     return int(kind in (COLOUR, WEIGHTS) and type_ != "f4") + (2 if name == b"COLOR_0" else 0)
@@ -30,7 +31,7 @@ class Attribute:
     """[ATTR-1] The descriptor; `values`, when it is decoded, is an array of n rows and k columns of `type`."""
     def __init__(self, r):
         row = r.u8()
-        has_error, row = row >= 128, row & 127
+        has_error, has_rms, row = row & 128, row & 64, row & 63
         must(row < len(USUAL), "ATTR-1", f"row {row}")
         if row:
             self.name, self.kind, self.type, self.k = USUAL[row]
@@ -45,8 +46,10 @@ class Attribute:
             self.name = r.bytes(r.u8())
         self.error = r.f24() if has_error else 0.0
         must(0 <= self.error < math.inf, "ATTR-1", f"error {self.error}")
+        self.rms = r.f24() if has_rms else 0.0
+        must(0 <= self.rms < math.inf, "ATTR-1", f"rms {self.rms}")
         is_usual = (self.name, self.kind, self.type, self.k) in USUAL and self.flags == usual_flags(self.name, self.kind, self.type)
-        self.is_shortest = not has_error and (row > 0 or not is_usual)
+        self.is_shortest = not has_error and not has_rms and (row > 0 or not is_usual)
         self.values = None
 
     def is_shape(self, kind, types, counts):

@@ -29,8 +29,12 @@ def ATTR_45_colours(r, a, surface):
     if axes:
         rows = ColourCoder(Coder(r), surface, surface.attributes.index(a), len(axes), top, bound).decode()
     levels = [[constants[c] if s == 255 else row[axes.index(s)] for c, s in enumerate(sources)] for row in rows]
-    factor = 257 if a.type == "u2" and level_bits == 8 else 1  # [ATTR-46]
-    return [[x / top if a.type == "f4" else x * factor for x in row] for row in levels]
+    return [[ATTR_46_value(x, a.type, level_bits) for x in row] for row in levels]
+
+def ATTR_46_value(level, type_, level_bits):
+    if type_ == "f4":
+        return level / (2**level_bits - 1)
+    return level * 257 if type_ == "u2" and level_bits == 8 else level
 
 class ColourCoder:  # ATTR-45, ATTR-47 to ATTR-52
     """Colours, sizes and the like are vectors of the axes 0 to 3."""

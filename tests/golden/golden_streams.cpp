@@ -315,6 +315,29 @@ Mesh grouped_grid() {
   return mesh;
 }
 
+/// A grid and points beside it, grey.
+Mesh grey_points() {
+  Mesh mesh = bumpy_grid(9, 8);
+  for (std::uint32_t i = 0; i < 21; ++i) {
+    const auto x = static_cast<float>(i);
+    mesh.positions.insert(mesh.positions.end(), {x / 2, 9 + x / 8, x * x / 64});
+  }
+  std::vector<std::uint8_t> colors;
+  for (std::uint32_t i = 0; i < mesh.vertex_count(); ++i)
+    colors.insert(colors.end(), 3, static_cast<std::uint8_t>(90 + 5 * (i % 10) + 3 * (i / 10) + i * i % 7));
+  mesh.attributes = {attribute_of(AttributeKind::kColor, ComponentType::kU8, 3, "red", colors)};
+  return mesh;
+}
+
+/// At most one vertex, with a colour.
+Mesh grey_point(std::uint32_t count) {
+  Mesh mesh;
+  mesh.positions.assign(std::size_t{3} * count, 0.0F);
+  mesh.attributes = {attribute_of(AttributeKind::kColor, ComponentType::kU8, 3, "red",
+                                  std::vector<std::uint8_t>(std::size_t{3} * count, 77))};
+  return mesh;
+}
+
 /// On a lattice but for a few numbers.
 Mesh almost_on_a_lattice() {
   Mesh mesh = bumpy_grid(12, 10);
@@ -396,6 +419,13 @@ std::vector<Golden> golden_streams() {
   list.push_back({"brushed.bits6", brushed_grid(), {.bits = 6, .attributes = {.tangent_error = 2}}});
   list.push_back(
       {"strip.levels", strip_and_island(), {.geometry = GeometryCoder::kHighpass, .bits = 4, .anchors = 4}});
+  list.push_back({"asset.mean", asset(), {.attributes = {.color_rms = 4, .named = {{"move", 0.01}}}}});
+  list.push_back({"painted.mean", painted(), {.bits = 8, .attributes = {.color_rms = 2}}});
+  list.push_back({"points.mean", grey_points(), {.attributes = {.color_rms = 2}, .keep_unreferenced = true}});
+  for (const std::uint32_t count : {0U, 1U})
+    list.push_back({count == 0 ? "none.mean" : "one.mean",
+                    grey_point(count),
+                    {.attributes = {.color_rms = 2}, .keep_unreferenced = true}});
   list.push_back({"room.off",
                   room_off_voxels(),
                   {.quality = {.max_error = QualityBound{0.02}}, .geometry = GeometryCoder::kPredictive}});

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "attributes/haar/writer.h"
 #include "spec/example_lines.h"
 #include "support/attribute_coding.h"
 
@@ -59,6 +60,23 @@ TEST_F(AttributeExamples, ATTR45ATTR47ATTR51Colours) {
   const Attribute values = attribute(AttributeKind::kColor, ComponentType::kU8, 3,
                                      line_of<std::uint8_t>("attr_colors.md", "values"));
   check("attr_colors.md", values, values);
+}
+
+TEST_F(AttributeExamples, HAAR6HAAR7HAAR13ColoursAtAMeanError) {
+  const AttributeSurface surface(triangles_, 4, {}, positions_);
+  const auto levels = make_haar_levels(surface);
+  ASSERT_EQ(levels.size(), 3U);
+  EXPECT_EQ(levels[1].children[0].second, 1U);
+  const HaarWriter writer({.levels = line_of<std::uint8_t>("attr_haar.md", "source")}, levels);
+  auto payload = writer.code(64, ComponentType::kU8).bytes;
+  payload.insert(payload.begin(), std::byte{11});
+  EXPECT_EQ(payload, bytes_of("attr_haar.md", "payload"));
+  const Attribute expected = attribute(AttributeKind::kColor, ComponentType::kU8, 3,
+                                       line_of<std::uint8_t>("attr_haar.md", "values"));
+  const auto read =
+      read_attribute(Payload::compact(payload), descriptor_of(expected), surface, others_, 1000);
+  ASSERT_TRUE(read) << describe(read.error());
+  EXPECT_EQ(read->values, expected.values);
 }
 
 TEST_F(AttributeExamples, ATTR31ATTR32ATTR37TextureCoordinates) {

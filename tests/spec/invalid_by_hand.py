@@ -121,9 +121,9 @@ def attributes():
     """Descriptors and fields of attributes that are out of range."""
     byte, word, weights = b"\0\3\1\1\0\0", b"\0\3\5\1\0\0", b"\x0e"
     for wrong in (b"\x16", b"\0\7\1\1\0\0", b"\0\3\x08\1\0\0", b"\0\3\1\0\0\0", b"\0\3\1\x11\0\0", b"\0\3\1\1\2\0",
-                  b"\x81" + f32(float("inf"))[1:], b"\x81" + f32(-1)[1:]):
+                  b"\x81" + f32(float("inf"))[1:], b"\x81" + f32(-1)[1:], b"\x51" + f32(float("inf"))[1:], b"\x51" + f32(-1)[1:]):
         yield with_chunk("ATTR", b"", False, wrong)
-    for payload in (b"\x0b", b"\4", b"\0"):
+    for payload in (b"\x0c", b"\4", b"\0"):
         yield with_chunk("ATTR", payload, True, byte)
     for descriptor, payload in ((b"\1", b"\4\6" + f32(1)), (b"\1", b"\4\x40" + f32(1)), (b"\1", b"\4\0" + f32(2)), (b"\3", b"\5" + f32(0)),
                                 (b"\2", b"\6" + f32(0)), (weights, b"\x09\0"), (weights, b"\x09\2"),
@@ -131,6 +131,8 @@ def attributes():
         yield with_chunk("ATTR", payload + STATES, True, descriptor)
     for fields in (b"\x09", b"\x08\x80\0", b"\x08\0\0\2", b"\x08\0\0\xff\0\1"):
         yield with_chunk("ATTR", b"\7" + fields + bytes(8) + STATES, True, b"\5")
+    for descriptor, fields in ((b"\x11", b"\2\1"), (b"\x12", b"\1\3"), (b"\x12", b"\1\0"), (b"\x11", b"\3\0")):
+        yield with_chunk("ATTR", b"\x0b" + fields + bytes(2) + STATES, True, descriptor)
     one, base = f32(1), varint(2**53 + 1)
     for fields in (b"\6", b"\1", b"\4\0", b"\4" + varint(4097), b"\5\0", b"\2" + NAN, b"\3" + one + NAN, b"\2" + one + base,
                    b"\2" + one + b"\0" + varint(2**28 + 1)):

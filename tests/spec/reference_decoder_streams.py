@@ -29,6 +29,7 @@ OPTIONS = ["", "--lossless", "--geometry highpass", "--geometry predictive", "--
            "--effort 2 --max-error 0.1%", "--vde 0.05%", "--lfe 0.1% --normal-error 0.1 --tangent-error 1",
            "--geometry predictive --profile zstd --color-error 2", "--geometry highpass --bits 10 --anchors 40 --anchor-bits 16",
            "--geometry predictive --max-error 0.002% --normal-error 0 --uv-error 0", "--target-bytes 4000",
+           "--color-rms 3", "--geometry highpass --bits 9 --color-psnr 44",
            "--geometry highpass --step 0.01 --anchor-density 3 --keep-order", "--lossless --profile zstd",
            "--geometry predictive --bits 5 --keep-order --weight-error 1/64 --normal-error 8", "--geometry highpass --bits 4 --anchors 1000",
            "--geometry predictive --effort 0 --uv-error 1/100 --normal-error 0.01", "--lossless --effort 0", "--geometry predictive --vde 0.2%"]

@@ -120,6 +120,7 @@ def examples():
            line("posn_floats.md", "values", np.float32))
     yield "attr_lattice.md", attribute("attr_lattice.md", 3, 3, 1).values, line("attr_lattice.md", "values")
     yield "attr_colors.md", attribute("attr_colors.md", 1, 1, 3).values, line("attr_colors.md", "values")
+    yield "attr_haar.md", attribute("attr_haar.md", 1, 1, 3).values, line("attr_haar.md", "values")
     yield "attr_normals.md", attribute("attr_normals.md", 0, 6, 3).values, line("attr_normals.md", "values", np.float32)
     uvs, joints = attribute("attr_uvs.md", 2, 6, 2), attribute("attr_skin.md", 5, 1, 4)
     yield "attr_uvs.md", uvs.values, line("attr_uvs.md", "values", np.float32)

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "attributes/exceptions/exceptions.h"
-#include "attributes/payload.h"
+#include "attributes/rare/rare.h"
 #include "decoder/stream_decoder.h"
 #include "format/container.h"
 #include "outcome.h"
@@ -36,13 +36,11 @@ std::uint32_t count_of(std::uint64_t bytes) noexcept { return static_cast<std::u
 
 /// Whether `rare` reads the values of an attribute: plain ones, and some compact ones, which begin with their
 /// coding [ATTR-2].
-bool is_rare(ChunkCodec codec, std::span<const std::byte> values) noexcept {
+bool reads_elsewhere(ChunkCodec codec, std::span<const std::byte> values) noexcept {
   if (codec != ChunkCodec::kCompact) return true;
   if (values.empty()) return false;
   const auto byte = std::to_integer<std::uint8_t>(values.front());
-  const auto coding = static_cast<AttributeCoding>(byte & ~kExceptionsFlag);
-  return coding == AttributeCoding::kLattice || coding == AttributeCoding::kJoints ||
-         coding == AttributeCoding::kWeights;
+  return is_rare(static_cast<AttributeCoding>(byte & ~kExceptionsFlag));
 }
 
 /// Which parts the stream needs, if it is valid: bits by number.
@@ -58,7 +56,8 @@ std::uint32_t parts_of(const Container& container) noexcept {
                         bit(Part::kRare, !is_highpass && !is_grid && !is_lattice);
   for (const ChunkEntry& entry : container.entries()) {
     parts |= bit(Part::kZstd, entry.codec == ChunkCodec::kZstd);
-    parts |= bit(Part::kRare, entry.tag == kTagAttribute && is_rare(entry.codec, container.coded(entry)));
+    parts |=
+        bit(Part::kRare, entry.tag == kTagAttribute && reads_elsewhere(entry.codec, container.coded(entry)));
   }
   return parts;
 }

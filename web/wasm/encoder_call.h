@@ -63,6 +63,7 @@ struct OptionsCall {
   double tangent_error;
   double uv_error;
   double color_error;
+  double color_rms;
   double weight_error;
   double profile;
   double keep_order;
@@ -95,6 +96,6 @@ struct CompareOutcome {
 };
 
 static_assert(sizeof(AttributeCall) == 32 && sizeof(MeshCall) == 56 && sizeof(NamedCall) == 16);
-static_assert(offsetof(OptionsCall, named) == 23 * 8 && offsetof(CompareOutcome, corresponding) == 96);
+static_assert(offsetof(OptionsCall, named) == 24 * 8 && offsetof(CompareOutcome, corresponding) == 96);
 
 }  // namespace deltamesh::web

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <span>
 
+#include "attributes/payload.h"
 #include "base/numbers/vec3.h"
 #include "deltamesh/mesh.h"
 #include "format/highpass_parameters.h"
@@ -68,9 +69,7 @@ struct ZstdCall {
 /// What `rare` reads: an array of floats for positions, else of bytes.
 enum class RareForm : std::uint32_t {
   kPositions,  ///< read_float_positions()
-  kLattice,    ///< read_lattice()
-  kJoints,     ///< read_joints()
-  kWeights,    ///< read_weights()
+  kAttribute,  ///< read_rare_values()
   kPlain,      ///< read_plain_values()
 };
 
@@ -81,7 +80,9 @@ struct RareCall {
   HandedArray bytes{};
   HandedArray triangles{};
   HandedArray geometric{};  ///< of attributes' surface
-  HandedArray joints{};     ///< of kWeights
+  HandedArray positions{};  ///< likewise, or none
+  HandedArray joints{};     ///< of weights
+  AttributeCoding coding = AttributeCoding::kLattice;
   AttributeKind kind = AttributeKind::kGeneric;
   ComponentType type = ComponentType::kF32;
   std::uint32_t components = 1;

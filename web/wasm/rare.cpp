@@ -2,15 +2,15 @@
 // Copyright 2026 The deltamesh authors
 //
 // The exports of `rare`, for codings that few streams have: exact positions, attributes on lattices and in
-// plain form, joints and weights.
+// plain form, joints and weights, colours at a mean error.
+#include "attributes/rare/rare.h"
+
 #include <algorithm>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "attributes/lattice/lattice.h"
 #include "attributes/plain/plain.h"
-#include "attributes/skin/skin.h"
 #include "base/try.h"
 #include "part.h"
 #include "positions/positions.h"
@@ -19,20 +19,25 @@ namespace deltamesh::web {
 namespace {
 
 using Indices = std::vector<std::uint32_t>;
+using Places = std::vector<float>;
 
 /// What attributes of a stream share.
 struct Faces {
-  Faces(Indices of_mesh, Indices of_vertices, std::uint32_t count)
+  Faces(Indices of_mesh, Indices of_vertices, Places of_both, std::uint32_t count)
       : triangles(std::move(of_mesh)),
         geometric(std::move(of_vertices)),
-        surface(triangles, count, geometric) {}
+        places(std::move(of_both)),
+        surface(triangles, count, geometric, places) {}
 
-  bool is(const Indices& of_mesh, const Indices& of_vertices, std::uint32_t count) const {
-    return surface.vertex_count() == count && triangles == of_mesh && geometric == of_vertices;
+  bool is(const Indices& of_mesh, const Indices& of_vertices, const Places& of_both,
+          std::uint32_t count) const {
+    return surface.vertex_count() == count && triangles == of_mesh && geometric == of_vertices &&
+           places == of_both;
   }
 
   const Indices triangles;
   const Indices geometric;
+  const Places places;
   const AttributeSurface surface;
 };
 
@@ -44,8 +49,9 @@ PartOutcome outcome;
 const AttributeSurface& surface_of(const RareCall& call) {
   auto triangles = take_array<Indices>(call.triangles);
   auto geometric = take_array<Indices>(call.geometric);
-  if (!faces || !faces->is(triangles, geometric, call.vertex_count))
-    faces.emplace(std::move(triangles), std::move(geometric), call.vertex_count);
+  auto places = take_array<Places>(call.positions);
+  if (!faces || !faces->is(triangles, geometric, places, call.vertex_count))
+    faces.emplace(std::move(triangles), std::move(geometric), std::move(places), call.vertex_count);
   return faces->surface;
 }
 
@@ -63,9 +69,7 @@ Result<void> read_values_of(const RareCall& call, std::span<const std::byte> byt
     if (call.form == RareForm::kPlain) return read_plain_values(bytes, shape, call.vertex_count);
     const AttributeSurface& surface = surface_of(call);
     const auto joints = take_array<std::vector<JointRow>>(call.joints);
-    if (call.form == RareForm::kJoints) return read_joints(bytes, shape, surface);
-    if (call.form == RareForm::kWeights) return read_weights(bytes, shape, surface, joints);
-    return read_lattice(bytes, shape, surface);
+    return read_rare_values(call.coding, bytes, shape, surface, joints);
   };
   DELTAMESH_TRY(values, read());
   outcome.returned.add(values);

@@ -2,9 +2,8 @@
 // Copyright 2026 The deltamesh authors
 //
 // Codings that few streams have, for `core`: the module `rare` reads them.
-#include "attributes/lattice/lattice.h"
 #include "attributes/plain/plain.h"
-#include "attributes/skin/skin.h"
+#include "attributes/rare/rare.h"
 #include "base/try.h"
 #include "parts.h"
 #include "positions/positions.h"
@@ -29,20 +28,6 @@ Result<Vector> read(const RareCall& call) {
   return values;
 }
 
-Result<std::vector<std::byte>> read_values(RareForm form, std::span<const std::byte> bytes,
-                                           const Attribute& shape, const AttributeSurface& surface,
-                                           std::span<const JointRow> joints = {}) {
-  return read<std::vector<std::byte>>({.form = form,
-                                       .vertex_count = surface.vertex_count(),
-                                       .bytes = hand_over(bytes),
-                                       .triangles = hand_over(surface.triangles()),
-                                       .geometric = hand_over(surface.geometric()),
-                                       .joints = hand_over(joints),
-                                       .kind = shape.kind,
-                                       .type = shape.type,
-                                       .components = shape.components});
-}
-
 }  // namespace
 
 Result<std::vector<float>> read_float_positions(std::span<const std::byte> bytes, const FaceList& faces,
@@ -54,20 +39,20 @@ Result<std::vector<float>> read_float_positions(std::span<const std::byte> bytes
                                    .box = box});
 }
 
-Result<std::vector<std::byte>> read_lattice(std::span<const std::byte> bytes, const Attribute& shape,
-                                            const AttributeSurface& surface) {
-  return read_values(RareForm::kLattice, bytes, shape, surface);
-}
-
-Result<std::vector<std::byte>> read_joints(std::span<const std::byte> bytes, const Attribute& shape,
-                                           const AttributeSurface& surface) {
-  return read_values(RareForm::kJoints, bytes, shape, surface);
-}
-
-Result<std::vector<std::byte>> read_weights(std::span<const std::byte> bytes, const Attribute& shape,
-                                            const AttributeSurface& surface,
-                                            std::span<const JointRow> joints) {
-  return read_values(RareForm::kWeights, bytes, shape, surface, joints);
+Result<std::vector<std::byte>> read_rare_values(AttributeCoding coding, std::span<const std::byte> bytes,
+                                                const Attribute& shape, const AttributeSurface& surface,
+                                                std::span<const JointRow> joints) {
+  return read<std::vector<std::byte>>({.form = RareForm::kAttribute,
+                                       .vertex_count = surface.vertex_count(),
+                                       .bytes = hand_over(bytes),
+                                       .triangles = hand_over(surface.triangles()),
+                                       .geometric = hand_over(surface.geometric()),
+                                       .positions = hand_over(surface.positions()),
+                                       .joints = hand_over(joints),
+                                       .coding = coding,
+                                       .kind = shape.kind,
+                                       .type = shape.type,
+                                       .components = shape.components});
 }
 
 Result<std::vector<std::byte>> read_plain_values(std::span<const std::byte> payload, const Attribute& shape,

@@ -35,6 +35,9 @@ struct AttributeComparison {
   double max_error = 0;        ///< infinity where a difference is not a number
   double mean = 0;
   double rms = 0;
+  double color_rms = 0;  ///< colours: over all values of red, green and blue, 255ths
+  /// Colours: mean CIEDE2000 of what a screen shows; 1 is about what an eye can tell.
+  double color_difference = 0;
 };
 
 /// Distances between two meshes, model units.

@@ -144,4 +144,20 @@ double attribute_error(const AttributeView& attribute, const AttributeRows& rows
   return largest;
 }
 
+double color_rms(ComponentType type, const AttributeRows& rows, std::span<const std::byte> decoded) noexcept {
+  constexpr std::size_t kColors = 3;
+  const std::size_t size = component_size(type);
+  double sum = 0;
+  const std::byte* now = decoded.data();
+  for (std::size_t i = 0; i < rows.count(); ++i, now += rows.components() * size) {
+    const std::byte* const source = rows.row(i);
+    for (std::size_t c = 0; c < kColors; ++c) {
+      const double error = load_component(type, source + c * size) - load_component(type, now + c * size);
+      sum += error * error;
+    }
+  }
+  const std::size_t count = kColors * rows.count();
+  return count > 0 ? std::sqrt(sum / static_cast<double>(count)) / color_unit(type) : 0;
+}
+
 }  // namespace deltamesh

@@ -19,6 +19,7 @@ enum class AttributeCoding : std::uint8_t {
   kLattice = 8,          ///< numbers on lattices, predicted from the surface [ATTR-55]
   kWeights = 9,          ///< of joints, which add up to 1 [ATTR-62]
   kJoints = 10,          ///< from those of the vertices around [ATTR-60]
+  kMeanColors = 11,      ///< colours at a mean error, by a transform [HAAR-6]
 };
 
 /// True where values of this shape may be coded so [ATTR-2].
@@ -36,6 +37,7 @@ constexpr bool coding_fits(AttributeCoding coding, AttributeKind kind, Component
       return kind == AttributeKind::kJoints && components == 4 &&
              (type == ComponentType::kU8 || type == ComponentType::kU16);
     case AttributeCoding::kSurfaceColors:
+    case AttributeCoding::kMeanColors:
       return kind == AttributeKind::kColor && (components == 3 || components == 4) &&
              (type == ComponentType::kU8 || type == ComponentType::kU16 || type == ComponentType::kF32);
     case AttributeCoding::kSurfaceUvs:

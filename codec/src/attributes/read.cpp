@@ -4,12 +4,11 @@
 #include "attributes/attribute.h"
 #include "attributes/colors/colors.h"
 #include "attributes/exceptions/exceptions.h"
-#include "attributes/lattice/lattice.h"
 #include "attributes/normals/normals.h"
 #include "attributes/payload.h"
 #include "attributes/plain/plain.h"
+#include "attributes/rare/rare.h"
 #include "attributes/skin/rows.h"
-#include "attributes/skin/skin.h"
 #include "attributes/tangents/tangents.h"
 #include "attributes/uvs/uvs.h"
 #include "base/byte_reader.h"
@@ -29,10 +28,6 @@ Result<std::vector<std::byte>> read_on_surface(ByteReader& in, AttributeCoding c
   switch (coding) {
     case AttributeCoding::kSurfaceColors:
       return read_surface_colors(bytes, shape.type, shape.components, surface, learning);
-    case AttributeCoding::kJoints:
-      return read_joints(bytes, shape, surface);
-    case AttributeCoding::kWeights:
-      return read_weights(bytes, shape, surface, joints_of_weights(others, surface.vertex_count()));
     case AttributeCoding::kSurfaceNormals: {
       DELTAMESH_TRY(numbers, read_surface_normals(bytes, surface));
       break;
@@ -46,8 +41,12 @@ Result<std::vector<std::byte>> read_on_surface(ByteReader& in, AttributeCoding c
       DELTAMESH_TRY(numbers, read_surface_tangents(bytes, surface, basis));
       break;
     }
-    default:
-      return read_lattice(bytes, shape, surface);
+    default: {
+      const auto joints = coding == AttributeCoding::kWeights
+                              ? joints_of_weights(others, surface.vertex_count())
+                              : std::vector<JointRow>();
+      return read_rare_values(coding, bytes, shape, surface, joints);
+    }
   }
   const auto values = std::as_bytes(std::span(numbers));
   return std::vector<std::byte>(values.begin(), values.end());

@@ -9,6 +9,7 @@
 #include "attributes/colors/colors.h"
 #include "attributes/error.h"
 #include "attributes/exceptions/exceptions.h"
+#include "attributes/haar/haar.h"
 #include "attributes/lattice/lattice.h"
 #include "attributes/normals/normals.h"
 #include "attributes/payload.h"
@@ -80,6 +81,11 @@ std::optional<CodedAttribute> code_kind(const AttributeView& attribute, const At
     return code_compact(kSurfaceTangents,
                         write_surface_tangents(rows.gather_floats(), bound, surface, basis));
   }
+  if (fits(kMeanColors) && settings.quality.color_rms) {
+    auto coded = code_compact(kMeanColors,
+                              write_haar_colors(attribute.type, rows, *settings.quality.color_rms, surface));
+    if (coded) return coded;
+  }
   if (fits(kSurfaceColors))
     return code_compact(kSurfaceColors,
                         write_surface_colors(attribute.type, rows, bound, surface, settings.start));
@@ -142,6 +148,11 @@ std::optional<CodedAttribute> write_on_surface(const AttributeView& attribute, c
   return coded;
 }
 
+bool is_at_mean_error(const CodedAttribute& coded) noexcept {
+  const auto flagged = static_cast<std::uint8_t>(AttributeCoding::kMeanColors) | kExceptionsFlag;
+  return coded.is_compact && (std::to_integer<std::uint8_t>(coded.payload[0]) | kExceptionsFlag) == flagged;
+}
+
 }  // namespace
 
 Result<CodedAttribute> write_attribute(const AttributeView& attribute, std::span<const std::uint32_t> order,
@@ -162,6 +173,8 @@ Result<CodedAttribute> write_attribute(const AttributeView& attribute, std::span
   }
   coded->decoded = std::move(decoded);
   coded->descriptor = descriptor;
+  if (is_at_mean_error(*coded))
+    coded->descriptor.rms = short_float_above(color_rms(attribute.type, rows, coded->decoded.values));
   coded->descriptor.error = short_float_above(attribute_error(attribute, rows, coded->decoded.values));
   return *std::move(coded);
 }

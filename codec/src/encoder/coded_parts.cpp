@@ -20,6 +20,7 @@ namespace {
 constexpr double kLargestAngle = 45;     // degrees
 constexpr double kLargestUv = 1.0 / 16;  // texture coordinate units
 constexpr double kLargestColor = 64;     // 255ths
+constexpr double kLargestColorRms = 32;  // 255ths
 constexpr double kLargestWeight = 1.0 / 8;
 
 /// At most `largest`, unless more was asked for.
@@ -35,8 +36,11 @@ AttributeQuality scaled(const AttributeQuality& quality, double scale) {
   result.normal_error = scaled_to(quality.normal_error, scale, kLargestAngle);
   if (quality.tangent_error) result.tangent_error = scaled_to(*quality.tangent_error, scale, kLargestAngle);
   result.uv_error = scaled_to(quality.uv_error, scale, kLargestUv);
-  result.color_error = std::min(quality.color_error * scale + std::max(scale - 1, 0.0),
-                                std::max(quality.color_error, kLargestColor));
+  if (quality.color_rms)
+    result.color_rms = scaled_to(*quality.color_rms, scale, kLargestColorRms);
+  else
+    result.color_error = std::min(quality.color_error * scale + std::max(scale - 1, 0.0),
+                                  std::max(quality.color_error, kLargestColor));
   result.weight_error = scaled_to(quality.weight_error, scale, kLargestWeight);
   for (NamedBound& bound : result.named) bound.error *= scale;
   return result;

@@ -68,7 +68,7 @@ void read_extent(StreamInfo& info, const Container& container) {
 /// The header's descriptors with the sizes of their chunks, as far as there are any.
 void add_attributes(StreamInfo& info, const Container& container) {
   for (const AttributeDescriptor& a : container.header().attributes)
-    info.attributes.push_back({a.name, a.kind, a.type, a.components, 0, a.error, a.is_linear()});
+    info.attributes.push_back({a.name, a.kind, a.type, a.components, 0, a.error, a.rms, a.is_linear()});
   std::size_t next = 0;
   for (const ChunkEntry& entry : container.entries())
     if (entry.tag == kTagAttribute && next < info.attributes.size())

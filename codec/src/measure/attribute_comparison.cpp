@@ -15,6 +15,7 @@
 #include "base/numbers/srgb.h"
 #include "deltamesh/mesh.h"
 #include "format/chunk/attribute_descriptor.h"
+#include "measure/colors/color_difference.h"
 
 namespace deltamesh {
 namespace {
@@ -87,6 +88,41 @@ double value_error(const AttributeView& a, std::uint32_t i, const AttributeView&
   const double error = error_between(a.kind, a.components, of_a, of_b);
   return std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
 }
+
+constexpr std::size_t kColors = 3;
+
+/// Sums over pairs of colours of 3 components or more.
+class ColorErrors {
+ public:
+  void add(const AttributeView& a, std::uint32_t i, const AttributeView& b, std::uint32_t j) noexcept {
+    const bool shown = a.linear != b.linear;
+    Value of_a{};
+    Value of_b{};
+    load(a, i, shown, of_a);
+    load(b, j, shown, of_b);
+    for (std::size_t c = 0; c < kColors; ++c) squares_ += (of_a[c] - of_b[c]) * (of_a[c] - of_b[c]);
+    differences_ += color_difference(shown_color(a, i), shown_color(b, j));
+  }
+
+  void finish(AttributeComparison& result) const noexcept {
+    const auto count = static_cast<double>(result.measured);
+    const double rms = std::sqrt(squares_ / (kColors * count));
+    result.color_rms = std::isfinite(rms) ? rms : std::numeric_limits<double>::infinity();
+    const double mean = differences_ / count;
+    result.color_difference = std::isfinite(mean) ? mean : std::numeric_limits<double>::infinity();
+  }
+
+ private:
+  static std::array<double, kColors> shown_color(const AttributeView& attribute,
+                                                 std::uint32_t vertex) noexcept {
+    Value value{};
+    load(attribute, vertex, true, value);
+    return {value[0] / 255, value[1] / 255, value[2] / 255};
+  }
+
+  double squares_ = 0;
+  double differences_ = 0;
+};
 
 bool comparable(const AttributeView& a, const AttributeView& b) noexcept {
   const bool of_one_range = a.kind == AttributeKind::kColor || a.normalized == b.normalized;
@@ -164,16 +200,20 @@ std::vector<AttributeComparison> AttributeComparer::compare(std::span<const Vert
     if (result.match == AttributeMatch::kCompared && !vertices.empty()) {
       double sum = 0;
       double squares = 0;
+      const bool has_colors = pair.a.kind == AttributeKind::kColor && pair.a.components >= kColors;
+      ColorErrors colors;
       for (const VertexPair& vertex : vertices) {
         const double error = value_error(pair.a, vertex.a, pair.b, vertex.b);
         result.max_error = std::max(result.max_error, error);
         sum += error;
         squares += error * error;
+        if (has_colors && error > 0) colors.add(pair.a, vertex.a, pair.b, vertex.b);
       }
       result.measured = vertices.size();
       const auto count = static_cast<double>(vertices.size());
       result.mean = sum / count;
       result.rms = std::sqrt(squares / count);
+      if (has_colors) colors.finish(result);
     }
     results.push_back(std::move(result));
   }

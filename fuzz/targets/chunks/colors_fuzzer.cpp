@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Coded colours from anywhere. The last byte says their type, the number of components, the mesh, and if its
-// positions are known. What is read must be whole; written exactly it must come back.
+// Coded colours from anywhere. The last byte says their type, the number of components, the mesh, if its
+// positions are known, and the coding. What is read must be whole; written exactly it must come back, and
+// what is written at a mean error as the writer says.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "attributes/colors/colors.h"
+#include "attributes/haar/haar.h"
 #include "support/graph_mesh.h"
 
 namespace {
@@ -45,7 +47,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const ComponentType type = kTypes[choice % 4];
   const unsigned components = 3 + choice / 4 % 2;
   const AttributeSurface surface = kSurfaces[choice / 8 % 2].get((choice & 16) != 0, (choice & 32) != 0);
-  const auto read = read_surface_colors(std::as_bytes(std::span(data, size - 1)), type, components, surface);
+  const Attribute shape{
+      .kind = AttributeKind::kColor, .type = type, .components = static_cast<std::uint8_t>(components)};
+  const bool at_mean_error = (choice & 64) != 0;
+  const auto bytes = std::as_bytes(std::span(data, size - 1));
+  const auto read = at_mean_error ? read_haar_colors(bytes, shape, surface)
+                                  : read_surface_colors(bytes, type, components, surface);
   if (!read) {
     if (read.error().code == ErrorCode::kInternal) std::abort();
     return 0;
@@ -55,6 +62,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::iota(order.begin(), order.end(), 0U);
   const AttributeView view{
       .type = type, .components = static_cast<std::uint8_t>(components), .name = {}, .values = *read};
+  if (at_mean_error) {
+    const auto written = write_haar_colors(type, AttributeRows(view, order), 1 + choice % 4, surface);
+    if (!written) return 0;
+    const auto again = read_haar_colors(written->bytes, shape, surface);
+    if (!again || *again != written->values) std::abort();
+    return 0;
+  }
   const auto written = write_surface_colors(type, AttributeRows(view, order), 0, surface);
   if (!written || written->values != *read) std::abort();
   const auto again = read_surface_colors(written->bytes, type, components, surface);

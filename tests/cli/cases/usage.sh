@@ -32,6 +32,10 @@ run encode cube.obj cube.dmsh --attribute-error intensity=much
 run encode cube.obj cube.dmsh --attribute-error intensity=1 --attribute-error intensity=2
 run encode cube.obj cube.dmsh --attribute-error intensity=1
 run encode cube.obj cube.dmsh --lossless --color-error 2
+run encode cube.obj cube.dmsh --color-rms 0
+run encode cube.obj cube.dmsh --color-rms 2 --color-error 2
+run encode cube.obj cube.dmsh --color-psnr 40 --color-rms 2
+run encode cube.obj cube.dmsh --lossless --color-psnr 40
 run gltf pack cube.glb packed.glb --normal-error nan
 run gltf pack cube.glb packed.glb --lossless --uv-error 0
 run encode cube.obj cube.dmsh --anchor-density 0

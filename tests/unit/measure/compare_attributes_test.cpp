@@ -141,6 +141,9 @@ TEST(CompareAttributes, MeasuresInTheUnitOfTheKind) {
   EXPECT_NEAR(of[0].rms, 45.0 / std::sqrt(8.0), 1e-9);
   EXPECT_NEAR(of[1].max_error, 0.5, 1e-6);
   EXPECT_DOUBLE_EQ(of[2].max_error, 10);
+  EXPECT_NEAR(of[2].color_rms, 10 / std::sqrt(24.0), 1e-9);
+  EXPECT_NEAR(of[2].color_difference, 1.0620, 1e-3);
+  EXPECT_EQ(of[3].color_rms, 0);
   EXPECT_NEAR(of[3].max_error, 0.25, 1e-4);
   EXPECT_DOUBLE_EQ(of[4].max_error, 3);
   EXPECT_DOUBLE_EQ(of[5].max_error, 100.0 / 127);

@@ -23,6 +23,7 @@ const NUMBERS = [
   ['tangentError', NaN],
   ['uvError', 1 / 4096],
   ['colorError', 0],
+  ['colorRms', NaN],
   ['weightError', 1 / 1024],
   ['profile', 'smallest', PROFILES],
   ['keepOrder', false],

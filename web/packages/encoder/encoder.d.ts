@@ -61,6 +61,8 @@ export interface EncodeOptions {
   uvError?: number;
   /** 255ths of the range; default 0, exact. */
   colorError?: number;
+  /** In place of it: root mean square of the errors of red, green and blue, 255ths. */
+  colorRms?: number;
   /** Default 1/1024. */
   weightError?: number;
   /** Of generic attributes by their names, in their units; others are exact. */

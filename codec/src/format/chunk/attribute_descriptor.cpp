@@ -34,7 +34,7 @@ Result<AttributeDescriptor> read_spelled_out(ByteReader& in) {
 
 Result<AttributeDescriptor> read_descriptor(ByteReader& in) {
   DELTAMESH_TRY(const auto first, in.read<std::uint8_t>());
-  const unsigned row = first & ~kHasError;
+  const unsigned row = first & ~(kHasError | kHasRms);
   if (row > kUsual.size()) return in.invalid("no such row of usual attributes", "ATTR-1");
   AttributeDescriptor attribute;
   if (row == kSpelledOut) {
@@ -43,11 +43,15 @@ Result<AttributeDescriptor> read_descriptor(ByteReader& in) {
     const UsualAttribute& usual = kUsual[row - 1];
     attribute = {usual.kind, usual.type, usual.components, usual.flags, std::string(usual.name)};
   }
-  if ((first & kHasError) != 0) {
-    DELTAMESH_TRY(attribute.error, in.read_short_float());
-    if (!std::isfinite(attribute.error) || attribute.error < 0)
+  const auto read_error = [&](unsigned flag, float& error) -> Result<void> {
+    if ((first & flag) == 0) return {};
+    DELTAMESH_TRY(error, in.read_short_float());
+    if (!std::isfinite(error) || error < 0)
       return in.invalid("an attribute's error is not a number of at least 0", "ATTR-1");
-  }
+    return {};
+  };
+  DELTAMESH_CHECK(read_error(kHasError, attribute.error));
+  DELTAMESH_CHECK(read_error(kHasRms, attribute.rms));
   return attribute;
 }
 

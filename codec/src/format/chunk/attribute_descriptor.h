@@ -29,6 +29,7 @@ struct AttributeDescriptor {
   std::uint8_t flags = 0;
   std::string name{};
   float error = 0;  ///< largest, in the unit of its kind, a short float, rounded up
+  float rms = 0;    ///< of colours at a mean error, 255ths, likewise; else 0
 
   bool is_normalized() const noexcept { return (flags & kFlagNormalized) != 0; }
   bool is_linear() const noexcept { return (flags & kFlagLinear) != 0; }
@@ -47,7 +48,7 @@ AttributeDescriptor descriptor_of(const Shape& a) {
       .name = std::string(a.name)};
 }
 
-/// Writes one byte for a usual attribute (usual_attributes.h), and three more if the error is not 0.
+/// Writes one byte for a usual attribute (usual_attributes.h), and three more for each error that is not 0.
 void write_descriptor(ByteWriter& out, const AttributeDescriptor& attribute);
 
 /// Reads a descriptor. Errors: kTruncated, kInvalidStream [ATTR-1].

@@ -21,7 +21,8 @@ std::uint8_t row_of(const AttributeDescriptor& attribute) noexcept {
 void write_descriptor(ByteWriter& out, const AttributeDescriptor& attribute) {
   const std::uint8_t row = row_of(attribute);
   const bool has_error = attribute.error != 0;
-  out.write(static_cast<std::uint8_t>(row | (has_error ? kHasError : 0)));
+  const bool has_rms = attribute.rms != 0;
+  out.write(static_cast<std::uint8_t>(row | (has_error ? kHasError : 0) | (has_rms ? kHasRms : 0)));
   if (row == kSpelledOut) {
     out.write(static_cast<std::uint8_t>(attribute.kind));
     out.write(static_cast<std::uint8_t>(attribute.type));
@@ -31,6 +32,7 @@ void write_descriptor(ByteWriter& out, const AttributeDescriptor& attribute) {
     out.write_bytes(std::as_bytes(std::span(attribute.name)));
   }
   if (has_error) out.write_short_float(attribute.error);
+  if (has_rms) out.write_short_float(attribute.rms);
 }
 
 }  // namespace deltamesh

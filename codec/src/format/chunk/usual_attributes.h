@@ -53,5 +53,6 @@ inline constexpr std::array<UsualAttribute, 21> kUsual{{
 
 inline constexpr std::uint8_t kSpelledOut = 0;
 inline constexpr std::uint8_t kHasError = 1U << 7;
+inline constexpr std::uint8_t kHasRms = 1U << 6;
 
 }  // namespace deltamesh

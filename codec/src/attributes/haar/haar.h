@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Colours of the vertices of a surface at a mean error: a transform over the mesh [ATTR-66, HAAR-*].
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "attributes/rows.h"
+#include "attributes/surface.h"
+#include "attributes/values.h"
+#include "deltamesh/mesh.h"
+#include "deltamesh/result.h"
+
+namespace deltamesh {
+
+/// `rows`: of 3 or 4 components of `type`. `rms`: the root mean square of the errors of all values of red,
+/// green and blue, 255ths of their range, above 0; it is met within 1 % from below, unless nothing is left to
+/// be saved. Empty for other types than u8, u16 and f32, for floats that are not in [0, 1], and where levels
+/// of 8 bits cannot keep `rms`. O(n) for each of a few trials.
+std::optional<CodedValues<std::byte>> write_haar_colors(ComponentType type, const AttributeRows& rows,
+                                                        double rms, const AttributeSurface& surface);
+
+/// The values. O(n), without recursion. Errors: kTruncated, kInvalidStream [HAAR-6, CMP-3].
+Result<std::vector<std::byte>> read_haar_colors(std::span<const std::byte> bytes, const Attribute& shape,
+                                                const AttributeSurface& surface);
+
+}  // namespace deltamesh

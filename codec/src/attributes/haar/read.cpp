@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "attributes/haar/coder.h"
+#include "attributes/haar/fields.h"
+#include "attributes/haar/haar.h"
+#include "attributes/haar/values.h"
+#include "entropy/coder/reader.h"
+#include "format/chunk/tags.h"
+
+namespace deltamesh {
+namespace {
+
+/// Readers have nothing to code.
+struct NoHaarSource {};
+
+template <unsigned kAxes>
+LargeVector<HaarRecord> read_haar_axes(CompactReader& reader, std::span<const HaarLevel> levels,
+                                       std::uint32_t step) {
+  const NoHaarSource nothing;
+  return HaarCoder<CompactReader, kAxes, NoHaarSource>(reader, levels, step, nothing).run();
+}
+
+}  // namespace
+
+Result<std::vector<std::byte>> read_haar_colors(std::span<const std::byte> bytes, const Attribute& shape,
+                                                const AttributeSurface& surface) {
+  ByteReader in(bytes, kTagAttribute);
+  DELTAMESH_TRY(const HaarFields fields, read_haar_fields(in, shape.components));
+  HaarValues values(shape.type, shape.components, surface.vertex_count());
+  if (surface.vertex_count() == 0) {
+    DELTAMESH_CHECK(in.finish());
+    return values.take();
+  }
+  DELTAMESH_TRY(const auto stream, in.read_bytes(in.remaining()));
+  const auto levels = make_haar_levels(surface);
+  CompactReader reader(stream);
+  values.set_colors(fields.axes == 1 ? read_haar_axes<1>(reader, levels, fields.step)
+                                     : read_haar_axes<kHaarAxes>(reader, levels, fields.step),
+                    fields.axes);
+  if (fields.alpha == HaarAlpha::kConstant) values.set_alpha(fields.alpha_level);
+  if (fields.alpha == HaarAlpha::kCoded) values.set_alpha(read_haar_axes<1>(reader, levels, fields.step));
+  DELTAMESH_CHECK(reader.finish(kTagAttribute));
+  return values.take();
+}
+
+}  // namespace deltamesh

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "attributes/haar/haar.h"
+#include "attributes/lattice/lattice.h"
+#include "attributes/rare/rare.h"
+
+namespace deltamesh {
+
+Result<std::vector<std::byte>> read_rare_values(AttributeCoding coding, std::span<const std::byte> bytes,
+                                                const Attribute& shape, const AttributeSurface& surface,
+                                                std::span<const JointRow> joints) {
+  if (coding == AttributeCoding::kJoints) return read_joints(bytes, shape, surface);
+  if (coding == AttributeCoding::kWeights) return read_weights(bytes, shape, surface, joints);
+  if (coding == AttributeCoding::kMeanColors) return read_haar_colors(bytes, shape, surface);
+  return read_lattice(bytes, shape, surface);
+}
+
+}  // namespace deltamesh
