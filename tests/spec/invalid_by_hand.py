@@ -237,6 +237,8 @@ def plain(program):
     for step, larger in ((f32(large.fields.step)[1:], b"\0\0\x7f"), (struct.pack("<d", large.fields.step), struct.pack("<d", 1e300))):
         large.header = large.header.replace(step, larger)
     yield large.stream()
+    for coding in (b"\x0b", b"\x3f"):  # not of this shape, and none
+        yield with_chunk("ATTR", coding, True, b"\0\3\1\1\0\0")
     for coding in (b"\1", b"\2"):
         yield with_chunk("ATTR", coding + struct.pack("<dq", 1, 0) + b"\0", False, b"\0\3\6\1\0\0")
     for step in (-1, float("inf"), float("nan")):

@@ -243,7 +243,7 @@ Attribute attribute_of(const Colored& mesh, ComponentType type, std::uint8_t com
   return a;
 }
 
-/// From 24 to 50 dB within 1 %.
+/// From 24 to 50 dB within 1 %; where a mean error is less than a level of 8 bits, within 1.5 %.
 TEST(HaarColors, HAAR10AnyMeanErrorIsMetByTheStep) {
   for (const std::uint64_t seed : {1, 2}) {
     const Colored mesh = rooms(seed == 1 ? 20000 : 6000, seed);
@@ -257,7 +257,7 @@ TEST(HaarColors, HAAR10AnyMeanErrorIsMetByTheStep) {
       ASSERT_TRUE(best.has_value()) << decibels;
       const double reached = rms(mesh, best->values);
       EXPECT_LE(reached, wanted) << decibels;
-      EXPECT_GE(reached, 0.99 * wanted) << decibels;
+      EXPECT_GE(reached, (wanted < 1 ? 0.985 : 0.99) * wanted) << decibels;
       EXPECT_LT(best->bytes.size(), before) << decibels;
       before = best->bytes.size();
       const auto read = read_colors(best->bytes, mesh);
