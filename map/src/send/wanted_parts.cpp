@@ -110,10 +110,12 @@ class Wants {
 std::vector<PartKey> in_order(const std::set<PartKey>& cells, const Viewer& viewer, const SourceMap& map,
                               const MapDescription& description) {
   std::vector<std::tuple<std::uint64_t, double, PartKey>> order;
+  order.reserve(cells.size());
   for (const PartKey& cell : cells)
     order.emplace_back(map.outdated_since(cell), way_to(cell, viewer.view, description), cell);
   std::ranges::sort(order);
   std::vector<PartKey> keys;
+  keys.reserve(order.size());
   for (const auto& [since, way, cell] : order) keys.push_back(cell);
   return keys;
 }
