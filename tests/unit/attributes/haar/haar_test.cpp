@@ -277,7 +277,8 @@ TEST(HaarColors, HAAR6OtherTypesAndAlpha) {
         const std::size_t row = source.values.size() / mesh.count;
         const std::size_t alpha = component_size(type) * 3;
         for (std::size_t v = 1; v < mesh.count && constant; ++v)
-          std::copy(&source.values[alpha], source.values.data() + row, &source.values[v * row + alpha]);
+          std::copy(source.values.data() + alpha, source.values.data() + row,
+                    source.values.data() + v * row + alpha);
         const AttributeQuality quality{.color_rms = 3};
         const AttributeSurface surface = mesh.surface();
         const auto coded = write_attribute(test::view(source), order, {.quality = quality}, surface, {});
@@ -289,8 +290,8 @@ TEST(HaarColors, HAAR6OtherTypesAndAlpha) {
         ASSERT_TRUE(read) << describe(read.error());
         EXPECT_EQ(read->values, coded->decoded.values);
         for (std::size_t v = 0; v < mesh.count && constant; ++v)
-          EXPECT_TRUE(
-              std::equal(&source.values[alpha], source.values.data() + row, &read->values[v * row + alpha]));
+          EXPECT_TRUE(std::equal(source.values.data() + alpha, source.values.data() + row,
+                                 read->values.data() + v * row + alpha));
       }
     }
   }
