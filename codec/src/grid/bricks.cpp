@@ -53,7 +53,7 @@ std::size_t Bricks::slot_of(const Place& at) const noexcept {
     hash = (hash ^ static_cast<std::uint32_t>(a)) * 0xff51'afd7'ed55'8ccdULL;
     hash ^= hash >> 32;
   }
-  std::size_t slot = hash & (table_.size() - 1);
+  auto slot = static_cast<std::size_t>(hash & (table_.size() - 1));
   while (table_[slot] != 0 && bricks_[table_[slot] - 1]->at != at) slot = (slot + 1) & (table_.size() - 1);
   return slot;
 }
