@@ -4,7 +4,6 @@
 import { DeltameshLoader, gltfDeltameshExtension } from '@deltamesh/three';
 import { AnimationMixer, Box3, Color, DirectionalLight, HemisphereLight, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
-import { PLYLoader } from 'three/addons/loaders/PLYLoader.js';
 
 import { SIDE, VIEWS, comparePictures, pixelsOf } from './compare.js';
 
@@ -60,15 +59,6 @@ window.compareAssets = async (plain, packed, poses) => {
       aim(box, direction);
       return comparePictures(...assets.map(({ shown }) => draw(shown)));
     });
-  });
-};
-
-/** Colours of a PLY file as PLYLoader has them, and of a stream of it: numbers, a row for each vertex, sorted. */
-window.colorsOf = async (ply, stream) => {
-  const geometries = [await new PLYLoader().loadAsync(ply), await streams.loadAsync(stream)];
-  return geometries.map(({ attributes: { color } }) => {
-    const rows = Array.from({ length: color.count }, (_, i) => [color.getX(i), color.getY(i), color.getZ(i)]);
-    return rows.sort((a, b) => a[0] - b[0] || a[1] - b[1] || a[2] - b[2]).flat();
   });
 };
 
