@@ -62,7 +62,7 @@ SourceCubes::Address SourceCubes::address_of(const Node& node) {
   return {last_part_, place_of({node[0] % kSide, node[1] % kSide, node[2] % kSide})};
 }
 
-/// No cube takes more than a pattern has.
+/// A cube takes no more faces than a pattern can have.
 void SourceCubes::count_face(const Address& home) noexcept {
   std::uint16_t& faces = parts_[home.part]->cubes[home.place];
   faces = static_cast<std::uint16_t>(faces + (faces < Pattern::kMostTriangles ? 1 : 0));

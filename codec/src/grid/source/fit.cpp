@@ -97,7 +97,7 @@ std::optional<VoxelFit> with_share(VoxelFit fit, const AxisValues& values) {
   return fit;
 }
 
-/// Of the two such grids the one on whose planes more coordinates are.
+/// With cubes of twice the size; of the eight such grids the one on whose planes most coordinates lie.
 VoxelFit twice_as_large(const VoxelFit& fit, const AxisValues& values) {
   std::array<std::array<std::size_t, 2>, 3> on_planes{};
   const std::span<const Vec3> positions = values.positions();
