@@ -324,14 +324,26 @@ class Schedule {
     return hashes;
   }
 
+  /// The parts that show what of the map is in a view, on its level: of copies not those of other places.
+  std::vector<PartKey> wanted_in(const View& view) const {
+    const auto keys = sender_->keys();
+    std::vector<PartKey> seen;
+    for (const PartKey& key : keys_on_level(keys, 0))
+      if (is_in_view(ancestor(key, std::max(key.level, view.level)), view, World::description()))
+        seen.push_back(key);
+    std::vector<PartKey> wanted;
+    for (const PartKey& key : keys)
+      if (is_in_view(key, view, World::description()) &&
+          std::ranges::any_of(seen, [&](const PartKey& other) { return overlap(key, other); }))
+        wanted.push_back(key);
+    return keys_on_level(wanted, 0);
+  }
+
   bool is_settled() {
     for (Client& client : clients_) {
       if (!client.receiver) start(client);
       if (client.receiver->description() == nullptr || believed(client) != shown(client)) return false;
-      std::vector<PartKey> wanted;
-      for (const PartKey& key : sender_->keys())
-        if (is_in_view(key, client.receiver->view(), World::description())) wanted.push_back(key);
-      wanted = keys_on_level(wanted, 0);
+      const std::vector<PartKey> wanted = wanted_in(client.receiver->view());
       const auto have = shown(client);
       if (wanted.size() != have.size()) return false;
       for (const PartKey& key : wanted) {
