@@ -244,8 +244,7 @@ class Schedule {
       ASSERT_TRUE(said);
       for (const Bytes& message : *said) post(-1, message);
     }
-    const auto viewers = sender_->viewers();
-    if (std::find(viewers.begin(), viewers.end(), client.viewer) == viewers.end()) return;
+    if (!is_heard(client)) return;
     const auto messages = sender_->messages_for(client.viewer, now_);
     ASSERT_TRUE(messages) << describe(messages.error());
     for (const Bytes& message : *messages) post(number, message);
@@ -308,6 +307,11 @@ class Schedule {
     failed_ = true;
   }
 
+  bool is_heard(const Client& client) const {
+    const auto viewers = sender_->viewers();
+    return std::ranges::find(viewers, client.viewer) != viewers.end();
+  }
+
   std::map<PartKey, std::uint64_t> believed(const Client& client) const {
     std::map<PartKey, std::uint64_t> hashes;
     for (const PartEntry& entry : sender_->entries_of(client.viewer))
@@ -342,6 +346,8 @@ class Schedule {
   bool is_settled() {
     for (Client& client : clients_) {
       if (!client.receiver) start(client);
+      // Copies are made for those who were heard.
+      if (!is_heard(client)) return false;
       if (client.receiver->description() == nullptr || believed(client) != shown(client)) return false;
       const std::vector<PartKey> wanted = wanted_in(client.receiver->view());
       const auto have = shown(client);
