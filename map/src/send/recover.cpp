@@ -70,7 +70,10 @@ void take_held(Viewer& viewer, const std::vector<HeldVersion>& held, double wait
   });
   for (const HeldVersion& version : held) {
     SentPart& sent = viewer.sent[version.key];
-    if (sent.revision == 0) sent = {.revision = version.revision, .is_everywhere = true};
+    if (sent.revision < version.revision) {  // from another sender
+      sent.revision = version.revision;
+      sent.is_everywhere = true;
+    }
     if (const auto newer = viewer.has.find(version.key);
         newer != viewer.has.end() &&
         newer->second.revision + (newer->second.is_gone ? 1 : 0) > version.revision)
