@@ -61,9 +61,11 @@ class Planner {
     }
     const bool is_of_newest = version != nullptr && version->content_revision == source.content_revision;
     const bool may_stay = is_of_newest || (version != nullptr && keeps_good_enough_);
-    if (may_stay && !waits_too_long(key, has->second) && encodings_.fits(*version, source, viewer_.view)) {
+    const bool is_good = may_stay && encodings_.fits(*version, source, viewer_.view);
+    if (is_good && !waits_too_long(key, has->second)) {
       kept_.emplace(key, version);
     } else {
+      if (is_good) plan_.repeated.insert(key);
       plan_.needed.insert(key);
       if (is_of_newest && same_borders(version->links, source.links) && !has->second.is_waiting)
         plan_.refined.emplace(key, has->second.since);

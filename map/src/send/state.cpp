@@ -187,34 +187,42 @@ Result<void> MapSender::State::tell_faults(std::vector<PartFault> faults, Viewer
   return {};
 }
 
-Result<bool> MapSender::State::send(const SendUnit& unit, SendPlan& plan, Viewer& viewer, double now,
-                                    std::vector<std::vector<std::byte>>& messages) {
+Result<bool> MapSender::State::send_parts(std::span<const PartKey> keys, SendPlan& plan, Viewer& viewer,
+                                          double now, std::vector<std::vector<std::byte>>& messages) {
   std::vector<ChosenVersion> chosen;  // all that may be sent, before any links to what cannot be had
   double room = viewer.allowance.room();
-  for (auto key = unit.needed.begin(); key != unit.needed.end() && room > 0; ++key) {
+  for (auto key = keys.begin(); key != keys.end() && room > 0; ++key) {
     if (is_call_over(!chosen.empty() || !messages.empty())) break;
     DELTAMESH_TRY(chosen.emplace_back(), choose_version(*map.find(*key), viewer));
     const auto& encoding = chosen.back().version.encoding;
     if (encoding == nullptr) return false;
     room -= static_cast<double>(chosen.back().is_patch ? encoding->patch.size() : encoding->octets.size());
   }
-  for (std::size_t i = 0; i < chosen.size(); ++i) {
-    if (!viewer.allowance.may_spend()) return true;
-    const PartKey& key = unit.needed[i];
+  for (std::size_t i = 0; i < chosen.size() && viewer.allowance.may_spend(); ++i) {
+    const PartKey& key = keys[i];
     DELTAMESH_TRY(auto message, newest_message(key, std::move(chosen[i]), plan, viewer, now));
     plan.needed.erase(key);
     plan.staying.insert(key);
     viewer.due.erase(key);
     viewer.post(message, std::exchange(viewer.sent[key].was_lost, false), messages);
   }
-  // Last, as the parts in their place may be patches of them.
+  return true;
+}
+
+Result<bool> MapSender::State::send(const SendUnit& unit, SendPlan& plan, Viewer& viewer, double now,
+                                    std::vector<std::vector<std::byte>>& messages) {
+  DELTAMESH_TRY(const bool is_complete, send_parts(unit.needed, plan, viewer, now, messages));
+  if (!is_complete) return false;
+  const auto is_lacking = [&](const PartKey& key) { return plan.needed.contains(key); };
+  if (std::ranges::any_of(unit.needed, is_lacking)) return true;
+  // After them, as the parts in their place may be patches of them; before what may have waited for them.
   for (const PartKey& key : unit.removed) {
     if (!viewer.allowance.may_spend()) return true;
     DELTAMESH_TRY(auto message, removal_message(key, plan, viewer, now));
     plan.removed.erase(key);
     viewer.post(message, std::exchange(viewer.sent[key].was_lost, false), messages);
   }
-  return true;
+  return send_parts(unit.repeated, plan, viewer, now, messages);
 }
 
 }  // namespace deltamesh

@@ -65,6 +65,8 @@ struct MapSender::State {
   /// encoded, which another plan takes into account.
   Result<bool> send(const SendUnit& unit, SendPlan& plan, Viewer& viewer, double now,
                     std::vector<std::vector<std::byte>>& messages);
+  Result<bool> send_parts(std::span<const PartKey> keys, SendPlan& plan, Viewer& viewer, double now,
+                          std::vector<std::vector<std::byte>>& messages);
   Result<void> tell_pose(Viewer& viewer, double now, std::vector<std::vector<std::byte>>& messages);
   Result<void> tell_faults(std::vector<PartFault> faults, Viewer& viewer, double now,
                            std::vector<std::vector<std::byte>>& messages);

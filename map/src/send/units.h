@@ -12,8 +12,9 @@ namespace deltamesh {
 
 /// Parts that are shown together and so are sent together.
 struct SendUnit {
+  std::vector<PartKey> needed;  ///< but those that are sent again
   std::vector<PartKey> removed;
-  std::vector<PartKey> needed;
+  std::vector<PartKey> repeated;
 };
 
 /// Units without new parts first, then the coarsest, longest unsent, nearest to the view's boxes.

@@ -113,8 +113,9 @@ struct SendPlan {
   std::set<PartKey> needed;    ///< parts whose newest version is to be sent
   /// Of these, what is needed for its quality alone: the first revision of what the receiver has.
   std::map<PartKey, std::uint64_t> refined;
-  std::set<PartKey> removed;  ///< parts that are to go
-  std::set<PartKey> staying;  ///< parts that go with all newest ones as the receiver has them
+  std::set<PartKey> repeated;  ///< of these, what the receiver has and has not shown for long
+  std::set<PartKey> removed;   ///< parts that are to go
+  std::set<PartKey> staying;   ///< parts that go with all newest ones as the receiver has them
   std::vector<PartFault>
       faults{};            ///< parts that do not come as the view asks; those without any are unwanted
   std::uint64_t kept = 0;  ///< parts with a newer source whose old version will do
