@@ -133,7 +133,10 @@ Result<Viewer*> MapSender::State::viewer_of(const ViewMessage& message, double n
     // Another receiver with its number, which has not heard of this sender yet.
     const bool begins_anew = message.start == 0 && viewer.start != 0 && now - viewer.heard > kReuse;
     if (!begins_anew) return nullptr;
-    viewers.erase(found);
+    Viewer anew;
+    anew.sent = std::move(viewer.sent);  // may still come
+    viewer = std::move(anew);
+    return &viewer;
   }
   if (viewers.size() >= options.most_viewers) {
     const auto longest = std::ranges::min_element(viewers, {}, [](const auto& v) { return v.second.heard; });
