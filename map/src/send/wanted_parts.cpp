@@ -157,7 +157,10 @@ Result<bool> make_copies_for(const Viewer& viewer, SourceMap& map, const MapDesc
       if (key.level >= level || map.is_copy(key)) continue;
       const PartKey cell = ancestor(key, static_cast<std::uint8_t>(level));
       if (!around.contains(cell)) continue;
-      bool is_covered = level > viewer.view.level && begun.contains(cell);
+      // Copies of the view's level may have too many triangles in one place and not in another.
+      const PartKey seen =
+          viewer.view.level > 0 ? ancestor(key, std::max(key.level, viewer.view.level)) : cell;
+      bool is_covered = level > viewer.view.level && begun.contains(seen);
       for (int above = level + 1; above <= map.first_sight() && level > viewer.view.level; ++above)
         is_covered = is_covered || map.find(ancestor(cell, static_cast<std::uint8_t>(above))) != nullptr;
       if (!is_covered && map.find(cell) == nullptr) cells.insert(cell);
