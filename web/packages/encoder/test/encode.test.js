@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 
 import { DeltameshError, createDecoder } from '@deltamesh/decoder';
@@ -114,6 +115,10 @@ test('a worker encodes, tells of its progress, is cancelled, and goes on', async
   const decoded = await (await createDecoder()).decode(bytes);
   assert.ok((await worker.compare(mesh, decoded, order)).quality.maxError <= 0.01);
   assert.equal((await worker.encode(mesh, { effort: 12 })).code, 200);
+  const cube = readFileSync(new URL('../../../../gltf_ext/DELTAMESH_mesh_compression/samples/valid/cube.glb', import.meta.url));
+  const packed = await worker.packGltf(cube); // by other packages' tests, too
+  assert.deepEqual(packed, (await createEncoder()).packGltf(cube));
+  assert.deepEqual([packed.report.primitives, packed.report.converted, packed.report.otherwiseCompressed], [1, 0, 1]);
   assert.ok((await worker.encode(mesh, { targetBytes: 20 })).best.bytes > 20);
 
   const controller = new AbortController();
