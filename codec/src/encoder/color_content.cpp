@@ -63,8 +63,10 @@ ColorEdges count_edges(std::span<const ColorRow> levels, std::span<const std::ui
   return edges;
 }
 
+bool are_known(const ColorEdges& edges) noexcept { return edges.all >= kFewestEdges; }
+
 bool are_photographic(const ColorEdges& edges) noexcept {
-  return edges.all >= kFewestEdges && 4 * edges.near >= 2 * edges.equal + 3 * edges.far;
+  return are_known(edges) && 4 * edges.near >= 2 * edges.equal + 3 * edges.far;
 }
 
 }  // namespace
@@ -98,6 +100,11 @@ Result<void> ColorContent::add(const MeshView& mesh) noexcept {
 
 bool ColorContent::is_photographic() const noexcept {
   return !edges_.empty() && std::ranges::all_of(edges_, are_photographic);
+}
+
+bool ColorContent::has_labels() const noexcept {
+  return std::ranges::any_of(
+      edges_, [](const ColorEdges& edges) { return are_known(edges) && !are_photographic(edges); });
 }
 
 AttributeQuality ColorContent::complete(AttributeQuality quality) const {

@@ -97,19 +97,12 @@ void declare(const Candidate& geometry, double source_error, FileHeader& header)
   header.max_error = short_float_above(quality.max_error);
 }
 
-bool has_colors(const MeshView& mesh) noexcept {
-  return std::ranges::any_of(mesh.attributes,
-                             [](const AttributeView& a) { return a.kind == AttributeKind::kColor; });
-}
-
-/// `options` with what they do not say of colours.
-Result<EncodeOptions> complete(const MeshView& mesh, EncodeOptions options) {
-  const AttributeQuality& asked = options.attributes;
-  if (options.lossless || asked.color_error || asked.color_rms || !has_colors(mesh)) return options;
+/// Nothing where it does not decide on colours.
+Result<ColorContent> color_content(const MeshView& mesh, const EncodeOptions& options) {
   ColorContent content;
-  DELTAMESH_CHECK(content.add(mesh));
-  options.attributes = content.complete(std::move(options.attributes));
-  return options;
+  const bool is_asked = options.lossless || options.attributes.color_error || options.attributes.color_rms;
+  if (!is_asked) DELTAMESH_CHECK(content.add(mesh));
+  return content;
 }
 
 /// Different colours, over all attributes of colours.
@@ -168,10 +161,11 @@ Result<Encoded> encode(const MeshView& mesh, const EncodeOptions& options) noexc
     DELTAMESH_CHECK(validate(options));
     DELTAMESH_CHECK(check_mesh(mesh));
     try {
-      DELTAMESH_TRY(const EncodeOptions completed, complete(mesh, options));
+      DELTAMESH_TRY(const ColorContent content, color_content(mesh, options));
+      EncodeOptions completed = options;
+      completed.attributes = content.complete(std::move(completed.attributes));
       DELTAMESH_TRY(Encoded encoded, encode_checked(mesh, completed));
-      const bool are_labels = completed.attributes.color_error && !options.attributes.color_error;
-      if (are_labels) encoded.report.labels = count_colors(mesh);
+      if (content.has_labels()) encoded.report.labels = count_colors(mesh);
       return encoded;
     } catch (const ProgressFailed&) {
       return Error{.code = ErrorCode::kInvalidArgument,

@@ -53,7 +53,11 @@ TEST(ColorContent, SharesOfEqualNearAndFarEdgesDecide) {
 }
 
 TEST(ColorContent, FewFacesAndNoColorsAreNoPhotographs) {
-  EXPECT_FALSE(is_photographic(triangles({{10, 10, 10}, {10, 10, 18}, {10, 10, 26}}, 999)));
+  ColorContent few;
+  ASSERT_TRUE(few.add(triangles({{10, 10, 10}, {10, 10, 18}, {10, 10, 26}}, 999)).has_value());
+  EXPECT_FALSE(few.is_photographic());
+  EXPECT_FALSE(few.has_labels());
+  EXPECT_EQ(few.complete({}).color_error, 0);
   EXPECT_FALSE(ColorContent().is_photographic());
   Mesh mesh = triangles({{10, 10, 10}, {10, 10, 18}, {10, 10, 26}}, 1000);
   mesh.attributes.clear();
