@@ -102,9 +102,9 @@ def MAP_11_border(lattice, mesh, coder, states):
         ways = [unzigzag(learnt.ways[3 * loose[a] + a].decode(coder)) for a in range(3)]
         points[v] = expected + ways
         must(np.all(abs(points[v]) < 2**24), "MAP-11", f"point {points[v]}")
+    must(points, "MAP-11", "no border vertex")
     MAP_24_colours(mesh, list(points), coder, states)
     coder.CMP_3_end()
-    must(points, "MAP-11", "no border vertex")
     if header.coder == HIGHPASS:
         MAP_20_move_along(mesh, {v: lattice.step * point - mesh.positions[v] for v, point in points.items()})
     for v, point in points.items():

@@ -123,7 +123,7 @@ Result<std::vector<BorderVertex>> read_border(std::span<const std::byte> bytes, 
   for (std::uint32_t v = 0; v < mesh.vertex_count() && !reader.failed(); ++v)
     if (!coder.code(v, border, next) && !reader.failed())
       return broken_border("a border vertex beyond the lattice");
-  if (!code_all_colors(reader, models.colors, mesh, border, {}) && !reader.failed())
+  if (!border.empty() && !code_all_colors(reader, models.colors, mesh, border, {}) && !reader.failed())
     return broken_border("a step of colours above 255", "MAP-24");
   DELTAMESH_CHECK(reader.finish(0));
   if (border.empty()) return broken_border("a coded border without vertices");
