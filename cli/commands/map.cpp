@@ -100,13 +100,15 @@ int run_split(const Splitting& splitting) {
       imported->report.position_error + rounding_in_map(imported->mesh, state->manifest.description);
   if (splitting.json) {
     auto object = map_object(state->manifest);
+    if (state->attributes.color_rms) object["color_rms"] = *state->attributes.color_rms;
     object.update({{"new_parts", parts.size()},
                    {"left_out", left_out_array(imported->report)},
                    {"position_error", rounding},
                    {"uv_scale", imported->report.uv_scale}});
     print_json(object);
   } else {
-    print_map(splitting.in + " -> " + splitting.folder, state->manifest, parts.size());
+    print_map(splitting.in + " -> " + splitting.folder, state->manifest, parts.size(),
+              state->attributes.color_rms.value_or(0));
     print_rounding(rounding, report_stream({}));
     print_stretch(imported->report.uv_scale, report_stream({}));
     print_left_out(imported->report, report_stream({}));
@@ -219,8 +221,8 @@ void add_split(CLI::App& map, int& status) {
   command->add_flag("--json", splitting->json, "print one JSON object to standard output");
   command->footer(
       "Percentages count in the diagonal of the whole mesh. Parts that stay as they are keep their files.\n\n"
-      "Example:\n  deltamesh map split kitchen.ply kitchen.map --part-edge 2 --max-error 0.001 --color-error "
-      "4\n");
+      "Colours of photographs are kept to 41 dB, which nobody sees; labels are exact.\n\n"
+      "Example:\n  deltamesh map split kitchen.ply kitchen.map --part-edge 2 --max-error 0.001\n");
   command->callback([splitting, &status] { status = run_split(*splitting); });
 }
 

@@ -13,9 +13,10 @@
 
 namespace deltamesh::cli {
 
-/// For people, on standard output. `new_parts`: how many were written just now.
+/// For people, on standard output. `new_parts`: how many were written just now. `color_rms`: the mean error
+/// that was asked for, 255ths; 0: none, or not known.
 void print_map(const std::string& headline, const MapManifest& manifest,
-               std::optional<std::size_t> new_parts = std::nullopt);
+               std::optional<std::size_t> new_parts = std::nullopt, double color_rms = 0);
 
 /// The same figures.
 nlohmann::ordered_json map_object(const MapManifest& manifest);

@@ -83,7 +83,7 @@ EncodeOptions options_of(const OptionsCall& call) {
   options.attributes = {.normal_error = call.normal_error,
                         .tangent_error = given(call.tangent_error),
                         .uv_error = call.uv_error,
-                        .color_error = call.color_error,
+                        .color_error = given(call.color_error),
                         .color_rms = given(call.color_rms),
                         .weight_error = call.weight_error};
   for (std::uint32_t i = 0; i < call.named_count; ++i) {

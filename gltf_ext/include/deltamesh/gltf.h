@@ -55,6 +55,7 @@ struct GltfAttributeReport {
   AttributeKind kind = AttributeKind::kGeneric;
   std::uint64_t bytes = 0;
   double error = 0;  ///< the largest, see AttributeInfo::error
+  double rms = 0;    ///< the largest, see AttributeInfo::rms
 };
 
 struct GltfStreamReport {

@@ -63,7 +63,7 @@ PartQuality part_quality(const View& view, const MapDescription& description) {
   if (view.lfe) quality.bounds.lfe = QualityBound{*view.lfe};
   if (view.max_error) quality.bounds.max_error = QualityBound{*view.max_error};
   AttributeQuality& bounds = quality.attributes;
-  bounds.color_error = view.color_error;
+  bounds.color_error = double{view.color_error};
   std::array<std::optional<double>, 7> strictest{};  // of each kind
   for (std::size_t i = 0; i < description.attributes.size(); ++i) {
     const MapAttribute& attribute = description.attributes[i];

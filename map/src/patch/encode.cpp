@@ -34,13 +34,6 @@ MapPart new_part(const MapPart& source, const PartMatch& match, std::vector<std:
   return part;
 }
 
-double color_error(const Attribute& a, std::size_t vertex_a, const Attribute& b, std::size_t vertex_b) {
-  double most = 0;
-  for (std::size_t c = 0; c < a.components; ++c)
-    most = std::max(most, std::abs(color_value(a, vertex_a, c) - color_value(b, vertex_b, c)));
-  return most;
-}
-
 }  // namespace
 
 Result<std::optional<DecodedPart>> encode_patch(const MapCodec::State& state, const MapPart& source,
@@ -68,8 +61,8 @@ Result<std::optional<DecodedPart>> encode_patch(const MapCodec::State& state, co
   for (std::size_t a = 0; a < source.mesh.attributes.size(); ++a) {
     double most = 0;
     for (std::size_t v = 0; v < patched.order.size(); ++v)
-      most = std::max(
-          most, color_error(source.mesh.attributes[a], patched.order[v], patched.part.mesh.attributes[a], v));
+      most = std::max(most, color_difference(source.mesh.attributes[a], patched.order[v],
+                                             patched.part.mesh.attributes[a], v));
     patched.coded.attribute_errors.push_back(most);
   }
   const auto coded_plan = write_patch_plan(base.part.mesh, inserted.part.mesh, std::move(plan));

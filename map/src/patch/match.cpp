@@ -96,17 +96,10 @@ class Matcher {
         bounds_.max_error * bounds_.max_error)
       return false;
     for (std::size_t a = 0; a < source_.mesh.attributes.size(); ++a)
-      if (color_difference(a, v, base) > bounds_.color_error) return false;
+      if (color_difference(source_.mesh.attributes[a], v, base_.part.mesh.attributes[a], base) >
+          bounds_.color_error)
+        return false;
     return true;
-  }
-
-  double color_difference(std::size_t attribute, std::uint32_t v, std::uint32_t base) const noexcept {
-    const Attribute& ours = source_.mesh.attributes[attribute];
-    const Attribute& theirs = base_.part.mesh.attributes[attribute];
-    double most = 0;
-    for (std::size_t c = 0; c < ours.components; ++c)
-      most = std::max(most, std::abs(color_value(ours, v, c) - color_value(theirs, base, c)));
-    return most;
   }
 
   void match_faces() {

@@ -4,10 +4,14 @@
 // Colours of any type in one unit.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 
+#include "attributes/colors/fields.h"
+#include "attributes/values.h"
 #include "deltamesh/mesh.h"
 
 namespace deltamesh {
@@ -38,6 +42,21 @@ inline double color_value(const Attribute& color, std::size_t vertex, std::size_
       return 255.0 * value;
     }
   }
+}
+
+/// The nearest level of 8 bits of the component at `from`; 0 of floats that are not in [0, 1].
+inline std::uint8_t color_level(ComponentType type, const std::byte* from) noexcept {
+  const auto bits = static_cast<std::uint32_t>(load_component(from, component_size(type)));
+  return static_cast<std::uint8_t>(nearest_color_level(type, 8, bits).value_or(0));
+}
+
+/// The largest difference of a component, 255ths. Precondition: are_colors().
+inline double color_difference(const Attribute& a, std::size_t vertex_a, const Attribute& b,
+                               std::size_t vertex_b) noexcept {
+  double most = 0;
+  for (std::size_t c = 0; c < a.components; ++c)
+    most = std::max(most, std::abs(color_value(a, vertex_a, c) - color_value(b, vertex_b, c)));
+  return most;
 }
 
 }  // namespace deltamesh

@@ -22,7 +22,7 @@ const NUMBERS = [
   ['normalError', 0.5],
   ['tangentError', NaN],
   ['uvError', 1 / 4096],
-  ['colorError', 0],
+  ['colorError', NaN],
   ['colorRms', NaN],
   ['weightError', 1 / 1024],
   ['profile', 'smallest', PROFILES],

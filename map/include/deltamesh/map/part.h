@@ -41,6 +41,8 @@ struct PartQuality {
   /// Percent of the diagonal counts in the part's bounding box. `target_bytes` is not for parts. Empty: as
   /// EncodeOptions. No bound on the largest error may be below half the diagonal of a lattice cell.
   QualityRequest bounds{};
+  /// Colours of which nothing is said are exact: parts are too small to tell labels from photographs. Ask
+  /// ColorContent of the whole map, as encode_map() does.
   AttributeQuality attributes{};
   GeometryCoder geometry = GeometryCoder::kAuto;
   int effort = 1;  ///< 0 to 2
