@@ -29,7 +29,7 @@ constexpr double kTroubled = 100;  // seconds
 constexpr double kChanging = 130;
 constexpr double kEnd = 150;
 constexpr double kUpdateSeconds = 0.4;
-constexpr double kBytesPerSquare = 400;  // of a map that comes twice, as it changes on its way
+constexpr double kBytesPerSquare = 800;  // of a map that comes more than once, as it changes on its way
 
 /// A clock that is set now and then.
 struct Clock {

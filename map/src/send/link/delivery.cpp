@@ -69,6 +69,7 @@ Delivery::Messages::iterator Delivery::erase(Messages::iterator message) {
 
 void Delivery::hear(const Receipt& receipt, double now) {
   const bool was_silent = is_silent(now);
+  const double patience = timeout();
   if (was_silent) overdue_ = 0;  // the link works again
   const double heard_before = std::exchange(heard_, now);
   if (receipt.highest < told_) return;
@@ -80,7 +81,7 @@ void Delivery::hear(const Receipt& receipt, double now) {
   told_ = receipt.highest;
   last_ = std::max(last_, told_);
   sent_ = std::max(sent_, told_);
-  bool has_come = false;
+  bool is_queue = false;  // what has come was late, and is no reason to send it again
   auto missing = receipt.missing.begin();
   for (auto it = on_the_way_.begin(); it != on_the_way_.end() && it->first <= receipt.highest;) {
     const std::uint64_t number = it->first;
@@ -90,12 +91,12 @@ void Delivery::hear(const Receipt& receipt, double now) {
       ++it;
       continue;
     }
+    is_queue = is_queue || now - it->second.time > patience;
     it = erase(it);
-    has_come = true;
   }
   // What is behind it in a queue is not late yet.
   for (auto& [number, message] : on_the_way_)
-    if (has_come && !was_silent && message.after >= told_) message.waits_since = now;
+    if (is_queue && !was_silent && message.after >= told_) message.waits_since = now;
   missing_ = receipt.missing;
 }
 
