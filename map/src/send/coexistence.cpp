@@ -30,7 +30,8 @@ std::uint64_t least_of(const PartKey& key, const SentPart& sent, const Viewer& v
   if (is_there && plan.staying.contains(key)) return has->second.is_waiting ? has->second.since : 0;
   if (is_there || plan.needed.contains(key) || plan.removed.contains(key)) return sent.revision + 1;
   // What has been sent is not the newest where the part is out of the view.
-  if (has != viewer.has.end() && (has->second.is_gone || plan.staying.contains(key)))
+  if (has != viewer.has.end() && !viewer.may_get_later(key, has->second) &&
+      (has->second.is_gone || plan.staying.contains(key)))
     return has->second.since;
   if (has != viewer.has.end()) return sent.revision + 1;
   return sent.is_removal ? sent.revision : sent.revision + 1;  // an older version may still be on its way

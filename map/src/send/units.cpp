@@ -74,12 +74,12 @@ std::vector<SendUnit> units_of(const SendPlan& plan, const Viewer& viewer, const
     auto& [urgency, unit] = unit_of(key);
     const Urgency own{-int{key.level}, viewer.due.at(key), way_to(key, viewer.view, description),
                       std::get<3>(urgency)};
-    urgency = unit.needed.empty() && unit.repeated.empty() ? own : std::min(urgency, own);
-    (plan.repeated.contains(key) ? unit.repeated : unit.needed).push_back(key);
+    urgency = unit.needed.empty() ? own : std::min(urgency, own);
+    unit.needed.push_back(key);
   }
   for (const PartKey& key : plan.removed) {
     auto& [urgency, unit] = unit_of(key);
-    if (unit.needed.empty() && unit.repeated.empty()) std::get<0>(urgency) = std::numeric_limits<int>::min();
+    if (unit.needed.empty()) std::get<0>(urgency) = std::numeric_limits<int>::min();
     unit.removed.push_back(key);
   }
   std::vector<std::pair<Urgency, SendUnit>> order;

@@ -12,9 +12,8 @@ namespace deltamesh {
 
 /// Parts that are shown together and so are sent together.
 struct SendUnit {
-  std::vector<PartKey> needed;  ///< but those that are sent again
   std::vector<PartKey> removed;
-  std::vector<PartKey> repeated;
+  std::vector<PartKey> needed;
 };
 
 /// Units without new parts first, then the coarsest, longest unsent, nearest to the view's boxes.

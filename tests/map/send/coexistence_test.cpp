@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What a sender makes of what a receiver may still show: which versions must not be beside new ones [MAP-12],
-// and in which order it sends.
+// What a sender makes of what a receiver may still show: which versions must not be beside new ones [MAP-12].
 #include "send/coexistence.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-
-#include "send/units.h"
 
 namespace deltamesh::coexistence_test {
 namespace {
@@ -56,32 +53,6 @@ TEST(Coexistence, MAP12WhatWasBesideAnEarlierVersionIsToldOfHoweverFarTheNewOneI
     with_earlier.sent[key] = {.revision = 7, .extent = PartBox{{0, 0, 0}, {1, 1, 0}}};
     EXPECT_EQ(least_of_other(source_at(9), with_earlier, plan), 8U) << int{key.level};
   }
-}
-
-TEST(Coexistence, WhatIsSentAgainIsApartFromWhatIsLacking) {
-  MapDescription description{.id = 1, .cell_steps = 64};
-  auto splitter = Splitter::make(description, {.most_triangles = 1, .most_level = 0});
-  ASSERT_TRUE(splitter);
-  SourceMap map(std::move(*splitter), 0);
-  const Mesh mesh = source_at(0).part.mesh;
-  ASSERT_TRUE(map.update(std::vector<MapBlock>{{{0, 0, 0}, mesh}, {{0, 0, 1}, mesh}}));
-  ASSERT_EQ(map.parts().size(), 2U);
-  const PartKey again = map.parts().begin()->first;
-  const PartKey fresh = map.parts().rbegin()->first;
-  SendPlan plan;
-  plan.needed = {again, fresh};
-  plan.repeated = {again};
-  Viewer viewer;
-  viewer.due = {{again, 1}, {fresh, 1}};
-  const auto units = units_of(plan, viewer, map, {}, description);
-  std::vector<PartKey> needed;
-  std::vector<PartKey> repeated;
-  for (const SendUnit& unit : units) {
-    needed.insert(needed.end(), unit.needed.begin(), unit.needed.end());
-    repeated.insert(repeated.end(), unit.repeated.begin(), unit.repeated.end());
-  }
-  EXPECT_EQ(needed, std::vector{fresh});
-  EXPECT_EQ(repeated, std::vector{again});
 }
 
 }  // namespace
