@@ -274,7 +274,7 @@ Error refused_block(const MapDescription& description, const Mesh& mesh) {
 
 void expect_refused(const MapDescription& description, const Mesh& mesh, const std::string& message) {
   const Error error = refused_block(description, mesh);
-  EXPECT_EQ(error.code, ErrorCode::kInvalidMesh);
+  EXPECT_EQ(error.code, ErrorCode::kNotFinite);
   EXPECT_EQ(std::string(error.found.data()), "block -3 5 0") << message;
   EXPECT_EQ(std::string(error.message), message);
 }

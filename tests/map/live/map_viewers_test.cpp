@@ -117,10 +117,7 @@ TEST_F(MapViewers, MAP12WhatWasSentToTheEarlierReceiverOfANumberMayStillCome) {
   const Mesh nothing;
   ASSERT_TRUE(sender_->update(std::vector<MapBlock>{
       {{0, 0, 0}, nothing}, {{1, 0, 0}, nothing}, {{2, 0, 0}, nothing}, {{1, 1, 0}, higher}}));
-  ASSERT_TRUE(sender_->hear(*receiver.view_message(), now_));
-  const auto messages = sender_->messages_for(7, now_);
-  ASSERT_TRUE(messages);
-  for (const Bytes& message : *messages) ASSERT_TRUE(receiver.apply(message));
+  talk(receiver, 7, 8);
   ASSERT_NE(receiver.find({0, 1, 1, 0}), nullptr);
   for (const Bytes& message : *on_the_way) ASSERT_TRUE(receiver.apply(message));
   EXPECT_EQ(receiver.find({0, 1, 0, 0}), nullptr);
