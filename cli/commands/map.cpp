@@ -137,26 +137,6 @@ int run_map_info(const Folders& folders) {
   return kOk;
 }
 
-struct Difference {
-  const char* kind;
-  const PartEntry* entry;
-};
-
-/// What takes the old map to the new one, by key.
-std::vector<Difference> differences(const MapManifest& before, const MapManifest& after) {
-  std::vector<Difference> list;
-  auto old = before.entries.begin();
-  for (const PartEntry& entry : after.entries) {
-    for (; old != before.entries.end() && old->key < entry.key; ++old) list.push_back({"removed", &*old});
-    const bool is_known = old != before.entries.end() && old->key == entry.key;
-    if (!is_known) list.push_back({"new", &entry});
-    if (is_known && old->hash != entry.hash) list.push_back({"changed", &entry});
-    if (is_known) ++old;
-  }
-  for (; old != before.entries.end(); ++old) list.push_back({"removed", &*old});
-  return list;
-}
-
 int run_diff(const Folders& folders) {
   int status = kOk;
   const auto before = load_manifest(folders.first, status);
@@ -164,7 +144,7 @@ int run_diff(const Folders& folders) {
   const auto after = load_manifest(folders.second, status);
   if (!after) return status;
   const bool is_same_epoch = before->description == after->description;
-  const auto list = differences(*before, *after);
+  const auto list = map_differences(*before, *after);
   std::uint64_t bytes = 0;
   nlohmann::ordered_json object;
   object["same_description"] = is_same_epoch;

@@ -166,4 +166,18 @@ nlohmann::ordered_json map_object(const MapManifest& manifest) {
   return object;
 }
 
+std::vector<MapDifference> map_differences(const MapManifest& before, const MapManifest& after) {
+  std::vector<MapDifference> list;
+  auto old = before.entries.begin();
+  for (const PartEntry& entry : after.entries) {
+    for (; old != before.entries.end() && old->key < entry.key; ++old) list.push_back({"removed", &*old});
+    const bool is_known = old != before.entries.end() && old->key == entry.key;
+    if (!is_known) list.push_back({"new", &entry});
+    if (is_known && old->hash != entry.hash) list.push_back({"changed", &entry});
+    if (is_known) ++old;
+  }
+  for (; old != before.entries.end(); ++old) list.push_back({"removed", &*old});
+  return list;
+}
+
 }  // namespace deltamesh::cli

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "deltamesh/map/folder.h"
 
@@ -23,6 +24,14 @@ nlohmann::ordered_json map_object(const MapManifest& manifest);
 
 /// Largest distance by which vertices of `mesh` are moved as they become float32 beside the map's origin.
 double rounding_in_map(const Mesh& mesh, const MapDescription& description);
+
+struct MapDifference {
+  const char* kind;  ///< "new", "changed" or "removed"
+  const PartEntry* entry;
+};
+
+/// What takes the old map to the new one, ascending by key; the maps must outlive it.
+std::vector<MapDifference> map_differences(const MapManifest& before, const MapManifest& after);
 
 /// "level 0, 3 -1 2".
 std::string key_text(const PartKey& key);
