@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "deltamesh/map/fragment.h"
 #include "deltamesh/map/messages.h"
 #include "deltamesh/map/receiver.h"
 #include "map/map_world.h"
@@ -24,6 +25,7 @@ using Bytes = std::vector<std::byte>;
 
 constexpr std::size_t kKind = 4;               ///< where a message has its kind [MAP-1]
 constexpr int kOfAKind = 2;                    ///< messages that are kept
+constexpr std::size_t kOffsetOfFragment = 14;  ///< where a short one has it [MAP-24]
 constexpr std::size_t kHighestByteOfVde = 38;  ///< of a view of varints below 128, without boxes [MAP-15]
 
 template <class T>
@@ -80,6 +82,13 @@ void write_talk(const std::string& folder) {
         check(write_receipt({.viewer = 1, .number = 2, .map_id = 3, .start = 4, .receipt = {30, {5, 29}}})));
   write(folder + "/map_messages/fault",
         check(write_fault({.map = 1, .start = 2, .number = 3, .key = {0, 1, 2, 3}, .code = 203})));
+  write(
+      folder + "/map_messages/pose",
+      check(write_pose({.map = 1, .start = 2, .number = 3, .pose = {.stamp = 4, .translation = {5, 6, 7}}})));
+  for (const Bytes& fragment : check(cut_message(Bytes(100, std::byte{7}), kLeastFragment)))
+    write(folder + "/map_messages/fragment_" +
+              std::to_string(std::to_integer<int>(fragment[kOffsetOfFragment])),
+          fragment);
   EntryMessage entry{.map = 1, .start = 1};
   entry.entry = {
       .key = {0, 1, 2, 3}, .revision = 3, .group = 1, .bytes = 100, .hash = 5, .vertices = 4, .triangles = 2};

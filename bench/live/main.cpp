@@ -4,6 +4,7 @@
 // How long the display of a receiver stands still over a link that loses messages, and what the map takes
 // there beside a link that loses none. Deterministic: simulated time, and random numbers of a seed.
 #include <algorithm>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,8 @@ struct Settings {
   std::vector<std::uint64_t> first_sights;
   double slow_rate = 25'000;
   std::vector<std::uint8_t> copy_levels = {0};
+  std::size_t message_bytes = 0;
+  std::string csv;  ///< file for figures over time; empty: none
   bool checks = false;
 };
 
@@ -77,6 +80,16 @@ std::string row(const MapUpdates& updates, double round_trip, double loss, const
                     fixed(figures.bytes_back / 1e3 / whole.seconds, 2), fixed(figures.settled, 2)});
 }
 
+/// One line for each time.
+void append_samples(const Settings& settings, const MapUpdates& updates, const LiveSettings& live,
+                    const LiveResult& result) {
+  if (settings.csv.empty()) return;
+  std::ofstream out(settings.csv, std::ios::app);
+  for (const LiveSample& s : result.samples)
+    out << updates.name << ',' << 2e3 * live.link.delay << ',' << 100 * live.link.loss << ',' << live.seed
+        << ',' << s.seconds << ',' << s.bytes << ',' << s.behind << ',' << s.age << '\n';
+}
+
 /// Whether all bars are met.
 bool run_updates(const MapUpdates& updates, const Settings& settings) {
   bool is_met = true;
@@ -84,13 +97,19 @@ bool run_updates(const MapUpdates& updates, const Settings& settings) {
     LiveSettings live;
     live.link = {.delay = round_trip / 2, .bytes_per_second = settings.rate};
     live.view_rate = static_cast<std::uint32_t>(settings.rate);
+    live.message_bytes = settings.message_bytes;
     const LiveResult whole = run_live(updates, live);
+    append_samples(settings, updates, live, whole);
     print(row(updates, round_trip, 0, whole, {whole}));
     for (const double loss : settings.losses) {
       live.link.loss = loss;
       std::vector<LiveResult> results;
       for (live.seed = 1; live.seed <= settings.seeds; ++live.seed)
         results.push_back(run_live(updates, live));
+      for (std::size_t i = 0; i < results.size(); ++i) {
+        live.seed = static_cast<std::uint32_t>(i + 1);
+        append_samples(settings, updates, live, results[i]);
+      }
       print(row(updates, round_trip, loss, whole, results));
       const Figures figures = figures_of(results, whole);
       const Bar bar = bar_of(loss);
@@ -170,6 +189,9 @@ int run(const Settings& settings) {
                     "time in freezes above 1 s, %", "kB an update", "over those without loss", "kB/s back",
                     "settled after, s"}));
   bool is_met = true;
+  if (!settings.csv.empty())
+    std::ofstream(settings.csv)
+        << "sequence,round_trip_ms,loss_percent,seed,seconds,bytes,parts_behind,age_s\n";
   for (const std::string& folder : settings.folders)
     is_met &= run_updates(value_or_exit(read_updates(folder, folder.substr(folder.find_last_of('/') + 1))),
                           settings);
@@ -194,6 +216,9 @@ int main(int argc, char** argv) {
   app.add_option("--rate", settings.rate, "Of the link, bytes per second")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
+  app.add_option("--message-bytes", settings.message_bytes, "Of the largest message, both ways; 0: no limit")
+      ->capture_default_str();
+  app.add_option("--csv", settings.csv, "File for what receivers have over time");
   app.add_option("--mission", settings.mission,
                  "Instead: memory and processor time over so many updates, with ten viewers")
       ->check(CLI::Range(4U, 10'000'000U));

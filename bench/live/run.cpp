@@ -3,6 +3,7 @@
 #include "live/run.h"
 
 #include <algorithm>
+#include <map>
 
 #include "deltamesh/map/receiver.h"
 #include "deltamesh/map/sender.h"
@@ -13,6 +14,7 @@ namespace deltamesh::bench {
 namespace {
 
 constexpr double kTick = 0.005;
+constexpr std::uint64_t kTicksPerSample = 40;
 constexpr double kSenderPeriod = 0.05;  // between calls without an occasion
 constexpr double kMostIdle = 0.2;       // that the map itself may take from change to change
 constexpr double kMostSettling = 60;
@@ -22,8 +24,9 @@ class LiveRun {
   LiveRun(const MapUpdates& updates, const LiveSettings& settings)
       : updates_(updates),
         settings_(settings),
-        sender_(value_or_exit(MapSender::make(map_description(updates, settings.max_error * updates.voxel)))),
-        receiver_(1, sender_.description().id),
+        sender_(value_or_exit(MapSender::make(map_description(updates, settings.max_error * updates.voxel),
+                                              {.message_bytes = settings.message_bytes}))),
+        receiver_(1, sender_.description().id, {.message_bytes = settings.message_bytes}),
         down_(settings.link, settings.seed),
         up_(settings.link, settings.seed + 1000) {
     View view;
@@ -52,6 +55,7 @@ class LiveRun {
       }
       if (has_occasion || now - called_ >= kSenderPeriod) send(now);
       receive(now);
+      if (tick % kTicksPerSample == 0) sample(now);
       if (now >= result_.seconds && is_settled()) {
         result_.settled = now - result_.seconds;
         break;
@@ -75,6 +79,18 @@ class LiveRun {
     if ((!change.changed.empty() || !change.removed.empty()) && now <= result_.seconds)
       result_.changes.push_back(now);
     for (auto& message : value_or_exit(receiver_.messages(now))) up_.send(std::move(message), now);
+  }
+
+  void sample(double now) {
+    std::size_t behind = 0;
+    std::map<PartKey, std::uint64_t> held;
+    for (const HeldPart& part : receiver_.held()) held[part.entry.key] = part.entry.hash;
+    for (const PartEntry& entry : sender_.entries_of(1)) {
+      const auto found = held.find(entry.key);
+      behind += found == held.end() || found->second != entry.hash ? 1 : 0;
+    }
+    if (behind == 0) complete_ = now;
+    result_.samples.push_back({now, down_.bytes(), behind, now - complete_});
   }
 
   bool is_settled() const {
@@ -102,6 +118,7 @@ class LiveRun {
   Link down_;
   Link up_;
   double called_ = -1;
+  double complete_ = 0;  ///< when the receiver had all that was sent, seconds
   LiveResult result_;
 };
 

@@ -4,6 +4,7 @@
 // A map that changes, from a sender to a receiver over a link, in simulated time.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -17,7 +18,16 @@ struct LiveSettings {
   double seconds_between_updates = 0.2;
   double max_error = 0.05;            ///< voxels
   std::uint32_t view_rate = 125'000;  ///< bytes per second that the view asks for
+  std::size_t message_bytes = 0;      ///< of the largest message, both ways; 0: no limit
   std::uint32_t seed = 1;
+};
+
+/// What a receiver has at a time.
+struct LiveSample {
+  double seconds = 0;
+  std::uint64_t bytes = 0;  ///< to it so far
+  std::size_t behind = 0;   ///< parts that were sent and that it does not show
+  double age = 0;           ///< seconds since it showed all that was sent
 };
 
 struct LiveResult {
@@ -25,6 +35,7 @@ struct LiveResult {
   double seconds = 0;           ///< of the updates
   std::uint64_t bytes = 0;      ///< to the receiver
   std::uint64_t bytes_back = 0;
+  std::vector<LiveSample> samples{};  ///< five a second
   double settled = 0;  ///< seconds from the last update until the receiver has all; negative: it never has
 };
 

@@ -8,6 +8,7 @@
 
 #include <map>
 
+#include "deltamesh/map/encode_map.h"
 #include "deltamesh/map/join.h"
 #include "deltamesh/map/split.h"
 #include "map/map_meshes.h"
@@ -183,6 +184,25 @@ TEST(MapCodec, RefusesWhatCannotBe) {
   bad = parts->front();
   std::swap(bad.border[0], bad.border[1]);
   EXPECT_EQ(codec->encode(bad).error().code, ErrorCode::kInvalidMesh);
+}
+
+/// Where a part's vertices are nearly all on its border, what suits the bounds is too coarse.
+TEST(MapCodec, MAP8AMapHasALatticeThatEveryPartCanKeepItsBoundsOn) {
+  for (std::uint32_t seed = 1; seed <= 3; ++seed) {
+    const Mesh mesh = random_mesh(seed, 200, 900);
+    MapSettings settings{.part_edge = 1, .most_triangles = 1500};
+    settings.quality = {.geometry = GeometryCoder::kHighpass, .effort = 0};
+    settings.quality.bounds.vde = QualityBound{0.05, QualityUnit::kDiagonal};
+    settings.quality.bounds.lfe = QualityBound{0.2, QualityUnit::kDiagonal};
+    const auto first = encode_map(mesh, settings);
+    ASSERT_TRUE(first) << describe(first.error());
+    for (const PartEntry& entry : first->manifest.entries)
+      EXPECT_LE(entry.quality.vde_rms, first->bounds.vde->value);
+    // It stays with the next state.
+    const auto second = encode_map(mesh, settings, &*first);
+    ASSERT_TRUE(second);
+    EXPECT_EQ(second->manifest.description, first->manifest.description);
+  }
 }
 
 }  // namespace

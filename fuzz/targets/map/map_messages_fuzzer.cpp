@@ -8,6 +8,7 @@
 #include <span>
 
 #include "deltamesh/map/description.h"
+#include "deltamesh/map/fragment.h"
 #include "deltamesh/map/messages.h"
 
 namespace {
@@ -40,6 +41,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   check(read_fault, write_fault, bytes);
   check(read_pose, write_pose, bytes);
   check(read_receipt, write_receipt, bytes);
+  check(read_fragment, write_fragment, bytes);
   for (const std::size_t attributes : {0U, 1U}) {
     const auto read = [&](std::span<const std::byte> entry) { return read_entry(entry, attributes); };
     check(read, write_entry, bytes);

@@ -47,7 +47,7 @@ Result<MessageKind> kind_of_message(std::span<const std::byte> message) noexcept
   DELTAMESH_CHECK(read_start(in));
   DELTAMESH_TRY(const auto kind, in.read<std::uint8_t>());
   if (kind < static_cast<std::uint8_t>(MessageKind::kMap) ||
-      kind > static_cast<std::uint8_t>(MessageKind::kPose))
+      kind > static_cast<std::uint8_t>(MessageKind::kFragment))
     return in.error(ErrorCode::kInvalidStream, "no such kind of message", "MAP-1");
   return static_cast<MessageKind>(kind);
 }

@@ -25,7 +25,8 @@ enum class MessageKind : std::uint8_t {
   kPatch = 7,
   kReceipt = 8,
   kFault = 9,
-  kPose = 10
+  kPose = 10,
+  kFragment = 11
 };
 
 /// Begins a message; the body's fields are to follow.

@@ -26,6 +26,7 @@ MapReceiver::~MapReceiver() = default;
 
 Result<void> MapReceiver::apply(std::span<const std::byte> message) noexcept {
   return guarded([&]() -> Result<void> {
+    state_->talk.earn(message.size());
     DELTAMESH_CHECK(state_->apply(message));
     const auto is_known = [&](const PartKey& key, std::uint64_t hash) {
       return state_->parts.content(key, hash) != nullptr;
@@ -45,8 +46,9 @@ Result<std::vector<std::vector<std::byte>>> MapReceiver::messages(double now) no
     } else if (turn == Talk::Turn::kReceipt) {
       DELTAMESH_TRY(messages.emplace_back(), state_->receipt_message());
     }
-    if (turn != Talk::Turn::kNothing) state_->talk.said(turn, messages.back().size(), now);
-    return messages;
+    if (turn == Talk::Turn::kNothing) return messages;
+    state_->talk.said(turn, messages.back().size(), now);
+    return cut_message(std::move(messages.back()), state_->limits.message_bytes);
   });
 }
 

@@ -32,7 +32,6 @@ Result<void> MapReceiver::State::check_map(std::uint64_t hash) const {
 
 Result<void> MapReceiver::State::apply(std::span<const std::byte> message) {
   DELTAMESH_TRY(const MessageKind kind, kind_of_message(message));
-  talk.earn(message.size());
   switch (kind) {
     case MessageKind::kMap:
       return apply_description(message);
@@ -48,6 +47,13 @@ Result<void> MapReceiver::State::apply(std::span<const std::byte> message) {
       return apply_fault(message);
     case MessageKind::kPose:
       return apply_pose(message);
+    case MessageKind::kFragment: {
+      DELTAMESH_TRY(const auto whole, fragments.add(message));
+      if (!whole) return {};
+      DELTAMESH_TRY(const MessageKind inner, kind_of_message(*whole));
+      if (inner == MessageKind::kFragment) return invalid_argument("fragments of a fragment", "MAP-24");
+      return apply(*whole);
+    }
     default:
       return invalid_argument("not a message for receivers", "MAP-1");
   }

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "deltamesh/map/fragment.h"
 #include "deltamesh/map/map_codec.h"
 #include "deltamesh/map/receiver.h"
 #include "receive/arrivals.h"
@@ -38,6 +39,7 @@ struct MapReceiver::State {
   std::uint64_t start = 0;  ///< of the sender
   Arrivals arrivals{};      ///< of its numbered messages
   EarlyMessages early{};
+  FragmentJoiner fragments{};
   Talk talk{};
   SteadyTime clock{};
   std::map<PartKey, std::uint64_t> announced{};  ///< revisions of entries without octets

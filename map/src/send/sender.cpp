@@ -33,6 +33,8 @@ Result<void> check_options(const SenderOptions& options) {
     return refused(ErrorCode::kInvalidArgument, "an effort out of 0 to 2");
   if (!(options.viewer_seconds > 0))
     return refused(ErrorCode::kInvalidArgument, "a time to forget viewers after that is not above 0");
+  if (options.message_bytes != 0 && options.message_bytes < kLeastFragment)
+    return refused(ErrorCode::kInvalidArgument, "a largest message of less than 64 bytes");
   if (!(options.call_seconds > 0))
     return refused(ErrorCode::kInvalidArgument, "a time for a call that is not above 0");
   return {};
@@ -89,33 +91,41 @@ Result<void> MapSender::update(std::span<const MapBlock> blocks) noexcept {
 }
 
 Result<void> MapSender::hear(std::span<const std::byte> message, double now) noexcept {
-  now = state_->clock.at(now);
-  return guarded([&]() -> Result<void> {
-    DELTAMESH_TRY(const MessageKind kind, kind_of_message(message));
-    if (kind == MessageKind::kReceipt) return state_->hear_receipt(message, now);
-    DELTAMESH_TRY(const ViewMessage told, read_view(message));
-    const MapDescription& of = description();
-    if (told.map_id != of.id) return refused(ErrorCode::kInvalidArgument, "a view of another map");
-    DELTAMESH_CHECK(check_view(told.view, of));
-    if (told.map != 0 && told.map != state_->description_hash && told.epoch >= of.epoch)
-      DELTAMESH_CHECK(state_->begin_epoch(told.epoch));
-    DELTAMESH_TRY(Viewer* const found, state_->viewer_of(told, now));
-    if (found == nullptr) return {};
-    Viewer& viewer = *found;
-    if (viewer.number == 0 || viewer.start != told.start) {
-      viewer.delivery = Delivery(told.receipt.highest);
-      viewer.pose.reset();
-    }
-    viewer.heard = now;
-    viewer.number = told.number;
-    viewer.view = told.view;
-    viewer.map = told.map;
-    viewer.start = told.start;
-    take_receipt(viewer, told.receipt, now);
-    take_held(viewer, told.held, waiting_since(viewer, now));
-    forget_gone_parts(viewer, state_->map, now);
-    return {};
-  });
+  return guarded([&] { return state_->hear(message, state_->clock.at(now)); });
+}
+
+Result<void> MapSender::State::hear(std::span<const std::byte> bytes, double now) {
+  DELTAMESH_TRY(const MessageKind kind, kind_of_message(bytes));
+  if (kind == MessageKind::kReceipt) return hear_receipt(bytes, now);
+  if (kind != MessageKind::kFragment) return hear_view(bytes, now);
+  DELTAMESH_TRY(const auto whole, fragments.add(bytes));
+  if (!whole) return {};
+  return hear_view(*whole, now);
+}
+
+Result<void> MapSender::State::hear_view(std::span<const std::byte> bytes, double now) {
+  DELTAMESH_TRY(const ViewMessage told, read_view(bytes));
+  const MapDescription& of = encodings.codec().description();
+  if (told.map_id != of.id) return refused(ErrorCode::kInvalidArgument, "a view of another map");
+  DELTAMESH_CHECK(check_view(told.view, of));
+  if (told.map != 0 && told.map != description_hash && told.epoch >= of.epoch)
+    DELTAMESH_CHECK(begin_epoch(told.epoch));
+  DELTAMESH_TRY(Viewer* const found, viewer_of(told, now));
+  if (found == nullptr) return {};
+  Viewer& viewer = *found;
+  if (viewer.number == 0 || viewer.start != told.start) {
+    viewer.delivery = Delivery(told.receipt.highest);
+    viewer.pose.reset();
+  }
+  viewer.heard = now;
+  viewer.number = told.number;
+  viewer.view = told.view;
+  viewer.map = told.map;
+  viewer.start = told.start;
+  take_receipt(viewer, told.receipt, now);
+  take_held(viewer, told.held, waiting_since(viewer, now));
+  forget_gone_parts(viewer, map, now);
+  return {};
 }
 
 void MapSender::forget(std::uint64_t viewer) noexcept { state_->viewers.erase(viewer); }
@@ -178,9 +188,20 @@ Result<std::vector<std::vector<std::byte>>> MapSender::messages_for(std::uint64_
     std::vector<std::vector<std::byte>> messages;
     state_->begin_call(viewer, now);
     const auto added = state_->add_messages(viewer, now, messages);
-    for (const auto& message : messages) state_->total.spend(message.size());
+    std::vector<std::vector<std::byte>> pieces;
+    for (auto& message : messages) {
+      const std::size_t size = message.size();
+      DELTAMESH_TRY(auto cut, cut_message(std::move(message), state_->options.message_bytes));
+      std::size_t sum = 0;
+      for (auto& piece : cut) {
+        sum += piece.size();
+        pieces.push_back(std::move(piece));
+      }
+      viewer.allowance.spend(sum - size);
+      state_->total.spend(sum);
+    }
     DELTAMESH_CHECK(added);
-    return messages;
+    return pieces;
   });
 }
 

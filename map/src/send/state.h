@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "deltamesh/map/fragment.h"
 #include "deltamesh/map/sender.h"
 #include "send/link/allowance.h"
 #include "send/units.h"
@@ -42,6 +43,7 @@ struct MapSender::State {
   SenderCounts counts{};
   std::optional<MapPose> pose{};
   SteadyTime clock{};
+  FragmentJoiner fragments{};                        ///< of what viewers say
   Allowance total{};                                 ///< of all viewers together
   std::chrono::steady_clock::time_point deadline{};  ///< of the call of messages_for() that runs
   unsigned epochs = 0;                               ///< that began because of receivers
@@ -49,6 +51,8 @@ struct MapSender::State {
   /// Of so many parts, at least, as an update may bring new versions of.
   void forget_versions(std::size_t changed);
   bool has_viewer(const PartKey& key, std::uint32_t version) const;
+  Result<void> hear(std::span<const std::byte> bytes, double now);
+  Result<void> hear_view(std::span<const std::byte> bytes, double now);
   Result<Viewer*> viewer_of(const ViewMessage& message, double now);
   Result<void> hear_receipt(std::span<const std::byte> bytes, double now);
   /// Begins a call of messages_for().

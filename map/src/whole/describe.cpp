@@ -48,13 +48,14 @@ QualityRequest request_of(const MeshView& mesh, const QualityRequest& asked) {
 
 Result<MapDescription> describe_map(const std::array<double, 3>& origin,
                                     std::span<const AttributeView> attributes, const MapSettings& settings,
-                                    const QualityRequest& request) {
+                                    const QualityRequest& request, int finer) {
   MapDescription description{.id = settings.id, .frame = settings.frame};
   const double least = least_bound(request);
   if (!std::isfinite(least) || !(least > 0))
     return Error{.code = ErrorCode::kInvalidArgument,
                  .message = "a mesh without extent needs bounds in model units, not in percent"};
-  description.lattice = {.origin = origin, .step_exponent = step_exponent_for(least)};
+  description.lattice = {.origin = origin,
+                         .step_exponent = std::max(step_exponent_for(least) - finer, kLeastStepExponent)};
   const double steps =
       std::round(std::ldexp(settings.part_edge, -kLevelsOfParts) / description.lattice.step());
   if (!(steps <= kMostCellSteps))

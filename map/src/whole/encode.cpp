@@ -27,6 +27,15 @@ bool share_lattice(MapDescription a, const MapDescription& b) {
   return a == b;
 }
 
+/// A part with hardly a vertex within keeps bounds on means only with border vertices that are near.
+constexpr int kMostFiner = 6;  // times half the step that suits the bounds
+
+/// How much finer the lattice of a state is than would suit it; 0: not, or by more than is ever chosen.
+int steps_finer(const MapDescription& state, const MapDescription& suited) noexcept {
+  const int finer = suited.lattice.step_exponent - state.lattice.step_exponent;
+  return finer > 0 && finer <= kMostFiner ? finer : 0;
+}
+
 std::vector<PartKey> keys_of(std::span<const MapPart> parts) {
   std::vector<PartKey> keys;
   for (const MapPart& part : parts) keys.push_back(part.key);
@@ -145,16 +154,29 @@ Result<MapState> encode_map(const MeshView& mesh, const MapSettings& settings,
     const Mesh moved =
         before != nullptr ? moved_to(before->manifest.description.lattice.origin, mesh) : Mesh();
     const MeshView placed = moved.positions.empty() ? mesh : with_positions_of(moved, mesh);
-    DELTAMESH_TRY(const MapDescription description,
-                  describe_map(placed.origin, mesh.attributes, settings, quality.bounds));
+    const auto describe = [&](int finer) {
+      return describe_map(placed.origin, mesh.attributes, settings, quality.bounds, finer);
+    };
+    DELTAMESH_TRY(MapDescription description, describe(0));
+    int finer = before != nullptr ? steps_finer(before->manifest.description, description) : 0;
+    if (finer > 0) {
+      DELTAMESH_TRY(description, describe(finer));
+    }
     SplitOptions options{.most_triangles = settings.most_triangles, .most_level = kLevelsOfParts};
     if (settings.levels > 0) options.copy_level = static_cast<std::uint8_t>(kLevelsOfParts + settings.levels);
-    for (;; options.most_triangles /= 2) {
+    for (;;) {
       auto state = encode_as(placed, description, options, quality, before);
       if (state && (keeps || !mesh.triangles.empty())) state->bounds = quality.bounds;
       if (state) state->attributes = quality.attributes;
-      const bool is_too_large = !state && state.error().code == ErrorCode::kLimitExceeded;
-      if (!is_too_large || options.most_triangles == 1) return state;
+      if (!state && state.error().code == ErrorCode::kLimitExceeded && options.most_triangles > 1) {
+        options.most_triangles /= 2;
+      } else if (!state && state.error().code == ErrorCode::kUnmetRequest && finer < kMostFiner) {
+        auto described = describe(++finer);
+        if (!described) return state;
+        description = *std::move(described);
+      } else {
+        return state;
+      }
     }
   });
 }

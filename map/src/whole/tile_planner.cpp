@@ -98,7 +98,7 @@ Result<void> TilePlanner::add(const MeshView& mesh) noexcept {
     MapDescription description = state.description;
     if (state.reaches.empty()) {
       DELTAMESH_TRY(description, describe_map(mesh.origin, mesh.attributes, state.settings,
-                                              state.settings.quality.bounds));
+                                              state.settings.quality.bounds, 0));
     }
     DELTAMESH_TRY(const Mesh moved, to_map(mesh, description));
     DELTAMESH_CHECK(state.colors.add(mesh));

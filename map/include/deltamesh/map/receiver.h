@@ -24,6 +24,7 @@ struct ReceiverLimits {
   std::size_t parts = std::size_t{1} << 16;
   std::uint64_t octets = std::uint64_t{1} << 30;
   std::uint64_t vertices = std::uint64_t{1} << 26;  ///< of all parts, decoded
+  std::size_t message_bytes = 0;  ///< of the largest message that it gives, as of a sender's
 };
 
 /// Differences of the parts shown since the last call; keys ascending.
@@ -45,10 +46,10 @@ class MapReceiver {
   /// `viewer`: a number that no other receiver of the map has, and another one after each start.
   MapReceiver(std::uint64_t viewer, std::uint64_t map_id, const ReceiverLimits& limits = {});
 
-  /// Applies a message: a map, a start, an entry, a part or a patch. Old and known messages have no effect. A
-  /// patch of a version that is not held waits for it, and so may an entry; then errors may be theirs.
-  /// Errors: 1xx codes, kInvalidArgument (of another map or start, or before the map's message),
-  /// kLimitExceeded, kOutOfMemory; on an error nothing has changed. Cost: decodes the part.
+  /// Applies a message: a map, a start, an entry, a part or a patch, or a fragment of one. Old and known
+  /// messages have no effect. A patch of a version that is not held waits for it, and so may an entry; then
+  /// errors may be theirs. Errors: 1xx codes, kInvalidArgument (of another map or start, or before the map's
+  /// message), kLimitExceeded, kOutOfMemory; on an error nothing has changed. Cost: decodes the part.
   Result<void> apply(std::span<const std::byte> message) noexcept;
 
   /// Drops a part. The sender sends it again only if it is in the view.
@@ -61,12 +62,13 @@ class MapReceiver {
 
   /// What is to be sent to the sender now: the view once a second and after each change, and receipts of a
   /// few dozen bytes: at once where a message is missing, else 20 times a second at the most. To be called
-  /// after apply(), and 20 times a second. `now`: seconds of any steady clock. Errors: as view_message().
+  /// after apply(), and 20 times a second. `now`: seconds of any steady clock. Errors: as view_message(),
+  /// kInvalidArgument (ReceiverLimits::message_bytes).
   Result<std::vector<std::vector<std::byte>>> messages(double now) noexcept;
 
-  /// The view alone, with what is held and what has come, for callers who choose the time themselves: at
-  /// least every few seconds, and after each change of the view. Errors: kInvalidArgument (the view),
-  /// kOutOfMemory.
+  /// The view alone, in one message, with what is held and what has come, for callers who choose the time
+  /// themselves: at least every few seconds, and after each change of the view. Errors: kInvalidArgument (the
+  /// view), kOutOfMemory.
   Result<std::vector<std::byte>> view_message() noexcept;
 
   /// Null before the map's message.

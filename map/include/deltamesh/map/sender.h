@@ -31,6 +31,9 @@ struct SenderOptions {
   /// To all receivers together, in any second; 0: no limit. A call of messages_for() takes its share of what
   /// is left: one of as many as there are viewers.
   std::uint64_t bytes_per_second = 0;
+  /// Of the largest message: what is longer comes in fragments [MAP-24]. 1,200 for datagrams; at least 64; 0:
+  /// no limit.
+  std::size_t message_bytes = 0;
   /// After so many seconds of its own messages_for() gives what it has and goes on at the next call; above 0.
   /// It ends between parts: one takes up to 0.1 s, at effort 0.
   double call_seconds = std::numeric_limits<double>::infinity();
@@ -72,11 +75,11 @@ class MapSender {
   /// Errors: kInvalidArgument, kOutOfMemory.
   Result<void> set_pose(const MapPose& pose) noexcept;
 
-  /// Takes a message of a receiver: a view or a receipt. Receipts of unknown viewers have no effect. Errors:
-  /// 1xx codes, kInvalidArgument (of another map, or of too many epochs), kLimitExceeded (too many viewers),
-  /// kUnmetRequest (a largest error below what the lattice allows), kOutOfMemory. Of bounds that the map's
-  /// attributes do not have Error::where is the attribute; parts that cannot keep a bound are named by
-  /// faults_of().
+  /// Takes a message of a receiver: a view, a receipt, or a fragment of one. Receipts of unknown viewers have
+  /// no effect. Errors: 1xx codes, kInvalidArgument (of another map, or of too many epochs), kLimitExceeded
+  /// (too many viewers), kUnmetRequest (a largest error below what the lattice allows), kOutOfMemory. Of
+  /// bounds that the map's attributes do not have Error::where is the attribute; parts that cannot keep a
+  /// bound are named by faults_of().
   Result<void> hear(std::span<const std::byte> message, double now) noexcept;
   /// Drops a viewer; its next view begins anew. So does one that is silent for too long, and a number that is
   /// used again by a receiver that has nothing yet.
