@@ -35,8 +35,10 @@ class ColorContent {
 
   /// Whether there are colours, and all of them are those of photographs.
   bool is_photographic() const noexcept;
-  /// Whether any colours are labels; not known, and so false, of fewer than 1000 faces.
+  /// Whether any colours are labels; false where that is not known.
   bool has_labels() const noexcept;
+  /// Whether there are colours of 1000 faces.
+  bool is_known() const noexcept { return is_photographic() || has_labels(); }
 
   /// `quality`, with what it does not say of colours: a largest error of 0, or kPhotographicRms.
   AttributeQuality complete(AttributeQuality quality) const;
