@@ -24,10 +24,11 @@ struct ColorEdges {
 };
 
 /// What the colours of a mesh are, or of all meshes that belong together, such as the tiles of a map: those
-/// of photographs, of which nobody sees a small mean error, or labels (ids, classes), which any error would
-/// turn into other labels. Photographs have more near edges than half of the equal ones and three quarters of
-/// the far ones together: 1.25 times as many and more, where labels, noisy or blended at their borders, have
-/// 0.67 times as many at most. Fewer than 1000 faces are too few to tell, and not taken for photographs.
+/// of photographs, of which a small mean error is hardly seen, or labels (ids, classes), which any error
+/// would turn into other labels. Photographs have more near edges than half of the equal ones and three
+/// quarters of the far ones together: 1.25 times as many and more, where labels, noisy or blended at their
+/// borders, have 0.67 times as many at most. Fewer than 1000 faces are too few to tell, and not taken for
+/// photographs.
 class ColorContent {
  public:
   /// `mesh`: with the same attributes as those before. O(n + m). Errors: kInvalidMesh, kOutOfMemory.

@@ -15,7 +15,7 @@
 #include "lattice/border_payload.h"
 #include "lattice/place_border.h"
 #include "part/as_primer.h"
-#include "part/border_colors.h"
+#include "lattice/source_colors.h"
 #include "part/codec_state.h"
 #include "part/measure.h"
 #include "part/options.h"

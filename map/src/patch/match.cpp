@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "lattice/positions.h"
-#include "part/border_colors.h"
 #include "patch/coder.h"
+#include "patch/color_match.h"
 #include "patch/row_lists.h"
 #include "support/color_value.h"
 #include "support/open_edges.h"
@@ -51,7 +51,7 @@ class Matcher {
 
   PartMatch run() {
     match_vertices();
-    keep_mean_error();
+    keep_mean_error(source_.mesh, base_.part.mesh, bounds_.quality, base_of_);
     match_faces();
     smooth();
     while (drop_vertices_without_open_edges()) {
@@ -70,8 +70,8 @@ class Matcher {
       if (is_shared[v] != 0) continue;  // a position of vertices with several colours
       const float* const position = source_.mesh.positions.data() + 3 * std::size_t{v};
       const std::uint32_t near = rows.nearest(position);
-      if (near == kNoRow || !is_good_enough(v, near) || source_border[v] != base_border[near]) continue;
-      if (source_border[v].vertex != 0 && !has_border_colors(v, near)) continue;
+      if (near == kNoRow || !is_good_enough(v, near, source_border) || source_border[v] != base_border[near])
+        continue;
       if (const std::uint32_t other = taken[near]; other != kNotJoined) {
         const float* const place = base_.sources.data() + 3 * std::size_t{near};
         if (squared_distance(source_.mesh.positions.data() + 3 * std::size_t{other}, place) <=
@@ -93,58 +93,13 @@ class Matcher {
     return border;
   }
 
-  bool is_good_enough(std::uint32_t v, std::uint32_t base) const noexcept {
+  bool is_good_enough(std::uint32_t v, std::uint32_t base, std::span<const BorderVertex> border) const {
     if (squared_distance(source_.mesh.positions.data() + 3 * std::size_t{v},
                          base_.part.mesh.positions.data() + 3 * std::size_t{base}) >
         bounds_.max_error * bounds_.max_error)
       return false;
-    for (std::size_t a = 0; a < source_.mesh.attributes.size(); ++a)
-      if (color_difference(source_.mesh.attributes[a], v, base_.part.mesh.attributes[a], base) >
-          most_color_error())
-        return false;
-    return true;
-  }
-
-  /// Of one vertex.
-  double most_color_error() const noexcept {
-    constexpr double kMostOfMean = 4;
-    const AttributeQuality& quality = bounds_.quality;
-    return quality.color_rms ? kMostOfMean * *quality.color_rms : quality.color_error.value_or(0);
-  }
-
-  /// Whether a border vertex has the colours that other parts give it [MAP-24].
-  bool has_border_colors(std::uint32_t v, std::uint32_t base) const noexcept {
-    for (std::size_t a = 0; a < source_.mesh.attributes.size(); ++a) {
-      const Attribute& ours = source_.mesh.attributes[a];
-      const std::uint32_t step = border_step(ours.type, bounds_.quality);
-      const std::size_t size = component_size(ours.type);
-      for (std::size_t c = 0; step > 0 && c < ours.components; ++c) {
-        const auto level = [&](const Attribute& colors, std::size_t vertex) {
-          return color_level(colors.type, &colors.values[(vertex * colors.components + c) * size]);
-        };
-        if (level(base_.part.mesh.attributes[a], base) != border_level(level(ours, v), step)) return false;
-      }
-    }
-    return true;
-  }
-
-  /// Of vertices that may stay those with the least errors of colours, as many as have the mean error asked.
-  void keep_mean_error() {
-    if (!bounds_.quality.color_rms) return;
-    std::vector<std::pair<double, std::uint32_t>> errors;
-    for (std::uint32_t v = 0; v < base_of_.size(); ++v)
-      if (base_of_[v] != kNotJoined)
-        errors.emplace_back(squared_color_error(source_.mesh, v, base_.part.mesh, base_of_[v]), v);
-    std::ranges::sort(errors);
-    const double each = *bounds_.quality.color_rms * *bounds_.quality.color_rms *
-                        static_cast<double>(count_color_values(source_.mesh));
-    double sum = 0;
-    double allowed = 0;
-    for (const auto& [error, v] : errors) {
-      sum += error;
-      allowed += each;
-      if (sum > allowed) base_of_[v] = kNotJoined;
-    }
+    const bool is_border = border[v].vertex != 0;
+    return keeps_colors(source_.mesh, v, base_.part.mesh, base, bounds_.quality, is_border);
   }
 
   void match_faces() {

@@ -20,12 +20,12 @@
 namespace deltamesh {
 namespace {
 
-/// Rooms in cells of 4 units, as a mapper gives them.
+/// Rooms in cells of 2 units, as a mapper gives them.
 class LiveColors : public ::testing::Test {
  protected:
   void start(Mesh mesh, const View& view) {
     mesh_ = std::move(mesh);
-    MapDescription description{.id = 1, .epoch = 1, .frame = "map", .cell_steps = 1024};
+    MapDescription description{.id = 1, .epoch = 1, .frame = "map", .cell_steps = 256};
     description.lattice.step_exponent = step_exponent_for(0.01);
     description.attributes = test::attributes_of(mesh_);
     const auto all = split(mesh_, description, {.most_triangles = 1U << 30, .most_level = 0});
