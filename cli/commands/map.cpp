@@ -80,9 +80,11 @@ int run_split(const Splitting& splitting) {
     before = load_state(splitting.folder, status);
     if (!before) return status;
   }
+  MapSettings settings = splitting.settings;
+  settings.quality.attributes.uv_error /= imported->report.uv_scale;
   const auto encode = [&] {
     const Progress progress("encoding");
-    return encode_map(imported->mesh, splitting.settings, before ? &*before : nullptr);
+    return encode_map(imported->mesh, settings, before ? &*before : nullptr);
   };
   const Result<MapState> state = encode();
   if (!state) return fail_coding(splitting.in, state.error());
@@ -101,12 +103,14 @@ int run_split(const Splitting& splitting) {
     if (state->attributes.color_rms) object["color_rms"] = *state->attributes.color_rms;
     object.update({{"new_parts", parts.size()},
                    {"left_out", left_out_array(imported->report)},
-                   {"position_error", rounding}});
+                   {"position_error", rounding},
+                   {"uv_scale", imported->report.uv_scale}});
     print_json(object);
   } else {
     print_map(splitting.in + " -> " + splitting.folder, state->manifest, parts.size(),
               state->attributes.color_rms.value_or(0));
     print_rounding(rounding, report_stream({}));
+    print_stretch(imported->report.uv_scale, report_stream({}));
     print_left_out(imported->report, report_stream({}));
   }
   return kOk;

@@ -8,6 +8,7 @@
 #include <bit>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <random>
 #include <set>
 #include <utility>
@@ -61,6 +62,16 @@ class World {
 
   const std::set<Square>& present() const { return present_; }
   const std::set<Square>& ever_removed() const { return removed_; }
+  int edge() const { return edge_; }
+
+  /// Heights of its corners, x first, or nothing.
+  std::optional<std::array<float, 4>> heights_of(const Square& square) const {
+    if (!present_.contains(square)) return std::nullopt;
+    std::array<float, 4> heights{};
+    for (int i = 0; i < 4; ++i)
+      heights[static_cast<std::size_t>(i)] = heights_.at({square[0] + i % 2, square[1] + i / 2});
+    return heights;
+  }
 
   /// Gives the sender these blocks as they are now.
   Result<void> tell(MapSender& sender, const std::set<Square>& squares) const {

@@ -17,6 +17,8 @@ const FILES = [
   'gltf/FlightHelmet.glb',
   'gltf/2CylinderEngine.glb',
   'gltf/ClearCoatTest.glb',
+  'gltf/Fox.glb',
+  'formats/Duck.glb',
 ];
 const KINDS = { NORMAL: 'normal', TANGENT: 'tangent', TEXCOORD: 'uv', COLOR: 'color', JOINTS: 'joints', WEIGHTS: 'weights' };
 

@@ -11,6 +11,8 @@ constexpr double kViewPeriod = 1;  // seconds, all of these
 constexpr double kSoon = 0.25;
 constexpr double kReceiptPeriod = 0.05;  // as receipts can be lost, what comes is told of twice
 constexpr int kReceipts = 2;
+constexpr double kShare = 0.25;  // of the bytes that come
+constexpr double kBytesPerSecond = 250;
 
 }  // namespace
 
@@ -26,18 +28,28 @@ bool Arrivals::add(std::uint64_t number) {
   return first < number;
 }
 
+void Talk::earn(std::size_t bytes) noexcept {
+  credit_ = std::min(credit_ + kShare * static_cast<double>(bytes), kMostCredit);
+}
+
 void Talk::came(bool is_gap) noexcept {
   wants_receipt_ = wants_receipt_ || is_gap;
   receipts_ = kReceipts;
 }
 
-Talk::Turn Talk::turn(double now, bool has_parts) const noexcept {
-  if (wants_view_ || now - view_ >= (has_parts && views_ == 0 ? kViewPeriod : kSoon)) return Turn::kView;
-  if (wants_receipt_ || (receipts_ > 0 && now - receipt_ >= kReceiptPeriod)) return Turn::kReceipt;
-  return Turn::kNothing;
+Talk::Turn Talk::turn(double now, bool has_parts) noexcept {
+  credit_ = std::min(credit_ + kBytesPerSecond * (now - counted_), kMostCredit);
+  counted_ = now;
+  if (wants_view_) return Turn::kView;
+  if (credit_ > 0) {
+    if (now - view_ >= (has_parts && views_ == 0 ? kViewPeriod : kSoon)) return Turn::kView;
+    if (wants_receipt_ || (receipts_ > 0 && now - receipt_ >= kReceiptPeriod)) return Turn::kReceipt;
+  }
+  return now - receipt_ >= kViewPeriod ? Turn::kReceipt : Turn::kNothing;  // it is still there
 }
 
-void Talk::said(Turn turn, double now) noexcept {
+void Talk::said(Turn turn, std::size_t bytes, double now) noexcept {
+  credit_ -= static_cast<double>(bytes);
   receipt_ = now;
   wants_receipt_ = false;
   receipts_ = std::max(receipts_ - 1, 0);

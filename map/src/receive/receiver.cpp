@@ -36,6 +36,7 @@ Result<void> MapReceiver::apply(std::span<const std::byte> message) noexcept {
 }
 
 Result<std::vector<std::vector<std::byte>>> MapReceiver::messages(double now) noexcept {
+  now = state_->clock.at(now);
   return guarded([&]() -> Result<std::vector<std::vector<std::byte>>> {
     std::vector<std::vector<std::byte>> messages;
     const Talk::Turn turn = state_->talk.turn(now, state_->arrivals.has_any());
@@ -44,7 +45,7 @@ Result<std::vector<std::vector<std::byte>>> MapReceiver::messages(double now) no
     } else if (turn == Talk::Turn::kReceipt) {
       DELTAMESH_TRY(messages.emplace_back(), state_->receipt_message());
     }
-    if (turn != Talk::Turn::kNothing) state_->talk.said(turn, now);
+    if (turn != Talk::Turn::kNothing) state_->talk.said(turn, messages.back().size(), now);
     return messages;
   });
 }

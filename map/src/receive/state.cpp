@@ -32,6 +32,7 @@ Result<void> MapReceiver::State::check_map(std::uint64_t hash) const {
 
 Result<void> MapReceiver::State::apply(std::span<const std::byte> message) {
   DELTAMESH_TRY(const MessageKind kind, kind_of_message(message));
+  talk.earn(message.size());
   switch (kind) {
     case MessageKind::kMap:
       return apply_description(message);

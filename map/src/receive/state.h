@@ -17,6 +17,7 @@
 #include "receive/early_messages.h"
 #include "receive/received_parts.h"
 #include "support/errors.h"
+#include "support/steady_time.h"
 
 namespace deltamesh {
 
@@ -38,6 +39,7 @@ struct MapReceiver::State {
   Arrivals arrivals{};      ///< of its numbered messages
   EarlyMessages early{};
   Talk talk{};
+  SteadyTime clock{};
   std::map<PartKey, std::uint64_t> announced{};  ///< revisions of entries without octets
   std::map<PartKey, ToldFault> faults{};         ///< as the sender told
   std::optional<PoseMessage> pose{};             ///< the last one

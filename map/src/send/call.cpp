@@ -59,9 +59,9 @@ Result<void> MapSender::State::tell_pose(Viewer& viewer, double now,
                                          std::vector<std::vector<std::byte>>& messages) {
   if (!pose || viewer.pose == pose || !viewer.allowance.may_spend()) return {};
   const std::uint64_t number = viewer.delivery.next_number();
-  DELTAMESH_TRY(auto message, write_pose({description_hash, start, number, *pose}));
-  viewer.delivery.add({.key = kPoseKey, .bytes = message, .is_whole = true, .time = now});
-  viewer.post(message, false, messages);
+  DELTAMESH_TRY(auto message, write_pose({description_hash, viewer.begin, number, *pose}));
+  viewer.delivery.add({.key = kPoseKey, .bytes = std::move(message), .is_whole = true});
+  viewer.send_made(now, messages);
   viewer.pose = pose;
   return {};
 }

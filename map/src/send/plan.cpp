@@ -37,6 +37,10 @@ class Planner {
         plan_.removed.insert(key);
     plan_.wanted = std::move(parts.wanted);
     plan_.unwanted = std::move(parts.others);
+    for (const auto& [key, believed] : viewer_.has)
+      if (believed.is_gone && (map_.find(key) == nullptr || plan_.unwanted.contains(key)) &&
+          waits_in_vain(key))
+        plan_.removed.insert(key);
     add_what_does_not_fit();
     for (const auto& [key, version] : kept_) plan_.staying.insert(key);
     for (const auto& [key, believed] : viewer_.has)
@@ -60,12 +64,14 @@ class Planner {
       if (newest == has->second.version) version = find_version(known_, key, *newest);
     }
     const bool is_of_newest = version != nullptr && version->content_revision == source.content_revision;
-    const bool may_stay = is_of_newest || (version != nullptr && keeps_good_enough_);
+    // What comes late must not be taken for what stays: that needs a later revision.
+    const bool is_last = !viewer_.may_get_later(key, has->second);
+    const bool may_stay = is_last && (is_of_newest || (version != nullptr && keeps_good_enough_));
     if (may_stay && !waits_too_long(key, has->second) && encodings_.fits(*version, source, viewer_.view)) {
       kept_.emplace(key, version);
     } else {
       plan_.needed.insert(key);
-      if (is_of_newest && same_borders(version->links, source.links) && !has->second.is_waiting)
+      if (is_last && is_of_newest && same_borders(version->links, source.links) && !has->second.is_waiting)
         plan_.refined.emplace(key, has->second.since);
     }
     return {};
@@ -77,10 +83,18 @@ class Planner {
            is_in_view(key, viewer_.view, encodings_.codec().description());
   }
 
+  /// A removal that waits for what will not come any more.
+  bool waits_in_vain(const PartKey& key) const {
+    return std::ranges::any_of(viewer_.sent.at(key).in_place, [&](const PartKey& other) {
+      return map_.find(other) == nullptr || plan_.unwanted.contains(other);
+    });
+  }
+
   bool is_newest(const PartKey& key, const Believed& believed) const {
     const SourcePart* source = map_.find(key);
     const KnownVersion* version = find_version(known_, key, believed.version);
-    return source != nullptr && version != nullptr && version->content_revision == source->content_revision;
+    return source != nullptr && version != nullptr && !viewer_.may_get_later(key, believed) &&
+           version->content_revision == source->content_revision;
   }
 
   /// Parts in place of a copy wait for the last one of them.

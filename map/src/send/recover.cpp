@@ -70,7 +70,11 @@ void take_held(Viewer& viewer, const std::vector<HeldVersion>& held, double wait
   });
   for (const HeldVersion& version : held) {
     SentPart& sent = viewer.sent[version.key];
-    if (sent.revision == 0) sent = {.revision = version.revision, .is_everywhere = true};
+    // Of an earlier sender, or record of this viewer.
+    if (sent.revision < version.revision) {
+      sent.revision = version.revision;
+      sent.is_everywhere = true;
+    }
     if (const auto newer = viewer.has.find(version.key);
         newer != viewer.has.end() &&
         newer->second.revision + (newer->second.is_gone ? 1 : 0) > version.revision)
@@ -91,7 +95,7 @@ void take_held(Viewer& viewer, const std::vector<HeldVersion>& held, double wait
 }
 
 void recover(Viewer& viewer, double now, std::vector<std::vector<std::byte>>& messages) {
-  const std::vector<std::uint64_t> lost = viewer.delivery.lost(now);
+  const std::vector<std::uint64_t> lost = viewer.delivery.take_lost(now);
   if (lost.empty()) return;
   std::map<PartKey, std::vector<std::uint64_t>> sent;
   for (const auto& [number, message] : viewer.delivery.on_the_way()) sent[message.key].push_back(number);
@@ -111,6 +115,7 @@ void recover(Viewer& viewer, double now, std::vector<std::vector<std::byte>>& me
   }
   std::ranges::sort(again);
   for (const std::uint64_t number : again) {
+    if (!viewer.allowance.may_spend()) break;
     const SentMessage& message = viewer.delivery.send_again(number, now);
     if (message.key != kPoseKey) viewer.sent[message.key].time = now;
     viewer.post(message.bytes, true, messages);

@@ -22,8 +22,9 @@ namespace {
 constexpr double kLongestOnTheWay = 60;  // seconds: what a link holds for longer is taken to be lost
 constexpr double kLeastWait = 1;         // seconds; in which parts of a group are to come together
 constexpr double kMakesRoom = 5;         // seconds; after which a viewer makes room for another
-constexpr double kReuse = 0.5;      // seconds; in which a number's earlier receiver is not heard any more
-constexpr double kFirstWait = 0.2;  // seconds; for a reply to the map's message
+constexpr std::uint64_t kMostStart = std::uint64_t{1} << 62;
+constexpr double kReuse = 0.5;   // seconds; in which a number's earlier receiver is not heard any more
+constexpr double kMostWait = 4;  // seconds; for a reply to the map's message
 
 Error refused(ErrorCode code, const char* message) { return {.code = code, .message = message}; }
 
@@ -68,14 +69,14 @@ Result<MapSender> MapSender::make(MapDescription description, const SenderOption
     auto state = std::make_unique<State>(SourceMap(std::move(splitter), options.split.copy_level),
                                          std::move(codec), options);
     state->description_hash = hash;
-    state->start = 1;
+    state->start = state->highest = 1;
     return MapSender(std::move(state));
   });
 }
 
 void MapSender::resume(std::uint64_t revision, std::uint64_t group) noexcept {
   state_->map.resume(revision, group);
-  state_->start = state_->map.revision();
+  state_->start = state_->highest = state_->map.revision();
 }
 
 Result<void> MapSender::update(std::span<const MapBlock> blocks) noexcept {
@@ -90,6 +91,7 @@ Result<void> MapSender::update(std::span<const MapBlock> blocks) noexcept {
 }
 
 Result<void> MapSender::hear(std::span<const std::byte> message, double now) noexcept {
+  now = state_->clock.at(now);
   return guarded([&]() -> Result<void> {
     DELTAMESH_TRY(const MessageKind kind, kind_of_message(message));
     if (kind == MessageKind::kReceipt) return state_->hear_receipt(message, now);
@@ -128,7 +130,10 @@ std::vector<std::uint64_t> MapSender::viewers() const {
 
 /// The record of the receiver that sent a view; null: the view is old. Errors: kLimitExceeded.
 Result<Viewer*> MapSender::State::viewer_of(const ViewMessage& message, double now) {
+  if (message.start >= kMostStart)
+    return refused(ErrorCode::kInvalidArgument, "a view of a start that no sender has");
   std::erase_if(viewers, [&](const auto& v) { return now - v.second.heard > options.viewer_seconds; });
+  bool is_known = message.start >= start;
   if (const auto found = viewers.find(message.viewer); found != viewers.end()) {
     Viewer& viewer = found->second;
     if (message.number > viewer.number) return &viewer;
@@ -136,6 +141,7 @@ Result<Viewer*> MapSender::State::viewer_of(const ViewMessage& message, double n
     const bool begins_anew = message.start == 0 && viewer.start != 0 && now - viewer.heard > kReuse;
     if (!begins_anew) return nullptr;
     viewers.erase(found);
+    is_known = true;
   }
   if (viewers.size() >= options.most_viewers) {
     const auto longest = std::ranges::min_element(viewers, {}, [](const auto& v) { return v.second.heard; });
@@ -143,7 +149,10 @@ Result<Viewer*> MapSender::State::viewer_of(const ViewMessage& message, double n
       return refused(ErrorCode::kLimitExceeded, "too many viewers");
     viewers.erase(longest);
   }
-  return &viewers[message.viewer];
+  Viewer& viewer = viewers[message.viewer];
+  // What was sent to it before it was forgotten may still be on its way.
+  viewer.begin = is_known ? std::max(message.start, highest) + 1 : start;
+  return &viewer;
 }
 
 Result<void> MapSender::State::hear_receipt(std::span<const std::byte> bytes, double now) {
@@ -162,6 +171,7 @@ Result<void> MapSender::State::hear_receipt(std::span<const std::byte> bytes, do
 
 Result<std::vector<std::vector<std::byte>>> MapSender::messages_for(std::uint64_t number,
                                                                     double now) noexcept {
+  now = state_->clock.at(now);
   return guarded([&]() -> Result<std::vector<std::vector<std::byte>>> {
     const auto found = state_->viewers.find(number);
     if (found == state_->viewers.end())
@@ -178,19 +188,25 @@ Result<std::vector<std::vector<std::byte>>> MapSender::messages_for(std::uint64_
 
 Result<void> MapSender::State::add_messages(Viewer& viewer, double now,
                                             std::vector<std::vector<std::byte>>& messages) {
-  if (viewer.map != description_hash || viewer.start != start) {
-    if (now - viewer.described < kFirstWait || !viewer.allowance.may_spend()) return {};
-    viewer.described = now;
+  if (viewer.map != description_hash || viewer.start != viewer.begin) {
+    if (now < viewer.describe_next || !viewer.allowance.may_spend()) return {};
+    viewer.describe_next = now + viewer.describe_wait;
+    viewer.describe_wait = std::min(2 * viewer.describe_wait, kMostWait);
     if (viewer.map != description_hash) {
       DELTAMESH_TRY(messages.emplace_back(), write_description(encodings.codec().description()));
       viewer.allowance.spend(messages.back().size());
     }
-    DELTAMESH_TRY(messages.emplace_back(), write_start({.map = description_hash, .start = start}));
+    DELTAMESH_TRY(messages.emplace_back(), write_start({.map = description_hash, .start = viewer.begin}));
     return {};
   }
+  viewer.describe_next = 0;
+  viewer.describe_wait = kDescribeWait;
   if (viewer.delivery.is_silent(now)) return {};
   recover(viewer, now, messages);
+  viewer.allowance.limit(viewer.delivery.room());
   DELTAMESH_CHECK(tell_pose(viewer, now, messages));
+  viewer.send_made(now, messages);
+  if (viewer.delivery.has_unsent()) return {};
   DELTAMESH_CHECK(make_copies(viewer, now));
   return send_what_is_due(viewer, waiting_since(viewer, now), now, messages);
 }

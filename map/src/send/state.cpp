@@ -51,9 +51,8 @@ Result<ChosenVersion> MapSender::State::choose_version(const SourcePart& source,
   return ChosenVersion{{source.content_revision, source.links, std::move(whole)}};
 }
 
-Result<std::vector<std::byte>> MapSender::State::newest_message(const PartKey& key, ChosenVersion chosen,
-                                                                const SendPlan& plan, Viewer& viewer,
-                                                                double now) {
+Result<void> MapSender::State::make_newest(const PartKey& key, ChosenVersion chosen, const SendPlan& plan,
+                                           Viewer& viewer, double now) {
   const SourcePart& source = *map.find(key);
   const auto encoding = chosen.version.encoding;
   const KnownVersion* had = believed_version(viewer, key);
@@ -62,6 +61,7 @@ Result<std::vector<std::byte>> MapSender::State::newest_message(const PartKey& k
   const std::uint32_t told = version_hash(encoding->hash, chosen.version.links);
   known[key][told] = std::move(chosen.version);
   const std::uint64_t revision = viewer.next_revision(key, source.revision, now);
+  highest = std::max(highest, revision);
   std::vector<PartLink> links = links_for(source, encoding->decoded.mesh, viewer, plan);
   viewer.sent[key].add(part_box(encoding->decoded.mesh));
   const std::uint64_t number = viewer.delivery.next_number();
@@ -72,20 +72,22 @@ Result<std::vector<std::byte>> MapSender::State::newest_message(const PartKey& k
                      .number = number,
                      .base = chosen.is_patch ? encoding->base_key : key};
   const bool is_whole = !is_the_same && !chosen.is_patch;
-  const auto post = [&](Result<std::vector<std::byte>> message) {
-    if (message) viewer.delivery.add({key, *message, before, is_whole, false, now});
-    return message;
+  const bool replaces_lost = std::exchange(viewer.sent[key].was_lost, false);
+  const auto add = [&](Result<std::vector<std::byte>> message) -> Result<void> {
+    if (!message) return message.error();
+    viewer.delivery.add({key, *std::move(message), before, is_whole, replaces_lost});
+    return {};
   };
   if (is_the_same) {
     ++counts.entries_sent;
-    return post(write_entry({.map = description_hash,
-                             .start = start,
-                             .number = number,
-                             .entry = entry_of(source, *encoding, revision, std::move(links))}));
+    return add(write_entry({.map = description_hash,
+                            .start = viewer.begin,
+                            .number = number,
+                            .entry = entry_of(source, *encoding, revision, std::move(links))}));
   }
   ++counts.parts_sent;
   PartMessage message{.map = description_hash,
-                      .start = start,
+                      .start = viewer.begin,
                       .number = number,
                       .key = key,
                       .revision = revision,
@@ -93,10 +95,10 @@ Result<std::vector<std::byte>> MapSender::State::newest_message(const PartKey& k
                       .links = std::move(links)};
   if (chosen.is_patch) {
     ++counts.patches_sent;
-    return post(write_patch({std::move(message), encoding->base_key, encoding->base_hash, encoding->patch}));
+    return add(write_patch({std::move(message), encoding->base_key, encoding->base_hash, encoding->patch}));
   }
   message.octets = encoding->octets;
-  return post(write_part(message));
+  return add(write_part(message));
 }
 
 /// What the receiver is believed to have of a part; null: nothing, or it is not known what.
@@ -122,9 +124,10 @@ const KnownVersion* MapSender::State::base_for(const Viewer& viewer, const PartK
   return largest;
 }
 
-Result<std::vector<std::byte>> MapSender::State::removal_message(const PartKey& key, const SendPlan& plan,
-                                                                 Viewer& viewer, double now) {
+Result<void> MapSender::State::make_removal(const PartKey& key, const SendPlan& plan, Viewer& viewer,
+                                            double now) {
   const std::uint64_t revision = viewer.next_revision(key, map.revision(), now);
+  highest = std::max(highest, revision);
   viewer.sent[key].is_removal = true;
   const std::optional<Believed> before = viewer.believed(key);
   const std::uint64_t number = viewer.delivery.next_number();
@@ -140,13 +143,16 @@ Result<std::vector<std::byte>> MapSender::State::removal_message(const PartKey& 
   // What the receiver is not to have is not waited for.
   std::erase_if(links,
                 [&](const PartLink& link) { return link.together && plan.unwanted.contains(link.key); });
+  for (const PartLink& link : links)
+    if (link.together) viewer.sent[key].in_place.push_back(link.key);
   DELTAMESH_TRY(auto message,
                 write_entry({.map = description_hash,
-                             .start = start,
+                             .start = viewer.begin,
                              .number = number,
                              .entry = {.key = key, .revision = revision, .links = std::move(links)}}));
-  viewer.delivery.add({key, message, before, false, false, now});
-  return message;
+  viewer.delivery.add(
+      {key, std::move(message), before, false, std::exchange(viewer.sent[key].was_lost, false)});
+  return {};
 }
 
 Result<void> MapSender::State::send_what_is_due(Viewer& viewer, double waiting_since, double now,
@@ -158,6 +164,7 @@ Result<void> MapSender::State::send_what_is_due(Viewer& viewer, double waiting_s
     for (const PartKey& key : plan.needed) viewer.due.try_emplace(key, map.revision());
     std::erase_if(viewer.due, [&](const auto& entry) { return !plan.needed.contains(entry.first); });
     for (const SendUnit& unit : units_of(plan, viewer, map, known, encodings.codec().description())) {
+      // What is shown together is made at once, so that it comes together whatever changes until it is sent.
       if (!viewer.allowance.may_spend() || is_call_over(!messages.empty())) break;
       DELTAMESH_TRY(is_complete, send(unit, plan, viewer, now, messages));
       if (!is_complete) break;
@@ -179,41 +186,36 @@ Result<void> MapSender::State::tell_faults(std::vector<PartFault> faults, Viewer
     const auto before = std::ranges::find(viewer.faults, key, &PartFault::key);
     if (before != viewer.faults.end() && static_cast<std::uint16_t>(before->code) == code) continue;
     const std::uint64_t number = viewer.delivery.next_number();
-    DELTAMESH_TRY(auto message, write_fault({description_hash, start, number, key, code}));
-    viewer.delivery.add({key, message, viewer.believed(key), false, false, now});
-    viewer.post(message, false, messages);
+    DELTAMESH_TRY(auto message, write_fault({description_hash, viewer.begin, number, key, code}));
+    viewer.delivery.add({key, std::move(message), viewer.believed(key)});
   }
+  viewer.send_made(now, messages);
   viewer.faults = std::move(faults);
   return {};
 }
 
 Result<bool> MapSender::State::send(const SendUnit& unit, SendPlan& plan, Viewer& viewer, double now,
                                     std::vector<std::vector<std::byte>>& messages) {
-  std::vector<ChosenVersion> chosen;  // all that may be sent, before any links to what cannot be had
-  double room = viewer.allowance.room();
-  for (auto key = unit.needed.begin(); key != unit.needed.end() && room > 0; ++key) {
+  std::vector<ChosenVersion> chosen;  // all before any links to what cannot be had
+  for (const PartKey& key : unit.needed) {
     if (is_call_over(!chosen.empty() || !messages.empty())) break;
-    DELTAMESH_TRY(chosen.emplace_back(), choose_version(*map.find(*key), viewer));
-    const auto& encoding = chosen.back().version.encoding;
-    if (encoding == nullptr) return false;
-    room -= static_cast<double>(chosen.back().is_patch ? encoding->patch.size() : encoding->octets.size());
+    DELTAMESH_TRY(chosen.emplace_back(), choose_version(*map.find(key), viewer));
+    if (chosen.back().version.encoding == nullptr) return false;
   }
+  const bool is_whole = chosen.size() == unit.needed.size();
   for (std::size_t i = 0; i < chosen.size(); ++i) {
-    if (!viewer.allowance.may_spend()) return true;
     const PartKey& key = unit.needed[i];
-    DELTAMESH_TRY(auto message, newest_message(key, std::move(chosen[i]), plan, viewer, now));
+    DELTAMESH_CHECK(make_newest(key, std::move(chosen[i]), plan, viewer, now));
     plan.needed.erase(key);
     plan.staying.insert(key);
     viewer.due.erase(key);
-    viewer.post(message, std::exchange(viewer.sent[key].was_lost, false), messages);
   }
   // Last, as the parts in their place may be patches of them.
-  for (const PartKey& key : unit.removed) {
-    if (!viewer.allowance.may_spend()) return true;
-    DELTAMESH_TRY(auto message, removal_message(key, plan, viewer, now));
+  for (const PartKey& key : is_whole ? unit.removed : std::vector<PartKey>()) {
+    DELTAMESH_CHECK(make_removal(key, plan, viewer, now));
     plan.removed.erase(key);
-    viewer.post(message, std::exchange(viewer.sent[key].was_lost, false), messages);
   }
+  viewer.send_made(now, messages);
   return true;
 }
 

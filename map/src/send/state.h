@@ -16,6 +16,7 @@
 #include "send/link/allowance.h"
 #include "send/units.h"
 #include "send/viewer_state.h"
+#include "support/steady_time.h"
 
 namespace deltamesh {
 
@@ -31,7 +32,8 @@ struct MapSender::State {
 
   SenderOptions options;
   std::uint64_t description_hash = 0;
-  std::uint64_t start = 0;  ///< the map's revision when this sender was started
+  std::uint64_t start = 0;    ///< the map's revision when this sender was started
+  std::uint64_t highest = 0;  ///< of all revisions and starts that were sent
   SourceMap map;
   ColorContent colors{};  ///< of the blocks until it is known what they are
   Encodings encodings;
@@ -40,6 +42,7 @@ struct MapSender::State {
   std::map<std::uint64_t, Viewer> viewers{};
   SenderCounts counts{};
   std::optional<MapPose> pose{};
+  SteadyTime clock{};
   Allowance total{};                                 ///< of all viewers together
   std::chrono::steady_clock::time_point deadline{};  ///< of the call of messages_for() that runs
   unsigned epochs = 0;                               ///< that began because of receivers
@@ -62,8 +65,8 @@ struct MapSender::State {
   /// Plans and sends within the allowance.
   Result<void> send_what_is_due(Viewer& viewer, double waiting_since, double now,
                                 std::vector<std::vector<std::byte>>& messages);
-  /// As much of the unit as may be sent now; the rest is planned again. False: a part of it cannot be
-  /// encoded, which another plan takes into account.
+  /// Makes the messages of a unit, and sends what may be sent now. False: a part of it cannot be encoded,
+  /// which another plan takes into account.
   Result<bool> send(const SendUnit& unit, SendPlan& plan, Viewer& viewer, double now,
                     std::vector<std::vector<std::byte>>& messages);
   Result<void> tell_pose(Viewer& viewer, double now, std::vector<std::vector<std::byte>>& messages);
@@ -72,10 +75,9 @@ struct MapSender::State {
   const KnownVersion* believed_version(const Viewer& viewer, const PartKey& key) const;
   const KnownVersion* base_for(const Viewer& viewer, const PartKey& key) const;
   Result<ChosenVersion> choose_version(const SourcePart& source, const Viewer& viewer);
-  Result<std::vector<std::byte>> newest_message(const PartKey& key, ChosenVersion chosen,
-                                                const SendPlan& plan, Viewer& viewer, double now);
-  Result<std::vector<std::byte>> removal_message(const PartKey& key, const SendPlan& plan, Viewer& viewer,
-                                                 double now);
+  Result<void> make_newest(const PartKey& key, ChosenVersion chosen, const SendPlan& plan, Viewer& viewer,
+                           double now);
+  Result<void> make_removal(const PartKey& key, const SendPlan& plan, Viewer& viewer, double now);
 };
 
 }  // namespace deltamesh

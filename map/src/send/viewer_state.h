@@ -26,6 +26,13 @@ namespace deltamesh {
 struct PartBox {
   std::array<float, 3> low{};
   std::array<float, 3> high{};
+
+  void add(const PartBox& other) noexcept {
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], other.low[k]);
+      high[k] = std::max(high[k], other.high[k]);
+    }
+  }
 };
 
 /// The last message to a receiver about a part.
@@ -33,18 +40,19 @@ struct SentPart {
   std::uint64_t revision = 0;                              ///< of the last message
   double time = -std::numeric_limits<double>::infinity();  ///< of the last message
   bool is_removal = false;
+  std::vector<PartKey> in_place{};  ///< what that removal waits for
   bool was_lost = false;            ///< that message
   bool is_everywhere = false;       ///< told of by the receiver, and unknown
   std::optional<PartBox> extent{};  ///< of all versions that were sent
 
   void add(const PartBox& version) noexcept {
     if (!extent) extent = version;
-    for (std::size_t k = 0; k < 3; ++k) {
-      extent->low[k] = std::min(extent->low[k], version.low[k]);
-      extent->high[k] = std::max(extent->high[k], version.high[k]);
-    }
+    extent->add(version);
   }
 };
+
+/// Seconds for a first reply to the map's message.
+inline constexpr double kDescribeWait = 0.2;
 
 /// In place of a part's key, of messages about the pose.
 inline constexpr PartKey kPoseKey{kMostPartLevel + 1, 0, 0, 0};
@@ -52,8 +60,9 @@ inline constexpr PartKey kPoseKey{kMostPartLevel + 1, 0, 0, 0};
 struct Viewer {
   View view{};
   std::uint64_t number = 0;
-  std::uint64_t map = 0;  ///< hash of the description that it has
-  std::uint64_t start = 0;
+  std::uint64_t map = 0;    ///< hash of the description that it has
+  std::uint64_t start = 0;  ///< of the messages that it takes
+  std::uint64_t begin = 0;  ///< start of its messages: above that of an earlier record of it
   Delivery delivery{};
   std::map<PartKey, Believed> has{};
   std::map<PartKey, SentPart>
@@ -65,7 +74,8 @@ struct Viewer {
   bool waits_for_copies = false;             ///< that it is to see first, and that are still to be made
   std::optional<double> copies_due_since{};  ///< when the first of those that are to be made was missed
   double heard = 0;                          ///< when it spoke last, seconds
-  double described = -std::numeric_limits<double>::infinity();  ///< when the map's message was sent
+  double describe_next = 0;                  ///< when the map's message may be sent, seconds
+  double describe_wait = kDescribeWait;      ///< from then to the next time; twice as long each time
 
   /// Adds a message; one that replaces a lost one twice where there is no time to lose another.
   void post(const std::vector<std::byte>& message, bool replaces_lost,
@@ -73,6 +83,20 @@ struct Viewer {
     for (int copies = replaces_lost && delivery.is_slow() ? 2 : 1; copies > 0; --copies) {
       allowance.spend(message.size());
       messages.push_back(message);
+    }
+  }
+
+  /// Whether a later message about the part was taken for lost, and may come all the same.
+  bool may_get_later(const PartKey& key, const Believed& than) const {
+    const auto found = sent.find(key);
+    return found != sent.end() && found->second.revision > than.revision;
+  }
+
+  /// Sends of what is made as much as may be sent now.
+  void send_made(double now, std::vector<std::vector<std::byte>>& messages) {
+    while (delivery.has_unsent() && allowance.may_spend()) {
+      const SentMessage& message = delivery.send_next(now);
+      post(message.bytes, message.replaces_lost, messages);
     }
   }
 
@@ -86,7 +110,8 @@ struct Viewer {
     SentPart& part = sent[key];
     part.time = now;
     part.is_removal = false;
-    return part.revision = std::max(part.revision + 1, least);
+    part.in_place.clear();
+    return part.revision = std::max({part.revision + 1, least, begin});
   }
 };
 

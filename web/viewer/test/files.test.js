@@ -251,6 +251,17 @@ test('a mesh of another place is opened by ?url=, and by a pasted address; what 
   await waitUntilDone(linked.page);
   assert.match(await textOf(linked.page, 'mesh-name'), /^hill.ply/);
   await linked.close();
+  good.set('/odd.ply', 'no mesh');
+  for (const [path, what] of [['no.ply', /no\.ply could not be fetched: 404/], ['odd.ply', /odd\.ply/]]) {
+    const failed = await openPage({ hash: `?url=${encodeURIComponent(`${origin}/${path}`)}#effort=0&example=terrain` });
+    await failed.page.waitForFunction(() => document.getElementById('mesh-name').textContent.startsWith('Terrain'), { timeout: 60000 });
+    await waitUntilDone(failed.page);
+    assert.match(await textOf(failed.page, 'error'), what);
+    assert.equal(await failed.page.$eval('#error', (line) => line.hidden), false);
+    await failed.page.select('#example', 'knot');
+    await failed.page.waitForFunction(() => document.getElementById('error').hidden);
+    await failed.close();
+  }
   server.closeAllConnections();
   server.close();
 });

@@ -32,6 +32,9 @@ class Allowance {
     }
   }
 
+  /// Not more than this until the next time.
+  void limit(double most) noexcept { most_ = std::min(most_, most); }
+
   /// How many bytes may be sent now; a message that begins below it may be longer.
   double room() const noexcept {
     return rate_ == 0 ? most_ : std::min({saved_, rate_ - in_a_second_, most_});

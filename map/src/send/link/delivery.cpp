@@ -12,57 +12,91 @@ namespace {
 constexpr double kFirstTimeout = 1;  // seconds, all of these; as RFC 6298
 constexpr double kLeastTimeout = 0.1;
 constexpr double kMostTimeout = 4;
+constexpr double kMostPatience = 30;
+constexpr double kHeardPatience = 1;
+constexpr unsigned kMostOverdue = 8;
 constexpr double kLeastSlack = 0.05;
 constexpr double kSilence = 5;
+constexpr double kMostRoundTrip = 60;  // what takes longer is a clock that was set
 constexpr std::uint64_t kMostDisorder = 32;
 
 }  // namespace
 
 void Delivery::add(SentMessage message) {
-  message.after = last_;
   if (message.is_whole)
     for (auto& [number, earlier] : on_the_way_)
       if (earlier.key == message.key) earlier.is_superseded = true;
   on_the_way_.emplace(last_, std::move(message));
+  unsent_.push_back(last_);
+}
+
+const SentMessage& Delivery::send_next(double now) {
+  const std::uint64_t number = unsent_.front();
+  unsent_.pop_front();
+  SentMessage& message = on_the_way_.at(number);
+  flight_ += static_cast<double>(message.bytes.size());
+  message.flight = flight_;
+  note_sent(number, message, now);
+  return message;
+}
+
+void Delivery::note_sent(std::uint64_t number, SentMessage& message, double now) {
+  sent_ = std::max(sent_, number);
+  message.after = sent_;
+  message.time = message.waits_since = now;
+  ++message.times;
 }
 
 const SentMessage& Delivery::send_again(std::uint64_t number, double now) {
   SentMessage& message = on_the_way_.at(number);
-  message.time = now;
-  message.after = last_;
-  ++message.times;
+  note_sent(number, message, now);
   return message;
 }
 
 void Delivery::skip(std::uint64_t number) {
-  const SentMessage skipped = std::move(on_the_way_.at(number));
-  on_the_way_.erase(number);
+  const auto found = on_the_way_.find(number);
+  const PartKey key = found->second.key;
+  const std::optional<Believed> before = found->second.before;
+  erase(found);
   for (auto& [later, message] : on_the_way_)
-    if (message.key == skipped.key && message.before && message.before->number == number)
-      message.before = skipped.before;
+    if (message.key == key && message.before && message.before->number == number) message.before = before;
+}
+
+Delivery::Messages::iterator Delivery::erase(Messages::iterator message) {
+  if (message->second.times > 0) flight_ -= static_cast<double>(message->second.bytes.size());
+  return on_the_way_.erase(message);
 }
 
 void Delivery::hear(const Receipt& receipt, double now) {
-  heard_ = now;
+  const bool was_silent = is_silent(now);
+  const double patience = timeout();
+  if (was_silent) overdue_ = 0;  // the link works again
+  const double heard_before = std::exchange(heard_, now);
   if (receipt.highest < told_) return;
   // The number of a message tells a round trip only if it was sent once (Karn's rule).
   if (const auto newest = on_the_way_.find(receipt.highest);
-      newest != on_the_way_.end() && newest->second.times == 1)
-    measure(now - newest->second.time);
+      newest != on_the_way_.end() && newest->second.times == 1 && !was_silent)
+    measure(newest->second, heard_before, now);
   notice_late(receipt);
   told_ = receipt.highest;
   last_ = std::max(last_, told_);
+  sent_ = std::max(sent_, told_);
+  bool is_queue = false;  // what has come was late, and is no reason to send it again
   auto missing = receipt.missing.begin();
   for (auto it = on_the_way_.begin(); it != on_the_way_.end() && it->first <= receipt.highest;) {
     const std::uint64_t number = it->first;
     while (missing != receipt.missing.end() && *missing < number) ++missing;
     const bool is_missing = missing != receipt.missing.end() && *missing == number;
-    if (is_missing || !is_told_of(number)) {
+    if (is_missing || !is_told_of(number) || it->second.times == 0) {
       ++it;
       continue;
     }
-    it = on_the_way_.erase(it);
+    is_queue = is_queue || now - it->second.time > patience;
+    it = erase(it);
   }
+  // What is behind it in a queue is not late yet.
+  for (auto& [number, message] : on_the_way_)
+    if (is_queue && !was_silent && message.after >= told_) message.waits_since = now;
   missing_ = receipt.missing;
 }
 
@@ -70,14 +104,20 @@ void Delivery::hear(const Receipt& receipt, double now) {
 void Delivery::notice_late(const Receipt& receipt) {
   for (const std::uint64_t number : missing_) {
     const auto sent = on_the_way_.find(number);
-    if ((sent != on_the_way_.end() && sent->second.times > 1) || receipt.highest - number > kReceiptNumbers ||
-        std::ranges::binary_search(receipt.missing, number))
+    if ((sent != on_the_way_.end() && (sent->second.times != 1 || sent->second.after > number)) ||
+        receipt.highest - number > kReceiptNumbers || std::ranges::binary_search(receipt.missing, number))
       continue;
     disorder_ = std::min(std::max(disorder_, told_ - number), kMostDisorder);
   }
 }
 
-void Delivery::measure(double round_trip) noexcept {
+void Delivery::measure(const SentMessage& message, double heard_before, double now) noexcept {
+  const double round_trip = now - message.time;
+  if (round_trip > kMostRoundTrip) return;
+  const double at_least = round_trip - (now - heard_before);  // receipts between may be lost
+  if (round_trip_ && round_trip > timeout() && at_least < timeout() && now - heard_before > timeout()) return;
+  overdue_ = 0;
+  congestion_.measure(message.time, round_trip, at_least, message.flight, now);
   if (!round_trip_) {
     round_trip_ = round_trip;
     variation_ = round_trip / 2;
@@ -96,17 +136,23 @@ bool Delivery::is_silent(double now) const noexcept {
   return !on_the_way_.empty() && now - heard_ > std::max(kSilence, 2 * timeout());
 }
 
-bool Delivery::is_lost(std::uint64_t number, const SentMessage& message, double now) const noexcept {
-  if (!is_told_of(number)) return true;
-  if (told_ > message.after + disorder_) return true;
-  const double patience = timeout() * static_cast<double>(1U << std::min(message.times - 1, 5U));
-  return now - message.time > std::min(patience, kMostTimeout);
-}
-
-std::vector<std::uint64_t> Delivery::lost(double now) const {
+std::vector<std::uint64_t> Delivery::take_lost(double now) {
+  const double patience = std::min(std::ldexp(timeout(), static_cast<int>(overdue_)), kMostPatience);
   std::vector<std::uint64_t> numbers;
-  for (const auto& [number, message] : on_the_way_)
-    if (is_lost(number, message, now)) numbers.push_back(number);
+  bool is_overdue = false;
+  for (const auto& [number, message] : on_the_way_) {
+    if (message.times == 0) continue;
+    const bool has_passed = is_passed(number, message);
+    const bool is_heard = heard_ - message.waits_since > timeout();  // a reply would have come with that
+    const double waits = is_heard ? std::min(patience, kHeardPatience) : patience;
+    if (!has_passed && now - message.waits_since <= std::max(waits, timeout())) continue;
+    numbers.push_back(number);
+    is_overdue = is_overdue || (!has_passed && message.time >= overdue_since_);
+  }
+  if (is_overdue) {
+    overdue_ = std::min(overdue_ + 1, kMostOverdue);
+    overdue_since_ = now;
+  }
   return numbers;
 }
 

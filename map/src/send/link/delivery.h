@@ -7,12 +7,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <optional>
 #include <vector>
 
 #include "deltamesh/map/messages.h"
 #include "send/link/believed.h"
+#include "send/link/congestion.h"
 
 namespace deltamesh {
 
@@ -22,55 +24,81 @@ struct SentMessage {
   std::vector<std::byte> bytes{};
   std::optional<Believed> before{};  ///< what the receiver was believed to have of the part
   bool is_whole = false;             ///< of use without earlier messages about the part
+  bool replaces_lost = false;        ///< a message that was lost
   bool is_superseded = false;        ///< a later message about the part is whole
   double time = 0;                   ///< when it was sent last, seconds
-  std::uint64_t after = 0;           ///< the highest number that was used by then
-  unsigned times = 1;                ///< how often it was sent
+  double waits_since = 0;            ///< when it was sent, or what was sent before it came, seconds
+  double flight = 0;                 ///< bytes on the way then, with its own
+  std::uint64_t after = 0;           ///< the highest number that was sent by then
+  unsigned times = 0;                ///< how often it was sent
 };
 
 class Delivery {
  public:
+  using Messages = std::map<std::uint64_t, SentMessage>;  ///< by number
+
   /// Numbers follow that of the highest message that the receiver has of this start.
-  explicit Delivery(std::uint64_t highest = 0) noexcept : last_(highest), told_(highest) {}
+  explicit Delivery(std::uint64_t highest = 0) noexcept : last_(highest), sent_(highest), told_(highest) {}
 
   std::uint64_t next_number() noexcept { return ++last_; }
-  /// Remembers a message with the last number.
+  /// Remembers a message with the last number, which is to be sent.
   void add(SentMessage message);
+  /// Whether some of these are still to be sent.
+  bool has_unsent() const noexcept { return !unsent_.empty(); }
+  /// The first one of them is sent.
+  const SentMessage& send_next(double now);
   /// The message is to be sent once more.
   const SentMessage& send_again(std::uint64_t number, double now);
-  void forget(std::uint64_t number) { on_the_way_.erase(number); }
+  void forget(std::uint64_t number) { erase(on_the_way_.find(number)); }
   /// Forgets a lost message that nothing is made from.
   void skip(std::uint64_t number);
 
   /// Takes what the receiver tells. O(messages on the way).
   void hear(const Receipt& receipt, double now);
 
-  const std::map<std::uint64_t, SentMessage>& on_the_way() const noexcept { return on_the_way_; }
+  const Messages& on_the_way() const noexcept { return on_the_way_; }
   const SentMessage& at(std::uint64_t number) const { return on_the_way_.at(number); }
   bool is_on_the_way(std::uint64_t number) const { return on_the_way_.contains(number); }
   /// Numbers of messages that are taken to be lost, ascending: later ones have come, or a reply is overdue.
-  std::vector<std::uint64_t> lost(double now) const;
+  /// Where replies are overdue, the next ones may take twice as long.
+  std::vector<std::uint64_t> take_lost(double now);
   /// Whether receipts still tell of a message of this number.
   bool is_told_of(std::uint64_t number) const noexcept { return number + kReceiptNumbers >= told_; }
 
   /// Seconds after which a message without a reply is taken to be lost (RFC 6298).
   double timeout() const noexcept;
   /// Whether a message that is lost once more would be late.
-  bool is_slow() const noexcept { return round_trip_ && *round_trip_ > kSlow; }
+  bool is_slow() const noexcept {
+    return round_trip_ && congestion_.least_round_trip() > kSlow && overdue_ == 0;
+  }
+  /// Bytes that may be sent before they would queue up on their way; one message in any case if it is above
+  /// 0.
+  double room() const noexcept { return congestion_.limit() - flight_; }
   /// Whether the receiver has not been heard for so long that nothing is worth sending.
   bool is_silent(double now) const noexcept;
 
  private:
   static constexpr double kSlow = 0.1;  // seconds
-  bool is_lost(std::uint64_t number, const SentMessage& message, double now) const noexcept;
-  void measure(double round_trip) noexcept;
+  /// Later messages have come.
+  bool is_passed(std::uint64_t number, const SentMessage& message) const noexcept {
+    return !is_told_of(number) || told_ > message.after + disorder_;
+  }
+  Messages::iterator erase(Messages::iterator message);
+  void note_sent(std::uint64_t number, SentMessage& message, double now);
+  void measure(const SentMessage& message, double heard_before, double now) noexcept;
   void notice_late(const Receipt& receipt);
 
-  std::map<std::uint64_t, SentMessage> on_the_way_;  ///< by number
-  std::uint64_t last_ = 0;                           ///< the last number that was used
-  std::uint64_t told_ = 0;                           ///< the highest number that the receiver has told of
-  std::vector<std::uint64_t> missing_{};             ///< as the receiver told last
-  std::uint64_t disorder_ = 0;  ///< by how many numbers a message that seemed lost came late
+  Messages on_the_way_;
+  std::deque<std::uint64_t> unsent_{};  ///< numbers, ascending
+  double flight_ = 0;                   ///< bytes of these
+  Congestion congestion_{};
+  std::uint64_t last_ = 0;                ///< the last number that was used
+  std::uint64_t sent_ = 0;                ///< the highest number that was sent
+  std::uint64_t told_ = 0;                ///< the highest number that the receiver has told of
+  std::vector<std::uint64_t> missing_{};  ///< as the receiver told last
+  std::uint64_t disorder_ = 0;            ///< by how many numbers a message that seemed lost came late
+  unsigned overdue_ = 0;                  ///< how often replies were overdue since one came
+  double overdue_since_ = 0;              ///< when they were last, seconds
   double heard_ = 0;
   std::optional<double> round_trip_{};  ///< smoothed, seconds
   double variation_ = 0;                ///< of it
