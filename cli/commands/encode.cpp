@@ -183,7 +183,7 @@ void add_encode_command(CLI::App& app, int& status) {
   command->footer(
       "Without options no vertex is off by more than 0.02 % of the diagonal of its mesh or 4 % of the mean\n"
       "edge, whichever is less, and attributes keep the errors above. Colours of photographs are\n"
-      "kept to 41 dB, which nobody sees; labels are exact.\n\n"
+      "kept to 41 dB of PSNR, labels exactly.\n\n"
       "Examples:\n"
       "  deltamesh encode bunny.ply bunny.dmsh\n"
       "  deltamesh encode map.ply map.dmsh --max-error 0.02 --color-psnr 38\n"

@@ -199,7 +199,7 @@ void add_gltf_command(CLI::App& app, int& status) {
   pack->footer(
       "Without options no vertex is off by more than 0.02 % of the diagonal of its mesh or 4 % of the mean\n"
       "edge, whichever is less, and attributes keep the errors above. Colours of photographs are\n"
-      "kept to 41 dB, which nobody sees; labels are exact.\n\n"
+      "kept to 41 dB of PSNR, labels exactly.\n\n"
       "Examples:\n"
       "  deltamesh gltf pack duck.glb duck_packed.glb\n"
       "  deltamesh gltf pack duck.glb duck_for_all.glb --fallback\n"

@@ -201,7 +201,7 @@ void add_split(CLI::App& map, int& status) {
   command->add_flag("--json", splitting->json, "print one JSON object to standard output");
   command->footer(
       "Percentages count in the diagonal of the whole mesh. Parts that stay as they are keep their files.\n\n"
-      "Colours of photographs are kept to 41 dB, which nobody sees; labels are exact.\n\n"
+      "Colours of photographs are kept to 41 dB of PSNR, labels exactly.\n\n"
       "Example:\n  deltamesh map split kitchen.ply kitchen.map --part-edge 2 --max-error 0.001\n");
   command->callback([splitting, &status] { status = run_split(*splitting); });
 }

@@ -16,7 +16,7 @@ struct NamedBound {
   double error = 0;  ///< in the attribute's unit; 0 is exact
 };
 
-/// The mean error of photographs' colours where nothing is said of colours: 41 dB, which nobody sees.
+/// The mean error of photographs' colours where nothing is said of colours: 41 dB of PSNR.
 inline constexpr double kPhotographicRms = 2.2727;  // 255ths
 
 /// Upper bounds on the error of every attribute; finite, at least 0, and 0 is exact. The encoder measures

@@ -24,10 +24,11 @@ struct ColorEdges {
 };
 
 /// What the colours of a mesh are, or of all meshes that belong together, such as the tiles of a map: those
-/// of photographs, of which nobody sees a small mean error, or labels (ids, classes), which any error would
-/// turn into other labels. Photographs have more near edges than half of the equal ones and three quarters of
-/// the far ones together: 1.25 times as many and more, where labels, noisy or blended at their borders, have
-/// 0.67 times as many at most. Fewer than 1000 faces are too few to tell, and not taken for photographs.
+/// of photographs, of which a small mean error is hardly seen, or labels (ids, classes), which any error
+/// would turn into other labels. Photographs have more near edges than half of the equal ones and three
+/// quarters of the far ones together: 1.25 times as many and more, where labels, noisy or blended at their
+/// borders, have 0.67 times as many at most. Fewer than 1000 faces are too few to tell, and not taken for
+/// photographs.
 class ColorContent {
  public:
   /// `mesh`: with the same attributes as those before. O(n + m). Errors: kInvalidMesh, kOutOfMemory.
@@ -35,8 +36,10 @@ class ColorContent {
 
   /// Whether there are colours, and all of them are those of photographs.
   bool is_photographic() const noexcept;
-  /// Whether any colours are labels; not known, and so false, of fewer than 1000 faces.
+  /// Whether any colours are labels; false where that is not known.
   bool has_labels() const noexcept;
+  /// Whether there are colours of 1000 faces.
+  bool is_known() const noexcept { return is_photographic() || has_labels(); }
 
   /// `quality`, with what it does not say of colours: a largest error of 0, or kPhotographicRms.
   AttributeQuality complete(AttributeQuality quality) const;

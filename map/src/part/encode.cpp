@@ -15,7 +15,7 @@
 #include "lattice/border_payload.h"
 #include "lattice/place_border.h"
 #include "part/as_primer.h"
-#include "part/border_colors.h"
+#include "lattice/source_colors.h"
 #include "part/codec_state.h"
 #include "part/measure.h"
 #include "part/options.h"
@@ -158,6 +158,7 @@ class PartEncoder {
           is_color(decoded.attributes[i])
               ? color_error(part_.mesh.attributes[i], decoded.attributes[i], encoded.order)
               : encoded.report.stream.attributes[i].error);
+    candidate.result.coded.color_rms = color_rms(part_.mesh, decoded, encoded.order);
     decoded.origin = lattice.origin;
     candidate.result.part = {part_.key, std::move(decoded), std::move(border)};
     candidate.result.order = std::move(encoded.order);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/try.h"
+#include "part/fitness.h"
 #include "part/measure.h"
 #include "patch/coder.h"
 #include "patch/container.h"
@@ -65,6 +66,9 @@ Result<std::optional<DecodedPart>> encode_patch(const MapCodec::State& state, co
                                              patched.part.mesh.attributes[a], v));
     patched.coded.attribute_errors.push_back(most);
   }
+  patched.coded.color_rms = color_rms(source.mesh, patched.part.mesh, patched.order);
+  const auto& rms = quality.attributes.color_rms;
+  if (rms && patched.coded.color_rms > kMeanTolerance * *rms) return std::optional<DecodedPart>();
   const auto coded_plan = write_patch_plan(base.part.mesh, inserted.part.mesh, std::move(plan));
   patched.coded.bytes = write_body(state.place_of(source.key), base_hash, {coded_plan, inserted.coded.bytes});
   return std::optional(std::move(patched));

@@ -52,6 +52,7 @@ struct CodedPart {
   std::vector<std::byte> bytes;            ///< as MapCodec::decode() takes them
   Quality quality{};                       ///< measured on what decode() returns
   std::vector<double> attribute_errors{};  ///< of every attribute, in its kind's unit (AttributeInfo::error)
+  double color_rms = 0;                    ///< of red, green and blue of all colours, 255ths
 };
 
 /// A part's octets are no longer, and it has at most so many vertices and triangles [MAP-7].

@@ -59,7 +59,9 @@ struct SenderCounts {
 /// takes its place. Times are seconds of any steady clock. A message arrives within 60 seconds or
 /// not at all: then what is known of parts that no longer exist is forgotten. Where a receiver has another
 /// description of the map, of another lattice, say, and of an epoch that is not older, a new epoch begins,
-/// and all parts are encoded and sent anew: up to 8 times, then such views are refused. Not thread-safe.
+/// and all parts are encoded and sent anew: up to 8 times, then such views are refused. Views that ask
+/// nothing of colours get them exactly until blocks with 1000 faces have come; these decide, once for all
+/// parts, whether they are labels, which stay exact, or those of photographs (ColorContent). Not thread-safe.
 class MapSender {
  public:
   /// Errors: kInvalidArgument, those of MapCodec::open().

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "part/border_colors.h"
+#include "lattice/source_colors.h"
 
 #include <algorithm>
 #include <cmath>
