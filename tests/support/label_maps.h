@@ -73,8 +73,7 @@ inline Levels noisy(Levels colors, std::uint32_t seed) {
 inline std::vector<LabelMap> label_maps(std::uint32_t seed, std::uint32_t count,
                                         std::uint64_t vertices = 6000) {
   Mesh mesh = *generate_scene(Scene::kRooms, vertices, seed);
-  const Adjacency graph =
-      build_adjacency(mesh.triangles, static_cast<std::uint32_t>(mesh.vertex_count()));
+  const Adjacency graph = build_adjacency(mesh.triangles, static_cast<std::uint32_t>(mesh.vertex_count()));
   const auto nearest = labels::nearest_seeds(mesh, seed, count);
   RandomBits random(seed + count);
   labels::Levels palette(std::size_t{3} * count);

@@ -78,8 +78,8 @@ std::optional<CodedAttribute> code_mean_colors(const AttributeView& attribute, c
   using enum AttributeCoding;
   // Errors are evenly spread over -L to L.
   const double bound = std::floor(std::sqrt(0.25 + 3 * rms * rms) - 0.5);
-  auto bounded = code_compact(
-      kSurfaceColors, write_surface_colors(attribute.type, rows, bound, surface, settings.start));
+  auto bounded = code_compact(kSurfaceColors,
+                              write_surface_colors(attribute.type, rows, bound, surface, settings.start));
   auto mean = code_compact(kMeanColors, write_haar_colors(attribute.type, rows, rms, surface));
   if (bounded && !keeps_mean(attribute, rows, rms, bounded->decoded.values)) bounded.reset();
   const bool is_smaller = mean && bounded && bounded->payload.size() <= mean->payload.size();
@@ -171,8 +171,8 @@ std::optional<CodedAttribute> write_on_surface(const AttributeView& attribute, c
 
 /// Whether its mean error was asked for.
 bool is_at_mean_error(const AttributeView& attribute, const AttributeSettings& settings) noexcept {
-  return settings.quality.color_rms && coding_fits(AttributeCoding::kMeanColors, attribute.kind,
-                                                   attribute.type, attribute.components);
+  return settings.quality.color_rms &&
+         coding_fits(AttributeCoding::kMeanColors, attribute.kind, attribute.type, attribute.components);
 }
 
 }  // namespace

@@ -46,10 +46,12 @@ Mesh triangles(std::initializer_list<std::array<std::uint8_t, 3>> rows, std::uin
 }
 
 TEST(ColorContent, SharesOfEqualNearAndFarEdgesDecide) {
-  EXPECT_TRUE(is_photographic(triangles({{10, 10, 10}, {10, 10, 18}, {10, 10, 26}}, 1000)));  // 2 near
+  EXPECT_TRUE(is_photographic(triangles({{10, 10, 10}, {10, 10, 18}, {10, 10, 26}}, 1000)));   // 2 near
   EXPECT_FALSE(is_photographic(triangles({{10, 10, 10}, {10, 10, 10}, {10, 10, 60}}, 1000)));  // none
-  EXPECT_TRUE(is_photographic(triangles({{10, 10, 10}, {10, 10, 10}, {10, 10, 18}}, 1000)));  // 1 equal, 2 near
-  EXPECT_FALSE(is_photographic(triangles({{10, 10, 10}, {10, 10, 18}, {10, 10, 60}}, 1000)));  // 1 near, 2 far
+  EXPECT_TRUE(
+      is_photographic(triangles({{10, 10, 10}, {10, 10, 10}, {10, 10, 18}}, 1000)));  // 1 equal, 2 near
+  EXPECT_FALSE(
+      is_photographic(triangles({{10, 10, 10}, {10, 10, 18}, {10, 10, 60}}, 1000)));  // 1 near, 2 far
 }
 
 TEST(ColorContent, FewFacesAndNoColorsAreNoPhotographs) {

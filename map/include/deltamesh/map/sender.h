@@ -31,7 +31,7 @@ struct SenderOptions {
   /// To all receivers together, in any second; 0: no limit. A call of messages_for() takes its share of what
   /// is left: one of as many as there are viewers.
   std::uint64_t bytes_per_second = 0;
-  /// Of the largest message: what is longer comes in fragments [MAP-24]. 1,200 for datagrams; at least 64; 0:
+  /// Of the largest message: what is longer comes in fragments [MAP-25]. 1,200 for datagrams; at least 64; 0:
   /// no limit.
   std::size_t message_bytes = 0;
   /// After so many seconds of its own messages_for() gives what it has and goes on at the next call; above 0.
