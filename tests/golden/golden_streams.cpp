@@ -353,7 +353,7 @@ std::vector<Golden> golden_streams() {
   list.push_back({"tetrahedron.default", tetrahedron(), {}});
   list.push_back({"grid.bits6", bumpy_grid(12, 10), {.bits = 6, .anchors = 4}});
   list.push_back({"grid.zstd", bumpy_grid(12, 10), {.bits = 6, .anchors = 4, .profile = Profile::kZstd}});
-  list.push_back({"attributes.compact", rough_grid(), {.bits = 8}});
+  list.push_back({"attributes.compact", rough_grid(), {.bits = 8, .attributes = {.color_error = 0}}});
   list.push_back({"attributes.zstd",
                   attributed_grid(6, 5),
                   {.bits = 10, .profile = Profile::kZstd, .keep_order = true}});
@@ -363,7 +363,9 @@ std::vector<Golden> golden_streams() {
        painted(),
        {.bits = 8, .attributes = {.normal_error = 2, .color_error = 4}, .profile = Profile::kZstd}});
   list.push_back({"almost.lossless", almost_on_a_lattice(), {.lossless = true}});
-  list.push_back({"grid.predictive", rough_grid(), {.geometry = GeometryCoder::kPredictive, .bits = 11}});
+  list.push_back({"grid.predictive",
+                  rough_grid(),
+                  {.geometry = GeometryCoder::kPredictive, .bits = 11, .attributes = {.color_error = 0}}});
   list.push_back({"asset.bounded", asset(), {.attributes = {.color_error = 3, .named = {{"move", 0.01}}}}});
   list.push_back({"asset.lossless", asset(), {.lossless = true}});
   list.push_back({"cut.bounded", cut_asset(), {.attributes = {.named = {{"move", 0.01}}}}});
