@@ -3,6 +3,7 @@
 #include "deltamesh/map/sender.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -22,7 +23,8 @@ namespace {
 constexpr double kLongestOnTheWay = 60;  // seconds: what a link holds for longer is taken to be lost
 constexpr double kLeastWait = 1;         // seconds; in which parts of a group are to come together
 constexpr double kMakesRoom = 5;         // seconds; after which a viewer makes room for another
-constexpr std::uint64_t kMostStart = std::uint64_t{1} << 62;
+constexpr std::uint64_t kMostTold = std::uint64_t{1} << 62;
+constexpr std::uint64_t kBetweenRecords = 1 << 10;  // revisions that a receiver may have and not tell of
 constexpr double kReuse = 0.5;   // seconds; in which a number's earlier receiver is not heard any more
 constexpr double kMostWait = 4;  // seconds; for a reply to the map's message
 
@@ -41,11 +43,13 @@ Result<void> check_options(const SenderOptions& options) {
 }
 
 /// Drops the records of parts that the map and the receiver no longer have, once no message about them can be
-/// on its way. A later part of the same key has a higher revision, so that it needs no record.
+/// on its way. A later part of the same key has a higher revision, so that it needs no record; nor does what
+/// only the receiver told of.
 void forget_gone_parts(Viewer& viewer, const SourceMap& map, double now) {
   std::erase_if(viewer.sent, [&](const auto& entry) {
     const auto& [key, sent] = entry;
-    return map.find(key) == nullptr && !viewer.has.contains(key) && sent.revision < map.revision() &&
+    const bool is_old = sent.revision < map.revision() || std::isinf(sent.time);
+    return map.find(key) == nullptr && !viewer.has.contains(key) && is_old &&
            now - sent.time > kLongestOnTheWay;
   });
 }
@@ -71,14 +75,14 @@ Result<MapSender> MapSender::make(MapDescription description, const SenderOption
     auto state = std::make_unique<State>(SourceMap(std::move(splitter), options.split.copy_level),
                                          std::move(codec), options);
     state->description_hash = hash;
-    state->start = state->highest = 1;
+    state->start = 1;
     return MapSender(std::move(state));
   });
 }
 
 void MapSender::resume(std::uint64_t revision, std::uint64_t group) noexcept {
   state_->map.resume(revision, group);
-  state_->start = state_->highest = state_->map.revision();
+  state_->start = state_->map.revision();
 }
 
 Result<void> MapSender::update(std::span<const MapBlock> blocks) noexcept {
@@ -138,8 +142,10 @@ std::vector<std::uint64_t> MapSender::viewers() const {
 
 /// The record of the receiver that sent a view; null: the view is old. Errors: kLimitExceeded.
 Result<Viewer*> MapSender::State::viewer_of(const ViewMessage& message, double now) {
-  if (message.start >= kMostStart)
-    return refused(ErrorCode::kInvalidArgument, "a view of a start that no sender has");
+  std::uint64_t told = std::max(message.start, map.revision());
+  for (const HeldVersion& held : message.held) told = std::max(told, held.revision);
+  if (told >= kMostTold)
+    return refused(ErrorCode::kInvalidArgument, "a view of a start or a revision that no sender has");
   std::erase_if(viewers, [&](const auto& v) { return now - v.second.heard > options.viewer_seconds; });
   bool is_known = message.start >= start;
   if (const auto found = viewers.find(message.viewer); found != viewers.end()) {
@@ -159,7 +165,7 @@ Result<Viewer*> MapSender::State::viewer_of(const ViewMessage& message, double n
   }
   Viewer& viewer = viewers[message.viewer];
   // What was sent to it before it was forgotten may still be on its way.
-  viewer.begin = is_known ? std::max(message.start, highest) + 1 : start;
+  viewer.begin = is_known ? told + kBetweenRecords : start;
   return &viewer;
 }
 

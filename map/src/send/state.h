@@ -34,7 +34,6 @@ struct MapSender::State {
   SenderOptions options;
   std::uint64_t description_hash = 0;
   std::uint64_t start = 0;    ///< the map's revision when this sender was started
-  std::uint64_t highest = 0;  ///< of all revisions and starts that were sent
   SourceMap map;
   Encodings encodings;
   KnownVersions known{};
