@@ -75,7 +75,8 @@ void add_attribute_quality(CLI::App& command, AttributeQuality& quality) {
       [&](double x) { quality.tangent_error = x; });
   add("--uv-error", "of texture coordinates: distance in their units", "1/4096",
       [&](double x) { quality.uv_error = x; });
-  add("--color-error", "of a component of a colour: 255ths of its range", "0",
+  add("--color-error",
+      "of a component of a colour: 255ths of its range; default: 0 for labels, 41 dB for photographs", "",
       [&](double x) { quality.color_error = x; });
   CLI::Option* const rms = add_number(command, "--color-rms",
                                       "instead: root mean square of the errors of red, green and blue, "

@@ -17,6 +17,7 @@ ExitCode exit_code_of(ErrorCode code) noexcept {
     case ErrorCode::kUnknownFormat:
       return kUsage;
     case ErrorCode::kInvalidMesh:
+    case ErrorCode::kNotFinite:
     case ErrorCode::kFileOpen:
     case ErrorCode::kFileRead:
     case ErrorCode::kInvalidFile:

@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <iostream>
-#include <string_view>
 #include <system_error>
 
 #include "deltamesh/decode.h"
@@ -113,9 +112,7 @@ std::optional<Imported> load_faces(const std::string& path, int& status, const F
 }
 
 ExitCode fail_coding(const std::string& path, const Error& error) {
-  const bool is_not_finite = std::string_view(error.message).find("NaN") != std::string_view::npos;
-  if (error.code != ErrorCode::kInvalidMesh || error.where_kind != WhereKind::kVertex || !is_not_finite)
-    return fail(path, error);
+  if (error.code != ErrorCode::kNotFinite) return fail(path, error);
   print_error(path, describe(error) + "; --drop-invalid drops the faces at such vertices");
   return kBadInput;
 }

@@ -39,7 +39,7 @@ Json json_of(const PartQuality& quality) {
   json["normal_error"] = attributes.normal_error;
   if (attributes.tangent_error) json["tangent_error"] = *attributes.tangent_error;
   json["uv_error"] = attributes.uv_error;
-  json["color_error"] = attributes.color_error;
+  if (attributes.color_error) json["color_error"] = *attributes.color_error;
   if (attributes.color_rms) json["color_rms"] = *attributes.color_rms;
   json["weight_error"] = attributes.weight_error;
   json["named"] = Json::array();
@@ -61,7 +61,7 @@ PartQuality quality_of(const Json& json) {
   attributes.normal_error = json.at("normal_error");
   if (json.contains("tangent_error")) attributes.tangent_error = json.at("tangent_error").get<double>();
   attributes.uv_error = json.at("uv_error");
-  attributes.color_error = json.at("color_error");
+  if (json.contains("color_error")) attributes.color_error = json.at("color_error").get<double>();
   if (json.contains("color_rms")) attributes.color_rms = json.at("color_rms").get<double>();
   attributes.weight_error = json.at("weight_error");
   for (const Json& bound : json.at("named")) attributes.named.push_back({bound.at(0), bound.at(1)});

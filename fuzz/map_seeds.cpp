@@ -25,7 +25,7 @@ using Bytes = std::vector<std::byte>;
 
 constexpr std::size_t kKind = 4;               ///< where a message has its kind [MAP-1]
 constexpr int kOfAKind = 2;                    ///< messages that are kept
-constexpr std::size_t kOffsetOfFragment = 14;  ///< where a short one has it [MAP-24]
+constexpr std::size_t kOffsetOfFragment = 14;  ///< where a short one has it [MAP-25]
 constexpr std::size_t kHighestByteOfVde = 38;  ///< of a view of varints below 128, without boxes [MAP-15]
 
 template <class T>

@@ -35,7 +35,7 @@ MapDescription primed(const MapUpdates& updates, const Bounds& bounds, const Sen
   for (const ChangedPart& changed : change.changed) parts.push_back(changed.part);
   PartQuality quality;
   quality.bounds.max_error = QualityBound{bounds.max_error};
-  quality.attributes.color_error = bounds.color_error;
+  quality.attributes = quality_of(bounds);
   quality.effort = bounds.effort;
   return value_or_exit(with_primers(description, parts, quality));
 }
@@ -56,6 +56,11 @@ double error_of(const MapReceiver& receiver, const Mesh& source) {
 
 }  // namespace
 
+AttributeQuality quality_of(const Bounds& bounds) {
+  if (bounds.color_rms > 0) return {.color_rms = bounds.color_rms};
+  return {.color_error = bounds.color_error};
+}
+
 Sums run_map(const MapUpdates& updates, const Bounds& bounds, const ExchangeSettings& settings) {
   SenderOptions options;
   options.split.most_triangles = settings.most_triangles;
@@ -66,7 +71,10 @@ Sums run_map(const MapUpdates& updates, const Bounds& bounds, const ExchangeSett
   MapReceiver receiver(1, description.id);
   View view;
   view.max_error = static_cast<float>(bounds.max_error);
-  view.color_error = static_cast<float>(bounds.color_error);
+  if (bounds.color_rms > 0)
+    view.color_rms = static_cast<float>(bounds.color_rms);
+  else
+    view.color_error = static_cast<float>(bounds.color_error);
   receiver.set_view(view);
   Sums sums;
   double now = 0;

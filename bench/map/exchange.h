@@ -6,6 +6,7 @@
 
 #include <cstdint>
 
+#include "deltamesh/attribute_quality.h"
 #include "map/updates.h"
 
 namespace deltamesh::bench {
@@ -14,10 +15,13 @@ namespace deltamesh::bench {
 struct Bounds {
   double max_error = 0;  ///< model units
   int color_error = 4;   ///< of 255
+  double color_rms = 0;  ///< of 255, instead; 0: none. Draco keeps color_error
   int effort = 0;
 };
 
 /// What a sequence took.
+AttributeQuality quality_of(const Bounds& bounds);
+
 struct Sums {
   std::uint64_t bytes = 0;
   std::uint64_t sent = 0;

@@ -3,6 +3,7 @@
 //
 // Updates of maps: bytes and times beside raw triangles, Draco block by block and our own streams block by
 // block; and what need not be sent as it is good enough. Whole maps in parts: bytes beside one stream.
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@ constexpr double kCoarse = 0.25;    // voxels, where older versions may stay
 struct Settings {
   ExchangeSettings exchange;
   int effort = 0;
+  double color_psnr = 0;
   int rounds = 3;
   std::vector<double> part_edges = {8, 4, 2, 1};
   std::vector<std::string> folders;
@@ -48,6 +50,12 @@ Sums run_blocks(const MapUpdates& updates, const Bounds& bounds, Code code) {
     }
   }
   return sums;
+}
+
+Bounds bounds_of(const Settings& settings, double max_error) {
+  Bounds bounds{.max_error = max_error, .effort = settings.effort};
+  if (settings.color_psnr > 0) bounds.color_rms = 255 * std::pow(10, -settings.color_psnr / 20);
+  return bounds;
 }
 
 /// Medians of rounds in which Draco and the map take turns.
@@ -86,7 +94,7 @@ void print_coarse(const MapUpdates& updates, const Bounds& bounds, const Setting
 
 void run_updates(const MapUpdates& updates, const Settings& settings) {
   const auto count = static_cast<double>(updates.steps.size());
-  Bounds bounds{.max_error = kMaxError * updates.voxel, .effort = settings.effort};
+  Bounds bounds = bounds_of(settings, kMaxError * updates.voxel);
   std::uint64_t raw = 0;
   for (const SequenceStep& step : updates.steps)
     for (const SequenceBlock& block : step.changed) raw += raw_bytes(block.mesh);
@@ -108,7 +116,7 @@ void run_updates(const MapUpdates& updates, const Settings& settings) {
 }
 
 void split_in_parts(const std::string& name, const Mesh& mesh, double voxel, const Settings& settings) {
-  print_splits(name, mesh, {.max_error = kMaxError * voxel, .effort = settings.effort}, settings.part_edges,
+  print_splits(name, mesh, bounds_of(settings, kMaxError * voxel), settings.part_edges,
                settings.exchange.most_triangles);
 }
 
@@ -155,6 +163,8 @@ int main(int argc, char** argv) {
   app.add_option("--most-triangles", settings.exchange.most_triangles, "Of a part of several blocks")
       ->capture_default_str();
   app.add_option("--effort", settings.effort, "Of encoding, 0 to 2")->capture_default_str();
+  app.add_option("--color-psnr", settings.color_psnr,
+                 "Colours at this mean error, decibels, instead of within 4 of 255; Draco's are within that");
   app.add_option("--rounds", settings.rounds, "Of which times are the medians")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);

@@ -69,7 +69,7 @@ CodedBlock draco_block(const Mesh& block, const Bounds& bounds) {
 CodedBlock plain_block(const Mesh& block, const Bounds& bounds) {
   EncodeOptions options;
   options.quality.max_error = QualityBound{bounds.max_error};
-  options.attributes.color_error = bounds.color_error;
+  options.attributes = quality_of(bounds);
   options.effort = bounds.effort;
   return time_block([&] { return value_or_exit(encode(block, options)).bytes; },
                     [](std::span<const std::byte> stream) { return decode(stream); });

@@ -26,7 +26,7 @@ void print_splits(const std::string& name, Mesh mesh, const Bounds& bounds,
   MapSettings settings;
   settings.most_triangles = most_triangles;
   settings.quality.bounds.max_error = QualityBound{bounds.max_error};
-  settings.quality.attributes.color_error = bounds.color_error;
+  settings.quality.attributes = quality_of(bounds);
   settings.quality.effort = bounds.effort;
   for (const double edge : part_edges) {
     settings.part_edge = edge;

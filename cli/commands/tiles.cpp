@@ -75,6 +75,7 @@ int run_plan(const Planning& planning) {
   FiledPlan plan;
   LossReport losses;
   double rounding = 0;
+  double uv_scale = 1;
   for (const std::string& file : planning.files) {
     int status = kOk;
     const auto imported = load_mesh(file, status, planning.options);
@@ -82,6 +83,7 @@ int run_plan(const Planning& planning) {
     for (const LeftOut& entry : imported->report.left_out)
       losses.leave_out(entry.kind, entry.name, entry.count);
     rounding = std::max(rounding, imported->report.position_error);
+    uv_scale = std::max(uv_scale, imported->report.uv_scale);
     losses.leave_out(LeftOutKind::kNames, "groups", imported->mesh.group_names.size());
     if (const auto added = planner->add(imported->mesh); !added) return fail(file, added.error());
     std::error_code failed;
@@ -90,6 +92,7 @@ int run_plan(const Planning& planning) {
   auto planned = planner->plan();
   if (!planned) return fail("tiles plan", planned.error());
   plan.plan = *std::move(planned);
+  plan.plan.quality.attributes.uv_error /= uv_scale;
   if (plan.plan.tiles.empty()) {
     print_error("tiles plan", "the files have no faces");
     return kBadInput;
@@ -100,6 +103,7 @@ int run_plan(const Planning& planning) {
   std::cout << planning.folder << ": " << counted(plan.plan.tiles.size(), "tile", "tiles")
             << ", numbered from 0, " << counted(plan.plan.parts.size(), "part", "parts") << '\n';
   print_rounding(rounding, std::cout);
+  print_stretch(uv_scale, std::cout);
   print_left_out(losses, std::cout);
   return kOk;
 }

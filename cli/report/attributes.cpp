@@ -36,6 +36,12 @@ std::string rms_text(double rms) {
   return "of red, green, blue rms " + brief(rms) + " (" + brief(decibels_of(rms)) + " dB)";
 }
 
+std::string attribute_text(const AttributeInfo& attribute, std::uint64_t labels) {
+  if (attribute.error == 0 && attribute.kind == AttributeKind::kColor && labels > 0)
+    return counted(labels, "label", "labels") + ", exact";
+  return kept_text(attribute.kind, attribute.error, attribute.rms);
+}
+
 std::string comparison_text(const AttributeComparison& attribute) {
   switch (attribute.match) {
     case AttributeMatch::kMissingInB:
@@ -101,14 +107,17 @@ std::string error_text(AttributeKind kind, double error) {
   return text;
 }
 
-void add_attributes(Summary& summary, const StreamInfo& info) {
+std::string kept_text(AttributeKind kind, double error, double rms) {
+  if (error == 0) return "exact";
+  const std::string most = "max error " + error_text(kind, error);
+  return rms == 0 ? most : "photographic, " + brief(decibels_of(rms)) + " dB, " + most;
+}
+
+void add_attributes(Summary& summary, const StreamInfo& info, std::uint64_t labels) {
   for (const AttributeInfo& attribute : info.attributes)
     summary.add("    " + label(attribute.kind, attribute.name),
                 shape_text(attribute.type, attribute.components) + ", " +
-                    size_text(attribute.coded_bytes, info) +
-                    (attribute.error == 0 ? ", exact"
-                                          : ", max error " + error_text(attribute.kind, attribute.error)) +
-                    (attribute.rms == 0 ? "" : ", " + rms_text(attribute.rms)));
+                    size_text(attribute.coded_bytes, info) + ", " + attribute_text(attribute, labels));
 }
 
 nlohmann::ordered_json attributes_object(const StreamInfo& info) {

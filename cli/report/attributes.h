@@ -25,8 +25,11 @@ const char* unit_name(AttributeKind kind);
 /// "0.49 degrees", "1.5 of 255", "0.001"; "exact" where it is 0.
 std::string error_text(AttributeKind kind, double error);
 
-/// A line for every attribute.
-void add_attributes(Summary& summary, const StreamInfo& info);
+/// "exact", "max error 4 of 255", "photographic, 41 dB, max error 30 of 255". `rms`: of AttributeInfo.
+std::string kept_text(AttributeKind kind, double error, double rms);
+
+/// A line for every attribute. `labels`: of EncodeReport.
+void add_attributes(Summary& summary, const StreamInfo& info, std::uint64_t labels = 0);
 /// Of EncodeReport; nothing where it is 0.
 void add_dropped_lengths(Summary& summary, std::uint64_t count);
 void add_attributes(Summary& summary, const Comparison& result);

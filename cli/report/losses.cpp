@@ -22,6 +22,12 @@ void print_rounding(double most, std::ostream& out) {
         << ", which adds to the max error\n";
 }
 
+void print_stretch(double uv_scale, std::ostream& out) {
+  if (uv_scale > 1)
+    out << "  textures  stretched " << brief(uv_scale)
+        << " times by KHR_texture_transform, for which the bound is divided\n";
+}
+
 nlohmann::ordered_json left_out_array(const LossReport& report) {
   auto array = nlohmann::ordered_json::array();
   for (const LeftOut& entry : report.left_out)

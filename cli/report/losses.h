@@ -22,6 +22,9 @@ void print_left_out(const LossReport& report, std::ostream& out);
 /// not count; nothing for 0.
 void print_rounding(double most, std::ostream& out);
 
+/// How many times KHR_texture_transform stretches texture coordinates; nothing for 1.
+void print_stretch(double uv_scale, std::ostream& out);
+
 /// [{"kind": "names", "name": "materials", "count": 2}, ...]
 nlohmann::ordered_json left_out_array(const LossReport& report);
 

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "deltamesh/map/description.h"
+#include "report/attributes.h"
 #include "report/console.h"
 
 namespace deltamesh::cli {
@@ -48,6 +49,19 @@ Totals totals_on(const MapManifest& manifest, std::uint8_t level) {
   return totals;
 }
 
+bool is_color(const MapAttribute& attribute) noexcept { return attribute.kind == AttributeKind::kColor; }
+
+/// The largest error of colours, 255ths; empty where there are none.
+std::optional<double> color_error_of(const MapManifest& manifest) {
+  const auto& attributes = manifest.description.attributes;
+  if (std::ranges::none_of(attributes, is_color)) return std::nullopt;
+  double most = 0;
+  for (const PartEntry& entry : manifest.entries)
+    for (std::size_t i = 0; i < attributes.size(); ++i)
+      if (is_color(attributes[i])) most = std::max(most, double{entry.attribute_errors.at(i)});
+  return most;
+}
+
 /// `finest`: what shows the map on level 0.
 bool has_copies(const MapManifest& manifest, const Totals& finest) noexcept {
   return manifest.entries.size() > finest.parts;
@@ -73,8 +87,8 @@ nlohmann::ordered_json key_object(const PartKey& key) {
   return object;
 }
 
-void print_map(const std::string& headline, const MapManifest& manifest,
-               std::optional<std::size_t> new_parts) {
+void print_map(const std::string& headline, const MapManifest& manifest, std::optional<std::size_t> new_parts,
+               double color_rms) {
   const MapDescription& description = manifest.description;
   const Totals totals = totals_on(manifest, 0);
   Summary summary(headline);
@@ -95,6 +109,8 @@ void print_map(const std::string& headline, const MapManifest& manifest,
   summary.add("bytes", grouped(totals.bytes + primer_bytes(description)) + ", of which " +
                            grouped(primer_bytes(description)) + " are primers");
   summary.add("max error", brief(totals.max_error));
+  if (const auto error = color_error_of(manifest))
+    summary.add("colours", kept_text(AttributeKind::kColor, *error, color_rms));
   if (has_copies(manifest, totals)) {
     for (int level = 1; level <= manifest.entries.back().key.level; ++level) {
       const Totals shown = totals_on(manifest, static_cast<std::uint8_t>(level));
@@ -137,6 +153,7 @@ nlohmann::ordered_json map_object(const MapManifest& manifest) {
   object["vertices"] = totals.vertices;
   object["triangles"] = totals.triangles;
   object["max_error"] = totals.max_error;
+  if (const auto error = color_error_of(manifest)) object["color_error"] = *error;
   if (!has_copies(manifest, totals)) return object;
   for (int level = 1; level <= manifest.entries.back().key.level; ++level) {
     const Totals shown = totals_on(manifest, static_cast<std::uint8_t>(level));
@@ -147,6 +164,20 @@ nlohmann::ordered_json map_object(const MapManifest& manifest) {
                                 {"max_error", shown.max_error}});
   }
   return object;
+}
+
+std::vector<MapDifference> map_differences(const MapManifest& before, const MapManifest& after) {
+  std::vector<MapDifference> list;
+  auto old = before.entries.begin();
+  for (const PartEntry& entry : after.entries) {
+    for (; old != before.entries.end() && old->key < entry.key; ++old) list.push_back({"removed", &*old});
+    const bool is_known = old != before.entries.end() && old->key == entry.key;
+    if (!is_known) list.push_back({"new", &entry});
+    if (is_known && old->hash != entry.hash) list.push_back({"changed", &entry});
+    if (is_known) ++old;
+  }
+  for (; old != before.entries.end(); ++old) list.push_back({"removed", &*old});
+  return list;
 }
 
 }  // namespace deltamesh::cli

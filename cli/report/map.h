@@ -8,20 +8,30 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "deltamesh/map/folder.h"
 
 namespace deltamesh::cli {
 
-/// For people, on standard output. `new_parts`: how many were written just now.
+/// For people, on standard output. `new_parts`: how many were written just now. `color_rms`: the mean error
+/// that was asked for, 255ths; 0: none, or not known.
 void print_map(const std::string& headline, const MapManifest& manifest,
-               std::optional<std::size_t> new_parts = std::nullopt);
+               std::optional<std::size_t> new_parts = std::nullopt, double color_rms = 0);
 
 /// The same figures.
 nlohmann::ordered_json map_object(const MapManifest& manifest);
 
 /// Largest distance by which vertices of `mesh` are moved as they become float32 beside the map's origin.
 double rounding_in_map(const Mesh& mesh, const MapDescription& description);
+
+struct MapDifference {
+  const char* kind;  ///< "new", "changed" or "removed"
+  const PartEntry* entry;
+};
+
+/// What takes the old map to the new one, ascending by key; the maps must outlive it.
+std::vector<MapDifference> map_differences(const MapManifest& before, const MapManifest& after);
 
 /// "level 0, 3 -1 2".
 std::string key_text(const PartKey& key);

@@ -1,4 +1,4 @@
-"""Parts of maps: map.md, MAP-2, MAP-5 to MAP-7, MAP-11 and MAP-20."""
+"""Parts of maps: map.md, MAP-2, MAP-5 to MAP-7, MAP-11, MAP-20 and MAP-24."""
 import copy
 import math
 import struct
@@ -6,7 +6,7 @@ import struct
 import numpy as np
 import xxhash
 
-from attr import Attribute
+from attr import Attribute, COLOUR, COLOURS
 from coder import BitModel, Coder, NumberModel, States
 from container import (CNT_1_stream, CNT_2_checked, CNT_4_chunks, DRAFT, HIGHPASS, Header, Reader, VOXELS, must,
                        unzigzag)
@@ -102,13 +102,44 @@ def MAP_11_border(lattice, mesh, coder, states):
         ways = [unzigzag(learnt.ways[3 * loose[a] + a].decode(coder)) for a in range(3)]
         points[v] = expected + ways
         must(np.all(abs(points[v]) < 2**24), "MAP-11", f"point {points[v]}")
-    coder.CMP_3_end()
     must(points, "MAP-11", "no border vertex")
+    MAP_24_colours(mesh, list(points), coder, states)
+    coder.CMP_3_end()
     if header.coder == HIGHPASS:
         MAP_20_move_along(mesh, {v: lattice.step * point - mesh.positions[v] for v, point in points.items()})
     for v, point in points.items():
         mesh.positions[v] = lattice.step * point
     return {v: (tuple(point), twins[v]) for v, point in points.items()}
+
+def MAP_24_colours(mesh, border, coder, states):
+    """Gives the border's vertices colours on levels that all parts have."""
+    learnt = states.models("border colours", step=NumberModel(), moved=[BitModel(2**14) for _ in range(12)],
+                           away=[BitModel(2**14) for _ in range(12)], more=NumberModel())
+    for a in mesh.attributes:
+        if a.kind != COLOUR or a.type not in COLOURS:
+            continue
+        s = learnt.step.decode(coder)
+        must(s <= 255, "MAP-24", f"step {s}")
+        for v in border if s else []:
+            w = None
+            for c in range(a.k):
+                x = level_of(a.type, a.values[v, c])
+                e = (2 * x + s) // (2 * s)
+                r = 2 * (x - e * s)
+                d = -1 if r < 0 else 1
+                m = min(2, 3 * abs(r) // (s + 1)) + (0 if w is None else 3 if w == 0 else 6 if w * d > 0 else 9)
+                w = 0
+                if learnt.moved[m].decode(coder):
+                    w = -d if learnt.away[m].decode(coder) else d
+                    w *= 1 + min(learnt.more.decode(coder), 255)
+                level = min(max((e + w) * s, 0), 255)
+                a.values[v, c] = {"u1": level, "u2": 257 * level, "f4": np.float32(level / 255)}[a.type]
+
+def level_of(kind, x):
+    """The nearest level of 8 bits."""
+    if kind == "f4":
+        return math.floor(255 * float(x) + 0.5) if 0 <= x <= 1 else 0
+    return int(x) if kind == "u1" else (int(x) + 128) // 257
 
 def MAP_20_move_along(mesh, border):
     """What is not on the border moves along, less with each edge; `border`: the ways of its vertices."""

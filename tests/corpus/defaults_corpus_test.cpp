@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <string>
 #include <vector>
@@ -54,12 +55,31 @@ double largest_difference(const Attribute& a, std::size_t i, const Attribute& b,
   return largest;
 }
 
+/// Of red, green and blue of 8 bits, over all rows.
+double rms_of_colors(const Attribute& before, const Attribute& after,
+                     const std::vector<std::uint32_t>& order) {
+  double sum = 0;
+  for (std::size_t i = 0; i < order.size(); ++i)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto level = [c](const Attribute& colors, std::size_t row) {
+        return std::to_integer<int>(colors.values[row * colors.components + c]);
+      };
+      sum += std::pow(level(before, order[i]) - level(after, i), 2);
+    }
+  return order.empty() ? 0 : std::sqrt(sum / (3 * static_cast<double>(order.size())));
+}
+
 /// Directions may have any length, here in the files that MeshLab wrote: within the angle, whatever the
 /// lengths. `order`: the row of `before` for every row of `after`.
 void expect_default_bounds(const Attribute& before, const Attribute& after,
                            const std::vector<std::uint32_t>& order) {
   const bool is_direction = before.kind == AttributeKind::kNormal || before.kind == AttributeKind::kTangent;
   const bool is_uv = before.kind == AttributeKind::kUv;
+  const bool is_color = before.kind == AttributeKind::kColor && before.type == ComponentType::kU8;
+  if (is_color && before.components >= 3) {
+    EXPECT_LE(rms_of_colors(before, after, order), kPhotographicRms) << before.name;
+    return;
+  }
   const bool floats = before.type == ComponentType::kF32;
   const std::size_t row = before.components * component_size(before.type);
   double worst = 0;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 #include <random>
+#include <tuple>
 
 #include "corpus_files.h"
 #include "deltamesh/io.h"
@@ -117,6 +118,51 @@ void expect_no_crack(Mesh mesh, std::uint32_t most_triangles, std::uint32_t seed
   for (int i = 0; i < 5; ++i) EXPECT_EQ(odd_edges(*join(chosen(decoded, random_cover(decoded, random)))), 0U);
 }
 
+std::vector<std::byte> color_at(const Mesh& mesh, std::size_t attribute, std::size_t vertex) {
+  const Attribute& colors = mesh.attributes[attribute];
+  const std::size_t size = colors.components * component_size(colors.type);
+  const auto begin = colors.values.begin() + static_cast<std::ptrdiff_t>(vertex * size);
+  return {begin, begin + static_cast<std::ptrdiff_t>(size)};
+}
+
+/// What is one vertex of the source has one colour in all parts.
+void expect_one_color(const Mesh& mesh, std::uint32_t most_triangles, const AttributeQuality& quality) {
+  const double diagonal = diagonal_of(mesh);
+  MapDescription description{
+      .lattice = {.origin = mesh.origin, .step_exponent = step_exponent_for(0.0004 * diagonal)}};
+  description.cell_steps =
+      static_cast<std::uint32_t>(std::max(1.0, diagonal / 200 / description.lattice.step()));
+  for (const Attribute& a : mesh.attributes)
+    description.attributes.push_back({a.kind, a.type, a.components, a.normalized, a.name, a.linear});
+  const auto parts = split(mesh, description, {.most_triangles = most_triangles, .most_level = 5});
+  ASSERT_TRUE(parts) << describe(parts.error());
+  const auto codec = MapCodec::open(description);
+  std::map<std::tuple<std::size_t, LatticePoint, std::uint32_t, std::vector<std::byte>>,
+           std::vector<std::byte>>
+      known;
+  std::size_t differing = 0;
+  for (const MapPart& part : *parts) {
+    const auto coded = codec->encode(
+        part, {.bounds = {.max_error = QualityBound{0.0004 * diagonal}}, .attributes = quality, .effort = 0});
+    ASSERT_TRUE(coded) << describe(coded.error());
+    const auto decoded = codec->decode(part.key, coded->bytes);
+    ASSERT_TRUE(decoded) << describe(decoded.error());
+    std::map<std::pair<LatticePoint, std::uint32_t>, std::vector<std::uint32_t>> sources;
+    for (const BorderVertex& b : part.border) sources[{b.point, b.twin}].push_back(b.vertex);
+    for (const BorderVertex& b : decoded->border) {
+      const auto& rows = sources.at({b.point, b.twin});
+      for (std::size_t a = 0; a < mesh.attributes.size(); ++a) {
+        if (mesh.attributes[a].kind != AttributeKind::kColor || rows.size() != 1) continue;
+        const auto color = color_at(decoded->mesh, a, b.vertex);
+        const auto [place, is_new] =
+            known.try_emplace({a, b.point, b.twin, color_at(part.mesh, a, rows.front())}, color);
+        differing += place->second != color ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_EQ(differing, 0U);
+}
+
 class MapCorpus : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(MapCorpus, NoCracksInPartsOfAnyQuality) {
@@ -127,6 +173,19 @@ TEST_P(MapCorpus, NoCracksInPartsOfAnyQuality) {
   expect_no_crack(imported->mesh, 400, 0);
   expect_no_crack(imported->mesh, 1500, 1);
   expect_no_crack(imported->mesh, 12000, 2);
+}
+
+TEST_P(MapCorpus, NoSeamsInColors) {
+  if (GetParam() == testing_corpus::kNoCorpus) GTEST_SKIP() << "no corpus";
+  const auto imported = read_mesh_file((testing_corpus::corpus() / GetParam()).string());
+  ASSERT_TRUE(imported);
+  Mesh mesh = imported->mesh;
+  std::erase_if(mesh.attributes, [](const Attribute& a) { return a.kind != AttributeKind::kColor; });
+  mesh.face_groups.clear();
+  if (mesh.triangles.empty() || mesh.attributes.empty()) GTEST_SKIP() << "no faces or no colours";
+  expect_one_color(mesh, 1500, {.color_rms = kPhotographicRms});
+  expect_one_color(mesh, 12000, {.color_rms = 8});
+  expect_one_color(mesh, 4000, {.color_error = 4});
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, MapCorpus, ::testing::ValuesIn(testing_corpus::mesh_files()),

@@ -53,7 +53,7 @@ TEST(GltfPackErrors, NameThePrimitive) {
   sheet.positions[7] = std::numeric_limits<float>::quiet_NaN();
   nan.sheet_mesh(sheet);
   error = pack_error(nan.glb());
-  EXPECT_EQ(error.code, ErrorCode::kInvalidMesh);
+  EXPECT_EQ(error.code, ErrorCode::kNotFinite);
   EXPECT_EQ(error.where, 2U);
 }
 

@@ -8,6 +8,7 @@
 #include "lattice/border_payload.h"
 #include "lattice/place_border.h"
 #include "map/map_meshes.h"
+#include "support/color_value.h"
 
 namespace deltamesh {
 namespace {
@@ -36,22 +37,22 @@ BorderView view_of(const Mesh& mesh, bool follows) {
 }
 
 TEST(MapBorder, MAP11RoundTrip) {
-  const Mesh mesh = test::wavy_sheet(9, 7, 1, 0);
+  Mesh mesh = test::wavy_sheet(9, 7, 1, 0);
   for (const bool follows : {false, true}) {
     for (const std::int32_t off : {0, 1, -3000, 100000}) {
       const auto border = every_third(mesh, off);
-      const auto bytes = write_border(mesh, view_of(mesh, follows), border, {});
+      const auto bytes = write_border(mesh, view_of(mesh, follows), border, {}, {});
       const auto back = read_border(bytes, mesh, view_of(mesh, follows), {&kFresh});
       ASSERT_TRUE(back);
       EXPECT_EQ(*back, border);
     }
   }
-  EXPECT_TRUE(write_border(mesh, view_of(mesh, false), {}, {}).empty());
+  EXPECT_TRUE(write_border(mesh, view_of(mesh, false), {}, {}, {}).empty());
   EXPECT_TRUE(read_border({}, mesh, view_of(mesh, false), {&kFresh})->empty());
 }
 
 TEST(MapBorder, MAP11RefusesABorderOfNothingAndPointsBeyondTheLattice) {
-  const Mesh mesh = test::wavy_sheet(9, 7, 1, 0);
+  Mesh mesh = test::wavy_sheet(9, 7, 1, 0);
   const OpenEdges edges(mesh.triangles, mesh.vertex_count());
   const BorderView view = view_of(mesh, false);
   CompactWriter nothing;
@@ -73,9 +74,69 @@ TEST(MapBorder, MAP11RefusesABorderOfNothingAndPointsBeyondTheLattice) {
   EXPECT_STREQ(read_border(beyond.finish(), moved, view_of(moved, false), {&kFresh}).error().rule, "MAP-11");
 }
 
+/// A sheet whose colours, 4 components of this type, are what streams are off by.
+Mesh painted_sheet(ComponentType type, std::uint32_t seed) {
+  Mesh mesh = test::wavy_sheet(9, 7, 1, 0);
+  const std::size_t size = component_size(type);
+  Attribute colors{.kind = AttributeKind::kColor, .type = type, .components = 4, .normalized = true};
+  colors.values.resize(4 * size * mesh.vertex_count());
+  std::mt19937 random(seed);
+  for (std::size_t i = 0; i < 4 * mesh.vertex_count(); ++i)
+    store_component(&colors.values[i * size], size,
+                    color_of_level(type, 8, static_cast<std::int32_t>((37 * i + random() % 9) % 256)));
+  mesh.attributes = {std::move(colors)};
+  return mesh;
+}
+
+TEST(MapBorder, MAP24CopiesGetOneColourWhateverTheirStreamsHave) {
+  for (const ComponentType type : {ComponentType::kU8, ComponentType::kU16, ComponentType::kF32}) {
+    for (const std::uint32_t step : {1U, 2U, 7U, 24U, 255U}) {
+      const Mesh source = painted_sheet(type, 1);
+      const std::size_t size = component_size(type);
+      const auto border = every_third(source, 0);
+      BorderColors wanted{.step = step};
+      for (const BorderVertex& b : border)
+        for (std::size_t c = 0; c < 4; ++c)
+          wanted.levels.push_back(color_level(type, &source.attributes[0].values[(4 * b.vertex + c) * size]));
+      for (const std::uint32_t seed : {2U, 3U}) {
+        const Mesh decoded = painted_sheet(type, seed);
+        Mesh written = decoded;
+        Mesh read = decoded;
+        const auto bytes = write_border(written, view_of(written, false), border, {}, {&wanted, 1});
+        ASSERT_TRUE(read_border(bytes, read, view_of(read, false), {&kFresh}));
+        EXPECT_EQ(read.attributes[0].values, written.attributes[0].values);
+        for (std::uint32_t v = 0; v < read.vertex_count(); ++v)
+          for (std::size_t c = 0; c < 4; ++c) {
+            const auto level = [&](const Mesh& mesh) {
+              return color_level(type, &mesh.attributes[0].values[(4 * v + c) * size]);
+            };
+            EXPECT_EQ(level(read), v % 3 == 0 ? border_level(level(source), step) : level(decoded));
+          }
+      }
+    }
+  }
+}
+
+TEST(MapBorder, MAP24RefusesStepsAbove255) {
+  Mesh mesh = painted_sheet(ComponentType::kU8, 1);
+  const auto border = every_third(mesh, 0);
+  const OpenEdges edges(mesh.triangles, mesh.vertex_count());
+  const BorderView view = view_of(mesh, false);
+  CompactWriter writer;
+  BorderModels models;
+  BorderCoder coder(writer, models, view, edges);
+  auto coded = border;
+  std::size_t next = 0;
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) coder.code(v, coded, next);
+  writer.number(256, models.colors.step);
+  EXPECT_STREQ(read_border(writer.finish(), mesh, view, {&kFresh}).error().rule, "MAP-24");
+}
+
 TEST(MapBorder, AnyBytesGiveAnErrorOrABorder) {
-  const Mesh mesh = test::wavy_sheet(9, 7, 1, 0);
-  const auto bytes = write_border(mesh, view_of(mesh, false), every_third(mesh, 2), {});
+  Mesh mesh = painted_sheet(ComponentType::kU8, 1);
+  const auto border = every_third(mesh, 2);
+  const BorderColors colors{.step = 7, .levels = std::vector<std::uint8_t>(4 * border.size(), 99)};
+  const auto bytes = write_border(mesh, view_of(mesh, false), border, {}, {&colors, 1});
   std::mt19937 random(1);
   for (int i = 0; i < 2000; ++i) {
     auto damaged = bytes;

@@ -116,6 +116,11 @@ TEST(MapMessages, MAP15ViewsComeBack) {
   ASSERT_TRUE(back) << describe(back.error());
   EXPECT_EQ(*back, example_view());
   expect_every_damage_found(*bytes, [](const Bytes& b) { return bool{read_view(b)}; });
+  ViewMessage mean = example_view();
+  mean.view.color_error.reset();
+  EXPECT_EQ(*read_view(*write_view(mean)), mean);
+  mean.view.color_rms = 2.5F;
+  EXPECT_EQ(*read_view(*write_view(mean)), mean);
 }
 
 TEST(MapMessages, MAP12LinksAreChecked) {
@@ -156,6 +161,8 @@ TEST(MapMessages, MAP13MAP15RangesAreChecked) {
   EXPECT_EQ(rule_of([](ViewMessage& m) { m.view.vde = -1.0F; }), "MAP-15");
   EXPECT_EQ(rule_of([](ViewMessage& m) { m.view.lfe = std::nanf(""); }), "MAP-15");
   EXPECT_EQ(rule_of([](ViewMessage& m) { m.view.color_error = -1; }), "MAP-15");
+  EXPECT_EQ(rule_of([](ViewMessage& m) { m.view.color_rms = 1; }), "MAP-15");  // and a largest error
+  EXPECT_EQ(rule_of([](ViewMessage& m) { m.view.color_error.reset(), m.view.color_rms = 0; }), "MAP-15");
   EXPECT_EQ(rule_of([](ViewMessage& m) { m.view.attribute_errors = {0, -1}; }), "MAP-15");
   EXPECT_EQ(rule_of([](ViewMessage& m) { m.view.attribute_errors.resize(256); }), "MAP-15");
   EXPECT_EQ(rule_of([](ViewMessage& m) { m.view.level = 25; }), "MAP-15");

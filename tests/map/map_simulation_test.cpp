@@ -113,6 +113,8 @@ class Schedule {
     ASSERT_TRUE(sender);
     sender_ = std::make_unique<MapSender>(std::move(*sender));
     sender_->resume(saved_revision_, saved_group_);
+    sender_start_ = sender_->revision();
+    heard_.clear();
     tell(world_.present());
   }
 
@@ -244,8 +246,7 @@ class Schedule {
       ASSERT_TRUE(said);
       for (const Bytes& message : *said) post(-1, message);
     }
-    const auto viewers = sender_->viewers();
-    if (std::find(viewers.begin(), viewers.end(), client.viewer) == viewers.end()) return;
+    if (!is_viewer(client)) return;
     const auto messages = sender_->messages_for(client.viewer, now_);
     ASSERT_TRUE(messages) << describe(messages.error());
     for (const Bytes& message : *messages) post(number, message);
@@ -258,6 +259,7 @@ class Schedule {
         later.push_back(std::move(letter));
       } else if (letter.to < 0) {
         EXPECT_TRUE(sender_->hear(letter.bytes, now_));
+        if (const auto told = read_view(letter.bytes)) heard_[told->viewer] = *told;
       } else if (Client& client = clients_[static_cast<std::size_t>(letter.to)]; client.receiver) {
         // Refused is what comes before the map's message.
         const auto applied = client.receiver->apply(letter.bytes);
@@ -308,6 +310,18 @@ class Schedule {
     failed_ = true;
   }
 
+  bool is_viewer(const Client& client) const {
+    const auto viewers = sender_->viewers();
+    return std::ranges::find(viewers, client.viewer) != viewers.end();
+  }
+
+  /// Whether the sender knows what the client asks for, and the client takes what it sends.
+  bool is_in_touch(const Client& client) const {
+    const auto heard = heard_.find(client.viewer);
+    return heard != heard_.end() && heard->second.start >= sender_start_ &&
+           heard->second.view == client.receiver->view();
+  }
+
   std::map<PartKey, std::uint64_t> believed(const Client& client) const {
     std::map<PartKey, std::uint64_t> hashes;
     for (const PartEntry& entry : sender_->entries_of(client.viewer))
@@ -324,14 +338,27 @@ class Schedule {
     return hashes;
   }
 
+  /// The parts that show what of the map is in a view, on its level: of copies not those of other places.
+  std::vector<PartKey> wanted_in(const View& view) const {
+    const auto keys = sender_->keys();
+    std::vector<PartKey> seen;
+    for (const PartKey& key : keys_on_level(keys, 0))
+      if (is_in_view(ancestor(key, std::max(key.level, view.level)), view, World::description()))
+        seen.push_back(key);
+    std::vector<PartKey> wanted;
+    for (const PartKey& key : keys)
+      if (is_in_view(key, view, World::description()) &&
+          std::ranges::any_of(seen, [&](const PartKey& other) { return overlap(key, other); }))
+        wanted.push_back(key);
+    return keys_on_level(wanted, 0);
+  }
+
   bool is_settled() {
     for (Client& client : clients_) {
       if (!client.receiver) start(client);
+      if (!is_in_touch(client)) return false;
       if (client.receiver->description() == nullptr || believed(client) != shown(client)) return false;
-      std::vector<PartKey> wanted;
-      for (const PartKey& key : sender_->keys())
-        if (is_in_view(key, client.receiver->view(), World::description())) wanted.push_back(key);
-      wanted = keys_on_level(wanted, 0);
+      const std::vector<PartKey> wanted = wanted_in(client.receiver->view());
       const auto have = shown(client);
       if (wanted.size() != have.size()) return false;
       for (const PartKey& key : wanted) {
@@ -374,6 +401,8 @@ class Schedule {
   std::string folder_;  ///< where states are kept; empty: in memory
   MapDescription description_ = World::description();
   std::unique_ptr<MapSender> sender_;
+  std::uint64_t sender_start_ = 0;
+  std::map<std::uint64_t, ViewMessage> heard_;  ///< the last of each viewer, by the present sender
   std::uint64_t saved_revision_ = 0;
   std::uint64_t saved_group_ = 0;
   std::vector<Client> clients_;

@@ -191,6 +191,25 @@ TEST_F(MapView, MAP19CoarseBeforeFine) {
   EXPECT_EQ(receiver_.shown(), finest);
 }
 
+TEST_F(MapView, MAP19NoCopyComesToAViewInWhichNothingIs) {
+  start({.most_triangles = 2000, .most_level = 1, .copy_level = 6});
+  View above;  // the building, in a cell of which a copy may be made
+  above.boxes = {{low_, high_}};
+  above.boxes[0].low[2] = high_[2] + 3;
+  above.boxes[0].high[2] = high_[2] + 4;
+  ASSERT_TRUE(keys_in(above).empty());
+  EXPECT_TRUE(catch_up(above).second.empty());
+  EXPECT_TRUE(keys_in(above).empty());
+  // Not when others have asked for copies either.
+  View coarse;
+  coarse.level = 3;
+  catch_up(coarse);
+  ASSERT_FALSE(receiver_.shown().empty());
+  ASSERT_FALSE(keys_in(above).empty());
+  EXPECT_TRUE(catch_up(above).second.empty());
+  for (const PartKey& key : receiver_.shown()) EXPECT_FALSE(is_in_view(key, above, description_));
+}
+
 TEST_F(MapView, CopiesAreMadeAnewForThoseWhoSeeThem) {
   start({.most_triangles = 2000, .most_level = 1, .copy_level = 3});
   View view;

@@ -17,6 +17,8 @@ const FILES = [
   'gltf/FlightHelmet.glb',
   'gltf/2CylinderEngine.glb',
   'gltf/ClearCoatTest.glb',
+  'gltf/Fox.glb',
+  'formats/Duck.glb',
 ];
 const KINDS = { NORMAL: 'normal', TANGENT: 'tangent', TEXCOORD: 'uv', COLOR: 'color', JOINTS: 'joints', WEIGHTS: 'weights' };
 
@@ -25,13 +27,18 @@ function readPly(path) {
   return [meshOfGeometry(new PLYLoader().parse(buffer.slice(byteOffset, byteOffset + byteLength)))];
 }
 
+const indicesOf = (primitive) => {
+  const indices = primitive.getIndices()?.getArray();
+  return indices ? Uint32Array.from(indices) : Uint32Array.from({ length: primitive.getAttribute('POSITION').getCount() }, (_, i) => i);
+};
+
 /** A mesh for each primitive, which is how Draco compresses glTF. */
 async function readGlb(path) {
   const document = await new NodeIO().setLogger(new Logger(Logger.Verbosity.SILENT)).read(path);
   const primitives = document.getRoot().listMeshes().flatMap((mesh) => mesh.listPrimitives());
-  return primitives.filter((primitive) => primitive.getIndices()).map((primitive) => ({
+  return primitives.map((primitive) => ({
     positions: primitive.getAttribute('POSITION').getArray(),
-    indices: Uint32Array.from(primitive.getIndices().getArray()),
+    indices: indicesOf(primitive),
     groups: null,
     attributes: primitive.listSemantics().filter((semantic) => semantic !== 'POSITION').map((semantic) => {
       const accessor = primitive.getAttribute(semantic);

@@ -13,6 +13,7 @@ import { bakeStudio } from './bake-studio.js';
 import { EXAMPLES, makeExample } from './src/mesh/examples.js';
 import { packOrder } from './src/mesh/prepared.js';
 import { DEFAULTS, encodeOptions } from './src/settings.js';
+import { takeStills } from './take-stills.js';
 
 const here = new URL('./', import.meta.url);
 const dist = new URL('dist/', here);
@@ -57,8 +58,9 @@ function preloads() {
   return [...scripts].map((name) => `<link rel="modulepreload" href="${name}" />`).join('\n    ');
 }
 
-const html = await readFile(new URL('index.html', here), 'utf8');
-await writeFile(new URL('index.html', dist), html.replace('<!-- preloads -->', preloads()));
+const html = (await readFile(new URL('index.html', here), 'utf8')).replace('<!-- preloads -->', preloads());
+const writePage = (still) => writeFile(new URL('index.html', dist), html.replace('<!-- still -->', still));
+await writePage('');
 await copyFile(new URL('style.css', here), new URL('style.css', dist));
 await copyFile(new URL('../../LICENSE', here), new URL('LICENSE', dist));
 for (const name of FILES) await copyFile(new URL(import.meta.resolve(name)), new URL(name.split('/').pop(), dist));
@@ -87,3 +89,5 @@ for (const name of Object.keys(EXAMPLES)) {
   await writeFile(new URL(`${name}.dmsh`, dist), encoded.bytes);
   await writeFile(new URL(`${name}.order.gz`, dist), gzipSync(packOrder(encoded.order)));
 }
+
+await writePage(await takeStills(dist));

@@ -14,6 +14,7 @@ const TYPES = {
   '.js': 'text/javascript',
   '.wasm': 'application/wasm',
   '.map': 'application/json',
+  '.webp': 'image/webp',
 };
 const dist = new URL('./dist/', import.meta.url);
 

@@ -2,12 +2,16 @@
 // Copyright 2026 The deltamesh authors
 //
 // The encoder's exports. An outcome lives until the next call.
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "deltamesh/compare.h"
 #include "deltamesh/encode.h"
+#include "deltamesh/gltf.h"
 #include "encoder_call.h"
 #include "runtime.h"
 
@@ -22,8 +26,11 @@ namespace {
 struct Kept {
   Encoded encoded;
   Comparison comparison;
+  GltfOutput packed;
   EncodeOutcome encode;
   CompareOutcome compare;
+  PackOutcome pack;
+  std::vector<PackedAttributeOutcome> attributes;
 };
 std::optional<Kept> kept;
 
@@ -76,7 +83,7 @@ EncodeOptions options_of(const OptionsCall& call) {
   options.attributes = {.normal_error = call.normal_error,
                         .tangent_error = given(call.tangent_error),
                         .uv_error = call.uv_error,
-                        .color_error = call.color_error,
+                        .color_error = given(call.color_error),
                         .color_rms = given(call.color_rms),
                         .weight_error = call.weight_error};
   for (std::uint32_t i = 0; i < call.named_count; ++i) {
@@ -88,6 +95,39 @@ EncodeOptions options_of(const OptionsCall& call) {
   options.keep_unreferenced = call.keep_unreferenced != 0;
   options.progress = progress;
   return options;
+}
+
+void tell(const GltfReport& report, PackOutcome& outcome) {
+  const std::uint64_t counts[] = {report.primitives,
+                                  report.converted,
+                                  report.streams,
+                                  report.not_triangles,
+                                  report.not_float_positions,
+                                  report.otherwise_compressed,
+                                  report.not_smaller,
+                                  report.vertices,
+                                  report.triangles,
+                                  report.unreferenced_vertices,
+                                  report.degenerate_triangles,
+                                  report.dropped_lengths,
+                                  report.welded_vertices,
+                                  report.stream_bytes,
+                                  report.input_bytes,
+                                  report.output_bytes,
+                                  report.animation_bytes,
+                                  report.image_bytes};
+  std::copy(std::begin(counts), std::end(counts), outcome.counts);
+  outcome.max_error = report.max_error;
+  outcome.max_error_percent = report.max_error_percent;
+  for (const GltfAttributeReport& attribute : report.attributes)
+    kept->attributes.push_back({.bytes = static_cast<double>(attribute.bytes),
+                                .error = attribute.error,
+                                .semantic = attribute.semantic.data(),
+                                .semantic_bytes = static_cast<std::uint32_t>(attribute.semantic.size()),
+                                .kind = static_cast<std::uint32_t>(attribute.kind),
+                                .morph = attribute.morph ? 1U : 0U});
+  outcome.attributes = kept->attributes.data();
+  outcome.attribute_count = static_cast<std::uint32_t>(kept->attributes.size());
 }
 
 }  // namespace
@@ -110,6 +150,24 @@ DELTAMESH_EXPORT(encode) EncodeOutcome* encode_mesh(const MeshCall* mesh, const 
   kept->encode.order = kept->encoded.order.data();
   kept->encode.order_count = static_cast<std::uint32_t>(kept->encoded.order.size());
   return &kept->encode;
+}
+
+/// `asset`: a GLB, or JSON with its buffers in it; packed, it is a GLB.
+DELTAMESH_EXPORT(pack)
+PackOutcome* pack_asset(const std::byte* asset, std::size_t bytes, const OptionsCall* options,
+                        std::uint32_t fallback) {
+  kept.emplace();
+  auto packed = pack_gltf({asset, bytes}, {.encode = options_of(*options), .fallback = fallback != 0});
+  PackOutcome& outcome = kept->pack;
+  if (!packed) {
+    outcome.error = outcome_of(packed.error());
+    return &outcome;
+  }
+  kept->packed = *std::move(packed);
+  tell(kept->packed.report, outcome);
+  outcome.bytes = kept->packed.asset.data();
+  outcome.byte_count = static_cast<std::uint32_t>(kept->packed.asset.size());
+  return &outcome;
 }
 
 /// `order`: vertex of `a` for every vertex of `b`, or none.

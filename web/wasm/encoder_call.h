@@ -82,6 +82,27 @@ struct EncodeOutcome {
   std::uint32_t order_count = 0;
 };
 
+/// A GltfAttributeReport.
+struct PackedAttributeOutcome {
+  double bytes = 0;
+  double error = 0;
+  const char* semantic = nullptr;
+  std::uint32_t semantic_bytes = 0;
+  std::uint32_t kind = 0;
+  std::uint32_t morph = 0;
+};
+
+struct PackOutcome {
+  ErrorOutcome error;
+  double counts[18]{};  ///< of GltfReport, as it has them, without files
+  double max_error = 0;
+  double max_error_percent = 0;
+  const std::byte* bytes = nullptr;
+  std::uint32_t byte_count = 0;
+  const PackedAttributeOutcome* attributes = nullptr;
+  std::uint32_t attribute_count = 0;
+};
+
 struct CompareOutcome {
   ErrorOutcome error;
   double quality[3]{};  ///< VDE, LFE, largest error, where vertices correspond
@@ -96,6 +117,7 @@ struct CompareOutcome {
 };
 
 static_assert(sizeof(AttributeCall) == 32 && sizeof(MeshCall) == 56 && sizeof(NamedCall) == 16);
+static_assert(sizeof(PackedAttributeOutcome) == 32 && offsetof(PackOutcome, bytes) == 192);
 static_assert(offsetof(OptionsCall, named) == 24 * 8 && offsetof(CompareOutcome, corresponding) == 96);
 
 }  // namespace deltamesh::web

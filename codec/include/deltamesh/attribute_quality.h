@@ -16,6 +16,9 @@ struct NamedBound {
   double error = 0;  ///< in the attribute's unit; 0 is exact
 };
 
+/// The mean error of photographs' colours where nothing is said of colours: 41 dB of PSNR.
+inline constexpr double kPhotographicRms = 2.2727;  // 255ths
+
 /// Upper bounds on the error of every attribute; finite, at least 0, and 0 is exact. The encoder measures
 /// what it keeps (AttributeInfo::error). Generic attributes without a bound of their own, and joints, are
 /// exact.
@@ -24,10 +27,13 @@ struct AttributeQuality {
   /// Largest angle of a tangent, degrees; the same as normals where it is not set. Its sign is exact.
   std::optional<double> tangent_error = std::nullopt;
   double uv_error = 1.0 / 4096;  ///< largest distance, texture coordinate units
-  double color_error = 0;        ///< largest difference of a component, 255ths of its range
-  /// In place of `color_error`, above 0: the root mean square of the errors of all values of red, green and
-  /// blue, 255ths of their range. Met within 1 % from below, where that is not exact. Of 3 or 4 components of
-  /// u8, u16 or f32; other colours are exact.
+  /// Largest difference of a component of a colour, 255ths of its range. Without it and `color_rms` it is 0
+  /// for labels, and `color_rms` is kPhotographicRms for photographs (ColorContent tells them apart).
+  std::optional<double> color_error = std::nullopt;
+  /// In place of `color_error`, above 0: the largest root mean square of the errors of all values of red,
+  /// green and blue, 255ths of their range, and of those of alpha. Met within 1 % from below, or better where
+  /// that takes fewer bytes. Of 3 or 4 components of u8, u16 or f32 in the compact form; other colours keep
+  /// it as a largest error.
   std::optional<double> color_rms = std::nullopt;
   double weight_error = 1.0 / 1024;    ///< largest difference of a skinning weight; sums of 1 stay 1
   std::vector<NamedBound> named = {};  ///< of generic attributes; the first that fits holds

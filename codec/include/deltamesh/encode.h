@@ -83,7 +83,9 @@ struct EncodeReport {
   std::uint64_t input_vertices = 0;
   std::uint64_t unreferenced_vertices = 0;  ///< dropped, or kept where asked
   std::uint64_t dropped_lengths = 0;        ///< normals and tangents that were not of length 1, but decode so
-  StreamInfo stream;                        ///< counts, sizes, achieved errors: as inspect() reads them back
+  /// Different colours that were taken for labels and so kept exactly, as nothing was said of them; else 0.
+  std::uint64_t labels = 0;
+  StreamInfo stream;  ///< counts, sizes, achieved errors: as inspect() reads them back
 };
 
 struct Encoded {
@@ -97,10 +99,9 @@ Result<void> validate(const EncodeOptions& options) noexcept;
 
 /// Encodes `mesh`. The same mesh and options give the same bytes. Takes any triangle soup; cost is some
 /// 1 to 3 us per vertex of a predictive stream, ten times that of a highpass stream. Errors: kInvalidArgument
-/// (options, a callback that throws), kInvalidMesh (NaN
-/// or infinity, index out of range, sizes that disagree), kLimitExceeded (more than 2^31 - 1 vertices or
-/// 2^29 triangles, or beyond what a stream can hold), kUnmetRequest (with the best that can be had),
-/// kOutOfMemory.
+/// (options, a callback that throws), kInvalidMesh (index out of range, sizes that disagree), kNotFinite,
+/// kLimitExceeded (more than 2^31 - 1 vertices or 2^29 triangles, or beyond what a stream can hold),
+/// kUnmetRequest (with the best that can be had), kOutOfMemory.
 Result<Encoded> encode(const MeshView& mesh, const EncodeOptions& options = {}) noexcept;
 
 }  // namespace deltamesh

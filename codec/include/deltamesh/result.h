@@ -25,9 +25,10 @@ enum class ErrorCode : std::uint16_t {
   kUnsupportedFeature = 105,  ///< a chunk or codec that this build does not know and may not skip
   // 2xx: the caller's argument or mesh is bad.
   kInvalidArgument = 200,  ///< an option outside its range, or two that contradict each other
-  kInvalidMesh = 201,      ///< NaN, index out of range, mismatching sizes
+  kInvalidMesh = 201,      ///< index out of range, mismatching sizes
   kLimitExceeded = 202,    ///< larger than DecodeLimits or the format allows
   kUnmetRequest = 203,     ///< a quality request that cannot be met
+  kNotFinite = 204,        ///< a mesh with a coordinate that is NaN or infinite
   // 3xx: files.
   kFileOpen = 300,
   kFileRead = 301,

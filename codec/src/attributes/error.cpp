@@ -77,7 +77,7 @@ double uncut_bound(const AttributeView& attribute, const AttributeQuality& quali
     case AttributeKind::kUv:
       return quality.uv_error;
     case AttributeKind::kColor:
-      return quality.color_error;
+      return quality.color_error.value_or(quality.color_rms.value_or(0));
     case AttributeKind::kWeights:
       return quality.weight_error;
     case AttributeKind::kJoints:
@@ -88,6 +88,25 @@ double uncut_bound(const AttributeView& attribute, const AttributeQuality& quali
   for (const NamedBound& named : quality.named)
     if (named.name == attribute.name) return named.error;
   return 0;
+}
+
+constexpr std::size_t kColors = 3;
+
+/// Over components `first` up to `end`, 255ths.
+double rms_of(std::size_t first, std::size_t end, ComponentType type, const AttributeRows& rows,
+              std::span<const std::byte> decoded) noexcept {
+  const std::size_t size = component_size(type);
+  double sum = 0;
+  const std::byte* now = decoded.data();
+  for (std::size_t i = 0; i < rows.count(); ++i, now += rows.components() * size) {
+    const std::byte* const source = rows.row(i);
+    for (std::size_t c = first; c < end; ++c) {
+      const double error = load_component(type, source + c * size) - load_component(type, now + c * size);
+      sum += error * error;
+    }
+  }
+  const std::size_t count = (end - first) * rows.count();
+  return count > 0 ? std::sqrt(sum / static_cast<double>(count)) / color_unit(type) : 0;
 }
 
 }  // namespace
@@ -145,19 +164,11 @@ double attribute_error(const AttributeView& attribute, const AttributeRows& rows
 }
 
 double color_rms(ComponentType type, const AttributeRows& rows, std::span<const std::byte> decoded) noexcept {
-  constexpr std::size_t kColors = 3;
-  const std::size_t size = component_size(type);
-  double sum = 0;
-  const std::byte* now = decoded.data();
-  for (std::size_t i = 0; i < rows.count(); ++i, now += rows.components() * size) {
-    const std::byte* const source = rows.row(i);
-    for (std::size_t c = 0; c < kColors; ++c) {
-      const double error = load_component(type, source + c * size) - load_component(type, now + c * size);
-      sum += error * error;
-    }
-  }
-  const std::size_t count = kColors * rows.count();
-  return count > 0 ? std::sqrt(sum / static_cast<double>(count)) / color_unit(type) : 0;
+  return rms_of(0, kColors, type, rows, decoded);
+}
+
+double alpha_rms(ComponentType type, const AttributeRows& rows, std::span<const std::byte> decoded) noexcept {
+  return rms_of(kColors, rows.components(), type, rows, decoded);
 }
 
 }  // namespace deltamesh

@@ -50,5 +50,7 @@ double attribute_error(const AttributeView& attribute, const AttributeRows& rows
 /// The root mean square of the errors of all values of red, green and blue, 255ths of their range; the same
 /// on every machine. `type`: u8, u16 or f32, finite; `rows`: of 3 components or more. O(n).
 double color_rms(ComponentType type, const AttributeRows& rows, std::span<const std::byte> decoded) noexcept;
+/// The same of alpha; 0 where `rows` have only 3 components.
+double alpha_rms(ComponentType type, const AttributeRows& rows, std::span<const std::byte> decoded) noexcept;
 
 }  // namespace deltamesh

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -64,6 +65,27 @@ std::optional<CodedAttribute> code_on_lattices(const AttributeView& attribute, c
   return code_compact(AttributeCoding::kLattice, write_lattice(attribute, rows, bound, effort, surface));
 }
 
+/// Whether red, green and blue have this mean error at most, and alpha has.
+bool keeps_mean(const AttributeView& attribute, const AttributeRows& rows, double rms,
+                std::span<const std::byte> decoded) {
+  return color_rms(attribute.type, rows, decoded) <= rms && alpha_rms(attribute.type, rows, decoded) <= rms;
+}
+
+/// Colours at a mean error: by the transform, or within a largest error that keeps it where that is smaller.
+std::optional<CodedAttribute> code_mean_colors(const AttributeView& attribute, const AttributeRows& rows,
+                                               double rms, const AttributeSettings& settings,
+                                               const AttributeSurface& surface) {
+  using enum AttributeCoding;
+  // Errors are evenly spread over -L to L.
+  const double bound = std::floor(std::sqrt(0.25 + 3 * rms * rms) - 0.5);
+  auto bounded = code_compact(kSurfaceColors,
+                              write_surface_colors(attribute.type, rows, bound, surface, settings.start));
+  auto mean = code_compact(kMeanColors, write_haar_colors(attribute.type, rows, rms, surface));
+  if (bounded && !keeps_mean(attribute, rows, rms, bounded->decoded.values)) bounded.reset();
+  const bool is_smaller = mean && bounded && bounded->payload.size() <= mean->payload.size();
+  return mean && !is_smaller ? std::move(mean) : std::move(bounded);
+}
+
 /// By the coding of the attribute's kind and shape; empty where there is none, or none that keeps the bound.
 std::optional<CodedAttribute> code_kind(const AttributeView& attribute, const AttributeRows& rows,
                                         double bound, const AttributeSettings& settings,
@@ -82,8 +104,7 @@ std::optional<CodedAttribute> code_kind(const AttributeView& attribute, const At
                         write_surface_tangents(rows.gather_floats(), bound, surface, basis));
   }
   if (fits(kMeanColors) && settings.quality.color_rms) {
-    auto coded = code_compact(kMeanColors,
-                              write_haar_colors(attribute.type, rows, *settings.quality.color_rms, surface));
+    auto coded = code_mean_colors(attribute, rows, *settings.quality.color_rms, settings, surface);
     if (coded) return coded;
   }
   if (fits(kSurfaceColors))
@@ -148,9 +169,10 @@ std::optional<CodedAttribute> write_on_surface(const AttributeView& attribute, c
   return coded;
 }
 
-bool is_at_mean_error(const CodedAttribute& coded) noexcept {
-  const auto flagged = static_cast<std::uint8_t>(AttributeCoding::kMeanColors) | kExceptionsFlag;
-  return coded.is_compact && (std::to_integer<std::uint8_t>(coded.payload[0]) | kExceptionsFlag) == flagged;
+/// Whether its mean error was asked for.
+bool is_at_mean_error(const AttributeView& attribute, const AttributeSettings& settings) noexcept {
+  return settings.quality.color_rms &&
+         coding_fits(AttributeCoding::kMeanColors, attribute.kind, attribute.type, attribute.components);
 }
 
 }  // namespace
@@ -173,7 +195,7 @@ Result<CodedAttribute> write_attribute(const AttributeView& attribute, std::span
   }
   coded->decoded = std::move(decoded);
   coded->descriptor = descriptor;
-  if (is_at_mean_error(*coded))
+  if (is_at_mean_error(attribute, settings))
     coded->descriptor.rms = short_float_above(color_rms(attribute.type, rows, coded->decoded.values));
   coded->descriptor.error = short_float_above(attribute_error(attribute, rows, coded->decoded.values));
   return *std::move(coded);

@@ -75,7 +75,10 @@ Result<void> check_mesh(const MeshView& mesh) {
     if (!std::isfinite(x)) return invalid_mesh("the origin is not finite");
   }
   if (const auto i = first_not_finite(mesh.positions); i < mesh.positions.size())
-    return invalid_mesh("a coordinate is NaN or infinite", WhereKind::kVertex, i / 3);
+    return Error{.code = ErrorCode::kNotFinite,
+                 .message = "a coordinate is NaN or infinite",
+                 .where_kind = WhereKind::kVertex,
+                 .where = i / 3};
   if (const auto i = first_not_below(mesh.triangles, vertices); i < mesh.triangles.size())
     return invalid_mesh("an index is not below the number of vertices", WhereKind::kTriangle, i / 3);
   if (!mesh.face_groups.empty() && mesh.face_groups.size() != mesh.triangle_count())

@@ -10,7 +10,7 @@
 namespace deltamesh {
 
 /// Sizes agree, indices are in range, coordinates finite, counts within the format's. Errors: kInvalidMesh
-/// naming the first vertex, triangle or attribute at fault; kLimitExceeded.
+/// naming the first triangle or attribute at fault; kNotFinite naming the first vertex; kLimitExceeded.
 Result<void> check_mesh(const MeshView& mesh);
 
 }  // namespace deltamesh

@@ -14,13 +14,12 @@
 #include "base/threads/task.h"
 #include "base/threads/thread_team.h"
 #include "base/try.h"
-#include "connectivity/faces/faces.h"
 #include "connectivity/groups/groups.h"
 #include "connectivity/groups/names.h"
 #include "connectivity/plain/topology.h"
-#include "connectivity/seams/seams.h"
-#include "decoder/read_grid_chunks.h"
 #include "decoder/restore_order.h"
+#include "decoder/stream_faces.h"
+#include "decoder/stream_learning.h"
 #include "deltamesh/model_states.h"
 #include "entropy/expand_chunk.h"
 #include "format/chunk/kinds.h"
@@ -28,7 +27,6 @@
 #include "highpass/highpass.h"
 #include "positions/plain.h"
 #include "positions/positions.h"
-#include "states/stream_models.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {
@@ -61,33 +59,32 @@ class StreamDecoder {
         header_(container.header()),
         options_(options),
         team_(team),
-        start_(options.starting_states != nullptr ? &options.starting_states->models() : nullptr),
-        learnt_(learnt),
-        is_of_grid_(is_of_grid(container.header())) {
-    if (learnt != nullptr) learnt->colors.resize(header_.attributes.size());
-  }
+        learning_(header_, options.starting_states != nullptr ? &options.starting_states->models() : nullptr,
+                  learnt) {}
 
   Result<Mesh> run() {
     Mesh mesh;
     mesh.origin = header_.origin;
     DELTAMESH_CHECK(check_form());
-    DELTAMESH_CHECK(is_plain_ ? read_plain(mesh.triangles) : read_faces(mesh.triangles));
-    DELTAMESH_TRY(mesh.face_groups, read_groups(mesh.triangles));
+    DELTAMESH_TRY(faces_,
+                  is_plain_ ? read_plain_stream_faces(container_) : read_stream_faces(container_, learning_));
+    DELTAMESH_TRY(mesh.face_groups, read_groups());
     if constexpr (!kSmallCode) {  // no module hands them out
       DELTAMESH_TRY(mesh.group_names, read_names());
     }
-    if (header_.geometry != kGeometryPredictive) build_graphs(mesh.triangles);
     if (header_.geometry == kGeometryPredictive) {
-      DELTAMESH_TRY(mesh.positions, read_geometry(mesh.triangles));
+      DELTAMESH_TRY(mesh.positions, read_geometry());
       report_progress(options_, kGeometryDone);
-      DELTAMESH_TRY(mesh.attributes, read_attributes(mesh.triangles, mesh.positions));
+      DELTAMESH_TRY(mesh.attributes, read_attributes(mesh.positions));
     } else {
+      build_graphs();
       // Nothing that is parsed may depend on solved positions [ATTR-10], so both can go on at a time.
-      Task attributes(team_, [&] { return read_attributes(mesh.triangles, {}); });
-      DELTAMESH_TRY(mesh.positions, read_geometry(mesh.triangles));
+      Task attributes(team_, [&] { return read_attributes({}); });
+      DELTAMESH_TRY(mesh.positions, read_geometry());
       report_progress(options_, kGeometryDone);
       DELTAMESH_TRY(mesh.attributes, attributes.get());
     }
+    mesh.triangles = std::move(faces_.triangles);
     if (header_.keeps_order && !is_plain_) {
       DELTAMESH_TRY(const auto chunk, expand_single(container_, kTagOrder));
       DELTAMESH_TRY(const auto order, read_order(chunk.bytes(), mesh.triangles, header_.vertices));
@@ -106,7 +103,7 @@ class StreamDecoder {
       const bool has_form = entry.tag != kTagAttribute && kind_of(entry.tag) != kLetters;
       is_plain_ |= entry.codec != ChunkCodec::kCompact && has_form;
     }
-    if (is_of_grid_ && !is_compact)
+    if (is_of_grid(header_) && !is_compact)
       return Error{.code = ErrorCode::kInvalidStream, .message = "a grid in the plain form", .rule = "PLN-1"};
     if (!is_plain_ || !is_compact) {
       is_plain_ = !is_compact;
@@ -117,56 +114,11 @@ class StreamDecoder {
                  .rule = "PLN-1"};
   }
 
-  /// The same as read_faces().
-  Result<void> read_plain(std::vector<std::uint32_t>& triangles) {
-    DELTAMESH_TRY(const auto connectivity, expand_single(container_, kTagConnectivity));
-    DELTAMESH_TRY(triangles, read_plain_faces(connectivity.bytes(), header_.triangles, header_.vertices));
-    DELTAMESH_TRY(const auto seams, expand_single(container_, kTagSeams));
-    DELTAMESH_TRY(copies_, read_plain_seams(seams.bytes(), header_.geometric_vertices, header_.vertices));
-    if (is_split()) {
-      geometric_triangles_.reserve(triangles.size());
-      for (const std::uint32_t v : triangles) geometric_triangles_.push_back(copies_[v]);
-    }
-    return check_components(count_components(geometric(triangles), header_.geometric_vertices));
-  }
-
-  /// Faces over the mesh's vertices; where seams split some, those over the geometric vertices as well.
-  Result<void> read_faces(std::vector<std::uint32_t>& triangles) {
-    DELTAMESH_CHECK(is_of_grid_ ? read_faces_of_grid(triangles) : read_faces_of_connectivity(triangles));
-    DELTAMESH_TRY(const auto seams, expand_single(container_, kTagSeams));
-    if (seams.bytes().empty() && header_.vertices == header_.geometric_vertices) return {};
-    DELTAMESH_TRY(auto split,
-                  read_seams(seams.bytes(), triangles, header_.geometric_vertices, header_.vertices));
-    geometric_triangles_ = std::exchange(triangles, std::move(split.triangles));
-    copies_ = std::move(split.geometric);
-    return {};
-  }
-
-  /// With the positions, which wait.
-  Result<void> read_faces_of_grid(std::vector<std::uint32_t>& triangles) {
-    DELTAMESH_TRY(auto mesh, read_grid_chunks(container_, of_grid()));
-    triangles = std::move(mesh.triangles);
-    grid_positions_ = std::move(mesh.positions);
-    return {};
-  }
-
-  Result<void> read_faces_of_connectivity(std::vector<std::uint32_t>& triangles) {
-    DELTAMESH_TRY(const auto connectivity, expand_single(container_, kTagConnectivity));
-    DELTAMESH_TRY(auto read, read_connectivity(connectivity.bytes(), header_.geometric_vertices,
-                                               header_.triangles, of_ops()));
-    DELTAMESH_CHECK(check_components(read.runs.count(header_.geometric_vertices)));
-    triangles = std::move(read.triangles);
-    open_edges_ = std::move(read.open_edges);
-    runs_ = std::move(read.runs);
-    if (triangles.capacity() / 5 > triangles.size() / 4) triangles.shrink_to_fit();
-    return {};
-  }
-
   /// m numbers, or none.
-  Result<std::vector<std::uint32_t>> read_groups(std::span<const std::uint32_t> triangles) {
+  Result<std::vector<std::uint32_t>> read_groups() {
     DELTAMESH_TRY(const auto chunk, expand_single(container_, kTagFaceGroups));
     return is_plain_ ? read_plain_groups(chunk.bytes(), header_.triangles)
-                     : read_face_groups(chunk.bytes(), triangles, header_.vertices);
+                     : read_face_groups(chunk.bytes(), faces_.triangles, header_.vertices);
   }
 
   Result<std::vector<GroupName>> read_names() const {
@@ -177,73 +129,35 @@ class StreamDecoder {
   }
 
   /// n x 3.
-  Result<std::vector<float>> read_geometry(const std::vector<std::uint32_t>& triangles) {
-    DELTAMESH_TRY(auto rows, header_.geometry == kGeometryPredictive ? read_predicted(geometric(triangles))
-                                                                     : read_solved());
-    if (is_split()) rows = copy_rows(rows, copies_);
+  Result<std::vector<float>> read_geometry() {
+    DELTAMESH_TRY(auto rows, header_.geometry == kGeometryPredictive ? read_predicted() : read_solved());
+    if (faces_.is_split()) rows = copy_rows(rows, faces_.copies);
     return rows;
-  }
-
-  bool is_split() const noexcept { return !copies_.empty(); }
-
-  /// Faces over the geometric vertices, if `triangles` are those of the mesh.
-  std::span<const std::uint32_t> geometric(const std::vector<std::uint32_t>& triangles) const noexcept {
-    return is_split() ? geometric_triangles_ : triangles;
   }
 
   /// For the solution, which takes its graph apart. Where another thread may read attributes meanwhile these
   /// have their own.
-  void build_graphs(const std::vector<std::uint32_t>& triangles) {
+  void build_graphs() {
     graph_ = is_plain_
-                 ? build_adjacency(geometric(triangles), header_.geometric_vertices)
-                 : build_adjacency(geometric(triangles), open_edges_, header_.geometric_vertices, team_);
-    geometric_triangles_ = std::vector<std::uint32_t>();  // which {} would not free
-    if (header_.attributes.empty()) open_edges_ = LargeVector<DirectedEdge>();
+                 ? build_adjacency(faces_.geometric(), header_.geometric_vertices)
+                 : build_adjacency(faces_.geometric(), faces_.open_edges, header_.geometric_vertices, team_);
+    faces_.split = std::vector<std::uint32_t>();  // which {} would not free
+    if (header_.attributes.empty()) faces_.open_edges = LargeVector<DirectedEdge>();
     const auto takes_graph = [](const ChunkEntry& entry) {
       return entry.tag == kTagAttribute && entry.codec == ChunkCodec::kCompact;
     };
     const auto chunks = container_.entries();
-    if (team_ != nullptr && !is_split() && std::any_of(chunks.begin(), chunks.end(), takes_graph))
+    if (team_ != nullptr && !faces_.is_split() && std::any_of(chunks.begin(), chunks.end(), takes_graph))
       attribute_graph_ = graph_;
   }
 
-  Result<std::vector<float>> read_predicted(std::span<const std::uint32_t> triangles) {
-    if (is_of_grid_) {
-      if (learnt_ != nullptr) learnt_->voxels = header_.predictive;
-      return std::move(grid_positions_);
-    }
+  Result<std::vector<float>> read_predicted() {
+    if (is_of_grid(header_)) return std::move(faces_.grid_positions);
     DELTAMESH_TRY(const auto payload, expand_single(container_, kTagPositions));
     if (is_plain_)
       return read_plain_positions(payload.bytes(), header_.geometric_vertices, header_.predictive);
-    return read_positions(payload.bytes(), {triangles, header_.geometric_vertices}, header_.predictive,
-                          header_.box(), of_lattice());
-  }
-
-  Learning<GridModels> of_grid() const {
-    if (learnt_ != nullptr) learnt_->grid = std::make_unique<GridModels>(header_.predictive.levels);
-    return {start_ != nullptr ? start_->grid.get() : nullptr,
-            learnt_ != nullptr ? learnt_->grid.get() : nullptr};
-  }
-  Learning<OpModels> of_ops() const {
-    return {start_ != nullptr ? start_->of_ops() : nullptr,
-            learnt_ != nullptr ? &learnt_->ops.emplace() : nullptr};
-  }
-  Learning<LatticeModels> of_lattice() const {
-    const bool learns = learnt_ != nullptr && header_.predictive.kind == PositionKind::kLattice;
-    return {start_ != nullptr ? start_->of_lattice() : nullptr,
-            learns ? &learnt_->lattice.emplace() : nullptr};
-  }
-  Learning<ColorModels> of_color(std::size_t attribute) const {
-    const bool learns = learnt_ != nullptr && header_.attributes[attribute].kind == AttributeKind::kColor;
-    return {start_ != nullptr ? start_->of_color(attribute) : nullptr,
-            learns ? &learnt_->colors[attribute].emplace() : nullptr};
-  }
-
-  Result<void> check_components(std::uint32_t count) const {
-    if (count == header_.components) return {};
-    return Error{.code = ErrorCode::kInvalidStream,
-                 .message = "the number of connected components differs from the header's",
-                 .rule = "HDR-7"};
+    return read_positions(payload.bytes(), {faces_.geometric(), header_.geometric_vertices},
+                          header_.predictive, header_.box(), learning_.of_lattice());
   }
 
   /// Of DELT or ANCH, which may be empty.
@@ -253,7 +167,7 @@ class StreamDecoder {
 
   Result<std::vector<float>> read_solved() {
     Components components =
-        is_plain_ ? find_components(graph_) : runs_.components(header_.geometric_vertices);
+        is_plain_ ? find_components(graph_) : faces_.runs.components(header_.geometric_vertices);
     DELTAMESH_TRY(const auto deltas, expand_single(container_, kTagDeltas));
     DELTAMESH_TRY(const auto anchors, expand_single(container_, kTagAnchors));
     DELTAMESH_TRY(const auto positions,
@@ -263,11 +177,11 @@ class StreamDecoder {
   }
 
   /// `positions`: n x 3, or empty where attributes may not know them.
-  Result<std::vector<Attribute>> read_attributes(std::span<const std::uint32_t> triangles,
-                                                 std::span<const float> positions) {
+  Result<std::vector<Attribute>> read_attributes(std::span<const float> positions) {
     if (header_.attributes.empty()) return std::vector<Attribute>();
-    const AttributeSurface surface(triangles, header_.vertices, copies_, positions,
-                                   is_split() || is_of_grid_ ? nullptr : &open_edges_,
+    const bool has_edges = !faces_.is_split() && !is_of_grid(header_);
+    const AttributeSurface surface(faces_.triangles, header_.vertices, faces_.copies, positions,
+                                   has_edges ? &faces_.open_edges : nullptr,
                                    std::exchange(attribute_graph_, std::nullopt));
     std::vector<Attribute> attributes(header_.attributes.size());
     DELTAMESH_CHECK(read_attributes_of(surface, false, attributes));
@@ -285,9 +199,9 @@ class StreamDecoder {
       const AttributeDescriptor& descriptor = header_.attributes[now];
       if (decoded_after_others(descriptor.kind) != after_others) continue;
       DELTAMESH_TRY(const auto chunk, expand_chunk(container_, entry));
-      DELTAMESH_TRY(attributes[now],
-                    read_attribute(chunk.payload(), descriptor, surface, attributes,
-                                   options_.limits.attribute_bytes - attribute_bytes_, of_color(now)));
+      DELTAMESH_TRY(attributes[now], read_attribute(chunk.payload(), descriptor, surface, attributes,
+                                                    options_.limits.attribute_bytes - attribute_bytes_,
+                                                    learning_.of_color(now)));
       attribute_bytes_ += attributes[now].values.size();
     }
     return {};
@@ -296,19 +210,13 @@ class StreamDecoder {
   const Container& container_;
   const FileHeader& header_;
   const DecodeOptions& options_;
-  bool is_plain_ = false;                           ///< the form of all chunks but attributes
-  ThreadTeam* team_;                                ///< null: this thread alone
-  const StreamModels* start_;                       ///< null: fresh models
-  StreamModels* learnt_;                            ///< null where they are not wanted
-  bool is_of_grid_;                                 ///< GRID has faces and positions
-  std::vector<std::uint32_t> geometric_triangles_;  ///< empty where no vertex is split
-  LargeVector<DirectedEdge> open_edges_;            ///< of the geometric faces
-  std::vector<float> grid_positions_;               ///< n x 3 of a grid, until they are handed out
-  VertexRuns runs_;                                 ///< of the geometric vertices
-  std::vector<std::uint32_t> copies_;               ///< geometric vertex of every vertex; likewise
-  Adjacency graph_;                                 ///< of the geometric vertices, until they are solved for
-  std::optional<Adjacency> attribute_graph_;        ///< of all vertices, where it is made beforehand
-  std::uint64_t attribute_bytes_ = 0;               ///< of the attributes read so far
+  ThreadTeam* team_;  ///< null: this thread alone
+  StreamLearning learning_;
+  bool is_plain_ = false;  ///< the form of all chunks but attributes
+  StreamFaces faces_;
+  Adjacency graph_;                           ///< of the geometric vertices, until they are solved for
+  std::optional<Adjacency> attribute_graph_;  ///< of all vertices, where it is made beforehand
+  std::uint64_t attribute_bytes_ = 0;         ///< of the attributes read so far
 };
 
 }  // namespace

@@ -29,25 +29,22 @@ double scaled_to(double bound, double scale, double largest) noexcept {
 }
 
 /// `quality` with every bound `scale` times as large, at most to where an attribute would mean nothing any
-/// more. Exact colours stay exact up to a scale of 1; then they may be off by `scale` - 1 255ths. `scale`:
-/// above 0.
+/// more. What is exact stays so. `scale`: above 0.
 AttributeQuality scaled(const AttributeQuality& quality, double scale) {
   AttributeQuality result = quality;
   result.normal_error = scaled_to(quality.normal_error, scale, kLargestAngle);
   if (quality.tangent_error) result.tangent_error = scaled_to(*quality.tangent_error, scale, kLargestAngle);
   result.uv_error = scaled_to(quality.uv_error, scale, kLargestUv);
-  if (quality.color_rms)
-    result.color_rms = scaled_to(*quality.color_rms, scale, kLargestColorRms);
-  else
-    result.color_error = std::min(quality.color_error * scale + std::max(scale - 1, 0.0),
-                                  std::max(quality.color_error, kLargestColor));
+  if (quality.color_rms) result.color_rms = scaled_to(*quality.color_rms, scale, kLargestColorRms);
+  if (quality.color_error) result.color_error = scaled_to(*quality.color_error, scale, kLargestColor);
   result.weight_error = scaled_to(quality.weight_error, scale, kLargestWeight);
   for (NamedBound& bound : result.named) bound.error *= scale;
   return result;
 }
 
 /// No attribute loses a bit.
-const AttributeQuality kExactly{.normal_error = 0, .tangent_error = 0, .uv_error = 0, .weight_error = 0};
+const AttributeQuality kExactly{
+    .normal_error = 0, .tangent_error = 0, .uv_error = 0, .color_error = 0, .weight_error = 0};
 
 struct Parts {
   CodedParts coded;
@@ -100,7 +97,7 @@ class SharedBudget {
       best_.reset();
     }
     DELTAMESH_TRY(scale, search({.first = scale, .trials = kTrials}));
-    // Exact colours take far more than those that are off by 1: what lies between is for places.
+    // Colours within a bound of 0 take far more than within 1: what lies between is for places.
     if (best_ && static_cast<double>(best_->bytes) < kWellUsed * static_cast<double>(budget_))
       DELTAMESH_CHECK(search({.first = scale / 2, .most = scale, .trials = kTrials, .of_attributes = scale}));
     if (best_ && scale <= kFinest) DELTAMESH_CHECK(try_exactly());

@@ -3,6 +3,7 @@
 #include "deltamesh/encode.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "base/try.h"
 #include "connectivity/check_mesh.h"
 #include "connectivity/groups/names.h"
+#include "deltamesh/color_content.h"
 #include "deltamesh/model_states.h"
 #include "encoder/coded_parts.h"
 #include "encoder/coded_topology.h"
@@ -95,6 +97,30 @@ void declare(const Candidate& geometry, double source_error, FileHeader& header)
   header.max_error = short_float_above(quality.max_error);
 }
 
+/// Nothing where it does not decide on colours.
+Result<ColorContent> color_content(const MeshView& mesh, const EncodeOptions& options) {
+  ColorContent content;
+  const bool is_asked = options.lossless || options.attributes.color_error || options.attributes.color_rms;
+  if (!is_asked) DELTAMESH_CHECK(content.add(mesh));
+  return content;
+}
+
+/// Different colours, over all attributes of colours.
+std::uint64_t count_colors(const MeshView& mesh) {
+  using Row = std::array<std::byte, kMaxComponents * sizeof(double)>;
+  std::uint64_t count = 0;
+  for (const AttributeView& attribute : mesh.attributes) {
+    if (attribute.kind != AttributeKind::kColor) continue;
+    const std::size_t size = attribute.components * component_size(attribute.type);
+    std::vector<Row> rows(mesh.vertex_count());
+    for (std::size_t v = 0; v < rows.size(); ++v)
+      std::copy_n(attribute.values.data() + v * size, size, rows[v].data());
+    std::ranges::sort(rows);
+    count += static_cast<std::uint64_t>(std::unique(rows.begin(), rows.end()) - rows.begin());
+  }
+  return count;
+}
+
 /// `mesh` and `options` have been checked.
 Result<Encoded> encode_checked(const MeshView& mesh, const EncodeOptions& options) {
   Progress progress(options.progress);
@@ -135,7 +161,12 @@ Result<Encoded> encode(const MeshView& mesh, const EncodeOptions& options) noexc
     DELTAMESH_CHECK(validate(options));
     DELTAMESH_CHECK(check_mesh(mesh));
     try {
-      return encode_checked(mesh, options);
+      DELTAMESH_TRY(const ColorContent content, color_content(mesh, options));
+      EncodeOptions completed = options;
+      completed.attributes = content.complete(std::move(completed.attributes));
+      DELTAMESH_TRY(Encoded encoded, encode_checked(mesh, completed));
+      if (content.has_labels()) encoded.report.labels = count_colors(mesh);
+      return encoded;
     } catch (const ProgressFailed&) {
       return Error{.code = ErrorCode::kInvalidArgument,
                    .message = "the progress callback threw an exception"};

@@ -53,11 +53,11 @@ Result<void> check_attributes(const AttributeQuality& q) noexcept {
     return invalid_option("the error of tangents must be a finite number of at least 0");
   if (!is_bound(q.uv_error))
     return invalid_option("the error of texture coordinates must be a finite number of at least 0");
-  if (!is_bound(q.color_error))
+  if (q.color_error && !is_bound(*q.color_error))
     return invalid_option("the error of colours must be a finite number of at least 0");
   if (q.color_rms && !(is_bound(*q.color_rms) && *q.color_rms > 0))
     return invalid_option("the mean error of colours must be a finite number above 0");
-  if (q.color_rms && q.color_error > 0)
+  if (q.color_rms && q.color_error)
     return invalid_option("a mean error and a largest error of colours exclude each other");
   if (!is_bound(q.weight_error))
     return invalid_option("the error of weights must be a finite number of at least 0");

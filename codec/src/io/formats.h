@@ -28,7 +28,7 @@ std::vector<std::byte> write_obj(const MeshView& mesh, WriteReport& report);
 std::vector<std::byte> write_off(const MeshView& mesh, WriteReport& report);
 /// Errors: kLimitExceeded (more than 2^32 - 1 triangles).
 Result<std::vector<std::byte>> write_stl(const MeshView& mesh, WriteReport& report);
-/// Errors: kInvalidMesh (a position that is not finite: glTF cannot state its bounds), kLimitExceeded (over 4
+/// Errors: kNotFinite (a position: glTF cannot state its bounds), kLimitExceeded (over 4
 /// GiB).
 Result<std::vector<std::byte>> write_gltf(const MeshView& mesh, bool binary, WriteReport& report);
 

@@ -33,6 +33,7 @@ void count_attribute(std::vector<GltfAttributeReport>& reports, const GltfAttrib
   }
   known->bytes += one.bytes;
   known->error = std::max(known->error, one.error);
+  known->rms = std::max(known->rms, one.rms);
 }
 
 void count_stream(GltfReport& report, const StreamMesh& merged, const Encoded& encoded) {
@@ -56,7 +57,8 @@ void count_stream(GltfReport& report, const StreamMesh& merged, const Encoded& e
                                   .morph = semantic.target != kBase,
                                   .kind = info.attributes[i].kind,
                                   .bytes = info.attributes[i].coded_bytes,
-                                  .error = info.attributes[i].error};
+                                  .error = info.attributes[i].error,
+                                  .rms = info.attributes[i].rms};
     count_attribute(stream.attributes, one);
     count_attribute(report.attributes, one);
   }

@@ -31,10 +31,10 @@ std::uint64_t view_length(const Json& json, std::uint64_t view) {
 
 OtherBytes count_others(const Document& document) {
   OtherBytes bytes;
-  std::set<std::uint64_t> accessors;
+  std::set<std::size_t> accessors;
   for_each_sampled_accessor(document.json,
-                            [&](const Json& accessor) { accessors.insert(accessor.get<std::uint64_t>()); });
-  for (const std::uint64_t accessor : accessors)
+                            [&](const Json& accessor) { accessors.insert(accessor.get<std::size_t>()); });
+  for (const std::size_t accessor : accessors)
     if (const auto stored = stored_bytes(document, accessor)) bytes.animations += *stored;
   const Json* images = find(document.json, "images");
   std::set<std::uint64_t> views;

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "deltamesh/mesh.h"
@@ -22,7 +23,10 @@ inline constexpr int kBase = -1;
 struct Semantic {
   std::string name;
   int target = kBase;
-  auto operator<=>(const Semantic&) const = default;
+  bool operator==(const Semantic&) const = default;
+  bool operator<(const Semantic& other) const noexcept {
+    return std::tie(name, target) < std::tie(other.name, other.target);
+  }
 };
 
 /// Morph displacements, and shapes that the kind does not have, are generic.

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstdint>
 #include <map>
+#include <tuple>
 
 #include "base/try.h"
 #include "base/union_find.h"
@@ -21,7 +22,10 @@ struct Place {
   std::size_t space = 0;
   std::array<std::uint32_t, 3> bits{};
   std::size_t plan = 0;
-  auto operator<=>(const Place&) const = default;
+  bool operator==(const Place&) const = default;
+  bool operator<(const Place& other) const noexcept {
+    return std::tie(space, bits, plan) < std::tie(other.space, other.bits, other.plan);
+  }
 };
 
 /// The space of every mesh, a number below `meshes`.
@@ -38,7 +42,7 @@ Result<std::vector<std::size_t>> find_spaces(const Document& document) {
 }
 
 void sort_unique(std::vector<Place>& places) {
-  std::ranges::sort(places);
+  std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
 }
 
@@ -64,7 +68,7 @@ Result<void> mark_borders(const AccessorStore& store, const std::vector<Primitiv
     }
     places.insert(places.end(), own.begin(), own.end());
   }
-  std::ranges::sort(places);
+  std::sort(places.begin(), places.end());
   UnionFind lattices(plans.size());
   std::vector<bool> borders(plans.size());
   for (std::size_t i = 1; i < places.size(); ++i) {

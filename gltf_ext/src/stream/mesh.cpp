@@ -113,7 +113,7 @@ class Merger {
         float& x = position[k] = static_cast<float>(coordinates[k]);
         if (options_.one_zero) x += 0.0F;
         if (!std::isfinite(x))
-          return Error{.code = ErrorCode::kInvalidMesh,
+          return Error{.code = ErrorCode::kNotFinite,
                        .message = "a coordinate is NaN or infinite",
                        .where_kind = WhereKind::kElement,
                        .where = source.number};

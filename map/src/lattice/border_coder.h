@@ -15,6 +15,7 @@
 #include "base/numbers/zigzag.h"
 #include "deltamesh/map/part.h"
 #include "entropy/coder/number_model.h"
+#include "lattice/border_colors.h"
 #include "support/open_edges.h"
 
 namespace deltamesh {
@@ -38,11 +39,13 @@ struct BorderModels {
   void limit_counts(std::uint8_t most) noexcept {
     twins.length.limit_count(most);
     for (NumberModel& model : ways) model.length.limit_count(most);
+    colors.limit_counts(most);
   }
 
   std::array<BitModel, kPlaces> flags;
   NumberModel twins;
   std::array<NumberModel, 6> ways;  ///< by looseness and axis
+  BorderColorModels colors;
 };
 
 /// `Coder` is CompactWriter or CompactReader.

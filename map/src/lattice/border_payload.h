@@ -20,13 +20,20 @@ namespace deltamesh {
 Result<BorderView> view_border(std::span<const std::byte> stream, const Mesh& mesh,
                                const MapLattice& lattice);
 
-/// `mesh`: as the part's stream has it; `border`: ascending by vertex of it. Empty where there is no border.
-/// `start`: the models' first states.
-std::vector<std::byte> write_border(const Mesh& mesh, const BorderView& view,
-                                    std::vector<BorderVertex> border, const BorderModels& start);
+/// The source's colours of one attribute at the border [MAP-24].
+struct BorderColors {
+  std::uint32_t step = 0;              ///< levels of 8 bits, at most kMostBorderStep; 0: as in the stream
+  std::vector<std::uint8_t> levels{};  ///< by border vertex and component, where there is a step
+};
 
-/// `learning.start` is there. Errors: kInvalidStream [MAP-11], kTruncated.
-Result<std::vector<BorderVertex>> read_border(std::span<const std::byte> bytes, const Mesh& mesh,
+/// `mesh`: as the part's stream has it; gets the border's colours. `border`: ascending by vertex of it. Empty
+/// where there is no border. `start`: the models' first states. `colors`: of each attribute that is colours.
+std::vector<std::byte> write_border(Mesh& mesh, const BorderView& view, std::vector<BorderVertex> border,
+                                    const BorderModels& start, std::span<const BorderColors> colors);
+
+/// Gives `mesh` the border's colours. `learning.start` is there. Errors: kInvalidStream [MAP-11, MAP-24],
+/// kTruncated.
+Result<std::vector<BorderVertex>> read_border(std::span<const std::byte> bytes, Mesh& mesh,
                                               const BorderView& view, const Learning<BorderModels>& learning);
 
 }  // namespace deltamesh

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Fragments [MAP-24].
+// Fragments [MAP-25].
 #include "deltamesh/map/fragment.h"
 
 #include <xxhash.h>
@@ -35,7 +35,7 @@ const char* what_is_wrong(std::uint64_t size, std::uint64_t offset, std::size_t 
 Result<std::vector<std::byte>> write_fragment(const FragmentMessage& fragment) noexcept {
   return guarded([&]() -> Result<std::vector<std::byte>> {
     if (const char* wrong = what_is_wrong(fragment.size, fragment.offset, fragment.octets.size()))
-      return invalid_argument(wrong, "MAP-24");
+      return invalid_argument(wrong, "MAP-25");
     ByteWriter out = begin_message(MessageKind::kFragment);
     out.write(fragment.id);
     out.write_varint(fragment.size);
@@ -54,7 +54,7 @@ Result<FragmentMessage> read_fragment(std::span<const std::byte> message) noexce
     DELTAMESH_TRY(fragment.size, in.read_varint());
     DELTAMESH_TRY(fragment.offset, in.read_varint());
     if (const char* wrong = what_is_wrong(fragment.size, fragment.offset, in.remaining()))
-      return in.error(ErrorCode::kInvalidStream, wrong, "MAP-24");
+      return in.error(ErrorCode::kInvalidStream, wrong, "MAP-25");
     DELTAMESH_TRY(const auto octets, in.read_bytes(in.remaining()));
     fragment.octets.assign(octets.begin(), octets.end());
     return fragment;
@@ -65,7 +65,7 @@ Result<std::vector<std::vector<std::byte>>> cut_message(std::vector<std::byte> m
                                                         std::size_t most) noexcept {
   return guarded([&]() -> Result<std::vector<std::vector<std::byte>>> {
     if (most != 0 && most < kLeastFragment)
-      return invalid_argument("a largest message of less than 64 bytes", "MAP-24");
+      return invalid_argument("a largest message of less than 64 bytes", "MAP-25");
     std::vector<std::vector<std::byte>> pieces;
     if (most == 0 || message.size() <= most) {
       pieces.push_back(std::move(message));
@@ -115,7 +115,7 @@ Result<std::optional<std::vector<std::byte>>> FragmentJoiner::add(std::span<cons
     if (XXH3_64bits(message.data(), message.size()) != fragment.id)
       return Error{.code = ErrorCode::kCorrupt,
                    .message = "fragments that do not make the message that they say",
-                   .rule = "MAP-24"};
+                   .rule = "MAP-25"};
     return std::optional(std::move(message));
   });
 }

@@ -15,6 +15,9 @@
 namespace deltamesh {
 namespace {
 
+/// What a view asks of colours.
+enum class ColorBound : std::uint8_t { kNone, kLargest, kMean };
+
 bool is_bound(const std::optional<float>& bound) noexcept {
   return !bound || (std::isfinite(*bound) && *bound > 0);
 }
@@ -34,7 +37,9 @@ const char* what_is_wrong(const ViewMessage& message) noexcept {
   if (view.level > kMostPartLevel) return "a level of parts above 24";
   if (!is_bound(view.vde) || !is_bound(view.lfe) || !is_bound(view.max_error))
     return "an error asked for is negative or not finite";
-  if (!std::isfinite(view.color_error) || view.color_error < 0)
+  if (view.color_error && view.color_rms) return "a largest and a mean error of colours";
+  if (!is_bound(view.color_rms) ||
+      (view.color_error && (!std::isfinite(*view.color_error) || *view.color_error < 0)))
     return "an error asked for is negative or not finite";
   if (view.attribute_errors.size() > kMostViewErrors) return "errors of more than 255 attributes";
   if (std::ranges::any_of(view.attribute_errors, [](float e) { return !std::isfinite(e) || e < 0; }))
@@ -55,7 +60,11 @@ void write_view_fields(ByteWriter& out, const View& view) {
   }
   out.write(view.level);
   for (const auto& bound : {view.vde, view.lfe, view.max_error}) out.write(bound.value_or(0.0F));
-  out.write(view.color_error);
+  const auto colors = view.color_rms     ? ColorBound::kMean
+                      : view.color_error ? ColorBound::kLargest
+                                         : ColorBound::kNone;
+  out.write(static_cast<std::uint8_t>(colors));
+  if (colors != ColorBound::kNone) out.write(view.color_rms ? *view.color_rms : *view.color_error);
   out.write(static_cast<std::uint8_t>(view.attribute_errors.size()));
   for (const float error : view.attribute_errors) out.write(error);
   out.write_varint(view.bytes_per_second);
@@ -76,7 +85,14 @@ Result<View> read_view_fields(ByteReader& in) {
     DELTAMESH_TRY(const auto value, in.read<float>());
     if (value != 0) *bound = value;
   }
-  DELTAMESH_TRY(view.color_error, in.read<float>());
+  DELTAMESH_TRY(const auto colors, in.read<std::uint8_t>());
+  if (colors > static_cast<std::uint8_t>(ColorBound::kMean))
+    return in.error(ErrorCode::kInvalidStream, "a bound on colours that is unknown", "MAP-15");
+  if (colors == static_cast<std::uint8_t>(ColorBound::kLargest)) {
+    DELTAMESH_TRY(view.color_error, in.read<float>());
+  } else if (colors == static_cast<std::uint8_t>(ColorBound::kMean)) {
+    DELTAMESH_TRY(view.color_rms, in.read<float>());
+  }
   DELTAMESH_TRY(const auto errors, in.read<std::uint8_t>());
   for (unsigned i = 0; i < errors; ++i) {
     DELTAMESH_TRY(view.attribute_errors.emplace_back(), in.read<float>());

@@ -14,12 +14,14 @@
 #include "lattice/border_order.h"
 #include "lattice/border_payload.h"
 #include "lattice/place_border.h"
+#include "lattice/source_colors.h"
 #include "part/as_primer.h"
 #include "part/codec_state.h"
 #include "part/measure.h"
 #include "part/options.h"
 #include "search/bracket.h"
 #include "search/request.h"
+#include "support/color_value.h"
 #include "support/errors.h"
 
 namespace deltamesh {
@@ -54,6 +56,14 @@ Result<void> check_part(const MapPart& part, const MapDescription& description) 
   return {};
 }
 
+/// The largest, 255ths. `order`: the row of `source` for each of `decoded`.
+double color_error(const Attribute& source, const Attribute& decoded, std::span<const std::uint32_t> order) {
+  double most = 0;
+  for (std::size_t v = 0; v < order.size(); ++v)
+    most = std::max(most, color_difference(source, order[v], decoded, v));
+  return most;
+}
+
 /// One way to code a part, and what a receiver gets.
 struct PartCandidate {
   DecodedPart result;
@@ -63,8 +73,12 @@ struct PartCandidate {
 class PartEncoder {
  public:
   PartEncoder(const MapCodec::State& state, const MapPart& part, const PartQuality& quality)
-      : state_(state), part_(part), quality_(quality), measure_(part.mesh) {
-    source_ = MeshView(part.mesh);
+      : state_(state),
+        part_(part),
+        quality_(quality),
+        measure_(part.mesh),
+        rounded_(with_border_colors(part, quality.attributes)),
+        source_(rounded_) {
     source_.origin = {};  // which all parts share
     bounds_ = bounds_in_model_units(quality.bounds, measure_.geometric_count(), measure_.diagonal(),
                                     measure_.diagonal());
@@ -126,7 +140,8 @@ class PartEncoder {
     auto border = border_in_order(part_, encoded.order);
     const MapLattice& lattice = state_.description.lattice;
     DELTAMESH_TRY(const BorderView view, view_border(encoded.bytes, decoded, lattice));
-    const auto payload = write_border(decoded, view, border, models.border);
+    const auto payload = write_border(decoded, view, border, models.border,
+                                      border_colors(part_.mesh, border, encoded.order, quality_.attributes));
     PartCandidate candidate;
     const PartPlace place = state_.place_of(part_.key);
     if (primer && payload != state_.description.primers[*primer].border) return candidate;
@@ -138,8 +153,12 @@ class PartEncoder {
     place_border(decoded, border, lattice, view.follows);
     candidate.result.coded.quality = measure_.compare(decoded.positions, encoded.order);
     candidate.load = bounds_.load(candidate.result.coded.quality);
-    for (const AttributeInfo& attribute : encoded.report.stream.attributes)
-      candidate.result.coded.attribute_errors.push_back(attribute.error);
+    for (std::size_t i = 0; i < decoded.attributes.size(); ++i)
+      candidate.result.coded.attribute_errors.push_back(
+          is_color(decoded.attributes[i])
+              ? color_error(part_.mesh.attributes[i], decoded.attributes[i], encoded.order)
+              : encoded.report.stream.attributes[i].error);
+    candidate.result.coded.color_rms = color_rms(part_.mesh, decoded, encoded.order);
     decoded.origin = lattice.origin;
     candidate.result.part = {part_.key, std::move(decoded), std::move(border)};
     candidate.result.order = std::move(encoded.order);
@@ -156,6 +175,7 @@ class PartEncoder {
   const MapPart& part_;
   const PartQuality& quality_;
   PartMeasure measure_;
+  Mesh rounded_;
   MeshView source_;
   Bounds bounds_;
 };
@@ -168,13 +188,16 @@ Result<MapPrimer> make_primer(const MapCodec& codec, const MapPart& part, const 
   const CodecModels& models = state.models.back();
   EncodeOptions options = options_for(quality);
   options.starting_states = models.start();
-  MeshView source(part.mesh);
+  const Mesh mesh = with_border_colors(part, quality.attributes);
+  MeshView source(mesh);
   source.origin = {};
   DELTAMESH_TRY(Encoded encoded, encode(source, options));
-  DELTAMESH_TRY(const Mesh decoded, decode(encoded.bytes, {.starting_states = models.start()}));
+  DELTAMESH_TRY(Mesh decoded, decode(encoded.bytes, {.starting_states = models.start()}));
   DELTAMESH_TRY(const BorderView view, view_border(encoded.bytes, decoded, state.description.lattice));
-  auto border = write_border(decoded, view, border_in_order(part, encoded.order), models.border);
-  return MapPrimer{std::move(encoded.bytes), std::move(border)};
+  const auto border = border_in_order(part, encoded.order);
+  auto coded = write_border(decoded, view, border, models.border,
+                            border_colors(part.mesh, border, encoded.order, quality.attributes));
+  return MapPrimer{std::move(encoded.bytes), std::move(coded)};
 }
 
 Result<DecodedPart> encode_part(const MapCodec::State& state, const MapPart& part,

@@ -57,7 +57,8 @@ PartErrors errors_between(const Mesh& source, const Mesh& decoded) {
 
 bool satisfies(const PartErrors& errors, const View& view) noexcept {
   return keeps(view.vde, errors.vde) && keeps(view.lfe, errors.lfe) &&
-         keeps(view.max_error, errors.max_error) && errors.color_error <= view.color_error;
+         keeps(view.max_error, errors.max_error) && keeps(view.color_error, errors.color_error) &&
+         keeps(view.color_rms, errors.color_rms / kMeanTolerance);
 }
 
 }  // namespace deltamesh

@@ -10,12 +10,16 @@
 
 namespace deltamesh {
 
+/// How much of a mean error of colours a part may have: its border's are on levels of their own.
+inline constexpr double kMeanTolerance = 1.02;
+
 /// Errors of a decoded part against a source.
 struct PartErrors {
   double vde = 0;          ///< where vertices correspond
   double lfe = 0;          ///< the same
   double max_error = 0;    ///< largest distance of a vertex of either mesh to the surface of the other
   double color_error = 0;  ///< 255ths, the worst component, at those vertices and the points nearest to them
+  double color_rms = 0;    ///< 255ths, over red, green and blue; of coded parts
 };
 
 /// Infinite errors where the meshes have attributes that are not colours, or other ones. Both are not empty

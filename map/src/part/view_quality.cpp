@@ -52,7 +52,7 @@ Result<void> check_view(const View& view, const MapDescription& description) noe
       return refused("an error of an attribute that the map does not have", i);
     if (view.attribute_errors[i] != 0 && !has_bound(description.attributes[i].kind))
       return refused(
-          "an error of an attribute that has none: colours have View::color_error, joints are exact", i);
+          "an error of an attribute that has none: colours have bounds of their own, joints are exact", i);
   }
   return {};
 }
@@ -63,7 +63,8 @@ PartQuality part_quality(const View& view, const MapDescription& description) {
   if (view.lfe) quality.bounds.lfe = QualityBound{*view.lfe};
   if (view.max_error) quality.bounds.max_error = QualityBound{*view.max_error};
   AttributeQuality& bounds = quality.attributes;
-  bounds.color_error = view.color_error;
+  if (view.color_error) bounds.color_error = double{*view.color_error};
+  if (view.color_rms) bounds.color_rms = double{*view.color_rms};
   std::array<std::optional<double>, 7> strictest{};  // of each kind
   for (std::size_t i = 0; i < description.attributes.size(); ++i) {
     const MapAttribute& attribute = description.attributes[i];

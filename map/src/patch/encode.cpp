@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/try.h"
+#include "part/fitness.h"
 #include "part/measure.h"
 #include "patch/coder.h"
 #include "patch/container.h"
@@ -32,13 +33,6 @@ MapPart new_part(const MapPart& source, const PartMatch& match, std::vector<std:
     part.border.back().vertex = v;
   }
   return part;
-}
-
-double color_error(const Attribute& a, std::size_t vertex_a, const Attribute& b, std::size_t vertex_b) {
-  double most = 0;
-  for (std::size_t c = 0; c < a.components; ++c)
-    most = std::max(most, std::abs(color_value(a, vertex_a, c) - color_value(b, vertex_b, c)));
-  return most;
 }
 
 }  // namespace
@@ -68,10 +62,13 @@ Result<std::optional<DecodedPart>> encode_patch(const MapCodec::State& state, co
   for (std::size_t a = 0; a < source.mesh.attributes.size(); ++a) {
     double most = 0;
     for (std::size_t v = 0; v < patched.order.size(); ++v)
-      most = std::max(
-          most, color_error(source.mesh.attributes[a], patched.order[v], patched.part.mesh.attributes[a], v));
+      most = std::max(most, color_difference(source.mesh.attributes[a], patched.order[v],
+                                             patched.part.mesh.attributes[a], v));
     patched.coded.attribute_errors.push_back(most);
   }
+  patched.coded.color_rms = color_rms(source.mesh, patched.part.mesh, patched.order);
+  const auto& rms = quality.attributes.color_rms;
+  if (rms && patched.coded.color_rms > kMeanTolerance * *rms) return std::optional<DecodedPart>();
   const auto coded_plan = write_patch_plan(base.part.mesh, inserted.part.mesh, std::move(plan));
   patched.coded.bytes = write_body(state.place_of(source.key), base_hash, {coded_plan, inserted.coded.bytes});
   return std::optional(std::move(patched));

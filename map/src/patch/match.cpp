@@ -9,6 +9,7 @@
 
 #include "lattice/positions.h"
 #include "patch/coder.h"
+#include "patch/color_match.h"
 #include "patch/row_lists.h"
 #include "support/color_value.h"
 #include "support/open_edges.h"
@@ -50,6 +51,7 @@ class Matcher {
 
   PartMatch run() {
     match_vertices();
+    keep_mean_error(source_.mesh, base_.part.mesh, bounds_.quality, base_of_);
     match_faces();
     smooth();
     while (drop_vertices_without_open_edges()) {
@@ -68,7 +70,8 @@ class Matcher {
       if (is_shared[v] != 0) continue;  // a position of vertices with several colours
       const float* const position = source_.mesh.positions.data() + 3 * std::size_t{v};
       const std::uint32_t near = rows.nearest(position);
-      if (near == kNoRow || !is_good_enough(v, near) || source_border[v] != base_border[near]) continue;
+      if (near == kNoRow || !is_good_enough(v, near, source_border) || source_border[v] != base_border[near])
+        continue;
       if (const std::uint32_t other = taken[near]; other != kNotJoined) {
         const float* const place = base_.sources.data() + 3 * std::size_t{near};
         if (squared_distance(source_.mesh.positions.data() + 3 * std::size_t{other}, place) <=
@@ -90,23 +93,13 @@ class Matcher {
     return border;
   }
 
-  bool is_good_enough(std::uint32_t v, std::uint32_t base) const noexcept {
+  bool is_good_enough(std::uint32_t v, std::uint32_t base, std::span<const BorderVertex> border) const {
     if (squared_distance(source_.mesh.positions.data() + 3 * std::size_t{v},
                          base_.part.mesh.positions.data() + 3 * std::size_t{base}) >
         bounds_.max_error * bounds_.max_error)
       return false;
-    for (std::size_t a = 0; a < source_.mesh.attributes.size(); ++a)
-      if (color_difference(a, v, base) > bounds_.color_error) return false;
-    return true;
-  }
-
-  double color_difference(std::size_t attribute, std::uint32_t v, std::uint32_t base) const noexcept {
-    const Attribute& ours = source_.mesh.attributes[attribute];
-    const Attribute& theirs = base_.part.mesh.attributes[attribute];
-    double most = 0;
-    for (std::size_t c = 0; c < ours.components; ++c)
-      most = std::max(most, std::abs(color_value(ours, v, c) - color_value(theirs, base, c)));
-    return most;
+    const bool is_border = border[v].vertex != 0;
+    return keeps_colors(source_.mesh, v, base_.part.mesh, base, bounds_.quality, is_border);
   }
 
   void match_faces() {

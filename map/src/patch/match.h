@@ -19,8 +19,8 @@ struct BaseVersion {
 };
 
 struct MatchBounds {
-  double max_error = 0;    ///< model units, above 0
-  double color_error = 0;  ///< 255ths
+  double max_error = 0;             ///< model units, above 0
+  const AttributeQuality& quality;  ///< of colours
 };
 
 /// Vertices of the source that are in the base within the bounds, and the faces they make in both. Every

@@ -51,7 +51,7 @@ Result<void> MapReceiver::State::apply(std::span<const std::byte> message) {
       DELTAMESH_TRY(const auto whole, fragments.add(message));
       if (!whole) return {};
       DELTAMESH_TRY(const MessageKind inner, kind_of_message(*whole));
-      if (inner == MessageKind::kFragment) return invalid_argument("fragments of a fragment", "MAP-24");
+      if (inner == MessageKind::kFragment) return invalid_argument("fragments of a fragment", "MAP-25");
       return apply(*whole);
     }
     default:

@@ -39,7 +39,7 @@ Result<void> MapSender::State::begin_epoch(std::uint32_t of_receiver) {
   description.epoch = of_receiver + 1;
   const std::uint64_t hash = hash_of(description);
   DELTAMESH_TRY(MapCodec codec, MapCodec::open(std::move(description)));
-  encodings = Encodings(std::move(codec), options);
+  encodings = Encodings(std::move(codec), options, colors);
   description_hash = hash;
   known.clear();
   viewers.clear();

@@ -37,6 +37,15 @@ std::uint64_t least_of(const PartKey& key, const SentPart& sent, const Viewer& v
   return sent.is_removal ? sent.revision : sent.revision + 1;  // an older version may still be on its way
 }
 
+/// Around a new version and all those that it may take the place of: what was next to these may be shown
+/// beside it, however far it is from them.
+PartBox box_with_earlier(const PartKey& key, const Mesh& mesh, const Viewer& viewer) {
+  PartBox box = part_box(mesh);
+  for (const auto& [other, sent] : viewer.sent)
+    if (sent.extent && overlap(other, key)) box.add(*sent.extent);
+  return box;
+}
+
 }  // namespace
 
 PartBox part_box(const Mesh& mesh) {
@@ -51,7 +60,7 @@ PartBox part_box(const Mesh& mesh) {
 
 std::vector<PartLink> links_for(const SourcePart& source, const Mesh& mesh, const Viewer& viewer,
                                 const SendPlan& plan) {
-  const PartBox extent = part_box(mesh);
+  const PartBox extent = box_with_earlier(source.part.key, mesh, viewer);
   std::vector<PartLink> links;
   auto border = source.links.begin();
   for (const auto& [key, sent] : viewer.sent) {

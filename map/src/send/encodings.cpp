@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/try.h"
+#include "deltamesh/color_content.h"
 #include "part/encode.h"
 #include "part/view_cells.h"
 #include "part/view_quality.h"
@@ -27,20 +28,34 @@ constexpr double kWorthPatch = 0.97;
 /// which are on the lattice all the same, than they save elsewhere.
 constexpr double kFirstSight = 1.0 / 1024;
 constexpr float kFirstSightColor = 8;
+constexpr float kFirstSightRms = 4.5F;
+
+/// What the view asks of colours, or what is chosen where it asks nothing.
+void set_colors(const View& view, const ColorContent& content, View& quality) {
+  quality.color_error = view.color_error;
+  quality.color_rms = view.color_rms;
+  if (view.color_error || view.color_rms) return;
+  if (content.is_photographic())
+    quality.color_rms = static_cast<float>(kPhotographicRms);
+  else
+    quality.color_error = 0.0F;
+}
 
 /// The view's quality for a part, without places and rate.
-View quality_of(const View& view, const SourcePart& source, const MapDescription& description) {
+View quality_of(const View& view, const SourcePart& source, const MapDescription& description,
+                const ColorContent& content) {
   View quality;
   quality.vde = view.vde;
   quality.lfe = view.lfe;
   quality.max_error = view.max_error;
-  quality.color_error = view.color_error;
+  set_colors(view, content, quality);
   quality.attribute_errors = view.attribute_errors;
   if (!source.is_copy || source.part.key.level <= view.level) return quality;
   quality.vde = quality.lfe = {};
   const double edge = cube_of(source.part.key, description).edge;
   quality.max_error = std::max(view.max_error.value_or(0), static_cast<float>(kFirstSight * edge));
-  quality.color_error = std::max(view.color_error, kFirstSightColor);
+  if (quality.color_rms) quality.color_rms = std::max(*quality.color_rms, kFirstSightRms);
+  if (view.color_error) quality.color_error = std::max(*view.color_error, kFirstSightColor);
   return quality;
 }
 
@@ -52,8 +67,10 @@ PartQuality asked_quality(const View& view, const MapDescription& description, c
 }
 
 PartErrors errors_of_coded(const CodedPart& coded, const MapDescription& description) {
-  PartErrors errors{
-      .vde = coded.quality.vde_rms, .lfe = coded.quality.lfe_rms, .max_error = coded.quality.max_error};
+  PartErrors errors{.vde = coded.quality.vde_rms,
+                    .lfe = coded.quality.lfe_rms,
+                    .max_error = coded.quality.max_error,
+                    .color_rms = coded.color_rms};
   for (std::size_t i = 0; i < coded.attribute_errors.size(); ++i)
     if (description.attributes[i].kind == AttributeKind::kColor)
       errors.color_error = std::max(errors.color_error, coded.attribute_errors[i]);
@@ -104,7 +121,7 @@ std::vector<Encodings::Asked>& Encodings::asked_of(const SourcePart& source) {
 const Encodings::Asked* Encodings::find(const SourcePart& source, const View& view) const {
   const auto asked = asked_.find(source.part.key);
   if (asked == asked_.end()) return nullptr;
-  const View quality = quality_of(view, source, codec_.description());
+  const View quality = quality_of(view, source, codec_.description(), *colors_);
   const auto found = std::ranges::find_if(asked->second, [&](const Asked& a) {
     return a.content_revision == source.content_revision && a.view == quality && a.base_hash == 0;
   });
@@ -127,7 +144,7 @@ Result<std::shared_ptr<const Encoding>> Encodings::make(const SourcePart& source
 
 Result<std::shared_ptr<const Encoding>> Encodings::get(const SourcePart& source, const View& view) {
   if (const Asked* asked = find(source, view); asked != nullptr) return asked->encoding;
-  Asked asked{quality_of(view, source, codec_.description()), source.content_revision, 0};
+  Asked asked{quality_of(view, source, codec_.description(), *colors_), source.content_revision, 0};
   auto made = make(source, asked.view);
   if (!made && is_ours(made.error())) return made.error();
   if (!made) asked.fault = made.error();
@@ -135,6 +152,7 @@ Result<std::shared_ptr<const Encoding>> Encodings::get(const SourcePart& source,
     View finest;
     finest.max_error = finest_error(codec_.description().lattice);
     finest.color_error = asked.view.color_error;
+    finest.color_rms = asked.view.color_rms;
     finest.attribute_errors = asked.view.attribute_errors;
     made = make(source, finest);
     if (!made && is_ours(made.error())) return made.error();
@@ -148,7 +166,7 @@ Result<std::shared_ptr<const Encoding>> Encodings::get(const SourcePart& source,
 
 Result<std::shared_ptr<const Encoding>> Encodings::patch(const SourcePart& source, const View& view,
                                                          const KnownVersion& base) {
-  const View quality = quality_of(view, source, codec_.description());
+  const View quality = quality_of(view, source, codec_.description(), *colors_);
   std::vector<Asked>& asked = asked_of(source);
   for (const Asked& a : asked)
     if (a.view == quality && a.base_hash == base.encoding->hash) return a.encoding;
@@ -189,7 +207,8 @@ std::shared_ptr<const PartMatch> Encodings::match(const SourcePart& source, cons
   std::erase_if(matched, [&](const Matched& m) { return m.content_revision != source.content_revision; });
   for (const Matched& m : matched)
     if (m.view == quality && m.hash == base.hash) return m.match;
-  const MatchBounds bounds{*quality.max_error, quality.color_error};
+  const AttributeQuality colors = part_quality(quality, codec_.description()).attributes;
+  const MatchBounds bounds{*quality.max_error, colors};
   matched.push_back(
       {quality, source.content_revision, base.hash,
        std::make_shared<const PartMatch>(match_part(source.part, {base.decoded, base.sources}, bounds))});
@@ -197,13 +216,12 @@ std::shared_ptr<const PartMatch> Encodings::match(const SourcePart& source, cons
 }
 
 bool Encodings::fits(const KnownVersion& version, const SourcePart& source, const View& view) {
-  const View quality = quality_of(view, source, codec_.description());
+  const View quality = quality_of(view, source, codec_.description(), *colors_);
   if (version.content_revision == source.content_revision) {
     const Asked* asked = find(source, view);
-    const bool is_the_best = asked != nullptr && asked->fault && version.encoding == asked->encoding;
-    return is_the_best ||
-           (satisfies(version.encoding->errors, quality) &&
-            keeps_attributes(version.encoding->attribute_errors, quality, codec_.description()));
+    const bool is_asked = asked != nullptr && version.encoding == asked->encoding;
+    return is_asked || (satisfies(version.encoding->errors, quality) &&
+                        keeps_attributes(version.encoding->attribute_errors, quality, codec_.description()));
   }
   if (!quality.max_error || quality.vde || quality.lfe) return false;
   return match(source, quality, *version.encoding)->is_whole();

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "deltamesh/color_content.h"
 #include "deltamesh/map/map_codec.h"
 #include "deltamesh/map/messages.h"
 #include "deltamesh/map/sender.h"
@@ -43,7 +44,9 @@ struct KnownVersion {
 
 class Encodings {
  public:
-  Encodings(MapCodec codec, const SenderOptions& options) : codec_(std::move(codec)), options_(options) {}
+  /// `colors`: of the source; must outlive this.
+  Encodings(MapCodec codec, const SenderOptions& options, const ColorContent& colors)
+      : codec_(std::move(codec)), options_(options), colors_(&colors) {}
 
   const MapCodec& codec() const noexcept { return codec_; }
 
@@ -91,6 +94,7 @@ class Encodings {
 
   MapCodec codec_;
   SenderOptions options_;
+  const ColorContent* colors_;
   std::map<PartKey, std::vector<Asked>> asked_;
   std::map<PartKey, std::vector<Matched>> matched_;
   std::uint64_t encoded_ = 0;

@@ -38,7 +38,9 @@ class Planner {
     plan_.wanted = std::move(parts.wanted);
     plan_.unwanted = std::move(parts.others);
     for (const auto& [key, believed] : viewer_.has)
-      if (believed.is_gone && !plan_.wanted.contains(key) && waits_in_vain(key)) plan_.removed.insert(key);
+      if (believed.is_gone && (map_.find(key) == nullptr || plan_.unwanted.contains(key)) &&
+          waits_in_vain(key))
+        plan_.removed.insert(key);
     add_what_does_not_fit();
     for (const auto& [key, version] : kept_) plan_.staying.insert(key);
     for (const auto& [key, believed] : viewer_.has)

@@ -90,6 +90,8 @@ Result<void> MapSender::update(std::span<const MapBlock> blocks) noexcept {
     DELTAMESH_TRY(const std::vector<PartKey> gone, state_->map.update(blocks));
     for (const PartKey& key : gone) state_->encodings.forget(key);
     state_->forget_versions(2 * blocks.size());
+    if (state_->colors.is_known()) return {};
+    for (const MapBlock& block : blocks) DELTAMESH_CHECK(state_->colors.add(block.mesh));
     return {};
   });
 }

@@ -29,12 +29,13 @@ struct ChosenVersion {
 
 struct MapSender::State {
   State(SourceMap source, MapCodec codec, const SenderOptions& o)
-      : options(o), map(std::move(source)), encodings(std::move(codec), o) {}
+      : options(o), map(std::move(source)), encodings(std::move(codec), o, colors) {}
 
   SenderOptions options;
   std::uint64_t description_hash = 0;
   std::uint64_t start = 0;    ///< the map's revision when this sender was started
   SourceMap map;
+  ColorContent colors{};  ///< of the blocks until it is known what they are
   Encodings encodings;
   KnownVersions known{};
   PartKey look_at_next{};  ///< for versions to forget

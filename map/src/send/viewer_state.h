@@ -26,6 +26,13 @@ namespace deltamesh {
 struct PartBox {
   std::array<float, 3> low{};
   std::array<float, 3> high{};
+
+  void add(const PartBox& other) noexcept {
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], other.low[k]);
+      high[k] = std::max(high[k], other.high[k]);
+    }
+  }
 };
 
 /// The last message to a receiver about a part.
@@ -40,10 +47,7 @@ struct SentPart {
 
   void add(const PartBox& version) noexcept {
     if (!extent) extent = version;
-    for (std::size_t k = 0; k < 3; ++k) {
-      extent->low[k] = std::min(extent->low[k], version.low[k]);
-      extent->high[k] = std::max(extent->high[k], version.high[k]);
-    }
+    extent->add(version);
   }
 };
 

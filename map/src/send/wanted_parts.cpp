@@ -14,12 +14,12 @@ namespace {
 
 constexpr std::uint64_t kTrianglesAtOnce = std::uint64_t{1} << 16;  // that a call simplifies
 
-/// Cells in which a viewer has something.
+/// Cells in which a viewer has something on the level of its view or above.
 class Begun {
  public:
   explicit Begun(const Viewer& viewer) {
     for (const auto& [key, believed] : viewer.has) {
-      if (believed.is_gone) continue;
+      if (believed.is_gone || key.level < viewer.view.level) continue;
       keys_.insert(key);
       for (int level = key.level; level <= kMostPartLevel; ++level)
         if (!above_.insert(ancestor(key, static_cast<std::uint8_t>(level))).second) break;
@@ -38,18 +38,37 @@ class Begun {
   std::set<PartKey> above_;  ///< these and all cells around them
 };
 
+/// Cells around what a viewer sees when all is there: the parts of the map in its view, each on the level of
+/// the view or above. Of coarser copies only those that show something of it are for the viewer.
+std::set<PartKey> cells_around_view(const View& view, const SourceMap& map,
+                                    const MapDescription& description) {
+  std::set<PartKey> cells;
+  for (const auto& [key, part] : map.parts()) {
+    if (map.is_copy(key)) continue;
+    const std::uint8_t seen = std::max(key.level, view.level);
+    if (!is_in_view(ancestor(key, seen), view, description)) continue;
+    for (int level = seen; level <= kMostPartLevel; ++level)
+      if (!cells.insert(ancestor(key, static_cast<std::uint8_t>(level))).second) break;
+  }
+  return cells;
+}
+
 class Wants {
  public:
   Wants(const Viewer& viewer, const SourceMap& map, const MapDescription& description)
       : first_sight_(map.first_sight()), waits_(viewer.waits_for_copies), begun_(viewer) {
-    for (const auto& [key, part] : map.parts())
-      if (is_in_view(key, viewer.view, description)) in_view_.insert(key);
+    const std::set<PartKey> around = cells_around_view(viewer.view, map, description);
+    for (const auto& [key, part] : map.parts()) {
+      if (!is_in_view(key, viewer.view, description)) continue;
+      (around.contains(key) ? in_view_ : beside_).insert(key);
+    }
   }
 
   WantedParts run() {
     // From the finest on, each is found by what is nearest above it.
     for (const PartKey& key : in_view_) inside_[holder_of(key)].push_back(key);
     WantedParts parts;
+    parts.others = beside_;
     parts.wanted = cover(waits_);
     // What is seen first fits together, so that all of it comes before any of it goes.
     if (!waits_ && std::ranges::any_of(parts.wanted, [&](const PartKey& key) { return is_new_copy(key); }))
@@ -103,6 +122,7 @@ class Wants {
   bool waits_;
   Begun begun_;
   std::set<PartKey> in_view_;
+  std::set<PartKey> beside_;  ///< copies that touch the view, of parts that do not
   std::map<PartKey, std::vector<PartKey>> inside_;
 };
 
@@ -128,6 +148,7 @@ WantedParts wanted_parts(const Viewer& viewer, const SourceMap& map, const MapDe
 
 Result<bool> make_copies_for(const Viewer& viewer, SourceMap& map, const MapDescription& description) {
   const Begun begun(viewer);
+  const std::set<PartKey> around = cells_around_view(viewer.view, map, description);
   // From the level of the first sight on: where a copy has too many triangles to be a part, those below it.
   for (int level = std::max(map.first_sight(), viewer.view.level); level > 0 && level >= viewer.view.level;
        --level) {
@@ -135,8 +156,11 @@ Result<bool> make_copies_for(const Viewer& viewer, SourceMap& map, const MapDesc
     for (const auto& [key, part] : map.parts()) {
       if (key.level >= level || map.is_copy(key)) continue;
       const PartKey cell = ancestor(key, static_cast<std::uint8_t>(level));
-      if (!is_in_view(cell, viewer.view, description)) continue;
-      bool is_covered = level > viewer.view.level && begun.contains(cell);
+      if (!around.contains(cell)) continue;
+      // Copies of the view's level may have too many triangles in one place and not in another.
+      const PartKey seen =
+          viewer.view.level > 0 ? ancestor(key, std::max(key.level, viewer.view.level)) : cell;
+      bool is_covered = level > viewer.view.level && begun.contains(seen);
       for (int above = level + 1; above <= map.first_sight() && level > viewer.view.level; ++above)
         is_covered = is_covered || map.find(ancestor(cell, static_cast<std::uint8_t>(above))) != nullptr;
       if (!is_covered && map.find(cell) == nullptr) cells.insert(cell);

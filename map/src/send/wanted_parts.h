@@ -11,7 +11,7 @@
 namespace deltamesh {
 
 struct WantedParts {
-  std::set<PartKey> wanted;  ///< cells that do not overlap, and that hold all parts in the view
+  std::set<PartKey> wanted;  ///< cells that do not overlap, and that hold all parts of the map in the view
   std::set<PartKey> others;  ///< parts in the view besides
 };
 

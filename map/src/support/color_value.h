@@ -4,10 +4,15 @@
 // Colours of any type in one unit.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <span>
 
+#include "attributes/colors/fields.h"
+#include "attributes/values.h"
 #include "deltamesh/mesh.h"
 
 namespace deltamesh {
@@ -38,6 +43,54 @@ inline double color_value(const Attribute& color, std::size_t vertex, std::size_
       return 255.0 * value;
     }
   }
+}
+
+/// The nearest level of 8 bits of the component at `from`; 0 of floats that are not in [0, 1].
+inline std::uint8_t color_level(ComponentType type, const std::byte* from) noexcept {
+  const auto bits = static_cast<std::uint32_t>(load_component(from, component_size(type)));
+  return static_cast<std::uint8_t>(nearest_color_level(type, 8, bits).value_or(0));
+}
+
+/// The largest difference of a component, 255ths. Precondition: are_colors().
+inline double color_difference(const Attribute& a, std::size_t vertex_a, const Attribute& b,
+                               std::size_t vertex_b) noexcept {
+  double most = 0;
+  for (std::size_t c = 0; c < a.components; ++c)
+    most = std::max(most, std::abs(color_value(a, vertex_a, c) - color_value(b, vertex_b, c)));
+  return most;
+}
+
+/// The sum of the squared errors of red, green and blue over all colours of a vertex, 255ths. Attributes that
+/// are colours in one mesh are in the other.
+inline double squared_color_error(const Mesh& a, std::size_t vertex_a, const Mesh& b,
+                                  std::size_t vertex_b) noexcept {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.attributes.size(); ++i) {
+    if (!is_color(a.attributes[i])) continue;
+    for (std::size_t c = 0; c < std::min<std::size_t>(a.attributes[i].components, 3); ++c) {
+      const double error =
+          color_value(a.attributes[i], vertex_a, c) - color_value(b.attributes[i], vertex_b, c);
+      sum += error * error;
+    }
+  }
+  return sum;
+}
+
+/// How many values squared_color_error() adds up.
+inline std::size_t count_color_values(const Mesh& mesh) noexcept {
+  std::size_t count = 0;
+  for (const Attribute& attribute : mesh.attributes)
+    if (is_color(attribute)) count += std::min<std::size_t>(attribute.components, 3);
+  return count;
+}
+
+/// The root mean square, 255ths; 0 without colours. `order`: the source's vertex for each of `decoded`.
+inline double color_rms(const Mesh& source, const Mesh& decoded,
+                        std::span<const std::uint32_t> order) noexcept {
+  double sum = 0;
+  for (std::size_t v = 0; v < order.size(); ++v) sum += squared_color_error(source, order[v], decoded, v);
+  const std::size_t count = count_color_values(source) * order.size();
+  return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0;
 }
 
 }  // namespace deltamesh

@@ -8,6 +8,7 @@
 #include "base/guard.h"
 #include "base/try.h"
 #include "connectivity/check_mesh.h"
+#include "deltamesh/color_content.h"
 #include "deltamesh/map/encode_map.h"
 #include "deltamesh/map/join.h"
 #include "deltamesh/map/map_codec.h"
@@ -147,6 +148,9 @@ Result<MapState> encode_map(const MeshView& mesh, const MapSettings& settings,
                      : mesh.triangles.empty()
                          ? QualityRequest{.max_error = QualityBound{settings.part_edge / 1024}}
                          : request_of(mesh, settings.quality.bounds);
+    ColorContent content;
+    DELTAMESH_CHECK(content.add(mesh));
+    quality.attributes = content.complete(std::move(quality.attributes));
     const Mesh moved =
         before != nullptr ? moved_to(before->manifest.description.lattice.origin, mesh) : Mesh();
     const MeshView placed = moved.positions.empty() ? mesh : with_positions_of(moved, mesh);
@@ -163,6 +167,7 @@ Result<MapState> encode_map(const MeshView& mesh, const MapSettings& settings,
     for (;;) {
       auto state = encode_as(placed, description, options, quality, before);
       if (state && (keeps || !mesh.triangles.empty())) state->bounds = quality.bounds;
+      if (state) state->attributes = quality.attributes;
       if (!state && state.error().code == ErrorCode::kLimitExceeded && options.most_triangles > 1) {
         options.most_triangles /= 2;
       } else if (!state && state.error().code == ErrorCode::kUnmetRequest && finer < kMostFiner) {

@@ -20,7 +20,7 @@ Result<void> learn(const MapPrimer& primer, const DecodeLimits& limits, MapCodec
   const DecodeOptions options{.limits = limits, .starting_states = before.start()};
   CodecModels after;
   DELTAMESH_TRY(after.streams, ModelStates::learn(primer.stream, options));
-  DELTAMESH_TRY(const Mesh mesh, decode(primer.stream, options));
+  DELTAMESH_TRY(Mesh mesh, decode(primer.stream, options));
   DELTAMESH_TRY(const BorderView view, view_border(primer.stream, mesh, state.description.lattice));
   DELTAMESH_TRY([[maybe_unused]] const auto border,
                 read_border(primer.border, mesh, view, {&before.border, &after.border}));

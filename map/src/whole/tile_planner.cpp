@@ -6,6 +6,7 @@
 
 #include "base/guard.h"
 #include "base/try.h"
+#include "deltamesh/color_content.h"
 #include "deltamesh/map/tiles.h"
 #include "part/view_cells.h"
 #include "split/octree.h"
@@ -50,6 +51,7 @@ struct TilePlanner::State {
   MapDescription description{};
   std::vector<MeshReach> reaches{};  ///< of every mesh
   Octree octree{};
+  ColorContent colors{};
 
   /// Faces in the tile come from meshes that touch it, and reach out of it by no more than they are long;
   /// what has positions at the same lattice points touches that.
@@ -99,6 +101,7 @@ Result<void> TilePlanner::add(const MeshView& mesh) noexcept {
                                               state.settings.quality.bounds, 0));
     }
     DELTAMESH_TRY(const Mesh moved, to_map(mesh, description));
+    DELTAMESH_CHECK(state.colors.add(mesh));
     for (const auto& [cell, block] : blocks_of(moved, description))
       state.octree.add(cell, block.mesh.triangle_count());
     state.description = std::move(description);
@@ -112,6 +115,7 @@ Result<TilePlan> TilePlanner::plan() const noexcept {
     const State& state = *state_;
     if (state.reaches.empty()) return invalid_argument("no meshes to plan tiles of");
     TilePlan plan{.description = state.description, .quality = state.settings.quality};
+    plan.quality.attributes = state.colors.complete(std::move(plan.quality.attributes));
     const PartSize part{state.settings.most_triangles, kLevelsOfParts};
     const PartSize tile{state.tile_triangles, kMostPartLevel};
     std::map<PartKey, std::uint64_t> triangles;  // of tiles

@@ -43,3 +43,20 @@ grep -E '^  left out' .out | sed -E 's/ +/ /g'
 quiet encode long.ply long.dmsh --json
 grep dropped_lengths .out
 list
+# Nothing is said of colours: photographs are kept to a mean error, labels exactly.
+quiet generate rooms rooms.ply --vertices 3000
+attributes encode rooms.ply rooms.dmsh
+attributes info rooms.dmsh
+attributes encode rooms.ply rooms.dmsh --color-error 0
+attributes encode rooms.ply rooms.dmsh --lossless
+awk 'BEGIN {
+  print "ply\nformat ascii 1.0\nelement vertex 1600\nproperty float x\nproperty float y\nproperty float z"
+  print "property uchar red\nproperty uchar green\nproperty uchar blue"
+  print "element face 3042\nproperty list uchar int vertex_indices\nend_header"
+  for (i = 0; i < 1600; ++i) print i % 40, int(i / 40), 0, int(i % 40 / 10) * 70, int(i / 400) * 70, 9
+  for (i = 0; i < 1560; ++i) if (i % 40 < 39) print 3, i, i + 1, i + 40 "\n" 3, i + 1, i + 41, i + 40
+}' >labels.ply
+attributes encode labels.ply labels.dmsh
+attributes info labels.dmsh
+quiet encode labels.ply labels.dmsh --json
+grep '"labels"' .out

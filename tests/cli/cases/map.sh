@@ -13,6 +13,7 @@ for key in triangles components; do
 done
 quiet map split rooms.ply levels.map --part-edge 2 --max-error 0.004 --levels 2 --json
 grep -c '"level"' .out
+grep '"color_rms"' .out
 quiet map join levels.map coarse.ply --level 5
 status map join levels.map coarse.ply --level 25
 rm -r levels.map coarse.ply

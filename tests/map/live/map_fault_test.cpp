@@ -126,7 +126,7 @@ TEST_F(MapFault, MAP22AnErrorOfAnUpdateNamesTheBlock) {
   mesh.positions[7] = std::numeric_limits<float>::quiet_NaN();
   const auto updated = set(-1, mesh);
   ASSERT_FALSE(updated);
-  EXPECT_EQ(updated.error().code, ErrorCode::kInvalidMesh);
+  EXPECT_EQ(updated.error().code, ErrorCode::kNotFinite);
   EXPECT_STREQ(updated.error().found.data(), "block -1 0 0");
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Messages in fragments [MAP-24].
+// Messages in fragments [MAP-25].
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ Bytes some_bytes(std::size_t size) {
   return bytes;
 }
 
-TEST(MapFragment, MAP24ComesTogetherInAnyOrder) {
+TEST(MapFragment, MAP25ComesTogetherInAnyOrder) {
   std::mt19937 random(1);
   for (const std::size_t size : {65U, 100U, 1201U, 65'536U, 262'144U}) {
     for (const std::size_t most : {64U, 1200U}) {
@@ -49,17 +49,17 @@ TEST(MapFragment, MAP24ComesTogetherInAnyOrder) {
   }
 }
 
-TEST(MapFragment, MAP24WhatIsNoPieceIsRefused) {
+TEST(MapFragment, MAP25WhatIsNoPieceIsRefused) {
   const auto rule_of = [](const FragmentMessage& fragment) {
     const auto written = write_fragment(fragment);
     return std::string(written ? "" : written.error().rule);
   };
   EXPECT_EQ(rule_of({1, 10, 0, some_bytes(9)}), "");
-  EXPECT_EQ(rule_of({1, 10, 0, some_bytes(10)}), "MAP-24");  // the whole
-  EXPECT_EQ(rule_of({1, 10, 2, some_bytes(9)}), "MAP-24");   // beyond the end
-  EXPECT_EQ(rule_of({1, 10, ~std::uint64_t{0}, some_bytes(2)}), "MAP-24");
-  EXPECT_EQ(rule_of({1, 10, 3, {}}), "MAP-24");
-  EXPECT_EQ(rule_of({1, kMostMessageBytes + 1, 0, some_bytes(9)}), "MAP-24");
+  EXPECT_EQ(rule_of({1, 10, 0, some_bytes(10)}), "MAP-25");  // the whole
+  EXPECT_EQ(rule_of({1, 10, 2, some_bytes(9)}), "MAP-25");   // beyond the end
+  EXPECT_EQ(rule_of({1, 10, ~std::uint64_t{0}, some_bytes(2)}), "MAP-25");
+  EXPECT_EQ(rule_of({1, 10, 3, {}}), "MAP-25");
+  EXPECT_EQ(rule_of({1, kMostMessageBytes + 1, 0, some_bytes(9)}), "MAP-25");
   FragmentJoiner joiner;
   ASSERT_TRUE(joiner.add(*write_fragment({1, 10, 0, some_bytes(9)})));
   const auto wrong = joiner.add(*write_fragment({1, 10, 9, some_bytes(1)}));
@@ -70,10 +70,10 @@ TEST(MapFragment, MAP24WhatIsNoPieceIsRefused) {
   MapReceiver receiver(1, 1);
   const auto pieces = *cut_message(inner.front(), 64);
   for (std::size_t i = 0; i + 1 < pieces.size(); ++i) EXPECT_TRUE(receiver.apply(pieces[i]));
-  EXPECT_STREQ(receiver.apply(pieces.back()).error().rule, "MAP-24");
+  EXPECT_STREQ(receiver.apply(pieces.back()).error().rule, "MAP-25");
 }
 
-TEST(MapFragment, MAP24TheOldestAreForgotten) {
+TEST(MapFragment, MAP25TheOldestAreForgotten) {
   FragmentJoiner joiner;
   const auto first = *cut_message(some_bytes(100), 64);
   ASSERT_TRUE(joiner.add(first.front()));
@@ -85,7 +85,7 @@ TEST(MapFragment, MAP24TheOldestAreForgotten) {
   }
 }
 
-TEST(MapFragment, MAP24AMapOverDatagrams) {
+TEST(MapFragment, MAP25AMapOverDatagrams) {
   const Mesh mesh = *generate_scene(Scene::kRooms, 20'000, 1);
   MapDescription description{.id = 1, .cell_steps = 4096, .attributes = test::attributes_of(mesh)};
   description.lattice = {.origin = mesh.origin, .step_exponent = -10};
@@ -124,7 +124,7 @@ TEST(MapFragment, MAP24AMapOverDatagrams) {
   EXPECT_EQ(receiver.hash(), sender->hash(1));
 }
 
-TEST(MapFragment, MAP24TooSmallIsRefused) {
+TEST(MapFragment, MAP25TooSmallIsRefused) {
   const MapDescription description{.id = 1, .cell_steps = 64};
   EXPECT_FALSE(MapSender::make(description, {.message_bytes = 63}));
   EXPECT_TRUE(MapSender::make(description, {.message_bytes = 64}));

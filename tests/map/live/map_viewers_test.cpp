@@ -94,6 +94,35 @@ TEST_F(MapViewers, ANumberThatIsUsedAgainBeginsAnew) {
   }
 }
 
+TEST_F(MapViewers, MAP12WhatWasSentToTheEarlierReceiverOfANumberMayStillCome) {
+  MapReceiver receiver(7, 1);
+  View view = view_from(0);
+  view.boxes[0].high[1] = 2;
+  receiver.set_view(view);
+  const std::vector<Bytes> first = say(receiver);  // one of these comes late, like one of another receiver
+  talk(receiver, 7, 1);
+  for (const Bytes& message : say(receiver)) ASSERT_TRUE(sender_->hear(message, now_));
+  const auto on_the_way = sender_->messages_for(7, now_);
+  ASSERT_TRUE(on_the_way);
+  ASSERT_GE(on_the_way->size(), 4U);
+  ASSERT_TRUE(receiver.apply(on_the_way->back()));  // first
+  now_ += 1;
+  for (const Bytes& message : first) ASSERT_TRUE(sender_->hear(message, now_));
+  // Three squares go, and behind the second one comes one that rises from where that was.
+  Mesh higher = square(1);
+  for (std::size_t i = 0; i < higher.positions.size(); i += 3) {
+    higher.positions[i + 1] += 1;
+    if (i > 0) higher.positions[i + 2] = 0.25F;
+  }
+  const Mesh nothing;
+  ASSERT_TRUE(sender_->update(std::vector<MapBlock>{
+      {{0, 0, 0}, nothing}, {{1, 0, 0}, nothing}, {{2, 0, 0}, nothing}, {{1, 1, 0}, higher}}));
+  talk(receiver, 7, 8);
+  ASSERT_NE(receiver.find({0, 1, 1, 0}), nullptr);
+  for (const Bytes& message : *on_the_way) ASSERT_TRUE(receiver.apply(message));
+  EXPECT_EQ(receiver.find({0, 1, 0, 0}), nullptr);
+}
+
 TEST_F(MapViewers, WhatIsFarFromTheViewMakesRoom) {
   MapReceiver receiver(1, 1, {.parts = 6});
   for (int x = 0; x <= 16; x += 2) {

@@ -183,7 +183,7 @@ TEST(Encode, NamesTheFirstVertexThatIsNotFinite) {
   mesh.positions[3 * 7 + 1] = std::numeric_limits<float>::quiet_NaN();
   const auto result = encode(mesh);
   ASSERT_FALSE(result);
-  EXPECT_EQ(result.error().code, ErrorCode::kInvalidMesh);
+  EXPECT_EQ(result.error().code, ErrorCode::kNotFinite);
   EXPECT_EQ(result.error().where_kind, WhereKind::kVertex);
   EXPECT_EQ(result.error().where, 7U);
 }

@@ -182,8 +182,9 @@ void expect_same(const Mesh& source, const Encoded& encoded, const Mesh& decoded
 TEST(GridStream, GRD12MeshesComeBack) {
   for (const NamedMesh& named : meshes()) {
     for (const int effort : {0, 1}) {
-      const auto encoded =
-          encode(named.mesh, {.quality = {.max_error = QualityBound{0.004}}, .effort = effort});
+      const auto encoded = encode(named.mesh, {.quality = {.max_error = QualityBound{0.004}},
+                                               .effort = effort,
+                                               .attributes = {.color_error = 0}});
       ASSERT_TRUE(encoded) << named.name;
       EXPECT_LE(encoded->report.stream.quality.max_error, 0.004) << named.name;
       if (named.is_grid) {
@@ -204,8 +205,10 @@ TEST(GridStream, TheOrderIsKeptWhereItIsAskedFor) {
   for (Attribute& attribute : mesh.attributes)
     attribute.values.resize(attribute.values.size() +
                             2 * attribute.values.size() / (mesh.vertex_count() - 2));
-  const auto encoded = encode(
-      mesh, {.quality = {.max_error = QualityBound{0.004}}, .keep_order = true, .keep_unreferenced = true});
+  const auto encoded = encode(mesh, {.quality = {.max_error = QualityBound{0.004}},
+                                     .attributes = {.color_error = 0},
+                                     .keep_order = true,
+                                     .keep_unreferenced = true});
   ASSERT_TRUE(encoded);
   EXPECT_EQ(encoded->report.stream.geometry, "grid");
   const auto decoded = decode(encoded->bytes);

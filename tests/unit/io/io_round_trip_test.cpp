@@ -113,7 +113,7 @@ TEST_P(EveryFormat, NonFiniteCoordinatesAreKeptOrRefused) {
   if (GetParam() == FileFormat::kGlb || GetParam() == FileFormat::kGltf) {
     const auto bytes = write_mesh(mesh, GetParam());
     ASSERT_FALSE(bytes);
-    EXPECT_EQ(bytes.error().code, ErrorCode::kInvalidMesh);
+    EXPECT_EQ(bytes.error().code, ErrorCode::kNotFinite);
     EXPECT_EQ(bytes.error().where, 1U);
     return;
   }

@@ -284,7 +284,7 @@ TEST(Compare, RejectsBadMeshes) {
   bad.positions[7] = std::numeric_limits<float>::quiet_NaN();
   const auto not_finite = compare(good, bad);
   ASSERT_FALSE(not_finite);
-  EXPECT_EQ(not_finite.error().code, ErrorCode::kInvalidMesh);
+  EXPECT_EQ(not_finite.error().code, ErrorCode::kNotFinite);
   EXPECT_EQ(not_finite.error().where, 2U);
   bad = good;
   bad.triangles[4] = 6;

@@ -8,6 +8,7 @@ import { workerError } from './start-worker.js';
 /** A worker with one task at a time. */
 class Helper {
   task = null;
+  hasFailed = false;
 
   constructor(worker, onFree) {
     this.worker = worker;
@@ -36,6 +37,7 @@ class Helper {
   }
 
   #end({ error, mesh }) {
+    if (this.hasFailed) return; // the message was on its way already
     const { task } = this;
     this.task = null;
     this.worker.setBusy?.(false);

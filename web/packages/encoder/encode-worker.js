@@ -8,9 +8,10 @@ import { Encoder } from './encode.js';
 
 let encoder;
 
-function run({ call, mesh, other, order, options }) {
+function run({ call, mesh, other, order, asset, options }) {
   if (call === 'compare') return encoder.compare(mesh, other, order ?? undefined);
   const onProgress = (share) => post({ share });
+  if (call === 'pack') return encoder.packGltf(asset, { ...options, onProgress });
   return encoder.encode(mesh, { ...options, onProgress });
 }
 

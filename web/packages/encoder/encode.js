@@ -22,7 +22,7 @@ const NUMBERS = [
   ['normalError', 0.5],
   ['tangentError', NaN],
   ['uvError', 1 / 4096],
-  ['colorError', 0],
+  ['colorError', NaN],
   ['colorRms', NaN],
   ['weightError', 1 / 1024],
   ['profile', 'smallest', PROFILES],
@@ -151,6 +151,35 @@ function readComparison(instance, address) {
   };
 }
 
+/** Of GltfReport, as PackOutcome has them. */
+const COUNTS = [
+  'primitives', 'converted', 'streams', 'notTriangles', 'notFloatPositions', 'otherwiseCompressed', 'notSmaller', 'vertices', 'triangles',
+  'unreferencedVertices', 'degenerateTriangles', 'droppedLengths', 'weldedVertices', 'streamBytes', 'inputBytes', 'outputBytes',
+  'animationBytes', 'imageBytes',
+];
+
+/** As PackOutcome. */
+function readPacked(instance, address) {
+  const [maxError, maxErrorPercent] = instance.doubles(address + 176, 2);
+  const [bytes, byteCount, attributes, attributeCount] = instance.words(address + 192, 4);
+  const counts = [...instance.doubles(address + 32, COUNTS.length)];
+  return {
+    bytes: new Uint8Array(instance.bytes(bytes, byteCount)),
+    report: {
+      ...Object.fromEntries(COUNTS.map((name, i) => [name, counts[i]])),
+      maxError,
+      maxErrorPercent,
+      attributes: Array.from({ length: attributeCount }, (_, i) => readPackedAttribute(instance, attributes + 32 * i)),
+    },
+  };
+}
+
+function readPackedAttribute(instance, address) {
+  const [bytes, error] = instance.doubles(address, 2);
+  const [semantic, semanticBytes, kind, morph] = instance.words(address + 16, 4);
+  return { semantic: instance.text(semantic, semanticBytes), morph: morph !== 0, kind: KINDS[kind], bytes, error };
+}
+
 /** `module`: compiled. */
 export class Encoder {
   #module;
@@ -172,6 +201,15 @@ export class Encoder {
         const [value, bytes] = instance.doubles(outcome + 32, 2);
         return Object.assign(error, bytes > 0 || value > 0 ? { best: { value, bytes } } : {});
       },
+    );
+  }
+
+  packGltf(asset, { fallback = false, ...options } = {}) {
+    this.#progress = options.onProgress;
+    return this.#call(
+      (calls, given) => calls.pack(given.put(asset), asset.byteLength, given.options(options), fallback ? 1 : 0),
+      readPacked,
+      (instance, outcome, error) => error,
     );
   }
 

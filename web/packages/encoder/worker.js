@@ -29,6 +29,10 @@ export class EncoderWorker {
     return this.#queue({ call: 'encode', mesh, options }, signal, onProgress);
   }
 
+  packGltf(asset, { onProgress, signal, ...options } = {}) {
+    return this.#queue({ call: 'pack', asset, options }, signal, onProgress);
+  }
+
   compare(a, b, order, { signal } = {}) {
     return this.#queue({ call: 'compare', mesh: a, other: b, order }, signal);
   }

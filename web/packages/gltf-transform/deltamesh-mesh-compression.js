@@ -6,11 +6,10 @@ import { DeltameshError } from '@deltamesh/decoder';
 import { EXTENSION_NAME, arrayOf, findCompressed } from '@deltamesh/decoder/gltf';
 import { Extension, PropertyType } from '@gltf-transform/core';
 
-import { packMeshes } from './pack.js';
+import { fromGlb, resourceOf, toGlb } from './glb.js';
 
 const DECODER = 'deltamesh.decoder';
 const ENCODER = 'deltamesh.encoder';
-const GLB_BUFFER = '@glb.bin';
 
 export class DeltameshMeshCompression extends Extension {
   static EXTENSION_NAME = EXTENSION_NAME;
@@ -19,11 +18,10 @@ export class DeltameshMeshCompression extends Extension {
   prereadTypes = [PropertyType.PRIMITIVE];
   prewriteTypes = [PropertyType.ACCESSOR];
   readDependencies = [DECODER];
-  writeDependencies = [ENCODER, DECODER];
+  writeDependencies = [ENCODER];
 
   #dependencies = {};
   #options = {};
-  #packed = new Map();
 
   install(key, dependency) {
     this.#dependencies[key] = dependency;
@@ -42,12 +40,12 @@ export class DeltameshMeshCompression extends Extension {
   }
 
   preread(context) {
-    const { json, resources } = context.jsonDoc;
+    const { json } = context.jsonDoc;
     const decoder = this.#dependency(DECODER);
     const meshes = new Map();
     for (const [number, standIn] of findCompressed(json)) {
       const { bufferView } = standIn;
-      if (!meshes.has(bufferView)) meshes.set(bufferView, decode(decoder, bytesOf(json, resources, bufferView)));
+      if (!meshes.has(bufferView)) meshes.set(bufferView, decode(decoder, bytesOf(context.jsonDoc, bufferView)));
       context.accessors[number].setArray(arrayOf(meshes.get(bufferView), standIn, json.accessors[number]).slice());
     }
     return this;
@@ -58,36 +56,33 @@ export class DeltameshMeshCompression extends Extension {
   }
 
   prewrite(context) {
-    this.#packed = packMeshes(this.document, context, this.#options, (mesh, options) => {
-      const encoded = this.#dependency(ENCODER).encode(mesh, options);
-      if (encoded instanceof DeltameshError) throw encoded;
-      const decoded = decode(this.#dependency(DECODER), encoded.bytes);
-      return { bytes: encoded.bytes, decoded, maxError: decoded.quality.maxError };
+    afterWriting(this.document, context, () => {
+      const packed = this.#dependency(ENCODER).packGltf(toGlb(context.jsonDoc, EXTENSION_NAME), this.#options);
+      if (packed instanceof DeltameshError) throw packed;
+      fromGlb(context.jsonDoc, packed.bytes);
     });
     return this;
   }
 
-  write(context) {
-    const { json } = context.jsonDoc;
-    for (const mesh of this.document.getRoot().listMeshes()) {
-      const { primitives } = json.meshes[context.meshIndexMap.get(mesh)];
-      for (const [i, primitive] of mesh.listPrimitives().entries()) {
-        const packed = this.#packed.get(primitive);
-        if (!packed) continue;
-        const { bytes, accessors, extension } = packed;
-        const { targets = [], ...own } = accessors;
-        Object.assign(primitives[i], own);
-        targets.forEach((target, t) => Object.assign(primitives[i].targets[t], target));
-        const bufferView = context.otherBufferViewsIndexMap.get(bytes);
-        primitives[i].extensions = { ...primitives[i].extensions, [EXTENSION_NAME]: { bufferView, ...extension } };
-      }
-    }
-    if (this.#packed.size === 0) {
-      for (const list of ['extensionsUsed', 'extensionsRequired'])
-        if (json[list]) json[list] = json[list].filter((name) => name !== EXTENSION_NAME);
-    }
+  write() {
     return this;
   }
+}
+
+/** glTF-Transform writes extensions by name, and packing takes the whole document: `work` is done when the last of them is written. */
+function afterWriting(document, context, work) {
+  const registered = new Set(context.options.extensions.map((extension) => extension.EXTENSION_NAME));
+  const last = document
+    .getRoot()
+    .listExtensionsUsed()
+    .filter(({ extensionName }) => registered.has(extensionName))
+    .reduce((a, b) => (a.extensionName > b.extensionName ? a : b));
+  last.write = (given) => {
+    delete last.write; // the class has its own
+    last.write(given);
+    if (given === context) work();
+    return last;
+  };
 }
 
 function decode(decoder, bytes) {
@@ -96,8 +91,7 @@ function decode(decoder, bytes) {
   return mesh;
 }
 
-function bytesOf(json, resources, bufferView) {
-  const { buffer, byteOffset = 0, byteLength } = json.bufferViews[bufferView];
-  const resource = resources[json.buffers[buffer].uri ?? GLB_BUFFER];
-  return resource.subarray(byteOffset, byteOffset + byteLength);
+function bytesOf(document, bufferView) {
+  const { buffer, byteOffset = 0, byteLength } = document.json.bufferViews[bufferView];
+  return resourceOf(document, buffer).subarray(byteOffset, byteOffset + byteLength);
 }

@@ -40,6 +40,8 @@ export async function firstPart(manifest: Uint8Array, read: (file: string) => Ui
 
 export async function encode(positions: Float32Array, indices: Uint32Array): Promise<Uint8Array> {
   const encoder = await createEncoder();
+  const packed = encoder.packGltf(new Uint8Array(), { maxError: 0.1, fallback: true });
+  if (!(packed instanceof DeltameshError)) console.log(packed.bytes.length, packed.report.attributes[0].semantic);
   const encoded = encoder.encode(
     { positions, indices, attributes: [{ name: 'c', kind: 'color', components: 3, values: new Uint8Array(9) }] },
     { vde: { value: 0.02, unit: 'diagonal' }, geometry: 'auto', onProgress: (share: number) => console.log(share) },
@@ -65,7 +67,7 @@ export async function transform(bytes: Uint8Array): Promise<Uint8Array> {
     .registerExtensions([DeltameshMeshCompression])
     .registerDependencies({ 'deltamesh.decoder': await createDecoder(), 'deltamesh.encoder': await createEncoder() });
   const document = await io.readBinary(bytes);
-  document.createExtension(DeltameshMeshCompression).setRequired(true).setEncoderOptions({ uvError: 0.001 });
+  document.createExtension(DeltameshMeshCompression).setEncoderOptions({ uvError: 0.001, fallback: true });
   return io.writeBinary(document);
 }
 export const name: 'DELTAMESH_mesh_compression' = EXTENSION_NAME;

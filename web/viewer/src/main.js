@@ -16,7 +16,7 @@ try {
   const [isSoftware, studio] = await drawing;
   const page = new Page(workshop, { isSoftware, studio });
   window.viewer = { replacePart: (place, bytes) => page.replacePart(place, bytes) };
-  if (url) page.openUrl(url);
+  if (url) page.openFirst(url);
   else page.openExample(example, first);
 } catch (error) {
   const line = document.getElementById('error');

@@ -90,6 +90,8 @@ export class Page {
     clearTimeout(this.#timer);
     ++this.#opening;
     ++this.#request;
+    this.status.keepsFailure = false;
+    find('still')?.remove(); // of the first example
     this.workshop.cancel();
     this.map.cancel();
   }
@@ -116,6 +118,14 @@ export class Page {
     } catch (error) {
       this.status.fail(error);
     }
+  }
+
+  /** That of the page's address. Where nothing comes of it the example is shown, and still what is wrong. */
+  async openFirst(url) {
+    await this.openUrl(url);
+    if (this.#source || !this.status.hasFailed) return;
+    this.status.keepsFailure = true;
+    await this.openExample(this.#settings.example, this.workshop.example(this.#settings.example));
   }
 
   /** The folder of a map; of one that is open the parts that changed. */
@@ -167,6 +177,7 @@ export class Page {
     const opening = ++this.#opening;
     try {
       const { mesh, frame, display, up, materials, places, prepared, isGlb = false } = await read();
+      await nextTask(); // what is read may have been there already
       if (opening !== this.#opening) return;
       find('example').value = example;
       this.map.close();

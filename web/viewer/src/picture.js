@@ -16,6 +16,7 @@ function makeStage(find, drawing) {
     return new Stage(find('canvas'), drawing);
   } catch {
     find('no-picture').hidden = false;
+    find('still')?.remove();
     return new NoStage();
   }
 }

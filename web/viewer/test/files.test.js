@@ -3,7 +3,6 @@
 // Files that people open: good ones of every kind, and odd ones.
 import assert from 'node:assert/strict';
 import { readFileSync, readdirSync } from 'node:fs';
-import { createServer } from 'node:http';
 import { after, before, test } from 'node:test';
 
 import { makeExample } from '../src/mesh/examples.js';
@@ -223,36 +222,6 @@ test('glTF is seen in its materials, y up, and otherwise by choice', { skip }, a
   assert.ok(lying.height < red.height, 'it lies');
   await choose(page, 'up', 'file');
   await choose(page, 'view', 'split');
-});
-
-test('a mesh of another place is opened by ?url=, and by a pasted address; what is not there is said', { skip }, async () => {
-  const good = new Map([['/hill.ply', plyOf(makeExample('terrain').mesh)]]);
-  const server = createServer(({ url }, response) => {
-    response.writeHead(good.has(url) ? 200 : 404, { 'access-control-allow-origin': '*' }).end(good.get(url));
-  });
-  await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
-  const origin = `http://127.0.0.1:${server.address().port}`;
-  const linked = await openPage({ hash: `?url=${encodeURIComponent(`${origin}/hill.ply`)}#effort=0` });
-  await waitUntilDone(linked.page);
-  assert.match(await textOf(linked.page, 'mesh-name'), /^hill.ply: 32,761 vertices/);
-  const paste = (text) =>
-    linked.page.evaluate((text) => {
-      const clipboardData = new DataTransfer();
-      clipboardData.setData('text/plain', text);
-      document.body.dataset.state = 'busy';
-      document.body.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true }));
-    }, text);
-  await paste(`${origin}/no.ply`);
-  await waitUntilDone(linked.page);
-  assert.match(await textOf(linked.page, 'error'), /no\.ply could not be fetched: 404/);
-  await linked.page.select('#example', 'terrain');
-  await linked.page.waitForFunction(() => document.getElementById('mesh-name').textContent.startsWith('Terrain'));
-  await paste(`${origin}/hill.ply`);
-  await waitUntilDone(linked.page);
-  assert.match(await textOf(linked.page, 'mesh-name'), /^hill.ply/);
-  await linked.close();
-  server.closeAllConnections();
-  server.close();
 });
 
 test('nothing went wrong on the console but what OBJLoader tells of a letter', { skip }, () => {

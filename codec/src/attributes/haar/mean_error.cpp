@@ -2,6 +2,7 @@
 // Copyright 2026 The deltamesh authors
 //
 // The step by the mean error asked for.
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -32,6 +33,11 @@ std::optional<HaarPicture> picture_of(ComponentType type, const AttributeRows& r
   return picture;
 }
 
+/// Of colours, or of alpha where that is more.
+double rms_of(ComponentType type, const AttributeRows& rows, std::span<const std::byte> values) noexcept {
+  return std::max(color_rms(type, rows, values), alpha_rms(type, rows, values));
+}
+
 }  // namespace
 
 std::optional<CodedValues<std::byte>> write_haar_colors(ComponentType type, const AttributeRows& rows,
@@ -52,7 +58,7 @@ std::optional<CodedValues<std::byte>> write_haar_colors(ComponentType type, cons
   double kept = 0;
   while (!bracket.is_done()) {
     auto trial = writer.code(static_cast<std::uint32_t>(bracket.setting()), type);
-    const double reached = color_rms(type, rows, trial.values);
+    const double reached = rms_of(type, rows, trial.values);
     if (!bracket.tell(excess_of_load(reached / rms))) continue;
     best = std::move(trial);
     kept = reached;
@@ -62,7 +68,7 @@ std::optional<CodedValues<std::byte>> write_haar_colors(ComponentType type, cons
   for (std::uint32_t i = 1; best && i <= kMoreSteps && kept < (1 - kTolerance) * rms; ++i) {
     if (step + i > kMostHaarStep) break;
     auto trial = writer.code(step + i, type);
-    const double reached = color_rms(type, rows, trial.values);
+    const double reached = rms_of(type, rows, trial.values);
     if (reached > rms || reached <= kept) continue;
     best = std::move(trial);
     kept = reached;

@@ -105,8 +105,8 @@ std::size_t append_view(Document& document, std::vector<std::byte> bytes) {
   if (!views.is_array()) views = Json::array();
   Json& buffers = document.json["buffers"];
   if (!buffers.is_array()) buffers = Json::array();
-  views.push_back({{"buffer", document.buffers.size()}, {"byteLength", bytes.size()}});
-  buffers.push_back({{"byteLength", bytes.size()}});
+  views.push_back(Json({{"buffer", document.buffers.size()}, {"byteLength", bytes.size()}}));
+  buffers.push_back(Json({{"byteLength", bytes.size()}}));
   Buffer& buffer = document.buffers.emplace_back();
   buffer.owned = std::move(bytes);
   buffer.bytes = buffer.owned;

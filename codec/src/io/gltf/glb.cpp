@@ -79,7 +79,7 @@ Result<std::vector<std::byte>> write_glb(std::string_view json, std::span<const 
   out.write(kMagic);
   out.write(kVersion);
   out.write(static_cast<std::uint32_t>(size));
-  write_chunk(out, kJsonType, std::as_bytes(std::span(json)), std::byte{' '});
+  write_chunk(out, kJsonType, std::as_bytes(std::span(json.data(), json.size())), std::byte{' '});
   if (!bin.empty()) write_chunk(out, kBinType, bin, std::byte{0});
   for (const GlbChunk& chunk : others) write_chunk(out, chunk.type, chunk.bytes, std::byte{0});
   return out.take();

@@ -3,6 +3,7 @@
 #include "io/gltf/json.h"
 
 #include <array>
+#include <string>
 
 namespace deltamesh::gltf {
 namespace {
@@ -36,18 +37,70 @@ Result<void> check_limits(std::span<const std::byte> text) noexcept {
   return {};
 }
 
+/// Builds the value that a text stands for. Json::parse() tells errors by exceptions, which WebAssembly does
+/// not have.
+class Builder final : public nlohmann::json_sax<Json> {
+ public:
+  Json root;
+  Error error;
+
+  bool null() override { return add(nullptr); }
+  bool boolean(bool value) override { return add(value); }
+  bool number_integer(number_integer_t value) override { return add(value); }
+  bool number_unsigned(number_unsigned_t value) override { return add(value); }
+  bool number_float(number_float_t value, const string_t&) override { return add(value); }
+  bool string(string_t& value) override { return add(std::move(value)); }
+  bool binary(binary_t&) override { return false; }  // no text has any
+  bool start_object(std::size_t) override { return open(Json::object()); }
+  bool key(string_t& name) override {
+    member_ = &(*open_.back())[name];
+    return true;
+  }
+  bool end_object() override { return close(); }
+  bool start_array(std::size_t) override { return open(Json::array()); }
+  bool end_array() override { return close(); }
+  bool parse_error(std::size_t position, const std::string&,
+                   const nlohmann::detail::exception& cause) override {
+    constexpr int kNumberTooLarge = 406;
+    const bool too_large = cause.id == kNumberTooLarge;
+    error = text_error(ErrorCode::kInvalidFile,
+                       too_large ? "a number in the JSON is too large" : "not valid JSON", position);
+    return false;
+  }
+
+ private:
+  Json& place() {
+    if (open_.empty()) return root;
+    return open_.back()->is_array() ? open_.back()->emplace_back() : *member_;
+  }
+  bool add(Json value) {
+    place() = std::move(value);
+    return true;
+  }
+  bool open(Json value) {
+    Json& there = place();
+    there = std::move(value);
+    open_.push_back(&there);
+    return true;
+  }
+  bool close() {
+    open_.pop_back();
+    return true;
+  }
+
+  std::vector<Json*>
+      open_;                ///< objects and arrays around; they get no more elements while one inside is open
+  Json* member_ = nullptr;  ///< of the innermost object
+};
+
 }  // namespace
 
 Result<Json> parse_json(std::span<const std::byte> text) {
   if (auto checked = check_limits(text); !checked) return checked.error();
   const char* begin = reinterpret_cast<const char*>(text.data());
-  try {
-    return Json::parse(begin, begin + text.size());
-  } catch (const Json::parse_error& error) {
-    return text_error(ErrorCode::kInvalidFile, "not valid JSON", error.byte);
-  } catch (const Json::out_of_range&) {
-    return text_error(ErrorCode::kInvalidFile, "a number in the JSON is too large", 0);
-  }
+  Builder builder;
+  if (!Json::sax_parse(begin, begin + text.size(), &builder)) return builder.error;
+  return std::move(builder.root);
 }
 
 const Json* find(const Json& object, const char* key) noexcept {

@@ -25,6 +25,7 @@ struct MapState {
   /// lattice, where settings say nothing or percents: however the mesh has grown. Empty: not known, or no
   /// faces yet.
   QualityRequest bounds{};
+  AttributeQuality attributes{};  ///< what was asked of attributes, and decided for colours
 };
 
 struct MapSettings {
@@ -38,7 +39,8 @@ struct MapSettings {
   /// [MAP-19].
   std::uint8_t levels = 0;
   /// Percentages count in the diagonal of the whole mesh, without stray vertices. Without bounds as encode()
-  /// has it, for the whole mesh. A mesh without faces has bounds for which any will do.
+  /// has it, for the whole mesh. A mesh without faces has bounds for which any will do. Where nothing is said
+  /// of colours, those of the whole mesh decide what all parts keep (ColorContent).
   PartQuality quality{};
 };
 

@@ -16,19 +16,19 @@
 
 namespace deltamesh {
 
-/// A piece of a message [MAP-24].
+/// A piece of a message [MAP-25].
 struct FragmentMessage {
   std::uint64_t id = 0;      ///< xxh3-64 of the message
   std::uint64_t size = 0;    ///< of the message in bytes, at most kMostMessageBytes
   std::uint64_t offset = 0;  ///< of the octets in it
   std::vector<std::byte> octets{};
 };
-inline constexpr std::size_t kMostMessageBytes = std::size_t{1} << 18;  // [MAP-24]
+inline constexpr std::size_t kMostMessageBytes = std::size_t{1} << 18;  // [MAP-25]
 inline constexpr std::size_t kLeastFragment = 64;  ///< bytes that a message may always have
 
 /// Errors: kInvalidArgument (out of range), kOutOfMemory.
 Result<std::vector<std::byte>> write_fragment(const FragmentMessage& fragment) noexcept;
-/// Errors: 1xx codes [MAP-1, MAP-24], kOutOfMemory.
+/// Errors: 1xx codes [MAP-1, MAP-25], kOutOfMemory.
 Result<FragmentMessage> read_fragment(std::span<const std::byte> message) noexcept;
 
 /// The message as it is if it has at most `most` bytes, or `most` is 0; else as fragments of at most so many,

@@ -85,7 +85,11 @@ struct View {
   std::optional<float> vde{};    ///< above 0
   std::optional<float> lfe{};
   std::optional<float> max_error{};
-  float color_error = 0;  ///< 255ths; 0: exact
+  /// Of colours, 255ths: the largest error of a component, 0 for exact, or the root mean square over a part
+  /// of the errors of red, green and blue, above 0. Not both. Neither: the sender's choice, which is
+  /// kPhotographicRms for photographs, else exact (MapSender).
+  std::optional<float> color_error{};
+  std::optional<float> color_rms{};
   /// Of the map's attributes, in their order; 0: exact. Normals and tangents in degrees, texture coordinates,
   /// weights, and generic ones (labels, intensities) in their unit. Colours and joints: 0. Where this ends:
   /// 0.5 degrees, 1/4096, 1/1024 and 0.

@@ -31,7 +31,7 @@ struct SenderOptions {
   /// To all receivers together, in any second; 0: no limit. A call of messages_for() takes its share of what
   /// is left: one of as many as there are viewers.
   std::uint64_t bytes_per_second = 0;
-  /// Of the largest message: what is longer comes in fragments [MAP-24]. 1,200 for datagrams; at least 64; 0:
+  /// Of the largest message: what is longer comes in fragments [MAP-25]. 1,200 for datagrams; at least 64; 0:
   /// no limit.
   std::size_t message_bytes = 0;
   /// After so many seconds of its own messages_for() gives what it has and goes on at the next call; above 0.
@@ -61,7 +61,9 @@ struct SenderCounts {
 /// pass, and of one that is set forward at most 30 from call to call. A message arrives within 60 seconds or
 /// not at all: then what is known of parts that no longer exist is forgotten. Where a receiver has another
 /// description of the map, of another lattice, say, and of an epoch that is not older, a new epoch begins,
-/// and all parts are encoded and sent anew: up to 8 times, then such views are refused. Not thread-safe.
+/// and all parts are encoded and sent anew: up to 8 times, then such views are refused. Views that ask
+/// nothing of colours get them exactly until blocks with 1000 faces have come; these decide, once for all
+/// parts, whether they are labels, which stay exact, or those of photographs (ColorContent). Not thread-safe.
 class MapSender {
  public:
   /// Errors: kInvalidArgument, those of MapCodec::open().

@@ -26,7 +26,7 @@ struct Tile {
 
 struct TilePlan {
   MapDescription description{};
-  PartQuality quality{};
+  PartQuality quality{};         ///< with what the settings do not say of colours
   std::vector<PartKey> parts{};  ///< ascending; every face is in one
   std::vector<Tile> tiles{};     ///< ascending by cell; every part is in one
 };

@@ -19,6 +19,7 @@
 
 #include "attributes/attribute.h"
 #include "attributes/colors/fields.h"
+#include "attributes/error.h"
 #include "attributes/haar/color_axes.h"
 #include "attributes/haar/models.h"
 #include "attributes/haar/steps.h"
@@ -279,19 +280,19 @@ TEST(HaarColors, HAAR6OtherTypesAndAlpha) {
         for (std::size_t v = 1; v < mesh.count && constant; ++v)
           std::copy(source.values.data() + alpha, source.values.data() + row,
                     source.values.data() + v * row + alpha);
-        const AttributeQuality quality{.color_rms = 3};
         const AttributeSurface surface = mesh.surface();
-        const auto coded = write_attribute(test::view(source), order, {.quality = quality}, surface, {});
+        const AttributeView view = test::view(source);
+        const AttributeRows rows(view, order);
+        const auto coded = write_haar_colors(type, rows, 3, surface);
         ASSERT_TRUE(coded);
-        EXPECT_EQ(coded->payload[0], std::byte{11});
-        EXPECT_NEAR(coded->descriptor.rms, 3, 0.031);
-        const auto read =
-            read_attribute(Payload::compact(coded->payload), coded->descriptor, surface, {}, 1 << 20);
+        EXPECT_NEAR(color_rms(type, rows, coded->values), 3, 0.031);
+        const Attribute shape{.kind = source.kind, .type = type, .components = components};
+        const auto read = read_haar_colors(coded->bytes, shape, surface);
         ASSERT_TRUE(read) << describe(read.error());
-        EXPECT_EQ(read->values, coded->decoded.values);
+        EXPECT_EQ(*read, coded->values);
         for (std::size_t v = 0; v < mesh.count && constant; ++v)
           EXPECT_TRUE(std::equal(source.values.data() + alpha, source.values.data() + row,
-                                 read->values.data() + v * row + alpha));
+                                 read->data() + v * row + alpha));
       }
     }
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 
 import { DeltameshError, createDecoder } from '@deltamesh/decoder';
@@ -97,7 +98,7 @@ test('bad options and meshes are errors, as requests that cannot be met', async 
   assert.equal(codeOf({}, { maxError: 1, bits: 8 }), 200);
   assert.equal(codeOf({ positions: [0, 0, 0] }), 200);
   assert.equal(codeOf({ indices: Uint32Array.of(0, 1, 100) }), 201);
-  assert.equal(codeOf({ positions: mesh.positions.map(() => NaN) }), 201);
+  assert.equal(codeOf({ positions: mesh.positions.map(() => NaN) }), 204);
   const unmet = encoder.encode(mesh, { targetBytes: 20 });
   assert.equal(unmet.code, 203);
   assert.ok(unmet.best.bytes > 20);
@@ -114,6 +115,10 @@ test('a worker encodes, tells of its progress, is cancelled, and goes on', async
   const decoded = await (await createDecoder()).decode(bytes);
   assert.ok((await worker.compare(mesh, decoded, order)).quality.maxError <= 0.01);
   assert.equal((await worker.encode(mesh, { effort: 12 })).code, 200);
+  const cube = readFileSync(new URL('../../../../gltf_ext/DELTAMESH_mesh_compression/samples/valid/cube.glb', import.meta.url));
+  const packed = await worker.packGltf(cube); // by other packages' tests, too
+  assert.deepEqual(packed, (await createEncoder()).packGltf(cube));
+  assert.deepEqual([packed.report.primitives, packed.report.converted, packed.report.otherwiseCompressed], [1, 0, 1]);
   assert.ok((await worker.encode(mesh, { targetBytes: 20 })).best.bytes > 20);
 
   const controller = new AbortController();

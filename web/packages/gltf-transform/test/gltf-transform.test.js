@@ -177,14 +177,35 @@ test('meshes of the same arrays, in other materials, share a stream', async () =
   assert.deepEqual([third, fourth], [first, second]);
 });
 
-test('a primitive whose accessors others use stays as it is', async () => {
+test('accessors that something else uses, too, stay as they are beside what is packed', async () => {
   const document = makeDocument();
   const [first] = primitivesOf(document);
+  const before = first.getAttribute('POSITION').getArray().slice();
   const points = document.createPrimitive().setMode(0).setAttribute('POSITION', first.getAttribute('POSITION'));
   document.createMesh().addPrimitive(points);
-  const { json } = await roundTrip(document, {});
-  assert.equal(json.meshes[0].primitives[0].extensions, undefined);
-  assert.ok(json.meshes[0].primitives[1].extensions);
+  const { json, read } = await roundTrip(document, {});
+  assert.ok(json.meshes[0].primitives.every(({ extensions }) => extensions));
+  assert.equal(json.meshes[1].primitives[0].extensions, undefined);
+  assert.deepEqual(primitivesOf(read)[2].getAttribute('POSITION').getArray(), before);
+});
+
+test('where nothing gets smaller the extension is not named; buffers of a document in files become one', async () => {
+  const document = new Document();
+  const column = (type, array, buffer) => document.createAccessor().setType(type).setArray(array).setBuffer(buffer);
+  const buffers = ['a.bin', 'b.bin'].map((uri) => document.createBuffer().setURI(uri));
+  const triangle = document
+    .createPrimitive()
+    .setIndices(column('SCALAR', Uint16Array.of(0, 1, 2), buffers[1]))
+    .setAttribute('POSITION', column('VEC3', Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0), buffers[0]));
+  document.createScene().addChild(document.createNode().setMesh(document.createMesh().addPrimitive(triangle)));
+  document.createExtension(DeltameshMeshCompression).setRequired(true);
+  const io = await makeIO(true);
+  const written = await io.writeJSON(document);
+  assert.equal(written.json.extensionsUsed, undefined);
+  assert.deepEqual(Object.keys(written.resources), ['a.bin']);
+  const [read] = primitivesOf(await io.readJSON(written));
+  assert.deepEqual([...read.getIndices().getArray()], [0, 1, 2]);
+  assert.deepEqual([...read.getAttribute('POSITION').getArray()], [0, 0, 0, 1, 0, 0, 0, 1, 0]);
 });
 
 test('a request that cannot be met is an error', async () => {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 // The canvas: original and result with one camera, side by side or split.
-import { Color, NeutralToneMapping, PerspectiveCamera, Scene, WebGLRenderer } from 'three';
+import { Color, NeutralToneMapping, PerspectiveCamera, Scene, Vector2, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
 import { MapSurface } from '../map/map-surface.js';
@@ -112,7 +112,7 @@ export class Stage {
   }
 
   #attempt() {
-    if (this.#isBusy()) return requestAnimationFrame(() => this.#attempt());
+    if (this.#isBusy() || !this.#hasPrograms()) return requestAnimationFrame(() => this.#attempt());
     if (this.#isNew) {
       this.#isNew = false;
       this.#renderer.compile(this.#scene, this.#camera);
@@ -124,6 +124,11 @@ export class Stage {
     this.#drawing = this.#waiting.splice(0);
     this.#setFence();
     return this.#follow();
+  }
+
+  /** Whether those that were begun are made: to draw with others would wait for them. */
+  #hasPrograms() {
+    return this.#renderer.info.programs.every((program) => program.isReady());
   }
 
   #setFence() {
@@ -162,12 +167,15 @@ export class Stage {
     if (!this.#isWaiting) this.#renderer.domElement.dataset.picture = 'drawn';
     if (!this.result.geometry) return;
     if (performance.getEntriesByName('first picture').length === 0) performance.mark('first picture');
+    document.getElementById('still')?.remove();
     if (this.#lights.finish()) this.drawNew();
   }
 
   #resize() {
     const { clientWidth, clientHeight } = this.#renderer.domElement.parentElement;
     if (clientWidth === 0 || clientHeight === 0) return;
+    const { x, y } = this.#renderer.getSize(new Vector2());
+    if (x === clientWidth && y === clientHeight) return; // what an observer tells first: a new canvas would wait for the graphics card
     this.#renderer.setSize(clientWidth, clientHeight, false);
     this.draw();
   }
