@@ -118,5 +118,52 @@ TEST(MapLimits, MAP12NoMessageOf100BytesTakesAMegabyte) {
   }
 }
 
+/// What it says takes memory while it says so, and others get their map all the same.
+TEST(MapLimits, MAP15AHostileViewerCostsNoMoreThanItsLastMessage) {
+  const test::World world(4, 1);
+  auto sender = MapSender::make(test::World::description());
+  ASSERT_TRUE(sender);
+  ASSERT_TRUE(world.tell(*sender, world.present()));
+  const std::uint64_t map = hash_of(sender->description());
+  std::mt19937 random(1);
+  double now = 0;
+  std::size_t after_ten = 0;
+  constexpr std::int32_t kHeld = 500;
+  for (std::uint64_t i = 1; i <= 300; ++i) {
+    now += 0.1;
+    ViewMessage view{
+        .viewer = 666, .number = i, .map_id = test::World::description().id, .map = map, .epoch = 1};
+    view.start = i % 3 == 0 ? 1 : 1 + random() % 1'000'000;
+    view.receipt.highest = random();
+    view.view.max_error = 0.05F;
+    view.view.boxes.resize(kMostViewBoxes, {{-1e9F, -1e9F, -1e9F}, {1e9F, 1e9F, 1e9F}});
+    for (std::int32_t k = 0; k < kHeld; ++k)
+      view.held.push_back(
+          {{0, static_cast<std::int32_t>(i) * kHeld + k, 7, 7}, (std::uint64_t{1} << 61) + k, 1});
+    ASSERT_TRUE(sender->hear(*write_view(view), now));
+    ASSERT_TRUE(sender->messages_for(666, now));
+    if (i == 10) after_ten = test::memory_taken();
+  }
+  EXPECT_LT(test::memory_taken(), after_ten + (std::size_t{1} << 19));
+  ViewMessage beyond{
+      .viewer = 667, .number = 1, .map_id = test::World::description().id, .start = ~std::uint64_t{0}};
+  beyond.view.max_error = 0.05F;
+  EXPECT_FALSE(sender->hear(*write_view(beyond), now));
+  MapReceiver receiver(1, test::World::description().id);
+  View view;
+  view.max_error = 0.05F;
+  receiver.set_view(view);
+  for (int i = 0; i < 20; ++i) {
+    now += 0.1;
+    const auto said = receiver.messages(now);
+    ASSERT_TRUE(said);
+    for (const auto& message : *said) ASSERT_TRUE(sender->hear(message, now));
+    const auto messages = sender->messages_for(1, now);
+    ASSERT_TRUE(messages);
+    for (const auto& message : *messages) ASSERT_TRUE(receiver.apply(message));
+  }
+  EXPECT_EQ(receiver.shown(), sender->keys());
+}
+
 }  // namespace
 }  // namespace deltamesh

@@ -4,55 +4,29 @@
 
 #include <algorithm>
 #include <map>
-#include <tuple>
 #include <utility>
 
 #include "base/guard.h"
 #include "base/try.h"
 #include "deltamesh/map/messages.h"
 #include "message/entry_fields.h"
-#include "message/frame.h"
-#include "part/view_quality.h"
 #include "send/state.h"
+#include "support/errors.h"
 
 namespace deltamesh {
 
 namespace {
 
-constexpr double kLongestOnTheWay = 60;  // seconds: what a link holds for longer is taken to be lost
-constexpr double kLeastWait = 1;         // seconds; in which parts of a group are to come together
-constexpr double kMakesRoom = 5;         // seconds; after which a viewer makes room for another
-constexpr std::uint64_t kMostStart = std::uint64_t{1} << 62;
-constexpr double kReuse = 0.5;   // seconds; in which a number's earlier receiver is not heard any more
 constexpr double kMostWait = 4;  // seconds; for a reply to the map's message
 
-Error refused(ErrorCode code, const char* message) { return {.code = code, .message = message}; }
-
 Result<void> check_options(const SenderOptions& options) {
-  if (options.effort < 0 || options.effort > 2)
-    return refused(ErrorCode::kInvalidArgument, "an effort out of 0 to 2");
+  if (options.effort < 0 || options.effort > 2) return invalid_argument("an effort out of 0 to 2");
   if (!(options.viewer_seconds > 0))
-    return refused(ErrorCode::kInvalidArgument, "a time to forget viewers after that is not above 0");
+    return invalid_argument("a time to forget viewers after that is not above 0");
   if (options.message_bytes != 0 && options.message_bytes < kLeastFragment)
-    return refused(ErrorCode::kInvalidArgument, "a largest message of less than 64 bytes");
-  if (!(options.call_seconds > 0))
-    return refused(ErrorCode::kInvalidArgument, "a time for a call that is not above 0");
+    return invalid_argument("a largest message of less than 64 bytes");
+  if (!(options.call_seconds > 0)) return invalid_argument("a time for a call that is not above 0");
   return {};
-}
-
-/// Drops the records of parts that the map and the receiver no longer have, once no message about them can be
-/// on its way. A later part of the same key has a higher revision, so that it needs no record.
-void forget_gone_parts(Viewer& viewer, const SourceMap& map, double now) {
-  std::erase_if(viewer.sent, [&](const auto& entry) {
-    const auto& [key, sent] = entry;
-    return map.find(key) == nullptr && !viewer.has.contains(key) && sent.revision < map.revision() &&
-           now - sent.time > kLongestOnTheWay;
-  });
-}
-
-/// What was sent by then and still waits is not waited for any longer.
-double waiting_since(const Viewer& viewer, double now) {
-  return now - std::max(kLeastWait, 4 * viewer.delivery.timeout());
 }
 
 }  // namespace
@@ -71,14 +45,14 @@ Result<MapSender> MapSender::make(MapDescription description, const SenderOption
     auto state = std::make_unique<State>(SourceMap(std::move(splitter), options.split.copy_level),
                                          std::move(codec), options);
     state->description_hash = hash;
-    state->start = state->highest = 1;
+    state->start = 1;
     return MapSender(std::move(state));
   });
 }
 
 void MapSender::resume(std::uint64_t revision, std::uint64_t group) noexcept {
   state_->map.resume(revision, group);
-  state_->start = state_->highest = state_->map.revision();
+  state_->start = state_->map.revision();
 }
 
 Result<void> MapSender::update(std::span<const MapBlock> blocks) noexcept {
@@ -96,40 +70,6 @@ Result<void> MapSender::hear(std::span<const std::byte> message, double now) noe
   return guarded([&] { return state_->hear(message, state_->clock.at(now)); });
 }
 
-Result<void> MapSender::State::hear(std::span<const std::byte> bytes, double now) {
-  DELTAMESH_TRY(const MessageKind kind, kind_of_message(bytes));
-  if (kind == MessageKind::kReceipt) return hear_receipt(bytes, now);
-  if (kind != MessageKind::kFragment) return hear_view(bytes, now);
-  DELTAMESH_TRY(const auto whole, fragments.add(bytes));
-  if (!whole) return {};
-  return hear_view(*whole, now);
-}
-
-Result<void> MapSender::State::hear_view(std::span<const std::byte> bytes, double now) {
-  DELTAMESH_TRY(const ViewMessage told, read_view(bytes));
-  const MapDescription& of = encodings.codec().description();
-  if (told.map_id != of.id) return refused(ErrorCode::kInvalidArgument, "a view of another map");
-  DELTAMESH_CHECK(check_view(told.view, of));
-  if (told.map != 0 && told.map != description_hash && told.epoch >= of.epoch)
-    DELTAMESH_CHECK(begin_epoch(told.epoch));
-  DELTAMESH_TRY(Viewer* const found, viewer_of(told, now));
-  if (found == nullptr) return {};
-  Viewer& viewer = *found;
-  if (viewer.number == 0 || viewer.start != told.start) {
-    viewer.delivery = Delivery(told.receipt.highest);
-    viewer.pose.reset();
-  }
-  viewer.heard = now;
-  viewer.number = told.number;
-  viewer.view = told.view;
-  viewer.map = told.map;
-  viewer.start = told.start;
-  take_receipt(viewer, told.receipt, now);
-  take_held(viewer, told.held, waiting_since(viewer, now));
-  forget_gone_parts(viewer, map, now);
-  return {};
-}
-
 void MapSender::forget(std::uint64_t viewer) noexcept { state_->viewers.erase(viewer); }
 
 std::vector<std::uint64_t> MapSender::viewers() const {
@@ -138,54 +78,12 @@ std::vector<std::uint64_t> MapSender::viewers() const {
   return numbers;
 }
 
-/// The record of the receiver that sent a view; null: the view is old. Errors: kLimitExceeded.
-Result<Viewer*> MapSender::State::viewer_of(const ViewMessage& message, double now) {
-  if (message.start >= kMostStart)
-    return refused(ErrorCode::kInvalidArgument, "a view of a start that no sender has");
-  std::erase_if(viewers, [&](const auto& v) { return now - v.second.heard > options.viewer_seconds; });
-  bool is_known = message.start >= start;
-  if (const auto found = viewers.find(message.viewer); found != viewers.end()) {
-    Viewer& viewer = found->second;
-    if (message.number > viewer.number) return &viewer;
-    // Another receiver with its number, which has not heard of this sender yet.
-    const bool begins_anew = message.start == 0 && viewer.start != 0 && now - viewer.heard > kReuse;
-    if (!begins_anew) return nullptr;
-    viewers.erase(found);
-    is_known = true;
-  }
-  if (viewers.size() >= options.most_viewers) {
-    const auto longest = std::ranges::min_element(viewers, {}, [](const auto& v) { return v.second.heard; });
-    if (longest == viewers.end() || now - longest->second.heard <= kMakesRoom)
-      return refused(ErrorCode::kLimitExceeded, "too many viewers");
-    viewers.erase(longest);
-  }
-  Viewer& viewer = viewers[message.viewer];
-  // What was sent to it before it was forgotten may still be on its way.
-  viewer.begin = is_known ? std::max(message.start, highest) + 1 : start;
-  return &viewer;
-}
-
-Result<void> MapSender::State::hear_receipt(std::span<const std::byte> bytes, double now) {
-  DELTAMESH_TRY(const ReceiptMessage message, read_receipt(bytes));
-  if (message.map_id != encodings.codec().description().id)
-    return refused(ErrorCode::kInvalidArgument, "a receipt of another map");
-  const auto found = viewers.find(message.viewer);
-  if (found == viewers.end() || message.number <= found->second.number ||
-      message.start != found->second.start)
-    return {};
-  found->second.number = message.number;
-  found->second.heard = now;
-  take_receipt(found->second, message.receipt, now);
-  return {};
-}
-
 Result<std::vector<std::vector<std::byte>>> MapSender::messages_for(std::uint64_t number,
                                                                     double now) noexcept {
   now = state_->clock.at(now);
   return guarded([&]() -> Result<std::vector<std::vector<std::byte>>> {
     const auto found = state_->viewers.find(number);
-    if (found == state_->viewers.end())
-      return refused(ErrorCode::kInvalidArgument, "a viewer that has not been heard");
+    if (found == state_->viewers.end()) return invalid_argument("a viewer that has not been heard");
     Viewer& viewer = found->second;
     std::vector<std::vector<std::byte>> messages;
     state_->begin_call(viewer, now);
@@ -229,7 +127,7 @@ Result<void> MapSender::State::add_messages(Viewer& viewer, double now,
   viewer.send_made(now, messages);
   if (viewer.delivery.has_unsent()) return {};
   DELTAMESH_CHECK(make_copies(viewer, now));
-  return send_what_is_due(viewer, waiting_since(viewer, now), now, messages);
+  return send_what_is_due(viewer, viewer.waiting_since(now), now, messages);
 }
 
 std::vector<PartFault> MapSender::faults_of(std::uint64_t number) const {

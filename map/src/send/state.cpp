@@ -61,7 +61,6 @@ Result<void> MapSender::State::make_newest(const PartKey& key, ChosenVersion cho
   const std::uint32_t told = version_hash(encoding->hash, chosen.version.links);
   known[key][told] = std::move(chosen.version);
   const std::uint64_t revision = viewer.next_revision(key, source.revision, now);
-  highest = std::max(highest, revision);
   std::vector<PartLink> links = links_for(source, encoding->decoded.mesh, viewer, plan);
   viewer.sent[key].add(part_box(encoding->decoded.mesh));
   const std::uint64_t number = viewer.delivery.next_number();
@@ -127,7 +126,6 @@ const KnownVersion* MapSender::State::base_for(const Viewer& viewer, const PartK
 Result<void> MapSender::State::make_removal(const PartKey& key, const SendPlan& plan, Viewer& viewer,
                                             double now) {
   const std::uint64_t revision = viewer.next_revision(key, map.revision(), now);
-  highest = std::max(highest, revision);
   viewer.sent[key].is_removal = true;
   const std::optional<Believed> before = viewer.believed(key);
   const std::uint64_t number = viewer.delivery.next_number();

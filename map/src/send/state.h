@@ -33,8 +33,7 @@ struct MapSender::State {
 
   SenderOptions options;
   std::uint64_t description_hash = 0;
-  std::uint64_t start = 0;    ///< the map's revision when this sender was started
-  std::uint64_t highest = 0;  ///< of all revisions and starts that were sent
+  std::uint64_t start = 0;  ///< the map's revision when this sender was started
   SourceMap map;
   ColorContent colors{};  ///< of the blocks until it is known what they are
   Encodings encodings;

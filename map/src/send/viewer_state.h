@@ -100,6 +100,9 @@ struct Viewer {
     }
   }
 
+  /// What was sent by then and still waits is not waited for any longer.
+  double waiting_since(double now) const { return now - std::max(1.0, 4 * delivery.timeout()); }
+
   std::optional<Believed> believed(const PartKey& key) const {
     const auto found = has.find(key);
     return found == has.end() ? std::nullopt : std::optional(found->second);

@@ -56,7 +56,9 @@ struct SenderCounts {
 
 /// Keeps the source and the state of each receiver. It decodes everything that it sends, so that it knows the
 /// receivers' maps to the bit. What is lost on the way is sent again within one exchange, if nothing newer
-/// takes its place. Times are seconds of any steady clock. A message arrives within 60 seconds or
+/// takes its place; where replies take longer than a second, and than twice the shortest, no more is on the
+/// way than the link delivers in that time. Times are seconds of a steady clock: of one that is set back none
+/// pass, and of one that is set forward at most 30 from call to call. A message arrives within 60 seconds or
 /// not at all: then what is known of parts that no longer exist is forgotten. Where a receiver has another
 /// description of the map, of another lattice, say, and of an epoch that is not older, a new epoch begins,
 /// and all parts are encoded and sent anew: up to 8 times, then such views are refused. Views that ask
@@ -91,11 +93,11 @@ class MapSender {
   /// The messages to send to a receiver now, in this order: removals first, then parts by level (coarsest
   /// first), time since they were last sent and distance from the view's boxes. In any second
   /// they have at most the receiver's bytes per second and one message more; parts that are shown together
-  /// are sent after each other. Coarser copies are made here, for viewers who ask for their level, up to
-  /// 65,536 triangles a call (about 0.1 s); those of earlier content stay until then. Where a receiver has
-  /// nothing, it gets copies first, if the map has a level of them that takes few bytes beside the map, and
-  /// then what it asks for. `now`: seconds. Errors: kInvalidArgument (unknown viewer), kOutOfMemory; parts
-  /// that cannot be encoded are faults_of().
+  /// are sent after each other, all as they are when the first of them is due. Coarser copies are made here,
+  /// for viewers who ask for their level, up to 65,536 triangles a call (about 0.1 s); those of earlier
+  /// content stay until then. Where a receiver has nothing, it gets copies first, if the map has a level of
+  /// them that takes few bytes beside the map, and then what it asks for. `now`: seconds. Errors:
+  /// kInvalidArgument (unknown viewer), kOutOfMemory; parts that cannot be encoded are faults_of().
   Result<std::vector<std::vector<std::byte>>> messages_for(std::uint64_t viewer, double now) noexcept;
 
   /// Parts that the receiver does not get as it asked, as of the last messages_for(); ascending by key. The
