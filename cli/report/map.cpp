@@ -87,8 +87,8 @@ nlohmann::ordered_json key_object(const PartKey& key) {
   return object;
 }
 
-void print_map(const std::string& headline, const MapManifest& manifest,
-               std::optional<std::size_t> new_parts, double color_rms) {
+void print_map(const std::string& headline, const MapManifest& manifest, std::optional<std::size_t> new_parts,
+               double color_rms) {
   const MapDescription& description = manifest.description;
   const Totals totals = totals_on(manifest, 0);
   Summary summary(headline);
