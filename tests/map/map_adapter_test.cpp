@@ -272,9 +272,10 @@ Error refused_block(const MapDescription& description, const Mesh& mesh) {
   return adapted ? Error{} : adapted.error();
 }
 
-void expect_refused(const MapDescription& description, const Mesh& mesh, const std::string& message) {
+void expect_refused(const MapDescription& description, const Mesh& mesh, const std::string& message,
+                    ErrorCode code = ErrorCode::kInvalidMesh) {
   const Error error = refused_block(description, mesh);
-  EXPECT_EQ(error.code, ErrorCode::kInvalidMesh);
+  EXPECT_EQ(error.code, code);
   EXPECT_EQ(std::string(error.found.data()), "block -3 5 0") << message;
   EXPECT_EQ(std::string(error.message), message);
 }
@@ -282,7 +283,7 @@ void expect_refused(const MapDescription& description, const Mesh& mesh, const s
 TEST(MapAdapter, ErrorsNameTheBlockAndTheRule) {
   Mesh mesh = one_triangle();
   mesh.positions[4] = std::numeric_limits<float>::quiet_NaN();
-  expect_refused(adapter_map(), mesh, "a coordinate is NaN or infinite");
+  expect_refused(adapter_map(), mesh, "a coordinate is NaN or infinite", ErrorCode::kNotFinite);
   EXPECT_EQ(refused_block(adapter_map(), mesh).where, 1U);
   mesh = one_triangle();
   mesh.triangles[1] = 3;
