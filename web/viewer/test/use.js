@@ -34,11 +34,12 @@ export async function slide(page, id, places) {
 
 /** `files`: [name, bytes], dropped together. Returns how many milliseconds the page takes until all is done. */
 export async function dropFiles(page, files) {
-  await page.evaluate((files) => {
+  await page.evaluate(async (files) => {
     const dataTransfer = new DataTransfer();
     for (const [name, base64] of files)
       dataTransfer.items.add(new File([Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0))], name));
     document.body.dataset.state = 'busy';
+    await new Promise((resolve) => setTimeout(resolve)); // what a test does before is no task of the page's
     document.body.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
   }, files.map(([name, bytes]) => [name, Buffer.from(bytes).toString('base64')]));
   const begin = performance.now();
