@@ -42,7 +42,8 @@ std::uint64_t least_of(const PartKey& key, const SentPart& sent, const Viewer& v
 PartBox box_with_earlier(const PartKey& key, const Mesh& mesh, const Viewer& viewer) {
   PartBox box = part_box(mesh);
   for (const auto& [other, sent] : viewer.sent)
-    if (sent.extent && overlap(other, key)) box.add(*sent.extent);
+    if (sent.extent && (other == key || (overlap(other, key) && viewer.has.contains(other))))
+      box.add(*sent.extent);
   return box;
 }
 

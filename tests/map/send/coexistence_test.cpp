@@ -51,6 +51,7 @@ TEST(Coexistence, MAP12WhatWasBesideAnEarlierVersionIsToldOfHoweverFarTheNewOneI
   for (const PartKey& key : {kNew, ancestor(kNew, 1)}) {
     Viewer with_earlier = viewer;
     with_earlier.sent[key] = {.revision = 7, .extent = PartBox{{0, 0, 0}, {1, 1, 0}}};
+    with_earlier.has[key] = {.revision = 7, .since = 7, .version = 1};
     EXPECT_EQ(least_of_other(source_at(9), with_earlier, plan), 8U) << int{key.level};
   }
 }
