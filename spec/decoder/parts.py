@@ -136,7 +136,7 @@ def MAP_24_colours(mesh, border, coder, states):
                 a.values[v, c] = {"u1": level, "u2": 257 * level, "f4": np.float32(level / 255)}[a.type]
 
 def level_of(kind, x):
-    """The nearest level of 8 bits."""
+    """[MAP-24] The nearest level of 8 bits."""
     if kind == "f4":
         return math.floor(255 * float(x) + 0.5) if 0 <= x <= 1 else 0
     return int(x) if kind == "u1" else (int(x) + 128) // 257
