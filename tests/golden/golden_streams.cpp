@@ -97,6 +97,14 @@ Mesh cut_asset() {
   return mesh;
 }
 
+/// With its colours alone, and an alpha of 1.
+Mesh opaque(Mesh mesh) {
+  std::erase_if(mesh.attributes, [](const Attribute& a) { return a.kind != AttributeKind::kColor; });
+  for (Attribute& colors : mesh.attributes)
+    for (std::size_t i = 3; i < colors.values.size(); i += 4) colors.values[i] = std::byte{255};
+  return mesh;
+}
+
 /// Flat patches of 16-bit colours, grey levels as floats, zero normals, noisy heights, and an origin far
 /// away.
 Mesh painted() {
@@ -422,6 +430,7 @@ std::vector<Golden> golden_streams() {
   list.push_back(
       {"strip.levels", strip_and_island(), {.geometry = GeometryCoder::kHighpass, .bits = 4, .anchors = 4}});
   list.push_back({"asset.mean", asset(), {.attributes = {.color_rms = 4, .named = {{"move", 0.01}}}}});
+  list.push_back({"opaque.mean", opaque(asset()), {.attributes = {.color_rms = 4}}});
   list.push_back({"painted.mean", painted(), {.bits = 8, .attributes = {.color_rms = 2}}});
   list.push_back({"points.mean", grey_points(), {.attributes = {.color_rms = 2}, .keep_unreferenced = true}});
   for (const std::uint32_t count : {0U, 1U})
