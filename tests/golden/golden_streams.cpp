@@ -430,7 +430,9 @@ std::vector<Golden> golden_streams() {
   list.push_back(
       {"strip.levels", strip_and_island(), {.geometry = GeometryCoder::kHighpass, .bits = 4, .anchors = 4}});
   list.push_back({"asset.mean", asset(), {.attributes = {.color_rms = 4, .named = {{"move", 0.01}}}}});
-  list.push_back({"opaque.mean", opaque(asset()), {.attributes = {.color_rms = 4}}});
+  list.push_back({"opaque.mean",
+                  opaque(asset()),
+                  {.geometry = GeometryCoder::kHighpass, .attributes = {.color_rms = 16}}});
   list.push_back({"painted.mean", painted(), {.bits = 8, .attributes = {.color_rms = 2}}});
   list.push_back({"points.mean", grey_points(), {.attributes = {.color_rms = 2}, .keep_unreferenced = true}});
   for (const std::uint32_t count : {0U, 1U})
