@@ -99,12 +99,12 @@ Result<void> ColorContent::add(const MeshView& mesh) noexcept {
 }
 
 bool ColorContent::is_photographic() const noexcept {
-  return !edges_.empty() && std::ranges::all_of(edges_, are_photographic);
+  return !edges_.empty() && std::all_of(edges_.begin(), edges_.end(), are_photographic);
 }
 
 bool ColorContent::has_labels() const noexcept {
-  return std::ranges::any_of(
-      edges_, [](const ColorEdges& edges) { return are_known(edges) && !are_photographic(edges); });
+  return std::any_of(edges_.begin(), edges_.end(),
+                     [](const ColorEdges& edges) { return are_known(edges) && !are_photographic(edges); });
 }
 
 AttributeQuality ColorContent::complete(AttributeQuality quality) const {

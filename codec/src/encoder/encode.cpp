@@ -115,7 +115,7 @@ std::uint64_t count_colors(const MeshView& mesh) {
     std::vector<Row> rows(mesh.vertex_count());
     for (std::size_t v = 0; v < rows.size(); ++v)
       std::copy_n(attribute.values.data() + v * size, size, rows[v].data());
-    std::ranges::sort(rows);
+    std::sort(rows.begin(), rows.end());
     count += static_cast<std::uint64_t>(std::unique(rows.begin(), rows.end()) - rows.begin());
   }
   return count;
