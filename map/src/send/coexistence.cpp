@@ -37,8 +37,8 @@ std::uint64_t least_of(const PartKey& key, const SentPart& sent, const Viewer& v
   return sent.is_removal ? sent.revision : sent.revision + 1;  // an older version may still be on its way
 }
 
-/// Around a new version and all those that it may take the place of: what was next to these may be shown
-/// beside it, however far it is from them.
+/// Around a new version and the versions that it may take the place of. Neighbours of these may still be
+/// shown beside it, even where they are far from it.
 PartBox box_with_earlier(const PartKey& key, const Mesh& mesh, const Viewer& viewer) {
   PartBox box = part_box(mesh);
   for (const auto& [other, sent] : viewer.sent)

@@ -38,8 +38,8 @@ class Begun {
   std::set<PartKey> above_;  ///< these and all cells around them
 };
 
-/// Cells around what a viewer sees when all is there: the parts of the map in its view, each on the level of
-/// the view or above. Of coarser copies only those that show something of it are for the viewer.
+/// Cells that hold something of the map in a view: of each of its parts there the cell on the view's level,
+/// or its own if that is higher, and all cells above. A copy of another cell shows nothing of the view.
 std::set<PartKey> cells_around_view(const View& view, const SourceMap& map,
                                     const MapDescription& description) {
   std::set<PartKey> cells;
@@ -157,7 +157,7 @@ Result<bool> make_copies_for(const Viewer& viewer, SourceMap& map, const MapDesc
       if (key.level >= level || map.is_copy(key)) continue;
       const PartKey cell = ancestor(key, static_cast<std::uint8_t>(level));
       if (!around.contains(cell)) continue;
-      // Copies of the view's level may have too many triangles in one place and not in another.
+      // Where a copy on the view's level has too many triangles to be a part, one above it is needed.
       const PartKey seen =
           viewer.view.level > 0 ? ancestor(key, std::max(key.level, viewer.view.level)) : cell;
       bool is_covered = level > viewer.view.level && begun.contains(seen);

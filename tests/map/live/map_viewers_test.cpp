@@ -99,7 +99,7 @@ TEST_F(MapViewers, MAP12WhatWasSentToTheEarlierReceiverOfANumberMayStillCome) {
   View view = view_from(0);
   view.boxes[0].high[1] = 2;
   receiver.set_view(view);
-  const std::vector<Bytes> first = say(receiver);  // one of these comes late, like one of another receiver
+  const std::vector<Bytes> first = say(receiver);  // one comes late, and is taken for another receiver's
   talk(receiver, 7, 1);
   for (const Bytes& message : say(receiver)) ASSERT_TRUE(sender_->hear(message, now_));
   const auto on_the_way = sender_->messages_for(7, now_);
