@@ -57,13 +57,25 @@ void add_position_quality(CLI::App& command, QualityRequest& request) {
       ->group(kPositions);
 }
 
-void add_named_bound(const std::string& text, std::vector<NamedBound>& bounds) {
-  const std::optional<NamedBound> bound = parse_named_bound(text);
-  if (!bound) throw CLI::ValidationError("--attribute-error", "not NAME=NUMBER: " + text);
-  const auto same_name = [&](const NamedBound& other) { return other.name == bound->name; };
-  if (std::any_of(bounds.begin(), bounds.end(), same_name))
-    throw CLI::ValidationError("--attribute-error", "given twice for " + bound->name);
-  bounds.push_back(*bound);
+/// An option that may be given once for each name.
+void add_named_bounds(CLI::App& command, const std::string& option, const std::string& what, bool is_mean,
+                      std::vector<NamedBound>& bounds) {
+  const auto add = [option, is_mean, &bounds](const std::string& text) {
+    std::optional<NamedBound> bound = parse_named_bound(text);
+    if (!bound) throw CLI::ValidationError(option, "not NAME=NUMBER: " + text);
+    const auto same_name = [&](const NamedBound& other) { return other.name == bound->name; };
+    if (std::any_of(bounds.begin(), bounds.end(), same_name))
+      throw CLI::ValidationError(option, "given twice for " + bound->name);
+    bound->is_mean = is_mean;
+    bounds.push_back(*std::move(bound));
+  };
+  command
+      .add_option_function<std::vector<std::string>>(
+          option, [add](const std::vector<std::string>& texts) { std::ranges::for_each(texts, add); }, what)
+      ->type_name("NAME=NUMBER")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->group(kAttributes);
 }
 
 void add_attribute_quality(CLI::App& command, AttributeQuality& quality) {
@@ -88,18 +100,14 @@ void add_attribute_quality(CLI::App& command, AttributeQuality& quality) {
   psnr->excludes(rms);
   add("--weight-error", "of a skinning weight; their sum stays 1", "1/1024",
       [&](double x) { quality.weight_error = x; });
-  command
-      .add_option_function<std::vector<std::string>>(
-          "--attribute-error",
-          [&quality](const std::vector<std::string>& bounds) {
-            for (const std::string& bound : bounds) add_named_bound(bound, quality.named);
-          },
-          "of a component of the float attribute NAME, such as intensity; otherwise exact; once for each "
-          "name")
-      ->type_name("NAME=NUMBER")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->group(kAttributes);
+  add_named_bounds(command, "--attribute-error",
+                   "of a component of the attribute NAME, such as intensity; otherwise exact; once for each "
+                   "name",
+                   false, quality.named);
+  add_named_bounds(command, "--attribute-rms",
+                   "instead: root mean square of the errors of NAME, which has one component; fewer bytes at "
+                   "the same mean error",
+                   true, quality.named);
 }
 
 void add_settings(CLI::App& command, EncodeOptions& options) {

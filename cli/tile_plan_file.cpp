@@ -43,7 +43,8 @@ Json json_of(const PartQuality& quality) {
   if (attributes.color_rms) json["color_rms"] = *attributes.color_rms;
   json["weight_error"] = attributes.weight_error;
   json["named"] = Json::array();
-  for (const NamedBound& bound : attributes.named) json["named"].push_back({bound.name, bound.error});
+  for (const NamedBound& bound : attributes.named)
+    json["named"].push_back({bound.name, bound.error, bound.is_mean});
   json["geometry"] = static_cast<int>(quality.geometry);
   json["effort"] = quality.effort;
   return json;
@@ -64,7 +65,8 @@ PartQuality quality_of(const Json& json) {
   if (json.contains("color_error")) attributes.color_error = json.at("color_error").get<double>();
   if (json.contains("color_rms")) attributes.color_rms = json.at("color_rms").get<double>();
   attributes.weight_error = json.at("weight_error");
-  for (const Json& bound : json.at("named")) attributes.named.push_back({bound.at(0), bound.at(1)});
+  for (const Json& bound : json.at("named"))
+    attributes.named.push_back({bound.at(0), bound.at(1), bound.at(2)});
   quality.geometry = static_cast<GeometryCoder>(json.at("geometry").get<int>());
   quality.effort = json.at("effort");
   return quality;

@@ -8,9 +8,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <span>
 
+#include "attributes/haar/picture.h"
 #include "attributes/haar/writer.h"
 #include "deltamesh/decode.h"
 #include "deltamesh/encode.h"
@@ -92,7 +94,14 @@ std::optional<Curves> curves_of(Mesh mesh) {
   const AttributeSurface surface(exact.triangles, static_cast<std::uint32_t>(colors.size() / 3), {},
                                  exact.positions);
   const auto levels = make_haar_levels(surface);
-  const HaarWriter writer({.levels = colors}, levels);
+  std::vector<std::uint32_t> order(colors.size() / 3);
+  std::iota(order.begin(), order.end(), 0U);
+  const AttributeView view{.kind = AttributeKind::kColor,
+                           .type = ComponentType::kU8,
+                           .components = 3,
+                           .name = {},
+                           .values = std::as_bytes(std::span(colors))};
+  const HaarWriter writer(*picture_of_colors(view.type, AttributeRows(view, order)), levels);
   for (const std::uint32_t step : kRateSteps) {
     const auto written = writer.code(64 * step, ComponentType::kU8);
     curves.transformed.push_back({psnr_of_luma(colors, levels_of(written.values, 3)), written.bytes.size()});

@@ -25,6 +25,7 @@ struct CompareArguments {
   std::string b;
   std::string order;
   std::string heatmap;
+  std::string color_heatmap;
   bool json = false;
   FileOptions files;
 };
@@ -56,8 +57,14 @@ std::string attributes_headline(const Comparison& result) {
              : "not measured, for no faces correspond";
 }
 
+/// Errors at which the colours of heat maps saturate.
+struct HeatmapScales {
+  float positions;  ///< model units
+  float colors;     ///< CIEDE2000
+};
+
 void print_summary(const CompareArguments& arguments, const Losses& losses, const Comparison& result,
-                   float scale) {
+                   HeatmapScales scales) {
   Summary summary(arguments.a + " and " + arguments.b);
   if (result.corresponding) {
     summary.add("vertices", std::string("correspond") + (result.reordered ? ", in another order" : "") +
@@ -76,8 +83,11 @@ void print_summary(const CompareArguments& arguments, const Losses& losses, cons
   if (!result.attributes.empty()) summary.add("attributes", attributes_headline(result));
   add_attributes(summary, result);
   if (!arguments.heatmap.empty())
-    summary.add("heat map", arguments.heatmap + ", red is " + of_diagonal(scale, result.diagonal) +
+    summary.add("heat map", arguments.heatmap + ", red is " + of_diagonal(scales.positions, result.diagonal) +
                                 " outward, blue inward");
+  if (!arguments.color_heatmap.empty())
+    summary.add("colour heat map",
+                arguments.color_heatmap + ", red is a CIEDE2000 of " + brief(scales.colors));
   for (std::size_t m = 0; m < losses.size(); ++m)
     if (!losses[m].left_out.empty())
       summary.add(m == 0 ? "left out of A" : "left out of B", left_out_text(losses[m]));
@@ -85,7 +95,7 @@ void print_summary(const CompareArguments& arguments, const Losses& losses, cons
 }
 
 void print_object(const CompareArguments& arguments, const Losses& losses, const Comparison& result,
-                  float scale) {
+                  HeatmapScales scales) {
   nlohmann::ordered_json object;
   const nlohmann::ordered_json none = nullptr;
   const bool pairs = result.corresponding;
@@ -112,7 +122,8 @@ void print_object(const CompareArguments& arguments, const Losses& losses, const
   object["attributes"] = attributes_object(result);
   object["left_out_a"] = left_out_array(losses[0]);
   object["left_out_b"] = left_out_array(losses[1]);
-  if (!arguments.heatmap.empty()) object["heatmap_scale"] = scale;
+  if (!arguments.heatmap.empty()) object["heatmap_scale"] = scales.positions;
+  if (!arguments.color_heatmap.empty()) object["color_heatmap_scale"] = scales.colors;
   print_json(object);
 }
 
@@ -129,14 +140,39 @@ Result<Comparison> compare_showing_progress(const Imported& a, const Imported& b
   return compare(a.mesh, b.mesh, order, {.a = a.roundings, .b = b.roundings});
 }
 
-int run_compare(const CompareArguments& arguments) {
+/// Heat maps are mesh files, and other ones than the meshes.
+bool check_heatmaps(const CompareArguments& arguments, int& status) {
+  for (const std::string& map : {arguments.heatmap, arguments.color_heatmap}) {
+    if (!map.empty() && !check_mesh_suffix(map, status)) return false;
+    for (const std::string& mesh : {arguments.a, arguments.b}) {
+      if (!names_same_file(map, mesh)) continue;
+      print_error(map, "the heat map would replace a mesh that it compares");
+      status = kUsage;
+      return false;
+    }
+  }
+  if (!names_same_file(arguments.heatmap, arguments.color_heatmap)) return true;
+  print_error(arguments.heatmap, "--heatmap and --color-heatmap are one file");
+  status = kUsage;
+  return false;
+}
+
+int save_heatmaps(const CompareArguments& arguments, const Mesh& mesh, const Comparison& result,
+                  HeatmapScales scales) {
   int status = kOk;
-  if (!arguments.heatmap.empty() && !check_mesh_suffix(arguments.heatmap, status)) return status;
-  for (const std::string& mesh : {arguments.a, arguments.b}) {
-    if (!names_same_file(arguments.heatmap, mesh)) continue;
-    print_error(arguments.heatmap, "the heat map would replace a mesh that it compares");
+  if (!arguments.heatmap.empty())
+    status = save_mesh(arguments.heatmap, heatmap(mesh, result.signed_error, scales.positions));
+  if (status != kOk || arguments.color_heatmap.empty()) return status;
+  if (result.color_difference.empty()) {
+    print_error(arguments.color_heatmap, "the meshes have no colours to compare");
     return kUsage;
   }
+  return save_mesh(arguments.color_heatmap, heatmap(mesh, result.color_difference, scales.colors));
+}
+
+int run_compare(const CompareArguments& arguments) {
+  int status = kOk;
+  if (!check_heatmaps(arguments, status)) return status;
   const std::optional<Imported> a = load_mesh_or_stream(arguments.a, status, arguments.files);
   if (!a) return status;
   const std::optional<Imported> b = load_mesh_or_stream(arguments.b, status, arguments.files);
@@ -147,16 +183,14 @@ int run_compare(const CompareArguments& arguments) {
 
   const Result<Comparison> result = compare_showing_progress(*a, *b, order);
   if (!result) return fail_comparison(arguments, result.error());
-  const float scale = heatmap_scale(result->signed_error);
-  if (!arguments.heatmap.empty()) {
-    status = save_mesh(arguments.heatmap, heatmap(b->mesh, result->signed_error, scale));
-    if (status != kOk) return status;
-  }
+  const HeatmapScales scales{heatmap_scale(result->signed_error), heatmap_scale(result->color_difference)};
+  status = save_heatmaps(arguments, b->mesh, *result, scales);
+  if (status != kOk) return status;
   const Losses losses{a->report, b->report};
   if (arguments.json)
-    print_object(arguments, losses, *result, scale);
+    print_object(arguments, losses, *result, scales);
   else
-    print_summary(arguments, losses, *result, scale);
+    print_summary(arguments, losses, *result, scales);
   if (order.empty() || result->corresponding) return kOk;
   print_error(arguments.b, "its triangles are not those of " + arguments.a + " under the given order");
   return kBadStream;
@@ -173,6 +207,8 @@ void add_compare_command(CLI::App& app, int& status) {
                       "file of `encode --order-out`: the vertex of A for every vertex of B");
   command->add_option("--heatmap", arguments->heatmap,
                       "write B coloured by signed error: green none, red outward, blue inward");
+  command->add_option("--color-heatmap", arguments->color_heatmap,
+                      "write B coloured by the difference of its colours, CIEDE2000: green none, red much");
   add_file_options(*command, arguments->files, true);
   command->add_flag("--json", arguments->json, "print one JSON object to standard output");
   command->footer(

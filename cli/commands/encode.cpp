@@ -110,17 +110,18 @@ bool check_outputs(const EncodeArguments& arguments, int& status) {
 /// A bound for a name that the mesh does not have, or whose kind has an option of its own, is a slip.
 bool check_named_bounds(const EncodeArguments& arguments, const Mesh& mesh, int& status) {
   for (const NamedBound& bound : arguments.options.attributes.named) {
+    const char* const option = bound.is_mean ? "--attribute-rms" : "--attribute-error";
     const auto has_name = [&](const Attribute& attribute) { return attribute.name == bound.name; };
     const auto found = std::find_if(mesh.attributes.begin(), mesh.attributes.end(), has_name);
     if (found != mesh.attributes.end() && found->kind == AttributeKind::kGeneric) continue;
     if (found != mesh.attributes.end()) {
-      print_error("--attribute-error",
+      print_error(option,
                   bound.name + " is " + kind_text(found->kind) + ", for which there is an option of its own");
     } else {
       std::string names;
       for (const Attribute& attribute : mesh.attributes) names += ' ' + attribute.name;
-      print_error("--attribute-error", arguments.in + " has no attribute " + bound.name + "; it has" +
-                                           (names.empty() ? " none" : ':' + names));
+      print_error(option, arguments.in + " has no attribute " + bound.name + "; it has" +
+                              (names.empty() ? " none" : ':' + names));
     }
     status = kUsage;
     return false;

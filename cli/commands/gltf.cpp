@@ -159,7 +159,8 @@ void note_unused_bounds(const GltfArguments& arguments, const GltfReport& report
       return attribute.semantic == bound.name;
     };
     if (std::none_of(report.attributes.begin(), report.attributes.end(), has_name))
-      print_error("--attribute-error", "note: no compressed primitive has " + bound.name);
+      print_error(bound.is_mean ? "--attribute-rms" : "--attribute-error",
+                  "note: no compressed primitive has " + bound.name);
   }
 }
 

@@ -110,7 +110,9 @@ std::string error_text(AttributeKind kind, double error) {
 std::string kept_text(AttributeKind kind, double error, double rms) {
   if (error == 0) return "exact";
   const std::string most = "max error " + error_text(kind, error);
-  return rms == 0 ? most : "photographic, " + brief(decibels_of(rms)) + " dB, " + most;
+  if (rms == 0) return most;
+  if (kind != AttributeKind::kColor) return "rms error " + brief(rms) + ", " + most;
+  return "photographic, " + brief(decibels_of(rms)) + " dB, " + most;
 }
 
 void add_attributes(Summary& summary, const StreamInfo& info, std::uint64_t labels) {
@@ -132,7 +134,7 @@ nlohmann::ordered_json attributes_object(const StreamInfo& info) {
     entry["max_error"] = attribute.error;
     if (attribute.rms > 0) {
       entry["rms"] = attribute.rms;
-      entry["psnr"] = decibels_of(attribute.rms);
+      if (attribute.kind == AttributeKind::kColor) entry["psnr"] = decibels_of(attribute.rms);
     }
     entry["unit"] = unit_name(attribute.kind);
     list.push_back(entry);

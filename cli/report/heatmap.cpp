@@ -20,26 +20,25 @@ std::array<float, 3> color_of(float share) {
 
 }  // namespace
 
-float heatmap_scale(std::span<const float> signed_error) {
-  if (signed_error.empty()) return 0;
-  std::vector<float> sizes(signed_error.size());
-  std::transform(signed_error.begin(), signed_error.end(), sizes.begin(),
-                 [](float e) { return std::abs(e); });
+float heatmap_scale(std::span<const float> errors) {
+  if (errors.empty()) return 0;
+  std::vector<float> sizes(errors.size());
+  std::transform(errors.begin(), errors.end(), sizes.begin(), [](float e) { return std::abs(e); });
   const auto rank = static_cast<std::ptrdiff_t>(std::ceil(0.95 * static_cast<double>(sizes.size()))) - 1;
   std::nth_element(sizes.begin(), sizes.begin() + rank, sizes.end());
   const float percentile = sizes[static_cast<std::size_t>(rank)];
   return percentile > 0 ? percentile : *std::max_element(sizes.begin(), sizes.end());
 }
 
-Mesh heatmap(const Mesh& mesh, std::span<const float> signed_error, float scale) {
+Mesh heatmap(const Mesh& mesh, std::span<const float> errors, float scale) {
   Attribute colors;
   colors.kind = AttributeKind::kColor;
   colors.type = ComponentType::kU8;
   colors.components = 3;
   colors.normalized = true;
   colors.name = "color";
-  colors.values.reserve(3 * signed_error.size());
-  for (const float error : signed_error)
+  colors.values.reserve(3 * errors.size());
+  for (const float error : errors)
     for (const float component : color_of(scale > 0 ? error / scale : 0.0F))
       colors.values.push_back(static_cast<std::byte>(std::lround(255 * component)));
   Mesh colored;

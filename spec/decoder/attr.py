@@ -17,12 +17,13 @@ USUAL = [None, (b"NORMAL", 0, "f4", 3), (b"TANGENT", 4, "f4", 4), (b"TEXCOORD_0"
          (b"WEIGHTS_0", 6, "f4", 4), (b"WEIGHTS_0", 6, "u1", 4), (b"WEIGHTS_0", 6, "u2", 4), (b"nx", 0, "f4", 3),
          (b"red", 1, "u1", 3), (b"red", 1, "u1", 4), (b"s", 2, "f4", 2), (b"vn", 0, "f4", 3), (b"vt", 2, "f4", 2)]
 
-COLOURS = ["u1", "u2", "f4"]
-CODINGS = {4: (NORMAL, ["f4"], [3], "attr_normals", "ATTR_20_normals"), 5: (UV, ["f4"], [2], "attr_uvs", "ATTR_31_uvs"),
-           6: (TANGENT, ["f4"], [4], "attr_tangents", "ATTR_38_tangents"),
-           7: (COLOUR, COLOURS, [3, 4], "attr_colors", "ATTR_45_colours"), 8: (None, [], [], "attr_lattice", "ATTR_55_lattice"),
-           9: (WEIGHTS, COLOURS, [4], "attr_skin", "ATTR_63_weights"), 10: (JOINTS, ["u1", "u2"], [4], "attr_skin", "ATTR_60_joints"),
-           11: (COLOUR, COLOURS, [3, 4], "attr_haar", "HAAR_6_colours")}
+MEASURES = ["u1", "u2", "f4"]
+# Numbers of components by kind, none for every shape; types; who decodes.
+CODINGS = {4: ({NORMAL: [3]}, ["f4"], "attr_normals", "ATTR_20_normals"), 5: ({UV: [2]}, ["f4"], "attr_uvs", "ATTR_31_uvs"),
+           6: ({TANGENT: [4]}, ["f4"], "attr_tangents", "ATTR_38_tangents"),
+           7: ({COLOUR: [3, 4]}, MEASURES, "attr_colors", "ATTR_45_colours"), 8: ({}, [], "attr_lattice", "ATTR_55_lattice"),
+           9: ({WEIGHTS: [4]}, MEASURES, "attr_skin", "ATTR_63_weights"), 10: ({JOINTS: [4]}, ["u1", "u2"], "attr_skin", "ATTR_60_joints"),
+           11: ({COLOUR: [3, 4], GENERIC: [1]}, MEASURES, "attr_haar", "HAAR_6_values")}
 
 def usual_flags(name, kind, type_):  # ATTR-1
     return int(kind in (COLOUR, WEIGHTS) and type_ != "f4") + (2 if name == b"COLOR_0" else 0)
@@ -82,8 +83,8 @@ def ATTR_2_values(chunk, surface):
             coding -= 128
             exceptions = ATTR_12_exceptions(chunk, a, surface.n)
         must(coding in CODINGS, "ATTR-2", f"coding {coding}")
-        kind, types, counts, module, decode = CODINGS[coding]
-        must(kind is None or a.is_shape(kind, types, counts), "ATTR-2", f"coding {coding} is not of this shape")
+        shapes, types, module, decode = CODINGS[coding]
+        must(not shapes or (a.type in types and a.k in shapes.get(a.kind, [])), "ATTR-2", f"coding {coding} is not of this shape")
         values = getattr(import_module(module), decode)(chunk, a, surface)
     else:
         values, exceptions = PLN_6_values(chunk, a, surface.n), []

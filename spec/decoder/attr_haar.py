@@ -1,4 +1,4 @@
-"""Colours by a transform over the mesh: attr_haar.md, HAAR-1 to HAAR-14."""
+"""Colours and numbers by a transform over the mesh: attr_haar.md, HAAR-1 to HAAR-15."""
 import math
 
 import numpy as np
@@ -92,10 +92,16 @@ def HAAR_5_next(fine, mates):
         lists.append([u for u in around if u != i][:16])
     return Level(places, weights, lists, children, g)
 
-def HAAR_6_colours(r, a, surface):
-    """Rows of red, green and blue, and alpha."""
-    axes, alpha, level = r.u8(), 0, None
-    must(axes in (1, 3), "HAAR-6", f"{axes} axes")
+def HAAR_6_values(r, a, surface):
+    """Rows of red, green and blue, and alpha; or of a number."""
+    axes, alpha, level, low, unit = 1, 0, None, 0.0, 1.0
+    if a.k == 1:
+        low, unit = r.number("f"), r.number("f")
+        must(math.isfinite(low), "HAAR-6", f"low {low}")
+        must(0 < unit < math.inf, "HAAR-6", f"unit {unit}")
+    else:
+        axes = r.u8()
+        must(axes in (1, 3), "HAAR-6", f"{axes} axes")
     if a.k == 4:
         alpha = r.u8()
         must(alpha in (1, 2), "HAAR-6", f"alpha {alpha}")
@@ -105,7 +111,10 @@ def HAAR_6_colours(r, a, surface):
     if surface.n == 0:
         return []
     coder, levels = Coder(r), HAAR_3_levels(surface)
-    rows = [HAAR_14_colour(value) for value in HaarCoder(coder, levels, axes, step).decode()]
+    values = HaarCoder(coder, levels, axes, step).decode()
+    if a.k == 1:
+        return [[HAAR_15_number(value[0], low, unit, a.type)] for value in values]
+    rows = [HAAR_14_colour(value) for value in values]
     if alpha == 1:
         rows = [row + [level] for row in rows]
     if alpha == 2:
@@ -191,6 +200,12 @@ class FreshModels(dict):
             x.append(max(x[-1] * m // (m + 12), 1))
         self[key] = Mixture([x[abs(s - 7)] for s in range(15)] + [x[7]]).models[key]
         return self[key]
+
+def HAAR_15_number(Y, low, unit, type_):
+    x = low + unit * Y / 64
+    if type_ == "f4":
+        return np.float32(x)
+    return clamp(math.floor(x + 0.5), 0, np.iinfo(type_).max)
 
 def HAAR_14_colour(value):
     Y, B, R = (value + [0, 0])[:3]

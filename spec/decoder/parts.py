@@ -6,7 +6,7 @@ import struct
 import numpy as np
 import xxhash
 
-from attr import Attribute, COLOUR, COLOURS
+from attr import COLOUR, MEASURES, Attribute
 from coder import BitModel, Coder, NumberModel, States
 from container import (CNT_1_stream, CNT_2_checked, CNT_4_chunks, DRAFT, HIGHPASS, Header, Reader, VOXELS, must,
                        unzigzag)
@@ -116,7 +116,7 @@ def MAP_24_colours(mesh, border, coder, states):
     learnt = states.models("border colours", step=NumberModel(), moved=[BitModel(2**14) for _ in range(12)],
                            away=[BitModel(2**14) for _ in range(12)], more=NumberModel())
     for a in mesh.attributes:
-        if a.kind != COLOUR or a.type not in COLOURS:
+        if a.kind != COLOUR or a.type not in MEASURES:
             continue
         s = learnt.step.decode(coder)
         must(s <= 255, "MAP-24", f"step {s}")

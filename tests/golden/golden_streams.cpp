@@ -134,6 +134,26 @@ Mesh painted() {
   return mesh;
 }
 
+/// With what a sensor says of each vertex: floats, one of which is missing, and whole numbers.
+Mesh sensed() {
+  Mesh mesh = painted();
+  std::vector<float> intensities;
+  std::vector<std::uint16_t> counts;
+  for (std::uint32_t i = 0; i < mesh.vertex_count(); ++i) {
+    const std::uint32_t x = i % 25;
+    const std::uint32_t y = i / 25;
+    const std::uint32_t grain = (i * 2654435761U) >> 27;
+    intensities.push_back(static_cast<float>(100 + 3 * x + y * y + grain) / 512);
+    counts.push_back(static_cast<std::uint16_t>(60 * x + 7 * x * y + 10 * grain));
+  }
+  intensities[77] = std::numeric_limits<float>::quiet_NaN();
+  using enum AttributeKind;
+  using enum ComponentType;
+  mesh.attributes = {attribute_of(kGeneric, kF32, 1, "intensity", intensities),
+                     attribute_of(kGeneric, kU16, 1, "count", counts)};
+  return mesh;
+}
+
 /// Numbers that look like noise, alike on every machine.
 class Noise {
  public:
@@ -435,6 +455,9 @@ std::vector<Golden> golden_streams() {
                   {.geometry = GeometryCoder::kHighpass, .attributes = {.color_rms = 16}}});
   list.push_back({"painted.mean", painted(), {.bits = 8, .attributes = {.color_rms = 2}}});
   list.push_back({"points.mean", grey_points(), {.attributes = {.color_rms = 2}, .keep_unreferenced = true}});
+  list.push_back({"sensed.mean",
+                  sensed(),
+                  {.bits = 8, .attributes = {.named = {{"intensity", 0.02, true}, {"count", 90, true}}}}});
   for (const std::uint32_t count : {0U, 1U})
     list.push_back({count == 0 ? "none.mean" : "one.mean",
                     grey_point(count),

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "attributes/haar/picture.h"
 #include "attributes/haar/writer.h"
 #include "spec/example_lines.h"
 #include "support/attribute_coding.h"
@@ -67,7 +68,10 @@ TEST_F(AttributeExamples, HAAR6HAAR7HAAR13ColoursAtAMeanError) {
   const auto levels = make_haar_levels(surface);
   ASSERT_EQ(levels.size(), 3U);
   EXPECT_EQ(levels[1].children[0].second, 1U);
-  const HaarWriter writer({.levels = line_of<std::uint8_t>("attr_haar.md", "source")}, levels);
+  const Attribute source = attribute(AttributeKind::kColor, ComponentType::kU8, 3,
+                                     line_of<std::uint8_t>("attr_haar.md", "source"));
+  const auto order = test::identity(4);
+  const HaarWriter writer(*picture_of_colors(source.type, AttributeRows(test::view(source), order)), levels);
   auto payload = writer.code(64, ComponentType::kU8).bytes;
   payload.insert(payload.begin(), std::byte{11});
   EXPECT_EQ(payload, bytes_of("attr_haar.md", "payload"));

@@ -133,6 +133,8 @@ def attributes():
         yield with_chunk("ATTR", b"\7" + fields + bytes(8) + STATES, True, b"\5")
     for descriptor, fields in ((b"\x11", b"\2\1"), (b"\x12", b"\1\3"), (b"\x12", b"\1\0"), (b"\x11", b"\3\0")):
         yield with_chunk("ATTR", b"\x0b" + fields + bytes(2) + STATES, True, descriptor)
+    for scale in (f32(0) * 2, f32(0) + f32(float("inf")), f32(float("inf")) + f32(1)):
+        yield with_chunk("ATTR", b"\x0b" + scale + b"\1\0" + STATES, True, b"\0\3\6\1\0\0")
     one, base = f32(1), varint(2**53 + 1)
     for fields in (b"\6", b"\1", b"\4\0", b"\4" + varint(4097), b"\5\0", b"\2" + NAN, b"\3" + one + NAN, b"\2" + one + base,
                    b"\2" + one + b"\0" + varint(2**28 + 1)):

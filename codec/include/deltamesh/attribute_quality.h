@@ -10,10 +10,14 @@
 
 namespace deltamesh {
 
-/// Largest absolute difference of any component of the generic attributes with this name.
+/// Of the generic attributes with this name: the largest absolute difference of any component.
 struct NamedBound {
   std::string name;
   double error = 0;  ///< in the attribute's unit; 0 is exact
+  /// Instead, `error`, above 0, is the largest root mean square of all differences, met within 1 % from below
+  /// or better where that takes fewer bytes. Of one component of u8, u16 or f32 in the compact form, such as
+  /// an intensity; others keep it as a largest difference.
+  bool is_mean = false;
 };
 
 /// The mean error of photographs' colours where nothing is said of colours: 41 dB of PSNR.

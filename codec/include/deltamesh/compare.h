@@ -60,6 +60,9 @@ struct Comparison {
   std::vector<AttributeComparison> attributes;
   std::vector<float>
       signed_error;  ///< per vertex of B: displacement from A along A's normal, outward positive
+  /// Per vertex of B: CIEDE2000 of the first colours that both have, at its worst corner; 0 where nothing was
+  /// measured. Empty without such colours.
+  std::vector<float> color_difference;
 };
 
 /// Added to the positions of two meshes before they are compared, as Imported::roundings: 3 for each vertex,

@@ -34,7 +34,9 @@ struct AttributeInfo {
   /// Largest error that the encoder measured: normals and tangents: degrees; texture coordinates: distance;
   /// colours: difference of a component in 255ths of its range; all others: difference of a component.
   double error = 0;
-  double rms = 0;       ///< colours at a mean error: over all values of red, green and blue, 255ths; else 0
+  /// At a mean error, else 0: of colours over all values of red, green and blue, 255ths; of others in their
+  /// unit.
+  double rms = 0;
   bool linear = false;  ///< colours: linear light; else what a screen shows
 };
 

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <limits>
 
+#include "attributes/payload.h"
 #include "base/component.h"
 #include "base/numbers/portable_math.h"
 #include "format/chunk/attribute_descriptor.h"
@@ -68,6 +69,14 @@ double cosine_square(const Row& a, const Row& b) noexcept {
 /// The largest error that a descriptor can tell; larger bounds are cut to it.
 constexpr double kLargestBound = 0x1p127;
 
+const NamedBound* find_bound(const AttributeView& attribute, const AttributeQuality& quality) noexcept {
+  if (attribute.kind != AttributeKind::kGeneric) return nullptr;
+  const auto& all = quality.named;
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const NamedBound& b) { return b.name == attribute.name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
 double uncut_bound(const AttributeView& attribute, const AttributeQuality& quality) noexcept {
   switch (attribute.kind) {
     case AttributeKind::kNormal:
@@ -85,14 +94,13 @@ double uncut_bound(const AttributeView& attribute, const AttributeQuality& quali
     case AttributeKind::kGeneric:
       break;
   }
-  for (const NamedBound& named : quality.named)
-    if (named.name == attribute.name) return named.error;
-  return 0;
+  const NamedBound* const named = find_bound(attribute, quality);
+  return named != nullptr ? named->error : 0;
 }
 
 constexpr std::size_t kColors = 3;
 
-/// Over components `first` up to `end`, 255ths.
+/// Over components `first` up to `end`, in the values' unit; bits that are the same have no error.
 double rms_of(std::size_t first, std::size_t end, ComponentType type, const AttributeRows& rows,
               std::span<const std::byte> decoded) noexcept {
   const std::size_t size = component_size(type);
@@ -101,12 +109,13 @@ double rms_of(std::size_t first, std::size_t end, ComponentType type, const Attr
   for (std::size_t i = 0; i < rows.count(); ++i, now += rows.components() * size) {
     const std::byte* const source = rows.row(i);
     for (std::size_t c = first; c < end; ++c) {
+      if (std::memcmp(source + c * size, now + c * size, size) == 0) continue;
       const double error = load_component(type, source + c * size) - load_component(type, now + c * size);
       sum += error * error;
     }
   }
   const std::size_t count = (end - first) * rows.count();
-  return count > 0 ? std::sqrt(sum / static_cast<double>(count)) / color_unit(type) : 0;
+  return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0;
 }
 
 }  // namespace
@@ -118,6 +127,15 @@ double color_unit(ComponentType type) noexcept {
 
 double bound_of(const AttributeView& attribute, const AttributeQuality& quality) noexcept {
   return std::min(uncut_bound(attribute, quality), kLargestBound);
+}
+
+std::optional<double> mean_bound_of(const AttributeView& attribute,
+                                    const AttributeQuality& quality) noexcept {
+  if (!coding_fits(AttributeCoding::kMean, attribute.kind, attribute.type, attribute.components))
+    return std::nullopt;
+  if (attribute.kind == AttributeKind::kColor) return quality.color_rms;
+  const NamedBound* const named = find_bound(attribute, quality);
+  return named != nullptr && named->is_mean ? std::optional(named->error) : std::nullopt;
 }
 
 std::uint64_t count_dropped_lengths(const AttributeView& attribute, const AttributeQuality& quality) {
@@ -164,11 +182,22 @@ double attribute_error(const AttributeView& attribute, const AttributeRows& rows
 }
 
 double color_rms(ComponentType type, const AttributeRows& rows, std::span<const std::byte> decoded) noexcept {
-  return rms_of(0, kColors, type, rows, decoded);
+  return rms_of(0, kColors, type, rows, decoded) / color_unit(type);
 }
 
 double alpha_rms(ComponentType type, const AttributeRows& rows, std::span<const std::byte> decoded) noexcept {
-  return rms_of(kColors, rows.components(), type, rows, decoded);
+  return rms_of(kColors, rows.components(), type, rows, decoded) / color_unit(type);
+}
+
+double number_rms(ComponentType type, const AttributeRows& rows,
+                  std::span<const std::byte> decoded) noexcept {
+  return rms_of(0, 1, type, rows, decoded);
+}
+
+double attribute_rms(const AttributeView& attribute, const AttributeRows& rows,
+                     std::span<const std::byte> decoded) noexcept {
+  return attribute.kind == AttributeKind::kColor ? color_rms(attribute.type, rows, decoded)
+                                                 : number_rms(attribute.type, rows, decoded);
 }
 
 }  // namespace deltamesh

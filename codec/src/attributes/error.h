@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "attributes/rows.h"
@@ -37,6 +38,8 @@ inline double chord_of(double degrees) noexcept { return 2 * portable_sin(degree
 double color_unit(ComponentType type) noexcept;
 /// The bound on the error of `attribute`; 0: exact.
 double bound_of(const AttributeView& attribute, const AttributeQuality& quality) noexcept;
+/// The bound on its mean error, where one was asked for and a coding is for that: see attribute_rms().
+std::optional<double> mean_bound_of(const AttributeView& attribute, const AttributeQuality& quality) noexcept;
 
 /// How many normals or tangents have a length other than 1, which a bound on their angle does not keep; 0
 /// where they are exact.
@@ -52,5 +55,10 @@ double attribute_error(const AttributeView& attribute, const AttributeRows& rows
 double color_rms(ComponentType type, const AttributeRows& rows, std::span<const std::byte> decoded) noexcept;
 /// The same of alpha; 0 where `rows` have only 3 components.
 double alpha_rms(ComponentType type, const AttributeRows& rows, std::span<const std::byte> decoded) noexcept;
+/// The same of numbers, of one component, in their unit.
+double number_rms(ComponentType type, const AttributeRows& rows, std::span<const std::byte> decoded) noexcept;
+/// Of an attribute that mean_bound_of() has a bound for: color_rms() or number_rms().
+double attribute_rms(const AttributeView& attribute, const AttributeRows& rows,
+                     std::span<const std::byte> decoded) noexcept;
 
 }  // namespace deltamesh

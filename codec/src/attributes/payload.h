@@ -19,8 +19,13 @@ enum class AttributeCoding : std::uint8_t {
   kLattice = 8,          ///< numbers on lattices, predicted from the surface [ATTR-55]
   kWeights = 9,          ///< of joints, which add up to 1 [ATTR-62]
   kJoints = 10,          ///< from those of the vertices around [ATTR-60]
-  kMeanColors = 11,      ///< colours at a mean error, by a transform [HAAR-6]
+  kMean = 11,            ///< colours or numbers at a mean error, by a transform [HAAR-6]
 };
+
+/// Types of colours, weights and what sensors measure.
+constexpr bool is_measure(ComponentType type) noexcept {
+  return type == ComponentType::kU8 || type == ComponentType::kU16 || type == ComponentType::kF32;
+}
 
 /// True where values of this shape may be coded so [ATTR-2].
 constexpr bool coding_fits(AttributeCoding coding, AttributeKind kind, ComponentType type,
@@ -31,15 +36,16 @@ constexpr bool coding_fits(AttributeCoding coding, AttributeKind kind, Component
     case AttributeCoding::kSurfaceNormals:
       return kind == AttributeKind::kNormal && type == ComponentType::kF32 && components == 3;
     case AttributeCoding::kWeights:
-      return kind == AttributeKind::kWeights && components == 4 &&
-             (type == ComponentType::kU8 || type == ComponentType::kU16 || type == ComponentType::kF32);
+      return kind == AttributeKind::kWeights && components == 4 && is_measure(type);
     case AttributeCoding::kJoints:
       return kind == AttributeKind::kJoints && components == 4 &&
              (type == ComponentType::kU8 || type == ComponentType::kU16);
     case AttributeCoding::kSurfaceColors:
-    case AttributeCoding::kMeanColors:
-      return kind == AttributeKind::kColor && (components == 3 || components == 4) &&
-             (type == ComponentType::kU8 || type == ComponentType::kU16 || type == ComponentType::kF32);
+      return kind == AttributeKind::kColor && (components == 3 || components == 4) && is_measure(type);
+    case AttributeCoding::kMean:
+      return ((kind == AttributeKind::kColor && (components == 3 || components == 4)) ||
+              (kind == AttributeKind::kGeneric && components == 1)) &&
+             is_measure(type);
     case AttributeCoding::kSurfaceUvs:
       return kind == AttributeKind::kUv && type == ComponentType::kF32 && components == 2;
     case AttributeCoding::kSurfaceTangents:

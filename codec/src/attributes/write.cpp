@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <optional>
 #include <string>
 
 #include "attributes/attribute.h"
+#include "attributes/coded.h"
 #include "attributes/colors/colors.h"
 #include "attributes/error.h"
 #include "attributes/exceptions/exceptions.h"
-#include "attributes/haar/haar.h"
 #include "attributes/lattice/lattice.h"
+#include "attributes/mean.h"
 #include "attributes/normals/normals.h"
 #include "attributes/payload.h"
 #include "attributes/plain/plain.h"
@@ -19,7 +19,6 @@
 #include "attributes/skin/skin.h"
 #include "attributes/tangents/tangents.h"
 #include "attributes/uvs/uvs.h"
-#include "attributes/values.h"
 #include "base/byte_writer.h"
 #include "base/component.h"
 #include "base/numbers/short_float.h"
@@ -43,47 +42,9 @@ Result<void> check_shape(const AttributeView& attribute, std::span<const std::ui
   return {};
 }
 
-/// The compact payload of a coding, and values; empty where the coding does not keep
-/// the bound.
-template <class T>
-std::optional<CodedAttribute> code_compact(AttributeCoding coding,
-                                           const std::optional<CodedValues<T>>& values) {
-  if (!values) return std::nullopt;
-  ByteWriter out;
-  out.write(static_cast<std::uint8_t>(coding));
-  out.write_bytes(values->bytes);
-  CodedAttribute coded;
-  coded.payload = out.take();
-  coded.is_compact = true;
-  const auto decoded = std::as_bytes(std::span(values->values));
-  coded.decoded.values.assign(decoded.begin(), decoded.end());
-  return coded;
-}
-
 std::optional<CodedAttribute> code_on_lattices(const AttributeView& attribute, const AttributeRows& rows,
                                                double bound, int effort, const AttributeSurface& surface) {
   return code_compact(AttributeCoding::kLattice, write_lattice(attribute, rows, bound, effort, surface));
-}
-
-/// Whether red, green and blue have this mean error at most, and alpha has.
-bool keeps_mean(const AttributeView& attribute, const AttributeRows& rows, double rms,
-                std::span<const std::byte> decoded) {
-  return color_rms(attribute.type, rows, decoded) <= rms && alpha_rms(attribute.type, rows, decoded) <= rms;
-}
-
-/// Colours at a mean error: by the transform, or within a largest error that keeps it where that is smaller.
-std::optional<CodedAttribute> code_mean_colors(const AttributeView& attribute, const AttributeRows& rows,
-                                               double rms, const AttributeSettings& settings,
-                                               const AttributeSurface& surface) {
-  using enum AttributeCoding;
-  // Errors are evenly spread over -L to L.
-  const double bound = std::floor(std::sqrt(0.25 + 3 * rms * rms) - 0.5);
-  auto bounded = code_compact(kSurfaceColors,
-                              write_surface_colors(attribute.type, rows, bound, surface, settings.start));
-  auto mean = code_compact(kMeanColors, write_haar_colors(attribute.type, rows, rms, surface));
-  if (bounded && !keeps_mean(attribute, rows, rms, bounded->decoded.values)) bounded.reset();
-  const bool is_smaller = mean && bounded && bounded->payload.size() <= mean->payload.size();
-  return mean && !is_smaller ? std::move(mean) : std::move(bounded);
 }
 
 /// By the coding of the attribute's kind and shape; empty where there is none, or none that keeps the bound.
@@ -94,6 +55,10 @@ std::optional<CodedAttribute> code_kind(const AttributeView& attribute, const At
   const auto fits = [&](AttributeCoding coding) {
     return coding_fits(coding, attribute.kind, attribute.type, attribute.components);
   };
+  if (const std::optional<double> rms = mean_bound_of(attribute, settings.quality)) {
+    auto coded = code_at_mean_error(attribute, rows, *rms, settings, surface);
+    if (coded) return coded;
+  }
   if (fits(kSurfaceNormals))
     return code_compact(kSurfaceNormals, write_surface_normals(rows.gather_floats(), bound, surface));
   if (fits(kSurfaceUvs))
@@ -102,10 +67,6 @@ std::optional<CodedAttribute> code_kind(const AttributeView& attribute, const At
     const TangentBasis basis = tangent_basis(others, surface.vertex_count());
     return code_compact(kSurfaceTangents,
                         write_surface_tangents(rows.gather_floats(), bound, surface, basis));
-  }
-  if (fits(kMeanColors) && settings.quality.color_rms) {
-    auto coded = code_mean_colors(attribute, rows, *settings.quality.color_rms, settings, surface);
-    if (coded) return coded;
   }
   if (fits(kSurfaceColors))
     return code_compact(kSurfaceColors,
@@ -169,12 +130,6 @@ std::optional<CodedAttribute> write_on_surface(const AttributeView& attribute, c
   return coded;
 }
 
-/// Whether its mean error was asked for.
-bool is_at_mean_error(const AttributeView& attribute, const AttributeSettings& settings) noexcept {
-  return settings.quality.color_rms &&
-         coding_fits(AttributeCoding::kMeanColors, attribute.kind, attribute.type, attribute.components);
-}
-
 }  // namespace
 
 Result<CodedAttribute> write_attribute(const AttributeView& attribute, std::span<const std::uint32_t> order,
@@ -195,8 +150,8 @@ Result<CodedAttribute> write_attribute(const AttributeView& attribute, std::span
   }
   coded->decoded = std::move(decoded);
   coded->descriptor = descriptor;
-  if (is_at_mean_error(attribute, settings))
-    coded->descriptor.rms = short_float_above(color_rms(attribute.type, rows, coded->decoded.values));
+  if (mean_bound_of(attribute, settings.quality))
+    coded->descriptor.rms = short_float_above(attribute_rms(attribute, rows, coded->decoded.values));
   coded->descriptor.error = short_float_above(attribute_error(attribute, rows, coded->decoded.values));
   return *std::move(coded);
 }

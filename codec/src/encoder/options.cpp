@@ -61,9 +61,12 @@ Result<void> check_attributes(const AttributeQuality& q) noexcept {
     return invalid_option("a mean error and a largest error of colours exclude each other");
   if (!is_bound(q.weight_error))
     return invalid_option("the error of weights must be a finite number of at least 0");
-  for (const NamedBound& bound : q.named)
+  for (const NamedBound& bound : q.named) {
     if (!is_bound(bound.error))
       return invalid_option("the error of an attribute must be a finite number of at least 0");
+    if (bound.is_mean && bound.error == 0)
+      return invalid_option("the mean error of an attribute must be above 0");
+  }
   return {};
 }
 

@@ -94,14 +94,17 @@ constexpr std::size_t kColors = 3;
 /// Sums over pairs of colours of 3 components or more.
 class ColorErrors {
  public:
-  void add(const AttributeView& a, std::uint32_t i, const AttributeView& b, std::uint32_t j) noexcept {
+  /// Their CIEDE2000.
+  double add(const AttributeView& a, std::uint32_t i, const AttributeView& b, std::uint32_t j) noexcept {
     const bool shown = a.linear != b.linear;
     Value of_a{};
     Value of_b{};
     load(a, i, shown, of_a);
     load(b, j, shown, of_b);
     for (std::size_t c = 0; c < kColors; ++c) squares_ += (of_a[c] - of_b[c]) * (of_a[c] - of_b[c]);
-    differences_ += color_difference(shown_color(a, i), shown_color(b, j));
+    const double difference = color_difference(shown_color(a, i), shown_color(b, j));
+    differences_ += difference;
+    return difference;
   }
 
   void finish(AttributeComparison& result) const noexcept {
@@ -123,6 +126,10 @@ class ColorErrors {
   double squares_ = 0;
   double differences_ = 0;
 };
+
+bool has_color(const AttributeView& attribute) noexcept {
+  return attribute.kind == AttributeKind::kColor && attribute.components >= kColors;
+}
 
 bool comparable(const AttributeView& a, const AttributeView& b) noexcept {
   const bool of_one_range = a.kind == AttributeKind::kColor || a.normalized == b.normalized;
@@ -193,27 +200,39 @@ double AttributeComparer::difference(std::uint32_t a, std::uint32_t b) const {
   return sum;
 }
 
-std::vector<AttributeComparison> AttributeComparer::compare(std::span<const VertexPair> vertices) const {
+const AttributeComparer::Pair* AttributeComparer::first_colors() const noexcept {
+  const auto found = std::find_if(pairs_.begin(), pairs_.end(), [](const Pair& pair) {
+    return pair.result.match == AttributeMatch::kCompared && has_color(pair.a);
+  });
+  return found == pairs_.end() ? nullptr : &*found;
+}
+
+std::vector<AttributeComparison> AttributeComparer::compare(std::span<const VertexPair> vertices,
+                                                            std::span<float> color_difference) const {
   std::vector<AttributeComparison> results;
+  const Pair* const shown = first_colors();
   for (const Pair& pair : pairs_) {
     AttributeComparison result = pair.result;
     if (result.match == AttributeMatch::kCompared && !vertices.empty()) {
       double sum = 0;
       double squares = 0;
-      const bool has_colors = pair.a.kind == AttributeKind::kColor && pair.a.components >= kColors;
       ColorErrors colors;
       for (const VertexPair& vertex : vertices) {
         const double error = value_error(pair.a, vertex.a, pair.b, vertex.b);
         result.max_error = std::max(result.max_error, error);
         sum += error;
         squares += error * error;
-        if (has_colors && error > 0) colors.add(pair.a, vertex.a, pair.b, vertex.b);
+        if (!has_color(pair.a) || error == 0) continue;
+        const double difference = colors.add(pair.a, vertex.a, pair.b, vertex.b);
+        if (&pair != shown) continue;
+        float& worst = color_difference[vertex.b];
+        worst = std::max(worst, static_cast<float>(difference));
       }
       result.measured = vertices.size();
       const auto count = static_cast<double>(vertices.size());
       result.mean = sum / count;
       result.rms = std::sqrt(squares / count);
-      if (has_colors) colors.finish(result);
+      if (has_color(pair.a)) colors.finish(result);
     }
     results.push_back(std::move(result));
   }

@@ -31,8 +31,13 @@ class AttributeComparer {
   /// How different the values of two vertices are, beyond units: 0 to 1 for each pair of attributes.
   double difference(std::uint32_t a, std::uint32_t b) const;
 
-  /// Every attribute of A, then those only in B; errors over `vertices`.
-  std::vector<AttributeComparison> compare(std::span<const VertexPair> vertices) const;
+  /// Whether both have colours of 3 components or more.
+  bool has_colors() const noexcept { return first_colors() != nullptr; }
+
+  /// Every attribute of A, then those only in B; errors over `vertices`. `color_difference`: for each vertex
+  /// of B the largest CIEDE2000 of its pairs, of the first colours, is kept there; empty without colours.
+  std::vector<AttributeComparison> compare(std::span<const VertexPair> vertices,
+                                           std::span<float> color_difference) const;
 
  private:
   struct Pair {
@@ -40,6 +45,8 @@ class AttributeComparer {
     AttributeView b;
     AttributeComparison result;  ///< without errors
   };
+  const Pair* first_colors() const noexcept;
+
   std::vector<Pair> pairs_;
 };
 

@@ -208,7 +208,8 @@ Result<Comparison> compare(const MeshView& a, const MeshView& b, std::span<const
   result.matched_faces = found.faces;
   result.unmatched_faces_a = a.triangle_count() - found.faces;
   result.unmatched_faces_b = b.triangle_count() - found.faces;
-  result.attributes = attributes.compare(found.pairs);
+  if (attributes.has_colors()) result.color_difference.resize(b.vertex_count());
+  result.attributes = attributes.compare(found.pairs, result.color_difference);
   if (result.corresponding)
     compare_vertices(a, b, found.order, roundings, result);
   else

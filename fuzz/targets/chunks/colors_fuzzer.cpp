@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Coded colours from anywhere. The last byte says their type, the number of components, the mesh, if its
-// positions are known, and the coding. What is read must be whole; written exactly it must come back, and
-// what is written at a mean error as the writer says.
+// Coded colours from anywhere, and numbers at a mean error. The last byte says their type, the number of
+// components, the mesh, if its positions are known, and the coding. What is read must be whole; written
+// exactly it must come back, and what is written at a mean error as the writer says.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -45,13 +45,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   const unsigned choice = data[size - 1];
   const ComponentType type = kTypes[choice % 4];
-  const unsigned components = 3 + choice / 4 % 2;
-  const AttributeSurface surface = kSurfaces[choice / 8 % 2].get((choice & 16) != 0, (choice & 32) != 0);
-  const Attribute shape{
-      .kind = AttributeKind::kColor, .type = type, .components = static_cast<std::uint8_t>(components)};
   const bool at_mean_error = (choice & 64) != 0;
+  const bool are_numbers = at_mean_error && choice >= 128;
+  const unsigned components = are_numbers ? 1 : 3 + choice / 4 % 2;
+  const AttributeSurface surface = kSurfaces[choice / 8 % 2].get((choice & 16) != 0, (choice & 32) != 0);
+  const Attribute shape{.kind = are_numbers ? AttributeKind::kGeneric : AttributeKind::kColor,
+                        .type = type,
+                        .components = static_cast<std::uint8_t>(components)};
   const auto bytes = std::as_bytes(std::span(data, size - 1));
-  const auto read = at_mean_error ? read_haar_colors(bytes, shape, surface)
+  const auto read = at_mean_error ? read_haar_values(bytes, shape, surface)
                                   : read_surface_colors(bytes, type, components, surface);
   if (!read) {
     if (read.error().code == ErrorCode::kInternal) std::abort();
@@ -63,9 +65,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const AttributeView view{
       .type = type, .components = static_cast<std::uint8_t>(components), .name = {}, .values = *read};
   if (at_mean_error) {
-    const auto written = write_haar_colors(type, AttributeRows(view, order), 1 + choice % 4, surface);
+    const AttributeRows rows(view, order);
+    const double rms = 1 + choice % 4;
+    const auto written = are_numbers ? write_haar_numbers(type, rows, rms, surface)
+                                     : write_haar_colors(type, rows, rms, surface);
     if (!written) return 0;
-    const auto again = read_haar_colors(written->bytes, shape, surface);
+    const auto again = read_haar_values(written->bytes, shape, surface);
     if (!again || *again != written->values) std::abort();
     return 0;
   }

@@ -34,6 +34,20 @@ quiet info quad.dmsh --json
 grep -B 6 '"255ths"' .out | grep max_error
 run encode quad.ply none.dmsh --attribute-error Intensity=1
 run encode quad.ply none.dmsh --attribute-error normal=1
+run encode quad.ply none.dmsh --attribute-rms Intensity=1
+run encode quad.ply none.dmsh --attribute-rms intensity=0
+run encode quad.ply none.dmsh --attribute-rms intensity=1 --attribute-error intensity=1
+say "one number a vertex at a mean error"
+{
+  printf 'ply\nformat ascii 1.0\nelement vertex 900\nproperty float x\nproperty float y\nproperty float z\n'
+  printf 'property float intensity\nelement face 1682\nproperty list uchar int vertex_indices\nend_header\n'
+  awk 'BEGIN {
+    for (i = 0; i < 900; ++i) print i % 30, int(i / 30), 0, 3 * (i % 30) + int(i / 30) * (i % 7)
+    for (y = 0; y < 29; ++y) for (x = 0; x < 29; ++x) { v = 30 * y + x; print 3, v, v + 1, v + 30; print 3, v + 1, v + 31, v + 30 }
+  }'
+} >sensed.ply
+quiet encode sensed.ply sensed.dmsh --attribute-rms intensity=4
+"$program" info sensed.dmsh --json | awk '/"rms"/ { exit !($2 > 3.9 && $2 <= 4.001) }' && echo "met within 2.5 %"
 # Normals of any length keep their directions alone, and that is said; lossless keeps all.
 sed 's/^0 0 0 0 0 1 /0 0 0 0 0 2 /; s/^1 1 0 0.6 0 0.8 /1 1 0 6 0 8 /' quad.ply >long.ply
 quiet encode long.ply long.dmsh

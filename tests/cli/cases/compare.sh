@@ -33,4 +33,15 @@ figures compare sphere.obj sphere.dmsh --order order --heatmap map.ply
 head -c 300 map.ply | grep -a property
 quiet compare a.obj b.obj --heatmap map.obj
 grep '^v' map.obj
+say "heat map of colours: green none, red much"
+squares() {
+  printf 'OFF\n4 2 0\n0 0 0 %s\n1 0 0 255 0 0 255\n1 1 0 0 255 0 255\n0 1 0 0 0 255 255\n3 0 1 2\n3 0 2 3\n' "$1" |
+    sed 's/^OFF/COFF/'
+}
+squares '200 200 200 255' >grey.off
+squares '210 190 200 255' >tinted.off
+run compare grey.off tinted.off --color-heatmap colors.obj
+grep '^v' colors.obj
+run compare a.obj b.obj --color-heatmap colors.obj
+run compare grey.off tinted.off --heatmap same.obj --color-heatmap same.obj
 list

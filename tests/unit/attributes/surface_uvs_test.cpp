@@ -8,8 +8,8 @@
 #include <limits>
 #include <vector>
 
-#include "attributes/linear_fit.h"
-#include "attributes/prediction_blend.h"
+#include "attributes/prediction/blend.h"
+#include "attributes/prediction/linear_fit.h"
 #include "attributes/surface_order.h"
 #include "attributes/uvs/uvs.h"
 #include "support/soups.h"

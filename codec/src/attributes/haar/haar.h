@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Colours of the vertices of a surface at a mean error: a transform over the mesh [ATTR-66, HAAR-*].
+// Colours and numbers of the vertices of a surface at a mean error: a transform over the mesh [ATTR-66,
+// HAAR-*].
 #pragma once
 
 #include <cstddef>
@@ -25,8 +26,13 @@ namespace deltamesh {
 std::optional<CodedValues<std::byte>> write_haar_colors(ComponentType type, const AttributeRows& rows,
                                                         double rms, const AttributeSurface& surface);
 
+/// `rows`: of one component of `type`, u8, u16 or f32. `rms`: likewise, in the unit of the numbers. Empty for
+/// numbers that are not finite or all the same, and where 255 levels and their 64ths cannot keep `rms`.
+std::optional<CodedValues<std::byte>> write_haar_numbers(ComponentType type, const AttributeRows& rows,
+                                                         double rms, const AttributeSurface& surface);
+
 /// The values. O(n), without recursion. Errors: kTruncated, kInvalidStream [HAAR-6, CMP-3].
-Result<std::vector<std::byte>> read_haar_colors(std::span<const std::byte> bytes, const Attribute& shape,
+Result<std::vector<std::byte>> read_haar_values(std::span<const std::byte> bytes, const Attribute& shape,
                                                 const AttributeSurface& surface);
 
 }  // namespace deltamesh

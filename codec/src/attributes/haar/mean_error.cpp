@@ -4,9 +4,9 @@
 // The step by the mean error asked for.
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
-#include "attributes/colors/fields.h"
 #include "attributes/error.h"
 #include "attributes/haar/haar.h"
 #include "attributes/haar/writer.h"
@@ -17,40 +17,22 @@ namespace deltamesh {
 namespace {
 
 constexpr double kStepOfRms = 64 * 3.3;  ///< 64ths of a level; of photographs
+constexpr double kSlope = 0.8;           ///< of the error over the step, as logarithms; of photographs
 constexpr double kTolerance = 0.01;
 constexpr std::uint32_t kMoreSteps = 4;
 
-std::optional<HaarPicture> picture_of(ComponentType type, const AttributeRows& rows) {
-  HaarPicture picture{.levels = {}, .components = static_cast<unsigned>(rows.components())};
-  picture.levels.reserve(rows.count() * rows.components());
-  for (std::size_t i = 0; i < rows.count(); ++i) {
-    for (std::size_t c = 0; c < rows.components(); ++c) {
-      const auto level = nearest_color_level(type, 8, static_cast<std::uint32_t>(rows.bits(i, c)));
-      if (!level) return std::nullopt;
-      picture.levels.push_back(static_cast<std::uint8_t>(*level));
-    }
-  }
-  return picture;
-}
-
-/// Of colours, or of alpha where that is more.
-double rms_of(ComponentType type, const AttributeRows& rows, std::span<const std::byte> values) noexcept {
-  return std::max(color_rms(type, rows, values), alpha_rms(type, rows, values));
-}
-
-}  // namespace
-
-std::optional<CodedValues<std::byte>> write_haar_colors(ComponentType type, const AttributeRows& rows,
-                                                        double rms, const AttributeSurface& surface) {
-  if (!color_bits_fit(type, 8)) return std::nullopt;
-  const auto picture = picture_of(type, rows);
-  if (!picture) return std::nullopt;
+/// `unit`: of `rms`, what a level is. `rms_of`: of decoded values.
+template <class RmsOf>
+std::optional<CodedValues<std::byte>> search_step(HaarPicture picture, ComponentType type, double rms,
+                                                  double unit, const AttributeSurface& surface,
+                                                  RmsOf rms_of) {
   const auto levels = make_haar_levels(surface);
-  const HaarWriter writer(*picture, levels);
-  Bracket bracket({.first = std::round(kStepOfRms * rms),
+  const HaarWriter writer(std::move(picture), levels);
+  Bracket bracket({.first = std::round(kStepOfRms * rms / unit),
                    .least = 1,
                    .most = kMostHaarStep,
                    .whole = true,
+                   .slope = kSlope,
                    .aim = -kTolerance / 2,
                    .tolerance = portable_log2(1 - kTolerance),
                    .trials = 12});
@@ -58,7 +40,7 @@ std::optional<CodedValues<std::byte>> write_haar_colors(ComponentType type, cons
   double kept = 0;
   while (!bracket.is_done()) {
     auto trial = writer.code(static_cast<std::uint32_t>(bracket.setting()), type);
-    const double reached = rms_of(type, rows, trial.values);
+    const double reached = rms_of(trial.values);
     if (!bracket.tell(excess_of_load(reached / rms))) continue;
     best = std::move(trial);
     kept = reached;
@@ -68,12 +50,32 @@ std::optional<CodedValues<std::byte>> write_haar_colors(ComponentType type, cons
   for (std::uint32_t i = 1; best && i <= kMoreSteps && kept < (1 - kTolerance) * rms; ++i) {
     if (step + i > kMostHaarStep) break;
     auto trial = writer.code(step + i, type);
-    const double reached = rms_of(type, rows, trial.values);
+    const double reached = rms_of(trial.values);
     if (reached > rms || reached <= kept) continue;
     best = std::move(trial);
     kept = reached;
   }
   return best;
+}
+
+}  // namespace
+
+std::optional<CodedValues<std::byte>> write_haar_colors(ComponentType type, const AttributeRows& rows,
+                                                        double rms, const AttributeSurface& surface) {
+  auto picture = picture_of_colors(type, rows);
+  if (!picture) return std::nullopt;
+  return search_step(*std::move(picture), type, rms, 1, surface, [&](std::span<const std::byte> values) {
+    return std::max(color_rms(type, rows, values), alpha_rms(type, rows, values));
+  });
+}
+
+std::optional<CodedValues<std::byte>> write_haar_numbers(ComponentType type, const AttributeRows& rows,
+                                                         double rms, const AttributeSurface& surface) {
+  auto picture = picture_of_numbers(type, rows);
+  if (!picture) return std::nullopt;
+  const double unit = picture->fields.scale.unit;
+  return search_step(*std::move(picture), type, rms, unit, surface,
+                     [&](std::span<const std::byte> values) { return number_rms(type, rows, values); });
 }
 
 }  // namespace deltamesh

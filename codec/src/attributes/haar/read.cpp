@@ -22,7 +22,7 @@ LargeVector<HaarRecord> read_haar_axes(CompactReader& reader, std::span<const Ha
 
 }  // namespace
 
-Result<std::vector<std::byte>> read_haar_colors(std::span<const std::byte> bytes, const Attribute& shape,
+Result<std::vector<std::byte>> read_haar_values(std::span<const std::byte> bytes, const Attribute& shape,
                                                 const AttributeSurface& surface) {
   ByteReader in(bytes, kTagAttribute);
   DELTAMESH_TRY(const HaarFields fields, read_haar_fields(in, shape.components));
@@ -34,9 +34,13 @@ Result<std::vector<std::byte>> read_haar_colors(std::span<const std::byte> bytes
   DELTAMESH_TRY(const auto stream, in.read_bytes(in.remaining()));
   const auto levels = make_haar_levels(surface);
   CompactReader reader(stream);
-  values.set_colors(fields.axes == 1 ? read_haar_axes<1>(reader, levels, fields.step)
-                                     : read_haar_axes<kHaarAxes>(reader, levels, fields.step),
-                    fields.axes);
+  const auto records = fields.axes == 1 ? read_haar_axes<1>(reader, levels, fields.step)
+                                        : read_haar_axes<kHaarAxes>(reader, levels, fields.step);
+  if (shape.components == 1) {
+    values.set_numbers(records, fields.scale);
+  } else {
+    values.set_colors(records, fields.axes);
+  }
   if (fields.alpha == HaarAlpha::kConstant) values.set_alpha(fields.alpha_level);
   if (fields.alpha == HaarAlpha::kCoded) values.set_alpha(read_haar_axes<1>(reader, levels, fields.step));
   DELTAMESH_CHECK(reader.finish(kTagAttribute));

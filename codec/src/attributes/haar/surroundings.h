@@ -10,7 +10,7 @@
 #include <cstdint>
 
 #include "attributes/haar/color_axes.h"
-#include "attributes/haar/levels.h"
+#include "attributes/haar/levels/levels.h"
 #include "attributes/haar/log_class.h"
 #include "base/simd/eight_shorts.h"
 #include "base/simd/four_ints.h"

@@ -4,13 +4,18 @@
 // Decoded records to the values of an attribute.
 #pragma once
 
+#include <algorithm>
+#include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
 #include "attributes/colors/fields.h"
 #include "attributes/haar/color_axes.h"
+#include "attributes/haar/fields.h"
 #include "attributes/haar/surroundings.h"
 #include "attributes/values.h"
 #include "base/memory/large_vector.h"
@@ -19,7 +24,7 @@ namespace deltamesh {
 
 class HaarValues {
  public:
-  /// `components`: 3 or 4, of u8, u16 or f32.
+  /// `components`: 1, 3 or 4, of u8, u16 or f32.
   HaarValues(ComponentType type, unsigned components, std::uint32_t rows)
       : type_(type), rows_(rows), values_(type, components, rows) {}
 
@@ -29,6 +34,13 @@ class HaarValues {
       const Rgb rgb = rgb_of({records[v].value(0), records[v].value(1), records[v].value(2)}, axes);
       for (std::size_t c = 0; c < kHaarAxes; ++c) set(v, c, rgb[c]);
     }
+  }
+
+  /// `records`: of all rows, of one component [HAAR-15].
+  void set_numbers(const LargeVector<HaarRecord>& records, const HaarScale& scale) noexcept {
+    constexpr double kPart = 1.0 / (1 << kHaarUnitBits);
+    for (std::uint32_t v = 0; v < records.size(); ++v)
+      values_.set(v, 0, bits_of(double{scale.low} + double{scale.unit} * records[v].value(0) * kPart));
   }
 
   void set_alpha(std::uint8_t level) noexcept {
@@ -42,6 +54,13 @@ class HaarValues {
   std::vector<std::byte> take() noexcept { return values_.take(); }
 
  private:
+  /// The nearest value of the type.
+  std::uint32_t bits_of(double number) const noexcept {
+    if (type_ == ComponentType::kF32) return std::bit_cast<std::uint32_t>(static_cast<float>(number));
+    const double most = type_ == ComponentType::kU8 ? std::numeric_limits<std::uint8_t>::max()
+                                                    : std::numeric_limits<std::uint16_t>::max();
+    return static_cast<std::uint32_t>(std::clamp(std::floor(number + 0.5), 0.0, most));
+  }
   void set(std::uint32_t v, std::size_t component, std::uint8_t level) noexcept {
     values_.set(v, component, color_of_level(type_, 8, level));
   }

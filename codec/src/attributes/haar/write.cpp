@@ -87,15 +87,10 @@ void join_means(HaarMeans& means, std::span<const HaarLevel> levels, std::size_t
   }
 }
 
-/// `color_of`: of a vertex.
-template <class ColorOf>
-HaarMeans means_of(std::span<const HaarLevel> levels, ColorOf color_of) {
+/// `values`: of the vertices.
+HaarMeans means_of(LargeVector<HaarMean> values, std::span<const HaarLevel> levels) {
   HaarMeans means(levels.size());
-  means[0].resize(levels[0].nodes.size());
-  for (std::size_t v = 0; v < means[0].size(); ++v) {
-    const HaarValue value = haar_value_of(color_of(v));
-    for (std::size_t t = 0; t < kHaarAxes; ++t) means[0][v][t] = value[t];
-  }
+  means[0] = std::move(values);
   for (std::size_t l = 1; l < levels.size(); ++l) join_means(means, levels, l);
   return means;
 }
@@ -107,55 +102,33 @@ LargeVector<HaarRecord> write_haar_axes(CompactWriter& writer, const HaarMeans& 
   return HaarCoder<CompactWriter, kAxes, HaarSource<kAxes>>(writer, levels, step, source).run();
 }
 
-bool is_grey(const HaarPicture& picture) noexcept {
-  bool grey = true;
-  for (std::size_t i = 0; i < picture.levels.size() && grey; i += picture.components)
-    grey = picture.levels[i] == picture.levels[i + 1] && picture.levels[i] == picture.levels[i + 2];
-  return grey;
-}
-
-bool has_constant_alpha(const HaarPicture& picture) noexcept {
-  bool constant = true;
-  for (std::size_t i = kHaarAxes; i < picture.levels.size() && constant; i += picture.components)
-    constant = picture.levels[i] == picture.levels[kHaarAxes];
-  return constant;
-}
-
 }  // namespace
 
-HaarWriter::HaarWriter(const HaarPicture& picture, std::span<const HaarLevel> levels) : levels_(levels) {
-  const auto& all = picture.levels;
-  const std::size_t size = picture.components;
-  fields_.axes = is_grey(picture) ? 1 : kHaarAxes;
-  colors_ = means_of(levels, [&](std::size_t v) {
-    return Rgb{all[v * size], all[v * size + 1], all[v * size + 2]};
-  });
-  if (size <= kHaarAxes) return;
-  if (has_constant_alpha(picture)) {
-    fields_.alpha = HaarAlpha::kConstant;
-    fields_.alpha_level = all.empty() ? 0 : all[kHaarAxes];
-    return;
-  }
-  fields_.alpha = HaarAlpha::kCoded;
-  alpha_ = means_of(levels, [&](std::size_t v) {
-    const std::uint8_t level = all[v * size + kHaarAxes];
-    return Rgb{level, level, level};
-  });
+HaarWriter::HaarWriter(HaarPicture picture, std::span<const HaarLevel> levels)
+    : levels_(levels),
+      fields_(picture.fields),
+      components_(picture.components),
+      values_(means_of(std::move(picture.values), levels)) {
+  if (fields_.alpha == HaarAlpha::kCoded) alpha_ = means_of(std::move(picture.alpha), levels);
 }
 
 CodedValues<std::byte> HaarWriter::code(std::uint32_t step, ComponentType type) const {
   HaarFields fields = fields_;
   fields.step = step;
   ByteWriter out;
-  write_haar_fields(out, fields);
+  write_haar_fields(out, fields, components_);
   const auto rows = static_cast<std::uint32_t>(levels_[0].nodes.size());
-  HaarValues values(type, fields_.alpha == HaarAlpha::kNone ? kHaarAxes : kHaarAxes + 1, rows);
+  HaarValues values(type, components_, rows);
   if (rows > 0) {
     CompactWriter writer;
     writer.reserve(std::size_t{fields_.axes} * rows);
-    values.set_colors(fields_.axes == 1 ? write_haar_axes<1>(writer, colors_, levels_, step)
-                                        : write_haar_axes<kHaarAxes>(writer, colors_, levels_, step),
-                      fields_.axes);
+    const auto records = fields_.axes == 1 ? write_haar_axes<1>(writer, values_, levels_, step)
+                                           : write_haar_axes<kHaarAxes>(writer, values_, levels_, step);
+    if (components_ == 1) {
+      values.set_numbers(records, fields_.scale);
+    } else {
+      values.set_colors(records, fields_.axes);
+    }
     if (fields_.alpha == HaarAlpha::kConstant) values.set_alpha(fields_.alpha_level);
     if (fields_.alpha == HaarAlpha::kCoded)
       values.set_alpha(write_haar_axes<1>(writer, alpha_, levels_, step));

@@ -162,12 +162,12 @@ std::vector<std::uint64_t> list_values(const Column& column) {
   return values;
 }
 
-/// Whether a list of `values` is better than `points`, if there are any; within a bound these are coarse.
+/// Whether a list of `values`, which is exact, is better than `points`, if there are any.
 bool list_pays(const Column& column, std::span<const std::uint64_t> values,
-               const std::optional<ComponentLattice>& points, double bound) noexcept {
+               const std::optional<ComponentLattice>& points) noexcept {
   constexpr std::size_t kSparse = 8;              // points for each value
   const double bits_per_vertex = points ? 1 : 8;  // that the list may save
-  if (values.empty() || (points && (bound > 0 || points->cells < kSparse * values.size()))) return false;
+  if (values.empty() || (points && points->cells < kSparse * values.size())) return false;
   const double list_bits = 8.0 * static_cast<double>(component_size(column.type) * values.size());
   return list_bits < bits_per_vertex * static_cast<double>(column.count);
 }
@@ -175,9 +175,10 @@ bool list_pays(const Column& column, std::span<const std::uint64_t> values,
 std::optional<ComponentLattice> fit_component(const Column& column, double bound, float step) {
   if (column.bits.size() < 2) return ComponentLattice{.values = {column.bits.empty() ? 0 : column.bits[0]}};
   auto points = fit_points(column, bound, step);
+  // Within a bound numbers that are not finite are better exceptions than reasons to keep all others exact.
   std::vector<std::uint64_t> values;
-  if (!points || bound == 0) values = list_values(column);
-  if (list_pays(column, values, points, bound)) {
+  if (bound == 0) values = list_values(column);
+  if (list_pays(column, values, points)) {
     const auto cells = static_cast<std::uint32_t>(values.size() - 1);
     return ComponentLattice{.kind = LatticeKind::kListed, .values = std::move(values), .cells = cells};
   }

@@ -11,7 +11,7 @@ Result<std::vector<std::byte>> read_rare_values(AttributeCoding coding, std::spa
                                                 std::span<const JointRow> joints) {
   if (coding == AttributeCoding::kJoints) return read_joints(bytes, shape, surface);
   if (coding == AttributeCoding::kWeights) return read_weights(bytes, shape, surface, joints);
-  if (coding == AttributeCoding::kMeanColors) return read_haar_colors(bytes, shape, surface);
+  if (coding == AttributeCoding::kMean) return read_haar_values(bytes, shape, surface);
   return read_lattice(bytes, shape, surface);
 }
 

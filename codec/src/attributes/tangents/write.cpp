@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "attributes/error.h"
-#include "attributes/pair_choice.h"
+#include "attributes/prediction/pair_choice.h"
 #include "attributes/tangents/coder.h"
 #include "attributes/tangents/tangents.h"
 #include "base/numbers/portable_math.h"

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "attributes/equal_copies.h"
-#include "attributes/pair_coder.h"
+#include "attributes/prediction/pair_coder.h"
 #include "attributes/surface.h"
 #include "attributes/surface_order.h"
 #include "attributes/uvs/prediction.h"

@@ -12,8 +12,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "attributes/linear_fit.h"
-#include "attributes/prediction_blend.h"
+#include "attributes/prediction/blend.h"
+#include "attributes/prediction/linear_fit.h"
 #include "attributes/surface.h"
 #include "attributes/surface_order.h"
 #include "attributes/uvs/faces.h"

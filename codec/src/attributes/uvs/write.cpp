@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "attributes/pair_choice.h"
+#include "attributes/prediction/pair_choice.h"
 #include "attributes/uvs/coder.h"
 #include "attributes/uvs/uvs.h"
 #include "entropy/coder/writer.h"

@@ -29,7 +29,7 @@ struct AttributeDescriptor {
   std::uint8_t flags = 0;
   std::string name{};
   float error = 0;  ///< largest, in the unit of its kind, a short float, rounded up
-  float rms = 0;    ///< of colours at a mean error, 255ths, likewise; else 0
+  float rms = 0;    ///< at a mean error, likewise: of colours 255ths; else 0
 
   bool is_normalized() const noexcept { return (flags & kFlagNormalized) != 0; }
   bool is_linear() const noexcept { return (flags & kFlagLinear) != 0; }

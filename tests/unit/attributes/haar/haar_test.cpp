@@ -22,6 +22,7 @@
 #include "attributes/error.h"
 #include "attributes/haar/color_axes.h"
 #include "attributes/haar/models.h"
+#include "attributes/haar/picture.h"
 #include "attributes/haar/steps.h"
 #include "attributes/haar/surroundings.h"
 #include "attributes/haar/writer.h"
@@ -36,16 +37,31 @@ using test::Bytes;
 
 constexpr unsigned kBytesPerColor = 3;
 
+Attribute attribute_of(const Colored& mesh, ComponentType type, std::uint8_t components) {
+  const std::size_t size = component_size(type);
+  Attribute a{.kind = AttributeKind::kColor, .type = type, .components = components, .normalized = true};
+  a.values.resize(mesh.count * size * components);
+  for (std::uint32_t v = 0; v < mesh.count; ++v)
+    for (std::size_t c = 0; c < components; ++c) {
+      const std::int32_t level =
+          c < kBytesPerColor ? mesh.colors[kBytesPerColor * v + c] : static_cast<std::int32_t>(v / 7 % 200);
+      store_component(&a.values[(components * v + c) * size], size, color_of_level(type, 8, level));
+    }
+  return a;
+}
+
 CodedValues<std::byte> write_colors(const Colored& mesh, const std::vector<HaarLevel>& levels,
                                     std::uint32_t step) {
-  return HaarWriter({.levels = mesh.colors, .components = kBytesPerColor}, levels)
-      .code(step, ComponentType::kU8);
+  const Attribute source = attribute_of(mesh, ComponentType::kU8, kBytesPerColor);
+  const auto order = test::identity(mesh.count);
+  auto picture = picture_of_colors(source.type, AttributeRows(test::view(source), order));
+  return HaarWriter(*std::move(picture), levels).code(step, source.type);
 }
 
 Result<Bytes> read_colors(std::span<const std::byte> bytes, const Colored& mesh) {
   const Attribute shape{
       .kind = AttributeKind::kColor, .type = ComponentType::kU8, .components = kBytesPerColor};
-  return read_haar_colors(bytes, shape, mesh.surface());
+  return read_haar_values(bytes, shape, mesh.surface());
 }
 
 /// The coded colours, which a reader gets back.
@@ -231,19 +247,6 @@ TEST(HaarColors, SmoothColoursTakeFewBytes) {
   EXPECT_LT(rms(mesh, smooth.values), 3);
 }
 
-Attribute attribute_of(const Colored& mesh, ComponentType type, std::uint8_t components) {
-  const std::size_t size = component_size(type);
-  Attribute a{.kind = AttributeKind::kColor, .type = type, .components = components, .normalized = true};
-  a.values.resize(mesh.count * size * components);
-  for (std::uint32_t v = 0; v < mesh.count; ++v)
-    for (std::size_t c = 0; c < components; ++c) {
-      const std::int32_t level =
-          c < kBytesPerColor ? mesh.colors[kBytesPerColor * v + c] : static_cast<std::int32_t>(v / 7 % 200);
-      store_component(&a.values[(components * v + c) * size], size, color_of_level(type, 8, level));
-    }
-  return a;
-}
-
 /// From 24 to 50 dB within 1 %; where a mean error is less than a level of 8 bits, within 1.5 %.
 TEST(HaarColors, HAAR10AnyMeanErrorIsMetByTheStep) {
   for (const std::uint64_t seed : {1, 2}) {
@@ -287,7 +290,7 @@ TEST(HaarColors, HAAR6OtherTypesAndAlpha) {
         ASSERT_TRUE(coded);
         EXPECT_NEAR(color_rms(type, rows, coded->values), 3, 0.031);
         const Attribute shape{.kind = source.kind, .type = type, .components = components};
-        const auto read = read_haar_colors(coded->bytes, shape, surface);
+        const auto read = read_haar_values(coded->bytes, shape, surface);
         ASSERT_TRUE(read) << describe(read.error());
         EXPECT_EQ(*read, coded->values);
         for (std::size_t v = 0; v < mesh.count && constant; ++v)

@@ -2,7 +2,7 @@
 // Copyright 2026 The deltamesh authors
 //
 // Levels of pairs: every mesh ends in one node after few levels, the same ones whoever makes them.
-#include "attributes/haar/levels.h"
+#include "attributes/haar/levels/levels.h"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +12,9 @@
 #include <thread>
 #include <vector>
 
+#include "attributes/haar/levels/pairing.h"
+#include "attributes/haar/levels/places.h"
 #include "attributes/haar/log_class.h"
-#include "attributes/haar/pairing.h"
-#include "attributes/haar/places.h"
 #include "haar/meshes.h"
 
 namespace deltamesh::haar_test {
