@@ -6,13 +6,18 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
 import { launch } from '../../test/chromium.js';
+import { bridge } from '../bridge.js';
 import { serve } from '../serve.js';
 
 export { hasChromium } from '../../test/chromium.js';
 
-/** Everything that a test needs, and `close()`. `hash`: or a query; `before`: runs in the page before its scripts. `problems`: errors of the console and of requests. */
-export async function openPage({ width = 1280, height = 800, hash = '', dark = false, before } = {}) {
+/**
+ * Everything that a test needs, and `close()`. `hash`: or a query; `before`: runs in the page before its scripts; `udpPort`: see bridge.js.
+ * `problems`: errors of the console and of requests.
+ */
+export async function openPage({ width = 1280, height = 800, hash = '', dark = false, before, udpPort } = {}) {
   const server = await serve();
+  if (udpPort) bridge(server, udpPort);
   const downloads = await mkdtemp(join(tmpdir(), 'deltamesh-viewer-'));
   const browser = await launch();
   const page = await browser.newPage();
@@ -28,10 +33,12 @@ export async function openPage({ width = 1280, height = 800, hash = '', dark = f
   await page.goto(`http://localhost:${server.address().port}/${hash}`, { waitUntil: 'domcontentloaded', timeout: 120000 });
   return {
     page,
+    port: server.address().port,
     problems,
     downloads,
     async close() {
       await browser.close();
+      server.closeAllConnections();
       server.close();
       await rm(downloads, { recursive: true });
     },
