@@ -92,8 +92,9 @@ export class LiveView {
     this.#told = now;
     const count = (number, what) => `${number.toLocaleString('en')} ${what}`;
     const triangles = [...this.#triangles.values()].reduce((sum, some) => sum + some, 0);
-    const changed = changedSeconds === null ? '' : `, changed ${age(changedSeconds)}`;
-    this.#find('mesh-name').textContent = `Live map: ${count(this.#triangles.size, 'parts')}, ${count(triangles, 'triangles')}${changed}`;
+    this.#find('mesh-name').textContent = `Live map: ${count(this.#triangles.size, 'parts')}, ${count(triangles, 'triangles')}`;
+    this.#find('label-result').hidden = changedSeconds === null;
+    if (changedSeconds !== null) this.#find('label-result').textContent = `Changed ${age(changedSeconds)}`;
     const missing = news?.lackingCount ? `; ${count(news.lackingCount, 'parts are on the way')}` : '';
     const faults = news?.faultCount ? `; ${count(news.faultCount, 'parts cannot be sent as they should')}` : '';
     this.#find('summary').textContent = `${formatSize(bytes)} in ${count(messages, 'messages')}${missing}${faults}`;
