@@ -32,10 +32,16 @@ for (const [name, size] of Object.entries(SIZES)) {
       const isBelow = document.getElementById('panel').contains(document.activeElement) && getComputedStyle(document.getElementById('stage')).position === 'sticky';
       return isBelow && focus.top < stage.bottom - 1;
     };
-    for (let i = 0; i < 80; ++i) {
-      await page.keyboard.press('Tab');
-      assert.equal(await page.evaluate(isHidden), false, await page.evaluate(() => document.activeElement.outerHTML));
-    }
+    const press = async (count) => {
+      for (let i = 0; i < count; ++i) {
+        await page.keyboard.press('Tab');
+        assert.equal(await page.evaluate(isHidden), false, await page.evaluate(() => document.activeElement.outerHTML));
+      }
+    };
+    await press(60);
+    await page.keyboard.down('Shift');
+    await press(60);
+    await page.keyboard.up('Shift');
     assert.deepEqual(problems, []);
     await close();
   });
