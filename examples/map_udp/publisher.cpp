@@ -26,11 +26,15 @@ static double now() {
 static Mesh block_mesh(int x, int y, double time) {
   constexpr int kSide = 16;
   Mesh mesh;
+  mesh.attributes.push_back({AttributeKind::kColor, ComponentType::kU8, 3, true, "color"});
   for (int i = 0; i <= kSide; ++i)
     for (int j = 0; j <= kSide; ++j) {
       const double u = 2 * x + 2.0 * i / kSide, v = 2 * y + 2.0 * j / kSide;
       const double z = 1 + 0.2 * std::sin(3 * u + 2 * time) * std::cos(2 * v);
       mesh.positions.insert(mesh.positions.end(), {float(u), float(v), float(z)});
+      const int high = std::lround(255 * (z - 0.8) / 0.4);  // blue below, orange above
+      for (const int c : {high, 120 + high / 4, 255 - high})
+        mesh.attributes[0].values.push_back(std::byte(c));
       if (i == kSide || j == kSide) continue;
       const std::uint32_t a = i * (kSide + 1) + j, b = a + kSide + 1;
       mesh.triangles.insert(mesh.triangles.end(), {a, b, a + 1, a + 1, b, b + 1});
@@ -51,6 +55,7 @@ int main(int argc, char** argv) {
   MapDescription description{.id = 7, .epoch = 1, .frame = "map"};
   description.lattice.step_exponent = step_exponent_for(0.005);  // metres: the finest error that views get
   description.cell_steps = std::lround(2 / description.lattice.step());  // blocks of 2 m
+  description.attributes.push_back({AttributeKind::kColor, ComponentType::kU8, 3, true, "color"});
   auto sender = MapSender::make(description, {.split = {.most_triangles = 2000}});
   if (!sender) return std::puts(describe(sender.error()).c_str()), 1;
   sender->resume(std::uint64_t(std::time(nullptr)) << 10, 0);  // above all revisions before a restart

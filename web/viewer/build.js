@@ -45,7 +45,7 @@ const OPTIONS = {
   logLevel: 'warning',
 };
 const pathOf = (name) => new URL(`src/${name}.js`, here).pathname;
-const PARTS = ['main', 'page', 'workers/read-worker', 'workers/codec-worker', 'workers/decode-worker', 'workers/map-worker', 'workers/pack-worker', 'workers/peers-worker', 'workers/renderer-worker'];
+const PARTS = ['main', 'page', 'workers/read-worker', 'workers/codec-worker', 'workers/decode-worker', 'workers/live-worker', 'workers/map-worker', 'workers/pack-worker', 'workers/peers-worker', 'workers/renderer-worker'];
 const { metafile } = await build({ ...OPTIONS, entryPoints: PARTS.map(pathOf), splitting: true, metafile: true });
 await build({ ...OPTIONS, entryPoints: [pathOf('workers/example-worker')] });
 

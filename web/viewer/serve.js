@@ -1,12 +1,14 @@
 #!/usr/bin/env node
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-// Serves dist/ on this machine: node serve.js [PORT].
+// Serves dist/ on this machine: node serve.js [PORT [UDP_PORT]]; UDP_PORT: where a publisher of a map listens, see bridge.js.
 import { realpathSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { extname } from 'node:path';
 import { fileURLToPath } from 'node:url';
+
+import { bridge } from './bridge.js';
 
 const TYPES = {
   '.html': 'text/html; charset=utf-8',
@@ -35,6 +37,8 @@ export async function serve(port = 0) {
 }
 
 if (process.argv[1] && realpathSync(process.argv[1]) === fileURLToPath(import.meta.url)) {
-  const server = await serve(Number(process.argv[2] ?? 8080));
-  console.log(`http://localhost:${server.address().port}/`);
+  const [port = 8080, udpPort] = process.argv.slice(2).map(Number);
+  const server = await serve(port);
+  if (udpPort) bridge(server, udpPort);
+  console.log(`http://localhost:${server.address().port}/${udpPort ? '?live=live&map=NUMBER' : ''}`);
 }

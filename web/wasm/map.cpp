@@ -10,6 +10,7 @@
 #include "deltamesh/map/folder.h"
 #include "deltamesh/map/map_codec.h"
 #include "map_outcome.h"
+#include "mesh_outcome.h"
 #include "runtime.h"
 
 namespace deltamesh::web {
@@ -25,8 +26,7 @@ MapOutcome map_outcome;
 
 struct KeptPart {
   MapPart part;
-  std::vector<AttributeOutcome> attributes;
-  StreamOutcome outcome;
+  MeshOutcome mesh;
 };
 std::optional<KeptPart> kept;
 
@@ -56,30 +56,6 @@ std::vector<PartOutcome> outcomes_of(const std::vector<PartEntry>& entries) {
   for (const PartEntry& entry : entries)
     parts.push_back(outcome_of(entry, std::binary_search(finest.begin(), finest.end(), entry.key)));
   return parts;
-}
-
-AttributeOutcome outcome_of(const Attribute& attribute) {
-  return {.name = attribute.name.data(),
-          .name_bytes = low_of(attribute.name.size()),
-          .kind = static_cast<std::uint32_t>(attribute.kind),
-          .type = static_cast<std::uint32_t>(attribute.type),
-          .components = attribute.components,
-          .flags = (attribute.normalized ? 1U : 0U) | (attribute.linear ? 2U : 0U),
-          .values = attribute.values.data()};
-}
-
-void describe(KeptPart& part) {
-  const Mesh& mesh = part.part.mesh;
-  StreamOutcome& outcome = part.outcome;
-  for (const Attribute& attribute : mesh.attributes) part.attributes.push_back(outcome_of(attribute));
-  std::copy_n(mesh.origin.data(), 3, outcome.origin);
-  outcome.vertices = low_of(mesh.positions.size() / 3);
-  outcome.triangles = low_of(mesh.triangles.size() / 3);
-  outcome.attribute_count = low_of(part.attributes.size());
-  outcome.attributes = part.attributes.data();
-  outcome.positions = mesh.positions.data();
-  outcome.indices = mesh.triangles.data();
-  outcome.groups = mesh.face_groups.empty() ? nullptr : mesh.face_groups.data();
 }
 
 }  // namespace
@@ -115,12 +91,12 @@ StreamOutcome* decode_part(std::uint32_t number, const std::byte* octets, std::s
   kept.emplace();
   auto part = map->codec.decode(map->entries[number].key, {octets, bytes});
   if (!part) {
-    kept->outcome.error = outcome_of(part.error());
-    return &kept->outcome;
+    kept->mesh.outcome.error = outcome_of(part.error());
+    return &kept->mesh.outcome;
   }
   kept->part = *std::move(part);
-  describe(*kept);
-  return &kept->outcome;
+  kept->mesh.describe(kept->part.mesh);
+  return &kept->mesh.outcome;
 }
 
 /// Frees the last part.

@@ -28,6 +28,34 @@ struct MapOutcome {
   const PartOutcome* parts = nullptr;
 };
 
+struct KeyOutcome {
+  std::uint32_t level = 0;
+  std::int32_t cell[3]{};
+};
+
+/// What a receiver shows since the last time.
+struct ChangeOutcome {
+  std::uint32_t changed_count = 0;
+  const KeyOutcome* changed = nullptr;
+  std::uint32_t removed_count = 0;
+  const KeyOutcome* removed = nullptr;
+  std::uint32_t lacking = 0;  ///< parts that are announced and have not come
+  std::uint32_t faults = 0;   ///< parts that the sender cannot send as the view asks
+};
+
+struct MessageOutcome {
+  std::uint32_t bytes = 0;
+  const std::byte* octets = nullptr;
+};
+
+struct MessagesOutcome {
+  ErrorOutcome error;
+  std::uint32_t count = 0;
+  const MessageOutcome* messages = nullptr;
+};
+
+static_assert(sizeof(KeyOutcome) == 16 && sizeof(ChangeOutcome) == 24 &&
+              offsetof(MessagesOutcome, count) == 32);
 static_assert(sizeof(PartOutcome) == 96 && offsetof(MapOutcome, part_count) == 56);
 
 }  // namespace deltamesh::web

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/byte_reader.h"
+#include "base/byte_writer.h"
 #include "base/guard.h"
 #include "base/try.h"
 #include "message/frame.h"
@@ -88,14 +90,14 @@ FragmentJoiner::Begun& FragmentJoiner::begun_for(const FragmentMessage& fragment
     return begun.id == fragment.id && begun.bytes.size() == fragment.size;
   };
   if (const auto found = std::ranges::find_if(begun_, is_it); found != begun_.end()) return *found;
-  std::size_t octets = fragment.size;
+  const auto size = static_cast<std::size_t>(fragment.size);  // at most kMostMessageBytes
+  std::size_t octets = size;
   for (const Begun& begun : begun_) octets += begun.bytes.size();
   while (!begun_.empty() && (octets > kMostOctets || begun_.size() >= kMostBegun)) {
     octets -= begun_.front().bytes.size();
     begun_.pop_front();
   }
-  return begun_.emplace_back(Begun{fragment.id, std::vector<std::byte>(fragment.size),
-                                   std::vector<bool>(fragment.size), fragment.size});
+  return begun_.emplace_back(Begun{fragment.id, std::vector<std::byte>(size), std::vector<bool>(size), size});
 }
 
 Result<std::optional<std::vector<std::byte>>> FragmentJoiner::add(std::span<const std::byte> bytes) noexcept {
@@ -103,7 +105,7 @@ Result<std::optional<std::vector<std::byte>>> FragmentJoiner::add(std::span<cons
     DELTAMESH_TRY(const FragmentMessage fragment, read_fragment(bytes));
     Begun& begun = begun_for(fragment);
     for (std::size_t i = 0; i < fragment.octets.size(); ++i) {
-      const std::size_t place = fragment.offset + i;
+      const std::size_t place = static_cast<std::size_t>(fragment.offset) + i;
       if (begun.has[place]) continue;
       begun.has[place] = true;
       begun.bytes[place] = fragment.octets[i];

@@ -4,6 +4,8 @@
 // Pose messages [MAP-23].
 #include <cmath>
 
+#include "base/byte_reader.h"
+#include "base/byte_writer.h"
 #include "base/guard.h"
 #include "base/try.h"
 #include "deltamesh/map/messages.h"

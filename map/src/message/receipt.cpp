@@ -24,8 +24,8 @@ const char* what_is_wrong(const Receipt& receipt) noexcept {
 void write_receipt_fields(ByteWriter& out, const Receipt& receipt) {
   std::vector<std::byte> bits;
   for (const std::uint64_t number : receipt.missing) {
-    const std::uint64_t bit = receipt.highest - 1 - number;
-    bits.resize(std::max<std::size_t>(bits.size(), bit / 8 + 1));
+    const auto bit = static_cast<std::size_t>(receipt.highest - 1 - number);
+    bits.resize(std::max(bits.size(), bit / 8 + 1));
     bits[bit / 8] |= std::byte{1} << (bit % 8);
   }
   out.write_varint(receipt.highest);
@@ -42,7 +42,7 @@ Result<Receipt> read_receipt_fields(ByteReader& in) {
   DELTAMESH_TRY(const auto bits, in.read_bytes(size));
   if (size != 0 && bits.back() == std::byte{})
     return in.error(ErrorCode::kInvalidStream, "a receipt that is longer than it needs to be", "MAP-21");
-  for (std::uint64_t bit = 8 * std::uint64_t{size}; bit-- > 0;) {
+  for (std::size_t bit = 8 * std::size_t{size}; bit-- > 0;) {
     if ((bits[bit / 8] >> (bit % 8) & std::byte{1}) == std::byte{}) continue;
     if (bit + 1 >= receipt.highest)
       return in.error(ErrorCode::kInvalidStream, "a receipt of numbers below 1", "MAP-21");

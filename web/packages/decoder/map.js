@@ -4,10 +4,10 @@
 // Maps on disk: a manifest and parts that are decoded one by one. See map.d.ts.
 import { CODES, DeltameshError } from './errors.js';
 import { Instance, settle } from './instance.js';
+import { MAP_MODULE, partMesh } from './map-part.js';
 import { compileGiven, compileOwn } from './modules.js';
 import { readError, readStream } from './outcome.js';
 
-const MODULE = { url: () => new URL('./map.wasm', import.meta.url), text: () => import('./text/map.js') };
 const PART_SIZE = 96;
 
 const wide = ([low, high]) => (BigInt(high) << 32n) | BigInt(low);
@@ -74,7 +74,7 @@ class MapDecoder {
         if (bytes.byteLength !== part.bytes) return new DeltameshError({ code: CODES.corrupt, what: `not as long as ${part.file}`, rule: 'MAP-10' });
         const address = instance.put(bytes);
         const outcome = instance.calls.decodePart(number, address, bytes.byteLength);
-        const result = readError(instance, outcome) ?? this.#mesh(readStream(instance, outcome, true), part);
+        const result = readError(instance, outcome) ?? { ...partMesh(readStream(instance, outcome, true)), box: part.box, quality: part.quality };
         instance.calls.release(address);
         instance.calls.forget();
         return result;
@@ -83,16 +83,11 @@ class MapDecoder {
     );
   }
 
-  #mesh({ vertexCount, triangleCount, origin, positions, indices, groups, attributes }, { quality, box }) {
-    const own = attributes.map(({ name, kind, components, normalized, linear, values }) => ({ name, kind, components, normalized, linear, values }));
-    return { vertexCount, triangleCount, origin, box, quality, positions, indices, groups, attributes: own };
-  }
-
   release() {
     this.#instance = undefined;
   }
 }
 
 export async function openMap(manifest, { file } = {}) {
-  return new MapDecoder(await (file === undefined ? compileOwn(MODULE) : compileGiven(file)), manifest).open();
+  return new MapDecoder(await (file === undefined ? compileOwn(MAP_MODULE) : compileGiven(file)), manifest).open();
 }

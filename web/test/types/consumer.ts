@@ -5,6 +5,7 @@ import { registerDeltamesh } from '@deltamesh/babylon';
 import { DeltameshError, createDecoder, supportsSimd } from '@deltamesh/decoder';
 import { EXTENSION_NAME } from '@deltamesh/decoder/gltf';
 import { openMap } from '@deltamesh/decoder/map';
+import { createReceiver } from '@deltamesh/decoder/receiver';
 import { DecoderPool } from '@deltamesh/decoder/pool';
 import { createEncoder } from '@deltamesh/encoder';
 import { EncoderWorker } from '@deltamesh/encoder/worker';
@@ -36,6 +37,18 @@ export async function firstPart(manifest: Uint8Array, read: (file: string) => Ui
   if (map instanceof DeltameshError) throw map;
   const mesh = map.decode(0, read(map.parts[0]!.file));
   return mesh instanceof DeltameshError ? new Float32Array() : mesh.positions;
+}
+
+export async function follow(socket: WebSocket): Promise<number> {
+  const receiver = await createReceiver({ map: 7n });
+  socket.onmessage = ({ data }) => receiver.apply(new Uint8Array(data));
+  const messages = receiver.messages(performance.now() / 1000);
+  if (messages instanceof DeltameshError) throw messages;
+  for (const message of messages) socket.send(message);
+  const change = receiver.takeChange();
+  if (change instanceof DeltameshError) throw change;
+  const meshes = change.changed.map((key) => receiver.find(key));
+  return meshes.filter((mesh) => mesh !== null && !(mesh instanceof DeltameshError) && mesh.positions.length > 0).length;
 }
 
 export async function encode(positions: Float32Array, indices: Uint32Array): Promise<Uint8Array> {

@@ -6,17 +6,18 @@ import { fetchStudio } from './stage/studio-file.js';
 import { Workshop, isDrawnBySoftware } from './workshop.js';
 
 const workshop = new Workshop();
-const url = new URLSearchParams(location.search).get('url');
+const { url, live, map = '0' } = Object.fromEntries(new URLSearchParams(location.search));
 const { example } = fromHash(location.hash);
-const first = url ? null : workshop.example(example);
+const first = url || live ? null : workshop.example(example);
 first?.catch(() => {}); // the page tells of it
 try {
   const drawing = Promise.all([isDrawnBySoftware(), fetchStudio()]);
   const { Page } = await import('./page.js');
   const [isSoftware, studio] = await drawing;
   const page = new Page(workshop, { isSoftware, studio });
-  window.viewer = { replacePart: (place, bytes) => page.replacePart(place, bytes) };
-  if (url) page.openFirst(url);
+  window.viewer = { replacePart: (place, bytes) => page.maps.replace(place, bytes) };
+  if (live) page.openLive(live, map);
+  else if (url) page.openFirst(url);
   else page.openExample(example, first);
 } catch (error) {
   const line = document.getElementById('error');

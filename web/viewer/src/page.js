@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 // The page: settings in, streams and pictures out.
-import { mapOf } from './map/map-files.js';
-import { MapView } from './map/map-view.js';
+import { listen } from './inputs.js';
+import { Maps } from './map/maps.js';
 import { EXAMPLES, exampleOf } from './mesh/examples.js';
 import { Controls } from './panel/controls.js';
-import { makeDivider } from './panel/divider.js';
-import { copyLink, offerDownloads } from './panel/downloads.js';
 import { headlineOf } from './panel/headline.js';
-import { fetchFile, listExamples, oneMeshOf, openFiles, openPasted } from './panel/open.js';
+import { fetchFile, oneMeshOf } from './panel/open.js';
 import { compareWithOthers } from './panel/others.js';
 import { forgetResult, rawBytes, showResult } from './panel/result.js';
 import { Status } from './panel/status.js';
@@ -39,24 +37,18 @@ export class Page {
     this.workshop = workshop;
     this.status = new Status(find);
     this.picture = new Picture(find, workshop, drawing, (error) => this.status.fail(error));
-    this.map = new MapView(find, workshop.map, this.picture.stage);
     this.controls = new Controls(find, (id, value) => this.change(id, value));
     this.controls.show(this.#settings);
-    this.controls.showMap(find, false);
-    listExamples(find('example'), (name) => this.openExample(name));
-    openFiles({ input: find('file'), folderInput: find('folder'), hint: find('drop-hint') }, {
-      onFiles: (files) => this.openFiles(files),
-      onFolder: (files) => this.openMap(files),
-      onFailure: (error) => this.status.fail(error),
-    });
-    openPasted({ onFiles: (files) => this.openFiles(files), onUrl: (url) => this.openUrl(url) });
-    makeDivider(find('divider'), (share) => this.picture.setSplit(share));
-    find('panel').addEventListener('submit', (event) => event.preventDefault());
-    find('cancel').addEventListener('click', () => this.cancel());
-    const current = () => ({ bytes: this.#result.bytes, name: this.#name, file: this.#source.file, options: encodeOptions(this.#settings) });
-    offerDownloads(find, workshop, this.status, current);
-    find('copy-link').addEventListener('click', () => this.copyLink());
-    window.addEventListener('hashchange', () => this.followLink());
+    const { status, controls } = this;
+    const [settings, onOpen] = [() => this.#settings, () => this.#leaveMesh()];
+    this.maps = new Maps(find, { workshop, stage: this.picture.stage, status, controls, settings, onOpen });
+    this.maps.close();
+    listen(this, find);
+  }
+
+  /** What is downloaded: see offerDownloads(). */
+  get download() {
+    return { bytes: this.#result.bytes, name: this.#name, file: this.#source.file, options: encodeOptions(this.#settings) };
   }
 
   change(id, value) {
@@ -65,11 +57,6 @@ export class Page {
     this.keepLink();
     if (ENCODING.includes(id)) this.encodeSoon();
     else this.#showPicture();
-  }
-
-  async copyLink() {
-    this.keepLink();
-    find('status').textContent = await copyLink();
   }
 
   keepLink() {
@@ -93,7 +80,7 @@ export class Page {
     this.status.keepsFailure = false;
     find('still')?.remove(); // of the first example
     this.workshop.cancel();
-    this.map.cancel();
+    this.maps.cancel();
   }
 
   cancel() {
@@ -129,37 +116,27 @@ export class Page {
   }
 
   /** The folder of a map; of one that is open the parts that changed. */
-  async openMap(files) {
+  openMap(files) {
     this.#stop();
-    this.status.tell('Reading the map');
-    try {
-      const map = mapOf(files);
-      if (!map) throw new Error('this folder has no map: there is no map.dmm');
-      await this.map.open(map, (share) => (find('progress').value = share));
-      clearTimeout(this.#timer); // a slider may have been moved meanwhile
-      this.workshop.cancel();
-      this.#source = null;
-      this.#forgetResult();
-      this.controls.showMap(find, true);
-      find('example').value = 'file';
-      this.#showPicture();
-      const { title, summary } = this.map.describe();
-      find('mesh-name').textContent = `Map: ${title}`;
-      find('summary').textContent = summary;
-      this.status.tell('Done', false);
-    } catch (error) {
-      this.status.fail(error);
-    }
+    return this.maps.openFolder(files);
   }
 
-  /** For scripts that follow a map: the part `place` from other bytes. */
-  async replacePart(place, bytes) {
-    await this.map.replace(place, bytes);
-    this.#showPicture();
+  /** A map that changes: see Maps. */
+  openLive(live, map) {
+    this.#stop();
+    this.maps.follow(live, map);
+  }
+
+  #leaveMesh() {
+    clearTimeout(this.#timer); // a slider may have been moved meanwhile
+    this.workshop.cancel();
+    this.#source = null;
+    this.#forgetResult();
+    find('example').value = 'file';
   }
 
   #showPicture() {
-    if (this.map.isOpen) this.map.show(this.#settings);
+    if (this.maps.isOpen) this.maps.show();
     else this.picture.show(this.#settings);
   }
 
@@ -180,8 +157,7 @@ export class Page {
       await nextTask(); // what is read may have been there already
       if (opening !== this.#opening) return;
       find('example').value = example;
-      this.map.close();
-      this.controls.showMap(find, false);
+      this.maps.close();
       this.#source = { mesh, frame, file: isGlb ? file : null };
       this.#name = name.replace(/\.[^.]*$/, '').toLowerCase();
       this.workshop.setSource(this.#source);

@@ -68,6 +68,11 @@ export class Workshop {
     for (const name of ['encoder', 'core', 'highpass']) moduleOf(name).catch(() => {}); // who needs it will ask again
   }
 
+  /** A worker that follows a map: see live-worker.js. */
+  follow(message) {
+    return startWorker('live-worker', message);
+  }
+
   /** Ends reading, compressing and comparing. */
   cancel() {
     for (const job of [this.examples, this.reader, this.codec, this.packer, this.peers]) job.cancel();

@@ -12,7 +12,7 @@ const axe = readFileSync(new URL(import.meta.resolve('axe-core')), 'utf8');
 const STATES = {
   light: { hash: '#example=terrain&effort=0' },
   dark: { hash: '#example=terrain&effort=0&color=signed', dark: true },
-  phone: { hash: '#example=terrain&effort=0', width: 390, height: 844 },
+  phone: { hash: '#example=terrain&effort=0', width: 390, height: 844, isPhone: true },
 };
 
 for (const [name, options] of Object.entries(STATES)) {

@@ -16,9 +16,9 @@ test('the package has the page, its workers, the modules and the server', (t) =>
   const [{ files, size }] = JSON.parse(execFileSync('npm', ['pack', '--dry-run', '--json', '--ignore-scripts'], { cwd: folder, encoding: 'utf8' }));
   const modules = ['core', 'highpass', 'rare', 'grid', 'zstd', 'map', 'encoder', 'draco_encoder', 'draco_decoder'].map((name) => `dist/${name}.wasm`);
   const examples = ['room', 'knot', 'terrain'].flatMap((name) => [`dist/${name}.dmsh`, `dist/${name}.order.gz`]);
-  const scripts = ['main', 'page', 'draco_wasm_wrapper', 'example-worker', 'read-worker', 'renderer-worker', 'codec-worker', 'decode-worker', 'map-worker', 'pack-worker', 'peers-worker'].map((name) => `dist/${name}.js`);
+  const scripts = ['main', 'page', 'draco_wasm_wrapper', 'example-worker', 'read-worker', 'renderer-worker', 'codec-worker', 'decode-worker', 'live-worker', 'map-worker', 'pack-worker', 'peers-worker'].map((name) => `dist/${name}.js`);
   const stills = hasChromium ? ['dist/still-dark.webp', 'dist/still-light.webp'] : [];
-  const own = ['LICENSE', 'README.md', 'dist/LICENSE', 'dist/NOTICE', 'dist/index.html', 'dist/style.css', 'dist/studio.gz', ...stills, 'package.json', 'serve.js'];
+  const own = ['LICENSE', 'README.md', 'dist/LICENSE', 'dist/NOTICE', 'dist/index.html', 'dist/style.css', 'dist/studio.gz', ...stills, 'bridge.js', 'package.json', 'serve.js'];
   const paths = files.map(({ path }) => path).filter((path) => !/^dist\/(part|read-mesh)-\w+\.js$/.test(path)); // what bundles share
   assert.deepEqual(paths.sort(), [...modules, ...examples, ...scripts, ...own].sort());
   t.diagnostic(`${size} bytes`);

@@ -5,13 +5,12 @@ import { Superseded } from '../latest-job.js';
 import { showScale } from '../panel/scale.js';
 import { SEQUENTIAL as STOPS, roundLimit } from '../stage/heat.js';
 import { formatBytes } from '../units.js';
+import { keyOf } from './box.js';
 
 export const MAP_SCALES = {
   bytes: { name: 'Size for each triangle', unit: 'bytes', colors: STOPS, valueOf: ({ bytes, triangleCount }) => bytes / Math.max(1, triangleCount) },
   error: { name: 'Visual error (VDE)', unit: 'units', colors: STOPS, valueOf: ({ quality }) => quality.vde },
 };
-
-const keyOf = ({ level, cell }) => [level, ...cell].join('_');
 
 export class MapView {
   #find;

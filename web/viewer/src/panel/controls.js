@@ -103,12 +103,12 @@ export class Controls {
     for (const [id, row] of Object.entries(this.#rows)) row.set(settings[id]);
   }
 
-  /** A map has no original to compare with, and is not encoded. */
-  showMap(find, isMap) {
+  /** A map has no original to compare with, and is not encoded; of one that changes its own colours are shown. */
+  showMap(find, isMap, isLive = false) {
     for (const id of ['quality', 'details', 'others', 'copy-link']) find(id).hidden = isMap;
     for (const id of ['label-original', 'label-result', 'divider']) if (isMap) find(id).hidden = true;
     for (const id of ['view', 'color', 'look', 'up']) this.#rows[id].row.hidden = isMap;
-    this.#rows.mapColor.row.hidden = !isMap;
+    this.#rows.mapColor.row.hidden = !isMap || isLive;
   }
 
   /** Hides the bounds of attributes that the mesh does not have. */

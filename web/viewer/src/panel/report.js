@@ -7,6 +7,7 @@ import { formatBytes, formatNumber, formatPercent } from '../units.js';
 const CHUNKS = {
   CONN: 'Faces',
   SEAM: 'Seams',
+  FGRP: 'Groups of faces',
   ORDR: 'Order',
   DELT: 'Delta coordinates',
   ANCH: 'Anchors',
