@@ -52,6 +52,15 @@ test('a lifted vertex is above the original, and neighbours feel it in VDE', () 
   assert.ok(normal.every((angle) => angle > 0 && angle < 20));
 });
 
+test('errors of colours are 255ths, in the order of decoded vertices', () => {
+  const colored = (values) => ({ ...square, attributes: [{ kind: 'color', name: 'color', components: 3, normalized: true, values }] });
+  const source = colored(new Uint8Array([0, 0, 0, 10, 10, 10, 20, 20, 20, 30, 30, 30]));
+  const order = new Uint32Array([1, 0, 3, 2]);
+  const { tint } = vertexErrors(source, colored(new Uint8Array([10, 10, 10, 0, 0, 0, 30, 30, 36, 23, 20, 20])), order);
+  assert.deepEqual([...tint].map((value) => value.toFixed(3)), ['0.000', '0.000', '3.464', '1.732']);
+  assert.ok(vertexErrors(square, square, order).tint.every((value) => value === 0));
+});
+
 test('errors follow the order of decoded vertices', () => {
   const decoded = { ...square, positions: new Float32Array([1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0]), indices: new Uint32Array([1, 2, 0, 1, 0, 3]) };
   const { signed, vde } = vertexErrors(square, decoded, new Uint32Array([2, 0, 1, 3]));

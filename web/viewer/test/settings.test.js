@@ -38,4 +38,6 @@ test('options of the encoder leave out what is off', () => {
   assert.equal(options.maxError, undefined);
   assert.equal(options.targetBytes, 9000);
   assert.equal(options.effort, 1);
+  assert.equal(options.colorRms, undefined);  // the encoder tells photographs from labels
+  assert.ok(Math.abs(encodeOptions({ ...DEFAULTS, colors: 40 }).colorRms - 2.55) < 1e-9);
 });

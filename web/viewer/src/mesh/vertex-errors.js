@@ -52,9 +52,26 @@ function visualErrors(original, decoded, indices) {
   return errors;
 }
 
+const colorsOf = ({ attributes }) => attributes.find(({ kind, components }) => kind === 'color' && components >= 3);
+
+/** Root mean square of the differences of red, green and blue, 255ths of their range; 0 without colours. */
+function colorErrors(original, decoded, order) {
+  const errors = new Float32Array(order.length);
+  const [source, target] = [colorsOf(original), colorsOf(decoded)];
+  if (!source || !target) return errors;
+  const top = { Uint8Array: 255, Uint16Array: 65535 }[source.values.constructor.name] ?? 1;
+  for (let v = 0; v < order.length; ++v) {
+    let squares = 0;
+    for (let c = 0; c < 3; ++c)
+      squares += (target.values[target.components * v + c] - source.values[source.components * order[v] + c]) ** 2;
+    errors[v] = (255 / top) * Math.sqrt(squares / 3);
+  }
+  return errors;
+}
+
 /**
  * `order`: the original's vertex for every decoded one. Returns per decoded vertex `signed`, the displacement along the original's
- * normal, outward positive; `vde`; and `normal`, degrees between normals. The first two in model units.
+ * normal, outward positive; `vde`; `normal`, degrees between normals; and `tint`, of colours. The first two in model units.
  */
 export function vertexErrors(original, decoded, order) {
   const count = order.length;
@@ -76,5 +93,6 @@ export function vertexErrors(original, decoded, order) {
     const lengths = Math.sqrt(dotAt(a, a, 3 * v) * dotAt(b, b, 3 * v)) || 1;
     normal[v] = DEGREES * Math.acos(Math.min(1, Math.max(-1, dotAt(a, b, 3 * v) / lengths)));
   }
-  return { signed, vde: visualErrors(before, decoded.positions, indices), normal };
+  const tint = colorErrors(original, decoded, order);
+  return { signed, vde: visualErrors(before, decoded.positions, indices), normal, tint };
 }

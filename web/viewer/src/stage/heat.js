@@ -11,6 +11,7 @@ export const HEATS = {
   signed: { colors: DIVERGING, isSigned: true, name: 'Signed distance', unit: 'units, outward positive' },
   vde: { colors: SEQUENTIAL, isSigned: false, name: 'Visual error', unit: 'units' },
   normal: { colors: SEQUENTIAL, isSigned: false, name: 'Normals’ angle', unit: 'degrees' },
+  tint: { colors: SEQUENTIAL, isSigned: false, name: 'Colours’ error', unit: '255ths, rms of red, green and blue' },
 };
 
 const WIDTH = 256;
