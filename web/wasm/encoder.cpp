@@ -88,7 +88,8 @@ EncodeOptions options_of(const OptionsCall& call) {
                         .weight_error = call.weight_error};
   for (std::uint32_t i = 0; i < call.named_count; ++i) {
     const NamedCall& named = call.named[i];
-    options.attributes.named.push_back({.name = {named.name, named.name_bytes}, .error = named.error});
+    options.attributes.named.push_back(
+        {.name = {named.name, named.name_bytes}, .error = named.error, .is_mean = named.is_mean != 0});
   }
   options.profile = static_cast<Profile>(call.profile);
   options.keep_order = call.keep_order != 0;

@@ -41,6 +41,7 @@ struct BoundCall {
 
 struct NamedCall {
   double error;
+  double is_mean;
   const char* name;
   std::uint32_t name_bytes;
 };

@@ -110,11 +110,12 @@ class Arguments {
 
   /** As OptionsCall. */
   options(options) {
-    const named = Object.entries(options.attributeErrors ?? {});
-    const names = new Uint8Array(16 * named.length);
-    named.forEach(([name, error], i) => {
-      new Float64Array(names.buffer, 16 * i, 1)[0] = error;
-      new Uint32Array(names.buffer, 16 * i + 8, 2).set(this.text(name));
+    const bounds = (errors, isMean) => Object.entries(errors ?? {}).map(([name, error]) => ({ name, error, isMean }));
+    const named = [...bounds(options.attributeErrors, 0), ...bounds(options.attributeRms, 1)];
+    const names = new Uint8Array(24 * named.length);
+    named.forEach(({ name, error, isMean }, i) => {
+      new Float64Array(names.buffer, 24 * i, 2).set([error, isMean]);
+      new Uint32Array(names.buffer, 24 * i + 16, 2).set(this.text(name));
     });
     const numbers = new Float64Array([...optionNumbers(options), 0]);
     new Uint32Array(numbers.buffer).set([this.put(names), named.length], 2 * (numbers.length - 1));

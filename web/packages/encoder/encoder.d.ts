@@ -67,6 +67,8 @@ export interface EncodeOptions {
   weightError?: number;
   /** Of generic attributes by their names, in their units; others are exact. */
   attributeErrors?: Record<string, number>;
+  /** In place of it, of generic attributes of one component: root mean square of their errors. */
+  attributeRms?: Record<string, number>;
   profile?: 'smallest' | 'zstd';
   /** Restores the input's order of vertices and faces. */
   keepOrder?: boolean;

@@ -89,6 +89,17 @@ test('attributes, groups and the origin come back', async () => {
   decoded.attributes[1].values.forEach((value, i) => assert.ok(Math.abs(value - i / 7) <= 0.01 + 1e-6));
 });
 
+test('a number of each vertex keeps a mean error', async () => {
+  const [decoder, encoder] = await Promise.all([createDecoder(), createEncoder()]);
+  const values = Float32Array.from({ length: 2500 }, (_, i) => 20 * Math.sin(i / 9) + (i % 50));
+  const mesh = { ...wavyGrid(50), attributes: [{ name: 'intensity', kind: 'generic', components: 1, values }] };
+  const { bytes } = encoder.encode(mesh, { keepOrder: true, attributeRms: { intensity: 2 } });
+  const [decoded] = (await decoder.decode(bytes)).attributes;
+  const squares = decoded.values.reduce((sum, value, i) => sum + (value - values[i]) ** 2, 0);
+  const rms = Math.sqrt(squares / values.length);
+  assert.ok(rms > 1.5 && rms <= 2.0001, `${rms}`);
+});
+
 test('bad options and meshes are errors, as requests that cannot be met', async () => {
   const encoder = await createEncoder();
   const mesh = wavyGrid(10);
