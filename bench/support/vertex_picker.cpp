@@ -28,8 +28,14 @@ std::string vertex_bits(const Mesh& mesh, std::uint32_t vertex) {
 
 VertexPicker::VertexPicker(const Mesh& mesh, bool welds) : mesh_(&mesh), welds_(welds) {
   picked_.origin = mesh.origin;
-  picked_.attributes = mesh.attributes;
-  for (Attribute& attribute : picked_.attributes) attribute.values.clear();
+  for (const Attribute& attribute : mesh.attributes)
+    picked_.attributes.push_back({.kind = attribute.kind,
+                                  .type = attribute.type,
+                                  .components = attribute.components,
+                                  .normalized = attribute.normalized,
+                                  .name = attribute.name,
+                                  .values = {},
+                                  .linear = attribute.linear});
 }
 
 void VertexPicker::add_corner(std::uint32_t vertex) {

@@ -117,7 +117,7 @@ struct CompareOutcome {
   std::uint32_t signed_error_count = 0;
 };
 
-static_assert(sizeof(AttributeCall) == 32 && sizeof(MeshCall) == 56 && sizeof(NamedCall) == 16);
+static_assert(sizeof(AttributeCall) == 32 && sizeof(MeshCall) == 56 && sizeof(NamedCall) == 24);
 static_assert(sizeof(PackedAttributeOutcome) == 32 && offsetof(PackOutcome, bytes) == 192);
 static_assert(offsetof(OptionsCall, named) == 24 * 8 && offsetof(CompareOutcome, corresponding) == 96);
 
